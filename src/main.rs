@@ -1,0 +1,3 @@
+//! The `grazing` command.
+
+fn main() {}

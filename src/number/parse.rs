@@ -1,0 +1,191 @@
+//! The number grammar of the command line and of every input file: text to an exact rational.
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::{One, Zero, pow};
+
+use crate::error::{Error, Result};
+
+/// The size limit of one parsed term: numerator and denominator stay below 2^`LIMIT_BITS`, so that
+/// `1e-999999999` is an error and not an exhausted memory.
+pub const LIMIT_BITS: u32 = 1 << 20;
+
+/// Reads an exact rational: a sum or difference of terms `12`, `3/8`, `0.375`, `1e-30`, `2^-200`.
+///
+/// ```text
+/// number  = [sign] term { sign term }          sign = "+" | "-"
+/// term    = power [ "/" power ]
+/// power   = decimal [ "^" [sign] digits ]
+/// decimal = digits [ "." [digits] ] [ ("e" | "E") [sign] digits ] | "." digits [ … ]
+/// ```
+///
+/// Spaces may stand around signs. Every value is exact: `0.1` is 1/10. Cost: O(L²) bit operations for
+/// a text of L characters plus the size of the powers written out, each bounded by [`LIMIT_BITS`].
+///
+/// # Errors
+/// An input error that quotes the text and says what was expected where.
+///
+/// ```
+/// use grazing::number::parse_rational;
+/// assert_eq!(parse_rational("3/8 - 2^-3")?, parse_rational("0.25")?);
+/// assert_eq!(parse_rational("1e-2")?.to_string(), "1/100");
+/// assert!(parse_rational("1/0").is_err());
+/// # Ok::<(), grazing::Error>(())
+/// ```
+pub fn parse_rational(text: &str) -> Result<BigRational> {
+    let mut reader = Reader { text, rest: text.trim() };
+    let mut total = reader.signed_term(true)?;
+    while !reader.rest.is_empty() {
+        let term = reader.signed_term(false)?;
+        total += term;
+    }
+    Ok(total)
+}
+
+struct Reader<'a> {
+    text: &'a str,
+    rest: &'a str,
+}
+
+impl<'a> Reader<'a> {
+    fn fail<T>(&self, expected: &str) -> Result<T> {
+        let found = match self.rest.chars().next() {
+            None => "the end".to_string(),
+            Some(c) => format!("{c:?}"),
+        };
+        Err(Error::input(format!(
+            "{:?} is not a number: expected {expected}, found {found} (write 3/8, 0.375, 1e-30, 2^-10 or a sum of such terms)",
+            abbreviate(self.text)
+        )))
+    }
+
+    fn too_large<T>(&self) -> Result<T> {
+        Err(Error::input(format!(
+            "{:?} is too large or too fine: a term may have at most {LIMIT_BITS} bits",
+            abbreviate(self.text)
+        )))
+    }
+
+    /// Takes `c` if it comes next.
+    fn take(&mut self, c: char) -> bool {
+        match self.rest.strip_prefix(c) {
+            Some(rest) => {
+                self.rest = rest;
+                true
+            }
+            None => false,
+        }
+    }
+
+    /// Takes a sign if one comes next: true for minus.
+    fn sign(&mut self) -> Option<bool> {
+        if self.take('-') {
+            Some(true)
+        } else if self.take('+') {
+            Some(false)
+        } else {
+            None
+        }
+    }
+
+    fn signed_term(&mut self, first: bool) -> Result<BigRational> {
+        self.rest = self.rest.trim_start();
+        let negative = match self.sign() {
+            Some(negative) => negative,
+            None if first => false,
+            None => return self.fail("`+` or `-`"),
+        };
+        self.rest = self.rest.trim_start();
+        let term = self.term()?;
+        self.rest = self.rest.trim_start();
+        Ok(if negative { -term } else { term })
+    }
+
+    fn term(&mut self) -> Result<BigRational> {
+        let numerator = self.power()?;
+        if !self.take('/') {
+            return Ok(numerator);
+        }
+        let denominator = self.power()?;
+        if denominator.is_zero() {
+            return Err(Error::input(format!("{:?} divides by zero", abbreviate(self.text))));
+        }
+        Ok(numerator / denominator)
+    }
+
+    fn power(&mut self) -> Result<BigRational> {
+        let base = self.decimal()?;
+        if !self.take('^') {
+            return Ok(base);
+        }
+        let exponent = self.exponent()?;
+        if base.is_zero() && exponent < 0 {
+            return Err(Error::input(format!("{:?} divides by zero", abbreviate(self.text))));
+        }
+        self.raise(base, exponent)
+    }
+
+    fn raise(&self, base: BigRational, exponent: i64) -> Result<BigRational> {
+        let bits = base.numer().bits().max(base.denom().bits());
+        if bits.saturating_mul(exponent.unsigned_abs()) > u64::from(LIMIT_BITS) {
+            return self.too_large();
+        }
+        let raised = pow(base, exponent.unsigned_abs() as usize);
+        Ok(if exponent < 0 { raised.recip() } else { raised })
+    }
+
+    /// A signed exponent; one beyond `i64` is beyond the size limit too, whatever the base but 0 and ±1.
+    fn exponent(&mut self) -> Result<i64> {
+        let negative = self.sign().unwrap_or(false);
+        let digits = self.digits();
+        if digits.is_empty() {
+            return self.fail("the digits of an exponent");
+        }
+        match digits.parse::<i64>() {
+            Ok(value) => Ok(if negative { -value } else { value }),
+            Err(_) => self.too_large(),
+        }
+    }
+
+    fn digits(&mut self) -> &'a str {
+        let end = self.rest.find(|c: char| !c.is_ascii_digit()).unwrap_or(self.rest.len());
+        let (digits, rest) = self.rest.split_at(end);
+        self.rest = rest;
+        digits
+    }
+
+    fn decimal(&mut self) -> Result<BigRational> {
+        let whole = self.digits();
+        let fraction = if self.take('.') { self.digits() } else { "" };
+        if whole.is_empty() && fraction.is_empty() {
+            return self.fail("a digit");
+        }
+        let exponent = if self.take('e') || self.take('E') { self.exponent()? } else { 0 };
+        // Each decimal digit takes less than 3.33 bits.
+        if (whole.len() + fraction.len()) as u64 * 10 > u64::from(LIMIT_BITS) * 3 {
+            return self.too_large();
+        }
+        let all = format!("{whole}{fraction}");
+        let value: BigInt = match all.parse() {
+            Ok(value) => value,
+            Err(_) => return self.fail("a digit"),
+        };
+        let exponent = exponent.saturating_sub(fraction.len() as i64);
+        if value.is_zero() {
+            return Ok(BigRational::zero());
+        }
+        let ten = BigRational::from_integer(BigInt::from(10));
+        let scale = if exponent == 0 { BigRational::one() } else { self.raise(ten, exponent)? };
+        Ok(BigRational::from_integer(value) * scale)
+    }
+}
+
+/// A text short enough for an error line.
+fn abbreviate(text: &str) -> String {
+    let text = text.trim();
+    if text.chars().count() <= 60 {
+        return text.to_string();
+    }
+    let head: String = text.chars().take(57).collect();
+    format!("{head}…")
+}
