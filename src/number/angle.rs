@@ -107,11 +107,6 @@ impl Angle {
             }
         }
     }
-
-    /// The angle as (p, q): πp/q with 0 ≤ p < 2q.
-    pub(crate) fn parts(&self) -> (BigUint, BigUint) {
-        self.0.large()
-    }
 }
 
 impl Turn {

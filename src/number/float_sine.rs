@@ -48,12 +48,12 @@ fn high(a: u64, b: u64) -> u64 {
 /// Σ (−1)^{i−1} c_i z^{i−1} over the table, in units of 2⁻⁶⁴, within 16.
 ///
 /// Each of 8 steps adds at most 1½ units (a coefficient is off by ½, a product is cut by 1 and scaled by z < 1), the tail
-/// less than 1; an error of 3 units in z weighs c₂ + 2c₃ + … < 0.02 and adds less than 1.
+/// less than 1; an error of 5 units in z weighs c₂ + 2c₃ + … < 0.02 and adds less than 1.
 fn alternating(table: &[u64; 9], z: u64) -> u64 {
     table.iter().rev().skip(1).fold(table[8], |sum, &c| c - high(z, sum))
 }
 
-/// (4t)² in units of 2⁻⁶⁴, within 3 below, from 4t in units of 2⁻⁶⁴ cut down.
+/// (4t)² in units of 2⁻⁶⁴, within 5 below, from 4t in units of 2⁻⁶⁴, within 2 below.
 fn square(w: u64) -> u64 {
     high(w, w)
 }
@@ -137,7 +137,7 @@ fn kernel(cosine: bool, m: u64, shift: i64) -> FloatInterval {
         0 => m,
         1..=63 => m >> shift,
         64.. => 0,
-        _ => u64::MAX, // 4t = 1
+        _ => m.checked_mul(2).unwrap_or(u64::MAX), // 4t = 1 at the most
     };
     if cosine {
         enclose_cosine(cos_mantissa(w))
