@@ -79,7 +79,9 @@ impl Ball {
         }
         let mid = dyadic(self.mid.clone(), self.exp);
         let (m, e) = self.radius.parts();
-        let radius = dyadic(m.into(), e);
+        // A radius of 2⁻¹⁰⁰⁰⁰⁰⁰⁰ would be written out: one far below the last place may be rounded up.
+        let least = self.exp.min(0) - 64;
+        let radius = if m > 0 && e < least - 32 { dyadic(BigInt::one(), least) } else { dyadic(m.into(), e) };
         Some((&mid - &radius, mid + radius))
     }
 
