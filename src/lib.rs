@@ -1,6 +1,12 @@
 //! Proofs and computations for periodic orbits in grazing bifurcations of impact oscillators.
 
+pub mod certificate;
 mod error;
+pub mod existence;
+pub mod farey;
+mod monitor;
 pub mod number;
+pub mod search;
 
 pub use error::{Error, Result};
+pub use monitor::Monitor;
