@@ -2,10 +2,12 @@
 
 pub mod certificate;
 mod error;
+pub mod cli;
 pub mod existence;
 pub mod farey;
 mod monitor;
 pub mod number;
+pub mod output;
 pub mod search;
 
 pub use error::{Error, Result};
