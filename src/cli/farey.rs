@@ -100,7 +100,8 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
 fn report(json: bool, x: &str, order: u64, index: u128, text: &str) -> String {
     if json {
         // As text: an index can exceed what JSON readers hold exactly.
-        json!({ "format": "grazing-farey 1", "fraction": x, "order": order, "index": index.to_string() }).to_string()
+        json!({ "format": "grazing-farey 1", "fraction": x, "order": order, "index": index.to_string() })
+            .to_string()
     } else {
         text.to_string()
     }
@@ -154,6 +155,8 @@ fn fraction<T: std::fmt::Display + Clone + num_integer::Integer>(x: &Ratio<T>) -
 fn small(x: &BigRational) -> Result<Ratio<u64>> {
     match (x.numer().to_u64(), x.denom().to_u64()) {
         (Some(p), Some(q)) => Ok(Ratio::new_raw(p, q)),
-        _ => Err(Error::input(format!("{x} is not a fraction in [0, 1] with 64-bit numerator and denominator"))),
+        _ => Err(Error::input(format!(
+            "{x} is not a fraction in [0, 1] with 64-bit numerator and denominator"
+        ))),
     }
 }

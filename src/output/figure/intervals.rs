@@ -20,7 +20,9 @@ const ROW: u32 = 26;
 /// An input error unless 3 ≤ `last` ≤ 40; an I/O error.
 pub fn intervals(last: u64, folder: &Path) -> Result<()> {
     if !(3..=40).contains(&last) {
-        return Err(Error::input(format!("--n {last}: this figure shows periods 3 to N, with N from 3 to 40")));
+        return Err(Error::input(format!(
+            "--n {last}: this figure shows periods 3 to N, with N from 3 to 40"
+        )));
     }
     let mut all = Vec::new();
     for n in 3..=last {
@@ -31,7 +33,8 @@ pub fn intervals(last: u64, folder: &Path) -> Result<()> {
     write_file(&folder.join("intervals.svg"), |out| Ok(out.write_all(picture.as_bytes())?))?;
     write_file(&folder.join("intervals.csv"), |out| {
         let columns = ["n", "sign_emu", "sign_gamma", "left", "right"].map(|name| Column::new(name, name, 0));
-        let mut table = TableWriter::new(out, TableFormat::Csv, "grazing-figure-intervals 1", columns.to_vec())?;
+        let mut table =
+            TableWriter::new(out, TableFormat::Csv, "grazing-figure-intervals 1", columns.to_vec())?;
         for i in &all {
             table.row(&[
                 Cell::Int(i.n.into()),
