@@ -116,6 +116,37 @@ fn rejections_name_the_line_and_the_reason() {
     assert!(check(&"x".repeat(10_000_000)).unwrap_err().to_string().contains("too long"));
 }
 
+/// Damage that random edits hardly ever make: each block is edited consistently, line counts included.
+#[test]
+fn consistent_falsehoods_are_rejected() {
+    let text = written(6, 6);
+    let body: Vec<&str> = text.lines().skip(6).collect();
+    let rebuilt = |body: &[&str]| {
+        let header = certificate::theorem2::header(&(6..=6), body.len() as u64 + 1);
+        check(&format!("{header}n 6 {}\n{}\n", body.len(), body.join("\n")))
+    };
+    assert!(rebuilt(&body).is_ok());
+    let at = body.iter().position(|line| *line == "point 1/3 singular").unwrap();
+    // b_{6,2} > 0 > b_{6,3} on both sides of 1/3 = 2/6, and (B1) has the same signs there, but u_6 = 0.
+    assert!(
+        rebuilt(&[&body[..at], &["point 1/3 excluded 2 3"], &body[at + 1..]].concat())
+            .unwrap_err()
+            .to_string()
+            .ends_with("u_6 = 0 at 1/3: singular")
+    );
+    let left: Vec<&str> = body[at - 1].split(' ').collect();
+    let right: Vec<&str> = body[at + 1].split(' ').collect();
+    for witnesses in ["1 3", "1 2", "2 3", "3 2", "2 1", "3 1"] {
+        let across = format!("stretch {} {} {witnesses}", left[1], right[2]);
+        let error = rebuilt(&[&body[..at - 1], &[&across], &body[at + 2..]].concat()).unwrap_err();
+        assert!(error.to_string().contains("u_6 = 0 at a multiple"), "{error}");
+    }
+    // An interval of length 0, and the same point twice.
+    let empty = format!("stretch {0} {0} {1} {2}", left[1], left[3], left[4]);
+    let error = rebuilt(&[&body[..at - 1], &[&empty, body[at - 2]], &body[at - 1..]].concat()).unwrap_err();
+    assert!(error.to_string().contains("tile"), "{error}");
+}
+
 /// The trusted folder imports nothing but std, and none of the search.
 #[test]
 fn the_checker_stands_alone() {
