@@ -145,6 +145,7 @@ impl<'a> TableWriter<'a> {
                     text.push_str(spaces);
                     text.push_str(entry);
                 }
+                text.truncate(text.trim_end().len());
                 text.push('\n');
             }
             TableFormat::Json => {

@@ -69,7 +69,7 @@ fn draw(last: u64, all: &[Interval]) -> std::result::Result<String, Box<dyn std:
         .margin_right(24)
         .margin_top(44)
         .x_label_area_size(52)
-        .y_label_area_size(58)
+        .y_label_area_size(64)
         .build_cartesian_2d(0f64..0.5, (last as f64 + 0.6)..2.4)?;
     chart
         .configure_mesh()
@@ -96,7 +96,7 @@ fn draw(last: u64, all: &[Interval]) -> std::result::Result<String, Box<dyn std:
         PathElement::new([(s, n - 0.42), (s, n + 0.42)], BLACK)
     });
     chart.draw_series(marks)?;
-    let mut x = 58;
+    let mut x = 64;
     for case in [Case::MinusPlus, Case::PlusPlus, Case::PlusMinus] {
         root.draw(&Rectangle::new([(x, 15), (x + 26, 31)], colour(case).filled()))?;
         let label = format!("{case}").replace('-', "−");
