@@ -240,7 +240,8 @@ impl Real for Ball {
         if denominator.is_one() {
             return Ball::new(numerator.clone(), 0, Radius::ZERO, context.bits);
         }
-        let shift = (i64::from(context.bits) + 1 + denominator.bits() as i64 - numerator.bits() as i64).max(0);
+        let shift =
+            (i64::from(context.bits) + 1 + denominator.bits() as i64 - numerator.bits() as i64).max(0);
         let (quotient, rest) = (numerator << shift).div_rem(denominator);
         let radius = if rest.is_zero() { Radius::ZERO } else { Radius::new(1, -shift) };
         Ball::new(quotient, -shift, radius, context.bits)

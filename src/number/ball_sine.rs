@@ -6,10 +6,10 @@ use num_bigint::{BigInt, BigUint};
 use num_integer::Roots;
 use num_traits::{One, Zero};
 
+use super::Circular;
 use super::angle::{Angle, Fraction, Octant};
 use super::ball::{Ball, Precision};
 use super::radius::Radius;
-use super::Circular;
 
 /// Bits of π beyond the working precision.
 pub(super) const GUARD: u32 = 64;
@@ -146,7 +146,13 @@ fn fixed_sine(angle: &Angle, precision: &Precision, w: u32) -> BigInt {
 /// Let c be the cosine, e_k the error of f(k) in the last place, w = bits + [`GUARD`]. A step adds at most 2·[`ERROR`]·1.1 + 1 < 80
 /// (c's own error and a cut), and an error ε made at step i reaches step k as ε·sin((k−i)x)/sin x ≤ ε(k − i). Hence
 /// e_k ≤ 32k + 80·k²/2 ≤ 72k². Where that leaves fewer than `bits` good bits, the value is computed by itself.
-fn multiples(angle: &Angle, n: u64, precision: &Precision, first: [&Angle; 2], single: impl Fn(&Angle) -> Ball) -> Vec<Ball> {
+fn multiples(
+    angle: &Angle,
+    n: u64,
+    precision: &Precision,
+    first: [&Angle; 2],
+    single: impl Fn(&Angle) -> Ball,
+) -> Vec<Ball> {
     let (bits, w) = (precision.bits(), precision.bits() + GUARD);
     let double_cosine: BigInt = fixed_sine(&angle.complement(), precision, w) << 1;
     let [mut previous, mut current] = first.map(|angle| fixed_sine(angle, precision, w));

@@ -24,14 +24,12 @@ mod parse;
 mod plain;
 mod radius;
 mod real;
-
 mod sign;
 
 pub use angle::Angle;
 pub use ball::{Ball, Precision};
 pub use float_interval::FloatInterval;
-pub use parse::{LIMIT_BITS, parse_rational};
+pub use parse::{LIMIT_BITS, parse_integer, parse_rational};
 pub use plain::Plain;
 pub use real::{Circular, Real};
-
 pub use sign::Sign;
