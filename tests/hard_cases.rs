@@ -32,7 +32,8 @@ struct Case {
 
 impl Case {
     fn point(&self) -> Point {
-        let number = |text: &Option<String>| parse_rational(text.as_ref().expect("r and s, or a1 and a2")).unwrap();
+        let number =
+            |text: &Option<String>| parse_rational(text.as_ref().expect("r and s, or a1 and a2")).unwrap();
         match self.s {
             Some(_) => Point::Polar(Polar::new(number(&self.r), number(&self.s)).unwrap()),
             None => Point::Plane(Plane::new(number(&self.a1), number(&self.a2)).unwrap()),
@@ -59,7 +60,8 @@ impl Case {
     }
 
     fn label(&self) -> String {
-        let parameters = [&self.r, &self.s, &self.a1, &self.a2].into_iter().flatten().cloned().collect::<Vec<_>>();
+        let parameters =
+            [&self.r, &self.s, &self.a1, &self.a2].into_iter().flatten().cloned().collect::<Vec<_>>();
         format!("{}: ({}), n = {}, k = {:?}", self.name, parameters.join(", "), self.n, self.k)
     }
 }
@@ -79,12 +81,17 @@ fn meets((lo, hi): (BigRational, BigRational), value: &BigRational) -> bool {
 
 #[test]
 fn signs_are_right_or_undecided_on_every_rung() {
-    let rungs = [Rung::Interval, Rung::Ball(128), Rung::Ball(256), Rung::Ball(1024), Rung::Ball(4096), Rung::Exact];
+    let rungs =
+        [Rung::Interval, Rung::Ball(128), Rung::Ball(256), Rung::Ball(1024), Rung::Ball(4096), Rung::Exact];
     for case in cases() {
         let (point, quantity) = (case.point(), case.quantity());
         for rung in rungs {
             let answer = sign_by(&point, quantity, rung);
-            assert!(answer == case.expected() || answer == Answer::Undecided, "{}: {rung:?} says {answer:?}", case.label());
+            assert!(
+                answer == case.expected() || answer == Answer::Undecided,
+                "{}: {rung:?} says {answer:?}",
+                case.label()
+            );
         }
     }
 }

@@ -1,6 +1,8 @@
 //! The command line: arguments, what each command runs, exit codes. No mathematics lives here.
 
+mod accuracy;
 mod check;
+mod evaluate;
 mod farey;
 mod figure;
 mod intervals;
@@ -37,6 +39,8 @@ enum Command {
     Intervals(intervals::Args),
     Farey(farey::Args),
     Figure(figure::Args),
+    Evaluate(evaluate::Args),
+    Accuracy(accuracy::Args),
 }
 
 /// How a command that did its work ended.
@@ -83,6 +87,8 @@ fn run(cli: Cli) -> Result<Outcome> {
         Command::Intervals(args) => intervals::run(&args, &interrupt),
         Command::Farey(args) => farey::run(&args, &interrupt),
         Command::Figure(args) => figure::run(&args),
+        Command::Evaluate(args) => evaluate::run(&args, &interrupt),
+        Command::Accuracy(args) => accuracy::run(&args, &interrupt),
     }
 }
 

@@ -85,6 +85,11 @@ impl Ball {
         Some((&mid - &radius, mid + radius))
     }
 
+    /// An e with |midpoint| < 2^e, at most twice the midpoint; 0 for the midpoint 0.
+    pub fn exponent(&self) -> i64 {
+        if self.mid.is_zero() { 0 } else { self.exp + self.mid.bits() as i64 }
+    }
+
     /// Whether the exact number lies in the ball.
     pub fn contains(&self, value: &BigRational) -> bool {
         self.exact_bounds().is_none_or(|(lo, hi)| !(value - lo).is_negative() && !(hi - value).is_negative())
