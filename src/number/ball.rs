@@ -19,7 +19,7 @@ use super::{Real, Sign, ball_sine};
 #[derive(Debug, Clone)]
 pub struct Precision {
     bits: u32,
-    /// π·2^(bits + [`ball_sine::GUARD`]) rounded down, within 1.
+    /// π·2^w within 2, w = [`Precision::pi_bits`].
     pub(super) pi: BigInt,
 }
 
@@ -27,7 +27,11 @@ impl Precision {
     /// A working precision of `bits` bits, at least 16.
     pub fn new(bits: u32) -> Precision {
         let bits = bits.max(16);
-        Precision { bits, pi: ball_sine::pi(bits + ball_sine::GUARD) }
+        Precision { bits, pi: ball_sine::pi(ball_sine::pi_bits(bits)) }
+    }
+
+    pub(super) fn pi_bits(&self) -> u32 {
+        ball_sine::pi_bits(self.bits)
     }
 
     /// The number of bits of a midpoint.

@@ -19,6 +19,7 @@ mod angle;
 mod ball;
 mod ball_sine;
 mod digits;
+mod fixed;
 mod float_interval;
 mod float_sine;
 mod parse;

@@ -21,13 +21,13 @@ pub struct Input {
 pub enum Family {
     /// 5 ≤ n ≤ 100, ½ < r < 1.
     Generic,
-    /// r = 1, s within 2⁻⁴⁰ of an odd multiple of 1/(2n).
+    /// r = 1, s within 2⁻⁶⁰ of an odd multiple of 1/(2n).
     NearPole,
-    /// r = 1, s within 2⁻⁴⁰ of a multiple of 1/k that is one of 1/(n − k) too.
+    /// r = 1, s within 2⁻⁶⁰ of a multiple of 1/k that is one of 1/(n − k) too.
     NearDoubleZero,
-    /// (a₁, a₂) with a₁² = 4a₂ up to 2⁻⁴⁰.
+    /// (a₁, a₂) with a₁² = 4a₂ up to 2⁻⁶⁰.
     NearEqualEigenvalues,
-    /// 1 − r = 2⁻⁴⁰, s within 2⁻⁴⁰ of m/n.
+    /// 1 − r = 2⁻⁶⁰, s within 2⁻⁶⁰ of m/n.
     RadiusToOne,
     /// r = 2⁻³⁰.
     RadiusToZero,
@@ -69,7 +69,7 @@ impl Family {
     /// The next input; `None` if singular or outside 0 < s < ½.
     fn input(self, random: &mut Random) -> Option<Input> {
         let one = ratio(1, 1);
-        let tiny = ratio(1, 1 << 40);
+        let tiny = ratio(1, 1 << 60);
         let n = 5 + random.below(96);
         let k = 1 + random.below(n - 1);
         let s = ratio(1 + random.below(500_000), 1_000_003);
