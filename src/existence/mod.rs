@@ -5,11 +5,17 @@
 //! the signs of b_{n,k} and c_n and finds where (52), (53) hold. What happens for r < 1 is not here.
 
 mod case;
+mod claim;
 mod decide;
+mod eigenvalue;
 mod intervals;
 mod signs;
+mod single;
 
 pub use case::Case;
+pub use claim::{Claim, Variant, claimed};
 pub use decide::{Decision, Piece, Reason, decide};
+pub use eigenvalue::large_eigenvalue_sign;
 pub use intervals::{Interval, MAX_PERIOD, intervals, tree_intervals};
 pub use signs::{Side, Signs};
+pub use single::{Existence, by_definition, by_records};
