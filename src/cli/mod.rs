@@ -4,6 +4,7 @@ mod check;
 mod classify;
 mod farey;
 mod figure;
+mod fuzz;
 mod intervals;
 mod range;
 mod verify;
@@ -37,6 +38,7 @@ enum Command {
     Check(check::Args),
     Intervals(intervals::Args),
     Classify(classify::Args),
+    Fuzz(fuzz::Args),
     Farey(farey::Args),
     Figure(figure::Args),
 }
@@ -84,6 +86,7 @@ fn run(cli: Cli) -> Result<Outcome> {
         Command::Check(args) => check::run(&args),
         Command::Intervals(args) => intervals::run(&args, &interrupt),
         Command::Classify(args) => classify::run(&args),
+        Command::Fuzz(args) => fuzz::run(&args, &interrupt),
         Command::Farey(args) => farey::run(&args, &interrupt),
         Command::Figure(args) => figure::run(&args),
     }

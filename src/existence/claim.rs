@@ -57,7 +57,7 @@ pub fn claimed(ladder: &Ladder, point: &Point, n: u64, variant: Variant) -> Clai
             None => Claim::Boundary,
         },
         Region::Four if n == 2 => Claim::Orbit(Case::PlusPlus),
-        Region::Four if n % 2 == 0 => Claim::None,
+        Region::Four if n.is_multiple_of(2) => Claim::None,
         Region::Four => decided_by(ladder, point, n, n - 2, Case::PlusMinus),
     }
 }

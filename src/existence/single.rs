@@ -16,7 +16,7 @@ use num_traits::One;
 
 use super::Case;
 use crate::{
-    local::{Answer, Ladder, Plane, Point, Quantity, Region},
+    local::{Answer, Ladder, Plane, Point, Quantity, Region, Rung},
     number::Sign,
 };
 
@@ -58,13 +58,21 @@ impl Existence {
 /// # Panics
 /// Unless n ≥ 1.
 pub fn by_definition(ladder: &Ladder, point: &Point, n: u64) -> Existence {
-    let c = match ladder.sign(point, Quantity::C { n }).answer {
-        Answer::Singular => return Existence::Singular,
+    definition_and_rung(ladder, point, n).0
+}
+
+/// [`by_definition`], and the highest rung it took: intervals, then balls by their bits, then integers.
+pub(crate) fn definition_and_rung(ladder: &Ladder, point: &Point, n: u64) -> (Existence, Rung) {
+    let c = ladder.sign(point, Quantity::C { n });
+    let mut rung = c.rung;
+    let c = match c.answer {
+        Answer::Singular => return (Existence::Singular, rung),
         Answer::Sign(sign) => Some(sign),
         Answer::Undecided => None,
     };
     let (mut positive, mut negative, mut zero, mut undecided) = (None, None, None, false);
     for (k, decision) in (1..).zip(ladder.signs(point, n)) {
+        rung = higher(rung, decision.rung);
         let place = match decision.answer {
             Answer::Sign(Sign::Positive) => &mut positive,
             Answer::Sign(Sign::Negative) => &mut negative,
@@ -76,7 +84,7 @@ pub fn by_definition(ladder: &Ladder, point: &Point, n: u64) -> Existence {
         };
         place.get_or_insert(k);
     }
-    match (positive, negative, zero) {
+    let found = match (positive, negative, zero) {
         (Some(positive), Some(negative), _) => Existence::None { positive, negative },
         _ if undecided => Existence::Undecided,
         (_, _, Some(k)) => Existence::Iterate(k),
@@ -86,7 +94,18 @@ pub fn by_definition(ladder: &Ladder, point: &Point, n: u64) -> Existence {
             // For n = 1 there is no b: of the two cases, the one with eµ > 0 stands for both.
             Some(c) => Existence::Orbit(Case::from_signs(negative.is_none(), c == Sign::Positive)),
         },
-    }
+    };
+    (found, rung)
+}
+
+/// The higher of two rungs; c_n from (r, s) is always exact, so integers count as the lowest unless they stand alone.
+fn higher(a: Rung, b: Rung) -> Rung {
+    let height = |rung| match rung {
+        Rung::Exact => 0,
+        Rung::Plain | Rung::Interval => 1,
+        Rung::Ball(bits) => bits,
+    };
+    if height(b) > height(a) { b } else { a }
 }
 
 /// Existence for every period 1, …, `last` at a point of region 2, 3 or 4 with a₂ ≤ 1, by the record form; `None`
