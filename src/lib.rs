@@ -2,5 +2,6 @@
 
 mod error;
 pub mod number;
+pub mod symbol;
 
 pub use error::{Error, Result};
