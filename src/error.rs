@@ -51,11 +51,7 @@ impl Error {
     }
 
     fn new(kind: Kind, message: String, source: Option<io::Error>) -> Self {
-        Error(Box::new(Inner {
-            kind,
-            message,
-            source,
-        }))
+        Error(Box::new(Inner { kind, message, source }))
     }
 
     /// The same error, its message led by where it happened: `"context: message"`.
@@ -87,10 +83,7 @@ impl Error {
 
     /// Whether the reader of our output went away, which for a command is no failure.
     pub fn is_broken_pipe(&self) -> bool {
-        self.0
-            .source
-            .as_ref()
-            .is_some_and(|e| e.kind() == io::ErrorKind::BrokenPipe)
+        self.0.source.as_ref().is_some_and(|e| e.kind() == io::ErrorKind::BrokenPipe)
     }
 }
 

@@ -3,6 +3,7 @@
 mod check;
 mod farey;
 mod figure;
+mod formula;
 mod intervals;
 mod range;
 mod verify;
@@ -37,6 +38,7 @@ enum Command {
     Intervals(intervals::Args),
     Farey(farey::Args),
     Figure(figure::Args),
+    Formula(formula::Args),
 }
 
 /// How a command that did its work ended.
@@ -75,6 +77,7 @@ fn run(cli: Cli) -> Result<Outcome> {
         Command::Intervals(args) => intervals::run(&args, &interrupt),
         Command::Farey(args) => farey::run(&args, &interrupt),
         Command::Figure(args) => figure::run(&args),
+        Command::Formula(args) => formula::run(&args),
     }
 }
 

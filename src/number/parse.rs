@@ -33,10 +33,7 @@ pub const LIMIT_BITS: u32 = 1 << 20;
 /// # Ok::<(), grazing::Error>(())
 /// ```
 pub fn parse_rational(text: &str) -> Result<BigRational> {
-    let mut reader = Reader {
-        text,
-        rest: text.trim(),
-    };
+    let mut reader = Reader { text, rest: text.trim() };
     let mut total = reader.signed_term(true)?;
     while !reader.rest.is_empty() {
         let term = reader.signed_term(false)?;
@@ -111,10 +108,7 @@ impl<'a> Reader<'a> {
         }
         let denominator = self.power()?;
         if denominator.is_zero() {
-            return Err(Error::input(format!(
-                "{:?} divides by zero",
-                abbreviate(self.text)
-            )));
+            return Err(Error::input(format!("{:?} divides by zero", abbreviate(self.text))));
         }
         Ok(numerator / denominator)
     }
@@ -126,10 +120,7 @@ impl<'a> Reader<'a> {
         }
         let exponent = self.exponent()?;
         if base.is_zero() && exponent < 0 {
-            return Err(Error::input(format!(
-                "{:?} divides by zero",
-                abbreviate(self.text)
-            )));
+            return Err(Error::input(format!("{:?} divides by zero", abbreviate(self.text))));
         }
         self.raise(base, exponent)
     }
@@ -157,10 +148,7 @@ impl<'a> Reader<'a> {
     }
 
     fn digits(&mut self) -> &'a str {
-        let end = self
-            .rest
-            .find(|c: char| !c.is_ascii_digit())
-            .unwrap_or(self.rest.len());
+        let end = self.rest.find(|c: char| !c.is_ascii_digit()).unwrap_or(self.rest.len());
         let (digits, rest) = self.rest.split_at(end);
         self.rest = rest;
         digits
@@ -172,11 +160,7 @@ impl<'a> Reader<'a> {
         if whole.is_empty() && fraction.is_empty() {
             return self.fail("a digit");
         }
-        let exponent = if self.take('e') || self.take('E') {
-            self.exponent()?
-        } else {
-            0
-        };
+        let exponent = if self.take('e') || self.take('E') { self.exponent()? } else { 0 };
         // Each decimal digit takes less than 3.33 bits.
         if (whole.len() + fraction.len()) as u64 * 10 > u64::from(LIMIT_BITS) * 3 {
             return self.too_large();
@@ -191,11 +175,7 @@ impl<'a> Reader<'a> {
             return Ok(BigRational::zero());
         }
         let ten = BigRational::from_integer(BigInt::from(10));
-        let scale = if exponent == 0 {
-            BigRational::one()
-        } else {
-            self.raise(ten, exponent)?
-        };
+        let scale = if exponent == 0 { BigRational::one() } else { self.raise(ten, exponent)? };
         Ok(BigRational::from_integer(value) * scale)
     }
 }

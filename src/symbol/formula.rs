@@ -42,16 +42,10 @@ enum Name {
 }
 
 /// u_0, …, u_last for the given trace and determinant.
-pub(super) fn recurrence(
-    trace: &Polynomial,
-    determinant: &Polynomial,
-    last: usize,
-) -> Vec<Polynomial> {
+pub(super) fn recurrence(trace: &Polynomial, determinant: &Polynomial, last: usize) -> Vec<Polynomial> {
     let mut u = vec![Polynomial::default(), Polynomial::from(1)];
     while u.len() <= last {
-        let [.., before, now] = &u[..] else {
-            unreachable!("u starts with two terms")
-        };
+        let [.., before, now] = &u[..] else { unreachable!("u starts with two terms") };
         u.push(&(trace * now) - &(determinant * before));
     }
     u
@@ -80,38 +74,22 @@ pub fn period_formulas(n: usize, k: usize) -> Result<[Factored; 4]> {
     let u = recurrence(&a1, &a2, n + 1);
     let power = |e: usize| Polynomial::monomial(1.into(), [0, e as u32]);
     // −(1 − v_j + a₂^j), v_j = u_{j+1} − a₂ u_{j−1}; monic in a₁.
-    let determinant =
-        |j: usize| &(&u[j + 1] - &(&a2 * &u[j - 1])) - &(&Polynomial::from(1) + &power(j));
+    let determinant = |j: usize| &(&u[j + 1] - &(&a2 * &u[j - 1])) - &(&Polynomial::from(1) + &power(j));
     let numerator = &(&u[n] - &u[k]) - &(&power(k) * &u[n - k]);
 
     let known = |j| [parts(j, |d| u[d].clone()), parts(j, determinant)].concat();
     let mut factors = known(gcd(n, k));
-    let rest = factors
-        .iter()
-        .fold(numerator.clone(), |rest, factor| quotient(&rest, factor));
+    let rest = factors.iter().fold(numerator.clone(), |rest, factor| quotient(&rest, factor));
     factors.push(rest);
     let factored = |name, expanded, negative, factors: Vec<Polynomial>| {
-        let factors = factors
-            .into_iter()
-            .filter(|f| *f != Polynomial::from(1))
-            .collect();
-        Factored {
-            name,
-            expanded,
-            negative,
-            factors,
-        }
+        let factors = factors.into_iter().filter(|f| *f != Polynomial::from(1)).collect();
+        Factored { name, expanded, negative, factors }
     };
     Ok([
         factored(Name::U(n), u[n].clone(), false, parts(n, |d| u[d].clone())),
         factored(Name::U(k), u[k].clone(), false, parts(k, |d| u[d].clone())),
         factored(Name::Numerator(n, k), numerator, false, factors),
-        factored(
-            Name::Determinant(n),
-            -&determinant(n),
-            true,
-            parts(n, determinant),
-        ),
+        factored(Name::Determinant(n), -&determinant(n), true, parts(n, determinant)),
     ])
 }
 
@@ -127,64 +105,37 @@ fn parts(n: usize, whole: impl Fn(usize) -> Polynomial) -> Vec<Polynomial> {
 }
 
 fn quotient(whole: &Polynomial, factor: &Polynomial) -> Polynomial {
-    whole
-        .divided_by(factor)
-        .expect("the factor was proved to divide, see the head of this file")
+    whole.divided_by(factor).expect("the factor was proved to divide, see the head of this file")
 }
 
 /// The formulas in one text. For a tool it is a script that also puts the factorisation to the tool: sympy asserts it, z3 and cvc5
 /// answer `unsat` and QEPCAD `TRUE` when expanded and factored forms agree.
 pub fn write_formulas(formulas: &[Factored], format: Format) -> String {
-    let forms = |f: &Factored| {
-        (
-            format.polynomial(&f.expanded, NAMES),
-            format.product(f.negative, &f.factors, NAMES),
-        )
+    let row = |f: &Factored| {
+        let expanded = format.polynomial(&f.expanded, NAMES);
+        [f.name.write(format), expanded, format.product(f.negative, &f.factors, NAMES)]
     };
-    let lines = |line: &dyn Fn(String, String, String) -> String| -> String {
-        formulas
-            .iter()
-            .map(|f| {
-                let (e, p) = forms(f);
-                line(f.name.write(format), e, p)
-            })
-            .collect()
-    };
-    let equal = |joint: &str| {
-        formulas
-            .iter()
-            .map(|f| {
-                let (e, p) = forms(f);
-                format!("{e} = {p}")
-            })
-            .collect::<Vec<_>>()
-            .join(joint)
-    };
+    let rows: Vec<[String; 3]> = formulas.iter().map(row).collect();
+    let each = |write: fn(&[String; 3]) -> String| rows.iter().map(write).collect::<Vec<_>>();
     match format {
-        Format::Text => lines(&|name, e, p| format!("{name}\n  = {e}\n  = {p}\n")),
-        Format::Latex => lines(&|name, e, p| format!("{name} &= {e} \\\\\n  &= {p} \\\\\n")),
+        Format::Text => each(|[name, e, p]| format!("{name}\n  = {e}\n  = {p}\n")).concat(),
+        Format::Latex => {
+            let rows = each(|[name, e, p]| format!("{name} &= {e} \\\\\n  &= {p} \\\\\n"));
+            format!("\\begin{{align*}}\n{}\\end{{align*}}\n", rows.concat())
+        }
         Format::Sympy => {
-            "from sympy import expand, symbols\n\na1, a2 = symbols(\"a1 a2\")\n".to_string()
-                + &lines(&|name, e, p| {
-                    format!("{name} = {e}\nassert expand({name} - ({p})) == 0\n")
-                })
+            let rows = each(|[name, e, p]| format!("{name} = {e}\nassert expand({name} - ({p})) == 0\n"));
+            format!("from sympy import expand, symbols\n\na1, a2 = symbols(\"a1 a2\")\n{}", rows.concat())
         }
         Format::Smtlib => {
-            let claims: Vec<_> = formulas
-                .iter()
-                .map(|f| format!("(= {} {})", f.name.write(format), forms(f).1))
-                .collect();
-            declarations(NAMES)
-                + &lines(&|name, e, _| format!("(define-fun {name} () Real {e})\n"))
-                + &format!(
-                    "(assert (not {}))\n(check-sat)\n",
-                    prefix("and", "true", &claims)
-                )
+            let definitions = each(|[name, e, _]| format!("(define-fun {name} () Real {e})\n")).concat();
+            let claim = prefix("and", "true", &each(|[name, _, p]| format!("(= {name} {p})")));
+            format!("{}{definitions}(assert (not {claim}))\n(check-sat)\n", declarations(NAMES))
         }
         Format::Qepcad => {
-            let title: Vec<_> = formulas.iter().map(|f| f.name.write(format)).collect();
-            format.comments(&[title.join(", ")])
-                + &quantified(NAMES, &format!("[ {} ]", equal(" /\\ ")))
+            let title = each(|[name, ..]| name.clone()).join(", ");
+            let claim = each(|[_, e, p]| format!("{e} = {p}")).join("\n  /\\ ");
+            format.comments(&[title]) + &quantified(NAMES, &format!("[ {claim} ]"))
         }
     }
 }

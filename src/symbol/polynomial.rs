@@ -38,9 +38,7 @@ impl Polynomial {
     }
 
     /// The terms with their exponents, highest power of the first variable first, then of the second.
-    pub fn terms(
-        &self,
-    ) -> impl DoubleEndedIterator<Item = (&[u32; 2], &BigInt)> + ExactSizeIterator {
+    pub fn terms(&self) -> impl DoubleEndedIterator<Item = (&[u32; 2], &BigInt)> + ExactSizeIterator {
         self.0.iter().rev()
     }
 
@@ -94,10 +92,7 @@ impl Add for &Polynomial {
     type Output = Polynomial;
     fn add(self, other: Self) -> Polynomial {
         let mut sum = self.clone();
-        other
-            .0
-            .iter()
-            .for_each(|(e, c)| sum.accumulate(*e, c.clone()));
+        other.0.iter().for_each(|(e, c)| sum.accumulate(*e, c.clone()));
         sum
     }
 }

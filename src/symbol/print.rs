@@ -1,16 +1,15 @@
 //! How polynomials are written, for a reader and for each tool.
 
-use std::fmt::{self, Display, Write};
-use std::str::FromStr;
+use std::fmt::Write;
 
+use clap::ValueEnum;
 use num_bigint::{BigInt, Sign};
 use num_traits::One;
 
 use super::Polynomial;
-use crate::error::{Error, Result};
 
 /// Who is to read a formula.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum Format {
     /// A person, in a terminal.
     Text,
@@ -25,15 +24,6 @@ pub enum Format {
 }
 
 impl Format {
-    /// Every format, in the order in which they are offered.
-    pub const ALL: [Format; 5] = [
-        Self::Text,
-        Self::Latex,
-        Self::Sympy,
-        Self::Smtlib,
-        Self::Qepcad,
-    ];
-
     /// `lines` as comments; QEPCAD has room for one, the title in brackets.
     pub(super) fn comments(self, lines: &[String]) -> String {
         let each = |lead: &str| lines.iter().map(|line| format!("{lead}{line}\n")).collect();
@@ -68,12 +58,7 @@ impl Format {
     }
 
     /// The product of `factors`, its sign in front.
-    pub(super) fn product(
-        self,
-        negative: bool,
-        factors: &[Polynomial],
-        names: [&str; 2],
-    ) -> String {
+    pub(super) fn product(self, negative: bool, factors: &[Polynomial], names: [&str; 2]) -> String {
         let written: Vec<_> = factors
             .iter()
             .map(|factor| {
@@ -86,20 +71,12 @@ impl Format {
             (Format::Smtlib, false) => prefix("*", "1", &written),
             (Format::Smtlib, true) => format!("(- {})", prefix("*", "1", &written)),
             _ if written.is_empty() => format!("{}1", if negative { "-" } else { "" }),
-            _ => format!(
-                "{}{}",
-                if negative { "-" } else { "" },
-                written.join(self.times())
-            ),
+            _ => format!("{}{}", if negative { "-" } else { "" }, written.join(self.times())),
         }
     }
 
     fn times(self) -> &'static str {
-        if matches!(self, Format::Text | Format::Sympy) {
-            "*"
-        } else {
-            " "
-        }
+        if matches!(self, Format::Text | Format::Sympy) { "*" } else { " " }
     }
 
     fn term(self, exponents: [u32; 2], coefficient: BigInt, names: [&str; 2]) -> String {
@@ -108,11 +85,7 @@ impl Format {
             parts.push(coefficient.to_string());
         }
         for (exponent, name) in exponents.into_iter().zip(names) {
-            let name = if self == Format::Latex {
-                latex_name(name)
-            } else {
-                name.to_string()
-            };
+            let name = if self == Format::Latex { latex_name(name) } else { name.to_string() };
             match (exponent, self) {
                 (0, _) => {}
                 (1, _) => parts.push(name),
@@ -125,41 +98,11 @@ impl Format {
     }
 }
 
-impl Display for Format {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Format::Text => "text",
-            Format::Latex => "latex",
-            Format::Sympy => "sympy",
-            Format::Smtlib => "smtlib",
-            Format::Qepcad => "qepcad",
-        })
-    }
-}
-
-impl FromStr for Format {
-    type Err = Error;
-    fn from_str(name: &str) -> Result<Self> {
-        Self::ALL
-            .into_iter()
-            .find(|format| format.to_string() == name)
-            .ok_or_else(|| {
-                Error::input(format!(
-                    "{name:?} is no format for a formula: use text, latex, sympy, smtlib or qepcad"
-                ))
-            })
-    }
-}
-
 /// `a1` as `a_1`, `r` as it is.
 pub(super) fn latex_name(name: &str) -> String {
     let mut text = String::new();
     for c in name.chars() {
-        let _ = if c.is_ascii_digit() {
-            write!(text, "_{c}")
-        } else {
-            write!(text, "{c}")
-        };
+        let _ = if c.is_ascii_digit() { write!(text, "_{c}") } else { write!(text, "{c}") };
     }
     text
 }
@@ -179,15 +122,8 @@ fn prefix_term(exponents: [u32; 2], coefficient: &BigInt, names: [&str; 2]) -> S
         Sign::Minus => format!("(- {})", coefficient.magnitude()),
         _ => coefficient.to_string(),
     };
-    let powers = names
-        .iter()
-        .zip(exponents)
-        .flat_map(|(name, e)| (0..e).map(|_| name.to_string()));
+    let powers = names.iter().zip(exponents).flat_map(|(name, e)| (0..e).map(|_| name.to_string()));
     let unit = coefficient.is_one() && exponents != [0, 0];
-    let operands: Vec<_> = (!unit)
-        .then_some(literal)
-        .into_iter()
-        .chain(powers)
-        .collect();
+    let operands: Vec<_> = (!unit).then_some(literal).into_iter().chain(powers).collect();
     prefix("*", "1", &operands)
 }

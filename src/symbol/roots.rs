@@ -35,10 +35,9 @@ pub fn roots_above(n: usize, x: &BigRational) -> (usize, bool) {
     (changes, value.sign() == Sign::NoSign)
 }
 
-/// Rationals p < q such that cos(πj/n), 1 ≤ j ≤ n − 1, is the one root of u_n with p ≤ c/r-free ratio `a1/(2r)` ≤ q, and
-/// neither bound is a root.
+/// Rationals p < q between which cos(πj/n), 1 ≤ j ≤ n − 1, is the only root of U_{n−1}; neither is a root.
 ///
-/// Proved by [`roots_above`]. The bounds of neighbouring roots are shared: the lower bound for j is the upper one for j + 1.
+/// Proved by [`roots_above`]. Neighbouring roots share a bound: the lower one for j is the upper one for j + 1.
 pub fn chebyshev_roots(n: usize, j: usize) -> [BigRational; 2] {
     [separator(n, j), separator(n, j - 1)]
 }

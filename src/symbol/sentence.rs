@@ -89,14 +89,10 @@ impl Sentence {
         let quotient = |k: usize| {
             let power = Polynomial::monomial(1.into(), [0, k as u32]);
             let numerator = &(&u[n] - &u[k]) - &(&power * &u[n - k]);
-            -&numerator
-                .divided_by(&known)
-                .expect("a1 - a2 - 1 divides every N_{n,k}")
+            -&numerator.divided_by(&known).expect("a1 - a2 - 1 divides every N_{n,k}")
         };
         let quotients: Vec<_> = (1..n).map(quotient).collect();
-        let (Some(u), title) = (u.pop(), |text: &str| {
-            format!("{area} of period {n}: {text}")
-        }) else {
+        let (Some(u), title) = (u.pop(), |text: &str| format!("{area} of period {n}: {text}")) else {
             unreachable!("the recurrence gives u_0, ..., u_n")
         };
         match area {
@@ -123,36 +119,15 @@ impl Sentence {
         ];
         let (claim, claimed, equivalent) = if n % 2 == 1 {
             let all = quotients.into_iter().map(|q| Atom(q, Positive)).collect();
-            (
-                "u_n > 0, and all b_(n,k) > 0 iff b_(n,n-2) > 0",
-                vec![Atom(u, Positive)],
-                Some((all, n - 3)),
-            )
+            ("u_n > 0, and all b_(n,k) > 0 iff b_(n,n-2) > 0", vec![Atom(u, Positive)], Some((all, n - 3)))
         } else {
             let second = quotients.swap_remove(1);
             let first = quotients.swap_remove(0);
-            let claimed = vec![
-                Atom(u, Negative),
-                Atom(first, Negative),
-                Atom(second, Positive),
-            ];
-            (
-                "u_n < 0 and b_(n,2) < 0 < b_(n,1), so no orbit",
-                claimed,
-                None,
-            )
+            let claimed = vec![Atom(u, Negative), Atom(first, Negative), Atom(second, Positive)];
+            ("u_n < 0 and b_(n,2) < 0 < b_(n,1), so no orbit", claimed, None)
         };
-        let title = vec![
-            title(claim),
-            "b_(n,k) has the sign of u_n Q_k, Q_k = N_(n,k)/(1 - a1 + a2)".into(),
-        ];
-        Sentence {
-            title,
-            names: ["a1", "a2"],
-            given,
-            claimed,
-            equivalent,
-        }
+        let title = vec![title(claim), "b_(n,k) has the sign of u_n Q_k, Q_k = N_(n,k)/(1 - a1 + a2)".into()];
+        Sentence { title, names: ["a1", "a2"], given, claimed, equivalent }
     }
 
     fn half_cell(
@@ -163,9 +138,7 @@ impl Sentence {
         u: Polynomial,
         quotients: Vec<Polynomial>,
     ) -> Result<Sentence> {
-        let ExtendedGcd {
-            gcd, x: inverse, ..
-        } = (m as i64).extended_gcd(&(n as i64));
+        let ExtendedGcd { gcd, x: inverse, .. } = (m as i64).extended_gcd(&(n as i64));
         if gcd != 1 || m == 0 || 2 * m >= n {
             return Err(Error::input(format!(
                 "period {n} has no area at m = {m}: give 0 < 2m < n with m coprime to n"
@@ -179,11 +152,7 @@ impl Sentence {
         };
         // The upper end is the root `upper`, the lower one the next, or −1 where there is none.
         let [inner, high] = chebyshev_roots(n, upper);
-        let low = if upper + 1 == n {
-            inner.clone()
-        } else {
-            chebyshev_roots(n, upper + 1)[0].clone()
-        };
+        let low = if upper + 1 == n { inner.clone() } else { chebyshev_roots(n, upper + 1)[0].clone() };
         let [c, r] = [0, 1].map(Polynomial::variable);
         let beyond = |bound: &BigRational| {
             &(&Polynomial::monomial(bound.denom().clone(), [0, 0]) * &c)
@@ -196,11 +165,7 @@ impl Sentence {
             Atom(beyond(&high), Negative),
             Atom(in_c_and_r(&u, n - 1), sign),
         ];
-        let all = quotients
-            .iter()
-            .zip(1..)
-            .map(|(q, k)| Atom(in_c_and_r(q, k - 1), sign))
-            .collect();
+        let all = quotients.iter().zip(1..).map(|(q, k)| Atom(in_c_and_r(q, k - 1), sign)).collect();
         let mut title = vec![
             title(&format!("all b_(n,k) > 0 iff b_(n,{deciding}) > 0, for 0 < r <= 1 and u_n {} 0", sign.symbol())),
             "a1 = 2rc, a2 = r^2, u_n = r^(n-1) U(c); b_(n,k) has the sign of u_n Q_k, Q_k = N_(n,k)/(1 - a1 + a2)".into(),
@@ -209,10 +174,7 @@ impl Sentence {
         title.push(if upper + 1 == n {
             "lower end: c = -1".into()
         } else {
-            format!(
-                "lower end: c = cos(pi {}/{n}), the only root of U between {low} and {inner}",
-                upper + 1
-            )
+            format!("lower end: c = cos(pi {}/{n}), the only root of U between {low} and {inner}", upper + 1)
         });
         Ok(Sentence {
             title,
@@ -225,18 +187,11 @@ impl Sentence {
 
     /// The sentence as a formula or as a script for the tool: z3 and cvc5 answer `unsat` (of its negation) if it is true, QEPCAD `TRUE`.
     pub fn write(&self, format: Format) -> String {
-        let atoms = |atoms: &[Atom]| {
-            atoms
-                .iter()
-                .map(|atom| atom.write(format, self.names))
-                .collect::<Vec<_>>()
-        };
+        let atoms =
+            |atoms: &[Atom]| atoms.iter().map(|atom| atom.write(format, self.names)).collect::<Vec<_>>();
         let mut claims = atoms(&self.claimed);
         if let Some((all, deciding)) = &self.equivalent {
-            claims.push(format.iff(
-                &format.and(&atoms(all)),
-                &all[*deciding].write(format, self.names),
-            ));
+            claims.push(format.iff(&format.and(&atoms(all)), &all[*deciding].write(format, self.names)));
         }
         let (given, claim) = (format.and(&atoms(&self.given)), format.and(&claims));
         let [x, y] = self.names;
@@ -250,10 +205,7 @@ impl Sentence {
                 "from sympy import And, Equivalent, Implies, symbols\n\n{x}, {y} = symbols(\"{x} {y}\", real=True)\nsentence = Implies({given},\n{claim})\n"
             ),
             Format::Smtlib => {
-                format!(
-                    "{}(assert {given})\n(assert (not {claim}))\n(check-sat)\n",
-                    declarations(self.names)
-                )
+                format!("{}(assert {given})\n(assert (not {claim}))\n(check-sat)\n", declarations(self.names))
             }
             Format::Qepcad => quantified(self.names, &format!("[ {given} ==> {claim} ]")),
         };
@@ -278,8 +230,8 @@ impl Format {
 
     fn iff(self, left: &str, right: &str) -> String {
         match self {
-            Format::Text => format!("( {left} )\n  iff {right}"),
-            Format::Latex => format!("( {left} )\n\\iff {right}"),
+            Format::Text => format!("(( {left} )\n  iff {right})"),
+            Format::Latex => format!("(( {left} )\n\\iff {right})"),
             Format::Sympy => format!("Equivalent({left},\n  {right})"),
             Format::Smtlib => format!("(= {left} {right})"),
             Format::Qepcad => format!("[ {left}\n  <==> {right} ]"),
@@ -311,29 +263,18 @@ impl Relation {
 /// `polynomial` at a₁ = 2rc, a₂ = r², divided by r^`strip`, in the variables (c, r).
 fn in_c_and_r(polynomial: &Polynomial, strip: usize) -> Polynomial {
     let term = |(&[i, j], coefficient): (&[u32; 2], &BigInt)| {
-        let r = (i + 2 * j)
-            .checked_sub(strip as u32)
-            .expect("r^strip divides every term");
+        let r = (i + 2 * j).checked_sub(strip as u32).expect("r^strip divides every term");
         Polynomial::monomial(coefficient << i, [i, r])
     };
-    polynomial
-        .terms()
-        .map(term)
-        .fold(Polynomial::default(), |sum, term| &sum + &term)
+    polynomial.terms().map(term).fold(Polynomial::default(), |sum, term| &sum + &term)
 }
 
 impl Display for Area {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Area::Region4 => f.write_str("region4"),
-            Area::HalfCell {
-                m,
-                side: Side::Plus,
-            } => write!(f, "{m}+"),
-            Area::HalfCell {
-                m,
-                side: Side::Minus,
-            } => write!(f, "{m}-"),
+            Area::HalfCell { m, side: Side::Plus } => write!(f, "{m}+"),
+            Area::HalfCell { m, side: Side::Minus } => write!(f, "{m}-"),
         }
     }
 }
@@ -344,14 +285,8 @@ impl FromStr for Area {
         let half_cell = |side: char| name.strip_suffix(side).and_then(|m| m.parse().ok());
         match (name, half_cell('+'), half_cell('-')) {
             ("region4", ..) => Ok(Area::Region4),
-            (_, Some(m), _) => Ok(Area::HalfCell {
-                m,
-                side: Side::Plus,
-            }),
-            (_, _, Some(m)) => Ok(Area::HalfCell {
-                m,
-                side: Side::Minus,
-            }),
+            (_, Some(m), _) => Ok(Area::HalfCell { m, side: Side::Plus }),
+            (_, _, Some(m)) => Ok(Area::HalfCell { m, side: Side::Minus }),
             _ => Err(Error::input(format!(
                 "{name:?} is no area: write region4, or 3+ or 3- for a side of s = 3/n"
             ))),
