@@ -71,15 +71,16 @@ pub fn comparisons(text: &str, format: Format, at: &Point) -> Vec<(String, BigRa
         _ => text.split_once("(A ").and_then(|(_, t)| t.split_once(") [")).expect("quantifiers").1,
     };
     let mut body = body.replace("\\ge", ">=");
-    for word in ["implies", "iff", "and", "\\land", "/\\", "<==>", "==>", "Implies(", "Equivalent(", "And(", ","] {
+    for word in
+        ["implies", "iff", "and", "\\land", "/\\", "<==>", "==>", "Implies(", "Equivalent(", "And(", ","]
+    {
         body = body.replace(word, "\n");
     }
     let mut found = Vec::new();
     for line in body.lines() {
-        let Some((left, relation)) = [" >= 0", " > 0", " < 0"]
-            .into_iter()
-            .find_map(|relation| Some((line.split_once(relation)?.0, relation.trim_end_matches(" 0").trim())))
-        else {
+        let Some((left, relation)) = [" >= 0", " > 0", " < 0"].into_iter().find_map(|relation| {
+            Some((line.split_once(relation)?.0, relation.trim_end_matches(" 0").trim()))
+        }) else {
             continue;
         };
         let left = left.trim_start_matches(|c: char| "([ ".contains(c));
@@ -172,9 +173,8 @@ pub mod prefix {
             };
             let Tree::Leaf(operator) = &parts[0] else { panic!("an operator is a word") };
             let values: Vec<_> = parts[1..].iter().map(|part| self.value(part)).collect();
-            let numbers = || {
-                values.iter().map(|v| if let Value::Number(x) = v { x.clone() } else { panic!("{v:?}") })
-            };
+            let numbers =
+                || values.iter().map(|v| if let Value::Number(x) = v { x.clone() } else { panic!("{v:?}") });
             let compared = |holds: bool| {
                 let left = numbers().next().expect("two operands");
                 assert_eq!(numbers().nth(1), Some(BigRational::zero()));
