@@ -1,8 +1,8 @@
 //! Proofs and computations for periodic orbits in grazing bifurcations of impact oscillators.
 
 pub mod certificate;
-mod error;
 pub mod cli;
+mod error;
 pub mod existence;
 pub mod farey;
 mod monitor;

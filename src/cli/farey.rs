@@ -12,7 +12,7 @@ use super::{Outcome, ReportFormat};
 use crate::{
     error::{Error, Result},
     farey::{Ranker, Sequence, Walk, neighbours},
-    number::parse_rational,
+    number::{parse_integer, parse_rational},
     output::{Destination, Interrupt},
 };
 
@@ -33,37 +33,37 @@ enum Command {
     /// The neighbours m+/n+ < P/Q < m-/n- of a fraction in F_Q.
     Neighbours {
         /// The fraction.
-        #[arg(value_parser = parse_rational, value_name = "P/Q")]
+        #[arg(allow_hyphen_values = true, value_parser = parse_rational, value_name = "P/Q")]
         x: BigRational,
     },
     /// The index in F_N (0/1 has index 0) of the greatest term <= P/Q.
     Rank {
         /// A fraction in [0, 1].
-        #[arg(value_parser = parse_rational, value_name = "P/Q")]
+        #[arg(allow_hyphen_values = true, value_parser = parse_rational, value_name = "P/Q")]
         x: BigRational,
         /// The order N, at most 10000000000.
-        #[arg(value_name = "N")]
+        #[arg(value_parser = parse_integer::<u64>, value_name = "N")]
         order: u64,
     },
     /// The term of F_N with index K (0/1 has index 0).
     Kth {
         /// The index.
-        #[arg(value_name = "K")]
+        #[arg(value_parser = parse_integer::<u128>, value_name = "K")]
         index: u128,
         /// The order N, at most 10000000000.
-        #[arg(value_name = "N")]
+        #[arg(value_parser = parse_integer::<u64>, value_name = "N")]
         order: u64,
     },
     /// The terms of F_N in a closed range, one a line.
     Walk {
         /// The order N.
-        #[arg(value_name = "N")]
+        #[arg(value_parser = parse_integer::<BigInt>, value_name = "N")]
         order: BigInt,
         /// The left end.
-        #[arg(long, value_parser = parse_rational, default_value = "0", value_name = "P/Q")]
+        #[arg(long, allow_hyphen_values = true, value_parser = parse_rational, default_value = "0", value_name = "P/Q")]
         from: BigRational,
         /// The right end.
-        #[arg(long, value_parser = parse_rational, default_value = "1", value_name = "P/Q")]
+        #[arg(long, allow_hyphen_values = true, value_parser = parse_rational, default_value = "1", value_name = "P/Q")]
         to: BigRational,
     },
 }
@@ -100,7 +100,8 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
 fn report(json: bool, x: &str, order: u64, index: u128, text: &str) -> String {
     if json {
         // As text: an index can exceed what JSON readers hold exactly.
-        json!({ "format": "grazing-farey 1", "fraction": x, "order": order, "index": index.to_string() }).to_string()
+        json!({ "format": "grazing-farey 1", "fraction": x, "order": order, "index": index.to_string() })
+            .to_string()
     } else {
         text.to_string()
     }
@@ -154,6 +155,8 @@ fn fraction<T: std::fmt::Display + Clone + num_integer::Integer>(x: &Ratio<T>) -
 fn small(x: &BigRational) -> Result<Ratio<u64>> {
     match (x.numer().to_u64(), x.denom().to_u64()) {
         (Some(p), Some(q)) => Ok(Ratio::new_raw(p, q)),
-        _ => Err(Error::input(format!("{x} is not a fraction in [0, 1] with 64-bit numerator and denominator"))),
+        _ => Err(Error::input(format!(
+            "{x} is not a fraction in [0, 1] with 64-bit numerator and denominator"
+        ))),
     }
 }

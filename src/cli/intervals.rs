@@ -100,8 +100,7 @@ fn table(args: &Args, format: TableFormat, out: &mut dyn Write, progress: &Progr
     for n in args.periods.0.clone() {
         // One period of ten million takes seconds: listen for Ctrl-C within it too.
         for (index, interval) in intervals(n)?.enumerate() {
-            let rounded =
-                args.decimals.map(|d| (decimal(&interval.left, d), decimal(&interval.right, d)));
+            let rounded = args.decimals.map(|d| (decimal(&interval.left, d), decimal(&interval.right, d)));
             let mut cells = [Cell::Empty; 9];
             cells[..7].copy_from_slice(&[
                 Cell::Int(n.into()),

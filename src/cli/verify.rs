@@ -51,7 +51,7 @@ fn verify(range: RangeInclusive<u64>, args: &Args, interrupt: &Interrupt) -> Res
     let passes = if args.certificate.is_some() { 2 } else { 1 };
     let progress = Progress::new(interrupt, passes * args.periods.count(), "periods");
     let proof = prove_theorem2(range.clone(), &progress)?;
-    if let (Some(path), None) = (&args.certificate, &proof.refuted) {
+    if let (Some(path), Outcome::Done) = (&args.certificate, outcome(&proof)) {
         write_file(path, |out| write_theorem2(range.clone(), &proof, out, &progress))?;
     }
     drop(progress);
@@ -60,7 +60,15 @@ fn verify(range: RangeInclusive<u64>, args: &Args, interrupt: &Interrupt) -> Res
         ReportFormat::Json => format!("{}\n", json_report(&range, &proof, args)),
     };
     Destination::new(args.output.clone()).write(|out| Ok(out.write_all(report.as_bytes())?))?;
-    Ok(if proof.refuted.is_some() { Outcome::Refuted } else { Outcome::Done })
+    Ok(outcome(&proof))
+}
+
+fn outcome(proof: &Proof) -> Outcome {
+    match proof {
+        Proof { refuted: Some(_), .. } => Outcome::Refuted,
+        Proof { pending: 0, .. } => Outcome::Done,
+        _ => Outcome::Undecided,
+    }
 }
 
 fn text(range: &RangeInclusive<u64>, proof: &Proof, args: &Args) -> String {
@@ -71,7 +79,13 @@ fn text(range: &RangeInclusive<u64>, proof: &Proof, args: &Args) -> String {
             witness(decision)
         );
     }
-    let mut text = format!("Proved: Theorem 2 for {}, by exact decision.\n", periods(range));
+    let mut text = match proof.pending {
+        0 => format!("Proved: Theorem 2 for {}, by exact decision.\n", periods(range)),
+        pending => format!(
+            "Undecided: interrupted; Theorem 2 is proved for {} of the periods in {range:?}, {pending} are pending.\n",
+            proof.periods
+        ),
+    };
     let rows = [
         (proof.orbits, "open intervals with an orbit: every b_{n,k} and c_n of the sign required"),
         (proof.stretches, "open stretches without: two b_{n,k} of opposite sign on each"),
@@ -82,7 +96,7 @@ fn text(range: &RangeInclusive<u64>, proof: &Proof, args: &Args) -> String {
     for (count, what) in rows {
         text += &format!("{count:>12}  {what}\n");
     }
-    if let Some(path) = &args.certificate {
+    if let (Some(path), 0) = (&args.certificate, proof.pending) {
         text += &format!("Certificate: {0}; `grazing check {0}` proves it again.\n", path.display());
     }
     text
@@ -109,16 +123,21 @@ fn json_report(range: &RangeInclusive<u64>, proof: &Proof, args: &Args) -> serde
     json!({
         "format": "grazing-verify 1",
         "statement": "theorem2",
-        "verdict": if proof.refuted.is_some() { "refuted" } else { "proved" },
+        "verdict": match outcome(proof) {
+            Outcome::Done => "proved",
+            Outcome::Refuted => "refuted",
+            Outcome::Undecided => "undecided",
+        },
         "method": "exact",
         "range": [range.start(), range.end()],
         "periods": proof.periods,
+        "pending": proof.pending,
         "orbit_intervals": proof.orbits,
         "stretches": proof.stretches,
         "singular_points": proof.singular,
         "boundary_points": proof.boundary,
         "excluded_points": proof.excluded,
         "witness": proof.refuted.as_ref().map(|decision| json!({ "n": decision.n, "reason": witness(decision) })),
-        "certificate": args.certificate,
+        "certificate": args.certificate.as_ref().filter(|_| outcome(proof) == Outcome::Done),
     })
 }

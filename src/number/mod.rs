@@ -4,4 +4,4 @@
 
 mod parse;
 
-pub use parse::{LIMIT_BITS, parse_rational};
+pub use parse::{LIMIT_BITS, parse_integer, parse_rational};

@@ -63,7 +63,9 @@ impl Progress {
         let bar =
             if std::io::stderr().is_terminal() { ProgressBar::new(units) } else { ProgressBar::hidden() };
         let template = format!("{{bar:40}} {{human_pos}}/{{human_len}} {unit}, {{per_sec}}, {{eta}} left");
-        bar.set_style(ProgressStyle::with_template(&template).unwrap_or_else(|_| ProgressStyle::default_bar()));
+        bar.set_style(
+            ProgressStyle::with_template(&template).unwrap_or_else(|_| ProgressStyle::default_bar()),
+        );
         bar.enable_steady_tick(Duration::from_millis(200));
         Progress { bar, interrupt: interrupt.clone() }
     }

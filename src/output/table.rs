@@ -87,7 +87,13 @@ impl<'a> TableWriter<'a> {
             TableFormat::Csv => {
                 let mut writer = csv::Writer::from_writer(out);
                 writer.write_record(names).map_err(csv_error)?;
-                return Ok(TableWriter { sink: Sink::Csv(writer), format, columns, rows: 0, text: String::new() });
+                return Ok(TableWriter {
+                    sink: Sink::Csv(writer),
+                    format,
+                    columns,
+                    rows: 0,
+                    text: String::new(),
+                });
             }
             TableFormat::Json => writeln!(out, "{{\"format\":{},\"rows\":[", json_string(name))?,
             TableFormat::Latex => {
@@ -130,7 +136,8 @@ impl<'a> TableWriter<'a> {
                 for (index, (cell, column)) in cells.iter().zip(&self.columns).enumerate() {
                     let start = text.len();
                     plain(text, cell);
-                    let padding = column.width.saturating_sub(text.len() - start) + if index > 0 { 2 } else { 0 };
+                    let padding =
+                        column.width.saturating_sub(text.len() - start) + if index > 0 { 2 } else { 0 };
                     text.extend(std::iter::repeat_n(' ', padding));
                     // Right-aligned: the padding goes before the cell.
                     let cell = text.split_off(start);
@@ -138,6 +145,7 @@ impl<'a> TableWriter<'a> {
                     text.push_str(spaces);
                     text.push_str(entry);
                 }
+                text.truncate(text.trim_end().len());
                 text.push('\n');
             }
             TableFormat::Json => {

@@ -30,6 +30,8 @@ pub struct Proof {
     pub boundary: u64,
     /// Points between them where two b have opposite signs.
     pub excluded: u64,
+    /// The number of periods not reached when the work was ended early.
+    pub pending: u64,
     /// The decision with the least n that differs from Theorem 2: a refutation, if there is one.
     pub refuted: Option<Decision>,
 }
@@ -60,6 +62,7 @@ impl Proof {
             singular: self.singular + other.singular,
             boundary: self.boundary + other.boundary,
             excluded: self.excluded + other.excluded,
+            pending: self.pending + other.pending,
             refuted: first,
         }
     }
@@ -70,12 +73,13 @@ impl Proof {
     }
 }
 
-/// Decides Theorem 2 for every period in `range`, on all threads of the current pool.
+/// Decides Theorem 2 for every period in `range`, on all threads of the current pool; on an interruption, for those
+/// reached so far, and the rest is counted as pending.
 ///
 /// Cost: Σ O(n²) operations, O(n) memory a thread. One unit of progress per period.
 ///
 /// # Errors
-/// An input error if a period is out of bounds; an interruption.
+/// An input error if a period is out of bounds.
 pub fn prove_theorem2(range: RangeInclusive<u64>, monitor: &dyn Monitor) -> Result<Proof> {
     // The long periods first, so that no thread is left alone with them at the end.
     let periods: Vec<u64> = range.collect();
@@ -84,8 +88,12 @@ pub fn prove_theorem2(range: RangeInclusive<u64>, monitor: &dyn Monitor) -> Resu
         .rev()
         .with_max_len(8)
         .map(|n| {
+            if monitor.advance(0).is_err() {
+                return Ok(Proof { pending: 1, ..Proof::default() });
+            }
             let proof = Proof::of(decide(n)?);
-            monitor.advance(1)?;
+            // An interruption now is noticed before the next period.
+            let _ = monitor.advance(1);
             Ok(proof)
         })
         .try_reduce(Proof::default, |a, b| Ok(a.merge(b)))
@@ -95,7 +103,7 @@ pub fn prove_theorem2(range: RangeInclusive<u64>, monitor: &dyn Monitor) -> Resu
 /// written, so that memory stays O(n) times the number of threads.
 ///
 /// # Errors
-/// As [`prove_theorem2`]; an I/O error from `out`.
+/// As [`prove_theorem2`]; an I/O error from `out`; an interruption.
 pub fn write_theorem2(
     range: RangeInclusive<u64>,
     proof: &Proof,

@@ -20,7 +20,9 @@ const ROW: u32 = 26;
 /// An input error unless 3 ≤ `last` ≤ 40; an I/O error.
 pub fn intervals(last: u64, folder: &Path) -> Result<()> {
     if !(3..=40).contains(&last) {
-        return Err(Error::input(format!("--n {last}: this figure shows periods 3 to N, with N from 3 to 40")));
+        return Err(Error::input(format!(
+            "--n {last}: this figure shows periods 3 to N, with N from 3 to 40"
+        )));
     }
     let mut all = Vec::new();
     for n in 3..=last {
@@ -31,7 +33,8 @@ pub fn intervals(last: u64, folder: &Path) -> Result<()> {
     write_file(&folder.join("intervals.svg"), |out| Ok(out.write_all(picture.as_bytes())?))?;
     write_file(&folder.join("intervals.csv"), |out| {
         let columns = ["n", "sign_emu", "sign_gamma", "left", "right"].map(|name| Column::new(name, name, 0));
-        let mut table = TableWriter::new(out, TableFormat::Csv, "grazing-figure-intervals 1", columns.to_vec())?;
+        let mut table =
+            TableWriter::new(out, TableFormat::Csv, "grazing-figure-intervals 1", columns.to_vec())?;
         for i in &all {
             table.row(&[
                 Cell::Int(i.n.into()),
@@ -66,7 +69,7 @@ fn draw(last: u64, all: &[Interval]) -> std::result::Result<String, Box<dyn std:
         .margin_right(24)
         .margin_top(44)
         .x_label_area_size(52)
-        .y_label_area_size(58)
+        .y_label_area_size(64)
         .build_cartesian_2d(0f64..0.5, (last as f64 + 0.6)..2.4)?;
     chart
         .configure_mesh()
@@ -93,7 +96,7 @@ fn draw(last: u64, all: &[Interval]) -> std::result::Result<String, Box<dyn std:
         PathElement::new([(s, n - 0.42), (s, n + 0.42)], BLACK)
     });
     chart.draw_series(marks)?;
-    let mut x = 58;
+    let mut x = 64;
     for case in [Case::MinusPlus, Case::PlusPlus, Case::PlusMinus] {
         root.draw(&Rectangle::new([(x, 15), (x + 26, 31)], colour(case).filled()))?;
         let label = format!("{case}").replace('-', "−");
