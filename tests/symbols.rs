@@ -12,6 +12,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, Zero, pow};
 use proptest::prelude::*;
 
+mod common;
 mod reader;
 use reader::{infix, prefix};
 
@@ -39,6 +40,8 @@ fn product(f: &Factored) -> Polynomial {
 }
 
 proptest! {
+    #![proptest_config(common::config())]
+
     /// b_{n,k} = (1 0) Aᵏ X + 1 with (I − Aⁿ)'s first row killing X, X₁ = −1 (51), (54); det(I − Aⁿ) from the matrix.
     #[test]
     fn polynomials_agree_with_matrix_powers((n, k) in period_and_index(20), at in [rational(), rational()]) {
@@ -87,7 +90,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
+    #![proptest_config(ProptestConfig { cases: 64, ..common::config() })]
 
     /// A sentence says the same in every format, its hypotheses describe its half-cell, and it is true where it is tried.
     #[test]

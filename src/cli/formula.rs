@@ -27,9 +27,9 @@ pub(super) struct Args {
     /// Write a sentence.
     #[arg(long)]
     sentence: bool,
-    /// Where the sentence speaks: region4, or M+ or M- for the half-cell on one side of s = M/N, r <= 1.
-    #[arg(long, value_name = "M+|M-|region4", default_value = "region4", requires = "sentence")]
-    area: Area,
+    /// Where the sentence speaks: region4 (the default), or M+ or M- for the half-cell on one side of s = M/N, r <= 1.
+    #[arg(long, value_name = "M+|M-|region4", conflicts_with = "k")]
+    area: Option<Area>,
     /// Who is to read it.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
@@ -38,7 +38,9 @@ pub(super) struct Args {
 pub(super) fn run(args: &Args) -> Result<Outcome> {
     let text = match args.k {
         Some(k) => write_formulas(&period_formulas(args.n, k)?, args.format),
-        None if args.sentence => Sentence::new(args.n, args.area)?.write(args.format),
+        None if args.sentence => {
+            Sentence::new(args.n, args.area.unwrap_or(Area::Region4))?.write(args.format)
+        }
         None => return Err(Error::input("give K, or --sentence")),
     };
     Destination::Stdout.write(|out| Ok(out.write_all(text.as_bytes())?))?;

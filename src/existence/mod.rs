@@ -4,11 +4,13 @@
 //! ([`intervals`]) and again from the Farey tree ([`tree_intervals`]). The *decision* ([`decide`]) knows only
 //! the signs of b_{n,k} and c_n and finds where (52), (53) hold. What happens for r < 1 is not here.
 
+mod by_enclosure;
 mod case;
 mod decide;
 mod intervals;
 mod signs;
 
+pub use by_enclosure::{Enclosed, decide_by_enclosure};
 pub use case::Case;
 pub use decide::{Decision, Piece, Reason, decide};
 pub use intervals::{Interval, MAX_PERIOD, intervals, tree_intervals};

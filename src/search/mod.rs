@@ -3,4 +3,4 @@
 
 mod theorem2;
 
-pub use theorem2::{Proof, prove_theorem2, write_theorem2};
+pub use theorem2::{Method, Proof, prove_theorem2, write_theorem2};
