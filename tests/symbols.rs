@@ -137,7 +137,7 @@ fn agree_and_hold(sentence: &Sentence, at: &HashMap<&str, BigRational>) -> bool 
 
 #[test]
 fn factors_multiply_back_and_include_the_proved_ones() {
-    let divisors = |n: usize| (1..=n).filter(|d| n % d == 0).count();
+    let divisors = |n: usize| (1..=n).filter(|d| n.is_multiple_of(*d)).count();
     let linear = |a2: i32, one: i32| {
         &(&Polynomial::variable(0) + &(&Polynomial::from(a2) * &Polynomial::variable(1)))
             + &Polynomial::from(one)
@@ -180,7 +180,7 @@ fn record_identity() {
 /// u_n = Σ (−1)^j C(n−1−j, j) a₁^{n−1−2j} a₂^j.
 fn binomial_u(n: usize) -> Polynomial {
     let term = |j: usize| {
-        let sign = if j % 2 == 0 { 1 } else { -1 };
+        let sign = if j.is_multiple_of(2) { 1 } else { -1 };
         let binomial = num_integer::binomial(BigInt::from(n - 1 - j), BigInt::from(j)) * sign;
         Polynomial::monomial(binomial, [(n - 1 - 2 * j) as u32, j as u32])
     };

@@ -2,9 +2,12 @@
 //!
 //! On a closed stretch each argument j s of (B1), (B2) is enclosed in an interval of rationals. If no integer lies inside it,
 //! sin πjs has one sign on the open stretch, whatever it does at the ends; else nothing is concluded. The theorem's intervals are taken as a
-//! guess and every factor's sign is proved on each; what lies between is cut at the multiples of 1/(2n), where u_n = 0, and two b's of
-//! opposite sign are proved on every part. That one pair always does for a whole part is not proved but has been so for every n
-//! tried (1500 and below); else the answer is undecided. This shares no sign, cut or witness with [`decide`](super::decide()).
+//! guess and every factor's sign is proved on each; what lies between is cut at the multiples of 1/(2n), where u_n = 0, and on every
+//! part two b's of opposite sign are searched and proved. This shares no sign, cut or witness with [`decide`](super::decide()).
+//!
+//! One pair always does for a whole part (so an undecided part would be an error here). Let ns = m ± δ, 0 < δ < ½, and ⌊x⌋ + {x} = x. Right
+//! of m/n, b_{n,k} > 0 iff {ks} > δ, which holds for k = ⌈n/(2m+1)⌉; left of it b_{n,k} > 0 iff {ks} < 1 − δ, which holds for k = 1. And
+//! b_{n,k} < 0 for k = n/g if g = gcd(m, n) > 1, else beyond the theorem's interval for the k that decides (S3).
 
 use num_integer::Integer;
 use num_rational::Ratio;

@@ -12,7 +12,7 @@ use crate::{
         theorem2::{Claim, block_header, header},
     },
     error::Result,
-    existence::{Case, Decision, Enclosed, Piece, Reason, decide, decide_by_enclosure},
+    existence::{Decision, Enclosed, Piece, Reason, decide, decide_by_enclosure},
     monitor::Monitor,
 };
 
@@ -108,10 +108,13 @@ impl Proof {
 
 /// What two methods must find alike, however they cut (0, ½): the intervals with an orbit, and the points where some b is 0 and
 /// no two have opposite signs.
-fn findings(decision: &Decision) -> Vec<(&Ratio<u64>, Option<(&Ratio<u64>, Case)>)> {
-    let finding = |piece| match piece {
-        &Piece::Orbit { ref left, ref right, case } => Some((left, Some((right, case)))),
-        Piece::Point { at, reason: Reason::Boundary(_) } => Some((at, None)),
+fn findings(decision: &Decision) -> Vec<Piece> {
+    let finding = |piece: &Piece| match *piece {
+        Piece::Orbit { .. } => Some(piece.clone()),
+        // Any k with b = 0 will do.
+        Piece::Point { at, reason: Reason::Boundary(_) } => {
+            Some(Piece::Point { at, reason: Reason::Boundary(0) })
+        }
         _ => None,
     };
     decision.pieces.iter().filter_map(finding).collect()

@@ -96,7 +96,7 @@ pub fn period_formulas(n: usize, k: usize) -> Result<[Factored; 4]> {
 /// The factor of `whole(n)` that belongs to each divisor d of n, where `whole(n)` is the product of those of all d.
 fn parts(n: usize, whole: impl Fn(usize) -> Polynomial) -> Vec<Polynomial> {
     let mut parts: Vec<(usize, Polynomial)> = Vec::new();
-    for d in (1..=n).filter(|d| n % d == 0) {
+    for d in (1..=n).filter(|d| n.is_multiple_of(*d)) {
         let smaller = parts.iter().filter(|(e, _)| d % e == 0);
         let part = smaller.fold(whole(d), |rest, (_, factor)| quotient(&rest, factor));
         parts.push((d, part));
