@@ -1,6 +1,7 @@
 //! The command line: arguments, what each command runs, exit codes. No mathematics lives here.
 
 mod check;
+mod classify;
 mod farey;
 mod figure;
 mod formula;
@@ -36,6 +37,7 @@ enum Command {
     Verify(verify::Args),
     Check(check::Args),
     Intervals(intervals::Args),
+    Classify(classify::Args),
     Farey(farey::Args),
     Figure(figure::Args),
     Formula(formula::Args),
@@ -83,6 +85,7 @@ fn run(cli: Cli) -> Result<Outcome> {
         Command::Verify(args) => verify::run(&args, &interrupt),
         Command::Check(args) => check::run(&args),
         Command::Intervals(args) => intervals::run(&args, &interrupt),
+        Command::Classify(args) => classify::run(&args),
         Command::Farey(args) => farey::run(&args, &interrupt),
         Command::Figure(args) => figure::run(&args),
         Command::Formula(args) => formula::run(&args),

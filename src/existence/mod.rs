@@ -7,12 +7,18 @@
 
 mod by_enclosure;
 mod case;
+mod claim;
 mod decide;
+mod eigenvalue;
 mod intervals;
 mod signs;
+mod single;
 
 pub use by_enclosure::{Enclosed, decide_by_enclosure};
 pub use case::Case;
+pub use claim::{Claim, Variant, claimed};
 pub use decide::{Decision, Piece, Reason, decide};
+pub use eigenvalue::large_eigenvalue_sign;
 pub use intervals::{Interval, MAX_PERIOD, intervals, tree_intervals};
 pub use signs::{Side, Signs};
+pub use single::{Existence, by_definition, by_records};
