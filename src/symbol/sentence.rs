@@ -1,7 +1,7 @@
 //! What holds for one period in one area, as a closed sentence about polynomials that other tools can decide.
 //!
 //! In every area here 1 − a₁ + a₂ > 0, a factor of every N_{n,k}, so with Q_k = N_{n,k} / (1 − a₁ + a₂) the sign of b_{n,k} (59) is
-//! that of Q_k u_n, and the sentences speak of u_n and the Q_k alone. Without that factor z3 goes two periods further.
+//! that of Q_k u_n, and the sentences speak of u_n and the Q_k alone, which are easier to decide.
 //!
 //! On a half-cell of region 3, a₁ = 2rc and a₂ = r² with c = cos 2πs turn u_n into r^{n−1} U(c) and Q_k into r^{k−1} times a
 //! polynomial in (c, r). The ends of the half-cell are neighbouring roots cos(πj/n) of U; between them U has one sign, and beyond
@@ -20,7 +20,7 @@ use super::print::{Format, prefix};
 use super::{Polynomial, chebyshev_roots};
 use crate::error::{Error, Result};
 
-/// The largest period for which sentences are written; no tool we know decides one beyond 13.
+/// The largest period for which sentences are written: far beyond what the tools decide (`docs/solvers.md`).
 pub const MAX_SENTENCE_PERIOD: usize = 50;
 
 /// Where a sentence speaks: region 4 or the half-cell on one side of s = m/n.
