@@ -47,6 +47,7 @@ mod monitor;
 pub mod number;
 pub mod output;
 pub mod search;
+pub mod symbol;
 
 pub use error::{Error, Result};
 pub use monitor::Monitor;

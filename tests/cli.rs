@@ -44,6 +44,14 @@ fn verify_and_check() {
     let report: serde_json::Value = serde_json::from_str(&stdout("verify 8 --format json")).unwrap();
     assert_eq!(report["verdict"], "proved");
     assert_eq!(report["orbit_intervals"], 5);
+    let both: serde_json::Value =
+        serde_json::from_str(&stdout("verify 8 --method both --format json")).unwrap();
+    assert_eq!((&both["verdict"], &both["method"]), (&"proved".into(), &"both".into()));
+    assert!(
+        stdout("verify 8 --method interval")
+            .starts_with("Proved: Theorem 2 for period n = 8, by enclosures.")
+    );
+    assert!(error("verify 8 --method interval --certificate x").contains("use --method exact or both"));
     let text = fs::read_to_string(file).unwrap();
     // One thread or several, the same certificate.
     stdout(&format!("verify 1..=30 --jobs 1 --certificate {file}"));
@@ -78,6 +86,11 @@ fn bad_input_gets_one_line_that_says_what_to_do() {
         ("farey rank 1/2 0", "ranks are computed in F_N for 1 ≤ N ≤ 10000000000, not for N = 0"),
         ("farey walk 0", "a Farey sequence has an order of at least 1, not 0"),
         ("farey kth 12 5", "F_5 has terms 0 to 10, so none with index 12"),
+        ("formula 3 3", "there is no formula for n = 3, k = 3: give 2 <= n <= 200 and 1 <= k <= n - 1"),
+        (
+            "formula 6 --sentence --area 2+",
+            "period 6 has no area at m = 2: give 0 < 2m < n with m coprime to n",
+        ),
         ("figure intervals --n 2", "--n 2: this figure shows periods 3 to N, with N from 3 to 40"),
     ];
     for (arguments, expected) in cases {
@@ -90,8 +103,22 @@ fn bad_input_gets_one_line_that_says_what_to_do() {
 }
 
 #[test]
+fn formulas_and_sentences() {
+    let out = stdout("formula 4 2");
+    assert!(out.contains("\n  = a1*(a1 - a2 - 1)*(a1 + a2 + 1)\n"), "{out}");
+    assert_eq!(stdout("formula 5 --sentence"), stdout("formula 5 --sentence --area region4 --format text"));
+    let script = stdout("formula 5 --sentence --area 2- --format smtlib");
+    assert!(script.starts_with("; 2- of period 5: ") && script.ends_with("(check-sat)\n"), "{script}");
+    for wrong in
+        ["formula 5", "formula 5 2 --sentence", "formula 5 2 --area 1+", "formula 5 --sentence --area 1"]
+    {
+        assert_eq!(run(wrong).0, 2, "grazing {wrong}");
+    }
+}
+
+#[test]
 fn every_command_documents_its_exit_codes() {
-    for name in ["verify", "check", "intervals", "farey", "figure"] {
+    for name in ["verify", "check", "intervals", "farey", "figure", "formula"] {
         let help = stdout(&format!("{name} --help"));
         assert!(help.contains("Exit code 0:"), "{name}");
     }

@@ -4,6 +4,7 @@ mod check;
 mod classify;
 mod farey;
 mod figure;
+mod formula;
 mod fuzz;
 mod intervals;
 mod range;
@@ -41,6 +42,7 @@ enum Command {
     Fuzz(fuzz::Args),
     Farey(farey::Args),
     Figure(figure::Args),
+    Formula(formula::Args),
 }
 
 /// How a command that did its work ended.
@@ -89,6 +91,7 @@ fn run(cli: Cli) -> Result<Outcome> {
         Command::Fuzz(args) => fuzz::run(&args, &interrupt),
         Command::Farey(args) => farey::run(&args, &interrupt),
         Command::Figure(args) => figure::run(&args),
+        Command::Formula(args) => formula::run(&args),
     }
 }
 

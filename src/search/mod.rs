@@ -4,4 +4,4 @@
 pub mod fuzz;
 mod theorem2;
 
-pub use theorem2::{Proof, prove_theorem2, write_theorem2};
+pub use theorem2::{Method, Proof, prove_theorem2, write_theorem2};
