@@ -47,6 +47,7 @@ mod monitor;
 pub mod number;
 pub mod output;
 pub mod search;
+pub mod study;
 pub mod symbol;
 
 pub use error::{Error, Result};

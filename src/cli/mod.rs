@@ -1,7 +1,9 @@
 //! The command line: arguments, what each command runs, exit codes. No mathematics lives here.
 
+mod accuracy;
 mod check;
 mod classify;
+mod evaluate;
 mod farey;
 mod figure;
 mod formula;
@@ -43,6 +45,8 @@ enum Command {
     Farey(farey::Args),
     Figure(figure::Args),
     Formula(formula::Args),
+    Evaluate(evaluate::Args),
+    Accuracy(accuracy::Args),
 }
 
 /// How a command that did its work ended.
@@ -92,6 +96,8 @@ fn run(cli: Cli) -> Result<Outcome> {
         Command::Farey(args) => farey::run(&args, &interrupt),
         Command::Figure(args) => figure::run(&args),
         Command::Formula(args) => formula::run(&args),
+        Command::Evaluate(args) => evaluate::run(&args, &interrupt),
+        Command::Accuracy(args) => accuracy::run(&args, &interrupt),
     }
 }
 

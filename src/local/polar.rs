@@ -14,7 +14,6 @@
 //! single and double zeros and as r → 1; the direct form does for small r. c_n is a product of sums of positive terms.
 
 use num_bigint::BigInt;
-use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Signed};
 
@@ -26,6 +25,10 @@ use crate::number::{Angle, Circular, Real, Sign};
 pub struct Polar {
     r: BigRational,
     s: BigRational,
+    /// 1 − r.
+    rest: BigRational,
+    /// r ≥ ½.
+    large: bool,
     /// πs and 2πs.
     half: Angle,
     full: Angle,
@@ -53,7 +56,9 @@ impl Polar {
             )));
         }
         let (half, full) = (Angle::new(&s), Angle::new(&(&s * BigInt::from(2))));
-        Ok(Polar { r, s, half, full })
+        let rest = BigRational::one() - &r;
+        let large = rest <= r;
+        Ok(Polar { r, s, rest, large, half, full })
     }
 
     /// r.
@@ -73,7 +78,7 @@ impl Polar {
 
     /// Whether u_n = 0: exactly where 2ns is an integer.
     pub fn is_singular(&self, n: u64) -> bool {
-        (self.s.numer() * BigInt::from(2) * n).is_multiple_of(self.s.denom())
+        self.u_sign(n) == Sign::Zero
     }
 
     /// The sign of u_n, which is that of sin 2πns: exact.
@@ -193,11 +198,7 @@ impl Polar {
 
     /// The better of the two forms: the narrower enclosure, or, where there is none, the folded one for r ≥ ½.
     fn choose<T: Circular>(&self, folded: T, direct: T) -> T {
-        if self.r < BigRational::new(1.into(), 2.into()) {
-            direct.tighter(folded)
-        } else {
-            folded.tighter(direct)
-        }
+        if self.large { folded.tighter(direct) } else { direct.tighter(folded) }
     }
 
     /// r^j and 1 − r^j by repeated squaring: O(log j) products.
@@ -228,7 +229,7 @@ impl Polar {
     }
 
     fn step<T: Real>(&self, context: &T::Context) -> Power<T> {
-        Power { power: T::ratio(&self.r, context), rest: T::ratio(&(BigRational::one() - &self.r), context) }
+        Power { power: T::ratio(&self.r, context), rest: T::ratio(&self.rest, context) }
     }
 }
 
