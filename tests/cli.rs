@@ -258,3 +258,55 @@ fn interrupted_verification_says_what_is_pending() {
     assert_eq!(report["verdict"], "undecided");
     assert_eq!(report["periods"].as_u64().unwrap() + report["pending"].as_u64().unwrap(), 19998);
 }
+
+#[test]
+fn classify_by_either_kind_of_point() {
+    // a₁ = a₂ = 1/4 has r = 1/2, cos θ = 1/4: s is irrational. By (r, s): r = 1/2, s = 1/4 is a₁ = 0, a₂ = 1/4.
+    let polar = stdout("classify --r 1/2 --s 1/4 --max-n 12 --format csv");
+    let plane = stdout("classify --a1 0 --a2 0.25 --max-n 12 --format csv");
+    let kinds = |text: &str| {
+        text.lines().map(|line| line.split(',').take(5).collect::<Vec<_>>().join(",")).collect::<Vec<_>>()
+    };
+    assert_eq!(kinds(&polar), kinds(&plane));
+    assert!(polar.contains("\n2,singular boundary,,,,,,\n"), "{polar}");
+    // In reversed time the same orbits, with k and n − k exchanged.
+    let reversed = stdout("classify --a1 -6/5 --a2 4/3 --max-n 9 --format csv");
+    let forward = stdout("classify --a1 -9/10 --a2 3/4 --max-n 9 --format csv");
+    assert_eq!(kinds(&reversed), kinds(&forward));
+    assert!(stdout("classify --a1 -6/5 --a2 4/3").contains("reversing time"));
+    let json: serde_json::Value =
+        serde_json::from_str(&stdout("classify --a1 3 --a2 1/2 --max-n 2 --format json")).unwrap();
+    assert_eq!(json["rows"][1]["existence"], "orbit");
+    assert_eq!(json["rows"][1]["large_eigenvalue"], 1, "(−,−) of period 1 in region 1: −sign eµ");
+    assert_eq!(stdout("classify --summary --format csv").lines().count(), 6);
+    assert!(error("classify --a1 1 --a2 0").contains("the determinant of the map of a flow is above 0"));
+    assert!(error("classify --r 1/2 --s 1/2").contains("outside 0 < s < 1/2"));
+    assert!(error("classify --r 1/2 --s 1/4 --max-n 0").contains("--max-n 0"));
+}
+
+#[test]
+fn fuzz_resumes_and_reports() {
+    let folder = tempfile::tempdir().unwrap();
+    let state = folder.path().join("state.json");
+    let options =
+        format!("fuzz --n 1..=12 --seed 3 --jobs 1 --format json --resume {} --cases", state.display());
+    let tally = |text: &str| {
+        let mut report: serde_json::Value = serde_json::from_str(text).unwrap();
+        let tally = report["tally"].as_object_mut().unwrap();
+        tally.retain(|key, _| !key.ends_with("seconds"));
+        serde_json::Value::from(tally.clone())
+    };
+    let first = tally(&stdout(&format!("{options} 1000")));
+    let second = tally(&stdout(&format!("{options} 3e6")));
+    assert!(second["units"].as_u64() > first["units"].as_u64());
+    let whole = tally(&stdout("fuzz --n 1..=12 --seed 3 --jobs 2 --format json --cases 3e6"));
+    assert_eq!(whole, second);
+    assert!(stdout("fuzz --n 12 --cases 1").starts_with("No disagreement found. This is no proof.\n"));
+    assert!(
+        error(&format!("{} 1000", options.replace("--seed 3", "--seed 4"))).contains("is of another run")
+    );
+    fs::write(&state, "{}").unwrap();
+    assert!(error(&format!("{options} 1000")).contains("is not a state of `grazing fuzz`"));
+    assert!(error("fuzz --n 2").contains("the largest period is 2: from 3 to 4096"));
+    assert!(error("fuzz --definition-share 2").contains("a number from 0 to 1"));
+}
