@@ -235,42 +235,64 @@ Proof.
   now apply (b_right_h r s n m mp np mm nm).
 Qed.
 
-(** On its interval an area is where h > 0. *)
-Lemma interval_orbits n e g lo hi : (3 <= n)%nat -> interval n e g lo hi ->
-  (e = Minus /\ forall r s, 0 < r <= 1 -> lo < s < hi ->
-   exists_iff (trace r s) (r ^ 2) n e g True) \/
-  (e = Plus /\ exists j (d : R -> R), (forall s, lo < s < hi -> index n j (d s) /\ INR j * d s < 1) /\
-   (exists x y, forall s, d s = x + y * s) /\
-   forall r s, 0 < r <= 1 -> lo < s < hi ->
-   exists_iff (trace r s) (r ^ 2) n e g (0 < h n j (d s) r)).
+(** Over lo < s < hi the orbit (+, g) exists where h > 0; d s is e = |n s - m|. *)
+Definition area (n : nat) (g : sign) (lo hi : R) (j : nat) (d : R -> R) : Prop :=
+  (exists x y, forall s, d s = x + y * s) /\ forall s, lo < s < hi ->
+  index n j (d s) /\ INR j * d s < 1 /\ forall r, 0 < r <= 1 ->
+  exists_iff (trace r s) (r ^ 2) n Plus g (0 < h n j (d s) r).
+
+Section Areas.
+
+Variables n m mp np mm nm : nat.
+Hypothesis Hn : (3 <= n)%nat.
+Hypothesis Hm : (0 < 2 * m < n)%nat.
+Hypothesis HF : neighbours m n mp np mm nm.
+
+Lemma m_bounds : 3 <= INR n /\ 1 <= INR m /\ 2 * INR m + 1 <= INR n.
 Proof.
-  intros Hn HI; assert (Hn3 : 3 <= INR n) by (apply le_INR in Hn; simpl in Hn; lra).
-  destruct HI as [|m mp np mm nm Hm HF|m mp np mm nm Hm HF]; [left|right|right]; (split; [reflexivity|]).
-  - intros r s Hr Hs; apply (S1_proof r s n ltac:(lia)).
-    assert (Hns : 0 < INR n * s < 1 / 2).
-    { split; [nra|]; apply (Rmult_lt_reg_r (/ INR n)); [apply Rinv_0_lt_compat; lra|].
-      replace (INR n * s * / INR n) with s by (field; lra).
-      replace (1 / 2 * / INR n) with (1 / (2 * INR n)) by (field; lra); lra. }
-    apply cell_of_distance; [assumption|nra|simpl; lra|].
-    simpl; rewrite Rminus_0_r; apply Rabs_def1; lra.
-  - exists np, (fun s => INR m - INR n * s); split; [|split; [exists (INR m), (- INR n); intros; ring|]].
-    { intros s Hs; now apply (left_interval n m mp np mm nm). }
-    intros r s Hr Hs; pose proof Hs as Hi.
-    apply (left_interval n m mp np mm nm s Hn Hm HF) in Hi; destruct Hi as ((_ & _ & He) & _).
-    assert (Hm' : 1 <= INR m /\ 2 * INR m + 1 <= INR n).
-    { destruct Hm as [Hm1 Hm2]; assert (Hm3 : (1 <= m)%nat) by lia; apply le_INR in Hm2, Hm3.
-      rewrite S_INR, mult_INR in Hm2; simpl in *; lra. }
-    apply (left_orbits r s n m mp np mm nm); trivial; [lia| |lra].
-    apply cell_of_distance; trivial; [split; nra|lra|apply Rabs_def1; lra].
-  - exists nm, (fun s => INR n * s - INR m); split; [|split; [exists (- INR m), (INR n); intros; ring|]].
-    { intros s Hs; now apply (right_interval n m mp np mm nm). }
-    intros r s Hr Hs; pose proof Hs as Hi.
-    apply (right_interval n m mp np mm nm s Hn Hm HF) in Hi; destruct Hi as ((_ & _ & He) & _).
-    assert (Hm' : 1 <= INR m /\ 2 * INR m + 1 <= INR n).
-    { destruct Hm as [Hm1 Hm2]; assert (Hm3 : (1 <= m)%nat) by lia; apply le_INR in Hm2, Hm3.
-      rewrite S_INR, mult_INR in Hm2; simpl in *; lra. }
-    apply (right_orbits r s n m mp np mm nm); trivial; [lia| |lra].
-    apply cell_of_distance; trivial; [split; nra|lra|apply Rabs_def1; lra].
+  destruct Hm as [Hm1 Hm2]; assert (Hm3 : (1 <= m)%nat) by lia.
+  apply le_INR in Hm2, Hm3; pose proof (le_INR _ _ Hn).
+  rewrite S_INR, mult_INR in Hm2; simpl in *; lra.
+Qed.
+
+Lemma left_area : area n Plus (if (m =? 1)%nat then 1 / (2 * INR n) else INR mp / INR np)
+  (INR m / INR n) np (fun s => INR m - INR n * s).
+Proof.
+  split; [exists (INR m), (- INR n); intros; ring|]; intros s Hs.
+  apply (left_interval n m mp np mm nm) in Hs; trivial; destruct Hs as [Hi Hj].
+  split; [assumption|split; [assumption|]]; intros r Hr.
+  destruct m_bounds as (? & ? & ?); destruct Hi as (_ & _ & He).
+  apply (left_orbits r s n m mp np mm nm); trivial; [lia| |lra].
+  apply cell_of_distance; trivial; [split; nra|lra|apply Rabs_def1; lra].
+Qed.
+
+Lemma right_area : area n Minus (INR m / INR n) (INR mm / INR nm)
+  nm (fun s => INR n * s - INR m).
+Proof.
+  split; [exists (- INR m), (INR n); intros; ring|]; intros s Hs.
+  apply (right_interval n m mp np mm nm) in Hs; trivial; destruct Hs as [Hi Hj].
+  split; [assumption|split; [assumption|]]; intros r Hr.
+  destruct m_bounds as (? & ? & ?); destruct Hi as (_ & _ & He).
+  apply (right_orbits r s n m mp np mm nm); trivial; [lia| |lra].
+  apply cell_of_distance; trivial; [split; nra|lra|apply Rabs_def1; lra].
+Qed.
+
+End Areas.
+
+Lemma first_orbits n r s : (3 <= n)%nat -> 0 < r <= 1 -> 0 < s < 1 / (2 * INR n) ->
+  exists_iff (trace r s) (r ^ 2) n Minus Plus True.
+Proof.
+  intros Hn Hr Hs; assert (Hn3 : 3 <= INR n) by (apply le_INR in Hn; simpl in Hn; lra).
+  assert (Hns : 0 < INR n * s < 1 / 2).
+  { split; [nra|]; replace (1 / 2) with (INR n * (1 / (2 * INR n))) by (field; lra); nra. }
+  apply (S1_proof r s n ltac:(lia)), cell_of_distance; [assumption|nra|simpl; lra|].
+  simpl; rewrite Rminus_0_r; apply Rabs_def1; lra.
+Qed.
+
+Lemma interval_area n g lo hi : (3 <= n)%nat -> interval n Plus g lo hi ->
+  exists j d, area n g lo hi j d.
+Proof.
+  intros Hn HI; inversion HI; subst; eexists _, _; [eapply left_area|eapply right_area]; eassumption.
 Qed.
 
 (** An orbit of region 3 lies over some interval. *)
@@ -315,14 +337,16 @@ Qed.
 Lemma S4_proof : S4_statement.
 Proof.
   intros n Hn; split.
-  - intros e g lo hi HI; destruct (interval_orbits n e g lo hi Hn HI) as [[-> Ho]|(-> & j & d & Hd & _ & Ho)].
-    + exists (fun _ => 0); split; [|reflexivity]; intros s Hs; split; [lra|]; intros r Hr.
-      refine (exists_iff_ext _ _ _ _ _ _ _ _ (Ho r s Hr Hs)); split; [intros _; lra|trivial].
-    + exists (fun s => proj1_sig (threshold n j (d s))); split; [|discriminate].
-      intros s Hs; destruct (Hd s Hs) as [Hi Hje].
+  - intros [|] g lo hi HI.
+    + destruct (interval_area n g lo hi Hn HI) as (j & d & _ & Hd).
+      exists (fun s => proj1_sig (threshold n j (d s))); split; [|discriminate].
+      intros s Hs; destruct (Hd s Hs) as (Hi & Hje & Ho).
       destruct (threshold n j (d s)) as (x & Hx); simpl.
       destruct (Hx Hi Hje) as [Hx1 Hx2]; split; [assumption|]; intros r Hr.
-      refine (exists_iff_ext _ _ _ _ _ _ _ _ (Ho r s Hr Hs)); apply Hx2; lra.
+      refine (exists_iff_ext _ _ _ _ _ _ _ _ (Ho r Hr)); apply Hx2; lra.
+    + exists (fun _ => 0); split; [|reflexivity]; inversion HI; subst.
+      intros s Hs; split; [lra|]; intros r Hr.
+      refine (exists_iff_ext _ _ _ _ _ _ _ _ (first_orbits n r s Hn Hr Hs)); lra.
   - intros s Hs Hnone r e g Hr Ho.
     destruct (orbit_in_interval n r s e g Hn Hr Hs Ho) as (lo & hi & HI & Hlo).
     exact (Hnone e g lo hi HI Hlo).
