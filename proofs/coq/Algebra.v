@@ -132,22 +132,22 @@ Qed.
 (** ** The sequence x_k = C A^k X, which starts and ends at -1
 
     X = (-1, g) with g = (u_{n+1} - 1) / u_n, and b_{n,k} = 1 + x_k. *)
-Definition x (a1 a2 : R) (n k : nat) : R :=
+Definition orbit_x (a1 a2 : R) (n k : nat) : R :=
   u a1 a2 k * ((u a1 a2 (S n) - 1) / u a1 a2 n) - u a1 a2 (S k).
 
-Lemma x_0 a1 a2 n : x a1 a2 n 0 = -1.
-Proof. unfold x; rewrite u_0, u_1; ring. Qed.
+Lemma x_0 a1 a2 n : orbit_x a1 a2 n 0 = -1.
+Proof. unfold orbit_x; rewrite u_0, u_1; ring. Qed.
 
-Lemma x_n a1 a2 n : u a1 a2 n <> 0 -> x a1 a2 n n = -1.
-Proof. intros; unfold x; field; assumption. Qed.
+Lemma x_n a1 a2 n : u a1 a2 n <> 0 -> orbit_x a1 a2 n n = -1.
+Proof. intros; unfold orbit_x; field; assumption. Qed.
 
-Lemma x_SS a1 a2 n k : x a1 a2 n (S (S k)) = a1 * x a1 a2 n (S k) - a2 * x a1 a2 n k.
-Proof. unfold x; rewrite !u_SS; ring. Qed.
+Lemma x_SS a1 a2 n k : orbit_x a1 a2 n (S (S k)) = a1 * orbit_x a1 a2 n (S k) - a2 * orbit_x a1 a2 n k.
+Proof. unfold orbit_x; rewrite !u_SS; ring. Qed.
 
 Lemma b_is_1_plus_x a1 a2 n k :
-  (k <= n)%nat -> u a1 a2 n <> 0 -> b a1 a2 n k = 1 + x a1 a2 n k.
+  (k <= n)%nat -> u a1 a2 n <> 0 -> b a1 a2 n k = 1 + orbit_x a1 a2 n k.
 Proof.
-  intros Hk Hn; unfold b, x.
+  intros Hk Hn; unfold b, orbit_x.
   pose proof (u_addition a1 a2 (n - k) k) as H.
   replace (n - k + k)%nat with n in H by lia.
   rewrite H; field; assumption.

@@ -53,7 +53,7 @@ Proof. intros; apply Rlt_pow_R1; [assumption | lia]. Qed.
 
 Section BetweenEnds.
 Variables p q : R.
-Notation y := (fun n k => - x (p + q) (p * q) n k).
+Notation y := (fun n k => - orbit_x (p + q) (p * q) n k).
 
 Lemma y_recurrence n k : y n (S (S k)) = (q + p) * y n (S k) - q * p * y n k.
 Proof. cbn beta; rewrite x_SS; ring. Qed.

@@ -33,7 +33,7 @@ Proof.
   - eexists; apply single_impact_iff; [assumption | reflexivity].
   - intros X HX; apply single_impact_iff in HX; [subst X | assumption].
     refine (conj eq_refl (conj _ _)).
-    + intros k Hk; rewrite b_is_1_plus_x by assumption; unfold apply, x.
+    + intros k Hk; rewrite b_is_1_plus_x by assumption; unfold apply, orbit_x.
       rewrite power_of_A; cbn [fst snd m11 m12]; ring.
     + unfold apply; rewrite power_of_A; cbn [fst snd m21 m22]; unfold c, v.
       pose proof (u_Cassini a1 a2 n) as E; rewrite <- E; field; assumption.

@@ -17,7 +17,7 @@ Notation u4 := (u (- (p + q)) (p * q)).
 Notation b := (b (- (p + q)) (p * q) n).
 Notation c := (c (- (p + q)) (p * q) n).
 
-Let y (k : nat) : R := (-1) ^ k * x (- (p + q)) (p * q) n k.
+Let y (k : nat) : R := (-1) ^ k * orbit_x (- (p + q)) (p * q) n k.
 
 Lemma y_recurrence k : y (S (S k)) = (p + q) * y (S k) - p * q * y k.
 Proof. unfold y; rewrite x_SS; cbn; ring. Qed.
