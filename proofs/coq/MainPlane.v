@@ -4,11 +4,11 @@
     Coq half a second. *)
 
 From Coq Require Import Reals QArith Qreals.
-From Grazing Require Import Defs Statement StatementPlane StatementB AppendixA Region4
+From Grazing Require Import Defs Statement StatementPlane StatementB Disc AppendixA Region4
   Coordinates InsideTriangle MatrixForm Summary LeftmostSection AppendixB Eight DefsQ.
 
-Theorem S5_and_section : S5_statement /\ (S3_statement -> S5_section_statement).
-Proof. exact (conj S5 S5_section_from_S3). Qed.
+Theorem S5_and_section : S5_statement /\ S5_section_statement.
+Proof. exact (conj S5 (S5_section_from_S3 S3_proof)). Qed.
 
 Theorem Summary_by_period : Period1_statement /\ Period2_statement /\ Region1_statement /\
   Region2_statement /\ Region5_statement /\ Lines_statement /\ Coordinates_statement /\
