@@ -91,7 +91,7 @@ fn compare(printed: &str) {
         .map(|word| word.parse().unwrap())
         .collect();
     assert!(
-        integers.len() >= 12 && integers.len() % 12 == 0,
+        integers.len() >= 12 && integers.len().is_multiple_of(12),
         "rows of twelve integers"
     );
     for row in integers.chunks(12) {
