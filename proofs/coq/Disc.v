@@ -6,6 +6,10 @@ From Coq Require Import Reals ZArith Arith Lra Lia.
 From Grazing Require Import Defs Statement Cases Polar LnCos Convex Lattice Phase Farey.
 Open Scope R_scope.
 
+Lemma exists_iff_ext a1 a2 n e g P Q : (P <-> Q) ->
+  exists_iff a1 a2 n e g P -> exists_iff a1 a2 n e g Q.
+Proof. intros HPQ HP e' g'; rewrite (HP e' g'); tauto. Qed.
+
 (** ** A cell of the disc *)
 
 Section Cell.

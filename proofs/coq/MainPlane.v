@@ -4,7 +4,7 @@
     Coq half a second. *)
 
 From Coq Require Import Reals QArith Qreals.
-From Grazing Require Import Defs Statement StatementPlane StatementB Disc AppendixA Region4
+From Grazing Require Import Defs Statement StatementPlane StatementB Disc Radius AppendixA Region4
   Coordinates InsideTriangle MatrixForm Summary LeftmostSection AppendixB Eight DefsQ.
 
 Theorem S5_and_section : S5_statement /\ S5_section_statement.
@@ -12,10 +12,10 @@ Proof. exact (conj S5 (S5_section_from_S3 S3_proof)). Qed.
 
 Theorem Summary_by_period : Period1_statement /\ Period2_statement /\ Region1_statement /\
   Region2_statement /\ Region5_statement /\ Lines_statement /\ Coordinates_statement /\
-  (S4_statement -> Summary_statement).
+  Summary_statement.
 Proof.
   exact (conj Period1 (conj Period2 (conj Region1 (conj Region2 (conj Region5
-    (conj Lines (conj Coordinates Summary_from_S4))))))).
+    (conj Lines (conj Coordinates (Summary_from_S4 S4_proof)))))))).
 Qed.
 
 Theorem Large_Record_Matrix : Large_statement /\ Record_identity_statement /\
