@@ -3,38 +3,8 @@
     Step 7 of the proof: the lattice lemmas, read for b_{n,k} and c_n. *)
 
 From Coq Require Import Reals ZArith Arith Lra Lia.
-From Grazing Require Import Defs Statement Polar LnCos Convex Lattice Phase Farey.
+From Grazing Require Import Defs Statement Cases Polar LnCos Convex Lattice Phase Farey.
 Open Scope R_scope.
-
-(** ** From signs of b and c to orbits *)
-
-Lemma orbit_all_neg r s n :
-  (2 <= n)%nat -> u (trace r s) (r ^ 2) n <> 0 ->
-  all_b (fun x => x < 0) r s n -> c_at r s n < 0 ->
-  exists_iff (trace r s) (r ^ 2) n Minus Plus True.
-Proof.
-  intros Hn Hu Hb Hc e g; unfold all_b, b_at, c_at, orbit, sgn in *; split.
-  - intros (_ & He & Hg); specialize (He 1%nat ltac:(lia)); specialize (Hb 1%nat ltac:(lia)).
-    destruct e; [exfalso; lra|]; destruct g; [tauto|exfalso; lra].
-  - intros (-> & -> & _); split; [assumption|]; split; [|lra].
-    intros k Hk; specialize (Hb k Hk); lra.
-Qed.
-
-(** Where some b > 0, orbits are in the case (+, g), g given by the sign of c. *)
-Lemma orbit_some_pos a1 a2 n g :
-  u a1 a2 n <> 0 -> (exists k, (1 <= k <= n - 1)%nat /\ b a1 a2 n k > 0) ->
-  sgn g * c a1 a2 n > 0 ->
-  exists_iff a1 a2 n Plus g (forall k, (1 <= k <= n - 1)%nat -> b a1 a2 n k > 0).
-Proof.
-  intros Hu (k & Hk & Hpos) Hc e' g'; unfold orbit; split.
-  - intros (_ & Hb & Hg); pose proof (Hb k Hk) as Hbk.
-    assert (e' = Plus) as -> by (destruct e'; simpl in *; trivial; lra).
-    assert (g' = g) as -> by (destruct g, g'; simpl in *; trivial; lra).
-    split; [trivial|split; [trivial|]]; intros j Hj.
-    specialize (Hb j Hj); simpl in Hb; lra.
-  - intros (-> & -> & Hb); split; [assumption|]; simpl; split; [|lra].
-    intros j Hj; specialize (Hb j Hj); lra.
-Qed.
 
 Lemma exists_iff_ext a1 a2 n e g P Q : (P <-> Q) ->
   exists_iff a1 a2 n e g P -> exists_iff a1 a2 n e g Q.
@@ -120,7 +90,7 @@ Proof.
     destruct (alpha_neg r (2 * PI * s) n 0 HR); [|nra].
     destruct HR as (_ & Hth & H1 & _); apply (le_INR 1) in H1; simpl in *; nra. }
   split; [assumption|split; [assumption|]].
-  apply orbit_all_neg; trivial; apply H.
+  apply exists_Minus_Plus; trivial; apply H.
 Qed.
 
 Lemma S2_proof : S2_statement.
@@ -243,7 +213,7 @@ Proof.
   pose proof (some_b_pos r s n m Hn H Hm) as Hsome.
   assert (Hu : u (trace r s) (r ^ 2) n <> 0) by apply H.
   split; [assumption|split; [|split]].
-  - apply (exists_iff_ext _ _ _ _ _ _ _ Hiff); now apply orbit_some_pos.
+  - now apply exists_iff_Plus.
   - intros Hneg; split; [assumption|]; destruct Hsome as (k & Hk & Hpos).
     exists d, k; auto.
   - intros H0 Hr k Hk Hkd; apply Rnot_le_gt; intros Hle.

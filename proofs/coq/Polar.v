@@ -4,23 +4,8 @@
     and (A8); u_n = 0 is the same as sin (n th) = 0. *)
 
 From Coq Require Import Reals Lra Lia.
-From Grazing Require Import Defs.
+From Grazing Require Import Defs Algebra.
 Open Scope R_scope.
-
-Lemma u_0 a1 a2 : u a1 a2 0 = 0.
-Proof. reflexivity. Qed.
-
-Lemma u_1 a1 a2 : u a1 a2 1 = 1.
-Proof. reflexivity. Qed.
-
-Lemma pair_snd a1 a2 k : snd (pair a1 a2 k) = u a1 a2 (S k).
-Proof. unfold u; simpl; now destruct (pair a1 a2 k). Qed.
-
-Lemma u_rec a1 a2 k : u a1 a2 (S (S k)) = a1 * u a1 a2 (S k) - a2 * u a1 a2 k.
-Proof.
-  rewrite <- (pair_snd a1 a2 (S k)), <- (pair_snd a1 a2 k).
-  unfold u; simpl; now destruct (pair a1 a2 k).
-Qed.
 
 Section Polar.
 
@@ -45,7 +30,7 @@ Proof.
     rewrite u_0, u_1, !Rmult_0_l, !Rmult_1_l, sin_0; split; simpl; ring.
   - split; [exact IH2|].
     replace (INR (S (S k)) * th) with (INR k * th + th + th) by (rewrite !S_INR; ring).
-    rewrite sin_rec, u_rec.
+    rewrite sin_rec, u_SS.
     rewrite S_INR, Rmult_plus_distr_r, Rmult_1_l in IH2.
     rewrite Rmult_minus_distr_r, !Rmult_assoc, IH2, IH1.
     unfold a1, a2; simpl; ring.
