@@ -53,7 +53,7 @@ Lemma h_continuous_s r : continuity (fun s => h n j (d s) r).
 Proof.
   destruct HA as ((x & y & E) & _); intros s.
   apply (continuity_pt_locally_ext (fun s => h n j (x + y * s) r) _ 1); [lra|now intros; rewrite E|].
-  revert s; unfold h, angle_A, angle_B, Rdiv; reg.
+  unfold h, angle_A, angle_B, Rdiv; reg.
 Qed.
 
 Lemma radius_h s r : lo < s < hi -> 0 < r <= 1 -> (Rad s < r <-> 0 < h n j (d s) r).
@@ -75,7 +75,8 @@ Lemma above_near p r : 0 < r <= 1 -> h n j (d p) r > 0 ->
   exists de, de > 0 /\ forall s, lo < s < hi -> Rabs (s - p) < de -> Rad s < r.
 Proof.
   intros Hr Hp; destruct (sign_near _ p (h_continuous_s r) Hp) as (de & Hd & Hnear).
-  exists de; split; [assumption|]; intros s Hs Hsp; apply radius_h; auto.
+  exists de; split; [assumption|]; intros s Hs Hsp.
+  apply radius_h; trivial; exact (Hnear s Hsp).
 Qed.
 
 Lemma below_near p r : 0 < r <= 1 -> h n j (d p) r < 0 ->
@@ -125,14 +126,17 @@ Lemma denominator_plus m n mp np mm nm : (0 < 2 * m < n)%nat -> neighbours m n m
   m <> 1%nat -> (3 <= np)%nat.
 Proof.
   intros Hm (? & ? & _) Hm1.
-  assert (np <> 1 /\ np <> 2)%nat; [|lia]; split; intros ->; destruct mp; lia || nia.
+  assert (np <> 1 /\ np <> 2)%nat; [|lia]; split; intros ->;
+    (destruct mp as [|q]; [|pose proof (Nat.le_0_l (q * n))]); simpl in *; lia.
 Qed.
 
 Lemma denominator_minus m n mp np mm nm : (0 < 2 * m < n)%nat -> neighbours m n mp np mm nm ->
   (nm = 2 /\ mm = 1)%nat \/ (3 <= nm)%nat.
 Proof.
-  intros Hm (_ & _ & ? & ?); assert (nm <> 1)%nat by (intros ->; destruct mm; nia).
-  destruct (Nat.eq_dec nm 2) as [->|]; [left|lia]; destruct mm as [|[|]]; nia.
+  intros Hm (_ & _ & ? & E); destruct mm as [|q]; [lia|]; simpl in E.
+  assert (q = 0 \/ n <= q * n)%nat as [->|Hq] by (destruct q as [|q']; [tauto|right; simpl; lia]).
+  - destruct (Nat.eq_dec nm 1) as [->|]; [lia|]; destruct (Nat.eq_dec nm 2); lia.
+  - destruct (le_lt_dec nm 2) as [Hle|]; [|lia]; apply (Nat.mul_le_mono_l _ _ m) in Hle; lia.
 Qed.
 
 (** Next to 1/(2n) the radius is 0. *)
@@ -148,12 +152,98 @@ Proof.
   set (x := angle_A (1 - INR n * s) + angle_B n 1 (1 - INR n * s)).
   assert (E : x = PI + PI * (1 - 2 * (INR n - 1) * s)) by (unfold x, angle_A, angle_B; simpl; field; lra).
   rewrite E, sin_plus, sin_PI, cos_PI.
-  pose proof (sin_ge_0 (PI * (1 - 2 * (INR n - 1) * s)) ltac:(nra) ltac:(nra)); lra.
+  assert (0 < s) by nra; assert (0 <= 2 * (INR n - 1) * s) by nra.
+  set (y := 2 * (INR n - 1) * s) in *; clearbody y.
+  pose proof (sin_ge_0 (PI * (1 - y)) ltac:(nra) ltac:(nra)); lra.
 Qed.
+
+Lemma half_open_near (P : R -> Prop) lo hi :
+  (exists de, de > 0 /\ forall s, lo < s < hi -> Rabs (s - hi) < de -> P s) ->
+  exists de, de > 0 /\ forall s, lo < s < hi -> hi - de < s -> P s.
+Proof.
+  intros (de & Hd & H); exists de; split; [assumption|]; intros s Hs Hsd.
+  apply H; [assumption|apply Rabs_def1; lra].
+Qed.
+
+Lemma half_open_near' (P : R -> Prop) lo hi :
+  (exists de, de > 0 /\ forall s, lo < s < hi -> Rabs (s - lo) < de -> P s) ->
+  exists de, de > 0 /\ forall s, lo < s < hi -> s < lo + de -> P s.
+Proof.
+  intros (de & Hd & H); exists de; split; [assumption|]; intros s Hs Hsd.
+  apply H; [assumption|apply Rabs_def1; lra].
+Qed.
+
+Section Ends.
+
+Variables n m mp np mm nm : nat.
+Hypothesis Hn : (3 <= n)%nat.
+Hypothesis Hm : (0 < 2 * m < n)%nat.
+Hypothesis HF : neighbours m n mp np mm nm.
+
+Let Hn3 : 3 <= INR n.
+Proof. apply le_INR in Hn; simpl in Hn; lra. Qed.
+
+Lemma left_graph_lo : (3 <= np)%nat -> INR m - INR n * (INR mp / INR np) = / INR np.
+Proof.
+  intros; destruct (neighbours_R _ _ _ _ _ _ Hn HF) as (E & _ & _ & _ & Hp & _).
+  apply (Rmult_eq_reg_r (INR np)); [|lra]; field_simplify; lra.
+Qed.
+
+Lemma right_graph_hi : (3 <= nm)%nat -> INR n * (INR mm / INR nm) - INR m = / INR nm.
+Proof.
+  intros; destruct (neighbours_R _ _ _ _ _ _ Hn HF) as (_ & E & _ & _ & _ & Hp).
+  apply (Rmult_eq_reg_r (INR nm)); [|lra]; field_simplify; lra.
+Qed.
+
+Lemma right_lo_not_first : INR m / INR n <> 1 / (2 * INR n).
+Proof.
+  intros E; destruct (m_bounds n m Hn Hm) as (_ & H1 & _).
+  apply (f_equal (Rmult (INR n))) in E.
+  replace (INR n * (INR m / INR n)) with (INR m) in E by (field; lra).
+  replace (INR n * (1 / (2 * INR n))) with (1 / 2) in E by (field; lra); lra.
+Qed.
+
+Lemma left_lo_not_first : m <> 1%nat -> INR mp / INR np <> 1 / (2 * INR n).
+Proof.
+  intros Hm1 E; destruct (neighbours_R _ _ _ _ _ _ Hn HF) as (_ & _ & S & _ & Hp & Hp').
+  apply (f_equal (Rmult (2 * INR n * INR np))) in E.
+  replace (2 * INR n * INR np * (INR mp / INR np)) with (2 * INR n * INR mp) in E by (field; lra).
+  replace (2 * INR n * INR np * (1 / (2 * INR n))) with (INR np) in E by (field; lra).
+  destruct mp as [|mp']; [simpl in E; lra|].
+  rewrite S_INR in E; pose proof (pos_INR mp'); nra.
+Qed.
+
+End Ends.
 
 Lemma S4_graph_proof : S4_graph_statement.
 Proof.
-  intros n g lo hi Rad Hn HI HR; assert (Hn3 : 3 <= INR n) by (apply le_INR in Hn; simpl in Hn; lra).
+  intros n g lo hi Rad Hn HI HR.
+  assert (Hn3 : 3 <= INR n) by (apply le_INR in Hn; simpl in Hn; lra).
   split; [destruct (interval_area n g lo hi Hn HI) as (j & d & HA);
           intros; eapply radius_continuous; eassumption|].
-Admitted.
+  inversion HI as [|m mp np mm nm Hm HF|m mp np mm nm Hm HF]; subst.
+  - pose proof (left_area n m mp np mm nm Hn Hm HF) as HA.
+    split; [|split]; [intros x Hx _; apply half_open_near|intros x Hx Hlo; apply half_open_near'|intros Hlo].
+    + apply (radius_to_1 n Plus _ _ np _ Rad HA HR _ x); [|assumption]; intros r Hr.
+      replace (INR m - INR n * (INR m / INR n)) with 0 by (field; lra); now apply h_end_0.
+    + destruct (Nat.eqb_spec m 1); [tauto|].
+      pose proof (denominator_plus m n mp np mm nm Hm HF n0) as Hp.
+      apply (radius_to_1 n Plus _ _ np _ Rad HA HR _ x); [|assumption]; intros r Hr.
+      rewrite (left_graph_lo n m mp np mm nm) by assumption; now apply h_end_1.
+    + destruct (Nat.eqb_spec m 1) as [->|Hm1].
+      2:{ now apply (left_lo_not_first n m mp np mm nm Hn HF Hm1) in Hlo. }
+      assert (np = 1)%nat as -> by (destruct HF as (? & ? & _), mp; lia || nia).
+      intros s Hs Hle; destruct (HR s Hs) as [[[Hpos|E] Hx] _]; [exfalso|easy].
+      pose proof (below_radius n Plus _ _ 1 _ Rad HA HR s (Rad s / 2) Hs ltac:(lra)) as Hneg.
+      destruct (proj2 HA s Hs) as (Hi & Hje & _).
+      pose proof (h_0_nonneg n s Hn ltac:(lra)).
+      pose proof (h_increasing n 1 _ Hi 0 (Rad s / 2) Hje ltac:(lra)); simpl in *; lra.
+  - pose proof (right_area n m mp np mm nm Hn Hm HF) as HA.
+    split; [|split]; [intros x Hx Hhi; apply half_open_near|intros x Hx _; apply half_open_near'|intros Hlo].
+    + destruct (denominator_minus m n mp np mm nm Hm HF) as [[-> ->]|Hp]; [simpl in Hhi; lra|].
+      apply (radius_to_1 n Minus _ _ nm _ Rad HA HR _ x); [|assumption]; intros r Hr.
+      rewrite (right_graph_hi n m mp np mm nm) by assumption; now apply h_end_1.
+    + apply (radius_to_1 n Minus _ _ nm _ Rad HA HR _ x); [|assumption]; intros r Hr.
+      replace (INR n * (INR m / INR n) - INR m) with 0 by (field; lra); now apply h_end_0.
+    + now apply (right_lo_not_first n m Hn Hm) in Hlo.
+Qed.
