@@ -151,3 +151,14 @@ Proof.
     + rewrite E2, (proj1 (b_sign_G r n r_in Hn Ho X HX)), (Hsign X HX).
       split; intros; nra.
 Qed.
+
+Theorem Joined_from_S3 : S3_statement -> Joined_statement.
+Proof.
+  intros S3 a2 n H2 Hn Ho.
+  destruct (S5_section_from_S3 S3 a2 n H2 Hn Ho) as (a1s & Ha & E & Hiff).
+  exists a1s; split; [assumption | split; [assumption|]]; intros a1 HT.
+  destruct (Rlt_le_dec (- (a2 + 1)) a1) as [H|H]; [apply Hiff; lra|].
+  destruct (Region5 a1 a2 n ltac:(lra) ltac:(lia)) as (_ & _ & _ & Hex);
+    [destruct H; [left | right]; tauto|].
+  rewrite (Hex ltac:(lia) Plus Minus); intuition lra.
+Qed.

@@ -7,8 +7,8 @@ From Coq Require Import Reals QArith Qreals.
 From Grazing Require Import Defs Statement StatementPlane StatementB Disc Radius AppendixA Region4
   Coordinates InsideTriangle MatrixForm Summary LeftmostSection AppendixB Eight DefsQ.
 
-Theorem S5_and_section : S5_statement /\ S5_section_statement.
-Proof. exact (conj S5 (S5_section_from_S3 S3_proof)). Qed.
+Theorem S5_and_section : S5_statement /\ S5_section_statement /\ Joined_statement.
+Proof. exact (conj S5 (conj (S5_section_from_S3 S3_proof) (Joined_from_S3 S3_proof))). Qed.
 
 Theorem Summary_by_period : Period1_statement /\ Period2_statement /\ Region1_statement /\
   Region2_statement /\ Region5_statement /\ Lines_statement /\ Coordinates_statement /\
