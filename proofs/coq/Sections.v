@@ -5,7 +5,7 @@
     pi/2 + atan phi(q, x) is the argument of exp(i x) - q, which is concave in x
     (its derivative is a Poisson kernel), and A and B are affine in s. *)
 
-From Coq Require Import Reals Arith Lra Lia.
+From Coq Require Import Reals Arith Classical Lra Lia.
 From Grazing Require Import Defs Statement Farey Sine Radius Graph.
 Open Scope R_scope.
 
@@ -181,8 +181,8 @@ Lemma area_section n g lo hi j d r : (3 <= n)%nat -> lo < hi -> 0 < r < 1 ->
 Proof.
   intros Hn Hlh Hr HA; pose proof (h_continuous_s n g lo hi j d HA r) as Hcont.
   assert (Hspec : forall s, lo < s < hi -> (orbit_at r s n Plus g <-> h n j (d s) r > 0)).
-  { intros s Hs; destruct (proj2 HA s Hs) as (_ & _ & Ho); unfold orbit_at.
-    rewrite (Ho r ltac:(lra)); split; [tauto|]; intros; split; [|split]; trivial. }
+  { intros s Hs; destruct (proj2 HA s Hs) as (_ & _ & Ho).
+    specialize (Ho r ltac:(lra) Plus g); unfold orbit_at; tauto. }
   destruct (convex_interval (fun s => h n j (d s) r > 0) lo hi Hlh) as (lo' & hi' & H1 & H2 & H3 & H4).
   - intros x y z Px Pz Hx Hz Hy; destruct HA as ((p & q & E) & Ha).
     destruct (Ha x ltac:(lra)) as (Ix & Jx & _), (Ha z ltac:(lra)) as (Iz & Jz & _), (Ha y ltac:(lra)) as (Iy & Jy & _).
