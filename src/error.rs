@@ -87,6 +87,13 @@ impl Error {
     }
 }
 
+/// A stream that failed; say which with [`Error::context`].
+impl From<io::Error> for Error {
+    fn from(source: io::Error) -> Self {
+        Self::new(Kind::Io, source.to_string(), Some(source))
+    }
+}
+
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.0.message)

@@ -1,3 +1,7 @@
-//! The `grazing` command.
+//! The `grazing` command; everything it does is in the library.
 
-fn main() {}
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    grazing::cli::main()
+}

@@ -12,6 +12,8 @@ use std::path::Path;
 use std::process::Command;
 use std::{env, fs};
 
+use grazing::existence::{Case, by_definition};
+use grazing::local::{Ladder, Plane, Point};
 use num_rational::BigRational;
 use num_traits::{One, Pow, Zero};
 
@@ -19,13 +21,9 @@ use num_traits::{One, Pow, Zero};
 fn coq_development_builds_and_agrees() {
     let Ok(version) = Command::new("coqc").arg("--version").output() else {
         let required = env::var("GRAZING_REQUIRE_COQ").is_ok_and(|v| v == "1");
-        assert!(
-            !required,
-            "GRAZING_REQUIRE_COQ=1 but there is no coqc on the PATH"
-        );
+        assert!(!required, "GRAZING_REQUIRE_COQ=1 but there is no coqc on the PATH");
         // Not eprintln!, which the test harness would swallow.
-        let notice =
-            "\n*** COQ PROOFS NOT CHECKED: no coqc on the PATH (Debian: apt install coq) ***\n";
+        let notice = "\n*** COQ PROOFS NOT CHECKED: no coqc on the PATH (Debian: apt install coq) ***\n";
         std::io::stderr().write_all(notice.as_bytes()).unwrap();
         return;
     };
@@ -54,9 +52,7 @@ fn coq_development_builds_and_agrees() {
 /// The files under `proofs/coq` that the build reads, by name.
 fn sources() -> BTreeMap<String, String> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("proofs/coq");
-    let names = fs::read_dir(&folder)
-        .unwrap()
-        .map(|entry| entry.unwrap().file_name());
+    let names = fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().file_name());
     names
         .filter_map(|name| name.into_string().ok())
         .filter(|name| {
@@ -69,34 +65,19 @@ fn sources() -> BTreeMap<String, String> {
 
 /// What the command prints on stdout; panics with all it prints when it fails.
 fn run(folder: &Path, program: &str, arguments: &[&str]) -> String {
-    let output = Command::new(program)
-        .args(arguments)
-        .current_dir(folder)
-        .output()
-        .unwrap();
+    let output = Command::new(program).args(arguments).current_dir(folder).output().unwrap();
     let (stdout, stderr) = (output.stdout, String::from_utf8_lossy(&output.stderr));
     let stdout = String::from_utf8_lossy(&stdout).into_owned();
-    assert!(
-        output.status.success(),
-        "{program} {arguments:?} failed:\n{stdout}{stderr}"
-    );
+    assert!(output.status.success(), "{program} {arguments:?} failed:\n{stdout}{stderr}");
     stdout
 }
 
-/// Compares the rows a1, a2, n, k, u_n, b_{n,k}, c_n that Coq printed with (59) and (60).
+/// Compares what Coq printed with exact arithmetic, (59) and (60), and with the crate.
 fn compare(printed: &str) {
-    let integers: Vec<i128> = printed
-        .split(|c: char| !c.is_ascii_digit() && c != '-')
-        .filter(|word| !word.is_empty())
-        .map(|word| word.parse().unwrap())
-        .collect();
-    assert!(
-        integers.len() >= 12 && integers.len().is_multiple_of(12),
-        "rows of twelve integers"
-    );
-    for row in integers.chunks(12) {
-        let q = |i: usize| BigRational::new(row[i].into(), row[i + 1].into());
-        let (a1, a2, n, k) = (q(0), q(2), row[4] as usize, row[5] as usize);
+    let lists: Vec<Vec<i128>> = printed.split(": list Z").map(integers).collect();
+    assert_eq!(lists.iter().map(|list| list.is_empty()).collect::<Vec<_>>(), [false, false, true]);
+    for row in lists[0].chunks(12) {
+        let (a1, a2, n, k) = (fraction(&row[0..2]), fraction(&row[2..4]), row[4] as usize, row[5] as usize);
         let mut u = vec![BigRational::zero(), BigRational::one()];
         for j in 1..=n {
             u.push(&a1 * &u[j] - &a2 * &u[j - 1]);
@@ -104,6 +85,27 @@ fn compare(printed: &str) {
         let two_u = &u[n + 1] + &u[n + 1];
         let b = (&u[n] - &u[k] - Pow::pow(&a2, k) * &u[n - k]) / &u[n];
         let c = (two_u - &a1 * &u[n] - BigRational::one() - Pow::pow(&a2, n)) / &u[n];
-        assert_eq!((q(6), q(8), q(10)), (u[n].clone(), b, c), "row {row:?}");
+        let found = [fraction(&row[6..8]), fraction(&row[8..10]), fraction(&row[10..12])];
+        assert_eq!(found, [u[n].clone(), b, c], "row {row:?}");
     }
+    let ladder = Ladder::default();
+    for row in lists[1].chunks(9) {
+        let point = Point::Plane(Plane::new(fraction(&row[0..2]), fraction(&row[2..4])).unwrap());
+        let cases = by_definition(&ladder, &point, row[4] as u64).cases(row[4] as u64);
+        let order = [Case::PlusPlus, Case::PlusMinus, Case::MinusPlus, Case::MinusMinus];
+        assert_eq!(order.map(|case| i128::from(cases.contains(&case))), row[5..], "row {row:?}");
+    }
+}
+
+/// The integers in a text, in order.
+fn integers(text: &str) -> Vec<i128> {
+    text.split(|c: char| !c.is_ascii_digit() && c != '-')
+        .filter(|word| !word.is_empty())
+        .map(|word| word.parse().unwrap())
+        .collect()
+}
+
+/// A numerator and a denominator.
+fn fraction(pair: &[i128]) -> BigRational {
+    BigRational::new(pair[0].into(), pair[1].into())
 }

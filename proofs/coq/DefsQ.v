@@ -3,7 +3,7 @@
     [Defs] speaks of real numbers, which do not compute. Here u, v, b and c are given
     once more over Q; the lemmas say that Q2R maps each to the real one. *)
 
-From Coq Require Import Reals QArith Qreals Lra.
+From Coq Require Import Reals QArith Qreals List Bool Lra Lia.
 From Grazing Require Import Defs.
 Open Scope Q_scope.
 
@@ -56,7 +56,7 @@ Proof.
   unfold vQ, v; rewrite Q2R_Qred, Q2R_minus, !Q2R_mult, !uQ_u, Q2R_2; reflexivity.
 Qed.
 
-(** u_n = 0 is the same over Q, so the conditions of [orbit] can be computed there. *)
+(** u_n = 0 is the same over Q. *)
 Lemma uQ_zero a1 a2 n : uQ a1 a2 n == 0 <-> u (Q2R a1) (Q2R a2) n = 0%R.
 Proof.
   rewrite <- uQ_u, <- RMicromega.Q2R_0; split; [apply Qeq_eqR | apply eqR_Qeq].
@@ -74,4 +74,44 @@ Theorem cQ_c a1 a2 n : ~ uQ a1 a2 n == 0 ->
 Proof.
   intros Hu; unfold cQ, c; rewrite Q2R_Qred, Q2R_div by assumption.
   rewrite Q2R_opp, Q2R_plus, Q2R_minus, powQ_pow, vQ_v, uQ_u, Q2R_1; reflexivity.
+Qed.
+
+(** ** The conditions of [orbit] are decided over Q *)
+
+Definition positiveQ (x : Q) : bool := negb (Qle_bool x 0).
+Definition sgnQ (x : sign) : Q := match x with Plus => 1 | Minus => -1 end.
+
+Definition orbitQ (a1 a2 : Q) (n : nat) (emu gamma : sign) : bool :=
+  negb (Qeq_bool (uQ a1 a2 n) 0) &&
+  forallb (fun k => positiveQ (sgnQ emu * bQ a1 a2 n k)) (seq 1 (n - 1)) &&
+  positiveQ (sgnQ emu * sgnQ gamma * cQ a1 a2 n).
+
+Lemma positiveQ_pos x : positiveQ x = true <-> (0 < Q2R x)%R.
+Proof.
+  unfold positiveQ; rewrite negb_true_iff, <- not_true_iff_false, Qle_bool_iff.
+  rewrite <- RMicromega.Q2R_0; split; intros H.
+  - apply Qlt_Rlt, Qnot_le_lt, H.
+  - apply Qlt_not_le, Rlt_Qlt, H.
+Qed.
+
+Lemma sgnQ_sgn e : Q2R (sgnQ e) = sgn e.
+Proof. destruct e; unfold Q2R; cbn; lra. Qed.
+
+Lemma nonzeroQ x : negb (Qeq_bool x 0) = true <-> ~ x == 0.
+Proof. rewrite negb_true_iff, <- not_true_iff_false, Qeq_bool_iff; reflexivity. Qed.
+
+Lemma and_iff_compat_l_dep (P Q R : Prop) : (P -> (Q <-> R)) -> (P /\ Q <-> P /\ R).
+Proof. tauto. Qed.
+
+Theorem orbitQ_orbit a1 a2 n emu gamma :
+  orbitQ a1 a2 n emu gamma = true <-> orbit (Q2R a1) (Q2R a2) n emu gamma.
+Proof.
+  unfold orbitQ, orbit; rewrite !andb_true_iff, forallb_forall, positiveQ_pos, nonzeroQ.
+  rewrite <- uQ_zero, and_assoc; apply and_iff_compat_l_dep; intros Hu.
+  rewrite !Q2R_mult, !sgnQ_sgn, cQ_c by assumption; apply and_iff_compat_r.
+  split; intros H k Hk.
+  - specialize (H k); rewrite in_seq, positiveQ_pos, Q2R_mult, sgnQ_sgn, bQ_b in H by assumption.
+    apply Rlt_gt, H; lia.
+  - apply in_seq in Hk; rewrite positiveQ_pos, Q2R_mult, sgnQ_sgn, bQ_b by assumption.
+    apply Rgt_lt, H; lia.
 Qed.

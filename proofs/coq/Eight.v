@@ -1,63 +1,64 @@
-(** * The paper's worked instance: n = 8 has exactly five intervals *)
+(** * Worked instance: n = 8 has the five intervals of the paper's figure 5 *)
 
-From Coq Require Import Reals Lra Lia Arith List.
-From Grazing Require Import Defs Statement StatementB.
-Import ListNotations.
+From Coq Require Import Reals Arith Lra Lia.
+From Grazing Require Import Defs Statement Farey Radius.
 Open Scope R_scope.
 
-Lemma next_to_1_8 : neighbours 1 8 0 1 1 7.
-Proof. repeat split; lia. Qed.
+Definition period_8_interval (e g : sign) (s : R) : Prop :=
+  match e, g with
+  | Minus, Plus => 0 < s < 1 / 16
+  | Plus, Plus => 1 / 16 < s < 1 / 8 \/ 1 / 3 < s < 3 / 8
+  | Plus, Minus => 1 / 8 < s < 1 / 7 \/ 3 / 8 < s < 2 / 5
+  | Minus, Minus => False
+  end.
 
-Lemma next_to_3_8 : neighbours 3 8 1 3 2 5.
-Proof. repeat split; lia. Qed.
+Definition Period_8_statement : Prop := forall s e g, 0 < s < 1 / 2 ->
+  (orbit_at 1 s 8 e g <-> period_8_interval e g s).
 
-Lemma only_next_to_1_8 mp np mm nm : neighbours 1 8 mp np mm nm ->
-  (mp, np, mm, nm) = (0, 1, 1, 7)%nat.
+Lemma neighbours_1_8 : neighbours 1 8 0 1 1 7.
+Proof. unfold neighbours; lia. Qed.
+
+Lemma neighbours_3_8 : neighbours 3 8 1 3 2 5.
+Proof. unfold neighbours; lia. Qed.
+
+Lemma numerators_8 m mp np mm nm : (0 < 2 * m < 8)%nat -> neighbours m 8 mp np mm nm ->
+  m = 1%nat \/ m = 3%nat.
 Proof.
-  intros (H1 & H2 & H3 & H4).
-  assert (np = 1 /\ mp = 0 /\ mm = 1 /\ nm = 7)%nat as (-> & -> & -> & ->) by lia; reflexivity.
+  intros Hm HF; apply neighbours_coprime in HF.
+  assert (m = 1 \/ m = 2 \/ m = 3)%nat as [|[->|]] by lia; auto; discriminate.
 Qed.
 
-Lemma only_next_to_3_8 mp np mm nm : neighbours 3 8 mp np mm nm ->
-  (mp, np, mm, nm) = (1, 3, 2, 5)%nat.
+Lemma INR_8 : INR 8 = 8.
+Proof. simpl; lra. Qed.
+
+Lemma intervals_8 e g lo hi : interval 8 e g lo hi ->
+  forall s, lo < s < hi -> period_8_interval e g s.
 Proof.
-  intros (H1 & H2 & H3 & H4).
-  assert (np = 3 /\ mp = 1 /\ mm = 2 /\ nm = 5)%nat as (-> & -> & -> & ->) by lia; reflexivity.
+  intros HI s Hs; inversion HI as [|m mp np mm nm Hm HF|m mp np mm nm Hm HF]; subst.
+  - rewrite INR_8 in Hs; simpl; lra.
+  - destruct (numerators_8 m mp np mm nm Hm HF) as [-> | ->].
+    + rewrite INR_8 in Hs; simpl in *; lra.
+    + apply (neighbours_unique _ _ _ _ _ _ neighbours_3_8) in HF; inversion HF; subst.
+      rewrite INR_8 in Hs; simpl in *; lra.
+  - destruct (numerators_8 m mp np mm nm Hm HF) as [-> | ->].
+    + apply (neighbours_unique _ _ _ _ _ _ neighbours_1_8) in HF; inversion HF; subst.
+      rewrite INR_8 in Hs; simpl in *; lra.
+    + apply (neighbours_unique _ _ _ _ _ _ neighbours_3_8) in HF; inversion HF; subst.
+      rewrite INR_8 in Hs; simpl in *; lra.
 Qed.
 
-(** 2 is not coprime to 8. *)
-Lemma no_neighbours_of_2_8 mp np mm nm : ~ neighbours 2 8 mp np mm nm.
-Proof. intros (H1 & H2 & H3 & H4); lia. Qed.
-
-Lemma cases_8 m mp np mm nm : (0 < 2 * m < 8)%nat -> neighbours m 8 mp np mm nm ->
-  m = 1%nat /\ (mp, np, mm, nm) = (0, 1, 1, 7)%nat \/
-  m = 3%nat /\ (mp, np, mm, nm) = (1, 3, 2, 5)%nat.
+Lemma period_8_proof : Period_8_statement.
 Proof.
-  intros Hm Hn; assert (m = 1 \/ m = 2 \/ m = 3)%nat as [-> | [-> | ->]] by lia.
-  - left; split; [reflexivity | apply only_next_to_1_8, Hn].
-  - destruct (no_neighbours_of_2_8 _ _ _ _ Hn).
-  - right; split; [reflexivity | apply only_next_to_3_8, Hn].
-Qed.
-
-Lemma interval_eq e g lo hi lo' hi' : interval 8 e g lo hi -> lo = lo' -> hi = hi' ->
-  interval 8 e g lo' hi'.
-Proof. intros H <- <-; exact H. Qed.
-
-Theorem Eight : Eight_statement.
-Proof.
-  intros e g lo hi; split; intros H.
-  - destruct H as [| m mp np mm nm Hm Hn | m mp np mm nm Hm Hn];
-      [| destruct (cases_8 m mp np mm nm Hm Hn) as [[-> E]|[-> E]];
-         injection E as -> -> -> -> .. ]; cbn [Nat.eqb INR]; clear.
-    + left; repeat f_equal; lra.
-    + right; left; repeat f_equal; lra.
-    + right; right; right; left; repeat f_equal; lra.
-    + right; right; left; repeat f_equal; lra.
-    + right; right; right; right; left; repeat f_equal; lra.
-  - destruct H as [E|[E|[E|[E|[E|[]]]]]]; injection E as <- <- <- <-.
-    + apply (interval_eq _ _ _ _ _ _ (first 8)); cbn [INR]; lra.
-    + apply (interval_eq _ _ _ _ _ _ (left_of 8 1 0 1 1 7 ltac:(lia) next_to_1_8)); cbn; lra.
-    + apply (interval_eq _ _ _ _ _ _ (right_of 8 1 0 1 1 7 ltac:(lia) next_to_1_8)); cbn; lra.
-    + apply (interval_eq _ _ _ _ _ _ (left_of 8 3 1 3 2 5 ltac:(lia) next_to_3_8)); cbn; lra.
-    + apply (interval_eq _ _ _ _ _ _ (right_of 8 3 1 3 2 5 ltac:(lia) next_to_3_8)); cbn; lra.
+  intros s e g Hs; rewrite (Theorem2_proof 8%nat s e g) by (lia || lra); split.
+  - intros (lo & hi & HI & Hlo); now apply (intervals_8 e g lo hi).
+  - assert (H1 : (0 < 2 * 1 < 8)%nat) by lia; assert (H3 : (0 < 2 * 3 < 8)%nat) by lia.
+    pose proof (first 8%nat) as I0; pose proof (left_of _ _ _ _ _ _ H1 neighbours_1_8) as I1.
+    pose proof (right_of _ _ _ _ _ _ H1 neighbours_1_8) as I2.
+    pose proof (left_of _ _ _ _ _ _ H3 neighbours_3_8) as I3.
+    pose proof (right_of _ _ _ _ _ _ H3 neighbours_3_8) as I4.
+    rewrite INR_8 in *; destruct e, g; simpl in *; intros Hi; [| | |tauto].
+    + destruct Hi; [exists (1 / (2 * 8)), (1 / 8)|eexists _, _; split; [exact I3|lra]].
+      split; [exact I1|lra].
+    + destruct Hi; eexists _, _; split; [exact I2|lra|exact I4|lra].
+    + eexists _, _; split; [exact I0|lra].
 Qed.

@@ -136,7 +136,7 @@ Proof.
     assert (HX : left_end n < X) by nra.
     transitivity (b (- r * X) a2 n (n - 2) > 0).
     + destruct (Rle_lt_dec (- r * X) (- 2 * r)) as [H4|H3].
-      * destruct (S5 (- r * X) a2 n) as (_ & _ & H); [split; fold r; lra|].
+      * destruct (S5 (- r * X) a2 n) as (_ & _ & H); [lra|fold r; lra|].
         destruct (H Hn Ho) as (Hex & _); rewrite (Hex Plus Minus); tauto.
       * destruct (turn_of_cosine (- X / 2)) as (s & Hss & Ec).
         { pose proof (left_end_pos n Hn); split; nra. }
@@ -150,4 +150,15 @@ Proof.
         unfold trace in *; nra.
     + rewrite E2, (proj1 (b_sign_G r n r_in Hn Ho X HX)), (Hsign X HX).
       split; intros; nra.
+Qed.
+
+Theorem Joined_from_S3 : S3_statement -> Joined_statement.
+Proof.
+  intros S3 a2 n H2 Hn Ho.
+  destruct (S5_section_from_S3 S3 a2 n H2 Hn Ho) as (a1s & Ha & E & Hiff).
+  exists a1s; split; [assumption | split; [assumption|]]; intros a1 HT.
+  destruct (Rlt_le_dec (- (a2 + 1)) a1) as [H|H]; [apply Hiff; lra|].
+  destruct (Region5 a1 a2 n ltac:(lra) ltac:(lia)) as (_ & _ & _ & Hex);
+    [destruct H; [left | right]; tauto|].
+  rewrite (Hex ltac:(lia) Plus Minus); intuition lra.
 Qed.

@@ -110,7 +110,7 @@ End Region4.
 
 Theorem S5 : S5_statement.
 Proof.
-  intros a1 a2 n [H2 H1].
+  intros a1 a2 n H2 H1.
   destruct (eigenvalues_region2 (- a1) a2) as (p & q & E1 & E2 & Hq & Hp); try lra.
   assert (a1 = - (p + q)) as -> by lra; clear E1; subst a2.
   assert (Hu : (1 <= n)%nat -> u (- (p + q)) (p * q) n <> 0)

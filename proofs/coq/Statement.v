@@ -5,16 +5,13 @@
 
 From Coq Require Import Reals List Arith.
 From Grazing Require Import Defs.
-Import ListNotations.
 Open Scope R_scope.
 
 (** ** Region 3: complex eigenvalues r exp(+- 2 pi i s), 0 < r <= 1 *)
-
 Definition trace (r s : R) : R := 2 * r * cos (2 * PI * s).
 Definition b_at (r s : R) (n k : nat) : R := b (trace r s) (r ^ 2) n k.
 Definition c_at (r s : R) (n : nat) : R := c (trace r s) (r ^ 2) n.
-Definition orbit_at (r s : R) (n : nat) : sign -> sign -> Prop :=
-  orbit (trace r s) (r ^ 2) n.
+Definition orbit_at (r s : R) (n : nat) := orbit (trace r s) (r ^ 2) n.
 
 (** A point of the disc where period n is decided, and m is nearest to n s. *)
 Definition cell (r s : R) (n m : nat) : Prop :=
@@ -67,12 +64,10 @@ Definition S3_statement : Prop := forall r s n m mp np mm nm,
 
 Inductive interval (n : nat) : sign -> sign -> R -> R -> Prop :=
 | first : interval n Minus Plus 0 (1 / (2 * INR n))
-| left_of m mp np mm nm :
-    (0 < 2 * m < n)%nat -> neighbours m n mp np mm nm ->
+| left_of m mp np mm nm : (0 < 2 * m < n)%nat -> neighbours m n mp np mm nm ->
     interval n Plus Plus
       (if (m =? 1)%nat then 1 / (2 * INR n) else INR mp / INR np) (INR m / INR n)
-| right_of m mp np mm nm :
-    (0 < 2 * m < n)%nat -> neighbours m n mp np mm nm ->
+| right_of m mp np mm nm : (0 < 2 * m < n)%nat -> neighbours m n mp np mm nm ->
     interval n Plus Minus (INR m / INR n) (INR mm / INR nm).
 
 Definition Theorem2_statement : Prop := forall n s e g,
@@ -93,10 +88,8 @@ Definition Theorem2_count_statement : Prop := forall n, (3 <= n)%nat ->
 (** Neighbours at some stage of the Farey tree that grows from 0/1 and 1/2. *)
 Inductive adjacent : nat -> nat -> nat -> nat -> Prop :=
 | root : adjacent 0 1 1 2
-| insert_left m1 n1 m2 n2 :
-    adjacent m1 n1 m2 n2 -> adjacent m1 n1 (m1 + m2) (n1 + n2)
-| insert_right m1 n1 m2 n2 :
-    adjacent m1 n1 m2 n2 -> adjacent (m1 + m2) (n1 + n2) m2 n2.
+| insert_left m1 n1 m2 n2 : adjacent m1 n1 m2 n2 -> adjacent m1 n1 (m1 + m2) (n1 + n2)
+| insert_right m1 n1 m2 n2 : adjacent m1 n1 m2 n2 -> adjacent (m1 + m2) (n1 + n2) m2 n2.
 
 (** Inserting the mediant m/n gives exactly the neighbours used above. *)
 Definition Theorem2_tree_statement : Prop := forall m n mp np mm nm,
@@ -137,10 +130,8 @@ Definition S4_section_statement : Prop := forall n e g lo hi r, (3 <= n)%nat ->
 
 (** ** Region 4: -1 < lambda1 <= lambda2 < 0 *)
 
-Definition region4 (a1 a2 : R) : Prop :=
-  0 < a2 < 1 /\ - (a2 + 1) < a1 <= - 2 * sqrt a2.
-
-Definition S5_statement : Prop := forall a1 a2 n, region4 a1 a2 ->
+Definition S5_statement : Prop := forall a1 a2 n,
+  0 < a2 < 1 -> - (a2 + 1) < a1 <= - 2 * sqrt a2 ->
   (n = 2%nat -> exists_iff a1 a2 n Plus Plus True) /\
   ((4 <= n)%nat -> Nat.Even n -> no_orbit a1 a2 n) /\
   ((3 <= n)%nat -> Nat.Odd n ->

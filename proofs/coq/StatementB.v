@@ -1,11 +1,10 @@
-(** * Statements: appendix B, the functions b_{n,k}(s) on r = 1, and n = 8
+(** * Statements: appendix B, the functions b_{n,k}(s) on r = 1
 
     Read [Defs] and [Statement] first. Where u_n = 0 the quotient (B1) has limits or
     poles in s, which say nothing about orbits but shape Theorem 2. *)
 
-From Coq Require Import Reals ZArith List.
+From Coq Require Import Reals ZArith.
 From Grazing Require Import Defs Statement.
-Import ListNotations.
 Open Scope R_scope.
 
 (** (B1), and (B2) in [B_formulas_statement]. *)
@@ -56,10 +55,3 @@ Definition B_at_odd_multiples_statement : Prop := forall n k (m : Z),
    tends (fun h => B n k (s + h)) (2 * INR (n - k) / INR n)) /\
   (forall j : Z, q = IZR (2 * j) ->
    tends (fun h => B n k (s + h)) (2 * INR k / INR n)).
-
-(** ** The paper's example: Theorem 2's intervals for n = 8 *)
-
-Definition Eight_statement : Prop := forall e g lo hi,
-  interval 8 e g lo hi <-> In (e, g, lo, hi)
-  [(Minus, Plus, 0, 1 / 16); (Plus, Plus, 1 / 16, 1 / 8); (Plus, Minus, 1 / 8, 1 / 7);
-   (Plus, Plus, 1 / 3, 3 / 8); (Plus, Minus, 3 / 8, 2 / 5)].

@@ -73,6 +73,14 @@ Definition Summary_statement : Prop := forall a1 a2 n e g,
    area4 a1 a2 n /\ e = Plus /\ g = Minus \/
    a1 < - (a2 + 1) /\ e = Plus /\ g = Minus).
 
+(** For odd n the leftmost area and region 5 are one: at each determinant a single
+    half-line, which ends where b_{n,n-2} = 0. *)
+Definition Joined_statement : Prop := forall a2 n, 0 < a2 < 1 ->
+  (3 <= n)%nat -> Nat.Odd n -> exists a1s,
+  - (a2 + 1) < a1s < trace (sqrt a2) ((1 - 1 / INR n) / 2) /\ b a1s a2 n (n - 2) = 0 /\
+  forall a1, a1 < trace (sqrt a2) ((1 - 1 / INR n) / 2) ->
+  (orbit a1 a2 n Plus Minus <-> a1 < a1s).
+
 (** ** Section 3.6: the sign of the eigenvalue of largest modulus, formula (61) *)
 
 Definition large (K gamma emu a1 a2 : R) (n : nat) : R :=

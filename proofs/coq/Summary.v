@@ -132,7 +132,7 @@ Qed.
 Lemma region4_orbit e g : a2 < 1 -> - (a2 + 1) < a1 <= - 2 * sqrt a2 ->
   orbit a1 a2 n e g <-> area4 a1 a2 n /\ e = Plus /\ g = Minus.
 Proof.
-  intros Hlt H1; destruct (S5 a1 a2 n) as (_ & He & Ho); [split; lra|]; unfold area4.
+  intros Hlt H1; destruct (S5 a1 a2 n) as (_ & He & Ho); [lra|lra|]; unfold area4.
   destruct (Nat.Even_or_Odd n) as [Hn|Hn].
   - assert (~ Nat.Odd n) by (intros [i Hi]; destruct Hn as [j Hj]; lia).
     assert (4 <= n)%nat by (destruct Hn; lia).

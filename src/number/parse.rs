@@ -42,6 +42,19 @@ pub fn parse_rational(text: &str) -> Result<BigRational> {
     Ok(total)
 }
 
+/// Reads a whole number in the same grammar, as in `10000`, `1e4` or `2^100`, into any integer type.
+///
+/// # Errors
+/// As [`parse_rational`]; an input error if the value is not whole or does not fit the type.
+pub fn parse_integer<T: TryFrom<BigInt>>(text: &str) -> Result<T> {
+    let value = parse_rational(text)?;
+    if !value.is_integer() {
+        return Err(Error::input(format!("{:?} is not a whole number", abbreviate(text))));
+    }
+    T::try_from(value.to_integer())
+        .map_err(|_| Error::input(format!("{:?} is out of range here", abbreviate(text))))
+}
+
 struct Reader<'a> {
     text: &'a str,
     rest: &'a str,

@@ -1,0 +1,109 @@
+//! A certificate as a stream of numbered lines, and the words on a line.
+
+use std::io::{BufRead, Read};
+
+use super::{Rejection, arithmetic::Fraction};
+
+/// No line of any kind is longer; a longer one is rejected before it is held in memory.
+const LONGEST: u64 = 1000;
+
+/// The lines of a certificate, with the number of the latest.
+pub(super) struct Lines<R> {
+    input: R,
+    number: u64,
+}
+
+impl<R: BufRead> Lines<R> {
+    pub fn new(input: R) -> Self {
+        Lines { input, number: 0 }
+    }
+
+    /// The number of the latest line, from 1.
+    pub fn number(&self) -> u64 {
+        self.number
+    }
+
+    /// The next line without its end, or `None` after the last.
+    pub fn next(&mut self) -> Result<Option<String>, Rejection> {
+        self.number += 1;
+        let mut bytes = Vec::new();
+        let read = self.input.by_ref().take(LONGEST).read_until(b'\n', &mut bytes);
+        match read {
+            Err(source) => return Err(Rejection::Unreadable { line: self.number, source }),
+            Ok(0) => {
+                self.number -= 1;
+                return Ok(None);
+            }
+            Ok(_) => {}
+        }
+        if bytes.pop() != Some(b'\n') {
+            return Err(self.malformed("the line is too long or its end is missing"));
+        }
+        match String::from_utf8(bytes) {
+            Ok(line) => Ok(Some(line)),
+            Err(_) => Err(self.malformed("the line is not text")),
+        }
+    }
+
+    /// The next line, which must exist.
+    pub fn expect(&mut self, what: &str) -> Result<String, Rejection> {
+        match self.next()? {
+            Some(line) => Ok(line),
+            None => {
+                self.number += 1;
+                Err(self.malformed(format!("the file ends where {what} should stand")))
+            }
+        }
+    }
+
+    /// A rejection of the latest line's form.
+    pub fn malformed(&self, reason: impl Into<String>) -> Rejection {
+        Rejection::Malformed { line: self.number, reason: reason.into() }
+    }
+
+    /// A rejection of the latest line's claim.
+    pub fn false_claim(&self, reason: impl Into<String>) -> Rejection {
+        Rejection::False { line: self.number, reason: reason.into() }
+    }
+}
+
+/// The words of a line, taken from left to right; an error says what was expected.
+pub(super) struct Words<'a> {
+    rest: std::str::Split<'a, char>,
+}
+
+impl<'a> Words<'a> {
+    pub fn new(line: &'a str) -> Self {
+        Words { rest: line.split(' ') }
+    }
+
+    pub fn word(&mut self, what: &str) -> Result<&'a str, String> {
+        self.rest.next().ok_or_else(|| format!("expected {what}, found the end of the line"))
+    }
+
+    /// A decimal number up to `most`, without sign or leading zeros.
+    pub fn number(&mut self, what: &str, most: u64) -> Result<u64, String> {
+        number(self.word(what)?, most).ok_or_else(|| format!("expected {what}, a number from 0 to {most}"))
+    }
+
+    /// A fraction p/q in lowest terms with 0 ≤ p/q ≤ 1 and q ≤ `most`.
+    pub fn fraction(&mut self, most: u64) -> Result<Fraction, String> {
+        let word = self.word("a fraction p/q")?;
+        word.split_once('/')
+            .and_then(|(p, q)| Fraction::new(number(p, most)?, number(q, most)?))
+            .ok_or_else(|| format!("expected a fraction p/q in lowest terms, 0 <= p <= q <= {most}"))
+    }
+
+    pub fn end(&mut self) -> Result<(), String> {
+        match self.rest.next() {
+            None => Ok(()),
+            Some(_) => Err("unexpected words at the end of the line".into()),
+        }
+    }
+}
+
+fn number(word: &str, most: u64) -> Option<u64> {
+    let plain = word.bytes().all(|byte| byte.is_ascii_digit());
+    let canonical = plain && (word == "0" || !word.starts_with('0'));
+    word.parse().ok().filter(|&value| canonical && value <= most)
+}

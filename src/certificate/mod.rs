@@ -1,0 +1,101 @@
+//! Certificates: their text format, and the checker that re-proves them. **This folder is the trusted code.**
+//!
+//! It imports nothing from the rest of the crate and, so far, nothing but `std`: it has its own integers,
+//! fractions, signs and modular inverses, so that a fault in what finds a proof cannot hide in what checks it. A
+//! certificate that passes proves the statement in its header to whoever trusts this folder, the Rust compiler
+//! and standard library, and the machine. There is no search in here and nothing is taken on faith from the file.
+//!
+//! # Format
+//!
+//! ASCII lines ended by `\n`, words separated by single spaces, numbers in decimal without leading zeros,
+//! fractions `p/q` in lowest terms with q ≤ 2n. The header:
+//!
+//! ```text
+//! grazing-certificate 1                format and its version
+//! kind theorem2                        cover and orbit are reserved for later versions
+//! range A B                            the periods covered, 1 ≤ A ≤ B
+//! lines L                              the number of lines after the header
+//! statement …                          what passing proves, word for word
+//! ```
+//!
+//! Then one block for each n in the range, in order; its lines tile (0, 1/2) from left to right, alternately an open
+//! interval and the point that ends it:
+//!
+//! ```text
+//! n N COUNT                            period and the number of lines in its block
+//! orbit P/Q P/Q EMU GAMMA              (52), (53) hold on the open interval in the case (EMU, GAMMA), each + or -
+//! stretch P/Q P/Q K K'                 b_{n,K} > 0 > b_{n,K'} on the open interval: no orbit
+//! point P/Q singular                   u_n = 0: Theorem 1 is silent
+//! point P/Q boundary K                 b_{n,K} = 0 and no two b of opposite sign: Theorem 1 is silent
+//! point P/Q excluded K K'              b_{n,K} > 0 > b_{n,K'} there: no orbit
+//! ```
+//!
+//! For n = 1, which has no b and so two cases at once, the block is the two lines `orbit 0/1 1/2 + -` and
+//! `orbit 0/1 1/2 - +`.
+//!
+//! # One block by hand
+//!
+//! Period 4 has b_{4,k}(s) = −2 sin kπs sin (4−k)πs / cos 4πs and c_4(s) = −2 sin 2πs tan 4πs:
+//!
+//! ```text
+//! n 4 9
+//! orbit 0/1 1/8 - +       cos 4πs > 0, all sines > 0: every b < 0, c < 0
+//! point 1/8 singular      2·4·(1/8) is an integer, so u_4 = 0
+//! orbit 1/8 1/4 + +       cos 4πs < 0, sines still > 0: every b > 0, and c > 0
+//! point 1/4 singular
+//! orbit 1/4 1/3 + -       the same b; sin 4πs is now < 0, so c < 0
+//! point 1/3 boundary 3    sin 3πs = 0, so b_{4,3} = b_{4,1} = 0
+//! stretch 1/3 3/8 2 1     sin 3πs < 0 turns b_{4,1} < 0, while b_{4,2} > 0
+//! point 3/8 singular
+//! stretch 3/8 1/2 1 2     cos 4πs > 0 turns both
+//! ```
+//!
+//! Theorem 2 lists for n = 4, m = 1, the neighbours 0/1 and 1/3 of 1/4: (−,+) on (0, 1/8), (+,+) on (1/8, 1/4),
+//! (+,−) on (1/4, 1/3): the three `orbit` lines. Were the line `stretch 1/3 3/8 2 1` to read `stretch 1/3 3/8 1 2`, the
+//! checker would answer: `line 13: false: b_{4,1} is not > 0 on (1/3, 3/8)`.
+
+mod arithmetic;
+mod lines;
+mod rejection;
+pub mod theorem2;
+
+use std::{io::BufRead, ops::RangeInclusive};
+
+pub use arithmetic::Fraction;
+pub use rejection::Rejection;
+
+use lines::Lines;
+
+/// The first line of every certificate this version reads and writes.
+pub const FORMAT: &str = "grazing-certificate 1";
+
+/// What a certificate that passed the check has proved.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Checked {
+    /// The kind of certificate: `theorem2`.
+    pub kind: &'static str,
+    /// The statement, as in the header.
+    pub statement: &'static str,
+    /// The periods n for which it is proved.
+    pub range: RangeInclusive<u64>,
+    /// The number of lines read, header included.
+    pub lines: u64,
+}
+
+/// Re-proves a certificate of any kind, reading it once. Memory: one block's orbit lines.
+///
+/// # Errors
+/// A [`Rejection`] with the line and the reason: malformed text, a false claim, or a stream that cannot be read.
+pub fn check(input: impl BufRead) -> Result<Checked, Rejection> {
+    let mut lines = Lines::new(input);
+    let first = lines.expect("the format line")?;
+    if first != FORMAT {
+        return Err(lines.malformed(format!("not a certificate of this format: expected {FORMAT:?}")));
+    }
+    let kind = lines.expect("the kind")?;
+    match kind.strip_prefix("kind ") {
+        Some(theorem2::KIND) => theorem2::check(&mut lines),
+        Some("cover" | "orbit") => Err(lines.malformed("this kind is reserved for a later version")),
+        _ => Err(lines.malformed("expected a line \"kind theorem2\"")),
+    }
+}

@@ -1,0 +1,84 @@
+//! `grazing check`: prove certificates again.
+
+use std::{
+    fs::File,
+    io::{self, BufReader, Read, Write},
+    path::{Path, PathBuf},
+};
+
+use clap::Parser;
+use serde_json::json;
+
+use super::{Outcome, ReportFormat};
+use crate::{
+    certificate::{self, Checked, Rejection},
+    error::{Error, Result},
+    output::Destination,
+};
+
+/// Prove certificates again, without search, by the trusted checker.
+///
+/// Exit code 0: every file is proved; 1: some file is malformed or false; 2: some file cannot be read.
+#[derive(Debug, Parser)]
+pub(super) struct Args {
+    /// The certificates; - is standard input.
+    #[arg(required = true, value_name = "FILE")]
+    files: Vec<PathBuf>,
+    /// How the result is written.
+    #[arg(long, value_enum, default_value_t = ReportFormat::Text)]
+    format: ReportFormat,
+}
+
+pub(super) fn run(args: &Args) -> Result<Outcome> {
+    let mut results = Vec::new();
+    for path in &args.files {
+        results.push((path, check(path)?));
+    }
+    Destination::Stdout.write(|out| match args.format {
+        ReportFormat::Text => results.iter().try_for_each(|(path, result)| text(out, path, result)),
+        ReportFormat::Json => {
+            let files: Vec<_> = results.iter().map(|(path, result)| json_report(path, result)).collect();
+            Ok(writeln!(out, "{}", json!({ "format": "grazing-check 1", "files": files }))?)
+        }
+    })?;
+    let proved = results.iter().all(|(_, result)| result.is_ok());
+    Ok(if proved { Outcome::Done } else { Outcome::Refuted })
+}
+
+/// The checker's answer; an error if the file cannot be read.
+fn check(path: &Path) -> Result<std::result::Result<Checked, Rejection>> {
+    let input: Box<dyn Read> = if path == Path::new("-") {
+        Box::new(io::stdin().lock())
+    } else {
+        Box::new(File::open(path).map_err(|error| Error::io("open", path, error))?)
+    };
+    match certificate::check(BufReader::with_capacity(1 << 16, input)) {
+        Err(Rejection::Unreadable { source, .. }) => Err(Error::io("read", path, source)),
+        answer => Ok(answer),
+    }
+}
+
+fn text(out: &mut dyn Write, path: &Path, result: &std::result::Result<Checked, Rejection>) -> Result<()> {
+    match result {
+        Ok(checked) => {
+            let (first, last) = (checked.range.start(), checked.range.end());
+            writeln!(out, "{}: proved, {} for n = {first}..={last}", path.display(), checked.kind)?;
+        }
+        Err(rejection) => writeln!(out, "{}: rejected: {rejection}", path.display())?,
+    }
+    Ok(())
+}
+
+fn json_report(path: &Path, result: &std::result::Result<Checked, Rejection>) -> serde_json::Value {
+    match result {
+        Ok(checked) => json!({
+            "file": path,
+            "verdict": "proved",
+            "kind": checked.kind,
+            "range": [checked.range.start(), checked.range.end()],
+            "lines": checked.lines,
+            "statement": checked.statement,
+        }),
+        Err(rejection) => json!({ "file": path, "verdict": "rejected", "reason": rejection.to_string() }),
+    }
+}

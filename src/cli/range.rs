@@ -1,0 +1,50 @@
+//! Ranges of whole numbers on the command line: `N` or `A..=B`.
+
+use std::{ops::RangeInclusive, str::FromStr};
+
+use crate::error::{Error, Result};
+
+/// A range of periods as written by the user, in order and from 1 up.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Periods(pub RangeInclusive<u64>);
+
+impl FromStr for Periods {
+    type Err = Error;
+
+    fn from_str(text: &str) -> Result<Self> {
+        let number = |part: &str| {
+            part.parse::<u64>().map_err(|_| {
+                Error::input(format!("{part:?} is not a whole number: write N, or A..=B as in 3..=8"))
+            })
+        };
+        let (first, last) = match text.split_once("..=") {
+            Some((first, last)) => (number(first)?, number(last)?),
+            None => (number(text)?, number(text)?),
+        };
+        if first == 0 {
+            return Err(Error::input("a period is at least 1"));
+        }
+        if first > last {
+            return Err(Error::input(format!("the range is reversed: write {last}..={first}")));
+        }
+        Ok(Periods(first..=last))
+    }
+}
+
+impl Periods {
+    /// The range, if it ends within a command's limit.
+    pub fn within(&self, limit: u64, command: &str) -> Result<RangeInclusive<u64>> {
+        if *self.0.end() > limit {
+            return Err(Error::input(format!(
+                "`grazing {command}` goes up to period {limit}, not {}",
+                self.0.end()
+            )));
+        }
+        Ok(self.0.clone())
+    }
+
+    /// The number of periods.
+    pub fn count(&self) -> u64 {
+        self.0.end() - self.0.start() + 1
+    }
+}

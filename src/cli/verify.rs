@@ -1,0 +1,143 @@
+//! `grazing verify`: prove Theorem 2 for given periods.
+
+use std::{ops::RangeInclusive, path::PathBuf};
+
+use clap::Parser;
+use serde_json::json;
+
+use super::{Outcome, ReportFormat, in_pool, range::Periods};
+use crate::{
+    error::Result,
+    existence::Decision,
+    output::{Destination, Interrupt, Progress, write_file},
+    search::{Proof, prove_theorem2, write_theorem2},
+};
+
+/// The largest period: deciding it takes minutes.
+const LIMIT: u64 = 200_000;
+
+/// Prove Theorem 2 for every period in a range, by exact decision.
+///
+/// For each n, (0, 1/2) is cut at every zero and pole of every b_{n,k} and c_n; all signs are decided by integer
+/// arithmetic, and the set where (52) and (53) hold is compared with the theorem's intervals. The theorem's own proof is
+/// not used. Periods 1 and 2 are compared with the summary by period.
+///
+/// Exit code 0: proved for all; 1: refuted for some; 2: wrong usage or a file that cannot be written; 3: interrupted.
+#[derive(Debug, Parser)]
+pub(super) struct Args {
+    /// The periods: N, or A..=B. At most 200000.
+    #[arg(default_value = "3..=500", value_name = "N|A..=B")]
+    periods: Periods,
+    /// Write a certificate, which `grazing check` proves again without search.
+    #[arg(long, value_name = "FILE")]
+    certificate: Option<PathBuf>,
+    /// The number of threads; default: one for each core.
+    #[arg(long, value_name = "J", default_value_t = 0, hide_default_value = true)]
+    jobs: usize,
+    /// How the result is written.
+    #[arg(long, value_enum, default_value_t = ReportFormat::Text)]
+    format: ReportFormat,
+    /// Write the result to a file instead of standard output.
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+}
+
+pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
+    let range = args.periods.within(LIMIT, "verify")?;
+    in_pool(args.jobs, || verify(range, args, interrupt))
+}
+
+fn verify(range: RangeInclusive<u64>, args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
+    let passes = if args.certificate.is_some() { 2 } else { 1 };
+    let progress = Progress::new(interrupt, passes * args.periods.count(), "periods");
+    let proof = prove_theorem2(range.clone(), &progress)?;
+    if let (Some(path), Outcome::Done) = (&args.certificate, outcome(&proof)) {
+        write_file(path, |out| write_theorem2(range.clone(), &proof, out, &progress))?;
+    }
+    drop(progress);
+    let report = match args.format {
+        ReportFormat::Text => text(&range, &proof, args),
+        ReportFormat::Json => format!("{}\n", json_report(&range, &proof, args)),
+    };
+    Destination::new(args.output.clone()).write(|out| Ok(out.write_all(report.as_bytes())?))?;
+    Ok(outcome(&proof))
+}
+
+fn outcome(proof: &Proof) -> Outcome {
+    match proof {
+        Proof { refuted: Some(_), .. } => Outcome::Refuted,
+        Proof { pending: 0, .. } => Outcome::Done,
+        _ => Outcome::Undecided,
+    }
+}
+
+fn text(range: &RangeInclusive<u64>, proof: &Proof, args: &Args) -> String {
+    if let Some(decision) = &proof.refuted {
+        return format!(
+            "Refuted: Theorem 2 and the signs of b_{{n,k}} and c_n disagree for n = {}.\n{}\n",
+            decision.n,
+            witness(decision)
+        );
+    }
+    let mut text = match proof.pending {
+        0 => format!("Proved: Theorem 2 for {}, by exact decision.\n", periods(range)),
+        pending => format!(
+            "Undecided: interrupted; Theorem 2 is proved for {} of the periods in {range:?}, {pending} are pending.\n",
+            proof.periods
+        ),
+    };
+    let rows = [
+        (proof.orbits, "open intervals with an orbit: every b_{n,k} and c_n of the sign required"),
+        (proof.stretches, "open stretches without: two b_{n,k} of opposite sign on each"),
+        (proof.singular, "break points where u_n = 0 (singular: Theorem 1 is silent)"),
+        (proof.boundary, "break points where some b_{n,k} = 0, the rest of one sign (boundary)"),
+        (proof.excluded, "break points where two b_{n,k} have opposite signs (no orbit)"),
+    ];
+    for (count, what) in rows {
+        text += &format!("{count:>12}  {what}\n");
+    }
+    if let (Some(path), 0) = (&args.certificate, proof.pending) {
+        text += &format!("Certificate: {0}; `grazing check {0}` proves it again.\n", path.display());
+    }
+    text
+}
+
+fn periods(range: &RangeInclusive<u64>) -> String {
+    if range.start() == range.end() {
+        format!("period n = {}", range.start())
+    } else {
+        format!("every period n in {}..={}", range.start(), range.end())
+    }
+}
+
+fn witness(decision: &Decision) -> String {
+    let Some((decided, claimed)) = &decision.disagreement else { return String::new() };
+    let show = |interval: &Option<crate::existence::Interval>| match interval {
+        Some(i) => format!("{} on ({}, {})", i.case, i.left, i.right),
+        None => "no further interval".to_string(),
+    };
+    format!("Decided: {}; claimed: {}.", show(decided), show(claimed))
+}
+
+fn json_report(range: &RangeInclusive<u64>, proof: &Proof, args: &Args) -> serde_json::Value {
+    json!({
+        "format": "grazing-verify 1",
+        "statement": "theorem2",
+        "verdict": match outcome(proof) {
+            Outcome::Done => "proved",
+            Outcome::Refuted => "refuted",
+            Outcome::Undecided => "undecided",
+        },
+        "method": "exact",
+        "range": [range.start(), range.end()],
+        "periods": proof.periods,
+        "pending": proof.pending,
+        "orbit_intervals": proof.orbits,
+        "stretches": proof.stretches,
+        "singular_points": proof.singular,
+        "boundary_points": proof.boundary,
+        "excluded_points": proof.excluded,
+        "witness": proof.refuted.as_ref().map(|decision| json!({ "n": decision.n, "reason": witness(decision) })),
+        "certificate": args.certificate.as_ref().filter(|_| outcome(proof) == Outcome::Done),
+    })
+}

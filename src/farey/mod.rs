@@ -1,0 +1,26 @@
+//! Farey fractions: neighbours, the Stern–Brocot tree, the sequences F_N, rank and k-th term.
+//!
+//! Fractions are [`Ratio`](num_rational::Ratio)s in lowest terms over any machine integer or `BigInt`; where Farey
+//! arithmetic itself guarantees lowest terms no gcd is taken. Nothing wraps: a value that does not fit its
+//! type is an overflow error, or ruled out by a bound that the function states. What the fractions mean for
+//! impact oscillators is not here but in [`existence`](crate::existence).
+
+mod neighbours;
+mod rank;
+mod sequence;
+mod tree;
+mod walk;
+
+pub use neighbours::{Neighbours, neighbours};
+pub use rank::{Ranker, kth, rank};
+pub use sequence::{Sequence, bracket, next, previous};
+pub use tree::{BreadthFirst, Gap, InOrder, Turn, from_path, path};
+pub use walk::Walk;
+
+use num_integer::Integer;
+use num_traits::{CheckedAdd, CheckedMul, CheckedSub};
+
+/// What the Farey functions ask of an integer type: the primitive integers and `BigInt`, `BigUint` have it.
+pub trait FareyInteger: Integer + Clone + CheckedAdd + CheckedSub + CheckedMul {}
+
+impl<T: Integer + Clone + CheckedAdd + CheckedSub + CheckedMul> FareyInteger for T {}

@@ -1,0 +1,10 @@
+//! What leaves the program: tables in six formats, files that are whole or absent, figures, progress.
+
+mod destination;
+pub mod figure;
+mod progress;
+mod table;
+
+pub use destination::{Destination, write_file};
+pub use progress::{Interrupt, Progress};
+pub use table::{Cell, Column, TableFormat, TableWriter, decimal};

@@ -1,0 +1,264 @@
+//! Tables of any length, written row by row in constant memory.
+
+use std::io::{self, Write};
+
+use clap::ValueEnum;
+use num_rational::Ratio;
+
+use crate::error::{Error, Result};
+
+/// How a table is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum TableFormat {
+    /// Aligned columns, for reading.
+    Table,
+    /// Comma-separated values with a header.
+    Csv,
+    /// One object with a format name and an array of rows.
+    Json,
+    /// A longtable with booktabs rules.
+    Latex,
+    /// A Markdown table.
+    Markdown,
+}
+
+/// A column: its name and how it is set.
+#[derive(Debug, Clone)]
+pub struct Column {
+    /// The name in CSV, JSON and plain tables.
+    pub name: &'static str,
+    /// The heading in LaTeX.
+    pub latex: &'static str,
+    /// The least width in a plain table.
+    pub width: usize,
+}
+
+impl Column {
+    /// A column at least `width` characters wide.
+    pub fn new(name: &'static str, latex: &'static str, width: usize) -> Self {
+        Column { name, latex, width: width.max(name.len()) }
+    }
+}
+
+/// One entry of a row.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Cell<'a> {
+    /// A whole number.
+    Int(i64),
+    /// An exact fraction, written p/q even for integers.
+    Fraction(&'a Ratio<u64>),
+    /// Text.
+    Text(&'a str),
+    /// Nothing.
+    Empty,
+}
+
+/// Writes the rows of one table.
+pub struct TableWriter<'a> {
+    sink: Sink<'a>,
+    format: TableFormat,
+    columns: Vec<Column>,
+    rows: u64,
+    text: String,
+}
+
+enum Sink<'a> {
+    Csv(Box<csv::Writer<&'a mut dyn Write>>),
+    Text(&'a mut dyn Write),
+}
+
+impl<'a> TableWriter<'a> {
+    /// Begins a table; `name` identifies its layout to machines (the `format` key in JSON).
+    ///
+    /// # Errors
+    /// An I/O error from `out`.
+    pub fn new(
+        out: &'a mut dyn Write,
+        format: TableFormat,
+        name: &str,
+        columns: Vec<Column>,
+    ) -> Result<Self> {
+        let names: Vec<&str> = columns.iter().map(|column| column.name).collect();
+        match format {
+            TableFormat::Table => {
+                let heads = columns.iter().map(|column| format!("{:>1$}", column.name, column.width));
+                writeln!(out, "{}", heads.collect::<Vec<_>>().join("  "))?;
+            }
+            TableFormat::Csv => {
+                let mut writer = csv::Writer::from_writer(out);
+                writer.write_record(names).map_err(csv_error)?;
+                return Ok(TableWriter {
+                    sink: Sink::Csv(Box::new(writer)),
+                    format,
+                    columns,
+                    rows: 0,
+                    text: String::new(),
+                });
+            }
+            TableFormat::Json => writeln!(out, "{{\"format\":{},\"rows\":[", json_string(name))?,
+            TableFormat::Latex => {
+                let heads: Vec<&str> = columns.iter().map(|column| column.latex).collect();
+                writeln!(out, "% Needs \\usepackage{{amsmath,booktabs,longtable}}")?;
+                writeln!(out, "\\begin{{longtable}}{{{}}}", "r".repeat(columns.len()))?;
+                writeln!(out, "\\toprule\n{} \\\\\n\\midrule\n\\endhead", heads.join(" & "))?;
+                writeln!(out, "\\bottomrule\n\\endfoot")?;
+            }
+            TableFormat::Markdown => {
+                writeln!(out, "| {} |", names.join(" | "))?;
+                writeln!(out, "|{}", " ---: |".repeat(columns.len()))?;
+            }
+        }
+        Ok(TableWriter { sink: Sink::Text(out), format, columns, rows: 0, text: String::new() })
+    }
+
+    /// Writes a row, one cell for each column.
+    ///
+    /// # Errors
+    /// An I/O error from the stream.
+    pub fn row(&mut self, cells: &[Cell]) -> Result<()> {
+        use std::fmt::Write;
+        debug_assert_eq!(cells.len(), self.columns.len());
+        self.text.clear();
+        let text = &mut self.text;
+        let out = match &mut self.sink {
+            Sink::Csv(writer) => {
+                for cell in cells {
+                    text.clear();
+                    plain(text, cell);
+                    writer.write_field(&*text).map_err(csv_error)?;
+                }
+                return writer.write_record(None::<&[u8]>).map_err(csv_error);
+            }
+            Sink::Text(out) => out,
+        };
+        match self.format {
+            TableFormat::Table => {
+                for (index, (cell, column)) in cells.iter().zip(&self.columns).enumerate() {
+                    let start = text.len();
+                    plain(text, cell);
+                    let padding =
+                        column.width.saturating_sub(text.len() - start) + if index > 0 { 2 } else { 0 };
+                    text.extend(std::iter::repeat_n(' ', padding));
+                    // Right-aligned: the padding goes before the cell.
+                    let cell = text.split_off(start);
+                    let (entry, spaces) = cell.split_at(cell.len() - padding);
+                    text.push_str(spaces);
+                    text.push_str(entry);
+                }
+                text.truncate(text.trim_end().len());
+                text.push('\n');
+            }
+            TableFormat::Json => {
+                text.push_str(if self.rows > 0 { ",\n{" } else { "{" });
+                for (index, (cell, column)) in cells.iter().zip(&self.columns).enumerate() {
+                    let comma = if index > 0 { "," } else { "" };
+                    let _ = write!(text, "{comma}\"{}\":", column.name);
+                    match cell {
+                        Cell::Int(value) => drop(write!(text, "{value}")),
+                        Cell::Fraction(x) => drop(write!(text, "\"{}/{}\"", x.numer(), x.denom())),
+                        Cell::Text(value) => text.push_str(&json_string(value)),
+                        Cell::Empty => text.push_str("null"),
+                    }
+                }
+                text.push('}');
+            }
+            TableFormat::Latex => {
+                for (index, cell) in cells.iter().enumerate() {
+                    text.push_str(if index > 0 { " & " } else { "" });
+                    match cell {
+                        Cell::Int(value) => drop(write!(text, "${value}$")),
+                        Cell::Fraction(x) => drop(write!(text, "${}/{}$", x.numer(), x.denom())),
+                        other => plain(text, other),
+                    }
+                }
+                text.push_str(" \\\\\n");
+            }
+            TableFormat::Csv | TableFormat::Markdown => {
+                for cell in cells {
+                    text.push_str("| ");
+                    plain(text, cell);
+                    text.push(' ');
+                }
+                text.push_str("|\n");
+            }
+        }
+        self.rows += 1;
+        Ok(out.write_all(text.as_bytes())?)
+    }
+
+    /// Ends the table.
+    ///
+    /// # Errors
+    /// An I/O error from the stream.
+    pub fn finish(self) -> Result<()> {
+        let out = match self.sink {
+            Sink::Csv(mut writer) => return Ok(writer.flush()?),
+            Sink::Text(out) => out,
+        };
+        match self.format {
+            TableFormat::Json => writeln!(out, "\n]}}")?,
+            TableFormat::Latex => writeln!(out, "\\end{{longtable}}")?,
+            TableFormat::Table | TableFormat::Csv | TableFormat::Markdown => {}
+        }
+        Ok(())
+    }
+}
+
+fn csv_error(error: csv::Error) -> Error {
+    match error.into_kind() {
+        csv::ErrorKind::Io(source) => source.into(),
+        other => io::Error::other(format!("{other:?}")).into(),
+    }
+}
+
+fn plain(text: &mut String, cell: &Cell) {
+    use std::fmt::Write;
+    match cell {
+        Cell::Int(value) => drop(write!(text, "{value}")),
+        Cell::Fraction(x) => drop(write!(text, "{}/{}", x.numer(), x.denom())),
+        Cell::Text(value) => text.push_str(value),
+        Cell::Empty => {}
+    }
+}
+
+fn json_string(text: &str) -> String {
+    serde_json::Value::from(text).to_string()
+}
+
+/// `x` rounded to `digits` decimals, a tie to the even digit. The result is a rounded value, not an enclosure:
+/// label it so. Cost: one division a digit. Precondition: the denominator is below 2⁶⁰.
+///
+/// ```
+/// use grazing::output::decimal;
+/// use num_rational::Ratio;
+/// assert_eq!(decimal(&Ratio::new(1, 8), 2), "0.12");
+/// assert_eq!(decimal(&Ratio::new(2, 3), 4), "0.6667");
+/// ```
+pub fn decimal(x: &Ratio<u64>, digits: usize) -> String {
+    let q = *x.denom();
+    let mut rest = x.numer() % q;
+    let mut all: Vec<u8> = (x.numer() / q).to_string().bytes().collect();
+    let whole = all.len();
+    for _ in 0..digits {
+        rest *= 10;
+        all.push(b'0' + (rest / q) as u8);
+        rest %= q;
+    }
+    let odd = all.last().is_some_and(|digit| digit % 2 == 1);
+    let carry = 2 * rest > q || (2 * rest == q && odd);
+    let mut whole = whole;
+    if carry {
+        let nines = all.iter().rev().take_while(|&&digit| digit == b'9').count();
+        let start = all.len() - nines;
+        all[start..].fill(b'0');
+        match start.checked_sub(1) {
+            Some(last) => all[last] += 1,
+            None => {
+                all.insert(0, b'1');
+                whole += 1;
+            }
+        }
+    }
+    let text: String = all.into_iter().map(char::from).collect();
+    if digits == 0 { text } else { format!("{}.{}", &text[..whole], &text[whole..]) }
+}

@@ -1,0 +1,163 @@
+//! Theorem 2 for a range of periods: decided in parallel, summed up, written as a certificate.
+
+use std::{io::Write, ops::RangeInclusive};
+
+use num_rational::Ratio;
+use rayon::prelude::*;
+
+use crate::{
+    certificate::{
+        Fraction,
+        theorem2::{Claim, block_header, header},
+    },
+    error::Result,
+    existence::{Decision, Piece, Reason, decide},
+    monitor::Monitor,
+};
+
+/// What deciding a range of periods amounted to.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Proof {
+    /// The number of periods decided.
+    pub periods: u64,
+    /// Open intervals with an orbit.
+    pub orbits: u64,
+    /// Open stretches without, each with its two witnesses.
+    pub stretches: u64,
+    /// Points between them where u_n = 0.
+    pub singular: u64,
+    /// Points between them where some b is 0 and no two have opposite signs.
+    pub boundary: u64,
+    /// Points between them where two b have opposite signs.
+    pub excluded: u64,
+    /// The number of periods not reached when the work was ended early.
+    pub pending: u64,
+    /// The decision with the least n that differs from Theorem 2: a refutation, if there is one.
+    pub refuted: Option<Decision>,
+}
+
+impl Proof {
+    fn of(decision: Decision) -> Self {
+        let mut proof = Proof { periods: 1, ..Proof::default() };
+        for piece in &decision.pieces {
+            let counter = match piece {
+                Piece::Orbit { .. } => &mut proof.orbits,
+                Piece::Stretch { .. } => &mut proof.stretches,
+                Piece::Point { reason: Reason::Singular, .. } => &mut proof.singular,
+                Piece::Point { reason: Reason::Boundary(_), .. } => &mut proof.boundary,
+                Piece::Point { reason: Reason::Excluded { .. }, .. } => &mut proof.excluded,
+            };
+            *counter += 1;
+        }
+        proof.refuted = decision.disagreement.is_some().then_some(decision);
+        proof
+    }
+
+    fn merge(self, other: Self) -> Self {
+        let first = [self.refuted, other.refuted].into_iter().flatten().min_by_key(|decision| decision.n);
+        Proof {
+            periods: self.periods + other.periods,
+            orbits: self.orbits + other.orbits,
+            stretches: self.stretches + other.stretches,
+            singular: self.singular + other.singular,
+            boundary: self.boundary + other.boundary,
+            excluded: self.excluded + other.excluded,
+            pending: self.pending + other.pending,
+            refuted: first,
+        }
+    }
+
+    /// The number of claims in a certificate for these periods, one line each.
+    fn pieces(&self) -> u64 {
+        self.orbits + self.stretches + self.singular + self.boundary + self.excluded
+    }
+}
+
+/// Decides Theorem 2 for every period in `range`, on all threads of the current pool; on an interruption, for those
+/// reached so far, and the rest is counted as pending.
+///
+/// Cost: Σ O(n²) operations, O(n) memory a thread. One unit of progress per period.
+///
+/// # Errors
+/// An input error if a period is out of bounds.
+pub fn prove_theorem2(range: RangeInclusive<u64>, monitor: &dyn Monitor) -> Result<Proof> {
+    // The long periods first, so that no thread is left alone with them at the end.
+    let periods: Vec<u64> = range.collect();
+    periods
+        .into_par_iter()
+        .rev()
+        .with_max_len(8)
+        .map(|n| {
+            if monitor.advance(0).is_err() {
+                return Ok(Proof { pending: 1, ..Proof::default() });
+            }
+            let proof = Proof::of(decide(n)?);
+            // An interruption now is noticed before the next period.
+            let _ = monitor.advance(1);
+            Ok(proof)
+        })
+        .try_reduce(Proof::default, |a, b| Ok(a.merge(b)))
+}
+
+/// Writes the certificate for `range`, whose [`Proof`] is known; the decisions are made again as they are
+/// written, so that memory stays O(n) times the number of threads.
+///
+/// # Errors
+/// As [`prove_theorem2`]; an I/O error from `out`; an interruption.
+pub fn write_theorem2(
+    range: RangeInclusive<u64>,
+    proof: &Proof,
+    out: &mut dyn Write,
+    monitor: &dyn Monitor,
+) -> Result<()> {
+    out.write_all(header(&range, proof.pieces() + proof.periods).as_bytes())?;
+    let periods: Vec<u64> = range.collect();
+    for chunk in periods.chunks(64) {
+        let blocks: Result<Vec<String>> = chunk.par_iter().map(|&n| block(n)).collect();
+        for text in blocks? {
+            out.write_all(text.as_bytes())?;
+            monitor.advance(1)?;
+        }
+    }
+    Ok(())
+}
+
+/// The block of one period, as text.
+fn block(n: u64) -> Result<String> {
+    use std::fmt::Write;
+    let decision = decide(n)?;
+    let mut text = block_header(n, decision.pieces.len());
+    text.push('\n');
+    for piece in &decision.pieces {
+        writeln!(text, "{}", claim(piece)).expect("writing to a String cannot fail");
+    }
+    Ok(text)
+}
+
+/// A decided piece as a claim.
+fn claim(piece: &Piece) -> Claim {
+    let fraction = |x: &Ratio<u64>| {
+        Fraction::new(*x.numer(), *x.denom()).expect("cuts are in lowest terms and within [0, 1/2]")
+    };
+    match piece {
+        Piece::Orbit { left, right, case } => Claim::Orbit {
+            left: fraction(left),
+            right: fraction(right),
+            emu: case.sign_emu() > 0,
+            gamma: case.sign_gamma() > 0,
+        },
+        Piece::Stretch { left, right, positive, negative } => Claim::Stretch {
+            left: fraction(left),
+            right: fraction(right),
+            positive: *positive,
+            negative: *negative,
+        },
+        Piece::Point { at, reason } => match *reason {
+            Reason::Singular => Claim::Singular(fraction(at)),
+            Reason::Boundary(k) => Claim::Boundary(fraction(at), k),
+            Reason::Excluded { positive, negative } => {
+                Claim::Excluded { at: fraction(at), positive, negative }
+            }
+        },
+    }
+}

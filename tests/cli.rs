@@ -1,0 +1,233 @@
+//! The command as a user meets it: exit codes, messages, formats, files that are whole or absent.
+
+use std::{
+    fs,
+    io::{BufRead, BufReader, Read},
+    path::Path,
+    process::{Command, Output, Stdio},
+};
+
+fn command(arguments: &str) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_grazing"));
+    command.args(arguments.split_whitespace());
+    command
+}
+
+fn run(arguments: &str) -> (i32, String, String) {
+    let Output { status, stdout, stderr } = command(arguments).output().unwrap();
+    (status.code().unwrap(), String::from_utf8(stdout).unwrap(), String::from_utf8(stderr).unwrap())
+}
+
+/// The standard output of a command that must succeed in silence.
+fn stdout(arguments: &str) -> String {
+    let (code, out, err) = run(arguments);
+    assert_eq!((code, err.as_str()), (0, ""), "grazing {arguments}");
+    out
+}
+
+/// The one-line error of a command that must fail with exit code 2 and print nothing else.
+fn error(arguments: &str) -> String {
+    let (code, out, err) = run(arguments);
+    assert_eq!((code, out.as_str()), (2, ""), "grazing {arguments}");
+    assert_eq!(err.lines().count(), 1, "{err}");
+    err.trim_end().strip_prefix("error: ").unwrap().to_string()
+}
+
+#[test]
+fn verify_and_check() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("c.txt");
+    let file = file.to_str().unwrap();
+    let out = stdout(&format!("verify 1..=30 --certificate {file}"));
+    assert!(out.starts_with("Proved: Theorem 2 for every period n in 1..=30"), "{out}");
+    assert_eq!(stdout(&format!("check {file}")), format!("{file}: proved, theorem2 for n = 1..=30\n"));
+    let report: serde_json::Value = serde_json::from_str(&stdout("verify 8 --format json")).unwrap();
+    assert_eq!(report["verdict"], "proved");
+    assert_eq!(report["orbit_intervals"], 5);
+    let text = fs::read_to_string(file).unwrap();
+    // One thread or several, the same certificate.
+    stdout(&format!("verify 1..=30 --jobs 1 --certificate {file}"));
+    assert_eq!(fs::read_to_string(file).unwrap(), text);
+    let line = 1 + text.lines().position(|line| line == "orbit 1/16 1/8 + +").unwrap();
+    fs::write(file, text.replace("orbit 1/16 1/8 + +", "orbit 1/16 1/8 + -")).unwrap();
+    let (code, out, _) = run(&format!("check {file} --format json"));
+    let report: serde_json::Value = serde_json::from_str(&out).unwrap();
+    assert_eq!((code, &report["files"][0]["verdict"]), (1, &"rejected".into()));
+    assert_eq!(
+        report["files"][0]["reason"],
+        format!("line {line}: false: c_8 has the wrong sign on (1/16, 1/8)")
+    );
+}
+
+#[test]
+fn bad_input_gets_one_line_that_says_what_to_do() {
+    let cases = [
+        ("verify 0", "a period is at least 1"),
+        ("verify 8..=3", "the range is reversed: write 3..=8"),
+        ("verify 3..8", "\"3..8\" is not a whole number: write N, or A..=B as in 3..=8"),
+        ("verify 300000", "`grazing verify` goes up to period 200000, not 300000"),
+        ("intervals 3..=10000001", "`grazing intervals` goes up to period 10000000, not 10000001"),
+        ("intervals 8 --decimals 1001", "--decimals 1001 is too many: at most 1000"),
+        (
+            "verify 8 --certificate /nowhere/at/all",
+            "cannot write /nowhere/at/all: there is no folder /nowhere/at",
+        ),
+        ("check /nowhere/at/all", "cannot open /nowhere/at/all: No such file or directory"),
+        ("farey neighbours 4", "4 has no Farey neighbours: give a fraction m/n with n ≥ 2"),
+        ("farey neighbours 1/0", "\"1/0\" divides by zero"),
+        ("farey rank 1/2 0", "ranks are computed in F_N for 1 ≤ N ≤ 10000000000, not for N = 0"),
+        ("farey walk 0", "a Farey sequence has an order of at least 1, not 0"),
+        ("farey kth 12 5", "F_5 has terms 0 to 10, so none with index 12"),
+        ("figure intervals --n 2", "--n 2: this figure shows periods 3 to N, with N from 3 to 40"),
+    ];
+    for (arguments, expected) in cases {
+        let message = error(arguments);
+        assert!(message.contains(expected), "grazing {arguments}: {message}");
+    }
+    assert_eq!(run("verfy 8").0, 2);
+    assert_eq!(run("").0, 2);
+    assert_eq!(run("--help").0, 0);
+}
+
+#[test]
+fn every_command_documents_its_exit_codes() {
+    for name in ["verify", "check", "intervals", "farey", "figure"] {
+        let help = stdout(&format!("{name} --help"));
+        assert!(help.contains("Exit code 0:"), "{name}");
+    }
+}
+
+#[test]
+fn table_formats_hold_the_same_rows() {
+    let csv = stdout("intervals 3..=12 --decimals 6 --format csv");
+    let json: serde_json::Value =
+        serde_json::from_str(&stdout("intervals 3..=12 --decimals 6 --format json")).unwrap();
+    let markdown = stdout("intervals 3..=12 --decimals 6 --format markdown");
+    let latex = stdout("intervals 3..=12 --decimals 6 --format latex");
+    let table = stdout("intervals 3..=12 --decimals 6");
+    let mut reader = csv::Reader::from_reader(csv.as_bytes());
+    let header = reader.headers().unwrap().clone();
+    assert_eq!(
+        header.iter().collect::<Vec<_>>().join(" "),
+        "n m sign_emu sign_gamma left right deciding left_rounded right_rounded"
+    );
+    let rows: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
+    assert_eq!(rows.len(), json["rows"].as_array().unwrap().len());
+    let markdown: Vec<&str> = markdown.lines().skip(2).collect();
+    let latex: Vec<&str> = latex.lines().filter(|line| line.starts_with('$') && line.contains('/')).collect();
+    let table: Vec<&str> = table.lines().skip(1).collect();
+    assert_eq!([markdown.len(), latex.len(), table.len()], [rows.len(); 3]);
+    for (index, row) in rows.iter().enumerate() {
+        let cells: Vec<&str> = row.iter().collect();
+        let object = &json["rows"][index];
+        for (name, cell) in header.iter().zip(&cells) {
+            let value = match &object[name] {
+                serde_json::Value::String(text) => text.clone(),
+                serde_json::Value::Null => String::new(),
+                number => number.to_string(),
+            };
+            assert_eq!(value, *cell, "row {index}, {name}");
+        }
+        let words = |line: &str| {
+            line.replace(['|', '&', '$', '\\'], " ").split_whitespace().map(String::from).collect::<Vec<_>>()
+        };
+        let expected: Vec<String> =
+            cells.iter().filter(|cell| !cell.is_empty()).map(|cell| cell.to_string()).collect();
+        for line in [markdown[index], latex[index], table[index]] {
+            assert_eq!(words(line), expected);
+        }
+    }
+    let counts = stdout("intervals 1..=8 --format bfile");
+    assert_eq!(counts, "1 2\n2 2\n3 3\n4 3\n5 5\n6 3\n7 7\n8 5\n");
+}
+
+#[test]
+fn farey_answers() {
+    assert_eq!(stdout("farey neighbours 3/8"), "1/3 < 3/8 < 2/5\n");
+    assert_eq!(stdout("farey rank 1/2 1000000"), "151981776196\n");
+    assert_eq!(stdout("farey kth 151981776196 1000000"), "1/2\n");
+    assert_eq!(stdout("farey walk 5 --from 1/3 --to 2/3"), "1/3\n2/5\n1/2\n3/5\n2/3\n");
+    assert_eq!(stdout("farey walk 3 --from -1/2 --to 5/2").lines().count(), 13);
+    let huge = "1267650600228229401496703205376";
+    assert_eq!(stdout("farey walk 2^100 --from 0 --to 2^-100").lines().count(), 2);
+    assert_eq!(
+        stdout("farey neighbours 2^-100"),
+        format!("0/1 < 1/{huge} < 1/{}5\n", &huge[..huge.len() - 1])
+    );
+    let json: serde_json::Value = serde_json::from_str(&stdout("farey walk 4 --format json")).unwrap();
+    assert_eq!(json["terms"].as_array().unwrap().len(), 7);
+}
+
+#[test]
+fn figure_comes_with_its_data() {
+    let folder = tempfile::tempdir().unwrap();
+    stdout(&format!("figure intervals --n 6 -o {}", folder.path().join("new").display()));
+    let csv = fs::read_to_string(folder.path().join("new/intervals.csv")).unwrap();
+    let svg = fs::read_to_string(folder.path().join("new/intervals.svg")).unwrap();
+    assert_eq!(csv.lines().count(), 1 + 3 + 3 + 5 + 3);
+    // One bar a row, drawn at the exact place: (1/6, 1/3) of n = 3 spans a third of the axis.
+    assert!(svg.matches("#E69F00").count() == 1 + 5, "five (+,+) bars and the legend");
+}
+
+/// The picture in the README is the one that the program draws today.
+#[test]
+fn checked_in_figure_is_current() {
+    let folder = tempfile::tempdir().unwrap();
+    stdout(&format!("figure intervals -o {}", folder.path().display()));
+    for name in ["intervals.svg", "intervals.csv"] {
+        let drawn = fs::read_to_string(folder.path().join(name)).unwrap();
+        assert_eq!(
+            fs::read_to_string(Path::new("docs").join(name)).unwrap(),
+            drawn,
+            "run `grazing figure intervals -o docs`"
+        );
+    }
+}
+
+#[test]
+fn a_closed_pipe_is_no_error() {
+    let mut child =
+        command("farey walk 100000").stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    let mut reader = BufReader::new(child.stdout.take().unwrap());
+    let mut line = String::new();
+    reader.read_line(&mut line).unwrap();
+    drop(reader);
+    assert_eq!(line, "0/1\n");
+    assert_eq!(child.wait().unwrap().code(), Some(0));
+    let mut err = String::new();
+    child.stderr.unwrap().read_to_string(&mut err).unwrap();
+    assert_eq!(err, "");
+}
+
+#[cfg(unix)]
+#[test]
+fn failure_leaves_no_file() {
+    assert!(error("intervals 3..=200 --format csv -o /dev/full").contains("No space left on device"));
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("kept.csv");
+    fs::write(&file, "old").unwrap();
+    let mut child =
+        command("intervals 3..=100000 --format csv -o").arg(&file).stderr(Stdio::piped()).spawn().unwrap();
+    // Wait until it writes, then ask it to stop, as Ctrl-C does.
+    while fs::read_dir(folder.path()).unwrap().count() < 2 {
+        std::thread::yield_now();
+    }
+    Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
+    assert_eq!(child.wait().unwrap().code(), Some(3));
+    assert_eq!(fs::read_to_string(&file).unwrap(), "old");
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1, "the temporary file is gone");
+}
+
+#[cfg(unix)]
+#[test]
+fn interrupted_verification_says_what_is_pending() {
+    let mut child = command("verify 3..=20000 --format json").stdout(Stdio::piped()).spawn().unwrap();
+    std::thread::sleep(std::time::Duration::from_millis(300));
+    Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
+    let mut out = String::new();
+    child.stdout.take().unwrap().read_to_string(&mut out).unwrap();
+    assert_eq!(child.wait().unwrap().code(), Some(3));
+    let report: serde_json::Value = serde_json::from_str(&out).unwrap();
+    assert_eq!(report["verdict"], "undecided");
+    assert_eq!(report["periods"].as_u64().unwrap() + report["pending"].as_u64().unwrap(), 19998);
+}
