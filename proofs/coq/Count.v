@@ -108,9 +108,9 @@ Proof.
   split; [trivial|lra].
 Qed.
 
-Lemma near_unique x m m' : 0 < INR m - x < 1 / 2 -> 0 < INR m' - x < 1 / 2 -> m = m'.
+Lemma near_unique m m' : -1 < INR m - INR m' < 1 -> m = m'.
 Proof.
-  intros H H'; destruct (lt_eq_lt_dec m m') as [[Hlt|]|Hlt]; [|assumption|];
+  intros H; destruct (lt_eq_lt_dec m m') as [[Hlt|]|Hlt]; [|assumption|];
     apply le_INR in Hlt; rewrite S_INR in Hlt; lra.
 Qed.
 
@@ -121,14 +121,13 @@ Proof.
   intros Hn HI HI' Hs Hs'.
   inversion HI as [|m mp np mm nm Hm HF|m mp np mm nm Hm HF]; subst;
   inversion HI' as [|m' mp' np' mm' nm' Hm' HF'|m' mp' np' mm' nm' Hm' HF']; subst; [tauto| |].
-  - apply (left_interval n m mp np mm nm) in Hs; trivial; apply (left_interval n m' mp' np' mm' nm') in Hs'; trivial.
-    assert (m = m') as <- by (apply (near_unique (INR n * s)); [apply Hs|apply Hs']).
+  - apply (left_interval n m mp np mm nm) in Hs as ((_ & _ & He) & _); trivial.
+    apply (left_interval n m' mp' np' mm' nm') in Hs' as ((_ & _ & He') & _); trivial.
+    assert (m = m') as <- by (apply near_unique; lra).
     apply (neighbours_unique _ _ _ _ _ _ HF) in HF'; now inversion HF'.
-  - apply (right_interval n m mp np mm nm) in Hs; trivial; apply (right_interval n m' mp' np' mm' nm') in Hs'; trivial.
-    assert (Hd : forall a c x, 0 < x - INR a < 1 / 2 -> 0 < x - INR c < 1 / 2 -> a = c).
-    { intros a c x Ha Hc; destruct (lt_eq_lt_dec a c) as [[Hlt|]|Hlt]; [|assumption|];
-        apply le_INR in Hlt; rewrite S_INR in Hlt; lra. }
-    assert (m = m') as <- by (apply (Hd m m' (INR n * s)); [apply Hs|apply Hs']).
+  - apply (right_interval n m mp np mm nm) in Hs as ((_ & _ & He) & _); trivial.
+    apply (right_interval n m' mp' np' mm' nm') in Hs' as ((_ & _ & He') & _); trivial.
+    assert (m = m') as <- by (apply near_unique; lra).
     apply (neighbours_unique _ _ _ _ _ _ HF) in HF'; now inversion HF'.
 Qed.
 
@@ -253,7 +252,8 @@ Proof.
     pose proof (neighbours_coprime _ _ _ _ _ _ HF) as Hg.
   - exists m; split; [apply coprimes_spec; lia|]; split; [assumption|]; split; [reflexivity|left].
     split; [lia|tauto].
-  - exists (n - m)%nat; split; [apply coprimes_spec; [assumption|]; split; [lia|]; apply coprime_complement; lia|].
+  - exists (n - m)%nat; split.
+    { apply coprimes_spec; [assumption|]; split; [lia|]; apply coprime_complement; lia. }
     split; [assumption|]; split; [reflexivity|right]; split; [lia|].
     replace (n - (n - m))%nat with m by lia; tauto.
 Qed.

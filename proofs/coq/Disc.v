@@ -135,33 +135,22 @@ Proof.
     now rewrite minus_IZR, !mult_IZR, <- !INR_IZR_INZ.
 Qed.
 
-(** The deciding lattice points, as points at height -1 and 1. *)
-Lemma b_at_minus : let w := W (alpha r th n) (beta r th n m) (INR n) (INR nm) (-1) in
-  (V (alpha r th n) (ln r) (INR nm) w -> b_at r s n nm <= 0) /\
-  (inside (alpha r th n) (ln r) (INR nm) w -> b_at r s n nm < 0).
+(** The lattice point of time k and height i decides the sign of b. *)
+Lemma b_at_point k l i : (k <= n)%nat -> INR k * INR m - IZR l * INR n = i ->
+  let w := W (alpha r th n) (beta r th n m) (INR n) (INR k) i in
+  (V (alpha r th n) (ln r) (INR k) w -> b_at r s n k <= 0) /\
+  (inside (alpha r th n) (ln r) (INR k) w -> b_at r s n k < 0).
 Proof.
-  destruct HF as (_ & _ & Hp & E).
-  assert (Ew : W (alpha r th n) (beta r th n m) (INR n) (INR nm) (-1) =
-    phase r th n nm (Z.of_nat mm)).
-  { rewrite (phase_W r th n m HR); f_equal; apply (f_equal INR) in E.
-    rewrite plus_INR, !mult_INR in E; rewrite <- INR_IZR_INZ; simpl in E; lra. }
-  cbv zeta; rewrite Ew; split; intros HV.
+  intros Hk <-; cbv zeta; rewrite <- (phase_W r th n m HR); split; intros HV.
   - apply (b_nonpos r th n m HR); [lia|eauto].
-  - apply (b_neg r th n m HR _ _) in HV; [exact HV|lia].
+  - now apply (b_neg r th n m HR k l).
 Qed.
 
-Lemma b_at_plus : let w := W (alpha r th n) (beta r th n m) (INR n) (INR np) 1 in
-  (V (alpha r th n) (ln r) (INR np) w -> b_at r s n np <= 0) /\
-  (inside (alpha r th n) (ln r) (INR np) w -> b_at r s n np < 0).
+Lemma height_of_neighbours : INR nm * INR m - IZR (Z.of_nat mm) * INR n = -1 /\
+  INR np * INR m - IZR (Z.of_nat mp) * INR n = 1.
 Proof.
-  destruct HF as (Hp & E & _).
-  assert (Ew : W (alpha r th n) (beta r th n m) (INR n) (INR np) 1 =
-    phase r th n np (Z.of_nat mp)).
-  { rewrite (phase_W r th n m HR); f_equal; apply (f_equal INR) in E.
-    rewrite plus_INR, !mult_INR in E; rewrite <- INR_IZR_INZ; simpl in E; lra. }
-  cbv zeta; rewrite Ew; split; intros HV.
-  - apply (b_nonpos r th n m HR); [lia|eauto].
-  - apply (b_neg r th n m HR _ _) in HV; [exact HV|lia].
+  destruct HF as (_ & E & _ & E'); apply (f_equal INR) in E, E'.
+  rewrite plus_INR, !mult_INR in E, E'; rewrite <- !INR_IZR_INZ; simpl in E, E'; lra.
 Qed.
 
 Lemma forced_minus : INR n * s < INR m -> forced nm.
@@ -173,8 +162,8 @@ Proof.
   pose proof (phases_chord r th n m HR) as Hc; rewrite INR_IZR_INZ in Hc.
   pose proof (height_plus _ _ _ _ _ _ HF (Z.of_nat k) l) as Eq.
   pose proof (height_minus _ _ _ _ _ _ HF (Z.of_nat k) l) as Eq'.
-  pose proof b_at_minus as [Hle Hlt].
   assert (Hp : (0 < np < n)%nat) by apply HF.
+  destruct (b_at_point nm _ _ ltac:(lia) (proj1 height_of_neighbours)) as [Hle Hlt].
   destruct (lattice_decides _ _ _ (Z.of_nat n) (Z.of_nat np) (Z.of_nat nm) (Z.of_nat k) _ _ _
     Hc Ha ltac:(lia) ltac:(lia) ltac:(lia) Hi Eq Eq' HV) as [HV' Hin].
   rewrite <- !INR_IZR_INZ in HV', Hin; split; [auto|].
@@ -191,8 +180,8 @@ Proof.
   pose proof (chord_opp _ _ _ _ (phases_chord r th n m HR)) as Hc; rewrite INR_IZR_INZ in Hc.
   pose proof (height_plus _ _ _ _ _ _ HF (Z.of_nat k) l) as Eq.
   pose proof (height_minus _ _ _ _ _ _ HF (Z.of_nat k) l) as Eq'.
-  pose proof b_at_plus as [Hle Hlt].
   assert (Hp : (0 < nm < n)%nat) by apply HF.
+  destruct (b_at_point np _ _ ltac:(lia) (proj2 height_of_neighbours)) as [Hle Hlt].
   cbv zeta in *; set (i := (Z.of_nat k * Z.of_nat m - l * Z.of_nat n)%Z) in *; clearbody i.
   rewrite <- (Z.opp_involutive i) in Eq.
   apply V_opp in HV; rewrite <- (Ropp_involutive (IZR i)), <- opp_IZR, <- W_opp in HV.

@@ -226,8 +226,8 @@ Proof.
     split; [|split]; [intros x Hx _; apply half_open_near|intros x Hx Hlo; apply half_open_near'|intros Hlo].
     + apply (radius_to_1 n Plus _ _ np _ Rad HA HR _ x); [|assumption]; intros r Hr.
       replace (INR m - INR n * (INR m / INR n)) with 0 by (field; lra); now apply h_end_0.
-    + destruct (Nat.eqb_spec m 1); [tauto|].
-      pose proof (denominator_plus m n mp np mm nm Hm HF n0) as Hp.
+    + destruct (Nat.eqb_spec m 1) as [|Hm1]; [tauto|].
+      pose proof (denominator_plus m n mp np mm nm Hm HF Hm1) as Hp.
       apply (radius_to_1 n Plus _ _ np _ Rad HA HR _ x); [|assumption]; intros r Hr.
       rewrite (left_graph_lo n m mp np mm nm) by assumption; now apply h_end_1.
     + destruct (Nat.eqb_spec m 1) as [->|Hm1].

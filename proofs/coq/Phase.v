@@ -113,7 +113,6 @@ Proof.
   rewrite S_INR; simpl; rewrite ln_mult, IH; [ring|lra|apply r_pow_pos].
 Qed.
 
-(** alpha has the sign of 2 pi m - n th. *)
 Lemma cos_n_lt_1 : cos (INR n * th) < 1.
 Proof.
   pose proof (sin2_cos2 (INR n * th)) as E; unfold Rsqr in E; nra.
@@ -130,6 +129,7 @@ Proof.
     (cos alpha * (r ^ n * cos (INR n * th) - 1)) by lra; nra.
 Qed.
 
+(** alpha has the sign of 2 pi m - n th. *)
 Lemma alpha_pos : INR n * th < INR m * (2 * PI) ->
   sin (INR n * th) < 0 /\ alpha > 0.
 Proof.
@@ -177,7 +177,8 @@ Lemma b_phase k : (k <= n)%nat ->
 Proof.
   intros Hk; pose proof (r_pow_pos n).
   assert (Hs : sin th > 0) by (apply sin_gt_0; apply H).
-  assert (Hd : r ^ n * sin (INR n * th) <> 0) by (apply Rmult_integral_contrapositive_currified; [lra|assumption]).
+  assert (Hd : r ^ n * sin (INR n * th) <> 0)
+    by (apply Rmult_integral_contrapositive_currified; [lra|assumption]).
   assert (Hu : u (2 * r * cos th) (r ^ 2) n <> 0) by (apply u_zero; trivial; lra).
   apply (Rmult_eq_reg_r (r ^ n * sin (INR n * th))); [|assumption].
   replace (b k * cos alpha * (r ^ n * sin (INR n * th))) with

@@ -320,8 +320,8 @@ Proof.
     assert (2 * m <> n)%nat; [|lia]; intros E.
     assert (Nat.gcd m n = m) as Eg by (rewrite <- E, Nat.mul_comm; apply Nat.gcd_mul_diag_l; lia); lia. }
   destruct (neighbours_exist m n ltac:(lia) Hg) as (mp & np & mm & nm & HF).
-  destruct H as (Hr' & Hs' & Hu & Hm); pose proof (conj Hr' (conj Hs' (conj Hu Hm)) : cell r s n m) as H.
-  apply Rabs_def2 in Hm; destruct (Rtotal_order (INR n * s) (INR m)) as [Hl|[|Hl]]; [|tauto|].
+  assert (Hm : Rabs (INR n * s - INR m) < 1 / 2) by apply H; apply Rabs_def2 in Hm.
+  destruct (Rtotal_order (INR n * s) (INR m)) as [Hl|[|Hl]]; [|tauto|].
   - apply (left_orbits r s n m mp np mm nm Hn Hm1 HF H Hl) in Ho; destruct Ho as (-> & -> & Hh).
     eexists _, _; split; [apply (left_of n m mp np mm nm Hm2 HF)|].
     assert (Hi : index n np (INR m - INR n * s)) by (destruct HF; repeat split; lia || lra).

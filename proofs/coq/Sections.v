@@ -32,7 +32,8 @@ Proof.
   { replace ((1 - q * cos x) / (sin x)²) with
       (((0 - - sin x) * sin x - cos x * (q - cos x)) / (sin x)²).
     - apply (derivable_pt_lim_div (fun y => q - cos y) sin x); [|apply derivable_pt_lim_sin|lra].
-      apply (derivable_pt_lim_minus (fct_cte q) cos); [apply derivable_pt_lim_const|apply derivable_pt_lim_cos].
+      apply (derivable_pt_lim_minus (fct_cte q) cos);
+        [apply derivable_pt_lim_const|apply derivable_pt_lim_cos].
     - f_equal; lra. }
   replace (kernel q x) with (/ (1 + (phi_q q x) ^ 2) * ((1 - q * cos x) / (sin x)²)).
   - apply (derivable_pt_lim_comp (phi_q q) atan); [exact Dphi|apply derivable_pt_lim_atan].
@@ -121,55 +122,64 @@ End Convex_in_e.
 
 (** ** Convex open subsets of an interval are intervals *)
 
+Lemma sup_of (P : R -> Prop) lo hi : (exists x, lo < x < hi /\ P x) ->
+  exists b, b <= hi /\ (forall x, lo < x < hi -> P x -> x <= b) /\
+  forall s, s < b -> exists z, s < z /\ lo < z < hi /\ P z.
+Proof.
+  intros Hex; destruct (completeness (fun x => lo < x < hi /\ P x)) as (b & Hb & Hb').
+  { exists hi; intros x [? _]; lra. } { exact Hex. }
+  exists b; split; [|split].
+  - apply Hb'; intros x [? _]; lra.
+  - intros x Hx Px; now apply Hb.
+  - intros s Hs; apply NNPP; intros Hn; apply (Rlt_not_le _ _ Hs), Hb'; intros x Hx.
+    apply Rnot_lt_le; intros Hlt; apply Hn; exists x; tauto.
+Qed.
+
+Lemma inf_of (P : R -> Prop) lo hi : (exists x, lo < x < hi /\ P x) ->
+  exists a, lo <= a /\ (forall x, lo < x < hi -> P x -> a <= x) /\
+  forall s, a < s -> exists z, z < s /\ lo < z < hi /\ P z.
+Proof.
+  intros (x0 & Hx0 & P0); destruct (sup_of (fun x => P (- x)) (- hi) (- lo)) as (b & H1 & H2 & H3).
+  { exists (- x0); rewrite Ropp_involutive; split; [lra|assumption]. }
+  exists (- b); split; [lra|split].
+  - intros x Hx Px; enough (- x <= b) by lra; apply H2; [lra|now rewrite Ropp_involutive].
+  - intros s Hs; destruct (H3 (- s)) as (z & ? & ? & ?); [lra|exists (- z)]; repeat split; trivial; lra.
+Qed.
+
+Definition near (P : R -> Prop) (x : R) : Prop :=
+  exists d, d > 0 /\ forall y, Rabs (y - x) < d -> P y.
+
 Lemma convex_interval (P : R -> Prop) lo hi : lo < hi ->
   (forall x y z, P x -> P z -> lo < x -> z < hi -> x < y < z -> P y) ->
-  (forall x, lo < x < hi -> P x -> exists d, d > 0 /\ forall y, Rabs (y - x) < d -> P y) ->
+  (forall x, P x -> near P x) ->
   exists lo' hi', lo <= lo' /\ hi' <= hi /\ (forall s, lo < s < hi -> (P s <-> lo' < s < hi')) /\
-  ((exists d, d > 0 /\ forall s, lo < s < lo + d -> P s) -> lo' = lo /\ lo < hi').
+  (near P lo -> lo' = lo /\ lo < hi').
 Proof.
   intros Hlh Hconv Hopen.
-  destruct (classic (exists x, lo < x < hi /\ P x)) as [(x0 & Hx0 & P0)|Hno].
+  assert (Hstart : near P lo -> forall c, lo < c -> exists y, lo < y < c /\ y < hi /\ P y).
+  { intros (d & Hd & H) c Hc; set (y := Rmin (lo + d / 2) (Rmin ((lo + c) / 2) ((lo + hi) / 2))).
+    assert (Hy : lo < y < c /\ y < hi /\ y < lo + d) by (unfold y, Rmin; repeat destruct Rle_dec; lra).
+    exists y; split; [lra|split; [lra|]]; apply H, Rabs_def1; lra. }
+  destruct (classic (exists x, lo < x < hi /\ P x)) as [Hex|Hno].
   2:{ exists lo, lo; split; [lra|split; [lra|split]].
       - intros s Hs; split; [intros; exfalso; eauto|lra].
-      - intros (d & Hd & H); exfalso; apply Hno; exists (Rmin (lo + d / 2) ((lo + hi) / 2)).
-        assert (lo < Rmin (lo + d / 2) ((lo + hi) / 2) < hi /\ Rmin (lo + d / 2) ((lo + hi) / 2) < lo + d)
-          by (unfold Rmin; destruct Rle_dec; lra).
-        split; [tauto|apply H; tauto]. }
-  destruct (completeness (fun x => lo < x < hi /\ P x)) as (b & Hb & Hb').
-  { exists hi; intros x [? _]; lra. } { now exists x0. }
-  destruct (completeness (fun x => lo < - x < hi /\ P (- x))) as (a & Ha & Ha').
-  { exists (- lo); intros x [? _]; lra. }
-  { exists (- x0); rewrite Ropp_involutive; tauto. }
-  exists (- a), b.
-  assert (Hlo : lo <= - a) by (enough (a <= - lo) by lra; apply Ha'; intros x [? _]; lra).
-  assert (Hhi : b <= hi) by (apply Hb'; intros x [? _]; lra).
-  assert (Hup : forall s, s < b -> exists z, s < z /\ lo < z < hi /\ P z).
-  { intros s Hs; apply NNPP; intros Hn; apply (Rlt_not_le _ _ Hs), Hb'; intros x Hx.
-    apply Rnot_lt_le; intros Hlt; apply Hn; exists x; tauto. }
-  assert (Hdown : forall s, - a < s -> exists z, z < s /\ lo < z < hi /\ P z).
-  { intros s Hs; apply NNPP; intros Hn; assert (Hs' : - s < a) by lra.
-    apply (Rlt_not_le _ _ Hs'), Ha'; intros x Hx.
-    apply Rnot_lt_le; intros Hlt; apply Hn; exists (- x); split; [lra|tauto]. }
-  assert (Hin : forall s, lo < s < hi -> P s -> - a <= s <= b).
-  { intros s Hs Ps; split; [|now apply Hb]; enough (- s <= a) by lra.
-    apply Ha; now rewrite Ropp_involutive. }
-  split; [assumption|split; [assumption|split]].
+      - intros HP; destruct (Hstart HP hi Hlh) as (y & ? & ? & ?); exfalso; apply Hno; exists y; tauto. }
+  destruct (sup_of P lo hi Hex) as (b & Hb & Hb' & Hup).
+  destruct (inf_of P lo hi Hex) as (a & Ha & Ha' & Hdown).
+  exists a, b; split; [assumption|split; [assumption|split]].
   - intros s Hs; split.
-    + intros Ps; destruct (Hopen s Hs Ps) as (d & Hd & Hnear).
+    + intros Ps; destruct (Hopen s Ps) as (d & Hd & Hnear).
       set (y := Rmin (d / 2) (Rmin ((s - lo) / 2) ((hi - s) / 2))).
       assert (Hy : 0 < y <= d / 2 /\ y <= (s - lo) / 2 /\ y <= (hi - s) / 2)
         by (unfold y, Rmin; repeat destruct Rle_dec; lra).
-      pose proof (Hin (s + y) ltac:(lra) (Hnear (s + y) ltac:(apply Rabs_def1; lra))).
-      pose proof (Hin (s - y) ltac:(lra) (Hnear (s - y) ltac:(apply Rabs_def1; lra))); lra.
-    + intros [H1 H2]; destruct (Hdown s H1) as (x & Hx & Hxr & Px), (Hup s H2) as (z & Hz & Hzr & Pz).
-      apply (Hconv x s z); tauto || lra.
-  - intros (d & Hd & H); split.
-    + apply Rle_antisym; [|assumption]; apply Rnot_lt_le; intros Hlt.
-      set (y := Rmin (lo + d / 2) (Rmin ((lo - a) / 2) ((lo + hi) / 2))).
-      assert (Hy : lo < y < lo + d /\ y < - a /\ y < hi)
-        by (unfold y, Rmin; repeat destruct Rle_dec; lra).
-      pose proof (Hin y ltac:(lra) (H y ltac:(tauto))); lra.
-    + pose proof (Hin x0 Hx0 P0); lra.
+      pose proof (Hb' (s + y) ltac:(lra) (Hnear (s + y) ltac:(apply Rabs_def1; lra))).
+      pose proof (Ha' (s - y) ltac:(lra) (Hnear (s - y) ltac:(apply Rabs_def1; lra))); lra.
+    + intros [H1 H2]; destruct (Hdown s H1) as (x & ? & ? & ?), (Hup s H2) as (z & ? & ? & ?).
+      apply (Hconv x s z); trivial; lra.
+  - intros HP; assert (a = lo) as ->.
+    { apply Rle_antisym; [|assumption]; apply Rnot_lt_le; intros Hlt.
+      destruct (Hstart HP a Hlt) as (y & Hy & Hyh & Py); pose proof (Ha' y ltac:(lra) Py); lra. }
+    split; [reflexivity|]; destruct Hex as (x & Hx & Px); pose proof (Hb' x Hx Px); lra.
 Qed.
 
 (** ** The sections *)
@@ -185,17 +195,17 @@ Proof.
     specialize (Ho r ltac:(lra) Plus g); unfold orbit_at; tauto. }
   destruct (convex_interval (fun s => h n j (d s) r > 0) lo hi Hlh) as (lo' & hi' & H1 & H2 & H3 & H4).
   - intros x y z Px Pz Hx Hz Hy; destruct HA as ((p & q & E) & Ha).
-    destruct (Ha x ltac:(lra)) as (Ix & Jx & _), (Ha z ltac:(lra)) as (Iz & Jz & _), (Ha y ltac:(lra)) as (Iy & Jy & _).
+    destruct (Ha x ltac:(lra)) as (Ix & Jx & _), (Ha y ltac:(lra)) as (Iy & Jy & _),
+      (Ha z ltac:(lra)) as (Iz & Jz & _).
     apply (h_K n j r) in Px, Pz; trivial; apply (h_K n j r); trivial.
     destruct (Rtotal_order q 0) as [Hq|[->|Hq]].
     + apply (K_concave n j r Hr (d z) _ (d x)); trivial; rewrite !E; nra.
     + replace (d y) with (d x); [assumption|rewrite !E; ring].
     + apply (K_concave n j r Hr (d x) _ (d z)); trivial; rewrite !E; nra.
-  - intros x _ Px; exact (sign_near _ x Hcont Px).
+  - intros x Px; exact (sign_near _ x Hcont Px).
   - exists lo', hi'; split; [assumption|split; [assumption|split]].
     + intros s Hs; rewrite (Hspec s Hs); now apply H3.
-    + intros Hlo; apply H4; destruct (sign_near _ lo Hcont Hlo) as (de & Hd & Hnear).
-      exists de; split; [assumption|]; intros s Hs; apply Hnear, Rabs_def1; lra.
+    + intros Hlo; apply H4; exact (sign_near _ lo Hcont Hlo).
 Qed.
 
 Lemma h_first_pos n r : (3 <= n)%nat -> 0 < r < 1 -> h n 1 (1 / 2) r > 0.
