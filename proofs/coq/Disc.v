@@ -66,7 +66,8 @@ Proof.
     exists j, (1 <= j <= n - 1)%nat /\ cos (alpha r th n + INR j * th) <= 0).
   { induction k as [|k IH]; intros Hk; [left; simpl; now rewrite Rmult_0_l, Rplus_0_r|].
     destruct (IH ltac:(lia)) as [Hw|]; [|now right].
-    destruct (Rle_or_lt (cos (alpha r th n + INR (S k) * th)) 0); [right; exists (S k); split; [lia|assumption]|].
+    destruct (Rle_or_lt (cos (alpha r th n + INR (S k) * th)) 0).
+    { right; exists (S k); split; [lia|assumption]. }
     left; apply cos_pos_window; trivial; rewrite S_INR; unfold window in Hw; lra. }
   destruct (Hstep (n - 1)%nat (le_n _)) as [Hw|(j & Hj & Hcos)].
   - exfalso; rewrite minus_INR in Hw by lia; simpl in Hw.

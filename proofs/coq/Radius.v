@@ -329,7 +329,8 @@ Proof.
     apply Rnot_le_lt; intros Hle; pose proof (h_nonpos n np _ Hi r Hle Hr); lra.
   - apply (right_orbits r s n m mp np mm nm Hn Hm1 HF H Hl) in Ho; destruct Ho as (-> & -> & Hh).
     eexists _, _; split; [apply (right_of n m mp np mm nm Hm2 HF)|].
-    assert (Hi : index n nm (INR n * s - INR m)) by (destruct HF as (_ & _ & ? & _); repeat split; lia || lra).
+    assert (Hi : index n nm (INR n * s - INR m))
+      by (destruct HF as (_ & _ & ? & _); repeat split; lia || lra).
     apply (right_interval n m mp np mm nm s Hn Hm2 HF); split; [assumption|].
     apply Rnot_le_lt; intros Hle; pose proof (h_nonpos n nm _ Hi r Hle Hr); lra.
 Qed.
