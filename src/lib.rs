@@ -48,6 +48,7 @@ pub mod number;
 pub mod output;
 pub mod search;
 pub mod study;
+pub mod symbol;
 
 pub use error::{Error, Result};
 pub use monitor::Monitor;

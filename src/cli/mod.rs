@@ -2,9 +2,12 @@
 
 mod accuracy;
 mod check;
+mod classify;
 mod evaluate;
 mod farey;
 mod figure;
+mod formula;
+mod fuzz;
 mod intervals;
 mod range;
 mod verify;
@@ -37,8 +40,11 @@ enum Command {
     Verify(verify::Args),
     Check(check::Args),
     Intervals(intervals::Args),
+    Classify(classify::Args),
+    Fuzz(fuzz::Args),
     Farey(farey::Args),
     Figure(figure::Args),
+    Formula(formula::Args),
     Evaluate(evaluate::Args),
     Accuracy(accuracy::Args),
 }
@@ -85,8 +91,11 @@ fn run(cli: Cli) -> Result<Outcome> {
         Command::Verify(args) => verify::run(&args, &interrupt),
         Command::Check(args) => check::run(&args),
         Command::Intervals(args) => intervals::run(&args, &interrupt),
+        Command::Classify(args) => classify::run(&args),
+        Command::Fuzz(args) => fuzz::run(&args, &interrupt),
         Command::Farey(args) => farey::run(&args, &interrupt),
         Command::Figure(args) => figure::run(&args),
+        Command::Formula(args) => formula::run(&args),
         Command::Evaluate(args) => evaluate::run(&args, &interrupt),
         Command::Accuracy(args) => accuracy::run(&args, &interrupt),
     }
