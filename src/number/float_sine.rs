@@ -17,7 +17,7 @@ const SIN: [u64; 9] = [
     0x00cf_ce5a_015e_2363,
     0x0003_0d51_c8e4_1b6d,
     0x06b1_a017_3cd4,
-    0x0099_c0b5_523,
+    0x9_9c0b_5523,
     0x9ba_38d0,
     0x75092,
     0x43f,
@@ -155,7 +155,7 @@ fn kernel(cosine: bool, m: u64, shift: i64) -> FloatInterval {
         0 => m,
         1..=63 => m >> shift,
         64.. => 0,
-        _ => m.checked_mul(2).unwrap_or(u64::MAX), // 4t = 1 at the most
+        _ => m.saturating_mul(2), // 4t = 1 at the most
     };
     if cosine { enclose_cosine(cos_mantissa(w)) } else { enclose(sin_mantissa(m, w), ERROR, -64 - shift) }
 }
