@@ -112,9 +112,8 @@ impl Polar {
         }
         let cosine = T::cos(&at_n, context);
         if self.on_circle() {
-            let (sine_j, sine_k) =
-                (T::sin(&self.half.times(j), context), T::sin(&self.half.times(k), context));
-            return Some(T::integer(-2, context) * &sine_j * &sine_k / &cosine);
+            let product = T::sin(&self.half.times(j), context) * &T::sin(&self.half.times(k), context);
+            return Some(-(product.clone() + &product) / &cosine);
         }
         let sine = T::sin(&at_n, context);
         let denominator = T::integer(2, context) * &sine * &cosine * &self.power(j, context).power;

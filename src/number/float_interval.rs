@@ -92,9 +92,18 @@ fn product(a: f64, b: f64) -> (f64, f64) {
     }
 }
 
-/// The floats next to `x` + `error` below and above, for an `error` within half a unit of x's last place.
+/// The floats next to `x` + `error` below and above, for an `error` within half a unit of x's last place, x normal.
+#[inline]
 fn directed(x: f64, error: f64) -> (f64, f64) {
-    (if error < 0.0 { x.next_down() } else { x }, if error > 0.0 { x.next_up() } else { x })
+    // The neighbour away from zero is one up in bits, whatever the sign.
+    let away = (error > 0.0) == (x > 0.0);
+    let bits = x.to_bits();
+    let other = f64::from_bits(if away { bits + 1 } else { bits - 1 });
+    match error {
+        e if e < 0.0 => (other, x),
+        e if e > 0.0 => (x, other),
+        _ => (x, x),
+    }
 }
 
 /// Bounds of a/b for finite b ≠ 0.
