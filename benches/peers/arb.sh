@@ -11,7 +11,7 @@ libraries="-lflint -lgmp"
 gcc -O2 -o "$build/arb" benches/peers/arb.c $libraries
 python3 -m venv "$build/venv"
 "$build/venv/bin/pip" install --quiet python-flint==0.9.0
-cargo bench --quiet --bench enclosures -- 'b|signs' --measurement-time 2 | grep '^signs:' || true
+cargo bench --quiet --bench enclosures -- 'b|signs' --warm-up-time 0.5 --measurement-time 1.5 | grep '^signs:' || true
 "$build/arb" >"$build/times"
 cargo build --quiet --release
 "${CARGO_TARGET_DIR:-target}/release/grazing" evaluate --n 100 --k 37 --s 12345/67891 --bits 256 >"$build/here"
