@@ -311,3 +311,30 @@ fn fuzz_resumes_and_reports() {
     assert!(error("fuzz --n 2").contains("the largest period is 2: from 3 to 4096"));
     assert!(error("fuzz --definition-share 2").contains("a number from 0 to 1"));
 }
+
+#[test]
+fn evaluate_prints_certain_digits_and_the_rung() {
+    let digits = "2.000000000000000000";
+    assert_eq!(
+        stdout("evaluate --n 3 --s 1/4 --bits 64"),
+        format!(
+            "b_{{3,1}}      +         exact        {digits}\nb_{{3,2}}      +         exact        {digits}\nc_3          +         exact        {digits}\n"
+        )
+    );
+    assert_eq!(
+        stdout("evaluate --n 4 --k 1 --s 1/8"),
+        "b_{4,1}      singular  exact\nc_4          singular  exact\n"
+    );
+    assert!(
+        stdout("evaluate --n 3 --k 1 --a1 -1 --a2 9/10")
+            .starts_with("b_{3,1}      0         exact        0\n")
+    );
+    // Beside a double zero with r = 1 − 2⁻¹⁰⁰, 128 bits leave seven certain digits.
+    let line = stdout("evaluate --n 6 --k 3 --s 1/3+2^-200 --r 1-2^-100");
+    assert_eq!(line.lines().next().unwrap(), "b_{6,3}      -         128 bits     -2.800357e-60");
+    let json: serde_json::Value =
+        serde_json::from_str(&stdout("evaluate --n 2 --s 1/3 --format json")).unwrap();
+    assert_eq!(json["values"][0]["sign"], "+");
+    assert_eq!(error("evaluate --n 3 --k 3 --s 1/4"), "--k 3 is outside 1 <= K < N = 3");
+    assert!(error("evaluate --n 3 --s 3/4").starts_with("s = 3/4 is outside 0 < s < 1/2"));
+}
