@@ -1,5 +1,6 @@
 //! The command line: arguments, what each command runs, exit codes. No mathematics lives here.
 
+mod boundary;
 mod check;
 mod farey;
 mod figure;
@@ -36,6 +37,7 @@ enum Command {
     Check(check::Args),
     Intervals(intervals::Args),
     Farey(farey::Args),
+    Boundary(boundary::Args),
     Figure(figure::Args),
 }
 
@@ -82,6 +84,7 @@ fn run(cli: Cli) -> Result<Outcome> {
         Command::Check(args) => check::run(&args),
         Command::Intervals(args) => intervals::run(&args, &interrupt),
         Command::Farey(args) => farey::run(&args, &interrupt),
+        Command::Boundary(args) => boundary::run(&args, &interrupt),
         Command::Figure(args) => figure::run(&args),
     }
 }
