@@ -224,3 +224,19 @@ impl Section {
 pub(super) fn float(x: &BigRational) -> f64 {
     x.to_f64().unwrap_or(f64::NAN)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Beyond je = 1 the coefficient of rⁿ is negative: the check says so, and nothing is enclosed.
+    #[test]
+    fn the_check_of_monotonicity_can_fail() {
+        let precision = Precision::new(100);
+        let section = |p: i64, q: i64| Section::new(7, 3, &BigRational::new(p.into(), q.into()));
+        assert!(section(33, 100).increases());
+        assert!(section(33, 100).root(10, &precision).is_some());
+        assert!(!section(34, 100).increases());
+        assert_eq!(section(34, 100).root(10, &precision), None);
+    }
+}

@@ -254,3 +254,22 @@ impl Search<'_> {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// h < 0 on all of [0, 1/j] just below the tip, and not just above it.
+    #[test]
+    fn the_check_of_a_bound_can_fail() {
+        for (n, j) in [(4, 3), (8, 3), (8, 5), (41, 40), (41, 4)] {
+            let precision = Precision::new(300);
+            let search = Search { n, j, precision: &precision };
+            let (r, _) = search.tip(30).unwrap();
+            let (first, last) = (search.place(BigRational::zero()), search.place(BigRational::new(1.into(), j.into())));
+            let shifted = |r: &BigRational, sign: i64| r + unit(20) * BigInt::from(sign);
+            assert!(search.is_negative(&shifted(&r.lower, -1), &first, &last), "{n} {j}");
+            assert!(!search.is_negative(&shifted(&r.upper, 1), &first, &last), "{n} {j}");
+        }
+    }
+}
