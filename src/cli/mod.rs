@@ -85,7 +85,7 @@ fn run(cli: Cli) -> Result<Outcome> {
         Command::Intervals(args) => intervals::run(&args, &interrupt),
         Command::Farey(args) => farey::run(&args, &interrupt),
         Command::Boundary(args) => boundary::run(&args, &interrupt),
-        Command::Figure(args) => figure::run(&args),
+        Command::Figure(args) => figure::run(&args, &interrupt),
     }
 }
 
