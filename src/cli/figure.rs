@@ -23,10 +23,10 @@ pub(super) struct Args {
     /// The largest period shown; by default 15, for tips 200.
     #[arg(long, value_name = "N")]
     n: Option<u64>,
-    /// For records: the modulus of the eigenvalues, 0 < R <= 1; by default 0.997.
+    /// For records: the modulus of the eigenvalues, 0 < R <= 1; by default 0.991.
     #[arg(long, value_name = "R", value_parser = parse_rational)]
     r: Option<BigRational>,
-    /// For records: their angle in turns, 0 < S < 1/2; by default 0.18.
+    /// For records: their angle in turns, 0 < S < 1/2; by default 0.205.
     #[arg(long, value_name = "S", value_parser = parse_rational)]
     s: Option<BigRational>,
     /// The folder for the files.
@@ -60,7 +60,7 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
         Figure::Regions => figure::regions(&args.output)?,
         Figure::Iterate => figure::iterate_boundaries(n, &args.output)?,
         Figure::Intervals => figure::intervals(n, &args.output)?,
-        Figure::Records => figure::records(&number(&args.r, "0.997")?, &number(&args.s, "0.18")?, n, &args.output)?,
+        Figure::Records => figure::records(&number(&args.r, "0.991")?, &number(&args.s, "0.205")?, n, &args.output)?,
         Figure::Tips => figure::tips(n, &args.output, &Progress::new(interrupt, n.saturating_sub(3), "periods"))?,
     }
     Ok(Outcome::Done)

@@ -46,7 +46,8 @@ pub fn records(r: &BigRational, s: &BigRational, last: u64, folder: &Path) -> Re
         vec![power.n.to_string(), format!("{:.6}", power.at.0), format!("{:.6}", power.at.1), cases.join(" ")]
     };
     let rows: Vec<Vec<String>> = powers.iter().map(row).collect();
-    save(folder, "records", draw(modulus, turn, &powers), &["n", "re", "im", "cases"], &rows)
+    let title = format!("λ = r exp(2πis), r = {modulus}, s = {turn}");
+    save(folder, "records", draw(modulus, turn, &title, &powers), &["n", "re", "im", "cases"], &rows)
 }
 
 /// λⁿ and the cases in which period n exists: none or one, for n = 1 two.
@@ -73,9 +74,9 @@ fn cases(ladder: &Ladder, point: &Point, n: u64) -> Vec<Case> {
     }
 }
 
-fn draw(modulus: f64, turn: f64, powers: &[Power]) -> Picture {
+fn draw(modulus: f64, turn: f64, title: &str, powers: &[Power]) -> Picture {
     let mut svg = String::new();
-    let root = SVGBackend::with_string(&mut svg, (WIDTH, 1560)).into_drawing_area();
+    let root = SVGBackend::with_string(&mut svg, (WIDTH, 1640)).into_drawing_area();
     root.fill(&WHITE)?;
     // The unit disc with room for labels around it; one unit is the same both ways.
     let (centre, unit) = ((960.0, 780.0), 640.0);
@@ -115,6 +116,7 @@ fn draw(modulus: f64, turn: f64, powers: &[Power]) -> Picture {
         let (radius, ink) = power.cases.first().map_or((9, GREY), |&case| (17, colour(case)));
         root.draw(&Circle::new(pixel(power.at), radius, ink.filled()))?;
     }
+    root.draw(&Text::new(title.to_string(), (WIDTH as i32 - 30, 1620), style(FONT, HPos::Right, VPos::Bottom)))?;
     root.draw(&Circle::new(pixel((1.0, 0.0)), 13, BLACK.filled()))?;
     root.draw(&Text::new("1", pixel((1.04, 0.0)), style(FONT, HPos::Left, VPos::Center)))?;
     root.present()?;
