@@ -108,11 +108,11 @@ fn area_columns(digits: usize) -> Vec<Column> {
 
 fn area_cells(interval: &Interval) -> [Cell<'static>; 5] {
     [
-        Cell::Int(interval.n.into()),
-        Cell::Int(interval.m.into()),
+        Cell::Int(interval.n as i64),
+        Cell::Int(interval.m as i64),
         Cell::Int(interval.case.sign_emu().into()),
         Cell::Int(interval.case.sign_gamma().into()),
-        interval.deciding.map_or(Cell::Empty, |k| Cell::Int(k.into())),
+        interval.deciding.map_or(Cell::Empty, |k| Cell::Int(k as i64)),
     ]
 }
 

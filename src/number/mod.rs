@@ -18,20 +18,21 @@
 mod angle;
 mod ball;
 mod ball_sine;
+mod digits;
+mod fixed;
 mod float_interval;
 mod float_sine;
 mod parse;
 mod plain;
 mod radius;
 mod real;
-
 mod sign;
 
 pub use angle::Angle;
 pub use ball::{Ball, Precision};
+pub use digits::certain_digits;
 pub use float_interval::FloatInterval;
 pub use parse::{LIMIT_BITS, parse_integer, parse_rational};
 pub use plain::Plain;
 pub use real::{Circular, Real};
-
 pub use sign::Sign;

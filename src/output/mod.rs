@@ -8,5 +8,6 @@ mod table;
 
 pub use bounds::{decimal_above, decimal_below, decimal_near};
 pub use destination::{Destination, write_file};
+pub use figure::{accuracy_figure, accuracy_table};
 pub use progress::{Interrupt, Progress};
 pub use table::{Cell, Column, TableFormat, TableWriter, decimal};

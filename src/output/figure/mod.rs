@@ -2,12 +2,14 @@
 //!
 //! A picture is 2000 units wide and meant for a journal's column of 86 mm, where its text has about 7 points.
 
+mod accuracy;
 mod intervals;
 mod iterate;
 mod records;
 mod regions;
 mod tips;
 
+pub use accuracy::{accuracy_figure, accuracy_table};
 pub use intervals::intervals;
 pub use iterate::iterate_boundaries;
 pub use records::records;

@@ -14,9 +14,8 @@ use plotters::{
 use super::{FONT, GREY, Picture, WIDTH, colour, label, save, style};
 use crate::{
     error::{Error, Result},
-    existence::Case,
-    local::{Answer, Ladder, Point, Polar, Quantity},
-    number::Sign,
+    existence::{Case, by_definition},
+    local::{Ladder, Point, Polar},
 };
 
 /// Writes `records.svg` and `records.csv` into `folder`: λ, λ², …, λ^`last` for λ = r e^{2πis}, and the ray from 1 through each
@@ -38,7 +37,7 @@ pub fn records(r: &BigRational, s: &BigRational, last: u64, folder: &Path) -> Re
         .map(|n| {
             let (length, angle) = (modulus.powi(n as i32), 2.0 * PI * turn * n as f64);
             let at = (length * angle.cos(), length * angle.sin());
-            Power { n, at, cases: cases(&ladder, &point, n) }
+            Power { n, at, cases: by_definition(&ladder, &point, n).cases(n) }
         })
         .collect();
     let row = |power: &Power| {
@@ -55,23 +54,6 @@ struct Power {
     n: u64,
     at: (f64, f64),
     cases: Vec<Case>,
-}
-
-fn cases(ladder: &Ladder, point: &Point, n: u64) -> Vec<Case> {
-    let sign = |answer| match answer {
-        Answer::Sign(Sign::Positive) => Some(true),
-        Answer::Sign(Sign::Negative) => Some(false),
-        _ => None,
-    };
-    let Some(c) = sign(ladder.sign(point, Quantity::C { n }).answer) else { return Vec::new() };
-    if n == 1 {
-        return vec![Case::from_signs(true, c), Case::from_signs(false, c)];
-    }
-    let signs: Option<Vec<bool>> = ladder.signs(point, n).iter().map(|decision| sign(decision.answer)).collect();
-    match signs {
-        Some(b) if b.iter().all(|&positive| positive == b[0]) => vec![Case::from_signs(b[0], c)],
-        _ => Vec::new(),
-    }
 }
 
 fn draw(modulus: f64, turn: f64, title: &str, powers: &[Power]) -> Picture {
