@@ -79,7 +79,10 @@ fn polynomials_change_sign_across_the_edge() {
                 if upper.is_zero() {
                     for r in ["1/10", "1/2", "0.999"] {
                         let signs = signs(n as usize, &parse_rational(r).unwrap(), &s);
-                        assert!(signs.iter().all(|&sign| sign == Some(positive)), "n = {n}, s = {s}, r = {r}");
+                        assert!(
+                            signs.iter().all(|&sign| sign == Some(positive)),
+                            "n = {n}, s = {s}, r = {r}"
+                        );
                     }
                     continue;
                 }
@@ -234,7 +237,8 @@ fn stdout(arguments: &str) -> String {
 
 #[test]
 fn command_prints_certified_digits() {
-    let json: serde_json::Value = serde_json::from_str(&stdout("boundary 8 --format json --digits 15")).unwrap();
+    let json: serde_json::Value =
+        serde_json::from_str(&stdout("boundary 8 --format json --digits 15")).unwrap();
     assert_eq!(json["format"], "grazing-boundary 1");
     let rows = json["rows"].as_array().unwrap();
     assert_eq!(rows.len(), 5);
@@ -245,11 +249,17 @@ fn command_prints_certified_digits() {
     assert_eq!(rows[3]["r_lower"], "0.944894736298897");
     assert_eq!(rows[3]["r_upper"], "0.944894736298898");
     assert_eq!(rows[3]["scaled"], "28.213895");
-    assert_eq!(stdout("boundary 9 --m 4 --format csv").lines().last().unwrap().split(',').nth(5), Some("region4"));
+    assert_eq!(
+        stdout("boundary 9 --m 4 --format csv").lines().last().unwrap().split(',').nth(5),
+        Some("region4")
+    );
     let csv = stdout("boundary 3..=5 --grid 3 --format csv");
     assert_eq!(csv.lines().count(), 1 + 3 * (3 + 3 + 5));
     // b_{3,2} = 0 is a₁ + a₂ = 0.
-    assert!(csv.contains("3,1,1,1,2,7/24,0.517638090205,0.517638090206,0.267949192431,0.267949192432\n"), "{csv}");
+    assert!(
+        csv.contains("3,1,1,1,2,7/24,0.517638090205,0.517638090206,0.267949192431,0.267949192432\n"),
+        "{csv}"
+    );
 }
 
 #[test]

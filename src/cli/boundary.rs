@@ -14,8 +14,8 @@ use crate::{
     existence::{Boundary, Enclosure, Interval, Lowest, intervals, tip_correction, tip_law},
     monitor::Monitor,
     output::{
-        Cell, Column, Destination, Interrupt, Progress, TableFormat, TableWriter, decimal_above, decimal_below,
-        decimal_near,
+        Cell, Column, Destination, Interrupt, Progress, TableFormat, TableWriter, decimal_above,
+        decimal_below, decimal_near,
     },
 };
 
@@ -156,7 +156,13 @@ fn edges(args: &Args, grid: u64, out: &mut dyn Write, progress: &Progress) -> Re
                     .par_iter()
                     .map(|&i| {
                         let s = grid_point(area.interval(), i, grid);
-                        Ok((s, area.at(&BigRational::new((*s.numer()).into(), (*s.denom()).into()), args.digits)?))
+                        Ok((
+                            s,
+                            area.at(
+                                &BigRational::new((*s.numer()).into(), (*s.denom()).into()),
+                                args.digits,
+                            )?,
+                        ))
                     })
                     .collect();
                 for (s, r) in values? {

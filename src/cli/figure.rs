@@ -23,7 +23,7 @@ pub(super) struct Args {
     /// The largest period shown; by default 15, for tips 200.
     #[arg(long, value_name = "N")]
     n: Option<u64>,
-    /// For records: the modulus of the eigenvalues, 0 < R <= 1; by default 0.991.
+    /// For records: the modulus of the eigenvalues, 0 < R <= 1; by default 0.993.
     #[arg(long, value_name = "R", value_parser = parse_rational)]
     r: Option<BigRational>,
     /// For records: their angle in turns, 0 < S < 1/2; by default 0.205.
@@ -54,14 +54,19 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     if args.figure != Figure::Records && (args.r.is_some() || args.s.is_some()) {
         return Err(Error::input("--r and --s belong to `grazing figure records`"));
     }
-    let number = |given: &Option<BigRational>, default| given.clone().map_or_else(|| parse_rational(default), Ok);
+    let number =
+        |given: &Option<BigRational>, default| given.clone().map_or_else(|| parse_rational(default), Ok);
     let n = args.n.unwrap_or(if args.figure == Figure::Tips { 200 } else { 15 });
     match args.figure {
         Figure::Regions => figure::regions(&args.output)?,
         Figure::Iterate => figure::iterate_boundaries(n, &args.output)?,
         Figure::Intervals => figure::intervals(n, &args.output)?,
-        Figure::Records => figure::records(&number(&args.r, "0.991")?, &number(&args.s, "0.205")?, n, &args.output)?,
-        Figure::Tips => figure::tips(n, &args.output, &Progress::new(interrupt, n.saturating_sub(3), "periods"))?,
+        Figure::Records => {
+            figure::records(&number(&args.r, "0.993")?, &number(&args.s, "0.205")?, n, &args.output)?
+        }
+        Figure::Tips => {
+            figure::tips(n, &args.output, &Progress::new(interrupt, n.saturating_sub(3), "periods"))?
+        }
     }
     Ok(Outcome::Done)
 }

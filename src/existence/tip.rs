@@ -136,9 +136,11 @@ impl Search<'_> {
         let (below, above, around) = self.margins(&r, &e, digits)?;
         let (low, high) = (r.clone() - below, r + above);
         let (left, right) = (self.place(&e - &around), self.place(&e + &around));
-        let (first, last) = (self.place(BigRational::zero()), self.place(BigRational::new(1.into(), self.j.into())));
+        let (first, last) =
+            (self.place(BigRational::zero()), self.place(BigRational::new(1.into(), self.j.into())));
         let at_tip = self.place(e);
-        let certain = at_tip.section.value(&at_tip.sines, &high, self.precision).sign() == Some(Sign::Positive)
+        let certain = at_tip.section.value(&at_tip.sines, &high, self.precision).sign()
+            == Some(Sign::Positive)
             && self.is_negative(&high, &first, &left)
             && self.is_negative(&low, &left, &right)
             && self.is_negative(&high, &right, &last);
@@ -159,7 +161,8 @@ impl Search<'_> {
             for _ in 0..2 {
                 r = place.section.newton(&place.sines, &r, self.precision)?;
             }
-            let step = middle(&(self.first_derivative(&place, &r) / &self.second_derivative(&place, &r)))? / (&pi * BigInt::from(2));
+            let step = middle(&(self.first_derivative(&place, &r) / &self.second_derivative(&place, &r)))?
+                / (&pi * BigInt::from(2));
             e = middle(&Ball::ratio(&(e - &step), self.precision))?;
             if step.abs() < enough {
                 let place = self.place(e.clone());
@@ -176,7 +179,12 @@ impl Search<'_> {
     ///
     /// Near the tip h ≈ h_r (r − r*) − |h_ee| (e − e*)²/2. With u = 10^−`digits` and |h_ee| η²/2 = 2u h_r, h(r* + u, e* ± η) ≈ −u h_r < 0
     /// and the chord bound of the inner piece at r* − 4u is about −4u h_r < 0. Only a choice: what follows is checked.
-    fn margins(&self, r: &BigRational, e: &BigRational, digits: u32) -> Option<(BigRational, BigRational, BigRational)> {
+    fn margins(
+        &self,
+        r: &BigRational,
+        e: &BigRational,
+        digits: u32,
+    ) -> Option<(BigRational, BigRational, BigRational)> {
         let place = self.place(e.clone());
         let slope = middle(&place.section.slope(&place.sines, r, self.precision))? / r;
         let bend = middle(&self.second_derivative(&place, r))?;
@@ -189,7 +197,9 @@ impl Search<'_> {
     fn first_derivative(&self, place: &Place, r: &BigRational) -> Ball {
         let [c0, c1, c2] = place.section.angles.each_ref().map(|angle| Ball::cos(angle, self.precision));
         let [short, long] = self.powers(r);
-        short * &c0 - &(long * &c1 * &self.ratio(self.j, self.n)) - &(c2 * &self.ratio(self.n - self.j, self.n))
+        short * &c0
+            - &(long * &c1 * &self.ratio(self.j, self.n))
+            - &(c2 * &self.ratio(self.n - self.j, self.n))
     }
 
     /// ∂²h/∂e² / 4π².
@@ -266,7 +276,8 @@ mod tests {
             let precision = Precision::new(300);
             let search = Search { n, j, precision: &precision };
             let (r, _) = search.tip(30).unwrap();
-            let (first, last) = (search.place(BigRational::zero()), search.place(BigRational::new(1.into(), j.into())));
+            let (first, last) =
+                (search.place(BigRational::zero()), search.place(BigRational::new(1.into(), j.into())));
             let shifted = |r: &BigRational, sign: i64| r + unit(20) * BigInt::from(sign);
             assert!(search.is_negative(&shifted(&r.lower, -1), &first, &last), "{n} {j}");
             assert!(!search.is_negative(&shifted(&r.upper, 1), &first, &last), "{n} {j}");

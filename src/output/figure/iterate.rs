@@ -31,7 +31,9 @@ const DECIMALS: u32 = 8;
 /// An input error unless 3 ≤ `last` ≤ 40; an I/O error.
 pub fn iterate_boundaries(last: u64, folder: &Path) -> Result<()> {
     if !(3..=40).contains(&last) {
-        return Err(Error::input(format!("--n {last}: this figure shows periods 3 to N, with N from 3 to 40")));
+        return Err(Error::input(format!(
+            "--n {last}: this figure shows periods 3 to N, with N from 3 to 40"
+        )));
     }
     let mut curves = Vec::new();
     for n in 3..=last {
@@ -41,7 +43,12 @@ pub fn iterate_boundaries(last: u64, folder: &Path) -> Result<()> {
     }
     let mut rows = Vec::new();
     for Curve { interval, k, points } in &curves {
-        let head = [interval.n.to_string(), k.to_string(), interval.m.to_string(), interval.case.sign_gamma().to_string()];
+        let head = [
+            interval.n.to_string(),
+            k.to_string(),
+            interval.m.to_string(),
+            interval.case.sign_gamma().to_string(),
+        ];
         rows.extend(points.iter().map(|point| {
             let place = point.each_ref().map(|x| decimal_near(x, DECIMALS));
             head.iter().cloned().chain(place).collect::<Vec<String>>()
@@ -135,8 +142,8 @@ where
     let mut chart = ChartBuilder::on(area)
         .margin(30)
         .margin_right(50)
-        .x_label_area_size(150)
-        .y_label_area_size(190)
+        .x_label_area_size(190)
+        .y_label_area_size(250)
         .build_cartesian_2d(-2f64..2.0, bottom..1.0)?;
     let digits = if bottom > 0.0 { 2 } else { 1 };
     chart
@@ -153,7 +160,8 @@ where
         .axis_style(BLACK.stroke_width(3))
         .set_all_tick_mark_size(16)
         .draw()?;
-    let parabola: Vec<(f64, f64)> = (-200..=200).map(|i| f64::from(i) / 100.0).map(|a1| (a1, a1 * a1 / 4.0)).collect();
+    let parabola: Vec<(f64, f64)> =
+        (-200..=200).map(|i| f64::from(i) / 100.0).map(|a1| (a1, a1 * a1 / 4.0)).collect();
     let line = |sign: f64| vec![(sign * (1.0 + bottom), bottom), (sign * 2.0, 1.0)];
     for path in above(&parabola, bottom).into_iter().chain([line(-1.0), line(1.0)]) {
         chart.draw_series([PathElement::new(path, GREY.stroke_width(3))])?;
@@ -198,11 +206,11 @@ fn draw(curves: &[Curve]) -> Picture {
     let (legend, rest) = root.split_vertically(100);
     let (upper, lower) = rest.split_vertically(1200);
     let last = curves.last().map_or(0, |curve| curve.interval.n);
-    let mut x = 190;
+    let mut x = 250;
     for case in [Case::PlusPlus, Case::PlusMinus] {
         legend.draw(&PathElement::new([(x, 60), (x + 80, 60)], colour(case).stroke_width(9)))?;
         legend.draw(&Text::new(label(case), (x + 100, 60), style(FONT, HPos::Left, VPos::Center)))?;
-        x += 300;
+        x += 340;
     }
     let title = format!("b(n,k) = 0, 3 ≤ n ≤ {last}");
     legend.draw(&Text::new(title, (WIDTH as i32 - 50, 60), style(FONT, HPos::Right, VPos::Center)))?;
@@ -234,6 +242,6 @@ fn anchor(curve: &Curve) -> ((f64, f64), (i32, i32), HPos) {
         (5, 4) => (low(0.45), (-24, 0), HPos::Right),
         (3, 1) => (low(0.4), (24, 0), HPos::Left),
         (5, 3) => (low(0.62), (24, 0), HPos::Left),
-        _ => (low(0.0), (0, 44), HPos::Center),
+        _ => (low(0.0), (0, 52), HPos::Center),
     }
 }

@@ -33,7 +33,8 @@ use crate::{
 type Picture = std::result::Result<String, Box<dyn std::error::Error>>;
 
 const WIDTH: u32 = 2000;
-const FONT: i32 = 56;
+/// The library writes 1/1.24 of this.
+const FONT: i32 = 70;
 const GREY: RGBColor = RGBColor(150, 150, 150);
 
 /// The colour of a case, from the palette of Okabe and Ito, which colour-blind readers can tell apart.
@@ -57,7 +58,13 @@ fn label(case: Case) -> String {
 }
 
 /// Writes `name`.svg and `name`.csv into `folder`, which is made if need be.
-fn save(folder: &Path, name: &str, picture: Picture, columns: &[&'static str], rows: &[Vec<String>]) -> Result<()> {
+fn save(
+    folder: &Path,
+    name: &str,
+    picture: Picture,
+    columns: &[&'static str],
+    rows: &[Vec<String>],
+) -> Result<()> {
     let picture = picture.map_err(|error| Error::from(std::io::Error::other(error.to_string())))?;
     fs::create_dir_all(folder).map_err(|error| Error::io("create", folder, error))?;
     write_file(&folder.join(format!("{name}.svg")), |out| Ok(out.write_all(picture.as_bytes())?))?;

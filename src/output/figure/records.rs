@@ -1,6 +1,6 @@
 //! The record picture: which single-impact orbits exist, read off the powers of λ seen from 1.
 //!
-//! For r < 1 or r = 1 and complex eigenvalues, period n exists iff λⁿ sets a record in direction, seen from 1, among λ, …, λⁿ.
+//! With complex eigenvalues, 0 < r ≤ 1, period n exists iff λⁿ sets a record in direction, seen from 1, among λ, …, λⁿ.
 
 use std::{f64::consts::PI, path::Path};
 
@@ -27,7 +27,9 @@ use crate::{
 /// An input error unless 1 ≤ `last` ≤ 60, 0 < r ≤ 1 and 0 < s < ½; an I/O error.
 pub fn records(r: &BigRational, s: &BigRational, last: u64, folder: &Path) -> Result<()> {
     if !(1..=60).contains(&last) {
-        return Err(Error::input(format!("--n {last}: this figure shows periods 1 to N, with N from 1 to 60")));
+        return Err(Error::input(format!(
+            "--n {last}: this figure shows periods 1 to N, with N from 1 to 60"
+        )));
     }
     let point = Point::Polar(Polar::new(r.clone(), s.clone())?);
     let ladder = Ladder::default();
@@ -49,6 +51,9 @@ pub fn records(r: &BigRational, s: &BigRational, last: u64, folder: &Path) -> Re
     save(folder, "records", draw(modulus, turn, &title, &powers), &["n", "re", "im", "cases"], &rows)
 }
 
+/// Labels on either side of the circle, those of the least periods; there is room for no more.
+const LABELS: usize = 19;
+
 /// λⁿ and the cases in which period n exists: none or one, for n = 1 two.
 struct Power {
     n: u64,
@@ -58,13 +63,15 @@ struct Power {
 
 fn draw(modulus: f64, turn: f64, title: &str, powers: &[Power]) -> Picture {
     let mut svg = String::new();
-    let root = SVGBackend::with_string(&mut svg, (WIDTH, 1640)).into_drawing_area();
+    let root = SVGBackend::with_string(&mut svg, (WIDTH, 1700)).into_drawing_area();
     root.fill(&WHITE)?;
     // The unit disc with room for labels around it; one unit is the same both ways.
-    let (centre, unit) = ((960.0, 780.0), 640.0);
-    let pixel = |(x, y): (f64, f64)| ((centre.0 + unit * x).round() as i32, (centre.1 - unit * y).round() as i32);
+    let (centre, unit) = ((950.0, 800.0), 620.0);
+    let pixel =
+        |(x, y): (f64, f64)| ((centre.0 + unit * x).round() as i32, (centre.1 - unit * y).round() as i32);
     let on_circle = |angle: f64, radius: f64| (radius * angle.cos(), radius * angle.sin());
-    let circle: Vec<(i32, i32)> = (0..=360).map(|i| pixel(on_circle(PI * f64::from(i) / 180.0, 1.0))).collect();
+    let circle: Vec<(i32, i32)> =
+        (0..=360).map(|i| pixel(on_circle(PI * f64::from(i) / 180.0, 1.0))).collect();
     root.draw(&PathElement::new(circle, GREY.stroke_width(3)))?;
     let end = powers.last().map_or(0, |power| power.n);
     let spiral: Vec<(i32, i32)> = (0..=end * 60)
@@ -75,30 +82,44 @@ fn draw(modulus: f64, turn: f64, title: &str, powers: &[Power]) -> Picture {
         .collect();
     root.draw(&PathElement::new(spiral, RGBColor(215, 215, 215).stroke_width(3)))?;
 
-    // A ray from 1 in direction π − φ leaves the disc at angle π − 2φ: labels stand around the circle.
-    let mut rays: Vec<(f64, &Power)> = powers
-        .iter()
-        .filter(|power| !power.cases.is_empty())
-        .map(|power| (PI - 2.0 * power.at.1.atan2(1.0 - power.at.0), power))
-        .collect();
-    rays.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let mut angles: Vec<f64> = rays.iter().map(|ray| ray.0).collect();
-    spread(&mut angles, 0.16);
-    for ((angle, power), place) in rays.iter().zip(&angles) {
-        let ink = colour(power.cases[0]);
-        let stops = [(1.0, 0.0), on_circle(*angle, 1.0), on_circle(*place, 1.09)].map(pixel);
-        root.draw(&PathElement::new(stops, ink.stroke_width(5)))?;
-        let words: Vec<String> = power.cases.iter().map(|&case| label(case)).collect();
-        let side = if place.cos() < -0.2 { HPos::Right } else if place.cos() > 0.2 { HPos::Left } else { HPos::Center };
-        let height = if place.sin() > 0.9 { VPos::Bottom } else if place.sin() < -0.9 { VPos::Top } else { VPos::Center };
-        let words = format!("{} {}", power.n, words.join(" "));
-        root.draw(&Text::new(words, pixel(on_circle(*place, 1.11)), style(FONT, side, height)))?;
+    // A ray from 1 in direction π − φ leaves the disc at angle π − 2φ: labels stand around the circle, to its right and left.
+    let rays = powers.iter().filter(|power| !power.cases.is_empty());
+    let (right, left): (Vec<_>, Vec<_>) = rays
+        .map(|power| (on_circle(PI - 2.0 * power.at.1.atan2(1.0 - power.at.0), 1.0), power))
+        .partition(|(end, _)| end.0 >= 0.0);
+    for (side, mut rays) in [(1.0, right), (-1.0, left)] {
+        for (end, power) in &rays {
+            root.draw(&PathElement::new(
+                [(1.0, 0.0), *end].map(pixel),
+                colour(power.cases[0]).stroke_width(5),
+            ))?;
+        }
+        rays.truncate(LABELS);
+        rays.sort_by(|a, b| a.0.1.total_cmp(&b.0.1));
+        let mut heights: Vec<f64> = rays.iter().map(|(end, _)| 1.11 * end.1).collect();
+        spread(&mut heights, 0.12);
+        for ((end, power), height) in rays.iter().zip(heights) {
+            // On a circle around the disc, but never nearer to the middle than the ray's end.
+            let distance = (1.11f64.powi(2) - height * height).max(0.0).sqrt().max(end.0.abs() + 0.02);
+            let place = (side * distance, height);
+            root.draw(&PathElement::new([*end, place].map(pixel), colour(power.cases[0]).stroke_width(5)))?;
+            // Period 1 exists in two cases, (+,−) and (−,+).
+            let case = if power.n == 1 { "(±,∓)".to_string() } else { label(power.cases[0]) };
+            let words = format!("{} {case}", power.n);
+            let (x, y) = pixel(place);
+            let (x, anchor) = if side > 0.0 { (x + 12, HPos::Left) } else { (x - 12, HPos::Right) };
+            root.draw(&Text::new(words, (x, y), style(FONT, anchor, VPos::Center)))?;
+        }
     }
     for power in powers {
         let (radius, ink) = power.cases.first().map_or((9, GREY), |&case| (17, colour(case)));
         root.draw(&Circle::new(pixel(power.at), radius, ink.filled()))?;
     }
-    root.draw(&Text::new(title.to_string(), (WIDTH as i32 - 30, 1620), style(FONT, HPos::Right, VPos::Bottom)))?;
+    root.draw(&Text::new(
+        title.to_string(),
+        (WIDTH as i32 - 30, 1680),
+        style(FONT, HPos::Right, VPos::Bottom),
+    ))?;
     root.draw(&Circle::new(pixel((1.0, 0.0)), 13, BLACK.filled()))?;
     root.draw(&Text::new("1", pixel((1.04, 0.0)), style(FONT, HPos::Left, VPos::Center)))?;
     root.present()?;
@@ -106,14 +127,17 @@ fn draw(modulus: f64, turn: f64, title: &str, powers: &[Power]) -> Picture {
     Ok(svg)
 }
 
-/// Moves increasing angles apart until neighbours differ by `least`, each as little as the others allow.
-fn spread(angles: &mut [f64], least: f64) {
-    for _ in 0..200 {
-        for i in 1..angles.len() {
-            let lack = least - (angles[i] - angles[i - 1]);
+/// Moves increasing heights apart until neighbours differ by `least`, each about as little as the others allow, within ±1.22.
+fn spread(heights: &mut [f64], least: f64) {
+    for _ in 0..1000 {
+        for height in heights.iter_mut() {
+            *height = height.clamp(-1.22, 1.22);
+        }
+        for i in 1..heights.len() {
+            let lack = least - (heights[i] - heights[i - 1]);
             if lack > 0.0 {
-                angles[i] += lack / 2.0;
-                angles[i - 1] -= lack / 2.0;
+                heights[i] += lack / 2.0;
+                heights[i - 1] -= lack / 2.0;
             }
         }
     }

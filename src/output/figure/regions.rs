@@ -38,18 +38,21 @@ fn point(line: usize, i: u32) -> (f64, f64) {
 
 fn draw() -> Picture {
     let mut svg = String::new();
-    let root = SVGBackend::with_string(&mut svg, (WIDTH, 1000)).into_drawing_area();
+    let root = SVGBackend::with_string(&mut svg, (WIDTH, 1060)).into_drawing_area();
     root.fill(&WHITE)?;
     let mut chart = ChartBuilder::on(&root)
         .margin(30)
         .margin_right(60)
-        .x_label_area_size(150)
-        .y_label_area_size(180)
+        .x_label_area_size(190)
+        .y_label_area_size(230)
         .build_cartesian_2d(-3f64..3.0, 0f64..1.0)?;
     // Regions 2 and 4, and 3 between them; 1 and 5 stay white.
     let line = |index: usize| (0..=STEPS).map(move |i| point(index, i));
-    for (left, right, tint) in [(0, 1, RGBColor(213, 232, 226)), (1, 2, RGBColor(250, 236, 204)), (2, 3, RGBColor(204, 227, 240))] {
-        let outline: Vec<(f64, f64)> = line(left).chain(line(right).collect::<Vec<_>>().into_iter().rev()).collect();
+    for (left, right, tint) in
+        [(0, 1, RGBColor(213, 232, 226)), (1, 2, RGBColor(250, 236, 204)), (2, 3, RGBColor(204, 227, 240))]
+    {
+        let outline: Vec<(f64, f64)> =
+            line(left).chain(line(right).collect::<Vec<_>>().into_iter().rev()).collect();
         chart.draw_series([Polygon::new(outline, tint.filled())])?;
     }
     chart
@@ -72,14 +75,15 @@ fn draw() -> Picture {
     let text = |words: &str, at: (f64, f64), size: i32, side: HPos| {
         Text::new(words.to_string(), at, style(size, side, VPos::Center))
     };
-    let numbers = [(2.35, 0.5, "1"), (0.78, 0.055, "2"), (0.0, 0.62, "3"), (-0.78, 0.055, "4"), (-2.35, 0.5, "5")];
-    chart.draw_series(numbers.map(|(a1, a2, name)| text(name, (a1, a2), 96, HPos::Center)))?;
+    let numbers =
+        [(2.35, 0.5, "1"), (0.78, 0.055, "2"), (0.0, 0.62, "3"), (-0.78, 0.055, "4"), (-2.35, 0.5, "5")];
+    chart.draw_series(numbers.map(|(a1, a2, name)| text(name, (a1, a2), 110, HPos::Center)))?;
     chart.draw_series([
-        text("a₁ = a₂ + 1", (1.32, 0.2), FONT - 4, HPos::Left),
-        text("a₁ = −(a₂ + 1)", (-1.32, 0.2), FONT - 4, HPos::Right),
-        text("a₁ = 2√a₂", (1.12, 0.4), FONT - 4, HPos::Right),
-        text("a₁ = −2√a₂", (-1.12, 0.4), FONT - 4, HPos::Left),
-        text("complex eigenvalues", (0.0, 0.82), FONT - 4, HPos::Center),
+        text("a₁ = a₂ + 1", (1.32, 0.2), FONT - 6, HPos::Left),
+        text("a₁ = −(a₂ + 1)", (-1.32, 0.2), FONT - 6, HPos::Right),
+        text("a₁ = 2√a₂", (1.12, 0.4), FONT - 6, HPos::Right),
+        text("a₁ = −2√a₂", (-1.12, 0.4), FONT - 6, HPos::Left),
+        text("complex eigenvalues", (0.0, 0.82), FONT - 6, HPos::Center),
     ])?;
     root.present()?;
     drop(chart);

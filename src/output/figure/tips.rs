@@ -30,7 +30,9 @@ const DIGITS: u32 = 20;
 /// An input error unless 4 ≤ `last` ≤ 400; an I/O error; an interruption.
 pub fn tips(last: u64, folder: &Path, monitor: &dyn Monitor) -> Result<()> {
     if !(4..=400).contains(&last) {
-        return Err(Error::input(format!("--n {last}: this figure shows periods 4 to N, with N from 4 to 400")));
+        return Err(Error::input(format!(
+            "--n {last}: this figure shows periods 4 to N, with N from 4 to 400"
+        )));
     }
     let periods: Result<Vec<Vec<TipPoint>>> = (4..=last)
         .into_par_iter()
@@ -59,7 +61,8 @@ impl TipPoint {
     /// `None` for an area that reaches down to 0.
     fn new(interval: Interval) -> Option<TipPoint> {
         let k = interval.deciding?;
-        let lowest = Boundary::new(interval.clone()).lowest(DIGITS).expect("every lowest point has been certified");
+        let lowest =
+            Boundary::new(interval.clone()).lowest(DIGITS).expect("every lowest point has been certified");
         let Lowest::Tip(tip) = lowest else { return None };
         let cube = pow(BigInt::from(interval.n), 3);
         let scaled = [tip.r.upper, tip.r.lower].map(|r| (BigRational::one() - r) * &cube);
@@ -96,8 +99,8 @@ fn panel(
     let mut chart = ChartBuilder::on(area)
         .margin(30)
         .margin_right(60)
-        .x_label_area_size(150)
-        .y_label_area_size(230)
+        .x_label_area_size(190)
+        .y_label_area_size(270)
         .build_cartesian_2d(0f64..1.0, f64::from(decades[0])..f64::from(decades[1]))?;
     chart
         .configure_mesh()
@@ -130,7 +133,17 @@ fn panel(
 }
 
 fn superscript(exponent: i32) -> String {
-    exponent.to_string().chars().map(|c| if c == '-' { '⁻' } else { ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'][c as usize - '0' as usize] }).collect()
+    exponent
+        .to_string()
+        .chars()
+        .map(|c| {
+            if c == '-' {
+                '⁻'
+            } else {
+                ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'][c as usize - '0' as usize]
+            }
+        })
+        .collect()
 }
 
 const SHADES: [(u64, &str, RGBColor); 3] = [
@@ -149,14 +162,18 @@ fn draw(last: u64, points: &[TipPoint]) -> Picture {
     root.fill(&WHITE)?;
     let (legend, rest) = root.split_vertically(100);
     let (upper, lower) = rest.split_vertically(1100);
-    let mut x = 250;
+    let mut x = 290;
     for (_, name, ink) in SHADES {
         legend.draw(&Circle::new((x, 60), 16, ink.filled()))?;
         legend.draw(&Text::new(name, (x + 35, 60), style(FONT, HPos::Left, VPos::Center)))?;
-        x += 310;
+        x += 360;
     }
     legend.draw(&PathElement::new([(x, 60), (x + 80, 60)], BLACK.stroke_width(4)))?;
-    legend.draw(&Text::new(format!("law; all n ≤ {last}"), (x + 105, 60), style(FONT, HPos::Left, VPos::Center)))?;
+    legend.draw(&Text::new(
+        format!("law; all n ≤ {last}"),
+        (x + 105, 60),
+        style(FONT, HPos::Left, VPos::Center),
+    ))?;
     let value = |point: &TipPoint| point.scaled[0].to_f64().unwrap_or(f64::NAN);
     let heights: Vec<(u64, f64, f64)> = points.iter().map(|p| (p.interval.n, p.t(), value(p))).collect();
     let rest_of = |&(n, t, scaled): &(u64, f64, f64)| (n, t, (scaled - tip_law(t).1) * (n * n) as f64);
