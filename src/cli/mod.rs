@@ -1,6 +1,7 @@
 //! The command line: arguments, what each command runs, exit codes. No mathematics lives here.
 
 mod accuracy;
+mod boundary;
 mod check;
 mod classify;
 mod evaluate;
@@ -43,6 +44,7 @@ enum Command {
     Classify(classify::Args),
     Fuzz(fuzz::Args),
     Farey(farey::Args),
+    Boundary(boundary::Args),
     Figure(figure::Args),
     Formula(formula::Args),
     Evaluate(evaluate::Args),
@@ -94,7 +96,8 @@ fn run(cli: Cli) -> Result<Outcome> {
         Command::Classify(args) => classify::run(&args),
         Command::Fuzz(args) => fuzz::run(&args, &interrupt),
         Command::Farey(args) => farey::run(&args, &interrupt),
-        Command::Figure(args) => figure::run(&args),
+        Command::Boundary(args) => boundary::run(&args, &interrupt),
+        Command::Figure(args) => figure::run(&args, &interrupt),
         Command::Formula(args) => formula::run(&args),
         Command::Evaluate(args) => evaluate::run(&args, &interrupt),
         Command::Accuracy(args) => accuracy::run(&args, &interrupt),
