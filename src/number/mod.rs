@@ -1,7 +1,35 @@
-//! Numbers: exact fractions and their text form.
+//! Numbers: exact fractions, enclosures at every precision, three-valued signs.
 //!
-//! Everything a user types is an exact rational; nothing here rounds.
+//! Everything a user types is an exact rational ([`parse_rational`]). The rungs on which a formula can be
+//! evaluated share the trait [`Real`], with sines [`Circular`]:
+//!
+//! | rung | type | promises |
+//! | --- | --- | --- |
+//! | plain | [`Plain`] | nothing; there to be compared with |
+//! | interval | [`FloatInterval`] | the true value lies between two `f64` |
+//! | ball | [`Ball`] | the true value lies in a ball of any number of bits |
+//! | exact | `BigRational` | the true value, without sines |
+//!
+//! Of the interval and the ball: every operation's result contains the true result for every choice of enclosed
+//! arguments, and its width is at most 8 times that of the correctly rounded enclosure of the exact
+//! result for point arguments (tests/enclosures.rs). Trusted: Rust, IEEE 754 `f64` addition and
+//! multiplication to nearest, num-bigint. Not here: the formulas (`local`).
 
+mod angle;
+mod ball;
+mod ball_sine;
+mod float_interval;
+mod float_sine;
 mod parse;
+mod plain;
+mod radius;
+mod real;
+mod sign;
 
+pub use angle::Angle;
+pub use ball::{Ball, Precision};
+pub use float_interval::FloatInterval;
 pub use parse::{LIMIT_BITS, parse_integer, parse_rational};
+pub use plain::Plain;
+pub use real::{Circular, Real};
+pub use sign::Sign;

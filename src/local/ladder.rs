@@ -1,0 +1,256 @@
+//! Signs by a ladder of rungs: climb as far as needed, no further, and never guess.
+
+use std::sync::OnceLock;
+
+use super::{Plane, Polar, zero_test};
+use crate::number::{Ball, Circular, FloatInterval, Plain, Precision, Sign};
+
+/// A point at which the local map is evaluated.
+#[derive(Debug, Clone)]
+pub enum Point {
+    /// By modulus and angle of complex eigenvalues.
+    Polar(Polar),
+    /// By trace and determinant.
+    Plane(Plane),
+}
+
+/// A quantity of the single-impact orbit of a period n.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Quantity {
+    /// b_{n,k}, 1 ≤ k < n.
+    B {
+        /// The period.
+        n: u64,
+        /// The index.
+        k: u64,
+    },
+    /// c_n.
+    C {
+        /// The period.
+        n: u64,
+    },
+}
+
+/// Where an answer came from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Rung {
+    /// Plain `f64`, which promises nothing.
+    Plain,
+    /// `f64` intervals.
+    Interval,
+    /// Balls of this many bits.
+    Ball(u32),
+    /// Integers.
+    Exact,
+}
+
+/// What is known of a sign.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Answer {
+    /// It is this.
+    Sign(Sign),
+    /// u_n = 0: the quantity is not defined, and Theorem 1 is silent.
+    Singular,
+    /// The rung was not enough.
+    Undecided,
+}
+
+/// An answer and the highest rung it took.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Decision {
+    /// The answer.
+    pub answer: Answer,
+    /// The rung that gave it; for [`Answer::Undecided`] the highest one tried.
+    pub rung: Rung,
+}
+
+/// The rungs up to a number of bits, with π computed at most once for each. Shared freely between threads.
+///
+/// Order: exact where integers decide at once (a singular point; r = 1; c_n from (r, s)), intervals, balls of 128 bits,
+/// a cheap exact attempt, balls of 256, 512, … bits, a dear exact attempt.
+#[derive(Debug)]
+pub struct Ladder {
+    balls: Vec<(u32, OnceLock<Precision>)>,
+}
+
+/// Integers of the exact rung grow to at most this many bits: first try, last try.
+const EXACT_BITS: [u64; 2] = [1 << 15, 1 << 23];
+
+impl Default for Ladder {
+    /// Up to 16384 bits.
+    fn default() -> Self {
+        Ladder::new(16384)
+    }
+}
+
+impl Ladder {
+    /// Rungs of 128, 256, … bits, not above `max_bits`; below 128 there are only intervals and integers.
+    pub fn new(max_bits: u32) -> Ladder {
+        let rungs = std::iter::successors(Some(128u32), |bits| bits.checked_mul(2)).take_while(|&bits| bits <= max_bits);
+        Ladder { balls: rungs.map(|bits| (bits, OnceLock::new())).collect() }
+    }
+
+    /// The precisions of the ball rungs, lowest first.
+    pub fn precisions(&self) -> impl Iterator<Item = &Precision> {
+        self.balls.iter().map(|(bits, precision)| precision.get_or_init(|| Precision::new(*bits)))
+    }
+
+    /// The sign of a quantity at a point.
+    ///
+    /// Right whenever it is not [`Answer::Undecided`]. An exact zero is found on r = 1, for every (a₁, a₂) within 2²³ bits, and for
+    /// (r, s) with s = p/q as long as q has at most one prime above 2²⁰ (below 2⁴⁰) and 12 primes in all.
+    ///
+    /// # Panics
+    /// Unless n ≥ 1 and, for b_{n,k}, 1 ≤ k < n.
+    pub fn sign(&self, point: &Point, quantity: Quantity) -> Decision {
+        quantity.check();
+        if let Some(answer) = at_once(point, quantity) {
+            return Decision { answer, rung: Rung::Exact };
+        }
+        self.climb(sign_on::<FloatInterval>(point, quantity, &()), |precision| sign_on::<Ball>(point, quantity, precision), |attempt| {
+            exactly(point, quantity, attempt)
+        })
+    }
+
+    /// The signs of b_{n,1}, …, b_{n,n−1}, most of them from one pass of intervals over all k.
+    ///
+    /// # Panics
+    /// Unless n ≥ 1.
+    pub fn signs(&self, point: &Point, n: u64) -> Vec<Decision> {
+        Quantity::C { n }.check();
+        let first = match point {
+            Point::Polar(polar) if !polar.on_circle() && !polar.is_singular(n) => direct_signs::<FloatInterval>(polar, n, &()),
+            _ => return (1..n).map(|k| self.sign(point, Quantity::B { n, k })).collect(),
+        };
+        let decide = |(k, answer)| match answer {
+            Answer::Undecided => self.sign(point, Quantity::B { n, k }),
+            answer => Decision { answer, rung: Rung::Interval },
+        };
+        (1..n).zip(first).map(decide).collect()
+    }
+
+    fn climb(&self, first: Answer, ball: impl Fn(&Precision) -> Answer, exact: impl Fn(u64) -> Option<Sign>) -> Decision {
+        if first != Answer::Undecided {
+            return Decision { answer: first, rung: Rung::Interval };
+        }
+        let mut rung = Rung::Interval;
+        for (index, precision) in self.precisions().enumerate() {
+            rung = Rung::Ball(precision.bits());
+            let answer = ball(precision);
+            if answer != Answer::Undecided {
+                return Decision { answer, rung };
+            }
+            if index == 0 && let Some(sign) = exact(EXACT_BITS[0]) {
+                return Decision { answer: Answer::Sign(sign), rung: Rung::Exact };
+            }
+        }
+        match exact(EXACT_BITS[1]) {
+            Some(sign) => Decision { answer: Answer::Sign(sign), rung: Rung::Exact },
+            None => Decision { answer: Answer::Undecided, rung },
+        }
+    }
+}
+
+/// The signs of b_{n,1}, …, b_{n,n−1} on one rung in one pass, from the direct numerators. Needs r < 1, u_n ≠ 0.
+pub fn direct_signs<T: Circular>(polar: &Polar, n: u64, context: &T::Context) -> Vec<Answer> {
+    let sine = polar.u_sign(n);
+    let answer = |numerator: T| numerator.sign().map_or(Answer::Undecided, |sign| Answer::Sign(sign * sine));
+    polar.direct_numerators::<T>(n, context).into_iter().map(answer).collect()
+}
+
+impl Quantity {
+    /// The period n.
+    pub fn period(self) -> u64 {
+        match self {
+            Quantity::B { n, .. } | Quantity::C { n } => n,
+        }
+    }
+
+    fn check(self) {
+        match self {
+            Quantity::B { n, k } => assert!(1 <= k && k < n, "b_{{n,k}} needs 1 ≤ k < n, not n = {n}, k = {k}"),
+            Quantity::C { n } => assert!(n >= 1, "c_n needs n ≥ 1"),
+        }
+    }
+}
+
+/// What integers decide with no search.
+fn at_once(point: &Point, quantity: Quantity) -> Option<Answer> {
+    match (point, quantity) {
+        (Point::Polar(polar), _) if polar.is_singular(quantity.period()) => Some(Answer::Singular),
+        (Point::Polar(polar), Quantity::C { n }) => Some(Answer::Sign(polar.c_sign(n))),
+        (Point::Polar(polar), Quantity::B { n, k }) if polar.on_circle() => Some(Answer::Sign(polar.b_sign_on_circle(n, k))),
+        (Point::Plane(plane), _) if plane.is_singular(quantity.period()) => Some(Answer::Singular),
+        _ => None,
+    }
+}
+
+/// The exact rung: a zero test from (r, s), every sign from (a₁, a₂), within `limit` bits.
+fn exactly(point: &Point, quantity: Quantity, limit: u64) -> Option<Sign> {
+    let (numerator, denominator) = match (point, quantity) {
+        (Point::Polar(polar), Quantity::B { n, k }) => {
+            // The test is cheap or hopeless: once is enough.
+            return (limit == EXACT_BITS[0] && zero_test::numerator_vanishes(polar, n, k)?).then_some(Sign::Zero);
+        }
+        (Point::Polar(polar), Quantity::C { n }) => return Some(polar.c_sign(n)),
+        (Point::Plane(plane), Quantity::B { n, k }) => plane.exact_numerator(n, k, limit)?,
+        (Point::Plane(plane), Quantity::C { n }) => plane.exact_factor(n, limit).map(|(factor, u)| (-factor, u))?,
+    };
+    Some(Sign::from(&numerator) * Sign::from(&denominator))
+}
+
+/// The sign on one rung alone, from enclosures of numerator and denominator.
+///
+/// # Panics
+/// As [`Ladder::sign`].
+pub fn sign_on<T: Circular>(point: &Point, quantity: Quantity, context: &T::Context) -> Answer {
+    quantity.check();
+    let value = match (point, quantity) {
+        (Point::Plane(plane), _) => {
+            let parts = match quantity {
+                Quantity::B { n, k } => plane.numerator::<T>(n, k, context),
+                Quantity::C { n } => plane.c_parts::<T>(n, context).map(|(factor, u)| (-factor, u)),
+            };
+            parts.map(|(numerator, u)| numerator.sign().zip(u.sign()).map(|(a, b)| a * b))
+        }
+        (Point::Polar(polar), _) if polar.is_singular(quantity.period()) => None,
+        (Point::Polar(polar), Quantity::B { n, k }) if !polar.on_circle() => {
+            Some(polar.numerator::<T>(n, k, context).sign().map(|sign| sign * polar.u_sign(n)))
+        }
+        (Point::Polar(polar), Quantity::B { n, k }) => polar.b::<T>(n, k, context).map(|b| b.sign()),
+        (Point::Polar(polar), Quantity::C { n }) => polar.c::<T>(n, context).map(|c| c.sign()),
+    };
+    match value {
+        None => Answer::Singular,
+        Some(None) => Answer::Undecided,
+        Some(Some(sign)) => Answer::Sign(sign),
+    }
+}
+
+/// The sign on a rung chosen at run time; [`Rung::Exact`] alone decides what it can within 2²³ bits.
+pub fn sign_by(point: &Point, quantity: Quantity, rung: Rung) -> Answer {
+    match rung {
+        Rung::Plain => sign_on::<Plain>(point, quantity, &()),
+        Rung::Interval => sign_on::<FloatInterval>(point, quantity, &()),
+        Rung::Ball(bits) => sign_on::<Ball>(point, quantity, &Precision::new(bits)),
+        Rung::Exact => at_once(point, quantity)
+            .or_else(|| EXACT_BITS.iter().find_map(|&limit| exactly(point, quantity, limit)).map(Answer::Sign))
+            .unwrap_or(Answer::Undecided),
+    }
+}
+
+impl Point {
+    /// The quantity on one rung; `None` where u_n = 0.
+    ///
+    /// # Panics
+    /// As [`Ladder::sign`].
+    pub fn evaluate<T: Circular>(&self, quantity: Quantity, context: &T::Context) -> Option<T> {
+        quantity.check();
+        match (self, quantity) {
+            (Point::Polar(polar), Quantity::B { n, k }) => polar.b(n, k, context),
+            (Point::Polar(polar), Quantity::C { n }) => polar.c(n, context),
+            (Point::Plane(plane), Quantity::B { n, k }) => plane.b(n, k, context),
+            (Point::Plane(plane), Quantity::C { n }) => plane.c(n, context),
+        }
+    }
+}

@@ -1,0 +1,22 @@
+//! The local map in two dimensions: u_k, b_{n,k}, c_n at one point, on every rung of [`number`](crate::number).
+//!
+//! A point is given by (r, s), eigenvalues r·e^{±2πis} ([`Polar`], region 3), or by trace and determinant
+//! (a₁, a₂) ([`Plane`], every region). Both evaluate the same quantities of a single-impact orbit of
+//! period n, equations (59) and (60),
+//!
+//! ```text
+//! b_{n,k} = (u_n − u_k − a₂^k u_{n−k}) / u_n,   c_n = −(1 − v_n + a₂ⁿ) / u_n,
+//! ```
+//!
+//! by forms that do not cancel where they need not. [`Ladder`] decides their signs with as few bits as it
+//! can. Where u_n = 0 nothing is defined: that is [`Singular`](Answer::Singular), an answer of its own.
+//! Not here: what the signs mean for existence (`existence`).
+
+mod ladder;
+mod plane;
+mod polar;
+mod zero_test;
+
+pub use ladder::{Answer, Decision, Ladder, Point, Quantity, Rung, direct_signs, sign_by, sign_on};
+pub use plane::{Plane, Region};
+pub use polar::Polar;

@@ -1,0 +1,136 @@
+//! Whether b_{n,k} is exactly zero at a rational (r, s): algebra, no enclosures.
+//!
+//! 2i·M = r^j(ζⁿ − ζ⁻ⁿ) − (ζ^k − ζ^−k) − rⁿ(ζ^j − ζ^−j), ζ a primitive q-th root of unity, s = p/q. A polynomial f has f(ζ) = 0
+//! iff f·Π (x^{q/ℓ} − 1), over the primes ℓ | q, vanishes modulo x^q − 1: the factors are zero at every q-th root of unity
+//! but the primitive ones. That product has at most 6·2^ω(q) terms, however large q is.
+
+use std::collections::BTreeMap;
+
+use num_bigint::{BigInt, BigUint};
+use num_rational::BigRational;
+use num_traits::{One, Pow, ToPrimitive, Zero, pow};
+
+use super::Polar;
+
+/// The primes that divide q are sought below this by trial division; one more may be left over, below its square.
+const TRIAL: u32 = 1 << 20;
+
+/// More distinct primes than this and the product is not written out.
+const PRIMES: usize = 12;
+
+/// Whether M = 0; `None` if q could not be factored within [`TRIAL`] or has more than [`PRIMES`] primes.
+///
+/// Decides every n, k and r for such q. Cost: at most [`TRIAL`] divisions of q by a word, then O(6·2^ω(q)) sums.
+pub(super) fn numerator_vanishes(point: &Polar, n: u64, k: u64) -> Option<bool> {
+    let q = point.s().denom().magnitude();
+    let p = point.s().numer().magnitude();
+    let primes = prime_factors(q.clone())?;
+    // Exponent of e^{2πi/q} → coefficients of 1, r^j, rⁿ; each at most 6·2^12 in size.
+    let mut sum: BTreeMap<BigUint, [i64; 3]> = BTreeMap::new();
+    for (index, which, coefficient) in [(n, 1, 1), (k, 0, -1), (n - k, 2, -1)] {
+        let exponent = p * index % q;
+        let mirror = (q - &exponent) % q;
+        sum.entry(exponent).or_default()[which] += coefficient;
+        sum.entry(mirror).or_default()[which] -= coefficient;
+    }
+    for prime in primes {
+        let step = q / prime;
+        let mut product: BTreeMap<BigUint, [i64; 3]> = BTreeMap::new();
+        for (exponent, coefficients) in sum {
+            let shifted = (&exponent + &step) % q;
+            for (place, sign) in [(shifted, 1), (exponent, -1)] {
+                let entry = product.entry(place).or_default();
+                for (total, c) in entry.iter_mut().zip(coefficients) {
+                    *total += sign * c;
+                }
+            }
+        }
+        sum = product;
+    }
+    Some(sum.values().all(|&coefficients| combination_vanishes(coefficients, point.r(), n, k)))
+}
+
+fn prime_factors(mut q: BigUint) -> Option<Vec<BigUint>> {
+    let mut primes = Vec::new();
+    for candidate in std::iter::once(2).chain((3..TRIAL).step_by(2)) {
+        if q.is_one() || primes.len() > PRIMES {
+            break;
+        }
+        if (&q % candidate).is_zero() {
+            while (&q % candidate).is_zero() {
+                q /= candidate;
+            }
+            primes.push(BigUint::from(candidate));
+        }
+    }
+    if !q.is_one() {
+        if q >= BigUint::from(TRIAL).pow(2u32) {
+            return None;
+        }
+        primes.push(q);
+    }
+    (primes.len() <= PRIMES).then_some(primes)
+}
+
+/// Whether a + b r^j + c rⁿ = 0, j = n − k, for |a|, |b|, |c| < 2³¹, r = x/y in lowest terms, 0 < x < y.
+///
+/// That is a yⁿ + b x^j y^k + c xⁿ = 0, where y^k | c and x^j | a: for large n one divisor outgrows its
+/// multiple, and no large power is ever written out.
+fn combination_vanishes([a, b, c]: [i64; 3], r: &BigRational, n: u64, k: u64) -> bool {
+    let j = n - k;
+    let (x, y) = (r.numer(), r.denom());
+    let power = |base: &BigInt, exponent: u64| pow(base.clone(), exponent.to_usize().unwrap_or(usize::MAX));
+    if (a, b, c) == (0, 0, 0) {
+        return true;
+    }
+    if n <= 64 {
+        return (a * power(y, n) + b * power(x, j) * power(y, k) + c * power(x, n)).is_zero();
+    }
+    if k >= 32 {
+        // y^k ≥ 2³² > |c|, so c = 0 and a y^j + b x^j = 0, where y^j | b and x^j | a.
+        return c == 0 && j < 32 && (a * power(y, j) + b * power(x, j)).is_zero();
+    }
+    // j ≥ 33. If a ≠ 0: x^j | a forces x = 1, and then |a| yⁿ ≥ 2³³ y^k outweighs the other two terms.
+    a == 0 && (b * power(y, k) + c * power(x, k)).is_zero()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::parse_rational;
+
+    fn vanishes(r: &str, s: &str, n: u64, k: u64) -> Option<bool> {
+        let number = |text| parse_rational(text).unwrap();
+        numerator_vanishes(&Polar::new(number(r), number(s)).unwrap(), n, k)
+    }
+
+    /// n = 3, k = 2: b = 0 iff a₁ + a₂ = 0 or a₁ = a₂ + 1, that is r = −2 cos 2πs: r = 1 at s = ⅓ and no rational r inside;
+    /// n = 3, k = 1: a₁ = −1, r = −1/(2 cos 2πs), at s = ⅓ again; n = 4, k = 2, singular lines aside: a₁² + a₂... has rational zeros.
+    #[test]
+    fn finds_zeros_and_only_zeros() {
+        assert_eq!(vanishes("1/2", "1/5", 5, 2), Some(false));
+        // S_k = S_n = S_j = 0 is singular, but M = 0 there: the algebra must see it.
+        assert_eq!(vanishes("1/2", "1/4", 4, 2), Some(true));
+        assert_eq!(vanishes("2/3", "5/12", 1_200_000_000, 12), Some(true));
+        assert_eq!(vanishes("2/3", "5/12", 1_200_000_000, 13), Some(false));
+        // A denominator with two large primes is beyond the test.
+        assert_eq!(vanishes("1/2", "1/1000036000099", 5, 2), Some(true).filter(|_| false));
+    }
+
+    #[test]
+    fn combinations_agree_with_powers_written_out() {
+        for n in 65..70u64 {
+            for k in [1, 2, 31, 32, 33, n - 2, n - 1] {
+                for (x, y) in [(1, 2), (1, 3), (2, 3)] {
+                    let r = BigRational::new(BigInt::from(x), BigInt::from(y));
+                    for coefficients in [[0, 1, -1], [1, 0, 0], [0, 2, -4], [0, 4, -9], [2, -1, 0], [4, -9, 0], [0, 1, -2], [1, -2, 0], [1, -4, 1]] {
+                        let [a, b, c] = coefficients.map(|c| BigRational::from_integer(BigInt::from(c)));
+                        let power = |e: u64| pow(r.clone(), e as usize);
+                        let expected = (a + b * power(n - k) + c * power(n)).is_zero();
+                        assert_eq!(combination_vanishes(coefficients, &r, n, k), expected, "{coefficients:?} {r} {n} {k}");
+                    }
+                }
+            }
+        }
+    }
+}

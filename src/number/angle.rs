@@ -1,0 +1,119 @@
+//! Exact rational multiples of π, reduced in integers before anything is rounded.
+
+use num_bigint::{BigInt, BigUint};
+use num_integer::Integer;
+use num_rational::BigRational;
+use num_traits::{ToPrimitive, Zero};
+
+use super::Sign;
+
+/// The angle πp/q, kept with 0 ≤ p < 2q; machine integers while they suffice.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Angle(Turn);
+
+#[derive(Debug, Clone, PartialEq, Eq)]
+enum Turn {
+    /// q < 2⁶².
+    Small { p: u64, q: u64 },
+    Large { p: BigUint, q: BigUint },
+}
+
+/// An angle brought to 0 ≤ t ≤ ¼: its sine is ± sin πt or ± cos πt.
+pub(crate) struct Octant {
+    pub negative: bool,
+    pub cosine: bool,
+    pub t: Fraction,
+}
+
+/// A fraction num/den ≥ 0, den > 0.
+pub(crate) enum Fraction {
+    Small(u64, u64),
+    Large(BigUint, BigUint),
+}
+
+impl Angle {
+    /// πx.
+    pub fn new(x: &BigRational) -> Angle {
+        let q = x.denom().magnitude();
+        let turn: BigInt = x.denom() * 2;
+        let (_, p) = x.numer().mod_floor(&turn).into_parts();
+        match (p.to_u64(), q.to_u64()) {
+            (Some(p), Some(q)) if q < 1 << 62 => Angle(Turn::Small { p, q }),
+            _ => Angle(Turn::Large { p, q: q.clone() }),
+        }
+    }
+
+    /// k times the angle, exactly. Cost: one multiplication and one remainder.
+    #[must_use]
+    pub fn times(&self, k: u64) -> Angle {
+        Angle(match &self.0 {
+            &Turn::Small { p, q } => {
+                // The quick remainder first: a 128-bit one costs as much as a sine.
+                let p = match k.checked_mul(p) {
+                    Some(kp) => kp % (2 * q),
+                    None => (u128::from(k) * u128::from(p) % u128::from(2 * q)) as u64,
+                };
+                Turn::Small { p, q }
+            }
+            Turn::Large { p, q } => Turn::Large { p: p * k % (q * 2u32), q: q.clone() },
+        })
+    }
+
+    /// π/2 minus the angle, so that its sine is this one's cosine.
+    #[must_use]
+    pub fn complement(&self) -> Angle {
+        // (q − 2p)/(2q), with 5q − 2p in place of q − 2p, which is positive and below 8q.
+        Angle(match &self.0 {
+            &Turn::Small { p, q } if q < 1 << 61 => {
+                let (turned, period) = (5 * q - 2 * p, 4 * q);
+                let p = if turned >= period { turned - period } else { turned };
+                Turn::Small { p, q: 2 * q }
+            }
+            other => {
+                let (p, q) = other.large();
+                Turn::Large { p: (&q * 5u32 - p * 2u32) % (&q * 4u32), q: q * 2u32 }
+            }
+        })
+    }
+
+    /// The sign of the angle's sine: exact, in integers.
+    pub fn sin_sign(&self) -> Sign {
+        let (zero, upper) = match &self.0 {
+            Turn::Small { p, q } => (p % q == 0, p < q),
+            Turn::Large { p, q } => ((p % q).is_zero(), p < q),
+        };
+        if zero { Sign::Zero } else { Sign::Positive.negated_if(!upper) }
+    }
+
+    pub(crate) fn octant(&self) -> Octant {
+        match &self.0 {
+            &Turn::Small { p, q } => {
+                let negative = p >= q;
+                let p = if negative { p - q } else { p };
+                let p = p.min(q - p);
+                // sin πp/q = cos π(q − 2p)/(2q) above π/4; 4p < 2⁶⁴ since p ≤ q/2.
+                let cosine = 4 * p > q;
+                let t = if cosine { Fraction::Small(q - 2 * p, 2 * q) } else { Fraction::Small(p, q) };
+                Octant { negative, cosine, t }
+            }
+            Turn::Large { p, q } => {
+                let negative = p >= q;
+                let p = if negative { p - q } else { p.clone() };
+                let other = q - &p;
+                let p = if other < p { other } else { p };
+                let cosine = &p * 4u32 > *q;
+                let t = if cosine { Fraction::Large(q - p * 2u32, q * 2u32) } else { Fraction::Large(p, q.clone()) };
+                Octant { negative, cosine, t }
+            }
+        }
+    }
+}
+
+impl Turn {
+    fn large(&self) -> (BigUint, BigUint) {
+        match self {
+            &Turn::Small { p, q } => (p.into(), q.into()),
+            Turn::Large { p, q } => (p.clone(), q.clone()),
+        }
+    }
+}

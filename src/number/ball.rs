@@ -1,0 +1,258 @@
+//! Balls with a midpoint of any number of bits, on integers alone: no libm, no rounding modes.
+//!
+//! A ball is m·2^e ± radius. Each operation is exact on midpoints, then cuts the midpoint to its precision
+//! and adds what that lost to the radius. π, sines and cosines live in `ball_sine`.
+
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_rational::BigRational;
+use num_traits::{One, Signed, Zero};
+
+use super::radius::Radius;
+use super::{Real, Sign, ball_sine};
+
+/// A number of bits, and π to that many: what making balls needs.
+///
+/// Making one costs O(bits²) bit operations for π; make it once and pass it on.
+#[derive(Debug, Clone)]
+pub struct Precision {
+    bits: u32,
+    /// π·2^(bits + [`ball_sine::GUARD`]) rounded down, within 1.
+    pub(super) pi: BigInt,
+}
+
+impl Precision {
+    /// A working precision of `bits` bits, at least 16.
+    pub fn new(bits: u32) -> Precision {
+        let bits = bits.max(16);
+        Precision { bits, pi: ball_sine::pi(bits + ball_sine::GUARD) }
+    }
+
+    /// The number of bits of a midpoint.
+    pub fn bits(&self) -> u32 {
+        self.bits
+    }
+}
+
+/// The reals within a radius of a midpoint of at most `bits` bits.
+///
+/// Invariant: `mid` has at most `bits` bits; the radius is infinite if nothing is known.
+#[derive(Debug, Clone)]
+pub struct Ball {
+    mid: BigInt,
+    exp: i64,
+    radius: Radius,
+    bits: u32,
+}
+
+impl Ball {
+    /// m·2^e ± `radius`, the midpoint cut to `bits` bits.
+    pub(super) fn new(mut mid: BigInt, mut exp: i64, mut radius: Radius, bits: u32) -> Ball {
+        let excess = mid.bits() as i64 - i64::from(bits);
+        if excess > 0 {
+            let exact = mid.trailing_zeros().is_none_or(|zeros| zeros >= excess as u64);
+            mid >>= excess;
+            exp += excess;
+            if !exact {
+                radius = radius + Radius::new(1, exp);
+            }
+            // Rounding −2^b + ε down can reach −2^b, which has a bit more; it is a power of two.
+            if mid.bits() > u64::from(bits) {
+                mid >>= 1;
+                exp += 1;
+            }
+        }
+        Ball { mid, exp, radius, bits }
+    }
+
+    /// The whole real line: nothing is known.
+    pub(super) fn whole(bits: u32) -> Ball {
+        Ball { mid: BigInt::zero(), exp: 0, radius: Radius::INFINITE, bits }
+    }
+
+    /// The enclosed numbers' bounds as exact fractions, `None` if nothing is known.
+    pub fn exact_bounds(&self) -> Option<(BigRational, BigRational)> {
+        if self.radius.is_infinite() {
+            return None;
+        }
+        let mid = dyadic(self.mid.clone(), self.exp);
+        let (m, e) = self.radius.parts();
+        let radius = dyadic(m.into(), e);
+        Some((&mid - &radius, mid + radius))
+    }
+
+    /// Whether the exact number lies in the ball.
+    pub fn contains(&self, value: &BigRational) -> bool {
+        self.exact_bounds().is_none_or(|(lo, hi)| !(value - lo).is_negative() && !(hi - value).is_negative())
+    }
+
+    /// How many leading bits are certain: log₂ |midpoint| / radius rounded down, at least 0; `None` if exact.
+    pub fn certain_bits(&self) -> Option<u64> {
+        if self.radius.is_zero() {
+            return None;
+        }
+        if self.radius.is_infinite() {
+            return Some(0);
+        }
+        let bits = self.mid.bits() as i64 + self.exp - self.radius.exponent() - 1;
+        Some(u64::try_from(bits).unwrap_or(0))
+    }
+
+    fn common_bits(&self, other: &Ball) -> u32 {
+        self.bits.max(other.bits)
+    }
+
+    pub(super) fn is_narrower_than(&self, other: &Ball) -> bool {
+        let ((m1, e1), (m2, e2)) = (self.radius.parts(), other.radius.parts());
+        !self.radius.is_infinite()
+            && (other.radius.is_infinite() || m1 == 0 || (m2 != 0 && (e1 < e2 || (e1 == e2 && m1 < m2))))
+    }
+}
+
+fn dyadic(m: BigInt, e: i64) -> BigRational {
+    let power = BigInt::one() << e.unsigned_abs();
+    if e >= 0 { BigRational::from_integer(m * power) } else { BigRational::new(m, power) }
+}
+
+impl Neg for Ball {
+    type Output = Ball;
+
+    fn neg(self) -> Ball {
+        Ball { mid: -self.mid, ..self }
+    }
+}
+
+impl Add<&Ball> for Ball {
+    type Output = Ball;
+
+    fn add(self, other: &Ball) -> Ball {
+        let bits = self.common_bits(other);
+        let radius = self.radius + other.radius;
+        if other.mid.is_zero() {
+            return Ball { radius, bits, ..self };
+        }
+        if self.mid.is_zero() {
+            return Ball { radius, bits, ..other.clone() };
+        }
+        let (high, low) = if self.exp >= other.exp { (&self, other) } else { (other, &self) };
+        // A term far below the other's last bit counts as an error only, or 2⁻¹⁰⁰⁰⁰⁰⁰⁰ would be written out.
+        let top = |x: &Ball| x.mid.bits() as i64 + x.exp;
+        let reach = i64::from(bits) + 64;
+        let (big, small) = if top(&self) >= top(other) { (&self, other) } else { (other, &self) };
+        if top(big) - top(small) > reach && big.exp > top(small) {
+            return Ball::new(big.mid.clone(), big.exp, radius + Radius::of(&small.mid, small.exp), bits);
+        }
+        let mid = (&high.mid << (high.exp - low.exp)) + &low.mid;
+        Ball::new(mid, low.exp, radius, bits)
+    }
+}
+
+impl Sub<&Ball> for Ball {
+    type Output = Ball;
+
+    fn sub(self, other: &Ball) -> Ball {
+        -(-self + other)
+    }
+}
+
+impl Mul<&Ball> for Ball {
+    type Output = Ball;
+
+    fn mul(self, other: &Ball) -> Ball {
+        let bits = self.common_bits(other);
+        if self.radius.is_infinite() || other.radius.is_infinite() {
+            return Ball::whole(bits);
+        }
+        let mut radius = Radius::ZERO;
+        if !self.radius.is_zero() {
+            radius = self.radius * (Radius::of(&other.mid, other.exp) + other.radius);
+        }
+        if !other.radius.is_zero() {
+            radius = radius + Radius::of(&self.mid, self.exp) * other.radius;
+        }
+        Ball::new(&self.mid * &other.mid, self.exp + other.exp, radius, bits)
+    }
+}
+
+impl Div<&Ball> for Ball {
+    type Output = Ball;
+
+    /// The quotients; the whole line if the divisor contains zero.
+    fn div(self, other: &Ball) -> Ball {
+        let bits = self.common_bits(other);
+        let Some((m, e)) = other.least_magnitude() else { return Ball::whole(bits) };
+        if self.radius.is_infinite() {
+            return self;
+        }
+        let length = |x: &BigInt| x.bits() as i64;
+        let shift = (i64::from(bits) + 1 + length(&other.mid) - length(&self.mid)).max(0);
+        let numerator = &self.mid << shift;
+        let (quotient, rest) = numerator.div_rem(&other.mid);
+        let exp = self.exp - other.exp - shift;
+        // |x/y − x₀/y₀| ≤ (rx + |x₀/y₀| ry) / |y|, and the integer quotient is cut by less than 1.
+        let mut radius = Radius::ZERO;
+        if !self.radius.is_zero() || !other.radius.is_zero() {
+            let cut = Radius::of(&quotient, exp) + Radius::new(1, exp);
+            radius = (self.radius + cut * other.radius).over(m, e);
+        }
+        if !rest.is_zero() {
+            radius = radius + Radius::new(1, exp);
+        }
+        Ball::new(quotient, exp, radius, bits)
+    }
+}
+
+impl Ball {
+    /// A lower bound m·2^e of every enclosed magnitude, m ≥ 2³¹; `None` if zero is enclosed.
+    fn least_magnitude(&self) -> Option<(u64, i64)> {
+        if self.mid.is_zero() || self.radius.is_infinite() {
+            return None;
+        }
+        // |mid| to 62 bits, down; the radius on the same scale, up.
+        let cut = self.mid.bits() as i64 - 62;
+        let mid = if cut >= 0 { self.mid.magnitude() >> cut } else { self.mid.magnitude() << -cut };
+        let mid = mid.iter_u64_digits().next().unwrap_or(0);
+        let exp = self.exp + cut;
+        let (m, e) = self.radius.parts();
+        let distance = e - exp;
+        let radius = match distance {
+            _ if m == 0 => 0,
+            31.. => return None,
+            0.. => m << distance,
+            -63..0 => (m >> -distance) + 1,
+            _ => 1,
+        };
+        let least = mid.checked_sub(radius).filter(|&least| least > 0)?;
+        let zeros = i64::from(least.leading_zeros());
+        Some((least << zeros >> 32, exp - zeros + 32))
+    }
+}
+
+impl Real for Ball {
+    type Context = Precision;
+
+    fn ratio(value: &BigRational, context: &Precision) -> Ball {
+        let (numerator, denominator) = (value.numer(), value.denom());
+        if denominator.is_one() {
+            return Ball::new(numerator.clone(), 0, Radius::ZERO, context.bits);
+        }
+        let shift = (i64::from(context.bits) + 1 + denominator.bits() as i64 - numerator.bits() as i64).max(0);
+        let (quotient, rest) = (numerator << shift).div_rem(denominator);
+        let radius = if rest.is_zero() { Radius::ZERO } else { Radius::new(1, -shift) };
+        Ball::new(quotient, -shift, radius, context.bits)
+    }
+
+    fn integer(value: i32, context: &Precision) -> Ball {
+        Ball::new(value.into(), 0, Radius::ZERO, context.bits)
+    }
+
+    fn sign(&self) -> Option<Sign> {
+        if self.radius.is_zero() || self.least_magnitude().is_some() {
+            Some((&self.mid).into())
+        } else {
+            None
+        }
+    }
+}

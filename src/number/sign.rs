@@ -1,0 +1,67 @@
+//! Certain signs. An enclosure that cannot tell answers `None`; a `Sign` is never a guess.
+
+use std::ops::{Mul, Neg};
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+
+/// The sign of a real number that has been decided.
+///
+/// There is no order on signs: compare with `==` or match.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Sign {
+    /// Certainly below zero.
+    Negative,
+    /// Certainly zero.
+    Zero,
+    /// Certainly above zero.
+    Positive,
+}
+
+impl Sign {
+    /// The sign of an exact fraction.
+    pub fn of(value: &BigRational) -> Sign {
+        value.numer().into()
+    }
+
+    /// This sign, turned round if `odd`: the sign of (−1)^odd · x.
+    #[must_use]
+    pub fn negated_if(self, odd: bool) -> Sign {
+        if odd { -self } else { self }
+    }
+}
+
+impl From<&BigInt> for Sign {
+    fn from(value: &BigInt) -> Sign {
+        match value.sign() {
+            num_bigint::Sign::Minus => Sign::Negative,
+            num_bigint::Sign::NoSign => Sign::Zero,
+            num_bigint::Sign::Plus => Sign::Positive,
+        }
+    }
+}
+
+impl Neg for Sign {
+    type Output = Sign;
+
+    fn neg(self) -> Sign {
+        match self {
+            Sign::Negative => Sign::Positive,
+            Sign::Zero => Sign::Zero,
+            Sign::Positive => Sign::Negative,
+        }
+    }
+}
+
+impl Mul for Sign {
+    type Output = Sign;
+
+    /// The sign of a product.
+    fn mul(self, other: Sign) -> Sign {
+        match self {
+            Sign::Positive => other,
+            Sign::Negative => -other,
+            Sign::Zero => Sign::Zero,
+        }
+    }
+}
