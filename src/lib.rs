@@ -5,6 +5,7 @@ pub mod cli;
 mod error;
 pub mod existence;
 pub mod farey;
+pub mod impact;
 pub mod local;
 mod monitor;
 pub mod number;

@@ -27,11 +27,15 @@ pub(super) struct Args {
 enum Figure {
     /// Theorem 2's intervals for n = 3 to N.
     Intervals,
+    /// Single-impact orbits of period 15 in regions 1, 2 and 5.
+    #[value(name = "3")]
+    Orbits,
 }
 
 pub(super) fn run(args: &Args) -> Result<Outcome> {
     match args.figure {
         Figure::Intervals => figure::intervals(args.n, &args.output)?,
+        Figure::Orbits => figure::orbits(&args.output)?,
     }
     Ok(Outcome::Done)
 }

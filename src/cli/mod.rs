@@ -1,6 +1,7 @@
 //! The command line: arguments, what each command runs, exit codes. No mathematics lives here.
 
 mod check;
+mod existence;
 mod farey;
 mod figure;
 mod intervals;
@@ -35,6 +36,7 @@ enum Command {
     Verify(verify::Args),
     Check(check::Args),
     Intervals(intervals::Args),
+    Existence(existence::Args),
     Farey(farey::Args),
     Figure(figure::Args),
 }
@@ -81,6 +83,7 @@ fn run(cli: Cli) -> Result<Outcome> {
         Command::Verify(args) => verify::run(&args, &interrupt),
         Command::Check(args) => check::run(&args),
         Command::Intervals(args) => intervals::run(&args, &interrupt),
+        Command::Existence(args) => existence::run(&args, &interrupt),
         Command::Farey(args) => farey::run(&args, &interrupt),
         Command::Figure(args) => figure::run(&args),
     }
