@@ -37,7 +37,8 @@ pub fn solve<T: Scalar>(map: &Coordinates<T>, periods: &[u64]) -> Result<Solutio
     let (size, m) = (map.dimension() - 1, periods.len());
     let zero = T::integer(0, map.context());
     let minus_one = T::integer(-1, map.context());
-    // A row: ξ_1 | ξ_i | ξ_{i+1} | right side, each part of the width `size` but the last.
+    // A row: ξ_i | ξ_{i+1} | ξ_1 | right side, each part of the width `size` but the last. What is eliminated stands first.
+    let (this, after, first) = (0, 1, 2);
     let width = 3 * size + 1;
     // Block i with S_i in the part `own` and R in the part `next`, added up if they are one.
     let block = |n: u64, own: usize, next: usize| -> Vec<Vec<T>> {
@@ -59,28 +60,26 @@ pub fn solve<T: Scalar>(map: &Coordinates<T>, periods: &[u64]) -> Result<Solutio
         });
         rows.collect()
     };
-    let mut state = block(periods[0], 0, if m == 1 { 0 } else { 1 });
+    let mut state = block(periods[0], first, if m == 1 { first } else { this });
     let mut triangles = Vec::with_capacity(m);
     for (i, &n) in periods.iter().enumerate().skip(1) {
-        state.extend(block(n, 1, if i + 1 == m { 0 } else { 2 }));
-        eliminate(&mut state, size, 2 * size)?;
+        state.extend(block(n, this, if i + 1 == m { first } else { after }));
+        eliminate(&mut state, 0, size)?;
         let rest = state.split_off(size);
         triangles.push(std::mem::replace(&mut state, rest));
         for row in &mut state {
-            for k in size..2 * size {
+            for k in 0..size {
                 row[k] = std::mem::replace(&mut row[k + size], zero.clone());
             }
         }
     }
-    eliminate(&mut state, 0, size)?;
-    let first = back_substitute(&state, 0, size, |row| row[width - 1].clone());
-    let mut unknowns = vec![first];
+    eliminate(&mut state, 2 * size, 3 * size)?;
+    let mut unknowns = vec![back_substitute(&state, 2 * size, 3 * size, |row| row[width - 1].clone())];
     // ξ_m, ξ_{m−1}, …, ξ_2, each from ξ_1 and the one after it.
     for rows in triangles.iter().rev() {
-        let (first, next) = (&unknowns[0], &unknowns[unknowns.len() - 1]);
-        let found = back_substitute(rows, size, 2 * size, |row| {
-            let known = dot(&row[..size], first, &zero) + &dot(&row[2 * size..3 * size], next, &zero);
-            row[width - 1].clone() - &known
+        let ends = unknowns[unknowns.len() - 1].iter().chain(&unknowns[0]);
+        let found = back_substitute(rows, 0, size, |row| {
+            row[width - 1].clone() - &dot(&row[size..3 * size], ends.clone(), &zero)
         });
         unknowns.push(found);
     }
