@@ -35,13 +35,17 @@ fn plane(criterion: &mut Criterion) {
     group.sample_size(10);
     for (last, patterns) in PERIODS {
         group.throughput(Throughput::Elements(patterns as u64));
-        group.bench_with_input(BenchmarkId::new("graph, all patterns to period", last), &last, |bencher, &last| {
-            bencher.iter(|| {
-                let graph = Graph::new(black_box(&map), last, false).unwrap();
-                let found = all(last, |pattern| graph.judge(pattern.periods()));
-                assert_eq!((found.0, found.2), (patterns, 0));
-            });
-        });
+        group.bench_with_input(
+            BenchmarkId::new("graph, all patterns to period", last),
+            &last,
+            |bencher, &last| {
+                bencher.iter(|| {
+                    let graph = Graph::new(black_box(&map), last, false).unwrap();
+                    let found = all(last, |pattern| graph.judge(pattern.periods()));
+                    assert_eq!((found.0, found.2), (patterns, 0));
+                });
+            },
+        );
     }
     group.bench_function("general solver, all patterns to period 12", |bencher| {
         bencher.iter(|| {
@@ -58,13 +62,17 @@ fn four(criterion: &mut Criterion) {
     group.sample_size(10);
     for (last, patterns) in PERIODS {
         group.throughput(Throughput::Elements(patterns as u64));
-        group.bench_with_input(BenchmarkId::new("enclosed, all patterns to period", last), &last, |bencher, &last| {
-            bencher.iter(|| {
-                let analysis = Analysis::new(black_box(&map), last, Numbers::Enclosed);
-                let found = all(last, |pattern| analysis.judge(pattern.periods()));
-                assert_eq!((found.0, found.2), (patterns, 0));
-            });
-        });
+        group.bench_with_input(
+            BenchmarkId::new("enclosed, all patterns to period", last),
+            &last,
+            |bencher, &last| {
+                bencher.iter(|| {
+                    let analysis = Analysis::new(black_box(&map), last, Numbers::Enclosed);
+                    let found = all(last, |pattern| analysis.judge(pattern.periods()));
+                    assert_eq!((found.0, found.2), (patterns, 0));
+                });
+            },
+        );
     }
     group.bench_function("exact, all patterns to period 8", |bencher| {
         bencher.iter(|| {
@@ -76,9 +84,13 @@ fn four(criterion: &mut Criterion) {
         let analysis = Analysis::new(&map, 5, Numbers::Enclosed);
         let pattern: Vec<u64> = (0..length).map(|i: u64| 1 + i * i % 7 % 5).collect();
         group.throughput(Throughput::Elements(length));
-        group.bench_with_input(BenchmarkId::new("one pattern of length", length), &pattern, |bencher, pattern| {
-            bencher.iter(|| assert!(!analysis.judge(black_box(pattern)).is_open()));
-        });
+        group.bench_with_input(
+            BenchmarkId::new("one pattern of length", length),
+            &pattern,
+            |bencher, pattern| {
+                bencher.iter(|| assert!(!analysis.judge(black_box(pattern)).is_open()));
+            },
+        );
     }
     group.finish();
 }

@@ -5,8 +5,8 @@ mod common;
 
 use grazing::{
     impact::{
-        Analysis, Coordinates, Entry, Existence, Failure, Graph, Growth, Map, Numbers, Pattern, Patterns, Reason, Report, Value,
-        Walks, predicted_orbit, solve,
+        Analysis, Coordinates, Entry, Existence, Failure, Graph, Growth, Map, Numbers, Pattern, Patterns,
+        Reason, Report, Value, Walks, predicted_orbit, solve,
     },
     number::{Ball, FloatInterval, Precision, Real, Sign, parse_rational},
 };
@@ -91,7 +91,13 @@ fn dense(a: &Dense, b: &[Q], c: &[Q], periods: &[u64]) -> Option<(Vec<Vec<Q>>, V
 }
 
 fn sign(x: &Q) -> i32 {
-    if x.is_zero() { 0 } else if x.is_positive() { 1 } else { -1 }
+    if x.is_zero() {
+        0
+    } else if x.is_positive() {
+        1
+    } else {
+        -1
+    }
 }
 
 /// Theorem 1 as it is written, from the dense solution: for eµ > 0 and for eµ < 0, `None` where it is silent.
@@ -144,10 +150,16 @@ fn compare(a: &Dense, b: &[Q], c: &[Q], patterns: &[Vec<u64>]) {
                 None => assert_eq!((report.reason, report.orbit.is_none()), (Some(Reason::Singular), true)),
                 Some((x, y)) => {
                     let orbit = report.orbit.unwrap();
-                    assert!(orbit.x.iter().flatten().zip(x.iter().flatten()).all(|(v, x)| contains(v, x)), "{periods:?}");
+                    assert!(
+                        orbit.x.iter().flatten().zip(x.iter().flatten()).all(|(v, x)| contains(v, x)),
+                        "{periods:?}"
+                    );
                     assert!(orbit.y.iter().zip(y).all(|(v, y)| contains(v, y)), "{periods:?}");
                     let least = y.iter().min().unwrap();
-                    assert!(contains(&orbit.margins(true).1, least) && contains(&-orbit.margins(false).1, y.iter().max().unwrap()));
+                    assert!(
+                        contains(&orbit.margins(true).1, least)
+                            && contains(&-orbit.margins(false).1, y.iter().max().unwrap())
+                    );
                     if y.iter().all(|y| !y.is_zero()) {
                         let factor = |(y, &n): (&Q, &u64)| {
                             let response: Q = apply(&power(a, n), b).iter().zip(c).map(|(x, c)| x * c).sum();
@@ -345,7 +357,13 @@ fn hard_cases_against_dense() {
 #[test]
 fn nearly_singular_in_three_dimensions() {
     let (b, c) = (vec![whole(0), whole(1), whole(1)], vec![whole(1), whole(0), whole(0)]);
-    let family = |t: &Q| vec![vec![q("1/3"), t.clone(), q("1")], vec![q("1/2"), q("-1/5"), q("2")], vec![q("-1"), q("1/7"), q("1/4")]];
+    let family = |t: &Q| {
+        vec![
+            vec![q("1/3"), t.clone(), q("1")],
+            vec![q("1/2"), q("-1/5"), q("2")],
+            vec![q("-1"), q("1/7"), q("1/4")],
+        ]
+    };
     // Y of the pattern (2) is a ratio of polynomials in t; bisect a change of its sign through a pole.
     let y = |t: &Q| dense(&family(t), &b, &c, &[2]).unwrap().1[0].clone();
     let grid: Vec<Q> = (-40..40).map(|k| Q::new((2 * k + 1).into(), 17.into())).collect();
@@ -387,7 +405,9 @@ fn twenty_dimensions() {
         let report = analysis.judge(&periods);
         assert_eq!(sides(&report), theorem(&a, &b, &c, &periods));
         let (x, _) = dense(&a, &b, &c, &periods).unwrap();
-        assert!(report.orbit.unwrap().x.iter().flatten().zip(x.iter().flatten()).all(|(v, x)| contains(v, x)));
+        assert!(
+            report.orbit.unwrap().x.iter().flatten().zip(x.iter().flatten()).all(|(v, x)| contains(v, x))
+        );
     }
 }
 
@@ -415,7 +435,8 @@ fn long_patterns() {
     long.rotate_left(77);
     assert_eq!(sides(&analysis.judge(&long)), verdict);
     // In two dimensions the graph knows.
-    let (a, b, c) = (vec![vec![q("0.9"), q("1")], vec![q("-0.6"), q("0")]], [q("0"), q("1")], [q("1"), q("0")]);
+    let (a, b, c) =
+        (vec![vec![q("0.9"), q("1")], vec![q("-0.6"), q("0")]], [q("0"), q("1")], [q("1"), q("0")]);
     let map = build(&a, &b, &c, 1);
     let (analysis, graph) = (Analysis::new(&map, 5, Numbers::Enclosed), Graph::new(&map, 5, false).unwrap());
     for long in [long, vec![4; 200], vec![2; 200]] {
@@ -430,7 +451,9 @@ fn patterns_are_all_necklaces_once() {
         let mut expected: Vec<Vec<u64>> = (0..1u64 << (n - 1))
             .map(|cuts| {
                 let mut word = vec![1];
-                (0..n - 1).for_each(|i| if cuts >> i & 1 == 1 { word.push(1) } else { *word.last_mut().unwrap() += 1 });
+                (0..n - 1).for_each(|i| {
+                    if cuts >> i & 1 == 1 { word.push(1) } else { *word.last_mut().unwrap() += 1 }
+                });
                 (0..word.len()).map(|i| [&word[i..], &word[..i]].concat()).min().unwrap()
             })
             .collect();
@@ -453,7 +476,9 @@ fn patterns_are_all_necklaces_once() {
 /// Enumeration with and without pruning, and the count by closed walks, agree.
 #[test]
 fn the_graph_counts_what_exists() {
-    for (a1, a2) in [("0.9", "0.6"), ("2", "0.75"), ("-2", "0.75"), ("-0.3", "0.8"), ("0.2", "0.95"), ("1.3", "0.5")] {
+    for (a1, a2) in
+        [("0.9", "0.6"), ("2", "0.75"), ("-2", "0.75"), ("-0.3", "0.8"), ("0.2", "0.95"), ("1.3", "0.5")]
+    {
         let a = vec![vec![q(a1), q("1")], vec![-q(a2), q("0")]];
         for gamma in [1, -1] {
             let map = build(&a, &[q("0"), whole(gamma)], &[q("1"), q("0")], 1);
@@ -464,7 +489,8 @@ fn the_graph_counts_what_exists() {
                 for (n, (all, primitive)) in (1..=11).zip(walks.patterns(11)) {
                     let exist = |pattern: &Pattern| graph.judge(pattern.periods()).side() == Some(side);
                     let found: Vec<Pattern> = Patterns::of_period(n).filter(exist).collect();
-                    let pruned: Vec<Pattern> = Patterns::walks(n, |i, j| graph.may_follow(i, j)).filter(exist).collect();
+                    let pruned: Vec<Pattern> =
+                        Patterns::walks(n, |i, j| graph.may_follow(i, j)).filter(exist).collect();
                     assert_eq!(found, pruned);
                     assert_eq!(all, BigUint::from(found.len()), "n = {n} at {a1}, {a2}, {gamma}, {side}");
                     assert_eq!(primitive, BigUint::from(found.iter().filter(|p| p.is_primitive()).count()));
@@ -479,7 +505,9 @@ fn the_graph_counts_what_exists() {
 
 #[test]
 fn growth_rates_known_in_closed_form() {
-    let rate = |follows: &[&[u8]]| Walks::from_matrix(follows.iter().map(|row| row.iter().map(|&x| x == 1).collect()).collect()).growth();
+    let rate = |follows: &[&[u8]]| {
+        Walks::from_matrix(follows.iter().map(|row| row.iter().map(|&x| x == 1).collect()).collect()).growth()
+    };
     assert_eq!(rate(&[&[0, 0], &[1, 0]]), Growth::Empty);
     assert_eq!(rate(&[&[1, 1], &[0, 1]]), Growth::Zero);
     assert_eq!(rate(&[&[0, 1], &[1, 0]]), Growth::Zero);
@@ -546,7 +574,11 @@ fn intervals_contain_the_exact_map() {
 
 #[test]
 fn the_rungs_solve_alike_and_orbits_close() {
-    let a = vec![vec![q("1/3"), q("1"), q("1")], vec![q("1/2"), q("-1/5"), q("2")], vec![q("-1"), q("1/7"), q("1/4")]];
+    let a = vec![
+        vec![q("1/3"), q("1"), q("1")],
+        vec![q("1/2"), q("-1/5"), q("2")],
+        vec![q("-1"), q("1/7"), q("1/4")],
+    ];
     let (b, c) = (vec![q("0"), q("1"), q("1")], vec![q("1"), q("0"), q("0")]);
     let map = build(&a, &b, &c, 1);
     let exact = solve(&Coordinates::<Q>::new(&map, 4, ()).unwrap(), &[3, 1, 4]).unwrap();
@@ -568,7 +600,12 @@ fn the_rungs_solve_alike_and_orbits_close() {
             assert!((image - middle(x)).abs() < 1e-9 * (1.0 + image.abs()));
         }
     }
-    let singular = build(&vec![vec![q("1/2"), q("1")], vec![q("-1/4"), q("0")]], &[q("0"), q("1")], &[q("1"), q("0")], 1);
+    let singular = build(
+        &vec![vec![q("1/2"), q("1")], vec![q("-1/4"), q("0")]],
+        &[q("0"), q("1")],
+        &[q("1"), q("0")],
+        1,
+    );
     assert!(predicted_orbit(&singular, &[3], true).unwrap_err().to_string().contains("det D = 0"));
     let found = solve(&Coordinates::<Q>::new(&singular, 3, ()).unwrap(), &[3]);
     assert_eq!(found.unwrap_err(), Failure::Singular);

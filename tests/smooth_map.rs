@@ -84,7 +84,11 @@ impl Smooth {
         b[1] = 1.0;
         b[0] = -dot(&b[1..], &c[1..]);
         Smooth {
-            a: random.matrix(size).into_iter().map(|row| row.into_iter().map(|x| x * 0.75).collect()).collect(),
+            a: random
+                .matrix(size)
+                .into_iter()
+                .map(|row| row.into_iter().map(|x| x * 0.75).collect())
+                .collect(),
             d: random.vector(size),
             f: random.matrix(size),
             c,
@@ -178,7 +182,7 @@ impl Smooth {
                 *y += step[i * (n + 1) + n];
                 size = step[i * (n + 1)..][..=n].iter().fold(size, |m, s| m.max(s.abs()));
             }
-            if !(size < 1.0) {
+            if size.is_nan() || size >= 1.0 {
                 return None;
             }
             // Steps shrink quadratically until round-off, which h ≈ −y² ends some digits early.
@@ -192,9 +196,9 @@ impl Smooth {
 
     /// (20) and (21).
     fn is_admissible(&self, periods: &[u64], mu: f64, z: &[(Vector, f64)]) -> bool {
-        z.iter().zip(periods).all(|((x, y), &n)| {
-            *y > 0.0 && (1..n).all(|k| self.h(&self.power(x, mu, k).0, mu) > 0.0)
-        })
+        z.iter()
+            .zip(periods)
+            .all(|((x, y), &n)| *y > 0.0 && (1..n).all(|k| self.h(&self.power(x, mu, k).0, mu) > 0.0))
     }
 
     /// The map g∘f and whether it impacted.
@@ -252,7 +256,8 @@ fn predicted_orbits_are_there_and_no_others() {
             let Some(orbit) = &report.orbit else { continue };
             // Small µ means small beside the margins: leave out what is close to a boundary, or large.
             let numbers = orbit.x.iter().flatten().chain(&orbit.y).map(|v| middle(v).abs());
-            let values = orbit.gaps.iter().flatten().chain(&orbit.impacts).chain(&orbit.y).map(|v| middle(v).abs());
+            let values =
+                orbit.gaps.iter().flatten().chain(&orbit.impacts).chain(&orbit.y).map(|v| middle(v).abs());
             if report.is_open() || numbers.fold(0.0, f64::max) > 20.0 || values.fold(1.0, f64::min) < 0.02 {
                 continue;
             }
@@ -267,15 +272,28 @@ fn predicted_orbits_are_there_and_no_others() {
                         .iter()
                         .zip(&orbit.y)
                         .map(|(x, y)| {
-                            (x.iter().zip(&slope).map(|(x, s)| s * mu + emu * middle(x)).collect(), emu * middle(y))
+                            (
+                                x.iter().zip(&slope).map(|(x, s)| s * mu + emu * middle(x)).collect(),
+                                emu * middle(y),
+                            )
                         })
                         .collect();
                     // The smooth continuation of the leading-order solution always solves (19); is it an orbit?
-                    let z = smooth.newton(periods, mu, start.clone()).unwrap_or_else(|| panic!("seed {seed} ({pattern}): a regular solution continues"));
-                    assert_eq!(smooth.is_admissible(periods, mu, &z), expected, "seed {seed} ({pattern}) {positive}");
+                    let z = smooth
+                        .newton(periods, mu, start.clone())
+                        .unwrap_or_else(|| panic!("seed {seed} ({pattern}): a regular solution continues"));
+                    assert_eq!(
+                        smooth.is_admissible(periods, mu, &z),
+                        expected,
+                        "seed {seed} ({pattern}) {positive}"
+                    );
                     let scale = |v: f64| v / size_emu;
                     for ((x, y), (x0, y0)) in z.iter().zip(&start) {
-                        let far = x.iter().zip(x0).map(|(a, b)| scale(a - b).abs()).fold(scale(y - y0).abs(), f64::max);
+                        let far = x
+                            .iter()
+                            .zip(x0)
+                            .map(|(a, b)| scale(a - b).abs())
+                            .fold(scale(y - y0).abs(), f64::max);
                         assert!(far < 3e6 * size_emu, "seed {seed} ({pattern}): {far} away");
                     }
                     if expected {
@@ -289,11 +307,17 @@ fn predicted_orbits_are_there_and_no_others() {
                                 x = next;
                             }
                             let next = &z[(i + 1) % z.len()].0;
-                            assert!(x.iter().zip(next).all(|(a, b)| scale(a - b).abs() < 1e-4), "seed {seed} ({pattern})");
+                            assert!(
+                                x.iter().zip(next).all(|(a, b)| scale(a - b).abs() < 1e-4),
+                                "seed {seed} ({pattern})"
+                            );
                         }
                         let leading = middle(orbit.leading.as_ref().unwrap());
                         let predicted = leading / emu.powi(periods.len() as i32);
-                        assert_eq!(orbit.eigenvalue_sign(positive).map(|s| s == grazing::number::Sign::Positive), Some(predicted > 0.0));
+                        assert_eq!(
+                            orbit.eigenvalue_sign(positive).map(|s| s == grazing::number::Sign::Positive),
+                            Some(predicted > 0.0)
+                        );
                         if leading.abs() > 1e-3 {
                             ratios.push((smooth.multiplier(periods, mu, &z) / predicted - 1.0).abs());
                         }
@@ -312,12 +336,20 @@ fn predicted_orbits_are_there_and_no_others() {
                 for _ in 0..8 {
                     let start = periods
                         .iter()
-                        .map(|_| (random.vector(size).iter().map(|x| x * 2e-5).collect(), (random.next() + 1.1) * 1e-5))
+                        .map(|_| {
+                            (
+                                random.vector(size).iter().map(|x| x * 2e-5).collect(),
+                                (random.next() + 1.1) * 1e-5,
+                            )
+                        })
                         .collect();
                     let Some(z) = smooth.newton(periods, mu, start) else { continue };
                     let near = z.iter().all(|(x, y)| x.iter().chain([y]).all(|v| v.abs() < 1e-3));
                     if near && smooth.is_admissible(periods, mu, &z) {
-                        assert!(expected, "seed {seed} ({pattern}) {positive}: an orbit that was not predicted");
+                        assert!(
+                            expected,
+                            "seed {seed} ({pattern}) {positive}: an orbit that was not predicted"
+                        );
                         strays += 1;
                     }
                 }
@@ -340,7 +372,9 @@ fn drawn_orbits_are_those_of_the_map() {
     let size_emu: f64 = 1e-7;
     let mu = if side { size_emu / e } else { -size_emu / e };
     let points = predicted_orbit(&map, &[1, 2], side).unwrap();
-    let place = |x: &[Value]| -> Vector { x.iter().zip(&slope).map(|(x, s)| s * mu + size_emu * middle(x)).collect() };
+    let place = |x: &[Value]| -> Vector {
+        x.iter().zip(&slope).map(|(x, s)| s * mu + size_emu * middle(x)).collect()
+    };
     for pair in points.windows(2).filter(|pair| pair[1].k > 0) {
         let image = smooth.f(&place(&pair[0].x), mu);
         let far = image.iter().zip(place(&pair[1].x)).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);

@@ -8,7 +8,10 @@ use rayon::prelude::*;
 use super::Outcome;
 use crate::{
     error::{Error, Result},
-    impact::{Analysis, Existence, Graph, Growth, MAX_GRAPH_PERIOD, Map, Numbers, Pattern, Patterns, Report, Value, Walks},
+    impact::{
+        Analysis, Existence, Graph, Growth, MAX_GRAPH_PERIOD, Map, Numbers, Pattern, Patterns, Report, Value,
+        Walks,
+    },
     number::Sign,
     output::{Cell, Column, Destination, Interrupt, TableFormat, TableWriter, figure, write_file},
 };
@@ -57,8 +60,14 @@ pub(super) struct Args {
 
 fn pattern(text: &str) -> Result<Pattern> {
     let periods: Option<Vec<u64>> = text.split(',').map(|n| n.trim().parse().ok()).collect();
-    let found = periods.and_then(|periods| Pattern::new(&periods)).filter(|found| found.periods().iter().all(|&n| n <= LIMIT));
-    found.ok_or_else(|| Error::input(format!("{text:?} is not a pattern: periods from 1 to {LIMIT} with commas between, as in 3,4")))
+    let found = periods
+        .and_then(|periods| Pattern::new(&periods))
+        .filter(|found| found.periods().iter().all(|&n| n <= LIMIT));
+    found.ok_or_else(|| {
+        Error::input(format!(
+            "{text:?} is not a pattern: periods from 1 to {LIMIT} with commas between, as in 3,4"
+        ))
+    })
 }
 
 const LIMIT: u64 = MAX_GRAPH_PERIOD;
@@ -68,8 +77,8 @@ const CHUNK: usize = 4096;
 
 /// The engine for a map: the graph in two dimensions, else the general solver.
 enum Engine<'m> {
-    Graph(Box<Graph>),
-    General(Analysis<'m>),
+    Graph(Graph),
+    General(Box<Analysis<'m>>),
 }
 
 impl Engine<'_> {
@@ -83,7 +92,9 @@ impl Engine<'_> {
     /// The patterns of a period, if `existing` without those that certainly exist for neither sign as far as it is seen early.
     fn patterns<'a>(&'a self, period: u64, existing: bool) -> Box<dyn Iterator<Item = Pattern> + 'a> {
         match self {
-            Engine::Graph(graph) if existing => Box::new(Patterns::walks(period, |from, to| graph.may_follow(from, to))),
+            Engine::Graph(graph) if existing => {
+                Box::new(Patterns::walks(period, |from, to| graph.may_follow(from, to)))
+            }
             _ => Box::new(Patterns::of_period(period)),
         }
     }
@@ -91,7 +102,10 @@ impl Engine<'_> {
 
 pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     if !(1..=LIMIT).contains(&args.max_period) {
-        return Err(Error::input(format!("--max-period {}: at least 1 and at most {LIMIT}", args.max_period)));
+        return Err(Error::input(format!(
+            "--max-period {}: at least 1 and at most {LIMIT}",
+            args.max_period
+        )));
     }
     let name = args.map.display().to_string();
     let text = fs::read_to_string(&args.map).map_err(|error| Error::io("read", &args.map, error))?;
@@ -102,15 +116,23 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     if args.exact && !map.is_exact() {
         return Err(Error::input(format!("--exact needs a map without intervals; {name} has some")));
     }
-    let last = args.pattern.as_ref().and_then(|pattern| pattern.periods().iter().copied().max()).unwrap_or(args.max_period);
+    let last = args
+        .pattern
+        .as_ref()
+        .and_then(|pattern| pattern.periods().iter().copied().max())
+        .unwrap_or(args.max_period);
     let engine = if map.dimension() == 2 {
-        Engine::Graph(Box::new(Graph::new(&map, last, args.exact)?))
+        Engine::Graph(Graph::new(&map, last, args.exact)?)
     } else {
-        Engine::General(Analysis::new(&map, last, if args.exact { Numbers::Exact } else { Numbers::Enclosed }))
+        let numbers = if args.exact { Numbers::Exact } else { Numbers::Enclosed };
+        Engine::General(Box::new(Analysis::new(&map, last, numbers)))
     };
     if let Some(file) = &args.dot {
         let Engine::Graph(graph) = &engine else {
-            return Err(Error::input(format!("--dot needs a map with N = 2; in {name} N = {}", map.dimension())));
+            return Err(Error::input(format!(
+                "--dot needs a map with N = 2; in {name} N = {}",
+                map.dimension()
+            )));
         };
         write_file(file, |out| Ok(out.write_all(graph.to_dot().as_bytes())?))?;
     }
@@ -130,7 +152,11 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
                 .par_iter()
                 .map(|pattern| {
                     let report = engine.judge(pattern);
-                    let cells = if keep(args, &report) { cells(pattern, &report, map.e().sign()) } else { Vec::new() };
+                    let cells = if keep(args, &report) {
+                        cells(pattern, &report, map.e().sign())
+                    } else {
+                        Vec::new()
+                    };
                     (report, cells)
                 })
                 .collect();
@@ -155,7 +181,10 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     Ok(outcome)
 }
 
-fn each_chunk(patterns: impl Iterator<Item = Pattern>, mut write: impl FnMut(&[Pattern]) -> Result<()>) -> Result<()> {
+fn each_chunk(
+    patterns: impl Iterator<Item = Pattern>,
+    mut write: impl FnMut(&[Pattern]) -> Result<()>,
+) -> Result<()> {
     let mut chunk = Vec::with_capacity(CHUNK);
     for pattern in patterns {
         chunk.push(pattern);
@@ -211,7 +240,9 @@ fn cells(pattern: &Pattern, report: &Report, e: Option<Sign>) -> Vec<String> {
         (Existence::NoOrbit, Existence::NoOrbit) => "neither",
         _ => "undecided",
     };
-    let sign = |positive: Option<bool>| positive.map_or(String::new(), |positive| if positive { "1" } else { "-1" }.into());
+    let sign = |positive: Option<bool>| {
+        positive.map_or(String::new(), |positive| if positive { "1" } else { "-1" }.into())
+    };
     let mut reason: Vec<String> = report.reason.iter().map(ToString::to_string).collect();
     if let Some(n) = report.flat {
         reason.push(format!("C A^{n} B = 0: no leading eigenvalue"));
@@ -223,10 +254,12 @@ fn cells(pattern: &Pattern, report: &Report, e: Option<Sign>) -> Vec<String> {
     }
     let orbit = report.orbit.as_ref();
     let show = |value: Option<Value>| value.map_or(String::new(), |value| value.to_string());
-    let margin = |positive| orbit.map_or((None, None), |orbit| {
-        let (gap, impact) = orbit.margins(positive);
-        (gap, Some(impact))
-    });
+    let margin = |positive| {
+        orbit.map_or((None, None), |orbit| {
+            let (gap, impact) = orbit.margins(positive);
+            (gap, Some(impact))
+        })
+    };
     let (plus, minus) = (margin(true), margin(false));
     let eigenvalue = side.and_then(|side| orbit?.eigenvalue_sign(side)).map(|sign| sign == Sign::Positive);
     let join = |values: &[Value]| values.iter().map(Value::to_string).collect::<Vec<_>>().join(" ");
@@ -247,14 +280,17 @@ fn cells(pattern: &Pattern, report: &Report, e: Option<Sign>) -> Vec<String> {
         sign(eigenvalue.filter(|_| !flat)),
         reason.join("; "),
         orbit.map_or(String::new(), |orbit| join(&orbit.y)),
-        orbit.map_or(String::new(), |orbit| {
-            orbit.x.iter().map(|x| join(x)).collect::<Vec<_>>().join("; ")
-        }),
+        orbit.map_or(String::new(), |orbit| orbit.x.iter().map(|x| join(x)).collect::<Vec<_>>().join("; ")),
     ]
 }
 
 /// One row a period: patterns, those that exist for each sign, undecided ones; and for N = 2 the growth rates.
-fn counts(args: &Args, engine: &Engine, out: &mut dyn std::io::Write, interrupt: &Interrupt) -> Result<Outcome> {
+fn counts(
+    args: &Args,
+    engine: &Engine,
+    out: &mut dyn std::io::Write,
+    interrupt: &Interrupt,
+) -> Result<Outcome> {
     let mut columns: Vec<Column> = ["period", "patterns", "plus", "minus", "neither", "undecided"]
         .map(|name| Column::new(name, name, 9))
         .to_vec();
@@ -286,7 +322,9 @@ fn counts(args: &Args, engine: &Engine, out: &mut dyn std::io::Write, interrupt:
         let mut cells = vec![Cell::Int(period.into()), Cell::Int(found.iter().sum::<u64>().into())];
         cells.extend(found.iter().map(|&count| Cell::Int(count.into())));
         let growth = match engine {
-            Engine::Graph(graph) => [true, false].map(|side| show_growth(&Walks::new(graph, side).up_to(period).growth())).to_vec(),
+            Engine::Graph(graph) => [true, false]
+                .map(|side| show_growth(&Walks::new(graph, side).up_to(period).growth()))
+                .to_vec(),
             Engine::General(_) => Vec::new(),
         };
         cells.extend(growth.iter().map(|text| Cell::Text(text)));

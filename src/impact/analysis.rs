@@ -80,7 +80,10 @@ impl<'m> Analysis<'m> {
         if let Some(map) = self.exact.get_or_init(|| Coordinates::new(self.map, self.last, ())) {
             return self.attempt(map, periods).0;
         }
-        found.map_or_else(|| Report::unsolved(Failure::Unknown, None, self.map.e().sign()), |attempt| attempt.0)
+        found.map_or_else(
+            || Report::unsolved(Failure::Unknown, None, self.map.e().sign()),
+            |attempt| attempt.0,
+        )
     }
 
     fn attempt<T: Scalar>(&self, map: &Coordinates<T>, periods: &[u64]) -> Attempt {
@@ -90,7 +93,10 @@ impl<'m> Analysis<'m> {
             Ok(solution) => {
                 let (tally, orbit) = examine(map, periods, &solution);
                 let report = tally.report(e, flat, orbit);
-                let known = report.orbit.as_ref().is_some_and(|orbit| orbit.leading_sign.is_some_and(|s| s != Sign::Zero));
+                let known = report
+                    .orbit
+                    .as_ref()
+                    .is_some_and(|orbit| orbit.leading_sign.is_some_and(|s| s != Sign::Zero));
                 let settled = tally.is_settled() && (report.side().is_none() || known || flat.is_some());
                 (report, settled)
             }

@@ -118,7 +118,13 @@ impl Report {
             Failure::Singular => Reason::Singular,
             Failure::Unknown => Reason::PerhapsSingular,
         };
-        Report { plus: Existence::Open, minus: Existence::Open, reason: Some(parameter(e).unwrap_or(reason)), flat, orbit: None }
+        Report {
+            plus: Existence::Open,
+            minus: Existence::Open,
+            reason: Some(parameter(e).unwrap_or(reason)),
+            flat,
+            orbit: None,
+        }
     }
 
     /// The sign of eµ for which the orbit exists: `true` for eµ > 0, `None` if for neither or if that is not known.
@@ -222,7 +228,11 @@ pub(super) fn flat<T: Scalar>(map: &Coordinates<T>, periods: &[u64]) -> Option<u
 }
 
 /// The signs of a solution, and the numbers to show. Cost: O(n N) multiplications, n the pattern's period.
-pub(super) fn examine<T: Scalar>(map: &Coordinates<T>, periods: &[u64], solution: &Solution<T>) -> (Tally, Orbit) {
+pub(super) fn examine<T: Scalar>(
+    map: &Coordinates<T>,
+    periods: &[u64],
+    solution: &Solution<T>,
+) -> (Tally, Orbit) {
     let mut tally = Tally::default();
     let zero = T::integer(0, map.context());
     let one = T::integer(1, map.context());

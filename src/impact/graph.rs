@@ -57,7 +57,9 @@ impl Graph {
             return Err(Error::input(format!("the pattern graph needs N = 2; here N = {}", map.dimension())));
         }
         if !(1..=MAX_GRAPH_PERIOD).contains(&last) {
-            return Err(Error::input(format!("--max-period {last}: the pattern graph has periods 1 to {MAX_GRAPH_PERIOD}")));
+            return Err(Error::input(format!(
+                "--max-period {last}: the pattern graph has periods 1 to {MAX_GRAPH_PERIOD}"
+            )));
         }
         let e = map.e().sign();
         match Coordinates::<BigRational>::new(map, last, ()) {
@@ -105,7 +107,13 @@ impl Graph {
                 .map(|(n, from)| x.iter().map(|to| Some(step(n, from.as_ref()?, to.as_ref()?))).collect())
                 .collect(),
             singular: (1..=last)
-                .map(|n| if map.response(n).sign() == Some(Sign::Zero) { Failure::Singular } else { Failure::Unknown })
+                .map(|n| {
+                    if map.response(n).sign() == Some(Sign::Zero) {
+                        Failure::Singular
+                    } else {
+                        Failure::Unknown
+                    }
+                })
                 .collect(),
         }
     }

@@ -68,7 +68,9 @@ impl Walks {
                 if t > 0 {
                     marked[t] += &here[start] * (start + 1);
                 }
-                for (i, count) in here.iter().enumerate().filter(|(i, count)| t + i < last && !count.is_zero()) {
+                for (i, count) in
+                    here.iter().enumerate().filter(|(i, count)| t + i < last && !count.is_zero())
+                {
                     for (j, _) in self.follows[i].iter().enumerate().filter(|(_, follows)| **follows) {
                         arrivals[t + i + 1][j] += count;
                     }
@@ -153,7 +155,8 @@ impl Walks {
             let one = T::integer(i32::from(i == j), context);
             if self.follows[i][j] { one - &powers[j + 1] } else { one }
         };
-        let mut rows: Vec<Vec<T>> = core.iter().map(|&i| core.iter().map(|&j| entry(i, j)).collect()).collect();
+        let mut rows: Vec<Vec<T>> =
+            core.iter().map(|&i| core.iter().map(|&j| entry(i, j)).collect()).collect();
         for k in 0..rows.len() {
             match rows[k][k].sign() {
                 Some(Sign::Positive) => {}

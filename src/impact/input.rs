@@ -51,7 +51,9 @@ impl Map {
             }
         }
         let get = |key: &'static str| {
-            table.get(key).ok_or_else(|| source.fail(None, &format!("there is no key {key}; a map has {}", KEYS[..5].join(", "))))
+            table.get(key).ok_or_else(|| {
+                source.fail(None, &format!("there is no key {key}; a map has {}", KEYS[..5].join(", ")))
+            })
         };
         let format = get("format")?;
         if format.as_str() != Some(FORMAT) {
@@ -124,9 +126,14 @@ impl Source<'_> {
         }
         let bound = |end: &str| match table.get(end) {
             Some(value) => self.exact(&format!("{key}.{end}"), value),
-            None => Err(self.at(key, value.span(), &format!("an interval needs both lo and hi; {end} is missing"))),
+            None => Err(self.at(
+                key,
+                value.span(),
+                &format!("an interval needs both lo and hi; {end} is missing"),
+            )),
         };
-        Entry::between(bound("lo")?, bound("hi")?).map_err(|error| self.at(key, value.span(), &error.to_string()))
+        Entry::between(bound("lo")?, bound("hi")?)
+            .map_err(|error| self.at(key, value.span(), &error.to_string()))
     }
 
     fn exact(&self, key: &str, value: &Value) -> Result<BigRational> {
@@ -137,7 +144,11 @@ impl Source<'_> {
                 value.span().and_then(|span| self.text.get(span)).unwrap_or_default().replace('_', "")
             }
             Value::Array(_) => {
-                return Err(self.at(key, value.span(), "is an array, not a number; an interval is { lo = \"…\", hi = \"…\" }"));
+                return Err(self.at(
+                    key,
+                    value.span(),
+                    "is an array, not a number; an interval is { lo = \"…\", hi = \"…\" }",
+                ));
             }
             _ => return Err(self.at(key, value.span(), "is not a number")),
         };

@@ -103,7 +103,8 @@ impl Map {
         e: Entry,
         section: Option<Vec<Vec<Entry>>>,
     ) -> Result<Map> {
-        Self::checked(a, b, c, e, section).map_err(|(Key(key), condition)| Error::input(format!("{key}: {condition}")))
+        Self::checked(a, b, c, e, section)
+            .map_err(|(Key(key), condition)| Error::input(format!("{key}: {condition}")))
     }
 
     pub(super) fn checked(
@@ -136,7 +137,10 @@ impl Map {
         let product = product(&c, &b);
         if product.exact().is_none() {
             if product.sign().is_some() {
-                return Err((Key("B"), format!("C B lies in {product}, which does not contain 0; C B = 0 is needed (5)")));
+                return Err((
+                    Key("B"),
+                    format!("C B lies in {product}, which does not contain 0; C B = 0 is needed (5)"),
+                ));
             }
             notes.push(format!("C B lies in {product}; taken to be 0"));
         } else if !product.lo.is_zero() {
@@ -149,7 +153,9 @@ impl Map {
         let minus = matrix_minus(&a);
         invertible(&minus).map_err(|failure| match failure {
             Failure::Singular => (Key("A"), "det(I − A) = 0; det(I − A) ≠ 0 is needed (23)".into()),
-            Failure::Unknown => (Key("A"), "the enclosure of det(I − A) contains 0; det(I − A) ≠ 0 is needed (23)".into()),
+            Failure::Unknown => {
+                (Key("A"), "the enclosure of det(I − A) contains 0; det(I − A) ≠ 0 is needed (23)".into())
+            }
         })?;
         let section = section
             .map(|rows| {
@@ -206,7 +212,9 @@ impl Map {
 
     /// Whether A, B, C and P are exact, so that every sign can be decided.
     pub fn is_exact(&self) -> bool {
-        let exact = |matrix: &Matrix<Entry>| (0..matrix.rows()).all(|i| matrix.row(i).iter().all(|x| x.exact().is_some()));
+        let exact = |matrix: &Matrix<Entry>| {
+            (0..matrix.rows()).all(|i| matrix.row(i).iter().all(|x| x.exact().is_some()))
+        };
         exact(&self.a)
             && self.b.iter().chain(&self.c).all(|x| x.exact().is_some())
             && self.section.as_ref().is_none_or(exact)
@@ -231,7 +239,11 @@ fn square(rows: &[Vec<Entry>], size: usize) -> std::result::Result<(), String> {
         return Err(format!("{} rows, but A has {size}", rows.len()));
     }
     match rows.iter().position(|row| row.len() != size) {
-        Some(i) => Err(format!("row {} has {} entries, but there are {size} rows; it must be square", i + 1, rows[i].len())),
+        Some(i) => Err(format!(
+            "row {} has {} entries, but there are {size} rows; it must be square",
+            i + 1,
+            rows[i].len()
+        )),
         None => Ok(()),
     }
 }

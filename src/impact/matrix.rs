@@ -79,7 +79,9 @@ impl<T: Scalar> Matrix<T> {
     pub fn times(&self, other: &Self, context: &T::Context) -> Self {
         let zero = T::integer(0, context);
         let entry = |i, j| dot(self.row(i), other.entries.iter().skip(j).step_by(other.columns), &zero);
-        Matrix::from_rows((0..self.rows()).map(|i| (0..other.columns).map(|j| entry(i, j)).collect()).collect())
+        Matrix::from_rows(
+            (0..self.rows()).map(|i| (0..other.columns).map(|j| entry(i, j)).collect()).collect(),
+        )
     }
 
     /// The product with a vector.
@@ -106,7 +108,8 @@ pub enum Failure {
 pub(super) fn eliminate<T: Scalar>(rows: &mut [Vec<T>], from: usize, to: usize) -> Result<(), Failure> {
     for column in from..to {
         let top = column - from;
-        let best = (top..rows.len()).filter_map(|i| Some((rows[i][column].pivot()?, i))).max_by_key(|&(p, _)| p);
+        let best =
+            (top..rows.len()).filter_map(|i| Some((rows[i][column].pivot()?, i))).max_by_key(|&(p, _)| p);
         let Some((_, best)) = best else {
             let zero = rows[top..].iter().all(|row| row[column].sign() == Some(Sign::Zero));
             return Err(if zero { Failure::Singular } else { Failure::Unknown });

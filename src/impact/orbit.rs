@@ -42,7 +42,12 @@ pub fn predicted_orbit(map: &Map, periods: &[u64], positive: bool) -> Result<Vec
         for k in 0..=n {
             let here = map.power(k).apply(x, map.context());
             let gap = dot(map.power(k).row(0), x, &zero) + &one;
-            points.push(Point { i: i + 1, k, x: map.original(&here).iter().map(signed).collect(), gap: signed(&gap) });
+            points.push(Point {
+                i: i + 1,
+                k,
+                x: map.original(&here).iter().map(signed).collect(),
+                gap: signed(&gap),
+            });
         }
     }
     Ok(points)

@@ -103,10 +103,13 @@ impl<F: Fn(u64, u64) -> bool> Iterator for Patterns<F> {
         loop {
             if self.left == 0 {
                 let (last, p) = *self.word.last()?;
-                let found = (self.word.len().is_multiple_of(p) && (self.follows)(last, self.word[0].0)).then(|| Pattern {
-                    periods: self.word.iter().map(|&(letter, _)| letter).collect(),
-                    repeats: self.word.len() / p,
-                });
+                let found =
+                    (self.word.len().is_multiple_of(p) && (self.follows)(last, self.word[0].0)).then(|| {
+                        Pattern {
+                            periods: self.word.iter().map(|&(letter, _)| letter).collect(),
+                            repeats: self.word.len() / p,
+                        }
+                    });
                 self.back();
                 if found.is_some() {
                     return found;

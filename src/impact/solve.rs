@@ -86,6 +86,7 @@ pub fn solve<T: Scalar>(map: &Coordinates<T>, periods: &[u64]) -> Result<Solutio
     unknowns[1..].reverse();
     let x: Vec<Vec<T>> =
         unknowns.into_iter().map(|xi| std::iter::once(minus_one.clone()).chain(xi).collect()).collect();
-    let y = (0..m).map(|i| x[(i + 1) % m][size].clone() - &dot(map.power(periods[i]).row(size), &x[i], &zero));
+    let y =
+        (0..m).map(|i| x[(i + 1) % m][size].clone() - &dot(map.power(periods[i]).row(size), &x[i], &zero));
     Ok(Solution { y: y.collect(), x })
 }

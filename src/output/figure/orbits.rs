@@ -71,8 +71,11 @@ fn write(folder: &Path, name: &str, panels: &[Panel]) -> Result<()> {
     // A column's name lives as long as the program; these few may.
     const NAMES: [&str; 8] = ["x1", "x2", "x3", "x4", "x5", "x6", "x7", "x8"];
     let shown = size.min(NAMES.len());
-    let mut columns: Vec<Column> =
-        ["panel", "sign_emu", "i", "k", "h"].iter().chain(&NAMES[..shown]).map(|name| Column::new(name, name, 0)).collect();
+    let mut columns: Vec<Column> = ["panel", "sign_emu", "i", "k", "h"]
+        .iter()
+        .chain(&NAMES[..shown])
+        .map(|name| Column::new(name, name, 0))
+        .collect();
     if size > shown {
         columns.push(Column::new("further_x", "further_x", 0));
     }
@@ -85,8 +88,12 @@ fn write(folder: &Path, name: &str, panels: &[Panel]) -> Result<()> {
                 let further: Vec<String> = point.x[shown..].iter().map(Value::to_string).collect();
                 let further = further.join(" ");
                 let sign = if panel.positive { 1 } else { -1 };
-                let mut cells =
-                    vec![Cell::Int(number), Cell::Int(sign), Cell::Int(point.i as i128), Cell::Int(point.k.into())];
+                let mut cells = vec![
+                    Cell::Int(number),
+                    Cell::Int(sign),
+                    Cell::Int(point.i as i128),
+                    Cell::Int(point.k.into()),
+                ];
                 cells.extend(numbers.iter().map(|text| Cell::Text(text)));
                 if size > shown {
                     cells.push(Cell::Text(&further));
@@ -154,6 +161,8 @@ fn draw_panel(panel: &Panel, area: &DrawingArea<SVGBackend, Shift>) -> Drawn {
         .disable_mesh()
         .x_labels(7)
         .y_labels(7)
+        .x_label_formatter(&tick)
+        .y_label_formatter(&tick)
         .x_desc("x₁ / |eµ|")
         .y_desc("x₂ / |eµ|")
         .label_style(("sans-serif", 14))
@@ -166,15 +175,27 @@ fn draw_panel(panel: &Panel, area: &DrawingArea<SVGBackend, Shift>) -> Drawn {
     if befores.iter().chain(&afters).all(|x| (x - first).abs() <= 1e-9 * first.abs().max(1.0)) {
         chart.draw_series([PathElement::new([(first, y.start), (first, y.end)], GRAZING.stroke_width(1))])?;
     }
-    let jumps = ends(panel).map(|(before, after)| PathElement::new([place(before), place(after)], JUMP.stroke_width(2)));
+    let jumps = ends(panel)
+        .map(|(before, after)| PathElement::new([place(before), place(after)], JUMP.stroke_width(2)));
     chart.draw_series(jumps)?;
     chart.draw_series(places.iter().map(|&p| Circle::new(p, 3, BLACK.filled())))?;
     chart.draw_series([Cross::new((0.0, 0.0), 5, BLACK.stroke_width(1))])?;
-    if places.len() <= 40 {
-        let labels = panel.points.iter().map(|point| Text::new(format!(" {}", point.k), place(point), ("sans-serif", 11)));
-        chart.draw_series(labels)?;
+    // Labels where there is room for them, so that none covers another.
+    let mut taken: Vec<(i32, i32)> = Vec::new();
+    for (point, &p) in panel.points.iter().zip(&places) {
+        let at = chart.backend_coord(&p);
+        if taken.iter().all(|other| (other.0 - at.0).abs() > 16 || (other.1 - at.1).abs() > 11) {
+            taken.push(at);
+            chart.draw_series([Text::new(format!(" {}", point.k), p, ("sans-serif", 11))])?;
+        }
     }
     Ok(())
+}
+
+/// A tick's label; −0 is 0.
+fn tick(x: &f64) -> String {
+    let text = format!("{x:.1}");
+    if text == "-0.0" { "0.0".into() } else { text.replace('-', "−") }
 }
 
 /// The points just before and just after each impact.
