@@ -44,6 +44,7 @@ pub mod cli;
 mod error;
 pub mod existence;
 pub mod farey;
+pub mod impact;
 pub mod local;
 mod monitor;
 pub mod number;

@@ -6,7 +6,7 @@ cd "$(dirname "$0")"
 if grep -nE '^ *(Axioms?|Parameters?|Conjecture) |Admitted\.|\<admit\>' $(grep '\.v$' _CoqProject); then
   echo "check.sh: unproved or assumed statements above" >&2; exit 1
 fi
-sh build.sh
+sh build.sh -j "$(nproc 2>/dev/null || echo 1)"
 found=$(mktemp)
 trap 'rm -f "$found"' EXIT
 for file in Main MainPlane; do coqc -Q . Grazing $file.v; done >"$found"

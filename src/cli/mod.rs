@@ -1,9 +1,11 @@
 //! The command line: arguments, what each command runs, exit codes. No mathematics lives here.
 
 mod accuracy;
+mod boundary;
 mod check;
 mod classify;
 mod evaluate;
+mod existence;
 mod farey;
 mod figure;
 mod formula;
@@ -42,7 +44,9 @@ enum Command {
     Intervals(intervals::Args),
     Classify(classify::Args),
     Fuzz(fuzz::Args),
+    Existence(existence::Args),
     Farey(farey::Args),
+    Boundary(boundary::Args),
     Figure(figure::Args),
     Formula(formula::Args),
     Evaluate(evaluate::Args),
@@ -93,8 +97,10 @@ fn run(cli: Cli) -> Result<Outcome> {
         Command::Intervals(args) => intervals::run(&args, &interrupt),
         Command::Classify(args) => classify::run(&args),
         Command::Fuzz(args) => fuzz::run(&args, &interrupt),
+        Command::Existence(args) => existence::run(&args, &interrupt),
         Command::Farey(args) => farey::run(&args, &interrupt),
-        Command::Figure(args) => figure::run(&args),
+        Command::Boundary(args) => boundary::run(&args, &interrupt),
+        Command::Figure(args) => figure::run(&args, &interrupt),
         Command::Formula(args) => formula::run(&args),
         Command::Evaluate(args) => evaluate::run(&args, &interrupt),
         Command::Accuracy(args) => accuracy::run(&args, &interrupt),
