@@ -175,15 +175,10 @@ fn text(out: &mut dyn Write, args: &Args, tally: &Tally, rate: f64) -> Result<()
     for (count, what) in rows {
         writeln!(out, "{count:>14}  {what}")?;
     }
-    // On a terminal only: times differ from run to run.
-    if tally.sweep_seconds > 0.0 && std::io::IsTerminal::is_terminal(&std::io::stdout()) {
-        let sweeps = (tally.decided() - tally.weighted.min(tally.decided())) as f64 / tally.sweep_seconds;
-        let weighted = tally.weighted as f64 / tally.weighted_seconds;
-        writeln!(
-            out,
-            "{rate:>14.0}  cases a second; on one core {sweeps:.0} in sweeps, {weighted:.0} weighted"
-        )?;
-    }
+    // Times differ from run to run, so they do not belong to the result.
+    let sweeps = (tally.decided() - tally.weighted.min(tally.decided())) as f64 / tally.sweep_seconds;
+    let weighted = tally.weighted as f64 / tally.weighted_seconds;
+    eprintln!("{rate:.3e} cases a second; on one core {sweeps:.3e} in sweeps, {weighted:.3e} weighted");
     for line in &tally.disagreements {
         let case: Case = line.parse()?;
         writeln!(out, "{line}\n  shown by: grazing classify {}", case.arguments())?;

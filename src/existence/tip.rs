@@ -148,6 +148,12 @@ impl Search<'_> {
         certain.then_some((r, Enclosure { lower: left.e, upper: right.e }))
     }
 
+    /// A multiple of a power of ½ near x, finer than e needs to be known, and short: the fractions' cost is half of all.
+    fn place_near(&self, x: &BigRational, digits: u32) -> BigRational {
+        let scale = BigInt::from(1) << (2 * digits + 2 * self.n.ilog2() + 16);
+        BigRational::new((x * &scale).round().to_integer(), scale)
+    }
+
     /// A solution of h = ∂h/∂e = 0, good to about 10^−`digits` in r and half as many digits in e.
     fn guess(&self, digits: u32) -> Option<(BigRational, BigRational)> {
         let n = self.n as f64;
@@ -163,7 +169,7 @@ impl Search<'_> {
             }
             let step = middle(&(self.first_derivative(&place, &r) / &self.second_derivative(&place, &r)))?
                 / (&pi * BigInt::from(2));
-            e = middle(&Ball::ratio(&(e - &step), self.precision))?;
+            e = self.place_near(&(e - &step), digits);
             if step.abs() < enough {
                 let place = self.place(e.clone());
                 for _ in 0..2 {
@@ -190,7 +196,8 @@ impl Search<'_> {
         let bend = middle(&self.second_derivative(&place, r))?;
         let eta = (float(&slope) / float(&-bend)).sqrt() / std::f64::consts::PI;
         let u = unit(digits);
-        Some((&u * BigInt::from(4), u, BigRational::from_float(eta)? * unit(digits / 2)))
+        let around = BigRational::from_float(eta)? * unit(digits / 2);
+        Some((&u * BigInt::from(4), u, self.place_near(&around, digits)))
     }
 
     /// ∂h/∂e / 2π.
