@@ -148,7 +148,7 @@ impl Search<'_> {
         certain.then_some((r, Enclosure { lower: left.e, upper: right.e }))
     }
 
-    /// A multiple of a power of ½ near x, finer than e needs to be known, and short: the fractions' cost is half of all.
+    /// A multiple of a power of ½ near x, finer than e needs to be known and yet short, which makes fractions cheap.
     fn place_near(&self, x: &BigRational, digits: u32) -> BigRational {
         let scale = BigInt::from(1) << (2 * digits + 2 * self.n.ilog2() + 16);
         BigRational::new((x * &scale).round().to_integer(), scale)
