@@ -7,6 +7,7 @@
 //! - h(r₋, e) < 0 for all e in [e₋, e₊], so R > r₋ there;
 //! - h(r₊, e) < 0 for all other e in [0, 1/j], so R > r₊ there: every lowest point has e₋ < e < e₊.
 //!
+//! The second and third speak of R because h increases with r: for 0 ≤ e ≤ 1/j its powers have coefficients ≥ 0.
 //! "For all e" is shown on pieces [a, b] with h(a), h(b) < 0: either max(h(a), h(b)) + (b − a)²/8 · sup(−∂²h/∂e²) < 0, or h
 //! is concave on the piece and falls at a or rises at b, so that it is greatest at an end. ∂²h/∂e² is bounded by the
 //! monotonicity of sine on either side of π/2.
@@ -139,8 +140,9 @@ impl Search<'_> {
         let (first, last) =
             (self.place(BigRational::zero()), self.place(BigRational::new(1.into(), self.j.into())));
         let at_tip = self.place(e);
-        let certain = at_tip.section.value(&at_tip.sines, &high, self.precision).sign()
-            == Some(Sign::Positive)
+        let inside = low.is_positive() && left.e.is_positive() && right.e < last.e;
+        let certain = inside
+            && at_tip.section.value(&at_tip.sines, &high, self.precision).sign() == Some(Sign::Positive)
             && self.is_negative(&high, &first, &left)
             && self.is_negative(&low, &left, &right)
             && self.is_negative(&high, &right, &last);
