@@ -31,11 +31,13 @@
 //!
 //! | module | holds |
 //! | --- | --- |
-//! | [`number`] | exact numbers and their text form |
+//! | [`number`] | exact numbers and their text form; enclosures at every precision; certain signs |
 //! | [`farey`] | neighbours, tree, sequence, rank |
+//! | [`local`] | u_k, b_{n,k}, c_n at one point on every rung; the ladder of signs |
 //! | [`existence`] | Theorem 2: statement and decision |
 //! | [`certificate`] | the certificate format and its checker: the trusted code |
 //! | [`search`] | what finds certificates |
+//! | [`study`] | what accuracy costs: families of inputs, measurements |
 //! | [`output`] | tables, files, figures, progress |
 //! | [`cli`] | the command line |
 
@@ -44,6 +46,7 @@ pub mod cli;
 mod error;
 pub mod existence;
 pub mod farey;
+pub mod impact;
 pub mod local;
 mod monitor;
 pub mod number;

@@ -311,3 +311,125 @@ fn fuzz_resumes_and_reports() {
     assert!(error("fuzz --n 2").contains("the largest period is 2: from 3 to 4096"));
     assert!(error("fuzz --definition-share 2").contains("a number from 0 to 1"));
 }
+
+#[test]
+fn evaluate_prints_certain_digits_and_the_rung() {
+    let digits = "2.000000000000000000";
+    assert_eq!(
+        stdout("evaluate --n 3 --s 1/4 --bits 64"),
+        format!(
+            "b_{{3,1}}      +         exact        {digits}\nb_{{3,2}}      +         exact        {digits}\nc_3          +         exact        {digits}\n"
+        )
+    );
+    assert_eq!(
+        stdout("evaluate --n 4 --k 1 --s 1/8"),
+        "b_{4,1}      singular  exact\nc_4          singular  exact\n"
+    );
+    assert!(
+        stdout("evaluate --n 3 --k 1 --a1 -1 --a2 9/10")
+            .starts_with("b_{3,1}      0         exact        0\n")
+    );
+    // Beside a double zero with r = 1 − 2⁻¹⁰⁰, 128 bits leave seven certain digits.
+    let line = stdout("evaluate --n 6 --k 3 --s 1/3+2^-200 --r 1-2^-100");
+    assert_eq!(line.lines().next().unwrap(), "b_{6,3}      -         128 bits     -2.800357e-60");
+    let json: serde_json::Value =
+        serde_json::from_str(&stdout("evaluate --n 2 --s 1/3 --format json")).unwrap();
+    assert_eq!(json["values"][0]["sign"], "+");
+    assert_eq!(error("evaluate --n 3 --k 3 --s 1/4"), "--k 3 is outside 1 <= K < N = 3");
+    assert!(error("evaluate --n 3 --s 3/4").starts_with("s = 3/4 is outside 0 < s < 1/2"));
+}
+
+fn example(name: &str) -> String {
+    format!("{}/examples/maps/{name}", env!("CARGO_MANIFEST_DIR"))
+}
+
+/// The numbers of section 4.2 of the paper: which periods exist on which side, and their large eigenvalues.
+#[test]
+fn existence_gives_the_numbers_of_the_paper() {
+    let map = example("nordmark-2001.toml");
+    let json: serde_json::Value =
+        serde_json::from_str(&stdout(&format!("existence {map} --max-period 4 --format json"))).unwrap();
+    for (pattern, mu, leading) in [("1", 1, 32.1), ("2", 1, 4.37), ("3", 1, 0.00504), ("4", -1, 0.203)] {
+        let row = json["rows"].as_array().unwrap().iter().find(|row| row["pattern"] == pattern).unwrap();
+        assert_eq!((&row["sign_mu"], &row["primitive"]), (&mu.into(), &"yes".into()));
+        let found: f64 = row["leading"].as_str().unwrap().parse().unwrap();
+        assert!((found / leading - 1.0).abs() < 5e-3, "{pattern}: {found}");
+        // −32.1/µ and so on: negative where e µ < 0, e = −1; 0.203/(−µ) is positive.
+        assert_eq!(row["sign_eigenvalue"], -mu);
+    }
+}
+
+#[test]
+fn existence_names_what_it_cannot_decide() {
+    let (code, out, _) = run(&format!("existence {} --max-period 3 --format csv", example("singular.toml")));
+    assert_eq!(code, 3);
+    let row = out.lines().find(|line| line.starts_with("3,")).unwrap();
+    assert!(row.contains("undecided") && row.contains("det D = 0") && row.contains("C A^3 B = 0"), "{row}");
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("zero.toml");
+    let text = fs::read_to_string(example("focus.toml")).unwrap();
+    fs::write(&file, text.replace("e = 1", "e = 0")).unwrap();
+    let (code, out, err) = run(&format!("existence {} --max-period 1 --format csv", file.display()));
+    assert_eq!((code, out.lines().count()), (3, 2));
+    assert!(out.contains("nothing is claimed for either sign") && err.starts_with("note: "), "{out}{err}");
+    fs::write(&file, text.replace("B =", "b =")).unwrap();
+    let message = error(&format!("existence {}", file.display()));
+    assert!(message.ends_with("zero.toml:4: unknown key \"b\"; the nearest known key is \"B\""), "{message}");
+    assert!(error("existence nowhere.toml").contains("cannot read nowhere.toml"));
+    let focus = example("focus.toml");
+    assert!(error(&format!("existence {focus} --pattern 1,x")).contains("is not a pattern"));
+    assert!(error(&format!("existence {focus} --max-period 0")).contains("at least 1"));
+    assert!(
+        error(&format!("existence {} --dot x", example("four-dimensional.toml")))
+            .contains("needs a map with N = 2")
+    );
+    assert!(
+        error(&format!("existence {} --exact", example("nordmark-2001.toml"))).contains("without intervals")
+    );
+}
+
+#[test]
+fn existence_lists_counts_and_prunes_alike() {
+    for name in ["focus.toml", "four-dimensional.toml"] {
+        let map = example(name);
+        let all = stdout(&format!("existence {map} --max-period 9 --format csv"));
+        let kept: Vec<&str> = all.lines().filter(|line| !line.contains(",neither,")).collect();
+        let pruned = stdout(&format!("existence {map} --max-period 9 --format csv --existing"));
+        assert_eq!(kept, pruned.lines().collect::<Vec<_>>());
+        let counts: serde_json::Value =
+            serde_json::from_str(&stdout(&format!("existence {map} --max-period 9 --counts --format json")))
+                .unwrap();
+        let sum = |key: &str| {
+            counts["rows"].as_array().unwrap().iter().map(|row| row[key].as_u64().unwrap()).sum::<u64>()
+        };
+        assert_eq!(sum("patterns") as usize, all.lines().count() - 1);
+        assert_eq!((sum("plus") + sum("minus")) as usize, kept.len() - 1);
+    }
+    let exact = stdout(&format!("existence {} --pattern 2,1 --exact --format csv", example("focus.toml")));
+    assert!(
+        exact.lines().nth(1).unwrap().starts_with("\"1,2\",3,2,yes,emu<0,-1,-1,-7/9,-133/90,7/9,7/6,"),
+        "{exact}"
+    );
+}
+
+#[test]
+fn existence_draws_graphs_and_orbits() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name).display().to_string();
+    stdout(&format!("existence {} --max-period 5 --dot {}", example("focus.toml"), at("g.dot")));
+    let dot = fs::read_to_string(at("g.dot")).unwrap();
+    assert!(
+        dot.contains("digraph patterns {")
+            && dot.contains("  1 -> 3 [color=\"#0072B2\"];")
+            && dot.ends_with("}\n")
+    );
+    stdout(&format!("existence {} --pattern 1,3 --orbit {}", example("four-dimensional.toml"), at("orbit")));
+    let csv = fs::read_to_string(at("orbit/orbit.csv")).unwrap();
+    assert_eq!(csv.lines().next().unwrap(), "panel,sign_emu,i,k,h,x1,x2,x3,x4");
+    assert_eq!(csv.lines().count(), 1 + 2 + 4);
+    assert!(
+        fs::read_to_string(at("orbit/orbit.svg")).unwrap().contains("pattern (1,3): exists for eµ &lt; 0")
+    );
+    stdout(&format!("figure 3 -o {}", at("figure")));
+    assert_eq!(fs::read_to_string(at("figure/figure-3.csv")).unwrap().lines().count(), 1 + 3 * 16);
+}

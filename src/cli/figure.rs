@@ -48,6 +48,9 @@ enum Figure {
     Records,
     /// The lowest points of all areas beside their law for large n, n = 4 to N.
     Tips,
+    /// Single-impact orbits of period 15 in regions 1, 2 and 5.
+    #[value(name = "3")]
+    Orbits,
 }
 
 pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
@@ -67,6 +70,7 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
         Figure::Tips => {
             figure::tips(n, &args.output, &Progress::new(interrupt, n.saturating_sub(3), "periods"))?
         }
+        Figure::Orbits => figure::orbits(&args.output)?,
     }
     Ok(Outcome::Done)
 }

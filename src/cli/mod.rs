@@ -5,6 +5,7 @@ mod boundary;
 mod check;
 mod classify;
 mod evaluate;
+mod existence;
 mod farey;
 mod figure;
 mod formula;
@@ -43,6 +44,7 @@ enum Command {
     Intervals(intervals::Args),
     Classify(classify::Args),
     Fuzz(fuzz::Args),
+    Existence(existence::Args),
     Farey(farey::Args),
     Boundary(boundary::Args),
     Figure(figure::Args),
@@ -95,6 +97,7 @@ fn run(cli: Cli) -> Result<Outcome> {
         Command::Intervals(args) => intervals::run(&args, &interrupt),
         Command::Classify(args) => classify::run(&args),
         Command::Fuzz(args) => fuzz::run(&args, &interrupt),
+        Command::Existence(args) => existence::run(&args, &interrupt),
         Command::Farey(args) => farey::run(&args, &interrupt),
         Command::Boundary(args) => boundary::run(&args, &interrupt),
         Command::Figure(args) => figure::run(&args, &interrupt),

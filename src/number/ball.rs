@@ -77,6 +77,8 @@ impl Ball {
     }
 
     /// The enclosed numbers' bounds as exact fractions, `None` if nothing is known.
+    ///
+    /// Written out in full: |[`exponent`](Ball::exponent)| bits, so look at that first where it may be huge.
     pub fn exact_bounds(&self) -> Option<(BigRational, BigRational)> {
         if self.radius.is_infinite() {
             return None;
@@ -266,5 +268,20 @@ impl Real for Ball {
         } else {
             None
         }
+    }
+}
+
+impl Ball {
+    /// A ball that contains the reals from `lo` to `hi`, `lo` ≤ `hi`.
+    pub fn between(lo: &BigRational, hi: &BigRational, context: &Precision) -> Ball {
+        let two = BigInt::from(2);
+        let centre = Ball::ratio(&((lo + hi) / &two), context);
+        let reach = Ball::ratio(&((hi - lo) / two), context);
+        Ball { radius: centre.radius + Radius::of(&reach.mid, reach.exp) + reach.radius, ..centre }
+    }
+
+    /// An e with 2^(e−1) ≤ |x| for every enclosed x, the greatest that the bounds show; `None` if zero is enclosed.
+    pub fn least_exponent(&self) -> Option<i64> {
+        self.least_magnitude().map(|(m, e)| e + 64 - i64::from(m.leading_zeros()))
     }
 }

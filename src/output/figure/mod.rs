@@ -5,6 +5,7 @@
 mod accuracy;
 mod intervals;
 mod iterate;
+mod orbits;
 mod records;
 mod regions;
 mod tips;
@@ -12,6 +13,7 @@ mod tips;
 pub use accuracy::{accuracy_figure, accuracy_table};
 pub use intervals::intervals;
 pub use iterate::iterate_boundaries;
+pub use orbits::{orbit, orbits};
 pub use records::records;
 pub use regions::regions;
 pub use tips::tips;

@@ -1,0 +1,343 @@
+//! `grazing existence`: Theorem 1 for every impact pattern of a local map.
+
+use std::{fs, path::PathBuf};
+
+use clap::Parser;
+use rayon::prelude::*;
+
+use super::Outcome;
+use crate::{
+    error::{Error, Result},
+    impact::{
+        Analysis, Existence, Graph, Growth, MAX_GRAPH_PERIOD, Map, Numbers, Pattern, Patterns, Report, Value,
+        Walks,
+    },
+    number::Sign,
+    output::{Cell, Column, Destination, Interrupt, TableFormat, TableWriter, figure, write_file},
+};
+
+/// Decide for every impact pattern of a local map whether an orbit exists near a grazing bifurcation.
+///
+/// MAP is a TOML file with A, B, C and e (docs/existence.md). One row a pattern (n_1, ..., n_m), up to rotation, with
+/// n_1 + ... + n_m at most P: for which sign of e*mu an orbit exists, both margins of both signs, the large
+/// eigenvalue's leading coefficient and sign, and the solution Y, X of the leading-order equations.
+///
+/// Exit code 0: every pattern decided; 2: wrong usage or a file that cannot be read or written; 3: some pattern
+/// undecided (the reason is given), or interrupted.
+#[derive(Debug, Parser)]
+pub(super) struct Args {
+    /// The map.
+    #[arg(value_name = "MAP.toml")]
+    map: PathBuf,
+    /// The largest period of a pattern. There are about 2^P/P patterns of period P.
+    #[arg(long, value_name = "P", default_value_t = 6)]
+    max_period: u64,
+    /// One pattern only, as in 3,4.
+    #[arg(long, value_name = "N1,N2,...", value_parser = pattern, conflicts_with_all = ["existing", "counts"])]
+    pattern: Option<Pattern>,
+    /// Write that pattern's predicted orbit into a folder, as orbit.csv and orbit.svg.
+    #[arg(long, value_name = "DIR", requires = "pattern")]
+    orbit: Option<PathBuf>,
+    /// Leave out the patterns that exist for neither sign; in two dimensions they are never visited.
+    #[arg(long)]
+    existing: bool,
+    /// Count the patterns of each period instead; in two dimensions with the growth rate over the periods up to it.
+    #[arg(long, conflicts_with = "existing")]
+    counts: bool,
+    /// Give exact fractions in place of certain digits.
+    #[arg(long)]
+    exact: bool,
+    /// Write the pattern graph of a two-dimensional map for Graphviz.
+    #[arg(long, value_name = "FILE")]
+    dot: Option<PathBuf>,
+    /// How the table is written.
+    #[arg(long, value_enum, default_value_t = TableFormat::Table)]
+    format: TableFormat,
+    /// Write to a file, which appears only when complete.
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+}
+
+fn pattern(text: &str) -> Result<Pattern> {
+    let periods: Option<Vec<u64>> = text.split(',').map(|n| n.trim().parse().ok()).collect();
+    let found = periods
+        .and_then(|periods| Pattern::new(&periods))
+        .filter(|found| found.periods().iter().all(|&n| n <= LIMIT));
+    found.ok_or_else(|| {
+        Error::input(format!(
+            "{text:?} is not a pattern: periods from 1 to {LIMIT} with commas between, as in 3,4"
+        ))
+    })
+}
+
+const LIMIT: u64 = MAX_GRAPH_PERIOD;
+
+/// Patterns judged before their rows are written.
+const CHUNK: usize = 4096;
+
+/// The engine for a map: the graph in two dimensions, else the general solver.
+enum Engine<'m> {
+    Graph(Graph),
+    General(Box<Analysis<'m>>),
+}
+
+impl Engine<'_> {
+    fn judge(&self, pattern: &Pattern) -> Report {
+        match self {
+            Engine::Graph(graph) => graph.judge(pattern.periods()),
+            Engine::General(analysis) => analysis.judge(pattern.periods()),
+        }
+    }
+
+    /// The patterns of a period, if `existing` without those that certainly exist for neither sign as far as it is seen early.
+    fn patterns<'a>(&'a self, period: u64, existing: bool) -> Box<dyn Iterator<Item = Pattern> + 'a> {
+        match self {
+            Engine::Graph(graph) if existing => {
+                Box::new(Patterns::walks(period, |from, to| graph.may_follow(from, to)))
+            }
+            _ => Box::new(Patterns::of_period(period)),
+        }
+    }
+}
+
+pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
+    if !(1..=LIMIT).contains(&args.max_period) {
+        return Err(Error::input(format!(
+            "--max-period {}: at least 1 and at most {LIMIT}",
+            args.max_period
+        )));
+    }
+    let name = args.map.display().to_string();
+    let text = fs::read_to_string(&args.map).map_err(|error| Error::io("read", &args.map, error))?;
+    let map = Map::from_toml(&text, &name)?;
+    for note in map.notes() {
+        eprintln!("note: {name}: {note}");
+    }
+    if args.exact && !map.is_exact() {
+        return Err(Error::input(format!("--exact needs a map without intervals; {name} has some")));
+    }
+    let last = args
+        .pattern
+        .as_ref()
+        .and_then(|pattern| pattern.periods().iter().copied().max())
+        .unwrap_or(args.max_period);
+    let engine = if map.dimension() == 2 {
+        Engine::Graph(Graph::new(&map, last, args.exact)?)
+    } else {
+        let numbers = if args.exact { Numbers::Exact } else { Numbers::Enclosed };
+        Engine::General(Box::new(Analysis::new(&map, last, numbers)))
+    };
+    if let Some(file) = &args.dot {
+        let Engine::Graph(graph) = &engine else {
+            return Err(Error::input(format!(
+                "--dot needs a map with N = 2; in {name} N = {}",
+                map.dimension()
+            )));
+        };
+        write_file(file, |out| Ok(out.write_all(graph.to_dot().as_bytes())?))?;
+    }
+    if let (Some(folder), Some(pattern)) = (&args.orbit, &args.pattern) {
+        let side = engine.judge(pattern).side();
+        figure::orbit(&map, pattern, side, folder)?;
+    }
+    let mut outcome = Outcome::Done;
+    Destination::new(args.output.clone()).write(|out| {
+        if args.counts {
+            outcome = counts(args, &engine, out, interrupt)?;
+            return Ok(());
+        }
+        let mut table = TableWriter::new(out, args.format, "grazing-existence 1", columns())?;
+        let mut write = |chunk: &[Pattern]| {
+            let rows: Vec<(Report, Vec<String>)> = chunk
+                .par_iter()
+                .map(|pattern| {
+                    let report = engine.judge(pattern);
+                    let cells = if keep(args, &report) {
+                        cells(pattern, &report, map.e().sign())
+                    } else {
+                        Vec::new()
+                    };
+                    (report, cells)
+                })
+                .collect();
+            for (report, cells) in rows.iter().filter(|(_, cells)| !cells.is_empty()) {
+                if report.is_open() {
+                    outcome = Outcome::Undecided;
+                }
+                table.row(&cells.iter().enumerate().map(cell).collect::<Vec<_>>())?;
+            }
+            interrupt.check()
+        };
+        match &args.pattern {
+            Some(pattern) => write(std::slice::from_ref(pattern))?,
+            None => {
+                for period in 1..=args.max_period {
+                    each_chunk(engine.patterns(period, args.existing), &mut write)?;
+                }
+            }
+        }
+        table.finish()
+    })?;
+    Ok(outcome)
+}
+
+fn each_chunk(
+    patterns: impl Iterator<Item = Pattern>,
+    mut write: impl FnMut(&[Pattern]) -> Result<()>,
+) -> Result<()> {
+    let mut chunk = Vec::with_capacity(CHUNK);
+    for pattern in patterns {
+        chunk.push(pattern);
+        if chunk.len() == CHUNK {
+            write(&chunk)?;
+            chunk.clear();
+        }
+    }
+    write(&chunk)
+}
+
+fn keep(args: &Args, report: &Report) -> bool {
+    !args.existing || report.side().is_some() || report.is_open()
+}
+
+fn columns() -> Vec<Column> {
+    vec![
+        Column::new("pattern", "pattern", 12),
+        Column::new("period", "$n$", 0),
+        Column::new("impacts", "$m$", 0),
+        Column::new("primitive", "primitive", 0),
+        Column::new("verdict", "verdict", 0),
+        Column::new("sign_emu", "$\\operatorname{sign} e\\mu$", 0),
+        Column::new("sign_mu", "$\\operatorname{sign}\\mu$", 0),
+        Column::new("h_plus", "$h_+$", 15),
+        Column::new("y_plus", "$y_+$", 15),
+        Column::new("h_minus", "$h_-$", 15),
+        Column::new("y_minus", "$y_-$", 15),
+        Column::new("leading", "$L$", 15),
+        Column::new("sign_eigenvalue", "$\\operatorname{sign}\\Lambda_1$", 0),
+        Column::new("reason", "reason", 0),
+        Column::new("Y", "$Y$", 0),
+        Column::new("X", "$X$", 0),
+    ]
+}
+
+/// The columns of whole numbers.
+const WHOLE: [usize; 5] = [1, 2, 5, 6, 12];
+
+fn cell((column, text): (usize, &String)) -> Cell<'_> {
+    match text.parse() {
+        _ if text.is_empty() => Cell::Empty,
+        Ok(number) if WHOLE.contains(&column) => Cell::Int(number),
+        _ => Cell::Text(text),
+    }
+}
+
+fn cells(pattern: &Pattern, report: &Report, e: Option<Sign>) -> Vec<String> {
+    let side = report.side();
+    let verdict = match (report.plus, report.minus) {
+        (Existence::Orbit, _) => "emu>0",
+        (_, Existence::Orbit) => "emu<0",
+        (Existence::NoOrbit, Existence::NoOrbit) => "neither",
+        _ => "undecided",
+    };
+    let sign = |positive: Option<bool>| {
+        positive.map_or(String::new(), |positive| if positive { "1" } else { "-1" }.into())
+    };
+    let mut reason: Vec<String> = report.reason.iter().map(ToString::to_string).collect();
+    if let Some(n) = report.flat {
+        reason.push(format!("C A^{n} B = 0: no leading eigenvalue"));
+    }
+    match (report.plus, report.minus) {
+        (Existence::Open, Existence::NoOrbit) => reason.push("none for emu < 0".into()),
+        (Existence::NoOrbit, Existence::Open) => reason.push("none for emu > 0".into()),
+        _ => {}
+    }
+    let orbit = report.orbit.as_ref();
+    let show = |value: Option<Value>| value.map_or(String::new(), |value| value.to_string());
+    let margin = |positive| {
+        orbit.map_or((None, None), |orbit| {
+            let (gap, impact) = orbit.margins(positive);
+            (gap, Some(impact))
+        })
+    };
+    let (plus, minus) = (margin(true), margin(false));
+    let eigenvalue = side.and_then(|side| orbit?.eigenvalue_sign(side)).map(|sign| sign == Sign::Positive);
+    let join = |values: &[Value]| values.iter().map(Value::to_string).collect::<Vec<_>>().join(" ");
+    let flat = report.flat.is_some();
+    vec![
+        pattern.to_string(),
+        pattern.period().to_string(),
+        pattern.periods().len().to_string(),
+        if pattern.is_primitive() { "yes" } else { "no" }.into(),
+        verdict.into(),
+        sign(side),
+        sign(side.filter(|_| e.is_some()).map(|side| side == (e == Some(Sign::Positive)))),
+        show(plus.0),
+        show(plus.1),
+        show(minus.0),
+        show(minus.1),
+        show(orbit.and_then(|orbit| orbit.leading.clone())),
+        sign(eigenvalue.filter(|_| !flat)),
+        reason.join("; "),
+        orbit.map_or(String::new(), |orbit| join(&orbit.y)),
+        orbit.map_or(String::new(), |orbit| orbit.x.iter().map(|x| join(x)).collect::<Vec<_>>().join("; ")),
+    ]
+}
+
+/// One row a period: patterns, those that exist for each sign, undecided ones; and for N = 2 the growth rates.
+fn counts(
+    args: &Args,
+    engine: &Engine,
+    out: &mut dyn std::io::Write,
+    interrupt: &Interrupt,
+) -> Result<Outcome> {
+    let mut columns: Vec<Column> = ["period", "patterns", "plus", "minus", "neither", "undecided"]
+        .map(|name| Column::new(name, name, 9))
+        .to_vec();
+    if matches!(engine, Engine::Graph(_)) {
+        columns.extend(["growth_plus", "growth_minus"].map(|name| Column::new(name, name, 15)));
+    }
+    let mut table = TableWriter::new(out, args.format, "grazing-existence-counts 1", columns)?;
+    let mut outcome = Outcome::Done;
+    for period in 1..=args.max_period {
+        let mut found = [0u64; 4];
+        each_chunk(engine.patterns(period, false), |chunk| {
+            let kinds: Vec<usize> = chunk
+                .par_iter()
+                .map(|pattern| {
+                    let report = engine.judge(pattern);
+                    match report.side() {
+                        Some(true) => 0,
+                        Some(false) => 1,
+                        None => 2 + usize::from(report.is_open()),
+                    }
+                })
+                .collect();
+            kinds.into_iter().for_each(|kind| found[kind] += 1);
+            interrupt.check()
+        })?;
+        if found[3] > 0 {
+            outcome = Outcome::Undecided;
+        }
+        let mut cells = vec![Cell::Int(period as i64), Cell::Int(found.iter().sum::<u64>() as i64)];
+        cells.extend(found.iter().map(|&count| Cell::Int(count as i64)));
+        let growth = match engine {
+            Engine::Graph(graph) => [true, false]
+                .map(|side| show_growth(&Walks::new(graph, side).up_to(period).growth()))
+                .to_vec(),
+            Engine::General(_) => Vec::new(),
+        };
+        cells.extend(growth.iter().map(|text| Cell::Text(text)));
+        table.row(&cells)?;
+    }
+    table.finish()?;
+    Ok(outcome)
+}
+
+fn show_growth(growth: &Growth) -> String {
+    match growth {
+        Growth::Empty => "none".into(),
+        Growth::Zero => "0".into(),
+        Growth::Positive { rate, .. } => Value::Enclosed(*rate).to_string(),
+    }
+}

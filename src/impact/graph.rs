@@ -1,0 +1,209 @@
+//! Two dimensions: each X_i is the single-impact X of its n_i, and which n_{i+1} may follow n_i is a matter of the pair (64).
+
+use num_rational::BigRational;
+
+use super::{
+    Coordinates, Failure, Map, Orbit, Report, Scalar, Value,
+    existence::{Existence, Place, Tally, factor, flat, range},
+    matrix::dot,
+};
+use crate::{
+    error::{Error, Result},
+    number::{Ball, Precision, Sign},
+};
+
+/// The largest period of a graph: its P² edges are computed exactly.
+pub const MAX_GRAPH_PERIOD: u64 = 400;
+
+/// Bits for maps given by intervals.
+const BITS: u32 = 256;
+
+/// The periods 1, …, P of a two-dimensional map, what each allows, and which may follow which.
+///
+/// Signs are exact if the map is; otherwise they are certain or unknown.
+#[derive(Debug, Clone)]
+pub struct Graph {
+    e: Option<Sign>,
+    nodes: Vec<Option<Node>>,
+    flat: Vec<bool>,
+    /// `steps[i][j]`: Y of an impact between periods i + 1 and j + 1; `None` if one of them is singular.
+    steps: Vec<Vec<Option<Step>>>,
+    singular: Vec<Failure>,
+}
+
+#[derive(Debug, Clone)]
+struct Node {
+    x: Vec<Value>,
+    tally: Tally,
+    gaps: Option<[Value; 2]>,
+}
+
+#[derive(Debug, Clone)]
+struct Step {
+    y: Value,
+    sign: Option<Sign>,
+    leading: Option<Value>,
+    leading_sign: Option<Sign>,
+}
+
+impl Graph {
+    /// The graph on the periods 1, …, `last`. Cost: O(`last`²) operations, on exact numbers of O(`last`) times the bits of the
+    /// map's. `exact` keeps the numbers exact as well as their signs.
+    ///
+    /// # Errors
+    /// An input error unless N = 2 and 1 ≤ `last` ≤ [`MAX_GRAPH_PERIOD`].
+    pub fn new(map: &Map, last: u64, exact: bool) -> Result<Graph> {
+        if map.dimension() != 2 {
+            return Err(Error::input(format!("the pattern graph needs N = 2; here N = {}", map.dimension())));
+        }
+        if !(1..=MAX_GRAPH_PERIOD).contains(&last) {
+            return Err(Error::input(format!(
+                "--max-period {last}: the pattern graph has periods 1 to {MAX_GRAPH_PERIOD}"
+            )));
+        }
+        let e = map.e().sign();
+        match Coordinates::<BigRational>::new(map, last, ()) {
+            Some(map) => Ok(Self::build(&map, last, exact, e)),
+            None => match Coordinates::<Ball>::new(map, last, Precision::new(BITS)) {
+                Some(map) => Ok(Self::build(&map, last, false, e)),
+                None => Err(Error::input("the map cannot be enclosed")),
+            },
+        }
+    }
+
+    fn build<T: Scalar>(map: &Coordinates<T>, last: u64, exact: bool, e: Option<Sign>) -> Graph {
+        let show = |x: &T| if exact { x.value() } else { Value::Enclosed(x.enclosure()) };
+        let zero = T::integer(0, map.context());
+        let one = T::integer(1, map.context());
+        // X = (−1, ξ) from C Aⁿ X = −1: (57), (58).
+        let x: Vec<Option<[T; 2]>> = (1..=last)
+            .map(|n| {
+                let row = map.power(n).row(0);
+                row[1].pivot()?;
+                Some([-one.clone(), (row[0].clone() - &one) / &row[1]])
+            })
+            .collect();
+        let node = |n: u64, x: &[T; 2]| {
+            let gaps: Vec<T> = (1..n).map(|k| dot(map.power(k).row(0), x, &zero) + &one).collect();
+            let mut tally = Tally::default();
+            for (gap, k) in gaps.iter().zip(1..) {
+                tally.add(gap.sign(), Place { i: 0, k });
+            }
+            let shown = range(gaps.iter().map(show));
+            Node { x: map.original(x).iter().map(show).collect(), tally, gaps: shown }
+        };
+        let step = |n: u64, from: &[T; 2], to: &[T; 2]| {
+            let y = to[1].clone() - &dot(map.power(n).row(1), from, &zero);
+            let leading = factor(map, n, &y);
+            let leading_sign = leading.as_ref().and_then(T::sign);
+            Step { y: show(&y), sign: y.sign(), leading: leading.as_ref().map(show), leading_sign }
+        };
+        let periods = || (1..=last).zip(&x);
+        Graph {
+            e,
+            nodes: periods().map(|(n, x)| x.as_ref().map(|x| node(n, x))).collect(),
+            flat: (1..=last).map(|n| flat(map, &[n]).is_some()).collect(),
+            steps: periods()
+                .map(|(n, from)| x.iter().map(|to| Some(step(n, from.as_ref()?, to.as_ref()?))).collect())
+                .collect(),
+            singular: (1..=last)
+                .map(|n| {
+                    if map.response(n).sign() == Some(Sign::Zero) {
+                        Failure::Singular
+                    } else {
+                        Failure::Unknown
+                    }
+                })
+                .collect(),
+        }
+    }
+
+    /// P.
+    pub fn last(&self) -> u64 {
+        self.nodes.len() as u64
+    }
+
+    /// What (52) says of the period n for a sign of eµ.
+    pub fn node(&self, n: u64, positive: bool) -> Existence {
+        self.nodes[n as usize - 1].as_ref().map_or(Existence::Open, |node| node.tally.side(positive))
+    }
+
+    /// What (52) for both periods and (64) say of an impact between the periods `from` and `to`, for a sign of eµ.
+    pub fn edge(&self, from: u64, to: u64, positive: bool) -> Existence {
+        let (Some(a), Some(b), Some(step)) = (
+            &self.nodes[from as usize - 1],
+            &self.nodes[to as usize - 1],
+            &self.steps[from as usize - 1][to as usize - 1],
+        ) else {
+            return Existence::Open;
+        };
+        let mut tally = a.tally;
+        tally.merge(&b.tally, 0);
+        tally.add(step.sign, Place { i: 0, k: 0 });
+        tally.side(positive)
+    }
+
+    /// Whether some pattern in which `to` follows `from` may exist: what patterns are pruned by.
+    pub fn may_follow(&self, from: u64, to: u64) -> bool {
+        [true, false].iter().any(|&side| self.edge(from, to, side) != Existence::NoOrbit)
+    }
+
+    /// Theorem 1 for a pattern of periods ≤ P: the same answer as [`Analysis::judge`](super::Analysis::judge). Cost: O(m).
+    pub fn judge(&self, periods: &[u64]) -> Report {
+        let m = periods.len();
+        let index = |i: usize| periods[i % m] as usize - 1;
+        let flat = periods.iter().copied().find(|&n| self.flat[n as usize - 1]);
+        let nodes: Option<Vec<&Node>> = (0..m).map(|i| self.nodes[index(i)].as_ref()).collect();
+        let steps: Option<Vec<&Step>> = (0..m).map(|i| self.steps[index(i)][index(i + 1)].as_ref()).collect();
+        let (Some(nodes), Some(steps)) = (nodes, steps) else {
+            let singular = (0..m).any(|i| self.singular[index(i)] == Failure::Singular);
+            let failure = if singular { Failure::Singular } else { Failure::Unknown };
+            return Report::unsolved(failure, flat, self.e);
+        };
+        let mut tally = Tally::default();
+        for (i, (node, step)) in nodes.iter().zip(&steps).enumerate() {
+            tally.merge(&node.tally, i + 1);
+            tally.add(step.sign, Place { i: i + 1, k: 0 });
+        }
+        let ends = nodes.iter().filter_map(|node| node.gaps.clone()).flatten();
+        let signs = steps.iter().try_fold(Sign::Positive, |product, step| Some(product * step.leading_sign?));
+        let leading = steps.iter().map(|step| step.leading.clone()).collect::<Option<Vec<_>>>();
+        let orbit = Orbit {
+            x: nodes.iter().map(|node| node.x.clone()).collect(),
+            y: steps.iter().map(|step| step.y.clone()).collect(),
+            gaps: range(ends),
+            impacts: range(steps.iter().map(|step| step.y.clone()))
+                .unwrap_or_else(|| [steps[0].y.clone(), steps[0].y.clone()]),
+            leading: leading.and_then(|all| all.into_iter().reduce(Value::times)),
+            leading_sign: signs,
+        };
+        tally.report(self.e, flat, orbit)
+    }
+
+    /// Graphviz: the periods that occur and who may follow whom, orange for eµ > 0, blue for eµ < 0, dashed if open.
+    pub fn to_dot(&self) -> String {
+        let mut text = String::from(
+            "// Which period may follow which: closed walks of one colour are the impact patterns that exist.\n\
+             // orange: e mu > 0, blue: e mu < 0, dashed: open (a quantity is 0 or not known)\n\
+             digraph patterns {\n  node [shape=circle];\n",
+        );
+        for n in 1..=self.last() {
+            if [true, false].iter().any(|&side| self.node(n, side) != Existence::NoOrbit) {
+                text += &format!("  {n};\n");
+            }
+        }
+        for from in 1..=self.last() {
+            for to in 1..=self.last() {
+                for (side, colour) in [(true, "#E69F00"), (false, "#0072B2")] {
+                    let style = match self.edge(from, to, side) {
+                        Existence::Orbit => "",
+                        Existence::Open => ", style=dashed",
+                        Existence::NoOrbit => continue,
+                    };
+                    text += &format!("  {from} -> {to} [color=\"{colour}\"{style}];\n");
+                }
+            }
+        }
+        text + "}\n"
+    }
+}

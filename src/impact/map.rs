@@ -1,0 +1,304 @@
+//! The data of a grazing bifurcation: A, B, C, e, exact or enclosed, and what must be true of them.
+
+use std::fmt;
+
+use num_rational::BigRational;
+use num_traits::{One, Signed, Zero};
+
+use super::{
+    Matrix, Scalar,
+    matrix::{Failure, certainly_invertible},
+};
+use crate::{
+    error::{Error, Result},
+    number::{Ball, Precision, Sign},
+};
+
+/// A real number given exactly, or by two exact bounds.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Entry {
+    lo: BigRational,
+    hi: BigRational,
+}
+
+impl Entry {
+    /// The number between two bounds.
+    ///
+    /// # Errors
+    /// An input error if `lo` > `hi`.
+    pub fn between(lo: BigRational, hi: BigRational) -> Result<Entry> {
+        if lo > hi {
+            return Err(Error::input(format!("lo = {lo} is above hi = {hi}")));
+        }
+        Ok(Entry { lo, hi })
+    }
+
+    /// The lower and the upper bound.
+    pub fn bounds(&self) -> (&BigRational, &BigRational) {
+        (&self.lo, &self.hi)
+    }
+
+    /// The number, if it is exact.
+    pub fn exact(&self) -> Option<&BigRational> {
+        (self.lo == self.hi).then_some(&self.lo)
+    }
+
+    /// The sign, if it is certain.
+    pub fn sign(&self) -> Option<Sign> {
+        let (lo, hi) = (Sign::of(&self.lo), Sign::of(&self.hi));
+        (lo == hi).then_some(lo)
+    }
+
+    /// Its enclosure on a rung; `None` if the rung is exact and the entry is not.
+    pub fn on<T: Scalar>(&self, context: &T::Context) -> Option<T> {
+        T::between(&self.lo, &self.hi, context)
+    }
+}
+
+impl From<BigRational> for Entry {
+    fn from(value: BigRational) -> Entry {
+        Entry { lo: value.clone(), hi: value }
+    }
+}
+
+impl fmt::Display for Entry {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.exact() {
+            Some(x) => write!(f, "{x}"),
+            None => write!(f, "[{}, {}]", self.lo, self.hi),
+        }
+    }
+}
+
+/// The local map at a grazing bifurcation, (1), (2), (5), (26): every condition of [`Map::new`] holds.
+#[derive(Debug, Clone)]
+pub struct Map {
+    a: Matrix<Entry>,
+    b: Vec<Entry>,
+    c: Vec<Entry>,
+    e: Entry,
+    section: Option<Matrix<Entry>>,
+    notes: Vec<String>,
+}
+
+/// Bits that decide about entries given as intervals, whose own width matters far more.
+const BITS: u32 = 256;
+
+/// Which part of a map breaks a condition: the key of the input file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Key(pub &'static str);
+
+impl Map {
+    /// The map x ↦ g(f(x, µ), µ) with A = D_x f, B, C = D_x h and e of (26); `section` is P of (12)–(14), in whose
+    /// coordinates P x results are given.
+    ///
+    /// # Errors
+    /// An input error that names the key, the value and the condition unless: A is N × N, N ≥ 2; B and C have N
+    /// entries and are certainly not zero; C B = 0, or its enclosure contains 0; det(I − A) ≠ 0 certainly; P is N × N and
+    /// certainly invertible.
+    pub fn new(
+        a: Vec<Vec<Entry>>,
+        b: Vec<Entry>,
+        c: Vec<Entry>,
+        e: Entry,
+        section: Option<Vec<Vec<Entry>>>,
+    ) -> Result<Map> {
+        Self::checked(a, b, c, e, section)
+            .map_err(|(Key(key), condition)| Error::input(format!("{key}: {condition}")))
+    }
+
+    pub(super) fn checked(
+        a: Vec<Vec<Entry>>,
+        b: Vec<Entry>,
+        c: Vec<Entry>,
+        e: Entry,
+        section: Option<Vec<Vec<Entry>>>,
+    ) -> std::result::Result<Map, (Key, String)> {
+        let size = a.len();
+        square(&a, size).map_err(|text| (Key("A"), text))?;
+        if size == 1 {
+            return Err((Key("A"), "N = 1 is too small: C B = 0 with B and C not 0 needs N ≥ 2".into()));
+        }
+        for (key, vector) in [("B", &b), ("C", &c)] {
+            if vector.len() != size {
+                let text = format!("{} entries, but A is {size} × {size}", vector.len());
+                return Err((Key(key), text));
+            }
+        }
+        let a = Matrix::from_rows(a);
+        let mut notes = Vec::new();
+        for (key, vector) in [("B", &b), ("C", &c)] {
+            if vector.iter().all(|x| x.sign().is_none_or(|sign| sign == Sign::Zero)) {
+                let exact = vector.iter().all(|x| x.exact().is_some());
+                let fault = if exact { "is" } else { "may be" };
+                return Err((Key(key), format!("{} {fault} zero; {key} ≠ 0 is needed (5)", list(vector))));
+            }
+        }
+        let product = product(&c, &b);
+        if product.exact().is_none() {
+            if product.sign().is_some() {
+                return Err((
+                    Key("B"),
+                    format!("C B lies in {product}, which does not contain 0; C B = 0 is needed (5)"),
+                ));
+            }
+            notes.push(format!("C B lies in {product}; taken to be 0"));
+        } else if !product.lo.is_zero() {
+            return Err((Key("B"), format!("C B = {product}; C B = 0 is needed (5)")));
+        }
+        pivots(&b, &c).ok_or((
+            Key("B"),
+            "C B = 0 needs entries C_i and B_j, i ≠ j, and the intervals do not show a pair that is certainly not 0".into(),
+        ))?;
+        let minus = matrix_minus(&a);
+        invertible(&minus).map_err(|failure| match failure {
+            Failure::Singular => (Key("A"), "det(I − A) = 0; det(I − A) ≠ 0 is needed (23)".into()),
+            Failure::Unknown => {
+                (Key("A"), "the enclosure of det(I − A) contains 0; det(I − A) ≠ 0 is needed (23)".into())
+            }
+        })?;
+        let section = section
+            .map(|rows| {
+                square(&rows, size).map_err(|text| (Key("P"), text))?;
+                let p = Matrix::from_rows(rows);
+                invertible(&p).map_err(|failure| match failure {
+                    Failure::Singular => (Key("P"), "det P = 0; P must be invertible (12)".to_string()),
+                    Failure::Unknown => {
+                        (Key("P"), "the enclosure of det P contains 0; P must be invertible (12)".to_string())
+                    }
+                })?;
+                Ok(p)
+            })
+            .transpose()?;
+        match e.sign() {
+            Some(Sign::Zero) => notes.push("e = 0; Theorem 1 needs e ≠ 0 (26), so nothing is claimed for either sign of µ".into()),
+            None => notes.push(format!(
+                "e lies in {e}, which contains 0; Theorem 1 needs e ≠ 0 (26), so nothing is claimed for either sign of µ"
+            )),
+            Some(_) => {}
+        }
+        Ok(Map { a, b, c, e, section, notes })
+    }
+
+    /// N.
+    pub fn dimension(&self) -> usize {
+        self.b.len()
+    }
+
+    /// A.
+    pub fn a(&self) -> &Matrix<Entry> {
+        &self.a
+    }
+
+    /// B.
+    pub fn b(&self) -> &[Entry] {
+        &self.b
+    }
+
+    /// C.
+    pub fn c(&self) -> &[Entry] {
+        &self.c
+    }
+
+    /// e of (26).
+    pub fn e(&self) -> &Entry {
+        &self.e
+    }
+
+    /// P of (12), if given.
+    pub fn section(&self) -> Option<&Matrix<Entry>> {
+        self.section.as_ref()
+    }
+
+    /// Whether A, B, C and P are exact, so that every sign can be decided.
+    pub fn is_exact(&self) -> bool {
+        let exact = |matrix: &Matrix<Entry>| {
+            (0..matrix.rows()).all(|i| matrix.row(i).iter().all(|x| x.exact().is_some()))
+        };
+        exact(&self.a)
+            && self.b.iter().chain(&self.c).all(|x| x.exact().is_some())
+            && self.section.as_ref().is_none_or(exact)
+    }
+
+    /// What a user should know about this map, one sentence each.
+    pub fn notes(&self) -> &[String] {
+        &self.notes
+    }
+
+    /// Indices i ≠ j with C_i ≠ 0 and B_j ≠ 0 certainly.
+    pub(super) fn pivots(&self) -> (usize, usize) {
+        pivots(&self.b, &self.c).unwrap_or((0, 1))
+    }
+}
+
+fn square(rows: &[Vec<Entry>], size: usize) -> std::result::Result<(), String> {
+    if rows.is_empty() {
+        return Err("has no rows".into());
+    }
+    if rows.len() != size {
+        return Err(format!("{} rows, but A has {size}", rows.len()));
+    }
+    match rows.iter().position(|row| row.len() != size) {
+        Some(i) => Err(format!(
+            "row {} has {} entries, but there are {size} rows; it must be square",
+            i + 1,
+            rows[i].len()
+        )),
+        None => Ok(()),
+    }
+}
+
+fn list(vector: &[Entry]) -> String {
+    format!("[{}]", vector.iter().map(Entry::to_string).collect::<Vec<_>>().join(", "))
+}
+
+/// Indices i ≠ j with C_i ≠ 0 and B_j ≠ 0 certainly, each the best by how far the entry stays from 0.
+fn pivots(b: &[Entry], c: &[Entry]) -> Option<(usize, usize)> {
+    let least = |x: &Entry| x.sign().filter(|&s| s != Sign::Zero).map(|_| x.lo.abs().min(x.hi.abs()));
+    let mut pairs = Vec::new();
+    for (i, c) in c.iter().enumerate() {
+        for (j, b) in b.iter().enumerate() {
+            if let (true, Some(c), Some(b)) = (i != j, least(c), least(b)) {
+                pairs.push((c * b, i, j));
+            }
+        }
+    }
+    let best = pairs.into_iter().reduce(|best, next| if next.0 > best.0 { next } else { best })?;
+    Some((best.1, best.2))
+}
+
+/// Bounds of a product of two vectors.
+fn product(c: &[Entry], b: &[Entry]) -> Entry {
+    let (mut lo, mut hi) = (BigRational::zero(), BigRational::zero());
+    for (c, b) in c.iter().zip(b) {
+        let ends = [&c.lo * &b.lo, &c.lo * &b.hi, &c.hi * &b.lo, &c.hi * &b.hi];
+        lo += ends.iter().min().unwrap_or(&ends[0]);
+        hi += ends.iter().max().unwrap_or(&ends[0]);
+    }
+    Entry { lo, hi }
+}
+
+fn matrix_minus(a: &Matrix<Entry>) -> Matrix<Entry> {
+    let entry = |i, j| {
+        let one = if i == j { BigRational::one() } else { BigRational::zero() };
+        let x: &Entry = &a[(i, j)];
+        Entry { lo: &one - &x.hi, hi: one - &x.lo }
+    };
+    Matrix::from_rows((0..a.rows()).map(|i| (0..a.rows()).map(|j| entry(i, j)).collect()).collect())
+}
+
+fn invertible(matrix: &Matrix<Entry>) -> std::result::Result<(), Failure> {
+    match convert::<BigRational>(matrix, &()) {
+        Some(exact) => certainly_invertible(&exact),
+        None => {
+            let bits = Precision::new(BITS);
+            convert::<Ball>(matrix, &bits).map_or(Err(Failure::Unknown), |balls| certainly_invertible(&balls))
+        }
+    }
+}
+
+/// The matrix on a rung; `None` if the rung is exact and an entry is not.
+pub(super) fn convert<T: Scalar>(matrix: &Matrix<Entry>, context: &T::Context) -> Option<Matrix<T>> {
+    let row = |i| matrix.row(i).iter().map(|x| x.on(context)).collect::<Option<Vec<T>>>();
+    Some(Matrix::from_rows((0..matrix.rows()).map(row).collect::<Option<_>>()?))
+}
