@@ -15,6 +15,8 @@
 //!
 //! - The intervals themselves, by modular inverses and by the Farey tree ([`existence`]); Farey fractions of any
 //!   size ([`farey`]).
+//! - The lower edges of the areas of Conjecture 1, r < 1, and their lowest points, certified to any number of digits
+//!   ([`existence::Boundary`]).
 //!
 //! # When to use it, and when not
 //!

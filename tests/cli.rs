@@ -118,7 +118,7 @@ fn formulas_and_sentences() {
 
 #[test]
 fn every_command_documents_its_exit_codes() {
-    for name in ["verify", "check", "intervals", "farey", "figure", "formula"] {
+    for name in ["verify", "check", "intervals", "farey", "boundary", "figure", "formula"] {
         let help = stdout(&format!("{name} --help"));
         assert!(help.contains("Exit code 0:"), "{name}");
     }

@@ -16,8 +16,11 @@ fn draw(arguments: &str, name: &str) -> (Vec<HashMap<String, String>>, String) {
     let output = command.output().unwrap();
     assert_eq!((output.status.code(), output.stderr), (Some(0), vec![]), "grazing figure {arguments}");
     let read = |extension| fs::read_to_string(folder.path().join(format!("{name}.{extension}"))).unwrap();
-    let mut reader = csv::Reader::from_reader(read("csv").into_bytes().leak() as &[u8]);
-    (reader.deserialize().map(Result::unwrap).collect(), read("svg"))
+    (table(&read("csv")), read("svg"))
+}
+
+fn table(text: &str) -> Vec<HashMap<String, String>> {
+    csv::Reader::from_reader(text.as_bytes()).deserialize().map(Result::unwrap).collect()
 }
 
 fn number(row: &HashMap<String, String>, column: &str) -> f64 {
@@ -165,8 +168,12 @@ fn wrong_numbers_are_named() {
 #[test]
 fn checked_in_figures_are_current() {
     for (arguments, name) in [("2", "figure2"), ("4", "figure4"), ("records", "records")] {
-        let (_, svg) = draw(arguments, name);
-        let kept = fs::read_to_string(Path::new("docs").join(format!("{name}.svg"))).unwrap();
-        assert_eq!(kept, svg, "run `grazing figure {arguments} -o docs`");
+        let (rows, svg) = draw(arguments, name);
+        let kept =
+            |extension| fs::read_to_string(Path::new("docs").join(format!("{name}.{extension}"))).unwrap();
+        assert!(
+            kept("svg") == svg && table(&kept("csv")) == rows,
+            "run `grazing figure {arguments} -o docs`"
+        );
     }
 }

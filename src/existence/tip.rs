@@ -7,6 +7,7 @@
 //! - h(r₋, e) < 0 for all e in [e₋, e₊], so R > r₋ there;
 //! - h(r₊, e) < 0 for all other e in [0, 1/j], so R > r₊ there: every lowest point has e₋ < e < e₊.
 //!
+//! The second and third speak of R because h increases with r: for 0 ≤ e ≤ 1/j its powers have coefficients ≥ 0.
 //! "For all e" is shown on pieces [a, b] with h(a), h(b) < 0: either max(h(a), h(b)) + (b − a)²/8 · sup(−∂²h/∂e²) < 0, or h
 //! is concave on the piece and falls at a or rises at b, so that it is greatest at an end. ∂²h/∂e² is bounded by the
 //! monotonicity of sine on either side of π/2.
@@ -139,13 +140,20 @@ impl Search<'_> {
         let (first, last) =
             (self.place(BigRational::zero()), self.place(BigRational::new(1.into(), self.j.into())));
         let at_tip = self.place(e);
-        let certain = at_tip.section.value(&at_tip.sines, &high, self.precision).sign()
-            == Some(Sign::Positive)
+        let inside = low.is_positive() && left.e.is_positive() && right.e < last.e;
+        let certain = inside
+            && at_tip.section.value(&at_tip.sines, &high, self.precision).sign() == Some(Sign::Positive)
             && self.is_negative(&high, &first, &left)
             && self.is_negative(&low, &left, &right)
             && self.is_negative(&high, &right, &last);
         let r = Enclosure { lower: low, upper: high };
         certain.then_some((r, Enclosure { lower: left.e, upper: right.e }))
+    }
+
+    /// A multiple of a power of ½ near x, finer than e needs to be known and yet short, which makes fractions cheap.
+    fn place_near(&self, x: &BigRational, digits: u32) -> BigRational {
+        let scale = BigInt::from(1) << (2 * digits + 2 * self.n.ilog2() + 16);
+        BigRational::new((x * &scale).round().to_integer(), scale)
     }
 
     /// A solution of h = ∂h/∂e = 0, good to about 10^−`digits` in r and half as many digits in e.
@@ -163,7 +171,7 @@ impl Search<'_> {
             }
             let step = middle(&(self.first_derivative(&place, &r) / &self.second_derivative(&place, &r)))?
                 / (&pi * BigInt::from(2));
-            e = middle(&Ball::ratio(&(e - &step), self.precision))?;
+            e = self.place_near(&(e - &step), digits);
             if step.abs() < enough {
                 let place = self.place(e.clone());
                 for _ in 0..2 {
@@ -190,7 +198,8 @@ impl Search<'_> {
         let bend = middle(&self.second_derivative(&place, r))?;
         let eta = (float(&slope) / float(&-bend)).sqrt() / std::f64::consts::PI;
         let u = unit(digits);
-        Some((&u * BigInt::from(4), u, BigRational::from_float(eta)? * unit(digits / 2)))
+        let around = BigRational::from_float(eta)? * unit(digits / 2);
+        Some((&u * BigInt::from(4), u, self.place_near(&around, digits)))
     }
 
     /// ∂h/∂e / 2π.
