@@ -43,7 +43,8 @@ fn walks(criterion: &mut Criterion) {
     assert_eq!(expected.0, TERMS);
     let mut group = criterion.benchmark_group("walk F_10000");
     group.throughput(Throughput::Elements(TERMS)).sample_size(10);
-    let routes: [(&str, fn() -> (u64, u64)); 4] = [
+    type Route = (&'static str, fn() -> (u64, u64));
+    let routes: [Route; 4] = [
         ("plain recurrence", recurrence),
         ("Sequence", sequence),
         ("Walk, for loop", || {

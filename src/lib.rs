@@ -1,4 +1,43 @@
 //! Proofs and computations for periodic orbits in grazing bifurcations of impact oscillators.
+//!
+//! When a parameter µ brings a periodic orbit of an oscillator to touch a stop with zero velocity, the map from period to
+//! period is g ∘ f with f smooth and g containing a square root (A. B. Nordmark, Nonlinearity 14 (2001) 1517–1542). For
+//! one degree of freedom the linear part of f has trace a₁ and determinant a₂, and orbits of period n with one impact
+//! exist according to the signs of the numbers b_{n,k} (59) and c_n (60), by his conditions (52), (53).
+//!
+//! # What is proved
+//!
+//! - Theorem 2, for given n: on r = 1 (a₁ = 2 cos 2πs, a₂ = 1) the set of s with an orbit is exactly a list of intervals
+//!   between Farey fractions. [`existence::decide`] decides it by integer arithmetic; [`search`] writes certificates;
+//!   [`certificate::check`], which shares no code with either, proves them again.
+//!
+//! # What is computed
+//!
+//! - The intervals themselves, by modular inverses and by the Farey tree ([`existence`]); Farey fractions of any
+//!   size ([`farey`]).
+//! - For a local map of any dimension, exact or enclosed: which impact patterns give orbits, by Theorem 1 ([`impact`]).
+//!
+//! # When to use it, and when not
+//!
+//! Use it to attach a checked proof to a statement about these orbits, to list where they exist, or for exact Farey
+//! arithmetic. Do not use it to simulate oscillators, which it does not do yet, or for maps with more than one
+//! square-root direction. It takes Nordmark's Theorem 1, which turns signs into orbits, from the paper.
+//!
+//! # Map
+//!
+//! Dependencies point from right to left: `number ← farey ← existence ← search ← output ← cli`; `certificate` stands
+//! alone.
+//!
+//! | module | holds |
+//! | --- | --- |
+//! | [`number`] | exact numbers and their text form |
+//! | [`farey`] | neighbours, tree, sequence, rank |
+//! | [`existence`] | Theorem 2: statement and decision |
+//! | [`certificate`] | the certificate format and its checker: the trusted code |
+//! | [`search`] | what finds certificates |
+//! | [`impact`] | Theorem 1 in any dimension: impact patterns, the pattern graph |
+//! | [`output`] | tables, files, figures, progress |
+//! | [`cli`] | the command line |
 
 pub mod certificate;
 pub mod cli;
@@ -11,6 +50,8 @@ mod monitor;
 pub mod number;
 pub mod output;
 pub mod search;
+pub mod study;
+pub mod symbol;
 
 pub use error::{Error, Result};
 pub use monitor::Monitor;

@@ -44,6 +44,14 @@ fn verify_and_check() {
     let report: serde_json::Value = serde_json::from_str(&stdout("verify 8 --format json")).unwrap();
     assert_eq!(report["verdict"], "proved");
     assert_eq!(report["orbit_intervals"], 5);
+    let both: serde_json::Value =
+        serde_json::from_str(&stdout("verify 8 --method both --format json")).unwrap();
+    assert_eq!((&both["verdict"], &both["method"]), (&"proved".into(), &"both".into()));
+    assert!(
+        stdout("verify 8 --method interval")
+            .starts_with("Proved: Theorem 2 for period n = 8, by enclosures.")
+    );
+    assert!(error("verify 8 --method interval --certificate x").contains("use --method exact or both"));
     let text = fs::read_to_string(file).unwrap();
     // One thread or several, the same certificate.
     stdout(&format!("verify 1..=30 --jobs 1 --certificate {file}"));
@@ -78,6 +86,11 @@ fn bad_input_gets_one_line_that_says_what_to_do() {
         ("farey rank 1/2 0", "ranks are computed in F_N for 1 ≤ N ≤ 10000000000, not for N = 0"),
         ("farey walk 0", "a Farey sequence has an order of at least 1, not 0"),
         ("farey kth 12 5", "F_5 has terms 0 to 10, so none with index 12"),
+        ("formula 3 3", "there is no formula for n = 3, k = 3: give 2 <= n <= 200 and 1 <= k <= n - 1"),
+        (
+            "formula 6 --sentence --area 2+",
+            "period 6 has no area at m = 2: give 0 < 2m < n with m coprime to n",
+        ),
         ("figure intervals --n 2", "--n 2: this figure shows periods 3 to N, with N from 3 to 40"),
     ];
     for (arguments, expected) in cases {
@@ -90,8 +103,22 @@ fn bad_input_gets_one_line_that_says_what_to_do() {
 }
 
 #[test]
+fn formulas_and_sentences() {
+    let out = stdout("formula 4 2");
+    assert!(out.contains("\n  = a1*(a1 - a2 - 1)*(a1 + a2 + 1)\n"), "{out}");
+    assert_eq!(stdout("formula 5 --sentence"), stdout("formula 5 --sentence --area region4 --format text"));
+    let script = stdout("formula 5 --sentence --area 2- --format smtlib");
+    assert!(script.starts_with("; 2- of period 5: ") && script.ends_with("(check-sat)\n"), "{script}");
+    for wrong in
+        ["formula 5", "formula 5 2 --sentence", "formula 5 2 --area 1+", "formula 5 --sentence --area 1"]
+    {
+        assert_eq!(run(wrong).0, 2, "grazing {wrong}");
+    }
+}
+
+#[test]
 fn every_command_documents_its_exit_codes() {
-    for name in ["verify", "check", "intervals", "farey", "figure"] {
+    for name in ["verify", "check", "intervals", "farey", "figure", "formula"] {
         let help = stdout(&format!("{name} --help"));
         assert!(help.contains("Exit code 0:"), "{name}");
     }
@@ -149,9 +176,9 @@ fn farey_answers() {
     assert_eq!(stdout("farey walk 5 --from 1/3 --to 2/3"), "1/3\n2/5\n1/2\n3/5\n2/3\n");
     assert_eq!(stdout("farey walk 3 --from -1/2 --to 5/2").lines().count(), 13);
     let huge = "1267650600228229401496703205376";
-    assert_eq!(stdout(&format!("farey walk 2^100 --from 0 --to 2^-100")).lines().count(), 2);
+    assert_eq!(stdout("farey walk 2^100 --from 0 --to 2^-100").lines().count(), 2);
     assert_eq!(
-        stdout(&format!("farey neighbours 2^-100")),
+        stdout("farey neighbours 2^-100"),
         format!("0/1 < 1/{huge} < 1/{}5\n", &huge[..huge.len() - 1])
     );
     let json: serde_json::Value = serde_json::from_str(&stdout("farey walk 4 --format json")).unwrap();
@@ -325,4 +352,57 @@ fn existence_draws_graphs_and_orbits() {
     );
     stdout(&format!("figure 3 -o {}", at("figure")));
     assert_eq!(fs::read_to_string(at("figure/figure-3.csv")).unwrap().lines().count(), 1 + 3 * 16);
+}
+
+#[test]
+fn classify_by_either_kind_of_point() {
+    // a₁ = a₂ = 1/4 has r = 1/2, cos θ = 1/4: s is irrational. By (r, s): r = 1/2, s = 1/4 is a₁ = 0, a₂ = 1/4.
+    let polar = stdout("classify --r 1/2 --s 1/4 --max-n 12 --format csv");
+    let plane = stdout("classify --a1 0 --a2 0.25 --max-n 12 --format csv");
+    let kinds = |text: &str| {
+        text.lines().map(|line| line.split(',').take(5).collect::<Vec<_>>().join(",")).collect::<Vec<_>>()
+    };
+    assert_eq!(kinds(&polar), kinds(&plane));
+    assert!(polar.contains("\n2,singular boundary,,,,,,\n"), "{polar}");
+    // In reversed time the same orbits, with k and n − k exchanged.
+    let reversed = stdout("classify --a1 -6/5 --a2 4/3 --max-n 9 --format csv");
+    let forward = stdout("classify --a1 -9/10 --a2 3/4 --max-n 9 --format csv");
+    assert_eq!(kinds(&reversed), kinds(&forward));
+    assert!(stdout("classify --a1 -6/5 --a2 4/3").contains("reversing time"));
+    let json: serde_json::Value =
+        serde_json::from_str(&stdout("classify --a1 3 --a2 1/2 --max-n 2 --format json")).unwrap();
+    assert_eq!(json["rows"][1]["existence"], "orbit");
+    assert_eq!(json["rows"][1]["large_eigenvalue"], 1, "(−,−) of period 1 in region 1: −sign eµ");
+    assert_eq!(stdout("classify --summary --format csv").lines().count(), 6);
+    assert!(error("classify --a1 1 --a2 0").contains("the determinant of the map of a flow is above 0"));
+    assert!(error("classify --r 1/2 --s 1/2").contains("outside 0 < s < 1/2"));
+    assert!(error("classify --r 1/2 --s 1/4 --max-n 0").contains("--max-n 0"));
+}
+
+#[test]
+fn fuzz_resumes_and_reports() {
+    let folder = tempfile::tempdir().unwrap();
+    let state = folder.path().join("state.json");
+    let options =
+        format!("fuzz --n 1..=12 --seed 3 --jobs 1 --format json --resume {} --cases", state.display());
+    let tally = |text: &str| {
+        let mut report: serde_json::Value = serde_json::from_str(text).unwrap();
+        let tally = report["tally"].as_object_mut().unwrap();
+        tally.retain(|key, _| !key.ends_with("seconds"));
+        serde_json::Value::from(tally.clone())
+    };
+    let first = tally(&stdout(&format!("{options} 1000")));
+    let second = tally(&stdout(&format!("{options} 3e6")));
+    assert!(second["units"].as_u64() > first["units"].as_u64());
+    let whole = tally(&stdout("fuzz --n 1..=12 --seed 3 --jobs 2 --format json --cases 3e6"));
+    assert_eq!(whole, second);
+    let (code, out, _) = run("fuzz --n 12 --cases 1");
+    assert!(code == 0 && out.starts_with("No disagreement found. This is no proof.\n"), "{out}");
+    assert!(
+        error(&format!("{} 1000", options.replace("--seed 3", "--seed 4"))).contains("is of another run")
+    );
+    fs::write(&state, "{}").unwrap();
+    assert!(error(&format!("{options} 1000")).contains("is not a state of `grazing fuzz`"));
+    assert!(error("fuzz --n 2").contains("the largest period is 2: from 3 to 4096"));
+    assert!(error("fuzz --definition-share 2").contains("a number from 0 to 1"));
 }

@@ -101,7 +101,7 @@ fn tree_walks_visit_the_same_nodes_with_their_parents() {
     let in_order: Vec<_> = Gap::<u64>::half().in_order(order).collect();
     let depth_first_denominators: Vec<u64> = breadth.iter().take(3).map(|(x, _)| *x.denom()).collect();
     assert_eq!(depth_first_denominators, [3, 4, 5]);
-    breadth.sort_by(|a, b| a.0.cmp(&b.0));
+    breadth.sort_by_key(|a| a.0);
     assert_eq!(breadth, in_order);
     let inner: Vec<Q> = in_order.iter().map(|(x, _)| *x).collect();
     let expected: Vec<Q> =

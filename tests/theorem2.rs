@@ -3,7 +3,11 @@
 mod common;
 
 use common::Fraction;
-use grazing::existence::{Case, Interval, Piece, Reason, Side, Signs, decide, intervals, tree_intervals};
+use grazing::existence::{
+    Case, Enclosed, Interval, Piece, Reason, Side, Signs, decide, decide_by_enclosure, intervals,
+    tree_intervals,
+};
+use grazing::search::{Method, prove_theorem2};
 use num_integer::Integer;
 use num_rational::Ratio;
 use proptest::prelude::*;
@@ -175,5 +179,41 @@ proptest! {
         if a > 0 {
             prop_assert_eq!(i32::from(right.c()), common::sign_c(big, beside).unwrap());
         }
+    }
+}
+
+/// Enclosures prove the theorem too, cut (0, ½) their own way, and every witness stands up to the oracle.
+#[test]
+fn enclosures_agree_with_the_exact_decision() {
+    for n in 1..=60 {
+        let Enclosed::Decided(decision) = decide_by_enclosure(n).unwrap() else { panic!("n = {n} is open") };
+        assert_eq!(decision.disagreement, None, "n = {n}");
+        let exact = decide(n).unwrap();
+        let kept = |piece: &&Piece| matches!(piece, Piece::Orbit { .. });
+        assert!(decision.pieces.iter().filter(kept).eq(exact.pieces.iter().filter(kept)), "n = {n}");
+        let mut end = Ratio::new(0, 1);
+        for piece in &decision.pieces {
+            match piece {
+                Piece::Orbit { left, right, .. } if n == 1 => assert!(*left <= end && *right >= end),
+                Piece::Orbit { left, .. } | Piece::Stretch { left, .. } => assert_eq!(*left, end, "n = {n}"),
+                Piece::Point { at, .. } => assert_eq!(*at, end, "n = {n}"),
+            }
+            if let Piece::Orbit { right, .. } | Piece::Stretch { right, .. } = piece {
+                end = *right;
+            }
+            if let &Piece::Stretch { ref left, ref right, positive, negative } = piece {
+                let middle = common::middle(plain(left), plain(right));
+                let signs = [positive, negative].map(|k| common::sign_b(n.into(), k.into(), middle));
+                assert_eq!(signs, [Some(1), Some(-1)], "n = {n}, {piece:?}");
+            }
+        }
+        assert_eq!(end, Ratio::new(1, 2), "n = {n}");
+    }
+    for method in [Method::Interval, Method::Both] {
+        let proof = prove_theorem2(1..=150, method, &()).unwrap();
+        assert_eq!(
+            (proof.periods, proof.undecided, proof.contradiction, proof.refuted),
+            (150, 0, None, None)
+        );
     }
 }

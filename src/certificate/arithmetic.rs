@@ -28,7 +28,7 @@ impl Fraction {
 
     /// Whether j·self is an integer.
     pub(super) fn times_is_integer(self, j: u64) -> bool {
-        j * self.p % self.q == 0
+        (j * self.p).is_multiple_of(self.q)
     }
 
     /// Whether ⌊j·self⌋ is odd, that is sin πjs < 0 at and just right of self unless it is 0.

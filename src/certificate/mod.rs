@@ -44,7 +44,7 @@
 //! orbit 1/8 1/4 + +       cos 4πs < 0, sines still > 0: every b > 0, and c > 0
 //! point 1/4 singular
 //! orbit 1/4 1/3 + -       the same b; sin 4πs is now < 0, so c < 0
-//! point 1/3 boundary 1    sin 3πs = 0, so b_{4,1} = b_{4,3} = 0
+//! point 1/3 boundary 3    sin 3πs = 0, so b_{4,3} = b_{4,1} = 0
 //! stretch 1/3 3/8 2 1     sin 3πs < 0 turns b_{4,1} < 0, while b_{4,2} > 0
 //! point 3/8 singular
 //! stretch 3/8 1/2 1 2     cos 4πs > 0 turns both

@@ -319,8 +319,8 @@ fn counts(
         if found[3] > 0 {
             outcome = Outcome::Undecided;
         }
-        let mut cells = vec![Cell::Int(period.into()), Cell::Int(found.iter().sum::<u64>().into())];
-        cells.extend(found.iter().map(|&count| Cell::Int(count.into())));
+        let mut cells = vec![Cell::Int(period as i64), Cell::Int(found.iter().sum::<u64>() as i64)];
+        cells.extend(found.iter().map(|&count| Cell::Int(count as i64)));
         let growth = match engine {
             Engine::Graph(graph) => [true, false]
                 .map(|side| show_growth(&Walks::new(graph, side).up_to(period).growth()))

@@ -103,13 +103,13 @@ fn table(args: &Args, format: TableFormat, out: &mut dyn Write, progress: &Progr
             let rounded = args.decimals.map(|d| (decimal(&interval.left, d), decimal(&interval.right, d)));
             let mut cells = [Cell::Empty; 9];
             cells[..7].copy_from_slice(&[
-                Cell::Int(n.into()),
-                Cell::Int(interval.m.into()),
+                Cell::Int(n as i64),
+                Cell::Int(interval.m as i64),
                 Cell::Int(interval.case.sign_emu().into()),
                 Cell::Int(interval.case.sign_gamma().into()),
                 Cell::Fraction(&interval.left),
                 Cell::Fraction(&interval.right),
-                interval.deciding.map_or(Cell::Empty, |k| Cell::Int(k.into())),
+                interval.deciding.map_or(Cell::Empty, |k| Cell::Int(k as i64)),
             ]);
             let width = match &rounded {
                 Some((left, right)) => {

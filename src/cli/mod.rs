@@ -1,9 +1,14 @@
 //! The command line: arguments, what each command runs, exit codes. No mathematics lives here.
 
+mod accuracy;
 mod check;
+mod classify;
+mod evaluate;
 mod existence;
 mod farey;
 mod figure;
+mod formula;
+mod fuzz;
 mod intervals;
 mod range;
 mod verify;
@@ -36,9 +41,14 @@ enum Command {
     Verify(verify::Args),
     Check(check::Args),
     Intervals(intervals::Args),
+    Classify(classify::Args),
     Existence(existence::Args),
+    Fuzz(fuzz::Args),
     Farey(farey::Args),
     Figure(figure::Args),
+    Formula(formula::Args),
+    Evaluate(evaluate::Args),
+    Accuracy(accuracy::Args),
 }
 
 /// How a command that did its work ended.
@@ -83,9 +93,14 @@ fn run(cli: Cli) -> Result<Outcome> {
         Command::Verify(args) => verify::run(&args, &interrupt),
         Command::Check(args) => check::run(&args),
         Command::Intervals(args) => intervals::run(&args, &interrupt),
+        Command::Classify(args) => classify::run(&args),
         Command::Existence(args) => existence::run(&args, &interrupt),
+        Command::Fuzz(args) => fuzz::run(&args, &interrupt),
         Command::Farey(args) => farey::run(&args, &interrupt),
         Command::Figure(args) => figure::run(&args),
+        Command::Formula(args) => formula::run(&args),
+        Command::Evaluate(args) => evaluate::run(&args, &interrupt),
+        Command::Accuracy(args) => accuracy::run(&args, &interrupt),
     }
 }
 

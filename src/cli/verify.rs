@@ -2,33 +2,40 @@
 
 use std::{ops::RangeInclusive, path::PathBuf};
 
-use clap::Parser;
+use clap::{Parser, ValueEnum};
 use serde_json::json;
 
 use super::{Outcome, ReportFormat, in_pool, range::Periods};
 use crate::{
-    error::Result,
+    error::{Error, Result},
     existence::Decision,
     output::{Destination, Interrupt, Progress, write_file},
-    search::{Proof, prove_theorem2, write_theorem2},
+    search::{Method, Proof, prove_theorem2, write_theorem2},
 };
 
 /// The largest period: deciding it takes minutes.
 const LIMIT: u64 = 200_000;
 
-/// Prove Theorem 2 for every period in a range, by exact decision.
+/// Prove Theorem 2 for every period in a range, by exact decision, by enclosures, or both.
 ///
-/// For each n, (0, 1/2) is cut at every zero and pole of every b_{n,k} and c_n; all signs are decided by integer
+/// Exactly: for each n, (0, 1/2) is cut at every zero and pole of every b_{n,k} and c_n; all signs are decided by integer
 /// arithmetic, and the set where (52) and (53) hold is compared with the theorem's intervals. The theorem's own proof is
 /// not used. Periods 1 and 2 are compared with the summary by period.
 ///
-/// Exit code 0: proved for all; 1: refuted for some; 2: wrong usage or a file that cannot be written; 3: interrupted.
+/// By enclosures: the arguments of (B1) and (B2) are bounded over whole closed stretches, and each factor's sign is proved on
+/// their interior; the two methods share no sign code.
+///
+/// Exit code 0: proved for all; 1: refuted for some; 2: wrong usage or a file that cannot be written; 3: undecided or
+/// interrupted.
 #[derive(Debug, Parser)]
 pub(super) struct Args {
     /// The periods: N, or A..=B. At most 200000.
     #[arg(default_value = "3..=500", value_name = "N|A..=B")]
     periods: Periods,
-    /// Write a certificate, which `grazing check` proves again without search.
+    /// How signs are decided; with both, the methods must agree.
+    #[arg(long, value_enum, default_value_t = Method::Exact)]
+    method: Method,
+    /// Write a certificate (of the exact method), which `grazing check` proves again without search.
     #[arg(long, value_name = "FILE")]
     certificate: Option<PathBuf>,
     /// The number of threads; default: one for each core.
@@ -44,13 +51,18 @@ pub(super) struct Args {
 
 pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     let range = args.periods.within(LIMIT, "verify")?;
+    if args.method == Method::Interval && args.certificate.is_some() {
+        return Err(Error::input(
+            "a certificate holds what the exact method found: use --method exact or both",
+        ));
+    }
     in_pool(args.jobs, || verify(range, args, interrupt))
 }
 
 fn verify(range: RangeInclusive<u64>, args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     let passes = if args.certificate.is_some() { 2 } else { 1 };
     let progress = Progress::new(interrupt, passes * args.periods.count(), "periods");
-    let proof = prove_theorem2(range.clone(), &progress)?;
+    let proof = prove_theorem2(range.clone(), args.method, &progress)?;
     if let (Some(path), Outcome::Done) = (&args.certificate, outcome(&proof)) {
         write_file(path, |out| write_theorem2(range.clone(), &proof, out, &progress))?;
     }
@@ -65,13 +77,16 @@ fn verify(range: RangeInclusive<u64>, args: &Args, interrupt: &Interrupt) -> Res
 
 fn outcome(proof: &Proof) -> Outcome {
     match proof {
-        Proof { refuted: Some(_), .. } => Outcome::Refuted,
-        Proof { pending: 0, .. } => Outcome::Done,
+        Proof { refuted: Some(_), .. } | Proof { contradiction: Some(_), .. } => Outcome::Refuted,
+        Proof { pending: 0, undecided: 0, .. } => Outcome::Done,
         _ => Outcome::Undecided,
     }
 }
 
 fn text(range: &RangeInclusive<u64>, proof: &Proof, args: &Args) -> String {
+    if let Some(n) = proof.contradiction {
+        return format!("Refuted: the exact method and enclosures find different orbits for n = {n}.\n");
+    }
     if let Some(decision) = &proof.refuted {
         return format!(
             "Refuted: Theorem 2 and the signs of b_{{n,k}} and c_n disagree for n = {}.\n{}\n",
@@ -79,9 +94,18 @@ fn text(range: &RangeInclusive<u64>, proof: &Proof, args: &Args) -> String {
             witness(decision)
         );
     }
-    let mut text = match proof.pending {
-        0 => format!("Proved: Theorem 2 for {}, by exact decision.\n", periods(range)),
-        pending => format!(
+    let how = match args.method {
+        Method::Exact => "by exact decision",
+        Method::Interval => "by enclosures",
+        Method::Both => "by exact decision and by enclosures, which agree",
+    };
+    let mut text = match (proof.pending, proof.undecided) {
+        (0, 0) => format!("Proved: Theorem 2 for {}, {how}.\n", periods(range)),
+        (0, undecided) => format!(
+            "Undecided: Theorem 2 is proved for {} of the periods in {range:?}, enclosures leave {undecided} open.\n",
+            proof.periods
+        ),
+        (pending, _) => format!(
             "Undecided: interrupted; Theorem 2 is proved for {} of the periods in {range:?}, {pending} are pending.\n",
             proof.periods
         ),
@@ -128,16 +152,18 @@ fn json_report(range: &RangeInclusive<u64>, proof: &Proof, args: &Args) -> serde
             Outcome::Refuted => "refuted",
             Outcome::Undecided => "undecided",
         },
-        "method": "exact",
+        "method": args.method.to_possible_value().map(|value| value.get_name().to_string()),
         "range": [range.start(), range.end()],
         "periods": proof.periods,
         "pending": proof.pending,
+        "undecided": proof.undecided,
         "orbit_intervals": proof.orbits,
         "stretches": proof.stretches,
         "singular_points": proof.singular,
         "boundary_points": proof.boundary,
         "excluded_points": proof.excluded,
         "witness": proof.refuted.as_ref().map(|decision| json!({ "n": decision.n, "reason": witness(decision) })),
+        "contradiction": proof.contradiction,
         "certificate": args.certificate.as_ref().filter(|_| outcome(proof) == Outcome::Done),
     })
 }

@@ -26,6 +26,17 @@ impl Case {
         }
     }
 
+    /// The case with both signs reversed.
+    #[must_use]
+    pub fn reversed(self) -> Self {
+        match self {
+            Case::MinusMinus => Case::PlusPlus,
+            Case::MinusPlus => Case::PlusMinus,
+            Case::PlusMinus => Case::MinusPlus,
+            Case::PlusPlus => Case::MinusMinus,
+        }
+    }
+
     /// sign eµ, −1 or 1.
     pub fn sign_emu(self) -> i8 {
         match self {

@@ -117,16 +117,16 @@ impl Search {
     fn pieces(&mut self) -> Vec<Piece> {
         let half = Ratio::new_raw(1, 2);
         let mut pieces = Vec::new();
-        let mut left = Ratio::new_raw(0, 1);
-        loop {
-            let right = self.open_piece(left, &mut pieces);
-            if right >= half {
-                return pieces;
-            }
-            let reason = self.reason_at(&right);
-            pieces.push(Piece::Point { at: right, reason });
-            left = right;
+        let mut at = self.open_piece(Ratio::new_raw(0, 1), &mut pieces);
+        while at != half {
+            // The point goes between the pieces on its two sides, which say most about it.
+            let index = pieces.len();
+            let right = self.open_piece(at, &mut pieces);
+            let reason = self.reason_at(&at, &pieces[index - 1], &pieces[index]);
+            pieces.insert(index, Piece::Point { at, reason });
+            at = right;
         }
+        pieces
     }
 
     /// Appends the open piece that starts at `left`; returns its right end.
@@ -188,16 +188,25 @@ impl Search {
         [quarter_turn, others[0], others[1]].into_iter().filter(move |&k| 0 < k && k < n)
     }
 
-    fn reason_at(&self, at: &Ratio<u64>) -> Reason {
+    fn reason_at(&self, at: &Ratio<u64>, before: &Piece, after: &Piece) -> Reason {
         let signs = Signs::new(self.n, at, Side::At);
         if signs.singular() {
             return Reason::Singular;
         }
-        let (mut positive, mut negative, mut zero) = (None, None, None);
-        let known = [self.positive, self.negative].into_iter().flatten().map(|k| (k, signs.b(k)));
-        for (k, sign) in known.chain((1..).zip(signs.all_b())) {
+        let (
+            Piece::Stretch { positive: p0, negative: n0, .. },
+            Piece::Stretch { positive: p1, negative: n1, .. },
+        ) = (before, after)
+        else {
+            // All b have one sign on one side, and each is continuous here: none has the opposite sign. The cut is
+            // m/k for some k < n, so that sin kπs = 0, and its denominator is such a k.
+            return Reason::Boundary(*at.denom());
+        };
+        let known = [*p0, *p1, *n0, *n1].map(|k| (k, signs.b(k)));
+        let (mut positive, mut negative) = (None, None);
+        for (k, sign) in known.into_iter().chain((1..).zip(signs.all_b())) {
             match sign {
-                0 => zero = zero.or(Some(k)),
+                0 => {}
                 1 => positive = positive.or(Some(k)),
                 _ => negative = negative.or(Some(k)),
             }
@@ -205,8 +214,7 @@ impl Search {
                 return Reason::Excluded { positive, negative };
             }
         }
-        // A cut that is not singular is a zero of the b that ended the piece before it.
-        Reason::Boundary(zero.expect("a cut is a zero of some b or singular"))
+        Reason::Boundary(*at.denom())
     }
 }
 

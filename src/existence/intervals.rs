@@ -103,7 +103,7 @@ fn around(n: u64, m: u64, left: Ratio<u64>, right: Ratio<u64>) -> impl Iterator<
     let left = if m == 1 { Ratio::new_raw(1, 2 * n) } else { left };
     let before = Interval { n, m, case: Case::PlusPlus, left, right: at, deciding: Some(n_minus) };
     let after =
-        (n > 2).then(|| Interval { n, m, case: Case::PlusMinus, left: at, right, deciding: Some(n_plus) });
+        (n > 2).then_some(Interval { n, m, case: Case::PlusMinus, left: at, right, deciding: Some(n_plus) });
     [before].into_iter().chain(after)
 }
 

@@ -2,14 +2,24 @@
 //!
 //! Two sides are kept apart and compared. The *claim* is the theorem's list of intervals, built by modular inverses
 //! ([`intervals`]) and again from the Farey tree ([`tree_intervals`]). The *decision* ([`decide`]) knows only
-//! the signs of b_{n,k} and c_n and finds where (52), (53) hold. What happens for r < 1 is not here.
+//! the signs of b_{n,k} and c_n and finds where (52), (53) hold. A second proof ([`decide_by_enclosure`]) takes the claim
+//! as a guess and proves it by enclosures over whole stretches. What happens for r < 1 is not here.
 
+mod by_enclosure;
 mod case;
+mod claim;
 mod decide;
+mod eigenvalue;
 mod intervals;
 mod signs;
+mod single;
 
+pub use by_enclosure::{Enclosed, decide_by_enclosure};
 pub use case::Case;
+pub use claim::{Claim, Variant, claimed};
 pub use decide::{Decision, Piece, Reason, decide};
+pub use eigenvalue::large_eigenvalue_sign;
 pub use intervals::{Interval, MAX_PERIOD, intervals, tree_intervals};
 pub use signs::{Side, Signs};
+pub(crate) use single::definition_and_rung;
+pub use single::{Existence, by_definition, by_records};

@@ -44,7 +44,7 @@ impl Signs {
 
     /// Whether u_n = 0 at s: det D = 0 and Theorem 1 is silent.
     pub fn singular(&self) -> bool {
-        self.side == Side::At && 2 * self.n * self.p % self.q == 0
+        self.side == Side::At && (2 * self.n * self.p).is_multiple_of(self.q)
     }
 
     /// sign b_{n,k} by (B1), 1 ≤ k ≤ n−1; 0 also at a pole.

@@ -76,9 +76,9 @@ impl Ranker {
             return Ok(gap.right);
         }
         loop {
-            let right = gap.right.clone();
+            let right = gap.right;
             let moved_left = self.advance(&mut gap.left, &right, |rank| rank <= index);
-            let left = gap.left.clone();
+            let left = gap.left;
             let moved_right = self.advance(&mut gap.right, &left, |rank| rank > index);
             if !moved_left && !moved_right {
                 return Ok(gap.left);

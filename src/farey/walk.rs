@@ -58,7 +58,7 @@ impl Walk {
             return Err(Error::input(format!("{to} is above 1: a walk stays within [0, 1]")));
         }
         let front = Side::new(order, from, to)?;
-        Ok(Walk { front, back: None, order, range: (from.clone(), to.clone()), back_last: 0 })
+        Ok(Walk { front, back: None, order, range: (*from, *to), back_last: 0 })
     }
 }
 

@@ -86,7 +86,8 @@ impl Default for Ladder {
 impl Ladder {
     /// Rungs of 128, 256, … bits, not above `max_bits`; below 128 there are only intervals and integers.
     pub fn new(max_bits: u32) -> Ladder {
-        let rungs = std::iter::successors(Some(128u32), |bits| bits.checked_mul(2)).take_while(|&bits| bits <= max_bits);
+        let rungs = std::iter::successors(Some(128u32), |bits| bits.checked_mul(2))
+            .take_while(|&bits| bits <= max_bits);
         Ladder { balls: rungs.map(|bits| (bits, OnceLock::new())).collect() }
     }
 
@@ -107,9 +108,11 @@ impl Ladder {
         if let Some(answer) = at_once(point, quantity) {
             return Decision { answer, rung: Rung::Exact };
         }
-        self.climb(sign_on::<FloatInterval>(point, quantity, &()), |precision| sign_on::<Ball>(point, quantity, precision), |attempt| {
-            exactly(point, quantity, attempt)
-        })
+        self.climb(
+            sign_on::<FloatInterval>(point, quantity, &()),
+            |precision| sign_on::<Ball>(point, quantity, precision),
+            |attempt| exactly(point, quantity, attempt),
+        )
     }
 
     /// The signs of b_{n,1}, …, b_{n,n−1}, most of them from one pass of intervals over all k.
@@ -119,7 +122,9 @@ impl Ladder {
     pub fn signs(&self, point: &Point, n: u64) -> Vec<Decision> {
         Quantity::C { n }.check();
         let first = match point {
-            Point::Polar(polar) if !polar.on_circle() && !polar.is_singular(n) => direct_signs::<FloatInterval>(polar, n, &()),
+            Point::Polar(polar) if !polar.on_circle() && !polar.is_singular(n) => {
+                direct_signs::<FloatInterval>(polar, n, &())
+            }
             _ => return (1..n).map(|k| self.sign(point, Quantity::B { n, k })).collect(),
         };
         let decide = |(k, answer)| match answer {
@@ -129,7 +134,12 @@ impl Ladder {
         (1..n).zip(first).map(decide).collect()
     }
 
-    fn climb(&self, first: Answer, ball: impl Fn(&Precision) -> Answer, exact: impl Fn(u64) -> Option<Sign>) -> Decision {
+    fn climb(
+        &self,
+        first: Answer,
+        ball: impl Fn(&Precision) -> Answer,
+        exact: impl Fn(u64) -> Option<Sign>,
+    ) -> Decision {
         if first != Answer::Undecided {
             return Decision { answer: first, rung: Rung::Interval };
         }
@@ -140,7 +150,9 @@ impl Ladder {
             if answer != Answer::Undecided {
                 return Decision { answer, rung };
             }
-            if index == 0 && let Some(sign) = exact(EXACT_BITS[0]) {
+            if index == 0
+                && let Some(sign) = exact(EXACT_BITS[0])
+            {
                 return Decision { answer: Answer::Sign(sign), rung: Rung::Exact };
             }
         }
@@ -168,7 +180,9 @@ impl Quantity {
 
     fn check(self) {
         match self {
-            Quantity::B { n, k } => assert!(1 <= k && k < n, "b_{{n,k}} needs 1 ≤ k < n, not n = {n}, k = {k}"),
+            Quantity::B { n, k } => {
+                assert!(1 <= k && k < n, "b_{{n,k}} needs 1 ≤ k < n, not n = {n}, k = {k}")
+            }
             Quantity::C { n } => assert!(n >= 1, "c_n needs n ≥ 1"),
         }
     }
@@ -179,7 +193,9 @@ fn at_once(point: &Point, quantity: Quantity) -> Option<Answer> {
     match (point, quantity) {
         (Point::Polar(polar), _) if polar.is_singular(quantity.period()) => Some(Answer::Singular),
         (Point::Polar(polar), Quantity::C { n }) => Some(Answer::Sign(polar.c_sign(n))),
-        (Point::Polar(polar), Quantity::B { n, k }) if polar.on_circle() => Some(Answer::Sign(polar.b_sign_on_circle(n, k))),
+        (Point::Polar(polar), Quantity::B { n, k }) if polar.on_circle() => {
+            Some(Answer::Sign(polar.b_sign_on_circle(n, k)))
+        }
         (Point::Plane(plane), _) if plane.is_singular(quantity.period()) => Some(Answer::Singular),
         _ => None,
     }
@@ -190,11 +206,14 @@ fn exactly(point: &Point, quantity: Quantity, limit: u64) -> Option<Sign> {
     let (numerator, denominator) = match (point, quantity) {
         (Point::Polar(polar), Quantity::B { n, k }) => {
             // The test is cheap or hopeless: once is enough.
-            return (limit == EXACT_BITS[0] && zero_test::numerator_vanishes(polar, n, k)?).then_some(Sign::Zero);
+            return (limit == EXACT_BITS[0] && zero_test::numerator_vanishes(polar, n, k)?)
+                .then_some(Sign::Zero);
         }
         (Point::Polar(polar), Quantity::C { n }) => return Some(polar.c_sign(n)),
         (Point::Plane(plane), Quantity::B { n, k }) => plane.exact_numerator(n, k, limit)?,
-        (Point::Plane(plane), Quantity::C { n }) => plane.exact_factor(n, limit).map(|(factor, u)| (-factor, u))?,
+        (Point::Plane(plane), Quantity::C { n }) => {
+            plane.exact_factor(n, limit).map(|(factor, u)| (-factor, u))?
+        }
     };
     Some(Sign::from(&numerator) * Sign::from(&denominator))
 }
@@ -234,7 +253,9 @@ pub fn sign_by(point: &Point, quantity: Quantity, rung: Rung) -> Answer {
         Rung::Interval => sign_on::<FloatInterval>(point, quantity, &()),
         Rung::Ball(bits) => sign_on::<Ball>(point, quantity, &Precision::new(bits)),
         Rung::Exact => at_once(point, quantity)
-            .or_else(|| EXACT_BITS.iter().find_map(|&limit| exactly(point, quantity, limit)).map(Answer::Sign))
+            .or_else(|| {
+                EXACT_BITS.iter().find_map(|&limit| exactly(point, quantity, limit)).map(Answer::Sign)
+            })
             .unwrap_or(Answer::Undecided),
     }
 }

@@ -76,15 +76,29 @@ impl Plane {
         match (Sign::of(&self.excess()), self.real) {
             (_, false) => Region::Three,
             (Sign::Zero, true) => Region::Line,
-            (Sign::Negative, true) => if negative { Region::Five } else { Region::One },
-            (Sign::Positive, true) => if negative { Region::Four } else { Region::Two },
+            (Sign::Negative, true) => {
+                if negative {
+                    Region::Five
+                } else {
+                    Region::One
+                }
+            }
+            (Sign::Positive, true) => {
+                if negative {
+                    Region::Four
+                } else {
+                    Region::Two
+                }
+            }
         }
     }
 
     /// Whether u_n = 0: by Niven's theorem, exactly where a₁² is 0, a₂, 2a₂ or 3a₂ and 2, 3, 4 or 6 divides n.
     pub fn is_singular(&self, n: u64) -> bool {
         let square = &self.a1 * &self.a1;
-        [(0, 2), (1, 3), (2, 4), (3, 6)].iter().any(|&(times, period)| n.is_multiple_of(period) && square == &self.a2 * BigInt::from(times))
+        [(0, 2), (1, 3), (2, 4), (3, 6)]
+            .iter()
+            .any(|&(times, period)| n.is_multiple_of(period) && square == &self.a2 * BigInt::from(times))
     }
 
     /// e = 1 − |a₁| + a₂.
@@ -205,7 +219,8 @@ where
 {
     let times = |a: &T, b: &T| a.clone() * b;
     // u_i, u_{i+1}, v_i, v_{i+1}, a₂^i, from i = 0.
-    let (mut u, mut u1, mut v, mut v1, mut power) = (integer(0), integer(1), integer(2), a1.clone(), integer(1));
+    let (mut u, mut u1, mut v, mut v1, mut power) =
+        (integer(0), integer(1), integer(2), a1.clone(), integer(1));
     for bit in (0..64 - k.leading_zeros()).rev() {
         let next = times(&power, a2);
         let odd = (times(&u1, &v) - &power, times(&v, &v1) - &times(a1, &power));

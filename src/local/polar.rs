@@ -14,7 +14,6 @@
 //! single and double zeros and as r → 1; the direct form does for small r. c_n is a product of sums of positive terms.
 
 use num_bigint::BigInt;
-use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Signed};
 
@@ -26,6 +25,10 @@ use crate::number::{Angle, Circular, Real, Sign};
 pub struct Polar {
     r: BigRational,
     s: BigRational,
+    /// 1 − r.
+    rest: BigRational,
+    /// r ≥ ½.
+    large: bool,
     /// πs and 2πs.
     half: Angle,
     full: Angle,
@@ -48,10 +51,14 @@ impl Polar {
             return Err(Error::input(format!("r = {r} is outside 0 < r ≤ 1")));
         }
         if !s.is_positive() || s >= BigRational::new(1.into(), 2.into()) {
-            return Err(Error::input(format!("s = {s} is outside 0 < s < 1/2 (give a point with real eigenvalues by a1, a2)")));
+            return Err(Error::input(format!(
+                "s = {s} is outside 0 < s < 1/2 (give a point with real eigenvalues by a1, a2)"
+            )));
         }
         let (half, full) = (Angle::new(&s), Angle::new(&(&s * BigInt::from(2))));
-        Ok(Polar { r, s, half, full })
+        let rest = BigRational::one() - &r;
+        let large = rest <= r;
+        Ok(Polar { r, s, rest, large, half, full })
     }
 
     /// r.
@@ -71,7 +78,7 @@ impl Polar {
 
     /// Whether u_n = 0: exactly where 2ns is an integer.
     pub fn is_singular(&self, n: u64) -> bool {
-        (self.s.numer() * BigInt::from(2) * n).is_multiple_of(self.s.denom())
+        self.u_sign(n) == Sign::Zero
     }
 
     /// The sign of u_n, which is that of sin 2πns: exact.
@@ -102,7 +109,8 @@ impl Polar {
         let j = n - k;
         let cosine = T::cos(&self.half.times(n), context);
         if self.on_circle() {
-            let (sine_j, sine_k) = (T::sin(&self.half.times(j), context), T::sin(&self.half.times(k), context));
+            let (sine_j, sine_k) =
+                (T::sin(&self.half.times(j), context), T::sin(&self.half.times(k), context));
             return Some(T::integer(-2, context) * &sine_j * &sine_k / &cosine);
         }
         let sine = T::sin(&self.half.times(n), context);
@@ -152,7 +160,13 @@ impl Polar {
                 .map(|k| {
                     let j = n - k;
                     let power = |i: u64| &powers[i as usize];
-                    let folded = folded([sine(n), sine(j), sine(k)], [cosine(n), cosine(j), cosine(k)], power(j), power(k), context);
+                    let folded = folded(
+                        [sine(n), sine(j), sine(k)],
+                        [cosine(n), cosine(j), cosine(k)],
+                        power(j),
+                        power(k),
+                        context,
+                    );
                     let direct = direct([n, j, k].map(|i| &double_sines[i as usize]), power(n), power(j));
                     self.choose(folded, direct) / &(double.clone() * &power(j).power)
                 })
@@ -164,7 +178,8 @@ impl Polar {
     pub(super) fn numerator<T: Circular>(&self, n: u64, k: u64, context: &T::Context) -> T {
         let j = n - k;
         let power = [self.power::<T>(n, context), self.power(j, context), self.power(k, context)];
-        let direct = direct([n, j, k].map(|i| T::sin(&self.full.times(i), context)).each_ref(), &power[0], &power[1]);
+        let direct =
+            direct([n, j, k].map(|i| T::sin(&self.full.times(i), context)).each_ref(), &power[0], &power[1]);
         let sines = [n, j, k].map(|i| T::sin(&self.half.times(i), context));
         let cosines = [n, j, k].map(|i| T::cos(&self.half.times(i), context));
         let folded = folded(sines.each_ref(), cosines.each_ref(), &power[1], &power[2], context);
@@ -176,12 +191,14 @@ impl Polar {
         let sines = T::sines(&self.full, n, context);
         let powers = self.powers::<T>(n, context);
         let at = |i: u64| &sines[i as usize];
-        (1..n).map(|k| direct([at(n), at(n - k), at(k)], &powers[n as usize], &powers[(n - k) as usize])).collect()
+        (1..n)
+            .map(|k| direct([at(n), at(n - k), at(k)], &powers[n as usize], &powers[(n - k) as usize]))
+            .collect()
     }
 
     /// The better of the two forms: the narrower enclosure, or, where there is none, the folded one for r ≥ ½.
     fn choose<T: Circular>(&self, folded: T, direct: T) -> T {
-        if self.r < BigRational::new(1.into(), 2.into()) { direct.tighter(folded) } else { folded.tighter(direct) }
+        if self.large { folded.tighter(direct) } else { direct.tighter(folded) }
     }
 
     /// r^j and 1 − r^j by repeated squaring: O(log j) products.
@@ -206,11 +223,13 @@ impl Polar {
     fn powers<T: Real>(&self, n: u64, context: &T::Context) -> Vec<Power<T>> {
         let step = self.step::<T>(context);
         let first = Power { power: T::integer(1, context), rest: T::integer(0, context) };
-        std::iter::successors(Some(first), |last| Some(last.next(&step, context))).take(n as usize + 1).collect()
+        std::iter::successors(Some(first), |last| Some(last.next(&step, context)))
+            .take(n as usize + 1)
+            .collect()
     }
 
     fn step<T: Real>(&self, context: &T::Context) -> Power<T> {
-        Power { power: T::ratio(&self.r, context), rest: T::ratio(&(BigRational::one() - &self.r), context) }
+        Power { power: T::ratio(&self.r, context), rest: T::ratio(&self.rest, context) }
     }
 }
 
@@ -234,7 +253,13 @@ fn direct<T: Real>([n, j, k]: [&T; 3], power_n: &Power<T>, power_j: &Power<T>) -
 }
 
 /// M from σ and κ at n, j, k.
-fn folded<T: Real>(sines: [&T; 3], cosines: [&T; 3], power_j: &Power<T>, power_k: &Power<T>, context: &T::Context) -> T {
+fn folded<T: Real>(
+    sines: [&T; 3],
+    cosines: [&T; 3],
+    power_j: &Power<T>,
+    power_k: &Power<T>,
+    context: &T::Context,
+) -> T {
     let one = T::integer(1, context);
     let falling = |power: &Power<T>, i: usize| power.rest.clone() * cosines[i];
     let rising = |power: &Power<T>, i: usize| (one.clone() + &power.power) * sines[i];

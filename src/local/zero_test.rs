@@ -123,11 +123,25 @@ mod tests {
             for k in [1, 2, 31, 32, 33, n - 2, n - 1] {
                 for (x, y) in [(1, 2), (1, 3), (2, 3)] {
                     let r = BigRational::new(BigInt::from(x), BigInt::from(y));
-                    for coefficients in [[0, 1, -1], [1, 0, 0], [0, 2, -4], [0, 4, -9], [2, -1, 0], [4, -9, 0], [0, 1, -2], [1, -2, 0], [1, -4, 1]] {
+                    for coefficients in [
+                        [0, 1, -1],
+                        [1, 0, 0],
+                        [0, 2, -4],
+                        [0, 4, -9],
+                        [2, -1, 0],
+                        [4, -9, 0],
+                        [0, 1, -2],
+                        [1, -2, 0],
+                        [1, -4, 1],
+                    ] {
                         let [a, b, c] = coefficients.map(|c| BigRational::from_integer(BigInt::from(c)));
                         let power = |e: u64| pow(r.clone(), e as usize);
                         let expected = (a + b * power(n - k) + c * power(n)).is_zero();
-                        assert_eq!(combination_vanishes(coefficients, &r, n, k), expected, "{coefficients:?} {r} {n} {k}");
+                        assert_eq!(
+                            combination_vanishes(coefficients, &r, n, k),
+                            expected,
+                            "{coefficients:?} {r} {n} {k}"
+                        );
                     }
                 }
             }

@@ -14,8 +14,14 @@ pub struct Angle(Turn);
 #[derive(Debug, Clone, PartialEq, Eq)]
 enum Turn {
     /// q < 2⁶².
-    Small { p: u64, q: u64 },
-    Large { p: BigUint, q: BigUint },
+    Small {
+        p: u64,
+        q: u64,
+    },
+    Large {
+        p: BigUint,
+        q: BigUint,
+    },
 }
 
 /// An angle brought to 0 ≤ t ≤ ¼: its sine is ± sin πt or ± cos πt.
@@ -102,7 +108,11 @@ impl Angle {
                 let other = q - &p;
                 let p = if other < p { other } else { p };
                 let cosine = &p * 4u32 > *q;
-                let t = if cosine { Fraction::Large(q - p * 2u32, q * 2u32) } else { Fraction::Large(p, q.clone()) };
+                let t = if cosine {
+                    Fraction::Large(q - p * 2u32, q * 2u32)
+                } else {
+                    Fraction::Large(p, q.clone())
+                };
                 Octant { negative, cosine, t }
             }
         }

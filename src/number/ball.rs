@@ -19,7 +19,7 @@ use super::{Real, Sign, ball_sine};
 #[derive(Debug, Clone)]
 pub struct Precision {
     bits: u32,
-    /// π·2^(bits + [`ball_sine::GUARD`]) rounded down, within 1.
+    /// π·2^w within 2, w = [`Precision::pi_bits`].
     pub(super) pi: BigInt,
 }
 
@@ -27,7 +27,11 @@ impl Precision {
     /// A working precision of `bits` bits, at least 16.
     pub fn new(bits: u32) -> Precision {
         let bits = bits.max(16);
-        Precision { bits, pi: ball_sine::pi(bits + ball_sine::GUARD) }
+        Precision { bits, pi: ball_sine::pi(ball_sine::pi_bits(bits)) }
+    }
+
+    pub(super) fn pi_bits(&self) -> u32 {
+        ball_sine::pi_bits(self.bits)
     }
 
     /// The number of bits of a midpoint.
@@ -79,8 +83,15 @@ impl Ball {
         }
         let mid = dyadic(self.mid.clone(), self.exp);
         let (m, e) = self.radius.parts();
-        let radius = dyadic(m.into(), e);
+        // A radius of 2⁻¹⁰⁰⁰⁰⁰⁰⁰ would be written out: one far below the last place may be rounded up.
+        let least = self.exp.min(0) - 64;
+        let radius = if m > 0 && e < least - 32 { dyadic(BigInt::one(), least) } else { dyadic(m.into(), e) };
         Some((&mid - &radius, mid + radius))
+    }
+
+    /// An e with |midpoint| < 2^e, at most twice the midpoint; 0 for the midpoint 0.
+    pub fn exponent(&self) -> i64 {
+        if self.mid.is_zero() { 0 } else { self.exp + self.mid.bits() as i64 }
     }
 
     /// Whether the exact number lies in the ball.
@@ -238,7 +249,8 @@ impl Real for Ball {
         if denominator.is_one() {
             return Ball::new(numerator.clone(), 0, Radius::ZERO, context.bits);
         }
-        let shift = (i64::from(context.bits) + 1 + denominator.bits() as i64 - numerator.bits() as i64).max(0);
+        let shift =
+            (i64::from(context.bits) + 1 + denominator.bits() as i64 - numerator.bits() as i64).max(0);
         let (quotient, rest) = (numerator << shift).div_rem(denominator);
         let radius = if rest.is_zero() { Radius::ZERO } else { Radius::new(1, -shift) };
         Ball::new(quotient, -shift, radius, context.bits)

@@ -2,23 +2,29 @@
 //!
 //! A fixed-point number is an integer X that stands for X·2^−w; errors are counted in its last place.
 
-use num_bigint::{BigInt, BigUint};
+use num_bigint::{BigInt, BigUint, Sign};
 use num_integer::Roots;
 use num_traits::{One, Zero};
 
+use super::Circular;
 use super::angle::{Angle, Fraction, Octant};
 use super::ball::{Ball, Precision};
+use super::fixed::{self, Signed};
 use super::radius::Radius;
-use super::Circular;
 
-/// Bits of π beyond the working precision.
-pub(super) const GUARD: u32 = 64;
+/// Least bits beyond the working precision in a recurrence.
+const GUARD: u32 = 64;
 
-/// Bits of a single sine beyond the working precision.
+/// Least bits of a single sine beyond the working precision.
 const SINE_GUARD: u32 = 32;
 
 /// The error bound of a fixed-point sine or cosine, in its last place.
 const ERROR: u64 = 32;
+
+/// The bits of π that sines to `bits` bits need.
+pub(super) fn pi_bits(bits: u32) -> u32 {
+    64 * limbs_for(bits + GUARD) as u32
+}
 
 /// π·2^w within 2, by Machin: π = 16 arctan 1/5 − 4 arctan 1/239. Cost: O(w) divisions of w bits by a word.
 pub(super) fn pi(w: u32) -> BigInt {
@@ -38,57 +44,62 @@ pub(super) fn pi(w: u32) -> BigInt {
     BigInt::from((arctan(5) * 16u32 - arctan(239) * 4u32) >> 32)
 }
 
-/// Σ (−1)^i y^i first!/(2i + first)!: cos √y for `first` = 0, sin √y / √y for `first` = 1. Within 16.
+/// Σ (−1)^i y^i first!/(2i + first)!: cos √y for `first` = 0, sin √y / √y for `first` = 1, in 2^−w, w = 64·`length`. Within 16.
 ///
-/// Needs 0 ≤ y ≤ 0.617 known within 4. By blocks of m ≈ √N terms (Paterson and Stockmeyer): N multiplications by a word and 2√N full
-/// ones for N terms. With d_i = (2i + first − 1)(2i + first), `sum` counts in units of 1/(d₁⋯d_j) for a j that falls
-/// whenever the product `scale` = d_{i+1}⋯d_j would outgrow a word.
+/// Needs 0 ≤ y ≤ 0.617 known within 4. By blocks of m ≈ √N terms (Paterson and Stockmeyer): N multiplications by a word
+/// and 2√N full ones for N terms. With d_i = (2i + first − 1)(2i + first), `sum` counts in units of 1/(d₁⋯d_j) for a j that
+/// falls whenever the product `scale` = d_{i+1}⋯d_j would outgrow a word. N is odd and m even, so that the sum is positive (its
+/// leading term outweighs the rest) wherever it is multiplied or divided; in between it wraps.
 ///
-/// Errors: a power is off by at most 9 (y off by 4, one cut, times y ≤ 0.617, summed), and the powers weigh at most
-/// 1/2! + 1/4! + … < 0.55; each other cut loses 1 in a unit of 1/(d₁⋯d_i), i ≥ 1, together less than 2·0.55; the last
-/// division and the tail lose less than 1 each.
-fn series(y: &BigInt, w: u32, first: u64) -> BigInt {
+/// Errors: a power is off by at most 12 (y off by 4, a product by 2, times y ≤ 0.617, summed), and the powers weigh at
+/// most 1/2! + 1/4! + … < 0.55; each other cut loses at most 2 in a unit of 1/(d₁⋯d_i), i ≥ 2, together less than
+/// 1; the last division and the tail lose less than 1 each.
+fn series(y: &BigInt, length: usize, first: u64) -> BigInt {
+    let w = 64 * length as u64;
     let d = |i: u64| (2 * i + first - 1) * (2 * i + first);
     // y < 2^−small; y^i/(d₁⋯d_i) < 2^−w ends the alternating sum.
-    let small = u64::from(w).saturating_sub(y.bits());
-    let mut terms = 1;
-    let mut reached = 0;
-    while reached <= u64::from(w) {
+    let small = w.saturating_sub(y.bits());
+    let (mut terms, mut reached) = (1, 0);
+    while reached <= w {
         reached += small + u64::from(d(terms).ilog2());
         terms += 1;
     }
-    let m = terms.sqrt().max(1);
-    let mut powers = vec![BigInt::one() << w];
-    for j in 0..m as usize {
-        powers.push((&powers[j] * y) >> w);
+    let terms = terms | 1;
+    let m = (terms.sqrt() + 1) & !1;
+    let y = fixed::limbs(y.magnitude(), length);
+    let mut powers = vec![Vec::new(), y.clone()];
+    for j in 1..m as usize {
+        powers.push(fixed::product(&powers[j], &y));
     }
-    let mut sum = BigInt::zero();
-    let mut term = BigInt::zero();
+    let mut sum = vec![0u64; length + 1];
     let mut scale = 1u64;
     for i in (0..terms).rev() {
-        term.clone_from(&powers[(i % m) as usize]);
-        term *= scale;
-        if i % 2 == 0 {
-            sum += &term;
-        } else {
-            sum -= &term;
+        let odd = i % 2 == 1;
+        match i % m {
+            0 => sum[length] = sum[length].wrapping_add(scale),
+            j => fixed::add_scaled(&mut sum, &powers[j as usize], scale, odd),
         }
-        if i > 0 {
-            if i % m == 0 {
-                sum = (sum * &powers[m as usize]) >> w;
-            }
-            scale = scale.checked_mul(d(i)).unwrap_or_else(|| {
-                sum /= scale;
-                d(i)
-            });
+        if i == 0 {
+            break;
         }
+        if i % m == 0 {
+            sum = fixed::product(&sum, &powers[m as usize]);
+        }
+        if !odd && scale.checked_mul(d(i)).and_then(|scale| scale.checked_mul(d(i - 1))).is_none() {
+            fixed::divide(&mut sum, scale);
+            scale = 1;
+        }
+        scale *= d(i);
     }
-    sum / scale
+    fixed::divide(&mut sum, scale);
+    fixed::integer(&sum).into()
 }
 
 /// sin or cos of πt, 0 < t ≤ ¼, as value·2^exp ± radius, relative error below 2^(5−w).
-fn kernel(cosine: bool, t: &Fraction, precision: &Precision, w: u32) -> (BigInt, i64, Radius) {
-    let pi = &precision.pi >> (precision.bits() + GUARD - w);
+/// w = 64·`length`.
+fn kernel(cosine: bool, t: &Fraction, precision: &Precision, length: usize) -> (BigInt, i64, Radius) {
+    let w = 64 * length as u32;
+    let pi = &precision.pi >> (precision.pi_bits() - w);
     // t ≥ 2^(−shift−1), so that πt·2^(w+shift) has at least w bits, whatever the size of t.
     let (x, shift) = match t {
         &Fraction::Small(numerator, denominator) => {
@@ -105,12 +116,12 @@ fn kernel(cosine: bool, t: &Fraction, precision: &Precision, w: u32) -> (BigInt,
     let y = (&cut * &cut) >> w;
     let fixed = i64::from(w);
     if cosine {
-        return (series(&y, w, 0), -fixed, Radius::new(ERROR, -fixed));
+        return (series(&y, length, 0), -fixed, Radius::new(ERROR, -fixed));
     }
     // sin πt = πt · sinc: πt within 2/3 + 1 relative to 2^w, the sinc, at least 0.9, within 16.
     let exp = -fixed - shift as i64;
     let radius = Radius::of(&x, exp) * Radius::new(ERROR, -fixed);
-    (x * series(&y, w, 1), exp - fixed, radius)
+    (x * series(&y, length, 1), exp - fixed, radius)
 }
 
 impl Octant {
@@ -128,42 +139,60 @@ impl Octant {
     }
 }
 
-/// The sine of an angle in fixed point at w bits, within [`ERROR`].
-fn fixed_sine(angle: &Angle, precision: &Precision, w: u32) -> BigInt {
+/// The sine of an angle in fixed point, within [`ERROR`], with a whole limb.
+fn fixed_sine(angle: &Angle, precision: &Precision, length: usize) -> Signed {
     let octant = angle.octant();
+    let w = 64 * length as i64;
     let magnitude = match octant.halves() {
-        Some(halves) => BigInt::from(halves) << (w - 1),
+        Some(halves) => BigUint::from(halves) << (w - 1),
         None => {
-            let (value, exp, _) = kernel(octant.cosine, &octant.t, precision, w);
-            value >> -(exp + i64::from(w))
+            let (value, exp, _) = kernel(octant.cosine, &octant.t, precision, length);
+            value.magnitude() >> -(exp + w)
         }
     };
-    if octant.negative { -magnitude } else { magnitude }
+    Signed { negative: octant.negative, limbs: fixed::limbs(&magnitude, length + 1) }
 }
 
 /// f(0), f(1), …, f(n) for f(k) = sin or cos of k times the angle, from f(0), f(1) by f(k+1) = 2c·f(k) − f(k−1).
 ///
-/// Let c be the cosine, e_k the error of f(k) in the last place, w = bits + [`GUARD`]. A step adds at most 2·[`ERROR`]·1.1 + 1 < 80
-/// (c's own error and a cut), and an error ε made at step i reaches step k as ε·sin((k−i)x)/sin x ≤ ε(k − i). Hence
+/// Let c be the cosine, e_k the error of f(k) in the last place. A step adds at most 2·[`ERROR`]·1.1 + 9 < 80 (c's
+/// own error and a product's), and an error ε made at step i reaches step k as ε·sin((k−i)x)/sin x ≤ ε(k − i). Hence
 /// e_k ≤ 32k + 80·k²/2 ≤ 72k². Where that leaves fewer than `bits` good bits, the value is computed by itself.
-fn multiples(angle: &Angle, n: u64, precision: &Precision, first: [&Angle; 2], single: impl Fn(&Angle) -> Ball) -> Vec<Ball> {
-    let (bits, w) = (precision.bits(), precision.bits() + GUARD);
-    let double_cosine: BigInt = fixed_sine(&angle.complement(), precision, w) << 1;
-    let [mut previous, mut current] = first.map(|angle| fixed_sine(angle, precision, w));
+fn multiples(
+    angle: &Angle,
+    n: u64,
+    precision: &Precision,
+    first: [&Angle; 2],
+    single: impl Fn(&Angle) -> Ball,
+) -> Vec<Ball> {
+    let bits = precision.bits();
+    let length = limbs_for(bits + GUARD);
+    let exp = -64 * length as i64;
+    // 2c = 4·(c/2): half a cosine is a fraction.
+    let cosine = fixed_sine(&angle.complement(), precision, length);
+    let half = fixed::limbs(&(fixed::integer(&cosine.limbs) >> 1), length);
+    let [mut previous, mut current] = first.map(|angle| fixed_sine(angle, precision, length));
     let mut values = Vec::with_capacity(n as usize + 1);
     for k in 0..=n {
         let error = 72 * u128::from(k) * u128::from(k) + u128::from(ERROR);
         let error_bits = u64::from(128 - error.leading_zeros());
-        values.push(if previous.bits() < error_bits + u64::from(bits) || error_bits > 60 {
+        let magnitude = fixed::integer(&previous.limbs);
+        values.push(if magnitude.bits() < error_bits + u64::from(bits) || error_bits > 60 {
             single(&angle.times(k))
         } else {
-            Ball::new(previous.clone(), -i64::from(w), Radius::new(error as u64, -i64::from(w)), bits)
+            let sign = if previous.negative { Sign::Minus } else { Sign::Plus };
+            Ball::new(BigInt::from_biguint(sign, magnitude), exp, Radius::new(error as u64, exp), bits)
         });
-        let next = ((&double_cosine * &current) >> w) - &previous;
+        let next = current.step(&half, cosine.negative, &previous);
         previous = current;
         current = next;
     }
     values
+}
+
+/// Limbs for a number of bits, at least 2.
+fn limbs_for(bits: u32) -> usize {
+    bits.div_ceil(64).max(2) as usize
 }
 
 impl Circular for Ball {
@@ -174,7 +203,8 @@ impl Circular for Ball {
         let magnitude = match octant.halves() {
             Some(halves) => Ball::new(halves.into(), -1, Radius::ZERO, bits),
             None => {
-                let (value, exp, radius) = kernel(octant.cosine, &octant.t, precision, bits + SINE_GUARD);
+                let (value, exp, radius) =
+                    kernel(octant.cosine, &octant.t, precision, limbs_for(bits + SINE_GUARD));
                 Ball::new(value, exp, radius, bits)
             }
         };

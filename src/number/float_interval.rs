@@ -190,7 +190,11 @@ impl Real for FloatInterval {
         // 64 or 65 bits of the quotient, cut to 64: all that two end points can show.
         let shift = denominator.bits() as i64 - numerator.bits() as i64 + 64;
         let (quotient, exact) = {
-            let (n, d) = if shift >= 0 { (numerator << shift, denominator.clone()) } else { (numerator.clone(), denominator << -shift) };
+            let (n, d) = if shift >= 0 {
+                (numerator << shift, denominator.clone())
+            } else {
+                (numerator.clone(), denominator << -shift)
+            };
             let quotient = &n / &d;
             let exact = &quotient * d == n;
             (quotient, exact)
@@ -240,8 +244,10 @@ impl FloatInterval {
 
     /// Whether the exact number lies in the interval.
     pub fn contains(&self, value: &BigRational) -> bool {
-        let at_least = |x: f64| BigRational::from_float(x).map_or(x < 0.0, |x| (value - x).numer() >= &BigInt::zero());
-        let at_most = |x: f64| BigRational::from_float(x).map_or(x > 0.0, |x| (x - value).numer() >= &BigInt::zero());
+        let at_least =
+            |x: f64| BigRational::from_float(x).map_or(x < 0.0, |x| (value - x).numer() >= &BigInt::zero());
+        let at_most =
+            |x: f64| BigRational::from_float(x).map_or(x > 0.0, |x| (x - value).numer() >= &BigInt::zero());
         at_least(self.lo) && at_most(self.hi)
     }
 }

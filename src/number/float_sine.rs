@@ -94,8 +94,20 @@ fn float(m: u128, e: i64, up: bool) -> f64 {
     // top in [2⁵², 2⁵³]: the value is top·2^exponent, and adding the fields lets a carry raise the exponent.
     match exponent + 1074 {
         biased @ 0..=2044 => f64::from_bits(top + ((biased as u64) << 52)),
-        biased if biased < 0 => if up { f64::MIN_POSITIVE } else { 0.0 },
-        _ => if up { f64::INFINITY } else { f64::MAX },
+        biased if biased < 0 => {
+            if up {
+                f64::MIN_POSITIVE
+            } else {
+                0.0
+            }
+        }
+        _ => {
+            if up {
+                f64::INFINITY
+            } else {
+                f64::MAX
+            }
+        }
     }
 }
 
@@ -126,7 +138,8 @@ fn large(cosine: bool, numerator: &BigUint, denominator: &BigUint) -> FloatInter
         return zero_or_one(cosine);
     }
     let shift = denominator.bits() as i64 - numerator.bits() as i64 + 63;
-    let quotient = if shift >= 0 { (numerator << shift) / denominator } else { numerator / (denominator << -shift) };
+    let quotient =
+        if shift >= 0 { (numerator << shift) / denominator } else { numerator / (denominator << -shift) };
     let m = quotient.to_u64().unwrap_or(u64::MAX);
     kernel(cosine, m, shift - 66)
 }
@@ -139,11 +152,7 @@ fn kernel(cosine: bool, m: u64, shift: i64) -> FloatInterval {
         64.. => 0,
         _ => m.checked_mul(2).unwrap_or(u64::MAX), // 4t = 1 at the most
     };
-    if cosine {
-        enclose_cosine(cos_mantissa(w))
-    } else {
-        enclose(sin_mantissa(m, w), ERROR, -64 - shift)
-    }
+    if cosine { enclose_cosine(cos_mantissa(w)) } else { enclose(sin_mantissa(m, w), ERROR, -64 - shift) }
 }
 
 /// A cosine never exceeds 1.

@@ -18,6 +18,8 @@
 mod angle;
 mod ball;
 mod ball_sine;
+mod digits;
+mod fixed;
 mod float_interval;
 mod float_sine;
 mod parse;
@@ -28,6 +30,7 @@ mod sign;
 
 pub use angle::Angle;
 pub use ball::{Ball, Precision};
+pub use digits::certain_digits;
 pub use float_interval::FloatInterval;
 pub use parse::{LIMIT_BITS, parse_integer, parse_rational};
 pub use plain::Plain;

@@ -60,7 +60,9 @@ impl Circular for Plain {
         let octant = angle.octant();
         let t = match &octant.t {
             &Fraction::Small(p, q) => p as f64 / q as f64,
-            Fraction::Large(p, q) => BigRational::new(p.clone().into(), q.clone().into()).abs().to_f64().unwrap_or(0.0),
+            Fraction::Large(p, q) => {
+                BigRational::new(p.clone().into(), q.clone().into()).abs().to_f64().unwrap_or(0.0)
+            }
         };
         let value = if octant.cosine { (PI * t).cos() } else { (PI * t).sin() };
         Plain(if octant.negative { -value } else { value })

@@ -6,5 +6,6 @@ mod progress;
 mod table;
 
 pub use destination::{Destination, write_file};
+pub use figure::{accuracy_figure, accuracy_table};
 pub use progress::{Interrupt, Progress};
 pub use table::{Cell, Column, TableFormat, TableWriter, decimal};

@@ -44,7 +44,7 @@ impl Column {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Cell<'a> {
     /// A whole number.
-    Int(i128),
+    Int(i64),
     /// An exact fraction, written p/q even for integers.
     Fraction(&'a Ratio<u64>),
     /// Text.
@@ -63,7 +63,7 @@ pub struct TableWriter<'a> {
 }
 
 enum Sink<'a> {
-    Csv(csv::Writer<&'a mut dyn Write>),
+    Csv(Box<csv::Writer<&'a mut dyn Write>>),
     Text(&'a mut dyn Write),
 }
 
@@ -88,7 +88,7 @@ impl<'a> TableWriter<'a> {
                 let mut writer = csv::Writer::from_writer(out);
                 writer.write_record(names).map_err(csv_error)?;
                 return Ok(TableWriter {
-                    sink: Sink::Csv(writer),
+                    sink: Sink::Csv(Box::new(writer)),
                     format,
                     columns,
                     rows: 0,
@@ -98,7 +98,7 @@ impl<'a> TableWriter<'a> {
             TableFormat::Json => writeln!(out, "{{\"format\":{},\"rows\":[", json_string(name))?,
             TableFormat::Latex => {
                 let heads: Vec<&str> = columns.iter().map(|column| column.latex).collect();
-                writeln!(out, "% Needs \\usepackage{{booktabs,longtable}}")?;
+                writeln!(out, "% Needs \\usepackage{{amsmath,booktabs,longtable}}")?;
                 writeln!(out, "\\begin{{longtable}}{{{}}}", "r".repeat(columns.len()))?;
                 writeln!(out, "\\toprule\n{} \\\\\n\\midrule\n\\endhead", heads.join(" & "))?;
                 writeln!(out, "\\bottomrule\n\\endfoot")?;

@@ -2,6 +2,7 @@
 
 use std::{io::Write, ops::RangeInclusive};
 
+use clap::ValueEnum;
 use num_rational::Ratio;
 use rayon::prelude::*;
 
@@ -11,9 +12,20 @@ use crate::{
         theorem2::{Claim, block_header, header},
     },
     error::Result,
-    existence::{Decision, Piece, Reason, decide},
+    existence::{Decision, Enclosed, Piece, Reason, decide, decide_by_enclosure},
     monitor::Monitor,
 };
+
+/// How the signs of b_{n,k} and c_n are decided.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Method {
+    /// At every zero and pole and just right of it, by integer arithmetic.
+    Exact,
+    /// On whole stretches, by enclosures of the arguments.
+    Interval,
+    /// By both, which must agree; the pieces counted are those of the exact method.
+    Both,
+}
 
 /// What deciding a range of periods amounted to.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -32,11 +44,30 @@ pub struct Proof {
     pub excluded: u64,
     /// The number of periods not reached when the work was ended early.
     pub pending: u64,
+    /// The number of periods that enclosures left open.
+    pub undecided: u64,
+    /// The least n for which the exact method and enclosures differ: an error in one of them.
+    pub contradiction: Option<u64>,
     /// The decision with the least n that differs from Theorem 2: a refutation, if there is one.
     pub refuted: Option<Decision>,
 }
 
 impl Proof {
+    fn by(method: Method, n: u64) -> Result<Self> {
+        if method == Method::Exact {
+            return Ok(Self::of(decide(n)?));
+        }
+        let Enclosed::Decided(enclosed) = decide_by_enclosure(n)? else {
+            return Ok(Proof { undecided: 1, ..Proof::default() });
+        };
+        if method == Method::Interval {
+            return Ok(Self::of(enclosed));
+        }
+        let exact = decide(n)?;
+        let contradiction = (findings(&exact) != findings(&enclosed)).then_some(n);
+        Ok(Proof { contradiction, ..Self::of(exact) })
+    }
+
     fn of(decision: Decision) -> Self {
         let mut proof = Proof { periods: 1, ..Proof::default() };
         for piece in &decision.pieces {
@@ -63,6 +94,8 @@ impl Proof {
             boundary: self.boundary + other.boundary,
             excluded: self.excluded + other.excluded,
             pending: self.pending + other.pending,
+            undecided: self.undecided + other.undecided,
+            contradiction: [self.contradiction, other.contradiction].into_iter().flatten().min(),
             refuted: first,
         }
     }
@@ -73,6 +106,20 @@ impl Proof {
     }
 }
 
+/// What two methods must find alike, however they cut (0, ½): the intervals with an orbit, and the points where some b is 0 and
+/// no two have opposite signs.
+fn findings(decision: &Decision) -> Vec<Piece> {
+    let finding = |piece: &Piece| match *piece {
+        Piece::Orbit { .. } => Some(piece.clone()),
+        // Any k with b = 0 will do.
+        Piece::Point { at, reason: Reason::Boundary(_) } => {
+            Some(Piece::Point { at, reason: Reason::Boundary(0) })
+        }
+        _ => None,
+    };
+    decision.pieces.iter().filter_map(finding).collect()
+}
+
 /// Decides Theorem 2 for every period in `range`, on all threads of the current pool; on an interruption, for those
 /// reached so far, and the rest is counted as pending.
 ///
@@ -80,7 +127,7 @@ impl Proof {
 ///
 /// # Errors
 /// An input error if a period is out of bounds.
-pub fn prove_theorem2(range: RangeInclusive<u64>, monitor: &dyn Monitor) -> Result<Proof> {
+pub fn prove_theorem2(range: RangeInclusive<u64>, method: Method, monitor: &dyn Monitor) -> Result<Proof> {
     // The long periods first, so that no thread is left alone with them at the end.
     let periods: Vec<u64> = range.collect();
     periods
@@ -91,7 +138,7 @@ pub fn prove_theorem2(range: RangeInclusive<u64>, monitor: &dyn Monitor) -> Resu
             if monitor.advance(0).is_err() {
                 return Ok(Proof { pending: 1, ..Proof::default() });
             }
-            let proof = Proof::of(decide(n)?);
+            let proof = Proof::by(method, n)?;
             // An interruption now is noticed before the next period.
             let _ = monitor.advance(1);
             Ok(proof)

@@ -37,7 +37,7 @@ pub fn intervals(last: u64, folder: &Path) -> Result<()> {
             TableWriter::new(out, TableFormat::Csv, "grazing-figure-intervals 1", columns.to_vec())?;
         for i in &all {
             table.row(&[
-                Cell::Int(i.n.into()),
+                Cell::Int(i.n as i64),
                 Cell::Int(i.case.sign_emu().into()),
                 Cell::Int(i.case.sign_gamma().into()),
                 Cell::Fraction(&i.left),

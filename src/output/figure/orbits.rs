@@ -91,8 +91,8 @@ fn write(folder: &Path, name: &str, panels: &[Panel]) -> Result<()> {
                 let mut cells = vec![
                     Cell::Int(number),
                     Cell::Int(sign),
-                    Cell::Int(point.i as i128),
-                    Cell::Int(point.k.into()),
+                    Cell::Int(point.i as i64),
+                    Cell::Int(point.k as i64),
                 ];
                 cells.extend(numbers.iter().map(|text| Cell::Text(text)));
                 if size > shown {
@@ -192,10 +192,15 @@ fn draw_panel(panel: &Panel, area: &DrawingArea<SVGBackend, Shift>) -> Drawn {
     Ok(())
 }
 
-/// A tick's label; −0 is 0.
+/// A tick's label: no trailing zeros, no −0.
 fn tick(x: &f64) -> String {
-    let text = format!("{x:.1}");
-    if text == "-0.0" { "0.0".into() } else { text.replace('-', "−") }
+    let text = format!("{x:.4}");
+    let text = match text.trim_end_matches('0').trim_end_matches('.') {
+        "-0" | "0" if x.abs() > 1e-12 => format!("{x:.0e}"),
+        "-0" => "0".into(),
+        text => text.into(),
+    };
+    text.replace('-', "−")
 }
 
 /// The points just before and just after each impact.

@@ -1,0 +1,64 @@
+(** * Worked instance: n = 8 has the five intervals of the paper's figure 5 *)
+
+From Coq Require Import Reals Arith Lra Lia.
+From Grazing Require Import Defs Statement Farey Radius.
+Open Scope R_scope.
+
+Definition period_8_interval (e g : sign) (s : R) : Prop :=
+  match e, g with
+  | Minus, Plus => 0 < s < 1 / 16
+  | Plus, Plus => 1 / 16 < s < 1 / 8 \/ 1 / 3 < s < 3 / 8
+  | Plus, Minus => 1 / 8 < s < 1 / 7 \/ 3 / 8 < s < 2 / 5
+  | Minus, Minus => False
+  end.
+
+Definition Period_8_statement : Prop := forall s e g, 0 < s < 1 / 2 ->
+  (orbit_at 1 s 8 e g <-> period_8_interval e g s).
+
+Lemma neighbours_1_8 : neighbours 1 8 0 1 1 7.
+Proof. unfold neighbours; lia. Qed.
+
+Lemma neighbours_3_8 : neighbours 3 8 1 3 2 5.
+Proof. unfold neighbours; lia. Qed.
+
+Lemma numerators_8 m mp np mm nm : (0 < 2 * m < 8)%nat -> neighbours m 8 mp np mm nm ->
+  m = 1%nat \/ m = 3%nat.
+Proof.
+  intros Hm HF; apply neighbours_coprime in HF.
+  assert (m = 1 \/ m = 2 \/ m = 3)%nat as [|[->|]] by lia; auto; discriminate.
+Qed.
+
+Lemma INR_8 : INR 8 = 8.
+Proof. simpl; lra. Qed.
+
+Lemma intervals_8 e g lo hi : interval 8 e g lo hi ->
+  forall s, lo < s < hi -> period_8_interval e g s.
+Proof.
+  intros HI s Hs; inversion HI as [|m mp np mm nm Hm HF|m mp np mm nm Hm HF]; subst.
+  - rewrite INR_8 in Hs; simpl; lra.
+  - destruct (numerators_8 m mp np mm nm Hm HF) as [-> | ->].
+    + rewrite INR_8 in Hs; simpl in *; lra.
+    + apply (neighbours_unique _ _ _ _ _ _ neighbours_3_8) in HF; inversion HF; subst.
+      rewrite INR_8 in Hs; simpl in *; lra.
+  - destruct (numerators_8 m mp np mm nm Hm HF) as [-> | ->].
+    + apply (neighbours_unique _ _ _ _ _ _ neighbours_1_8) in HF; inversion HF; subst.
+      rewrite INR_8 in Hs; simpl in *; lra.
+    + apply (neighbours_unique _ _ _ _ _ _ neighbours_3_8) in HF; inversion HF; subst.
+      rewrite INR_8 in Hs; simpl in *; lra.
+Qed.
+
+Lemma period_8_proof : Period_8_statement.
+Proof.
+  intros s e g Hs; rewrite (Theorem2_proof 8%nat s e g) by (lia || lra); split.
+  - intros (lo & hi & HI & Hlo); now apply (intervals_8 e g lo hi).
+  - assert (H1 : (0 < 2 * 1 < 8)%nat) by lia; assert (H3 : (0 < 2 * 3 < 8)%nat) by lia.
+    pose proof (first 8%nat) as I0; pose proof (left_of _ _ _ _ _ _ H1 neighbours_1_8) as I1.
+    pose proof (right_of _ _ _ _ _ _ H1 neighbours_1_8) as I2.
+    pose proof (left_of _ _ _ _ _ _ H3 neighbours_3_8) as I3.
+    pose proof (right_of _ _ _ _ _ _ H3 neighbours_3_8) as I4.
+    rewrite INR_8 in *; destruct e, g; simpl in *; intros Hi; [| | |tauto].
+    + destruct Hi; [exists (1 / (2 * 8)), (1 / 8)|eexists _, _; split; [exact I3|lra]].
+      split; [exact I1|lra].
+    + destruct Hi; eexists _, _; split; [exact I2|lra|exact I4|lra].
+    + eexists _, _; split; [exact I0|lra].
+Qed.

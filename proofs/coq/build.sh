@@ -1,0 +1,6 @@
+#!/bin/sh
+# Compiles the development: sh build.sh [-j N]. Needs only coq (8.16).
+set -eu
+cd "$(dirname "$0")"
+coq_makefile -f _CoqProject -o Makefile.coq
+make --no-print-directory -f Makefile.coq "$@"

@@ -1,0 +1,203 @@
+//! `grazing classify`: which single-impact orbits exist at one point.
+
+use std::path::PathBuf;
+
+use clap::Parser;
+use num_rational::BigRational;
+use num_traits::{One, Signed};
+
+use super::Outcome;
+use crate::{
+    error::{Error, Result},
+    existence::{Existence, by_definition, by_records, large_eigenvalue_sign},
+    local::{Ladder, Plane, Point, Polar, Region},
+    number::parse_rational,
+    output::{Cell, Column, Destination, TableFormat, TableWriter},
+};
+
+/// The largest --max-n.
+const LIMIT: u64 = 100_000;
+
+/// Which single-impact orbits exist at one point, period by period.
+///
+/// A point is given by the trace and determinant of the linear part, --a1 and --a2, or by the modulus r and the angle
+/// theta = 2 pi s of its complex eigenvalues, --r and --s. For each period: the cases (sign e*mu, sign gamma) with an
+/// orbit, and the sign of its large eigenvalue; or two k with b_{n,k} of opposite sign, which forbid one; or the boundary
+/// the point lies on, where the theory is silent. For a2 > 1 the time-reversed system is classified, which has the
+/// same orbits.
+///
+/// Exit code 0: every period is decided; 2: wrong usage; 3: some period is undecided.
+#[derive(Debug, Parser)]
+#[command(group(clap::ArgGroup::new("point").required(true).args(["a1", "r", "summary"])))]
+pub(super) struct Args {
+    /// The trace a1.
+    #[arg(long, requires = "a2", allow_hyphen_values = true, value_parser = parse_rational, value_name = "X")]
+    a1: Option<BigRational>,
+    /// The determinant a2 > 0.
+    #[arg(long, requires = "a1", allow_hyphen_values = true, value_parser = parse_rational, value_name = "Y")]
+    a2: Option<BigRational>,
+    /// The modulus r > 0.
+    #[arg(long, requires = "s", allow_hyphen_values = true, value_parser = parse_rational, value_name = "R")]
+    r: Option<BigRational>,
+    /// The angle as a fraction of a turn, 0 < s < 1/2.
+    #[arg(long, requires = "r", allow_hyphen_values = true, value_parser = parse_rational, value_name = "S")]
+    s: Option<BigRational>,
+    /// The periods are 1 to N, at most 100000.
+    #[arg(long, value_name = "N", default_value_t = 15)]
+    max_n: u64,
+    /// Print what holds in each region, for every period, instead.
+    #[arg(long)]
+    summary: bool,
+    /// How the table is written.
+    #[arg(long, value_enum, default_value_t = TableFormat::Table)]
+    format: TableFormat,
+    /// Write to a file, which appears only when complete.
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+}
+
+pub(super) fn run(args: &Args) -> Result<Outcome> {
+    if args.summary {
+        return summary(args);
+    }
+    if !(1..=LIMIT).contains(&args.max_n) {
+        return Err(Error::input(format!("--max-n {}: a whole number from 1 to {LIMIT}", args.max_n)));
+    }
+    let (point, region, reversed) = point(args)?;
+    let ladder = Ladder::default();
+    let found = by_records(&ladder, &point, args.max_n)
+        .unwrap_or_else(|| (1..=args.max_n).map(|n| by_definition(&ladder, &point, n)).collect());
+    if args.format == TableFormat::Table && args.output.is_none() {
+        let time = if reversed { ", after reversing time (a2 > 1)" } else { "" };
+        println!("{}{time}", describe(region));
+    }
+    write(args, region, reversed, &found)?;
+    Ok(if found.contains(&Existence::Undecided) { Outcome::Undecided } else { Outcome::Done })
+}
+
+/// The point with a₂ ≤ 1, its region, and whether time was reversed to get there.
+fn point(args: &Args) -> Result<(Point, Region, bool)> {
+    match (&args.a1, &args.a2, &args.r, &args.s) {
+        (Some(a1), Some(a2), ..) => {
+            if !a2.is_positive() {
+                return Err(Error::input(format!(
+                    "--a2 {a2}: the determinant of the map of a flow is above 0"
+                )));
+            }
+            let reversed = a2 > &BigRational::one();
+            let plane =
+                if reversed { Plane::new(a1 / a2, a2.recip())? } else { Plane::new(a1.clone(), a2.clone())? };
+            let region = plane.region();
+            Ok((Point::Plane(plane), region, reversed))
+        }
+        (_, _, Some(r), Some(s)) => {
+            if !r.is_positive() {
+                return Err(Error::input(format!("--r {r}: the modulus is above 0")));
+            }
+            let reversed = r > &BigRational::one();
+            let polar = Polar::new(if reversed { r.recip() } else { r.clone() }, s.clone())?;
+            Ok((Point::Polar(polar), Region::Three, reversed))
+        }
+        _ => Err(Error::input("give a point by --a1 and --a2, or by --r and --s")),
+    }
+}
+
+fn describe(region: Region) -> &'static str {
+    match region {
+        Region::One => "Region 1: 0 < lambda2 < 1 < lambda1",
+        Region::Two => "Region 2: eigenvalues in (0, 1)",
+        Region::Three => "Region 3: complex eigenvalues",
+        Region::Four => "Region 4: eigenvalues in (-1, 0)",
+        Region::Five => "Region 5: lambda2 < -1 < lambda1 < 0",
+        Region::Line => "On a line |a1| = a2 + 1: an eigenvalue 1 or -1",
+    }
+}
+
+fn write(args: &Args, region: Region, reversed: bool, found: &[Existence]) -> Result<()> {
+    let columns = [
+        Column::new("n", "$n$", 6),
+        Column::new("existence", "existence", 17),
+        Column::new("sign_emu", "$\\operatorname{sign} e\\mu$", 0),
+        Column::new("sign_gamma", "$\\operatorname{sign}\\gamma$", 0),
+        Column::new("large_eigenvalue", "$\\operatorname{sign}\\Lambda$", 0),
+        Column::new("positive_k", "$b_{n,k} > 0$", 0),
+        Column::new("negative_k", "$b_{n,k} < 0$", 0),
+        Column::new("zero_k", "$b_{n,k} = 0$", 0),
+    ];
+    Destination::new(args.output.clone()).write(|out| {
+        let mut table = TableWriter::new(out, args.format, "grazing-classify 1", columns.to_vec())?;
+        for (n, &existence) in (1u64..).zip(found) {
+            // Reversing time turns b_{n,k} into b_{n,n−k} and keeps every sign.
+            let index = |k: u64| Cell::Int((if reversed { n - k } else { k }) as i64);
+            let mut cells = [Cell::Empty; 8];
+            cells[0] = Cell::Int(n as i64);
+            cells[1] = Cell::Text(match existence {
+                Existence::Orbit(_) => "orbit",
+                Existence::None { .. } => "none",
+                Existence::Singular => "singular boundary",
+                Existence::Iterate(_) => "iterate boundary",
+                Existence::SignBoundary => "sign boundary",
+                Existence::Undecided => "undecided",
+            });
+            match existence {
+                Existence::None { positive, negative } => {
+                    (cells[5], cells[6]) = (index(positive), index(negative))
+                }
+                Existence::Iterate(k) => cells[7] = index(k),
+                _ => {}
+            }
+            let cases = existence.cases(n);
+            for case in &cases {
+                cells[2] = Cell::Int(case.sign_emu().into());
+                cells[3] = Cell::Int(case.sign_gamma().into());
+                cells[4] = Cell::Int(large_eigenvalue_sign(region, n, *case).into());
+                table.row(&cells)?;
+            }
+            if cases.is_empty() {
+                table.row(&cells)?;
+            }
+        }
+        table.finish()
+    })
+}
+
+/// Sections 3.6 and 3.7 of the paper, by region, for 0 < a₂ ≤ 1.
+fn summary(args: &Args) -> Result<Outcome> {
+    let columns = [
+        Column::new("region", "region", 0),
+        Column::new("where", "where", 30),
+        Column::new("period_1", "period 1", 12),
+        Column::new("period_2", "period 2", 28),
+        Column::new("period_n", "period $n \\geq 3$", 52),
+        Column::new("large_eigenvalue", "large eigenvalue", 0),
+    ];
+    let rows = [
+        ["1", "a1 > a2+1", "(+,+) (-,-)", "(+,+)", "(+,+)", "-sign(e mu)"],
+        ["2", "2 sqrt(a2) <= a1 < a2+1", "(+,-) (-,+)", "(-,+)", "(-,+)", "sign(e mu)"],
+        [
+            "3",
+            "|a1| < 2 sqrt(a2)",
+            "(+,-) (-,+)",
+            "(-,+) a1 > 0; (+,+) a1 < 0",
+            "(-,+) 0 < s < 1/(2n); one area per interval",
+            "sign(e mu)",
+        ],
+        [
+            "4",
+            "-(a2+1) < a1 <= -2 sqrt(a2)",
+            "(+,-) (-,+)",
+            "(+,+)",
+            "n even: none; n odd: (+,-) where b_{n,n-2} > 0",
+            "sign(e mu)",
+        ],
+        ["5", "a1 < -(a2+1)", "(+,-) (-,+)", "(+,-)", "(+,-)", "(-1)^(n+1) sign(e mu)"],
+    ];
+    Destination::new(args.output.clone()).write(|out| {
+        let mut table = TableWriter::new(out, args.format, "grazing-classify-summary 1", columns.to_vec())?;
+        for row in &rows {
+            table.row(&row.map(Cell::Text))?;
+        }
+        table.finish()
+    })?;
+    Ok(Outcome::Done)
+}

@@ -1,0 +1,160 @@
+//! `grazing evaluate`: b_{n,k} and c_n at one point.
+
+use clap::{ArgGroup, Parser};
+use num_rational::BigRational;
+use num_traits::One;
+use serde_json::json;
+
+use super::{Outcome, ReportFormat};
+use crate::{
+    error::{Error, Result},
+    local::{Answer, Decision, Ladder, Plane, Point, Polar, Quantity, Rung},
+    number::{Ball, Precision, Sign, certain_digits, parse_integer, parse_rational},
+    output::{Destination, Interrupt},
+};
+
+/// The largest period for which all b_{n,k} are listed; with --k any period will do.
+const LIST: u64 = 100_000;
+
+/// Evaluate b_{n,k} and c_n at one point: sign, what decided it, and certain digits.
+///
+/// A printed number is off by less than one unit of its last digit. The sign comes from the first that can tell: f64
+/// intervals, balls of 128 to 16384 bits, or exact arithmetic. Where u_n = 0 both are "singular": not defined.
+///
+/// Exit code 0: done; 2: wrong usage; 3: a sign is undecided, or interrupted.
+#[derive(Debug, Parser)]
+#[command(group = ArgGroup::new("point").required(true).args(["s", "a1"]))]
+pub(super) struct Args {
+    /// The period.
+    #[arg(long, value_parser = parse_integer::<u64>)]
+    n: u64,
+    /// The index, 1 <= K < N; without it all b_{n,k} are listed.
+    #[arg(long, value_parser = parse_integer::<u64>)]
+    k: Option<u64>,
+    /// The angle of complex eigenvalues over 2 pi, 0 < S < 1/2.
+    #[arg(long, value_parser = parse_rational, allow_hyphen_values = true)]
+    s: Option<BigRational>,
+    /// Their modulus, 0 < R <= 1.
+    #[arg(long, value_parser = parse_rational, allow_hyphen_values = true, requires = "s", default_value = "1")]
+    r: BigRational,
+    /// The trace.
+    #[arg(long, value_parser = parse_rational, allow_hyphen_values = true, requires = "a2", value_name = "X")]
+    a1: Option<BigRational>,
+    /// The determinant, positive.
+    #[arg(long, value_parser = parse_rational, allow_hyphen_values = true, requires = "a1", value_name = "Y")]
+    a2: Option<BigRational>,
+    /// The working precision of the printed digits, 16 to 65536 bits.
+    #[arg(long, default_value_t = 128, value_parser = clap::value_parser!(u32).range(16..=65536))]
+    bits: u32,
+    /// How the result is written.
+    #[arg(long, value_enum, default_value_t = ReportFormat::Text)]
+    format: ReportFormat,
+}
+
+pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
+    let point = args.point()?;
+    let n = args.n;
+    if n == 0 {
+        return Err(Error::input("--n 0: a period is at least 1"));
+    }
+    let range = match args.k {
+        Some(k) if k == 0 || k >= n => {
+            return Err(Error::input(format!("--k {k} is outside 1 <= K < N = {n}")));
+        }
+        Some(k) => k..k + 1,
+        None if n > LIST => {
+            return Err(Error::input(format!(
+                "--n {n}: all b_{{n,k}} are listed up to N = {LIST}; choose one with --k"
+            )));
+        }
+        None => 1..n,
+    };
+    let (ladder, precision) = (Ladder::default(), Precision::new(args.bits));
+    let quantities = range.map(|k| Quantity::B { n, k }).chain([Quantity::C { n }]);
+    let mut outcome = Outcome::Done;
+    let mut rows = Vec::new();
+    for quantity in quantities {
+        interrupt.check()?;
+        let decision = ladder.sign(&point, quantity);
+        if decision.answer == Answer::Undecided {
+            outcome = Outcome::Undecided;
+        }
+        rows.push(Row { quantity, decision, digits: digits(&point, quantity, decision, &precision) });
+    }
+    Destination::Stdout.write(|out| match args.format {
+        ReportFormat::Text => rows.iter().try_for_each(|row| Ok(writeln!(out, "{}", row.text())?)),
+        ReportFormat::Json => {
+            let values: Vec<_> = rows.iter().map(Row::json).collect();
+            Ok(writeln!(out, "{}", json!({ "format": "grazing-evaluate 1", "n": n, "values": values }))?)
+        }
+    })?;
+    Ok(outcome)
+}
+
+impl Args {
+    fn point(&self) -> Result<Point> {
+        Ok(match (&self.s, &self.a1, &self.a2) {
+            (Some(s), _, _) => Point::Polar(Polar::new(self.r.clone(), s.clone())?),
+            (None, Some(a1), Some(a2)) if self.r.is_one() => {
+                Point::Plane(Plane::new(a1.clone(), a2.clone())?)
+            }
+            _ => return Err(Error::input("give a point by --s (and --r), or by --a1 and --a2")),
+        })
+    }
+}
+
+struct Row {
+    quantity: Quantity,
+    decision: Decision,
+    digits: Option<String>,
+}
+
+impl Row {
+    fn name(&self) -> String {
+        match self.quantity {
+            Quantity::B { n, k } => format!("b_{{{n},{k}}}"),
+            Quantity::C { n } => format!("c_{n}"),
+        }
+    }
+
+    fn sign(&self) -> &'static str {
+        match self.decision.answer {
+            Answer::Sign(Sign::Negative) => "-",
+            Answer::Sign(Sign::Zero) => "0",
+            Answer::Sign(Sign::Positive) => "+",
+            Answer::Singular => "singular",
+            Answer::Undecided => "undecided",
+        }
+    }
+
+    fn rung(&self) -> String {
+        match self.decision.rung {
+            Rung::Plain => "plain f64".into(),
+            Rung::Interval => "f64 interval".into(),
+            Rung::Ball(bits) => format!("{bits} bits"),
+            Rung::Exact => "exact".into(),
+        }
+    }
+
+    fn text(&self) -> String {
+        let digits = self.digits.as_deref().unwrap_or_default();
+        format!("{:<12} {:<9} {:<12} {digits}", self.name(), self.sign(), self.rung()).trim_end().to_string()
+    }
+
+    fn json(&self) -> serde_json::Value {
+        json!({ "name": self.name(), "sign": self.sign(), "decided_by": self.rung(), "value": self.digits })
+    }
+}
+
+/// The certain digits at the precision asked for; for numbers too large or small to write out, none.
+fn digits(point: &Point, quantity: Quantity, decision: Decision, precision: &Precision) -> Option<String> {
+    if decision.answer == Answer::Sign(Sign::Zero) {
+        return Some("0".into());
+    }
+    let ball = point.evaluate::<Ball>(quantity, precision)?;
+    if ball.exponent().unsigned_abs() > 100_000 {
+        return None;
+    }
+    let (lo, hi) = ball.exact_bounds()?;
+    certain_digits(&lo, &hi, precision.bits() * 3 / 10)
+}

@@ -1,0 +1,48 @@
+//! `grazing formula`: the formulas as symbols.
+
+use clap::Parser;
+
+use super::Outcome;
+use crate::{
+    error::{Error, Result},
+    output::Destination,
+    symbol::{Area, Format, Sentence, period_formulas, write_formulas},
+};
+
+/// Write the formulas of one period as symbols, or what holds for it as a sentence for other tools.
+///
+/// With N and K: u_n, u_k, N_{n,k} = u_n - u_k - a2^k u_{n-k} and 1 - v_n + a2^n as integer polynomials in (a1, a2), multiplied
+/// out and with every factor known to divide them taken out; for a tool, a script that has the tool compare the two.
+///
+/// With N and --sentence: a closed sentence, free of division. z3 and cvc5 answer `unsat` (of its negation), QEPCAD `TRUE`.
+///
+/// Exit code 0: done; 2: wrong usage.
+#[derive(Debug, Parser)]
+pub(super) struct Args {
+    /// The period: up to 200, or up to 50 for a sentence.
+    n: usize,
+    /// The index k, from 1 to N - 1.
+    #[arg(required_unless_present = "sentence", conflicts_with = "sentence")]
+    k: Option<usize>,
+    /// Write a sentence.
+    #[arg(long)]
+    sentence: bool,
+    /// Where the sentence speaks: region4 (the default), or M+ or M- for the half-cell on one side of s = M/N, r <= 1.
+    #[arg(long, value_name = "M+|M-|region4", conflicts_with = "k")]
+    area: Option<Area>,
+    /// Who is to read it.
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+}
+
+pub(super) fn run(args: &Args) -> Result<Outcome> {
+    let text = match args.k {
+        Some(k) => write_formulas(&period_formulas(args.n, k)?, args.format),
+        None if args.sentence => {
+            Sentence::new(args.n, args.area.unwrap_or(Area::Region4))?.write(args.format)
+        }
+        None => return Err(Error::input("give K, or --sentence")),
+    };
+    Destination::Stdout.write(|out| Ok(out.write_all(text.as_bytes())?))?;
+    Ok(Outcome::Done)
+}

@@ -1,0 +1,210 @@
+//! Does a single-impact orbit of period n exist at one point, and in which case? The definition, and the record form.
+//!
+//! Existence has one definition, the signs in (52) and (53); [`by_definition`] takes it at its word, one k after the other.
+//! [`by_records`] uses an identity: with f_j = u_j/(2 − v_j),
+//!
+//! ```text
+//! 2 N_{n,k} = u_n (2 − v_k) − u_k (2 − v_n),    N_{n,k} = u_n b_{n,k},
+//! ```
+//!
+//! and 2 − v_j > 0 in regions 2, 3 and 4, so b_{n,k} u_n has the sign of f_n − f_k and c_n the sign of −f_n: an orbit exists
+//! iff f_n ≠ 0 is a strict record of f_1, …, f_n. One pass with the latest maximum and minimum decides every n ≤ N.
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::One;
+
+use super::Case;
+use crate::{
+    local::{Answer, Ladder, Plane, Point, Quantity, Region, Rung},
+    number::Sign,
+};
+
+/// What is known of the single-impact orbits of one period at one point.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Existence {
+    /// (52) and (53) hold in this case and, for n = 1, in the one with both signs reversed: exactly one orbit in each.
+    Orbit(Case),
+    /// b_{n,positive} > 0 > b_{n,negative}: no orbit.
+    None {
+        /// A k with b_{n,k} > 0.
+        positive: u64,
+        /// A k with b_{n,k} < 0.
+        negative: u64,
+    },
+    /// u_n = 0, a singular boundary: Theorem 1 is silent.
+    Singular,
+    /// b_{n,k} = 0 for this k, an iterate boundary, and no two b have opposite signs: Theorem 1 is silent.
+    Iterate(u64),
+    /// c_n = 0, a sign boundary, and every b has the same sign: Theorem 1 is silent.
+    SignBoundary,
+    /// The ladder's precision was not enough.
+    Undecided,
+}
+
+impl Existence {
+    /// The cases in which an orbit of period `n` exists.
+    pub fn cases(self, n: u64) -> Vec<Case> {
+        match self {
+            Existence::Orbit(case) if n == 1 => vec![case, case.reversed()],
+            Existence::Orbit(case) => vec![case],
+            _ => Vec::new(),
+        }
+    }
+}
+
+/// Existence for period `n` at `point`, by the signs of c_n and of every b_{n,k}. Cost: n signs.
+///
+/// # Panics
+/// Unless n ≥ 1.
+pub fn by_definition(ladder: &Ladder, point: &Point, n: u64) -> Existence {
+    definition_and_rung(ladder, point, n).0
+}
+
+/// [`by_definition`], and the highest rung it took: intervals, then balls by their bits, then integers.
+pub(crate) fn definition_and_rung(ladder: &Ladder, point: &Point, n: u64) -> (Existence, Rung) {
+    let c = ladder.sign(point, Quantity::C { n });
+    let mut rung = c.rung;
+    let c = match c.answer {
+        Answer::Singular => return (Existence::Singular, rung),
+        Answer::Sign(sign) => Some(sign),
+        Answer::Undecided => None,
+    };
+    let (mut positive, mut negative, mut zero, mut undecided) = (None, None, None, false);
+    for (k, decision) in (1..).zip(ladder.signs(point, n)) {
+        rung = higher(rung, decision.rung);
+        let place = match decision.answer {
+            Answer::Sign(Sign::Positive) => &mut positive,
+            Answer::Sign(Sign::Negative) => &mut negative,
+            Answer::Sign(Sign::Zero) => &mut zero,
+            Answer::Singular | Answer::Undecided => {
+                undecided = true;
+                continue;
+            }
+        };
+        place.get_or_insert(k);
+    }
+    let found = match (positive, negative, zero) {
+        (Some(positive), Some(negative), _) => Existence::None { positive, negative },
+        _ if undecided => Existence::Undecided,
+        (_, _, Some(k)) => Existence::Iterate(k),
+        _ => match c {
+            None => Existence::Undecided,
+            Some(Sign::Zero) => Existence::SignBoundary,
+            // For n = 1 there is no b: of the two cases, the one with eµ > 0 stands for both.
+            Some(c) => Existence::Orbit(Case::from_signs(negative.is_none(), c == Sign::Positive)),
+        },
+    };
+    (found, rung)
+}
+
+/// The higher of two rungs; c_n from (r, s) is always exact, so integers count as the lowest unless they stand alone.
+fn higher(a: Rung, b: Rung) -> Rung {
+    let height = |rung| match rung {
+        Rung::Exact => 0,
+        Rung::Plain | Rung::Interval => 1,
+        Rung::Ball(bits) => bits,
+    };
+    if height(b) > height(a) { b } else { a }
+}
+
+/// Existence for every period 1, …, `last` at a point of region 2, 3 or 4 with a₂ ≤ 1, by the record form; `None`
+/// elsewhere.
+///
+/// Cost: two signs of a b for each n, and for a point (a₁, a₂) of region 3 the integers u_1, …, u_last.
+pub fn by_records(ladder: &Ladder, point: &Point, last: u64) -> Option<Vec<Existence>> {
+    let signs = u_signs(point, last)?;
+    let mut records = Records { ladder, point, signs: &signs, highest: 1, lowest: 1, lost: false };
+    Some((1..=last).map(|n| records.next(n)).collect())
+}
+
+/// The sign of u_n for n = 1, …, last, exact; `None` unless the point is in region 2, 3 or 4.
+fn u_signs(point: &Point, last: u64) -> Option<Vec<Sign>> {
+    let plane = match point {
+        Point::Polar(polar) => return Some((1..=last).map(|n| polar.u_sign(n)).collect()),
+        Point::Plane(plane) => plane,
+    };
+    match plane.region() {
+        _ if plane.a2() > &BigRational::one() => None,
+        Region::Two => Some(vec![Sign::Positive; last as usize]),
+        Region::Four => Some((1..=last).map(|n| Sign::Positive.negated_if(n % 2 == 0)).collect()),
+        Region::Three => Some(u_signs_exactly(plane, last)),
+        Region::One | Region::Five | Region::Line => None,
+    }
+}
+
+/// W_k = D^{k−1} u_k by its recurrence in integers, a₁ = A/D, a₂ = B/D².
+fn u_signs_exactly(plane: &Plane, last: u64) -> Vec<Sign> {
+    let d = num_integer::lcm(plane.a1().denom().clone(), plane.a2().denom().clone());
+    let a = (plane.a1() * &d).to_integer();
+    let b = (plane.a2() * (&d * &d)).to_integer();
+    let (mut before, mut w) = (BigInt::ZERO, BigInt::from(1));
+    let mut signs = Vec::new();
+    for _ in 0..last {
+        signs.push(Sign::from(&w));
+        let next = &a * &w - &b * &before;
+        before = std::mem::replace(&mut w, next);
+    }
+    signs
+}
+
+/// The running records of f_1, f_2, ….
+struct Records<'a> {
+    ladder: &'a Ladder,
+    point: &'a Point,
+    signs: &'a [Sign],
+    /// The first index with the greatest f so far, and with the least.
+    highest: u64,
+    lowest: u64,
+    /// A comparison could not be decided, so that the two indices above mean nothing any more.
+    lost: bool,
+}
+
+impl Records<'_> {
+    /// The sign of f_n − f_k, k < n: that of u_n b_{n,k}; where u_n = 0 and so f_n = 0, the sign of −f_k.
+    fn compare(&self, n: u64, k: u64) -> Option<Sign> {
+        let u = self.signs[n as usize - 1];
+        if u == Sign::Zero {
+            return Some(-self.signs[k as usize - 1]);
+        }
+        match self.ladder.sign(self.point, Quantity::B { n, k }).answer {
+            Answer::Sign(b) => Some(b * u),
+            Answer::Singular | Answer::Undecided => None,
+        }
+    }
+
+    /// Existence for period n; periods must be asked for in order.
+    fn next(&mut self, n: u64) -> Existence {
+        let u = self.signs[n as usize - 1];
+        let positive_f = u == Sign::Positive;
+        if n == 1 {
+            // f_1 > 0 there: c_1 < 0.
+            return Existence::Orbit(Case::PlusMinus);
+        }
+        let (highest, lowest) = (self.highest, self.lowest);
+        let compared =
+            if self.lost { (None, None) } else { (self.compare(n, highest), self.compare(n, lowest)) };
+        let (Some(above), Some(below)) = compared else {
+            // Where a record cannot be told, the definition may still find two opposite signs.
+            self.lost = true;
+            return by_definition(self.ladder, self.point, n);
+        };
+        if above == Sign::Positive {
+            self.highest = n;
+        }
+        if below == Sign::Negative {
+            self.lowest = n;
+        }
+        match (u, above, below) {
+            (Sign::Zero, ..) => Existence::Singular,
+            // A record high: b has the sign of u_n, c that of −f_n.
+            (_, Sign::Positive, _) => Existence::Orbit(Case::from_signs(positive_f, !positive_f)),
+            (_, _, Sign::Negative) => Existence::Orbit(Case::from_signs(!positive_f, !positive_f)),
+            (_, Sign::Zero, _) => Existence::Iterate(highest),
+            (_, _, Sign::Zero) => Existence::Iterate(lowest),
+            // Strictly between: b_{n,highest} has the sign of −u_n, b_{n,lowest} that of u_n.
+            _ if positive_f => Existence::None { positive: lowest, negative: highest },
+            _ => Existence::None { positive: highest, negative: lowest },
+        }
+    }
+}

@@ -1,0 +1,319 @@
+//! Fuzzing Conjecture 1: random points at which the definition and the claim are decided apart and compared.
+//!
+//! Half of the cases come from sweeps: (r, s) uniform, every n ≤ N in one pass of the record form (`sweep`); half of
+//! the rest of the work goes to single cases drawn near the places where something could fail (`weighted`), decided k by k
+//! on the ladder. A run is a list of units; unit i of a seed is the same whatever the number of threads. Finding no
+//! disagreement proves nothing; a disagreement is decided again, shrunk, and can be replayed.
+
+mod random;
+mod sweep;
+mod weighted;
+
+use std::{fmt, time::Instant};
+
+use num_rational::BigRational;
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+
+use crate::{
+    error::{Error, Result},
+    existence::{Claim, Existence, Variant, by_definition, claimed, definition_and_rung},
+    local::{Ladder, Plane, Point, Polar, Rung},
+    monitor::Monitor,
+    number::parse_rational,
+};
+use random::Random;
+use sweep::Sweep;
+
+/// A period and a point.
+#[derive(Debug, Clone)]
+pub struct Case {
+    /// The period.
+    pub n: u64,
+    /// The point.
+    pub point: Point,
+}
+
+impl Case {
+    /// The command-line arguments of `grazing classify` that show this case.
+    pub fn arguments(&self) -> String {
+        match &self.point {
+            Point::Polar(polar) => format!("--r {} --s {} --max-n {}", polar.r(), polar.s(), self.n),
+            Point::Plane(plane) => format!("--a1 {} --a2 {} --max-n {}", plane.a1(), plane.a2(), self.n),
+        }
+    }
+}
+
+/// A case as a line of a regression file: `N polar R S` or `N plane A1 A2`.
+impl fmt::Display for Case {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.point {
+            Point::Polar(polar) => write!(f, "{} polar {} {}", self.n, polar.r(), polar.s()),
+            Point::Plane(plane) => write!(f, "{} plane {} {}", self.n, plane.a1(), plane.a2()),
+        }
+    }
+}
+
+impl std::str::FromStr for Case {
+    type Err = Error;
+
+    fn from_str(line: &str) -> Result<Self> {
+        let fail = || Error::input(format!("{line:?} is not a case: write N polar R S or N plane A1 A2"));
+        let words: Vec<&str> = line.split_whitespace().collect();
+        let [n, kind, a, b] = words[..] else { return Err(fail()) };
+        let (n, a, b) = (n.parse().map_err(|_| fail())?, parse_rational(a)?, parse_rational(b)?);
+        let point = match kind {
+            "polar" => Point::Polar(Polar::new(a, b)?),
+            "plane" => Point::Plane(Plane::new(a, b)?),
+            _ => return Err(fail()),
+        };
+        if n == 0 { Err(fail()) } else { Ok(Case { n, point }) }
+    }
+}
+
+/// What to fuzz.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Options {
+    /// The smallest period.
+    pub first: u64,
+    /// The largest period; at least 3 and at most 4096.
+    pub last: u64,
+    /// End once this many cases are decided.
+    pub cases: u64,
+    /// The seed.
+    pub seed: u64,
+    /// The share of sweep points at which one period is decided by the definition, k by k, too.
+    pub definition_share: f64,
+}
+
+/// What a run has come to so far.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct Tally {
+    /// The number of units done: the run goes on from here.
+    pub units: u64,
+    /// Cases decided in sweeps by `f64` with proved bounds.
+    pub swept: u64,
+    /// Cases decided on the ladder: by intervals, by balls, by integers alone.
+    pub interval: u64,
+    /// See `interval`.
+    pub ball: u64,
+    /// See `interval`.
+    pub exact: u64,
+    /// Cases on a boundary, where nothing is claimed.
+    pub boundary: u64,
+    /// Cases left undecided by the ladder's precision.
+    pub undecided: u64,
+    /// Sweep results decided again by the definition.
+    pub repeated: u64,
+    /// Weighted cases, which are among those counted above.
+    pub weighted: u64,
+    /// Processor seconds spent on sweeps and on weighted cases.
+    pub sweep_seconds: f64,
+    /// See `sweep_seconds`.
+    pub weighted_seconds: f64,
+    /// Confirmed disagreements, shrunk, as lines of a regression file.
+    pub disagreements: Vec<String>,
+}
+
+impl Tally {
+    /// The number of cases decided, both ways, boundaries included.
+    pub fn decided(&self) -> u64 {
+        self.swept + self.interval + self.ball + self.exact + self.boundary
+    }
+
+    fn merge(mut self, other: Tally) -> Tally {
+        self.units += other.units;
+        self.swept += other.swept;
+        self.interval += other.interval;
+        self.ball += other.ball;
+        self.exact += other.exact;
+        self.boundary += other.boundary;
+        self.undecided += other.undecided;
+        self.repeated += other.repeated;
+        self.weighted += other.weighted;
+        self.sweep_seconds += other.sweep_seconds;
+        self.weighted_seconds += other.weighted_seconds;
+        self.disagreements.extend(other.disagreements);
+        self
+    }
+}
+
+/// Sweep points and weighted cases of one unit.
+const SWEEP_POINTS: u64 = 2048;
+const WEIGHTED_CASES: u64 = 32;
+/// Up to this period a point (a₁, a₂) is decided in reversed time too.
+const REVERSED: u64 = 24;
+/// Units between two checkpoints.
+const CHUNK: u64 = 64;
+
+/// Runs from `tally` on until enough cases are decided or the monitor interrupts; `checkpoint` sees every state from which
+/// the run can go on. Ends early once a disagreement is found.
+///
+/// # Errors
+/// An input error if the options are out of range; whatever `checkpoint` returns.
+pub fn fuzz(
+    options: &Options,
+    mut tally: Tally,
+    monitor: &dyn Monitor,
+    mut checkpoint: impl FnMut(&Tally) -> Result<()>,
+) -> Result<Tally> {
+    if !(3..=sweep::LONGEST as u64).contains(&options.last) {
+        return Err(Error::input(format!(
+            "the largest period is {}: from 3 to {}",
+            options.last,
+            sweep::LONGEST
+        )));
+    }
+    let ladder = Ladder::default();
+    let sweep = Sweep::new(options.last as usize);
+    while tally.decided() < options.cases && tally.disagreements.is_empty() {
+        let first = tally.units;
+        let chunk = (first..first + CHUNK)
+            .into_par_iter()
+            .map_with(sweep.clone(), |sweep, unit| run_unit(options, &ladder, sweep, unit))
+            .collect::<Vec<Tally>>()
+            .into_iter()
+            .fold(Tally::default(), Tally::merge);
+        let decided = chunk.decided();
+        tally = tally.merge(chunk);
+        checkpoint(&tally)?;
+        if monitor.advance(decided).is_err() {
+            break;
+        }
+    }
+    Ok(tally)
+}
+
+fn run_unit(options: &Options, ladder: &Ladder, sweep: &mut Sweep, unit: u64) -> Tally {
+    let mut random = Random::new(options.seed, unit);
+    let mut tally = Tally { units: 1, ..Tally::default() };
+    let start = Instant::now();
+    // The share as a threshold on 53 random bits: what it selects depends on the seed alone.
+    let threshold = (options.definition_share * (1u64 << 53) as f64) as u64;
+    for _ in 0..SWEEP_POINTS {
+        let (r, s) = (random.next() >> 11 | 1, random.next() >> 11 | 1);
+        let repeated = if random.next() >> 11 < threshold {
+            random.within(options.first.max(3), options.last)
+        } else {
+            0
+        };
+        sweep.run(r, s, |n, swept| {
+            if (n as u64) < options.first {
+                return;
+            }
+            let (defined, claim) = (swept.defined, swept.claimed);
+            if n as u64 == repeated {
+                tally.repeated += 1;
+                one_case(ladder, dyadic(n, r, s), Variant::True, &mut tally);
+                let existence = by_definition(ladder, &dyadic(n, r, s).point, n as u64);
+                if defined
+                    .is_some_and(|found| found.into_iter().collect::<Vec<_>>() != existence.cases(n as u64))
+                {
+                    tally.disagreements.push(dyadic(n, r, s).to_string());
+                }
+            }
+            match (defined, claim) {
+                (Some(found), Some(claim)) if found == claim => tally.swept += 1,
+                // Open, or an apparent disagreement: decided again on the ladder.
+                _ => one_case(ladder, dyadic(n, r, s), Variant::True, &mut tally),
+            }
+        });
+    }
+    tally.sweep_seconds = start.elapsed().as_secs_f64();
+    let start = Instant::now();
+    for _ in 0..WEIGHTED_CASES {
+        if let Some(case) = weighted::case(&mut random, ladder, options.first..=options.last) {
+            tally.weighted += 1;
+            one_case(ladder, case, Variant::True, &mut tally);
+        }
+    }
+    tally.weighted_seconds = start.elapsed().as_secs_f64();
+    tally
+}
+
+/// The first of `most` weighted cases of a seed that refutes a variant of the claim, shrunk.
+pub fn refute(variant: Variant, seed: u64, most: u64, last: u64) -> Option<Case> {
+    let ladder = Ladder::default();
+    let mut random = Random::new(seed, 0);
+    (0..most)
+        .filter_map(|_| weighted::case(&mut random, &ladder, 1..=last))
+        .find(|case| differ(&ladder, case, variant))
+        .map(|case| shrink(&ladder, case, variant))
+}
+
+/// The sweep's point r/2⁵³, s/2⁵⁴ as an exact case.
+fn dyadic(n: usize, r: u64, s: u64) -> Case {
+    let r = BigRational::new(r.into(), (1u64 << 53).into());
+    let s = BigRational::new(s.into(), (1u64 << 54).into());
+    let polar = Polar::new(r, s).expect("a sweep's point is in region 3");
+    Case { n: n as u64, point: Point::Polar(polar) }
+}
+
+/// How one case compares.
+enum Comparison {
+    Agree(Rung),
+    Boundary,
+    Undecided,
+    Differ,
+}
+
+fn compare(ladder: &Ladder, case: &Case, variant: Variant) -> Comparison {
+    let Case { n, point } = case;
+    let (found, rung) = definition_and_rung(ladder, point, *n);
+    let cases = found.cases(*n);
+    let claim = match claimed(ladder, point, *n, variant) {
+        Claim::Orbit(case) => Existence::Orbit(case).cases(*n),
+        Claim::None => Vec::new(),
+        Claim::Undecided => return Comparison::Undecided,
+        // On a boundary nothing is claimed, and an orbit there would be one that is missing from the claim: for odd n the
+        // line a₁ = −(a₂ + 1) is the one exception.
+        Claim::Boundary => return Comparison::Boundary,
+    };
+    // The same orbits exist in reversed time, where a₁ and a₂ are a₁/a₂ and 1/a₂.
+    if let Point::Plane(plane) = point
+        && *n <= REVERSED
+        && let Ok(reversed) = Plane::new(plane.a1() / plane.a2(), plane.a2().recip())
+    {
+        let other = by_definition(ladder, &Point::Plane(reversed), *n);
+        if other != Existence::Undecided && other.cases(*n) != cases {
+            return Comparison::Differ;
+        }
+    }
+    match found {
+        Existence::Undecided => Comparison::Undecided,
+        Existence::Orbit(_) | Existence::None { .. } if cases == claim => Comparison::Agree(rung),
+        _ => Comparison::Differ,
+    }
+}
+
+fn differ(ladder: &Ladder, case: &Case, variant: Variant) -> bool {
+    matches!(compare(ladder, case, variant), Comparison::Differ)
+}
+
+/// Decides and counts one case on the ladder; time reversal must not change what exists.
+fn one_case(ladder: &Ladder, case: Case, variant: Variant, tally: &mut Tally) {
+    match compare(ladder, &case, variant) {
+        Comparison::Agree(Rung::Ball(_)) => tally.ball += 1,
+        Comparison::Agree(Rung::Exact) => tally.exact += 1,
+        Comparison::Agree(_) => tally.interval += 1,
+        Comparison::Boundary => tally.boundary += 1,
+        Comparison::Undecided => tally.undecided += 1,
+        Comparison::Differ => tally.disagreements.push(shrink(ladder, case, variant).to_string()),
+    }
+}
+
+/// A simple case that differs too: the first of the small ones, or else one near this case, each step taking the first
+/// simplification that still differs.
+fn shrink(ladder: &Ladder, mut case: Case, variant: Variant) -> Case {
+    if let Some(small) = weighted::small_cases().find(|small| differ(ladder, small, variant)) {
+        return small;
+    }
+    let size = |case: &Case| case.n as usize + case.to_string().len() * 8;
+    while let Some(better) = weighted::simpler(&case)
+        .into_iter()
+        .find(|simpler| size(simpler) < size(&case) && differ(ladder, simpler, variant))
+    {
+        case = better;
+    }
+    case
+}

@@ -1,0 +1,121 @@
+//! Named families of inputs, each a fixed list of points that stress one thing.
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+
+use crate::local::{Plane, Point, Polar};
+
+/// b_{n,k} at a point.
+#[derive(Debug, Clone)]
+pub struct Input {
+    /// Where.
+    pub point: Point,
+    /// The period.
+    pub n: u64,
+    /// The index.
+    pub k: u64,
+}
+
+/// What a list of inputs has in common.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Family {
+    /// 5 ≤ n ≤ 100, ½ < r < 1.
+    Generic,
+    /// r = 1, s within 2⁻⁶⁰ of an odd multiple of 1/(2n).
+    NearPole,
+    /// r = 1, s within 2⁻⁶⁰ of a multiple of 1/k that is one of 1/(n − k) too.
+    NearDoubleZero,
+    /// (a₁, a₂) with a₁² = 4a₂ up to 2⁻⁶⁰.
+    NearEqualEigenvalues,
+    /// 1 − r = 2⁻⁶⁰, s within 2⁻⁶⁰ of m/n.
+    RadiusToOne,
+    /// r = 2⁻³⁰.
+    RadiusToZero,
+    /// n about 10⁹, 1 − r = 2⁻³⁰.
+    HugePeriod,
+}
+
+/// All families, in the order of the table.
+pub const FAMILIES: [Family; 7] = [
+    Family::Generic,
+    Family::NearPole,
+    Family::NearDoubleZero,
+    Family::NearEqualEigenvalues,
+    Family::RadiusToOne,
+    Family::RadiusToZero,
+    Family::HugePeriod,
+];
+
+impl Family {
+    /// Its name in tables.
+    pub fn name(self) -> &'static str {
+        match self {
+            Family::Generic => "generic",
+            Family::NearPole => "near a pole",
+            Family::NearDoubleZero => "near a double zero",
+            Family::NearEqualEigenvalues => "near-equal eigenvalues",
+            Family::RadiusToOne => "r -> 1",
+            Family::RadiusToZero => "r -> 0",
+            Family::HugePeriod => "huge n",
+        }
+    }
+
+    /// `count` inputs, none singular: the same list at every call, a shorter one the start of a longer one.
+    pub fn inputs(self, count: usize) -> Vec<Input> {
+        let mut random = Random(self as u64 + 1);
+        std::iter::repeat_with(|| self.input(&mut random)).flatten().take(count).collect()
+    }
+
+    /// The next input; `None` if singular or outside 0 < s < ½.
+    fn input(self, random: &mut Random) -> Option<Input> {
+        let one = ratio(1, 1);
+        let tiny = ratio(1, 1 << 60);
+        let n = 5 + random.below(96);
+        let k = 1 + random.below(n - 1);
+        let s = ratio(1 + random.below(500_000), 1_000_003);
+        let (r, s, n, k) = match self {
+            Family::Generic => (ratio(501 + random.below(499), 1000), s, n, k),
+            Family::NearPole => (one, ratio(2 * random.below(n / 2) + 1, 2 * n) + tiny, n, k),
+            Family::NearDoubleZero => {
+                let (g, times) = (2 + random.below(9), 2 + random.below(9));
+                (
+                    one,
+                    ratio(1 + random.below(g), 2 * g) + tiny,
+                    2 * g * times,
+                    2 * g * (1 + random.below(times - 1)),
+                )
+            }
+            Family::NearEqualEigenvalues => {
+                let root = ratio(100 + random.below(900), 1000);
+                let sign = if random.below(2) == 0 { one } else { -one };
+                let a1 = &root * BigInt::from(2) * (sign + tiny);
+                let plane = Plane::new(a1, &root * &root).ok().filter(|plane| !plane.is_singular(n))?;
+                return Some(Input { point: Point::Plane(plane), n, k });
+            }
+            Family::RadiusToOne => (one - &tiny, ratio(1 + random.below(n / 2), n) + tiny, n, k),
+            Family::RadiusToZero => (ratio(1, 1 << 30), s, n, k),
+            Family::HugePeriod => {
+                let n = 1_000_000_000 - random.below(1000);
+                (one - ratio(1, 1 << 30), s, n, 1 + random.below(n - 1))
+            }
+        };
+        let polar = Polar::new(r, s).ok().filter(|polar| !polar.is_singular(n))?;
+        Some(Input { point: Point::Polar(polar), n, k })
+    }
+}
+
+fn ratio(p: u64, q: u64) -> BigRational {
+    BigRational::new(p.into(), q.into())
+}
+
+/// Steele, Lea and Flood's SplitMix64: the same numbers on every machine.
+struct Random(u64);
+
+impl Random {
+    fn below(&mut self, bound: u64) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        (z ^ (z >> 31)) % bound
+    }
+}

@@ -1,0 +1,11 @@
+//! What accuracy costs: families of inputs, and each rung's time, certain digits and decided signs on them.
+//!
+//! Also the formulas as the paper prints them, in plain `f64`, to show what they lose. Nothing here is used elsewhere.
+
+mod families;
+mod measure;
+mod naive;
+
+pub use families::{FAMILIES, Family, Input};
+pub use measure::{Measured, Method, condition, measure};
+pub use naive::naive_b;

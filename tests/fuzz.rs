@@ -1,0 +1,91 @@
+//! Fuzzing: repeatable, resumable, and able to refute.
+
+use std::fs;
+
+use grazing::{
+    existence::{Claim, Existence, Variant, by_definition, claimed},
+    local::Ladder,
+    search::fuzz::{Case, Options, Tally, fuzz, refute},
+};
+
+fn options() -> Options {
+    Options { first: 1, last: 40, cases: 200_000, seed: 7, definition_share: 0.02 }
+}
+
+/// The tally without its times.
+fn counts(tally: Tally) -> Tally {
+    Tally { sweep_seconds: 0.0, weighted_seconds: 0.0, ..tally }
+}
+
+#[test]
+fn conjecture_1_withstands_a_short_run() {
+    let tally = fuzz(&options(), Tally::default(), &(), |_| Ok(())).unwrap();
+    assert_eq!(tally.disagreements, Vec::<String>::new());
+    assert_eq!(tally.undecided, 0);
+    assert!(tally.decided() >= 200_000);
+    assert!(tally.weighted > 500 && tally.repeated > 50 && tally.ball > 0 && tally.boundary > 0, "{tally:?}");
+}
+
+#[test]
+fn threads_and_interruptions_change_nothing() {
+    let whole = fuzz(&options(), Tally::default(), &(), |_| Ok(())).unwrap();
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
+    let mut states = Vec::new();
+    let single = pool.install(|| {
+        fuzz(&Options { cases: 1_000_000, ..options() }, Tally::default(), &(), |tally| {
+            states.push(tally.clone());
+            Ok(())
+        })
+    });
+    let resumed =
+        fuzz(&Options { cases: 1_000_000, ..options() }, states[0].clone(), &(), |_| Ok(())).unwrap();
+    assert_eq!(counts(resumed), counts(single.unwrap()));
+    assert_eq!(counts(whole), counts(states[0].clone()));
+}
+
+/// The neighbours exchanged, or an end shifted: false, and found out.
+#[test]
+fn false_variants_are_refuted() {
+    for variant in [Variant::NeighboursExchanged, Variant::EndsShifted] {
+        let case = refute(variant, 1, 1_000_000, 64).expect("the variant is false");
+        assert!(case.n <= 5 && case.to_string().len() < 30, "shrunk to a small case: {case}");
+        let ladder = Ladder::default();
+        let found = by_definition(&ladder, &case.point, case.n);
+        let says = |variant| match claimed(&ladder, &case.point, case.n, variant) {
+            Claim::Orbit(case) => vec![case],
+            Claim::None => Vec::new(),
+            other => panic!("{other:?}"),
+        };
+        assert_ne!(says(variant), found.cases(case.n));
+        assert_eq!(says(Variant::True), found.cases(case.n));
+    }
+}
+
+#[test]
+fn the_truth_is_not_refuted() {
+    assert!(refute(Variant::True, 1, 2_000, 64).is_none());
+}
+
+#[test]
+fn earlier_findings_are_decided_again() {
+    let text = fs::read_to_string("tests/data/fuzz_regressions.txt").unwrap();
+    let ladder = Ladder::default();
+    let lines: Vec<&str> = text.lines().filter(|line| !line.starts_with('#')).collect();
+    assert!(lines.len() >= 3);
+    for line in lines {
+        let case: Case = line.parse().unwrap();
+        assert_eq!(case.to_string(), line);
+        let claim = match claimed(&ladder, &case.point, case.n, Variant::True) {
+            Claim::Orbit(found) => Existence::Orbit(found).cases(case.n),
+            _ => Vec::new(),
+        };
+        assert_eq!(by_definition(&ladder, &case.point, case.n).cases(case.n), claim, "{line}");
+    }
+}
+
+#[test]
+fn cases_that_are_no_cases_say_so() {
+    for line in ["", "3 polar 1/2", "0 polar 1/2 1/4", "x plane 1 1", "3 disc 1/2 1/4", "3 polar 1/2 3/4"] {
+        assert!(line.parse::<Case>().unwrap_err().is_input(), "{line}");
+    }
+}
