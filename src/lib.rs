@@ -17,6 +17,7 @@
 //!   size ([`farey`]).
 //! - The lower edges of the areas of Conjecture 1, r < 1, and their lowest points, certified to any number of digits
 //!   ([`existence::Boundary`]).
+//! - For a local map of any dimension, exact or enclosed: which impact patterns give orbits, by Theorem 1 ([`impact`]).
 //!
 //! # When to use it, and when not
 //!
@@ -38,6 +39,7 @@
 //! | [`certificate`] | the certificate format and its checker: the trusted code |
 //! | [`search`] | what finds certificates |
 //! | [`study`] | what accuracy costs: families of inputs, measurements |
+//! | [`impact`] | Theorem 1 in any dimension: impact patterns, the pattern graph |
 //! | [`output`] | tables, files, figures, progress |
 //! | [`cli`] | the command line |
 

@@ -4,10 +4,12 @@
 mod common;
 
 use grazing::{
+    existence::{Existence as Single, by_definition, large_eigenvalue_sign},
     impact::{
         Analysis, Coordinates, Entry, Existence, Failure, Graph, Growth, Map, Numbers, Pattern, Patterns,
         Reason, Report, Value, Walks, predicted_orbit, solve,
     },
+    local::{Ladder, Plane, Point},
     number::{Ball, FloatInterval, Precision, Real, Sign, parse_rational},
 };
 use num_bigint::BigUint;
@@ -207,6 +209,41 @@ fn all_patterns(last: u64) -> Vec<Vec<u64>> {
 
 proptest! {
     #![proptest_config(ProptestConfig { cases: 12, ..common::config() })]
+
+    /// Single impacts against the definition in the (a₁, a₂) plane, which knows nothing of matrices: verdict, case, and the sign
+    /// of the large eigenvalue by region (3.6).
+    #[test]
+    fn single_impacts_against_the_plane(p1 in -50i64..51, p2 in 1i64..21) {
+        let (a1, a2) = (Q::new(p1.into(), 20.into()), Q::new(p2.into(), 20.into()));
+        prop_assume!(a1 != &a2 + Q::one());
+        let plane = Plane::new(a1.clone(), a2.clone()).unwrap();
+        let region = plane.region();
+        let (ladder, point) = (Ladder::default(), Point::Plane(plane));
+        let a = vec![vec![a1, Q::one()], vec![-a2, Q::zero()]];
+        for gamma in [1i8, -1] {
+            let map = build(&a, &[Q::zero(), whole(gamma.into())], &[Q::one(), Q::zero()], 1);
+            let graph = Graph::new(&map, 14, false).unwrap();
+            for n in 1..=14 {
+                let report = graph.judge(&[n]);
+                let single = by_definition(&ladder, &point, n);
+                let case = single.cases(n).into_iter().find(|case| case.sign_gamma() == gamma);
+                let expected = case.map(|case| case.sign_emu() == 1);
+                prop_assert_eq!(report.side(), expected, "n = {}, {:?}", n, single);
+                match single {
+                    Single::Orbit(_) | Single::None { .. } => prop_assert!(!report.is_open()),
+                    Single::Singular => prop_assert_eq!(report.reason, Some(Reason::Singular)),
+                    Single::Iterate(_) | Single::SignBoundary => {
+                        prop_assert!(matches!(report.reason, None | Some(Reason::Zero(_))));
+                    }
+                    Single::Undecided => prop_assert!(false),
+                }
+                if let (Some(case), Some(orbit)) = (case, report.orbit) {
+                    let sign = if large_eigenvalue_sign(region, n, case) > 0 { Sign::Positive } else { Sign::Negative };
+                    prop_assert_eq!(orbit.eigenvalue_sign(case.sign_emu() == 1), Some(sign));
+                }
+            }
+        }
+    }
 
     #[test]
     fn block_solver_against_dense(size in 2usize..6, numbers in prop::collection::vec(-9i64..10, 7..40)) {

@@ -243,16 +243,19 @@ fn cells(pattern: &Pattern, report: &Report, e: Option<Sign>) -> Vec<String> {
     let sign = |positive: Option<bool>| {
         positive.map_or(String::new(), |positive| if positive { "1" } else { "-1" }.into())
     };
+    let orbit = report.orbit.as_ref();
     let mut reason: Vec<String> = report.reason.iter().map(ToString::to_string).collect();
     if let Some(n) = report.flat {
         reason.push(format!("C A^{n} B = 0: no leading eigenvalue"));
+    }
+    if side.is_some() && report.flat.is_none() && orbit.is_some_and(|orbit| orbit.leading_sign.is_none()) {
+        reason.push("the enclosure of some C A^n B contains 0: the eigenvalue's sign is open".into());
     }
     match (report.plus, report.minus) {
         (Existence::Open, Existence::NoOrbit) => reason.push("none for emu < 0".into()),
         (Existence::NoOrbit, Existence::Open) => reason.push("none for emu > 0".into()),
         _ => {}
     }
-    let orbit = report.orbit.as_ref();
     let show = |value: Option<Value>| value.map_or(String::new(), |value| value.to_string());
     let margin = |positive| {
         orbit.map_or((None, None), |orbit| {

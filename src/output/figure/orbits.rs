@@ -192,10 +192,15 @@ fn draw_panel(panel: &Panel, area: &DrawingArea<SVGBackend, Shift>) -> Drawn {
     Ok(())
 }
 
-/// A tick's label; −0 is 0.
+/// A tick's label: no trailing zeros, no −0.
 fn tick(x: &f64) -> String {
-    let text = format!("{x:.1}");
-    if text == "-0.0" { "0.0".into() } else { text.replace('-', "−") }
+    let text = format!("{x:.4}");
+    let text = match text.trim_end_matches('0').trim_end_matches('.') {
+        "-0" | "0" if x.abs() > 1e-12 => format!("{x:.0e}"),
+        "-0" => "0".into(),
+        text => text.into(),
+    };
+    text.replace('-', "−")
 }
 
 /// The points just before and just after each impact.
