@@ -30,12 +30,14 @@
 //!
 //! | module | holds |
 //! | --- | --- |
-//! | [`number`] | exact numbers and their text form |
+//! | [`number`] | exact numbers and their text form; enclosures at every precision; certain signs |
 //! | [`farey`] | neighbours, tree, sequence, rank |
+//! | [`local`] | u_k, b_{n,k}, c_n at one point on every rung; the ladder of signs |
 //! | [`existence`] | Theorem 2: statement and decision |
+//! | [`impact`] | Theorem 1 in any dimension: impact patterns, the pattern graph |
 //! | [`certificate`] | the certificate format and its checker: the trusted code |
 //! | [`search`] | what finds certificates |
-//! | [`impact`] | Theorem 1 in any dimension: impact patterns, the pattern graph |
+//! | [`study`] | what accuracy costs: families of inputs, measurements |
 //! | [`output`] | tables, files, figures, progress |
 //! | [`cli`] | the command line |
 

@@ -259,6 +259,86 @@ fn interrupted_verification_says_what_is_pending() {
     assert_eq!(report["periods"].as_u64().unwrap() + report["pending"].as_u64().unwrap(), 19998);
 }
 
+#[test]
+fn classify_by_either_kind_of_point() {
+    // a₁ = a₂ = 1/4 has r = 1/2, cos θ = 1/4: s is irrational. By (r, s): r = 1/2, s = 1/4 is a₁ = 0, a₂ = 1/4.
+    let polar = stdout("classify --r 1/2 --s 1/4 --max-n 12 --format csv");
+    let plane = stdout("classify --a1 0 --a2 0.25 --max-n 12 --format csv");
+    let kinds = |text: &str| {
+        text.lines().map(|line| line.split(',').take(5).collect::<Vec<_>>().join(",")).collect::<Vec<_>>()
+    };
+    assert_eq!(kinds(&polar), kinds(&plane));
+    assert!(polar.contains("\n2,singular boundary,,,,,,\n"), "{polar}");
+    // In reversed time the same orbits, with k and n − k exchanged.
+    let reversed = stdout("classify --a1 -6/5 --a2 4/3 --max-n 9 --format csv");
+    let forward = stdout("classify --a1 -9/10 --a2 3/4 --max-n 9 --format csv");
+    assert_eq!(kinds(&reversed), kinds(&forward));
+    assert!(stdout("classify --a1 -6/5 --a2 4/3").contains("reversing time"));
+    let json: serde_json::Value =
+        serde_json::from_str(&stdout("classify --a1 3 --a2 1/2 --max-n 2 --format json")).unwrap();
+    assert_eq!(json["rows"][1]["existence"], "orbit");
+    assert_eq!(json["rows"][1]["large_eigenvalue"], 1, "(−,−) of period 1 in region 1: −sign eµ");
+    assert_eq!(stdout("classify --summary --format csv").lines().count(), 6);
+    assert!(error("classify --a1 1 --a2 0").contains("the determinant of the map of a flow is above 0"));
+    assert!(error("classify --r 1/2 --s 1/2").contains("outside 0 < s < 1/2"));
+    assert!(error("classify --r 1/2 --s 1/4 --max-n 0").contains("--max-n 0"));
+}
+
+#[test]
+fn fuzz_resumes_and_reports() {
+    let folder = tempfile::tempdir().unwrap();
+    let state = folder.path().join("state.json");
+    let options =
+        format!("fuzz --n 1..=12 --seed 3 --jobs 1 --format json --resume {} --cases", state.display());
+    let tally = |text: &str| {
+        let mut report: serde_json::Value = serde_json::from_str(text).unwrap();
+        let tally = report["tally"].as_object_mut().unwrap();
+        tally.retain(|key, _| !key.ends_with("seconds"));
+        serde_json::Value::from(tally.clone())
+    };
+    let first = tally(&stdout(&format!("{options} 1000")));
+    let second = tally(&stdout(&format!("{options} 3e6")));
+    assert!(second["units"].as_u64() > first["units"].as_u64());
+    let whole = tally(&stdout("fuzz --n 1..=12 --seed 3 --jobs 2 --format json --cases 3e6"));
+    assert_eq!(whole, second);
+    let (code, out, _) = run("fuzz --n 12 --cases 1");
+    assert!(code == 0 && out.starts_with("No disagreement found. This is no proof.\n"), "{out}");
+    assert!(
+        error(&format!("{} 1000", options.replace("--seed 3", "--seed 4"))).contains("is of another run")
+    );
+    fs::write(&state, "{}").unwrap();
+    assert!(error(&format!("{options} 1000")).contains("is not a state of `grazing fuzz`"));
+    assert!(error("fuzz --n 2").contains("the largest period is 2: from 3 to 4096"));
+    assert!(error("fuzz --definition-share 2").contains("a number from 0 to 1"));
+}
+
+#[test]
+fn evaluate_prints_certain_digits_and_the_rung() {
+    let digits = "2.000000000000000000";
+    assert_eq!(
+        stdout("evaluate --n 3 --s 1/4 --bits 64"),
+        format!(
+            "b_{{3,1}}      +         exact        {digits}\nb_{{3,2}}      +         exact        {digits}\nc_3          +         exact        {digits}\n"
+        )
+    );
+    assert_eq!(
+        stdout("evaluate --n 4 --k 1 --s 1/8"),
+        "b_{4,1}      singular  exact\nc_4          singular  exact\n"
+    );
+    assert!(
+        stdout("evaluate --n 3 --k 1 --a1 -1 --a2 9/10")
+            .starts_with("b_{3,1}      0         exact        0\n")
+    );
+    // Beside a double zero with r = 1 − 2⁻¹⁰⁰, 128 bits leave seven certain digits.
+    let line = stdout("evaluate --n 6 --k 3 --s 1/3+2^-200 --r 1-2^-100");
+    assert_eq!(line.lines().next().unwrap(), "b_{6,3}      -         128 bits     -2.800357e-60");
+    let json: serde_json::Value =
+        serde_json::from_str(&stdout("evaluate --n 2 --s 1/3 --format json")).unwrap();
+    assert_eq!(json["values"][0]["sign"], "+");
+    assert_eq!(error("evaluate --n 3 --k 3 --s 1/4"), "--k 3 is outside 1 <= K < N = 3");
+    assert!(error("evaluate --n 3 --s 3/4").starts_with("s = 3/4 is outside 0 < s < 1/2"));
+}
+
 fn example(name: &str) -> String {
     format!("{}/examples/maps/{name}", env!("CARGO_MANIFEST_DIR"))
 }
@@ -352,57 +432,4 @@ fn existence_draws_graphs_and_orbits() {
     );
     stdout(&format!("figure 3 -o {}", at("figure")));
     assert_eq!(fs::read_to_string(at("figure/figure-3.csv")).unwrap().lines().count(), 1 + 3 * 16);
-}
-
-#[test]
-fn classify_by_either_kind_of_point() {
-    // a₁ = a₂ = 1/4 has r = 1/2, cos θ = 1/4: s is irrational. By (r, s): r = 1/2, s = 1/4 is a₁ = 0, a₂ = 1/4.
-    let polar = stdout("classify --r 1/2 --s 1/4 --max-n 12 --format csv");
-    let plane = stdout("classify --a1 0 --a2 0.25 --max-n 12 --format csv");
-    let kinds = |text: &str| {
-        text.lines().map(|line| line.split(',').take(5).collect::<Vec<_>>().join(",")).collect::<Vec<_>>()
-    };
-    assert_eq!(kinds(&polar), kinds(&plane));
-    assert!(polar.contains("\n2,singular boundary,,,,,,\n"), "{polar}");
-    // In reversed time the same orbits, with k and n − k exchanged.
-    let reversed = stdout("classify --a1 -6/5 --a2 4/3 --max-n 9 --format csv");
-    let forward = stdout("classify --a1 -9/10 --a2 3/4 --max-n 9 --format csv");
-    assert_eq!(kinds(&reversed), kinds(&forward));
-    assert!(stdout("classify --a1 -6/5 --a2 4/3").contains("reversing time"));
-    let json: serde_json::Value =
-        serde_json::from_str(&stdout("classify --a1 3 --a2 1/2 --max-n 2 --format json")).unwrap();
-    assert_eq!(json["rows"][1]["existence"], "orbit");
-    assert_eq!(json["rows"][1]["large_eigenvalue"], 1, "(−,−) of period 1 in region 1: −sign eµ");
-    assert_eq!(stdout("classify --summary --format csv").lines().count(), 6);
-    assert!(error("classify --a1 1 --a2 0").contains("the determinant of the map of a flow is above 0"));
-    assert!(error("classify --r 1/2 --s 1/2").contains("outside 0 < s < 1/2"));
-    assert!(error("classify --r 1/2 --s 1/4 --max-n 0").contains("--max-n 0"));
-}
-
-#[test]
-fn fuzz_resumes_and_reports() {
-    let folder = tempfile::tempdir().unwrap();
-    let state = folder.path().join("state.json");
-    let options =
-        format!("fuzz --n 1..=12 --seed 3 --jobs 1 --format json --resume {} --cases", state.display());
-    let tally = |text: &str| {
-        let mut report: serde_json::Value = serde_json::from_str(text).unwrap();
-        let tally = report["tally"].as_object_mut().unwrap();
-        tally.retain(|key, _| !key.ends_with("seconds"));
-        serde_json::Value::from(tally.clone())
-    };
-    let first = tally(&stdout(&format!("{options} 1000")));
-    let second = tally(&stdout(&format!("{options} 3e6")));
-    assert!(second["units"].as_u64() > first["units"].as_u64());
-    let whole = tally(&stdout("fuzz --n 1..=12 --seed 3 --jobs 2 --format json --cases 3e6"));
-    assert_eq!(whole, second);
-    let (code, out, _) = run("fuzz --n 12 --cases 1");
-    assert!(code == 0 && out.starts_with("No disagreement found. This is no proof.\n"), "{out}");
-    assert!(
-        error(&format!("{} 1000", options.replace("--seed 3", "--seed 4"))).contains("is of another run")
-    );
-    fs::write(&state, "{}").unwrap();
-    assert!(error(&format!("{options} 1000")).contains("is not a state of `grazing fuzz`"));
-    assert!(error("fuzz --n 2").contains("the largest period is 2: from 3 to 4096"));
-    assert!(error("fuzz --definition-share 2").contains("a number from 0 to 1"));
 }

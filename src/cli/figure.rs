@@ -3,21 +3,32 @@
 use std::path::PathBuf;
 
 use clap::{Parser, ValueEnum};
+use num_rational::BigRational;
 
 use super::Outcome;
-use crate::{error::Result, output::figure};
+use crate::{
+    error::{Error, Result},
+    number::parse_rational,
+    output::{Interrupt, Progress, figure},
+};
 
 /// Draw a figure as SVG, with its data as CSV beside it.
 ///
-/// Exit code 0: done; 2: wrong usage or a file that cannot be written.
+/// Exit code 0: done; 2: wrong usage or a file that cannot be written; 3: interrupted.
 #[derive(Debug, Parser)]
 pub(super) struct Args {
     /// Which figure.
     #[arg(value_enum)]
     figure: Figure,
-    /// The largest period shown, 3 to 40.
-    #[arg(long, value_name = "N", default_value_t = 15)]
-    n: u64,
+    /// The largest period shown; by default 15, for tips 200.
+    #[arg(long, value_name = "N")]
+    n: Option<u64>,
+    /// For records: the modulus of the eigenvalues, 0 < R <= 1; by default 0.993.
+    #[arg(long, value_name = "R", value_parser = parse_rational)]
+    r: Option<BigRational>,
+    /// For records: their angle in turns, 0 < S < 1/2; by default 0.205.
+    #[arg(long, value_name = "S", value_parser = parse_rational)]
+    s: Option<BigRational>,
     /// The folder for the files.
     #[arg(short, long, value_name = "DIR", default_value = ".")]
     output: PathBuf,
@@ -25,16 +36,40 @@ pub(super) struct Args {
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Figure {
+    /// The five regions of the (a1, a2) plane.
+    #[value(name = "2")]
+    Regions,
+    /// The iterate boundaries b_{n,k} = 0 that bound areas, n = 3 to N.
+    #[value(name = "4")]
+    Iterate,
     /// Theorem 2's intervals for n = 3 to N.
     Intervals,
+    /// The powers of an eigenvalue seen from 1: their records are the periods that exist.
+    Records,
+    /// The lowest points of all areas beside their law for large n, n = 4 to N.
+    Tips,
     /// Single-impact orbits of period 15 in regions 1, 2 and 5.
     #[value(name = "3")]
     Orbits,
 }
 
-pub(super) fn run(args: &Args) -> Result<Outcome> {
+pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
+    if args.figure != Figure::Records && (args.r.is_some() || args.s.is_some()) {
+        return Err(Error::input("--r and --s belong to `grazing figure records`"));
+    }
+    let number =
+        |given: &Option<BigRational>, default| given.clone().map_or_else(|| parse_rational(default), Ok);
+    let n = args.n.unwrap_or(if args.figure == Figure::Tips { 200 } else { 15 });
     match args.figure {
-        Figure::Intervals => figure::intervals(args.n, &args.output)?,
+        Figure::Regions => figure::regions(&args.output)?,
+        Figure::Iterate => figure::iterate_boundaries(n, &args.output)?,
+        Figure::Intervals => figure::intervals(n, &args.output)?,
+        Figure::Records => {
+            figure::records(&number(&args.r, "0.993")?, &number(&args.s, "0.205")?, n, &args.output)?
+        }
+        Figure::Tips => {
+            figure::tips(n, &args.output, &Progress::new(interrupt, n.saturating_sub(3), "periods"))?
+        }
         Figure::Orbits => figure::orbits(&args.output)?,
     }
     Ok(Outcome::Done)

@@ -1,6 +1,7 @@
 //! The command line: arguments, what each command runs, exit codes. No mathematics lives here.
 
 mod accuracy;
+mod boundary;
 mod check;
 mod classify;
 mod evaluate;
@@ -42,9 +43,10 @@ enum Command {
     Check(check::Args),
     Intervals(intervals::Args),
     Classify(classify::Args),
-    Existence(existence::Args),
     Fuzz(fuzz::Args),
+    Existence(existence::Args),
     Farey(farey::Args),
+    Boundary(boundary::Args),
     Figure(figure::Args),
     Formula(formula::Args),
     Evaluate(evaluate::Args),
@@ -94,10 +96,11 @@ fn run(cli: Cli) -> Result<Outcome> {
         Command::Check(args) => check::run(&args),
         Command::Intervals(args) => intervals::run(&args, &interrupt),
         Command::Classify(args) => classify::run(&args),
-        Command::Existence(args) => existence::run(&args, &interrupt),
         Command::Fuzz(args) => fuzz::run(&args, &interrupt),
+        Command::Existence(args) => existence::run(&args, &interrupt),
         Command::Farey(args) => farey::run(&args, &interrupt),
-        Command::Figure(args) => figure::run(&args),
+        Command::Boundary(args) => boundary::run(&args, &interrupt),
+        Command::Figure(args) => figure::run(&args, &interrupt),
         Command::Formula(args) => formula::run(&args),
         Command::Evaluate(args) => evaluate::run(&args, &interrupt),
         Command::Accuracy(args) => accuracy::run(&args, &interrupt),

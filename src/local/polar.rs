@@ -29,6 +29,7 @@ pub struct Polar {
     rest: BigRational,
     /// r ≥ ½.
     large: bool,
+    circle: bool,
     /// πs and 2πs.
     half: Angle,
     full: Angle,
@@ -58,7 +59,8 @@ impl Polar {
         let (half, full) = (Angle::new(&s), Angle::new(&(&s * BigInt::from(2))));
         let rest = BigRational::one() - &r;
         let large = rest <= r;
-        Ok(Polar { r, s, rest, large, half, full })
+        let circle = r.is_one();
+        Ok(Polar { r, s, rest, large, circle, half, full })
     }
 
     /// r.
@@ -73,12 +75,12 @@ impl Polar {
 
     /// Whether r = 1, where every sign is decided in integers.
     pub fn on_circle(&self) -> bool {
-        self.r.is_one()
+        self.circle
     }
 
     /// Whether u_n = 0: exactly where 2ns is an integer.
     pub fn is_singular(&self, n: u64) -> bool {
-        self.u_sign(n) == Sign::Zero
+        self.half.times(n).is_on_axis()
     }
 
     /// The sign of u_n, which is that of sin 2πns: exact.
@@ -103,17 +105,18 @@ impl Polar {
     /// of b_{n,k} off its double zeros, as many as its condition number says, and within ε of a double zero s = m/g for
     /// ε ≪ 1 − r, log₂ 1/(n(1 − r)). Cost: up to six sines and O(log n) products; on r = 1 three sines.
     pub fn b<T: Circular>(&self, n: u64, k: u64, context: &T::Context) -> Option<T> {
-        if self.is_singular(n) {
+        let j = n - k;
+        let at_n = self.half.times(n);
+        if at_n.is_on_axis() {
             return None;
         }
-        let j = n - k;
-        let cosine = T::cos(&self.half.times(n), context);
+        let cosine = T::cos(&at_n, context);
         if self.on_circle() {
             let (sine_j, sine_k) =
                 (T::sin(&self.half.times(j), context), T::sin(&self.half.times(k), context));
             return Some(T::integer(-2, context) * &sine_j * &sine_k / &cosine);
         }
-        let sine = T::sin(&self.half.times(n), context);
+        let sine = T::sin(&at_n, context);
         let denominator = T::integer(2, context) * &sine * &cosine * &self.power(j, context).power;
         Some(self.numerator::<T>(n, k, context) / &denominator)
     }

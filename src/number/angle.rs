@@ -51,6 +51,7 @@ impl Angle {
 
     /// k times the angle, exactly. Cost: one multiplication and one remainder.
     #[must_use]
+    #[inline]
     pub fn times(&self, k: u64) -> Angle {
         Angle(match &self.0 {
             &Turn::Small { p, q } => {
@@ -67,6 +68,7 @@ impl Angle {
 
     /// π/2 minus the angle, so that its sine is this one's cosine.
     #[must_use]
+    #[inline]
     pub fn complement(&self) -> Angle {
         // (q − 2p)/(2q), with 5q − 2p in place of q − 2p, which is positive and below 8q.
         Angle(match &self.0 {
@@ -85,22 +87,35 @@ impl Angle {
     /// The sign of the angle's sine: exact, in integers.
     pub fn sin_sign(&self) -> Sign {
         let (zero, upper) = match &self.0 {
-            Turn::Small { p, q } => (p % q == 0, p < q),
-            Turn::Large { p, q } => ((p % q).is_zero(), p < q),
+            Turn::Small { p, q } => (*p == 0 || p == q, p < q),
+            Turn::Large { p, q } => (p.is_zero() || p == q, p < q),
         };
         if zero { Sign::Zero } else { Sign::Positive.negated_if(!upper) }
+    }
+
+    /// Whether sine or cosine is zero: exact, in integers.
+    #[inline]
+    pub fn is_on_axis(&self) -> bool {
+        match &self.0 {
+            &Turn::Small { p, q } => p == 0 || p == q || 2 * p == q || 2 * p == 3 * q,
+            Turn::Large { p, q } => (p * 2u32 % q).is_zero(),
+        }
+    }
+
+    /// [`octant`](Angle::octant) in machine integers, if they hold the angle: negative, cosine, t.
+    #[inline]
+    pub(crate) fn small_octant(&self) -> Option<(bool, bool, u64, u64)> {
+        match &self.0 {
+            &Turn::Small { p, q } => Some(small_octant(p, q)),
+            Turn::Large { .. } => None,
+        }
     }
 
     pub(crate) fn octant(&self) -> Octant {
         match &self.0 {
             &Turn::Small { p, q } => {
-                let negative = p >= q;
-                let p = if negative { p - q } else { p };
-                let p = p.min(q - p);
-                // sin πp/q = cos π(q − 2p)/(2q) above π/4; 4p < 2⁶⁴ since p ≤ q/2.
-                let cosine = 4 * p > q;
-                let t = if cosine { Fraction::Small(q - 2 * p, 2 * q) } else { Fraction::Small(p, q) };
-                Octant { negative, cosine, t }
+                let (negative, cosine, p, q) = small_octant(p, q);
+                Octant { negative, cosine, t: Fraction::Small(p, q) }
             }
             Turn::Large { p, q } => {
                 let negative = p >= q;
@@ -117,6 +132,15 @@ impl Angle {
             }
         }
     }
+}
+
+#[inline]
+fn small_octant(p: u64, q: u64) -> (bool, bool, u64, u64) {
+    let negative = p >= q;
+    let p = if negative { p - q } else { p };
+    let p = p.min(q - p);
+    // sin πp/q = cos π(q − 2p)/(2q) above π/4; 4p < 2⁶⁴ since p ≤ q/2.
+    if 4 * p > q { (negative, true, q - 2 * p, 2 * q) } else { (negative, false, p, q) }
 }
 
 impl Turn {

@@ -77,6 +77,8 @@ impl Ball {
     }
 
     /// The enclosed numbers' bounds as exact fractions, `None` if nothing is known.
+    ///
+    /// Written out in full: |[`exponent`](Ball::exponent)| bits, so look at that first where it may be huge.
     pub fn exact_bounds(&self) -> Option<(BigRational, BigRational)> {
         if self.radius.is_infinite() {
             return None;

@@ -126,7 +126,7 @@ fn kernel(cosine: bool, t: &Fraction, precision: &Precision, length: usize) -> (
 
 impl Octant {
     /// The value where it is rational: 0, ½ or 1 (Niven), in halves.
-    fn halves(&self) -> Option<u32> {
+    pub(super) fn halves(&self) -> Option<u32> {
         let (zero, sixth) = match &self.t {
             &Fraction::Small(p, q) => (p == 0, p.checked_mul(6) == Some(q)),
             Fraction::Large(p, q) => (p.is_zero(), p * 6u32 == *q),

@@ -3,10 +3,9 @@
 //! A kernel returns a 64-bit mantissa and a proved bound on its error, about 2⁻⁵⁹ of the value; one
 //! rounding then yields the two end points, which mostly are neighbouring floats.
 
-use num_bigint::BigUint;
-use num_traits::{ToPrimitive, Zero};
+use num_traits::ToPrimitive;
 
-use super::angle::{Angle, Fraction, Octant};
+use super::angle::{Angle, Fraction};
 use super::float_interval::FloatInterval;
 
 /// π/4 · 2⁶⁴, to nearest.
@@ -18,7 +17,7 @@ const SIN: [u64; 9] = [
     0x00cf_ce5a_015e_2363,
     0x0003_0d51_c8e4_1b6d,
     0x06b1_a017_3cd4,
-    0x0099_c0b5_523,
+    0x9_9c0b_5523,
     0x9ba_38d0,
     0x75092,
     0x43f,
@@ -76,21 +75,18 @@ fn cos_mantissa(w: u64) -> u64 {
 
 /// The interval m·2^e ± error·2^e, m ≥ error, rounded outwards; m < 2⁶⁴.
 pub(super) fn enclose(m: u64, error: u64, e: i64) -> FloatInterval {
-    let lo = float(u128::from(m) - u128::from(error), e, false);
-    let hi = float(u128::from(m) + u128::from(error), e, true);
-    FloatInterval::from_bounds(lo, hi)
+    let (lo, (hi, overflow)) = (m - error, m.overflowing_add(error));
+    // m + error < 2⁶⁵: beyond 2⁶⁴, halved upwards.
+    let hi = if overflow { float((hi >> 1) + (hi & 1) + (1 << 63), e + 1, true) } else { float(hi, e, true) };
+    FloatInterval::from_bounds(float(lo, e, false), hi)
 }
 
-/// m·2^e rounded down or up to a float, for 0 < m < 2⁶⁵; below the normal range, to 0 or the least normal float.
-fn float(m: u128, e: i64, up: bool) -> f64 {
-    let length = i64::from(128 - m.leading_zeros());
-    let cut = length - 53;
-    let top = if cut <= 0 {
-        (m << -cut) as u64
-    } else {
-        (m >> cut) as u64 + u64::from(up && m & ((1 << cut) - 1) != 0)
-    };
-    let exponent = e + cut;
+/// m·2^e rounded down or up to a float, for m > 0; below the normal range, to 0 or the least normal float.
+fn float(m: u64, e: i64, up: bool) -> f64 {
+    let zeros = m.leading_zeros();
+    let m = m << zeros;
+    let top = (m >> 11) + u64::from(up && m & 0x7ff != 0);
+    let exponent = e - i64::from(zeros) + 11;
     // top in [2⁵², 2⁵³]: the value is top·2^exponent, and adding the fields lets a carry raise the exponent.
     match exponent + 1074 {
         biased @ 0..=2044 => f64::from_bits(top + ((biased as u64) << 52)),
@@ -101,47 +97,56 @@ fn float(m: u128, e: i64, up: bool) -> f64 {
                 0.0
             }
         }
-        _ => {
-            if up {
-                f64::INFINITY
-            } else {
-                f64::MAX
-            }
-        }
+        _ if up => f64::INFINITY,
+        _ => f64::MAX,
     }
 }
 
-/// sin of the angle: width at most 2 ulp. Cost: one 128-bit division and about 12 products of 64 bits
-/// for angles in machine integers.
+/// sin of the angle: width at most 2 ulp, and 0 where the sine is rational. Cost: a division and about 12 products of 64
+/// bits for angles in machine integers.
+#[inline]
 pub(super) fn sin(angle: &Angle) -> FloatInterval {
-    let Octant { negative, cosine, t } = angle.octant();
-    let magnitude = match t {
-        Fraction::Small(0, _) => zero_or_one(cosine),
-        Fraction::Small(numerator, denominator) => {
-            // 4t = m·2^{−shift−64}, 2⁶² < m < 2⁶⁴ cut down.
-            let (n, d) = (numerator.leading_zeros(), denominator.leading_zeros());
-            let m = (u128::from(numerator << n) << 63) / u128::from(denominator << d);
-            kernel(cosine, m as u64, i64::from(n) - i64::from(d) - 3)
+    let Some((negative, cosine, numerator, denominator)) = angle.small_octant() else { return large(angle) };
+    let magnitude = if numerator == 0 {
+        point(f64::from(u8::from(cosine)))
+    } else if denominator >> 32 == 0 && 16 * numerator >= denominator {
+        if !cosine && 6 * numerator == denominator {
+            point(0.5)
+        } else {
+            // ¼ ≤ 4t: two short divisions are quicker than a long one, and lose nothing.
+            let high = (numerator << 34) / denominator;
+            let rest = (numerator << 34) % denominator;
+            let m = if high >> 32 == 0 { (high << 32) + (rest << 32) / denominator } else { u64::MAX };
+            kernel(cosine, m, 0)
         }
-        Fraction::Large(numerator, denominator) => large(cosine, &numerator, &denominator),
+    } else if !cosine && numerator.checked_mul(6) == Some(denominator) {
+        point(0.5)
+    } else {
+        // 4t = m·2^{−shift−64}, 2⁶² < m < 2⁶⁴ cut down.
+        let (n, d) = (numerator.leading_zeros(), denominator.leading_zeros());
+        let m = (u128::from(numerator << n) << 63) / u128::from(denominator << d);
+        kernel(cosine, m as u64, i64::from(n) - i64::from(d) - 3)
     };
     if negative { -magnitude } else { magnitude }
 }
 
-fn zero_or_one(one: bool) -> FloatInterval {
-    let value = f64::from(u8::from(one));
+fn point(value: f64) -> FloatInterval {
     FloatInterval::from_bounds(value, value)
 }
 
-fn large(cosine: bool, numerator: &BigUint, denominator: &BigUint) -> FloatInterval {
-    if numerator.is_zero() {
-        return zero_or_one(cosine);
-    }
-    let shift = denominator.bits() as i64 - numerator.bits() as i64 + 63;
-    let quotient =
-        if shift >= 0 { (numerator << shift) / denominator } else { numerator / (denominator << -shift) };
-    let m = quotient.to_u64().unwrap_or(u64::MAX);
-    kernel(cosine, m, shift - 66)
+#[cold]
+fn large(angle: &Angle) -> FloatInterval {
+    let octant = angle.octant();
+    let magnitude = match (octant.halves(), &octant.t) {
+        (Some(halves), _) => point(f64::from(halves) / 2.0),
+        (None, Fraction::Large(numerator, denominator)) => {
+            let shift = denominator.bits() - numerator.bits() + 63;
+            let m = ((numerator << shift) / denominator).to_u64().unwrap_or(u64::MAX);
+            kernel(octant.cosine, m, shift as i64 - 66)
+        }
+        (None, Fraction::Small(..)) => unreachable!("machine integers take the other path"),
+    };
+    if octant.negative { -magnitude } else { magnitude }
 }
 
 /// The enclosure from 4t = m·2^{−64−shift}, m cut down by less than 1.
@@ -150,7 +155,7 @@ fn kernel(cosine: bool, m: u64, shift: i64) -> FloatInterval {
         0 => m,
         1..=63 => m >> shift,
         64.. => 0,
-        _ => m.checked_mul(2).unwrap_or(u64::MAX), // 4t = 1 at the most
+        _ => m.saturating_mul(2), // 4t = 1 at the most
     };
     if cosine { enclose_cosine(cos_mantissa(w)) } else { enclose(sin_mantissa(m, w), ERROR, -64 - shift) }
 }

@@ -63,7 +63,7 @@ pub fn measure(family: Family) -> Vec<Measured> {
     let truth: Vec<Answer> =
         inputs.iter().map(|input| ladder.sign(&input.point, quantity(input)).answer).collect();
     let reference = Precision::new(1024);
-    let condition = median(inputs.iter().map(|input| condition(input).log10()));
+    let condition = median(inputs.iter().map(|input| condition(&input.point, quantity(input)).log10()));
     let row = |method, times: Vec<Duration>, signs: Vec<Answer>| {
         let decided = signs.iter().filter(|&&sign| sign != Answer::Undecided).count();
         let wrong = signs
@@ -214,29 +214,34 @@ fn right_digits(value: f64, exact: Bounds) -> f64 {
     }
 }
 
-/// The condition number of b_{n,k}: the relative change of b per relative change of each parameter, both added.
+/// The condition number of b_{n,k} or c_n: its relative change per relative change of each parameter, both added.
 ///
-/// From a step of 2⁻³⁰⁰ in balls of 1024 bits: good to a few digits.
-pub fn condition(input: &Input) -> f64 {
+/// From a step of 2⁻³⁰⁰ in balls of 1024 bits: good to a few digits below 2²⁰⁰. Infinite at a zero.
+pub fn condition(at: &Point, quantity: Quantity) -> f64 {
     let precision = Precision::new(1024);
-    let quantity = Quantity::B { n: input.n, k: input.k };
     let middle = |point: &Point| {
-        let (lo, hi) = point.evaluate::<Ball>(quantity, &precision)?.exact_bounds()?;
+        let ball = point.evaluate::<Ball>(quantity, &precision)?;
+        // A number of 2^±10⁹ would be written out.
+        let (lo, hi) =
+            if ball.exponent().unsigned_abs() < 100_000 { ball.exact_bounds()? } else { return None };
         Some((lo + hi) / BigInt::from(2))
     };
     let step = BigRational::new(1.into(), BigInt::one() << 300);
     let scale = BigRational::one() - &step;
-    let moved = match &input.point {
+    let moved = match at {
         Point::Polar(polar) => {
-            let at = |r, s| Polar::new(r, s).ok().map(Point::Polar);
-            [at(polar.r() * &scale, polar.s().clone()), at(polar.r().clone(), polar.s() * &scale)]
+            let polar_at = |r, s| Polar::new(r, s).ok().map(Point::Polar);
+            [polar_at(polar.r() * &scale, polar.s().clone()), polar_at(polar.r().clone(), polar.s() * &scale)]
         }
         Point::Plane(plane) => {
-            let at = |a1, a2| Plane::new(a1, a2).ok().map(Point::Plane);
-            [at(plane.a1() * &scale, plane.a2().clone()), at(plane.a1().clone(), plane.a2() * &scale)]
+            let plane_at = |a1, a2| Plane::new(a1, a2).ok().map(Point::Plane);
+            [
+                plane_at(plane.a1() * &scale, plane.a2().clone()),
+                plane_at(plane.a1().clone(), plane.a2() * &scale),
+            ]
         }
     };
-    let Some(value) = middle(&input.point).filter(|value| Sign::of(value) != Sign::Zero) else {
+    let Some(value) = middle(at).filter(|value| Sign::of(value) != Sign::Zero) else {
         return f64::INFINITY;
     };
     let change = |point: Option<Point>| {

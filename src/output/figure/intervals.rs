@@ -5,6 +5,7 @@ use std::{fs, path::Path};
 use num_rational::Ratio;
 use plotters::prelude::*;
 
+use super::colour;
 use crate::{
     error::{Error, Result},
     existence::{Case, Interval, intervals as theorem},
@@ -46,16 +47,6 @@ pub fn intervals(last: u64, folder: &Path) -> Result<()> {
         }
         table.finish()
     })
-}
-
-/// The colour of a case, from the palette of Okabe and Ito, which colour-blind readers can tell apart.
-pub(super) fn colour(case: Case) -> RGBColor {
-    match case {
-        Case::MinusPlus => RGBColor(0, 114, 178),
-        Case::PlusPlus => RGBColor(230, 159, 0),
-        Case::PlusMinus => RGBColor(0, 158, 115),
-        Case::MinusMinus => RGBColor(204, 121, 167),
-    }
 }
 
 fn draw(last: u64, all: &[Interval]) -> std::result::Result<String, Box<dyn std::error::Error>> {

@@ -1,0 +1,36 @@
+//! Exact fractions as decimals that bound them.
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::{Signed, pow};
+
+/// The greatest decimal with `digits` places that is not above x. Cost: one division of `digits` digits.
+///
+/// ```
+/// use grazing::{number::parse_rational, output::{decimal_above, decimal_below}};
+/// let x = parse_rational("-2/3")?;
+/// assert_eq!([decimal_below(&x, 3), decimal_above(&x, 3)], ["-0.667", "-0.666"]);
+/// # Ok::<(), grazing::Error>(())
+/// ```
+pub fn decimal_below(x: &BigRational, digits: u32) -> String {
+    place_point((x * pow(BigInt::from(10), digits as usize)).floor().to_integer(), digits)
+}
+
+/// The least decimal with `digits` places that is not below x.
+pub fn decimal_above(x: &BigRational, digits: u32) -> String {
+    place_point((x * pow(BigInt::from(10), digits as usize)).ceil().to_integer(), digits)
+}
+
+/// The nearest decimal with `digits` places, halves away from zero: a rounded value, not a bound.
+pub fn decimal_near(x: &BigRational, digits: u32) -> String {
+    place_point((x * pow(BigInt::from(10), digits as usize)).round().to_integer(), digits)
+}
+
+/// units·10^−digits, written out.
+fn place_point(units: BigInt, digits: u32) -> String {
+    let sign = if units.is_negative() { "-" } else { "" };
+    let digits = digits as usize;
+    let text = format!("{:0>1$}", units.magnitude().to_string(), digits + 1);
+    let (whole, rest) = text.split_at(text.len() - digits);
+    if digits == 0 { format!("{sign}{whole}") } else { format!("{sign}{whole}.{rest}") }
+}

@@ -1,0 +1,172 @@
+//! The figures' data against other routes, and their pictures for labels that overlap.
+
+use std::{collections::HashMap, fs, path::Path, process::Command};
+
+use grazing::{
+    existence::{by_records, intervals},
+    local::{Ladder, Point, Polar},
+    number::parse_rational,
+};
+
+/// Draws a figure; returns the rows of its CSV by column name, and its SVG.
+fn draw(arguments: &str, name: &str) -> (Vec<HashMap<String, String>>, String) {
+    let folder = tempfile::tempdir().unwrap();
+    let mut command = Command::new(env!("CARGO_BIN_EXE_grazing"));
+    command.arg("figure").args(arguments.split_whitespace()).arg("-o").arg(folder.path());
+    let output = command.output().unwrap();
+    assert_eq!((output.status.code(), output.stderr), (Some(0), vec![]), "grazing figure {arguments}");
+    let read = |extension| fs::read_to_string(folder.path().join(format!("{name}.{extension}"))).unwrap();
+    let mut reader = csv::Reader::from_reader(read("csv").into_bytes().leak() as &[u8]);
+    (reader.deserialize().map(Result::unwrap).collect(), read("svg"))
+}
+
+fn number(row: &HashMap<String, String>, column: &str) -> f64 {
+    row[column].parse().unwrap()
+}
+
+/// (left, top, right, bottom) of every text in a picture, from below its true size.
+fn labels(svg: &str) -> Vec<(String, [f64; 4])> {
+    let attribute = |tag: &str, name: &str| {
+        let (_, rest) = tag.split_once(&format!(" {name}=\"")).unwrap_or_else(|| panic!("{name} in {tag}"));
+        rest.split_once('"').unwrap().0.to_string()
+    };
+    let mut found = Vec::new();
+    for piece in svg.split("<text").skip(1) {
+        let (tag, rest) = piece.split_once('>').unwrap();
+        let text = rest.split_once("</text>").unwrap().0.trim().to_string();
+        if tag.contains("transform") {
+            continue; // turned by 90°: an axis title, alone in the margin
+        }
+        let [x, y] = ["x", "y"].map(|name| attribute(tag, name).parse::<f64>().unwrap());
+        let size: f64 = attribute(tag, "font-size").parse::<f64>().unwrap();
+        let width = 0.5 * size * text.chars().count() as f64;
+        let left = match attribute(tag, "text-anchor").as_str() {
+            "start" => x,
+            "middle" => x - width / 2.0,
+            _ => x - width,
+        };
+        let top = match tag.split_once("dy=\"").map_or("", |(_, rest)| rest.split('"').next().unwrap()) {
+            "0.76em" => y,
+            "0.5ex" => y - size / 2.0,
+            _ => y - size,
+        };
+        found.push((text, [left, top, left + width, top + size]));
+    }
+    found
+}
+
+fn assert_no_overlap(svg: &str) {
+    let all = labels(svg);
+    assert!(all.len() >= 5);
+    for (i, (text, a)) in all.iter().enumerate() {
+        for (other, b) in &all[..i] {
+            let apart = a[2] < b[0] || b[2] < a[0] || a[3] < b[1] || b[3] < a[1];
+            assert!(apart, "{text} {a:?} covers {other} {b:?}");
+        }
+    }
+}
+
+/// N_{n,k} by the recurrence, in floats.
+fn numerator(n: usize, k: usize, a1: f64, a2: f64) -> f64 {
+    let mut u = vec![0.0, 1.0];
+    for i in 1..n {
+        u.push(a1 * u[i] - a2 * u[i - 1]);
+    }
+    u[n] - u[k] - a2.powi(k as i32) * u[n - k]
+}
+
+#[test]
+fn iterate_boundaries_are_zeros() {
+    let (rows, svg) = draw("4", "figure4");
+    let mut curves = std::collections::BTreeSet::new();
+    for row in &rows {
+        let (n, k) = (number(row, "n") as usize, number(row, "k") as usize);
+        curves.insert((n, k));
+        let (a1, a2) = (number(row, "a1"), number(row, "a2"));
+        assert!(numerator(n, k, a1, a2).abs() < 1e-6, "{row:?}");
+        if (n, k) == (3, 1) {
+            assert!((a1 + 1.0).abs() < 1e-7, "{row:?}");
+        }
+    }
+    // One active boundary for each k coprime to n: the sum of φ(n) from 3 to 15.
+    assert_eq!(curves.len(), 70);
+    assert_no_overlap(&svg);
+    for label in ["3,1", "3,2", "4,1", "4,3", "5,1", "5,2", "5,3", "5,4"] {
+        assert_eq!(svg.lines().filter(|line| line.trim() == label).count(), 1, "{label}");
+    }
+}
+
+#[test]
+fn regions_are_bounded_by_unit_and_equal_eigenvalues() {
+    let (rows, svg) = draw("2", "figure2");
+    for row in &rows {
+        let (a1, a2) = (number(row, "a1"), number(row, "a2"));
+        let line = if row["line"].contains("sqrt") { a1 * a1 - 4.0 * a2 } else { a1.abs() - a2 - 1.0 };
+        assert!(line.abs() < 1e-3, "{row:?}");
+    }
+    assert_no_overlap(&svg);
+}
+
+#[test]
+fn records_are_those_of_the_record_form() {
+    for (r, s, n) in [
+        ("0.991", "0.205", 15),
+        ("1", "0.381966", 40),
+        ("0.99", "1/3+1e-3", 12),
+        ("0.999", "0.01", 60),
+        ("0.97", "0.49", 30),
+    ] {
+        let (rows, svg) = draw(&format!("records --r {r} --s {s} --n {n}"), "records");
+        let point = Point::Polar(Polar::new(parse_rational(r).unwrap(), parse_rational(s).unwrap()).unwrap());
+        let expected = by_records(&Ladder::default(), &point, n).unwrap();
+        assert_eq!(rows.len(), n as usize);
+        for (row, (existence, n)) in rows.iter().zip(expected.iter().zip(1..)) {
+            let cases: Vec<String> = existence.cases(n).iter().map(|case| case.to_string()).collect();
+            assert_eq!(row["cases"], cases.join(" "), "{r} {s} {n}");
+        }
+        assert_no_overlap(&svg);
+    }
+}
+
+#[test]
+fn tips_have_bounds_near_the_law() {
+    let (rows, svg) = draw("tips --n 16", "tips");
+    // Two deciding indices, n − 1 and (n odd) n − 2, belong to areas that reach down to 0.
+    let areas: usize = (4..=16).map(|n| intervals(n).unwrap().count() - 2 - (n % 2) as usize).sum();
+    assert_eq!(rows.len(), areas);
+    for row in &rows {
+        assert!(number(row, "scaled_lower") <= number(row, "scaled_upper"));
+        let (found, law, next) = (number(row, "scaled_lower"), number(row, "law"), number(row, "law_next"));
+        let t = number(row, "k") / number(row, "n");
+        assert!(t > 0.5 || (found - next).abs() < (found - law).abs(), "{row:?}");
+    }
+    assert_no_overlap(&svg);
+}
+
+#[test]
+fn wrong_numbers_are_named() {
+    let cases = [
+        ("4 --n 2", "--n 2: this figure shows periods 3 to N, with N from 3 to 40"),
+        ("records --n 61", "--n 61: this figure shows periods 1 to N, with N from 1 to 60"),
+        ("records --s 1/2", "s = 1/2 is outside 0 < s < 1/2"),
+        ("tips --n 3", "--n 3: this figure shows periods 4 to N, with N from 4 to 400"),
+        ("2 --r 0.9", "--r and --s belong to `grazing figure records`"),
+    ];
+    for (arguments, expected) in cases {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_grazing"));
+        let output = command.arg("figure").args(arguments.split_whitespace()).output().unwrap();
+        let message = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(2), "{message}");
+        assert!(message.contains(expected), "grazing figure {arguments}: {message}");
+    }
+}
+
+/// The pictures in the documentation are those that the program draws today.
+#[test]
+fn checked_in_figures_are_current() {
+    for (arguments, name) in [("2", "figure2"), ("4", "figure4"), ("records", "records")] {
+        let (_, svg) = draw(arguments, name);
+        let kept = fs::read_to_string(Path::new("docs").join(format!("{name}.svg"))).unwrap();
+        assert_eq!(kept, svg, "run `grazing figure {arguments} -o docs`");
+    }
+}
