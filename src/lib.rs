@@ -36,6 +36,7 @@
 //! | [`farey`] | neighbours, tree, sequence, rank |
 //! | [`local`] | u_k, b_{n,k}, c_n at one point on every rung; the ladder of signs |
 //! | [`existence`] | Theorem 2: statement and decision |
+//! | [`impact`] | Theorem 1 in any dimension: impact patterns, the pattern graph |
 //! | [`certificate`] | the certificate format and its checker: the trusted code |
 //! | [`search`] | what finds certificates |
 //! | [`study`] | what accuracy costs: families of inputs, measurements |
