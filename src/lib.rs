@@ -8,39 +8,42 @@
 //! # What is proved
 //!
 //! - Theorem 2, for given n: on r = 1 (a₁ = 2 cos 2πs, a₂ = 1) the set of s with an orbit is exactly a list of intervals
-//!   between Farey fractions. [`existence::decide`] decides it by integer arithmetic; [`search`] writes certificates;
-//!   [`certificate::check`], which shares no code with either, proves them again.
+//!   between Farey fractions. [`existence::decide`] decides it by integer arithmetic, [`existence::decide_by_enclosure`] by
+//!   enclosures; [`search`] writes certificates; [`certificate::check`], which shares no code with any of them, proves them
+//!   again. (For all n at once, Theorem 2 and Conjecture 1 are proved in Coq, under `proofs/`.)
 //!
 //! # What is computed
 //!
 //! - The intervals themselves, by modular inverses and by the Farey tree ([`existence`]); Farey fractions of any
 //!   size ([`farey`]).
+//! - At one point, r < 1 included: which orbits exist, by certain signs only ([`existence::by_definition`],
+//!   [`existence::by_records`]); b_{n,k} and c_n to any number of certain digits ([`local`]).
 //! - The lower edges of the areas of Conjecture 1, r < 1, and their lowest points, certified to any number of digits
 //!   ([`existence::Boundary`]).
 //! - For a local map of any dimension, exact or enclosed: which impact patterns give orbits, by Theorem 1 ([`impact`]).
+//! - The formulas as integer polynomials, and statements about them for solvers ([`symbol`]).
 //!
 //! # When to use it, and when not
 //!
-//! Use it to attach a checked proof to a statement about these orbits, to list where they exist, or for exact Farey
-//! arithmetic. Do not use it to simulate oscillators, which it does not do yet, or for maps with more than one
-//! square-root direction. It takes Nordmark's Theorem 1, which turns signs into orbits, from the paper.
+//! Use it to attach a checked proof to a statement about these orbits, to ask which orbits a grazing bifurcation gives
+//! birth to, or for exact Farey arithmetic. Do not use it to simulate oscillators, which it does not do yet, or for maps with
+//! more than one square-root direction. It takes Nordmark's Theorem 1, which turns signs into orbits, from the paper.
 //!
 //! # Map
 //!
-//! Dependencies point from right to left: `number ← farey ← existence ← search ← output ← cli`; `certificate` stands
-//! alone.
+//! Dependencies point one way, from the bottom of this table up; `certificate` stands alone.
 //!
 //! | module | holds |
 //! | --- | --- |
+//! | [`certificate`] | the certificate format and its checker: the trusted code |
 //! | [`number`] | exact numbers and their text form; enclosures at every precision; certain signs |
 //! | [`farey`] | neighbours, tree, sequence, rank |
+//! | [`symbol`] | u_n, N_{n,k} as polynomials in (a₁, a₂); sentences for solvers |
 //! | [`local`] | u_k, b_{n,k}, c_n at one point on every rung; the ladder of signs |
-//! | [`existence`] | Theorem 2: statement and decision |
+//! | [`existence`] | Theorem 2 and Conjecture 1: claims, decisions, the edges of the areas |
 //! | [`impact`] | Theorem 1 in any dimension: impact patterns, the pattern graph |
-//! | [`certificate`] | the certificate format and its checker: the trusted code |
-//! | [`search`] | what finds certificates |
+//! | [`search`] | what finds certificates and looks for counterexamples |
 //! | [`study`] | what accuracy costs: families of inputs, measurements |
-//! | [`impact`] | Theorem 1 in any dimension: impact patterns, the pattern graph |
 //! | [`output`] | tables, files, figures, progress |
 //! | [`cli`] | the command line |
 
