@@ -57,6 +57,7 @@ pub mod local;
 mod monitor;
 pub mod number;
 pub mod output;
+mod random;
 pub mod search;
 pub mod study;
 pub mod symbol;

@@ -431,5 +431,5 @@ fn existence_draws_graphs_and_orbits() {
         fs::read_to_string(at("orbit/orbit.svg")).unwrap().contains("pattern (1,3): exists for eµ &lt; 0")
     );
     stdout(&format!("figure 3 -o {}", at("figure")));
-    assert_eq!(fs::read_to_string(at("figure/figure-3.csv")).unwrap().lines().count(), 1 + 3 * 16);
+    assert_eq!(fs::read_to_string(at("figure/figure3.csv")).unwrap().lines().count(), 1 + 3 * 16);
 }

@@ -45,7 +45,7 @@ pub(super) struct Args {
     /// The share of sweep points at which one period is decided by the definition, k by k, as well.
     #[arg(long, value_name = "F", default_value_t = 0.01)]
     definition_share: f64,
-    /// Where disagreements are appended.
+    /// Where disagreements are appended; the tests replay those in tests/data/fuzz_regressions.txt.
     #[arg(long, value_name = "FILE", default_value = "fuzz-regressions.txt")]
     regressions: PathBuf,
     /// Go on from this state file if it exists, and keep it up to date.

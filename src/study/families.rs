@@ -3,7 +3,10 @@
 use num_bigint::BigInt;
 use num_rational::BigRational;
 
-use crate::local::{Plane, Point, Polar};
+use crate::{
+    local::{Plane, Point, Polar},
+    random::Random,
+};
 
 /// b_{n,k} at a point.
 #[derive(Debug, Clone)]
@@ -106,16 +109,4 @@ impl Family {
 
 fn ratio(p: u64, q: u64) -> BigRational {
     BigRational::new(p.into(), q.into())
-}
-
-/// Steele, Lea and Flood's SplitMix64: the same numbers on every machine.
-struct Random(u64);
-
-impl Random {
-    fn below(&mut self, bound: u64) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        (z ^ (z >> 31)) % bound
-    }
 }

@@ -6,12 +6,12 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, ToPrimitive, Zero};
 use plotters::{
-    coord::{Shift, types::RangedCoordf64},
+    coord::Shift,
     prelude::*,
     style::text_anchor::{HPos, VPos},
 };
 
-use super::{FONT, GREY, Picture, WIDTH, colour, label, save, style};
+use super::{FONT, GREY, Panel, Picture, WIDTH, colour, label, plane_axes, save, style};
 use crate::{
     error::{Error, Result},
     existence::{Boundary, Case, Interval, intervals},
@@ -128,8 +128,6 @@ fn place(point: &[BigRational; 2]) -> (f64, f64) {
     (a1, a2)
 }
 
-type Panel<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
-
 /// A panel for a₂ between `bottom` and 1, with the regions' lines in grey and all curves.
 fn panel<'a, 'b>(
     area: &'a DrawingArea<SVGBackend<'b>, Shift>,
@@ -145,21 +143,7 @@ where
         .x_label_area_size(190)
         .y_label_area_size(250)
         .build_cartesian_2d(-2f64..2.0, bottom..1.0)?;
-    let digits = if bottom > 0.0 { 2 } else { 1 };
-    chart
-        .configure_mesh()
-        .disable_mesh()
-        .x_labels(5)
-        .y_labels(6)
-        .x_label_formatter(&|x| format!("{x:.0}").replace('-', "−"))
-        .y_label_formatter(&|y| format!("{y:.digits$}"))
-        .x_desc("a₁")
-        .y_desc("a₂")
-        .label_style(("sans-serif", FONT))
-        .axis_desc_style(("sans-serif", FONT + 6))
-        .axis_style(BLACK.stroke_width(3))
-        .set_all_tick_mark_size(16)
-        .draw()?;
+    plane_axes(&mut chart, 5, if bottom > 0.0 { 2 } else { 1 })?;
     let parabola: Vec<(f64, f64)> =
         (-200..=200).map(|i| f64::from(i) / 100.0).map(|a1| (a1, a1 * a1 / 4.0)).collect();
     let line = |sign: f64| vec![(sign * (1.0 + bottom), bottom), (sign * 2.0, 1.0)];

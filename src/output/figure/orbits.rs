@@ -22,7 +22,7 @@ struct Panel {
     positive: bool,
 }
 
-/// Writes `figure-3.svg` and `figure-3.csv` into `folder`: the complete single-impact orbits of period 15 at
+/// Writes `figure3.svg` and `figure3.csv` into `folder`: the complete single-impact orbits of period 15 at
 /// (λ₁, λ₂) = (1.5, 0.5), (0.8, 0.5), (−0.5, −1.5), regions 1, 2 and 5, in the normal form (45)–(47).
 ///
 /// # Errors
@@ -44,7 +44,7 @@ pub fn orbits(folder: &Path) -> Result<()> {
             positive,
         });
     }
-    write(folder, "figure-3", &drawn)
+    write(folder, "figure3", &drawn)
 }
 
 /// Writes `orbit.svg` and `orbit.csv` into `folder`: the orbit of a pattern, in the first two coordinates. `side` is the sign of

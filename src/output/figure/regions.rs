@@ -7,7 +7,7 @@ use plotters::{
     style::text_anchor::{HPos, VPos},
 };
 
-use super::{FONT, Picture, WIDTH, save, style};
+use super::{FONT, Picture, WIDTH, plane_axes, save, style};
 use crate::error::Result;
 
 const STEPS: u32 = 100;
@@ -55,20 +55,7 @@ fn draw() -> Picture {
             line(left).chain(line(right).collect::<Vec<_>>().into_iter().rev()).collect();
         chart.draw_series([Polygon::new(outline, tint.filled())])?;
     }
-    chart
-        .configure_mesh()
-        .disable_mesh()
-        .x_labels(7)
-        .y_labels(6)
-        .x_label_formatter(&|x| format!("{x:.0}").replace('-', "−"))
-        .y_label_formatter(&|y| format!("{y:.1}"))
-        .x_desc("a₁")
-        .y_desc("a₂")
-        .label_style(("sans-serif", FONT))
-        .axis_desc_style(("sans-serif", FONT + 6))
-        .axis_style(BLACK.stroke_width(3))
-        .set_all_tick_mark_size(16)
-        .draw()?;
+    plane_axes(&mut chart, 7, 1)?;
     for index in 0..4 {
         chart.draw_series([PathElement::new(line(index).collect::<Vec<_>>(), BLACK.stroke_width(5))])?;
     }

@@ -21,8 +21,8 @@ use crate::{
     local::{Ladder, Plane, Point, Polar, Rung},
     monitor::Monitor,
     number::parse_rational,
+    random::Random,
 };
-use random::Random;
 use sweep::Sweep;
 
 /// A period and a point.
@@ -185,7 +185,7 @@ pub fn fuzz(
 }
 
 fn run_unit(options: &Options, ladder: &Ladder, sweep: &mut Sweep, unit: u64) -> Tally {
-    let mut random = Random::new(options.seed, unit);
+    let mut random = Random::of_unit(options.seed, unit);
     let mut tally = Tally { units: 1, ..Tally::default() };
     let start = Instant::now();
     // The share as a threshold on 53 random bits: what it selects depends on the seed alone.
@@ -234,7 +234,7 @@ fn run_unit(options: &Options, ladder: &Ladder, sweep: &mut Sweep, unit: u64) ->
 /// The first of `most` weighted cases of a seed that refutes a variant of the claim, shrunk.
 pub fn refute(variant: Variant, seed: u64, most: u64, last: u64) -> Option<Case> {
     let ladder = Ladder::default();
-    let mut random = Random::new(seed, 0);
+    let mut random = Random::of_unit(seed, 0);
     (0..most)
         .filter_map(|_| weighted::case(&mut random, &ladder, 1..=last))
         .find(|case| differ(&ladder, case, variant))

@@ -7,11 +7,12 @@ use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
-use super::{Case, random::Random};
+use super::Case;
 use crate::{
     existence::intervals,
     local::{Answer, Ladder, Plane, Point, Polar, Quantity},
     number::Sign,
+    random::Random,
 };
 
 fn ratio(p: u64, q: u64) -> BigRational {
