@@ -186,7 +186,8 @@ fn draw_panel(panel: &Panel, area: &DrawingArea<SVGBackend, Shift>) -> Drawn {
         let at = chart.backend_coord(&p);
         if taken.iter().all(|other| (other.0 - at.0).abs() > 16 || (other.1 - at.1).abs() > 11) {
             taken.push(at);
-            chart.draw_series([Text::new(format!(" {}", point.k), p, ("sans-serif", 11))])?;
+            let label = Text::new(point.k.to_string(), (5, -14), ("sans-serif", 12));
+            chart.draw_series([EmptyElement::at(p) + label])?;
         }
     }
     Ok(())
