@@ -91,6 +91,7 @@ fn bad_input_gets_one_line_that_says_what_to_do() {
             "formula 6 --sentence --area 2+",
             "period 6 has no area at m = 2: give 0 < 2m < n with m coprime to n",
         ),
+        ("accuracy -o /dev/null/x", "cannot create /dev/null/x"),
         ("figure intervals --n 2", "--n 2: this figure shows periods 3 to N, with N from 3 to 40"),
     ];
     for (arguments, expected) in cases {

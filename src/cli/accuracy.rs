@@ -1,12 +1,12 @@
 //! `grazing accuracy`: what accuracy costs, on this machine.
 
-use std::path::PathBuf;
+use std::{fs, path::PathBuf};
 
 use clap::Parser;
 
 use super::Outcome;
 use crate::{
-    error::Result,
+    error::{Error, Result},
     output::{Destination, Interrupt, TableFormat, accuracy_figure, accuracy_table},
     study::{FAMILIES, measure},
 };
@@ -24,6 +24,8 @@ pub(super) struct Args {
 }
 
 pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
+    // Before the measurement rather than after it.
+    fs::create_dir_all(&args.output).map_err(|error| Error::io("create", &args.output, error))?;
     let mut rows = Vec::new();
     for family in FAMILIES {
         interrupt.check()?;

@@ -39,6 +39,9 @@ enum Figure {
     /// The five regions of the (a1, a2) plane.
     #[value(name = "2")]
     Regions,
+    /// Single-impact orbits of period 15 in regions 1, 2 and 5.
+    #[value(name = "3")]
+    Orbits,
     /// The iterate boundaries b_{n,k} = 0 that bound areas, n = 3 to N.
     #[value(name = "4")]
     Iterate,
@@ -48,9 +51,6 @@ enum Figure {
     Records,
     /// The lowest points of all areas beside their law for large n, n = 4 to N.
     Tips,
-    /// Single-impact orbits of period 15 in regions 1, 2 and 5.
-    #[value(name = "3")]
-    Orbits,
 }
 
 pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
