@@ -1,15 +1,14 @@
 //! Theorem 2's intervals as bars, one row for each period.
 
-use std::{fs, path::Path};
+use std::path::Path;
 
 use num_rational::Ratio;
 use plotters::prelude::*;
 
-use super::colour;
+use super::{Picture, colour, save};
 use crate::{
     error::{Error, Result},
     existence::{Case, Interval, intervals as theorem},
-    output::{Cell, Column, TableFormat, TableWriter, write_file},
 };
 
 const WIDTH: u32 = 760;
@@ -29,27 +28,19 @@ pub fn intervals(last: u64, folder: &Path) -> Result<()> {
     for n in 3..=last {
         all.extend(theorem(n)?);
     }
-    fs::create_dir_all(folder).map_err(|error| Error::io("create", folder, error))?;
-    let picture = draw(last, &all).map_err(|error| Error::from(std::io::Error::other(error.to_string())))?;
-    write_file(&folder.join("intervals.svg"), |out| Ok(out.write_all(picture.as_bytes())?))?;
-    write_file(&folder.join("intervals.csv"), |out| {
-        let columns = ["n", "sign_emu", "sign_gamma", "left", "right"].map(|name| Column::new(name, name, 0));
-        let mut table =
-            TableWriter::new(out, TableFormat::Csv, "grazing-figure-intervals 1", columns.to_vec())?;
-        for i in &all {
-            table.row(&[
-                Cell::Int(i.n as i64),
-                Cell::Int(i.case.sign_emu().into()),
-                Cell::Int(i.case.sign_gamma().into()),
-                Cell::Fraction(&i.left),
-                Cell::Fraction(&i.right),
-            ])?;
-        }
-        table.finish()
-    })
+    let fraction = |x: &Ratio<u64>| format!("{}/{}", x.numer(), x.denom());
+    let rows: Vec<Vec<String>> = all
+        .iter()
+        .map(|i| {
+            let signs = [i.case.sign_emu().to_string(), i.case.sign_gamma().to_string()];
+            [vec![i.n.to_string()], signs.to_vec(), vec![fraction(&i.left), fraction(&i.right)]].concat()
+        })
+        .collect();
+    let columns = ["n", "sign_emu", "sign_gamma", "left", "right"];
+    save(folder, "intervals", draw(last, &all), &columns, &rows)
 }
 
-fn draw(last: u64, all: &[Interval]) -> std::result::Result<String, Box<dyn std::error::Error>> {
+fn draw(last: u64, all: &[Interval]) -> Picture {
     let mut svg = String::new();
     let rows = (last - 2) as u32;
     let root = SVGBackend::with_string(&mut svg, (WIDTH, 110 + ROW * rows)).into_drawing_area();

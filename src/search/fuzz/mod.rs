@@ -18,7 +18,7 @@ use serde::{Deserialize, Serialize};
 use crate::{
     error::{Error, Result},
     existence::{Claim, Existence, Variant, by_definition, claimed, definition_and_rung},
-    local::{Ladder, Plane, Point, Polar, Rung},
+    local::{Ladder, Plane, Point, Polar, Region, Rung},
     monitor::Monitor,
     number::parse_rational,
     random::Random,
@@ -265,8 +265,11 @@ fn compare(ladder: &Ladder, case: &Case, variant: Variant) -> Comparison {
         Claim::Orbit(case) => Existence::Orbit(case).cases(*n),
         Claim::None => Vec::new(),
         Claim::Undecided => return Comparison::Undecided,
-        // On a boundary nothing is claimed, and an orbit there would be one that is missing from the claim: for odd n the
-        // line a₁ = −(a₂ + 1) is the one exception.
+        // On a boundary nothing is claimed, but an orbit there would lie in no area. For odd n the line a₁ = −(a₂ + 1), which
+        // belongs to no region, has them.
+        Claim::Boundary if matches!(found, Existence::Orbit(_)) && !on_line(point) => {
+            return Comparison::Differ;
+        }
         Claim::Boundary => return Comparison::Boundary,
     };
     // The same orbits exist in reversed time, where a₁ and a₂ are a₁/a₂ and 1/a₂.
@@ -284,6 +287,10 @@ fn compare(ladder: &Ladder, case: &Case, variant: Variant) -> Comparison {
         Existence::Orbit(_) | Existence::None { .. } if cases == claim => Comparison::Agree(rung),
         _ => Comparison::Differ,
     }
+}
+
+fn on_line(point: &Point) -> bool {
+    matches!(point, Point::Plane(plane) if plane.region() == Region::Line)
 }
 
 fn differ(ladder: &Ladder, case: &Case, variant: Variant) -> bool {

@@ -78,14 +78,13 @@ impl Sweep {
         const UNIT: f64 = 1.0 / (1u64 << 53) as f64;
         let last = self.y.len() - 1;
         let angle = Angle::new(&BigRational::new_raw(s.into(), (1u64 << 53).into()));
-        let middle = |x: FloatInterval| {
+        let float = |x: FloatInterval| {
             // Neighbouring or equal floats of size ≤ 1, else the bound on λ̃ fails.
             assert!(x.hi() - x.lo() <= 2.0 * UNIT, "the sine of a dyadic angle is enclosed within 2u");
             x.lo()
         };
         let radius = r as f64 * UNIT;
-        let (cosine, sine) =
-            (middle(FloatInterval::cos(&angle, &())), middle(FloatInterval::sin(&angle, &())));
+        let (cosine, sine) = (float(FloatInterval::cos(&angle, &())), float(FloatInterval::sin(&angle, &())));
         let (a, b) = (radius * cosine, radius * sine);
         // One unit more than the rounding of a product takes off.
         let growth = radius * (1.0 + 4.0 * UNIT);
