@@ -42,6 +42,7 @@
 //! | [`local`] | u_k, b_{n,k}, c_n at one point on every rung; the ladder of signs |
 //! | [`existence`] | Theorem 2 and Conjecture 1: claims, decisions, the edges of the areas |
 //! | [`impact`] | Theorem 1 in any dimension: impact patterns, the pattern graph |
+//! | [`oscillator`] | impact oscillators: the equation of motion and its walls |
 //! | [`search`] | what finds certificates and looks for counterexamples |
 //! | [`study`] | what accuracy costs: families of inputs, measurements |
 //! | [`output`] | tables, files, figures, progress |
@@ -56,6 +57,7 @@ pub mod impact;
 pub mod local;
 mod monitor;
 pub mod number;
+pub mod oscillator;
 pub mod output;
 mod random;
 pub mod search;
