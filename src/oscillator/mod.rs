@@ -3,6 +3,11 @@
 //! A [`System`] is the equation of motion in dimensionless form (mass 1, forcing period 2π) with its walls. Not
 //! here: the local theory at a grazing bifurcation (`impact`, `local`), tables and pictures (`output`).
 
+mod contact;
+pub mod flow;
+mod series;
 mod system;
 
+pub use contact::{Contact, Side};
+pub use series::Series;
 pub use system::{Harmonic, System, Wall};
