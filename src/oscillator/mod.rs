@@ -4,8 +4,13 @@
 //! is one with named parameters, read from a file, and what to do with it. Not here: the local theory at a grazing
 //! bifurcation (`impact`, `local`), tables and pictures (`output`).
 
+mod contact;
+pub mod flow;
 pub mod scene;
+mod series;
 mod system;
 
+pub use contact::{Contact, Side};
 pub use scene::{Expression, Scene};
+pub use series::Series;
 pub use system::{Harmonic, System, Wall};

@@ -8,11 +8,11 @@ use toml_edit::Item;
 use super::{
     Scene, Task,
     expression::{Expression, is_name},
-    keys::{Entry, Key, Record, Scope, keys, words},
+    keys::{Entry, Key, Record, Scope, keys},
 };
 use crate::{
     error::Result,
-    oscillator::{Harmonic, System, Wall},
+    oscillator::{Harmonic, Side, System, Wall},
     source::Source,
 };
 
@@ -82,16 +82,6 @@ keys! {
     }
 }
 
-words! {
-    /// A side of the oscillator.
-    pub enum Side {
-        /// Below: the motion stays above it.
-        Lower = "lower",
-        /// Above.
-        Upper = "upper",
-    }
-}
-
 keys! {
     /// How accurately motions are computed.
     pub struct Accuracy {
@@ -117,6 +107,16 @@ impl super::keys::Value for Parameters {
 
     fn read(_: &Entry) -> Result<Self> {
         Ok(Parameters)
+    }
+}
+
+impl super::keys::Value for Side {
+    fn shape() -> String {
+        "`\"lower\"` or `\"upper\"`".to_string()
+    }
+
+    fn read(entry: &Entry) -> Result<Self> {
+        entry.word(&[Side::Lower, Side::Upper].map(|side| (side.name(), side)))
     }
 }
 

@@ -23,7 +23,7 @@ pub use reference::reference;
 pub use task::{Kind, Task};
 
 use self::task::Start;
-use super::System;
+use super::{Contact, System, flow::State};
 use crate::{
     error::{Error, Result},
     number::Plain,
@@ -149,7 +149,7 @@ impl Scene {
     fn check(&self, system: &System<f64>) -> Result<()> {
         for (wall, plain) in [(&self.system.lower, &system.lower), (&self.system.upper, &system.upper)] {
             if let (Some(wall), Some(plain)) = (wall, plain)
-                && !(plain.restitution >= 0.0)
+                && plain.restitution < 0.0
             {
                 let message = format!(
                     "is {}; a restitution is at least 0{}",
@@ -159,27 +159,27 @@ impl Scene {
                 return Err(self.fail(&wall.restitution.key, &message));
             }
         }
-        if let Some((t, gap)) = walls::meet(system) {
+        if let ([lower, upper], Some(wall)) = (&Contact::of(system)?[..], &self.system.upper)
+            && let Some((t, gap)) = walls::meet(lower, upper)?
+        {
             let message = format!(
-                "the walls cross or touch: at t = {t:.6} the upper is {gap:.3e} above the lower; move them apart{}",
+                "the walls meet: at t = {t:.6} the upper one is {gap:.3e} above the lower; move them apart{}",
                 self.where_parameters()
             );
-            return Err(
-                self.fail(self.system.upper.as_ref().map_or("walls", |wall| &wall.offset.key), &message)
-            );
+            return Err(self.fail(&wall.offset.key, &message));
         }
         Ok(())
     }
 
     pub(crate) fn check_start(&self, start: &Start, system: &System<f64>, path: &str) -> Result<()> {
-        let [t, q, _] = self.state(start)?;
-        for (wall, name, side) in [(&system.lower, "lower", 1.0), (&system.upper, "upper", -1.0)] {
-            let Some(wall) = wall else { continue };
-            let (at, _) = walls::position(wall, t);
+        let [t, q, u] = self.state(start)?;
+        for contact in Contact::of(system)? {
+            let at = contact.position.at(t)[0];
             // A start on the wall may be behind it by rounding.
-            if (q - at) * side < -1e-12 * (1.0 + at.abs()) {
+            if contact.gap(State { t, q, u })[0] < -1e-12 * (1.0 + at.abs()) {
+                let side = contact.side.name();
                 let message = format!(
-                    "starts at q = {q}, behind the {name} wall, which is at {at}{}",
+                    "starts at q = {q}, behind the {side} wall, which is at {at}{}",
                     self.where_parameters()
                 );
                 return Err(self.fail(path, &message));
