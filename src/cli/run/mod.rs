@@ -99,7 +99,7 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     for task in scene.tasks.iter().filter(|task| args.only.is_empty() || args.only.contains(&task.name)) {
         let scene = scene.for_task(task, &args.set)?;
         let exact = scene.exact(&[])?;
-        let system = scene.rounded(&exact);
+        let system = exact.rounded();
         jobs.push(Job { task, scene, exact, system, folder: &args.output, interrupt });
     }
     if jobs.is_empty() {

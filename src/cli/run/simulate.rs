@@ -5,6 +5,7 @@ use crate::{error::Result, oscillator::scene::task::Simulate};
 
 pub(super) fn run(task: &Simulate, job: &Job, report: &mut Report) -> Result<()> {
     report.say("periods", task.periods);
-    report.say("start", job.scene.state(&task.start)?.to_vec());
+    let start = job.scene.state(&task.start)?;
+    report.say("start", vec![start.t, start.q, start.u]);
     Ok(())
 }

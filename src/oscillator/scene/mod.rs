@@ -11,7 +11,7 @@ mod reference;
 pub mod task;
 mod walls;
 
-use std::{collections::BTreeMap, ops::Range};
+use std::{collections::BTreeMap, f64::consts::TAU, ops::Range};
 
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
@@ -26,7 +26,7 @@ use self::task::Start;
 use super::{Contact, System, flow::State};
 use crate::{
     error::{Error, Result},
-    number::Plain,
+    number::{Plain, Real},
     source::{Source, nearest},
 };
 
@@ -85,8 +85,8 @@ impl Scene {
         for (name, value) in changes {
             values[self.parameter(name)?].clone_from(value);
         }
-        let system = self.system.try_map(|expression| self.evaluate(expression, &values, &()))?;
-        self.check(&self.rounded(&system))?;
+        let system = self.system.try_map(|expression| self.value(expression, &values, float))?;
+        self.check(&system.rounded())?;
         Ok(system)
     }
 
@@ -96,43 +96,25 @@ impl Scene {
     /// As [`Scene::exact`].
     pub fn plain(&self, changes: &[(&str, f64)]) -> Result<System<f64>> {
         let mut values: Vec<Plain> =
-            self.parameters.iter().map(|(_, value)| Plain(value.to_f64().unwrap_or(f64::NAN))).collect();
+            self.parameters.iter().map(|(_, value)| Plain::ratio(value, &())).collect();
         for (name, value) in changes {
             values[self.parameter(name)?] = Plain(*value);
         }
-        let system =
-            self.system.try_map(|expression| Ok::<_, Error>(self.evaluate(expression, &values, &())?.0))?;
+        let system = self.system.try_map(|expression| self.value(expression, &values, |x| x.0))?;
+        let system = system.try_map(|x| Ok::<f64, Error>(x.0))?;
         self.check(&system)?;
         Ok(system)
     }
 
-    /// Every coefficient rounded to the nearest float.
-    pub fn rounded(&self, system: &System<BigRational>) -> System<f64> {
-        let float = |x: &BigRational| Ok::<f64, std::convert::Infallible>(x.to_f64().unwrap_or(f64::NAN));
-        match system.try_map(float) {
-            Ok(system) => system,
-            Err(never) => match never {},
-        }
-    }
-
-    /// A coefficient's value; an error names where it stands.
-    pub(crate) fn evaluate<T: crate::number::Real>(
-        &self,
-        expression: &Expression,
-        values: &[T],
-        context: &T::Context,
-    ) -> Result<T> {
-        let value = expression.evaluate(values, context);
-        value.map_err(|error| self.fail(&expression.key, &format!("{error}{}", self.where_parameters())))
-    }
-
-    /// The start's time, displacement and velocity, rounded from their exact values.
-    pub(crate) fn state(&self, start: &Start) -> Result<[f64; 3]> {
+    /// A state to start from, rounded from its exact values.
+    ///
+    /// # Errors
+    /// As [`Scene::exact`].
+    pub fn state(&self, start: &Start) -> Result<State> {
         let values: Vec<BigRational> = self.parameters.iter().map(|(_, value)| value.clone()).collect();
-        let float = |x: &BigRational| x.to_f64().unwrap_or(f64::NAN);
-        let phase = float(&(&start.phase - start.phase.floor()));
-        let at = |expression| Ok::<_, Error>(float(&self.evaluate(expression, &values, &())?));
-        Ok([2.0 * std::f64::consts::PI * phase, at(&start.q)?, at(&start.u)?])
+        let at = |expression| Ok::<f64, Error>(float(&self.value(expression, &values, float)?));
+        let t = TAU * float(&(&start.phase - start.phase.floor()));
+        Ok(State { t, q: at(&start.q)?, u: at(&start.u)? })
     }
 
     /// A task's scene, with the values it sets and then `changes`; checks all that can be checked before running.
@@ -141,9 +123,22 @@ impl Scene {
     /// As [`Scene::exact`]; an input error for what the task's kind forbids.
     pub fn for_task(&self, task: &Task, changes: &[(String, BigRational)]) -> Result<Scene> {
         let scene = self.with(&task.set)?.with(changes)?;
-        let system = scene.rounded(&scene.exact(&[])?);
+        let system = scene.exact(&[])?.rounded();
         task.kind.check(&scene, &system, &task.path)?;
         Ok(scene)
+    }
+
+    /// A coefficient's value, within the range of floats; an error names where it stands.
+    fn value<T: Real<Context = ()>>(
+        &self,
+        expression: &Expression,
+        values: &[T],
+        float: impl Fn(&T) -> f64,
+    ) -> Result<T> {
+        let fail =
+            |message: &str| self.fail(&expression.key, &format!("{message}{}", self.where_parameters()));
+        let value = expression.evaluate(values, &()).map_err(|error| fail(&error.to_string()))?;
+        if float(&value).is_finite() { Ok(value) } else { Err(fail("is beyond the range of floats")) }
     }
 
     fn check(&self, system: &System<f64>) -> Result<()> {
@@ -172,14 +167,15 @@ impl Scene {
     }
 
     pub(crate) fn check_start(&self, start: &Start, system: &System<f64>, path: &str) -> Result<()> {
-        let [t, q, u] = self.state(start)?;
+        let state = self.state(start)?;
         for contact in Contact::of(system)? {
-            let at = contact.position.at(t)[0];
+            let at = contact.position.at(state.t)[0];
             // A start on the wall may be behind it by rounding.
-            if contact.gap(State { t, q, u })[0] < -1e-12 * (1.0 + at.abs()) {
-                let side = contact.side.name();
+            if contact.gap(state)[0] < -1e-12 * (1.0 + at.abs()) {
                 let message = format!(
-                    "starts at q = {q}, behind the {side} wall, which is at {at}{}",
+                    "starts at q = {}, behind the {} wall, which is at {at}{}",
+                    state.q,
+                    contact.side.name(),
                     self.where_parameters()
                 );
                 return Err(self.fail(path, &message));
@@ -199,4 +195,8 @@ impl Scene {
             self.parameters.iter().map(|(name, value)| format!("{name} = {value}")).collect();
         if all.is_empty() { String::new() } else { format!(" (with {})", all.join(", ")) }
     }
+}
+
+fn float(x: &BigRational) -> f64 {
+    x.to_f64().unwrap_or(f64::NAN)
 }
