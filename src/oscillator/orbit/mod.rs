@@ -1,0 +1,26 @@
+//! Periodic orbits of the true system for any impact pattern, with what proves them orbits or not.
+//!
+//! [`Itinerary`] is the impact pattern with its walls, [`linearise`] the equations (19) with all derivatives, [`find`]
+//! Newton's method on them, its answer an [`Orbit`] with [`Multipliers`] and [`Admissibility`]. [`SingleImpact`] has the exact orbits of
+//! a linear oscillator, a second route. Not here: where orbits bifurcate (`grazing`, `critical`).
+
+mod admissible;
+pub(super) mod algebra;
+mod equations;
+mod itinerary;
+mod leg;
+mod multipliers;
+mod newton;
+mod single;
+mod solution;
+
+pub use admissible::{Admissibility, Check, Minimum, check};
+pub use algebra::Matrix2;
+pub use equations::{Linearised, duration, linearise};
+pub use itinerary::{Itinerary, Strike};
+pub use leg::{Contact, Family, Leg, Oscillator};
+pub use multipliers::Multipliers;
+pub use newton::{Root, newton};
+pub use single::SingleImpact;
+pub(super) use single::flow_matrix;
+pub use solution::{Impact, Orbit, describe, find, monodromy};
