@@ -3,11 +3,12 @@
 //! A [`System`] is the equation of motion in dimensionless form (mass 1, forcing period 2π) with its walls. Not
 //! here: the local theory at a grazing bifurcation (`impact`, `local`), tables and pictures (`output`).
 
-mod flow_stub;
+mod contact;
+pub mod flow;
 pub mod orbit;
-mod side;
+mod series;
 mod system;
 
-pub use flow_stub::{Flow, State, flow};
-pub use side::Side;
+pub use contact::{Contact, Side};
+pub use series::Series;
 pub use system::{Harmonic, System, Wall};

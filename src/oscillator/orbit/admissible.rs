@@ -3,7 +3,10 @@
 use std::f64::consts::PI;
 
 use super::{
-    super::{Side, State},
+    super::{
+        Side,
+        flow::{Flow, State},
+    },
     Itinerary,
     equations::duration,
     leg::Oscillator,
@@ -66,7 +69,7 @@ pub fn check(oscillator: &Oscillator, itinerary: &Itinerary, z: &[f64]) -> Check
         search(0, State { t: 0.0, q: z[0], u: z[1] }, time);
     }
     for (i, strike) in strikes.iter().enumerate() {
-        if let Ok(contact) = oscillator.contact(strike.side, z[2 * i]) {
+        if let Ok(contact) = oscillator.touch(strike.side, z[2 * i]) {
             let from = contact.leaving(z[2 * i], contact.restitution * z[2 * i + 1]);
             search(i, from, duration(itinerary, z, i));
         }
@@ -89,12 +92,12 @@ fn minima(oscillator: &Oscillator, leg: usize, from: State, time: f64) -> Vec<Mi
     let cells = (time * oscillator.rate() * 16.0 / (2.0 * PI)).ceil().max(1.0);
     let width = time / cells;
     let mut found = Vec::new();
-    for side in Side::BOTH {
-        let Some(wall) = side.wall(oscillator.system()) else { continue };
+    for wall in oscillator.walls() {
+        let side = wall.side;
         // (z, z′, z″) of a state.
         let gap = |state: State| {
-            let [q, v, a] = wall.motion(state.t);
-            [state.q - q, state.u - v, flow.acceleration(state) - a].map(|x| side.sign() * x)
+            let [z, speed] = wall.gap(state);
+            [z, speed, wall.acceleration(flow, state)]
         };
         let mut start = from;
         for cell in 0..cells as u64 {

@@ -1,34 +1,22 @@
 //! Plain floating-point linear algebra: 2 × 2 matrices, and one dense system.
 
-/// A real 2 × 2 matrix by rows.
-pub type Matrix2 = [[f64; 2]; 2];
+use super::super::flow::Matrix;
 
 /// I.
-pub const IDENTITY: Matrix2 = [[1.0, 0.0], [0.0, 1.0]];
-
-/// a b.
-pub fn product(a: &Matrix2, b: &Matrix2) -> Matrix2 {
-    let entry = |i: usize, j: usize| a[i][0] * b[0][j] + a[i][1] * b[1][j];
-    [[entry(0, 0), entry(0, 1)], [entry(1, 0), entry(1, 1)]]
-}
-
-/// a x.
-pub fn apply(a: &Matrix2, x: [f64; 2]) -> [f64; 2] {
-    [a[0][0] * x[0] + a[0][1] * x[1], a[1][0] * x[0] + a[1][1] * x[1]]
-}
+pub const IDENTITY: Matrix = [[1.0, 0.0], [0.0, 1.0]];
 
 /// tr a.
-pub fn trace(a: &Matrix2) -> f64 {
+pub fn trace(a: &Matrix) -> f64 {
     a[0][0] + a[1][1]
 }
 
 /// det a.
-pub fn determinant(a: &Matrix2) -> f64 {
+pub fn determinant(a: &Matrix) -> f64 {
     a[0][0] * a[1][1] - a[0][1] * a[1][0]
 }
 
 /// The x with (I − a) x = b; `None` if I − a is singular.
-pub fn resolve(a: &Matrix2, b: [f64; 2]) -> Option<[f64; 2]> {
+pub fn resolve(a: &Matrix, b: [f64; 2]) -> Option<[f64; 2]> {
     let m = [[1.0 - a[0][0], -a[0][1]], [-a[1][0], 1.0 - a[1][1]]];
     let det = determinant(&m);
     let x = [(m[1][1] * b[0] - m[0][1] * b[1]) / det, (m[0][0] * b[1] - m[1][0] * b[0]) / det];

@@ -15,9 +15,8 @@
 use std::f64::consts::PI;
 
 use super::{
-    super::State,
+    super::flow::{Flow, State, apply},
     Itinerary,
-    algebra::apply,
     leg::{Leg, Oscillator},
 };
 use crate::error::{Error, Result};
@@ -64,8 +63,8 @@ pub fn linearise(oscillator: &Oscillator, itinerary: &Itinerary, z: &[f64]) -> R
         if time.is_nan() || time <= 0.0 {
             return Err(Error::input(format!("impact {} would come before impact {i}", i + 1)));
         }
-        let here = oscillator.contact(strike.side, t)?;
-        let there = oscillator.contact(strikes[next].side, t_next)?;
+        let here = oscillator.touch(strike.side, t)?;
+        let there = oscillator.touch(strikes[next].side, t_next)?;
         let tau = here.restitution;
         let from = here.leaving(t, tau * speed);
         let Leg { end, matrix, slope } = oscillator.leg(from, time);

@@ -3,16 +3,33 @@
 //! Derivatives with respect to the parameter come with those of the system's coefficients: no differences are taken.
 
 use super::{
-    super::{Flow, Side, State, System, Wall, flow},
-    algebra::{Matrix2, apply, product},
+    super::{
+        Contact, Series, Side, System, Wall,
+        flow::{Flow, Free, Matrix, State, apply, product},
+    },
+    algebra::IDENTITY,
 };
 use crate::error::{Error, Result};
 
-/// The equation of motion at one parameter value, its flow, and how its coefficients change with the parameter.
+/// The equation of motion at one parameter value, and how its coefficients change with the parameter.
+#[derive(Debug, Clone)]
 pub struct Oscillator {
     system: System<f64>,
-    slope: Option<System<f64>>,
-    flow: Box<dyn Flow>,
+    flow: Free,
+    walls: Vec<Contact>,
+    slope: Option<Slope>,
+    rate: f64,
+}
+
+/// The derivatives of a system's coefficients in a parameter.
+#[derive(Debug, Clone)]
+struct Slope {
+    damping: f64,
+    stiffness: f64,
+    cubic: f64,
+    forcing: Series,
+    /// Of position and restitution; lower, upper.
+    walls: [Option<(Series, f64)>; 2],
 }
 
 /// Oscillators that differ in one parameter.
@@ -36,14 +53,14 @@ pub struct Leg {
     /// The state at its end.
     pub end: State,
     /// ∂(q, u)/∂(q₀, u₀).
-    pub matrix: Matrix2,
+    pub matrix: Matrix,
     /// ∂(q, u)/∂p.
     pub slope: [f64; 2],
 }
 
-/// A wall at one time, its velocity and acceleration, and what the parameter does to it.
+/// A wall at one time: where it is, how it moves, and what the parameter does to it.
 #[derive(Debug, Clone, Copy)]
-pub struct Contact {
+pub struct Touch {
     /// 1 for the lower wall, −1 for the upper.
     pub sign: f64,
     /// Q, Q′, Q″.
@@ -56,28 +73,51 @@ pub struct Contact {
     pub restitution_slope: f64,
 }
 
-impl Contact {
-    /// The state at the wall with relative velocity `speed` away from it: V before an impact is −V here, and τV after it.
+impl Touch {
+    /// The state at the wall with relative velocity `speed` away from it: −V before an impact, τV after it.
     pub fn leaving(&self, t: f64, speed: f64) -> State {
         State { t, q: self.motion[0], u: self.motion[1] + self.sign * speed }
     }
 }
 
+/// The wall of a system on a side, if any.
+pub(super) fn wall<T>(system: &System<T>, side: Side) -> Option<&Wall<T>> {
+    match side {
+        Side::Lower => system.lower.as_ref(),
+        Side::Upper => system.upper.as_ref(),
+    }
+}
+
 impl Oscillator {
-    /// The oscillator of a system, without derivatives in a parameter.
+    /// The oscillator of a system, without derivatives in a parameter; `tolerance` is that of [`Free::new`].
     ///
     /// # Errors
-    /// An input error if the system has no flow.
-    pub fn new(system: System<f64>) -> Result<Oscillator> {
-        Ok(Oscillator { flow: flow(&system)?, system, slope: None })
+    /// Those of [`Free::new`] and [`Contact::of`].
+    pub fn new(system: System<f64>, tolerance: f64) -> Result<Oscillator> {
+        let (flow, walls) = (Free::new(&system, tolerance)?, Contact::of(&system)?);
+        let order = walls.iter().map(|wall| wall.position.order()).chain(system.forcing.iter().map(|h| h.k)).max();
+        let vibration = (system.stiffness.abs() + 3.0 * system.cubic.abs()).sqrt();
+        let rate = vibration.max(system.damping.abs()).max(f64::from(order.unwrap_or(1).max(1)));
+        Ok(Oscillator { system, flow, walls, slope: None, rate })
     }
 
     /// The oscillator of a system whose coefficients change at the rates `slope`.
     ///
     /// # Errors
-    /// As [`Oscillator::new`].
-    pub fn with_slope(system: System<f64>, slope: System<f64>) -> Result<Oscillator> {
-        Ok(Oscillator { slope: Some(slope), ..Oscillator::new(system)? })
+    /// As [`Oscillator::new`]; a rate that is not finite.
+    pub fn with_slope(system: System<f64>, slope: &System<f64>, tolerance: f64) -> Result<Oscillator> {
+        let wall = |wall: &Option<Wall<f64>>| -> Result<Option<(Series, f64)>> {
+            let Some(wall) = wall else { return Ok(None) };
+            Ok(Some((Series::new(wall.offset, &wall.harmonics)?, wall.restitution)))
+        };
+        let slope = Slope {
+            damping: slope.damping,
+            stiffness: slope.stiffness,
+            cubic: slope.cubic,
+            forcing: Series::new(slope.force, &slope.forcing)?,
+            walls: [wall(&slope.lower)?, wall(&slope.upper)?],
+        };
+        Ok(Oscillator { slope: Some(slope), ..Oscillator::new(system, tolerance)? })
     }
 
     /// The system.
@@ -85,32 +125,38 @@ impl Oscillator {
         &self.system
     }
 
-    /// The flow.
-    pub fn flow(&self) -> &dyn Flow {
-        &*self.flow
+    /// The motion without walls.
+    pub fn flow(&self) -> &Free {
+        &self.flow
+    }
+
+    /// The walls, lower before upper.
+    pub fn walls(&self) -> &[Contact] {
+        &self.walls
     }
 
     /// The wall on a side at time t.
     ///
     /// # Errors
     /// An input error if there is no such wall.
-    pub fn contact(&self, side: Side, t: f64) -> Result<Contact> {
-        let missing = || Error::input(format!("an impact at the {side} wall, but there is no such wall"));
-        let wall = side.wall(&self.system).ok_or_else(missing)?;
-        let slope = self.slope.as_ref().and_then(|slope| side.wall(slope));
-        let rates = slope.map_or([0.0; 3], |slope| slope.motion(t));
-        Ok(Contact {
+    pub fn touch(&self, side: Side, t: f64) -> Result<Touch> {
+        let wall = self.walls.iter().find(|wall| wall.side == side).ok_or_else(|| {
+            Error::input(format!("an impact at the {} wall, but there is no such wall", side.name()))
+        })?;
+        let slope = self.slope.as_ref().and_then(|slope| slope.walls[usize::from(side == Side::Upper)].as_ref());
+        let [place, speed, _] = slope.map_or([0.0; 3], |slope| slope.0.at(t));
+        Ok(Touch {
             sign: side.sign(),
-            motion: wall.motion(t),
-            slope: [rates[0], rates[1]],
+            motion: wall.position.at(t),
+            slope: [place, speed],
             restitution: wall.restitution,
-            restitution_slope: slope.map_or(0.0, |slope| slope.restitution),
+            restitution_slope: slope.map_or(0.0, |slope| slope.1),
         })
     }
 
     /// The motion from a state for a time ≥ 0.
     pub fn leg(&self, from: State, duration: f64) -> Leg {
-        match self.slope.as_ref().filter(|slope| moves(slope)) {
+        match self.slope.as_ref().filter(|slope| slope.moves()) {
             None => {
                 let (end, matrix) = self.flow.advance_linearised(from, duration);
                 Leg { end, matrix, slope: [0.0; 2] }
@@ -121,16 +167,16 @@ impl Oscillator {
 
     /// Duhamel's integral ∫ Φ(T, s) (0, ∂a/∂p)ᵀ ds by Gauss's rule on panels short against every period in the system,
     /// summed on the way: exact to rounding.
-    fn sensitive_leg(&self, slope: &System<f64>, from: State, duration: f64) -> Leg {
-        let panels = (duration * self.rate()).ceil().max(1.0);
+    fn sensitive_leg(&self, slope: &Slope, from: State, duration: f64) -> Leg {
+        let panels = (duration * self.rate).ceil().max(1.0);
         let width = duration / panels;
-        let (mut here, mut matrix, mut sum, mut at) = (from, super::algebra::IDENTITY, [0.0; 2], 0.0);
+        let (mut here, mut matrix, mut sum, mut at) = (from, IDENTITY, [0.0; 2], 0.0);
         let mut go = |to: f64, weight: f64| {
             let (next, step) = self.flow.advance_linearised(here, to - at);
             (here, at) = (next, to);
             matrix = product(&step, &matrix);
             sum = apply(&step, sum);
-            sum[1] += weight * acceleration(slope, &here);
+            sum[1] += weight * slope.acceleration(&here);
         };
         for panel in 0..panels as u32 {
             for (node, weight) in GAUSS {
@@ -143,46 +189,33 @@ impl Oscillator {
 
     /// The fastest rate in the system: of the vibration, of the damping, of any harmonic.
     pub(super) fn rate(&self) -> f64 {
-        let system = &self.system;
-        let walls = Side::BOTH.into_iter().filter_map(|side| side.wall(system)).flat_map(|wall| &wall.harmonics);
-        let fastest = system.forcing.iter().chain(walls).map(|h| h.k).max().unwrap_or(1).max(1);
-        (system.stiffness.abs() + 3.0 * system.cubic.abs()).sqrt().max(system.damping.abs()).max(f64::from(fastest))
+        self.rate
     }
 
     /// How an impact of incoming speed V ≠ 0 passes on a displacement before it: the saltation matrix, and what the
-    /// parameter adds.
-    pub fn saltation(&self, contact: &Contact, t: f64, speed: f64) -> (Matrix2, [f64; 2]) {
-        let (sign, tau) = (contact.sign, contact.restitution);
-        let before = self.flow.acceleration(contact.leaving(t, -speed));
-        let after = self.flow.acceleration(contact.leaving(t, tau * speed));
-        let jump = -tau * before + (1.0 + tau) * contact.motion[2] - after;
-        let [wall, wall_velocity] = contact.slope;
-        let slope = [
-            (1.0 + tau) * wall,
-            (1.0 + tau) * wall_velocity + contact.restitution_slope * sign * speed - jump * sign * wall / speed,
-        ];
-        ([[-tau, 0.0], [jump * sign / speed, -tau]], slope)
+    /// parameter adds, both at a fixed time.
+    pub fn saltation(&self, touch: &Touch, t: f64, speed: f64) -> (Matrix, [f64; 2]) {
+        let (sign, tau) = (touch.sign, touch.restitution);
+        let before = self.flow.acceleration(touch.leaving(t, -speed));
+        let after = self.flow.acceleration(touch.leaving(t, tau * speed));
+        let jump = sign * ((1.0 + tau) * touch.motion[2] - tau * before - after) / speed;
+        let [place, velocity] = touch.slope;
+        let change = (1.0 + tau) * velocity + touch.restitution_slope * sign * speed;
+        ([[-tau, 0.0], [jump, -tau]], [(1.0 + tau) * place, change - jump * place])
     }
 }
 
-/// Whether a slope changes the motion between impacts.
-fn moves(slope: &System<f64>) -> bool {
-    let still = [slope.damping, slope.stiffness, slope.cubic, slope.force].iter().all(|x| *x == 0.0)
-        && slope.forcing.iter().all(|h| h.cos == 0.0 && h.sin == 0.0);
-    !still
-}
+impl Slope {
+    /// Whether the parameter changes the motion between impacts.
+    fn moves(&self) -> bool {
+        [self.damping, self.stiffness, self.cubic, self.forcing.mean()].iter().any(|x| *x != 0.0)
+            || !self.forcing.harmonics().is_empty()
+    }
 
-/// The right side of the equation of motion, at its word.
-fn acceleration(system: &System<f64>, State { t, q, u }: &State) -> f64 {
-    let forcing: f64 = system
-        .forcing
-        .iter()
-        .map(|h| {
-            let (sin, cos) = (f64::from(h.k) * t).sin_cos();
-            h.cos * cos + h.sin * sin
-        })
-        .sum();
-    -system.damping * u - system.stiffness * q - system.cubic * q * q * q + system.force + forcing
+    /// ∂a/∂p at fixed (t, q, u).
+    fn acceleration(&self, &State { t, q, u }: &State) -> f64 {
+        self.forcing.at(t)[0] - self.damping * u - (self.stiffness + self.cubic * q * q) * q
+    }
 }
 
 /// Gauss–Legendre with 8 points on [0, 1]: (node, weight).

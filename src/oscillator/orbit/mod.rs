@@ -5,7 +5,7 @@
 //! a linear oscillator, a second route. Not here: where orbits bifurcate (`grazing`, `critical`).
 
 mod admissible;
-pub(super) mod algebra;
+mod algebra;
 mod equations;
 mod itinerary;
 mod leg;
@@ -15,12 +15,10 @@ mod single;
 mod solution;
 
 pub use admissible::{Admissibility, Check, Minimum, check};
-pub use algebra::Matrix2;
 pub use equations::{Linearised, duration, linearise};
 pub use itinerary::{Itinerary, Strike};
-pub use leg::{Contact, Family, Leg, Oscillator};
+pub use leg::{Family, Leg, Oscillator, Touch};
 pub use multipliers::Multipliers;
 pub use newton::{Root, newton};
 pub use single::SingleImpact;
-pub(super) use single::flow_matrix;
 pub use solution::{Impact, Orbit, describe, find, monodromy};

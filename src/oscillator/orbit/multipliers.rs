@@ -1,6 +1,9 @@
 //! The multipliers of an orbit: the eigenvalues of its 2 × 2 monodromy matrix.
 
-use super::algebra::{Matrix2, determinant, trace};
+use super::{
+    super::flow::Matrix,
+    algebra::{determinant, trace},
+};
 
 /// The two multipliers, by their sum and product.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -13,7 +16,7 @@ pub struct Multipliers {
 
 impl Multipliers {
     /// Those of a matrix.
-    pub fn of(matrix: &Matrix2) -> Multipliers {
+    pub fn of(matrix: &Matrix) -> Multipliers {
         Multipliers { trace: trace(matrix), determinant: determinant(matrix) }
     }
 

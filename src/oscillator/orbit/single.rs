@@ -17,11 +17,15 @@ use std::f64::consts::PI;
 
 use super::{
     Multipliers,
-    algebra::{Matrix2, apply, determinant, resolve, trace},
+    algebra::{determinant, resolve, trace},
+    leg::wall,
 };
 use crate::{
     error::{Error, Result},
-    oscillator::{Side, System, Wall},
+    oscillator::{
+        Side, System, Wall,
+        flow::{Matrix, apply},
+    },
 };
 
 /// The orbits with one impact every `n` periods of 2π at one wall of a linear system.
@@ -31,7 +35,7 @@ pub struct SingleImpact {
     stiffness: f64,
     restitution: f64,
     /// E_n.
-    flow: Matrix2,
+    flow: Matrix,
     /// (p₁, p₂).
     p: [f64; 2],
     /// g₀.
@@ -50,7 +54,8 @@ impl SingleImpact {
     /// An input error unless the system is linear with a wall there, the forcing and the wall have together one
     /// harmonic, and neither the forced response nor (I − E_n)⁻¹ is infinite.
     pub fn new(system: &System<f64>, side: Side, n: u32) -> Result<SingleImpact> {
-        let wall = side.wall(system).ok_or_else(|| Error::input(format!("no {side} wall")))?;
+        let wall = wall(system, side)
+            .ok_or_else(|| Error::input(format!("exact orbits at the {} wall, which is not there", side.name())))?;
         if system.cubic != 0.0 {
             return Err(Error::input("exact orbits need a linear system; the cubic stiffness is not 0"));
         }
@@ -190,7 +195,7 @@ fn relative_harmonic(system: &System<f64>, wall: &Wall<f64>) -> Result<(u32, f64
 }
 
 /// exp(t [[0, 1], [−stiffness, −damping]]).
-pub(in super::super) fn flow_matrix(damping: f64, stiffness: f64, t: f64) -> Matrix2 {
+fn flow_matrix(damping: f64, stiffness: f64, t: f64) -> Matrix {
     let half = damping / 2.0;
     let square = stiffness - half * half;
     let omega = square.abs().sqrt();

@@ -3,10 +3,13 @@
 use std::f64::consts::PI;
 
 use super::{
-    super::{Side, State},
+    super::{
+        Side,
+        flow::{Flow, Matrix, State, product},
+    },
     Admissibility, Check, Itinerary, Minimum, Multipliers,
     admissible::check,
-    algebra::{IDENTITY, Matrix2, product},
+    algebra::IDENTITY,
     equations::{duration, linearise},
     leg::Oscillator,
     newton::{Root, newton},
@@ -68,7 +71,7 @@ pub fn describe(oscillator: &Oscillator, itinerary: &Itinerary, root: Root) -> R
 ///
 /// # Errors
 /// An input error if a wall is missing.
-pub fn monodromy(oscillator: &Oscillator, itinerary: &Itinerary, z: &[f64]) -> Result<Matrix2> {
+pub fn monodromy(oscillator: &Oscillator, itinerary: &Itinerary, z: &[f64]) -> Result<Matrix> {
     let strikes = itinerary.strikes();
     if strikes.is_empty() {
         let start = State { t: 0.0, q: z[0], u: z[1] };
@@ -77,10 +80,10 @@ pub fn monodromy(oscillator: &Oscillator, itinerary: &Itinerary, z: &[f64]) -> R
     let mut matrix = IDENTITY;
     for (i, strike) in strikes.iter().enumerate() {
         let next = (i + 1) % strikes.len();
-        let here = oscillator.contact(strike.side, z[2 * i])?;
+        let here = oscillator.touch(strike.side, z[2 * i])?;
         let from = here.leaving(z[2 * i], here.restitution * z[2 * i + 1]);
         let (_, flow) = oscillator.flow().advance_linearised(from, duration(itinerary, z, i));
-        let there = oscillator.contact(strikes[next].side, z[2 * next])?;
+        let there = oscillator.touch(strikes[next].side, z[2 * next])?;
         let (jump, _) = oscillator.saltation(&there, z[2 * next], z[2 * next + 1]);
         matrix = product(&product(&jump, &flow), &matrix);
     }
@@ -110,7 +113,7 @@ impl Orbit {
             left -= duration(&self.itinerary, &self.z, i);
             i += 1;
         }
-        let contact = oscillator.contact(strikes[i].side, self.z[2 * i])?;
+        let contact = oscillator.touch(strikes[i].side, self.z[2 * i])?;
         let from = contact.leaving(self.z[2 * i], contact.restitution * self.z[2 * i + 1]);
         Ok(oscillator.flow().advance(from, left))
     }
