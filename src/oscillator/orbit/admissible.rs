@@ -70,7 +70,7 @@ pub fn check(oscillator: &Oscillator, itinerary: &Itinerary, z: &[f64]) -> Check
     }
     for (i, strike) in strikes.iter().enumerate() {
         if let Ok(contact) = oscillator.touch(strike.side, z[2 * i]) {
-            let from = contact.leaving(z[2 * i], contact.restitution * z[2 * i + 1]);
+            let from = contact.leaving(z[2 * i], contact.wall.restitution * z[2 * i + 1]);
             search(i, from, duration(itinerary, z, i));
         }
     }

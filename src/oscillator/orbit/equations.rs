@@ -65,17 +65,17 @@ pub fn linearise(oscillator: &Oscillator, itinerary: &Itinerary, z: &[f64]) -> R
         }
         let here = oscillator.touch(strike.side, t)?;
         let there = oscillator.touch(strikes[next].side, t_next)?;
-        let tau = here.restitution;
+        let (tau, here_sign) = (here.wall.restitution, strike.side.sign());
         let from = here.leaving(t, tau * speed);
         let Leg { end, matrix, slope } = oscillator.leg(from, time);
-        let sign = there.sign;
+        let sign = there.wall.side.sign();
         // Starting later is starting displaced: by what the wall and the orbit move in between, reversed.
         let delayed = [
             here.motion[1] - from.u,
             here.motion[2] - oscillator.flow().acceleration(from),
         ];
-        let kicked = [0.0, here.sign * tau];
-        let changed = [here.slope[0], here.slope[1] + here.sign * here.restitution_slope * speed];
+        let kicked = [0.0, here_sign * tau];
+        let changed = [here.slope[0], here.slope[1] + here_sign * here.restitution_slope * speed];
         let [delayed, kicked, changed] = [delayed, kicked, changed].map(|x| apply(&matrix, x));
         let arrival = [end.u - there.motion[1], oscillator.flow().acceleration(end) - there.motion[2]];
         let gap = [end.q - there.motion[0], arrival[0]];

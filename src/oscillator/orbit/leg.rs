@@ -60,23 +60,21 @@ pub struct Leg {
 
 /// A wall at one time: where it is, how it moves, and what the parameter does to it.
 #[derive(Debug, Clone, Copy)]
-pub struct Touch {
-    /// 1 for the lower wall, −1 for the upper.
-    pub sign: f64,
+pub struct Touch<'a> {
+    /// The wall.
+    pub wall: &'a Contact,
     /// Q, Q′, Q″.
     pub motion: [f64; 3],
     /// ∂(Q, Q′)/∂p.
     pub slope: [f64; 2],
-    /// τ.
-    pub restitution: f64,
     /// ∂τ/∂p.
     pub restitution_slope: f64,
 }
 
-impl Touch {
+impl Touch<'_> {
     /// The state at the wall with relative velocity `speed` away from it: −V before an impact, τV after it.
     pub fn leaving(&self, t: f64, speed: f64) -> State {
-        State { t, q: self.motion[0], u: self.motion[1] + self.sign * speed }
+        State { t, q: self.motion[0], u: self.motion[1] + self.wall.side.sign() * speed }
     }
 }
 
@@ -139,17 +137,16 @@ impl Oscillator {
     ///
     /// # Errors
     /// An input error if there is no such wall.
-    pub fn touch(&self, side: Side, t: f64) -> Result<Touch> {
+    pub fn touch(&self, side: Side, t: f64) -> Result<Touch<'_>> {
         let wall = self.walls.iter().find(|wall| wall.side == side).ok_or_else(|| {
             Error::input(format!("an impact at the {} wall, but there is no such wall", side.name()))
         })?;
         let slope = self.slope.as_ref().and_then(|slope| slope.walls[usize::from(side == Side::Upper)].as_ref());
         let [place, speed, _] = slope.map_or([0.0; 3], |slope| slope.0.at(t));
         Ok(Touch {
-            sign: side.sign(),
+            wall,
             motion: wall.position.at(t),
             slope: [place, speed],
-            restitution: wall.restitution,
             restitution_slope: slope.map_or(0.0, |slope| slope.1),
         })
     }
@@ -194,14 +191,11 @@ impl Oscillator {
 
     /// How an impact of incoming speed V ≠ 0 passes on a displacement before it: the saltation matrix, and what the
     /// parameter adds, both at a fixed time.
-    pub fn saltation(&self, touch: &Touch, t: f64, speed: f64) -> (Matrix, [f64; 2]) {
-        let (sign, tau) = (touch.sign, touch.restitution);
-        let before = self.flow.acceleration(touch.leaving(t, -speed));
-        let after = self.flow.acceleration(touch.leaving(t, tau * speed));
-        let jump = sign * ((1.0 + tau) * touch.motion[2] - tau * before - after) / speed;
-        let [place, velocity] = touch.slope;
-        let change = (1.0 + tau) * velocity + touch.restitution_slope * sign * speed;
-        ([[-tau, 0.0], [jump, -tau]], [(1.0 + tau) * place, change - jump * place])
+    pub fn saltation(&self, touch: &Touch<'_>, t: f64, speed: f64) -> (Matrix, [f64; 2]) {
+        let matrix = touch.wall.saltation(&self.flow, touch.leaving(t, -speed));
+        let ([place, velocity], factor) = (touch.slope, 1.0 + touch.wall.restitution);
+        let kick = touch.restitution_slope * touch.wall.side.sign() * speed;
+        (matrix, [factor * place, factor * velocity + kick - matrix[1][0] * place])
     }
 }
 

@@ -81,7 +81,7 @@ pub fn monodromy(oscillator: &Oscillator, itinerary: &Itinerary, z: &[f64]) -> R
     for (i, strike) in strikes.iter().enumerate() {
         let next = (i + 1) % strikes.len();
         let here = oscillator.touch(strike.side, z[2 * i])?;
-        let from = here.leaving(z[2 * i], here.restitution * z[2 * i + 1]);
+        let from = here.leaving(z[2 * i], here.wall.restitution * z[2 * i + 1]);
         let (_, flow) = oscillator.flow().advance_linearised(from, duration(itinerary, z, i));
         let there = oscillator.touch(strikes[next].side, z[2 * next])?;
         let (jump, _) = oscillator.saltation(&there, z[2 * next], z[2 * next + 1]);
@@ -114,7 +114,7 @@ impl Orbit {
             i += 1;
         }
         let contact = oscillator.touch(strikes[i].side, self.z[2 * i])?;
-        let from = contact.leaving(self.z[2 * i], contact.restitution * self.z[2 * i + 1]);
+        let from = contact.leaving(self.z[2 * i], contact.wall.restitution * self.z[2 * i + 1]);
         Ok(oscillator.flow().advance(from, left))
     }
 
