@@ -217,7 +217,10 @@ mod tests {
             let (plus, minus) = (shifted(1.0), shifted(-1.0));
             let column = [(plus.q - minus.q) / (2.0 * h), (plus.u - minus.u) / (2.0 * h)];
             for i in 0..2 {
-                assert!((column[i] - m[i][j]).abs() < 3e-7 * (1.0 + m[i][j].abs()), "{i}{j}: {column:?} {m:?}");
+                assert!(
+                    (column[i] - m[i][j]).abs() < 3e-7 * (1.0 + m[i][j].abs()),
+                    "{i}{j}: {column:?} {m:?}"
+                );
             }
         }
         let determinant = m[0][0] * m[1][1] - m[0][1] * m[1][0];
