@@ -5,7 +5,10 @@
 //! bifurcation (`impact`, `local`), tables and pictures (`output`).
 
 mod contact;
+pub mod critical;
 pub mod flow;
+pub mod grazing;
+pub mod orbit;
 pub mod scene;
 mod series;
 mod system;
