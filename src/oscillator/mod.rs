@@ -4,10 +4,16 @@
 //! here: the local theory at a grazing bifurcation (`impact`, `local`), tables and pictures (`output`).
 
 mod contact;
+mod counter;
 pub mod flow;
+mod rise;
 mod series;
+pub mod simulate;
 mod system;
+mod time;
 
 pub use contact::{Contact, Side};
+pub use counter::{Counter, Counts, Effect};
 pub use series::Series;
 pub use system::{Harmonic, System, Wall};
+pub use time::Time;

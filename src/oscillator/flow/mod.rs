@@ -8,6 +8,7 @@ mod taylor;
 
 pub use linear::Linear;
 pub use taylor::Taylor;
+pub(super) use taylor::{Expansion, Recurrence, TERMS};
 
 use super::{Series, System, series::finite};
 use crate::error::Result;
@@ -60,6 +61,13 @@ impl Free {
             Taylor::new(system, tolerance).map(Free::Taylor)
         }
     }
+
+    pub(super) fn equation(&self) -> &Equation {
+        match self {
+            Free::Linear(flow) => flow.equation(),
+            Free::Taylor(flow) => flow.equation(),
+        }
+    }
 }
 
 impl Flow for Free {
@@ -109,6 +117,11 @@ impl Equation {
             cubic: system.cubic + 0.0,
             forcing,
         })
+    }
+
+    /// The same without force and forcing.
+    pub fn unforced(&self) -> Self {
+        Equation { forcing: Series::ZERO, ..*self }
     }
 
     pub fn acceleration(&self, at: State) -> f64 {
@@ -217,7 +230,10 @@ mod tests {
             let (plus, minus) = (shifted(1.0), shifted(-1.0));
             let column = [(plus.q - minus.q) / (2.0 * h), (plus.u - minus.u) / (2.0 * h)];
             for i in 0..2 {
-                assert!((column[i] - m[i][j]).abs() < 3e-7 * (1.0 + m[i][j].abs()), "{i}{j}: {column:?} {m:?}");
+                assert!(
+                    (column[i] - m[i][j]).abs() < 3e-7 * (1.0 + m[i][j].abs()),
+                    "{i}{j}: {column:?} {m:?}"
+                );
             }
         }
         let determinant = m[0][0] * m[1][1] - m[0][1] * m[1][0];
