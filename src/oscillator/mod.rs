@@ -5,15 +5,21 @@
 //! bifurcation (`impact`, `local`), tables and pictures (`output`).
 
 mod contact;
+mod counter;
 pub mod critical;
 pub mod flow;
 pub mod grazing;
 pub mod orbit;
+mod rise;
 pub mod scene;
 mod series;
+pub mod simulate;
 mod system;
+mod time;
 
 pub use contact::{Contact, Side};
+pub use counter::{Counter, Counts, Effect};
 pub use scene::{Expression, Scene};
 pub use series::Series;
 pub use system::{Harmonic, System, Wall};
+pub use time::Time;
