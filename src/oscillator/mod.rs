@@ -4,6 +4,7 @@
 //! is one with named parameters, read from a file, and what to do with it. Not here: the local theory at a grazing
 //! bifurcation (`impact`, `local`), tables and pictures (`output`).
 
+mod attractor;
 mod contact;
 mod counter;
 pub mod critical;
@@ -16,10 +17,13 @@ mod series;
 pub mod simulate;
 mod system;
 mod time;
+mod touching;
 
+pub use attractor::{Attractor, Look};
 pub use contact::{Contact, Side};
 pub use counter::{Counter, Counts, Effect};
 pub use scene::{Expression, Scene};
 pub use series::Series;
 pub use system::{Harmonic, System, Wall};
 pub use time::Time;
+pub use touching::touching;

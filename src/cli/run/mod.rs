@@ -1,6 +1,8 @@
 //! `grazing run`: the tasks of a scene. Each kind of task is run by the file of its name.
 
+mod basins;
 mod report;
+mod section;
 mod simulate;
 
 use std::{
@@ -17,7 +19,8 @@ use crate::{
     number::parse_rational,
     oscillator::{
         Scene, System,
-        scene::{Kind, Task},
+        scene::{Accuracy, Kind, Task},
+        simulate::{End, Settings},
     },
     output::{Destination, Interrupt},
 };
@@ -58,7 +61,6 @@ fn setting(text: &str) -> Result<(String, BigRational)> {
 }
 
 /// A task with all it works on.
-#[expect(dead_code, reason = "read by the tasks to come")]
 struct Job<'a> {
     /// The task.
     task: &'a Task,
@@ -79,6 +81,8 @@ impl Job<'_> {
         let mut report = Report::new(self);
         match &self.task.kind {
             Kind::Simulate(task) => simulate::run(task, self, &mut report),
+            Kind::Section(task) => section::run(task, self, &mut report),
+            Kind::Basins(task) => basins::run(task, self, &mut report),
         }?;
         Ok(report)
     }
@@ -121,4 +125,19 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     }
     let undecided = reports.iter().any(|report| report.undecided);
     Ok(if undecided { Outcome::Undecided } else { Outcome::Done })
+}
+
+/// The simulator's settings for a scene's accuracy.
+fn settings(scene: &Scene) -> Settings {
+    let Accuracy { tolerance, minimum_depth } = scene.accuracy;
+    Settings { tolerance, minimum_depth, ..Settings::default() }
+}
+
+/// Why a motion ended.
+fn ended(end: End) -> &'static str {
+    match end {
+        End::Reached => "at the time asked for",
+        End::ImpactLimit => "at the limit of impacts",
+        End::Escaped => "it left every bound",
+    }
 }
