@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::{Job, Report, settings};
+use super::{Job, Report, report::Rows, settings};
 use crate::{
     error::Result,
     monitor::Monitor,
@@ -54,19 +54,20 @@ pub(super) fn run(task: &Basins, job: &Job, report: &mut Report) -> Result<()> {
     };
     let cells: Vec<usize> = ends.iter().map(&mut class).collect();
     let name = |attractor: &Attractor| {
-        format!("period {}, {} impacts", attractor.period.unwrap_or_default(), attractor.impacts)
+        let plural = if attractor.impacts == 1 { "" } else { "s" };
+        format!("period {}, {} impact{plural}", attractor.period.unwrap_or_default(), attractor.impacts)
     };
     let names: Vec<String> =
         OTHERS.iter().map(|name| name.to_string()).chain(attractors.iter().map(name)).collect();
-    let counts: Vec<serde_json::Value> = names
-        .iter()
-        .enumerate()
-        .map(|(class, name)| (name, cells.iter().filter(|&&cell| cell == class).count()))
-        .filter(|(_, count)| *count > 0)
-        .map(|(name, count)| serde_json::json!({ "ends": name, "starts": count }))
-        .collect();
+    let mut rows = Rows::new(&["ends", "starts"]);
+    for (class, name) in names.iter().enumerate() {
+        let starts = cells.iter().filter(|&&cell| cell == class).count();
+        if starts > 0 {
+            rows.push([name.as_str().into(), starts.into()]);
+        }
+    }
     figure::grid(&Grid { x: qs, y: us, cells, names }, ["q", "u"], job.folder, &job.task.name)?;
-    report.say("basins", counts);
+    report.table("basins", rows);
     report.say("files", ["svg", "csv"].map(|end| format!("{}.{end}", job.task.name)).to_vec());
     Ok(())
 }

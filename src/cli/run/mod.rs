@@ -1,6 +1,9 @@
 //! `grazing run`: the tasks of a scene. Each kind of task is run by the file of its name.
 
 mod basins;
+mod event;
+mod grazing;
+mod orbit;
 mod report;
 mod section;
 mod simulate;
@@ -38,7 +41,7 @@ pub(super) struct Args {
     /// The scene.
     #[arg(value_name = "SCENE.toml")]
     scene: PathBuf,
-    /// Run this task only; may be repeated.
+    /// Run this task only, or the tasks of this group; may be repeated.
     #[arg(long, value_name = "TASK")]
     only: Vec<String>,
     /// Give a parameter this value, in every task; may be repeated.
@@ -60,15 +63,18 @@ fn setting(text: &str) -> Result<(String, BigRational)> {
     Ok((parts.0.trim().to_string(), parse_rational(parts.1)?))
 }
 
+/// Whether a task is meant by a name: its own or its group's.
+fn called(task: &Task, name: &str) -> bool {
+    task.name == name || task.group.as_deref() == Some(name)
+}
+
 /// A task with all it works on.
 struct Job<'a> {
     /// The task.
     task: &'a Task,
     /// The scene, with the parameter values of the task and of the command line.
     scene: Scene,
-    /// Its coefficients.
-    exact: System<BigRational>,
-    /// Its coefficients as floats.
+    /// Its coefficients, rounded from their exact values.
     system: System<f64>,
     /// Where the files go.
     folder: &'a Path,
@@ -76,13 +82,28 @@ struct Job<'a> {
     interrupt: &'a Interrupt,
 }
 
-impl Job<'_> {
+impl<'a> Job<'a> {
+    fn new(
+        scene: &Scene,
+        task: &'a Task,
+        changes: &[(String, BigRational)],
+        folder: &'a Path,
+        interrupt: &'a Interrupt,
+    ) -> Result<Self> {
+        let scene = scene.for_task(task, changes)?;
+        let system = scene.exact(&[])?.rounded();
+        Ok(Job { task, scene, system, folder, interrupt })
+    }
+
     fn run(&self) -> Result<Report> {
         let mut report = Report::new(self);
         match &self.task.kind {
             Kind::Simulate(task) => simulate::run(task, self, &mut report),
             Kind::Section(task) => section::run(task, self, &mut report),
             Kind::Basins(task) => basins::run(task, self, &mut report),
+            Kind::OrbitTask(task) => orbit::run(task, self, &mut report),
+            Kind::EventTask(task) => event::run(task, self, &mut report),
+            Kind::GrazingTask(task) => grazing::run(task, self, &mut report),
         }?;
         Ok(report)
     }
@@ -93,18 +114,19 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     let text = fs::read_to_string(&args.scene).map_err(|error| Error::io("read", &args.scene, error))?;
     let scene = Scene::from_toml(&text, &name)?;
     for only in &args.only {
-        if !scene.tasks.iter().any(|task| &task.name == only) {
+        if !scene.tasks.iter().any(|task| called(task, only)) {
             let names: Vec<&str> = scene.tasks.iter().map(|task| task.name.as_str()).collect();
             return Err(Error::input(format!("--only {only}: {name} has the tasks {}", names.join(", "))));
         }
     }
     // All tasks are checked, with the changed parameters, before the first runs.
     let mut jobs = Vec::new();
-    for task in scene.tasks.iter().filter(|task| args.only.is_empty() || args.only.contains(&task.name)) {
-        let scene = scene.for_task(task, &args.set)?;
-        let exact = scene.exact(&[])?;
-        let system = exact.rounded();
-        jobs.push(Job { task, scene, exact, system, folder: &args.output, interrupt });
+    for task in scene
+        .tasks
+        .iter()
+        .filter(|task| args.only.is_empty() || args.only.iter().any(|only| called(task, only)))
+    {
+        jobs.push(Job::new(&scene, task, &args.set, &args.output, interrupt)?);
     }
     if jobs.is_empty() {
         return Err(Error::input(format!("{name} has no [[tasks]]: nothing to do")));
@@ -125,6 +147,15 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     }
     let undecided = reports.iter().any(|report| report.undecided);
     Ok(if undecided { Outcome::Undecided } else { Outcome::Done })
+}
+
+/// Runs a task of the paper's own scene, without a report.
+pub(super) fn paper(task: &str, folder: &Path, interrupt: &Interrupt) -> Result<()> {
+    let text = include_str!("../../../examples/scenes/nordmark-2001.toml");
+    let scene = Scene::from_toml(text, "nordmark-2001.toml")?;
+    let task = scene.tasks.iter().find(|known| known.name == task);
+    let task = task.ok_or_else(|| Error::input("the paper's scene has no such task"))?;
+    Job::new(&scene, task, &[], folder, interrupt)?.run().map(drop)
 }
 
 /// The simulator's settings for a scene's accuracy.

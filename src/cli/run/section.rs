@@ -4,14 +4,18 @@ use std::f64::consts::TAU;
 
 use rayon::prelude::*;
 
-use super::{Job, Report, settings};
+use super::{
+    Job, Report,
+    report::{Rows, number},
+    settings,
+};
 use crate::{
     error::Result,
     monitor::Monitor,
     oscillator::{
         Attractor, Contact, Look, Side,
         flow::State,
-        orbit::{self, Itinerary, Oscillator},
+        orbit::Oscillator,
         scene::{Section, phase},
         simulate::{End, Simulator},
         touching,
@@ -21,9 +25,6 @@ use crate::{
         figure::{self, Mark, Points},
     },
 };
-
-/// Starts of Newton's method when orbits of a pattern are looked for.
-const SEARCHES: u32 = 200;
 
 pub(super) fn run(task: &Section, job: &Job, report: &mut Report) -> Result<()> {
     let simulator = Simulator::new(&job.system, &settings(&job.scene))?;
@@ -69,25 +70,31 @@ pub(super) fn run(task: &Section, job: &Job, report: &mut Report) -> Result<()> 
     }
     let orbits = orbits(task, job, &attractors, look.phase)?;
     for (pattern, stable, points) in &orbits {
-        let name = format!("unstable, impact pattern ({pattern})");
         // A stable one is there already, unless no start led to it.
-        let mark = if *stable { Mark::Ring } else { Mark::Star };
-        let name = if *stable { name.replace("unstable", "stable") } else { name };
-        sets.push(frame.points(name, mark, points));
+        let (mark, kind) = if *stable { (Mark::Ring, "stable") } else { (Mark::Star, "unstable") };
+        sets.push(frame.points(format!("{kind}, impact pattern ({pattern})"), mark, points));
     }
     figure::section(&sets, frame.axes(), job.folder, &job.task.name)?;
 
-    let lyapunov = |x: f64| if x == f64::NEG_INFINITY { serde_json::json!("-inf") } else { x.into() };
-    let one = |attractor: &&Attractor| {
-        serde_json::json!({
-            "period": attractor.period,
-            "impacts": attractor.impacts,
-            "rests": attractor.rests,
-            "impacts_per_period": attractor.impacts as f64 / attractor.period.unwrap_or(task.points - 1) as f64,
-            "lyapunov": lyapunov(attractor.lyapunov),
-        })
-    };
-    report.say("attractors", attractors.iter().map(one).collect::<Vec<_>>());
+    let mut rows = Rows::new(&["period", "impacts", "rests", "impacts_per_period", "lyapunov"]);
+    for attractor in &attractors {
+        let length = attractor.period.unwrap_or(task.points - 1);
+        rows.push([
+            attractor.period.into(),
+            attractor.impacts.into(),
+            attractor.rests.into(),
+            number(attractor.impacts as f64 / f64::from(length)),
+            if attractor.lyapunov.is_finite() { number(attractor.lyapunov) } else { "-inf".into() },
+        ]);
+    }
+    report.table("attractors", rows);
+    if !task.orbits.is_empty() {
+        let mut rows = Rows::new(&["pattern", "stable"]);
+        for (pattern, stable, _) in &orbits {
+            rows.push([pattern.as_str().into(), (*stable).into()]);
+        }
+        report.table("further_orbits", rows);
+    }
     for attractor in found.iter().filter(|attractor| attractor.end != End::Reached) {
         report.say("ended", super::ended(attractor.end));
     }
@@ -115,31 +122,25 @@ impl Frame<'_> {
     fn axes(&self) -> [&'static str; 2] {
         match self.wall.map(|wall| wall.side) {
             None => ["q", "u"],
-            Some(Side::Lower) => ["q from the lower wall\u{2019}s motion", "velocity from it"],
-            Some(Side::Upper) => ["q from the upper wall\u{2019}s motion", "velocity from it"],
+            Some(Side::Lower) => ["q − (Q₁ − offset)", "u − Q₁′"],
+            Some(Side::Upper) => ["q − (Q₂ − offset)", "u − Q₂′"],
         }
     }
 }
 
-/// The admissible orbits of the task's patterns that are no attractor found: pattern, whether stable, states at the phase.
+/// The admissible ones of the task's orbits that are no attractor found: pattern, whether stable, states at the phase.
 fn orbits(
     task: &Section,
     job: &Job,
     attractors: &[&Attractor],
     phase: f64,
 ) -> Result<Vec<(String, bool, Vec<State>)>> {
-    if task.patterns.is_empty() {
-        return Ok(Vec::new());
-    }
     let oscillator = Oscillator::new(job.system.clone(), job.scene.accuracy.tolerance)?;
-    let side = if job.system.lower.is_some() { Side::Lower } else { Side::Upper };
-    let fastest =
-        attractors.iter().flat_map(|a| &a.points).fold(1.0, |most: f64, state| most.max(state.u.abs()));
     let mut all = Vec::new();
-    for pattern in &task.patterns {
-        let itinerary = if pattern.is_empty() { Itinerary::free(1)? } else { Itinerary::at(side, pattern)? };
+    for keys in &task.orbits {
         job.interrupt.check()?;
-        for orbit in orbit::search(&oscillator, &itinerary, SEARCHES, 2.0 * fastest) {
+        for orbit in keys.orbits(&oscillator)? {
+            let itinerary = &orbit.itinerary;
             let times = (0..itinerary.periods()).map(|i| phase + TAU * f64::from(i));
             let points = times
                 .map(|t| Ok(State { t: phase, ..orbit.state(&oscillator, t)? }))

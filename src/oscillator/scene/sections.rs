@@ -5,6 +5,7 @@ use num_rational::BigRational;
 use super::{
     Expression, Scene,
     keys::{keys, words},
+    orbits::OrbitKeys,
     task::{Check, Start},
 };
 use crate::{
@@ -27,8 +28,8 @@ keys! {
         points: u32 = "2000",
         /// the longest period told from none, in forcing periods
         longest: u32 = "64",
-        /// impact patterns of orbits to mark, stable or not: periods from impact to impact at the only wall; `[]` is the orbit without impacts
-        patterns: Vec<Vec<u32>> = "[]",
+        /// orbits to mark, stable or not
+        orbits: Vec<OrbitKeys> = "[]",
         /// whether to draw where the next period grazes a wall
         grazing_curve: bool = "false",
     }
@@ -106,20 +107,8 @@ impl Check for Section {
         if let Some(side) = self.frame.side().filter(|&side| !has(side)) {
             return Err(scene.fail(&format!("{path}.frame"), &format!("there is no {} wall", side.name())));
         }
-        let walls = usize::from(system.lower.is_some()) + usize::from(system.upper.is_some());
-        for (i, pattern) in (1..).zip(&self.patterns) {
-            let fail = |message| Err(scene.fail(&format!("{path}.patterns[{i}]"), message));
-            if walls != 1 && !pattern.is_empty() {
-                return fail(
-                    "patterns of impacts are looked for at one wall only, and there are more or none",
-                );
-            }
-            if pattern.len() > 16
-                || pattern.iter().any(|&n| n > 1000)
-                || pattern.iter().sum::<u32>() == 0 && !pattern.is_empty()
-            {
-                return fail("is not a pattern of 1 to 16 impacts, at most 1000 periods apart");
-            }
+        for (i, orbit) in (1..).zip(&self.orbits) {
+            orbit.check(scene, system, &format!("{path}.orbits[{i}]"))?;
         }
         within(scene, path, self.points, self.longest)
     }

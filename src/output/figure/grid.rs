@@ -74,13 +74,19 @@ fn draw(grid: &Grid, axes: [&str; 2]) -> Picture {
         .x_label_area_size(190)
         .y_label_area_size(280)
         .build_cartesian_2d(x0 - dx..x1 + dx, y0 - dy..y1 + dy)?;
-    // Runs of one class in a row are one rectangle.
+    // Runs of one class in a row are one rectangle, each a unit larger than its share, so that nothing shines through.
+    let edge = |i: usize, j: usize| {
+        chart.backend_coord(&(x0 - dx + 2.0 * dx * i as f64, y0 - dy + 2.0 * dy * j as f64))
+    };
     for (j, row) in grid.cells.chunks(columns).enumerate() {
         let mut start = 0;
         for i in 1..=columns {
             if i == columns || row[i] != row[start] {
-                let corners = [(grid.x[start] - dx, grid.y[j] - dy), (grid.x[i - 1] + dx, grid.y[j] + dy)];
-                chart.draw_series([Rectangle::new(corners, colour(row[start]).filled())])?;
+                let ((left, bottom), (right, top)) = (edge(start, j), edge(i, j + 1));
+                root.draw(&Rectangle::new(
+                    [(left, top - 1), (right + 1, bottom)],
+                    colour(row[start]).filled(),
+                ))?;
                 start = i;
             }
         }
