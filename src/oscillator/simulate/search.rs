@@ -89,11 +89,11 @@ impl<'a> Gap<'a> {
         if bend > turn {
             let ([_, left, _], [_, right, _]) = (self.at(l), self.at(r));
             return match (left < 0.0, right > 0.0) {
-                (false, _) => self.rise(r),
+                (false, _) => self.rise(l, r),
                 (true, false) => self.fall(l, r, false),
                 (true, true) => {
                     let bottom = self.extremum(l, r, centre - slope / bend);
-                    self.fall(l, bottom, true).or_else(|| self.rise(r))
+                    self.fall(l, bottom, true).or_else(|| self.rise(bottom, r))
                 }
             };
         }
@@ -101,24 +101,28 @@ impl<'a> Gap<'a> {
             let ([_, left, _], [_, right, _]) = (self.at(l), self.at(r));
             return match (left > 0.0, right < 0.0) {
                 (false, _) => self.fall(l, r, false),
-                (true, false) => self.rise(r),
+                (true, false) => self.rise(l, r),
                 (true, true) => {
                     let top = self.extremum(l, r, centre - slope / bend);
                     if self.at(top)[0] <= 0.0 {
                         return Some(Hit::Press(top));
                     }
-                    self.rise(top).or_else(|| self.fall(top, r, false))
+                    self.rise(l, top).or_else(|| self.fall(top, r, false))
                 }
             };
         }
         if slope.abs() > (bend.abs() + turn / 2.0) * half || tail < self.depth / 8.0 {
-            return if slope > 0.0 { self.rise(r) } else { self.fall(l, r, false) };
+            return if slope > 0.0 { self.rise(l, r) } else { self.fall(l, r, false) };
         }
         self.first(l, centre).or_else(|| self.first(centre, r))
     }
 
-    /// z rises up to r.
-    fn rise(&mut self, r: f64) -> Option<Hit> {
+    /// z rises from l to r; a minimum between two pieces is met here.
+    fn rise(&mut self, l: f64, r: f64) -> Option<Hit> {
+        if self.open && self.at(l)[0] <= self.depth {
+            self.open = false;
+            return Some(Hit::Tangency(l));
+        }
         self.open |= self.at(r)[0] > self.depth;
         None
     }
