@@ -4,7 +4,10 @@ use std::f64::consts::{PI, TAU};
 
 use grazing::oscillator::{
     Contact, Counts, Effect, Harmonic, Side, System, Time, Wall,
+    attractor::{Detection, Fate},
+    basin::{Cell, Frame, basins},
     flow::Flow,
+    lyapunov::lyapunov,
     simulate::{End, Event, Impact, Run, Settings, Simulator},
 };
 
@@ -371,4 +374,47 @@ fn impacts_obey_the_law_and_stay_outside_the_wall() {
         let [z, out] = contact.gap(before);
         assert!(z.abs() < 1e-13 && (out + 0.9 * impact.velocity).abs() < 1e-13);
     }
+}
+
+#[test]
+fn attractors_are_detected_with_period_and_impacts() {
+    // µ = 0.0058: beyond the flip of period 3, which is stable there; µ < 0: rest, without impacts.
+    let fate = |mu: f64| {
+        let simulator = simulator(&paper(0.6, 4.9, mu, 1.0));
+        let mut run = simulator.start(at(1.0), 0.004, 0.0).unwrap();
+        Detection::default().detect(&mut run).unwrap()
+    };
+    let Fate::Periodic(cycle) = fate(0.0058) else { panic!("{:?}", fate(0.0058)) };
+    assert_eq!((cycle.period(), cycle.impacts), (3, 1));
+    let Fate::Periodic(rest) = fate(-0.2) else { panic!() };
+    assert_eq!((rest.period(), rest.impacts), (1, 0));
+    assert_eq!(fate(0.003), Fate::Irregular);
+    assert!(Detection { longest: 0, ..Detection::default() }.check().unwrap_err().is_input());
+}
+
+#[test]
+fn lyapunov_exponents_match_what_is_known() {
+    // Without impacts: −c/2. At rest on a wall: −∞. On the stable orbit of period 3 below 0, in chaos above.
+    let free = lyapunov(&simulator(&bare(0.2, 1.0)), at(0.0), [1.0, 0.0], 10, 2000).unwrap();
+    assert!((free.rate + 0.1).abs() < 1e-4, "{free:?}");
+    let rest = lyapunov(&simulator(&ball(0.5)), at(0.0), [0.5, 0.0], 0, 10).unwrap();
+    assert_eq!(rest.rate, f64::NEG_INFINITY);
+    let exponent =
+        |mu| lyapunov(&simulator(&paper(0.6, 4.9, mu, 1.0)), at(1.0), [0.004, 0.0], 3000, 3000).unwrap();
+    assert!(exponent(0.0058).rate < -0.001);
+    let chaos = exponent(0.003);
+    assert!(chaos.rate > 0.01 && (chaos.rate / chaos.second_half - 1.0).abs() < 0.2, "{chaos:?}");
+}
+
+#[test]
+fn basins_tell_starts_apart() {
+    let simulator = simulator(&paper(0.6, 4.9, -0.05, 1.0));
+    let frame = Frame { q: [-0.2, 1.2], u: [-0.5, 0.5], columns: 15, rows: 5 };
+    let detection = Detection { transient: 300, ..Detection::default() };
+    let basins = basins(&simulator, &frame, &detection, &()).unwrap();
+    assert_eq!(basins.cells.len(), 75);
+    // At phase 0 the wall is at −0.05: the first column lies behind it.
+    assert!((0..5).all(|row| basins.cells[15 * row] == Cell::Behind));
+    assert!(basins.cells.contains(&Cell::Attractor(0)));
+    assert!(basins.attractors.iter().any(|cycle| cycle.impacts == 0));
 }

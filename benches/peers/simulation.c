@@ -48,7 +48,7 @@ int main(int argc, char **argv)
                 if (fabs(step) < 1e-8) break;
             }
             gap(t, &z, &v, &b);
-            if (t <= from + 1e-9 || z >= 0 || t > summit + M_PI / 2) break;
+            if (!(t > from + 1e-9) || z >= 0 || t > summit + M_PI / 2) break;
             t -= sqrt(-2 * z / b);
             for (int i = 0; i < 50; i++) {
                 gap(t, &z, &v, &b);

@@ -3,10 +3,14 @@
 //! A [`System`] is the equation of motion in dimensionless form (mass 1, forcing period 2π) with its walls. Not
 //! here: the local theory at a grazing bifurcation (`impact`, `local`), tables and pictures (`output`).
 
+pub mod attractor;
+pub mod basin;
 mod contact;
 mod counter;
 pub mod flow;
+pub mod lyapunov;
 mod rise;
+pub mod section;
 mod series;
 pub mod simulate;
 mod system;
