@@ -136,7 +136,7 @@ fn draw(rows: &[FlowMeasured]) -> std::result::Result<String, Box<dyn std::error
     }
     chart
         .configure_series_labels()
-        .position(SeriesLabelPosition::UpperRight)
+        .position(SeriesLabelPosition::LowerRight)
         .background_style(WHITE.mix(0.9))
         .border_style(RGBColor(200, 200, 200))
         .label_font(("sans-serif", 15))
