@@ -39,7 +39,9 @@ fn every_example_runs_and_writes_what_it_says() {
     for file in fs::read_dir(SCENES).unwrap() {
         let path = file.unwrap().path();
         let (code, out, error, folder) = grazing(&["run", path.to_str().unwrap(), "--format", "json"]);
-        assert_eq!((code, error.as_str()), (0, ""), "{path:?}");
+        // At the resonance of section 4.1 the theory leaves period 3 undecided.
+        let expected = if path.ends_with("nordmark-2001-w48.toml") { 3 } else { 0 };
+        assert_eq!((code, error.as_str()), (expected, ""), "{path:?}");
         let report: serde_json::Value = serde_json::from_str(&out).unwrap();
         assert_eq!(report["format"], "grazing-run 1");
         let tasks = report["tasks"].as_array().unwrap();
@@ -75,7 +77,7 @@ fn what_cannot_run_says_why_and_writes_nothing() {
         (
             &["run", &scene, "--set", "w=0"],
             &format!(
-                "error: {scene}:13: system.damping = \"2*d/w\": divides by zero (with d = 1/10, w = 0)\n"
+                "error: {scene}:12: system.damping = \"2*d/w\": divides by zero (with d = 1/10, w = 0)\n"
             ),
         ),
     ] {
@@ -90,7 +92,7 @@ fn what_cannot_run_says_why_and_writes_nothing() {
 #[test]
 fn a_zero_and_nothing_give_the_same_output() {
     let base = "format = \"grazing-scene 1\"\ntitle = \"t\"\n[system]\nstiffness = 0.3\ndamping = 0.02\nforcing = [{ k = 2, cos = 0.4 }]\nEXTRA\n\
-        [[walls]]\nside = \"lower\"\noffset = -0.5\nrestitution = 0.9\nHARMONICS\n\
+        [[walls]]\nside = \"lower\"\noffset = -0.05\nrestitution = 0.9\nHARMONICS\n\
         [[tasks]]\nname = \"t\"\nkind = \"simulate\"\nstart = { q = 1 }\nperiods = 30\nsamples = 8\n";
     let output = |text: &str| {
         let folder = tempfile::tempdir().unwrap();
