@@ -47,7 +47,7 @@ pub(super) fn run(task: &GrazingTask, job: &Job, report: &mut Report) -> Result<
     let local = map.to_map()?;
     let graph = Graph::new(&local, task.max_period.into(), false)?;
     let mut rows = Rows::new(&[
-        "pattern", "side", "lambda_times_distance", "found_at", "phases", "speeds", "lambda1", "lambda2", "admissible", "reason",
+        "pattern", "side", "coefficient", "found_at", "phases", "speeds", "lambda1", "lambda2", "admissible", "reason",
     ]);
     let patterns = (1..=task.max_period).flat_map(|period| Patterns::of_period(period.into()));
     for pattern in patterns.filter(Pattern::is_primitive) {
