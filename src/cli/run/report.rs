@@ -2,7 +2,10 @@
 
 use std::{fmt, io::Write};
 
-use serde::{Serialize, Serializer, ser::{SerializeMap, SerializeSeq}};
+use serde::{
+    Serialize, Serializer,
+    ser::{SerializeMap, SerializeSeq},
+};
 use serde_json::Value;
 
 use super::Job;
@@ -114,8 +117,13 @@ impl Report {
     pub fn rows(&mut self, name: &'static str, rows: Rows, job: &Job) -> Result<()> {
         let file = job.folder.join(format!("{}.csv", job.task.name));
         write_file(&file, |out| rows.write(out, TableFormat::Csv))?;
-        self.entries.push((name, Finding::Rows(rows)));
+        self.table(name, rows);
         Ok(())
+    }
+
+    /// Adds a table.
+    pub fn table(&mut self, name: &'static str, rows: Rows) {
+        self.entries.push((name, Finding::Rows(rows)));
     }
 }
 
