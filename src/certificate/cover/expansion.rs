@@ -27,9 +27,9 @@
 //! **Rounding**, in units of 2⁻⁶⁰. The box is exact, its centre too; η is an upper bound, which only enlarges the box. Let
 //! H = max(1, ⌈nh⌉). Every A_i is at most 1, being a term of (r + (1 − r))^p as h ≤ 1 − r₁, and is computed from below, with an error of
 //! at most n (i = 0), n(hn + 1) ≤ 2nH (i = 1), n(2nHh + 1)/2 + 1 ≤ 3nH²/2 + 1 (i = 2), n(h(3nH²/2 + 1) + 1)/3 + 1 ≤ 6nH³/5 + 1 (i = 3). As nη ≤ 1.6,
-//! |F_0|, G_0 ≤ 1, |F_1|, G_1 ≤ 1.6, |F_2|, G_2 ≤ 1.28, G_3 ≤ 0.69, each off by less than 8 (see [`Wave`]). The 20 products in the
+//! |F_0|, G_0 ≤ 1, |F_1|, G_1 ≤ 1.6, |F_2|, G_2 ≤ 1.28, G_3 ≤ 0.69, each off by less than 24 (see [`Wave`]). The 20 products in the
 //! c and d of one k, each rounded by 1, and the 4 single terms are together off by less than
-//! 2(1 + 1.6 + 1.28 + 0.69) n + 2(1 + 1.6 + 1.28) 2nH + 2(1 + 1.6)(3nH²/2 + 1) + 2(6nH³/5 + 1) + 20·(8 + 1) + 4·8 < 35 nH³ + 220.
+//! 2(1 + 1.6 + 1.28 + 0.69) n + 2(1 + 1.6 + 1.28) 2nH + 2(1 + 1.6)(3nH²/2 + 1) + 2(6nH³/5 + 1) + 20·(24 + 1) + 4·24 < 35 nH³ + 620.
 //! No value reaches 8, where an `i64` ends: |c_ij| and d_ij are at most 3·1.6.
 //!
 //! With H = 1 (all boxes but those with r < 1 − 1/n or so) this is 4·10⁻¹⁵ for n = 128. The claims get finer like n⁻⁶, about 10⁻¹³
@@ -55,7 +55,7 @@ pub(super) enum Form {
 }
 
 /// A_0, A_1, A_2 at the centre and A_0, …, A_3 at r₁.
-#[derive(Clone, Copy)]
+#[derive(Debug, Clone, Copy, Default)]
 struct Power {
     at: [i64; 3],
     bound: [i64; 4],
@@ -63,9 +63,9 @@ struct Power {
 
 /// F_0, F_1, F_2 at the centre and G_0, …, G_3.
 ///
-/// Errors, with 4 for a sine and e = nη or qη ≤ 1.6: sine form, F_0 4, F_1 1.6·4 + 1, F_2 (2.56·4 + 1 + 1)/2 + 1, G_2 1, G_3 2. Quotient form: the
-/// sums of 4 in every term are divided by n^{j+1}, which leaves less than 4 + 1, 2 + 1, 4/3 + 1; times e^j/j!, less than
-/// 5, 6, 5; G 1, 1, 2, 3. All are below 8.
+/// Errors, with 14 for a sine and e = nη or qη ≤ 1.6: sine form, F_0 14, F_1 1.6·14 + 1, F_2 (2.56·14 + 1 + 1)/2 + 1, G_2 1, G_3 2. Quotient
+/// form: the sums of Σ 1, Σ|m|, Σ m² times 14 are divided by n, n², n³, which leaves less than 15, 8, 6; times e^j/j!, less
+/// than 15, 14, 10; G 1, 1, 2, 3. All are below 24.
 #[derive(Debug, Clone, Copy, Default)]
 struct Wave {
     at: [i64; 3],
@@ -90,6 +90,9 @@ pub(super) struct Patch {
     eta: i64,
     /// In the quotient form, the waves of every q ≤ n.
     quotients: Option<Vec<Wave>>,
+    /// Those of n.
+    power_n: Power,
+    wave_n: Wave,
     /// The bound of all rounding in the coefficients of one k.
     pub slack: i64,
 }
@@ -105,26 +108,35 @@ impl Patch {
             return Err("the box is too wide for its expansion".into());
         }
         let steep = ((i128::from(h) * i128::from(n)) >> 60) as i64 + 1;
-        let slack = 35 * n as i64 * steep.pow(3) + 220;
+        let slack = 35 * n as i64 * steep.pow(3) + 620;
         let quotients = (form == Form::Quotient).then(|| quotients(n, turns, eta));
-        Ok(Patch { n, r: [r, r1], h, turns, eta, quotients, slack })
+        let (power_n, wave_n) = Default::default();
+        let mut patch = Patch { n, r: [r, r1], h, turns, eta, quotients, power_n, wave_n, slack };
+        (patch.power_n, patch.wave_n) = (patch.power(n), patch.wave(n));
+        Ok(patch)
     }
 
     /// The expansion of one T_k. Cost: O(log n) products.
     pub fn expansion(&self, k: u64) -> Expansion {
         let a = self.n - k;
-        let power = |p| self.powers(p, p).next().expect("one power is asked for");
-        combine(power(a), power(self.n), self.wave(self.n), self.wave(a), self.wave(k))
+        self.combine(self.power(a), self.wave(a), self.wave(k))
     }
 
     /// The expansions of T_1, …, T_{n−1}. Cost: O(n) products.
     pub fn expansions(&self) -> impl Iterator<Item = Expansion> {
         let n = self.n as usize;
-        let powers: Vec<Power> = self.powers(1, self.n).collect();
-        let waves: Vec<Wave> = (1..=self.n).map(|q| self.wave(q)).collect();
-        (1..n).map(move |k| {
-            combine(powers[n - k - 1], powers[n - 1], waves[n - 1], waves[n - k - 1], waves[k - 1])
-        })
+        let powers: Vec<Power> = self.powers(1, self.n - 1).collect();
+        let waves = self.quotients.clone().unwrap_or_else(|| {
+            (0..self.n)
+                .zip(fixed::sines_cosines(self.turns, self.n))
+                .map(|(q, at)| self.sine_wave(q, at))
+                .collect()
+        });
+        (1..n).map(move |k| self.combine(powers[n - k - 1], waves[n - k], waves[k]))
+    }
+
+    fn power(&self, p: u64) -> Power {
+        self.powers(p, p).next().expect("one power is asked for")
     }
 
     /// The powers r^first, …, r^last, 1 ≤ first.
@@ -136,11 +148,35 @@ impl Patch {
         })
     }
 
+    #[inline]
+    fn combine(&self, power_a: Power, wave_a: Wave, wave_k: Wave) -> Expansion {
+        let (power_n, wave_n) = (&self.power_n, &self.wave_n);
+        let c = |i: usize, j: usize| {
+            product(power_a.at[i], wave_n.at[j])
+                - product(power_n.at[i], wave_a.at[j])
+                - if i == 0 { wave_k.at[j] } else { 0 }
+        };
+        let d = |i: usize, j: usize| {
+            product(power_a.bound[i], wave_n.bound[j])
+                + product(power_n.bound[i], wave_a.bound[j])
+                + if i == 0 { wave_k.bound[j] } else { 0 }
+        };
+        Expansion {
+            c: [c(0, 0), c(1, 0), c(0, 1), c(2, 0), c(1, 1), c(0, 2)],
+            d: [d(3, 0), d(2, 1), d(1, 2), d(0, 3)],
+        }
+    }
+
+    #[inline]
     fn wave(&self, q: u64) -> Wave {
         if let Some(quotients) = &self.quotients {
             return quotients[q as usize];
         }
-        let (sine, cosine) = fixed::sine_cosine(self.turns.wrapping_mul(q));
+        self.sine_wave(q, fixed::sine_cosine(self.turns.wrapping_mul(q)))
+    }
+
+    #[inline]
+    fn sine_wave(&self, q: u64, (sine, cosine): (i64, i64)) -> Wave {
         let e = self.eta * q as i64;
         let square = product(e, e);
         Wave {
@@ -177,23 +213,6 @@ impl Chain {
     }
 }
 
-fn combine(power_a: Power, power_n: Power, wave_n: Wave, wave_a: Wave, wave_k: Wave) -> Expansion {
-    let c = |i: usize, j: usize| {
-        product(power_a.at[i], wave_n.at[j])
-            - product(power_n.at[i], wave_a.at[j])
-            - if i == 0 { wave_k.at[j] } else { 0 }
-    };
-    let d = |i: usize, j: usize| {
-        product(power_a.bound[i], wave_n.bound[j])
-            + product(power_n.bound[i], wave_a.bound[j])
-            + if i == 0 { wave_k.bound[j] } else { 0 }
-    };
-    Expansion {
-        c: [c(0, 0), c(1, 0), c(0, 1), c(2, 0), c(1, 1), c(0, 2)],
-        d: [d(3, 0), d(2, 1), d(1, 2), d(0, 3)],
-    }
-}
-
 /// The waves of S_q/n, q = 0, …, n, by S_q = S_{q−2} + 2 cos (q−1)θ and its derivatives.
 fn quotients(n: u64, turns: u64, eta: i64) -> Vec<Wave> {
     let e = eta * n as i64;
@@ -202,9 +221,7 @@ fn quotients(n: u64, turns: u64, eta: i64) -> Vec<Wave> {
     // Σ cos, −Σ m sin, −Σ m² cos and Σ|m|^j for the two latest q.
     let mut sums = [([0i128; 3], [0i128; 4]); 2];
     let mut waves = vec![Wave::default()];
-    for q in 1..=n {
-        let m = i128::from(q - 1);
-        let (sine, cosine) = fixed::sine_cosine(turns.wrapping_mul(q - 1));
+    for (m, (sine, cosine)) in (0..).zip(fixed::sines_cosines(turns, n - 1)) {
         let (sine, cosine) = (i128::from(sine), i128::from(cosine));
         let (mut at, mut bound) = sums[0];
         if m == 0 {
