@@ -35,6 +35,8 @@
 //! With H = 1 (all boxes but those with r < 1 − 1/n or so) this is 4·10⁻¹⁵ for n = 128. The claims get finer like n⁻⁶, about 10⁻¹³
 //! at n = 128; somewhere beyond n = 200 they are below the error bound, and then a claim is not shown, so rejected.
 
+use std::borrow::Cow;
+
 use super::fixed::{self, ONE, product};
 
 /// The largest n·η: 1.6.
@@ -42,15 +44,19 @@ const WIDEST: i64 = ONE / 5 * 8;
 
 /// A closed box, in units of 2⁻⁶⁰ for r and of 2⁻⁶⁴ for s.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Cell {
+pub struct Cell {
+    /// The bounds of r.
     pub r: [i64; 2],
+    /// The bounds of s.
     pub s: [u64; 2],
 }
 
 /// Which f: sin qθ, or S_q/n.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Form {
+pub enum Form {
+    /// sin qθ.
     Sine,
+    /// S_q/n.
     Quotient,
 }
 
@@ -74,7 +80,7 @@ struct Wave {
 
 /// The coefficients of one T_k.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Expansion {
+pub struct Expansion {
     /// c_00, c_10, c_01, c_20, c_11, c_02.
     pub c: [i64; 6],
     /// d_30, d_21, d_12, d_03.
@@ -82,7 +88,7 @@ pub(super) struct Expansion {
 }
 
 /// A box with what all k have in common.
-pub(super) struct Patch {
+pub struct Patch {
     n: u64,
     r: [i64; 2],
     h: i64,
@@ -98,7 +104,10 @@ pub(super) struct Patch {
 }
 
 impl Patch {
-    /// The expansion point of a box. Needs n ≤ [`MOST`](super::MOST). Cost: O(1), in the quotient form O(n).
+    /// Prepares the expansions at a box's centre. Needs 2 ≤ n ≤ [`MOST`](super::MOST). Cost: O(log n), in the quotient form O(n).
+    ///
+    /// # Errors
+    /// If the box is too wide: η > 1.6/n, or it is wider in r than twice its distance to r = 1.
     pub fn new(n: u64, cell: &Cell, form: Form) -> Result<Patch, String> {
         let r = (cell.r[0] + cell.r[1]) / 2;
         let (h, r1) = (cell.r[1] - r, cell.r[1]);
@@ -126,12 +135,13 @@ impl Patch {
     pub fn expansions(&self) -> impl Iterator<Item = Expansion> {
         let n = self.n as usize;
         let powers: Vec<Power> = self.powers(1, self.n - 1).collect();
-        let waves = self.quotients.clone().unwrap_or_else(|| {
-            (0..self.n)
+        let waves = match &self.quotients {
+            Some(waves) => Cow::from(waves),
+            None => (0..self.n)
                 .zip(fixed::sines_cosines(self.turns, self.n))
                 .map(|(q, at)| self.sine_wave(q, at))
-                .collect()
-        });
+                .collect(),
+        };
         (1..n).map(move |k| self.combine(powers[n - k - 1], waves[n - k], waves[k]))
     }
 

@@ -3,7 +3,7 @@
 //! Errors are counted in units of 2⁻⁶⁰. A sum of integers is exact; a product is rounded down, off by less than 1.
 
 /// 1.
-pub(super) const ONE: i64 = 1 << 60;
+pub const ONE: i64 = 1 << 60;
 
 /// π rounded down, off by less than 1. (π = 3.243F6A88 85A308D3 13… in hexadecimal; the tests compare with Machin's formula.)
 const PI: i64 = 0x3243_F6A8_885A_308D;
@@ -36,7 +36,7 @@ const COSINE: [i64; 9] = [306, 240, 182, 132, 90, 56, 30, 12, 2];
 /// below 1.4 while d ≥ 6, so that 1 − … is off by 1.4 for the sine and, its last d being 2, by 2.5 for the cosine. In all:
 /// sine 1.25 + 0.1 + 0.79·1.4 + 1 < 4, cosine 1.25 + 0.01 + 2.5 < 4.
 #[inline]
-pub(super) fn sine_cosine(turns: u64) -> (i64, i64) {
+pub fn sine_cosine(turns: u64) -> (i64, i64) {
     let (octant, rest) = (turns >> 61, turns & ((1 << 61) - 1));
     let folded = if octant & 1 == 1 { (1 << 61) - rest } else { rest };
     let x = ((u128::from(folded) * PI as u128) >> 63) as i64;
@@ -50,7 +50,7 @@ pub(super) fn sine_cosine(turns: u64) -> (i64, i64) {
 
 /// sin and cos of 0, 1, …, n times a number of turns, each within 14: those of 8i + j from 8i and j, whose errors of 4 meet factors that
 /// add up to at most 2√2, and two products.
-pub(super) fn sines_cosines(turns: u64, n: u64) -> impl Iterator<Item = (i64, i64)> {
+pub fn sines_cosines(turns: u64, n: u64) -> impl Iterator<Item = (i64, i64)> {
     let multiple = move |q: u64| sine_cosine(turns.wrapping_mul(q));
     let small: [_; 8] = std::array::from_fn(|j| multiple(j as u64));
     (0..=n / 8)
