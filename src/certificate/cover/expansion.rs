@@ -96,7 +96,8 @@ pub struct Patch {
     eta: i64,
     /// In the quotient form, the waves of every q ≤ n.
     quotients: Option<Vec<Wave>>,
-    /// Those of n.
+    /// sin nθ₀ and cos nθ₀.
+    sine_n: (i64, i64),
     power_n: Power,
     wave_n: Wave,
     /// The bound of all rounding in the coefficients of one k.
@@ -119,16 +120,29 @@ impl Patch {
         let steep = ((i128::from(h) * i128::from(n)) >> 60) as i64 + 1;
         let slack = 35 * n as i64 * steep.pow(3) + 620;
         let quotients = (form == Form::Quotient).then(|| quotients(n, turns, eta));
+        let sine_n = fixed::sine_cosine(turns.wrapping_mul(n));
         let (power_n, wave_n) = Default::default();
-        let mut patch = Patch { n, r: [r, r1], h, turns, eta, quotients, power_n, wave_n, slack };
-        (patch.power_n, patch.wave_n) = (patch.power(n), patch.wave(n));
+        let mut patch = Patch { n, r: [r, r1], h, turns, eta, quotients, sine_n, power_n, wave_n, slack };
+        patch.power_n = patch.power(n);
+        patch.wave_n = match &patch.quotients {
+            Some(waves) => waves[n as usize],
+            None => patch.sine_wave(n, sine_n),
+        };
         Ok(patch)
     }
 
     /// The expansion of one T_k. Cost: O(log n) products.
     pub fn expansion(&self, k: u64) -> Expansion {
         let a = self.n - k;
-        self.combine(self.power(a), self.wave(a), self.wave(k))
+        let (wave_a, wave_k) = match &self.quotients {
+            Some(waves) => (waves[a as usize], waves[k as usize]),
+            None => {
+                let at = fixed::sine_cosine(self.turns.wrapping_mul(k));
+                // aθ = nθ − kθ spares a sine.
+                (self.sine_wave(a, fixed::difference(self.sine_n, at)), self.sine_wave(k, at))
+            }
+        };
+        self.combine(self.power(a), wave_a, wave_k)
     }
 
     /// The expansions of T_1, …, T_{n−1}. Cost: O(n) products.
@@ -151,10 +165,11 @@ impl Patch {
 
     /// The powers r^first, …, r^last, 1 ≤ first.
     fn powers(&self, first: u64, last: u64) -> impl Iterator<Item = Power> {
-        let mut chains = self.r.map(|r| Chain::before(first, r, self.h));
+        let mut centre = Chain::before(first, self.r[0], self.h);
+        let mut edge = Chain::before(first, self.r[1], self.h);
         (first..=last).map(move |p| {
-            let [[a0, a1, a2, _], bound] = [chains[0].next(p), chains[1].next(p)];
-            Power { at: [a0, a1, a2], bound }
+            let [a0, a1, a2, _] = centre.next(p);
+            Power { at: [a0, a1, a2], bound: edge.next(p) }
         })
     }
 
@@ -175,14 +190,6 @@ impl Patch {
             c: [c(0, 0), c(1, 0), c(0, 1), c(2, 0), c(1, 1), c(0, 2)],
             d: [d(3, 0), d(2, 1), d(1, 2), d(0, 3)],
         }
-    }
-
-    #[inline]
-    fn wave(&self, q: u64) -> Wave {
-        if let Some(quotients) = &self.quotients {
-            return quotients[q as usize];
-        }
-        self.sine_wave(q, fixed::sine_cosine(self.turns.wrapping_mul(q)))
     }
 
     #[inline]
@@ -256,7 +263,7 @@ impl Expansion {
     /// Whether t T_k > 0 on the box is shown.
     pub fn shows(&self, t: i64, slack: i64) -> bool {
         let rest: i128 = self.d.iter().map(|&d| i128::from(d)).sum();
-        lower(self.c.map(i128::from), t) > rest + i128::from(slack)
+        lower(|i| i128::from(self.c[i]), t) > rest + i128::from(slack)
     }
 
     /// Whether t (T_k − w T_d) > 0 on the box is shown for some w ≥ 0, `self` being T_k's expansion and w = 0 not sufficient.
@@ -272,8 +279,7 @@ impl Expansion {
             // Rounded down: any weights ≥ 0 are sound.
             let one = i128::from(ONE);
             let (beta, alpha) = if c.abs() <= d.abs() { (one, (c << 60) / d) } else { ((d << 60) / c, one) };
-            let mixed =
-                std::array::from_fn(|i| beta * i128::from(self.c[i]) - alpha * i128::from(decider.c[i]));
+            let mixed = |i: usize| beta * i128::from(self.c[i]) - alpha * i128::from(decider.c[i]);
             let rest = |i: usize| beta * i128::from(self.d[i]) + alpha * i128::from(decider.d[i]);
             beta > 0 && lower(mixed, t) > (0..4).map(rest).sum::<i128>() + (beta + alpha) * i128::from(slack)
         })
@@ -294,8 +300,9 @@ impl Expansion {
     }
 }
 
-/// A lower bound of t Σ c_ij x^i y^j.
-fn lower([c00, c10, c01, c20, c11, c02]: [i128; 6], t: i64) -> i128 {
+/// A lower bound of t Σ c_ij x^i y^j, the coefficients being in the order of [`Expansion::c`].
+#[inline]
+fn lower(c: impl Fn(usize) -> i128, t: i64) -> i128 {
     let t = i128::from(t);
-    t * c00 + (t * c20).min(0) + (t * c02).min(0) - c10.abs() - c01.abs() - c11.abs()
+    t * c(0) + (t * c(3)).min(0) + (t * c(5)).min(0) - c(1).abs() - c(2).abs() - c(4).abs()
 }

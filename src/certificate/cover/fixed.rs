@@ -48,15 +48,27 @@ pub fn sine_cosine(turns: u64) -> (i64, i64) {
     (if octant >= 4 { -sine } else { sine }, if (octant + 2) & 4 == 4 { -cosine } else { cosine })
 }
 
-/// sin and cos of 0, 1, …, n times a number of turns, each within 14: those of 8i + j from 8i and j, whose errors of 4 meet factors that
-/// add up to at most 2√2, and two products.
+/// sin and cos of α + β from those of α and β, each within 14 if those are within 4: an error of 4 meets factors that add up to at most
+/// 2√2 and two products are rounded.
+#[inline]
+fn combined((sine, cosine): (i64, i64), (s, c): (i64, i64)) -> (i64, i64) {
+    (product(sine, c) + product(cosine, s), product(cosine, c) - product(sine, s))
+}
+
+/// sin and cos of α − β from those of α and β, each within 14 if those are within 4.
+#[inline]
+pub(super) fn difference(alpha: (i64, i64), (s, c): (i64, i64)) -> (i64, i64) {
+    combined(alpha, (-s, c))
+}
+
+/// sin and cos of 0, 1, …, n times a number of turns, each within 14: those of 8i + j from those of 8i and j.
 pub fn sines_cosines(turns: u64, n: u64) -> impl Iterator<Item = (i64, i64)> {
     let multiple = move |q: u64| sine_cosine(turns.wrapping_mul(q));
     let small: [_; 8] = std::array::from_fn(|j| multiple(j as u64));
     (0..=n / 8)
         .flat_map(move |i| {
-            let (sine, cosine) = multiple(8 * i);
-            small.map(|(s, c)| (product(sine, c) + product(cosine, s), product(cosine, c) - product(sine, s)))
+            let large = multiple(8 * i);
+            small.into_iter().map(move |small| combined(large, small))
         })
         .take(n as usize + 1)
 }
