@@ -27,13 +27,15 @@
 //! **Rounding**, in units of 2⁻⁶⁰. The box is exact, its centre too; η is an upper bound, which only enlarges the box. Let
 //! H = max(1, ⌈nh⌉). Every A_i is at most 1, being a term of (r + (1 − r))^p as h ≤ 1 − r₁, and is computed from below, with an error of
 //! at most n (i = 0), n(hn + 1) ≤ 2nH (i = 1), n(2nHh + 1)/2 + 1 ≤ 3nH²/2 + 1 (i = 2), n(h(3nH²/2 + 1) + 1)/3 + 1 ≤ 6nH³/5 + 1 (i = 3). As nη ≤ 1.6,
-//! |F_0|, G_0 ≤ 1, |F_1|, G_1 ≤ 1.6, |F_2|, G_2 ≤ 1.28, G_3 ≤ 0.69, each off by less than 8 (see [`Wave`]). The 20 products in the
+//! |F_0|, G_0 ≤ 1, |F_1|, G_1 ≤ 1.6, |F_2|, G_2 ≤ 1.28, G_3 ≤ 0.69, each off by less than 24 (see [`Wave`]). The 20 products in the
 //! c and d of one k, each rounded by 1, and the 4 single terms are together off by less than
-//! 2(1 + 1.6 + 1.28 + 0.69) n + 2(1 + 1.6 + 1.28) 2nH + 2(1 + 1.6)(3nH²/2 + 1) + 2(6nH³/5 + 1) + 20·(8 + 1) + 4·8 < 35 nH³ + 220.
+//! 2(1 + 1.6 + 1.28 + 0.69) n + 2(1 + 1.6 + 1.28) 2nH + 2(1 + 1.6)(3nH²/2 + 1) + 2(6nH³/5 + 1) + 20·(24 + 1) + 4·24 < 35 nH³ + 620.
 //! No value reaches 8, where an `i64` ends: |c_ij| and d_ij are at most 3·1.6.
 //!
 //! With H = 1 (all boxes but those with r < 1 − 1/n or so) this is 4·10⁻¹⁵ for n = 128. The claims get finer like n⁻⁶, about 10⁻¹³
 //! at n = 128; somewhere beyond n = 200 they are below the error bound, and then a claim is not shown, so rejected.
+
+use std::borrow::Cow;
 
 use super::fixed::{self, ONE, product};
 
@@ -42,20 +44,24 @@ const WIDEST: i64 = ONE / 5 * 8;
 
 /// A closed box, in units of 2⁻⁶⁰ for r and of 2⁻⁶⁴ for s.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Cell {
+pub struct Cell {
+    /// The bounds of r.
     pub r: [i64; 2],
+    /// The bounds of s.
     pub s: [u64; 2],
 }
 
 /// Which f: sin qθ, or S_q/n.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Form {
+pub enum Form {
+    /// sin qθ.
     Sine,
+    /// S_q/n.
     Quotient,
 }
 
 /// A_0, A_1, A_2 at the centre and A_0, …, A_3 at r₁.
-#[derive(Clone, Copy)]
+#[derive(Debug, Clone, Copy, Default)]
 struct Power {
     at: [i64; 3],
     bound: [i64; 4],
@@ -63,9 +69,9 @@ struct Power {
 
 /// F_0, F_1, F_2 at the centre and G_0, …, G_3.
 ///
-/// Errors, with 4 for a sine and e = nη or qη ≤ 1.6: sine form, F_0 4, F_1 1.6·4 + 1, F_2 (2.56·4 + 1 + 1)/2 + 1, G_2 1, G_3 2. Quotient form: the
-/// sums of 4 in every term are divided by n^{j+1}, which leaves less than 4 + 1, 2 + 1, 4/3 + 1; times e^j/j!, less than
-/// 5, 6, 5; G 1, 1, 2, 3. All are below 8.
+/// Errors, with 14 for a sine and e = nη or qη ≤ 1.6: sine form, F_0 14, F_1 1.6·14 + 1, F_2 (2.56·14 + 1 + 1)/2 + 1, G_2 1, G_3 2. Quotient
+/// form: the sums of Σ 1, Σ|m|, Σ m² times 14 are divided by n, n², n³, which leaves less than 15, 8, 6; times e^j/j!, less
+/// than 15, 14, 10; G 1, 1, 2, 3. All are below 24.
 #[derive(Debug, Clone, Copy, Default)]
 struct Wave {
     at: [i64; 3],
@@ -74,7 +80,7 @@ struct Wave {
 
 /// The coefficients of one T_k.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Expansion {
+pub struct Expansion {
     /// c_00, c_10, c_01, c_20, c_11, c_02.
     pub c: [i64; 6],
     /// d_30, d_21, d_12, d_03.
@@ -82,7 +88,7 @@ pub(super) struct Expansion {
 }
 
 /// A box with what all k have in common.
-pub(super) struct Patch {
+pub struct Patch {
     n: u64,
     r: [i64; 2],
     h: i64,
@@ -90,12 +96,19 @@ pub(super) struct Patch {
     eta: i64,
     /// In the quotient form, the waves of every q ≤ n.
     quotients: Option<Vec<Wave>>,
+    /// sin nθ₀ and cos nθ₀.
+    sine_n: (i64, i64),
+    power_n: Power,
+    wave_n: Wave,
     /// The bound of all rounding in the coefficients of one k.
     pub slack: i64,
 }
 
 impl Patch {
-    /// The expansion point of a box. Needs n ≤ [`MOST`](super::MOST). Cost: O(1), in the quotient form O(n).
+    /// Prepares the expansions at a box's centre. Needs 2 ≤ n ≤ [`MOST`](super::MOST). Cost: O(log n), in the quotient form O(n).
+    ///
+    /// # Errors
+    /// If the box is too wide: η > 1.6/n, or it is wider in r than twice its distance to r = 1.
     pub fn new(n: u64, cell: &Cell, form: Form) -> Result<Patch, String> {
         let r = (cell.r[0] + cell.r[1]) / 2;
         let (h, r1) = (cell.r[1] - r, cell.r[1]);
@@ -105,42 +118,82 @@ impl Patch {
             return Err("the box is too wide for its expansion".into());
         }
         let steep = ((i128::from(h) * i128::from(n)) >> 60) as i64 + 1;
-        let slack = 35 * n as i64 * steep.pow(3) + 220;
+        let slack = 35 * n as i64 * steep.pow(3) + 620;
         let quotients = (form == Form::Quotient).then(|| quotients(n, turns, eta));
-        Ok(Patch { n, r: [r, r1], h, turns, eta, quotients, slack })
+        let sine_n = fixed::sine_cosine(turns.wrapping_mul(n));
+        let (power_n, wave_n) = Default::default();
+        let mut patch = Patch { n, r: [r, r1], h, turns, eta, quotients, sine_n, power_n, wave_n, slack };
+        patch.power_n = patch.power(n);
+        patch.wave_n = match &patch.quotients {
+            Some(waves) => waves[n as usize],
+            None => patch.sine_wave(n, sine_n),
+        };
+        Ok(patch)
     }
 
     /// The expansion of one T_k. Cost: O(log n) products.
     pub fn expansion(&self, k: u64) -> Expansion {
         let a = self.n - k;
-        let power = |p| self.powers(p, p).next().expect("one power is asked for");
-        combine(power(a), power(self.n), self.wave(self.n), self.wave(a), self.wave(k))
+        let (wave_a, wave_k) = match &self.quotients {
+            Some(waves) => (waves[a as usize], waves[k as usize]),
+            None => {
+                let at = fixed::sine_cosine(self.turns.wrapping_mul(k));
+                // aθ = nθ − kθ spares a sine.
+                (self.sine_wave(a, fixed::difference(self.sine_n, at)), self.sine_wave(k, at))
+            }
+        };
+        self.combine(self.power(a), wave_a, wave_k)
     }
 
     /// The expansions of T_1, …, T_{n−1}. Cost: O(n) products.
     pub fn expansions(&self) -> impl Iterator<Item = Expansion> {
         let n = self.n as usize;
-        let powers: Vec<Power> = self.powers(1, self.n).collect();
-        let waves: Vec<Wave> = (1..=self.n).map(|q| self.wave(q)).collect();
-        (1..n).map(move |k| {
-            combine(powers[n - k - 1], powers[n - 1], waves[n - 1], waves[n - k - 1], waves[k - 1])
-        })
+        let powers: Vec<Power> = self.powers(1, self.n - 1).collect();
+        let waves = match &self.quotients {
+            Some(waves) => Cow::from(waves),
+            None => (0..self.n)
+                .zip(fixed::sines_cosines(self.turns, self.n))
+                .map(|(q, at)| self.sine_wave(q, at))
+                .collect(),
+        };
+        (1..n).map(move |k| self.combine(powers[n - k - 1], waves[n - k], waves[k]))
+    }
+
+    fn power(&self, p: u64) -> Power {
+        self.powers(p, p).next().expect("one power is asked for")
     }
 
     /// The powers r^first, …, r^last, 1 ≤ first.
     fn powers(&self, first: u64, last: u64) -> impl Iterator<Item = Power> {
-        let mut chains = self.r.map(|r| Chain::before(first, r, self.h));
+        let mut centre = Chain::before(first, self.r[0], self.h);
+        let mut edge = Chain::before(first, self.r[1], self.h);
         (first..=last).map(move |p| {
-            let [[a0, a1, a2, _], bound] = [chains[0].next(p), chains[1].next(p)];
-            Power { at: [a0, a1, a2], bound }
+            let [a0, a1, a2, _] = centre.next(p);
+            Power { at: [a0, a1, a2], bound: edge.next(p) }
         })
     }
 
-    fn wave(&self, q: u64) -> Wave {
-        if let Some(quotients) = &self.quotients {
-            return quotients[q as usize];
+    #[inline]
+    fn combine(&self, power_a: Power, wave_a: Wave, wave_k: Wave) -> Expansion {
+        let (power_n, wave_n) = (&self.power_n, &self.wave_n);
+        let c = |i: usize, j: usize| {
+            product(power_a.at[i], wave_n.at[j])
+                - product(power_n.at[i], wave_a.at[j])
+                - if i == 0 { wave_k.at[j] } else { 0 }
+        };
+        let d = |i: usize, j: usize| {
+            product(power_a.bound[i], wave_n.bound[j])
+                + product(power_n.bound[i], wave_a.bound[j])
+                + if i == 0 { wave_k.bound[j] } else { 0 }
+        };
+        Expansion {
+            c: [c(0, 0), c(1, 0), c(0, 1), c(2, 0), c(1, 1), c(0, 2)],
+            d: [d(3, 0), d(2, 1), d(1, 2), d(0, 3)],
         }
-        let (sine, cosine) = fixed::sine_cosine(self.turns.wrapping_mul(q));
+    }
+
+    #[inline]
+    fn sine_wave(&self, q: u64, (sine, cosine): (i64, i64)) -> Wave {
         let e = self.eta * q as i64;
         let square = product(e, e);
         Wave {
@@ -177,23 +230,6 @@ impl Chain {
     }
 }
 
-fn combine(power_a: Power, power_n: Power, wave_n: Wave, wave_a: Wave, wave_k: Wave) -> Expansion {
-    let c = |i: usize, j: usize| {
-        product(power_a.at[i], wave_n.at[j])
-            - product(power_n.at[i], wave_a.at[j])
-            - if i == 0 { wave_k.at[j] } else { 0 }
-    };
-    let d = |i: usize, j: usize| {
-        product(power_a.bound[i], wave_n.bound[j])
-            + product(power_n.bound[i], wave_a.bound[j])
-            + if i == 0 { wave_k.bound[j] } else { 0 }
-    };
-    Expansion {
-        c: [c(0, 0), c(1, 0), c(0, 1), c(2, 0), c(1, 1), c(0, 2)],
-        d: [d(3, 0), d(2, 1), d(1, 2), d(0, 3)],
-    }
-}
-
 /// The waves of S_q/n, q = 0, …, n, by S_q = S_{q−2} + 2 cos (q−1)θ and its derivatives.
 fn quotients(n: u64, turns: u64, eta: i64) -> Vec<Wave> {
     let e = eta * n as i64;
@@ -202,9 +238,7 @@ fn quotients(n: u64, turns: u64, eta: i64) -> Vec<Wave> {
     // Σ cos, −Σ m sin, −Σ m² cos and Σ|m|^j for the two latest q.
     let mut sums = [([0i128; 3], [0i128; 4]); 2];
     let mut waves = vec![Wave::default()];
-    for q in 1..=n {
-        let m = i128::from(q - 1);
-        let (sine, cosine) = fixed::sine_cosine(turns.wrapping_mul(q - 1));
+    for (m, (sine, cosine)) in (0..).zip(fixed::sines_cosines(turns, n - 1)) {
         let (sine, cosine) = (i128::from(sine), i128::from(cosine));
         let (mut at, mut bound) = sums[0];
         if m == 0 {
@@ -229,7 +263,7 @@ impl Expansion {
     /// Whether t T_k > 0 on the box is shown.
     pub fn shows(&self, t: i64, slack: i64) -> bool {
         let rest: i128 = self.d.iter().map(|&d| i128::from(d)).sum();
-        lower(self.c.map(i128::from), t) > rest + i128::from(slack)
+        lower(|i| i128::from(self.c[i]), t) > rest + i128::from(slack)
     }
 
     /// Whether t (T_k − w T_d) > 0 on the box is shown for some w ≥ 0, `self` being T_k's expansion and w = 0 not sufficient.
@@ -245,8 +279,7 @@ impl Expansion {
             // Rounded down: any weights ≥ 0 are sound.
             let one = i128::from(ONE);
             let (beta, alpha) = if c.abs() <= d.abs() { (one, (c << 60) / d) } else { ((d << 60) / c, one) };
-            let mixed =
-                std::array::from_fn(|i| beta * i128::from(self.c[i]) - alpha * i128::from(decider.c[i]));
+            let mixed = |i: usize| beta * i128::from(self.c[i]) - alpha * i128::from(decider.c[i]);
             let rest = |i: usize| beta * i128::from(self.d[i]) + alpha * i128::from(decider.d[i]);
             beta > 0 && lower(mixed, t) > (0..4).map(rest).sum::<i128>() + (beta + alpha) * i128::from(slack)
         })
@@ -267,8 +300,9 @@ impl Expansion {
     }
 }
 
-/// A lower bound of t Σ c_ij x^i y^j.
-fn lower([c00, c10, c01, c20, c11, c02]: [i128; 6], t: i64) -> i128 {
+/// A lower bound of t Σ c_ij x^i y^j, the coefficients being in the order of [`Expansion::c`].
+#[inline]
+fn lower(c: impl Fn(usize) -> i128, t: i64) -> i128 {
     let t = i128::from(t);
-    t * c00 + (t * c20).min(0) + (t * c02).min(0) - c10.abs() - c01.abs() - c11.abs()
+    t * c(0) + (t * c(3)).min(0) + (t * c(5)).min(0) - c(1).abs() - c(2).abs() - c(4).abs()
 }

@@ -1,13 +1,11 @@
 //! Certificates of kind `cover`: Conjecture 1 for single periods, r ≤ r_max.
 
 mod areas;
-mod expansion;
-mod fixed;
+pub mod expansion;
+pub mod fixed;
 mod leaf;
 mod regions;
 mod strips;
-#[cfg(test)]
-mod tests;
 mod tree;
 
 use std::{io::BufRead, ops::RangeInclusive};

@@ -23,11 +23,6 @@ pub(super) struct Interval {
 }
 
 impl Strip {
-    #[cfg(test)]
-    pub fn deciding(&self) -> Option<u64> {
-        self.interval.as_ref().and_then(|interval| interval.deciding)
-    }
-
     /// Whether a leaf of this kind may stand in the strip.
     pub fn allows(&self, leaf: &Leaf) -> Result<(), String> {
         let Some(interval) = &self.interval else {
