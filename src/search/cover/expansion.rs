@@ -149,7 +149,7 @@ impl Expander {
         };
         let (cosine, sine) = angle(turns);
         (0..).scan((1.0, 0.0), move |(c, s), q: u64| {
-            (*c, *s) = if q % 8 == 0 {
+            (*c, *s) = if q.is_multiple_of(8) {
                 angle(turns.wrapping_mul(q))
             } else {
                 (*c * cosine - *s * sine, *s * cosine + *c * sine)
