@@ -3,6 +3,7 @@
 //! A picture is 2000 units wide and meant for a journal's column of 86 mm, where its text has about 7 points.
 
 mod accuracy;
+mod cover;
 mod intervals;
 mod iterate;
 mod orbits;
@@ -11,6 +12,7 @@ mod regions;
 mod tips;
 
 pub use accuracy::{accuracy_figure, accuracy_table};
+pub use cover::areas;
 pub use intervals::intervals;
 pub use iterate::iterate_boundaries;
 pub use orbits::{orbit, orbits};

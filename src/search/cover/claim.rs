@@ -1,5 +1,7 @@
 //! What can be claimed of one box.
 
+use std::f64::consts::TAU;
+
 use super::{
     chart::{Axis, Cell, Chart},
     expansion::{Expander, Expansion},
@@ -16,7 +18,7 @@ pub(super) enum Verdict {
     Noise,
 }
 
-/// Decides boxes of one chart. `finest` bounds the size of Edge leaves.
+/// Decides boxes of one chart. `finest` bounds the size of Edge leaves in the (a₁, a₂) plane.
 pub(super) struct Judge<'a> {
     pub chart: &'a Chart,
     pub n: u64,
@@ -82,7 +84,9 @@ impl<'a> Judge<'a> {
     fn edge(&self, cell: &Cell, [r, s]: [[f64; 2]; 2], t: f64) -> Option<Leaf> {
         let all = &self.expander.all;
         let deciding = self.chart.strip.interval.as_ref()?.deciding?;
-        let fine = self.finest.is_none_or(|finest| r[1] - r[0] < finest && s[1] - s[0] < finest);
+        let fine = self.finest.is_none_or(|finest| {
+            r[1] * r[1] - r[0] * r[0] < finest && 2.0 * TAU * r[1] * (s[1] - s[0]) < finest
+        });
         if self.chart.strip.sign() != Some(t) || !fine {
             return None;
         }

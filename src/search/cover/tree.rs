@@ -19,7 +19,7 @@ pub(super) enum Grown {
 }
 
 /// Boxes met in one strip before the rest is left open: hundreds of times what any strip of a period up to 128 needs.
-const BUDGET: u32 = 1 << 18;
+const BUDGET: u32 = 1 << 16;
 
 /// The trees of a strip's rows as text: `r` or `s` for a split, then its two parts; leaves as they display. Boxes still undecided after `max_depth`
 /// splits become Open leaves. Where the claim for the strip seems to be false, `refutes` is asked. Cost: O(n) for each box met.
