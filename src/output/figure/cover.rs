@@ -21,7 +21,7 @@ use crate::{
 };
 
 /// Edge leaves are smaller than this in the plane, so that they look like lines.
-const FINEST: f64 = 0.012;
+const FINEST: f64 = 0.015;
 /// The lower panel begins here.
 const BOTTOM: f64 = 0.9;
 
@@ -81,7 +81,7 @@ impl Tile {
         let [[r0, r1], [s0, s1]] =
             self.bounds.each_ref().map(|ends| ends.each_ref().map(|x| x.to_f64().unwrap_or(f64::NAN)));
         let r0 = r0.max(bottom.sqrt());
-        let steps = (((r1 - r0) / 0.02).ceil() as u32).max(1);
+        let steps = (((r1 - r0) / 0.005).ceil() as u32).max(1);
         let side = |s: f64| {
             (0..=steps).map(move |i| {
                 let r = r0 + (r1 - r0) * f64::from(i) / f64::from(steps);
@@ -114,7 +114,11 @@ where
         .x_label_area_size(190)
         .y_label_area_size(250)
         .build_cartesian_2d(-2f64..2.0, bottom..1.0)?;
-    let heights = |low: f64, high: f64| (0..=100).map(move |i| low + (high - low) * f64::from(i) / 100.0);
+    // Evenly in r, since a₁ = 2√a₂ is steep at 0.
+    let heights = |low: f64, high: f64| {
+        let (low, high) = (low.sqrt(), high.sqrt());
+        (0..=200).map(move |i| (low + (high - low) * f64::from(i) / 200.0).powi(2))
+    };
     let two = heights(bottom, 1.0)
         .map(|a2| (2.0 * a2.sqrt(), a2))
         .chain(heights(bottom, 1.0).map(|a2| (a2 + 1.0, a2)).rev());
@@ -172,5 +176,6 @@ fn draw(n: u64, tiles: &[Tile]) -> Picture {
     root.present()?;
     drop((legend, upper, lower, rest));
     drop(root);
-    Ok(svg)
+    // Without this, white shines through between tiles that share a side.
+    Ok(svg.replacen("<svg ", "<svg shape-rendering=\"crispEdges\" ", 1))
 }

@@ -43,7 +43,7 @@ pub struct Options {
     pub r_max: Option<BigRational>,
     /// The largest number of splits above a leaf.
     pub max_depth: u32,
-    /// The largest size of an Edge leaf in the (a₁, a₂) plane, for pictures.
+    /// The largest width of an Edge leaf in the (a₁, a₂) plane, for pictures; its height is at most this times max(1 − a₂, 1/10).
     pub finest: Option<f64>,
     /// The statement that guides the search.
     pub variant: Variant,
