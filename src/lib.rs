@@ -21,13 +21,15 @@
 //! - The lower edges of the areas of Conjecture 1, r < 1, and their lowest points, certified to any number of digits
 //!   ([`existence::Boundary`]).
 //! - For a local map of any dimension, exact or enclosed: which impact patterns give orbits, by Theorem 1 ([`impact`]).
+//! - Trajectories of impact oscillators with one degree of freedom, in f64: every impact deeper than a stated bound; sections, attractors,
+//!   Lyapunov exponents, basins ([`oscillator`]).
 //! - The formulas as integer polynomials, and statements about them for solvers ([`symbol`]).
 //!
 //! # When to use it, and when not
 //!
 //! Use it to attach a checked proof to a statement about these orbits, to ask which orbits a grazing bifurcation gives
-//! birth to, or for exact Farey arithmetic. Do not use it to simulate oscillators, which it does not do yet, or for maps with
-//! more than one square-root direction. It takes Nordmark's Theorem 1, which turns signs into orbits, from the paper.
+//! birth to, to simulate impact oscillators with one degree of freedom, or for exact Farey arithmetic. Do not use it for dry friction,
+//! for several degrees of freedom, or for maps with more than one square-root direction. It takes Nordmark's Theorem 1, which turns signs into orbits, from the paper.
 //!
 //! # Map
 //!

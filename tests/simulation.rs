@@ -6,7 +6,7 @@ use grazing::oscillator::{
     Contact, Counts, Effect, Harmonic, Side, System, Time, Wall,
     attractor::{Detection, Fate},
     basin::{Cell, Frame, basins},
-    flow::Flow,
+    flow::{Flow, Linear},
     lyapunov::lyapunov,
     simulate::{End, Event, Impact, Run, Settings, Simulator},
 };
@@ -417,6 +417,45 @@ fn basins_tell_starts_apart() {
     assert!((0..5).all(|row| basins.cells[15 * row] == Cell::Behind));
     assert!(basins.cells.contains(&Cell::Attractor(0)));
     assert!(basins.attractors.iter().any(|cycle| cycle.impacts == 0));
+}
+
+#[test]
+fn a_duffing_oscillator_keeps_its_energy_at_an_elastic_wall() {
+    let system = System { cubic: 0.8, lower: Some(wall(-0.4, 1.0, &[])), ..bare(0.0, -0.5) };
+    let energy = |q: f64, u: f64| u * u / 2.0 - 0.25 * q * q + 0.2 * q.powi(4);
+    let mut last = f64::INFINITY;
+    for (tolerance, most) in [(1e-3, 1e-2), (1e-6, 1e-5), (1e-9, 1e-8), (1e-13, 1e-12)] {
+        let simulator = Simulator::new(&system, &Settings { tolerance, ..Settings::default() }).unwrap();
+        let mut run = simulator.start(at(0.0), 1.3, 0.2).unwrap();
+        assert_eq!(run.finish(Time::new(20, 0.0)), End::Reached);
+        assert!(run.impacts() > 10);
+        let off = (energy(run.state().q, run.state().u) - energy(1.3, 0.2)).abs();
+        assert!(off < most && off <= last, "{tolerance:e}: {off:e}");
+        last = off.max(1e-14);
+    }
+}
+
+#[test]
+fn a_stable_orbit_is_met_to_rounding_after_many_periods() {
+    // The exact orbit of period 3 with one impact at µ = 0.0058, by the matrices of its three periods of flight.
+    let mu = 0.0058;
+    let system = paper(0.6, 4.9, mu, 1.0);
+    let e = Linear::new(&system).unwrap().matrix(3.0 * TAU);
+    let (a, b, c, d) = (1.0 - e[0][0], -e[0][1], -e[1][0], 1.0 - e[1][1]);
+    let (x, y, det) = (2.0 * e[0][1], 2.0 * e[1][1], a * d - b * c);
+    let (p, r) = ((d * x - b * y) / det, 1.0 + (a * y - c * x) / det);
+    let rest = mu * (2.0 + mu);
+    let velocity = rest / (p + (p * p + (p * p + r * r) * rest).sqrt());
+    let phase = (-(r * velocity)).atan2(1.0 + p * velocity).rem_euclid(TAU);
+    let simulator = simulator(&system);
+    let mut run = simulator.start(at(1.0), 0.004, 0.0).unwrap();
+    run.finish(Time::new(30_000, 0.0));
+    for impact in impacts(&mut run, Time::new(30_030, 0.0)) {
+        assert!(
+            (impact.time.phase - phase).abs() < 1e-13 && (impact.velocity + velocity).abs() < 1e-13,
+            "{impact:?}"
+        );
+    }
 }
 
 /// tests/data/impacts.toml, written by make_impacts.py beside it.
