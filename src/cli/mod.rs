@@ -4,6 +4,7 @@ mod accuracy;
 mod boundary;
 mod check;
 mod classify;
+mod cover;
 mod evaluate;
 mod existence;
 mod farey;
@@ -12,6 +13,7 @@ mod formula;
 mod fuzz;
 mod intervals;
 mod range;
+mod run;
 mod verify;
 
 use std::process::ExitCode;
@@ -41,6 +43,7 @@ Exit codes: 0 done, or proved; 1 refuted, or a certificate that is malformed or 
 enum Command {
     Verify(verify::Args),
     Check(check::Args),
+    Cover(cover::Args),
     Intervals(intervals::Args),
     Classify(classify::Args),
     Existence(existence::Args),
@@ -51,6 +54,7 @@ enum Command {
     Formula(formula::Args),
     Evaluate(evaluate::Args),
     Accuracy(accuracy::Args),
+    Run(run::Args),
 }
 
 /// How a command that did its work ended.
@@ -94,6 +98,7 @@ fn run(cli: Cli) -> Result<Outcome> {
     match cli.command {
         Command::Verify(args) => verify::run(&args, &interrupt),
         Command::Check(args) => check::run(&args),
+        Command::Cover(args) => cover::run(&args, &interrupt),
         Command::Intervals(args) => intervals::run(&args, &interrupt),
         Command::Classify(args) => classify::run(&args),
         Command::Existence(args) => existence::run(&args, &interrupt),
@@ -104,6 +109,7 @@ fn run(cli: Cli) -> Result<Outcome> {
         Command::Formula(args) => formula::run(&args),
         Command::Evaluate(args) => evaluate::run(&args, &interrupt),
         Command::Accuracy(args) => accuracy::run(&args, &interrupt),
+        Command::Run(args) => run::run(&args, &interrupt),
     }
 }
 

@@ -3,19 +3,29 @@
 //! A picture is 2000 units wide and meant for a journal's column of 86 mm, where its text has about 7 points.
 
 mod accuracy;
+mod cover;
+mod flow_accuracy;
+mod grid;
 mod intervals;
 mod iterate;
+mod motion;
 mod orbits;
 mod records;
 mod regions;
+mod section;
 mod tips;
 
 pub use accuracy::{accuracy_figure, accuracy_table};
+pub use cover::areas;
+pub use flow_accuracy::{effects_table, flow_accuracy, flow_table, long_runs_table};
+pub use grid::{Grid, grid};
 pub use intervals::intervals;
 pub use iterate::iterate_boundaries;
+pub use motion::{Motion, motion};
 pub use orbits::{orbit, orbits};
 pub use records::records;
 pub use regions::regions;
+pub use section::{Mark, Points, section};
 pub use tips::tips;
 
 use std::{fs, path::Path};

@@ -1,0 +1,186 @@
+//! What a task found, said once and written as text or as JSON.
+
+use std::{fmt, io::Write};
+
+use serde::{
+    Serialize, Serializer,
+    ser::{SerializeMap, SerializeSeq},
+};
+use serde_json::Value;
+
+use super::Job;
+use crate::{
+    error::Result,
+    output::{Cell, Column, TableFormat, TableWriter, write_file},
+};
+
+/// A value or a table.
+enum Finding {
+    Value(Value),
+    Rows(Rows),
+}
+
+/// A small table: what a task found several of.
+pub(super) struct Rows {
+    columns: Vec<&'static str>,
+    rows: Vec<Vec<Value>>,
+}
+
+impl Rows {
+    pub fn new(columns: &[&'static str]) -> Rows {
+        Rows { columns: columns.to_vec(), rows: Vec::new() }
+    }
+
+    pub fn is_empty(&self) -> bool {
+        self.rows.is_empty()
+    }
+
+    /// Adds a row, one value for each column.
+    pub fn push<const N: usize>(&mut self, row: [Value; N]) {
+        debug_assert_eq!(N, self.columns.len());
+        self.rows.push(row.to_vec());
+    }
+
+    fn write(&self, out: &mut dyn Write, format: TableFormat) -> Result<()> {
+        let columns = self.columns.iter().enumerate().map(|(i, name)| {
+            let width = self.rows.iter().map(|row| text(&row[i]).chars().count()).max();
+            Column::new(name, name, width.unwrap_or(0))
+        });
+        let mut table = TableWriter::new(out, format, "grazing-run-rows 1", columns.collect())?;
+        for row in &self.rows {
+            let row: Vec<String> = row.iter().map(text).collect();
+            table.row(&row.iter().map(|cell| Cell::Text(cell)).collect::<Vec<_>>())?;
+        }
+        table.finish()
+    }
+}
+
+/// The rows as objects, keys in the order of the columns.
+impl Serialize for Rows {
+    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
+        struct Row<'a>(&'a [&'static str], &'a [Value]);
+        impl Serialize for Row<'_> {
+            fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
+                let mut map = serializer.serialize_map(Some(self.0.len()))?;
+                for (name, value) in self.0.iter().zip(self.1) {
+                    map.serialize_entry(name, value)?;
+                }
+                map.end()
+            }
+        }
+        let mut rows = serializer.serialize_seq(Some(self.rows.len()))?;
+        for row in &self.rows {
+            rows.serialize_element(&Row(&self.columns, row))?;
+        }
+        rows.end()
+    }
+}
+
+/// A number, or "none" if it is not finite.
+pub(super) fn number(x: f64) -> Value {
+    x.into()
+}
+
+/// A list of numbers.
+pub(super) fn numbers(all: impl Iterator<Item = f64>) -> Value {
+    all.map(number).collect::<Vec<_>>().into()
+}
+
+/// Names and values in the order in which they were found, and the files written.
+pub(super) struct Report {
+    entries: Vec<(&'static str, Finding)>,
+    /// Whether something asked for was left undecided.
+    pub undecided: bool,
+}
+
+impl Report {
+    pub fn new(job: &Job) -> Report {
+        let parameters: serde_json::Map<String, Value> = job
+            .scene
+            .parameters
+            .iter()
+            .map(|(name, value)| (name.clone(), value.to_string().into()))
+            .collect();
+        let mut report = Report { entries: Vec::new(), undecided: false };
+        report.say("task", job.task.name.as_str());
+        report.say("kind", job.task.kind.word());
+        report.say("parameters", parameters);
+        report
+    }
+
+    /// Adds a finding.
+    pub fn say(&mut self, name: &'static str, value: impl Into<Value>) {
+        self.entries.push((name, Finding::Value(value.into())));
+    }
+
+    /// Adds a table, and writes it as the task's CSV file.
+    pub fn rows(&mut self, name: &'static str, rows: Rows, job: &Job) -> Result<()> {
+        let file = job.folder.join(format!("{}.csv", job.task.name));
+        write_file(&file, |out| rows.write(out, TableFormat::Csv))?;
+        self.table(name, rows);
+        Ok(())
+    }
+
+    /// Adds a table.
+    pub fn table(&mut self, name: &'static str, rows: Rows) {
+        self.entries.push((name, Finding::Rows(rows)));
+    }
+}
+
+impl Serialize for Report {
+    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(Some(self.entries.len()))?;
+        for (name, value) in &self.entries {
+            match value {
+                Finding::Value(value) => map.serialize_entry(name, value)?,
+                Finding::Rows(rows) => map.serialize_entry(name, rows)?,
+            }
+        }
+        map.end()
+    }
+}
+
+/// The task's name, then a line a finding.
+impl fmt::Display for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (index, (name, value)) in self.entries.iter().enumerate() {
+            match (index, value) {
+                (0, Finding::Value(value)) => writeln!(f, "{}", text(value))?,
+                (_, Finding::Value(value)) => writeln!(f, "  {name:<16} {}", text(value))?,
+                (_, Finding::Rows(rows)) => {
+                    let mut table = Vec::new();
+                    rows.write(&mut table, TableFormat::Table).map_err(|_| fmt::Error)?;
+                    writeln!(f, "  {name}")?;
+                    for line in String::from_utf8_lossy(&table).lines() {
+                        writeln!(f, "    {line}")?;
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+fn text(value: &Value) -> String {
+    match value {
+        Value::String(text) => text.clone(),
+        Value::Array(all) => all.iter().map(text).collect::<Vec<_>>().join(", "),
+        Value::Object(all) => {
+            all.iter().map(|(key, value)| format!("{key} = {}", text(value))).collect::<Vec<_>>().join(" ")
+        }
+        Value::Null => "none".to_string(),
+        other => other.to_string(),
+    }
+}
+
+/// The reports as one object.
+pub(super) fn json(scene: &str, tasks: &[Report], out: &mut dyn Write) -> Result<()> {
+    #[derive(Serialize)]
+    struct All<'a> {
+        format: &'static str,
+        scene: &'a str,
+        tasks: &'a [Report],
+    }
+    let text = serde_json::to_string_pretty(&All { format: "grazing-run 1", scene, tasks });
+    Ok(writeln!(out, "{}", text.map_err(std::io::Error::other)?)?)
+}
