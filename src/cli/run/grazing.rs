@@ -49,7 +49,7 @@ pub(super) fn run(task: &GrazingTask, job: &Job, report: &mut Report) -> Result<
     let mut rows = Rows::new(&[
         "pattern",
         "side",
-        "lambda_times_distance",
+        "coefficient",
         "found_at",
         "phases",
         "speeds",
