@@ -55,6 +55,8 @@
 //! checker would answer: `line 13: false: b_{4,1} is not > 0 on (1/3, 3/8)`.
 
 mod arithmetic;
+pub mod cover;
+mod header;
 mod lines;
 mod rejection;
 pub mod theorem2;
@@ -95,7 +97,8 @@ pub fn check(input: impl BufRead) -> Result<Checked, Rejection> {
     let kind = lines.expect("the kind")?;
     match kind.strip_prefix("kind ") {
         Some(theorem2::KIND) => theorem2::check(&mut lines),
-        Some("cover" | "orbit") => Err(lines.malformed("this kind is reserved for a later version")),
-        _ => Err(lines.malformed("expected a line \"kind theorem2\"")),
+        Some(cover::KIND) => cover::check(&mut lines),
+        Some("orbit") => Err(lines.malformed("this kind is reserved for a later version")),
+        _ => Err(lines.malformed("expected a line \"kind theorem2\" or \"kind cover\"")),
     }
 }
