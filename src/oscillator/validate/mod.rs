@@ -1,0 +1,28 @@
+//! Proofs about periodic orbits of linear oscillators: existence, uniqueness in a box, admissibility, stability, events.
+//!
+//! Krawczyk's test over balls with first derivatives proves that the equations of an impact pattern, extended by the
+//! event's condition where one is asked for, have exactly one solution in a box. Approximations serve to choose the box only.
+//! Not here: continuation and approximate orbits (`orbit`), and the check of the certificates (`certificate`).
+
+mod admissible;
+mod equations;
+mod event;
+mod jet;
+mod krawczyk;
+mod linear;
+mod orbit;
+
+pub use event::{Condition, Event, event};
+pub use jet::Jet;
+pub use orbit::{Impact, Orbit, Stability, orbit, solution_in};
+
+/// An answer with its proof, the reason why it is certainly not so, or the reason why nothing was shown.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Verdict<T> {
+    /// Proved.
+    Proved(T),
+    /// Certainly false.
+    Refuted(String),
+    /// Nothing is shown.
+    Undecided(String),
+}
