@@ -12,7 +12,7 @@
 //!
 //! ```text
 //! grazing-certificate 1                format and its version
-//! kind theorem2                        cover and orbit are reserved for later versions
+//! kind theorem2                        or orbit, see [`orbit`]; cover is reserved for a later version
 //! range A B                            the periods covered, 1 ≤ A ≤ B
 //! lines L                              the number of lines after the header
 //! statement …                          what passing proves, word for word
@@ -56,6 +56,7 @@
 
 mod arithmetic;
 mod lines;
+pub mod orbit;
 mod rejection;
 pub mod theorem2;
 
@@ -72,12 +73,14 @@ pub const FORMAT: &str = "grazing-certificate 1";
 /// What a certificate that passed the check has proved.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Checked {
-    /// The kind of certificate: `theorem2`.
+    /// The kind of certificate: `theorem2`, `orbit`.
     pub kind: &'static str,
     /// The statement, as in the header.
     pub statement: &'static str,
     /// The periods n for which it is proved.
     pub range: RangeInclusive<u64>,
+    /// What else tells this one from others of its kind.
+    pub detail: Option<String>,
     /// The number of lines read, header included.
     pub lines: u64,
 }
@@ -95,7 +98,8 @@ pub fn check(input: impl BufRead) -> Result<Checked, Rejection> {
     let kind = lines.expect("the kind")?;
     match kind.strip_prefix("kind ") {
         Some(theorem2::KIND) => theorem2::check(&mut lines),
-        Some("cover" | "orbit") => Err(lines.malformed("this kind is reserved for a later version")),
-        _ => Err(lines.malformed("expected a line \"kind theorem2\"")),
+        Some(orbit::KIND) => orbit::check(&mut lines),
+        Some("cover") => Err(lines.malformed("this kind is reserved for a later version")),
+        _ => Err(lines.malformed("expected a line \"kind theorem2\" or \"kind orbit\"")),
     }
 }

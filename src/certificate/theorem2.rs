@@ -172,7 +172,7 @@ pub(super) fn check<R: BufRead>(lines: &mut Lines<R>) -> Result<Checked, Rejecti
         let reason = format!("{body} lines follow the header, so this should be \"lines {body}\"");
         return Err(Rejection::Malformed { line: claimed_at, reason });
     }
-    Ok(Checked { kind: KIND, statement: STATEMENT, range, lines: lines.number() })
+    Ok(Checked { kind: KIND, statement: STATEMENT, range, detail: None, lines: lines.number() })
 }
 
 fn read_numbers<R: BufRead>(

@@ -50,10 +50,11 @@ pub(super) fn prove(
         let unit = BigRational::new(1.into(), num_traits::pow(10.into(), FINEST as usize));
         let end = rounded(&(latest + &unit), FINEST);
         let touch = touch.filter(|touch| touch.flight == index);
+        let longest = BigRational::new(1.into(), 2.into());
         let mut ends = Vec::new();
         let mut left = vec![(BigRational::zero(), end.clone())];
         while let Some((from, to)) = left.pop() {
-            let mut passed = true;
+            let mut passed = &to - &from <= longest;
             for side in equations.linear.sides() {
                 let piece = Piece { from: &from, to: &to, last: to == end };
                 passed = passed && piece.passes(equations, leg, side, touch, precision)?;

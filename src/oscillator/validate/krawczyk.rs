@@ -123,7 +123,7 @@ pub(super) struct Search {
 }
 
 /// Zeros are enclosed within this much of a box's centre, 10⁻¹⁸, before they are enclosed more tightly.
-pub(crate) fn near() -> BigRational {
+pub(super) fn near() -> BigRational {
     BigRational::new(1.into(), 1_000_000_000_000_000_000i64.into())
 }
 
@@ -147,7 +147,7 @@ impl Search {
 }
 
 /// 1/2, 1/5, 1/10, 1/20, … down to 10⁻¹².
-fn radii() -> impl Iterator<Item = BigRational> {
+pub(super) fn radii() -> impl Iterator<Item = BigRational> {
     (0..12).flat_map(|power| {
         let ten = num_traits::pow(BigInt::from(10), power);
         [2, 5, 10].map(|part| BigRational::new(1.into(), &ten * part))

@@ -2,7 +2,8 @@
 //!
 //! Krawczyk's test over balls with first derivatives proves that the equations of an impact pattern, extended by the
 //! event's condition where one is asked for, have exactly one solution in a box. Approximations serve to choose the box only.
-//! Not here: continuation and approximate orbits (`orbit`), and the check of the certificates (`certificate`).
+//! Proved orbits are written as
+//! certificates, which `grazing check` proves again. Not here: continuation and approximate orbits.
 
 mod admissible;
 mod equations;
@@ -11,10 +12,12 @@ mod jet;
 mod krawczyk;
 mod linear;
 mod orbit;
+mod write;
 
 pub use event::{Condition, Event, event};
 pub use jet::Jet;
 pub use orbit::{Impact, Orbit, Stability, orbit, solution_in};
+pub use write::certificate;
 
 /// An answer with its proof, the reason why it is certainly not so, or the reason why nothing was shown.
 #[derive(Debug, Clone, PartialEq, Eq)]
