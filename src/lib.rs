@@ -61,6 +61,7 @@ pub mod oscillator;
 pub mod output;
 mod random;
 pub mod search;
+mod source;
 pub mod study;
 pub mod symbol;
 

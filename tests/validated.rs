@@ -7,7 +7,7 @@ use grazing::{
     Result,
     number::{Ball, Elementary, Precision, Real},
     oscillator::{
-        Harmonic, Side, System,
+        Harmonic, Side, System, Wall,
         validate::{self, Condition, Impact, Jet, Stability, Verdict},
     },
 };
@@ -199,9 +199,13 @@ impl Motion {
         x
     }
 
+    fn walls(&self, side: Side) -> &Wall<f64> {
+        if side == Side::Lower { self.0.lower.as_ref().unwrap() } else { self.0.upper.as_ref().unwrap() }
+    }
+
     /// The state relative to a wall, and after an impact there.
     fn wall(&self, side: Side, t: f64, [q, u]: [f64; 2]) -> ([f64; 2], [f64; 2]) {
-        let wall = side.wall(&self.0).unwrap();
+        let wall = self.walls(side);
         let [position, speed] = Motion::sum(&wall.harmonics, t);
         let (z, w) = (q - position - wall.offset, u - speed);
         ([z, w], [q, speed - wall.restitution * w])
@@ -242,7 +246,7 @@ fn orbits_and_multipliers_are_those_of_motions_in_floats() {
         times.push((times[0].0, end));
         // The orbit meets the walls when and as fast as is claimed.
         let (side, start) = times[0];
-        let wall = side.wall(&motion.0).unwrap();
+        let wall = motion.walls(side);
         let [position, speed] = Motion::sum(&wall.harmonics, start);
         let v = float(&orbit.velocities[0]) * side.sign();
         let after = [position + wall.offset, speed + wall.restitution * v];

@@ -12,6 +12,7 @@ mod formula;
 mod fuzz;
 mod intervals;
 mod range;
+mod run;
 mod verify;
 
 use std::process::ExitCode;
@@ -51,6 +52,7 @@ enum Command {
     Formula(formula::Args),
     Evaluate(evaluate::Args),
     Accuracy(accuracy::Args),
+    Run(run::Args),
 }
 
 /// How a command that did its work ended.
@@ -104,6 +106,7 @@ fn run(cli: Cli) -> Result<Outcome> {
         Command::Formula(args) => formula::run(&args),
         Command::Evaluate(args) => evaluate::run(&args, &interrupt),
         Command::Accuracy(args) => accuracy::run(&args, &interrupt),
+        Command::Run(args) => run::run(&args, &interrupt),
     }
 }
 

@@ -1,14 +1,12 @@
 //! A map as TOML: numbers read from their source text, so that 0.1 is 1/10; errors that name file, line, key and value.
 
-use std::ops::Range;
-
 use num_rational::BigRational;
-use toml_edit::{Document, Item, Value};
+use toml_edit::{Item, Value};
 
 use super::{Entry, Map, map::Key};
 use crate::{
-    error::{Error, Result},
-    number::parse_rational,
+    error::Result,
+    source::{Source, unknown},
 };
 
 const KEYS: [&str; 6] = ["format", "A", "B", "C", "e", "P"];
@@ -35,14 +33,7 @@ impl Map {
     /// ```
     pub fn from_toml(text: &str, name: &str) -> Result<Map> {
         let source = Source { text, name };
-        let document = Document::parse(text).map_err(|error| {
-            let hint = if error.message().contains("integer") || error.message().contains("float") {
-                " (a number TOML cannot hold can be written as a string)"
-            } else {
-                ""
-            };
-            source.fail(error.span(), &format!("{}{hint}", error.message().replace('\n', "; ")))
-        })?;
+        let document = source.document()?;
         let table = document.as_table();
         for (key, item) in table.iter() {
             if !KEYS.contains(&key) {
@@ -72,30 +63,8 @@ impl Map {
     }
 }
 
-struct Source<'a> {
-    text: &'a str,
-    name: &'a str,
-}
-
+/// What a map is made of.
 impl Source<'_> {
-    fn fail(&self, span: Option<Range<usize>>, message: &str) -> Error {
-        let line = span.map(|span| self.text[..span.start.min(self.text.len())].matches('\n').count() + 1);
-        Error::input(match line {
-            Some(line) => format!("{}:{line}: {message}", self.name),
-            None => format!("{}: {message}", self.name),
-        })
-    }
-
-    /// `name:line: key = value: message`, a long value cut short.
-    fn at(&self, key: &str, span: Option<Range<usize>>, message: &str) -> Error {
-        let value = span.clone().and_then(|span| self.text.get(span)).unwrap_or_default();
-        let mut short: String = value.split_whitespace().collect::<Vec<_>>().join(" ");
-        if short.chars().count() > 60 {
-            short = short.chars().take(57).chain(['…']).collect();
-        }
-        self.fail(span, &format!("{key} = {short}: {message}"))
-    }
-
     fn matrix(&self, key: &str, item: &Item) -> Result<Vec<Vec<Entry>>> {
         let Some(rows) = item.as_array() else {
             return Err(self.at(key, item.span(), "is not an array of rows [[…], […]]"));
@@ -120,12 +89,12 @@ impl Source<'_> {
 
     /// An exact number, or `{ lo = …, hi = … }`.
     fn entry(&self, key: &str, value: &Value) -> Result<Entry> {
-        let Value::InlineTable(table) = value else { return Ok(self.exact(key, value)?.into()) };
+        let Value::InlineTable(table) = value else { return Ok(self.one(key, value)?.into()) };
         if let Some((other, _)) = table.iter().find(|(key, _)| !["lo", "hi"].contains(key)) {
             return Err(self.at(key, value.span(), &unknown(other, &["lo", "hi"])));
         }
         let bound = |end: &str| match table.get(end) {
-            Some(value) => self.exact(&format!("{key}.{end}"), value),
+            Some(value) => self.one(&format!("{key}.{end}"), value),
             None => Err(self.at(
                 key,
                 value.span(),
@@ -136,42 +105,11 @@ impl Source<'_> {
             .map_err(|error| self.at(key, value.span(), &error.to_string()))
     }
 
-    fn exact(&self, key: &str, value: &Value) -> Result<BigRational> {
-        let text = match value {
-            Value::String(text) => text.value().clone(),
-            // The source text, not the float that TOML makes of it.
-            Value::Integer(_) | Value::Float(_) => {
-                value.span().and_then(|span| self.text.get(span)).unwrap_or_default().replace('_', "")
-            }
-            Value::Array(_) => {
-                return Err(self.at(
-                    key,
-                    value.span(),
-                    "is an array, not a number; an interval is { lo = \"…\", hi = \"…\" }",
-                ));
-            }
-            _ => return Err(self.at(key, value.span(), "is not a number")),
-        };
-        parse_rational(&text).map_err(|error| self.at(key, value.span(), &error.to_string()))
-    }
-}
-
-fn unknown(key: &str, known: &[&str]) -> String {
-    let nearest = known.iter().min_by_key(|other| distance(key, other)).unwrap_or(&"");
-    format!("unknown key {key:?}; the nearest known key is {nearest:?}")
-}
-
-/// The number of letters to insert, remove or replace (Levenshtein), a change of case counting least.
-fn distance(a: &str, b: &str) -> (usize, bool) {
-    let (lower_a, lower_b) = (a.to_lowercase(), b.to_lowercase());
-    let mut row: Vec<usize> = (0..=lower_b.chars().count()).collect();
-    for (i, x) in lower_a.chars().enumerate() {
-        let mut corner = std::mem::replace(&mut row[0], i + 1);
-        for (j, y) in lower_b.chars().enumerate() {
-            let replaced = corner + usize::from(x != y);
-            corner = row[j + 1];
-            row[j + 1] = replaced.min(corner + 1).min(row[j] + 1);
+    fn one(&self, key: &str, value: &Value) -> Result<BigRational> {
+        if value.is_array() {
+            let message = "is an array, not a number; an interval is { lo = \"…\", hi = \"…\" }";
+            return Err(self.at(key, value.span(), message));
         }
+        self.exact(key, value)
     }
-    (row[row.len() - 1], a != b)
 }

@@ -1,11 +1,20 @@
 //! One-degree-of-freedom impact oscillators: scenes, the effects they call for, flow and impacts, orbits.
 //!
-//! A [`System`] is the equation of motion in dimensionless form (mass 1, forcing period 2π) with its walls. Not
-//! here: the local theory at a grazing bifurcation (`impact`, `local`), tables and pictures (`output`).
+//! A [`System`] is the equation of motion in dimensionless form (mass 1, forcing period 2π) with its walls; a [`Scene`]
+//! is one with named parameters, read from a file, and what to do with it. Not here: the local theory at a grazing
+//! bifurcation (`impact`, `local`), tables and pictures (`output`).
 
-mod side;
+mod contact;
+pub mod critical;
+pub mod flow;
+pub mod grazing;
+pub mod orbit;
+pub mod scene;
+mod series;
 mod system;
 pub mod validate;
 
-pub use side::Side;
+pub use contact::{Contact, Side};
+pub use scene::{Expression, Scene};
+pub use series::Series;
 pub use system::{Harmonic, System, Wall};

@@ -1,5 +1,10 @@
 //! The equation of motion and the walls, with coefficients of any kind: exact fractions, floats, expressions.
 
+use std::convert::Infallible;
+
+use num_rational::BigRational;
+use num_traits::ToPrimitive;
+
 /// An oscillator q″ = −`damping` q′ − `stiffness` q − `cubic` q³ + `force` + Σ (`cos` cos kt + `sin` sin kt), mass 1,
 /// all 2π-periodic in t, that stays between its walls Q₁(t) ≤ q ≤ Q₂(t) (section 3.1 of the paper).
 #[derive(Debug, Clone, PartialEq)]
@@ -57,6 +62,17 @@ impl<T> System<T> {
             lower: self.lower.as_ref().map(|wall| wall.try_map(&mut convert)).transpose()?,
             upper: self.upper.as_ref().map(|wall| wall.try_map(&mut convert)).transpose()?,
         })
+    }
+}
+
+impl System<BigRational> {
+    /// Every coefficient rounded to the nearest float; beyond their range, to an infinity.
+    pub fn rounded(&self) -> System<f64> {
+        let float = |x: &BigRational| Ok::<f64, Infallible>(x.to_f64().unwrap_or(f64::NAN));
+        match self.try_map(float) {
+            Ok(system) => system,
+            Err(never) => match never {},
+        }
     }
 }
 

@@ -87,12 +87,16 @@ impl<'a> Linear<'a> {
     /// # Errors
     /// An input error if there is none.
     pub fn wall(&self, side: Side) -> Result<&Wall<Jet>> {
-        side.wall(&self.system).ok_or_else(|| Error::input(format!("there is no {side} wall")))
+        let wall = match side {
+            Side::Lower => &self.system.lower,
+            Side::Upper => &self.system.upper,
+        };
+        wall.as_ref().ok_or_else(|| Error::input(format!("there is no {} wall", side.name())))
     }
 
     /// The sides that have a wall.
     pub fn sides(&self) -> impl Iterator<Item = Side> {
-        Side::BOTH.into_iter().filter(|side| side.wall(&self.system).is_some())
+        [Side::Lower, Side::Upper].into_iter().filter(|&side| self.wall(side).is_ok())
     }
 
     /// x or −x: the direction away from the wall.

@@ -5,17 +5,21 @@
 mod accuracy;
 mod intervals;
 mod iterate;
+mod motion;
 mod orbits;
 mod records;
 mod regions;
+mod section;
 mod tips;
 
 pub use accuracy::{accuracy_figure, accuracy_table};
 pub use intervals::intervals;
 pub use iterate::iterate_boundaries;
+pub use motion::{Motion, motion};
 pub use orbits::{orbit, orbits};
 pub use records::records;
 pub use regions::regions;
+pub use section::{Mark, Points, section};
 pub use tips::tips;
 
 use std::{fs, path::Path};

@@ -1,0 +1,239 @@
+//! The motion between impacts: closed form for linear systems, Taylor series with a tolerance for all.
+//!
+//! Not here: walls and what happens at them (`contact`), when they are met (`simulate`).
+
+mod linear;
+mod response;
+mod taylor;
+
+pub use linear::Linear;
+pub use taylor::Taylor;
+
+use super::{Series, System, series::finite};
+use crate::error::Result;
+
+/// ∂(q, u) / ∂(q₀, u₀), by rows.
+pub type Matrix = [[f64; 2]; 2];
+
+/// Where the oscillator is: q, u = q′ at time t, the forcing period being 2π. Sines of t are as good as t is: keep it
+/// within a few periods of 0 and count whole periods apart.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct State {
+    /// Time, dimensionless.
+    pub t: f64,
+    /// Displacement.
+    pub q: f64,
+    /// Velocity.
+    pub u: f64,
+}
+
+/// The motion without walls, in f64.
+pub trait Flow {
+    /// q″ by the equation of motion.
+    fn acceleration(&self, at: State) -> f64;
+
+    /// The state after `duration`, which may be negative.
+    fn advance(&self, from: State, duration: f64) -> State;
+
+    /// The same with its derivative by the initial q and u.
+    fn advance_linearised(&self, from: State, duration: f64) -> (State, Matrix);
+}
+
+/// The flow that suits a system: closed form without a cubic term, else Taylor series.
+#[derive(Debug, Clone)]
+pub enum Free {
+    /// No cubic term.
+    Linear(Linear),
+    /// Duffing, or any system on demand.
+    Taylor(Taylor),
+}
+
+impl Free {
+    /// The flow of a system without its walls; `tolerance` is that of [`Taylor::new`] and not looked at in closed form.
+    ///
+    /// # Errors
+    /// Those of [`Linear::new`] and [`Taylor::new`].
+    pub fn new(system: &System<f64>, tolerance: f64) -> Result<Self> {
+        if system.cubic == 0.0 {
+            Linear::new(system).map(Free::Linear)
+        } else {
+            Taylor::new(system, tolerance).map(Free::Taylor)
+        }
+    }
+}
+
+impl Flow for Free {
+    fn acceleration(&self, at: State) -> f64 {
+        match self {
+            Free::Linear(flow) => flow.acceleration(at),
+            Free::Taylor(flow) => flow.acceleration(at),
+        }
+    }
+
+    fn advance(&self, from: State, duration: f64) -> State {
+        match self {
+            Free::Linear(flow) => flow.advance(from, duration),
+            Free::Taylor(flow) => flow.advance(from, duration),
+        }
+    }
+
+    fn advance_linearised(&self, from: State, duration: f64) -> (State, Matrix) {
+        match self {
+            Free::Linear(flow) => flow.advance_linearised(from, duration),
+            Free::Taylor(flow) => flow.advance_linearised(from, duration),
+        }
+    }
+}
+
+/// The equation of motion without walls, checked and in normal form; −0 is 0.
+#[derive(Debug, Clone)]
+pub(super) struct Equation {
+    pub damping: f64,
+    pub stiffness: f64,
+    pub cubic: f64,
+    /// Forcing with the constant force as its mean.
+    pub forcing: Series,
+}
+
+impl Equation {
+    pub fn new(system: &System<f64>) -> Result<Self> {
+        for (name, value) in
+            [("damping", system.damping), ("stiffness", system.stiffness), ("cubic", system.cubic)]
+        {
+            finite(name, value)?;
+        }
+        let forcing = Series::new(system.force, &system.forcing).map_err(|e| e.context("forcing"))?;
+        Ok(Equation {
+            damping: system.damping + 0.0,
+            stiffness: system.stiffness + 0.0,
+            cubic: system.cubic + 0.0,
+            forcing,
+        })
+    }
+
+    pub fn acceleration(&self, at: State) -> f64 {
+        let smooth = -self.damping * at.u - (self.stiffness + self.cubic * at.q * at.q) * at.q;
+        smooth + self.forcing.at(at.t)[0]
+    }
+}
+
+/// M v.
+pub(super) fn apply(m: &Matrix, v: [f64; 2]) -> [f64; 2] {
+    [m[0][0] * v[0] + m[0][1] * v[1], m[1][0] * v[0] + m[1][1] * v[1]]
+}
+
+/// A B.
+pub(super) fn product(a: &Matrix, b: &Matrix) -> Matrix {
+    let column = |j: usize| apply(a, [b[0][j], b[1][j]]);
+    let (first, second) = (column(0), column(1));
+    [[first[0], second[0]], [first[1], second[1]]]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::oscillator::Harmonic;
+
+    fn system(damping: f64, stiffness: f64, force: f64, forcing: &[(u32, f64, f64)]) -> System<f64> {
+        let forcing = forcing.iter().map(|&(k, cos, sin)| Harmonic { k, cos, sin }).collect();
+        System { damping, stiffness, cubic: 0.0, force, forcing, lower: None, upper: None }
+    }
+
+    /// Damped, undamped, critical and nearly, zero and negative stiffness, resonant and nearly, with force and harmonics.
+    fn systems() -> Vec<System<f64>> {
+        let mut all = Vec::new();
+        for (c, s) in [
+            (0.3, 2.0),
+            (0.0, 1.7),
+            (2.0, 1.0),
+            (2.0, 1.0 + 1e-9),
+            (2.0, 1.0 - 1e-9),
+            (2.0, 1.001),
+            (6.0, 1.0),
+            (40.0, 0.01),
+            (0.5, 0.0),
+            (0.0, 0.0),
+            (0.0, 1e-12),
+            (1e-9, -1e-10),
+            (0.1, -0.5),
+            (-0.2, 1.0),
+            (0.0, 1.0),
+            (0.0, 1.0 + 1e-10),
+            (1e-6, 4.0 - 1e-7),
+            (0.05, 4.05),
+            (0.1249, 1.0),
+            (0.126, 1.0),
+        ] {
+            all.push(system(c, s, 0.7, &[(1, 1.0, 0.5), (2, -0.3, 0.2), (5, 0.1, 0.0)]));
+            all.push(system(c, s, 0.0, &[]));
+        }
+        all
+    }
+
+    const START: State = State { t: 0.9, q: 0.4, u: -0.8 };
+
+    #[test]
+    fn the_closed_form_agrees_with_the_integrator() {
+        for system in systems() {
+            let (linear, taylor) = (Linear::new(&system).unwrap(), Taylor::new(&system, 1e-15).unwrap());
+            for duration in [1e-7, 0.3, 3.0, 12.0, -2.0] {
+                let (x, m) = linear.advance_linearised(START, duration);
+                let (y, n) = taylor.advance_linearised(START, duration);
+                let size = m.iter().flatten().fold(1.0 + x.q.abs() + x.u.abs(), |size, e| size.max(e.abs()));
+                let mut off = (x.q - y.q).abs().max((x.u - y.u).abs());
+                for (a, b) in m.iter().flatten().zip(n.iter().flatten()) {
+                    off = off.max((a - b).abs());
+                }
+                assert!(off < 4e-13 * size, "{system:?} over {duration}: {off:e} of {size}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_closed_form_composes_and_turns_back() {
+        for system in systems() {
+            let flow = Linear::new(&system).unwrap();
+            let there = flow.advance(flow.advance(START, 1.3), 2.1);
+            let once = flow.advance(START, 3.4);
+            let back = flow.advance(once, -3.4);
+            let size = 1.0 + once.q.abs() + once.u.abs();
+            let (m, n) = (flow.matrix(3.4), flow.matrix(-3.4));
+            let growth = m.iter().flatten().chain(n.iter().flatten()).fold(1.0, |a: f64, b| a.max(b.abs()));
+            assert!((there.q - once.q).abs().max((there.u - once.u).abs()) < 2e-14 * size, "{system:?}");
+            let off = (back.q - START.q).abs().max((back.u - START.u).abs());
+            assert!(off < 2e-14 * size * growth, "{system:?}: {off:e}");
+        }
+    }
+
+    #[test]
+    fn the_variation_of_a_duffing_oscillator_is_its_derivative() {
+        let duffing = System { cubic: 0.9, ..system(0.1, -0.5, 0.1, &[(1, 0.4, 0.3)]) };
+        let flow = Taylor::new(&duffing, 1e-15).unwrap();
+        let (end, m) = flow.advance_linearised(START, 5.0);
+        let h = 1e-5;
+        for (j, [dq, du]) in [[h, 0.0], [0.0, h]].into_iter().enumerate() {
+            let shifted =
+                |f: f64| flow.advance(State { q: START.q + f * dq, u: START.u + f * du, ..START }, 5.0);
+            let (plus, minus) = (shifted(1.0), shifted(-1.0));
+            let column = [(plus.q - minus.q) / (2.0 * h), (plus.u - minus.u) / (2.0 * h)];
+            for i in 0..2 {
+                assert!(
+                    (column[i] - m[i][j]).abs() < 3e-7 * (1.0 + m[i][j].abs()),
+                    "{i}{j}: {column:?} {m:?}"
+                );
+            }
+        }
+        let determinant = m[0][0] * m[1][1] - m[0][1] * m[1][0];
+        assert!((determinant - (-0.1f64 * 5.0).exp()).abs() < 1e-12);
+        let back = flow.advance(end, -5.0);
+        assert!((back.q - START.q).abs().max((back.u - START.u).abs()) < 1e-11);
+    }
+
+    #[test]
+    fn what_has_no_flow_is_refused() {
+        let bad = system(f64::NAN, 1.0, 0.0, &[]);
+        assert!(Free::new(&bad, 1e-12).unwrap_err().is_input());
+        assert!(Linear::new(&System { cubic: 1.0, ..system(0.0, 1.0, 0.0, &[]) }).unwrap_err().is_input());
+        assert!(Taylor::new(&system(0.0, 1.0, 0.0, &[]), 0.1).unwrap_err().is_input());
+    }
+}

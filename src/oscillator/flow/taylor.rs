@@ -1,0 +1,172 @@
+//! The flow by Taylor series of any order with a tolerance: for cubic stiffness, and to compare with the closed form.
+//!
+//! The equation is polynomial in q, q′ and sines of t, so that its Taylor coefficients follow from one another by sums of products. A step's
+//! polynomial *is* the dense output, as good inside the step as at its end, and a polynomial is what the search for impacts can bound from
+//! below on whole intervals; the interpolants of Runge–Kutta codes are of lower order than their steps and have no such bound. Hence no
+//! integrator crate here.
+
+use super::{Equation, Flow, Matrix, State, product};
+use crate::{
+    error::{Error, Result},
+    oscillator::System,
+};
+
+/// Room for the coefficients of a piece.
+pub(in crate::oscillator) const TERMS: usize = 24;
+
+/// No step is longer than a quarter of the forcing period.
+const LONGEST: f64 = std::f64::consts::FRAC_PI_2;
+
+/// Adaptive Taylor series: order N from the tolerance, step such that the last two terms of q and of q′ stay under it.
+#[derive(Debug, Clone)]
+pub struct Taylor {
+    recurrence: Recurrence,
+    tolerance: f64,
+    order: usize,
+}
+
+/// A step: q(t + hx) and its derivatives by initial q and u, x ∈ [0, 1].
+#[derive(Debug, Clone, Copy)]
+pub(in crate::oscillator) struct Expansion {
+    pub h: f64,
+    pub q: [f64; TERMS],
+}
+
+impl Taylor {
+    /// `tolerance`, from 1e-3 to 1e-15, bounds the last terms kept of each step's series, relative to 1 + |q| + |u|; the estimated local error
+    /// is a seventh of it. A step costs O(N²) for a cubic term, else O(N) per harmonic, N ≈ 3 − ln(tolerance)/2.
+    ///
+    /// # Errors
+    /// A tolerance outside its range, a coefficient that is not finite.
+    pub fn new(system: &System<f64>, tolerance: f64) -> Result<Self> {
+        if !(1e-15..=1e-3).contains(&tolerance) {
+            return Err(Error::input(format!("tolerance = {tolerance} is not between 1e-15 and 1e-3")));
+        }
+        let order = (3.0 - tolerance.ln() / 2.0).ceil() as usize;
+        let recurrence = Recurrence(Equation::new(system)?);
+        Ok(Taylor { recurrence, tolerance, order: order.min(TERMS - 1) })
+    }
+
+    pub(in crate::oscillator) fn equation(&self) -> &Equation {
+        &self.recurrence.0
+    }
+
+    pub(in crate::oscillator) fn order(&self) -> usize {
+        self.order
+    }
+
+    /// The next step, no longer than `longest` > 0, backwards if `forward` is false.
+    pub(in crate::oscillator) fn expand(&self, from: State, forward: bool, longest: f64) -> Expansion {
+        let trial = if forward { 0.25 } else { -0.25 };
+        let mut q = [0.0; TERMS];
+        let n = self.order;
+        let squares = self.recurrence.expand(from, trial, &mut q[..=n]);
+        debug_assert!(squares.len() == TERMS);
+        let goal = self.tolerance * (1.0 + from.q.abs() + from.u.abs());
+        let reach = |i: usize| {
+            // The term in q, and in q′: i / |h| times as large.
+            let size = q[i].abs() * (i as f64 / trial.abs()).max(1.0);
+            (goal / size).powf(1.0 / i as f64)
+        };
+        let factor = reach(n).min(reach(n - 1)).min(longest.min(LONGEST) / trial.abs());
+        let mut power = 1.0;
+        for coefficient in &mut q[..=n] {
+            *coefficient *= power;
+            power *= factor;
+        }
+        Expansion { h: trial * factor, q }
+    }
+
+    fn steps(&self, mut from: State, duration: f64, mut each: impl FnMut(State, &Expansion)) -> State {
+        let end = from.t + duration;
+        let mut left = duration;
+        while left != 0.0 {
+            let step = self.expand(from, left > 0.0, left.abs());
+            each(from, &step);
+            let [q, slope] = value(&step.q, 1.0);
+            left = if step.h.abs() < left.abs() { left - step.h } else { 0.0 };
+            from = State { t: end - left, q, u: slope / step.h };
+        }
+        from
+    }
+}
+
+impl Flow for Taylor {
+    fn acceleration(&self, at: State) -> f64 {
+        self.equation().acceleration(at)
+    }
+
+    fn advance(&self, from: State, duration: f64) -> State {
+        self.steps(from, duration, |_, _| {})
+    }
+
+    fn advance_linearised(&self, from: State, duration: f64) -> (State, Matrix) {
+        let mut total = [[1.0, 0.0], [0.0, 1.0]];
+        let n = self.order;
+        let end = self.steps(from, duration, |_, step| {
+            let column = |q, u| {
+                let [dq, slope] = value(&self.recurrence.vary(&step.q[..=n], step.h, q, u), 1.0);
+                [dq, slope / step.h]
+            };
+            let (first, second) = (column(1.0, 0.0), column(0.0, 1.0));
+            total = product(&[[first[0], second[0]], [first[1], second[1]]], &total);
+        });
+        (end, total)
+    }
+}
+
+/// The Taylor coefficients of the equation's solutions.
+#[derive(Debug, Clone)]
+pub(in crate::oscillator) struct Recurrence(pub Equation);
+
+impl Recurrence {
+    /// Fills `q` with the coefficients of x ↦ q(t + hx) and returns those of its square (zeros without a cubic term).
+    pub fn expand(&self, from: State, h: f64, q: &mut [f64]) -> [f64; TERMS] {
+        let Equation { damping, stiffness, cubic, ref forcing } = self.0;
+        let mut force = [0.0; TERMS];
+        forcing.add_taylor(1.0, from.t, h, &mut force[..q.len() - 2]);
+        let mut squares = [0.0; TERMS];
+        (q[0], q[1]) = (from.q, h * from.u);
+        for i in 0..q.len() - 2 {
+            let mut here = force[i] - stiffness * q[i];
+            if cubic != 0.0 {
+                squares[i] = convolve(q, q, i);
+                here -= cubic * convolve(&squares, q, i);
+            }
+            q[i + 2] = next(here, damping, h, i, q[i + 1]);
+        }
+        squares
+    }
+
+    /// The coefficients of the variation of the solution `q` that starts as (δq, δu).
+    pub fn vary(&self, q: &[f64], h: f64, dq: f64, du: f64) -> [f64; TERMS] {
+        let Equation { damping, stiffness, cubic, .. } = self.0;
+        let (mut variation, mut squares) = ([0.0; TERMS], [0.0; TERMS]);
+        (variation[0], variation[1]) = (dq, h * du);
+        for i in 0..q.len() - 2 {
+            let mut here = -stiffness * variation[i];
+            if cubic != 0.0 {
+                squares[i] = convolve(q, q, i);
+                here -= 3.0 * cubic * convolve(&squares, &variation, i);
+            }
+            variation[i + 2] = next(here, damping, h, i, variation[i + 1]);
+        }
+        variation
+    }
+}
+
+/// Coefficient i + 2 of a solution of q″ = here − damping q′ in x = t/h.
+fn next(here: f64, damping: f64, h: f64, i: usize, slope: f64) -> f64 {
+    let (i1, i2) = ((i + 1) as f64, (i + 2) as f64);
+    h * (h * here - damping * i1 * slope) / (i1 * i2)
+}
+
+/// Coefficient i of a product.
+fn convolve(a: &[f64], b: &[f64], i: usize) -> f64 {
+    (0..=i).map(|j| a[j] * b[i - j]).sum()
+}
+
+/// A polynomial and its derivative at x.
+fn value(coefficients: &[f64], x: f64) -> [f64; 2] {
+    coefficients.iter().rev().fold([0.0; 2], |[p, slope], c| [p * x + c, slope * x + p])
+}

@@ -1,0 +1,141 @@
+//! Is a solution of the pattern equations an orbit? (20), (21), and every other minimum of every gap positive.
+
+use std::f64::consts::PI;
+
+use super::{
+    super::{
+        Side,
+        flow::{Flow, State},
+    },
+    Itinerary,
+    equations::duration,
+    leg::Oscillator,
+};
+
+/// A local minimum of the gap to a wall between impacts.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Minimum {
+    /// The wall.
+    pub side: Side,
+    /// The impact whose leg it is on, from 0; 0 for an orbit without impacts.
+    pub leg: usize,
+    /// The time since that leg began.
+    pub after: f64,
+    /// The distance to the wall; negative behind it.
+    pub gap: f64,
+}
+
+/// Whether a solution is an orbit, and if not, the first reason that is found.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Admissibility {
+    /// Every impact comes in and every other minimum of every gap is positive.
+    Admissible,
+    /// This impact, from 0, has V ≤ 0 (21).
+    Outgoing(usize),
+    /// The least minimum is not positive (20): a forbidden excursion.
+    Excursion(Minimum),
+}
+
+impl Admissibility {
+    /// Whether it is an orbit.
+    pub fn is_admissible(&self) -> bool {
+        matches!(self, Admissibility::Admissible)
+    }
+}
+
+/// What admissibility rests on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Check {
+    /// The answer.
+    pub admissibility: Admissibility,
+    /// The least of the other minima of the gaps; `None` if there is none.
+    pub least: Option<Minimum>,
+}
+
+/// Checks a solution z of the pattern equations. Cost: about 16 flows for each period of the fastest rate of the system.
+pub fn check(oscillator: &Oscillator, itinerary: &Itinerary, z: &[f64]) -> Check {
+    let strikes = itinerary.strikes();
+    let mut least: Option<Minimum> = None;
+    let mut search = |leg, from, time| {
+        for found in minima(oscillator, leg, from, time) {
+            if least.is_none_or(|least| found.gap < least.gap) {
+                least = Some(found);
+            }
+        }
+    };
+    if strikes.is_empty() {
+        // A little more than the period: a minimum at its ends counts too.
+        let time = 2.0 * PI * f64::from(itinerary.periods()) + 0.1 / oscillator.rate();
+        search(0, State { t: 0.0, q: z[0], u: z[1] }, time);
+    }
+    for (i, strike) in strikes.iter().enumerate() {
+        if let Ok(contact) = oscillator.touch(strike.side, z[2 * i]) {
+            let from = contact.leaving(z[2 * i], contact.wall.restitution * z[2 * i + 1]);
+            search(i, from, duration(itinerary, z, i));
+        }
+    }
+    let outgoing = (0..strikes.len()).find(|i| z[2 * i + 1].is_nan() || z[2 * i + 1] <= 0.0);
+    let admissibility = match (outgoing, least) {
+        (Some(i), _) => Admissibility::Outgoing(i),
+        (None, Some(least)) if least.gap <= 0.0 => Admissibility::Excursion(least),
+        _ => Admissibility::Admissible,
+    };
+    Check { admissibility, least }
+}
+
+/// The local minima of the gaps on an open stretch of motion.
+///
+/// A cell is a sixteenth of the fastest period; within one z″ is taken to change sign once at most, so z′ is monotone on
+/// either side of that point and every root of z′ is found.
+fn minima(oscillator: &Oscillator, leg: usize, from: State, time: f64) -> Vec<Minimum> {
+    let flow = oscillator.flow();
+    let cells = (time * oscillator.rate() * 16.0 / (2.0 * PI)).ceil().max(1.0);
+    let width = time / cells;
+    let mut found = Vec::new();
+    for wall in oscillator.walls() {
+        let side = wall.side;
+        // (z, z′, z″) of a state.
+        let gap = |state: State| {
+            let [z, speed] = wall.gap(state);
+            [z, speed, wall.acceleration(flow, state)]
+        };
+        let mut start = from;
+        for cell in 0..cells as u64 {
+            let at = |after: f64| gap(flow.advance(start, after));
+            let (a, b) = (gap(start), at(width));
+            // The stretch on which z′ rises through zero, if there is one.
+            let stretch = if a[1] < 0.0 && b[1] >= 0.0 {
+                Some((0.0, width))
+            } else if a[2] * b[2] < 0.0 && (a[1] < 0.0) == (b[1] < 0.0) && (a[1] < 0.0) == (a[2] > 0.0) {
+                let turn = rising(|t| at(t)[2] * b[2].signum(), 0.0, width);
+                match (a[1] < 0.0, at(turn)[1]) {
+                    (true, middle) if middle >= 0.0 => Some((0.0, turn)),
+                    (false, middle) if middle < 0.0 => Some((turn, width)),
+                    _ => None,
+                }
+            } else {
+                None
+            };
+            if let Some((lo, hi)) = stretch {
+                let root = rising(|t| at(t)[1], lo, hi);
+                let after = width * cell as f64 + root;
+                found.push(Minimum { side, leg, after, gap: at(root)[0] });
+            }
+            start = flow.advance(start, width);
+        }
+    }
+    found
+}
+
+/// Where an f with f(lo) < 0 ≤ f(hi) passes through 0: bisection, to the last digit.
+fn rising(f: impl Fn(f64) -> f64, mut lo: f64, mut hi: f64) -> f64 {
+    for _ in 0..60 {
+        let middle = lo + (hi - lo) / 2.0;
+        if f(middle) < 0.0 {
+            lo = middle;
+        } else {
+            hi = middle;
+        }
+    }
+    hi
+}

@@ -1,0 +1,125 @@
+//! An orbit of the true system: impacts, multipliers, and whether it is one.
+
+use std::f64::consts::PI;
+
+use super::{
+    super::{
+        Side,
+        flow::{Flow, Matrix, State, product},
+    },
+    Admissibility, Check, Itinerary, Minimum, Multipliers,
+    admissible::check,
+    algebra::IDENTITY,
+    equations::{duration, linearise},
+    leg::Oscillator,
+    newton::{Root, newton},
+};
+use crate::error::Result;
+
+/// A solution of the pattern equations, with all that is known of it.
+#[derive(Debug, Clone)]
+pub struct Orbit {
+    /// Its impacts' walls and periods.
+    pub itinerary: Itinerary,
+    /// The unknowns (t₁, V₁, …), or (q, u) at t = 0.
+    pub z: Vec<f64>,
+    /// The eigenvalues of the full period's linearisation.
+    pub multipliers: Multipliers,
+    /// Whether it is an orbit.
+    pub admissibility: Admissibility,
+    /// The least minimum of a gap away from the impacts.
+    pub least: Option<Minimum>,
+    /// The largest |F_i|.
+    pub residual: f64,
+    /// Newton steps taken.
+    pub steps: usize,
+}
+
+/// An impact of an orbit.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Impact {
+    /// The wall.
+    pub side: Side,
+    /// The phase in [0, 2π).
+    pub phase: f64,
+    /// V: the relative speed it comes in with.
+    pub speed: f64,
+}
+
+/// The solution of the pattern equations near `start`, an orbit if [`Orbit::admissibility`] says so.
+///
+/// # Errors
+/// As [`newton`] and [`linearise`].
+pub fn find(oscillator: &Oscillator, itinerary: &Itinerary, start: Vec<f64>) -> Result<Orbit> {
+    let root = newton(start, |z| linearise(oscillator, itinerary, z))?;
+    describe(oscillator, itinerary, root)
+}
+
+/// What there is to know of a root of the pattern equations.
+///
+/// # Errors
+/// As [`linearise`].
+pub fn describe(oscillator: &Oscillator, itinerary: &Itinerary, root: Root) -> Result<Orbit> {
+    let Root { z, residual, steps } = root;
+    let multipliers = Multipliers::new(&monodromy(oscillator, itinerary, &z)?, oscillator, itinerary);
+    let Check { admissibility, least } = check(oscillator, itinerary, &z);
+    Ok(Orbit { itinerary: itinerary.clone(), multipliers, admissibility, least, residual, steps, z })
+}
+
+/// The full period's linearisation, from just after the first impact (from t = 0 without impacts): flow matrices and
+/// saltation matrices. The speeds must not be 0.
+///
+/// # Errors
+/// An input error if a wall is missing.
+pub fn monodromy(oscillator: &Oscillator, itinerary: &Itinerary, z: &[f64]) -> Result<Matrix> {
+    let strikes = itinerary.strikes();
+    if strikes.is_empty() {
+        let start = State { t: 0.0, q: z[0], u: z[1] };
+        return Ok(oscillator.leg(start, 2.0 * PI * f64::from(itinerary.periods())).matrix);
+    }
+    let mut matrix = IDENTITY;
+    for (i, strike) in strikes.iter().enumerate() {
+        let next = (i + 1) % strikes.len();
+        let here = oscillator.touch(strike.side, z[2 * i])?;
+        let from = here.leaving(z[2 * i], here.wall.restitution * z[2 * i + 1]);
+        let (_, flow) = oscillator.flow().advance_linearised(from, duration(itinerary, z, i));
+        let there = oscillator.touch(strikes[next].side, z[2 * next])?;
+        let (jump, _) = oscillator.saltation(&there, z[2 * next], z[2 * next + 1]);
+        matrix = product(&product(&jump, &flow), &matrix);
+    }
+    Ok(matrix)
+}
+
+impl Orbit {
+    /// Its impacts.
+    pub fn impacts(&self) -> impl Iterator<Item = Impact> + '_ {
+        self.itinerary.strikes().iter().zip(self.z.chunks(2)).map(|(strike, z)| Impact {
+            side: strike.side,
+            phase: z[0].rem_euclid(2.0 * PI),
+            speed: z[1],
+        })
+    }
+
+    /// Its state at time t: just after the first impact, if `t` is that impact's time; t counts from the phase 0 before it.
+    pub fn state(&self, oscillator: &Oscillator, t: f64) -> Result<State> {
+        let strikes = self.itinerary.strikes();
+        if strikes.is_empty() {
+            let start = State { t: 0.0, q: self.z[0], u: self.z[1] };
+            return Ok(oscillator.flow().advance(start, t.rem_euclid(self.period())));
+        }
+        let mut left = (t - self.z[0]).rem_euclid(self.period());
+        let mut i = 0;
+        while i + 1 < strikes.len() && left > duration(&self.itinerary, &self.z, i) {
+            left -= duration(&self.itinerary, &self.z, i);
+            i += 1;
+        }
+        let contact = oscillator.touch(strikes[i].side, self.z[2 * i])?;
+        let from = contact.leaving(self.z[2 * i], contact.wall.restitution * self.z[2 * i + 1]);
+        Ok(oscillator.flow().advance(from, left))
+    }
+
+    /// The period.
+    pub fn period(&self) -> f64 {
+        2.0 * PI * f64::from(self.itinerary.periods())
+    }
+}

@@ -1,0 +1,319 @@
+//! Coefficients as rational expressions in named parameters: `"2*d/w"`, `"1/w^2"`, `"(1 + mu)/3"`.
+//!
+//! ```text
+//! sum     = product { ("+" | "-") product }
+//! product = signed { ("*" | "/") signed }
+//! signed  = [ "+" | "-" ] power
+//! power   = atom [ "^" [ "+" | "-" ] digits ]
+//! atom    = decimal | parameter | "(" sum ")"
+//! ```
+//!
+//! A decimal is one of the command line's number grammar (`12`, `0.375`, `1e-30`), and exact. Powers bind tighter
+//! than signs: -w^2 is -(w^2).
+
+use std::fmt;
+
+use num_rational::BigRational;
+
+use crate::{
+    error::{Error, Result},
+    number::{Real, Sign, parse_rational},
+    source::nearest,
+};
+
+/// Above this many factors and terms, powers written out, an expression is refused: no value is then longer than
+/// so many literals or parameters together.
+const LIMIT_SIZE: u64 = 256;
+/// The most bits of a literal's or parameter's numerator and denominator.
+pub(super) const LIMIT_BITS: u64 = 4096;
+const LIMIT_DEPTH: u32 = 32;
+
+/// A rational expression in a scene's parameters, which it knows by their places in the scene's list.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Expression {
+    text: String,
+    root: Node,
+    /// The key whose value it is, empty if none; an error is reported there.
+    pub(super) key: String,
+}
+
+#[derive(Debug, Clone, PartialEq)]
+enum Node {
+    Number(BigRational),
+    Parameter(usize),
+    Negated(Box<Node>),
+    Binary(Operation, Box<[Node; 2]>),
+    Power(Box<Node>, i32),
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Operation {
+    Sum,
+    Difference,
+    Product,
+    Quotient,
+}
+
+impl Expression {
+    /// Reads an expression in the named parameters. Cost: linear in the text and in the size of the numbers.
+    ///
+    /// # Errors
+    /// An input error that says at which character what was expected, or which parameter is unknown and the nearest
+    /// that is known; also for more than 256 factors and terms or 32 levels of parentheses.
+    ///
+    /// ```
+    /// use grazing::{number::parse_rational, oscillator::Expression};
+    /// let names = ["d".to_string(), "w".to_string()];
+    /// let values = [parse_rational("0.6")?, parse_rational("4.9")?];
+    /// let damping = Expression::parse("2*d/w", &names)?;
+    /// assert_eq!(damping.evaluate(&values, &())?, parse_rational("12/49")?);
+    /// assert!(Expression::parse("2*d/v", &names).is_err());
+    /// # Ok::<(), grazing::Error>(())
+    /// ```
+    pub fn parse(text: &str, names: &[String]) -> Result<Expression> {
+        let mut parser = Parser { text, at: 0, names, depth: 0 };
+        let root = parser.sum()?;
+        if parser.peek().is_some() {
+            return Err(parser.expected("an operator or the end"));
+        }
+        if root.size() > LIMIT_SIZE {
+            return Err(Error::input(format!(
+                "has {} factors and terms, powers written out; at most {LIMIT_SIZE} are allowed",
+                root.size()
+            )));
+        }
+        Ok(Expression { text: text.to_string(), root, key: String::new() })
+    }
+
+    /// Its value, `parameters` being the values of the names it was read with, in their order. An enclosure if
+    /// they are. Cost: at most 256 operations.
+    ///
+    /// # Errors
+    /// An input error for a division by what is certainly zero.
+    ///
+    /// # Panics
+    /// If there are fewer values than there were names.
+    pub fn evaluate<T: Real>(&self, parameters: &[T], context: &T::Context) -> Result<T> {
+        self.root.evaluate(parameters, context)
+    }
+}
+
+impl fmt::Display for Expression {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(&self.text)
+    }
+}
+
+impl Node {
+    fn size(&self) -> u64 {
+        match self {
+            Node::Number(_) | Node::Parameter(_) => 1,
+            Node::Negated(node) => node.size(),
+            Node::Binary(_, nodes) => nodes[0].size() + nodes[1].size(),
+            Node::Power(node, exponent) => {
+                node.size().saturating_mul(exponent.unsigned_abs().into()).clamp(1, 1 << 32)
+            }
+        }
+    }
+
+    fn evaluate<T: Real>(&self, parameters: &[T], context: &T::Context) -> Result<T> {
+        Ok(match self {
+            Node::Number(value) => T::ratio(value, context),
+            Node::Parameter(index) => parameters[*index].clone(),
+            Node::Negated(node) => -node.evaluate(parameters, context)?,
+            Node::Binary(operation, nodes) => {
+                let left = nodes[0].evaluate(parameters, context)?;
+                let right = nodes[1].evaluate(parameters, context)?;
+                match operation {
+                    Operation::Sum => left + &right,
+                    Operation::Difference => left - &right,
+                    Operation::Product => left * &right,
+                    Operation::Quotient => divide(left, &right)?,
+                }
+            }
+            Node::Power(node, exponent) => {
+                let base = node.evaluate(parameters, context)?;
+                let one = T::integer(1, context);
+                let power = (0..exponent.unsigned_abs()).fold(one.clone(), |power, _| power * &base);
+                if *exponent < 0 { divide(one, &power)? } else { power }
+            }
+        })
+    }
+}
+
+fn divide<T: Real>(left: T, right: &T) -> Result<T> {
+    if right.sign() == Some(Sign::Zero) {
+        return Err(Error::input("divides by zero"));
+    }
+    Ok(left / right)
+}
+
+struct Parser<'a> {
+    text: &'a str,
+    /// The bytes read.
+    at: usize,
+    names: &'a [String],
+    depth: u32,
+}
+
+impl<'a> Parser<'a> {
+    /// The next character but spaces, which are passed over.
+    fn peek(&mut self) -> Option<char> {
+        let rest = &self.text[self.at..];
+        self.at += rest.len() - rest.trim_start().len();
+        self.text[self.at..].chars().next()
+    }
+
+    fn take(&mut self, wanted: char) -> bool {
+        let found = self.peek() == Some(wanted);
+        if found {
+            self.at += wanted.len_utf8();
+        }
+        found
+    }
+
+    fn position(&self, at: usize) -> usize {
+        self.text[..at].chars().count() + 1
+    }
+
+    fn expected(&mut self, what: &str) -> Error {
+        let found = self.peek().map_or("the end".to_string(), |c| format!("{c:?}"));
+        Error::input(format!("expected {what} at character {}, found {found}", self.position(self.at)))
+    }
+
+    fn sum(&mut self) -> Result<Node> {
+        self.chain(Self::product, [('+', Operation::Sum), ('-', Operation::Difference)])
+    }
+
+    fn product(&mut self) -> Result<Node> {
+        self.chain(Self::signed, [('*', Operation::Product), ('/', Operation::Quotient)])
+    }
+
+    fn chain(
+        &mut self,
+        part: fn(&mut Self) -> Result<Node>,
+        operators: [(char, Operation); 2],
+    ) -> Result<Node> {
+        let mut left = part(self)?;
+        let mut parts = 1;
+        while let Some((_, operation)) = operators.into_iter().find(|&(sign, _)| self.take(sign)) {
+            parts += 1;
+            // The tree leans left: its depth is the number of parts.
+            if parts > LIMIT_SIZE {
+                return Err(Error::input(format!("has more than {LIMIT_SIZE} factors or terms")));
+            }
+            left = Node::Binary(operation, Box::new([left, part(self)?]));
+        }
+        Ok(left)
+    }
+
+    fn signed(&mut self) -> Result<Node> {
+        if self.take('-') {
+            return Ok(Node::Negated(Box::new(self.power()?)));
+        }
+        self.take('+');
+        self.power()
+    }
+
+    fn power(&mut self) -> Result<Node> {
+        let base = self.atom()?;
+        if !self.take('^') {
+            return Ok(base);
+        }
+        let negative = self.take('-') || {
+            self.take('+');
+            false
+        };
+        self.peek();
+        let digits = self.word(|c| c.is_ascii_digit());
+        match digits.parse::<i32>() {
+            Ok(exponent) if exponent as u64 <= LIMIT_SIZE => {
+                Ok(Node::Power(Box::new(base), if negative { -exponent } else { exponent }))
+            }
+            _ if digits.is_empty() => Err(self.expected("a whole number as exponent")),
+            _ => Err(Error::input(format!("the exponent {digits} is above {LIMIT_SIZE}"))),
+        }
+    }
+
+    fn atom(&mut self) -> Result<Node> {
+        match self.peek() {
+            Some('(') => {
+                self.depth += 1;
+                if self.depth > LIMIT_DEPTH {
+                    return Err(Error::input(format!("has more than {LIMIT_DEPTH} levels of parentheses")));
+                }
+                self.at += 1;
+                let inner = self.sum()?;
+                if !self.take(')') {
+                    return Err(self.expected("an operator or \")\""));
+                }
+                self.depth -= 1;
+                Ok(inner)
+            }
+            Some(c) if c.is_ascii_digit() || c == '.' => self.decimal(),
+            Some(c) if starts_name(c) => self.parameter(),
+            _ => Err(self.expected("a number, a parameter or \"(\"")),
+        }
+    }
+
+    fn decimal(&mut self) -> Result<Node> {
+        let start = self.at;
+        self.word(|c| c.is_ascii_digit() || c == '.');
+        // An exponent only if a digit follows: in 2*e the e is a parameter.
+        let rest = self.text[self.at..].strip_prefix(['e', 'E']);
+        if let Some(tail) = rest.map(|rest| rest.strip_prefix(['+', '-']).unwrap_or(rest))
+            && tail.starts_with(|c: char| c.is_ascii_digit())
+        {
+            self.at = self.text.len() - tail.len();
+            self.word(|c| c.is_ascii_digit());
+        }
+        let value = parse_rational(&self.text[start..self.at])
+            .and_then(checked)
+            .map_err(|error| error.context(format_args!("at character {}", self.position(start))))?;
+        Ok(Node::Number(value))
+    }
+
+    fn parameter(&mut self) -> Result<Node> {
+        let start = self.at;
+        let name = self.word(continues_name);
+        if let Some(index) = self.names.iter().position(|known| known == name) {
+            return Ok(Node::Parameter(index));
+        }
+        let hint = match nearest(name, self.names.iter().map(String::as_str)) {
+            Some(known) => format!("the nearest known one is {known:?}"),
+            None => "the scene has none".to_string(),
+        };
+        Err(Error::input(format!("unknown parameter {name:?} at character {}; {hint}", self.position(start))))
+    }
+
+    fn word(&mut self, belongs: impl Fn(char) -> bool) -> &'a str {
+        let rest = &self.text[self.at..];
+        let end = rest.find(|c| !belongs(c)).unwrap_or(rest.len());
+        self.at += end;
+        &rest[..end]
+    }
+}
+
+fn starts_name(c: char) -> bool {
+    c.is_alphabetic() || c == '_'
+}
+
+fn continues_name(c: char) -> bool {
+    c.is_alphanumeric() || c == '_'
+}
+
+/// Whether an expression can name a parameter so.
+pub(super) fn is_name(text: &str) -> bool {
+    text.starts_with(starts_name) && text.chars().all(continues_name)
+}
+
+/// A number short enough for expressions of it to be short.
+pub(super) fn checked(value: BigRational) -> Result<BigRational> {
+    let bits = value.numer().bits().max(value.denom().bits());
+    if bits > LIMIT_BITS {
+        return Err(Error::input(format!(
+            "has {bits} bits in its numerator or denominator; at most {LIMIT_BITS} are allowed"
+        )));
+    }
+    Ok(value)
+}

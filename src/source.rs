@@ -1,0 +1,98 @@
+//! TOML sources: errors that name file, line, key and value; exact numbers; the key that was meant.
+
+use std::ops::Range;
+
+use num_rational::BigRational;
+use toml_edit::{Document, Value};
+
+use crate::{
+    error::{Error, Result},
+    number::parse_rational,
+};
+
+/// The text of a TOML file, and the name that leads its error messages.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Source<'a> {
+    pub text: &'a str,
+    pub name: &'a str,
+}
+
+impl Source<'_> {
+    /// The text as TOML.
+    pub fn document(&self) -> Result<Document<&str>> {
+        Document::parse(self.text).map_err(|error| {
+            let hint = if error.message().contains("integer") || error.message().contains("float") {
+                " (a number TOML cannot hold can be written as a string)"
+            } else {
+                ""
+            };
+            self.fail(error.span(), &format!("{}{hint}", error.message().replace('\n', "; ")))
+        })
+    }
+
+    /// `name:line: message`.
+    pub fn fail(&self, span: Option<Range<usize>>, message: &str) -> Error {
+        let line =
+            span.and_then(|span| self.text.get(..span.start)).map(|text| text.matches('\n').count() + 1);
+        Error::input(match line {
+            Some(line) => format!("{}:{line}: {message}", self.name),
+            None => format!("{}: {message}", self.name),
+        })
+    }
+
+    /// `name:line: key = value: message`, a long value cut short.
+    pub fn at(&self, key: &str, span: Option<Range<usize>>, message: &str) -> Error {
+        let value = span.clone().and_then(|span| self.text.get(span)).unwrap_or_default();
+        let mut short: String = value.split_whitespace().collect::<Vec<_>>().join(" ");
+        if short.chars().count() > 60 {
+            short = short.chars().take(57).chain(['…']).collect();
+        }
+        self.fail(span, &format!("{key} = {short}: {message}"))
+    }
+
+    /// The characters of a number: those of a string, or the source text of a TOML number and not the float that
+    /// TOML makes of it.
+    pub fn number_text(&self, value: &Value) -> Option<String> {
+        match value {
+            Value::String(text) => Some(text.value().clone()),
+            Value::Integer(_) | Value::Float(_) => {
+                Some(value.span().and_then(|span| self.text.get(span)).unwrap_or_default().replace('_', ""))
+            }
+            _ => None,
+        }
+    }
+
+    /// An exact number.
+    pub fn exact(&self, key: &str, value: &Value) -> Result<BigRational> {
+        let text = self.number_text(value).ok_or_else(|| self.at(key, value.span(), "is not a number"))?;
+        parse_rational(&text).map_err(|error| self.at(key, value.span(), &error.to_string()))
+    }
+}
+
+/// Says that a key is unknown, and which of those known is nearest.
+pub(crate) fn unknown(key: &str, known: &[&str]) -> String {
+    match nearest(key, known.iter().copied()) {
+        Some(nearest) => format!("unknown key {key:?}; the nearest known key is {nearest:?}"),
+        None => format!("unknown key {key:?}; none is known here"),
+    }
+}
+
+/// The known word that takes the fewest changes.
+pub(crate) fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    known.into_iter().min_by_key(|other| distance(word, other))
+}
+
+/// The number of letters to insert, remove or replace (Levenshtein), a change of case counting least.
+fn distance(a: &str, b: &str) -> (usize, bool) {
+    let (lower_a, lower_b) = (a.to_lowercase(), b.to_lowercase());
+    let mut row: Vec<usize> = (0..=lower_b.chars().count()).collect();
+    for (i, x) in lower_a.chars().enumerate() {
+        let mut corner = std::mem::replace(&mut row[0], i + 1);
+        for (j, y) in lower_b.chars().enumerate() {
+            let replaced = corner + usize::from(x != y);
+            corner = row[j + 1];
+            row[j + 1] = replaced.min(corner + 1).min(row[j] + 1);
+        }
+    }
+    (row[row.len() - 1], a != b)
+}
