@@ -94,6 +94,22 @@ impl LocalMap {
         )
     }
 
+    /// L = Π −C A^{n_i} B / (2 Y_i) of a pattern: the large eigenvalue is L (eµ)^{−m} to leading order (36), by (57) in floats;
+    /// `None` on a singular boundary.
+    pub fn leading(&self, periods: &[u64]) -> Option<f64> {
+        let power = |n: u64| (0..n).fold([[1.0, 0.0], [0.0, 1.0]], |power, _| product(&self.a, &power));
+        let powers: Vec<Matrix> = periods.iter().map(|&n| power(n)).collect();
+        let x = |a: &Matrix| [-1.0, (a[0][0] - 1.0) / a[0][1]];
+        let product: f64 = (0..powers.len())
+            .map(|i| {
+                let (a, next) = (&powers[i], &powers[(i + 1) % powers.len()]);
+                let y = (x(next)[1] - apply(a, x(a))[1]) / self.kick();
+                -a[0][1] * self.kick() / (2.0 * y)
+            })
+            .product();
+        product.is_finite().then_some(product)
+    }
+
     /// The map for the local theory, every computed entry widened by 10⁻¹² of the largest: far more than its error where Newton's
     /// method has converged, but no proof.
     ///

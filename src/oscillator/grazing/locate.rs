@@ -7,7 +7,7 @@ use crate::{
     error::{Error, Result},
     oscillator::{
         Side,
-        orbit::{Family, Itinerary, Linearised, Minimum, Orbit, Strike, linearise, newton},
+        orbit::{Family, Itinerary, Linearised, Minimum, Orbit, Strike, check, linearise, newton},
     },
 };
 
@@ -22,6 +22,8 @@ pub struct Grazing {
     pub z: Vec<f64>,
     /// The largest residual.
     pub residual: f64,
+    /// Whether it is an orbit: its other impacts come in, and every other minimum of a gap is positive.
+    pub admissible: bool,
     /// The map there.
     pub map: LocalMap,
 }
@@ -59,8 +61,11 @@ pub fn locate(family: &dyn Family, orbit: &Orbit, parameter: f64) -> Result<Graz
     })?;
     let mut z = root.z;
     let parameter = std::mem::replace(&mut z[1], 0.0);
-    let map = LocalMap::new(&family.at(parameter)?, &itinerary, &z)?;
-    Ok(Grazing { parameter, itinerary, z, residual: root.residual, map })
+    let oscillator = family.at(parameter)?;
+    let map = LocalMap::new(&oscillator, &itinerary, &z)?;
+    let clear = check(&oscillator, &itinerary, &z).least.is_none_or(|least| least.gap > 0.0);
+    let admissible = clear && z.chunks(2).skip(1).all(|impact| impact[1] > 0.0);
+    Ok(Grazing { parameter, itinerary, z, residual: root.residual, admissible, map })
 }
 
 /// The orbit's impacts with a first one of speed 0 at a minimum of a gap.
