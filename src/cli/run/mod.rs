@@ -5,6 +5,7 @@ mod grazing;
 mod orbit;
 mod report;
 mod simulate;
+mod validate;
 
 use std::{
     fs,
@@ -66,7 +67,6 @@ fn called(task: &Task, name: &str) -> bool {
 }
 
 /// A task with all it works on.
-#[expect(dead_code, reason = "read by the tasks to come")]
 struct Job<'a> {
     /// The task.
     task: &'a Task,
@@ -90,6 +90,7 @@ impl Job<'_> {
             Kind::OrbitTask(task) => orbit::run(task, self, &mut report),
             Kind::EventTask(task) => event::run(task, self, &mut report),
             Kind::GrazingTask(task) => grazing::run(task, self, &mut report),
+            Kind::ValidateTask(task) => validate::run(task, self, &mut report),
         }?;
         Ok(report)
     }

@@ -10,6 +10,7 @@ mod keys;
 pub mod orbits;
 mod reference;
 pub mod task;
+pub mod validate;
 mod walls;
 
 use std::{collections::BTreeMap, f64::consts::TAU, ops::Range};

@@ -8,6 +8,7 @@ use super::{
     expression::Expression,
     keys::{Entry, Key, Record, Value, keys, words},
     orbits::{EventTask, GrazingTask, OrbitTask},
+    validate::ValidateTask,
 };
 use crate::{
     error::Result,
@@ -102,6 +103,7 @@ kinds! {
     "orbit" OrbitTask,
     "event" EventTask,
     "grazing" GrazingTask,
+    "validate" ValidateTask,
 }
 
 /// What a kind of task checks before anything runs; by default nothing.
