@@ -88,7 +88,13 @@ fn all_derivatives_of_the_equations_agree_with_differences() {
     let (rich, simple) = (scene(RICH), scene(PAPER));
     let cases: [(&Scene, &str, f64, Itinerary, Vec<f64>); 7] = [
         (&rich, "p", 0.3, strikes(&[(Lower, 0), (Upper, 1)]), vec![0.3, 0.4, 2.9, 0.7]),
-        (&rich, "p", 0.3, strikes(&[(Lower, 1), (Lower, 0), (Upper, 1)]), vec![0.1, 0.2, 0.5, -0.3, 2.0, 0.0]),
+        (
+            &rich,
+            "p",
+            0.3,
+            strikes(&[(Lower, 1), (Lower, 0), (Upper, 1)]),
+            vec![0.1, 0.2, 0.5, -0.3, 2.0, 0.0],
+        ),
         (&rich, "p", 0.2, Itinerary::free(2).unwrap(), vec![0.1, -0.3]),
         (&rich, "p", 0.3, strikes(&[(Upper, 1)]), vec![4.0, 0.6]),
         (&simple, "w", 4.9, lower(&[3]), vec![-0.1, 0.2]),
@@ -114,7 +120,10 @@ fn all_derivatives_of_the_equations_agree_with_differences() {
             for i in 0..z.len() {
                 let difference = (plus[i] - minus[i]) / (2.0 * h);
                 let entry = if j < z.len() { exact.jacobian[i][j] } else { exact.slope[i] };
-                assert!(near(difference, entry, 1e-7), "{itinerary} {parameter} F{i} by {j}: {difference} {entry}");
+                assert!(
+                    near(difference, entry, 1e-7),
+                    "{itinerary} {parameter} F{i} by {j}: {difference} {entry}"
+                );
             }
         }
     }
@@ -136,9 +145,7 @@ fn the_multipliers_are_those_of_the_impact_map() {
         assert!(!found.is_empty(), "{itinerary}");
         for orbit in found {
             let jacobian = linearise(oscillator, &itinerary, &orbit.z).unwrap().jacobian;
-            let block = |i: usize, j: usize| {
-                [0, 1].map(|r| [0, 1].map(|c| jacobian[2 * i + r][2 * j + c]))
-            };
+            let block = |i: usize, j: usize| [0, 1].map(|r| [0, 1].map(|c| jacobian[2 * i + r][2 * j + c]));
             let step = |i: usize| {
                 let (from, to) = (block(i, i), block(i, 1 - i));
                 let det = to[0][0] * to[1][1] - to[0][1] * to[1][0];
@@ -208,12 +215,18 @@ fn hard_cases_have_the_digits_of_their_references() {
         }
         if let &[n] = &case.pattern[..] {
             let exact = SingleImpact::new(oscillator.system(), Side::Lower, n).unwrap();
-            let Some(speed) = exact.speeds().into_iter().find(|v| (v - case.z[1]).abs() < 10.0 * case.tolerance) else {
+            let Some(speed) =
+                exact.speeds().into_iter().find(|v| (v - case.z[1]).abs() < 10.0 * case.tolerance)
+            else {
                 assert!(case.z[1] < 0.0, "{}: no exact speed", case.name);
                 continue;
             };
             let phase = exact.phase(speed);
-            assert!((phase - case.z[0].rem_euclid(TAU)).abs() < 10.0 * case.tolerance, "{}: {phase}", case.name);
+            assert!(
+                (phase - case.z[0].rem_euclid(TAU)).abs() < 10.0 * case.tolerance,
+                "{}: {phase}",
+                case.name
+            );
             close(exact.multipliers(speed).trace, case.trace, "exact trace");
             close(exact.multipliers(speed).determinant, case.determinant, "exact determinant");
         }
@@ -224,9 +237,24 @@ fn hard_cases_have_the_digits_of_their_references() {
 #[test]
 fn exact_single_impact_orbits_solve_the_equations() {
     let scenes = [
-        ("damping = 0.3\nstiffness = 0.2\nforce = 0.1\nforcing = [{ cos = 0.5, sin = 0.7 }]", "lower", "-0.2", "[]"),
-        ("damping = 0.3\nstiffness = 0.2\nforce = 0.1\nforcing = [{ cos = 0.5, sin = 0.7 }]", "upper", "0.4", "[]"),
-        ("damping = 0.1\nstiffness = 0.9\nforcing = [{ k = 2, sin = 0.6 }]", "upper", "0.1", "[{ k = 2, cos = 0.3 }]"),
+        (
+            "damping = 0.3\nstiffness = 0.2\nforce = 0.1\nforcing = [{ cos = 0.5, sin = 0.7 }]",
+            "lower",
+            "-0.2",
+            "[]",
+        ),
+        (
+            "damping = 0.3\nstiffness = 0.2\nforce = 0.1\nforcing = [{ cos = 0.5, sin = 0.7 }]",
+            "upper",
+            "0.4",
+            "[]",
+        ),
+        (
+            "damping = 0.1\nstiffness = 0.9\nforcing = [{ k = 2, sin = 0.6 }]",
+            "upper",
+            "0.1",
+            "[{ k = 2, cos = 0.3 }]",
+        ),
         ("damping = 1.5\nstiffness = 0.1", "lower", "-0.1", "[{ k = 3, cos = 0.2, sin = -0.3 }]"),
     ];
     for (system, side, offset, harmonics) in scenes {
@@ -273,7 +301,8 @@ fn what_exact_orbits_do_not_cover_is_refused() {
 
 #[test]
 fn located_folds_and_flips_agree_with_the_formulas() {
-    for (d, w, tau) in [(0.6, 4.9, 1.0), (0.6, 4.85, 0.9), (0.5, 4.9, 0.8), (0.3, 3.3, 1.0), (0.6, 4.7, 1.0)] {
+    for (d, w, tau) in [(0.6, 4.9, 1.0), (0.6, 4.85, 0.9), (0.5, 4.9, 0.8), (0.3, 3.3, 1.0), (0.6, 4.7, 1.0)]
+    {
         let scene = paper(d, w, tau);
         let family = SceneFamily::new(&scene, "mu").unwrap();
         let mut found = 0;
@@ -286,10 +315,15 @@ fn located_folds_and_flips_agree_with_the_formulas() {
                 let away = speed * 1.1;
                 let mu = exact.amplitude_at(away) - 1.0;
                 let start = SingleImpact::new(&scene.plain(&[("mu", mu)]).unwrap(), Side::Lower, n).unwrap();
-                let orbit = find(&family.at(mu).unwrap(), &lower(&[n]), vec![start.phase(away), away]).unwrap();
+                let orbit =
+                    find(&family.at(mu).unwrap(), &lower(&[n]), vec![start.phase(away), away]).unwrap();
                 let event = critical::locate(&family, kind, &orbit, mu, 0.5).unwrap();
                 let expected = exact.amplitude_at(speed) - 1.0;
-                assert!((event.parameter - expected).abs() < 1e-13, "{kind:?} {n}: {} {expected}", event.parameter);
+                assert!(
+                    (event.parameter - expected).abs() < 1e-13,
+                    "{kind:?} {n}: {} {expected}",
+                    event.parameter
+                );
                 assert!((event.orbit.z[1] - speed).abs() < 1e-9, "{kind:?} {n}: {:?} {speed}", event.orbit.z);
                 found += 1;
             }
@@ -412,7 +446,10 @@ fn the_resonant_branch_starts_as_a_square_root() {
             assert!(near(orbit.multipliers.determinant, (tau * cube).powi(2), 1e-12));
             errors.push((orbit.z[1] / mu.sqrt() - expected).abs());
         }
-        assert!(errors[0] < 0.05 && errors[1] < 0.1 * errors[0] + 1e-9 && errors[2] < 0.1 * errors[1] + 1e-9, "{errors:?}");
+        assert!(
+            errors[0] < 0.05 && errors[1] < 0.1 * errors[0] + 1e-9 && errors[2] < 0.1 * errors[1] + 1e-9,
+            "{errors:?}"
+        );
         assert!(search(&at(&scene, "mu", -1e-3), &lower(&[3]), 200, 0.3).is_empty());
     }
 }

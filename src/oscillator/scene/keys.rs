@@ -303,6 +303,16 @@ impl Value for u64 {
     }
 }
 
+impl Value for bool {
+    fn shape() -> String {
+        "`true` or `false`".to_string()
+    }
+
+    fn read(entry: &Entry) -> Result<Self> {
+        entry.item.as_bool().ok_or_else(|| entry.fail("is neither true nor false"))
+    }
+}
+
 impl Value for String {
     fn shape() -> String {
         "text".to_string()

@@ -67,7 +67,9 @@ fn draw(motion: &Motion) -> Picture {
         let path: Vec<(f64, f64)> = motion.points.iter().zip(wall).map(|(point, &q)| (point[0], q)).collect();
         chart.draw_series([PathElement::new(path, GREY.stroke_width(9))])?;
     }
-    let path: Vec<(f64, f64)> = motion.points.iter().map(|point| (point[0], point[1])).collect();
+    let mut path: Vec<(f64, f64)> = motion.points.iter().map(|point| (point[0], point[1])).collect();
+    path.extend(&motion.impacts);
+    path.sort_by(|a, b| a.0.total_cmp(&b.0));
     chart.draw_series([PathElement::new(path, BLUE.stroke_width(5))])?;
     chart.draw_series(motion.impacts.iter().map(|&at| Circle::new(at, 13, RED.filled())))?;
     let count = motion.impacts.len();

@@ -76,7 +76,10 @@ fn draw_mark<'a>(
     };
     match mark {
         Mark::Dot => area.draw(&Circle::new((x, y), 4, colour(mark).filled()))?,
-        Mark::Square => area.draw(&Rectangle::new([(x - 17, y - 17), (x + 17, y + 17)], ink))?,
+        Mark::Square => {
+            let corners = [(-17, -17), (17, -17), (17, 17), (-17, 17), (-17, -20)];
+            area.draw(&PathElement::new(corners.map(|corner| (x + corner.0, y + corner.1)), ink))?;
+        }
         Mark::Ring => area.draw(&Circle::new((x, y), 18, ink))?,
         Mark::Star => {
             line((0, -22), (0, 22))?;
