@@ -12,7 +12,7 @@
 //!
 //! ```text
 //! grazing-certificate 1                format and its version
-//! kind theorem2                        or orbit, see [`orbit`]; cover is reserved for a later version
+//! kind theorem2                        or one with a form of its own below this line: [`cover`], [`orbit`]
 //! range A B                            the periods covered, 1 ≤ A ≤ B
 //! lines L                              the number of lines after the header
 //! statement …                          what passing proves, word for word
@@ -55,6 +55,8 @@
 //! checker would answer: `line 13: false: b_{4,1} is not > 0 on (1/3, 3/8)`.
 
 mod arithmetic;
+pub mod cover;
+mod header;
 mod lines;
 pub mod orbit;
 mod rejection;
@@ -73,7 +75,7 @@ pub const FORMAT: &str = "grazing-certificate 1";
 /// What a certificate that passed the check has proved.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Checked {
-    /// The kind of certificate: `theorem2`, `orbit`.
+    /// The kind of certificate: `theorem2`, `cover` or `orbit`.
     pub kind: &'static str,
     /// The statement, as in the header.
     pub statement: &'static str,
@@ -98,8 +100,8 @@ pub fn check(input: impl BufRead) -> Result<Checked, Rejection> {
     let kind = lines.expect("the kind")?;
     match kind.strip_prefix("kind ") {
         Some(theorem2::KIND) => theorem2::check(&mut lines),
+        Some(cover::KIND) => cover::check(&mut lines),
         Some(orbit::KIND) => orbit::check(&mut lines),
-        Some("cover") => Err(lines.malformed("this kind is reserved for a later version")),
-        _ => Err(lines.malformed("expected a line \"kind theorem2\" or \"kind orbit\"")),
+        _ => Err(lines.malformed("expected a line \"kind theorem2\", \"kind cover\" or \"kind orbit\"")),
     }
 }

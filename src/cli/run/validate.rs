@@ -46,11 +46,12 @@ fn orbits(task: &ValidateTask, job: &Job, report: &mut Report) -> Result<()> {
         "stable",
         "certificate",
     ]);
+    let system = job.scene.exact(&[])?;
     let oscillator = Oscillator::new(job.system.clone(), job.scene.accuracy.tolerance)?;
     for orbit in task.orbit.orbits(&oscillator)? {
         job.interrupt.check()?;
         let pattern = Value::from(orbit.itinerary.to_string());
-        let proof = match validate::orbit(&job.exact, &impacts(&orbit.itinerary, &orbit.z), &precision)? {
+        let proof = match validate::orbit(&system, &impacts(&orbit.itinerary, &orbit.z), &precision)? {
             Verdict::Proved(proof) => proof,
             failed => {
                 report.undecided |= matches!(failed, Verdict::Undecided(_));
@@ -60,7 +61,7 @@ fn orbits(task: &ValidateTask, job: &Job, report: &mut Report) -> Result<()> {
             }
         };
         let file = format!("{}-{}.certificate", job.task.name, rows.len() + 1);
-        let text = validate::certificate(&job.exact, &proof)?;
+        let text = validate::certificate(&system, &proof)?;
         write_file(&job.folder.join(&file), |out| Ok(out.write_all(text.as_bytes())?))?;
         rows.push([
             "proved".into(),
