@@ -3,6 +3,8 @@
 
 mod systems;
 
+use std::process::Command;
+
 use grazing::{
     Result,
     number::{Ball, Elementary, Precision, Real},
@@ -283,4 +285,35 @@ fn past_its_grazing_the_double_impact_orbit_is_refuted() {
     assert!(matches!(guess("0.006099", 0.0089, 0.014, -0.1129, 0.1139), Verdict::Proved(_)));
     let past = guess("0.0062", 0.0135, 0.0099, -0.118, 0.1185);
     assert!(matches!(&past, Verdict::Refuted(why) if why.contains("negative")), "{past:?}");
+}
+
+/// The scene's own proofs: what is written passes `grazing check`, what is enclosed is enclosed tightly.
+#[test]
+fn the_example_scene_proves_what_it_says() {
+    let folder = tempfile::tempdir().unwrap();
+    let grazing = |args: &[&str]| {
+        let output = Command::new(env!("CARGO_BIN_EXE_grazing")).args(args).output().unwrap();
+        assert!(output.status.success(), "{args:?}: {}", String::from_utf8_lossy(&output.stderr));
+        serde_json::from_slice::<serde_json::Value>(&output.stdout).unwrap()
+    };
+    let path = folder.path().to_str().unwrap();
+    let scene = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/scenes/nordmark-2001.toml");
+    let report = grazing(&["run", scene, "--only", "proofs", "-o", path, "--format", "json"]);
+    let (mut certificates, mut events) = (0, 0);
+    for task in report["tasks"].as_array().unwrap() {
+        for row in task["orbits"].as_array().into_iter().flatten() {
+            assert_eq!(row["verdict"], "proved", "{task}");
+            let file = folder.path().join(row["certificate"].as_str().unwrap());
+            let checked = grazing(&["check", file.to_str().unwrap(), "--format", "json"]);
+            let stable = if row["stable"] == "yes" { "stable" } else { "unstable" };
+            assert!(checked["files"][0]["detail"].as_str().unwrap().contains(stable), "{checked}");
+            certificates += 1;
+        }
+        for row in task["events"].as_array().into_iter().flatten() {
+            assert_eq!(row["verdict"], "proved", "{task}");
+            assert!(row["width"].as_f64().unwrap() <= 1e-12, "{task}");
+            events += 1;
+        }
+    }
+    assert_eq!((certificates, events), (3, 4));
 }
