@@ -112,6 +112,27 @@ fn events_lie_in_proved_intervals() {
     }
 }
 
+/// The flight's formula goes on after its end, with tangencies that no orbit has.
+#[test]
+fn a_tangency_outside_its_flight_is_none() {
+    let precision = Precision::new(128);
+    let guess = [impact(4, -0.76, 0.67)];
+    let mut outside = 0;
+    for start in -20..60 {
+        let condition = Condition::Grazing { after: 0, side: Side::Lower, time: f64::from(start) };
+        let verdict = validate::event(family(&precision), &guess, -0.0244, condition, &precision).unwrap();
+        match verdict {
+            Verdict::Proved(event) => {
+                let (lo, hi) = event.time.unwrap().exact_bounds().unwrap();
+                assert!(lo > BigRational::zero() && hi < number("25.2"), "{start}");
+            }
+            Verdict::Undecided(why) => outside += usize::from(why.contains("not certainly in the flight")),
+            Verdict::Refuted(_) => {}
+        }
+    }
+    assert!(outside > 0);
+}
+
 /// µ_sn from (p₁, p₂) = (I − E)⁻¹ E (0, 1 + τ) in balls, by the closed formula.
 #[test]
 fn the_saddle_node_has_a_closed_form() {

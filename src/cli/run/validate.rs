@@ -60,9 +60,14 @@ fn orbits(task: &ValidateTask, job: &Job, report: &mut Report) -> Result<()> {
                 continue;
             }
         };
-        let file = format!("{}-{}.certificate", job.task.name, rows.len() + 1);
-        let text = validate::certificate(&system, &proof)?;
-        write_file(&job.folder.join(&file), |out| Ok(out.write_all(text.as_bytes())?))?;
+        let certificate = match validate::certificate(&system, &proof) {
+            Ok(text) => {
+                let file = format!("{}-{}.certificate", job.task.name, rows.len() + 1);
+                write_file(&job.folder.join(&file), |out| Ok(out.write_all(text.as_bytes())?))?;
+                file
+            }
+            Err(error) => format!("none: {error}"),
+        };
         rows.push([
             "proved".into(),
             pattern,
@@ -77,7 +82,7 @@ fn orbits(task: &ValidateTask, job: &Job, report: &mut Report) -> Result<()> {
                 None => "undecided",
             }
             .into(),
-            file.into(),
+            certificate.into(),
         ]);
     }
     report.undecided |= rows.is_empty();

@@ -62,6 +62,12 @@ fn pieces(equations: &Equations, leg: &Leg, touch: Option<&Touch>) -> Result<Ver
     if !earliest.is_positive() {
         return Ok(Verdict::Undecided("the flight may last no time".into()));
     }
+    if let Some(touch) = touch {
+        let inside = |(lo, hi): (BigRational, BigRational)| lo.is_positive() && hi < earliest;
+        if !touch.time.exact_bounds().is_some_and(inside) {
+            return Ok(Verdict::Undecided("the tangency is not certainly in the flight".into()));
+        }
+    }
     let tenths = |places: u32| BigRational::new(1.into(), pow(BigInt::from(10), places as usize));
     let end = rounded(&(latest + tenths(FINEST)), FINEST);
     let two = BigRational::from_integer(2.into());

@@ -8,10 +8,10 @@ use super::{
     equations::Equations,
     krawczyk::Search,
     linear::Linear,
-    orbit::{admitted, start},
+    orbit::{admitted, equations, start},
 };
 use crate::{
-    error::Result,
+    error::{Error, Result},
     number::{Ball, Precision, Real},
     oscillator::{Side, System},
 };
@@ -66,7 +66,7 @@ pub fn event(
     let m = impacts.len();
     let map = |unknowns: &[Jet]| {
         let linear = Linear::enclosed(family(&unknowns[2 * m])?, precision)?;
-        let equations = Equations { linear: &linear, impacts };
+        let equations = equations(&linear, impacts)?;
         let mut values = equations.residual(unknowns)?;
         values.extend(extension(&equations, unknowns, condition)?);
         Ok(values)
@@ -76,31 +76,26 @@ pub fn event(
     if let Condition::Grazing { time, .. } = condition {
         guess.push(time);
     }
-    let search = match Search::run(&map, &guess, precision)? {
-        Verdict::Proved(search) => search,
-        Verdict::Refuted(why) => return Ok(Verdict::Refuted(why)),
-        Verdict::Undecided(why) => return Ok(Verdict::Undecided(why)),
-    };
-    let found = &search.found;
-    let unknowns: Vec<Jet> = found.iter().cloned().map(Jet::constant).collect();
-    let linear = Linear::enclosed(family(&unknowns[2 * m])?, precision)?;
-    let touch = match condition {
-        Condition::Grazing { after, side, .. } => {
-            Some(Touch { flight: after, side, time: found[2 * m + 1].clone() })
-        }
-        _ => None,
-    };
-    Ok(match admitted(&Equations { linear: &linear, impacts }, &unknowns, touch.as_ref())? {
-        Verdict::Refuted(why) => Verdict::Refuted(why),
-        Verdict::Undecided(why) => Verdict::Undecided(why),
-        Verdict::Proved(_) => Verdict::Proved(Event {
-            parameter: found[2 * m].clone(),
-            phases: found[..m].to_vec(),
-            velocities: found[m..2 * m].to_vec(),
-            time: touch.map(|touch| touch.time),
-            centre: search.centre,
-            radius: search.radius,
-        }),
+    Search::run(&map, &guess, precision)?.and_then(|search| {
+        let unknowns: Vec<Jet> = search.found.iter().cloned().map(Jet::constant).collect();
+        let linear = Linear::enclosed(family(&unknowns[2 * m])?, precision)?;
+        let time = search.found.get(2 * m + 1).cloned();
+        let touch = match (condition, &time) {
+            (Condition::Grazing { after, side, .. }, Some(time)) => {
+                Some(Touch { flight: after, side, time: time.clone() })
+            }
+            _ => None,
+        };
+        admitted(&equations(&linear, impacts)?, &unknowns, touch.as_ref())?.and_then(|_| {
+            Ok(Verdict::Proved(Event {
+                parameter: search.found[2 * m].clone(),
+                phases: search.found[..m].to_vec(),
+                velocities: search.found[m..2 * m].to_vec(),
+                time,
+                centre: search.centre,
+                radius: search.radius,
+            }))
+        })
     })
 }
 
@@ -109,8 +104,7 @@ fn extension(equations: &Equations, unknowns: &[Jet], condition: Condition) -> R
     let m = equations.impacts.len();
     if let Condition::Grazing { after, side, .. } = condition {
         let legs = equations.legs(unknowns)?;
-        let leg =
-            legs.get(after).ok_or_else(|| crate::Error::input(format!("there is no impact {after}")))?;
+        let leg = legs.get(after).ok_or_else(|| Error::input(format!("there is no impact {after}")))?;
         let [gap, speed, _] = equations.linear.gap(&leg.flight, side, &unknowns[2 * m + 1])?;
         return Ok(vec![gap, speed]);
     }

@@ -19,6 +19,8 @@ pub use jet::Jet;
 pub use orbit::{Impact, Orbit, Stability, orbit, solution_in};
 pub use write::certificate;
 
+use crate::error::Result;
+
 /// An answer with its proof, the reason why it is certainly not so, or the reason why nothing was shown.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Verdict<T> {
@@ -28,4 +30,18 @@ pub enum Verdict<T> {
     Refuted(String),
     /// Nothing is shown.
     Undecided(String),
+}
+
+impl<T> Verdict<T> {
+    /// What follows from what is proved.
+    ///
+    /// # Errors
+    /// Those of `next`.
+    pub fn and_then<U>(self, next: impl FnOnce(T) -> Result<Verdict<U>>) -> Result<Verdict<U>> {
+        match self {
+            Verdict::Proved(proof) => next(proof),
+            Verdict::Refuted(why) => Ok(Verdict::Refuted(why)),
+            Verdict::Undecided(why) => Ok(Verdict::Undecided(why)),
+        }
+    }
 }

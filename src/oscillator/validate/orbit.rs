@@ -75,33 +75,29 @@ pub fn orbit(
     let linear = Linear::exact(system, precision)?;
     let equations = equations(&linear, guess)?;
     let map = |unknowns: &[Jet]| equations.residual(unknowns);
-    let search = match Search::run(&map, &start(guess), precision)? {
-        Verdict::Proved(search) => search,
-        Verdict::Refuted(why) => return Ok(Verdict::Refuted(why)),
-        Verdict::Undecided(why) => return Ok(Verdict::Undecided(why)),
-    };
-    let unknowns: Vec<Jet> = search.found.iter().cloned().map(Jet::constant).collect();
-    let pieces = match admitted(&equations, &unknowns, None)? {
-        Verdict::Proved(pieces) => pieces,
-        Verdict::Refuted(why) => return Ok(Verdict::Refuted(why)),
-        Verdict::Undecided(why) => return Ok(Verdict::Undecided(why)),
-    };
-    let (trace, determinant) = equations.multipliers(&unknowns)?;
-    let (trace, determinant) = (trace.value, determinant.value);
-    let Search { centre, radius, inverse, found: mut phases } = search;
-    let velocities = phases.split_off(guess.len());
-    Ok(Verdict::Proved(Orbit {
-        stability: stability(&trace, &determinant, precision),
-        impacts: guess.to_vec(),
-        centre,
-        radius,
-        phases,
-        velocities,
-        trace,
-        determinant,
-        inverse,
-        pieces,
-    }))
+    Search::run(&map, &start(guess), precision)?.and_then(|search| {
+        let unknowns: Vec<Jet> = search.found.iter().cloned().map(Jet::constant).collect();
+        admitted(&equations, &unknowns, None)?.and_then(|pieces| {
+            let (trace, determinant) = equations.multipliers(&unknowns)?;
+            let (trace, determinant) = (trace.value, determinant.value);
+            let Search { centre, radius, inverse, found: mut phases } = search;
+            let velocities = phases.split_off(guess.len());
+            let stability = stability(&trace, &determinant, precision);
+            let impacts = guess.to_vec();
+            Ok(Verdict::Proved(Orbit {
+                impacts,
+                centre,
+                radius,
+                phases,
+                velocities,
+                trace,
+                determinant,
+                stability,
+                inverse,
+                pieces,
+            }))
+        })
+    })
 }
 
 /// Proves that the pattern's equations have exactly one solution in the box of `radius` about the guess itself, and encloses it,
@@ -131,7 +127,11 @@ pub fn solution_in(
     })
 }
 
-fn equations<'a>(linear: &'a Linear<'a>, impacts: &'a [Impact]) -> Result<Equations<'a>> {
+/// The equations of a pattern.
+///
+/// # Errors
+/// An input error: no impact, periods that sum to 0, a wall that is missing.
+pub(super) fn equations<'a>(linear: &'a Linear<'a>, impacts: &'a [Impact]) -> Result<Equations<'a>> {
     if impacts.iter().all(|impact| impact.periods == 0) {
         return Err(Error::input("the periods of an impact pattern must not sum to 0"));
     }
