@@ -26,8 +26,8 @@
 //! # When to use it, and when not
 //!
 //! Use it to attach a checked proof to a statement about these orbits, to ask which orbits a grazing bifurcation gives
-//! birth to, or for exact Farey arithmetic. Do not use it to simulate oscillators, which it does not do yet, or for maps with
-//! more than one square-root direction. It takes Nordmark's Theorem 1, which turns signs into orbits, from the paper.
+//! birth to, to simulate an oscillator with impacts, or for exact Farey arithmetic. Do not use it for oscillators of more than one degree
+//! of freedom, or for maps with more than one square-root direction. It takes Nordmark's Theorem 1, which turns signs into orbits, from the paper.
 //!
 //! # Map
 //!
@@ -42,7 +42,7 @@
 //! | [`local`] | u_k, b_{n,k}, c_n at one point on every rung; the ladder of signs |
 //! | [`existence`] | Theorem 2 and Conjecture 1: claims, decisions, the edges of the areas |
 //! | [`impact`] | Theorem 1 in any dimension: impact patterns, the pattern graph |
-//! | [`oscillator`] | impact oscillators: the equation of motion and its walls |
+//! | [`oscillator`] | impact oscillators: scenes, flow, impacts, orbits, attractors |
 //! | [`search`] | what finds certificates and looks for counterexamples |
 //! | [`study`] | what accuracy costs: families of inputs, measurements |
 //! | [`output`] | tables, files, figures, progress |

@@ -92,7 +92,7 @@ fn the_simulator_stays_on_orbits_as_long_as_their_multipliers_allow() {
             }
         }
     }
-    assert!(stable > 2 && unstable > 4, "{stable} {unstable}");
+    assert!(stable > 1 && unstable > 6, "{stable} {unstable}");
 }
 
 #[test]

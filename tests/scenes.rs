@@ -4,7 +4,10 @@ use std::{fs, path::Path};
 
 use grazing::{
     number::{Plain, parse_rational},
-    oscillator::{Expression, Scene, scene::reference},
+    oscillator::{
+        Expression, Scene,
+        scene::{Kind, reference},
+    },
 };
 use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
@@ -63,7 +66,7 @@ fn what_is_read_is_exact() {
     assert_eq!(scene.with(&scene.tasks[0].set).unwrap().exact(&[]).unwrap(), changed);
     let plain = scene.plain(&[("w", 5.0)]).unwrap();
     assert_eq!(plain.damping, 2.0 * 0.6 / 5.0);
-    let grazing::oscillator::scene::Kind::Simulate(task) = &scene.tasks[0].kind;
+    let Kind::Simulate(task) = &scene.tasks[0].kind else { panic!("{:?}", scene.tasks) };
     assert_eq!(scene.state(&task.start).unwrap().q, 0.49);
 }
 
@@ -160,7 +163,11 @@ fn every_failure_names_file_line_key_value_and_fix() {
             "side = \"lower\"",
             "s.toml:16: walls[2].side = \"lower\": there is a wall on this side already",
         ),
-        ("\"simulate\"", "\"simulation\"", "s.toml:23: tasks[1].kind = \"simulation\": is none of"),
+        (
+            "\"simulate\"",
+            "\"simulation\"",
+            "s.toml:23: tasks[1].kind = \"simulation\": is none of simulate, ",
+        ),
         (
             "name = \"m\"",
             "name = \"../m\"",

@@ -4,15 +4,18 @@
 //! is one with named parameters, read from a file, and what to do with it. Not here: the local theory at a grazing
 //! bifurcation (`impact`, `local`), tables and pictures (`output`).
 
-mod attractor;
+pub mod attractor;
+pub mod basin;
 mod contact;
 mod counter;
 pub mod critical;
 pub mod flow;
 pub mod grazing;
+pub mod lyapunov;
 pub mod orbit;
 mod rise;
 pub mod scene;
+pub mod section;
 mod series;
 pub mod simulate;
 mod system;
@@ -20,7 +23,6 @@ mod time;
 mod touching;
 pub mod validate;
 
-pub use attractor::{Attractor, Look};
 pub use contact::{Contact, Side};
 pub use counter::{Counter, Counts, Effect};
 pub use scene::{Expression, Scene};

@@ -121,6 +121,11 @@ impl Simulator {
         self.walls.contacts.iter().flatten()
     }
 
+    /// One of the walls, if it is there.
+    pub fn contact(&self, side: Side) -> Option<&Contact> {
+        self.walls.contacts[side as usize].as_ref()
+    }
+
     /// A run from displacement q and velocity u at `time`.
     ///
     /// # Errors
