@@ -64,8 +64,10 @@ fn rejections_name_the_line_and_the_reason() {
             with(0, "grazing-certificate 2"),
             "line 1: malformed: not a certificate of this format: expected \"grazing-certificate 1\"",
         ),
-        (with(1, "kind orbit"), "line 2: malformed: this kind is reserved for a later version"),
-        (with(1, "kind theorem3"), "line 2: malformed: expected a line \"kind theorem2\" or \"kind cover\""),
+        (
+            with(1, "kind theorem3"),
+            "line 2: malformed: expected a line \"kind theorem2\", \"kind cover\" or \"kind orbit\"",
+        ),
         (with(2, "range 5 3"), "line 3: malformed: the range must be 1 <= first <= last"),
         (with(2, "range 0 5"), "line 3: malformed: the range must be 1 <= first <= last"),
         (

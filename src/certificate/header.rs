@@ -64,7 +64,7 @@ impl Header {
             let reason = format!("{body} lines follow the header, so this should be \"lines {body}\"");
             return Err(Rejection::Malformed { line: self.claimed_at, reason });
         }
-        Ok(Checked { kind, statement, range: self.range(), lines: lines.number() })
+        Ok(Checked { kind, statement, range: self.range(), detail: None, lines: lines.number() })
     }
 }
 

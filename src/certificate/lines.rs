@@ -82,6 +82,7 @@ impl<R: BufRead> Lines<R> {
 }
 
 /// The words of a line, taken from left to right; an error says what was expected.
+#[derive(Clone)]
 pub(super) struct Words<'a> {
     rest: std::str::Split<'a, char>,
 }

@@ -12,7 +12,7 @@
 //!
 //! ```text
 //! grazing-certificate 1                format and its version
-//! kind theorem2                        or cover; orbit is reserved for later versions
+//! kind theorem2                        or one with a form of its own below this line: [`cover`], [`orbit`]
 //! range A B                            the periods covered, 1 ≤ A ≤ B; 3 ≤ A ≤ B ≤ 256 for a cover
 //! lines L                              the number of lines after the header
 //! statement …                          what passing proves, word for word
@@ -76,6 +76,7 @@ mod arithmetic;
 pub mod cover;
 mod header;
 mod lines;
+pub mod orbit;
 mod rejection;
 pub mod theorem2;
 
@@ -92,12 +93,14 @@ pub const FORMAT: &str = "grazing-certificate 1";
 /// What a certificate that passed the check has proved.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Checked {
-    /// The kind of certificate: `theorem2` or `cover`.
+    /// The kind of certificate: `theorem2`, `cover` or `orbit`.
     pub kind: &'static str,
     /// The statement, as in the header.
     pub statement: &'static str,
     /// The periods n for which it is proved.
     pub range: RangeInclusive<u64>,
+    /// What else tells this one from others of its kind.
+    pub detail: Option<String>,
     /// The number of lines read, header included.
     pub lines: u64,
 }
@@ -116,7 +119,7 @@ pub fn check(input: impl BufRead) -> Result<Checked, Rejection> {
     match kind.strip_prefix("kind ") {
         Some(theorem2::KIND) => theorem2::check(&mut lines),
         Some(cover::KIND) => cover::check(&mut lines),
-        Some("orbit") => Err(lines.malformed("this kind is reserved for a later version")),
-        _ => Err(lines.malformed("expected a line \"kind theorem2\" or \"kind cover\"")),
+        Some(orbit::KIND) => orbit::check(&mut lines),
+        _ => Err(lines.malformed("expected a line \"kind theorem2\", \"kind cover\" or \"kind orbit\"")),
     }
 }

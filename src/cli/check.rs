@@ -72,7 +72,8 @@ fn text(out: &mut dyn Write, path: &Path, result: &std::result::Result<Checked, 
     match result {
         Ok(checked) => {
             let (first, last) = (checked.range.start(), checked.range.end());
-            writeln!(out, "{}: proved, {} for n = {first}..={last}", path.display(), checked.kind)?;
+            let detail = checked.detail.iter().map(|detail| format!(": {detail}")).collect::<String>();
+            writeln!(out, "{}: proved, {} for n = {first}..={last}{detail}", path.display(), checked.kind)?;
         }
         Err(rejection) if outcome(result) == Outcome::Undecided => {
             writeln!(out, "{}: {rejection}", path.display())?;
@@ -89,6 +90,7 @@ fn json_report(path: &Path, result: &std::result::Result<Checked, Rejection>) ->
             "verdict": "proved",
             "kind": checked.kind,
             "range": [checked.range.start(), checked.range.end()],
+            "detail": checked.detail,
             "lines": checked.lines,
             "statement": checked.statement,
         }),

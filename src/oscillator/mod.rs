@@ -21,6 +21,7 @@ pub mod simulate;
 mod system;
 mod time;
 mod touching;
+pub mod validate;
 
 pub use contact::{Contact, Side};
 pub use counter::{Counter, Counts, Effect};

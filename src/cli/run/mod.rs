@@ -7,6 +7,7 @@ mod orbit;
 mod report;
 mod section;
 mod simulate;
+mod validate;
 
 use std::{
     fs,
@@ -104,6 +105,7 @@ impl<'a> Job<'a> {
             Kind::OrbitTask(task) => orbit::run(task, self, &mut report),
             Kind::EventTask(task) => event::run(task, self, &mut report),
             Kind::GrazingTask(task) => grazing::run(task, self, &mut report),
+            Kind::ValidateTask(task) => validate::run(task, self, &mut report),
         }?;
         Ok(report)
     }

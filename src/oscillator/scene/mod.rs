@@ -11,6 +11,7 @@ pub mod orbits;
 mod reference;
 mod sections;
 pub mod task;
+pub mod validate;
 mod walls;
 
 use std::{collections::BTreeMap, f64::consts::TAU, ops::Range};

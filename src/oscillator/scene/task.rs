@@ -9,6 +9,7 @@ use super::{
     keys::{Entry, Key, Record, Value, keys},
     orbits::{EventTask, GrazingTask, OrbitTask},
     sections::{Basins, Section},
+    validate::ValidateTask,
 };
 use crate::{
     error::Result,
@@ -105,6 +106,7 @@ kinds! {
     "orbit" OrbitTask,
     "event" EventTask,
     "grazing" GrazingTask,
+    "validate" ValidateTask,
 }
 
 /// What a kind of task checks before anything runs; by default nothing.
