@@ -13,7 +13,7 @@
 //!   until the force of contact is 0 ([`Release`]), at most one period later, or for good.
 //! - A run ends by an [`End`] that says why.
 //!
-//! For linear systems the trajectory itself carries rounding errors only. For others the error is that of [`Taylor`](super::flow::Taylor).
+//! For linear systems the trajectory itself carries rounding errors only. For others the error is that of [`Taylor`].
 //!
 //! ```
 //! use grazing::oscillator::{System, Time, Wall, simulate::{Event, Settings, Simulator}};
