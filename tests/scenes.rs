@@ -236,7 +236,7 @@ fn every_failure_names_file_line_key_value_and_fix() {
         (
             "offset = 1\n",
             "offset = \"-2/5\"\n",
-            &format!("s.toml:17: walls[2].offset = \"-2/5\": the walls meet: at t = "),
+            "s.toml:17: walls[2].offset = \"-2/5\": the walls meet: at t = ",
         ),
         (
             "q = \"w/10\"",
