@@ -11,6 +11,9 @@
 //!   between Farey fractions. [`existence::decide`] decides it by integer arithmetic, [`existence::decide_by_enclosure`] by
 //!   enclosures; [`search`] writes certificates; [`certificate::check`], which shares no code with any of them, proves them
 //!   again. (For all n at once, Theorem 2 and Conjecture 1 are proved in Coq, under `proofs/`.)
+//! - For a linear oscillator with walls: that an exact periodic orbit with a given impact pattern exists, is the only one in a box,
+//!   touches no wall else, and is stable or not; and where in a parameter orbits meet, double their period or graze
+//!   ([`oscillator::validate`]). The orbits have certificates too ([`certificate::orbit`]).
 //!
 //! # What is computed
 //!

@@ -100,11 +100,6 @@ fn events_lie_in_proved_intervals() {
         assert_eq!(words[1], name);
         let verdict = validate::event(family(&precision), &impacts, mu, condition, &precision).unwrap();
         let event = proved(verdict);
-        println!(
-            "{name} {} {:?}",
-            event.radius,
-            event.parameter.exact_bounds().map(|(lo, hi)| (lo.to_f64(), (hi - lo).to_f64()))
-        );
         assert!(agrees(&event.parameter, words[2], 20), "{name}: {:?}", event.parameter);
         if let (Some(time), Some(expected)) = (&event.time, words.get(3)) {
             assert!(agrees(time, expected, 20), "{name}");
