@@ -639,10 +639,10 @@ proptest! {
         // A box within a row, and no wider in s than a strip.
         let low = ONE - (ONE >> row);
         let width = (ONE >> (row + 1)) >> wr;
-        let r0 = low + (((ONE >> (row + 1)) - width) as i128 * i128::from(place) >> 20) as i64;
+        let r0 = low + ((((ONE >> (row + 1)) - width) as i128 * i128::from(place)) >> 20) as i64;
         let strip = (1u64 << 63) / n;
         let s_width = strip >> ws;
-        let s0 = (((1u64 << 63) - s_width) as u128 * u128::from(at) >> 20) as u64;
+        let s0 = ((((1u64 << 63) - s_width) as u128 * u128::from(at)) >> 20) as u64;
         let cell = Cell { r: [r0, r0 + width], s: [s0, s0 + s_width] };
         let (form, s_steps) = if quotient { (Form::Quotient, j.clamp(1, 15)) } else { (Form::Sine, j) };
         let patch = Patch::new(n, &cell, form).unwrap();
