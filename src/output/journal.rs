@@ -132,7 +132,13 @@ mod tests {
             fs::write(&path, &damaged).unwrap();
             match Journal::open(&path, "a run") {
                 Err(error) => assert!(error.is_input()),
-                Ok((_, found)) => assert_eq!(found, records[..2], "changed at {at}"),
+                // The last line is taken for torn; without the line feed before it, the last two are one.
+                Ok((_, found)) => {
+                    assert!(
+                        matches!(found.len(), 1 | 2) && found == records[..found.len()],
+                        "changed at {at}"
+                    );
+                }
             }
         }
         fs::write(&path, &text).unwrap();
