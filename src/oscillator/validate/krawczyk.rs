@@ -89,7 +89,7 @@ fn tightened(
     precision: &Precision,
 ) -> Result<Vec<Ball>> {
     loop {
-        let centre: Vec<BigRational> = region.iter().filter_map(|x| middle(x)).collect();
+        let centre: Vec<BigRational> = region.iter().filter_map(middle).collect();
         let next = image(map, &centre, &region, inverse, precision)?;
         let smaller = |(new, old): (&Ball, &Ball)| {
             Some(width(new)? * BigRational::from_integer(2.into()) < width(old)?)
