@@ -24,6 +24,8 @@
 //! - The lower edges of the areas of Conjecture 1, r < 1, and their lowest points, certified to any number of digits
 //!   ([`existence::Boundary`]).
 //! - For a local map of any dimension, exact or enclosed: which impact patterns give orbits, by Theorem 1 ([`impact`]).
+//! - Trajectories of impact oscillators with one degree of freedom, in f64: every impact deeper than a stated bound; sections, attractors,
+//!   Lyapunov exponents, basins ([`oscillator`]).
 //! - The formulas as integer polynomials, and statements about them for solvers ([`symbol`]).
 //!
 //! # When to use it, and when not

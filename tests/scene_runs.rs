@@ -171,7 +171,7 @@ fn figures_8_to_10_show_what_the_captions_say() {
     assert!(same(&points(&csv, "stable, period 1 with 0 impacts"), &[[0.976, 0.0]]));
     assert!(same(&points(&csv, "unstable, impact pattern (4)"), &exact(-0.024, 4, false)));
     let noisy = points(&csv, "attractor, not periodic");
-    assert_eq!(noisy.len(), 4000);
+    assert_eq!(noisy.len(), 2000);
     let curve = points(&csv, "where the next period grazes the lower wall");
     let left_of_curve = |point: &[f64; 2]| {
         let pair = curve.windows(2).find(|pair| (pair[0][1] - point[1]) * (pair[1][1] - point[1]) <= 0.0)?;

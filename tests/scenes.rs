@@ -236,7 +236,7 @@ fn every_failure_names_file_line_key_value_and_fix() {
         (
             "offset = 1\n",
             "offset = \"-2/5\"\n",
-            &format!("s.toml:17: walls[2].offset = \"-2/5\": the walls meet: at t = "),
+            "s.toml:17: walls[2].offset = \"-2/5\": the walls meet: at t = ",
         ),
         (
             "q = \"w/10\"",
@@ -417,6 +417,20 @@ fn damaged_scenes_are_errors_and_never_panic() {
         }
     }
     assert!(refused > 4000 && read_all > 1000, "{refused} refused, {read_all} read");
+}
+
+/// The guide's scene can be read, and its errors are what a reader would see.
+#[test]
+fn the_guide_is_true() {
+    let page = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/scenes.md")).unwrap();
+    let scene = page.split_once("```toml\n").unwrap().1.split_once("```").unwrap().0;
+    read(scene).unwrap();
+    for (from, to) in
+        [("damping =", "dampng ="), ("1/w^2", "1/v^2"), ("restitution = 0.8", "restitution = -0.5")]
+    {
+        let error = read(&scene.replace(from, to)).unwrap_err().replacen("s.toml", "scene.toml", 1);
+        assert!(page.contains(&format!("    {error}\n")), "{error}");
+    }
 }
 
 #[test]

@@ -6,7 +6,7 @@ use grazing::oscillator::{
     Contact, Counts, Effect, Harmonic, Side, System, Time, Wall,
     attractor::{Detection, Fate},
     basin::{Cell, Frame, basins},
-    flow::Flow,
+    flow::{Flow, Linear},
     lyapunov::lyapunov,
     simulate::{End, Event, Impact, Run, Settings, Simulator},
 };
@@ -417,4 +417,187 @@ fn basins_tell_starts_apart() {
     assert!((0..5).all(|row| basins.cells[15 * row] == Cell::Behind));
     assert!(basins.cells.contains(&Cell::Attractor(0)));
     assert!(basins.attractors.iter().any(|cycle| cycle.impacts == 0));
+}
+
+#[test]
+fn a_duffing_oscillator_keeps_its_energy_at_an_elastic_wall() {
+    let system = System { cubic: 0.8, lower: Some(wall(-0.4, 1.0, &[])), ..bare(0.0, -0.5) };
+    let energy = |q: f64, u: f64| u * u / 2.0 - 0.25 * q * q + 0.2 * q.powi(4);
+    let mut last = f64::INFINITY;
+    for (tolerance, most) in [(1e-3, 1e-2), (1e-6, 1e-5), (1e-9, 1e-8), (1e-13, 1e-12)] {
+        let simulator = Simulator::new(&system, &Settings { tolerance, ..Settings::default() }).unwrap();
+        let mut run = simulator.start(at(0.0), 1.3, 0.2).unwrap();
+        assert_eq!(run.finish(Time::new(20, 0.0)), End::Reached);
+        assert!(run.impacts() > 10);
+        let off = (energy(run.state().q, run.state().u) - energy(1.3, 0.2)).abs();
+        assert!(off < most && off <= last, "{tolerance:e}: {off:e}");
+        last = off.max(1e-14);
+    }
+}
+
+#[test]
+fn a_stable_orbit_is_met_to_rounding_after_many_periods() {
+    // The exact orbit of period 3 with one impact at µ = 0.0058, by the matrices of its three periods of flight.
+    let mu = 0.0058;
+    let system = paper(0.6, 4.9, mu, 1.0);
+    let e = Linear::new(&system).unwrap().matrix(3.0 * TAU);
+    let (a, b, c, d) = (1.0 - e[0][0], -e[0][1], -e[1][0], 1.0 - e[1][1]);
+    let (x, y, det) = (2.0 * e[0][1], 2.0 * e[1][1], a * d - b * c);
+    let (p, r) = ((d * x - b * y) / det, 1.0 + (a * y - c * x) / det);
+    let rest = mu * (2.0 + mu);
+    let velocity = rest / (p + (p * p + (p * p + r * r) * rest).sqrt());
+    let phase = (-(r * velocity)).atan2(1.0 + p * velocity).rem_euclid(TAU);
+    let simulator = simulator(&system);
+    let mut run = simulator.start(at(1.0), 0.004, 0.0).unwrap();
+    run.finish(Time::new(30_000, 0.0));
+    for impact in impacts(&mut run, Time::new(30_030, 0.0)) {
+        assert!(
+            (impact.time.phase - phase).abs() < 1e-13 && (impact.velocity + velocity).abs() < 1e-13,
+            "{impact:?}"
+        );
+    }
+}
+
+/// tests/data/impacts.toml, written by make_impacts.py beside it.
+mod references {
+    use serde::Deserialize;
+
+    #[derive(Deserialize)]
+    pub struct File {
+        pub case: Vec<Case>,
+    }
+
+    #[derive(Deserialize)]
+    pub struct Case {
+        pub name: String,
+        pub tolerance: f64,
+        pub damping: f64,
+        pub stiffness: f64,
+        pub force: f64,
+        pub forcing: Vec<(u32, f64, f64)>,
+        pub lower: Option<Wall>,
+        pub upper: Option<Wall>,
+        pub start: [f64; 3],
+        pub until: f64,
+        pub impacts: Vec<(f64, String, f64)>,
+    }
+
+    #[derive(Deserialize)]
+    pub struct Wall {
+        pub offset: f64,
+        pub restitution: f64,
+        pub harmonics: Vec<(u32, f64, f64)>,
+    }
+}
+
+#[test]
+fn hard_cases_have_the_impacts_of_their_references() {
+    let file: references::File = toml::from_str(include_str!("data/impacts.toml")).unwrap();
+    assert_eq!(file.case.len(), 18);
+    for case in file.case {
+        let given = |w: references::Wall| wall(w.offset, w.restitution, &w.harmonics);
+        let forcing = case.forcing.iter().map(|&(k, cos, sin)| Harmonic { k, cos, sin }).collect();
+        let (lower, upper) = (case.lower.map(given), case.upper.map(given));
+        let system =
+            System { force: case.force, forcing, lower, upper, ..bare(case.damping, case.stiffness) };
+        for (route, simulator) in [("closed", simulator(&system)), ("integrated", integrated(&system, 1e-15))]
+        {
+            let [t, q, u] = case.start;
+            let found = impacts(&mut simulator.start(at(t), q, u).unwrap(), at(case.until));
+            let name = format!("{}, {route}", case.name);
+            assert_eq!(found.len(), case.impacts.len(), "{name}: {found:?}");
+            for (impact, (t, side, velocity)) in found.iter().zip(&case.impacts) {
+                let off = (impact.time.since(at(0.0)) - t).abs().max((impact.velocity - velocity).abs());
+                assert!(off < case.tolerance, "{name}: off by {off:e} at {t}");
+                assert_eq!(impact.side.name(), side);
+            }
+        }
+    }
+}
+
+mod properties {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn harmonics(size: f64) -> impl Strategy<Value = Vec<(u32, f64, f64)>> {
+        prop::collection::vec((1u32..6, -size..size, -size..size), 0..3)
+    }
+
+    fn walls() -> impl Strategy<Value = (Option<Wall<f64>>, Option<Wall<f64>>)> {
+        let one = |offset| {
+            let restitution = prop_oneof![Just(0.0), Just(1.0), 0.0..1.2f64];
+            prop::option::weighted(
+                0.8,
+                (offset, restitution, harmonics(0.1))
+                    .prop_map(|(offset, tau, moving)| wall(offset, tau, &moving)),
+            )
+        };
+        (one(-2.0..-0.4f64), one(0.4..2.0f64))
+    }
+
+    prop_compose! {
+        fn systems()(
+            damping in prop_oneof![Just(0.0), 0.0..3.0f64],
+            stiffness in prop_oneof![Just(0.0), Just(1.0), -0.5..4.0f64, Just(30.0)],
+            cubic in prop_oneof![3 => Just(0.0), 1 => 0.0..2.0f64],
+            force in prop_oneof![Just(0.0), -1.0..1.0f64],
+            forcing in harmonics(1.5),
+            (lower, upper) in walls(),
+        ) -> System<f64> {
+            let forcing = forcing.into_iter().map(|(k, cos, sin)| Harmonic { k, cos, sin }).collect();
+            System { damping, stiffness, cubic, force, forcing, lower, upper }
+        }
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(256))]
+
+        #[test]
+        fn nothing_passes_through_a_wall_and_every_impact_closes(system in systems(), q in -0.1..0.1f64, u in -3.0..3.0f64) {
+            let settings = Settings { minimum_depth: 1e-10, impact_limit: 500, ..Settings::default() };
+            let Ok(simulator) = Simulator::new(&system, &settings) else { return Ok(()) };
+            let mut run = simulator.start(at(0.5), q, u).unwrap();
+            let mut last = run.time();
+            let mut next = at(0.5);
+            loop {
+                // Looked at on a fine grid of times, too, not only at events.
+                match run.next(next) {
+                    Event::End(End::Reached) => next = next.after(0.0437),
+                    Event::End(_) => break,
+                    Event::Impact(impact) => {
+                        prop_assert!(impact.velocity <= 0.0 && impact.radius.is_finite());
+                        prop_assert!(impact.time >= last);
+                        last = impact.time;
+                    }
+                    _ => {}
+                }
+                let state = run.state();
+                let size = 1.0 + state.q.abs() + state.u.abs();
+                for contact in simulator.contacts() {
+                    let [z, _] = contact.gap(state);
+                    prop_assert!(z > -1.01e-10 - 1e-13 * size, "behind a wall by {:e} at {:?}", -z, run.time());
+                }
+                if next > at(60.0) {
+                    break;
+                }
+            }
+        }
+
+        #[test]
+        fn where_one_stops_to_look_changes_nothing(system in systems(), u in -3.0..3.0f64, stop in 0.6..10.0f64) {
+            let settings = Settings { impact_limit: 20, ..Settings::default() };
+            let Ok(simulator) = Simulator::new(&system, &settings) else { return Ok(()) };
+            let mut straight = simulator.start(at(0.5), 0.0, u).unwrap();
+            let mut stopped = simulator.start(at(0.5), 0.0, u).unwrap();
+            let (mut a, mut b) = (Vec::new(), Vec::new());
+            straight.record(at(12.0), |event| a.push(event));
+            stopped.record(at(stop), |event| b.push(event));
+            stopped.record(at(12.0), |event| b.push(event));
+            prop_assert_eq!(a.len(), b.len());
+            for (a, b) in a.iter().zip(&b) {
+                prop_assert!(a.time().unwrap().since(b.time().unwrap()).abs() < 1e-9, "{:?} {:?}", a, b);
+            }
+        }
+    }
 }

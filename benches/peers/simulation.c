@@ -48,13 +48,16 @@ int main(int argc, char **argv)
                 if (fabs(step) < 1e-8) break;
             }
             gap(t, &z, &v, &b);
-            if (!(t > from + 1e-9) || z >= 0 || t > summit + M_PI / 2) break;
+            if (!(t > from + 1e-9) || z >= 0 || b < 0 || t > summit + M_PI / 2) break;
+            double low = from, high = t;
             t -= sqrt(-2 * z / b);
-            for (int i = 0; i < 50; i++) {
+            for (int i = 0; i < 100; i++) {
+                if (!(t > low && t < high)) t = (low + high) / 2;
                 gap(t, &z, &v, &b);
+                if (z > 0) low = t; else high = t;
                 double step = z / v;
                 t -= step;
-                if (fabs(step) < 1e-15 || step * step * fabs(b) < 1e-17 * fabs(v)) break;
+                if (step * step * fabs(b) < 1e-17 * fabs(v) || high - low < 1e-15) break;
             }
             double q, u, a;
             motion(t, &q, &u, &a);

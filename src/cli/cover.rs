@@ -76,7 +76,7 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
         write_file(path, |out| Ok(out.write_all(assemble(&range, &blocks).as_bytes())?))?;
     }
     let report = match args.format {
-        ReportFormat::Text => text(&range, &rows, args) + &clock,
+        ReportFormat::Text => text(&range, &rows, args) + &growth(&rows) + &clock,
         ReportFormat::Json => format!("{}\n", json_report(&range, &rows, args)),
     };
     Destination::Stdout.write(|out| Ok(out.write_all(report.as_bytes())?))?;
@@ -247,6 +247,30 @@ fn table(rows: &[Row]) -> String {
         line("all", &all.0, all.1, all.2, all.3);
     }
     text
+}
+
+/// How leaves and times grow over the periods of a range, if there are enough of them to say.
+fn growth(rows: &[Row]) -> String {
+    if rows.len() < 8 {
+        return String::new();
+    }
+    let exponent =
+        |of: fn(&Row) -> f64| slope(rows.iter().map(|row| ((row.cover.n as f64).ln(), of(row).ln())));
+    format!(
+        "Least squares: leaves grow like n^{:.2}, time to find like n^{:.2}, to check like n^{:.2}.\n",
+        exponent(|row| row.tally.leaves() as f64),
+        exponent(|row| row.cover.seconds.max(1e-9)),
+        exponent(|row| row.check_seconds.max(1e-9)),
+    )
+}
+
+/// The slope of the line of least squares.
+fn slope(points: impl Iterator<Item = (f64, f64)> + Clone) -> f64 {
+    let count = points.clone().count() as f64;
+    let (x, y) = points.clone().fold((0.0, 0.0), |(a, b), (x, y)| (a + x / count, b + y / count));
+    let [above, below] =
+        points.fold([0.0, 0.0], |[a, b], (u, v)| [a + (u - x) * (v - y), b + (u - x) * (u - x)]);
+    above / below
 }
 
 fn json_report(range: &RangeInclusive<u64>, rows: &[Row], args: &Args) -> serde_json::Value {

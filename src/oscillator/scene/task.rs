@@ -73,7 +73,7 @@ macro_rules! kinds {
     ($($word:literal $kind:ident,)+) => {
         /// What a task does.
         #[derive(Debug, Clone, PartialEq)]
-        pub enum Kind { $(#[doc = concat!("`", $word, "`.")] $kind($kind),)+ }
+        pub enum Kind { $(#[doc = concat!("`", $word, "`.")] $kind(Box<$kind>),)+ }
 
         impl Kind {
             /// Its word in the file.
@@ -83,7 +83,7 @@ macro_rules! kinds {
 
             fn read(word: &str, entry: &Entry, common: &[&str]) -> Option<Result<Self>> {
                 match word {
-                    $($word => Some($kind::fields(entry, common).map(Kind::$kind)),)+
+                    $($word => Some($kind::fields(entry, common).map(|task| Kind::$kind(Box::new(task)))),)+
                     _ => None,
                 }
             }

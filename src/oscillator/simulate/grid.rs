@@ -227,7 +227,6 @@ impl<const DRIVEN: bool> Pieces for Grid<DRIVEN> {
     }
 
     fn escaped(&self, cursor: &Cursor) -> bool {
-        // Not a number is beyond all bounds, too.
-        !(cursor.y[0].abs() + cursor.y[1].abs() < super::FARTHEST)
+        super::unbounded(cursor.y[0].abs() + cursor.y[1].abs())
     }
 }

@@ -124,7 +124,6 @@ impl Pieces for Steps {
     }
 
     fn escaped(&self, cursor: &Cursor) -> bool {
-        // Not a number is beyond all bounds, too.
-        !(cursor.step.q[0].abs() < super::FARTHEST && cursor.step.h > SHORTEST * TAU)
+        super::unbounded(cursor.step.q[0].abs()) || cursor.step.h <= SHORTEST * TAU
     }
 }

@@ -117,18 +117,33 @@ pub struct Chart {
     /// The strip.
     pub strip: Strip,
     rows: Vec<BigRational>,
-    /// Rounded: the rows' ends, and the strip's.
-    row_ends: Vec<f64>,
-    strip_ends: [f64; 2],
+    /// 1 − r at the rows' ends, rounded.
+    gaps: Vec<f64>,
+    /// The strip's ends in units of 2⁻⁶⁴ turns, rounded down.
+    turns: [u64; 2],
+}
+
+/// A cell in floats: its centre to nearly twice their precision, since a claim is sensitive to n times the centre's error.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Frame {
+    /// 1 − r at the centre.
+    pub gap: f64,
+    /// Half the width in r.
+    pub h: f64,
+    /// s at the centre, in units of 2⁻⁶⁴ turns.
+    pub turns: u64,
+    /// Half the width in s, in turns.
+    pub half_turns: f64,
 }
 
 impl Chart {
     /// The chart of a strip up to `r_max`.
     pub fn new(strip: Strip, r_max: &BigRational) -> Self {
         let rows = row_ends(r_max);
-        let row_ends = rows.iter().map(|r| r.to_f64().unwrap_or(f64::NAN)).collect();
-        let strip_ends = [strip.left, strip.right].map(|s| *s.numer() as f64 / *s.denom() as f64);
-        Chart { strip, rows, row_ends, strip_ends }
+        let gaps = rows.iter().map(|r| (BigRational::one() - r).to_f64().unwrap_or(f64::NAN)).collect();
+        let turns = [strip.left, strip.right]
+            .map(|s| ((u128::from(*s.numer()) << 64) / u128::from(*s.denom())) as u64);
+        Chart { strip, rows, gaps, turns }
     }
 
     pub(super) fn rows(&self) -> usize {
@@ -148,16 +163,18 @@ impl Chart {
         ]
     }
 
-    /// The bounds of r and of s in a cell, rounded.
-    pub(super) fn rounded_bounds(&self, cell: &Cell) -> [[f64; 2]; 2] {
-        let part = |from: f64, to: f64, (i, level): (u64, u32)| {
-            [i, i + 1].map(|i| from + (to - from) * (i as f64 * 0.5f64.powi(level as i32)))
-        };
-        let row = cell.row as usize;
-        [
-            part(self.row_ends[row], self.row_ends[row + 1], cell.r),
-            part(self.strip_ends[0], self.strip_ends[1], cell.s),
-        ]
+    /// Where a cell is, in floats.
+    pub(super) fn frame(&self, cell: &Cell) -> Frame {
+        let (row, half) = (cell.row as usize, |level: u32| 0.5f64.powi(level as i32 + 1));
+        let (gap, height) = (self.gaps[row], self.gaps[row] - self.gaps[row + 1]);
+        let [left, right] = self.turns;
+        let (i, level) = cell.s;
+        Frame {
+            gap: gap - height * ((2 * cell.r.0 + 1) as f64 * half(cell.r.1)),
+            h: height * half(cell.r.1),
+            turns: left + ((u128::from(right - left) * u128::from(2 * i + 1)) >> (level + 1)) as u64,
+            half_turns: (right - left) as f64 * half(level) * 0.5f64.powi(64),
+        }
     }
 
     /// Whether the cell's upper side lies on r = r_max.

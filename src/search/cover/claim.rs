@@ -1,7 +1,9 @@
 //! What can be claimed of one box.
 
+use std::f64::consts::TAU;
+
 use super::{
-    chart::{Axis, Cell, Chart},
+    chart::{Axis, Cell, Chart, Frame},
     expansion::{Expander, Expansion},
 };
 use crate::certificate::cover::Leaf;
@@ -16,7 +18,7 @@ pub(super) enum Verdict {
     Noise,
 }
 
-/// Decides boxes of one chart. `finest` bounds the size of Edge leaves.
+/// Decides boxes of one chart. `finest` bounds the size of Edge leaves in the (a₁, a₂) plane.
 pub(super) struct Judge<'a> {
     pub chart: &'a Chart,
     pub n: u64,
@@ -31,21 +33,17 @@ impl<'a> Judge<'a> {
 
     /// Decides a box, and says whether what was found contradicts the claim for the strip. O(n).
     pub fn judge(&mut self, cell: &Cell) -> (Verdict, bool) {
-        let bounds = self.chart.rounded_bounds(cell);
-        self.expander.expand(bounds);
+        let frame = self.chart.frame(cell);
+        self.expander.expand(&frame);
         let all = &self.expander.all;
-        // The clearest of either sign, and how many are certain.
-        let clearest =
-            |t: f64| {
-                let certain = (1..)
-                    .zip(&all[1..])
-                    .map(|(k, expansion)| (k, expansion.low(t)))
-                    .filter(|(_, low)| *low > 0.0);
-                certain.fold((0, 0, 0.0), |(count, best, most), (k, low)| {
-                    if low > most { (count + 1, k, low) } else { (count + 1, best, most) }
-                })
-            };
-        let ((above, positive, _), (below, negative, _)) = (clearest(1.0), clearest(-1.0));
+        // How many have the sign t for certain, and the least: small numbers keep certificates short.
+        let certain = |t: f64| {
+            let mut found =
+                (1..).zip(&all[1..]).filter(|(_, expansion)| expansion.low(t) > 0.0).map(|(k, _)| k);
+            let least = found.next();
+            (least.map_or(0, |_| 1 + found.count() as u64), least.unwrap_or_default())
+        };
+        let ((above, positive), (below, negative)) = (certain(1.0), certain(-1.0));
         let claimed = self.chart.strip.sign();
         if above > 0 && below > 0 {
             return (Verdict::Leaf(Leaf::None { positive, negative }), self.claims_orbit(all));
@@ -55,7 +53,7 @@ impl<'a> Judge<'a> {
             return (Verdict::Leaf(Leaf::Orbit { positive: above > 0 }), claimed != Some(t));
         }
         if above + below > 0
-            && let Some(leaf) = self.edge(cell, bounds, if above > 0 { 1.0 } else { -1.0 })
+            && let Some(leaf) = self.edge(cell, &frame, if above > 0 { 1.0 } else { -1.0 })
         {
             return (Verdict::Leaf(leaf), false);
         }
@@ -79,10 +77,14 @@ impl<'a> Judge<'a> {
     }
 
     /// An Edge leaf, where some sign is certain and it is t.
-    fn edge(&self, cell: &Cell, [r, s]: [[f64; 2]; 2], t: f64) -> Option<Leaf> {
+    fn edge(&self, cell: &Cell, frame: &Frame, t: f64) -> Option<Leaf> {
         let all = &self.expander.all;
         let deciding = self.chart.strip.interval.as_ref()?.deciding?;
-        let fine = self.finest.is_none_or(|finest| r[1] - r[0] < finest && s[1] - s[0] < finest);
+        let fine = self.finest.is_none_or(|finest| {
+            let r = 1.0 - frame.gap;
+            let (width, height) = (4.0 * TAU * (r + frame.h) * frame.half_turns, 4.0 * r * frame.h);
+            width < finest && height < finest * (1.0 - r * r).max(0.1)
+        });
         if self.chart.strip.sign() != Some(t) || !fine {
             return None;
         }

@@ -13,6 +13,11 @@
 
 use std::f64::consts::TAU;
 
+use super::chart::Frame;
+
+/// 2⁻⁶⁴ turns in radians.
+const UNIT: f64 = TAU / 18_446_744_073_709_551_616.0;
+
 /// Taylor coefficients of one factor: at the centre, and bounds over the box (the third order only there).
 #[derive(Debug, Clone, Copy, Default)]
 struct Factor {
@@ -105,15 +110,14 @@ impl Expander {
         Expander { n, moments, quotient, waves, powers, all: vec![Expansion::default(); n] }
     }
 
-    /// Expands on the box with these bounds of r and s. O(n), a sine and a cosine for every 16 indices.
-    pub fn expand(&mut self, [[r0, r1], [s0, s1]]: [[f64; 2]; 2]) {
-        let n = self.n;
-        let (r, h) = ((r0 + r1) / 2.0, (r1 - r0) / 2.0);
-        self.expand_waves((s0 + s1) / 2.0, (s1 - s0) / 2.0 * TAU);
-        self.expand_powers(r, h, r1);
+    /// Expands on a box. O(n), a sine and a cosine for every 8 indices.
+    pub fn expand(&mut self, frame: &Frame) {
+        let (n, h) = (self.n, frame.h);
+        self.expand_waves(frame.turns, frame.half_turns * TAU);
+        self.expand_powers(frame.gap, h);
         let steep = (n as f64 * h).floor() + 1.0;
         // The checker's bound of its own rounding, with room.
-        let pad = (40.0 * n as f64 * steep.powi(3) + 300.0) * 0.5f64.powi(60) + 4e-15;
+        let pad = (40.0 * n as f64 * steep.powi(3) + 300.0) * 0.5f64.powi(60) + 6e-15;
         let (last, wave_n) = (self.powers[n], self.waves[n]);
         for k in 1..n {
             let (power, wave, wave_k) = (&self.powers[n - k], &self.waves[n - k], &self.waves[k]);
@@ -134,36 +138,40 @@ impl Expander {
         }
     }
 
-    /// cos 2πqs and sin 2πqs for q = 0, 1, … by addition from every 16th.
-    fn turns(s: f64) -> impl Iterator<Item = (f64, f64)> {
-        let (sine, cosine) = (s * TAU).sin_cos();
-        (0..).scan((1.0, 0.0), move |(c, s_), q: u32| {
-            if q % 16 == 0 {
-                // The product's rounding error is kept, or it would cost n times as much as all else.
-                let whole = f64::from(q) * s;
-                let part = whole - whole.round() + f64::from(q).mul_add(s, -whole);
-                (*s_, *c) = (part * TAU).sin_cos();
+    /// cos 2πqs and sin 2πqs for q = 0, 1, … by addition from every 8th, s = turns·2⁻⁶⁴.
+    fn circle(turns: u64) -> impl Iterator<Item = (f64, f64)> {
+        let angle = |turns: u64| {
+            // The nearest float, and what is missing: a float has 53 of the 64 bits.
+            let float = turns as i64 as f64;
+            let ((sine, cosine), rest) =
+                ((float * UNIT).sin_cos(), ((turns as i64).wrapping_sub(float as i64)) as f64 * UNIT);
+            (cosine - rest * sine, sine + rest * cosine)
+        };
+        let (cosine, sine) = angle(turns);
+        (0..).scan((1.0, 0.0), move |(c, s), q: u64| {
+            (*c, *s) = if q.is_multiple_of(8) {
+                angle(turns.wrapping_mul(q))
             } else {
-                (*c, *s_) = (*c * cosine - *s_ * sine, *s_ * cosine + *c * sine);
-            }
-            Some((*c, *s_))
+                (*c * cosine - *s * sine, *s * cosine + *c * sine)
+            };
+            Some((*c, *s))
         })
     }
 
-    fn expand_waves(&mut self, s: f64, eta: f64) {
+    fn expand_waves(&mut self, turns: u64, eta: f64) {
         if self.quotient {
-            return self.expand_quotients(s, eta);
+            return self.expand_quotients(turns, eta);
         }
-        for (q, (wave, (cosine, sine))) in self.waves.iter_mut().zip(Self::turns(s)).enumerate() {
+        for (q, (wave, (cosine, sine))) in self.waves.iter_mut().zip(Self::circle(turns)).enumerate() {
             let e = q as f64 * eta;
             wave.at = [sine, e * cosine, -e * e * sine / 2.0];
             wave.bound = [1.0, e, e * e / 2.0, e * e * e / 6.0];
         }
     }
 
-    fn expand_quotients(&mut self, s: f64, eta: f64) {
+    fn expand_quotients(&mut self, turns: u64, eta: f64) {
         let scale = 1.0 / self.n as f64;
-        for ((q, (cosine, sine)), moments) in (1..=self.n).zip(Self::turns(s)).zip(&self.moments[1..]) {
+        for ((q, (cosine, sine)), moments) in (1..=self.n).zip(Self::circle(turns)).zip(&self.moments[1..]) {
             let e = (q - 1) as f64 * eta;
             let terms = [cosine, -e * sine, -e * e * cosine / 2.0];
             self.waves[q].at = if q == 1 {
@@ -180,17 +188,20 @@ impl Expander {
         }
     }
 
-    fn expand_powers(&mut self, r: f64, h: f64, r1: f64) {
+    fn expand_powers(&mut self, gap: f64, h: f64) {
         let (mut at, mut bound) = ([1.0, 0.0, 0.0, 0.0], [1.0, 0.0, 0.0, 0.0]);
+        let [r, r1] = [gap, gap - h].map(|gap| 1.0 - gap);
+        // What r = 1 − gap lost to rounding.
+        let [rest, rest1] = [(1.0 - r) - gap, (1.0 - r1) - (gap - h)];
         for (p, power) in (0..).zip(&mut self.powers) {
             power.at = [at[0], at[1], at[2]];
             power.bound = bound;
             // binomial(p + 1, i) r^(p + 1 − i) hⁱ = (p + 1)/i · h · the one before of p.
-            let next = |a: [f64; 4], r: f64| {
+            let next = |a: [f64; 4], r: f64, rest: f64| {
                 let q = f64::from(p) + 1.0;
-                [a[0] * r, q * h * a[0], q / 2.0 * h * a[1], q / 3.0 * h * a[2]]
+                [a[0] * r + a[0] * rest, q * h * a[0], q / 2.0 * h * a[1], q / 3.0 * h * a[2]]
             };
-            (at, bound) = (next(at, r), next(bound, r1));
+            (at, bound) = (next(at, r, rest), next(bound, r1, rest1));
         }
     }
 }

@@ -32,7 +32,6 @@ use crate::{
     monitor::Monitor,
 };
 use claim::Judge;
-use tree::Grown;
 
 /// What to cover, and how finely.
 #[derive(Debug, Clone, PartialEq)]
@@ -43,7 +42,7 @@ pub struct Options {
     pub r_max: Option<BigRational>,
     /// The largest number of splits above a leaf.
     pub max_depth: u32,
-    /// The largest width of an Edge leaf in r and in s, for pictures.
+    /// The largest width of an Edge leaf in the (a₁, a₂) plane, for pictures; its height is at most this times max(1 − a₂, 1/10).
     pub finest: Option<f64>,
     /// The statement that guides the search.
     pub variant: Variant,
@@ -236,7 +235,7 @@ pub fn cover(
             let (cover, start) = (&covers[at], Instant::now());
             let found = one_strip(options, cover, index);
             let seconds = start.elapsed().as_secs_f64();
-            if let Found::Trees(trees) = &found {
+            if let Ok(trees) = &found {
                 record((cover.n, index), trees)?;
             }
             // An interruption now is noticed before the next unit.
@@ -247,12 +246,12 @@ pub fn cover(
     for ((at, index), found) in missing.into_iter().zip(found) {
         let cover = &mut covers[at];
         match found {
-            Some((Found::Trees(trees), seconds)) => {
+            Some((Ok(trees), seconds)) => {
                 cover.strips[index].1 = Some(trees);
                 cover.seconds += seconds;
             }
-            Some((Found::Refutation(case), _)) => {
-                cover.refuted.get_or_insert(case);
+            Some((Err(case), _)) => {
+                cover.refuted.get_or_insert(*case);
             }
             None => {}
         }
@@ -260,11 +259,8 @@ pub fn cover(
     Ok(covers)
 }
 
-/// What one unit came to.
-enum Found {
-    Trees(String),
-    Refutation(Case),
-}
+/// What one unit came to: trees, or a point at which the claim is false.
+type Found = std::result::Result<String, Box<Case>>;
 
 fn one_strip(options: &Options, cover: &Cover, index: usize) -> Found {
     let chart = Chart::new(cover.strips[index].0.clone(), &cover.r_max);
@@ -273,8 +269,5 @@ fn one_strip(options: &Options, cover: &Cover, index: usize) -> Found {
         let case = Case { n: cover.n, point: Point::Polar(Polar::new(r, s).ok()?) };
         differ(&Ladder::default(), &case, options.variant).then_some(case)
     };
-    match tree::grow(Judge::new(&chart, cover.n, options.finest), options.max_depth, refutes) {
-        Grown::Trees(trees) => Found::Trees(trees),
-        Grown::Refutation(case) => Found::Refutation(case),
-    }
+    tree::grow(Judge::new(&chart, cover.n, options.finest), options.max_depth, refutes)
 }

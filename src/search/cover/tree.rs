@@ -10,20 +10,17 @@ use crate::{
     error::{Error, Result},
 };
 
-/// How a strip's search ended.
-pub(super) enum Grown {
-    /// The trees of all its rows.
-    Trees(String),
-    /// A point at which the claim is false.
-    Refutation(Case),
-}
-
 /// Boxes met in one strip before the rest is left open: hundreds of times what any strip of a period up to 128 needs.
-const BUDGET: u32 = 1 << 18;
+const BUDGET: u32 = 1 << 16;
 
 /// The trees of a strip's rows as text: `r` or `s` for a split, then its two parts; leaves as they display. Boxes still undecided after `max_depth`
-/// splits become Open leaves. Where the claim for the strip seems to be false, `refutes` is asked. Cost: O(n) for each box met.
-pub(super) fn grow(mut judge: Judge, max_depth: u32, refutes: impl Fn(&Cell) -> Option<Case>) -> Grown {
+/// splits become Open leaves. Where the claim for the strip
+/// seems to be false, `refutes` is asked; a point at which it is false ends the search and is returned instead. Cost: O(n) for each box met.
+pub(super) fn grow(
+    mut judge: Judge,
+    max_depth: u32,
+    refutes: impl Fn(&Cell) -> Option<Case>,
+) -> std::result::Result<String, Box<Case>> {
     let (mut text, mut met) = (String::new(), 0);
     for row in 0..judge.chart.rows() {
         let mut stack = vec![Cell::root(row)];
@@ -35,7 +32,7 @@ pub(super) fn grow(mut judge: Judge, max_depth: u32, refutes: impl Fn(&Cell) -> 
             }
             let (verdict, suspect) = judge.judge(&cell);
             if suspect && let Some(case) = refutes(&cell) {
-                return Grown::Refutation(case);
+                return Err(Box::new(case));
             }
             match verdict {
                 Verdict::Leaf(_) if suspect => text += &Leaf::Open.to_string(),
@@ -49,7 +46,7 @@ pub(super) fn grow(mut judge: Judge, max_depth: u32, refutes: impl Fn(&Cell) -> 
             }
         }
     }
-    Grown::Trees(text)
+    Ok(text)
 }
 
 /// Calls `visit` with every leaf of the trees of period `n` on a chart, and its box.
