@@ -4,6 +4,7 @@
 //! is one with named parameters, read from a file, and what to do with it. Not here: the local theory at a grazing
 //! bifurcation (`impact`, `local`), tables and pictures (`output`).
 
+pub mod branch;
 mod contact;
 pub mod flow;
 pub mod orbit;

@@ -70,10 +70,7 @@ pub fn linearise(oscillator: &Oscillator, itinerary: &Itinerary, z: &[f64]) -> R
         let Leg { end, matrix, slope } = oscillator.leg(from, time);
         let sign = there.wall.side.sign();
         // Starting later is starting displaced: by what the wall and the orbit move in between, reversed.
-        let delayed = [
-            here.motion[1] - from.u,
-            here.motion[2] - oscillator.flow().acceleration(from),
-        ];
+        let delayed = [here.motion[1] - from.u, here.motion[2] - oscillator.flow().acceleration(from)];
         let kicked = [0.0, here_sign * tau];
         let changed = [here.slope[0], here.slope[1] + here_sign * here.restitution_slope * speed];
         let [delayed, kicked, changed] = [delayed, kicked, changed].map(|x| apply(&matrix, x));

@@ -93,7 +93,8 @@ impl Oscillator {
     /// Those of [`Free::new`] and [`Contact::of`].
     pub fn new(system: System<f64>, tolerance: f64) -> Result<Oscillator> {
         let (flow, walls) = (Free::new(&system, tolerance)?, Contact::of(&system)?);
-        let order = walls.iter().map(|wall| wall.position.order()).chain(system.forcing.iter().map(|h| h.k)).max();
+        let order =
+            walls.iter().map(|wall| wall.position.order()).chain(system.forcing.iter().map(|h| h.k)).max();
         let vibration = (system.stiffness.abs() + 3.0 * system.cubic.abs()).sqrt();
         let rate = vibration.max(system.damping.abs()).max(f64::from(order.unwrap_or(1).max(1)));
         Ok(Oscillator { system, flow, walls, slope: None, rate })
@@ -141,7 +142,8 @@ impl Oscillator {
         let wall = self.walls.iter().find(|wall| wall.side == side).ok_or_else(|| {
             Error::input(format!("an impact at the {} wall, but there is no such wall", side.name()))
         })?;
-        let slope = self.slope.as_ref().and_then(|slope| slope.walls[usize::from(side == Side::Upper)].as_ref());
+        let slope =
+            self.slope.as_ref().and_then(|slope| slope.walls[usize::from(side == Side::Upper)].as_ref());
         let [place, speed, _] = slope.map_or([0.0; 3], |slope| slope.0.at(t));
         Ok(Touch {
             wall,

@@ -54,8 +54,9 @@ impl SingleImpact {
     /// An input error unless the system is linear with a wall there, the forcing and the wall have together one
     /// harmonic, and neither the forced response nor (I − E_n)⁻¹ is infinite.
     pub fn new(system: &System<f64>, side: Side, n: u32) -> Result<SingleImpact> {
-        let wall = wall(system, side)
-            .ok_or_else(|| Error::input(format!("exact orbits at the {} wall, which is not there", side.name())))?;
+        let wall = wall(system, side).ok_or_else(|| {
+            Error::input(format!("exact orbits at the {} wall, which is not there", side.name()))
+        })?;
         if system.cubic != 0.0 {
             return Err(Error::input("exact orbits need a linear system; the cubic stiffness is not 0"));
         }

@@ -1,0 +1,266 @@
+//! Following a curve: step control, events between points, and why it ended.
+
+use super::{
+    Options,
+    curve::{Corrector, Curve, Foot, dot, norm},
+};
+use crate::error::{Error, Result};
+
+/// A curve that is looked at along the way.
+pub trait Followed: Curve {
+    /// What is known of a point.
+    type View;
+
+    /// Looks at a point.
+    ///
+    /// # Errors
+    /// An input error where that is not possible; the step is then halved.
+    fn view(&self, foot: &Foot) -> Result<Self::View>;
+
+    /// Functions along the curve, as many at every point: where one changes sign is an event. `None` where one is not defined.
+    fn monitors(&self, foot: &Foot, view: &Self::View) -> Vec<Option<f64>>;
+
+    /// Whether the point is what the curve is followed for. Where that changes, a monitor changes sign.
+    fn holds(&self, view: &Self::View) -> bool;
+
+    /// The unknowns that have bounds, with them.
+    fn bounds(&self) -> Vec<(usize, f64, f64)>;
+}
+
+/// A point that the curve was followed through.
+#[derive(Debug, Clone)]
+pub struct Step<V> {
+    /// The point.
+    pub foot: Foot,
+    /// What is known of it.
+    pub view: V,
+    /// The number of the monitor that is zero here.
+    pub event: Option<usize>,
+    /// The curve's length from the start, along chords.
+    pub length: f64,
+}
+
+/// Why a curve was followed no further.
+#[derive(Debug, Clone, PartialEq)]
+pub enum End {
+    /// An unknown is at its bound.
+    Bound,
+    /// The curve is no longer what it was followed for.
+    Fails,
+    /// It is back where it started.
+    Closed,
+    /// As many points as were allowed.
+    Points,
+    /// It starts there.
+    Start,
+    /// Even the shortest step could not be taken.
+    Lost(String),
+}
+
+/// The points from `start` on in the direction of its tangent, the start first, and why there are no more. Two events of one
+/// monitor within a step go unseen: `most_step` bounds what can be missed.
+///
+/// # Errors
+/// An input error if the start itself cannot be looked at.
+pub fn follow<C: Followed>(curve: &C, start: Foot, options: &Options) -> Result<(Vec<Step<C::View>>, End)> {
+    let view = curve.view(&start)?;
+    let origin = start.clone();
+    let mut walk = Walk { curve, corrector: options.corrector(), options };
+    let mut steps = vec![Step { foot: start, view, event: None, length: 0.0 }];
+    let (mut h, mut points) = (options.step, 1);
+    loop {
+        if points == options.points {
+            return Ok((steps, End::Points));
+        }
+        let here = steps.last().unwrap_or_else(|| unreachable!("the start is there"));
+        let (mut new, next, end) = match walk.advance(here, h) {
+            Ok(found) => found,
+            Err(_) if h / 2.0 >= options.least_step => {
+                h /= 2.0;
+                continue;
+            }
+            Err(error) => return Ok((steps, End::Lost(error.to_string()))),
+        };
+        // A start inside the step just made, and close to the curve there: the curve is closed.
+        let (from, to) = (&here.foot, &new.last().unwrap_or_else(|| unreachable!("a step has an end")).foot);
+        let back = difference(&origin.u, &from.u);
+        let ahead = dot(&back, &from.tangent);
+        if points > 2 && ahead > 0.0 && dot(&difference(&to.u, &origin.u), &from.tangent) >= 0.0 {
+            let there = walk.corrector.step(curve, from, ahead)?;
+            if norm(&difference(&there.u, &origin.u)) < 1e-6 * (1.0 + norm(&origin.u)) {
+                return Ok((steps, End::Closed));
+            }
+        }
+        steps.append(&mut new);
+        points += 1;
+        if let Some(end) = end {
+            return Ok((steps, end));
+        }
+        h = next;
+    }
+}
+
+fn difference(a: &[f64], b: &[f64]) -> Vec<f64> {
+    a.iter().zip(b).map(|(a, b)| a - b).collect()
+}
+
+struct Walk<'a, C> {
+    curve: &'a C,
+    corrector: Corrector,
+    options: &'a Options,
+}
+
+/// The new points of a step, the length to try next, and the end if it came.
+type Advance<V> = (Vec<Step<V>>, f64, Option<End>);
+
+impl<C: Followed> Walk<'_, C> {
+    fn advance(&mut self, here: &Step<C::View>, h: f64) -> Result<Advance<C::View>> {
+        let mut foot = self.corrector.step(self.curve, &here.foot, h)?;
+        let turned = dot(&foot.tangent, &here.foot.tangent).clamp(-1.0, 1.0).acos();
+        if turned > self.options.turn {
+            return Err(Error::input(format!("the curve turns by {turned:.2} within the shortest step")));
+        }
+        let (mut reach, mut end) = (h, None);
+        for (unknown, low, high) in self.curve.bounds() {
+            let (before, after) = (here.foot.u[unknown], foot.u[unknown]);
+            let bound = if after < low && low < before {
+                low
+            } else if after > high && high > before {
+                high
+            } else if (before <= low && after < before) || (before >= high && after > before) {
+                return Ok((vec![], h, Some(End::Bound)));
+            } else {
+                continue;
+            };
+            let past = |h: f64| {
+                let foot = self.corrector.step(self.curve, &here.foot, h)?;
+                Ok((Some(foot.u[unknown] - bound), foot))
+            };
+            let (at, mut found) = root(past, (0.0, before - bound), (reach, after - bound))?;
+            found.u[unknown] = bound;
+            (reach, foot, end) = (at, found, Some(End::Bound));
+        }
+        let view = self.curve.view(&foot)?;
+        let mut events = self.events(here, &foot, &view, reach)?;
+        events.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let mut steps = Vec::new();
+        let length = |foot: &Foot| here.length + norm(&difference(&foot.u, &here.foot.u));
+        for index in 0..events.len() {
+            let (at, event, foot) = events[index].clone();
+            let view = self.curve.view(&foot)?;
+            steps.push(Step { length: length(&foot), foot, view, event: Some(event) });
+            // What holds after the event is asked halfway to the next.
+            let beyond = events.get(index + 1).map_or(reach, |next| next.0);
+            let middle = self.corrector.step(self.curve, &here.foot, at + (beyond - at) / 2.0)?;
+            if !self.options.beyond && !self.curve.holds(&self.curve.view(&middle)?) {
+                return Ok((steps, h, Some(End::Fails)));
+            }
+        }
+        if !self.options.beyond && !self.curve.holds(&view) {
+            return Err(Error::input("the curve ceases to be what it was, and no event says why"));
+        }
+        // Four Newton steps are about right, and a turn of half of what is allowed.
+        let wanted = 2f64.powf((4.0 - f64::from(foot.steps)) / 2.0);
+        let straight = 0.7 * self.options.turn / turned.max(1e-9);
+        let next =
+            (h * wanted.min(straight).clamp(0.3, 2.0)).clamp(self.options.least_step, self.options.most_step);
+        steps.push(Step { length: length(&foot), foot, view, event: None });
+        Ok((steps, next, end))
+    }
+
+    /// The events within `reach` of a point: (how far, which, where).
+    fn events(
+        &self,
+        here: &Step<C::View>,
+        foot: &Foot,
+        view: &C::View,
+        reach: f64,
+    ) -> Result<Vec<(f64, usize, Foot)>> {
+        let before = self.curve.monitors(&here.foot, &here.view);
+        let after = self.curve.monitors(foot, view);
+        let at = |which: usize, h: f64| -> Result<(Option<f64>, Foot)> {
+            let foot = self.corrector.step(self.curve, &here.foot, h)?;
+            let view = self.curve.view(&foot)?;
+            Ok((self.curve.monitors(&foot, &view)[which], foot))
+        };
+        let mut found: Vec<(f64, usize, Foot)> = Vec::new();
+        let mut search = |which: usize, a: (f64, f64), b: (f64, f64)| -> Result<Option<f64>> {
+            // A start may be an event itself.
+            let known = here.length == 0.0 && a.1.abs() <= 1e-6 * b.1.abs();
+            if known || !(a.1 * b.1 < 0.0 || b.1 == 0.0 && a.1 != 0.0) {
+                return Ok(None);
+            }
+            let (h, foot) = root(|h| at(which, h), a, b)?;
+            found.push((h, which, foot));
+            Ok(Some(h))
+        };
+        let mut limits: Option<(f64, f64)> = None;
+        for (which, ends) in before.iter().zip(&after).enumerate() {
+            if let (Some(a), Some(b)) = ends
+                && let Some(h) = search(which, (0.0, *a), (reach, *b))?
+            {
+                limits = Some(limits.map_or((h, h), |(low, high)| (h.min(low), h.max(high))));
+            }
+        }
+        // A monitor that is defined at one end only is followed up to the event that ends it.
+        let Some((low, high)) = limits else { return Ok(found) };
+        for (which, ends) in before.iter().zip(&after).enumerate() {
+            match ends {
+                (Some(a), None) => {
+                    let h = low * (1.0 - 1e-6);
+                    if let Some(b) = at(which, h)?.0 {
+                        search(which, (0.0, *a), (h, b))?;
+                    }
+                }
+                (None, Some(b)) => {
+                    let h = high + 1e-6 * (reach - high);
+                    if let Some(a) = at(which, h)?.0 {
+                        search(which, (h, a), (reach, *b))?;
+                    }
+                }
+                _ => {}
+            }
+        }
+        Ok(found)
+    }
+}
+
+/// Where a function changes sign, by the Illinois rule with bisections: to a few units in the last place. Its
+/// argument's point comes with it.
+fn root(
+    function: impl Fn(f64) -> Result<(Option<f64>, Foot)>,
+    mut a: (f64, f64),
+    mut b: (f64, f64),
+) -> Result<(f64, Foot)> {
+    let width = b.0 - a.0;
+    let mut kept = 0;
+    let mut best: Option<(f64, f64, Foot)> = None;
+    for round in 0..100 {
+        let secant = b.0 - b.1 * (b.0 - a.0) / (b.1 - a.1);
+        let middle =
+            if round % 8 == 7 || !(secant > a.0 && secant < b.0) { (a.0 + b.0) / 2.0 } else { secant };
+        let (value, foot) = function(middle)?;
+        let value = value.ok_or_else(|| Error::input("an event where it is not defined"))?;
+        if best.as_ref().is_none_or(|best| value.abs() <= best.1.abs()) {
+            best = Some((middle, value, foot));
+        }
+        if value == 0.0 || b.0 - a.0 <= 1e-15 * width || middle == a.0 || middle == b.0 {
+            break;
+        }
+        // The end that stays twice counts half.
+        if (value < 0.0) == (b.1 < 0.0) {
+            b = (middle, value);
+            if kept == 1 {
+                a.1 /= 2.0;
+            }
+            kept = 1;
+        } else {
+            a = (middle, value);
+            if kept == 2 {
+                b.1 /= 2.0;
+            }
+            kept = 2;
+        }
+    }
+    best.map(|(h, _, foot)| (h, foot)).ok_or_else(|| Error::input("no event"))
+}

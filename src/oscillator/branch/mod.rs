@@ -1,0 +1,17 @@
+//! Branches of periodic orbits over a parameter: continuation, events, switching, events in two parameters.
+//!
+//! [`curve`] follows any curve, [`Orbits`] is the one of orbits with an impact pattern, [`Branch`] what was found along it.
+//! Not here: attractors (`diagram`).
+
+#[expect(clippy::module_inception)]
+mod branch;
+mod curve;
+mod follow;
+mod options;
+mod orbits;
+
+pub use branch::{Branch, Direction, Family1, Point};
+pub use curve::{Corrector, Curve, Equations, Foot};
+pub use follow::{End, Followed, Step, follow};
+pub use options::Options;
+pub use orbits::{Event, Orbits};
