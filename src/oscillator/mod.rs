@@ -6,7 +6,9 @@
 
 pub mod branch;
 mod contact;
+pub mod critical;
 pub mod flow;
+pub mod grazing;
 pub mod orbit;
 pub mod scene;
 mod series;

@@ -1,5 +1,8 @@
 //! `grazing run`: the tasks of a scene. Each kind of task is run by the file of its name.
 
+mod event;
+mod grazing;
+mod orbit;
 mod report;
 mod simulate;
 
@@ -35,7 +38,7 @@ pub(super) struct Args {
     /// The scene.
     #[arg(value_name = "SCENE.toml")]
     scene: PathBuf,
-    /// Run this task only; may be repeated.
+    /// Run this task only, or the tasks of this group; may be repeated.
     #[arg(long, value_name = "TASK")]
     only: Vec<String>,
     /// Give a parameter this value, in every task; may be repeated.
@@ -55,6 +58,11 @@ pub(super) struct Args {
 fn setting(text: &str) -> Result<(String, BigRational)> {
     let parts = text.split_once('=').ok_or_else(|| Error::input("write NAME=VALUE"))?;
     Ok((parts.0.trim().to_string(), parse_rational(parts.1)?))
+}
+
+/// Whether a task is meant by a name: its own or its group's.
+fn called(task: &Task, name: &str) -> bool {
+    task.name == name || task.group.as_deref() == Some(name)
 }
 
 /// A task with all it works on.
@@ -79,6 +87,9 @@ impl Job<'_> {
         let mut report = Report::new(self);
         match &self.task.kind {
             Kind::Simulate(task) => simulate::run(task, self, &mut report),
+            Kind::OrbitTask(task) => orbit::run(task, self, &mut report),
+            Kind::EventTask(task) => event::run(task, self, &mut report),
+            Kind::GrazingTask(task) => grazing::run(task, self, &mut report),
         }?;
         Ok(report)
     }
@@ -89,14 +100,14 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     let text = fs::read_to_string(&args.scene).map_err(|error| Error::io("read", &args.scene, error))?;
     let scene = Scene::from_toml(&text, &name)?;
     for only in &args.only {
-        if !scene.tasks.iter().any(|task| &task.name == only) {
+        if !scene.tasks.iter().any(|task| called(task, only)) {
             let names: Vec<&str> = scene.tasks.iter().map(|task| task.name.as_str()).collect();
             return Err(Error::input(format!("--only {only}: {name} has the tasks {}", names.join(", "))));
         }
     }
     // All tasks are checked, with the changed parameters, before the first runs.
     let mut jobs = Vec::new();
-    for task in scene.tasks.iter().filter(|task| args.only.is_empty() || args.only.contains(&task.name)) {
+    for task in scene.tasks.iter().filter(|task| args.only.is_empty() || args.only.iter().any(|only| called(task, only))) {
         let scene = scene.for_task(task, &args.set)?;
         let exact = scene.exact(&[])?;
         let system = exact.rounded();

@@ -2,15 +2,90 @@
 
 use std::{fmt, io::Write};
 
-use serde::{Serialize, Serializer, ser::SerializeMap};
+use serde::{Serialize, Serializer, ser::{SerializeMap, SerializeSeq}};
 use serde_json::Value;
 
 use super::Job;
-use crate::error::Result;
+use crate::{
+    error::Result,
+    output::{Cell, Column, TableFormat, TableWriter, write_file},
+};
+
+/// A value or a table.
+enum Finding {
+    Value(Value),
+    Rows(Rows),
+}
+
+/// A small table: what a task found several of.
+pub(super) struct Rows {
+    columns: Vec<&'static str>,
+    rows: Vec<Vec<Value>>,
+}
+
+impl Rows {
+    pub fn new(columns: &[&'static str]) -> Rows {
+        Rows { columns: columns.to_vec(), rows: Vec::new() }
+    }
+
+    pub fn is_empty(&self) -> bool {
+        self.rows.is_empty()
+    }
+
+    /// Adds a row, one value for each column.
+    pub fn push<const N: usize>(&mut self, row: [Value; N]) {
+        debug_assert_eq!(N, self.columns.len());
+        self.rows.push(row.to_vec());
+    }
+
+    fn write(&self, out: &mut dyn Write, format: TableFormat) -> Result<()> {
+        let columns = self.columns.iter().enumerate().map(|(i, name)| {
+            let width = self.rows.iter().map(|row| text(&row[i]).chars().count()).max();
+            Column::new(name, name, width.unwrap_or(0))
+        });
+        let mut table = TableWriter::new(out, format, "grazing-run-rows 1", columns.collect())?;
+        for row in &self.rows {
+            let row: Vec<String> = row.iter().map(text).collect();
+            table.row(&row.iter().map(|cell| Cell::Text(cell)).collect::<Vec<_>>())?;
+        }
+        table.finish()
+    }
+}
+
+/// The rows as objects, keys in the order of the columns.
+impl Serialize for Rows {
+    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
+        struct Row<'a>(&'a [&'static str], &'a [Value]);
+        impl Serialize for Row<'_> {
+            fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
+                let mut map = serializer.serialize_map(Some(self.0.len()))?;
+                for (name, value) in self.0.iter().zip(self.1) {
+                    map.serialize_entry(name, value)?;
+                }
+                map.end()
+            }
+        }
+        let mut rows = serializer.serialize_seq(Some(self.rows.len()))?;
+        for row in &self.rows {
+            rows.serialize_element(&Row(&self.columns, row))?;
+        }
+        rows.end()
+    }
+}
+
+/// A number, or "none" if it is not finite.
+pub(super) fn number(x: f64) -> Value {
+    x.into()
+}
+
+/// A list of numbers.
+pub(super) fn numbers(all: impl Iterator<Item = f64>) -> Value {
+    all.map(number).collect::<Vec<_>>().into()
+}
 
 /// Names and values in the order in which they were found, and the files written.
 pub(super) struct Report {
-    entries: Vec<(&'static str, Value)>,
+    entries: Vec<(&'static str, Finding)>,
     /// Whether something asked for was left undecided.
     pub undecided: bool,
 }
@@ -32,7 +107,15 @@ impl Report {
 
     /// Adds a finding.
     pub fn say(&mut self, name: &'static str, value: impl Into<Value>) {
-        self.entries.push((name, value.into()));
+        self.entries.push((name, Finding::Value(value.into())));
+    }
+
+    /// Adds a table, and writes it as the task's CSV file.
+    pub fn rows(&mut self, name: &'static str, rows: Rows, job: &Job) -> Result<()> {
+        let file = job.folder.join(format!("{}.csv", job.task.name));
+        write_file(&file, |out| rows.write(out, TableFormat::Csv))?;
+        self.entries.push((name, Finding::Rows(rows)));
+        Ok(())
     }
 }
 
@@ -40,7 +123,10 @@ impl Serialize for Report {
     fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(Some(self.entries.len()))?;
         for (name, value) in &self.entries {
-            map.serialize_entry(name, value)?;
+            match value {
+                Finding::Value(value) => map.serialize_entry(name, value)?,
+                Finding::Rows(rows) => map.serialize_entry(name, rows)?,
+            }
         }
         map.end()
     }
@@ -50,9 +136,17 @@ impl Serialize for Report {
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (index, (name, value)) in self.entries.iter().enumerate() {
-            match index {
-                0 => writeln!(f, "{}", text(value))?,
-                _ => writeln!(f, "  {name:<16} {}", text(value))?,
+            match (index, value) {
+                (0, Finding::Value(value)) => writeln!(f, "{}", text(value))?,
+                (_, Finding::Value(value)) => writeln!(f, "  {name:<16} {}", text(value))?,
+                (_, Finding::Rows(rows)) => {
+                    let mut table = Vec::new();
+                    rows.write(&mut table, TableFormat::Table).map_err(|_| fmt::Error)?;
+                    writeln!(f, "  {name}")?;
+                    for line in String::from_utf8_lossy(&table).lines() {
+                        writeln!(f, "    {line}")?;
+                    }
+                }
             }
         }
         Ok(())

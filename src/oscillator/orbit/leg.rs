@@ -32,21 +32,6 @@ struct Slope {
     walls: [Option<(Series, f64)>; 2],
 }
 
-/// Oscillators that differ in one parameter.
-pub trait Family: Sync {
-    /// The oscillator at a parameter value; with a slope if derivatives in the parameter will be asked for.
-    ///
-    /// # Errors
-    /// An input error where the system is not defined.
-    fn at(&self, parameter: f64) -> Result<Oscillator>;
-}
-
-impl<F: Fn(f64) -> Result<Oscillator> + Sync> Family for F {
-    fn at(&self, parameter: f64) -> Result<Oscillator> {
-        self(parameter)
-    }
-}
-
 /// Where a motion without impacts leads, with derivatives at fixed times.
 #[derive(Debug, Clone, Copy)]
 pub struct Leg {
@@ -151,6 +136,11 @@ impl Oscillator {
             slope: [place, speed],
             restitution_slope: slope.map_or(0.0, |slope| slope.1),
         })
+    }
+
+    /// τ of a wall; 0 if it is not there.
+    pub(super) fn restitution(&self, side: Side) -> f64 {
+        self.walls.iter().find(|wall| wall.side == side).map_or(0.0, |wall| wall.restitution)
     }
 
     /// The motion from a state for a time ≥ 0.

@@ -7,18 +7,23 @@
 mod admissible;
 mod algebra;
 mod equations;
+mod family;
 mod itinerary;
 mod leg;
 mod multipliers;
 mod newton;
+mod search;
 mod single;
 mod solution;
 
 pub use admissible::{Admissibility, Check, Minimum, check};
+pub(super) use algebra::{resolve, solve};
 pub use equations::{Linearised, duration, linearise};
+pub use family::{Family, SceneFamily};
 pub use itinerary::{Itinerary, Strike};
-pub use leg::{Family, Leg, Oscillator, Touch};
+pub use leg::{Leg, Oscillator, Touch};
 pub use multipliers::Multipliers;
 pub use newton::{Root, newton};
+pub use search::search;
 pub use single::SingleImpact;
 pub use solution::{Impact, Orbit, describe, find, monodromy};

@@ -1,9 +1,8 @@
 //! The multipliers of an orbit: the eigenvalues of its 2 × 2 monodromy matrix.
 
-use super::{
-    super::flow::Matrix,
-    algebra::{determinant, trace},
-};
+use std::f64::consts::TAU;
+
+use super::{super::flow::Matrix, Itinerary, Oscillator, algebra::trace};
 
 /// The two multipliers, by their sum and product.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -15,9 +14,12 @@ pub struct Multipliers {
 }
 
 impl Multipliers {
-    /// Those of a matrix.
-    pub fn of(matrix: &Matrix) -> Multipliers {
-        Multipliers { trace: trace(matrix), determinant: determinant(matrix) }
+    /// Those of the monodromy matrix of an orbit. The determinant is exp(−damping · period) Π τ², which is exact where that of
+    /// the matrix is lost by cancellation.
+    pub fn new(matrix: &Matrix, oscillator: &Oscillator, itinerary: &Itinerary) -> Multipliers {
+        let decay = (-oscillator.system().damping * TAU * f64::from(itinerary.periods())).exp();
+        let impacts = itinerary.strikes().iter().map(|strike| oscillator.restitution(strike.side).powi(2));
+        Multipliers { trace: trace(matrix), determinant: decay * impacts.product::<f64>() }
     }
 
     /// λ₁ and λ₂ as (real, imaginary) parts, the larger modulus or the positive imaginary part first.

@@ -247,6 +247,13 @@ macro_rules! words {
                 entry.word(&[$(($word, $name::$variant)),+])
             }
         }
+
+        impl $name {
+            /// Its word in the file.
+            pub fn word(self) -> &'static str {
+                match self { $($name::$variant => $word,)+ }
+            }
+        }
     };
 }
 pub(super) use words;

@@ -7,6 +7,7 @@
 mod expression;
 mod input;
 mod keys;
+pub mod orbits;
 mod reference;
 pub mod task;
 mod walls;

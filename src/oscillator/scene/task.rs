@@ -7,6 +7,7 @@ use num_rational::BigRational;
 use super::{
     expression::Expression,
     keys::{Entry, Key, Record, Value, keys, words},
+    orbits::{EventTask, GrazingTask, OrbitTask},
 };
 use crate::{
     error::Result,
@@ -19,6 +20,8 @@ use crate::{
 pub struct Task {
     /// What its files are called.
     pub name: String,
+    /// The name it shares with others, for `--only`.
+    pub group: Option<String>,
     /// Parameter values that it has in place of the scene's.
     pub set: Vec<(String, BigRational)>,
     /// What to do.
@@ -34,6 +37,8 @@ keys! {
         name: String,
         /// what to do: one of the kinds below
         kind: String,
+        /// a name under which `--only` runs several tasks together
+        group: Option<String>,
         /// parameter values that this task has in place of the scene's, as in `{ mu = -0.05 }`
         set: Settings = "{}",
     }
@@ -94,10 +99,13 @@ macro_rules! kinds {
 
 kinds! {
     "simulate" Simulate,
+    "orbit" OrbitTask,
+    "event" EventTask,
+    "grazing" GrazingTask,
 }
 
 /// What a kind of task checks before anything runs; by default nothing.
-trait Check {
+pub(super) trait Check {
     fn check(&self, _scene: &Scene, _system: &System<f64>, _path: &str) -> Result<()> {
         Ok(())
     }
@@ -161,11 +169,11 @@ impl Task {
         let kind = kind?;
         let kind_keys = KINDS.iter().find(|known| known.0 == word).map_or(&[][..], |known| known.2);
         let extra: Vec<&str> = kind_keys.iter().map(|key| key.name).collect();
-        let TaskKeys { name, set: Settings(set), .. } = TaskKeys::fields(entry, &extra)?;
+        let TaskKeys { name, group, set: Settings(set), .. } = TaskKeys::fields(entry, &extra)?;
         if name.is_empty() || !name.chars().all(|c| c.is_ascii_alphanumeric() || "-_".contains(c)) {
             let at = entry.get("name")?.unwrap_or_else(|| unreachable!("it has just been read"));
             return Err(at.fail("names files: write letters, digits, - and _"));
         }
-        Ok(Task { name, set, kind, path: entry.path.clone() })
+        Ok(Task { name, group, set, kind, path: entry.path.clone() })
     }
 }

@@ -1,0 +1,89 @@
+//! A grazing orbit is a solution of the pattern equations with one more impact, of speed 0, and the parameter unknown.
+
+use std::f64::consts::TAU;
+
+use super::LocalMap;
+use crate::{
+    error::{Error, Result},
+    oscillator::{
+        Side,
+        orbit::{Family, Itinerary, Linearised, Minimum, Orbit, Strike, check, linearise, newton},
+    },
+};
+
+/// A periodic orbit that grazes a wall.
+#[derive(Debug, Clone)]
+pub struct Grazing {
+    /// The parameter there.
+    pub parameter: f64,
+    /// The impacts once around, the first being the grazing one, with speed 0.
+    pub itinerary: Itinerary,
+    /// t and V of each, as in the pattern equations.
+    pub z: Vec<f64>,
+    /// The largest residual.
+    pub residual: f64,
+    /// Whether it is an orbit: its other impacts come in, and every other minimum of a gap is positive.
+    pub admissible: bool,
+    /// The map there.
+    pub map: LocalMap,
+}
+
+impl Grazing {
+    /// The wall that is grazed.
+    pub fn side(&self) -> Side {
+        self.itinerary.strikes()[0].side
+    }
+
+    /// t_G, in [0, 2π).
+    pub fn phase(&self) -> f64 {
+        self.z[0].rem_euclid(TAU)
+    }
+}
+
+/// The grazing bifurcation near `orbit` at `parameter`: its least minimum of a gap becomes the grazing point, its time and the
+/// parameter the last two unknowns. Quadratic convergence; nothing is differenced.
+///
+/// # Errors
+/// An input error if the orbit has no minimum of a gap, as [`newton`], or if det(I − A) = 0 there.
+pub fn locate(family: &dyn Family, orbit: &Orbit, parameter: f64) -> Result<Grazing> {
+    let least = orbit.least.ok_or_else(|| Error::input("the orbit has no minimum of a gap that could graze"))?;
+    let (itinerary, mut start) = with_graze(orbit, least)?;
+    // The speed of the first impact is 0: in its place stands the parameter.
+    start[1] = parameter;
+    let root = newton(start, |y| {
+        let mut z = y.to_vec();
+        z[1] = 0.0;
+        let oscillator = family.at(y[1])?;
+        let Linearised { residual, mut jacobian, slope } = linearise(&oscillator, &itinerary, &z)?;
+        jacobian.iter_mut().zip(&slope).for_each(|(row, slope)| row[1] = *slope);
+        Ok(Linearised { residual, jacobian, slope })
+    })?;
+    let mut z = root.z;
+    let parameter = std::mem::replace(&mut z[1], 0.0);
+    let oscillator = family.at(parameter)?;
+    let map = LocalMap::new(&oscillator, &itinerary, &z)?;
+    let clear = check(&oscillator, &itinerary, &z).least.is_none_or(|least| least.gap > 0.0);
+    let admissible = clear && z.chunks(2).skip(1).all(|impact| impact[1] > 0.0);
+    Ok(Grazing { parameter, itinerary, z, residual: root.residual, admissible, map })
+}
+
+/// The orbit's impacts with a first one of speed 0 at a minimum of a gap.
+fn with_graze(orbit: &Orbit, at: Minimum) -> Result<(Itinerary, Vec<f64>)> {
+    let (strikes, m) = (orbit.itinerary.strikes(), orbit.itinerary.strikes().len());
+    if m == 0 {
+        let phase = at.after.rem_euclid(TAU);
+        return Ok((Itinerary::at(at.side, &[orbit.itinerary.periods()])?, vec![phase, 0.0]));
+    }
+    let turned = |i: usize| (at.leg + 1 + i) % m;
+    // The impact before the minimum comes last; its periods are shared out between before and after.
+    let last = strikes[at.leg];
+    let before = ((at.after / TAU).round() as u32).min(last.periods);
+    let mut all = vec![Strike { side: at.side, periods: last.periods - before }];
+    let mut z = vec![orbit.z[2 * at.leg] + at.after - TAU * f64::from(before), 0.0];
+    for i in 0..m {
+        all.push(strikes[turned(i)]);
+        z.extend(&orbit.z[2 * turned(i)..][..2]);
+    }
+    all[m].periods = before;
+    Ok((Itinerary::new(all)?, z))
+}
