@@ -1,7 +1,12 @@
 //! Orbits of the true system: exact formulas, Newton's method, saltation matrices, admissibility.
 
-use grazing::oscillator::{Scene, Side, critical::{self, Bifurcation}, grazing as graze, orbit::*};
 use grazing::impact::{Analysis, Numbers};
+use grazing::oscillator::{
+    Scene, Side,
+    critical::{self, Bifurcation},
+    grazing as graze,
+    orbit::*,
+};
 
 fn scene(text: &str) -> Scene {
     Scene::from_toml(text, "test").unwrap()
@@ -23,9 +28,13 @@ fn p() {
     println!("{g:?} {:?}", g.map.region());
     let map = g.map.to_map().unwrap();
     let analysis = Analysis::new(&map, 8, Numbers::Enclosed);
-    for pattern in [&[1u64][..], &[2], &[3], &[4], &[5], &[1,2], &[1,1,2]] {
+    for pattern in [&[1u64][..], &[2], &[3], &[4], &[5], &[1, 2], &[1, 1, 2]] {
         let report = analysis.judge(pattern);
-        println!("{pattern:?} {:?} {:?}", report.side(), report.orbit.as_ref().and_then(|o| o.leading.clone()).map(|x| x.to_string()));
+        println!(
+            "{pattern:?} {:?} {:?}",
+            report.side(),
+            report.orbit.as_ref().and_then(|o| o.leading.clone()).map(|x| x.to_string())
+        );
         let Some(side) = report.side() else { continue };
         let mu = if side { 1e-5 } else { -1e-5 } / g.map.e();
         let (it, z) = g.start(&family, pattern, &report, mu).unwrap();
@@ -36,17 +45,24 @@ fn p() {
         let found = search(&at(mu), &Itinerary::at(Side::Lower, &[n]).unwrap(), 200, 1.0);
         for o in &found {
             println!("search {:?} {:?}", o.z, o.multipliers);
-        let c = critical::locate(&family, kind, o, mu, 0.3);
-        match c { Ok(c) => println!("{c:?}"), Err(e) => println!("{e}") }
+            let c = critical::locate(&family, kind, o, mu, 0.3);
+            match c {
+                Ok(c) => println!("{c:?}"),
+                Err(e) => println!("{e}"),
+            }
         }
     }
     let found = search(&at(-0.03), &Itinerary::at(Side::Lower, &[4]).unwrap(), 200, 1.0);
     for o in found {
-        if let Ok(g) = graze::locate(&family, &o, -0.03) { println!("{g:?} {:?} {:?}", g.map.multipliers.values(), g.map.region()); }
+        if let Ok(g) = graze::locate(&family, &o, -0.03) {
+            println!("{g:?} {:?} {:?}", g.map.multipliers.values(), g.map.region());
+        }
     }
-    let found = search(&at(0.0058), &Itinerary::at(Side::Lower, &[3,3]).unwrap(), 2000, 0.3);
+    let found = search(&at(0.0058), &Itinerary::at(Side::Lower, &[3, 3]).unwrap(), 2000, 0.3);
     for o in found {
         println!("{o:?}");
-        if let Ok(g) = graze::locate(&family, &o, 0.0058) { println!("{g:?} {:?} {:?} e {}", g.map.multipliers.values(), g.map.region(), g.map.e()); }
+        if let Ok(g) = graze::locate(&family, &o, 0.0058) {
+            println!("{g:?} {:?} {:?} e {}", g.map.multipliers.values(), g.map.region(), g.map.e());
+        }
     }
 }

@@ -37,7 +37,16 @@ pub(super) fn run(task: &EventTask, job: &Job, report: &mut Report) -> Result<()
     let mut failures = Vec::new();
     match task.event.bifurcation() {
         Some(kind) => {
-            let mut rows = Rows::new(&["parameter", "pattern", "phases", "speeds", "lambda1", "lambda2", "admissible", "residual"]);
+            let mut rows = Rows::new(&[
+                "parameter",
+                "pattern",
+                "phases",
+                "speeds",
+                "lambda1",
+                "lambda2",
+                "admissible",
+                "residual",
+            ]);
             for orbit in &orbits {
                 match critical::locate(&family, kind, orbit, start, task.reach) {
                     Ok(event) if new(event.parameter) => {
@@ -62,7 +71,17 @@ pub(super) fn run(task: &EventTask, job: &Job, report: &mut Report) -> Result<()
         }
         None => {
             let mut rows = Rows::new(&[
-                "parameter", "pattern", "phase", "a_G", "lambda1", "lambda2", "region", "gamma", "e", "admissible", "residual",
+                "parameter",
+                "pattern",
+                "phase",
+                "a_G",
+                "lambda1",
+                "lambda2",
+                "region",
+                "gamma",
+                "e",
+                "admissible",
+                "residual",
             ]);
             for orbit in &orbits {
                 match grazing::locate(&family, orbit, start) {

@@ -107,7 +107,11 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     }
     // All tasks are checked, with the changed parameters, before the first runs.
     let mut jobs = Vec::new();
-    for task in scene.tasks.iter().filter(|task| args.only.is_empty() || args.only.iter().any(|only| called(task, only))) {
+    for task in scene
+        .tasks
+        .iter()
+        .filter(|task| args.only.is_empty() || args.only.iter().any(|only| called(task, only)))
+    {
         let scene = scene.for_task(task, &args.set)?;
         let exact = scene.exact(&[])?;
         let system = exact.rounded();

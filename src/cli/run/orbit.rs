@@ -15,7 +15,16 @@ use crate::{
 
 pub(super) fn run(task: &OrbitTask, job: &Job, report: &mut Report) -> Result<()> {
     let mut rows = Rows::new(&[
-        "value", "pattern", "phases", "speeds", "lambda1", "lambda2", "stable", "admissible", "least_gap", "residual",
+        "value",
+        "pattern",
+        "phases",
+        "speeds",
+        "lambda1",
+        "lambda2",
+        "stable",
+        "admissible",
+        "least_gap",
+        "residual",
     ]);
     let tolerance = job.scene.accuracy.tolerance;
     let mut at = |value: Option<f64>| -> Result<()> {

@@ -2,7 +2,10 @@
 
 use std::{fmt, io::Write};
 
-use serde::{Serialize, Serializer, ser::{SerializeMap, SerializeSeq}};
+use serde::{
+    Serialize, Serializer,
+    ser::{SerializeMap, SerializeSeq},
+};
 use serde_json::Value;
 
 use super::Job;

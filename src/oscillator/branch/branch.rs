@@ -7,7 +7,7 @@ use super::{
 };
 use crate::{
     error::{Error, Result},
-    oscillator::orbit::{Itinerary, Orbit, algebra::solve, find},
+    oscillator::orbit::{Itinerary, Orbit, find, solve},
 };
 
 /// A point of a branch.
@@ -48,7 +48,7 @@ pub enum Direction {
 }
 
 /// A curve of orbits, over one parameter or two.
-pub trait Family1: Followed<View = Orbit> {
+pub trait OrbitCurve: Followed<View = Orbit> {
     /// The pattern.
     fn itinerary(&self) -> &Itinerary;
 
@@ -56,7 +56,7 @@ pub trait Family1: Followed<View = Orbit> {
     fn parameters(&self, u: &[f64]) -> Vec<f64>;
 }
 
-impl Family1 for Orbits<'_> {
+impl OrbitCurve for Orbits<'_> {
     fn itinerary(&self) -> &Itinerary {
         &self.itinerary
     }
@@ -72,7 +72,7 @@ impl Branch {
     /// # Errors
     /// Those of [`follow`].
     pub fn follow(
-        curve: &impl Family1,
+        curve: &impl OrbitCurve,
         start: &Foot,
         direction: Direction,
         options: &Options,

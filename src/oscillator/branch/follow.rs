@@ -176,18 +176,23 @@ impl<C: Followed> Walk<'_, C> {
         view: &C::View,
         reach: f64,
     ) -> Result<Vec<(f64, usize, Foot)>> {
-        let before = self.curve.monitors(&here.foot, &here.view);
         let after = self.curve.monitors(foot, view);
         let at = |which: usize, h: f64| -> Result<(Option<f64>, Foot)> {
             let foot = self.corrector.step(self.curve, &here.foot, h)?;
             let view = self.curve.view(&foot)?;
             Ok((self.curve.monitors(&foot, &view)[which], foot))
         };
+        // A start may be an event itself, or where curves meet: it is looked at from a little further on.
+        let first = if here.length == 0.0 { 1e-3 * reach } else { 0.0 };
+        let before = if first == 0.0 {
+            self.curve.monitors(&here.foot, &here.view)
+        } else {
+            let foot = self.corrector.step(self.curve, &here.foot, first)?;
+            self.curve.monitors(&foot, &self.curve.view(&foot)?)
+        };
         let mut found: Vec<(f64, usize, Foot)> = Vec::new();
         let mut search = |which: usize, a: (f64, f64), b: (f64, f64)| -> Result<Option<f64>> {
-            // A start may be an event itself.
-            let known = here.length == 0.0 && a.1.abs() <= 1e-6 * b.1.abs();
-            if known || !(a.1 * b.1 < 0.0 || b.1 == 0.0 && a.1 != 0.0) {
+            if !(a.1 * b.1 < 0.0 || b.1 == 0.0 && a.1 != 0.0) {
                 return Ok(None);
             }
             let (h, foot) = root(|h| at(which, h), a, b)?;
@@ -197,7 +202,7 @@ impl<C: Followed> Walk<'_, C> {
         let mut limits: Option<(f64, f64)> = None;
         for (which, ends) in before.iter().zip(&after).enumerate() {
             if let (Some(a), Some(b)) = ends
-                && let Some(h) = search(which, (0.0, *a), (reach, *b))?
+                && let Some(h) = search(which, (first, *a), (reach, *b))?
             {
                 limits = Some(limits.map_or((h, h), |(low, high)| (h.min(low), h.max(high))));
             }
@@ -209,7 +214,7 @@ impl<C: Followed> Walk<'_, C> {
                 (Some(a), None) => {
                     let h = low * (1.0 - 1e-6);
                     if let Some(b) = at(which, h)?.0 {
-                        search(which, (0.0, *a), (h, b))?;
+                        search(which, (first, *a), (h, b))?;
                     }
                 }
                 (None, Some(b)) => {

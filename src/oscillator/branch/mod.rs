@@ -10,7 +10,7 @@ mod follow;
 mod options;
 mod orbits;
 
-pub use branch::{Branch, Direction, Family1, Point};
+pub use branch::{Branch, Direction, OrbitCurve, Point};
 pub use curve::{Corrector, Curve, Equations, Foot};
 pub use follow::{End, Followed, Step, follow};
 pub use options::Options;

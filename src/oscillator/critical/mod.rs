@@ -7,7 +7,8 @@
 use crate::{
     error::{Error, Result},
     oscillator::orbit::{
-        Family, Itinerary, Linearised, Multipliers, Orbit, Root, describe, linearise, monodromy, newton, solve,
+        Family, Itinerary, Linearised, Multipliers, Orbit, Root, describe, linearise, monodromy, newton,
+        solve,
     },
 };
 
@@ -54,7 +55,12 @@ impl<'f> Chart<'f> {
     ///
     /// # Errors
     /// As [`linearise`]; an input error if the branch has no tangent there.
-    pub fn new(family: &'f dyn Family, itinerary: &Itinerary, z: &[f64], parameter: f64) -> Result<Chart<'f>> {
+    pub fn new(
+        family: &'f dyn Family,
+        itinerary: &Itinerary,
+        z: &[f64],
+        parameter: f64,
+    ) -> Result<Chart<'f>> {
         let Linearised { jacobian, slope, .. } = linearise(&family.at(parameter)?, itinerary, z)?;
         let n = z.len();
         let rows: Vec<Vec<f64>> = jacobian
@@ -75,7 +81,8 @@ impl<'f> Chart<'f> {
         };
         let size = |x: &[f64]| x.iter().map(|x| x * x).sum::<f64>().sqrt();
         let best = (0..=n).filter_map(null).min_by(|a, b| size(a).total_cmp(&size(b)));
-        let mut tangent = best.ok_or_else(|| Error::input("the branch has no tangent here: several branches meet"))?;
+        let mut tangent =
+            best.ok_or_else(|| Error::input("the branch has no tangent here: several branches meet"))?;
         let length = size(&tangent).copysign(tangent[n]);
         tangent.iter_mut().for_each(|x| *x /= length);
         let centre = z.iter().copied().chain([parameter]).collect();
@@ -90,7 +97,8 @@ impl<'f> Chart<'f> {
         newton(start, |y| {
             let (z, parameter) = y.split_at(y.len() - 1);
             let oscillator = self.family.at(parameter[0])?;
-            let Linearised { mut residual, mut jacobian, slope } = linearise(&oscillator, &self.itinerary, z)?;
+            let Linearised { mut residual, mut jacobian, slope } =
+                linearise(&oscillator, &self.itinerary, z)?;
             jacobian.iter_mut().zip(&slope).for_each(|(row, slope)| row.push(*slope));
             jacobian.push(self.tangent.clone());
             let along: f64 = (0..y.len()).map(|i| self.tangent[i] * (y[i] - self.centre[i])).sum();
@@ -101,7 +109,10 @@ impl<'f> Chart<'f> {
 
     /// The solution at s from the tangent.
     fn from_centre(&self, s: f64) -> Result<Root> {
-        self.at(s, self.centre.iter().zip(&self.tangent).map(|(centre, tangent)| centre + s * tangent).collect())
+        self.at(
+            s,
+            self.centre.iter().zip(&self.tangent).map(|(centre, tangent)| centre + s * tangent).collect(),
+        )
     }
 
     fn test(&self, kind: Bifurcation, y: &[f64]) -> Result<f64> {

@@ -51,8 +51,8 @@ impl LocalMap {
             }
         }
         // x̃ = A x̃ + shift, from which the wall's own motion is taken.
-        let moved = resolve(&a, shift)
-            .ok_or_else(|| Error::input("det(I − A) = 0 at the grazing orbit (23)"))?;
+        let moved =
+            resolve(&a, shift).ok_or_else(|| Error::input("det(I − A) = 0 at the grazing orbit (23)"))?;
         // The grazing impact itself does nothing: its factor τ² is left out.
         let others = Itinerary::cyclic(&strikes[1..], itinerary.periods());
         Ok(LocalMap {
@@ -89,7 +89,9 @@ impl LocalMap {
         if determinant > 1.0 {
             (trace, determinant) = (trace / determinant, 1.0 / determinant);
         }
-        Some(Plane::new(BigRational::from_float(trace)?, BigRational::from_float(determinant)?).ok()?.region())
+        Some(
+            Plane::new(BigRational::from_float(trace)?, BigRational::from_float(determinant)?).ok()?.region(),
+        )
     }
 
     /// L = Π −C A^{n_i} B / (2 Y_i) of a pattern: the large eigenvalue is L (eµ)^{−m} to leading order (36), by (57) in floats;

@@ -46,7 +46,8 @@ impl Grazing {
 /// # Errors
 /// An input error if the orbit has no minimum of a gap, as [`newton`], or if det(I − A) = 0 there.
 pub fn locate(family: &dyn Family, orbit: &Orbit, parameter: f64) -> Result<Grazing> {
-    let least = orbit.least.ok_or_else(|| Error::input("the orbit has no minimum of a gap that could graze"))?;
+    let least =
+        orbit.least.ok_or_else(|| Error::input("the orbit has no minimum of a gap that could graze"))?;
     let (itinerary, mut start) = with_graze(orbit, least)?;
     // The speed of the first impact is 0: in its place stands the parameter.
     start[1] = parameter;

@@ -25,7 +25,8 @@ impl Grazing {
         report: &Report,
         parameter: f64,
     ) -> Result<(Itinerary, Vec<f64>)> {
-        let solution = report.orbit.as_ref().ok_or_else(|| Error::input("the pattern is singular: no start"))?;
+        let solution =
+            report.orbit.as_ref().ok_or_else(|| Error::input("the pattern is singular: no start"))?;
         let oscillator = family.at(self.parameter)?;
         let away = parameter - self.parameter;
         let (map, eta) = (&self.map, self.map.e() * away);

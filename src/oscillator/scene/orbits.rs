@@ -72,8 +72,11 @@ impl OrbitKeys {
         if m > 0 && self.walls.is_empty() && system.lower.is_some() && system.upper.is_some() {
             return fail("pattern", "the scene has two walls: name the wall of each impact in walls");
         }
-        let missing = |side| [system.lower.is_none(), system.upper.is_none()][usize::from(side == Side::Upper)];
-        if self.walls.iter().any(|&side| missing(side)) || (m > 0 && missing(Side::Lower) && missing(Side::Upper)) {
+        let missing =
+            |side| [system.lower.is_none(), system.upper.is_none()][usize::from(side == Side::Upper)];
+        if self.walls.iter().any(|&side| missing(side))
+            || (m > 0 && missing(Side::Lower) && missing(Side::Upper))
+        {
             return fail("pattern", "has an impact at a wall that the scene does not have");
         }
         if !self.start.is_empty() && self.start.len() != (2 * m).max(2) {
