@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::{Parser, ValueEnum};
 use num_rational::BigRational;
 
-use super::Outcome;
+use super::{Outcome, run::paper};
 use crate::{
     error::{Error, Result},
     number::parse_rational,
@@ -45,6 +45,15 @@ enum Figure {
     /// The iterate boundaries b_{n,k} = 0 that bound areas, n = 3 to N.
     #[value(name = "4")]
     Iterate,
+    /// Attractors before the grazing bifurcation of section 4.2, mu = -0.05.
+    #[value(name = "8")]
+    Before,
+    /// Attractors near it, mu = -0.024.
+    #[value(name = "9")]
+    Near,
+    /// The attractor after it, mu = 0.003.
+    #[value(name = "10")]
+    After,
     /// Theorem 2's intervals for n = 3 to N.
     Intervals,
     /// The powers of an eigenvalue seen from 1: their records are the periods that exist.
@@ -70,6 +79,9 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
         Figure::Tips => {
             figure::tips(n, &args.output, &Progress::new(interrupt, n.saturating_sub(3), "periods"))?
         }
+        Figure::Before => paper("figure8", &args.output, interrupt)?,
+        Figure::Near => paper("figure9", &args.output, interrupt)?,
+        Figure::After => paper("figure10", &args.output, interrupt)?,
         Figure::Orbits => figure::orbits(&args.output)?,
     }
     Ok(Outcome::Done)

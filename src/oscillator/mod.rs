@@ -4,17 +4,27 @@
 //! is one with named parameters, read from a file, and what to do with it. Not here: the local theory at a grazing
 //! bifurcation (`impact`, `local`), tables and pictures (`output`).
 
+mod attractor;
 pub mod branch;
 mod contact;
+mod counter;
 pub mod critical;
 pub mod flow;
 pub mod grazing;
 pub mod orbit;
+mod rise;
 pub mod scene;
 mod series;
+pub mod simulate;
 mod system;
+mod time;
+mod touching;
 
+pub use attractor::{Attractor, Look};
 pub use contact::{Contact, Side};
+pub use counter::{Counter, Counts, Effect};
 pub use scene::{Expression, Scene};
 pub use series::Series;
 pub use system::{Harmonic, System, Wall};
+pub use time::Time;
+pub use touching::touching;

@@ -1,7 +1,5 @@
 //! 2π-periodic functions as short trigonometric sums: forcing and wall motion in one normal form.
 
-use std::f64::consts::TAU;
-
 use super::Harmonic;
 use crate::error::{Error, Result};
 
@@ -14,13 +12,15 @@ pub struct Series {
 }
 
 impl Series {
+    /// The function 0.
+    pub const ZERO: Series = Series { mean: 0.0, harmonics: Vec::new() };
+
     /// The normal form of a sum; equal k are added up.
     ///
     /// # Errors
     /// A coefficient that is not finite, or k = 0.
     pub fn new(mean: f64, harmonics: &[Harmonic<f64>]) -> Result<Self> {
         finite("the mean", mean)?;
-        let mut sum: Vec<Harmonic<f64>> = Vec::new();
         for h in harmonics {
             finite("cos", h.cos)?;
             finite("sin", h.sin)?;
@@ -29,6 +29,13 @@ impl Series {
                     "a harmonic with k = 0: give a constant as offset or force instead",
                 ));
             }
+        }
+        Ok(Series::sum(mean, harmonics))
+    }
+
+    fn sum(mean: f64, harmonics: &[Harmonic<f64>]) -> Self {
+        let mut sum: Vec<Harmonic<f64>> = Vec::new();
+        for h in harmonics {
             match sum.iter_mut().find(|other| other.k == h.k) {
                 Some(other) => (other.cos, other.sin) = (other.cos + h.cos, other.sin + h.sin),
                 None => sum.push(h.clone()),
@@ -36,7 +43,7 @@ impl Series {
         }
         sum.retain(|h| h.cos != 0.0 || h.sin != 0.0);
         sum.sort_by_key(|h| h.k);
-        Ok(Series { mean: mean + 0.0, harmonics: sum })
+        Series { mean: mean + 0.0, harmonics: sum }
     }
 
     /// The constant term.
@@ -83,24 +90,30 @@ impl Series {
         }
     }
 
+    /// The derivative, a series again.
+    #[must_use]
+    pub fn derivative(&self) -> Series {
+        let turned = |h: &Harmonic<f64>| {
+            let k = f64::from(h.k);
+            Harmonic { k: h.k, cos: k * h.sin, sin: -k * h.cos }
+        };
+        Series { mean: 0.0, harmonics: self.harmonics.iter().map(turned).collect() }
+    }
+
+    /// A linear combination.
+    pub(super) fn combination(terms: &[(f64, &Series)]) -> Series {
+        let mean = terms.iter().map(|(factor, series)| factor * series.mean).sum();
+        let scaled = |&(factor, series): &(f64, &'_ Series)| {
+            let scale =
+                move |h: &Harmonic<f64>| Harmonic { k: h.k, cos: factor * h.cos, sin: factor * h.sin };
+            series.harmonics.iter().map(scale).collect::<Vec<_>>()
+        };
+        Series::sum(mean, &terms.iter().flat_map(scaled).collect::<Vec<_>>())
+    }
+
     /// Σ kⁿ (|cos| + |sin|): no derivative of order n ≥ 1 exceeds it.
     pub fn derivative_bound(&self, n: i32) -> f64 {
         self.harmonics.iter().map(|h| f64::from(h.k).powi(n) * (h.cos.abs() + h.sin.abs())).sum()
-    }
-}
-
-/// t brought into [0, 2π), and how many whole periods were taken off; exact to one rounding for |t| up to 2⁵³ periods'
-/// worth of a double.
-pub fn reduce(t: f64) -> (i64, f64) {
-    let periods = (t / TAU).floor();
-    let phase = t - periods * TAU;
-    // The quotient may round up to a whole number just below it.
-    if phase < 0.0 {
-        (periods as i64 - 1, (phase + TAU).min(TAU.next_down()))
-    } else if phase >= TAU {
-        (periods as i64 + 1, phase - TAU)
-    } else {
-        (periods as i64, phase)
     }
 }
 
@@ -132,15 +145,6 @@ mod tests {
         for x in [-1.0, -0.3, 0.0, 0.7, 1.0] {
             let sum = coefficients.iter().rev().fold(0.0, |sum, c| sum * x + c);
             assert!((sum + 2.0 * series.at(1.1 + 0.3 * x)[0]).abs() < 1e-14);
-        }
-    }
-
-    #[test]
-    fn reduction_keeps_the_phase_in_one_period() {
-        for t in [0.0, TAU, -1e-300, TAU.next_down(), 5.0 * TAU, 7.0, -7.0, 1e6] {
-            let (periods, phase) = reduce(t);
-            assert!((0.0..TAU).contains(&phase), "{t}: {phase}");
-            assert!((periods as f64 * TAU + phase - t).abs() <= 1e-15 * t.abs().max(1.0));
         }
     }
 }

@@ -117,8 +117,8 @@ fn born(
             row.extend([
                 numbers(orbit.impacts().map(|impact| impact.phase)),
                 numbers(orbit.impacts().map(|impact| impact.speed)),
-                first.into(),
-                second.into(),
+                first,
+                second,
                 admissible(&orbit.admissibility).into(),
                 reason.into(),
             ]);

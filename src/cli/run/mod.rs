@@ -1,9 +1,11 @@
 //! `grazing run`: the tasks of a scene. Each kind of task is run by the file of its name.
 
+mod basins;
 mod event;
 mod grazing;
 mod orbit;
 mod report;
+mod section;
 mod simulate;
 
 use std::{
@@ -20,7 +22,8 @@ use crate::{
     number::parse_rational,
     oscillator::{
         Scene, System,
-        scene::{Kind, Task},
+        scene::{Accuracy, Kind, Task},
+        simulate::{End, Settings},
     },
     output::{Destination, Interrupt},
 };
@@ -66,15 +69,12 @@ fn called(task: &Task, name: &str) -> bool {
 }
 
 /// A task with all it works on.
-#[expect(dead_code, reason = "read by the tasks to come")]
 struct Job<'a> {
     /// The task.
     task: &'a Task,
     /// The scene, with the parameter values of the task and of the command line.
     scene: Scene,
-    /// Its coefficients.
-    exact: System<BigRational>,
-    /// Its coefficients as floats.
+    /// Its coefficients, rounded from their exact values.
     system: System<f64>,
     /// Where the files go.
     folder: &'a Path,
@@ -82,11 +82,25 @@ struct Job<'a> {
     interrupt: &'a Interrupt,
 }
 
-impl Job<'_> {
+impl<'a> Job<'a> {
+    fn new(
+        scene: &Scene,
+        task: &'a Task,
+        changes: &[(String, BigRational)],
+        folder: &'a Path,
+        interrupt: &'a Interrupt,
+    ) -> Result<Self> {
+        let scene = scene.for_task(task, changes)?;
+        let system = scene.exact(&[])?.rounded();
+        Ok(Job { task, scene, system, folder, interrupt })
+    }
+
     fn run(&self) -> Result<Report> {
         let mut report = Report::new(self);
         match &self.task.kind {
             Kind::Simulate(task) => simulate::run(task, self, &mut report),
+            Kind::Section(task) => section::run(task, self, &mut report),
+            Kind::Basins(task) => basins::run(task, self, &mut report),
             Kind::OrbitTask(task) => orbit::run(task, self, &mut report),
             Kind::EventTask(task) => event::run(task, self, &mut report),
             Kind::GrazingTask(task) => grazing::run(task, self, &mut report),
@@ -112,10 +126,7 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
         .iter()
         .filter(|task| args.only.is_empty() || args.only.iter().any(|only| called(task, only)))
     {
-        let scene = scene.for_task(task, &args.set)?;
-        let exact = scene.exact(&[])?;
-        let system = exact.rounded();
-        jobs.push(Job { task, scene, exact, system, folder: &args.output, interrupt });
+        jobs.push(Job::new(&scene, task, &args.set, &args.output, interrupt)?);
     }
     if jobs.is_empty() {
         return Err(Error::input(format!("{name} has no [[tasks]]: nothing to do")));
@@ -136,4 +147,28 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     }
     let undecided = reports.iter().any(|report| report.undecided);
     Ok(if undecided { Outcome::Undecided } else { Outcome::Done })
+}
+
+/// Runs a task of the paper's own scene, without a report.
+pub(super) fn paper(task: &str, folder: &Path, interrupt: &Interrupt) -> Result<()> {
+    let text = include_str!("../../../examples/scenes/nordmark-2001.toml");
+    let scene = Scene::from_toml(text, "nordmark-2001.toml")?;
+    let task = scene.tasks.iter().find(|known| known.name == task);
+    let task = task.ok_or_else(|| Error::input("the paper's scene has no such task"))?;
+    Job::new(&scene, task, &[], folder, interrupt)?.run().map(drop)
+}
+
+/// The simulator's settings for a scene's accuracy.
+fn settings(scene: &Scene) -> Settings {
+    let Accuracy { tolerance, minimum_depth } = scene.accuracy;
+    Settings { tolerance, minimum_depth, ..Settings::default() }
+}
+
+/// Why a motion ended.
+fn ended(end: End) -> &'static str {
+    match end {
+        End::Reached => "at the time asked for",
+        End::ImpactLimit => "at the limit of impacts",
+        End::Escaped => "it left every bound",
+    }
 }

@@ -1,5 +1,7 @@
 //! Tasks of kind `orbit`: periodic orbits of a pattern.
 
+use serde_json::Value;
+
 use super::{
     Job, Report,
     report::{Rows, number, numbers},
@@ -8,7 +10,7 @@ use crate::{
     error::Result,
     number::{Plain, Real},
     oscillator::{
-        orbit::{Admissibility, Orbit, Oscillator},
+        orbit::{Admissibility, Oscillator},
         scene::orbits::OrbitTask,
     },
 };
@@ -33,14 +35,14 @@ pub(super) fn run(task: &OrbitTask, job: &Job, report: &mut Report) -> Result<()
             _ => job.system.clone(),
         };
         for orbit in task.orbit.orbits(&Oscillator::new(system, tolerance)?)? {
-            let [first, second] = multipliers(&orbit);
+            let [first, second] = orbit.multipliers.values().map(complex);
             rows.push([
                 value.map_or("".into(), number),
                 orbit.itinerary.to_string().into(),
                 numbers(orbit.impacts().map(|impact| impact.phase)),
                 numbers(orbit.impacts().map(|impact| impact.speed)),
-                first.into(),
-                second.into(),
+                first,
+                second,
                 yes(orbit.multipliers.is_stable()).into(),
                 admissible(&orbit.admissibility).into(),
                 orbit.least.map_or("none".into(), |least| number(least.gap)),
@@ -57,15 +59,11 @@ pub(super) fn run(task: &OrbitTask, job: &Job, report: &mut Report) -> Result<()
     report.rows("orbits", rows, job)
 }
 
-/// Both multipliers as text.
-pub(super) fn multipliers(orbit: &Orbit) -> [String; 2] {
-    orbit.multipliers.values().map(complex)
-}
-
-pub(super) fn complex((re, im): (f64, f64)) -> String {
+/// A number, or text if it is not real.
+pub(super) fn complex((re, im): (f64, f64)) -> Value {
     match im {
-        0.0 => re.to_string(),
-        _ => format!("{re} {} {}i", if im < 0.0 { '-' } else { '+' }, im.abs()),
+        0.0 => number(re),
+        _ => format!("{re:?} {} {:?}i", if im < 0.0 { '-' } else { '+' }, im.abs()).into(),
     }
 }
 

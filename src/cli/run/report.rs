@@ -117,8 +117,13 @@ impl Report {
     pub fn rows(&mut self, name: &'static str, rows: Rows, job: &Job) -> Result<()> {
         let file = job.folder.join(format!("{}.csv", job.task.name));
         write_file(&file, |out| rows.write(out, TableFormat::Csv))?;
-        self.entries.push((name, Finding::Rows(rows)));
+        self.table(name, rows);
         Ok(())
+    }
+
+    /// Adds a table.
+    pub fn table(&mut self, name: &'static str, rows: Rows) {
+        self.entries.push((name, Finding::Rows(rows)));
     }
 }
 

@@ -8,6 +8,7 @@ mod taylor;
 
 pub use linear::Linear;
 pub use taylor::Taylor;
+pub(super) use taylor::{Expansion, Recurrence, TERMS};
 
 use super::{Series, System, series::finite};
 use crate::error::Result;
@@ -60,6 +61,13 @@ impl Free {
             Taylor::new(system, tolerance).map(Free::Taylor)
         }
     }
+
+    pub(super) fn equation(&self) -> &Equation {
+        match self {
+            Free::Linear(flow) => flow.equation(),
+            Free::Taylor(flow) => flow.equation(),
+        }
+    }
 }
 
 impl Flow for Free {
@@ -109,6 +117,11 @@ impl Equation {
             cubic: system.cubic + 0.0,
             forcing,
         })
+    }
+
+    /// The same without force and forcing.
+    pub fn unforced(&self) -> Self {
+        Equation { forcing: Series::ZERO, ..*self }
     }
 
     pub fn acceleration(&self, at: State) -> f64 {

@@ -83,6 +83,9 @@ pub fn check(oscillator: &Oscillator, itinerary: &Itinerary, z: &[f64]) -> Check
     Check { admissibility, least }
 }
 
+/// How near the end of a leg a contact without speed belongs to the impact there: gaps there are of the order of its square.
+const ROUNDING: f64 = 1e-6;
+
 /// The local minima of the gaps on an open stretch of motion.
 ///
 /// A cell is a sixteenth of the fastest period; within one z″ is taken to change sign once at most, so z′ is monotone on
@@ -118,8 +121,11 @@ fn minima(oscillator: &Oscillator, leg: usize, from: State, time: f64) -> Vec<Mi
             };
             if let Some((lo, hi)) = stretch {
                 let root = rising(|t| at(t)[1], lo, hi);
-                let after = width * cell as f64 + root;
-                found.push(Minimum { side, leg, after, gap: at(root)[0] });
+                let (after, least) = (width * cell as f64 + root, at(root)[0]);
+                // A leg that begins or ends without speed has a minimum there, which rounding may bring inside.
+                if after.min(time - after) > ROUNDING || least.abs() > ROUNDING * ROUNDING {
+                    found.push(Minimum { side, leg, after, gap: least });
+                }
             }
             start = flow.advance(start, width);
         }

@@ -187,8 +187,8 @@ impl Scene {
         for (accuracy, key) in
             [(scene.accuracy.tolerance, "tolerance"), (scene.accuracy.minimum_depth, "minimum_depth")]
         {
-            if !(1e-15..=1e-1).contains(&accuracy) {
-                return Err(scene.fail(&format!("accuracy.{key}"), "is outside 1e-15 to 0.1"));
+            if !(1e-15..=1e-3).contains(&accuracy) {
+                return Err(scene.fail(&format!("accuracy.{key}"), "is outside 1e-15 to 1e-3"));
             }
         }
         scene.exact(&[])?;

@@ -23,8 +23,10 @@ pub struct Key {
     pub name: &'static str,
     /// What may stand there.
     pub shape: fn() -> String,
-    /// What holds if it is absent, as TOML text; `None` if it must be given.
+    /// What holds if it is absent, as TOML text.
     pub default: Option<&'static str>,
+    /// Whether it must be given.
+    pub required: bool,
     /// What it means.
     pub about: &'static str,
 }
@@ -192,6 +194,8 @@ macro_rules! keys {
                     name: stringify!($key),
                     shape: <$type as $crate::oscillator::scene::keys::Value>::shape,
                     default: $crate::oscillator::scene::keys::default!($($default)?),
+                    required: $crate::oscillator::scene::keys::default!($($default)?).is_none()
+                        && <$type as $crate::oscillator::scene::keys::Value>::ABSENT.is_none(),
                     about: concat!($($doc),+),
                 }),*];
 
@@ -221,7 +225,7 @@ pub(super) use keys;
 
 macro_rules! default {
     () => {
-        None
+        None::<&'static str>
     };
     ($text:literal) => {
         Some($text)
@@ -296,6 +300,16 @@ impl Value for u64 {
 
     fn read(entry: &Entry) -> Result<Self> {
         entry.whole(0, 1 << 53)
+    }
+}
+
+impl Value for bool {
+    fn shape() -> String {
+        "`true` or `false`".to_string()
+    }
+
+    fn read(entry: &Entry) -> Result<Self> {
+        entry.item.as_bool().ok_or_else(|| entry.fail("is neither true nor false"))
     }
 }
 

@@ -9,6 +9,7 @@ mod input;
 mod keys;
 pub mod orbits;
 mod reference;
+mod sections;
 pub mod task;
 mod walls;
 
@@ -21,6 +22,7 @@ pub use expression::Expression;
 pub use input::Accuracy;
 pub use keys::Key;
 pub use reference::reference;
+pub use sections::{Basins, Frame, Section, Values};
 pub use task::{Kind, Task};
 
 use self::task::Start;
@@ -107,15 +109,21 @@ impl Scene {
         Ok(system)
     }
 
+    /// An expression's value with the scene's parameters, rounded.
+    ///
+    /// # Errors
+    /// An input error that names where it stands, for a division by zero or a value beyond floats.
+    pub fn number(&self, expression: &Expression) -> Result<f64> {
+        let values: Vec<BigRational> = self.parameters.iter().map(|(_, value)| value.clone()).collect();
+        Ok(float(&self.value(expression, &values, float)?))
+    }
+
     /// A state to start from, rounded from its exact values.
     ///
     /// # Errors
     /// As [`Scene::exact`].
     pub fn state(&self, start: &Start) -> Result<State> {
-        let values: Vec<BigRational> = self.parameters.iter().map(|(_, value)| value.clone()).collect();
-        let at = |expression| Ok::<f64, Error>(float(&self.value(expression, &values, float)?));
-        let t = TAU * float(&(&start.phase - start.phase.floor()));
-        Ok(State { t, q: at(&start.q)?, u: at(&start.u)? })
+        Ok(State { t: phase(&start.phase), q: self.number(&start.q)?, u: self.number(&start.u)? })
     }
 
     /// A task's scene, with the values it sets and then `changes`; checks all that can be checked before running.
@@ -196,6 +204,11 @@ impl Scene {
             self.parameters.iter().map(|(name, value)| format!("{name} = {value}")).collect();
         if all.is_empty() { String::new() } else { format!(" (with {})", all.join(", ")) }
     }
+}
+
+/// A fraction of the forcing period as t in [0, 2π).
+pub(crate) fn phase(fraction: &BigRational) -> f64 {
+    TAU * float(&(fraction - fraction.floor()))
 }
 
 fn float(x: &BigRational) -> f64 {

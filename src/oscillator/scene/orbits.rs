@@ -60,7 +60,8 @@ impl OrbitKeys {
         Ok(vec![find(oscillator, &itinerary, self.start.clone())?])
     }
 
-    fn check(&self, scene: &Scene, system: &System<f64>, path: &str) -> Result<()> {
+    /// What [`Scene::for_task`] checks.
+    pub(super) fn check(&self, scene: &Scene, system: &System<f64>, path: &str) -> Result<()> {
         let fail = |key: &str, message: &str| Err(scene.fail(&format!("{path}.{key}"), message));
         if let Err(error) = self.itinerary(system) {
             return fail("pattern", &error.to_string());

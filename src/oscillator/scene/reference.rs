@@ -30,7 +30,11 @@ fn table(text: &mut String, name: &str, about: &str, keys: &[Key]) {
         about.trim()
     );
     for key in keys {
-        let default = key.default.map_or("none".to_string(), |default| format!("`{default}`"));
+        let default = match key.default {
+            Some(default) => format!("`{default}`"),
+            None if key.required => "must be given".to_string(),
+            None => String::new(),
+        };
         let _ = writeln!(text, "| `{}` | {} | {default} | {} |", key.name, (key.shape)(), key.about.trim());
     }
     text.push('\n');

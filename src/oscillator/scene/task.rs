@@ -6,8 +6,9 @@ use num_rational::BigRational;
 
 use super::{
     expression::Expression,
-    keys::{Entry, Key, Record, Value, keys, words},
+    keys::{Entry, Key, Record, Value, keys},
     orbits::{EventTask, GrazingTask, OrbitTask},
+    sections::{Basins, Section},
 };
 use crate::{
     error::Result,
@@ -99,6 +100,8 @@ macro_rules! kinds {
 
 kinds! {
     "simulate" Simulate,
+    "section" Section,
+    "basins" Basins,
     "orbit" OrbitTask,
     "event" EventTask,
     "grazing" GrazingTask,
@@ -120,13 +123,16 @@ keys! {
         periods: u32 = "10",
         /// how many periods pass before
         transient: u64 = "0",
-        /// points of the time series in a period
+        /// points of the time series in a period, from 1 to 10000
         samples: u32 = "64",
     }
 }
 
 impl Check for Simulate {
     fn check(&self, scene: &Scene, system: &System<f64>, path: &str) -> Result<()> {
+        if !(1..=10_000).contains(&self.samples) {
+            return Err(scene.fail(&format!("{path}.samples"), "is outside 1 to 10000"));
+        }
         scene.check_start(&self.start, system, &format!("{path}.start"))
     }
 }
@@ -140,18 +146,6 @@ keys! {
         q: Expression,
         /// the velocity
         u: Expression = "0",
-    }
-}
-
-words! {
-    /// From where displacement and velocity are counted.
-    pub enum Frame {
-        /// As in the equation of motion.
-        Fixed = "fixed",
-        /// From the lower wall's motion about its mean: q − (Q₁ − offset), in which the wall stands still.
-        Lower = "lower",
-        /// From the upper wall's motion about its mean.
-        Upper = "upper",
     }
 }
 

@@ -3,19 +3,25 @@
 //! A picture is 2000 units wide and meant for a journal's column of 86 mm, where its text has about 7 points.
 
 mod accuracy;
+mod grid;
 mod intervals;
 mod iterate;
+mod motion;
 mod orbits;
 mod records;
 mod regions;
+mod section;
 mod tips;
 
 pub use accuracy::{accuracy_figure, accuracy_table};
+pub use grid::{Grid, grid};
 pub use intervals::intervals;
 pub use iterate::iterate_boundaries;
+pub use motion::{Motion, motion};
 pub use orbits::{orbit, orbits};
 pub use records::records;
 pub use regions::regions;
+pub use section::{Mark, Points, section};
 pub use tips::tips;
 
 use std::{fs, path::Path};

@@ -1,0 +1,86 @@
+//! What a run reports.
+
+use crate::oscillator::{Side, Time};
+
+/// The next thing that happens.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Event {
+    /// The oscillator met a wall and bounced.
+    Impact(Impact),
+    /// It came within the minimum depth of a wall, neither clearly short of it nor clearly beyond: no impact was made of it.
+    Tangency(Tangency),
+    /// It came to rest on a wall that presses.
+    Stick(Stick),
+    /// A wall let go of it.
+    Release(Release),
+    /// Nothing more before the time asked for, or nothing more at all.
+    End(End),
+}
+
+/// One impact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Impact {
+    /// When, of the trajectory computed.
+    pub time: Time,
+    /// The root of the gap lies within this of `time`, for the trajectory computed: rounding over impact velocity.
+    pub radius: f64,
+    /// Which wall.
+    pub side: Side,
+    /// The gap's z′ ≤ 0 on arrival; it leaves as −τ z′.
+    pub velocity: f64,
+}
+
+/// A minimum of the gap within the minimum depth of 0.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Tangency {
+    /// When.
+    pub time: Time,
+    /// Which wall.
+    pub side: Side,
+    /// The gap there, of either sign.
+    pub gap: f64,
+}
+
+/// The start of rest on a wall: bounces have become lower than the minimum depth.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stick {
+    /// When: for τ < 1 the limit of the impacts that would have followed, a geometric series.
+    pub time: Time,
+    /// Which wall.
+    pub side: Side,
+    /// The time that the impacts left out would have taken.
+    pub rest: f64,
+}
+
+/// The end of rest on a wall.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Release {
+    /// When the force of contact falls to 0.
+    pub time: Time,
+    /// Which wall.
+    pub side: Side,
+}
+
+/// Why there is no other event.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum End {
+    /// The time asked for is reached; the run can go on.
+    Reached,
+    /// The limit of impacts is reached; the run stays where it is.
+    ImpactLimit,
+    /// The motion left every bound (negative stiffness, resonance); the run stays where it is.
+    Escaped,
+}
+
+impl Event {
+    /// When it happened; an end has the time that the run has.
+    pub fn time(&self) -> Option<Time> {
+        match self {
+            Event::Impact(impact) => Some(impact.time),
+            Event::Tangency(tangency) => Some(tangency.time),
+            Event::Stick(stick) => Some(stick.time),
+            Event::Release(release) => Some(release.time),
+            Event::End(_) => None,
+        }
+    }
+}

@@ -1,0 +1,210 @@
+//! Simulation: the flow, interrupted by impacts, rests on walls and nothing else, event by event.
+//!
+//! A [`Simulator`] is built once for a system and composed of the effects it has: a linear flow is followed through tables of one grid of
+//! cells, any other by Taylor steps; a wall that is not there is not tested; without any wall nothing is searched and the closed form is asked
+//! for the end at once; an autonomous system has tables of one row. A coefficient of 0 and one not given build the same simulator.
+//!
+//! # What is promised
+//!
+//! - The gap to each wall is a polynomial on each piece of the trajectory. Every minimum of it below −[`minimum_depth`](Settings::minimum_depth) is
+//!   an impact, found on the stretch on which the gap falls, whatever its velocity; a minimum within the depth of 0 is a [`Tangency`].
+//! - The oscillator is never behind a wall by more than the minimum depth, nor leaves an impact with z′ of the wrong sign.
+//! - Bounces that would be lower than the minimum depth on a wall that presses are summed as a geometric series and end in rest ([`Stick`])
+//!   until the force of contact is 0 ([`Release`]), at most one period later, or for good.
+//! - A run ends by an [`End`] that says why.
+//!
+//! For linear systems the trajectory itself carries rounding errors only. For others the error is that of [`Taylor`](super::flow::Taylor).
+
+mod engine;
+mod event;
+mod grid;
+mod pieces;
+mod search;
+mod steps;
+mod wall;
+
+pub use event::{End, Event, Impact, Release, Stick, Tangency};
+
+use engine::{Engine, Loop};
+use grid::Grid;
+use pieces::Pieces;
+use steps::Steps;
+use wall::Walls;
+
+use super::{
+    Contact, Counter, Side, System, Time,
+    flow::{Free, State, Taylor},
+};
+use crate::error::{Error, Result};
+
+/// A displacement beyond which a motion counts as unbounded.
+const FARTHEST: f64 = 1e100;
+
+/// How finely to simulate.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Settings {
+    /// Gaps within this of 0 are contact without impact: see the promises of [`simulate`](self). In units of q, 1e-13 to 1e-3, default 1e-12;
+    /// where a trajectory is so large that rounding exceeds it, the rounding error takes its place.
+    pub minimum_depth: f64,
+    /// The tolerance of the integrator, where there is one: see [`Taylor::new`]. Default 1e-13.
+    pub tolerance: f64,
+    /// Whether to integrate a linear system, too, instead of using its closed form. Default false.
+    pub integrate: bool,
+    /// After so many impacts a run ends. Default: no limit.
+    pub impact_limit: u64,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Settings { minimum_depth: 1e-12, tolerance: 1e-13, integrate: false, impact_limit: u64::MAX }
+    }
+}
+
+/// A system ready to run from many starts and on many threads.
+#[derive(Debug, Clone)]
+pub struct Simulator {
+    method: Method,
+    flow: Free,
+    walls: Walls,
+    settings: Settings,
+}
+
+#[derive(Debug, Clone)]
+enum Method {
+    Still(Grid<false>),
+    Driven(Grid<true>),
+    Steps(Steps),
+}
+
+/// A trajectory under way.
+pub struct Run<'a>(Box<dyn Engine + 'a>);
+
+impl Simulator {
+    /// Builds what the system needs and nothing else; O(16 R (walls + harmonics)) for a linear one, R the largest frequency.
+    ///
+    /// # Errors
+    /// Coefficients that are not finite, a negative restitution, walls that meet, a setting out of range, a frequency above some 10⁴.
+    pub fn new(system: &System<f64>, settings: &Settings) -> Result<Self> {
+        let depth = settings.minimum_depth;
+        if !(1e-13..=1e-3).contains(&depth) {
+            return Err(Error::input(format!("minimum_depth = {depth} is not between 1e-13 and 1e-3")));
+        }
+        let contact = |side: Side, wall: &Option<_>| {
+            let contact = wall.as_ref().map(|wall| Contact::new(side, wall)).transpose();
+            contact.map_err(|e| e.context(format!("{} wall", side.name())))
+        };
+        let contacts = [contact(Side::Lower, &system.lower)?, contact(Side::Upper, &system.upper)?];
+        let flow = if settings.integrate {
+            Free::Taylor(Taylor::new(system, settings.tolerance)?)
+        } else {
+            Free::new(system, settings.tolerance)?
+        };
+        let walls = Walls::new(flow.equation(), contacts, depth)?;
+        let moving = walls.contacts.iter().flatten().any(|contact| contact.position.order() > 0);
+        let method = match &flow {
+            Free::Linear(linear) if moving || linear.equation().forcing.order() > 0 => {
+                Method::Driven(Grid::new(linear, &walls.contacts)?)
+            }
+            Free::Linear(linear) => Method::Still(Grid::new(linear, &walls.contacts)?),
+            Free::Taylor(taylor) => Method::Steps(Steps::new(taylor, &walls.contacts)),
+        };
+        Ok(Simulator { method, flow, walls, settings: settings.clone() })
+    }
+
+    /// The flow between impacts.
+    pub fn flow(&self) -> &Free {
+        &self.flow
+    }
+
+    /// The walls that are there, lower before upper.
+    pub fn contacts(&self) -> impl Iterator<Item = &Contact> {
+        self.walls.contacts.iter().flatten()
+    }
+
+    /// A run from displacement q and velocity u at `time`.
+    ///
+    /// # Errors
+    /// A start behind a wall, or not finite.
+    pub fn start(&self, time: Time, q: f64, u: f64) -> Result<Run<'_>> {
+        self.start_counting(time, q, u, ())
+    }
+
+    /// The same, every evaluation told to `counter`.
+    ///
+    /// # Errors
+    /// Those of [`start`](Self::start).
+    pub fn start_counting<'a>(
+        &'a self,
+        time: Time,
+        q: f64,
+        u: f64,
+        counter: impl Counter + 'a,
+    ) -> Result<Run<'a>> {
+        match &self.method {
+            Method::Still(grid) => self.run(grid, time, [q, u], counter),
+            Method::Driven(grid) => self.run(grid, time, [q, u], counter),
+            Method::Steps(steps) => self.run(steps, time, [q, u], counter),
+        }
+    }
+
+    fn run<'a>(
+        &'a self,
+        pieces: &'a impl Pieces,
+        time: Time,
+        at: [f64; 2],
+        counter: impl Counter + 'a,
+    ) -> Result<Run<'a>> {
+        let (walls, settings) = (&self.walls, &self.settings);
+        Ok(Run(match walls.contacts {
+            [None, None] => {
+                Box::new(Loop::<_, _, false, false>::new(pieces, walls, settings, time, at, counter)?)
+            }
+            [Some(_), None] => {
+                Box::new(Loop::<_, _, true, false>::new(pieces, walls, settings, time, at, counter)?)
+            }
+            [None, Some(_)] => {
+                Box::new(Loop::<_, _, false, true>::new(pieces, walls, settings, time, at, counter)?)
+            }
+            [Some(_), Some(_)] => {
+                Box::new(Loop::<_, _, true, true>::new(pieces, walls, settings, time, at, counter)?)
+            }
+        }))
+    }
+}
+
+impl Run<'_> {
+    /// On to the next event, no further than `until`. An impact at the initial time comes first of all.
+    pub fn next(&mut self, until: Time) -> Event {
+        self.0.next(until)
+    }
+
+    /// Where the run is in time.
+    pub fn time(&self) -> Time {
+        self.0.time()
+    }
+
+    /// The motion now, after the impact if there is one; t is the phase.
+    pub fn state(&self) -> State {
+        self.0.state()
+    }
+
+    /// How many impacts there were.
+    pub fn impacts(&self) -> u64 {
+        self.0.impacts()
+    }
+
+    /// On to `until`, events unseen.
+    pub fn finish(&mut self, until: Time) -> End {
+        self.record(until, |_| {})
+    }
+
+    /// On to `until`, each event shown.
+    pub fn record(&mut self, until: Time, mut each: impl FnMut(Event)) -> End {
+        loop {
+            match self.next(until) {
+                Event::End(end) => return end,
+                event => each(event),
+            }
+        }
+    }
+}

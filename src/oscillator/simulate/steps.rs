@@ -1,0 +1,123 @@
+//! Pieces of any flow: the steps of its Taylor series.
+
+use std::f64::consts::TAU;
+
+use super::pieces::{LOWER, Pieces};
+use crate::oscillator::{
+    Contact, Counter, Effect, Time,
+    flow::{Expansion, State, TERMS, Taylor},
+};
+
+/// A shorter step than this, relative to the forcing period, means that the motion has no bound.
+const SHORTEST: f64 = 1e-9;
+
+#[derive(Debug, Clone)]
+pub(super) struct Steps {
+    flow: Taylor,
+    walls: [Option<Contact>; 2],
+    /// What a piece counts: cubic stiffness, and forcing or a moving wall.
+    cubic: bool,
+    driven: bool,
+}
+
+/// A step from `start`, of which [`from`, 1] is to be looked at.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Cursor {
+    start: Time,
+    step: Expansion,
+    from: f64,
+}
+
+impl Steps {
+    pub fn new(flow: &Taylor, walls: &[Option<Contact>; 2]) -> Self {
+        let moving = walls.iter().flatten().any(|wall| wall.position.order() > 0);
+        let equation = flow.equation();
+        Steps {
+            cubic: equation.cubic != 0.0,
+            driven: moving || equation.forcing.order() > 0,
+            flow: flow.clone(),
+            walls: walls.clone(),
+        }
+    }
+
+    fn expand<C: Counter>(&self, start: Time, q: f64, u: f64, longest: f64, counter: &mut C) -> Cursor {
+        if self.cubic {
+            counter.count(Effect::Cubic);
+        }
+        if self.driven {
+            counter.count(Effect::Drive);
+        }
+        let step = self.flow.expand(State { t: start.phase, q, u }, true, longest);
+        Cursor { start, step, from: 0.0 }
+    }
+}
+
+impl Pieces for Steps {
+    type Cursor = Cursor;
+    type Gap = [f64; TERMS];
+    type Target = Time;
+
+    fn start<C: Counter>(&self, time: Time, q: f64, u: f64, counter: &mut C) -> Cursor {
+        self.expand(time, q, u, f64::INFINITY, counter)
+    }
+
+    fn from(&self, cursor: &Cursor) -> f64 {
+        cursor.from
+    }
+
+    fn pass(&self, cursor: &mut Cursor, x: f64) {
+        cursor.from = x;
+    }
+
+    fn gap<C: Counter, const WALL: usize>(&self, cursor: &Cursor, _: &mut C) -> [f64; TERMS] {
+        let mut gap = cursor.step.q;
+        if let Some(wall) = &self.walls[WALL] {
+            wall.position.add_taylor(-1.0, cursor.start.phase, cursor.step.h, &mut gap[..=self.flow.order()]);
+        }
+        if WALL == LOWER { gap } else { gap.map(|c| -c) }
+    }
+
+    fn turn<C: Counter>(&self, cursor: &mut Cursor, counter: &mut C) {
+        let State { q, u, .. } = self.state(cursor, 1.0);
+        *cursor = self.expand(self.time(cursor, 1.0), q, u, f64::INFINITY, counter);
+    }
+
+    fn kick<C: Counter>(&self, cursor: &mut Cursor, x: f64, du: f64, counter: &mut C) {
+        let State { q, u, .. } = self.state(cursor, x);
+        *cursor = self.expand(self.time(cursor, x), q, u + du, f64::INFINITY, counter);
+    }
+
+    fn jump<C: Counter>(&self, _: &Cursor, cursor: &mut Cursor, until: Time, counter: &mut C) {
+        while self.reach(cursor, until) > 1.0 && !self.escaped(cursor) {
+            self.turn(cursor, counter);
+        }
+        cursor.from = self.reach(cursor, until).min(1.0);
+    }
+
+    fn target(&self, until: Time) -> Time {
+        until
+    }
+
+    fn reach(&self, cursor: &Cursor, target: Time) -> f64 {
+        target.since(cursor.start) / cursor.step.h
+    }
+
+    fn time(&self, cursor: &Cursor, x: f64) -> Time {
+        cursor.start.after(cursor.step.h * x)
+    }
+
+    fn scale(&self, cursor: &Cursor) -> f64 {
+        cursor.step.h
+    }
+
+    fn state(&self, cursor: &Cursor, x: f64) -> State {
+        let [q, slope] =
+            cursor.step.q.iter().rev().fold([0.0; 2], |[q, slope], c| [q * x + c, slope * x + q]);
+        State { t: self.time(cursor, x).phase, q, u: slope / cursor.step.h }
+    }
+
+    fn escaped(&self, cursor: &Cursor) -> bool {
+        // Not a number is beyond all bounds, too.
+        !(cursor.step.q[0].abs() < super::FARTHEST && cursor.step.h > SHORTEST * TAU)
+    }
+}
