@@ -14,7 +14,8 @@ use grazing::{
 
 fn paper(d: f64, w: f64) -> Scene {
     let text = include_str!("../examples/scenes/nordmark-2001.toml");
-    let text = text.replacen("d = 0.6 ", &format!("d = {d:e} "), 1).replacen("w = 4.9 ", &format!("w = {w:e} "), 1);
+    let text =
+        text.replacen("d = 0.6 ", &format!("d = {d:e} "), 1).replacen("w = 4.9 ", &format!("w = {w:e} "), 1);
     Scene::from_toml(&text, "test").unwrap()
 }
 
@@ -46,7 +47,10 @@ fn the_paper_s_grazing_has_the_map_of_its_formulas() {
         let root = (1.0 - d * d).abs().sqrt() * TAU / w;
         let decay = (-TAU * d / w).exp();
         let a1 = 2.0 * decay * if d < 1.0 { root.cos() } else { root.cosh() };
-        assert!((map.multipliers.trace - a1).abs() < 1e-12 && (map.multipliers.determinant - decay * decay).abs() < 1e-14);
+        assert!(
+            (map.multipliers.trace - a1).abs() < 1e-12
+                && (map.multipliers.determinant - decay * decay).abs() < 1e-14
+        );
         let gamma = if d < 1.0 { root.sin() } else { 1.0 };
         assert!(map.gamma() * gamma > 0.0, "d = {d}, w = {w}");
         assert_eq!(map.region(), Some(if d < 1.0 { Region::Three } else { Region::Two }));
@@ -115,7 +119,10 @@ fn e_is_the_rate_at_which_the_gap_of_the_orbit_opens() {
         assert!((slope - e).abs() < 1e-6 * e.abs().max(1.0), "{itinerary}: {slope} {e}");
         assert!((gaps[0] + gaps[1]).abs() < 1e-6 * e.abs(), "the gap is 0 there: {gaps:?}");
         let trace = (minus.multipliers.trace + plus.multipliers.trace) / 2.0;
-        assert!((trace - grazing.map.multipliers.trace).abs() < 1e-6 * (1.0 + trace.abs()), "{itinerary}: {trace}");
+        assert!(
+            (trace - grazing.map.multipliers.trace).abs() < 1e-6 * (1.0 + trace.abs()),
+            "{itinerary}: {trace}"
+        );
     }
 }
 
@@ -137,7 +144,8 @@ fn the_true_system_has_the_orbits_of_the_local_theory_and_no_others() {
                 let solve = |distance: f64| {
                     let away = if positive { distance } else { -distance } / e;
                     let parameter = grazing.parameter + away;
-                    let (itinerary, z) = grazing.start(&family, pattern.periods(), &report, parameter).unwrap();
+                    let (itinerary, z) =
+                        grazing.start(&family, pattern.periods(), &report, parameter).unwrap();
                     let orbit = find(&family.at(parameter).unwrap(), &itinerary, z.clone())
                         .unwrap_or_else(|error| panic!("{pattern}: {error}"));
                     let error = z.iter().zip(&orbit.z).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
@@ -149,7 +157,10 @@ fn the_true_system_has_the_orbits_of_the_local_theory_and_no_others() {
                 counts[usize::from(exists)] += 1;
                 // The start is right to first order: its error is of second.
                 let (_, far) = solve(4.0 * distance);
-                assert!(far < 2e-2 * distance.sqrt() && close < 0.15 * far + 1e-13, "{pattern}: {close} {far}");
+                assert!(
+                    far < 2e-2 * distance.sqrt() && close < 0.15 * far + 1e-13,
+                    "{pattern}: {close} {far}"
+                );
                 if exists {
                     let predicted = grazing.map.leading(pattern.periods()).unwrap()
                         / (if positive { distance } else { -distance }).powi(pattern.periods().len() as i32);

@@ -10,7 +10,15 @@ const PAGE: &str = include_str!("../docs/section4.md");
 fn report(scene: &str, code: i32) -> Value {
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(scene);
     let output = Command::new(env!("CARGO_BIN_EXE_grazing"))
-        .args(["run", &format!("examples/scenes/{scene}.toml"), "--only", "section-4", "--format", "json", "-o"])
+        .args([
+            "run",
+            &format!("examples/scenes/{scene}.toml"),
+            "--only",
+            "section-4",
+            "--format",
+            "json",
+            "-o",
+        ])
         .arg(&folder)
         .output()
         .unwrap();
@@ -60,7 +68,9 @@ fn the_page_has_the_digits_of_the_commands_and_of_the_paper() {
                 let decimals = paper.split('.').nth(1).map_or(0, str::len);
                 assert_eq!(format!("{x:.decimals$}"), paper, "{quantity}");
             }
-            (_, Some(x)) if paper.contains('0') => assert_eq!(paper, if x > 0.0 { "> 0" } else { "< 0" }, "{quantity}"),
+            (_, Some(x)) if paper.contains('0') => {
+                assert_eq!(paper, if x > 0.0 { "> 0" } else { "< 0" }, "{quantity}")
+            }
             (_, None) if !paper.is_empty() => assert_eq!(here, paper, "{quantity}"),
             _ => {}
         }

@@ -47,7 +47,16 @@ pub(super) fn run(task: &GrazingTask, job: &Job, report: &mut Report) -> Result<
     let local = map.to_map()?;
     let graph = Graph::new(&local, task.max_period.into(), false)?;
     let mut rows = Rows::new(&[
-        "pattern", "side", "coefficient", "found_at", "phases", "speeds", "lambda1", "lambda2", "admissible", "reason",
+        "pattern",
+        "side",
+        "coefficient",
+        "found_at",
+        "phases",
+        "speeds",
+        "lambda1",
+        "lambda2",
+        "admissible",
+        "reason",
     ]);
     let patterns = (1..=task.max_period).flat_map(|period| Patterns::of_period(period.into()));
     for pattern in patterns.filter(Pattern::is_primitive) {
@@ -78,14 +87,29 @@ fn born(
             _ => "open",
         };
         let blank = || "".into();
-        return Ok([name.into(), side.into(), blank(), blank(), blank(), blank(), blank(), blank(), blank(), reason.into()]);
+        return Ok([
+            name.into(),
+            side.into(),
+            blank(),
+            blank(),
+            blank(),
+            blank(),
+            blank(),
+            blank(),
+            blank(),
+            reason.into(),
+        ]);
     };
     let away = if side { task.distance } else { -task.distance } / e;
     let periods: Vec<u64> = pattern.periods().to_vec();
-    let leading = event.map.leading(&periods).map_or("".into(), |leading| number(leading / e.powi(periods.len() as i32)));
+    let leading = event
+        .map
+        .leading(&periods)
+        .map_or("".into(), |leading| number(leading / e.powi(periods.len() as i32)));
     let parameter = event.parameter + away;
     let (itinerary, z) = event.start(family, &periods, verdict, parameter)?;
-    let side = format!("{} {} {}", task.parameter, if away > 0.0 { '>' } else { '<' }, shown(event.parameter));
+    let side =
+        format!("{} {} {}", task.parameter, if away > 0.0 { '>' } else { '<' }, shown(event.parameter));
     let mut row: Vec<serde_json::Value> = vec![name.into(), side.into(), leading, number(parameter)];
     match find(&family.at(parameter)?, &itinerary, z) {
         Ok(orbit) => {

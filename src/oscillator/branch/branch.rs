@@ -2,7 +2,7 @@
 
 use super::{
     Event, Options, Orbits,
-    curve::{Curve, Foot, norm},
+    curve::{Curve, Foot, difference, norm},
     follow::{End, Followed, Step, follow},
 };
 use crate::{
@@ -118,6 +118,25 @@ impl Branch {
                 (format!("{} {}", event.name(), counts[event as usize]), point)
             })
             .collect()
+    }
+
+    /// Whether an orbit at a parameter value lies on the branch, as nearly as chords can tell.
+    pub fn passes(&self, orbit: &Orbit, parameter: f64) -> bool {
+        self.itinerary == orbit.itinerary
+            && self.points.windows(2).any(|pair| {
+                let [a, b] = [&pair[0], &pair[1]];
+                let part = (parameter - a.parameters[0]) / (b.parameters[0] - a.parameters[0]);
+                let chord = norm(&difference(&b.orbit.z, &a.orbit.z));
+                let off: Vec<f64> = a
+                    .orbit
+                    .z
+                    .iter()
+                    .zip(&b.orbit.z)
+                    .zip(&orbit.z)
+                    .map(|((a, b), z)| a + part * (b - a) - z)
+                    .collect();
+                (0.0..=1.0).contains(&part) && norm(&off) <= 0.1 * chord + 1e-6
+            })
     }
 
     /// The point with a label.

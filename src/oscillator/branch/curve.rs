@@ -117,3 +117,8 @@ pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
 pub(super) fn norm(a: &[f64]) -> f64 {
     dot(a, a).sqrt()
 }
+
+/// a − b.
+pub(super) fn difference(a: &[f64], b: &[f64]) -> Vec<f64> {
+    a.iter().zip(b).map(|(a, b)| a - b).collect()
+}

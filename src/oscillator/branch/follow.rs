@@ -2,7 +2,7 @@
 
 use super::{
     Options,
-    curve::{Corrector, Curve, Foot, dot, norm},
+    curve::{Corrector, Curve, Foot, difference, dot, norm},
 };
 use crate::error::{Error, Result};
 
@@ -67,7 +67,7 @@ pub fn follow<C: Followed>(curve: &C, start: Foot, options: &Options) -> Result<
     let origin = start.clone();
     let mut walk = Walk { curve, corrector: options.corrector(), options };
     let mut steps = vec![Step { foot: start, view, event: None, length: 0.0 }];
-    let (mut h, mut points) = (options.step, 1);
+    let (mut h, mut points) = (options.step, 1u32);
     loop {
         if points == options.points {
             return Ok((steps, End::Points));
@@ -98,10 +98,6 @@ pub fn follow<C: Followed>(curve: &C, start: Foot, options: &Options) -> Result<
         }
         h = next;
     }
-}
-
-fn difference(a: &[f64], b: &[f64]) -> Vec<f64> {
-    a.iter().zip(b).map(|(a, b)| a - b).collect()
 }
 
 struct Walk<'a, C> {
@@ -268,4 +264,17 @@ fn root(
         }
     }
     best.map(|(h, _, foot)| (h, foot)).ok_or_else(|| Error::input("no event"))
+}
+
+impl std::fmt::Display for End {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.pad(match self {
+            End::Bound => "a parameter is at its bound",
+            End::Fails => "no orbit from here on",
+            End::Closed => "the branch is closed",
+            End::Points => "as many points as were allowed",
+            End::Start => "the start",
+            End::Lost(why) => return write!(f, "lost: {why}"),
+        })
+    }
 }

@@ -1,52 +1,22 @@
-//! How a curve is followed: one struct, checked once.
+//! The checks on the options of continuation; their names, units, meanings and defaults are declared as keys of a scene.
 
 use super::curve::Corrector;
 use crate::error::{Error, Result};
+pub use crate::oscillator::scene::branches::Options;
 
-macro_rules! options {
-    ($($(#[doc = $doc:literal])+ $field:ident: $type:ty = $default:expr, $unit:literal;)*) => {
-        /// How a curve is followed. Lengths are those of the curve in its unknowns: impact times in radians of the forcing
-        /// period, speeds as they are, and the parameter as a fraction of its range.
-        #[derive(Debug, Clone, Copy, PartialEq)]
-        pub struct Options { $($(#[doc = $doc])+ pub $field: $type,)* }
-
-        impl Default for Options {
-            fn default() -> Self {
-                Options { $($field: $default,)* }
-            }
+impl Default for Options {
+    fn default() -> Self {
+        Options {
+            step: 0.01,
+            least_step: 1e-7,
+            most_step: 0.1,
+            turn: 0.2,
+            points: 2000,
+            tolerance: 1e-11,
+            newton: 8,
+            beyond: false,
         }
-
-        impl Options {
-            /// Name, unit, default and meaning of every option, as a table in Markdown.
-            pub fn reference() -> String {
-                let mut table = String::from("| option | unit | default | meaning |\n| --- | --- | --- | --- |\n");
-                let default = Options::default();
-                $(table.push_str(&format!(
-                    "| `{}` | {} | {:?} | {} |\n", stringify!($field), $unit, default.$field, concat!($($doc),+).trim()
-                ));)*
-                table
-            }
-        }
-    };
-}
-
-options! {
-    /// the length of the first step
-    step: f64 = 0.01, "length";
-    /// no step is shorter; where one would have to be, the curve is lost
-    least_step: f64 = 1e-7, "length";
-    /// no step is longer
-    most_step: f64 = 0.1, "length";
-    /// the largest angle between the tangents of neighbouring points
-    turn: f64 = 0.2, "radians";
-    /// most points in one direction, events not counted
-    points: usize = 2000, "points";
-    /// a Newton step no longer than this is the last one
-    tolerance: f64 = 1e-11, "length";
-    /// most Newton steps for a point; a step of the curve that needs more is halved
-    newton: u32 = 7, "steps";
-    /// go on where the solutions are no orbits: an impact going out, a forbidden excursion
-    beyond: bool = false, "true or false";
+    }
 }
 
 impl Options {
@@ -54,32 +24,31 @@ impl Options {
     ///
     /// # Errors
     /// An input error that names the option, its value and what it may be.
-    pub fn checked(self) -> Result<Options> {
-        let fail = |name: &str, value: &dyn std::fmt::Debug, want: &str| {
-            Err(Error::input(format!("{name} = {value:?}: {want}")))
-        };
-        if !(self.least_step > 0.0 && self.least_step.is_finite()) {
-            return fail("least_step", &self.least_step, "write a positive number");
+    pub fn checked(&self) -> Result<Options> {
+        let positive = |x: f64| x > 0.0 && x.is_finite();
+        let claims = [
+            (positive(self.least_step), "least_step", self.least_step, "a positive number"),
+            (positive(self.step) && self.step >= self.least_step, "step", self.step, "at least least_step"),
+            (
+                positive(self.most_step) && self.most_step >= self.step,
+                "most_step",
+                self.most_step,
+                "at least step",
+            ),
+            (
+                positive(self.turn) && self.turn <= 1.0,
+                "turn",
+                self.turn,
+                "an angle of more than 0 and at most 1",
+            ),
+            (self.points > 0, "points", self.points.into(), "at least 1"),
+            ((1e-14..=1e-4).contains(&self.tolerance), "tolerance", self.tolerance, "from 1e-14 to 1e-4"),
+            (self.newton > 1, "newton", self.newton.into(), "at least 2"),
+        ];
+        match claims.into_iter().find(|claim| !claim.0) {
+            Some((_, name, value, want)) => Err(Error::input(format!("{name} = {value} must be {want}"))),
+            None => Ok(self.clone()),
         }
-        if !(self.step >= self.least_step) {
-            return fail("step", &self.step, &format!("write at least least_step = {:?}", self.least_step));
-        }
-        if !(self.most_step >= self.step && self.most_step.is_finite()) {
-            return fail("most_step", &self.most_step, &format!("write at least step = {:?}", self.step));
-        }
-        if !(self.turn > 0.0 && self.turn <= 1.0) {
-            return fail("turn", &self.turn, "write an angle of more than 0 and at most 1");
-        }
-        if self.points == 0 {
-            return fail("points", &self.points, "write at least 1");
-        }
-        if !(1e-14..=1e-4).contains(&self.tolerance) {
-            return fail("tolerance", &self.tolerance, "write a number from 1e-14 to 1e-4");
-        }
-        if self.newton < 2 {
-            return fail("newton", &self.newton, "write at least 2");
-        }
-        Ok(self)
     }
 
     pub(super) fn corrector(&self) -> Corrector {

@@ -97,24 +97,8 @@ impl Followed for Orbits<'_> {
         )
     }
 
-    /// Multipliers grow like 1/V at an impact of small speed V: the product of the speeds takes the poles away. (1−λ₁)(1−λ₂)
-    /// vanishes with the tangent's parameter component at a saddle-node, and alone where branches cross.
     fn monitors(&self, foot: &Foot, orbit: &Orbit) -> Vec<Option<f64>> {
-        let speeds: Vec<f64> = orbit.impacts().map(|impact| impact.speed).collect();
-        let scale: f64 = speeds.iter().product();
-        let turn = foot.tangent[foot.tangent.len() - 1];
-        let multipliers = &orbit.multipliers;
-        let complex = multipliers.trace.abs() < 1.0 + multipliers.determinant;
-        let incoming = speeds.iter().all(|speed| *speed > 0.0);
-        let mut all = vec![
-            Some(turn),
-            Some(multipliers.fold() * scale / turn).filter(|x| x.is_finite()),
-            Some(multipliers.flip() * scale).filter(|x| x.is_finite()),
-            complex.then_some(multipliers.determinant - 1.0),
-            orbit.least.filter(|_| incoming).map(|least| least.gap),
-        ];
-        all.extend(speeds.into_iter().map(Some));
-        all
+        monitors(orbit, foot.tangent.last().copied())
     }
 
     fn holds(&self, orbit: &Orbit) -> bool {
@@ -124,4 +108,25 @@ impl Followed for Orbits<'_> {
     fn bounds(&self) -> Vec<(usize, f64, f64)> {
         vec![((2 * self.itinerary.strikes().len()).max(2), 0.0, 1.0)]
     }
+}
+
+/// The functions whose zeros are events, in their order, the speeds last; `turn` is the tangent's parameter component, if there is
+/// one parameter. Multipliers grow like 1/V at an impact of small speed V: the product of the speeds takes the poles away.
+/// (1−λ₁)(1−λ₂) vanishes with `turn` at a saddle-node, and alone where branches cross.
+pub(super) fn monitors(orbit: &Orbit, turn: Option<f64>) -> Vec<Option<f64>> {
+    let finite = |x: f64| Some(x).filter(|x| x.is_finite());
+    let speeds = || orbit.impacts().map(|impact| impact.speed);
+    let scale: f64 = speeds().product();
+    let multipliers = &orbit.multipliers;
+    let complex = multipliers.trace.abs() < 1.0 + multipliers.determinant;
+    let incoming = speeds().all(|speed| speed > 0.0);
+    let mut all = vec![
+        turn.or_else(|| finite(multipliers.fold() * scale)),
+        turn.and_then(|turn| finite(multipliers.fold() * scale / turn)),
+        finite(multipliers.flip() * scale),
+        complex.then_some(multipliers.determinant - 1.0),
+        orbit.least.filter(|_| incoming).map(|least| least.gap),
+    ];
+    all.extend(speeds().map(Some));
+    all
 }

@@ -90,7 +90,12 @@ const ROUNDING: f64 = 1e-6;
 ///
 /// A cell is a sixteenth of the fastest period; within one z″ is taken to change sign once at most, so z′ is monotone on
 /// either side of that point and every root of z′ is found.
-fn minima(oscillator: &Oscillator, leg: usize, from: State, time: f64) -> Vec<Minimum> {
+pub(in crate::oscillator) fn minima(
+    oscillator: &Oscillator,
+    leg: usize,
+    from: State,
+    time: f64,
+) -> Vec<Minimum> {
     let flow = oscillator.flow();
     let cells = (time * oscillator.rate() * 16.0 / (2.0 * PI)).ceil().max(1.0);
     let width = time / cells;

@@ -5,6 +5,7 @@
 use num_rational::BigRational;
 
 use super::{
+    branches::{BranchTask, DiagramTask},
     expression::Expression,
     keys::{Entry, Key, Record, Value, keys},
     orbits::{EventTask, GrazingTask, OrbitTask},
@@ -105,6 +106,8 @@ kinds! {
     "orbit" OrbitTask,
     "event" EventTask,
     "grazing" GrazingTask,
+    "branch" BranchTask,
+    "diagram" DiagramTask,
 }
 
 /// What a kind of task checks before anything runs; by default nothing.

@@ -3,6 +3,7 @@
 //! A picture is 2000 units wide and meant for a journal's column of 86 mm, where its text has about 7 points.
 
 mod accuracy;
+mod branches;
 mod grid;
 mod intervals;
 mod iterate;
@@ -14,6 +15,7 @@ mod section;
 mod tips;
 
 pub use accuracy::{accuracy_figure, accuracy_table};
+pub use branches::{Curve, Scatter, branches};
 pub use grid::{Grid, grid};
 pub use intervals::intervals;
 pub use iterate::iterate_boundaries;

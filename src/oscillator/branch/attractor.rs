@@ -1,0 +1,47 @@
+//! From a motion to the periodic orbit that it tends to: the impact pattern read off, the orbit by Newton's method.
+
+use crate::{
+    error::{Error, Result},
+    oscillator::{
+        Attractor, Look, Time,
+        flow::{Flow, State},
+        orbit::{Itinerary, Orbit, Oscillator, Strike, find},
+        simulate::{Event, Settings, Simulator},
+    },
+};
+
+/// The periodic orbit that the motion from `start` tends to.
+///
+/// # Errors
+/// An input error if it tends to none within the look, or rests on a wall; those of [`find`].
+pub fn attracting(oscillator: &Oscillator, start: State, look: &Look, settings: &Settings) -> Result<Orbit> {
+    let simulator = Simulator::new(oscillator.system(), settings)?;
+    let attractor = Attractor::of(&simulator, start, look, || Ok(()))?;
+    let period = attractor.period.ok_or_else(|| Error::input("the motion tends to no periodic orbit"))?;
+    let state = attractor.points[0];
+    let begin = Time::new(0, look.phase);
+    let mut run = simulator.start(begin, state.q, state.u)?;
+    let (mut times, mut sides, mut z, mut rests) = (Vec::new(), Vec::new(), Vec::new(), false);
+    run.record(Time::new(i64::from(period), look.phase), |event| match event {
+        Event::Impact(impact) => {
+            times.push(impact.time.period);
+            sides.push(impact.side);
+            z.extend([impact.time.phase, impact.velocity.abs()]);
+        }
+        Event::Stick(_) => rests = true,
+        _ => {}
+    });
+    if rests {
+        return Err(Error::input("the attractor rests on a wall: it has no impact pattern"));
+    }
+    if times.is_empty() {
+        let at_zero = oscillator.flow().advance(state, std::f64::consts::TAU - state.t);
+        return find(oscillator, &Itinerary::free(period)?, vec![at_zero.q, at_zero.u]);
+    }
+    let next = times.iter().skip(1).copied().chain([times[0] + i64::from(period)]);
+    let strikes = sides
+        .into_iter()
+        .zip(times.iter().zip(next))
+        .map(|(side, (this, next))| Strike { side, periods: (next - this) as u32 });
+    find(oscillator, &Itinerary::new(strikes.collect())?, z)
+}
