@@ -2,6 +2,7 @@
 
 mod basins;
 mod branch;
+mod crisis;
 mod diagram;
 mod event;
 mod grazing;
@@ -108,6 +109,7 @@ impl<'a> Job<'a> {
             Kind::GrazingTask(task) => grazing::run(task, self, &mut report),
             Kind::BranchTask(task) => branch::run(task, self, &mut report),
             Kind::DiagramTask(task) => diagram::run(task, self, &mut report),
+            Kind::CrisisTask(task) => crisis::run(task, self, &mut report),
         }?;
         Ok(report)
     }

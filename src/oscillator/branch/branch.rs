@@ -1,5 +1,7 @@
 //! A branch: what was found along the curve of an impact pattern, both ways from a start, and what continues from its labels.
 
+use std::f64::consts::TAU;
+
 use super::{
     Event, Options, Orbits,
     curve::{Curve, Foot, difference, norm},
@@ -120,23 +122,27 @@ impl Branch {
             .collect()
     }
 
-    /// Whether an orbit at a parameter value lies on the branch, as nearly as chords can tell.
+    /// Whether an orbit at a parameter value lies on the branch, as nearly as chords can tell; impact times that differ by whole
+    /// periods are the same.
     pub fn passes(&self, orbit: &Orbit, parameter: f64) -> bool {
-        self.itinerary == orbit.itinerary
-            && self.points.windows(2).any(|pair| {
-                let [a, b] = [&pair[0], &pair[1]];
-                let part = (parameter - a.parameters[0]) / (b.parameters[0] - a.parameters[0]);
-                let chord = norm(&difference(&b.orbit.z, &a.orbit.z));
-                let off: Vec<f64> = a
-                    .orbit
-                    .z
-                    .iter()
-                    .zip(&b.orbit.z)
-                    .zip(&orbit.z)
-                    .map(|((a, b), z)| a + part * (b - a) - z)
-                    .collect();
-                (0.0..=1.0).contains(&part) && norm(&off) <= 0.1 * chord + 1e-6
-            })
+        let off = |a: &Orbit, b: &Orbit, part: f64| -> f64 {
+            let apart = |i: usize| {
+                let apart = a.z[i] + part * (b.z[i] - a.z[i]) - orbit.z[i];
+                if i % 2 == 0 && !orbit.itinerary.strikes().is_empty() {
+                    apart - TAU * (apart / TAU).round()
+                } else {
+                    apart
+                }
+            };
+            (0..orbit.z.len()).map(|i| apart(i).powi(2)).sum::<f64>().sqrt()
+        };
+        let same = |pair: &[Point]| {
+            let [a, b] = [&pair[0], &pair[1]];
+            let part = (parameter - a.parameters[0]) / (b.parameters[0] - a.parameters[0]);
+            let chord = norm(&difference(&b.orbit.z, &a.orbit.z));
+            (0.0..=1.0).contains(&part) && off(&a.orbit, &b.orbit, part) <= 0.1 * chord + 1e-6
+        };
+        self.itinerary == orbit.itinerary && self.points.windows(2).any(same)
     }
 
     /// The point with a label.

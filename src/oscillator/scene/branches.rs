@@ -129,6 +129,43 @@ keys! {
     }
 }
 
+keys! {
+    /// Locates the end of an attractor: the parameter at which an image of the corner of an unstable orbit's unstable manifold, where it
+    /// first comes to graze, falls on the stable manifold; and simulates on both sides of it.
+    pub struct CrisisTask {
+        /// the parameter that varies
+        parameter: String,
+        /// a value on each side
+        bracket: Vec<f64>,
+        /// the unstable orbit, by its pattern; of those found in the middle of the bracket the saddle is taken
+        orbit: OrbitKeys,
+        /// when the section is taken, as a fraction of the forcing period: not near an impact of the orbit
+        phase: BigRational,
+        /// which image of the corner, in periods of the orbit
+        images: u32 = "2",
+        /// how far from the orbit its unstable manifold is entered; the answers for each must agree
+        offsets: Vec<f64> = "[1e-4, 1e-5, 1e-6]",
+        /// where simulated motions start
+        start: Start,
+        /// how far from the crisis they are made, on either side
+        margins: Vec<f64> = "[1e-5, 1e-6]",
+        /// for how many periods
+        periods: u64 = "1000000",
+        /// after so many periods without an impact a motion has escaped
+        quiet: u64 = "100",
+    }
+}
+
+impl Check for CrisisTask {
+    fn check(&self, scene: &Scene, system: &System<f64>, path: &str) -> Result<()> {
+        check_range(scene, &self.parameter, &self.bracket, &format!("{path}.bracket"))?;
+        if self.offsets.is_empty() {
+            return Err(scene.fail(&format!("{path}.offsets"), "is empty"));
+        }
+        self.orbit.check(scene, system, &format!("{path}.orbit"))
+    }
+}
+
 fn check_range(scene: &Scene, parameter: &str, range: &[f64], key: &str) -> Result<()> {
     scene.parameter(parameter)?;
     match range {

@@ -5,7 +5,7 @@
 use num_rational::BigRational;
 
 use super::{
-    branches::{BranchTask, DiagramTask},
+    branches::{BranchTask, CrisisTask, DiagramTask},
     expression::Expression,
     keys::{Entry, Key, Record, Value, keys},
     orbits::{EventTask, GrazingTask, OrbitTask},
@@ -108,6 +108,7 @@ kinds! {
     "grazing" GrazingTask,
     "branch" BranchTask,
     "diagram" DiagramTask,
+    "crisis" CrisisTask,
 }
 
 /// What a kind of task checks before anything runs; by default nothing.

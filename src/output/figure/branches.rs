@@ -101,6 +101,7 @@ fn draw(curves: &[Curve], scatter: &[Scatter], axes: [&str; 2]) -> Picture {
     for at in scatter.iter().flat_map(|set| &set.at) {
         root.draw(&Circle::new(chart.backend_coord(at), 2, blue))?;
     }
+    let mut marked = Vec::new();
     for curve in curves {
         // A stretch has the stability that both its ends have, or of two the one that is not the event's.
         for stretch in curve.at.chunk_by(|a, b| a.2 == b.2) {
@@ -115,6 +116,11 @@ fn draw(curves: &[Curve], scatter: &[Scatter], axes: [&str; 2]) -> Picture {
         }
         for (x, y, text) in &curve.labels {
             let (x, y) = chart.backend_coord(&(*x, *y));
+            // Where branches meet, the first to be drawn says it for all.
+            if marked.iter().any(|(a, b): &(i32, i32)| (a - x).abs() + (b - y).abs() < 60) {
+                continue;
+            }
+            marked.push((x, y));
             root.draw(&Circle::new((x, y), 12, BLACK.filled()))?;
             let anchor = if x > 1500 { HPos::Right } else { HPos::Left };
             let shift = if x > 1500 { -24 } else { 24 };
