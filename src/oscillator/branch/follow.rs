@@ -240,8 +240,8 @@ fn root(
         let secant = b.0 - b.1 * (b.0 - a.0) / (b.1 - a.1);
         let middle =
             if round % 8 == 7 || !(secant > a.0 && secant < b.0) { (a.0 + b.0) / 2.0 } else { secant };
-        let (value, foot) = function(middle)?;
-        let value = value.ok_or_else(|| Error::input("an event where it is not defined"))?;
+        // Where branches cross the equations become singular: close to it no point can be had any more, and half the digits are kept.
+        let Ok((Some(value), foot)) = function(middle) else { break };
         if best.as_ref().is_none_or(|best| value.abs() <= best.1.abs()) {
             best = Some((middle, value, foot));
         }
