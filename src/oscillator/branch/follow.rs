@@ -132,14 +132,15 @@ impl<C: Followed> Walk<'_, C> {
                 let foot = self.corrector.step(self.curve, &here.foot, h)?;
                 Ok((Some(foot.u[unknown] - bound), foot))
             };
-            let (at, mut found) = root(past, (0.0, before - bound), (reach, after - bound))?;
+            let (at, found) = root(past, (0.0, before - bound), (reach, after - bound));
+            let mut found = found.ok_or_else(|| Error::input("no point at the bound"))?;
             found.u[unknown] = bound;
             (reach, foot, end) = (at, found, Some(End::Bound));
         }
         let view = self.curve.view(&foot)?;
         let mut events = self.events(here, &foot, &view, reach)?;
         events.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let mut steps = Vec::new();
+        let (mut steps, foot_end) = (Vec::new(), foot.clone());
         let length = |foot: &Foot| here.length + norm(&difference(&foot.u, &here.foot.u));
         for index in 0..events.len() {
             let (at, event, foot) = events[index].clone();
@@ -147,7 +148,7 @@ impl<C: Followed> Walk<'_, C> {
             steps.push(Step { length: length(&foot), foot, view, event: Some(event) });
             // What holds after the event is asked halfway to the next.
             let beyond = events.get(index + 1).map_or(reach, |next| next.0);
-            let middle = self.corrector.step(self.curve, &here.foot, at + (beyond - at) / 2.0)?;
+            let middle = self.between(&here.foot, &foot_end, reach, at + (beyond - at) / 2.0)?;
             if !self.options.beyond && !self.curve.holds(&self.curve.view(&middle)?) {
                 return Ok((steps, h, Some(End::Fails)));
             }
@@ -164,6 +165,32 @@ impl<C: Followed> Walk<'_, C> {
         Ok((steps, next, end))
     }
 
+    /// The point at h of a step that led from a to b, guessed so near that Newton's method keeps to this curve where another crosses.
+    fn between(&self, a: &Foot, b: &Foot, reach: f64, h: f64) -> Result<Foot> {
+        self.corrector.correct(self.curve, &cubic(a, b, h / reach), &a.tangent)
+    }
+
+    /// The zero of a function close to h, where the equations are so nearly singular that no point can be had: from the points on either side.
+    fn across(
+        &self,
+        at: impl Fn(f64) -> Result<(Option<f64>, Foot)>,
+        h: f64,
+        reach: f64,
+    ) -> Result<(f64, Foot)> {
+        let aside = 1e-2 * reach;
+        let ((Some(x), a), (Some(y), b)) = (at(h - aside)?, at(h + aside)?) else {
+            return Err(Error::input("an event where it is not defined"));
+        };
+        let part = x / (x - y);
+        let u = cubic(&a, &b, part);
+        let mut tangent: Vec<f64> =
+            a.tangent.iter().zip(&b.tangent).map(|(a, b)| a + part * (b - a)).collect();
+        let length = norm(&tangent);
+        tangent.iter_mut().for_each(|t| *t /= length);
+        let residual = self.curve.equations(&u)?.residual.iter().fold(0.0, |most: f64, f| most.max(f.abs()));
+        Ok((h + aside * (2.0 * part - 1.0), Foot { u, tangent, residual, steps: 0 }))
+    }
+
     /// The events within `reach` of a point: (how far, which, where).
     fn events(
         &self,
@@ -174,7 +201,7 @@ impl<C: Followed> Walk<'_, C> {
     ) -> Result<Vec<(f64, usize, Foot)>> {
         let after = self.curve.monitors(foot, view);
         let at = |which: usize, h: f64| -> Result<(Option<f64>, Foot)> {
-            let foot = self.corrector.step(self.curve, &here.foot, h)?;
+            let foot = self.between(&here.foot, foot, reach, h)?;
             let view = self.curve.view(&foot)?;
             Ok((self.curve.monitors(&foot, &view)[which], foot))
         };
@@ -183,7 +210,7 @@ impl<C: Followed> Walk<'_, C> {
         let before = if first == 0.0 {
             self.curve.monitors(&here.foot, &here.view)
         } else {
-            let foot = self.corrector.step(self.curve, &here.foot, first)?;
+            let foot = self.between(&here.foot, foot, reach, first)?;
             self.curve.monitors(&foot, &self.curve.view(&foot)?)
         };
         let mut found: Vec<(f64, usize, Foot)> = Vec::new();
@@ -191,7 +218,10 @@ impl<C: Followed> Walk<'_, C> {
             if !(a.1 * b.1 < 0.0 || b.1 == 0.0 && a.1 != 0.0) {
                 return Ok(None);
             }
-            let (h, foot) = root(|h| at(which, h), a, b)?;
+            let (h, foot) = match root(|h| at(which, h), a, b) {
+                (h, Some(foot)) => (h, foot),
+                (h, None) => self.across(|h| at(which, h), h, reach)?,
+            };
             found.push((h, which, foot));
             Ok(Some(h))
         };
@@ -226,44 +256,48 @@ impl<C: Followed> Walk<'_, C> {
     }
 }
 
-/// Where a function changes sign, by the Illinois rule with bisections: to a few units in the last place. Its
-/// argument's point comes with it.
+/// The cubic through two points of a curve with their tangents, at the fraction s of the way.
+fn cubic(a: &Foot, b: &Foot, s: f64) -> Vec<f64> {
+    let reach = dot(&difference(&b.u, &a.u), &a.tangent);
+    let slope = reach / dot(&a.tangent, &b.tangent);
+    let at = |i: usize| {
+        let (chord, from, to) = (b.u[i] - a.u[i], reach * a.tangent[i], slope * b.tangent[i]);
+        a.u[i] + s * (from + s * (3.0 * chord - 2.0 * from - to + s * (from + to - 2.0 * chord)))
+    };
+    (0..a.u.len()).map(at).collect()
+}
+
+/// Where a function changes sign, by the Illinois rule with bisections: to a few units in the last place, with its
+/// argument's point; no point if the function fails there.
 fn root(
     function: impl Fn(f64) -> Result<(Option<f64>, Foot)>,
     mut a: (f64, f64),
     mut b: (f64, f64),
-) -> Result<(f64, Foot)> {
+) -> (f64, Option<Foot>) {
     let width = b.0 - a.0;
-    let mut kept = 0;
-    let mut best: Option<(f64, f64, Foot)> = None;
+    let mut kept = None;
+    let mut best: (f64, f64, Option<Foot>) = (a.0, f64::INFINITY, None);
     for round in 0..100 {
         let secant = b.0 - b.1 * (b.0 - a.0) / (b.1 - a.1);
-        let middle =
-            if round % 8 == 7 || !(secant > a.0 && secant < b.0) { (a.0 + b.0) / 2.0 } else { secant };
-        // Where branches cross the equations become singular: close to it no point can be had any more, and half the digits are kept.
-        let Ok((Some(value), foot)) = function(middle) else { break };
-        if best.as_ref().is_none_or(|best| value.abs() <= best.1.abs()) {
-            best = Some((middle, value, foot));
+        let inside = round % 8 < 7 && secant > a.0 && secant < b.0;
+        let middle = if inside { secant } else { (a.0 + b.0) / 2.0 };
+        let Ok((Some(value), foot)) = function(middle) else { return (middle, None) };
+        if value.abs() <= best.1 {
+            best = (middle, value.abs(), Some(foot));
         }
         if value == 0.0 || b.0 - a.0 <= 1e-15 * width || middle == a.0 || middle == b.0 {
             break;
         }
         // The end that stays twice counts half.
-        if (value < 0.0) == (b.1 < 0.0) {
-            b = (middle, value);
-            if kept == 1 {
-                a.1 /= 2.0;
-            }
-            kept = 1;
-        } else {
-            a = (middle, value);
-            if kept == 2 {
-                b.1 /= 2.0;
-            }
-            kept = 2;
+        let upper = (value < 0.0) == (b.1 < 0.0);
+        let other = if upper { &mut a } else { &mut b };
+        if kept == Some(upper) {
+            other.1 /= 2.0;
         }
+        kept = Some(upper);
+        *(if upper { &mut b } else { &mut a }) = (middle, value);
     }
-    best.map(|(h, _, foot)| (h, foot)).ok_or_else(|| Error::input("no event"))
+    (best.0, best.2)
 }
 
 impl std::fmt::Display for End {
