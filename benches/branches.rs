@@ -6,7 +6,8 @@ use std::hint::black_box;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use grazing::oscillator::{
-    Look, Scene, Side,
+    Scene, Side,
+    attractor::Detection,
     branch::{Branch, Direction, Options, Orbits, attracting},
     flow::State,
     orbit::{Family, Itinerary, SceneFamily, SingleImpact},
@@ -36,10 +37,10 @@ fn branches(criterion: &mut Criterion) {
         group.bench_function(format!("period 4, steps up to {most_step}"), |bencher| bencher.iter(follow));
     }
 
-    let look = Look { phase: 3.0, transient: 20_000, points: 200, longest: 80 };
+    let detection = Detection { phase: 3.0, transient: 20_000, longest: 80, ..Detection::default() };
     let oscillator = family.at(-0.024_34).unwrap();
     let start = State { t: 3.0, q: 2.6, u: 0.31 };
-    let orbit = attracting(&oscillator, start, &look, &Settings::default()).unwrap();
+    let orbit = attracting(&oscillator, start, &detection, &Settings::default()).unwrap();
     let options = Options::default();
     let orbits = Orbits { family: &family, itinerary: orbit.itinerary.clone(), range: (-0.0247, -0.0232) };
     let start = orbits.start(orbit.z, -0.024_34, &options).unwrap();

@@ -11,6 +11,9 @@
 //!   between Farey fractions. [`existence::decide`] decides it by integer arithmetic, [`existence::decide_by_enclosure`] by
 //!   enclosures; [`search`] writes certificates; [`certificate::check`], which shares no code with any of them, proves them
 //!   again. (For all n at once, Theorem 2 and Conjecture 1 are proved in Coq, under `proofs/`.)
+//! - For a linear oscillator with walls: that an exact periodic orbit with a given impact pattern exists, is the only one in a box,
+//!   touches no wall else, and is stable or not; and where in a parameter orbits meet, double their period or graze
+//!   ([`oscillator::validate`]). The orbits have certificates too ([`certificate::orbit`]).
 //!
 //! # What is computed
 //!
@@ -21,13 +24,15 @@
 //! - The lower edges of the areas of Conjecture 1, r < 1, and their lowest points, certified to any number of digits
 //!   ([`existence::Boundary`]).
 //! - For a local map of any dimension, exact or enclosed: which impact patterns give orbits, by Theorem 1 ([`impact`]).
+//! - Trajectories of impact oscillators with one degree of freedom, in f64: every impact deeper than a stated bound; sections, attractors,
+//!   Lyapunov exponents, basins ([`oscillator`]).
 //! - The formulas as integer polynomials, and statements about them for solvers ([`symbol`]).
 //!
 //! # When to use it, and when not
 //!
 //! Use it to attach a checked proof to a statement about these orbits, to ask which orbits a grazing bifurcation gives
-//! birth to, or for exact Farey arithmetic. Do not use it to simulate oscillators, which it does not do yet, or for maps with
-//! more than one square-root direction. It takes Nordmark's Theorem 1, which turns signs into orbits, from the paper.
+//! birth to, to simulate an oscillator with impacts, or for exact Farey arithmetic. Do not use it for oscillators of more than one degree
+//! of freedom, or for maps with more than one square-root direction. It takes Nordmark's Theorem 1, which turns signs into orbits, from the paper.
 //!
 //! # Map
 //!
@@ -42,7 +47,7 @@
 //! | [`local`] | u_k, b_{n,k}, c_n at one point on every rung; the ladder of signs |
 //! | [`existence`] | Theorem 2 and Conjecture 1: claims, decisions, the edges of the areas |
 //! | [`impact`] | Theorem 1 in any dimension: impact patterns, the pattern graph |
-//! | [`oscillator`] | impact oscillators: the equation of motion and its walls |
+//! | [`oscillator`] | impact oscillators: scenes, flow, impacts, orbits, attractors |
 //! | [`search`] | what finds certificates and looks for counterexamples |
 //! | [`study`] | what accuracy costs: families of inputs, measurements |
 //! | [`output`] | tables, files, figures, progress |

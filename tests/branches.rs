@@ -9,12 +9,13 @@ use std::{
 use grazing::{
     Error, Monitor, Result,
     oscillator::{
-        Harmonic, Look, Scene, Side, System, Wall,
+        Harmonic, Scene, Side, System, Wall,
+        attractor::Detection,
         branch::{
             Branch, Corrector, Curve, Direction, End, Equations, Event, Events, Followed, Foot, Options,
             Orbits, attracting, follow, read_label, record,
         },
-        diagram::{self, Plan},
+        diagram::{self, Look, Plan},
         flow::State,
         manifold::{Search, crisis},
         orbit::{Family, Itinerary, Oscillator, SceneFamily, SingleImpact, search},
@@ -272,7 +273,7 @@ fn at_the_resonance_both_multipliers_are_tau_r_cubed() {
 fn windows_of_periods_28_32_and_36() {
     let scene = nordmark("4.9");
     let family = family(&scene);
-    let look = Look { phase: TAU / 2.0, transient: 20_000, points: 160, longest: 80 };
+    let detection = Detection { phase: TAU / 2.0, transient: 20_000, longest: 80, ..Detection::default() };
     let start = State { t: TAU / 2.0, q: 2.6, u: 0.31 };
     let mut lengths = Vec::new();
     for (n, inside, ends) in [
@@ -281,7 +282,7 @@ fn windows_of_periods_28_32_and_36() {
         (9, -0.024_445, [-0.024_446_655_663_23, -0.024_443_936_935_25]),
     ] {
         let oscillator = family.at(inside).unwrap();
-        let orbit = attracting(&oscillator, start, &look, &Settings::default()).unwrap();
+        let orbit = attracting(&oscillator, start, &detection, &Settings::default()).unwrap();
         assert_eq!((orbit.itinerary.periods(), orbit.itinerary.strikes().len()), (4 * n, n as usize + 1));
         assert!(orbit.multipliers.is_stable());
         let orbits =

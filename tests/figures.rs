@@ -3,7 +3,7 @@
 use std::{collections::HashMap, fs, path::Path, process::Command};
 
 use grazing::{
-    existence::{by_records, intervals},
+    existence::{Case, by_definition, by_records, intervals},
     local::{Ladder, Point, Polar},
     number::parse_rational,
 };
@@ -132,6 +132,27 @@ fn records_are_those_of_the_record_form() {
 }
 
 #[test]
+fn areas_are_where_orbits_exist() {
+    let (rows, svg) = draw("5 --n 7", "figure5");
+    let middle = |row: &HashMap<String, String>, ends: [&str; 2]| {
+        let [low, high] = ends.map(|end| parse_rational(&row[end]).unwrap());
+        (low + high) / num_bigint::BigInt::from(2)
+    };
+    for row in &rows {
+        let (r, s) = (middle(row, ["r_lower", "r_upper"]), middle(row, ["s_lower", "s_upper"]));
+        let found = by_definition(&Ladder::default(), &Point::Polar(Polar::new(r, s).unwrap()), 7);
+        let signs = |case: &Case| [case.sign_emu().to_string(), case.sign_gamma().to_string()];
+        let drawn = [row["sign_emu"].clone(), row["sign_gamma"].clone()];
+        match row["kind"].as_str() {
+            "orbit" => assert_eq!(found.cases(7).iter().map(signs).collect::<Vec<_>>(), [drawn]),
+            "none" => assert_eq!((found.cases(7), drawn), (vec![], [String::new(), String::new()])),
+            kind => assert_eq!(kind, "edge"),
+        }
+    }
+    assert_no_overlap(&svg);
+}
+
+#[test]
 fn tips_have_bounds_near_the_law() {
     let (rows, svg) = draw("tips --n 16", "tips");
     // Two deciding indices, n − 1 and (n odd) n − 2, belong to areas that reach down to 0.
@@ -152,6 +173,7 @@ fn wrong_numbers_are_named() {
         ("4 --n 2", "--n 2: this figure shows periods 3 to N, with N from 3 to 40"),
         ("records --n 61", "--n 61: this figure shows periods 1 to N, with N from 1 to 60"),
         ("records --s 1/2", "s = 1/2 is outside 0 < s < 1/2"),
+        ("5 --n 25", "--n 25: this figure shows one period N, with N from 3 to 24"),
         ("tips --n 3", "--n 3: this figure shows periods 4 to N, with N from 4 to 400"),
         ("2 --r 0.9", "--r and --s belong to `grazing figure records`"),
     ];
@@ -167,7 +189,7 @@ fn wrong_numbers_are_named() {
 /// The pictures in the documentation are those that the program draws today.
 #[test]
 fn checked_in_figures_are_current() {
-    for (arguments, name) in [("2", "figure2"), ("4", "figure4"), ("records", "records")] {
+    for (arguments, name) in [("2", "figure2"), ("4", "figure4"), ("5", "figure5"), ("records", "records")] {
         let (rows, svg) = draw(arguments, name);
         let kept =
             |extension| fs::read_to_string(Path::new("docs").join(format!("{name}.{extension}"))).unwrap();

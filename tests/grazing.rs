@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use grazing::{
     impact::{Graph, Pattern, Patterns},
     local::Region,
+    number::parse_rational,
     oscillator::{
         Scene, Side,
         grazing::{Grazing, locate},
@@ -102,7 +103,14 @@ fn e_is_the_rate_at_which_the_gap_of_the_orbit_opens() {
         (&paper, "mu", lower(&[4]), vec![-0.77, 0.67], -0.026),
         (&paper, "mu", lower(&[3, 3]), vec![-0.0957, 0.0999, -0.008, 0.028], 0.0058),
     ];
-    for (scene, parameter, itinerary, start, near) in cases {
+    // Near that grazing, in the parameters of the flow and of the impact.
+    let close = paper.with(&[("mu".to_string(), parse_rational("-0.0245").unwrap())]).unwrap();
+    let others = [
+        (&close, "tau", lower(&[4]), vec![-0.77, 0.67], 0.999),
+        (&close, "w", lower(&[4]), vec![-0.77, 0.67], 4.901),
+        (&close, "d", lower(&[4]), vec![-0.77, 0.67], 0.6),
+    ];
+    for (scene, parameter, itinerary, start, near) in cases.into_iter().chain(others) {
         let family = SceneFamily::new(scene, parameter).unwrap();
         let grazing = graze(&family, &itinerary, &start, near);
         assert!(grazing.admissible && grazing.residual < 1e-13, "{grazing:?}");

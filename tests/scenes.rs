@@ -4,7 +4,10 @@ use std::{fs, path::Path};
 
 use grazing::{
     number::{Plain, parse_rational},
-    oscillator::{Expression, Scene, scene::reference},
+    oscillator::{
+        Expression, Scene,
+        scene::{Kind, reference},
+    },
 };
 use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
@@ -63,7 +66,7 @@ fn what_is_read_is_exact() {
     assert_eq!(scene.with(&scene.tasks[0].set).unwrap().exact(&[]).unwrap(), changed);
     let plain = scene.plain(&[("w", 5.0)]).unwrap();
     assert_eq!(plain.damping, 2.0 * 0.6 / 5.0);
-    let grazing::oscillator::scene::Kind::Simulate(task) = &scene.tasks[0].kind;
+    let Kind::Simulate(task) = &scene.tasks[0].kind else { panic!("{:?}", scene.tasks) };
     assert_eq!(scene.state(&task.start).unwrap().q, 0.49);
 }
 
@@ -160,7 +163,11 @@ fn every_failure_names_file_line_key_value_and_fix() {
             "side = \"lower\"",
             "s.toml:16: walls[2].side = \"lower\": there is a wall on this side already",
         ),
-        ("\"simulate\"", "\"simulation\"", "s.toml:23: tasks[1].kind = \"simulation\": is none of"),
+        (
+            "\"simulate\"",
+            "\"simulation\"",
+            "s.toml:23: tasks[1].kind = \"simulation\": is none of simulate, ",
+        ),
         (
             "name = \"m\"",
             "name = \"../m\"",
@@ -229,7 +236,7 @@ fn every_failure_names_file_line_key_value_and_fix() {
         (
             "offset = 1\n",
             "offset = \"-2/5\"\n",
-            &format!("s.toml:17: walls[2].offset = \"-2/5\": the walls meet: at t = "),
+            "s.toml:17: walls[2].offset = \"-2/5\": the walls meet: at t = ",
         ),
         (
             "q = \"w/10\"",
@@ -410,6 +417,20 @@ fn damaged_scenes_are_errors_and_never_panic() {
         }
     }
     assert!(refused > 4000 && read_all > 1000, "{refused} refused, {read_all} read");
+}
+
+/// The guide's scene can be read, and its errors are what a reader would see.
+#[test]
+fn the_guide_is_true() {
+    let page = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/scenes.md")).unwrap();
+    let scene = page.split_once("```toml\n").unwrap().1.split_once("```").unwrap().0;
+    read(scene).unwrap();
+    for (from, to) in
+        [("damping =", "dampng ="), ("1/w^2", "1/v^2"), ("restitution = 0.8", "restitution = -0.5")]
+    {
+        let error = read(&scene.replace(from, to)).unwrap_err().replacen("s.toml", "scene.toml", 1);
+        assert!(page.contains(&format!("    {error}\n")), "{error}");
+    }
 }
 
 #[test]

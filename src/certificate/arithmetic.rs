@@ -21,6 +21,11 @@ impl Fraction {
         (q > 0 && p <= q && gcd(p, q) == 1).then_some(Fraction { p, q })
     }
 
+    /// p and q.
+    pub(super) fn parts(self) -> (u64, u64) {
+        (self.p, self.q)
+    }
+
     /// Whether self < other, by cross-multiplication.
     pub(super) fn less(self, other: Fraction) -> bool {
         self.p * other.q < other.p * self.q

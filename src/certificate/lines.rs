@@ -4,7 +4,7 @@ use std::io::{BufRead, Read};
 
 use super::{Rejection, arithmetic::Fraction};
 
-/// No line of any kind is longer; a longer one is rejected before it is held in memory.
+/// The longest line, but for those whose reader allows more; a longer one is rejected before it is held in memory.
 const LONGEST: u64 = 1000;
 
 /// The lines of a certificate, with the number of the latest.
@@ -15,7 +15,12 @@ pub(super) struct Lines<R> {
 
 impl<R: BufRead> Lines<R> {
     pub fn new(input: R) -> Self {
-        Lines { input, number: 0 }
+        Lines::after(0, input)
+    }
+
+    /// The lines of a part that `number` lines come before.
+    pub fn after(number: u64, input: R) -> Self {
+        Lines { input, number }
     }
 
     /// The number of the latest line, from 1.
@@ -25,9 +30,13 @@ impl<R: BufRead> Lines<R> {
 
     /// The next line without its end, or `None` after the last.
     pub fn next(&mut self) -> Result<Option<String>, Rejection> {
+        self.next_within(LONGEST)
+    }
+
+    fn next_within(&mut self, longest: u64) -> Result<Option<String>, Rejection> {
         self.number += 1;
         let mut bytes = Vec::new();
-        let read = self.input.by_ref().take(LONGEST).read_until(b'\n', &mut bytes);
+        let read = self.input.by_ref().take(longest).read_until(b'\n', &mut bytes);
         match read {
             Err(source) => return Err(Rejection::Unreadable { line: self.number, source }),
             Ok(0) => {
@@ -47,7 +56,12 @@ impl<R: BufRead> Lines<R> {
 
     /// The next line, which must exist.
     pub fn expect(&mut self, what: &str) -> Result<String, Rejection> {
-        match self.next()? {
+        self.expect_within(LONGEST, what)
+    }
+
+    /// The next line, which must exist, of up to `longest` bytes.
+    pub fn expect_within(&mut self, longest: u64, what: &str) -> Result<String, Rejection> {
+        match self.next_within(longest)? {
             Some(line) => Ok(line),
             None => {
                 self.number += 1;
@@ -68,6 +82,7 @@ impl<R: BufRead> Lines<R> {
 }
 
 /// The words of a line, taken from left to right; an error says what was expected.
+#[derive(Clone)]
 pub(super) struct Words<'a> {
     rest: std::str::Split<'a, char>,
 }
@@ -102,7 +117,8 @@ impl<'a> Words<'a> {
     }
 }
 
-fn number(word: &str, most: u64) -> Option<u64> {
+/// A decimal number up to `most`, without sign or leading zeros.
+pub(super) fn number(word: &str, most: u64) -> Option<u64> {
     let plain = word.bytes().all(|byte| byte.is_ascii_digit());
     let canonical = plain && (word == "0" || !word.starts_with('0'));
     word.parse().ok().filter(|&value| canonical && value <= most)

@@ -12,13 +12,13 @@
 //!
 //! ```text
 //! grazing-certificate 1                format and its version
-//! kind theorem2                        cover and orbit are reserved for later versions
-//! range A B                            the periods covered, 1 ≤ A ≤ B
+//! kind theorem2                        or one with a form of its own below this line: [`cover`], [`orbit`]
+//! range A B                            the periods covered, 1 ≤ A ≤ B; 3 ≤ A ≤ B ≤ 256 for a cover
 //! lines L                              the number of lines after the header
 //! statement …                          what passing proves, word for word
 //! ```
 //!
-//! Then one block for each n in the range, in order; its lines tile (0, 1/2) from left to right, alternately an open
+//! Then one block for each n in the range, in order. With kind `theorem2`, its lines tile (0, 1/2) from left to right, alternately an open
 //! interval and the point that ends it:
 //!
 //! ```text
@@ -33,7 +33,25 @@
 //! For n = 1, which has no b and so two cases at once, the block is the two lines `orbit 0/1 1/2 + -` and
 //! `orbit 0/1 1/2 - +`.
 //!
-//! # One block by hand
+//! With kind `cover`, a block holds bisection trees over boxes in (r, s), one line for each strip of s; the claims are those of [`cover::Leaf`], and
+//! [`cover`] says what follows from them, with a block by hand:
+//!
+//! ```text
+//! n N RMAX COUNT                       period, r_max (p/q in lowest terms, q ≤ 2^40) and the number of leaves
+//! identity region2                     N_{n,k} < 0 for all k in region 2
+//! identity region4                     none in region 4 for even n; for odd n, b_{n,n-2} > 0 decides
+//! strip P/Q P/Q                        the next strip of s, from 0/1 to 1/2
+//! TREES                                the trees of its rows, r = 0 to 1/2, 1/2 to 3/4, … up to r_max, in preorder
+//!
+//! r                                    the box is halved in r; the lower half's tree, then the upper one's
+//! s                                    the box is halved in s; the left half's tree, then the right one's
+//! NK,K';                               N_{n,K} > 0 > N_{n,K'} on the closed box: no orbit
+//! P;  M;                               all N_{n,k} > 0 (P) or < 0 (M)
+//! pK; pKl; pKr;  mK; mKl; mKr;         N_{n,K} > 0 (p) or < 0 (m) decides, the more so for larger r; for smaller (l) or larger (r) s
+//! O;                                   open: nothing is claimed, and the statement is not proved
+//! ```
+//!
+//! # A block of kind `theorem2` by hand
 //!
 //! Period 4 has b_{4,k}(s) = −2 sin kπs sin (4−k)πs / cos 4πs and c_4(s) = −2 sin 2πs tan 4πs:
 //!
@@ -55,7 +73,10 @@
 //! checker would answer: `line 13: false: b_{4,1} is not > 0 on (1/3, 3/8)`.
 
 mod arithmetic;
+pub mod cover;
+mod header;
 mod lines;
+pub mod orbit;
 mod rejection;
 pub mod theorem2;
 
@@ -72,20 +93,22 @@ pub const FORMAT: &str = "grazing-certificate 1";
 /// What a certificate that passed the check has proved.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Checked {
-    /// The kind of certificate: `theorem2`.
+    /// The kind of certificate: `theorem2`, `cover` or `orbit`.
     pub kind: &'static str,
     /// The statement, as in the header.
     pub statement: &'static str,
     /// The periods n for which it is proved.
     pub range: RangeInclusive<u64>,
+    /// What else tells this one from others of its kind.
+    pub detail: Option<String>,
     /// The number of lines read, header included.
     pub lines: u64,
 }
 
-/// Re-proves a certificate of any kind, reading it once. Memory: one block's orbit lines.
+/// Re-proves a certificate of any kind, reading it once. Memory: one line, and for a cover the leaves at the top of a strip.
 ///
 /// # Errors
-/// A [`Rejection`] with the line and the reason: malformed text, a false claim, or a stream that cannot be read.
+/// A [`Rejection`] with the line and the reason: malformed text, a false claim, a cover with open leaves, or a stream that cannot be read.
 pub fn check(input: impl BufRead) -> Result<Checked, Rejection> {
     let mut lines = Lines::new(input);
     let first = lines.expect("the format line")?;
@@ -95,7 +118,8 @@ pub fn check(input: impl BufRead) -> Result<Checked, Rejection> {
     let kind = lines.expect("the kind")?;
     match kind.strip_prefix("kind ") {
         Some(theorem2::KIND) => theorem2::check(&mut lines),
-        Some("cover" | "orbit") => Err(lines.malformed("this kind is reserved for a later version")),
-        _ => Err(lines.malformed("expected a line \"kind theorem2\"")),
+        Some(cover::KIND) => cover::check(&mut lines),
+        Some(orbit::KIND) => orbit::check(&mut lines),
+        _ => Err(lines.malformed("expected a line \"kind theorem2\", \"kind cover\" or \"kind orbit\"")),
     }
 }

@@ -19,6 +19,13 @@ pub enum Rejection {
         /// The claim that fails.
         reason: String,
     },
+    /// Every claim in the text is proved, but it leaves something undecided, so that its statement is not.
+    Undecided {
+        /// The line of the first gap, counted from 1.
+        line: u64,
+        /// What is left open.
+        reason: String,
+    },
     /// The stream failed before its end.
     Unreadable {
         /// The line, counted from 1.
@@ -40,6 +47,7 @@ impl fmt::Display for Rejection {
         match self {
             Rejection::Malformed { line, reason } => write!(f, "line {line}: malformed: {reason}"),
             Rejection::False { line, reason } => write!(f, "line {line}: false: {reason}"),
+            Rejection::Undecided { line, reason } => write!(f, "line {line}: undecided: {reason}"),
             Rejection::Unreadable { line, source } => write!(f, "line {line}: cannot be read: {source}"),
         }
     }

@@ -5,6 +5,7 @@ use std::{fmt, io::BufRead, ops::RangeInclusive};
 use super::{
     Checked, Rejection,
     arithmetic::{self, Fraction, MOST, gcd, no_integer_between},
+    header::{self, Header},
     lines::{Lines, Words},
 };
 
@@ -60,8 +61,7 @@ pub enum Claim {
 
 /// The header's lines for a range of periods with `lines` lines after it.
 pub fn header(range: &RangeInclusive<u64>, lines: u64) -> String {
-    let (first, last) = (range.start(), range.end());
-    format!("{}\nkind {KIND}\nrange {first} {last}\nlines {lines}\nstatement {STATEMENT}\n", super::FORMAT)
+    header::text(KIND, STATEMENT, range, lines)
 }
 
 /// The first line of the block of period `n` with `count` claims.
@@ -149,48 +149,11 @@ fn index(words: &mut Words, n: u64) -> Result<u64, String> {
 
 /// Checks everything after the kind line.
 pub(super) fn check<R: BufRead>(lines: &mut Lines<R>) -> Result<Checked, Rejection> {
-    let range = read_numbers(lines, "range", ["the first period", "the last period"])?;
-    let range = range[0]..=range[1];
-    if *range.start() == 0 || range.is_empty() {
-        return Err(lines.malformed("the range must be 1 <= first <= last"));
-    }
-    let claimed = lines.expect("the number of lines")?;
-    let claimed_at = lines.number();
-    let statement = lines.expect("the statement")?;
-    if statement.strip_prefix("statement ") != Some(STATEMENT) {
-        return Err(lines.malformed("the statement is not, word for word, that of this kind and version"));
-    }
-    let header = lines.number();
-    for n in range.clone() {
+    let header = Header::read(lines, 1..=MOST, STATEMENT)?;
+    for n in header.range() {
         Block::new(n).check(lines)?;
     }
-    if lines.next()?.is_some() {
-        return Err(lines.malformed("the file goes on after the last period of its range"));
-    }
-    let body = lines.number() - header;
-    if claimed != format!("lines {body}") {
-        let reason = format!("{body} lines follow the header, so this should be \"lines {body}\"");
-        return Err(Rejection::Malformed { line: claimed_at, reason });
-    }
-    Ok(Checked { kind: KIND, statement: STATEMENT, range, lines: lines.number() })
-}
-
-fn read_numbers<R: BufRead>(
-    lines: &mut Lines<R>,
-    name: &str,
-    what: [&str; 2],
-) -> Result<[u64; 2], Rejection> {
-    let line = lines.expect(name)?;
-    let mut words = Words::new(&line);
-    let mut read = || {
-        if words.word(name)? != name {
-            return Err(format!("expected a line \"{name} …\""));
-        }
-        let numbers = [words.number(what[0], MOST)?, words.number(what[1], MOST)?];
-        words.end()?;
-        Ok(numbers)
-    };
-    read().map_err(|reason| lines.malformed(reason))
+    header.finish(lines, KIND, STATEMENT)
 }
 
 /// The check of one period.
@@ -209,7 +172,7 @@ impl Block {
     }
 
     fn check<R: BufRead>(mut self, lines: &mut Lines<R>) -> Result<(), Rejection> {
-        let [n, count] = read_numbers(lines, "n", ["the period", "the number of lines"])?;
+        let [n, count] = header::numbers(lines, "n", ["the period", "the number of lines"], MOST)?;
         if n != self.n {
             return Err(lines.malformed(format!("expected the block of n = {}", self.n)));
         }
@@ -357,10 +320,10 @@ fn opposite(n: u64, positive: u64, negative: u64, at: Fraction) -> Result<(), St
 }
 
 /// An interval of Theorem 2: left end, right end, eµ > 0, γ > 0.
-type Listed = (Fraction, Fraction, bool, bool);
+pub(super) type Listed = (Fraction, Fraction, bool, bool);
 
 /// Theorem 2's intervals for one n, from left to right.
-struct Theorem {
+pub(super) struct Theorem {
     n: u64,
     /// The next m to take.
     m: u64,
@@ -369,11 +332,11 @@ struct Theorem {
 }
 
 impl Theorem {
-    fn new(n: u64) -> Self {
+    pub fn new(n: u64) -> Self {
         Theorem { n, m: 0, second: None }
     }
 
-    fn next(&mut self) -> Option<Listed> {
+    pub fn next(&mut self) -> Option<Listed> {
         if let Some(interval) = self.second.take() {
             return Some(interval);
         }

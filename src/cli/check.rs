@@ -18,7 +18,8 @@ use crate::{
 
 /// Prove certificates again, without search, by the trusted checker.
 ///
-/// Exit code 0: every file is proved; 1: some file is malformed or false; 2: some file cannot be read.
+/// Exit code 0: every file is proved; 1: some file is malformed or false; 2: some file cannot be read; 3: none of this, but some cover
+/// leaves boxes open.
 #[derive(Debug, Parser)]
 pub(super) struct Args {
     /// The certificates; - is standard input.
@@ -41,8 +42,17 @@ pub(super) fn run(args: &Args) -> Result<Outcome> {
             Ok(writeln!(out, "{}", json!({ "format": "grazing-check 1", "files": files }))?)
         }
     })?;
-    let proved = results.iter().all(|(_, result)| result.is_ok());
-    Ok(if proved { Outcome::Done } else { Outcome::Refuted })
+    let outcomes: Vec<Outcome> = results.iter().map(|(_, result)| outcome(result)).collect();
+    let worst = [Outcome::Refuted, Outcome::Undecided].into_iter().find(|one| outcomes.contains(one));
+    Ok(worst.unwrap_or(Outcome::Done))
+}
+
+fn outcome(result: &std::result::Result<Checked, Rejection>) -> Outcome {
+    match result {
+        Ok(_) => Outcome::Done,
+        Err(Rejection::Undecided { .. }) => Outcome::Undecided,
+        Err(_) => Outcome::Refuted,
+    }
 }
 
 /// The checker's answer; an error if the file cannot be read.
@@ -62,7 +72,11 @@ fn text(out: &mut dyn Write, path: &Path, result: &std::result::Result<Checked, 
     match result {
         Ok(checked) => {
             let (first, last) = (checked.range.start(), checked.range.end());
-            writeln!(out, "{}: proved, {} for n = {first}..={last}", path.display(), checked.kind)?;
+            let detail = checked.detail.iter().map(|detail| format!(": {detail}")).collect::<String>();
+            writeln!(out, "{}: proved, {} for n = {first}..={last}{detail}", path.display(), checked.kind)?;
+        }
+        Err(rejection) if outcome(result) == Outcome::Undecided => {
+            writeln!(out, "{}: {rejection}", path.display())?;
         }
         Err(rejection) => writeln!(out, "{}: rejected: {rejection}", path.display())?,
     }
@@ -76,9 +90,14 @@ fn json_report(path: &Path, result: &std::result::Result<Checked, Rejection>) ->
             "verdict": "proved",
             "kind": checked.kind,
             "range": [checked.range.start(), checked.range.end()],
+            "detail": checked.detail,
             "lines": checked.lines,
             "statement": checked.statement,
         }),
-        Err(rejection) => json!({ "file": path, "verdict": "rejected", "reason": rejection.to_string() }),
+        Err(rejection) => json!({
+            "file": path,
+            "verdict": if outcome(result) == Outcome::Undecided { "undecided" } else { "rejected" },
+            "reason": rejection.to_string(),
+        }),
     }
 }

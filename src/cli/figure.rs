@@ -20,7 +20,7 @@ pub(super) struct Args {
     /// Which figure.
     #[arg(value_enum)]
     figure: Figure,
-    /// The largest period shown; by default 15, for tips 200.
+    /// The largest period shown, for 5 the only one; by default 15, for tips 200, for 5 8.
     #[arg(long, value_name = "N")]
     n: Option<u64>,
     /// For records: the modulus of the eigenvalues, 0 < R <= 1; by default 0.993.
@@ -51,6 +51,9 @@ enum Figure {
     /// The attractor of section 4.2 between mu_gr4 and mu_cr, with the branch of period 4.
     #[value(name = "7")]
     Diagram,
+    /// The areas where orbits of period N exist, from a proved cover.
+    #[value(name = "5")]
+    Areas,
     /// Attractors before the grazing bifurcation of section 4.2, mu = -0.05.
     #[value(name = "8")]
     Before,
@@ -74,10 +77,15 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     }
     let number =
         |given: &Option<BigRational>, default| given.clone().map_or_else(|| parse_rational(default), Ok);
-    let n = args.n.unwrap_or(if args.figure == Figure::Tips { 200 } else { 15 });
+    let n = args.n.unwrap_or(match args.figure {
+        Figure::Areas => 8,
+        Figure::Tips => 200,
+        _ => 15,
+    });
     match args.figure {
         Figure::Regions => figure::regions(&args.output)?,
         Figure::Iterate => figure::iterate_boundaries(n, &args.output)?,
+        Figure::Areas => figure::areas(n, &args.output, &Progress::new(interrupt, n + 1, "strips"))?,
         Figure::Intervals => figure::intervals(n, &args.output)?,
         Figure::Records => {
             figure::records(&number(&args.r, "0.993")?, &number(&args.s, "0.205")?, n, &args.output)?

@@ -4,6 +4,7 @@ mod accuracy;
 mod boundary;
 mod check;
 mod classify;
+mod cover;
 mod evaluate;
 mod existence;
 mod farey;
@@ -42,6 +43,7 @@ Exit codes: 0 done, or proved; 1 refuted, or a certificate that is malformed or 
 enum Command {
     Verify(verify::Args),
     Check(check::Args),
+    Cover(cover::Args),
     Intervals(intervals::Args),
     Classify(classify::Args),
     Existence(existence::Args),
@@ -96,6 +98,7 @@ fn run(cli: Cli) -> Result<Outcome> {
     match cli.command {
         Command::Verify(args) => verify::run(&args, &interrupt),
         Command::Check(args) => check::run(&args),
+        Command::Cover(args) => cover::run(&args, &interrupt),
         Command::Intervals(args) => intervals::run(&args, &interrupt),
         Command::Classify(args) => classify::run(&args),
         Command::Existence(args) => existence::run(&args, &interrupt),

@@ -118,9 +118,7 @@ impl Ball {
     }
 
     pub(super) fn is_narrower_than(&self, other: &Ball) -> bool {
-        let ((m1, e1), (m2, e2)) = (self.radius.parts(), other.radius.parts());
-        !self.radius.is_infinite()
-            && (other.radius.is_infinite() || m1 == 0 || (m2 != 0 && (e1 < e2 || (e1 == e2 && m1 < m2))))
+        self.radius.is_below(other.radius)
     }
 }
 
@@ -219,7 +217,7 @@ impl Div<&Ball> for Ball {
 
 impl Ball {
     /// A lower bound m·2^e of every enclosed magnitude, m ≥ 2³¹; `None` if zero is enclosed.
-    fn least_magnitude(&self) -> Option<(u64, i64)> {
+    pub(super) fn least_magnitude(&self) -> Option<(u64, i64)> {
         if self.mid.is_zero() || self.radius.is_infinite() {
             return None;
         }
@@ -283,5 +281,62 @@ impl Ball {
     /// An e with 2^(e−1) ≤ |x| for every enclosed x, the greatest that the bounds show; `None` if zero is enclosed.
     pub fn least_exponent(&self) -> Option<i64> {
         self.least_magnitude().map(|(m, e)| e + 64 - i64::from(m.leading_zeros()))
+    }
+}
+
+/// What the elementary functions take apart and put together.
+impl Ball {
+    /// The midpoint alone, exactly.
+    #[must_use]
+    pub fn centre(&self) -> Ball {
+        Ball { radius: Radius::ZERO, ..self.clone() }
+    }
+
+    pub(super) fn zero(bits: u32) -> Ball {
+        Ball::integer_at(0, bits)
+    }
+
+    pub(super) fn integer_at(value: i32, bits: u32) -> Ball {
+        Ball::new(value.into(), 0, Radius::ZERO, bits)
+    }
+
+    /// The midpoint's mantissa, in units of 2^[`unit_exponent`](Ball::unit_exponent).
+    pub(super) fn mid(&self) -> &BigInt {
+        &self.mid
+    }
+
+    pub(super) fn unit_exponent(&self) -> i64 {
+        self.exp
+    }
+
+    pub(super) fn radius(&self) -> Radius {
+        self.radius
+    }
+
+    pub(super) fn bits(&self) -> u32 {
+        self.bits
+    }
+
+    /// At least |x| for every enclosed x.
+    pub(super) fn greatest_magnitude(&self) -> Radius {
+        Radius::of(&self.mid, self.exp) + self.radius
+    }
+
+    /// The same ball with its radius enlarged.
+    pub(super) fn widened(self, by: Radius) -> Ball {
+        Ball { radius: self.radius + by, ..self }
+    }
+
+    /// The same ball with at most `bits` bits in its midpoint.
+    pub(super) fn cut(self, bits: u32) -> Ball {
+        Ball::new(self.mid, self.exp, self.radius, bits)
+    }
+
+    /// A ball that contains both.
+    pub(super) fn hull(self, other: &Ball) -> Ball {
+        let half = Ball::new(BigInt::one(), -1, Radius::ZERO, self.bits);
+        let reach = (other.centre() - &self.centre()) * &half;
+        let middle = (self.centre() + &other.centre()) * &half;
+        middle.widened(reach.greatest_magnitude() + self.radius + other.radius)
     }
 }

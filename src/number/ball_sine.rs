@@ -54,7 +54,7 @@ pub(super) fn pi(w: u32) -> BigInt {
 /// Errors: a power is off by at most 12 (y off by 4, a product by 2, times y ≤ 0.617, summed), and the powers weigh at
 /// most 1/2! + 1/4! + … < 0.55; each other cut loses at most 2 in a unit of 1/(d₁⋯d_i), i ≥ 2, together less than
 /// 1; the last division and the tail lose less than 1 each.
-fn series(y: &BigInt, length: usize, first: u64) -> BigInt {
+pub(super) fn series(y: &BigInt, length: usize, first: u64) -> BigInt {
     let w = 64 * length as u64;
     let d = |i: u64| (2 * i + first - 1) * (2 * i + first);
     // y < 2^−small; y^i/(d₁⋯d_i) < 2^−w ends the alternating sum.
@@ -191,7 +191,7 @@ fn multiples(
 }
 
 /// Limbs for a number of bits, at least 2.
-fn limbs_for(bits: u32) -> usize {
+pub(super) fn limbs_for(bits: u32) -> usize {
     bits.div_ceil(64).max(2) as usize
 }
 

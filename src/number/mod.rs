@@ -1,7 +1,8 @@
 //! Numbers: exact fractions, enclosures at every precision, three-valued signs.
 //!
 //! Everything a user types is an exact rational ([`parse_rational`]). The rungs on which a formula can be
-//! evaluated share the trait [`Real`], with sines [`Circular`]:
+//! evaluated share the trait [`Real`], with sines of rational multiples of π [`Circular`], with functions of
+//! enclosed numbers [`Elementary`]:
 //!
 //! | rung | type | promises |
 //! | --- | --- | --- |
@@ -20,6 +21,7 @@ mod ball;
 mod ball_sine;
 mod digits;
 mod dual;
+mod elementary;
 mod fixed;
 mod float_interval;
 mod float_sine;
@@ -33,6 +35,7 @@ pub use angle::Angle;
 pub use ball::{Ball, Precision};
 pub use digits::certain_digits;
 pub use dual::Dual;
+pub use elementary::Elementary;
 pub use float_interval::FloatInterval;
 pub use parse::{LIMIT_BITS, parse_integer, parse_rational};
 pub use plain::Plain;

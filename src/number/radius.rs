@@ -13,6 +13,7 @@ pub(super) struct Radius {
 
 impl Radius {
     pub const ZERO: Radius = Radius { m: 0, e: 0 };
+    pub const ONE: Radius = Radius { m: 1 << 31, e: -31 };
     pub const INFINITE: Radius = Radius { m: u64::MAX, e: i64::MAX };
 
     /// At least m·2^e, and at most 1 + 2⁻³¹ times that.
@@ -48,14 +49,19 @@ impl Radius {
         self.e == i64::MAX
     }
 
+    /// Whether this bound is less than the other.
+    pub fn is_below(self, other: Radius) -> bool {
+        !other.is_zero() && (self.is_zero() || (self.e, self.m) < (other.e, other.m))
+    }
+
     /// m and e: the bound is m·2^e.
     pub fn parts(self) -> (u64, i64) {
         (self.m, self.e)
     }
 
-    /// An e with bound ≤ 2^e, for a bound that is neither zero nor infinite.
+    /// An e with bound ≤ 2^e, for a bound that is not zero; `i64::MAX` for infinity.
     pub fn exponent(self) -> i64 {
-        self.e + 32
+        self.e.saturating_add(32)
     }
 
     /// At least self/(m·2^e), for m ≥ 2³¹.

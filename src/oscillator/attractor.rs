@@ -1,179 +1,128 @@
-//! What a motion tends to: its stroboscopic section, period, impacts and Lyapunov exponent, and which starts lead there.
-//!
-//! Found by following the motion, so by its kind not proved: a long transient can look like an attractor, and a period beyond the
-//! longest looked for like none.
+//! Which attractor a start ends up on: its period and number of impacts, by recurrence and confirmation.
 
 use super::{
-    Contact, Time,
-    flow::{Flow, Free, Matrix, State},
-    simulate::{End, Event, Simulator},
+    section::{Point, section},
+    simulate::{End, Run},
 };
-use crate::error::Result;
+use crate::error::{Error, Result};
 
-/// Where and for how long to look.
+/// How to look for recurrence in the section at `phase`.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Look {
-    /// The phase of the section, 0 ≤ phase < 2π.
+pub struct Detection {
+    /// The phase of the section, in [0, 2π). Default 0.
     pub phase: f64,
-    /// Periods that pass before.
+    /// Forcing periods left out first. Default 1000.
     pub transient: u64,
-    /// Points of the section, one a period.
-    pub points: u32,
-    /// The longest period looked for; one is found only if it goes round twice within the points.
-    pub longest: u32,
+    /// The longest period looked for, in forcing periods, at least 1. Default 64.
+    pub longest: usize,
+    /// Points this close in q and in u count as the same. Default 1e-6.
+    pub tolerance: f64,
+    /// How many more times round the points must recur, with the same impacts, at least 1. Default 2.
+    pub confirm: usize,
 }
 
-/// What a motion came to after the transient.
+impl Default for Detection {
+    fn default() -> Self {
+        Detection { phase: 0.0, transient: 1000, longest: 64, tolerance: 1e-6, confirm: 2 }
+    }
+}
+
+/// What a run ends up on.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Attractor {
-    /// The states at the phase, period after period; for a periodic motion once round.
-    pub points: Vec<State>,
-    /// After how many forcing periods it repeats, if it does.
-    pub period: Option<u32>,
-    /// Impacts in these points' time; bounces that were summed into a rest are not among them.
-    pub impacts: u64,
-    /// Rests on a wall in that time.
-    pub rests: u64,
-    /// The largest Lyapunov exponent, per forcing period; −∞ where a rest on a wall forgets the past.
-    pub lyapunov: f64,
-    /// Why it ended, if before all points were seen: [`End::Reached`] if not.
-    pub end: End,
+pub enum Fate {
+    /// A periodic orbit: the least period by recurrence.
+    Periodic(Cycle),
+    /// No recurrence up to the longest period: chaos, a long period, or a transient not over.
+    Irregular,
+    /// The run ended first.
+    Ended(End),
 }
 
-/// Two states nearer than this, in units of 1 + their size, are one.
-const NEAR: f64 = 1e-7;
+/// A periodic orbit as the section sees it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Cycle {
+    /// Its points, from the one of least q (then least u) on.
+    pub points: Vec<[f64; 2]>,
+    /// Impacts in one time round.
+    pub impacts: u64,
+}
 
-impl Attractor {
-    /// Follows the motion from `start`. `every` hears of each period and may end it.
+impl Cycle {
+    /// The period in forcing periods.
+    pub fn period(&self) -> usize {
+        self.points.len()
+    }
+
+    /// Whether the other is the same orbit, up to `tolerance` in each coordinate and where on it one began.
+    pub fn is(&self, other: &Cycle, tolerance: f64) -> bool {
+        let same = |shift: usize| {
+            let turned = other.points.iter().cycle().skip(shift);
+            self.points.iter().zip(turned).all(|(a, b)| near(*a, *b, tolerance))
+        };
+        self.points.len() == other.points.len()
+            && self.impacts == other.impacts
+            && (0..self.period()).any(same)
+    }
+}
+
+fn near(a: [f64; 2], b: [f64; 2], tolerance: f64) -> bool {
+    (a[0] - b[0]).abs() <= tolerance && (a[1] - b[1]).abs() <= tolerance
+}
+
+impl Detection {
+    /// # Errors
+    /// A phase outside [0, 2π), a tolerance that is not positive, a count of 0.
+    pub fn check(&self) -> Result<()> {
+        if !(0.0..std::f64::consts::TAU).contains(&self.phase) {
+            return Err(Error::input(format!("phase = {} is not in [0, 2π)", self.phase)));
+        }
+        if !(self.tolerance > 0.0 && self.tolerance.is_finite()) {
+            return Err(Error::input(format!("tolerance = {} is not positive", self.tolerance)));
+        }
+        if self.longest == 0 || self.confirm == 0 {
+            return Err(Error::input("longest and confirm must be at least 1"));
+        }
+        Ok(())
+    }
+
+    /// Follows the run for `transient` + `longest` · (1 + `confirm`) periods at most. The answer is numerical evidence, not proof.
     ///
     /// # Errors
-    /// A start behind a wall; what `every` says.
-    pub fn of(
-        simulator: &Simulator,
-        start: State,
-        look: &Look,
-        mut every: impl FnMut() -> Result<()>,
-    ) -> Result<Attractor> {
-        let mut run = simulator.start(Time::new(0, start.t), start.q, start.u)?;
-        let soonest = i64::from(look.phase < start.t);
-        let first = soonest + look.transient as i64;
-        for period in soonest..first {
-            every()?;
-            run.finish(Time::new(period, look.phase));
+    /// Those of [`check`](Self::check).
+    pub fn detect(&self, run: &mut Run) -> Result<Fate> {
+        self.check()?;
+        let end = section(run, self.phase, self.transient.saturating_add(1), |_| true);
+        if end != End::Reached {
+            return Ok(Fate::Ended(end));
         }
-        let mut end = run.finish(Time::new(first, look.phase));
-        let mut tangent = Tangent::new(simulator, run.state());
-        let (mut points, mut tally) = (vec![run.state()], vec![(0, 0)]);
-        while points.len() < look.points as usize && end == End::Reached {
-            every()?;
-            let until = Time::new(first + points.len() as i64, look.phase);
-            let (mut impacts, mut rests) = (0, 0);
-            let mut last = run.time();
-            end = loop {
-                let event = run.next(until);
-                let now = event.time().unwrap_or(run.time());
-                tangent.flow(now.since(last));
-                last = now;
-                match event {
-                    Event::End(end) => break end,
-                    Event::Impact(impact) => {
-                        impacts += 1;
-                        tangent.strike(simulator.contacts().find(|contact| contact.side == impact.side));
-                    }
-                    Event::Stick(_) => {
-                        rests += 1;
-                        tangent.forget();
-                    }
-                    Event::Tangency(_) | Event::Release(_) => {}
+        let state = run.state();
+        let mut points = vec![Point { period: 0, q: state.q, u: state.u, impacts: 0 }];
+        let mut period = None;
+        let end = section(run, self.phase, (self.longest * (1 + self.confirm)) as u64, |point| {
+            points.push(point);
+            let here = points.len() - 1;
+            let same =
+                |n: usize| near([point.q, point.u], [points[here - n].q, points[here - n].u], self.tolerance);
+            match period {
+                None if same(here) => period = Some(here),
+                None => return here < self.longest,
+                // A chance encounter: on with the search.
+                Some(n) if !same(n) || here > 2 * n && point.impacts != points[here - n].impacts => {
+                    period = None;
+                    return here < self.longest;
                 }
-                tangent.at = run.state();
-            };
-            tangent.at = run.state();
-            tangent.renew();
-            points.push(run.state());
-            tally.push((impacts, rests));
+                Some(n) => return here < n * (1 + self.confirm),
+            }
+            true
+        });
+        if end != End::Reached {
+            return Ok(Fate::Ended(end));
         }
-        let periods = points.len() - 1;
-        let lyapunov = tangent.sum / periods.max(1) as f64;
-        let period = repeats(&points, look.longest as usize).filter(|_| end == End::Reached);
-        let length = period.unwrap_or(periods);
-        let (impacts, rests) =
-            tally[points.len() - length..].iter().fold((0, 0), |sum, here| (sum.0 + here.0, sum.1 + here.1));
-        if let Some(period) = period {
-            points.drain(..points.len() - period);
-        }
-        Ok(Attractor { points, period: period.map(|p| p as u32), impacts, rests, lyapunov, end })
-    }
-
-    /// Whether both are the same periodic motion.
-    pub fn is(&self, other: &Attractor) -> bool {
-        self.period == other.period
-            && self.impacts == other.impacts
-            && self.points.first().is_some_and(|point| other.goes_through(point))
-    }
-
-    /// Whether it is periodic and meets the section near a state: within what may be left of a transient, not within rounding.
-    pub fn goes_through(&self, state: &State) -> bool {
-        let near = 1e3 * NEAR * (1.0 + state.q.abs() + state.u.abs());
-        self.period.is_some() && self.points.iter().any(|point| distance(point, state) < near)
-    }
-}
-
-/// The shortest shift, up to `longest`, by which the later half of the points, or more, repeats.
-fn repeats(points: &[State], longest: usize) -> Option<usize> {
-    let n = points.len();
-    let same = |a: &State, b: &State| distance(a, b) < NEAR * (1.0 + a.q.abs() + a.u.abs());
-    (1..=longest.min(n / 2)).find(|&p| {
-        let from = (n / 2).min(n - 2 * p);
-        (from..n - p).all(|i| same(&points[i], &points[i + p]))
-    })
-}
-
-fn distance(a: &State, b: &State) -> f64 {
-    (a.q - b.q).abs() + (a.u - b.u).abs()
-}
-
-/// A tangent vector carried along a motion.
-struct Tangent<'a> {
-    flow: &'a Free,
-    at: State,
-    vector: [f64; 2],
-    /// The logarithm of how much it has grown.
-    sum: f64,
-}
-
-impl<'a> Tangent<'a> {
-    fn new(simulator: &'a Simulator, at: State) -> Self {
-        Tangent { flow: simulator.flow(), at, vector: [0.6, 0.8], sum: 0.0 }
-    }
-
-    fn turn(&mut self, m: &Matrix) {
-        let [x, y] = self.vector;
-        self.vector = [m[0][0] * x + m[0][1] * y, m[1][0] * x + m[1][1] * y];
-    }
-
-    fn flow(&mut self, duration: f64) {
-        let (at, matrix) = self.flow.advance_linearised(self.at, duration);
-        self.at = at;
-        self.turn(&matrix);
-    }
-
-    /// Through an impact, at which it stands before the bounce.
-    fn strike(&mut self, wall: Option<&Contact>) {
-        if let Some(wall) = wall {
-            let matrix = wall.saltation(self.flow, self.at);
-            self.turn(&matrix);
-        }
-    }
-
-    fn forget(&mut self) {
-        self.vector = [0.0; 2];
-    }
-
-    /// Takes the growth to the sum and starts again at length 1.
-    fn renew(&mut self) {
-        let length = self.vector[0].hypot(self.vector[1]);
-        self.sum += length.ln();
-        self.vector = if length > 0.0 { self.vector.map(|x| x / length) } else { [0.6, 0.8] };
+        let Some(n) = period else { return Ok(Fate::Irregular) };
+        let impacts = points[1..=n].iter().map(|point| point.impacts).sum();
+        let mut points: Vec<_> = points[1..=n].iter().map(|point| [point.q, point.u]).collect();
+        let least = (0..n).min_by(|&i, &j| points[i].partial_cmp(&points[j]).expect("finite")).unwrap_or(0);
+        points.rotate_left(least);
+        Ok(Fate::Periodic(Cycle { points, impacts }))
     }
 }

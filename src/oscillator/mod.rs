@@ -4,7 +4,8 @@
 //! is one with named parameters, read from a file, and what to do with it. Not here: the local theory at a grazing
 //! bifurcation (`impact`, `local`), tables and pictures (`output`).
 
-mod attractor;
+pub mod attractor;
+pub mod basin;
 pub mod branch;
 mod contact;
 mod counter;
@@ -12,17 +13,19 @@ pub mod critical;
 pub mod diagram;
 pub mod flow;
 pub mod grazing;
+pub mod lyapunov;
 pub mod manifold;
 pub mod orbit;
 mod rise;
 pub mod scene;
+pub mod section;
 mod series;
 pub mod simulate;
 mod system;
 mod time;
 mod touching;
+pub mod validate;
 
-pub use attractor::{Attractor, Look};
 pub use contact::{Contact, Side};
 pub use counter::{Counter, Counts, Effect};
 pub use scene::{Expression, Scene};

@@ -8,7 +8,7 @@ use super::{
 };
 
 /// Times of touching tried, and times on the way to each at which the gap to every wall is looked at.
-const TIMES: u32 = 2000;
+const TIMES: u32 = 400;
 const LOOKS: u32 = 100;
 
 /// The states at `phase` whose motion grazes `wall` within the next period before any impact, as pieces of a curve: each found from

@@ -1,6 +1,7 @@
 //! What finds proofs and writes them down as certificates. Untrusted: the checker in
 //! [`certificate`](crate::certificate) shares no code with it.
 
+pub mod cover;
 pub mod fuzz;
 mod theorem2;
 

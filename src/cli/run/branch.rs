@@ -15,7 +15,7 @@ use crate::{
     error::{Error, Result},
     number::{Plain, Real},
     oscillator::{
-        Look,
+        attractor::Detection,
         branch::{Branch, Direction, Event, Events, Label, Options, Orbits, attracting, read_label, record},
         orbit::{Family, Orbit, Oscillator, SceneFamily},
         scene::{
@@ -167,8 +167,8 @@ fn float(value: &BigRational) -> f64 {
 fn orbits_at(start: &BranchStart, oscillator: &Oscillator, job: &Job) -> Result<Vec<Orbit>> {
     if let Some(state) = &start.attractor {
         let from = job.scene.state(state)?;
-        let look = Look { phase: from.t, transient: 10_000, points: 400, longest: 200 };
-        return Ok(vec![attracting(oscillator, from, &look, &settings(&job.scene))?]);
+        let detection = Detection { phase: from.t, transient: 10_000, longest: 200, ..Detection::default() };
+        return Ok(vec![attracting(oscillator, from, &detection, &settings(&job.scene))?]);
     }
     let Some(keys) = &start.orbit else { return Ok(Vec::new()) };
     let mut orbits = keys.orbits(oscillator)?;

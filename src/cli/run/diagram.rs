@@ -9,9 +9,8 @@ use super::{
 use crate::{
     error::Result,
     oscillator::{
-        Look,
         branch::Direction,
-        diagram::{self, Plan, Slice},
+        diagram::{self, Look, Plan, Slice},
         orbit::{Family, SceneFamily},
         scene::{branches::DiagramTask, phase},
     },

@@ -1,6 +1,5 @@
 //! Tasks of kind `grazing`: a grazing bifurcation, and what is born there.
 
-use num_traits::ToPrimitive;
 use serde_json::json;
 
 use super::{
@@ -22,10 +21,9 @@ pub(super) fn run(task: &GrazingTask, job: &Job, report: &mut Report) -> Result<
     let family = SceneFamily::new(&job.scene, &task.parameter)?;
     let start = family.value();
     let orbits = task.orbit.orbits(&family.at(start)?)?;
-    let orbit = orbits
-        .iter()
-        .find(|orbit| orbit.admissibility.is_admissible())
-        .ok_or_else(|| Error::input(format!("no orbit {} at {} = {start}", job.task.name, task.parameter)))?;
+    let orbit = orbits.iter().find(|orbit| orbit.admissibility.is_admissible()).ok_or_else(|| {
+        Error::input(format!("no admissible orbit to begin with at {} = {start}", task.parameter))
+    })?;
     let event = grazing::locate(&family, orbit, start)?;
     let map = &event.map;
     report.say("grazing", json!({ task.parameter.as_str(): event.parameter }));
@@ -133,5 +131,5 @@ fn born(
 
 /// A parameter value for reading: rounding's leavings at 0 left out.
 fn shown(value: f64) -> String {
-    if value.abs() < 1e-14 { "0".into() } else { format!("{:.6}", value.to_f64().unwrap_or(value)) }
+    if value.abs() < 1e-14 { "0".into() } else { format!("{:.6}", value) }
 }

@@ -10,6 +10,7 @@ mod orbit;
 mod report;
 mod section;
 mod simulate;
+mod validate;
 
 use std::{
     fs,
@@ -110,6 +111,7 @@ impl<'a> Job<'a> {
             Kind::BranchTask(task) => branch::run(task, self, &mut report),
             Kind::DiagramTask(task) => diagram::run(task, self, &mut report),
             Kind::CrisisTask(task) => crisis::run(task, self, &mut report),
+            Kind::ValidateTask(task) => validate::run(task, self, &mut report),
         }?;
         Ok(report)
     }

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use rayon::prelude::*;
 
 use super::{
-    Job, Report,
+    Job, Report, ended,
     report::{Rows, number},
     settings,
 };
@@ -13,10 +13,13 @@ use crate::{
     error::Result,
     monitor::Monitor,
     oscillator::{
-        Attractor, Contact, Look, Side,
+        Contact, Side, Time,
+        attractor::{Detection, Fate},
         flow::State,
+        lyapunov::lyapunov,
         orbit::Oscillator,
         scene::{Section, phase},
+        section::section,
         simulate::{End, Simulator},
         touching,
     },
@@ -26,49 +29,54 @@ use crate::{
     },
 };
 
+/// Points of the section nearer than this are one, when orbits are compared with attractors.
+const NEAR: f64 = 1e-4;
+
+/// What a motion came to after the transient.
+struct Seen {
+    fate: Fate,
+    /// Its points (q, u), for a periodic motion once round.
+    points: Vec<[f64; 2]>,
+    /// Impacts, and the Lyapunov exponent, in a forcing period.
+    impacts: f64,
+    exponent: f64,
+}
+
 pub(super) fn run(task: &Section, job: &Job, report: &mut Report) -> Result<()> {
     let simulator = Simulator::new(&job.system, &settings(&job.scene))?;
-    let look = Look {
-        phase: phase(&task.phase),
-        transient: task.transient,
-        points: task.points,
-        longest: task.longest,
-    };
+    let phase = phase(&task.phase);
     let starts = task.starts.iter().map(|start| job.scene.state(start)).collect::<Result<Vec<State>>>()?;
-    let progress = Progress::new(
-        job.interrupt,
-        starts.len() as u64 * (task.transient + u64::from(task.points)),
-        "periods",
-    );
-    let found: Vec<Attractor> = starts
-        .par_iter()
-        .map(|&start| Attractor::of(&simulator, start, &look, || progress.advance(1)))
+    let progress = Progress::new(job.interrupt, starts.len() as u64 * task.transient, "periods");
+    let seen: Vec<Seen> = starts
+        .into_par_iter()
+        .map(|start| look(task, &simulator, start, phase, &progress))
         .collect::<Result<_>>()?;
-    let mut attractors: Vec<&Attractor> = Vec::new();
-    for attractor in &found {
-        if attractor.end == End::Reached && !attractors.iter().any(|other| other.is(attractor)) {
-            attractors.push(attractor);
+    let mut attractors: Vec<&Seen> = Vec::new();
+    for one in &seen {
+        let same = |other: &&Seen| match (&other.fate, &one.fate) {
+            (Fate::Periodic(a), Fate::Periodic(b)) => a.is(b, NEAR),
+            _ => false,
+        };
+        if !one.points.is_empty() && !attractors.iter().any(same) {
+            attractors.push(one);
         }
     }
+    let orbits = orbits(task, job, &attractors, phase)?;
+
     let walls: Vec<Contact> = simulator.contacts().cloned().collect();
-    let frame = Frame { wall: walls.iter().find(|wall| Some(wall.side) == task.frame.side()) };
+    let frame = Frame { wall: walls.iter().find(|wall| Some(wall.side) == task.frame.side()), phase };
     let mut sets: Vec<Points> = Vec::new();
     for wall in walls.iter().filter(|_| task.grazing_curve) {
-        for piece in touching(simulator.flow(), &walls, wall, look.phase) {
+        for piece in touching(simulator.flow(), &walls, wall, phase) {
             let name = format!("where the next period grazes the {} wall", wall.side.name());
+            let piece: Vec<[f64; 2]> = piece.iter().map(|state| [state.q, state.u]).collect();
             sets.push(frame.points(name, Mark::Curve, &piece));
         }
     }
-    for attractor in &attractors {
-        let (mark, name) = match (attractor.period, attractor.impacts) {
-            (Some(n), 0) => (Mark::Square, format!("stable, period {n} without impacts")),
-            (Some(n), 1) => (Mark::Ring, format!("stable, period {n} with 1 impact")),
-            (Some(n), impacts) => (Mark::Ring, format!("stable, period {n} with {impacts} impacts")),
-            (None, _) => (Mark::Dot, "attractor, not periodic".to_string()),
-        };
-        sets.push(frame.points(name, mark, &attractor.points));
+    for one in &attractors {
+        let (mark, name) = describe(&one.fate);
+        sets.push(frame.points(name, mark, &one.points));
     }
-    let orbits = orbits(task, job, &attractors, look.phase)?;
     for (pattern, stable, points) in &orbits {
         // A stable one is there already, unless no start led to it.
         let (mark, kind) = if *stable { (Mark::Ring, "stable") } else { (Mark::Star, "unstable") };
@@ -76,16 +84,10 @@ pub(super) fn run(task: &Section, job: &Job, report: &mut Report) -> Result<()> 
     }
     figure::section(&sets, frame.axes(), job.folder, &job.task.name)?;
 
-    let mut rows = Rows::new(&["period", "impacts", "rests", "impacts_per_period", "lyapunov"]);
-    for attractor in &attractors {
-        let length = attractor.period.unwrap_or(task.points - 1);
-        rows.push([
-            attractor.period.into(),
-            attractor.impacts.into(),
-            attractor.rests.into(),
-            number(attractor.impacts as f64 / f64::from(length)),
-            if attractor.lyapunov.is_finite() { number(attractor.lyapunov) } else { "-inf".into() },
-        ]);
+    let mut rows = Rows::new(&["attractor", "impacts_per_period", "lyapunov_per_period"]);
+    for one in &attractors {
+        let exponent = if one.exponent.is_finite() { number(one.exponent) } else { "-inf".into() };
+        rows.push([describe(&one.fate).1.into(), number(one.impacts), exponent]);
     }
     report.table("attractors", rows);
     if !task.orbits.is_empty() {
@@ -95,28 +97,86 @@ pub(super) fn run(task: &Section, job: &Job, report: &mut Report) -> Result<()> 
         }
         report.table("further_orbits", rows);
     }
-    for attractor in found.iter().filter(|attractor| attractor.end != End::Reached) {
-        report.say("ended", super::ended(attractor.end));
+    for one in &seen {
+        if let Fate::Ended(end) = one.fate {
+            report.say("ended", ended(end));
+        }
     }
     report.say("files", ["svg", "csv"].map(|end| format!("{}.{end}", job.task.name)).to_vec());
     Ok(())
 }
 
+/// Follows one motion.
+fn look(
+    task: &Section,
+    simulator: &Simulator,
+    start: State,
+    phase: f64,
+    progress: &Progress,
+) -> Result<Seen> {
+    let mut run = simulator.start(Time::new(0, start.t), start.q, start.u)?;
+    let over = |end| Seen { fate: Fate::Ended(end), points: Vec::new(), impacts: 0.0, exponent: 0.0 };
+    let mut left = task.transient + 1;
+    while left > 0 {
+        let count = left.min(1000);
+        let end = section(&mut run, phase, count, |_| true);
+        if end != End::Reached {
+            return Ok(over(end));
+        }
+        progress.advance(count)?;
+        left -= count;
+    }
+    let (time, state) = (run.time(), run.state());
+    let detection = Detection { phase, transient: 0, longest: task.longest as usize, ..Detection::default() };
+    let fate = detection.detect(&mut run)?;
+    let mut points = Vec::new();
+    let end = match &fate {
+        Fate::Periodic(cycle) => {
+            points.clone_from(&cycle.points);
+            End::Reached
+        }
+        Fate::Irregular => section(&mut run, phase, task.points.into(), |point| {
+            points.push([point.q, point.u]);
+            true
+        }),
+        Fate::Ended(end) => *end,
+    };
+    if end != End::Reached {
+        return Ok(over(end));
+    }
+    let exponent = lyapunov(simulator, time, [state.q, state.u], 0, task.points.into())?;
+    let impacts = match &fate {
+        Fate::Periodic(cycle) => cycle.impacts as f64 / cycle.period() as f64,
+        _ => exponent.impacts as f64 / f64::from(task.points),
+    };
+    Ok(Seen { fate, points, impacts, exponent: TAU * exponent.rate })
+}
+
+fn describe(fate: &Fate) -> (Mark, String) {
+    match fate {
+        Fate::Periodic(cycle) => {
+            let (n, impacts) = (cycle.period(), cycle.impacts);
+            let mark = if impacts == 0 { Mark::Square } else { Mark::Ring };
+            let plural = if impacts == 1 { "" } else { "s" };
+            (mark, format!("stable, period {n} with {impacts} impact{plural}"))
+        }
+        _ => (Mark::Dot, "attractor, not periodic".to_string()),
+    }
+}
+
 /// From where states are counted.
 struct Frame<'a> {
     wall: Option<&'a Contact>,
+    phase: f64,
 }
 
 impl Frame<'_> {
-    fn points(&self, name: String, mark: Mark, states: &[State]) -> Points {
-        let place = |state: &State| match self.wall {
-            Some(wall) => {
-                let [q, u, _] = wall.position.at(state.t);
-                (state.q - (q - wall.position.mean()), state.u - u)
-            }
-            None => (state.q, state.u),
-        };
-        Points { name, mark, at: states.iter().map(place).collect() }
+    fn points(&self, name: String, mark: Mark, states: &[[f64; 2]]) -> Points {
+        let (q0, u0) = self.wall.map_or((0.0, 0.0), |wall| {
+            let [q, u, _] = wall.position.at(self.phase);
+            (q - wall.position.mean(), u)
+        });
+        Points { name, mark, at: states.iter().map(|[q, u]| (q - q0, u - u0)).collect() }
     }
 
     fn axes(&self) -> [&'static str; 2] {
@@ -128,26 +188,25 @@ impl Frame<'_> {
     }
 }
 
-/// The admissible ones of the task's orbits that are no attractor found: pattern, whether stable, states at the phase.
-fn orbits(
-    task: &Section,
-    job: &Job,
-    attractors: &[&Attractor],
-    phase: f64,
-) -> Result<Vec<(String, bool, Vec<State>)>> {
+/// Pattern, whether stable, points (q, u) of the section.
+type Found = (String, bool, Vec<[f64; 2]>);
+
+/// The admissible ones of the task's orbits that are no attractor found.
+fn orbits(task: &Section, job: &Job, attractors: &[&Seen], phase: f64) -> Result<Vec<Found>> {
     let oscillator = Oscillator::new(job.system.clone(), job.scene.accuracy.tolerance)?;
     let mut all = Vec::new();
     for keys in &task.orbits {
         job.interrupt.check()?;
         for orbit in keys.orbits(&oscillator)? {
-            let itinerary = &orbit.itinerary;
-            let times = (0..itinerary.periods()).map(|i| phase + TAU * f64::from(i));
-            let points = times
-                .map(|t| Ok(State { t: phase, ..orbit.state(&oscillator, t)? }))
-                .collect::<Result<Vec<_>>>()?;
-            let known = attractors.iter().any(|attractor| attractor.goes_through(&points[0]));
-            if orbit.admissibility.is_admissible() && !known {
-                all.push((itinerary.to_string(), orbit.multipliers.is_stable(), points));
+            let point = |i: u32| {
+                let state = orbit.state(&oscillator, phase + TAU * f64::from(i))?;
+                Ok([state.q, state.u])
+            };
+            let points = (0..orbit.itinerary.periods()).map(point).collect::<Result<Vec<_>>>()?;
+            let near = |a: &[f64; 2]| (a[0] - points[0][0]).abs() + (a[1] - points[0][1]).abs() < NEAR;
+            let known = |one: &&Seen| matches!(one.fate, Fate::Periodic(_)) && one.points.iter().any(near);
+            if orbit.admissibility.is_admissible() && !attractors.iter().any(known) {
+                all.push((orbit.itinerary.to_string(), orbit.multipliers.is_stable(), points));
             }
         }
     }

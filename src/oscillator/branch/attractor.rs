@@ -3,7 +3,8 @@
 use crate::{
     error::{Error, Result},
     oscillator::{
-        Attractor, Look, Time,
+        Time,
+        attractor::{Detection, Fate},
         flow::{Flow, State},
         orbit::{Itinerary, Orbit, Oscillator, Strike, find},
         simulate::{Event, Settings, Simulator},
@@ -13,16 +14,22 @@ use crate::{
 /// The periodic orbit that the motion from `start` tends to.
 ///
 /// # Errors
-/// An input error if it tends to none within the look, or rests on a wall; those of [`find`].
-pub fn attracting(oscillator: &Oscillator, start: State, look: &Look, settings: &Settings) -> Result<Orbit> {
+/// An input error if it tends to none that is found, or rests on a wall; those of [`find`].
+pub fn attracting(
+    oscillator: &Oscillator,
+    start: State,
+    detection: &Detection,
+    settings: &Settings,
+) -> Result<Orbit> {
     let simulator = Simulator::new(oscillator.system(), settings)?;
-    let attractor = Attractor::of(&simulator, start, look, || Ok(()))?;
-    let period = attractor.period.ok_or_else(|| Error::input("the motion tends to no periodic orbit"))?;
-    let state = attractor.points[0];
-    let begin = Time::new(0, look.phase);
-    let mut run = simulator.start(begin, state.q, state.u)?;
+    let mut run = simulator.start(Time::new(0, start.t), start.q, start.u)?;
+    let Fate::Periodic(cycle) = detection.detect(&mut run)? else {
+        return Err(Error::input("the motion tends to no periodic orbit"));
+    };
+    let (period, phase, [q, u]) = (cycle.period() as i64, detection.phase, cycle.points[0]);
+    let mut run = simulator.start(Time::new(0, phase), q, u)?;
     let (mut times, mut sides, mut z, mut rests) = (Vec::new(), Vec::new(), Vec::new(), false);
-    run.record(Time::new(i64::from(period), look.phase), |event| match event {
+    run.record(Time::new(period, phase), |event| match event {
         Event::Impact(impact) => {
             times.push(impact.time.period);
             sides.push(impact.side);
@@ -35,10 +42,10 @@ pub fn attracting(oscillator: &Oscillator, start: State, look: &Look, settings: 
         return Err(Error::input("the attractor rests on a wall: it has no impact pattern"));
     }
     if times.is_empty() {
-        let at_zero = oscillator.flow().advance(state, std::f64::consts::TAU - state.t);
-        return find(oscillator, &Itinerary::free(period)?, vec![at_zero.q, at_zero.u]);
+        let at_zero = oscillator.flow().advance(State { t: phase, q, u }, std::f64::consts::TAU - phase);
+        return find(oscillator, &Itinerary::free(period as u32)?, vec![at_zero.q, at_zero.u]);
     }
-    let next = times.iter().skip(1).copied().chain([times[0] + i64::from(period)]);
+    let next = times.iter().skip(1).copied().chain([times[0] + period]);
     let strikes = sides
         .into_iter()
         .zip(times.iter().zip(next))

@@ -108,7 +108,7 @@ impl<'f> Chart<'f> {
     }
 
     /// The solution at s from the tangent.
-    fn from_centre(&self, s: f64) -> Result<Root> {
+    fn near_centre(&self, s: f64) -> Result<Root> {
         self.at(
             s,
             self.centre.iter().zip(&self.tangent).map(|(centre, tangent)| centre + s * tangent).collect(),
@@ -140,7 +140,7 @@ pub fn locate(
 ) -> Result<Critical> {
     let chart = Chart::new(family, &orbit.itinerary, &orbit.z, parameter)?;
     let sample = |s: f64| -> Result<Sample> {
-        let root = chart.from_centre(s)?;
+        let root = chart.near_centre(s)?;
         let test = chart.test(kind, &root.z)?;
         Ok((s, root, test))
     };

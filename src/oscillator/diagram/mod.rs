@@ -1,6 +1,6 @@
 //! Attractors over a parameter: what motions from several starts tend to at each of many values; windows and coexistence.
 //!
-//! Found by following motions, so nothing is proved: see [`Attractor`]. Values are independent of each other, run in parallel, and what
+//! Found by following motions, so nothing is proved: a long transient can look like an attractor. Values are independent of each other, run in parallel, and what
 //! is done is kept in a checkpoint; a resumed diagram is bit for bit the uninterrupted one.
 
 mod checkpoint;
@@ -14,11 +14,25 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use super::{
-    Attractor, Look, System,
+    System, Time,
     flow::State,
+    section::{Point, section},
     simulate::{End, Settings, Simulator},
 };
 use crate::{Monitor, error::Result};
+
+/// When and for how long to look.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Look {
+    /// The phase of the section, 0 ≤ phase < 2π.
+    pub phase: f64,
+    /// Periods that pass before.
+    pub transient: u64,
+    /// Points of the section, one a period.
+    pub points: u32,
+    /// The longest period told from none; one is found only if it goes round twice within the points.
+    pub longest: u32,
+}
 
 /// What to run at which values.
 #[derive(Debug, Clone)]
@@ -44,8 +58,6 @@ pub struct Motion {
     pub period: Option<u32>,
     /// Impacts a period; for others in all the points' time.
     pub impacts: u64,
-    /// The largest Lyapunov exponent, per forcing period; `None` if it is −∞.
-    pub lyapunov: Option<f64>,
 }
 
 /// The attractors found at one value.
@@ -103,28 +115,60 @@ pub fn sweep(
 
 fn slice(plan: &Plan, value: f64, system: &System<f64>) -> Result<Slice> {
     let simulator = Simulator::new(system, &plan.settings)?;
-    let (mut found, mut lost): (Vec<Attractor>, u32) = (Vec::new(), 0);
+    let (mut found, mut lost): (Vec<(Motion, Vec<Point>)>, u32) = (Vec::new(), 0);
     for &start in &plan.starts {
-        match Attractor::of(&simulator, start, &plan.look, || Ok(())) {
-            Ok(attractor) if attractor.end == End::Reached => {
-                let known = |old: &Attractor| {
-                    old.is(&attractor) || old.period.is_none() && attractor.period.is_none()
-                };
-                if !found.iter().any(known) {
-                    found.push(attractor);
-                }
-            }
-            _ => lost += 1,
+        let Some((motion, points)) = motion(plan, &simulator, start) else {
+            lost += 1;
+            continue;
+        };
+        let known = |(old, seen): &(Motion, Vec<Point>)| {
+            old.period == motion.period
+                && (old.period.is_none()
+                    || old.impacts == motion.impacts && seen.iter().any(|p| same(p, &points[0], 1e-4)))
+        };
+        if !found.iter().any(known) {
+            found.push((motion, points));
         }
     }
-    let motion = |attractor: Attractor| {
-        let points = attractor.points.iter().step_by(plan.every as usize);
-        Motion {
-            points: points.map(|state| [state.q, state.u]).collect(),
-            period: attractor.period,
-            impacts: attractor.impacts,
-            lyapunov: Some(attractor.lyapunov).filter(|exponent| exponent.is_finite()),
-        }
+    Ok(Slice { value, motions: found.into_iter().map(|(motion, _)| motion).collect(), lost })
+}
+
+/// What a start's motion tends to, with all points of the section, for a periodic one once round; `None` if it left every bound, or cannot start.
+fn motion(plan: &Plan, simulator: &Simulator, start: State) -> Option<(Motion, Vec<Point>)> {
+    let Look { phase, transient, points: count, longest } = plan.look;
+    let mut run = simulator.start(Time::new(0, start.t), start.q, start.u).ok()?;
+    let mut points = Vec::new();
+    let ends = [
+        section(&mut run, phase, transient, |_| true),
+        section(&mut run, phase, count.into(), |point| {
+            points.push(point);
+            true
+        }),
+    ];
+    if ends != [End::Reached; 2] {
+        return None;
+    }
+    let period = repeats(&points, longest as usize);
+    if let Some(period) = period {
+        points.drain(..points.len() - period);
+    }
+    let motion = Motion {
+        points: points.iter().step_by(plan.every as usize).map(|point| [point.q, point.u]).collect(),
+        period: period.map(|period| period as u32),
+        impacts: points.iter().map(|point| point.impacts).sum(),
     };
-    Ok(Slice { value, motions: found.into_iter().map(motion).collect(), lost })
+    Some((motion, points))
+}
+
+fn same(a: &Point, b: &Point, near: f64) -> bool {
+    (a.q - b.q).abs() + (a.u - b.u).abs() < near * (1.0 + a.q.abs() + a.u.abs())
+}
+
+/// The shortest shift, up to `longest`, by which the later half of the points, or more, repeats.
+fn repeats(points: &[Point], longest: usize) -> Option<usize> {
+    let n = points.len();
+    (1..=longest.min(n / 2)).find(|&p| {
+        let from = (n / 2).min(n - 2 * p);
+        (from..n - p).all(|i| same(&points[i], &points[i + p], 1e-7))
+    })
 }

@@ -78,7 +78,8 @@ impl Response {
     /// What p gains from 0 to 2π; the periodic parts gain exactly nothing.
     pub fn step(&self) -> [f64; 2] {
         let secular = Response { rest: 0.0, periodic: Vec::new(), ..self.clone() };
-        secular.at(TAU)
+        let (start, end) = (secular.at(0.0), secular.at(TAU));
+        [end[0] - start[0], end[1] - start[1]]
     }
 }
 

@@ -64,9 +64,10 @@ pub fn check(oscillator: &Oscillator, itinerary: &Itinerary, z: &[f64]) -> Check
         }
     };
     if strikes.is_empty() {
+        let from = State { t: 0.0, q: z[0], u: z[1] };
         // A little more than the period: a minimum at its ends counts too.
-        let time = 2.0 * PI * f64::from(itinerary.periods()) + 0.1 / oscillator.rate();
-        search(0, State { t: 0.0, q: z[0], u: z[1] }, time);
+        let time = 2.0 * PI * f64::from(itinerary.periods()) + 0.1 / oscillator.rate(&from);
+        search(0, from, time);
     }
     for (i, strike) in strikes.iter().enumerate() {
         if let Ok(contact) = oscillator.touch(strike.side, z[2 * i]) {
@@ -88,7 +89,7 @@ const ROUNDING: f64 = 1e-6;
 
 /// The local minima of the gaps on an open stretch of motion.
 ///
-/// A cell is a sixteenth of the fastest period; within one z″ is taken to change sign once at most, so z′ is monotone on
+/// A cell is a sixteenth of the fastest period (but there are no more than 10⁶); within one z″ is taken to change sign once at most, so z′ is monotone on
 /// either side of that point and every root of z′ is found.
 pub(in crate::oscillator) fn minima(
     oscillator: &Oscillator,
@@ -97,8 +98,6 @@ pub(in crate::oscillator) fn minima(
     time: f64,
 ) -> Vec<Minimum> {
     let flow = oscillator.flow();
-    let cells = (time * oscillator.rate() * 16.0 / (2.0 * PI)).ceil().max(1.0);
-    let width = time / cells;
     let mut found = Vec::new();
     for wall in oscillator.walls() {
         let side = wall.side;
@@ -107,8 +106,9 @@ pub(in crate::oscillator) fn minima(
             let [z, speed] = wall.gap(state);
             [z, speed, wall.acceleration(flow, state)]
         };
-        let mut start = from;
-        for cell in 0..cells as u64 {
+        let (mut start, mut begun) = (from, 0.0);
+        while begun < time {
+            let width = (PI / 8.0 / oscillator.rate(&start)).max(1e-6 * time).min(time - begun);
             let at = |after: f64| gap(flow.advance(start, after));
             let (a, b) = (gap(start), at(width));
             // The stretch on which z′ rises through zero, if there is one.
@@ -126,13 +126,13 @@ pub(in crate::oscillator) fn minima(
             };
             if let Some((lo, hi)) = stretch {
                 let root = rising(|t| at(t)[1], lo, hi);
-                let (after, least) = (width * cell as f64 + root, at(root)[0]);
+                let (after, least) = (begun + root, at(root)[0]);
                 // A leg that begins or ends without speed has a minimum there, which rounding may bring inside.
                 if after.min(time - after) > ROUNDING || least.abs() > ROUNDING * ROUNDING {
                     found.push(Minimum { side, leg, after, gap: least });
                 }
             }
-            start = flow.advance(start, width);
+            (start, begun) = (flow.advance(start, width), begun + width);
         }
     }
     found

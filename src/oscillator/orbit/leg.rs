@@ -18,7 +18,8 @@ pub struct Oscillator {
     flow: Free,
     walls: Vec<Contact>,
     slope: Option<Slope>,
-    rate: f64,
+    /// The highest harmonic, at least 1.
+    order: u32,
 }
 
 /// The derivatives of a system's coefficients in a parameter.
@@ -78,11 +79,9 @@ impl Oscillator {
     /// Those of [`Free::new`] and [`Contact::of`].
     pub fn new(system: System<f64>, tolerance: f64) -> Result<Oscillator> {
         let (flow, walls) = (Free::new(&system, tolerance)?, Contact::of(&system)?);
-        let order =
-            walls.iter().map(|wall| wall.position.order()).chain(system.forcing.iter().map(|h| h.k)).max();
-        let vibration = (system.stiffness.abs() + 3.0 * system.cubic.abs()).sqrt();
-        let rate = vibration.max(system.damping.abs()).max(f64::from(order.unwrap_or(1).max(1)));
-        Ok(Oscillator { system, flow, walls, slope: None, rate })
+        let forcing = Series::new(system.force, &system.forcing)?;
+        let order = walls.iter().fold(forcing.order(), |order, wall| order.max(wall.position.order()));
+        Ok(Oscillator { system, flow, walls, slope: None, order: order.max(1) })
     }
 
     /// The oscillator of a system whose coefficients change at the rates `slope`.
@@ -157,7 +156,7 @@ impl Oscillator {
     /// Duhamel's integral ∫ Φ(T, s) (0, ∂a/∂p)ᵀ ds by Gauss's rule on panels short against every period in the system,
     /// summed on the way: exact to rounding.
     fn sensitive_leg(&self, slope: &Slope, from: State, duration: f64) -> Leg {
-        let panels = (duration * self.rate).ceil().max(1.0);
+        let panels = (duration * self.rate(&from)).ceil().max(1.0);
         let width = duration / panels;
         let (mut here, mut matrix, mut sum, mut at) = (from, IDENTITY, [0.0; 2], 0.0);
         let mut go = |to: f64, weight: f64| {
@@ -176,9 +175,13 @@ impl Oscillator {
         Leg { end: here, matrix, slope: sum }
     }
 
-    /// The fastest rate in the system: of the vibration, of the damping, of any harmonic.
-    pub(super) fn rate(&self) -> f64 {
-        self.rate
+    /// The fastest rate in a motion from a state: of any harmonic, of the damping, of the vibration, whose stiffness is taken where the
+    /// oscillator is and as far as its velocity would carry it on the cubic spring alone.
+    pub(super) fn rate(&self, from: &State) -> f64 {
+        let (cubic, damping) = (self.system.cubic.abs(), self.system.damping.abs());
+        let stiffness = self.system.stiffness.abs()
+            + 3.0 * (cubic * from.q * from.q + (2.0 * cubic).sqrt() * from.u.abs());
+        stiffness.sqrt().max(damping).max(f64::from(self.order))
     }
 
     /// How an impact of incoming speed V ≠ 0 passes on a displacement before it: the saltation matrix, and what the
@@ -207,9 +210,9 @@ impl Slope {
 /// Gauss–Legendre with 8 points on [0, 1]: (node, weight).
 const GAUSS: [(f64, f64); 8] = {
     let half = [
-        (0.183_434_642_495_649_8, 0.362_683_783_378_361_98),
-        (0.525_532_409_916_329, 0.313_706_645_877_887_29),
-        (0.796_666_477_413_626_7, 0.222_381_034_453_374_47),
+        (0.183_434_642_495_649_8, 0.362_683_783_378_362),
+        (0.525_532_409_916_329, 0.313_706_645_877_887_27),
+        (0.796_666_477_413_626_7, 0.222_381_034_453_374_48),
         (0.960_289_856_497_536_2, 0.101_228_536_290_376_26),
     ];
     let mut rule = [(0.0, 0.0); 8];

@@ -27,10 +27,17 @@ pub fn newton(start: Vec<f64>, equations: impl Fn(&[f64]) -> Result<Linearised>)
     let mut here = equations(&z)?;
     let mut size = norm(&here.residual);
     for steps in 0..STEPS {
-        let step = solve(here.jacobian, here.residual.clone())
-            .ok_or_else(|| Error::input("Newton's method met a singular Jacobian"))?;
+        // At a fold the Jacobian is singular: there F alone has to be small.
+        let solved = size <= 4.0 * f64::EPSILON * (1.0 + norm(&z));
+        let Some(step) = solve(here.jacobian, here.residual.clone()) else {
+            return if solved {
+                Ok(Root { z, residual: size, steps })
+            } else {
+                Err(Error::input("Newton's method met a singular Jacobian"))
+            };
+        };
         let length = norm(&step);
-        let settled = length <= 1e-11 * (1.0 + norm(&z));
+        let settled = solved || length <= 1e-11 * (1.0 + norm(&z));
         let mut factor = (1.0 / length).min(1.0);
         let next = loop {
             let trial: Vec<f64> = z.iter().zip(&step).map(|(z, step)| z - factor * step).collect();

@@ -106,12 +106,10 @@ impl<'a> Entry<'a> {
     /// Refuses keys that are not among `known`.
     pub fn only(&self, known: &[&str]) -> Result<()> {
         let table = self.table()?;
-        for (key, item) in table.iter().filter(|(key, _)| !known.contains(key)) {
-            let span = table.key(key).and_then(toml_edit::Key::span).or(item.span()).or(self.span.clone());
-            let place = if self.path.is_empty() { String::new() } else { format!("{}: ", self.path) };
-            return Err(self.scope.source.fail(span, &format!("{place}{}", unknown(key, known))));
-        }
-        Ok(())
+        let Some((key, item)) = table.iter().find(|(key, _)| !known.contains(key)) else { return Ok(()) };
+        let span = table.key(key).and_then(toml_edit::Key::span).or(item.span()).or(self.span.clone());
+        let place = if self.path.is_empty() { String::new() } else { format!("{}: ", self.path) };
+        Err(self.scope.source.fail(span, &format!("{place}{}", unknown(key, known))))
     }
 
     /// The value of a key, or its default.

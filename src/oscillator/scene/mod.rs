@@ -1,6 +1,6 @@
 //! Scenes: an oscillator, what to do with it and how accurately, as a TOML file that anyone can write.
 //!
-//! The format, with every key, is in docs/scenes.md, written by [`reference`] from the declarations in `input` and `task`.
+//! The format, with every key, is in docs/scenes.md, written by [`reference()`] from the declarations in `input` and `task`.
 //! Numbers are exact; coefficients are rational expressions in named parameters ([`Expression`]). Not here: running the
 //! tasks (`cli::run`).
 
@@ -12,6 +12,7 @@ pub mod orbits;
 mod reference;
 mod sections;
 pub mod task;
+pub mod validate;
 mod walls;
 
 use std::{collections::BTreeMap, f64::consts::TAU, ops::Range};

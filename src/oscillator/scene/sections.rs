@@ -24,7 +24,7 @@ keys! {
         frame: Frame = "\"fixed\"",
         /// how many periods pass before
         transient: u64 = "1000",
-        /// how many periods are looked at
+        /// how many points a motion that is not periodic is shown by; over as many periods the Lyapunov exponent is taken
         points: u32 = "2000",
         /// the longest period told from none, in forcing periods
         longest: u32 = "64",
@@ -46,8 +46,6 @@ keys! {
         phase: BigRational = "0",
         /// how many periods pass before
         transient: u64 = "300",
-        /// how many periods are looked at
-        points: u32 = "64",
         /// the longest period told from none, in forcing periods
         longest: u32 = "16",
     }
@@ -110,7 +108,8 @@ impl Check for Section {
         for (i, orbit) in (1..).zip(&self.orbits) {
             orbit.check(scene, system, &format!("{path}.orbits[{i}]"))?;
         }
-        within(scene, path, self.points, self.longest)
+        within(scene, path, "points", self.points, POINTS)?;
+        within(scene, path, "longest", self.longest, LONGEST)
     }
 }
 
@@ -123,15 +122,13 @@ impl Check for Basins {
             scene.number(&range.from)?;
             scene.number(&range.to)?;
         }
-        within(scene, path, self.points, self.longest)
+        within(scene, path, "longest", self.longest, LONGEST)
     }
 }
 
-fn within(scene: &Scene, path: &str, points: u32, longest: u32) -> Result<()> {
-    for (value, key, least, most) in [(points, "points", 2, POINTS), (longest, "longest", 1, LONGEST)] {
-        if !(least..=most).contains(&value) {
-            return Err(scene.fail(&format!("{path}.{key}"), &format!("is outside {least} to {most}")));
-        }
+fn within(scene: &Scene, path: &str, key: &str, value: u32, most: u32) -> Result<()> {
+    if (1..=most).contains(&value) {
+        return Ok(());
     }
-    Ok(())
+    Err(scene.fail(&format!("{path}.{key}"), &format!("is outside 1 to {most}")))
 }

@@ -10,6 +10,7 @@ use super::{
     keys::{Entry, Key, Record, Value, keys},
     orbits::{EventTask, GrazingTask, OrbitTask},
     sections::{Basins, Section},
+    validate::ValidateTask,
 };
 use crate::{
     error::Result,
@@ -73,7 +74,7 @@ macro_rules! kinds {
     ($($word:literal $kind:ident,)+) => {
         /// What a task does.
         #[derive(Debug, Clone, PartialEq)]
-        pub enum Kind { $(#[doc = concat!("`", $word, "`.")] $kind($kind),)+ }
+        pub enum Kind { $(#[doc = concat!("`", $word, "`.")] $kind(Box<$kind>),)+ }
 
         impl Kind {
             /// Its word in the file.
@@ -83,7 +84,7 @@ macro_rules! kinds {
 
             fn read(word: &str, entry: &Entry, common: &[&str]) -> Option<Result<Self>> {
                 match word {
-                    $($word => Some($kind::fields(entry, common).map(Kind::$kind)),)+
+                    $($word => Some($kind::fields(entry, common).map(|task| Kind::$kind(Box::new(task)))),)+
                     _ => None,
                 }
             }
@@ -109,6 +110,7 @@ kinds! {
     "branch" BranchTask,
     "diagram" DiagramTask,
     "crisis" CrisisTask,
+    "validate" ValidateTask,
 }
 
 /// What a kind of task checks before anything runs; by default nothing.

@@ -98,35 +98,35 @@ impl<'a, P: Pieces, C: Counter, const HAS_LOWER: bool, const HAS_UPPER: bool>
         let mut end = end;
         if HAS_LOWER {
             self.counter.count(Effect::LowerGap);
-            let gap = self.pieces.gap::<C, LOWER>(&self.cursor, &mut self.counter);
-            first = self.look_at(LOWER, gap.as_ref(), end);
+            first = self.look_at::<LOWER>(end);
             if let Some((_, hit, _)) = first {
                 end = hit.place();
             }
         }
         if HAS_UPPER {
             self.counter.count(Effect::UpperGap);
-            let gap = self.pieces.gap::<C, UPPER>(&self.cursor, &mut self.counter);
-            first = self.look_at(UPPER, gap.as_ref(), end).or(first);
+            first = self.look_at::<UPPER>(end).or(first);
         }
         first
     }
 
     /// The first hit on one wall, with z, z′, z″ in place and the rounding error of z.
     #[inline]
-    fn look_at(&mut self, wall: usize, gap: &[f64], end: f64) -> Option<(usize, Hit, [f64; 4])> {
+    fn look_at<const WALL: usize>(&mut self, end: f64) -> Option<(usize, Hit, [f64; 4])> {
         self.counter.count(Effect::Piece);
-        if clear(gap, self.settings.minimum_depth) {
-            self.open[wall] = true;
+        let head = self.pieces.head::<C, WALL>(&self.cursor, &mut self.counter);
+        if clear(head, self.settings.minimum_depth) {
+            self.open[WALL] = true;
             return None;
         }
         self.counter.count(Effect::Search);
-        let mut search = Gap::new(gap, self.settings.minimum_depth, self.open[wall]);
+        let gap = self.pieces.gap::<WALL>(&self.cursor);
+        let mut search = Gap::new(gap.as_ref(), self.settings.minimum_depth, self.open[WALL]);
         let hit = search.first(self.pieces.from(&self.cursor), end);
-        self.open[wall] = search.open;
+        self.open[WALL] = search.open;
         hit.map(|hit| {
             let [z, slope, bend] = search.at(hit.place());
-            (wall, hit, [z, slope, bend, ROUNDING * norm(gap)])
+            (WALL, hit, [z, slope, bend, ROUNDING * norm(gap.as_ref())])
         })
     }
 

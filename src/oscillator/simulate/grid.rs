@@ -10,7 +10,10 @@
 
 use std::f64::consts::{PI, TAU};
 
-use super::pieces::{LOWER, Pieces};
+use super::{
+    pieces::{LOWER, Pieces},
+    search::{Head, head},
+};
 use crate::{
     error::{Error, Result},
     oscillator::{
@@ -36,12 +39,13 @@ pub(super) struct Grid<const DRIVEN: bool> {
     half: f64,
     /// q of the homogeneous motions that start from the middle as (1, 0) and (0, 1).
     basis: [Polynomial; 2],
+    heads: [Head; 2],
     /// From a cell's middle to the next.
     matrix: Matrix,
     /// What y gains where p starts anew: at each turn of the period; without `DRIVEN` of the cell.
     step: [f64; 2],
     /// Per wall and cell: ±(p − Q).
-    drive: [Vec<Polynomial>; 2],
+    drive: [Vec<(Head, Polynomial)>; 2],
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -78,8 +82,10 @@ impl<const DRIVEN: bool> Grid<DRIVEN> {
             let t = middle(cell, half);
             let mut row = expand(&forced, t, if DRIVEN { flow.particular(t) } else { [0.0; 2] });
             contact.position.add_taylor(-1.0, t, half, &mut row);
-            row.map(|c| contact.side.sign() * c)
+            let row = row.map(|c| contact.side.sign() * c);
+            (head(&row), row)
         };
+        let basis = [expand(&free, 0.0, [1.0, 0.0]), expand(&free, 0.0, [0.0, 1.0])];
         let rest = flow.advance(State { t: 0.0, q: 0.0, u: 0.0 }, 2.0 * half);
         let rows = if DRIVEN { cells } else { 1 };
         let table = |contact: &Option<Contact>| {
@@ -88,7 +94,8 @@ impl<const DRIVEN: bool> Grid<DRIVEN> {
         Ok(Grid {
             cells,
             half,
-            basis: [expand(&free, 0.0, [1.0, 0.0]), expand(&free, 0.0, [0.0, 1.0])],
+            heads: [head(&basis[0]), head(&basis[1])],
+            basis,
             matrix: flow.matrix(2.0 * half),
             step: if DRIVEN { apply(&flow.matrix(half), flow.step()) } else { [rest.q, rest.u] },
             drive: [table(&contacts[0]), table(&contacts[1])],
@@ -99,6 +106,11 @@ impl<const DRIVEN: bool> Grid<DRIVEN> {
     /// How far the middle of the cell is from the start of its period.
     fn middle(&self, cell: usize) -> f64 {
         middle(cell, self.half)
+    }
+
+    /// The row of the table for the cell.
+    fn row(&self, cursor: &Cursor) -> usize {
+        if DRIVEN { cursor.cell } else { 0 }
     }
 
     /// p at the middle of a cell.
@@ -131,18 +143,23 @@ impl<const DRIVEN: bool> Pieces for Grid<DRIVEN> {
         cursor.from = x;
     }
 
-    fn gap<C: Counter, const WALL: usize>(&self, cursor: &Cursor, counter: &mut C) -> Polynomial {
-        let sign = if WALL == LOWER { 1.0 } else { -1.0 };
-        let (a, b) = (sign * cursor.y[0], sign * cursor.y[1]);
-        let mut gap = [0.0; TERMS];
-        for (i, c) in gap.iter_mut().enumerate() {
-            *c = a * self.basis[0][i] + b * self.basis[1][i];
-        }
+    #[inline]
+    fn head<C: Counter, const WALL: usize>(&self, cursor: &Cursor, counter: &mut C) -> Head {
         if DRIVEN {
             counter.count(Effect::Drive);
         }
-        for (c, drive) in gap.iter_mut().zip(&self.drive[WALL][if DRIVEN { cursor.cell } else { 0 }]) {
-            *c += drive;
+        let sign = if WALL == LOWER { 1.0 } else { -1.0 };
+        let ([a, b], [one, other], drive) = (cursor.y, &self.heads, &self.drive[WALL][self.row(cursor)].0);
+        let term = |i: usize| sign * (a * one[i] + b * other[i]) + drive[i];
+        [term(0), term(1), term(2), a.abs() * one[3] + b.abs() * other[3] + drive[3]]
+    }
+
+    fn gap<const WALL: usize>(&self, cursor: &Cursor) -> Polynomial {
+        let sign = if WALL == LOWER { 1.0 } else { -1.0 };
+        let (a, b) = (sign * cursor.y[0], sign * cursor.y[1]);
+        let mut gap = self.drive[WALL][self.row(cursor)].1;
+        for (i, c) in gap.iter_mut().enumerate() {
+            *c += a * self.basis[0][i] + b * self.basis[1][i];
         }
         gap
     }
@@ -210,7 +227,6 @@ impl<const DRIVEN: bool> Pieces for Grid<DRIVEN> {
     }
 
     fn escaped(&self, cursor: &Cursor) -> bool {
-        // Not a number is beyond all bounds, too.
-        !(cursor.y[0].abs() + cursor.y[1].abs() < super::FARTHEST)
+        super::unbounded(cursor.y[0].abs() + cursor.y[1].abs())
     }
 }

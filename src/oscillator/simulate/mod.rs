@@ -13,7 +13,25 @@
 //!   until the force of contact is 0 ([`Release`]), at most one period later, or for good.
 //! - A run ends by an [`End`] that says why.
 //!
-//! For linear systems the trajectory itself carries rounding errors only. For others the error is that of [`Taylor`](super::flow::Taylor).
+//! For linear systems the trajectory itself carries rounding errors only. For others the error is that of [`Taylor`].
+//!
+//! ```
+//! use grazing::oscillator::{System, Time, Wall, simulate::{Event, Settings, Simulator}};
+//!
+//! // A ball under gravity 1 on a table that keeps half of the velocity: 1 + 1 + 1/2 + 1/4 + … = 3.
+//! let table = Wall { offset: 0.0, harmonics: vec![], restitution: 0.5 };
+//! let (force, lower) = (-1.0, Some(table));
+//! let ball = System { damping: 0.0, stiffness: 0.0, cubic: 0.0, force, forcing: vec![], lower, upper: None };
+//! let simulator = Simulator::new(&ball, &Settings::default())?;
+//! let mut run = simulator.start(Time::new(0, 0.0), 0.5, 0.0)?;
+//! let mut rest = None;
+//! run.record(Time::new(1, 0.0), |event| match event {
+//!     Event::Stick(stick) => rest = Some(stick.time),
+//!     other => assert!(matches!(other, Event::Impact(_))),
+//! });
+//! assert!((rest.unwrap().phase - 3.0).abs() < 1e-9);
+//! # Ok::<(), grazing::Error>(())
+//! ```
 
 mod engine;
 mod event;
@@ -37,8 +55,10 @@ use super::{
 };
 use crate::error::{Error, Result};
 
-/// A displacement beyond which a motion counts as unbounded.
-const FARTHEST: f64 = 1e100;
+/// Whether a motion of this size counts as unbounded; what is not a number does.
+fn unbounded(size: f64) -> bool {
+    size.is_nan() || size > 1e100
+}
 
 /// How finely to simulate.
 #[derive(Debug, Clone, PartialEq)]
@@ -119,6 +139,11 @@ impl Simulator {
     /// The walls that are there, lower before upper.
     pub fn contacts(&self) -> impl Iterator<Item = &Contact> {
         self.walls.contacts.iter().flatten()
+    }
+
+    /// One of the walls, if it is there.
+    pub fn contact(&self, side: Side) -> Option<&Contact> {
+        self.walls.contacts[side as usize].as_ref()
     }
 
     /// A run from displacement q and velocity u at `time`.

@@ -1,5 +1,6 @@
 //! A flow cut into pieces on each of which the gap to every wall is a polynomial, and no wall's effect unless it is asked for.
 
+use super::search::Head;
 use crate::oscillator::{Counter, Time, flow::State};
 
 /// The lower wall's place in arrays of two; the upper's is 1.
@@ -24,8 +25,11 @@ pub(super) trait Pieces: Send + Sync {
     /// Everything before x has been looked at.
     fn pass(&self, cursor: &mut Self::Cursor, x: f64);
 
+    /// The gap to wall `WALL` on the piece, as far as it can be had cheaply.
+    fn head<C: Counter, const WALL: usize>(&self, cursor: &Self::Cursor, counter: &mut C) -> Head;
+
     /// The gap to wall `WALL` on the piece.
-    fn gap<C: Counter, const WALL: usize>(&self, cursor: &Self::Cursor, counter: &mut C) -> Self::Gap;
+    fn gap<const WALL: usize>(&self, cursor: &Self::Cursor) -> Self::Gap;
 
     /// On to the next piece.
     fn turn<C: Counter>(&self, cursor: &mut Self::Cursor, counter: &mut C);

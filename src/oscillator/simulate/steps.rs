@@ -2,7 +2,10 @@
 
 use std::f64::consts::TAU;
 
-use super::pieces::{LOWER, Pieces};
+use super::{
+    pieces::{LOWER, Pieces},
+    search::{Head, head},
+};
 use crate::oscillator::{
     Contact, Counter, Effect, Time,
     flow::{Expansion, State, TERMS, Taylor},
@@ -69,7 +72,11 @@ impl Pieces for Steps {
         cursor.from = x;
     }
 
-    fn gap<C: Counter, const WALL: usize>(&self, cursor: &Cursor, _: &mut C) -> [f64; TERMS] {
+    fn head<C: Counter, const WALL: usize>(&self, cursor: &Cursor, _: &mut C) -> Head {
+        head(&self.gap::<WALL>(cursor))
+    }
+
+    fn gap<const WALL: usize>(&self, cursor: &Cursor) -> [f64; TERMS] {
         let mut gap = cursor.step.q;
         if let Some(wall) = &self.walls[WALL] {
             wall.position.add_taylor(-1.0, cursor.start.phase, cursor.step.h, &mut gap[..=self.flow.order()]);
@@ -117,7 +124,6 @@ impl Pieces for Steps {
     }
 
     fn escaped(&self, cursor: &Cursor) -> bool {
-        // Not a number is beyond all bounds, too.
-        !(cursor.step.q[0].abs() < super::FARTHEST && cursor.step.h > SHORTEST * TAU)
+        super::unbounded(cursor.step.q[0].abs()) || cursor.step.h <= SHORTEST * TAU
     }
 }

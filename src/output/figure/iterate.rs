@@ -97,7 +97,7 @@ impl Curve {
 }
 
 /// b_{n,n−2} = 0 in region 4, from top to bottom, by halving in exact arithmetic.
-fn region4(n: u64) -> Vec<[BigRational; 2]> {
+pub(super) fn region4(n: u64) -> Vec<[BigRational; 2]> {
     let positive = |a1: &BigRational, a2: &BigRational| {
         let plane = Plane::new(a1.clone(), a2.clone()).expect("a2 > 0");
         let (numerator, u) = plane.exact_numerator(n, n - 2, u64::MAX).expect("no limit");

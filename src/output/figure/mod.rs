@@ -4,6 +4,8 @@
 
 mod accuracy;
 mod branches;
+mod cover;
+mod flow_accuracy;
 mod grid;
 mod intervals;
 mod iterate;
@@ -16,6 +18,8 @@ mod tips;
 
 pub use accuracy::{accuracy_figure, accuracy_table};
 pub use branches::{Curve, Scatter, branches};
+pub use cover::areas;
+pub use flow_accuracy::{effects_table, flow_accuracy, flow_table, long_runs_table};
 pub use grid::{Grid, grid};
 pub use intervals::intervals;
 pub use iterate::iterate_boundaries;

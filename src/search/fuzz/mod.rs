@@ -293,7 +293,7 @@ fn on_line(point: &Point) -> bool {
     matches!(point, Point::Plane(plane) if plane.region() == Region::Line)
 }
 
-fn differ(ladder: &Ladder, case: &Case, variant: Variant) -> bool {
+pub(super) fn differ(ladder: &Ladder, case: &Case, variant: Variant) -> bool {
     matches!(compare(ladder, case, variant), Comparison::Differ)
 }
 

@@ -1,0 +1,308 @@
+//! T_{n,k} on a box: its second-order Taylor expansion at the centre, with a bound of the rest.
+//!
+//! Write a = n − k and f_q(θ) = sin qθ, or f_q = S_q/n with S_q = sin qθ/sin θ = Σ cos mθ over m = q−1, q−3, …, −(q−1), which has no pole. Then
+//!
+//! ```text
+//! T_k(r, θ) = r^a f_n(θ) − r^n f_a(θ) − f_k(θ).
+//! ```
+//!
+//! On the box |r − r₀| ≤ h, |θ − θ₀| ≤ η put r = r₀ + hx, θ = θ₀ + ηy, |x|, |y| ≤ 1. With the *Taylor coefficients* of a factor,
+//! A_i(p; r) = binomial(p, i) r^{p−i} h^i for r^p and F_j(q; θ) = η^j f_q^{(j)}(θ)/j! for f_q, the expansion has the coefficients
+//! c_ij = A_i(a) F_j(n) − A_i(n) F_j(a) − [i = 0] F_j(k) at the centre: T_k = Σ_{i+j≤2} c_ij x^i y^j + ρ.
+//!
+//! **Remainder.** By Taylor's theorem with Lagrange's remainder on the segment from the centre, ρ = Σ_{i+j=3} C_ij x^i y^j with C_ij the same
+//! coefficient at a point of the box. r^{p−i} grows with r, and |f_q^{(j)}| is at most q^j, or Σ|m|^j/n for the
+//! quotient; so with r₁ = r₀ + h and G_j(q) = η^j/j! times that bound,
+//!
+//! ```text
+//! |C_ij| ≤ d_ij = A_i(a; r₁) G_j(n) + A_i(n; r₁) G_j(a) + [i = 0] G_j(k),   |ρ| ≤ d_30 + d_21 + d_12 + d_03.
+//! ```
+//!
+//! **A sign.** t T_k > 0 on the box, t = ±1, if t c_00 + min(0, t c_20) + min(0, t c_02) > |c_10| + |c_01| + |c_11| + Σ d_ij: x² and y² are
+//! between 0 and 1. Likewise for β T_k − α T_d, α, β ≥ 0, whose c are the same combination and whose d are at most β d(k) + α d(d).
+//!
+//! **A derivative.** h ∂_r T = ∂_x T = c_10 + 2 c_20 x + c_11 y + ρ_x, where ρ_x, the second-order remainder of ∂_x T, is Σ over the second derivatives
+//! of ∂_x T: |ρ_x| ≤ 3 d_30 + 2 d_21 + d_12. Likewise for y.
+//!
+//! **Rounding**, in units of 2⁻⁶⁰. The box is exact, its centre too; η is an upper bound, which only enlarges the box. Let
+//! H = max(1, ⌈nh⌉). Every A_i is at most 1, being a term of (r + (1 − r))^p as h ≤ 1 − r₁, and is computed from below, with an error of
+//! at most n (i = 0), n(hn + 1) ≤ 2nH (i = 1), n(2nHh + 1)/2 + 1 ≤ 3nH²/2 + 1 (i = 2), n(h(3nH²/2 + 1) + 1)/3 + 1 ≤ 6nH³/5 + 1 (i = 3). As nη ≤ 1.6,
+//! |F_0|, G_0 ≤ 1, |F_1|, G_1 ≤ 1.6, |F_2|, G_2 ≤ 1.28, G_3 ≤ 0.69, each off by less than 24 (see `Wave`). The 20 products in the
+//! c and d of one k, each rounded by 1, and the 4 single terms are together off by less than
+//! 2(1 + 1.6 + 1.28 + 0.69) n + 2(1 + 1.6 + 1.28) 2nH + 2(1 + 1.6)(3nH²/2 + 1) + 2(6nH³/5 + 1) + 20·(24 + 1) + 4·24 < 35 nH³ + 620.
+//! No value reaches 8, where an `i64` ends: |c_ij| and d_ij are at most 3·1.6.
+//!
+//! With H = 1 (all boxes but those with r < 1 − 1/n or so) this is 4·10⁻¹⁵ for n = 128. The claims get finer like n⁻⁶, about 10⁻¹³
+//! at n = 128; somewhere beyond n = 200 they are below the error bound, and then a claim is not shown, so rejected.
+
+use std::borrow::Cow;
+
+use super::fixed::{self, ONE, product};
+
+/// The largest n·η: 1.6.
+const WIDEST: i64 = ONE / 5 * 8;
+
+/// A closed box, in units of 2⁻⁶⁰ for r and of 2⁻⁶⁴ for s.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Cell {
+    /// The bounds of r.
+    pub r: [i64; 2],
+    /// The bounds of s.
+    pub s: [u64; 2],
+}
+
+/// Which f: sin qθ, or S_q/n.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Form {
+    /// sin qθ.
+    Sine,
+    /// S_q/n.
+    Quotient,
+}
+
+/// A_0, A_1, A_2 at the centre and A_0, …, A_3 at r₁.
+#[derive(Debug, Clone, Copy, Default)]
+struct Power {
+    at: [i64; 3],
+    bound: [i64; 4],
+}
+
+/// F_0, F_1, F_2 at the centre and G_0, …, G_3.
+///
+/// Errors, with 14 for a sine and e = nη or qη ≤ 1.6: sine form, F_0 14, F_1 1.6·14 + 1, F_2 (2.56·14 + 1 + 1)/2 + 1, G_2 1, G_3 2. Quotient
+/// form: the sums of Σ 1, Σ|m|, Σ m² times 14 are divided by n, n², n³, which leaves less than 15, 8, 6; times e^j/j!, less
+/// than 15, 14, 10; G 1, 1, 2, 3. All are below 24.
+#[derive(Debug, Clone, Copy, Default)]
+struct Wave {
+    at: [i64; 3],
+    bound: [i64; 4],
+}
+
+/// The coefficients of one T_k.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Expansion {
+    /// c_00, c_10, c_01, c_20, c_11, c_02.
+    pub c: [i64; 6],
+    /// d_30, d_21, d_12, d_03.
+    pub d: [i64; 4],
+}
+
+/// A box with what all k have in common.
+pub struct Patch {
+    n: u64,
+    r: [i64; 2],
+    h: i64,
+    turns: u64,
+    eta: i64,
+    /// In the quotient form, the waves of every q ≤ n.
+    quotients: Option<Vec<Wave>>,
+    /// sin nθ₀ and cos nθ₀.
+    sine_n: (i64, i64),
+    power_n: Power,
+    wave_n: Wave,
+    /// The bound of all rounding in the coefficients of one k.
+    pub slack: i64,
+}
+
+impl Patch {
+    /// Prepares the expansions at a box's centre. Needs 2 ≤ n ≤ [`MOST`](super::MOST). Cost: O(log n), in the quotient form O(n).
+    ///
+    /// # Errors
+    /// If the box is too wide: η > 1.6/n, or it is wider in r than twice its distance to r = 1.
+    pub fn new(n: u64, cell: &Cell, form: Form) -> Result<Patch, String> {
+        let r = (cell.r[0] + cell.r[1]) / 2;
+        let (h, r1) = (cell.r[1] - r, cell.r[1]);
+        let turns = cell.s[0] + (cell.s[1] - cell.s[0]) / 2;
+        let eta = fixed::radians_above(cell.s[1] - turns);
+        if h > ONE - r1 || eta > WIDEST / n as i64 {
+            return Err("the box is too wide for its expansion".into());
+        }
+        let steep = ((i128::from(h) * i128::from(n)) >> 60) as i64 + 1;
+        let slack = 35 * n as i64 * steep.pow(3) + 620;
+        let quotients = (form == Form::Quotient).then(|| quotients(n, turns, eta));
+        let sine_n = fixed::sine_cosine(turns.wrapping_mul(n));
+        let (power_n, wave_n) = Default::default();
+        let mut patch = Patch { n, r: [r, r1], h, turns, eta, quotients, sine_n, power_n, wave_n, slack };
+        patch.power_n = patch.power(n);
+        patch.wave_n = match &patch.quotients {
+            Some(waves) => waves[n as usize],
+            None => patch.sine_wave(n, sine_n),
+        };
+        Ok(patch)
+    }
+
+    /// The expansion of one T_k. Cost: O(log n) products.
+    pub fn expansion(&self, k: u64) -> Expansion {
+        let a = self.n - k;
+        let (wave_a, wave_k) = match &self.quotients {
+            Some(waves) => (waves[a as usize], waves[k as usize]),
+            None => {
+                let at = fixed::sine_cosine(self.turns.wrapping_mul(k));
+                // aθ = nθ − kθ spares a sine.
+                (self.sine_wave(a, fixed::difference(self.sine_n, at)), self.sine_wave(k, at))
+            }
+        };
+        self.combine(self.power(a), wave_a, wave_k)
+    }
+
+    /// The expansions of T_1, …, T_{n−1}. Cost: O(n) products.
+    pub fn expansions(&self) -> impl Iterator<Item = Expansion> {
+        let n = self.n as usize;
+        let powers: Vec<Power> = self.powers(1, self.n - 1).collect();
+        let waves = match &self.quotients {
+            Some(waves) => Cow::from(waves),
+            None => (0..self.n)
+                .zip(fixed::sines_cosines(self.turns, self.n))
+                .map(|(q, at)| self.sine_wave(q, at))
+                .collect(),
+        };
+        (1..n).map(move |k| self.combine(powers[n - k - 1], waves[n - k], waves[k]))
+    }
+
+    fn power(&self, p: u64) -> Power {
+        self.powers(p, p).next().expect("one power is asked for")
+    }
+
+    /// The powers r^first, …, r^last, 1 ≤ first.
+    fn powers(&self, first: u64, last: u64) -> impl Iterator<Item = Power> {
+        let mut centre = Chain::before(first, self.r[0], self.h);
+        let mut edge = Chain::before(first, self.r[1], self.h);
+        (first..=last).map(move |p| {
+            let [a0, a1, a2, _] = centre.next(p);
+            Power { at: [a0, a1, a2], bound: edge.next(p) }
+        })
+    }
+
+    #[inline]
+    fn combine(&self, power_a: Power, wave_a: Wave, wave_k: Wave) -> Expansion {
+        let (power_n, wave_n) = (&self.power_n, &self.wave_n);
+        let c = |i: usize, j: usize| {
+            product(power_a.at[i], wave_n.at[j])
+                - product(power_n.at[i], wave_a.at[j])
+                - if i == 0 { wave_k.at[j] } else { 0 }
+        };
+        let d = |i: usize, j: usize| {
+            product(power_a.bound[i], wave_n.bound[j])
+                + product(power_n.bound[i], wave_a.bound[j])
+                + if i == 0 { wave_k.bound[j] } else { 0 }
+        };
+        Expansion {
+            c: [c(0, 0), c(1, 0), c(0, 1), c(2, 0), c(1, 1), c(0, 2)],
+            d: [d(3, 0), d(2, 1), d(1, 2), d(0, 3)],
+        }
+    }
+
+    #[inline]
+    fn sine_wave(&self, q: u64, (sine, cosine): (i64, i64)) -> Wave {
+        let e = self.eta * q as i64;
+        let square = product(e, e);
+        Wave {
+            at: [sine, product(e, cosine), -product(square, sine) / 2],
+            bound: [ONE, e, square / 2, product(square / 2, e) / 3],
+        }
+    }
+}
+
+/// A_0, …, A_3 of one p after the other: A_i(p) = (p h/i) A_{i−1}(p−1).
+struct Chain {
+    r: i64,
+    h: i64,
+    last: [i64; 4],
+}
+
+impl Chain {
+    /// What precedes p. Three steps fill A_1, A_2, A_3 from A_0.
+    fn before(p: u64, r: i64, h: i64) -> Chain {
+        let start = p.saturating_sub(3);
+        let mut chain = Chain { r, h, last: [fixed::power(r, start), 0, 0, 0] };
+        for q in start + 1..p {
+            chain.next(q);
+        }
+        chain
+    }
+
+    fn next(&mut self, p: u64) -> [i64; 4] {
+        let p = p as i64;
+        let [a0, a1, a2, _] = self.last;
+        let step = |a: i64, i: i64| product(a, self.h) * p / i;
+        self.last = [product(a0, self.r), step(a0, 1), step(a1, 2), step(a2, 3)];
+        self.last
+    }
+}
+
+/// The waves of S_q/n, q = 0, …, n, by S_q = S_{q−2} + 2 cos (q−1)θ and its derivatives.
+fn quotients(n: u64, turns: u64, eta: i64) -> Vec<Wave> {
+    let e = eta * n as i64;
+    let square = product(e, e);
+    let scales = [1, 2, 3, 4].map(|j| i128::from(n).pow(j));
+    // Σ cos, −Σ m sin, −Σ m² cos and Σ|m|^j for the two latest q.
+    let mut sums = [([0i128; 3], [0i128; 4]); 2];
+    let mut waves = vec![Wave::default()];
+    for (m, (sine, cosine)) in (0..).zip(fixed::sines_cosines(turns, n - 1)) {
+        let (sine, cosine) = (i128::from(sine), i128::from(cosine));
+        let (mut at, mut bound) = sums[0];
+        if m == 0 {
+            (at, bound) = ([ONE.into(), 0, 0], [1, 0, 0, 0]);
+        } else {
+            let terms = [cosine, -m * sine, -m * m * cosine];
+            (0..3).for_each(|j| at[j] += 2 * terms[j]);
+            (0..4).for_each(|j| bound[j] += 2 * m.pow(j as u32));
+        }
+        sums = [sums[1], (at, bound)];
+        let part = |j: usize| (at[j] / scales[j]) as i64;
+        let share = |j: usize, x: i64| (bound[j] * i128::from(x) / scales[j]) as i64;
+        waves.push(Wave {
+            at: [part(0), product(e, part(1)), product(square, part(2)) / 2],
+            bound: [share(0, ONE), share(1, e), share(2, square / 2), share(3, product(square, e) / 6)],
+        });
+    }
+    waves
+}
+
+impl Expansion {
+    /// Whether t T_k > 0 on the box is shown.
+    pub fn shows(&self, t: i64, slack: i64) -> bool {
+        let rest: i128 = self.d.iter().map(|&d| i128::from(d)).sum();
+        lower(|i| i128::from(self.c[i]), t) > rest + i128::from(slack)
+    }
+
+    /// Whether t (T_k − w T_d) > 0 on the box is shown for some w ≥ 0, `self` being T_k's expansion and w = 0 not sufficient.
+    ///
+    /// The bound is concave and piecewise linear in w, so that it is enough to try the w that make a coefficient 0. As
+    /// β T_k − α T_d, w = α/β, max(α, β) = 1, nothing outgrows its range.
+    pub fn shows_beyond(&self, decider: &Expansion, t: i64, slack: i64) -> bool {
+        (1..6).any(|i| {
+            let (c, d) = (i128::from(self.c[i]), i128::from(decider.c[i]));
+            if c.signum() * d.signum() <= 0 {
+                return false;
+            }
+            // Rounded down: any weights ≥ 0 are sound.
+            let one = i128::from(ONE);
+            let (beta, alpha) = if c.abs() <= d.abs() { (one, (c << 60) / d) } else { ((d << 60) / c, one) };
+            let mixed = |i: usize| beta * i128::from(self.c[i]) - alpha * i128::from(decider.c[i]);
+            let rest = |i: usize| beta * i128::from(self.d[i]) + alpha * i128::from(decider.d[i]);
+            beta > 0 && lower(mixed, t) > (0..4).map(rest).sum::<i128>() + (beta + alpha) * i128::from(slack)
+        })
+    }
+
+    /// The signs (−1, 0 for unknown, 1) of ∂T/∂r and ∂T/∂s on the box.
+    pub fn slopes(&self, slack: i64) -> [i64; 2] {
+        let [_, c10, c01, c20, c11, c02] = self.c.map(i128::from);
+        let [d30, d21, d12, d03] = self.d.map(i128::from);
+        // No coefficient counts more than three times.
+        let slack = 3 * i128::from(slack);
+        let sign =
+            |slope: i128, rest: i128| if slope.abs() > rest + slack { slope.signum() as i64 } else { 0 };
+        [
+            sign(c10, 2 * c20.abs() + c11.abs() + 3 * d30 + 2 * d21 + d12),
+            sign(c01, 2 * c02.abs() + c11.abs() + 3 * d03 + 2 * d12 + d21),
+        ]
+    }
+}
+
+/// A lower bound of t Σ c_ij x^i y^j, the coefficients being in the order of [`Expansion::c`].
+#[inline]
+fn lower(c: impl Fn(usize) -> i128, t: i64) -> i128 {
+    let t = i128::from(t);
+    t * c(0) + (t * c(3)).min(0) + (t * c(5)).min(0) - c(1).abs() - c(2).abs() - c(4).abs()
+}

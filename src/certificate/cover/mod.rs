@@ -1,0 +1,258 @@
+//! Certificates of kind `cover`: Conjecture 1 for single periods n, in regions 2 and 4 and in region 3 up to r = r_max < 1.
+//!
+//! # What is proved, and how
+//!
+//! In region 3 the eigenvalues are r e^{±iθ}, θ = 2πs. With N_{n,k} = u_n − u_k − a₂^k u_{n−k}, (59) and (60) read b_{n,k} = N_{n,k}/u_n and
+//! c_n = −|1 − rⁿe^{inθ}|²/u_n, and by (62) N_{n,k} = r^{k−1} T_k/sin θ with
+//!
+//! ```text
+//! T_k(r, θ) = r^{n−k} sin nθ − rⁿ sin (n−k)θ − sin kθ.
+//! ```
+//!
+//! T_k/sin θ is a polynomial in r and cos θ, so that s = 0 and s = ½ are no exception. Where u_n ≠ 0, (52) and (53) hold for some signs exactly
+//! if all T_k have one strict sign t (for r > 0; a box that touches r = 0 says nothing of that line), and then for sign γ = −t and sign eµ = t sign u_n.
+//!
+//! - *Strips.* [0, ½] is cut at all multiples of 1/(2n), where u_n = 0, and at the ends of Theorem 2's intervals. The checker computes these cuts and sees that
+//!   each interval is exactly one strip, so that u_n has one sign in it, and (52), (53) one case. The singular lines u_n = 0 are sides of boxes, never
+//!   inside: the N of a leaf at such a line keep their signs on both its sides, and the case changes across it with the sign of u_n.
+//! - *Leaves.* Every strip is covered by boxes, of each of which a claim is proved (`leaf`): no orbit (None); all T_k of one sign
+//!   (Orbit); or one T_d decides and grows with r (Edge). Taylor's formula of second order, with a bound of the rest, proves them
+//!   (`expansion`), in integer arithmetic (`fixed`).
+//! - *Areas.* In a strip that is no interval only None leaves may stand. In one that is, the Orbit and Edge leaves must have its t and d; they form one area that reaches up to r_max (`areas`). All
+//!   leaves of the strip (0, 1/(2n)) must be Orbit leaves. Two intervals touch only where u_n = 0; the other ends of an interval are in the closed boxes
+//!   of a neighbour whose leaves are all None. So no two of the areas are joined.
+//! - *Regions 2 and 4* take no boxes: there, polynomial identities decide (`regions`). On s = ½ both charts speak of the same orbits; for odd n the row at the top
+//!   of the last strip ends there in an Orbit leaf, or the area would not be one interval, so that the areas of regions 3 and 4 are joined.
+//!
+//! Nothing is taken from the proof of Conjecture 1, and nothing is claimed for r_max < r < 1. The least r of every area of Theorem 2's intervals is below
+//! 1 − 4.9/n³ as far as is known; were r_max below it, the area would be missing at r_max and the certificate rejected.
+//!
+//! # Boxes
+//!
+//! The rows of a strip are 0 ≤ r ≤ 1/2, 1/2 ≤ r ≤ 3/4, 3/4 ≤ r ≤ 7/8, …, the last one up to r_max. Strip × row is the root of a tree of
+//! halvings. The checker rounds: it takes r in units of 2⁻⁶⁰ and s in units of 2⁻⁶⁴, the ends of a strip and r_max outwards, midpoints down. So it covers a little more than the
+//! strip, by boxes that have their sides in common.
+//!
+//! # One block by hand
+//!
+//! Period 3 up to r = 2/3 (the lowest point of the area of (1/3, 1/2) has r = 1/2):
+//!
+//! ```text
+//! n 3 2/3 22
+//! identity region2
+//! identity region4
+//! strip 0/1 1/6
+//! sM;M;sM;M;
+//! strip 1/6 1/3
+//! ssM;m2;sm2;rN2,1;sN2,1;N2,1;sM;m2l;
+//! strip 1/3 1/2
+//! sN2,1;sN2,1;rN2,1;p1;ssN2,1;p1r;sp1r;sp1r;rp1;P;
+//! ```
+//!
+//! T_1 = r² sin 3θ − r³ sin 2θ − sin θ and T_2 = r sin 3θ − r³ sin θ − sin 2θ. There are two rows, [0, 1/2] and [1/2, 2/3]. In the first strip both rows are
+//! halved in s, and both T are < 0 on all four boxes: (−,+). In the second strip, the interval (1/6, 1/3) with t = −1 and d = 2, the first row is quartered in s: on
+//! [1/6, 5/24] both T are < 0; on [5/24, 1/4] and [1/4, 7/24], the latter halved once more, T_2 decides: at r = 0, T_2 = −sin 2θ changes sign at
+//! s = 1/4. Near s = 1/3 there is no orbit. At the top, M and m2l: an orbit up to s = 1/4, and from there to 1/3
+//! an end of it, for −T_2 falls with s. In the third strip, t = 1 and d = 1, the top reads None, three Edge leaves where T_1 grows with s, and at s = 1/2 an Orbit leaf above an
+//! Edge leaf.
+//!
+//! Damage is found:
+//!
+//! - 22 leaves changed to 21: `line 6: malformed: the block has 22 leaves, not 21`;
+//! - the first strip `sM;M;sM;M;` to `M;M;`: `line 10: false: column 1, M on [0, 0.5] x [0, 0.16666666666666666]: the sign of N_{3,1} is not shown`,
+//!   for the box is too large for a parabola;
+//! - `sM;m2l;` to `sM;m2;`: `line 12: false: the leaves of (1/6, 1/3) are not one area: at the top, the leaf on
+//!   [0.5, 0.6666666666666666] x [0.25, 0.3333333333333333] is out of order`;
+//! - the last leaf `P;` to `M;`: `line 14: false: column 47, M on [0.5833333333333334, 0.6666666666666666] x [0.4791666666666667, 0.5]: the
+//!   sign or the deciding index is not that of the strip's interval`.
+
+mod areas;
+pub mod expansion;
+pub mod fixed;
+mod leaf;
+mod regions;
+mod strips;
+mod tree;
+
+use std::{io::BufRead, ops::RangeInclusive};
+
+pub use leaf::Leaf;
+
+use super::{
+    Checked, Rejection,
+    arithmetic::{Fraction, inverse},
+    header::{self, Header},
+    lines::{Lines, Words, number},
+    theorem2::Theorem,
+};
+use areas::Top;
+use expansion::Form;
+use strips::Strip;
+use tree::Fault;
+
+/// The word in the header.
+pub const KIND: &str = "cover";
+
+/// The largest period a certificate of this kind may speak of.
+pub const MOST: u64 = 256;
+
+/// The largest denominator of r_max.
+pub const FINEST: u64 = 1 << 40;
+
+/// The longest line of trees.
+const LONGEST: u64 = 1 << 26;
+
+/// What a certificate of this kind proves.
+pub const STATEMENT: &str = "For every period n in the range, with the r_max of its block, let an orbit exist at a point if u_n is not 0 \
+there and (52) and (53) hold for some signs of e*mu and gamma. In region 2 (a2 < 1) an orbit exists everywhere, in the case (-,+). In region 4 (a2 < 1) \
+none exists for even n; for odd n one exists exactly where b_{n,n-2} > 0, in the case (+,-), and that set is connected. In region 3 with 0 < r <= r_max \
+orbits exist only for s in Theorem 2's intervals; in each interval they have its case and form one area: a connected set, which contains with every point \
+all higher ones up to r_max, meets r = r_max in one interval, and is bounded inside the strip of its interval by b_{n,d} = 0 alone, d being \
+the index that Conjecture 1 names, and no other b_{n,k} is 0 there; for (0, 1/(2n)) it is the whole strip. On s = 1/2, the common edge of regions 3 and \
+4, both agree, and for odd n the last area goes on there from one into the other. Nothing is claimed for r_max < r < 1.";
+
+/// The header's lines for a range of periods with `lines` lines after it.
+pub fn header(range: &RangeInclusive<u64>, lines: u64) -> String {
+    header::text(KIND, STATEMENT, range, lines)
+}
+
+/// What is left open in the blocks of a certificate.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+struct Open {
+    leaves: u64,
+    /// Their area in r and s, in units of 2⁻⁶⁰.
+    area: u128,
+    /// The line of the first.
+    line: u64,
+}
+
+/// Checks everything after the kind line.
+pub(super) fn check<R: BufRead>(lines: &mut Lines<R>) -> Result<Checked, Rejection> {
+    let header = Header::read(lines, 3..=MOST, STATEMENT)?;
+    let mut open = Open::default();
+    for n in header.range() {
+        block(lines, n, &mut open)?;
+    }
+    let checked = header.finish(lines, KIND, STATEMENT)?;
+    open.rejection().map_or(Ok(checked), Err)
+}
+
+/// Checks the block of one period, `text` being its lines from `n N …` on, which `before` lines come before.
+///
+/// Blocks are independent: a certificate is proved if its header and all its blocks are. Cost: O(n³) small operations for the
+/// regions 2 and 4, O(log n) products for a None leaf, O(n) for every other.
+///
+/// # Errors
+/// As [`check`](super::check).
+pub fn check_block(n: u64, text: &[u8], before: u64) -> Result<(), Rejection> {
+    let mut lines = Lines::after(before, text);
+    if !(3..=MOST).contains(&n) {
+        return Err(lines.malformed(format!("n = {n} is not from 3 to {MOST}")));
+    }
+    let mut open = Open::default();
+    block(&mut lines, n, &mut open)?;
+    if lines.next()?.is_some() {
+        return Err(lines.malformed(format!("the block of n = {n} has ended")));
+    }
+    open.rejection().map_or(Ok(()), Err)
+}
+
+impl Open {
+    fn rejection(&self) -> Option<Rejection> {
+        let area = self.area as f64 / 2f64.powi(60);
+        (self.leaves > 0).then(|| Rejection::Undecided {
+            line: self.line,
+            reason: format!(
+                "all else being proved, {} leaves are open, area {area:e} in (r, s)",
+                self.leaves
+            ),
+        })
+    }
+}
+
+fn block<R: BufRead>(lines: &mut Lines<R>, n: u64, open: &mut Open) -> Result<(), Rejection> {
+    let line = lines.expect("the block of a period")?;
+    let (r_max, leaves) = block_header(&line, n).map_err(|reason| lines.malformed(reason))?;
+    let header_at = lines.number();
+    for (name, holds) in
+        [("region2", regions::region2 as fn(u64) -> bool), ("region4", regions::region4 as fn(u64) -> bool)]
+    {
+        if lines.expect("an identity")? != format!("identity {name}") {
+            return Err(lines.malformed(format!("expected \"identity {name}\"")));
+        }
+        if !holds(n) {
+            return Err(lines.false_claim(format!("the identity of {name} does not hold")));
+        }
+    }
+    let rows = strips::rows(r_max);
+    let mut found = 0;
+    for strip in strips::strips(n).map_err(|reason| lines.false_claim(reason))? {
+        if lines.expect("a strip")? != format!("strip {} {}", strip.left, strip.right) {
+            return Err(lines.malformed(format!("expected \"strip {} {}\"", strip.left, strip.right)));
+        }
+        let text = lines.expect_within(LONGEST, "the trees of a strip")?;
+        found += check_strip(n, &strip, &rows, &text, open, lines.number()).map_err(|fault| match fault {
+            Fault::Malformed(reason) => lines.malformed(reason),
+            Fault::False(reason) => lines.false_claim(reason),
+        })?;
+    }
+    if found != leaves {
+        let reason = format!("the block has {found} leaves, not {leaves}");
+        return Err(Rejection::Malformed { line: header_at, reason });
+    }
+    Ok(())
+}
+
+/// r_max and the number of leaves.
+fn block_header(line: &str, n: u64) -> Result<(Fraction, u64), String> {
+    let mut words = Words::new(line);
+    if words.word("n")? != "n" || words.number("the period", MOST)? != n {
+        return Err(format!("expected the block of n = {n}"));
+    }
+    let r_max = words.fraction(FINEST)?;
+    let (p, q) = r_max.parts();
+    if p == 0 || p == q {
+        return Err("expected 0 < r_max < 1".into());
+    }
+    let leaves = words.number("the number of leaves", u64::MAX)?;
+    words.end()?;
+    Ok((r_max, leaves))
+}
+
+/// Checks all leaves of a strip and, if none is open, the strip's part of the conclusion; the number of leaves.
+fn check_strip(
+    n: u64,
+    strip: &Strip,
+    rows: &[[i64; 2]],
+    text: &str,
+    open: &mut Open,
+    line: u64,
+) -> Result<u64, Fault> {
+    let form = if strip.outermost { Form::Quotient } else { Form::Sine };
+    let mut top = Top::new(rows.last().expect("there is a row")[1]);
+    let (mut leaves, mut complete) = (0, true);
+    tree::walk(text, n, strip.units, rows, |leaf, cell| {
+        leaves += 1;
+        strip.allows(&leaf)?;
+        leaf.prove(n, &cell, form)?;
+        if leaf == Leaf::Open {
+            complete = false;
+            if open.leaves == 0 {
+                open.line = line;
+            }
+            open.leaves += 1;
+            open.area += ((cell.r[1] - cell.r[0]) as u128 * u128::from(cell.s[1] - cell.s[0])) >> 64;
+        }
+        top.add(leaf, cell);
+        Ok(())
+    })?;
+    if let (true, Some(_)) = (complete, &strip.interval) {
+        top.is_one_interval().map_err(|reason| {
+            Fault::False(format!(
+                "the leaves of ({}, {}) are not one area: {reason}",
+                strip.left, strip.right
+            ))
+        })?;
+    }
+    Ok(leaves)
+}

@@ -1,0 +1,72 @@
+//! Bisection trees: the boxes of a strip, which tile it by construction.
+
+use super::{expansion::Cell, leaf::Leaf};
+
+/// A box with a side of fewer units is not split.
+const LEAST: i64 = 4;
+
+/// A tree is not of the documented form, or a leaf's claim fails.
+pub(super) enum Fault {
+    Malformed(String),
+    False(String),
+}
+
+/// Walks the trees of a strip's rows, one after the other in `text`, and hands every leaf with its box to `visit`.
+///
+/// A split halves the box at its midpoint, rounded down to a unit: the halves share that side, and the leaves' closed boxes cover the row.
+pub(super) fn walk(
+    text: &str,
+    n: u64,
+    strip: [u64; 2],
+    rows: &[[i64; 2]],
+    mut visit: impl FnMut(Leaf, Cell) -> Result<(), String>,
+) -> Result<(), Fault> {
+    let mut rest = text;
+    let malformed = |rest: &str, reason: String| {
+        Err(Fault::Malformed(format!("column {}: {reason}", text.len() - rest.len() + 1)))
+    };
+    for &row in rows {
+        let mut pending = vec![Cell { r: row, s: strip }];
+        while let Some(cell) = pending.pop() {
+            let (r, s) = (cell.r, cell.s);
+            match rest.as_bytes().first() {
+                Some(b'r') if r[1] - r[0] >= LEAST => {
+                    let middle = r[0] + (r[1] - r[0]) / 2;
+                    pending.extend([Cell { r: [middle, r[1]], s }, Cell { r: [r[0], middle], s }]);
+                    rest = &rest[1..];
+                }
+                Some(b's') if s[1] - s[0] >= LEAST as u64 => {
+                    let middle = s[0] + (s[1] - s[0]) / 2;
+                    pending.extend([Cell { r, s: [middle, s[1]] }, Cell { r, s: [s[0], middle] }]);
+                    rest = &rest[1..];
+                }
+                Some(b'r' | b's') => return malformed(rest, "the box is too small to be split".into()),
+                _ => {
+                    let Some((token, after)) = rest.split_once(';') else {
+                        return malformed(rest, "expected r, s or a leaf that ends in ;".into());
+                    };
+                    let leaf = match Leaf::parse(token, n) {
+                        Ok(leaf) => leaf,
+                        Err(reason) => return malformed(rest, reason),
+                    };
+                    visit(leaf, cell).map_err(|reason| {
+                        let column = text.len() - rest.len() + 1;
+                        Fault::False(format!("column {column}, {token} on {}: {reason}", shown(&cell)))
+                    })?;
+                    rest = after;
+                }
+            }
+        }
+    }
+    if rest.is_empty() {
+        Ok(())
+    } else {
+        malformed(rest, "the line goes on after the last row's tree".into())
+    }
+}
+
+/// A box in decimals, for messages.
+pub(super) fn shown(cell: &Cell) -> String {
+    let [r, s] = [cell.r.map(|r| r as f64 / 2f64.powi(60)), cell.s.map(|s| s as f64 / 2f64.powi(64))];
+    format!("[{}, {}] x [{}, {}]", r[0], r[1], s[0], s[1])
+}

@@ -1,0 +1,89 @@
+//! What every kind of certificate begins with, and its end.
+
+use std::{io::BufRead, ops::RangeInclusive};
+
+use super::{
+    Checked, FORMAT, Rejection,
+    lines::{Lines, Words},
+};
+
+/// The header's lines.
+pub(super) fn text(kind: &str, statement: &str, range: &RangeInclusive<u64>, lines: u64) -> String {
+    let (first, last) = (range.start(), range.end());
+    format!("{FORMAT}\nkind {kind}\nrange {first} {last}\nlines {lines}\nstatement {statement}\n")
+}
+
+/// A header that has been read up to its statement.
+pub(super) struct Header {
+    first: u64,
+    last: u64,
+    /// The line that tells the number of lines, and its number.
+    claimed: String,
+    claimed_at: u64,
+    /// The number of the header's last line.
+    end: u64,
+}
+
+impl Header {
+    /// Reads what follows the kind line: the range, which must lie within `periods`, the number of lines and the statement.
+    pub fn read<R: BufRead>(
+        lines: &mut Lines<R>,
+        periods: RangeInclusive<u64>,
+        statement: &str,
+    ) -> Result<Header, Rejection> {
+        let [first, last] = numbers(lines, "range", ["the first period", "the last period"], *periods.end())?;
+        let least = *periods.start();
+        if first < least || first > last {
+            return Err(lines.malformed(format!("the range must be {least} <= first <= last")));
+        }
+        let claimed = lines.expect("the number of lines")?;
+        let claimed_at = lines.number();
+        if lines.expect("the statement")?.strip_prefix("statement ") != Some(statement) {
+            return Err(lines.malformed("the statement is not, word for word, that of this kind and version"));
+        }
+        Ok(Header { first, last, claimed, claimed_at, end: lines.number() })
+    }
+
+    /// The periods n covered.
+    pub fn range(&self) -> RangeInclusive<u64> {
+        self.first..=self.last
+    }
+
+    /// Checks that the file ends here, after as many lines as the header says.
+    pub fn finish<R: BufRead>(
+        self,
+        lines: &mut Lines<R>,
+        kind: &'static str,
+        statement: &'static str,
+    ) -> Result<Checked, Rejection> {
+        if lines.next()?.is_some() {
+            return Err(lines.malformed("the file goes on after the last period of its range"));
+        }
+        let body = lines.number() - self.end;
+        if self.claimed != format!("lines {body}") {
+            let reason = format!("{body} lines follow the header, so this should be \"lines {body}\"");
+            return Err(Rejection::Malformed { line: self.claimed_at, reason });
+        }
+        Ok(Checked { kind, statement, range: self.range(), detail: None, lines: lines.number() })
+    }
+}
+
+/// Reads a line of a name and two numbers up to `most`.
+pub(super) fn numbers<R: BufRead>(
+    lines: &mut Lines<R>,
+    name: &str,
+    what: [&str; 2],
+    most: u64,
+) -> Result<[u64; 2], Rejection> {
+    let line = lines.expect(name)?;
+    let mut words = Words::new(&line);
+    let mut read = || {
+        if words.word(name)? != name {
+            return Err(format!("expected a line \"{name} …\""));
+        }
+        let numbers = [words.number(what[0], most)?, words.number(what[1], most)?];
+        words.end()?;
+        Ok(numbers)
+    };
+    read().map_err(|reason| lines.malformed(reason))
+}

@@ -1,0 +1,107 @@
+//! The checker's arithmetic against integers, known digits and known digests.
+
+use super::{
+    exponential::{CIRCLE, Ring},
+    fixed::Interval,
+    sha256::sha256,
+    text::Decimal,
+};
+
+fn decimal(text: &str) -> Interval {
+    let (whole, places) = text.split_once('.').unwrap();
+    let digits = format!("{whole}{places}").parse().unwrap();
+    Decimal { digits, places: places.len() as u32 }.enclosed()
+}
+
+/// Whether an interval contains a number, known to 30 digits, and tells 23 of them.
+fn is(x: Interval, text: &str) -> bool {
+    let error = decimal("0.00000000000000000000001");
+    (x - decimal(text)).is_within(error, Interval::ZERO)
+}
+
+#[test]
+fn products_and_quotients_round_outwards() {
+    // Thirds and sevenths of either sign: x·y − xy contains 0, is a few units wide at most, and is never empty.
+    let unit = decimal("0.0000000000000000000000000001");
+    for p in -9i128..=9 {
+        for q in 1i128..=9 {
+            for r in [-1_000_003i128, -7, -1, 1, 3, 123_456_789] {
+                let x = Interval::ratio(p, q);
+                let y = Interval::ratio(r, 7);
+                let product = x * y - Interval::ratio(p * r, 7 * q);
+                let scale = Interval::ratio(unit_scale(r), 1);
+                assert!(product.is_within(unit * scale, Interval::ZERO), "{p}/{q} {r}/7");
+                let quotient = x.over(y) - Interval::ratio(7 * p * r.signum(), q * r.abs());
+                assert!(quotient.is_within(unit * scale, Interval::ZERO), "{p}/{q} {r}/7");
+                assert!(!(x * y - x * y).is_positive() && !(x * y - x * y - unit).is_positive());
+            }
+        }
+    }
+    let third = Interval::ratio(1, 3);
+    assert!(!(third * Interval::integer(3) - Interval::ONE).is_positive());
+    assert!(!(Interval::ONE - third * Interval::integer(3)).is_positive());
+    let straddling = third - third;
+    let unknown = Interval::ONE.over(straddling);
+    assert!(unknown.magnitude_bits().is_none());
+    for x in [unknown + third, unknown * straddling, -unknown, unknown.over(third), third.over(unknown)] {
+        assert!(x.magnitude_bits().is_none());
+    }
+    let huge = Interval::integer(1 << 29);
+    assert!((huge * huge).magnitude_bits().is_none() && (huge + huge).magnitude_bits().is_none());
+    assert!(huge.over(Interval::ratio(1, 4)).magnitude_bits().is_none());
+}
+
+/// A factor above the magnitude of what is multiplied.
+fn unit_scale(r: i128) -> i128 {
+    2 * r.abs() + 1000
+}
+
+#[test]
+fn exponentials_have_known_digits() {
+    // A² = A: exp(tA) = 1 + (e^t − 1) A.
+    let growth = Ring { damping: -Interval::ONE, stiffness: Interval::ZERO };
+    assert!(is(growth.exp(Interval::ONE).b, "1.718281828459045235360287471352662"));
+    assert!(is(growth.exp(-Interval::integer(3)).b, "-0.950212931632136057020657584350"));
+    let circle = CIRCLE.exp(Interval::integer(100));
+    assert!(is(circle.a, "0.862318872287683934101938513951"));
+    assert!(is(circle.b, "-0.506365641109758793656557610459"));
+    // A² = 2: cosh √2 t + A sinh(√2 t)/√2, with √2 hidden in it.
+    let hyperbolic = Ring { damping: Interval::ZERO, stiffness: -Interval::integer(2) };
+    let e = hyperbolic.exp(Interval::ONE);
+    assert!(
+        (e.a.squared() - Interval::integer(2) * e.b.squared() - Interval::ONE)
+            .is_within(decimal("0.00000000000000000000001"), Interval::ZERO)
+    );
+    assert!(is(e.a, "2.178183556608570863989222067820"));
+}
+
+#[test]
+fn pi_is_where_the_sine_changes_sign() {
+    let pi = Interval::PI;
+    let wide = decimal("0.0000000000000000000000001");
+    assert!(CIRCLE.exp(pi - wide).b.is_positive());
+    assert!((-CIRCLE.exp(pi + wide).b).is_positive());
+    assert!(is(pi, "3.14159265358979323846264338327950"));
+}
+
+#[test]
+fn an_interval_of_times_is_enclosed() {
+    let ring = Ring { damping: decimal("0.3"), stiffness: decimal("2.0") };
+    let wide = decimal("5.0").until(decimal("5.5"));
+    let all = ring.exp(wide);
+    for text in ["5.0", "5.1", "5.25", "5.4", "5.5"] {
+        let one = ring.exp(decimal(text));
+        for (part, whole) in [(one.a, all.a), (one.b, all.b)] {
+            assert!(!(part - whole).is_positive() && !(whole - part).is_positive());
+            assert!((whole - part).is_within(Interval::integer(2), Interval::ZERO));
+        }
+    }
+}
+
+#[test]
+fn digests_are_those_of_the_standard() {
+    assert_eq!(sha256(b"abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+    assert_eq!(sha256(b""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+    let two_blocks = b"abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq";
+    assert_eq!(sha256(two_blocks), "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
+}

@@ -1,0 +1,212 @@
+//! exp, sin, cos and √ of enclosed numbers. On balls by integers alone: argument reduction, then power series.
+//!
+//! A wide argument is right too: the result's radius bounds how far the function moves over the whole ball. Sines of exact
+//! multiples of π, which are tighter and faster, live in `ball_sine`.
+
+use num_bigint::BigInt;
+use num_integer::{Integer, Roots};
+use num_traits::{One, Signed, ToPrimitive, Zero};
+
+use super::{
+    Ball, Plain, Precision, Real, Sign,
+    ball_sine::{limbs_for, pi, series},
+    radius::Radius,
+};
+
+/// A rung with the elementary functions of its own numbers.
+pub trait Elementary: Real {
+    /// π.
+    fn pi(context: &Self::Context) -> Self;
+
+    /// e^x for every enclosed x.
+    #[must_use]
+    fn exp(&self, context: &Self::Context) -> Self;
+
+    /// sin x and cos x for every enclosed x.
+    fn sin_cos(&self, context: &Self::Context) -> (Self, Self);
+
+    /// √x for every enclosed x; nothing is known of the result if an enclosed x may be negative.
+    #[must_use]
+    fn sqrt(&self) -> Self;
+}
+
+/// No guarantee: the platform's own functions.
+impl Elementary for Plain {
+    fn pi((): &()) -> Plain {
+        Plain(std::f64::consts::PI)
+    }
+
+    fn exp(&self, (): &()) -> Plain {
+        Plain(self.0.exp())
+    }
+
+    fn sin_cos(&self, (): &()) -> (Plain, Plain) {
+        let (sin, cos) = self.0.sin_cos();
+        (Plain(sin), Plain(cos))
+    }
+
+    fn sqrt(&self) -> Plain {
+        Plain(self.0.sqrt())
+    }
+}
+
+/// Bits beyond the working precision in a series.
+const GUARD: u32 = 32;
+
+/// Sines and cosines of arguments beyond 2^4096 are answered by ±1: π to as many bits would be needed.
+const FAR: i64 = 4096;
+
+/// For b bits: width at most 3 times that of the correctly rounded enclosure for a point, and for wide arguments at most
+/// 1 + 2⁻⁸ times the width of the true range more. Cost: O(√b) products of b bits for exp, sin and cos.
+impl Elementary for Ball {
+    fn pi(context: &Precision) -> Ball {
+        let w = i64::from(context.pi_bits());
+        Ball::new(context.pi.clone(), -w, Radius::new(2, -w), context.bits())
+    }
+
+    /// From |x| ≥ 2⁶⁰ on only e^x < 1 or nothing.
+    fn exp(&self, context: &Precision) -> Ball {
+        let (bits, radius) = (context.bits(), self.radius());
+        if self.exponent() > 60 || (!radius.is_zero() && radius.exponent() > 60) {
+            let below = self.sign() == Some(Sign::Negative);
+            return if below { Ball::zero(bits).widened(Radius::ONE) } else { Ball::whole(bits) };
+        }
+        let value = point_exp(&self.centre(), bits);
+        if radius.is_zero() {
+            return value;
+        }
+        if radius.exponent() > -10 {
+            // Too wide for one slope; e^x rises, so that the end points bound it.
+            let (m, e) = radius.parts();
+            let reach = Ball::new(m.into(), e, Radius::ZERO, bits.max(64));
+            let [low, high] = [self.centre() - &reach, self.centre() + &reach].map(|end| end.exp(context));
+            return low.hull(&high);
+        }
+        // |e^(m+δ) − e^m| ≤ e^m (e^r − 1) ≤ e^m r (1 + r) for r < 1.
+        let change = value.greatest_magnitude() * radius * (Radius::ONE + radius);
+        value.widened(change)
+    }
+
+    fn sin_cos(&self, context: &Precision) -> (Ball, Ball) {
+        let (bits, radius) = (context.bits(), self.radius());
+        let anything = Ball::zero(bits).widened(Radius::ONE);
+        if self.exponent() > FAR || (!radius.is_zero() && radius.exponent() > 2) {
+            return (anything.clone(), anything);
+        }
+        let (sin, cos) = point_sin_cos(&self.centre(), context);
+        // |sin(m+δ) − sin m| ≤ r and ≤ |cos m| r + r²/2; from 1 on, [−1, 1] says more.
+        let widen = |value: &Ball, slope: &Ball| {
+            let curved = radius * slope.greatest_magnitude() + radius * radius * Radius::new(1, -1);
+            let change = if curved.is_below(radius) { curved } else { radius };
+            if change.is_below(Radius::ONE) { value.clone().widened(change) } else { anything.clone() }
+        };
+        (widen(&sin, &cos), widen(&cos, &sin))
+    }
+
+    fn sqrt(&self) -> Ball {
+        let (mid, exp, radius) = (self.mid(), self.unit_exponent(), self.radius());
+        let bits = self.bits();
+        let least = match self.sign() {
+            Some(Sign::Zero) => return self.clone(),
+            Some(Sign::Positive) => self.least_magnitude(),
+            _ => None,
+        };
+        let Some((least, least_exp)) = least else { return Ball::whole(bits) };
+        // √(m·2^e), e made even, to at least bits + 1 bits: the integer root is cut by less than 1.
+        let shift = (2 * i64::from(bits) + 2 - mid.bits() as i64).max(0);
+        let shift = shift + (exp - shift).rem_euclid(2);
+        let shifted = mid << shift;
+        let root = shifted.sqrt();
+        let root_exp = (exp - shift) / 2;
+        let mut error = if &root * &root == shifted { Radius::ZERO } else { Radius::new(1, root_exp) };
+        if !radius.is_zero() {
+            // |√(m+δ) − √m| ≤ r/(2√(m−r)), and 2³¹ ≤ least < 2³² makes the integer root of least·2³¹ or 2³² fit.
+            let even = 31 + (least_exp - 31).rem_euclid(2);
+            error = error + radius.over((least << even).sqrt(), (least_exp - even) / 2 + 1);
+        }
+        Ball::new(root, root_exp, error, bits)
+    }
+}
+
+/// e^x of a point, |x| < 2⁶⁰: e^|x| = (e^(|x|/2^k))^(2^k), |x|/2^k ≤ 2^−j for a j ≈ √bits.
+fn point_exp(x: &Ball, bits: u32) -> Ball {
+    let j = bits.sqrt();
+    let k = (x.exponent() + i64::from(j)).max(0) as u32;
+    // Each squaring doubles the relative error.
+    let w = bits + GUARD + k;
+    let t = shifted(x.mid().magnitude().clone().into(), x.unit_exponent() - i64::from(k) + i64::from(w));
+    let mut sum = (BigInt::one() << w) + &t;
+    let (mut term, mut n) = (t.clone(), 1u32);
+    loop {
+        n += 1;
+        term = ((term * &t) >> w) / n;
+        if term.is_zero() {
+            break;
+        }
+        sum += &term;
+    }
+    // All cuts go down: t by less than 1, each term (with what it takes over) by less than 2, the tail counts less than 3.
+    let scale = -i64::from(w);
+    let mut value = Ball::new(sum, scale, Radius::new(2 * u64::from(n) + 8, scale), w);
+    for _ in 0..k {
+        value = value.clone() * &value;
+    }
+    if x.sign() == Some(Sign::Negative) {
+        value = Ball::integer_at(1, w) / &value;
+    }
+    value.cut(bits)
+}
+
+/// sin x and cos x of a point.
+fn point_sin_cos(x: &Ball, context: &Precision) -> (Ball, Ball) {
+    let bits = context.bits();
+    if x.sign() == Some(Sign::Zero) {
+        return (Ball::zero(bits), Ball::integer_at(1, bits));
+    }
+    let length = limbs_for(bits + GUARD);
+    let v = 64 * length as u32;
+    let (quadrant, t) = reduced(x, v, context);
+    // |t| ≤ π/4 + 2^−v cut to v bits, within 1.01; its square within 2·0.79·1.01 + 1 < 4 and below 0.617.
+    let cut = shifted(t.mid().abs(), t.unit_exponent() + i64::from(v));
+    let y = (&cut * &cut) >> v;
+    let fixed = |first| {
+        Ball::new(series(&y, length, first), -i64::from(v), Radius::new(16, -i64::from(v)), bits + GUARD)
+    };
+    let (sin, cos) = ((fixed(1) * &t).cut(bits), fixed(0).cut(bits));
+    match quadrant {
+        0 => (sin, cos),
+        1 => (cos, -sin),
+        2 => (-sin, -cos),
+        _ => (-cos, sin),
+    }
+}
+
+/// n mod 4 and t = x − nπ/2 with |t| ≤ π/4 + 2^−v, within 2^(−v−4) and relative error below 2^−(bits + 32), for x ≠ 0.
+fn reduced(x: &Ball, v: u32, context: &Precision) -> (u8, Ball) {
+    if x.exponent() < 0 {
+        return (0, x.clone());
+    }
+    let good = context.bits() + GUARD;
+    // In units of 2^−w: x is cut by less than 1, π known within 3, n < 2^(exponent + 1).
+    let lost = x.exponent() as u32 + 4;
+    let mut w = v + 8 + lost;
+    loop {
+        let pi = if w <= context.pi_bits() { &context.pi >> (context.pi_bits() - w) } else { pi(w) };
+        let x = shifted(x.mid().clone(), x.unit_exponent() + i64::from(w));
+        let n: BigInt = (&x * 4i32 + &pi).div_floor(&(&pi * 2i32));
+        let twice: BigInt = x * 2i32 - &n * pi;
+        let deficit = i64::from(good + lost) - twice.bits() as i64;
+        if deficit <= 0 {
+            let quadrant = n.mod_floor(&4.into()).to_u8().unwrap_or(0);
+            let scale = -i64::from(w) - 1;
+            return (quadrant, Ball::new(twice, scale, Radius::new(1, scale + i64::from(lost)), w + lost));
+        }
+        // x is near a multiple of π/2, but no rational other than 0 is one.
+        w += deficit as u32;
+    }
+}
+
+/// ⌊x·2^e⌋.
+fn shifted(x: BigInt, e: i64) -> BigInt {
+    if e >= 0 { x << e } else { x >> -e }
+}

@@ -1,0 +1,114 @@
+//! Proofs of events along a branch of orbits: saddle-node, flip, grazing, with the parameter enclosed.
+
+use num_rational::BigRational;
+
+use super::{
+    Impact, Jet, Verdict,
+    admissible::Touch,
+    equations::Equations,
+    krawczyk::Search,
+    linear::Linear,
+    orbit::{admitted, equations, start},
+};
+use crate::{
+    error::{Error, Result},
+    number::{Ball, Precision, Real},
+    oscillator::{Side, System},
+};
+
+/// What happens at the event.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Condition {
+    /// A multiplier is 1: 1 − trace + det = 0.
+    SaddleNode,
+    /// A multiplier is −1: 1 + trace + det = 0.
+    Flip,
+    /// Between impacts the orbit touches a wall: z = z′ = 0 < z″.
+    Grazing {
+        /// The impact after which it does, from 0.
+        after: usize,
+        /// The wall.
+        side: Side,
+        /// About how long after that impact.
+        time: f64,
+    },
+}
+
+/// A proved event: at exactly one parameter value and orbit in the box the condition holds, and that orbit is admissible
+/// (but for the tangency, if it is one).
+#[derive(Debug, Clone)]
+pub struct Event {
+    /// The parameter's value.
+    pub parameter: Ball,
+    /// t_i.
+    pub phases: Vec<Ball>,
+    /// V_i > 0.
+    pub velocities: Vec<Ball>,
+    /// How long after its impact the tangency comes, if it is one.
+    pub time: Option<Ball>,
+    /// The middle of the box: t_1, …, t_m, V_1, …, V_m, the parameter, the time of the tangency.
+    pub centre: Vec<BigRational>,
+    /// Half the side of the box in which there is no other.
+    pub radius: BigRational,
+}
+
+/// Proves an event near the guess, in the largest box that allows it. `family` is the system at a parameter value.
+///
+/// # Errors
+/// As [`orbit`](super::orbit()), and those of `family`; also where damping² cannot be told from 4 stiffness over a box.
+pub fn event(
+    family: impl Fn(&Jet) -> Result<System<Jet>>,
+    impacts: &[Impact],
+    parameter: f64,
+    condition: Condition,
+    precision: &Precision,
+) -> Result<Verdict<Event>> {
+    let m = impacts.len();
+    let map = |unknowns: &[Jet]| {
+        let linear = Linear::enclosed(family(&unknowns[2 * m])?, precision)?;
+        let equations = equations(&linear, impacts)?;
+        let mut values = equations.residual(unknowns)?;
+        values.extend(extension(&equations, unknowns, condition)?);
+        Ok(values)
+    };
+    let mut guess = start(impacts);
+    guess.push(parameter);
+    if let Condition::Grazing { time, .. } = condition {
+        guess.push(time);
+    }
+    Search::run(&map, &guess, precision)?.and_then(|search| {
+        let unknowns: Vec<Jet> = search.found.iter().cloned().map(Jet::constant).collect();
+        let linear = Linear::enclosed(family(&unknowns[2 * m])?, precision)?;
+        let time = search.found.get(2 * m + 1).cloned();
+        let touch = match (condition, &time) {
+            (Condition::Grazing { after, side, .. }, Some(time)) => {
+                Some(Touch { flight: after, side, time: time.clone() })
+            }
+            _ => None,
+        };
+        admitted(&equations(&linear, impacts)?, &unknowns, touch.as_ref())?.and_then(|_| {
+            Ok(Verdict::Proved(Event {
+                parameter: search.found[2 * m].clone(),
+                phases: search.found[..m].to_vec(),
+                velocities: search.found[m..2 * m].to_vec(),
+                time,
+                centre: search.centre,
+                radius: search.radius,
+            }))
+        })
+    })
+}
+
+/// The condition's equations: as many as it has unknowns beside the parameter, and one.
+fn extension(equations: &Equations, unknowns: &[Jet], condition: Condition) -> Result<Vec<Jet>> {
+    let m = equations.impacts.len();
+    if let Condition::Grazing { after, side, .. } = condition {
+        let legs = equations.legs(unknowns)?;
+        let leg = legs.get(after).ok_or_else(|| Error::input(format!("there is no impact {after}")))?;
+        let [gap, speed, _] = equations.linear.gap(&leg.flight, side, &unknowns[2 * m + 1])?;
+        return Ok(vec![gap, speed]);
+    }
+    let (trace, determinant) = equations.multipliers(unknowns)?;
+    let sum = determinant + &Jet::integer(1, equations.linear.precision);
+    Ok(vec![if condition == Condition::Flip { sum + &trace } else { sum - &trace }])
+}

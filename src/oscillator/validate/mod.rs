@@ -1,0 +1,47 @@
+//! Proofs about periodic orbits of linear oscillators: existence, uniqueness in a box, admissibility, stability, events.
+//!
+//! Krawczyk's test over balls with first derivatives proves that the equations of an impact pattern, extended by the
+//! event's condition where one is asked for, have exactly one solution in a box. Approximations serve to choose the box only.
+//! Proved orbits are written as
+//! certificates, which `grazing check` proves again. Not here: continuation and approximate orbits.
+
+mod admissible;
+mod equations;
+mod event;
+mod jet;
+mod krawczyk;
+mod linear;
+mod orbit;
+mod write;
+
+pub use event::{Condition, Event, event};
+pub use jet::Jet;
+pub use orbit::{Impact, Orbit, Stability, orbit, solution_in};
+pub use write::certificate;
+
+use crate::error::Result;
+
+/// An answer with its proof, the reason why it is certainly not so, or the reason why nothing was shown.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Verdict<T> {
+    /// Proved.
+    Proved(T),
+    /// Certainly false.
+    Refuted(String),
+    /// Nothing is shown.
+    Undecided(String),
+}
+
+impl<T> Verdict<T> {
+    /// What follows from what is proved.
+    ///
+    /// # Errors
+    /// Those of `next`.
+    pub fn and_then<U>(self, next: impl FnOnce(T) -> Result<Verdict<U>>) -> Result<Verdict<U>> {
+        match self {
+            Verdict::Proved(proof) => next(proof),
+            Verdict::Refuted(why) => Ok(Verdict::Refuted(why)),
+            Verdict::Undecided(why) => Ok(Verdict::Undecided(why)),
+        }
+    }
+}

@@ -1,0 +1,143 @@
+//! What each effect of an oscillator costs: added one at a time to a bare linear one, timed, its evaluations counted.
+
+use std::time::{Duration, Instant};
+
+use crate::{
+    error::Result,
+    oscillator::{
+        Counts, Effect, Harmonic, System, Time, Wall,
+        simulate::{Settings, Simulator},
+    },
+};
+
+/// An oscillator with one effect more than the bare one.
+#[derive(Debug, Clone)]
+pub struct WithEffect {
+    /// What is added.
+    pub name: &'static str,
+    /// The system.
+    pub system: System<f64>,
+    /// The evaluations that it needs; all others must be counted 0 times.
+    pub needs: &'static [Effect],
+}
+
+/// What an oscillator costs.
+#[derive(Debug, Clone)]
+pub struct EffectCost {
+    /// What was added.
+    pub name: &'static str,
+    /// The mean time of a period at whose end the state is asked for.
+    pub time: Duration,
+    /// Impacts in the periods counted.
+    pub impacts: u64,
+    /// Evaluations in these periods, in the order of [`EFFECTS`].
+    pub counts: [u64; EFFECTS.len()],
+}
+
+/// All that is counted, with the names of the table's columns.
+pub const EFFECTS: [(Effect, &str); 7] = [
+    (Effect::Piece, "piece"),
+    (Effect::Drive, "drive"),
+    (Effect::Cubic, "cubic"),
+    (Effect::LowerGap, "lower_gap"),
+    (Effect::UpperGap, "upper_gap"),
+    (Effect::Search, "search"),
+    (Effect::Release, "release"),
+];
+
+/// Periods over which evaluations are counted.
+pub const PERIODS: i64 = 1000;
+
+const SPEED: f64 = 1.0 / 1.1;
+
+/// A linear oscillator q″ = −q/1.21, and each effect added to it alone; from q = 0, u = 1/1.1 the bare one moves between −1 and 1.
+pub fn effects() -> Vec<WithEffect> {
+    let bare = || System {
+        damping: 0.0,
+        stiffness: 1.0 / 1.21,
+        cubic: 0.0,
+        force: 0.0,
+        forcing: vec![],
+        lower: None,
+        upper: None,
+    };
+    let harmonic = |k: u32, cos| Harmonic { k, cos, sin: 0.0 };
+    let wall = |offset, amplitude| {
+        let harmonics = if amplitude == 0.0 { vec![] } else { vec![harmonic(1, amplitude)] };
+        Some(Wall { offset, harmonics, restitution: 1.0 })
+    };
+    use Effect::{Cubic, Drive, LowerGap, Piece, Search, UpperGap};
+    let with = |name, system, needs| WithEffect { name, system, needs };
+    vec![
+        with("bare", bare(), &[]),
+        with("damping", System { damping: 0.01, ..bare() }, &[]),
+        with("constant force", System { force: 0.1, ..bare() }, &[]),
+        with("forcing", System { forcing: vec![harmonic(1, 0.1)], ..bare() }, &[]),
+        with(
+            "forcing, 3 harmonics",
+            System { forcing: [1, 2, 3].map(|k| harmonic(k, 0.1)).to_vec(), ..bare() },
+            &[],
+        ),
+        with("wall, far away", System { lower: wall(-20.0, 0.0), ..bare() }, &[Piece, LowerGap]),
+        with("wall, hit", System { lower: wall(-0.5, 0.0), ..bare() }, &[Piece, LowerGap, Search]),
+        with("upper wall, hit", System { upper: wall(0.5, 0.0), ..bare() }, &[Piece, UpperGap, Search]),
+        with(
+            "two walls, hit",
+            System { lower: wall(-0.5, 0.0), upper: wall(0.5, 0.0), ..bare() },
+            &[Piece, LowerGap, UpperGap, Search],
+        ),
+        with(
+            "moving wall, hit",
+            System { lower: wall(-0.6, 0.1), ..bare() },
+            &[Piece, Drive, LowerGap, Search],
+        ),
+        with("cubic stiffness", System { cubic: 0.1, ..bare() }, &[Cubic]),
+    ]
+}
+
+impl WithEffect {
+    /// The evaluations in [`PERIODS`] periods from q = 0, u = 1/1.1, and the impacts.
+    ///
+    /// # Errors
+    /// None for [`effects`].
+    pub fn count(&self) -> Result<(Counts, u64)> {
+        let simulator = Simulator::new(&self.system, &Settings::default())?;
+        let mut counts = Counts::default();
+        let mut run = simulator.start_counting(Time::new(0, 0.0), 0.0, SPEED, &mut counts)?;
+        for period in 1..=PERIODS {
+            run.finish(Time::new(period, 0.0));
+        }
+        let impacts = run.impacts();
+        drop(run);
+        Ok((counts, impacts))
+    }
+
+    /// The mean time of a period, the least of several runs.
+    ///
+    /// # Errors
+    /// None for [`effects`].
+    pub fn time(&self) -> Result<Duration> {
+        let simulator = Simulator::new(&self.system, &Settings::default())?;
+        let mut least = Duration::MAX;
+        for _ in 0..20 {
+            let mut run = simulator.start(Time::new(0, 0.0), 0.0, SPEED)?;
+            let start = Instant::now();
+            for period in 1..=PERIODS {
+                std::hint::black_box(run.finish(Time::new(period, 0.0)));
+                std::hint::black_box(run.state());
+            }
+            least = least.min(start.elapsed());
+        }
+        Ok(least / PERIODS as u32)
+    }
+
+    /// Both.
+    ///
+    /// # Errors
+    /// None for [`effects`].
+    pub fn measure(&self) -> Result<EffectCost> {
+        let (counts, impacts) = self.count()?;
+        let counts = EFFECTS.map(|(effect, _)| counts.of(effect));
+        Ok(EffectCost { name: self.name, time: self.time()?, impacts, counts })
+    }
+}

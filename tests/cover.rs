@@ -1,0 +1,307 @@
+//! Covers as the search makes them: complete, true at random points by multi-precision, the same however a run goes.
+
+use std::{
+    collections::HashMap,
+    fs,
+    path::Path,
+    process::{Command, Stdio},
+    sync::Mutex,
+    thread,
+    time::{Duration, Instant},
+};
+
+use grazing::{
+    certificate::{self, cover::Leaf},
+    existence::{Existence, Variant, by_definition},
+    local::{Answer, Ladder, Point, Polar, Quantity},
+    number::Sign,
+    search::cover::{Cell, Chart, Cover, Options, certificate, cover, strips, units},
+};
+use num_bigint::BigInt;
+use num_rational::BigRational;
+
+fn covers(options: &Options) -> Vec<Cover> {
+    cover(options, HashMap::new(), &(), &|_, _| Ok(())).unwrap()
+}
+
+/// The numbers of a simple generator: these tests are the same on every run.
+struct Numbers(u64);
+
+impl Numbers {
+    fn below(&mut self, bound: u64) -> u64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 33) % bound
+    }
+
+    /// A point of an interval, its ends included.
+    fn between(&mut self, [low, high]: &[BigRational; 2]) -> BigRational {
+        low + (high - low) * BigRational::new(self.below(4097).into(), BigInt::from(4096))
+    }
+}
+
+/// All leaves of the covers of some periods, with their boxes.
+fn all_leaves(covers: &[Cover]) -> Vec<(u64, Chart, Leaf, Cell)> {
+    let mut all = Vec::new();
+    for cover in covers {
+        cover.leaves(|chart, leaf, cell| all.push((cover.n, chart.clone(), leaf, cell)));
+    }
+    all
+}
+
+#[test]
+fn nothing_is_open_and_the_checker_agrees() {
+    let options = Options::new(3..=16);
+    let covers = covers(&options);
+    let blocks: Vec<String> = covers.iter().map(|cover| cover.block().unwrap()).collect();
+    let text = certificate(&options.periods, &blocks);
+    let checked = certificate::check(text.as_bytes()).unwrap();
+    assert_eq!((checked.kind, checked.range), ("cover", 3..=16));
+    for cover in &covers {
+        let tally = cover.tally();
+        assert!(tally.open.is_empty() && cover.refuted.is_none());
+        // φ(n) + 1 areas.
+        let coprime = (1..cover.n).filter(|&m| num_integer::gcd(m, cover.n) == 1).count();
+        assert_eq!(tally.areas as usize, coprime + 1);
+    }
+}
+
+/// The boxes of a chart fill it: their areas add up, exactly.
+#[test]
+fn leaves_tile_region_3() {
+    for cover in covers(&Options::new(3..=12)) {
+        let mut area = BigRational::from_integer(0.into());
+        cover.leaves(|chart, _, cell| {
+            let [r, s] = chart.bounds(&cell);
+            area += (&r[1] - &r[0]) * (&s[1] - &s[0]);
+        });
+        assert_eq!(area, cover.r_max / BigInt::from(2), "n = {}", cover.n);
+    }
+}
+
+/// Whether a leaf's claim is true at a point; `None` where multi-precision cannot tell or u_n = 0.
+fn holds(ladder: &Ladder, n: u64, chart: &Chart, leaf: Leaf, point: &Point) -> Option<bool> {
+    let found = by_definition(ladder, point, n);
+    let b = |k| match ladder.sign(point, Quantity::B { n, k }).answer {
+        Answer::Sign(sign) => Some(sign),
+        _ => None,
+    };
+    let case = chart.strip.interval.as_ref().map(|interval| interval.case);
+    match (leaf, found) {
+        (_, Existence::Undecided | Existence::Singular) | (Leaf::Open, _) => None,
+        (Leaf::None { positive, negative }, Existence::None { .. }) => {
+            let (positive, negative) = (b(positive)?, b(negative)?);
+            Some(positive != Sign::Zero && positive == -negative)
+        }
+        (Leaf::Orbit { .. }, Existence::Orbit(found)) => Some(Some(found) == case),
+        (Leaf::Edge { deciding, .. }, Existence::Orbit(found)) => {
+            Some(Some(found) == case && b(deciding)? == sign_of(found.sign_emu()))
+        }
+        (Leaf::Edge { deciding, .. }, Existence::None { .. } | Existence::Iterate(_)) => {
+            Some(b(deciding)? != sign_of(case?.sign_emu()))
+        }
+        _ => Some(false),
+    }
+}
+
+fn sign_of(sign: i8) -> Sign {
+    if sign > 0 { Sign::Positive } else { Sign::Negative }
+}
+
+#[test]
+fn claims_hold_at_random_points_in_multi_precision() {
+    let (ladder, mut numbers) = (Ladder::default(), Numbers(1));
+    let periods: Vec<Cover> =
+        covers(&Options::new(3..=20)).into_iter().chain(covers(&Options::new(37..=37))).collect();
+    let leaves = all_leaves(&periods);
+    let mut decided = 0;
+    for _ in 0..10_000 {
+        let (n, chart, leaf, cell) = &leaves[numbers.below(leaves.len() as u64) as usize];
+        let [r, s] = chart.bounds(cell);
+        let (r, s) = (numbers.between(&r), numbers.between(&s));
+        // r = 0 and s = 0, ½ belong to no point of region 3.
+        let Ok(polar) = Polar::new(r.clone(), s.clone()) else { continue };
+        if let Some(holds) = holds(&ladder, *n, chart, *leaf, &Point::Polar(polar)) {
+            assert!(holds, "{leaf} of n = {n} at r = {r}, s = {s}");
+            decided += 1;
+        }
+    }
+    assert!(decided > 9_500, "{decided}");
+}
+
+/// Where an Orbit leaf touches u_n = 0, its box goes up to the line and not beyond.
+#[test]
+fn singular_lines_are_sides_of_strips() {
+    for n in 3..=40 {
+        let strips = strips(n, Variant::True).unwrap();
+        for pair in strips.windows(2) {
+            assert_eq!(pair[0].right, pair[1].left);
+        }
+        for j in 0..=n {
+            let line = num_rational::Ratio::new(j, 2 * n);
+            assert!(strips.iter().any(|strip| strip.left == line || strip.right == line));
+        }
+    }
+}
+
+#[test]
+fn false_variants_are_refuted_at_a_point() {
+    for variant in [Variant::NeighboursExchanged, Variant::EndsShifted] {
+        for cover in covers(&Options { variant, ..Options::new(5..=9) }) {
+            // With n₊ = n₋ nothing is exchanged; n = 4, 6 have only such areas, or ends 1/n.
+            let case = cover.refuted.clone();
+            let case = case.unwrap_or_else(|| panic!("{variant:?} of n = {} is not refuted", cover.n));
+            assert_eq!(case.n, cover.n);
+            let existence = by_definition(&Ladder::default(), &case.point, case.n);
+            assert!(
+                matches!(existence, Existence::Orbit(_) | Existence::None { .. }),
+                "{case}: {existence:?}"
+            );
+            assert!(!cover.is_complete());
+        }
+    }
+}
+
+#[test]
+fn what_cannot_be_decided_is_left_open_and_listed() {
+    let options = Options { max_depth: 3, ..Options::new(8..=8) };
+    let cover = covers(&options).remove(0);
+    let tally = cover.tally();
+    assert!(!tally.open.is_empty() && tally.open_area() > 0.0 && tally.depth == 3);
+    let text = certificate(&options.periods, &[cover.block().unwrap()]);
+    let rejection = certificate::check(text.as_bytes()).unwrap_err().to_string();
+    assert!(rejection.contains(&format!("{} leaves are open", tally.open.len())), "{rejection}");
+}
+
+/// A unit depends on nothing but its period and strip: known ones are taken as they are, the others come out alike.
+#[test]
+fn a_run_goes_on_from_any_subset() {
+    let options = Options::new(7..=9);
+    let done = Mutex::new(HashMap::new());
+    let keep = |unit, trees: &str| {
+        done.lock().unwrap().insert(unit, trees.to_string());
+        Ok(())
+    };
+    let whole: Vec<_> = cover(&options, HashMap::new(), &(), &keep).unwrap();
+    let done = done.into_inner().unwrap();
+    assert_eq!(done.len(), units(&options).unwrap().len());
+    let mut numbers = Numbers(2);
+    for _ in 0..10 {
+        let known: HashMap<_, _> = done
+            .iter()
+            .filter(|_| numbers.below(2) == 0)
+            .map(|(unit, trees)| (*unit, trees.clone()))
+            .collect();
+        let (expected, count) = (done.len() - known.len(), Mutex::new(0));
+        let again = cover(&options, known, &(), &|_, _| {
+            *count.lock().unwrap() += 1;
+            Ok(())
+        });
+        for (a, b) in again.unwrap().iter().zip(&whole) {
+            assert_eq!(a.block(), b.block());
+        }
+        assert_eq!(count.into_inner().unwrap(), expected);
+    }
+    let damaged = HashMap::from([((8, 0), "M;".to_string())]);
+    assert!(cover(&options, damaged, &(), &|_, _| Ok(())).unwrap_err().is_input());
+}
+
+fn grazing(arguments: &str, folder: &Path) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_grazing"));
+    command.args(arguments.split_whitespace()).current_dir(folder);
+    command
+}
+
+fn stderr_of(arguments: &str, folder: &Path, code: i32) -> String {
+    let output = grazing(arguments, folder).output().unwrap();
+    assert_eq!(output.status.code(), Some(code), "{arguments}");
+    String::from_utf8(output.stderr).unwrap()
+}
+
+/// Killed (SIGKILL) at random instants and resumed, a run writes the certificate of an undisturbed one.
+#[test]
+fn a_killed_run_resumes_to_the_same_certificate() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let range = "24..=44";
+    let start = Instant::now();
+    assert!(
+        grazing(&format!("cover {range} --jobs 2 --certificate whole"), folder)
+            .output()
+            .unwrap()
+            .status
+            .success()
+    );
+    let whole = start.elapsed();
+    let one_job = format!("cover {range} --jobs 1 --certificate one");
+    assert!(grazing(&one_job, folder).output().unwrap().status.success());
+    let read = |name: &str| fs::read(folder.join(name)).unwrap();
+    assert!(read("whole") == read("one"), "the certificate depends on the number of threads");
+    let mut numbers = Numbers(3);
+    for round in 0..3 {
+        let (journal, out) = (format!("journal{round}"), format!("out{round}"));
+        let arguments = format!("cover {range} --jobs 2 --resume {journal} --certificate {out}");
+        let (mut kills, mut before) = (0, 0);
+        for _ in 0..8 {
+            let mut child =
+                grazing(&arguments, folder).stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
+            thread::sleep(whole * numbers.below(300) as u32 / 1000 + Duration::from_millis(1));
+            child.kill().unwrap();
+            kills += u32::from(!child.wait().unwrap().success());
+            // A torn record on top, whatever the kill left.
+            let path = folder.join(&journal);
+            let mut text = fs::read(&path).unwrap_or_default();
+            let whole_lines = text.iter().rposition(|&byte| byte == b'\n').map_or(0, |at| at + 1);
+            assert!(whole_lines >= before, "finished work was lost");
+            before = whole_lines;
+            if whole_lines > 0 {
+                text.extend_from_slice(b"0123456789abcdef 44 3 rsN1");
+                fs::write(&path, text).unwrap();
+            }
+        }
+        assert!(kills > 0);
+        assert!(grazing(&arguments, folder).output().unwrap().status.success());
+        assert!(read(&out) == read("whole"), "round {round}");
+        // All is known now, and nothing changes.
+        let journal_text = read(&journal);
+        assert!(grazing(&arguments, folder).output().unwrap().status.success());
+        assert!(read(&out) == read("whole") && read(&journal) == journal_text);
+    }
+    let other = stderr_of("cover 24..=45 --resume journal0", folder, 2);
+    assert!(other.contains("it is of another run") && other.contains("24..=45"), "{other}");
+    let r_max = stderr_of(&format!("cover {range} --resume journal0 --max-depth 40"), folder, 2);
+    assert!(r_max.contains("it is of another run"), "{r_max}");
+    fs::write(folder.join("notes"), "these are\nnot a journal\n").unwrap();
+    assert!(stderr_of("cover 8 --resume notes", folder, 2).contains("it is not a journal"));
+}
+
+#[test]
+fn the_command_reports_what_is_proved() {
+    let folder = tempfile::tempdir().unwrap();
+    let run = |arguments: &str| {
+        let output = grazing(arguments, folder.path()).output().unwrap();
+        (output.status.code().unwrap(), String::from_utf8(output.stdout).unwrap())
+    };
+    let (code, text) = run("cover 8 --certificate c");
+    assert_eq!(code, 0);
+    assert!(text.starts_with("Proved: Conjecture 1 for r <= 1 - 1/n^3 and period n = 8.\n"), "{text}");
+    assert_eq!(run("check c"), (0, "c: proved, cover for n = 8..=8\n".to_string()));
+    let (code, text) = run("cover 8 --max-depth 4 --format json --certificate none");
+    let report: serde_json::Value = serde_json::from_str(&text).unwrap();
+    assert_eq!((code, &report["verdict"]), (3, &"undecided".into()));
+    let period = &report["periods"][0];
+    assert!(!period["open"].as_array().unwrap().is_empty() && period["rejection"].is_string(), "{text}");
+    assert!(!folder.path().join("none").exists());
+    let (code, text) = run("cover 8 --max-depth 4");
+    assert_eq!(code, 3);
+    assert!(text.contains("    open: r in [0.") && text.contains("--format json lists them all"), "{text}");
+    for (arguments, expected) in [
+        ("cover 2", "covers are for periods from 3 up, not 2"),
+        ("cover 8 --r-max 1", "r_max = 1: a fraction between 0 and 1"),
+        ("cover 8 --r-max 0.9", "r_max = 9/10 may lie below an area of period 8: give at least 1 - 4.9/8^3"),
+        ("cover 300", "`grazing cover` goes up to period 256, not 300"),
+    ] {
+        let message = stderr_of(arguments, folder.path(), 2);
+        assert!(message.contains(expected), "grazing {arguments}: {message}");
+    }
+    assert_eq!(run("cover 8 --r-max 0.9999").0, 0);
+}
