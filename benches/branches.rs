@@ -25,7 +25,7 @@ fn branches(criterion: &mut Criterion) {
     let exact = SingleImpact::new(oscillator.system(), Side::Lower, 4).unwrap();
     let (speed, range) = (exact.speeds()[0], (-0.1, 0.01));
     let orbits = Orbits { family: &family, itinerary: Itinerary::at(Side::Lower, &[4]).unwrap(), range };
-    for most_step in [0.1, 1e-3] {
+    for most_step in [0.1f64, 1e-3] {
         let options = Options { step: most_step.min(0.01), most_step, points: 5000, ..Options::default() };
         let start = orbits.start(vec![exact.phase(speed), speed], -0.05, &options).unwrap();
         let follow = || Branch::follow(&orbits, black_box(&start), Direction::Backward, &options).unwrap();

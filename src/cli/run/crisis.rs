@@ -73,7 +73,7 @@ fn persistence(task: &CrisisTask, job: &Job, parameter: f64) -> Result<u64> {
     let mut run = simulator.start(Time::new(0, t), q, u)?;
     let (mut last, mut impacts) = (0, 0);
     for period in 1..=task.periods {
-        if period % 4096 == 0 {
+        if period.is_multiple_of(4096) {
             job.interrupt.check()?;
         }
         run.finish(Time::new(period as i64, t));

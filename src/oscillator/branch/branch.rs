@@ -128,7 +128,7 @@ impl Branch {
         let off = |a: &Orbit, b: &Orbit, part: f64| -> f64 {
             let apart = |i: usize| {
                 let apart = a.z[i] + part * (b.z[i] - a.z[i]) - orbit.z[i];
-                if i % 2 == 0 && !orbit.itinerary.strikes().is_empty() {
+                if i.is_multiple_of(2) && !orbit.itinerary.strikes().is_empty() {
                     apart - TAU * (apart / TAU).round()
                 } else {
                     apart
