@@ -54,9 +54,8 @@ pub(super) fn run(task: &BranchTask, job: &Job, report: &mut Report) -> Result<(
     if task.second.is_none() {
         let drawing = Drawing { family: &family, phase: phase(&task.phase), frame: task.frame };
         let curves = found.iter().map(|branch| drawing.curve(branch)).collect::<Result<Vec<_>>>()?;
-        let name = format!("{}-picture", job.task.name);
-        figure::branches(&curves, &[], [&task.parameter, drawing.axis()], job.folder, &name)?;
-        files.extend(["svg", "csv"].map(|end| format!("{name}.{end}")));
+        figure::branches(&curves, &[], [&task.parameter, drawing.axis()], job.folder, &job.task.name)?;
+        files.extend(["svg", "csv"].map(|end| format!("{}.{end}", job.task.name)));
     }
     let mut rows = Rows::new(COLUMNS);
     let mut events = Rows::new(COLUMNS);
@@ -73,11 +72,11 @@ pub(super) fn run(task: &BranchTask, job: &Job, report: &mut Report) -> Result<(
         }
         ends.push(format!("branch {i}: {} and {}", branch.ends[0], branch.ends[1]));
     }
-    files.push(format!("{}.csv", job.task.name));
+    files.push(format!("{}-points.csv", job.task.name));
     report.say("points", found.iter().map(|branch| branch.points.len()).sum::<usize>());
     report.say("ends", ends);
     report.undecided |= found.is_empty();
-    rows.save(job)?;
+    rows.save(job, "-points.csv")?;
     report.table("labels", events);
     report.say("files", files);
     Ok(())

@@ -45,9 +45,9 @@ impl Rows {
         self.rows.push(row.to_vec());
     }
 
-    /// Writes the table as the task's CSV file.
-    pub fn save(&self, job: &Job) -> Result<()> {
-        let file = job.folder.join(format!("{}.csv", job.task.name));
+    /// Writes the table as the task's CSV file with this ending.
+    pub fn save(&self, job: &Job, end: &str) -> Result<()> {
+        let file = job.folder.join(format!("{}{end}", job.task.name));
         write_file(&file, |out| self.write(out, TableFormat::Csv))
     }
 
@@ -125,7 +125,7 @@ impl Report {
 
     /// Adds a table, and writes it as the task's CSV file.
     pub fn rows(&mut self, name: &'static str, rows: Rows, job: &Job) -> Result<()> {
-        rows.save(job)?;
+        rows.save(job, ".csv")?;
         self.table(name, rows);
         Ok(())
     }
