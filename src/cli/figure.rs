@@ -45,6 +45,12 @@ enum Figure {
     /// The iterate boundaries b_{n,k} = 0 that bound areas, n = 3 to N.
     #[value(name = "4")]
     Iterate,
+    /// Branches of the non-impacting and the single-impact orbits of section 4.2 over mu.
+    #[value(name = "6")]
+    Branches,
+    /// The attractor of section 4.2 between mu_gr4 and mu_cr, with the branch of period 4.
+    #[value(name = "7")]
+    Diagram,
     /// The areas where orbits of period N exist, from a proved cover.
     #[value(name = "5")]
     Areas,
@@ -87,6 +93,8 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
         Figure::Tips => {
             figure::tips(n, &args.output, &Progress::new(interrupt, n.saturating_sub(3), "periods"))?
         }
+        Figure::Branches => paper("figure6", &args.output, interrupt)?,
+        Figure::Diagram => paper("figure7", &args.output, interrupt)?,
         Figure::Before => paper("figure8", &args.output, interrupt)?,
         Figure::Near => paper("figure9", &args.output, interrupt)?,
         Figure::After => paper("figure10", &args.output, interrupt)?,

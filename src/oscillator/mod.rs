@@ -6,12 +6,15 @@
 
 pub mod attractor;
 pub mod basin;
+pub mod branch;
 mod contact;
 mod counter;
 pub mod critical;
+pub mod diagram;
 pub mod flow;
 pub mod grazing;
 pub mod lyapunov;
+pub mod manifold;
 pub mod orbit;
 mod rise;
 pub mod scene;

@@ -1,6 +1,9 @@
 //! `grazing run`: the tasks of a scene. Each kind of task is run by the file of its name.
 
 mod basins;
+mod branch;
+mod crisis;
+mod diagram;
 mod event;
 mod grazing;
 mod orbit;
@@ -105,6 +108,9 @@ impl<'a> Job<'a> {
             Kind::OrbitTask(task) => orbit::run(task, self, &mut report),
             Kind::EventTask(task) => event::run(task, self, &mut report),
             Kind::GrazingTask(task) => grazing::run(task, self, &mut report),
+            Kind::BranchTask(task) => branch::run(task, self, &mut report),
+            Kind::DiagramTask(task) => diagram::run(task, self, &mut report),
+            Kind::CrisisTask(task) => crisis::run(task, self, &mut report),
             Kind::ValidateTask(task) => validate::run(task, self, &mut report),
         }?;
         Ok(report)

@@ -45,6 +45,12 @@ impl Rows {
         self.rows.push(row.to_vec());
     }
 
+    /// Writes the table as the task's CSV file with this ending.
+    pub fn save(&self, job: &Job, end: &str) -> Result<()> {
+        let file = job.folder.join(format!("{}{end}", job.task.name));
+        write_file(&file, |out| self.write(out, TableFormat::Csv))
+    }
+
     fn write(&self, out: &mut dyn Write, format: TableFormat) -> Result<()> {
         let columns = self.columns.iter().enumerate().map(|(i, name)| {
             let width = self.rows.iter().map(|row| text(&row[i]).chars().count()).max();
@@ -119,8 +125,7 @@ impl Report {
 
     /// Adds a table, and writes it as the task's CSV file.
     pub fn rows(&mut self, name: &'static str, rows: Rows, job: &Job) -> Result<()> {
-        let file = job.folder.join(format!("{}.csv", job.task.name));
-        write_file(&file, |out| rows.write(out, TableFormat::Csv))?;
+        rows.save(job, ".csv")?;
         self.table(name, rows);
         Ok(())
     }

@@ -91,7 +91,12 @@ const ROUNDING: f64 = 1e-6;
 ///
 /// A cell is a sixteenth of the fastest period (but there are no more than 10⁶); within one z″ is taken to change sign once at most, so z′ is monotone on
 /// either side of that point and every root of z′ is found.
-fn minima(oscillator: &Oscillator, leg: usize, from: State, time: f64) -> Vec<Minimum> {
+pub(in crate::oscillator) fn minima(
+    oscillator: &Oscillator,
+    leg: usize,
+    from: State,
+    time: f64,
+) -> Vec<Minimum> {
     let flow = oscillator.flow();
     let mut found = Vec::new();
     for wall in oscillator.walls() {

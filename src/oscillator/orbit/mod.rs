@@ -16,6 +16,7 @@ mod search;
 mod single;
 mod solution;
 
+pub(super) use admissible::minima;
 pub use admissible::{Admissibility, Check, Minimum, check};
 pub(super) use algebra::{resolve, solve};
 pub use equations::{Linearised, duration, linearise};

@@ -4,6 +4,7 @@
 //! Numbers are exact; coefficients are rational expressions in named parameters ([`Expression`]). Not here: running the
 //! tasks (`cli::run`).
 
+pub mod branches;
 mod expression;
 mod input;
 mod keys;

@@ -5,6 +5,7 @@
 use num_rational::BigRational;
 
 use super::{
+    branches::{BranchTask, CrisisTask, DiagramTask},
     expression::Expression,
     keys::{Entry, Key, Record, Value, keys},
     orbits::{EventTask, GrazingTask, OrbitTask},
@@ -106,6 +107,9 @@ kinds! {
     "orbit" OrbitTask,
     "event" EventTask,
     "grazing" GrazingTask,
+    "branch" BranchTask,
+    "diagram" DiagramTask,
+    "crisis" CrisisTask,
     "validate" ValidateTask,
 }
 

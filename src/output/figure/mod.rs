@@ -3,6 +3,7 @@
 //! A picture is 2000 units wide and meant for a journal's column of 86 mm, where its text has about 7 points.
 
 mod accuracy;
+mod branches;
 mod cover;
 mod flow_accuracy;
 mod grid;
@@ -16,6 +17,7 @@ mod section;
 mod tips;
 
 pub use accuracy::{accuracy_figure, accuracy_table};
+pub use branches::{Curve, Scatter, branches};
 pub use cover::areas;
 pub use flow_accuracy::{effects_table, flow_accuracy, flow_table, long_runs_table};
 pub use grid::{Grid, grid};

@@ -1,0 +1,124 @@
+//! Pseudo-arclength continuation of any curve given by n equations in n + 1 unknowns.
+//!
+//! From a point u with unit tangent t the next is predicted at u + h t and corrected by Newton's method on the equations with
+//! t·(v − u) = h. Nothing here singles out a parameter, so folds are points like others. Not here: what the equations
+//! say (`orbits`, `events`) and when to end (`follow`).
+
+use super::super::orbit::solve;
+use crate::error::{Error, Result};
+
+/// n equations at one point, with their derivatives by the n + 1 unknowns, by rows.
+#[derive(Debug, Clone)]
+pub struct Equations {
+    /// F.
+    pub residual: Vec<f64>,
+    /// ∂F/∂u.
+    pub jacobian: Vec<Vec<f64>>,
+}
+
+/// A curve: the zeros of n equations in n + 1 unknowns.
+pub trait Curve {
+    /// The equations at u.
+    ///
+    /// # Errors
+    /// An input error where they are not defined.
+    fn equations(&self, u: &[f64]) -> Result<Equations>;
+}
+
+/// A point of a curve with the unit tangent there.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Foot {
+    /// The unknowns.
+    pub u: Vec<f64>,
+    /// The tangent, pointing the way the curve is followed.
+    pub tangent: Vec<f64>,
+    /// The largest |F_i|.
+    pub residual: f64,
+    /// Newton steps that it took.
+    pub steps: u32,
+}
+
+/// When Newton's method ends.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Corrector {
+    /// A step no longer than this is the last one.
+    pub tolerance: f64,
+    /// Most steps.
+    pub steps: u32,
+}
+
+impl Corrector {
+    /// The point of the curve near `guess` in the hyperplane through it that is normal to `normal`, the tangent there within a
+    /// right angle of `normal`. Cost: O(n³) and one evaluation a step.
+    ///
+    /// # Errors
+    /// An input error where the equations are not defined, or if Newton's method does not end.
+    pub fn correct(&self, curve: &impl Curve, guess: &[f64], normal: &[f64]) -> Result<Foot> {
+        let mut u = guess.to_vec();
+        for steps in 1..=self.steps {
+            let here = curve.equations(&u)?;
+            let mut right = here.residual;
+            right.push(dot(normal, &u) - dot(normal, guess));
+            let step = bordered(here.jacobian, normal, right)?;
+            u.iter_mut().zip(&step).for_each(|(u, step)| *u -= step);
+            if norm(&step) <= self.tolerance {
+                let there = curve.equations(&u)?;
+                let residual = there.residual.iter().fold(0.0, |most: f64, f| most.max(f.abs()));
+                let tangent = tangent(there.jacobian, normal)?;
+                return Ok(Foot { u, tangent, residual, steps });
+            }
+        }
+        Err(Error::input(format!("Newton's method did not end in {} steps", self.steps)))
+    }
+
+    /// The point a step `h` on from `foot`.
+    ///
+    /// # Errors
+    /// As [`Corrector::correct`].
+    pub fn step(&self, curve: &impl Curve, foot: &Foot, h: f64) -> Result<Foot> {
+        let guess: Vec<f64> = foot.u.iter().zip(&foot.tangent).map(|(u, t)| u + h * t).collect();
+        self.correct(curve, &guess, &foot.tangent)
+    }
+
+    /// The point of the curve nearest to `guess`, as far as Newton's method can tell that does not know the tangent yet: the
+    /// unknown `fixed` is kept. The tangent has that component not negative.
+    ///
+    /// # Errors
+    /// As [`Corrector::correct`].
+    pub fn start(&self, curve: &impl Curve, guess: &[f64], fixed: usize) -> Result<Foot> {
+        let mut normal = vec![0.0; guess.len()];
+        normal[fixed] = 1.0;
+        self.correct(curve, guess, &normal)
+    }
+}
+
+/// The unit vector in the kernel of a Jacobian, within a right angle of `near`.
+fn tangent(jacobian: Vec<Vec<f64>>, near: &[f64]) -> Result<Vec<f64>> {
+    let mut right = vec![0.0; near.len()];
+    right[near.len() - 1] = 1.0;
+    let mut tangent = bordered(jacobian, near, right)?;
+    let length = norm(&tangent);
+    tangent.iter_mut().for_each(|t| *t /= length);
+    Ok(tangent)
+}
+
+/// The solution of the Jacobian's equations and one more with the row `last`.
+fn bordered(mut jacobian: Vec<Vec<f64>>, last: &[f64], right: Vec<f64>) -> Result<Vec<f64>> {
+    jacobian.push(last.to_vec());
+    solve(jacobian, right).ok_or_else(|| Error::input("the curve has no tangent here: a singular Jacobian"))
+}
+
+/// a·b.
+pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+/// |a|.
+pub(super) fn norm(a: &[f64]) -> f64 {
+    dot(a, a).sqrt()
+}
+
+/// a − b.
+pub(super) fn difference(a: &[f64], b: &[f64]) -> Vec<f64> {
+    a.iter().zip(b).map(|(a, b)| a - b).collect()
+}

@@ -1,0 +1,314 @@
+//! Following a curve: step control, events between points, and why it ended.
+
+use super::{
+    Options,
+    curve::{Corrector, Curve, Foot, difference, dot, norm},
+};
+use crate::error::{Error, Result};
+
+/// A curve that is looked at along the way.
+pub trait Followed: Curve {
+    /// What is known of a point.
+    type View;
+
+    /// Looks at a point.
+    ///
+    /// # Errors
+    /// An input error where that is not possible; the step is then halved.
+    fn view(&self, foot: &Foot) -> Result<Self::View>;
+
+    /// Functions along the curve, as many at every point: where one changes sign is an event. `None` where one is not defined.
+    fn monitors(&self, foot: &Foot, view: &Self::View) -> Vec<Option<f64>>;
+
+    /// Whether the point is what the curve is followed for. Where that changes, a monitor changes sign.
+    fn holds(&self, view: &Self::View) -> bool;
+
+    /// The unknowns that have bounds, with them.
+    fn bounds(&self) -> Vec<(usize, f64, f64)>;
+}
+
+/// A point that the curve was followed through.
+#[derive(Debug, Clone)]
+pub struct Step<V> {
+    /// The point.
+    pub foot: Foot,
+    /// What is known of it.
+    pub view: V,
+    /// The number of the monitor that is zero here.
+    pub event: Option<usize>,
+    /// The curve's length from the start, along chords.
+    pub length: f64,
+}
+
+/// Why a curve was followed no further.
+#[derive(Debug, Clone, PartialEq)]
+pub enum End {
+    /// An unknown is at its bound.
+    Bound,
+    /// The curve is no longer what it was followed for.
+    Fails,
+    /// It is back where it started.
+    Closed,
+    /// As many points as were allowed.
+    Points,
+    /// It starts there.
+    Start,
+    /// Even the shortest step could not be taken.
+    Lost(String),
+}
+
+/// The points from `start` on in the direction of its tangent, the start first, and why there are no more. Two events of one
+/// monitor within a step go unseen: `most_step` bounds what can be missed.
+///
+/// # Errors
+/// An input error if the start itself cannot be looked at.
+pub fn follow<C: Followed>(curve: &C, start: Foot, options: &Options) -> Result<(Vec<Step<C::View>>, End)> {
+    let view = curve.view(&start)?;
+    let origin = start.clone();
+    let mut walk = Walk { curve, corrector: options.corrector(), options };
+    let mut steps = vec![Step { foot: start, view, event: None, length: 0.0 }];
+    let (mut h, mut points) = (options.step, 1u32);
+    loop {
+        if points == options.points {
+            return Ok((steps, End::Points));
+        }
+        let here = steps.last().unwrap_or_else(|| unreachable!("the start is there"));
+        let (mut new, next, end) = match walk.advance(here, h) {
+            Ok(found) => found,
+            Err(_) if h / 2.0 >= options.least_step => {
+                h /= 2.0;
+                continue;
+            }
+            Err(error) => return Ok((steps, End::Lost(error.to_string()))),
+        };
+        // A start inside the step just made, and close to the curve there: the curve is closed.
+        let (from, to) = (&here.foot, &new.last().unwrap_or_else(|| unreachable!("a step has an end")).foot);
+        let back = difference(&origin.u, &from.u);
+        let ahead = dot(&back, &from.tangent);
+        if points > 2 && ahead > 0.0 && dot(&difference(&to.u, &origin.u), &from.tangent) >= 0.0 {
+            let there = walk.corrector.step(curve, from, ahead)?;
+            if norm(&difference(&there.u, &origin.u)) < 1e-6 * (1.0 + norm(&origin.u)) {
+                return Ok((steps, End::Closed));
+            }
+        }
+        steps.append(&mut new);
+        points += 1;
+        if let Some(end) = end {
+            return Ok((steps, end));
+        }
+        h = next;
+    }
+}
+
+struct Walk<'a, C> {
+    curve: &'a C,
+    corrector: Corrector,
+    options: &'a Options,
+}
+
+/// The new points of a step, the length to try next, and the end if it came.
+type Advance<V> = (Vec<Step<V>>, f64, Option<End>);
+
+impl<C: Followed> Walk<'_, C> {
+    fn advance(&mut self, here: &Step<C::View>, h: f64) -> Result<Advance<C::View>> {
+        let mut foot = self.corrector.step(self.curve, &here.foot, h)?;
+        let turned = dot(&foot.tangent, &here.foot.tangent).clamp(-1.0, 1.0).acos();
+        if turned > self.options.turn {
+            return Err(Error::input(format!("the curve turns by {turned:.2} within the shortest step")));
+        }
+        let (mut reach, mut end) = (h, None);
+        for (unknown, low, high) in self.curve.bounds() {
+            let (before, after) = (here.foot.u[unknown], foot.u[unknown]);
+            let bound = if after < low && low < before {
+                low
+            } else if after > high && high > before {
+                high
+            } else if (before <= low && after < before) || (before >= high && after > before) {
+                return Ok((vec![], h, Some(End::Bound)));
+            } else {
+                continue;
+            };
+            let past = |h: f64| {
+                let foot = self.corrector.step(self.curve, &here.foot, h)?;
+                Ok((Some(foot.u[unknown] - bound), foot))
+            };
+            let (at, found) = root(past, (0.0, before - bound), (reach, after - bound));
+            let mut found = found.ok_or_else(|| Error::input("no point at the bound"))?;
+            found.u[unknown] = bound;
+            (reach, foot, end) = (at, found, Some(End::Bound));
+        }
+        let view = self.curve.view(&foot)?;
+        let mut events = self.events(here, &foot, &view, reach)?;
+        events.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let (mut steps, foot_end) = (Vec::new(), foot.clone());
+        let length = |foot: &Foot| here.length + norm(&difference(&foot.u, &here.foot.u));
+        for index in 0..events.len() {
+            let (at, event, foot) = events[index].clone();
+            let view = self.curve.view(&foot)?;
+            steps.push(Step { length: length(&foot), foot, view, event: Some(event) });
+            // What holds after the event is asked halfway to the next.
+            let beyond = events.get(index + 1).map_or(reach, |next| next.0);
+            let middle = self.between(&here.foot, &foot_end, reach, at + (beyond - at) / 2.0)?;
+            if !self.options.beyond && !self.curve.holds(&self.curve.view(&middle)?) {
+                return Ok((steps, h, Some(End::Fails)));
+            }
+        }
+        if !self.options.beyond && !self.curve.holds(&view) {
+            return Err(Error::input("the curve ceases to be what it was, and no event says why"));
+        }
+        // Four Newton steps are about right, and a turn of half of what is allowed.
+        let wanted = 2f64.powf((4.0 - f64::from(foot.steps)) / 2.0);
+        let straight = 0.7 * self.options.turn / turned.max(1e-9);
+        let next =
+            (h * wanted.min(straight).clamp(0.3, 2.0)).clamp(self.options.least_step, self.options.most_step);
+        steps.push(Step { length: length(&foot), foot, view, event: None });
+        Ok((steps, next, end))
+    }
+
+    /// The point at h of a step that led from a to b, guessed so near that Newton's method keeps to this curve where another crosses.
+    fn between(&self, a: &Foot, b: &Foot, reach: f64, h: f64) -> Result<Foot> {
+        self.corrector.correct(self.curve, &cubic(a, b, h / reach), &a.tangent)
+    }
+
+    /// The zero of a function close to h, where the equations are so nearly singular that no point can be had: from the points on either side.
+    fn across(
+        &self,
+        at: impl Fn(f64) -> Result<(Option<f64>, Foot)>,
+        h: f64,
+        reach: f64,
+    ) -> Result<(f64, Foot)> {
+        let aside = 1e-2 * reach;
+        let ((Some(x), a), (Some(y), b)) = (at(h - aside)?, at(h + aside)?) else {
+            return Err(Error::input("an event where it is not defined"));
+        };
+        let part = x / (x - y);
+        let u = cubic(&a, &b, part);
+        let mut tangent: Vec<f64> =
+            a.tangent.iter().zip(&b.tangent).map(|(a, b)| a + part * (b - a)).collect();
+        let length = norm(&tangent);
+        tangent.iter_mut().for_each(|t| *t /= length);
+        let residual = self.curve.equations(&u)?.residual.iter().fold(0.0, |most: f64, f| most.max(f.abs()));
+        Ok((h + aside * (2.0 * part - 1.0), Foot { u, tangent, residual, steps: 0 }))
+    }
+
+    /// The events within `reach` of a point: (how far, which, where).
+    fn events(
+        &self,
+        here: &Step<C::View>,
+        foot: &Foot,
+        view: &C::View,
+        reach: f64,
+    ) -> Result<Vec<(f64, usize, Foot)>> {
+        let after = self.curve.monitors(foot, view);
+        let at = |which: usize, h: f64| -> Result<(Option<f64>, Foot)> {
+            let foot = self.between(&here.foot, foot, reach, h)?;
+            let view = self.curve.view(&foot)?;
+            Ok((self.curve.monitors(&foot, &view)[which], foot))
+        };
+        // A start may be an event itself, or where curves meet: it is looked at from a little further on.
+        let first = if here.length == 0.0 { 1e-3 * reach } else { 0.0 };
+        let before = if first == 0.0 {
+            self.curve.monitors(&here.foot, &here.view)
+        } else {
+            let foot = self.between(&here.foot, foot, reach, first)?;
+            self.curve.monitors(&foot, &self.curve.view(&foot)?)
+        };
+        let mut found: Vec<(f64, usize, Foot)> = Vec::new();
+        let mut search = |which: usize, a: (f64, f64), b: (f64, f64)| -> Result<Option<f64>> {
+            if !(a.1 * b.1 < 0.0 || b.1 == 0.0 && a.1 != 0.0) {
+                return Ok(None);
+            }
+            let (h, foot) = match root(|h| at(which, h), a, b) {
+                (h, Some(foot)) => (h, foot),
+                (h, None) => self.across(|h| at(which, h), h, reach)?,
+            };
+            found.push((h, which, foot));
+            Ok(Some(h))
+        };
+        let mut limits: Option<(f64, f64)> = None;
+        for (which, ends) in before.iter().zip(&after).enumerate() {
+            if let (Some(a), Some(b)) = ends
+                && let Some(h) = search(which, (first, *a), (reach, *b))?
+            {
+                limits = Some(limits.map_or((h, h), |(low, high)| (h.min(low), h.max(high))));
+            }
+        }
+        // A monitor that is defined at one end only is followed up to the event that ends it.
+        let Some((low, high)) = limits else { return Ok(found) };
+        for (which, ends) in before.iter().zip(&after).enumerate() {
+            match ends {
+                (Some(a), None) => {
+                    let h = low * (1.0 - 1e-6);
+                    if let Some(b) = at(which, h)?.0 {
+                        search(which, (first, *a), (h, b))?;
+                    }
+                }
+                (None, Some(b)) => {
+                    let h = high + 1e-6 * (reach - high);
+                    if let Some(a) = at(which, h)?.0 {
+                        search(which, (h, a), (reach, *b))?;
+                    }
+                }
+                _ => {}
+            }
+        }
+        Ok(found)
+    }
+}
+
+/// The cubic through two points of a curve with their tangents, at the fraction s of the way.
+fn cubic(a: &Foot, b: &Foot, s: f64) -> Vec<f64> {
+    let reach = dot(&difference(&b.u, &a.u), &a.tangent);
+    let slope = reach / dot(&a.tangent, &b.tangent);
+    let at = |i: usize| {
+        let (chord, from, to) = (b.u[i] - a.u[i], reach * a.tangent[i], slope * b.tangent[i]);
+        a.u[i] + s * (from + s * (3.0 * chord - 2.0 * from - to + s * (from + to - 2.0 * chord)))
+    };
+    (0..a.u.len()).map(at).collect()
+}
+
+/// Where a function changes sign, by the Illinois rule with bisections: to a few units in the last place, with its
+/// argument's point; no point if the function fails there.
+fn root(
+    function: impl Fn(f64) -> Result<(Option<f64>, Foot)>,
+    mut a: (f64, f64),
+    mut b: (f64, f64),
+) -> (f64, Option<Foot>) {
+    let width = b.0 - a.0;
+    let mut kept = None;
+    let mut best: (f64, f64, Option<Foot>) = (a.0, f64::INFINITY, None);
+    for round in 0..100 {
+        let secant = b.0 - b.1 * (b.0 - a.0) / (b.1 - a.1);
+        let inside = round % 8 < 7 && secant > a.0 && secant < b.0;
+        let middle = if inside { secant } else { (a.0 + b.0) / 2.0 };
+        let Ok((Some(value), foot)) = function(middle) else { return (middle, None) };
+        if value.abs() <= best.1 {
+            best = (middle, value.abs(), Some(foot));
+        }
+        if value == 0.0 || b.0 - a.0 <= 1e-15 * width || middle == a.0 || middle == b.0 {
+            break;
+        }
+        // The end that stays twice counts half.
+        let upper = (value < 0.0) == (b.1 < 0.0);
+        let other = if upper { &mut a } else { &mut b };
+        if kept == Some(upper) {
+            other.1 /= 2.0;
+        }
+        kept = Some(upper);
+        *(if upper { &mut b } else { &mut a }) = (middle, value);
+    }
+    (best.0, best.2)
+}
+
+impl std::fmt::Display for End {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.pad(match self {
+            End::Bound => "a parameter is at its bound",
+            End::Fails => "no orbit from here on",
+            End::Closed => "the branch is closed",
+            End::Points => "as many points as were allowed",
+            End::Start => "the start",
+            End::Lost(why) => return write!(f, "lost: {why}"),
+        })
+    }
+}
