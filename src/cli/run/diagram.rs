@@ -1,5 +1,7 @@
 //! Tasks of kind `diagram`: what motions tend to over a parameter.
 
+use std::path::Path;
+
 use super::{
     Job, Report,
     branch::{Drawing, follow},
@@ -7,7 +9,7 @@ use super::{
     settings,
 };
 use crate::{
-    error::Result,
+    error::{Error, Result},
     oscillator::{
         branch::Direction,
         diagram::{self, Look, Plan, Slice},
@@ -35,7 +37,7 @@ pub(super) fn run(task: &DiagramTask, job: &Job, report: &mut Report) -> Result<
     };
     let file = job.folder.join(format!("{}.checkpoint.json", job.task.name));
     if !task.resume && file.exists() {
-        std::fs::remove_file(&file)?;
+        remove(&file)?;
     }
     let progress = Progress::new(job.interrupt, u64::from(task.count), "values");
     let system = |value| job.scene.plain(&[(&task.parameter, value)]);
@@ -74,11 +76,13 @@ pub(super) fn run(task: &DiagramTask, job: &Job, report: &mut Report) -> Result<
         rows.push([number(slice.value), names.join("; ").into(), slice.lost.into()]);
     }
     report.table("coexisting", rows);
-    report.say(
-        "files",
-        ["svg", "csv", "checkpoint.json"].map(|end| format!("{}.{end}", job.task.name)).to_vec(),
-    );
-    Ok(())
+    report.say("files", ["svg", "csv"].map(|end| format!("{}.{end}", job.task.name)).to_vec());
+    // A finished diagram needs none, and the next may have other settings.
+    remove(&file)
+}
+
+fn remove(file: &Path) -> Result<()> {
+    std::fs::remove_file(file).map_err(|error| Error::io("remove", file, error))
 }
 
 fn scatter(slices: &[Slice], drawing: &Drawing) -> Result<Vec<figure::Scatter>> {

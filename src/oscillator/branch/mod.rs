@@ -1,6 +1,6 @@
 //! Branches of periodic orbits over a parameter: continuation, events, switching, events in two parameters.
 //!
-//! [`curve`] follows any curve, [`Orbits`] is the one of orbits with an impact pattern, [`Branch`] what was found along it.
+//! `curve` follows any curve, [`Orbits`] is the one of orbits with an impact pattern, [`Branch`] what was found along it.
 //! Not here: attractors (`diagram`).
 
 mod attractor;

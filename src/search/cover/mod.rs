@@ -123,7 +123,7 @@ impl Tally {
     pub fn open_area(&self) -> f64 {
         let area =
             |[r, s]: &[[BigRational; 2]; 2]| ((&r[1] - &r[0]) * (&s[1] - &s[0])).to_f64().unwrap_or(f64::NAN);
-        self.open.iter().map(area).sum()
+        self.open.iter().map(area).fold(0.0, std::ops::Add::add)
     }
 }
 
