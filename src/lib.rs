@@ -11,6 +11,8 @@
 //!   between Farey fractions. [`existence::decide`] decides it by integer arithmetic, [`existence::decide_by_enclosure`] by
 //!   enclosures; [`search`] writes certificates; [`certificate::check`], which shares no code with any of them, proves them
 //!   again. (For all n at once, Theorem 2 and Conjecture 1 are proved in Coq, under `proofs/`.)
+//! - Conjecture 1, for given n and r ≤ r_max < 1: by covers of region 3 with boxes, found by [`search::cover`] and proved by
+//!   [`certificate::cover`], and by polynomial identities in regions 2 and 4.
 //! - For a linear oscillator with walls: that an exact periodic orbit with a given impact pattern exists, is the only one in a box,
 //!   touches no wall else, and is stable or not; and where in a parameter orbits meet, double their period or graze
 //!   ([`oscillator::validate`]). The orbits have certificates too ([`certificate::orbit`]).
@@ -26,6 +28,9 @@
 //! - For a local map of any dimension, exact or enclosed: which impact patterns give orbits, by Theorem 1 ([`impact`]).
 //! - Trajectories of impact oscillators with one degree of freedom, in f64: every impact deeper than a stated bound; sections, attractors,
 //!   Lyapunov exponents, basins ([`oscillator`]).
+//! - Periodic orbits with any impact pattern, their grazing points with the local theory there, saddle-nodes and flips, branches of them over a
+//!   parameter, attractors over a parameter ([`oscillator::orbit`], [`oscillator::grazing`], [`oscillator::critical`], [`oscillator::branch`],
+//!   [`oscillator::diagram`]): floating point, without proof.
 //! - The formulas as integer polynomials, and statements about them for solvers ([`symbol`]).
 //!
 //! # When to use it, and when not
@@ -47,7 +52,7 @@
 //! | [`local`] | u_k, b_{n,k}, c_n at one point on every rung; the ladder of signs |
 //! | [`existence`] | Theorem 2 and Conjecture 1: claims, decisions, the edges of the areas |
 //! | [`impact`] | Theorem 1 in any dimension: impact patterns, the pattern graph |
-//! | [`oscillator`] | impact oscillators: scenes, flow, impacts, orbits, attractors |
+//! | [`oscillator`] | impact oscillators: scenes, flow, impacts, orbits, branches, attractors, proofs of orbits |
 //! | [`search`] | what finds certificates and looks for counterexamples |
 //! | [`study`] | what accuracy costs: families of inputs, measurements |
 //! | [`output`] | tables, files, figures, progress |

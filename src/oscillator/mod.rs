@@ -1,7 +1,8 @@
 //! One-degree-of-freedom impact oscillators: scenes, the effects they call for, flow and impacts, orbits.
 //!
 //! A [`System`] is the equation of motion in dimensionless form (mass 1, forcing period 2π) with its walls; a [`Scene`]
-//! is one with named parameters, read from a file, and what to do with it. Not here: the local theory at a grazing
+//! is one with named parameters, read from a file, and what to do with it. From the bottom up: `flow`, `contact` and `simulate`; `section`, `attractor`,
+//! `lyapunov`, `basin` on them; `orbit`, and on it `grazing`, `critical`, `branch`, `manifold`; `diagram`; `validate`, which proves and uses none of these. Not here: the local theory at a grazing
 //! bifurcation (`impact`, `local`), tables and pictures (`output`).
 
 pub mod attractor;
