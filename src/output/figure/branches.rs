@@ -9,7 +9,7 @@ use plotters::{
 
 use super::{
     FONT, Picture, WIDTH,
-    motion::{padded, tidy},
+    axes::{labelled_axes, padded},
     save, style,
 };
 use crate::error::Result;
@@ -83,20 +83,7 @@ fn draw(curves: &[Curve], scatter: &[Scatter], axes: [&str; 2]) -> Picture {
         .x_label_area_size(190)
         .y_label_area_size(280)
         .build_cartesian_2d(left..right, bottom..top)?;
-    chart
-        .configure_mesh()
-        .disable_mesh()
-        .x_labels(6)
-        .y_labels(6)
-        .x_label_formatter(&|x| tidy(*x))
-        .y_label_formatter(&|y| tidy(*y))
-        .x_desc(axes[0])
-        .y_desc(axes[1])
-        .label_style(("sans-serif", FONT))
-        .axis_desc_style(("sans-serif", FONT + 6))
-        .axis_style(BLACK.stroke_width(3))
-        .set_all_tick_mark_size(16)
-        .draw()?;
+    labelled_axes(&mut chart, 6, axes)?;
     let blue = RGBColor(0, 114, 178).filled();
     for at in scatter.iter().flat_map(|set| &set.at) {
         root.draw(&Circle::new(chart.backend_coord(at), 2, blue))?;

@@ -11,7 +11,13 @@ use plotters::{
     style::text_anchor::{HPos, VPos},
 };
 
-use super::{FONT, GREY, Panel, Picture, WIDTH, colour, iterate::region4, label, plane_axes, save, style};
+use super::{
+    FONT, GREY, Picture, WIDTH,
+    axes::{Panel, plane_axes},
+    colour,
+    iterate::region4,
+    label, save, style,
+};
 use crate::{
     certificate::{self, cover::Leaf},
     error::{Error, Result},

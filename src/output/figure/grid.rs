@@ -7,7 +7,7 @@ use plotters::{
     style::text_anchor::{HPos, VPos},
 };
 
-use super::{FONT, Picture, WIDTH, motion::tidy, save, style};
+use super::{FONT, Picture, WIDTH, axes::labelled_axes, save, style};
 use crate::error::Result;
 
 /// Classes on a grid.
@@ -91,20 +91,7 @@ fn draw(grid: &Grid, axes: [&str; 2]) -> Picture {
             }
         }
     }
-    chart
-        .configure_mesh()
-        .disable_mesh()
-        .x_labels(6)
-        .y_labels(6)
-        .x_label_formatter(&|x| tidy(*x))
-        .y_label_formatter(&|y| tidy(*y))
-        .x_desc(axes[0])
-        .y_desc(axes[1])
-        .label_style(("sans-serif", FONT))
-        .axis_desc_style(("sans-serif", FONT + 6))
-        .axis_style(BLACK.stroke_width(3))
-        .set_all_tick_mark_size(16)
-        .draw()?;
+    labelled_axes(&mut chart, 6, axes)?;
     for (i, &class) in (0..).zip(&shown) {
         let y = LINE / 2 + i * LINE;
         key.draw(&Rectangle::new([(290, y - 30), (370, y + 30)], colour(class).filled()))?;

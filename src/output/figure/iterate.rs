@@ -11,7 +11,11 @@ use plotters::{
     style::text_anchor::{HPos, VPos},
 };
 
-use super::{FONT, GREY, Panel, Picture, WIDTH, colour, label, plane_axes, save, style};
+use super::{
+    FONT, GREY, Picture, WIDTH,
+    axes::{Panel, plane_axes},
+    colour, label, save, style,
+};
 use crate::{
     error::{Error, Result},
     existence::{Boundary, Case, Interval, intervals},

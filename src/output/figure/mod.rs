@@ -3,6 +3,7 @@
 //! A picture is 2000 units wide and meant for a journal's column of 86 mm, where its text has about 7 points.
 
 mod accuracy;
+mod axes;
 mod branches;
 mod cover;
 mod flow_accuracy;
@@ -33,7 +34,6 @@ pub use tips::tips;
 use std::{fs, path::Path};
 
 use plotters::{
-    coord::types::RangedCoordf64,
     prelude::*,
     style::text_anchor::{HPos, Pos, VPos},
 };
@@ -65,32 +65,6 @@ fn colour(case: Case) -> RGBColor {
 /// The text style of the column-wide figures.
 fn style(size: i32, horizontal: HPos, vertical: VPos) -> TextStyle<'static> {
     ("sans-serif", size).into_font().color(&BLACK).pos(Pos::new(horizontal, vertical))
-}
-
-/// A chart of the (a₁, a₂) plane.
-type Panel<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
-
-/// Draws the axes of the (a₁, a₂) plane, with about `marks` marks on the first and `digits` decimals on the second.
-fn plane_axes<'a>(
-    chart: &mut Panel<'a, '_>,
-    marks: usize,
-    digits: usize,
-) -> std::result::Result<(), Box<dyn std::error::Error + 'a>> {
-    chart
-        .configure_mesh()
-        .disable_mesh()
-        .x_labels(marks)
-        .y_labels(6)
-        .x_label_formatter(&|x| format!("{x:.0}").replace('-', "−"))
-        .y_label_formatter(&|y| format!("{y:.digits$}"))
-        .x_desc("a₁")
-        .y_desc("a₂")
-        .label_style(("sans-serif", FONT))
-        .axis_desc_style(("sans-serif", FONT + 6))
-        .axis_style(BLACK.stroke_width(3))
-        .set_all_tick_mark_size(16)
-        .draw()
-        .map_err(|error| error.to_string().into())
 }
 
 /// A case as it is printed.

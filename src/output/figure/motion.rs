@@ -7,7 +7,11 @@ use plotters::{
     style::text_anchor::{HPos, VPos},
 };
 
-use super::{FONT, GREY, Picture, WIDTH, save, style};
+use super::{
+    FONT, GREY, Picture, WIDTH,
+    axes::{labelled_axes, padded},
+    save, style,
+};
 use crate::error::Result;
 
 /// A motion as it is drawn and tabulated.
@@ -49,20 +53,7 @@ fn draw(motion: &Motion) -> Picture {
         .x_label_area_size(190)
         .y_label_area_size(260)
         .build_cartesian_2d(times.0..times.1.max(times.0 + 1e-9), bottom..top)?;
-    chart
-        .configure_mesh()
-        .disable_mesh()
-        .x_labels(8)
-        .y_labels(6)
-        .x_label_formatter(&|x| format!("{x}"))
-        .y_label_formatter(&|y| tidy(*y))
-        .x_desc("forcing periods")
-        .y_desc("q")
-        .label_style(("sans-serif", FONT))
-        .axis_desc_style(("sans-serif", FONT + 6))
-        .axis_style(BLACK.stroke_width(3))
-        .set_all_tick_mark_size(16)
-        .draw()?;
+    labelled_axes(&mut chart, 8, ["forcing periods", "q"])?;
     for wall in &motion.walls {
         let path: Vec<(f64, f64)> = motion.points.iter().zip(wall).map(|(point, &q)| (point[0], q)).collect();
         chart.draw_series([PathElement::new(path, GREY.stroke_width(9))])?;
@@ -84,23 +75,4 @@ fn draw(motion: &Motion) -> Picture {
     drop(chart);
     drop(root);
     Ok(svg)
-}
-
-/// The range of some numbers with a margin, never empty.
-pub(super) fn padded(values: impl Iterator<Item = f64>) -> (f64, f64) {
-    let (low, high) = values
-        .filter(|value| value.is_finite())
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
-    if low > high {
-        return (-1.0, 1.0);
-    }
-    let margin = 0.06 * (high - low) + 1e-6 * (1.0 + high.abs());
-    (low - margin, high + margin)
-}
-
-/// A number of an axis, without the digits that rounding adds.
-pub(super) fn tidy(x: f64) -> String {
-    let text = format!("{x:.6}");
-    let text = text.trim_end_matches('0').trim_end_matches('.');
-    if text == "-0" { "0".into() } else { text.replace('-', "−") }
 }

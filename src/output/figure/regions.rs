@@ -7,7 +7,7 @@ use plotters::{
     style::text_anchor::{HPos, VPos},
 };
 
-use super::{FONT, Picture, WIDTH, plane_axes, save, style};
+use super::{FONT, Picture, WIDTH, axes::plane_axes, save, style};
 use crate::error::Result;
 
 const STEPS: u32 = 100;

@@ -10,7 +10,7 @@ use plotters::{
 
 use super::{
     FONT, Picture, WIDTH,
-    motion::{padded, tidy},
+    axes::{labelled_axes, padded},
     save, style,
 };
 use crate::error::Result;
@@ -115,20 +115,7 @@ fn draw(sets: &[Points], axes: [&str; 2]) -> Picture {
         .x_label_area_size(190)
         .y_label_area_size(280)
         .build_cartesian_2d(left..right, bottom..top)?;
-    chart
-        .configure_mesh()
-        .disable_mesh()
-        .x_labels(6)
-        .y_labels(6)
-        .x_label_formatter(&|x| tidy(*x))
-        .y_label_formatter(&|y| tidy(*y))
-        .x_desc(axes[0])
-        .y_desc(axes[1])
-        .label_style(("sans-serif", FONT))
-        .axis_desc_style(("sans-serif", FONT + 6))
-        .axis_style(BLACK.stroke_width(3))
-        .set_all_tick_mark_size(16)
-        .draw()?;
+    labelled_axes(&mut chart, 6, axes)?;
     let inside = |&(x, y): &(f64, f64)| (left..=right).contains(&x) && (bottom..=top).contains(&y);
     for set in sets {
         if set.mark == Mark::Curve {
