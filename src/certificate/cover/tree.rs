@@ -48,7 +48,8 @@ pub(super) fn walk(
                     };
                     visit(leaf, cell).map_err(|reason| {
                         let column = text.len() - rest.len() + 1;
-                        Fault::False(format!("column {column}, {leaf} on {}: {reason}", shown(&cell)))
+                        let token = rest[..rest.len() - after.len()].trim_end_matches(';');
+                        Fault::False(format!("column {column}, {token} on {}: {reason}", shown(&cell)))
                     })?;
                     rest = after;
                 }
