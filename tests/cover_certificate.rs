@@ -10,7 +10,7 @@ use grazing::{
         self, Rejection,
         cover::{
             Leaf, check_block,
-            expansion::{Cell, Expansion, Form, Patch},
+            expansion::{Expansion, Form, Patch, Powers, Waves},
             fixed::{ONE, sine_cosine, sines_cosines},
         },
     },
@@ -81,9 +81,13 @@ fn the_example_in_the_documentation_is_a_block() {
         .collect();
     let block = shown.join("\n") + "\n";
     check_block(3, block.as_bytes(), 5).unwrap();
-    for (from, to) in
-        [("2/3 22", "2/3 21"), ("rp1;P;", "rp1;M;"), ("sM;m2l;", "sM;m2;"), ("sM;M;sM;M;", "M;M;")]
-    {
+    for (from, to) in [
+        ("2/3 22", "2/3 21"),
+        ("rN2,1;snn", "rnsnn"),
+        ("rp1;P;", "rp1;M;"),
+        ("sM;m2l;", "sM;m2;"),
+        ("sM;M;sM;M;", "M;M;"),
+    ] {
         assert!(block.contains(from));
         let answer = check_block(3, block.replacen(from, to, 1).as_bytes(), 5).unwrap_err().to_string();
         let wrapped = source.replace("\n//!", " ").split_whitespace().collect::<Vec<_>>().join(" ");
@@ -151,15 +155,31 @@ fn read(text: &str) -> Option<Vec<Found>> {
             (words == ["strip", &format!("{}/{}", left.0, left.1), &format!("{}/{}", right.0, right.1)])
                 .then_some(())?;
             let visit = |token: &str, r: [BigRational; 2], s: [BigRational; 2]| {
-                if token.ends_with(';') {
+                if !["r", "s"].contains(&token) {
                     all.push(Found { n, token: token.trim_end_matches(';').into(), r, s, case });
                 }
             };
-            walk(lines.next()?, [rational(left), rational(right)], &r_max, visit)?;
+            walk(&spelled_out(lines.next()?)?, [rational(left), rational(right)], &r_max, visit)?;
         }
         (leaves.parse() == Ok(all.len() - before)).then_some(())?;
     }
     lines.next().is_none().then_some(all)
+}
+
+/// The trees of a strip with every `n` replaced by what it repeats; `None` if there is no such thing.
+fn spelled_out(line: &str) -> Option<String> {
+    let mut latest = None;
+    tokens(line)
+        .into_iter()
+        .map(|token| match token {
+            "n" => latest,
+            _ if token.starts_with('N') => {
+                latest = Some(token);
+                latest
+            }
+            _ => Some(token),
+        })
+        .collect()
 }
 
 /// Hands every token of a strip's trees with its box to `visit`; `None` if the text is no tree for every row.
@@ -302,16 +322,16 @@ fn damage() -> impl Strategy<Value = Damage> {
     let leaf = || {
         prop_oneof![
             (1..6u8, 1..6u8).prop_map(|(k, j)| format!("N{k},{j};")),
-            prop::sample::select(vec!["P;", "M;"]).prop_map(String::from),
+            prop::sample::select(vec!["P;", "M;", "n"]).prop_map(String::from),
             ("[pm]", 1..6u8, "[lr]?").prop_map(|(t, d, across)| format!("{t}{d}{across};")),
         ]
     };
     prop_oneof![
-        4 => (index(), prop::sample::select(b"0123456789rsNPMpmlru,;/ O".to_vec())).prop_map(|(at, byte)| Damage::Byte(at, byte)),
+        4 => (index(), prop::sample::select(b"0123456789rsnNPMpmlru,;/ O".to_vec())).prop_map(|(at, byte)| Damage::Byte(at, byte)),
         1 => index().prop_map(Damage::Remove),
         1 => index().prop_map(Damage::Duplicate),
         2 => (index(), index()).prop_map(|(a, b)| Damage::Swap(a, b)),
-        2 => (index(), prop::sample::select(vec!["r", "s", "N1,2;", "O;"])).prop_map(|(at, to)| Damage::Replace(at, to.into())),
+        2 => (index(), prop::sample::select(vec!["r", "s", "n", "N1,2;", "O;"])).prop_map(|(at, to)| Damage::Replace(at, to.into())),
         8 => (index(), leaf()).prop_map(|(at, leaf)| Damage::Prune(at, leaf)),
         4 => (index(), 1..4u8).prop_map(|(at, by)| Damage::Shift(at, by)),
         1 => index().prop_map(Damage::RemoveLine),
@@ -323,7 +343,7 @@ fn damage() -> impl Strategy<Value = Damage> {
 
 /// The tokens of a line of trees.
 fn tokens(line: &str) -> Vec<&str> {
-    line.split_inclusive(|c| ";rs".contains(c))
+    line.split_inclusive(|c| ";rsn".contains(c))
         .flat_map(|part| {
             // The r that ends an edge leaf is not a split.
             let split = part.len() - usize::from(part.len() > 1 && !part.ends_with(';'));
@@ -332,7 +352,7 @@ fn tokens(line: &str) -> Vec<&str> {
         .filter(|token| !token.is_empty())
         .fold(Vec::new(), |mut all: Vec<&str>, token| {
             match all.last_mut() {
-                Some(last) if !last.ends_with(';') && *last != "r" && *last != "s" => {
+                Some(last) if !last.ends_with(';') && !["r", "s", "n"].contains(last) => {
                     // Glue what belongs to one leaf.
                     let start = last.as_ptr() as usize - line.as_ptr() as usize;
                     let end = token.as_ptr() as usize - line.as_ptr() as usize + token.len();
@@ -415,7 +435,7 @@ fn recount(lines: &mut [String], line: usize) {
         .iter()
         .take_while(|line| !line.starts_with("n "))
         .filter(|line| !line.contains(' '))
-        .map(|line| line.matches(';').count())
+        .map(|line| line.matches([';', 'n']).count())
         .sum();
     let words: Vec<&str> = lines[head].split(' ').collect();
     lines[head] = format!("{} {} {} {leaves}", words[0], words[1], words[2]);
@@ -423,8 +443,11 @@ fn recount(lines: &mut [String], line: usize) {
 
 #[test]
 fn tokens_are_split_as_they_are_joined() {
-    assert_eq!(tokens("rsN2,1;p1r;m3l;sP;M;O;"), ["r", "s", "N2,1;", "p1r;", "m3l;", "s", "P;", "M;", "O;"]);
-    assert_eq!(subtree(&tokens("rsN2,1;p1r;P;M;"), 0), 5);
+    assert_eq!(
+        tokens("rsN2,1;np1r;nm3l;snP;M;O;"),
+        ["r", "s", "N2,1;", "n", "p1r;", "n", "m3l;", "s", "n", "P;", "M;", "O;"]
+    );
+    assert_eq!(subtree(&tokens("rsN2,1;nP;M;"), 0), 5);
 }
 
 /// Thousands of damaged certificates; the few that pass are true at points by enclosures.
@@ -463,8 +486,9 @@ fn the_remainder_is_needed() {
     let mut caught = 0;
     // High and narrow boxes: r^p is far from its parabola.
     for s in (1..1 << 12).map(|i| (1u64 << 63) / (1 << 12) * i) {
-        let cell = Cell { r: [0, ONE / 2], s: [s, s + (1 << 30)] };
-        let patch = Patch::new(n, &cell, Form::Sine).unwrap();
+        let powers = Powers::new(n, [0, ONE / 2]).unwrap();
+        let waves = Waves::new(n, [s, s + (1 << 30)], Form::Sine).unwrap();
+        let patch = Patch::new(&powers, &waves);
         for (k, expansion) in (1..n).zip(patch.expansions()) {
             let cut = Expansion { d: [0; 4], ..expansion };
             let at = |bits| BigRational::new(s.into(), BigInt::from(1) << bits);
@@ -489,7 +513,8 @@ fn a_negative_w_is_refused() {
         for j in 0..40 {
             let r = [ONE / 100 * (55 + i), ONE / 100 * (55 + i) + ONE / 200];
             let s = [(1u64 << 63) / 50 * (j + 5), (1u64 << 63) / 50 * (j + 5) + (1 << 63) / 200];
-            let Ok(patch) = Patch::new(n, &Cell { r, s }, Form::Sine) else { continue };
+            let (Ok(powers), Ok(waves)) = (Powers::new(n, r), Waves::new(n, s, Form::Sine)) else { continue };
+            let patch = Patch::new(&powers, &waves);
             let all: Vec<Expansion> = patch.expansions().collect();
             for (k, d) in (0..7).flat_map(|k| (0..7).map(move |d| (k, d))).filter(|(k, d)| k != d) {
                 let (one_k, one_d) = (&all[k], &all[d]);
@@ -643,9 +668,10 @@ proptest! {
         let strip = (1u64 << 63) / n;
         let s_width = strip >> ws;
         let s0 = ((((1u64 << 63) - s_width) as u128 * u128::from(at)) >> 20) as u64;
-        let cell = Cell { r: [r0, r0 + width], s: [s0, s0 + s_width] };
         let (form, s_steps) = if quotient { (Form::Quotient, j.clamp(1, 15)) } else { (Form::Sine, j) };
-        let patch = Patch::new(n, &cell, form).unwrap();
+        let powers = Powers::new(n, [r0, r0 + width]).unwrap();
+        let waves = Waves::new(n, [s0, s0 + s_width], form).unwrap();
+        let patch = Patch::new(&powers, &waves);
         let expansion = patch.expansion(k);
         let from_all = patch.expansions().nth(k as usize - 1).unwrap();
 

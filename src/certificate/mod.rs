@@ -46,6 +46,7 @@
 //! r                                    the box is halved in r; the lower half's tree, then the upper one's
 //! s                                    the box is halved in s; the left half's tree, then the right one's
 //! NK,K';                               N_{n,K} > 0 > N_{n,K'} on the closed box: no orbit
+//! n                                    the same again: NK,K'; with the K and K' of the last one before it in TREES; malformed if there is none
 //! P;  M;                               all N_{n,k} > 0 (P) or < 0 (M)
 //! pK; pKl; pKr;  mK; mKl; mKr;         N_{n,K} > 0 (p) or < 0 (m) decides, the more so for larger r; for smaller (l) or larger (r) s
 //! O;                                   open: nothing is claimed, and the statement is not proved
@@ -105,7 +106,7 @@ pub struct Checked {
     pub lines: u64,
 }
 
-/// Re-proves a certificate of any kind, reading it once. Memory: one line, and for a cover the leaves at the top of a strip.
+/// Re-proves a certificate of any kind, reading it once. Memory: one line, and for a cover the leaves at the top of a strip and O(n) numbers for each of up to 2048 intervals of r or s.
 ///
 /// # Errors
 /// A [`Rejection`] with the line and the reason: malformed text, a false claim, a cover with open leaves, or a stream that cannot be read.

@@ -35,12 +35,14 @@
 //! With H = 1 (all boxes but those with r < 1 − 1/n or so) this is 4·10⁻¹⁵ for n = 128. The claims get finer like n⁻⁶, about 10⁻¹³
 //! at n = 128; somewhere beyond n = 200 they are below the error bound, and then a claim is not shown, so rejected.
 
-use std::borrow::Cow;
+use std::cell::OnceCell;
 
 use super::fixed::{self, ONE, product};
 
 /// The largest n·η: 1.6.
 const WIDEST: i64 = ONE / 5 * 8;
+
+const TOO_WIDE: &str = "the box is too wide for its expansion";
 
 /// A closed box, in units of 2⁻⁶⁰ for r and of 2⁻⁶⁴ for s.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -87,95 +89,134 @@ pub struct Expansion {
     pub d: [i64; 4],
 }
 
-/// A box with what all k have in common.
-pub struct Patch {
+/// What boxes with the same bounds of r have in common: the powers of every p ≤ n.
+pub struct Powers {
+    all: Vec<Power>,
+    /// The bound of all rounding in the coefficients of one k.
+    slack: i64,
+}
+
+/// What boxes with the same bounds of s have in common.
+pub struct Waves {
     n: u64,
-    r: [i64; 2],
-    h: i64,
+    form: Form,
     turns: u64,
     eta: i64,
-    /// In the quotient form, the waves of every q ≤ n.
-    quotients: Option<Vec<Wave>>,
     /// sin nθ₀ and cos nθ₀.
     sine_n: (i64, i64),
-    power_n: Power,
     wave_n: Wave,
+    /// Those of every q ≤ n, once they are needed.
+    all: OnceCell<Vec<Wave>>,
+}
+
+/// A box, made of its two sides.
+pub struct Patch<'a> {
+    powers: &'a Powers,
+    waves: &'a Waves,
     /// The bound of all rounding in the coefficients of one k.
     pub slack: i64,
 }
 
-impl Patch {
-    /// Prepares the expansions at a box's centre. Needs 2 ≤ n ≤ [`MOST`](super::MOST). Cost: O(log n), in the quotient form O(n).
+impl Powers {
+    /// The powers on an interval of r. Needs 2 ≤ n ≤ [`MOST`](super::MOST). Cost: O(n) products.
     ///
     /// # Errors
-    /// If the box is too wide: η > 1.6/n, or it is wider in r than twice its distance to r = 1.
-    pub fn new(n: u64, cell: &Cell, form: Form) -> Result<Patch, String> {
-        let r = (cell.r[0] + cell.r[1]) / 2;
-        let (h, r1) = (cell.r[1] - r, cell.r[1]);
-        let turns = cell.s[0] + (cell.s[1] - cell.s[0]) / 2;
-        let eta = fixed::radians_above(cell.s[1] - turns);
-        if h > ONE - r1 || eta > WIDEST / n as i64 {
-            return Err("the box is too wide for its expansion".into());
+    /// If it is wider than twice its distance to r = 1.
+    pub fn new(n: u64, [low, high]: [i64; 2]) -> Result<Powers, String> {
+        let centre = (low + high) / 2;
+        let h = high - centre;
+        if h > ONE - high {
+            return Err(TOO_WIDE.into());
         }
         let steep = ((i128::from(h) * i128::from(n)) >> 60) as i64 + 1;
-        let slack = 35 * n as i64 * steep.pow(3) + 620;
-        let quotients = (form == Form::Quotient).then(|| quotients(n, turns, eta));
+        let chains = chain(centre, h).zip(chain(high, h)).take(n as usize + 1);
+        let all = chains.map(|([a0, a1, a2, _], bound)| Power { at: [a0, a1, a2], bound }).collect();
+        Ok(Powers { all, slack: 35 * n as i64 * steep.pow(3) + 620 })
+    }
+}
+
+/// A_0, …, A_3 of p = 0, 1, …: A_i(p) = (p h/i) A_{i−1}(p−1).
+fn chain(r: i64, h: i64) -> impl Iterator<Item = [i64; 4]> {
+    let step = move |p: i64, [a0, a1, a2, _]: [i64; 4]| {
+        let next = |a: i64, i: i64| product(a, h) * p / i;
+        [product(a0, r), next(a0, 1), next(a1, 2), next(a2, 3)]
+    };
+    (1..).scan([ONE, 0, 0, 0], move |latest, p| Some(std::mem::replace(latest, step(p, *latest))))
+}
+
+impl Waves {
+    /// The waves on an interval of s, as [`Powers::new`]. Cost: O(1), in the quotient form O(n).
+    ///
+    /// # Errors
+    /// If it is too wide: η > 1.6/n.
+    pub fn new(n: u64, [left, right]: [u64; 2], form: Form) -> Result<Waves, String> {
+        let turns = left + (right - left) / 2;
+        let eta = fixed::radians_above(right - turns);
+        if eta > WIDEST / n as i64 {
+            return Err(TOO_WIDE.into());
+        }
         let sine_n = fixed::sine_cosine(turns.wrapping_mul(n));
-        let (power_n, wave_n) = Default::default();
-        let mut patch = Patch { n, r: [r, r1], h, turns, eta, quotients, sine_n, power_n, wave_n, slack };
-        patch.power_n = patch.power(n);
-        patch.wave_n = match &patch.quotients {
-            Some(waves) => waves[n as usize],
-            None => patch.sine_wave(n, sine_n),
-        };
-        Ok(patch)
+        let wave_n = sine_wave(n, sine_n, eta);
+        let mut waves = Waves { n, form, turns, eta, sine_n, wave_n, all: OnceCell::new() };
+        if form == Form::Quotient {
+            waves.wave_n = waves.all()[n as usize];
+        }
+        Ok(waves)
     }
 
-    /// The expansion of one T_k. Cost: O(log n) products.
-    pub fn expansion(&self, k: u64) -> Expansion {
+    /// Those of all q. Cost: O(n) products the first time.
+    fn all(&self) -> &[Wave] {
+        let &Waves { n, turns, eta, .. } = self;
+        self.all.get_or_init(|| match self.form {
+            Form::Sine => {
+                (0..).zip(fixed::sines_cosines(turns, n)).map(|(q, at)| sine_wave(q, at, eta)).collect()
+            }
+            Form::Quotient => quotients(n, turns, eta),
+        })
+    }
+
+    /// Those of k and n − k. Cost: O(1) products.
+    fn pair(&self, k: u64) -> [Wave; 2] {
         let a = self.n - k;
-        let (wave_a, wave_k) = match &self.quotients {
-            Some(waves) => (waves[a as usize], waves[k as usize]),
-            None => {
+        match self.form {
+            Form::Sine => {
                 let at = fixed::sine_cosine(self.turns.wrapping_mul(k));
                 // aθ = nθ − kθ spares a sine.
-                (self.sine_wave(a, fixed::difference(self.sine_n, at)), self.sine_wave(k, at))
+                let rest = fixed::difference(self.sine_n, at);
+                [sine_wave(k, at, self.eta), sine_wave(a, rest, self.eta)]
             }
-        };
-        self.combine(self.power(a), wave_a, wave_k)
+            Form::Quotient => [k, a].map(|q| self.all()[q as usize]),
+        }
+    }
+}
+
+impl<'a> Patch<'a> {
+    /// The box of two sides, which are of the same period.
+    pub fn new(powers: &'a Powers, waves: &'a Waves) -> Patch<'a> {
+        Patch { powers, waves, slack: powers.slack }
+    }
+
+    /// The period.
+    pub fn n(&self) -> u64 {
+        self.waves.n
+    }
+
+    /// The expansion of one T_k. Cost: O(1) products.
+    pub fn expansion(&self, k: u64) -> Expansion {
+        let [wave_k, wave_a] = self.waves.pair(k);
+        self.combine((self.n() - k) as usize, &wave_a, &wave_k)
     }
 
     /// The expansions of T_1, …, T_{n−1}. Cost: O(n) products.
     pub fn expansions(&self) -> impl Iterator<Item = Expansion> {
-        let n = self.n as usize;
-        let powers: Vec<Power> = self.powers(1, self.n - 1).collect();
-        let waves = match &self.quotients {
-            Some(waves) => Cow::from(waves),
-            None => (0..self.n)
-                .zip(fixed::sines_cosines(self.turns, self.n))
-                .map(|(q, at)| self.sine_wave(q, at))
-                .collect(),
-        };
-        (1..n).map(move |k| self.combine(powers[n - k - 1], waves[n - k], waves[k]))
-    }
-
-    fn power(&self, p: u64) -> Power {
-        self.powers(p, p).next().expect("one power is asked for")
-    }
-
-    /// The powers r^first, …, r^last, 1 ≤ first.
-    fn powers(&self, first: u64, last: u64) -> impl Iterator<Item = Power> {
-        let mut centre = Chain::before(first, self.r[0], self.h);
-        let mut edge = Chain::before(first, self.r[1], self.h);
-        (first..=last).map(move |p| {
-            let [a0, a1, a2, _] = centre.next(p);
-            Power { at: [a0, a1, a2], bound: edge.next(p) }
-        })
+        let (n, waves) = (self.n() as usize, self.waves.all());
+        (1..n).map(move |k| self.combine(n - k, &waves[n - k], &waves[k]))
     }
 
     #[inline]
-    fn combine(&self, power_a: Power, wave_a: Wave, wave_k: Wave) -> Expansion {
-        let (power_n, wave_n) = (&self.power_n, &self.wave_n);
+    fn combine(&self, a: usize, wave_a: &Wave, wave_k: &Wave) -> Expansion {
+        let (power_a, power_n, wave_n) =
+            (&self.powers.all[a], &self.powers.all[self.n() as usize], &self.waves.wave_n);
         let c = |i: usize, j: usize| {
             product(power_a.at[i], wave_n.at[j])
                 - product(power_n.at[i], wave_a.at[j])
@@ -191,42 +232,15 @@ impl Patch {
             d: [d(3, 0), d(2, 1), d(1, 2), d(0, 3)],
         }
     }
-
-    #[inline]
-    fn sine_wave(&self, q: u64, (sine, cosine): (i64, i64)) -> Wave {
-        let e = self.eta * q as i64;
-        let square = product(e, e);
-        Wave {
-            at: [sine, product(e, cosine), -product(square, sine) / 2],
-            bound: [ONE, e, square / 2, product(square / 2, e) / 3],
-        }
-    }
 }
 
-/// A_0, …, A_3 of one p after the other: A_i(p) = (p h/i) A_{i−1}(p−1).
-struct Chain {
-    r: i64,
-    h: i64,
-    last: [i64; 4],
-}
-
-impl Chain {
-    /// What precedes p. Three steps fill A_1, A_2, A_3 from A_0.
-    fn before(p: u64, r: i64, h: i64) -> Chain {
-        let start = p.saturating_sub(3);
-        let mut chain = Chain { r, h, last: [fixed::power(r, start), 0, 0, 0] };
-        for q in start + 1..p {
-            chain.next(q);
-        }
-        chain
-    }
-
-    fn next(&mut self, p: u64) -> [i64; 4] {
-        let p = p as i64;
-        let [a0, a1, a2, _] = self.last;
-        let step = |a: i64, i: i64| product(a, self.h) * p / i;
-        self.last = [product(a0, self.r), step(a0, 1), step(a1, 2), step(a2, 3)];
-        self.last
+#[inline]
+fn sine_wave(q: u64, (sine, cosine): (i64, i64), eta: i64) -> Wave {
+    let e = eta * q as i64;
+    let square = product(e, e);
+    Wave {
+        at: [sine, product(e, cosine), -product(square, sine) / 2],
+        bound: [ONE, e, square / 2, product(square / 2, e) / 3],
     }
 }
 

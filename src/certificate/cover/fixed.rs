@@ -79,18 +79,6 @@ fn series<const N: usize>(y: i64, divisors: [i64; N]) -> i64 {
     divisors.into_iter().fold(ONE, |t, d| ONE - product(y, t) / d)
 }
 
-/// r^p rounded down, within p − 1 (or exact for p = 0), for 0 ≤ r ≤ 1, by squaring: a square doubles the error and adds 1, a step adds 1.
-pub(super) fn power(r: i64, p: u64) -> i64 {
-    let mut value = ONE;
-    for bit in (0..64 - p.leading_zeros()).rev() {
-        value = product(value, value);
-        if p >> bit & 1 == 1 {
-            value = product(value, r);
-        }
-    }
-    value
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -139,19 +127,5 @@ mod tests {
                 assert!((sine - s).abs() <= 18 && (cosine - c).abs() <= 18);
             }
         }
-    }
-
-    #[test]
-    fn powers_are_rounded_down_within_their_bound() {
-        for r in [0, 1, ONE / 3, ONE - 1, ONE - ONE / 1000, ONE] {
-            let mut exact = ONE;
-            for p in 1..300u64 {
-                // The recurrence is off by less than p, too.
-                exact = product(exact, r);
-                assert!((power(r, p) - exact).abs() < p as i64);
-            }
-        }
-        assert_eq!(power(ONE / 2, 60), 1);
-        assert_eq!(power(0, 0), ONE);
     }
 }

@@ -44,15 +44,15 @@
 //! strip 0/1 1/6
 //! sM;M;sM;M;
 //! strip 1/6 1/3
-//! ssM;m2;sm2;rN2,1;sN2,1;N2,1;sM;m2l;
+//! ssM;m2;sm2;rN2,1;snnsM;m2l;
 //! strip 1/3 1/2
-//! sN2,1;sN2,1;rN2,1;p1;ssN2,1;p1r;sp1r;sp1r;rp1;P;
+//! sN2,1;snrnp1;ssnp1r;sp1r;sp1r;rp1;P;
 //! ```
 //!
 //! T_1 = r² sin 3θ − r³ sin 2θ − sin θ and T_2 = r sin 3θ − r³ sin θ − sin 2θ. There are two rows, [0, 1/2] and [1/2, 2/3]. In the first strip both rows are
 //! halved in s, and both T are < 0 on all four boxes: (−,+). In the second strip, the interval (1/6, 1/3) with t = −1 and d = 2, the first row is quartered in s: on
 //! [1/6, 5/24] both T are < 0; on [5/24, 1/4] and [1/4, 7/24], the latter halved once more, T_2 decides: at r = 0, T_2 = −sin 2θ changes sign at
-//! s = 1/4. Near s = 1/3 there is no orbit. At the top, M and m2l: an orbit up to s = 1/4, and from there to 1/3
+//! s = 1/4. Near s = 1/3 there is no orbit: N2,1 and, for the same again, n. At the top, M and m2l: an orbit up to s = 1/4, and from there to 1/3
 //! an end of it, for −T_2 falls with s. In the third strip, t = 1 and d = 1, the top reads None, three Edge leaves where T_1 grows with s, and at s = 1/2 an Orbit leaf above an
 //! Edge leaf.
 //!
@@ -63,7 +63,8 @@
 //!   for the box is too large for a parabola;
 //! - `sM;m2l;` to `sM;m2;`: `line 12: false: the leaves of (1/6, 1/3) are not one area: at the top, the leaf on
 //!   [0.5, 0.6666666666666666] x [0.25, 0.3333333333333333] is out of order`;
-//! - the last leaf `P;` to `M;`: `line 14: false: column 47, M on [0.5833333333333334, 0.6666666666666666] x [0.4791666666666667, 0.5]: the
+//! - `rN2,1;snn` to `rnsnn`, the first None leaf of the strip: `line 12: malformed: column 13: n without an N before it`;
+//! - the last leaf `P;` to `M;`: `line 14: false: column 35, M on [0.5833333333333334, 0.6666666666666666] x [0.4791666666666667, 0.5]: the
 //!   sign or the deciding index is not that of the strip's interval`.
 
 mod areas;
@@ -74,7 +75,12 @@ mod regions;
 mod strips;
 mod tree;
 
-use std::{io::BufRead, ops::RangeInclusive};
+use std::{
+    collections::{HashMap, hash_map::Entry},
+    hash::Hash,
+    io::BufRead,
+    ops::RangeInclusive,
+};
 
 pub use leaf::Leaf;
 
@@ -86,7 +92,7 @@ use super::{
     theorem2::Theorem,
 };
 use areas::Top;
-use expansion::Form;
+use expansion::{Form, Patch, Powers, Waves};
 use strips::Strip;
 use tree::Fault;
 
@@ -140,7 +146,7 @@ pub(super) fn check<R: BufRead>(lines: &mut Lines<R>) -> Result<Checked, Rejecti
 /// Checks the block of one period, `text` being its lines from `n N …` on, which `before` lines come before.
 ///
 /// Blocks are independent: a certificate is proved if its header and all its blocks are. Cost: O(n³) small operations for the
-/// regions 2 and 4, O(log n) products for a None leaf, O(n) for every other.
+/// regions 2 and 4, O(n) products for every interval of r and, at s = 0 and s = ½, of s; O(1) for a None leaf, O(n) for an Orbit or Edge leaf.
 ///
 /// # Errors
 /// As [`check`](super::check).
@@ -185,22 +191,44 @@ fn block<R: BufRead>(lines: &mut Lines<R>, n: u64, open: &mut Open) -> Result<()
         }
     }
     let rows = strips::rows(r_max);
+    let mut powers = Known(HashMap::new());
     let mut found = 0;
     for strip in strips::strips(n).map_err(|reason| lines.false_claim(reason))? {
         if lines.expect("a strip")? != format!("strip {} {}", strip.left, strip.right) {
             return Err(lines.malformed(format!("expected \"strip {} {}\"", strip.left, strip.right)));
         }
         let text = lines.expect_within(LONGEST, "the trees of a strip")?;
-        found += check_strip(n, &strip, &rows, &text, open, lines.number()).map_err(|fault| match fault {
-            Fault::Malformed(reason) => lines.malformed(reason),
-            Fault::False(reason) => lines.false_claim(reason),
-        })?;
+        found +=
+            check_strip(n, &mut powers, &strip, &rows, &text, open, lines.number()).map_err(|fault| {
+                match fault {
+                    Fault::Malformed(reason) => lines.malformed(reason),
+                    Fault::False(reason) => lines.false_claim(reason),
+                }
+            })?;
     }
     if found != leaves {
         let reason = format!("the block has {found} leaves, not {leaves}");
         return Err(Rejection::Malformed { line: header_at, reason });
     }
     Ok(())
+}
+
+/// What is computed once for many boxes, by their bounds of r or of s: they have most of them in common.
+struct Known<K, V>(HashMap<K, V>);
+
+/// How much of it is held at most.
+const HELD: usize = 1 << 10;
+
+impl<K: Copy + Eq + Hash, V> Known<K, V> {
+    fn get(&mut self, bounds: K, make: impl FnOnce(K) -> Result<V, String>) -> Result<&V, String> {
+        if self.0.len() == HELD {
+            self.0.clear();
+        }
+        Ok(match self.0.entry(bounds) {
+            Entry::Occupied(known) => known.into_mut(),
+            Entry::Vacant(place) => place.insert(make(bounds)?),
+        })
+    }
 }
 
 /// r_max and the number of leaves.
@@ -222,6 +250,7 @@ fn block_header(line: &str, n: u64) -> Result<(Fraction, u64), String> {
 /// Checks all leaves of a strip and, if none is open, the strip's part of the conclusion; the number of leaves.
 fn check_strip(
     n: u64,
+    powers: &mut Known<[i64; 2], Powers>,
     strip: &Strip,
     rows: &[[i64; 2]],
     text: &str,
@@ -230,11 +259,14 @@ fn check_strip(
 ) -> Result<u64, Fault> {
     let form = if strip.outermost { Form::Quotient } else { Form::Sine };
     let mut top = Top::new(rows.last().expect("there is a row")[1]);
+    let mut waves = Known(HashMap::new());
     let (mut leaves, mut complete) = (0, true);
     tree::walk(text, n, strip.units, rows, |leaf, cell| {
         leaves += 1;
         strip.allows(&leaf)?;
-        leaf.prove(n, &cell, form)?;
+        let powers = powers.get(cell.r, |r| Powers::new(n, r))?;
+        let waves = waves.get(cell.s, |s| Waves::new(n, s, form))?;
+        leaf.prove(&Patch::new(powers, waves))?;
         if leaf == Leaf::Open {
             complete = false;
             if open.leaves == 0 {

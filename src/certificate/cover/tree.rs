@@ -21,7 +21,7 @@ pub(super) fn walk(
     rows: &[[i64; 2]],
     mut visit: impl FnMut(Leaf, Cell) -> Result<(), String>,
 ) -> Result<(), Fault> {
-    let mut rest = text;
+    let (mut rest, mut latest) = (text, None);
     let malformed = |rest: &str, reason: String| {
         Err(Fault::Malformed(format!("column {}: {reason}", text.len() - rest.len() + 1)))
     };
@@ -42,15 +42,13 @@ pub(super) fn walk(
                 }
                 Some(b'r' | b's') => return malformed(rest, "the box is too small to be split".into()),
                 _ => {
-                    let Some((token, after)) = rest.split_once(';') else {
-                        return malformed(rest, "expected r, s or a leaf that ends in ;".into());
-                    };
-                    let leaf = match Leaf::parse(token, n) {
-                        Ok(leaf) => leaf,
+                    let (leaf, after) = match Leaf::read(rest, n, &mut latest) {
+                        Ok(read) => read,
                         Err(reason) => return malformed(rest, reason),
                     };
                     visit(leaf, cell).map_err(|reason| {
                         let column = text.len() - rest.len() + 1;
+                        let token = rest[..rest.len() - after.len()].trim_end_matches(';');
                         Fault::False(format!("column {column}, {token} on {}: {reason}", shown(&cell)))
                     })?;
                     rest = after;

@@ -31,11 +31,18 @@ impl<'a> Judge<'a> {
         Judge { chart, n, finest, expander: Expander::new(n, chart.strip.is_outermost()) }
     }
 
-    /// Decides a box, and says whether what was found contradicts the claim for the strip. O(n).
-    pub fn judge(&mut self, cell: &Cell) -> (Verdict, bool) {
+    /// Decides a box, and says whether what was found contradicts the claim for the strip. `latest` is the None leaf found last in the strip. O(n).
+    pub fn judge(&mut self, cell: &Cell, latest: Option<Leaf>) -> (Verdict, bool) {
         let frame = self.chart.frame(cell);
         self.expander.expand(&frame);
         let all = &self.expander.all;
+        // A None leaf repeated is one byte of a certificate.
+        if let Some(leaf @ Leaf::None { positive, negative }) = latest
+            && all[positive as usize].low(1.0) > 0.0
+            && all[negative as usize].low(-1.0) > 0.0
+        {
+            return (Verdict::Leaf(leaf), self.claims_orbit(all));
+        }
         // How many have the sign t for certain, and the least: small numbers keep certificates short.
         let certain = |t: f64| {
             let mut found =

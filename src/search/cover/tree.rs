@@ -13,7 +13,7 @@ use crate::{
 /// Boxes met in one strip before the rest is left open: hundreds of times what any strip of a period up to 128 needs.
 const BUDGET: u32 = 1 << 16;
 
-/// The trees of a strip's rows as text: `r` or `s` for a split, then its two parts; leaves as they display. Boxes still undecided after `max_depth`
+/// The trees of a strip's rows as text: `r` or `s` for a split, then its two parts; leaves as [`Leaf::write`] has them. Boxes still undecided after `max_depth`
 /// splits become Open leaves. Where the claim for the strip
 /// seems to be false, `refutes` is asked; a point at which it is false ends the search and is returned instead. Cost: O(n) for each box met.
 pub(super) fn grow(
@@ -21,28 +21,27 @@ pub(super) fn grow(
     max_depth: u32,
     refutes: impl Fn(&Cell) -> Option<Case>,
 ) -> std::result::Result<String, Box<Case>> {
-    let (mut text, mut met) = (String::new(), 0);
+    let (mut text, mut latest, mut met) = (String::new(), None, 0);
     for row in 0..judge.chart.rows() {
         let mut stack = vec![Cell::root(row)];
         while let Some(cell) = stack.pop() {
             met += 1;
             if met > BUDGET {
-                text += &Leaf::Open.to_string();
+                Leaf::Open.write(&mut text, &mut latest);
                 continue;
             }
-            let (verdict, suspect) = judge.judge(&cell);
+            let (verdict, suspect) = judge.judge(&cell, latest);
             if suspect && let Some(case) = refutes(&cell) {
                 return Err(Box::new(case));
             }
             match verdict {
-                Verdict::Leaf(_) if suspect => text += &Leaf::Open.to_string(),
-                Verdict::Leaf(leaf) => text += &leaf.to_string(),
+                Verdict::Leaf(leaf) if !suspect => leaf.write(&mut text, &mut latest),
                 Verdict::Split(axis) if cell.depth() < max_depth => {
                     text.push(if axis == Axis::R { 'r' } else { 's' });
                     let [first, second] = cell.halves(axis);
                     stack.extend([second, first]);
                 }
-                Verdict::Split(_) | Verdict::Noise => text += &Leaf::Open.to_string(),
+                _ => Leaf::Open.write(&mut text, &mut latest),
             }
         }
     }
@@ -55,7 +54,7 @@ pub(super) fn grow(
 /// An input error if the text is no such trees.
 pub fn walk(text: &str, n: u64, chart: &Chart, mut visit: impl FnMut(Leaf, Cell)) -> Result<()> {
     let malformed = || Error::input("the text is not that of a strip's trees");
-    let mut rest = text;
+    let (mut rest, mut latest) = (text, None);
     for row in 0..chart.rows() {
         let mut stack = vec![Cell::root(row)];
         while let Some(cell) = stack.pop() {
@@ -63,8 +62,8 @@ pub fn walk(text: &str, n: u64, chart: &Chart, mut visit: impl FnMut(Leaf, Cell)
                 Some(b'r') => Axis::R,
                 Some(b's') => Axis::S,
                 _ => {
-                    let (token, after) = rest.split_once(';').ok_or_else(malformed)?;
-                    visit(Leaf::parse(token, n).map_err(|_| malformed())?, cell);
+                    let (leaf, after) = Leaf::read(rest, n, &mut latest).map_err(|_| malformed())?;
+                    visit(leaf, cell);
                     rest = after;
                     continue;
                 }
