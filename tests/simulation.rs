@@ -289,6 +289,18 @@ fn the_closed_form_and_the_integrator_see_the_same_impacts() {
     }
 }
 
+/// The steps of a ball's parabola know nothing of the table, which moves through more than a period in the longest of them.
+#[test]
+fn steps_are_short_enough_for_a_fast_wall() {
+    let system = System { lower: Some(wall(0.0, 0.9, &[(9, 0.0, 0.005)])), ..ball(0.9) };
+    let found = [simulator(&system), integrated(&system, 1e-13)]
+        .map(|simulator| impacts(&mut simulator.start(at(0.0), 0.5, 0.0).unwrap(), at(12.0)));
+    assert!(found[0].len() > 5 && found[0].len() == found[1].len(), "{found:?}");
+    for (a, b) in found[0].iter().zip(&found[1]) {
+        assert!(a.time.since(b.time).abs() < 1e-10 && (a.velocity - b.velocity).abs() < 1e-10, "{a:?} {b:?}");
+    }
+}
+
 #[test]
 fn a_wall_never_touched_changes_no_event() {
     let with = paper(0.6, 4.9, 0.003, 1.0);
