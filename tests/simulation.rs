@@ -301,6 +301,21 @@ fn steps_are_short_enough_for_a_fast_wall() {
     }
 }
 
+/// Strong force between near walls: one piece of the free flight crosses both, and only the first is met.
+#[test]
+fn the_first_of_two_walls_on_a_piece_is_met() {
+    for sign in [1.0, -1.0] {
+        let (lower, upper) = (Some(wall(-0.1, 1.0, &[])), Some(wall(0.1, 1.0, &[])));
+        let system = System { force: -100.0 * sign, lower, upper, ..bare(0.0, 0.0) };
+        for simulator in [simulator(&system), integrated(&system, 1e-13)] {
+            let impact = impacts(&mut simulator.start(at(0.0), 0.0, 5.0 * sign).unwrap(), at(0.7))[0];
+            assert_eq!(impact.side, if sign > 0.0 { Side::Upper } else { Side::Lower });
+            // 5t − 50t² = 1/10
+            assert!((impact.time.phase - (5.0 - 5f64.sqrt()) / 100.0).abs() < 1e-14);
+        }
+    }
+}
+
 #[test]
 fn a_wall_never_touched_changes_no_event() {
     let with = paper(0.6, 4.9, 0.003, 1.0);
