@@ -316,6 +316,15 @@ fn the_first_of_two_walls_on_a_piece_is_met() {
     }
 }
 
+/// With τ near 1 the bounces would last until after the table's acceleration has passed gravity: no rest is made of them.
+#[test]
+fn bounces_are_not_summed_beyond_a_change_of_force() {
+    let system = System { lower: Some(wall(0.0, 1.0 - 1e-7, &[(1, 0.0, 2.0)])), ..ball(1.0) };
+    let simulator = simulator(&system);
+    let first = simulator.start(at(0.0), 0.0, 2.0 + 1e-7).unwrap().next(at(5.0));
+    assert!(matches!(first, Event::Impact(impact) if (impact.time.phase - 2e-7).abs() < 1e-8), "{first:?}");
+}
+
 #[test]
 fn a_wall_never_touched_changes_no_event() {
     let with = paper(0.6, 4.9, 0.003, 1.0);
