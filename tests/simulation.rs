@@ -6,7 +6,7 @@ use grazing::oscillator::{
     Contact, Counts, Effect, Harmonic, Side, System, Time, Wall,
     attractor::{Detection, Fate},
     basin::{Cell, Frame, basins},
-    flow::{Flow, Linear},
+    flow::{Flow, Linear, State},
     lyapunov::lyapunov,
     simulate::{End, Event, Impact, Run, Settings, Simulator},
 };
@@ -323,6 +323,20 @@ fn bounces_are_not_summed_beyond_a_change_of_force() {
     let simulator = simulator(&system);
     let first = simulator.start(at(0.0), 0.0, 2.0 + 1e-7).unwrap().next(at(5.0));
     assert!(matches!(first, Event::Impact(impact) if (impact.time.phase - 2e-7).abs() < 1e-8), "{first:?}");
+}
+
+#[test]
+fn the_linearised_cubic_flow_is_its_difference_quotient() {
+    let flow = simulator(&System { cubic: 0.8, ..bare(0.1, -0.5) }).flow().clone();
+    let from = |dq: f64, du: f64| State { t: 0.3, q: 0.9 + dq, u: 0.4 + du };
+    let (_, matrix) = flow.advance_linearised(from(0.0, 0.0), 2.0);
+    let h = 1e-4;
+    for (column, [dq, du]) in [[h, 0.0], [0.0, h]].into_iter().enumerate() {
+        let (a, b) = (flow.advance(from(dq, du), 2.0), flow.advance(from(-dq, -du), 2.0));
+        for (row, difference) in [a.q - b.q, a.u - b.u].into_iter().enumerate() {
+            assert!((matrix[row][column] - difference / (2.0 * h)).abs() < 1e-6, "{matrix:?}");
+        }
+    }
 }
 
 #[test]
