@@ -439,6 +439,11 @@ fn attractors_are_detected_with_period_and_impacts() {
     let Fate::Periodic(rest) = fate(-0.2) else { panic!() };
     assert_eq!((rest.period(), rest.impacts), (1, 0));
     assert_eq!(fate(0.003), Fate::Irregular);
+    // A slow turn round an ellipse: points are near their successors where it is flat, and not for long.
+    let turning = simulator(&bare(0.0, 1.001 * 1.001));
+    let near = Detection { transient: 0, longest: 1, tolerance: 5e-3, confirm: 60, ..Detection::default() };
+    let mut run = turning.start(at(0.0), 0.5f64.sqrt(), -0.5f64.sqrt()).unwrap();
+    assert_eq!(near.detect(&mut run).unwrap(), Fate::Irregular);
     assert!(Detection { longest: 0, ..Detection::default() }.check().unwrap_err().is_input());
 }
 
