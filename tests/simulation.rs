@@ -480,6 +480,19 @@ fn basins_tell_starts_apart() {
 }
 
 #[test]
+fn two_attractors_have_a_basin_each() {
+    // Two wells at ±1; from rest the damped motion stays in its own.
+    let system = System { cubic: 1.0, ..bare(0.5, -1.0) };
+    let frame = Frame { q: [-1.3, 1.3], u: [0.0, 0.0], columns: 6, rows: 1 };
+    let detection = Detection { transient: 20, longest: 2, ..Detection::default() };
+    let basins = basins(&simulator(&system), &frame, &detection, &()).unwrap();
+    assert_eq!(basins.cells, [0, 0, 0, 1, 1, 1].map(Cell::Attractor));
+    assert!(
+        basins.attractors.iter().zip([-1.0, 1.0]).all(|(cycle, q)| (cycle.points[0][0] - q).abs() < 1e-6)
+    );
+}
+
+#[test]
 fn a_duffing_oscillator_keeps_its_energy_at_an_elastic_wall() {
     let system = System { cubic: 0.8, lower: Some(wall(-0.4, 1.0, &[])), ..bare(0.0, -0.5) };
     let energy = |q: f64, u: f64| u * u / 2.0 - 0.25 * q * q + 0.2 * q.powi(4);
