@@ -529,6 +529,33 @@ fn bounds_are_met_to_the_unit() {
     }
 }
 
+/// An Edge leaf is put in the place of every part of every tree: each condition is the one that fails somewhere.
+#[test]
+fn every_condition_of_an_edge_is_asked_for() {
+    let text = written("3..=8", None);
+    let lines: Vec<String> = text.lines().map(String::from).collect();
+    let mut reasons = String::new();
+    for (at, line) in lines.iter().enumerate().filter(|(_, line)| !line.contains(' ')) {
+        let all = tokens(line);
+        let Some(edge) = all.iter().find(|token| token.starts_with(['p', 'm'])) else { continue };
+        for j in 0..all.len() {
+            let mut tree = all.clone();
+            tree.splice(j..j + subtree(&all, j), [*edge]);
+            let mut changed = lines.clone();
+            changed[at] = tree.concat();
+            recount(&mut changed, at);
+            if let Err(rejection) = check(&(changed.join("\n") + "\n")) {
+                reasons += &rejection.to_string();
+            }
+        }
+    }
+    for reason in
+        ["that N_{", "no N has the sign on the whole box", "grows with r is not shown", "out of order"]
+    {
+        assert!(reasons.contains(reason), "{reason}");
+    }
+}
+
 #[test]
 fn false_conclusions_are_rejected() {
     let text = written("8", None);
