@@ -150,6 +150,18 @@ fn an_orbit_through_the_wall_is_rejected() {
     let moved = resealed(moved);
     let answer = check(&moved).unwrap_err().to_string();
     assert!(answer.contains("is not certainly positive") && answer.contains("the gap on piece"), "{answer}");
+    // However few the pieces, and whatever their middles say.
+    let lines: Vec<&str> = moved.lines().collect();
+    let first = lines.iter().position(|line| line.starts_with("until")).unwrap();
+    for (from, count) in (0..60).flat_map(|from| (2..24).step_by(3).map(move |count| (from, count))) {
+        let mut fewer = lines.clone();
+        let count = count.min(lines.len() - 1 - first - from);
+        fewer.drain(first + from..first + from + count);
+        let flight = format!("flight {}", fewer.len() - first);
+        fewer[first - 1] = &flight;
+        let answer = check(&(fewer.join("\n") + "\n")).unwrap_err().to_string();
+        assert!(answer.contains("the gap on piece"), "{from} {count}: {answer}");
+    }
 }
 
 #[derive(Debug, Clone)]
