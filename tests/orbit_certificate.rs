@@ -164,6 +164,19 @@ fn an_orbit_through_the_wall_is_rejected() {
     }
 }
 
+/// Negative damping, elastic: complex multipliers outside the unit circle, D > 1 and 1 + D ± T > 0.
+#[test]
+fn complex_multipliers_outside_the_circle_are_not_stable() {
+    let mut system = at("1");
+    (system.damping, system.stiffness) = (number("-1/65"), number("100/169"));
+    let orbit = proved(prove(&system, &[lower(1, 3.07391, 2.04442)]));
+    assert_eq!(orbit.stability, Some(Stability::Unstable));
+    let text = validate::certificate(&system, &orbit).unwrap();
+    assert!(check(&text).is_ok());
+    let answer = check(&with(&text, "orbit", "orbit 1 stable")).unwrap_err().to_string();
+    assert!(answer.contains("the orbit is not certainly stable"), "{answer}");
+}
+
 #[derive(Debug, Clone)]
 enum Damage {
     Remove(prop::sample::Index),
