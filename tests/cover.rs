@@ -172,6 +172,18 @@ fn what_cannot_be_decided_is_left_open_and_listed() {
     assert!(rejection.contains(&format!("{} leaves are open", tally.open.len())), "{rejection}");
 }
 
+/// Where N nears 0 like (1 − r)², rounding hides its sign: those boxes are open, and no others are claimed wrongly.
+#[test]
+fn what_rounding_hides_is_left_open() {
+    let r_max = BigRational::new(((1u64 << 40) - 1).into(), (1u64 << 40).into());
+    let options = Options { r_max: Some(r_max), ..Options::new(5..=5) };
+    let cover = covers(&options).remove(0);
+    let open = cover.tally().open.len();
+    let text = certificate(&options.periods, &[cover.block().unwrap()]);
+    let rejection = certificate::check(text.as_bytes()).unwrap_err().to_string();
+    assert!(open > 0 && rejection.contains(&format!("all else being proved, {open} leaves")), "{rejection}");
+}
+
 /// A unit depends on nothing but its period and strip: known ones are taken as they are, the others come out alike.
 #[test]
 fn a_run_goes_on_from_any_subset() {
