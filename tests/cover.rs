@@ -172,6 +172,18 @@ fn what_cannot_be_decided_is_left_open_and_listed() {
     assert!(rejection.contains(&format!("{} leaves are open", tally.open.len())), "{rejection}");
 }
 
+/// Very near r = 1 rounding hides its sign: those boxes are open, and no others are claimed wrongly.
+#[test]
+fn what_rounding_hides_is_left_open() {
+    let r_max = BigRational::new(((1u64 << 40) - 1).into(), (1u64 << 40).into());
+    let options = Options { r_max: Some(r_max), ..Options::new(5..=5) };
+    let cover = covers(&options).remove(0);
+    let open = cover.tally().open.len();
+    let text = certificate(&options.periods, &[cover.block().unwrap()]);
+    let rejection = certificate::check(text.as_bytes()).unwrap_err().to_string();
+    assert!(open > 0 && rejection.contains(&format!("all else being proved, {open} leaves")), "{rejection}");
+}
+
 /// A unit depends on nothing but its period and strip: known ones are taken as they are, the others come out alike.
 #[test]
 fn a_run_goes_on_from_any_subset() {
@@ -268,8 +280,10 @@ fn a_killed_run_resumes_to_the_same_certificate() {
     }
     let other = stderr_of("cover 24..=45 --resume journal0", folder, 2);
     assert!(other.contains("it is of another run") && other.contains("24..=45"), "{other}");
-    let r_max = stderr_of(&format!("cover {range} --resume journal0 --max-depth 40"), folder, 2);
-    assert!(r_max.contains("it is of another run"), "{r_max}");
+    for option in ["--max-depth 40", "--r-max 0.99999"] {
+        let other = stderr_of(&format!("cover {range} --resume journal0 {option}"), folder, 2);
+        assert!(other.contains("it is of another run"), "{option}: {other}");
+    }
     fs::write(folder.join("notes"), "these are\nnot a journal\n").unwrap();
     assert!(stderr_of("cover 8 --resume notes", folder, 2).contains("it is not a journal"));
 }

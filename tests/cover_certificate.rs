@@ -535,6 +535,52 @@ fn a_negative_w_is_refused() {
     assert!(caught > 0, "nothing is shown by a negative w: the test shows nothing");
 }
 
+/// At the least coefficient that suffices and one unit below: every part of the rest and of rounding counts, as often as it should.
+#[test]
+fn bounds_are_met_to_the_unit() {
+    let (slack, d) = (1i64 << 20, [1i64 << 10, 1 << 12, 1 << 14, 1 << 16]);
+    let (rest, [d30, d21, d12, d03]) = (d.iter().sum::<i64>(), d);
+    for (t, extra) in [(1, 0), (1, 1), (-1, 0), (-1, 1)] {
+        let need = 17 + 13 + 11 + 5 + rest + slack + extra;
+        assert_eq!(Expansion { c: [t * need, 17, -13, -5 * t, 11, 9 * t], d }.shows(t, slack), extra == 1);
+        let up = 2 * 5 + 11 + 3 * d30 + 2 * d21 + d12 + 3 * slack + extra;
+        let right = 2 * 9 + 11 + 3 * d03 + 2 * d12 + d21 + 3 * slack + extra;
+        let slopes = Expansion { c: [0, t * up, -t * right, 5, -11, 9], d }.slopes(slack);
+        assert_eq!(slopes, [t * extra, -t * extra]);
+        // w = 1: both rests, and rounding twice.
+        let decider = Expansion { c: [0, 1 << 40, 0, 0, 0, 0], d };
+        let beyond = Expansion { c: [t * (2 * rest + 2 * slack + extra), 1 << 40, 0, 0, 0, 0], d };
+        assert_eq!(beyond.shows_beyond(&decider, t, slack), extra == 1);
+    }
+}
+
+/// An Edge leaf is put in the place of every part of every tree: each condition is the one that fails somewhere.
+#[test]
+fn every_condition_of_an_edge_is_asked_for() {
+    let text = written("3..=8", None);
+    let lines: Vec<String> = text.lines().map(String::from).collect();
+    let mut reasons = String::new();
+    for (at, line) in lines.iter().enumerate().filter(|(_, line)| !line.contains(' ')) {
+        let all = tokens(line);
+        let Some(edge) = all.iter().find(|token| token.starts_with(['p', 'm'])) else { continue };
+        for j in 0..all.len() {
+            let mut tree = all.clone();
+            tree.splice(j..j + subtree(&all, j), [*edge]);
+            let mut changed = lines.clone();
+            changed[at] = tree.concat();
+            recount(&mut changed, at);
+            if let Err(rejection) = check(&(changed.join("\n") + "\n")) {
+                reasons += &rejection.to_string();
+            }
+        }
+    }
+    for reason in
+        ["that N_{", "no N has the sign on the whole box", "grows with r is not shown", "out of order"]
+    {
+        assert!(reasons.contains(reason), "{reason}");
+    }
+}
+
 #[test]
 fn false_conclusions_are_rejected() {
     let text = written("8", None);

@@ -150,6 +150,31 @@ fn an_orbit_through_the_wall_is_rejected() {
     let moved = resealed(moved);
     let answer = check(&moved).unwrap_err().to_string();
     assert!(answer.contains("is not certainly positive") && answer.contains("the gap on piece"), "{answer}");
+    // However few the pieces, and whatever their middles say.
+    let lines: Vec<&str> = moved.lines().collect();
+    let first = lines.iter().position(|line| line.starts_with("until")).unwrap();
+    for (from, count) in (0..60).flat_map(|from| (2..24).step_by(3).map(move |count| (from, count))) {
+        let mut fewer = lines.clone();
+        let count = count.min(lines.len() - 1 - first - from);
+        fewer.drain(first + from..first + from + count);
+        let flight = format!("flight {}", fewer.len() - first);
+        fewer[first - 1] = &flight;
+        let answer = check(&(fewer.join("\n") + "\n")).unwrap_err().to_string();
+        assert!(answer.contains("the gap on piece"), "{from} {count}: {answer}");
+    }
+}
+
+/// Negative damping, elastic: complex multipliers outside the unit circle, D > 1 and 1 + D ± T > 0.
+#[test]
+fn complex_multipliers_outside_the_circle_are_not_stable() {
+    let mut system = at("1");
+    (system.damping, system.stiffness) = (number("-1/65"), number("100/169"));
+    let orbit = proved(prove(&system, &[lower(1, 3.07391, 2.04442)]));
+    assert_eq!(orbit.stability, Some(Stability::Unstable));
+    let text = validate::certificate(&system, &orbit).unwrap();
+    assert!(check(&text).is_ok());
+    let answer = check(&with(&text, "orbit", "orbit 1 stable")).unwrap_err().to_string();
+    assert!(answer.contains("the orbit is not certainly stable"), "{answer}");
 }
 
 #[derive(Debug, Clone)]

@@ -6,7 +6,7 @@ use grazing::oscillator::{
     Contact, Counts, Effect, Harmonic, Side, System, Time, Wall,
     attractor::{Detection, Fate},
     basin::{Cell, Frame, basins},
-    flow::{Flow, Linear},
+    flow::{Flow, Linear, State},
     lyapunov::lyapunov,
     simulate::{End, Event, Impact, Run, Settings, Simulator},
 };
@@ -289,6 +289,56 @@ fn the_closed_form_and_the_integrator_see_the_same_impacts() {
     }
 }
 
+/// The steps of a ball's parabola know nothing of the table, which moves through more than a period in the longest of them.
+#[test]
+fn steps_are_short_enough_for_a_fast_wall() {
+    let system = System { lower: Some(wall(0.0, 0.9, &[(9, 0.0, 0.005)])), ..ball(0.9) };
+    let found = [simulator(&system), integrated(&system, 1e-13)]
+        .map(|simulator| impacts(&mut simulator.start(at(0.0), 0.5, 0.0).unwrap(), at(12.0)));
+    assert!(found[0].len() > 5 && found[0].len() == found[1].len(), "{found:?}");
+    for (a, b) in found[0].iter().zip(&found[1]) {
+        assert!(a.time.since(b.time).abs() < 1e-10 && (a.velocity - b.velocity).abs() < 1e-10, "{a:?} {b:?}");
+    }
+}
+
+/// Strong force between near walls: one piece of the free flight crosses both, and only the first is met.
+#[test]
+fn the_first_of_two_walls_on_a_piece_is_met() {
+    for sign in [1.0, -1.0] {
+        let (lower, upper) = (Some(wall(-0.1, 1.0, &[])), Some(wall(0.1, 1.0, &[])));
+        let system = System { force: -100.0 * sign, lower, upper, ..bare(0.0, 0.0) };
+        for simulator in [simulator(&system), integrated(&system, 1e-13)] {
+            let impact = impacts(&mut simulator.start(at(0.0), 0.0, 5.0 * sign).unwrap(), at(0.7))[0];
+            assert_eq!(impact.side, if sign > 0.0 { Side::Upper } else { Side::Lower });
+            // 5t − 50t² = 1/10
+            assert!((impact.time.phase - (5.0 - 5f64.sqrt()) / 100.0).abs() < 1e-14);
+        }
+    }
+}
+
+/// With τ near 1 the bounces would last until after the table's acceleration has passed gravity: no rest is made of them.
+#[test]
+fn bounces_are_not_summed_beyond_a_change_of_force() {
+    let system = System { lower: Some(wall(0.0, 1.0 - 1e-7, &[(1, 0.0, 2.0)])), ..ball(1.0) };
+    let simulator = simulator(&system);
+    let first = simulator.start(at(0.0), 0.0, 2.0 + 1e-7).unwrap().next(at(5.0));
+    assert!(matches!(first, Event::Impact(impact) if (impact.time.phase - 2e-7).abs() < 1e-8), "{first:?}");
+}
+
+#[test]
+fn the_linearised_cubic_flow_is_its_difference_quotient() {
+    let flow = simulator(&System { cubic: 0.8, ..bare(0.1, -0.5) }).flow().clone();
+    let from = |dq: f64, du: f64| State { t: 0.3, q: 0.9 + dq, u: 0.4 + du };
+    let (_, matrix) = flow.advance_linearised(from(0.0, 0.0), 2.0);
+    let h = 1e-4;
+    for (column, [dq, du]) in [[h, 0.0], [0.0, h]].into_iter().enumerate() {
+        let (a, b) = (flow.advance(from(dq, du), 2.0), flow.advance(from(-dq, -du), 2.0));
+        for (row, difference) in [a.q - b.q, a.u - b.u].into_iter().enumerate() {
+            assert!((matrix[row][column] - difference / (2.0 * h)).abs() < 1e-6, "{matrix:?}");
+        }
+    }
+}
+
 #[test]
 fn a_wall_never_touched_changes_no_event() {
     let with = paper(0.6, 4.9, 0.003, 1.0);
@@ -389,6 +439,11 @@ fn attractors_are_detected_with_period_and_impacts() {
     let Fate::Periodic(rest) = fate(-0.2) else { panic!() };
     assert_eq!((rest.period(), rest.impacts), (1, 0));
     assert_eq!(fate(0.003), Fate::Irregular);
+    // A slow turn round an ellipse: points are near their successors where it is flat, and not for long.
+    let turning = simulator(&bare(0.0, 1.001 * 1.001));
+    let near = Detection { transient: 0, longest: 1, tolerance: 5e-3, confirm: 60, ..Detection::default() };
+    let mut run = turning.start(at(0.0), 0.5f64.sqrt(), -0.5f64.sqrt()).unwrap();
+    assert_eq!(near.detect(&mut run).unwrap(), Fate::Irregular);
     assert!(Detection { longest: 0, ..Detection::default() }.check().unwrap_err().is_input());
 }
 
@@ -397,6 +452,11 @@ fn lyapunov_exponents_match_what_is_known() {
     // Without impacts: −c/2. At rest on a wall: −∞. On the stable orbit of period 3 below 0, in chaos above.
     let free = lyapunov(&simulator(&bare(0.2, 1.0)), at(0.0), [1.0, 0.0], 10, 2000).unwrap();
     assert!((free.rate + 0.1).abs() < 1e-4, "{free:?}");
+    // Overdamped: once the tangent has turned, exactly the slow eigenvalue.
+    let slow = lyapunov(&simulator(&bare(3.0, 1.0)), at(0.0), [1.0, 0.0], 0, 20).unwrap();
+    assert!((slow.second_half - (5f64.sqrt() - 3.0) / 2.0).abs() < 1e-10, "{slow:?}");
+    // Impacts at 1, 3, 5, …: 32 of them from 20π to 40π.
+    assert_eq!(lyapunov(&simulator(&ball(1.0)), at(0.0), [0.5, 0.0], 10, 10).unwrap().impacts, 32);
     let rest = lyapunov(&simulator(&ball(0.5)), at(0.0), [0.5, 0.0], 0, 10).unwrap();
     assert_eq!(rest.rate, f64::NEG_INFINITY);
     let exponent =
@@ -417,6 +477,19 @@ fn basins_tell_starts_apart() {
     assert!((0..5).all(|row| basins.cells[15 * row] == Cell::Behind));
     assert!(basins.cells.contains(&Cell::Attractor(0)));
     assert!(basins.attractors.iter().any(|cycle| cycle.impacts == 0));
+}
+
+#[test]
+fn two_attractors_have_a_basin_each() {
+    // Two wells at ±1; from rest the damped motion stays in its own.
+    let system = System { cubic: 1.0, ..bare(0.5, -1.0) };
+    let frame = Frame { q: [-1.3, 1.3], u: [0.0, 0.0], columns: 6, rows: 1 };
+    let detection = Detection { transient: 20, longest: 2, ..Detection::default() };
+    let basins = basins(&simulator(&system), &frame, &detection, &()).unwrap();
+    assert_eq!(basins.cells, [0, 0, 0, 1, 1, 1].map(Cell::Attractor));
+    assert!(
+        basins.attractors.iter().zip([-1.0, 1.0]).all(|(cycle, q)| (cycle.points[0][0] - q).abs() < 1e-6)
+    );
 }
 
 #[test]

@@ -54,3 +54,29 @@ impl Top {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// No true claims read otherwise than one interval does, so that no certificate can show the refusals.
+    #[test]
+    fn what_is_not_one_interval_is_refused() {
+        let reads = |row: &str| {
+            let mut top = Top::new(1);
+            for (i, kind) in (0..).zip(row.chars()) {
+                let across = if kind == 'r' { 1 } else { -1 };
+                let leaf = match kind {
+                    'N' => Leaf::None { positive: 1, negative: 2 },
+                    'P' => Leaf::Orbit { positive: true },
+                    _ => Leaf::Edge { positive: true, deciding: 1, across },
+                };
+                top.add(leaf, Cell { r: [0, 1], s: [i, i + 1] });
+                top.add(Leaf::Orbit { positive: true }, Cell { r: [-1, 0], s: [i, i + 1] });
+            }
+            top.is_one_interval().is_ok()
+        };
+        assert!(["P", "NrrPPllN", "rP", "Pl"].into_iter().all(reads));
+        assert!(!["", "N", "rl", "PNP", "rNP", "lP", "Pr", "rPlP", "PlNl"].into_iter().any(reads));
+    }
+}

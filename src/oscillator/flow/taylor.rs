@@ -51,10 +51,6 @@ impl Taylor {
         &self.recurrence.0
     }
 
-    pub(in crate::oscillator) fn order(&self) -> usize {
-        self.order
-    }
-
     /// The next step, no longer than `longest` > 0, backwards if `forward` is false.
     pub(in crate::oscillator) fn expand(&self, from: State, forward: bool, longest: f64) -> Expansion {
         let trial = if forward { 0.25 } else { -0.25 };
