@@ -633,8 +633,9 @@ fn an_open_leaf_leaves_it_undecided() {
     let mut lines: Vec<String> = text.lines().map(String::from).collect();
     let strip = lines.iter().position(|line| line == "strip 1/3 3/8").unwrap() + 1;
     let mut all = tokens(&lines[strip]);
-    let first = all.iter().position(|token| token.ends_with(';')).unwrap();
-    all[first] = "O;";
+    // The last one: no n after it repeats it.
+    let last = all.iter().rposition(|token| token.starts_with(['N', 'n'])).unwrap();
+    all[last] = "O;";
     lines[strip] = all.concat();
     let opened = lines.join("\n") + "\n";
     let rejection = check(&opened).unwrap_err();
