@@ -254,3 +254,20 @@ fn long_runs_stay_on_their_exact_motion() {
         }
     }
 }
+
+#[test]
+fn figures_6_and_7_make_their_folder_and_leave_no_checkpoint() {
+    for (number, files) in [("6", 8), ("7", 2)] {
+        let outside = tempfile::tempdir().unwrap();
+        let folder = outside.path().join("new");
+        let output = Command::new(env!("CARGO_BIN_EXE_grazing"))
+            .args(["figure", number, "-o"])
+            .arg(&folder)
+            .output()
+            .unwrap();
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        let names: Vec<_> = fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().file_name()).collect();
+        assert_eq!(names.len(), files, "{names:?}");
+        assert!(names.iter().all(|name| !name.to_string_lossy().contains("checkpoint")), "{names:?}");
+    }
+}

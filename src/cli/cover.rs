@@ -250,9 +250,9 @@ fn table(rows: &[Row]) -> String {
     text
 }
 
-/// How leaves and times grow over the periods of a range, if there are enough of them to say.
+/// How leaves and times grow over the periods of a range, if all are proved and enough to say.
 fn growth(rows: &[Row]) -> String {
-    if rows.len() < 8 {
+    if rows.len() < 8 || rows.iter().any(|row| row.verdict() != "proved") {
         return String::new();
     }
     let exponent =

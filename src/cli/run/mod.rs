@@ -139,7 +139,7 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     if jobs.is_empty() {
         return Err(Error::input(format!("{name} has no [[tasks]]: nothing to do")));
     }
-    fs::create_dir_all(&args.output).map_err(|error| Error::io("create", &args.output, error))?;
+    make(&args.output)?;
     let mut reports = Vec::new();
     for job in &jobs {
         interrupt.check()?;
@@ -163,7 +163,12 @@ pub(super) fn paper(task: &str, folder: &Path, interrupt: &Interrupt) -> Result<
     let scene = Scene::from_toml(text, "nordmark-2001.toml")?;
     let task = scene.tasks.iter().find(|known| known.name == task);
     let task = task.ok_or_else(|| Error::input("the paper's scene has no such task"))?;
+    make(folder)?;
     Job::new(&scene, task, &[], folder, interrupt)?.run().map(drop)
+}
+
+fn make(folder: &Path) -> Result<()> {
+    fs::create_dir_all(folder).map_err(|error| Error::io("create", folder, error))
 }
 
 /// The simulator's settings for a scene's accuracy.
