@@ -635,14 +635,19 @@ fn an_open_leaf_leaves_it_undecided() {
     let mut all = tokens(&lines[strip]);
     // The last one: no n after it repeats it.
     let last = all.iter().rposition(|token| token.starts_with(['N', 'n'])).unwrap();
-    all[last] = "O;";
+    // In a corner of its box only: what is left open must not round to nothing.
+    let claim = all[..=last].iter().rfind(|token| token.starts_with('N')).unwrap();
+    let corner = format!("{}O;{}", "rs".repeat(27), claim.repeat(54));
+    all[last] = &corner;
     lines[strip] = all.concat();
+    recount(&mut lines, strip);
     let opened = lines.join("\n") + "\n";
     let rejection = check(&opened).unwrap_err();
     assert!(
         rejection.to_string().contains("undecided: all else being proved, 1 leaves are open"),
         "{rejection}"
     );
+    assert!(rejection.to_string().contains("e-20 in (r, s)"), "{rejection}");
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("open");
     fs::write(&path, &opened).unwrap();

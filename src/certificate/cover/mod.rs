@@ -126,7 +126,7 @@ pub fn header(range: &RangeInclusive<u64>, lines: u64) -> String {
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 struct Open {
     leaves: u64,
-    /// Their area in r and s, in units of 2⁻⁶⁰.
+    /// Their area in r and s, in units of 2⁻¹²⁴: about 2¹²³ if all is open.
     area: u128,
     /// The line of the first.
     line: u64,
@@ -165,7 +165,7 @@ pub fn check_block(n: u64, text: &[u8], before: u64) -> Result<(), Rejection> {
 
 impl Open {
     fn rejection(&self) -> Option<Rejection> {
-        let area = self.area as f64 / 2f64.powi(60);
+        let area = self.area as f64 / 2f64.powi(124);
         (self.leaves > 0).then(|| Rejection::Undecided {
             line: self.line,
             reason: format!(
@@ -273,7 +273,7 @@ fn check_strip(
                 open.line = line;
             }
             open.leaves += 1;
-            open.area += ((cell.r[1] - cell.r[0]) as u128 * u128::from(cell.s[1] - cell.s[0])) >> 64;
+            open.area += (cell.r[1] - cell.r[0]) as u128 * u128::from(cell.s[1] - cell.s[0]);
         }
         top.add(leaf, cell);
         Ok(())
