@@ -5,13 +5,16 @@
 use std::hint::black_box;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use grazing::oscillator::{
-    Scene, Side,
-    attractor::Detection,
-    branch::{Branch, Direction, Options, Orbits, attracting},
-    flow::State,
-    orbit::{Family, Itinerary, SceneFamily, SingleImpact},
-    simulate::Settings,
+use grazing::{
+    oscillator::{
+        Side,
+        attractor::{attracting, detection::Detection},
+        branch::{Branch, Direction, Options, Orbits},
+        flow::State,
+        orbit::{Family, Itinerary, SingleImpact},
+        simulate::Settings,
+    },
+    scene::{Scene, SceneFamily},
 };
 
 fn branches(criterion: &mut Criterion) {

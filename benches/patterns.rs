@@ -5,7 +5,7 @@
 use std::hint::black_box;
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
-use grazing::impact::{Analysis, Graph, Map, Numbers, Pattern, Patterns, Report};
+use grazing::pattern::{Analysis, Graph, Map, Numbers, Pattern, Patterns, Report};
 use rayon::prelude::*;
 
 const PLANE: &str = include_str!("../examples/maps/focus.toml");

@@ -7,8 +7,8 @@ use std::{f64::consts::TAU, hint::black_box};
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use grazing::oscillator::{
     Harmonic, System, Time, Wall,
+    attractor::section::section,
     flow::Linear,
-    section::section,
     simulate::{End, Event, Settings, Simulator},
 };
 use rayon::prelude::*;

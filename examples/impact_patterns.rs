@@ -2,7 +2,7 @@
 //!
 //! Run with `cargo run --example impact_patterns`.
 
-use grazing::impact::{Analysis, Map, Numbers, Patterns};
+use grazing::pattern::{Analysis, Map, Numbers, Patterns};
 
 const MAP: &str = r#"
 format = "grazing-map 1"

@@ -25,12 +25,12 @@
 //!   [`existence::by_records`]); b_{n,k} and c_n to any number of certain digits ([`local`]).
 //! - The lower edges of the areas of Conjecture 1, r < 1, and their lowest points, certified to any number of digits
 //!   ([`existence::Boundary`]).
-//! - For a local map of any dimension, exact or enclosed: which impact patterns give orbits, by Theorem 1 ([`impact`]).
+//! - For a local map of any dimension, exact or enclosed: which impact patterns give orbits, by Theorem 1 ([`pattern`]).
 //! - Trajectories of impact oscillators with one degree of freedom, in f64: every impact deeper than a stated bound; sections, attractors,
 //!   Lyapunov exponents, basins ([`oscillator`]).
 //! - Periodic orbits with any impact pattern, their grazing points with the local theory there, saddle-nodes and flips, branches of them over a
-//!   parameter, attractors over a parameter ([`oscillator::orbit`], [`oscillator::grazing`], [`oscillator::critical`], [`oscillator::branch`],
-//!   [`oscillator::diagram`]): floating point, without proof.
+//!   parameter, attractors over a parameter ([`oscillator::orbit`], [`oscillator::grazing`], [`oscillator::branch::critical`], [`oscillator::branch`],
+//!   [`oscillator::attractor::diagram`]): floating point, without proof.
 //! - The formulas as integer polynomials, and statements about them for solvers ([`symbol`]).
 //!
 //! # When to use it, and when not
@@ -51,25 +51,29 @@
 //! | [`symbol`] | u_n, N_{n,k} as polynomials in (a₁, a₂); sentences for solvers |
 //! | [`local`] | u_k, b_{n,k}, c_n at one point on every rung; the ladder of signs |
 //! | [`existence`] | Theorem 2 and Conjecture 1: claims, decisions, the edges of the areas |
-//! | [`impact`] | Theorem 1 in any dimension: impact patterns, the pattern graph |
-//! | [`oscillator`] | impact oscillators: scenes, flow, impacts, orbits, branches, attractors, proofs of orbits |
+//! | [`pattern`] | Theorem 1 in any dimension: impact patterns, the pattern graph |
+//! | [`oscillator`] | impact oscillators: flow, impacts, orbits, branches, attractors, proofs of orbits |
+//! | [`scene`] | an oscillator and what to do with it, as a file |
 //! | [`search`] | what finds certificates and looks for counterexamples |
+//! | [`output`] | tables, files, journals, rounded decimals |
 //! | [`study`] | what accuracy costs: families of inputs, measurements |
-//! | [`output`] | tables, files, figures, progress |
-//! | [`cli`] | the command line |
+//! | [`figure`] | pictures, the data of each beside it |
+//! | [`cli`] | the command line, progress bars |
 
 pub mod certificate;
 pub mod cli;
 mod error;
 pub mod existence;
 pub mod farey;
-pub mod impact;
+pub mod figure;
 pub mod local;
 mod monitor;
 pub mod number;
 pub mod oscillator;
 pub mod output;
+pub mod pattern;
 mod random;
+pub mod scene;
 pub mod search;
 mod source;
 pub mod study;

@@ -9,18 +9,22 @@ use std::{
 use grazing::{
     Error, Monitor, Result,
     oscillator::{
-        Harmonic, Scene, Side, System, Wall,
-        attractor::Detection,
+        Harmonic, Side, System, Wall,
+        attractor::{
+            attracting,
+            crisis::{Search, crisis},
+            detection::Detection,
+            diagram::{self, Look, Plan},
+        },
         branch::{
             Branch, Corrector, Curve, Direction, End, Equations, Event, Events, Followed, Foot, Options,
-            Orbits, attracting, follow, read_label, record,
+            Orbits, follow, read_label, record,
         },
-        diagram::{self, Look, Plan},
         flow::State,
-        manifold::{Search, crisis},
-        orbit::{Family, Itinerary, Oscillator, SceneFamily, SingleImpact, search},
+        orbit::{Family, Itinerary, Oscillator, SingleImpact, search},
         simulate::Settings,
     },
+    scene::{Scene, SceneFamily},
 };
 
 fn nordmark(w: &str) -> Scene {
@@ -499,7 +503,7 @@ fn options_are_checked_and_agree_with_their_keys() {
     let scene = Scene::from_toml(text, "test").unwrap();
     let task = scene.tasks.iter().find(|task| task.name == "flip").unwrap();
     match &task.kind {
-        grazing::oscillator::scene::Kind::BranchTask(task) => assert_eq!(task.options, Options::default()),
+        grazing::scene::Kind::BranchTask(task) => assert_eq!(task.options, Options::default()),
         other => panic!("{other:?}"),
     }
 }

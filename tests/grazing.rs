@@ -3,14 +3,15 @@
 use std::f64::consts::TAU;
 
 use grazing::{
-    impact::{Graph, Pattern, Patterns},
     local::Region,
     number::parse_rational,
     oscillator::{
-        Scene, Side,
+        Side,
         grazing::{Grazing, locate},
         orbit::*,
     },
+    pattern::{Graph, Pattern, Patterns},
+    scene::{Scene, SceneFamily},
 };
 
 fn paper(d: f64, w: f64) -> Scene {

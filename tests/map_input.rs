@@ -1,6 +1,6 @@
 //! Maps as TOML: exact entries, and errors that name file, line, key, value and condition.
 
-use grazing::{impact::Map, number::parse_rational};
+use grazing::{number::parse_rational, pattern::Map};
 
 const GOOD: &str = r#"format = "grazing-map 1"
 A = [[0.9, 1], ["-3/5", 0]]

@@ -2,10 +2,13 @@
 
 use std::f64::consts::TAU;
 
-use grazing::oscillator::{
-    Scene, Side, Time,
-    orbit::*,
-    simulate::{End, Event, Settings, Simulator},
+use grazing::{
+    oscillator::{
+        Side, Time,
+        orbit::*,
+        simulate::{End, Event, Settings, Simulator},
+    },
+    scene::{Scene, SceneFamily},
 };
 
 const RICH: &str = r#"

@@ -2,11 +2,14 @@
 
 use std::f64::consts::{PI, SQRT_2, TAU};
 
-use grazing::oscillator::{
-    Contact, Scene, Side,
-    critical::{self, Bifurcation},
-    flow::{Flow, State},
-    orbit::*,
+use grazing::{
+    oscillator::{
+        Contact, Side,
+        branch::critical::{self, Bifurcation},
+        flow::{Flow, State},
+        orbit::*,
+    },
+    scene::{Scene, SceneFamily},
 };
 use serde::Deserialize;
 

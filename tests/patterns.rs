@@ -5,12 +5,12 @@ mod common;
 
 use grazing::{
     existence::{Existence as Single, by_definition, large_eigenvalue_sign},
-    impact::{
+    local::{Ladder, Plane, Point},
+    number::{Ball, FloatInterval, Precision, Real, Sign, parse_rational},
+    pattern::{
         Analysis, Coordinates, Entry, Existence, Failure, Graph, Growth, Map, Numbers, Pattern, Patterns,
         Reason, Report, Value, Walks, predicted_orbit, solve,
     },
-    local::{Ladder, Plane, Point},
-    number::{Ball, FloatInterval, Precision, Real, Sign, parse_rational},
 };
 use num_bigint::BigUint;
 use num_rational::BigRational;

@@ -4,9 +4,10 @@ use std::{collections::HashMap, f64::consts::PI, fs, path::Path, process::Comman
 
 use grazing::{
     oscillator::{
-        Scene, Side,
+        Side,
         orbit::{Itinerary, Oscillator, SingleImpact, find},
     },
+    scene::Scene,
     study::{
         effects::{EFFECTS, effects},
         flow_accuracy::{long_runs, returning, tolerances},

@@ -4,10 +4,7 @@ use std::{fs, path::Path};
 
 use grazing::{
     number::{Plain, parse_rational},
-    oscillator::{
-        Expression, Scene,
-        scene::{Kind, reference},
-    },
+    scene::{Expression, Kind, Scene, reference},
 };
 use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};

@@ -4,10 +4,12 @@ use std::f64::consts::{PI, TAU};
 
 use grazing::oscillator::{
     Contact, Counts, Effect, Harmonic, Side, System, Time, Wall,
-    attractor::{Detection, Fate},
-    basin::{Cell, Frame, basins},
+    attractor::{
+        basins::{Cell, Frame, basins},
+        detection::{Detection, Fate},
+        lyapunov::lyapunov,
+    },
     flow::{Flow, Linear, State},
-    lyapunov::lyapunov,
     simulate::{End, Event, Impact, Run, Settings, Simulator},
 };
 

@@ -3,7 +3,7 @@
 
 mod common;
 
-use grazing::impact::{Analysis, Entry, Map, Numbers, Patterns, Value, predicted_orbit};
+use grazing::pattern::{Analysis, Entry, Map, Numbers, Patterns, Value, predicted_orbit};
 use num_rational::BigRational;
 
 type Vector = Vec<f64>;

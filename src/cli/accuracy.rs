@@ -6,12 +6,10 @@ use clap::{Parser, ValueEnum};
 
 use super::Outcome;
 use crate::{
+    cli::progress::Interrupt,
     error::{Error, Result},
-    output::{
-        Destination, Interrupt, TableFormat, accuracy_figure, accuracy_table,
-        figure::{effects_table, flow_accuracy, flow_table, long_runs_table},
-        write_file,
-    },
+    figure::{accuracy_figure, accuracy_table, effects_table, flow_accuracy, flow_table, long_runs_table},
+    output::{Destination, TableFormat, write_file},
     study::{
         FAMILIES,
         effects::effects,

@@ -10,12 +10,12 @@ use rayon::prelude::*;
 
 use super::{Outcome, range::Periods};
 use crate::{
+    cli::progress::{Interrupt, Progress},
     error::{Error, Result},
     existence::{Boundary, Enclosure, Interval, Lowest, intervals, tip_correction, tip_law},
     monitor::Monitor,
     output::{
-        Cell, Column, Destination, Interrupt, Progress, TableFormat, TableWriter, decimal_above,
-        decimal_below, decimal_near,
+        Cell, Column, Destination, TableFormat, TableWriter, decimal_above, decimal_below, decimal_near,
     },
 };
 

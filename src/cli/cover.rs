@@ -16,10 +16,11 @@ use serde_json::json;
 use super::{Outcome, ReportFormat, in_pool, range::Periods};
 use crate::{
     certificate::{self, Rejection},
+    cli::progress::{Interrupt, Progress},
     error::{Error, Result},
     monitor::Monitor,
     number::parse_rational,
-    output::{Destination, Interrupt, Journal, Progress, decimal_above, decimal_below, write_file},
+    output::{Destination, Journal, decimal_above, decimal_below, write_file},
     search::cover::{Cover, Options, Tally, Unit, certificate as assemble, cover, units},
 };
 

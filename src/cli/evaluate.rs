@@ -7,10 +7,11 @@ use serde_json::json;
 
 use super::{Outcome, ReportFormat};
 use crate::{
+    cli::progress::Interrupt,
     error::{Error, Result},
     local::{Answer, Decision, Ladder, Plane, Point, Polar, Quantity, Rung},
     number::{Ball, Precision, Sign, certain_digits, parse_integer, parse_rational},
-    output::{Destination, Interrupt},
+    output::Destination,
 };
 
 /// The largest period for which all b_{n,k} are listed; with --k any period will do.

@@ -7,13 +7,15 @@ use rayon::prelude::*;
 
 use super::Outcome;
 use crate::{
+    cli::progress::Interrupt,
     error::{Error, Result},
-    impact::{
+    figure,
+    number::Sign,
+    output::{Cell, Column, Destination, TableFormat, TableWriter, write_file},
+    pattern::{
         Analysis, Existence, Graph, Growth, MAX_GRAPH_PERIOD, Map, Numbers, Pattern, Patterns, Report, Value,
         Walks,
     },
-    number::Sign,
-    output::{Cell, Column, Destination, Interrupt, TableFormat, TableWriter, figure, write_file},
 };
 
 /// Decide for every impact pattern of a local map whether an orbit exists near a grazing bifurcation.

@@ -10,10 +10,11 @@ use serde_json::json;
 
 use super::{Outcome, ReportFormat};
 use crate::{
+    cli::progress::Interrupt,
     error::{Error, Result},
     farey::{Ranker, Sequence, Walk, neighbours},
     number::{parse_integer, parse_rational},
-    output::{Destination, Interrupt},
+    output::Destination,
 };
 
 /// Farey fractions: neighbours, rank, k-th term, walks.

@@ -7,9 +7,10 @@ use num_rational::BigRational;
 
 use super::{Outcome, run::paper};
 use crate::{
+    cli::progress::{Interrupt, Progress},
     error::{Error, Result},
+    figure,
     number::parse_rational,
-    output::{Interrupt, Progress, figure},
 };
 
 /// Draw a figure as SVG, with its data as CSV beside it.

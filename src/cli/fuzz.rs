@@ -13,9 +13,10 @@ use serde_json::json;
 
 use super::{Outcome, ReportFormat, in_pool, range::Periods};
 use crate::{
+    cli::progress::{Interrupt, Progress},
     error::{Error, Result},
     number::parse_integer,
-    output::{Destination, Interrupt, Progress, write_file},
+    output::{Destination, write_file},
     search::fuzz::{Case, Options, Tally, fuzz},
 };
 

@@ -6,10 +6,11 @@ use clap::{Parser, ValueEnum};
 
 use super::{Outcome, range::Periods};
 use crate::{
+    cli::progress::{Interrupt, Progress},
     error::{Error, Result},
     existence::{MAX_PERIOD, intervals},
     monitor::Monitor,
-    output::{Cell, Column, Destination, Interrupt, Progress, TableFormat, TableWriter, decimal},
+    output::{Cell, Column, Destination, TableFormat, TableWriter, decimal},
 };
 
 /// List Theorem 2's intervals of s: where on r = 1 single-impact orbits of period n exist.

@@ -12,6 +12,7 @@ mod figure;
 mod formula;
 mod fuzz;
 mod intervals;
+pub(crate) mod progress;
 mod range;
 mod run;
 mod verify;
@@ -21,8 +22,8 @@ use std::process::ExitCode;
 use clap::{Parser, Subcommand, error::ErrorKind};
 
 use crate::{
+    cli::progress::Interrupt,
     error::{Error, Result},
-    output::Interrupt,
 };
 
 /// Proofs and computations for periodic orbits in grazing bifurcations of impact oscillators.

@@ -7,9 +7,10 @@ use serde_json::json;
 
 use super::{Outcome, ReportFormat, in_pool, range::Periods};
 use crate::{
+    cli::progress::{Interrupt, Progress},
     error::{Error, Result},
     existence::Decision,
-    output::{Destination, Interrupt, Progress, write_file},
+    output::{Destination, write_file},
     search::{Method, Proof, prove_theorem2, write_theorem2},
 };
 

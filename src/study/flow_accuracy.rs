@@ -14,9 +14,9 @@ use crate::{
     oscillator::{
         Harmonic, System, Time, Wall,
         orbit::{Itinerary, Oscillator, find},
-        scene::Scene,
         simulate::{Settings, Simulator},
     },
+    scene::Scene,
 };
 
 /// An oscillator whose motion from q = 1, u = 0 has period 2π.

@@ -2,17 +2,17 @@
 
 use super::{Job, Report, ended, report::Rows, settings};
 use crate::{
+    cli::progress::Progress,
     error::Result,
+    figure::{self, Grid},
     oscillator::{
-        attractor::{Cycle, Detection},
-        basin::{Cell, Frame, basins},
-        scene::{Basins, Values, phase},
+        attractor::{
+            basins::{Cell, Frame, basins},
+            detection::{Cycle, Detection},
+        },
         simulate::{End, Simulator},
     },
-    output::{
-        Progress,
-        figure::{self, Grid},
-    },
+    scene::{Basins, Values, phase},
 };
 
 pub(super) fn run(task: &Basins, job: &Job, report: &mut Report) -> Result<()> {

@@ -13,18 +13,19 @@ use super::{
 };
 use crate::{
     error::{Error, Result},
+    figure,
     number::{Plain, Real},
     oscillator::{
-        attractor::Detection,
-        branch::{Branch, Direction, Event, Events, Label, Options, Orbits, attracting, read_label, record},
-        orbit::{Family, Orbit, Oscillator, SceneFamily},
-        scene::{
-            Frame,
-            branches::{BranchStart, BranchTask, Restart, Way},
-            phase,
-        },
+        attractor::{attracting, detection::Detection},
+        branch::{Branch, Direction, Event, Events, Label, Options, Orbits, read_label, record},
+        orbit::{Family, Orbit, Oscillator},
     },
-    output::{figure, write_file},
+    output::write_file,
+    scene::{
+        Frame, SceneFamily,
+        branches::{BranchStart, BranchTask, Restart, Way},
+        phase,
+    },
 };
 
 pub(super) fn run(task: &BranchTask, job: &Job, report: &mut Report) -> Result<()> {

@@ -9,12 +9,12 @@ use crate::{
     error::{Error, Result},
     oscillator::{
         Time,
+        attractor::crisis::{Search, crisis},
         flow::State,
-        manifold::{Search, crisis},
-        orbit::{Family, SceneFamily},
-        scene::{branches::CrisisTask, phase},
+        orbit::Family,
         simulate::Simulator,
     },
+    scene::{SceneFamily, branches::CrisisTask, phase},
 };
 
 pub(super) fn run(task: &CrisisTask, job: &Job, report: &mut Report) -> Result<()> {

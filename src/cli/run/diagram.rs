@@ -9,14 +9,15 @@ use super::{
     settings,
 };
 use crate::{
+    cli::progress::Progress,
     error::{Error, Result},
+    figure,
     oscillator::{
+        attractor::diagram::{self, Look, Plan, Slice},
         branch::Direction,
-        diagram::{self, Look, Plan, Slice},
-        orbit::{Family, SceneFamily},
-        scene::{branches::DiagramTask, phase},
+        orbit::Family,
     },
-    output::{Progress, figure},
+    scene::{SceneFamily, branches::DiagramTask, phase},
 };
 
 pub(super) fn run(task: &DiagramTask, job: &Job, report: &mut Report) -> Result<()> {

@@ -10,11 +10,11 @@ use super::{
 use crate::{
     error::Result,
     oscillator::{
-        critical,
+        branch::critical,
         grazing::{self, Grazing},
-        orbit::{Family, Orbit, SceneFamily},
-        scene::orbits::EventTask,
+        orbit::{Family, Orbit},
     },
+    scene::{SceneFamily, orbits::EventTask},
 };
 
 pub(super) fn run(task: &EventTask, job: &Job, report: &mut Report) -> Result<()> {

@@ -9,12 +9,12 @@ use super::{
 };
 use crate::{
     error::{Error, Result},
-    impact::{Existence, Graph, Pattern, Patterns, Report as Verdict},
     oscillator::{
         grazing::{self, Grazing},
-        orbit::{Family, SceneFamily, find},
-        scene::orbits::GrazingTask,
+        orbit::{Family, find},
     },
+    pattern::{Existence, Graph, Pattern, Patterns, Report as Verdict},
+    scene::{SceneFamily, orbits::GrazingTask},
 };
 
 pub(super) fn run(task: &GrazingTask, job: &Job, report: &mut Report) -> Result<()> {

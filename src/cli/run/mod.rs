@@ -22,14 +22,15 @@ use num_rational::BigRational;
 
 use super::{Outcome, ReportFormat, in_pool};
 use crate::{
+    cli::progress::Interrupt,
     error::{Error, Result},
     number::parse_rational,
     oscillator::{
-        Scene, System,
-        scene::{Accuracy, Kind, Task},
+        System,
         simulate::{End, Settings},
     },
-    output::{Destination, Interrupt},
+    output::Destination,
+    scene::{Accuracy, Kind, Scene, Task},
 };
 use report::Report;
 

@@ -9,10 +9,8 @@ use super::{
 use crate::{
     error::Result,
     number::{Plain, Real},
-    oscillator::{
-        orbit::{Admissibility, Oscillator},
-        scene::orbits::OrbitTask,
-    },
+    oscillator::orbit::{Admissibility, Oscillator},
+    scene::orbits::OrbitTask,
 };
 
 pub(super) fn run(task: &OrbitTask, job: &Job, report: &mut Report) -> Result<()> {

@@ -10,23 +10,23 @@ use super::{
     settings,
 };
 use crate::{
+    cli::progress::Progress,
     error::Result,
+    figure::{self, Mark, Points},
     monitor::Monitor,
     oscillator::{
         Contact, Side, Time,
-        attractor::{Detection, Fate},
+        attractor::{
+            detection::{Detection, Fate},
+            lyapunov::lyapunov,
+            section::section,
+            touching,
+        },
         flow::State,
-        lyapunov::lyapunov,
         orbit::Oscillator,
-        scene::{Section, phase},
-        section::section,
         simulate::{End, Simulator},
-        touching,
     },
-    output::{
-        Progress,
-        figure::{self, Mark, Points},
-    },
+    scene::{Section, phase},
 };
 
 /// Points of the section nearer than this are one, when orbits are compared with attractors.

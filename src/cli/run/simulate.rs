@@ -4,14 +4,16 @@ use std::f64::consts::TAU;
 
 use super::{Job, Report, settings};
 use crate::{
+    cli::progress::Progress,
     error::Result,
+    figure,
     monitor::Monitor,
     oscillator::{
         Time,
-        scene::task::Simulate,
         simulate::{End, Event, Simulator},
     },
-    output::{Cell, Column, Progress, TableFormat, TableWriter, figure, write_file},
+    output::{Cell, Column, TableFormat, TableWriter, write_file},
+    scene::task::Simulate,
 };
 
 pub(super) fn run(task: &Simulate, job: &Job, report: &mut Report) -> Result<()> {

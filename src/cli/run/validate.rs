@@ -14,12 +14,13 @@ use crate::{
     error::{Error, Result},
     number::{Ball, Precision, Real, certain_digits},
     oscillator::{
-        critical, grazing,
-        orbit::{Family, Itinerary, Orbit, Oscillator, SceneFamily},
-        scene::{orbits::Event, validate::ValidateTask},
+        branch::critical,
+        grazing,
+        orbit::{Family, Itinerary, Orbit, Oscillator},
         validate::{self, Condition, Impact, Jet, Stability, Verdict},
     },
     output::write_file,
+    scene::{SceneFamily, orbits::Event, validate::ValidateTask},
 };
 
 /// The most digits shown of an enclosed number.

@@ -9,7 +9,10 @@ use super::{
 };
 use crate::{
     error::{Error, Result},
-    oscillator::orbit::{Itinerary, Orbit, find, solve},
+    oscillator::{
+        algebra::solve,
+        orbit::{Itinerary, Orbit, find},
+    },
 };
 
 /// A point of a branch.

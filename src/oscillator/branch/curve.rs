@@ -4,7 +4,7 @@
 //! t·(v − u) = h. Nothing here singles out a parameter, so folds are points like others. Not here: what the equations
 //! say (`orbits`, `events`) and when to end (`follow`).
 
-use super::super::orbit::solve;
+use super::super::algebra::solve;
 use crate::error::{Error, Result};
 
 /// n equations at one point, with their derivatives by the n + 1 unknowns, by rows.

@@ -1,23 +1,53 @@
-//! The checks on the options of continuation; their names, units, meanings and defaults are declared as keys of a scene.
+//! The options of continuation, declared once: names, meanings, defaults; and what they may be.
 
 use super::curve::Corrector;
 use crate::error::{Error, Result};
-pub use crate::oscillator::scene::branches::Options;
 
-impl Default for Options {
-    fn default() -> Self {
-        Options {
-            step: 0.01,
-            least_step: 1e-7,
-            most_step: 0.1,
-            turn: 0.2,
-            points: 2000,
-            tolerance: 1e-11,
-            newton: 8,
-            beyond: false,
+/// Hands the declaration of [`Options`] to another macro: here it becomes the struct with its defaults, in `scene` a table of keys.
+macro_rules! with_options {
+    ($use:ident) => {
+        $use! {
+            /// How a branch is followed. Lengths are those of the curve in its unknowns: impact times in radians of the
+            /// forcing period, speeds as they are, each parameter as a fraction of its range.
+            pub struct Options {
+                /// the length of the first step
+                step: f64 = 0.01,
+                /// no step is shorter (length); where one would have to be, the branch is lost
+                least_step: f64 = 1e-7,
+                /// no step is longer (length); of two events of a kind within a step none is seen
+                most_step: f64 = 0.1,
+                /// the largest angle, in radians, between the tangents of neighbouring points
+                turn: f64 = 0.2,
+                /// most points in one direction, events not counted
+                points: u32 = 2000,
+                /// a Newton step no longer than this (length) is the last one
+                tolerance: f64 = 1e-11,
+                /// most Newton steps for a point; a step of the branch that needs more is halved
+                newton: u32 = 8,
+                /// whether to go on where solutions are no orbits: an impact that goes out, a forbidden excursion
+                beyond: bool = false,
+            }
         }
-    }
+    };
 }
+pub(crate) use with_options;
+
+macro_rules! declare {
+    ($(#[doc = $about:literal])+ pub struct $name:ident {
+        $($(#[doc = $doc:literal])+ $key:ident: $type:ty = $default:expr,)*
+    }) => {
+        $(#[doc = $about])+
+        #[derive(Debug, Clone, PartialEq)]
+        pub struct $name { $($(#[doc = $doc])+ pub $key: $type,)* }
+
+        impl Default for $name {
+            fn default() -> Self {
+                $name { $($key: $default,)* }
+            }
+        }
+    };
+}
+with_options!(declare);
 
 impl Options {
     /// The options, if they make sense.

@@ -1,6 +1,6 @@
 //! The motion between impacts: closed form for linear systems, Taylor series with a tolerance for all.
 //!
-//! Not here: walls and what happens at them (`contact`), when they are met (`simulate`).
+//! Not here: walls and what happens at them (`system`), when they are met (`simulate`).
 
 mod linear;
 mod response;
@@ -10,35 +10,16 @@ pub use linear::Linear;
 pub use taylor::Taylor;
 pub(super) use taylor::{Expansion, Recurrence, TERMS};
 
-use super::{Series, System, series::finite};
+use super::{
+    Series, System,
+    algebra::{apply, product},
+    system::finite,
+};
+pub use super::{
+    algebra::Matrix,
+    system::{Flow, State},
+};
 use crate::error::Result;
-
-/// ∂(q, u) / ∂(q₀, u₀), by rows.
-pub type Matrix = [[f64; 2]; 2];
-
-/// Where the oscillator is: q, u = q′ at time t, the forcing period being 2π. Sines of t are as good as t is: keep it
-/// within a few periods of 0 and count whole periods apart.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct State {
-    /// Time, dimensionless.
-    pub t: f64,
-    /// Displacement.
-    pub q: f64,
-    /// Velocity.
-    pub u: f64,
-}
-
-/// The motion without walls, in f64.
-pub trait Flow {
-    /// q″ by the equation of motion.
-    fn acceleration(&self, at: State) -> f64;
-
-    /// The state after `duration`, which may be negative.
-    fn advance(&self, from: State, duration: f64) -> State;
-
-    /// The same with its derivative by the initial q and u.
-    fn advance_linearised(&self, from: State, duration: f64) -> (State, Matrix);
-}
 
 /// The flow that suits a system: closed form without a cubic term, else Taylor series.
 #[derive(Debug, Clone)]
@@ -128,18 +109,6 @@ impl Equation {
         let smooth = -self.damping * at.u - (self.stiffness + self.cubic * at.q * at.q) * at.q;
         smooth + self.forcing.at(at.t)[0]
     }
-}
-
-/// M v.
-pub(super) fn apply(m: &Matrix, v: [f64; 2]) -> [f64; 2] {
-    [m[0][0] * v[0] + m[0][1] * v[1], m[1][0] * v[0] + m[1][1] * v[1]]
-}
-
-/// A B.
-pub(super) fn product(a: &Matrix, b: &Matrix) -> Matrix {
-    let column = |j: usize| apply(a, [b[0][j], b[1][j]]);
-    let (first, second) = (column(0), column(1));
-    [[first[0], second[0]], [first[1], second[1]]]
 }
 
 #[cfg(test)]

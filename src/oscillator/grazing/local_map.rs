@@ -4,12 +4,13 @@ use num_rational::BigRational;
 
 use crate::{
     error::{Error, Result},
-    impact::{Entry, Map},
     local::{Plane, Region},
     oscillator::{
-        flow::{Flow, Matrix, apply, product},
-        orbit::{Itinerary, Leg, Multipliers, Oscillator, duration, resolve},
+        algebra::{Matrix, apply, product, resolve},
+        flow::Flow,
+        orbit::{Itinerary, Leg, Multipliers, Oscillator, duration},
     },
+    pattern::{Entry, Map},
 };
 
 /// (40)–(44) in the coordinates x = ±(q − Q, u − Q′) at the phase of grazing: C = (1, 0), B = (0, √(2a_G)(1+τ))ᵀ.

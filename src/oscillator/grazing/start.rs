@@ -3,11 +3,12 @@
 use super::Grazing;
 use crate::{
     error::{Error, Result},
-    impact::Report,
     oscillator::{
-        flow::{Flow, State, apply},
+        algebra::apply,
+        flow::{Flow, State},
         orbit::{Family, Itinerary, Leg, Strike, duration},
     },
+    pattern::Report,
 };
 
 impl Grazing {
@@ -36,7 +37,7 @@ impl Grazing {
         let (mut all, mut z) = (Vec::<Strike>::new(), Vec::new());
         for (i, &n) in periods.iter().enumerate() {
             let before = (i + m - 1) % m;
-            let middle = |value: &crate::impact::Value| {
+            let middle = |value: &crate::pattern::Value| {
                 let interval = value.enclosure();
                 interval.lo() + (interval.hi() - interval.lo()) / 2.0
             };

@@ -7,9 +7,8 @@ use super::{
         Side,
         flow::{Flow, State},
     },
-    Itinerary,
+    Itinerary, Oscillator,
     equations::duration,
-    leg::Oscillator,
 };
 
 /// A local minimum of the gap to a wall between impacts.

@@ -15,9 +15,11 @@
 use std::f64::consts::PI;
 
 use super::{
-    super::flow::{Flow, State, apply},
-    Itinerary,
-    leg::{Leg, Oscillator},
+    super::{
+        algebra::apply,
+        flow::{Flow, State},
+    },
+    Itinerary, Leg, Oscillator,
 };
 use crate::error::{Error, Result};
 

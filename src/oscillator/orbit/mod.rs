@@ -5,26 +5,26 @@
 //! a linear oscillator, a second route. Not here: where orbits bifurcate (`grazing`, `critical`).
 
 mod admissible;
-mod algebra;
 mod equations;
 mod family;
 mod itinerary;
 mod leg;
 mod multipliers;
 mod newton;
+mod oscillator;
 mod search;
 mod single;
 mod solution;
 
 pub(super) use admissible::minima;
 pub use admissible::{Admissibility, Check, Minimum, check};
-pub(super) use algebra::{resolve, solve};
 pub use equations::{Linearised, duration, linearise};
-pub use family::{Family, SceneFamily};
+pub use family::Family;
 pub use itinerary::{Itinerary, Strike};
-pub use leg::{Leg, Oscillator, Touch};
+pub use leg::{Leg, Touch};
 pub use multipliers::Multipliers;
 pub use newton::{Root, newton};
+pub use oscillator::Oscillator;
 pub use search::search;
 pub use single::SingleImpact;
 pub use solution::{Impact, Orbit, describe, find, monodromy};

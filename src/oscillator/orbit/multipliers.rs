@@ -2,7 +2,10 @@
 
 use std::f64::consts::TAU;
 
-use super::{super::flow::Matrix, Itinerary, Oscillator, algebra::trace};
+use super::{
+    super::algebra::{Matrix, trace},
+    Itinerary, Oscillator,
+};
 
 /// The two multipliers, by their sum and product.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,6 +1,6 @@
 //! Newton's method, damped: for pattern equations and for the systems that pin down their bifurcations.
 
-use super::{Linearised, algebra::solve};
+use super::{super::algebra::solve, Linearised};
 use crate::error::{Error, Result};
 
 /// Most steps of one solution.

@@ -15,16 +15,12 @@
 
 use std::f64::consts::PI;
 
-use super::{
-    Multipliers,
-    algebra::{determinant, resolve, trace},
-    leg::wall,
-};
+use super::Multipliers;
 use crate::{
     error::{Error, Result},
     oscillator::{
         Side, System, Wall,
-        flow::{Matrix, apply},
+        algebra::{Matrix, apply, determinant, resolve, trace},
     },
 };
 
@@ -54,7 +50,7 @@ impl SingleImpact {
     /// An input error unless the system is linear with a wall there, the forcing and the wall have together one
     /// harmonic, and neither the forced response nor (I − E_n)⁻¹ is infinite.
     pub fn new(system: &System<f64>, side: Side, n: u32) -> Result<SingleImpact> {
-        let wall = wall(system, side).ok_or_else(|| {
+        let wall = system.wall(side).ok_or_else(|| {
             Error::input(format!("exact orbits at the {} wall, which is not there", side.name()))
         })?;
         if system.cubic != 0.0 {

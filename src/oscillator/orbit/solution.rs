@@ -5,13 +5,12 @@ use std::f64::consts::PI;
 use super::{
     super::{
         Side,
-        flow::{Flow, Matrix, State, product},
+        algebra::{IDENTITY, Matrix, product},
+        flow::{Flow, State},
     },
-    Admissibility, Check, Itinerary, Minimum, Multipliers,
+    Admissibility, Check, Itinerary, Minimum, Multipliers, Oscillator,
     admissible::check,
-    algebra::IDENTITY,
     equations::{duration, linearise},
-    leg::Oscillator,
     newton::{Root, newton},
 };
 use crate::error::Result;

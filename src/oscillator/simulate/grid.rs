@@ -18,7 +18,8 @@ use crate::{
     error::{Error, Result},
     oscillator::{
         Contact, Counter, Effect, Time,
-        flow::{Flow, Linear, Matrix, Recurrence, State, apply},
+        algebra::{Matrix, apply},
+        flow::{Flow, Linear, Recurrence, State},
     },
 };
 

@@ -33,14 +33,17 @@
 //! # Ok::<(), grazing::Error>(())
 //! ```
 
+mod counter;
 mod engine;
 mod event;
 mod grid;
 mod pieces;
+mod rise;
 mod search;
 mod steps;
 mod wall;
 
+pub use counter::{Counter, Counts, Effect};
 pub use event::{End, Event, Impact, Release, Stick, Tangency};
 
 use engine::{Engine, Loop};
@@ -50,7 +53,7 @@ use steps::Steps;
 use wall::Walls;
 
 use super::{
-    Contact, Counter, Side, System, Time,
+    Contact, Side, System, Time,
     flow::{Free, State, Taylor},
 };
 use crate::error::{Error, Result};

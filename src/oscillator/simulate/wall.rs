@@ -2,13 +2,15 @@
 
 use std::f64::consts::TAU;
 
-use super::pieces::{LOWER, UPPER};
+use super::{
+    pieces::{LOWER, UPPER},
+    rise::first_rise,
+};
 use crate::{
     error::{Error, Result},
     oscillator::{
         Contact, Series, Side,
         flow::{Equation, State},
-        rise::first_rise,
     },
 };
 

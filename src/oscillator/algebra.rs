@@ -1,0 +1,64 @@
+//! Plain floating-point linear algebra: 2 × 2 matrices, and one dense system.
+
+/// ∂(q, u) / ∂(q₀, u₀), by rows.
+pub type Matrix = [[f64; 2]; 2];
+
+/// I.
+pub const IDENTITY: Matrix = [[1.0, 0.0], [0.0, 1.0]];
+
+/// M v.
+pub fn apply(m: &Matrix, v: [f64; 2]) -> [f64; 2] {
+    [m[0][0] * v[0] + m[0][1] * v[1], m[1][0] * v[0] + m[1][1] * v[1]]
+}
+
+/// A B.
+pub fn product(a: &Matrix, b: &Matrix) -> Matrix {
+    let column = |j: usize| apply(a, [b[0][j], b[1][j]]);
+    let (first, second) = (column(0), column(1));
+    [[first[0], second[0]], [first[1], second[1]]]
+}
+
+/// tr a.
+pub fn trace(a: &Matrix) -> f64 {
+    a[0][0] + a[1][1]
+}
+
+/// det a.
+pub fn determinant(a: &Matrix) -> f64 {
+    a[0][0] * a[1][1] - a[0][1] * a[1][0]
+}
+
+/// The x with (I − a) x = b; `None` if I − a is singular.
+pub fn resolve(a: &Matrix, b: [f64; 2]) -> Option<[f64; 2]> {
+    let m = [[1.0 - a[0][0], -a[0][1]], [-a[1][0], 1.0 - a[1][1]]];
+    let det = determinant(&m);
+    let x = [(m[1][1] * b[0] - m[0][1] * b[1]) / det, (m[0][0] * b[1] - m[1][0] * b[0]) / det];
+    x.iter().all(|x| x.is_finite()).then_some(x)
+}
+
+/// The x with a x = b by Gaussian elimination with partial pivoting;
+/// `None` if a pivot is 0 or no number. Cost: O(n³).
+pub fn solve(mut a: Vec<Vec<f64>>, mut b: Vec<f64>) -> Option<Vec<f64>> {
+    let n = b.len();
+    for k in 0..n {
+        let pivot = (k..n).max_by(|&i, &j| a[i][k].abs().total_cmp(&a[j][k].abs()))?;
+        a.swap(k, pivot);
+        b.swap(k, pivot);
+        if a[k][k] == 0.0 || !a[k][k].is_finite() {
+            return None;
+        }
+        let (done, rest) = a.split_at_mut(k + 1);
+        for (row, i) in rest.iter_mut().zip(k + 1..) {
+            let factor = row[k] / done[k][k];
+            if factor != 0.0 {
+                row[k..].iter_mut().zip(&done[k][k..]).for_each(|(x, y)| *x -= factor * y);
+                b[i] -= factor * b[k];
+            }
+        }
+    }
+    for k in (0..n).rev() {
+        let known: f64 = (k + 1..n).map(|j| a[k][j] * b[j]).sum();
+        b[k] = (b[k] - known) / a[k][k];
+    }
+    b.iter().all(|x| x.is_finite()).then_some(b)
+}

@@ -1,0 +1,54 @@
+//! From a motion to the periodic orbit that it tends to: the impact pattern read off, the orbit by Newton's method.
+
+use super::detection::{Detection, Fate};
+use crate::{
+    error::{Error, Result},
+    oscillator::{
+        Time,
+        flow::{Flow, State},
+        orbit::{Itinerary, Orbit, Oscillator, Strike, find},
+        simulate::{Event, Settings, Simulator},
+    },
+};
+
+/// The periodic orbit that the motion from `start` tends to.
+///
+/// # Errors
+/// An input error if it tends to none that is found, or rests on a wall; those of [`find`].
+pub fn attracting(
+    oscillator: &Oscillator,
+    start: State,
+    detection: &Detection,
+    settings: &Settings,
+) -> Result<Orbit> {
+    let simulator = Simulator::new(oscillator.system(), settings)?;
+    let mut run = simulator.start(Time::new(0, start.t), start.q, start.u)?;
+    let Fate::Periodic(cycle) = detection.detect(&mut run)? else {
+        return Err(Error::input("the motion tends to no periodic orbit"));
+    };
+    let (period, phase, [q, u]) = (cycle.period() as i64, detection.phase, cycle.points[0]);
+    let mut run = simulator.start(Time::new(0, phase), q, u)?;
+    let (mut times, mut sides, mut z, mut rests) = (Vec::new(), Vec::new(), Vec::new(), false);
+    run.record(Time::new(period, phase), |event| match event {
+        Event::Impact(impact) => {
+            times.push(impact.time.period);
+            sides.push(impact.side);
+            z.extend([impact.time.phase, impact.velocity.abs()]);
+        }
+        Event::Stick(_) => rests = true,
+        _ => {}
+    });
+    if rests {
+        return Err(Error::input("the attractor rests on a wall: it has no impact pattern"));
+    }
+    if times.is_empty() {
+        let at_zero = oscillator.flow().advance(State { t: phase, q, u }, std::f64::consts::TAU - phase);
+        return find(oscillator, &Itinerary::free(period as u32)?, vec![at_zero.q, at_zero.u]);
+    }
+    let next = times.iter().skip(1).copied().chain([times[0] + period]);
+    let strikes = sides
+        .into_iter()
+        .zip(times.iter().zip(next))
+        .map(|(side, (this, next))| Strike { side, periods: (next - this) as u32 });
+    find(oscillator, &Itinerary::new(strikes.collect())?, z)
+}

@@ -1,0 +1,128 @@
+//! Which attractor a start ends up on: its period and number of impacts, by recurrence and confirmation.
+
+use super::section::{Point, section};
+use crate::{
+    error::{Error, Result},
+    oscillator::simulate::{End, Run},
+};
+
+/// How to look for recurrence in the section at `phase`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Detection {
+    /// The phase of the section, in [0, 2π). Default 0.
+    pub phase: f64,
+    /// Forcing periods left out first. Default 1000.
+    pub transient: u64,
+    /// The longest period looked for, in forcing periods, at least 1. Default 64.
+    pub longest: usize,
+    /// Points this close in q and in u count as the same. Default 1e-6.
+    pub tolerance: f64,
+    /// How many more times round the points must recur, with the same impacts, at least 1. Default 2.
+    pub confirm: usize,
+}
+
+impl Default for Detection {
+    fn default() -> Self {
+        Detection { phase: 0.0, transient: 1000, longest: 64, tolerance: 1e-6, confirm: 2 }
+    }
+}
+
+/// What a run ends up on.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Fate {
+    /// A periodic orbit: the least period by recurrence.
+    Periodic(Cycle),
+    /// No recurrence up to the longest period: chaos, a long period, or a transient not over.
+    Irregular,
+    /// The run ended first.
+    Ended(End),
+}
+
+/// A periodic orbit as the section sees it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Cycle {
+    /// Its points, from the one of least q (then least u) on.
+    pub points: Vec<[f64; 2]>,
+    /// Impacts in one time round.
+    pub impacts: u64,
+}
+
+impl Cycle {
+    /// The period in forcing periods.
+    pub fn period(&self) -> usize {
+        self.points.len()
+    }
+
+    /// Whether the other is the same orbit, up to `tolerance` in each coordinate and where on it one began.
+    pub fn is(&self, other: &Cycle, tolerance: f64) -> bool {
+        let same = |shift: usize| {
+            let turned = other.points.iter().cycle().skip(shift);
+            self.points.iter().zip(turned).all(|(a, b)| near(*a, *b, tolerance))
+        };
+        self.points.len() == other.points.len()
+            && self.impacts == other.impacts
+            && (0..self.period()).any(same)
+    }
+}
+
+fn near(a: [f64; 2], b: [f64; 2], tolerance: f64) -> bool {
+    (a[0] - b[0]).abs() <= tolerance && (a[1] - b[1]).abs() <= tolerance
+}
+
+impl Detection {
+    /// # Errors
+    /// A phase outside [0, 2π), a tolerance that is not positive, a count of 0.
+    pub fn check(&self) -> Result<()> {
+        if !(0.0..std::f64::consts::TAU).contains(&self.phase) {
+            return Err(Error::input(format!("phase = {} is not in [0, 2π)", self.phase)));
+        }
+        if !(self.tolerance > 0.0 && self.tolerance.is_finite()) {
+            return Err(Error::input(format!("tolerance = {} is not positive", self.tolerance)));
+        }
+        if self.longest == 0 || self.confirm == 0 {
+            return Err(Error::input("longest and confirm must be at least 1"));
+        }
+        Ok(())
+    }
+
+    /// Follows the run for `transient` + `longest` · (1 + `confirm`) periods at most. The answer is numerical evidence, not proof.
+    ///
+    /// # Errors
+    /// Those of [`check`](Self::check).
+    pub fn detect(&self, run: &mut Run) -> Result<Fate> {
+        self.check()?;
+        let end = section(run, self.phase, self.transient.saturating_add(1), |_| true);
+        if end != End::Reached {
+            return Ok(Fate::Ended(end));
+        }
+        let state = run.state();
+        let mut points = vec![Point { period: 0, q: state.q, u: state.u, impacts: 0 }];
+        let mut period = None;
+        let end = section(run, self.phase, (self.longest * (1 + self.confirm)) as u64, |point| {
+            points.push(point);
+            let here = points.len() - 1;
+            let same =
+                |n: usize| near([point.q, point.u], [points[here - n].q, points[here - n].u], self.tolerance);
+            match period {
+                None if same(here) => period = Some(here),
+                None => return here < self.longest,
+                // A chance encounter: on with the search.
+                Some(n) if !same(n) || here > 2 * n && point.impacts != points[here - n].impacts => {
+                    period = None;
+                    return here < self.longest;
+                }
+                Some(n) => return here < n * (1 + self.confirm),
+            }
+            true
+        });
+        if end != End::Reached {
+            return Ok(Fate::Ended(end));
+        }
+        let Some(n) = period else { return Ok(Fate::Irregular) };
+        let impacts = points[1..=n].iter().map(|point| point.impacts).sum();
+        let mut points: Vec<_> = points[1..=n].iter().map(|point| [point.q, point.u]).collect();
+        let least = (0..n).min_by(|&i, &j| points[i].partial_cmp(&points[j]).expect("finite")).unwrap_or(0);
+        points.rotate_left(least);
+        Ok(Fate::Periodic(Cycle { points, impacts }))
+    }
+}

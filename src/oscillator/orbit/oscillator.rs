@@ -1,0 +1,189 @@
+//! An oscillator at one parameter value: motion between impacts and impacts themselves, with all their derivatives.
+//!
+//! Derivatives with respect to the parameter come with those of the system's coefficients: no differences are taken.
+
+use super::{
+    super::{
+        Contact, Series, Side, System, Wall,
+        algebra::{IDENTITY, Matrix, apply, product},
+        flow::{Flow, Free, State},
+    },
+    Leg, Touch,
+};
+use crate::error::{Error, Result};
+
+/// The equation of motion at one parameter value, and how its coefficients change with the parameter.
+#[derive(Debug, Clone)]
+pub struct Oscillator {
+    system: System<f64>,
+    flow: Free,
+    walls: Vec<Contact>,
+    slope: Option<Slope>,
+    /// The highest harmonic, at least 1.
+    order: u32,
+}
+
+/// The derivatives of a system's coefficients in a parameter.
+#[derive(Debug, Clone)]
+struct Slope {
+    damping: f64,
+    stiffness: f64,
+    cubic: f64,
+    forcing: Series,
+    /// Of position and restitution; lower, upper.
+    walls: [Option<(Series, f64)>; 2],
+}
+
+impl Oscillator {
+    /// The oscillator of a system, without derivatives in a parameter; `tolerance` is that of [`Free::new`].
+    ///
+    /// # Errors
+    /// Those of [`Free::new`] and [`Contact::of`].
+    pub fn new(system: System<f64>, tolerance: f64) -> Result<Oscillator> {
+        let (flow, walls) = (Free::new(&system, tolerance)?, Contact::of(&system)?);
+        let forcing = Series::new(system.force, &system.forcing)?;
+        let order = walls.iter().fold(forcing.order(), |order, wall| order.max(wall.position.order()));
+        Ok(Oscillator { system, flow, walls, slope: None, order: order.max(1) })
+    }
+
+    /// The oscillator of a system whose coefficients change at the rates `slope`.
+    ///
+    /// # Errors
+    /// As [`Oscillator::new`]; a rate that is not finite.
+    pub fn with_slope(system: System<f64>, slope: &System<f64>, tolerance: f64) -> Result<Oscillator> {
+        let wall = |wall: &Option<Wall<f64>>| -> Result<Option<(Series, f64)>> {
+            let Some(wall) = wall else { return Ok(None) };
+            Ok(Some((Series::new(wall.offset, &wall.harmonics)?, wall.restitution)))
+        };
+        let slope = Slope {
+            damping: slope.damping,
+            stiffness: slope.stiffness,
+            cubic: slope.cubic,
+            forcing: Series::new(slope.force, &slope.forcing)?,
+            walls: [wall(&slope.lower)?, wall(&slope.upper)?],
+        };
+        Ok(Oscillator { slope: Some(slope), ..Oscillator::new(system, tolerance)? })
+    }
+
+    /// The system.
+    pub fn system(&self) -> &System<f64> {
+        &self.system
+    }
+
+    /// The motion without walls.
+    pub fn flow(&self) -> &Free {
+        &self.flow
+    }
+
+    /// The walls, lower before upper.
+    pub fn walls(&self) -> &[Contact] {
+        &self.walls
+    }
+
+    /// The wall on a side at time t.
+    ///
+    /// # Errors
+    /// An input error if there is no such wall.
+    pub fn touch(&self, side: Side, t: f64) -> Result<Touch<'_>> {
+        let wall = self.walls.iter().find(|wall| wall.side == side).ok_or_else(|| {
+            Error::input(format!("an impact at the {} wall, but there is no such wall", side.name()))
+        })?;
+        let slope =
+            self.slope.as_ref().and_then(|slope| slope.walls[usize::from(side == Side::Upper)].as_ref());
+        let [place, speed, _] = slope.map_or([0.0; 3], |slope| slope.0.at(t));
+        Ok(Touch {
+            wall,
+            motion: wall.position.at(t),
+            slope: [place, speed],
+            restitution_slope: slope.map_or(0.0, |slope| slope.1),
+        })
+    }
+
+    /// τ of a wall; 0 if it is not there.
+    pub(super) fn restitution(&self, side: Side) -> f64 {
+        self.walls.iter().find(|wall| wall.side == side).map_or(0.0, |wall| wall.restitution)
+    }
+
+    /// The motion from a state for a time ≥ 0.
+    pub fn leg(&self, from: State, duration: f64) -> Leg {
+        match self.slope.as_ref().filter(|slope| slope.moves()) {
+            None => {
+                let (end, matrix) = self.flow.advance_linearised(from, duration);
+                Leg { end, matrix, slope: [0.0; 2] }
+            }
+            Some(slope) => self.sensitive_leg(slope, from, duration),
+        }
+    }
+
+    /// Duhamel's integral ∫ Φ(T, s) (0, ∂a/∂p)ᵀ ds by Gauss's rule on panels short against every period in the system,
+    /// summed on the way: exact to rounding.
+    fn sensitive_leg(&self, slope: &Slope, from: State, duration: f64) -> Leg {
+        let panels = (duration * self.rate(&from)).ceil().max(1.0);
+        let width = duration / panels;
+        let (mut here, mut matrix, mut sum, mut at) = (from, IDENTITY, [0.0; 2], 0.0);
+        let mut go = |to: f64, weight: f64| {
+            let (next, step) = self.flow.advance_linearised(here, to - at);
+            (here, at) = (next, to);
+            matrix = product(&step, &matrix);
+            sum = apply(&step, sum);
+            sum[1] += weight * slope.acceleration(&here);
+        };
+        for panel in 0..panels as u32 {
+            for (node, weight) in GAUSS {
+                go(width * (f64::from(panel) + node), width * weight);
+            }
+        }
+        go(duration, 0.0);
+        Leg { end: here, matrix, slope: sum }
+    }
+
+    /// The fastest rate in a motion from a state: of any harmonic, of the damping, of the vibration, whose stiffness is taken where the
+    /// oscillator is and as far as its velocity would carry it on the cubic spring alone.
+    pub(super) fn rate(&self, from: &State) -> f64 {
+        let (cubic, damping) = (self.system.cubic.abs(), self.system.damping.abs());
+        let stiffness = self.system.stiffness.abs()
+            + 3.0 * (cubic * from.q * from.q + (2.0 * cubic).sqrt() * from.u.abs());
+        stiffness.sqrt().max(damping).max(f64::from(self.order))
+    }
+
+    /// How an impact of incoming speed V ≠ 0 passes on a displacement before it: the saltation matrix, and what the
+    /// parameter adds, both at a fixed time.
+    pub fn saltation(&self, touch: &Touch<'_>, t: f64, speed: f64) -> (Matrix, [f64; 2]) {
+        let matrix = touch.wall.saltation(&self.flow, touch.leaving(t, -speed));
+        let ([place, velocity], factor) = (touch.slope, 1.0 + touch.wall.restitution);
+        let kick = touch.restitution_slope * touch.wall.side.sign() * speed;
+        (matrix, [factor * place, factor * velocity + kick - matrix[1][0] * place])
+    }
+}
+
+impl Slope {
+    /// Whether the parameter changes the motion between impacts.
+    fn moves(&self) -> bool {
+        [self.damping, self.stiffness, self.cubic, self.forcing.mean()].iter().any(|x| *x != 0.0)
+            || !self.forcing.harmonics().is_empty()
+    }
+
+    /// ∂a/∂p at fixed (t, q, u).
+    fn acceleration(&self, &State { t, q, u }: &State) -> f64 {
+        self.forcing.at(t)[0] - self.damping * u - (self.stiffness + self.cubic * q * q) * q
+    }
+}
+
+/// Gauss–Legendre with 8 points on [0, 1]: (node, weight).
+const GAUSS: [(f64, f64); 8] = {
+    let half = [
+        (0.183_434_642_495_649_8, 0.362_683_783_378_362),
+        (0.525_532_409_916_329, 0.313_706_645_877_887_27),
+        (0.796_666_477_413_626_7, 0.222_381_034_453_374_48),
+        (0.960_289_856_497_536_2, 0.101_228_536_290_376_26),
+    ];
+    let mut rule = [(0.0, 0.0); 8];
+    let mut i = 0;
+    while i < 4 {
+        let (node, weight) = half[i];
+        rule[4 + i] = (0.5 + node / 2.0, weight / 2.0);
+        rule[3 - i] = (0.5 - node / 2.0, weight / 2.0);
+        i += 1;
+    }
+    rule
+};

@@ -1,0 +1,215 @@
+//! The keys of the tasks over a parameter: `branch`, `diagram`; the options of continuation.
+
+use num_rational::BigRational;
+
+use super::{
+    Frame, Scene,
+    keys::{keys, read_into, words},
+    orbits::OrbitKeys,
+    task::{Check, Start},
+};
+use crate::{
+    error::Result,
+    oscillator::{
+        System,
+        branch::{Options, with_options},
+    },
+};
+
+with_options!(read_into);
+
+keys! {
+    /// Where a branch starts: at an orbit, at the periodic attractor that a motion leads to, or at a label of a branch written before.
+    pub struct BranchStart {
+        /// the parameter's value at the start; the scene's if absent
+        at: Option<BigRational>,
+        /// orbits of a pattern: each starts a branch, unless it lies on one already followed
+        orbit: Option<OrbitKeys>,
+        /// a state whose motion leads to a periodic attractor
+        attractor: Option<Start>,
+        /// a labelled point of a branch
+        restart: Option<Restart>,
+    }
+}
+
+keys! {
+    /// A labelled point of a branch that was written before.
+    pub struct Restart {
+        /// the branch's JSON file, in the folder that this task writes into
+        file: String,
+        /// the label, as "flip 1"
+        label: String,
+        /// whether to change to the branch that is born there (flip) or crosses
+        switch: bool = "false",
+    }
+}
+
+words! {
+    /// Which way a branch is followed from its start.
+    pub enum Way {
+        /// Both ways.
+        Both = "both",
+        /// To larger values of the (last) parameter first of all.
+        Up = "up",
+        /// To smaller.
+        Down = "down",
+    }
+}
+
+keys! {
+    /// Follows branches of periodic orbits over a parameter by pseudo-arclength continuation, through saddle-nodes, and labels what
+    /// happens: saddle-node, crossing, flip, torus, grazing (a minimum of the gap is zero), fade (an impact's speed is zero).
+    pub struct BranchTask {
+        /// the parameter that varies
+        parameter: String,
+        /// its bounds
+        range: Vec<f64>,
+        /// where branches start
+        starts: Vec<BranchStart>,
+        /// which way they are followed
+        direction: Way = "\"both\"",
+        /// a second parameter: what happens at the label of a restart is followed in both
+        second: Option<String>,
+        /// the bounds of the second
+        second_range: Vec<f64> = "[]",
+        /// how they are followed
+        options: Options = "{}",
+        /// when the picture's displacement is taken, as a fraction of the forcing period
+        phase: BigRational = "0",
+        /// from where it is counted
+        frame: Frame = "\"fixed\"",
+    }
+}
+
+keys! {
+    /// Draws what motions tend to over a parameter (bifurcation diagram): several starts for each value, in parallel; lists windows of
+    /// periodic motion and values where attractors coexist. An interrupted task resumes from its checkpoint.
+    pub struct DiagramTask {
+        /// the parameter that varies
+        parameter: String,
+        /// its bounds
+        range: Vec<f64>,
+        /// how many values, evenly spaced, both bounds among them
+        count: u32 = "400",
+        /// where motions start, at every value
+        starts: Vec<Start>,
+        /// when to look, as a fraction of the forcing period
+        phase: BigRational = "0",
+        /// from where the displacement is counted
+        frame: Frame = "\"fixed\"",
+        /// how many periods pass before
+        transient: u64 = "1000",
+        /// how many periods are looked at
+        points: u32 = "400",
+        /// the longest period told from none, in forcing periods
+        longest: u32 = "64",
+        /// only every so many periods a point is drawn: one component of an attractor of that many
+        every: u32 = "1",
+        /// branches to draw with it
+        branches: Vec<BranchStart> = "[]",
+        /// how those are followed
+        options: Options = "{}",
+        /// whether to go on from the checkpoint that an interrupted run left in the folder
+        resume: bool = "true",
+    }
+}
+
+keys! {
+    /// Locates the end of an attractor: the parameter at which an image of the corner of an unstable orbit's unstable manifold, where it
+    /// first comes to graze, falls on the stable manifold; and simulates on both sides of it.
+    pub struct CrisisTask {
+        /// the parameter that varies
+        parameter: String,
+        /// a value on each side
+        bracket: Vec<f64>,
+        /// the unstable orbit, by its pattern; of those found in the middle of the bracket the saddle is taken
+        orbit: OrbitKeys,
+        /// when the section is taken, as a fraction of the forcing period: not near an impact of the orbit
+        phase: BigRational,
+        /// which image of the corner, in periods of the orbit
+        images: u32 = "2",
+        /// how far from the orbit its unstable manifold is entered; the answers for each must agree
+        offsets: Vec<f64> = "[1e-4, 1e-5, 1e-6]",
+        /// where simulated motions start
+        start: Start,
+        /// how far from the crisis they are made, on either side
+        margins: Vec<f64> = "[1e-5, 1e-6]",
+        /// for how many periods
+        periods: u64 = "1000000",
+        /// after so many periods without an impact a motion has escaped
+        quiet: u64 = "100",
+    }
+}
+
+impl Check for CrisisTask {
+    fn check(&self, scene: &Scene, system: &System<f64>, path: &str) -> Result<()> {
+        check_range(scene, &self.parameter, &self.bracket, &format!("{path}.bracket"))?;
+        if self.offsets.is_empty() {
+            return Err(scene.fail(&format!("{path}.offsets"), "is empty"));
+        }
+        self.orbit.check(scene, system, &format!("{path}.orbit"))
+    }
+}
+
+fn check_range(scene: &Scene, parameter: &str, range: &[f64], key: &str) -> Result<()> {
+    scene.parameter(parameter)?;
+    match range {
+        [low, high] if low < high => Ok(()),
+        _ => Err(scene.fail(key, "must hold two numbers, the smaller first")),
+    }
+}
+
+fn check_starts(scene: &Scene, system: &System<f64>, starts: &[BranchStart], path: &str) -> Result<()> {
+    for (i, start) in (1..).zip(starts) {
+        let path = format!("{path}[{i}]");
+        let given = [start.orbit.is_some(), start.attractor.is_some(), start.restart.is_some()];
+        if given.iter().filter(|given| **given).count() != 1 {
+            return Err(scene.fail(&path, "must have one of orbit, attractor and restart"));
+        }
+        if let Some(orbit) = &start.orbit {
+            orbit.check(scene, system, &format!("{path}.orbit"))?;
+        }
+    }
+    Ok(())
+}
+
+impl Check for BranchTask {
+    fn check(&self, scene: &Scene, system: &System<f64>, path: &str) -> Result<()> {
+        check_range(scene, &self.parameter, &self.range, &format!("{path}.range"))?;
+        check_starts(scene, system, &self.starts, &format!("{path}.starts"))?;
+        if let Some(second) = &self.second {
+            check_range(scene, second, &self.second_range, &format!("{path}.second_range"))?;
+            if second == &self.parameter || self.starts.iter().any(|start| start.restart.is_none()) {
+                return Err(scene.fail(
+                    &format!("{path}.second"),
+                    "must be another parameter, and every start a restart at the label of what is followed",
+                ));
+            }
+        }
+        let wrong = |error: crate::Error| scene.fail(&format!("{path}.options"), &error.to_string());
+        self.options.checked().map(drop).map_err(wrong)
+    }
+}
+
+impl Check for DiagramTask {
+    fn check(&self, scene: &Scene, system: &System<f64>, path: &str) -> Result<()> {
+        check_range(scene, &self.parameter, &self.range, &format!("{path}.range"))?;
+        check_starts(scene, system, &self.branches, &format!("{path}.branches"))?;
+        let values = [
+            (self.count, "count", 2, 1_000_000),
+            (self.points, "points", 2, 1_000_000),
+            (self.longest, "longest", 1, 10_000),
+            (self.every, "every", 1, self.points),
+        ];
+        for (value, key, least, most) in values {
+            if !(least..=most).contains(&value) {
+                return Err(scene.fail(&format!("{path}.{key}"), &format!("is outside {least} to {most}")));
+            }
+        }
+        if self.starts.is_empty() {
+            return Err(scene.fail(&format!("{path}.starts"), "is empty; a motion must start somewhere"));
+        }
+        let wrong = |error: crate::Error| scene.fail(&format!("{path}.options"), &error.to_string());
+        self.options.checked().map(drop).map_err(wrong)
+    }
+}

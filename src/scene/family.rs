@@ -1,0 +1,49 @@
+//! The oscillators of a scene as one of its parameters varies.
+
+use num_traits::ToPrimitive;
+
+use super::Scene;
+use crate::{
+    error::Result,
+    number::Dual,
+    oscillator::{
+        System,
+        orbit::{Family, Oscillator},
+    },
+};
+
+/// A scene with one parameter free, the others at their values.
+#[derive(Debug, Clone)]
+pub struct SceneFamily<'s> {
+    scene: &'s Scene,
+    values: Vec<f64>,
+    free: usize,
+}
+
+impl<'s> SceneFamily<'s> {
+    /// The family over the parameter of this name.
+    ///
+    /// # Errors
+    /// An input error if the scene has no such parameter.
+    pub fn new(scene: &'s Scene, parameter: &str) -> Result<SceneFamily<'s>> {
+        let free = scene.parameter(parameter)?;
+        let values = scene.parameters.iter().map(|(_, value)| value.to_f64().unwrap_or(f64::NAN)).collect();
+        Ok(SceneFamily { scene, values, free })
+    }
+
+    /// The scene's own value of the parameter.
+    pub fn value(&self) -> f64 {
+        self.values[self.free]
+    }
+}
+
+impl Family for SceneFamily<'_> {
+    /// Derivatives are exact to rounding: every coefficient is evaluated in dual numbers.
+    fn at(&self, parameter: f64) -> Result<Oscillator> {
+        let mut values: Vec<Dual> = self.values.iter().map(|value| Dual::constant(*value)).collect();
+        values[self.free] = Dual { value: parameter, slope: 1.0 };
+        let dual = self.scene.system.try_map(|expression| expression.evaluate(&values, &()))?;
+        let part = |part: fn(&Dual) -> f64| -> Result<System<f64>> { dual.try_map(|x| Ok(part(x))) };
+        Oscillator::with_slope(part(|x| x.value)?, &part(|x| x.slope)?, self.scene.accuracy.tolerance)
+    }
+}

@@ -1,0 +1,382 @@
+//! The keys of a scene: one declaration each, from which come the typed field, its reader, its default and its row of
+//! the reference table.
+//!
+//! `keys!` declares a table of the file as a struct. A field's type says what may stand there ([`Value`]); a default
+//! is TOML text, read as if it stood in the file; without one the key is required, but for `Option`.
+
+use std::{cell::RefCell, collections::BTreeMap, ops::Range};
+
+use num_rational::BigRational;
+use num_traits::ToPrimitive;
+use toml_edit::{Item, TableLike};
+
+use super::expression::{Expression, checked};
+use crate::{
+    error::{Error, Result},
+    source::{Source, nearest, unknown},
+};
+
+/// What the reference says of a key.
+#[derive(Debug, Clone, Copy)]
+pub struct Key {
+    /// Its name.
+    pub name: &'static str,
+    /// What may stand there.
+    pub shape: fn() -> String,
+    /// What holds if it is absent, as TOML text.
+    pub default: Option<fn() -> String>,
+    /// Whether it must be given.
+    pub required: bool,
+    /// What it means.
+    pub about: &'static str,
+}
+
+/// A table of the file.
+pub(super) trait Record: Sized {
+    /// What the table is.
+    const ABOUT: &'static str;
+    /// Its keys, in the order of the reference.
+    const KEYS: &'static [Key];
+
+    fn fields(entry: &Entry, extra: &[&str]) -> Result<Self>;
+}
+
+/// What a key may hold.
+pub(super) trait Value: Sized {
+    fn shape() -> String;
+    /// What an absent key without a default means, where that is allowed.
+    const ABSENT: Option<fn() -> Self> = None;
+
+    fn read(entry: &Entry) -> Result<Self>;
+}
+
+/// A value of the file on its way into the scene.
+pub(super) struct Entry<'a> {
+    pub scope: &'a Scope<'a>,
+    /// The keys and numbers that lead to it, as in `walls[1].offset`.
+    pub path: String,
+    /// Where it stands.
+    pub span: Option<Range<usize>>,
+    pub item: Item,
+}
+
+/// What every value is read against.
+pub(super) struct Scope<'a> {
+    pub source: Source<'a>,
+    /// The names of the parameters.
+    pub names: &'a [String],
+    /// Where every value stands that has been read.
+    pub places: &'a RefCell<BTreeMap<String, Range<usize>>>,
+}
+
+impl<'a> Entry<'a> {
+    pub fn new(scope: &'a Scope<'a>, path: String, span: Option<Range<usize>>, item: Item) -> Self {
+        let span = item.span().or(span);
+        if let Some(span) = &span {
+            scope.places.borrow_mut().insert(path.clone(), span.clone());
+        }
+        Entry { scope, path, span, item }
+    }
+
+    /// `file:line: key = value: message`.
+    pub fn fail(&self, message: &str) -> Error {
+        if self.path.is_empty() {
+            return self.scope.source.fail(None, message);
+        }
+        self.scope.source.at(&self.path, self.span.clone(), message)
+    }
+
+    pub fn table(&self) -> Result<&dyn TableLike> {
+        self.item.as_table_like().ok_or_else(|| self.fail("is not a table of keys"))
+    }
+
+    /// The value of a key of this table, if it is there.
+    pub fn get(&self, key: &str) -> Result<Option<Entry<'a>>> {
+        let table = self.table()?;
+        Ok(table.get(key).map(|item| {
+            let span = table.key(key).and_then(toml_edit::Key::span).or(self.span.clone());
+            Entry::new(self.scope, self.below(key), span, item.clone())
+        }))
+    }
+
+    fn below(&self, key: &str) -> String {
+        if self.path.is_empty() { key.to_string() } else { format!("{}.{key}", self.path) }
+    }
+
+    /// Refuses keys that are not among `known`.
+    pub fn only(&self, known: &[&str]) -> Result<()> {
+        let table = self.table()?;
+        let Some((key, item)) = table.iter().find(|(key, _)| !known.contains(key)) else { return Ok(()) };
+        let span = table.key(key).and_then(toml_edit::Key::span).or(item.span()).or(self.span.clone());
+        let place = if self.path.is_empty() { String::new() } else { format!("{}: ", self.path) };
+        Err(self.scope.source.fail(span, &format!("{place}{}", unknown(key, known))))
+    }
+
+    /// The value of a key, or its default.
+    pub fn field<T: Value>(&self, key: &Key) -> Result<T> {
+        if let Some(entry) = self.get(key.name)? {
+            return T::read(&entry);
+        }
+        if let Some(default) = key.default {
+            let text = format!("x = {}", default());
+            let (source, places) = (Source { text: &text, name: "default" }, RefCell::default());
+            let document = source.document()?;
+            let item = document.as_table()["x"].clone();
+            let scope = Scope { source: source.clone(), names: &[], places: &places };
+            let path = self.below(key.name);
+            return T::read(&Entry::new(&scope, path, None, item))
+                .map_err(|error| self.fail(&error.to_string()));
+        }
+        T::ABSENT.map(|absent| absent()).ok_or_else(|| {
+            let place = if self.path.is_empty() { "a scene" } else { &self.path };
+            let message = format!("{place} has no key {}, which must be given: {}", key.name, (key.shape)());
+            self.scope.source.fail(self.span.clone(), &message)
+        })
+    }
+
+    /// The elements of an array, or of an array of tables.
+    pub fn elements(&self) -> Result<Vec<Entry<'a>>> {
+        let items: Vec<Item> = match &self.item {
+            Item::Value(toml_edit::Value::Array(array)) => array.iter().cloned().map(Item::Value).collect(),
+            Item::ArrayOfTables(tables) => tables.iter().cloned().map(Item::Table).collect(),
+            _ => return Err(self.fail("is not a list […]")),
+        };
+        let one = |(i, item)| Entry::new(self.scope, format!("{}[{i}]", self.path), self.span.clone(), item);
+        Ok((1..).zip(items).map(one).collect())
+    }
+
+    /// An exact number.
+    pub fn number(&self) -> Result<BigRational> {
+        let value = self.item.as_value().ok_or_else(|| self.fail("is not a number"))?;
+        let number = self.scope.source.exact(&self.path, value)?;
+        checked(number).map_err(|error| self.fail(&error.to_string()))
+    }
+
+    pub fn text(&self) -> Result<&str> {
+        self.item.as_str().ok_or_else(|| self.fail("is not text \"…\""))
+    }
+
+    /// One of some words.
+    pub fn word<T: Copy>(&self, words: &[(&'static str, T)]) -> Result<T> {
+        let text = self.text()?;
+        if let Some((_, value)) = words.iter().find(|(word, _)| *word == text) {
+            return Ok(*value);
+        }
+        let all: Vec<String> = words.iter().map(|(word, _)| format!("{word:?}")).collect();
+        let near = nearest(text, words.iter().map(|(word, _)| *word)).unwrap_or_default();
+        Err(self.fail(&format!("is none of {}; the nearest is {near:?}", all.join(", "))))
+    }
+
+    fn whole(&self, least: u64, most: u64) -> Result<u64> {
+        let value = self.number()?;
+        let whole = value.is_integer().then(|| value.to_integer().to_u64()).flatten();
+        whole
+            .filter(|value| (least..=most).contains(value))
+            .ok_or_else(|| self.fail(&format!("is not a whole number from {least} to {most}")))
+    }
+}
+
+/// Declares a table of the file; see the head of this module.
+macro_rules! keys {
+    ($(#[doc = $about:literal])+ pub struct $name:ident {
+        $($(#[doc = $doc:literal])+ $key:ident: $type:ty $(= $default:literal)?,)*
+    }) => {
+        $(#[doc = $about])+
+        #[derive(Debug, Clone, PartialEq)]
+        pub struct $name { $($(#[doc = $doc])+ pub $key: $type,)* }
+
+        $crate::scene::keys::record! {
+            $name { $($about)+ } $($key: $type [$crate::scene::keys::default!($($default)?)] { $($doc)+ })*
+        }
+    };
+}
+pub(super) use keys;
+
+/// Reads a struct declared elsewhere with its defaults as a table of keys.
+macro_rules! read_into {
+    ($(#[doc = $about:literal])+ pub struct $name:ident {
+        $($(#[doc = $doc:literal])+ $key:ident: $type:ty = $default:expr,)*
+    }) => {
+        $crate::scene::keys::record! {
+            $name { $($about)+ }
+            $($key: $type [Some((|| format!("{:?}", $name::default().$key)) as fn() -> String)] { $($doc)+ })*
+        }
+    };
+}
+pub(super) use read_into;
+
+/// Makes a struct a table of keys.
+macro_rules! record {
+    ($name:ident { $($about:literal)+ } $($key:ident: $type:ty [$default:expr] { $($doc:literal)+ })*) => {
+        impl $crate::scene::keys::Record for $name {
+            const ABOUT: &'static str = concat!($($about),+);
+            const KEYS: &'static [$crate::scene::keys::Key] =
+                &[$($crate::scene::keys::Key {
+                    name: stringify!($key),
+                    shape: <$type as $crate::scene::keys::Value>::shape,
+                    default: $default,
+                    required: $default.is_none() && <$type as $crate::scene::keys::Value>::ABSENT.is_none(),
+                    about: concat!($($doc),+),
+                }),*];
+
+            fn fields(
+                entry: &$crate::scene::keys::Entry,
+                extra: &[&str],
+            ) -> $crate::error::Result<Self> {
+                let known: Vec<&str> = Self::KEYS.iter().map(|key| key.name).chain(extra.iter().copied()).collect();
+                entry.only(&known)?;
+                let mut keys = Self::KEYS.iter();
+                Ok($name { $($key: entry.field(keys.next().expect(stringify!($key)))?,)* })
+            }
+        }
+
+        impl $crate::scene::keys::Value for $name {
+            fn shape() -> String {
+                concat!("table of ", stringify!($($key),*)).to_string()
+            }
+
+            fn read(entry: &$crate::scene::keys::Entry) -> $crate::error::Result<Self> {
+                <Self as $crate::scene::keys::Record>::fields(entry, &[])
+            }
+        }
+    };
+}
+pub(super) use record;
+
+macro_rules! default {
+    () => {
+        None::<fn() -> String>
+    };
+    ($text:literal) => {
+        Some((|| $text.to_string()) as fn() -> String)
+    };
+}
+pub(super) use default;
+
+/// Declares a choice among words.
+macro_rules! words {
+    ($(#[doc = $about:literal])+ pub enum $name:ident {
+        $($(#[doc = $doc:literal])+ $variant:ident = $word:literal,)+
+    }) => {
+        $(#[doc = $about])+
+        #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+        pub enum $name { $($(#[doc = $doc])+ $variant,)+ }
+
+        impl $crate::scene::keys::Value for $name {
+            fn shape() -> String {
+                [$(concat!("`\"", $word, "\"`")),+].join(" or ")
+            }
+
+            fn read(entry: &$crate::scene::keys::Entry) -> $crate::error::Result<Self> {
+                entry.word(&[$(($word, $name::$variant)),+])
+            }
+        }
+
+        impl $name {
+            /// Its word in the file.
+            pub fn word(self) -> &'static str {
+                match self { $($name::$variant => $word,)+ }
+            }
+        }
+    };
+}
+pub(super) use words;
+
+impl Value for BigRational {
+    fn shape() -> String {
+        "number".to_string()
+    }
+
+    fn read(entry: &Entry) -> Result<Self> {
+        entry.number()
+    }
+}
+
+impl Value for f64 {
+    fn shape() -> String {
+        "number".to_string()
+    }
+
+    fn read(entry: &Entry) -> Result<Self> {
+        let value = entry.number()?.to_f64().filter(|value| value.is_finite());
+        value.ok_or_else(|| entry.fail("is beyond the range of floats"))
+    }
+}
+
+impl Value for u32 {
+    fn shape() -> String {
+        "whole number".to_string()
+    }
+
+    fn read(entry: &Entry) -> Result<Self> {
+        Ok(entry.whole(0, u32::MAX.into())? as u32)
+    }
+}
+
+impl Value for u64 {
+    fn shape() -> String {
+        "whole number".to_string()
+    }
+
+    fn read(entry: &Entry) -> Result<Self> {
+        entry.whole(0, 1 << 53)
+    }
+}
+
+impl Value for bool {
+    fn shape() -> String {
+        "`true` or `false`".to_string()
+    }
+
+    fn read(entry: &Entry) -> Result<Self> {
+        entry.item.as_bool().ok_or_else(|| entry.fail("is neither true nor false"))
+    }
+}
+
+impl Value for String {
+    fn shape() -> String {
+        "text".to_string()
+    }
+
+    fn read(entry: &Entry) -> Result<Self> {
+        entry.text().map(str::to_string)
+    }
+}
+
+impl Value for Expression {
+    fn shape() -> String {
+        "expression".to_string()
+    }
+
+    fn read(entry: &Entry) -> Result<Self> {
+        let value = entry.item.as_value().ok_or_else(|| entry.fail("is not an expression"))?;
+        let text = entry.scope.source.number_text(value);
+        let text = text.ok_or_else(|| entry.fail("is not an expression: write a number, or \"…\""))?;
+        let parsed = Expression::parse(&text, entry.scope.names);
+        let mut expression = parsed.map_err(|error| entry.fail(&error.to_string()))?;
+        expression.key.clone_from(&entry.path);
+        Ok(expression)
+    }
+}
+
+impl<T: Value> Value for Vec<T> {
+    fn shape() -> String {
+        format!("list, each {}", T::shape())
+    }
+
+    fn read(entry: &Entry) -> Result<Self> {
+        entry.elements()?.iter().map(T::read).collect()
+    }
+}
+
+impl<T: Value> Value for Option<T> {
+    fn shape() -> String {
+        T::shape()
+    }
+
+    const ABSENT: Option<fn() -> Self> = Some(|| None);
+
+    fn read(entry: &Entry) -> Result<Self> {
+        T::read(entry).map(Some)
+    }
+}

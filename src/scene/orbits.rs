@@ -1,0 +1,183 @@
+//! The keys of the tasks about periodic orbits: `orbit`, `event`, `grazing`.
+
+use num_rational::BigRational;
+
+use super::{
+    keys::{keys, words},
+    task::Check,
+};
+use crate::{
+    error::Result,
+    oscillator::{
+        Side, System,
+        branch::critical::Bifurcation,
+        orbit::{Itinerary, Orbit, Oscillator, Strike, find, search},
+    },
+    scene::Scene,
+};
+
+keys! {
+    /// Which periodic orbit: its impact pattern, and where Newton's method starts.
+    pub struct OrbitKeys {
+        /// n_1, …, n_m: the forcing periods from the phase of one impact to that of the next; none for an orbit without impacts
+        pattern: Vec<u32> = "[]",
+        /// the wall of each impact; needed only if there are two walls
+        walls: Vec<Side> = "[]",
+        /// the period of an orbit without impacts
+        period: u32 = "1",
+        /// time and incoming speed t_1, V_1, …, t_m, V_m to start from (without impacts: q and u at t = 0); if empty, all orbits are searched for
+        start: Vec<f64> = "[]",
+        /// how many starts the search makes
+        starts: u32 = "500",
+        /// the greatest speed at which the search starts
+        speed: f64 = "1",
+    }
+}
+
+impl OrbitKeys {
+    /// The pattern with its walls.
+    ///
+    /// # Errors
+    /// An input error if the walls do not fit the pattern or the scene.
+    pub fn itinerary(&self, system: &System<f64>) -> Result<Itinerary> {
+        if self.pattern.is_empty() {
+            return Itinerary::free(self.period);
+        }
+        let side = if system.lower.is_some() { Side::Lower } else { Side::Upper };
+        let walls = if self.walls.is_empty() { vec![side; self.pattern.len()] } else { self.walls.clone() };
+        let strikes = self.pattern.iter().zip(walls).map(|(&periods, side)| Strike { side, periods });
+        Itinerary::new(strikes.collect())
+    }
+
+    /// The orbits of the pattern: the one Newton's method finds from `start`, or those of a search.
+    ///
+    /// # Errors
+    /// As [`find`].
+    pub fn orbits(&self, oscillator: &Oscillator) -> Result<Vec<Orbit>> {
+        let itinerary = self.itinerary(oscillator.system())?;
+        if self.start.is_empty() {
+            return Ok(search(oscillator, &itinerary, self.starts, self.speed));
+        }
+        Ok(vec![find(oscillator, &itinerary, self.start.clone())?])
+    }
+
+    /// What [`Scene::for_task`] checks.
+    pub(super) fn check(&self, scene: &Scene, system: &System<f64>, path: &str) -> Result<()> {
+        let fail = |key: &str, message: &str| Err(scene.fail(&format!("{path}.{key}"), message));
+        if let Err(error) = self.itinerary(system) {
+            return fail("pattern", &error.to_string());
+        }
+        let m = self.pattern.len();
+        if !self.walls.is_empty() && self.walls.len() != m {
+            return fail("walls", &format!("must name {m} walls, one for each impact"));
+        }
+        if m > 0 && self.walls.is_empty() && system.lower.is_some() && system.upper.is_some() {
+            return fail("pattern", "the scene has two walls: name the wall of each impact in walls");
+        }
+        let missing =
+            |side| [system.lower.is_none(), system.upper.is_none()][usize::from(side == Side::Upper)];
+        if self.walls.iter().any(|&side| missing(side))
+            || (m > 0 && missing(Side::Lower) && missing(Side::Upper))
+        {
+            return fail("pattern", "has an impact at a wall that the scene does not have");
+        }
+        if !self.start.is_empty() && self.start.len() != (2 * m).max(2) {
+            return fail("start", &format!("must hold {} numbers", (2 * m).max(2)));
+        }
+        Ok(())
+    }
+}
+
+keys! {
+    /// Finds periodic orbits: impacts, multipliers, and whether each is one (speeds positive, no other contact).
+    pub struct OrbitTask {
+        /// which
+        orbit: OrbitKeys,
+        /// a parameter to go through some values of
+        parameter: Option<String>,
+        /// its values
+        values: Vec<BigRational> = "[]",
+    }
+}
+
+impl Check for OrbitTask {
+    fn check(&self, scene: &Scene, system: &System<f64>, path: &str) -> Result<()> {
+        self.orbit.check(scene, system, &format!("{path}.orbit"))?;
+        if let Some(parameter) = &self.parameter {
+            scene.parameter(parameter)?;
+        }
+        if self.parameter.is_some() == self.values.is_empty() {
+            return Err(scene.fail(path, "parameter and values belong together: give both or neither"));
+        }
+        Ok(())
+    }
+}
+
+words! {
+    /// What happens to an orbit.
+    pub enum Event {
+        /// Two orbits meet: a multiplier is 1.
+        SaddleNode = "saddle-node",
+        /// The period doubles: a multiplier is −1.
+        Flip = "flip",
+        /// The orbit touches a wall once more, with no speed.
+        Grazing = "grazing",
+    }
+}
+
+impl Event {
+    /// As a change of the multipliers; `None` for grazing.
+    pub fn bifurcation(self) -> Option<Bifurcation> {
+        match self {
+            Event::SaddleNode => Some(Bifurcation::SaddleNode),
+            Event::Flip => Some(Bifurcation::Flip),
+            Event::Grazing => None,
+        }
+    }
+}
+
+keys! {
+    /// Locates a bifurcation of an orbit in a parameter, to rounding, from the orbit at the parameter's present value.
+    pub struct EventTask {
+        /// which bifurcation
+        event: Event,
+        /// the parameter that varies
+        parameter: String,
+        /// the orbit at the parameter's present value
+        orbit: OrbitKeys,
+        /// how far along its branch to look, in the norm of times, speeds and parameter
+        reach: f64 = "0.5",
+    }
+}
+
+impl Check for EventTask {
+    fn check(&self, scene: &Scene, system: &System<f64>, path: &str) -> Result<()> {
+        scene.parameter(&self.parameter)?;
+        self.orbit.check(scene, system, &format!("{path}.orbit"))
+    }
+}
+
+keys! {
+    /// Locates a grazing bifurcation, and decides by the local theory there which orbits are born, on which side; each is then
+    /// found in the true system near by.
+    pub struct GrazingTask {
+        /// the parameter that varies
+        parameter: String,
+        /// the orbit that comes to graze, near the parameter's present value; its least minimum of a gap is the one taken
+        orbit: OrbitKeys = "{}",
+        /// the largest period of the patterns, in periods of that orbit
+        max_period: u32 = "4",
+        /// how far from the bifurcation the born orbits are found: the distance |eµ| between the orbit and the wall
+        distance: f64 = "1e-6",
+    }
+}
+
+impl Check for GrazingTask {
+    fn check(&self, scene: &Scene, system: &System<f64>, path: &str) -> Result<()> {
+        scene.parameter(&self.parameter)?;
+        if !(1..=12).contains(&self.max_period) {
+            return Err(scene.fail(&format!("{path}.max_period"), "is outside 1 to 12"));
+        }
+        self.orbit.check(scene, system, &format!("{path}.orbit"))
+    }
+}

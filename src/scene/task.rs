@@ -1,0 +1,175 @@
+//! What can be asked of a scene: one struct a kind of task, all kinds registered in one table.
+//!
+//! To add a kind: declare its keys here, add its line to `kinds!`, and write `cli/run/<kind>.rs`.
+
+use num_rational::BigRational;
+
+use super::{
+    branches::{BranchTask, CrisisTask, DiagramTask},
+    expression::Expression,
+    keys::{Entry, Key, Record, Value, keys},
+    orbits::{EventTask, GrazingTask, OrbitTask},
+    sections::{Basins, Section},
+    validate::ValidateTask,
+};
+use crate::{error::Result, oscillator::System, scene::Scene, source::nearest};
+
+/// One thing to do with a scene.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Task {
+    /// What its files are called.
+    pub name: String,
+    /// The name it shares with others, for `--only`.
+    pub group: Option<String>,
+    /// Parameter values that it has in place of the scene's.
+    pub set: Vec<(String, BigRational)>,
+    /// What to do.
+    pub kind: Kind,
+    /// Where in the file it stands, as `tasks[1]`.
+    pub(super) path: String,
+}
+
+keys! {
+    /// Something to do with the oscillator; its other keys depend on its kind.
+    pub struct TaskKeys {
+        /// the name of its files and of its part of the report: letters, digits, `-` and `_`
+        name: String,
+        /// what to do: one of the kinds below
+        kind: String,
+        /// a name under which `--only` runs several tasks together
+        group: Option<String>,
+        /// parameter values that this task has in place of the scene's, as in `{ mu = -0.05 }`
+        set: Settings = "{}",
+    }
+}
+
+/// New values of parameters.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Settings(pub Vec<(String, BigRational)>);
+
+impl Value for Settings {
+    fn shape() -> String {
+        "table of numbers".to_string()
+    }
+
+    fn read(entry: &Entry) -> Result<Self> {
+        let mut all = Vec::new();
+        let names: Vec<&str> = entry.scope.names.iter().map(String::as_str).collect();
+        entry.only(&names)?;
+        for name in names {
+            if let Some(value) = entry.get(name)? {
+                all.push((name.to_string(), value.number()?));
+            }
+        }
+        Ok(Settings(all))
+    }
+}
+
+/// The kinds of tasks: for each the word in the file, and its keys.
+macro_rules! kinds {
+    ($($word:literal $kind:ident,)+) => {
+        /// What a task does.
+        #[derive(Debug, Clone, PartialEq)]
+        pub enum Kind { $(#[doc = concat!("`", $word, "`.")] $kind(Box<$kind>),)+ }
+
+        impl Kind {
+            /// Its word in the file.
+            pub fn word(&self) -> &'static str {
+                match self { $(Kind::$kind(_) => $word,)+ }
+            }
+
+            fn read(word: &str, entry: &Entry, common: &[&str]) -> Option<Result<Self>> {
+                match word {
+                    $($word => Some($kind::fields(entry, common).map(|task| Kind::$kind(Box::new(task)))),)+
+                    _ => None,
+                }
+            }
+
+            /// Checks what only the whole scene can tell, its coefficients being those of the task.
+            pub(super) fn check(&self, scene: &Scene, system: &System<f64>, path: &str) -> Result<()> {
+                match self { $(Kind::$kind(task) => task.check(scene, system, path),)+ }
+            }
+        }
+
+        /// Word, meaning and keys of every kind.
+        pub(super) const KINDS: &[(&str, &str, &[Key])] = &[$(($word, $kind::ABOUT, $kind::KEYS)),+];
+    };
+}
+
+kinds! {
+    "simulate" Simulate,
+    "section" Section,
+    "basins" Basins,
+    "orbit" OrbitTask,
+    "event" EventTask,
+    "grazing" GrazingTask,
+    "branch" BranchTask,
+    "diagram" DiagramTask,
+    "crisis" CrisisTask,
+    "validate" ValidateTask,
+}
+
+/// What a kind of task checks before anything runs; by default nothing.
+pub(super) trait Check {
+    fn check(&self, _scene: &Scene, _system: &System<f64>, _path: &str) -> Result<()> {
+        Ok(())
+    }
+}
+
+keys! {
+    /// Follows one motion: its time series, its impacts and a picture of both.
+    pub struct Simulate {
+        /// where it starts
+        start: Start,
+        /// how many forcing periods are written
+        periods: u32 = "10",
+        /// how many periods pass before
+        transient: u64 = "0",
+        /// points of the time series in a period, from 1 to 10000
+        samples: u32 = "64",
+    }
+}
+
+impl Check for Simulate {
+    fn check(&self, scene: &Scene, system: &System<f64>, path: &str) -> Result<()> {
+        if !(1..=10_000).contains(&self.samples) {
+            return Err(scene.fail(&format!("{path}.samples"), "is outside 1 to 10000"));
+        }
+        scene.check_start(&self.start, system, &format!("{path}.start"))
+    }
+}
+
+keys! {
+    /// A state from which a motion starts.
+    pub struct Start {
+        /// the time, as a fraction of the forcing period: t = 2π `phase`
+        phase: BigRational = "0",
+        /// the displacement
+        q: Expression,
+        /// the velocity
+        u: Expression = "0",
+    }
+}
+
+impl Task {
+    pub(super) fn read(entry: &Entry) -> Result<Task> {
+        let common: Vec<&str> = TaskKeys::KEYS.iter().map(|key| key.name).collect();
+        // The kind first: only then is it known which keys there may be.
+        let word: String = entry.field(&TaskKeys::KEYS[1])?;
+        let Some(kind) = Kind::read(&word, entry, &common) else {
+            let words: Vec<&str> = KINDS.iter().map(|kind| kind.0).collect();
+            let near = nearest(&word, words.iter().copied()).unwrap_or_default();
+            let at = entry.get("kind")?.unwrap_or_else(|| unreachable!("it has just been read"));
+            return Err(at.fail(&format!("is none of {}; the nearest is {near:?}", words.join(", "))));
+        };
+        let kind = kind?;
+        let kind_keys = KINDS.iter().find(|known| known.0 == word).map_or(&[][..], |known| known.2);
+        let extra: Vec<&str> = kind_keys.iter().map(|key| key.name).collect();
+        let TaskKeys { name, group, set: Settings(set), .. } = TaskKeys::fields(entry, &extra)?;
+        if name.is_empty() || !name.chars().all(|c| c.is_ascii_alphanumeric() || "-_".contains(c)) {
+            let at = entry.get("name")?.unwrap_or_else(|| unreachable!("it has just been read"));
+            return Err(at.fail("names files: write letters, digits, - and _"));
+        }
+        Ok(Task { name, group, set, kind, path: entry.path.clone() })
+    }
+}
