@@ -41,7 +41,7 @@
 //!
 //! # Map
 //!
-//! Dependencies point one way, from the bottom of this table up; `certificate` stands alone.
+//! Dependencies point one way, from the bottom of this table up; `certificate` is the package `grazing-check`, which depends on nothing.
 //!
 //! | module | holds |
 //! | --- | --- |
@@ -60,7 +60,6 @@
 //! | [`figure`] | pictures, the data of each beside it |
 //! | [`cli`] | the command line, progress bars |
 
-pub mod certificate;
 pub mod cli;
 mod error;
 pub mod existence;
@@ -80,4 +79,5 @@ pub mod study;
 pub mod symbol;
 
 pub use error::{Error, Result};
+pub use grazing_check as certificate;
 pub use monitor::Monitor;

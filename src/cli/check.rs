@@ -62,7 +62,7 @@ fn check(path: &Path) -> Result<std::result::Result<Checked, Rejection>> {
     } else {
         Box::new(File::open(path).map_err(|error| Error::io("open", path, error))?)
     };
-    match certificate::check(BufReader::with_capacity(1 << 16, input)) {
+    match certificate::check(&mut BufReader::with_capacity(1 << 16, input)) {
         Err(Rejection::Unreadable { source, .. }) => Err(Error::io("read", path, source)),
         answer => Ok(answer),
     }

@@ -47,7 +47,7 @@ pub fn areas(n: u64, folder: &Path, monitor: &dyn Monitor) -> Result<()> {
     let Some(block) = covers[0].block() else {
         return Err(Error::interrupted("interrupted before the work was done"));
     };
-    certificate::check(assemble(&options.periods, &[block]).as_bytes())
+    certificate::check(&mut assemble(&options.periods, &[block]).as_bytes())
         .map_err(|rejection| Error::input(format!("the cover of period {n} is not proved: {rejection}")))?;
     let mut tiles = Vec::new();
     covers[0].leaves(|chart, leaf, cell| tiles.push(Tile::new(chart, leaf, chart.bounds(&cell))));

@@ -50,7 +50,7 @@ pub fn certificate(system: &oscillator::System<BigRational>, orbit: &Orbit) -> R
     for radius in krawczyk::radii().filter(|radius| *radius <= orbit.radius) {
         certificate.radius = decimal(&radius)?;
         let text = certificate.to_string();
-        match certificate::check(text.as_bytes()) {
+        match certificate::check(&mut text.as_bytes()) {
             Ok(_) => return Ok(text),
             Err(rejection) => why = rejection.to_string(),
         }

@@ -78,7 +78,6 @@ mod tree;
 use std::{
     collections::{HashMap, hash_map::Entry},
     hash::Hash,
-    io::BufRead,
     ops::RangeInclusive,
 };
 
@@ -133,7 +132,7 @@ struct Open {
 }
 
 /// Checks everything after the kind line.
-pub(super) fn check<R: BufRead>(lines: &mut Lines<R>) -> Result<Checked, Rejection> {
+pub(super) fn check(lines: &mut Lines) -> Result<Checked, Rejection> {
     let header = Header::read(lines, 3..=MOST, STATEMENT)?;
     let mut open = Open::default();
     for n in header.range() {
@@ -151,7 +150,8 @@ pub(super) fn check<R: BufRead>(lines: &mut Lines<R>) -> Result<Checked, Rejecti
 /// # Errors
 /// As [`check`](super::check).
 pub fn check_block(n: u64, text: &[u8], before: u64) -> Result<(), Rejection> {
-    let mut lines = Lines::after(before, text);
+    let mut text = text;
+    let mut lines = Lines::after(before, &mut text);
     if !(3..=MOST).contains(&n) {
         return Err(lines.malformed(format!("n = {n} is not from 3 to {MOST}")));
     }
@@ -176,7 +176,7 @@ impl Open {
     }
 }
 
-fn block<R: BufRead>(lines: &mut Lines<R>, n: u64, open: &mut Open) -> Result<(), Rejection> {
+fn block(lines: &mut Lines, n: u64, open: &mut Open) -> Result<(), Rejection> {
     let line = lines.expect("the block of a period")?;
     let (r_max, leaves) = block_header(&line, n).map_err(|reason| lines.malformed(reason))?;
     let header_at = lines.number();

@@ -1,6 +1,6 @@
 //! Certificates of kind `theorem2`: Theorem 2 on r = 1 for a range of periods.
 
-use std::{fmt, io::BufRead, ops::RangeInclusive};
+use std::{fmt, ops::RangeInclusive};
 
 use super::{
     Checked, Rejection,
@@ -148,7 +148,7 @@ fn index(words: &mut Words, n: u64) -> Result<u64, String> {
 }
 
 /// Checks everything after the kind line.
-pub(super) fn check<R: BufRead>(lines: &mut Lines<R>) -> Result<Checked, Rejection> {
+pub(super) fn check(lines: &mut Lines) -> Result<Checked, Rejection> {
     let header = Header::read(lines, 1..=MOST, STATEMENT)?;
     for n in header.range() {
         Block::new(n).check(lines)?;
@@ -171,7 +171,7 @@ impl Block {
         Block { n, reached: zero, point_next: false, theorem: Theorem::new(n) }
     }
 
-    fn check<R: BufRead>(mut self, lines: &mut Lines<R>) -> Result<(), Rejection> {
+    fn check(mut self, lines: &mut Lines) -> Result<(), Rejection> {
         let [n, count] = header::numbers(lines, "n", ["the period", "the number of lines"], MOST)?;
         if n != self.n {
             return Err(lines.malformed(format!("expected the block of n = {}", self.n)));

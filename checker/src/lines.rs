@@ -8,18 +8,18 @@ use super::{Rejection, arithmetic::Fraction};
 const LONGEST: u64 = 1000;
 
 /// The lines of a certificate, with the number of the latest.
-pub(super) struct Lines<R> {
-    input: R,
+pub(super) struct Lines<'a> {
+    input: &'a mut dyn BufRead,
     number: u64,
 }
 
-impl<R: BufRead> Lines<R> {
-    pub fn new(input: R) -> Self {
+impl<'a> Lines<'a> {
+    pub fn new(input: &'a mut dyn BufRead) -> Self {
         Lines::after(0, input)
     }
 
     /// The lines of a part that `number` lines come before.
-    pub fn after(number: u64, input: R) -> Self {
+    pub fn after(number: u64, input: &'a mut dyn BufRead) -> Self {
         Lines { input, number }
     }
 
@@ -36,7 +36,7 @@ impl<R: BufRead> Lines<R> {
     fn next_within(&mut self, longest: u64) -> Result<Option<String>, Rejection> {
         self.number += 1;
         let mut bytes = Vec::new();
-        let read = self.input.by_ref().take(longest).read_until(b'\n', &mut bytes);
+        let read = (&mut *self.input).take(longest).read_until(b'\n', &mut bytes);
         match read {
             Err(source) => return Err(Rejection::Unreadable { line: self.number, source }),
             Ok(0) => {

@@ -1,6 +1,6 @@
 //! What every kind of certificate begins with, and its end.
 
-use std::{io::BufRead, ops::RangeInclusive};
+use std::ops::RangeInclusive;
 
 use super::{
     Checked, FORMAT, Rejection,
@@ -26,8 +26,8 @@ pub(super) struct Header {
 
 impl Header {
     /// Reads what follows the kind line: the range, which must lie within `periods`, the number of lines and the statement.
-    pub fn read<R: BufRead>(
-        lines: &mut Lines<R>,
+    pub fn read(
+        lines: &mut Lines,
         periods: RangeInclusive<u64>,
         statement: &str,
     ) -> Result<Header, Rejection> {
@@ -50,9 +50,9 @@ impl Header {
     }
 
     /// Checks that the file ends here, after as many lines as the header says.
-    pub fn finish<R: BufRead>(
+    pub fn finish(
         self,
-        lines: &mut Lines<R>,
+        lines: &mut Lines,
         kind: &'static str,
         statement: &'static str,
     ) -> Result<Checked, Rejection> {
@@ -69,8 +69,8 @@ impl Header {
 }
 
 /// Reads a line of a name and two numbers up to `most`.
-pub(super) fn numbers<R: BufRead>(
-    lines: &mut Lines<R>,
+pub(super) fn numbers(
+    lines: &mut Lines,
     name: &str,
     what: [&str; 2],
     most: u64,

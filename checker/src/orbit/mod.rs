@@ -38,8 +38,6 @@ mod sha256;
 mod tests;
 mod text;
 
-use std::io::BufRead;
-
 use super::{
     Checked, FORMAT, Rejection,
     lines::{Lines, Words},
@@ -58,7 +56,7 @@ gap to a wall is positive. If the claim is stable, both multipliers of that orbi
 unstable, one lies strictly outside.";
 
 /// Checks everything after the kind line. Cost for m impacts: O(m³) operations on intervals and three motions for each piece.
-pub(super) fn check<R: BufRead>(lines: &mut Lines<R>) -> Result<Checked, Rejection> {
+pub(super) fn check(lines: &mut Lines) -> Result<Checked, Rejection> {
     let certificate = text::read(lines)?;
     let periods: u64 = certificate.impacts.iter().map(|impact| impact.periods).sum();
     proof::Proof::new(&certificate)

@@ -1,6 +1,6 @@
 //! A certificate's contents, as written and as read.
 
-use std::{fmt, io::BufRead};
+use std::fmt;
 
 use super::{Lines, Rejection, STATEMENT, Words, fixed::Interval, sha256::sha256};
 
@@ -225,8 +225,8 @@ impl fmt::Display for Certificate {
 }
 
 /// The next line, led by its name and read by `parse` to its end.
-fn line<R: BufRead, T>(
-    lines: &mut Lines<R>,
+fn line<T>(
+    lines: &mut Lines,
     name: &str,
     parse: impl FnOnce(&mut Words) -> Result<T, String>,
 ) -> Result<T, Rejection> {
@@ -284,7 +284,7 @@ fn decimal(words: &mut Words) -> Result<Decimal, String> {
     read(words.word("a decimal")?).ok_or_else(|| format!("expected a decimal of at most {DIGITS} digits"))
 }
 
-fn read_harmonics<R: BufRead>(lines: &mut Lines<R>, count: u64) -> Result<Vec<Harmonic>, Rejection> {
+fn read_harmonics(lines: &mut Lines, count: u64) -> Result<Vec<Harmonic>, Rejection> {
     let read = |words: &mut Words| {
         let k = words.number("k", HARMONICS)?;
         Ok(Harmonic { k, cos: fraction(words)?, sin: fraction(words)? })
@@ -292,7 +292,7 @@ fn read_harmonics<R: BufRead>(lines: &mut Lines<R>, count: u64) -> Result<Vec<Ha
     (0..count).map(|_| line(lines, "harmonic", read)).collect()
 }
 
-fn read_wall<R: BufRead>(lines: &mut Lines<R>, side: Side) -> Result<Option<Wall>, Rejection> {
+fn read_wall(lines: &mut Lines, side: Side) -> Result<Option<Wall>, Rejection> {
     let head = line(lines, &side.to_string(), |words| {
         let mut rest = words.clone();
         if rest.word("none")? == "none" {
@@ -310,7 +310,7 @@ fn read_wall<R: BufRead>(lines: &mut Lines<R>, side: Side) -> Result<Option<Wall
 }
 
 /// Reads everything after the kind line.
-pub(super) fn read<R: BufRead>(lines: &mut Lines<R>) -> Result<Certificate, Rejection> {
+pub(super) fn read(lines: &mut Lines) -> Result<Certificate, Rejection> {
     if lines.expect("the statement")?.strip_prefix("statement ") != Some(STATEMENT) {
         return Err(lines.malformed("the statement is not, word for word, that of this kind and version"));
     }

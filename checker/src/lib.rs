@@ -110,7 +110,8 @@ pub struct Checked {
 ///
 /// # Errors
 /// A [`Rejection`] with the line and the reason: malformed text, a false claim, a cover with open leaves, or a stream that cannot be read.
-pub fn check(input: impl BufRead) -> Result<Checked, Rejection> {
+#[inline(never)]
+pub fn check(input: &mut dyn BufRead) -> Result<Checked, Rejection> {
     let mut lines = Lines::new(input);
     let first = lines.expect("the format line")?;
     if first != FORMAT {
