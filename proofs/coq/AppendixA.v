@@ -51,6 +51,9 @@ Qed.
 Lemma pow_above_1 p n : 1 < p -> (1 <= n)%nat -> 1 < p ^ n.
 Proof. intros; apply Rlt_pow_R1; [assumption | lia]. Qed.
 
+Definition all_b_plane (P : R -> Prop) (a1 a2 : R) (n : nat) : Prop :=
+  forall k, (1 <= k <= n - 1)%nat -> P (b a1 a2 n k).
+
 Section BetweenEnds.
 Variables p q : R.
 Notation y := (fun n k => - orbit_x (p + q) (p * q) n k).
@@ -79,9 +82,11 @@ Proof.
 Qed.
 End BetweenEnds.
 
-Theorem Region1 : Region1_statement.
+Lemma region1_signs a1 a2 n : 0 < a2 -> a2 + 1 < a1 -> (1 <= n)%nat ->
+  u a1 a2 n > 0 /\ all_b_plane (fun x => x > 0) a1 a2 n /\ c a1 a2 n > 0 /\
+  ((2 <= n)%nat -> exists_iff a1 a2 n Plus Plus True).
 Proof.
-  intros a1 a2 n H2 H1 Hn.
+  intros H2 H1 Hn.
   destruct (eigenvalues_region1 a1 a2 H2 H1) as (p & q & -> & -> & Hq & Hp).
   assert (Hu : 0 < u (p + q) (p * q) n) by (apply u_pos; lra || lia).
   assert (Hb : all_b_plane (fun x => x > 0) (p + q) (p * q) n)
@@ -94,9 +99,11 @@ Proof.
   apply exists_Plus; [lra | assumption | assumption | cbn; lra].
 Qed.
 
-Theorem Region2 : Region2_statement.
+Lemma region2_signs a1 a2 n : 0 < a2 < 1 -> 2 * sqrt a2 <= a1 < a2 + 1 -> (1 <= n)%nat ->
+  u a1 a2 n > 0 /\ all_b_plane (fun x => x < 0) a1 a2 n /\ c a1 a2 n < 0 /\
+  ((2 <= n)%nat -> exists_iff a1 a2 n Minus Plus True).
 Proof.
-  intros a1 a2 n H2 H1 Hn.
+  intros H2 H1 Hn.
   destruct (eigenvalues_region2 a1 a2 H2 H1) as (p & q & -> & -> & Hq & Hp).
   assert (Hu : 0 < u (p + q) (p * q) n) by (apply u_pos; lra || lia).
   assert (Hb : all_b_plane (fun x => x < 0) (p + q) (p * q) n)
@@ -206,7 +213,12 @@ Qed.
 
 Theorem Lines : Lines_statement.
 Proof.
-  intros a2 n H2; split; [split | intros He; split].
+  intros a2 n H2 Hn.
+  assert (Hu : u (a2 + 1) a2 n > 0).
+  { pose proof (u_pos 1 a2 n ltac:(lra) H2 Hn) as H.
+    rewrite Rmult_1_l, (Rplus_comm 1) in H; exact H. }
+  split; [lra|split; [rewrite u_mirror; destruct (sign_pow n) as [-> | ->]; lra|]].
+  split; [|split; [|intros He; split]].
   - rewrite c_detIA, detIA_line; unfold Rdiv; ring.
   - intros k Hk; unfold b; rewrite b_line by assumption; unfold Rdiv; ring.
   - pose proof (detIA_line a2 n) as H; unfold detIA in H.
@@ -220,9 +232,11 @@ Proof.
     pose proof (b_line a2 n k Hk); lra.
 Qed.
 
-Theorem Region5 : Region5_statement.
+Lemma region5_signs a1 a2 n : 0 < a2 -> (1 <= n)%nat -> a1 < - (a2 + 1) \/ a1 = - (a2 + 1) /\ Nat.Odd n ->
+  u a1 a2 n <> 0 /\ all_b_plane (fun x => x > 0) a1 a2 n /\ c a1 a2 n < 0 /\
+  ((2 <= n)%nat -> exists_iff a1 a2 n Plus Minus True).
 Proof.
-  intros a1 a2 n H2 Hn H1.
+  intros H2 Hn H1.
   assert (exists p q, a1 = - (p + q) /\ a2 = p * q /\ 0 < p /\ 0 < q /\
     (0 < q < 1 /\ 1 < p \/ p = 1 /\ Nat.Odd n)) as (p & q & -> & -> & Hp & Hq & H).
   { destruct H1 as [H1 | [H1 Ho]].
@@ -243,6 +257,29 @@ Proof.
   { destruct H as [[Hq1 Hp1] | [_ Ho]]; [apply c_neg_region5 | apply c_neg_odd]; assumption. }
   refine (conj Hu (conj Hb (conj Hc _))); intros.
   apply exists_Plus; [assumption | assumption | assumption | cbn; lra].
+Qed.
+
+(** ** As stated *)
+
+Theorem Region1 : Region1_statement.
+Proof.
+  intros a1 a2 n H2 H1 Hn; destruct (region1_signs a1 a2 n H2 H1 Hn) as (Hu & Hb & Hc & _).
+  split; [assumption|split; [lra|]]; cbn [sgn]; split; [|lra].
+  intros k Hk; specialize (Hb k Hk); cbn beta in Hb; lra.
+Qed.
+
+Theorem Region2 : Region2_statement.
+Proof.
+  intros a1 a2 n H2 H1 Hn; destruct (region2_signs a1 a2 n H2 H1 Hn) as (Hu & Hb & Hc & _).
+  split; [assumption|split; [lra|]]; cbn [sgn]; split; [|lra].
+  intros k Hk; specialize (Hb k Hk); cbn beta in Hb; lra.
+Qed.
+
+Theorem Region5 : Region5_statement.
+Proof.
+  intros a1 a2 n H2 Hn H1; destruct (region5_signs a1 a2 n H2 Hn H1) as (Hu & Hb & Hc & _).
+  split; [assumption|]; cbn [sgn]; split; [|lra].
+  intros k Hk; specialize (Hb k Hk); cbn beta in Hb; lra.
 Qed.
 
 (** ** Periods 1 and 2 *)

@@ -4,6 +4,21 @@ From Coq Require Import Reals Lra Lia.
 From Grazing Require Import Defs Statement Algebra.
 Open Scope R_scope.
 
+(** The orbit exists in the case (e, g) if P holds, and in no other case. *)
+Definition exists_iff (a1 a2 : R) (n : nat) (e g : sign) (P : Prop) : Prop :=
+  forall e' g', orbit a1 a2 n e' g' <-> e' = e /\ g' = g /\ P.
+
+Definition all_b (P : R -> Prop) (r s : R) (n : nat) : Prop :=
+  forall k, (1 <= k <= n - 1)%nat -> P (b_at r s n k).
+
+Lemma One_case : One_case_statement.
+Proof.
+  intros a1 a2 n e g Hn (Hu & Hb & Hc); split.
+  - intros (_ & k & k' & Hk & Hk' & H & H'); apply Hb in Hk, Hk'; destruct e; cbn [sgn] in *; lra.
+  - intros e' g' (_ & Hb' & Hc'); specialize (Hb 1%nat ltac:(lia)); specialize (Hb' 1%nat ltac:(lia)).
+    destruct e, e', g, g'; cbn [sgn] in *; split; reflexivity || lra.
+Qed.
+
 Lemma c_detIA a1 a2 n : c a1 a2 n = - detIA a1 a2 n / u a1 a2 n.
 Proof. reflexivity. Qed.
 
@@ -23,6 +38,16 @@ Qed.
 Lemma c_pos a1 a2 n : detIA a1 a2 n * u a1 a2 n < 0 -> c a1 a2 n > 0.
 Proof.
   intros H; rewrite c_detIA; apply quotient_pos; lra.
+Qed.
+
+(** [decides] and [exists_iff]. *)
+Lemma decides_iff a1 a2 n d g : decides a1 a2 n d g -> exists_iff a1 a2 n Plus g (b a1 a2 n d > 0).
+Proof.
+  intros (_ & Hd & Hp & Hneg & _) e' g'; split; [|intros (-> & -> & H); apply Hp, H].
+  intros Ho; destruct (Rtotal_order (b a1 a2 n d) 0) as [H|[H|H]].
+  - destruct (proj1 (One_case a1 a2 n e' g' ltac:(lia) Ho) (Hneg H)).
+  - exfalso; destruct Ho as (_ & Hb & _); specialize (Hb d Hd); rewrite H in Hb; lra.
+  - destruct (proj2 (One_case a1 a2 n Plus g ltac:(lia) (Hp H)) e' g' Ho); tauto.
 Qed.
 
 Section Cases.

@@ -3,7 +3,7 @@
     Step 10 of the proof, integers and fractions only. *)
 
 From Coq Require Import Reals List Arith ZArith Lra Lia.
-From Grazing Require Import Defs Statement Farey Disc Sine Radius.
+From Grazing Require Import Defs Statement Cases Farey Disc Sine Radius.
 Import ListNotations.
 Open Scope nat_scope.
 
@@ -82,7 +82,7 @@ Proof.
   intros Hn HI; assert (Hn3 : 3 <= INR n) by (apply le_INR in Hn; simpl in Hn; lra).
   assert (Hpos : forall k q, 0 < q -> 0 <= INR k / q).
   { intros k q Hq; apply Rmult_le_pos; [apply pos_INR|now apply Rlt_le, Rinv_0_lt_compat]. }
-  destruct HI as [|m mp np mm nm Hm HF|m mp np mm nm Hm HF].
+  destruct (view _ _ _ _ _ HI) as [|m mp np mm nm Hm HF|m mp np mm nm Hm HF].
   - split; [split; [lra|]|apply Rlt_le]; replace 0 with (0 / 1) by field; apply fraction_lt; lra.
   - destruct (neighbours_R _ _ _ _ _ _ Hn HF) as (E & _ & _ & _ & Hp & _).
     apply proj2, lt_INR in Hm as H2; rewrite mult_INR in H2; simpl in H2.
@@ -119,8 +119,8 @@ Lemma interval_determined n e g lo hi lo' hi' s : (3 <= n)%nat ->
   lo = lo' /\ hi = hi'.
 Proof.
   intros Hn HI HI' Hs Hs'.
-  inversion HI as [|m mp np mm nm Hm HF|m mp np mm nm Hm HF]; subst;
-  inversion HI' as [|m' mp' np' mm' nm' Hm' HF'|m' mp' np' mm' nm' Hm' HF']; subst; [tauto| |].
+  pose proof (view _ _ _ _ _ HI) as HV; inversion HV as [|m mp np mm nm Hm HF|m mp np mm nm Hm HF]; subst;
+  pose proof (view _ _ _ _ _ HI') as HV'; inversion HV' as [|m' mp' np' mm' nm' Hm' HF'|m' mp' np' mm' nm' Hm' HF']; subst; [tauto| |].
   - apply (left_interval n m mp np mm nm) in Hs as ((_ & _ & He) & _); trivial.
     apply (left_interval n m' mp' np' mm' nm') in Hs' as ((_ & _ & He') & _); trivial.
     assert (m = m') as <- by (apply near_unique; lra).
@@ -248,7 +248,7 @@ Proof. induction 1; simpl; congruence. Qed.
 Lemma interval_numbered n g lo hi : (3 <= n)%nat -> interval n Plus g lo hi ->
   exists k, In k (coprimes n) /\ numbered n k (Plus, g, lo, hi).
 Proof.
-  intros Hn HI; inversion HI as [|m mp np mm nm Hm HF|m mp np mm nm Hm HF]; subst;
+  intros Hn HI; pose proof (view _ _ _ _ _ HI) as HV; inversion HV as [|m mp np mm nm Hm HF|m mp np mm nm Hm HF]; subst;
     pose proof (neighbours_coprime _ _ _ _ _ _ HF) as Hg.
   - exists m; split; [apply coprimes_spec; lia|]; split; [assumption|]; split; [reflexivity|left].
     split; [lia|tauto].

@@ -6,6 +6,14 @@ From Coq Require Import Reals ZArith Arith Lra Lia.
 From Grazing Require Import Defs Statement Cases Polar LnCos Convex Lattice Phase Farey.
 Open Scope R_scope.
 
+(** S3's index d decides at (r, s). *)
+Definition decides_at (r s : R) (n d : nat) (g : sign) : Prop :=
+  (all_b (fun x => x > 0) r s n <-> b_at r s n d > 0) /\
+  exists_iff (trace r s) (r ^ 2) n Plus g (b_at r s n d > 0) /\
+  (b_at r s n d < 0 -> no_orbit (trace r s) (r ^ 2) n) /\
+  (b_at r s n d = 0 -> r < 1 ->
+   forall k, (1 <= k <= n - 1)%nat -> k <> d -> b_at r s n k > 0).
+
 Lemma exists_iff_ext a1 a2 n e g P Q : (P <-> Q) ->
   exists_iff a1 a2 n e g P -> exists_iff a1 a2 n e g Q.
 Proof. intros HPQ HP e' g'; rewrite (HP e' g'); tauto. Qed.
@@ -81,9 +89,11 @@ Qed.
 
 End Cell.
 
-Lemma S1_proof : S1_statement.
+Lemma S1_proof r s n : (2 <= n)%nat -> cell r s n 0 ->
+  all_b (fun x => x < 0) r s n /\ c_at r s n < 0 /\
+  exists_iff (trace r s) (r ^ 2) n Minus Plus True.
 Proof.
-  intros r s n Hn H.
+  intros Hn H.
   assert (Hb : all_b (fun x => x < 0) r s n).
   { intros k Hk; apply (height_0_neg r s n 0 Hn H k 0); lia. }
   assert (Hc : c_at r s n < 0).
@@ -194,7 +204,7 @@ Proof.
 Qed.
 
 Lemma forced_decides d g : (1 <= d <= n - 1)%nat -> forced d ->
-  sgn g * c_at r s n > 0 -> decides r s n d g.
+  sgn g * c_at r s n > 0 -> decides_at r s n d g.
 Proof.
   intros Hd HFd Hc.
   assert (Hiff : all_b (fun x => x > 0) r s n <-> b_at r s n d > 0).
@@ -212,9 +222,12 @@ Qed.
 
 End Coprime.
 
-Lemma S3_proof : S3_statement.
+Lemma S3_proof r s n m mp np mm nm : (2 <= n)%nat -> (1 <= m)%nat ->
+  neighbours m n mp np mm nm -> cell r s n m ->
+  (INR n * s < INR m -> c_at r s n > 0 /\ decides_at r s n nm Plus) /\
+  (INR n * s > INR m -> c_at r s n < 0 /\ decides_at r s n np Minus).
 Proof.
-  intros r s n m mp np mm nm Hn Hm HF H; pose proof PI_RGT_0.
+  intros Hn Hm HF H; pose proof PI_RGT_0.
   pose proof (sign_c r s n m Hn H); pose proof (cell_regular r s n m Hn H) as HR.
   assert (Hd : (1 <= nm <= n - 1)%nat /\ (1 <= np <= n - 1)%nat) by (destruct HF; lia).
   split; intros Hs.
@@ -226,4 +239,28 @@ Proof.
     assert (c_at r s n < 0) by nra; split; [assumption|].
     apply (forced_decides r s n m); trivial; [lia| |simpl; lra].
     now apply (forced_plus r s n m mp np mm nm).
+Qed.
+
+(** ** As stated *)
+
+Lemma decides_at_decides r s n d g : 0 < r -> (1 <= d <= n - 1)%nat ->
+  sgn g * c_at r s n > 0 -> decides_at r s n d g -> decides (trace r s) (r ^ 2) n d g.
+Proof.
+  intros Hr Hd Hc (_ & Hex & Hneg & Hz); split; [assumption|split; [assumption|split; [|split]]].
+  - intros H; apply Hex; tauto.
+  - assumption.
+  - intros H H2; apply Hz; [assumption|]; apply Rnot_le_lt; intros ?; nra.
+Qed.
+
+Lemma S1_stated : S1_statement.
+Proof. intros r s n Hn H; apply (S1_proof r s n Hn H); tauto. Qed.
+
+Lemma S3_stated : S3_statement.
+Proof.
+  intros r s n m [mp np mm nm HF] Hn Hm H; cbn [n_plus n_minus].
+  destruct (S3_proof r s n m mp np mm nm Hn Hm HF H) as [HL HR].
+  assert ((1 <= np <= n - 1)%nat /\ (1 <= nm <= n - 1)%nat) by (destruct HF; lia).
+  assert (0 < r) by apply H; split; intros Hs.
+  - destruct (HL Hs); apply decides_at_decides; cbn [sgn]; tauto || lra.
+  - destruct (HR Hs); apply decides_at_decides; cbn [sgn]; tauto || lra.
 Qed.

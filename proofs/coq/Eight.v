@@ -34,7 +34,7 @@ Proof. simpl; lra. Qed.
 Lemma intervals_8 e g lo hi : interval 8 e g lo hi ->
   forall s, lo < s < hi -> period_8_interval e g s.
 Proof.
-  intros HI s Hs; inversion HI as [|m mp np mm nm Hm HF|m mp np mm nm Hm HF]; subst.
+  intros HI s Hs; pose proof (view _ _ _ _ _ HI) as HV; inversion HV as [|m mp np mm nm Hm HF|m mp np mm nm Hm HF]; subst.
   - rewrite INR_8 in Hs; simpl; lra.
   - destruct (numerators_8 m mp np mm nm Hm HF) as [-> | ->].
     + rewrite INR_8 in Hs; simpl in *; lra.

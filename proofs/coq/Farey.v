@@ -4,6 +4,7 @@
 
 From Coq Require Import Reals ZArith Arith Lia.
 From Grazing Require Import Defs Statement.
+Open Scope R_scope.
 
 Lemma neighbours_exist m n : (2 <= n)%nat -> Nat.gcd m n = 1%nat ->
   exists mp np mm nm, neighbours m n mp np mm nm.
@@ -89,6 +90,32 @@ End Neighbours.
 Lemma neighbours_proof : Neighbours_statement.
 Proof.
   intros m n Hn Hg; destruct (neighbours_exist m n Hn Hg) as (mp & np & mm & nm & H).
-  exists mp, np, mm, nm; destruct (neighbours_sum _ _ _ _ _ _ H).
-  repeat split; try apply H; trivial; now apply neighbours_unique.
+  exists (Build_Farey _ _ _ _ _ _ H); destruct (neighbours_sum _ _ _ _ _ _ H).
+  split; [assumption|split; [assumption|]]; intros [mp' np' mm' nm' H'].
+  pose proof (neighbours_unique _ _ _ _ _ _ H _ _ _ _ H') as E; inversion E; cbn; auto.
+Qed.
+
+(** ** Theorem 2's intervals with their neighbours spelt out *)
+
+Lemma left_of n m mp np mm nm : (0 < 2 * m < n)%nat -> neighbours m n mp np mm nm ->
+  interval n Plus Plus
+    (if (m =? 1)%nat then 1 / (2 * INR n) else INR mp / INR np) (INR m / INR n).
+Proof. intros Hm HF; exact (beside n _ _ _ _ (left_side n m (Build_Farey _ _ _ _ _ _ HF) Hm)). Qed.
+
+Lemma right_of n m mp np mm nm : (0 < 2 * m < n)%nat -> neighbours m n mp np mm nm ->
+  interval n Plus Minus (INR m / INR n) (INR mm / INR nm).
+Proof. intros Hm HF; exact (beside n _ _ _ _ (right_side n m (Build_Farey _ _ _ _ _ _ HF) Hm)). Qed.
+
+Inductive interval_view (n : nat) : sign -> sign -> R -> R -> Prop :=
+| view_first : interval_view n Minus Plus 0 (1 / (2 * INR n))
+| view_left m mp np mm nm : (0 < 2 * m < n)%nat -> neighbours m n mp np mm nm ->
+    interval_view n Plus Plus
+      (if (m =? 1)%nat then 1 / (2 * INR n) else INR mp / INR np) (INR m / INR n)
+| view_right m mp np mm nm : (0 < 2 * m < n)%nat -> neighbours m n mp np mm nm ->
+    interval_view n Plus Minus (INR m / INR n) (INR mm / INR nm).
+
+Lemma view n e g lo hi : interval n e g lo hi -> interval_view n e g lo hi.
+Proof.
+  intros [|k g' lo' hi' [m F Hm|m F Hm]];
+    [constructor|eapply view_left|eapply view_right]; eauto using are_neighbours.
 Qed.

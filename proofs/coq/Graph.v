@@ -3,7 +3,7 @@
     Step 11 of the proof: R(s) < r iff h > 0 at r, and h is continuous in s. *)
 
 From Coq Require Import Reals Arith Lra Lia.
-From Grazing Require Import Defs Statement Farey Sine Radius Count.
+From Grazing Require Import Defs Statement Cases Farey Sine Radius Count.
 Open Scope R_scope.
 
 Lemma sign_near f p : continuity f -> f p > 0 ->
@@ -157,22 +157,6 @@ Proof.
   pose proof (sin_ge_0 (PI * (1 - y)) ltac:(nra) ltac:(nra)); lra.
 Qed.
 
-Lemma half_open_near (P : R -> Prop) lo hi :
-  (exists de, de > 0 /\ forall s, lo < s < hi -> Rabs (s - hi) < de -> P s) ->
-  exists de, de > 0 /\ forall s, lo < s < hi -> hi - de < s -> P s.
-Proof.
-  intros (de & Hd & H); exists de; split; [assumption|]; intros s Hs Hsd.
-  apply H; [assumption|apply Rabs_def1; lra].
-Qed.
-
-Lemma half_open_near' (P : R -> Prop) lo hi :
-  (exists de, de > 0 /\ forall s, lo < s < hi -> Rabs (s - lo) < de -> P s) ->
-  exists de, de > 0 /\ forall s, lo < s < hi -> s < lo + de -> P s.
-Proof.
-  intros (de & Hd & H); exists de; split; [assumption|]; intros s Hs Hsd.
-  apply H; [assumption|apply Rabs_def1; lra].
-Qed.
-
 Section Ends.
 
 Variables n m mp np mm nm : nat.
@@ -215,15 +199,21 @@ Qed.
 
 End Ends.
 
-Lemma S4_graph_proof : S4_graph_statement.
+Lemma S4_graph_proof n g lo hi Rad : (3 <= n)%nat ->
+  interval n Plus g lo hi -> radius n Plus g lo hi Rad ->
+  (forall s, lo < s < hi -> continuity_pt Rad s) /\
+  (hi <> 1 / 2 -> tends_to_1 Rad lo hi hi) /\
+  (lo <> 1 / (2 * INR n) -> tends_to_1 Rad lo hi lo) /\
+  (lo = 1 / (2 * INR n) ->
+   forall s, lo < s < hi -> s <= 1 / (2 * (INR n - 1)) -> Rad s = 0).
 Proof.
-  intros n g lo hi Rad Hn HI HR.
+  intros Hn HI HR.
   assert (Hn3 : 3 <= INR n) by (apply le_INR in Hn; simpl in Hn; lra).
   split; [destruct (interval_area n g lo hi Hn HI) as (j & d & HA);
           intros; eapply radius_continuous; eassumption|].
-  inversion HI as [|m mp np mm nm Hm HF|m mp np mm nm Hm HF]; subst.
+  pose proof (view _ _ _ _ _ HI) as HV; inversion HV as [|m mp np mm nm Hm HF|m mp np mm nm Hm HF]; subst.
   - pose proof (left_area n m mp np mm nm Hn Hm HF) as HA.
-    split; [|split]; [intros x Hx _; apply half_open_near|intros x Hx Hlo; apply half_open_near'|intros Hlo].
+    split; [|split]; [intros _ x Hx|intros Hlo x Hx|intros Hlo].
     + apply (radius_to_1 n Plus _ _ np _ Rad HA HR _ x); [|assumption]; intros r Hr.
       replace (INR m - INR n * (INR m / INR n)) with 0 by (field; lra); now apply h_end_0.
     + destruct (Nat.eqb_spec m 1) as [|Hm1]; [tauto|].
@@ -239,7 +229,7 @@ Proof.
       pose proof (h_0_nonneg n s Hn ltac:(lra)).
       pose proof (h_increasing n 1 _ Hi 0 (Rad s / 2) Hje ltac:(lra)); simpl in *; lra.
   - pose proof (right_area n m mp np mm nm Hn Hm HF) as HA.
-    split; [|split]; [intros x Hx Hhi; apply half_open_near|intros x Hx _; apply half_open_near'|intros Hlo].
+    split; [|split]; [intros Hhi x Hx|intros _ x Hx|intros Hlo].
     + destruct (denominator_minus m n mp np mm nm Hm HF) as [[-> ->]|Hp]; [simpl in Hhi; lra|].
       apply (radius_to_1 n Minus _ _ nm _ Rad HA HR _ x); [|assumption]; intros r Hr.
       rewrite (right_graph_hi n m mp np mm nm) by assumption; now apply h_end_1.

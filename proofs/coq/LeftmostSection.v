@@ -5,7 +5,7 @@
 
 From Coq Require Import Reals Lra Lia Arith.
 From Grazing Require Import Defs Statement StatementPlane Polar Algebra RealEigenvalues
-  Cases AppendixA Region4 Coordinates Summary LeftmostArea.
+  Cases Disc AppendixA Region4 Coordinates Summary LeftmostArea.
 Open Scope R_scope.
 
 Lemma continuity_U k : continuity (fun X => U X k).
@@ -54,7 +54,7 @@ Proof.
   pose proof (U_pos_beyond n n_in (r + / r) n right_end_beyond ltac:(lia)) as HU.
   rewrite <- b_G by (assumption || lra).
   assert (E : - r * (r + / r) = - (r ^ 2 + 1)) by (field; lra).
-  destruct (Region5 (- r * (r + / r)) (r ^ 2) n) as (_ & Hb & _); [nra | lia | tauto |].
+  destruct (region5_signs (- r * (r + / r)) (r ^ 2) n) as (_ & Hb & _); [nra | lia | tauto |].
   specialize (Hb (n - 2)%nat ltac:(lia)); cbn beta in Hb.
   apply Rmult_lt_0_compat; [lra|]; apply Rmult_lt_0_compat; [nra | assumption].
 Qed.
@@ -84,10 +84,10 @@ Proof.
 Qed.
 
 (** b_{n,n-2} decides in region 3 too. *)
-Lemma decides_region3 s : S3_statement -> (1 - 1 / INR n) / 2 < s < 1 / 2 ->
-  orbit_at r s n Plus Minus <-> b_at r s n (n - 2) > 0.
+Lemma decides_region3 s : (1 - 1 / INR n) / 2 < s < 1 / 2 ->
+  u_at r s n <> 0 /\ decides (trace r s) (r ^ 2) n (n - 2) Minus.
 Proof.
-  intros S3 Hs; destruct n_odd as [h Hh].
+  intros Hs; destruct n_odd as [h Hh].
   assert (HN : 3 <= INR n) by (apply le_INR in n_in; cbn [INR] in n_in; lra).
   assert (En : INR n = 2 * INR h + 1) by (rewrite Hh, plus_INR, mult_INR; cbn [INR]; ring).
   assert (Hns : INR h < INR n * s < INR n / 2).
@@ -106,16 +106,14 @@ Proof.
   assert (Hcell : cell r s n h).
   { assert (0 < s) by (pose proof (pos_INR h); nra).
     split; [lra | split; [lra | split; [assumption | apply Rabs_def1; lra]]]. }
-  pose proof (last_neighbours h ltac:(lia)) as Hn; rewrite <- Hh in Hn.
-  destruct (S3 r s n h _ _ _ _ ltac:(lia) ltac:(lia) Hn Hcell) as [_ Hgt].
-  destruct (Hgt ltac:(lra)) as (_ & _ & Hex & _).
-  rewrite (Hex Plus Minus); tauto.
+  pose proof (last_neighbours h ltac:(lia)) as Hn; rewrite <- Hh in Hn; split; [assumption|].
+  apply (S3_stated r s n h (Build_Farey _ _ _ _ _ _ Hn)); trivial; lia || lra.
 Qed.
 End Section_.
 
-Theorem S5_section_from_S3 : S3_statement -> S5_section_statement.
+Theorem S5_section : S5_section_statement.
 Proof.
-  intros S3 a2 n H2 Hn Ho; destruct (sqrt_square a2 ltac:(lra)) as [Hr Er].
+  intros a2 n H2 Hn Ho; destruct (sqrt_square a2 ltac:(lra)) as [Hr Er].
   set (r := sqrt a2) in *; assert (r_in : 0 < r < 1) by (split; [|apply Rnot_le_lt; intros ?]; nra).
   assert (E2 : a2 = r ^ 2) by lra.
   assert (HN : 3 <= INR n) by (apply le_INR in Hn; cbn [INR] in Hn; lra).
@@ -129,36 +127,43 @@ Proof.
     rewrite Rtrigo_facts.cos_pi_minus; ring. }
   destruct (G_root r n r_in Hn Ho) as (Xs & HXs & E0 & Hsign).
   assert (Eend : - (a2 + 1) = - r * (r + / r)) by (rewrite E2; field; lra).
-  exists (- r * Xs); rewrite ET, Eend; split; [split; nra | split].
-  - rewrite E2; apply b_sign_G; tauto || lra.
-  - intros a1 Ha; assert (Ea : a1 = - r * (- a1 / r)) by (field; lra).
-    set (X := - a1 / r) in *; clearbody X; subst a1.
-    assert (HX : left_end n < X) by nra.
-    transitivity (b (- r * X) a2 n (n - 2) > 0).
-    + destruct (Rle_lt_dec (- r * X) (- 2 * r)) as [H4|H3].
-      * destruct (S5 (- r * X) a2 n) as (_ & _ & H); [lra|fold r; lra|].
-        destruct (H Hn Ho) as (Hex & _); rewrite (Hex Plus Minus); tauto.
-      * destruct (turn_of_cosine (- X / 2)) as (s & Hss & Ec).
-        { pose proof (left_end_pos n Hn); split; nra. }
-        assert (Et : - r * X = trace r s) by (unfold trace; rewrite Ec; field).
-        rewrite Et, E2; apply (decides_region3 r n r_in Hn Ho s S3).
-        split; [|lra].
-        apply Rnot_le_lt; intros Hle; pose proof (two_pi_s s Hss); pose proof PI_RGT_0.
-        pose proof (two_pi_s _ Hs).
-        assert (cos (2 * PI * ((1 - 1 / INR n) / 2)) <= cos (2 * PI * s))
-          by (apply cos_decr_1; try lra; apply Rmult_le_compat_l; lra).
-        unfold trace in *; nra.
-    + rewrite E2, (proj1 (b_sign_G r n r_in Hn Ho X HX)), (Hsign X HX).
-      split; intros; nra.
+  exists (- r * Xs); rewrite ET, Eend; split; [split; nra |].
+  intros a1 Ha; assert (Ea : a1 = - r * (- a1 / r)) by (field; lra).
+  set (X := - a1 / r) in *; clearbody X; subst a1.
+  assert (HX : left_end n < X) by nra.
+  assert (HD : u (- r * X) a2 n <> 0 /\ decides (- r * X) a2 n (n - 2) Minus).
+  { destruct (Rle_lt_dec (- r * X) (- 2 * r)) as [H4|H3].
+    - destruct (S5 (- r * X) a2 n) as (_ & _ & H); [lra|fold r; lra|]; apply (H Hn Ho).
+    - destruct (turn_of_cosine (- X / 2)) as (s & Hss & Ec).
+      { pose proof (left_end_pos n Hn); split; nra. }
+      assert (Et : - r * X = trace r s) by (unfold trace; rewrite Ec; field).
+      rewrite Et, E2; apply (decides_region3 r n r_in Hn Ho s).
+      split; [|lra].
+      apply Rnot_le_lt; intros Hle; pose proof (two_pi_s s Hss); pose proof PI_RGT_0.
+      pose proof (two_pi_s _ Hs).
+      assert (cos (2 * PI * ((1 - 1 / INR n) / 2)) <= cos (2 * PI * s))
+        by (apply cos_decr_1; try lra; apply Rmult_le_compat_l; lra).
+      unfold trace in *; nra. }
+  destruct (b_sign_G r n r_in Hn Ho X HX) as [Sp S0]; rewrite <- E2 in Sp, S0.
+  destruct HD as [Hu HD]; split; [exact Hu|split; [exact HD|split]].
+  - rewrite Sp, (Hsign X HX); split; intros; nra.
+  - rewrite S0; split; intros H0.
+    + assert (X = Xs) as -> by (apply (Rmult_eq_reg_l (- r)); lra); assumption.
+    + destruct (Rtotal_order X Xs) as [H|[->|H]]; [exfalso|reflexivity|exfalso].
+      * pose proof (G_once n Hn r X Xs r_in Ho ltac:(lra) ltac:(lra)); lra.
+      * apply (Hsign X HX) in H; lra.
 Qed.
 
-Theorem Joined_from_S3 : S3_statement -> Joined_statement.
+Theorem Joined : Joined_statement.
 Proof.
-  intros S3 a2 n H2 Hn Ho.
-  destruct (S5_section_from_S3 S3 a2 n H2 Hn Ho) as (a1s & Ha & E & Hiff).
-  exists a1s; split; [assumption | split; [assumption|]]; intros a1 HT.
-  destruct (Rlt_le_dec (- (a2 + 1)) a1) as [H|H]; [apply Hiff; lra|].
-  destruct (Region5 a1 a2 n ltac:(lra) ltac:(lia)) as (_ & _ & _ & Hex);
-    [destruct H; [left | right]; tauto|].
-  rewrite (Hex ltac:(lia) Plus Minus); intuition lra.
+  intros a2 n H2 Hn Ho.
+  destruct (S5_section a2 n H2 Hn Ho) as (a1s & Ha & H).
+  destruct (H a1s Ha) as (Hus & _ & _ & Es).
+  exists a1s; split; [assumption | split; [assumption | split; [apply Es; reflexivity |]]].
+  intros a1 HT; destruct (Rlt_le_dec (- (a2 + 1)) a1) as [Hl|Hl].
+  - destruct (H a1 ltac:(lra)) as (_ & HD & Hp & _); rewrite Hp.
+    apply decides_iff in HD; rewrite (HD Plus Minus); tauto.
+  - destruct (region5_signs a1 a2 n ltac:(lra) ltac:(lia)) as (_ & _ & _ & Hex);
+      [destruct Hl; [left | right]; tauto|].
+    rewrite (Hex ltac:(lia) Plus Minus); intuition lra.
 Qed.

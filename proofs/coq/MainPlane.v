@@ -4,18 +4,18 @@
     Coq half a second. *)
 
 From Coq Require Import Reals QArith Qreals.
-From Grazing Require Import Defs Statement StatementPlane StatementB Disc Radius AppendixA Region4
-  Coordinates InsideTriangle MatrixForm Summary LeftmostSection AppendixB DefsQ.
+From Grazing Require Import Defs Statement StatementPlane StatementB AppendixA Region4
+  Coordinates InsideTriangle MatrixForm Summary LeftmostSection Reverse AppendixB DefsQ.
 
 Theorem S5_and_section : S5_statement /\ S5_section_statement /\ Joined_statement.
-Proof. exact (conj S5 (conj (S5_section_from_S3 S3_proof) (Joined_from_S3 S3_proof))). Qed.
+Proof. exact (conj S5 (conj S5_section Joined)). Qed.
 
 Theorem Summary_by_period : Period1_statement /\ Period2_statement /\ Region1_statement /\
   Region2_statement /\ Region5_statement /\ Lines_statement /\ Coordinates_statement /\
-  Summary_statement.
+  Summary_statement /\ Reversal_statement.
 Proof.
   exact (conj Period1 (conj Period2 (conj Region1 (conj Region2 (conj Region5
-    (conj Lines (conj Coordinates (Summary_from_S4 S4_proof)))))))).
+    (conj Lines (conj Coordinates (conj Summary Reversal)))))))).
 Qed.
 
 Theorem Large_Record_Matrix : Large_statement /\ Record_identity_statement /\

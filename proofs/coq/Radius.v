@@ -4,7 +4,7 @@
     intervals are where j e < 1, and r = 1 is above every radius. *)
 
 From Coq Require Import Reals ZArith Arith Lra Lia.
-From Grazing Require Import Defs Statement Polar LnCos Phase Farey Disc Sine.
+From Grazing Require Import Defs Statement Cases Polar LnCos Phase Farey Disc Sine.
 Open Scope R_scope.
 
 (** ** Cells *)
@@ -53,6 +53,21 @@ Qed.
 
 (** ** The deciding b and h *)
 
+Definition same_sign (x y : R) : Prop :=
+  (0 < x <-> 0 < y) /\ (x = 0 <-> y = 0) /\ (x < 0 <-> y < 0).
+
+Lemma proportional x y p q : 0 < p -> 0 < q -> x * p = q * y -> same_sign x y.
+Proof.
+  intros Hp Hq E; destruct (Rtotal_order x 0) as [H|[H|H]].
+  - assert (0 < (- x) * p) by (apply Rmult_lt_0_compat; lra).
+    assert (0 < - y) by (apply (Rmult_lt_reg_l q); lra).
+    repeat split; intros; lra.
+  - subst; assert (y = 0) by (apply (Rmult_eq_reg_l q); lra); repeat split; intros; lra.
+  - assert (0 < x * p) by (apply Rmult_lt_0_compat; lra).
+    assert (0 < y) by (apply (Rmult_lt_reg_l q); lra).
+    repeat split; intros; lra.
+Qed.
+
 Section Deciding.
 
 Variables (r s : R) (n m mp np mm nm : nat).
@@ -60,11 +75,11 @@ Hypothesis Hn : (3 <= n)%nat.
 Hypothesis HF : neighbours m n mp np mm nm.
 Hypothesis H : cell r s n m.
 
-(** b r^n sin A = r^k h(r), if the three angles are g A, g (A + B), -g B. *)
+(** b r^n sin A = r^k h(r), so b has the sign of h, if the three angles are g A, g (A + B), -g B. *)
 Lemma b_h g k j e : (k + j = n)%nat -> (g = 1 \/ g = -1) -> 0 < e < 1 / 2 ->
   let A := angle_A e in let B := angle_B n j e in let th := 2 * PI * s in
   sin (INR n * th) = g * sin A -> sin (INR k * th) = g * sin (A + B) ->
-  sin (INR j * th) = - g * sin B -> (b_at r s n k > 0 <-> 0 < h n j e r).
+  sin (INR j * th) = - g * sin B -> same_sign (b_at r s n k) (h n j e r).
 Proof.
   intros E Hg He A B th En Ek Ej; destruct H as (Hr & Hs & Hu & _); pose proof PI_RGT_0.
   assert (Hth : sin th > 0) by (apply sin_gt_0; unfold th; nra).
@@ -80,9 +95,7 @@ Proof.
       (r ^ (k + j) * sin A + r ^ (n + k) * sin B - r ^ k * sin (A + B)) by (rewrite !pow_add; ring).
     rewrite E; destruct Hg as [-> | ->]; lra. }
   assert (Hd : 0 < r ^ n * sin A) by now apply Rmult_lt_0_compat.
-  split; intros Hpos.
-  - apply (Rmult_lt_reg_l (r ^ k)); [assumption|]; rewrite <- Eh; nra.
-  - apply (Rmult_lt_reg_r (r ^ n * sin A)); [assumption|]; rewrite Eh; nra.
+  exact (proportional _ _ _ _ Hd Hpk Eh).
 Qed.
 
 (** neighbours, over R *)
@@ -117,7 +130,7 @@ Proof.
 Qed.
 
 Lemma b_left_h : INR n * s < INR m ->
-  (b_at r s n nm > 0 <-> 0 < h n np (INR m - INR n * s) r).
+  same_sign (b_at r s n nm) (h n np (INR m - INR n * s) r).
 Proof.
   intros Hs; destruct H as (_ & _ & _ & Hm); apply Rabs_def2 in Hm.
   pose proof (neighbours_sum _ _ _ _ _ _ HF); destruct turns_left as [Tk Tj].
@@ -133,7 +146,7 @@ Proof.
 Qed.
 
 Lemma b_right_h : INR n * s > INR m ->
-  (b_at r s n np > 0 <-> 0 < h n nm (INR n * s - INR m) r).
+  same_sign (b_at r s n np) (h n nm (INR n * s - INR m) r).
 Proof.
   intros Hs; destruct H as (_ & _ & _ & Hm); apply Rabs_def2 in Hm.
   pose proof (neighbours_sum _ _ _ _ _ _ HF); destruct turns_right as [Tk Tj].
@@ -222,7 +235,7 @@ Proof.
   intros Hn Hm HF H Hs.
   destruct (S3_proof r s n m mp np mm nm ltac:(lia) Hm HF H) as [HS _].
   destruct (HS Hs) as (_ & _ & He & _); revert He; apply exists_iff_ext.
-  now apply (b_left_h r s n m mp np mm nm).
+  exact (proj1 (b_left_h r s n m mp np mm nm Hn HF H Hs)).
 Qed.
 
 Lemma right_orbits r s n m mp np mm nm : (3 <= n)%nat -> (1 <= m)%nat ->
@@ -232,7 +245,7 @@ Proof.
   intros Hn Hm HF H Hs.
   destruct (S3_proof r s n m mp np mm nm ltac:(lia) Hm HF H) as [_ HS].
   destruct (HS Hs) as (_ & _ & He & _); revert He; apply exists_iff_ext.
-  now apply (b_right_h r s n m mp np mm nm).
+  exact (proj1 (b_right_h r s n m mp np mm nm Hn HF H Hs)).
 Qed.
 
 (** Over lo < s < hi the orbit (+, g) exists where h > 0; d s is e = |n s - m|. *)
@@ -292,52 +305,112 @@ Qed.
 Lemma interval_area n g lo hi : (3 <= n)%nat -> interval n Plus g lo hi ->
   exists j d, area n g lo hi j d.
 Proof.
-  intros Hn HI; inversion HI; subst; eexists _, _; [eapply left_area|eapply right_area]; eassumption.
+  intros Hn HI; pose proof (view _ _ _ _ _ HI) as HV; inversion HV; subst; eexists _, _;
+    [eapply left_area|eapply right_area]; eassumption.
 Qed.
 
-(** An orbit of region 3 lies over some interval. *)
-Lemma orbit_in_interval n r s e g : (3 <= n)%nat -> 0 < r <= 1 -> 0 < s < 1 / 2 ->
-  orbit_at r s n e g -> exists lo hi, interval n e g lo hi /\ lo < s < hi.
+(** Where s is: over an interval, or where there is no orbit; at r = 1 an end of an
+    interval is neither. *)
+Definition placed (n : nat) (r s : R) : Prop :=
+  (exists e g lo hi, interval n e g lo hi /\ lo < s < hi) \/ no_orbit_at r s n \/
+  r = 1 /\ (exists e g lo hi, interval n e g lo hi /\ (s = lo \/ s = hi)) /\
+  exists k, (1 <= k <= n - 1)%nat /\ b_at r s n k = 0.
+
+Lemma S3_at r s n m mp np mm nm : (3 <= n)%nat -> (1 <= m)%nat ->
+  neighbours m n mp np mm nm -> cell r s n m ->
+  (INR n * s < INR m -> b_at r s n nm < 0 -> no_orbit_at r s n) /\
+  (INR n * s > INR m -> b_at r s n np < 0 -> no_orbit_at r s n).
 Proof.
-  intros Hn Hr Hs Ho; assert (Hn3 : 3 <= INR n) by (apply le_INR in Hn; simpl in Hn; lra).
-  destruct (cell_exists r s n Hr Hs (proj1 Ho)) as (m & H & Hne).
+  intros Hn Hm HF H.
+  destruct (S3_proof r s n m mp np mm nm ltac:(lia) Hm HF H) as [HL HRt].
+  split; intros Hs; [apply (HL Hs)|apply (HRt Hs)].
+Qed.
+
+Lemma place n r s : (3 <= n)%nat -> 0 < r <= 1 -> 0 < s < 1 / 2 -> u_at r s n <> 0 -> placed n r s.
+Proof.
+  intros Hn Hr Hs Hu; assert (Hn3 : 3 <= INR n) by (apply le_INR in Hn; simpl in Hn; lra).
+  destruct (cell_exists r s n Hr Hs Hu) as (m & H & Hne).
+  pose proof H as (_ & _ & _ & Hm); apply Rabs_def2 in Hm.
   destruct m as [|m'].
-  { destruct (S1_proof r s n ltac:(lia) H) as (_ & _ & He); apply He in Ho.
-    destruct Ho as (-> & -> & _); exists 0, (1 / (2 * INR n)); split; [constructor|].
-    split; [apply Hs|]; destruct H as (_ & _ & _ & Hm); apply Rabs_def2 in Hm; simpl in Hm.
-    apply (Rmult_lt_reg_l (INR n)); [lra|].
+  { left; exists Minus, Plus, 0, (1 / (2 * INR n)); split; [constructor|].
+    split; [apply Hs|]; simpl in Hm; apply (Rmult_lt_reg_l (INR n)); [lra|].
     replace (INR n * (1 / (2 * INR n))) with (1 / 2) by (field; lra); lra. }
   set (m := S m') in *; assert (Hm1 : (1 <= m)%nat) by (unfold m; lia); clearbody m.
-  destruct (Nat.eq_dec (Nat.gcd m n) 1) as [Hg|Hg].
-  2:{ destruct (S2_proof r s n m ltac:(lia) Hm1 H) as [_ Hno].
-      destruct (Hno Hg) as (_ & k & k' & Hk & Hk' & Hb & Hb').
-      destruct Ho as (_ & Ho & _); pose proof (Ho k Hk); pose proof (Ho k' Hk').
-      destruct e; simpl in *; lra. }
+  destruct (Nat.eq_dec (Nat.gcd m n) 1) as [Hg|Hg];
+    [|right; left; apply (S2_proof r s n m ltac:(lia) Hm1 H); assumption].
   assert (Hm2 : (0 < 2 * m < n)%nat).
-  { destruct H as (_ & _ & _ & Hm); apply Rabs_def2 in Hm.
-    assert (Hlt : (2 * m < n + 1)%nat).
+  { assert (Hlt : (2 * m < n + 1)%nat).
     { apply INR_lt; rewrite plus_INR, mult_INR; simpl; nra. }
     assert (2 * m <> n)%nat; [|lia]; intros E.
     assert (Nat.gcd m n = m) as Eg by (rewrite <- E, Nat.mul_comm; apply Nat.gcd_mul_diag_l; lia); lia. }
   destruct (neighbours_exist m n ltac:(lia) Hg) as (mp & np & mm & nm & HF).
-  assert (Hm : Rabs (INR n * s - INR m) < 1 / 2) by apply H; apply Rabs_def2 in Hm.
+  pose proof (neighbours_R n m mp np mm nm Hn HF) as (EL & ER & _ & _ & Hp & Hp').
+  destruct (S3_at r s n m mp np mm nm Hn Hm1 HF H) as [HL HRt].
   destruct (Rtotal_order (INR n * s) (INR m)) as [Hl|[|Hl]]; [|tauto|].
-  - apply (left_orbits r s n m mp np mm nm Hn Hm1 HF H Hl) in Ho; destruct Ho as (-> & -> & Hh).
-    eexists _, _; split; [apply (left_of n m mp np mm nm Hm2 HF)|].
+  - pose proof (left_of n m mp np mm nm Hm2 HF) as HI.
     assert (Hi : index n np (INR m - INR n * s)) by (destruct HF; repeat split; lia || lra).
-    apply (left_interval n m mp np mm nm s Hn Hm2 HF); split; [assumption|].
-    apply Rnot_le_lt; intros Hle; pose proof (h_nonpos n np _ Hi r Hle Hr); lra.
-  - apply (right_orbits r s n m mp np mm nm Hn Hm1 HF H Hl) in Ho; destruct Ho as (-> & -> & Hh).
-    eexists _, _; split; [apply (right_of n m mp np mm nm Hm2 HF)|].
+    pose proof (b_left_h r s n m mp np mm nm Hn HF H Hl) as (_ & S0 & S1).
+    destruct (Rlt_le_dec (INR np * (INR m - INR n * s)) 1) as [Hlt|Hge].
+    { left; eexists _, _, _, _; split; [exact HI|].
+      apply (left_interval n m mp np mm nm s Hn Hm2 HF); tauto. }
+    destruct (Rlt_le_dec r 1) as [Hr1|Hr1];
+      [right; left; apply HL, S1, h_neg; trivial; tauto|].
+    destruct Hge as [Hge|Hge]; [right; left; apply HL, S1, h_neg; trivial; tauto || lra|].
+    right; right; split; [lra|split].
+    + eexists _, _, _, _; split; [exact HI|left]; destruct (Nat.eqb_spec m 1) as [->|].
+      * exfalso; assert (np = 1)%nat as -> by (destruct HF as (? & ? & _), mp; lia || nia).
+        simpl in *; lra.
+      * apply (Rmult_eq_reg_l (INR np * INR n)); [|nra].
+        replace (INR np * INR n * (INR mp / INR np)) with (INR mp * INR n) by (field; lra); lra.
+    + exists nm; split; [destruct HF as (_ & _ & ? & _); lia|].
+      apply S0; assert (r = 1) as -> by lra; apply h_at_end; lra.
+  - pose proof (right_of n m mp np mm nm Hm2 HF) as HI.
     assert (Hi : index n nm (INR n * s - INR m))
       by (destruct HF as (_ & _ & ? & _); repeat split; lia || lra).
-    apply (right_interval n m mp np mm nm s Hn Hm2 HF); split; [assumption|].
-    apply Rnot_le_lt; intros Hle; pose proof (h_nonpos n nm _ Hi r Hle Hr); lra.
+    pose proof (b_right_h r s n m mp np mm nm Hn HF H Hl) as (_ & S0 & S1).
+    destruct (Rlt_le_dec (INR nm * (INR n * s - INR m)) 1) as [Hlt|Hge].
+    { left; eexists _, _, _, _; split; [exact HI|].
+      apply (right_interval n m mp np mm nm s Hn Hm2 HF); tauto. }
+    destruct (Rlt_le_dec r 1) as [Hr1|Hr1];
+      [right; left; apply HRt, S1, h_neg; trivial; tauto|].
+    destruct Hge as [Hge|Hge]; [right; left; apply HRt, S1, h_neg; trivial; tauto || lra|].
+    right; right; split; [lra|split].
+    + eexists _, _, _, _; split; [exact HI|right].
+      apply (Rmult_eq_reg_l (INR nm * INR n)); [|nra].
+      replace (INR nm * INR n * (INR mm / INR nm)) with (INR mm * INR n) by (field; lra); lra.
+    + exists np; split; [destruct HF as (? & _); lia|].
+      apply S0; assert (r = 1) as -> by lra; apply h_at_end; lra.
 Qed.
 
-Lemma S4_proof : S4_statement.
+(** An orbit of region 3 lies over some interval, and has its case. *)
+Lemma orbit_in_interval n r s e g : (3 <= n)%nat -> 0 < r <= 1 -> 0 < s < 1 / 2 ->
+  orbit_at r s n e g -> exists lo hi, interval n e g lo hi /\ lo < s < hi.
 Proof.
-  intros n Hn; split.
+  intros Hn Hr Hs Ho.
+  destruct (place n r s Hn Hr Hs (proj1 Ho)) as [(e' & g' & lo & hi & HI & Hlo)|[Hno|(_ & _ & k & Hk & E)]].
+  - exists lo, hi; split; [|assumption].
+    assert (e = e' /\ g = g') as [-> ->]; [|assumption].
+    destruct e'.
+    + destruct (interval_area n g' lo hi Hn HI) as (j & d & _ & Hd).
+      destruct (Hd s Hlo) as (_ & _ & Hex); apply (Hex r Hr) in Ho; tauto.
+    + pose proof (view _ _ _ _ _ HI) as HV; inversion HV; subst; apply (first_orbits n r s Hn Hr Hlo) in Ho; tauto.
+  - destruct (proj1 (One_case _ _ n e g ltac:(lia) Ho) Hno).
+  - exfalso; destruct Ho as (_ & Hb & _); specialize (Hb k Hk); unfold b_at in E; rewrite E in Hb; lra.
+Qed.
+
+(** For s in the interval and 0 < r <= 1 the orbit exists iff Rad s < r. *)
+Definition radius (n : nat) (e g : sign) (lo hi : R) (Rad : R -> R) : Prop :=
+  forall s, lo < s < hi -> 0 <= Rad s < 1 /\
+  forall r, 0 < r <= 1 -> exists_iff (trace r s) (r ^ 2) n e g (Rad s < r).
+
+Lemma S4_proof n : (3 <= n)%nat ->
+  (forall e g lo hi, interval n e g lo hi -> exists Rad,
+   radius n e g lo hi Rad /\ (e = Minus -> forall s, Rad s = 0)) /\
+  (forall s, 0 < s < 1 / 2 ->
+   (forall e g lo hi, interval n e g lo hi -> ~ lo < s < hi) ->
+   forall r e g, 0 < r <= 1 -> ~ orbit_at r s n e g).
+Proof.
+  intros Hn; split.
   - intros [|] g lo hi HI.
     + destruct (interval_area n g lo hi Hn HI) as (j & d & _ & Hd).
       exists (fun s => proj1_sig (threshold n j (d s))); split; [|discriminate].
@@ -345,7 +418,7 @@ Proof.
       destruct (threshold n j (d s)) as (x & Hx); simpl.
       destruct (Hx Hi Hje) as [Hx1 Hx2]; split; [assumption|]; intros r Hr.
       refine (exists_iff_ext _ _ _ _ _ _ _ _ (Ho r Hr)); apply Hx2; lra.
-    + exists (fun _ => 0); split; [|reflexivity]; inversion HI; subst.
+    + exists (fun _ => 0); split; [|reflexivity]; pose proof (view _ _ _ _ _ HI) as HV; inversion HV; subst.
       intros s Hs; split; [lra|]; intros r Hr.
       refine (exists_iff_ext _ _ _ _ _ _ _ _ (first_orbits n r s Hn Hr Hs)); lra.
   - intros s Hs Hnone r e g Hr Ho.
@@ -355,9 +428,10 @@ Qed.
 
 (** ** Theorem 2 is the case r = 1 *)
 
-Lemma Theorem2_proof : Theorem2_statement.
+Lemma Theorem2_proof n s e g : (3 <= n)%nat -> 0 < s < 1 / 2 ->
+  (orbit_at 1 s n e g <-> exists lo hi, interval n e g lo hi /\ lo < s < hi).
 Proof.
-  intros n s e g Hn Hs; split.
+  intros Hn Hs; split.
   - apply orbit_in_interval; trivial; lra.
   - intros (lo & hi & HI & Hlo); destruct (proj1 (S4_proof n Hn) e g lo hi HI) as (Rad & HR & _).
     destruct (HR s Hlo) as [Hx HI1]; apply (HI1 1); [lra|]; tauto.

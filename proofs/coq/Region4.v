@@ -108,9 +108,16 @@ Proof. apply c_neg_odd; lra. Qed.
 
 End Region4.
 
-Theorem S5 : S5_statement.
+Lemma region4_signs a1 a2 n : 0 < a2 < 1 -> - (a2 + 1) < a1 <= - 2 * sqrt a2 ->
+  (n = 2%nat -> exists_iff a1 a2 n Plus Plus True) /\
+  ((4 <= n)%nat -> Nat.Even n -> no_orbit a1 a2 n) /\
+  ((3 <= n)%nat -> Nat.Odd n -> u a1 a2 n <> 0 /\
+   exists_iff a1 a2 n Plus Minus (b a1 a2 n (n - 2) > 0) /\ c a1 a2 n < 0 /\
+   (b a1 a2 n (n - 2) < 0 -> no_orbit a1 a2 n) /\
+   (b a1 a2 n (n - 2) = 0 -> forall k,
+    (1 <= k <= n - 1)%nat -> k <> (n - 2)%nat -> b a1 a2 n k > 0)).
 Proof.
-  intros a1 a2 n H2 H1.
+  intros H2 H1.
   destruct (eigenvalues_region2 (- a1) a2) as (p & q & E1 & E2 & Hq & Hp); try lra.
   assert (a1 = - (p + q)) as -> by lra; clear E1; subst a2.
   assert (Hu : (1 <= n)%nat -> u (- (p + q)) (p * q) n <> 0)
@@ -128,7 +135,7 @@ Proof.
     assert (H : b (- (p + q)) (p * q) n (n - 1) > 0).
     { apply b_odd_even; try assumption; try lia.
       destruct Ho as [h Hh]; exists h; lia. }
-    refine (conj _ (conj Hc (conj _ _))).
+    refine (conj (Hu ltac:(lia)) (conj _ (conj Hc (conj _ _)))).
     + apply exists_iff_Plus; [apply Hu; lia | | cbn; lra |].
       * exists (n - 1)%nat; split; [lia | assumption].
       * split; [intros Hb; apply Hb; lia | intros Hb k Hk].
@@ -137,4 +144,13 @@ Proof.
     + intros Hb; split; [apply Hu; lia|].
       exists (n - 2)%nat, (n - 1)%nat; repeat split; try lia; assumption.
     + intros Hb k Hk Hne; apply b_odd; try assumption; lra || lia.
+Qed.
+
+Theorem S5 : S5_statement.
+Proof.
+  intros a1 a2 n H2 H1; destruct (region4_signs a1 a2 n H2 H1) as (HA & HB & HC).
+  split; [intros En; apply (HA En); tauto|split; [assumption|]]; intros Hn Ho.
+  destruct (HC Hn Ho) as (Hu & Hex & Hc & Hneg & Hz); split; [assumption|].
+  split; [cbn [sgn]; lra|split; [lia|split; [|split]]]; [|assumption|auto].
+  intros Hb; apply Hex; tauto.
 Qed.

@@ -223,7 +223,7 @@ Lemma S4_section_proof : S4_section_statement.
 Proof.
   intros n e g lo hi r Hn HI Hr; assert (Hn3 : 3 <= INR n) by (apply le_INR in Hn; simpl in Hn; lra).
   pose proof (Count.interval_nonempty n e g lo hi Hn HI) as [[_ Hlh] _].
-  inversion HI as [|m mp np mm nm Hm HF|m mp np mm nm Hm HF]; subst.
+  pose proof (view _ _ _ _ _ HI) as HV; inversion HV as [|m mp np mm nm Hm HF|m mp np mm nm Hm HF]; subst.
   - exists 0, (1 / (2 * INR n)); split; [lra|split; [lra|split]].
     + intros E; exfalso; lra.
     + intros s Hs; split; [tauto|]; intros _.

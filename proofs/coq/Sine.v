@@ -31,23 +31,24 @@ Proof.
   apply Rmult_le_pos; [|lra]; apply Rmult_le_pos; lra.
 Qed.
 
-(** The chord of x -> x^j in x^n. *)
-Lemma pow_chord r j n : (j <= n)%nat -> 0 < r ->
-  INR n * r ^ j <= INR j * r ^ n + (INR n - INR j).
+(** The chord of x -> x^j in x^n, strict. *)
+Lemma pow_chord r j n : (1 <= j < n)%nat -> 0 < r < 1 ->
+  INR n * r ^ j < INR j * r ^ n + (INR n - INR j).
 Proof.
-  intros Hj Hr; pose proof (le_INR _ _ Hj); pose proof (pos_INR j).
+  intros [Hj Hjn] Hr; apply lt_INR in Hjn; apply le_INR in Hj; simpl in Hj.
   assert (E : forall k, r ^ k = exp (INR k * ln r)).
-  { intros k; rewrite <- (exp_ln r Hr) at 1; induction k as [|k IH].
+  { intros k; rewrite <- (exp_ln r ltac:(lra)) at 1; induction k as [|k IH].
     - simpl; now rewrite Rmult_0_l, exp_0.
     - rewrite S_INR, Rmult_plus_distr_r, Rmult_1_l, exp_plus, <- IH; simpl; ring. }
-  assert (T : forall x y, exp x * (1 + (y - x)) <= exp y).
-  { intros x y; replace (exp y) with (exp x * exp (y - x)) by (rewrite <- exp_plus; f_equal; ring).
-    apply Rmult_le_compat_l; [apply Rlt_le, exp_pos|apply exp_ineq1_le]. }
-  rewrite !E; pose proof (T (INR j * ln r) (INR n * ln r)) as T1.
-  pose proof (T (INR j * ln r) 0) as T2; rewrite exp_0 in T2.
+  assert (Hl : ln r < 0) by (rewrite <- ln_1; apply ln_increasing; lra).
+  assert (T : forall x y, x <> y -> exp x * (1 + (y - x)) < exp y).
+  { intros x y Hxy; replace (exp y) with (exp x * exp (y - x)) by (rewrite <- exp_plus; f_equal; ring).
+    apply Rmult_lt_compat_l; [apply exp_pos|apply exp_ineq1; lra]. }
+  rewrite !E; pose proof (T (INR j * ln r) (INR n * ln r) ltac:(nra)) as T1.
+  pose proof (T (INR j * ln r) 0 ltac:(nra)) as T2; rewrite exp_0 in T2.
   set (x := exp (INR j * ln r)) in *; set (l := ln r) in *.
-  apply (Rmult_le_compat_l (INR j)) in T1; [|lra].
-  apply (Rmult_le_compat_l (INR n - INR j)) in T2; lra.
+  apply (Rmult_lt_compat_l (INR j)) in T1; [|lra].
+  apply (Rmult_lt_compat_l (INR n - INR j)) in T2; lra.
 Qed.
 
 Section Deciding.
@@ -109,18 +110,17 @@ Proof.
   unfold h; rewrite !pow1; lra.
 Qed.
 
-Lemma h_nonpos r : 1 <= INR j * e -> 0 < r <= 1 -> h r <= 0.
+(** For j e >= 1 no radius is left, except that h = 0 at r = 1 and j e = 1. *)
+Lemma h_neg r : 1 <= INR j * e -> 0 < r <= 1 -> r < 1 \/ 1 < INR j * e -> h r < 0.
 Proof.
-  intros Hje Hr; pose proof PI_RGT_0; pose proof A_range as HA; pose proof sin_A_pos as HsA.
-  destruct n_ge_3 as [Hn Hj]; destruct H as (_ & ? & He).
-  pose proof (pow_chord r j n ltac:(lia) ltac:(lra)) as Hc.
+  intros Hje Hr Hstrict; pose proof PI_RGT_0; pose proof A_range as HA; pose proof sin_A_pos as HsA.
+  destruct n_ge_3 as [Hn Hj]; destruct H as (_ & Hjn & He).
   assert (Hr1 : r ^ n <= 1) by (rewrite <- (pow1 n); apply pow_incr; lra).
   assert (Hr0 : 0 < r ^ n) by (apply pow_lt; lra).
   set (B := - angle_B).
   assert (EB : INR n * B = INR j * angle_A - 2 * PI) by (unfold B, angle_B, angle_A; field; lra).
   assert (HB : 0 <= B < angle_A).
   { unfold angle_A in *; split; [apply (Rmult_le_reg_l (INR n))|apply (Rmult_lt_reg_l (INR n))]; nra. }
-  replace (angle_A + angle_B) with (angle_A - B) in * by (unfold B; ring).
   unfold h; replace (angle_A + angle_B) with (angle_A - B) by (unfold B; ring).
   replace (sin angle_B) with (- sin B) by (unfold B; rewrite sin_neg; ring).
   (* at r = 0 *)
@@ -129,15 +129,32 @@ Proof.
     assert ((INR n - INR j) * angle_A <= INR n * (angle_A - B)) by lra.
     apply (Rmult_le_reg_l angle_A); nra. }
   (* at r = 1 *)
-  assert (Q1 : sin angle_A <= sin B + sin (angle_A - B)).
-  { destruct (Req_dec B 0) as [->|]; [rewrite sin_0, Rminus_0_r; lra|].
-    replace angle_A with (B + (angle_A - B)) at 1 by ring.
-    apply Rlt_le, sin_subadditive; lra. }
+  assert (Q1 : 0 < B -> sin angle_A < sin B + sin (angle_A - B)).
+  { intros; replace angle_A with (B + (angle_A - B)) at 1 by ring; apply sin_subadditive; lra. }
+  assert (Q1' : sin angle_A <= sin B + sin (angle_A - B)).
+  { destruct (Req_dec B 0) as [->|]; [rewrite sin_0, Rminus_0_r; lra|apply Rlt_le, Q1; lra]. }
+  assert (HB1 : 1 < INR j * e -> 0 < B) by (intros; unfold angle_A in *; apply (Rmult_lt_reg_l (INR n)); nra).
   set (x := r ^ n) in *; set (SA := sin angle_A) in *; set (D := sin (angle_A - B)) in *.
-  apply (Rmult_le_compat_r SA) in Hc; [|lra].
   apply (Rmult_le_compat_l (1 - x)) in Q0; [|lra].
-  apply (Rmult_le_compat_l (INR n * x)) in Q1; [|nra].
-  apply (Rmult_le_reg_l (INR n)); lra.
+  apply (Rmult_lt_reg_l (INR n)); [lra|]; destruct (Rlt_le_dec r 1) as [Hlt|Hge].
+  - pose proof (pow_chord r j n ltac:(lia) ltac:(lra)) as Hc.
+    apply (Rmult_lt_compat_r SA) in Hc; [|lra].
+    apply (Rmult_le_compat_l (INR n * x)) in Q1'; [|nra]; fold x in Hc; lra.
+  - assert (r = 1) as -> by lra; destruct Hstrict as [|Hs]; [lra|]; specialize (Q1 (HB1 Hs)).
+    replace x with 1 in * by (unfold x; now rewrite pow1); rewrite pow1; nra.
+Qed.
+
+Lemma h_at_end : INR j * e = 1 -> h 1 = 0.
+Proof.
+  intros E; unfold h, angle_B; rewrite E, !pow1, Rminus_eq_0, Rmult_0_r.
+  unfold Rdiv; rewrite Rmult_0_l, sin_0, Rplus_0_r; lra.
+Qed.
+
+Lemma h_nonpos r : 1 <= INR j * e -> 0 < r <= 1 -> h r <= 0.
+Proof.
+  intros Hje Hr; destruct (Rlt_le_dec r 1); [apply Rlt_le, h_neg; tauto|].
+  destruct Hje as [Hje|Hje]; [apply Rlt_le, h_neg; tauto || lra|].
+  assert (r = 1) as -> by lra; rewrite h_at_end; lra.
 Qed.
 
 End Deciding.

@@ -1,4 +1,4 @@
-(** * Statements: Theorem 2 and Conjecture 1, for all n
+(** * Statements for region 3 and region 4: S1-S5 and Theorem 2, for all n
 
     Read [Defs] first; nothing else is needed. The orbits are those of period n
     with a single impact, s lies in (0, 1/2), m is the integer nearest to n s. *)
@@ -7,23 +7,25 @@ From Coq Require Import Reals List Arith.
 From Grazing Require Import Defs.
 Open Scope R_scope.
 
+(** ** At most one case, and not both [orbit] and [no_orbit] *)
+
+Definition One_case_statement : Prop := forall a1 a2 n e g, (2 <= n)%nat ->
+  orbit a1 a2 n e g ->
+  ~ no_orbit a1 a2 n /\ forall e' g', orbit a1 a2 n e' g' -> e' = e /\ g' = g.
+
 (** ** Region 3: complex eigenvalues r exp(+- 2 pi i s), 0 < r <= 1 *)
+
 Definition trace (r s : R) : R := 2 * r * cos (2 * PI * s).
+Definition u_at (r s : R) (n : nat) : R := u (trace r s) (r ^ 2) n.
 Definition b_at (r s : R) (n k : nat) : R := b (trace r s) (r ^ 2) n k.
 Definition c_at (r s : R) (n : nat) : R := c (trace r s) (r ^ 2) n.
 Definition orbit_at (r s : R) (n : nat) := orbit (trace r s) (r ^ 2) n.
+Definition no_orbit_at (r s : R) (n : nat) := no_orbit (trace r s) (r ^ 2) n.
 
 (** A point of the disc where period n is decided, and m is nearest to n s. *)
 Definition cell (r s : R) (n m : nat) : Prop :=
   0 < r <= 1 /\ 0 < s < 1 / 2 /\ u (trace r s) (r ^ 2) n <> 0 /\
   Rabs (INR n * s - INR m) < 1 / 2.
-
-Definition all_b (P : R -> Prop) (r s : R) (n : nat) : Prop :=
-  forall k, (1 <= k <= n - 1)%nat -> P (b_at r s n k).
-
-(** The orbit exists in the case (e, g) if P holds, and in no other case. *)
-Definition exists_iff (a1 a2 : R) (n : nat) (e g : sign) (P : Prop) : Prop :=
-  forall e' g', orbit a1 a2 n e' g' <-> e' = e /\ g' = g /\ P.
 
 (** m+/n+ < m/n < m-/n- are the neighbours of m/n:
     m n+ - m+ n = 1, m n- - m- n = -1, 0 < n+, n- < n. *)
@@ -31,48 +33,66 @@ Definition neighbours (m n mp np mm nm : nat) : Prop :=
   (0 < np < n)%nat /\ (m * np = mp * n + 1)%nat /\
   (0 < nm < n)%nat /\ (m * nm + 1 = mm * n)%nat.
 
-Definition Neighbours_statement : Prop := forall m n,
-  (2 <= n)%nat -> Nat.gcd m n = 1%nat -> exists mp np mm nm,
-  neighbours m n mp np mm nm /\ (mp + mm = m)%nat /\ (np + nm = n)%nat /\
-  forall mp' np' mm' nm', neighbours m n mp' np' mm' nm' ->
-  (mp', np', mm', nm') = (mp, np, mm, nm).
+(** The same by name. *)
+Record Farey (m n : nat) := {
+  m_plus : nat; n_plus : nat; m_minus : nat; n_minus : nat;
+  are_neighbours : neighbours m n m_plus n_plus m_minus n_minus }.
+Arguments m_plus {m n}.
+Arguments n_plus {m n}.
+Arguments m_minus {m n}.
+Arguments n_minus {m n}.
+Arguments are_neighbours {m n}.
 
+Definition Neighbours_statement : Prop := forall m n,
+  (2 <= n)%nat -> Nat.gcd m n = 1%nat -> exists F : Farey m n,
+  (m_plus F + m_minus F)%nat = m /\ (n_plus F + n_minus F)%nat = n /\
+  forall F' : Farey m n, m_plus F' = m_plus F /\ n_plus F' = n_plus F /\
+    m_minus F' = m_minus F /\ n_minus F' = n_minus F.
+
+(** All b_{n,k} < 0 and c_n < 0. *)
 Definition S1_statement : Prop := forall r s n,
-  (2 <= n)%nat -> cell r s n 0 ->
-  all_b (fun x => x < 0) r s n /\ c_at r s n < 0 /\
-  exists_iff (trace r s) (r ^ 2) n Minus Plus True.
+  (2 <= n)%nat -> cell r s n 0 -> orbit_at r s n Minus Plus.
 
 Definition S2_statement : Prop := forall r s n m,
   (2 <= n)%nat -> (1 <= m)%nat -> cell r s n m ->
   (exists k, (1 <= k <= n - 1)%nat /\ b_at r s n k > 0) /\
-  (Nat.gcd m n <> 1%nat -> no_orbit (trace r s) (r ^ 2) n).
+  (Nat.gcd m n <> 1%nat -> no_orbit_at r s n).
 
-(** Index d decides, in the case (+, g); two b do not vanish together if r < 1. *)
-Definition decides (r s : R) (n d : nat) (g : sign) : Prop :=
-  (all_b (fun x => x > 0) r s n <-> b_at r s n d > 0) /\
-  exists_iff (trace r s) (r ^ 2) n Plus g (b_at r s n d > 0) /\
-  (b_at r s n d < 0 -> no_orbit (trace r s) (r ^ 2) n) /\
-  (b_at r s n d = 0 -> r < 1 ->
-   forall k, (1 <= k <= n - 1)%nat -> k <> d -> b_at r s n k > 0).
+(** The sign of b_{n,d} decides, in the case (+, g); if it vanishes, the other b_{n,k}
+    do not, a2 < 1: active boundaries do not cross. *)
+Definition decides (a1 a2 : R) (n d : nat) (g : sign) : Prop :=
+  sgn g * c a1 a2 n > 0 /\ (1 <= d <= n - 1)%nat /\
+  (b a1 a2 n d > 0 -> orbit a1 a2 n Plus g) /\
+  (b a1 a2 n d < 0 -> no_orbit a1 a2 n) /\
+  (b a1 a2 n d = 0 -> a2 < 1 ->
+   forall k, (1 <= k <= n - 1)%nat -> k <> d -> b a1 a2 n k > 0).
 
-Definition S3_statement : Prop := forall r s n m mp np mm nm,
-  (2 <= n)%nat -> (1 <= m)%nat -> neighbours m n mp np mm nm -> cell r s n m ->
-  (INR n * s < INR m -> c_at r s n > 0 /\ decides r s n nm Plus) /\
-  (INR n * s > INR m -> c_at r s n < 0 /\ decides r s n np Minus).
+Definition S3_statement : Prop := forall r s n m (F : Farey m n),
+  (2 <= n)%nat -> (1 <= m)%nat -> cell r s n m ->
+  (INR n * s < INR m -> decides (trace r s) (r ^ 2) n (n_minus F) Plus) /\
+  (INR n * s > INR m -> decides (trace r s) (r ^ 2) n (n_plus F) Minus).
 
-(** ** Theorem 2's intervals of s, each with its case (sign e mu, sign gamma) *)
+(** ** Theorem 2's intervals of s *)
 
+(** The two at m/n: its ends, its case (+, g) and the index that decides on it. *)
+Inductive side (n : nat) : nat -> sign -> R -> R -> Prop :=
+| left_side m (F : Farey m n) : (0 < 2 * m < n)%nat -> side n (n_minus F) Plus
+    (if (m =? 1)%nat then 1 / (2 * INR n) else INR (m_plus F) / INR (n_plus F)) (INR m / INR n)
+| right_side m (F : Farey m n) : (0 < 2 * m < n)%nat -> side n (n_plus F) Minus
+    (INR m / INR n) (INR (m_minus F) / INR (n_minus F)).
+
+(** All of them, each with its case (sign e mu, sign gamma). *)
 Inductive interval (n : nat) : sign -> sign -> R -> R -> Prop :=
 | first : interval n Minus Plus 0 (1 / (2 * INR n))
-| left_of m mp np mm nm : (0 < 2 * m < n)%nat -> neighbours m n mp np mm nm ->
-    interval n Plus Plus
-      (if (m =? 1)%nat then 1 / (2 * INR n) else INR mp / INR np) (INR m / INR n)
-| right_of m mp np mm nm : (0 < 2 * m < n)%nat -> neighbours m n mp np mm nm ->
-    interval n Plus Minus (INR m / INR n) (INR mm / INR nm).
+| beside k g lo hi : side n k g lo hi -> interval n Plus g lo hi.
 
-Definition Theorem2_statement : Prop := forall n s e g,
-  (3 <= n)%nat -> 0 < s < 1 / 2 ->
-  (orbit_at 1 s n e g <-> exists lo hi, interval n e g lo hi /\ lo < s < hi).
+(** On the closure of none: at an end, u_n = 0 or the deciding b_{n,k} = 0. *)
+Definition outside (n : nat) (s : R) : Prop :=
+  forall e g lo hi, interval n e g lo hi -> s < lo \/ hi < s.
+
+Definition Theorem2_statement : Prop := forall n s, (3 <= n)%nat -> 0 < s < 1 / 2 ->
+  (forall e g, orbit_at 1 s n e g <-> exists lo hi, interval n e g lo hi /\ lo < s < hi) /\
+  (outside n s -> u_at 1 s n <> 0 -> no_orbit_at 1 s n).
 
 Definition phi (n : nat) : nat :=
   length (filter (fun k => Nat.gcd k n =? 1)%nat (seq 1 n)).
@@ -85,6 +105,13 @@ Definition Theorem2_count_statement : Prop := forall n, (3 <= n)%nat ->
   (forall e g lo hi e' g' lo' hi', interval n e g lo hi -> interval n e' g' lo' hi' ->
    (e, g, lo, hi) = (e', g', lo', hi') \/ hi <= lo' \/ hi' <= lo).
 
+(** One deciding index for each interval but the first, and each k prime to n once. *)
+Definition Deciding_indices_statement : Prop := forall n, (3 <= n)%nat ->
+  (forall k, (1 <= k <= n - 1)%nat /\ Nat.gcd k n = 1%nat <->
+             exists g lo hi, side n k g lo hi) /\
+  (forall k g lo hi k' g' lo' hi', side n k g lo hi -> side n k' g' lo' hi' ->
+   (k = k' <-> (g, lo, hi) = (g', lo', hi'))).
+
 (** Neighbours at some stage of the Farey tree that grows from 0/1 and 1/2. *)
 Inductive adjacent : nat -> nat -> nat -> nat -> Prop :=
 | root : adjacent 0 1 1 2
@@ -96,29 +123,36 @@ Definition Theorem2_tree_statement : Prop := forall m n mp np mm nm,
   (0 < 2 * m < n)%nat /\ neighbours m n mp np mm nm <->
   adjacent mp np mm nm /\ m = (mp + mm)%nat /\ n = (np + nm)%nat.
 
-(** ** Conjecture 1 in region 3: each area is the set above a graph *)
+(** ** S4: each area of region 3 is what lies above a graph *)
 
-(** For s in the interval and 0 < r <= 1 the orbit exists iff Rad s < r. *)
-Definition radius (n : nat) (e g : sign) (lo hi : R) (Rad : R -> R) : Prop :=
-  forall s, lo < s < hi -> 0 <= Rad s < 1 /\
-  forall r, 0 < r <= 1 -> exists_iff (trace r s) (r ^ 2) n e g (Rad s < r).
+(** Above the graph of Rad the orbit exists, on it b_{n,k} = 0 and the other b are > 0,
+    below it b_{n,k} < 0 and there is no orbit. *)
+Definition above (n k : nat) (g : sign) (lo hi : R) (Rad : R -> R) : Prop :=
+  forall s, lo < s < hi -> 0 <= Rad s < 1 /\ continuity_pt Rad s /\ forall r, 0 < r <= 1 ->
+  u_at r s n <> 0 /\
+  (Rad s < r <-> orbit_at r s n Plus g) /\
+  (Rad s = r <-> b_at r s n k = 0) /\
+  (r < Rad s <-> b_at r s n k < 0) /\
+  (r < Rad s -> no_orbit_at r s n) /\
+  (Rad s = r -> forall j, (1 <= j <= n - 1)%nat -> j <> k -> b_at r s n j > 0).
+
+(** Rad s tends to 1 as s in (lo, hi) tends to p. *)
+Definition tends_to_1 (Rad : R -> R) (lo hi p : R) : Prop := forall x, x < 1 ->
+  exists d, d > 0 /\ forall s, lo < s < hi -> Rabs (s - p) < d -> x < Rad s.
 
 Definition S4_statement : Prop := forall n, (3 <= n)%nat ->
-  (forall e g lo hi, interval n e g lo hi -> exists Rad,
-   radius n e g lo hi Rad /\ (e = Minus -> forall s, Rad s = 0)) /\
-  (forall s, 0 < s < 1 / 2 ->
+  (forall r s, 0 < r <= 1 -> 0 < s < 1 / (2 * INR n) -> orbit_at r s n Minus Plus) /\
+  (forall k g lo hi, side n k g lo hi -> exists Rad, above n k g lo hi Rad) /\
+  (forall r s, 0 < r <= 1 -> 0 < s < 1 / 2 -> u_at r s n <> 0 ->
    (forall e g lo hi, interval n e g lo hi -> ~ lo < s < hi) ->
-   forall r e g, 0 < r <= 1 -> ~ orbit_at r s n e g).
+   r < 1 \/ outside n s -> no_orbit_at r s n).
 
-(** Rad is continuous; it tends to 1 at each end but two: at 1/(2n), where it
-    is 0 on (1/(2n), 1/(2(n-1))], and at 1/2, where region 4 continues. *)
-Definition S4_graph_statement : Prop := forall n g lo hi Rad, (3 <= n)%nat ->
-  interval n Plus g lo hi -> radius n Plus g lo hi Rad ->
-  (forall s, lo < s < hi -> continuity_pt Rad s) /\
-  (forall x, x < 1 -> hi <> 1 / 2 -> exists d, d > 0 /\
-   forall s, lo < s < hi -> hi - d < s -> x < Rad s) /\
-  (forall x, x < 1 -> lo <> 1 / (2 * INR n) -> exists d, d > 0 /\
-   forall s, lo < s < hi -> s < lo + d -> x < Rad s) /\
+(** Rad tends to 1 at each end but two: at 1/(2n), where it is 0 on
+    (1/(2n), 1/(2(n-1))], and at 1/2, where region 4 continues. *)
+Definition S4_ends_statement : Prop := forall n k g lo hi Rad, (3 <= n)%nat ->
+  side n k g lo hi -> above n k g lo hi Rad ->
+  (lo <> 1 / (2 * INR n) -> tends_to_1 Rad lo hi lo) /\
+  (hi <> 1 / 2 -> tends_to_1 Rad lo hi hi) /\
   (lo = 1 / (2 * INR n) ->
    forall s, lo < s < hi -> s <= 1 / (2 * (INR n - 1)) -> Rad s = 0).
 
@@ -132,18 +166,14 @@ Definition S4_section_statement : Prop := forall n e g lo hi r, (3 <= n)%nat ->
 
 Definition S5_statement : Prop := forall a1 a2 n,
   0 < a2 < 1 -> - (a2 + 1) < a1 <= - 2 * sqrt a2 ->
-  (n = 2%nat -> exists_iff a1 a2 n Plus Plus True) /\
+  (n = 2%nat -> orbit a1 a2 n Plus Plus) /\
   ((4 <= n)%nat -> Nat.Even n -> no_orbit a1 a2 n) /\
-  ((3 <= n)%nat -> Nat.Odd n ->
-   exists_iff a1 a2 n Plus Minus (b a1 a2 n (n - 2) > 0) /\ c a1 a2 n < 0 /\
-   (b a1 a2 n (n - 2) < 0 -> no_orbit a1 a2 n) /\
-   (b a1 a2 n (n - 2) = 0 -> forall k,
-    (1 <= k <= n - 1)%nat -> k <> (n - 2)%nat -> b a1 a2 n k > 0)).
+  ((3 <= n)%nat -> Nat.Odd n -> u a1 a2 n <> 0 /\ decides a1 a2 n (n - 2) Minus).
 
 (** The area of n odd at s = 1/2: regions 3 and 4 at a fixed determinant. *)
 Definition S5_section_statement : Prop := forall a2 n, 0 < a2 < 1 ->
   (3 <= n)%nat -> Nat.Odd n -> exists a1s,
   - (a2 + 1) < a1s < trace (sqrt a2) ((1 - 1 / INR n) / 2) /\
-  b a1s a2 n (n - 2) = 0 /\
   forall a1, - (a2 + 1) < a1 < trace (sqrt a2) ((1 - 1 / INR n) / 2) ->
-  (orbit a1 a2 n Plus Minus <-> a1 < a1s).
+  u a1 a2 n <> 0 /\ decides a1 a2 n (n - 2) Minus /\
+  (a1 < a1s <-> b a1 a2 n (n - 2) > 0) /\ (a1 = a1s <-> b a1 a2 n (n - 2) = 0).

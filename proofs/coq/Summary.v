@@ -1,10 +1,10 @@
 (** * Section 3.7: the summary by period, one theorem over the whole plane 0 < a2 <= 1
 
-    Region 3 enters through statement S4 alone. *)
+    Region 3 enters through S3 over Theorem 2's intervals. *)
 
-From Coq Require Import Reals Lra Lia Arith Classical_Prop.
-From Grazing Require Import Defs Statement StatementPlane Algebra Cases AppendixA Region4
-  Coordinates.
+From Coq Require Import Reals Lra Lia Arith.
+From Grazing Require Import Defs Statement StatementPlane Algebra Cases Radius Above AppendixA
+  Region4 Coordinates.
 Open Scope R_scope.
 
 (** The seven zones of the plane, from right to left. *)
@@ -84,14 +84,13 @@ Proof.
 Qed.
 
 Section Summary.
-Hypothesis S4 : S4_statement.
 Variables (a1 a2 : R) (n : nat).
 Hypothesis a2_in : 0 < a2 <= 1.
 Hypothesis n_in : (3 <= n)%nat.
 
-Lemma no_area3 e g : 4 * a2 <= a1 ^ 2 -> ~ area3 a1 a2 n e g.
+Lemma no_area3 g : 4 * a2 <= a1 ^ 2 -> ~ area3 a1 a2 n g.
 Proof.
-  intros H (r & s & lo & hi & Rad & Hr & Hs & -> & -> & _).
+  intros H (r & s & k & lo & hi & Hr & Hs & -> & -> & _).
   pose proof (two_pi_s s Hs); pose proof PI_RGT_0.
   assert (-1 < cos (2 * PI * s)) by (rewrite <- cos_PI; apply cos_decreasing_1; lra).
   assert (cos (2 * PI * s) < 1) by (rewrite <- cos_0; apply cos_decreasing_1; lra).
@@ -99,47 +98,43 @@ Proof.
   unfold trace in H; nra.
 Qed.
 
-Lemma area3_orbit e g : area3 a1 a2 n e g -> orbit a1 a2 n e g.
+Lemma area3_orbit g : area3 a1 a2 n g -> orbit a1 a2 n Plus g.
 Proof.
-  intros (r & s & lo & hi & Rad & Hr & Hs & -> & -> & Hi & Hsi & HR & Hlt).
-  apply (proj2 (HR s Hsi) r); [split; [|apply Rnot_lt_le; intros ?]; nra | tauto].
+  intros (r & s & k & lo & hi & Hr & Hs & E1 & E2 & HS & Hsi & Hb).
+  assert (r <= 1) by (apply Rnot_lt_le; intros ?; nra).
+  destruct (side_decided n k g lo hi n_in HS) as (j & d & _ & HD).
+  destruct (HD r s Hsi ltac:(lra)) as (_ & (_ & _ & Hp & _) & _); rewrite E1, E2 in *; auto.
 Qed.
 
 Lemma region3_orbit e g : a1 ^ 2 < 4 * a2 -> orbit a1 a2 n e g <->
   2 * sqrt a2 * cos (PI / INR n) < a1 /\ e = Minus /\ g = Plus \/
-  e = Plus /\ area3 a1 a2 n e g.
+  area3 a1 a2 n g /\ e = Plus.
 Proof.
   intros H; destruct (Coordinates a1 a2 H) as (r & s & Hr & Hs & E1 & E2 & _).
   assert (r <= 1) by (apply Rnot_lt_le; intros ?; nra).
   assert (Er : sqrt a2 = r) by (symmetry; apply root_unique; assumption).
-  rewrite Er, E1, trace_above by (assumption || lia); rewrite <- E1.
-  destruct (S4 n n_in) as [Hrad Hnone]; split.
-  - intros Ho; apply NNPP; intros Hno.
-    apply (Hnone s Hs) with r e g; [|lra | unfold orbit_at; rewrite <- E1, <- E2; assumption].
-    intros e' g' lo hi Hi Hsi; apply Hno.
-    destruct (Hrad e' g' lo hi Hi) as (Rad & HR & _).
-    destruct (proj2 (HR s Hsi) r ltac:(lra) e g) as [Hex _].
-    rewrite <- E1, <- E2 in Hex; destruct (Hex Ho) as (<- & <- & HRs).
-    destruct e; [right | left].
-    + split; [reflexivity|]; exists r, s, lo, hi, Rad; tauto.
-    + inversion Hi; subst; lra || tauto.
-  - intros [(Hlt & -> & ->) | [-> Ha]]; [|apply area3_orbit; assumption].
-    destruct (Hrad _ _ _ _ (first n)) as (Rad & HR & HRad0).
-    destruct (HR s ltac:(lra)) as [_ Hiff]; rewrite E1, E2.
-    apply (Hiff r); [lra|]; rewrite (HRad0 eq_refl s); intuition.
+  rewrite Er, E1, trace_above by (assumption || lia); rewrite <- E1; split.
+  - intros Ho; assert (Ho' : orbit_at r s n e g) by (unfold orbit_at; rewrite <- E1, <- E2; assumption).
+    destruct (orbit_in_interval n r s e g n_in ltac:(lra) Hs Ho') as (lo & hi & HI & Hsi).
+    inversion HI as [|k g' lo' hi' HS]; subst; [left; tauto|right; split; [|reflexivity]].
+    exists r, s, k, lo, hi; repeat split; try tauto.
+    destruct (index_coprime n k g lo hi n_in HS) as [Hk _].
+    destruct Ho as (_ & Hb & _); specialize (Hb k Hk); cbn [sgn] in Hb; lra.
+  - intros [(Hlt & -> & ->) | [Ha ->]]; [|apply area3_orbit; assumption].
+    rewrite E1, E2; apply (first_orbits n r s n_in ltac:(lra) ltac:(lra)); tauto.
 Qed.
 
 Lemma region4_orbit e g : a2 < 1 -> - (a2 + 1) < a1 <= - 2 * sqrt a2 ->
   orbit a1 a2 n e g <-> area4 a1 a2 n /\ e = Plus /\ g = Minus.
 Proof.
-  intros Hlt H1; destruct (S5 a1 a2 n) as (_ & He & Ho); [lra|lra|]; unfold area4.
+  intros Hlt H1; destruct (region4_signs a1 a2 n) as (_ & He & Ho); [lra|lra|]; unfold area4.
   destruct (Nat.Even_or_Odd n) as [Hn|Hn].
   - assert (~ Nat.Odd n) by (intros [i Hi]; destruct Hn as [j Hj]; lia).
     assert (4 <= n)%nat by (destruct Hn; lia).
     split; [|tauto]; intros (_ & Hb & _).
     destruct He as (_ & k & k' & Hk & Hk' & Hbk & Hbk'); try assumption.
     apply Hb in Hk, Hk'; destruct e; cbn [sgn] in *; lra.
-  - destruct (Ho n_in Hn) as (Hex & _); rewrite (Hex e g).
+  - destruct (Ho n_in Hn) as (_ & Hex & _); rewrite (Hex e g).
     intuition lra.
 Qed.
 
@@ -150,40 +145,40 @@ Proof.
   destruct (Nat.Even_or_Odd n) as [Hn|Hn].
   - assert (~ Nat.Odd n) by (intros [i Hi]; destruct Hn as [j Hj]; lia).
     split; [|tauto]; intros (_ & _ & Hc).
-    destruct (Lines a2 n ltac:(lra)) as [_ Hl]; destruct (Hl Hn) as [E0 _].
+    destruct (Lines a2 n ltac:(lra) ltac:(lia)) as (_ & _ & _ & _ & Hl); destruct (Hl Hn) as [E0 _].
     rewrite E, E0 in Hc; lra.
-  - destruct (Region5 a1 a2 n ltac:(lra) ltac:(lia) (or_intror (conj E Hn)))
+  - destruct (region5_signs a1 a2 n ltac:(lra) ltac:(lia) (or_intror (conj E Hn)))
       as (_ & Hb & _ & Hex); rewrite (Hex ltac:(lia) e g).
     specialize (Hb (n - 2)%nat ltac:(lia)); cbn beta in Hb; intuition lra.
 Qed.
 End Summary.
 
-Theorem Summary_from_S4 : S4_statement -> Summary_statement.
+Theorem Summary : Summary_statement.
 Proof.
-  intros S4 a1 a2 n e g H2 Hn.
+  intros a1 a2 n e g H2 Hn.
   pose proof (two_sqrt_at_most a2 ltac:(lra)) as Hs2.
   destruct (sqrt_square a2 ltac:(lra)) as [Hs Es].
-  pose proof (no_area3 a1 a2 n H2 e g) as H3.
+  pose proof (no_area3 a1 a2 n H2 g) as H3.
   assert (Hcos : 2 * sqrt a2 * cos (PI / INR n) < 2 * sqrt a2)
     by (pose proof (cos_below_1 n ltac:(lia)); nra).
   assert (Hcos' : - (2 * sqrt a2) <= 2 * sqrt a2 * cos (PI / INR n))
     by (pose proof (COS_bound (PI / INR n)); nra).
   destruct (zones a1 a2 H2) as [H|H|Hlt H|H|Hlt H|H|H].
-  - destruct (Region1 a1 a2 n ltac:(lra) H ltac:(lia)) as (_ & _ & _ & Hex).
+  - destruct (region1_signs a1 a2 n ltac:(lra) H ltac:(lia)) as (_ & _ & _ & Hex).
     rewrite (Hex ltac:(lia) e g); specialize (H3 ltac:(nra)); unfold area4; intuition lra.
   - assert (Ho : ~ orbit a1 a2 n e g).
-    { intros (_ & _ & Hc); destruct (Lines a2 n ltac:(lra)) as [[E0 _] _].
+    { intros (_ & _ & Hc); destruct (Lines a2 n ltac:(lra) ltac:(lia)) as (_ & _ & E0 & _).
       rewrite H, E0 in Hc; lra. }
     specialize (H3 ltac:(nra)); unfold area4; intuition lra.
-  - destruct (Region2 a1 a2 n ltac:(lra) H ltac:(lia)) as (_ & _ & _ & Hex).
+  - destruct (region2_signs a1 a2 n ltac:(lra) H ltac:(lia)) as (_ & _ & _ & Hex).
     rewrite (Hex ltac:(lia) e g); specialize (H3 ltac:(nra)); unfold area4.
     intuition lra.
-  - rewrite (region3_orbit S4 a1 a2 n H2 Hn e g H); clear H3.
+  - rewrite (region3_orbit a1 a2 n H2 Hn e g H); clear H3.
     destruct (region3_between a1 a2 ltac:(lra) H); unfold area4; intuition lra.
   - rewrite (region4_orbit a1 a2 n H2 Hn e g Hlt H).
     specialize (H3 ltac:(nra)); intuition lra.
   - rewrite (line_left_orbit a1 a2 n H2 Hn e g H).
     specialize (H3 ltac:(nra)); intuition lra.
-  - destruct (Region5 a1 a2 n ltac:(lra) ltac:(lia) (or_introl H)) as (_ & _ & _ & Hex).
+  - destruct (region5_signs a1 a2 n ltac:(lra) ltac:(lia) (or_introl H)) as (_ & _ & _ & Hex).
     rewrite (Hex ltac:(lia) e g); specialize (H3 ltac:(nra)); unfold area4; intuition lra.
 Qed.
