@@ -4,7 +4,7 @@
     impact velocity y. *)
 
 From Coq Require Import Reals Arith Lra Lia.
-From Grazing Require Import Defs StatementAffine Algebra Finite.
+From Grazing Require Import Defs StatementAffine Algebra Finite FreeFlight.
 Open Scope R_scope.
 
 Section Orbit.
@@ -31,24 +31,13 @@ Lemma map_impact x : h (flight a1 a2 x) < 0 ->
   F x = (fst (flight a1 a2 x), snd (flight a1 a2 x) + beta * sqrt (- h (flight a1 a2 x))).
 Proof. intros H; unfold affine_map; destruct Rle_dec; [lra | reflexivity]. Qed.
 
-(** While nothing impacts, the map's iterates are those of the flight. Both readings of
-    "nothing impacts" are needed. *)
 Lemma iterates_free x m :
   (forall k, (k < m)%nat -> 0 < h (fly (S k) x)) -> Nat.iter m F x = fly m x.
-Proof.
-  induction m as [|m IH]; intros H; [reflexivity|].
-  change (F (Nat.iter m F x) = flight a1 a2 (fly m x)).
-  rewrite IH by (intros; apply H; lia); apply map_free, (H m); lia.
-Qed.
+Proof. apply (FreeFlight.iterates_free _ F (flight a1 a2) (fun z => 0 < h z)), map_free. Qed.
 
 Lemma iterates_free' x m :
   (forall k, (k < m)%nat -> 0 < h (flight a1 a2 (Nat.iter k F x))) -> Nat.iter m F x = fly m x.
-Proof.
-  induction m as [|m IH]; intros H; [reflexivity|].
-  pose proof (H m (Nat.lt_succ_diag_r m)) as Hm.
-  change (F (Nat.iter m F x) = flight a1 a2 (fly m x)).
-  rewrite IH in * by (intros; apply H; lia); apply map_free, Hm.
-Qed.
+Proof. apply (FreeFlight.iterates_free' _ F (flight a1 a2) (fun z => 0 < h z)), map_free. Qed.
 
 (** An orbit in terms of the flight alone. *)
 Lemma orbit_flight x : (1 <= n)%nat -> single_impact_orbit a1 a2 beta eps n x <->

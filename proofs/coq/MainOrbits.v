@@ -1,7 +1,9 @@
 (** * The theorems about orbits of maps, by name, with the axioms each rests on *)
 
-From Grazing Require Import StatementAffine AffineOrbits.
+From Grazing Require Import StatementOrbits Orbits StatementAffine AffineOrbits.
 
-Theorem Theorem1_for_the_affine_map : Theorem1_statement_affine. Proof. exact Theorem1_affine. Qed.
+Theorem Theorem1 : Theorem1_statement. Proof. exact Orbits.Theorem1. Qed.
+Theorem Theorem1_affine : Theorem1_statement_affine. Proof. exact AffineOrbits.Theorem1_affine. Qed.
 
-Print Assumptions Theorem1_for_the_affine_map.
+Print Assumptions Theorem1.
+Print Assumptions Theorem1_affine.
