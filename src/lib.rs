@@ -54,6 +54,7 @@
 //! | [`pattern`] | Theorem 1 in any dimension: impact patterns, the pattern graph |
 //! | [`oscillator`] | impact oscillators: flow, impacts, orbits, branches, attractors, proofs of orbits |
 //! | [`scene`] | an oscillator and what to do with it, as a file |
+//! | [`run`] | the tasks of a scene run, each with a typed result |
 //! | [`search`] | what finds certificates and looks for counterexamples |
 //! | [`output`] | tables, files, journals, rounded decimals |
 //! | [`study`] | what accuracy costs: families of inputs, measurements |
@@ -72,6 +73,7 @@ pub mod oscillator;
 pub mod output;
 pub mod pattern;
 mod random;
+pub mod run;
 pub mod scene;
 pub mod search;
 mod source;

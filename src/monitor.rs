@@ -4,6 +4,9 @@ use crate::error::Result;
 
 /// Told of progress by long jobs, between independent units of work and from any thread.
 pub trait Monitor: Sync {
+    /// A stretch of work of that many units begins, named as in "periods". By default nothing.
+    fn begin(&self, _units: u64, _unit: &'static str) {}
+
     /// `units` more are done.
     ///
     /// # Errors

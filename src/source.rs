@@ -30,11 +30,14 @@ impl Source<'_> {
         })
     }
 
+    /// The line on which something stands, counted from 1.
+    pub fn line(&self, span: &Range<usize>) -> usize {
+        self.text.get(..span.start).map_or(0, |text| text.matches('\n').count()) + 1
+    }
+
     /// `name:line: message`.
     pub fn fail(&self, span: Option<Range<usize>>, message: &str) -> Error {
-        let line =
-            span.and_then(|span| self.text.get(..span.start)).map(|text| text.matches('\n').count() + 1);
-        Error::input(match line {
+        Error::input(match span.map(|span| self.line(&span)) {
             Some(line) => format!("{}:{line}: {message}", self.name),
             None => format!("{}: {message}", self.name),
         })

@@ -4,12 +4,12 @@ use std::{collections::HashMap, f64::consts::PI, fs, path::Path, process::Comman
 
 use grazing::{
     oscillator::{
-        Side,
+        Effect, Side,
         orbit::{Itinerary, Oscillator, SingleImpact, find},
     },
     scene::Scene,
     study::{
-        effects::{EFFECTS, effects},
+        effects::effects,
         flow_accuracy::{long_runs, returning, tolerances},
     },
 };
@@ -44,7 +44,7 @@ fn every_example_runs_and_writes_what_it_says() {
         let expected = if path.ends_with("nordmark-2001-w48.toml") { 3 } else { 0 };
         assert_eq!((code, error.as_str()), (expected, ""), "{path:?}");
         let report: serde_json::Value = serde_json::from_str(&out).unwrap();
-        assert_eq!(report["format"], "grazing-run 1");
+        assert_eq!(report["format"], "grazing-run 2");
         let tasks = report["tasks"].as_array().unwrap();
         assert!(!tasks.is_empty());
         for task in tasks {
@@ -218,9 +218,9 @@ fn exponents_of_periodic_motions_are_their_multipliers() {
 fn absent_effects_are_never_evaluated() {
     for effect in effects() {
         let (counts, impacts) = effect.count().unwrap();
-        for (what, name) in EFFECTS {
+        for what in Effect::ALL {
             let needed = effect.needs.contains(&what);
-            assert_eq!(counts.of(what) > 0, needed, "{}: {name} {}", effect.name, counts.of(what));
+            assert_eq!(counts.of(what) > 0, needed, "{}: {} {}", effect.name, what.name(), counts.of(what));
         }
         assert_eq!(impacts > 1000, effect.name.ends_with("hit"), "{}: {impacts}", effect.name);
     }

@@ -1,16 +1,22 @@
 //! The simulator against exact solutions, against itself by other routes, and in every special case.
 
-use std::f64::consts::{PI, TAU};
+use std::{
+    f64::consts::{PI, TAU},
+    sync::atomic::{AtomicI64, Ordering},
+};
 
-use grazing::oscillator::{
-    Contact, Counts, Effect, Harmonic, Side, System, Time, Wall,
-    attractor::{
-        basins::{Cell, Frame, basins},
-        detection::{Detection, Fate},
-        lyapunov::lyapunov,
+use grazing::{
+    Error, Monitor, Result,
+    oscillator::{
+        Contact, Counts, Effect, Harmonic, Side, System, Time, Wall,
+        attractor::{
+            basins::{BasinCell, BasinGrid, basins},
+            detection::{Detection, Fate},
+            lyapunov::lyapunov,
+        },
+        flow::{Flow, Linear, State},
+        simulate::{End, Event, Impact, Run, Settings, Simulator},
     },
-    flow::{Flow, Linear, State},
-    simulate::{End, Event, Impact, Run, Settings, Simulator},
 };
 
 fn bare(damping: f64, stiffness: f64) -> System<f64> {
@@ -461,34 +467,76 @@ fn lyapunov_exponents_match_what_is_known() {
     assert_eq!(lyapunov(&simulator(&ball(1.0)), at(0.0), [0.5, 0.0], 10, 10).unwrap().impacts, 32);
     let rest = lyapunov(&simulator(&ball(0.5)), at(0.0), [0.5, 0.0], 0, 10).unwrap();
     assert_eq!(rest.rate, f64::NEG_INFINITY);
+    assert!(
+        lyapunov(&simulator(&bare(0.2, 1.0)), at(0.0), [1.0, 0.0], 0, 1, &())
+            .unwrap()
+            .standard_error
+            .is_nan()
+    );
     let exponent =
         |mu| lyapunov(&simulator(&paper(0.6, 4.9, mu, 1.0)), at(1.0), [0.004, 0.0], 3000, 3000).unwrap();
     assert!(exponent(0.0058).rate < -0.001);
     let chaos = exponent(0.003);
+    // Two stretches of the motion's length differ by about their errors; a multiplier's exponent has next to none.
+    assert!((1e-4..0.03).contains(&chaos.standard_error), "{chaos:?}");
+    assert!((chaos.rate - chaos.second_half).abs() < 4.0 * chaos.standard_error, "{chaos:?}");
+    assert!(free.standard_error < 1e-4, "{free:?}");
     assert!(chaos.rate > 0.01 && (chaos.rate / chaos.second_half - 1.0).abs() < 0.2, "{chaos:?}");
+}
+
+/// Ends the work after so many units.
+struct After(AtomicI64);
+
+impl Monitor for After {
+    fn advance(&self, units: u64) -> Result<()> {
+        let left = self.0.fetch_sub(units as i64, Ordering::Relaxed) - units as i64;
+        if left <= 0 { Err(Error::interrupted("enough")) } else { Ok(()) }
+    }
+}
+
+/// Counts units.
+struct Rows(AtomicI64);
+
+impl Monitor for Rows {
+    fn advance(&self, units: u64) -> Result<()> {
+        self.0.fetch_add(units as i64, Ordering::Relaxed);
+        Ok(())
+    }
 }
 
 #[test]
 fn basins_tell_starts_apart() {
     let simulator = simulator(&paper(0.6, 4.9, -0.05, 1.0));
-    let frame = Frame { q: [-0.2, 1.2], u: [-0.5, 0.5], columns: 15, rows: 5 };
+    let frame = BasinGrid { q: [-0.2, 1.2], u: [-0.5, 0.5], columns: 15, rows: 5 };
     let detection = Detection { transient: 300, ..Detection::default() };
-    let basins = basins(&simulator, &frame, &detection, &()).unwrap();
+    let basins = basins(&simulator, &frame, &detection, "", None, &()).unwrap();
     assert_eq!(basins.cells.len(), 75);
     // At phase 0 the wall is at −0.05: the first column lies behind it.
-    assert!((0..5).all(|row| basins.cells[15 * row] == Cell::Behind));
-    assert!(basins.cells.contains(&Cell::Attractor(0)));
+    assert!((0..5).all(|row| basins.cells[15 * row] == BasinCell::Behind));
+    assert!(basins.cells.contains(&BasinCell::Attractor(0)));
     assert!(basins.attractors.iter().any(|cycle| cycle.impacts == 0));
+    // Interrupted after some rows and resumed: the same.
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("basins.json");
+    let tall = BasinGrid { rows: 40, ..frame };
+    let run = |file: Option<&std::path::Path>, monitor: &dyn Monitor| {
+        grazing::oscillator::attractor::basins::basins(&simulator, &tall, &detection, "", file, monitor)
+    };
+    let whole = run(None, &()).unwrap();
+    assert!(run(Some(&file), &After(20.into())).unwrap_err().is_interrupted());
+    let rows = Rows(0.into());
+    assert_eq!(run(Some(&file), &rows).unwrap(), whole);
+    assert_eq!(rows.0.into_inner(), 40, "rows of the checkpoint and of the rest");
 }
 
 #[test]
 fn two_attractors_have_a_basin_each() {
     // Two wells at ±1; from rest the damped motion stays in its own.
     let system = System { cubic: 1.0, ..bare(0.5, -1.0) };
-    let frame = Frame { q: [-1.3, 1.3], u: [0.0, 0.0], columns: 6, rows: 1 };
+    let frame = BasinGrid { q: [-1.3, 1.3], u: [0.0, 0.0], columns: 6, rows: 1 };
     let detection = Detection { transient: 20, longest: 2, ..Detection::default() };
-    let basins = basins(&simulator(&system), &frame, &detection, &()).unwrap();
-    assert_eq!(basins.cells, [0, 0, 0, 1, 1, 1].map(Cell::Attractor));
+    let basins = basins(&simulator(&system), &frame, &detection, "", None, &()).unwrap();
+    assert_eq!(basins.cells, [0, 0, 0, 1, 1, 1].map(BasinCell::Attractor));
     assert!(
         basins.attractors.iter().zip([-1.0, 1.0]).all(|(cycle, q)| (cycle.points[0][0] - q).abs() < 1e-6)
     );

@@ -6,9 +6,10 @@ use plotters::prelude::*;
 
 use crate::{
     error::{Error, Result},
+    oscillator::Effect,
     output::{Cell, Column, TableFormat, TableWriter, write_file},
     study::{
-        effects::{EFFECTS, EffectCost, PERIODS},
+        effects::{EffectCost, PERIODS},
         flow_accuracy::{FlowMeasured, LongRun},
     },
 };
@@ -72,7 +73,7 @@ pub fn long_runs_table(rows: &[LongRun], format: TableFormat, out: &mut dyn Writ
 /// An I/O error from `out`.
 pub fn effects_table(rows: &[EffectCost], format: TableFormat, out: &mut dyn Write) -> Result<()> {
     let names: Vec<&str> =
-        ["effect", "time_ns", "impacts"].into_iter().chain(EFFECTS.map(|effect| effect.1)).collect();
+        ["effect", "time_ns", "impacts"].into_iter().chain(Effect::ALL.map(Effect::name)).collect();
     let mut table = TableWriter::new(out, format, "grazing-effects 1", columns(&names))?;
     for row in rows {
         let per_period = |count: u64| format!("{}", count as f64 / PERIODS as f64);

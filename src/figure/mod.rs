@@ -24,7 +24,7 @@ pub use flow_accuracy::{effects_table, flow_accuracy, flow_table, long_runs_tabl
 pub use grid::{Grid, grid};
 pub use intervals::intervals;
 pub use iterate::iterate_boundaries;
-pub use motion::{Motion, motion};
+pub use motion::{MotionPicture, motion};
 pub use orbits::{orbit, orbits};
 pub use records::records;
 pub use regions::regions;
@@ -72,6 +72,13 @@ fn label(case: Case) -> String {
     case.to_string().replace('-', "−")
 }
 
+/// Writes `name`.svg into `folder`, which is made if need be.
+fn save_picture(folder: &Path, name: &str, picture: Picture) -> Result<()> {
+    let picture = picture.map_err(|error| Error::from(std::io::Error::other(error.to_string())))?;
+    fs::create_dir_all(folder).map_err(|error| Error::io("create", folder, error))?;
+    write_file(&folder.join(format!("{name}.svg")), |out| Ok(out.write_all(picture.as_bytes())?))
+}
+
 /// Writes `name`.svg and `name`.csv into `folder`, which is made if need be.
 fn save(
     folder: &Path,
@@ -80,9 +87,7 @@ fn save(
     columns: &[&'static str],
     rows: &[Vec<String>],
 ) -> Result<()> {
-    let picture = picture.map_err(|error| Error::from(std::io::Error::other(error.to_string())))?;
-    fs::create_dir_all(folder).map_err(|error| Error::io("create", folder, error))?;
-    write_file(&folder.join(format!("{name}.svg")), |out| Ok(out.write_all(picture.as_bytes())?))?;
+    save_picture(folder, name, picture)?;
     write_file(&folder.join(format!("{name}.csv")), |out| {
         let columns = columns.iter().map(|name| Column::new(name, name, 0)).collect();
         let mut table = TableWriter::new(out, TableFormat::Csv, "", columns)?;

@@ -10,42 +10,112 @@ use plotters::{
 use super::{
     FONT, GREY, Picture, WIDTH,
     axes::{labelled_axes, padded},
-    save, style,
+    save_picture, style,
 };
 use crate::error::Result;
 
-/// A motion as it is drawn and tabulated.
-pub struct Motion {
-    /// What stands above the picture.
-    pub title: String,
-    /// Time in forcing periods, displacement, velocity.
-    pub points: Vec<[f64; 3]>,
-    /// The walls at the same times.
-    pub walls: Vec<Vec<f64>>,
-    /// Time in forcing periods and displacement of each impact.
-    pub impacts: Vec<(f64, f64)>,
+/// A picture's columns; more could not be told apart.
+const COLUMNS: usize = 4000;
+
+/// A motion as it is drawn: as many points as a screen shows, however many there were.
+pub struct MotionPicture {
+    title: String,
+    begin: f64,
+    periods: f64,
+    columns: Vec<Column>,
+    impacts: u64,
 }
 
-/// Writes `name`.svg and `name`.csv into `folder`.
+/// What falls into one column: time and height of the first, lowest, highest and last point; the walls at the first; the
+/// lowest and the highest impact.
+#[derive(Clone, Default)]
+struct Column {
+    points: Option<[[f64; 2]; 4]>,
+    walls: Vec<f64>,
+    impacts: Option<[[f64; 2]; 2]>,
+}
+
+impl MotionPicture {
+    /// An empty picture of the time from `begin` on, in forcing periods, with that many walls.
+    pub fn new(title: &str, begin: f64, periods: f64, walls: usize) -> Self {
+        let column = Column { walls: Vec::with_capacity(walls), ..Column::default() };
+        MotionPicture { title: title.into(), begin, periods, columns: vec![column; COLUMNS], impacts: 0 }
+    }
+
+    fn column(&mut self, time: f64) -> &mut Column {
+        let part = (time - self.begin) / self.periods.max(f64::MIN_POSITIVE);
+        &mut self.columns[((part * COLUMNS as f64) as usize).min(COLUMNS - 1)]
+    }
+
+    /// A point of the motion, later than those before, and where the walls are then.
+    pub fn point(&mut self, time: f64, q: f64, walls: &[f64]) {
+        let (column, at) = (self.column(time), [time, q]);
+        let Some([first, low, high, _]) = column.points else {
+            column.points = Some([at; 4]);
+            column.walls = walls.to_vec();
+            return;
+        };
+        let (low, high) = (if q < low[1] { at } else { low }, if q > high[1] { at } else { high });
+        column.points = Some([first, low, high, at]);
+    }
+
+    /// An impact.
+    pub fn impact(&mut self, time: f64, q: f64) {
+        self.impacts += 1;
+        let (column, at) = (self.column(time), [time, q]);
+        let [low, high] = column.impacts.unwrap_or([at; 2]);
+        column.impacts = Some([if q < low[1] { at } else { low }, if q > high[1] { at } else { high }]);
+    }
+
+    /// The motion's line, in the order of time.
+    fn line(&self) -> Vec<(f64, f64)> {
+        let mut line = Vec::new();
+        for column in &self.columns {
+            line.extend(column.points.iter().flatten().map(|at| (at[0], at[1])));
+        }
+        line.extend(self.impacts());
+        line.sort_by(|a, b| a.0.total_cmp(&b.0));
+        line.dedup();
+        line
+    }
+
+    /// The impacts shown.
+    fn impacts(&self) -> impl Iterator<Item = (f64, f64)> {
+        self.columns.iter().flat_map(|column| column.impacts.iter().flatten()).map(|at| (at[0], at[1]))
+    }
+
+    /// Each wall's line.
+    fn walls(&self) -> Vec<Vec<(f64, f64)>> {
+        let count = self.columns.iter().map(|column| column.walls.len()).max().unwrap_or(0);
+        let at = |i: usize| {
+            let one = move |column: &Column| Some((column.points?[0][0], *column.walls.get(i)?));
+            let end =
+                self.columns.iter().rev().find_map(|column| Some((column.points?[3][0], column.walls[i])));
+            self.columns.iter().filter_map(one).chain(end).collect()
+        };
+        (0..count).map(at).collect()
+    }
+}
+
+/// Writes `name`.svg into `folder`; the data beside it is the whole series, which whoever follows the motion writes.
 ///
 /// # Errors
 /// An I/O error.
-pub fn motion(motion: &Motion, folder: &Path, name: &str) -> Result<()> {
-    let row = |point: &[f64; 3]| point.iter().map(f64::to_string).collect();
-    let rows: Vec<Vec<String>> = motion.points.iter().map(row).collect();
-    save(folder, name, draw(motion), &["periods", "q", "u"], &rows)
+pub fn motion(motion: &MotionPicture, folder: &Path, name: &str) -> Result<()> {
+    save_picture(folder, name, draw(motion))
 }
 
 const BLUE: RGBColor = RGBColor(0, 114, 178);
 const RED: RGBColor = RGBColor(213, 94, 0);
 
-fn draw(motion: &Motion) -> Picture {
+fn draw(motion: &MotionPicture) -> Picture {
     let mut svg = String::new();
+    let (line, walls) = (motion.line(), motion.walls());
     let root = SVGBackend::with_string(&mut svg, (WIDTH, 1000)).into_drawing_area();
     root.fill(&WHITE)?;
-    let heights = || motion.points.iter().map(|point| point[1]).chain(motion.walls.iter().flatten().copied());
+    let heights = || line.iter().chain(walls.iter().flatten()).map(|at| at.1);
     let (bottom, top) = padded(heights());
-    let times = (motion.points.first().map_or(0.0, |p| p[0]), motion.points.last().map_or(1.0, |p| p[0]));
+    let times = (line.first().map_or(0.0, |p| p.0), line.last().map_or(1.0, |p| p.0));
     let mut chart = ChartBuilder::on(&root)
         .margin(30)
         .margin_top(110)
@@ -54,16 +124,12 @@ fn draw(motion: &Motion) -> Picture {
         .y_label_area_size(260)
         .build_cartesian_2d(times.0..times.1.max(times.0 + 1e-9), bottom..top)?;
     labelled_axes(&mut chart, 8, ["forcing periods", "q"])?;
-    for wall in &motion.walls {
-        let path: Vec<(f64, f64)> = motion.points.iter().zip(wall).map(|(point, &q)| (point[0], q)).collect();
+    for path in walls {
         chart.draw_series([PathElement::new(path, GREY.stroke_width(9))])?;
     }
-    let mut path: Vec<(f64, f64)> = motion.points.iter().map(|point| (point[0], point[1])).collect();
-    path.extend(&motion.impacts);
-    path.sort_by(|a, b| a.0.total_cmp(&b.0));
-    chart.draw_series([PathElement::new(path, BLUE.stroke_width(5))])?;
-    chart.draw_series(motion.impacts.iter().map(|&at| Circle::new(at, 13, RED.filled())))?;
-    let count = motion.impacts.len();
+    chart.draw_series([PathElement::new(line, BLUE.stroke_width(5))])?;
+    chart.draw_series(motion.impacts().map(|at| Circle::new(at, 13, RED.filled())))?;
+    let count = motion.impacts;
     let note = match count {
         0 => "no impacts".to_string(),
         1 => "1 impact".to_string(),

@@ -10,6 +10,7 @@ use super::{
 };
 use crate::{
     error::Result,
+    number::{Plain, Real},
     oscillator::{
         System,
         branch::{Options, with_options},
@@ -88,7 +89,7 @@ keys! {
         /// the parameter that varies
         parameter: String,
         /// its bounds
-        range: Vec<f64>,
+        range: Vec<BigRational>,
         /// how many values, evenly spaced, both bounds among them
         count: u32 = "400",
         /// where motions start, at every value
@@ -151,7 +152,7 @@ impl Check for CrisisTask {
     }
 }
 
-fn check_range(scene: &Scene, parameter: &str, range: &[f64], key: &str) -> Result<()> {
+fn check_range<T: PartialOrd>(scene: &Scene, parameter: &str, range: &[T], key: &str) -> Result<()> {
     scene.parameter(parameter)?;
     match range {
         [low, high] if low < high => Ok(()),
@@ -188,6 +189,13 @@ impl Check for BranchTask {
         }
         let wrong = |error: crate::Error| scene.fail(&format!("{path}.options"), &error.to_string());
         self.options.checked().map(drop).map_err(wrong)
+    }
+}
+
+impl DiagramTask {
+    /// The bounds of the parameter.
+    pub fn bounds(&self) -> (f64, f64) {
+        (Plain::ratio(&self.range[0], &()).0, Plain::ratio(&self.range[1], &()).0)
     }
 }
 

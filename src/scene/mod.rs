@@ -33,7 +33,7 @@ use self::task::Start;
 use crate::{
     error::{Error, Result},
     number::{Plain, Real},
-    oscillator::{Contact, System, flow::State},
+    oscillator::{Contact, Side, System, flow::State},
     source::{Source, nearest},
 };
 
@@ -177,6 +177,27 @@ impl Scene {
             return Err(self.fail(&wall.offset.key, &message));
         }
         Ok(())
+    }
+
+    /// Where a task stands in the file.
+    pub(crate) fn place(&self, task: &Task) -> (String, Option<usize>) {
+        let source = Source { name: &self.file.0, text: &self.file.1 };
+        (self.file.0.clone(), self.places.get(&task.path).map(|span| source.line(span)))
+    }
+
+    /// What is allowed and likely to be a mistake.
+    pub(crate) fn warnings(&self) -> Vec<String> {
+        let Ok(system) = self.exact(&[]) else { return Vec::new() };
+        let one = num_traits::One::one();
+        let gains =
+            [Side::Lower, Side::Upper].into_iter().filter_map(|side| Some((side, system.wall(side)?)));
+        gains
+            .filter(|(_, wall)| wall.restitution > one)
+            .map(|(side, wall)| {
+                let (name, value) = (side.name(), &wall.restitution);
+                format!("the {name} wall's restitution is {value}, above 1: every impact there adds energy")
+            })
+            .collect()
     }
 
     pub(crate) fn check_start(&self, start: &Start, system: &System<f64>, path: &str) -> Result<()> {

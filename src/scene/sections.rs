@@ -48,6 +48,8 @@ keys! {
         transient: u64 = "300",
         /// the longest period told from none, in forcing periods
         longest: u32 = "16",
+        /// whether to go on from the checkpoint that an interrupted run left in the folder
+        resume: bool = "true",
     }
 }
 

@@ -30,20 +30,9 @@ pub struct EffectCost {
     pub time: Duration,
     /// Impacts in the periods counted.
     pub impacts: u64,
-    /// Evaluations in these periods, in the order of [`EFFECTS`].
-    pub counts: [u64; EFFECTS.len()],
+    /// Evaluations in these periods, in the order of [`Effect::ALL`].
+    pub counts: [u64; Effect::ALL.len()],
 }
-
-/// All that is counted, with the names of the table's columns.
-pub const EFFECTS: [(Effect, &str); 7] = [
-    (Effect::Piece, "piece"),
-    (Effect::Drive, "drive"),
-    (Effect::Cubic, "cubic"),
-    (Effect::LowerGap, "lower_gap"),
-    (Effect::UpperGap, "upper_gap"),
-    (Effect::Search, "search"),
-    (Effect::Release, "release"),
-];
 
 /// Periods over which evaluations are counted.
 pub const PERIODS: i64 = 1000;
@@ -137,7 +126,7 @@ impl WithEffect {
     /// None for [`effects`].
     pub fn measure(&self) -> Result<EffectCost> {
         let (counts, impacts) = self.count()?;
-        let counts = EFFECTS.map(|(effect, _)| counts.of(effect));
+        let counts = Effect::ALL.map(|effect| counts.of(effect));
         Ok(EffectCost { name: self.name, time: self.time()?, impacts, counts })
     }
 }

@@ -9,7 +9,6 @@ use super::{
     Job, Report,
     orbit::{admissible, complex, yes},
     report::{Rows, number, numbers},
-    settings,
 };
 use crate::{
     error::{Error, Result},
@@ -168,7 +167,7 @@ fn orbits_at(start: &BranchStart, oscillator: &Oscillator, job: &Job) -> Result<
     if let Some(state) = &start.attractor {
         let from = job.scene.state(state)?;
         let detection = Detection { phase: from.t, transient: 10_000, longest: 200, ..Detection::default() };
-        return Ok(vec![attracting(oscillator, from, &detection, &settings(&job.scene))?]);
+        return Ok(vec![attracting(oscillator, from, &detection, &job.settings())?]);
     }
     let Some(keys) = &start.orbit else { return Ok(Vec::new()) };
     let mut orbits = keys.orbits(oscillator)?;

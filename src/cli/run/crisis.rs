@@ -3,7 +3,6 @@
 use super::{
     Job, Report,
     report::{Rows, number},
-    settings,
 };
 use crate::{
     error::{Error, Result},
@@ -67,8 +66,7 @@ pub(super) fn run(task: &CrisisTask, job: &Job, report: &mut Report) -> Result<(
 
 /// For how many periods the motion goes on having impacts.
 fn persistence(task: &CrisisTask, job: &Job, parameter: f64) -> Result<u64> {
-    let simulator =
-        Simulator::new(&job.scene.plain(&[(&task.parameter, parameter)])?, &settings(&job.scene))?;
+    let simulator = Simulator::new(&job.scene.plain(&[(&task.parameter, parameter)])?, &job.settings())?;
     let State { t, q, u } = job.scene.state(&task.start)?;
     let mut run = simulator.start(Time::new(0, t), q, u)?;
     let (mut last, mut impacts) = (0, 0);

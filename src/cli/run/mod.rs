@@ -1,5 +1,7 @@
-//! `grazing run`: the tasks of a scene. Each kind of task is run by the file of its name.
+//! `grazing run`: the tasks of a scene, run by the library ([`run`](crate::run)); here their reports are written and what they found
+//! becomes files, each kind of task by the file of its name.
 
+mod bars;
 mod basins;
 mod branch;
 mod crisis;
@@ -13,34 +15,37 @@ mod simulate;
 mod validate;
 
 use std::{
-    fs,
+    fmt, fs,
+    io::Write,
+    ops::Deref,
     path::{Path, PathBuf},
 };
 
 use clap::Parser;
 use num_rational::BigRational;
+use serde::Serialize;
 
 use super::{Outcome, ReportFormat, in_pool};
 use crate::{
     cli::progress::Interrupt,
     error::{Error, Result},
     number::parse_rational,
-    oscillator::{
-        System,
-        simulate::{End, Settings},
-    },
-    output::Destination,
-    scene::{Accuracy, Kind, Scene, Task},
+    output::{Cell, Column, Destination, TableFormat, TableWriter, write_file},
+    run::{Findings, Job as Task, Keeper, Row, Status, Surroundings, TaskReport, run_task},
+    scene::{Kind, Scene},
 };
+use bars::Bars;
 use report::Report;
 
-/// Run the tasks of a scene: simulate an impact oscillator.
+/// Run the tasks of a scene: simulate an impact oscillator, find its orbits, follow and prove them.
 ///
 /// A scene is a TOML file that names an oscillator's effects, its walls, parameters and tasks; docs/scenes.md has every
 /// key, examples/scenes some scenes to begin with. Each task writes its files, named after it, into the folder, and its
-/// part of the report to standard output. All of the scene is checked before anything runs.
+/// part of the report to standard output. All of the scene is checked before anything runs; a task that fails does not
+/// end the rest.
 ///
-/// Exit code 0: done; 2: wrong usage, a wrong scene or a file that cannot be written; 3: interrupted or undecided.
+/// Exit code, the first that applies: 1: something was refuted; 2: wrong usage, a wrong scene, a task that failed or a file
+/// that cannot be written; 3: interrupted, undecided or nothing found; 0: all done.
 #[derive(Debug, Parser)]
 pub(super) struct Args {
     /// The scene.
@@ -69,52 +74,103 @@ fn setting(text: &str) -> Result<(String, BigRational)> {
 }
 
 /// Whether a task is meant by a name: its own or its group's.
-fn called(task: &Task, name: &str) -> bool {
+fn called(task: &crate::scene::Task, name: &str) -> bool {
     task.name == name || task.group.as_deref() == Some(name)
 }
 
-/// A task with all it works on.
+/// A task with all it works on, and where its files go.
 struct Job<'a> {
-    /// The task.
-    task: &'a Task,
-    /// The scene, with the parameter values of the task and of the command line.
-    scene: Scene,
-    /// Its coefficients, rounded from their exact values.
-    system: System<f64>,
-    /// Where the files go.
+    job: &'a Task<'a>,
     folder: &'a Path,
-    /// The user's wish to end.
     interrupt: &'a Interrupt,
 }
 
-impl<'a> Job<'a> {
-    fn new(
-        scene: &Scene,
-        task: &'a Task,
-        changes: &[(String, BigRational)],
-        folder: &'a Path,
-        interrupt: &'a Interrupt,
-    ) -> Result<Self> {
-        let scene = scene.for_task(task, changes)?;
-        let system = scene.exact(&[])?.rounded();
-        Ok(Job { task, scene, system, folder, interrupt })
+impl<'a> Deref for Job<'a> {
+    type Target = Task<'a>;
+
+    fn deref(&self) -> &Task<'a> {
+        self.job
+    }
+}
+
+/// What is written of a task: the library's report and, for the kinds that are not yet run there, what they found.
+#[derive(Serialize)]
+struct Part {
+    #[serde(flatten)]
+    report: TaskReport,
+    #[serde(flatten)]
+    untyped: Option<Report>,
+}
+
+impl fmt::Display for Part {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}", self.report)?;
+        self.untyped.as_ref().map_or(Ok(()), |report| write!(f, "{report}"))
+    }
+}
+
+impl Job<'_> {
+    fn run(&self) -> Part {
+        let typed = |report| Part { report, untyped: None };
+        match &self.task.kind {
+            Kind::Simulate(task) => typed(simulate::run(task, self)),
+            Kind::Section(_) | Kind::Basins(_) | Kind::DiagramTask(_) => {
+                typed(run_task(self.job, &mut Files(self)))
+            }
+            Kind::OrbitTask(task) => self.untyped(|report| orbit::run(task, self, report)),
+            Kind::EventTask(task) => self.untyped(|report| event::run(task, self, report)),
+            Kind::GrazingTask(task) => self.untyped(|report| grazing::run(task, self, report)),
+            Kind::BranchTask(task) => self.untyped(|report| branch::run(task, self, report)),
+            Kind::CrisisTask(task) => self.untyped(|report| crisis::run(task, self, report)),
+            Kind::ValidateTask(task) => self.untyped(|report| validate::run(task, self, report)),
+        }
     }
 
-    fn run(&self) -> Result<Report> {
-        let mut report = Report::new(self);
-        match &self.task.kind {
-            Kind::Simulate(task) => simulate::run(task, self, &mut report),
-            Kind::Section(task) => section::run(task, self, &mut report),
-            Kind::Basins(task) => basins::run(task, self, &mut report),
-            Kind::OrbitTask(task) => orbit::run(task, self, &mut report),
-            Kind::EventTask(task) => event::run(task, self, &mut report),
-            Kind::GrazingTask(task) => grazing::run(task, self, &mut report),
-            Kind::BranchTask(task) => branch::run(task, self, &mut report),
-            Kind::DiagramTask(task) => diagram::run(task, self, &mut report),
-            Kind::CrisisTask(task) => crisis::run(task, self, &mut report),
-            Kind::ValidateTask(task) => validate::run(task, self, &mut report),
-        }?;
-        Ok(report)
+    fn untyped(&self, run: impl FnOnce(&mut Report) -> Result<()>) -> Part {
+        let mut report = Report::default();
+        match self.check().and_then(|()| run(&mut report)) {
+            Ok(()) => {
+                let status =
+                    if report.undecided { Status::undecided("see what follows") } else { Status::Done };
+                let files = std::mem::take(&mut report.files);
+                Part { report: TaskReport::untyped(self.job, status, files), untyped: Some(report) }
+            }
+            Err(error) => Part { report: TaskReport::failed(self.job, &error), untyped: None },
+        }
+    }
+
+    /// Writes rows as the task's CSV file with this ending, and returns the file's name.
+    fn csv<R: Row>(&self, rows: &[R], end: &str) -> Result<String> {
+        let file = format!("{}{end}", self.task.name);
+        write_file(&self.folder.join(&file), |out| {
+            let columns = R::COLUMNS.iter().map(|name| Column::new(name, name, 0)).collect();
+            let mut table = TableWriter::new(out, TableFormat::Csv, "", columns)?;
+            for row in rows {
+                let cells = row.cells();
+                table.row(&cells.iter().map(|cell| Cell::Text(cell)).collect::<Vec<_>>())?;
+            }
+            table.finish()
+        })?;
+        Ok(file)
+    }
+
+    /// The names of the task's picture and of the data beside it.
+    fn figure(&self) -> Vec<String> {
+        ["svg", "csv"].map(|end| format!("{}.{end}", self.task.name)).to_vec()
+    }
+}
+
+/// Keeps findings as files, each kind by its own function.
+struct Files<'a>(&'a Job<'a>);
+
+impl Keeper for Files<'_> {
+    fn keep(&mut self, _: &Task, findings: &Findings) -> Result<Vec<String>> {
+        match (findings, &self.0.task.kind) {
+            (Findings::Section(found), Kind::Section(task)) => section::keep(found, task, self.0),
+            (Findings::Basins(found), _) => basins::keep(found, self.0),
+            (Findings::Diagram(found), Kind::DiagramTask(task)) => diagram::keep(found, task, self.0),
+            _ => Ok(Vec::new()),
+        }
     }
 }
 
@@ -129,33 +185,60 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
         }
     }
     // All tasks are checked, with the changed parameters, before the first runs.
-    let mut jobs = Vec::new();
-    for task in scene
+    let bars = Bars::new(interrupt);
+    let around = Surroundings { changes: &args.set, folder: Some(&args.output), monitor: &bars };
+    let chosen = scene
         .tasks
         .iter()
-        .filter(|task| args.only.is_empty() || args.only.iter().any(|only| called(task, only)))
-    {
-        jobs.push(Job::new(&scene, task, &args.set, &args.output, interrupt)?);
-    }
+        .filter(|task| args.only.is_empty() || args.only.iter().any(|only| called(task, only)));
+    let jobs = chosen.map(|task| Task::new(&scene, task, around)).collect::<Result<Vec<_>>>()?;
     if jobs.is_empty() {
         return Err(Error::input(format!("{name} has no [[tasks]]: nothing to do")));
     }
     make(&args.output)?;
-    let mut reports = Vec::new();
+    let mut parts: Vec<Part> = Vec::new();
     for job in &jobs {
-        interrupt.check()?;
-        let report = in_pool(args.jobs, || job.run())?;
+        let part = if parts.last().is_some_and(|last| last.report.status.is_interrupted()) {
+            Part { report: TaskReport::pending(job), untyped: None }
+        } else {
+            let job = Job { job, folder: &args.output, interrupt };
+            in_pool(args.jobs, || Ok(job.run()))?
+        };
+        bars.clear();
+        if part.report.status.is_failed() {
+            eprintln!("error: task {}: {}", part.report.task, part.report.status);
+        }
         // As soon as it is known; JSON is one object, at the end.
         if args.format == ReportFormat::Text {
-            Destination::Stdout.write(|out| Ok(write!(out, "{report}")?))?;
+            Destination::Stdout.write(|out| Ok(write!(out, "{part}")?))?;
         }
-        reports.push(report);
+        parts.push(part);
     }
     if args.format == ReportFormat::Json {
-        Destination::Stdout.write(|out| report::json(&scene.title, &reports, out))?;
+        Destination::Stdout.write(|out| json(&scene.title, &parts, out))?;
     }
-    let undecided = reports.iter().any(|report| report.undecided);
-    Ok(if undecided { Outcome::Undecided } else { Outcome::Done })
+    let any = |is: fn(&Status) -> bool| parts.iter().any(|part| is(&part.report.status));
+    match () {
+        () if any(Status::is_refuted) => Ok(Outcome::Refuted),
+        () if any(Status::is_failed) => {
+            let failed = parts.iter().filter(|part| part.report.status.is_failed()).count();
+            Err(Error::input(format!("{failed} of {} tasks failed", parts.len())))
+        }
+        () if any(|status| !status.is_done()) => Ok(Outcome::Undecided),
+        () => Ok(Outcome::Done),
+    }
+}
+
+/// The reports as one object.
+fn json(scene: &str, tasks: &[Part], out: &mut dyn Write) -> Result<()> {
+    #[derive(Serialize)]
+    struct All<'a> {
+        format: &'static str,
+        scene: &'a str,
+        tasks: &'a [Part],
+    }
+    let text = serde_json::to_string_pretty(&All { format: "grazing-run 2", scene, tasks });
+    Ok(writeln!(out, "{}", text.map_err(std::io::Error::other)?)?)
 }
 
 /// Runs a task of the paper's own scene, without a report.
@@ -165,24 +248,16 @@ pub(super) fn paper(task: &str, folder: &Path, interrupt: &Interrupt) -> Result<
     let task = scene.tasks.iter().find(|known| known.name == task);
     let task = task.ok_or_else(|| Error::input("the paper's scene has no such task"))?;
     make(folder)?;
-    Job::new(&scene, task, &[], folder, interrupt)?.run().map(drop)
+    let bars = Bars::new(interrupt);
+    let around = Surroundings { changes: &[], folder: Some(folder), monitor: &bars };
+    let report = Job { job: &Task::new(&scene, task, around)?, folder, interrupt }.run().report;
+    match report.status {
+        Status::Failed { reason, .. } => Err(Error::input(reason)),
+        Status::Interrupted { reason } => Err(Error::interrupted(reason)),
+        _ => Ok(()),
+    }
 }
 
 fn make(folder: &Path) -> Result<()> {
     fs::create_dir_all(folder).map_err(|error| Error::io("create", folder, error))
-}
-
-/// The simulator's settings for a scene's accuracy.
-fn settings(scene: &Scene) -> Settings {
-    let Accuracy { tolerance, minimum_depth } = scene.accuracy;
-    Settings { tolerance, minimum_depth, ..Settings::default() }
-}
-
-/// Why a motion ended.
-fn ended(end: End) -> &'static str {
-    match end {
-        End::Reached => "at the time asked for",
-        End::ImpactLimit => "at the limit of impacts",
-        End::Escaped => "it left every bound",
-    }
 }

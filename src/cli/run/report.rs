@@ -97,30 +97,24 @@ pub(super) fn numbers(all: impl Iterator<Item = f64>) -> Value {
 }
 
 /// Names and values in the order in which they were found, and the files written.
+#[derive(Default)]
 pub(super) struct Report {
     entries: Vec<(&'static str, Finding)>,
+    /// The names of the files written.
+    pub files: Vec<String>,
     /// Whether something asked for was left undecided.
     pub undecided: bool,
 }
 
 impl Report {
-    pub fn new(job: &Job) -> Report {
-        let parameters: serde_json::Map<String, Value> = job
-            .scene
-            .parameters
-            .iter()
-            .map(|(name, value)| (name.clone(), value.to_string().into()))
-            .collect();
-        let mut report = Report { entries: Vec::new(), undecided: false };
-        report.say("task", job.task.name.as_str());
-        report.say("kind", job.task.kind.word());
-        report.say("parameters", parameters);
-        report
-    }
-
     /// Adds a finding.
     pub fn say(&mut self, name: &'static str, value: impl Into<Value>) {
-        self.entries.push((name, Finding::Value(value.into())));
+        match (name, value.into()) {
+            ("files", Value::Array(files)) => {
+                self.files.extend(files.iter().filter_map(Value::as_str).map(String::from));
+            }
+            (_, value) => self.entries.push((name, Finding::Value(value))),
+        }
     }
 
     /// Adds a table, and writes it as the task's CSV file.
@@ -149,14 +143,13 @@ impl Serialize for Report {
     }
 }
 
-/// The task's name, then a line a finding.
+/// A line a finding.
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (index, (name, value)) in self.entries.iter().enumerate() {
-            match (index, value) {
-                (0, Finding::Value(value)) => writeln!(f, "{}", text(value))?,
-                (_, Finding::Value(value)) => writeln!(f, "  {name:<16} {}", text(value))?,
-                (_, Finding::Rows(rows)) => {
+        for (name, value) in &self.entries {
+            match value {
+                Finding::Value(value) => writeln!(f, "  {name:<16} {}", text(value))?,
+                Finding::Rows(rows) => {
                     let mut table = Vec::new();
                     rows.write(&mut table, TableFormat::Table).map_err(|_| fmt::Error)?;
                     writeln!(f, "  {name}")?;
@@ -180,16 +173,4 @@ fn text(value: &Value) -> String {
         Value::Null => "none".to_string(),
         other => other.to_string(),
     }
-}
-
-/// The reports as one object.
-pub(super) fn json(scene: &str, tasks: &[Report], out: &mut dyn Write) -> Result<()> {
-    #[derive(Serialize)]
-    struct All<'a> {
-        format: &'static str,
-        scene: &'a str,
-        tasks: &'a [Report],
-    }
-    let text = serde_json::to_string_pretty(&All { format: "grazing-run 1", scene, tasks });
-    Ok(writeln!(out, "{}", text.map_err(std::io::Error::other)?)?)
 }

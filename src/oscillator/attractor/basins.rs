@@ -1,8 +1,14 @@
 //! Basins of attraction on a grid of starts, in parallel.
 
-use rayon::prelude::*;
+use std::path::Path;
 
-use super::detection::{Cycle, Detection, Fate};
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+
+use super::{
+    checkpoint::Checkpoint,
+    detection::{Cycle, Detection, Fate},
+};
 use crate::{
     error::Result,
     monitor::Monitor,
@@ -13,8 +19,8 @@ use crate::{
 };
 
 /// A grid of starts at the phase of the detection's section: `columns` values of q by `rows` of u, ends included.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Frame {
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct BasinGrid {
     /// The least and the greatest q.
     pub q: [f64; 2],
     /// The least and the greatest u.
@@ -26,8 +32,8 @@ pub struct Frame {
 }
 
 /// What becomes of one start.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Cell {
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub enum BasinCell {
     /// The index of its attractor.
     Attractor(usize),
     /// No recurrence seen.
@@ -39,15 +45,15 @@ pub enum Cell {
 }
 
 /// The attractors met, in order of the first start that leads to each, and the cells, q fastest.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Basins {
     /// The attractors.
     pub attractors: Vec<Cycle>,
     /// One cell a start.
-    pub cells: Vec<Cell>,
+    pub cells: Vec<BasinCell>,
 }
 
-impl Frame {
+impl BasinGrid {
     /// The start of a cell.
     pub fn start(&self, column: usize, row: usize) -> [f64; 2] {
         let place = |[low, high]: [f64; 2], i: usize, count: usize| {
@@ -57,49 +63,74 @@ impl Frame {
     }
 }
 
-/// Detects the attractor of every start, on all cores; the result does not depend on their number. Attractors within 1000 times the
-/// detection's tolerance are one. The monitor hears of each row.
+/// Rows that run in parallel before what they lead to is sorted and kept.
+const CHUNK: usize = 16;
+
+/// Detects the attractor of every start, on all cores; the result does not depend on their number. With a file, what is done is kept there, and
+/// what it holds of the same grid is not done again; `identity` is what else the result depends on. The monitor hears of each row.
 ///
 /// # Errors
-/// Those of [`Detection::check`], and the monitor's.
+/// Those of [`Detection::check`]; an unusable checkpoint; the monitor's, after a last checkpoint.
 pub fn basins(
     simulator: &Simulator,
-    frame: &Frame,
+    grid: &BasinGrid,
     detection: &Detection,
-    monitor: &impl Monitor,
+    identity: &str,
+    file: Option<&Path>,
+    monitor: &dyn Monitor,
 ) -> Result<Basins> {
     detection.check()?;
     let row = |row: usize| {
-        let fates: Result<Vec<_>> = (0..frame.columns)
+        let fates = (0..grid.columns)
             .map(|column| {
-                let [q, u] = frame.start(column, row);
+                monitor.advance(0)?;
+                let [q, u] = grid.start(column, row);
                 match simulator.start(Time::new(0, detection.phase), q, u) {
                     Ok(mut run) => detection.detect(&mut run).map(Some),
                     Err(_) => Ok(None),
                 }
             })
-            .collect();
+            .collect::<Result<Vec<_>>>()?;
         monitor.advance(1)?;
-        fates
+        Ok(fates)
     };
-    let fates: Vec<Vec<Option<Fate>>> = (0..frame.rows).into_par_iter().map(row).collect::<Result<_>>()?;
-    let mut attractors: Vec<Cycle> = Vec::new();
-    let mut index = |cycle: Cycle| {
-        let known = attractors.iter().position(|other| other.is(&cycle, 1000.0 * detection.tolerance));
-        known.unwrap_or_else(|| {
-            attractors.push(cycle);
-            attractors.len() - 1
-        })
-    };
-    let cells = fates
-        .into_iter()
-        .flatten()
-        .map(|fate| match fate {
-            None => Cell::Behind,
-            Some(Fate::Periodic(cycle)) => Cell::Attractor(index(cycle)),
-            Some(Fate::Irregular) => Cell::Irregular,
-            Some(Fate::Ended(end)) => Cell::Ended(end),
-        })
-        .collect();
-    Ok(Basins { attractors, cells })
+    let mut checkpoint =
+        Checkpoint::new(file, "grazing-basins 1", format!("{identity} {grid:?} {detection:?}"));
+    let mut done: Basins = checkpoint.read()?.unwrap_or_default();
+    let first = done.cells.len() / grid.columns;
+    monitor.advance(first as u64)?;
+    for rows in (first..grid.rows).collect::<Vec<_>>().chunks(CHUNK) {
+        let fates: Result<Vec<Vec<Option<Fate>>>> = rows.par_iter().map(|&i| row(i)).collect();
+        let fates = match fates {
+            Ok(fates) => fates,
+            Err(error) => {
+                checkpoint.write_now(&done)?;
+                return Err(error);
+            }
+        };
+        for fate in fates.into_iter().flatten() {
+            let cell = done.cell(fate);
+            done.cells.push(cell);
+        }
+        checkpoint.write(&done)?;
+    }
+    Ok(done)
+}
+
+impl Basins {
+    /// What is kept of a start; an attractor not met before is added.
+    fn cell(&mut self, fate: Option<Fate>) -> BasinCell {
+        match fate {
+            None => BasinCell::Behind,
+            Some(Fate::Irregular) => BasinCell::Irregular,
+            Some(Fate::Ended(end)) => BasinCell::Ended(end),
+            Some(Fate::Periodic(cycle)) => {
+                let known = self.attractors.iter().position(|other| other.is(&cycle));
+                BasinCell::Attractor(known.unwrap_or_else(|| {
+                    self.attractors.push(cycle);
+                    self.attractors.len() - 1
+                }))
+            }
+        }
+    }
 }

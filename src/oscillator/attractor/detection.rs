@@ -1,10 +1,20 @@
 //! Which attractor a start ends up on: its period and number of impacts, by recurrence and confirmation.
 
-use super::section::{Point, section};
+use serde::{Deserialize, Serialize};
+
+use super::section::{SectionPoint, section};
 use crate::{
     error::{Error, Result},
+    monitor::Monitor,
     oscillator::simulate::{End, Run},
 };
+
+/// Points of the section this close in q and in u recur, unless a [`Detection`] says otherwise.
+pub const RECURRENCE: f64 = 1e-7;
+
+/// Orbits whose points are this close in q and in u are the same attractor. Larger than [`RECURRENCE`], because motions come from different
+/// sides to an attractor that they approach slowly.
+pub const SAME: f64 = 1e-4;
 
 /// How to look for recurrence in the section at `phase`.
 #[derive(Debug, Clone, PartialEq)]
@@ -15,7 +25,7 @@ pub struct Detection {
     pub transient: u64,
     /// The longest period looked for, in forcing periods, at least 1. Default 64.
     pub longest: usize,
-    /// Points this close in q and in u count as the same. Default 1e-6.
+    /// Points this close in q and in u recur. Default [`RECURRENCE`].
     pub tolerance: f64,
     /// How many more times round the points must recur, with the same impacts, at least 1. Default 2.
     pub confirm: usize,
@@ -23,7 +33,7 @@ pub struct Detection {
 
 impl Default for Detection {
     fn default() -> Self {
-        Detection { phase: 0.0, transient: 1000, longest: 64, tolerance: 1e-6, confirm: 2 }
+        Detection { phase: 0.0, transient: 1000, longest: 64, tolerance: RECURRENCE, confirm: 2 }
     }
 }
 
@@ -38,8 +48,37 @@ pub enum Fate {
     Ended(End),
 }
 
+impl Fate {
+    /// Whether another run ends up on the same attractor; all motions that are not periodic count as one.
+    pub fn is(&self, other: &Fate) -> bool {
+        match (self, other) {
+            (Fate::Periodic(one), Fate::Periodic(other)) => one.is(other),
+            (Fate::Irregular, Fate::Irregular) => true,
+            _ => false,
+        }
+    }
+}
+
+/// Passes `count` points of the section, asking `monitor` whether to go on.
+///
+/// # Errors
+/// The monitor's.
+pub fn wait(run: &mut Run, phase: f64, count: u64, monitor: &dyn Monitor) -> Result<End> {
+    let mut left = count;
+    while left > 0 {
+        let some = left.min(256);
+        let end = section(run, phase, some, |_| true);
+        if end != End::Reached {
+            return Ok(end);
+        }
+        monitor.advance(0)?;
+        left -= some;
+    }
+    Ok(End::Reached)
+}
+
 /// A periodic orbit as the section sees it.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Cycle {
     /// Its points, from the one of least q (then least u) on.
     pub points: Vec<[f64; 2]>,
@@ -48,16 +87,21 @@ pub struct Cycle {
 }
 
 impl Cycle {
+    /// Whether a state of the section is one of its points, up to [`SAME`].
+    pub fn passes(&self, state: [f64; 2]) -> bool {
+        self.points.iter().any(|point| near(*point, state, SAME))
+    }
+
     /// The period in forcing periods.
     pub fn period(&self) -> usize {
         self.points.len()
     }
 
-    /// Whether the other is the same orbit, up to `tolerance` in each coordinate and where on it one began.
-    pub fn is(&self, other: &Cycle, tolerance: f64) -> bool {
+    /// Whether the other is the same attractor: up to [`SAME`] in each coordinate, and where on it one began.
+    pub fn is(&self, other: &Cycle) -> bool {
         let same = |shift: usize| {
             let turned = other.points.iter().cycle().skip(shift);
-            self.points.iter().zip(turned).all(|(a, b)| near(*a, *b, tolerance))
+            self.points.iter().zip(turned).all(|(a, b)| near(*a, *b, SAME))
         };
         self.points.len() == other.points.len()
             && self.impacts == other.impacts
@@ -96,7 +140,7 @@ impl Detection {
             return Ok(Fate::Ended(end));
         }
         let state = run.state();
-        let mut points = vec![Point { period: 0, q: state.q, u: state.u, impacts: 0 }];
+        let mut points = vec![SectionPoint { period: 0, q: state.q, u: state.u, impacts: 0 }];
         let mut period = None;
         let end = section(run, self.phase, (self.longest * (1 + self.confirm)) as u64, |point| {
             points.push(point);

@@ -4,11 +4,12 @@ use std::f64::consts::TAU;
 
 use crate::{
     error::{Error, Result},
+    monitor::Monitor,
     oscillator::{
         Time,
         algebra::apply,
-        flow::Flow,
-        simulate::{End, Event, Simulator},
+        flow::{Flow, State},
+        simulate::{End, Event, Run, Simulator},
     },
 };
 
@@ -18,7 +19,10 @@ pub struct Exponent {
     /// The mean rate of growth per unit of time; times 2π, per forcing period. −∞ once the oscillator has come to rest on a wall, where
     /// neighbours meet.
     pub rate: f64,
-    /// The same over the second half of the run: how far the two differ tells how far the mean has settled.
+    /// The standard error of the rate, from the means over [`BATCHES`] equal stretches of the run taken as independent; NaN for a run of one
+    /// period. It does not see what is slower than a stretch.
+    pub standard_error: f64,
+    /// The rate over the second half of the run: how far the two differ tells how far the mean has settled.
     pub second_half: f64,
     /// Impacts passed.
     pub impacts: u64,
@@ -26,56 +30,106 @@ pub struct Exponent {
     pub end: End,
 }
 
+/// Into how many stretches a run is divided, if it has that many periods.
+pub const BATCHES: u64 = 20;
+
+/// Periods between two looks at whether to go on.
+const CHUNK: u64 = 256;
+
+/// A motion with a vector that its derivative carries along.
+struct Carried<'a> {
+    simulator: &'a Simulator,
+    run: Run<'a>,
+    tangent: [f64; 2],
+    state: State,
+    now: Time,
+    end: End,
+}
+
+impl Carried<'_> {
+    /// The logarithm of the vector's growth up to `goal`.
+    fn grow(&mut self, goal: Time) -> f64 {
+        let mut growth = 0.0;
+        while self.end == End::Reached {
+            let event = self.run.next(goal);
+            let then = event.time().unwrap_or(self.run.time());
+            let flow = self.simulator.flow();
+            let (arrival, matrix) = flow.advance_linearised(self.state, then.since(self.now));
+            let mut tangent = apply(&matrix, self.tangent);
+            match event {
+                Event::Impact(impact) => {
+                    let contact = self.simulator.contact(impact.side).expect("a wall that was met");
+                    tangent = apply(&contact.saltation(flow, arrival), tangent);
+                }
+                Event::Stick(_) | Event::Release(_) => tangent = [0.0; 2],
+                Event::Tangency(_) | Event::End(End::Reached) => {}
+                Event::End(other) => self.end = other,
+            }
+            let size = tangent[0].hypot(tangent[1]);
+            growth += size.ln();
+            self.tangent = if size > 0.0 { tangent.map(|x| x / size) } else { tangent };
+            (self.state, self.now) = (self.run.state(), self.run.time());
+            if event == Event::End(End::Reached) {
+                break;
+            }
+        }
+        growth
+    }
+}
+
 /// Follows the motion from (q, u) at `time` over `transient` and then `periods` forcing periods. Tangencies and the square root at them are
-/// passed as if there were no wall; an impact of velocity w stretches by O(1/w).
+/// passed as if there were no wall; an impact of velocity w stretches by O(1/w). Asks `monitor` whether to go on.
 ///
 /// # Errors
-/// A start behind a wall, or no periods.
+/// A start behind a wall, or no periods; the monitor's.
 pub fn lyapunov(
     simulator: &Simulator,
     time: Time,
     [q, u]: [f64; 2],
     transient: u64,
     periods: u64,
+    monitor: &dyn Monitor,
 ) -> Result<Exponent> {
     if periods == 0 {
         return Err(Error::input("periods = 0: the exponent is a mean over at least one"));
     }
     let later = |periods: u64| Time { period: time.period.saturating_add_unsigned(periods), ..time };
     let mut run = simulator.start(time, q, u)?;
-    let mut end = run.finish(later(transient));
-    let start = run.impacts();
-    // Any direction but, by ill luck, the stable one.
-    let (mut tangent, mut growth) = ([0.6, 0.8], [0.0; 2]);
-    let (mut state, mut now) = (run.state(), run.time());
-    let goals = [later(transient + periods / 2), later(transient + periods)];
-    for (half, goal) in goals.into_iter().enumerate() {
-        while end == End::Reached {
-            let event = run.next(goal);
-            let then = event.time().unwrap_or(run.time());
-            let (arrival, matrix) = simulator.flow().advance_linearised(state, then.since(now));
-            tangent = apply(&matrix, tangent);
-            match event {
-                Event::Impact(impact) => {
-                    let contact = simulator.contact(impact.side).expect("a wall that was met");
-                    tangent = apply(&contact.saltation(simulator.flow(), arrival), tangent);
-                }
-                Event::Stick(_) | Event::Release(_) => tangent = [0.0; 2],
-                Event::Tangency(_) | Event::End(End::Reached) => {}
-                Event::End(other) => end = other,
-            }
-            let size = tangent[0].hypot(tangent[1]);
-            growth[half] += size.ln();
-            if size > 0.0 {
-                tangent = tangent.map(|x| x / size);
-            }
-            (state, now) = (run.state(), run.time());
-            if event == Event::End(End::Reached) {
-                break;
-            }
-        }
+    let (mut end, mut passed) = (End::Reached, 0);
+    while passed < transient && end == End::Reached {
+        passed = (passed + CHUNK).min(transient);
+        end = run.finish(later(passed));
+        monitor.advance(0)?;
     }
-    let (whole, second) = (now.since(later(transient)), now.since(goals[0]));
-    let rate = (growth[0] + growth[1]) / whole.max(TAU * f64::EPSILON);
-    Ok(Exponent { rate, second_half: growth[1] / second, impacts: run.impacts() - start, end })
+    let start = run.impacts();
+    let (state, now) = (run.state(), run.time());
+    // Any direction but, by ill luck, the stable one.
+    let mut carried = Carried { simulator, run, tangent: [0.6, 0.8], state, now, end };
+    // Growth and time of each stretch.
+    let mut stretches: Vec<(f64, f64)> = Vec::new();
+    let count = BATCHES.min(periods);
+    let goal = |i: u64| (u128::from(periods) * u128::from(i) / u128::from(count)) as u64;
+    for i in 1..=count {
+        let (begin, mut growth) = (carried.now, 0.0);
+        let mut at = goal(i - 1);
+        while at < goal(i) && carried.end == End::Reached {
+            at = (at + CHUNK).min(goal(i));
+            growth += carried.grow(later(transient + at));
+            monitor.advance(0)?;
+        }
+        stretches.push((growth, carried.now.since(begin)));
+    }
+    let mean = |all: &[(f64, f64)]| {
+        let (growth, time) = all.iter().fold((0.0, 0.0), |sum, one| (sum.0 + one.0, sum.1 + one.1));
+        growth / time.max(TAU * f64::EPSILON)
+    };
+    let (rate, n) = (mean(&stretches), stretches.len() as f64);
+    let off = stretches.iter().map(|one| (mean(&[*one]) - rate).powi(2)).sum::<f64>();
+    Ok(Exponent {
+        rate,
+        standard_error: (off / (n * (n - 1.0))).sqrt(),
+        second_half: mean(&stretches[stretches.len() / 2..]),
+        impacts: carried.run.impacts() - start,
+        end: carried.end,
+    })
 }

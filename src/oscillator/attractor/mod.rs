@@ -6,6 +6,7 @@
 
 mod attracting;
 pub mod basins;
+mod checkpoint;
 pub mod crisis;
 pub mod detection;
 pub mod diagram;

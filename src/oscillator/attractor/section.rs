@@ -7,7 +7,7 @@ use crate::oscillator::{
 
 /// A point of the section.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Point {
+pub struct SectionPoint {
     /// The forcing period in which it lies.
     pub period: i64,
     /// Displacement.
@@ -20,7 +20,7 @@ pub struct Point {
 
 /// Shows the next `count` points at `phase` ∈ [0, 2π), the first strictly later than the run's time; false from `each` ends it early.
 /// Returns [`End::Reached`] unless the run ended by itself.
-pub fn section(run: &mut Run, phase: f64, count: u64, mut each: impl FnMut(Point) -> bool) -> End {
+pub fn section(run: &mut Run, phase: f64, count: u64, mut each: impl FnMut(SectionPoint) -> bool) -> End {
     let now = run.time();
     let mut next = Time::new(now.period + i64::from(now.phase >= phase), phase);
     for _ in 0..count {
@@ -30,7 +30,12 @@ pub fn section(run: &mut Run, phase: f64, count: u64, mut each: impl FnMut(Point
             return end;
         }
         let state = run.state();
-        if !each(Point { period: next.period, q: state.q, u: state.u, impacts: run.impacts() - before }) {
+        if !each(SectionPoint {
+            period: next.period,
+            q: state.q,
+            u: state.u,
+            impacts: run.impacts() - before,
+        }) {
             break;
         }
         next.period += 1;

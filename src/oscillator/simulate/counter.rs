@@ -1,4 +1,9 @@
-//! What a simulation evaluated, counted: the proof that an effect which a scene does not have costs nothing.
+//! What was evaluated, counted: the proof that an effect which a scene does not have costs nothing.
+
+use std::sync::{
+    Arc,
+    atomic::{AtomicU64, Ordering},
+};
 
 /// What is counted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -17,6 +22,32 @@ pub enum Effect {
     Search,
     /// A place of release from a wall was looked for.
     Release,
+}
+
+impl Effect {
+    /// All of them.
+    pub const ALL: [Effect; 7] = [
+        Effect::Piece,
+        Effect::Drive,
+        Effect::Cubic,
+        Effect::LowerGap,
+        Effect::UpperGap,
+        Effect::Search,
+        Effect::Release,
+    ];
+
+    /// Its name in reports and tables.
+    pub fn name(self) -> &'static str {
+        match self {
+            Effect::Piece => "piece",
+            Effect::Drive => "drive",
+            Effect::Cubic => "cubic",
+            Effect::LowerGap => "lower_gap",
+            Effect::UpperGap => "upper_gap",
+            Effect::Search => "search",
+            Effect::Release => "release",
+        }
+    }
 }
 
 /// Told of each evaluation; `()` counts nothing and costs nothing.
@@ -49,5 +80,47 @@ impl Counter for Counts {
 impl<C: Counter> Counter for &mut C {
     fn count(&mut self, effect: Effect) {
         (**self).count(effect);
+    }
+}
+
+/// A sum of counts that many threads add to.
+#[derive(Debug, Default)]
+pub struct Tally([AtomicU64; 7]);
+
+impl Tally {
+    /// How often an effect was evaluated.
+    pub fn of(&self, effect: Effect) -> u64 {
+        self.0[effect as usize].load(Ordering::Relaxed)
+    }
+
+    /// One more.
+    pub fn count(&self, effect: Effect) {
+        self.0[effect as usize].fetch_add(1, Ordering::Relaxed);
+    }
+}
+
+/// The counts of one run; they go to the tally when it ends.
+pub(super) struct Share {
+    counts: Counts,
+    tally: Arc<Tally>,
+}
+
+impl Share {
+    pub fn of(tally: &Arc<Tally>) -> Share {
+        Share { counts: Counts::default(), tally: tally.clone() }
+    }
+}
+
+impl Counter for Share {
+    fn count(&mut self, effect: Effect) {
+        self.counts.count(effect);
+    }
+}
+
+impl Drop for Share {
+    fn drop(&mut self) {
+        for (sum, count) in self.tally.0.iter().zip(self.counts.0) {
+            sum.fetch_add(count, Ordering::Relaxed);
+        }
     }
 }

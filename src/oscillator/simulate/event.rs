@@ -1,5 +1,7 @@
 //! What a run reports.
 
+use serde::{Deserialize, Serialize};
+
 use crate::oscillator::{Side, Time};
 
 /// The next thing that happens.
@@ -62,7 +64,8 @@ pub struct Release {
 }
 
 /// Why there is no other event.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum End {
     /// The time asked for is reached; the run can go on.
     Reached,
@@ -81,6 +84,28 @@ impl Event {
             Event::Stick(stick) => Some(stick.time),
             Event::Release(release) => Some(release.time),
             Event::End(_) => None,
+        }
+    }
+
+    /// At which wall.
+    pub fn side(&self) -> Option<Side> {
+        match self {
+            Event::Impact(impact) => Some(impact.side),
+            Event::Tangency(tangency) => Some(tangency.side),
+            Event::Stick(stick) => Some(stick.side),
+            Event::Release(release) => Some(release.side),
+            Event::End(_) => None,
+        }
+    }
+}
+
+impl End {
+    /// Why, to follow "ended".
+    pub fn why(self) -> &'static str {
+        match self {
+            End::Reached => "at the time asked for",
+            End::ImpactLimit => "at the limit of impacts",
+            End::Escaped => "when it left every bound",
         }
     }
 }

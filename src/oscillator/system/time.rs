@@ -32,6 +32,11 @@ impl Time {
         Time::new(self.period, self.phase + duration)
     }
 
+    /// In forcing periods, as one double.
+    pub fn periods(self) -> f64 {
+        self.period as f64 + self.phase / TAU
+    }
+
     /// How much later than `other`, as one double.
     pub fn since(self, other: Time) -> f64 {
         (self.period - other.period) as f64 * TAU + (self.phase - other.phase)

@@ -3,7 +3,6 @@
 //! Found by following motions, so nothing is proved: a long transient can look like an attractor. Values are independent of each other, run in parallel, and what
 //! is done is kept in a checkpoint; a resumed diagram is bit for bit the uninterrupted one.
 
-mod checkpoint;
 mod windows;
 
 pub use windows::{Window, coexisting, windows};
@@ -13,14 +12,18 @@ use std::path::Path;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use super::section::{Point, section};
+use super::{
+    checkpoint::Checkpoint,
+    detection::{Detection, Fate, wait},
+    section::section,
+};
 use crate::{
     Monitor,
     error::Result,
     oscillator::{
-        System, Time,
+        Time,
         flow::State,
-        simulate::{End, Settings, Simulator},
+        simulate::{End, Simulator},
     },
 };
 
@@ -33,13 +36,13 @@ pub struct Look {
     pub transient: u64,
     /// Points of the section, one a period.
     pub points: u32,
-    /// The longest period told from none; one is found only if it goes round twice within the points.
+    /// The longest period told from none.
     pub longest: u32,
 }
 
 /// What to run at which values.
 #[derive(Debug, Clone)]
-pub struct Plan {
+pub struct DiagramPlan {
     /// The parameter's values.
     pub values: Vec<f64>,
     /// Where motions start.
@@ -48,13 +51,11 @@ pub struct Plan {
     pub look: Look,
     /// Only the first of every so many points of the section is kept.
     pub every: u32,
-    /// How finely to simulate.
-    pub settings: Settings,
 }
 
 /// An attractor as the diagram keeps it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Motion {
+pub struct DiagramMotion {
     /// (q, u) on the section.
     pub points: Vec<[f64; 2]>,
     /// Its period in forcing periods, if it is periodic.
@@ -69,7 +70,7 @@ pub struct Slice {
     /// The value.
     pub value: f64,
     /// The attractors, in the order of the starts that lead there first; all motions that are not periodic count as one.
-    pub motions: Vec<Motion>,
+    pub motions: Vec<DiagramMotion>,
     /// Starts whose motion left every bound, or are behind a wall here.
     pub lost: u32,
 }
@@ -84,94 +85,87 @@ const CHUNK: usize = 64;
 /// # Errors
 /// Those of the system and the simulator; an unusable checkpoint; an interruption, after a last checkpoint.
 pub fn sweep(
-    plan: &Plan,
-    system: impl Fn(f64) -> Result<System<f64>> + Sync,
+    plan: &DiagramPlan,
+    simulator: impl Fn(f64) -> Result<Simulator> + Sync,
     identity: &str,
     file: Option<&Path>,
-    monitor: &impl Monitor,
+    monitor: &dyn Monitor,
 ) -> Result<Vec<Slice>> {
-    let identity = format!("{identity} {plan:?}");
-    let mut done = match file {
-        Some(file) => checkpoint::read(file, &identity)?,
-        None => Vec::new(),
-    };
+    let mut checkpoint = Checkpoint::new(file, "grazing-diagram 2", format!("{identity} {plan:?}"));
+    let mut done: Vec<Slice> = checkpoint.read()?.unwrap_or_default();
     let rest = plan.values.get(done.len()..).unwrap_or_default();
     monitor.advance(done.len() as u64)?;
     for chunk in rest.chunks(CHUNK) {
         let slices: Vec<Result<Slice>> = chunk
             .par_iter()
             .map(|&value| {
-                let slice = slice(plan, value, &system(value)?)?;
+                let slice = slice(plan, value, &simulator(value)?, monitor)?;
                 monitor.advance(1)?;
                 Ok(slice)
             })
             .collect();
         for slice in slices {
-            done.push(slice?);
+            match slice {
+                Ok(slice) => done.push(slice),
+                Err(error) => {
+                    checkpoint.write_now(&done)?;
+                    return Err(error);
+                }
+            }
         }
-        if let Some(file) = file {
-            checkpoint::write(file, &identity, &done)?;
-        }
+        checkpoint.write(&done)?;
     }
     Ok(done)
 }
 
-fn slice(plan: &Plan, value: f64, system: &System<f64>) -> Result<Slice> {
-    let simulator = Simulator::new(system, &plan.settings)?;
-    let (mut found, mut lost): (Vec<(Motion, Vec<Point>)>, u32) = (Vec::new(), 0);
+fn slice(plan: &DiagramPlan, value: f64, simulator: &Simulator, monitor: &dyn Monitor) -> Result<Slice> {
+    let (mut found, mut lost): (Vec<(DiagramMotion, Fate)>, u32) = (Vec::new(), 0);
     for &start in &plan.starts {
-        let Some((motion, points)) = motion(plan, &simulator, start) else {
+        let Some((motion, fate)) = motion(plan, simulator, start, monitor)? else {
             lost += 1;
             continue;
         };
-        let known = |(old, seen): &(Motion, Vec<Point>)| {
-            old.period == motion.period
-                && (old.period.is_none()
-                    || old.impacts == motion.impacts && seen.iter().any(|p| same(p, &points[0], 1e-4)))
-        };
+        let known = |(_, old): &(DiagramMotion, Fate)| old.is(&fate);
         if !found.iter().any(known) {
-            found.push((motion, points));
+            found.push((motion, fate));
         }
     }
     Ok(Slice { value, motions: found.into_iter().map(|(motion, _)| motion).collect(), lost })
 }
 
-/// What a start's motion tends to, with all points of the section, for a periodic one once round; `None` if it left every bound, or cannot start.
-fn motion(plan: &Plan, simulator: &Simulator, start: State) -> Option<(Motion, Vec<Point>)> {
+/// What a start's motion tends to; `None` if it left every bound, or cannot start.
+fn motion(
+    plan: &DiagramPlan,
+    simulator: &Simulator,
+    start: State,
+    monitor: &dyn Monitor,
+) -> Result<Option<(DiagramMotion, Fate)>> {
     let Look { phase, transient, points: count, longest } = plan.look;
-    let mut run = simulator.start(Time::new(0, start.t), start.q, start.u).ok()?;
-    let mut points = Vec::new();
-    let ends = [
-        section(&mut run, phase, transient, |_| true),
-        section(&mut run, phase, count.into(), |point| {
-            points.push(point);
-            true
-        }),
-    ];
-    if ends != [End::Reached; 2] {
-        return None;
+    let Ok(mut run) = simulator.start(Time::new(0, start.t), start.q, start.u) else { return Ok(None) };
+    if wait(&mut run, phase, transient, monitor)? != End::Reached {
+        return Ok(None);
     }
-    let period = repeats(&points, longest as usize);
-    if let Some(period) = period {
-        points.drain(..points.len() - period);
-    }
-    let motion = Motion {
-        points: points.iter().step_by(plan.every as usize).map(|point| [point.q, point.u]).collect(),
-        period: period.map(|period| period as u32),
-        impacts: points.iter().map(|point| point.impacts).sum(),
+    let detection = Detection { phase, transient: 0, longest: longest as usize, ..Detection::default() };
+    let fate = detection.detect(&mut run)?;
+    let (period, round, look_at) = match &fate {
+        Fate::Ended(_) => return Ok(None),
+        Fate::Periodic(cycle) => {
+            (Some(cycle.period() as u32), Some(cycle.impacts), (cycle.period() as u32).max(plan.every))
+        }
+        Fate::Irregular => (None, None, count),
     };
-    Some((motion, points))
-}
-
-fn same(a: &Point, b: &Point, near: f64) -> bool {
-    (a.q - b.q).abs() + (a.u - b.u).abs() < near * (1.0 + a.q.abs() + a.u.abs())
-}
-
-/// The shortest shift, up to `longest`, by which the later half of the points, or more, repeats.
-fn repeats(points: &[Point], longest: usize) -> Option<usize> {
-    let n = points.len();
-    (1..=longest.min(n / 2)).find(|&p| {
-        let from = (n / 2).min(n - 2 * p);
-        (from..n - p).all(|i| same(&points[i], &points[i + p], 1e-7))
-    })
+    // The same component at every value: counted from the end of the transient.
+    let shown = |at: i64| (at - 1 - transient as i64).rem_euclid(plan.every.into()) == 0;
+    let (mut points, before) = (Vec::new(), run.impacts());
+    let end = section(&mut run, phase, look_at.into(), |point| {
+        if shown(point.period) {
+            points.push([point.q, point.u]);
+        }
+        true
+    });
+    if end != End::Reached {
+        return Ok(None);
+    }
+    let impacts = round.unwrap_or_else(|| run.impacts() - before);
+    Ok(Some((DiagramMotion { points, period, impacts }, fate)))
 }

@@ -49,7 +49,7 @@ pub fn windows(slices: &[Slice]) -> Vec<Window> {
     closed
 }
 
-/// The slices with more than one attractor.
+/// The slices with more than one attractor, or with starts whose motion is lost.
 pub fn coexisting(slices: &[Slice]) -> impl Iterator<Item = &Slice> {
-    slices.iter().filter(|slice| slice.motions.len() > 1)
+    slices.iter().filter(|slice| slice.motions.len() > 1 || slice.lost > 0)
 }

@@ -1,0 +1,130 @@
+//! Tasks of kind `basins`: which starts lead to which attractor.
+
+use serde::Serialize;
+
+use super::{Finding, Job, Lines, Status, row, small_motion};
+use crate::{
+    error::Result,
+    oscillator::{
+        attractor::{
+            basins::{BasinCell, BasinGrid, Basins, basins as find_basins},
+            detection::Detection,
+        },
+        simulate::End,
+    },
+    scene::{Basins as BasinsTask, Values, phase},
+};
+
+row! {
+    /// One end and how many starts lead to it.
+    pub struct BasinRow {
+        /// "periodic", "not-periodic", "behind-a-wall" or "escaped".
+        pub end: &'static str,
+        /// The period of a periodic attractor, in forcing periods.
+        pub period: Option<usize>,
+        /// Its impacts in a period.
+        pub impacts: Option<u64>,
+        /// Displacement of its first point on the section.
+        pub q: Option<f64>,
+        /// Velocity there.
+        pub u: Option<f64>,
+        /// How many starts lead to it.
+        pub starts: usize,
+    }
+}
+
+/// The ends that there are, each with the number of its starts, and the end of each start.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct BasinsFindings {
+    /// Ends with at least one start; attractors in the order in which starts lead to them.
+    pub basins: Vec<BasinRow>,
+    /// The grid of starts.
+    pub grid: BasinGrid,
+    /// For each start, q fastest, the index of its end in `basins`. Not in JSON: it is the task's CSV file.
+    #[serde(skip)]
+    pub cells: Vec<usize>,
+    /// What counts as contact without impact.
+    #[serde(skip)]
+    minimum_depth: f64,
+}
+
+impl Finding for BasinsFindings {
+    fn status(&self) -> Status {
+        if self.basins.iter().any(|basin| basin.end == "periodic" || basin.end == "not-periodic") {
+            return Status::Done;
+        }
+        Status::nothing("no start of the grid leads to an attractor: all are behind a wall or escape")
+    }
+
+    fn warnings(&self) -> Vec<String> {
+        small_motion(self.grid.q[1] - self.grid.q[0], self.minimum_depth).into_iter().collect()
+    }
+
+    fn lines(&self, lines: &mut Lines) {
+        lines.table("basins", &self.basins);
+    }
+}
+
+/// Finds the attractor of every start, resuming from the checkpoint of an interrupted run if there is one.
+///
+/// # Errors
+/// Those of the simulator; an unusable checkpoint; an interruption.
+pub fn basins(task: &BasinsTask, job: &Job) -> Result<BasinsFindings> {
+    let simulator = job.simulator()?;
+    let ends = |values: &Values| -> Result<[f64; 2]> {
+        Ok([job.scene.number(&values.from)?, job.scene.number(&values.to)?])
+    };
+    let grid = BasinGrid {
+        q: ends(&task.q)?,
+        u: ends(&task.u)?,
+        columns: task.q.count as usize,
+        rows: task.u.count as usize,
+    };
+    let detection = Detection {
+        phase: phase(&task.phase),
+        transient: task.transient,
+        longest: task.longest as usize,
+        ..Detection::default()
+    };
+    let file = job.checkpoint();
+    if let Some(file) = file.as_ref().filter(|file| !task.resume && file.exists()) {
+        std::fs::remove_file(file).map_err(|error| crate::Error::io("remove", file, error))?;
+    }
+    job.monitor.begin(u64::from(task.u.count), "rows");
+    let identity = format!("{:?} {:?} {:?}", job.scene.system, job.scene.parameters, job.settings());
+    let found = find_basins(&simulator, &grid, &detection, &identity, file.as_deref(), job.monitor)?;
+    Ok(gather(found, grid, job.scene.accuracy.minimum_depth))
+}
+
+fn gather(Basins { attractors, cells }: Basins, grid: BasinGrid, minimum_depth: f64) -> BasinsFindings {
+    let none = BasinRow { end: "", period: None, impacts: None, q: None, u: None, starts: 0 };
+    let word = |end| BasinRow { end, ..none.clone() };
+    let mut all = vec![word("behind-a-wall"), word("escaped"), word("impact-limit"), word("not-periodic")];
+    let others = all.len();
+    all.extend(attractors.iter().map(|cycle| BasinRow {
+        end: "periodic",
+        period: Some(cycle.period()),
+        impacts: Some(cycle.impacts),
+        q: Some(cycle.points[0][0]),
+        u: Some(cycle.points[0][1]),
+        starts: 0,
+    }));
+    let class = |cell: &BasinCell| match cell {
+        BasinCell::Behind => 0,
+        BasinCell::Ended(End::ImpactLimit) => 2,
+        BasinCell::Ended(_) => 1,
+        BasinCell::Irregular => 3,
+        BasinCell::Attractor(index) => others + index,
+    };
+    let classes: Vec<usize> = cells.iter().map(class).collect();
+    classes.iter().for_each(|&class| all[class].starts += 1);
+    // Only the ends that there are, in the same order.
+    let mut index = vec![0; all.len()];
+    let mut basins = Vec::new();
+    for (class, basin) in all.into_iter().enumerate().filter(|(_, basin)| basin.starts > 0) {
+        index[class] = basins.len();
+        basins.push(basin);
+    }
+    let cells = classes.into_iter().map(|class| index[class]).collect();
+    BasinsFindings { basins, grid, cells, minimum_depth }
+}

@@ -1,0 +1,132 @@
+//! Tasks of kind `diagram`: what motions tend to over a parameter.
+
+use num_rational::BigRational;
+use serde::Serialize;
+
+use super::{Finding, Job, Lines, Status, row};
+use crate::{
+    error::Result,
+    number::{Plain, Real},
+    oscillator::attractor::diagram::{self, DiagramPlan, Look, Slice},
+    scene::{branches::DiagramTask, phase},
+};
+
+row! {
+    /// Neighbouring values at which an attractor of one period with one number of impacts is found.
+    pub struct WindowRow {
+        /// The first value.
+        pub from: f64,
+        /// The last value.
+        pub to: f64,
+        /// The period, in forcing periods.
+        pub period: u32,
+        /// Impacts in a period.
+        pub impacts: u64,
+        /// How many values.
+        pub values: usize,
+    }
+}
+
+row! {
+    /// An attractor at a value at which there are several, or at which starts are lost.
+    pub struct CoexistingRow {
+        /// The parameter's value.
+        pub value: f64,
+        /// The period, absent if it is not periodic.
+        pub period: Option<u32>,
+        /// Impacts in a period; for motions that are not periodic, in all points looked at.
+        pub impacts: Option<u64>,
+        /// Starts at this value whose motion left every bound, or that are behind a wall.
+        pub lost: u32,
+    }
+}
+
+/// Attractors at each value, and what they amount to.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct DiagramFindings {
+    /// The parameter.
+    pub parameter: String,
+    /// How many values were looked at.
+    pub values: usize,
+    /// Windows of periodic motion, by where they begin.
+    pub windows: Vec<WindowRow>,
+    /// Values with several attractors or with lost starts, a row for each attractor, at least one for each value.
+    pub coexisting: Vec<CoexistingRow>,
+    /// All points, value by value. Not in JSON: they are the task's CSV file.
+    #[serde(skip)]
+    pub slices: Vec<Slice>,
+}
+
+impl Finding for DiagramFindings {
+    fn status(&self) -> Status {
+        match self.slices.iter().any(|slice| !slice.motions.is_empty()) {
+            true => Status::Done,
+            false => Status::nothing("at no value does a start lead to an attractor: all are lost"),
+        }
+    }
+
+    fn lines(&self, lines: &mut Lines) {
+        lines.say("values", self.values);
+        lines.table("windows", &self.windows);
+        lines.table("coexisting", &self.coexisting);
+    }
+}
+
+/// The i-th of `count` evenly spaced values, from exact ends: 0.84 is the float nearest to 0.84.
+fn value(range: &[BigRational], i: u32, count: u32) -> f64 {
+    let part = BigRational::new(i.into(), (count - 1).into());
+    Plain::ratio(&(&range[0] + (&range[1] - &range[0]) * part), &()).0
+}
+
+/// Follows motions at every value, resuming from the checkpoint of an interrupted run if there is one.
+///
+/// # Errors
+/// Those of the system at a value and of the simulator; an unusable checkpoint; an interruption.
+pub fn diagram(task: &DiagramTask, job: &Job) -> Result<DiagramFindings> {
+    let plan = DiagramPlan {
+        values: (0..task.count).map(|i| value(&task.range, i, task.count)).collect(),
+        starts: task.starts.iter().map(|start| job.scene.state(start)).collect::<Result<_>>()?,
+        look: Look {
+            phase: phase(&task.phase),
+            transient: task.transient,
+            points: task.points,
+            longest: task.longest,
+        },
+        every: task.every,
+    };
+    let file = job.checkpoint();
+    if let Some(file) = file.as_ref().filter(|file| !task.resume && file.exists()) {
+        std::fs::remove_file(file).map_err(|error| crate::Error::io("remove", file, error))?;
+    }
+    job.monitor.begin(u64::from(task.count), "values");
+    let simulator = |value| job.simulator_of(&job.scene.plain(&[(&task.parameter, value)])?);
+    let (system, parameters) = (&job.scene.system, &job.scene.parameters);
+    let identity = format!("{system:?} {parameters:?} {} {:?}", task.parameter, job.settings());
+    let slices = diagram::sweep(&plan, simulator, &identity, file.as_deref(), job.monitor)?;
+    let windows = diagram::windows(&slices).into_iter().map(|window| WindowRow {
+        from: window.from,
+        to: window.to,
+        period: window.period,
+        impacts: window.impacts,
+        values: window.values,
+    });
+    let mut coexisting = Vec::new();
+    for &Slice { value, ref motions, lost } in diagram::coexisting(&slices) {
+        if motions.is_empty() {
+            coexisting.push(CoexistingRow { value, period: None, impacts: None, lost });
+        }
+        coexisting.extend(motions.iter().map(|motion| CoexistingRow {
+            value,
+            period: motion.period,
+            impacts: Some(motion.impacts),
+            lost,
+        }));
+    }
+    Ok(DiagramFindings {
+        parameter: task.parameter.clone(),
+        values: slices.len(),
+        windows: windows.collect(),
+        coexisting,
+        slices,
+    })
+}

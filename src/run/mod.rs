@@ -1,0 +1,333 @@
+//! Scenes run by the library: each task answered by one function with a typed result, and all tasks reported alike.
+//!
+//! [`run`] does a scene's tasks one after the other and gives a [`TaskReport`] for each; [`run_task`] does one. A failing
+//! task does not end the rest. What is long (a time series) or lasting (figures, tables, certificates) goes to a
+//! [`Keeper`]; `()` keeps nothing. Not here: the command line, pictures and tables (`cli::run`), the keys of a scene (`scene`),
+//! mathematics (`oscillator`).
+//!
+//! # How a kind of task is run
+//!
+//! A kind has a file here of its name with
+//!
+//! 1. `XFindings`, its result: a struct with `Serialize` whose fields are numbers, booleans, words of enums, lists of
+//!    [rows](Row). A row is declared by `row!`, from which come its columns in text and in CSV. No field is a text that
+//!    a program would have to parse: complex numbers are [`Complex`], what rounding may decide is a [`Judgement`];
+//! 2. `impl Finding for XFindings`: its [`Status`] from the data alone, in one place, with a sentence for every answer that is not
+//!    "done"; warnings; what is printed, by [`Lines`];
+//! 3. `pub fn x(task, job) -> Result<XFindings>`: what [`Job`] holds, and no files but those that it reads and its
+//!    checkpoint. An error is for what makes the task fail as a whole; whatever happens to one orbit or one value of many is
+//!    a row or a count of the findings. It calls [`Job::monitor`] at least ten times a second;
+//! 4. a variant of [`Findings`] and an arm of `answer`.
+//!
+//! The command line adds `cli/run/x.rs`, which writes the findings' files and returns their names.
+
+mod basins;
+mod diagram;
+mod report;
+mod section;
+mod simulate;
+mod status;
+mod table;
+
+use std::{path::Path, sync::Arc};
+
+use num_rational::BigRational;
+use serde::Serialize;
+
+pub use basins::{BasinRow, BasinsFindings, basins};
+pub use diagram::{CoexistingRow, DiagramFindings, WindowRow, diagram};
+pub use report::TaskReport;
+pub use section::{AttractorRow, SectionFindings, SectionOrbitRow, SectionSet, section};
+pub use simulate::{SimulationFindings, simulate};
+pub use status::{Place, Status};
+pub(crate) use table::row;
+pub use table::{Complex, Judgement, Lines, Row, Shown};
+
+use crate::{
+    error::Result,
+    monitor::Monitor,
+    oscillator::{
+        System, Tally, Time,
+        flow::State,
+        simulate::{Event, Settings, Simulator},
+    },
+    scene::{Accuracy, Kind, Scene, Task},
+};
+
+/// What a task found.
+pub trait Finding: Serialize {
+    /// How the task ended, by what was found.
+    fn status(&self) -> Status;
+
+    /// What a reader should know before trusting the numbers.
+    fn warnings(&self) -> Vec<String> {
+        Vec::new()
+    }
+
+    /// What a report shows of it.
+    fn lines(&self, lines: &mut Lines);
+}
+
+/// Declares the findings of every kind that is run here, and passes each question on to the one there is.
+macro_rules! findings {
+    ($($(#[doc = $doc:literal])+ $kind:ident($type:ty),)+) => {
+        /// The findings of a task, by its kind.
+        #[derive(Debug, Clone, PartialEq, Serialize)]
+        #[serde(untagged)]
+        pub enum Findings { $($(#[doc = $doc])+ $kind(Box<$type>),)+ }
+
+        impl Findings {
+            fn get(&self) -> &dyn Answer {
+                match self { $(Findings::$kind(found) => &**found,)+ }
+            }
+        }
+
+        $(impl From<$type> for Findings {
+            fn from(found: $type) -> Findings {
+                Findings::$kind(Box::new(found))
+            }
+        })+
+    };
+}
+
+findings! {
+    /// One motion.
+    Simulation(SimulationFindings),
+    /// Attractors on a stroboscopic section.
+    Section(SectionFindings),
+    /// Which start leads to which attractor.
+    Basins(BasinsFindings),
+    /// Attractors over a parameter.
+    Diagram(DiagramFindings),
+}
+
+/// [`Finding`] without `Serialize`, so that there are objects of it.
+trait Answer {
+    fn status(&self) -> Status;
+    fn warnings(&self) -> Vec<String>;
+    fn lines(&self, lines: &mut Lines);
+}
+
+impl<F: Finding> Answer for F {
+    fn status(&self) -> Status {
+        Finding::status(self)
+    }
+
+    fn warnings(&self) -> Vec<String> {
+        Finding::warnings(self)
+    }
+
+    fn lines(&self, lines: &mut Lines) {
+        Finding::lines(self, lines);
+    }
+}
+
+impl Findings {
+    /// How the task ended.
+    pub fn status(&self) -> Status {
+        self.get().status()
+    }
+
+    /// What a reader should know before trusting the numbers.
+    pub fn warnings(&self) -> Vec<String> {
+        self.get().warnings()
+    }
+
+    pub(crate) fn lines(&self, lines: &mut Lines) {
+        self.get().lines(lines);
+    }
+}
+
+/// Takes what a task gives out: the points of a long series as they come, and in the end its findings.
+pub trait Keeper {
+    /// A point of a time series.
+    ///
+    /// # Errors
+    /// The keeper's own; the task ends with it.
+    fn sample(&mut self, _time: Time, _state: State) -> Result<()> {
+        Ok(())
+    }
+
+    /// An event of a time series, no later than the next point.
+    ///
+    /// # Errors
+    /// The keeper's own; the task ends with it.
+    fn event(&mut self, _event: &Event) -> Result<()> {
+        Ok(())
+    }
+
+    /// Keeps the findings; the names of the files in which they are.
+    ///
+    /// # Errors
+    /// The keeper's own; the task counts as failed, and its checkpoint stays.
+    fn keep(&mut self, _job: &Job, _findings: &Findings) -> Result<Vec<String>> {
+        Ok(Vec::new())
+    }
+}
+
+/// Keeps nothing.
+impl Keeper for () {}
+
+/// What a run has besides the scene.
+#[derive(Clone, Copy)]
+pub struct Surroundings<'a> {
+    /// New values of parameters, in every task.
+    pub changes: &'a [(String, BigRational)],
+    /// The folder of checkpoints and of the files that a task begins with; without one there are none.
+    pub folder: Option<&'a Path>,
+    /// Told how far each task is, and asked whether to go on.
+    pub monitor: &'a dyn Monitor,
+}
+
+impl Default for Surroundings<'_> {
+    fn default() -> Self {
+        Surroundings { changes: &[], folder: None, monitor: &() }
+    }
+}
+
+/// A task with all that it works on.
+pub struct Job<'a> {
+    /// The task.
+    pub task: &'a Task,
+    /// The scene, with the parameter values of the task and of the run.
+    pub scene: Scene,
+    /// Its coefficients, rounded from their exact values.
+    pub system: System<f64>,
+    /// The folder of checkpoints and of the files that a task begins with.
+    pub folder: Option<&'a Path>,
+    /// Told how far the task is, and asked whether to go on.
+    pub monitor: &'a dyn Monitor,
+    /// What was computed how often.
+    pub tally: Arc<Tally>,
+}
+
+impl<'a> Job<'a> {
+    /// A task with its scene, all checked that can be checked before it runs.
+    ///
+    /// # Errors
+    /// Those of [`Scene::for_task`].
+    pub fn new(scene: &Scene, task: &'a Task, around: Surroundings<'a>) -> Result<Self> {
+        let scene = scene.for_task(task, around.changes)?;
+        let system = scene.exact(&[])?.rounded();
+        let Surroundings { folder, monitor, .. } = around;
+        Ok(Job { task, scene, system, folder, monitor, tally: Arc::default() })
+    }
+
+    /// How finely to simulate.
+    pub fn settings(&self) -> Settings {
+        let Accuracy { tolerance, minimum_depth } = self.scene.accuracy;
+        Settings { tolerance, minimum_depth, ..Settings::default() }
+    }
+
+    /// A simulator of the task's system, its work counted.
+    ///
+    /// # Errors
+    /// Those of [`Simulator::new`].
+    pub fn simulator(&self) -> Result<Simulator> {
+        self.simulator_of(&self.system)
+    }
+
+    /// A simulator of another system of the scene, its work counted.
+    ///
+    /// # Errors
+    /// Those of [`Simulator::new`].
+    pub fn simulator_of(&self, system: &System<f64>) -> Result<Simulator> {
+        Ok(Simulator::new(system, &self.settings())?.counting(self.tally.clone()))
+    }
+
+    /// Asks whether to go on.
+    ///
+    /// # Errors
+    /// The interruption.
+    pub fn check(&self) -> Result<()> {
+        self.monitor.advance(0)
+    }
+
+    /// The task's checkpoint in the folder, if there is a folder.
+    pub fn checkpoint(&self) -> Option<std::path::PathBuf> {
+        Some(self.folder?.join(format!("{}.checkpoint.json", self.task.name)))
+    }
+
+    /// Where its task stands in the scene's file.
+    pub fn place(&self) -> Place {
+        let (file, line) = self.scene.place(self.task);
+        Place { file, line }
+    }
+}
+
+/// Runs all tasks of a scene, in their order; all are checked before the first begins. After an interruption the rest
+/// are reported as not reached.
+///
+/// ```
+/// use grazing::{run::{Status, Surroundings, run}, scene::Scene};
+///
+/// let text = r#"
+///     format = "grazing-scene 1"
+///     title = "a ball"
+///     [system]
+///     force = -1
+///     [[walls]]
+///     side = "lower"
+///     offset = 0
+///     restitution = "1/2"
+///     [[tasks]]
+///     name = "drop"
+///     kind = "simulate"
+///     start = { q = 0.5 }
+///     periods = 1
+/// "#;
+/// let scene = Scene::from_toml(text, "ball.toml")?;
+/// for report in run(&scene, Surroundings::default(), &mut ())? {
+///     assert_eq!(report.status, Status::Done);
+///     println!("{report}");
+/// }
+/// # Ok::<(), grazing::Error>(())
+/// ```
+///
+/// # Errors
+/// Those of [`Job::new`]: what happens later is in the reports.
+pub fn run(scene: &Scene, around: Surroundings, keeper: &mut dyn Keeper) -> Result<Vec<TaskReport>> {
+    let jobs = scene.tasks.iter().map(|task| Job::new(scene, task, around)).collect::<Result<Vec<_>>>()?;
+    let mut reports: Vec<TaskReport> = Vec::new();
+    for job in &jobs {
+        let over = reports.last().is_some_and(|last| last.status.is_interrupted());
+        reports.push(if over { TaskReport::pending(job) } else { run_task(job, keeper) });
+    }
+    Ok(reports)
+}
+
+/// Runs one task and lets the keeper keep what it found. Never fails as a function: the report's status says how the task ended.
+pub fn run_task(job: &Job, keeper: &mut dyn Keeper) -> TaskReport {
+    let kept = |findings: Findings, keeper: &mut dyn Keeper| {
+        let files = keeper.keep(job, &findings)?;
+        // What is finished and kept needs none, and the next run may have other settings.
+        if let Some(file) = job.checkpoint().filter(|file| file.exists()) {
+            std::fs::remove_file(&file).map_err(|error| crate::Error::io("remove", &file, error))?;
+        }
+        Ok((findings, files))
+    };
+    match job.check().and_then(|()| answer(job, keeper)).and_then(|findings| kept(findings, keeper)) {
+        Ok((findings, files)) => TaskReport::of(job, findings, files),
+        Err(error) => TaskReport::failed(job, &error),
+    }
+}
+
+fn answer(job: &Job, keeper: &mut dyn Keeper) -> Result<Findings> {
+    Ok(match &job.task.kind {
+        Kind::Simulate(task) => simulate(task, job, keeper)?.into(),
+        Kind::Section(task) => section(task, job)?.into(),
+        Kind::Basins(task) => basins(task, job)?.into(),
+        Kind::DiagramTask(task) => diagram(task, job)?.into(),
+        _ => return Err(crate::Error::input("this kind of task is run by the command line only")),
+    })
+}
+
+/// A warning if a motion is so small that contact without impact, within `minimum_depth`, is a large part of it.
+fn small_motion(extent: f64, minimum_depth: f64) -> Option<String> {
+    (extent < 1e3 * minimum_depth).then(|| {
+        format!(
+            "the motion extends over {extent:.3e}, within a thousand times minimum_depth = {minimum_depth:e}: impacts shallower \
+             than that are not told from contact; lower minimum_depth, or measure lengths in a smaller unit"
+        )
+    })
+}

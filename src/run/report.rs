@@ -1,0 +1,109 @@
+//! What a run says of one task.
+
+use std::fmt;
+
+use serde::{Serialize, Serializer, ser::SerializeMap};
+
+use super::{Findings, Job, Lines, Place, Status};
+use crate::{error::Error, oscillator::Effect};
+
+/// A task's name, its status, what it found, what that cost, and where it is kept.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct TaskReport {
+    /// Its name.
+    pub task: String,
+    /// Its kind, as in the scene.
+    pub kind: &'static str,
+    /// How it ended.
+    #[serde(flatten)]
+    pub status: Status,
+    /// Where it stands in the scene.
+    pub place: Place,
+    /// The exact values of the parameters.
+    #[serde(serialize_with = "as_map")]
+    pub parameters: Vec<(String, String)>,
+    /// What it found, unless it failed.
+    #[serde(flatten)]
+    pub findings: Option<Findings>,
+    /// What a reader should know before trusting the numbers.
+    pub warnings: Vec<String>,
+    /// What was computed, and how often: see docs/effects.md.
+    #[serde(serialize_with = "as_map")]
+    pub effects: Vec<(&'static str, u64)>,
+    /// The files in which the findings are kept.
+    pub files: Vec<String>,
+}
+
+fn as_map<K: Serialize, V: Serialize, S: Serializer>(
+    all: &[(K, V)],
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    let mut map = serializer.serialize_map(Some(all.len()))?;
+    for (key, value) in all {
+        map.serialize_entry(key, value)?;
+    }
+    map.end()
+}
+
+impl TaskReport {
+    fn new(job: &Job, status: Status) -> TaskReport {
+        let parameters = job.scene.parameters.iter();
+        let counted = Effect::ALL.iter().map(|&effect| (effect.name(), job.tally.of(effect)));
+        TaskReport {
+            task: job.task.name.clone(),
+            kind: job.task.kind.word(),
+            status,
+            place: job.place(),
+            parameters: parameters.map(|(name, value)| (name.clone(), value.to_string())).collect(),
+            findings: None,
+            warnings: job.scene.warnings(),
+            effects: counted.filter(|&(_, count)| count > 0).collect(),
+            files: Vec::new(),
+        }
+    }
+
+    /// Of a task that the command line runs by itself.
+    pub(crate) fn untyped(job: &Job, status: Status, files: Vec<String>) -> TaskReport {
+        TaskReport { files, ..TaskReport::new(job, status) }
+    }
+
+    pub(super) fn of(job: &Job, findings: Findings, files: Vec<String>) -> TaskReport {
+        let mut report = TaskReport::new(job, findings.status());
+        report.warnings.extend(findings.warnings());
+        TaskReport { findings: Some(findings), files, ..report }
+    }
+
+    pub(crate) fn failed(job: &Job, error: &Error) -> TaskReport {
+        TaskReport::new(job, Status::of_error(error, job.place()))
+    }
+
+    pub(crate) fn pending(job: &Job) -> TaskReport {
+        TaskReport::new(job, Status::Pending)
+    }
+}
+
+/// The task's name, then a line for each thing.
+impl fmt::Display for TaskReport {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut lines = Lines::default();
+        lines.say("kind", self.kind);
+        lines.say("status", self.status.to_string());
+        if !self.parameters.is_empty() {
+            let all = self.parameters.iter().map(|(name, value)| format!("{name} = {value}"));
+            lines.say("parameters", all.collect::<Vec<_>>().join(" "));
+        }
+        if let Some(findings) = &self.findings {
+            findings.lines(&mut lines);
+        }
+        for warning in &self.warnings {
+            lines.say("warning", warning.as_str());
+        }
+        if !self.files.is_empty() {
+            lines.say("files", self.files.clone());
+        }
+        let effects: Vec<String> =
+            self.effects.iter().map(|(name, count)| format!("{name} {count}")).collect();
+        lines.say("effects", if effects.is_empty() { vec!["none".to_string()] } else { effects });
+        write!(f, "{}\n{}", self.task, lines.text())
+    }
+}

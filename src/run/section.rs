@@ -1,0 +1,236 @@
+//! Tasks of kind `section`: the stroboscopic section of attractors and of chosen orbits.
+
+use std::f64::consts::TAU;
+
+use rayon::prelude::*;
+use serde::Serialize;
+
+use super::{Finding, Job, Lines, Status, row, small_motion};
+use crate::{
+    error::Result,
+    oscillator::{
+        Contact, Time,
+        attractor::{
+            detection::{Cycle, Detection, Fate, wait},
+            lyapunov::lyapunov,
+            section::section as follow,
+            touching,
+        },
+        flow::State,
+        orbit::Oscillator,
+        simulate::{End, Simulator},
+    },
+    scene::{Section, phase},
+};
+
+row! {
+    /// An attractor and what its motion amounts to.
+    pub struct AttractorRow {
+        /// Whether it is periodic.
+        pub periodic: bool,
+        /// Its period, in forcing periods.
+        pub period: Option<usize>,
+        /// Impacts in a period.
+        pub impacts: Option<u64>,
+        /// The mean number of impacts in a forcing period.
+        pub impacts_per_period: f64,
+        /// The largest Lyapunov exponent times the forcing period; absent where it is −∞, because the motion comes to rest on a wall.
+        pub lyapunov_per_period: Option<f64>,
+        /// Its standard error; absent where the exponent is, or for a run too short.
+        pub standard_error: Option<f64>,
+        /// How many of the starts lead to it; all motions that are not periodic are told apart by their start alone.
+        pub starts: usize,
+    }
+}
+
+row! {
+    /// An orbit of the task that is no attractor found.
+    pub struct SectionOrbitRow {
+        /// Its impact pattern.
+        pub pattern: String,
+        /// Whether it is stable.
+        pub stable: bool,
+    }
+}
+
+/// What of a section belongs together.
+#[derive(Debug, Clone, PartialEq)]
+pub enum SectionSet {
+    /// The points of an attractor, by its place in the list.
+    Attractor(usize),
+    /// The points of an orbit, by its place in the list.
+    Orbit(usize),
+}
+
+/// What motions from the starts lead to, and the orbits asked for.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SectionFindings {
+    /// The attractors, in the order of the starts that lead there first.
+    pub attractors: Vec<AttractorRow>,
+    /// The admissible orbits of the patterns asked for that are no attractors of the list.
+    pub further_orbits: Vec<SectionOrbitRow>,
+    /// Why motions of other starts ended, a start each.
+    pub ended: Vec<End>,
+    /// The points (q, u) of each attractor and orbit. Not in JSON: they are the task's CSV file.
+    #[serde(skip)]
+    pub points: Vec<(SectionSet, Vec<[f64; 2]>)>,
+    /// For each piece of the curve on which the next period grazes a wall, the wall and its points.
+    #[serde(skip)]
+    pub grazing_curve: Vec<(Contact, Vec<[f64; 2]>)>,
+    /// What counts as contact without impact.
+    #[serde(skip)]
+    minimum_depth: f64,
+}
+
+impl Finding for SectionFindings {
+    fn status(&self) -> Status {
+        if self.attractors.is_empty() && self.further_orbits.is_empty() {
+            return Status::nothing("no start leads to an attractor: every motion left all bounds");
+        }
+        Status::Done
+    }
+
+    fn warnings(&self) -> Vec<String> {
+        let all = || self.points.iter().flat_map(|(_, points)| points).map(|point| point[0]);
+        let (low, high) = (all().fold(f64::INFINITY, f64::min), all().fold(f64::NEG_INFINITY, f64::max));
+        // A section of fixed points only has no extent of its own: its distance from 0 counts, too.
+        let extent = (high - low).max(low.abs()).max(high.abs());
+        small_motion(extent, self.minimum_depth).into_iter().collect()
+    }
+
+    fn lines(&self, lines: &mut Lines) {
+        lines.table("attractors", &self.attractors);
+        if !self.further_orbits.is_empty() {
+            lines.table("further_orbits", &self.further_orbits);
+        }
+        for end in &self.ended {
+            lines.say("ended", end.why());
+        }
+    }
+}
+
+/// What a motion came to after the transient.
+struct Seen {
+    fate: Fate,
+    /// Its points (q, u), for a periodic motion once round.
+    points: Vec<[f64; 2]>,
+    /// Impacts in a forcing period.
+    impacts: f64,
+    /// The Lyapunov exponent and its error, in a forcing period.
+    exponent: [f64; 2],
+}
+
+/// Follows the motions, in parallel, and finds the orbits.
+///
+/// # Errors
+/// Those of the simulator and of the orbits' search; an interruption.
+pub fn section(task: &Section, job: &Job) -> Result<SectionFindings> {
+    let simulator = job.simulator()?;
+    let phase = phase(&task.phase);
+    let starts = task.starts.iter().map(|start| job.scene.state(start)).collect::<Result<Vec<State>>>()?;
+    job.monitor.begin(starts.len() as u64, "motions");
+    let seen: Vec<Seen> = starts
+        .into_par_iter()
+        .map(|start| look(task, job, &simulator, start, phase))
+        .collect::<Result<_>>()?;
+    let mut found = SectionFindings {
+        attractors: Vec::new(),
+        further_orbits: Vec::new(),
+        ended: Vec::new(),
+        points: Vec::new(),
+        grazing_curve: Vec::new(),
+        minimum_depth: job.scene.accuracy.minimum_depth,
+    };
+    let mut cycles: Vec<(usize, &Cycle)> = Vec::new();
+    for one in &seen {
+        let cycle = match &one.fate {
+            Fate::Ended(end) => {
+                found.ended.push(*end);
+                continue;
+            }
+            Fate::Periodic(cycle) => Some(cycle),
+            Fate::Irregular => None,
+        };
+        if let Some((known, _)) = cycles.iter().find(|(_, known)| cycle.is_some_and(|cycle| known.is(cycle)))
+        {
+            found.attractors[*known].starts += 1;
+            continue;
+        }
+        let index = found.attractors.len();
+        cycles.extend(cycle.map(|cycle| (index, cycle)));
+        let [exponent, error] = one.exponent;
+        found.attractors.push(AttractorRow {
+            periodic: cycle.is_some(),
+            period: cycle.map(Cycle::period),
+            impacts: cycle.map(|cycle| cycle.impacts),
+            impacts_per_period: one.impacts,
+            lyapunov_per_period: exponent.is_finite().then_some(exponent),
+            standard_error: error.is_finite().then_some(error),
+            starts: 1,
+        });
+        found.points.push((SectionSet::Attractor(index), one.points.clone()));
+    }
+    let oscillator = Oscillator::new(job.system.clone(), job.scene.accuracy.tolerance)?;
+    for keys in &task.orbits {
+        job.check()?;
+        for orbit in keys.orbits(&oscillator)?.iter().filter(|orbit| orbit.admissibility.is_admissible()) {
+            let point = |i: u32| {
+                let state = orbit.state(&oscillator, phase + TAU * f64::from(i))?;
+                Ok([state.q, state.u])
+            };
+            let points = (0..orbit.itinerary.periods()).map(point).collect::<Result<Vec<_>>>()?;
+            if cycles.iter().any(|(_, cycle)| cycle.passes(points[0])) {
+                continue;
+            }
+            found.points.push((SectionSet::Orbit(found.further_orbits.len()), points));
+            found.further_orbits.push(SectionOrbitRow {
+                pattern: orbit.itinerary.to_string(),
+                stable: orbit.multipliers.is_stable(),
+            });
+        }
+    }
+    let walls: Vec<Contact> = simulator.contacts().cloned().collect();
+    for wall in walls.iter().filter(|_| task.grazing_curve) {
+        for piece in touching(simulator.flow(), &walls, wall, phase) {
+            let piece = piece.iter().map(|state| [state.q, state.u]).collect();
+            found.grazing_curve.push((wall.clone(), piece));
+        }
+    }
+    Ok(found)
+}
+
+/// Follows one motion.
+fn look(task: &Section, job: &Job, simulator: &Simulator, start: State, phase: f64) -> Result<Seen> {
+    let mut run = simulator.start(Time::new(0, start.t), start.q, start.u)?;
+    let over = |end| Seen { fate: Fate::Ended(end), points: Vec::new(), impacts: 0.0, exponent: [0.0; 2] };
+    let end = wait(&mut run, phase, task.transient + 1, job.monitor)?;
+    if end != End::Reached {
+        return Ok(over(end));
+    }
+    let (time, state) = (run.time(), run.state());
+    let detection = Detection { phase, transient: 0, longest: task.longest as usize, ..Detection::default() };
+    let fate = detection.detect(&mut run)?;
+    job.check()?;
+    let mut points = Vec::new();
+    let end = match &fate {
+        Fate::Periodic(cycle) => {
+            points.clone_from(&cycle.points);
+            End::Reached
+        }
+        Fate::Irregular => follow(&mut run, phase, task.points.into(), |point| {
+            points.push([point.q, point.u]);
+            true
+        }),
+        Fate::Ended(end) => *end,
+    };
+    if end != End::Reached {
+        return Ok(over(end));
+    }
+    let exponent = lyapunov(simulator, time, [state.q, state.u], 0, task.points.into(), job.monitor)?;
+    let impacts = match &fate {
+        Fate::Periodic(cycle) => cycle.impacts as f64 / cycle.period() as f64,
+        _ => exponent.impacts as f64 / f64::from(task.points),
+    };
+    job.monitor.advance(1)?;
+    Ok(Seen { fate, points, impacts, exponent: [TAU * exponent.rate, TAU * exponent.standard_error] })
+}

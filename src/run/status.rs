@@ -1,0 +1,149 @@
+//! How a task ended.
+
+use std::fmt;
+
+use serde::Serialize;
+
+use crate::error::Error;
+
+/// Where something stands in a file.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Place {
+    /// The file, as it was named.
+    pub file: String,
+    /// The line, counted from 1, where it is known.
+    pub line: Option<usize>,
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.line {
+            Some(line) => write!(f, "{}:{line}", self.file),
+            None => f.write_str(&self.file),
+        }
+    }
+}
+
+/// How a task ended, with the reason where there is one.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[serde(tag = "status", rename_all = "kebab-case")]
+pub enum Status {
+    /// What was asked for was computed, found or proved.
+    Done,
+    /// The search went through all that it was to go through, and there was nothing.
+    NothingFound {
+        /// What was looked for, and where.
+        reason: String,
+    },
+    /// A statement is certainly false.
+    Refuted {
+        /// Which, and why.
+        reason: String,
+    },
+    /// Something is left open.
+    Undecided {
+        /// What, and why.
+        reason: String,
+    },
+    /// The user ended it.
+    Interrupted {
+        /// What was under way.
+        reason: String,
+    },
+    /// It was not begun, because the run was interrupted.
+    Pending,
+    /// It could not be done.
+    Failed {
+        /// Why.
+        reason: String,
+        /// The task in the scene.
+        #[serde(skip)]
+        at: Place,
+        /// Whether a file or stream is at fault rather than the scene.
+        io: bool,
+    },
+}
+
+impl Status {
+    /// Nothing found, for this reason.
+    pub fn nothing(reason: impl Into<String>) -> Status {
+        Status::NothingFound { reason: reason.into() }
+    }
+
+    /// Left open, for this reason.
+    pub fn undecided(reason: impl Into<String>) -> Status {
+        Status::Undecided { reason: reason.into() }
+    }
+
+    /// Certainly false, for this reason.
+    pub fn refuted(reason: impl Into<String>) -> Status {
+        Status::Refuted { reason: reason.into() }
+    }
+
+    pub(super) fn of_error(error: &Error, at: Place) -> Status {
+        let reason = error.to_string();
+        match error.is_interrupted() {
+            true => Status::Interrupted { reason },
+            false => Status::Failed { reason, at, io: error.is_io() },
+        }
+    }
+
+    /// Its word in a report.
+    pub fn word(&self) -> &'static str {
+        match self {
+            Status::Done => "done",
+            Status::NothingFound { .. } => "nothing found",
+            Status::Refuted { .. } => "refuted",
+            Status::Undecided { .. } => "undecided",
+            Status::Interrupted { .. } => "interrupted",
+            Status::Pending => "not reached",
+            Status::Failed { .. } => "failed",
+        }
+    }
+
+    /// Why, unless it is done or was not begun.
+    pub fn reason(&self) -> Option<&str> {
+        match self {
+            Status::Done | Status::Pending => None,
+            Status::NothingFound { reason }
+            | Status::Refuted { reason }
+            | Status::Undecided { reason }
+            | Status::Interrupted { reason }
+            | Status::Failed { reason, .. } => Some(reason),
+        }
+    }
+
+    /// Whether the user ended it, or the run before it.
+    pub fn is_interrupted(&self) -> bool {
+        matches!(self, Status::Interrupted { .. } | Status::Pending)
+    }
+
+    /// Whether it could not be done.
+    pub fn is_failed(&self) -> bool {
+        matches!(self, Status::Failed { .. })
+    }
+
+    /// Whether something is certainly false.
+    pub fn is_refuted(&self) -> bool {
+        matches!(self, Status::Refuted { .. })
+    }
+
+    /// Whether all is done.
+    pub fn is_done(&self) -> bool {
+        *self == Status::Done
+    }
+}
+
+/// The word, then the reason, then the place of a failure unless the reason names the file.
+impl fmt::Display for Status {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.word())?;
+        if let Some(reason) = self.reason() {
+            write!(f, ": {reason}")?;
+        }
+        match self {
+            Status::Failed { reason, at, .. } if !reason.contains(&at.file) => write!(f, " ({at})"),
+            _ => Ok(()),
+        }
+    }
+}
