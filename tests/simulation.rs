@@ -458,14 +458,14 @@ fn attractors_are_detected_with_period_and_impacts() {
 #[test]
 fn lyapunov_exponents_match_what_is_known() {
     // Without impacts: −c/2. At rest on a wall: −∞. On the stable orbit of period 3 below 0, in chaos above.
-    let free = lyapunov(&simulator(&bare(0.2, 1.0)), at(0.0), [1.0, 0.0], 10, 2000).unwrap();
+    let free = lyapunov(&simulator(&bare(0.2, 1.0)), at(0.0), [1.0, 0.0], 10, 2000, &()).unwrap();
     assert!((free.rate + 0.1).abs() < 1e-4, "{free:?}");
     // Overdamped: once the tangent has turned, exactly the slow eigenvalue.
-    let slow = lyapunov(&simulator(&bare(3.0, 1.0)), at(0.0), [1.0, 0.0], 0, 20).unwrap();
+    let slow = lyapunov(&simulator(&bare(3.0, 1.0)), at(0.0), [1.0, 0.0], 0, 20, &()).unwrap();
     assert!((slow.second_half - (5f64.sqrt() - 3.0) / 2.0).abs() < 1e-10, "{slow:?}");
     // Impacts at 1, 3, 5, …: 32 of them from 20π to 40π.
-    assert_eq!(lyapunov(&simulator(&ball(1.0)), at(0.0), [0.5, 0.0], 10, 10).unwrap().impacts, 32);
-    let rest = lyapunov(&simulator(&ball(0.5)), at(0.0), [0.5, 0.0], 0, 10).unwrap();
+    assert_eq!(lyapunov(&simulator(&ball(1.0)), at(0.0), [0.5, 0.0], 10, 10, &()).unwrap().impacts, 32);
+    let rest = lyapunov(&simulator(&ball(0.5)), at(0.0), [0.5, 0.0], 0, 10, &()).unwrap();
     assert_eq!(rest.rate, f64::NEG_INFINITY);
     assert!(
         lyapunov(&simulator(&bare(0.2, 1.0)), at(0.0), [1.0, 0.0], 0, 1, &())
@@ -474,7 +474,7 @@ fn lyapunov_exponents_match_what_is_known() {
             .is_nan()
     );
     let exponent =
-        |mu| lyapunov(&simulator(&paper(0.6, 4.9, mu, 1.0)), at(1.0), [0.004, 0.0], 3000, 3000).unwrap();
+        |mu| lyapunov(&simulator(&paper(0.6, 4.9, mu, 1.0)), at(1.0), [0.004, 0.0], 3000, 3000, &()).unwrap();
     assert!(exponent(0.0058).rate < -0.001);
     let chaos = exponent(0.003);
     // Two stretches of the motion's length differ by about their errors; a multiplier's exponent has next to none.
