@@ -33,8 +33,8 @@ fn what_is_written_passes() {
         assert_eq!(checked.lines, text.lines().count() as u64);
         let claim = if case.stability == Stability::Stable { "stable" } else { "unstable" };
         let digest = text.lines().find_map(|line| line.strip_prefix("digest ")).unwrap();
-        let detail = checked.detail.unwrap();
-        assert!(detail.contains(claim) && detail.ends_with(digest), "{detail}");
+        assert_eq!(checked.detail.first().unwrap(), &("stability", claim.to_string()));
+        assert_eq!(checked.detail.last().unwrap(), &("digest", digest.to_string()));
     }
 }
 

@@ -1,9 +1,9 @@
-//! What every kind of certificate begins with, and its end.
+//! What certificates about a range of periods begin with, and their end.
 
 use std::ops::RangeInclusive;
 
 use super::{
-    Checked, FORMAT, Rejection,
+    FORMAT, Proved, Rejection,
     lines::{Lines, Words},
 };
 
@@ -31,16 +31,14 @@ impl Header {
         periods: RangeInclusive<u64>,
         statement: &str,
     ) -> Result<Header, Rejection> {
-        let [first, last] = numbers(lines, "range", ["the first period", "the last period"], *periods.end())?;
-        let least = *periods.start();
+        let (least, most) = periods.into_inner();
+        let [first, last] = numbers(lines, "range", [("the first period", most), ("the last period", most)])?;
         if first < least || first > last {
             return Err(lines.malformed(format!("the range must be {least} <= first <= last")));
         }
         let claimed = lines.expect("the number of lines")?;
         let claimed_at = lines.number();
-        if lines.expect("the statement")?.strip_prefix("statement ") != Some(statement) {
-            return Err(lines.malformed("the statement is not, word for word, that of this kind and version"));
-        }
+        expect_statement(lines, statement)?;
         Ok(Header { first, last, claimed, claimed_at, end: lines.number() })
     }
 
@@ -50,12 +48,7 @@ impl Header {
     }
 
     /// Checks that the file ends here, after as many lines as the header says.
-    pub fn finish(
-        self,
-        lines: &mut Lines,
-        kind: &'static str,
-        statement: &'static str,
-    ) -> Result<Checked, Rejection> {
+    pub fn finish(self, lines: &mut Lines) -> Result<Proved, Rejection> {
         if lines.next()?.is_some() {
             return Err(lines.malformed("the file goes on after the last period of its range"));
         }
@@ -64,16 +57,23 @@ impl Header {
             let reason = format!("{body} lines follow the header, so this should be \"lines {body}\"");
             return Err(Rejection::Malformed { line: self.claimed_at, reason });
         }
-        Ok(Checked { kind, statement, range: self.range(), detail: None, lines: lines.number() })
+        Ok(Proved { range: self.range(), detail: Vec::new() })
     }
 }
 
-/// Reads a line of a name and two numbers up to `most`.
+/// Reads the statement, which must be this one.
+pub(super) fn expect_statement(lines: &mut Lines, statement: &str) -> Result<(), Rejection> {
+    if lines.expect("the statement")?.strip_prefix("statement ") != Some(statement) {
+        return Err(lines.malformed("the statement is not, word for word, that of this kind and version"));
+    }
+    Ok(())
+}
+
+/// Reads a line of a name and two numbers, each with what it is and the most that it may be.
 pub(super) fn numbers(
     lines: &mut Lines,
     name: &str,
-    what: [&str; 2],
-    most: u64,
+    [one, two]: [(&str, u64); 2],
 ) -> Result<[u64; 2], Rejection> {
     let line = lines.expect(name)?;
     let mut words = Words::new(&line);
@@ -81,7 +81,7 @@ pub(super) fn numbers(
         if words.word(name)? != name {
             return Err(format!("expected a line \"{name} …\""));
         }
-        let numbers = [words.number(what[0], most)?, words.number(what[1], most)?];
+        let numbers = [words.number(one.0, one.1)?, words.number(two.0, two.1)?];
         words.end()?;
         Ok(numbers)
     };

@@ -81,7 +81,7 @@ pub mod orbit;
 mod rejection;
 pub mod theorem2;
 
-use std::{io::BufRead, ops::RangeInclusive};
+use std::{fmt, io::BufRead, ops::RangeInclusive};
 
 pub use arithmetic::Fraction;
 pub use rejection::Rejection;
@@ -90,6 +90,29 @@ use lines::Lines;
 
 /// The first line of every certificate this version reads and writes.
 pub const FORMAT: &str = "grazing-certificate 1";
+
+/// The kinds of certificate. Nothing else in here names them all.
+const KINDS: [Kind; 3] = [
+    Kind { name: theorem2::KIND, statement: theorem2::STATEMENT, check: theorem2::check },
+    Kind { name: cover::KIND, statement: cover::STATEMENT, check: cover::check },
+    Kind { name: orbit::KIND, statement: orbit::STATEMENT, check: orbit::check },
+];
+
+/// A kind of certificate.
+struct Kind {
+    /// The word in the header.
+    name: &'static str,
+    /// What a certificate of this kind proves.
+    statement: &'static str,
+    /// Reads and proves everything after the kind line.
+    check: fn(&mut Lines) -> Result<Proved, Rejection>,
+}
+
+/// What the checker of a kind found, everything being proved.
+struct Proved {
+    range: RangeInclusive<u64>,
+    detail: Vec<(&'static str, String)>,
+}
 
 /// What a certificate that passed the check has proved.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -100,28 +123,51 @@ pub struct Checked {
     pub statement: &'static str,
     /// The periods n for which it is proved.
     pub range: RangeInclusive<u64>,
-    /// What else tells this one from others of its kind.
-    pub detail: Option<String>,
+    /// What the statement leaves to the certificate, in words: names and values.
+    pub detail: Vec<(&'static str, String)>,
     /// The number of lines read, header included.
     pub lines: u64,
 }
 
-/// Re-proves a certificate of any kind, reading it once. Memory: one line, and for a cover the leaves at the top of a strip and O(n) numbers for each of up to 2048 intervals of r or s.
+/// `proved, KIND for n = A..=B`, and a line for each detail.
+impl fmt::Display for Checked {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "proved, {} for n = {}..={}", self.kind, self.range.start(), self.range.end())?;
+        self.detail.iter().try_for_each(|(name, value)| write!(f, "\n  {name}: {value}"))
+    }
+}
+
+/// Re-proves a certificate of any kind, reading it once. Memory: one line and what its kind says.
 ///
 /// # Errors
 /// A [`Rejection`] with the line and the reason: malformed text, a false claim, a cover with open leaves, or a stream that cannot be read.
-#[inline(never)]
 pub fn check(input: &mut dyn BufRead) -> Result<Checked, Rejection> {
-    let mut lines = Lines::new(input);
+    check_until(input, &mut || false)
+}
+
+/// The same, ended early once `stop` returns true; it is asked before every line and every few milliseconds of work. Where `input` blocks, its
+/// reader has to notice the wish: a read that fails while `stop` returns true counts as the wish to end.
+///
+/// # Errors
+/// As [`check`]; an interruption.
+#[inline(never)]
+pub fn check_until(input: &mut dyn BufRead, stop: &mut dyn FnMut() -> bool) -> Result<Checked, Rejection> {
+    let mut lines = Lines::after(0, input, stop);
     let first = lines.expect("the format line")?;
     if first != FORMAT {
         return Err(lines.malformed(format!("not a certificate of this format: expected {FORMAT:?}")));
     }
-    let kind = lines.expect("the kind")?;
-    match kind.strip_prefix("kind ") {
-        Some(theorem2::KIND) => theorem2::check(&mut lines),
-        Some(cover::KIND) => cover::check(&mut lines),
-        Some(orbit::KIND) => orbit::check(&mut lines),
-        _ => Err(lines.malformed("expected a line \"kind theorem2\", \"kind cover\" or \"kind orbit\"")),
-    }
+    let line = lines.expect("the kind")?;
+    let Some(kind) = KINDS.iter().find(|kind| line.strip_prefix("kind ") == Some(kind.name)) else {
+        let names = KINDS.map(|kind| format!("{:?}", format!("kind {}", kind.name)));
+        return Err(lines.malformed(format!("expected a line {}", names.join(" or "))));
+    };
+    let Proved { range, detail } = (kind.check)(&mut lines)?;
+    Ok(Checked { kind: kind.name, statement: kind.statement, range, detail, lines: lines.number() })
+}
+
+/// The largest `u64` and 1 more: a panic, if this crate was built to notice overflows, as the workspace's manifest asks. For tests of a build.
+#[inline(never)]
+pub fn overflow() -> u64 {
+    std::hint::black_box(u64::MAX) + 1
 }

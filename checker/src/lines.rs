@@ -2,25 +2,22 @@
 
 use std::io::{BufRead, Read};
 
-use super::{Rejection, arithmetic::Fraction};
+use super::{Rejection, arithmetic::Fraction, rejection::Fault};
 
-/// The longest line, but for those whose reader allows more; a longer one is rejected before it is held in memory.
-const LONGEST: u64 = 1000;
+/// The longest line in bytes, without its end, but for those whose reader allows more; a longer one is rejected before it is held in memory.
+pub(super) const LONGEST: usize = 1000;
 
 /// The lines of a certificate, with the number of the latest.
 pub(super) struct Lines<'a> {
     input: &'a mut dyn BufRead,
+    stop: &'a mut dyn FnMut() -> bool,
     number: u64,
 }
 
 impl<'a> Lines<'a> {
-    pub fn new(input: &'a mut dyn BufRead) -> Self {
-        Lines::after(0, input)
-    }
-
-    /// The lines of a part that `number` lines come before.
-    pub fn after(number: u64, input: &'a mut dyn BufRead) -> Self {
-        Lines { input, number }
+    /// The lines of a part that `number` lines come before; `stop` is asked again and again whether the work should end.
+    pub fn after(number: u64, input: &'a mut dyn BufRead, stop: &'a mut dyn FnMut() -> bool) -> Self {
+        Lines { input, stop, number }
     }
 
     /// The number of the latest line, from 1.
@@ -28,16 +25,26 @@ impl<'a> Lines<'a> {
         self.number
     }
 
+    /// Ends the work if the caller wants it.
+    pub fn go_on(&mut self) -> Result<(), Fault> {
+        if (self.stop)() { Err(Fault::Interrupted) } else { Ok(()) }
+    }
+
     /// The next line without its end, or `None` after the last.
     pub fn next(&mut self) -> Result<Option<String>, Rejection> {
         self.next_within(LONGEST)
     }
 
-    fn next_within(&mut self, longest: u64) -> Result<Option<String>, Rejection> {
+    /// A line ends with a line feed, with a carriage return and a line feed, or with the file.
+    fn next_within(&mut self, longest: usize) -> Result<Option<String>, Rejection> {
         self.number += 1;
+        self.go_on().map_err(|fault| self.rejection(fault))?;
         let mut bytes = Vec::new();
-        let read = (&mut *self.input).take(longest).read_until(b'\n', &mut bytes);
+        // Two bytes more, for the end of the line.
+        let read = (&mut *self.input).take(longest as u64 + 2).read_until(b'\n', &mut bytes);
         match read {
+            // What is read may have been cut short by the caller's wish to end.
+            Err(_) if (self.stop)() => return Err(self.rejection(Fault::Interrupted)),
             Err(source) => return Err(Rejection::Unreadable { line: self.number, source }),
             Ok(0) => {
                 self.number -= 1;
@@ -45,8 +52,14 @@ impl<'a> Lines<'a> {
             }
             Ok(_) => {}
         }
-        if bytes.pop() != Some(b'\n') {
-            return Err(self.malformed("the line is too long or its end is missing"));
+        if bytes.last() == Some(&b'\n') {
+            bytes.pop();
+            if bytes.last() == Some(&b'\r') {
+                bytes.pop();
+            }
+        }
+        if bytes.len() > longest {
+            return Err(self.malformed(format!("the line is longer than {longest} bytes")));
         }
         match String::from_utf8(bytes) {
             Ok(line) => Ok(Some(line)),
@@ -60,7 +73,7 @@ impl<'a> Lines<'a> {
     }
 
     /// The next line, which must exist, of up to `longest` bytes.
-    pub fn expect_within(&mut self, longest: u64, what: &str) -> Result<String, Rejection> {
+    pub fn expect_within(&mut self, longest: usize, what: &str) -> Result<String, Rejection> {
         match self.next_within(longest)? {
             Some(line) => Ok(line),
             None => {
@@ -70,14 +83,24 @@ impl<'a> Lines<'a> {
         }
     }
 
+    /// What is wrong with the latest line.
+    pub fn rejection(&self, fault: Fault) -> Rejection {
+        let line = self.number;
+        match fault {
+            Fault::Malformed(reason) => Rejection::Malformed { line, reason },
+            Fault::False(reason) => Rejection::False { line, reason },
+            Fault::Interrupted => Rejection::Interrupted { line },
+        }
+    }
+
     /// A rejection of the latest line's form.
     pub fn malformed(&self, reason: impl Into<String>) -> Rejection {
-        Rejection::Malformed { line: self.number, reason: reason.into() }
+        self.rejection(Fault::Malformed(reason.into()))
     }
 
     /// A rejection of the latest line's claim.
     pub fn false_claim(&self, reason: impl Into<String>) -> Rejection {
-        Rejection::False { line: self.number, reason: reason.into() }
+        self.rejection(Fault::False(reason.into()))
     }
 }
 

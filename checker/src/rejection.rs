@@ -26,19 +26,48 @@ pub enum Rejection {
         /// What is left open.
         reason: String,
     },
-    /// The stream failed before its end.
+    /// The stream failed before its end, which says nothing about the certificate.
     Unreadable {
-        /// The line, counted from 1.
+        /// The line, counted from 1; 0 if the file could not be opened.
         line: u64,
         /// The system's reason.
         source: io::Error,
     },
+    /// The caller wanted an end before the check was done, which says nothing about the certificate.
+    Interrupted {
+        /// The line that was being read or checked, counted from 1.
+        line: u64,
+    },
+}
+
+/// What is wrong with the line at hand, said where its number is not known.
+#[derive(Debug)]
+pub(crate) enum Fault {
+    Malformed(String),
+    False(String),
+    Interrupted,
+}
+
+impl Fault {
+    /// The same fault, its reason led by where it is.
+    pub fn at(self, place: String) -> Fault {
+        match self {
+            Fault::Malformed(reason) => Fault::Malformed(format!("{place}: {reason}")),
+            Fault::False(reason) => Fault::False(format!("{place}: {reason}")),
+            Fault::Interrupted => Fault::Interrupted,
+        }
+    }
 }
 
 impl Rejection {
-    /// Whether the certificate could not be read at all, which says nothing about it.
-    pub fn is_unreadable(&self) -> bool {
-        matches!(self, Rejection::Unreadable { .. })
+    /// The verdict in a word: `rejected`, `undecided`, `unreadable` or `interrupted`.
+    pub fn verdict(&self) -> &'static str {
+        match self {
+            Rejection::Malformed { .. } | Rejection::False { .. } => "rejected",
+            Rejection::Undecided { .. } => "undecided",
+            Rejection::Unreadable { .. } => "unreadable",
+            Rejection::Interrupted { .. } => "interrupted",
+        }
     }
 }
 
@@ -47,8 +76,12 @@ impl fmt::Display for Rejection {
         match self {
             Rejection::Malformed { line, reason } => write!(f, "line {line}: malformed: {reason}"),
             Rejection::False { line, reason } => write!(f, "line {line}: false: {reason}"),
-            Rejection::Undecided { line, reason } => write!(f, "line {line}: undecided: {reason}"),
+            Rejection::Undecided { line, reason } => write!(f, "line {line}: {reason}"),
+            Rejection::Unreadable { line: 0, source } => write!(f, "cannot be opened: {source}"),
             Rejection::Unreadable { line, source } => write!(f, "line {line}: cannot be read: {source}"),
+            Rejection::Interrupted { line } => {
+                write!(f, "line {line}: the check was ended before it was done")
+            }
         }
     }
 }

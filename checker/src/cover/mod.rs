@@ -84,16 +84,16 @@ use std::{
 pub use leaf::Leaf;
 
 use super::{
-    Checked, Rejection,
-    arithmetic::{Fraction, inverse},
+    Proved, Rejection,
+    arithmetic::{Fraction, Multiple, inverse},
     header::{self, Header},
     lines::{Lines, Words, number},
+    rejection::Fault,
     theorem2::Theorem,
 };
 use areas::Top;
-use expansion::{Form, Patch, Powers, Waves};
+use expansion::{Cell, Form, Patch, Powers, Waves};
 use strips::Strip;
-use tree::Fault;
 
 /// The word in the header.
 pub const KIND: &str = "cover";
@@ -104,8 +104,8 @@ pub const MOST: u64 = 256;
 /// The largest denominator of r_max.
 pub const FINEST: u64 = 1 << 40;
 
-/// The longest line of trees.
-const LONGEST: u64 = 1 << 26;
+/// The longest line of trees, in bytes.
+const LONGEST: usize = 1 << 24;
 
 /// What a certificate of this kind proves.
 pub const STATEMENT: &str = "For every period n in the range, with the r_max of its block, let an orbit exist at a point if u_n is not 0 \
@@ -125,21 +125,44 @@ pub fn header(range: &RangeInclusive<u64>, lines: u64) -> String {
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 struct Open {
     leaves: u64,
-    /// Their area in r and s, in units of 2⁻¹²⁴: about 2¹²³ if all is open.
-    area: u128,
+    /// Their area in r and s, as an integer and the rest in units of 2⁻¹²⁴. Up to 254 periods leave open up to about ½ each.
+    area: (u32, u128),
     /// The line of the first.
     line: u64,
 }
 
 /// Checks everything after the kind line.
-pub(super) fn check(lines: &mut Lines) -> Result<Checked, Rejection> {
+pub(super) fn check(lines: &mut Lines) -> Result<Proved, Rejection> {
     let header = Header::read(lines, 3..=MOST, STATEMENT)?;
     let mut open = Open::default();
+    let mut r_max = Vec::new();
     for n in header.range() {
-        block(lines, n, &mut open)?;
+        r_max.push((n, block(lines, n, &mut open)?));
     }
-    let checked = header.finish(lines, KIND, STATEMENT)?;
-    open.rejection().map_or(Ok(checked), Err)
+    let proved = header.finish(lines)?;
+    match open.rejection() {
+        Some(rejection) => Err(rejection),
+        None => Ok(Proved { detail: vec![("r_max", in_words(&r_max))], ..proved }),
+    }
+}
+
+/// The r_max of every period.
+fn in_words(all: &[(u64, Fraction)]) -> String {
+    let before = |a: Fraction, b: Fraction| {
+        let ((p, q), (u, v)) = (a.parts(), b.parts());
+        u128::from(p) * u128::from(v) < u128::from(u) * u128::from(q)
+    };
+    let (mut least, mut most) = (all[0], all[0]);
+    for &one in all {
+        least = if before(one.1, least.1) { one } else { least };
+        most = if before(most.1, one.1) { one } else { most };
+    }
+    if least == most {
+        return least.1.to_string();
+    }
+    let rule = all.iter().all(|&(n, r_max)| r_max.parts() == (n.pow(3) - 1, n.pow(3)));
+    let rule = if rule { "1 - 1/n^3, " } else { "" };
+    format!("{rule}from {} (n = {}) to {} (n = {})", least.1, least.0, most.1, most.0)
 }
 
 /// Checks the block of one period, `text` being its lines from `n N …` on, which `before` lines come before.
@@ -149,9 +172,10 @@ pub(super) fn check(lines: &mut Lines) -> Result<Checked, Rejection> {
 ///
 /// # Errors
 /// As [`check`](super::check).
+#[inline(never)]
 pub fn check_block(n: u64, text: &[u8], before: u64) -> Result<(), Rejection> {
-    let mut text = text;
-    let mut lines = Lines::after(before, &mut text);
+    let (mut text, mut never) = (text, || false);
+    let mut lines = Lines::after(before, &mut text, &mut never);
     if !(3..=MOST).contains(&n) {
         return Err(lines.malformed(format!("n = {n} is not from 3 to {MOST}")));
     }
@@ -164,8 +188,19 @@ pub fn check_block(n: u64, text: &[u8], before: u64) -> Result<(), Rejection> {
 }
 
 impl Open {
+    /// Takes note of an open box in the strip of trees at a line.
+    fn add(&mut self, cell: Cell, line: u64) {
+        if self.leaves == 0 {
+            self.line = line;
+        }
+        self.leaves += 1;
+        // At most 2⁶⁰·2⁶³, so that the carry is at most 1.
+        let area = (cell.r[1] - cell.r[0]) as u128 * u128::from(cell.s[1] - cell.s[0]) + self.area.1;
+        self.area = (self.area.0 + (area >> 124) as u32, area & ((1 << 124) - 1));
+    }
+
     fn rejection(&self) -> Option<Rejection> {
-        let area = self.area as f64 / 2f64.powi(124);
+        let area = f64::from(self.area.0) + self.area.1 as f64 / 2f64.powi(124);
         (self.leaves > 0).then(|| Rejection::Undecided {
             line: self.line,
             reason: format!(
@@ -176,7 +211,8 @@ impl Open {
     }
 }
 
-fn block(lines: &mut Lines, n: u64, open: &mut Open) -> Result<(), Rejection> {
+/// Checks a block; its r_max.
+fn block(lines: &mut Lines, n: u64, open: &mut Open) -> Result<Fraction, Rejection> {
     let line = lines.expect("the block of a period")?;
     let (r_max, leaves) = block_header(&line, n).map_err(|reason| lines.malformed(reason))?;
     let header_at = lines.number();
@@ -198,19 +234,14 @@ fn block(lines: &mut Lines, n: u64, open: &mut Open) -> Result<(), Rejection> {
             return Err(lines.malformed(format!("expected \"strip {} {}\"", strip.left, strip.right)));
         }
         let text = lines.expect_within(LONGEST, "the trees of a strip")?;
-        found +=
-            check_strip(n, &mut powers, &strip, &rows, &text, open, lines.number()).map_err(|fault| {
-                match fault {
-                    Fault::Malformed(reason) => lines.malformed(reason),
-                    Fault::False(reason) => lines.false_claim(reason),
-                }
-            })?;
+        found += check_strip(n, &mut powers, &strip, &rows, &text, open, lines)
+            .map_err(|fault| lines.rejection(fault))?;
     }
     if found != leaves {
         let reason = format!("the block has {found} leaves, not {leaves}");
         return Err(Rejection::Malformed { line: header_at, reason });
     }
-    Ok(())
+    Ok(r_max)
 }
 
 /// What is computed once for many boxes, by their bounds of r or of s: they have most of them in common.
@@ -255,31 +286,30 @@ fn check_strip(
     rows: &[[i64; 2]],
     text: &str,
     open: &mut Open,
-    line: u64,
+    lines: &mut Lines,
 ) -> Result<u64, Fault> {
     let form = if strip.outermost { Form::Quotient } else { Form::Sine };
     let mut top = Top::new(rows.last().expect("there is a row")[1]);
     let mut waves = Known(HashMap::new());
     let (mut leaves, mut complete) = (0, true);
     tree::walk(text, n, strip.units, rows, |leaf, cell| {
+        lines.go_on()?;
         leaves += 1;
-        strip.allows(&leaf)?;
-        let powers = powers.get(cell.r, |r| Powers::new(n, r))?;
-        let waves = waves.get(cell.s, |s| Waves::new(n, s, form))?;
-        leaf.prove(&Patch::new(powers, waves))?;
+        strip.allows(&leaf).map_err(Fault::False)?;
+        let powers = powers.get(cell.r, |r| Powers::new(n, r)).map_err(Fault::False)?;
+        let waves = waves.get(cell.s, |s| Waves::new(n, s, form)).map_err(Fault::False)?;
+        leaf.prove(&Patch::new(powers, waves)).map_err(Fault::False)?;
         if leaf == Leaf::Open {
             complete = false;
-            if open.leaves == 0 {
-                open.line = line;
-            }
-            open.leaves += 1;
-            open.area += (cell.r[1] - cell.r[0]) as u128 * u128::from(cell.s[1] - cell.s[0]);
+            open.add(cell, lines.number());
         }
         top.add(leaf, cell);
         Ok(())
     })?;
-    if let (true, Some(_)) = (complete, &strip.interval) {
-        top.is_one_interval().map_err(|reason| {
+    if complete && strip.interval.is_some() {
+        // Where the area must go on beyond s = ½.
+        let reach = (n % 2 == 1 && strip.right == Fraction::HALF).then_some(strip.units[1]);
+        top.is_one_interval(reach).map_err(|reason| {
             Fault::False(format!(
                 "the leaves of ({}, {}) are not one area: {reason}",
                 strip.left, strip.right

@@ -1,6 +1,6 @@
 //! The strips and rows whose boxes are the roots of a cover's trees.
 
-use super::{Fraction, Leaf, Theorem, inverse};
+use super::{Fraction, Leaf, Multiple, Theorem, inverse};
 
 /// The part of region 3 between two neighbouring cuts in s.
 pub(super) struct Strip {
@@ -71,7 +71,7 @@ pub(super) fn strips(n: u64) -> Result<Vec<Strip>, String> {
         let listed = remaining.next_if(|listed| (listed.0, listed.1) == (left, right));
         let interval = listed.map(|(_, _, emu, gamma)| {
             // Where all t N > 0, (52), (53) hold with sign γ = −t and sign eµ = t sign u_n; u_n < 0 on every second stretch.
-            if emu != (gamma == left.floor_is_odd(2 * n)) {
+            if emu != (gamma == Multiple::of(left, 2 * n).is_odd()) {
                 return Err(format!("Theorem 2's signs on ({left}, {right}) disagree with that of u_{n}"));
             }
             // The end m/n is on the right of a (+,+) interval, on the left of a (+,−) one; n₊ = 1/m modulo n, n₋ = n − n₊.

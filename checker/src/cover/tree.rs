@@ -1,25 +1,20 @@
 //! Bisection trees: the boxes of a strip, which tile it by construction.
 
-use super::{expansion::Cell, leaf::Leaf};
+use super::{Fault, expansion::Cell, leaf::Leaf};
 
 /// A box with a side of fewer units is not split.
 const LEAST: i64 = 4;
 
-/// A tree is not of the documented form, or a leaf's claim fails.
-pub(super) enum Fault {
-    Malformed(String),
-    False(String),
-}
-
 /// Walks the trees of a strip's rows, one after the other in `text`, and hands every leaf with its box to `visit`.
 ///
 /// A split halves the box at its midpoint, rounded down to a unit: the halves share that side, and the leaves' closed boxes cover the row.
+/// Memory: a box for each halving above the present one, of which there are at most 60 + 63.
 pub(super) fn walk(
     text: &str,
     n: u64,
     strip: [u64; 2],
     rows: &[[i64; 2]],
-    mut visit: impl FnMut(Leaf, Cell) -> Result<(), String>,
+    mut visit: impl FnMut(Leaf, Cell) -> Result<(), Fault>,
 ) -> Result<(), Fault> {
     let (mut rest, mut latest) = (text, None);
     let malformed = |rest: &str, reason: String| {
@@ -46,10 +41,10 @@ pub(super) fn walk(
                         Ok(read) => read,
                         Err(reason) => return malformed(rest, reason),
                     };
-                    visit(leaf, cell).map_err(|reason| {
+                    visit(leaf, cell).map_err(|fault| {
                         let column = text.len() - rest.len() + 1;
                         let token = rest[..rest.len() - after.len()].trim_end_matches(';');
-                        Fault::False(format!("column {column}, {token} on {}: {reason}", shown(&cell)))
+                        fault.at(format!("column {column}, {token} on {}", shown(&cell)))
                     })?;
                     rest = after;
                 }

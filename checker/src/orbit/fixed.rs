@@ -81,6 +81,9 @@ impl Interval {
 
     /// Its middle, as a point.
     pub fn middle(self) -> Interval {
+        if self.is_whole() {
+            return self;
+        }
         let middle = self.lo + (self.hi - self.lo) / 2;
         Interval { lo: middle, hi: middle }
     }
@@ -118,6 +121,11 @@ impl Interval {
         }
         let ends = [(self.lo, other.lo), (self.lo, other.hi), (self.hi, other.lo), (self.hi, other.hi)];
         hull(ends.map(|(x, y)| quotient(x, y)))
+    }
+
+    /// What lies between −1 and 1 of an interval that holds such a number.
+    pub fn within_unit(self) -> Interval {
+        Interval { lo: self.lo.max(-Interval::ONE.lo), hi: self.hi.min(Interval::ONE.hi) }
     }
 
     /// The squares.

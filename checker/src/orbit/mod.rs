@@ -4,30 +4,41 @@
 //! (`exponential`); the derivatives are formulas (`motion`, `proof`). No code is shared with what finds the proof, and the method differs: that
 //! one has balls, closed forms with exp, sin, cos and √, and automatic differentiation.
 //!
-//! # Format
+//! # Form
 //!
-//! After `kind orbit`; fractions p/q in lowest terms, decimals with a point, times in units in which the forcing's period is 2π:
+//! After `kind orbit`, times being in units in which the forcing's period is 2π:
 //!
 //! ```text
-//! statement …                  what passing proves, word for word
-//! digest HEX                   SHA-256 of the system's lines, from damping to the last harmonic
+//! statement …                  what passing proves, word for word: STATEMENT
+//! digest HEX                   SHA-256, in lower case, of the system's lines, from damping to the last harmonic, each ended by a line feed
 //! damping P/Q                  c, k, F of q″ = −c q′ − k q + F + Σ (a cos νt + b sin νt)
 //! stiffness P/Q
 //! force P/Q
-//! forcing J                    and J lines
-//! harmonic NU A B
-//! lower OFFSET TAU J           the wall Q₁ = OFFSET + Σ (a cos νt + b sin νt) with restitution TAU, and J harmonics; or: lower none
-//! upper …                      the wall Q₂ likewise
-//! orbit M CLAIM                the number of impacts; stable, unstable, or open (no claim)
-//! impact SIDE N T V            M lines: the wall, the periods to the next impact, the phase and the incoming relative speed, about
-//! radius R W                   the orbit is the only one with all T, V within R, and it lies within W
+//! forcing J                    and J lines, J ≤ 1000:
+//! harmonic NU A B              0 ≤ ν ≤ 1000, in any order, repeated or not
+//! lower OFFSET TAU J           the wall Q₁ = OFFSET + Σ (a cos νt + b sin νt) with restitution TAU ≥ 0, and J harmonics; or: lower none
+//! upper …                      the wall Q₂ likewise; Q₁ < q < Q₂
+//! orbit M CLAIM                the number of impacts, 1 to 24; stable, unstable, or open (no claim)
+//! impact SIDE N T V            M lines: lower or upper, the periods to the next impact (0 to 10000, not all 0), the phase and the incoming relative speed, about
+//! radius R W                   the orbit is the only one with all T, V within R, and it lies within W; 0 < W ≤ R
 //! row C …                      2M lines of 2M numbers: the preconditioner of Krawczyk's test, about the inverse of the derivative
-//! flight J                     for each impact, and J lines
-//! until T                      the flight is proved piece by piece: the times since its impact at which the pieces end
+//! flight J                     for each impact, J ≥ 1, and J lines
+//! until T                      the flight is proved piece by piece: the times since its impact at which the pieces end; they grow, and the last is not before the flight's end
 //! ```
 //!
+//! T, V, R, W and C are decimals (see the crate's head); A, B, OFFSET, TAU, P/Q are fractions in lowest terms of at most 34 digits each, Q > 0, P with a minus or none.
+//! All lie strictly between −2³⁰ and 2³⁰; beyond that the checker's intervals end.
+//!
 //! The equations are, for each flight, that at its end the gap to the wall met is 0 and closes at the speed V of that impact; the rows
-//! of the derivative in that order, its columns the phases, then the speeds. `tests/orbit_certificate.rs` prints and damages an example.
+//! of the derivative in that order, its columns the phases, then the speeds. An impact turns the relative velocity w into −TAU w. Impact i + 1 comes
+//! 2πN_i + T_{i+1} − T_i after impact i, and impact 1 after the last. `tests/orbit_certificate.rs` prints and damages an example.
+//!
+//! The listed orbit must be shown not to repeat itself: for every divisor d of M for which d N/M is whole, N being the sum of all N_i, some impact i differs from impact i + d in its wall, in its
+//! speed, or in that the time between them is not 2π d N/M. So an orbit listed twice is no orbit of twice the period.
+//!
+//! # Cost
+//!
+//! With J harmonics in all, P pieces and M impacts, (1 + J)(4P + 24M) may be at most 1,000,000, which bounds the exponentials taken; each takes about 15 µs. Memory: the certificate.
 
 mod exponential;
 mod fixed;
@@ -37,10 +48,12 @@ mod sha256;
 #[cfg(test)]
 mod tests;
 mod text;
+mod words;
 
 use super::{
-    Checked, FORMAT, Rejection,
+    FORMAT, Proved, Rejection, header,
     lines::{Lines, Words},
+    rejection::Fault,
 };
 
 pub use text::{Certificate, Claim, Decimal, Fraction, Harmonic, Impact, Side, System, Wall};
@@ -51,33 +64,16 @@ pub const KIND: &str = "orbit";
 /// What a certificate of this kind proves.
 pub const STATEMENT: &str = "The oscillator of this digest has exactly one periodic orbit with the listed impacts (the wall, \
 and the periods to the next) whose phases and incoming relative speeds all lie within R of the listed ones: the equations \
-of the pattern have exactly one solution there, at it every impact has positive speed, and strictly between impacts every \
-gap to a wall is positive. If the claim is stable, both multipliers of that orbit lie strictly inside the unit circle; if \
-unstable, one lies strictly outside.";
+of the pattern have exactly one solution there, at it every impact has positive speed, strictly between impacts every \
+gap to a wall is positive, and no smaller number of periods than that of all listed impacts is a period of the orbit. If \
+the claim is stable, both multipliers of that orbit lie strictly inside the unit circle; if unstable, one lies strictly \
+outside.";
 
-/// Checks everything after the kind line. Cost for m impacts: O(m³) operations on intervals and three motions for each piece.
-pub(super) fn check(lines: &mut Lines) -> Result<Checked, Rejection> {
+/// Checks everything after the kind line.
+pub(super) fn check(lines: &mut Lines) -> Result<Proved, Rejection> {
     let certificate = text::read(lines)?;
     let periods: u64 = certificate.impacts.iter().map(|impact| impact.periods).sum();
-    proof::Proof::new(&certificate)
-        .and_then(|proof| proof.run())
-        .map_err(|reason| lines.false_claim(reason))?;
-    let detail = format!(
-        "{} impact{}, {}, system {}",
-        certificate.impacts.len(),
-        if certificate.impacts.len() == 1 { "" } else { "s" },
-        if certificate.claim == Claim::Open {
-            "stability open".to_string()
-        } else {
-            certificate.claim.to_string()
-        },
-        certificate.system.digest()
-    );
-    Ok(Checked {
-        kind: KIND,
-        statement: STATEMENT,
-        range: periods..=periods,
-        lines: lines.number(),
-        detail: Some(detail),
-    })
+    let proof = proof::Proof::new(&certificate).map_err(|reason| lines.false_claim(reason))?;
+    proof.run(&mut || lines.go_on()).map_err(|fault| lines.rejection(fault))?;
+    Ok(Proved { range: periods..=periods, detail: words::detail(&certificate) })
 }

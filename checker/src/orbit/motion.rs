@@ -62,17 +62,29 @@ impl Oscillator {
         let ring = Ring { damping: enclosed(system.damping), stiffness: enclosed(system.stiffness) };
         let forcing = series(&system.forcing);
         let mut response = Series::new();
-        // α cos νt + β sin νt answers to a cos νt + b sin νt: (k − ν²) α + νc β = a, (k − ν²) β − νc α = b.
-        for &(k, a, b) in &forcing {
-            let (detuning, damping) = (ring.stiffness - k * k, ring.damping * k);
+        // α cos νt + β sin νt answers to a cos νt + b sin νt: (k − ν²) α + νc β = a, (k − ν²) β − νc α = b. Divided by ν, with w = k/ν − ν,
+        // so that no power above ν² occurs.
+        for (harmonic, &(nu, a, b)) in system.forcing.iter().zip(&forcing) {
+            let nothing = |why| Err(format!("harmonic {} of the forcing {why}", harmonic.k));
+            if harmonic.k == 0 {
+                if system.stiffness.p == 0 {
+                    return nothing("is a constant, to which nothing periodic answers without stiffness");
+                }
+                response.push((nu, a.over(ring.stiffness), Interval::ZERO));
+                continue;
+            }
+            let (detuning, damping) = (ring.stiffness.over(nu) - nu, ring.damping);
             let size = detuning.squared() + damping.squared();
+            if size.magnitude_bits().is_none() {
+                return nothing("meets a stiffness or damping too large for this method: squares reach 2^30");
+            }
             if !size.is_positive() {
-                return Err("the forcing is in undamped resonance".into());
+                return nothing("is in undamped resonance");
             }
             response.push((
-                k,
-                (detuning * a - damping * b).over(size),
-                (detuning * b + damping * a).over(size),
+                nu,
+                (detuning * a - damping * b).over(size).over(nu),
+                (detuning * b + damping * a).over(size).over(nu),
             ));
         }
         let zero = [system.damping.p == 0, system.stiffness.p == 0];
@@ -142,7 +154,9 @@ impl Oscillator {
 /// Σ (a cos kt + b sin kt) with its derivatives.
 fn sum(series: &Series, t: Interval) -> Motion {
     series.iter().fold([Interval::ZERO; 3], |[value, slope, curvature], &(k, a, b)| {
+        // Where k t is a wide interval the series says less than this.
         let Element { a: cos, b: sin } = CIRCLE.exp(k * t);
+        let (cos, sin) = (cos.within_unit(), sin.within_unit());
         let here = a * cos + b * sin;
         [value + here, slope + k * (b * cos - a * sin), curvature - k * k * here]
     })

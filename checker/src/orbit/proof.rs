@@ -1,11 +1,14 @@
 //! The proof itself: Krawczyk's test on two boxes, the pieces of each flight, Jury's conditions.
 
 use super::{
-    Side,
+    Fault, Side,
     fixed::Interval,
     motion::{Flight, Motion, Oscillator},
     text::{Certificate, Claim},
 };
+
+/// Asked now and then whether the work should go on.
+type GoOn<'a> = &'a mut dyn FnMut() -> Result<(), Fault>;
 
 /// What is being proved, over intervals.
 pub(super) struct Proof<'a> {
@@ -24,7 +27,16 @@ struct Leg {
     end: Interval,
 }
 
+/// 2πn.
+fn turns(n: u64) -> Interval {
+    Interval::integer(n) * (Interval::PI + Interval::PI)
+}
+
 impl<'a> Proof<'a> {
+    /// Encloses what the certificate says.
+    ///
+    /// # Errors
+    /// Says what the method cannot do with it.
     pub fn new(certificate: &'a Certificate) -> Result<Self, String> {
         let impacts = &certificate.impacts;
         let unknowns = impacts.iter().map(|i| i.phase).chain(impacts.iter().map(|i| i.velocity));
@@ -41,63 +53,65 @@ impl<'a> Proof<'a> {
     }
 
     /// Existence and uniqueness in the box, and then all claims about the orbit.
-    pub fn run(&self) -> Result<(), String> {
+    pub fn run(&self, go_on: GoOn) -> Result<(), Fault> {
         let [radius, within] = [self.certificate.radius, self.certificate.within].map(|r| r.enclosed());
         if !within.is_positive() || !within.is_up_to(radius) {
-            return Err("the smaller radius must be positive and at most the larger".into());
+            return Err(Fault::False("the smaller radius must be positive and at most the larger".into()));
         }
-        self.krawczyk(radius)?;
-        let unknowns = self.krawczyk(within)?;
+        self.krawczyk(radius, go_on)?;
+        let unknowns = self.krawczyk(within, go_on)?;
         for (i, velocity) in unknowns[self.impacts()..].iter().enumerate() {
             if !velocity.is_positive() {
-                return Err(format!("the speed of impact {} is not certainly positive", i + 1));
+                return Err(Fault::False(format!("the speed of impact {} is not certainly positive", i + 1)));
             }
         }
-        for (index, leg) in self.legs(&unknowns).iter().enumerate() {
-            self.admissible(index, leg)?;
+        self.least_period(&unknowns).map_err(Fault::False)?;
+        for index in 0..self.impacts() {
+            self.admissible(index, &self.leg(&unknowns, index), go_on)?;
         }
-        self.stability(&unknowns)
+        self.stability(&unknowns, go_on)
     }
 
     fn impacts(&self) -> usize {
         self.certificate.impacts.len()
     }
 
-    fn legs(&self, x: &[Interval]) -> Vec<Leg> {
+    /// The flight from impact i to the next.
+    fn leg(&self, x: &[Interval], i: usize) -> Leg {
         let (m, impacts) = (self.impacts(), &self.certificate.impacts);
-        let turn = Interval::PI + Interval::PI;
-        let leg = |i: usize| {
-            let (impact, next) = (&impacts[i], (i + 1) % m);
-            let periods = Interval::integer(impact.periods) * turn;
-            Leg {
-                flight: self.oscillator.depart(impact.side, x[i], x[m + i]),
-                from: impact.side,
-                to: impacts[next].side,
-                // The phases cancel where they are one.
-                duration: if m == 1 { periods } else { periods + x[next] - x[i] },
-                end: x[next],
-            }
-        };
-        (0..m).map(leg).collect()
+        let (impact, next) = (&impacts[i], (i + 1) % m);
+        let periods = turns(impact.periods);
+        Leg {
+            flight: self.oscillator.depart(impact.side, x[i], x[m + i]),
+            from: impact.side,
+            to: impacts[next].side,
+            // The phases cancel where they are one.
+            duration: if m == 1 { periods } else { periods + x[next] - x[i] },
+            end: x[next],
+        }
     }
 
     /// z and z′ + V at the end of each flight.
-    fn residual(&self, x: &[Interval]) -> Vec<Interval> {
+    fn residual(&self, x: &[Interval], go_on: GoOn) -> Result<Vec<Interval>, Fault> {
         let m = self.impacts();
-        let ends = self.legs(x).into_iter().enumerate().flat_map(|(i, leg)| {
+        let mut all = Vec::with_capacity(2 * m);
+        for i in 0..m {
+            go_on()?;
+            let leg = self.leg(x, i);
             let [gap, speed, _] = self.oscillator.gap_at(leg.flight, leg.to, leg.duration, leg.end);
-            [gap, speed + x[m + (i + 1) % m]]
-        });
-        ends.collect()
+            all.extend([gap, speed + x[m + (i + 1) % m]]);
+        }
+        Ok(all)
     }
 
     /// Its derivatives. With z seen from the wall that is met next, a later end adds (z′, z″), a later start takes away what a flight makes of
     /// the velocity and acceleration after the impact relative to the wall left behind, and a greater V adds to that velocity.
-    fn derivatives(&self, x: &[Interval]) -> Vec<Vec<Interval>> {
+    fn derivatives(&self, x: &[Interval], go_on: GoOn) -> Result<Vec<Vec<Interval>>, Fault> {
         let (m, ring) = (self.impacts(), self.oscillator.ring);
         let mut rows = vec![vec![Interval::ZERO; 2 * m]; 2 * m];
-        for (i, leg) in self.legs(x).into_iter().enumerate() {
-            let next = (i + 1) % m;
+        for i in 0..m {
+            go_on()?;
+            let (leg, next) = (self.leg(x, i), (i + 1) % m);
             let [_, speed, bend] = self.oscillator.gap_at(leg.flight, leg.to, leg.duration, leg.end);
             let flow = ring.exp(leg.duration);
             let tau = self.oscillator.restitution(leg.from);
@@ -113,7 +127,7 @@ impl<'a> Proof<'a> {
             }
             rows[2 * i + 1][m + next] = rows[2 * i + 1][m + next] + Interval::ONE;
         }
-        rows
+        Ok(rows)
     }
 
     /// z″ just before and just after an impact.
@@ -130,11 +144,13 @@ impl<'a> Proof<'a> {
 
     /// K = y − C f(y) + (I − C f′(X))(X − y) on the box X of `radius` about y. Every solution in X lies in K, and K in the interior of X
     /// proves that there is exactly one.
-    fn krawczyk(&self, radius: Interval) -> Result<Vec<Interval>, String> {
+    fn krawczyk(&self, radius: Interval, go_on: GoOn) -> Result<Vec<Interval>, Fault> {
         let region: Vec<Interval> = self.centre.iter().map(|y| y.widened(radius)).collect();
-        let (residual, derivatives) = (self.residual(&self.centre), self.derivatives(&region));
+        let (residual, derivatives) =
+            (self.residual(&self.centre, go_on)?, self.derivatives(&region, go_on)?);
         let mut image = Vec::with_capacity(region.len());
         for (i, row) in self.inverse.iter().enumerate() {
+            go_on()?;
             let mut value = self.centre[i];
             for (c, f) in row.iter().zip(&residual) {
                 value = value - *c * *f;
@@ -149,31 +165,57 @@ impl<'a> Proof<'a> {
         }
         match image.iter().zip(&self.centre).position(|(k, y)| !k.is_within(radius, *y)) {
             None => Ok(image),
-            Some(i) => Err(format!("Krawczyk's test does not map the box into itself in unknown {}", i + 1)),
+            Some(i) => Err(Fault::False(format!(
+                "Krawczyk's test does not map the box into itself in unknown {}",
+                i + 1
+            ))),
         }
     }
 
-    /// Every gap is positive during the flight, piece by piece.
-    fn admissible(&self, index: usize, leg: &Leg) -> Result<(), String> {
-        if !leg.duration.is_positive() {
-            return Err(format!("flight {} does not certainly last", index + 1));
+    /// No smaller whole number of periods is one of the orbit. If one were, it would hold d of the m impacts, d a divisor of m, and every impact would come back d impacts
+    /// later: on the same wall, with the same speed, d/m of all periods later. For each such d some impact does not.
+    fn least_period(&self, x: &[Interval]) -> Result<(), String> {
+        let (m, impacts) = (self.impacts(), &self.certificate.impacts);
+        let apart = |a: Interval, b: Interval| (a - b).is_positive() || (b - a).is_positive();
+        let total: u64 = impacts.iter().map(|impact| impact.periods).sum();
+        for d in (1..m).filter(|&d| m.is_multiple_of(d) && (total * d as u64).is_multiple_of(m as u64)) {
+            let shift = turns(total * d as u64 / m as u64);
+            let comes_back = |i: usize| {
+                let j = (i + d) % m;
+                let between: u64 = (i..i + d).map(|l| impacts[l % m].periods).sum();
+                let later = turns(between) + x[j] - x[i];
+                impacts[i].side == impacts[j].side && !apart(later, shift) && !apart(x[m + i], x[m + j])
+            };
+            if (0..m).all(comes_back) {
+                return Err(format!("the orbit may repeat itself after {d} of its {m} impacts"));
+            }
         }
-        let ends: Vec<Interval> = self.certificate.flights[index].iter().map(|end| end.enclosed()).collect();
+        Ok(())
+    }
+
+    /// Every gap is positive during the flight, piece by piece.
+    fn admissible(&self, index: usize, leg: &Leg, go_on: GoOn) -> Result<(), Fault> {
+        let flight = index + 1;
+        let wrong = |what: String| Err(Fault::False(what));
+        if !leg.duration.is_positive() {
+            return wrong(format!("flight {flight} does not certainly last"));
+        }
+        let ends = &self.certificate.flights[index];
         let last = ends.len() - 1;
-        if !leg.duration.is_up_to(ends[last]) {
-            return Err(format!("the pieces of flight {} stop before its end", index + 1));
+        if !leg.duration.is_up_to(ends[last].enclosed()) {
+            return wrong(format!("the pieces of flight {flight} stop before its end"));
         }
         let mut from = Interval::ZERO;
-        for (number, &to) in ends.iter().enumerate() {
+        for (number, to) in ends.iter().map(|end| end.enclosed()).enumerate() {
+            go_on()?;
             if !(to - from).is_positive() {
-                return Err(format!("the pieces of flight {} do not follow one another", index + 1));
+                return wrong(format!("the pieces of flight {flight} do not follow one another"));
             }
             for side in self.oscillator.sides() {
                 if !self.piece(leg, side, from, to, [number == 0, number == last]) {
                     let number = number + 1;
-                    return Err(format!(
-                        "the gap on piece {number} of flight {} is not certainly positive",
-                        index + 1
+                    return wrong(format!(
+                        "the gap on piece {number} of flight {flight} is not certainly positive"
                     ));
                 }
             }
@@ -199,10 +241,12 @@ impl<'a> Proof<'a> {
 
     /// The linearised map once round is a product of flights exp(τA) and of impacts [[−τ, 0], [−(τ z₋″ + z₊″)/V, −τ]], since an orbit δz farther
     /// from the wall meets it δz/V later. With T its trace and D its determinant: stable iff D < 1 and 1 + D ± T > 0, unstable if one is < 0.
-    fn stability(&self, x: &[Interval]) -> Result<(), String> {
+    fn stability(&self, x: &[Interval], go_on: GoOn) -> Result<(), Fault> {
         let (m, ring) = (self.impacts(), self.oscillator.ring);
         let mut columns = [[Interval::ONE, Interval::ZERO], [Interval::ZERO, Interval::ONE]];
-        for (i, leg) in self.legs(x).iter().enumerate() {
+        for i in 0..m {
+            go_on()?;
+            let leg = self.leg(x, i);
             let tau = self.oscillator.restitution(leg.from);
             let (before, after) = self.bends(i, x);
             let kick = (tau * before + after).over(x[m + i]);
@@ -218,6 +262,10 @@ impl<'a> Proof<'a> {
             Claim::Unstable => conditions.iter().any(|&x| (-x).is_positive()),
             Claim::Open => true,
         };
-        if holds { Ok(()) } else { Err(format!("the orbit is not certainly {}", self.certificate.claim)) }
+        if holds {
+            Ok(())
+        } else {
+            Err(Fault::False(format!("the orbit is not certainly {}", self.certificate.claim)))
+        }
     }
 }

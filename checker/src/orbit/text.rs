@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::{Lines, Rejection, STATEMENT, Words, fixed::Interval, sha256::sha256};
+use super::{Lines, Rejection, STATEMENT, Words, fixed::Interval, header::expect_statement, sha256::sha256};
 
 /// The longest numerator, denominator or decimal, in digits: below 2¹¹³.
 const DIGITS: usize = 34;
@@ -12,8 +12,8 @@ const IMPACTS: u64 = 24;
 const HARMONICS: u64 = 1000;
 /// The most periods between two impacts.
 const PERIODS: u64 = 10_000;
-/// The most pieces of one flight.
-const PIECES: u64 = 1_000_000;
+/// The most work, see [`Certificate::work`].
+const WORK: u64 = 1_000_000;
 
 /// A fraction p/q in lowest terms, q > 0.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -124,7 +124,23 @@ pub struct Certificate {
     pub flights: Vec<Vec<Decimal>>,
 }
 
+impl Certificate {
+    /// A bound of the number of exponentials that the check takes, each about 15 µs: (1 + J)(4 P + 24 m) for J harmonics in all, P pieces and m impacts.
+    ///
+    /// A piece takes two motions for each of at most two walls, and Krawczyk's test, twice, and the multipliers take at most 12 for each impact. A motion is one exponential, at most two for a
+    /// harmonic of the forcing and one for one of a wall.
+    fn work(harmonics: u64, pieces: u64, impacts: u64) -> u64 {
+        (1 + harmonics) * (4 * pieces + 24 * impacts)
+    }
+}
+
 impl System {
+    /// The number of harmonics of the forcing and of the walls.
+    fn harmonics(&self) -> u64 {
+        let walls = [&self.lower, &self.upper].into_iter().flatten();
+        (self.forcing.len() + walls.map(|wall| wall.harmonics.len()).sum::<usize>()) as u64
+    }
+
     /// SHA-256 of the system's lines, in hexadecimal: the same oscillator has the same digest.
     pub fn digest(&self) -> String {
         sha256(self.to_string().as_bytes())
@@ -243,12 +259,38 @@ fn line<T>(
     read().map_err(|reason| lines.malformed(reason))
 }
 
-/// An integer of at most [`DIGITS`] digits without leading zeros, -0 or +.
+/// Whether these are digits, at least one.
+fn are_digits(text: &str) -> bool {
+    !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit())
+}
+
+/// `-?(0|[1-9][0-9]*)(\.[0-9]*[1-9])?` but not `-0`, of at most [`DIGITS`] digits: every decimal number has exactly one such form.
+pub(super) fn canonical_decimal(word: &str) -> Option<Decimal> {
+    let magnitude = word.strip_prefix('-').unwrap_or(word);
+    let (whole, places) = match magnitude.split_once('.') {
+        None => (magnitude, ""),
+        Some((_, places)) if !are_digits(places) || places.ends_with('0') => return None,
+        Some(parts) => parts,
+    };
+    let canonical = are_digits(whole) && (whole == "0" || !whole.starts_with('0')) && word != "-0";
+    if !canonical || whole.len() + places.len() > DIGITS {
+        return None;
+    }
+    let digits: i128 = format!("{whole}{places}").parse().ok()?;
+    Some(Decimal {
+        digits: if word.starts_with('-') { -digits } else { digits },
+        places: places.len() as u32,
+    })
+}
+
+/// Whether the checker's intervals can hold a number.
+fn in_range(x: Interval) -> bool {
+    x.magnitude_bits().is_some()
+}
+
+/// A decimal without a point.
 fn integer(word: &str) -> Option<i128> {
-    let digits = word.strip_prefix('-').unwrap_or(word);
-    let plain = digits.bytes().all(|byte| byte.is_ascii_digit()) && digits.len() <= DIGITS;
-    let canonical = word == "0" || !digits.starts_with('0');
-    word.parse().ok().filter(|_| plain && canonical)
+    canonical_decimal(word).filter(|number| number.places == 0).map(|number| number.digits)
 }
 
 fn fraction(words: &mut Words) -> Result<Fraction, String> {
@@ -263,25 +305,17 @@ fn fraction(words: &mut Words) -> Result<Fraction, String> {
         let (p, q) = (integer(p)?, integer(q)?);
         (q > 0 && gcd(p.unsigned_abs(), q.unsigned_abs()) == 1).then_some(Fraction { p, q })
     };
-    read(words.word("a fraction p/q")?)
-        .ok_or_else(|| format!("expected a fraction p/q in lowest terms, of at most {DIGITS} digits each"))
+    read(words.word("a fraction p/q")?).filter(|x| in_range(Interval::ratio(x.p, x.q))).ok_or_else(|| {
+        format!(
+            "expected a fraction p/q in lowest terms, of at most {DIGITS} digits each, between -2^30 and 2^30"
+        )
+    })
 }
 
 fn decimal(words: &mut Words) -> Result<Decimal, String> {
-    let read = |word: &str| {
-        let Some((whole, places)) = word.split_once('.') else {
-            return Some(Decimal { digits: integer(word)?, places: 0 });
-        };
-        let (sign, digits) = match whole.strip_prefix('-') {
-            Some(digits) => (-1, digits),
-            None => (1, whole),
-        };
-        integer(digits).filter(|_| !places.is_empty() && digits.len() + places.len() <= DIGITS)?;
-        let plain = places.bytes().all(|byte| byte.is_ascii_digit());
-        let all: i128 = format!("{digits}{places}").parse().ok()?;
-        plain.then_some(Decimal { digits: sign * all, places: places.len() as u32 })
-    };
-    read(words.word("a decimal")?).ok_or_else(|| format!("expected a decimal of at most {DIGITS} digits"))
+    canonical_decimal(words.word("a decimal")?).filter(|x| in_range(x.enclosed())).ok_or_else(|| {
+        format!("expected a decimal of at most {DIGITS} digits between -2^30 and 2^30, without +, -0 or needless zeros")
+    })
 }
 
 fn read_harmonics(lines: &mut Lines, count: u64) -> Result<Vec<Harmonic>, Rejection> {
@@ -311,9 +345,7 @@ fn read_wall(lines: &mut Lines, side: Side) -> Result<Option<Wall>, Rejection> {
 
 /// Reads everything after the kind line.
 pub(super) fn read(lines: &mut Lines) -> Result<Certificate, Rejection> {
-    if lines.expect("the statement")?.strip_prefix("statement ") != Some(STATEMENT) {
-        return Err(lines.malformed("the statement is not, word for word, that of this kind and version"));
-    }
+    expect_statement(lines, STATEMENT)?;
     let digest = line(lines, "digest", |words| words.word("a digest").map(str::to_string))?;
     let digest_at = lines.number();
     let (damping, stiffness) = (line(lines, "damping", fraction)?, line(lines, "stiffness", fraction)?);
@@ -354,10 +386,18 @@ pub(super) fn read(lines: &mut Lines) -> Result<Certificate, Rejection> {
     let row = |words: &mut Words| (0..2 * m).map(|_| decimal(words)).collect::<Result<Vec<_>, _>>();
     let inverse = (0..2 * m).map(|_| line(lines, "row", row)).collect::<Result<_, _>>()?;
     let mut flights = Vec::new();
+    let mut pieces = 0;
     for _ in 0..m {
-        let count = line(lines, "flight", |words| words.number("the number of pieces", PIECES))?;
+        let count = line(lines, "flight", |words| words.number("the number of pieces", WORK))?;
         if count == 0 {
             return Err(lines.malformed("a flight has at least one piece"));
+        }
+        pieces += count;
+        let work = Certificate::work(system.harmonics(), pieces, m);
+        if work > WORK {
+            return Err(lines.malformed(format!(
+                "the check would take up to {work} exponentials, more than {WORK}: fewer pieces or harmonics"
+            )));
         }
         flights.push((0..count).map(|_| line(lines, "until", decimal)).collect::<Result<_, _>>()?);
     }
