@@ -80,7 +80,6 @@ fn bad_input_gets_one_line_that_says_what_to_do() {
             "verify 8 --certificate /nowhere/at/all",
             "cannot write /nowhere/at/all: there is no folder /nowhere/at",
         ),
-        ("check /nowhere/at/all", "cannot open /nowhere/at/all: No such file or directory"),
         ("farey neighbours 4", "4 has no Farey neighbours: give a fraction m/n with n ≥ 2"),
         ("farey neighbours 1/0", "\"1/0\" divides by zero"),
         ("farey rank 1/2 0", "ranks are computed in F_N for 1 ≤ N ≤ 10000000000, not for N = 0"),

@@ -1,25 +1,24 @@
 //! `grazing check`: prove certificates again.
 
 use std::{
-    fs::File,
-    io::{self, BufReader, Read, Write},
+    io::{BufReader, Write},
     path::{Path, PathBuf},
 };
 
 use clap::Parser;
 use serde_json::json;
 
-use super::{Outcome, ReportFormat};
+use super::{Outcome, ReportFormat, progress::Interrupt, reader::Reader};
 use crate::{
-    certificate::{self, Checked, Rejection},
+    certificate::{Checked, Rejection, check_until},
     error::{Error, Result},
     output::Destination,
 };
 
 /// Prove certificates again, without search, by the trusted checker.
 ///
-/// Exit code 0: every file is proved; 1: some file is malformed or false; 2: some file cannot be read; 3: none of this, but some cover
-/// leaves boxes open.
+/// Every file gets a verdict. Exit code 1: some file is malformed or false; else 2: some file cannot be read; else 3: some cover leaves boxes
+/// open, or the work was interrupted; else 0: every file is proved. `grazing-check` (cargo install --path checker) is the same checker alone.
 #[derive(Debug, Parser)]
 pub(super) struct Args {
     /// The certificates; - is standard input.
@@ -30,73 +29,79 @@ pub(super) struct Args {
     format: ReportFormat,
 }
 
-pub(super) fn run(args: &Args) -> Result<Outcome> {
-    let mut results = Vec::new();
-    for path in &args.files {
-        results.push((path, check(path)?));
-    }
-    Destination::Stdout.write(|out| match args.format {
-        ReportFormat::Text => results.iter().try_for_each(|(path, result)| text(out, path, result)),
+/// The checker's answer for a file.
+type Answer = std::result::Result<Checked, Rejection>;
+
+pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
+    let answers: Vec<(&Path, Answer)> =
+        args.files.iter().map(|path| (path.as_path(), check(path, interrupt))).collect();
+    let written = Destination::Stdout.write(|out| match args.format {
+        ReportFormat::Text => answers.iter().try_for_each(|(path, answer)| text(out, path, answer)),
         ReportFormat::Json => {
-            let files: Vec<_> = results.iter().map(|(path, result)| json_report(path, result)).collect();
-            Ok(writeln!(out, "{}", json!({ "format": "grazing-check 1", "files": files }))?)
+            let files: Vec<_> = answers.iter().map(|(path, answer)| json_report(path, answer)).collect();
+            Ok(writeln!(out, "{}", json!({ "format": "grazing-check 2", "files": files }))?)
         }
-    })?;
-    let outcomes: Vec<Outcome> = results.iter().map(|(_, result)| outcome(result)).collect();
-    let worst = [Outcome::Refuted, Outcome::Undecided].into_iter().find(|one| outcomes.contains(one));
-    Ok(worst.unwrap_or(Outcome::Done))
+    });
+    let verdicts: Vec<&str> = answers.iter().map(|(_, answer)| verdict(answer)).collect();
+    if verdicts.contains(&"rejected") {
+        return Ok(Outcome::Refuted);
+    }
+    if let Err(error) = written
+        && !error.is_broken_pipe()
+    {
+        return Err(error);
+    }
+    for (path, answer) in answers {
+        if let Err(Rejection::Unreadable { line, source }) = answer {
+            return Err(Error::io(if line == 0 { "open" } else { "read" }, path, source));
+        }
+    }
+    let done = verdicts.iter().all(|verdict| *verdict == "proved");
+    Ok(if done { Outcome::Done } else { Outcome::Undecided })
 }
 
-fn outcome(result: &std::result::Result<Checked, Rejection>) -> Outcome {
-    match result {
-        Ok(_) => Outcome::Done,
-        Err(Rejection::Undecided { .. }) => Outcome::Undecided,
-        Err(_) => Outcome::Refuted,
+fn check(path: &Path, interrupt: &Interrupt) -> Answer {
+    let mut stop = || interrupt.check().is_err();
+    if stop() {
+        return Err(Rejection::Interrupted { line: 1 });
+    }
+    match Reader::open(path, interrupt) {
+        Ok(reader) => check_until(&mut BufReader::with_capacity(1 << 16, reader), &mut stop),
+        Err(_) if stop() => Err(Rejection::Interrupted { line: 1 }),
+        Err(source) => Err(Rejection::Unreadable { line: 0, source }),
     }
 }
 
-/// The checker's answer; an error if the file cannot be read.
-fn check(path: &Path) -> Result<std::result::Result<Checked, Rejection>> {
-    let input: Box<dyn Read> = if path == Path::new("-") {
-        Box::new(io::stdin().lock())
-    } else {
-        Box::new(File::open(path).map_err(|error| Error::io("open", path, error))?)
-    };
-    match certificate::check(&mut BufReader::with_capacity(1 << 16, input)) {
-        Err(Rejection::Unreadable { source, .. }) => Err(Error::io("read", path, source)),
-        answer => Ok(answer),
-    }
+/// `proved`, or how the checker says it otherwise.
+fn verdict(answer: &Answer) -> &'static str {
+    answer.as_ref().map_or_else(Rejection::verdict, |_| "proved")
 }
 
-fn text(out: &mut dyn Write, path: &Path, result: &std::result::Result<Checked, Rejection>) -> Result<()> {
-    match result {
-        Ok(checked) => {
-            let (first, last) = (checked.range.start(), checked.range.end());
-            let detail = checked.detail.iter().map(|detail| format!(": {detail}")).collect::<String>();
-            writeln!(out, "{}: proved, {} for n = {first}..={last}{detail}", path.display(), checked.kind)?;
-        }
-        Err(rejection) if outcome(result) == Outcome::Undecided => {
-            writeln!(out, "{}: {rejection}", path.display())?;
-        }
-        Err(rejection) => writeln!(out, "{}: rejected: {rejection}", path.display())?,
+fn text(out: &mut dyn Write, path: &Path, answer: &Answer) -> Result<()> {
+    match answer {
+        Ok(checked) => writeln!(out, "{}: {checked}", path.display())?,
+        Err(rejection) => writeln!(out, "{}: {}: {rejection}", path.display(), rejection.verdict())?,
     }
     Ok(())
 }
 
-fn json_report(path: &Path, result: &std::result::Result<Checked, Rejection>) -> serde_json::Value {
-    match result {
+fn json_report(path: &Path, answer: &Answer) -> serde_json::Value {
+    let detail = |checked: &Checked| -> serde_json::Map<String, serde_json::Value> {
+        checked.detail.iter().map(|(name, value)| (name.to_string(), value.as_str().into())).collect()
+    };
+    match answer {
         Ok(checked) => json!({
             "file": path,
             "verdict": "proved",
             "kind": checked.kind,
             "range": [checked.range.start(), checked.range.end()],
-            "detail": checked.detail,
+            "detail": detail(checked),
             "lines": checked.lines,
             "statement": checked.statement,
         }),
         Err(rejection) => json!({
             "file": path,
-            "verdict": if outcome(result) == Outcome::Undecided { "undecided" } else { "rejected" },
+            "verdict": rejection.verdict(),
             "reason": rejection.to_string(),
         }),
     }

@@ -14,6 +14,7 @@ mod fuzz;
 mod intervals;
 pub(crate) mod progress;
 mod range;
+mod reader;
 mod run;
 mod verify;
 
@@ -98,7 +99,7 @@ fn run(cli: Cli) -> Result<Outcome> {
     let interrupt = Interrupt::listen()?;
     match cli.command {
         Command::Verify(args) => verify::run(&args, &interrupt),
-        Command::Check(args) => check::run(&args),
+        Command::Check(args) => check::run(&args, &interrupt),
         Command::Cover(args) => cover::run(&args, &interrupt),
         Command::Intervals(args) => intervals::run(&args, &interrupt),
         Command::Classify(args) => classify::run(&args),
