@@ -51,6 +51,7 @@
 //! | [`symbol`] | u_n, N_{n,k} as polynomials in (a₁, a₂); sentences for solvers |
 //! | [`local`] | u_k, b_{n,k}, c_n at one point on every rung; the ladder of signs |
 //! | [`existence`] | Theorem 2 and Conjecture 1: claims, decisions, the edges of the areas |
+//! | [`word`] | the word theorem: every impact pattern in two dimensions, their number and entropy |
 //! | [`pattern`] | Theorem 1 in any dimension: impact patterns, the pattern graph |
 //! | [`oscillator`] | impact oscillators: flow, impacts, orbits, branches, attractors, proofs of orbits |
 //! | [`scene`] | an oscillator and what to do with it, as a file |
@@ -79,6 +80,7 @@ pub mod search;
 mod source;
 pub mod study;
 pub mod symbol;
+pub mod word;
 
 pub use error::{Error, Result};
 pub use grazing_check as certificate;

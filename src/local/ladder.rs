@@ -3,7 +3,7 @@
 use std::sync::OnceLock;
 
 use super::{Plane, Polar, zero_test};
-use crate::number::{Ball, Circular, FloatInterval, Plain, Precision, Sign};
+use crate::number::{Ball, Circular, FloatInterval, Plain, Precision, Real, Sign};
 
 /// A point at which the local map is evaluated.
 #[derive(Debug, Clone)]
@@ -112,6 +112,29 @@ impl Ladder {
             sign_on::<FloatInterval>(point, quantity, &()),
             |precision| sign_on::<Ball>(point, quantity, precision),
             |attempt| exactly(point, quantity, attempt),
+        )
+    }
+
+    /// The sign of u_n, never [`Answer::Singular`]: exact from (r, s) and where u_n = 0, else by the rungs.
+    ///
+    /// # Panics
+    /// Unless n ≥ 1.
+    pub fn u_sign(&self, point: &Point, n: u64) -> Decision {
+        Quantity::C { n }.check();
+        let plane = match point {
+            Point::Polar(polar) => {
+                return Decision { answer: Answer::Sign(polar.u_sign(n)), rung: Rung::Exact };
+            }
+            Point::Plane(plane) if plane.is_singular(n) => {
+                return Decision { answer: Answer::Sign(Sign::Zero), rung: Rung::Exact };
+            }
+            Point::Plane(plane) => plane,
+        };
+        let known = |sign: Option<Sign>| sign.map_or(Answer::Undecided, Answer::Sign);
+        self.climb(
+            known(plane.u::<FloatInterval>(n, &()).sign()),
+            |precision| known(plane.u::<Ball>(n, precision).sign()),
+            |attempt| plane.exact_u(n, attempt).as_ref().map(Sign::from),
         )
     }
 

@@ -129,6 +129,17 @@ impl Plane {
         Some((un.u.clone() - &uk.u - &(uk.power * &uj.u), un.u))
     }
 
+    /// u_n. Cost: O(log n) operations for complex eigenvalues, O(n) for real ones.
+    pub fn u<T: Real>(&self, n: u64, context: &T::Context) -> T {
+        if self.real { Sums::<T>::new(self, n, context).u(n) } else { self.lucas::<T>(n, context).u }
+    }
+
+    /// A positive multiple of u_n as an integer; `None` beyond `limit` bits.
+    pub(super) fn exact_u(&self, n: u64, limit: u64) -> Option<BigInt> {
+        let (a, b, _, bits) = self.integers(n);
+        (bits <= limit).then(|| lucas(&a, &b, n, BigInt::from).u)
+    }
+
     /// b_{n,1}, …, b_{n,n−1}; `None` where u_n = 0. O(n) operations for real eigenvalues, O(n log n) for complex ones.
     pub fn b_all<T: Real>(&self, n: u64, context: &T::Context) -> Option<Vec<T>> {
         if self.is_singular(n) {

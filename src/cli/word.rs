@@ -1,0 +1,317 @@
+//! `grazing word`: every impact pattern at one point, for all periods at once.
+
+use std::{fmt::Write as _, io::Write, path::PathBuf};
+
+use clap::{ArgGroup, Parser, ValueEnum};
+use num_rational::BigRational;
+use serde_json::{Value as Json, json};
+
+use super::{
+    Outcome,
+    classify::{describe, normalised},
+};
+use crate::{
+    error::{Error, Result},
+    local::{Ladder, Rung},
+    number::{certain_digits, parse_rational},
+    output::{Destination, Interrupt},
+    word::{Edge, Entropy, Extent, Letter, Patterns, Relation, Word},
+};
+
+/// The most letters of one word that the command lists: the graph has that many squared edges.
+const LETTERS: usize = 2000;
+/// The largest --max-period.
+const LIMIT: u64 = 400;
+/// Bits of the entropy.
+const BITS: u32 = 64;
+
+/// Tell every impact pattern at one point: which periods occur between impacts, and which may follow which.
+///
+/// A point is given as for `classify`. For both signs of e*mu: the word, that is the periods n that can occur between two
+/// impacts, in the order of the Stern-Brocot path to s, each with the letter U (c_n > 0, m/n above s) or D (c_n < 0). For
+/// both signs of gamma: which period may follow which, the periods that may follow themselves, the number of patterns
+/// of each period, and the topological entropy per forcing period, which is above 0 exactly where two single-impact
+/// periods coexist. An impact pattern exists where every period in it may follow the one before it, cyclically.
+///
+/// Exit code 0: everything is decided; 2: wrong usage; 3: a sign is zero or undecided, the word has more letters than
+/// were asked for, or interrupted.
+#[derive(Debug, Parser)]
+#[command(group = ArgGroup::new("point").required(true).args(["a1", "r"]))]
+pub(super) struct Args {
+    /// The trace a1.
+    #[arg(long, requires = "a2", allow_hyphen_values = true, value_parser = parse_rational, value_name = "X")]
+    a1: Option<BigRational>,
+    /// The determinant a2 > 0.
+    #[arg(long, requires = "a1", allow_hyphen_values = true, value_parser = parse_rational, value_name = "Y")]
+    a2: Option<BigRational>,
+    /// The modulus r > 0.
+    #[arg(long, requires = "s", allow_hyphen_values = true, value_parser = parse_rational, value_name = "R")]
+    r: Option<BigRational>,
+    /// The angle as a fraction of a turn, 0 < s < 1/2.
+    #[arg(long, requires = "r", allow_hyphen_values = true, value_parser = parse_rational, value_name = "S")]
+    s: Option<BigRational>,
+    /// Count the patterns of periods 1 to P, at most 400.
+    #[arg(long, value_name = "P", default_value_t = 12)]
+    max_period: u64,
+    /// End a word after L letters, at most 2000.
+    #[arg(long, value_name = "L", default_value_t = 200)]
+    letters: usize,
+    /// How the result is written.
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+    /// Write to a file, which appears only when complete.
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Format {
+    /// For reading.
+    Text,
+    /// One JSON object.
+    Json,
+    /// The four pattern graphs, for Graphviz.
+    Dot,
+}
+
+/// One sign of γ of a word.
+struct Case {
+    relation: Relation,
+    counts: Vec<(String, String)>,
+    entropy: Entropy,
+    at_least: bool,
+}
+
+/// One sign of eµ.
+struct Side {
+    word: Word,
+    cases: Vec<Case>,
+}
+
+pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
+    if !(1..=LIMIT).contains(&args.max_period) {
+        return Err(Error::input(format!("--max-period {}: from 1 to {LIMIT}", args.max_period)));
+    }
+    if !(1..=LETTERS).contains(&args.letters) {
+        return Err(Error::input(format!("--letters {}: from 1 to {LETTERS}", args.letters)));
+    }
+    let (point, region, reversed) =
+        normalised(args.a1.as_ref().zip(args.a2.as_ref()), args.r.as_ref().zip(args.s.as_ref()))?;
+    let ladder = Ladder::default();
+    let sides = [true, false]
+        .into_iter()
+        .map(|positive| {
+            let word = Word::at(&ladder, &point, positive, args.letters, interrupt)?;
+            let cases = [true, false].map(|gamma| case(&word, gamma, reversed, args.max_period)).into();
+            Ok(Side { word, cases })
+        })
+        .collect::<Result<Vec<Side>>>()?;
+    let heading = format!(
+        "{}{}",
+        describe(region),
+        if reversed { ", after reversing time (a2 > 1): patterns are read backwards" } else { "" }
+    );
+    Destination::new(args.output.clone()).write(|out| match args.format {
+        Format::Text => Ok(out.write_all(text(&heading, &sides).as_bytes())?),
+        Format::Json => json_report(&heading, reversed, &sides, out),
+        Format::Dot => Ok(out.write_all(dot(&sides).as_bytes())?),
+    })?;
+    let open = sides.iter().any(|side| {
+        !matches!(side.word.extent(), Extent::All | Extent::Complete { .. })
+            || side.cases.iter().any(|case| case.relation.is_open())
+    });
+    Ok(if open { Outcome::Undecided } else { Outcome::Done })
+}
+
+fn case(word: &Word, gamma: bool, reversed: bool, last: u64) -> Case {
+    let counted = Patterns::new(&Relation::new(word, gamma, reversed, last)).count(last);
+    let (entropy, at_least) = Entropy::of(word, gamma, BITS);
+    // Over all periods the relation is shown on those counted.
+    let shown = if word.extent() == Extent::All { last } else { u64::MAX };
+    Case {
+        relation: Relation::new(word, gamma, reversed, shown),
+        counts: counted.iter().map(|row| (row.all.to_string(), row.primitive.to_string())).collect(),
+        entropy,
+        at_least,
+    }
+}
+
+fn sign(positive: bool) -> &'static str {
+    if positive { ">" } else { "<" }
+}
+
+/// Why a word ends, in words.
+fn end(extent: Extent) -> String {
+    match extent {
+        Extent::All => "every period occurs, with this letter".into(),
+        Extent::Complete { next: Some(n) } => format!("no other period occurs: on the path {n} is the first that does not"),
+        Extent::Complete { next: None } => "no other period occurs".into(),
+        Extent::Boundary { next, deciding: Some(_) } => {
+            format!("the point lies on the boundary of period {next}: one b_{{n,k}} = 0 there, and no later period occurs")
+        }
+        Extent::Boundary { next, deciding: None } => {
+            format!("u_{next} = 0 at this point, where Theorem 1 is silent; no later period occurs")
+        }
+        Extent::Undecided { next, rung } => {
+            let rung = match rung {
+                Rung::Plain => "plain f64".into(),
+                Rung::Interval => "f64 intervals".into(),
+                Rung::Ball(bits) => format!("{bits} bits"),
+                Rung::Exact => "integers".to_string(),
+            };
+            format!("undecided: whether period {next} occurs, with {rung} spent; there may be more")
+        }
+        Extent::Cut => "the limit on letters is reached: there may be more".into(),
+        Extent::Line => "on this line some c_n or b_{n,k} is zero: Theorem 1 is silent".into(),
+    }
+}
+
+fn digits(entropy: &Entropy) -> Option<String> {
+    let (lo, hi) = entropy.bounds()?;
+    Some(certain_digits(&lo, &hi, 15).unwrap_or_else(|| "0".into()))
+}
+
+fn text(heading: &str, sides: &[Side]) -> String {
+    let mut text = format!("{heading}\n");
+    let mut chaotic = Vec::new();
+    for side in sides {
+        let positive = side.word.is_positive();
+        let _ = writeln!(text, "\ne*mu {} 0: word {}", sign(positive), side.word.letters());
+        for vertex in side.word.vertices() {
+            let letter = if vertex.letter == Letter::U { "U" } else { "D" };
+            let place = vertex.fraction();
+            let _ = writeln!(text, "  {letter} period {} at {}/{}", vertex.period, place.numer(), place.denom());
+        }
+        let _ = writeln!(text, "  {}", end(side.word.extent()));
+        for case in &side.cases {
+            let _ = writeln!(text, "  case {}:", case.relation.case());
+            if side.word.extent() == Extent::All {
+                let all = !case.relation.loops().is_empty();
+                let _ = writeln!(text, "    {}", if all { "every period may follow every period" } else { "no period may follow any" });
+            } else {
+                edges(&case.relation, &mut text);
+            }
+            let counts: Vec<&str> = case.counts.iter().map(|(all, _)| all.as_str()).collect();
+            let _ = writeln!(text, "    patterns of period 1, 2, ...: {}", counts.join(" "));
+            let at_least = if case.at_least { "at least " } else { "" };
+            let _ = match (&case.entropy, digits(&case.entropy)) {
+                (Entropy::Positive { .. }, Some(rate)) => {
+                    chaotic.push(format!("{} with entropy {at_least}{rate} per forcing period", case.relation.case()));
+                    writeln!(text, "    entropy {at_least}{rate}")
+                }
+                (_, Some(_)) => writeln!(text, "    entropy {at_least}0"),
+                (_, None) => writeln!(text, "    {}", if case.at_least { "no pattern is certain" } else { "no pattern exists" }),
+            };
+        }
+    }
+    let sentence = if chaotic.is_empty() {
+        "Chaos is born in none of the four cases (sign e*mu, sign gamma), as far as the words are known.".into()
+    } else {
+        format!("Chaos is born in the cases (sign e*mu, sign gamma) {}.", chaotic.join("; "))
+    };
+    let _ = writeln!(text, "\n{sentence}");
+    text
+}
+
+fn edges(relation: &Relation, text: &mut String) {
+    for (i, row) in relation.edges().iter().enumerate() {
+        let list = |wanted: Edge| {
+            let periods = row.iter().zip(relation.periods()).filter(|(edge, _)| **edge == wanted);
+            periods.map(|(_, n)| n.to_string()).collect::<Vec<_>>().join(", ")
+        };
+        let (yes, open) = (list(Edge::Yes), list(Edge::Open));
+        let open = if open.is_empty() { open } else { format!("; open: {open}") };
+        let yes = if yes.is_empty() { "nothing".into() } else { yes };
+        let _ = writeln!(text, "    after {}: {yes}{open}", relation.periods()[i]);
+    }
+}
+
+fn json_report(heading: &str, reversed: bool, sides: &[Side], out: &mut dyn Write) -> Result<()> {
+    let sides: Vec<Json> = sides
+        .iter()
+        .map(|side| {
+            let vertices = side.word.vertices();
+            let (kind, next) = match side.word.extent() {
+                Extent::All => ("all", None),
+                Extent::Complete { next } => ("complete", next),
+                Extent::Boundary { next, deciding: Some(_) } => ("boundary", Some(next)),
+                Extent::Boundary { next, deciding: None } => ("singular", Some(next)),
+                Extent::Undecided { next, .. } => ("undecided", Some(next)),
+                Extent::Cut => ("cut", None),
+                Extent::Line => ("line", None),
+            };
+            json!({
+                "sign_emu": if side.word.is_positive() { 1 } else { -1 },
+                "letters": side.word.letters(),
+                "periods": vertices.iter().map(|vertex| vertex.period).collect::<Vec<_>>(),
+                "fractions": vertices
+                    .iter()
+                    .map(|vertex| format!("{}/{}", vertex.numerator, vertex.period))
+                    .collect::<Vec<_>>(),
+                "end": { "kind": kind, "next": next, "detail": end(side.word.extent()) },
+                "cases": side.cases.iter().map(json_case).collect::<Vec<_>>(),
+            })
+        })
+        .collect();
+    let report = json!({ "format": "grazing-word 1", "region": heading, "reversed": reversed, "words": sides });
+    serde_json::to_writer_pretty(&mut *out, &report).map_err(|error| Error::from(std::io::Error::from(error)))?;
+    Ok(writeln!(out)?)
+}
+
+fn json_case(case: &Case) -> Json {
+    let pairs = |wanted: Edge| {
+        let rows = case.relation.edges().iter().zip(case.relation.periods());
+        rows.flat_map(|(row, from)| {
+            let follows = row.iter().zip(case.relation.periods()).filter(|(edge, _)| **edge == wanted);
+            follows.map(|(_, to)| [*from, *to]).collect::<Vec<_>>()
+        })
+        .collect::<Vec<_>>()
+    };
+    let (kind, z) = match &case.entropy {
+        Entropy::Empty => ("none", None),
+        Entropy::Zero => ("zero", None),
+        Entropy::Positive { z: (lo, hi), .. } => ("positive", certain_digits(lo, hi, 15)),
+    };
+    json!({
+        "sign_gamma": case.relation.case().sign_gamma(),
+        "edges": pairs(Edge::Yes),
+        "open": pairs(Edge::Open),
+        "loops": case.relation.loops(),
+        "patterns": case
+            .counts
+            .iter()
+            .enumerate()
+            .map(|(index, (all, primitive))| json!({ "period": index + 1, "all": all, "primitive": primitive }))
+            .collect::<Vec<_>>(),
+        "entropy": { "kind": kind, "rate": digits(&case.entropy), "z": z, "lower_bound": case.at_least },
+        "chaotic": matches!(case.entropy, Entropy::Positive { .. }),
+    })
+}
+
+fn dot(sides: &[Side]) -> String {
+    let mut text = String::from(
+        "// Which period may follow which, one graph per case (sign e*mu, sign gamma): its closed walks are the impact patterns.\n\
+         // dashed: a quantity is zero or not known\ndigraph patterns {\n  node [shape=circle];\n",
+    );
+    for case in sides.iter().flat_map(|side| &side.cases) {
+        let relation = &case.relation;
+        let name: String =
+            relation.case().to_string().chars().map(|c| if c == '+' { 'p' } else if c == '-' { 'm' } else { '_' }).collect();
+        let _ = writeln!(text, "  subgraph cluster{name} {{\n    label=\"{}\";", relation.case());
+        for n in relation.periods() {
+            let _ = writeln!(text, "    \"{name}{n}\" [label=\"{n}\"];");
+        }
+        for (row, from) in relation.edges().iter().zip(relation.periods()) {
+            for (edge, to) in row.iter().zip(relation.periods()) {
+                let style = match edge {
+                    Edge::Yes => "",
+                    Edge::Open => " [style=dashed]",
+                    Edge::No => continue,
+                };
+                let _ = writeln!(text, "    \"{name}{from}\" -> \"{name}{to}\"{style};");
+            }
+        }
+        text += "  }\n";
+    }
+    text + "}\n"
+}

@@ -1,0 +1,477 @@
+//! The word of a point: which periods can occur between impacts, found by walking down the Stern–Brocot tree.
+
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_rational::{BigRational, Ratio};
+use num_traits::{One, ToPrimitive};
+
+use super::Edge;
+use crate::{
+    error::{Error, Result},
+    local::{Answer, Ladder, Point, Polar, Quantity, Region, Rung},
+    monitor::Monitor,
+    number::Sign,
+};
+
+/// The most letters that a word is asked for.
+pub const MAX_LETTERS: usize = 100_000;
+
+/// The sign of c_n of a period, which is also its side in regions 2, 3 and 4.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Letter {
+    /// c_n > 0. In region 3 its fraction m/n lies above s, and u_n < 0.
+    U,
+    /// c_n < 0. In regions 2, 3 and 4 its fraction m/n lies at or below s, and u_n > 0.
+    D,
+}
+
+/// A period that can occur between impacts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Vertex {
+    /// n.
+    pub period: u64,
+    /// m, the integer nearest to ns: m/n is the period's place in the Stern–Brocot tree. In regions 1, 2, 4 and 5, where s is 0
+    /// or ½, the fraction on the path to s that has the denominator n.
+    pub numerator: u64,
+    /// Its letter.
+    pub letter: Letter,
+}
+
+/// Where a word ends, and why.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Extent {
+    /// Every period n ≥ 1 occurs, with the one letter given (regions 1, 2 and 5).
+    All,
+    /// No other period occurs. `next` is the period on the path whose deciding b_{n,k} is negative, or whose u_n is zero
+    /// with a₂ < 1; `None` where the periods are bounded by 2ns < 1 or where 1 is the only one.
+    Complete {
+        /// The first period on the path that does not occur.
+        next: Option<u64>,
+    },
+    /// The next period on the path lies on a boundary of its area, and Theorem 1 is silent there: its deciding b_{n,k} is
+    /// zero (`deciding`), or u_n = 0 with a₂ = 1. No later period occurs.
+    Boundary {
+        /// The period on whose boundary the point lies.
+        next: u64,
+        /// The letter of the side on which the deciding b_{n,k} vanishes; `None` where u_n = 0.
+        deciding: Option<Letter>,
+    },
+    /// The sign that decides about the next period on the path was not certain within the ladder's budget; the word
+    /// may go on.
+    Undecided {
+        /// The period that was not decided.
+        next: u64,
+        /// The highest rung tried.
+        rung: Rung,
+    },
+    /// The limit on letters was reached; the word may go on.
+    Cut,
+    /// On a line |a₁| = a₂ + 1, where some c_n or b_{n,k} is zero: nothing is said.
+    Line,
+}
+
+/// The periods that can occur between impacts at a point with 0 < a₂ ≤ 1, for one sign of eµ, in path order.
+///
+/// For eµ > 0 these are the n with u_n ≠ 0 and every b_{n,k} > 0, for eµ < 0 those with every b_{n,k} < 0; n = 1 always
+/// occurs. Which may follow which, for either sign of γ, is [`Word::edge`].
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Word {
+    positive: bool,
+    vertices: Vec<Vertex>,
+    extent: Extent,
+    /// The indices of the last lower and upper vertex, the pair whose mediant ended the walk.
+    last: Option<(usize, usize)>,
+}
+
+impl Word {
+    /// The word at `point` for the sign of eµ, `positive` or negative, of at most `limit` letters.
+    ///
+    /// Cost: one sign of u_n and one of b_{n,k} for each of its L letters; memory O(L). `monitor` is told of every letter.
+    ///
+    /// # Errors
+    /// An input error if a₂ > 1 (reverse time: [`Point`] with a₁/a₂, 1/a₂) or `limit` is not in 1..=[`MAX_LETTERS`];
+    /// the monitor's interruption.
+    pub fn at(
+        ladder: &Ladder,
+        point: &Point,
+        positive: bool,
+        limit: usize,
+        monitor: &dyn Monitor,
+    ) -> Result<Word> {
+        if !(1..=MAX_LETTERS).contains(&limit) {
+            return Err(Error::input(format!("a word of {limit} letters: from 1 to {MAX_LETTERS}")));
+        }
+        let region = match point {
+            Point::Polar(_) => Region::Three,
+            Point::Plane(plane) if plane.a2() > &BigRational::one() => {
+                return Err(Error::input(format!("a2 = {} is above 1: reverse time first", plane.a2())));
+            }
+            Point::Plane(plane) => plane.region(),
+        };
+        let mut walk = Walk { ladder, point, limit, monitor, word: Word::empty(positive) };
+        match (region, positive) {
+            (Region::Line, _) => walk.word.extent = Extent::Line,
+            (Region::One, true) => walk.word.fill(Letter::U),
+            (Region::Two, false) | (Region::Five, true) => walk.word.fill(Letter::D),
+            // Period 1 alone: c_1 > 0 in region 1 only.
+            (Region::One, false) => walk.word.push(0, 1, Letter::U),
+            (Region::Two, true) | (Region::Four | Region::Five, false) => walk.word.push(0, 1, Letter::D),
+            (Region::Three, false) => walk.below_half_a_turn()?,
+            (Region::Three, true) => walk.to_angle()?,
+            (Region::Four, true) => walk.to_half()?,
+        }
+        Ok(walk.word)
+    }
+
+    /// The word for eµ > 0 in the part of region 3 where period n = `period`, m = `numerator`, occurs on the side `letter`
+    /// of m/n and no later period does, with K = `first` the least k such that 2ks > 1. K matters where m = 1 and the
+    /// side is U, 1/(2n) < s < 1/n; elsewhere s and so K is known well enough from m/n.
+    ///
+    /// `None` unless m/n is in lowest terms with 0 < m/n < ½, or 2 with the side U, and K ≤ n. Cost: O(n).
+    pub fn of_area(period: u64, numerator: u64, letter: Letter, first: u64) -> Option<Word> {
+        let (n, m) = (period, numerator);
+        let end = (n, m) == (2, 1) && letter == Letter::U;
+        if m == 0 || m.gcd(&n) != 1 || m > n / 2 || (2 * m == n && !end) || first < 2 || first > n {
+            return None;
+        }
+        let mut word = Word::empty(true);
+        word.push(0, 1, Letter::D);
+        let (mut lower, mut upper) = ((0, 1, Some(0)), (1, 2, None));
+        if first == 2 {
+            word.push(1, 2, Letter::U);
+            upper.2 = Some(1);
+        }
+        let mut next = (1, 2);
+        while next != (m, n) {
+            next = (lower.0 + upper.0, lower.1 + upper.1);
+            let side = match (m * next.1).cmp(&(next.0 * n)) {
+                std::cmp::Ordering::Less => Letter::U,
+                std::cmp::Ordering::Greater => Letter::D,
+                std::cmp::Ordering::Equal => letter,
+            };
+            let occurs = side == Letter::D || next.0 > 1 || next.1 >= first;
+            let index = occurs.then_some(word.vertices.len());
+            if occurs {
+                word.push(next.0, next.1, side);
+            }
+            match side {
+                Letter::U => upper = (next.0, next.1, index),
+                Letter::D => lower = (next.0, next.1, index),
+            }
+        }
+        word.extent = Extent::Complete { next: Some(lower.1 + upper.1) };
+        word.last = lower.2.zip(upper.2);
+        Some(word)
+    }
+
+    fn empty(positive: bool) -> Word {
+        Word { positive, vertices: Vec::new(), extent: Extent::Complete { next: None }, last: None }
+    }
+
+    fn fill(&mut self, letter: Letter) {
+        self.push(0, 1, letter);
+        self.extent = Extent::All;
+    }
+
+    fn push(&mut self, numerator: u64, period: u64, letter: Letter) {
+        self.vertices.push(Vertex { period, numerator, letter });
+    }
+
+    /// Whether this is the word for eµ > 0.
+    pub fn is_positive(&self) -> bool {
+        self.positive
+    }
+
+    /// The periods, in path order; for [`Extent::All`] only n = 1, whose letter is everyone's.
+    pub fn vertices(&self) -> &[Vertex] {
+        &self.vertices
+    }
+
+    /// The periods up to `last`, in path order.
+    pub fn up_to(&self, last: u64) -> Vec<Vertex> {
+        match (self.extent, self.vertices.first()) {
+            (Extent::All, Some(first)) => (1..=last).map(|period| Vertex { period, ..*first }).collect(),
+            _ => self.vertices.iter().copied().filter(|vertex| vertex.period <= last).collect(),
+        }
+    }
+
+    /// Where the word ends, and why.
+    pub fn extent(&self) -> Extent {
+        self.extent
+    }
+
+    /// Whether the periods listed are certainly all.
+    pub fn is_whole(&self) -> bool {
+        matches!(self.extent, Extent::All | Extent::Complete { .. } | Extent::Boundary { .. })
+    }
+
+    /// Whether the period of vertex `to` may follow that of vertex `from`: condition (64) with σ = sign(eµ) sign(γ),
+    /// `sigma` true for σ > 0. Both are indices into [`vertices`](Word::vertices). Cost: O(1).
+    ///
+    /// | from, to (σ > 0) | edge |
+    /// | --- | --- |
+    /// | U → U | always |
+    /// | D → D | never |
+    /// | i D and j U, Farey neighbours, their mediant in the word with letter U | both ways |
+    /// | the same with letter D | neither way |
+    /// | the same, the mediant not in the word: the deciding b < 0, or u_{i+j} = 0 and a₂ < 1 | D → U only |
+    /// | i D and j U, not neighbours, the later in the word is D | both ways |
+    /// | the same, the later is U | neither way |
+    ///
+    /// For σ < 0 every answer is the opposite one. Open where a quantity is zero or was not decided.
+    ///
+    /// # Panics
+    /// Unless both are indices of vertices.
+    pub fn edge(&self, from: usize, to: usize, sigma: bool) -> Edge {
+        let (a, b) = (&self.vertices[from], &self.vertices[to]);
+        let edge = match (a.letter, b.letter) {
+            (Letter::U, Letter::U) => Edge::Yes,
+            (Letter::D, Letter::D) => Edge::No,
+            (Letter::D, Letter::U) => self.between(from, to).0,
+            (Letter::U, Letter::D) => self.between(to, from).1,
+        };
+        if sigma { edge } else { edge.opposite() }
+    }
+
+    /// For a D and a U: D → U and U → D, at σ > 0.
+    fn between(&self, d: usize, u: usize) -> (Edge, Edge) {
+        if self.last == Some((d, u)) {
+            return match self.extent {
+                Extent::Complete { .. } => (Edge::Yes, Edge::No),
+                Extent::Boundary { deciding: Some(Letter::U), .. } => (Edge::Yes, Edge::Open),
+                Extent::Boundary { deciding: Some(Letter::D), .. } => (Edge::Open, Edge::No),
+                _ => (Edge::Open, Edge::Open),
+            };
+        }
+        let (a, b) = (&self.vertices[d], &self.vertices[u]);
+        let determinant =
+            u128::from(b.numerator) * u128::from(a.period) - u128::from(a.numerator) * u128::from(b.period);
+        let both = if determinant == 1 {
+            // Neighbours: the next vertex after both is their mediant.
+            self.vertices[d.max(u) + 1..]
+                .iter()
+                .find(|mediant| mediant.period == a.period + b.period)
+                .is_some_and(|mediant| mediant.letter == Letter::U)
+        } else {
+            d > u
+        };
+        if both { (Edge::Yes, Edge::Yes) } else { (Edge::No, Edge::No) }
+    }
+
+    /// The letters, for reading.
+    pub fn letters(&self) -> String {
+        let letter = |vertex: &Vertex| if vertex.letter == Letter::U { 'U' } else { 'D' };
+        self.vertices.iter().map(letter).collect()
+    }
+}
+
+/// A walk down the tree, with the word found so far.
+struct Walk<'a> {
+    ladder: &'a Ladder,
+    point: &'a Point,
+    limit: usize,
+    monitor: &'a dyn Monitor,
+    word: Word,
+}
+
+/// A fraction on the path, and its index in the word if its period occurs.
+#[derive(Clone, Copy)]
+struct End {
+    numerator: u64,
+    period: u64,
+    index: Option<usize>,
+}
+
+impl Walk<'_> {
+    /// Region 3, eµ < 0: the n with 2ns < 1, all D.
+    fn below_half_a_turn(&mut self) -> Result<()> {
+        let Some(first) = self.first_above_half_a_turn()? else { return Ok(()) };
+        for n in 1..first.below {
+            if self.word.vertices.len() == self.limit {
+                self.word.extent = Extent::Cut;
+                return Ok(());
+            }
+            self.word.push(0, n, Letter::D);
+            self.monitor.advance(1)?;
+        }
+        Ok(())
+    }
+
+    /// Region 3, eµ > 0: the path to s.
+    fn to_angle(&mut self) -> Result<()> {
+        self.word.push(0, 1, Letter::D);
+        let Some(HalfTurn { below, above }) = self.first_above_half_a_turn()? else { return Ok(()) };
+        let lower = End { numerator: 0, period: 1, index: Some(0) };
+        if self.word.vertices.len() == self.limit {
+            self.word.extent = Extent::Cut;
+            return Ok(());
+        }
+        // For `above` = K the parents are 0/1 and 1/(K − 1), and its b's are positive whatever r is.
+        let _ = below;
+        self.word.push(1, above, Letter::U);
+        let upper = End { numerator: 1, period: above, index: Some(1) };
+        self.descend(lower, upper, |walk, n| walk.side(n))
+    }
+
+    /// Region 4, eµ > 0: the path to ½, which has every m/n = k/(2k + 1) below it.
+    fn to_half(&mut self) -> Result<()> {
+        self.word.push(0, 1, Letter::D);
+        if self.limit == 1 {
+            self.word.extent = Extent::Cut;
+            return Ok(());
+        }
+        self.word.push(1, 2, Letter::U);
+        let lower = End { numerator: 0, period: 1, index: Some(0) };
+        let upper = End { numerator: 1, period: 2, index: Some(1) };
+        self.descend(lower, upper, |_, _| Ok(Sign::Positive))
+    }
+
+    /// Follows the path below a gap whose ends are in the word, as long as the periods occur. `side` is the sign of u_n.
+    fn descend(
+        &mut self,
+        mut lower: End,
+        mut upper: End,
+        side: impl Fn(&Self, u64) -> std::result::Result<Sign, Rung>,
+    ) -> Result<()> {
+        loop {
+            self.monitor.advance(1)?;
+            self.word.last = lower.index.zip(upper.index);
+            let (Some(n), Some(m)) =
+                (lower.period.checked_add(upper.period), lower.numerator.checked_add(upper.numerator))
+            else {
+                self.word.extent = Extent::Cut;
+                return Ok(());
+            };
+            if self.word.vertices.len() == self.limit {
+                self.word.extent = Extent::Cut;
+                return Ok(());
+            }
+            let (letter, deciding) = match side(self, n) {
+                // S3: above s the upper parent decides, below it the lower one.
+                Ok(Sign::Negative) => (Letter::U, upper.period),
+                Ok(Sign::Positive) => (Letter::D, lower.period),
+                Ok(Sign::Zero) => {
+                    self.word.extent = if self.on_circle() {
+                        Extent::Boundary { next: n, deciding: None }
+                    } else {
+                        Extent::Complete { next: Some(n) }
+                    };
+                    return Ok(());
+                }
+                Err(rung) => {
+                    self.word.extent = Extent::Undecided { next: n, rung };
+                    return Ok(());
+                }
+            };
+            let decision = self.ladder.sign(self.point, Quantity::B { n, k: deciding });
+            self.word.extent = match decision.answer {
+                Answer::Sign(Sign::Positive) => {
+                    let end = End { numerator: m, period: n, index: Some(self.word.vertices.len()) };
+                    self.word.push(m, n, letter);
+                    match letter {
+                        Letter::U => upper = end,
+                        Letter::D => lower = end,
+                    }
+                    continue;
+                }
+                Answer::Sign(Sign::Negative) => Extent::Complete { next: Some(n) },
+                Answer::Sign(Sign::Zero) => Extent::Boundary { next: n, deciding: Some(letter) },
+                Answer::Singular | Answer::Undecided => Extent::Undecided { next: n, rung: decision.rung },
+            };
+            return Ok(());
+        }
+    }
+
+    /// Whether a₂ = 1.
+    fn on_circle(&self) -> bool {
+        match self.point {
+            Point::Polar(polar) => polar.on_circle(),
+            Point::Plane(plane) => plane.a2().is_one(),
+        }
+    }
+
+    /// The sign of u_n: that of ns − m for the n of the path.
+    fn side(&self, n: u64) -> std::result::Result<Sign, Rung> {
+        let decision = self.ladder.u_sign(self.point, n);
+        match decision.answer {
+            Answer::Sign(sign) => Ok(sign),
+            Answer::Singular | Answer::Undecided => Err(decision.rung),
+        }
+    }
+
+    /// Where 2ns passes 1; `None`, with the reason in the word, if that is not decided.
+    fn first_above_half_a_turn(&mut self) -> Result<Option<HalfTurn>> {
+        if let Point::Polar(polar) = self.point {
+            return match polar_half_turn(polar) {
+                Some(found) => Ok(Some(found)),
+                None => {
+                    self.word.extent = Extent::Cut;
+                    Ok(None)
+                }
+            };
+        }
+        // u_n > 0 as long as 2ns < 1, and from such an n to 2n the sign tells whether 4ns < 1: gallop, then bisect.
+        let (mut low, mut high) = (1u64, 2u64);
+        let mut zero = None;
+        loop {
+            self.monitor.advance(0)?;
+            match self.side(high) {
+                Ok(Sign::Positive) => {
+                    low = high;
+                    match high.checked_mul(2) {
+                        Some(twice) => high = twice,
+                        None => {
+                            self.word.extent = Extent::Cut;
+                            return Ok(None);
+                        }
+                    }
+                }
+                Ok(_) => break,
+                Err(rung) => {
+                    self.word.extent = Extent::Undecided { next: high, rung };
+                    return Ok(None);
+                }
+            }
+        }
+        if self.side(high) == Ok(Sign::Zero) {
+            zero = Some(high);
+        }
+        while high - low > 1 {
+            let middle = low + (high - low) / 2;
+            match self.side(middle) {
+                Ok(Sign::Positive) => low = middle,
+                Ok(sign) => {
+                    high = middle;
+                    zero = (sign == Sign::Zero).then_some(middle);
+                }
+                Err(rung) => {
+                    self.word.extent = Extent::Undecided { next: middle, rung };
+                    return Ok(None);
+                }
+            }
+        }
+        Ok(Some(HalfTurn { below: low + 1, above: if zero == Some(high) { high + 1 } else { high } }))
+    }
+}
+
+/// The n around 1/(2s).
+struct HalfTurn {
+    /// The least n with 2ns ≥ 1.
+    below: u64,
+    /// K = ⌊1/(2s)⌋ + 1, the least n with 2ns > 1.
+    above: u64,
+}
+
+fn polar_half_turn(polar: &Polar) -> Option<HalfTurn> {
+    let (quotient, rest) = polar.s().denom().div_rem(&(polar.s().numer() * BigInt::from(2)));
+    let floor = quotient.to_u64()?;
+    let above = floor.checked_add(1)?;
+    Some(HalfTurn { below: if rest == BigInt::ZERO { floor } else { above }, above })
+}
+
+impl Vertex {
+    /// m/n.
+    pub fn fraction(&self) -> Ratio<u64> {
+        Ratio::new(self.numerator, self.period)
+    }
+}

@@ -1,0 +1,125 @@
+//! Which period may follow which in one case (sign eµ, sign γ): the pattern graph as a relation on periods.
+
+use super::{Extent, Letter, Word};
+use crate::existence::Case;
+
+/// Whether one period may follow another.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Edge {
+    /// It may.
+    Yes,
+    /// It may not.
+    No,
+    /// The quantity that decides is zero, where Theorem 1 is silent, or its sign was not decided.
+    Open,
+}
+
+impl Edge {
+    pub(super) fn opposite(self) -> Edge {
+        match self {
+            Edge::Yes => Edge::No,
+            Edge::No => Edge::Yes,
+            Edge::Open => Edge::Open,
+        }
+    }
+}
+
+/// The pattern graph of one case on finitely many periods. The impact patterns that exist are its closed walks, a step to
+/// period n taking n forcing periods.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Relation {
+    case: Case,
+    periods: Vec<u64>,
+    /// `edges[i][j]`: `periods[j]` may follow `periods[i]`.
+    edges: Vec<Vec<Edge>>,
+    whole: bool,
+}
+
+impl Relation {
+    /// The relation of a word for a sign of γ, on its periods up to `last`. `reversed`: the word is that of the
+    /// time-reversed system, a₂ > 1, whose patterns are read backwards. Cost: O(V²) for V periods.
+    pub fn new(word: &Word, gamma_positive: bool, reversed: bool, last: u64) -> Relation {
+        let vertices = word.up_to(last);
+        let case = match (word.is_positive(), gamma_positive) {
+            (true, true) => Case::PlusPlus,
+            (true, false) => Case::PlusMinus,
+            (false, true) => Case::MinusPlus,
+            (false, false) => Case::MinusMinus,
+        };
+        let sigma = word.is_positive() == gamma_positive;
+        let all = word.extent() == Extent::All;
+        // The vertices kept keep their place in the word.
+        let places: Vec<usize> = (0..word.vertices().len())
+            .filter(|&index| !all && word.vertices()[index].period <= last)
+            .collect();
+        let edge = |from: usize, to: usize| match all {
+            true if (vertices[from].letter == Letter::U) == sigma => Edge::Yes,
+            true => Edge::No,
+            false => word.edge(places[from], places[to], sigma),
+        };
+        let size = vertices.len();
+        let edges = (0..size)
+            .map(|i| (0..size).map(|j| if reversed { edge(j, i) } else { edge(i, j) }).collect())
+            .collect();
+        let whole = word.is_whole() && !all && word.vertices().iter().all(|vertex| vertex.period <= last);
+        Relation { case, periods: vertices.iter().map(|vertex| vertex.period).collect(), edges, whole }
+    }
+
+    /// The case (sign eµ, sign γ).
+    pub fn case(&self) -> Case {
+        self.case
+    }
+
+    /// The periods, in path order.
+    pub fn periods(&self) -> &[u64] {
+        &self.periods
+    }
+
+    /// Whether the periods are all that occur.
+    pub fn is_whole(&self) -> bool {
+        self.whole
+    }
+
+    /// Whether `to` may follow `from`; [`Edge::No`] for periods that do not occur.
+    pub fn edge(&self, from: u64, to: u64) -> Edge {
+        let place = |n| self.periods.iter().position(|&period| period == n);
+        match (place(from), place(to)) {
+            (Some(i), Some(j)) => self.edges[i][j],
+            _ => Edge::No,
+        }
+    }
+
+    /// The edges by index, as in [`periods`](Relation::periods).
+    pub fn edges(&self) -> &[Vec<Edge>] {
+        &self.edges
+    }
+
+    /// The periods that may follow themselves: the single-impact orbits of this case.
+    pub fn loops(&self) -> Vec<u64> {
+        (0..self.periods.len()).filter(|&i| self.edges[i][i] == Edge::Yes).map(|i| self.periods[i]).collect()
+    }
+
+    /// Whether an edge is open.
+    pub fn is_open(&self) -> bool {
+        self.edges.iter().flatten().any(|&edge| edge == Edge::Open)
+    }
+
+    /// Whether the pattern exists: [`Edge::Yes`] if each period may follow the one before it, cyclically. Cost: O(m V).
+    pub fn pattern(&self, pattern: &[u64]) -> Edge {
+        let mut answer = Edge::Yes;
+        for (index, &from) in pattern.iter().enumerate() {
+            match self.edge(from, pattern[(index + 1) % pattern.len()]) {
+                Edge::No => return Edge::No,
+                Edge::Open => answer = Edge::Open,
+                Edge::Yes => {}
+            }
+        }
+        answer
+    }
+
+    /// Whether patterns branch: the topological entropy is positive. By the word theorem exactly where two single-impact
+    /// periods coexist in the case.
+    pub fn is_chaotic(&self) -> bool {
+        self.loops().len() > 1
+    }
+}
