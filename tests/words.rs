@@ -4,9 +4,9 @@
 mod common;
 
 use common::{Fraction, config, middle, sign_b, sign_sin, singular};
-use grazing::existence::Case;
+use grazing::existence::{Boundary, Case, intervals};
 use grazing::local::{Ladder, Plane, Point, Polar};
-use grazing::word::{Edge, Extent, Relation, Word, two_impacts, two_impacts_of};
+use grazing::word::{Edge, Extent, Letter, Relation, Word, two_impacts, two_impacts_of};
 use num_rational::BigRational;
 use num_traits::{One, Pow, Signed, Zero};
 use proptest::prelude::*;
@@ -67,7 +67,7 @@ fn compare(a1: &Q, a2: &Q) {
         found.sort_unstable();
         assert_eq!(found, occurring(a2, &u, positive, LAST as usize), "{a1} {a2} eµ > 0: {positive}");
         for gamma in [true, false] {
-            let relation = Relation::new(&word, gamma, false, LAST);
+            let relation = Relation::new(&word, gamma, false, LAST).unwrap();
             for &i in &found {
                 for &j in &found {
                     let expected = follows(a2, &u, i, j, positive == gamma);
@@ -75,7 +75,7 @@ fn compare(a1: &Q, a2: &Q) {
                 }
             }
             // W6: a cycle through two periods, one of them with a loop, needs two loops, the second perhaps beyond LAST.
-            let chaotic = Relation::new(&word, gamma, false, u64::MAX).is_chaotic();
+            let chaotic = Relation::new(&word, gamma, false, 1000).unwrap().is_chaotic();
             let cycles = found.iter().any(|&i| {
                 let edge = |i, j| relation.edge(i, j) == Edge::Yes;
                 found.iter().any(|&j| i != j && edge(i, j) && edge(j, i) && (edge(i, i) || edge(j, j)))
@@ -146,7 +146,7 @@ fn a_vanishing_deciding_b_leaves_one_edge_open() {
     let point = Point::Plane(Plane::new(q(-1, 1), a2).unwrap());
     let word = Word::at(&Ladder::default(), &point, true, 10, &()).unwrap();
     assert!(matches!(word.extent(), Extent::Boundary { next: 3, deciding: Some(_) }), "{:?}", word.extent());
-    assert!(Relation::new(&word, true, false, 10).is_open());
+    assert!(Relation::new(&word, true, false, 10).unwrap().is_open());
 }
 
 /// On r = 1 at rational s, where u_n = 0 at the end of the path and everything is an integer sign.
@@ -165,7 +165,7 @@ fn words_on_the_circle() {
                 let occurs = |n: i128| !singular(n, s) && (1..n).all(|k| sign_b(n, k, s) == Some(wanted));
                 let expected: Vec<u64> = (1..=30).filter(|&n| occurs(n)).map(|n| n as u64).collect();
                 assert_eq!(found, expected, "s = {num}/{den}, {positive}");
-                let relation = Relation::new(&word, true, false, 30);
+                let relation = Relation::new(&word, true, false, 30).unwrap();
                 for &i in &found {
                     for &j in &found {
                         assert_eq!(relation.edge(i, j), on_circle(i, j, s, positive), "{i} {j} {num}/{den}");
@@ -240,6 +240,35 @@ fn numbers_of_intervals_by_period() {
     assert_eq!(found, expected);
 }
 
+/// The word of an area, as the figure draws it, is that of a point inside it just above its lower edge.
+#[test]
+fn words_of_areas_are_words_of_points_in_them() {
+    let ladder = Ladder::default();
+    for n in 3u64..=11 {
+        for interval in intervals(n).unwrap().filter(|interval| interval.deciding.is_some()) {
+            let (left, right) = (&interval.left, &interval.right);
+            let s = q(
+                (left.numer() * right.denom() + right.numer() * left.denom()) as i64,
+                (2 * left.denom() * right.denom()) as i64,
+            );
+            let Some(edge) = Boundary::new(interval.clone()).at(&s, 12).unwrap() else {
+                panic!("{interval:?}")
+            };
+            let r = &edge.upper + q(1, 1_000_000_000);
+            let at = Word::at(&ladder, &Point::Polar(Polar::new(r, s).unwrap()), true, 100, &()).unwrap();
+            let letter = if interval.case == Case::PlusPlus { Letter::U } else { Letter::D };
+            let of = Word::of_area(n, interval.m, letter, at.vertices()[1].period).unwrap();
+            assert_eq!((at.vertices(), at.extent()), (of.vertices(), of.extent()), "{interval:?}");
+            for (i, j) in (0..at.vertices().len()).flat_map(|i| (0..at.vertices().len()).map(move |j| (i, j)))
+            {
+                assert_eq!(at.edge(i, j, true), of.edge(i, j, true));
+            }
+        }
+    }
+    assert_eq!(Word::of_area(6, 2, Letter::U, 3), None);
+    assert_eq!(Word::of_area(5, 3, Letter::U, 2), None);
+}
+
 /// s far from everything small: the path is walked without listing what is skipped.
 #[test]
 fn ends_of_the_range() {
@@ -257,6 +286,11 @@ fn ends_of_the_range() {
     for limit in [0, grazing::word::MAX_LETTERS + 1] {
         assert!(Word::at(&ladder, &tiny, true, limit, &()).unwrap_err().is_input());
     }
+    // Over all periods the graph is never whole, and is not built without end.
+    let two = Point::Plane(Plane::new(q(14, 10), q(42, 100)).unwrap());
+    let all = Word::at(&ladder, &two, false, 10, &()).unwrap();
+    assert_eq!(all.extent(), Extent::All);
+    assert!(Relation::new(&all, true, false, u64::MAX).unwrap_err().is_input());
     let outside = Point::Plane(Plane::new(q(1, 1), q(3, 2)).unwrap());
     assert!(Word::at(&ladder, &outside, true, 10, &()).unwrap_err().is_input());
 }

@@ -63,7 +63,8 @@ pub(super) fn run(args: &Args) -> Result<Outcome> {
     if !(1..=LIMIT).contains(&args.max_n) {
         return Err(Error::input(format!("--max-n {}: a whole number from 1 to {LIMIT}", args.max_n)));
     }
-    let (point, region, reversed) = point(args)?;
+    let (point, region, reversed) =
+        normalised(args.a1.as_ref().zip(args.a2.as_ref()), args.r.as_ref().zip(args.s.as_ref()))?;
     let ladder = Ladder::default();
     let found = by_records(&ladder, &point, args.max_n)
         .unwrap_or_else(|| (1..=args.max_n).map(|n| by_definition(&ladder, &point, n)).collect());
@@ -75,10 +76,13 @@ pub(super) fn run(args: &Args) -> Result<Outcome> {
     Ok(if found.contains(&Existence::Undecided) { Outcome::Undecided } else { Outcome::Done })
 }
 
-/// The point with a₂ ≤ 1, its region, and whether time was reversed to get there.
-fn point(args: &Args) -> Result<(Point, Region, bool)> {
-    match (&args.a1, &args.a2, &args.r, &args.s) {
-        (Some(a1), Some(a2), ..) => {
+/// The point given by (a₁, a₂) or by (r, s), with a₂ ≤ 1, its region, and whether time was reversed to get there.
+pub(super) fn normalised(
+    plane: Option<(&BigRational, &BigRational)>,
+    polar: Option<(&BigRational, &BigRational)>,
+) -> Result<(Point, Region, bool)> {
+    match (plane, polar) {
+        (Some((a1, a2)), _) => {
             if !a2.is_positive() {
                 return Err(Error::input(format!(
                     "--a2 {a2}: the determinant of the map of a flow is above 0"
@@ -90,7 +94,7 @@ fn point(args: &Args) -> Result<(Point, Region, bool)> {
             let region = plane.region();
             Ok((Point::Plane(plane), region, reversed))
         }
-        (_, _, Some(r), Some(s)) => {
+        (_, Some((r, s))) => {
             if !r.is_positive() {
                 return Err(Error::input(format!("--r {r}: the modulus is above 0")));
             }
@@ -102,7 +106,7 @@ fn point(args: &Args) -> Result<(Point, Region, bool)> {
     }
 }
 
-fn describe(region: Region) -> &'static str {
+pub(super) fn describe(region: Region) -> &'static str {
     match region {
         Region::One => "Region 1: 0 < lambda2 < 1 < lambda1",
         Region::Two => "Region 2: eigenvalues in (0, 1)",

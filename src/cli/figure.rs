@@ -68,6 +68,8 @@ enum Figure {
     Intervals,
     /// The powers of an eigenvalue seen from 1: their records are the periods that exist.
     Records,
+    /// The words of the (a1, a2) plane and their entropy, areas of period up to N: where chaos is born.
+    Words,
     /// The lowest points of all areas beside their law for large n, n = 4 to N.
     Tips,
 }
@@ -90,6 +92,9 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
         Figure::Intervals => figure::intervals(n, &args.output)?,
         Figure::Records => {
             figure::records(&number(&args.r, "0.993")?, &number(&args.s, "0.205")?, n, &args.output)?
+        }
+        Figure::Words => {
+            figure::words(n, &args.output, &Progress::new(interrupt, n.saturating_sub(2), "periods"))?
         }
         Figure::Tips => {
             figure::tips(n, &args.output, &Progress::new(interrupt, n.saturating_sub(3), "periods"))?

@@ -17,6 +17,7 @@ mod range;
 mod reader;
 mod run;
 mod verify;
+mod word;
 
 use std::process::ExitCode;
 
@@ -48,6 +49,7 @@ enum Command {
     Cover(cover::Args),
     Intervals(intervals::Args),
     Classify(classify::Args),
+    Word(word::Args),
     Existence(existence::Args),
     Fuzz(fuzz::Args),
     Farey(farey::Args),
@@ -103,6 +105,7 @@ fn run(cli: Cli) -> Result<Outcome> {
         Command::Cover(args) => cover::run(&args, &interrupt),
         Command::Intervals(args) => intervals::run(&args, &interrupt),
         Command::Classify(args) => classify::run(&args),
+        Command::Word(args) => word::run(&args, &interrupt),
         Command::Existence(args) => existence::run(&args, &interrupt),
         Command::Fuzz(args) => fuzz::run(&args, &interrupt),
         Command::Farey(args) => farey::run(&args, &interrupt),

@@ -11,10 +11,11 @@ use super::{
     classify::{describe, normalised},
 };
 use crate::{
+    cli::progress::{Interrupt, Progress},
     error::{Error, Result},
     local::{Ladder, Rung},
     number::{certain_digits, parse_rational},
-    output::{Destination, Interrupt},
+    output::Destination,
     word::{Edge, Entropy, Extent, Letter, Patterns, Relation, Word},
 };
 
@@ -101,8 +102,12 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     let sides = [true, false]
         .into_iter()
         .map(|positive| {
-            let word = Word::at(&ladder, &point, positive, args.letters, interrupt)?;
-            let cases = [true, false].map(|gamma| case(&word, gamma, reversed, args.max_period)).into();
+            let word =
+                Word::at(&ladder, &point, positive, args.letters, &Progress::new(interrupt, 0, "letters"))?;
+            let cases = [true, false]
+                .into_iter()
+                .map(|gamma| case(&word, gamma, reversed, args.max_period))
+                .collect::<Result<_>>()?;
             Ok(Side { word, cases })
         })
         .collect::<Result<Vec<Side>>>()?;
@@ -123,17 +128,17 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     Ok(if open { Outcome::Undecided } else { Outcome::Done })
 }
 
-fn case(word: &Word, gamma: bool, reversed: bool, last: u64) -> Case {
-    let counted = Patterns::new(&Relation::new(word, gamma, reversed, last)).count(last);
-    let (entropy, at_least) = Entropy::of(word, gamma, BITS);
+fn case(word: &Word, gamma: bool, reversed: bool, last: u64) -> Result<Case> {
+    let counted = Patterns::new(&Relation::new(word, gamma, reversed, last)?).count(last);
+    let (entropy, at_least) = Entropy::of(word, gamma, BITS)?;
     // Over all periods the relation is shown on those counted.
     let shown = if word.extent() == Extent::All { last } else { u64::MAX };
-    Case {
-        relation: Relation::new(word, gamma, reversed, shown),
+    Ok(Case {
+        relation: Relation::new(word, gamma, reversed, shown)?,
         counts: counted.iter().map(|row| (row.all.to_string(), row.primitive.to_string())).collect(),
         entropy,
         at_least,
-    }
+    })
 }
 
 fn sign(positive: bool) -> &'static str {
@@ -144,10 +149,14 @@ fn sign(positive: bool) -> &'static str {
 fn end(extent: Extent) -> String {
     match extent {
         Extent::All => "every period occurs, with this letter".into(),
-        Extent::Complete { next: Some(n) } => format!("no other period occurs: on the path {n} is the first that does not"),
+        Extent::Complete { next: Some(n) } => {
+            format!("no other period occurs: on the path {n} is the first that does not")
+        }
         Extent::Complete { next: None } => "no other period occurs".into(),
         Extent::Boundary { next, deciding: Some(_) } => {
-            format!("the point lies on the boundary of period {next}: one b_{{n,k}} = 0 there, and no later period occurs")
+            format!(
+                "the point lies on the boundary of period {next}: one b_{{n,k}} = 0 there, and no later period occurs"
+            )
         }
         Extent::Boundary { next, deciding: None } => {
             format!("u_{next} = 0 at this point, where Theorem 1 is silent; no later period occurs")
@@ -180,14 +189,19 @@ fn text(heading: &str, sides: &[Side]) -> String {
         for vertex in side.word.vertices() {
             let letter = if vertex.letter == Letter::U { "U" } else { "D" };
             let place = vertex.fraction();
-            let _ = writeln!(text, "  {letter} period {} at {}/{}", vertex.period, place.numer(), place.denom());
+            let _ =
+                writeln!(text, "  {letter} period {} at {}/{}", vertex.period, place.numer(), place.denom());
         }
         let _ = writeln!(text, "  {}", end(side.word.extent()));
         for case in &side.cases {
             let _ = writeln!(text, "  case {}:", case.relation.case());
             if side.word.extent() == Extent::All {
                 let all = !case.relation.loops().is_empty();
-                let _ = writeln!(text, "    {}", if all { "every period may follow every period" } else { "no period may follow any" });
+                let _ = writeln!(
+                    text,
+                    "    {}",
+                    if all { "every period may follow every period" } else { "no period may follow any" }
+                );
             } else {
                 edges(&case.relation, &mut text);
             }
@@ -196,16 +210,24 @@ fn text(heading: &str, sides: &[Side]) -> String {
             let at_least = if case.at_least { "at least " } else { "" };
             let _ = match (&case.entropy, digits(&case.entropy)) {
                 (Entropy::Positive { .. }, Some(rate)) => {
-                    chaotic.push(format!("{} with entropy {at_least}{rate} per forcing period", case.relation.case()));
+                    chaotic.push(format!(
+                        "{} with entropy {at_least}{rate} per forcing period",
+                        case.relation.case()
+                    ));
                     writeln!(text, "    entropy {at_least}{rate}")
                 }
                 (_, Some(_)) => writeln!(text, "    entropy {at_least}0"),
-                (_, None) => writeln!(text, "    {}", if case.at_least { "no pattern is certain" } else { "no pattern exists" }),
+                (_, None) => writeln!(
+                    text,
+                    "    {}",
+                    if case.at_least { "no pattern is certain" } else { "no pattern exists" }
+                ),
             };
         }
     }
     let sentence = if chaotic.is_empty() {
-        "Chaos is born in none of the four cases (sign e*mu, sign gamma), as far as the words are known.".into()
+        "Chaos is born in none of the four cases (sign e*mu, sign gamma), as far as the words are known."
+            .into()
     } else {
         format!("Chaos is born in the cases (sign e*mu, sign gamma) {}.", chaotic.join("; "))
     };
@@ -253,8 +275,10 @@ fn json_report(heading: &str, reversed: bool, sides: &[Side], out: &mut dyn Writ
             })
         })
         .collect();
-    let report = json!({ "format": "grazing-word 1", "region": heading, "reversed": reversed, "words": sides });
-    serde_json::to_writer_pretty(&mut *out, &report).map_err(|error| Error::from(std::io::Error::from(error)))?;
+    let report =
+        json!({ "format": "grazing-word 1", "region": heading, "reversed": reversed, "words": sides });
+    serde_json::to_writer_pretty(&mut *out, &report)
+        .map_err(|error| Error::from(std::io::Error::from(error)))?;
     Ok(writeln!(out)?)
 }
 
@@ -295,8 +319,20 @@ fn dot(sides: &[Side]) -> String {
     );
     for case in sides.iter().flat_map(|side| &side.cases) {
         let relation = &case.relation;
-        let name: String =
-            relation.case().to_string().chars().map(|c| if c == '+' { 'p' } else if c == '-' { 'm' } else { '_' }).collect();
+        let name: String = relation
+            .case()
+            .to_string()
+            .chars()
+            .map(|c| {
+                if c == '+' {
+                    'p'
+                } else if c == '-' {
+                    'm'
+                } else {
+                    '_'
+                }
+            })
+            .collect();
         let _ = writeln!(text, "  subgraph cluster{name} {{\n    label=\"{}\";", relation.case());
         for n in relation.periods() {
             let _ = writeln!(text, "    \"{name}{n}\" [label=\"{n}\"];");

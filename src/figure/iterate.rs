@@ -62,14 +62,14 @@ pub fn iterate_boundaries(last: u64, folder: &Path) -> Result<()> {
 }
 
 /// The active part of b_{n,k} = 0 as points (a₁, a₂) within 10⁻⁸.
-struct Curve {
+pub(super) struct Curve {
     interval: Interval,
     k: u64,
-    points: Vec<[BigRational; 2]>,
+    pub(super) points: Vec<[BigRational; 2]>,
 }
 
 impl Curve {
-    fn new(interval: Interval) -> Result<Curve> {
+    pub(super) fn new(interval: Interval) -> Result<Curve> {
         let (n, k) = (interval.n, interval.deciding.unwrap_or_default());
         let ratio = |p: u64, q: u64| BigRational::new(p.into(), q.into());
         let [mut left, right] = [&interval.left, &interval.right].map(|x| ratio(*x.numer(), *x.denom()));
@@ -127,7 +127,7 @@ pub(super) fn region4(n: u64) -> Vec<[BigRational; 2]> {
     points
 }
 
-fn place(point: &[BigRational; 2]) -> (f64, f64) {
+pub(super) fn place(point: &[BigRational; 2]) -> (f64, f64) {
     let [a1, a2] = point.each_ref().map(|x| x.to_f64().unwrap_or(f64::NAN));
     (a1, a2)
 }

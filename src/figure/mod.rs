@@ -16,6 +16,7 @@ mod records;
 mod regions;
 mod section;
 mod tips;
+mod words;
 
 pub use accuracy::{accuracy_figure, accuracy_table};
 pub use branches::{Curve, Scatter, branches};
@@ -30,6 +31,7 @@ pub use records::records;
 pub use regions::regions;
 pub use section::{Mark, Points, section};
 pub use tips::tips;
+pub use words::words;
 
 use std::{fs, path::Path};
 

@@ -5,6 +5,7 @@ use num_rational::BigRational;
 use num_traits::One;
 
 use super::{Extent, Letter, Patterns, Relation, Word};
+use crate::error::Result;
 use crate::number::{Ball, FloatInterval, Precision, Real, Sign};
 
 /// The exponential growth rate of the number of patterns with their period, per forcing period.
@@ -148,20 +149,23 @@ fn logarithm(w: &Ball, bits: u32) -> Ball {
 impl Entropy {
     /// The entropy of a word's case, for a sign of γ, and whether it is only a lower bound: where the word may go on, or an edge is
     /// open. Over all periods it is log 2 or nothing. Cost: as [`Patterns::entropy`], and V² edges.
-    pub fn of(word: &Word, gamma_positive: bool, bits: u32) -> (Entropy, bool) {
+    ///
+    /// # Errors
+    /// An input error for words of more than [`MAX_RELATION`](super::MAX_RELATION) letters.
+    pub fn of(word: &Word, gamma_positive: bool, bits: u32) -> Result<(Entropy, bool)> {
         if word.extent() == Extent::All {
             let sigma = word.is_positive() == gamma_positive;
             if (word.vertices()[0].letter == Letter::U) != sigma {
-                return (Entropy::Empty, false);
+                return Ok((Entropy::Empty, false));
             }
             // Σ zⁿ = 1 over all n ≥ 1: z = ½.
             let half = BigRational::new(1.into(), 2.into());
             let two = Ball::integer(2, &Precision::new(bits + 64));
             let rate = logarithm(&two, bits + 64);
-            return (Entropy::Positive { z: (half.clone(), half), rate }, false);
+            return Ok((Entropy::Positive { z: (half.clone(), half), rate }, false));
         }
-        let relation = Relation::new(word, gamma_positive, false, u64::MAX);
-        (Patterns::new(&relation).entropy(bits), !relation.is_whole() || relation.is_open())
+        let relation = Relation::new(word, gamma_positive, false, u64::MAX)?;
+        Ok((Patterns::new(&relation).entropy(bits), !relation.is_whole() || relation.is_open()))
     }
 
     /// The entropy as bounds with denominators that are powers of 2, 0 where patterns do not branch; `None` if no pattern exists.
@@ -178,6 +182,7 @@ impl Entropy {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::error::Result;
     use crate::number::Elementary;
 
     fn digits(periods: &[u64], follows: &[Vec<bool>]) -> f64 {

@@ -27,5 +27,5 @@ mod two_impacts;
 pub use count::{PatternCount, Patterns};
 pub use entropy::Entropy;
 pub use path::{Extent, Letter, MAX_LETTERS, Vertex, Word};
-pub use relation::{Edge, Relation};
+pub use relation::{Edge, MAX_RELATION, Relation};
 pub use two_impacts::{PatternInterval, two_impacts, two_impacts_of};

@@ -187,7 +187,7 @@ impl Word {
         &self.vertices
     }
 
-    /// The periods up to `last`, in path order.
+    /// The periods up to `last`, in path order. Memory: O(`last`) for [`Extent::All`].
     pub fn up_to(&self, last: u64) -> Vec<Vertex> {
         match (self.extent, self.vertices.first()) {
             (Extent::All, Some(first)) => (1..=last).map(|period| Vertex { period, ..*first }).collect(),

@@ -1,7 +1,13 @@
 //! Which period may follow which in one case (sign eµ, sign γ): the pattern graph as a relation on periods.
 
 use super::{Extent, Letter, Word};
-use crate::existence::Case;
+use crate::{
+    error::{Error, Result},
+    existence::Case,
+};
+
+/// The most periods of a relation: it holds every pair of them.
+pub const MAX_RELATION: usize = 4096;
 
 /// Whether one period may follow another.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -37,8 +43,20 @@ pub struct Relation {
 
 impl Relation {
     /// The relation of a word for a sign of γ, on its periods up to `last`. `reversed`: the word is that of the
-    /// time-reversed system, a₂ > 1, whose patterns are read backwards. Cost: O(V²) for V periods.
-    pub fn new(word: &Word, gamma_positive: bool, reversed: bool, last: u64) -> Relation {
+    /// time-reversed system, a₂ > 1, whose patterns are read backwards. Time and memory: O(V²) for V periods.
+    ///
+    /// # Errors
+    /// An input error for more than [`MAX_RELATION`] periods.
+    pub fn new(word: &Word, gamma_positive: bool, reversed: bool, last: u64) -> Result<Relation> {
+        let count = match word.extent() {
+            Extent::All => usize::try_from(last).unwrap_or(usize::MAX),
+            _ => word.vertices().iter().filter(|vertex| vertex.period <= last).count(),
+        };
+        if count > MAX_RELATION {
+            return Err(Error::input(format!(
+                "a pattern graph on {count} periods: at most {MAX_RELATION}; take those up to a lower period"
+            )));
+        }
         let vertices = word.up_to(last);
         let case = match (word.is_positive(), gamma_positive) {
             (true, true) => Case::PlusPlus,
@@ -62,7 +80,7 @@ impl Relation {
             .map(|i| (0..size).map(|j| if reversed { edge(j, i) } else { edge(i, j) }).collect())
             .collect();
         let whole = word.is_whole() && !all && word.vertices().iter().all(|vertex| vertex.period <= last);
-        Relation { case, periods: vertices.iter().map(|vertex| vertex.period).collect(), edges, whole }
+        Ok(Relation { case, periods: vertices.iter().map(|vertex| vertex.period).collect(), edges, whole })
     }
 
     /// The case (sign eµ, sign γ).

@@ -1,0 +1,317 @@
+//! Which impact patterns a grazing bifurcation gives birth to, over the (a₁, a₂) plane: each cell one word, its colour the
+//! entropy.
+//!
+//! The cells for eµ > 0 are the areas of Conjecture 1 less those inside them: drawn from the lowest period up, each over the
+//! ones that it lies in, so that every edge is the edge of an area. For eµ < 0 they are sectors of s.
+
+use std::path::Path;
+
+use num_traits::ToPrimitive;
+use plotters::{
+    coord::Shift,
+    prelude::*,
+    style::text_anchor::{HPos, VPos},
+};
+
+use super::{
+    FONT, GREY, Picture, WIDTH,
+    axes::{Panel, plane_axes},
+    iterate::{Curve, place},
+    label, save, style,
+};
+use crate::{
+    error::{Error, Result},
+    existence::{Case, intervals},
+    monitor::Monitor,
+    word::{Entropy, Letter, Word},
+};
+
+/// Points of a curve s = const, and of an edge without a lower bound.
+const STEPS: u32 = 60;
+/// Bits of the entropies.
+const BITS: u32 = 40;
+
+/// A part of the plane with one word.
+struct Cell {
+    case: Case,
+    letters: String,
+    periods: Vec<u64>,
+    /// `None`: no pattern exists.
+    entropy: Option<f64>,
+    outline: Vec<(f64, f64)>,
+}
+
+/// Writes `words.svg` and `words.csv` into `folder`: the words of at most the areas of period ≤ `last`, for the three cases in
+/// which patterns are born for |a₁| < 1 + a₂. Later periods are left out, so that colours are lower bounds near a₂ = 1.
+///
+/// # Errors
+/// An input error unless 3 ≤ `last` ≤ 30; an I/O error; the monitor's interruption.
+pub fn words(last: u64, folder: &Path, monitor: &dyn Monitor) -> Result<()> {
+    if !(3..=30).contains(&last) {
+        return Err(Error::input(format!(
+            "--n {last}: this figure shows periods up to N, with N from 3 to 30"
+        )));
+    }
+    let mut cells = Vec::new();
+    sectors(last, &mut cells);
+    for gamma in [true, false] {
+        plain(gamma, &mut cells);
+    }
+    for n in 3..=last {
+        monitor.advance(1)?;
+        areas(n, &mut cells)?;
+    }
+    let rows: Vec<Vec<String>> = cells
+        .iter()
+        .map(|cell| {
+            let periods: Vec<String> = cell.periods.iter().map(u64::to_string).collect();
+            vec![
+                cell.case.sign_emu().to_string(),
+                cell.case.sign_gamma().to_string(),
+                cell.letters.clone(),
+                periods.join(" "),
+                cell.entropy.map_or(String::new(), |rate| format!("{rate:.10}")),
+            ]
+        })
+        .collect();
+    let columns = ["sign_emu", "sign_gamma", "word", "periods", "entropy"];
+    save(folder, "words", draw(last, &cells), &columns, &rows)
+}
+
+/// The entropy of a word's case, in f64 for the picture.
+fn rate(word: &Word, gamma: bool) -> Option<f64> {
+    let (entropy, _) = Entropy::of(word, gamma, BITS).ok()?;
+    entropy.bounds()?.0.to_f64()
+}
+
+fn cell(word: &Word, case: Case, outline: Vec<(f64, f64)>) -> Cell {
+    Cell {
+        case,
+        letters: word.letters(),
+        periods: word.vertices().iter().map(|vertex| vertex.period).collect(),
+        entropy: rate(word, case.sign_gamma() > 0),
+        outline,
+    }
+}
+
+/// a₁ = 2r cos 2πs, a₂ = r² for r from 0 to 1.
+fn ray(s: f64) -> Vec<(f64, f64)> {
+    let cosine = (std::f64::consts::TAU * s).cos();
+    (0..=STEPS).map(|i| f64::from(i) / f64::from(STEPS)).map(|r| (2.0 * r * cosine, r * r)).collect()
+}
+
+fn between(first: Vec<(f64, f64)>, second: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
+    first.into_iter().chain(second.into_iter().rev()).collect()
+}
+
+fn lower_edge(sign: f64) -> Vec<(f64, f64)> {
+    vec![(sign, 0.0), (sign * 2.0, 1.0)]
+}
+
+/// eµ < 0, γ > 0: region 2, and the sectors 1/(2(n + 1)) ≤ s < 1/(2n) of the words 1, …, n.
+fn sectors(last: u64, cells: &mut Vec<Cell>) {
+    let full = |n: u64, outline| {
+        let periods: Vec<u64> = (1..=n).collect();
+        let all = vec![vec![true; periods.len()]; periods.len()];
+        let entropy = crate::word::Patterns::from_edges(&periods, &all).entropy(BITS);
+        let entropy = entropy.bounds().and_then(|(lo, _)| lo.to_f64());
+        Cell { case: Case::MinusPlus, letters: "D".repeat(periods.len()), periods, entropy, outline }
+    };
+    // Each over the ones to its right, so that nothing shines through between them; beyond the last, and in region 2,
+    // all periods: log 2.
+    let from = |s: f64| between(lower_edge(-1.0), ray(s));
+    let mut rest = full(last, between(lower_edge(-1.0), lower_edge(1.0)));
+    (rest.letters, rest.periods, rest.entropy) = ("D...".into(), Vec::new(), Some(std::f64::consts::LN_2));
+    cells.push(rest);
+    let mut narrow = full(last, from(0.0));
+    narrow.letters += "...";
+    cells.push(narrow);
+    cells.extend((1..=last).rev().map(|n| full(n, from(1.0 / (2 * n + 2) as f64))));
+}
+
+/// eµ > 0: what lies under all areas. Period 1 alone in region 2; 1 and K elsewhere.
+fn plain(gamma: bool, cells: &mut Vec<Cell>) {
+    let case = if gamma { Case::PlusPlus } else { Case::PlusMinus };
+    let whole = between(lower_edge(-1.0), lower_edge(1.0));
+    cells.push(Cell {
+        case,
+        letters: "D".into(),
+        periods: vec![1],
+        entropy: (!gamma).then_some(0.0),
+        outline: whole,
+    });
+    if let Some(word) = Word::of_area(2, 1, Letter::U, 2) {
+        cells.push(cell(&word, case, between(lower_edge(-1.0), ray(0.25))));
+    }
+}
+
+/// eµ > 0: the areas of period n.
+fn areas(n: u64, cells: &mut Vec<Cell>) -> Result<()> {
+    for interval in intervals(n)?.filter(|interval| interval.deciding.is_some()) {
+        let (m, k) = (interval.m, interval.deciding.unwrap_or_default());
+        let letter = if interval.case == Case::PlusPlus { Letter::U } else { Letter::D };
+        let curve = Curve::new(interval.clone())?;
+        let mut edge: Vec<(f64, f64)> = curve.points.iter().map(place).collect();
+        // The leftmost area is bounded by the line; that of m = 1 above s = 1/(2n) by nothing below.
+        if k == n - 2 && letter == Letter::D {
+            edge.extend(lower_edge(-1.0));
+        }
+        let firsts = if m == 1 && letter == Letter::U {
+            (2..=n).collect()
+        } else {
+            // s ≈ m/n and 1/(2s) is no integer on the area.
+            vec![n.div_ceil(2 * m).max(2)]
+        };
+        for first in firsts {
+            let Some(word) = Word::of_area(n, m, letter, first) else { continue };
+            let outline = if m == 1 && letter == Letter::U { strip(n, first, &edge) } else { edge.clone() };
+            if outline.len() > 2 {
+                for case in [Case::PlusPlus, Case::PlusMinus] {
+                    cells.push(cell(&word, case, outline.clone()));
+                }
+            }
+        }
+    }
+    Ok(())
+}
+
+/// The part of the area of 1/n on its upper side where K = `first`: 1/(2K) < s < 1/(2(K − 1)), s < 1/n.
+fn strip(n: u64, first: u64, edge: &[(f64, f64)]) -> Vec<(f64, f64)> {
+    let s = |&(a1, a2): &(f64, f64)| (a1 / (2.0 * a2.sqrt())).clamp(-1.0, 1.0).acos() / std::f64::consts::TAU;
+    let (low, high) = (1.0 / (2 * first) as f64, 1.0 / (2 * first - 2) as f64);
+    if first == n {
+        // R = 0 up to 1/(2(n − 1)).
+        return between(ray(low), ray(high));
+    }
+    // The edge runs from s = 1/(2(n − 1)), r = 0 to s = 1/n, r = 1; its ends have no s of their own.
+    let high = high.min(1.0 / n as f64);
+    let mut outline: Vec<(f64, f64)> =
+        edge[1..edge.len() - 1].iter().copied().filter(|point| (low..high).contains(&s(point))).collect();
+    if outline.is_empty() {
+        return outline;
+    }
+    if first == n - 1 {
+        outline.insert(0, (0.0, 0.0));
+    }
+    let top = |s: f64| (2.0 * (std::f64::consts::TAU * s).cos(), 1.0);
+    // Up along both sides from where the edge meets them.
+    let side = |from: (f64, f64), s: f64| {
+        let r0 = from.1.sqrt();
+        let cosine = (std::f64::consts::TAU * s).cos();
+        (0..=STEPS)
+            .map(move |i| r0 + (1.0 - r0) * f64::from(i) / f64::from(STEPS))
+            .map(move |r| (2.0 * r * cosine, r * r))
+    };
+    let (begin, end) = (outline[0], outline[outline.len() - 1]);
+    outline.extend(side(end, high));
+    outline.push(top(low));
+    let back: Vec<(f64, f64)> = side(begin, low).collect();
+    outline.extend(back.into_iter().rev());
+    outline
+}
+
+/// From white (nothing) over grey (patterns, but no chaos) to a dark blue at log 2.
+fn shade(entropy: Option<f64>) -> RGBColor {
+    let Some(rate) = entropy else { return WHITE };
+    if rate <= 0.0 {
+        return RGBColor(226, 226, 226);
+    }
+    // Yellow, green, blue: apart in lightness as well as in hue.
+    let stops = [(253.0, 231.0, 120.0), (120.0, 198.0, 121.0), (44.0, 127.0, 184.0), (37.0, 32.0, 110.0)];
+    let t = (rate / std::f64::consts::LN_2).clamp(0.0, 1.0) * 3.0;
+    let i = (t as usize).min(2);
+    let mix = |a: f64, b: f64| (a + (b - a) * (t - i as f64)).round() as u8;
+    let (a, b) = (stops[i], stops[i + 1]);
+    RGBColor(mix(a.0, b.0), mix(a.1, b.1), mix(a.2, b.2))
+}
+
+fn panel<'a, 'b>(
+    area: &'a DrawingArea<SVGBackend<'b>, Shift>,
+    cells: &[Cell],
+    case: Case,
+) -> std::result::Result<Panel<'a, 'b>, Box<dyn std::error::Error + 'a>>
+where
+    'b: 'a,
+{
+    let mut chart = ChartBuilder::on(area)
+        .margin(25)
+        .margin_right(50)
+        .x_label_area_size(180)
+        .y_label_area_size(200)
+        .build_cartesian_2d(-2f64..2.0, 0f64..1.0)?;
+    for cell in cells.iter().filter(|cell| cell.case == case) {
+        chart.draw_series([Polygon::new(cell.outline.clone(), shade(cell.entropy).filled())])?;
+    }
+    let parabola =
+        (-100..=100).map(|i| f64::from(i) / 50.0).map(|a1| (a1, a1 * a1 / 4.0)).collect::<Vec<_>>();
+    chart.draw_series([PathElement::new(parabola, GREY.stroke_width(3))])?;
+    for sign in [-1.0, 1.0] {
+        chart.draw_series([PathElement::new(lower_edge(sign), BLACK.stroke_width(3))])?;
+    }
+    plane_axes(&mut chart, 5, 1)?;
+    Ok(chart)
+}
+
+fn draw(last: u64, cells: &[Cell]) -> Picture {
+    let mut svg = String::new();
+    let root = SVGBackend::with_string(&mut svg, (WIDTH, 3300)).into_drawing_area();
+    root.fill(&WHITE)?;
+    let (key, rest) = root.split_vertically(260);
+    let panels = rest.split_evenly((3, 1));
+    let text =
+        |words: String, at: (i32, i32), side: HPos| Text::new(words, at, style(FONT, side, VPos::Center));
+    // The key: nothing, no chaos, a scale.
+    let mut x = 60;
+    for (name, entropy) in [("nothing", None), ("no chaos", Some(0.0))] {
+        key.draw(&Rectangle::new([(x, 40), (x + 80, 110)], shade(entropy).filled()))?;
+        key.draw(&Rectangle::new([(x, 40), (x + 80, 110)], BLACK.stroke_width(2)))?;
+        key.draw(&text(name.into(), (x + 100, 75), HPos::Left))?;
+        x += 480;
+    }
+    for i in 0..400 {
+        let rate = f64::from(i) / 400.0 * std::f64::consts::LN_2;
+        key.draw(&Rectangle::new(
+            [(x + 2 * i, 40), (x + 2 * i + 2, 110)],
+            shade(Some(rate.max(1e-9))).filled(),
+        ))?;
+    }
+    for (rate, name) in [(0.0, "0"), (0.2, "0.2"), (0.4, "0.4"), (0.6, "0.6"), (std::f64::consts::LN_2, "")] {
+        let at = x + (rate / std::f64::consts::LN_2 * 800.0) as i32;
+        key.draw(&PathElement::new([(at, 110), (at, 124)], BLACK.stroke_width(3)))?;
+        key.draw(&text(name.into(), (at, 158), HPos::Center))?;
+    }
+    key.draw(&text(
+        format!("entropy per forcing period; areas of period ≤ {last}"),
+        (x + 800, 220),
+        HPos::Right,
+    ))?;
+    for (area, case) in panels.iter().zip([Case::PlusPlus, Case::PlusMinus, Case::MinusPlus]) {
+        let chart = panel(area, cells, case).map_err(|error| error.to_string())?;
+        let (x, y) = chart.backend_coord(&(-1.95, 0.12));
+        root.draw(&Text::new(
+            format!("eµ, γ: {}", label(case)),
+            (x, y),
+            style(FONT + 10, HPos::Left, VPos::Center),
+        ))?;
+    }
+    root.present()?;
+    drop((key, panels, rest));
+    drop(root);
+    Ok(svg)
+}
+
+#[cfg(test)]
+mod tests {
+    use num_integer::Integer;
+
+    use super::*;
+
+    #[test]
+    fn numerators_and_firsts_give_words() {
+        for n in 3..=20u64 {
+            for m in (1..n.div_ceil(2)).filter(|m| m.gcd(&n) == 1) {
+                assert!(Word::of_area(n, m, Letter::U, n.div_ceil(2 * m).max(2)).is_some());
+            }
+        }
+    }
+}
