@@ -9,7 +9,7 @@ fi
 sh build.sh -j "$(nproc 2>/dev/null || echo 1)"
 found=$(mktemp)
 trap 'rm -f "$found"' EXIT
-for file in Main MainPlane MainOrbits; do coqc -Q . Grazing $file.v; done >"$found"
+for file in Main MainPlane MainOrbits MainWords; do coqc -Q . Grazing $file.v; done >"$found"
 if [ "${1-}" = --pin ]; then cp "$found" assumptions.txt; fi
 diff assumptions.txt "$found"
-coqchk -silent -o -Q . Grazing Grazing.Main Grazing.MainPlane Grazing.MainOrbits
+coqchk -silent -o -Q . Grazing Grazing.Main Grazing.MainPlane Grazing.MainOrbits Grazing.MainWords
