@@ -62,6 +62,9 @@
 //! | [`figure`] | pictures, the data of each beside it |
 //! | [`cli`] | the command line, progress bars |
 
+// They panic once nobody reads; `output` has what does not.
+#![deny(clippy::print_stdout, clippy::print_stderr)]
+
 pub mod cli;
 mod error;
 pub mod existence;
@@ -71,8 +74,10 @@ pub mod local;
 mod monitor;
 pub mod number;
 pub mod oscillator;
+mod outcome;
 pub mod output;
 pub mod pattern;
+mod processor;
 mod random;
 pub mod run;
 pub mod scene;
@@ -85,3 +90,4 @@ pub mod word;
 pub use error::{Error, Result};
 pub use grazing_check as certificate;
 pub use monitor::Monitor;
+pub use outcome::Outcome;

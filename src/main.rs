@@ -1,5 +1,7 @@
 //! The `grazing` command; everything it does is in the library.
 
+#![deny(clippy::print_stdout, clippy::print_stderr)]
+
 use std::process::ExitCode;
 
 fn main() -> ExitCode {

@@ -285,7 +285,7 @@ fn a_killed_run_resumes_to_the_same_certificate() {
         assert!(other.contains("it is of another run"), "{option}: {other}");
     }
     fs::write(folder.join("notes"), "these are\nnot a journal\n").unwrap();
-    assert!(stderr_of("cover 8 --resume notes", folder, 2).contains("it is not a journal"));
+    assert!(stderr_of("cover 8 --resume notes", folder, 2).contains("it is not a saved state"));
 }
 
 #[test]

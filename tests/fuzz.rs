@@ -19,10 +19,11 @@ fn counts(tally: Tally) -> Tally {
 
 #[test]
 fn conjecture_1_withstands_a_short_run() {
-    let tally = fuzz(&options(), Tally::default(), &(), |_| Ok(())).unwrap();
+    let options = Options { cases: 5_000_000, ..options() };
+    let tally = fuzz(&options, Tally::default(), &(), |_| Ok(())).unwrap();
     assert_eq!(tally.disagreements, Vec::<String>::new());
     assert_eq!(tally.undecided, 0);
-    assert!(tally.decided() >= 200_000);
+    assert!((options.cases..options.cases + 2 * options.block()).contains(&tally.decided()));
     assert!(tally.weighted > 500 && tally.repeated > 50 && tally.ball > 0 && tally.boundary > 0, "{tally:?}");
 }
 
@@ -37,10 +38,50 @@ fn threads_and_interruptions_change_nothing() {
             Ok(())
         })
     });
-    let resumed =
-        fuzz(&Options { cases: 1_000_000, ..options() }, states[0].clone(), &(), |_| Ok(())).unwrap();
-    assert_eq!(counts(resumed), counts(single.unwrap()));
-    assert_eq!(counts(whole), counts(states[0].clone()));
+    let single = counts(single.unwrap());
+    // From the end of a shorter run, and from every state of the longer one.
+    for state in states.into_iter().chain([whole]) {
+        let resumed = fuzz(&Options { cases: 1_000_000, ..options() }, state, &(), |_| Ok(())).unwrap();
+        assert_eq!(counts(resumed), single);
+    }
+}
+
+/// The run stops within the block that reaches the cases asked for.
+#[test]
+fn cases_are_what_was_asked_for_to_within_a_block() {
+    for (first, last, cases) in [(1, 3, 1), (1, 64, 1), (1, 64, 100_000), (60, 64, 5_000), (12, 12, 10_000)] {
+        let options = Options { first, last, cases, ..options() };
+        let tally = fuzz(&options, Tally::default(), &(), |_| Ok(())).unwrap();
+        let most = cases + options.block() + tally.repeated;
+        assert!((cases..most).contains(&tally.decided()), "{} for {options:?}", tally.decided());
+    }
+    assert!(fuzz(&Options { cases: 0, ..options() }, Tally::default(), &(), |_| Ok(())).is_err());
+}
+
+/// What no run comes to is refused, also where a sum would wrap or a loop have no end.
+#[test]
+fn false_tallies_are_refused() {
+    let good = fuzz(&options(), Tally::default(), &(), |_| Ok(())).unwrap();
+    good.check(&options()).unwrap();
+    let damages: [fn(&mut Tally); 12] = [
+        |tally| tally.units = u64::MAX,
+        |tally| tally.units += 1,
+        |tally| tally.swept = u64::MAX,
+        |tally| tally.swept += 1,
+        |tally| tally.boundary = u64::MAX - 5,
+        |tally| tally.weighted = u64::MAX,
+        |tally| tally.repeated += 1,
+        |tally| tally.undecided += 1,
+        |tally| tally.sweep_seconds = f64::NAN,
+        |tally| tally.weighted_seconds = -1.0,
+        |tally| tally.disagreements.push("3 polar 1/2 1/5".into()),
+        |tally| tally.disagreements.push("nonsense".into()),
+    ];
+    for (index, damage) in damages.into_iter().enumerate() {
+        let mut tally = good.clone();
+        damage(&mut tally);
+        assert!(fuzz(&options(), tally, &(), |_| Ok(())).unwrap_err().is_input(), "damage {index}");
+    }
 }
 
 /// The neighbours exchanged, or an end shifted: false, and found out.

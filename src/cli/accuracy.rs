@@ -1,15 +1,15 @@
 //! `grazing accuracy`: what accuracy costs, on this machine.
 
-use std::{fs, path::PathBuf};
+use std::path::PathBuf;
 
 use clap::{Parser, ValueEnum};
 
 use super::Outcome;
 use crate::{
     cli::progress::Interrupt,
-    error::{Error, Result},
+    error::Result,
     figure::{accuracy_figure, accuracy_table, effects_table, flow_accuracy, flow_table, long_runs_table},
-    output::{Destination, TableFormat, write_file},
+    output::{Destination, TableFormat, make_folder, write_file},
     study::{
         FAMILIES,
         effects::effects,
@@ -48,7 +48,7 @@ enum Subject {
 
 pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     // Before the measurement rather than after it.
-    fs::create_dir_all(&args.output).map_err(|error| Error::io("create", &args.output, error))?;
+    make_folder(&args.output)?;
     match args.of {
         Subject::Signs => signs(args, interrupt),
         Subject::Simulations => simulations(args, interrupt),

@@ -8,7 +8,7 @@ use num_rational::{BigRational, Ratio};
 use num_traits::{One, pow};
 use rayon::prelude::*;
 
-use super::{Outcome, range::Periods};
+use super::{Outcome, range::Periods, reported};
 use crate::{
     cli::progress::{Interrupt, Progress},
     error::{Error, Result},
@@ -53,7 +53,7 @@ pub(super) struct Args {
     digits: u32,
     /// How the table is written.
     #[arg(long, value_enum, default_value_t = TableFormat::Table)]
-    format: TableFormat,
+    pub(super) format: TableFormat,
     /// Write to a file, which appears only when complete.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -70,16 +70,17 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     if let Some(grid) = args.grid.filter(|grid| !(1..=MAX_GRID).contains(grid)) {
         return Err(Error::input(format!("--grid {grid} is out of bounds: 1 to {MAX_GRID}")));
     }
+    let destination = Destination::new(args.output.as_deref())?;
     let progress = Progress::new(interrupt, args.periods.count(), "periods");
     let mut certain = true;
-    Destination::new(args.output.clone()).write(|out| {
+    let written = destination.write(|out| {
         certain = match args.grid {
             Some(grid) => edges(args, grid, out, &progress)?,
             None => lowest(args, out, &progress)?,
         };
         Ok(())
-    })?;
-    Ok(if certain { Outcome::Done } else { Outcome::Undecided })
+    });
+    reported(if certain { Outcome::Done } else { Outcome::Undecided }, written)
 }
 
 /// The areas of one period that the user asked for.
@@ -147,6 +148,18 @@ fn edges(args: &Args, grid: u64, out: &mut dyn Write, progress: &Progress) -> Re
     columns.extend(BOUNDS.map(|(name, latex)| Column::new(name, latex, args.digits as usize + 2)));
     let mut table = TableWriter::new(out, args.format, "grazing-boundary-grid 1", columns)?;
     let mut certain = true;
+    let rows = edge_rows(args, grid, &mut table, progress, &mut certain);
+    table.end(rows)?;
+    Ok(certain)
+}
+
+fn edge_rows(
+    args: &Args,
+    grid: u64,
+    table: &mut TableWriter,
+    progress: &Progress,
+    certain: &mut bool,
+) -> Result<()> {
     for n in args.periods.0.clone() {
         for area in areas(args, n)? {
             // In portions, so that Ctrl-C is heard and memory stays bounded.
@@ -166,7 +179,7 @@ fn edges(args: &Args, grid: u64, out: &mut dyn Write, progress: &Progress) -> Re
                     })
                     .collect();
                 for (s, r) in values? {
-                    certain &= r.is_some();
+                    *certain &= r.is_some();
                     let bounds = bounds(r.as_ref(), args.digits);
                     let mut cells = area_cells(area.interval()).to_vec();
                     cells.push(Cell::Fraction(&s));
@@ -178,8 +191,7 @@ fn edges(args: &Args, grid: u64, out: &mut dyn Write, progress: &Progress) -> Re
         }
         progress.advance(1)?;
     }
-    table.finish()?;
-    Ok(certain)
+    Ok(())
 }
 
 /// left + i(right − left)/(grid + 1). Terms below 2·10⁵·10⁵·10⁶ < 2⁶⁴.
@@ -203,13 +215,25 @@ fn lowest(args: &Args, out: &mut dyn Write, progress: &Progress) -> Result<bool>
     columns.push(Column::new("law_next", "$G + G_2/n^2$", 12));
     let mut table = TableWriter::new(out, args.format, "grazing-boundary 1", columns)?;
     let mut certain = true;
+    let rows = lowest_rows(args, width, &mut table, progress, &mut certain);
+    table.end(rows)?;
+    Ok(certain)
+}
+
+fn lowest_rows(
+    args: &Args,
+    width: usize,
+    table: &mut TableWriter,
+    progress: &Progress,
+    certain: &mut bool,
+) -> Result<()> {
     for n in args.periods.0.clone() {
         for portion in areas(args, n)?.chunks(64) {
             // (1 − r) n³ is to have its six decimals, however few of r are printed.
             let digits = args.digits.max(8 + 3 * width as u32);
             let found: Vec<Option<Lowest>> = portion.par_iter().map(|area| area.lowest(digits)).collect();
             for (area, lowest) in portion.iter().zip(&found) {
-                certain &= lowest.is_some();
+                *certain &= lowest.is_some();
                 let row = Row::new(area.interval(), lowest.as_ref(), args.digits);
                 let mut cells = area_cells(area.interval()).to_vec();
                 cells.push(text(row.kind));
@@ -220,8 +244,7 @@ fn lowest(args: &Args, out: &mut dyn Write, progress: &Progress) -> Result<bool>
         }
         progress.advance(1)?;
     }
-    table.finish()?;
-    Ok(certain)
+    Ok(())
 }
 
 /// What is said of a lowest point.

@@ -8,11 +8,11 @@ use std::{
 use clap::Parser;
 use serde_json::json;
 
-use super::{Outcome, ReportFormat, progress::Interrupt, reader::Reader};
+use super::{Outcome, ReportFormat, progress::Interrupt, reader::Reader, reported};
 use crate::{
     certificate::{Checked, Rejection, check_until},
-    error::{Error, Result},
-    output::Destination,
+    error::Result,
+    output::{Destination, say},
 };
 
 /// Prove certificates again, without search, by the trusted checker.
@@ -26,7 +26,7 @@ pub(super) struct Args {
     files: Vec<PathBuf>,
     /// How the result is written.
     #[arg(long, value_enum, default_value_t = ReportFormat::Text)]
-    format: ReportFormat,
+    pub(super) format: ReportFormat,
 }
 
 /// The checker's answer for a file.
@@ -42,22 +42,21 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
             Ok(writeln!(out, "{}", json!({ "format": "grazing-check 2", "files": files }))?)
         }
     });
-    let verdicts: Vec<&str> = answers.iter().map(|(_, answer)| verdict(answer)).collect();
-    if verdicts.contains(&"rejected") {
-        return Ok(Outcome::Refuted);
+    let mut outcomes = Vec::new();
+    for (path, answer) in &answers {
+        outcomes.push(match answer {
+            Ok(_) => Outcome::Done,
+            Err(Rejection::Unreadable { line, source }) => {
+                let action = if *line == 0 { "open" } else { "read" };
+                say(format_args!("error: cannot {action} {}: {source}", path.display()));
+                Outcome::Failed
+            }
+            Err(Rejection::Interrupted { .. }) => Outcome::Interrupted,
+            Err(Rejection::Undecided { .. }) => Outcome::Undecided,
+            Err(_) => Outcome::Refuted,
+        });
     }
-    if let Err(error) = written
-        && !error.is_broken_pipe()
-    {
-        return Err(error);
-    }
-    for (path, answer) in answers {
-        if let Err(Rejection::Unreadable { line, source }) = answer {
-            return Err(Error::io(if line == 0 { "open" } else { "read" }, path, source));
-        }
-    }
-    let done = verdicts.iter().all(|verdict| *verdict == "proved");
-    Ok(if done { Outcome::Done } else { Outcome::Undecided })
+    reported(outcomes.into_iter().collect(), written)
 }
 
 fn check(path: &Path, interrupt: &Interrupt) -> Answer {
@@ -70,11 +69,6 @@ fn check(path: &Path, interrupt: &Interrupt) -> Answer {
         Err(_) if stop() => Err(Rejection::Interrupted { line: 1 }),
         Err(source) => Err(Rejection::Unreadable { line: 0, source }),
     }
-}
-
-/// `proved`, or how the checker says it otherwise.
-fn verdict(answer: &Answer) -> &'static str {
-    answer.as_ref().map_or_else(Rejection::verdict, |_| "proved")
 }
 
 fn text(out: &mut dyn Write, path: &Path, answer: &Answer) -> Result<()> {

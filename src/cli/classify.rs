@@ -1,13 +1,14 @@
 //! `grazing classify`: which single-impact orbits exist at one point.
 
-use std::path::PathBuf;
+use std::{io::Write, path::PathBuf};
 
 use clap::Parser;
 use num_rational::BigRational;
 use num_traits::{One, Signed};
 
-use super::Outcome;
+use super::{Outcome, reported};
 use crate::{
+    cli::progress::Interrupt,
     error::{Error, Result},
     existence::{Existence, by_definition, by_records, large_eigenvalue_sign},
     local::{Ladder, Plane, Point, Polar, Region},
@@ -50,15 +51,16 @@ pub(super) struct Args {
     summary: bool,
     /// How the table is written.
     #[arg(long, value_enum, default_value_t = TableFormat::Table)]
-    format: TableFormat,
+    pub(super) format: TableFormat,
     /// Write to a file, which appears only when complete.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
 }
 
-pub(super) fn run(args: &Args) -> Result<Outcome> {
+pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
+    let destination = Destination::new(args.output.as_deref())?;
     if args.summary {
-        return summary(args);
+        return summary(args, &destination);
     }
     if !(1..=LIMIT).contains(&args.max_n) {
         return Err(Error::input(format!("--max-n {}: a whole number from 1 to {LIMIT}", args.max_n)));
@@ -66,14 +68,21 @@ pub(super) fn run(args: &Args) -> Result<Outcome> {
     let (point, region, reversed) =
         normalised(args.a1.as_ref().zip(args.a2.as_ref()), args.r.as_ref().zip(args.s.as_ref()))?;
     let ladder = Ladder::default();
-    let found = by_records(&ladder, &point, args.max_n)
-        .unwrap_or_else(|| (1..=args.max_n).map(|n| by_definition(&ladder, &point, n)).collect());
-    if args.format == TableFormat::Table && args.output.is_none() {
-        let time = if reversed { ", after reversing time (a2 > 1)" } else { "" };
-        println!("{}{time}", describe(region));
-    }
-    write(args, region, reversed, &found)?;
-    Ok(if found.contains(&Existence::Undecided) { Outcome::Undecided } else { Outcome::Done })
+    let decide = |n| interrupt.check().map(|()| by_definition(&ladder, &point, n));
+    let found = match by_records(&ladder, &point, args.max_n) {
+        Some(found) => found,
+        None => (1..=args.max_n).map(decide).collect::<Result<_>>()?,
+    };
+    interrupt.check()?;
+    let written = destination.write(|out| {
+        if args.format == TableFormat::Table && destination == Destination::Stdout {
+            let time = if reversed { ", after reversing time (a2 > 1)" } else { "" };
+            writeln!(out, "{}{time}", describe(region))?;
+        }
+        write(args.format, region, reversed, &found, out)
+    });
+    let undecided = found.contains(&Existence::Undecided);
+    reported(if undecided { Outcome::Undecided } else { Outcome::Done }, written)
 }
 
 /// The point given by (a₁, a₂) or by (r, s), with a₂ ≤ 1, its region, and whether time was reversed to get there.
@@ -117,7 +126,13 @@ pub(super) fn describe(region: Region) -> &'static str {
     }
 }
 
-fn write(args: &Args, region: Region, reversed: bool, found: &[Existence]) -> Result<()> {
+fn write(
+    format: TableFormat,
+    region: Region,
+    reversed: bool,
+    found: &[Existence],
+    out: &mut dyn Write,
+) -> Result<()> {
     let columns = [
         Column::new("n", "$n$", 6),
         Column::new("existence", "existence", 17),
@@ -128,45 +143,43 @@ fn write(args: &Args, region: Region, reversed: bool, found: &[Existence]) -> Re
         Column::new("negative_k", "$b_{n,k} < 0$", 0),
         Column::new("zero_k", "$b_{n,k} = 0$", 0),
     ];
-    Destination::new(args.output.clone()).write(|out| {
-        let mut table = TableWriter::new(out, args.format, "grazing-classify 1", columns.to_vec())?;
-        for (n, &existence) in (1u64..).zip(found) {
-            // Reversing time turns b_{n,k} into b_{n,n−k} and keeps every sign.
-            let index = |k: u64| Cell::Int((if reversed { n - k } else { k }) as i64);
-            let mut cells = [Cell::Empty; 8];
-            cells[0] = Cell::Int(n as i64);
-            cells[1] = Cell::Text(match existence {
-                Existence::Orbit(_) => "orbit",
-                Existence::None { .. } => "none",
-                Existence::Singular => "singular boundary",
-                Existence::Iterate(_) => "iterate boundary",
-                Existence::SignBoundary => "sign boundary",
-                Existence::Undecided => "undecided",
-            });
-            match existence {
-                Existence::None { positive, negative } => {
-                    (cells[5], cells[6]) = (index(positive), index(negative))
-                }
-                Existence::Iterate(k) => cells[7] = index(k),
-                _ => {}
+    let mut table = TableWriter::new(out, format, "grazing-classify 1", columns.to_vec())?;
+    for (n, &existence) in (1u64..).zip(found) {
+        // Reversing time turns b_{n,k} into b_{n,n−k} and keeps every sign.
+        let index = |k: u64| Cell::Int((if reversed { n - k } else { k }) as i64);
+        let mut cells = [Cell::Empty; 8];
+        cells[0] = Cell::Int(n as i64);
+        cells[1] = Cell::Text(match existence {
+            Existence::Orbit(_) => "orbit",
+            Existence::None { .. } => "none",
+            Existence::Singular => "singular boundary",
+            Existence::Iterate(_) => "iterate boundary",
+            Existence::SignBoundary => "sign boundary",
+            Existence::Undecided => "undecided",
+        });
+        match existence {
+            Existence::None { positive, negative } => {
+                (cells[5], cells[6]) = (index(positive), index(negative))
             }
-            let cases = existence.cases(n);
-            for case in &cases {
-                cells[2] = Cell::Int(case.sign_emu().into());
-                cells[3] = Cell::Int(case.sign_gamma().into());
-                cells[4] = Cell::Int(large_eigenvalue_sign(region, n, *case).into());
-                table.row(&cells)?;
-            }
-            if cases.is_empty() {
-                table.row(&cells)?;
-            }
+            Existence::Iterate(k) => cells[7] = index(k),
+            _ => {}
         }
-        table.finish()
-    })
+        let cases = existence.cases(n);
+        for case in &cases {
+            cells[2] = Cell::Int(case.sign_emu().into());
+            cells[3] = Cell::Int(case.sign_gamma().into());
+            cells[4] = Cell::Int(large_eigenvalue_sign(region, n, *case).into());
+            table.row(&cells)?;
+        }
+        if cases.is_empty() {
+            table.row(&cells)?;
+        }
+    }
+    table.finish()
 }
 
 /// Sections 3.6 and 3.7 of the paper, by region, for 0 < a₂ ≤ 1.
-fn summary(args: &Args) -> Result<Outcome> {
+fn summary(args: &Args, destination: &Destination) -> Result<Outcome> {
     let columns = [
         Column::new("region", "region", 0),
         Column::new("where", "where", 30),
@@ -196,7 +209,7 @@ fn summary(args: &Args) -> Result<Outcome> {
         ],
         ["5", "a1 < -(a2+1)", "(+,-) (-,+)", "(+,-)", "(+,-)", "(-1)^(n+1) sign(e mu)"],
     ];
-    Destination::new(args.output.clone()).write(|out| {
+    destination.write(|out| {
         let mut table = TableWriter::new(out, args.format, "grazing-classify-summary 1", columns.to_vec())?;
         for row in &rows {
             table.row(&row.map(Cell::Text))?;

@@ -1,7 +1,7 @@
 //! `grazing cover`: prove Conjecture 1 for given periods, r ≤ r_max.
 
 use std::{
-    collections::HashMap,
+    collections::{HashMap, HashSet},
     ops::RangeInclusive,
     path::{Path, PathBuf},
     sync::Mutex,
@@ -13,14 +13,14 @@ use num_rational::BigRational;
 use rayon::prelude::*;
 use serde_json::json;
 
-use super::{Outcome, ReportFormat, in_pool, range::Periods};
+use super::{Outcome, ReportFormat, in_pool, range::Periods, reported};
 use crate::{
     certificate::{self, Rejection},
     cli::progress::{Interrupt, Progress},
     error::{Error, Result},
     monitor::Monitor,
     number::parse_rational,
-    output::{Destination, Journal, decimal_above, decimal_below, write_file},
+    output::{Destination, Journal, OutputFile, Run, decimal_above, decimal_below, distinct, say},
     search::cover::{Cover, Options, Tally, Unit, certificate as assemble, cover, units},
 };
 
@@ -54,14 +54,14 @@ pub(super) struct Args {
     jobs: usize,
     /// How the result is written.
     #[arg(long, value_enum, default_value_t = ReportFormat::Text)]
-    format: ReportFormat,
+    pub(super) format: ReportFormat,
 }
 
 /// One period's result.
 struct Row {
     cover: Cover,
     tally: Tally,
-    /// The checker's answer; none if the cover is not complete.
+    /// The checker's answer; none if the cover is not complete or not checked.
     checked: Option<std::result::Result<(), Rejection>>,
     check_seconds: f64,
 }
@@ -70,26 +70,34 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     let range = args.periods.within(certificate::cover::MOST, "cover")?;
     let options =
         Options { r_max: args.r_max.clone(), max_depth: args.max_depth, ..Options::new(range.clone()) };
+    let files = [("--certificate", args.certificate.as_deref()), ("--resume", args.resume.as_deref())];
+    distinct(&files.into_iter().filter_map(|(option, file)| Some((option, file?))).collect::<Vec<_>>())?;
+    let certificate =
+        args.certificate.as_deref().map(|path| OutputFile::new("--certificate", path)).transpose()?;
     let (rows, clock) = in_pool(args.jobs, || prove(&options, args.resume.as_deref(), interrupt))?;
     let outcome = outcome(&rows);
-    if let (Some(path), Outcome::Done) = (&args.certificate, outcome) {
+    if let (Some(file), Outcome::Done) = (&certificate, outcome) {
         let blocks: Vec<String> = rows.iter().filter_map(|row| row.cover.block()).collect();
-        write_file(path, |out| Ok(out.write_all(assemble(&range, &blocks).as_bytes())?))?;
+        file.write(|out| Ok(out.write_all(assemble(&range, &blocks).as_bytes())?))?;
     }
     let report = match args.format {
         ReportFormat::Text => text(&range, &rows, args) + &growth(&rows) + &clock,
         ReportFormat::Json => format!("{}\n", json_report(&range, &rows, args)),
     };
-    Destination::Stdout.write(|out| Ok(out.write_all(report.as_bytes())?))?;
-    Ok(outcome)
+    reported(outcome, Destination::Stdout.write(|out| Ok(out.write_all(report.as_bytes())?)))
 }
 
 /// Searches, then checks; the rows, and how long that took in words.
 fn prove(options: &Options, resume: Option<&Path>, interrupt: &Interrupt) -> Result<(Vec<Row>, String)> {
     let (journal, known) = match resume {
         Some(path) => {
-            let (journal, records) = Journal::open(path, &run_header(options))?;
-            (Some(Mutex::new(journal)), known(&records).ok_or_else(|| foreign(path))?)
+            let (journal, found) = Journal::open(path, &identity(options), MOST)?;
+            interrupt.keeps(format!("finished strips are kept in {0}: --resume {0} goes on", path.display()));
+            if found.torn > 0 {
+                say(format_args!("note: {}: dropped a last line cut off by a sudden end", path.display()));
+            }
+            let known = known(&found.records, &units(options)?).ok_or_else(|| foreign(path))?;
+            (Some(Mutex::new(journal)), known)
         }
         None => (None, HashMap::new()),
     };
@@ -112,7 +120,7 @@ fn prove(options: &Options, resume: Option<&Path>, interrupt: &Interrupt) -> Res
         .rev()
         .with_max_len(1)
         .map(|cover| {
-            let row = Row::new(cover);
+            let row = Row::new(cover, interrupt);
             let _ = progress.advance(1);
             row
         })
@@ -124,8 +132,9 @@ fn prove(options: &Options, resume: Option<&Path>, interrupt: &Interrupt) -> Res
 }
 
 impl Row {
-    fn new(cover: Cover) -> Row {
-        let block = cover.block();
+    /// Checks a cover; after an interruption it stays pending.
+    fn new(cover: Cover, interrupt: &Interrupt) -> Row {
+        let block = cover.block().filter(|_| !interrupt.asked());
         let start = Instant::now();
         let checked = block.map(|block| certificate::cover::check_block(cover.n, block.as_bytes(), 0));
         let check_seconds = start.elapsed().as_secs_f64();
@@ -142,22 +151,24 @@ impl Row {
     }
 }
 
-/// What a journal is of: all that its records depend on.
-fn run_header(options: &Options) -> String {
+/// Bytes that no cover's state comes to: periods 3..=256 with r_max = 1 - 1/n^3 take less than a hundredth.
+const MOST: u64 = 1 << 30;
+
+/// What a saved state is of: all that its records depend on.
+fn identity(options: &Options) -> Run {
     let r_max = options.r_max.as_ref().map_or_else(|| "default".to_string(), BigRational::to_string);
     let (first, last) = (options.periods.start(), options.periods.end());
-    let version = env!("CARGO_PKG_VERSION");
-    format!(
-        "grazing-cover-journal 1 by {version}: {first}..={last} r-max {r_max} max-depth {}",
-        options.max_depth
-    )
+    let words = format!("{first}..={last} r-max {r_max} max-depth {}", options.max_depth);
+    Run::new("cover", &words, &words)
 }
 
-fn known(records: &[String]) -> Option<HashMap<Unit, String>> {
+/// The trees in the records; none if some record is not of one of these units, or one unit has two.
+fn known(records: &[String], units: &[Unit]) -> Option<HashMap<Unit, String>> {
+    let mut open: HashSet<Unit> = units.iter().copied().collect();
     let unit = |record: &String| {
         let mut words = record.splitn(3, ' ');
         let unit = (words.next()?.parse().ok()?, words.next()?.parse().ok()?);
-        Some((unit, words.next()?.to_string()))
+        open.remove(&unit).then_some((unit, words.next()?.to_string()))
     };
     records.iter().map(unit).collect()
 }
@@ -171,6 +182,8 @@ fn outcome(rows: &[Row]) -> Outcome {
         Outcome::Refuted
     } else if rows.iter().all(|row| row.verdict() == "proved") {
         Outcome::Done
+    } else if rows.iter().any(|row| row.verdict() == "pending") {
+        Outcome::Interrupted
     } else {
         Outcome::Undecided
     }
@@ -188,8 +201,9 @@ fn text(range: &RangeInclusive<u64>, rows: &[Row], args: &Args) -> String {
     let mut text = match outcome(rows) {
         Outcome::Done => format!("Proved: {what} and {which}.\n"),
         Outcome::Refuted => format!("Refuted: {what} is false.\n"),
-        Outcome::Undecided => {
-            format!("Undecided: {what} is proved for {proved} of the periods in {range:?}.\n")
+        other => {
+            let word = if other == Outcome::Interrupted { "Interrupted" } else { "Undecided" };
+            format!("{word}: {what} is proved for {proved} of the periods in {range:?}.\n")
         }
     };
     for row in rows {
@@ -197,7 +211,7 @@ fn text(range: &RangeInclusive<u64>, rows: &[Row], args: &Args) -> String {
             (Some(case), _) => {
                 text += &format!("  at {case}\n  shown by: grazing classify {}\n", case.arguments())
             }
-            (None, None) => text += &format!("  n = {}: pending, not all of it was reached\n", row.cover.n),
+            (None, None) => text += &format!("  n = {}: pending\n", row.cover.n),
             (None, Some(Err(rejection))) => text += &format!("  n = {}: {rejection}\n", row.cover.n),
             (None, Some(Ok(()))) => {}
         }
@@ -301,8 +315,7 @@ fn json_report(range: &RangeInclusive<u64>, rows: &[Row], args: &Args) -> serde_
         "format": "grazing-cover 1",
         "verdict": match outcome(rows) {
             Outcome::Done => "proved",
-            Outcome::Refuted => "refuted",
-            Outcome::Undecided => "undecided",
+            other => other.word(),
         },
         "range": [range.start(), range.end()],
         "periods": rows.iter().map(period).collect::<Vec<_>>(),

@@ -5,7 +5,7 @@ use num_rational::BigRational;
 use num_traits::One;
 use serde_json::json;
 
-use super::{Outcome, ReportFormat};
+use super::{Outcome, ReportFormat, reported};
 use crate::{
     cli::progress::Interrupt,
     error::{Error, Result},
@@ -49,7 +49,7 @@ pub(super) struct Args {
     bits: u32,
     /// How the result is written.
     #[arg(long, value_enum, default_value_t = ReportFormat::Text)]
-    format: ReportFormat,
+    pub(super) format: ReportFormat,
 }
 
 pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
@@ -82,14 +82,14 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
         }
         rows.push(Row { quantity, decision, digits: digits(&point, quantity, decision, &precision) });
     }
-    Destination::Stdout.write(|out| match args.format {
+    let written = Destination::Stdout.write(|out| match args.format {
         ReportFormat::Text => rows.iter().try_for_each(|row| Ok(writeln!(out, "{}", row.text())?)),
         ReportFormat::Json => {
             let values: Vec<_> = rows.iter().map(Row::json).collect();
             Ok(writeln!(out, "{}", json!({ "format": "grazing-evaluate 1", "n": n, "values": values }))?)
         }
-    })?;
-    Ok(outcome)
+    });
+    reported(outcome, written)
 }
 
 impl Args {

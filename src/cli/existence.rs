@@ -1,17 +1,22 @@
 //! `grazing existence`: Theorem 1 for every impact pattern of a local map.
 
-use std::{fs, path::PathBuf};
+use std::path::PathBuf;
 
 use clap::Parser;
+use num_bigint::BigUint;
+use num_traits::ToPrimitive;
 use rayon::prelude::*;
 
-use super::Outcome;
+use super::{Outcome, reported};
 use crate::{
     cli::progress::Interrupt,
     error::{Error, Result},
     figure,
     number::Sign,
-    output::{Cell, Column, Destination, TableFormat, TableWriter, write_file},
+    output::{
+        Cell, Column, Destination, LONGEST_INPUT, OutputFile, TableFormat, TableWriter, distinct,
+        make_folder, read_text, say,
+    },
     pattern::{
         Analysis, Existence, Graph, Growth, MAX_GRAPH_PERIOD, Map, Numbers, Pattern, Patterns, Report, Value,
         Walks,
@@ -31,7 +36,7 @@ pub(super) struct Args {
     /// The map.
     #[arg(value_name = "MAP.toml")]
     map: PathBuf,
-    /// The largest period of a pattern. There are about 2^P/P patterns of period P.
+    /// The largest period of a pattern. There are about 2^P/P patterns of period P; at most 10000000 rows are written.
     #[arg(long, value_name = "P", default_value_t = 6)]
     max_period: u64,
     /// One pattern only, as in 3,4.
@@ -54,7 +59,7 @@ pub(super) struct Args {
     dot: Option<PathBuf>,
     /// How the table is written.
     #[arg(long, value_enum, default_value_t = TableFormat::Table)]
-    format: TableFormat,
+    pub(super) format: TableFormat,
     /// Write to a file, which appears only when complete.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -73,6 +78,9 @@ fn pattern(text: &str) -> Result<Pattern> {
 }
 
 const LIMIT: u64 = MAX_GRAPH_PERIOD;
+
+/// The most rows of a list.
+const MOST_ROWS: u64 = 10_000_000;
 
 /// Patterns judged before their rows are written.
 const CHUNK: usize = 4096;
@@ -100,6 +108,40 @@ impl Engine<'_> {
             _ => Box::new(Patterns::of_period(period)),
         }
     }
+
+    /// Refuses a list of more than [`MOST_ROWS`] patterns.
+    fn bounded(&self, args: &Args, interrupt: &Interrupt) -> Result<()> {
+        let rows = match self {
+            // They are counted as they will be visited, which takes a small part of the time of judging them.
+            Engine::Graph(_) if args.existing => {
+                let mut rows = 0u64;
+                for (index, _) in (1..=args.max_period).flat_map(|n| self.patterns(n, true)).enumerate() {
+                    rows += 1;
+                    if index % CHUNK == 0 {
+                        interrupt.check()?;
+                    }
+                    if rows > MOST_ROWS {
+                        break;
+                    }
+                }
+                if rows <= MOST_ROWS { return Ok(()) } else { format!("more than {MOST_ROWS}") }
+            }
+            _ => {
+                let rows: BigUint = (1..=args.max_period).map(Patterns::count).sum();
+                if rows <= MOST_ROWS.into() {
+                    return Ok(());
+                }
+                match rows.to_u64() {
+                    Some(rows) => rows.to_string(),
+                    None => format!("about 10^{}", rows.to_string().len() - 1),
+                }
+            }
+        };
+        Err(Error::input(format!(
+            "--max-period {} would write {rows} rows, and at most {MOST_ROWS} are written: give a smaller one",
+            args.max_period
+        )))
+    }
 }
 
 pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
@@ -110,10 +152,24 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
         )));
     }
     let name = args.map.display().to_string();
-    let text = fs::read_to_string(&args.map).map_err(|error| Error::io("read", &args.map, error))?;
+    let pictures =
+        args.orbit.iter().flat_map(|folder| ["orbit.csv", "orbit.svg"].map(|name| folder.join(name)));
+    let pictures: Vec<PathBuf> = pictures.collect();
+    let mut files = vec![("MAP", args.map.as_path())];
+    files.extend(
+        [("--dot", &args.dot), ("-o", &args.output)]
+            .into_iter()
+            .filter_map(|(o, f)| Some((o, f.as_deref()?))),
+    );
+    files.extend(pictures.iter().map(|file| ("--orbit", file.as_path())));
+    distinct(&files)?;
+    let destination = Destination::new(args.output.as_deref())?;
+    let dot = args.dot.as_deref().map(|path| OutputFile::new("--dot", path)).transpose()?;
+    args.orbit.as_deref().map(make_folder).transpose()?;
+    let text = read_text(&args.map, LONGEST_INPUT)?;
     let map = Map::from_toml(&text, &name)?;
     for note in map.notes() {
-        eprintln!("note: {name}: {note}");
+        say(format_args!("note: {name}: {note}"));
     }
     if args.exact && !map.is_exact() {
         return Err(Error::input(format!("--exact needs a map without intervals; {name} has some")));
@@ -129,24 +185,26 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
         let numbers = if args.exact { Numbers::Exact } else { Numbers::Enclosed };
         Engine::General(Box::new(Analysis::new(&map, last, numbers)))
     };
-    if let Some(file) = &args.dot {
+    if args.pattern.is_none() && !args.counts {
+        engine.bounded(args, interrupt)?;
+    }
+    if let Some(file) = &dot {
         let Engine::Graph(graph) = &engine else {
             return Err(Error::input(format!(
                 "--dot needs a map with N = 2; in {name} N = {}",
                 map.dimension()
             )));
         };
-        write_file(file, |out| Ok(out.write_all(graph.to_dot().as_bytes())?))?;
+        file.write(|out| Ok(out.write_all(graph.to_dot().as_bytes())?))?;
     }
     if let (Some(folder), Some(pattern)) = (&args.orbit, &args.pattern) {
         let side = engine.judge(pattern).side();
         figure::orbit(&map, pattern, side, folder)?;
     }
     let mut outcome = Outcome::Done;
-    Destination::new(args.output.clone()).write(|out| {
+    let written = destination.write(|out| {
         if args.counts {
-            outcome = counts(args, &engine, out, interrupt)?;
-            return Ok(());
+            return counts(args, &engine, out, interrupt, &mut outcome);
         }
         let mut table = TableWriter::new(out, args.format, "grazing-existence 1", columns())?;
         let mut write = |chunk: &[Pattern]| {
@@ -170,17 +228,14 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
             }
             interrupt.check()
         };
-        match &args.pattern {
-            Some(pattern) => write(std::slice::from_ref(pattern))?,
-            None => {
-                for period in 1..=args.max_period {
-                    each_chunk(engine.patterns(period, args.existing), &mut write)?;
-                }
-            }
-        }
-        table.finish()
-    })?;
-    Ok(outcome)
+        let rows = match &args.pattern {
+            Some(pattern) => write(std::slice::from_ref(pattern)),
+            None => (1..=args.max_period)
+                .try_for_each(|period| each_chunk(engine.patterns(period, args.existing), &mut write)),
+        };
+        table.end(rows)
+    });
+    reported(outcome, written)
 }
 
 fn each_chunk(
@@ -295,7 +350,8 @@ fn counts(
     engine: &Engine,
     out: &mut dyn std::io::Write,
     interrupt: &Interrupt,
-) -> Result<Outcome> {
+    outcome: &mut Outcome,
+) -> Result<()> {
     let mut columns: Vec<Column> = ["period", "patterns", "plus", "minus", "neither", "undecided"]
         .map(|name| Column::new(name, name, 9))
         .to_vec();
@@ -303,40 +359,48 @@ fn counts(
         columns.extend(["growth_plus", "growth_minus"].map(|name| Column::new(name, name, 15)));
     }
     let mut table = TableWriter::new(out, args.format, "grazing-existence-counts 1", columns)?;
-    let mut outcome = Outcome::Done;
-    for period in 1..=args.max_period {
-        let mut found = [0u64; 4];
-        each_chunk(engine.patterns(period, false), |chunk| {
-            let kinds: Vec<usize> = chunk
-                .par_iter()
-                .map(|pattern| {
-                    let report = engine.judge(pattern);
-                    match report.side() {
-                        Some(true) => 0,
-                        Some(false) => 1,
-                        None => 2 + usize::from(report.is_open()),
-                    }
-                })
-                .collect();
-            kinds.into_iter().for_each(|kind| found[kind] += 1);
-            interrupt.check()
-        })?;
-        if found[3] > 0 {
-            outcome = Outcome::Undecided;
-        }
-        let mut cells = vec![Cell::Int(period as i64), Cell::Int(found.iter().sum::<u64>() as i64)];
-        cells.extend(found.iter().map(|&count| Cell::Int(count as i64)));
-        let growth = match engine {
-            Engine::Graph(graph) => [true, false]
-                .map(|side| show_growth(&Walks::new(graph, side).up_to(period).growth()))
-                .to_vec(),
-            Engine::General(_) => Vec::new(),
-        };
-        cells.extend(growth.iter().map(|text| Cell::Text(text)));
-        table.row(&cells)?;
+    let rows =
+        (1..=args.max_period).try_for_each(|period| count(engine, period, interrupt, outcome, &mut table));
+    table.end(rows)
+}
+
+/// The row of one period.
+fn count(
+    engine: &Engine,
+    period: u64,
+    interrupt: &Interrupt,
+    outcome: &mut Outcome,
+    table: &mut TableWriter,
+) -> Result<()> {
+    let mut found = [0u64; 4];
+    each_chunk(engine.patterns(period, false), |chunk| {
+        let kinds: Vec<usize> = chunk
+            .par_iter()
+            .map(|pattern| {
+                let report = engine.judge(pattern);
+                match report.side() {
+                    Some(true) => 0,
+                    Some(false) => 1,
+                    None => 2 + usize::from(report.is_open()),
+                }
+            })
+            .collect();
+        kinds.into_iter().for_each(|kind| found[kind] += 1);
+        interrupt.check()
+    })?;
+    if found[3] > 0 {
+        *outcome = Outcome::Undecided;
     }
-    table.finish()?;
-    Ok(outcome)
+    let mut cells = vec![Cell::Int(period as i64), Cell::Int(found.iter().sum::<u64>() as i64)];
+    cells.extend(found.iter().map(|&count| Cell::Int(count as i64)));
+    let growth = match engine {
+        Engine::Graph(graph) => {
+            [true, false].map(|side| show_growth(&Walks::new(graph, side).up_to(period).growth())).to_vec()
+        }
+        Engine::General(_) => Vec::new(),
+    };
+    cells.extend(growth.iter().map(|text| Cell::Text(text)));
+    table.row(&cells)
 }
 
 fn show_growth(growth: &Growth) -> String {

@@ -26,7 +26,7 @@ pub(super) struct Args {
     command: Command,
     /// How the result is written.
     #[arg(long, value_enum, default_value_t = ReportFormat::Text, global = true)]
-    format: ReportFormat,
+    pub(super) format: ReportFormat,
 }
 
 #[derive(Debug, Subcommand)]
@@ -71,7 +71,7 @@ enum Command {
 
 pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     let json = args.format == ReportFormat::Json;
-    Destination::Stdout.write(|out| {
+    Destination::Stdout.list(|out| {
         let line = match &args.command {
             Command::Neighbours { x } => {
                 let found = neighbours(x)?;
@@ -138,8 +138,11 @@ fn terms_to<T: std::fmt::Display>(
         if json {
             quote = ",\n\"";
         }
-        if index % 65536 == 0 {
-            interrupt.check()?;
+        if index % 65536 == 0 && interrupt.asked() {
+            if json {
+                writeln!(out, "\n],\"verdict\":\"interrupted\"}}")?;
+            }
+            return Err(interrupt.error());
         }
     }
     if json {

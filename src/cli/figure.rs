@@ -11,6 +11,7 @@ use crate::{
     error::{Error, Result},
     figure,
     number::parse_rational,
+    output::make_folder,
 };
 
 /// Draw a figure as SVG, with its data as CSV beside it.
@@ -78,6 +79,7 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     if args.figure != Figure::Records && (args.r.is_some() || args.s.is_some()) {
         return Err(Error::input("--r and --s belong to `grazing figure records`"));
     }
+    make_folder(&args.output)?;
     let number =
         |given: &Option<BigRational>, default| given.clone().map_or_else(|| parse_rational(default), Ok);
     let n = args.n.unwrap_or(match args.figure {

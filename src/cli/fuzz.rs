@@ -8,15 +8,14 @@ use std::{
 };
 
 use clap::Parser;
-use serde::{Deserialize, Serialize};
 use serde_json::json;
 
-use super::{Outcome, ReportFormat, in_pool, range::Periods};
+use super::{Outcome, ReportFormat, in_pool, range::Periods, reported};
 use crate::{
     cli::progress::{Interrupt, Progress},
     error::{Error, Result},
     number::parse_integer,
-    output::{Destination, write_file},
+    output::{Destination, Journal, Run, distinct, probe, say},
     search::fuzz::{Case, Options, Tally, fuzz},
 };
 
@@ -28,13 +27,13 @@ use crate::{
 /// appended to a file that the tests replay. The same seed gives the same run whatever the number of threads.
 ///
 /// Exit code 0: no disagreement, which is no proof; 1: a confirmed disagreement; 2: wrong usage or a file that cannot be
-/// read or written; 3: some case is undecided.
+/// read or written; 3: some case is undecided, or interrupted.
 #[derive(Debug, Parser)]
 pub(super) struct Args {
     /// The periods: N, or A..=B with 3 <= B <= 4096.
     #[arg(long, value_name = "N|A..=B", default_value = "1..=64")]
     n: Periods,
-    /// End after this many cases (1e9 is allowed).
+    /// End with the block of cases that reaches this many (1e9 is allowed).
     #[arg(long, value_name = "N", default_value = "1e7", value_parser = parse_integer::<u64>)]
     cases: u64,
     /// The seed.
@@ -54,18 +53,8 @@ pub(super) struct Args {
     resume: Option<PathBuf>,
     /// How the result is written.
     #[arg(long, value_enum, default_value_t = ReportFormat::Text)]
-    format: ReportFormat,
+    pub(super) format: ReportFormat,
 }
-
-/// The state file.
-#[derive(Serialize, Deserialize)]
-struct State {
-    format: String,
-    options: Options,
-    tally: Tally,
-}
-
-const STATE: &str = "grazing-fuzz-state 1";
 
 pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     if !(0.0..=1.0).contains(&args.definition_share) {
@@ -74,6 +63,9 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
             args.definition_share
         )));
     }
+    if args.cases == 0 {
+        return Err(Error::input("--cases 0: give at least 1"));
+    }
     let options = Options {
         first: *args.n.0.start(),
         last: *args.n.0.end(),
@@ -81,73 +73,94 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
         seed: args.seed,
         definition_share: args.definition_share,
     };
-    let start = match &args.resume {
-        Some(path) if path.exists() => read_state(path, &options)?,
-        _ => Tally::default(),
+    let files = [("--regressions", Some(args.regressions.as_path())), ("--resume", args.resume.as_deref())];
+    distinct(&files.into_iter().filter_map(|(option, file)| Some((option, file?))).collect::<Vec<_>>())?;
+    probe(&args.regressions)?;
+    let (mut state, start) = match &args.resume {
+        Some(path) => {
+            let (state, start) = open(path, &options)?;
+            interrupt.keeps(format!("what was counted is kept in {0}: --resume {0} goes on", path.display()));
+            (Some(state), start)
+        }
+        None => (None, Tally::default()),
     };
     let before = start.decided();
     let clock = Instant::now();
     let progress = Progress::new(interrupt, options.cases.saturating_sub(before), "cases");
     let mut saved = Instant::now();
     let tally = in_pool(args.jobs, || {
-        fuzz(&options, start, &progress, |tally| match &args.resume {
-            Some(path) if saved.elapsed() > Duration::from_secs(2) => {
+        fuzz(&options, start, &progress, |tally| match &mut state {
+            Some(state) if saved.elapsed() > PAUSE => {
                 saved = Instant::now();
-                save_state(path, &options, tally)
+                state.replace(&json!(tally).to_string())
             }
             _ => Ok(()),
         })
     })?;
     drop(progress);
-    if let Some(path) = &args.resume {
-        save_state(path, &options, &tally)?;
+    if let Some(state) = &mut state {
+        state.replace(&json!(tally).to_string())?;
     }
-    if !tally.disagreements.is_empty() {
-        append(&args.regressions, &tally.disagreements)?;
-    }
-    let rate = (tally.decided() - before) as f64 / clock.elapsed().as_secs_f64();
-    Destination::Stdout.write(|out| match args.format {
-        ReportFormat::Text => text(out, args, &tally, rate),
-        ReportFormat::Json => {
-            let report = json!({ "format": "grazing-fuzz 1", "options": options, "tally": tally });
-            Ok(writeln!(out, "{report}")?)
-        }
-    })?;
-    Ok(match (&tally.disagreements[..], tally.undecided) {
+    let outcome = match (&tally.disagreements[..], tally.undecided) {
+        ([_, ..], _) => Outcome::Refuted,
+        _ if tally.decided() < options.cases => Outcome::Interrupted,
         ([], 0) => Outcome::Done,
         ([], _) => Outcome::Undecided,
-        _ => Outcome::Refuted,
-    })
-}
-
-fn read_state(path: &Path, options: &Options) -> Result<Tally> {
-    let text = fs::read_to_string(path).map_err(|error| Error::io("read", path, error))?;
-    let state: State = serde_json::from_str(&text).map_err(|error| {
-        Error::input(format!("{} is not a state of `grazing fuzz`: {error}", path.display()))
-    })?;
-    if state.format != STATE {
-        return Err(Error::input(format!("{}: expected the format {STATE:?}", path.display())));
+    };
+    let kept = match &tally.disagreements[..] {
+        [] => Ok(()),
+        found => append(&args.regressions, found),
+    };
+    let rate = (tally.decided() - before) as f64 / clock.elapsed().as_secs_f64();
+    if args.format == ReportFormat::Text {
+        speeds(&tally, rate);
     }
-    let same = Options { cases: options.cases, ..state.options.clone() };
-    if same != *options {
-        return Err(Error::input(format!(
-            "{} is of another run: its options are --n {}..={} --seed {} --definition-share {}",
-            path.display(),
-            state.options.first,
-            state.options.last,
-            state.options.seed,
-            state.options.definition_share
-        )));
+    let written = Destination::Stdout.write(|out| match args.format {
+        ReportFormat::Text => text(out, args, &options, &tally, outcome),
+        ReportFormat::Json => {
+            let report = json!({
+                "format": "grazing-fuzz 2",
+                "verdict": match outcome {
+                    Outcome::Done => "no disagreement",
+                    other => other.word(),
+                },
+                "options": options,
+                "block": options.block(),
+                "tally": tally,
+            });
+            Ok(writeln!(out, "{report}")?)
+        }
+    });
+    reported(outcome, kept.and(written))
+}
+
+/// Time between two saved states.
+const PAUSE: Duration = Duration::from_millis(250);
+
+/// Bytes that no state comes to: it has one line, and a run ends at the first disagreements.
+const MOST: u64 = 16 << 20;
+
+/// The state of this run, and how far it has come.
+fn open(path: &Path, options: &Options) -> Result<(Journal, Tally)> {
+    let Options { first, last, seed, definition_share, .. } = options;
+    let words = format!("--n {first}..={last} --seed {seed} --definition-share {definition_share}");
+    let (state, found) = Journal::open(path, &Run::new("fuzz", words, &options.canonical()), MOST)?;
+    if found.torn > 0 {
+        say(format_args!("note: {}: dropped a last line cut off by a sudden end", path.display()));
     }
-    Ok(state.tally)
+    let Some(record) = found.records.last() else { return Ok((state, Tally::default())) };
+    let tally: Result<Tally> =
+        serde_json::from_str(record).map_err(|error| Error::input(format!("no tally: {error}")));
+    let tally = tally.and_then(|tally| tally.check(options).map(|()| tally));
+    tally
+        .map(|tally| (state, tally))
+        .map_err(|error| error.context(format_args!("cannot resume from {}", path.display())))
 }
 
-fn save_state(path: &Path, options: &Options, tally: &Tally) -> Result<()> {
-    let state = State { format: STATE.into(), options: options.clone(), tally: tally.clone() };
-    write_file(path, |out| Ok(writeln!(out, "{}", json!(state))?))
-}
-
+/// Appends the lines that are not there yet: a run that goes on from its state may have appended them before.
 fn append(path: &Path, lines: &[String]) -> Result<()> {
+    let known = fs::read_to_string(path).unwrap_or_default();
+    let lines = lines.iter().filter(|line| !known.lines().any(|old| old == *line));
     let mut file = OpenOptions::new().create(true).append(true).open(path);
     for line in lines {
         file = file.and_then(|mut file| writeln!(file, "{line}").map(|()| file));
@@ -155,11 +168,27 @@ fn append(path: &Path, lines: &[String]) -> Result<()> {
     file.map(drop).map_err(|error| Error::io("append to", path, error))
 }
 
-fn text(out: &mut dyn Write, args: &Args, tally: &Tally, rate: f64) -> Result<()> {
-    let verdict = if tally.disagreements.is_empty() {
-        "No disagreement found. This is no proof."
-    } else {
-        "Refuted: the definition and the claim disagree."
+/// Times differ from run to run, so they do not belong to the result.
+fn speeds(tally: &Tally, rate: f64) {
+    let cases = [tally.decided().saturating_sub(tally.weighted), tally.weighted];
+    let seconds = [tally.sweep_seconds, tally.weighted_seconds];
+    let mut line = format!("{rate:.3e} cases a second");
+    if seconds.iter().all(|&seconds| seconds > 0.0) {
+        let [sweeps, weighted] = [0, 1].map(|i| cases[i] as f64 / seconds[i]);
+        line += &format!("; per second of processor time {sweeps:.3e} in sweeps, {weighted:.3e} weighted");
+    }
+    say(line);
+}
+
+fn text(out: &mut dyn Write, args: &Args, options: &Options, tally: &Tally, outcome: Outcome) -> Result<()> {
+    let verdict = match outcome {
+        Outcome::Refuted => "Refuted: the definition and the claim disagree.".to_string(),
+        Outcome::Interrupted => format!(
+            "Interrupted: no disagreement found in {} of {} cases. This is no proof.",
+            tally.decided(),
+            options.cases
+        ),
+        _ => "No disagreement found. This is no proof.".to_string(),
     };
     writeln!(out, "{verdict}")?;
     let rows = [
@@ -176,10 +205,11 @@ fn text(out: &mut dyn Write, args: &Args, tally: &Tally, rate: f64) -> Result<()
     for (count, what) in rows {
         writeln!(out, "{count:>14}  {what}")?;
     }
-    // Times differ from run to run, so they do not belong to the result.
-    let sweeps = (tally.decided() - tally.weighted.min(tally.decided())) as f64 / tally.sweep_seconds;
-    let weighted = tally.weighted as f64 / tally.weighted_seconds;
-    eprintln!("{rate:.3e} cases a second; on one core {sweeps:.3e} in sweeps, {weighted:.3e} weighted");
+    writeln!(
+        out,
+        "Cases come in blocks of about {}: the run ends with the block that reaches --cases.",
+        options.block()
+    )?;
     for line in &tally.disagreements {
         let case: Case = line.parse()?;
         writeln!(out, "{line}\n  shown by: grazing classify {}", case.arguments())?;

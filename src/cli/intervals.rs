@@ -27,7 +27,7 @@ pub(super) struct Args {
     periods: Periods,
     /// How the table is written.
     #[arg(long, value_enum, default_value_t = Format::Table)]
-    format: Format,
+    pub(super) format: Format,
     /// Add both ends as decimals, rounded to D digits (at most 1000).
     #[arg(long, value_name = "D")]
     decimals: Option<usize>,
@@ -37,7 +37,7 @@ pub(super) struct Args {
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Format {
+pub(super) enum Format {
     /// Aligned columns.
     Table,
     /// Comma-separated values.
@@ -57,8 +57,8 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     if let Some(digits) = args.decimals.filter(|&digits| digits > 1000) {
         return Err(Error::input(format!("--decimals {digits} is too many: at most 1000")));
     }
+    let destination = Destination::new(args.output.as_deref())?;
     let progress = Progress::new(interrupt, args.periods.count(), "periods");
-    let destination = Destination::new(args.output.clone());
     let format = match args.format {
         Format::Table => TableFormat::Table,
         Format::Csv => TableFormat::Csv,
@@ -66,11 +66,11 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
         Format::Latex => TableFormat::Latex,
         Format::Markdown => TableFormat::Markdown,
         Format::Bfile => {
-            destination.write(|out| bfile(args, out, &progress))?;
+            destination.list(|out| bfile(args, out, &progress))?;
             return Ok(Outcome::Done);
         }
     };
-    destination.write(|out| table(args, format, out, &progress))?;
+    destination.list(|out| table(args, format, out, &progress))?;
     Ok(Outcome::Done)
 }
 
@@ -98,6 +98,11 @@ fn table(args: &Args, format: TableFormat, out: &mut dyn Write, progress: &Progr
         columns.push(Column::new("right_rounded", "right (rounded)", decimals + 2));
     }
     let mut table = TableWriter::new(out, format, "grazing-intervals 1", columns)?;
+    let rows = rows(args, &mut table, progress);
+    table.end(rows)
+}
+
+fn rows(args: &Args, table: &mut TableWriter, progress: &Progress) -> Result<()> {
     for n in args.periods.0.clone() {
         // One period of ten million takes seconds: listen for Ctrl-C within it too.
         for (index, interval) in intervals(n)?.enumerate() {
@@ -126,5 +131,5 @@ fn table(args: &Args, format: TableFormat, out: &mut dyn Write, progress: &Progr
         }
         progress.advance(1)?;
     }
-    table.finish()
+    Ok(())
 }

@@ -19,13 +19,24 @@ mod run;
 mod verify;
 mod word;
 
-use std::process::ExitCode;
+use std::{
+    io,
+    num::NonZero,
+    panic::{self, AssertUnwindSafe},
+    process::ExitCode,
+    sync::mpsc::{self, Sender},
+    thread,
+    time::{Duration, Instant},
+};
 
 use clap::{Parser, Subcommand, error::ErrorKind};
+use serde_json::json;
 
 use crate::{
     cli::progress::Interrupt,
     error::{Error, Result},
+    outcome::Outcome,
+    output::{Destination, TableFormat, remove_temporaries, say, stdout_is_untouched},
 };
 
 /// Proofs and computations for periodic orbits in grazing bifurcations of impact oscillators.
@@ -39,8 +50,9 @@ struct Cli {
 }
 
 const EXIT_CODES: &str = "\
-Exit codes: 0 done, or proved; 1 refuted, or a certificate that is malformed or false; \
-2 wrong usage, or a file that cannot be read or written; 3 undecided.";
+Exit codes: 1 if anything was refuted, or a certificate is malformed or false; else 2 if anything failed: wrong usage, \
+a file that cannot be read or written; else 3 if anything was undecided, interrupted or not found; else 0. A second \
+Ctrl-C ends at once with 130.";
 
 #[derive(Debug, Subcommand)]
 enum Command {
@@ -61,65 +73,171 @@ enum Command {
     Run(run::Args),
 }
 
-/// How a command that did its work ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Outcome {
-    /// Done, or everything asked was proved.
-    Done,
-    /// A statement was refuted, or a certificate rejected.
-    Refuted,
-    /// Something was left undecided.
-    Undecided,
+/// What the main thread waits for.
+enum Event {
+    /// The arguments were understood; the name of the report's format, if it is to be JSON.
+    Begun(Option<&'static str>),
+    /// The command ended by itself.
+    Ended(u8),
+    /// The user asked for an end.
+    Signal,
 }
 
+/// How long a command has to end by itself. Saved states are whole at every moment, so nothing is lost by an end without it.
+const GRACE: Duration = Duration::from_millis(700);
+
 /// Parses the process's arguments, runs the command, and says how it ended.
+///
+/// The command runs on a thread of its own. Once the user asks for an end it has a moment to finish its files and its report; then the process
+/// ends without it.
 pub fn main() -> ExitCode {
+    let (sender, events) = mpsc::channel();
+    let heard = sender.clone();
+    let interrupt = match Interrupt::listen(move || drop(heard.send(Event::Signal))) {
+        Ok(interrupt) => interrupt,
+        Err(error) => return fail(&error, None),
+    };
+    let listener = interrupt.clone();
+    let work = move || {
+        // A panic has said so; its code is none that means anything.
+        let code = panic::catch_unwind(AssertUnwindSafe(|| command(&listener, &sender)));
+        let _ = sender.send(Event::Ended(code.unwrap_or(PANICKED)));
+    };
+    if let Err(error) = thread::Builder::new().stack_size(STACK).spawn(work) {
+        return fail(&Error::from(error).context("cannot start a thread"), None);
+    }
+    let mut json = None;
+    loop {
+        match events.recv() {
+            Ok(Event::Begun(format)) => json = format,
+            Ok(Event::Ended(code)) => return ExitCode::from(code),
+            Ok(Event::Signal) => break,
+            Err(_) => return ExitCode::from(PANICKED),
+        }
+    }
+    let deadline = Instant::now() + GRACE;
+    loop {
+        match events.recv_timeout(deadline.saturating_duration_since(Instant::now())) {
+            Ok(Event::Begun(format)) => json = format,
+            Ok(Event::Ended(code)) => return ExitCode::from(code),
+            Ok(Event::Signal) => {}
+            Err(_) => break,
+        }
+    }
+    remove_temporaries();
+    fail(&interrupt.error(), json)
+}
+
+/// As Rust's own for a panic on the main thread.
+const PANICKED: u8 = 101;
+
+/// As a main thread has on most systems.
+const STACK: usize = 8 << 20;
+
+/// Parses and runs; the exit code.
+fn command(interrupt: &Interrupt, events: &Sender<Event>) -> u8 {
     let cli = match Cli::try_parse() {
         Ok(cli) => cli,
         // A bad value gets one line like every other error of ours; --help and misspelt options get clap's text.
         Err(error) if error.kind() == ErrorKind::ValueValidation => {
             let text = error.to_string();
-            eprintln!("{}", text.lines().next().unwrap_or_default());
-            return ExitCode::from(2);
+            say(text.lines().next().unwrap_or_default());
+            return Outcome::Failed.code();
         }
-        Err(error) => error.exit(),
-    };
-    match run(cli) {
-        Ok(Outcome::Done) => ExitCode::SUCCESS,
-        Ok(Outcome::Refuted) => ExitCode::from(1),
-        Ok(Outcome::Undecided) => ExitCode::from(3),
-        // The reader of our output has what it wanted.
-        Err(error) if error.is_broken_pipe() => ExitCode::SUCCESS,
         Err(error) => {
-            eprintln!("error: {error}");
-            ExitCode::from(if error.is_interrupted() { 3 } else { 2 })
+            let printed = error.print();
+            let lost = printed.is_err_and(|lost| lost.kind() != io::ErrorKind::BrokenPipe);
+            return if lost || error.use_stderr() { Outcome::Failed.code() } else { Outcome::Done.code() };
+        }
+    };
+    let json = cli.command.json();
+    let _ = events.send(Event::Begun(json));
+    match run(cli, interrupt) {
+        Ok(outcome) => outcome.code(),
+        Err(error) => report(&error, json).code(),
+    }
+}
+
+fn fail(error: &Error, json: Option<&'static str>) -> ExitCode {
+    report(error, json).into()
+}
+
+/// Says why a command failed. An interruption is said in JSON too, if that was asked for and none of it is written yet.
+fn report(error: &Error, json: Option<&'static str>) -> Outcome {
+    say(format_args!("error: {error}"));
+    if let Some(format) = json.filter(|_| error.is_interrupted() && stdout_is_untouched()) {
+        let report = json!({ "format": format, "verdict": Outcome::Interrupted.word() });
+        let _ = Destination::Stdout.write(|out| Ok(writeln!(out, "{report}")?));
+    }
+    Outcome::from(error)
+}
+
+/// A command's outcome once its report is written, or not: what could not be written is a failure, which a refutation outranks.
+fn reported(outcome: Outcome, written: Result<()>) -> Result<Outcome> {
+    match written {
+        Ok(()) => Ok(outcome),
+        Err(error) if outcome == Outcome::Refuted => {
+            say(format_args!("error: {error}"));
+            Ok(outcome)
+        }
+        Err(error) => Err(error),
+    }
+}
+
+fn run(cli: Cli, interrupt: &Interrupt) -> Result<Outcome> {
+    match cli.command {
+        Command::Verify(args) => verify::run(&args, interrupt),
+        Command::Check(args) => check::run(&args, interrupt),
+        Command::Cover(args) => cover::run(&args, interrupt),
+        Command::Intervals(args) => intervals::run(&args, interrupt),
+        Command::Classify(args) => classify::run(&args, interrupt),
+        Command::Word(args) => word::run(&args, interrupt),
+        Command::Existence(args) => existence::run(&args, interrupt),
+        Command::Fuzz(args) => fuzz::run(&args, interrupt),
+        Command::Farey(args) => farey::run(&args, interrupt),
+        Command::Boundary(args) => boundary::run(&args, interrupt),
+        Command::Figure(args) => figure::run(&args, interrupt),
+        Command::Formula(args) => formula::run(&args),
+        Command::Evaluate(args) => evaluate::run(&args, interrupt),
+        Command::Accuracy(args) => accuracy::run(&args, interrupt),
+        Command::Run(args) => run::run(&args, interrupt),
+    }
+}
+
+impl Command {
+    /// The name of the report's format, if it is to be JSON.
+    fn json(&self) -> Option<&'static str> {
+        let report = |format: ReportFormat, name| (format == ReportFormat::Json).then_some(name);
+        let table = |format: TableFormat, name| (format == TableFormat::Json).then_some(name);
+        match self {
+            Command::Verify(args) => report(args.format, "grazing-verify 1"),
+            Command::Check(args) => report(args.format, "grazing-check 2"),
+            Command::Cover(args) => report(args.format, "grazing-cover 1"),
+            Command::Intervals(args) => {
+                (args.format == intervals::Format::Json).then_some("grazing-intervals 1")
+            }
+            Command::Classify(args) => table(args.format, "grazing-classify 1"),
+            Command::Word(args) => (args.format == word::Format::Json).then_some("grazing-word 1"),
+            Command::Existence(args) => table(args.format, "grazing-existence 1"),
+            Command::Fuzz(args) => report(args.format, "grazing-fuzz 2"),
+            Command::Farey(args) => report(args.format, "grazing-farey 1"),
+            Command::Boundary(args) => table(args.format, "grazing-boundary 1"),
+            Command::Evaluate(args) => report(args.format, "grazing-evaluate 1"),
+            Command::Run(args) => report(args.format, "grazing-run 2"),
+            Command::Figure(_) | Command::Formula(_) | Command::Accuracy(_) => None,
         }
     }
 }
 
-fn run(cli: Cli) -> Result<Outcome> {
-    let interrupt = Interrupt::listen()?;
-    match cli.command {
-        Command::Verify(args) => verify::run(&args, &interrupt),
-        Command::Check(args) => check::run(&args, &interrupt),
-        Command::Cover(args) => cover::run(&args, &interrupt),
-        Command::Intervals(args) => intervals::run(&args, &interrupt),
-        Command::Classify(args) => classify::run(&args),
-        Command::Word(args) => word::run(&args, &interrupt),
-        Command::Existence(args) => existence::run(&args, &interrupt),
-        Command::Fuzz(args) => fuzz::run(&args, &interrupt),
-        Command::Farey(args) => farey::run(&args, &interrupt),
-        Command::Boundary(args) => boundary::run(&args, &interrupt),
-        Command::Figure(args) => figure::run(&args, &interrupt),
-        Command::Formula(args) => formula::run(&args),
-        Command::Evaluate(args) => evaluate::run(&args, &interrupt),
-        Command::Accuracy(args) => accuracy::run(&args, &interrupt),
-        Command::Run(args) => run::run(&args, &interrupt),
-    }
-}
-
-/// Runs `work` on `jobs` threads, 0 for one a core.
+/// Runs `work` on `jobs` threads, 0 for one per core.
 fn in_pool<T: Send>(jobs: usize, work: impl FnOnce() -> Result<T> + Send) -> Result<T> {
+    let cores = thread::available_parallelism().map_or(1, NonZero::get);
+    if jobs > 4 * cores {
+        return Err(Error::input(format!(
+            "--jobs {jobs}: at most {}, four times the number of cores",
+            4 * cores
+        )));
+    }
     let pool = rayon::ThreadPoolBuilder::new().num_threads(jobs).build();
     pool.map_err(|error| Error::input(format!("--jobs {jobs}: {error}")))?.install(work)
 }

@@ -3,7 +3,7 @@
 use std::{
     io::IsTerminal,
     sync::{
-        Arc,
+        Arc, Mutex, PoisonError,
         atomic::{AtomicBool, Ordering},
     },
     time::Duration,
@@ -14,25 +14,33 @@ use indicatif::{ProgressBar, ProgressStyle};
 use crate::{
     error::{Error, Result},
     monitor::Monitor,
+    output::remove_temporaries,
 };
 
 /// Whether the user has pressed Ctrl-C (or the system has asked the process to end).
 #[derive(Debug, Clone, Default)]
-pub struct Interrupt(Arc<AtomicBool>);
+pub struct Interrupt(Arc<Inner>);
+
+#[derive(Debug, Default)]
+struct Inner {
+    asked: AtomicBool,
+    kept: Mutex<String>,
+}
 
 impl Interrupt {
-    /// Starts listening. The first signal asks for an orderly end; a second ends the process at once, with
-    /// exit code 130.
+    /// Starts listening. The first signal asks for an orderly end and calls `heard`; a second ends the process at once, with exit code 130.
     ///
     /// # Errors
     /// An I/O error if the system refuses.
-    pub fn listen() -> Result<Self> {
+    pub fn listen(heard: impl Fn() + Send + 'static) -> Result<Self> {
         let interrupt = Interrupt::default();
-        let flag = interrupt.0.clone();
+        let inner = interrupt.0.clone();
         ctrlc::set_handler(move || {
-            if flag.swap(true, Ordering::Relaxed) {
+            if inner.asked.swap(true, Ordering::Relaxed) {
+                remove_temporaries();
                 std::process::exit(130);
             }
+            heard();
         })
         .map_err(|error| Error::from(std::io::Error::other(error)).context("cannot listen for Ctrl-C"))?;
         Ok(interrupt)
@@ -43,10 +51,24 @@ impl Interrupt {
     /// # Errors
     /// The interruption.
     pub fn check(&self) -> Result<()> {
-        if self.0.load(Ordering::Relaxed) {
-            return Err(Error::interrupted("interrupted before the work was done"));
-        }
-        Ok(())
+        if self.asked() { Err(self.error()) } else { Ok(()) }
+    }
+
+    /// Whether the user has asked for an end.
+    pub fn asked(&self) -> bool {
+        self.0.asked.load(Ordering::Relaxed)
+    }
+
+    /// Says what is kept of the work, and how to go on from it: an interruption ends with these words.
+    pub fn keeps(&self, what: impl Into<String>) {
+        *self.0.kept.lock().unwrap_or_else(PoisonError::into_inner) = what.into();
+    }
+
+    /// The interruption.
+    pub fn error(&self) -> Error {
+        let kept = self.0.kept.lock().unwrap_or_else(PoisonError::into_inner);
+        let kept = if kept.is_empty() { String::new() } else { format!("; {kept}") };
+        Error::interrupted(format!("interrupted before the work was done{kept}"))
     }
 }
 
@@ -73,7 +95,9 @@ impl Progress {
 
 impl Monitor for Progress {
     fn advance(&self, units: u64) -> Result<()> {
-        self.bar.inc(units);
+        if units > 0 {
+            self.bar.inc(units);
+        }
         self.interrupt.check()
     }
 }

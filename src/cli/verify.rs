@@ -5,12 +5,12 @@ use std::{ops::RangeInclusive, path::PathBuf};
 use clap::{Parser, ValueEnum};
 use serde_json::json;
 
-use super::{Outcome, ReportFormat, in_pool, range::Periods};
+use super::{Outcome, ReportFormat, in_pool, range::Periods, reported};
 use crate::{
     cli::progress::{Interrupt, Progress},
     error::{Error, Result},
     existence::Decision,
-    output::{Destination, write_file},
+    output::{Destination, OutputFile, distinct},
     search::{Method, Proof, prove_theorem2, write_theorem2},
 };
 
@@ -44,7 +44,7 @@ pub(super) struct Args {
     jobs: usize,
     /// How the result is written.
     #[arg(long, value_enum, default_value_t = ReportFormat::Text)]
-    format: ReportFormat,
+    pub(super) format: ReportFormat,
     /// Write the result to a file instead of standard output.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -57,30 +57,41 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
             "a certificate holds what the exact method found: use --method exact or both",
         ));
     }
-    in_pool(args.jobs, || verify(range, args, interrupt))
+    let files = [("--certificate", args.certificate.as_deref()), ("-o", args.output.as_deref())];
+    distinct(&files.into_iter().filter_map(|(option, file)| Some((option, file?))).collect::<Vec<_>>())?;
+    let certificate =
+        args.certificate.as_deref().map(|path| OutputFile::new("--certificate", path)).transpose()?;
+    let output = Destination::new(args.output.as_deref())?;
+    in_pool(args.jobs, || verify(range, args, certificate, &output, interrupt))
 }
 
-fn verify(range: RangeInclusive<u64>, args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
+fn verify(
+    range: RangeInclusive<u64>,
+    args: &Args,
+    certificate: Option<OutputFile>,
+    output: &Destination,
+    interrupt: &Interrupt,
+) -> Result<Outcome> {
     let passes = if args.certificate.is_some() { 2 } else { 1 };
     let progress = Progress::new(interrupt, passes * args.periods.count(), "periods");
     let proof = prove_theorem2(range.clone(), args.method, &progress)?;
-    if let (Some(path), Outcome::Done) = (&args.certificate, outcome(&proof)) {
-        write_file(path, |out| write_theorem2(range.clone(), &proof, out, &progress))?;
+    if let (Some(file), Outcome::Done) = (certificate, outcome(&proof)) {
+        file.write(|out| write_theorem2(range.clone(), &proof, out, &progress))?;
     }
     drop(progress);
     let report = match args.format {
         ReportFormat::Text => text(&range, &proof, args),
         ReportFormat::Json => format!("{}\n", json_report(&range, &proof, args)),
     };
-    Destination::new(args.output.clone()).write(|out| Ok(out.write_all(report.as_bytes())?))?;
-    Ok(outcome(&proof))
+    reported(outcome(&proof), output.write(|out| Ok(out.write_all(report.as_bytes())?)))
 }
 
 fn outcome(proof: &Proof) -> Outcome {
     match proof {
         Proof { refuted: Some(_), .. } | Proof { contradiction: Some(_), .. } => Outcome::Refuted,
         Proof { pending: 0, undecided: 0, .. } => Outcome::Done,
-        _ => Outcome::Undecided,
+        Proof { pending: 0, .. } => Outcome::Undecided,
+        _ => Outcome::Interrupted,
     }
 }
 
@@ -107,7 +118,7 @@ fn text(range: &RangeInclusive<u64>, proof: &Proof, args: &Args) -> String {
             proof.periods
         ),
         (pending, _) => format!(
-            "Undecided: interrupted; Theorem 2 is proved for {} of the periods in {range:?}, {pending} are pending.\n",
+            "Interrupted: Theorem 2 is proved for {} of the periods in {range:?}, {pending} are pending.\n",
             proof.periods
         ),
     };
@@ -150,8 +161,7 @@ fn json_report(range: &RangeInclusive<u64>, proof: &Proof, args: &Args) -> serde
         "statement": "theorem2",
         "verdict": match outcome(proof) {
             Outcome::Done => "proved",
-            Outcome::Refuted => "refuted",
-            Outcome::Undecided => "undecided",
+            other => other.word(),
         },
         "method": args.method.to_possible_value().map(|value| value.get_name().to_string()),
         "range": [range.start(), range.end()],

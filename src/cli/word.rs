@@ -9,6 +9,7 @@ use serde_json::{Value as Json, json};
 use super::{
     Outcome,
     classify::{describe, normalised},
+    reported,
 };
 use crate::{
     cli::progress::{Interrupt, Progress},
@@ -59,14 +60,14 @@ pub(super) struct Args {
     letters: usize,
     /// How the result is written.
     #[arg(long, value_enum, default_value_t = Format::Text)]
-    format: Format,
+    pub(super) format: Format,
     /// Write to a file, which appears only when complete.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Format {
+pub(super) enum Format {
     /// For reading.
     Text,
     /// One JSON object.
@@ -96,6 +97,7 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     if !(1..=LETTERS).contains(&args.letters) {
         return Err(Error::input(format!("--letters {}: from 1 to {LETTERS}", args.letters)));
     }
+    let destination = Destination::new(args.output.as_deref())?;
     let (point, region, reversed) =
         normalised(args.a1.as_ref().zip(args.a2.as_ref()), args.r.as_ref().zip(args.s.as_ref()))?;
     let ladder = Ladder::default();
@@ -116,16 +118,16 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
         describe(region),
         if reversed { ", after reversing time (a2 > 1): patterns are read backwards" } else { "" }
     );
-    Destination::new(args.output.clone()).write(|out| match args.format {
+    let written = destination.write(|out| match args.format {
         Format::Text => Ok(out.write_all(text(&heading, &sides).as_bytes())?),
         Format::Json => json_report(&heading, reversed, &sides, out),
         Format::Dot => Ok(out.write_all(dot(&sides).as_bytes())?),
-    })?;
+    });
     let open = sides.iter().any(|side| {
         !matches!(side.word.extent(), Extent::All | Extent::Complete { .. })
             || side.cases.iter().any(|case| case.relation.is_open())
     });
-    Ok(if open { Outcome::Undecided } else { Outcome::Done })
+    reported(if open { Outcome::Undecided } else { Outcome::Done }, written)
 }
 
 fn case(word: &Word, gamma: bool, reversed: bool, last: u64) -> Result<Case> {

@@ -1,95 +1,157 @@
-//! Where output goes: standard output, or a file that appears only when it is complete.
+//! Where output goes: standard output, or a file that appears only when it is complete; and what is said on standard error.
 
 use std::{
-    fs,
-    io::{self, BufWriter, Write},
+    fmt,
+    io::{self, BufWriter, ErrorKind, Write},
     path::{Path, PathBuf},
+    sync::atomic::{AtomicBool, Ordering},
 };
 
+use super::file::{probe, write_file};
 use crate::error::{Error, Result};
+
+/// A file to be written whole. It was tried when this was made, and is not touched before [`write`](Self::write).
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct OutputFile(PathBuf);
+
+impl OutputFile {
+    /// Tries the file that `option` (as in "--certificate") names.
+    ///
+    /// # Errors
+    /// An input or I/O error if it cannot be written; an input error for `-`, since standard output has the report.
+    pub fn new(option: &str, path: &Path) -> Result<Self> {
+        if path == Path::new("-") {
+            return Err(Error::input(format!(
+                "{option} -: standard output has the report; write ./- for a file of that name"
+            )));
+        }
+        probe(path)?;
+        Ok(OutputFile(path.to_path_buf()))
+    }
+
+    /// Its name.
+    pub fn path(&self) -> &Path {
+        &self.0
+    }
+
+    /// Writes it, as [`write_file`] does.
+    ///
+    /// # Errors
+    /// Those of [`write_file`].
+    pub fn write(&self, write: impl FnOnce(&mut dyn Write) -> Result<()>) -> Result<()> {
+        write_file(&self.0, write)
+    }
+}
 
 /// Standard output, or a file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Destination {
     /// Standard output.
     Stdout,
-    /// A file, written as [`write_file`] does.
-    File(PathBuf),
+    /// A file.
+    File(OutputFile),
 }
 
 impl Destination {
-    /// The file, if one is named, else standard output.
-    pub fn new(file: Option<PathBuf>) -> Self {
-        file.map_or(Destination::Stdout, Destination::File)
+    /// What `-o` names: the file, tried; standard output for `-`, its other names, or nothing.
+    ///
+    /// # Errors
+    /// Those of [`OutputFile::new`].
+    pub fn new(file: Option<&Path>) -> Result<Self> {
+        let stdout = ["-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"].map(Path::new);
+        match file {
+            Some(path) if !stdout.contains(&path) => Ok(Destination::File(OutputFile::new("-o", path)?)),
+            _ => Ok(Destination::Stdout),
+        }
     }
 
-    /// Runs `write` on the destination, buffered.
+    /// Runs `write` on the destination, buffered. Once the reader of standard output has gone, nothing more is written and `write` goes on as
+    /// before, so that what it finds does not depend on who reads.
     ///
     /// # Errors
     /// Whatever `write` returns; an I/O error that names the destination.
     pub fn write(&self, write: impl FnOnce(&mut dyn Write) -> Result<()>) -> Result<()> {
         match self {
-            Destination::File(path) => write_file(path, write),
-            Destination::Stdout => {
-                let mut out = BufWriter::with_capacity(1 << 16, io::stdout().lock());
-                let result = write(&mut out).and_then(|()| Ok(out.flush()?));
-                // What could not be written is not tried again when the buffer is dropped.
-                let _ = out.into_parts();
-                result.map_err(|error| if error.is_io() { error.context("standard output") } else { error })
-            }
+            Destination::File(file) => file.write(write),
+            Destination::Stdout => on_stdout(true, write),
+        }
+    }
+
+    /// The same for a list whose end brings nothing new: `write` ends early, without error, once the reader of standard output has gone.
+    ///
+    /// # Errors
+    /// Those of [`write`](Self::write).
+    pub fn list(&self, write: impl FnOnce(&mut dyn Write) -> Result<()>) -> Result<()> {
+        match self {
+            Destination::File(file) => file.write(write),
+            Destination::Stdout => match on_stdout(false, write) {
+                Err(error) if error.is_broken_pipe() => Ok(()),
+                result => result,
+            },
         }
     }
 }
 
-/// Writes a file by way of a temporary one beside it, renamed when all is written: an error or an interruption
-/// leaves neither a new file nor a changed old one. A device or pipe is written directly.
-///
-/// # Errors
-/// Whatever `write` returns; an I/O error that names `path`.
-pub fn write_file(path: &Path, write: impl FnOnce(&mut dyn Write) -> Result<()>) -> Result<()> {
-    let name = |error: Error| {
-        if error.is_io() { error.context(format_args!("cannot write {}", path.display())) } else { error }
-    };
-    // Through a symbolic link, the file it points to is replaced and not the link.
-    let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
-    if fs::metadata(&target).is_ok_and(|found| !found.is_file()) {
-        return write_directly(&target, write).map_err(name);
-    }
-    let folder = match target.parent() {
-        Some(folder) if !folder.as_os_str().is_empty() => folder,
-        _ => Path::new("."),
-    };
-    if !folder.is_dir() {
-        return Err(Error::input(format!(
-            "cannot write {}: there is no folder {}",
-            path.display(),
-            folder.display()
-        )));
-    }
-    replace(&target, folder, write).map_err(name)
+/// Whether anything was written to standard output, of which a process has one.
+static WRITTEN: AtomicBool = AtomicBool::new(false);
+
+/// Whether nothing has been written to standard output.
+pub(crate) fn stdout_is_untouched() -> bool {
+    !WRITTEN.load(Ordering::Relaxed)
 }
 
-fn write_directly(path: &Path, write: impl FnOnce(&mut dyn Write) -> Result<()>) -> Result<()> {
-    let mut out = BufWriter::new(fs::File::create(path)?);
+fn on_stdout(go_on: bool, write: impl FnOnce(&mut dyn Write) -> Result<()>) -> Result<()> {
+    let mut out =
+        BufWriter::with_capacity(1 << 16, Stdout { inner: io::stdout().lock(), go_on, gone: false });
     let result = write(&mut out).and_then(|()| Ok(out.flush()?));
+    // What could not be written is not tried again when the buffer is dropped. What came before an interruption is whole and is
+    // wanted.
+    match &result {
+        Err(error) if error.is_interrupted() => drop(out.flush()),
+        _ => {}
+    }
     let _ = out.into_parts();
-    result
+    result.map_err(|error| if error.is_io() { error.context("standard output") } else { error })
 }
 
-fn replace(target: &Path, folder: &Path, write: impl FnOnce(&mut dyn Write) -> Result<()>) -> Result<()> {
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".grazing-");
-    #[cfg(unix)]
-    {
-        // As for any new file, the user's mask applies.
-        use std::os::unix::fs::PermissionsExt;
-        builder.permissions(fs::Permissions::from_mode(0o666));
+/// Standard output, silent once its reader has gone if work is to go on.
+struct Stdout<'a> {
+    inner: io::StdoutLock<'a>,
+    go_on: bool,
+    gone: bool,
+}
+
+impl Stdout<'_> {
+    fn unless_gone<T>(
+        &mut self,
+        gone: T,
+        act: impl FnOnce(&mut io::StdoutLock) -> io::Result<T>,
+    ) -> io::Result<T> {
+        if self.gone {
+            return Ok(gone);
+        }
+        match act(&mut self.inner) {
+            Err(error) if self.go_on && error.kind() == ErrorKind::BrokenPipe => {
+                self.gone = true;
+                Ok(gone)
+            }
+            result => result,
+        }
     }
-    let mut out = BufWriter::with_capacity(1 << 16, builder.tempfile_in(folder)?);
-    write(&mut out)?;
-    out.flush()?;
-    let file = out.into_inner().map_err(|error| Error::from(error.into_error()))?;
-    file.as_file().sync_all()?;
-    file.persist(target).map_err(|error| Error::from(error.error))?;
-    Ok(())
+}
+
+impl Write for Stdout<'_> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        WRITTEN.store(true, Ordering::Relaxed);
+        self.unless_gone(bytes.len(), |out| out.write(bytes))
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.unless_gone((), |out| out.flush())
+    }
+}
+
+/// Says a line on standard error. Who does not listen there misses it; nothing else changes.
+pub fn say(line: impl fmt::Display) {
+    let _ = io::stderr().write_all(format!("{line}\n").as_bytes());
 }

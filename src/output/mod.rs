@@ -2,10 +2,16 @@
 
 mod bounds;
 mod destination;
+mod file;
+mod hash;
 mod journal;
+mod lock;
 mod table;
 
 pub use bounds::{decimal_above, decimal_below, decimal_near};
-pub use destination::{Destination, write_file};
-pub use journal::Journal;
+pub(crate) use destination::stdout_is_untouched;
+pub use destination::{Destination, OutputFile, say};
+pub(crate) use file::remove_temporaries;
+pub use file::{LONGEST_INPUT, distinct, make_folder, probe, read_text, write_file};
+pub use journal::{Found, Journal, Run};
 pub use table::{Cell, Column, TableFormat, TableWriter, decimal};

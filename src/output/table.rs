@@ -186,6 +186,28 @@ impl<'a> TableWriter<'a> {
         Ok(out.write_all(text.as_bytes())?)
     }
 
+    /// Ends the table after its rows, or after those there are if an interruption ended them: JSON is closed and says so.
+    ///
+    /// # Errors
+    /// That of the rows; an I/O error from the stream.
+    pub fn end(mut self, rows: Result<()>) -> Result<()> {
+        match rows {
+            Ok(()) => self.finish(),
+            Err(error) => {
+                if error.is_interrupted() {
+                    match &mut self.sink {
+                        Sink::Text(out) if self.format == TableFormat::Json => {
+                            writeln!(out, "\n],\"verdict\":\"interrupted\"}}")?;
+                        }
+                        Sink::Csv(writer) => writer.flush()?,
+                        Sink::Text(_) => {}
+                    }
+                }
+                Err(error)
+            }
+        }
+    }
+
     /// Ends the table.
     ///
     /// # Errors

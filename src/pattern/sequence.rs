@@ -2,6 +2,10 @@
 
 use std::fmt;
 
+use num_bigint::BigUint;
+use num_integer::Integer;
+use num_traits::One;
+
 /// An impact pattern (n₁, …, n_m): the periods between impacts, of all its rotations the lexicographically least.
 #[derive(Debug, Clone, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Pattern {
@@ -75,6 +79,19 @@ impl Patterns<fn(u64, u64) -> bool> {
     /// ```
     pub fn of_period(period: u64) -> Self {
         Patterns::walks(period, |_, _| true)
+    }
+
+    /// How many there are: (1/n) Σ_{d|n} φ(n/d) 2^d − 1, the necklaces of n beads of two colours without the one that has no impact.
+    ///
+    /// ```
+    /// use grazing::pattern::Patterns;
+    /// assert_eq!(Patterns::count(4), 5u32.into());
+    /// ```
+    pub fn count(period: u64) -> BigUint {
+        let coprime = |n: u64| (1..=n).filter(|k| k.gcd(&n) == 1).count();
+        let divisors = (1..=period).filter(|&d| period.is_multiple_of(d));
+        let colourings: BigUint = divisors.map(|d| (BigUint::one() << d) * coprime(period / d)).sum();
+        if period == 0 { BigUint::ZERO } else { colourings / period - 1u32 }
     }
 }
 

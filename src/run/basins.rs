@@ -12,6 +12,7 @@ use crate::{
         },
         simulate::End,
     },
+    output::Journal,
     scene::{Basins as BasinsTask, Values, phase},
 };
 
@@ -87,12 +88,11 @@ pub fn basins(task: &BasinsTask, job: &Job) -> Result<BasinsFindings> {
         ..Detection::default()
     };
     let file = job.checkpoint();
-    if let Some(file) = file.as_ref().filter(|file| !task.resume && file.exists()) {
-        std::fs::remove_file(file).map_err(|error| crate::Error::io("remove", file, error))?;
+    if let Some(file) = file.as_ref().filter(|_| !task.resume) {
+        Journal::discard(file)?;
     }
     job.monitor.begin(u64::from(task.u.count), "rows");
-    let identity = format!("{:?} {:?} {:?}", job.scene.system, job.scene.parameters, job.settings());
-    let found = find_basins(&simulator, &grid, &detection, &identity, file.as_deref(), job.monitor)?;
+    let found = find_basins(&simulator, &grid, &detection, &job.identity()?, file.as_deref(), job.monitor)?;
     Ok(gather(found, grid, job.scene.accuracy.minimum_depth))
 }
 

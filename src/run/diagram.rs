@@ -8,6 +8,7 @@ use crate::{
     error::Result,
     number::{Plain, Real},
     oscillator::attractor::diagram::{self, DiagramPlan, Look, Slice},
+    output::Journal,
     scene::{branches::DiagramTask, phase},
 };
 
@@ -95,13 +96,12 @@ pub fn diagram(task: &DiagramTask, job: &Job) -> Result<DiagramFindings> {
         every: task.every,
     };
     let file = job.checkpoint();
-    if let Some(file) = file.as_ref().filter(|file| !task.resume && file.exists()) {
-        std::fs::remove_file(file).map_err(|error| crate::Error::io("remove", file, error))?;
+    if let Some(file) = file.as_ref().filter(|_| !task.resume) {
+        Journal::discard(file)?;
     }
     job.monitor.begin(u64::from(task.count), "values");
     let simulator = |value| job.simulator_of(&job.scene.plain(&[(&task.parameter, value)])?);
-    let (system, parameters) = (&job.scene.system, &job.scene.parameters);
-    let identity = format!("{system:?} {parameters:?} {} {:?}", task.parameter, job.settings());
+    let identity = format!("{} {}", job.identity()?, task.parameter);
     let slices = diagram::sweep(&plan, simulator, &identity, file.as_deref(), job.monitor)?;
     let windows = diagram::windows(&slices).into_iter().map(|window| WindowRow {
         from: window.from,

@@ -51,6 +51,7 @@ use crate::{
         flow::State,
         simulate::{Event, Settings, Simulator},
     },
+    output::Journal,
     scene::{Accuracy, Kind, Scene, Task},
 };
 
@@ -243,9 +244,18 @@ impl<'a> Job<'a> {
         self.monitor.advance(0)
     }
 
+    /// A text of all that motions depend on: the oscillator and how finely it is simulated.
+    ///
+    /// # Errors
+    /// None in practice: of the writer.
+    pub fn identity(&self) -> Result<String> {
+        let settings = serde_json::to_string(&self.settings()).map_err(std::io::Error::other)?;
+        Ok(format!("{} {settings}", self.scene.canonical()?))
+    }
+
     /// The task's checkpoint in the folder, if there is a folder.
     pub fn checkpoint(&self) -> Option<std::path::PathBuf> {
-        Some(self.folder?.join(format!("{}.checkpoint.json", self.task.name)))
+        Some(self.folder?.join(format!("{}.checkpoint", self.task.name)))
     }
 
     /// Where its task stands in the scene's file.
@@ -301,9 +311,7 @@ pub fn run_task(job: &Job, keeper: &mut dyn Keeper) -> TaskReport {
     let kept = |findings: Findings, keeper: &mut dyn Keeper| {
         let files = keeper.keep(job, &findings)?;
         // What is finished and kept needs none, and the next run may have other settings.
-        if let Some(file) = job.checkpoint().filter(|file| file.exists()) {
-            std::fs::remove_file(&file).map_err(|error| crate::Error::io("remove", &file, error))?;
-        }
+        job.checkpoint().map_or(Ok(()), |file| Journal::discard(&file))?;
         Ok((findings, files))
     };
     match job.check().and_then(|()| answer(job, keeper)).and_then(|findings| kept(findings, keeper)) {

@@ -4,7 +4,7 @@ use std::fmt;
 
 use serde::Serialize;
 
-use crate::error::Error;
+use crate::{error::Error, outcome::Outcome};
 
 /// Where something stands in a file.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
@@ -65,6 +65,18 @@ pub enum Status {
 }
 
 impl Status {
+    /// How the task counts for what it is part of.
+    pub fn outcome(&self) -> Outcome {
+        match self {
+            Status::Done => Outcome::Done,
+            Status::NothingFound { .. } => Outcome::NothingFound,
+            Status::Undecided { .. } => Outcome::Undecided,
+            Status::Interrupted { .. } | Status::Pending => Outcome::Interrupted,
+            Status::Failed { .. } => Outcome::Failed,
+            Status::Refuted { .. } => Outcome::Refuted,
+        }
+    }
+
     /// Nothing found, for this reason.
     pub fn nothing(reason: impl Into<String>) -> Status {
         Status::NothingFound { reason: reason.into() }

@@ -14,6 +14,7 @@
 use std::fmt;
 
 use num_rational::BigRational;
+use serde::{Serialize, Serializer};
 
 use crate::{
     error::{Error, Result},
@@ -95,6 +96,14 @@ impl Expression {
     /// If there are fewer values than there were names.
     pub fn evaluate<T: Real>(&self, parameters: &[T], context: &T::Context) -> Result<T> {
         self.root.evaluate(parameters, context)
+    }
+}
+
+/// As its text without spaces.
+impl Serialize for Expression {
+    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
+        let text: String = self.text.split_whitespace().collect();
+        serializer.serialize_str(&text)
     }
 }
 

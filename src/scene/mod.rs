@@ -69,6 +69,14 @@ impl Scene {
         Ok(scene)
     }
 
+    /// A text of the oscillator: its parameters with their values, and its equation and walls as expressions in them, without the spaces in
+    /// them. Scenes with the same text have the same motions; titles, tasks, comments and the order of keys do not matter.
+    pub fn canonical(&self) -> Result<String> {
+        let parameters: Vec<(&str, String)> =
+            self.parameters.iter().map(|(name, value)| (name.as_str(), value.to_string())).collect();
+        Ok(serde_json::to_string(&(parameters, &self.system)).map_err(std::io::Error::other)?)
+    }
+
     /// The place of a parameter in the list.
     ///
     /// # Errors

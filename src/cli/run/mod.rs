@@ -15,7 +15,7 @@ mod simulate;
 mod validate;
 
 use std::{
-    fmt, fs,
+    fmt,
     io::Write,
     ops::Deref,
     path::{Path, PathBuf},
@@ -25,12 +25,15 @@ use clap::Parser;
 use num_rational::BigRational;
 use serde::Serialize;
 
-use super::{Outcome, ReportFormat, in_pool};
+use super::{Outcome, ReportFormat, in_pool, reported};
 use crate::{
     cli::progress::Interrupt,
     error::{Error, Result},
     number::parse_rational,
-    output::{Cell, Column, Destination, TableFormat, TableWriter, write_file},
+    output::{
+        Cell, Column, Destination, LONGEST_INPUT, TableFormat, TableWriter, make_folder, read_text, say,
+        write_file,
+    },
     run::{Findings, Job as Task, Keeper, Row, Status, Surroundings, TaskReport, run_task},
     scene::{Kind, Scene},
 };
@@ -62,7 +65,7 @@ pub(super) struct Args {
     output: PathBuf,
     /// How the report is written.
     #[arg(long, value_enum, default_value_t = ReportFormat::Text)]
-    format: ReportFormat,
+    pub(super) format: ReportFormat,
     /// Threads; 0 for one a core.
     #[arg(long, value_name = "J", default_value_t = 0)]
     jobs: usize,
@@ -176,7 +179,7 @@ impl Keeper for Files<'_> {
 
 pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     let name = args.scene.display().to_string();
-    let text = fs::read_to_string(&args.scene).map_err(|error| Error::io("read", &args.scene, error))?;
+    let text = read_text(&args.scene, LONGEST_INPUT)?;
     let scene = Scene::from_toml(&text, &name)?;
     for only in &args.only {
         if !scene.tasks.iter().any(|task| called(task, only)) {
@@ -195,7 +198,9 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     if jobs.is_empty() {
         return Err(Error::input(format!("{name} has no [[tasks]]: nothing to do")));
     }
-    make(&args.output)?;
+    make_folder(&args.output)?;
+    // What cannot be written ends neither the tasks nor what they refute.
+    let mut written = Ok(());
     let mut parts: Vec<Part> = Vec::new();
     for job in &jobs {
         let part = if parts.last().is_some_and(|last| last.report.status.is_interrupted()) {
@@ -206,27 +211,25 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
         };
         bars.clear();
         if part.report.status.is_failed() {
-            eprintln!("error: task {}: {}", part.report.task, part.report.status);
+            say(format_args!("error: task {}: {}", part.report.task, part.report.status));
         }
         // As soon as it is known; JSON is one object, at the end.
         if args.format == ReportFormat::Text {
-            Destination::Stdout.write(|out| Ok(write!(out, "{part}")?))?;
+            let part = Destination::Stdout.write(|out| Ok(write!(out, "{part}")?));
+            written = written.and(part);
         }
         parts.push(part);
     }
     if args.format == ReportFormat::Json {
-        Destination::Stdout.write(|out| json(&scene.title, &parts, out))?;
+        written = Destination::Stdout.write(|out| json(&scene.title, &parts, out));
     }
     let any = |is: fn(&Status) -> bool| parts.iter().any(|part| is(&part.report.status));
-    match () {
-        () if any(Status::is_refuted) => Ok(Outcome::Refuted),
-        () if any(Status::is_failed) => {
-            let failed = parts.iter().filter(|part| part.report.status.is_failed()).count();
-            Err(Error::input(format!("{failed} of {} tasks failed", parts.len())))
-        }
-        () if any(|status| !status.is_done()) => Ok(Outcome::Undecided),
-        () => Ok(Outcome::Done),
+    let outcome: Outcome = parts.iter().map(|part| part.report.status.outcome()).collect();
+    if any(Status::is_failed) {
+        let failed = parts.iter().filter(|part| part.report.status.is_failed()).count();
+        say(format_args!("error: {failed} of {} tasks failed", parts.len()));
     }
+    reported(outcome, written)
 }
 
 /// The reports as one object.
@@ -247,7 +250,7 @@ pub(super) fn paper(task: &str, folder: &Path, interrupt: &Interrupt) -> Result<
     let scene = Scene::from_toml(text, "nordmark-2001.toml")?;
     let task = scene.tasks.iter().find(|known| known.name == task);
     let task = task.ok_or_else(|| Error::input("the paper's scene has no such task"))?;
-    make(folder)?;
+    make_folder(folder)?;
     let bars = Bars::new(interrupt);
     let around = Surroundings { changes: &[], folder: Some(folder), monitor: &bars };
     let report = Job { job: &Task::new(&scene, task, around)?, folder, interrupt }.run().report;
@@ -256,8 +259,4 @@ pub(super) fn paper(task: &str, folder: &Path, interrupt: &Interrupt) -> Result<
         Status::Interrupted { reason } => Err(Error::interrupted(reason)),
         _ => Ok(()),
     }
-}
-
-fn make(folder: &Path) -> Result<()> {
-    fs::create_dir_all(folder).map_err(|error| Error::io("create", folder, error))
 }

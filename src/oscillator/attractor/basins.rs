@@ -94,9 +94,15 @@ pub fn basins(
         monitor.advance(1)?;
         Ok(fates)
     };
-    let mut checkpoint =
-        Checkpoint::new(file, "grazing-basins 1", format!("{identity} {grid:?} {detection:?}"));
-    let mut done: Basins = checkpoint.read()?.unwrap_or_default();
+    let job = serde_json::to_string(&(grid, detection)).map_err(std::io::Error::other)?;
+    // 64 bytes for each cell; the points of attractors, which are few.
+    let most = (1 << 30) + 64 * (grid.columns * grid.rows) as u64;
+    let (mut checkpoint, mut found): (_, Vec<Basins>) =
+        Checkpoint::open(file, "basins", &format!("{identity} {job}"), most)?;
+    let mut done = found.pop().unwrap_or_default();
+    if !done.can_be(grid, detection) {
+        return Err(checkpoint.bad("its record is not of these basins"));
+    }
     let first = done.cells.len() / grid.columns;
     monitor.advance(first as u64)?;
     for rows in (first..grid.rows).collect::<Vec<_>>().chunks(CHUNK) {
@@ -104,20 +110,36 @@ pub fn basins(
         let fates = match fates {
             Ok(fates) => fates,
             Err(error) => {
-                checkpoint.write_now(&done)?;
-                return Err(error);
+                checkpoint.replace_now(&done)?;
+                return Err(checkpoint.ended(error, done.cells.len() / grid.columns, grid.rows, "rows"));
             }
         };
         for fate in fates.into_iter().flatten() {
             let cell = done.cell(fate);
             done.cells.push(cell);
         }
-        checkpoint.write(&done)?;
+        checkpoint.replace(&done)?;
     }
     Ok(done)
 }
 
 impl Basins {
+    /// Whether a run over the grid can have come to this.
+    fn can_be(&self, grid: &BasinGrid, detection: &Detection) -> bool {
+        let cycle = |cycle: &Cycle| {
+            (1..=detection.longest).contains(&cycle.points.len())
+                && cycle.points.iter().flatten().all(|x| x.is_finite())
+        };
+        let cell = |cell: &BasinCell| match *cell {
+            BasinCell::Attractor(index) => index < self.attractors.len(),
+            _ => true,
+        };
+        self.cells.len().is_multiple_of(grid.columns)
+            && self.cells.len() <= grid.columns * grid.rows
+            && self.cells.iter().all(cell)
+            && self.attractors.iter().all(cycle)
+    }
+
     /// What is kept of a start; an attractor not met before is added.
     fn cell(&mut self, fate: Option<Fate>) -> BasinCell {
         match fate {

@@ -1,84 +1,98 @@
-//! What an interrupted job has done, kept in a file that is replaced whole.
+//! What an interrupted diagram or basin has done, kept as a saved state ([`Journal`]).
 
 use std::{
-    fs,
-    io::ErrorKind,
-    path::Path,
+    path::{Path, PathBuf},
     time::{Duration, Instant},
 };
 
-use serde::{Deserialize, Serialize, de::DeserializeOwned};
+use serde::{Serialize, de::DeserializeOwned};
 
-use crate::error::{Error, Result};
+use crate::{
+    error::{Error, Result},
+    output::{Journal, Run},
+};
 
-/// Less than this apart no two checkpoints are written, but for the last.
+/// Less than this apart no whole state is written, but for the last.
 const PAUSE: Duration = Duration::from_secs(5);
 
-#[derive(Serialize, Deserialize)]
-struct File<T> {
-    format: String,
-    identity: String,
-    done: T,
-}
-
-/// The checkpoint of one job.
-pub(super) struct Checkpoint<'a> {
-    path: Option<&'a Path>,
-    format: &'static str,
-    identity: String,
+/// The checkpoint of one job; without a file nothing is kept.
+pub(super) struct Checkpoint {
+    state: Option<(Journal, PathBuf)>,
     last: Instant,
 }
 
-impl<'a> Checkpoint<'a> {
-    /// That of a job in a file, or none; `identity` is all that its result depends on.
-    pub fn new(path: Option<&'a Path>, format: &'static str, identity: String) -> Self {
-        Checkpoint { path, format, identity, last: Instant::now() }
+impl Checkpoint {
+    /// The checkpoint of a job, of at most `most` bytes, and what it holds; `canonical` is a text of all that the job's result depends on.
+    ///
+    /// # Errors
+    /// Those of [`Journal::open`]; an input error for records that are none of the job's.
+    pub fn open<T: DeserializeOwned>(
+        path: Option<&Path>,
+        kind: &'static str,
+        canonical: &str,
+        most: u64,
+    ) -> Result<(Checkpoint, Vec<T>)> {
+        let last = Instant::now();
+        let Some(path) = path else { return Ok((Checkpoint { state: None, last }, Vec::new())) };
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        let (state, found) = Journal::open(path, &Run::new(kind, name, canonical), most)?;
+        let checkpoint = Checkpoint { state: Some((state, path.to_path_buf())), last };
+        let read = |record: &String| {
+            serde_json::from_str(record).map_err(|error| checkpoint.bad(&error.to_string()))
+        };
+        let records = found.records.iter().map(read).collect::<Result<_>>()?;
+        Ok((checkpoint, records))
     }
 
-    /// What is done already; `None` if there is no such file. Refuses a file of another job.
-    pub fn read<T: DeserializeOwned>(&self) -> Result<Option<T>> {
-        let Some(path) = self.path else { return Ok(None) };
-        let text = match fs::read_to_string(path) {
-            Err(error) if error.kind() == ErrorKind::NotFound => return Ok(None),
-            text => text.map_err(|error| Error::io("read", path, error))?,
-        };
-        let bad = |what: &str| Error::input(format!("{}: {what}; remove it to start anew", path.display()));
-        // Its name first: another format may have other fields.
-        let json: serde_json::Value =
-            serde_json::from_str(&text).map_err(|error| bad(&format!("no checkpoint: {error}")))?;
-        if json["format"] != self.format {
-            return Err(bad(&format!("its format is {}, not {:?}", json["format"], self.format)));
+    /// The error for records that no run of the job comes to.
+    pub fn bad(&self, what: &str) -> Error {
+        let path = self.state.as_ref().map(|(_, path)| path.display().to_string()).unwrap_or_default();
+        Error::input(format!("cannot resume from {path}: {what}; remove it to start anew"))
+    }
+
+    /// Keeps one more part.
+    ///
+    /// # Errors
+    /// An I/O error.
+    pub fn append(&mut self, part: &impl Serialize) -> Result<()> {
+        match &mut self.state {
+            Some((state, _)) => state.append(&text(part)?),
+            None => Ok(()),
         }
-        let file: File<T> =
-            serde_json::from_value(json).map_err(|error| bad(&format!("no checkpoint: {error}")))?;
-        if file.identity != self.identity {
-            return Err(bad("a checkpoint of another job: of other settings or another scene"));
+    }
+
+    /// Keeps all that is done, in place of what was kept, unless that was done a moment ago.
+    ///
+    /// # Errors
+    /// An I/O error.
+    pub fn replace(&mut self, done: &impl Serialize) -> Result<()> {
+        if self.last.elapsed() >= PAUSE { self.replace_now(done) } else { Ok(()) }
+    }
+
+    /// Keeps all that is done, in place of what was kept.
+    ///
+    /// # Errors
+    /// An I/O error.
+    pub fn replace_now(&mut self, done: &impl Serialize) -> Result<()> {
+        if let Some((state, _)) = &mut self.state {
+            state.replace(&text(done)?)?;
+            self.last = Instant::now();
         }
-        Ok(Some(file.done))
-    }
-
-    /// Replaces the file, unless that was done a moment ago: at every moment it is whole.
-    pub fn write(&mut self, done: &impl Serialize) -> Result<()> {
-        if self.last.elapsed() >= PAUSE { self.write_now(done) } else { Ok(()) }
-    }
-
-    /// Replaces the file.
-    pub fn write_now(&mut self, done: &impl Serialize) -> Result<()> {
-        let Some(path) = self.path else { return Ok(()) };
-        let file = File { format: self.format.into(), identity: self.identity.clone(), done };
-        let text = serde_json::to_string(&file).map_err(std::io::Error::other)?;
-        let folder = match path.parent() {
-            Some(folder) if !folder.as_os_str().is_empty() => folder,
-            _ => Path::new("."),
-        };
-        let write = || -> std::io::Result<()> {
-            let mut new = tempfile::NamedTempFile::new_in(folder)?;
-            std::io::Write::write_all(&mut new, text.as_bytes())?;
-            new.persist(path)?;
-            Ok(())
-        };
-        write().map_err(|error| Error::io("write", path, error))?;
-        self.last = Instant::now();
         Ok(())
     }
+
+    /// What ended the job before it was done; an interruption says that the next run goes on.
+    pub fn ended(&self, error: Error, done: usize, all: usize, what: &str) -> Error {
+        match &self.state {
+            Some((_, path)) if error.is_interrupted() => Error::interrupted(format!(
+                "interrupted: {done} of {all} {what} are done and kept in {}; running again goes on from there",
+                path.display()
+            )),
+            _ => error,
+        }
+    }
+}
+
+fn text(part: &impl Serialize) -> Result<String> {
+    Ok(serde_json::to_string(part).map_err(std::io::Error::other)?)
 }

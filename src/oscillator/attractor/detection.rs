@@ -17,7 +17,7 @@ pub const RECURRENCE: f64 = 1e-7;
 pub const SAME: f64 = 1e-4;
 
 /// How to look for recurrence in the section at `phase`.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Detection {
     /// The phase of the section, in [0, 2π). Default 0.
     pub phase: f64,

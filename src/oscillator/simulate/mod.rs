@@ -52,6 +52,7 @@ use std::sync::Arc;
 use engine::{Engine, Loop};
 use grid::Grid;
 use pieces::Pieces;
+use serde::Serialize;
 use steps::Steps;
 use wall::Walls;
 
@@ -67,7 +68,7 @@ fn unbounded(size: f64) -> bool {
 }
 
 /// How finely to simulate.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Settings {
     /// Gaps within this of 0 are contact without impact: see the promises of [`simulate`](self). In units of q, 1e-13 to 1e-3, default 1e-12;
     /// where a trajectory is so large that rounding exceeds it, the rounding error takes its place.

@@ -4,12 +4,13 @@ use std::convert::Infallible;
 
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
+use serde::Serialize;
 
 use super::Side;
 
 /// An oscillator q″ = −`damping` q′ − `stiffness` q − `cubic` q³ + `force` + Σ (`cos` cos kt + `sin` sin kt), mass 1,
 /// all 2π-periodic in t, that stays between its walls Q₁(t) ≤ q ≤ Q₂(t) (section 3.1 of the paper).
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct System<T> {
     /// The coefficient of the velocity.
     pub damping: T,
@@ -28,7 +29,7 @@ pub struct System<T> {
 }
 
 /// One harmonic `cos` cos kt + `sin` sin kt of a 2π-periodic function.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Harmonic<T> {
     /// The multiple k ≥ 1 of the base frequency.
     pub k: u32,
@@ -39,7 +40,7 @@ pub struct Harmonic<T> {
 }
 
 /// A wall Q(t) = `offset` + Σ harmonics; an impact turns the velocity w relative to it into −`restitution` w (67).
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Wall<T> {
     /// The mean position.
     pub offset: T,

@@ -13,7 +13,7 @@ mod claim;
 mod expansion;
 mod tree;
 
-use std::{collections::HashMap, ops::RangeInclusive, time::Instant};
+use std::{collections::HashMap, ops::RangeInclusive};
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -30,6 +30,7 @@ use crate::{
     existence::Variant,
     local::{Ladder, Point, Polar},
     monitor::Monitor,
+    processor::thread_seconds,
 };
 use claim::Judge;
 
@@ -232,9 +233,9 @@ pub fn cover(
             if monitor.advance(0).is_err() {
                 return Ok(None);
             }
-            let (cover, start) = (&covers[at], Instant::now());
+            let (cover, start) = (&covers[at], thread_seconds());
             let found = one_strip(options, cover, index);
-            let seconds = start.elapsed().as_secs_f64();
+            let seconds = thread_seconds() - start;
             if let Ok(trees) = &found {
                 record((cover.n, index), trees)?;
             }

@@ -9,7 +9,7 @@ mod random;
 mod sweep;
 mod weighted;
 
-use std::{fmt, time::Instant};
+use std::fmt;
 
 use num_rational::BigRational;
 use rayon::prelude::*;
@@ -21,6 +21,7 @@ use crate::{
     local::{Ladder, Plane, Point, Polar, Region, Rung},
     monitor::Monitor,
     number::parse_rational,
+    processor::thread_seconds,
     random::Random,
 };
 use sweep::Sweep;
@@ -107,7 +108,7 @@ pub struct Tally {
     pub repeated: u64,
     /// Weighted cases, which are among those counted above.
     pub weighted: u64,
-    /// Processor seconds spent on sweeps and on weighted cases.
+    /// Processor seconds spent on sweeps and on weighted cases; 0 where the system does not tell.
     pub sweep_seconds: f64,
     /// See `sweep_seconds`.
     pub weighted_seconds: f64,
@@ -139,61 +140,149 @@ impl Tally {
 }
 
 /// Sweep points and weighted cases of one unit.
-const SWEEP_POINTS: u64 = 2048;
-const WEIGHTED_CASES: u64 = 32;
+const SWEEP_POINTS: u64 = 256;
+const WEIGHTED_CASES: u64 = 4;
+/// The least period of a sweep.
+const FIRST_SWEPT: u64 = 3;
 /// Up to this period a point (a₁, a₂) is decided in reversed time too.
 const REVERSED: u64 = 24;
-/// Units between two checkpoints.
-const CHUNK: u64 = 64;
+/// The most units between two checkpoints.
+const CHUNK: u64 = 512;
+
+impl Options {
+    /// All that a tally depends on but for the number of cases, written so that equal runs give equal texts.
+    pub fn canonical(&self) -> String {
+        let Options { first, last, seed, definition_share, .. } = self;
+        let share = definition_share.to_bits();
+        format!(
+            "periods {first}..={last} seed {seed} share {share:016x} unit {SWEEP_POINTS}+{WEIGHTED_CASES}"
+        )
+    }
+
+    /// The cases of one unit, to within its few weighted and repeated ones: a run decides those of whole units.
+    pub fn block(&self) -> u64 {
+        SWEEP_POINTS * self.periods() + WEIGHTED_CASES
+    }
+
+    /// The periods of a sweep: it begins at 3.
+    fn periods(&self) -> u64 {
+        (self.last + 1).saturating_sub(self.first.max(FIRST_SWEPT))
+    }
+
+    fn check(&self) -> Result<()> {
+        if !(3..=sweep::LONGEST as u64).contains(&self.last) {
+            return Err(Error::input(format!(
+                "the largest period is {}: from 3 to {}",
+                self.last,
+                sweep::LONGEST
+            )));
+        }
+        if self.cases == 0 {
+            return Err(Error::input("the number of cases is 0: give at least 1"));
+        }
+        Ok(())
+    }
+}
+
+impl Tally {
+    /// Whether a run with these options can have come to this, disagreements decided again.
+    ///
+    /// # Errors
+    /// An input error that says what cannot be.
+    pub fn check(&self, options: &Options) -> Result<()> {
+        options.check()?;
+        let bad = |what: &str| Err(Error::input(format!("a tally that no run comes to: {what}")));
+        // Far more than any machine does, and few enough for every sum below.
+        if self.units > 1 << 40 {
+            return bad("the number of units");
+        }
+        let parts = [self.swept, self.interval, self.ball, self.exact, self.boundary, self.undecided];
+        if parts.iter().chain([&self.repeated, &self.weighted]).any(|&part| part > 1 << 60) {
+            return bad("a count beyond all units");
+        }
+        if self.repeated > self.units * SWEEP_POINTS || self.weighted > self.units * WEIGHTED_CASES {
+            return bad("more repeated or weighted cases than units have");
+        }
+        // Every point of a sweep is one case for each period, a repeated one is decided once more, and weighted cases are cases.
+        let cases = self.units * SWEEP_POINTS * options.periods() + self.repeated + self.weighted;
+        let counted: u64 = parts.iter().sum();
+        let differing = self.disagreements.len() as u64;
+        if counted > cases || cases - counted > differing {
+            return bad("the counts do not add up");
+        }
+        let seconds = [self.sweep_seconds, self.weighted_seconds];
+        if !seconds.iter().all(|seconds| (0.0..1e15).contains(seconds)) {
+            return bad("its times");
+        }
+        for line in &self.disagreements {
+            let case: Case = line.parse()?;
+            if !differ(&Ladder::default(), &case, Variant::True) {
+                return bad(&format!("{line} is no disagreement"));
+            }
+        }
+        Ok(())
+    }
+}
 
 /// Runs from `tally` on until enough cases are decided or the monitor interrupts; `checkpoint` sees every state from which
-/// the run can go on. Ends early once a disagreement is found.
+/// the run can go on. Ends early once a disagreement is found. What is counted is whole units: at least `options.cases` cases unless it ends early, and
+/// less than one unit more.
 ///
 /// # Errors
-/// An input error if the options are out of range; whatever `checkpoint` returns.
+/// An input error if the options are out of range, or `tally` cannot be of such a run; whatever `checkpoint` returns.
 pub fn fuzz(
     options: &Options,
     mut tally: Tally,
     monitor: &dyn Monitor,
     mut checkpoint: impl FnMut(&Tally) -> Result<()>,
 ) -> Result<Tally> {
-    if !(3..=sweep::LONGEST as u64).contains(&options.last) {
-        return Err(Error::input(format!(
-            "the largest period is {}: from 3 to {}",
-            options.last,
-            sweep::LONGEST
-        )));
-    }
+    tally.check(options)?;
     let ladder = Ladder::default();
     let sweep = Sweep::new(options.last as usize);
     while tally.decided() < options.cases && tally.disagreements.is_empty() {
         let first = tally.units;
-        let chunk = (first..first + CHUNK)
+        let wanted = (options.cases - tally.decided()).div_ceil(options.block()).clamp(1, CHUNK);
+        let units: Vec<Option<Tally>> = (first..first + wanted)
             .into_par_iter()
-            .map_with(sweep.clone(), |sweep, unit| run_unit(options, &ladder, sweep, unit))
-            .collect::<Vec<Tally>>()
-            .into_iter()
-            .fold(Tally::default(), Tally::merge);
-        let decided = chunk.decided();
-        tally = tally.merge(chunk);
+            .map_with(sweep.clone(), |sweep, unit| {
+                monitor.advance(0).ok()?;
+                run_unit(options, &ladder, sweep, unit, monitor)
+            })
+            .collect();
+        // Whole units in their order, up to the first that was given up and no more than asked for.
+        let before = tally.decided();
+        for unit in units.iter().cloned().map_while(|unit| unit) {
+            if tally.decided() >= options.cases {
+                break;
+            }
+            tally = tally.merge(unit);
+        }
         checkpoint(&tally)?;
-        if monitor.advance(decided).is_err() {
+        if monitor.advance(tally.decided() - before).is_err() || units.contains(&None) {
             break;
         }
     }
     Ok(tally)
 }
 
-fn run_unit(options: &Options, ladder: &Ladder, sweep: &mut Sweep, unit: u64) -> Tally {
+/// One unit; none if the monitor ends it.
+fn run_unit(
+    options: &Options,
+    ladder: &Ladder,
+    sweep: &mut Sweep,
+    unit: u64,
+    monitor: &dyn Monitor,
+) -> Option<Tally> {
     let mut random = Random::of_unit(options.seed, unit);
     let mut tally = Tally { units: 1, ..Tally::default() };
-    let start = Instant::now();
+    let start = thread_seconds();
     // The share as a threshold on 53 random bits: what it selects depends on the seed alone.
     let threshold = (options.definition_share * (1u64 << 53) as f64) as u64;
     for _ in 0..SWEEP_POINTS {
+        monitor.advance(0).ok()?;
         let (r, s) = (random.next() >> 11 | 1, random.next() >> 11 | 1);
         let repeated = if random.next() >> 11 < threshold {
-            random.within(options.first.max(3), options.last)
+            random.within(options.first.max(FIRST_SWEPT), options.last)
         } else {
             0
         };
@@ -219,16 +308,17 @@ fn run_unit(options: &Options, ladder: &Ladder, sweep: &mut Sweep, unit: u64) ->
             }
         });
     }
-    tally.sweep_seconds = start.elapsed().as_secs_f64();
-    let start = Instant::now();
+    tally.sweep_seconds = thread_seconds() - start;
+    let start = thread_seconds();
     for _ in 0..WEIGHTED_CASES {
+        monitor.advance(0).ok()?;
         if let Some(case) = weighted::case(&mut random, ladder, options.first..=options.last) {
             tally.weighted += 1;
             one_case(ladder, case, Variant::True, &mut tally);
         }
     }
-    tally.weighted_seconds = start.elapsed().as_secs_f64();
-    tally
+    tally.weighted_seconds = thread_seconds() - start;
+    Some(tally)
 }
 
 /// The first of `most` weighted cases of a seed that refutes a variant of the claim, shrunk.

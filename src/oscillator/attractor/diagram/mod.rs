@@ -28,7 +28,7 @@ use crate::{
 };
 
 /// When and for how long to look.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Look {
     /// The phase of the section, 0 ≤ phase < 2π.
     pub phase: f64,
@@ -41,7 +41,7 @@ pub struct Look {
 }
 
 /// What to run at which values.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize)]
 pub struct DiagramPlan {
     /// The parameter's values.
     pub values: Vec<f64>,
@@ -91,8 +91,12 @@ pub fn sweep(
     file: Option<&Path>,
     monitor: &dyn Monitor,
 ) -> Result<Vec<Slice>> {
-    let mut checkpoint = Checkpoint::new(file, "grazing-diagram 2", format!("{identity} {plan:?}"));
-    let mut done: Vec<Slice> = checkpoint.read()?.unwrap_or_default();
+    let plan_text = serde_json::to_string(plan).map_err(std::io::Error::other)?;
+    let (mut checkpoint, mut done): (_, Vec<Slice>) =
+        Checkpoint::open(file, "diagram", &format!("{identity} {plan_text}"), plan.most_bytes())?;
+    if let Some(wrong) = done.iter().enumerate().find(|(i, slice)| !plan.can_be(*i, slice)) {
+        return Err(checkpoint.bad(&format!("its record {} is not of this diagram", wrong.0 + 1)));
+    }
     let rest = plan.values.get(done.len()..).unwrap_or_default();
     monitor.advance(done.len() as u64)?;
     for chunk in rest.chunks(CHUNK) {
@@ -106,16 +110,38 @@ pub fn sweep(
             .collect();
         for slice in slices {
             match slice {
-                Ok(slice) => done.push(slice),
-                Err(error) => {
-                    checkpoint.write_now(&done)?;
-                    return Err(error);
+                Ok(slice) => {
+                    checkpoint.append(&slice)?;
+                    done.push(slice);
                 }
+                Err(error) => return Err(checkpoint.ended(error, done.len(), plan.values.len(), "values")),
             }
         }
-        checkpoint.write(&done)?;
     }
     Ok(done)
+}
+
+impl DiagramPlan {
+    /// More bytes than any state of this plan has: 64 for a point or what else a motion has, 128 for what else a slice and its line have.
+    fn most_bytes(&self) -> u64 {
+        let points = u64::from(self.look.points.max(self.look.longest).max(self.every));
+        let motion = 64 * (points + 2);
+        4096 + self.values.len() as u64 * (128 + self.starts.len() as u64 * motion)
+    }
+
+    /// Whether a slice can be that of the value with this index.
+    fn can_be(&self, index: usize, slice: &Slice) -> bool {
+        let Look { points, longest, .. } = self.look;
+        let most = points.max(longest).max(self.every) as usize;
+        let motion = |motion: &DiagramMotion| {
+            motion.points.len() <= most
+                && motion.points.iter().flatten().all(|x| x.is_finite())
+                && motion.period.is_none_or(|period| (1..=longest).contains(&period))
+        };
+        self.values.get(index).is_some_and(|value| value.to_bits() == slice.value.to_bits())
+            && slice.motions.len() + slice.lost as usize <= self.starts.len()
+            && slice.motions.iter().all(motion)
+    }
 }
 
 fn slice(plan: &DiagramPlan, value: f64, simulator: &Simulator, monitor: &dyn Monitor) -> Result<Slice> {

@@ -1,0 +1,343 @@
+//! What a shell script relies on: exit codes that depend on the result alone, files that are whole or untouched, signals that end every
+//! command with its state written.
+#![cfg(target_os = "linux")]
+
+mod process;
+
+use std::{
+    fs,
+    io::Read,
+    os::unix::fs::{PermissionsExt, symlink},
+    path::Path,
+    process::{Command, Stdio},
+};
+
+use process::{ended, grazing, listening, names, onto_full_disk, run, signal, unread, until};
+use tempfile::tempdir;
+
+/// A map with patterns that stay undecided.
+const SINGULAR: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/maps/singular.toml");
+const FOCUS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/maps/focus.toml");
+
+/// A certificate with a false line.
+fn false_certificate(folder: &Path) {
+    assert_eq!(run("verify 8 --certificate good", folder).0, 0);
+    let text = fs::read_to_string(folder.join("good")).unwrap();
+    let damaged = text.replace("orbit 1/16 1/8 + +", "orbit 1/16 1/8 + -");
+    assert_ne!(text, damaged);
+    fs::write(folder.join("bad"), damaged).unwrap();
+}
+
+#[test]
+fn exit_codes_do_not_depend_on_who_reads() {
+    let folder = tempdir().unwrap();
+    let folder = folder.path();
+    false_certificate(folder);
+    let cases = [
+        ("check bad", 1),
+        ("check good", 0),
+        ("cover 8 --max-depth 3", 3),
+        ("verify 8", 0),
+        ("evaluate --n 8 --s 1/5", 0),
+        ("classify --r 1/2 --s 1/5", 0),
+        (&format!("existence {SINGULAR} --max-period 3"), 3),
+        ("farey walk 100000", 0),
+        ("intervals 3..=300", 0),
+        ("--help", 0),
+        ("fuzz --n 12 --cases 1", 0),
+    ];
+    for (arguments, code) in cases {
+        assert_eq!(run(arguments, folder).0, code, "{arguments}, read");
+        let (unread, said) = unread(arguments, folder);
+        assert_eq!(unread, code, "{arguments}, unread: {said}");
+        assert!(!said.contains("Broken pipe") && !said.contains("panicked"), "{arguments}: {said}");
+    }
+}
+
+#[test]
+fn a_full_disk_is_a_failure_that_a_refutation_outranks() {
+    let folder = tempdir().unwrap();
+    let folder = folder.path();
+    false_certificate(folder);
+    for (arguments, wanted) in [
+        ("check bad", 1),
+        ("check good", 2),
+        ("cover 8 --max-depth 3", 2),
+        ("verify 8", 2),
+        ("classify --r 1/2 --s 1/5", 2),
+        ("evaluate --n 8 --s 1/5", 2),
+        ("farey walk 100000", 2),
+        ("formula 4 2", 2),
+        ("--help", 2),
+    ] {
+        let (code, said) = onto_full_disk(arguments, folder);
+        assert_eq!(code, wanted, "{arguments}: {said}");
+        assert!(!said.contains("panicked"), "{arguments}: {said}");
+    }
+    // Nothing depends on standard error.
+    for (arguments, code) in [("verfy", 2), ("verify 0", 2), ("fuzz --n 12 --cases 1", 0)] {
+        let full = fs::File::create("/dev/full").unwrap();
+        let mut command = grazing(arguments, folder);
+        assert_eq!(command.stdout(Stdio::null()).stderr(full).status().unwrap().code(), Some(code));
+    }
+}
+
+#[test]
+fn limits_are_said() {
+    let folder = tempdir().unwrap();
+    let folder = folder.path();
+    let refused = |arguments: &str| {
+        let (code, out, said) = run(arguments, folder);
+        assert_eq!((code, out.as_str()), (2, ""), "{arguments}");
+        said
+    };
+    assert!(refused("verify 8 --jobs 100000").contains("four times the number of cores"));
+    assert!(refused("fuzz --cases 0").contains("--cases 0: give at least 1"));
+    // Words of the closed walks of n steps: 2^n − 1 with a marked step, so d p(d) over the divisors d of n for p primitive patterns.
+    let mut primitive = vec![0u64];
+    let mut rows = 0;
+    for n in 1..=30 {
+        let divisors = |n: usize| (1..n).filter(move |d| n.is_multiple_of(*d));
+        let repeated: u64 = divisors(n).map(|d| d as u64 * primitive[d]).sum();
+        primitive.push(((1 << n) - 1 - repeated) / n as u64);
+        rows += primitive[n] + divisors(n).map(|d| primitive[d]).sum::<u64>();
+        if n == 9 {
+            let table = run(&format!("existence {FOCUS} --max-period 9 --format csv"), folder).1;
+            assert_eq!(table.lines().count() as u64, 1 + rows);
+        }
+    }
+    let said = refused(&format!("existence {FOCUS} --max-period 30"));
+    assert!(
+        said.contains(&format!("--max-period 30 would write {rows} rows, and at most 10000000")),
+        "{said}"
+    );
+    // Inputs and states without an end, or that are no files.
+    for arguments in ["run /dev/zero", "existence /dev/zero"] {
+        assert!(refused(arguments).contains("/dev/zero has more than 16777216 bytes"), "{arguments}");
+    }
+    for device in ["/dev/full", "/dev/zero", "/dev/null"] {
+        for command in ["fuzz --cases 1", "cover 8"] {
+            let said = refused(&format!("{command} --resume {device}"));
+            assert!(
+                said.contains(&format!("cannot resume from {device}: it is not a regular file")),
+                "{said}"
+            );
+        }
+    }
+    assert_eq!(names(folder), [""; 0]);
+}
+
+#[test]
+fn one_file_has_one_name() {
+    let folder = tempdir().unwrap();
+    let folder = folder.path();
+    fs::write(folder.join("old"), "old").unwrap();
+    symlink("old", folder.join("link")).unwrap();
+    symlink("new", folder.join("dangling")).unwrap();
+    fs::hard_link(folder.join("old"), folder.join("hard")).unwrap();
+    fs::copy(FOCUS, folder.join("map.toml")).unwrap();
+    for arguments in [
+        "verify 8 -o old --certificate link",
+        "verify 8 -o hard --certificate old",
+        "verify 8 -o dangling --certificate new",
+        "verify 8 -o ./new --certificate new",
+        "cover 8 --certificate new --resume new",
+        "fuzz --cases 1 --regressions new --resume dangling",
+        "existence map.toml -o map.toml",
+        "existence map.toml --dot ./map.toml",
+        "existence map.toml --dot x -o x",
+        "existence map.toml --pattern 1 --orbit pictures -o pictures/../pictures/orbit.csv",
+    ] {
+        if arguments.contains("pictures") {
+            fs::create_dir(folder.join("pictures")).unwrap();
+        }
+        let (code, out, said) = run(arguments, folder);
+        assert_eq!((code, out.as_str()), (2, ""), "{arguments}");
+        assert!(said.contains("are the same file"), "{arguments}: {said}");
+    }
+    assert_eq!(fs::read(folder.join("old")).unwrap(), b"old");
+    assert_eq!(fs::read(folder.join("map.toml")).unwrap(), fs::read(FOCUS).unwrap());
+    // Devices are no files to be lost.
+    assert_eq!(run("verify 8 -o /dev/null --certificate /dev/null", folder).0, 0);
+}
+
+#[test]
+fn every_output_is_tried_before_the_work_and_not_touched() {
+    let folder = tempdir().unwrap();
+    let folder = folder.path();
+    fs::write(folder.join("kept"), "kept").unwrap();
+    fs::write(folder.join("fixed"), "fixed").unwrap();
+    fs::set_permissions(folder.join("fixed"), fs::Permissions::from_mode(0o444)).unwrap();
+    // Work without end: only what is tried first can answer.
+    for work in [
+        "verify 3..=200000 -o",
+        "verify 3..=200000 --certificate",
+        "cover 3..=256 --certificate",
+        "intervals 3..=10000000 -o",
+        "boundary 2..=100000 -o",
+        "fuzz --cases 1e18 --regressions",
+        "fuzz --cases 1e18 --resume",
+    ] {
+        for (path, reason) in
+            [("nowhere/x", "nowhere"), (".", "folder"), ("kept/x", "kept"), ("fixed", "read-only")]
+        {
+            if path == "fixed" && work.ends_with("resume") {
+                continue;
+            }
+            let (code, out, said) = run(&format!("{work} {path}"), folder);
+            assert_eq!((code, out.as_str()), (2, ""), "{work} {path}");
+            assert!(said.contains(reason) || said.contains("regular"), "{work} {path}: {said}");
+        }
+    }
+    let before = fs::metadata(folder.join("kept")).unwrap().modified().unwrap();
+    let mut child = listening("verify 3..=200000 --certificate kept -o other", folder);
+    signal(&child, &["-INT"]);
+    assert_eq!(child.wait().unwrap().code(), Some(3));
+    assert_eq!(fs::metadata(folder.join("kept")).unwrap().modified().unwrap(), before);
+    assert_eq!(fs::read(folder.join("kept")).unwrap(), b"kept");
+}
+
+#[test]
+fn files_have_the_users_mode_and_links_are_followed() {
+    let folder = tempdir().unwrap();
+    let folder = folder.path();
+    symlink("new", folder.join("dangling")).unwrap();
+    let binary = env!("CARGO_BIN_EXE_grazing");
+    let script = format!(
+        "umask 027; {binary} intervals 8 -o dangling && {binary} fuzz --n 12 --cases 1 --resume state && {binary} cover 8 --resume journal"
+    );
+    let mut command = Command::new("sh");
+    let (code, _, said) = ended(command.arg("-c").arg(script).current_dir(folder).output().unwrap());
+    assert_eq!(code, 0, "{said}");
+    assert_eq!(names(folder), ["dangling", "journal", "new", "state"]);
+    assert!(folder.join("dangling").is_symlink());
+    for name in ["new", "state", "journal"] {
+        let mode = fs::metadata(folder.join(name)).unwrap().permissions().mode() & 0o777;
+        assert_eq!(mode, 0o640, "{name}: {mode:o}");
+    }
+    let table = run("intervals 8", folder).1;
+    assert_eq!(fs::read_to_string(folder.join("new")).unwrap(), table);
+    assert_eq!(run("intervals 8 -o -", folder), (0, table.clone(), String::new()));
+    assert_eq!(run("intervals 8 -o /dev/stdout", folder).1, table);
+    assert_eq!(names(folder).len(), 4);
+    assert!(run("verify 8 --certificate -", folder).2.contains("write ./- for a file of that name"));
+}
+
+#[test]
+fn what_a_kill_left_is_removed_but_not_what_another_writes() {
+    let folder = tempdir().unwrap();
+    let folder = folder.path();
+    let writes = || {
+        let child = listening("intervals 3..=10000000 --format csv -o file", folder);
+        let many = names(folder).len();
+        (child, many)
+    };
+    let temporaries =
+        || names(folder).into_iter().filter(|name| name.starts_with(".grazing-")).collect::<Vec<_>>();
+    let (mut killed, _) = writes();
+    until(|| temporaries().len() == 1);
+    killed.kill().unwrap();
+    killed.wait().unwrap();
+    let left = temporaries();
+    assert_eq!(left.len(), 1);
+    // The next run for another target leaves it alone, the next for the same takes it away.
+    assert_eq!(run("intervals 8 -o other", folder).0, 0);
+    assert_eq!(temporaries(), left);
+    assert_eq!(run("intervals 8 -o file", folder).0, 0);
+    assert_eq!(names(folder), ["file", "other"]);
+    let (mut first, _) = writes();
+    until(|| temporaries().len() == 1);
+    let held = temporaries();
+    assert_eq!(run("intervals 9 -o file", folder).0, 0);
+    assert_eq!(temporaries(), held, "its owner still writes");
+    signal(&first, &["-TERM"]);
+    assert_eq!(first.wait().unwrap().code(), Some(3));
+    assert_eq!(names(folder), ["file", "other"]);
+    assert_eq!(fs::read_to_string(folder.join("file")).unwrap(), run("intervals 9", folder).1);
+}
+
+#[test]
+fn a_state_has_one_user_who_is_named() {
+    let folder = tempdir().unwrap();
+    let folder = folder.path();
+    for (kind, arguments) in
+        [("fuzz", "fuzz --cases 1e18 --resume state"), ("cover", "cover 100..=256 --resume journal")]
+    {
+        let state = arguments.split(' ').next_back().unwrap();
+        let mut child = listening(arguments, folder);
+        until(|| folder.join(state).exists());
+        let (code, out, said) = run(arguments, folder);
+        assert_eq!((code, out.as_str()), (2, ""), "{said}");
+        assert!(said.contains(&format!("is in use by process {} (grazing {kind})", child.id())), "{said}");
+        signal(&child, &["-TERM"]);
+        let mut report = String::new();
+        child.stdout.take().unwrap().read_to_string(&mut report).unwrap();
+        let mut said = String::new();
+        child.stderr.take().unwrap().read_to_string(&mut said).unwrap();
+        assert_eq!(child.wait().unwrap().code(), Some(3), "{report}{said}");
+        assert!(report.starts_with("Interrupted: ") || said.contains("goes on"), "{report}{said}");
+        assert!(!names(folder).iter().any(|name| name.contains("lock")));
+    }
+}
+
+#[test]
+fn an_interruption_is_said_in_json_too() {
+    let folder = tempdir().unwrap();
+    let folder = folder.path();
+    for arguments in [
+        "fuzz --cases 1e18",
+        "fuzz --cases 1e18 --n 1..=4096",
+        "verify 3..=200000",
+        "cover 100..=256",
+        "intervals 3..=10000000",
+        "boundary 2..=100000 --digits 200",
+        "farey walk 100000000",
+        "evaluate --n 100000 --s 1/5+2^-300",
+        "check -",
+    ] {
+        let mut child = listening(&format!("{arguments} --format json"), folder);
+        signal(&child, &["-INT"]);
+        let mut report = Vec::new();
+        child.stdout.take().unwrap().read_to_end(&mut report).unwrap();
+        assert_eq!(child.wait().unwrap().code(), Some(3), "{arguments}");
+        let report: serde_json::Value = serde_json::from_slice(&report).expect(arguments);
+        assert_eq!(report["verdict"], "interrupted", "{arguments}");
+    }
+}
+
+/// Whatever it is doing, and even if what it does never ends.
+#[test]
+fn one_signal_ends_every_command() {
+    let folder = tempdir().unwrap();
+    let folder = folder.path();
+    assert!(Command::new("mkfifo").arg(folder.join("fifo")).status().unwrap().success());
+    for arguments in [
+        "accuracy -o out",
+        "accuracy --of simulations -o out",
+        "check -",
+        "run fifo",
+        "existence fifo",
+        "classify --a1 1/3+2^-90 --a2 9/10 --max-n 100000",
+        "figure tips --n 4000 -o out",
+        "fuzz --n 1..=512 --cases 1e12",
+        "fuzz --n 4096 --cases 1e12 --definition-share 1",
+    ] {
+        for name in ["-INT", "-TERM"] {
+            let child = listening(arguments, folder);
+            signal(&child, &[name]);
+            let (code, _, said) = ended(child.wait_with_output().unwrap());
+            assert_eq!(code, 3, "{arguments}: {said}");
+            assert!(!names(folder).iter().any(|name| name.starts_with(".grazing")), "{arguments}");
+        }
+    }
+}
+
+#[test]
+fn a_second_signal_ends_at_once_with_130() {
+    let folder = tempdir().unwrap();
+    for signals in [["-INT", "-TERM"], ["-TERM", "-INT"]] {
+        let mut child = listening("check -", folder.path());
+        signal(&child, &signals);
+        assert_eq!(child.wait().unwrap().code(), Some(130));
+    }
+}
