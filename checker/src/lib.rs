@@ -1,77 +1,41 @@
-//! Certificates: their text format, and the checker that re-proves them. **This folder is the trusted code.**
+//! Certificates: their text format, and the checker that re-proves them. **This package is the trusted code.**
 //!
-//! It imports nothing from the rest of the crate and, so far, nothing but `std`: it has its own integers,
-//! fractions, signs and modular inverses, so that a fault in what finds a proof cannot hide in what checks it. A
-//! certificate that passes proves the statement in its header to whoever trusts this folder, the Rust compiler
-//! and standard library, and the machine. There is no search in here and nothing is taken on faith from the file.
+//! It depends on nothing but `std`: it has its own integers, fractions, signs, intervals and modular inverses, so that a fault in what finds a
+//! proof cannot hide in what checks it. A certificate that passes proves the statement in its header to whoever trusts this package, the Rust
+//! compiler and standard library, and the machine. There is no search in here and nothing is taken on faith from the file.
+//!
+//! An overflow is a panic, in release builds too (the workspace's manifest asks for it; `grazing-check --overflow` shows it), and a panic is no
+//! verdict. Functions that are generic or `#[inline]` would follow their caller's settings instead, so the entry points, [`check`],
+//! [`check_until`] and [`cover::check_block`], are neither.
 //!
 //! # Format
 //!
-//! ASCII lines ended by `\n`, words separated by single spaces, numbers in decimal without leading zeros,
-//! fractions `p/q` in lowest terms with q ≤ 2n. The header:
+//! A certificate is text: lines that end with a line feed, with a carriage return and a line feed, or, the last one, with the file. A
+//! line has at most 1000 bytes without its end, where its kind does not say otherwise. Words are separated by one space; none leads or
+//! trails. Every line must be read: a blank one at the end is one too many.
 //!
 //! ```text
-//! grazing-certificate 1                format and its version
-//! kind theorem2                        or one with a form of its own below this line: [`cover`], [`orbit`]
-//! range A B                            the periods covered, 1 ≤ A ≤ B; 3 ≤ A ≤ B ≤ 256 for a cover
-//! lines L                              the number of lines after the header
-//! statement …                          what passing proves, word for word
+//! grazing-certificate 1                the format and its version
+//! kind KIND                            theorem2, cover or orbit; the rest is the kind's own
+//! statement …                          in every kind, after the lines that its form lists: what passing proves, word for word
 //! ```
 //!
-//! Then one block for each n in the range, in order. With kind `theorem2`, its lines tile (0, 1/2) from left to right, alternately an open
-//! interval and the point that ends it:
+//! Where a form says *number*, it is a decimal integer from 0 up without leading zeros, `0|[1-9][0-9]*`. A *fraction* `P/Q` is two of these in lowest
+//! terms, with P ≤ Q and 0 < Q, so that zero is `0/1` and one `1/1`. A *decimal* is `-?(0|[1-9][0-9]*)(\.[0-9]*[1-9])?`, but not `-0`, of at most 34
+//! digits: every number has one form. A file that is not exactly of its form is malformed, one with a claim that fails is false; both are rejected.
 //!
-//! ```text
-//! n N COUNT                            period and the number of lines in its block
-//! orbit P/Q P/Q EMU GAMMA              (52), (53) hold on the open interval in the case (EMU, GAMMA), each + or -
-//! stretch P/Q P/Q K K'                 b_{n,K} > 0 > b_{n,K'} on the open interval: no orbit
-//! point P/Q singular                   u_n = 0: Theorem 1 is silent
-//! point P/Q boundary K                 b_{n,K} = 0 and no two b of opposite sign: Theorem 1 is silent
-//! point P/Q excluded K K'              b_{n,K} > 0 > b_{n,K'} there: no orbit
-//! ```
+//! | kind | proves | its form, rules, limits and cost |
+//! | --- | --- | --- |
+//! | `theorem2` | Theorem 2, on r = 1, for a range of periods | [`theorem2`], with a block by hand |
+//! | `cover` | Conjecture 1 for a range of periods, r ≤ r_max < 1 | [`cover`], with a block by hand |
+//! | `orbit` | that a periodic orbit of an oscillator exists, is unique in a box, admissible, stable or not | [`orbit`] |
 //!
-//! For n = 1, which has no b and so two cases at once, the block is the two lines `orbit 0/1 1/2 + -` and
-//! `orbit 0/1 1/2 - +`.
+//! # Adding a kind
 //!
-//! With kind `cover`, a block holds bisection trees over boxes in (r, s), one line for each strip of s; the claims are those of [`cover::Leaf`], and
-//! [`cover`] says what follows from them, with a block by hand:
-//!
-//! ```text
-//! n N RMAX COUNT                       period, r_max (p/q in lowest terms, q ≤ 2^40) and the number of leaves
-//! identity region2                     N_{n,k} < 0 for all k in region 2
-//! identity region4                     none in region 4 for even n; for odd n, b_{n,n-2} > 0 decides
-//! strip P/Q P/Q                        the next strip of s, from 0/1 to 1/2
-//! TREES                                the trees of its rows, r = 0 to 1/2, 1/2 to 3/4, … up to r_max, in preorder
-//!
-//! r                                    the box is halved in r; the lower half's tree, then the upper one's
-//! s                                    the box is halved in s; the left half's tree, then the right one's
-//! NK,K';                               N_{n,K} > 0 > N_{n,K'} on the closed box: no orbit
-//! n                                    the same again: NK,K'; with the K and K' of the last one before it in TREES; malformed if there is none
-//! P;  M;                               all N_{n,k} > 0 (P) or < 0 (M)
-//! pK; pKl; pKr;  mK; mKl; mKr;         N_{n,K} > 0 (p) or < 0 (m) decides, the more so for larger r; for smaller (l) or larger (r) s
-//! O;                                   open: nothing is claimed, and the statement is not proved
-//! ```
-//!
-//! # A block of kind `theorem2` by hand
-//!
-//! Period 4 has b_{4,k}(s) = −2 sin kπs sin (4−k)πs / cos 4πs and c_4(s) = −2 sin 2πs tan 4πs:
-//!
-//! ```text
-//! n 4 9
-//! orbit 0/1 1/8 - +       cos 4πs > 0, all sines > 0: every b < 0, c < 0
-//! point 1/8 singular      2·4·(1/8) is an integer, so u_4 = 0
-//! orbit 1/8 1/4 + +       cos 4πs < 0, sines still > 0: every b > 0, and c > 0
-//! point 1/4 singular
-//! orbit 1/4 1/3 + -       the same b; sin 4πs is now < 0, so c < 0
-//! point 1/3 boundary 3    sin 3πs = 0, so b_{4,3} = b_{4,1} = 0
-//! stretch 1/3 3/8 2 1     sin 3πs < 0 turns b_{4,1} < 0, while b_{4,2} > 0
-//! point 3/8 singular
-//! stretch 3/8 1/2 1 2     cos 4πs > 0 turns both
-//! ```
-//!
-//! Theorem 2 lists for n = 4, m = 1, the neighbours 0/1 and 1/3 of 1/4: (−,+) on (0, 1/8), (+,+) on (1/8, 1/4),
-//! (+,−) on (1/4, 1/3): the three `orbit` lines. Were the line `stretch 1/3 3/8 2 1` to read `stretch 1/3 3/8 1 2`, the
-//! checker would answer: `line 13: false: b_{4,1} is not > 0 on (1/3, 3/8)`.
+//! A kind is a folder: `mod.rs` with the form, the rules, the limits and the cost in its head, the constants `KIND` and `STATEMENT`, and
+//! `check`, which reads and proves everything after the kind line and returns the range of periods and what else to print. It gets a line in the table
+//! `KINDS` below, which is the only place that names all kinds, a row in the table above, and samples in `tests/data`. It asks `Lines::go_on` at least every few
+//! milliseconds, refuses work beyond a stated limit before it begins it, and holds no more than it says. What finds certificates lives elsewhere.
 
 mod arithmetic;
 pub mod cover;

@@ -11,6 +11,11 @@ pub fn config() -> Config {
     Config::with_failure_persistence(FileFailurePersistence::WithSource("regressions"))
 }
 
+/// How many damaged certificates a test makes: `modest`, or GRAZING_DAMAGE of them, for a long run by hand.
+pub fn rounds(modest: usize) -> usize {
+    std::env::var("GRAZING_DAMAGE").map_or(modest, |many| many.parse().expect("GRAZING_DAMAGE is a number"))
+}
+
 /// A fraction, any sign, any terms.
 pub type Fraction = (i128, i128);
 

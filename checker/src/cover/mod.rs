@@ -33,6 +33,44 @@
 //! halvings. The checker rounds: it takes r in units of 2⁻⁶⁰ and s in units of 2⁻⁶⁴, the ends of a strip and r_max outwards, midpoints down. So it covers a little more than the
 //! strip, by boxes that have their sides in common.
 //!
+//! # Form
+//!
+//! ```text
+//! range A B                            after the kind line: the periods, 3 ≤ A ≤ B ≤ 256
+//! lines L                              the number of lines after the header
+//! statement …                          what passing proves, word for word: STATEMENT
+//!
+//! n N RMAX COUNT                       for each period in turn, with r_max, a fraction 0 < p/q < 1, q ≤ 2^40, and the number of leaves
+//! identity region2                     N_{n,k} < 0 for all k in region 2
+//! identity region4                     none in region 4 for even n; for odd n, b_{n,n-2} > 0 decides
+//! strip P/Q P/Q                        the next strip of s, from 0/1 to 1/2
+//! TREES                                the trees of its rows, r = 0 to 1/2, 1/2 to 3/4, … up to r_max, in preorder: one line of at most 2^24 bytes
+//!
+//! r                                    the box is halved in r; the lower half's tree, then the upper one's
+//! s                                    the box is halved in s; the left half's tree, then the right one's
+//! NK,K';                               N_{n,K} > 0 > N_{n,K'} on the closed box: no orbit
+//! n                                    the same again: NK,K'; with the K and K' of the last one before it in TREES; malformed if there is none
+//! P;  M;                               all N_{n,k} > 0 (P) or < 0 (M)
+//! pK; pKl; pKr;  mK; mKl; mKr;         N_{n,K} > 0 (p) or < 0 (m) decides, the more so for larger r; for smaller (l) or larger (r) s
+//! O;                                   open: nothing is claimed, and the statement is not proved
+//! ```
+//!
+//! # Rules
+//!
+//! - *Strips*: between neighbours among the multiples of 1/(2n) in [0, ½] and the ends of Theorem 2's intervals ([`theorem2`](super::theorem2) lists them).
+//! - *Rows*: [1 − 2^−j, 1 − 2^−(j+1)], j = 0, 1, …, while the upper end is below r_max, then one up to r_max. A box of fewer than 4 units (2⁻⁶⁰ of r, 2⁻⁶⁴ of s) is not halved.
+//! - *Form of the sines*: in the first strip and the last one, whose closed boxes may touch s = 0 and s = ½, the claims are proved of T_k/(n sin θ), in all others of T_k (`expansion`).
+//! - *Leaves allowed*: in a strip that is no interval of Theorem 2, None and Open. In one that is, t = −1 (`M`, `m`) where GAMMA = + and t = 1 (`P`, `p`) where GAMMA = −; the deciding index of an Edge
+//!   leaf is n − n₊ in the interval (m₊/n₊, m/n), n₊ in the interval (m/n, (m − m₊)/(n − n₊)), where m n₊ ≡ 1 modulo n, 1 ≤ n₊ ≤ n; in (0, 1/(2n)) only Orbit and Open leaves.
+//! - *Top row*: of the leaves that end at r_max in a strip that is an interval, the Orbit and Edge leaves are neighbours and read from left to right: Edge leaves with `r`, at least one Orbit leaf, Edge leaves with `l`.
+//!   For odd n the last strip's end with an Orbit leaf, at s = ½.
+//! - With Open leaves and nothing false the answer is neither proved nor rejected but undecided.
+//!
+//! # Cost
+//!
+//! O(n³) small operations per period, at most 0.2 s, O(n) products per leaf that is no None leaf and per side of a box, about 5 µs. Memory: a line of trees, the sides of up to 2048 boxes (O(n) numbers each, 30 MB for n = 256), and
+//! the boxes above the present one.
+//!
 //! # One block by hand
 //!
 //! Period 3 up to r = 2/3 (the lowest point of the area of (1/3, 1/2) has r = 1/2):

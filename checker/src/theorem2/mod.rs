@@ -44,6 +44,27 @@
 //! at 1/2, which is no point of (0, ½). The `orbit` lines must be all intervals of Theorem 2, in order. On an interval no b that is spoken of, for an orbit line no b at all, and not
 //! u_n may have a zero or a pole inside. For n = 1 the block is exactly `orbit 0/1 1/2 + -` and `orbit 0/1 1/2 - +`.
 //!
+//! # A block by hand
+//!
+//! Period 4 has b_{4,k}(s) = −2 sin kπs sin (4−k)πs / cos 4πs and c_4(s) = −2 sin 2πs tan 4πs:
+//!
+//! ```text
+//! n 4 9
+//! orbit 0/1 1/8 - +       cos 4πs > 0, all sines > 0: every b < 0, c < 0
+//! point 1/8 singular      2·4·(1/8) is an integer, so u_4 = 0
+//! orbit 1/8 1/4 + +       cos 4πs < 0, sines still > 0: every b > 0, and c > 0
+//! point 1/4 singular
+//! orbit 1/4 1/3 + -       the same b; sin 4πs is now < 0, so c < 0
+//! point 1/3 boundary 3    sin 3πs = 0, so b_{4,3} = b_{4,1} = 0
+//! stretch 1/3 3/8 2 1     sin 3πs < 0 turns b_{4,1} < 0, while b_{4,2} > 0
+//! point 3/8 singular
+//! stretch 3/8 1/2 1 2     cos 4πs > 0 turns both
+//! ```
+//!
+//! Theorem 2 lists for n = 4, m = 1, the neighbours 0/1 and 1/3 of 1/4: (−,+) on (0, 1/8), (+,+) on (1/8, 1/4),
+//! (+,−) on (1/4, 1/3): the three `orbit` lines. Were the line `stretch 1/3 3/8 2 1` to read `stretch 1/3 3/8 1 2`, the
+//! checker would answer: `line 13: false: b_{4,1} is not > 0 on (1/3, 3/8)`.
+//!
 //! # Cost
 //!
 //! O(1) per line, O(n) steps of two additions each for an `orbit` or `boundary` line, of which a block that passes has at most about n: 0.2 ms for such a line of n = 200,000. Memory: one line.
