@@ -1,6 +1,7 @@
-(** * The theorems of [StatementWords], by name, with the axioms each rests on *)
+(** * The theorems about words, by name, with the axioms each rests on *)
 
-From Grazing Require Import StatementWords WordAlgebra WordPlane.
+From Grazing Require Import StatementWords WordAlgebra WordPlane WordExamples StatementWordOrbits
+  WordOrbits.
 
 Theorem Words_algebra : Flight_statement /\ Identities_statement /\ Words_reversal_statement /\
   W1_statement /\ W2_statement.
@@ -12,5 +13,16 @@ Proof.
   exact (conj Path (conj W3 (conj W5_neighbours (conj W5 (conj W4 (conj W6 Regions)))))).
 Qed.
 
+Theorem Words_orbits : Shift_orbits_statement /\ Word_orbits_statement.
+Proof. exact (conj Shift_orbits Word_orbits). Qed.
+
+Theorem Words_examples : Pattern_1_2_statement /\ Resonance_statement /\ Oscillator_statement /\
+  Five_periods_statement /\ Boundary_statement.
+Proof.
+  exact (conj Pattern_1_2 (conj Resonance (conj Oscillator (conj Five_periods Boundary)))).
+Qed.
+
 Print Assumptions Words_algebra.
 Print Assumptions Words.
+Print Assumptions Words_orbits.
+Print Assumptions Words_examples.
