@@ -7,7 +7,7 @@ use toml_edit::{Document, Value};
 
 use crate::{
     error::{Error, Result},
-    number::parse_rational,
+    number::{LIMIT_BITS, parse_rational_within},
 };
 
 /// The text of a TOML file, and the name that leads its error messages.
@@ -65,10 +65,15 @@ impl Source<'_> {
         }
     }
 
-    /// An exact number.
+    /// An exact number of at most [`LIMIT_BITS`] bits in numerator and denominator.
     pub fn exact(&self, key: &str, value: &Value) -> Result<BigRational> {
+        self.exact_within(key, value, LIMIT_BITS)
+    }
+
+    /// An exact number of at most `bits` bits in numerator and denominator.
+    pub fn exact_within(&self, key: &str, value: &Value, bits: u32) -> Result<BigRational> {
         let text = self.number_text(value).ok_or_else(|| self.at(key, value.span(), "is not a number"))?;
-        parse_rational(&text).map_err(|error| self.at(key, value.span(), &error.to_string()))
+        parse_rational_within(&text, bits).map_err(|error| self.at(key, value.span(), &error.to_string()))
     }
 }
 

@@ -4,7 +4,7 @@ use grazing::local::{Answer, Ladder, Plane, Point, Polar, Quantity, Rung, sign_b
 use grazing::number::{Angle, Ball, Circular, FloatInterval, Precision, Real, parse_rational};
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::{One, Signed, Zero};
+use num_traits::{One, Signed, Zero, pow};
 use proptest::prelude::*;
 
 type Bounds = Option<(BigRational, BigRational)>;
@@ -84,6 +84,43 @@ proptest! {
         }
     }
 
+    /// Exponents to both ends of the floats' range and beyond: enclosed always, and tightly inside it.
+    #[test]
+    fn extreme_ratios_are_enclosed_tightly(
+        p in any::<i64>(), q in 1u64.., e in -1100i32..1100,
+        u in any::<i64>(), v in prop_oneof![1u64.., 1u64..5], f in prop_oneof![-1100i32..1100, -30i32..30],
+    ) {
+        let (x, y) = (fraction(p, q, e), fraction(u, v, f));
+        let (a, b) = (FloatInterval::ratio(&x, &()), FloatInterval::ratio(&y, &()));
+        let power = |e: i32| fraction(1, 1, e);
+        // Below 2⁻¹⁰²² and above 2¹⁰²⁴ no width is promised.
+        for (found, exact) in [(a, &x), (b, &y)] {
+            prop_assert!(found.contains(exact), "{exact} is outside {found:?}");
+            if exact.abs() >= power(-1022) && exact.abs() < power(1024) - power(971) {
+                let (lo, hi) = found.exact_bounds().unwrap();
+                prop_assert!(hi - lo <= unit(exact, 53), "too wide at {exact}: {found:?}");
+            }
+        }
+        let all = |sum: bool, difference: bool, product: bool| sum && difference && product;
+        prop_assert!(all(
+            (a + &b).contains(&(&x + &y)),
+            (a - &b).contains(&(&x - &y)),
+            (a * &b).contains(&(&x * &y)),
+        ));
+        prop_assert!(y.is_zero() || (a / &b).contains(&(&x / &y)));
+        for bits in [24, 128] {
+            let precision = Precision::new(bits);
+            let [a, b] = [&x, &y].map(|x| Ball::ratio(x, &precision));
+            check_width(&a.exact_bounds(), &x, bits.into(), "ratio");
+            prop_assert!(all(
+                (a.clone() + &b).contains(&(&x + &y)),
+                (a.clone() - &b).contains(&(&x - &y)),
+                (a.clone() * &b).contains(&(&x * &y)),
+            ));
+            prop_assert!(y.is_zero() || (a / &b).contains(&(&x / &y)));
+        }
+    }
+
     #[test]
     fn extreme_floats_are_still_enclosed(x in any::<f64>(), y in any::<f64>()) {
         prop_assume!(x.is_finite() && y.is_finite());
@@ -94,6 +131,24 @@ proptest! {
             prop_assert!((a / &b).contains(&(&x / &y)), "{:?} / {:?}", a, b);
         }
     }
+}
+
+/// The last binade below 2¹⁰²⁴ is as tight as any other; beyond the floats only the near end is finite.
+#[test]
+fn the_largest_floats_enclose_as_tightly_as_others() {
+    for text in ["1e308", "2^1023", "2^1023+1", "2^1024-2^971", "2^1024-2^972+1", "1.7e308"] {
+        let x = parse_rational(text).unwrap();
+        let found = FloatInterval::ratio(&x, &());
+        assert!(found.contains(&x) && FloatInterval::ratio(&-&x, &()).contains(&-&x), "{text}: {found:?}");
+        assert!(
+            found.lo() >= 2f64.powi(1023) / 1.2 && found.hi() <= found.lo().next_up(),
+            "{text}: {found:?}"
+        );
+    }
+    let beyond = FloatInterval::ratio(&parse_rational("2^1024").unwrap(), &());
+    assert_eq!((beyond.lo(), beyond.hi()), (f64::MAX, f64::INFINITY));
+    let below = FloatInterval::ratio(&parse_rational("1e-310").unwrap(), &());
+    assert_eq!((below.lo(), below.hi()), (0.0, f64::MIN_POSITIVE));
 }
 
 #[test]
@@ -344,5 +399,70 @@ fn plane_agrees_with_fractions() {
                 assert_eq!(ladder.sign(&point, quantity).answer, Answer::Sign(Real::sign(&exact).unwrap()));
             }
         }
+    }
+}
+
+/// Real eigenvalues: doubling and the recurrence in exact fractions are two routes, and one k needs O(log n) steps.
+#[test]
+fn real_eigenvalues_add_up_exactly() {
+    for (a1, a2) in [
+        ("3", "1/2"),
+        ("7/5", "1/4"),
+        ("-7/5", "1/4"),
+        ("-3", "1/2"),
+        ("2", "1"),
+        ("-2", "1"),
+        ("1", "1/4"),
+        ("-5/2", "1"),
+    ] {
+        let (a1, a2) = (parse_rational(a1).unwrap(), parse_rational(a2).unwrap());
+        let plane = Plane::new(a1.clone(), a2.clone()).unwrap();
+        let mut u = vec![BigRational::zero(), BigRational::one()];
+        for k in 1..40 {
+            u.push(&a1 * &u[k] - &a2 * &u[k - 1]);
+        }
+        for n in 1..36usize {
+            let v = &u[n + 1] - &a2 * &u[n - 1];
+            let c = -(BigRational::one() - v + pow(a2.clone(), n)) / &u[n];
+            assert_eq!(plane.c::<BigRational>(n as u64, &()), Some(c), "c_{n} at ({a1}, {a2})");
+            let all = plane.b_all::<BigRational>(n as u64, &()).unwrap();
+            for k in 1..n {
+                let b = (&u[n] - &u[k] - pow(a2.clone(), k) * &u[n - k]) / &u[n];
+                assert_eq!(all[k - 1], b, "b_{n},{k} at ({a1}, {a2})");
+                assert_eq!(plane.b::<BigRational>(n as u64, k as u64, &()), Some(b));
+            }
+        }
+    }
+}
+
+/// Periods for which O(n) numbers would not fit any memory, against λ₁ = 1 − 2⁻⁴⁰ and λ₂ = ½ in closed form.
+#[test]
+fn real_eigenvalues_of_huge_periods_are_evaluated() {
+    let number = |text: &str| parse_rational(text).unwrap();
+    let (first, second) = (number("1-2^-40"), number("1/2"));
+    let precision = Precision::new(256);
+    let power = |x: &BigRational, k: u64| {
+        let x = Ball::ratio(x, &precision);
+        (0..64 - k.leading_zeros()).rev().fold(Ball::integer(1, &precision), |power, bit| {
+            let square = power.clone() * &power;
+            if k >> bit & 1 == 1 { square * &x } else { square }
+        })
+    };
+    let plane = Plane::new(&first + &second, &first * &second).unwrap();
+    let ladder = Ladder::default();
+    for n in [10_000_000, 1_000_000_001, 1 << 42] {
+        let u = |k: u64| power(&first, k) - &power(&second, k);
+        for k in [1, 2, 1000, n / 2, n - 1] {
+            let b = (u(n) - &u(k) - &(power(&(&first * &second), k) * &u(n - k))) / &u(n);
+            let found = plane.b::<Ball>(n, k, &precision).unwrap();
+            let difference = Real::sign(&(found.clone() - &b));
+            assert!(matches!(difference, None | Some(grazing::number::Sign::Zero)), "n = {n}, k = {k}");
+            assert!(found.certain_bits().unwrap() > 200, "n = {n}, k = {k}: {found:?}");
+            let point = Point::Plane(plane.clone());
+            let answer = ladder.sign(&point, Quantity::B { n, k }).answer;
+            assert_eq!(Some(answer), Real::sign(&b).map(Answer::Sign));
+        }
+        let c = plane.c::<Ball>(n, &precision).unwrap();
+        assert!(c.certain_bits().unwrap() > 200 && Real::sign(&c) == Some(grazing::number::Sign::Negative));
     }
 }

@@ -154,3 +154,89 @@ fn plain_floats_are_wrong_on_these() {
     assert_eq!(count("close to an iterate boundary"), 2);
     assert_eq!(wrong.count(), 8);
 }
+
+/// Numbers in the last binade of the floats.
+#[test]
+fn the_largest_floats_give_no_wrong_sign() {
+    let number = |text| parse_rational(text).unwrap();
+    let point = Point::Plane(Plane::new(number("12e153"), number("1e308")).unwrap());
+    // b_{3,1} = (a₁ + 1)(a₁ − a₂ − 1)/(a₁² − a₂).
+    let expected = Answer::Sign(Sign::Negative);
+    for (rung, needed) in [(Rung::Interval, false), (Rung::Ball(128), true), (Rung::Exact, true)] {
+        let answer = sign_by(&point, Quantity::B { n: 3, k: 1 }, rung);
+        assert!(answer == expected || !needed && answer == Answer::Undecided, "{rung:?} says {answer:?}");
+    }
+}
+
+/// Powers r^n whose exponents exceed 64 bits: the term is negligible, so that b u_n has the sign of −sin 2πks.
+#[test]
+fn exponents_beyond_the_range_give_no_wrong_sign() {
+    let number = |text| parse_rational(text).unwrap();
+    let ladder = Ladder::default();
+    for (n, k, r, s) in [
+        (93_000_000_000_000_004, 7, "2^-100", "1/7+2^-1100"),
+        (93_000_000_000_000_004, 8, "2^-100", "1/7+2^-1100"),
+        (9_000_000_000_000_000_000, 1, "1e-30", "1/7"),
+        (u64::MAX, 2, "1e-300", "2/7"),
+        (u64::MAX, u64::MAX - 2, "1e-30", "1/7"),
+        (1 << 62, 1, "1/2", "1/5"),
+        (1 << 63, 1, "1/2", "1/5"),
+    ] {
+        let polar = Polar::new(number(r), number(s)).unwrap();
+        let sine = |index: u64| {
+            let turns = number(s) * BigRational::from_integer(index.into());
+            let rest = &turns - turns.floor();
+            if rest < number("1/2") { Sign::Positive } else { Sign::Negative }
+        };
+        // M = r^{n−k} sin 2πns − sin 2πks − rⁿ sin 2π(n−k)s.
+        let expected = Answer::Sign(-(sine(k) * sine(n)));
+        let (point, quantity) = (Point::Polar(polar), Quantity::B { n, k });
+        for rung in [Rung::Interval, Rung::Ball(128), Rung::Ball(4096)] {
+            let answer = sign_by(&point, quantity, rung);
+            assert!(answer == expected || answer == Answer::Undecided, "{n}, {k}: {rung:?} says {answer:?}");
+        }
+        assert_eq!(ladder.sign(&point, quantity).answer, expected, "{n}, {k}, {r}, {s}");
+        // b itself is large beyond every exponent, but for k = n − 2: no digit may be wrong.
+        let value = point.evaluate::<Ball>(quantity, &Precision::new(128)).expect("not singular");
+        if let Some((low, high)) = value.exact_bounds() {
+            let beyond = number("2^1000");
+            assert!(k == n - 2 || low < -beyond.clone() || high > beyond, "{n}, {k}: {value:?}");
+        }
+    }
+    // Growing powers, u_n beyond every exponent.
+    let point = Point::Plane(Plane::new(number("2^60"), number("1/3")).unwrap());
+    for k in [1, 2, (1 << 60) - 1] {
+        // u_n − u_k − a₂^k u_{n−k} > 0 in region 1.
+        let answer = ladder.sign(&point, Quantity::B { n: 1 << 60, k }).answer;
+        assert!(matches!(answer, Answer::Undecided | Answer::Sign(Sign::Positive)), "{answer:?}");
+    }
+}
+
+/// An exact zero, b_{3,1} = (a₁ + 1)(a₁ − a₂ − 1)/(a₁² − a₂) at a₁ = −1, whose integers exceed the first exact try.
+#[test]
+fn the_last_exact_try_goes_beyond_the_first() {
+    let a2 = parse_rational("1/3+2^-20000").unwrap();
+    let point = Point::Plane(Plane::new(-parse_rational("1").unwrap(), a2).unwrap());
+    let decision = Ladder::new(256).sign(&point, Quantity::B { n: 3, k: 1 });
+    assert_eq!((decision.answer, decision.rung), (Answer::Sign(Sign::Zero), Rung::Exact));
+}
+
+/// A monitor ends a sign on the way, however long its integers are.
+#[test]
+fn an_interruption_ends_a_sign() {
+    struct After(std::sync::atomic::AtomicU32);
+    impl grazing::Monitor for After {
+        fn advance(&self, _: u64) -> grazing::Result<()> {
+            let left = self.0.fetch_update(SeqCst, SeqCst, |left| left.checked_sub(1));
+            left.map(drop).map_err(|_| grazing::Error::interrupted("enough"))
+        }
+    }
+    use std::sync::atomic::Ordering::SeqCst;
+    let a2 = parse_rational("1/3+2^-20000").unwrap();
+    let point = Point::Plane(Plane::new(-parse_rational("1").unwrap(), a2).unwrap());
+    let quantity = Quantity::B { n: 3, k: 1 };
+    let ladder = Ladder::new(256);
+    let ended = |calls: u32| ladder.sign_watched(&point, quantity, &After(calls.into()));
+    assert!((0..8).all(|calls| ended(calls).unwrap_err().is_interrupted()));
+    assert_eq!(ended(1000).unwrap().answer, Answer::Sign(Sign::Zero));
+}

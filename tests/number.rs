@@ -2,7 +2,7 @@
 
 mod common;
 
-use grazing::number::{LIMIT_BITS, parse_integer, parse_rational};
+use grazing::number::{LIMIT_BITS, parse_integer, parse_rational, parse_rational_within};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use proptest::prelude::*;
@@ -70,6 +70,47 @@ fn what_is_no_number_says_what_was_expected() {
     let long = "7".repeat(LIMIT_BITS as usize);
     let error = parse_rational(&long).unwrap_err().to_string();
     assert!(error.len() < 300, "the error abbreviates");
+}
+
+/// Refused, or read with one search for common factors at the end; these took seconds to minutes.
+#[test]
+fn what_would_grow_is_refused_at_once() {
+    for text in [
+        "1/3^500000",
+        "1/3^500000+1/5^340000+1/7^340000",
+        "2^32768",
+        "3^99999999/3^99999999",
+        "1/3^9999+1/5^9999",
+        "1e-9865",
+        "1e9865",
+    ] {
+        let error = parse_rational(text).unwrap_err();
+        assert!(error.is_input() && error.to_string().contains("at most 32768 bits"), "{error}");
+    }
+    let primes =
+        [3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53, 59, 61, 67, 71, 73, 79, 83, 89, 97];
+    let long: String = primes.iter().cycle().take(120).map(|p| format!("+1/{p}^999")).collect();
+    assert!(parse_rational(&long).is_err());
+    // Under a common denominator nothing grows.
+    let many = vec!["1/3^9000"; 110].join("+");
+    assert_eq!(parse_rational(&many).unwrap(), parse_rational("110/3^9000").unwrap());
+    assert_eq!(parse_rational("2^32767").unwrap().numer().bits(), u64::from(LIMIT_BITS));
+    assert_eq!(parse_rational("(-1)").ok(), None);
+    assert_eq!(parse_rational("1^999999999999").unwrap(), ratio(1, 1));
+    assert_eq!(parse_rational("1/10^9000+1e-9000").unwrap(), parse_rational("2e-9000").unwrap());
+    assert_eq!(
+        parse_rational(&format!("0.{}1", "0".repeat(2000))).unwrap(),
+        parse_rational("1e-2001").unwrap()
+    );
+}
+
+#[test]
+fn the_limit_is_the_callers() {
+    for (text, least) in [("2^99", 100), ("1/2^99", 100), ("1023", 10), ("1e-3", 10), ("1/3+1/5", 4)] {
+        assert!(parse_rational_within(text, least).is_ok(), "{text}");
+        let error = parse_rational_within(text, least - 1).unwrap_err().to_string();
+        assert!(error.contains(&format!("at most {} bits", least - 1)), "{error}");
+    }
 }
 
 #[test]

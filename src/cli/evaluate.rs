@@ -20,7 +20,8 @@ const LIST: u64 = 100_000;
 /// Evaluate b_{n,k} and c_n at one point: sign, what decided it, and certain digits.
 ///
 /// A printed number is off by less than one unit of its last digit. The sign comes from the first that can tell: f64
-/// intervals, balls of 128 to 16384 bits, or exact arithmetic. Where u_n = 0 both are "singular": not defined.
+/// intervals, balls of 128 to 16384 bits, or exact arithmetic. Where u_n = 0 both are "singular": not defined. Numbers may
+/// have up to 32768 bits in numerator and denominator.
 ///
 /// Exit code 0: done; 2: wrong usage; 3: a sign is undecided, or interrupted.
 #[derive(Debug, Parser)]
@@ -75,8 +76,8 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     let mut outcome = Outcome::Done;
     let mut rows = Vec::new();
     for quantity in quantities {
+        let decision = ladder.sign_watched(&point, quantity, interrupt)?;
         interrupt.check()?;
-        let decision = ladder.sign(&point, quantity);
         if decision.answer == Answer::Undecided {
             outcome = Outcome::Undecided;
         }
@@ -147,13 +148,16 @@ impl Row {
     }
 }
 
+/// Numbers beyond 2^±100000 are not written out.
+const WRITTEN: u64 = 100_000;
+
 /// The certain digits at the precision asked for; for numbers too large or small to write out, none.
 fn digits(point: &Point, quantity: Quantity, decision: Decision, precision: &Precision) -> Option<String> {
     if decision.answer == Answer::Sign(Sign::Zero) {
         return Some("0".into());
     }
     let ball = point.evaluate::<Ball>(quantity, precision)?;
-    if ball.exponent().unsigned_abs() > 100_000 {
+    if ball.exponent().is_some_and(|exponent| exponent.unsigned_abs() > WRITTEN) {
         return None;
     }
     let (lo, hi) = ball.exact_bounds()?;

@@ -93,6 +93,12 @@ impl Progress {
     }
 }
 
+impl Monitor for Interrupt {
+    fn advance(&self, _: u64) -> Result<()> {
+        self.check()
+    }
+}
+
 impl Monitor for Progress {
     fn advance(&self, units: u64) -> Result<()> {
         if units > 0 {

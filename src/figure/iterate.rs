@@ -104,7 +104,8 @@ impl Curve {
 pub(super) fn region4(n: u64) -> Vec<[BigRational; 2]> {
     let positive = |a1: &BigRational, a2: &BigRational| {
         let plane = Plane::new(a1.clone(), a2.clone()).expect("a2 > 0");
-        let (numerator, u) = plane.exact_numerator(n, n - 2, u64::MAX).expect("no limit");
+        let exact = plane.exact_numerator(n, n - 2, u64::MAX, &());
+        let (numerator, u) = exact.ok().flatten().expect("no limit and no interruption");
         Sign::from(&numerator) == Sign::from(&u)
     };
     let mut points = Vec::new();

@@ -3,7 +3,11 @@
 use std::sync::OnceLock;
 
 use super::{Plane, Polar, zero_test};
-use crate::number::{Ball, Circular, FloatInterval, Plain, Precision, Real, Sign};
+use crate::{
+    error::Result,
+    monitor::Monitor,
+    number::{Ball, Circular, FloatInterval, Plain, Precision, Real, Sign},
+};
 
 /// A point at which the local map is evaluated.
 #[derive(Debug, Clone)]
@@ -104,14 +108,26 @@ impl Ladder {
     /// # Panics
     /// Unless n ≥ 1 and, for b_{n,k}, 1 ≤ k < n.
     pub fn sign(&self, point: &Point, quantity: Quantity) -> Decision {
+        self.sign_watched(point, quantity, &()).expect("nothing interrupts")
+    }
+
+    /// [`sign`](Ladder::sign), which a monitor can end: it is asked before every rung, and in the exact one before every
+    /// product of long integers, of which none takes a second.
+    ///
+    /// # Errors
+    /// The monitor's interruption.
+    ///
+    /// # Panics
+    /// As [`sign`](Ladder::sign).
+    pub fn sign_watched(&self, point: &Point, quantity: Quantity, monitor: &dyn Monitor) -> Result<Decision> {
         quantity.check();
         if let Some(answer) = at_once(point, quantity) {
-            return Decision { answer, rung: Rung::Exact };
+            return Ok(Decision { answer, rung: Rung::Exact });
         }
         self.climb(
             sign_on::<FloatInterval>(point, quantity, &()),
-            |precision| sign_on::<Ball>(point, quantity, precision),
-            |attempt| exactly(point, quantity, attempt),
+            |precision| monitor.advance(0).map(|()| sign_on::<Ball>(point, quantity, precision)),
+            |attempt| monitor.advance(0).and_then(|()| exactly(point, quantity, attempt, monitor)),
         )
     }
 
@@ -133,9 +149,10 @@ impl Ladder {
         let known = |sign: Option<Sign>| sign.map_or(Answer::Undecided, Answer::Sign);
         self.climb(
             known(plane.u::<FloatInterval>(n, &()).sign()),
-            |precision| known(plane.u::<Ball>(n, precision).sign()),
-            |attempt| plane.exact_u(n, attempt).as_ref().map(Sign::from),
+            |precision| Ok(known(plane.u::<Ball>(n, precision).sign())),
+            |attempt| Ok(plane.exact_u(n, attempt, &())?.as_ref().map(Sign::from)),
         )
+        .expect("nothing interrupts")
     }
 
     /// The signs of b_{n,1}, …, b_{n,n−1}, most of them from one pass of intervals over all k.
@@ -160,29 +177,29 @@ impl Ladder {
     fn climb(
         &self,
         first: Answer,
-        ball: impl Fn(&Precision) -> Answer,
-        exact: impl Fn(u64) -> Option<Sign>,
-    ) -> Decision {
+        ball: impl Fn(&Precision) -> Result<Answer>,
+        exact: impl Fn(u64) -> Result<Option<Sign>>,
+    ) -> Result<Decision> {
         if first != Answer::Undecided {
-            return Decision { answer: first, rung: Rung::Interval };
+            return Ok(Decision { answer: first, rung: Rung::Interval });
         }
         let mut rung = Rung::Interval;
         for (index, precision) in self.precisions().enumerate() {
             rung = Rung::Ball(precision.bits());
-            let answer = ball(precision);
+            let answer = ball(precision)?;
             if answer != Answer::Undecided {
-                return Decision { answer, rung };
+                return Ok(Decision { answer, rung });
             }
             if index == 0
-                && let Some(sign) = exact(EXACT_BITS[0])
+                && let Some(sign) = exact(EXACT_BITS[0])?
             {
-                return Decision { answer: Answer::Sign(sign), rung: Rung::Exact };
+                return Ok(Decision { answer: Answer::Sign(sign), rung: Rung::Exact });
             }
         }
-        match exact(EXACT_BITS[1]) {
+        Ok(match exact(EXACT_BITS[1])? {
             Some(sign) => Decision { answer: Answer::Sign(sign), rung: Rung::Exact },
             None => Decision { answer: Answer::Undecided, rung },
-        }
+        })
     }
 }
 
@@ -225,20 +242,20 @@ fn at_once(point: &Point, quantity: Quantity) -> Option<Answer> {
 }
 
 /// The exact rung: a zero test from (r, s), every sign from (a₁, a₂), within `limit` bits.
-fn exactly(point: &Point, quantity: Quantity, limit: u64) -> Option<Sign> {
-    let (numerator, denominator) = match (point, quantity) {
+fn exactly(point: &Point, quantity: Quantity, limit: u64, monitor: &dyn Monitor) -> Result<Option<Sign>> {
+    let parts = match (point, quantity) {
         (Point::Polar(polar), Quantity::B { n, k }) => {
             // The test is cheap or hopeless: once is enough.
-            return (limit == EXACT_BITS[0] && zero_test::numerator_vanishes(polar, n, k)?)
-                .then_some(Sign::Zero);
+            let vanishes = limit == EXACT_BITS[0] && zero_test::numerator_vanishes(polar, n, k) == Some(true);
+            return Ok(vanishes.then_some(Sign::Zero));
         }
-        (Point::Polar(polar), Quantity::C { n }) => return Some(polar.c_sign(n)),
-        (Point::Plane(plane), Quantity::B { n, k }) => plane.exact_numerator(n, k, limit)?,
+        (Point::Polar(polar), Quantity::C { n }) => return Ok(Some(polar.c_sign(n))),
+        (Point::Plane(plane), Quantity::B { n, k }) => plane.exact_numerator(n, k, limit, monitor)?,
         (Point::Plane(plane), Quantity::C { n }) => {
-            plane.exact_factor(n, limit).map(|(factor, u)| (-factor, u))?
+            plane.exact_factor(n, limit, monitor)?.map(|(factor, u)| (-factor, u))
         }
     };
-    Some(Sign::from(&numerator) * Sign::from(&denominator))
+    Ok(parts.map(|(numerator, denominator)| Sign::from(&numerator) * Sign::from(&denominator)))
 }
 
 /// The sign on one rung alone, from enclosures of numerator and denominator.
@@ -277,7 +294,8 @@ pub fn sign_by(point: &Point, quantity: Quantity, rung: Rung) -> Answer {
         Rung::Ball(bits) => sign_on::<Ball>(point, quantity, &Precision::new(bits)),
         Rung::Exact => at_once(point, quantity)
             .or_else(|| {
-                EXACT_BITS.iter().find_map(|&limit| exactly(point, quantity, limit)).map(Answer::Sign)
+                let exact = |&limit| exactly(point, quantity, limit, &()).expect("nothing interrupts");
+                EXACT_BITS.iter().find_map(exact).map(Answer::Sign)
             })
             .unwrap_or(Answer::Undecided),
     }

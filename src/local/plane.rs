@@ -1,25 +1,40 @@
 //! b_{n,k} and c_n from trace and determinant (a₁, a₂), a₂ > 0: every region, real and equal eigenvalues included.
 //!
-//! Let α = |a₁| and ũ_k the sequence of (α, a₂): u_k = (±1)^{k−1} ũ_k. With real eigenvalues (α² ≥ 4a₂) every ũ_k is
+//! Let α = |a₁| and ũ_k, ṽ_k the sequences of (α, a₂): u_k = (±1)^{k−1} ũ_k. With real eigenvalues (α² ≥ 4a₂) every ũ_k is
 //! positive, and with e = 1 − α + a₂ and the sums U_m = Σ_{i≤m} ũ_i, P_m = Σ_{i≤m} a₂^{m−i} ũ_i,
 //!
 //! ```text
 //! ũ_n − ũ_k − a₂^k ũ_{n−k} = −e (ũ_{n−k} P_k + ũ_k U_{n−k−1}),   1 − ṽ_n + a₂ⁿ = e (U_n + a₂ P_{n−1}):
 //! ```
 //!
-//! terms of one sign, with e taken exactly, so nothing cancels near a₁ = ±(a₂ + 1), near a₁ = ±2√a₂ or as a₂ → 1. The ratios
-//! ρ_k = ũ_{k+1}/ũ_k = α − a₂/ρ_{k−1} contract errors (ρ² ≥ a₂), unlike the recurrence for ũ. With complex
-//! eigenvalues u_k and v_k come from duplication formulas, whose errors grow like n², not like (2.4)ⁿ.
+//! terms of one sign, with e taken exactly, so nothing cancels near a₁ = ±(a₂ + 1), near a₁ = ±2√a₂ or as a₂ → 1. With h_k =
+//! ṽ_k/2, D = α²/4 − a₂ ≥ 0 (exact, too) and the sums V_m, Q_m of h as U_m, P_m are of ũ, two indices add up by
+//!
+//! ```text
+//! ũ_{i+j} = h_i ũ_j + ũ_i h_j                 h_{i+j} = h_i h_j + D ũ_i ũ_j
+//! U_{i+j} = U_i + h_i U_j + ũ_i V_j           V_{i+j} = V_i + h_i V_j + D ũ_i U_j
+//! P_{i+j} = a₂^j P_i + h_i P_j + ũ_i Q_j      Q_{i+j} = a₂^j Q_i + h_i Q_j + D ũ_i P_j
+//! ```
+//!
+//! (from λ^k = h_k ± ũ_k √D), sums of products of positive numbers: a doubling doubles the relative error and cancels
+//! nothing, so that log₂ n bits are lost. With complex eigenvalues u_k and v_k come from duplication formulas, whose errors
+//! grow like n², not like (2.4)ⁿ.
 
-use std::ops::{Mul, Sub};
+use std::{
+    convert::Infallible,
+    ops::{Mul, Sub},
+};
 
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;
-use num_traits::{One, Signed, pow};
+use num_traits::{One, Signed};
 
-use crate::error::{Error, Result};
-use crate::number::{Real, Sign};
+use crate::{
+    error::{Error, Result},
+    monitor::Monitor,
+    number::{Real, Sign},
+};
 
 /// A point (a₁, a₂) with a₂ > 0.
 #[derive(Debug, Clone)]
@@ -108,9 +123,8 @@ impl Plane {
 
     /// b_{n,k}, 1 ≤ k < n; `None` where u_n = 0.
     ///
-    /// Real eigenvalues: O(n) operations, O(log n) digits lost (2 log₂ n bits at equal eigenvalues), but where n and k
-    /// are odd and a₁ < 0, as many as the condition number of b_{n,k} says. Complex ones: O(log n)
-    /// operations, 2 log₂ n bits lost and those of the condition number.
+    /// O(log n) operations on O(1) numbers. Real eigenvalues: log₂ n bits lost and a few, but where n is odd and a₁ < 0, as
+    /// many as the condition number of b_{n,k} says. Complex ones: 2 log₂ n bits lost and those of the condition number.
     pub fn b<T: Real>(&self, n: u64, k: u64, context: &T::Context) -> Option<T> {
         let (numerator, u) = self.numerator::<T>(n, k, context)?;
         Some(numerator / &u)
@@ -122,32 +136,53 @@ impl Plane {
             return None;
         }
         if self.real {
-            let sums = Sums::<T>::new(self, n, context);
-            return Some((sums.numerator(n, k), sums.u(n)));
+            let (real, j) = (Eigenvalues::<T>::new(self, context), n - k);
+            let (at_k, before_j) = (real.at(k), real.at(j - 1));
+            let at_j = real.add(&before_j, &real.one);
+            let un = real.u(&at_k, &at_j);
+            let numerator = real.numerator((n, k), &un, &at_k, &before_j, &at_j);
+            return Some((numerator, real.signed(un, n)));
         }
         let [un, uk, uj] = [n, k, n - k].map(|i| self.lucas::<T>(i, context));
         Some((un.u.clone() - &uk.u - &(uk.power * &uj.u), un.u))
     }
 
-    /// u_n. Cost: O(log n) operations for complex eigenvalues, O(n) for real ones.
+    /// u_n. Cost: O(log n) operations.
     pub fn u<T: Real>(&self, n: u64, context: &T::Context) -> T {
-        if self.real { Sums::<T>::new(self, n, context).u(n) } else { self.lucas::<T>(n, context).u }
+        if self.real {
+            let real = Eigenvalues::<T>::new(self, context);
+            return real.signed(real.at(n).u, n);
+        }
+        self.lucas::<T>(n, context).u
     }
 
     /// A positive multiple of u_n as an integer; `None` beyond `limit` bits.
-    pub(super) fn exact_u(&self, n: u64, limit: u64) -> Option<BigInt> {
+    pub(super) fn exact_u(&self, n: u64, limit: u64, monitor: &dyn Monitor) -> Result<Option<BigInt>> {
         let (a, b, _, bits) = self.integers(n);
-        (bits <= limit).then(|| lucas(&a, &b, n, BigInt::from).u)
+        if bits > limit {
+            return Ok(None);
+        }
+        Ok(Some(lucas(&a, &b, n, BigInt::from, || monitor.advance(0))?.u))
     }
 
-    /// b_{n,1}, …, b_{n,n−1}; `None` where u_n = 0. O(n) operations for real eigenvalues, O(n log n) for complex ones.
+    /// b_{n,1}, …, b_{n,n−1}; `None` where u_n = 0. O(n) operations and numbers for real eigenvalues, O(n log n) operations for
+    /// complex ones.
     pub fn b_all<T: Real>(&self, n: u64, context: &T::Context) -> Option<Vec<T>> {
         if self.is_singular(n) {
             return None;
         }
         if self.real {
-            let sums = Sums::<T>::new(self, n, context);
-            return Some((1..n).map(|k| sums.numerator(n, k) / &sums.u(n)).collect());
+            let real = Eigenvalues::<T>::new(self, context);
+            let step = |last: &Terms<T>| Some(real.add(last, &real.one));
+            let all: Vec<Terms<T>> =
+                std::iter::successors(Some(real.zero()), step).take(n as usize + 1).collect();
+            let un = &all[n as usize].u;
+            let one = |k: u64| {
+                let [k_, j] = [k as usize, (n - k) as usize];
+                let numerator = real.numerator((n, k), un, &all[k_], &all[j - 1], &all[j]);
+                numerator / &real.signed(un.clone(), n)
+            };
+            return Some((1..n).map(one).collect());
         }
         let values: Vec<Lucas<T>> = (0..=n).map(|i| self.lucas(i, context)).collect();
         let at = |i: u64| &values[i as usize];
@@ -167,8 +202,10 @@ impl Plane {
             return None;
         }
         if self.real {
-            let sums = Sums::<T>::new(self, n, context);
-            return Some((sums.factor(n), sums.u(n)));
+            let real = Eigenvalues::<T>::new(self, context);
+            let before = real.at(n - 1);
+            let here = real.add(&before, &real.one);
+            return Some((real.factor(n, &before, &here), real.signed(here.u, n)));
         }
         let lucas = self.lucas::<T>(n, context);
         Some((T::integer(1, context) - &lucas.v + &lucas.power, lucas.u))
@@ -177,7 +214,8 @@ impl Plane {
     /// u_k, v_k, a₂^k by duplication: O(log k) operations.
     fn lucas<T: Real>(&self, k: u64, context: &T::Context) -> Lucas<T> {
         let (a1, a2) = (T::ratio(&self.a1, context), T::ratio(&self.a2, context));
-        lucas(&a1, &a2, k, |i| T::integer(i, context))
+        let Ok(lucas) = lucas(&a1, &a2, k, |i| T::integer(i, context), || Ok::<(), Infallible>(()));
+        lucas
     }
 
     /// The integers of the exact rung: A, B, D with a₁ = A/D, a₂ = B/D², and an estimate of the bits of u_n D^{n−1}.
@@ -192,28 +230,58 @@ impl Plane {
     /// D^{n+k−1}·N_{n,k} and D^{n+k−1}·u_n as integers, without a fraction anywhere; `None` beyond `limit` bits.
     ///
     /// With W_k = D^{k−1} u_k they are D^k W_n − Dⁿ W_k − B^k W_{n−k} and D^k W_n. Cost: O(log n) products of n·size bits.
-    pub fn exact_numerator(&self, n: u64, k: u64, limit: u64) -> Option<(BigInt, BigInt)> {
+    ///
+    /// # Errors
+    /// The monitor's interruption, asked for before every step.
+    pub fn exact_numerator(
+        &self,
+        n: u64,
+        k: u64,
+        limit: u64,
+        monitor: &dyn Monitor,
+    ) -> Result<Option<(BigInt, BigInt)>> {
         let (a, b, d, bits) = self.integers(n);
         if bits.saturating_mul(2) > limit {
-            return None;
+            return Ok(None);
         }
-        let w = |i| lucas(&a, &b, i, BigInt::from);
-        let [wn, wk, wj] = [n, k, n - k].map(w);
-        let denominator = pow(d.clone(), k as usize) * wn.u;
-        let numerator = &denominator - pow(d, n as usize) * wk.u - wk.power * wj.u;
-        Some((numerator, denominator))
+        let w = |i| lucas(&a, &b, i, BigInt::from, || monitor.advance(0));
+        let (wn, wk, wj) = (w(n)?, w(k)?, w(n - k)?);
+        let denominator = power(&d, k, monitor)? * wn.u;
+        let numerator = &denominator - power(&d, n, monitor)? * wk.u - wk.power * wj.u;
+        Ok(Some((numerator, denominator)))
     }
 
     /// D^{2n}(1 − v_n + a₂ⁿ) and a positive multiple of u_n as integers; `None` beyond `limit` bits.
-    pub fn exact_factor(&self, n: u64, limit: u64) -> Option<(BigInt, BigInt)> {
+    ///
+    /// # Errors
+    /// As [`Plane::exact_numerator`].
+    pub fn exact_factor(
+        &self,
+        n: u64,
+        limit: u64,
+        monitor: &dyn Monitor,
+    ) -> Result<Option<(BigInt, BigInt)>> {
         let (a, b, d, bits) = self.integers(n);
         if bits.saturating_mul(2) > limit {
-            return None;
+            return Ok(None);
         }
-        let w = lucas(&a, &b, n, BigInt::from);
-        let power = pow(d, n as usize);
-        Some((&power * &power - &power * w.v + w.power, w.u))
+        let w = lucas(&a, &b, n, BigInt::from, || monitor.advance(0))?;
+        let power = power(&d, n, monitor)?;
+        Ok(Some((&power * &power - &power * w.v + w.power, w.u)))
     }
+}
+
+/// d^k.
+fn power(d: &BigInt, k: u64, monitor: &dyn Monitor) -> Result<BigInt> {
+    let mut power = BigInt::one();
+    for bit in (0..64 - k.leading_zeros()).rev() {
+        monitor.advance(0)?;
+        power = &power * &power;
+        if k >> bit & 1 == 1 {
+            power *= d;
+        }
+    }
+    Ok(power)
 }
 
 /// u_k, v_k and a₂^k.
@@ -223,8 +291,14 @@ struct Lucas<T> {
     power: T,
 }
 
-/// Duplication: u_{2i} = u_i v_i, u_{2i+1} = u_{i+1} v_i − a₂^i, v_{2i} = v_i² − 2a₂^i, v_{2i+1} = v_i v_{i+1} − a₁ a₂^i.
-fn lucas<T>(a1: &T, a2: &T, k: u64, integer: impl Fn(i32) -> T) -> Lucas<T>
+/// Before every step `watch` may end it. Duplication: u_{2i} = u_i v_i, u_{2i+1} = u_{i+1} v_i − a₂^i, v_{2i} = v_i² − 2a₂^i, v_{2i+1} = v_i v_{i+1} − a₁ a₂^i.
+fn lucas<T, E>(
+    a1: &T,
+    a2: &T,
+    k: u64,
+    integer: impl Fn(i32) -> T,
+    watch: impl Fn() -> std::result::Result<(), E>,
+) -> std::result::Result<Lucas<T>, E>
 where
     T: Clone + for<'a> Mul<&'a T, Output = T> + for<'a> Sub<&'a T, Output = T>,
 {
@@ -233,6 +307,7 @@ where
     let (mut u, mut u1, mut v, mut v1, mut power) =
         (integer(0), integer(1), integer(2), a1.clone(), integer(1));
     for bit in (0..64 - k.leading_zeros()).rev() {
+        watch()?;
         let next = times(&power, a2);
         let odd = (times(&u1, &v) - &power, times(&v, &v1) - &times(a1, &power));
         if k >> bit & 1 == 0 {
@@ -245,79 +320,130 @@ where
             power = times(&power, &next);
         }
     }
-    Lucas { u, v, power }
+    Ok(Lucas { u, v, power })
 }
 
-/// ũ_i, U_i, P_i, a₂^i for i = 0, …, n + 1, real eigenvalues.
-struct Sums<T> {
+/// ũ_i, h_i, U_i, V_i, P_i, Q_i and a₂^i for one i (see the head of this file).
+struct Terms<T> {
+    u: T,
+    h: T,
+    sum_u: T,
+    sum_h: T,
+    weighted_u: T,
+    weighted_h: T,
+    power: T,
+}
+
+/// What the terms of real eigenvalues are made of.
+struct Eigenvalues<T> {
     negative: bool,
-    one: T,
-    a2: T,
     excess: T,
-    u: Vec<T>,
-    sum: Vec<T>,
-    weighted: Vec<T>,
-    power: Vec<T>,
+    a2: T,
+    /// D = α²/4 − a₂.
+    quarter: T,
+    nothing: T,
+    unit: T,
+    /// The terms for i = 1.
+    one: Terms<T>,
 }
 
-impl<T: Real> Sums<T> {
-    fn new(point: &Plane, n: u64, context: &T::Context) -> Sums<T> {
-        let (zero, one) = (T::integer(0, context), T::integer(1, context));
-        let (alpha, a2) = (T::ratio(&point.a1.abs(), context), T::ratio(&point.a2, context));
-        let mut sums = Sums {
+impl<T: Real> Eigenvalues<T> {
+    fn new(point: &Plane, context: &T::Context) -> Self {
+        let half = point.a1.abs() / BigInt::from(2);
+        let (one, a2, h) = (T::integer(1, context), T::ratio(&point.a2, context), T::ratio(&half, context));
+        let terms = Terms {
+            u: one.clone(),
+            h: h.clone(),
+            sum_u: one.clone(),
+            sum_h: h.clone(),
+            weighted_u: one.clone(),
+            weighted_h: h,
+            power: a2.clone(),
+        };
+        Eigenvalues {
             negative: point.a1.is_negative(),
             excess: T::ratio(&point.excess(), context),
-            u: vec![zero.clone(), one.clone()],
-            sum: vec![zero.clone(), one.clone()],
-            weighted: vec![zero, one.clone()],
-            power: vec![one.clone(), a2.clone()],
-            one,
             a2,
-        };
-        let mut ratio = alpha.clone();
-        for i in 1..=n as usize {
-            let u = sums.u[i].clone() * &ratio;
-            sums.sum.push(sums.sum[i].clone() + &u);
-            sums.weighted.push(sums.weighted[i].clone() * &sums.a2 + &u);
-            sums.power.push(sums.power[i].clone() * &sums.a2);
-            sums.u.push(u);
-            ratio = alpha.clone() - &(sums.a2.clone() / &ratio);
+            quarter: T::ratio(&(&half * &half - &point.a2), context),
+            nothing: T::integer(0, context),
+            unit: one,
+            one: terms,
         }
-        sums
+    }
+
+    /// The terms for i = 0.
+    fn zero(&self) -> Terms<T> {
+        let [u, sum_u, sum_h, weighted_u, weighted_h] = [(); 5].map(|()| self.nothing.clone());
+        Terms { u, h: self.unit.clone(), sum_u, sum_h, weighted_u, weighted_h, power: self.unit.clone() }
+    }
+
+    /// ũ_{i+j}.
+    fn u(&self, i: &Terms<T>, j: &Terms<T>) -> T {
+        i.h.clone() * &j.u + &(i.u.clone() * &j.h)
+    }
+
+    /// The terms for i + j.
+    fn add(&self, i: &Terms<T>, j: &Terms<T>) -> Terms<T> {
+        // h_i x + ũ_i y.
+        let turn = |u: &T, x: &T, y: &T| i.h.clone() * x + &(u.clone() * y);
+        let scaled = i.u.clone() * &self.quarter;
+        Terms {
+            u: turn(&i.u, &j.u, &j.h),
+            h: turn(&scaled, &j.h, &j.u),
+            sum_u: i.sum_u.clone() + &turn(&i.u, &j.sum_u, &j.sum_h),
+            sum_h: i.sum_h.clone() + &turn(&scaled, &j.sum_h, &j.sum_u),
+            weighted_u: j.power.clone() * &i.weighted_u + &turn(&i.u, &j.weighted_u, &j.weighted_h),
+            weighted_h: j.power.clone() * &i.weighted_h + &turn(&scaled, &j.weighted_h, &j.weighted_u),
+            power: i.power.clone() * &j.power,
+        }
+    }
+
+    /// The terms for k, by doubling: O(log k) operations.
+    fn at(&self, k: u64) -> Terms<T> {
+        let mut terms = self.zero();
+        for bit in (0..64 - k.leading_zeros()).rev() {
+            terms = self.add(&terms, &terms);
+            if k >> bit & 1 == 1 {
+                terms = self.add(&terms, &self.one);
+            }
+        }
+        terms
     }
 
     /// u_k = (±1)^{k−1} ũ_k.
-    fn u(&self, k: u64) -> T {
-        let u = self.u[k as usize].clone();
+    fn signed(&self, u: T, k: u64) -> T {
         if self.negative && k.is_even() { -u } else { u }
     }
 
-    /// N_{n,k}.
-    fn numerator(&self, n: u64, k: u64) -> T {
-        let [n_, k_, j_] = [n, k, n - k].map(|i| i as usize);
-        let (un, uk, uj) = (&self.u[n_], &self.u[k_], &self.u[j_]);
-        let tail = self.power[k_].clone() * uj;
+    /// N_{n,k} from ũ_n and the terms for k, n − k − 1 and n − k.
+    fn numerator(
+        &self,
+        (n, k): (u64, u64),
+        un: &T,
+        at_k: &Terms<T>,
+        before_j: &Terms<T>,
+        at_j: &Terms<T>,
+    ) -> T {
+        let tail = at_k.power.clone() * &at_j.u;
         match (self.negative, n.is_even(), k.is_even()) {
             // u_k, u_n and u_{n−k} all keep their sign, or all change it.
             (false, _, _) | (true, true, true) => {
-                let sum = uj.clone() * &self.weighted[k_] + &(uk.clone() * &self.sum[j_ - 1]);
+                let sum = at_j.u.clone() * &at_k.weighted_u + &(at_k.u.clone() * &before_j.sum_u);
                 let product = self.excess.clone() * &sum;
                 if self.negative { product } else { -product }
             }
-            (true, true, false) => -(un.clone() + uk + &tail),
-            (true, false, false) => un.clone() - uk + &tail,
-            (true, false, true) => un.clone() + uk - &tail,
+            (true, true, false) => -(un.clone() + &at_k.u + &tail),
+            (true, false, false) => un.clone() - &at_k.u + &tail,
+            (true, false, true) => un.clone() + &at_k.u - &tail,
         }
     }
 
-    /// 1 − v_n + a₂ⁿ.
-    fn factor(&self, n: u64) -> T {
-        let n_ = n as usize;
+    /// 1 − v_n + a₂ⁿ from the terms for n − 1 and n.
+    fn factor(&self, n: u64, before: &Terms<T>, here: &Terms<T>) -> T {
         if self.negative && n.is_odd() {
-            // v_n = −ṽ_n, ṽ_n = ũ_{n+1} − a₂ ũ_{n−1}.
-            let v = self.u[n_ + 1].clone() - &(self.a2.clone() * &self.u[n_ - 1]);
-            return self.one.clone() + &v + &self.power[n_];
+            // v_n = −ṽ_n = −2h_n.
+            return self.unit.clone() + &here.h + &here.h + &here.power;
         }
-        self.excess.clone() * &(self.sum[n_].clone() + &(self.a2.clone() * &self.weighted[n_ - 1]))
+        self.excess.clone() * &(here.sum_u.clone() + &(self.a2.clone() * &before.weighted_u))
     }
 }

@@ -1,7 +1,8 @@
 //! Balls with a midpoint of any number of bits, on integers alone: no libm, no rounding modes.
 //!
 //! A ball is m·2^e ± radius. Each operation is exact on midpoints, then cuts the midpoint to its precision
-//! and adds what that lost to the radius. π, sines and cosines live in `ball_sine`.
+//! and adds what that lost to the radius. A result whose exponent would leave ±2⁶² becomes the whole line, or zero with
+//! a radius that bounds it. π, sines and cosines live in `ball_sine`.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -10,8 +11,12 @@ use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
+use super::exponent::{Exponent, Misfit};
 use super::radius::Radius;
 use super::{Real, Sign, ball_sine};
+
+/// Bounds with more bits than this are not written out.
+const WRITTEN: i128 = 1 << 17;
 
 /// A number of bits, and π to that many: what making balls needs.
 ///
@@ -46,17 +51,17 @@ impl Precision {
 #[derive(Debug, Clone)]
 pub struct Ball {
     mid: BigInt,
-    exp: i64,
+    exp: Exponent,
     radius: Radius,
     bits: u32,
 }
 
 impl Ball {
     /// m·2^e ± `radius`, the midpoint cut to `bits` bits.
-    pub(super) fn new(mut mid: BigInt, mut exp: i64, mut radius: Radius, bits: u32) -> Ball {
-        let excess = mid.bits() as i64 - i64::from(bits);
+    pub(super) fn new(mut mid: BigInt, mut exp: i128, mut radius: Radius, bits: u32) -> Ball {
+        let excess = mid.bits() as i128 - i128::from(bits);
         if excess > 0 {
-            let exact = mid.trailing_zeros().is_none_or(|zeros| zeros >= excess as u64);
+            let exact = mid.trailing_zeros().is_none_or(|zeros| i128::from(zeros) >= excess);
             mid >>= excess;
             exp += excess;
             if !exact {
@@ -68,35 +73,58 @@ impl Ball {
                 exp += 1;
             }
         }
-        Ball { mid, exp, radius, bits }
+        if mid.is_zero() {
+            return Ball { mid, exp: Exponent::ZERO, radius, bits };
+        }
+        match Exponent::fit(exp) {
+            Ok(exp) => Ball { mid, exp, radius, bits },
+            Err(Misfit::Above) => Ball::whole(bits),
+            Err(Misfit::Below) => Ball { radius: radius + Radius::of(&mid, exp), ..Ball::zero(bits) },
+        }
     }
 
     /// The whole real line: nothing is known.
     pub(super) fn whole(bits: u32) -> Ball {
-        Ball { mid: BigInt::zero(), exp: 0, radius: Radius::INFINITE, bits }
+        Ball { radius: Radius::INFINITE, ..Ball::zero(bits) }
     }
 
-    /// The enclosed numbers' bounds as exact fractions, `None` if nothing is known.
+    /// Bounds of the enclosed numbers as exact fractions, `None` if nothing is known.
     ///
-    /// Written out in full: |[`exponent`](Ball::exponent)| bits, so look at that first where it may be huge.
+    /// They are the ball's own unless these would take more than 2¹⁷ bits beyond its precision: below 2^−2¹⁷ they are
+    /// ±2^−2¹⁷ and 0, and for numbers above 2^2¹⁷ there are none. So this is safe for any ball.
     pub fn exact_bounds(&self) -> Option<(BigRational, BigRational)> {
-        if self.radius.is_infinite() {
+        if !self.radius.is_within(WRITTEN) || self.top().is_some_and(|top| top > WRITTEN) {
             return None;
         }
-        let mid = dyadic(self.mid.clone(), self.exp);
         let (m, e) = self.radius.parts();
-        // A radius of 2⁻¹⁰⁰⁰⁰⁰⁰⁰ would be written out: one far below the last place may be rounded up.
-        let least = self.exp.min(0) - 64;
-        let radius = if m > 0 && e < least - 32 { dyadic(BigInt::one(), least) } else { dyadic(m.into(), e) };
-        Some((&mid - &radius, mid + radius))
+        let (low, high, unit) = match self.top() {
+            Some(top) if top < -WRITTEN => match self.sign() {
+                Some(Sign::Positive) => return Some((BigRational::zero(), dyadic(BigInt::one(), -WRITTEN))),
+                Some(Sign::Negative) => return Some((dyadic(-BigInt::one(), -WRITTEN), BigRational::zero())),
+                _ => (-BigInt::one(), BigInt::one(), -WRITTEN),
+            },
+            _ => (self.mid.clone(), self.mid.clone(), self.exp.wide()),
+        };
+        // A radius of 2⁻¹⁰⁰⁰⁰⁰⁰⁰ would be written out: one far below the last place is rounded up.
+        let least = if self.mid.is_zero() { -WRITTEN } else { unit.min(0) } - 64;
+        let (m, e) = if m > 0 && e < least - 32 { (1, least) } else { (m, e) };
+        let common = if m > 0 { unit.min(e) } else { unit };
+        let reach = if m > 0 { BigInt::from(m) << (e - common) } else { BigInt::zero() };
+        let [low, high] = [low, high].map(|end| end << (unit - common));
+        Some((dyadic(low - &reach, common), dyadic(high + reach, common)))
     }
 
-    /// An e with |midpoint| < 2^e, at most twice the midpoint; 0 for the midpoint 0.
-    pub fn exponent(&self) -> i64 {
-        if self.mid.is_zero() { 0 } else { self.exp + self.mid.bits() as i64 }
+    /// An e with |midpoint| < 2^e, at most twice the midpoint; `None` for the midpoint 0, which has none.
+    pub fn exponent(&self) -> Option<i64> {
+        // A stored exponent and a length in bits are far below 2⁶³ together.
+        self.top().map(|top| top as i64)
     }
 
-    /// Whether the exact number lies in the ball.
+    fn top(&self) -> Option<i128> {
+        (!self.mid.is_zero()).then(|| self.exp.wide() + self.mid.bits() as i128)
+    }
+
+    /// Whether the exact number lies between the [`exact_bounds`](Ball::exact_bounds); true if there are none.
     pub fn contains(&self, value: &BigRational) -> bool {
         self.exact_bounds().is_none_or(|(lo, hi)| !(value - lo).is_negative() && !(hi - value).is_negative())
     }
@@ -106,10 +134,8 @@ impl Ball {
         if self.radius.is_zero() {
             return None;
         }
-        if self.radius.is_infinite() {
-            return Some(0);
-        }
-        let bits = self.mid.bits() as i64 + self.exp - self.radius.exponent() - 1;
+        let top = self.top().filter(|_| !self.radius.is_infinite());
+        let bits = top.map_or(0, |top| top - self.radius.parts().1 - 32 - 1);
         Some(u64::try_from(bits).unwrap_or(0))
     }
 
@@ -122,9 +148,14 @@ impl Ball {
     }
 }
 
-fn dyadic(m: BigInt, e: i64) -> BigRational {
-    let power = BigInt::one() << e.unsigned_abs();
-    if e >= 0 { BigRational::from_integer(m * power) } else { BigRational::new(m, power) }
+/// m·2^e. The common factors of numerator and denominator are powers of two: no gcd.
+fn dyadic(m: BigInt, e: i128) -> BigRational {
+    if e >= 0 {
+        return BigRational::from_integer(m << e);
+    }
+    let Some(zeros) = m.trailing_zeros() else { return BigRational::zero() };
+    let common = e.unsigned_abs().min(zeros.into());
+    BigRational::new_raw(m >> common, BigInt::one() << (e.unsigned_abs() - common))
 }
 
 impl Neg for Ball {
@@ -149,14 +180,19 @@ impl Add<&Ball> for Ball {
         }
         let (high, low) = if self.exp >= other.exp { (&self, other) } else { (other, &self) };
         // A term far below the other's last bit counts as an error only, or 2⁻¹⁰⁰⁰⁰⁰⁰⁰ would be written out.
-        let top = |x: &Ball| x.mid.bits() as i64 + x.exp;
-        let reach = i64::from(bits) + 64;
-        let (big, small) = if top(&self) >= top(other) { (&self, other) } else { (other, &self) };
-        if top(big) - top(small) > reach && big.exp > top(small) {
-            return Ball::new(big.mid.clone(), big.exp, radius + Radius::of(&small.mid, small.exp), bits);
+        let reach = i128::from(bits) + 64;
+        let (big, small) = if self.top() >= other.top() { (&self, other) } else { (other, &self) };
+        if let (Some(above), Some(below)) = (big.top(), small.top())
+            && above - below > reach
+        {
+            // The lowest bit of `big` is at most `bits` below its top.
+            let radius = radius + Radius::of(&small.mid, small.exp.wide());
+            return Ball::new(big.mid.clone(), big.exp.wide(), radius, bits);
         }
-        let mid = (&high.mid << (high.exp - low.exp)) + &low.mid;
-        Ball::new(mid, low.exp, radius, bits)
+        // At most reach + bits.
+        let distance = high.exp.wide() - low.exp.wide();
+        let mid = (&high.mid << distance) + &low.mid;
+        Ball::new(mid, low.exp.wide(), radius, bits)
     }
 }
 
@@ -178,12 +214,12 @@ impl Mul<&Ball> for Ball {
         }
         let mut radius = Radius::ZERO;
         if !self.radius.is_zero() {
-            radius = self.radius * (Radius::of(&other.mid, other.exp) + other.radius);
+            radius = self.radius * (Radius::of(&other.mid, other.exp.wide()) + other.radius);
         }
         if !other.radius.is_zero() {
-            radius = radius + Radius::of(&self.mid, self.exp) * other.radius;
+            radius = radius + Radius::of(&self.mid, self.exp.wide()) * other.radius;
         }
-        Ball::new(&self.mid * &other.mid, self.exp + other.exp, radius, bits)
+        Ball::new(&self.mid * &other.mid, self.exp.wide() + other.exp.wide(), radius, bits)
     }
 }
 
@@ -197,15 +233,16 @@ impl Div<&Ball> for Ball {
         if self.radius.is_infinite() {
             return self;
         }
-        let length = |x: &BigInt| x.bits() as i64;
-        let shift = (i64::from(bits) + 1 + length(&other.mid) - length(&self.mid)).max(0);
+        let length = |x: &BigInt| x.bits() as i128;
+        let shift = (i128::from(bits) + 1 + length(&other.mid) - length(&self.mid)).max(0);
         let numerator = &self.mid << shift;
         let (quotient, rest) = numerator.div_rem(&other.mid);
-        let exp = self.exp - other.exp - shift;
+        let exp = self.exp.wide() - other.exp.wide() - shift;
         // |x/y − x₀/y₀| ≤ (rx + |x₀/y₀| ry) / |y|, and the integer quotient is cut by less than 1.
         let mut radius = Radius::ZERO;
         if !self.radius.is_zero() || !other.radius.is_zero() {
-            let cut = Radius::of(&quotient, exp) + Radius::new(1, exp);
+            let cut = if rest.is_zero() { Radius::ZERO } else { Radius::new(1, exp) };
+            let cut = Radius::of(&quotient, exp) + cut;
             radius = (self.radius + cut * other.radius).over(m, e);
         }
         if !rest.is_zero() {
@@ -217,15 +254,15 @@ impl Div<&Ball> for Ball {
 
 impl Ball {
     /// A lower bound m·2^e of every enclosed magnitude, m ≥ 2³¹; `None` if zero is enclosed.
-    pub(super) fn least_magnitude(&self) -> Option<(u64, i64)> {
+    pub(super) fn least_magnitude(&self) -> Option<(u64, i128)> {
         if self.mid.is_zero() || self.radius.is_infinite() {
             return None;
         }
         // |mid| to 62 bits, down; the radius on the same scale, up.
-        let cut = self.mid.bits() as i64 - 62;
+        let cut = self.mid.bits() as i128 - 62;
         let mid = if cut >= 0 { self.mid.magnitude() >> cut } else { self.mid.magnitude() << -cut };
         let mid = mid.iter_u64_digits().next().unwrap_or(0);
-        let exp = self.exp + cut;
+        let exp = self.exp.wide() + cut;
         let (m, e) = self.radius.parts();
         let distance = e - exp;
         let radius = match distance {
@@ -236,7 +273,7 @@ impl Ball {
             _ => 1,
         };
         let least = mid.checked_sub(radius).filter(|&least| least > 0)?;
-        let zeros = i64::from(least.leading_zeros());
+        let zeros = i128::from(least.leading_zeros());
         Some((least << zeros >> 32, exp - zeros + 32))
     }
 }
@@ -250,7 +287,7 @@ impl Real for Ball {
             return Ball::new(numerator.clone(), 0, Radius::ZERO, context.bits);
         }
         let shift =
-            (i64::from(context.bits) + 1 + denominator.bits() as i64 - numerator.bits() as i64).max(0);
+            (i128::from(context.bits) + 1 + denominator.bits() as i128 - numerator.bits() as i128).max(0);
         let (quotient, rest) = (numerator << shift).div_rem(denominator);
         let radius = if rest.is_zero() { Radius::ZERO } else { Radius::new(1, -shift) };
         Ball::new(quotient, -shift, radius, context.bits)
@@ -275,12 +312,12 @@ impl Ball {
         let two = BigInt::from(2);
         let centre = Ball::ratio(&((lo + hi) / &two), context);
         let reach = Ball::ratio(&((hi - lo) / two), context);
-        Ball { radius: centre.radius + Radius::of(&reach.mid, reach.exp) + reach.radius, ..centre }
+        Ball { radius: centre.radius + Radius::of(&reach.mid, reach.exp.wide()) + reach.radius, ..centre }
     }
 
     /// An e with 2^(e−1) ≤ |x| for every enclosed x, the greatest that the bounds show; `None` if zero is enclosed.
     pub fn least_exponent(&self) -> Option<i64> {
-        self.least_magnitude().map(|(m, e)| e + 64 - i64::from(m.leading_zeros()))
+        self.least_magnitude().map(|(m, e)| (e + 64 - i128::from(m.leading_zeros())) as i64)
     }
 }
 
@@ -293,7 +330,7 @@ impl Ball {
     }
 
     pub(super) fn zero(bits: u32) -> Ball {
-        Ball::integer_at(0, bits)
+        Ball { mid: BigInt::zero(), exp: Exponent::ZERO, radius: Radius::ZERO, bits }
     }
 
     pub(super) fn integer_at(value: i32, bits: u32) -> Ball {
@@ -305,8 +342,8 @@ impl Ball {
         &self.mid
     }
 
-    pub(super) fn unit_exponent(&self) -> i64 {
-        self.exp
+    pub(super) fn unit_exponent(&self) -> i128 {
+        self.exp.wide()
     }
 
     pub(super) fn radius(&self) -> Radius {
@@ -319,7 +356,7 @@ impl Ball {
 
     /// At least |x| for every enclosed x.
     pub(super) fn greatest_magnitude(&self) -> Radius {
-        Radius::of(&self.mid, self.exp) + self.radius
+        Radius::of(&self.mid, self.exp.wide()) + self.radius
     }
 
     /// The same ball with its radius enlarged.
@@ -329,7 +366,7 @@ impl Ball {
 
     /// The same ball with at most `bits` bits in its midpoint.
     pub(super) fn cut(self, bits: u32) -> Ball {
-        Ball::new(self.mid, self.exp, self.radius, bits)
+        Ball::new(self.mid, self.exp.wide(), self.radius, bits)
     }
 
     /// A ball that contains both.

@@ -6,11 +6,11 @@ use num_bigint::{BigInt, BigUint, Sign};
 use num_integer::Roots;
 use num_traits::{One, Zero};
 
-use super::Circular;
 use super::angle::{Angle, Fraction, Octant};
 use super::ball::{Ball, Precision};
 use super::fixed::{self, Signed};
 use super::radius::Radius;
+use super::{Circular, Real};
 
 /// Least bits beyond the working precision in a recurrence.
 const GUARD: u32 = 64;
@@ -20,6 +20,9 @@ const SINE_GUARD: u32 = 32;
 
 /// The error bound of a fixed-point sine or cosine, in its last place.
 const ERROR: u64 = 32;
+
+/// The error bound of [`series`], in its last place.
+pub(super) const SERIES_ERROR: u64 = 16;
 
 /// The bits of π that sines to `bits` bits need.
 pub(super) fn pi_bits(bits: u32) -> u32 {
@@ -44,7 +47,7 @@ pub(super) fn pi(w: u32) -> BigInt {
     BigInt::from((arctan(5) * 16u32 - arctan(239) * 4u32) >> 32)
 }
 
-/// Σ (−1)^i y^i first!/(2i + first)!: cos √y for `first` = 0, sin √y / √y for `first` = 1, in 2^−w, w = 64·`length`. Within 16.
+/// Σ (−1)^i y^i first!/(2i + first)!: cos √y for `first` = 0, sin √y / √y for `first` = 1, in 2^−w, w = 64·`length`. Within [`SERIES_ERROR`].
 ///
 /// Needs 0 ≤ y ≤ 0.617 known within 4. By blocks of m ≈ √N terms (Paterson and Stockmeyer): N multiplications by a word
 /// and 2√N full ones for N terms. With d_i = (2i + first − 1)(2i + first), `sum` counts in units of 1/(d₁⋯d_j) for a j that
@@ -97,7 +100,7 @@ pub(super) fn series(y: &BigInt, length: usize, first: u64) -> BigInt {
 
 /// sin or cos of πt, 0 < t ≤ ¼, as value·2^exp ± radius, relative error below 2^(5−w).
 /// w = 64·`length`.
-fn kernel(cosine: bool, t: &Fraction, precision: &Precision, length: usize) -> (BigInt, i64, Radius) {
+fn kernel(cosine: bool, t: &Fraction, precision: &Precision, length: usize) -> (BigInt, i128, Radius) {
     let w = 64 * length as u32;
     let pi = &precision.pi >> (precision.pi_bits() - w);
     // t ≥ 2^(−shift−1), so that πt·2^(w+shift) has at least w bits, whatever the size of t.
@@ -114,12 +117,12 @@ fn kernel(cosine: bool, t: &Fraction, precision: &Precision, length: usize) -> (
     // πt within 2·¼ + 1; its square, at most (π/4)² < 0.617, within 2·0.79·1.5 + 1 < 4.
     let cut = &x >> shift;
     let y = (&cut * &cut) >> w;
-    let fixed = i64::from(w);
+    let fixed = i128::from(w);
     if cosine {
         return (series(&y, length, 0), -fixed, Radius::new(ERROR, -fixed));
     }
     // sin πt = πt · sinc: πt within 2/3 + 1 relative to 2^w, the sinc, at least 0.9, within 16.
-    let exp = -fixed - shift as i64;
+    let exp = -fixed - i128::from(shift);
     let radius = Radius::of(&x, exp) * Radius::new(ERROR, -fixed);
     (x * series(&y, length, 1), exp - fixed, radius)
 }
@@ -142,7 +145,7 @@ impl Octant {
 /// The sine of an angle in fixed point, within [`ERROR`], with a whole limb.
 fn fixed_sine(angle: &Angle, precision: &Precision, length: usize) -> Signed {
     let octant = angle.octant();
-    let w = 64 * length as i64;
+    let w = 64 * length as i128;
     let magnitude = match octant.halves() {
         Some(halves) => BigUint::from(halves) << (w - 1),
         None => {
@@ -167,7 +170,7 @@ fn multiples(
 ) -> Vec<Ball> {
     let bits = precision.bits();
     let length = limbs_for(bits + GUARD);
-    let exp = -64 * length as i64;
+    let exp = -64 * length as i128;
     // 2c = 4·(c/2): half a cosine is a fraction.
     let cosine = fixed_sine(&angle.complement(), precision, length);
     let half = fixed::limbs(&(fixed::integer(&cosine.limbs) >> 1), length);
@@ -223,6 +226,64 @@ impl Circular for Ball {
     }
 
     fn tighter(self, other: Ball) -> Ball {
+        let difference = (self.clone() - &other).sign();
+        assert!(
+            matches!(difference, None | Some(super::Sign::Zero)),
+            "two enclosures of one number are disjoint"
+        );
         if other.is_narrower_than(&self) { other } else { self }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use num_rational::BigRational;
+    use num_traits::{Signed, ToPrimitive};
+
+    use super::*;
+
+    /// The bounds from the terms that the comments name: no sampled value comes near them.
+    #[test]
+    fn the_error_bounds_cover_their_terms() {
+        // y = (π/4)² at the most, off by 4; a power adds a product's 2 and y's 4 to what the last one passes on.
+        let y = (std::f64::consts::PI / 4.0).powi(2);
+        let power = (2..60).fold(4.0f64, |error, j: i32| (error * y + 4.0 * y.powi(j - 1) + 2.0).max(error));
+        for first in [0u64, 1] {
+            let d = |i: u64| ((2 * i + first - 1) * (2 * i + first)) as f64;
+            let weight = |i: u64| (1..=i).map(d).product::<f64>().recip();
+            let powers: f64 = (1..20).map(|i| power * weight(i)).sum();
+            let cuts: f64 = (2..20).map(|i| 2.0 * weight(i)).sum();
+            // The last division and the tail.
+            let series = powers + cuts + 2.0;
+            assert!(series > 2.0 && series <= SERIES_ERROR as f64, "{series}");
+        }
+        // Of the sine: πt within 2/3 + 1, the sinc, at least 0.9, within its series' error.
+        let sine = SERIES_ERROR as f64 / 0.9 + 5.0 / 3.0;
+        assert!(sine * 1.01 <= ERROR as f64 && SERIES_ERROR <= ERROR);
+    }
+
+    /// Values to 128 bits against values to 400, before a rounding could hide an error.
+    #[test]
+    fn kernels_stay_within_their_error() {
+        let precision = Precision::new(400);
+        let mut worst = 0.0f64;
+        for i in 1..2000u64 {
+            let t = BigRational::new((i * 7919).into(), (4 * 2000 * 7919u64 + 1).into());
+            let angle = Angle::new(&t);
+            for (cosine, true_value) in
+                [(false, Ball::sin(&angle, &precision)), (true, Ball::cos(&angle, &precision))]
+            {
+                let octant = angle.octant();
+                let (value, exp, radius) = kernel(cosine, &octant.t, &precision, 2);
+                let error = Ball::new(value, exp, Radius::ZERO, 400) - &true_value;
+                let (low, high) = error.exact_bounds().unwrap();
+                let (bound, _) = Ball::zero(64).widened(radius).exact_bounds().unwrap();
+                let error = low.abs().max(high.abs());
+                assert!(error <= -bound.clone(), "{i}, cosine: {cosine}");
+                worst = worst.max((error / -bound).to_f64().unwrap());
+            }
+        }
+        // More than one last place, so that the bound is no formality.
+        assert!(worst * ERROR as f64 > 1.0, "{worst}");
     }
 }

@@ -9,7 +9,7 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use super::{
     Ball, Plain, Precision, Real, Sign,
-    ball_sine::{limbs_for, pi, series},
+    ball_sine::{SERIES_ERROR, limbs_for, pi, series},
     radius::Radius,
 };
 
@@ -60,22 +60,22 @@ const FAR: i64 = 4096;
 /// 1 + 2⁻⁸ times the width of the true range more. Cost: O(√b) products of b bits for exp, sin and cos.
 impl Elementary for Ball {
     fn pi(context: &Precision) -> Ball {
-        let w = i64::from(context.pi_bits());
+        let w = i128::from(context.pi_bits());
         Ball::new(context.pi.clone(), -w, Radius::new(2, -w), context.bits())
     }
 
     /// From |x| ≥ 2⁶⁰ on only e^x < 1 or nothing.
     fn exp(&self, context: &Precision) -> Ball {
         let (bits, radius) = (context.bits(), self.radius());
-        if self.exponent() > 60 || (!radius.is_zero() && radius.exponent() > 60) {
+        if self.exponent().is_some_and(|e| e > 60) || !radius.is_within(60) {
             let below = self.sign() == Some(Sign::Negative);
-            return if below { Ball::zero(bits).widened(Radius::ONE) } else { Ball::whole(bits) };
+            return if below { Ball::zero(bits).widened(Radius::one()) } else { Ball::whole(bits) };
         }
         let value = point_exp(&self.centre(), bits);
         if radius.is_zero() {
             return value;
         }
-        if radius.exponent() > -10 {
+        if !radius.is_within(-10) {
             // Too wide for one slope; e^x rises, so that the end points bound it.
             let (m, e) = radius.parts();
             let reach = Ball::new(m.into(), e, Radius::ZERO, bits.max(64));
@@ -83,14 +83,14 @@ impl Elementary for Ball {
             return low.hull(&high);
         }
         // |e^(m+δ) − e^m| ≤ e^m (e^r − 1) ≤ e^m r (1 + r) for r < 1.
-        let change = value.greatest_magnitude() * radius * (Radius::ONE + radius);
+        let change = value.greatest_magnitude() * radius * (Radius::one() + radius);
         value.widened(change)
     }
 
     fn sin_cos(&self, context: &Precision) -> (Ball, Ball) {
         let (bits, radius) = (context.bits(), self.radius());
-        let anything = Ball::zero(bits).widened(Radius::ONE);
-        if self.exponent() > FAR || (!radius.is_zero() && radius.exponent() > 2) {
+        let anything = Ball::zero(bits).widened(Radius::one());
+        if self.exponent().is_some_and(|e| e > FAR) || !radius.is_within(2) {
             return (anything.clone(), anything);
         }
         let (sin, cos) = point_sin_cos(&self.centre(), context);
@@ -98,7 +98,7 @@ impl Elementary for Ball {
         let widen = |value: &Ball, slope: &Ball| {
             let curved = radius * slope.greatest_magnitude() + radius * radius * Radius::new(1, -1);
             let change = if curved.is_below(radius) { curved } else { radius };
-            if change.is_below(Radius::ONE) { value.clone().widened(change) } else { anything.clone() }
+            if change.is_below(Radius::one()) { value.clone().widened(change) } else { anything.clone() }
         };
         (widen(&sin, &cos), widen(&cos, &sin))
     }
@@ -113,7 +113,7 @@ impl Elementary for Ball {
         };
         let Some((least, least_exp)) = least else { return Ball::whole(bits) };
         // √(m·2^e), e made even, to at least bits + 1 bits: the integer root is cut by less than 1.
-        let shift = (2 * i64::from(bits) + 2 - mid.bits() as i64).max(0);
+        let shift = (2 * i128::from(bits) + 2 - mid.bits() as i128).max(0);
         let shift = shift + (exp - shift).rem_euclid(2);
         let shifted = mid << shift;
         let root = shifted.sqrt();
@@ -130,11 +130,12 @@ impl Elementary for Ball {
 
 /// e^x of a point, |x| < 2⁶⁰: e^|x| = (e^(|x|/2^k))^(2^k), |x|/2^k ≤ 2^−j for a j ≈ √bits.
 fn point_exp(x: &Ball, bits: u32) -> Ball {
+    let Some(exponent) = x.exponent() else { return Ball::integer_at(1, bits) };
     let j = bits.sqrt();
-    let k = (x.exponent() + i64::from(j)).max(0) as u32;
+    let k = (exponent + i64::from(j)).max(0) as u32;
     // Each squaring doubles the relative error.
     let w = bits + GUARD + k;
-    let t = shifted(x.mid().magnitude().clone().into(), x.unit_exponent() - i64::from(k) + i64::from(w));
+    let t = shifted(x.mid().magnitude().clone().into(), x.unit_exponent() - i128::from(k) + i128::from(w));
     let mut sum = (BigInt::one() << w) + &t;
     let (mut term, mut n) = (t.clone(), 1u32);
     loop {
@@ -146,7 +147,7 @@ fn point_exp(x: &Ball, bits: u32) -> Ball {
         sum += &term;
     }
     // All cuts go down: t by less than 1, each term (with what it takes over) by less than 2, the tail counts less than 3.
-    let scale = -i64::from(w);
+    let scale = -i128::from(w);
     let mut value = Ball::new(sum, scale, Radius::new(2 * u64::from(n) + 8, scale), w);
     for _ in 0..k {
         value = value.clone() * &value;
@@ -167,10 +168,15 @@ fn point_sin_cos(x: &Ball, context: &Precision) -> (Ball, Ball) {
     let v = 64 * length as u32;
     let (quadrant, t) = reduced(x, v, context);
     // |t| ≤ π/4 + 2^−v cut to v bits, within 1.01; its square within 2·0.79·1.01 + 1 < 4 and below 0.617.
-    let cut = shifted(t.mid().abs(), t.unit_exponent() + i64::from(v));
+    let cut = shifted(t.mid().abs(), t.unit_exponent() + i128::from(v));
     let y = (&cut * &cut) >> v;
     let fixed = |first| {
-        Ball::new(series(&y, length, first), -i64::from(v), Radius::new(16, -i64::from(v)), bits + GUARD)
+        Ball::new(
+            series(&y, length, first),
+            -i128::from(v),
+            Radius::new(SERIES_ERROR, -i128::from(v)),
+            bits + GUARD,
+        )
     };
     let (sin, cos) = ((fixed(1) * &t).cut(bits), fixed(0).cut(bits));
     match quadrant {
@@ -183,23 +189,21 @@ fn point_sin_cos(x: &Ball, context: &Precision) -> (Ball, Ball) {
 
 /// n mod 4 and t = x − nπ/2 with |t| ≤ π/4 + 2^−v, within 2^(−v−4) and relative error below 2^−(bits + 32), for x ≠ 0.
 fn reduced(x: &Ball, v: u32, context: &Precision) -> (u8, Ball) {
-    if x.exponent() < 0 {
-        return (0, x.clone());
-    }
+    let Some(exponent @ 0..) = x.exponent() else { return (0, x.clone()) };
     let good = context.bits() + GUARD;
     // In units of 2^−w: x is cut by less than 1, π known within 3, n < 2^(exponent + 1).
-    let lost = x.exponent() as u32 + 4;
+    let lost = exponent as u32 + 4;
     let mut w = v + 8 + lost;
     loop {
         let pi = if w <= context.pi_bits() { &context.pi >> (context.pi_bits() - w) } else { pi(w) };
-        let x = shifted(x.mid().clone(), x.unit_exponent() + i64::from(w));
+        let x = shifted(x.mid().clone(), x.unit_exponent() + i128::from(w));
         let n: BigInt = (&x * 4i32 + &pi).div_floor(&(&pi * 2i32));
         let twice: BigInt = x * 2i32 - &n * pi;
         let deficit = i64::from(good + lost) - twice.bits() as i64;
         if deficit <= 0 {
             let quadrant = n.mod_floor(&4.into()).to_u8().unwrap_or(0);
-            let scale = -i64::from(w) - 1;
-            return (quadrant, Ball::new(twice, scale, Radius::new(1, scale + i64::from(lost)), w + lost));
+            let scale = -i128::from(w) - 1;
+            return (quadrant, Ball::new(twice, scale, Radius::new(1, scale + i128::from(lost)), w + lost));
         }
         // x is near a multiple of π/2, but no rational other than 0 is one.
         w += deficit as u32;
@@ -207,6 +211,6 @@ fn reduced(x: &Ball, v: u32, context: &Precision) -> (u8, Ball) {
 }
 
 /// ⌊x·2^e⌋.
-fn shifted(x: BigInt, e: i64) -> BigInt {
+fn shifted(x: BigInt, e: i128) -> BigInt {
     if e >= 0 { x << e } else { x >> -e }
 }

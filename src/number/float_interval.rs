@@ -240,7 +240,7 @@ impl Circular for FloatInterval {
 
     fn tighter(self, other: Self) -> Self {
         let (lo, hi) = (self.lo.max(other.lo), self.hi.min(other.hi));
-        debug_assert!(lo <= hi, "two enclosures of one number are disjoint");
+        assert!(lo <= hi, "two enclosures of one number are disjoint");
         FloatInterval { lo, hi }
     }
 }

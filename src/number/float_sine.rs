@@ -87,9 +87,10 @@ fn float(m: u64, e: i64, up: bool) -> f64 {
     let m = m << zeros;
     let top = (m >> 11) + u64::from(up && m & 0x7ff != 0);
     let exponent = e - i64::from(zeros) + 11;
-    // top in [2⁵², 2⁵³]: the value is top·2^exponent, and adding the fields lets a carry raise the exponent.
+    // top in [2⁵², 2⁵³]: the value is top·2^exponent, and adding the fields lets a carry raise the exponent, from that of
+    // the largest floats (2⁵²·2⁹⁷¹ = 2¹⁰²³) to that of infinity.
     match exponent + 1074 {
-        biased @ 0..=2044 => f64::from_bits(top + ((biased as u64) << 52)),
+        biased @ 0..=2045 => f64::from_bits(top + ((biased as u64) << 52)),
         biased if biased < 0 => {
             if up {
                 f64::MIN_POSITIVE
@@ -164,4 +165,91 @@ fn kernel(cosine: bool, m: u64, shift: i64) -> FloatInterval {
 fn enclose_cosine(m: u64) -> FloatInterval {
     let wide = enclose(m, ERROR, -64);
     FloatInterval::from_bounds(wide.lo(), wide.hi().min(1.0))
+}
+
+#[cfg(test)]
+mod tests {
+    use num_bigint::BigInt;
+    use num_rational::BigRational;
+    use num_traits::{One, Signed, ToPrimitive, pow};
+
+    use super::*;
+    use crate::number::{Ball, Circular, Elementary, Precision};
+
+    fn exact(x: u64) -> BigRational {
+        BigRational::from_integer(x.into())
+    }
+
+    fn two_to(e: usize) -> BigRational {
+        BigRational::from_integer(BigInt::one() << e)
+    }
+
+    /// (π/4)^{2i}/(2i + first)!·2⁶⁴ to 60 places.
+    fn coefficient(i: usize, first: usize) -> BigRational {
+        let pi = Ball::pi(&Precision::new(256)).exact_bounds().unwrap().0;
+        let factorial: BigInt = (1..=2 * i + first).map(BigInt::from).product();
+        pow(pi / exact(4), 2 * i) * two_to(64) / BigRational::from_integer(factorial)
+    }
+
+    /// The tables, and the bounds from the terms that the comments name: no sampled value comes near them.
+    #[test]
+    fn the_error_bound_covers_its_terms() {
+        let float = |x: BigRational| x.to_f64().unwrap();
+        for (table, first) in [(&SIN, 1), (&COS, 0)] {
+            let off = |i: usize| float((exact(table[i - 1]) - coefficient(i, first)).abs());
+            assert!((1..=9).all(|i| off(i) <= 0.5), "first = {first}");
+            let tail = float(coefficient(10, first));
+            // Each of 8 steps: a coefficient, a product's cut, and what came before times z < 1.
+            let sum = (1..=8).fold(off(9) + tail, |error, i| error + off(i) + 1.0);
+            // z is off by 5 units and multiplies c₂ + 2c₃ + ….
+            let slope: f64 =
+                (2..=9).map(|i| (i - 1) as f64 * float(coefficient(i, first) / two_to(64))).sum();
+            let alternating = sum + 5.0 * slope;
+            assert!(alternating <= 16.0, "{alternating}");
+            // Times z, whose 5 units weigh c₁, and cut.
+            let series = alternating + 5.0 * float(coefficient(1, first) / two_to(64)) + 1.0;
+            // The sine: times q, off by 3, and cut. The cosine: capped at 1 − 2⁻⁶⁴.
+            let total = if first == 1 { series + 3.0 + 1.0 } else { series + 1.0 };
+            assert!(total <= ERROR as f64, "first = {first}: {total}");
+        }
+    }
+
+    /// Mantissas against balls, before the rounding to 53 bits could hide an error.
+    #[test]
+    fn kernels_stay_within_their_error() {
+        let precision = Precision::new(200);
+        let mut worst = BigRational::from_integer(0.into());
+        for i in 1..4000u64 {
+            // 4t = m·2⁻⁶⁴, m ≥ 2⁶², off by nothing.
+            let m = (1 << 62) + i * ((3u128 << 62) / 4000) as u64;
+            let angle = crate::number::Angle::new(&(exact(m) / two_to(66)));
+            for (value, ball) in [
+                (sin_mantissa(m, m), Ball::sin(&angle, &precision)),
+                (cos_mantissa(m), Ball::cos(&angle, &precision)),
+            ] {
+                let (low, high) = ball.exact_bounds().unwrap();
+                let (low, high) = (low * two_to(64) - exact(value), high * two_to(64) - exact(value));
+                let error = low.abs().max(high.abs());
+                assert!(error <= exact(ERROR), "m = {m:#x}: {error}");
+                worst = worst.max(error);
+            }
+        }
+        assert!(worst > exact(1), "the bound is no formality: {}", worst.to_f64().unwrap());
+    }
+
+    /// m ± error across 2⁶⁴, where the upper end is halved, and across 2¹⁰²⁴, where it is infinite.
+    #[test]
+    fn enclosures_carry_outwards() {
+        for (m, error) in
+            [(u64::MAX, 2), (u64::MAX, 1), (u64::MAX - 1, 3), (u64::MAX, 4096), (u64::MAX, 1 << 20)]
+        {
+            for e in [-200, 0, 900, 958, 959, 960, 961] {
+                let scaled =
+                    |x: BigInt| BigRational::from_integer(x) * two_to((e + 200) as usize) / two_to(200);
+                let found = enclose(m, error, e);
+                let ends = [BigInt::from(m) - error, BigInt::from(m) + error].map(scaled);
+                assert!(ends.iter().all(|end| found.contains(end)), "{m:#x} ± {error}, 2^{e}: {found:?}");
+            }
+        }
+    }
 }

@@ -13,7 +13,9 @@
 //!
 //! Of the interval and the ball: every operation's result contains the true result for every choice of enclosed
 //! arguments, and its width is at most 8 times that of the correctly rounded enclosure of the exact
-//! result for point arguments (tests/enclosures.rs). Trusted: Rust, IEEE 754 `f64` addition and
+//! result for point arguments (tests/enclosures.rs). That width is not promised where a result lies outside the range of
+//! its rung: an interval of a number below 2⁻¹⁰²² may end at 0 and at 2⁻¹⁰²², one above 2¹⁰²⁴ at ∞; a ball outside 2^±2⁶²
+//! is the whole line, or zero with a radius. It is an enclosure there too. Trusted: Rust, IEEE 754 `f64` addition and
 //! multiplication to nearest, num-bigint. Not here: the formulas (`local`).
 
 mod angle;
@@ -21,10 +23,14 @@ mod ball;
 mod ball_sine;
 mod digits;
 mod dual;
+#[cfg(test)]
+mod edges;
 mod elementary;
+mod exponent;
 mod fixed;
 mod float_interval;
 mod float_sine;
+mod fraction;
 mod parse;
 mod plain;
 mod radius;
@@ -37,7 +43,8 @@ pub use digits::certain_digits;
 pub use dual::Dual;
 pub use elementary::Elementary;
 pub use float_interval::FloatInterval;
-pub use parse::{LIMIT_BITS, parse_integer, parse_rational};
+pub(crate) use fraction::Fraction;
+pub use parse::{LIMIT_BITS, parse_integer, parse_rational, parse_rational_within};
 pub use plain::Plain;
 pub use real::{Circular, Real};
 pub use sign::Sign;

@@ -2,13 +2,13 @@
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::{One, Zero, pow};
+use num_traits::{One, pow};
 
+use super::Fraction;
 use crate::error::{Error, Result};
 
-/// The size limit of one parsed term: numerator and denominator stay below 2^`LIMIT_BITS`, so that
-/// `1e-999999999` is an error and not an exhausted memory.
-pub const LIMIT_BITS: u32 = 1 << 20;
+/// The most bits of a number on the command line, of its numerator and of its denominator.
+pub const LIMIT_BITS: u32 = 1 << 15;
 
 /// Reads an exact rational: a sum or difference of terms `12`, `3/8`, `0.375`, `1e-30`, `2^-200`.
 ///
@@ -19,8 +19,8 @@ pub const LIMIT_BITS: u32 = 1 << 20;
 /// decimal = digits [ "." [digits] ] [ ("e" | "E") [sign] digits ] | "." digits [ … ]
 /// ```
 ///
-/// Spaces may stand around signs. Every value is exact: `0.1` is 1/10. Cost: O(L²) bit operations for
-/// a text of L characters plus the size of the powers written out, each bounded by [`LIMIT_BITS`].
+/// Spaces may stand around signs. Every value is exact: `0.1` is 1/10. At most [`LIMIT_BITS`] bits: see
+/// [`parse_rational_within`].
 ///
 /// # Errors
 /// An input error that quotes the text and says what was expected where.
@@ -30,16 +30,33 @@ pub const LIMIT_BITS: u32 = 1 << 20;
 /// assert_eq!(parse_rational("3/8 - 2^-3")?, parse_rational("0.25")?);
 /// assert_eq!(parse_rational("1e-2")?.to_string(), "1/100");
 /// assert!(parse_rational("1/0").is_err());
+/// assert!(parse_rational("1/3^500000").is_err());
 /// # Ok::<(), grazing::Error>(())
 /// ```
 pub fn parse_rational(text: &str) -> Result<BigRational> {
-    let mut reader = Reader { text, rest: text.trim() };
+    parse_rational_within(text, LIMIT_BITS)
+}
+
+/// [`parse_rational`] with a limit of the caller's: numerator and denominator have at most `bits` bits.
+///
+/// That holds at every step on the way, where a fraction is not in lowest terms: of the powers in a term, and of partial sums
+/// over a common denominator (the larger one where it is a multiple of the other, else the product). What would
+/// exceed it is refused before it is computed. Cost: at most one product or quotient of `bits` bits for each term, and
+/// one search for common factors, O(bits²), at the end.
+///
+/// # Errors
+/// As [`parse_rational`].
+pub fn parse_rational_within(text: &str, bits: u32) -> Result<BigRational> {
+    let mut reader = Reader { text, rest: text.trim(), bits };
     let mut total = reader.signed_term(true)?;
     while !reader.rest.is_empty() {
         let term = reader.signed_term(false)?;
-        total += term;
+        total = reader.fitting(total + &term)?;
     }
-    Ok(total)
+    match total.reduced() {
+        Some(value) => Ok(value),
+        None => reader.too_large(),
+    }
 }
 
 /// Reads a whole number in the same grammar, as in `10000`, `1e4` or `2^100`, into any integer type.
@@ -58,6 +75,7 @@ pub fn parse_integer<T: TryFrom<BigInt>>(text: &str) -> Result<T> {
 struct Reader<'a> {
     text: &'a str,
     rest: &'a str,
+    bits: u32,
 }
 
 impl<'a> Reader<'a> {
@@ -74,8 +92,9 @@ impl<'a> Reader<'a> {
 
     fn too_large<T>(&self) -> Result<T> {
         Err(Error::input(format!(
-            "{:?} is too large or too fine: a term may have at most {LIMIT_BITS} bits",
-            abbreviate(self.text)
+            "{:?} is too large or too fine: at most {} bits are allowed in numerator and denominator",
+            abbreviate(self.text),
+            self.bits
         )))
     }
 
@@ -101,7 +120,15 @@ impl<'a> Reader<'a> {
         }
     }
 
-    fn signed_term(&mut self, first: bool) -> Result<BigRational> {
+    fn fitting(&self, value: Fraction) -> Result<Fraction> {
+        if value.is_too_large() { self.too_large() } else { Ok(value) }
+    }
+
+    fn divides_by_zero<T>(&self) -> Result<T> {
+        Err(Error::input(format!("{:?} divides by zero", abbreviate(self.text))))
+    }
+
+    fn signed_term(&mut self, first: bool) -> Result<Fraction> {
         self.rest = self.rest.trim_start();
         let negative = match self.sign() {
             Some(negative) => negative,
@@ -114,37 +141,29 @@ impl<'a> Reader<'a> {
         Ok(if negative { -term } else { term })
     }
 
-    fn term(&mut self) -> Result<BigRational> {
+    fn term(&mut self) -> Result<Fraction> {
         let numerator = self.power()?;
         if !self.take('/') {
             return Ok(numerator);
         }
         let denominator = self.power()?;
         if denominator.is_zero() {
-            return Err(Error::input(format!("{:?} divides by zero", abbreviate(self.text))));
+            return self.divides_by_zero();
         }
-        Ok(numerator / denominator)
+        self.fitting(numerator / &denominator)
     }
 
-    fn power(&mut self) -> Result<BigRational> {
+    fn power(&mut self) -> Result<Fraction> {
         let base = self.decimal()?;
         if !self.take('^') {
             return Ok(base);
         }
         let exponent = self.exponent()?;
         if base.is_zero() && exponent < 0 {
-            return Err(Error::input(format!("{:?} divides by zero", abbreviate(self.text))));
+            return self.divides_by_zero();
         }
-        self.raise(base, exponent)
-    }
-
-    fn raise(&self, base: BigRational, exponent: i64) -> Result<BigRational> {
-        let bits = base.numer().bits().max(base.denom().bits());
-        if bits.saturating_mul(exponent.unsigned_abs()) > u64::from(LIMIT_BITS) {
-            return self.too_large();
-        }
-        let raised = pow(base, exponent.unsigned_abs() as usize);
-        Ok(if exponent < 0 { raised.recip() } else { raised })
+        let raised = self.fitting(base.power(exponent.unsigned_abs()))?;
+        Ok(if exponent < 0 { raised.reciprocal() } else { raised })
     }
 
     /// A signed exponent; one beyond `i64` is beyond the size limit too, whatever the base but 0 and ±1.
@@ -167,29 +186,33 @@ impl<'a> Reader<'a> {
         digits
     }
 
-    fn decimal(&mut self) -> Result<BigRational> {
+    fn decimal(&mut self) -> Result<Fraction> {
         let whole = self.digits();
         let fraction = if self.take('.') { self.digits() } else { "" };
         if whole.is_empty() && fraction.is_empty() {
             return self.fail("a digit");
         }
         let exponent = if self.take('e') || self.take('E') { self.exponent()? } else { 0 };
-        // Each decimal digit takes less than 3.33 bits.
-        if (whole.len() + fraction.len()) as u64 * 10 > u64::from(LIMIT_BITS) * 3 {
+        // Each digit but leading zeros takes more than 3.32 bits, each of the fraction in the denominator.
+        let limit = u64::from(self.bits);
+        let all = format!("{whole}{fraction}");
+        let all = all.trim_start_matches('0');
+        if all.is_empty() {
+            return Ok(Fraction::new(BigInt::ZERO, BigInt::one(), limit));
+        }
+        let too_many = |digits: u64| digits.saturating_mul(33) / 10 > limit + 4;
+        let exponent = exponent.saturating_sub(fraction.len() as i64);
+        if too_many(all.len() as u64) || too_many(exponent.unsigned_abs()) {
             return self.too_large();
         }
-        let all = format!("{whole}{fraction}");
         let value: BigInt = match all.parse() {
             Ok(value) => value,
             Err(_) => return self.fail("a digit"),
         };
-        let exponent = exponent.saturating_sub(fraction.len() as i64);
-        if value.is_zero() {
-            return Ok(BigRational::zero());
-        }
-        let ten = BigRational::from_integer(BigInt::from(10));
-        let scale = if exponent == 0 { BigRational::one() } else { self.raise(ten, exponent)? };
-        Ok(BigRational::from_integer(value) * scale)
+        let scale = pow(BigInt::from(10), exponent.unsigned_abs() as usize);
+        let (numerator, denominator) =
+            if exponent < 0 { (value, scale) } else { (value * scale, BigInt::one()) };
+        self.fitting(Fraction::new(numerator, denominator, limit))
     }
 }
 

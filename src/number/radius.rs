@@ -4,39 +4,58 @@ use std::ops::{Add, Mul};
 
 use num_bigint::BigInt;
 
-/// A bound m·2^e with 2³¹ ≤ m < 2³², or zero (m = 0), or infinity.
+use super::exponent::{Exponent, Misfit};
+
+/// A bound m·2^e with 2³¹ ≤ m < 2³², or zero (m = 0), or infinity (m = 2⁶⁴ − 1).
+///
+/// A bound whose exponent would not fit becomes infinite, or the least one above zero: always an upper bound.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Radius {
     m: u64,
-    e: i64,
+    e: Exponent,
 }
 
 impl Radius {
-    pub const ZERO: Radius = Radius { m: 0, e: 0 };
-    pub const ONE: Radius = Radius { m: 1 << 31, e: -31 };
-    pub const INFINITE: Radius = Radius { m: u64::MAX, e: i64::MAX };
+    pub const ZERO: Radius = Radius { m: 0, e: Exponent::ZERO };
+    pub const INFINITE: Radius = Radius { m: u64::MAX, e: Exponent::ZERO };
+    /// The least bound above zero, 2³¹·2^e for the lowest e.
+    const LEAST: Radius = Radius { m: 1 << 31, e: Exponent::LOWEST };
 
-    /// At least m·2^e, and at most 1 + 2⁻³¹ times that.
-    pub fn new(m: u64, e: i64) -> Radius {
+    /// 1.
+    pub fn one() -> Radius {
+        Radius::new(1, 0)
+    }
+
+    /// At least m·2^e, and at most 1 + 2⁻³¹ times that (or [`LEAST`](Radius::LEAST), or infinite).
+    pub fn new(m: u64, e: i128) -> Radius {
         if m == 0 {
             return Radius::ZERO;
         }
-        let shift = 32 - i64::from(m.leading_zeros());
+        let shift = 32 - i128::from(m.leading_zeros());
         if shift <= 0 {
-            return Radius { m: m << -shift, e: e + shift };
+            return Radius::fit(m << -shift, e + shift);
         }
         let m = ((m - 1) >> shift) + 1;
         // A carry to 2³² keeps the invariant by one more shift.
-        if m >> 32 == 0 { Radius { m, e: e + shift } } else { Radius { m: m >> 1, e: e + shift + 1 } }
+        if m >> 32 == 0 { Radius::fit(m, e + shift) } else { Radius::fit(m >> 1, e + shift + 1) }
     }
 
-    /// At least |x|·2^e, and at most 1 + 2⁻³⁰ times that.
-    pub fn of(x: &BigInt, e: i64) -> Radius {
+    /// m·2^e for 2³¹ ≤ m < 2³²; what is too small, m·2^e < 2³¹·2^LOWEST, is bounded by that.
+    fn fit(m: u64, e: i128) -> Radius {
+        match Exponent::fit(e) {
+            Ok(e) => Radius { m, e },
+            Err(Misfit::Below) => Radius::LEAST,
+            Err(Misfit::Above) => Radius::INFINITE,
+        }
+    }
+
+    /// At least |x|·2^e, and at most 1 + 2⁻³⁰ times that (or the least bound, or infinite).
+    pub fn of(x: &BigInt, e: i128) -> Radius {
         let mut digits = x.magnitude().iter_u64_digits().rev();
         let Some(top) = digits.next() else { return Radius::ZERO };
-        let lower = digits.len() as i64 * 64;
+        let lower = digits.len() as i128 * 64;
         let next = digits.next().unwrap_or(0);
-        let zeros = i64::from(top.leading_zeros());
+        let zeros = i128::from(top.leading_zeros());
         let lead = if zeros == 0 { top } else { (top << zeros) | (next >> (64 - zeros)) };
         Radius::new((lead >> 32) + 1, e + lower - zeros + 32)
     }
@@ -46,30 +65,33 @@ impl Radius {
     }
 
     pub fn is_infinite(self) -> bool {
-        self.e == i64::MAX
+        self.m == u64::MAX
     }
 
     /// Whether this bound is less than the other.
     pub fn is_below(self, other: Radius) -> bool {
+        if self.is_infinite() || other.is_infinite() {
+            return !self.is_infinite();
+        }
         !other.is_zero() && (self.is_zero() || (self.e, self.m) < (other.e, other.m))
     }
 
-    /// m and e: the bound is m·2^e.
-    pub fn parts(self) -> (u64, i64) {
-        (self.m, self.e)
+    /// m and e: the bound is m·2^e. Not for infinity.
+    pub fn parts(self) -> (u64, i128) {
+        (self.m, self.e.wide())
     }
 
-    /// An e with bound ≤ 2^e, for a bound that is not zero; `i64::MAX` for infinity.
-    pub fn exponent(self) -> i64 {
-        self.e.saturating_add(32)
+    /// Whether the bound is at most 2^e: certain if true, off by a factor of two at most if not.
+    pub fn is_within(self, e: i128) -> bool {
+        self.is_zero() || (!self.is_infinite() && self.e.wide() + 32 <= e)
     }
 
     /// At least self/(m·2^e), for m ≥ 2³¹.
-    pub fn over(self, m: u64, e: i64) -> Radius {
+    pub fn over(self, m: u64, e: i128) -> Radius {
         if self.is_infinite() || self.is_zero() {
             return self;
         }
-        Radius::new((self.m << 31) / m + 1, self.e - 31 - e)
+        Radius::new((self.m << 31) / m + 1, self.e.wide() - 31 - e)
     }
 }
 
@@ -87,9 +109,9 @@ impl Add for Radius {
             return self;
         }
         let (big, small) = if self.e >= other.e { (self, other) } else { (other, self) };
-        let distance = big.e - small.e;
+        let distance = big.e.wide() - small.e.wide();
         let small = if distance >= 32 { 1 } else { (small.m >> distance) + 1 };
-        Radius::new(big.m + small, big.e)
+        Radius::new(big.m + small, big.e.wide())
     }
 }
 
@@ -100,6 +122,6 @@ impl Mul for Radius {
         if self.is_infinite() || other.is_infinite() {
             return Radius::INFINITE;
         }
-        Radius::new(self.m * other.m, self.e + other.e)
+        Radius::new(self.m * other.m, self.e.wide() + other.e.wide())
     }
 }

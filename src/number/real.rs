@@ -53,6 +53,9 @@ pub trait Circular: Real {
     }
 
     /// The narrower of two enclosures of one number. Without enclosures: `self`.
+    ///
+    /// # Panics
+    /// If the two are disjoint: one of them would be wrong.
     #[must_use]
     fn tighter(self, other: Self) -> Self;
 }

@@ -18,15 +18,16 @@ use serde::{Serialize, Serializer};
 
 use crate::{
     error::{Error, Result},
-    number::{Real, Sign, parse_rational},
+    number::{Ball, Dual, FloatInterval, Fraction, Plain, Real, Sign, parse_rational_within},
     source::nearest,
 };
 
-/// Above this many factors and terms, powers written out, an expression is refused: no value is then longer than
-/// so many literals or parameters together.
+/// Above this many factors and terms, powers written out, an expression is refused.
 const LIMIT_SIZE: u64 = 256;
 /// The most bits of a literal's or parameter's numerator and denominator.
-pub(super) const LIMIT_BITS: u64 = 4096;
+pub(super) const LIMIT_BITS: u32 = 4096;
+/// The most bits of an exact value's numerator and denominator, not in lowest terms, at every step of its evaluation.
+const LIMIT_VALUE: u32 = 4 * LIMIT_BITS;
 const LIMIT_DEPTH: u32 = 32;
 
 /// A rational expression in a scene's parameters, which it knows by their places in the scene's list.
@@ -87,15 +88,45 @@ impl Expression {
     }
 
     /// Its value, `parameters` being the values of the names it was read with, in their order. An enclosure if
-    /// they are. Cost: at most 256 operations.
+    /// they are. Cost: at most 256 operations, on exact fractions of at most 16384 bits.
     ///
     /// # Errors
-    /// An input error for a division by what is certainly zero.
+    /// An input error for a division by what is certainly zero, and where an exact value, or a step on the way to it, would
+    /// have more than 16384 bits in its numerator or denominator.
     ///
     /// # Panics
     /// If there are fewer values than there were names.
-    pub fn evaluate<T: Real>(&self, parameters: &[T], context: &T::Context) -> Result<T> {
-        self.root.evaluate(parameters, context)
+    pub fn evaluate<T: Coefficient>(&self, parameters: &[T], context: &T::Context) -> Result<T> {
+        T::value(self, parameters, context)
+    }
+}
+
+/// A rung on which expressions are evaluated.
+pub trait Coefficient: Real {
+    /// [`Expression::evaluate`].
+    ///
+    /// # Errors
+    /// As [`Expression::evaluate`].
+    fn value(expression: &Expression, parameters: &[Self], context: &Self::Context) -> Result<Self> {
+        expression.root.evaluate(parameters, context)
+    }
+}
+
+impl Coefficient for Plain {}
+impl Coefficient for Dual {}
+impl Coefficient for FloatInterval {}
+impl Coefficient for Ball {}
+
+/// Without common factors divided out on the way, and no further than [`LIMIT_VALUE`].
+impl Coefficient for BigRational {
+    fn value(expression: &Expression, parameters: &[Self], (): &()) -> Result<Self> {
+        let limit = u64::from(LIMIT_VALUE);
+        let parameters: Vec<Fraction> = parameters.iter().map(|x| Fraction::ratio(x, &limit)).collect();
+        let value = expression.root.evaluate(&parameters, &limit)?;
+        value.reduced().ok_or_else(|| {
+            let message = "has a value, or a step on the way to it, of more than";
+            Error::input(format!("{message} {LIMIT_VALUE} bits in numerator or denominator"))
+        })
     }
 }
 
@@ -276,8 +307,7 @@ impl<'a> Parser<'a> {
             self.at = self.text.len() - tail.len();
             self.word(|c| c.is_ascii_digit());
         }
-        let value = parse_rational(&self.text[start..self.at])
-            .and_then(checked)
+        let value = parse_rational_within(&self.text[start..self.at], LIMIT_BITS)
             .map_err(|error| error.context(format_args!("at character {}", self.position(start))))?;
         Ok(Node::Number(value))
     }
@@ -319,10 +349,53 @@ pub(super) fn is_name(text: &str) -> bool {
 /// A number short enough for expressions of it to be short.
 pub(super) fn checked(value: BigRational) -> Result<BigRational> {
     let bits = value.numer().bits().max(value.denom().bits());
-    if bits > LIMIT_BITS {
+    if bits > LIMIT_BITS.into() {
         return Err(Error::input(format!(
             "has {bits} bits in its numerator or denominator; at most {LIMIT_BITS} are allowed"
         )));
     }
     Ok(value)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::parse_rational;
+
+    fn value(text: &str, parameters: &[&str]) -> Result<BigRational> {
+        let names = ["a".to_string(), "b".to_string()];
+        let values: Vec<_> = parameters.iter().map(|text| parse_rational(text).unwrap()).collect();
+        Expression::parse(text, &names)?.evaluate(&values, &())
+    }
+
+    /// These had no end, or took minutes.
+    #[test]
+    fn values_that_would_grow_are_refused_at_once() {
+        let long = ["3^2500/7^1400+2^-9", "5^1700/11^1100"];
+        for text in ["a^128*b^-128", "(a/b)^128", "a*a*a*a*a*a*b", "1/a+1/b+1/(a+1)+1/(b+1)+1/(a+b)"] {
+            let error = value(text, &long).unwrap_err().to_string();
+            assert!(error.contains("more than 16384 bits"), "{text}: {error}");
+        }
+        for literal in ["1e-1300", "1e1300", "0.5e2000"] {
+            let error = value(literal, &["0", "0"]).unwrap_err().to_string();
+            assert!(error.contains("at most 4096 bits"), "{error}");
+        }
+    }
+
+    /// Without common factors divided out on the way the values are the same.
+    #[test]
+    fn exact_values_are_in_lowest_terms() {
+        for (text, expected) in [
+            ("(a+b)^2-a^2-2*a*b-b^2", "0"),
+            ("a/b*b/a", "1"),
+            ("a^-3", "8"),
+            ("(a-b)/(a+b)^3", "36/125"),
+            ("-(1/6)-1/3", "-1/2"),
+        ] {
+            assert_eq!(value(text, &["1/2", "1/3"]).unwrap(), parse_rational(expected).unwrap(), "{text}");
+        }
+        assert!(value("1/(a-b)", &["1/2", "1/2"]).unwrap_err().to_string().contains("divides by zero"));
+        let sum = vec!["a"; 250].join("+");
+        assert_eq!(value(&sum, &["1/3^2000", "0"]).unwrap(), parse_rational("250/3^2000").unwrap());
+    }
 }

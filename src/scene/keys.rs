@@ -10,7 +10,7 @@ use num_rational::BigRational;
 use num_traits::ToPrimitive;
 use toml_edit::{Item, TableLike};
 
-use super::expression::{Expression, checked};
+use super::expression::{Expression, LIMIT_BITS};
 use crate::{
     error::{Error, Result},
     source::{Source, nearest, unknown},
@@ -148,8 +148,7 @@ impl<'a> Entry<'a> {
     /// An exact number.
     pub fn number(&self) -> Result<BigRational> {
         let value = self.item.as_value().ok_or_else(|| self.fail("is not a number"))?;
-        let number = self.scope.source.exact(&self.path, value)?;
-        checked(number).map_err(|error| self.fail(&error.to_string()))
+        self.scope.source.exact_within(&self.path, value, LIMIT_BITS)
     }
 
     pub fn text(&self) -> Result<&str> {

@@ -21,7 +21,7 @@ use std::{collections::BTreeMap, f64::consts::TAU, ops::Range};
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
-pub use expression::Expression;
+pub use expression::{Coefficient, Expression};
 pub use family::SceneFamily;
 pub use input::Accuracy;
 pub use keys::Key;
@@ -33,9 +33,11 @@ use self::task::Start;
 use crate::{
     error::{Error, Result},
     number::{Plain, Real},
-    oscillator::{Contact, Side, System, flow::State},
+    oscillator::{Contact, Side, System, flow::State, validate::Jet},
     source::{Source, nearest},
 };
+
+impl Coefficient for Jet {}
 
 /// An oscillator with named parameters, what to do with it, and how accurately.
 #[derive(Debug, Clone, PartialEq)]
@@ -150,7 +152,7 @@ impl Scene {
     }
 
     /// A coefficient's value, within the range of floats; an error names where it stands.
-    fn value<T: Real<Context = ()>>(
+    fn value<T: Coefficient<Context = ()>>(
         &self,
         expression: &Expression,
         values: &[T],

@@ -220,10 +220,7 @@ fn right_digits(value: f64, exact: Bounds) -> f64 {
 pub fn condition(at: &Point, quantity: Quantity) -> f64 {
     let precision = Precision::new(1024);
     let middle = |point: &Point| {
-        let ball = point.evaluate::<Ball>(quantity, &precision)?;
-        // A number of 2^±10⁹ would be written out.
-        let (lo, hi) =
-            if ball.exponent().unsigned_abs() < 100_000 { ball.exact_bounds()? } else { return None };
+        let (lo, hi) = point.evaluate::<Ball>(quantity, &precision)?.exact_bounds()?;
         Some((lo + hi) / BigInt::from(2))
     };
     let step = BigRational::new(1.into(), BigInt::one() << 300);
