@@ -22,6 +22,8 @@ fn conjecture_1_withstands_a_short_run() {
     let options = Options { cases: 5_000_000, ..options() };
     let tally = fuzz(&options, Tally::default(), &(), |_| Ok(())).unwrap();
     assert_eq!(tally.disagreements, Vec::<String>::new());
+    // Nor do two routes of this program to one answer differ, as they would if a sweep took another k.
+    assert_eq!(tally.faults, Vec::<String>::new());
     assert_eq!(tally.undecided, 0);
     assert!((options.cases..options.cases + 2 * options.block()).contains(&tally.decided()));
     assert!(tally.weighted > 500 && tally.repeated > 50 && tally.ball > 0 && tally.boundary > 0, "{tally:?}");

@@ -26,8 +26,9 @@ use crate::{
 /// eigenvalues of every kind. A disagreement is decided again, shrunk, printed with a command that shows it, and
 /// appended to a file that the tests replay. The same seed gives the same run whatever the number of threads.
 ///
-/// Exit code 0: no disagreement, which is no proof; 1: a confirmed disagreement; 2: wrong usage or a file that cannot be
-/// read or written; 3: some case is undecided, or interrupted.
+/// Exit code 0: no disagreement, which is no proof; 1: a confirmed disagreement, or an error of this program (two of its
+/// routes to one answer differ, shown with the point); 2: wrong usage or a file that cannot be read or written; 3: some
+/// case is undecided, or interrupted.
 #[derive(Debug, Parser)]
 pub(super) struct Args {
     /// The periods: N, or A..=B with 3 <= B <= 4096.
@@ -103,6 +104,7 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     }
     let outcome = match (&tally.disagreements[..], tally.undecided) {
         ([_, ..], _) => Outcome::Refuted,
+        _ if !tally.faults.is_empty() => Outcome::Refuted,
         _ if tally.decided() < options.cases => Outcome::Interrupted,
         ([], 0) => Outcome::Done,
         ([], _) => Outcome::Undecided,
@@ -182,6 +184,9 @@ fn speeds(tally: &Tally, rate: f64) {
 
 fn text(out: &mut dyn Write, args: &Args, options: &Options, tally: &Tally, outcome: Outcome) -> Result<()> {
     let verdict = match outcome {
+        Outcome::Refuted if tally.disagreements.is_empty() => {
+            "An error of this program: two of its routes to one answer differ. Please report it.".to_string()
+        }
         Outcome::Refuted => "Refuted: the definition and the claim disagree.".to_string(),
         Outcome::Interrupted => format!(
             "Interrupted: no disagreement found in {} of {} cases. This is no proof.",
@@ -210,6 +215,9 @@ fn text(out: &mut dyn Write, args: &Args, options: &Options, tally: &Tally, outc
         "Cases come in blocks of about {}: the run ends with the block that reaches --cases.",
         options.block()
     )?;
+    for fault in &tally.faults {
+        writeln!(out, "{fault}")?;
+    }
     for line in &tally.disagreements {
         let case: Case = line.parse()?;
         writeln!(out, "{line}\n  shown by: grazing classify {}", case.arguments())?;

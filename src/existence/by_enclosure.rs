@@ -236,6 +236,27 @@ mod tests {
         (cover.pieces.len(), failure)
     }
 
+    /// An interval that is missing among the claims is found, with its m and its case.
+    #[test]
+    fn a_missing_interval_is_reported_as_it_is() {
+        for n in 3..=20 {
+            let claims: Vec<_> = intervals(n).unwrap().collect();
+            for (i, missing) in claims.iter().enumerate() {
+                let others = claims.iter().enumerate().filter(|(j, _)| *j != i).map(|(_, c)| c.clone());
+                // Where the gap is cut, or another piece of it is open, the report names that piece.
+                let Some(Failure::Refuted(report)) = cover(n, others).1 else { continue };
+                let (Some(found), None) = *report else { panic!("n = {n}: nothing is found") };
+                assert_eq!((found.n, found.m, found.case), (n, missing.m, missing.case));
+                assert!(missing.left <= found.left && found.right <= missing.right);
+            }
+            let reported = |i: usize| {
+                let others = claims.iter().enumerate().filter(move |(j, _)| *j != i).map(|(_, c)| c.clone());
+                matches!(cover(n, others).1, Some(Failure::Refuted(_)))
+            };
+            assert!((0..claims.len()).filter(|&i| reported(i)).count() >= 2, "n = {n}");
+        }
+    }
+
     /// Every claim that differs from the theorem is refuted or left open, none proved.
     #[test]
     fn false_claims_are_not_proved() {

@@ -42,6 +42,14 @@ pub enum Variant {
 /// What is claimed for period n ≥ 1 at `point`, whose determinant must be at most 1. Cost: one sign, and for (a₁, a₂) in
 /// region 3 the integers u_1, …, u_n.
 pub fn claimed(ladder: &Ladder, point: &Point, n: u64, variant: Variant) -> Claim {
+    claimed_with(&|point, quantity| ladder.sign(point, quantity).answer, point, n, variant)
+}
+
+/// Where a claim takes its one sign from.
+type Signs<'a> = &'a dyn Fn(&Point, Quantity) -> Answer;
+
+/// [`claimed`], with the sign from elsewhere than the ladder.
+pub(crate) fn claimed_with(signs: Signs, point: &Point, n: u64, variant: Variant) -> Claim {
     let region = match point {
         Point::Polar(_) => Region::Three,
         Point::Plane(plane) => plane.region(),
@@ -53,17 +61,17 @@ pub fn claimed(ladder: &Ladder, point: &Point, n: u64, variant: Variant) -> Clai
         Region::Line => Claim::Boundary,
         Region::Three | Region::Four if n == 1 => Claim::Orbit(Case::PlusMinus),
         Region::Three => match half_turns(point, n) {
-            Some(half_turns) => in_region_3(ladder, point, n, half_turns, variant),
+            Some(half_turns) => in_region_3(signs, point, n, half_turns, variant),
             None => Claim::Boundary,
         },
         Region::Four if n == 2 => Claim::Orbit(Case::PlusPlus),
         Region::Four if n.is_multiple_of(2) => Claim::None,
-        Region::Four => decided_by(ladder, point, n, n - 2, Case::PlusMinus),
+        Region::Four => decided_by(signs, point, n, n - 2, Case::PlusMinus),
     }
 }
 
 /// The claim for n ≥ 2 where 2ns lies strictly between `half_turns` and the next integer.
-fn in_region_3(ladder: &Ladder, point: &Point, n: u64, half_turns: u64, variant: Variant) -> Claim {
+fn in_region_3(signs: Signs, point: &Point, n: u64, half_turns: u64, variant: Variant) -> Claim {
     let m = half_turns.div_ceil(2);
     if m == 0 {
         return match (variant, point) {
@@ -88,14 +96,14 @@ fn in_region_3(ladder: &Ladder, point: &Point, n: u64, half_turns: u64, variant:
     };
     // Left of m/n in s, where 2ns < 2m, the area is (+,+), right of it (+,−).
     if half_turns % 2 == 1 {
-        decided_by(ladder, point, n, n_minus, Case::PlusPlus)
+        decided_by(signs, point, n, n_minus, Case::PlusPlus)
     } else {
-        decided_by(ladder, point, n, n_plus, Case::PlusMinus)
+        decided_by(signs, point, n, n_plus, Case::PlusMinus)
     }
 }
 
-fn decided_by(ladder: &Ladder, point: &Point, n: u64, k: u64, case: Case) -> Claim {
-    match ladder.sign(point, Quantity::B { n, k }).answer {
+fn decided_by(signs: Signs, point: &Point, n: u64, k: u64, case: Case) -> Claim {
+    match signs(point, Quantity::B { n, k }) {
         Answer::Sign(Sign::Positive) => Claim::Orbit(case),
         Answer::Sign(Sign::Negative) => Claim::None,
         Answer::Sign(Sign::Zero) | Answer::Singular => Claim::Boundary,

@@ -20,6 +20,7 @@ mod tip;
 pub use boundary::{Boundary, Enclosure};
 pub use by_enclosure::{Enclosed, decide_by_enclosure};
 pub use case::Case;
+pub(crate) use claim::claimed_with;
 pub use claim::{Claim, Variant, claimed};
 pub use decide::{Decision, Piece, Reason, decide};
 pub use eigenvalue::large_eigenvalue_sign;

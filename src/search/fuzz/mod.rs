@@ -3,8 +3,11 @@
 //! Half of the cases come from sweeps: (r, s) uniform, every n ≤ N in one pass of the record form (`sweep`); half of
 //! the rest of the work goes to single cases drawn near the places where something could fail (`weighted`), decided k by k
 //! on the ladder. A run is a list of units; unit i of a seed is the same whatever the number of threads. Finding no
-//! disagreement proves nothing; a disagreement is decided again, shrunk, and can be replayed.
+//! disagreement proves nothing; a disagreement is decided again, shrunk, and can be replayed. Where two routes of this program
+//! to one answer differ, that is an error of its own, reported with the point.
 
+mod apart;
+mod compare;
 mod random;
 mod sweep;
 mod weighted;
@@ -17,13 +20,15 @@ use serde::{Deserialize, Serialize};
 
 use crate::{
     error::{Error, Result},
-    existence::{Claim, Existence, Variant, by_definition, claimed, definition_and_rung},
-    local::{Ladder, Plane, Point, Polar, Region, Rung},
+    existence::Variant,
+    local::{Ladder, Plane, Point, Polar},
     monitor::Monitor,
     number::parse_rational,
     processor::thread_seconds,
     random::Random,
 };
+pub(super) use compare::differ;
+use compare::{contradiction, one_case, shrink};
 use sweep::Sweep;
 
 /// A period and a point.
@@ -114,6 +119,9 @@ pub struct Tally {
     pub weighted_seconds: f64,
     /// Confirmed disagreements, shrunk, as lines of a regression file.
     pub disagreements: Vec<String>,
+    /// Errors of this program: what two routes to one answer differ in, and the case.
+    #[serde(default)]
+    pub faults: Vec<String>,
 }
 
 impl Tally {
@@ -135,6 +143,7 @@ impl Tally {
         self.sweep_seconds += other.sweep_seconds;
         self.weighted_seconds += other.weighted_seconds;
         self.disagreements.extend(other.disagreements);
+        self.faults.extend(other.faults);
         self
     }
 }
@@ -144,8 +153,6 @@ const SWEEP_POINTS: u64 = 256;
 const WEIGHTED_CASES: u64 = 4;
 /// The least period of a sweep.
 const FIRST_SWEPT: u64 = 3;
-/// Up to this period a point (a₁, a₂) is decided in reversed time too.
-const REVERSED: u64 = 24;
 /// The most units between two checkpoints.
 const CHUNK: u64 = 512;
 
@@ -206,7 +213,7 @@ impl Tally {
         // Every point of a sweep is one case for each period, a repeated one is decided once more, and weighted cases are cases.
         let cases = self.units * SWEEP_POINTS * options.periods() + self.repeated + self.weighted;
         let counted: u64 = parts.iter().sum();
-        let differing = self.disagreements.len() as u64;
+        let differing = (self.disagreements.len() + self.faults.len()) as u64;
         if counted > cases || cases - counted > differing {
             return bad("the counts do not add up");
         }
@@ -225,7 +232,7 @@ impl Tally {
 }
 
 /// Runs from `tally` on until enough cases are decided or the monitor interrupts; `checkpoint` sees every state from which
-/// the run can go on. Ends early once a disagreement is found. What is counted is whole units: at least `options.cases` cases unless it ends early, and
+/// the run can go on. Ends early once a disagreement or an error of this program is found. What is counted is whole units: at least `options.cases` cases unless it ends early, and
 /// less than one unit more.
 ///
 /// # Errors
@@ -239,7 +246,7 @@ pub fn fuzz(
     tally.check(options)?;
     let ladder = Ladder::default();
     let sweep = Sweep::new(options.last as usize);
-    while tally.decided() < options.cases && tally.disagreements.is_empty() {
+    while tally.decided() < options.cases && tally.disagreements.is_empty() && tally.faults.is_empty() {
         let first = tally.units;
         let wanted = (options.cases - tally.decided()).div_ceil(options.block()).clamp(1, CHUNK);
         let units: Vec<Option<Tally>> = (first..first + wanted)
@@ -290,21 +297,20 @@ fn run_unit(
             if (n as u64) < options.first {
                 return;
             }
-            let (defined, claim) = (swept.defined, swept.claimed);
-            if n as u64 == repeated {
-                tally.repeated += 1;
-                one_case(ladder, dyadic(n, r, s), Variant::True, &mut tally);
-                let existence = by_definition(ladder, &dyadic(n, r, s).point, n as u64);
-                if defined
-                    .is_some_and(|found| found.into_iter().collect::<Vec<_>>() != existence.cases(n as u64))
-                {
-                    tally.disagreements.push(dyadic(n, r, s).to_string());
-                }
+            let agreed = swept.defined.is_some() && swept.defined == swept.claimed;
+            tally.swept += u64::from(agreed);
+            let repeated = n as u64 == repeated;
+            tally.repeated += u64::from(repeated);
+            if agreed && !repeated {
+                return;
             }
-            match (defined, claim) {
-                (Some(found), Some(claim)) if found == claim => tally.swept += 1,
-                // Open, or an apparent disagreement: decided again on the ladder.
-                _ => one_case(ladder, dyadic(n, r, s), Variant::True, &mut tally),
+            let case = dyadic(n, r, s);
+            if let Some(what) = contradiction(ladder, &case, &swept) {
+                tally.faults.push(format!("{what}: {case}"));
+            }
+            // Open or an apparent disagreement; and one chosen to be decided again whatever the sweep says.
+            for _ in 0..u32::from(!agreed) + u32::from(repeated) {
+                one_case(ladder, case.clone(), Variant::True, &mut tally);
             }
         });
     }
@@ -337,80 +343,4 @@ fn dyadic(n: usize, r: u64, s: u64) -> Case {
     let s = BigRational::new(s.into(), (1u64 << 54).into());
     let polar = Polar::new(r, s).expect("a sweep's point is in region 3");
     Case { n: n as u64, point: Point::Polar(polar) }
-}
-
-/// How one case compares.
-enum Comparison {
-    Agree(Rung),
-    Boundary,
-    Undecided,
-    Differ,
-}
-
-fn compare(ladder: &Ladder, case: &Case, variant: Variant) -> Comparison {
-    let Case { n, point } = case;
-    let (found, rung) = definition_and_rung(ladder, point, *n);
-    let cases = found.cases(*n);
-    let claim = match claimed(ladder, point, *n, variant) {
-        Claim::Orbit(case) => Existence::Orbit(case).cases(*n),
-        Claim::None => Vec::new(),
-        Claim::Undecided => return Comparison::Undecided,
-        // On a boundary nothing is claimed, but an orbit there would lie in no area. For odd n the line a₁ = −(a₂ + 1), which
-        // belongs to no region, has them.
-        Claim::Boundary if matches!(found, Existence::Orbit(_)) && !on_line(point) => {
-            return Comparison::Differ;
-        }
-        Claim::Boundary => return Comparison::Boundary,
-    };
-    // The same orbits exist in reversed time, where a₁ and a₂ are a₁/a₂ and 1/a₂.
-    if let Point::Plane(plane) = point
-        && *n <= REVERSED
-        && let Ok(reversed) = Plane::new(plane.a1() / plane.a2(), plane.a2().recip())
-    {
-        let other = by_definition(ladder, &Point::Plane(reversed), *n);
-        if other != Existence::Undecided && other.cases(*n) != cases {
-            return Comparison::Differ;
-        }
-    }
-    match found {
-        Existence::Undecided => Comparison::Undecided,
-        Existence::Orbit(_) | Existence::None { .. } if cases == claim => Comparison::Agree(rung),
-        _ => Comparison::Differ,
-    }
-}
-
-fn on_line(point: &Point) -> bool {
-    matches!(point, Point::Plane(plane) if plane.region() == Region::Line)
-}
-
-pub(super) fn differ(ladder: &Ladder, case: &Case, variant: Variant) -> bool {
-    matches!(compare(ladder, case, variant), Comparison::Differ)
-}
-
-/// Decides and counts one case on the ladder; time reversal must not change what exists.
-fn one_case(ladder: &Ladder, case: Case, variant: Variant, tally: &mut Tally) {
-    match compare(ladder, &case, variant) {
-        Comparison::Agree(Rung::Ball(_)) => tally.ball += 1,
-        Comparison::Agree(Rung::Exact) => tally.exact += 1,
-        Comparison::Agree(_) => tally.interval += 1,
-        Comparison::Boundary => tally.boundary += 1,
-        Comparison::Undecided => tally.undecided += 1,
-        Comparison::Differ => tally.disagreements.push(shrink(ladder, case, variant).to_string()),
-    }
-}
-
-/// A simple case that differs too: the first of the small ones, or else one near this case, each step taking the first
-/// simplification that still differs.
-fn shrink(ladder: &Ladder, mut case: Case, variant: Variant) -> Case {
-    if let Some(small) = weighted::small_cases().find(|small| differ(ladder, small, variant)) {
-        return small;
-    }
-    let size = |case: &Case| case.n as usize + case.to_string().len() * 8;
-    while let Some(better) = weighted::simpler(&case)
-        .into_iter()
-        .find(|simpler| size(simpler) < size(&case) && differ(ladder, simpler, variant))
-    {
-        case = better;
-    }
-    case
 }

@@ -140,13 +140,20 @@ impl Sweep {
         }
         let (k, case) =
             if half_turns % 2 == 1 { (n - n_plus, Case::PlusPlus) } else { (n_plus, Case::PlusMinus) };
-        let numerator = self.y[n] - self.y[k] - self.rho[k] * self.rho[k] * self.y[n - k];
-        // Every term is at most r^k (1 + E). Errors in units of r^k: E_n + E_k + E_{n−k} = 2n 2⁻⁴⁹ from the powers, 12k·u
-        // from the square of the bound ρ_k, which exceeds r^k by at most 6k·u of it, and 6u from the sums: below 4n 2⁻⁴⁹.
-        if numerator.abs() <= error(4 * n) * self.rho[k] {
+        let (numerator, bound) = self.numerator(n, k);
+        if numerator.abs() <= bound {
             return None;
         }
         Some(((numerator > 0.0) == u_positive).then_some(case))
+    }
+
+    /// Im λⁿ − Im λ^k − r^{2k} Im λ^{n−k}, and a bound on its error.
+    ///
+    /// Every term is at most r^k (1 + E). Errors in units of r^k: E_n + E_k + E_{n−k} = 2n 2⁻⁴⁹ from the powers, 12k·u
+    /// from the square of the bound ρ_k, which exceeds r^k by at most 6k·u of it, and 6u from the sums: below 4n 2⁻⁴⁹.
+    fn numerator(&self, n: usize, k: usize) -> (f64, f64) {
+        let value = self.y[n] - self.y[k] - self.rho[k] * self.rho[k] * self.y[n - k];
+        (value, error(4 * n) * self.rho[k])
     }
 }
 
@@ -171,4 +178,127 @@ fn ratio(x: f64, y: f64, j: usize, rho: f64) -> (f64, f64) {
     let t = y / d;
     let bound = 2.0 * (e + t.abs() * e1) / d + t.abs() * (1.0 / (1u64 << 50) as f64);
     (t - bound, t + bound)
+}
+
+#[cfg(test)]
+mod tests {
+    use num_traits::{One, Signed};
+
+    use super::*;
+    use crate::{
+        local::{Ladder, Point, Polar, Quantity},
+        number::{Ball, Precision},
+        random::Random,
+    };
+
+    const LAST: usize = 60;
+
+    fn fraction(p: u64, bits: u32) -> BigRational {
+        BigRational::new_raw(p.into(), (1u64 << bits).into())
+    }
+
+    fn exact(x: f64) -> BigRational {
+        BigRational::from_float(x).unwrap()
+    }
+
+    /// λ^j for the sweep's point, from a sine of an exact angle: another route than products.
+    fn power(r: u64, s: u64, j: usize, precision: &Precision) -> [BigRational; 2] {
+        let angle = Angle::new(&fraction(s, 53)).times(j as u64);
+        let modulus = num_traits::pow(fraction(r, 53), j);
+        [Ball::cos(&angle, precision), Ball::sin(&angle, precision)].map(|x| {
+            let (low, high) = x.exact_bounds().unwrap();
+            (low + high) / BigRational::from_integer(2.into()) * &modulus
+        })
+    }
+
+    fn points(random: &mut Random, count: usize) -> Vec<(u64, u64)> {
+        // From r ≥ ½ on nothing underflows within n ≤ 60.
+        (0..count).map(|_| (random.next() >> 12 | 1 << 52 | 1, random.next() >> 11 | 1)).collect()
+    }
+
+    /// Powers, numerators and quotients lie within their bounds, and not on the floats themselves.
+    #[test]
+    fn the_error_bounds_hold_and_are_needed() {
+        let (precision, mut random) = (Precision::new(300), Random::of_unit(5, 0));
+        let mut sweep = Sweep::new(LAST);
+        let mut off = 0;
+        for (r, s) in points(&mut random, 12) {
+            sweep.run(r, s, |_, _| {});
+            let powers: Vec<_> = (0..=LAST).map(|j| power(r, s, j, &precision)).collect();
+            for j in 1..=LAST {
+                let bound = exact(error(j)) * exact(sweep.rho[j]);
+                assert!((exact(sweep.y[j]) - &powers[j][1]).abs() <= bound, "Im λ^{j}");
+                assert!(exact(sweep.rho[j]) >= num_traits::pow(fraction(r, 53), j));
+                off += usize::from(exact(sweep.y[j]) != powers[j][1]);
+                // From a power as far off as it may be.
+                let shift = error(j) * sweep.rho[j] * 0.9;
+                let [x, y] = powers[j].each_ref().map(|x| num_traits::ToPrimitive::to_f64(x).unwrap());
+                for (dx, dy) in [(shift, shift), (shift, -shift), (-shift, shift), (-shift, -shift)] {
+                    let (low, high) = ratio(x + dx, y + dy, j, sweep.rho[j]);
+                    let true_value = &powers[j][1] / (BigRational::one() - &powers[j][0]);
+                    assert!(
+                        low == f64::NEG_INFINITY || exact(low) <= true_value && true_value <= exact(high)
+                    );
+                }
+            }
+            for n in 3..=LAST {
+                for k in [1, n / 2, n - 1] {
+                    let weight = num_traits::pow(fraction(r, 53), 2 * k);
+                    let true_value = &powers[n][1] - &powers[k][1] - weight * &powers[n - k][1];
+                    let (value, bound) = sweep.numerator(n, k);
+                    assert!((exact(value) - &true_value).abs() <= exact(bound), "n = {n}, k = {k}");
+                    off += usize::from(exact(value) != true_value);
+                }
+            }
+        }
+        assert!(off > 1000, "{off}");
+    }
+
+    /// On either side of a zero of the deciding b, and next to one of u_n, nothing is decided by floats.
+    #[test]
+    fn near_zeros_are_left_open() {
+        let ladder = Ladder::default();
+        let (mut random, mut sweep) = (Random::of_unit(6, 0), Sweep::new(12));
+        let mut found = 0;
+        for (_, s) in points(&mut random, 60) {
+            for n in 3..=12 {
+                let half_turns = ((n as u128 * u128::from(s)) >> 53) as usize;
+                let k = match sweep.neighbours.n_plus(n, half_turns.div_ceil(2).min(n / 2)) {
+                    _ if half_turns == 0 => continue,
+                    0 => continue,
+                    n_plus if half_turns % 2 == 1 => n - n_plus,
+                    n_plus => n_plus,
+                };
+                let sign = |r: u64| {
+                    let point = Point::Polar(Polar::new(fraction(r, 53), fraction(s, 54)).unwrap());
+                    ladder.sign(&point, Quantity::B { n: n as u64, k: k as u64 }).answer
+                };
+                let (mut low, mut high) = (1u64 << 51, (1 << 53) - 1);
+                if sign(low) == sign(high) {
+                    continue;
+                }
+                while high - low > 1 {
+                    let middle = (low + high) / 2;
+                    if sign(middle) == sign(low) { low = middle } else { high = middle }
+                }
+                for r in [low, high] {
+                    sweep.run(r, s, |at, swept| {
+                        assert!(at != n || swept.claimed.is_none(), "n = {n}, k = {k}: {swept:?}");
+                    });
+                    found += 1;
+                }
+            }
+        }
+        assert!(found > 20, "{found}");
+        // 2ns within 2⁻⁵⁰ of an integer.
+        for n in [3u64, 4, 5, 8, 12] {
+            for m in 1..n.div_ceil(2) {
+                let s = ((m << 54) / (2 * n)) | 1;
+                sweep.run((1 << 53) - 1, s, |at, swept| {
+                    let open = swept.defined.is_none() && swept.claimed.is_none();
+                    assert!(at as u64 != n || open, "n = {n}, m = {m}: {swept:?}");
+                });
+            }
+        }
+    }
 }
