@@ -189,7 +189,13 @@ fn wrong_numbers_are_named() {
 /// The pictures in the documentation are those that the program draws today.
 #[test]
 fn checked_in_figures_are_current() {
-    for (arguments, name) in [("2", "figure2"), ("4", "figure4"), ("5", "figure5"), ("records", "records")] {
+    for (arguments, name) in [
+        ("2", "figure2"),
+        ("4", "figure4"),
+        ("5", "figure5"),
+        ("records", "records"),
+        ("words --n 20", "words"),
+    ] {
         let (rows, svg) = draw(arguments, name);
         let kept =
             |extension| fs::read_to_string(Path::new("docs").join(format!("{name}.{extension}"))).unwrap();

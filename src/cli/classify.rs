@@ -14,6 +14,7 @@ use crate::{
     local::{Ladder, Plane, Point, Polar, Region},
     number::parse_rational,
     output::{Cell, Column, Destination, TableFormat, TableWriter},
+    word::{Extent, Word},
 };
 
 /// The largest --max-n.
@@ -78,6 +79,7 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
         if args.format == TableFormat::Table && destination == Destination::Stdout {
             let time = if reversed { ", after reversing time (a2 > 1)" } else { "" };
             writeln!(out, "{}{time}", describe(region))?;
+            words(&point, out)?;
         }
         write(args.format, region, reversed, &found, out)
     });
@@ -113,6 +115,29 @@ pub(super) fn normalised(
         }
         _ => Err(Error::input("give a point by --a1 and --a2, or by --r and --s")),
     }
+}
+
+/// The words for both signs of eµ, as far as they are soon found.
+fn words(point: &Point, out: &mut dyn Write) -> Result<()> {
+    const SHOWN: usize = 12;
+    for positive in [true, false] {
+        let word = Word::at(&Ladder::new(1024), point, positive, SHOWN, &())?;
+        let periods: Vec<String> = word.vertices().iter().map(|vertex| vertex.period.to_string()).collect();
+        let sign = if positive { '>' } else { '<' };
+        match word.extent() {
+            Extent::Line => {}
+            Extent::All => writeln!(out, "e*mu {sign} 0: every period can occur between impacts")?,
+            _ => {
+                let more = if word.is_whole() { "" } else { ", ..." };
+                let (letters, periods) = (word.letters(), periods.join(", "));
+                writeln!(
+                    out,
+                    "e*mu {sign} 0: word {letters}{more}, periods between impacts {periods}{more}"
+                )?;
+            }
+        }
+    }
+    Ok(())
 }
 
 pub(super) fn describe(region: Region) -> &'static str {

@@ -4,13 +4,14 @@ use std::{io::Write, path::PathBuf};
 
 use clap::{Parser, ValueEnum};
 
-use super::{Outcome, range::Periods};
+use super::{Outcome, range::Periods, two_impacts};
 use crate::{
     cli::progress::{Interrupt, Progress},
     error::{Error, Result},
     existence::{MAX_PERIOD, intervals},
     monitor::Monitor,
     output::{Cell, Column, Destination, TableFormat, TableWriter, decimal},
+    word,
 };
 
 /// List Theorem 2's intervals of s: where on r = 1 single-impact orbits of period n exist.
@@ -19,12 +20,21 @@ use crate::{
 /// b_{n,k} alone decides existence for r < 1. Periods 1 and 2 get their intervals from the summary by period. The
 /// format bfile lists the number of intervals of each n instead.
 ///
+/// With --pattern I,J, or --two-impacts for all patterns of two impacts of a period: the intervals of s where on r = 1 an
+/// orbit with two impacts exists, the periods between them being I and J.
+///
 /// Exit code 0: done; 2: wrong usage or a file that cannot be written; 3: interrupted.
 #[derive(Debug, Parser)]
 pub(super) struct Args {
     /// The periods: N, or A..=B. At most 10000000.
-    #[arg(value_name = "N|A..=B")]
-    periods: Periods,
+    #[arg(value_name = "N|A..=B", required_unless_present_any = ["pattern", "two_impacts"])]
+    periods: Option<Periods>,
+    /// The pattern of two impacts with these periods between them, as in 3,5.
+    #[arg(long, value_name = "I,J", value_parser = two_impacts::pattern, conflicts_with_all = ["periods", "two_impacts"])]
+    pattern: Option<(u64, u64)>,
+    /// All patterns of two impacts of these periods, I + J = N from 3 to 2000.
+    #[arg(long, value_name = "N|A..=B", conflicts_with = "periods")]
+    two_impacts: Option<Periods>,
     /// How the table is written.
     #[arg(long, value_enum, default_value_t = Format::Table)]
     pub(super) format: Format,
@@ -53,37 +63,54 @@ pub(super) enum Format {
 }
 
 pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
-    args.periods.within(MAX_PERIOD, "intervals")?;
     if let Some(digits) = args.decimals.filter(|&digits| digits > 1000) {
         return Err(Error::input(format!("--decimals {digits} is too many: at most 1000")));
     }
     let destination = Destination::new(args.output.as_deref())?;
-    let progress = Progress::new(interrupt, args.periods.count(), "periods");
     let format = match args.format {
-        Format::Table => TableFormat::Table,
-        Format::Csv => TableFormat::Csv,
-        Format::Json => TableFormat::Json,
-        Format::Latex => TableFormat::Latex,
-        Format::Markdown => TableFormat::Markdown,
-        Format::Bfile => {
-            destination.list(|out| bfile(args, out, &progress))?;
-            return Ok(Outcome::Done);
-        }
+        Format::Table => Some(TableFormat::Table),
+        Format::Csv => Some(TableFormat::Csv),
+        Format::Json => Some(TableFormat::Json),
+        Format::Latex => Some(TableFormat::Latex),
+        Format::Markdown => Some(TableFormat::Markdown),
+        Format::Bfile => None,
     };
-    destination.list(|out| table(args, format, out, &progress))?;
+    if let Some((i, j)) = args.pattern {
+        let pattern = || Ok(word::two_impacts(i, j)?.into_iter());
+        two_impacts::run(&[i + j], |_| pattern(), format, args.decimals, &destination, interrupt)?;
+        return Ok(Outcome::Done);
+    }
+    if let Some(periods) = &args.two_impacts {
+        let all = two_impacts::periods(periods)?;
+        two_impacts::run(&all, word::two_impacts_of, format, args.decimals, &destination, interrupt)?;
+        return Ok(Outcome::Done);
+    }
+    let Some(periods) = &args.periods else { return Err(Error::input("give the periods: N, or A..=B")) };
+    periods.within(MAX_PERIOD, "intervals")?;
+    let progress = Progress::new(interrupt, periods.count(), "periods");
+    match format {
+        None => destination.list(|out| bfile(periods, out, &progress))?,
+        Some(format) => destination.list(|out| table(periods, args.decimals, format, out, &progress))?,
+    }
     Ok(Outcome::Done)
 }
 
-fn bfile(args: &Args, out: &mut dyn Write, progress: &Progress) -> Result<()> {
-    for n in args.periods.0.clone() {
+fn bfile(periods: &Periods, out: &mut dyn Write, progress: &Progress) -> Result<()> {
+    for n in periods.0.clone() {
         writeln!(out, "{n} {}", intervals(n)?.count())?;
         progress.advance(1)?;
     }
     Ok(())
 }
 
-fn table(args: &Args, format: TableFormat, out: &mut dyn Write, progress: &Progress) -> Result<()> {
-    let digits = args.periods.0.end().to_string().len();
+fn table(
+    periods: &Periods,
+    decimals: Option<usize>,
+    format: TableFormat,
+    out: &mut dyn Write,
+    progress: &Progress,
+) -> Result<()> {
+    let digits = periods.0.end().to_string().len();
     let mut columns = vec![
         Column::new("n", "$n$", digits),
         Column::new("m", "$m$", digits),
@@ -93,20 +120,25 @@ fn table(args: &Args, format: TableFormat, out: &mut dyn Write, progress: &Progr
         Column::new("right", "right end", 2 * digits + 2),
         Column::new("deciding", "deciding $k$", 0),
     ];
-    if let Some(decimals) = args.decimals {
+    if let Some(decimals) = decimals {
         columns.push(Column::new("left_rounded", "left (rounded)", decimals + 2));
         columns.push(Column::new("right_rounded", "right (rounded)", decimals + 2));
     }
     let mut table = TableWriter::new(out, format, "grazing-intervals 1", columns)?;
-    let rows = rows(args, &mut table, progress);
+    let rows = rows(periods, decimals, &mut table, progress);
     table.end(rows)
 }
 
-fn rows(args: &Args, table: &mut TableWriter, progress: &Progress) -> Result<()> {
-    for n in args.periods.0.clone() {
+fn rows(
+    periods: &Periods,
+    decimals: Option<usize>,
+    table: &mut TableWriter,
+    progress: &Progress,
+) -> Result<()> {
+    for n in periods.0.clone() {
         // One period of ten million takes seconds: listen for Ctrl-C within it too.
         for (index, interval) in intervals(n)?.enumerate() {
-            let rounded = args.decimals.map(|d| (decimal(&interval.left, d), decimal(&interval.right, d)));
+            let rounded = decimals.map(|d| (decimal(&interval.left, d), decimal(&interval.right, d)));
             let mut cells = [Cell::Empty; 9];
             cells[..7].copy_from_slice(&[
                 Cell::Int(n as i64),

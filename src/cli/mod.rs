@@ -16,6 +16,7 @@ pub(crate) mod progress;
 mod range;
 mod reader;
 mod run;
+mod two_impacts;
 mod verify;
 mod word;
 

@@ -1,0 +1,108 @@
+//! `grazing intervals --pattern` and `--two-impacts`: where on r = 1 patterns of two impacts exist.
+
+use num_rational::Ratio;
+
+use super::range::Periods;
+use crate::{
+    cli::progress::{Interrupt, Progress},
+    error::{Error, Result},
+    existence::MAX_PERIOD,
+    monitor::Monitor,
+    output::{Cell, Column, Destination, TableFormat, TableWriter, decimal},
+    word::PatternInterval,
+};
+
+/// The largest period of --two-impacts: there are about n²/7 intervals of period n.
+const LIMIT: u64 = 2000;
+
+/// Reads I,J.
+pub(super) fn pattern(text: &str) -> Result<(u64, u64)> {
+    let part = |part: &str| part.trim().parse::<u64>().ok();
+    let pair = text.split_once(',').and_then(|(i, j)| Some((part(i)?, part(j)?)));
+    let ordered = pair.map(|(i, j)| (i.min(j), i.max(j)));
+    ordered.filter(|&(i, j)| i >= 1 && i < j && j <= MAX_PERIOD && i + j <= MAX_PERIOD).ok_or_else(|| {
+        Error::input(format!(
+            "{text:?} is not a pattern of two impacts: two different periods with a comma between, as in 3,5, \
+             together at most {MAX_PERIOD}"
+        ))
+    })
+}
+
+/// The periods of --two-impacts.
+pub(super) fn periods(range: &Periods) -> Result<Vec<u64>> {
+    let (first, last) = (*range.0.start(), *range.0.end());
+    if first < 3 || last > LIMIT {
+        return Err(Error::input(format!(
+            "--two-impacts {first}..={last}: a pattern of two different periods has a period from 3, here to {LIMIT}"
+        )));
+    }
+    Ok(range.0.clone().collect())
+}
+
+/// Writes the intervals of each period as a table, or their number as a b-file where there is no table format.
+pub(super) fn run<I: Iterator<Item = PatternInterval>>(
+    periods: &[u64],
+    intervals: impl Fn(u64) -> Result<I>,
+    format: Option<TableFormat>,
+    decimals: Option<usize>,
+    destination: &Destination,
+    interrupt: &Interrupt,
+) -> Result<()> {
+    let progress = Progress::new(interrupt, periods.len() as u64, "periods");
+    let Some(format) = format else {
+        return destination.list(|out| {
+            for &n in periods {
+                writeln!(out, "{n} {}", intervals(n)?.count())?;
+                progress.advance(1)?;
+            }
+            Ok(())
+        });
+    };
+    destination.list(|out| {
+        let digits = periods.last().map_or(1, |n| n.to_string().len());
+        let mut columns = vec![
+            Column::new("i", "$i$", digits),
+            Column::new("j", "$j$", digits),
+            Column::new("sign_emu", "$\\operatorname{sign} e\\mu$", 0),
+            Column::new("sign_gamma", "$\\operatorname{sign}\\gamma$", 0),
+            Column::new("left", "left end", 2 * digits + 2),
+            Column::new("right", "right end", 2 * digits + 2),
+        ];
+        if let Some(decimals) = decimals {
+            columns.push(Column::new("left_rounded", "left (rounded)", decimals + 2));
+            columns.push(Column::new("right_rounded", "right (rounded)", decimals + 2));
+        }
+        let mut table = TableWriter::new(out, format, "grazing-pattern-intervals 1", columns)?;
+        let mut write = || {
+            for &n in periods {
+                for (index, interval) in intervals(n)?.enumerate() {
+                    row(&interval, decimals, &mut table)?;
+                    if index % 4096 == 4095 {
+                        progress.advance(0)?;
+                    }
+                }
+                progress.advance(1)?;
+            }
+            Ok(())
+        };
+        let rows = write();
+        table.end(rows)
+    })
+}
+
+fn row(interval: &PatternInterval, decimals: Option<usize>, table: &mut TableWriter) -> Result<()> {
+    let (left, right): (&Ratio<u64>, &Ratio<u64>) = (&interval.left, &interval.right);
+    let rounded = decimals.map(|d| (decimal(left, d), decimal(right, d)));
+    let mut cells = vec![
+        Cell::Int(interval.i as i64),
+        Cell::Int(interval.j as i64),
+        Cell::Int(interval.case.sign_emu().into()),
+        Cell::Int(interval.case.sign_gamma().into()),
+        Cell::Fraction(left),
+        Cell::Fraction(right),
+    ];
+    if let Some((left, right)) = &rounded {
+        cells.extend([Cell::Text(left), Cell::Text(right)]);
+    }
+    table.row(&cells)
+}
