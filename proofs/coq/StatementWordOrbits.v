@@ -1,4 +1,5 @@
-(** * Statement: the walks of the graph are orbits, for every grazing map of the plane
+(** * Statements: words are finite if a2 < 1, and the walks of their graphs are orbits of every
+    grazing map of the plane
 
     It joins [StatementWords] to Theorem 1 as [StatementOrbitsPlane] has it; read these first.
     J is Z for bi-infinite sequences of flights, cyclic for patterns. *)
@@ -6,6 +7,11 @@
 From Coq Require Import Reals List.
 From Grazing Require Import Defs StatementOrbits StatementOrbitsPlane StatementWords.
 Import ListNotations. Open Scope R_scope.
+
+(** With damping every word ends. *)
+Definition Word_ends_statement : Prop := forall a1 a2 K, first_upper a1 a2 K -> a2 < 1 ->
+  exists w i j, path a1 a2 K w i j /\
+  Forall (fun x => member a1 a2 Plus (fst x)) (vertices K w) /\ ~ member a1 a2 Plus (i + j).
 
 (** Exactly one orbit within d of 0. *)
 Definition one_orbit (M : Map.t) (J : Type) (next : J -> J) (n : J -> nat) (mu d : R) : Prop :=
