@@ -2,11 +2,11 @@
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use grazing::{
+    internals::effects::{PERIODS, effects},
     oscillator::{
         Time,
         simulate::{Settings, Simulator},
     },
-    study::effects::{PERIODS, effects},
 };
 
 fn bench(c: &mut Criterion) {

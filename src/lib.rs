@@ -57,25 +57,30 @@
 //! | [`scene`] | an oscillator and what to do with it, as a file |
 //! | [`run`] | the tasks of a scene run, each with a typed result |
 //! | [`search`] | what finds certificates and looks for counterexamples |
-//! | [`output`] | tables, files, journals, rounded decimals |
-//! | [`study`] | what accuracy costs: families of inputs, measurements |
-//! | [`figure`] | pictures, the data of each beside it |
-//! | [`cli`] | the command line, progress bars |
+//! | [`Error`], [`Outcome`], [`Monitor`] | what goes wrong; how work ends; how a long job reports and is ended |
+//!
+//! Not public: `source` (errors that name file, line and key), `random` (the same choices on every machine), `study` (what accuracy
+//! costs), `output` (files that are whole or absent, saved states, tables), `processor` (its time), and with the feature `cli`, which is on by
+//! default, `figure` (pictures, the data of each beside it) and `cli` (the command line). Without it, `default-features = false`, none of their packages is compiled.
 
 // They panic once nobody reads; `output` has what does not.
 #![deny(clippy::print_stdout, clippy::print_stderr)]
 
-pub mod cli;
+#[cfg(feature = "cli")]
+mod cli;
 mod error;
 pub mod existence;
 pub mod farey;
-pub mod figure;
+#[cfg(feature = "cli")]
+mod figure;
 pub mod local;
 mod monitor;
 pub mod number;
 pub mod oscillator;
 mod outcome;
-pub mod output;
+// Without the command line only saved states are written.
+#[cfg_attr(not(feature = "cli"), allow(dead_code, unused_imports))]
+mod output;
 pub mod pattern;
 mod processor;
 mod random;
@@ -83,9 +88,17 @@ pub mod run;
 pub mod scene;
 pub mod search;
 mod source;
-pub mod study;
+mod study;
 pub mod symbol;
 pub mod word;
+
+/// For the project's own binary, tests and benches; no part of the interface.
+#[doc(hidden)]
+pub mod internals {
+    #[cfg(feature = "cli")]
+    pub use crate::cli::main;
+    pub use crate::study::{condition, effects, flow_accuracy};
+}
 
 pub use error::{Error, Result};
 pub use grazing_check as certificate;

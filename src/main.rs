@@ -5,5 +5,5 @@
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    grazing::cli::main()
+    grazing::internals::main()
 }

@@ -77,17 +77,41 @@ impl Source<'_> {
     }
 }
 
-/// Says that a key is unknown, and which of those known is nearest.
+/// Says that a key is unknown, and which of those known is near, or what the known ones are.
 pub(crate) fn unknown(key: &str, known: &[&str]) -> String {
     match nearest(key, known.iter().copied()) {
         Some(nearest) => format!("unknown key {key:?}; the nearest known key is {nearest:?}"),
-        None => format!("unknown key {key:?}; none is known here"),
+        None if known.is_empty() => format!("unknown key {key:?}; none is known here"),
+        None => format!("unknown key {key:?}; known here are {}", known.join(", ")),
     }
 }
 
-/// The known word that takes the fewest changes.
+/// To follow a word that is unknown: which of the known ones is near, or what they are.
+pub(crate) fn hint<'a>(word: &str, known: impl IntoIterator<Item = &'a str> + Clone) -> String {
+    match nearest(word, known.clone()) {
+        Some(near) => format!("the nearest is {near:?}"),
+        None => {
+            let all: Vec<&str> = known.into_iter().collect();
+            if all.is_empty() {
+                "there are none".to_string()
+            } else {
+                format!("there are {}", all.join(", "))
+            }
+        }
+    }
+}
+
+/// The known word that takes the fewest changes, if these are few: at most one for every three letters, rounded up, and fewer than the
+/// word has. A change of case costs nothing; what a word begins with is near it.
 pub(crate) fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
-    known.into_iter().min_by_key(|other| distance(word, other))
+    let length = |word: &str| word.chars().count();
+    let near = |other: &&str| {
+        let letters = length(word).max(length(other));
+        let changes = distance(word, other).0;
+        let begins = length(word) >= 3 && other.to_lowercase().starts_with(&word.to_lowercase());
+        begins || (changes <= letters.div_ceil(3) && changes < length(word).min(length(other)))
+    };
+    known.into_iter().filter(near).min_by_key(|other| distance(word, other))
 }
 
 /// The number of letters to insert, remove or replace (Levenshtein), a change of case counting least.
@@ -103,4 +127,29 @@ fn distance(a: &str, b: &str) -> (usize, bool) {
         }
     }
     (row[row.len() - 1], a != b)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{nearest, unknown};
+
+    #[test]
+    fn only_what_is_near_is_hinted_at() {
+        let keys = ["damping", "stiffness", "cubic", "force", "forcing"];
+        for (word, near) in [
+            ("dampng", Some("damping")),
+            ("Stiffness", Some("stiffness")),
+            ("forse", Some("force")),
+            ("forc", Some("force")),
+            ("stiff", Some("stiffness")),
+            ("mass", None),
+            ("gravity", None),
+            ("v", None),
+            ("", None),
+        ] {
+            assert_eq!(nearest(word, keys), near, "{word:?}");
+        }
+        assert_eq!(nearest("v", ["d", "w"]), None);
+        assert_eq!(unknown("v", &["d", "w"]), "unknown key \"v\"; known here are d, w");
+    }
 }

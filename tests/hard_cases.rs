@@ -2,9 +2,9 @@
 //!
 //! The references come from FLINT and from Python's fractions (tests/data/make_hard_cases.py).
 
+use grazing::internals::condition;
 use grazing::local::{Answer, Ladder, Plane, Point, Polar, Quantity, Rung, sign_by};
 use grazing::number::{Ball, FloatInterval, Precision, Sign, parse_rational};
-use grazing::study::condition;
 use num_rational::BigRational;
 use num_traits::Signed;
 use serde::Deserialize;

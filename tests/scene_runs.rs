@@ -3,15 +3,15 @@
 use std::{collections::HashMap, f64::consts::PI, fs, path::Path, process::Command};
 
 use grazing::{
+    internals::{
+        effects::effects,
+        flow_accuracy::{long_runs, returning, tolerances},
+    },
     oscillator::{
         Effect, Side,
         orbit::{Itinerary, Oscillator, SingleImpact, find},
     },
     scene::Scene,
-    study::{
-        effects::effects,
-        flow_accuracy::{long_runs, returning, tolerances},
-    },
 };
 use tempfile::TempDir;
 
@@ -69,7 +69,7 @@ fn what_cannot_run_says_why_and_writes_nothing() {
         (&["run", &scene, "--only", "fre"], &format!("error: --only fre: {scene} has the tasks free\n")),
         (
             &["run", &scene, "--set", "v=1"],
-            &format!("error: {scene}: the scene has no parameter \"v\"; the nearest is \"d\"\n"),
+            &format!("error: {scene}: the scene has no parameter \"v\"; there are d, w\n"),
         ),
         (
             &["run", &scene, "--set", "w"],

@@ -93,11 +93,7 @@ fn every_failure_names_file_line_key_value_and_fix() {
             "sides = \"upper\"",
             "s.toml:16: walls[2]: unknown key \"sides\"; the nearest known key is \"side\"",
         ),
-        (
-            "set = { w",
-            "set = { v",
-            "s.toml:25: tasks[1].set: unknown key \"v\"; the nearest known key is \"d\"",
-        ),
+        ("set = { w", "set = { v", "s.toml:25: tasks[1].set: unknown key \"v\"; known here are d, w"),
         (
             "start =",
             "strat =",
@@ -189,7 +185,7 @@ fn every_failure_names_file_line_key_value_and_fix() {
         (
             "\"2*d/w\"",
             "\"2*d/v\"",
-            "s.toml:7: system.damping = \"2*d/v\": unknown parameter \"v\" at character 5; the nearest known one is \"d\"",
+            "s.toml:7: system.damping = \"2*d/v\": unknown parameter \"v\" at character 5; there are d, w",
         ),
         (
             "\"2*d/w\"",

@@ -1,17 +1,21 @@
 //! `grazing figure`: the project's figures, each with its data beside it.
 
-use std::path::PathBuf;
+use std::{collections::HashMap, path::PathBuf};
 
 use clap::{Parser, ValueEnum};
+use num_bigint::BigInt;
 use num_rational::BigRational;
+use num_traits::One;
 
 use super::{Outcome, run::paper};
 use crate::{
+    certificate,
     cli::progress::{Interrupt, Progress},
     error::{Error, Result},
     figure,
     number::parse_rational,
     output::make_folder,
+    search::cover::{Cover, Options, certificate as assemble, cover},
 };
 
 /// Draw a figure as SVG, with its data as CSV beside it.
@@ -75,6 +79,22 @@ enum Figure {
     Tips,
 }
 
+/// A cover of period n up to r = 1 − 2⁻¹⁴, fine enough to be drawn, and proved by the checker.
+fn proved_cover(n: u64, progress: &Progress) -> Result<Cover> {
+    if !(3..=24).contains(&n) {
+        return Err(Error::input(format!("--n {n}: this figure shows one period N, with N from 3 to 24")));
+    }
+    let r_max = BigRational::one() - BigRational::new(BigInt::one(), BigInt::from(1 << 14));
+    let options = Options { r_max: Some(r_max), finest: Some(figure::FINEST), ..Options::new(n..=n) };
+    let found = cover(&options, HashMap::new(), progress, &|_, _| Ok(()))?.pop();
+    let interrupted = || Error::interrupted("interrupted before the work was done");
+    let found = found.ok_or_else(interrupted)?;
+    let block = found.block().ok_or_else(interrupted)?;
+    certificate::check(&mut assemble(&options.periods, &[block]).as_bytes())
+        .map_err(|rejection| Error::input(format!("the cover of period {n} is not proved: {rejection}")))?;
+    Ok(found)
+}
+
 pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     if args.figure != Figure::Records && (args.r.is_some() || args.s.is_some()) {
         return Err(Error::input("--r and --s belong to `grazing figure records`"));
@@ -90,7 +110,10 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     match args.figure {
         Figure::Regions => figure::regions(&args.output)?,
         Figure::Iterate => figure::iterate_boundaries(n, &args.output)?,
-        Figure::Areas => figure::areas(n, &args.output, &Progress::new(interrupt, n + 1, "strips"))?,
+        Figure::Areas => {
+            let cover = proved_cover(n, &Progress::new(interrupt, n + 1, "strips"))?;
+            figure::areas(n, &cover, &args.output)?;
+        }
         Figure::Intervals => figure::intervals(n, &args.output)?,
         Figure::Records => {
             figure::records(&number(&args.r, "0.993")?, &number(&args.s, "0.205")?, n, &args.output)?

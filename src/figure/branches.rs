@@ -91,9 +91,10 @@ fn draw(curves: &[Curve], scatter: &[Scatter], axes: [&str; 2]) -> Picture {
     let mut marked = Vec::new();
     for curve in curves {
         // A stretch has the stability that both its ends have, or of two the one that is not the event's.
+        let mut end = 0;
         for stretch in curve.at.chunk_by(|a, b| a.2 == b.2) {
-            let end = stretch.as_ptr_range().end;
-            let next = curve.at.iter().find(|at| std::ptr::eq(*at, end));
+            end += stretch.len();
+            let next = curve.at.get(end);
             let path: Vec<(i32, i32)> =
                 stretch.iter().chain(next).map(|at| chart.backend_coord(&(at.0, at.1))).collect();
             let pieces = if stretch[0].2 { vec![path] } else { dashes(&path) };

@@ -1,10 +1,9 @@
 //! The paper's figure 5: the areas in which orbits of one period exist, straight from the leaves of a checked cover.
 
-use std::{collections::HashMap, f64::consts::TAU, path::Path};
+use std::{f64::consts::TAU, path::Path};
 
-use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::{One, ToPrimitive};
+use num_traits::ToPrimitive;
 use plotters::{
     coord::Shift,
     prelude::*,
@@ -19,38 +18,26 @@ use super::{
     label, save, style,
 };
 use crate::{
-    certificate::{self, cover::Leaf},
-    error::{Error, Result},
+    certificate::cover::Leaf,
+    error::Result,
     existence::Case,
-    monitor::Monitor,
-    search::cover::{Chart, Options, certificate as assemble, cover},
+    search::cover::{Chart, Cover},
 };
 
-/// Edge leaves are smaller than this in the plane, so that they look like lines.
-const FINEST: f64 = 0.015;
+/// Edge leaves smaller than this in the plane look like lines.
+pub const FINEST: f64 = 0.015;
 /// The lower panel begins here.
 const BOTTOM: f64 = 0.9;
 
 /// Writes `figure5.svg` and `figure5.csv` into `folder`: where single-impact orbits of period `n` exist, coloured by case; the upper part
-/// again, enlarged. What is coloured in region 3 are leaves of a cover up to r = 1 − 2⁻¹⁴, which the checker has proved; they are the rows of the
-/// data. Regions 2 and 4 are drawn from the closed form.
+/// again, enlarged. What is coloured in region 3 are the leaves of `cover`, which are the rows of the data. Regions 2 and 4 are drawn from the
+/// closed form.
 ///
 /// # Errors
-/// An input error unless 3 ≤ n ≤ 24; an I/O error; an interruption.
-pub fn areas(n: u64, folder: &Path, monitor: &dyn Monitor) -> Result<()> {
-    if !(3..=24).contains(&n) {
-        return Err(Error::input(format!("--n {n}: this figure shows one period N, with N from 3 to 24")));
-    }
-    let r_max = BigRational::one() - BigRational::new(BigInt::one(), BigInt::from(1 << 14));
-    let options = Options { r_max: Some(r_max), finest: Some(FINEST), ..Options::new(n..=n) };
-    let covers = cover(&options, HashMap::new(), monitor, &|_, _| Ok(()))?;
-    let Some(block) = covers[0].block() else {
-        return Err(Error::interrupted("interrupted before the work was done"));
-    };
-    certificate::check(&mut assemble(&options.periods, &[block]).as_bytes())
-        .map_err(|rejection| Error::input(format!("the cover of period {n} is not proved: {rejection}")))?;
+/// An I/O error.
+pub fn areas(n: u64, cover: &Cover, folder: &Path) -> Result<()> {
     let mut tiles = Vec::new();
-    covers[0].leaves(|chart, leaf, cell| tiles.push(Tile::new(chart, leaf, chart.bounds(&cell))));
+    cover.leaves(|chart, leaf, cell| tiles.push(Tile::new(chart, leaf, chart.bounds(&cell))));
     let rows: Vec<Vec<String>> = tiles.iter().map(Tile::row).collect();
     let columns = ["kind", "sign_emu", "sign_gamma", "r_lower", "r_upper", "s_lower", "s_upper"];
     save(folder, "figure5", draw(n, &tiles), &columns, &rows)

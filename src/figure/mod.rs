@@ -20,7 +20,7 @@ mod words;
 
 pub use accuracy::{accuracy_figure, accuracy_table};
 pub use branches::{Curve, Scatter, branches};
-pub use cover::areas;
+pub use cover::{FINEST, areas};
 pub use flow_accuracy::{effects_table, flow_accuracy, flow_table, long_runs_table};
 pub use grid::{Grid, grid};
 pub use intervals::intervals;

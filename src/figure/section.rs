@@ -28,6 +28,16 @@ pub enum Mark {
     Star,
     /// A line through the points.
     Curve,
+    /// A line: a stable manifold.
+    StableCurve,
+    /// A line: an unstable manifold.
+    UnstableCurve,
+}
+
+impl Mark {
+    fn is_line(self) -> bool {
+        matches!(self, Mark::Curve | Mark::StableCurve | Mark::UnstableCurve)
+    }
 }
 
 /// Points that belong together.
@@ -61,6 +71,8 @@ fn colour(mark: Mark) -> RGBColor {
         Mark::Ring => RGBColor(0, 114, 178),
         Mark::Star => RGBColor(213, 94, 0),
         Mark::Curve => BLACK,
+        Mark::StableCurve => RGBColor(86, 180, 233),
+        Mark::UnstableCurve => RGBColor(230, 159, 0),
     }
 }
 
@@ -86,7 +98,7 @@ fn draw_mark<'a>(
             line((-19, -11), (19, 11))?;
             line((-19, 11), (19, -11))?;
         }
-        Mark::Curve => line((-40, 0), (40, 0))?,
+        Mark::Curve | Mark::StableCurve | Mark::UnstableCurve => line((-40, 0), (40, 0))?,
     }
     Ok(())
 }
@@ -107,7 +119,7 @@ fn draw(sets: &[Points], axes: [&str; 2]) -> Picture {
     root.fill(&WHITE)?;
     let (picture, key) = root.split_vertically(1500);
     // A curve may leave the picture.
-    let shown = || sets.iter().filter(|set| set.mark != Mark::Curve).flat_map(|set| set.at.iter());
+    let shown = || sets.iter().filter(|set| !set.mark.is_line()).flat_map(|set| set.at.iter());
     let ((left, right), (bottom, top)) = (padded(shown().map(|at| at.0)), padded(shown().map(|at| at.1)));
     let mut chart = ChartBuilder::on(&picture)
         .margin(30)
@@ -118,7 +130,7 @@ fn draw(sets: &[Points], axes: [&str; 2]) -> Picture {
     labelled_axes(&mut chart, 6, axes)?;
     let inside = |&(x, y): &(f64, f64)| (left..=right).contains(&x) && (bottom..=top).contains(&y);
     for set in sets {
-        if set.mark == Mark::Curve {
+        if set.mark.is_line() {
             // Only what is inside; a part ends where the curve leaves.
             for part in set.at.split(|at| !inside(at)).filter(|part| part.len() > 1) {
                 let path: Vec<(i32, i32)> = part.iter().map(|at| chart.backend_coord(at)).collect();

@@ -6,6 +6,7 @@ mod file;
 mod hash;
 mod journal;
 mod lock;
+#[cfg(feature = "cli")]
 mod table;
 
 pub use bounds::{decimal_above, decimal_below, decimal_near};
@@ -14,4 +15,5 @@ pub use destination::{Destination, OutputFile, say};
 pub(crate) use file::remove_temporaries;
 pub use file::{LONGEST_INPUT, distinct, make_folder, probe, read_text, write_file};
 pub use journal::{Found, Journal, Run};
+#[cfg(feature = "cli")]
 pub use table::{Cell, Column, TableFormat, TableWriter, decimal};

@@ -250,12 +250,6 @@ fn json_string(text: &str) -> String {
 /// `x` rounded to `digits` decimals, a tie to the even digit. The result is a rounded value, not an enclosure:
 /// label it so. Cost: one division a digit. Precondition: the denominator is below 2⁶⁰.
 ///
-/// ```
-/// use grazing::output::decimal;
-/// use num_rational::Ratio;
-/// assert_eq!(decimal(&Ratio::new(1, 8), 2), "0.12");
-/// assert_eq!(decimal(&Ratio::new(2, 3), 4), "0.6667");
-/// ```
 pub fn decimal(x: &Ratio<u64>, digits: usize) -> String {
     let q = *x.denom();
     let mut rest = x.numer() % q;
@@ -283,4 +277,18 @@ pub fn decimal(x: &Ratio<u64>, digits: usize) -> String {
     }
     let text: String = all.into_iter().map(char::from).collect();
     if digits == 0 { text } else { format!("{}.{}", &text[..whole], &text[whole..]) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_tie_goes_to_the_even_digit_and_nines_carry() {
+        for (p, q, digits, text) in
+            [(1, 8, 2, "0.12"), (3, 8, 2, "0.38"), (2, 3, 4, "0.6667"), (999, 1000, 2, "1.00")]
+        {
+            assert_eq!(decimal(&Ratio::new(p, q), digits), text);
+        }
+    }
 }

@@ -11,7 +11,7 @@
 //! and takes the signs of C A^k X_i + 1 (33) and Y_i (34). Every sign is certain: enclosures first, exact fractions
 //! where those cannot tell; what stays undecided says why. In two dimensions [`Graph`] does the same faster: each
 //! X_i depends on n_i alone, and the existing patterns are the closed walks of a graph (64).
-//! Not here: single impacts as functions of (a₁, a₂) (`local`), pictures (`output`).
+//! Not here: single impacts as functions of (a₁, a₂) (`local`), pictures (`figure`).
 
 mod analysis;
 mod coordinates;

@@ -7,12 +7,13 @@ use serde::Serialize;
 
 use super::{Finding, Job, Lines, Status, row, small_motion};
 use crate::{
-    error::Result,
+    error::{Error, Result},
     oscillator::{
         Contact, Time,
         attractor::{
             detection::{Cycle, Detection, Fate, wait},
             lyapunov::lyapunov,
+            manifold::{ManifoldPlan, reversed, reversed_phase, unstable_manifold},
             section::section as follow,
             touching,
         },
@@ -77,9 +78,14 @@ pub struct SectionFindings {
     /// For each piece of the curve on which the next period grazes a wall, the wall and its points.
     #[serde(skip)]
     pub grazing_curve: Vec<(Contact, Vec<[f64; 2]>)>,
+    /// Pieces of the stable (true) and unstable manifolds of unstable orbits.
+    #[serde(skip)]
+    pub manifolds: Vec<(bool, Vec<[f64; 2]>)>,
     /// What counts as contact without impact.
     #[serde(skip)]
     minimum_depth: f64,
+    #[serde(skip)]
+    notes: Vec<String>,
 }
 
 impl Finding for SectionFindings {
@@ -95,7 +101,7 @@ impl Finding for SectionFindings {
         let (low, high) = (all().fold(f64::INFINITY, f64::min), all().fold(f64::NEG_INFINITY, f64::max));
         // A section of fixed points only has no extent of its own: its distance from 0 counts, too.
         let extent = (high - low).max(low.abs()).max(high.abs());
-        small_motion(extent, self.minimum_depth).into_iter().collect()
+        self.notes.iter().cloned().chain(small_motion(extent, self.minimum_depth)).collect()
     }
 
     fn lines(&self, lines: &mut Lines) {
@@ -139,6 +145,8 @@ pub fn section(task: &Section, job: &Job) -> Result<SectionFindings> {
         ended: Vec::new(),
         points: Vec::new(),
         grazing_curve: Vec::new(),
+        manifolds: Vec::new(),
+        notes: Vec::new(),
         minimum_depth: job.scene.accuracy.minimum_depth,
     };
     let mut cycles: Vec<(usize, &Cycle)> = Vec::new();
@@ -182,6 +190,9 @@ pub fn section(task: &Section, job: &Job) -> Result<SectionFindings> {
             if cycles.iter().any(|(_, cycle)| cycle.passes(points[0])) {
                 continue;
             }
+            if task.manifolds && !orbit.multipliers.is_stable() {
+                manifolds(job, &simulator, phase, &points, &mut found)?;
+            }
             found.points.push((SectionSet::Orbit(found.further_orbits.len()), points));
             found.further_orbits.push(SectionOrbitRow {
                 pattern: orbit.itinerary.to_string(),
@@ -197,6 +208,47 @@ pub fn section(task: &Section, job: &Job) -> Result<SectionFindings> {
         }
     }
     Ok(found)
+}
+
+/// Adds the manifolds of an unstable orbit with these points, or why there are none.
+fn manifolds(
+    job: &Job,
+    simulator: &Simulator,
+    phase: f64,
+    points: &[[f64; 2]],
+    found: &mut SectionFindings,
+) -> Result<()> {
+    let back = reversed(&job.system).and_then(|system| job.simulator_of(&system));
+    let (periods, plan) = (points.len() as u32, ManifoldPlan::default());
+    for &[q, u] in points {
+        let unstable = unstable_manifold(simulator, phase, periods, [q, u], &plan, job.monitor);
+        let stable = match &back {
+            Ok(back) => {
+                let phase = reversed_phase(phase);
+                unstable_manifold(back, phase, periods, [q, -u], &plan, job.monitor)
+            }
+            Err(error) => Err(Error::input(error.to_string())),
+        };
+        for (is_stable, pieces) in [(false, unstable), (true, stable)] {
+            match pieces {
+                Ok(pieces) => {
+                    let turned = |piece: Vec<[f64; 2]>| -> Vec<[f64; 2]> {
+                        piece.into_iter().map(|[q, u]| [q, if is_stable { -u } else { u }]).collect()
+                    };
+                    found.manifolds.extend(pieces.into_iter().map(|piece| (is_stable, turned(piece))));
+                }
+                Err(error) if error.is_interrupted() => return Err(error),
+                Err(error) => {
+                    let which = if is_stable { "stable" } else { "unstable" };
+                    let note = format!("no {which} manifold is drawn: {error}");
+                    if !found.notes.contains(&note) {
+                        found.notes.push(note);
+                    }
+                }
+            }
+        }
+    }
+    Ok(())
 }
 
 /// Follows one motion.

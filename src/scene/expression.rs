@@ -19,7 +19,7 @@ use serde::{Serialize, Serializer};
 use crate::{
     error::{Error, Result},
     number::{Ball, Dual, FloatInterval, Fraction, Plain, Real, Sign, parse_rational_within},
-    source::nearest,
+    source::hint,
 };
 
 /// Above this many factors and terms, powers written out, an expression is refused.
@@ -318,10 +318,7 @@ impl<'a> Parser<'a> {
         if let Some(index) = self.names.iter().position(|known| known == name) {
             return Ok(Node::Parameter(index));
         }
-        let hint = match nearest(name, self.names.iter().map(String::as_str)) {
-            Some(known) => format!("the nearest known one is {known:?}"),
-            None => "the scene has none".to_string(),
-        };
+        let hint = hint(name, self.names.iter().map(String::as_str));
         Err(Error::input(format!("unknown parameter {name:?} at character {}; {hint}", self.position(start))))
     }
 

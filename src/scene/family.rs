@@ -42,7 +42,11 @@ impl Family for SceneFamily<'_> {
     fn at(&self, parameter: f64) -> Result<Oscillator> {
         let mut values: Vec<Dual> = self.values.iter().map(|value| Dual::constant(*value)).collect();
         values[self.free] = Dual { value: parameter, slope: 1.0 };
-        let dual = self.scene.system.try_map(|expression| expression.evaluate(&values, &()))?;
+        let point = || self.scene.point(&values.iter().map(|value| value.value).collect::<Vec<_>>());
+        let dual = self
+            .scene
+            .system
+            .try_map(|expression| self.scene.value(expression, &values, |x| x.value, &point))?;
         let part = |part: fn(&Dual) -> f64| -> Result<System<f64>> { dual.try_map(|x| Ok(part(x))) };
         Oscillator::with_slope(part(|x| x.value)?, &part(|x| x.slope)?, self.scene.accuracy.tolerance)
     }

@@ -139,7 +139,7 @@ impl Scene {
     /// restitution, a start behind a wall, with the scene's parameters and with those of each task.
     ///
     /// ```
-    /// use grazing::oscillator::Scene;
+    /// use grazing::scene::Scene;
     /// let text = r#"
     ///     format = "grazing-scene 1"
     ///     title = "A mass on a spring"
@@ -184,11 +184,12 @@ impl Scene {
             file: (name.to_string(), text.to_string()),
             places: places.take(),
         };
-        for (accuracy, key) in
-            [(scene.accuracy.tolerance, "tolerance"), (scene.accuracy.minimum_depth, "minimum_depth")]
-        {
-            if !(1e-15..=1e-3).contains(&accuracy) {
-                return Err(scene.fail(&format!("accuracy.{key}"), "is outside 1e-15 to 1e-3"));
+        for (accuracy, least, key) in [
+            (scene.accuracy.tolerance, 1e-15, "tolerance"),
+            (scene.accuracy.minimum_depth, 1e-13, "minimum_depth"),
+        ] {
+            if !(least..=1e-3).contains(&accuracy) {
+                return Err(scene.fail(&format!("accuracy.{key}"), &format!("is outside {least:e} to 1e-3")));
             }
         }
         scene.exact(&[])?;

@@ -29,7 +29,12 @@ pub struct Key {
     pub required: bool,
     /// What it means.
     pub about: &'static str,
+    /// The table that stands there, or in a list there: what it is, and its keys.
+    pub(super) table: fn() -> Option<Table>,
 }
+
+/// What a table is, and its keys.
+pub(super) type Table = (&'static str, &'static [Key]);
 
 /// A table of the file.
 pub(super) trait Record: Sized {
@@ -41,9 +46,34 @@ pub(super) trait Record: Sized {
     fn fields(entry: &Entry, extra: &[&str]) -> Result<Self>;
 }
 
+/// What a scene has in place of a word that others use.
+fn foreign(key: &str) -> Option<&'static str> {
+    Some(match key.to_lowercase().as_str() {
+        "mass" | "m" => "the mass is 1: divide the equation of motion by it",
+        "gravity" | "g" => "a constant acceleration is `force` of [system], negative downwards",
+        "friction" | "dry_friction" | "coulomb" => {
+            "there is no dry friction; `damping` of [system] is the coefficient of the velocity"
+        }
+        "frequency" | "omega" | "period_of_forcing" => {
+            "the forcing has period 2π in the scene's time: divide `damping` by the frequency, `stiffness` and forces by its square"
+        }
+        "amplitude" => "the forcing is a list of harmonics in [system]: forcing = [{ cos = … }]",
+        "spring" | "k_spring" => "the spring is `stiffness` of [system]",
+        "tau" | "coefficient_of_restitution" => "it is called `restitution`",
+        "wall" => "walls stand in [[walls]], one table each",
+        _ => return None,
+    })
+}
+
 /// What a key may hold.
 pub(super) trait Value: Sized {
     fn shape() -> String;
+
+    /// The keys of a value that is a table of its own, or a list of such.
+    fn table() -> Option<Table> {
+        None
+    }
+
     /// What an absent key without a default means, where that is allowed.
     const ABSENT: Option<fn() -> Self> = None;
 
@@ -109,7 +139,9 @@ impl<'a> Entry<'a> {
         let Some((key, item)) = table.iter().find(|(key, _)| !known.contains(key)) else { return Ok(()) };
         let span = table.key(key).and_then(toml_edit::Key::span).or(item.span()).or(self.span.clone());
         let place = if self.path.is_empty() { String::new() } else { format!("{}: ", self.path) };
-        Err(self.scope.source.fail(span, &format!("{place}{}", unknown(key, known))))
+        let message = foreign(key)
+            .map_or_else(|| unknown(key, known), |instead| format!("unknown key {key:?}: {instead}"));
+        Err(self.scope.source.fail(span, &format!("{place}{message}")))
     }
 
     /// The value of a key, or its default.
@@ -162,8 +194,9 @@ impl<'a> Entry<'a> {
             return Ok(*value);
         }
         let all: Vec<String> = words.iter().map(|(word, _)| format!("{word:?}")).collect();
-        let near = nearest(text, words.iter().map(|(word, _)| *word)).unwrap_or_default();
-        Err(self.fail(&format!("is none of {}; the nearest is {near:?}", all.join(", "))))
+        let near = nearest(text, words.iter().map(|(word, _)| *word));
+        let near = near.map_or(String::new(), |near| format!("; the nearest is {near:?}"));
+        Err(self.fail(&format!("is none of {}{near}", all.join(", "))))
     }
 
     fn whole(&self, least: u64, most: u64) -> Result<u64> {
@@ -216,6 +249,7 @@ macro_rules! record {
                     default: $default,
                     required: $default.is_none() && <$type as $crate::scene::keys::Value>::ABSENT.is_none(),
                     about: concat!($($doc),+),
+                    table: <$type as $crate::scene::keys::Value>::table,
                 }),*];
 
             fn fields(
@@ -232,6 +266,13 @@ macro_rules! record {
         impl $crate::scene::keys::Value for $name {
             fn shape() -> String {
                 concat!("table of ", stringify!($($key),*)).to_string()
+            }
+
+            fn table() -> Option<$crate::scene::keys::Table> {
+                Some((
+                    <Self as $crate::scene::keys::Record>::ABOUT,
+                    <Self as $crate::scene::keys::Record>::KEYS,
+                ))
             }
 
             fn read(entry: &$crate::scene::keys::Entry) -> $crate::error::Result<Self> {
@@ -363,6 +404,10 @@ impl<T: Value> Value for Vec<T> {
         format!("list, each {}", T::shape())
     }
 
+    fn table() -> Option<Table> {
+        T::table()
+    }
+
     fn read(entry: &Entry) -> Result<Self> {
         entry.elements()?.iter().map(T::read).collect()
     }
@@ -371,6 +416,10 @@ impl<T: Value> Value for Vec<T> {
 impl<T: Value> Value for Option<T> {
     fn shape() -> String {
         T::shape()
+    }
+
+    fn table() -> Option<Table> {
+        T::table()
     }
 
     const ABSENT: Option<fn() -> Self> = Some(|| None);

@@ -34,7 +34,7 @@ use crate::{
     error::{Error, Result},
     number::{Plain, Real},
     oscillator::{Contact, Side, System, flow::State, validate::Jet},
-    source::{Source, nearest},
+    source::{Source, hint},
 };
 
 impl Coefficient for Jet {}
@@ -86,8 +86,8 @@ impl Scene {
     pub fn parameter(&self, name: &str) -> Result<usize> {
         let names = || self.parameters.iter().map(|(name, _)| name.as_str());
         names().position(|known| known == name).ok_or_else(|| {
-            let near = nearest(name, names())
-                .map_or("it has none".to_string(), |near| format!("the nearest is {near:?}"));
+            let known: Vec<&str> = names().collect();
+            let near = hint(name, known);
             Error::input(format!("{}: the scene has no parameter {name:?}; {near}", self.file.0))
         })
     }
@@ -102,8 +102,9 @@ impl Scene {
         for (name, value) in changes {
             values[self.parameter(name)?].clone_from(value);
         }
-        let system = self.system.try_map(|expression| self.value(expression, &values, float))?;
-        self.check(&system.rounded())?;
+        let point = || self.point(&values);
+        let system = self.system.try_map(|expression| self.value(expression, &values, float, &point))?;
+        self.check(&system.rounded(), &point)?;
         Ok(system)
     }
 
@@ -117,9 +118,11 @@ impl Scene {
         for (name, value) in changes {
             values[self.parameter(name)?] = Plain(*value);
         }
-        let system = self.system.try_map(|expression| self.value(expression, &values, |x| x.0))?;
+        let floats: Vec<f64> = values.iter().map(|value| value.0).collect();
+        let point = || self.point(&floats);
+        let system = self.system.try_map(|expression| self.value(expression, &values, |x| x.0, &point))?;
         let system = system.try_map(|x| Ok::<f64, Error>(x.0))?;
-        self.check(&system)?;
+        self.check(&system, &point)?;
         Ok(system)
     }
 
@@ -129,7 +132,7 @@ impl Scene {
     /// An input error that names where it stands, for a division by zero or a value beyond floats.
     pub fn number(&self, expression: &Expression) -> Result<f64> {
         let values: Vec<BigRational> = self.parameters.iter().map(|(_, value)| value.clone()).collect();
-        Ok(float(&self.value(expression, &values, float)?))
+        Ok(float(&self.value(expression, &values, float, &|| self.point(&values))?))
     }
 
     /// A state to start from, rounded from its exact values.
@@ -157,23 +160,19 @@ impl Scene {
         expression: &Expression,
         values: &[T],
         float: impl Fn(&T) -> f64,
+        point: &dyn Fn() -> String,
     ) -> Result<T> {
-        let fail =
-            |message: &str| self.fail(&expression.key, &format!("{message}{}", self.where_parameters()));
+        let fail = |message: &str| self.fail(&expression.key, &format!("{message}{}", point()));
         let value = expression.evaluate(values, &()).map_err(|error| fail(&error.to_string()))?;
         if float(&value).is_finite() { Ok(value) } else { Err(fail("is beyond the range of floats")) }
     }
 
-    fn check(&self, system: &System<f64>) -> Result<()> {
+    fn check(&self, system: &System<f64>, point: &dyn Fn() -> String) -> Result<()> {
         for (wall, plain) in [(&self.system.lower, &system.lower), (&self.system.upper, &system.upper)] {
             if let (Some(wall), Some(plain)) = (wall, plain)
                 && plain.restitution < 0.0
             {
-                let message = format!(
-                    "is {}; a restitution is at least 0{}",
-                    plain.restitution,
-                    self.where_parameters()
-                );
+                let message = format!("is {}; a restitution is at least 0{}", plain.restitution, point());
                 return Err(self.fail(&wall.restitution.key, &message));
             }
         }
@@ -182,7 +181,7 @@ impl Scene {
         {
             let message = format!(
                 "the walls meet: at t = {t:.6} the upper one is {gap:.3e} above the lower; move them apart{}",
-                self.where_parameters()
+                point()
             );
             return Err(self.fail(&wall.offset.key, &message));
         }
@@ -235,8 +234,14 @@ impl Scene {
     }
 
     fn where_parameters(&self) -> String {
-        let all: Vec<String> =
-            self.parameters.iter().map(|(name, value)| format!("{name} = {value}")).collect();
+        let values: Vec<&BigRational> = self.parameters.iter().map(|(_, value)| value).collect();
+        self.point(&values)
+    }
+
+    /// The values at which something went wrong, one for each parameter.
+    fn point<T: std::fmt::Display>(&self, values: &[T]) -> String {
+        let named = self.parameters.iter().zip(values);
+        let all: Vec<String> = named.map(|((name, _), value)| format!("{name} = {value}")).collect();
         if all.is_empty() { String::new() } else { format!(" (with {})", all.join(", ")) }
     }
 }

@@ -4,21 +4,47 @@ use std::fmt::Write;
 
 use super::{
     input::TABLES,
-    keys::{Key, Record},
+    keys::{Key, Record, Table},
     task::{KINDS, Start, TaskKeys},
 };
 
-/// Every table of a scene file with its keys: what may stand there, what holds without it, what it means.
+/// Every table of a scene file with its keys, nested ones after those in which they stand: what may stand there, what holds without
+/// it, what it means.
 pub fn reference() -> String {
     let mut text = String::new();
     let tasks = [("`[[tasks]]`", TaskKeys::ABOUT, TaskKeys::KEYS), ("a `start`", Start::ABOUT, Start::KEYS)];
+    let mut written: Vec<&str> = Vec::new();
+    // What it is, its keys, and the names under which it stands.
+    let mut nested: Vec<(Table, Vec<&str>)> = Vec::new();
     for &(name, about, keys) in TABLES.iter().chain(&tasks) {
+        written.push(about);
         table(&mut text, name, about, keys);
     }
     for &(word, about, keys) in KINDS {
         table(&mut text, &format!("tasks with `kind = \"{word}\"`"), about, keys);
+        collect(keys, &mut nested);
+    }
+    nested.retain(|(table, _)| !written.contains(&table.0));
+    for ((about, keys), names) in nested {
+        let names: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
+        table(&mut text, &format!("what stands in {}", names.join(", ")), about, keys);
     }
     text
+}
+
+/// Adds the tables below some keys, each once, with all names under which it stands.
+fn collect(keys: &'static [Key], nested: &mut Vec<(Table, Vec<&'static str>)>) {
+    for key in keys {
+        let Some(table) = (key.table)() else { continue };
+        match nested.iter_mut().find(|(known, _)| known.0 == table.0) {
+            Some((_, names)) if names.contains(&key.name) => {}
+            Some((_, names)) => names.push(key.name),
+            None => {
+                nested.push((table, vec![key.name]));
+                collect(table.1, nested);
+            }
+        }
+    }
 }
 
 fn table(text: &mut String, name: &str, about: &str, keys: &[Key]) {

@@ -30,6 +30,8 @@ keys! {
         longest: u32 = "64",
         /// orbits to mark, stable or not
         orbits: Vec<OrbitKeys> = "[]",
+        /// whether to draw the stable and the unstable manifolds of the unstable orbits among them
+        manifolds: bool = "false",
         /// whether to draw where the next period grazes a wall
         grazing_curve: bool = "false",
     }

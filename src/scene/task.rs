@@ -125,13 +125,27 @@ keys! {
         periods: u32 = "10",
         /// how many periods pass before
         transient: u64 = "0",
-        /// points of the time series in a period, from 1 to 10000
+        /// points of the time series in a period, from 1 to 10000; at most 100000000 in all
         samples: u32 = "64",
     }
 }
 
+/// No longer series is written: at some 50 bytes a point, 5 GB.
+const MOST_POINTS: u64 = 100_000_000;
+
 impl Check for Simulate {
     fn check(&self, scene: &Scene, system: &System<f64>, path: &str) -> Result<()> {
+        let points = u64::from(self.periods) * u64::from(self.samples);
+        if points > MOST_POINTS {
+            let key = format!("{path}.periods");
+            return Err(scene.fail(
+                &key,
+                &format!(
+                    "with samples = {} makes a series of {points} points, more than {MOST_POINTS}: take fewer samples or periods",
+                    self.samples
+                ),
+            ));
+        }
         if !(1..=10_000).contains(&self.samples) {
             return Err(scene.fail(&format!("{path}.samples"), "is outside 1 to 10000"));
         }
@@ -158,9 +172,10 @@ impl Task {
         let word: String = entry.field(&TaskKeys::KEYS[1])?;
         let Some(kind) = Kind::read(&word, entry, &common) else {
             let words: Vec<&str> = KINDS.iter().map(|kind| kind.0).collect();
-            let near = nearest(&word, words.iter().copied()).unwrap_or_default();
+            let near = nearest(&word, words.iter().copied());
+            let near = near.map_or(String::new(), |near| format!("; the nearest is {near:?}"));
             let at = entry.get("kind")?.unwrap_or_else(|| unreachable!("it has just been read"));
-            return Err(at.fail(&format!("is none of {}; the nearest is {near:?}", words.join(", "))));
+            return Err(at.fail(&format!("is none of {}{near}", words.join(", "))));
         };
         let kind = kind?;
         let kind_keys = KINDS.iter().find(|known| known.0 == word).map_or(&[][..], |known| known.2);

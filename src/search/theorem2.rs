@@ -2,7 +2,6 @@
 
 use std::{io::Write, ops::RangeInclusive};
 
-use clap::ValueEnum;
 use num_rational::Ratio;
 use rayon::prelude::*;
 
@@ -17,7 +16,8 @@ use crate::{
 };
 
 /// How the signs of b_{n,k} and c_n are decided.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
 pub enum Method {
     /// At every zero and pole and just right of it, by integer arithmetic.
     Exact,

@@ -2,14 +2,14 @@
 
 use std::fmt::Write;
 
-use clap::ValueEnum;
 use num_bigint::{BigInt, Sign};
 use num_traits::One;
 
 use super::Polynomial;
 
 /// Who is to read a formula.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
 pub enum Format {
     /// A person, in a terminal.
     Text,

@@ -20,6 +20,13 @@ pub(super) fn keep(found: &SectionFindings, task: &Section, job: &Job) -> Result
         let name = format!("where the next period grazes the {} wall", wall.side.name());
         sets.push(frame.points(name, Mark::Curve, piece));
     }
+    for (stable, piece) in &found.manifolds {
+        let (mark, name) = match stable {
+            true => (Mark::StableCurve, "stable manifold"),
+            false => (Mark::UnstableCurve, "unstable manifold"),
+        };
+        sets.push(frame.points(name.to_string(), mark, piece));
+    }
     for (set, points) in &found.points {
         let (mark, name) = match set {
             SectionSet::Attractor(index) => describe(&found.attractors[*index]),

@@ -11,6 +11,7 @@ pub mod crisis;
 pub mod detection;
 pub mod diagram;
 pub mod lyapunov;
+pub mod manifold;
 pub mod section;
 mod touching;
 

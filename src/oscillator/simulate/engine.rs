@@ -50,6 +50,16 @@ struct Rest {
     release: Option<Time>,
 }
 
+/// A wall within reach on a piece: which, the hit, z, z′ and z″ there, and the rounding error of z.
+struct Contacted {
+    wall: usize,
+    hit: Hit,
+    z: f64,
+    slope: f64,
+    bend: f64,
+    rounding: f64,
+}
+
 impl<'a, P: Pieces, C: Counter, const HAS_LOWER: bool, const HAS_UPPER: bool>
     Loop<'a, P, C, HAS_LOWER, HAS_UPPER>
 {
@@ -93,14 +103,14 @@ impl<'a, P: Pieces, C: Counter, const HAS_LOWER: bool, const HAS_UPPER: bool>
 
     /// Looks at the piece as far as `end`: the first hit, and on which wall.
     #[inline]
-    fn look(&mut self, end: f64) -> Option<(usize, Hit, [f64; 4])> {
+    fn look(&mut self, end: f64) -> Option<Contacted> {
         let mut first = None;
         let mut end = end;
         if HAS_LOWER {
             self.counter.count(Effect::LowerGap);
             first = self.look_at::<LOWER>(end);
-            if let Some((_, hit, _)) = first {
-                end = hit.place();
+            if let Some(contacted) = &first {
+                end = contacted.hit.place();
             }
         }
         if HAS_UPPER {
@@ -110,9 +120,9 @@ impl<'a, P: Pieces, C: Counter, const HAS_LOWER: bool, const HAS_UPPER: bool>
         first
     }
 
-    /// The first hit on one wall, with z, z′, z″ in place and the rounding error of z.
+    /// The first hit on one wall.
     #[inline]
-    fn look_at<const WALL: usize>(&mut self, end: f64) -> Option<(usize, Hit, [f64; 4])> {
+    fn look_at<const WALL: usize>(&mut self, end: f64) -> Option<Contacted> {
         self.counter.count(Effect::Piece);
         let head = self.pieces.head::<C, WALL>(&self.cursor, &mut self.counter);
         if clear(head, self.settings.minimum_depth) {
@@ -126,12 +136,12 @@ impl<'a, P: Pieces, C: Counter, const HAS_LOWER: bool, const HAS_UPPER: bool>
         self.open[WALL] = search.open;
         hit.map(|hit| {
             let [z, slope, bend] = search.at(hit.place());
-            (WALL, hit, [z, slope, bend, ROUNDING * norm(gap.as_ref())])
+            Contacted { wall: WALL, hit, z, slope, bend, rounding: ROUNDING * norm(gap.as_ref()) }
         })
     }
 
     /// Makes an event of a hit; a wall that only touches is none.
-    fn meet(&mut self, (wall, hit, [z, slope, bend, rounding]): (usize, Hit, [f64; 4])) -> Option<Event> {
+    fn meet(&mut self, Contacted { wall, hit, z, slope, bend, rounding }: Contacted) -> Option<Event> {
         let (scale, x) = (self.pieces.scale(&self.cursor), hit.place());
         self.pieces.pass(&mut self.cursor, x);
         match hit {

@@ -1,0 +1,197 @@
+//! `grazing run` by the command: statuses, exit codes, warnings, sizes; and the same scene run by the library.
+
+use std::{fs, process::Command};
+
+use grazing::{
+    run::{Status, Surroundings, run},
+    scene::Scene,
+};
+use serde_json::Value;
+use tempfile::TempDir;
+
+const HEAD: &str = "format = \"grazing-scene 1\"\ntitle = \"t\"\n";
+
+/// Scene f: the first task fails, the others run.
+const FAILING: &str = r#"
+[parameters]
+F = 60
+w = 1
+[system]
+damping = "1/10"
+stiffness = "3/10/w"
+forcing = [{ cos = "F" }]
+[[walls]]
+side = "lower"
+offset = -2
+restitution = 0.8
+[[tasks]]
+name = "g"
+kind = "grazing"
+parameter = "F"
+[[tasks]]
+name = "after"
+kind = "simulate"
+start = { q = 0 }
+periods = 3
+[[tasks]]
+name = "values"
+kind = "orbit"
+parameter = "F"
+values = [1, 1e6]
+orbit = { pattern = [1] }
+"#;
+
+const BALL: &str = r#"
+[system]
+force = -1
+[[walls]]
+side = "lower"
+offset = 0
+restitution = "1/2"
+[[tasks]]
+name = "drop"
+kind = "simulate"
+"#;
+
+/// Exit code, standard output, standard error, folder.
+fn command(scene: &str, arguments: &[&str]) -> (i32, String, String, TempDir) {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("s.toml");
+    fs::write(&path, format!("{HEAD}{scene}")).unwrap();
+    let mut command = Command::new(env!("CARGO_BIN_EXE_grazing"));
+    let output = command.arg("run").arg(&path).args(arguments).arg("-o").arg(folder.path()).output().unwrap();
+    let text = |bytes| String::from_utf8(bytes).unwrap();
+    (output.status.code().unwrap(), text(output.stdout), text(output.stderr), folder)
+}
+
+fn json(scene: &str, arguments: &[&str]) -> (i32, Value, String, TempDir) {
+    let arguments: Vec<&str> = arguments.iter().copied().chain(["--format", "json"]).collect();
+    let (code, out, error, folder) = command(scene, &arguments);
+    (code, serde_json::from_str(&out).expect(&error), error, folder)
+}
+
+#[test]
+fn one_failing_task_does_not_end_the_rest() {
+    let (code, report, error, folder) = json(FAILING, &[]);
+    assert_eq!(code, 2, "{error}");
+    let task = |name: &str| {
+        let all = report["tasks"].as_array().unwrap();
+        all.iter().find(|task| task["task"] == name).unwrap_or_else(|| panic!("{name}: {report}"))
+    };
+    // Nothing to begin with: said with task, file and line, on standard error too.
+    assert_ne!(task("g")["status"], "done");
+    assert!(!task("g")["reason"].as_str().unwrap().is_empty());
+    assert_eq!(task("g")["place"]["line"], 14);
+    assert!(task("g")["place"]["file"].as_str().unwrap().ends_with("s.toml"));
+    // The next one runs and is kept.
+    assert_eq!(task("after")["status"], "done");
+    assert!(fs::read_to_string(folder.path().join("after.csv")).unwrap().lines().count() == 3 * 64 + 2);
+    let effects = task("after")["effects"].as_object().unwrap();
+    assert!(effects["piece"].as_u64() > Some(0) && effects["lower_gap"].as_u64() > Some(0), "{effects:?}");
+    assert!(!effects.contains_key("cubic") && !effects.contains_key("upper_gap"), "{effects:?}");
+    // One value has orbits or not; whatever is missing gets a sentence.
+    let values = task("values");
+    assert!(values["status"] == "done" || values["reason"].is_string(), "{values}");
+}
+
+#[test]
+fn the_text_report_names_task_status_and_effects() {
+    let (code, out, error, _folder) = command(FAILING, &["--only", "after"]);
+    assert_eq!((code, error.as_str()), (0, ""));
+    assert!(out.starts_with("after\n  kind             simulate\n  status           done\n"), "{out}");
+    assert!(out.lines().last().unwrap().starts_with("  effects          piece "), "{out}");
+}
+
+#[test]
+fn the_library_runs_what_the_command_runs() {
+    let scene = Scene::from_toml(&format!("{HEAD}{BALL}start = {{ q = 0.5 }}\n"), "ball.toml").unwrap();
+    let reports = run(&scene, Surroundings::default(), &mut ()).unwrap();
+    let (_, by_command, _, _folder) = json(&format!("{BALL}start = {{ q = 0.5 }}\n"), &[]);
+    let task = &by_command["tasks"][0];
+    assert_eq!(reports[0].status, Status::Done);
+    let by_library = serde_json::to_value(&reports[0]).unwrap();
+    for key in ["q", "u", "impacts", "rests", "effects", "end", "extent"] {
+        assert_eq!(by_library[key], task[key], "{key}");
+        assert!(!task[key].is_null(), "{key}");
+    }
+}
+
+#[test]
+fn restitution_above_one_and_tiny_motions_are_warned_of() {
+    let lively = BALL.replace("1/2", "3/2");
+    let (code, report, _, _folder) = json(&format!("{lively}start = {{ q = 0.5 }}\nperiods = 1\n"), &[]);
+    let warnings = &report["tasks"][0]["warnings"];
+    assert_eq!((code, warnings.as_array().unwrap().len()), (0, 1), "{warnings}");
+    assert!(warnings[0].as_str().unwrap().contains("restitution is 3/2"), "{warnings}");
+    let (_, report, _, _folder) = json(&format!("{BALL}start = {{ q = 5e-10 }}\nperiods = 1\n"), &[]);
+    let warnings = &report["tasks"][0]["warnings"];
+    assert!(warnings[0].as_str().unwrap().contains("minimum_depth = 1e-12"), "{warnings}");
+    let (_, report, _, _folder) = json(&format!("{BALL}start = {{ q = 5e-8 }}\nperiods = 1\n"), &[]);
+    assert!(report["tasks"][0]["warnings"].as_array().unwrap().is_empty());
+}
+
+#[test]
+fn a_series_too_long_is_refused_before_the_work() {
+    let (code, out, error, folder) =
+        command(&format!("{BALL}start = {{ q = 1 }}\nperiods = 100000001\nsamples = 1\n"), &[]);
+    assert_eq!((code, out.as_str()), (2, ""));
+    assert!(error.contains("100000001 points, more than 100000000"), "{error}");
+    assert!(!folder.path().join("drop.csv").exists());
+}
+
+#[test]
+fn a_division_by_zero_names_the_point_at_which_it_happens() {
+    let diagram = "[parameters]\nw = 1\n[system]\nstiffness = \"1/w\"\ndamping = 1\n[[tasks]]\nname = \"d\"\nkind = \"diagram\"\n\
+        parameter = \"w\"\nrange = [-1, 1]\ncount = 3\ntransient = 10\npoints = 4\nlongest = 1\nstarts = [{ q = 1 }]\n";
+    let (code, report, error, _folder) = json(diagram, &[]);
+    assert_eq!(code, 2);
+    let reason = report["tasks"][0]["reason"].as_str().unwrap();
+    assert!(reason.contains("divides by zero (with w = 0)"), "{reason}");
+    assert!(error.contains("s.toml:6: system.stiffness"), "{error}");
+}
+
+#[test]
+fn values_of_a_diagram_are_the_floats_nearest_to_exact_ones() {
+    let diagram = "[parameters]\nw = 1\n[system]\nstiffness = \"w\"\ndamping = 1\n[[tasks]]\nname = \"d\"\nkind = \"diagram\"\n\
+        parameter = \"w\"\nrange = [0.8, 0.9]\ncount = 11\ntransient = 40\npoints = 4\nlongest = 1\nstarts = [{ q = 0 }]\n";
+    let (code, _, error, folder) = json(diagram, &[]);
+    assert_eq!(code, 0, "{error}");
+    let text = fs::read_to_string(folder.path().join("d.csv")).unwrap();
+    let values: Vec<&str> = text.lines().skip(1).map(|line| line.split(',').nth(1).unwrap()).collect();
+    let exact = ["0.8", "0.81", "0.82", "0.83", "0.84", "0.85", "0.86", "0.87", "0.88", "0.89", "0.9"];
+    assert_eq!(values, exact);
+}
+
+#[test]
+fn words_of_other_programs_are_answered_and_far_ones_not_guessed_at() {
+    for (key, answer) in [
+        ("mass = 2", "the mass is 1"),
+        ("gravity = 9.81", "`force` of [system]"),
+        ("friction = 0.1", "there is no dry friction"),
+        ("temperature = 1", "known here are damping, stiffness, cubic, force, forcing"),
+    ] {
+        let (code, _, error, _folder) = command(&BALL.replace("force = -1", key), &[]);
+        assert_eq!(code, 2);
+        assert!(error.contains(answer), "{error}");
+    }
+}
+
+/// 10⁵ periods of 64 samples: the picture stays as small as one of a few thousand points.
+#[test]
+fn pictures_of_long_series_are_thinned() {
+    let swing = "[system]\nstiffness = 0.37\ndamping = 0.1\nforcing = [{ cos = 1 }]\n[[walls]]\nside = \"lower\"\noffset = -0.5\n\
+        restitution = 0.8\n[[tasks]]\nname = \"m\"\nkind = \"simulate\"\nstart = { q = 0 }\nsamples = 16\nperiods = ";
+    let (code, _, error, folder) = json(&format!("{swing}20000\n"), &[]);
+    assert_eq!(code, 0, "{error}");
+    let size = |name: &str| fs::metadata(folder.path().join(name)).unwrap().len();
+    assert!(size("m.csv") > 8_000_000, "{}", size("m.csv"));
+    assert!(size("m.svg") < 2_500_000, "{}", size("m.svg"));
+    // Short ones lose no point: each of the line's corners is in the picture.
+    let (_, _, _, short) = json(&format!("{swing}2\n"), &[]);
+    let svg = fs::read_to_string(short.path().join("m.svg")).unwrap();
+    let longest = svg.match_indices("points=\"").map(|(at, _)| svg[at..].split('"').nth(1).unwrap());
+    let corners = longest.map(|points| points.split_whitespace().count()).max().unwrap();
+    let events = fs::read_to_string(short.path().join("m-events.csv")).unwrap();
+    let impacts = events.lines().filter(|line| line.starts_with("impact")).count();
+    assert_eq!(corners, 2 * 16 + 1 + impacts);
+}
