@@ -29,11 +29,6 @@ impl OutputFile {
         Ok(OutputFile(path.to_path_buf()))
     }
 
-    /// Its name.
-    pub fn path(&self) -> &Path {
-        &self.0
-    }
-
     /// Writes it, as [`write_file`] does.
     ///
     /// # Errors

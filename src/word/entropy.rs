@@ -182,7 +182,6 @@ impl Entropy {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::error::Result;
     use crate::number::Elementary;
 
     fn digits(periods: &[u64], follows: &[Vec<bool>]) -> f64 {
