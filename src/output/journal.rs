@@ -163,6 +163,15 @@ impl Journal {
             _ => Ok(()),
         }
     }
+
+    #[cfg_attr(not(test), allow(dead_code))]
+    /// Removes the state: its run is done, and nothing is left to go on from.
+    ///
+    /// # Errors
+    /// An I/O error.
+    pub fn remove(self) -> Result<()> {
+        fs::remove_file(&self.target).map_err(|error| Error::io("remove", &self.target, error))
+    }
 }
 
 impl Drop for Journal {
