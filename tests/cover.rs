@@ -298,7 +298,7 @@ fn the_command_reports_what_is_proved() {
     let (code, text) = run("cover 8 --certificate c");
     assert_eq!(code, 0);
     assert!(text.starts_with("Proved: Conjecture 1 for r <= 1 - 1/n^3 and period n = 8.\n"), "{text}");
-    assert_eq!(run("check c"), (0, "c: proved, cover for n = 8..=8\n".to_string()));
+    assert_eq!(run("check c"), (0, "c: proved, cover for n = 8..=8\n  r_max: 511/512\n".to_string()));
     let (code, text) = run("cover 8 --max-depth 4 --format json --certificate none");
     let report: serde_json::Value = serde_json::from_str(&text).unwrap();
     assert_eq!((code, &report["verdict"]), (3, &"undecided".into()));

@@ -651,10 +651,7 @@ fn an_open_leaf_leaves_it_undecided() {
     recount(&mut lines, strip);
     let opened = lines.join("\n") + "\n";
     let rejection = check(&opened).unwrap_err();
-    assert!(
-        rejection.to_string().contains("undecided: all else being proved, 1 leaves are open"),
-        "{rejection}"
-    );
+    assert!(rejection.to_string().contains(": all else being proved, 1 leaves are open"), "{rejection}");
     assert!(rejection.to_string().contains("e-20 in (r, s)"), "{rejection}");
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("open");

@@ -94,6 +94,9 @@ pub(super) fn strips(n: u64) -> Result<Vec<Strip>, String> {
             interval: interval.transpose()?,
         });
     }
+    if !n.is_multiple_of(2) && all.last().is_none_or(|last| last.interval.is_none()) {
+        return Err(format!("Theorem 2 lists no interval up to 1/2 for n = {n}"));
+    }
     if remaining.next().is_some() {
         return Err(format!("an interval of Theorem 2 is not a strip for n = {n}"));
     }
