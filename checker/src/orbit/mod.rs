@@ -38,7 +38,7 @@
 //!
 //! # Cost
 //!
-//! With J harmonics in all, P pieces and M impacts, (1 + J)(4P + 24M) may be at most 1,000,000, which bounds the exponentials taken; each takes about 15 µs. Memory: the certificate.
+//! With J harmonics in all, P pieces and M impacts, (1 + J)(4P + 24M) may be at most 1,000,000, which bounds the exponentials taken; each takes about 18 µs. Memory: the certificate.
 
 mod exponential;
 mod fixed;

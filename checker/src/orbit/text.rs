@@ -125,7 +125,7 @@ pub struct Certificate {
 }
 
 impl Certificate {
-    /// A bound of the number of exponentials that the check takes, each about 15 µs: (1 + J)(4 P + 24 m) for J harmonics in all, P pieces and m impacts.
+    /// A bound of the number of exponentials that the check takes, each about 18 µs: (1 + J)(4 P + 24 m) for J harmonics in all, P pieces and m impacts.
     ///
     /// A piece takes two motions for each of at most two walls, and Krawczyk's test, twice, and the multipliers take at most 12 for each impact. A motion is one exponential, at most two for a
     /// harmonic of the forcing and one for one of a wall.
