@@ -1,7 +1,7 @@
 (** * The theorems about words, by name, with the axioms each rests on *)
 
 From Grazing Require Import StatementWords WordAlgebra WordPlane WordExamples StatementWordOrbits
-  WordOrbits WordFinite.
+  WordOrbits WordFinite WordChaos.
 
 Theorem Words_algebra : Flight_statement /\ Identities_statement /\ Words_reversal_statement /\
   W1_statement /\ W2_statement.
@@ -13,8 +13,9 @@ Proof.
   exact (conj Path (conj W3 (conj W5_neighbours (conj W5 (conj W4 (conj W6 Regions)))))).
 Qed.
 
-Theorem Words_orbits : Word_ends_statement /\ Shift_orbits_statement /\ Word_orbits_statement.
-Proof. exact (conj Word_ends (conj Shift_orbits Word_orbits)). Qed.
+Theorem Words_orbits : Word_ends_statement /\ Chaos_statement /\ Shift_orbits_statement /\
+  Word_orbits_statement.
+Proof. exact (conj Word_ends (conj Chaos (conj Shift_orbits Word_orbits))). Qed.
 
 Theorem Words_examples : Pattern_1_2_statement /\ Resonance_statement /\ Oscillator_statement /\
   Five_periods_statement /\ Boundary_statement.

@@ -1,17 +1,30 @@
-(** * Statements: words are finite if a2 < 1, and the walks of their graphs are orbits of every
-    grazing map of the plane
+(** * Statements: words end, where two cycles meet, and walks of the graph are orbits
 
-    It joins [StatementWords] to Theorem 1 as [StatementOrbitsPlane] has it; read these first.
-    J is Z for bi-infinite sequences of flights, cyclic for patterns. *)
+    It joins [StatementWords] to Theorem 1 as [StatementOrbitsPlane] has it: for every grazing
+    map of the plane. J is Z for bi-infinite sequences of flights, cyclic for patterns. *)
 
 From Coq Require Import Reals List.
-From Grazing Require Import Defs StatementOrbits StatementOrbitsPlane StatementWords.
+From Grazing Require Import Defs Statement StatementOrbits StatementOrbitsPlane StatementWords.
 Import ListNotations. Open Scope R_scope.
 
 (** With damping every word ends. *)
 Definition Word_ends_statement : Prop := forall a1 a2 K, first_upper a1 a2 K -> a2 < 1 ->
   exists w i j, path a1 a2 K w i j /\
   Forall (fun x => member a1 a2 Plus (fst x)) (vertices K w) /\ ~ member a1 a2 Plus (i + j).
+
+(** Where two cycles meet. e mu < 0, regions 3 and 4: for gamma > 0 where a1 > 0, for gamma < 0
+    nowhere. e mu > 0, region 3: for gamma < 0 on the (+,-) areas of the 1/n, for gamma > 0 and
+    s < 1/4 on the (+,+) areas of the 1/n (K + 1 follows K). *)
+Definition cycles (a1 a2 : R) (e g : sign) : Prop :=
+  two_cycles (fun i j => member a1 a2 e i /\ member a1 a2 e j /\ edge a1 a2 e g i j).
+Definition Chaos_statement : Prop :=
+  (forall a1 a2 K, first_upper a1 a2 K ->
+   (cycles a1 a2 Minus Plus <-> 0 < a1) /\ ~ cycles a1 a2 Minus Minus) /\
+  forall r s, 0 < r <= 1 -> 0 < s < 1 / 2 ->
+  (cycles (trace r s) (r ^ 2) Plus Minus <->
+   exists n, (3 <= n)%nat /\ 1 < INR n * s /\ INR (n - 1) * s < 1 /\ b_at r s n 1 > 0) /\
+  forall K, 2 * (INR K - 1) * s <= 1 < 2 * INR K * s -> s < 1 / 4 ->
+  (cycles (trace r s) (r ^ 2) Plus Plus <-> b_at r s (K + 1) K > 0).
 
 (** Exactly one orbit within d of 0. *)
 Definition one_orbit (M : Map.t) (J : Type) (next : J -> J) (n : J -> nat) (mu d : R) : Prop :=
