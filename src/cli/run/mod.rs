@@ -133,8 +133,11 @@ impl Job<'_> {
         let mut report = Report::default();
         match self.check().and_then(|()| run(&mut report)) {
             Ok(()) => {
-                let status =
-                    if report.undecided { Status::undecided("see what follows") } else { Status::Done };
+                let status = match (report.refuted, report.undecided) {
+                    (true, _) => Status::refuted("see what follows"),
+                    (_, true) => Status::undecided("see what follows"),
+                    _ => Status::Done,
+                };
                 let files = std::mem::take(&mut report.files);
                 Part { report: TaskReport::untyped(self.job, status, files), untyped: Some(report) }
             }

@@ -104,6 +104,8 @@ pub(super) struct Report {
     pub files: Vec<String>,
     /// Whether something asked for was left undecided.
     pub undecided: bool,
+    /// Whether something asked for was refuted.
+    pub refuted: bool,
 }
 
 impl Report {

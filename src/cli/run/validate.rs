@@ -56,6 +56,7 @@ fn orbits(task: &ValidateTask, job: &Job, report: &mut Report) -> Result<()> {
             Verdict::Proved(proof) => proof,
             failed => {
                 report.undecided |= matches!(failed, Verdict::Undecided(_));
+                report.refuted |= matches!(failed, Verdict::Refuted(_));
                 let none = || Value::from("");
                 rows.push([why(&failed), pattern, none(), none(), none(), none(), none(), none(), none()]);
                 continue;
@@ -133,6 +134,7 @@ fn events(task: &ValidateTask, event: Event, name: &str, job: &Job, report: &mut
             }
             failed => {
                 report.undecided |= matches!(failed, Verdict::Undecided(_));
+                report.refuted |= matches!(failed, Verdict::Refuted(_));
                 let none = || Value::from("");
                 rows.push([why(&failed), number(parameter), none(), pattern, none(), none(), none()]);
             }
