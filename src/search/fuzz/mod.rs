@@ -213,8 +213,9 @@ impl Tally {
         // Every point of a sweep is one case for each period, a repeated one is decided once more, and weighted cases are cases.
         let cases = self.units * SWEEP_POINTS * options.periods() + self.repeated + self.weighted;
         let counted: u64 = parts.iter().sum();
-        let differing = (self.disagreements.len() + self.faults.len()) as u64;
-        if counted > cases || cases - counted > differing {
+        let differing = self.disagreements.len() as u64;
+        // A unit ends at its first fault.
+        if counted > cases || (self.faults.is_empty() && cases - counted > differing) {
             return bad("the counts do not add up");
         }
         let seconds = [self.sweep_seconds, self.weighted_seconds];
@@ -294,7 +295,8 @@ fn run_unit(
             0
         };
         sweep.run(r, s, |n, swept| {
-            if (n as u64) < options.first {
+            // After an error of ours the rest of the unit says nothing, and might be one such line for every case.
+            if (n as u64) < options.first || !tally.faults.is_empty() {
                 return;
             }
             let agreed = swept.defined.is_some() && swept.defined == swept.claimed;
