@@ -29,7 +29,7 @@
 //! - Trajectories of impact oscillators with one degree of freedom, in f64: every impact deeper than a stated bound; sections, attractors,
 //!   Lyapunov exponents, basins ([`oscillator`]).
 //! - Periodic orbits with any impact pattern, their grazing points with the local theory there, saddle-nodes and flips, branches of them over a
-//!   parameter, attractors over a parameter ([`oscillator::orbit`], [`oscillator::grazing`], [`oscillator::branch::critical`], [`oscillator::branch`],
+//!   parameter, attractors over a parameter ([`oscillator::orbit`], [`oscillator::grazing`], [`oscillator::branch`],
 //!   [`oscillator::attractor::diagram`]): floating point, without proof.
 //! - The formulas as integer polynomials, and statements about them for solvers ([`symbol`]).
 //!

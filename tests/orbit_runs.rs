@@ -35,7 +35,7 @@ const RICH: &str = r#"
 /// Runs for `rounds` periods of the orbit from half way along its first leg; the largest error of impact times and speeds.
 fn error(oscillator: &Oscillator, orbit: &Orbit, rounds: u32) -> f64 {
     let simulator = Simulator::new(oscillator.system(), &Settings::default()).unwrap();
-    let t = orbit.z[0] + duration(&orbit.itinerary, &orbit.z, 0) / 2.0;
+    let t = orbit.z[0] + Unknowns::new(&orbit.itinerary, &orbit.z).unwrap().duration(0) / 2.0;
     let state = orbit.state(oscillator, t).unwrap();
     let start = Time::new(0, t);
     let mut run = simulator.start(start, state.q, state.u).unwrap();

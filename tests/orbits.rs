@@ -5,7 +5,7 @@ use std::f64::consts::{PI, SQRT_2, TAU};
 use grazing::{
     oscillator::{
         Contact, Side,
-        branch::critical::{self, Bifurcation},
+        branch::{self, Bifurcation, BranchSearch, Options},
         flow::{Flow, State},
         orbit::*,
     },
@@ -320,7 +320,9 @@ fn located_folds_and_flips_agree_with_the_formulas() {
                 let start = SingleImpact::new(&scene.plain(&[("mu", mu)]).unwrap(), Side::Lower, n).unwrap();
                 let orbit =
                     find(&family.at(mu).unwrap(), &lower(&[n]), vec![start.phase(away), away]).unwrap();
-                let event = critical::locate(&family, kind, &orbit, mu, 0.5).unwrap();
+                let found_there =
+                    branch::locate(&family, kind, &orbit, mu, 0.5, &Options::default()).unwrap();
+                let BranchSearch::Found(event) = found_there else { panic!("{kind:?} {n}: {found_there:?}") };
                 let expected = exact.amplitude_at(speed) - 1.0;
                 assert!(
                     (event.parameter - expected).abs() < 1e-13,

@@ -32,7 +32,9 @@ fn lookup<'v>(report: &'v Value, task: &str, pattern: &str, column: &str) -> &'v
     let tasks = report["tasks"].as_array().unwrap();
     let found = tasks.iter().find(|found| found["task"] == task).unwrap();
     let rows = ["born", "found"].iter().find_map(|name| found.get(name)?.as_array()).unwrap();
-    &rows.iter().find(|row| row["pattern"] == pattern).unwrap()[column]
+    let value = &rows.iter().find(|row| row["pattern"] == pattern).unwrap()[column];
+    // A complex number is a pair; those of this page are real.
+    value.get(0).filter(|_| value[1] == 0.0).unwrap_or(value)
 }
 
 /// Eleven significant digits.

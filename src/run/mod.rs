@@ -22,12 +22,18 @@
 //! The command line adds `cli/run/x.rs`, which writes the findings' files and returns their names.
 
 mod basins;
+mod branch;
+mod crisis;
 mod diagram;
+mod event;
+mod grazing;
+mod orbit;
 mod report;
 mod section;
 mod simulate;
 mod status;
 mod table;
+mod validate;
 
 use std::{path::Path, sync::Arc};
 
@@ -35,13 +41,21 @@ use num_rational::BigRational;
 use serde::Serialize;
 
 pub use basins::{BasinRow, BasinsFindings, basins};
+pub(crate) use branch::follow;
+pub use branch::{BranchFindings, BranchRow, StartRow, branch};
+pub use crisis::{CrisisFindings, CrisisRow, PersistenceRow, crisis};
 pub use diagram::{CoexistingRow, DiagramFindings, WindowRow, diagram};
+pub use event::{EventFindings, EventRow, EventRows, GrazingEventRow, WithoutRow, event};
+pub use grazing::{BornRow, GrazingFindings, grazing};
+pub use orbit::{MissingRow, OrbitFindings, OrbitRow, orbit};
 pub use report::TaskReport;
 pub use section::{AttractorRow, SectionFindings, SectionOrbitRow, SectionSet, section};
 pub use simulate::{SimulationFindings, simulate};
 pub use status::{Place, Status};
 pub(crate) use table::row;
 pub use table::{Complex, Judgement, Lines, Row, Shown};
+
+pub use validate::{ProofRow, UnprovedRow, ValidateFindings, validate};
 
 use crate::{
     error::Result,
@@ -100,6 +114,18 @@ findings! {
     Basins(BasinsFindings),
     /// Attractors over a parameter.
     Diagram(DiagramFindings),
+    /// Periodic orbits.
+    Orbit(OrbitFindings),
+    /// The first bifurcations along orbits' branches.
+    Event(EventFindings),
+    /// A grazing bifurcation.
+    Grazing(GrazingFindings),
+    /// Branches of orbits.
+    Branch(BranchFindings),
+    /// The end of an attractor.
+    Crisis(CrisisFindings),
+    /// Proofs.
+    Validate(ValidateFindings),
 }
 
 /// [`Finding`] without `Serialize`, so that there are objects of it.
@@ -326,7 +352,12 @@ fn answer(job: &Job, keeper: &mut dyn Keeper) -> Result<Findings> {
         Kind::Section(task) => section(task, job)?.into(),
         Kind::Basins(task) => basins(task, job)?.into(),
         Kind::DiagramTask(task) => diagram(task, job)?.into(),
-        _ => return Err(crate::Error::input("this kind of task is run by the command line only")),
+        Kind::OrbitTask(task) => orbit(task, job)?.into(),
+        Kind::EventTask(task) => event(task, job)?.into(),
+        Kind::GrazingTask(task) => grazing(task, job)?.into(),
+        Kind::BranchTask(task) => branch(task, job)?.into(),
+        Kind::CrisisTask(task) => crisis(task, job)?.into(),
+        Kind::ValidateTask(task) => validate(task, job)?.into(),
     })
 }
 

@@ -62,11 +62,6 @@ impl TaskReport {
         }
     }
 
-    /// Of a task that the command line runs by itself.
-    pub(crate) fn untyped(job: &Job, status: Status, files: Vec<String>) -> TaskReport {
-        TaskReport { files, ..TaskReport::new(job, status) }
-    }
-
     pub(super) fn of(job: &Job, findings: Findings, files: Vec<String>) -> TaskReport {
         let mut report = TaskReport::new(job, findings.status());
         report.warnings.extend(findings.warnings());

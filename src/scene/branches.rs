@@ -9,7 +9,7 @@ use super::{
     task::{Check, Start},
 };
 use crate::{
-    error::Result,
+    error::{Error, Result},
     number::{Plain, Real},
     oscillator::{
         System,
@@ -30,6 +30,32 @@ keys! {
         attractor: Option<Start>,
         /// a labelled point of a branch
         restart: Option<Restart>,
+    }
+}
+
+/// Where a branch starts.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum BranchOrigin<'a> {
+    /// At the orbits of a pattern.
+    Orbit(&'a OrbitKeys),
+    /// At the periodic attractor that a motion leads to.
+    Attractor(&'a Start),
+    /// At a label of a branch written before.
+    Restart(&'a Restart),
+}
+
+impl BranchStart {
+    /// Which of the three it is.
+    ///
+    /// # Errors
+    /// An input error unless exactly one is given.
+    pub fn origin(&self) -> Result<BranchOrigin<'_>> {
+        match (&self.orbit, &self.attractor, &self.restart) {
+            (Some(orbit), None, None) => Ok(BranchOrigin::Orbit(orbit)),
+            (None, Some(attractor), None) => Ok(BranchOrigin::Attractor(attractor)),
+            (None, None, Some(restart)) => Ok(BranchOrigin::Restart(restart)),
+            _ => Err(Error::input("must have one of orbit, attractor and restart")),
+        }
     }
 }
 
@@ -59,7 +85,7 @@ words! {
 
 keys! {
     /// Follows branches of periodic orbits over a parameter by pseudo-arclength continuation, through saddle-nodes, and labels what
-    /// happens: saddle-node, crossing, flip, torus, grazing (a minimum of the gap is zero), fade (an impact's speed is zero).
+    /// happens: saddle-node, crossing, flip, neimark-sacker, grazing (a minimum of the gap is zero), fade (an impact's speed is zero).
     pub struct BranchTask {
         /// the parameter that varies
         parameter: String,
@@ -163,10 +189,7 @@ fn check_range<T: PartialOrd>(scene: &Scene, parameter: &str, range: &[T], key: 
 fn check_starts(scene: &Scene, system: &System<f64>, starts: &[BranchStart], path: &str) -> Result<()> {
     for (i, start) in (1..).zip(starts) {
         let path = format!("{path}[{i}]");
-        let given = [start.orbit.is_some(), start.attractor.is_some(), start.restart.is_some()];
-        if given.iter().filter(|given| **given).count() != 1 {
-            return Err(scene.fail(&path, "must have one of orbit, attractor and restart"));
-        }
+        start.origin().map_err(|error| scene.fail(&path, &error.to_string()))?;
         if let Some(orbit) = &start.orbit {
             orbit.check(scene, system, &format!("{path}.orbit"))?;
         }

@@ -3,14 +3,14 @@
 use num_rational::BigRational;
 
 use super::{
-    keys::{keys, words},
+    keys::{Entry, Value, keys},
     task::Check,
 };
 use crate::{
     error::Result,
     oscillator::{
         Side, System,
-        branch::critical::Bifurcation,
+        branch::{Bifurcation, Options},
         orbit::{Itinerary, Orbit, Oscillator, Strike, find, search},
     },
     scene::Scene,
@@ -113,26 +113,13 @@ impl Check for OrbitTask {
     }
 }
 
-words! {
-    /// What happens to an orbit.
-    pub enum Event {
-        /// Two orbits meet: a multiplier is 1.
-        SaddleNode = "saddle-node",
-        /// The period doubles: a multiplier is −1.
-        Flip = "flip",
-        /// The orbit touches a wall once more, with no speed.
-        Grazing = "grazing",
+impl Value for Bifurcation {
+    fn shape() -> String {
+        Bifurcation::ALL.map(|known| format!("`\"{}\"`", known.name())).join(" or ")
     }
-}
 
-impl Event {
-    /// As a change of the multipliers; `None` for grazing.
-    pub fn bifurcation(self) -> Option<Bifurcation> {
-        match self {
-            Event::SaddleNode => Some(Bifurcation::SaddleNode),
-            Event::Flip => Some(Bifurcation::Flip),
-            Event::Grazing => None,
-        }
+    fn read(entry: &Entry) -> Result<Self> {
+        entry.word(&Bifurcation::ALL.map(|known| (known.name(), known)))
     }
 }
 
@@ -140,19 +127,31 @@ keys! {
     /// Locates a bifurcation of an orbit in a parameter, to rounding, from the orbit at the parameter's present value.
     pub struct EventTask {
         /// which bifurcation
-        event: Event,
+        event: Bifurcation,
         /// the parameter that varies
         parameter: String,
         /// the orbit at the parameter's present value
         orbit: OrbitKeys,
-        /// how far along its branch to look, in the norm of times, speeds and parameter
+        /// how far along its branch to look, both ways, in the norm of times, speeds and parameter
         reach: f64 = "0.5",
+        /// how the branch is followed; lengths are those of times, speeds and the parameter as they are
+        options: Options = "{}",
     }
+}
+
+/// What reach and options must be.
+pub(super) fn check_reach(scene: &Scene, reach: f64, options: &Options, path: &str) -> Result<()> {
+    if reach.is_nan() || reach <= 0.0 {
+        return Err(scene.fail(&format!("{path}.reach"), "must be positive"));
+    }
+    let wrong = |error: crate::Error| scene.fail(&format!("{path}.options"), &error.to_string());
+    options.checked().map(drop).map_err(wrong)
 }
 
 impl Check for EventTask {
     fn check(&self, scene: &Scene, system: &System<f64>, path: &str) -> Result<()> {
         scene.parameter(&self.parameter)?;
+        check_reach(scene, self.reach, &self.options, path)?;
         self.orbit.check(scene, system, &format!("{path}.orbit"))
     }
 }
@@ -165,6 +164,10 @@ keys! {
         parameter: String,
         /// the orbit that comes to graze, near the parameter's present value; its least minimum of a gap is the one taken
         orbit: OrbitKeys = "{}",
+        /// how far along its branch to look, both ways, in the norm of times, speeds and parameter
+        reach: f64 = "0.5",
+        /// how the branch is followed; lengths are those of times, speeds and the parameter as they are
+        options: Options = "{}",
         /// the largest period of the patterns, in periods of that orbit
         max_period: u32 = "4",
         /// how far from the bifurcation the born orbits are found: the distance |eµ| between the orbit and the wall
@@ -175,6 +178,7 @@ keys! {
 impl Check for GrazingTask {
     fn check(&self, scene: &Scene, system: &System<f64>, path: &str) -> Result<()> {
         scene.parameter(&self.parameter)?;
+        check_reach(scene, self.reach, &self.options, path)?;
         if !(1..=12).contains(&self.max_period) {
             return Err(scene.fail(&format!("{path}.max_period"), "is outside 1 to 12"));
         }

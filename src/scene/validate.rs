@@ -2,10 +2,17 @@
 
 use super::{
     keys::keys,
-    orbits::{Event, OrbitKeys},
+    orbits::{OrbitKeys, check_reach},
     task::Check,
 };
-use crate::{error::Result, oscillator::System, scene::Scene};
+use crate::{
+    error::Result,
+    oscillator::{
+        System,
+        branch::{Bifurcation, Options},
+    },
+    scene::Scene,
+};
 
 keys! {
     /// Proves that exact orbits exist, each the only one in a box, admissible, and stable or not, with a certificate for each; or, with `event`, encloses the parameter at which one bifurcates. Linear systems, orbits with impacts.
@@ -13,11 +20,13 @@ keys! {
         /// which; the proof starts from their approximations
         orbit: OrbitKeys,
         /// a bifurcation to enclose, in place of the orbits themselves
-        event: Option<Event>,
+        event: Option<Bifurcation>,
         /// the parameter that varies; goes with `event`
         parameter: Option<String>,
         /// how far along its branch to look for the event, in the norm of times, speeds and parameter
         reach: f64 = "0.5",
+        /// how the branch is followed to the event
+        options: Options = "{}",
         /// bits of the enclosures
         bits: u32 = "128",
     }
@@ -34,6 +43,13 @@ impl Check for ValidateTask {
         }
         if !(64..=4096).contains(&self.bits) {
             return Err(scene.fail(&format!("{path}.bits"), "must be from 64 to 4096"));
+        }
+        check_reach(scene, self.reach, &self.options, path)?;
+        if let Some(event) = self.event
+            && !matches!(event, Bifurcation::SaddleNode | Bifurcation::Flip | Bifurcation::Grazing)
+        {
+            let message = format!("{}: only saddle-node, flip and grazing can be validated", event.name());
+            return Err(scene.fail(&format!("{path}.event"), &message));
         }
         match (&self.event, &self.parameter) {
             (None, None) => Ok(()),

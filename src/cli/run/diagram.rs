@@ -1,14 +1,11 @@
 //! The files of tasks of kind `diagram`.
 
-use super::{
-    Job,
-    branch::{Drawing, follow},
-};
+use super::{Job, branch::Drawing};
 use crate::{
     error::Result,
     figure,
     oscillator::{branch::Direction, orbit::Family},
-    run::DiagramFindings,
+    run::{DiagramFindings, follow},
     scene::{SceneFamily, branches::DiagramTask, phase},
 };
 
@@ -16,7 +13,7 @@ pub(super) fn keep(found: &DiagramFindings, task: &DiagramTask, job: &Job) -> Re
     let family = SceneFamily::new(&job.scene, &task.parameter)?;
     let range = task.bounds();
     let drawing = Drawing { family: &family, phase: phase(&task.phase), frame: task.frame };
-    let branches = follow(&task.branches, &family, range, Direction::Both, &task.options, job)?;
+    let (branches, _) = follow(&task.branches, &family, range, Direction::Both, &task.options, job)?;
     let curves = branches.iter().map(|branch| drawing.curve(branch)).collect::<Result<Vec<_>>>()?;
     figure::branches(
         &curves,

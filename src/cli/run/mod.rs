@@ -4,18 +4,12 @@
 mod bars;
 mod basins;
 mod branch;
-mod crisis;
 mod diagram;
-mod event;
-mod grazing;
-mod orbit;
-mod report;
 mod section;
 mod simulate;
 mod validate;
 
 use std::{
-    fmt,
     io::Write,
     ops::Deref,
     path::{Path, PathBuf},
@@ -34,11 +28,10 @@ use crate::{
         Cell, Column, Destination, LONGEST_INPUT, TableFormat, TableWriter, make_folder, read_text, say,
         write_file,
     },
-    run::{Findings, Job as Task, Keeper, Row, Status, Surroundings, TaskReport, run_task},
+    run::{EventRows, Findings, Job as Task, Keeper, Row, Status, Surroundings, TaskReport, run_task},
     scene::{Kind, Scene},
 };
 use bars::Bars;
-use report::Report;
 
 /// Run the tasks of a scene: simulate an impact oscillator, find its orbits, follow and prove them.
 ///
@@ -85,7 +78,6 @@ fn called(task: &crate::scene::Task, name: &str) -> bool {
 struct Job<'a> {
     job: &'a Task<'a>,
     folder: &'a Path,
-    interrupt: &'a Interrupt,
 }
 
 impl<'a> Deref for Job<'a> {
@@ -96,52 +88,11 @@ impl<'a> Deref for Job<'a> {
     }
 }
 
-/// What is written of a task: the library's report and, for the kinds that are not yet run there, what they found.
-#[derive(Serialize)]
-struct Part {
-    #[serde(flatten)]
-    report: TaskReport,
-    #[serde(flatten)]
-    untyped: Option<Report>,
-}
-
-impl fmt::Display for Part {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}", self.report)?;
-        self.untyped.as_ref().map_or(Ok(()), |report| write!(f, "{report}"))
-    }
-}
-
 impl Job<'_> {
-    fn run(&self) -> Part {
-        let typed = |report| Part { report, untyped: None };
+    fn run(&self) -> TaskReport {
         match &self.task.kind {
-            Kind::Simulate(task) => typed(simulate::run(task, self)),
-            Kind::Section(_) | Kind::Basins(_) | Kind::DiagramTask(_) => {
-                typed(run_task(self.job, &mut Files(self)))
-            }
-            Kind::OrbitTask(task) => self.untyped(|report| orbit::run(task, self, report)),
-            Kind::EventTask(task) => self.untyped(|report| event::run(task, self, report)),
-            Kind::GrazingTask(task) => self.untyped(|report| grazing::run(task, self, report)),
-            Kind::BranchTask(task) => self.untyped(|report| branch::run(task, self, report)),
-            Kind::CrisisTask(task) => self.untyped(|report| crisis::run(task, self, report)),
-            Kind::ValidateTask(task) => self.untyped(|report| validate::run(task, self, report)),
-        }
-    }
-
-    fn untyped(&self, run: impl FnOnce(&mut Report) -> Result<()>) -> Part {
-        let mut report = Report::default();
-        match self.check().and_then(|()| run(&mut report)) {
-            Ok(()) => {
-                let status = match (report.refuted, report.undecided) {
-                    (true, _) => Status::refuted("see what follows"),
-                    (_, true) => Status::undecided("see what follows"),
-                    _ => Status::Done,
-                };
-                let files = std::mem::take(&mut report.files);
-                Part { report: TaskReport::untyped(self.job, status, files), untyped: Some(report) }
-            }
-            Err(error) => Part { report: TaskReport::failed(self.job, &error), untyped: None },
+            Kind::Simulate(task) => simulate::run(task, self),
+            _ => run_task(self.job, &mut Files(self)),
         }
     }
 
@@ -175,6 +126,17 @@ impl Keeper for Files<'_> {
             (Findings::Section(found), Kind::Section(task)) => section::keep(found, task, self.0),
             (Findings::Basins(found), _) => basins::keep(found, self.0),
             (Findings::Diagram(found), Kind::DiagramTask(task)) => diagram::keep(found, task, self.0),
+            (Findings::Branch(found), Kind::BranchTask(task)) => branch::keep(found, task, self.0),
+            (Findings::Validate(found), _) => validate::keep(found, self.0),
+            (Findings::Orbit(found), _) => Ok(vec![self.0.csv(&found.orbits, ".csv")?]),
+            (Findings::Grazing(found), _) => Ok(vec![self.0.csv(&found.born, ".csv")?]),
+            (Findings::Event(found), _) => Ok(vec![match &found.found {
+                EventRows::Bifurcations(rows) => self.0.csv(rows, ".csv")?,
+                EventRows::Grazings(rows) => self.0.csv(rows, ".csv")?,
+            }]),
+            (Findings::Crisis(found), _) => {
+                Ok(vec![self.0.csv(&found.crisis, ".csv")?, self.0.csv(&found.simulated, "-simulated.csv")?])
+            }
             _ => Ok(Vec::new()),
         }
     }
@@ -204,17 +166,17 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     make_folder(&args.output)?;
     // What cannot be written ends neither the tasks nor what they refute.
     let mut written = Ok(());
-    let mut parts: Vec<Part> = Vec::new();
+    let mut parts: Vec<TaskReport> = Vec::new();
     for job in &jobs {
-        let part = if parts.last().is_some_and(|last| last.report.status.is_interrupted()) {
-            Part { report: TaskReport::pending(job), untyped: None }
+        let part = if parts.last().is_some_and(|last| last.status.is_interrupted()) {
+            TaskReport::pending(job)
         } else {
-            let job = Job { job, folder: &args.output, interrupt };
+            let job = Job { job, folder: &args.output };
             in_pool(args.jobs, || Ok(job.run()))?
         };
         bars.clear();
-        if part.report.status.is_failed() {
-            say(format_args!("error: task {}: {}", part.report.task, part.report.status));
+        if part.status.is_failed() {
+            say(format_args!("error: task {}: {}", part.task, part.status));
         }
         // As soon as it is known; JSON is one object, at the end.
         if args.format == ReportFormat::Text {
@@ -226,22 +188,22 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     if args.format == ReportFormat::Json {
         written = Destination::Stdout.write(|out| json(&scene.title, &parts, out));
     }
-    let any = |is: fn(&Status) -> bool| parts.iter().any(|part| is(&part.report.status));
-    let outcome: Outcome = parts.iter().map(|part| part.report.status.outcome()).collect();
+    let any = |is: fn(&Status) -> bool| parts.iter().any(|part| is(&part.status));
+    let outcome: Outcome = parts.iter().map(|part| part.status.outcome()).collect();
     if any(Status::is_failed) {
-        let failed = parts.iter().filter(|part| part.report.status.is_failed()).count();
+        let failed = parts.iter().filter(|part| part.status.is_failed()).count();
         say(format_args!("error: {failed} of {} tasks failed", parts.len()));
     }
     reported(outcome, written)
 }
 
 /// The reports as one object.
-fn json(scene: &str, tasks: &[Part], out: &mut dyn Write) -> Result<()> {
+fn json(scene: &str, tasks: &[TaskReport], out: &mut dyn Write) -> Result<()> {
     #[derive(Serialize)]
     struct All<'a> {
         format: &'static str,
         scene: &'a str,
-        tasks: &'a [Part],
+        tasks: &'a [TaskReport],
     }
     let text = serde_json::to_string_pretty(&All { format: "grazing-run 2", scene, tasks });
     Ok(writeln!(out, "{}", text.map_err(std::io::Error::other)?)?)
@@ -256,7 +218,7 @@ pub(super) fn paper(task: &str, folder: &Path, interrupt: &Interrupt) -> Result<
     make_folder(folder)?;
     let bars = Bars::new(interrupt);
     let around = Surroundings { changes: &[], folder: Some(folder), monitor: &bars };
-    let report = Job { job: &Task::new(&scene, task, around)?, folder, interrupt }.run().report;
+    let report = Job { job: &Task::new(&scene, task, around)?, folder }.run();
     match report.status {
         Status::Failed { reason, .. } => Err(Error::input(reason)),
         Status::Interrupted { reason } => Err(Error::interrupted(reason)),

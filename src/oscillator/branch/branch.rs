@@ -3,20 +3,17 @@
 use std::f64::consts::TAU;
 
 use super::{
-    Event, Options, Orbits,
+    Bifurcation, Degeneracy, Options, Orbits, Singularity, crossing,
     curve::{Curve, Foot, difference, norm},
     follow::{End, Followed, Step, follow},
 };
 use crate::{
     error::{Error, Result},
-    oscillator::{
-        algebra::solve,
-        orbit::{Itinerary, Orbit, find},
-    },
+    oscillator::orbit::{Itinerary, Orbit, find},
 };
 
 /// A point of a branch.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Point {
     /// The parameter; for events followed in two, both.
     pub parameters: Vec<f64>,
@@ -24,15 +21,23 @@ pub struct Point {
     pub orbit: Orbit,
     /// The unknowns and the tangent.
     pub foot: Foot,
-    /// What happens here.
-    pub event: Option<Event>,
+    /// The branch's direction: of the unknowns, then of the parameters as they are, to any length.
+    pub tangent: Vec<f64>,
+    /// What happens here; none of it if it is of codimension two.
+    pub event: Option<Bifurcation>,
+    /// What of codimension two happens here, on a curve in two parameters.
+    pub degeneracy: Option<Degeneracy>,
+    /// Its name, "flip 1" being the first flip in the branch's order.
+    pub label: Option<String>,
     /// The branch's length from the start, negative on the backward side.
     pub length: f64,
 }
 
 /// Orbits of one pattern along a curve, in its order.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Branch {
+    /// The bifurcation that is followed, if it is a curve of them.
+    pub subject: Option<Bifurcation>,
     /// The pattern.
     pub itinerary: Itinerary,
     /// The points.
@@ -59,6 +64,15 @@ pub trait OrbitCurve: Followed<View = Orbit> {
 
     /// The parameters at a point.
     fn parameters(&self, u: &[f64]) -> Vec<f64>;
+
+    /// The parameters' units of length along the curve.
+    fn units(&self) -> Vec<f64>;
+
+    /// What a monitor's zero is.
+    fn singularity(&self, monitor: usize) -> Singularity;
+
+    /// The bifurcation that is followed, if it is a curve of them.
+    fn subject(&self) -> Option<Bifurcation>;
 }
 
 impl OrbitCurve for Orbits<'_> {
@@ -69,9 +83,33 @@ impl OrbitCurve for Orbits<'_> {
     fn parameters(&self, u: &[f64]) -> Vec<f64> {
         vec![self.parameter(u)]
     }
+
+    fn units(&self) -> Vec<f64> {
+        vec![self.unit()]
+    }
+
+    fn singularity(&self, monitor: usize) -> Singularity {
+        Singularity::Bifurcation(Bifurcation::of(monitor))
+    }
+
+    fn subject(&self) -> Option<Bifurcation> {
+        None
+    }
+}
+
+impl Point {
+    /// The name of what happens here.
+    pub fn kind(&self) -> Option<&'static str> {
+        self.event.map(Bifurcation::name).or(self.degeneracy.map(Degeneracy::name))
+    }
 }
 
 impl Branch {
+    /// What its points are, in a word.
+    pub fn name(&self) -> &'static str {
+        self.subject.map_or("orbit", Bifurcation::name)
+    }
+
     /// Follows a curve from a point of it.
     ///
     /// # Errors
@@ -82,14 +120,29 @@ impl Branch {
         direction: Direction,
         options: &Options,
     ) -> Result<Branch> {
-        let point = |step: Step<Orbit>, sign: f64| Point {
-            parameters: curve.parameters(&step.foot.u),
-            orbit: step.view,
-            foot: step.foot,
-            event: step.event.map(Event::of),
-            length: sign * step.length,
+        let units = curve.units();
+        let point = |step: Step<Orbit>, sign: f64| {
+            let mut tangent = step.foot.tangent.clone();
+            let first = tangent.len() - units.len();
+            tangent[first..].iter_mut().zip(&units).for_each(|(t, unit)| *t *= unit);
+            let (event, degeneracy) = match step.event.map(|monitor| curve.singularity(monitor)) {
+                Some(Singularity::Bifurcation(what)) => (Some(what), None),
+                Some(Singularity::Degeneracy(what)) => (None, Some(what)),
+                None => (None, None),
+            };
+            Point {
+                parameters: curve.parameters(&step.foot.u),
+                orbit: step.view,
+                foot: step.foot,
+                tangent,
+                event,
+                degeneracy,
+                label: None,
+                length: sign * step.length,
+            }
         };
         let mut branch = Branch {
+            subject: curve.subject(),
             itinerary: curve.itinerary().clone(),
             points: Vec::new(),
             ends: [End::Start, End::Start],
@@ -110,19 +163,19 @@ impl Branch {
             branch.points.extend(steps.into_iter().map(|step| point(step, 1.0)));
             branch.ends[1] = end;
         }
+        let mut counts = std::collections::BTreeMap::new();
+        for point in &mut branch.points {
+            point.label = point.kind().map(|kind| {
+                let count = counts.entry(kind).and_modify(|count| *count += 1).or_insert(1);
+                format!("{kind} {count}")
+            });
+        }
         Ok(branch)
     }
 
-    /// The events with their labels, "flip 1" being the first flip in the branch's order.
-    pub fn labels(&self) -> Vec<(String, &Point)> {
-        let mut counts = [0; Event::ALL.len()];
-        let labelled = self.points.iter().filter_map(|point| Some((point.event?, point)));
-        labelled
-            .map(|(event, point)| {
-                counts[event as usize] += 1;
-                (format!("{} {}", event.name(), counts[event as usize]), point)
-            })
-            .collect()
+    /// The events with their labels.
+    pub fn labels(&self) -> Vec<(&str, &Point)> {
+        self.points.iter().filter_map(|point| Some((point.label.as_deref()?, point))).collect()
     }
 
     /// Whether an orbit at a parameter value lies on the branch, as nearly as chords can tell; impact times that differ by whole
@@ -154,8 +207,8 @@ impl Branch {
     /// An input error that lists the labels there are.
     pub fn labelled(&self, label: &str) -> Result<&Point> {
         let labels = self.labels();
-        labels.iter().find(|(name, _)| name == label).map(|(_, point)| *point).ok_or_else(|| {
-            let names: Vec<&str> = labels.iter().map(|(name, _)| name.as_str()).collect();
+        labels.iter().find(|(name, _)| *name == label).map(|(_, point)| *point).ok_or_else(|| {
+            let names: Vec<&str> = labels.iter().map(|(name, _)| *name).collect();
             Error::input(format!("the branch has no label {label:?}; it has {}", names.join(", ")))
         })
     }
@@ -169,64 +222,65 @@ impl Foot {
     }
 }
 
-impl Orbits<'_> {
+impl<'a> Orbits<'a> {
     /// The orbit near `guess` at a parameter value, to start from; its tangent points to larger parameters.
     ///
     /// # Errors
     /// Those of [`find`]; an input error at a saddle-node, or outside the range.
     pub fn start(&self, guess: Vec<f64>, parameter: f64, options: &Options) -> Result<Foot> {
-        let (low, high) = self.range;
-        if !(low < high && (low..=high).contains(&parameter)) {
+        if !self.contains(parameter) {
+            let (low, high) = self.range();
             return Err(Error::input(format!(
                 "the start, {parameter}, is not in the range from {low} to {high}"
             )));
         }
         let orbit = find(&self.family.at(parameter)?, &self.itinerary, guess)?;
-        let u = self.unknowns(&orbit.z, parameter);
-        options.corrector().start(self, &u, u.len() - 1)
+        self.foot(&self.unknowns(&orbit.z, parameter), options)
+    }
+
+    /// The point of the curve at u, or so near as rounding is, wherever on the curve it is: at a saddle-node too.
+    pub(super) fn foot(&self, u: &[f64], options: &Options) -> Result<Foot> {
+        // At a saddle-node the parameter must be free: any direction that is not normal to the curve fixes the point.
+        let (corrector, last) = (options.corrector(), u.len() - 1);
+        let near = |foot: &Foot| foot.u.iter().zip(u).all(|(a, b)| (a - b).abs() < 1e-6);
+        let mut failure = None;
+        for fixed in [last, 1, 0] {
+            match corrector.start(self, u, fixed) {
+                Ok(foot) if near(&foot) => {
+                    let back = foot.tangent[last] < 0.0;
+                    return Ok(if back { foot.reversed() } else { foot });
+                }
+                Ok(_) => {}
+                Err(error) => failure = Some(error),
+            }
+        }
+        Err(failure.unwrap_or_else(|| Error::input("Newton's method leads away from the point")))
     }
 
     /// The branch that is born at a flip (with the doubled pattern) or crosses here (with the same): its curve and
     /// first point. The other half of the new branch lies against the tangent; at a flip it is the same orbits, a period later.
     ///
     /// # Errors
-    /// An input error at any other point.
-    pub fn switch(&self, event: Event, at: &Foot) -> Result<(Self, Foot)> {
-        let times = match event {
-            Event::Flip => 2,
-            Event::Crossing => 1,
-            other => return Err(Error::input(format!("no branch to switch to at a {}", other.name()))),
-        };
-        let copies = if self.itinerary.strikes().is_empty() { 1 } else { times };
-        let twice = |u: &[f64]| {
-            let (z, last) = u.split_at(u.len() - 1);
-            z.repeat(copies).into_iter().chain([last[0]]).collect::<Vec<f64>>()
-        };
-        let itinerary = self.itinerary.repeated(times as u32);
-        let born = Orbits { family: self.family, itinerary, range: self.range };
-        let u = twice(&at.u);
-        let mut old = twice(&at.tangent);
-        let length = norm(&old);
-        old.iter_mut().for_each(|t| *t /= length);
-        let tangent = other_tangent(&born, &u, old)?;
-        Ok((born, Foot { u, tangent, residual: at.residual, steps: at.steps }))
+    /// An input error at any other point, or where the two branches' tangents cannot be told apart.
+    pub fn switch(&self, what: Bifurcation, at: &Foot) -> Result<(Orbits<'a>, Foot)> {
+        match what {
+            Bifurcation::Crossing => {
+                let found = crossing::locate(self, at)?;
+                Ok((self.clone(), Foot { tangent: found.other, ..found.foot }))
+            }
+            Bifurcation::Flip => {
+                let copies = if self.itinerary.strikes().is_empty() { 1 } else { 2 };
+                let twice = |u: &[f64]| {
+                    let (z, last) = u.split_at(u.len() - 1);
+                    z.repeat(copies).into_iter().chain([last[0]]).collect::<Vec<f64>>()
+                };
+                let born = self.with(self.itinerary.repeated(2));
+                let (u, old) = (twice(&at.u), twice(&at.tangent));
+                let tangent = crossing::kernel(&born.equations(&u)?.jacobian, &old)
+                    .ok_or_else(|| Error::input("no second tangent here"))?;
+                Ok((born, Foot { u, tangent, residual: at.residual, steps: at.steps }))
+            }
+            other => Err(Error::input(format!("no branch to switch to at a {}", other.name()))),
+        }
     }
-}
-
-/// Where a Jacobian's kernel is two-dimensional, the unit vector in it that is normal to one of it: by inverse
-/// iteration, which the near-singularity of the bordered matrix makes exact.
-fn other_tangent(curve: &impl Curve, u: &[f64], old: Vec<f64>) -> Result<Vec<f64>> {
-    let mut matrix = curve.equations(u)?.jacobian;
-    matrix.push(old);
-    for (i, row) in matrix.iter_mut().enumerate() {
-        row[i] += 1e-14;
-    }
-    // Any vector will do that is not normal to the answer.
-    let mut x: Vec<f64> = (0..u.len()).map(|i| 1.0 / (1.0 + i as f64)).collect();
-    for _ in 0..3 {
-        x = solve(matrix.clone(), x).ok_or_else(|| Error::input("no second tangent here"))?;
-        let length = norm(&x);
-        x.iter_mut().for_each(|x| *x /= length);
-    }
-    Ok(x)
 }

@@ -47,6 +47,10 @@ pub struct Corrector {
     pub steps: u32,
 }
 
+/// Residuals of at most so many units in the last place are rounding's: beside a point where curves cross, where the equations
+/// are nearly singular, steps made from them would not end.
+const ROUNDING: f64 = 4.0 * f64::EPSILON;
+
 impl Corrector {
     /// The point of the curve near `guess` in the hyperplane through it that is normal to `normal`, the tangent there within a
     /// right angle of `normal`. Cost: O(n³) and one evaluation a step.
@@ -54,16 +58,20 @@ impl Corrector {
     /// # Errors
     /// An input error where the equations are not defined, or if Newton's method does not end.
     pub fn correct(&self, curve: &impl Curve, guess: &[f64], normal: &[f64]) -> Result<Foot> {
-        let mut u = guess.to_vec();
+        let (mut u, mut last) = (guess.to_vec(), f64::INFINITY);
         for steps in 1..=self.steps {
             let here = curve.equations(&u)?;
             let mut right = here.residual;
             right.push(dot(normal, &u) - dot(normal, guess));
+            let solved = largest(&right) <= ROUNDING * (1.0 + largest(&u));
             let step = bordered(here.jacobian, normal, right)?;
             u.iter_mut().zip(&step).for_each(|(u, step)| *u -= step);
-            if norm(&step) <= self.tolerance {
+            let length = norm(&step);
+            let settled = solved && length >= last / 2.0;
+            last = length;
+            if length <= self.tolerance || settled {
                 let there = curve.equations(&u)?;
-                let residual = there.residual.iter().fold(0.0, |most: f64, f| most.max(f.abs()));
+                let residual = largest(&there.residual);
                 let tangent = tangent(there.jacobian, normal)?;
                 return Ok(Foot { u, tangent, residual, steps });
             }
@@ -106,6 +114,11 @@ fn tangent(jacobian: Vec<Vec<f64>>, near: &[f64]) -> Result<Vec<f64>> {
 fn bordered(mut jacobian: Vec<Vec<f64>>, last: &[f64], right: Vec<f64>) -> Result<Vec<f64>> {
     jacobian.push(last.to_vec());
     solve(jacobian, right).ok_or_else(|| Error::input("the curve has no tangent here: a singular Jacobian"))
+}
+
+/// The largest |x_i|; NaN counts as infinite.
+pub(super) fn largest(x: &[f64]) -> f64 {
+    x.iter().fold(0.0, |most, x| if x.is_nan() { f64::INFINITY } else { most.max(x.abs()) })
 }
 
 /// a·b.

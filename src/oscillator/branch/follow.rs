@@ -25,7 +25,18 @@ pub trait Followed: Curve {
 
     /// The unknowns that have bounds, with them.
     fn bounds(&self) -> Vec<(usize, f64, f64)>;
+
+    /// The event that a monitor's zero is, its point as exactly as it can be had; none if it is a pole or nothing happens there.
+    ///
+    /// # Errors
+    /// An input error where the point cannot be looked at.
+    fn settle(&self, monitor: usize, foot: Foot, view: Self::View) -> Result<Settled<Self::View>> {
+        Ok(Some((monitor, foot, view)))
+    }
 }
+
+/// An event: the number of its monitor, the point, what is known of it.
+pub type Settled<V> = Option<(usize, Foot, V)>;
 
 /// A point that the curve was followed through.
 #[derive(Debug, Clone)]
@@ -53,6 +64,10 @@ pub enum End {
     Points,
     /// It starts there.
     Start,
+    /// What was looked for is there.
+    Found,
+    /// As far as was asked for.
+    Reach,
     /// Even the shortest step could not be taken.
     Lost(String),
 }
@@ -63,40 +78,90 @@ pub enum End {
 /// # Errors
 /// An input error if the start itself cannot be looked at.
 pub fn follow<C: Followed>(curve: &C, start: Foot, options: &Options) -> Result<(Vec<Step<C::View>>, End)> {
+    follow_until(curve, start, options, |_| None)
+}
+
+/// The same, ended after the first point for which `stop` gives a reason.
+///
+/// # Errors
+/// As [`follow`].
+pub fn follow_until<C: Followed>(
+    curve: &C,
+    start: Foot,
+    options: &Options,
+    stop: impl Fn(&Step<C::View>) -> Option<End>,
+) -> Result<(Vec<Step<C::View>>, End)> {
     let view = curve.view(&start)?;
     let origin = start.clone();
     let mut walk = Walk { curve, corrector: options.corrector(), options };
     let mut steps = vec![Step { foot: start, view, event: None, length: 0.0 }];
-    let (mut h, mut points) = (options.step, 1u32);
+    let (mut h, mut points, mut first) = (options.step, 1u32, FirstStep::Shorter);
     loop {
         if points == options.points {
             return Ok((steps, End::Points));
         }
         let here = steps.last().unwrap_or_else(|| unreachable!("the start is there"));
-        let (mut new, next, end) = match walk.advance(here, h) {
+        let (new, next, end) = match walk.advance(here, h) {
             Ok(found) => found,
-            Err(_) if h / 2.0 >= options.least_step => {
-                h /= 2.0;
-                continue;
-            }
-            Err(error) => return Ok((steps, End::Lost(error.to_string()))),
+            Err(error) => match (points == 1).then(|| first.after(h, options)).flatten() {
+                Some(other) => {
+                    h = other;
+                    continue;
+                }
+                None if points > 1 && h / 2.0 >= options.least_step => {
+                    h /= 2.0;
+                    continue;
+                }
+                None => return Ok((steps, End::Lost(error.to_string()))),
+            },
         };
         // A start inside the step just made, and close to the curve there: the curve is closed.
-        let (from, to) = (&here.foot, &new.last().unwrap_or_else(|| unreachable!("a step has an end")).foot);
-        let back = difference(&origin.u, &from.u);
-        let ahead = dot(&back, &from.tangent);
-        if points > 2 && ahead > 0.0 && dot(&difference(&to.u, &origin.u), &from.tangent) >= 0.0 {
-            let there = walk.corrector.step(curve, from, ahead)?;
-            if norm(&difference(&there.u, &origin.u)) < 1e-6 * (1.0 + norm(&origin.u)) {
-                return Ok((steps, End::Closed));
+        if let Some(Step { foot: to, .. }) = new.last()
+            && points > 2
+        {
+            let from = &here.foot;
+            let back = difference(&origin.u, &from.u);
+            let ahead = dot(&back, &from.tangent);
+            if ahead > 0.0 && dot(&difference(&to.u, &origin.u), &from.tangent) >= 0.0 {
+                let there = walk.corrector.step(curve, from, ahead)?;
+                if norm(&difference(&there.u, &origin.u)) < 1e-6 * (1.0 + norm(&origin.u)) {
+                    return Ok((steps, End::Closed));
+                }
             }
         }
-        steps.append(&mut new);
+        for step in new {
+            let stopped = stop(&step);
+            steps.push(step);
+            if let Some(end) = stopped {
+                return Ok((steps, end));
+            }
+        }
         points += 1;
         if let Some(end) = end {
             return Ok((steps, end));
         }
         h = next;
+    }
+}
+
+/// Lengths to try for a first step. Where the start is a point at which curves cross, a shorter step comes nearer to the
+/// singular point: then longer ones are tried too.
+enum FirstStep {
+    Shorter,
+    Longer,
+}
+
+impl FirstStep {
+    /// The length to try after h failed.
+    fn after(&mut self, h: f64, options: &Options) -> Option<f64> {
+        match self {
+            FirstStep::Shorter if h / 2.0 >= options.least_step => Some(h / 2.0),
+            FirstStep::Shorter => {
+                *self = FirstStep::Longer;
+                Some(2.0 * options.step).filter(|h| *h <= options.most_step)
+            }
+            FirstStep::Longer => Some(2.0 * h).filter(|h| *h <= options.most_step),
+        }
     }
 }
 
@@ -124,6 +189,7 @@ impl<C: Followed> Walk<'_, C> {
             } else if after > high && high > before {
                 high
             } else if (before <= low && after < before) || (before >= high && after > before) {
+                // It starts at the bound and leads out.
                 return Ok((vec![], h, Some(End::Bound)));
             } else {
                 continue;
@@ -145,7 +211,13 @@ impl<C: Followed> Walk<'_, C> {
         for index in 0..events.len() {
             let (at, event, foot) = events[index].clone();
             let view = self.curve.view(&foot)?;
-            steps.push(Step { length: length(&foot), foot, view, event: Some(event) });
+            if let Some((event, foot, view)) = self.curve.settle(event, foot, view)? {
+                let step = Step { length: length(&foot), foot, view, event: Some(event) };
+                // Two monitors may vanish together at one event.
+                if !steps.iter().any(|known: &Step<C::View>| same(known, &step)) {
+                    steps.push(step);
+                }
+            }
             // What holds after the event is asked halfway to the next.
             let beyond = events.get(index + 1).map_or(reach, |next| next.0);
             let middle = self.between(&here.foot, &foot_end, reach, at + (beyond - at) / 2.0)?;
@@ -154,6 +226,9 @@ impl<C: Followed> Walk<'_, C> {
             }
         }
         if !self.options.beyond && !self.curve.holds(&view) {
+            if here.length == 0.0 && h / 2.0 < self.options.least_step {
+                return Ok((vec![], h, Some(End::Fails)));
+            }
             return Err(Error::input("the curve ceases to be what it was, and no event says why"));
         }
         // Four Newton steps are about right, and a turn of half of what is allowed.
@@ -205,14 +280,16 @@ impl<C: Followed> Walk<'_, C> {
             let view = self.curve.view(&foot)?;
             Ok((self.curve.monitors(&foot, &view)[which], foot))
         };
-        // A start may be an event itself, or where curves meet: it is looked at from a little further on.
-        let first = if here.length == 0.0 { 1e-3 * reach } else { 0.0 };
-        let before = if first == 0.0 {
-            self.curve.monitors(&here.foot, &here.view)
-        } else {
+        // A start may be an event itself, or where curves meet: then it is looked at from a little further on, where the signs of
+        // what vanishes there are certain.
+        let mut before = self.curve.monitors(&here.foot, &here.view);
+        let vanishes = |value: &Option<f64>| value.is_some_and(|value| value.abs() < 1e-7);
+        let mut first = 0.0;
+        if here.length == 0.0 && before.iter().any(vanishes) {
+            first = 1e-2 * reach;
             let foot = self.between(&here.foot, foot, reach, first)?;
-            self.curve.monitors(&foot, &self.curve.view(&foot)?)
-        };
+            before = self.curve.monitors(&foot, &self.curve.view(&foot)?);
+        }
         let mut found: Vec<(f64, usize, Foot)> = Vec::new();
         let mut search = |which: usize, a: (f64, f64), b: (f64, f64)| -> Result<Option<f64>> {
             if !(a.1 * b.1 < 0.0 || b.1 == 0.0 && a.1 != 0.0) {
@@ -254,6 +331,11 @@ impl<C: Followed> Walk<'_, C> {
         }
         Ok(found)
     }
+}
+
+/// Whether two steps are the same event at the same point.
+fn same<V>(a: &Step<V>, b: &Step<V>) -> bool {
+    a.event == b.event && norm(&difference(&a.foot.u, &b.foot.u)) <= 1e-6 * (1.0 + norm(&a.foot.u))
 }
 
 /// The cubic through two points of a curve with their tangents, at the fraction s of the way.
@@ -308,6 +390,8 @@ impl std::fmt::Display for End {
             End::Closed => "the branch is closed",
             End::Points => "as many points as were allowed",
             End::Start => "the start",
+            End::Found => "what was looked for",
+            End::Reach => "as far as was asked for",
             End::Lost(why) => return write!(f, "lost: {why}"),
         })
     }

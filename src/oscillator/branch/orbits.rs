@@ -1,75 +1,73 @@
 //! The curve of orbits with one impact pattern, and the functions whose zeros are its events.
 
 use super::{
+    Bifurcation, crossing,
     curve::{Curve, Equations, Foot},
-    follow::Followed,
+    follow::{Followed, Settled},
 };
 use crate::{
     error::Result,
-    oscillator::orbit::{Family, Itinerary, Orbit, Root, describe, linearise},
+    oscillator::orbit::{Family, Itinerary, Orbit, Root, Unknowns, describe, linearise},
 };
 
 /// The solutions of the pattern equations over a range of a parameter: the unknowns are those of the pattern and, last, the
-/// parameter as a fraction of its range.
+/// parameter in units of its own.
+#[derive(Clone)]
 pub struct Orbits<'a> {
     /// The oscillators, with slopes.
     pub family: &'a dyn Family,
     /// The pattern.
     pub itinerary: Itinerary,
+    /// The parameter where the last unknown is 0.
+    origin: f64,
+    /// The parameter's unit of length along the curve.
+    unit: f64,
+    /// Bounds of the last unknown.
+    bounds: (f64, f64),
+}
+
+impl<'a> Orbits<'a> {
+    /// The orbits of a pattern over a range of the parameter, whose length is the parameter's unit.
+    pub fn over(family: &'a dyn Family, itinerary: Itinerary, (low, high): (f64, f64)) -> Orbits<'a> {
+        Orbits { family, itinerary, origin: low, unit: high - low, bounds: (0.0, 1.0) }
+    }
+
+    /// The orbits of a pattern up to `reach` away from a parameter value: lengths are those of times, speeds and the
+    /// parameter as they are.
+    pub fn around(family: &'a dyn Family, itinerary: Itinerary, centre: f64, reach: f64) -> Orbits<'a> {
+        Orbits { family, itinerary, origin: centre, unit: 1.0, bounds: (-reach, reach) }
+    }
+
+    /// The same with another pattern.
+    #[must_use]
+    pub fn with(&self, itinerary: Itinerary) -> Orbits<'a> {
+        Orbits { itinerary, ..self.clone() }
+    }
+
     /// The parameter's bounds.
-    pub range: (f64, f64),
-}
-
-/// The events of a branch, numbered as its monitors are; an impact's speed is one of those from `Fade` on.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Event {
-    /// The branch turns back in the parameter; a multiplier is 1.
-    SaddleNode,
-    /// Another branch of the same pattern crosses; a multiplier is 1.
-    Crossing,
-    /// A multiplier is −1: the branch of the doubled pattern is born.
-    Flip,
-    /// Two complex multipliers have modulus 1.
-    Torus,
-    /// A minimum of the gap is zero: a new impact with zero velocity.
-    Grazing,
-    /// An impact's velocity is zero: the branch ends as an orbit of this pattern.
-    Fade,
-}
-
-impl Event {
-    /// Its name in tables and labels.
-    pub fn name(self) -> &'static str {
-        match self {
-            Event::SaddleNode => "saddle-node",
-            Event::Crossing => "crossing",
-            Event::Flip => "flip",
-            Event::Torus => "torus",
-            Event::Grazing => "grazing",
-            Event::Fade => "fade",
-        }
+    pub fn range(&self) -> (f64, f64) {
+        (self.origin + self.bounds.0 * self.unit, self.origin + self.bounds.1 * self.unit)
     }
 
-    /// All, in the order of the monitors.
-    pub const ALL: [Event; 6] =
-        [Event::SaddleNode, Event::Crossing, Event::Flip, Event::Torus, Event::Grazing, Event::Fade];
-
-    /// The event of a monitor's number.
-    pub(super) fn of(monitor: usize) -> Event {
-        Event::ALL[monitor.min(Event::Fade as usize)]
-    }
-}
-
-impl Orbits<'_> {
     /// The parameter at a point.
     pub fn parameter(&self, u: &[f64]) -> f64 {
-        self.range.0 + u[u.len() - 1] * (self.range.1 - self.range.0)
+        self.origin + u[u.len() - 1] * self.unit
+    }
+
+    /// The parameter's unit of length along the curve.
+    pub(super) fn unit(&self) -> f64 {
+        self.unit
     }
 
     /// The unknowns of an orbit at a parameter value.
     pub fn unknowns(&self, z: &[f64], parameter: f64) -> Vec<f64> {
-        let fraction = (parameter - self.range.0) / (self.range.1 - self.range.0);
-        z.iter().copied().chain([fraction]).collect()
+        z.iter().copied().chain([(parameter - self.origin) / self.unit]).collect()
+    }
+
+    /// Whether a parameter value is between the bounds.
+    pub(super) fn contains(&self, parameter: f64) -> bool {
+        let (low, high) = self.range();
+        low < high && (low..=high).contains(&parameter)
     }
 }
 
@@ -78,7 +76,7 @@ impl Curve for Orbits<'_> {
         let oscillator = self.family.at(self.parameter(u))?;
         let mut found = linearise(&oscillator, &self.itinerary, &u[..u.len() - 1])?;
         for (row, slope) in found.jacobian.iter_mut().zip(&found.slope) {
-            row.push(slope * (self.range.1 - self.range.0));
+            row.push(slope * self.unit);
         }
         Ok(Equations { residual: found.residual, jacobian: found.jacobian })
     }
@@ -106,7 +104,25 @@ impl Followed for Orbits<'_> {
     }
 
     fn bounds(&self) -> Vec<(usize, f64, f64)> {
-        vec![((2 * self.itinerary.strikes().len()).max(2), 0.0, 1.0)]
+        vec![(Unknowns::count(&self.itinerary), self.bounds.0, self.bounds.1)]
+    }
+
+    /// Where branches cross both monitors of a multiplier 1 may vanish: the Jacobian's rank tells.
+    fn settle(&self, monitor: usize, mut foot: Foot, mut orbit: Orbit) -> Result<Settled<Orbit>> {
+        let mut what = Bifurcation::of(monitor);
+        if matches!(what, Bifurcation::SaddleNode | Bifurcation::Crossing) {
+            let crosses = crossing::is_near(self, &foot)?;
+            if crosses {
+                what = Bifurcation::Crossing;
+                if let Ok(found) = crossing::locate(self, &foot) {
+                    foot = found.foot;
+                    orbit = self.view(&foot)?;
+                }
+            } else if what == Bifurcation::Crossing {
+                return Ok(None);
+            }
+        }
+        Ok(what.is_at(&orbit).then_some((what as usize, foot, orbit)))
     }
 }
 

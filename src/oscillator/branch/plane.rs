@@ -1,15 +1,19 @@
 //! An event followed in two parameters: the pattern equations with one more, that the event's function is zero.
 
 use super::{
-    OrbitCurve,
+    Bifurcation, Degeneracy, OrbitCurve, Singularity,
     curve::{Curve, Equations, Foot},
-    follow::Followed,
-    orbits::{Event, monitors},
+    follow::{Followed, Settled},
+    orbits::monitors,
 };
 use crate::{
     error::{Error, Result},
-    oscillator::orbit::{
-        Itinerary, Multipliers, Orbit, Oscillator, Root, check, describe, linearise, monodromy,
+    oscillator::{
+        grazing::LocalMap,
+        orbit::{
+            Derivatives, Itinerary, Multipliers, Orbit, Oscillator, Root, Unknowns, check, describe,
+            linearise, monodromy, return_map,
+        },
     },
 };
 
@@ -36,7 +40,7 @@ pub struct Events<'a> {
     /// The pattern.
     pub itinerary: Itinerary,
     /// What happens.
-    pub event: Event,
+    pub event: Bifurcation,
     /// The bounds of both parameters.
     pub ranges: [(f64, f64); 2],
 }
@@ -73,21 +77,22 @@ impl Events<'_> {
         let (z, parameters) = self.split(u);
         let oscillator = self.plane.at(parameters)?;
         let mut values = linearise(&oscillator, &self.itinerary, z)?.residual;
-        let speeds = || z.chunks(2).take(self.itinerary.strikes().len()).map(|impact| impact[1]);
+        let unknowns = Unknowns::new(&self.itinerary, z)?;
+        let speeds = || unknowns.speeds();
         let scale: f64 = speeds().product();
         let multipliers = || {
             let matrix = monodromy(&oscillator, &self.itinerary, z)?;
             Ok::<_, Error>(Multipliers::new(&matrix, &oscillator, &self.itinerary))
         };
         values.push(match self.event {
-            Event::SaddleNode | Event::Crossing => multipliers()?.fold() * scale,
-            Event::Flip => multipliers()?.flip() * scale,
-            Event::Torus => multipliers()?.determinant - 1.0,
-            Event::Grazing => {
+            Bifurcation::SaddleNode | Bifurcation::Crossing => multipliers()?.fold() * scale,
+            Bifurcation::Flip => multipliers()?.flip() * scale,
+            Bifurcation::Torus => multipliers()?.determinant - 1.0,
+            Bifurcation::Grazing => {
                 let least = check(&oscillator, &self.itinerary, z).least;
                 least.ok_or_else(|| Error::input("no minimum of a gap to graze at"))?.gap
             }
-            Event::Fade => speeds().min_by(|a, b| a.abs().total_cmp(&b.abs())).unwrap_or(0.0),
+            Bifurcation::Fade => speeds().min_by(|a, b| a.abs().total_cmp(&b.abs())).unwrap_or(0.0),
         });
         Ok(values)
     }
@@ -125,33 +130,95 @@ impl Followed for Events<'_> {
         describe(&self.plane.at(parameters)?, &self.itinerary, root)
     }
 
-    /// The other events: points where two things happen at once.
-    fn monitors(&self, _: &Foot, orbit: &Orbit) -> Vec<Option<f64>> {
-        let mut all = monitors(orbit, None);
+    /// What makes a point one of codimension two, then the other bifurcations: points where two happen at once.
+    fn monitors(&self, foot: &Foot, orbit: &Orbit) -> Vec<Option<f64>> {
+        let mut all = self.degeneracies(foot, orbit);
+        let mut others = monitors(orbit, None);
         match self.event {
-            Event::Fade => all.truncate(Event::Fade as usize),
-            event => all[event as usize] = None,
+            Bifurcation::Fade => others.truncate(Bifurcation::Fade as usize),
+            event => others[event as usize] = None,
         }
-        if self.event == Event::Crossing {
-            all[Event::SaddleNode as usize] = None;
+        if self.event == Bifurcation::Crossing {
+            others[Bifurcation::SaddleNode as usize] = None;
         }
+        all.extend(others);
         all
+    }
+
+    /// A degeneracy's function is zero at its zeros, and not just of two signs beside them.
+    fn settle(&self, monitor: usize, foot: Foot, orbit: Orbit) -> Result<Settled<Orbit>> {
+        let genuine = match self.singularity(monitor) {
+            Singularity::Degeneracy(what) => {
+                self.degeneracies(&foot, &orbit)[what as usize].is_some_and(|value| value.abs() <= 1e-6)
+            }
+            Singularity::Bifurcation(what) => {
+                self.event == Bifurcation::Fade || what == Bifurcation::Fade || what.is_at(&orbit)
+            }
+        };
+        Ok(genuine.then_some((monitor, foot, orbit)))
     }
 
     /// At an event that ends a branch the orbit is just no orbit any more: here that does not count.
     fn holds(&self, orbit: &Orbit) -> bool {
         match self.event {
-            Event::Fade => {
-                orbit.z.chunks(2).take(self.itinerary.strikes().len()).all(|impact| impact[1] > -1e-9)
-            }
-            Event::Grazing => orbit.impacts().all(|impact| impact.speed > 0.0),
+            Bifurcation::Fade => orbit.impacts().all(|impact| impact.speed > -1e-9),
+            Bifurcation::Grazing => orbit.impacts().all(|impact| impact.speed > 0.0),
             _ => orbit.admissibility.is_admissible(),
         }
     }
 
     fn bounds(&self) -> Vec<(usize, f64, f64)> {
-        let first = (2 * self.itinerary.strikes().len()).max(2);
+        let first = Unknowns::count(&self.itinerary);
         vec![(first, 0.0, 1.0), (first + 1, 0.0, 1.0)]
+    }
+}
+
+impl Events<'_> {
+    /// The functions whose zeros are of codimension two, in the order of [`Degeneracy::ALL`]; `None` where they are not
+    /// defined or another curve's.
+    fn degeneracies(&self, foot: &Foot, orbit: &Orbit) -> Vec<Option<f64>> {
+        let mut all = vec![None; Degeneracy::ALL.len()];
+        let (trace, det) = (orbit.multipliers.trace, orbit.multipliers.determinant);
+        let oscillator = || self.plane.at(self.split(&foot.u).1).ok();
+        let expansion =
+            || Some(Derivatives::of(&return_map(&oscillator()?, &self.itinerary, &orbit.z).ok()?));
+        let mut set = |what: Degeneracy, value: Option<f64>| {
+            all[what as usize] = value.filter(|value| value.is_finite());
+        };
+        match self.event {
+            Bifurcation::SaddleNode => {
+                set(Degeneracy::Cusp, expansion().and_then(|map| map.fold_along()));
+                set(Degeneracy::Resonance1, Some(det - 1.0));
+            }
+            Bifurcation::Flip => {
+                set(Degeneracy::GeneralisedFlip, expansion().and_then(|map| map.flip()));
+                set(Degeneracy::Resonance2, Some(det - 1.0));
+            }
+            Bifurcation::Torus => {
+                if trace.abs() < 2.0 {
+                    set(Degeneracy::Chenciner, expansion().and_then(|map| map.torus()));
+                }
+                set(Degeneracy::Resonance1, Some(trace - 2.0));
+                set(Degeneracy::Resonance2, Some(trace + 2.0));
+                set(Degeneracy::Resonance3, Some(trace + 1.0));
+                set(Degeneracy::Resonance4, Some(trace));
+            }
+            Bifurcation::Grazing => {
+                // Along the curve e dp + e′ dp′ = 0, with e′ that of the second parameter.
+                set(Degeneracy::NoDrift, foot.tangent.last().copied());
+                let gamma = oscillator().and_then(|oscillator| LocalMap::of(&oscillator, orbit).ok());
+                set(Degeneracy::NoGamma, gamma.map(|map| map.gamma()));
+                // u_n without the factors that it shares with u_d, d a divisor of n.
+                let square = trace * trace;
+                set(Degeneracy::Resonant2, Some(trace));
+                set(Degeneracy::Resonant3, Some(square - det));
+                set(Degeneracy::Resonant4, Some(square - 2.0 * det));
+                set(Degeneracy::Resonant5, Some(square * square - 3.0 * square * det + det * det));
+                set(Degeneracy::Resonant6, Some(square - 3.0 * det));
+            }
+            Bifurcation::Crossing | Bifurcation::Fade => {}
+        }
+        all
     }
 }
 
@@ -162,5 +229,20 @@ impl OrbitCurve for Events<'_> {
 
     fn parameters(&self, u: &[f64]) -> Vec<f64> {
         self.split(u).1.to_vec()
+    }
+
+    fn units(&self) -> Vec<f64> {
+        self.ranges.iter().map(|(low, high)| high - low).collect()
+    }
+
+    fn singularity(&self, monitor: usize) -> Singularity {
+        match Degeneracy::ALL.get(monitor) {
+            Some(what) => Singularity::Degeneracy(*what),
+            None => Singularity::Bifurcation(Bifurcation::of(monitor - Degeneracy::ALL.len())),
+        }
+    }
+
+    fn subject(&self) -> Option<Bifurcation> {
+        Some(self.event)
     }
 }

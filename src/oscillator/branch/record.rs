@@ -3,7 +3,10 @@
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
-use super::{Branch, Event, OrbitCurve, Orbits, curve::Foot};
+use super::{
+    Bifurcation, Branch, OrbitCurve, Orbits, crossing,
+    curve::{Foot, norm},
+};
 use crate::{
     error::{Error, Result},
     oscillator::{
@@ -12,7 +15,7 @@ use crate::{
     },
 };
 
-const FORMAT: &str = "grazing-branch 1";
+const FORMAT: &str = "grazing-branch 2";
 
 #[derive(Serialize, Deserialize)]
 struct Struck {
@@ -26,25 +29,26 @@ pub struct Label {
     /// The pattern.
     pub itinerary: Itinerary,
     /// What happens there.
-    pub event: Event,
+    pub event: Bifurcation,
     /// The parameter, or both.
     pub parameters: Vec<f64>,
     /// The unknowns of the pattern.
     pub z: Vec<f64>,
+    /// The branch's direction: of the unknowns, then of the parameters as they are, to any length.
+    pub tangent: Vec<f64>,
 }
 
 /// A branch over parameters of these names as JSON: the pattern, every point with its label if it has one, the ends.
 pub fn record(branch: &Branch, parameters: &[&str]) -> Value {
-    let labels = branch.labels();
     let points: Vec<Value> = branch
         .points
         .iter()
         .map(|point| {
-            let label = labels.iter().find(|(_, known)| std::ptr::eq(*known, point)).map(|(label, _)| label);
             json!({
-                "label": label,
+                "label": point.label,
                 "parameters": point.parameters,
                 "unknowns": point.orbit.z,
+                "tangent": point.tangent,
                 "multipliers": point.orbit.multipliers.values(),
                 "stable": point.orbit.multipliers.is_stable(),
                 "admissible": point.orbit.admissibility.is_admissible(),
@@ -86,6 +90,7 @@ pub fn read_label(text: &str, label: &str) -> Result<Label> {
         label: Option<String>,
         parameters: Vec<f64>,
         unknowns: Vec<f64>,
+        tangent: Vec<f64>,
     }
     let bad = |what: &dyn std::fmt::Display| Error::input(format!("no branch that grazing wrote: {what}"));
     let file: File = serde_json::from_str(text).map_err(|error| bad(&error))?;
@@ -96,7 +101,7 @@ pub fn read_label(text: &str, label: &str) -> Result<Label> {
     let point = file.points.iter().find(|point| point.label.as_deref() == Some(label)).ok_or_else(|| {
         Error::input(format!("the branch has no label {label:?}; it has {}", labels.join(", ")))
     })?;
-    let event = Event::ALL.into_iter().find(|event| label.split(' ').next() == Some(event.name()));
+    let event = label.rsplit_once(' ').and_then(|(name, _)| Bifurcation::named(name));
     let side = |name: &str| [Side::Lower, Side::Upper].into_iter().find(|side| side.name() == name);
     let strike = |struck: &Struck| {
         let side = side(&struck.wall).ok_or_else(|| bad(&format_args!("it has a wall {:?}", struck.wall)))?;
@@ -109,6 +114,7 @@ pub fn read_label(text: &str, label: &str) -> Result<Label> {
         event: event.ok_or_else(|| bad(&format_args!("it has a label {label:?}")))?,
         parameters: point.parameters.clone(),
         z: point.unknowns.clone(),
+        tangent: point.tangent.clone(),
     })
 }
 
@@ -118,27 +124,28 @@ impl Orbits<'_> {
     /// # Errors
     /// An input error if Newton's method does not come back to it, as when the scene has changed.
     pub fn restart(&self, label: &Label, options: &super::Options) -> Result<Foot> {
+        debug_assert_eq!(self.itinerary(), &label.itinerary);
         let u = self.unknowns(&label.z, label.parameters[0]);
-        if !(0.0..=1.0).contains(&u[u.len() - 1]) {
-            let (low, high) = self.range;
+        if !self.contains(label.parameters[0]) {
+            let (low, high) = self.range();
             return Err(Error::input(format!(
                 "the label's parameter, {}, is not in the range from {low} to {high}",
                 label.parameters[0]
             )));
         }
-        // At a saddle-node the parameter must be free: any direction that is not normal to the curve fixes the point.
-        let corrector = options.corrector();
-        let last = u.len() - 1;
-        let starts = [last, 1, 0].map(|fixed| corrector.start(self, &u, fixed));
-        let near = |foot: &Foot| foot.u.iter().zip(&u).all(|(a, b)| (a - b).abs() < 1e-6);
-        let found = starts.into_iter().flatten().find(near);
-        let mut foot = found.ok_or_else(|| {
-            Error::input(format!("the {} is not on this branch; has the scene changed?", label.event.name()))
-        })?;
-        if foot.tangent[last] < 0.0 {
-            foot = foot.reversed();
+        let gone = |error: Error| {
+            error.context(format!("the {} is not on this branch; has the scene changed?", label.event.name()))
+        };
+        if label.event != Bifurcation::Crossing {
+            return self.foot(&u, options).map_err(gone);
         }
-        debug_assert_eq!(self.itinerary(), &label.itinerary);
-        Ok(foot)
+        // The tangent of the branch that the label is on tells it from the one that crosses.
+        let mut tangent = label.tangent.clone();
+        let last = tangent.last_mut().ok_or_else(|| Error::input("the label has no tangent"))?;
+        *last /= self.unit();
+        let length = norm(&tangent);
+        tangent.iter_mut().for_each(|x| *x /= length);
+        let near = Foot { u, tangent, residual: 0.0, steps: 0 };
+        Ok(crossing::locate(self, &near).map_err(gone)?.foot)
     }
 }

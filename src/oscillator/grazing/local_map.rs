@@ -8,7 +8,7 @@ use crate::{
     oscillator::{
         algebra::{Matrix, apply, product, resolve},
         flow::Flow,
-        orbit::{Itinerary, Leg, Multipliers, Oscillator, duration},
+        orbit::{Itinerary, Leg, Multipliers, Oscillator, Unknowns},
     },
     pattern::{Entry, Map},
 };
@@ -38,15 +38,13 @@ impl LocalMap {
         let touch = oscillator.touch(strikes[0].side, z[0])?;
         let (sign, graze) = (touch.wall.side.sign(), touch.leaving(z[0], 0.0));
         let (mut a, mut shift) = ([[1.0, 0.0], [0.0, 1.0]], [0.0; 2]);
-        for (i, strike) in strikes.iter().enumerate() {
-            let here = oscillator.touch(strike.side, z[2 * i])?;
-            let from = here.leaving(z[2 * i], here.wall.restitution * z[2 * i + 1]);
-            let Leg { matrix, slope, .. } = oscillator.leg(from, duration(itinerary, z, i));
+        for passage in Unknowns::new(itinerary, z)?.passages(oscillator) {
+            let passage = passage?;
+            let Leg { matrix, slope, .. } = passage.fly();
             a = product(&matrix, &a);
             shift = add(apply(&matrix, shift), slope);
-            if let Some(next) = strikes.get(i + 1) {
-                let there = oscillator.touch(next.side, z[2 * i + 2])?;
-                let (jump, slope) = oscillator.saltation(&there, z[2 * i + 2], z[2 * i + 3]);
+            if passage.next != 0 {
+                let (jump, slope) = passage.saltation();
                 a = product(&jump, &a);
                 shift = add(apply(&jump, shift), slope);
             }

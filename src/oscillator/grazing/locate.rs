@@ -7,7 +7,10 @@ use crate::{
     error::{Error, Result},
     oscillator::{
         Side,
-        orbit::{Family, Itinerary, Linearised, Minimum, Orbit, Strike, check, linearise, newton},
+        orbit::{
+            Family, Itinerary, Linearised, Minimum, Orbit, Oscillator, Strike, Unknowns, check, linearise,
+            newton,
+        },
     },
 };
 
@@ -24,9 +27,14 @@ pub struct Grazing {
     pub residual: f64,
     /// Whether it is an orbit: its other impacts come in, and every other minimum of a gap is positive.
     pub admissible: bool,
+    /// Another minimum of a gap that is zero to rounding: the orbit grazes twice, and the map is not the whole theory.
+    pub second: Option<Minimum>,
     /// The map there.
     pub map: LocalMap,
 }
+
+/// A gap smaller than this, where another is zero, is zero too: some thousand times what Newton's method leaves.
+const TWICE: f64 = 1e-11;
 
 impl Grazing {
     /// The wall that is grazed.
@@ -63,9 +71,23 @@ pub fn locate(family: &dyn Family, orbit: &Orbit, parameter: f64) -> Result<Graz
     let parameter = std::mem::replace(&mut z[1], 0.0);
     let oscillator = family.at(parameter)?;
     let map = LocalMap::new(&oscillator, &itinerary, &z)?;
-    let clear = check(&oscillator, &itinerary, &z).least.is_none_or(|least| least.gap > 0.0);
-    let admissible = clear && z.chunks(2).skip(1).all(|impact| impact[1] > 0.0);
-    Ok(Grazing { parameter, itinerary, z, residual: root.residual, admissible, map })
+    let least = check(&oscillator, &itinerary, &z).least;
+    let clear = least.is_none_or(|least| least.gap > 0.0);
+    let second = least.filter(|least| least.gap.abs() <= TWICE);
+    let admissible = clear && Unknowns::new(&itinerary, &z)?.speeds().skip(1).all(|speed| speed > 0.0);
+    Ok(Grazing { parameter, itinerary, z, residual: root.residual, admissible, second, map })
+}
+
+impl LocalMap {
+    /// The map at an orbit whose least minimum of a gap is zero.
+    ///
+    /// # Errors
+    /// An input error if it has none, or det(I − A) = 0.
+    pub fn of(oscillator: &Oscillator, orbit: &Orbit) -> Result<LocalMap> {
+        let least = orbit.least.ok_or_else(|| Error::input("the orbit has no minimum of a gap"))?;
+        let (itinerary, z) = with_graze(orbit, least)?;
+        LocalMap::new(oscillator, &itinerary, &z)
+    }
 }
 
 /// The orbit's impacts with a first one of speed 0 at a minimum of a gap.

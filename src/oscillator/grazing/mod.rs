@@ -5,9 +5,11 @@
 //! pattern into a start for Newton's method on the true system. Not here: which patterns exist (`pattern`), following a
 //! branch further.
 
+mod half;
 mod local_map;
 mod locate;
 mod start;
 
+pub use half::is_mirrored;
 pub use local_map::LocalMap;
 pub use locate::{Grazing, locate};

@@ -6,7 +6,7 @@ use crate::{
     oscillator::{
         algebra::apply,
         flow::{Flow, State},
-        orbit::{Family, Itinerary, Leg, Strike, duration},
+        orbit::{Family, Impact, Itinerary, Leg, Strike, Unknowns},
     },
     pattern::Report,
 };
@@ -57,23 +57,23 @@ impl Grazing {
                 // The displacement at the phase of grazing in (q, u), then through the orbit's own impacts.
                 let mut shift =
                     [0, 1].map(|j| sign * (eta * x[j] + map.drift[j] * away) + graze.slope[j] * away);
-                for (j, strike) in strikes.iter().enumerate().skip(1) {
-                    let here = oscillator.touch(strikes[j - 1].side, self.z[2 * j - 2])?;
-                    let from = here.leaving(self.z[2 * j - 2], here.wall.restitution * self.z[2 * j - 1]);
-                    let Leg { matrix, slope, .. } =
-                        oscillator.leg(from, duration(&self.itinerary, &self.z, j - 1));
+                for passage in Unknowns::new(&self.itinerary, &self.z)?.passages(&oscillator) {
+                    let passage = passage?;
+                    if passage.next == 0 {
+                        break;
+                    }
+                    let Leg { matrix, slope, .. } = passage.fly();
                     let arrived = apply(&matrix, shift);
                     shift = [0, 1].map(|k| arrived[k] + slope[k] * away);
-                    let (t, speed) = (self.z[2 * j], self.z[2 * j + 1]);
-                    let there = oscillator.touch(strike.side, t)?;
-                    let sign = strike.side.sign();
-                    let [place, velocity] = [0, 1].map(|k| sign * (shift[k] - there.slope[k] * away));
+                    let Impact { side, phase, speed } = passage.arrival;
+                    let there = &passage.there;
+                    let [place, velocity] = [0, 1].map(|k| side.sign() * (shift[k] - there.slope[k] * away));
                     let delay = place / speed;
-                    let arrival: State = there.leaving(t, -speed);
-                    let bend = sign * (oscillator.flow().acceleration(arrival) - there.motion[2]);
-                    all.push(*strike);
-                    z.extend([t + delay, speed - velocity - bend * delay]);
-                    let (jump, slope) = oscillator.saltation(&there, t, speed);
+                    let arrival: State = there.leaving(phase, -speed);
+                    let bend = side.sign() * (oscillator.flow().acceleration(arrival) - there.motion[2]);
+                    all.push(strikes[passage.next]);
+                    z.extend([phase + delay, speed - velocity - bend * delay]);
+                    let (jump, slope) = passage.saltation();
                     let left = apply(&jump, shift);
                     shift = [0, 1].map(|k| left[k] + slope[k] * away);
                 }

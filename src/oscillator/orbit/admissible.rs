@@ -8,7 +8,7 @@ use super::{
         flow::{Flow, State},
     },
     Itinerary, Oscillator,
-    equations::duration,
+    passage::Unknowns,
 };
 
 /// A local minimum of the gap to a wall between impacts.
@@ -68,13 +68,12 @@ pub fn check(oscillator: &Oscillator, itinerary: &Itinerary, z: &[f64]) -> Check
         let time = 2.0 * PI * f64::from(itinerary.periods()) + 0.1 / oscillator.rate(&from);
         search(0, from, time);
     }
-    for (i, strike) in strikes.iter().enumerate() {
-        if let Ok(contact) = oscillator.touch(strike.side, z[2 * i]) {
-            let from = contact.leaving(z[2 * i], contact.wall.restitution * z[2 * i + 1]);
-            search(i, from, duration(itinerary, z, i));
-        }
+    let unknowns = Unknowns::new(itinerary, z);
+    for passage in unknowns.iter().flat_map(|unknowns| unknowns.passages(oscillator)).flatten() {
+        search(passage.index, passage.from, passage.duration);
     }
-    let outgoing = (0..strikes.len()).find(|i| z[2 * i + 1].is_nan() || z[2 * i + 1] <= 0.0);
+    let outgoing =
+        unknowns.iter().flat_map(Unknowns::speeds).position(|speed| speed.is_nan() || speed <= 0.0);
     let admissibility = match (outgoing, least) {
         (Some(i), _) => Admissibility::Outgoing(i),
         (None, Some(least)) if least.gap <= 0.0 => Admissibility::Excursion(least),

@@ -15,11 +15,9 @@
 use std::f64::consts::PI;
 
 use super::{
-    super::{
-        algebra::apply,
-        flow::{Flow, State},
-    },
+    super::flow::State,
     Itinerary, Leg, Oscillator,
+    passage::{Arrival, Passage, Unknowns},
 };
 use crate::error::{Error, Result};
 
@@ -34,22 +32,13 @@ pub struct Linearised {
     pub slope: Vec<f64>,
 }
 
-/// How long impact i's motion lasts.
-pub fn duration(itinerary: &Itinerary, z: &[f64], i: usize) -> f64 {
-    let m = itinerary.strikes().len();
-    2.0 * PI * f64::from(itinerary.strikes()[i].periods) + z[2 * ((i + 1) % m)] - z[2 * i]
-}
-
 /// The equations and their derivatives. Cost: m flows with variations, and O(m²) memory.
 ///
 /// # Errors
 /// An input error if a wall is missing, a duration is negative or 0, or z has the wrong length.
 pub fn linearise(oscillator: &Oscillator, itinerary: &Itinerary, z: &[f64]) -> Result<Linearised> {
-    let strikes = itinerary.strikes();
-    let m = strikes.len();
-    if z.len() != (2 * m).max(2) {
-        return Err(Error::input(format!("{} unknowns for the pattern {itinerary}", z.len())));
-    }
+    let unknowns = Unknowns::new(itinerary, z)?;
+    let m = itinerary.strikes().len();
     if m == 0 {
         return Ok(free(oscillator, itinerary, z));
     }
@@ -58,38 +47,22 @@ pub fn linearise(oscillator: &Oscillator, itinerary: &Itinerary, z: &[f64]) -> R
         jacobian: vec![vec![0.0; 2 * m]; 2 * m],
         slope: vec![0.0; 2 * m],
     };
-    for (i, strike) in strikes.iter().enumerate() {
-        let next = (i + 1) % m;
-        let (t, speed, t_next, speed_next) = (z[2 * i], z[2 * i + 1], z[2 * next], z[2 * next + 1]);
-        let time = duration(itinerary, z, i);
-        if time.is_nan() || time <= 0.0 {
-            return Err(Error::input(format!("impact {} would come before impact {i}", i + 1)));
+    for passage in unknowns.passages(oscillator) {
+        let passage = passage?;
+        let Passage { index, next, duration, .. } = passage;
+        if duration.is_nan() || duration <= 0.0 {
+            return Err(Error::input(format!("impact {} would come before impact {index}", index + 1)));
         }
-        let here = oscillator.touch(strike.side, t)?;
-        let there = oscillator.touch(strikes[next].side, t_next)?;
-        let (tau, here_sign) = (here.wall.restitution, strike.side.sign());
-        let from = here.leaving(t, tau * speed);
-        let Leg { end, matrix, slope } = oscillator.leg(from, time);
-        let sign = there.wall.side.sign();
-        // Starting later is starting displaced: by what the wall and the orbit move in between, reversed.
-        let delayed = [here.motion[1] - from.u, here.motion[2] - oscillator.flow().acceleration(from)];
-        let kicked = [0.0, here_sign * tau];
-        let changed = [here.slope[0], here.slope[1] + here_sign * here.restitution_slope * speed];
-        let [delayed, kicked, changed] = [delayed, kicked, changed].map(|x| apply(&matrix, x));
-        let arrival = [end.u - there.motion[1], oscillator.flow().acceleration(end) - there.motion[2]];
-        let gap = [end.q - there.motion[0], arrival[0]];
+        let Arrival { residual, departure, arrival, slope } = passage.equations();
         for row in [0, 1] {
-            let r = 2 * i + row;
-            found.residual[r] = sign * gap[row];
-            found.slope[r] = sign * (changed[row] + slope[row] - there.slope[row]);
+            let r = 2 * index + row;
+            (found.residual[r], found.slope[r]) = (residual[row], slope[row]);
             // Added, not set: with m = 1 both ends are the same impact.
-            let entries = &mut found.jacobian[r];
-            entries[2 * i] += sign * delayed[row];
-            entries[2 * i + 1] += sign * kicked[row];
-            entries[2 * next] += sign * arrival[row];
+            for column in [0, 1] {
+                found.jacobian[r][2 * index + column] += departure[row][column];
+                found.jacobian[r][2 * next + column] += arrival[row][column];
+            }
         }
-        found.residual[2 * i + 1] += speed_next;
-        found.jacobian[2 * i + 1][2 * next + 1] += 1.0;
     }
     Ok(found)
 }

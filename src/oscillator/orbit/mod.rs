@@ -2,29 +2,38 @@
 //!
 //! [`Itinerary`] is the impact pattern with its walls, [`linearise`] the equations (19) with all derivatives, [`find`]
 //! Newton's method on them, its answer an [`Orbit`] with [`Multipliers`] and [`Admissibility`]. [`SingleImpact`] has the exact orbits of
-//! a linear oscillator, a second route. Not here: where orbits bifurcate (`grazing`, `critical`).
+//! a linear oscillator, a second route. [`return_map`] expands the Poincaré map, [`Derivatives`] has the normal forms' coefficients.
+//! Not here: where orbits bifurcate (`grazing`, `branch`).
 
 mod admissible;
+mod cubic;
 mod equations;
 mod family;
 mod itinerary;
 mod leg;
 mod multipliers;
 mod newton;
+mod normal_form;
 mod oscillator;
+mod passage;
+mod return_map;
 mod search;
 mod single;
 mod solution;
 
 pub(super) use admissible::minima;
 pub use admissible::{Admissibility, Check, Minimum, check};
-pub use equations::{Linearised, duration, linearise};
+pub use cubic::Cubic;
+pub use equations::{Linearised, linearise};
 pub use family::Family;
 pub use itinerary::{Itinerary, Strike};
 pub use leg::{Leg, Touch};
 pub use multipliers::Multipliers;
 pub use newton::{Root, newton};
+pub use normal_form::{Criticality, Derivatives};
 pub use oscillator::Oscillator;
+pub use passage::{Arrival, Passage, Unknowns};
+pub use return_map::{ReturnMap, return_map};
 pub use search::search;
 pub use single::SingleImpact;
 pub use solution::{Impact, Orbit, describe, find, monodromy};

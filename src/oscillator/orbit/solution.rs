@@ -10,13 +10,14 @@ use super::{
     },
     Admissibility, Check, Itinerary, Minimum, Multipliers, Oscillator,
     admissible::check,
-    equations::{duration, linearise},
+    equations::linearise,
     newton::{Root, newton},
+    passage::Unknowns,
 };
-use crate::error::Result;
+use crate::error::{Error, Result};
 
 /// A solution of the pattern equations, with all that is known of it.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Orbit {
     /// Its impacts' walls and periods.
     pub itinerary: Itinerary,
@@ -71,20 +72,14 @@ pub fn describe(oscillator: &Oscillator, itinerary: &Itinerary, root: Root) -> R
 /// # Errors
 /// An input error if a wall is missing.
 pub fn monodromy(oscillator: &Oscillator, itinerary: &Itinerary, z: &[f64]) -> Result<Matrix> {
-    let strikes = itinerary.strikes();
-    if strikes.is_empty() {
+    if itinerary.strikes().is_empty() {
         let start = State { t: 0.0, q: z[0], u: z[1] };
         return Ok(oscillator.leg(start, 2.0 * PI * f64::from(itinerary.periods())).matrix);
     }
     let mut matrix = IDENTITY;
-    for (i, strike) in strikes.iter().enumerate() {
-        let next = (i + 1) % strikes.len();
-        let here = oscillator.touch(strike.side, z[2 * i])?;
-        let from = here.leaving(z[2 * i], here.wall.restitution * z[2 * i + 1]);
-        let (_, flow) = oscillator.flow().advance_linearised(from, duration(itinerary, z, i));
-        let there = oscillator.touch(strikes[next].side, z[2 * next])?;
-        let (jump, _) = oscillator.saltation(&there, z[2 * next], z[2 * next + 1]);
-        matrix = product(&product(&jump, &flow), &matrix);
+    for passage in Unknowns::new(itinerary, z)?.passages(oscillator) {
+        let passage = passage?;
+        matrix = product(&product(&passage.saltation().0, &passage.matrix()), &matrix);
     }
     Ok(matrix)
 }
@@ -107,14 +102,14 @@ impl Orbit {
             return Ok(oscillator.flow().advance(start, t.rem_euclid(self.period())));
         }
         let mut left = (t - self.z[0]).rem_euclid(self.period());
-        let mut i = 0;
-        while i + 1 < strikes.len() && left > duration(&self.itinerary, &self.z, i) {
-            left -= duration(&self.itinerary, &self.z, i);
-            i += 1;
+        for passage in Unknowns::new(&self.itinerary, &self.z)?.passages(oscillator) {
+            let passage = passage?;
+            if left <= passage.duration || passage.index + 1 == strikes.len() {
+                return Ok(oscillator.flow().advance(passage.from, left));
+            }
+            left -= passage.duration;
         }
-        let contact = oscillator.touch(strikes[i].side, self.z[2 * i])?;
-        let from = contact.leaving(self.z[2 * i], contact.wall.restitution * self.z[2 * i + 1]);
-        Ok(oscillator.flow().advance(from, left))
+        Err(Error::input("an orbit without passages"))
     }
 
     /// The period.

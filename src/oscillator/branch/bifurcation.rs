@@ -1,0 +1,159 @@
+//! What happens to a periodic orbit along its branch: one list, for labels, tasks and proofs alike.
+
+use crate::oscillator::orbit::Orbit;
+
+/// A bifurcation of codimension one, or another end of a branch as one of orbits.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Bifurcation {
+    /// The branch turns back in the parameter: two orbits meet, a multiplier is 1.
+    SaddleNode,
+    /// Another branch of the same pattern crosses (pitchfork, transcritical): a multiplier is 1.
+    Crossing,
+    /// A multiplier is −1: the branch of the doubled pattern is born.
+    Flip,
+    /// Two complex multipliers have modulus 1 (Neimark–Sacker).
+    Torus,
+    /// A minimum of the gap is zero: a new impact with zero velocity.
+    Grazing,
+    /// An impact's velocity is zero: the branch ends as an orbit of this pattern.
+    Fade,
+}
+
+impl Bifurcation {
+    /// All, in the order of a branch's monitors.
+    pub const ALL: [Bifurcation; 6] = [
+        Bifurcation::SaddleNode,
+        Bifurcation::Crossing,
+        Bifurcation::Flip,
+        Bifurcation::Torus,
+        Bifurcation::Grazing,
+        Bifurcation::Fade,
+    ];
+
+    /// Its name in tables and labels.
+    pub fn name(self) -> &'static str {
+        match self {
+            Bifurcation::SaddleNode => "saddle-node",
+            Bifurcation::Crossing => "crossing",
+            Bifurcation::Flip => "flip",
+            Bifurcation::Torus => "neimark-sacker",
+            Bifurcation::Grazing => "grazing",
+            Bifurcation::Fade => "fade",
+        }
+    }
+
+    /// The one with a name.
+    pub fn named(name: &str) -> Option<Bifurcation> {
+        Bifurcation::ALL.into_iter().find(|known| known.name() == name)
+    }
+
+    /// The one that a monitor's number means: from `Fade` on each is an impact's speed.
+    pub(super) fn of(monitor: usize) -> Bifurcation {
+        Bifurcation::ALL[monitor.min(Bifurcation::Fade as usize)]
+    }
+
+    /// Whether an orbit is at it: its multipliers are the bifurcation's, and no speed is zero where multipliers are asked for.
+    /// A zero of a monitor that fails this is a pole of the multipliers seen from both sides.
+    pub fn is_at(self, orbit: &Orbit) -> bool {
+        let multipliers = &orbit.multipliers;
+        let moving = orbit.impacts().all(|impact| impact.speed.abs() > STILL);
+        let near = |test: f64, tolerance: f64| test.abs() <= tolerance * (1.0 + multipliers.determinant);
+        match self {
+            // A multiplier moves like the square root of the parameter there: half the digits.
+            Bifurcation::SaddleNode | Bifurcation::Crossing => moving && near(multipliers.fold(), 1e-4),
+            Bifurcation::Flip => moving && near(multipliers.flip(), 1e-6),
+            Bifurcation::Torus => {
+                moving
+                    && near(multipliers.determinant - 1.0, 1e-9)
+                    && multipliers.trace.abs() < 1.0 + multipliers.determinant
+            }
+            Bifurcation::Grazing => moving && orbit.least.is_some_and(|least| least.gap.abs() <= 1e-9),
+            Bifurcation::Fade => orbit.impacts().any(|impact| impact.speed.abs() <= 1e-9),
+        }
+    }
+}
+
+/// Slower than this, an impact's speed is rounding's.
+const STILL: f64 = 1e-10;
+
+/// A point of codimension two on a curve of bifurcations in two parameters.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Degeneracy {
+    /// On a curve of saddle-nodes: the coefficient a vanishes, three orbits meet.
+    Cusp,
+    /// On a curve of flips: the coefficient b vanishes, the flip turns from supercritical to subcritical.
+    GeneralisedFlip,
+    /// On a Neimark–Sacker curve: the coefficient Re d vanishes.
+    Chenciner,
+    /// Both multipliers are 1.
+    Resonance1,
+    /// Both multipliers are −1.
+    Resonance2,
+    /// The multipliers are third roots of 1.
+    Resonance3,
+    /// The multipliers are ±i.
+    Resonance4,
+    /// On a curve of grazings: e = 0, the curve has the direction of the first parameter.
+    NoDrift,
+    /// On a curve of grazings: γ = 0.
+    NoGamma,
+    /// On a curve of grazings: u_2 = 0; from here curves of saddle-nodes and flips of the orbit of twice the period start.
+    Resonant2,
+    /// The same with u_3 = 0 and three times the period.
+    Resonant3,
+    /// The same with u_4 = 0, u_2 not.
+    Resonant4,
+    /// The same with u_5 = 0.
+    Resonant5,
+    /// The same with u_6 = 0, neither u_2 nor u_3.
+    Resonant6,
+}
+
+impl Degeneracy {
+    /// All, in the order of a curve's monitors.
+    pub const ALL: [Degeneracy; 14] = [
+        Degeneracy::Cusp,
+        Degeneracy::GeneralisedFlip,
+        Degeneracy::Chenciner,
+        Degeneracy::Resonance1,
+        Degeneracy::Resonance2,
+        Degeneracy::Resonance3,
+        Degeneracy::Resonance4,
+        Degeneracy::NoDrift,
+        Degeneracy::NoGamma,
+        Degeneracy::Resonant2,
+        Degeneracy::Resonant3,
+        Degeneracy::Resonant4,
+        Degeneracy::Resonant5,
+        Degeneracy::Resonant6,
+    ];
+
+    /// Its name in tables and labels.
+    pub fn name(self) -> &'static str {
+        match self {
+            Degeneracy::Cusp => "cusp",
+            Degeneracy::GeneralisedFlip => "generalised-flip",
+            Degeneracy::Chenciner => "chenciner",
+            Degeneracy::Resonance1 => "1:1-resonance",
+            Degeneracy::Resonance2 => "1:2-resonance",
+            Degeneracy::Resonance3 => "1:3-resonance",
+            Degeneracy::Resonance4 => "1:4-resonance",
+            Degeneracy::NoDrift => "e-zero",
+            Degeneracy::NoGamma => "gamma-zero",
+            Degeneracy::Resonant2 => "resonant-grazing-2",
+            Degeneracy::Resonant3 => "resonant-grazing-3",
+            Degeneracy::Resonant4 => "resonant-grazing-4",
+            Degeneracy::Resonant5 => "resonant-grazing-5",
+            Degeneracy::Resonant6 => "resonant-grazing-6",
+        }
+    }
+}
+
+/// What happens at a point of a branch, or of a curve of bifurcations.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Singularity {
+    /// A bifurcation; on a curve of bifurcations, a second one at the same point.
+    Bifurcation(Bifurcation),
+    /// A bifurcation of codimension two.
+    Degeneracy(Degeneracy),
+}

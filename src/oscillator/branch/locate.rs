@@ -1,0 +1,142 @@
+//! The first bifurcation of a kind on the branch through an orbit: the branch followed both ways until it is met.
+
+use std::fmt;
+
+use super::{Bifurcation, End, Followed, Foot, Options, Orbits, Step, follow::follow_until};
+use crate::{
+    error::Result,
+    oscillator::orbit::{Family, Orbit},
+};
+
+/// A bifurcation that was found.
+#[derive(Debug, Clone)]
+pub struct Located {
+    /// Which.
+    pub bifurcation: Bifurcation,
+    /// The parameter there.
+    pub parameter: f64,
+    /// The orbit there.
+    pub orbit: Orbit,
+    /// How far along the branch, in the norm of times, speeds and parameter.
+    pub length: f64,
+}
+
+/// What was met one way along a branch.
+#[derive(Debug, Clone)]
+pub struct OneWay {
+    /// Every bifurcation that was passed, with its parameter.
+    pub passed: Vec<(Bifurcation, f64)>,
+    /// Why it was followed no further.
+    pub end: End,
+    /// The parameter there.
+    pub parameter: f64,
+    /// How far that is.
+    pub length: f64,
+}
+
+/// What a search came to.
+#[derive(Debug, Clone)]
+pub enum BranchSearch {
+    /// The nearest of the kind.
+    Found(Box<Located>),
+    /// None of the kind: how far it was looked for, to smaller and to larger parameters.
+    Nothing(Nothing),
+}
+
+/// Why a search found nothing.
+#[derive(Debug, Clone)]
+pub struct Nothing {
+    /// What was looked for.
+    pub bifurcation: Bifurcation,
+    /// How far, along the branch.
+    pub reach: f64,
+    /// Against the branch's direction, and along it: that of larger parameters at the start.
+    pub sides: [OneWay; 2],
+}
+
+/// The bifurcation of a kind that is nearest along the branch through an orbit: followed both ways, no further than `reach` in the norm
+/// of times, speeds and parameter, and not beyond the branch's ends as one of orbits. Cost: as of the branch.
+///
+/// # Errors
+/// An input error if the branch cannot be followed at the orbit itself.
+pub fn locate(
+    family: &dyn Family,
+    bifurcation: Bifurcation,
+    orbit: &Orbit,
+    parameter: f64,
+    reach: f64,
+    options: &Options,
+) -> Result<BranchSearch> {
+    let orbits = Orbits::around(family, orbit.itinerary.clone(), parameter, reach);
+    let start = orbits.foot(&orbits.unknowns(&orbit.z, parameter), options)?;
+    let (mut nearest, mut sides) = (None::<Located>, Vec::new());
+    for start in [start.reversed(), start] {
+        let (side, found) = one_way(&orbits, start, bifurcation, reach, options)?;
+        sides.push(side);
+        if let Some(found) = found
+            && nearest.as_ref().is_none_or(|known| found.length < known.length)
+        {
+            nearest = Some(found);
+        }
+    }
+    let sides: [OneWay; 2] = sides.try_into().unwrap_or_else(|_| unreachable!("both ways were gone"));
+    Ok(match nearest {
+        Some(found) => BranchSearch::Found(Box::new(found)),
+        None => BranchSearch::Nothing(Nothing { bifurcation, reach, sides }),
+    })
+}
+
+fn one_way(
+    orbits: &Orbits,
+    start: Foot,
+    bifurcation: Bifurcation,
+    reach: f64,
+    options: &Options,
+) -> Result<(OneWay, Option<Located>)> {
+    let wanted = |step: &Step<Orbit>| step.event.map(Bifurcation::of) == Some(bifurcation);
+    let stop = |step: &Step<Orbit>| match () {
+        () if step.length > reach => Some(End::Reach),
+        () if wanted(step) => Some(End::Found),
+        () => None,
+    };
+    // A start that is the bifurcation itself is passed from a little behind it.
+    let start = if bifurcation.is_at(&orbits.view(&start)?) {
+        options.corrector().step(orbits, &start, -options.step).unwrap_or(start)
+    } else {
+        start
+    };
+    let (steps, end) = follow_until(orbits, start, options, stop)?;
+    let passed =
+        steps.iter().filter_map(|step| Some((Bifurcation::of(step.event?), orbits.parameter(&step.foot.u))));
+    let last = steps.last().unwrap_or_else(|| unreachable!("the start is there"));
+    let (parameter, length) = (orbits.parameter(&last.foot.u), last.length);
+    // At the parameter's bound it has gone as far as was asked for too.
+    let end = if end == End::Bound { End::Reach } else { end };
+    let found =
+        (end == End::Found).then(|| Located { bifurcation, parameter, orbit: last.view.clone(), length });
+    Ok((OneWay { passed: passed.collect(), end, parameter, length }, found))
+}
+
+/// "no flip on the branch: ...".
+impl fmt::Display for Nothing {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "no {} on the branch", self.bifurcation.name())?;
+        for (side, way) in self.sides.iter().zip(["one way", "the other way"]) {
+            let OneWay { passed, end, parameter, length } = side;
+            write!(f, "; {way} ")?;
+            match (end, passed.last()) {
+                (End::Reach, _) => write!(f, "it goes on beyond reach = {} (at {parameter})", self.reach)?,
+                (End::Fails, Some((what, at))) => write!(f, "it ends in a {} at {at}", what.name())?,
+                _ => write!(f, "it ends at {parameter} ({end})")?,
+            }
+            write!(f, ", {length:.3} along")?;
+            for (what, at) in passed.iter().filter(|(what, _)| *what == Bifurcation::Crossing) {
+                write!(f, ", past a {} with another branch at {at}", what.name())?;
+            }
+        }
+        if self.sides.iter().any(|side| side.end == End::Reach) {
+            f.write_str("; a larger reach looks further")?;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,314 @@
+//! Tasks of kind `validate`: orbits and bifurcations proved, from approximations found as the tasks `orbit` and `event` do.
+
+use std::f64::consts::TAU;
+
+use num_rational::BigRational;
+use num_traits::ToPrimitive;
+use serde::Serialize;
+
+use super::{Finding, Job, Judgement, Lines, Status, orbit::speeds, row};
+use crate::{
+    error::{Error, Result},
+    number::{Ball, Precision, Real, certain_digits},
+    oscillator::{
+        branch::{Bifurcation, BranchSearch, locate},
+        grazing,
+        orbit::{Family, Itinerary, Orbit, Oscillator, Unknowns},
+        validate::{self, Condition, Impact, Jet, Stability, Verdict},
+    },
+    scene::{SceneFamily, validate::ValidateTask},
+};
+
+/// The most digits shown of an enclosed number.
+const DIGITS: u32 = 20;
+
+row! {
+    /// A solution, and what is proved of it.
+    pub struct ProofRow {
+        /// "proved", "refuted" or "undecided".
+        pub verdict: &'static str,
+        /// The impact pattern.
+        pub pattern: String,
+        /// About where the solution is: its phases and speeds, t_1, V_1, …, and last the parameter of an event.
+        pub solution: Vec<f64>,
+        /// Why it is not proved.
+        pub reason: Option<String>,
+        /// The certain digits of the parameter of an event.
+        pub parameter: Option<String>,
+        /// The width of its enclosure.
+        pub width: Option<f64>,
+        /// The certain digits of the phases.
+        pub phases: Option<Vec<String>>,
+        /// Of the speeds.
+        pub speeds: Option<Vec<String>>,
+        /// Half the side of the box in which there is no other solution.
+        pub only_within: Option<f64>,
+        /// The certain digits of λ₁ + λ₂.
+        pub trace: Option<String>,
+        /// Of λ₁λ₂.
+        pub det: Option<String>,
+        /// Whether the orbit is stable; "marginal" if that is undecided.
+        pub stable: Option<Judgement>,
+        /// The file of its certificate.
+        pub certificate: Option<String>,
+        /// Why it has none.
+        pub no_certificate: Option<String>,
+    }
+}
+
+row! {
+    /// A start from which there was nothing to prove.
+    pub struct UnprovedRow {
+        /// The speeds of the orbit; none if there is no orbit.
+        pub speeds: Vec<f64>,
+        /// Why.
+        pub reason: String,
+    }
+}
+
+/// What is proved of each solution.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ValidateFindings {
+    /// The bifurcation that is enclosed; absent for orbits.
+    pub event: Option<&'static str>,
+    /// One row for each solution.
+    pub proofs: Vec<ProofRow>,
+    /// Starts from which there was nothing to prove.
+    pub without: Vec<UnprovedRow>,
+    /// The certificates: file and text.
+    #[serde(skip)]
+    pub certificates: Vec<(String, String)>,
+}
+
+impl Finding for ValidateFindings {
+    fn status(&self) -> Status {
+        let said = |row: &ProofRow| {
+            let reason = row.reason.as_deref().unwrap_or_default();
+            format!("pattern {} near {:?}: {reason}", row.pattern, row.solution)
+        };
+        let first = |verdict: &str| self.proofs.iter().find(|row| row.verdict == verdict).map(said);
+        match (first("refuted"), first("undecided")) {
+            (Some(which), _) => Status::refuted(which),
+            (None, Some(which)) => Status::undecided(which),
+            (None, None) if !self.proofs.is_empty() => Status::Done,
+            _ => Status::nothing(
+                self.without.first().map_or("nothing to prove".into(), |row| row.reason.clone()),
+            ),
+        }
+    }
+
+    fn lines(&self, lines: &mut Lines) {
+        if let Some(event) = self.event {
+            lines.say("event", event);
+        }
+        lines.table(if self.event.is_some() { "events" } else { "orbits" }, &self.proofs);
+        if !self.without.is_empty() {
+            lines.table("without", &self.without);
+        }
+    }
+}
+
+/// Proves each orbit that is found, or the event nearest to each.
+///
+/// # Errors
+/// Where the system is not defined; an interruption.
+pub fn validate(task: &ValidateTask, job: &Job) -> Result<ValidateFindings> {
+    let mut found =
+        ValidateFindings { event: None, proofs: Vec::new(), without: Vec::new(), certificates: Vec::new() };
+    match (task.event, &task.parameter) {
+        (Some(event), Some(parameter)) => events(task, event, parameter, job, &mut found)?,
+        _ => orbits(task, job, &mut found)?,
+    }
+    Ok(found)
+}
+
+impl ProofRow {
+    fn new<T>(verdict: &Verdict<T>, itinerary: &Itinerary, solution: Vec<f64>) -> ProofRow {
+        let (verdict, reason) = match verdict {
+            Verdict::Proved(_) => ("proved", None),
+            Verdict::Refuted(why) => ("refuted", Some(why.clone())),
+            Verdict::Undecided(why) => ("undecided", Some(why.clone())),
+        };
+        ProofRow {
+            verdict,
+            pattern: itinerary.to_string(),
+            solution,
+            reason,
+            parameter: None,
+            width: None,
+            phases: None,
+            speeds: None,
+            only_within: None,
+            trace: None,
+            det: None,
+            stable: None,
+            certificate: None,
+            no_certificate: None,
+        }
+    }
+}
+
+impl ValidateFindings {
+    fn nothing(&mut self, speeds: Vec<f64>, reason: String) {
+        self.without.push(UnprovedRow { speeds, reason });
+    }
+}
+
+/// The orbits to begin with; a row that says so where there are none.
+fn starts(task: &ValidateTask, oscillator: &Oscillator, found: &mut ValidateFindings) -> Vec<Orbit> {
+    match task.orbit.orbits(oscillator) {
+        Ok(orbits) => {
+            if orbits.is_empty() {
+                let (starts, speed) = (task.orbit.starts, task.orbit.speed);
+                let reason =
+                    format!("no orbit of the pattern from {starts} starts with speeds up to {speed}");
+                found.nothing(Vec::new(), reason);
+            }
+            orbits
+        }
+        Err(error) => {
+            found.nothing(Vec::new(), error.to_string());
+            Vec::new()
+        }
+    }
+}
+
+fn orbits(task: &ValidateTask, job: &Job, found: &mut ValidateFindings) -> Result<()> {
+    let precision = Precision::new(task.bits);
+    let system = job.scene.exact(&[])?;
+    let oscillator = Oscillator::new(job.system.clone(), job.scene.accuracy.tolerance)?;
+    for orbit in starts(task, &oscillator, found) {
+        job.check()?;
+        let verdict = validate::orbit(&system, &impacts(&orbit.itinerary, &orbit.z), &precision)?;
+        let mut row = ProofRow::new(&verdict, &orbit.itinerary, orbit.z.clone());
+        if let Verdict::Proved(proof) = verdict {
+            row.phases = Some(all(&proof.phases));
+            row.speeds = Some(all(&proof.velocities));
+            row.only_within = proof.radius.to_f64();
+            row.trace = digits(&proof.trace);
+            row.det = digits(&proof.determinant);
+            row.stable = Some(match proof.stability {
+                Some(Stability::Stable) => Judgement::Yes,
+                Some(Stability::Unstable) => Judgement::No,
+                None => Judgement::Marginal,
+            });
+            match validate::certificate(&system, &proof) {
+                Ok(text) => {
+                    let file = format!("{}-{}.certificate", job.task.name, found.proofs.len() + 1);
+                    row.certificate = Some(file.clone());
+                    found.certificates.push((file, text));
+                }
+                Err(error) => row.no_certificate = Some(error.to_string()),
+            }
+        }
+        found.proofs.push(row);
+    }
+    Ok(())
+}
+
+fn events(
+    task: &ValidateTask,
+    event: Bifurcation,
+    name: &str,
+    job: &Job,
+    found: &mut ValidateFindings,
+) -> Result<()> {
+    let precision = Precision::new(task.bits);
+    let family = SceneFamily::new(&job.scene, name)?;
+    let start = family.value();
+    let exact = |parameter: &Jet| {
+        let values = job.scene.parameters.iter().map(|(other, value)| {
+            if other == name { parameter.clone() } else { Jet::ratio(value, &precision) }
+        });
+        let values: Vec<Jet> = values.collect();
+        job.scene.system.try_map(|expression| expression.evaluate(&values, &precision))
+    };
+    found.event = Some(event.name());
+    let mut known: Vec<BigRational> = Vec::new();
+    for orbit in starts(task, &family.at(start)?, found) {
+        job.check()?;
+        if !orbit.admissibility.is_admissible() {
+            found.nothing(speeds(&orbit), "the solution to begin with is not admissible".into());
+            continue;
+        }
+        let (guess, parameter, condition) = match approximate(&family, event, &orbit, start, task) {
+            Ok(found) => found,
+            Err(error) => {
+                found.nothing(speeds(&orbit), error.to_string());
+                continue;
+            }
+        };
+        let solution = guess.iter().flat_map(|impact| [impact.phase, impact.velocity]).chain([parameter]);
+        let verdict = validate::event(exact, &guess, parameter, condition, &precision)?;
+        let mut row = ProofRow::new(&verdict, &orbit.itinerary, solution.collect());
+        if let Verdict::Proved(proof) = verdict {
+            let Some((lo, hi)) = proof.parameter.exact_bounds() else {
+                found.nothing(speeds(&orbit), "the parameter's enclosure is not bounded".into());
+                continue;
+            };
+            // The same event from another orbit of its branch.
+            if known.iter().any(|other| lo <= *other && *other <= hi) {
+                continue;
+            }
+            row.parameter = digits(&proof.parameter);
+            row.width = (&hi - &lo).to_f64();
+            row.phases = Some(all(&proof.phases));
+            row.speeds = Some(all(&proof.velocities));
+            row.only_within = proof.radius.to_f64();
+            known.push((lo + hi) / BigRational::from_integer(2.into()));
+        }
+        found.proofs.push(row);
+    }
+    Ok(())
+}
+
+/// Impacts, parameter and condition near which the event is expected.
+fn approximate(
+    family: &SceneFamily,
+    event: Bifurcation,
+    orbit: &Orbit,
+    start: f64,
+    task: &ValidateTask,
+) -> Result<(Vec<Impact>, f64, Condition)> {
+    let found = match locate(family, event, orbit, start, task.reach, &task.options.checked()?)? {
+        BranchSearch::Found(found) => found,
+        BranchSearch::Nothing(nothing) => return Err(Error::input(nothing.to_string())),
+    };
+    if event == Bifurcation::Grazing {
+        let found = grazing::locate(family, &found.orbit, found.parameter)?;
+        // The tangency is the first of its impacts: what comes before it flies on to what comes after.
+        let mut all = impacts(&found.itinerary, &found.z);
+        let touch = all.remove(0);
+        let last = all.last_mut().ok_or_else(|| Error::input("the orbit that grazes has no impact"))?;
+        let time = TAU * f64::from(last.periods) + touch.phase - last.phase;
+        last.periods += touch.periods;
+        let after = all.len() - 1;
+        return Ok((all, found.parameter, Condition::Grazing { after, side: touch.side, time }));
+    }
+    let condition = if event == Bifurcation::Flip { Condition::Flip } else { Condition::SaddleNode };
+    Ok((impacts(&found.orbit.itinerary, &found.orbit.z), found.parameter, condition))
+}
+
+/// The impacts of a solution of the pattern equations.
+fn impacts(itinerary: &Itinerary, z: &[f64]) -> Vec<Impact> {
+    let Ok(unknowns) = Unknowns::new(itinerary, z) else { return Vec::new() };
+    let strikes = itinerary.strikes().iter().enumerate();
+    strikes
+        .map(|(i, strike)| Impact {
+            side: strike.side,
+            periods: strike.periods,
+            phase: unknowns.phase(i),
+            velocity: unknowns.speed(i),
+        })
+        .collect()
+}
+
+/// The certain digits of an enclosed number.
+fn digits(x: &Ball) -> Option<String> {
+    let (lo, hi) = x.exact_bounds()?;
+    certain_digits(&lo, &hi, DIGITS)
+}
+
+fn all(values: &[Ball]) -> Vec<String> {
+    values.iter().map(|value| digits(value).unwrap_or_else(|| "?".into())).collect()
+}
