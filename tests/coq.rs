@@ -1,69 +1,325 @@
-//! The Coq development under `proofs/coq` builds, rests on the pinned axioms alone
-//! (`check.sh`), and computes the same u_n, b_{n,k}, c_n at rational points as exact
-//! arithmetic does here.
+//! The Coq development under `proofs/coq` says and rests on what is pinned there (`check.sh`), and what the
+//! built `grazing` prints agrees with functions that Coq has proved: `StatementZ.v`, extracted to OCaml.
 //!
-//! Without `coqc` on the PATH nothing is checked and stderr says so; with
-//! `GRAZING_REQUIRE_COQ=1` that is a failure.
+//! Without `coqc` (for the second, an OCaml compiler too) on the PATH nothing is checked and stderr says so;
+//! with `GRAZING_REQUIRE_COQ=1` that is a failure.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::io::Write;
-use std::path::Path;
-use std::process::Command;
-use std::{env, fs};
-
-use grazing::existence::{Case, by_definition};
-use grazing::local::{Ladder, Plane, Point};
-use num_rational::BigRational;
-use num_traits::{One, Pow, Zero};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::{env, fs, thread};
 
 #[test]
-fn coq_development_builds_and_agrees() {
-    let Ok(version) = Command::new("coqc").arg("--version").output() else {
-        let required = env::var("GRAZING_REQUIRE_COQ").is_ok_and(|v| v == "1");
-        assert!(!required, "GRAZING_REQUIRE_COQ=1 but there is no coqc on the PATH");
-        // Not eprintln!, which the test harness would swallow.
-        let notice = "\n*** COQ PROOFS NOT CHECKED: no coqc on the PATH (Debian: apt install coq) ***\n";
-        std::io::stderr().write_all(notice.as_bytes()).unwrap();
-        return;
-    };
-    let build = Path::new(env!("CARGO_TARGET_TMPDIR")).join("coq");
-    fs::create_dir_all(&build).unwrap();
+fn the_development_is_what_is_pinned() {
+    let Some(version) = version("coqc", "COQ PROOFS NOT CHECKED", "coq") else { return };
+    let build = folder("coq");
     let sources = sources();
     let mut hasher = DefaultHasher::new();
-    (&sources, version.stdout).hash(&mut hasher);
-    let digest = hasher.finish().to_string();
-    let (stamp, values) = (build.join("stamp"), build.join("values"));
-    if fs::read_to_string(&stamp).ok() != Some(digest.clone()) {
-        for (name, text) in &sources {
-            // Unchanged files keep their time, so that make compiles only what it must.
-            if fs::read_to_string(build.join(name)).ok().as_ref() != Some(text) {
-                fs::write(build.join(name), text).unwrap();
-            }
-        }
-        run(&build, "sh", &["check.sh"]);
-        let printed = run(&build, "coqc", &["-Q", ".", "Grazing", "ComputeQ.v"]);
-        fs::write(&values, printed).unwrap();
-        fs::write(&stamp, digest).unwrap();
+    (&sources, version).hash(&mut hasher);
+    let (stamp, digest) = (build.join("stamp"), hasher.finish().to_string());
+    if fs::read_to_string(&stamp).ok().as_ref() == Some(&digest) {
+        return;
     }
-    compare(&fs::read_to_string(values).unwrap());
+    let _ = fs::remove_file(&stamp);
+    place(&build, &sources);
+    run(&build, "sh", &["check.sh"]);
+    fs::write(&stamp, digest).unwrap();
 }
 
-/// The files under `proofs/coq` that the build reads, by name.
+#[test]
+fn grazing_prints_what_is_proved() {
+    let notice = "GRAZING NOT COMPARED WITH THE PROVED FUNCTIONS";
+    if version("coqc", notice, "coq").is_none() {
+        return;
+    }
+    let found = ["ocamlopt", "ocamlc"].into_iter().find(|compiler| runs(compiler));
+    let Some(compiler) = found else {
+        missing("ocamlopt or ocamlc", notice, "ocaml-nox");
+        return;
+    };
+    let build = folder("oracle");
+    let needed = ["Defs.v", "StatementZ.v", "Oracle.v", "oracle.ml"];
+    let sources = sources().into_iter().filter(|(name, _)| needed.contains(&name.as_str())).collect();
+    place(&build, &sources);
+    for file in &needed[..3] {
+        run(&build, "coqc", &["-Q", ".", "Grazing", file]);
+    }
+    run(&build, compiler, &["-w", "-a", "decide.mli", "decide.ml", "oracle.ml", "-o", "oracle"]);
+
+    let points = points();
+    let classified = points.iter().flat_map(|point| (1..=point.largest).map(move |n| (point.clone(), n)));
+    let evaluated = points.iter().enumerate().map(|(i, point)| {
+        // Up to 30 where numbers are short.
+        let least = point.largest.min(5);
+        (point.clone(), least + i * 7 % (2 * point.largest - least - 1))
+    });
+    let answers = ask(&build, classified.chain(evaluated).collect());
+    let (mut verdicts, signs) = answers.split_at(points.iter().map(|point| point.largest).sum());
+
+    let mut kinds = BTreeMap::new();
+    for point in &points {
+        let (proved, rest) = verdicts.split_at(point.largest);
+        verdicts = rest;
+        for (n, kind) in (1..).zip(compare_classify(point, proved)) {
+            *kinds.entry((n == 1, kind)).or_insert(0_usize) += 1;
+        }
+    }
+    let compared: usize = signs.iter().map(compare_evaluate).sum();
+    // Enough of each answer that may occur; 4 kinds for n >= 2, and the two of n = 1.
+    for (first, kind, least) in [
+        (false, "orbit", 400),
+        (false, "none", 400),
+        (false, "singular boundary", 50),
+        (false, "iterate boundary", 50),
+        (false, "sign boundary", 2),
+        (true, "orbit", 100),
+        (true, "sign boundary", 5),
+    ] {
+        let found = kinds.get(&(first, kind.to_owned())).copied().unwrap_or(0);
+        assert!(found >= least, "only {found} of {kind}: {kinds:?}");
+    }
+    assert!(compared >= 2000, "only {compared} signs compared");
+    println!("{compared} signs and {} verdicts compared: {kinds:?}", kinds.values().sum::<usize>());
+}
+
+/// a₁ = p/q and a₂ = s/q as decimal numbers.
+#[derive(Clone, Debug)]
+struct Rational {
+    p: String,
+    s: String,
+    q: String,
+    /// `classify` is asked for the periods up to this one. Numbers have about as many digits as the longest of these,
+    /// times the period, and the proved functions multiply them bit by bit.
+    largest: usize,
+}
+
+/// What the proved functions say about one period at one point.
+struct Proved {
+    point: Rational,
+    n: usize,
+    singular: bool,
+    /// The signs of b_{n,1}, …, b_{n,n−1}, of c_n and of 1 − v_n + a₂ⁿ.
+    b: Vec<char>,
+    c: char,
+    d: char,
+    /// The cases (sign eµ, sign γ) with an orbit.
+    cases: BTreeSet<(i8, i8)>,
+    no_orbit: bool,
+}
+
+/// Points of every region, of the lines between them and of the ends of the ranges.
+fn points() -> Vec<Rational> {
+    let point = |p: String, s: String, q: String| {
+        let largest = match p.len().max(s.len()).max(q.len()) {
+            1..=4 => 16,
+            5..=8 => 8,
+            _ => 4,
+        };
+        Rational { p, s, q, largest }
+    };
+    let small = |p: i64, s: i64, q: i64| point(p.to_string(), s.to_string(), q.to_string());
+    let mut all = Vec::new();
+    // A linear congruence is random enough here, and the same on every machine.
+    let mut state = 0x2545_f491_4f6c_dd1d_u64;
+    let mut below = |bound: u64| {
+        state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        ((state >> 33) % bound) as i64
+    };
+    for q in [7, 60, 997, 1_000_000] {
+        for _ in 0..30 {
+            let s = 1 + below(q as u64);
+            // |a1| < 2 sqrt(a2) half of the time, else up to 3.
+            let root = ((s as f64 * q as f64).sqrt() * 2.0) as u64;
+            let bound = if below(2) == 0 { root.max(1) } else { 3 * q as u64 };
+            all.push(small(below(2 * bound + 1) - bound as i64, s, q));
+        }
+        // a2 near 1, and above: reversed time.
+        for _ in 0..6 {
+            all.push(small(below(4 * q as u64) - 2 * q, q - below(2), q));
+            all.push(small(below(6 * q as u64) - 3 * q, q + 1 + below(2 * q as u64), q));
+        }
+    }
+    // a1 = ±(a2 + 1), equal eigenvalues ±x/10, the circle at rational cosines.
+    for x in 1..10 {
+        all.push(small(10 + x, x, 10));
+        all.push(small(-10 - x, x, 10));
+        all.push(small(20 * x, x * x, 100));
+        all.push(small(-20 * x, x * x, 100));
+    }
+    all.extend((-2..=2).map(|p| small(p, 1, 1)));
+    all.extend((-6..=6).map(|p| small(p, 2, 2)));
+    all.extend((-5..=5).map(|p| small(p, 1, 2)));
+    // r^2 = 1/2 and 1/3 at s = 1/8, 1/12 and their like have a1^2/a2 rational: u_n = 0 exactly.
+    all.extend(
+        [(2, 1, 2), (-2, 1, 2), (3, 3, 3), (-3, 3, 3), (1, 1, 3), (-1, 1, 3), (1, 1, 1), (0, 5, 7)]
+            .map(|(p, s, q)| small(p, s, q)),
+    );
+    // Within 10^-25 of the circle, of a line, of 0; very large.
+    let ten = |k: usize| format!("1{}", "0".repeat(k));
+    let nines = |k: usize| "9".repeat(k);
+    all.push(point(ten(25), nines(25), ten(25)));
+    all.push(point(format!("-{}", ten(25)), nines(25), ten(25)));
+    all.push(point("0".into(), nines(25), ten(25)));
+    all.push(point(format!("1{}", nines(25)), nines(25), ten(25)));
+    all.push(point(format!("-1{}", nines(25)), nines(25), ten(25)));
+    all.push(point(ten(25), "1".into(), ten(25)));
+    all.push(point("1".into(), "1".into(), ten(20)));
+    all.push(point(ten(25), "3".into(), "4".into()));
+    all.push(point(format!("-{}", ten(25)), "3".into(), "4".into()));
+    all.push(point("3".into(), ten(25), "4".into()));
+    all
+}
+
+/// What `classify` prints for the periods 1 to `largest` at one point, held against the proved answers.
+/// The word it has for each period.
+fn compare_classify(point: &Rational, proved: &[Proved]) -> Vec<String> {
+    let largest = point.largest.to_string();
+    let text = grazing(&["classify", "--max-n", &largest, "--format", "csv"], point);
+    let mut rows: BTreeMap<usize, Vec<Vec<String>>> = BTreeMap::new();
+    let mut lines = text.lines();
+    let header = "n,existence,sign_emu,sign_gamma,large_eigenvalue,positive_k,negative_k,zero_k";
+    assert_eq!(lines.next(), Some(header));
+    for line in lines {
+        let cells: Vec<String> = line.split(',').map(str::to_owned).collect();
+        rows.entry(cells[0].parse().unwrap()).or_default().push(cells);
+    }
+    assert_eq!(rows.len(), point.largest);
+    let mut kinds = Vec::new();
+    for (found, proved) in rows.values().zip(proved) {
+        let (n, first) = (proved.n, &found[0]);
+        let at = || format!("n = {n} at {point:?}: {found:?}");
+        let sign = |cell: &str| cell.parse::<i8>().unwrap();
+        let letter = |cell: &str| proved.b[cell.parse::<usize>().unwrap() - 1];
+        let none = proved.cases.is_empty() && !proved.no_orbit;
+        match first[1].as_str() {
+            "orbit" => {
+                let cases = found.iter().map(|row| (sign(&row[2]), sign(&row[3]))).collect::<BTreeSet<_>>();
+                assert_eq!(cases, proved.cases, "{}", at());
+                // (61): the large eigenvalue has the sign of eµ times that of 1 - v_n + a2^n.
+                let d = if proved.d == '+' { 1 } else { -1 };
+                assert!(found.iter().all(|row| sign(&row[4]) == sign(&row[2]) * d), "{}", at());
+            }
+            "none" => {
+                assert!(proved.no_orbit && letter(&first[5]) == '+' && letter(&first[6]) == '-', "{}", at());
+            }
+            "singular boundary" => assert!(proved.singular, "{}", at()),
+            "iterate boundary" => {
+                assert!(!proved.singular && none && letter(&first[7]) == '0', "{}", at());
+            }
+            "sign boundary" => assert!(!proved.singular && none && proved.c == '0', "{}", at()),
+            _ => panic!("undecided: {}", at()),
+        }
+        assert_eq!(proved.singular, first[1] == "singular boundary", "{}", at());
+        kinds.push(first[1].clone());
+    }
+    kinds
+}
+
+/// The signs that `evaluate` prints for one period at one point, held against the proved ones; how many.
+fn compare_evaluate(proved: &Proved) -> usize {
+    let n = proved.n.to_string();
+    let text = grazing(&["evaluate", "--n", &n, "--format", "json"], &proved.point);
+    let values = serde_json::from_str::<serde_json::Value>(&text).unwrap()["values"].clone();
+    let names = (1..proved.n).map(|k| format!("b_{{{n},{k}}}")).chain([format!("c_{n}")]);
+    let signs = proved.b.iter().chain([&proved.c]);
+    let expected: Vec<_> = names
+        .zip(signs)
+        .map(|(name, &sign)| (name, if proved.singular { "singular".into() } else { sign.to_string() }))
+        .collect();
+    let found: Vec<_> = (values.as_array().unwrap().iter())
+        .map(|v| (v["name"].as_str().unwrap().to_owned(), v["sign"].as_str().unwrap().to_owned()))
+        .collect();
+    assert_eq!(found, expected, "n = {n} at {:?}", proved.point);
+    found.len()
+}
+
+/// What the built `grazing` prints about a point; it must succeed.
+fn grazing(arguments: &[&str], point: &Rational) -> String {
+    let Rational { p, s, q, .. } = point;
+    let output = Command::new(env!("CARGO_BIN_EXE_grazing"))
+        .args(arguments)
+        .args([format!("--a1={p}/{q}"), format!("--a2={s}/{q}")])
+        .output()
+        .unwrap();
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{arguments:?} at {point:?}: {message}");
+    String::from_utf8(output.stdout).unwrap()
+}
+
+/// The answers of the extracted functions, in order.
+fn ask(build: &Path, questions: Vec<(Rational, usize)>) -> Vec<Proved> {
+    let mut child =
+        Command::new(build.join("oracle")).stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().unwrap();
+    let mut input = child.stdin.take().unwrap();
+    let lines: Vec<_> =
+        questions.iter().map(|(Rational { p, s, q, .. }, n)| format!("{p} {s} {q} {n}\n")).collect();
+    let writer = thread::spawn(move || lines.iter().try_for_each(|line| input.write_all(line.as_bytes())));
+    let output = child.wait_with_output().unwrap();
+    writer.join().unwrap().unwrap();
+    assert!(output.status.success());
+    let text = String::from_utf8(output.stdout).unwrap();
+    let answers: Vec<_> = text.lines().map(|line| line.split(' ').collect::<Vec<_>>()).collect();
+    assert_eq!(answers.len(), questions.len());
+    let order = [(1, 1), (1, -1), (-1, 1), (-1, -1)];
+    (questions.into_iter().zip(answers))
+        .map(|((point, n), words)| {
+            let [p, s, q, period, singular, b, c, d, cases, no_orbit] = words[..] else {
+                panic!("{words:?}")
+            };
+            assert_eq!([p, s, q, period], [&*point.p, &point.s, &point.q, &n.to_string()]);
+            let held = cases.chars().zip(order).filter(|(bit, _)| *bit == '1').map(|(_, case)| case);
+            let letter = |word: &str| word.chars().next().unwrap();
+            let b = b.chars().filter(|&letter| letter != '.').collect();
+            let (singular, no_orbit) = (singular == "1", no_orbit == "1");
+            Proved { n, singular, b, c: letter(c), d: letter(d), cases: held.collect(), no_orbit, point }
+        })
+        .collect()
+}
+
+/// A folder for building, kept from one run to the next.
+fn folder(name: &str) -> PathBuf {
+    let build = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    fs::create_dir_all(&build).unwrap();
+    build
+}
+
+/// The files under `proofs/coq` that a build reads, by name.
 fn sources() -> BTreeMap<String, String> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("proofs/coq");
     let names = fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().file_name());
     names
         .filter_map(|name| name.into_string().ok())
-        .filter(|name| {
-            let extension = Path::new(name).extension().and_then(|e| e.to_str());
-            name == "_CoqProject" || matches!(extension, Some("v" | "sh" | "txt"))
-        })
+        .filter(|name| is_source(name))
         .map(|name| (name.clone(), fs::read_to_string(folder.join(name)).unwrap()))
         .collect()
 }
 
-/// What the command prints on stdout; panics with all it prints when it fails.
+fn is_source(name: &str) -> bool {
+    let extension = Path::new(name).extension().and_then(|e| e.to_str());
+    name == "_CoqProject" || matches!(extension, Some("v" | "sh" | "txt" | "ml" | "mli"))
+}
+
+/// Makes the sources in a build folder these and no others. An unchanged file keeps its time, so that make
+/// compiles only what it must; with a source that is gone goes all that was made from it.
+fn place(build: &Path, sources: &BTreeMap<String, String>) {
+    for entry in fs::read_dir(build).unwrap() {
+        let name = entry.unwrap().file_name().into_string().unwrap();
+        let stem = name.trim_start_matches('.').split('.').next().unwrap();
+        let orphan = !sources.contains_key(&format!("{stem}.v")) && name.contains(".v");
+        if is_source(&name) && !sources.contains_key(&name) || orphan {
+            fs::remove_file(build.join(&name)).unwrap();
+        }
+    }
+    for (name, text) in sources {
+        if fs::read_to_string(build.join(name)).ok().as_ref() != Some(text) {
+            fs::write(build.join(name), text).unwrap();
+        }
+    }
+}
+
+/// What a program prints on stdout; panics with all it prints when it fails.
 fn run(folder: &Path, program: &str, arguments: &[&str]) -> String {
     let output = Command::new(program).args(arguments).current_dir(folder).output().unwrap();
     let (stdout, stderr) = (output.stdout, String::from_utf8_lossy(&output.stderr));
@@ -72,40 +328,23 @@ fn run(folder: &Path, program: &str, arguments: &[&str]) -> String {
     stdout
 }
 
-/// Compares what Coq printed with exact arithmetic, (59) and (60), and with the crate.
-fn compare(printed: &str) {
-    let lists: Vec<Vec<i128>> = printed.split(": list Z").map(integers).collect();
-    assert_eq!(lists.iter().map(|list| list.is_empty()).collect::<Vec<_>>(), [false, false, true]);
-    for row in lists[0].chunks(12) {
-        let (a1, a2, n, k) = (fraction(&row[0..2]), fraction(&row[2..4]), row[4] as usize, row[5] as usize);
-        let mut u = vec![BigRational::zero(), BigRational::one()];
-        for j in 1..=n {
-            u.push(&a1 * &u[j] - &a2 * &u[j - 1]);
-        }
-        let two_u = &u[n + 1] + &u[n + 1];
-        let b = (&u[n] - &u[k] - Pow::pow(&a2, k) * &u[n - k]) / &u[n];
-        let c = (two_u - &a1 * &u[n] - BigRational::one() - Pow::pow(&a2, n)) / &u[n];
-        let found = [fraction(&row[6..8]), fraction(&row[8..10]), fraction(&row[10..12])];
-        assert_eq!(found, [u[n].clone(), b, c], "row {row:?}");
-    }
-    let ladder = Ladder::default();
-    for row in lists[1].chunks(9) {
-        let point = Point::Plane(Plane::new(fraction(&row[0..2]), fraction(&row[2..4])).unwrap());
-        let cases = by_definition(&ladder, &point, row[4] as u64).cases(row[4] as u64);
-        let order = [Case::PlusPlus, Case::PlusMinus, Case::MinusPlus, Case::MinusMinus];
-        assert_eq!(order.map(|case| i128::from(cases.contains(&case))), row[5..], "row {row:?}");
-    }
+fn runs(program: &str) -> bool {
+    Command::new(program).arg("-version").output().is_ok_and(|output| output.status.success())
 }
 
-/// The integers in a text, in order.
-fn integers(text: &str) -> Vec<i128> {
-    text.split(|c: char| !c.is_ascii_digit() && c != '-')
-        .filter(|word| !word.is_empty())
-        .map(|word| word.parse().unwrap())
-        .collect()
+/// The version a program prints; where there is no such program, a notice, or a failure where it is required.
+fn version(program: &str, notice: &str, package: &str) -> Option<Vec<u8>> {
+    let found = Command::new(program).arg("--version").output().ok().map(|output| output.stdout);
+    if found.is_none() {
+        missing(program, notice, package);
+    }
+    found
 }
 
-/// A numerator and a denominator.
-fn fraction(pair: &[i128]) -> BigRational {
-    BigRational::new(pair[0].into(), pair[1].into())
+fn missing(program: &str, notice: &str, package: &str) {
+    let required = env::var("GRAZING_REQUIRE_COQ").is_ok_and(|v| v == "1");
+    assert!(!required, "GRAZING_REQUIRE_COQ=1 but there is no {program} on the PATH");
+    // Not eprintln!, which the test harness would swallow.
+    let text = format!("\n*** {notice}: no {program} on the PATH (Debian: apt install {package}) ***\n");
+    std::io::stderr().write_all(text.as_bytes()).unwrap();
 }

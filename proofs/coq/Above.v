@@ -117,7 +117,8 @@ Lemma S4_stated : S4_statement.
 Proof.
   intros n Hn; split; [|split].
   - intros r s Hr Hs; apply (first_orbits n r s Hn Hr Hs); tauto.
-  - intros k g lo hi HS; destruct (proj1 (S4_proof n Hn) Plus g lo hi (beside n k g lo hi HS)) as (Rad & HR & _).
+  - intros k g lo hi HS.
+    destruct (proj1 (S4_proof n Hn) Plus g lo hi (beside n k g lo hi HS)) as (Rad & HR & _).
     exists Rad; apply radius_above; assumption.
   - intros; now apply none_outside.
 Qed.
@@ -200,7 +201,8 @@ Proof.
       pose proof (are_neighbours F') as (_ & E1' & _ & E2'); split; intros E.
     + assert (m = m') as <- by (apply (U1 (Z.of_nat (m_minus F) - Z.of_nat (m_minus F'))%Z); nia).
       destruct (Farey_unique m n F F') as (-> & -> & _); reflexivity.
-    + assert (Eh : INR m / INR n = INR m' / INR n) by congruence; apply fraction_inj in Eh; [|assumption]; subst m'.
+    + assert (Eh : INR m / INR n = INR m' / INR n) by congruence.
+      apply fraction_inj in Eh; [|assumption]; subst m'.
       symmetry; apply (Farey_unique m n F F').
     + exfalso; apply (U2 (Z.of_nat (m_minus F) + Z.of_nat (m_plus F'))%Z); nia.
     + discriminate.
@@ -208,6 +210,7 @@ Proof.
     + discriminate.
     + assert (m = m') as <- by (apply (U1 (Z.of_nat (m_plus F) - Z.of_nat (m_plus F'))%Z); nia).
       destruct (Farey_unique m n F F') as (_ & _ & -> & ->); reflexivity.
-    + assert (El : INR m / INR n = INR m' / INR n) by congruence; apply fraction_inj in El; [|assumption]; subst m'.
+    + assert (El : INR m / INR n = INR m' / INR n) by congruence.
+      apply fraction_inj in El; [|assumption]; subst m'.
       symmetry; apply (Farey_unique m n F F').
 Qed.

@@ -1,4 +1,4 @@
-(** * Algebra of u_k and v_k: everything that follows from the recurrence alone
+(** * Identities of u_k and v_k that follow from the recurrence alone
 
     No sign, no region, no division: identities in a1 and a2, and the same with
     eigenvalues p, q when a1 = p + q and a2 = p q. *)

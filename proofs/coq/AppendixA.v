@@ -1,4 +1,5 @@
-(** * Appendix A: regions 1, 2 and 5, and the lines a1 = a2 + 1, a1 = -(a2+1) *)
+(** * In regions 1, 2 and 5 all b_{n,k} have one sign, and on the lines a1 = a2 + 1,
+    a1 = -(a2+1) some vanish; periods 1 and 2 everywhere *)
 
 From Coq Require Import Reals Lra Lia Arith.
 From Grazing Require Import Defs Statement StatementPlane Algebra RealEigenvalues Cases.

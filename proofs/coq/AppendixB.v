@@ -1,4 +1,4 @@
-(** * Appendix B: values, zeros and poles of b_{n,k}(s) on r = 1
+(** * On r = 1 the functions b_{n,k}(s) have the values, zeros and poles of appendix B
 
     With A = k pi s and C = (n-k) pi s, (B1) is -2 sin A sin C / cos (A + C)
     = 1 - cos (A - C) / cos (A + C); the rest is addition formulas and sin h / h. *)

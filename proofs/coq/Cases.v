@@ -1,4 +1,4 @@
-(** * From the signs of b and c to the cases in which the orbit exists *)
+(** * The signs of b and c determine the case in which the orbit exists *)
 
 From Coq Require Import Reals Lra Lia.
 From Grazing Require Import Defs Statement Algebra.

@@ -131,7 +131,8 @@ Proof.
   - intros m F Hm H0; pose proof (right_side n m F Hm) as HS.
     destruct (neighbours_sum _ _ _ _ _ _ (are_neighbours F)) as [_ Sn].
     replace (n - n_minus F)%nat with (n_plus F) by lia.
-    apply side_extends; trivial; [exact (right_lo_not_first n m Hn Hm)|exact (right_end_not_half n Hn m F H0)].
+    apply side_extends; trivial;
+      [exact (right_lo_not_first n m Hn Hm)|exact (right_end_not_half n Hn m F H0)].
   - apply intervals_listed, Hn.
   - intros r s Hr Hs Hu Hno; apply Hnone; trivial; [lra|left; lra].
   - intros a1 a2 H2 H1 He; apply (proj1 (proj2 (S5 a1 a2 n H2 H1))); [destruct He; lia|assumption].

@@ -1,6 +1,6 @@
-(** * The convex set V
+(** * The set V of points whose gap is >= 0 is convex, and a segment in V has gap > 0 between its ends
 
-    Step 3 of the proof. A point is a time t (0 at phase al, n at phase be) and
+    Section 2 of ../conjecture1.md. A point is a time t (0 at phase al, n at phase be) and
     a phase w; it lies in V where [gap] >= 0, and inside where [gap] > 0. *)
 
 From Coq Require Import Reals Lra.

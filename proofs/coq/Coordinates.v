@@ -1,4 +1,4 @@
-(** * Region 3 has coordinates: each (a1, a2) with a1^2 < 4 a2 has exactly one (r, s) *)
+(** * Each (a1, a2) with a1^2 < 4 a2 has exactly one (r, s) *)
 
 From Coq Require Import Reals Lra.
 From Grazing Require Import Defs Statement StatementPlane.

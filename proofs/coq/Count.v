@@ -1,6 +1,6 @@
-(** * Theorem 2's intervals: phi(n) + 1 of them, disjoint, grown by the Farey tree
+(** * Theorem 2's intervals are phi(n) + 1 in number, disjoint, and grown by the Farey tree
 
-    Step 10 of the proof, integers and fractions only. *)
+    Section 8 of ../conjecture1.md, integers and fractions only. *)
 
 From Coq Require Import Reals List Arith ZArith Lra Lia.
 From Grazing Require Import Defs Statement Cases Farey Disc Sine Radius.
@@ -119,8 +119,10 @@ Lemma interval_determined n e g lo hi lo' hi' s : (3 <= n)%nat ->
   lo = lo' /\ hi = hi'.
 Proof.
   intros Hn HI HI' Hs Hs'.
-  pose proof (view _ _ _ _ _ HI) as HV; inversion HV as [|m mp np mm nm Hm HF|m mp np mm nm Hm HF]; subst;
-  pose proof (view _ _ _ _ _ HI') as HV'; inversion HV' as [|m' mp' np' mm' nm' Hm' HF'|m' mp' np' mm' nm' Hm' HF']; subst; [tauto| |].
+  pose proof (view _ _ _ _ _ HI) as HV;
+      inversion HV as [|m mp np mm nm Hm HF|m mp np mm nm Hm HF]; subst;
+  pose proof (view _ _ _ _ _ HI') as HV';
+      inversion HV' as [|m' mp' np' mm' nm' Hm' HF'|m' mp' np' mm' nm' Hm' HF']; subst; [tauto| |].
   - apply (left_interval n m mp np mm nm) in Hs as ((_ & _ & He) & _); trivial.
     apply (left_interval n m' mp' np' mm' nm') in Hs' as ((_ & _ & He') & _); trivial.
     assert (m = m') as <- by (apply near_unique; lra).
@@ -248,7 +250,8 @@ Proof. induction 1; simpl; congruence. Qed.
 Lemma interval_numbered n g lo hi : (3 <= n)%nat -> interval n Plus g lo hi ->
   exists k, In k (coprimes n) /\ numbered n k (Plus, g, lo, hi).
 Proof.
-  intros Hn HI; pose proof (view _ _ _ _ _ HI) as HV; inversion HV as [|m mp np mm nm Hm HF|m mp np mm nm Hm HF]; subst;
+  intros Hn HI; pose proof (view _ _ _ _ _ HI) as HV;
+      inversion HV as [|m mp np mm nm Hm HF|m mp np mm nm Hm HF]; subst;
     pose proof (neighbours_coprime _ _ _ _ _ _ HF) as Hg.
   - exists m; split; [apply coprimes_spec; lia|]; split; [assumption|]; split; [reflexivity|left].
     split; [lia|tauto].

@@ -1,6 +1,6 @@
-(** * S1, S2 and S3: the disc and the circle, region 3
+(** * S1, S2 and S3 hold on the disc and the circle, 0 < r <= 1
 
-    Step 7 of the proof: the lattice lemmas, read for b_{n,k} and c_n. *)
+    Sections 3 and 4 of ../conjecture1.md: the lattice lemmas, read for b_{n,k} and c_n. *)
 
 From Coq Require Import Reals ZArith Arith Lra Lia.
 From Grazing Require Import Defs Statement Cases Polar LnCos Convex Lattice Phase Farey.

@@ -1,7 +1,7 @@
-(** * Worked instance: n = 8 has the five intervals of the paper's figure 5 *)
+(** * Theorem 2 gives n = 8 the five intervals of the paper's figure 5 *)
 
 From Coq Require Import Reals Arith Lra Lia.
-From Grazing Require Import Defs Statement Farey Radius.
+From Grazing Require Import Defs Statement Farey.
 Open Scope R_scope.
 
 Definition period_8_interval (e g : sign) (s : R) : Prop :=
@@ -34,7 +34,8 @@ Proof. simpl; lra. Qed.
 Lemma intervals_8 e g lo hi : interval 8 e g lo hi ->
   forall s, lo < s < hi -> period_8_interval e g s.
 Proof.
-  intros HI s Hs; pose proof (view _ _ _ _ _ HI) as HV; inversion HV as [|m mp np mm nm Hm HF|m mp np mm nm Hm HF]; subst.
+  intros HI s Hs; pose proof (view _ _ _ _ _ HI) as HV;
+      inversion HV as [|m mp np mm nm Hm HF|m mp np mm nm Hm HF]; subst.
   - rewrite INR_8 in Hs; simpl; lra.
   - destruct (numerators_8 m mp np mm nm Hm HF) as [-> | ->].
     + rewrite INR_8 in Hs; simpl in *; lra.
@@ -47,9 +48,9 @@ Proof.
       rewrite INR_8 in Hs; simpl in *; lra.
 Qed.
 
-Lemma period_8_proof : Period_8_statement.
+Lemma period_8_from_Theorem2 : Theorem2_statement -> Period_8_statement.
 Proof.
-  intros s e g Hs; rewrite (Theorem2_proof 8%nat s e g) by (lia || lra); split.
+  intros T s e g Hs; rewrite (proj1 (T 8%nat s ltac:(lia) Hs) e g); split.
   - intros (lo & hi & HI & Hlo); now apply (intervals_8 e g lo hi).
   - assert (H1 : (0 < 2 * 1 < 8)%nat) by lia; assert (H3 : (0 < 2 * 3 < 8)%nat) by lia.
     pose proof (first 8%nat) as I0; pose proof (left_of _ _ _ _ _ _ H1 neighbours_1_8) as I1.

@@ -1,6 +1,6 @@
-(** * Neighbours of a fraction in lowest terms
+(** * Neighbours of a fraction in lowest terms exist, are unique and add up to it
 
-    Step 6 of the proof, elementary: they exist, are unique and add up to m/n. *)
+    Section 4 of ../conjecture1.md, elementary. *)
 
 From Coq Require Import Reals ZArith Arith Lia.
 From Grazing Require Import Defs Statement.

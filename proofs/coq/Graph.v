@@ -1,6 +1,6 @@
-(** * S4: the radius R(s) is continuous, and its limits at the ends
+(** * The radius R(s) of S4 is continuous, and tends to 1 at the ends but two
 
-    Step 11 of the proof: R(s) < r iff h > 0 at r, and h is continuous in s. *)
+    Section 6 of ../conjecture1.md: R(s) < r iff h > 0 at r, and h is continuous in s. *)
 
 From Coq Require Import Reals Arith Lra Lia.
 From Grazing Require Import Defs Statement Cases Farey Sine Radius Count.
@@ -211,7 +211,8 @@ Proof.
   assert (Hn3 : 3 <= INR n) by (apply le_INR in Hn; simpl in Hn; lra).
   split; [destruct (interval_area n g lo hi Hn HI) as (j & d & HA);
           intros; eapply radius_continuous; eassumption|].
-  pose proof (view _ _ _ _ _ HI) as HV; inversion HV as [|m mp np mm nm Hm HF|m mp np mm nm Hm HF]; subst.
+  pose proof (view _ _ _ _ _ HI) as HV;
+      inversion HV as [|m mp np mm nm Hm HF|m mp np mm nm Hm HF]; subst.
   - pose proof (left_area n m mp np mm nm Hn Hm HF) as HA.
     split; [|split]; [intros _ x Hx|intros Hlo x Hx|intros Hlo].
     + apply (radius_to_1 n Plus _ _ np _ Rad HA HR _ x); [|assumption]; intros r Hr.

@@ -1,4 +1,4 @@
-(** * Regions 2, 3 and 4 together, |a1| < a2 + 1: det (I - A^n) > 0
+(** * For |a1| < a2 + 1, regions 2, 3 and 4, det (I - A^n) > 0
 
     From it the sign of the large eigenvalue (section 3.6) and the record form. *)
 

@@ -1,6 +1,6 @@
-(** * Lattice points of V: the triangle and the reflection
+(** * A lattice point of V forces the one that decides: the triangle and the reflection
 
-    Step 4 of the proof. [W t h] is the phase at time t, 0 <= t <= n, and height
+    Section 4 of ../conjecture1.md. [W t h] is the phase at time t, 0 <= t <= n, and height
     h above the chord from (0, al) to (n, be). A point of V at height i >= 1
     forces one at height 1, and if al > 0 a point at height 1 forces one at
     height -1. For lattice points this leaves a single one that decides. *)

@@ -1,4 +1,4 @@
-(** * The leftmost area, n odd: its section at a fixed determinant is one interval
+(** * The deciding b of the leftmost area, n odd, changes sign once along a fixed determinant
 
     The end of statement S5. With a1 = -r X, a2 = r^2 and U_k = u_k at (X, 1), the sign
     of b_{n,n-2} is that of G = r^2 U_n - U_{n-2} + r^n X. For n >= 5

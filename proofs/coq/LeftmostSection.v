@@ -1,4 +1,4 @@
-(** * S5, last part: the section of the leftmost area at a fixed determinant
+(** * The leftmost area, n odd, has one interval as its section at a fixed determinant
 
     [LeftmostArea] gives the sign of b_{n,n-2}; S3 (with m = (n-1)/2) and S5 say that
     it decides on both sides of s = 1/2. *)

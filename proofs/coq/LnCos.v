@@ -1,6 +1,6 @@
 (** * ln cos is strictly concave on (-pi/2, pi/2)
 
-    Step 2 of the proof: one tangent inequality, by the mean value theorem.
+    Section 2 of ../conjecture1.md: one tangent inequality, by the mean value theorem.
     Every convexity argument that follows is a weighted sum of it. *)
 
 From Coq Require Import Reals Lra.

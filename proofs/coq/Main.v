@@ -1,7 +1,7 @@
 (** * The main theorems about region 3 and Conjecture 1, by name *)
 
 From Grazing Require Import Defs Statement StatementConjecture Cases Farey Disc Radius Count Above
-  Sections Eight Conjecture1.
+  Sections Eight Conjecture1 Depth.
 
 Theorem One_case : One_case_statement. Proof. exact Cases.One_case. Qed.
 Theorem Neighbours : Neighbours_statement. Proof. exact neighbours_proof. Qed.
@@ -15,20 +15,6 @@ Theorem Theorem2_tree : Theorem2_tree_statement. Proof. exact tree_proof. Qed.
 Theorem S4 : S4_statement. Proof. exact S4_stated. Qed.
 Theorem S4_ends : S4_ends_statement. Proof. exact S4_ends_stated. Qed.
 Theorem S4_section : S4_section_statement. Proof. exact S4_section_proof. Qed.
-Theorem Period_8 : Period_8_statement. Proof. exact period_8_proof. Qed.
+Theorem Period_8 : Period_8_statement. Proof. exact (period_8_from_Theorem2 Theorem2_stated). Qed.
+Theorem Depth : Depth_statement. Proof. exact Depth.Depth. Qed.
 Theorem Conjecture_1 : Conjecture1_statement. Proof. exact Conjecture1. Qed.
-
-Print Assumptions One_case.
-Print Assumptions Neighbours.
-Print Assumptions S1.
-Print Assumptions S2.
-Print Assumptions S3.
-Print Assumptions Theorem2.
-Print Assumptions Theorem2_count.
-Print Assumptions Deciding_indices.
-Print Assumptions Theorem2_tree.
-Print Assumptions S4.
-Print Assumptions S4_ends.
-Print Assumptions S4_section.
-Print Assumptions Period_8.
-Print Assumptions Conjecture_1.

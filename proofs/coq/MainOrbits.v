@@ -1,4 +1,4 @@
-(** * The theorems about orbits of maps, by name, with the axioms each rests on *)
+(** * The theorems about orbits of maps, by name *)
 
 From Grazing Require Import StatementOrbits Orbits StatementAffine AffineOrbits
   StatementOrbitsPeriodic PeriodicOrbits StatementOrbitsPlane PlaneOrbits StatementOrbitsInstance
@@ -21,14 +21,3 @@ Theorem Summary_and_record_for_orbits : Summary_statement_orbits /\ Record_state
 Proof. exact (conj Summary_orbits Record_orbits). Qed.
 
 Theorem Patterns_for_orbits : Patterns_statement_orbits. Proof. exact Patterns_orbits. Qed.
-
-Print Assumptions Theorem1.
-Print Assumptions Theorem1_periodic.
-Print Assumptions Theorem1_affine.
-Print Assumptions Theorem1_plane.
-Print Assumptions Theorem1_single.
-Print Assumptions Meaning.
-Print Assumptions Instance.
-Print Assumptions S1_to_S5_for_orbits.
-Print Assumptions Summary_and_record_for_orbits.
-Print Assumptions Patterns_for_orbits.

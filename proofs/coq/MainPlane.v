@@ -1,28 +1,34 @@
-(** * The theorems of [StatementPlane], [StatementB] and [DefsQ], and what each rests on
+(** * The main theorems about the rest of the plane, appendix B, the linear problem and
+    the oracle over Z, by name *)
 
-    Few conjunctions instead of many theorems: one walk through the library takes
-    Coq half a second. *)
+From Coq Require Import Reals ZArith.
+From Grazing Require Import Defs Statement StatementPlane StatementImpacts StatementB StatementZ AppendixA
+  Region4 Coordinates InsideTriangle MatrixForm Impacts Summary LeftmostSection Reverse AppendixB OrbitZ.
 
-From Coq Require Import Reals QArith Qreals.
-From Grazing Require Import Defs Statement StatementPlane StatementB AppendixA Region4
-  Coordinates InsideTriangle MatrixForm Summary LeftmostSection Reverse AppendixB DefsQ.
+Theorem S5 : S5_statement. Proof. exact Region4.S5. Qed.
+Theorem S5_section : S5_section_statement. Proof. exact LeftmostSection.S5_section. Qed.
+Theorem Joined : Joined_statement. Proof. exact LeftmostSection.Joined. Qed.
 
-Theorem S5_and_section : S5_statement /\ S5_section_statement /\ Joined_statement.
-Proof. exact (conj S5 (conj S5_section Joined)). Qed.
+Theorem Summary_by_period : Period1_statement /\ Period2_statement /\ Summary_statement.
+Proof. exact (conj Period1 (conj Period2 Summary)). Qed.
 
-Theorem Summary_by_period : Period1_statement /\ Period2_statement /\ Region1_statement /\
-  Region2_statement /\ Region5_statement /\ Lines_statement /\ Coordinates_statement /\
-  Summary_statement /\ Reversal_statement.
-Proof.
-  exact (conj Period1 (conj Period2 (conj Region1 (conj Region2 (conj Region5
-    (conj Lines (conj Coordinates (conj Summary Reversal)))))))).
-Qed.
+Theorem Appendix_A : Region1_statement /\ Region2_statement /\ Region5_statement /\ Lines_statement.
+Proof. exact (conj Region1 (conj Region2 (conj Region5 Lines))). Qed.
 
-Theorem Large_Record_Matrix : Large_statement /\ Record_identity_statement /\
-  Record_statement /\ Matrix_statement /\ Trace_statement.
-Proof.
-  exact (conj Large (conj Record_identity (conj Record_form (conj Matrix_form Trace_form)))).
-Qed.
+Theorem Coordinates_Reversal : Coordinates_statement /\ Reversal_statement.
+Proof. exact (conj Coordinates Reversal). Qed.
+
+Theorem Record_form : Record_identity_statement /\ Record_statement.
+Proof. exact (conj Record_identity Record_form). Qed.
+
+Theorem Matrix_form : Matrix_statement /\ Trace_statement.
+Proof. exact (conj Matrix_form Trace_form). Qed.
+
+Theorem Impact_patterns : Impacts_statement /\ Single_impact_statement /\ Det_D_statement.
+Proof. exact (conj Impacts (conj Single_impact Det_D)). Qed.
+
+Theorem Large_eigenvalue : Large_formula_statement /\ Large_statement.
+Proof. exact (conj Large_formula Large). Qed.
 
 Theorem Appendix_B : B_formulas_statement /\ B_zeros_statement /\
   B_simple_zero_statement /\ B_double_zero_statement /\ B_at_multiples_statement /\
@@ -32,17 +38,5 @@ Proof.
     (conj B_at_multiples B_at_odd_multiples))))).
 Qed.
 
-Theorem Rational_values : forall a1 a2 n k, Q2R (uQ a1 a2 n) = u (Q2R a1) (Q2R a2) n /\
-  (~ uQ a1 a2 n == 0 -> Q2R (bQ a1 a2 n k) = b (Q2R a1) (Q2R a2) n k /\
-                        Q2R (cQ a1 a2 n) = c (Q2R a1) (Q2R a2) n)%Q /\
-  forall e g, orbitQ a1 a2 n e g = true <-> orbit (Q2R a1) (Q2R a2) n e g.
-Proof.
-  intros a1 a2 n k; refine (conj (uQ_u _ _ _) (conj _ (orbitQ_orbit a1 a2 n))).
-  intros Hu; split; [apply bQ_b | apply cQ_c]; exact Hu.
-Qed.
-
-Print Assumptions S5_and_section.
-Print Assumptions Summary_by_period.
-Print Assumptions Large_Record_Matrix.
-Print Assumptions Appendix_B.
-Print Assumptions Rational_values.
+Theorem Oracle : Oracle_statement.
+Proof. exact Oracle. Qed.

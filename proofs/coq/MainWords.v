@@ -1,4 +1,4 @@
-(** * The theorems about words, by name, with the axioms each rests on *)
+(** * The theorems about words, by name *)
 
 From Grazing Require Import StatementWords WordAlgebra WordPlane WordExamples StatementWordOrbits
   WordOrbits WordFinite WordChaos.
@@ -22,8 +22,3 @@ Theorem Words_examples : Pattern_1_2_statement /\ Resonance_statement /\ Oscilla
 Proof.
   exact (conj Pattern_1_2 (conj Resonance (conj Oscillator (conj Five_periods Boundary)))).
 Qed.
-
-Print Assumptions Words_algebra.
-Print Assumptions Words.
-Print Assumptions Words_orbits.
-Print Assumptions Words_examples.

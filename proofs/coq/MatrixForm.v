@@ -1,4 +1,4 @@
-(** * Where u, b and c come from: powers of A and the equations (51), (54)-(60) *)
+(** * u, b and c are what powers of A and the equations (51), (54)-(60) say *)
 
 From Coq Require Import Reals Lra Lia Arith.
 From Grazing Require Import Defs StatementPlane Algebra.

@@ -1,8 +1,7 @@
-(** * Phase coordinates
+(** * b_{n,k} <= 0 iff V contains a point at time k with the phase al + k th, mod 2 pi
 
-    Step 5 of the proof. x_k = C A^k X, a solution of the recurrence with
-    x_0 = x_n = -1, is written -r^k cos (al + k th) / cos al; then b_{n,k} <= 0
-    says that V contains a point at time k whose phase is al + k th mod 2 pi. *)
+    Section 1 of ../conjecture1.md. x_k = C A^k X, a solution of the recurrence with
+    x_0 = x_n = -1, is written -r^k cos (al + k th) / cos al. *)
 
 From Coq Require Import Reals ZArith Lra Lia.
 From Grazing Require Import Defs Polar LnCos Convex Lattice.

@@ -1,6 +1,6 @@
-(** * Polar form: u_k, v_k, b_{n,k}, c_n at a1 = 2 r cos th, a2 = r^2
+(** * At a1 = 2 r cos th, a2 = r^2 the quantities u_k, v_k, b_{n,k}, c_n are sines over sines
 
-    Step 1 of the proof. The recurrences are solved by sines, which gives (62)
+    Section 1 of ../conjecture1.md. The recurrences are solved by sines, which gives (62)
     and (A8); u_n = 0 is the same as sin (n th) = 0. *)
 
 From Coq Require Import Reals Lra Lia.

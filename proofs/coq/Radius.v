@@ -1,6 +1,6 @@
-(** * S4 at fixed s, and Theorem 2
+(** * At fixed s the orbit exists exactly above one radius R(s): S4's first half, and Theorem 2
 
-    Step 9 of the proof: at fixed s, S3's condition is h(r) > 0; Theorem 2's
+    Section 5 of ../conjecture1.md: at fixed s, the deciding b has the sign of h(r); Theorem 2's
     intervals are where j e < 1, and r = 1 is above every radius. *)
 
 From Coq Require Import Reals ZArith Arith Lra Lia.

@@ -1,4 +1,4 @@
-(** * Real eigenvalues: the shape of a sequence y_{k+2} = (p+q) y_{k+1} - p q y_k, p, q > 0
+(** * A sequence y_{k+2} = (p+q) y_{k+1} - p q y_k, p, q > 0, turns at most once
 
     The discrete form of "y = P p^t + Q q^t has at most one stationary point": once such
     a sequence fails to rise it falls for ever. Equal eigenvalues are no special case.

@@ -1,4 +1,4 @@
-(** * Statement S5: region 4 and the line a1 = -2 sqrt a2
+(** * S5 holds: region 4 and the line a1 = -2 sqrt a2
 
     y_k = (-1)^k x_k has the positive eigenvalues p, q of the mirror image, y_0 = -1
     and y_n = -(-1)^n: an arch below -1 for even n, a climb from -1 to 1 for odd n. *)

@@ -1,6 +1,6 @@
-(** * S4 at fixed r: an area meets the circle of radius r in one interval
+(** * At fixed r an area meets the circle of radius r in one interval: S4's last part
 
-    Step 12 of the proof. h > 0 iff K > 0, where K = atan phi(r^n, A) +
+    Section 7 of ../conjecture1.md. h > 0 iff K > 0, where K = atan phi(r^n, A) +
     atan phi(r^j, B), phi(q, x) = (q - cos x)/sin x. The angle
     pi/2 + atan phi(q, x) is the argument of exp(i x) - q, which is concave in x
     (its derivative is a Poisson kernel), and A and B are affine in s. *)
@@ -223,7 +223,8 @@ Lemma S4_section_proof : S4_section_statement.
 Proof.
   intros n e g lo hi r Hn HI Hr; assert (Hn3 : 3 <= INR n) by (apply le_INR in Hn; simpl in Hn; lra).
   pose proof (Count.interval_nonempty n e g lo hi Hn HI) as [[_ Hlh] _].
-  pose proof (view _ _ _ _ _ HI) as HV; inversion HV as [|m mp np mm nm Hm HF|m mp np mm nm Hm HF]; subst.
+  pose proof (view _ _ _ _ _ HI) as HV;
+      inversion HV as [|m mp np mm nm Hm HF|m mp np mm nm Hm HF]; subst.
   - exists 0, (1 / (2 * INR n)); split; [lra|split; [lra|split]].
     + intros E; exfalso; lra.
     + intros s Hs; split; [tauto|]; intros _.

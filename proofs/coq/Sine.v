@@ -1,8 +1,8 @@
-(** * The deciding b as a function of r: h(r) = r^j sin A + r^n sin B - sin (A + B)
+(** * The function h(r) = r^j sin A + r^n sin B - sin (A + B) is > 0 above one radius at most
 
-    Step 8 of the proof. With e = |n s - m|, A = 2 pi e and B = 2 pi (1 - j e)/n,
-    the deciding b is > 0 iff h(r) > 0. If j e < 1, h increases in r and h(1) > 0,
-    so h > 0 above one radius; if j e >= 1, h <= 0 on (0, 1]. *)
+    Section 5 of ../conjecture1.md. With e = |n s - m|, A = 2 pi e and B = 2 pi (1 - j e)/n,
+    the deciding b has the sign of h(r). If j e < 1, h increases in r and h(1) > 0,
+    so h > 0 above one radius; if j e >= 1, h < 0 on (0, 1] but at r = 1, j e = 1. *)
 
 From Coq Require Import Reals Lra Lia.
 From Grazing Require Import LnCos Lattice.

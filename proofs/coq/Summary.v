@@ -1,4 +1,4 @@
-(** * Section 3.7: the summary by period, one theorem over the whole plane 0 < a2 <= 1
+(** * The summary by period of section 3.7 holds over the whole plane 0 < a2 <= 1
 
     Region 3 enters through S3 over Theorem 2's intervals. *)
 

@@ -55,7 +55,8 @@ impl Options {
         Options { periods, r_max: None, max_depth: 60, finest: None, variant: Variant::True }
     }
 
-    /// r_max for period `n`.
+    /// r_max for period `n`: by default 1 − 1/n³, which lies above the lowest point of every area, since each reaches
+    /// below 1 − 4/(πn³) (`proofs/coq/Depth.v`).
     ///
     /// # Errors
     /// An input error if it is not in (0, 1), has more digits than a certificate can hold, or lies below the lowest points of areas.
