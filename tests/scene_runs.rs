@@ -48,7 +48,9 @@ fn every_example_runs_and_writes_what_it_says() {
         let tasks = report["tasks"].as_array().unwrap();
         assert!(!tasks.is_empty());
         for task in tasks {
-            assert!(task["ended"].is_null(), "{task}");
+            // The one task that leaves something open says so; no motion ends early.
+            assert!(task["status"] == "done" || expected == 3 && task["reason"].is_string(), "{task}");
+            assert!(task["ended"].as_array().is_none_or(Vec::is_empty), "{task}");
             for file in task["files"].as_array().into_iter().flatten() {
                 assert!(!read(&folder, file.as_str().unwrap()).is_empty());
             }
@@ -258,7 +260,7 @@ fn long_runs_stay_on_their_exact_motion() {
 
 #[test]
 fn figures_6_and_7_make_their_folder_and_leave_no_checkpoint() {
-    for (number, files) in [("6", 8), ("7", 2)] {
+    for (number, files) in [("6", 8), ("7", 3)] {
         let outside = tempfile::tempdir().unwrap();
         let folder = outside.path().join("new");
         let output = Command::new(env!("CARGO_BIN_EXE_grazing"))
