@@ -102,13 +102,14 @@ pub(crate) fn hint<'a>(word: &str, known: impl IntoIterator<Item = &'a str> + Cl
 }
 
 /// The known word that takes the fewest changes, if these are few: at most one for every three letters, rounded up, and fewer than the
-/// word has. A change of case costs nothing; what a word begins with is near it.
+/// word has. A change of case costs nothing; what a word begins with, or the other way round, is near it.
 pub(crate) fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let length = |word: &str| word.chars().count();
     let near = |other: &&str| {
         let letters = length(word).max(length(other));
         let changes = distance(word, other).0;
-        let begins = length(word) >= 3 && other.to_lowercase().starts_with(&word.to_lowercase());
+        let (one, two) = (word.to_lowercase(), other.to_lowercase());
+        let begins = one.len().min(two.len()) >= 3 && (one.starts_with(&two) || two.starts_with(&one));
         begins || (changes <= letters.div_ceil(3) && changes < length(word).min(length(other)))
     };
     known.into_iter().filter(near).min_by_key(|other| distance(word, other))

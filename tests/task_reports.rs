@@ -81,7 +81,7 @@ fn one_failing_task_does_not_end_the_rest() {
     // Nothing to begin with: said with task, file and line, on standard error too.
     assert_ne!(task("g")["status"], "done");
     assert!(!task("g")["reason"].as_str().unwrap().is_empty());
-    assert_eq!(task("g")["place"]["line"], 14);
+    assert_eq!(task("g")["place"]["line"], 15);
     assert!(task("g")["place"]["file"].as_str().unwrap().ends_with("s.toml"));
     // The next one runs and is kept.
     assert_eq!(task("after")["status"], "done");
