@@ -8,9 +8,10 @@ use grazing::{
     local::{Ladder, Plane, Point},
     number::{Ball, FloatInterval, Precision, Real, Sign, parse_rational},
     pattern::{
-        Analysis, Coordinates, Entry, Existence, Failure, Graph, Growth, Map, Numbers, Pattern, Patterns,
-        Reason, Report, Value, Walks, predicted_orbit, solve,
+        Analysis, Coordinates, Entry, Existence, Failure, Graph, Map, Numbers, Pattern, Patterns, Reason,
+        Report, Value, predicted_orbit, solve,
     },
+    word::{ClosedWalks, Entropy, PatternCount},
 };
 use num_bigint::BigUint;
 use num_rational::BigRational;
@@ -522,8 +523,8 @@ fn the_graph_counts_what_exists() {
             let graph = Graph::new(&map, 11, false).unwrap();
             let analysis = Analysis::new(&map, 11, Numbers::Enclosed);
             for side in [true, false] {
-                let walks = Walks::new(&graph, side);
-                for (n, (all, primitive)) in (1..=11).zip(walks.patterns(11)) {
+                let walks = graph.walks(side, 11);
+                for PatternCount { period: n, all, primitive } in walks.count(11) {
                     let exist = |pattern: &Pattern| graph.judge(pattern.periods()).side() == Some(side);
                     let found: Vec<Pattern> = Patterns::of_period(n).filter(exist).collect();
                     let pruned: Vec<Pattern> =
@@ -540,19 +541,55 @@ fn the_graph_counts_what_exists() {
     }
 }
 
+/// The counts without listing, against judging every pattern: maps with singular periods and open edges among them.
+#[test]
+fn tallies_agree_with_judging_every_pattern() {
+    for (a1, a2) in [
+        ("0.9", "0.6"),
+        ("-1", "1/2"),
+        ("1", "1"),
+        ("0", "1/4"),
+        ("-3/2", "1/2"),
+        ("1/2", "1"),
+        ("2", "0.75"),
+    ] {
+        let a = vec![vec![q(a1), q("1")], vec![-q(a2), q("0")]];
+        let map = build(&a, &[q("0"), whole(-1)], &[q("1"), q("0")], 1);
+        let graph = Graph::new(&map, 10, false).unwrap();
+        for tally in graph.tallies() {
+            let mut found = [0u32; 4];
+            for pattern in Patterns::of_period(tally.period) {
+                let report = graph.judge(pattern.periods());
+                found[match report.side() {
+                    Some(true) => 0,
+                    Some(false) => 1,
+                    None => 2 + usize::from(report.is_open()),
+                }] += 1;
+            }
+            let counts = [tally.plus, tally.minus, tally.neither, tally.undecided];
+            assert_eq!(counts, found.map(BigUint::from), "{a1} {a2} period {}", tally.period);
+            assert_eq!(tally.patterns, BigUint::from(found.iter().sum::<u32>()));
+        }
+    }
+}
+
 #[test]
 fn growth_rates_known_in_closed_form() {
     let rate = |follows: &[&[u8]]| {
-        Walks::from_matrix(follows.iter().map(|row| row.iter().map(|&x| x == 1).collect()).collect()).growth()
+        let rows: Vec<Vec<bool>> = follows.iter().map(|row| row.iter().map(|&x| x == 1).collect()).collect();
+        let periods: Vec<u64> = (1..=rows.len() as u64).collect();
+        ClosedWalks::from_edges(&periods, &rows).entropy(44)
     };
-    assert_eq!(rate(&[&[0, 0], &[1, 0]]), Growth::Empty);
-    assert_eq!(rate(&[&[1, 1], &[0, 1]]), Growth::Zero);
-    assert_eq!(rate(&[&[0, 1], &[1, 0]]), Growth::Zero);
-    let holds = |growth: Growth, root: f64| {
-        let Growth::Positive { z, rate } = growth else { panic!("{growth:?}") };
-        assert!(z.lo() < root && root < z.hi() && z.hi() - z.lo() < 1e-11, "{z:?} {root}");
+    assert!(matches!(rate(&[&[0, 0], &[1, 0]]), Entropy::Empty));
+    assert!(matches!(rate(&[&[1, 1], &[0, 1]]), Entropy::Zero));
+    assert!(matches!(rate(&[&[0, 1], &[1, 0]]), Entropy::Zero));
+    let near = |x: &Q| x.to_f64().unwrap();
+    let holds = |entropy: Entropy, root: f64| {
+        let (lo, hi) = entropy.bounds().unwrap();
+        let Entropy::Positive { z, .. } = entropy else { panic!("{entropy:?}") };
+        assert!(near(&z.0) < root && root < near(&z.1) && near(&(&z.1 - &z.0)) < 1e-11, "{z:?} {root}");
         let log = -root.ln();
-        assert!(rate.lo() < log && log < rate.hi() && rate.hi() - rate.lo() < 1e-11, "{rate:?} {log}");
+        assert!(near(&lo) < log && log < near(&hi) && near(&(&hi - &lo)) < 1e-11, "{lo} {hi} {log}");
     };
     // 1 = z + z²: the golden mean. 1 = z + z² + z³. z + z³ = 1 with 2 left out. Follow 1 by 2 only, 2 by both: z² + z³ = 1.
     holds(rate(&[&[1, 1], &[1, 1]]), (5f64.sqrt() - 1.0) / 2.0);

@@ -12,15 +12,13 @@ use crate::{
     cli::progress::Interrupt,
     error::{Error, Result},
     figure,
-    number::Sign,
+    number::{Sign, certain_digits},
     output::{
         Cell, Column, Destination, LONGEST_INPUT, OutputFile, TableFormat, TableWriter, distinct,
         make_folder, read_text, say,
     },
-    pattern::{
-        Analysis, Existence, Graph, Growth, MAX_GRAPH_PERIOD, Map, Numbers, Pattern, Patterns, Report, Value,
-        Walks,
-    },
+    pattern::{Analysis, Existence, Graph, MAX_GRAPH_PERIOD, Map, Numbers, Pattern, Patterns, Report, Value},
+    word::Entropy,
 };
 
 /// Decide for every impact pattern of a local map whether an orbit exists near a grazing bifurcation.
@@ -359,13 +357,48 @@ fn counts(
         columns.extend(["growth_plus", "growth_minus"].map(|name| Column::new(name, name, 15)));
     }
     let mut table = TableWriter::new(out, args.format, "grazing-existence-counts 1", columns)?;
-    let rows =
-        (1..=args.max_period).try_for_each(|period| count(engine, period, interrupt, outcome, &mut table));
+    let rows = match engine {
+        Engine::Graph(graph) => counted(graph, interrupt, outcome, &mut table),
+        Engine::General(_) => (1..=args.max_period)
+            .try_for_each(|period| listed(engine, period, interrupt, outcome, &mut table)),
+    };
     table.end(rows)
 }
 
-/// The row of one period.
-fn count(
+/// The rows of a two-dimensional map, from its graph without listing a pattern. Numbers beyond 64 bits are text.
+fn counted(
+    graph: &Graph,
+    interrupt: &Interrupt,
+    outcome: &mut Outcome,
+    table: &mut TableWriter,
+) -> Result<()> {
+    for row in graph.tallies() {
+        interrupt.check()?;
+        if row.undecided != BigUint::ZERO {
+            *outcome = Outcome::Undecided;
+        }
+        let counts = [&row.patterns, &row.plus, &row.minus, &row.neither, &row.undecided];
+        let texts = counts.map(ToString::to_string);
+        let growth =
+            [true, false].map(|side| show_growth(&graph.walks(side, row.period).entropy(GROWTH_BITS)));
+        let mut cells = vec![Cell::Int(row.period as i64)];
+        cells.extend(
+            counts
+                .iter()
+                .zip(&texts)
+                .map(|(count, text)| count.to_i64().map_or(Cell::Text(text.as_str()), Cell::Int)),
+        );
+        cells.extend(growth.iter().map(|text| Cell::Text(text)));
+        table.row(&cells)?;
+    }
+    Ok(())
+}
+
+/// Bits of a growth rate.
+const GROWTH_BITS: u32 = 44;
+
+/// The row of one period, pattern by pattern.
+fn listed(
     engine: &Engine,
     period: u64,
     interrupt: &Interrupt,
@@ -393,20 +426,15 @@ fn count(
     }
     let mut cells = vec![Cell::Int(period as i64), Cell::Int(found.iter().sum::<u64>() as i64)];
     cells.extend(found.iter().map(|&count| Cell::Int(count as i64)));
-    let growth = match engine {
-        Engine::Graph(graph) => {
-            [true, false].map(|side| show_growth(&Walks::new(graph, side).up_to(period).growth())).to_vec()
-        }
-        Engine::General(_) => Vec::new(),
-    };
-    cells.extend(growth.iter().map(|text| Cell::Text(text)));
     table.row(&cells)
 }
 
-fn show_growth(growth: &Growth) -> String {
-    match growth {
-        Growth::Empty => "none".into(),
-        Growth::Zero => "0".into(),
-        Growth::Positive { rate, .. } => Value::Enclosed(*rate).to_string(),
+fn show_growth(growth: &Entropy) -> String {
+    match (growth, growth.bounds()) {
+        (Entropy::Positive { .. }, Some((lo, hi))) => {
+            certain_digits(&lo, &hi, 12).unwrap_or_else(|| "?".into())
+        }
+        (Entropy::Zero, _) => "0".into(),
+        _ => "none".into(),
     }
 }

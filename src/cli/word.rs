@@ -17,7 +17,7 @@ use crate::{
     local::{Ladder, Rung},
     number::{certain_digits, parse_rational},
     output::Destination,
-    word::{Edge, Entropy, Extent, Letter, Patterns, Relation, Word},
+    word::{ClosedWalks, Edge, Entropy, Extent, Letter, Relation, Word},
 };
 
 /// The most letters of one word that the command lists: the graph has that many squared edges.
@@ -131,7 +131,7 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
 }
 
 fn case(word: &Word, gamma: bool, reversed: bool, last: u64) -> Result<Case> {
-    let counted = Patterns::new(&Relation::new(word, gamma, reversed, last)?).count(last);
+    let counted = ClosedWalks::new(&Relation::new(word, gamma, reversed, last)?).count(last);
     let (entropy, at_least) = Entropy::of(word, gamma, BITS)?;
     // Over all periods the relation is shown on those counted.
     let shown = if word.extent() == Extent::All { last } else { u64::MAX };

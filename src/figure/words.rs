@@ -113,7 +113,7 @@ fn sectors(last: u64, cells: &mut Vec<Cell>) {
     let full = |n: u64, outline| {
         let periods: Vec<u64> = (1..=n).collect();
         let all = vec![vec![true; periods.len()]; periods.len()];
-        let entropy = crate::word::Patterns::from_edges(&periods, &all).entropy(BITS);
+        let entropy = crate::word::ClosedWalks::from_edges(&periods, &all).entropy(BITS);
         let entropy = entropy.bounds().and_then(|(lo, _)| lo.to_f64());
         Cell { case: Case::MinusPlus, letters: "D".repeat(periods.len()), periods, entropy, outline }
     };

@@ -1,5 +1,6 @@
 //! Two dimensions: each X_i is the single-impact X of its n_i, and which n_{i+1} may follow n_i is a matter of the pair (64).
 
+use num_bigint::BigUint;
 use num_rational::BigRational;
 
 use super::{
@@ -10,6 +11,7 @@ use super::{
 use crate::{
     error::{Error, Result},
     number::{Ball, Precision, Sign},
+    word::ClosedWalks,
 };
 
 /// The largest period of a graph: its P² edges are computed exactly.
@@ -29,6 +31,23 @@ pub struct Graph {
     /// `steps[i][j]`: Y of an impact between periods i + 1 and j + 1; `None` if one of them is singular.
     steps: Vec<Vec<Option<Step>>>,
     singular: Vec<Failure>,
+}
+
+/// The patterns of one period by what Theorem 1 says of them.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct PatternTally {
+    /// Σ n_i.
+    pub period: u64,
+    /// All of them, up to rotation.
+    pub patterns: BigUint,
+    /// Those with an orbit for eµ > 0.
+    pub plus: BigUint,
+    /// Those with an orbit for eµ < 0.
+    pub minus: BigUint,
+    /// Those with an orbit for neither.
+    pub neither: BigUint,
+    /// Those of which a sign is zero or not known.
+    pub undecided: BigUint,
 }
 
 #[derive(Debug, Clone)]
@@ -178,6 +197,56 @@ impl Graph {
             leading_sign: signs,
         };
         tally.report(self.e, flat, orbit)
+    }
+
+    /// The closed walks of the periods ≤ `last` by their certain edges for a sign of eµ; open ones are left out.
+    pub fn walks(&self, positive: bool, last: u64) -> ClosedWalks {
+        self.closed_walks(last, |from, to| self.edge(from, to, positive) == Existence::Orbit)
+    }
+
+    fn closed_walks(&self, last: u64, follows: impl Fn(u64, u64) -> bool) -> ClosedWalks {
+        let periods: Vec<u64> = (1..=last.min(self.last())).collect();
+        let rows: Vec<Vec<bool>> =
+            periods.iter().map(|&i| periods.iter().map(|&j| follows(i, j)).collect()).collect();
+        ClosedWalks::from_edges(&periods, &rows)
+    }
+
+    /// What [`judge`](Graph::judge) says of all patterns of period 1, …, P, counted without listing one.
+    ///
+    /// A pattern is open if no edge of it is certainly absent and one is open, or if one of its periods is singular. Cost: O(P²) edges and,
+    /// with C ≤ P classes of periods that follow alike, O(C³P²) products of integers of O(P) bits.
+    pub fn tallies(&self) -> Vec<PatternTally> {
+        let last = self.last();
+        let solved = |n: u64| self.nodes[n as usize - 1].is_some();
+        let regular = |i: u64, j: u64| solved(i) && solved(j);
+        let count = |follows: &dyn Fn(u64, u64) -> bool| {
+            self.closed_walks(last, follows)
+                .count(last)
+                .into_iter()
+                .map(|row| row.all)
+                .collect::<Vec<BigUint>>()
+        };
+        let certain = |side| move |i, j| regular(i, j) && self.edge(i, j, side) == Existence::Orbit;
+        let possible = |side| move |i, j| regular(i, j) && self.edge(i, j, side) != Existence::NoOrbit;
+        let [plus, minus] = [true, false].map(|side| count(&certain(side)));
+        let [perhaps_plus, perhaps_minus] = [true, false].map(|side| count(&possible(side)));
+        let both = count(&|i, j| possible(true)(i, j) && possible(false)(i, j));
+        let (all, solvable) = (count(&|_, _| true), count(&regular));
+        (0..last as usize)
+            .map(|n| {
+                let existing = &plus[n] + &minus[n];
+                let perhaps = &perhaps_plus[n] + &perhaps_minus[n] - &both[n];
+                let undecided = &all[n] - &solvable[n] + perhaps - &existing;
+                PatternTally {
+                    period: n as u64 + 1,
+                    neither: &all[n] - &existing - &undecided,
+                    patterns: all[n].clone(),
+                    plus: plus[n].clone(),
+                    minus: minus[n].clone(),
+                    undecided,
+                }
+            })
+            .collect()
     }
 
     /// Graphviz: the periods that occur and who may follow whom, orange for eµ > 0, blue for eµ < 0, dashed if open.

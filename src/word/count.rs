@@ -9,7 +9,7 @@ use super::{Edge, Relation};
 ///
 /// Periods that follow, and are followed by, the same ones are one class; a word of many letters has few.
 #[derive(Debug, Clone)]
-pub struct Patterns {
+pub struct ClosedWalks {
     /// The periods of each class.
     pub(super) classes: Vec<Vec<u64>>,
     /// `follows[a][b]`: the periods of class b may follow those of class a.
@@ -27,19 +27,19 @@ pub struct PatternCount {
     pub primitive: BigUint,
 }
 
-impl Patterns {
+impl ClosedWalks {
     /// The certain edges of a relation; open ones count as absent, so that counts and entropy are lower bounds there.
-    pub fn new(relation: &Relation) -> Patterns {
+    pub fn new(relation: &Relation) -> ClosedWalks {
         let follows: Vec<Vec<bool>> =
             relation.edges().iter().map(|row| row.iter().map(|&edge| edge == Edge::Yes).collect()).collect();
-        Patterns::from_edges(relation.periods(), &follows)
+        ClosedWalks::from_edges(relation.periods(), &follows)
     }
 
     /// The walks of any relation: `follows[i][j]` if `periods[j]` may follow `periods[i]`. Cost: O(V² C), C classes.
     ///
     /// # Panics
     /// Unless `follows` is a square matrix over `periods`, all of them at least 1.
-    pub fn from_edges(periods: &[u64], follows: &[Vec<bool>]) -> Patterns {
+    pub fn from_edges(periods: &[u64], follows: &[Vec<bool>]) -> ClosedWalks {
         let size = periods.len();
         assert!(follows.len() == size && follows.iter().all(|row| row.len() == size));
         assert!(periods.iter().all(|&n| n >= 1), "a period is at least 1");
@@ -58,7 +58,7 @@ impl Patterns {
             }
         }
         let follows = heads.iter().map(|&i| heads.iter().map(|&j| follows[i][j]).collect()).collect();
-        Patterns { classes, follows }
+        ClosedWalks { classes, follows }
     }
 
     /// The number of patterns of period 1, …, `last`.
@@ -164,7 +164,7 @@ mod tests {
     #[test]
     fn the_full_shift_has_a_pattern_for_every_cyclic_composition() {
         let periods: Vec<u64> = (1..=20).collect();
-        let full = Patterns::from_edges(&periods, &vec![vec![true; 20]; 20]);
+        let full = ClosedWalks::from_edges(&periods, &vec![vec![true; 20]; 20]);
         assert_eq!(full.classes.len(), 1);
         let found: Vec<u64> = full.count(20).iter().map(|row| u64::try_from(&row.all).unwrap()).collect();
         // Binary necklaces of n beads less one: a mark at the start of each period, at least one mark.
@@ -181,7 +181,7 @@ mod tests {
         let periods = [2, 1, 3, 5];
         let follows =
             [[1, 1, 0, 1], [1, 0, 1, 0], [0, 1, 1, 1], [1, 0, 0, 0]].map(|row| row.map(|e| e == 1).to_vec());
-        let rows = Patterns::from_edges(&periods, &follows).count(14);
+        let rows = ClosedWalks::from_edges(&periods, &follows).count(14);
         for row in rows {
             let mut classes = std::collections::BTreeSet::new();
             let mut stack: Vec<Vec<usize>> = (0..4).map(|i| vec![i]).collect();

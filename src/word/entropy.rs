@@ -4,7 +4,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::One;
 
-use super::{Extent, Letter, Patterns, Relation, Word};
+use super::{ClosedWalks, Extent, Letter, Relation, Word};
 use crate::error::Result;
 use crate::number::{Ball, FloatInterval, Precision, Real, Sign};
 
@@ -24,7 +24,7 @@ pub enum Entropy {
     },
 }
 
-impl Patterns {
+impl ClosedWalks {
     /// The entropy, z within 2^−`bits` if the rungs up to 4·`bits` + 128 bits suffice, else as near as they do.
     ///
     /// z is bracketed by pivots: I − M(z) with M ≥ 0 is a nonsingular M-matrix, that is z below the least root, iff elimination
@@ -148,7 +148,7 @@ fn logarithm(w: &Ball, bits: u32) -> Ball {
 
 impl Entropy {
     /// The entropy of a word's case, for a sign of γ, and whether it is only a lower bound: where the word may go on, or an edge is
-    /// open. Over all periods it is log 2 or nothing. Cost: as [`Patterns::entropy`], and V² edges.
+    /// open. Over all periods it is log 2 or nothing. Cost: as [`ClosedWalks::entropy`], and V² edges.
     ///
     /// # Errors
     /// An input error for words of more than [`MAX_RELATION`](super::MAX_RELATION) letters.
@@ -165,7 +165,7 @@ impl Entropy {
             return Ok((Entropy::Positive { z: (half.clone(), half), rate }, false));
         }
         let relation = Relation::new(word, gamma_positive, false, u64::MAX)?;
-        Ok((Patterns::new(&relation).entropy(bits), !relation.is_whole() || relation.is_open()))
+        Ok((ClosedWalks::new(&relation).entropy(bits), !relation.is_whole() || relation.is_open()))
     }
 
     /// The entropy as bounds with denominators that are powers of 2, 0 where patterns do not branch; `None` if no pattern exists.
@@ -185,7 +185,7 @@ mod tests {
     use crate::number::Elementary;
 
     fn digits(periods: &[u64], follows: &[Vec<bool>]) -> f64 {
-        match Patterns::from_edges(periods, follows).entropy(100) {
+        match ClosedWalks::from_edges(periods, follows).entropy(100) {
             Entropy::Positive { z, rate } => {
                 // Two routes: exp of the enclosure of log 1/z meets that of 1/z.
                 let precision = Precision::new(200);
@@ -213,12 +213,12 @@ mod tests {
 
     #[test]
     fn what_does_not_branch_has_no_entropy() {
-        let none = Patterns::from_edges(&[1, 2], &[vec![false, true], vec![false, false]]);
+        let none = ClosedWalks::from_edges(&[1, 2], &[vec![false, true], vec![false, false]]);
         assert!(matches!(none.entropy(60), Entropy::Empty));
-        let cycle = Patterns::from_edges(&[1, 2], &[vec![false, true], vec![true, false]]);
+        let cycle = ClosedWalks::from_edges(&[1, 2], &[vec![false, true], vec![true, false]]);
         assert!(matches!(cycle.entropy(60), Entropy::Zero));
         // Two loops and a way from one to the other, but not back.
-        let there = Patterns::from_edges(&[1, 2], &[vec![true, true], vec![false, true]]);
+        let there = ClosedWalks::from_edges(&[1, 2], &[vec![true, true], vec![false, true]]);
         assert!(matches!(there.entropy(60), Entropy::Zero));
     }
 }

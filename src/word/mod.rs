@@ -13,7 +13,7 @@
 //! `proofs/words.md` has the proof.
 //!
 //! [`Word::at`] walks the path and decides one sign per step on the ladder; an answer is certain or says that it is open.
-//! [`Patterns`] counts the patterns of a relation by period and encloses its topological entropy. [`two_impacts`] lists
+//! [`ClosedWalks`] counts the patterns of a relation by period and encloses its topological entropy. [`two_impacts`] lists
 //! the Farey intervals on r = 1 where patterns of two impacts exist.
 //!
 //! Not here: maps of three or more dimensions, where no word decides (`pattern`), and a₂ ≤ 0.
@@ -24,7 +24,7 @@ mod path;
 mod relation;
 mod two_impacts;
 
-pub use count::{PatternCount, Patterns};
+pub use count::{ClosedWalks, PatternCount};
 pub use entropy::Entropy;
 pub use path::{Extent, Letter, MAX_LETTERS, Vertex, Word};
 pub use relation::{Edge, MAX_RELATION, Relation};
