@@ -295,7 +295,7 @@ fn the_one_sided_branches_graze_where_the_closed_form_says() {
 }
 
 /// Where the multiplier of the half period's map is −1, from the closed form of the symmetric orbit, computed apart.
-const PITCHFORK: f64 = 1.177_166_961_538_610_8;
+const PITCHFORK: f64 = 1.177_166_961_538_611;
 
 const STARTS: &str = "pattern = [0, 1], walls = [\"upper\", \"lower\"], start = [0.326, 1.603, 3.468, 1.603]";
 

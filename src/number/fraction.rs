@@ -133,6 +133,8 @@ impl Mul<&Fraction> for Fraction {
 impl Div<&Fraction> for Fraction {
     type Output = Self;
 
+    // The product with the reciprocal, whose limit is kept.
+    #[allow(clippy::suspicious_arithmetic_impl)]
     fn div(self, other: &Self) -> Self {
         self * &other.clone().reciprocal()
     }

@@ -48,12 +48,12 @@ impl ClosedWalks {
         };
         let mut heads: Vec<usize> = Vec::new();
         let mut classes: Vec<Vec<u64>> = Vec::new();
-        for i in 0..size {
+        for (i, &period) in periods.iter().enumerate() {
             match heads.iter().position(|&head| alike(head, i)) {
-                Some(class) => classes[class].push(periods[i]),
+                Some(class) => classes[class].push(period),
                 None => {
                     heads.push(i);
-                    classes.push(vec![periods[i]]);
+                    classes.push(vec![period]);
                 }
             }
         }
@@ -170,7 +170,7 @@ mod tests {
         // Binary necklaces of n beads less one: a mark at the start of each period, at least one mark.
         let necklaces = |n: u64| {
             let totient = |d: u64| (1..=d).filter(|k| num_integer::gcd(*k, d) == 1).count() as u64;
-            (1..=n).filter(|d| n % d == 0).map(|d| totient(d) << (n / d)).sum::<u64>() / n
+            (1..=n).filter(|d| n.is_multiple_of(*d)).map(|d| totient(d) << (n / d)).sum::<u64>() / n
         };
         assert_eq!(found, (1..=20).map(|n| necklaces(n) - 1).collect::<Vec<_>>());
     }

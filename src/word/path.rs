@@ -117,8 +117,8 @@ impl Word {
             (Region::One, false) => walk.word.push(0, 1, Letter::U),
             (Region::Two, true) | (Region::Four | Region::Five, false) => walk.word.push(0, 1, Letter::D),
             (Region::Three, false) => walk.below_half_a_turn()?,
-            (Region::Three, true) => walk.to_angle()?,
-            (Region::Four, true) => walk.to_half()?,
+            (Region::Three, true) => walk.down_to_angle()?,
+            (Region::Four, true) => walk.down_to_half()?,
         }
         Ok(walk.word)
     }
@@ -298,7 +298,7 @@ impl Walk<'_> {
     }
 
     /// Region 3, eµ > 0: the path to s.
-    fn to_angle(&mut self) -> Result<()> {
+    fn down_to_angle(&mut self) -> Result<()> {
         self.word.push(0, 1, Letter::D);
         let Some(HalfTurn { below, above }) = self.first_above_half_a_turn()? else { return Ok(()) };
         let lower = End { numerator: 0, period: 1, index: Some(0) };
@@ -314,7 +314,7 @@ impl Walk<'_> {
     }
 
     /// Region 4, eµ > 0: the path to ½, which has every m/n = k/(2k + 1) below it.
-    fn to_half(&mut self) -> Result<()> {
+    fn down_to_half(&mut self) -> Result<()> {
         self.word.push(0, 1, Letter::D);
         if self.limit == 1 {
             self.word.extent = Extent::Cut;
