@@ -6,12 +6,7 @@ use num_traits::{Signed, pow};
 
 /// The greatest decimal with `digits` places that is not above x. Cost: one division of `digits` digits.
 ///
-/// ```
-/// use grazing::{number::parse_rational, output::{decimal_above, decimal_below}};
-/// let x = parse_rational("-2/3")?;
-/// assert_eq!([decimal_below(&x, 3), decimal_above(&x, 3)], ["-0.667", "-0.666"]);
-/// # Ok::<(), grazing::Error>(())
-/// ```
+/// −2/3 with 3 places is −0.667 below and −0.666 above.
 pub fn decimal_below(x: &BigRational, digits: u32) -> String {
     place_point((x * pow(BigInt::from(10), digits as usize)).floor().to_integer(), digits)
 }
@@ -33,4 +28,15 @@ fn place_point(units: BigInt, digits: u32) -> String {
     let text = format!("{:0>1$}", units.magnitude().to_string(), digits + 1);
     let (whole, rest) = text.split_at(text.len() - digits);
     if digits == 0 { format!("{sign}{whole}") } else { format!("{sign}{whole}.{rest}") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bounds_of_two_thirds() {
+        let x = BigRational::new((-2).into(), 3.into());
+        assert_eq!([decimal_below(&x, 3), decimal_above(&x, 3)], ["-0.667", "-0.666"]);
+    }
 }

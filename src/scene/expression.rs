@@ -64,7 +64,7 @@ impl Expression {
     /// that is known; also for more than 256 factors and terms or 32 levels of parentheses.
     ///
     /// ```
-    /// use grazing::{number::parse_rational, oscillator::Expression};
+    /// use grazing::{number::parse_rational, scene::Expression};
     /// let names = ["d".to_string(), "w".to_string()];
     /// let values = [parse_rational("0.6")?, parse_rational("4.9")?];
     /// let damping = Expression::parse("2*d/w", &names)?;
