@@ -89,6 +89,7 @@ pub mod run;
 pub mod scene;
 pub mod search;
 mod source;
+#[cfg_attr(not(feature = "cli"), allow(dead_code, unused_imports))]
 mod study;
 pub mod symbol;
 pub mod word;

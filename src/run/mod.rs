@@ -41,6 +41,7 @@ use num_rational::BigRational;
 use serde::Serialize;
 
 pub use basins::{BasinRow, BasinsFindings, basins};
+#[cfg(feature = "cli")]
 pub(crate) use branch::follow;
 pub use branch::{BranchFindings, BranchRow, StartRow, branch};
 pub use crisis::{CrisisFindings, CrisisRow, PersistenceRow, crisis};

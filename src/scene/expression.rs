@@ -117,7 +117,7 @@ impl Coefficient for Dual {}
 impl Coefficient for FloatInterval {}
 impl Coefficient for Ball {}
 
-/// Without common factors divided out on the way, and no further than [`LIMIT_VALUE`].
+/// Without common factors divided out on the way, and no further than the limit on values.
 impl Coefficient for BigRational {
     fn value(expression: &Expression, parameters: &[Self], (): &()) -> Result<Self> {
         let limit = u64::from(LIMIT_VALUE);
