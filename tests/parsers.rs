@@ -1,7 +1,7 @@
 //! Damaged text of every kind that is read: scenes, maps, numbers and certificates. Whatever comes in, what comes out is a
 //! value or an error in words: no panic, no wrapped arithmetic (tests are built with overflow checks), no work without a bound.
 //!
-//! `GRAZING_DAMAGED=1000000 cargo test --release --config 'profile.release.overflow-checks=true' --test parsers -- --nocapture` runs as
+//! `GRAZING_DAMAGED=50000 cargo test --test parsers -- --nocapture` runs as
 //! many of each kind as it says and prints how each went.
 
 use std::{env, fs, path::Path};
