@@ -139,7 +139,7 @@ impl Simulator {
         Ok(Simulator { method, flow, walls, settings: settings.clone(), tally: None })
     }
 
-    /// The same simulator, the work of its runs added up in `tally`; it costs a few percent.
+    /// The same simulator, the work of its runs added up in `tally`. What counting costs has not been measured.
     #[must_use]
     pub fn counting(self, tally: Arc<Tally>) -> Self {
         Simulator { tally: Some(tally), ..self }
