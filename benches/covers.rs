@@ -7,11 +7,11 @@ use std::{collections::HashMap, hint::black_box};
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use grazing::{
     certificate::cover::check_block,
-    search::cover::{Cover, Options, cover},
+    search::cover::{Cover, CoverOptions, cover},
 };
 
 fn find(n: u64) -> Cover {
-    cover(&Options::new(n..=n), HashMap::new(), &(), &|_, _| Ok(())).unwrap().remove(0)
+    cover(&CoverOptions::new(n..=n), HashMap::new(), &(), &|_, _| Ok(())).unwrap().remove(0)
 }
 
 fn find_and_check(criterion: &mut Criterion) {

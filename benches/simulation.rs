@@ -9,7 +9,7 @@ use grazing::oscillator::{
     Harmonic, System, Time, Wall,
     attractor::section::section,
     flow::Linear,
-    simulate::{End, Event, Settings, Simulator},
+    simulate::{Event, RunEnd, Settings, Simulator},
 };
 use rayon::prelude::*;
 
@@ -33,7 +33,7 @@ fn run(simulator: &Simulator, periods: u64) -> u64 {
 
 fn start(simulator: &Simulator, q: f64, periods: u64) -> u64 {
     let mut run = simulator.start(Time::new(0, 1.0), black_box(q), 0.0).unwrap();
-    assert_eq!(run.finish(Time::new(periods as i64, 0.0)), End::Reached);
+    assert_eq!(run.finish(Time::new(periods as i64, 0.0)), RunEnd::Reached);
     run.impacts()
 }
 

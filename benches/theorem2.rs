@@ -8,7 +8,7 @@ use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_m
 use grazing::{
     certificate,
     existence::{decide, intervals, tree_intervals},
-    search::{Method, prove_theorem2, write_theorem2},
+    search::{ProofMethod, prove_theorem2, write_theorem2},
 };
 
 fn one_period(criterion: &mut Criterion) {
@@ -29,10 +29,12 @@ fn ranges(criterion: &mut Criterion) {
     group.sample_size(10);
     for last in [500, 1000] {
         group.bench_function(format!("verify 3..={last}"), |bencher| {
-            bencher.iter(|| assert_eq!(prove_theorem2(3..=last, Method::Exact, &()).unwrap().refuted, None));
+            bencher.iter(|| {
+                assert_eq!(prove_theorem2(3..=last, ProofMethod::Exact, &()).unwrap().refuted, None)
+            });
         });
     }
-    let proof = prove_theorem2(3..=100, Method::Exact, &()).unwrap();
+    let proof = prove_theorem2(3..=100, ProofMethod::Exact, &()).unwrap();
     let mut text = Vec::new();
     write_theorem2(3..=100, &proof, &mut text, &()).unwrap();
     group.bench_function("check a certificate of 3..=100", |bencher| {

@@ -4,12 +4,12 @@
 
 use grazing::{
     certificate,
-    search::{Method, prove_theorem2, write_theorem2},
+    search::{ProofMethod, prove_theorem2, write_theorem2},
 };
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let range = 3..=50;
-    let proof = prove_theorem2(range.clone(), Method::Exact, &())?;
+    let proof = prove_theorem2(range.clone(), ProofMethod::Exact, &())?;
     if let Some(decision) = &proof.refuted {
         println!("refuted for n = {}: {:?}", decision.n, decision.disagreement);
         return Ok(());

@@ -17,8 +17,8 @@ use grazing::{
             diagram::{self, DiagramPlan, Look},
         },
         branch::{
-            Bifurcation, Branch, Corrector, Curve, Direction, End, Equations, Events, Followed, Foot,
-            Options, Orbits, follow, read_label, record,
+            Bifurcation, Branch, Corrector, Curve, CurveEnd, CurvePoint, Direction, Equations, Events,
+            Followed, Options, Orbits, follow, read_label, record,
         },
         flow::State,
         orbit::{Family, Itinerary, Oscillator, SingleImpact, search},
@@ -71,12 +71,12 @@ impl Curve for Circle {
 impl Followed for Circle {
     type View = ();
 
-    fn view(&self, _: &Foot) -> Result<()> {
+    fn view(&self, _: &CurvePoint) -> Result<()> {
         Ok(())
     }
 
-    fn monitors(&self, foot: &Foot, (): &()) -> Vec<Option<f64>> {
-        vec![Some(foot.u[0]), Some(foot.u[1] - 2.0 / 3.0)]
+    fn monitors(&self, place: &CurvePoint, (): &()) -> Vec<Option<f64>> {
+        vec![Some(place.u[0]), Some(place.u[1] - 2.0 / 3.0)]
     }
 
     fn holds(&self, (): &()) -> bool {
@@ -96,13 +96,17 @@ fn a_circle_is_followed_through_its_folds_and_closes() {
         let start = corrector.correct(&circle, &[0.6, 0.8], &[0.8, -0.6]).unwrap();
         let options = Options { most_step, ..Options::default() };
         let (steps, end) = follow(&circle, start, &options).unwrap();
-        assert_eq!(end, End::Closed);
+        assert_eq!(end, CurveEnd::Closed);
         for step in &steps {
-            near(step.foot.u[0].hypot(step.foot.u[1]), 1.0, 1e-14);
-            near(step.foot.tangent[0] * step.foot.u[0] + step.foot.tangent[1] * step.foot.u[1], 0.0, 1e-14);
+            near(step.place.u[0].hypot(step.place.u[1]), 1.0, 1e-14);
+            near(
+                step.place.tangent[0] * step.place.u[0] + step.place.tangent[1] * step.place.u[1],
+                0.0,
+                1e-14,
+            );
         }
         let events: Vec<(usize, f64, f64)> =
-            steps.iter().filter_map(|s| Some((s.event?, s.foot.u[0], s.foot.u[1]))).collect();
+            steps.iter().filter_map(|s| Some((s.event?, s.place.u[0], s.place.u[1]))).collect();
         let x = (5.0f64 / 9.0).sqrt();
         let want = [(1, x, 2.0 / 3.0), (0, 0.0, -1.0), (1, -x, 2.0 / 3.0), (0, 0.0, 1.0)];
         assert_eq!(events.len(), want.len(), "{events:?}");
@@ -145,7 +149,7 @@ fn the_branches_of_figure_6_have_the_papers_labels() {
     near(four.labelled("saddle-node 1").unwrap().parameters[0], -0.084_338_470_089_59, 1e-13);
     near(four.labelled("grazing 1").unwrap().parameters[0], -0.024_447_456_305_83, 1e-13);
     near(four.labelled("fade 1").unwrap().parameters[0], 0.0, 1e-14);
-    assert_eq!(four.ends, [End::Fails, End::Fails]);
+    assert_eq!(four.ends, [CurveEnd::Fails, CurveEnd::Fails]);
     // Between the saddle-node and the grazing it is stable, and nowhere else.
     let events = four.labels();
     let length = |label: &str| events.iter().find(|(name, _)| *name == label).unwrap().1.length;
@@ -159,8 +163,8 @@ fn the_branches_of_figure_6_have_the_papers_labels() {
     let three = branch(&orbits, 0.003, false, Direction::Both, &options);
     let flip = three.labelled("flip 1").unwrap();
     near(flip.parameters[0], 0.005_479_046_221_249, 1e-13);
-    let (born, foot) = orbits.switch(Bifurcation::Flip, &flip.foot).unwrap();
-    let six = Branch::follow(&born, &foot, Direction::Forward, &options).unwrap();
+    let (born, place) = orbits.switch(Bifurcation::Flip, &flip.place).unwrap();
+    let six = Branch::follow(&born, &place, Direction::Forward, &options).unwrap();
     assert_eq!(six.itinerary.to_string(), "3,3");
     let end = six.labelled("grazing 1").unwrap();
     near(end.parameters[0], 0.006_099_928_671_613, 1e-13);
@@ -170,7 +174,7 @@ fn the_branches_of_figure_6_have_the_papers_labels() {
         assert!(point.parameters[0] > flip.parameters[0] && !point.orbit.multipliers.is_stable());
     }
     // The other half of the new branch is the same orbits a period later.
-    let other = Branch::follow(&born, &foot, Direction::Backward, &options).unwrap();
+    let other = Branch::follow(&born, &place, Direction::Backward, &options).unwrap();
     let other = other.labelled("grazing 1").unwrap();
     near(other.parameters[0], end.parameters[0], 1e-13);
     near(other.orbit.z[1], end.orbit.z[3], 1e-10);
@@ -206,7 +210,7 @@ fn a_branch_followed_both_ways_meets_itself() {
     let far = there.labelled("grazing 1").unwrap();
     // Back from where it ended, past the start to the other end.
     let back =
-        Branch::follow(&orbits, &far.foot, Direction::Forward, &Options { points: 4000, ..options.clone() });
+        Branch::follow(&orbits, &far.place, Direction::Forward, &Options { points: 4000, ..options.clone() });
     let back = back.unwrap();
     near(
         back.labelled("saddle-node 1").unwrap().parameters[0],
@@ -228,7 +232,7 @@ fn a_forbidden_excursion_ends_a_branch_or_flags_it() {
     let orbits = single(&family, 4, (-0.1, 0.01));
     let beyond = Options { beyond: true, ..Options::default() };
     let all = branch(&orbits, -0.05, true, Direction::Both, &beyond);
-    assert_eq!(all.ends, [End::Bound, End::Bound]);
+    assert_eq!(all.ends, [CurveEnd::Bound, CurveEnd::Bound]);
     let grazing = all.labelled("grazing 1").unwrap();
     near(grazing.parameters[0], -0.024_447_456_305_83, 1e-13);
     let flagged = all.points.iter().filter(|p| p.event.is_none() && !p.orbit.admissibility.is_admissible());
@@ -264,8 +268,9 @@ fn at_the_resonance_both_multipliers_are_tau_r_cubed() {
             }
         }
         // It leaves the bifurcation like √µ: V² / µ tends to a constant.
-        let ratio =
-            |point: &&grazing::oscillator::branch::Point| point.orbit.z[1].powi(2) / point.parameters[0];
+        let ratio = |point: &&grazing::oscillator::branch::BranchOrbit| {
+            point.orbit.z[1].powi(2) / point.parameters[0]
+        };
         let small: Vec<f64> =
             found.points.iter().filter(|p| p.parameters[0] > 1e-6).take(2).map(|p| ratio(&p)).collect();
         assert!((small[0] / small[1] - 1.0).abs() < 0.1, "{small:?}");
@@ -291,8 +296,8 @@ fn windows_of_periods_28_32_and_36() {
         assert!(orbit.multipliers.is_stable());
         let orbits = Orbits::over(&family, orbit.itinerary.clone(), (-0.0247, -0.0232));
         let options = Options::default();
-        let foot = orbits.start(orbit.z, inside, &options).unwrap();
-        let found = Branch::follow(&orbits, &foot, Direction::Both, &options).unwrap();
+        let place = orbits.start(orbit.z, inside, &options).unwrap();
+        let found = Branch::follow(&orbits, &place, Direction::Both, &options).unwrap();
         near(found.labelled("flip 1").unwrap().parameters[0], ends[0], 1e-13);
         near(found.labelled("grazing 1").unwrap().parameters[0], ends[1], 1e-13);
         near(found.labelled("fade 1").unwrap().parameters[0], -0.024_447_456_305_83, 1e-12);
@@ -344,8 +349,8 @@ fn a_flip_followed_in_two_parameters_agrees_with_the_formula_and_ends_at_the_res
         event: Bifurcation::Flip,
         ranges: [(-0.05, 0.05), (4.7, 5.1)],
     };
-    let foot = events.start(&flip.orbit.z, [flip.parameters[0], 4.9], &options).unwrap();
-    let found = Branch::follow(&events, &foot, Direction::Both, &options).unwrap();
+    let place = events.start(&flip.orbit.z, [flip.parameters[0], 4.9], &options).unwrap();
+    let found = Branch::follow(&events, &place, Direction::Both, &options).unwrap();
     assert!(found.points.len() > 10);
     for point in &found.points {
         let system = scene.plain(&[("mu", 0.0), ("w", point.parameters[1])]).unwrap();
@@ -367,10 +372,10 @@ fn a_restart_from_a_label_goes_on_as_if_never_ended() {
     let text = record(&all, &["mu"]).to_string();
     for label in ["saddle-node 1", "grazing 1"] {
         let label = read_label(&text, label).unwrap();
-        let foot = orbits.restart(&label, &options).unwrap();
-        let again = Branch::follow(&orbits, &foot, Direction::Both, &options).unwrap();
+        let place = orbits.restart(&label, &options).unwrap();
+        let again = Branch::follow(&orbits, &place, Direction::Both, &options).unwrap();
         near(again.labelled("fade 1").unwrap().parameters[0], 0.0, 1e-13);
-        near(foot.u[1], label.z[1], 1e-12);
+        near(place.u[1], label.z[1], 1e-12);
     }
     let error = read_label(&text, "flip 7").unwrap_err().to_string();
     assert!(error.contains("saddle-node 1") && error.contains("flip 7"), "{error}");
@@ -410,8 +415,8 @@ fn branches_that_cross_are_labelled_and_switched() {
     let start = found.iter().find(|orbit| orbit.admissibility.is_admissible()).expect("a symmetric orbit");
     let orbits = Orbits::over(&oscillator, itinerary, (0.5, 4.0));
     let options = Options::default();
-    let foot = orbits.start(start.z.clone(), 2.0, &options).unwrap();
-    let branch = Branch::follow(&orbits, &foot, Direction::Both, &options).unwrap();
+    let place = orbits.start(start.z.clone(), 2.0, &options).unwrap();
+    let branch = Branch::follow(&orbits, &place, Direction::Both, &options).unwrap();
     for point in &branch.points {
         near(point.orbit.z[1], point.orbit.z[3], 1e-9);
     }
@@ -419,9 +424,9 @@ fn branches_that_cross_are_labelled_and_switched() {
     near(crossing.parameters[0], CROSSING, 1e-13);
     near(crossing.orbit.multipliers.values()[0].0, 1.0, 1e-7);
     // The other branch, both ways from where it crosses: each half the mirror image of the other.
-    let (born, foot) = orbits.switch(Bifurcation::Crossing, &crossing.foot).unwrap();
+    let (born, place) = orbits.switch(Bifurcation::Crossing, &crossing.place).unwrap();
     let halves = [Direction::Forward, Direction::Backward].map(|way| {
-        let half = Branch::follow(&born, &foot, way, &options).unwrap();
+        let half = Branch::follow(&born, &place, way, &options).unwrap();
         let points =
             if way == Direction::Forward { half.points } else { half.points.into_iter().rev().collect() };
         points.into_iter().skip(1).take(3).collect::<Vec<_>>()

@@ -7,12 +7,12 @@ use std::{collections::BTreeMap, fs};
 use common::Fraction;
 use grazing::{
     certificate::{self, Rejection, theorem2::Claim},
-    search::{Method, prove_theorem2, write_theorem2},
+    search::{ProofMethod, prove_theorem2, write_theorem2},
 };
 use proptest::{prelude::*, strategy::ValueTree};
 
 fn written(first: u64, last: u64) -> String {
-    let proof = prove_theorem2(first..=last, Method::Exact, &()).unwrap();
+    let proof = prove_theorem2(first..=last, ProofMethod::Exact, &()).unwrap();
     let mut bytes = Vec::new();
     write_theorem2(first..=last, &proof, &mut bytes, &()).unwrap();
     String::from_utf8(bytes).unwrap()

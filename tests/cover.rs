@@ -15,12 +15,12 @@ use grazing::{
     existence::{Existence, Variant, by_definition},
     local::{Answer, Ladder, Point, Polar, Quantity},
     number::Sign,
-    search::cover::{Cell, Chart, Cover, Options, certificate, cover, strips, units},
+    search::cover::{Cell, Chart, Cover, CoverOptions, certificate, cover, strips, units},
 };
 use num_bigint::BigInt;
 use num_rational::BigRational;
 
-fn covers(options: &Options) -> Vec<Cover> {
+fn covers(options: &CoverOptions) -> Vec<Cover> {
     cover(options, HashMap::new(), &(), &|_, _| Ok(())).unwrap()
 }
 
@@ -50,7 +50,7 @@ fn all_leaves(covers: &[Cover]) -> Vec<(u64, Chart, Leaf, Cell)> {
 
 #[test]
 fn nothing_is_open_and_the_checker_agrees() {
-    let options = Options::new(3..=16);
+    let options = CoverOptions::new(3..=16);
     let covers = covers(&options);
     let blocks: Vec<String> = covers.iter().map(|cover| cover.block().unwrap()).collect();
     let text = certificate(&options.periods, &blocks);
@@ -68,7 +68,7 @@ fn nothing_is_open_and_the_checker_agrees() {
 /// The boxes of a chart fill it: their areas add up, exactly.
 #[test]
 fn leaves_tile_region_3() {
-    for cover in covers(&Options::new(3..=12)) {
+    for cover in covers(&CoverOptions::new(3..=12)) {
         let mut area = BigRational::from_integer(0.into());
         cover.leaves(|chart, _, cell| {
             let [r, s] = chart.bounds(&cell);
@@ -111,7 +111,7 @@ fn sign_of(sign: i8) -> Sign {
 fn claims_hold_at_random_points_in_multi_precision() {
     let (ladder, mut numbers) = (Ladder::default(), Numbers(1));
     let periods: Vec<Cover> =
-        covers(&Options::new(3..=20)).into_iter().chain(covers(&Options::new(37..=37))).collect();
+        covers(&CoverOptions::new(3..=20)).into_iter().chain(covers(&CoverOptions::new(37..=37))).collect();
     let leaves = all_leaves(&periods);
     let mut decided = 0;
     for _ in 0..10_000 {
@@ -146,7 +146,7 @@ fn singular_lines_are_sides_of_strips() {
 #[test]
 fn false_variants_are_refuted_at_a_point() {
     for variant in [Variant::NeighboursExchanged, Variant::EndsShifted] {
-        for cover in covers(&Options { variant, ..Options::new(5..=9) }) {
+        for cover in covers(&CoverOptions { variant, ..CoverOptions::new(5..=9) }) {
             // With n₊ = n₋ nothing is exchanged; n = 4, 6 have only such areas, or ends 1/n.
             let case = cover.refuted.clone();
             let case = case.unwrap_or_else(|| panic!("{variant:?} of n = {} is not refuted", cover.n));
@@ -163,7 +163,7 @@ fn false_variants_are_refuted_at_a_point() {
 
 #[test]
 fn what_cannot_be_decided_is_left_open_and_listed() {
-    let options = Options { max_depth: 3, ..Options::new(8..=8) };
+    let options = CoverOptions { max_depth: 3, ..CoverOptions::new(8..=8) };
     let cover = covers(&options).remove(0);
     let tally = cover.tally();
     assert!(!tally.open.is_empty() && tally.open_area() > 0.0 && tally.depth == 3);
@@ -176,7 +176,7 @@ fn what_cannot_be_decided_is_left_open_and_listed() {
 #[test]
 fn what_rounding_hides_is_left_open() {
     let r_max = BigRational::new(((1u64 << 40) - 1).into(), (1u64 << 40).into());
-    let options = Options { r_max: Some(r_max), ..Options::new(5..=5) };
+    let options = CoverOptions { r_max: Some(r_max), ..CoverOptions::new(5..=5) };
     let cover = covers(&options).remove(0);
     let open = cover.tally().open.len();
     let text = certificate(&options.periods, &[cover.block().unwrap()]);
@@ -187,7 +187,7 @@ fn what_rounding_hides_is_left_open() {
 /// A unit depends on nothing but its period and strip: known ones are taken as they are, the others come out alike.
 #[test]
 fn a_run_goes_on_from_any_subset() {
-    let options = Options::new(7..=9);
+    let options = CoverOptions::new(7..=9);
     let done = Mutex::new(HashMap::new());
     let keep = |unit, trees: &str| {
         done.lock().unwrap().insert(unit, trees.to_string());

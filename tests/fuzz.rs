@@ -5,22 +5,25 @@ use std::fs;
 use grazing::{
     existence::{Claim, Existence, Variant, by_definition, claimed},
     local::Ladder,
-    search::fuzz::{Case, Options, Tally, fuzz, refute},
+    search::{
+        Instance,
+        fuzz::{FuzzOptions, FuzzTally, fuzz, refute},
+    },
 };
 
-fn options() -> Options {
-    Options { first: 1, last: 40, cases: 200_000, seed: 7, definition_share: 0.02 }
+fn options() -> FuzzOptions {
+    FuzzOptions { first: 1, last: 40, cases: 200_000, seed: 7, definition_share: 0.02 }
 }
 
 /// The tally without its times.
-fn counts(tally: Tally) -> Tally {
-    Tally { sweep_seconds: 0.0, weighted_seconds: 0.0, ..tally }
+fn counts(tally: FuzzTally) -> FuzzTally {
+    FuzzTally { sweep_seconds: 0.0, weighted_seconds: 0.0, ..tally }
 }
 
 #[test]
 fn conjecture_1_withstands_a_short_run() {
-    let options = Options { cases: 5_000_000, ..options() };
-    let tally = fuzz(&options, Tally::default(), &(), |_| Ok(())).unwrap();
+    let options = FuzzOptions { cases: 5_000_000, ..options() };
+    let tally = fuzz(&options, FuzzTally::default(), &(), |_| Ok(())).unwrap();
     assert_eq!(tally.disagreements, Vec::<String>::new());
     // Nor do two routes of this program to one answer differ, as they would if a sweep took another k.
     assert_eq!(tally.faults, Vec::<String>::new());
@@ -31,11 +34,11 @@ fn conjecture_1_withstands_a_short_run() {
 
 #[test]
 fn threads_and_interruptions_change_nothing() {
-    let whole = fuzz(&options(), Tally::default(), &(), |_| Ok(())).unwrap();
+    let whole = fuzz(&options(), FuzzTally::default(), &(), |_| Ok(())).unwrap();
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
     let mut states = Vec::new();
     let single = pool.install(|| {
-        fuzz(&Options { cases: 1_000_000, ..options() }, Tally::default(), &(), |tally| {
+        fuzz(&FuzzOptions { cases: 1_000_000, ..options() }, FuzzTally::default(), &(), |tally| {
             states.push(tally.clone());
             Ok(())
         })
@@ -43,7 +46,7 @@ fn threads_and_interruptions_change_nothing() {
     let single = counts(single.unwrap());
     // From the end of a shorter run, and from every state of the longer one.
     for state in states.into_iter().chain([whole]) {
-        let resumed = fuzz(&Options { cases: 1_000_000, ..options() }, state, &(), |_| Ok(())).unwrap();
+        let resumed = fuzz(&FuzzOptions { cases: 1_000_000, ..options() }, state, &(), |_| Ok(())).unwrap();
         assert_eq!(counts(resumed), single);
     }
 }
@@ -52,20 +55,20 @@ fn threads_and_interruptions_change_nothing() {
 #[test]
 fn cases_are_what_was_asked_for_to_within_a_block() {
     for (first, last, cases) in [(1, 3, 1), (1, 64, 1), (1, 64, 100_000), (60, 64, 5_000), (12, 12, 10_000)] {
-        let options = Options { first, last, cases, ..options() };
-        let tally = fuzz(&options, Tally::default(), &(), |_| Ok(())).unwrap();
+        let options = FuzzOptions { first, last, cases, ..options() };
+        let tally = fuzz(&options, FuzzTally::default(), &(), |_| Ok(())).unwrap();
         let most = cases + options.block() + tally.repeated;
         assert!((cases..most).contains(&tally.decided()), "{} for {options:?}", tally.decided());
     }
-    assert!(fuzz(&Options { cases: 0, ..options() }, Tally::default(), &(), |_| Ok(())).is_err());
+    assert!(fuzz(&FuzzOptions { cases: 0, ..options() }, FuzzTally::default(), &(), |_| Ok(())).is_err());
 }
 
 /// What no run comes to is refused, also where a sum would wrap or a loop have no end.
 #[test]
 fn false_tallies_are_refused() {
-    let good = fuzz(&options(), Tally::default(), &(), |_| Ok(())).unwrap();
+    let good = fuzz(&options(), FuzzTally::default(), &(), |_| Ok(())).unwrap();
     good.check(&options()).unwrap();
-    let damages: [fn(&mut Tally); 12] = [
+    let damages: [fn(&mut FuzzTally); 12] = [
         |tally| tally.units = u64::MAX,
         |tally| tally.units += 1,
         |tally| tally.swept = u64::MAX,
@@ -116,7 +119,7 @@ fn earlier_findings_are_decided_again() {
     let lines: Vec<&str> = text.lines().filter(|line| !line.starts_with('#')).collect();
     assert!(lines.len() >= 3);
     for line in lines {
-        let case: Case = line.parse().unwrap();
+        let case: Instance = line.parse().unwrap();
         assert_eq!(case.to_string(), line);
         let claim = match claimed(&ladder, &case.point, case.n, Variant::True) {
             Claim::Orbit(found) => Existence::Orbit(found).cases(case.n),
@@ -129,6 +132,6 @@ fn earlier_findings_are_decided_again() {
 #[test]
 fn cases_that_are_no_cases_say_so() {
     for line in ["", "3 polar 1/2", "0 polar 1/2 1/4", "x plane 1 1", "3 disc 1/2 1/4", "3 polar 1/2 3/4"] {
-        assert!(line.parse::<Case>().unwrap_err().is_input(), "{line}");
+        assert!(line.parse::<Instance>().unwrap_err().is_input(), "{line}");
     }
 }

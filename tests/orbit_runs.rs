@@ -6,7 +6,7 @@ use grazing::{
     oscillator::{
         Side, Time,
         orbit::*,
-        simulate::{End, Event, Settings, Simulator},
+        simulate::{Event, RunEnd, Settings, Simulator},
     },
     scene::{Scene, SceneFamily},
 };
@@ -45,11 +45,11 @@ fn error(oscillator: &Oscillator, orbit: &Orbit, rounds: u32) -> f64 {
         Event::Impact(impact) => impacts.push(impact),
         other => panic!("{other:?} on {orbit:?}"),
     });
-    assert_eq!(ended, End::Reached);
+    assert_eq!(ended, RunEnd::Reached);
     let m = orbit.z.len() / 2;
     assert_eq!(impacts.len(), m * rounds as usize, "{orbit:?}");
     // The impacts follow in the orbit's order, the first being its second.
-    let expected: Vec<Impact> = orbit.impacts().collect();
+    let expected: Vec<OrbitImpact> = orbit.impacts().collect();
     let error = |(i, seen): (usize, &grazing::oscillator::simulate::Impact)| {
         let impact = expected[(i + 1) % m];
         assert_eq!(seen.side, impact.side);
@@ -110,7 +110,7 @@ fn the_simulator_settles_on_the_stable_orbits() {
         let t = orbit.z[0] + 1.0;
         let state = orbit.state(&oscillator, t).unwrap();
         let mut run = simulator.start(Time::new(0, t), state.q + 1e-3, state.u - 1e-3).unwrap();
-        assert_eq!(run.finish(Time::new(4000 * i64::from(n), 0.0)), End::Reached);
+        assert_eq!(run.finish(Time::new(4000 * i64::from(n), 0.0)), RunEnd::Reached);
         let Event::Impact(impact) = run.next(Time::new(4001 * i64::from(n), 0.0)) else {
             panic!("no impact")
         };

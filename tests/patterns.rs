@@ -4,12 +4,12 @@
 mod common;
 
 use grazing::{
-    existence::{Existence as Single, by_definition, large_eigenvalue_sign},
+    existence::{Existence, by_definition, large_eigenvalue_sign},
     local::{Ladder, Plane, Point},
     number::{Ball, FloatInterval, Precision, Real, Sign, parse_rational},
     pattern::{
-        Analysis, Coordinates, Entry, Existence, Failure, Graph, Map, Numbers, Pattern, Patterns, Reason,
-        Report, Value, predicted_orbit, solve,
+        Analysis, Coordinates, Entry, Failure, Graph, Map, Numbers, OpenReason, Pattern, PatternExistence,
+        Patterns, Report, Value, predicted_orbit, solve,
     },
     word::{ClosedWalks, Entropy, PatternCount},
 };
@@ -122,9 +122,9 @@ fn theorem(a: &Dense, b: &[Q], c: &[Q], periods: &[u64]) -> [Option<bool>; 2] {
 
 fn sides(report: &Report) -> [Option<bool>; 2] {
     [report.plus, report.minus].map(|side| match side {
-        Existence::Orbit => Some(true),
-        Existence::NoOrbit => Some(false),
-        Existence::Open => None,
+        PatternExistence::Orbit => Some(true),
+        PatternExistence::NoOrbit => Some(false),
+        PatternExistence::Open => None,
     })
 }
 
@@ -150,7 +150,9 @@ fn compare(a: &Dense, b: &[Q], c: &[Q], patterns: &[Vec<u64>]) {
         for report in reports {
             assert_eq!(sides(&report), expected, "{periods:?} {a:?}");
             match &solution {
-                None => assert_eq!((report.reason, report.orbit.is_none()), (Some(Reason::Singular), true)),
+                None => {
+                    assert_eq!((report.reason, report.orbit.is_none()), (Some(OpenReason::Singular), true))
+                }
                 Some((x, y)) => {
                     let orbit = report.orbit.unwrap();
                     assert!(
@@ -211,7 +213,7 @@ fn all_patterns(last: u64) -> Vec<Vec<u64>> {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 12, ..common::config() })]
 
-    /// Single impacts against the definition in the (a₁, a₂) plane, which knows nothing of matrices: verdict, case, and the sign
+    /// Existence impacts against the definition in the (a₁, a₂) plane, which knows nothing of matrices: verdict, case, and the sign
     /// of the large eigenvalue by region (3.6).
     #[test]
     fn single_impacts_against_the_plane(p1 in -50i64..51, p2 in 1i64..21) {
@@ -231,12 +233,12 @@ proptest! {
                 let expected = case.map(|case| case.sign_emu() == 1);
                 prop_assert_eq!(report.side(), expected, "n = {}, {:?}", n, single);
                 match single {
-                    Single::Orbit(_) | Single::None { .. } => prop_assert!(!report.is_open()),
-                    Single::Singular => prop_assert_eq!(report.reason, Some(Reason::Singular)),
-                    Single::Iterate(_) | Single::SignBoundary => {
-                        prop_assert!(matches!(report.reason, None | Some(Reason::Zero(_))));
+                    Existence::Orbit(_) | Existence::None { .. } => prop_assert!(!report.is_open()),
+                    Existence::Singular => prop_assert_eq!(report.reason, Some(OpenReason::Singular)),
+                    Existence::Iterate(_) | Existence::SignBoundary => {
+                        prop_assert!(matches!(report.reason, None | Some(OpenReason::Zero(_))));
                     }
-                    Single::Undecided => prop_assert!(false),
+                    Existence::Undecided => prop_assert!(false),
                 }
                 if let (Some(case), Some(orbit)) = (case, report.orbit) {
                     let sign = if large_eigenvalue_sign(region, n, case) > 0 { Sign::Positive } else { Sign::Negative };
@@ -301,7 +303,7 @@ proptest! {
         }
     }
 
-    /// Single impacts of period n: (57)–(60) through u_k, no matrix anywhere.
+    /// Existence impacts of period n: (57)–(60) through u_k, no matrix anywhere.
     #[test]
     fn two_dimensions_against_closed_forms(p1 in -40i64..41, p2 in 1i64..21, n in 1u64..12) {
         let (a1, a2) = (Q::new(p1.into(), 20.into()), Q::new(p2.into(), 20.into()));
@@ -318,7 +320,7 @@ proptest! {
         let analysis = Analysis::new(&map, n, Numbers::Exact);
         let report = analysis.judge(&[n]);
         if u[m].is_zero() {
-            prop_assert_eq!(report.reason, Some(Reason::Singular));
+            prop_assert_eq!(report.reason, Some(OpenReason::Singular));
             prop_assert_eq!(report.flat, Some(n));
             return Ok(());
         }
@@ -605,8 +607,8 @@ fn nothing_is_claimed_when_e_may_be_zero() {
     let list = |v: [i64; 2]| v.iter().map(|&x| whole(x).into()).collect::<Vec<Entry>>();
     let a = || vec![vec![q("0.9").into(), whole(1).into()], vec![q("-0.6").into(), whole(0).into()]];
     for (e, reason) in [
-        (Entry::from(Q::zero()), Reason::Parameter),
-        (Entry::between(q("-1"), q("2")).unwrap(), Reason::PerhapsParameter),
+        (Entry::from(Q::zero()), OpenReason::Parameter),
+        (Entry::between(q("-1"), q("2")).unwrap(), OpenReason::PerhapsParameter),
     ] {
         let map = Map::new(a(), list([0, 1]), list([1, 0]), e, None).unwrap();
         assert_eq!(map.notes().len(), 1);

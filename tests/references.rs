@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 
 use grazing::oscillator::{
     Harmonic, Side, System, Time, Wall,
-    simulate::{End, Event, Settings, Simulator},
+    simulate::{Event, RunEnd, Settings, Simulator},
 };
 
 const DATA: &str = include_str!("data/events.csv");
@@ -88,7 +88,7 @@ fn simulated(reference: &Reference) -> Vec<(Side, f64, f64)> {
                 found.push((impact.side, time, impact.velocity));
             }
         });
-    assert_eq!(end, End::Reached);
+    assert_eq!(end, RunEnd::Reached);
     found
 }
 

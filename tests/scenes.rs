@@ -63,7 +63,7 @@ fn what_is_read_is_exact() {
     assert_eq!(scene.with(&scene.tasks[0].set).unwrap().exact(&[]).unwrap(), changed);
     let plain = scene.plain(&[("w", 5.0)]).unwrap();
     assert_eq!(plain.damping, 2.0 * 0.6 / 5.0);
-    let Kind::Simulate(task) = &scene.tasks[0].kind else { panic!("{:?}", scene.tasks) };
+    let Kind::SimulateTask(task) = &scene.tasks[0].kind else { panic!("{:?}", scene.tasks) };
     assert_eq!(scene.state(&task.start).unwrap().q, 0.49);
 }
 

@@ -15,7 +15,7 @@ use grazing::{
             lyapunov::lyapunov,
         },
         flow::{Flow, Linear, State},
-        simulate::{End, Event, Impact, Run, Settings, Simulator},
+        simulate::{Event, Impact, Run, RunEnd, Settings, Simulator},
     },
 };
 
@@ -47,7 +47,7 @@ fn integrated(system: &System<f64>, tolerance: f64) -> Simulator {
     Simulator::new(system, &Settings { integrate: true, tolerance, ..Settings::default() }).unwrap()
 }
 
-fn events(run: &mut Run, until: Time) -> (Vec<Event>, End) {
+fn events(run: &mut Run, until: Time) -> (Vec<Event>, RunEnd) {
     let mut events = Vec::new();
     let end = run.record(until, |event| events.push(event));
     (events, end)
@@ -83,7 +83,7 @@ fn bounces_accumulate_at_the_exact_time_and_end_in_rest() {
         for simulator in [simulator(&ball(tau)), integrated(&ball(tau), 1e-13)] {
             let mut run = simulator.start(at(0.0), 0.5, 0.0).unwrap();
             let (events, end) = events(&mut run, at(1000.0));
-            assert_eq!(end, End::Reached);
+            assert_eq!(end, RunEnd::Reached);
             let Some(Event::Stick(stick)) = events.last() else { panic!("{events:?}") };
             // 1 + 2τ + 2τ² + …
             let exact = 1.0 + 2.0 * tau / (1.0 - tau);
@@ -134,7 +134,7 @@ fn starts_on_a_wall_are_impacts_rests_or_departures_and_behind_it_errors() {
     let Event::Impact(impact) = first(0.0, -1.0) else { panic!() };
     assert_eq!((impact.time, impact.velocity), (at(1.0), -1.0));
     assert!(matches!(first(0.0, 0.0), Event::Stick(stick) if stick.time == at(1.0)));
-    assert_eq!(first(0.0, 1.0), Event::End(End::Reached));
+    assert_eq!(first(0.0, 1.0), Event::End(RunEnd::Reached));
     assert!(matches!(first(5e-13, -1.0), Event::Impact(_)));
     let error = simulator.start(at(1.0), -1e-9, 1.0).err().unwrap();
     assert!(error.is_input() && error.to_string().contains("lower wall"), "{error}");
@@ -183,8 +183,8 @@ fn runs_end_for_a_reason() {
     let limited = Settings { impact_limit: 7, ..Settings::default() };
     let limited = Simulator::new(&ball(1.0), &limited).unwrap();
     let mut run = limited.start(at(0.0), 0.5, 0.0).unwrap();
-    assert_eq!((run.finish(at(1e6)), run.impacts()), (End::ImpactLimit, 7));
-    assert_eq!(run.next(at(1e6)), Event::End(End::ImpactLimit));
+    assert_eq!((run.finish(at(1e6)), run.impacts()), (RunEnd::ImpactLimit, 7));
+    assert_eq!(run.next(at(1e6)), Event::End(RunEnd::ImpactLimit));
     // Negative stiffness, linear and cubic, away from the wall and without one.
     for cubic in [0.0, -1.0] {
         for lower in [None, Some(wall(-1.0, 1.0, &[]))] {
@@ -192,7 +192,7 @@ fn runs_end_for_a_reason() {
             let simulator = simulator(&system);
             assert_eq!(
                 simulator.start(at(0.0), 0.5, 0.0).unwrap().finish(at(1e4)),
-                End::Escaped,
+                RunEnd::Escaped,
                 "{system:?}"
             );
         }
@@ -252,7 +252,7 @@ fn energy_is_kept_and_time_turned_back_without_losses() {
     let energy = |q: f64, u: f64| u * u + 1.7 * q * q;
     let simulator = simulator(&fixed);
     let mut run = simulator.start(at(0.0), 1.0, 0.4).unwrap();
-    assert_eq!(run.finish(Time::new(1000, 0.0)), End::Reached);
+    assert_eq!(run.finish(Time::new(1000, 0.0)), RunEnd::Reached);
     assert!(run.impacts() > 1000);
     let end = run.state();
     assert!((energy(end.q, end.u) / energy(1.0, 0.4) - 1.0).abs() < 1e-11);
@@ -359,7 +359,7 @@ fn a_wall_never_touched_changes_no_event() {
     let free = simulator(&bare(0.3, 1.0));
     let far = simulator(&System { lower: Some(wall(-50.0, 0.5, &[(2, 1.0, 0.0)])), ..bare(0.3, 1.0) });
     let (mut a, mut b) = (free.start(at(1.0), 0.4, 0.0).unwrap(), far.start(at(1.0), 0.4, 0.0).unwrap());
-    assert_eq!((a.finish(at(30.0)), b.finish(at(30.0))), (End::Reached, End::Reached));
+    assert_eq!((a.finish(at(30.0)), b.finish(at(30.0))), (RunEnd::Reached, RunEnd::Reached));
     assert!((a.state().q - b.state().q).abs() < 1e-15 && (a.state().u - b.state().u).abs() < 1e-15);
 }
 
@@ -406,7 +406,7 @@ fn absent_effects_are_never_evaluated() {
         let mut counts = Counts::default();
         let simulator = simulator(&system);
         let mut run = simulator.start_counting(at(0.0), 0.1, 1.0, &mut counts).unwrap();
-        assert_eq!(run.finish(at(12.0)), End::Reached);
+        assert_eq!(run.finish(at(12.0)), RunEnd::Reached);
         drop(run);
         for effect in all {
             assert_eq!(counts.of(effect) > 0, present.contains(&effect), "{effect:?} in {system:?}");
@@ -550,7 +550,7 @@ fn a_duffing_oscillator_keeps_its_energy_at_an_elastic_wall() {
     for (tolerance, most) in [(1e-3, 1e-2), (1e-6, 1e-5), (1e-9, 1e-8), (1e-13, 1e-12)] {
         let simulator = Simulator::new(&system, &Settings { tolerance, ..Settings::default() }).unwrap();
         let mut run = simulator.start(at(0.0), 1.3, 0.2).unwrap();
-        assert_eq!(run.finish(Time::new(20, 0.0)), End::Reached);
+        assert_eq!(run.finish(Time::new(20, 0.0)), RunEnd::Reached);
         assert!(run.impacts() > 10);
         let off = (energy(run.state().q, run.state().u) - energy(1.3, 0.2)).abs();
         assert!(off < most && off <= last, "{tolerance:e}: {off:e}");
@@ -686,7 +686,7 @@ mod properties {
             loop {
                 // Looked at on a fine grid of times, too, not only at events.
                 match run.next(next) {
-                    Event::End(End::Reached) => next = next.after(0.0437),
+                    Event::End(RunEnd::Reached) => next = next.after(0.0437),
                     Event::End(_) => break,
                     Event::Impact(impact) => {
                         prop_assert!(impact.velocity <= 0.0 && impact.radius.is_finite());

@@ -8,7 +8,7 @@ use std::{
     process::{Command, Stdio},
 };
 
-use grazing::symbol::{Area, Format, Sentence, Side, period_formulas, write_formulas};
+use grazing::symbol::{Area, Format, HalfCellSide, Sentence, period_formulas, write_formulas};
 
 struct Solver {
     command: &'static [&'static str],
@@ -61,7 +61,7 @@ impl Solver {
 
 fn half_cells(n: usize) -> impl Iterator<Item = Area> {
     let coprime = (1..n.div_ceil(2)).filter(move |m| num_integer::gcd(*m, n) == 1);
-    coprime.flat_map(|m| [Side::Plus, Side::Minus].map(|side| Area::HalfCell { m, side }))
+    coprime.flat_map(|m| [HalfCellSide::Plus, HalfCellSide::Minus].map(|side| Area::HalfCell { m, side }))
 }
 
 #[test]

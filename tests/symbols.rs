@@ -3,8 +3,8 @@
 use std::collections::HashMap;
 
 use grazing::symbol::{
-    Area, Factored, Format, Polynomial, Sentence, Side, chebyshev_roots, period_formulas, roots_above,
-    write_formulas,
+    Area, Factored, Format, HalfCellSide, Polynomial, Sentence, chebyshev_roots, period_formulas,
+    roots_above, write_formulas,
 };
 use num_bigint::BigInt;
 use num_integer::gcd;
@@ -98,7 +98,7 @@ proptest! {
         n in 3usize..12, m in 1usize..6, plus in any::<bool>(), c in -510i64..510, r in 1i64..=32,
     ) {
         prop_assume!(2 * m < n && gcd(m, n) == 1);
-        let area = Area::HalfCell { m, side: if plus { Side::Plus } else { Side::Minus } };
+        let area = Area::HalfCell { m, side: if plus { HalfCellSide::Plus } else { HalfCellSide::Minus } };
         let sentence = Sentence::new(n, area).unwrap();
         let s = (c as f64 / 511.).acos() / (2. * std::f64::consts::PI);
         let at = HashMap::from([

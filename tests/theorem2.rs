@@ -4,10 +4,10 @@ mod common;
 
 use common::Fraction;
 use grazing::existence::{
-    Case, Enclosed, Interval, Piece, Reason, Side, Signs, decide, decide_by_enclosure, intervals,
+    Approach, Case, Enclosed, Interval, Piece, Reason, Signs, decide, decide_by_enclosure, intervals,
     tree_intervals,
 };
-use grazing::search::{Method, prove_theorem2};
+use grazing::search::{ProofMethod, prove_theorem2};
 use num_integer::Integer;
 use num_rational::Ratio;
 use proptest::prelude::*;
@@ -165,8 +165,8 @@ proptest! {
     #[test]
     fn signs_agree_with_brute_force((n, s) in period_and_point()) {
         let (big, (a, c)) = (i128::from(n), plain(&s));
-        let at = Signs::new(n, &s, Side::At);
-        let right = Signs::new(n, &s, Side::JustRight);
+        let at = Signs::new(n, &s, Approach::At);
+        let right = Signs::new(n, &s, Approach::JustRight);
         // Nothing changes sign within 1/(4n²) of s: cuts differ by more than that.
         let beside = (a * 16 * big * big + c, c * 16 * big * big);
         let all: Vec<i8> = right.all_b().collect();
@@ -209,7 +209,7 @@ fn enclosures_agree_with_the_exact_decision() {
         }
         assert_eq!(end, Ratio::new(1, 2), "n = {n}");
     }
-    for method in [Method::Interval, Method::Both] {
+    for method in [ProofMethod::Interval, ProofMethod::Both] {
         let proof = prove_theorem2(1..=150, method, &()).unwrap();
         assert_eq!(
             (proof.periods, proof.undecided, proof.contradiction, proof.refuted),

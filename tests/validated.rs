@@ -10,7 +10,7 @@ use grazing::{
     number::{Ball, Elementary, Precision, Real},
     oscillator::{
         Harmonic, Side, System, Wall,
-        validate::{self, Condition, Impact, Jet, Stability, Verdict},
+        validate::{self, Condition, ExpectedImpact, Jet, Stability, Verdict},
     },
 };
 use num_bigint::BigInt;
@@ -182,7 +182,7 @@ fn a_system_outside_the_method_is_an_input_error() {
         let error = validate::orbit(system, &[impact(1, 0.0, 0.1)], &precision).unwrap_err();
         assert!(error.is_input() && error.to_string().contains(word), "{error}");
     }
-    let above = Impact { side: Side::Upper, ..impact(1, 0.0, 0.1) };
+    let above = ExpectedImpact { side: Side::Upper, ..impact(1, 0.0, 0.1) };
     assert!(validate::orbit(&good, &[above], &precision).unwrap_err().to_string().contains("no upper wall"));
     assert!(validate::orbit(&good, &[impact(0, 0.0, 0.1)], &precision).unwrap_err().is_input());
 }

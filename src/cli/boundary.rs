@@ -15,7 +15,7 @@ use crate::{
     existence::{Boundary, Enclosure, Interval, Lowest, intervals, tip_correction, tip_law},
     monitor::Monitor,
     output::{
-        Cell, Column, Destination, TableFormat, TableWriter, decimal_above, decimal_below, decimal_near,
+        Column, Destination, TableCell, TableFormat, TableWriter, decimal_above, decimal_below, decimal_near,
     },
 };
 
@@ -107,13 +107,13 @@ fn area_columns(digits: usize) -> Vec<Column> {
     ]
 }
 
-fn area_cells(interval: &Interval) -> [Cell<'static>; 5] {
+fn area_cells(interval: &Interval) -> [TableCell<'static>; 5] {
     [
-        Cell::Int(interval.n as i64),
-        Cell::Int(interval.m as i64),
-        Cell::Int(interval.case.sign_emu().into()),
-        Cell::Int(interval.case.sign_gamma().into()),
-        interval.deciding.map_or(Cell::Empty, |k| Cell::Int(k as i64)),
+        TableCell::Int(interval.n as i64),
+        TableCell::Int(interval.m as i64),
+        TableCell::Int(interval.case.sign_emu().into()),
+        TableCell::Int(interval.case.sign_gamma().into()),
+        interval.deciding.map_or(TableCell::Empty, |k| TableCell::Int(k as i64)),
     ]
 }
 
@@ -136,8 +136,8 @@ const BOUNDS: [(&str, &str); 4] = [
     ("a2_upper", "$a_2 \\le$"),
 ];
 
-fn text(value: &str) -> Cell<'_> {
-    if value.is_empty() { Cell::Empty } else { Cell::Text(value) }
+fn text(value: &str) -> TableCell<'_> {
+    if value.is_empty() { TableCell::Empty } else { TableCell::Text(value) }
 }
 
 /// R(s) on a grid; whether everything was certified.
@@ -182,7 +182,7 @@ fn edge_rows(
                     *certain &= r.is_some();
                     let bounds = bounds(r.as_ref(), args.digits);
                     let mut cells = area_cells(area.interval()).to_vec();
-                    cells.push(Cell::Fraction(&s));
+                    cells.push(TableCell::Fraction(&s));
                     cells.extend(bounds.iter().map(|bound| text(bound)));
                     table.row(&cells)?;
                 }

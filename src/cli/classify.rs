@@ -13,7 +13,7 @@ use crate::{
     existence::{Existence, by_definition, by_records, large_eigenvalue_sign},
     local::{Ladder, Plane, Point, Polar, Region},
     number::parse_rational,
-    output::{Cell, Column, Destination, TableFormat, TableWriter},
+    output::{Column, Destination, TableCell, TableFormat, TableWriter},
     word::{Extent, Word},
 };
 
@@ -171,10 +171,10 @@ fn write(
     let mut table = TableWriter::new(out, format, "grazing-classify 1", columns.to_vec())?;
     for (n, &existence) in (1u64..).zip(found) {
         // Reversing time turns b_{n,k} into b_{n,n−k} and keeps every sign.
-        let index = |k: u64| Cell::Int((if reversed { n - k } else { k }) as i64);
-        let mut cells = [Cell::Empty; 8];
-        cells[0] = Cell::Int(n as i64);
-        cells[1] = Cell::Text(match existence {
+        let index = |k: u64| TableCell::Int((if reversed { n - k } else { k }) as i64);
+        let mut cells = [TableCell::Empty; 8];
+        cells[0] = TableCell::Int(n as i64);
+        cells[1] = TableCell::Text(match existence {
             Existence::Orbit(_) => "orbit",
             Existence::None { .. } => "none",
             Existence::Singular => "singular boundary",
@@ -191,9 +191,9 @@ fn write(
         }
         let cases = existence.cases(n);
         for case in &cases {
-            cells[2] = Cell::Int(case.sign_emu().into());
-            cells[3] = Cell::Int(case.sign_gamma().into());
-            cells[4] = Cell::Int(large_eigenvalue_sign(region, n, *case).into());
+            cells[2] = TableCell::Int(case.sign_emu().into());
+            cells[3] = TableCell::Int(case.sign_gamma().into());
+            cells[4] = TableCell::Int(large_eigenvalue_sign(region, n, *case).into());
             table.row(&cells)?;
         }
         if cases.is_empty() {
@@ -237,7 +237,7 @@ fn summary(args: &Args, destination: &Destination) -> Result<Outcome> {
     destination.write(|out| {
         let mut table = TableWriter::new(out, args.format, "grazing-classify-summary 1", columns.to_vec())?;
         for row in &rows {
-            table.row(&row.map(Cell::Text))?;
+            table.row(&row.map(TableCell::Text))?;
         }
         table.finish()
     })?;

@@ -20,8 +20,8 @@ use crate::{
     error::{Error, Result},
     monitor::Monitor,
     number::parse_rational,
-    output::{Destination, Journal, OutputFile, Run, decimal_above, decimal_below, distinct, say},
-    search::cover::{Cover, Options, Tally, Unit, certificate as assemble, cover, units},
+    output::{Destination, Journal, OutputFile, SavedRun, decimal_above, decimal_below, distinct, say},
+    search::cover::{Cover, CoverOptions, CoverTally, Unit, certificate as assemble, cover, units},
 };
 
 /// Prove Conjecture 1 for every period in a range, at every point of regions 2, 3 and 4 with r <= r_max, by computation.
@@ -60,7 +60,7 @@ pub(super) struct Args {
 /// One period's result.
 struct Row {
     cover: Cover,
-    tally: Tally,
+    tally: CoverTally,
     /// The checker's answer; none if the cover is not complete or not checked.
     checked: Option<std::result::Result<(), Rejection>>,
     check_seconds: f64,
@@ -68,8 +68,11 @@ struct Row {
 
 pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     let range = args.periods.within(certificate::cover::MOST, "cover")?;
-    let options =
-        Options { r_max: args.r_max.clone(), max_depth: args.max_depth, ..Options::new(range.clone()) };
+    let options = CoverOptions {
+        r_max: args.r_max.clone(),
+        max_depth: args.max_depth,
+        ..CoverOptions::new(range.clone())
+    };
     let files = [("--certificate", args.certificate.as_deref()), ("--resume", args.resume.as_deref())];
     distinct(&files.into_iter().filter_map(|(option, file)| Some((option, file?))).collect::<Vec<_>>())?;
     let certificate =
@@ -88,7 +91,7 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
 }
 
 /// Searches, then checks; the rows, and how long that took in words.
-fn prove(options: &Options, resume: Option<&Path>, interrupt: &Interrupt) -> Result<(Vec<Row>, String)> {
+fn prove(options: &CoverOptions, resume: Option<&Path>, interrupt: &Interrupt) -> Result<(Vec<Row>, String)> {
     let (journal, known) = match resume {
         Some(path) => {
             let (journal, found) = Journal::open(path, &identity(options), MOST)?;
@@ -155,11 +158,11 @@ impl Row {
 const MOST: u64 = 1 << 30;
 
 /// What a saved state is of: all that its records depend on.
-fn identity(options: &Options) -> Run {
+fn identity(options: &CoverOptions) -> SavedRun {
     let r_max = options.r_max.as_ref().map_or_else(|| "default".to_string(), BigRational::to_string);
     let (first, last) = (options.periods.start(), options.periods.end());
     let words = format!("{first}..={last} r-max {r_max} max-depth {}", options.max_depth);
-    Run::new("cover", &words, &words)
+    SavedRun::new("cover", &words, &words)
 }
 
 /// The trees in the records; none if some record is not of one of these units, or one unit has two.
@@ -239,17 +242,17 @@ fn table(rows: &[Row]) -> String {
         "{:>5} {:>6} {:>9} {:>9} {:>8} {:>8} {:>6} {:>6} {:>9} {:>9}\n",
         "n", "areas", "leaves", "none", "orbit", "edge", "open", "depth", "find s", "check s"
     );
-    let mut line = |n: &str, tally: &Tally, open: usize, find: f64, check: f64| {
-        let Tally { areas, none, orbit, edge, depth, .. } = tally;
+    let mut line = |n: &str, tally: &CoverTally, open: usize, find: f64, check: f64| {
+        let CoverTally { areas, none, orbit, edge, depth, .. } = tally;
         let leaves = none + orbit + edge + open as u64;
         text += &format!(
             "{n:>5} {areas:>6} {leaves:>9} {none:>9} {orbit:>8} {edge:>8} {open:>6} {depth:>6} {find:>9.3} {check:>9.3}\n"
         );
     };
-    let mut all = (Tally::default(), 0, 0.0, 0.0);
+    let mut all = (CoverTally::default(), 0, 0.0, 0.0);
     for Row { cover, tally, check_seconds, .. } in rows {
         line(&cover.n.to_string(), tally, tally.open.len(), cover.seconds, *check_seconds);
-        let Tally { none, orbit, edge, open, areas, depth } = tally;
+        let CoverTally { none, orbit, edge, open, areas, depth } = tally;
         all.0.none += none;
         all.0.orbit += orbit;
         all.0.edge += edge;

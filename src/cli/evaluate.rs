@@ -9,7 +9,7 @@ use super::{Outcome, ReportFormat, reported};
 use crate::{
     cli::progress::Interrupt,
     error::{Error, Result},
-    local::{Answer, Decision, Ladder, Plane, Point, Polar, Quantity, Rung},
+    local::{Answer, Ladder, Plane, Point, Polar, Quantity, Rung, SignDecision},
     number::{Ball, Precision, Sign, certain_digits, parse_integer, parse_rational},
     output::Destination,
 };
@@ -107,7 +107,7 @@ impl Args {
 
 struct Row {
     quantity: Quantity,
-    decision: Decision,
+    decision: SignDecision,
     digits: Option<String>,
 }
 
@@ -152,7 +152,12 @@ impl Row {
 const WRITTEN: u64 = 100_000;
 
 /// The certain digits at the precision asked for; for numbers too large or small to write out, none.
-fn digits(point: &Point, quantity: Quantity, decision: Decision, precision: &Precision) -> Option<String> {
+fn digits(
+    point: &Point,
+    quantity: Quantity,
+    decision: SignDecision,
+    precision: &Precision,
+) -> Option<String> {
     if decision.answer == Answer::Sign(Sign::Zero) {
         return Some("0".into());
     }

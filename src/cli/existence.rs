@@ -14,10 +14,12 @@ use crate::{
     figure,
     number::{Sign, certain_digits},
     output::{
-        Cell, Column, Destination, LONGEST_INPUT, OutputFile, TableFormat, TableWriter, distinct,
+        Column, Destination, LONGEST_INPUT, OutputFile, TableCell, TableFormat, TableWriter, distinct,
         make_folder, read_text, say,
     },
-    pattern::{Analysis, Existence, Graph, MAX_GRAPH_PERIOD, Map, Numbers, Pattern, Patterns, Report, Value},
+    pattern::{
+        Analysis, Graph, MAX_GRAPH_PERIOD, Map, Numbers, Pattern, PatternExistence, Patterns, Report, Value,
+    },
     word::Entropy,
 };
 
@@ -279,20 +281,20 @@ fn columns() -> Vec<Column> {
 /// The columns of whole numbers.
 const WHOLE: [usize; 5] = [1, 2, 5, 6, 12];
 
-fn cell((column, text): (usize, &String)) -> Cell<'_> {
+fn cell((column, text): (usize, &String)) -> TableCell<'_> {
     match text.parse() {
-        _ if text.is_empty() => Cell::Empty,
-        Ok(number) if WHOLE.contains(&column) => Cell::Int(number),
-        _ => Cell::Text(text),
+        _ if text.is_empty() => TableCell::Empty,
+        Ok(number) if WHOLE.contains(&column) => TableCell::Int(number),
+        _ => TableCell::Text(text),
     }
 }
 
 fn cells(pattern: &Pattern, report: &Report, e: Option<Sign>) -> Vec<String> {
     let side = report.side();
     let verdict = match (report.plus, report.minus) {
-        (Existence::Orbit, _) => "emu>0",
-        (_, Existence::Orbit) => "emu<0",
-        (Existence::NoOrbit, Existence::NoOrbit) => "neither",
+        (PatternExistence::Orbit, _) => "emu>0",
+        (_, PatternExistence::Orbit) => "emu<0",
+        (PatternExistence::NoOrbit, PatternExistence::NoOrbit) => "neither",
         _ => "undecided",
     };
     let sign = |positive: Option<bool>| {
@@ -307,8 +309,8 @@ fn cells(pattern: &Pattern, report: &Report, e: Option<Sign>) -> Vec<String> {
         reason.push("the enclosure of some C A^n B contains 0: the eigenvalue's sign is open".into());
     }
     match (report.plus, report.minus) {
-        (Existence::Open, Existence::NoOrbit) => reason.push("none for emu < 0".into()),
-        (Existence::NoOrbit, Existence::Open) => reason.push("none for emu > 0".into()),
+        (PatternExistence::Open, PatternExistence::NoOrbit) => reason.push("none for emu < 0".into()),
+        (PatternExistence::NoOrbit, PatternExistence::Open) => reason.push("none for emu > 0".into()),
         _ => {}
     }
     let show = |value: Option<Value>| value.map_or(String::new(), |value| value.to_string());
@@ -381,14 +383,14 @@ fn counted(
         let texts = counts.map(ToString::to_string);
         let growth =
             [true, false].map(|side| show_growth(&graph.walks(side, row.period).entropy(GROWTH_BITS)));
-        let mut cells = vec![Cell::Int(row.period as i64)];
+        let mut cells = vec![TableCell::Int(row.period as i64)];
         cells.extend(
             counts
                 .iter()
                 .zip(&texts)
-                .map(|(count, text)| count.to_i64().map_or(Cell::Text(text.as_str()), Cell::Int)),
+                .map(|(count, text)| count.to_i64().map_or(TableCell::Text(text.as_str()), TableCell::Int)),
         );
-        cells.extend(growth.iter().map(|text| Cell::Text(text)));
+        cells.extend(growth.iter().map(|text| TableCell::Text(text)));
         table.row(&cells)?;
     }
     Ok(())
@@ -424,8 +426,8 @@ fn listed(
     if found[3] > 0 {
         *outcome = Outcome::Undecided;
     }
-    let mut cells = vec![Cell::Int(period as i64), Cell::Int(found.iter().sum::<u64>() as i64)];
-    cells.extend(found.iter().map(|&count| Cell::Int(count as i64)));
+    let mut cells = vec![TableCell::Int(period as i64), TableCell::Int(found.iter().sum::<u64>() as i64)];
+    cells.extend(found.iter().map(|&count| TableCell::Int(count as i64)));
     table.row(&cells)
 }
 

@@ -15,7 +15,7 @@ use crate::{
     figure,
     number::parse_rational,
     output::make_folder,
-    search::cover::{Cover, Options, certificate as assemble, cover},
+    search::cover::{Cover, CoverOptions, certificate as assemble, cover},
 };
 
 /// Draw a figure as SVG, with its data as CSV beside it.
@@ -85,7 +85,8 @@ fn proved_cover(n: u64, progress: &Progress) -> Result<Cover> {
         return Err(Error::input(format!("--n {n}: this figure shows one period N, with N from 3 to 24")));
     }
     let r_max = BigRational::one() - BigRational::new(BigInt::one(), BigInt::from(1 << 14));
-    let options = Options { r_max: Some(r_max), finest: Some(figure::FINEST), ..Options::new(n..=n) };
+    let options =
+        CoverOptions { r_max: Some(r_max), finest: Some(figure::FINEST), ..CoverOptions::new(n..=n) };
     let found = cover(&options, HashMap::new(), progress, &|_, _| Ok(()))?.pop();
     let interrupted = || Error::interrupted("interrupted before the work was done");
     let found = found.ok_or_else(interrupted)?;

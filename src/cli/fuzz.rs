@@ -15,8 +15,11 @@ use crate::{
     cli::progress::{Interrupt, Progress},
     error::{Error, Result},
     number::parse_integer,
-    output::{Destination, Journal, Run, distinct, probe, say},
-    search::fuzz::{Case, Options, Tally, fuzz},
+    output::{Destination, Journal, SavedRun, distinct, probe, say},
+    search::{
+        Instance,
+        fuzz::{FuzzOptions, FuzzTally, fuzz},
+    },
 };
 
 /// Fuzz Conjecture 1: decide existence at random points by its definition and by the claim, and compare.
@@ -67,7 +70,7 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     if args.cases == 0 {
         return Err(Error::input("--cases 0: give at least 1"));
     }
-    let options = Options {
+    let options = FuzzOptions {
         first: *args.n.0.start(),
         last: *args.n.0.end(),
         cases: args.cases,
@@ -83,7 +86,7 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
             interrupt.keeps(format!("what was counted is kept in {0}: --resume {0} goes on", path.display()));
             (Some(state), start)
         }
-        None => (None, Tally::default()),
+        None => (None, FuzzTally::default()),
     };
     let before = start.decided();
     let clock = Instant::now();
@@ -143,15 +146,15 @@ const PAUSE: Duration = Duration::from_millis(250);
 const MOST: u64 = 16 << 20;
 
 /// The state of this run, and how far it has come.
-fn open(path: &Path, options: &Options) -> Result<(Journal, Tally)> {
-    let Options { first, last, seed, definition_share, .. } = options;
+fn open(path: &Path, options: &FuzzOptions) -> Result<(Journal, FuzzTally)> {
+    let FuzzOptions { first, last, seed, definition_share, .. } = options;
     let words = format!("--n {first}..={last} --seed {seed} --definition-share {definition_share}");
-    let (state, found) = Journal::open(path, &Run::new("fuzz", words, &options.canonical()), MOST)?;
+    let (state, found) = Journal::open(path, &SavedRun::new("fuzz", words, &options.canonical()), MOST)?;
     if found.torn > 0 {
         say(format_args!("note: {}: dropped a last line cut off by a sudden end", path.display()));
     }
-    let Some(record) = found.records.last() else { return Ok((state, Tally::default())) };
-    let tally: Result<Tally> =
+    let Some(record) = found.records.last() else { return Ok((state, FuzzTally::default())) };
+    let tally: Result<FuzzTally> =
         serde_json::from_str(record).map_err(|error| Error::input(format!("no tally: {error}")));
     let tally = tally.and_then(|tally| tally.check(options).map(|()| tally));
     tally
@@ -171,7 +174,7 @@ fn append(path: &Path, lines: &[String]) -> Result<()> {
 }
 
 /// Times differ from run to run, so they do not belong to the result.
-fn speeds(tally: &Tally, rate: f64) {
+fn speeds(tally: &FuzzTally, rate: f64) {
     let cases = [tally.decided().saturating_sub(tally.weighted), tally.weighted];
     let seconds = [tally.sweep_seconds, tally.weighted_seconds];
     let mut line = format!("{rate:.3e} cases a second");
@@ -182,7 +185,13 @@ fn speeds(tally: &Tally, rate: f64) {
     say(line);
 }
 
-fn text(out: &mut dyn Write, args: &Args, options: &Options, tally: &Tally, outcome: Outcome) -> Result<()> {
+fn text(
+    out: &mut dyn Write,
+    args: &Args,
+    options: &FuzzOptions,
+    tally: &FuzzTally,
+    outcome: Outcome,
+) -> Result<()> {
     let verdict = match outcome {
         Outcome::Refuted if tally.disagreements.is_empty() => {
             "An error of this program: two of its routes to one answer differ. Please report it.".to_string()
@@ -219,7 +228,7 @@ fn text(out: &mut dyn Write, args: &Args, options: &Options, tally: &Tally, outc
         writeln!(out, "{fault}")?;
     }
     for line in &tally.disagreements {
-        let case: Case = line.parse()?;
+        let case: Instance = line.parse()?;
         writeln!(out, "{line}\n  shown by: grazing classify {}", case.arguments())?;
     }
     if !tally.disagreements.is_empty() {

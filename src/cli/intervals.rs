@@ -10,7 +10,7 @@ use crate::{
     error::{Error, Result},
     existence::{MAX_PERIOD, intervals},
     monitor::Monitor,
-    output::{Cell, Column, Destination, TableFormat, TableWriter, decimal},
+    output::{Column, Destination, TableCell, TableFormat, TableWriter, decimal},
     word,
 };
 
@@ -139,19 +139,19 @@ fn rows(
         // One period of ten million takes seconds: listen for Ctrl-C within it too.
         for (index, interval) in intervals(n)?.enumerate() {
             let rounded = decimals.map(|d| (decimal(&interval.left, d), decimal(&interval.right, d)));
-            let mut cells = [Cell::Empty; 9];
+            let mut cells = [TableCell::Empty; 9];
             cells[..7].copy_from_slice(&[
-                Cell::Int(n as i64),
-                Cell::Int(interval.m as i64),
-                Cell::Int(interval.case.sign_emu().into()),
-                Cell::Int(interval.case.sign_gamma().into()),
-                Cell::Fraction(&interval.left),
-                Cell::Fraction(&interval.right),
-                interval.deciding.map_or(Cell::Empty, |k| Cell::Int(k as i64)),
+                TableCell::Int(n as i64),
+                TableCell::Int(interval.m as i64),
+                TableCell::Int(interval.case.sign_emu().into()),
+                TableCell::Int(interval.case.sign_gamma().into()),
+                TableCell::Fraction(&interval.left),
+                TableCell::Fraction(&interval.right),
+                interval.deciding.map_or(TableCell::Empty, |k| TableCell::Int(k as i64)),
             ]);
             let width = match &rounded {
                 Some((left, right)) => {
-                    cells[7..].copy_from_slice(&[Cell::Text(left), Cell::Text(right)]);
+                    cells[7..].copy_from_slice(&[TableCell::Text(left), TableCell::Text(right)]);
                     9
                 }
                 None => 7,

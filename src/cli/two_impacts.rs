@@ -8,7 +8,7 @@ use crate::{
     error::{Error, Result},
     existence::MAX_PERIOD,
     monitor::Monitor,
-    output::{Cell, Column, Destination, TableFormat, TableWriter, decimal},
+    output::{Column, Destination, TableCell, TableFormat, TableWriter, decimal},
     word::PatternInterval,
 };
 
@@ -94,15 +94,15 @@ fn row(interval: &PatternInterval, decimals: Option<usize>, table: &mut TableWri
     let (left, right): (&Ratio<u64>, &Ratio<u64>) = (&interval.left, &interval.right);
     let rounded = decimals.map(|d| (decimal(left, d), decimal(right, d)));
     let mut cells = vec![
-        Cell::Int(interval.i as i64),
-        Cell::Int(interval.j as i64),
-        Cell::Int(interval.case.sign_emu().into()),
-        Cell::Int(interval.case.sign_gamma().into()),
-        Cell::Fraction(left),
-        Cell::Fraction(right),
+        TableCell::Int(interval.i as i64),
+        TableCell::Int(interval.j as i64),
+        TableCell::Int(interval.case.sign_emu().into()),
+        TableCell::Int(interval.case.sign_gamma().into()),
+        TableCell::Fraction(left),
+        TableCell::Fraction(right),
     ];
     if let Some((left, right)) = &rounded {
-        cells.extend([Cell::Text(left), Cell::Text(right)]);
+        cells.extend([TableCell::Text(left), TableCell::Text(right)]);
     }
     table.row(&cells)
 }

@@ -11,7 +11,7 @@ use crate::{
     error::{Error, Result},
     existence::Decision,
     output::{Destination, OutputFile, distinct},
-    search::{Method, Proof, prove_theorem2, write_theorem2},
+    search::{Proof, ProofMethod, prove_theorem2, write_theorem2},
 };
 
 /// The largest period: deciding it takes minutes.
@@ -34,8 +34,8 @@ pub(super) struct Args {
     #[arg(default_value = "3..=500", value_name = "N|A..=B")]
     periods: Periods,
     /// How signs are decided; with both, the methods must agree.
-    #[arg(long, value_enum, default_value_t = Method::Exact)]
-    method: Method,
+    #[arg(long, value_enum, default_value_t = ProofMethod::Exact)]
+    method: ProofMethod,
     /// Write a certificate (of the exact method), which `grazing check` proves again without search.
     #[arg(long, value_name = "FILE")]
     certificate: Option<PathBuf>,
@@ -52,7 +52,7 @@ pub(super) struct Args {
 
 pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     let range = args.periods.within(LIMIT, "verify")?;
-    if args.method == Method::Interval && args.certificate.is_some() {
+    if args.method == ProofMethod::Interval && args.certificate.is_some() {
         return Err(Error::input(
             "a certificate holds what the exact method found: use --method exact or both",
         ));
@@ -107,9 +107,9 @@ fn text(range: &RangeInclusive<u64>, proof: &Proof, args: &Args) -> String {
         );
     }
     let how = match args.method {
-        Method::Exact => "by exact decision",
-        Method::Interval => "by enclosures",
-        Method::Both => "by exact decision and by enclosures, which agree",
+        ProofMethod::Exact => "by exact decision",
+        ProofMethod::Interval => "by enclosures",
+        ProofMethod::Both => "by exact decision and by enclosures, which agree",
     };
     let mut text = match (proof.pending, proof.undecided) {
         (0, 0) => format!("Proved: Theorem 2 for {}, {how}.\n", periods(range)),

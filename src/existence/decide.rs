@@ -9,7 +9,7 @@
 use num_integer::Integer;
 use num_rational::Ratio;
 
-use super::{Case, Interval, Side, Signs, intervals};
+use super::{Approach, Case, Interval, Signs, intervals};
 use crate::{error::Result, farey};
 
 /// A part of (0, ½); the pieces of one n, alternately open intervals and the points between them, tile it.
@@ -132,7 +132,7 @@ impl Search {
     /// Appends the open piece that starts at `left`; returns its right end.
     fn open_piece(&mut self, left: Ratio<u64>, pieces: &mut Vec<Piece>) -> Ratio<u64> {
         let n = self.n;
-        let signs = Signs::new(n, &left, Side::JustRight);
+        let signs = Signs::new(n, &left, Approach::JustRight);
         self.find_witnesses(&signs, &left);
         if let (Some(positive), Some(negative)) = (self.positive, self.negative) {
             let factors = [2 * n, positive, n - positive, negative, n - negative];
@@ -189,7 +189,7 @@ impl Search {
     }
 
     fn reason_at(&self, at: &Ratio<u64>, before: &Piece, after: &Piece) -> Reason {
-        let signs = Signs::new(self.n, at, Side::At);
+        let signs = Signs::new(self.n, at, Approach::At);
         if signs.singular() {
             return Reason::Singular;
         }

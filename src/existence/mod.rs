@@ -25,7 +25,7 @@ pub use claim::{Claim, Variant, claimed};
 pub use decide::{Decision, Piece, Reason, decide};
 pub use eigenvalue::large_eigenvalue_sign;
 pub use intervals::{Interval, MAX_PERIOD, intervals, tree_intervals};
-pub use signs::{Side, Signs};
+pub use signs::{Approach, Signs};
 pub(crate) use single::definition_and_rung;
 pub use single::{Existence, by_definition, by_records};
 pub use tip::{Lowest, Tip, tip_correction, tip_law};

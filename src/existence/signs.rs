@@ -8,7 +8,7 @@ use num_rational::Ratio;
 
 /// Where a sign is taken.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Side {
+pub enum Approach {
     /// At s itself; a zero or pole gives 0.
     At,
     /// On (s, s + ε) for every small ε > 0; never 0.
@@ -23,14 +23,14 @@ pub struct Signs {
     n: u64,
     p: u64,
     q: u64,
-    side: Side,
+    side: Approach,
     /// −sign cos nπs.
     minus_cos: i8,
 }
 
 impl Signs {
     /// The signs for period `n` at `s`, or just right of it.
-    pub fn new(n: u64, s: &Ratio<u64>, side: Side) -> Self {
+    pub fn new(n: u64, s: &Ratio<u64>, side: Approach) -> Self {
         let (p, q) = (*s.numer(), *s.denom());
         // cos y = sin(y + π/2), and nπp/q + π/2 = π(2np + q)/(2q).
         let minus_cos = -sin_sign((2 * n * p + q) % (4 * q), 2 * q, side);
@@ -44,7 +44,7 @@ impl Signs {
 
     /// Whether u_n = 0 at s: det D = 0 and Theorem 1 is silent.
     pub fn singular(&self) -> bool {
-        self.side == Side::At && (2 * self.n * self.p).is_multiple_of(self.q)
+        self.side == Approach::At && (2 * self.n * self.p).is_multiple_of(self.q)
     }
 
     /// sign b_{n,k} by (B1), 1 ≤ k ≤ n−1; 0 also at a pole.
@@ -73,8 +73,8 @@ impl Signs {
 }
 
 /// sign sin(πt/q) for 0 ≤ t < 2q, at the point or just right of it.
-fn sin_sign(t: u64, q: u64, side: Side) -> i8 {
-    let zero = side == Side::At && (t == 0 || t == q);
+fn sin_sign(t: u64, q: u64, side: Approach) -> i8 {
+    let zero = side == Approach::At && (t == 0 || t == q);
     if zero {
         0
     } else if t < q {

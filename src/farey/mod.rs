@@ -3,7 +3,7 @@
 //! Fractions are [`Ratio`](num_rational::Ratio)s in lowest terms over any machine integer or `BigInt`; where Farey
 //! arithmetic itself guarantees lowest terms no gcd is taken. Nothing wraps: a value that does not fit its
 //! type is an overflow error, or ruled out by a bound that the function states. What the fractions mean for
-//! impact oscillators is not here but in [`existence`](crate::existence).
+//! impact oscillators is not here but in the module `existence`.
 
 mod neighbours;
 mod rank;

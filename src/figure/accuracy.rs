@@ -7,8 +7,8 @@ use plotters::prelude::*;
 use crate::{
     error::{Error, Result},
     local::Rung,
-    output::{Cell, Column, TableFormat, TableWriter, write_file},
-    study::{FAMILIES, Measured, Method},
+    output::{Column, TableCell, TableFormat, TableWriter, write_file},
+    study::{Evaluation, FAMILIES, Measured},
 };
 
 /// Writes `accuracy.svg` and `accuracy.csv` into `folder`.
@@ -46,28 +46,28 @@ pub fn accuracy_table(rows: &[Measured], format: TableFormat, out: &mut dyn Writ
             |x: Option<f64>| x.filter(|x| x.is_finite()).map_or(String::new(), |x| format!("{x:.1}"));
         let (digits, width, condition) = (number(row.digits), number(row.width), number(Some(row.condition)));
         table.row(&[
-            Cell::Text(row.family.name()),
-            Cell::Text(&method(row.method)),
-            Cell::Int(row.time.as_nanos() as i64),
-            Cell::Text(&digits),
-            Cell::Text(&width),
-            row.lost.map_or(Cell::Empty, |lost| Cell::Int(lost as i64)),
-            Cell::Text(&condition),
-            Cell::Int(row.decided as i64),
-            Cell::Int(row.wrong as i64),
-            Cell::Int(row.inputs as i64),
+            TableCell::Text(row.family.name()),
+            TableCell::Text(&method(row.method)),
+            TableCell::Int(row.time.as_nanos() as i64),
+            TableCell::Text(&digits),
+            TableCell::Text(&width),
+            row.lost.map_or(TableCell::Empty, |lost| TableCell::Int(lost as i64)),
+            TableCell::Text(&condition),
+            TableCell::Int(row.decided as i64),
+            TableCell::Int(row.wrong as i64),
+            TableCell::Int(row.inputs as i64),
         ])?;
     }
     table.finish()
 }
 
-fn method(method: Method) -> String {
+fn method(method: Evaluation) -> String {
     match method {
-        Method::Naive => "f64, naive".into(),
-        Method::Rung(Rung::Plain) => "f64".into(),
-        Method::Rung(Rung::Interval) => "f64 interval".into(),
-        Method::Rung(Rung::Ball(bits)) => format!("{bits} bits"),
-        Method::Rung(Rung::Exact) => "exact".into(),
+        Evaluation::Naive => "f64, naive".into(),
+        Evaluation::Rung(Rung::Plain) => "f64".into(),
+        Evaluation::Rung(Rung::Interval) => "f64 interval".into(),
+        Evaluation::Rung(Rung::Ball(bits)) => format!("{bits} bits"),
+        Evaluation::Rung(Rung::Exact) => "exact".into(),
     }
 }
 
@@ -112,7 +112,8 @@ fn draw(rows: &[Measured]) -> std::result::Result<String, Box<dyn std::error::Er
         let of_family = || rows.iter().filter(move |row| row.family == family);
         // Less than one digit is drawn at the left edge.
         let place = |row: &Measured| Some((row.digits?.max(0.8), row.time.as_nanos() as f64));
-        let enclosed = |row: &&Measured| !matches!(row.method, Method::Naive | Method::Rung(Rung::Plain));
+        let enclosed =
+            |row: &&Measured| !matches!(row.method, Evaluation::Naive | Evaluation::Rung(Rung::Plain));
         let line: Vec<(f64, f64)> = of_family().filter(enclosed).filter_map(place).collect();
         chart
             .draw_series(LineSeries::new(line.iter().copied(), colour.stroke_width(2)))?
@@ -121,9 +122,9 @@ fn draw(rows: &[Measured]) -> std::result::Result<String, Box<dyn std::error::Er
         chart.draw_series(line.into_iter().map(|at| Circle::new(at, 4, colour.filled())))?;
         let plain = |method| of_family().filter(move |row| row.method == method).filter_map(place);
         chart.draw_series(
-            plain(Method::Rung(Rung::Plain)).map(|at| Circle::new(at, 5, colour.stroke_width(2))),
+            plain(Evaluation::Rung(Rung::Plain)).map(|at| Circle::new(at, 5, colour.stroke_width(2))),
         )?;
-        chart.draw_series(plain(Method::Naive).map(|at| Cross::new(at, 5, colour.stroke_width(2))))?;
+        chart.draw_series(plain(Evaluation::Naive).map(|at| Cross::new(at, 5, colour.stroke_width(2))))?;
     }
     chart
         .configure_series_labels()

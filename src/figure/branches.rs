@@ -15,7 +15,7 @@ use super::{
 use crate::error::Result;
 
 /// A branch as it is drawn.
-pub struct Curve {
+pub struct DrawnBranch {
     /// What it is, for the CSV.
     pub name: String,
     /// Parameter, displacement, whether stable.
@@ -37,7 +37,7 @@ pub struct Scatter {
 /// # Errors
 /// An I/O error.
 pub fn branches(
-    curves: &[Curve],
+    curves: &[DrawnBranch],
     scatter: &[Scatter],
     axes: [&str; 2],
     folder: &Path,
@@ -68,7 +68,7 @@ pub fn branches(
 /// Lengths of a dash and of the gap after it.
 const DASH: [f64; 2] = [34.0, 20.0];
 
-fn draw(curves: &[Curve], scatter: &[Scatter], axes: [&str; 2]) -> Picture {
+fn draw(curves: &[DrawnBranch], scatter: &[Scatter], axes: [&str; 2]) -> Picture {
     let mut svg = String::new();
     let root = SVGBackend::with_string(&mut svg, (WIDTH, 1500)).into_drawing_area();
     root.fill(&WHITE)?;

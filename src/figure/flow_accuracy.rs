@@ -7,7 +7,7 @@ use plotters::prelude::*;
 use crate::{
     error::{Error, Result},
     oscillator::Effect,
-    output::{Cell, Column, TableFormat, TableWriter, write_file},
+    output::{Column, TableCell, TableFormat, TableWriter, write_file},
     study::{
         effects::{EffectCost, PERIODS},
         flow_accuracy::{FlowMeasured, LongRun},
@@ -39,11 +39,11 @@ pub fn flow_table(rows: &[FlowMeasured], format: TableFormat, out: &mut dyn Writ
     for row in rows {
         let method = row.tolerance.map_or("closed form".to_string(), |tolerance| format!("{tolerance:.0e}"));
         table.row(&[
-            Cell::Text(row.name),
-            Cell::Text(&method),
-            Cell::Int(row.time.as_nanos() as i64),
-            Cell::Text(&format!("{:.1e}", row.error)),
-            Cell::Text(&row.energy.map_or(String::new(), |energy| format!("{energy:.1e}"))),
+            TableCell::Text(row.name),
+            TableCell::Text(&method),
+            TableCell::Int(row.time.as_nanos() as i64),
+            TableCell::Text(&format!("{:.1e}", row.error)),
+            TableCell::Text(&row.energy.map_or(String::new(), |energy| format!("{energy:.1e}"))),
         ])?;
     }
     table.finish()
@@ -58,10 +58,10 @@ pub fn long_runs_table(rows: &[LongRun], format: TableFormat, out: &mut dyn Writ
     let mut table = TableWriter::new(out, format, "grazing-long-runs 1", columns(&names))?;
     for row in rows {
         table.row(&[
-            Cell::Text(row.name),
-            Cell::Int(row.periods),
-            Cell::Text(&format!("{:.1e}", row.distance)),
-            Cell::Text(&row.energy.map_or(String::new(), |energy| format!("{energy:.1e}"))),
+            TableCell::Text(row.name),
+            TableCell::Int(row.periods),
+            TableCell::Text(&format!("{:.1e}", row.distance)),
+            TableCell::Text(&row.energy.map_or(String::new(), |energy| format!("{energy:.1e}"))),
         ])?;
     }
     table.finish()
@@ -79,7 +79,7 @@ pub fn effects_table(rows: &[EffectCost], format: TableFormat, out: &mut dyn Wri
         let per_period = |count: u64| format!("{}", count as f64 / PERIODS as f64);
         let mut cells = vec![row.name.to_string(), row.time.as_nanos().to_string(), per_period(row.impacts)];
         cells.extend(row.counts.map(per_period));
-        table.row(&cells.iter().map(|cell| Cell::Text(cell)).collect::<Vec<_>>())?;
+        table.row(&cells.iter().map(|cell| TableCell::Text(cell)).collect::<Vec<_>>())?;
     }
     table.finish()
 }

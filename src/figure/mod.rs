@@ -19,7 +19,7 @@ mod tips;
 mod words;
 
 pub use accuracy::{accuracy_figure, accuracy_table};
-pub use branches::{Curve, Scatter, branches};
+pub use branches::{DrawnBranch, Scatter, branches};
 pub use cover::{FINEST, areas};
 pub use flow_accuracy::{effects_table, flow_accuracy, flow_table, long_runs_table};
 pub use grid::{Grid, grid};
@@ -43,7 +43,7 @@ use plotters::{
 use crate::{
     error::{Error, Result},
     existence::Case,
-    output::{Cell, Column, TableFormat, TableWriter, write_file},
+    output::{Column, TableCell, TableFormat, TableWriter, write_file},
 };
 
 /// A picture as SVG text.
@@ -94,7 +94,7 @@ fn save(
         let columns = columns.iter().map(|name| Column::new(name, name, 0)).collect();
         let mut table = TableWriter::new(out, TableFormat::Csv, "", columns)?;
         for row in rows {
-            let cells: Vec<Cell> = row.iter().map(|cell| Cell::Text(cell)).collect();
+            let cells: Vec<TableCell> = row.iter().map(|cell| TableCell::Text(cell)).collect();
             table.row(&cells)?;
         }
         table.finish()

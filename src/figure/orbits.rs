@@ -7,8 +7,8 @@ use plotters::{coord::Shift, prelude::*};
 
 use crate::{
     error::{Error, Result},
-    output::{Cell, Column, TableFormat, TableWriter, write_file},
-    pattern::{Entry, Map, Pattern, Point, Value, predicted_orbit},
+    output::{Column, TableCell, TableFormat, TableWriter, write_file},
+    pattern::{Entry, Map, Pattern, PredictedPoint, Value, predicted_orbit},
 };
 
 type Drawn = std::result::Result<(), Box<dyn std::error::Error>>;
@@ -18,7 +18,7 @@ const PANEL: (u32, u32) = (520, 400);
 /// One orbit and how it is labelled.
 struct Panel {
     label: String,
-    points: Vec<Point>,
+    points: Vec<PredictedPoint>,
     positive: bool,
 }
 
@@ -89,14 +89,14 @@ fn write(folder: &Path, name: &str, panels: &[Panel]) -> Result<()> {
                 let further = further.join(" ");
                 let sign = if panel.positive { 1 } else { -1 };
                 let mut cells = vec![
-                    Cell::Int(number),
-                    Cell::Int(sign),
-                    Cell::Int(point.i as i64),
-                    Cell::Int(point.k as i64),
+                    TableCell::Int(number),
+                    TableCell::Int(sign),
+                    TableCell::Int(point.i as i64),
+                    TableCell::Int(point.k as i64),
                 ];
-                cells.extend(numbers.iter().map(|text| Cell::Text(text)));
+                cells.extend(numbers.iter().map(|text| TableCell::Text(text)));
                 if size > shown {
-                    cells.push(Cell::Text(&further));
+                    cells.push(TableCell::Text(&further));
                 }
                 table.row(&cells)?;
             }
@@ -140,7 +140,7 @@ fn draw_panel(panel: &Panel, area: &DrawingArea<SVGBackend, Shift>) -> Drawn {
         let x = value.enclosure();
         x.lo() + (x.hi() - x.lo()) / 2.0
     };
-    let place = |point: &Point| (middle(&point.x[0]), middle(&point.x[1]));
+    let place = |point: &PredictedPoint| (middle(&point.x[0]), middle(&point.x[1]));
     let places: Vec<(f64, f64)> = panel.points.iter().map(place).collect();
     let range = |pick: fn(&(f64, f64)) -> f64| -> Range<f64> {
         let all = || places.iter().map(pick).chain([0.0]);
@@ -205,7 +205,7 @@ fn tick(x: &f64) -> String {
 }
 
 /// The points just before and just after each impact.
-fn ends(panel: &Panel) -> impl Iterator<Item = (&Point, &Point)> {
+fn ends(panel: &Panel) -> impl Iterator<Item = (&PredictedPoint, &PredictedPoint)> {
     let points = &panel.points;
     let last = points.len();
     points.iter().enumerate().filter_map(move |(index, point)| {

@@ -61,7 +61,7 @@ pub enum Answer {
 
 /// An answer and the highest rung it took.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Decision {
+pub struct SignDecision {
     /// The answer.
     pub answer: Answer,
     /// The rung that gave it; for [`Answer::Undecided`] the highest one tried.
@@ -107,7 +107,7 @@ impl Ladder {
     ///
     /// # Panics
     /// Unless n ≥ 1 and, for b_{n,k}, 1 ≤ k < n.
-    pub fn sign(&self, point: &Point, quantity: Quantity) -> Decision {
+    pub fn sign(&self, point: &Point, quantity: Quantity) -> SignDecision {
         self.sign_watched(point, quantity, &()).expect("nothing interrupts")
     }
 
@@ -119,10 +119,15 @@ impl Ladder {
     ///
     /// # Panics
     /// As [`sign`](Ladder::sign).
-    pub fn sign_watched(&self, point: &Point, quantity: Quantity, monitor: &dyn Monitor) -> Result<Decision> {
+    pub fn sign_watched(
+        &self,
+        point: &Point,
+        quantity: Quantity,
+        monitor: &dyn Monitor,
+    ) -> Result<SignDecision> {
         quantity.check();
         if let Some(answer) = at_once(point, quantity) {
-            return Ok(Decision { answer, rung: Rung::Exact });
+            return Ok(SignDecision { answer, rung: Rung::Exact });
         }
         self.climb(
             sign_on::<FloatInterval>(point, quantity, &()),
@@ -135,14 +140,14 @@ impl Ladder {
     ///
     /// # Panics
     /// Unless n ≥ 1.
-    pub fn u_sign(&self, point: &Point, n: u64) -> Decision {
+    pub fn u_sign(&self, point: &Point, n: u64) -> SignDecision {
         Quantity::C { n }.check();
         let plane = match point {
             Point::Polar(polar) => {
-                return Decision { answer: Answer::Sign(polar.u_sign(n)), rung: Rung::Exact };
+                return SignDecision { answer: Answer::Sign(polar.u_sign(n)), rung: Rung::Exact };
             }
             Point::Plane(plane) if plane.is_singular(n) => {
-                return Decision { answer: Answer::Sign(Sign::Zero), rung: Rung::Exact };
+                return SignDecision { answer: Answer::Sign(Sign::Zero), rung: Rung::Exact };
             }
             Point::Plane(plane) => plane,
         };
@@ -159,7 +164,7 @@ impl Ladder {
     ///
     /// # Panics
     /// Unless n ≥ 1.
-    pub fn signs(&self, point: &Point, n: u64) -> Vec<Decision> {
+    pub fn signs(&self, point: &Point, n: u64) -> Vec<SignDecision> {
         Quantity::C { n }.check();
         let first = match point {
             Point::Polar(polar) if !polar.on_circle() && !polar.is_singular(n) => {
@@ -169,7 +174,7 @@ impl Ladder {
         };
         let decide = |(k, answer)| match answer {
             Answer::Undecided => self.sign(point, Quantity::B { n, k }),
-            answer => Decision { answer, rung: Rung::Interval },
+            answer => SignDecision { answer, rung: Rung::Interval },
         };
         (1..n).zip(first).map(decide).collect()
     }
@@ -179,26 +184,26 @@ impl Ladder {
         first: Answer,
         ball: impl Fn(&Precision) -> Result<Answer>,
         exact: impl Fn(u64) -> Result<Option<Sign>>,
-    ) -> Result<Decision> {
+    ) -> Result<SignDecision> {
         if first != Answer::Undecided {
-            return Ok(Decision { answer: first, rung: Rung::Interval });
+            return Ok(SignDecision { answer: first, rung: Rung::Interval });
         }
         let mut rung = Rung::Interval;
         for (index, precision) in self.precisions().enumerate() {
             rung = Rung::Ball(precision.bits());
             let answer = ball(precision)?;
             if answer != Answer::Undecided {
-                return Ok(Decision { answer, rung });
+                return Ok(SignDecision { answer, rung });
             }
             if index == 0
                 && let Some(sign) = exact(EXACT_BITS[0])?
             {
-                return Ok(Decision { answer: Answer::Sign(sign), rung: Rung::Exact });
+                return Ok(SignDecision { answer: Answer::Sign(sign), rung: Rung::Exact });
             }
         }
         Ok(match exact(EXACT_BITS[1])? {
-            Some(sign) => Decision { answer: Answer::Sign(sign), rung: Rung::Exact },
-            None => Decision { answer: Answer::Undecided, rung },
+            Some(sign) => SignDecision { answer: Answer::Sign(sign), rung: Rung::Exact },
+            None => SignDecision { answer: Answer::Undecided, rung },
         })
     }
 }

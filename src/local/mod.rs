@@ -17,6 +17,6 @@ mod plane;
 mod polar;
 mod zero_test;
 
-pub use ladder::{Answer, Decision, Ladder, Point, Quantity, Rung, direct_signs, sign_by, sign_on};
+pub use ladder::{Answer, Ladder, Point, Quantity, Rung, SignDecision, direct_signs, sign_by, sign_on};
 pub use plane::{Plane, Region};
 pub use polar::Polar;

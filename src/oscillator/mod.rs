@@ -16,5 +16,5 @@ pub mod simulate;
 mod system;
 pub mod validate;
 
-pub use simulate::{Counter, Counts, Effect, Tally};
+pub use simulate::{Counter, Counts, Effect, EffectTally};
 pub use system::{Contact, Harmonic, Series, Side, System, Time, Wall};

@@ -22,24 +22,24 @@ use crate::error::{Error, Result};
 
 /// What a saved state is of.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Run {
+pub struct SavedRun {
     kind: &'static str,
     words: String,
     identity: u128,
 }
 
-impl Run {
+impl SavedRun {
     /// A run of `grazing KIND`, with a description on one line, and in `canonical` everything that the records depend on, written so that equal
     /// runs give equal texts.
-    pub fn new(kind: &'static str, words: impl Into<String>, canonical: &str) -> Run {
-        Run { kind, words: words.into().replace('\n', " "), identity: fnv128(canonical.as_bytes()) }
+    pub fn new(kind: &'static str, words: impl Into<String>, canonical: &str) -> SavedRun {
+        SavedRun { kind, words: words.into().replace('\n', " "), identity: fnv128(canonical.as_bytes()) }
     }
 }
 
 /// The first line of a state.
-impl fmt::Display for Run {
+impl fmt::Display for SavedRun {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Run { kind, words, identity } = self;
+        let SavedRun { kind, words, identity } = self;
         write!(
             f,
             "grazing-state 2 {kind} by {}: {words}; identity {identity:032x}",
@@ -80,7 +80,7 @@ impl Journal {
     /// # Errors
     /// An input error if another process uses it, or if it is no regular file, too large, no state, of another run, or damaged before its last
     /// line; an I/O error.
-    pub fn open(path: &Path, run: &Run, most: u64) -> Result<(Journal, Found)> {
+    pub fn open(path: &Path, run: &SavedRun, most: u64) -> Result<(Journal, Found)> {
         let bad = |reason: String| Error::input(format!("cannot resume from {}: {reason}", path.display()));
         if fs::metadata(path).is_ok_and(|found| !found.is_file()) {
             return Err(bad("it is not a regular file".into()));
@@ -238,8 +238,8 @@ mod tests {
 
     const MOST: u64 = 1 << 16;
 
-    fn run(words: &str) -> Run {
-        Run::new("test", words, words)
+    fn run(words: &str) -> SavedRun {
+        SavedRun::new("test", words, words)
     }
 
     fn open(path: &Path) -> Result<(Journal, Vec<String>)> {

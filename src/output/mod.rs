@@ -14,6 +14,6 @@ pub(crate) use destination::stdout_is_untouched;
 pub use destination::{Destination, OutputFile, say};
 pub(crate) use file::remove_temporaries;
 pub use file::{LONGEST_INPUT, distinct, make_folder, probe, read_text, write_file};
-pub use journal::{Journal, Run};
+pub use journal::{Journal, SavedRun};
 #[cfg(feature = "cli")]
-pub use table::{Cell, Column, TableFormat, TableWriter, decimal};
+pub use table::{Column, TableCell, TableFormat, TableWriter, decimal};

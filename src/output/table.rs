@@ -42,7 +42,7 @@ impl Column {
 
 /// One entry of a row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Cell<'a> {
+pub enum TableCell<'a> {
     /// A whole number.
     Int(i64),
     /// An exact fraction, written p/q even for integers.
@@ -115,7 +115,7 @@ impl<'a> TableWriter<'a> {
     ///
     /// # Errors
     /// An I/O error from the stream.
-    pub fn row(&mut self, cells: &[Cell]) -> Result<()> {
+    pub fn row(&mut self, cells: &[TableCell]) -> Result<()> {
         use std::fmt::Write;
         debug_assert_eq!(cells.len(), self.columns.len());
         self.text.clear();
@@ -154,10 +154,10 @@ impl<'a> TableWriter<'a> {
                     let comma = if index > 0 { "," } else { "" };
                     let _ = write!(text, "{comma}\"{}\":", column.name);
                     match cell {
-                        Cell::Int(value) => drop(write!(text, "{value}")),
-                        Cell::Fraction(x) => drop(write!(text, "\"{}/{}\"", x.numer(), x.denom())),
-                        Cell::Text(value) => text.push_str(&json_string(value)),
-                        Cell::Empty => text.push_str("null"),
+                        TableCell::Int(value) => drop(write!(text, "{value}")),
+                        TableCell::Fraction(x) => drop(write!(text, "\"{}/{}\"", x.numer(), x.denom())),
+                        TableCell::Text(value) => text.push_str(&json_string(value)),
+                        TableCell::Empty => text.push_str("null"),
                     }
                 }
                 text.push('}');
@@ -166,8 +166,8 @@ impl<'a> TableWriter<'a> {
                 for (index, cell) in cells.iter().enumerate() {
                     text.push_str(if index > 0 { " & " } else { "" });
                     match cell {
-                        Cell::Int(value) => drop(write!(text, "${value}$")),
-                        Cell::Fraction(x) => drop(write!(text, "${}/{}$", x.numer(), x.denom())),
+                        TableCell::Int(value) => drop(write!(text, "${value}$")),
+                        TableCell::Fraction(x) => drop(write!(text, "${}/{}$", x.numer(), x.denom())),
                         other => plain(text, other),
                     }
                 }
@@ -233,13 +233,13 @@ fn csv_error(error: csv::Error) -> Error {
     }
 }
 
-fn plain(text: &mut String, cell: &Cell) {
+fn plain(text: &mut String, cell: &TableCell) {
     use std::fmt::Write;
     match cell {
-        Cell::Int(value) => drop(write!(text, "{value}")),
-        Cell::Fraction(x) => drop(write!(text, "{}/{}", x.numer(), x.denom())),
-        Cell::Text(value) => text.push_str(value),
-        Cell::Empty => {}
+        TableCell::Int(value) => drop(write!(text, "{value}")),
+        TableCell::Fraction(x) => drop(write!(text, "{}/{}", x.numer(), x.denom())),
+        TableCell::Text(value) => text.push_str(value),
+        TableCell::Empty => {}
     }
 }
 

@@ -7,18 +7,18 @@ use crate::number::Sign;
 
 /// Whether an orbit with a given pattern tends to 0 on one side of the bifurcation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Existence {
+pub enum PatternExistence {
     /// Exactly one: (33) and (34) hold strictly.
     Orbit,
     /// None: some quantity in (33), (34) is strictly negative.
     NoOrbit,
-    /// Theorem 1 is silent or a sign is not known; the [`Reason`] says which.
+    /// Theorem 1 is silent or a sign is not known; the [`OpenReason`] says which.
     Open,
 }
 
 /// A quantity of a pattern: C A^k X_i + 1, or Y_i if k = 0. Both are counted from 1.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Place {
+pub struct PatternQuantity {
     /// Which impact.
     pub i: usize,
     /// Which iterate after it.
@@ -27,22 +27,22 @@ pub struct Place {
 
 /// Why a side is left open.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Reason {
+pub enum OpenReason {
     /// det D = 0: a singular boundary, where several branches are possible (section 4.1 of the paper).
     Singular,
     /// The enclosure of det D contains 0.
     PerhapsSingular,
     /// A quantity is 0: for k ≥ 1 the orbit is itself grazing, for k = 0 an impact has no velocity.
-    Zero(Place),
+    Zero(PatternQuantity),
     /// The enclosure of a quantity contains 0.
-    PerhapsZero(Place),
+    PerhapsZero(PatternQuantity),
     /// e = 0 (26).
     Parameter,
     /// e is an interval that contains 0.
     PerhapsParameter,
 }
 
-impl fmt::Display for Place {
+impl fmt::Display for PatternQuantity {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.k {
             0 => write!(f, "Y_{}", self.i),
@@ -51,23 +51,23 @@ impl fmt::Display for Place {
     }
 }
 
-impl fmt::Display for Reason {
+impl fmt::Display for OpenReason {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Reason::Singular => f.write_str("det D = 0: singular, several branches are possible"),
-            Reason::PerhapsSingular => f.write_str("the enclosure of det D contains 0"),
-            Reason::Zero(place) if place.k == 0 => write!(f, "{place} = 0: an impact without velocity"),
-            Reason::Zero(place) => write!(f, "{place} = 0: the orbit is itself grazing"),
-            Reason::PerhapsZero(place) => write!(f, "the enclosure of {place} contains 0"),
-            Reason::Parameter => f.write_str("e = 0: nothing is claimed for either sign"),
-            Reason::PerhapsParameter => f.write_str("e may be 0: nothing is claimed for either sign"),
+            OpenReason::Singular => f.write_str("det D = 0: singular, several branches are possible"),
+            OpenReason::PerhapsSingular => f.write_str("the enclosure of det D contains 0"),
+            OpenReason::Zero(place) if place.k == 0 => write!(f, "{place} = 0: an impact without velocity"),
+            OpenReason::Zero(place) => write!(f, "{place} = 0: the orbit is itself grazing"),
+            OpenReason::PerhapsZero(place) => write!(f, "the enclosure of {place} contains 0"),
+            OpenReason::Parameter => f.write_str("e = 0: nothing is claimed for either sign"),
+            OpenReason::PerhapsParameter => f.write_str("e may be 0: nothing is claimed for either sign"),
         }
     }
 }
 
 /// The solution of (32) and what follows from it; all numbers are exact or enclosed.
 #[derive(Debug, Clone)]
-pub struct Orbit {
+pub struct PatternOrbit {
     /// X_1, …, X_m, in the coordinates the map was given in, or those of its section change P.
     pub x: Vec<Vec<Value>>,
     /// Y_1, …, Y_m.
@@ -83,7 +83,7 @@ pub struct Orbit {
     pub leading_sign: Option<Sign>,
 }
 
-impl Orbit {
+impl PatternOrbit {
     /// The two margins for a sign of eµ: the least sign(eµ)(C A^k X_i + 1), `None` if every n_i = 1, and the least sign(eµ) Y_i.
     pub fn margins(&self, positive: bool) -> (Option<Value>, Value) {
         let pick = |ends: &[Value; 2]| if positive { ends[0].clone() } else { -ends[1].clone() };
@@ -100,27 +100,27 @@ impl Orbit {
 #[derive(Debug, Clone)]
 pub struct Report {
     /// For small eµ > 0.
-    pub plus: Existence,
+    pub plus: PatternExistence,
     /// For small eµ < 0.
-    pub minus: Existence,
+    pub minus: PatternExistence,
     /// Why a side is open, if one is.
-    pub reason: Option<Reason>,
+    pub reason: Option<OpenReason>,
     /// An n_i with C A^{n_i} B = 0: (36) then has no leading term.
     pub flat: Option<u64>,
     /// The solution of (32), unless D is or may be singular.
-    pub orbit: Option<Orbit>,
+    pub orbit: Option<PatternOrbit>,
 }
 
 impl Report {
     /// The report on a pattern for which (32) was not solved.
     pub(super) fn unsolved(failure: Failure, flat: Option<u64>, e: Option<Sign>) -> Report {
         let reason = match failure {
-            Failure::Singular => Reason::Singular,
-            Failure::Unknown => Reason::PerhapsSingular,
+            Failure::Singular => OpenReason::Singular,
+            Failure::Unknown => OpenReason::PerhapsSingular,
         };
         Report {
-            plus: Existence::Open,
-            minus: Existence::Open,
+            plus: PatternExistence::Open,
+            minus: PatternExistence::Open,
             reason: Some(parameter(e).unwrap_or(reason)),
             flat,
             orbit: None,
@@ -130,22 +130,22 @@ impl Report {
     /// The sign of eµ for which the orbit exists: `true` for eµ > 0, `None` if for neither or if that is not known.
     pub fn side(&self) -> Option<bool> {
         match (self.plus, self.minus) {
-            (Existence::Orbit, _) => Some(true),
-            (_, Existence::Orbit) => Some(false),
+            (PatternExistence::Orbit, _) => Some(true),
+            (_, PatternExistence::Orbit) => Some(false),
             _ => None,
         }
     }
 
     /// Whether a side is open.
     pub fn is_open(&self) -> bool {
-        self.plus == Existence::Open || self.minus == Existence::Open
+        self.plus == PatternExistence::Open || self.minus == PatternExistence::Open
     }
 }
 
-fn parameter(e: Option<Sign>) -> Option<Reason> {
+fn parameter(e: Option<Sign>) -> Option<OpenReason> {
     match e {
-        Some(Sign::Zero) => Some(Reason::Parameter),
-        None => Some(Reason::PerhapsParameter),
+        Some(Sign::Zero) => Some(OpenReason::Parameter),
+        None => Some(OpenReason::PerhapsParameter),
         Some(_) => None,
     }
 }
@@ -155,13 +155,13 @@ fn parameter(e: Option<Sign>) -> Option<Reason> {
 pub(super) struct Tally {
     positive: bool,
     negative: bool,
-    zero: Option<Place>,
-    unknown: Option<Place>,
+    zero: Option<PatternQuantity>,
+    unknown: Option<PatternQuantity>,
 }
 
 impl Tally {
     /// Counts a sign; a zero or an unknown one is remembered by its place, the first of each.
-    pub fn add(&mut self, sign: Option<Sign>, place: Place) {
+    pub fn add(&mut self, sign: Option<Sign>, place: PatternQuantity) {
         match sign {
             Some(Sign::Positive) => self.positive = true,
             Some(Sign::Negative) => self.negative = true,
@@ -172,7 +172,7 @@ impl Tally {
 
     /// Counts what another tally did, for impact i.
     pub fn merge(&mut self, other: &Tally, i: usize) {
-        let at = |place: Option<Place>| place.map(|place| Place { i, ..place });
+        let at = |place: Option<PatternQuantity>| place.map(|place| PatternQuantity { i, ..place });
         self.positive |= other.positive;
         self.negative |= other.negative;
         self.zero = self.zero.or(at(other.zero));
@@ -185,23 +185,23 @@ impl Tally {
     }
 
     /// What Theorem 1 says for eµ > 0 or eµ < 0.
-    pub fn side(&self, positive: bool) -> Existence {
+    pub fn side(&self, positive: bool) -> PatternExistence {
         if if positive { self.negative } else { self.positive } {
-            Existence::NoOrbit
+            PatternExistence::NoOrbit
         } else if self.zero.is_some() || self.unknown.is_some() {
-            Existence::Open
+            PatternExistence::Open
         } else {
-            Existence::Orbit
+            PatternExistence::Orbit
         }
     }
 
     /// The report that these signs amount to.
-    pub fn report(&self, e: Option<Sign>, flat: Option<u64>, orbit: Orbit) -> Report {
+    pub fn report(&self, e: Option<Sign>, flat: Option<u64>, orbit: PatternOrbit) -> Report {
         let silent = parameter(e);
-        let side = |positive| if silent.is_some() { Existence::Open } else { self.side(positive) };
+        let side = |positive| if silent.is_some() { PatternExistence::Open } else { self.side(positive) };
         let (plus, minus) = (side(true), side(false));
-        let open = plus == Existence::Open || minus == Existence::Open;
-        let reason = silent.or(self.zero.map(Reason::Zero)).or(self.unknown.map(Reason::PerhapsZero));
+        let open = plus == PatternExistence::Open || minus == PatternExistence::Open;
+        let reason = silent.or(self.zero.map(OpenReason::Zero)).or(self.unknown.map(OpenReason::PerhapsZero));
         Report { plus, minus, reason: reason.filter(|_| open), flat, orbit: Some(orbit) }
     }
 }
@@ -232,7 +232,7 @@ pub(super) fn examine<T: Scalar>(
     map: &Coordinates<T>,
     periods: &[u64],
     solution: &Solution<T>,
-) -> (Tally, Orbit) {
+) -> (Tally, PatternOrbit) {
     let mut tally = Tally::default();
     let zero = T::integer(0, map.context());
     let one = T::integer(1, map.context());
@@ -240,17 +240,17 @@ pub(super) fn examine<T: Scalar>(
     for (i, (&n, x)) in periods.iter().zip(&solution.x).enumerate() {
         for k in 1..n {
             let gap = dot(map.power(k).row(0), x, &zero) + &one;
-            tally.add(gap.sign(), Place { i: i + 1, k });
+            tally.add(gap.sign(), PatternQuantity { i: i + 1, k });
             gaps.push(gap.value());
         }
-        tally.add(solution.y[i].sign(), Place { i: i + 1, k: 0 });
+        tally.add(solution.y[i].sign(), PatternQuantity { i: i + 1, k: 0 });
     }
     let factors: Option<Vec<T>> = periods.iter().zip(&solution.y).map(|(&n, y)| factor(map, n, y)).collect();
     let leading_sign = factors.as_ref().and_then(|factors| {
         factors.iter().try_fold(Sign::Positive, |product, factor| Some(product * factor.sign()?))
     });
     let leading = factors.and_then(|factors| factors.into_iter().reduce(|product, factor| product * &factor));
-    let orbit = Orbit {
+    let orbit = PatternOrbit {
         x: solution.x.iter().map(|x| map.original(x).iter().map(T::value).collect()).collect(),
         y: solution.y.iter().map(T::value).collect(),
         gaps: range(gaps.into_iter()),

@@ -4,8 +4,8 @@ use num_bigint::BigUint;
 use num_rational::BigRational;
 
 use super::{
-    Coordinates, Failure, Map, Orbit, Report, Scalar, Value,
-    existence::{Existence, Place, Tally, factor, flat, range},
+    Coordinates, Failure, Map, PatternOrbit, Report, Scalar, Value,
+    existence::{PatternExistence, PatternQuantity, Tally, factor, flat, range},
     matrix::dot,
 };
 use crate::{
@@ -106,7 +106,7 @@ impl Graph {
             let gaps: Vec<T> = (1..n).map(|k| dot(map.power(k).row(0), x, &zero) + &one).collect();
             let mut tally = Tally::default();
             for (gap, k) in gaps.iter().zip(1..) {
-                tally.add(gap.sign(), Place { i: 0, k });
+                tally.add(gap.sign(), PatternQuantity { i: 0, k });
             }
             let shown = range(gaps.iter().map(show));
             Node { x: map.original(x).iter().map(show).collect(), tally, gaps: shown }
@@ -143,28 +143,28 @@ impl Graph {
     }
 
     /// What (52) says of the period n for a sign of eµ.
-    pub fn node(&self, n: u64, positive: bool) -> Existence {
-        self.nodes[n as usize - 1].as_ref().map_or(Existence::Open, |node| node.tally.side(positive))
+    pub fn node(&self, n: u64, positive: bool) -> PatternExistence {
+        self.nodes[n as usize - 1].as_ref().map_or(PatternExistence::Open, |node| node.tally.side(positive))
     }
 
     /// What (52) for both periods and (64) say of an impact between the periods `from` and `to`, for a sign of eµ.
-    pub fn edge(&self, from: u64, to: u64, positive: bool) -> Existence {
+    pub fn edge(&self, from: u64, to: u64, positive: bool) -> PatternExistence {
         let (Some(a), Some(b), Some(step)) = (
             &self.nodes[from as usize - 1],
             &self.nodes[to as usize - 1],
             &self.steps[from as usize - 1][to as usize - 1],
         ) else {
-            return Existence::Open;
+            return PatternExistence::Open;
         };
         let mut tally = a.tally;
         tally.merge(&b.tally, 0);
-        tally.add(step.sign, Place { i: 0, k: 0 });
+        tally.add(step.sign, PatternQuantity { i: 0, k: 0 });
         tally.side(positive)
     }
 
     /// Whether some pattern in which `to` follows `from` may exist: what patterns are pruned by.
     pub fn may_follow(&self, from: u64, to: u64) -> bool {
-        [true, false].iter().any(|&side| self.edge(from, to, side) != Existence::NoOrbit)
+        [true, false].iter().any(|&side| self.edge(from, to, side) != PatternExistence::NoOrbit)
     }
 
     /// Theorem 1 for a pattern of periods ≤ P: the same answer as [`Analysis::judge`](super::Analysis::judge). Cost: O(m).
@@ -182,12 +182,12 @@ impl Graph {
         let mut tally = Tally::default();
         for (i, (node, step)) in nodes.iter().zip(&steps).enumerate() {
             tally.merge(&node.tally, i + 1);
-            tally.add(step.sign, Place { i: i + 1, k: 0 });
+            tally.add(step.sign, PatternQuantity { i: i + 1, k: 0 });
         }
         let ends = nodes.iter().filter_map(|node| node.gaps.clone()).flatten();
         let signs = steps.iter().try_fold(Sign::Positive, |product, step| Some(product * step.leading_sign?));
         let leading = steps.iter().map(|step| step.leading.clone()).collect::<Option<Vec<_>>>();
-        let orbit = Orbit {
+        let orbit = PatternOrbit {
             x: nodes.iter().map(|node| node.x.clone()).collect(),
             y: steps.iter().map(|step| step.y.clone()).collect(),
             gaps: range(ends),
@@ -201,7 +201,7 @@ impl Graph {
 
     /// The closed walks of the periods ≤ `last` by their certain edges for a sign of eµ; open ones are left out.
     pub fn walks(&self, positive: bool, last: u64) -> ClosedWalks {
-        self.closed_walks(last, |from, to| self.edge(from, to, positive) == Existence::Orbit)
+        self.closed_walks(last, |from, to| self.edge(from, to, positive) == PatternExistence::Orbit)
     }
 
     fn closed_walks(&self, last: u64, follows: impl Fn(u64, u64) -> bool) -> ClosedWalks {
@@ -226,8 +226,8 @@ impl Graph {
                 .map(|row| row.all)
                 .collect::<Vec<BigUint>>()
         };
-        let certain = |side| move |i, j| regular(i, j) && self.edge(i, j, side) == Existence::Orbit;
-        let possible = |side| move |i, j| regular(i, j) && self.edge(i, j, side) != Existence::NoOrbit;
+        let certain = |side| move |i, j| regular(i, j) && self.edge(i, j, side) == PatternExistence::Orbit;
+        let possible = |side| move |i, j| regular(i, j) && self.edge(i, j, side) != PatternExistence::NoOrbit;
         let [plus, minus] = [true, false].map(|side| count(&certain(side)));
         let [perhaps_plus, perhaps_minus] = [true, false].map(|side| count(&possible(side)));
         let both = count(&|i, j| possible(true)(i, j) && possible(false)(i, j));
@@ -257,7 +257,7 @@ impl Graph {
              digraph patterns {\n  node [shape=circle];\n",
         );
         for n in 1..=self.last() {
-            if [true, false].iter().any(|&side| self.node(n, side) != Existence::NoOrbit) {
+            if [true, false].iter().any(|&side| self.node(n, side) != PatternExistence::NoOrbit) {
                 text += &format!("  {n};\n");
             }
         }
@@ -265,9 +265,9 @@ impl Graph {
             for to in 1..=self.last() {
                 for (side, colour) in [(true, "#E69F00"), (false, "#0072B2")] {
                     let style = match self.edge(from, to, side) {
-                        Existence::Orbit => "",
-                        Existence::Open => ", style=dashed",
-                        Existence::NoOrbit => continue,
+                        PatternExistence::Orbit => "",
+                        PatternExistence::Open => ", style=dashed",
+                        PatternExistence::NoOrbit => continue,
                     };
                     text += &format!("  {from} -> {to} [color=\"{colour}\"{style}];\n");
                 }

@@ -27,11 +27,11 @@ mod solve;
 
 pub use analysis::{Analysis, Numbers};
 pub use coordinates::Coordinates;
-pub use existence::{Existence, Orbit, Place, Reason, Report};
+pub use existence::{OpenReason, PatternExistence, PatternOrbit, PatternQuantity, Report};
 pub use graph::{Graph, MAX_GRAPH_PERIOD, PatternTally};
 pub use map::{Entry, Map};
 pub use matrix::Matrix;
-pub use orbit::{Point, predicted_orbit};
+pub use orbit::{PredictedPoint, predicted_orbit};
 pub use scalar::{Scalar, Value};
 pub use sequence::{Pattern, Patterns};
 pub use solve::{Failure, Solution, solve};

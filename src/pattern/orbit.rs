@@ -8,7 +8,7 @@ use crate::{
 
 /// A point of a predicted orbit to leading order: x = x̃ + |eµ| times `x`.
 #[derive(Debug, Clone)]
-pub struct Point {
+pub struct PredictedPoint {
     /// The impact that it follows, from 1.
     pub i: usize,
     /// The iterates of f since that impact: 0 is just after it, n_i just before the next.
@@ -26,7 +26,7 @@ const BITS: u32 = 512;
 ///
 /// # Errors
 /// An input error if det D = 0, or if it cannot be told from 0 with 512 bits.
-pub fn predicted_orbit(map: &Map, periods: &[u64], positive: bool) -> Result<Vec<Point>> {
+pub fn predicted_orbit(map: &Map, periods: &[u64], positive: bool) -> Result<Vec<PredictedPoint>> {
     let last = periods.iter().copied().max().unwrap_or(1);
     let coordinates = Coordinates::<Ball>::new(map, last, Precision::new(BITS));
     let solved = coordinates.as_ref().ok_or(Failure::Unknown).and_then(|map| Ok((map, solve(map, periods)?)));
@@ -42,7 +42,7 @@ pub fn predicted_orbit(map: &Map, periods: &[u64], positive: bool) -> Result<Vec
         for k in 0..=n {
             let here = map.power(k).apply(x, map.context());
             let gap = dot(map.power(k).row(0), x, &zero) + &one;
-            points.push(Point {
+            points.push(PredictedPoint {
                 i: i + 1,
                 k,
                 x: map.original(&here).iter().map(signed).collect(),

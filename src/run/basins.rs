@@ -10,10 +10,10 @@ use crate::{
             basins::{BasinCell, BasinGrid, Basins, basins as find_basins},
             detection::Detection,
         },
-        simulate::End,
+        simulate::RunEnd,
     },
     output::Journal,
-    scene::{Basins as BasinsTask, Values, phase},
+    scene::{BasinsTask, Values, phase},
 };
 
 row! {
@@ -111,7 +111,7 @@ fn gather(Basins { attractors, cells }: Basins, grid: BasinGrid, minimum_depth: 
     }));
     let class = |cell: &BasinCell| match cell {
         BasinCell::Behind => 0,
-        BasinCell::Ended(End::ImpactLimit) => 2,
+        BasinCell::Ended(RunEnd::ImpactLimit) => 2,
         BasinCell::Ended(_) => 1,
         BasinCell::Irregular => 3,
         BasinCell::Attractor(index) => others + index,

@@ -13,8 +13,8 @@ use crate::{
     oscillator::{
         attractor::{attracting, detection::Detection},
         branch::{
-            Bifurcation, Branch, Direction, End, Events, Label, NormalForm, Options, Orbits, Point,
-            read_label,
+            Bifurcation, Branch, BranchOrbit, CurveEnd, Direction, Events, Label, NormalForm, Options,
+            Orbits, read_label,
         },
         orbit::{Family, Orbit, Oscillator},
     },
@@ -111,7 +111,7 @@ impl Finding for BranchFindings {
                 reason.as_deref().unwrap_or("nothing found")
             ));
         }
-        let lost = |end: &End| matches!(end, End::Lost(_) | End::Points);
+        let lost = |end: &CurveEnd| matches!(end, CurveEnd::Lost(_) | CurveEnd::Points);
         let broken = self.branches.iter().zip(1..).find_map(|(branch, i)| {
             branch
                 .ends
@@ -166,7 +166,7 @@ pub fn branch(task: &BranchTask, job: &Job) -> Result<BranchFindings> {
 }
 
 impl BranchRow {
-    fn of(branch: usize, point: &Point, form: Option<NormalForm>) -> BranchRow {
+    fn of(branch: usize, point: &BranchOrbit, form: Option<NormalForm>) -> BranchRow {
         let orbit = &point.orbit;
         let [lambda1, lambda2] = orbit.multipliers.values().map(Complex::from);
         BranchRow {
@@ -207,14 +207,14 @@ pub(crate) fn follow(
         if let BranchOrigin::Restart(restart) = start.origin()? {
             let label = label(restart, job)?;
             let orbits = Orbits::over(family, label.itinerary.clone(), range);
-            let foot = orbits.restart(&label, &options)?;
+            let place = orbits.restart(&label, &options)?;
             let branch = if restart.switch {
-                let (born, foot) = orbits.switch(label.event, &foot)?;
+                let (born, place) = orbits.switch(label.event, &place)?;
                 // Against the tangent are the same orbits, a period later.
                 let direction = if label.event == Bifurcation::Flip { Direction::Forward } else { direction };
-                Branch::follow(&born, &foot, direction, &options)?
+                Branch::follow(&born, &place, direction, &options)?
             } else {
-                Branch::follow(&orbits, &foot, direction, &options)?
+                Branch::follow(&orbits, &place, direction, &options)?
             };
             rows.push(StartRow::of(number, found.len() + 1, &branch));
             found.push(branch);
@@ -245,8 +245,8 @@ pub(crate) fn follow(
                             continue;
                         }
                         let orbits = Orbits::over(family, orbit.itinerary.clone(), range);
-                        let foot = orbits.start(orbit.z, at, &options)?;
-                        let branch = Branch::follow(&orbits, &foot, direction, &options)?;
+                        let place = orbits.start(orbit.z, at, &options)?;
+                        let branch = Branch::follow(&orbits, &place, direction, &options)?;
                         rows.push(StartRow::of(number, found.len() + 1, &branch));
                         found.push(branch);
                         job.check()?;
@@ -313,8 +313,8 @@ fn events(
         let ranges = [(task.range[0], task.range[1]), (task.second_range[0], task.second_range[1])];
         let events = Events { plane: &plane, itinerary: label.itinerary.clone(), event: label.event, ranges };
         let parameters = [label.parameters[0], *label.parameters.get(1).unwrap_or(&value)];
-        let foot = events.start(&label.z, parameters, &options)?;
-        let branch = Branch::follow(&events, &foot, direction, &options)?;
+        let place = events.start(&label.z, parameters, &options)?;
+        let branch = Branch::follow(&events, &place, direction, &options)?;
         rows.push(StartRow::of(number, found.len() + 1, &branch));
         found.push(branch);
     }

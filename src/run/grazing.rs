@@ -10,7 +10,7 @@ use crate::{
         grazing::{self, Grazing, LocalMap},
         orbit::{Family, find},
     },
-    pattern::{Existence, Graph, Pattern, Patterns, Report as Verdict},
+    pattern::{Graph, Pattern, PatternExistence, Patterns, Report as Verdict},
     scene::{SceneFamily, orbits::GrazingTask},
 };
 
@@ -223,8 +223,8 @@ fn born(
     };
     let Some(side) = verdict.side() else {
         row.side = match (verdict.plus, verdict.minus) {
-            (Existence::NoOrbit, _) => "open for e mu < 0",
-            (_, Existence::NoOrbit) => "open for e mu > 0",
+            (PatternExistence::NoOrbit, _) => "open for e mu < 0",
+            (_, PatternExistence::NoOrbit) => "open for e mu > 0",
             _ => "open",
         }
         .into();

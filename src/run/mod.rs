@@ -62,7 +62,7 @@ use crate::{
     error::Result,
     monitor::Monitor,
     oscillator::{
-        System, Tally, Time,
+        EffectTally, System, Time,
         flow::State,
         simulate::{Event, Settings, Simulator},
     },
@@ -226,7 +226,7 @@ pub struct Job<'a> {
     /// Told how far the task is, and asked whether to go on.
     pub monitor: &'a dyn Monitor,
     /// What was computed how often.
-    pub tally: Arc<Tally>,
+    pub tally: Arc<EffectTally>,
 }
 
 impl<'a> Job<'a> {
@@ -349,9 +349,9 @@ pub fn run_task(job: &Job, keeper: &mut dyn Keeper) -> TaskReport {
 
 fn answer(job: &Job, keeper: &mut dyn Keeper) -> Result<Findings> {
     Ok(match &job.task.kind {
-        Kind::Simulate(task) => simulate(task, job, keeper)?.into(),
-        Kind::Section(task) => section(task, job)?.into(),
-        Kind::Basins(task) => basins(task, job)?.into(),
+        Kind::SimulateTask(task) => simulate(task, job, keeper)?.into(),
+        Kind::SectionTask(task) => section(task, job)?.into(),
+        Kind::BasinsTask(task) => basins(task, job)?.into(),
         Kind::DiagramTask(task) => diagram(task, job)?.into(),
         Kind::OrbitTask(task) => orbit(task, job)?.into(),
         Kind::EventTask(task) => event(task, job)?.into(),

@@ -19,9 +19,9 @@ use crate::{
         },
         flow::State,
         orbit::Oscillator,
-        simulate::{End, Simulator},
+        simulate::{RunEnd, Simulator},
     },
-    scene::{Section, phase},
+    scene::{SectionTask, phase},
 };
 
 row! {
@@ -71,7 +71,7 @@ pub struct SectionFindings {
     /// The admissible orbits of the patterns asked for that are no attractors of the list.
     pub further_orbits: Vec<SectionOrbitRow>,
     /// Why motions of other starts ended, a start each.
-    pub ended: Vec<End>,
+    pub ended: Vec<RunEnd>,
     /// The points (q, u) of each attractor and orbit. Not in JSON: they are the task's CSV file.
     #[serde(skip)]
     pub points: Vec<(SectionSet, Vec<[f64; 2]>)>,
@@ -130,7 +130,7 @@ struct Seen {
 ///
 /// # Errors
 /// Those of the simulator and of the orbits' search; an interruption.
-pub fn section(task: &Section, job: &Job) -> Result<SectionFindings> {
+pub fn section(task: &SectionTask, job: &Job) -> Result<SectionFindings> {
     let simulator = job.simulator()?;
     let phase = phase(&task.phase);
     let starts = task.starts.iter().map(|start| job.scene.state(start)).collect::<Result<Vec<State>>>()?;
@@ -252,11 +252,11 @@ fn manifolds(
 }
 
 /// Follows one motion.
-fn look(task: &Section, job: &Job, simulator: &Simulator, start: State, phase: f64) -> Result<Seen> {
+fn look(task: &SectionTask, job: &Job, simulator: &Simulator, start: State, phase: f64) -> Result<Seen> {
     let mut run = simulator.start(Time::new(0, start.t), start.q, start.u)?;
     let over = |end| Seen { fate: Fate::Ended(end), points: Vec::new(), impacts: 0.0, exponent: [0.0; 2] };
     let end = wait(&mut run, phase, task.transient + 1, job.monitor)?;
-    if end != End::Reached {
+    if end != RunEnd::Reached {
         return Ok(over(end));
     }
     let (time, state) = (run.time(), run.state());
@@ -267,7 +267,7 @@ fn look(task: &Section, job: &Job, simulator: &Simulator, start: State, phase: f
     let end = match &fate {
         Fate::Periodic(cycle) => {
             points.clone_from(&cycle.points);
-            End::Reached
+            RunEnd::Reached
         }
         Fate::Irregular => follow(&mut run, phase, task.points.into(), |point| {
             points.push([point.q, point.u]);
@@ -275,7 +275,7 @@ fn look(task: &Section, job: &Job, simulator: &Simulator, start: State, phase: f
         }),
         Fate::Ended(end) => *end,
     };
-    if end != End::Reached {
+    if end != RunEnd::Reached {
         return Ok(over(end));
     }
     let exponent = lyapunov(simulator, time, [state.q, state.u], 0, task.points.into(), job.monitor)?;

@@ -9,9 +9,9 @@ use crate::{
     error::Result,
     oscillator::{
         Time,
-        simulate::{End, Event},
+        simulate::{Event, RunEnd},
     },
-    scene::task::Simulate,
+    scene::task::SimulateTask,
 };
 
 /// What happened in one motion; its series and its events went to the [`Keeper`].
@@ -26,7 +26,7 @@ pub struct SimulationFindings {
     /// How often it came to rest on a wall.
     pub rests: u64,
     /// Why it ended.
-    pub end: End,
+    pub end: RunEnd,
     /// Forcing periods from the beginning to the end.
     pub ended_at: f64,
     /// The displacement at the end.
@@ -42,7 +42,7 @@ pub struct SimulationFindings {
 impl Finding for SimulationFindings {
     fn status(&self) -> Status {
         match self.end {
-            End::Reached => Status::Done,
+            RunEnd::Reached => Status::Done,
             end => Status::undecided(format!(
                 "the motion ended after {:.6} periods of those asked for, {}",
                 self.ended_at,
@@ -60,7 +60,7 @@ impl Finding for SimulationFindings {
         lines.say("impacts", self.impacts);
         lines.say("tangencies", self.tangencies);
         lines.say("rests", self.rests);
-        if self.end != End::Reached {
+        if self.end != RunEnd::Reached {
             lines.say("ended", self.end.why());
             lines.say("after_periods", self.ended_at);
         }
@@ -76,14 +76,14 @@ const CHUNK: u64 = 256;
 ///
 /// # Errors
 /// Those of the simulator; the keeper's; an interruption.
-pub fn simulate(task: &Simulate, job: &Job, keeper: &mut dyn Keeper) -> Result<SimulationFindings> {
+pub fn simulate(task: &SimulateTask, job: &Job, keeper: &mut dyn Keeper) -> Result<SimulationFindings> {
     let simulator = job.simulator()?;
     let start = job.scene.state(&task.start)?;
     job.monitor.begin(task.transient + u64::from(task.periods), "periods");
     let mut run = simulator.start(Time::new(0, start.t), start.q, start.u)?;
-    let mut end = End::Reached;
+    let mut end = RunEnd::Reached;
     let mut passed = 0;
-    while passed < task.transient && end == End::Reached {
+    while passed < task.transient && end == RunEnd::Reached {
         let next = (passed + CHUNK).min(task.transient);
         end = run.finish(Time::new(next as i64, start.t));
         job.monitor.advance(next - passed)?;
@@ -104,7 +104,7 @@ pub fn simulate(task: &Simulate, job: &Job, keeper: &mut dyn Keeper) -> Result<S
     let widen = |[low, high]: [f64; 2], q: f64| [low.min(q), high.max(q)];
     let samples = u64::from(task.samples);
     for sample in 0..=u64::from(task.periods) * samples {
-        if found.end != End::Reached {
+        if found.end != RunEnd::Reached {
             break;
         }
         let (period, part) = (sample / samples, sample % samples);
@@ -132,7 +132,7 @@ pub fn simulate(task: &Simulate, job: &Job, keeper: &mut dyn Keeper) -> Result<S
         if let Some(error) = failed {
             return Err(error);
         }
-        if found.end == End::Reached {
+        if found.end == RunEnd::Reached {
             let state = run.state();
             found.extent = widen(found.extent, state.q);
             keeper.sample(until, state)?;

@@ -14,7 +14,7 @@ use crate::{
         branch::{Bifurcation, BranchSearch, locate},
         grazing,
         orbit::{Family, Itinerary, Orbit, Oscillator, Unknowns},
-        validate::{self, Condition, Impact, Jet, Stability, Verdict},
+        validate::{self, Condition, ExpectedImpact, Jet, Stability, Verdict},
     },
     scene::{SceneFamily, validate::ValidateTask},
 };
@@ -269,7 +269,7 @@ fn approximate(
     orbit: &Orbit,
     start: f64,
     task: &ValidateTask,
-) -> Result<(Vec<Impact>, f64, Condition)> {
+) -> Result<(Vec<ExpectedImpact>, f64, Condition)> {
     let found = match locate(family, event, orbit, start, task.reach, &task.options.checked()?)? {
         BranchSearch::Found(found) => found,
         BranchSearch::Nothing(nothing) => return Err(Error::input(nothing.to_string())),
@@ -290,11 +290,11 @@ fn approximate(
 }
 
 /// The impacts of a solution of the pattern equations.
-fn impacts(itinerary: &Itinerary, z: &[f64]) -> Vec<Impact> {
+fn impacts(itinerary: &Itinerary, z: &[f64]) -> Vec<ExpectedImpact> {
     let Ok(unknowns) = Unknowns::new(itinerary, z) else { return Vec::new() };
     let strikes = itinerary.strikes().iter().enumerate();
     strikes
-        .map(|(i, strike)| Impact {
+        .map(|(i, strike)| ExpectedImpact {
             side: strike.side,
             periods: strike.periods,
             phase: unknowns.phase(i),

@@ -26,7 +26,7 @@ pub use family::SceneFamily;
 pub use input::Accuracy;
 pub use keys::Key;
 pub use reference::reference;
-pub use sections::{Basins, Frame, Section, Values};
+pub use sections::{BasinsTask, Frame, SectionTask, Values};
 pub use task::{Kind, Task};
 
 use self::task::Start;

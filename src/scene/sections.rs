@@ -15,7 +15,7 @@ use crate::{
 
 keys! {
     /// Draws the stroboscopic (Poincaré) section of the attractors that motions lead to: periods, impacts, Lyapunov exponents.
-    pub struct Section {
+    pub struct SectionTask {
         /// where motions start
         starts: Vec<Start>,
         /// when to look, as a fraction of the forcing period: at t = 2π `phase` of every period
@@ -39,7 +39,7 @@ keys! {
 
 keys! {
     /// Finds which starts lead to which attractor, on a grid.
-    pub struct Basins {
+    pub struct BasinsTask {
         /// displacements of the starts
         q: Values,
         /// velocities of the starts
@@ -94,7 +94,7 @@ impl Frame {
 const LONGEST: u32 = 10_000;
 const POINTS: u32 = 1_000_000;
 
-impl Check for Section {
+impl Check for SectionTask {
     fn check(&self, scene: &Scene, system: &System<f64>, path: &str) -> Result<()> {
         if self.starts.is_empty() {
             return Err(scene.fail(&format!("{path}.starts"), "is empty; a motion must start somewhere"));
@@ -117,7 +117,7 @@ impl Check for Section {
     }
 }
 
-impl Check for Basins {
+impl Check for BasinsTask {
     fn check(&self, scene: &Scene, _: &System<f64>, path: &str) -> Result<()> {
         for (range, name) in [(&self.q, "q"), (&self.u, "u")] {
             if !(2..=4000).contains(&range.count) {

@@ -9,7 +9,7 @@ use super::{
     expression::Expression,
     keys::{Entry, Key, Record, Value, keys},
     orbits::{EventTask, GrazingTask, OrbitTask},
-    sections::{Basins, Section},
+    sections::{BasinsTask, SectionTask},
     validate::ValidateTask,
 };
 use crate::{error::Result, oscillator::System, scene::Scene, source::nearest};
@@ -39,15 +39,15 @@ keys! {
         /// a name under which `--only` runs several tasks together
         group: Option<String>,
         /// parameter values that this task has in place of the scene's, as in `{ mu = -0.05 }`
-        set: Settings = "{}",
+        set: Assignments = "{}",
     }
 }
 
 /// New values of parameters.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Settings(pub Vec<(String, BigRational)>);
+pub struct Assignments(pub Vec<(String, BigRational)>);
 
-impl Value for Settings {
+impl Value for Assignments {
     fn shape() -> String {
         "table of numbers".to_string()
     }
@@ -61,7 +61,7 @@ impl Value for Settings {
                 all.push((name.to_string(), value.number()?));
             }
         }
-        Ok(Settings(all))
+        Ok(Assignments(all))
     }
 }
 
@@ -97,9 +97,9 @@ macro_rules! kinds {
 }
 
 kinds! {
-    "simulate" Simulate,
-    "section" Section,
-    "basins" Basins,
+    "simulate" SimulateTask,
+    "section" SectionTask,
+    "basins" BasinsTask,
     "orbit" OrbitTask,
     "event" EventTask,
     "grazing" GrazingTask,
@@ -118,7 +118,7 @@ pub(super) trait Check {
 
 keys! {
     /// Follows one motion: its time series, its impacts and a picture of both.
-    pub struct Simulate {
+    pub struct SimulateTask {
         /// where it starts
         start: Start,
         /// how many forcing periods are written
@@ -133,7 +133,7 @@ keys! {
 /// No longer series is written: at some 50 bytes a point, 5 GB.
 const MOST_POINTS: u64 = 100_000_000;
 
-impl Check for Simulate {
+impl Check for SimulateTask {
     fn check(&self, scene: &Scene, system: &System<f64>, path: &str) -> Result<()> {
         let points = u64::from(self.periods) * u64::from(self.samples);
         if points > MOST_POINTS {
@@ -180,7 +180,7 @@ impl Task {
         let kind = kind?;
         let kind_keys = KINDS.iter().find(|known| known.0 == word).map_or(&[][..], |known| known.2);
         let extra: Vec<&str> = kind_keys.iter().map(|key| key.name).collect();
-        let TaskKeys { name, group, set: Settings(set), .. } = TaskKeys::fields(entry, &extra)?;
+        let TaskKeys { name, group, set: Assignments(set), .. } = TaskKeys::fields(entry, &extra)?;
         if name.is_empty() || !name.chars().all(|c| c.is_ascii_alphanumeric() || "-_".contains(c)) {
             let at = entry.get("name")?.unwrap_or_else(|| unreachable!("it has just been read"));
             return Err(at.fail("names files: write letters, digits, - and _"));

@@ -1,8 +1,12 @@
 //! What finds proofs and writes them down as certificates. Untrusted: the checker in
 //! [`certificate`](crate::certificate) shares no code with it.
 
+mod apart;
+mod compare;
 pub mod cover;
 pub mod fuzz;
+mod instance;
 mod theorem2;
 
-pub use theorem2::{Method, Proof, prove_theorem2, write_theorem2};
+pub use instance::Instance;
+pub use theorem2::{Proof, ProofMethod, prove_theorem2, write_theorem2};

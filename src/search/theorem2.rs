@@ -18,7 +18,7 @@ use crate::{
 /// How the signs of b_{n,k} and c_n are decided.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
-pub enum Method {
+pub enum ProofMethod {
     /// At every zero and pole and just right of it, by integer arithmetic.
     Exact,
     /// On whole stretches, by enclosures of the arguments.
@@ -53,14 +53,14 @@ pub struct Proof {
 }
 
 impl Proof {
-    fn by(method: Method, n: u64) -> Result<Self> {
-        if method == Method::Exact {
+    fn by(method: ProofMethod, n: u64) -> Result<Self> {
+        if method == ProofMethod::Exact {
             return Ok(Self::of(decide(n)?));
         }
         let Enclosed::Decided(enclosed) = decide_by_enclosure(n)? else {
             return Ok(Proof { undecided: 1, ..Proof::default() });
         };
-        if method == Method::Interval {
+        if method == ProofMethod::Interval {
             return Ok(Self::of(enclosed));
         }
         let exact = decide(n)?;
@@ -127,7 +127,11 @@ fn findings(decision: &Decision) -> Vec<Piece> {
 ///
 /// # Errors
 /// An input error if a period is out of bounds.
-pub fn prove_theorem2(range: RangeInclusive<u64>, method: Method, monitor: &dyn Monitor) -> Result<Proof> {
+pub fn prove_theorem2(
+    range: RangeInclusive<u64>,
+    method: ProofMethod,
+    monitor: &dyn Monitor,
+) -> Result<Proof> {
     // The long periods first, so that no thread is left alone with them at the end.
     let periods: Vec<u64> = range.collect();
     periods

@@ -21,7 +21,7 @@ pub struct Input {
 
 /// What a list of inputs has in common.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Family {
+pub enum InputFamily {
     /// 5 ≤ n ≤ 100, ½ < r < 1.
     Generic,
     /// r = 1, s within 2⁻⁶⁰ of an odd multiple of 1/(2n).
@@ -39,27 +39,27 @@ pub enum Family {
 }
 
 /// All families, in the order of the table.
-pub const FAMILIES: [Family; 7] = [
-    Family::Generic,
-    Family::NearPole,
-    Family::NearDoubleZero,
-    Family::NearEqualEigenvalues,
-    Family::RadiusToOne,
-    Family::RadiusToZero,
-    Family::HugePeriod,
+pub const FAMILIES: [InputFamily; 7] = [
+    InputFamily::Generic,
+    InputFamily::NearPole,
+    InputFamily::NearDoubleZero,
+    InputFamily::NearEqualEigenvalues,
+    InputFamily::RadiusToOne,
+    InputFamily::RadiusToZero,
+    InputFamily::HugePeriod,
 ];
 
-impl Family {
+impl InputFamily {
     /// Its name in tables.
     pub fn name(self) -> &'static str {
         match self {
-            Family::Generic => "generic",
-            Family::NearPole => "near a pole",
-            Family::NearDoubleZero => "near a double zero",
-            Family::NearEqualEigenvalues => "near-equal eigenvalues",
-            Family::RadiusToOne => "r -> 1",
-            Family::RadiusToZero => "r -> 0",
-            Family::HugePeriod => "huge n",
+            InputFamily::Generic => "generic",
+            InputFamily::NearPole => "near a pole",
+            InputFamily::NearDoubleZero => "near a double zero",
+            InputFamily::NearEqualEigenvalues => "near-equal eigenvalues",
+            InputFamily::RadiusToOne => "r -> 1",
+            InputFamily::RadiusToZero => "r -> 0",
+            InputFamily::HugePeriod => "huge n",
         }
     }
 
@@ -77,9 +77,9 @@ impl Family {
         let k = 1 + random.below(n - 1);
         let s = ratio(1 + random.below(500_000), 1_000_003);
         let (r, s, n, k) = match self {
-            Family::Generic => (ratio(501 + random.below(499), 1000), s, n, k),
-            Family::NearPole => (one, ratio(2 * random.below(n / 2) + 1, 2 * n) + tiny, n, k),
-            Family::NearDoubleZero => {
+            InputFamily::Generic => (ratio(501 + random.below(499), 1000), s, n, k),
+            InputFamily::NearPole => (one, ratio(2 * random.below(n / 2) + 1, 2 * n) + tiny, n, k),
+            InputFamily::NearDoubleZero => {
                 let (g, times) = (2 + random.below(9), 2 + random.below(9));
                 (
                     one,
@@ -88,16 +88,16 @@ impl Family {
                     2 * g * (1 + random.below(times - 1)),
                 )
             }
-            Family::NearEqualEigenvalues => {
+            InputFamily::NearEqualEigenvalues => {
                 let root = ratio(100 + random.below(900), 1000);
                 let sign = if random.below(2) == 0 { one } else { -one };
                 let a1 = &root * BigInt::from(2) * (sign + tiny);
                 let plane = Plane::new(a1, &root * &root).ok().filter(|plane| !plane.is_singular(n))?;
                 return Some(Input { point: Point::Plane(plane), n, k });
             }
-            Family::RadiusToOne => (one - &tiny, ratio(1 + random.below(n / 2), n) + tiny, n, k),
-            Family::RadiusToZero => (ratio(1, 1 << 30), s, n, k),
-            Family::HugePeriod => {
+            InputFamily::RadiusToOne => (one - &tiny, ratio(1 + random.below(n / 2), n) + tiny, n, k),
+            InputFamily::RadiusToZero => (ratio(1, 1 << 30), s, n, k),
+            InputFamily::HugePeriod => {
                 let n = 1_000_000_000 - random.below(1000);
                 (one - ratio(1, 1 << 30), s, n, 1 + random.below(n - 1))
             }

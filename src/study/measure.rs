@@ -9,7 +9,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
-use super::{Family, Input, naive_b};
+use super::{Input, InputFamily, naive_b};
 use crate::{
     local::{Answer, Ladder, Plane, Point, Polar, Quantity, Rung, sign_by, sign_on},
     number::{Ball, Circular, FloatInterval, Plain, Precision, Real, Sign},
@@ -17,7 +17,7 @@ use crate::{
 
 /// How b_{n,k} is evaluated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Method {
+pub enum Evaluation {
     /// The paper's formulas in plain `f64`.
     Naive,
     /// This crate's forms on a rung.
@@ -28,9 +28,9 @@ pub enum Method {
 #[derive(Debug, Clone)]
 pub struct Measured {
     /// The family.
-    pub family: Family,
+    pub family: InputFamily,
     /// The method.
-    pub method: Method,
+    pub method: Evaluation,
     /// Time for one b_{n,k}: value for rungs with values, sign for the exact one. Median over the inputs.
     pub time: Duration,
     /// Median of certain decimal digits (−log₁₀ of radius over |midpoint|, at least 0); for plain `f64`, which is certain of
@@ -56,7 +56,7 @@ const PRECISIONS: [u32; 5] = [128, 256, 1024, 4096, 16384];
 /// Measures every method on a family: naive and stable plain `f64`, intervals, balls of 128 to 16384 bits, exact.
 ///
 /// Signs are compared with the ladder's, plain digits with balls of 1024 bits. Takes up to a few seconds.
-pub fn measure(family: Family) -> Vec<Measured> {
+pub fn measure(family: InputFamily) -> Vec<Measured> {
     let inputs = family.inputs(INPUTS);
     let ladder = Ladder::default();
     let quantity = |input: &Input| Quantity::B { n: input.n, k: input.k };
@@ -100,7 +100,7 @@ pub fn measure(family: Family) -> Vec<Measured> {
     let signs =
         values.iter().map(|&value| Plain(value).sign().map_or(Answer::Undecided, Answer::Sign)).collect();
     let times = inputs.iter().map(|input| time(|| naive_b(black_box(input)))).collect();
-    rows.push(Measured { digits: Some(plain_digits(&values)), ..row(Method::Naive, times, signs) });
+    rows.push(Measured { digits: Some(plain_digits(&values)), ..row(Evaluation::Naive, times, signs) });
 
     let values: Vec<f64> = inputs
         .iter()
@@ -110,7 +110,7 @@ pub fn measure(family: Family) -> Vec<Measured> {
     let (times, signs) = run::<Plain>(&inputs, &());
     rows.push(Measured {
         digits: Some(plain_digits(&values)),
-        ..row(Method::Rung(Rung::Plain), times, signs)
+        ..row(Evaluation::Rung(Rung::Plain), times, signs)
     });
 
     let (times, signs) = run::<FloatInterval>(&inputs, &());
@@ -123,7 +123,7 @@ pub fn measure(family: Family) -> Vec<Measured> {
     rows.push(Measured {
         digits: Some(median(bounds.iter().map(certain))),
         width: Some(median(bounds.iter().map(width))),
-        ..row(Method::Rung(Rung::Interval), times, signs)
+        ..row(Evaluation::Rung(Rung::Interval), times, signs)
     });
 
     for bits in PRECISIONS {
@@ -138,7 +138,7 @@ pub fn measure(family: Family) -> Vec<Measured> {
             digits: Some(median(bounds.iter().map(certain))),
             width: Some(median(bounds.iter().map(width))),
             lost,
-            ..row(Method::Rung(Rung::Ball(bits)), times, signs)
+            ..row(Evaluation::Rung(Rung::Ball(bits)), times, signs)
         });
     }
 
@@ -150,7 +150,7 @@ pub fn measure(family: Family) -> Vec<Measured> {
             .iter()
             .map(|input| time(|| sign_by(black_box(&input.point), quantity(input), Rung::Exact)))
             .collect();
-        rows.push(row(Method::Rung(Rung::Exact), times, signs));
+        rows.push(row(Evaluation::Rung(Rung::Exact), times, signs));
     }
     rows
 }

@@ -9,6 +9,6 @@ pub mod flow_accuracy;
 mod measure;
 mod naive;
 
-pub use families::{FAMILIES, Family, Input};
-pub use measure::{Measured, Method, condition, measure};
+pub use families::{FAMILIES, Input, InputFamily};
+pub use measure::{Evaluation, Measured, condition, measure};
 pub use naive::naive_b;

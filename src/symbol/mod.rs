@@ -18,4 +18,4 @@ pub use formula::{Factored, MAX_PERIOD, period_formulas, write_formulas};
 pub use polynomial::Polynomial;
 pub use print::Format;
 pub use roots::{chebyshev_roots, roots_above};
-pub use sentence::{Area, MAX_SENTENCE_PERIOD, Sentence, Side};
+pub use sentence::{Area, HalfCellSide, MAX_SENTENCE_PERIOD, Sentence};

@@ -33,13 +33,13 @@ pub enum Area {
         /// The numerator, coprime to the period.
         m: usize,
         /// The side.
-        side: Side,
+        side: HalfCellSide,
     },
 }
 
 /// A side of s = m/n, named by the sign of γ of the orbits there.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Side {
+pub enum HalfCellSide {
     /// (m − ½)/n < s < m/n, where orbits are (+,+).
     Plus,
     /// m/n < s < (m + ½)/n, where orbits are (+,−).
@@ -133,7 +133,7 @@ impl Sentence {
     fn half_cell(
         n: usize,
         m: usize,
-        side: Side,
+        side: HalfCellSide,
         title: impl Fn(&str) -> String,
         u: Polynomial,
         quotients: Vec<Polynomial>,
@@ -147,8 +147,8 @@ impl Sentence {
         let inverse = inverse.rem_euclid(n as i64) as usize;
         // u_n has one sign on the half-cell, that of sin 2πns.
         let (deciding, upper, sign) = match side {
-            Side::Plus => (n - inverse, 2 * m - 1, Negative),
-            Side::Minus => (inverse, 2 * m, Positive),
+            HalfCellSide::Plus => (n - inverse, 2 * m - 1, Negative),
+            HalfCellSide::Minus => (inverse, 2 * m, Positive),
         };
         // The upper end is the root `upper`, the lower one the next, or −1 where there is none.
         let [inner, high] = chebyshev_roots(n, upper);
@@ -273,8 +273,8 @@ impl Display for Area {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Area::Region4 => f.write_str("region4"),
-            Area::HalfCell { m, side: Side::Plus } => write!(f, "{m}+"),
-            Area::HalfCell { m, side: Side::Minus } => write!(f, "{m}-"),
+            Area::HalfCell { m, side: HalfCellSide::Plus } => write!(f, "{m}+"),
+            Area::HalfCell { m, side: HalfCellSide::Minus } => write!(f, "{m}-"),
         }
     }
 }
@@ -285,8 +285,8 @@ impl FromStr for Area {
         let half_cell = |side: char| name.strip_suffix(side).and_then(|m| m.parse().ok());
         match (name, half_cell('+'), half_cell('-')) {
             ("region4", ..) => Ok(Area::Region4),
-            (_, Some(m), _) => Ok(Area::HalfCell { m, side: Side::Plus }),
-            (_, _, Some(m)) => Ok(Area::HalfCell { m, side: Side::Minus }),
+            (_, Some(m), _) => Ok(Area::HalfCell { m, side: HalfCellSide::Plus }),
+            (_, _, Some(m)) => Ok(Area::HalfCell { m, side: HalfCellSide::Minus }),
             _ => Err(Error::input(format!(
                 "{name:?} is no area: write region4, or 3+ or 3- for a side of s = 3/n"
             ))),

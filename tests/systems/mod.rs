@@ -7,7 +7,7 @@ use grazing::{
     number::{Precision, Real, parse_rational},
     oscillator::{
         Harmonic, Side, System, Wall,
-        validate::{self, Impact, Orbit, Stability, Verdict},
+        validate::{self, ExpectedImpact, ProvedOrbit, Stability, Verdict},
     },
 };
 use num_rational::BigRational;
@@ -35,12 +35,12 @@ pub fn at(mu: &str) -> System<BigRational> {
     example(&number(mu), &())
 }
 
-pub fn lower(periods: u32, phase: f64, velocity: f64) -> Impact {
-    Impact { side: Side::Lower, periods, phase, velocity }
+pub fn lower(periods: u32, phase: f64, velocity: f64) -> ExpectedImpact {
+    ExpectedImpact { side: Side::Lower, periods, phase, velocity }
 }
 
-fn upper(periods: u32, phase: f64, velocity: f64) -> Impact {
-    Impact { side: Side::Upper, periods, phase, velocity }
+fn upper(periods: u32, phase: f64, velocity: f64) -> ExpectedImpact {
+    ExpectedImpact { side: Side::Upper, periods, phase, velocity }
 }
 
 fn harmonic(k: u32, cos: &str, sin: &str) -> Harmonic<BigRational> {
@@ -55,7 +55,7 @@ fn still(offset: &str) -> Option<Wall<BigRational>> {
 pub struct Case {
     pub name: &'static str,
     pub system: System<BigRational>,
-    pub impacts: Vec<Impact>,
+    pub impacts: Vec<ExpectedImpact>,
     pub stability: Stability,
 }
 
@@ -84,7 +84,7 @@ pub fn cases() -> Vec<Case> {
         [upper(0, -0.311, 1.189), upper(0, 0.884, 0.735), lower(1, 2.832, 1.189), lower(0, -2.255, 0.735)];
     let chatter = [lower(0, -0.425, 0.651), lower(1, 0.847, 0.2347)];
     let double = [lower(3, 0.0039, 0.0182), lower(3, -0.1078, 0.1098)];
-    let case = |name, system, impacts: &[Impact], stability| Case {
+    let case = |name, system, impacts: &[ExpectedImpact], stability| Case {
         name,
         system,
         impacts: impacts.to_vec(),
@@ -103,7 +103,7 @@ pub fn cases() -> Vec<Case> {
     ]
 }
 
-pub fn prove(system: &System<BigRational>, impacts: &[Impact]) -> Verdict<Orbit> {
+pub fn prove(system: &System<BigRational>, impacts: &[ExpectedImpact]) -> Verdict<ProvedOrbit> {
     validate::orbit(system, impacts, &Precision::new(128)).unwrap()
 }
 

@@ -47,9 +47,9 @@ pub(super) fn keep(found: &BranchFindings, task: &BranchTask, job: &Job) -> Resu
 }
 
 /// A curve of bifurcations in the plane of both parameters.
-fn locus(branch: &Branch) -> figure::Curve {
-    let place = |point: &crate::oscillator::branch::Point| (point.parameters[0], point.parameters[1]);
-    figure::Curve {
+fn locus(branch: &Branch) -> figure::DrawnBranch {
+    let place = |point: &crate::oscillator::branch::BranchOrbit| (point.parameters[0], point.parameters[1]);
+    figure::DrawnBranch {
         name: format!("{} of the impact pattern ({})", branch.name(), branch.itinerary),
         at: branch.points.iter().map(|point| (place(point).0, place(point).1, true)).collect(),
         labels: branch
@@ -68,8 +68,8 @@ pub(super) struct Drawing<'a> {
 }
 
 impl Drawing<'_> {
-    pub fn curve(&self, branch: &Branch) -> Result<figure::Curve> {
-        let mut curve = figure::Curve {
+    pub fn curve(&self, branch: &Branch) -> Result<figure::DrawnBranch> {
+        let mut curve = figure::DrawnBranch {
             name: format!("impact pattern ({})", branch.itinerary),
             at: Vec::new(),
             labels: Vec::new(),

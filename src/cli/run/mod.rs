@@ -25,7 +25,7 @@ use crate::{
     error::{Error, Result},
     number::parse_rational,
     output::{
-        Cell, Column, Destination, LONGEST_INPUT, TableFormat, TableWriter, make_folder, read_text, say,
+        Column, Destination, LONGEST_INPUT, TableCell, TableFormat, TableWriter, make_folder, read_text, say,
         write_file,
     },
     run::{EventRows, Findings, Job as Task, Keeper, Row, Status, Surroundings, TaskReport, run_task},
@@ -91,7 +91,7 @@ impl<'a> Deref for Job<'a> {
 impl Job<'_> {
     fn run(&self) -> TaskReport {
         match &self.task.kind {
-            Kind::Simulate(task) => simulate::run(task, self),
+            Kind::SimulateTask(task) => simulate::run(task, self),
             _ => run_task(self.job, &mut Files(self)),
         }
     }
@@ -104,7 +104,7 @@ impl Job<'_> {
             let mut table = TableWriter::new(out, TableFormat::Csv, "", columns)?;
             for row in rows {
                 let cells = row.cells();
-                table.row(&cells.iter().map(|cell| Cell::Text(cell)).collect::<Vec<_>>())?;
+                table.row(&cells.iter().map(|cell| TableCell::Text(cell)).collect::<Vec<_>>())?;
             }
             table.finish()
         })?;
@@ -123,7 +123,7 @@ struct Files<'a>(&'a Job<'a>);
 impl Keeper for Files<'_> {
     fn keep(&mut self, _: &Task, findings: &Findings) -> Result<Vec<String>> {
         match (findings, &self.0.task.kind) {
-            (Findings::Section(found), Kind::Section(task)) => section::keep(found, task, self.0),
+            (Findings::Section(found), Kind::SectionTask(task)) => section::keep(found, task, self.0),
             (Findings::Basins(found), _) => basins::keep(found, self.0),
             (Findings::Diagram(found), Kind::DiagramTask(task)) => diagram::keep(found, task, self.0),
             (Findings::Branch(found), Kind::BranchTask(task)) => branch::keep(found, task, self.0),

@@ -6,10 +6,10 @@ use crate::{
     figure::{self, Mark, Points},
     oscillator::{Contact, Side},
     run::{AttractorRow, SectionFindings, SectionSet},
-    scene::{Section, phase},
+    scene::{SectionTask, phase},
 };
 
-pub(super) fn keep(found: &SectionFindings, task: &Section, job: &Job) -> Result<Vec<String>> {
+pub(super) fn keep(found: &SectionFindings, task: &SectionTask, job: &Job) -> Result<Vec<String>> {
     let walls = Contact::of(&job.system)?;
     let frame = Frame {
         wall: walls.iter().find(|wall| Some(wall.side) == task.frame.side()),

@@ -9,10 +9,10 @@ use crate::{
     oscillator::{Contact, Time, flow::State, simulate::Event},
     output::write_file,
     run::{Findings, Keeper, TaskReport, run_task},
-    scene::task::Simulate,
+    scene::task::SimulateTask,
 };
 
-pub(super) fn run(task: &Simulate, job: &Job) -> TaskReport {
+pub(super) fn run(task: &SimulateTask, job: &Job) -> TaskReport {
     let mut report = None;
     let name = |end: &str| job.folder.join(format!("{}{end}", job.task.name));
     // What fails or is interrupted leaves no files: they are whole or absent.
@@ -44,7 +44,7 @@ struct Series<'a> {
 
 impl<'a> Series<'a> {
     fn new(
-        task: &Simulate,
+        task: &SimulateTask,
         job: &'a Job<'a>,
         series: &'a mut dyn Write,
         events: &'a mut dyn Write,

@@ -14,7 +14,7 @@ use crate::{
     monitor::Monitor,
     oscillator::{
         Time,
-        simulate::{End, Simulator},
+        simulate::{RunEnd, Simulator},
     },
 };
 
@@ -41,7 +41,7 @@ pub enum BasinCell {
     /// A start behind a wall.
     Behind,
     /// The run ended.
-    Ended(End),
+    Ended(RunEnd),
 }
 
 /// The attractors met, in order of the first start that leads to each, and the cells, q fastest.

@@ -9,7 +9,7 @@ use serde::{Serialize, de::DeserializeOwned};
 
 use crate::{
     error::{Error, Result},
-    output::{Journal, Run},
+    output::{Journal, SavedRun},
 };
 
 /// Less than this apart no whole state is written, but for the last.
@@ -35,7 +35,7 @@ impl Checkpoint {
         let last = Instant::now();
         let Some(path) = path else { return Ok((Checkpoint { state: None, last }, Vec::new())) };
         let name = path.file_name().unwrap_or_default().to_string_lossy();
-        let (state, found) = Journal::open(path, &Run::new(kind, name, canonical), most)?;
+        let (state, found) = Journal::open(path, &SavedRun::new(kind, name, canonical), most)?;
         let checkpoint = Checkpoint { state: Some((state, path.to_path_buf())), last };
         let read = |record: &String| {
             serde_json::from_str(record).map_err(|error| checkpoint.bad(&error.to_string()))

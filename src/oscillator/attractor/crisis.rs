@@ -15,7 +15,7 @@ use crate::{
     error::{Error, Result},
     oscillator::{
         Time,
-        algebra::{Matrix, product},
+        algebra::{Matrix2, product},
         flow::{Flow, State},
         orbit::{Family, Itinerary, Orbit, Oscillator, find, minima, monodromy},
         simulate::{Event, Settings, Simulator},
@@ -217,7 +217,7 @@ impl Saddle {
 /// How many images of a point near S are looked at.
 const IMAGES: u32 = 40;
 
-fn inverse(m: &Matrix) -> Matrix {
+fn inverse(m: &Matrix2) -> Matrix2 {
     let det = m[0][0] * m[1][1] - m[0][1] * m[1][0];
     [[m[1][1] / det, -m[0][1] / det], [-m[1][0] / det, m[0][0] / det]]
 }

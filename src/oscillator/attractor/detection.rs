@@ -6,7 +6,7 @@ use super::section::{SectionPoint, section};
 use crate::{
     error::{Error, Result},
     monitor::Monitor,
-    oscillator::simulate::{End, Run},
+    oscillator::simulate::{Run, RunEnd},
 };
 
 /// Points of the section this close in q and in u recur, unless a [`Detection`] says otherwise.
@@ -45,7 +45,7 @@ pub enum Fate {
     /// No recurrence up to the longest period: chaos, a long period, or a transient not over.
     Irregular,
     /// The run ended first.
-    Ended(End),
+    Ended(RunEnd),
 }
 
 impl Fate {
@@ -63,18 +63,18 @@ impl Fate {
 ///
 /// # Errors
 /// The monitor's.
-pub fn wait(run: &mut Run, phase: f64, count: u64, monitor: &dyn Monitor) -> Result<End> {
+pub fn wait(run: &mut Run, phase: f64, count: u64, monitor: &dyn Monitor) -> Result<RunEnd> {
     let mut left = count;
     while left > 0 {
         let some = left.min(256);
         let end = section(run, phase, some, |_| true);
-        if end != End::Reached {
+        if end != RunEnd::Reached {
             return Ok(end);
         }
         monitor.advance(0)?;
         left -= some;
     }
-    Ok(End::Reached)
+    Ok(RunEnd::Reached)
 }
 
 /// A periodic orbit as the section sees it.
@@ -136,7 +136,7 @@ impl Detection {
     pub fn detect(&self, run: &mut Run) -> Result<Fate> {
         self.check()?;
         let end = section(run, self.phase, self.transient.saturating_add(1), |_| true);
-        if end != End::Reached {
+        if end != RunEnd::Reached {
             return Ok(Fate::Ended(end));
         }
         let state = run.state();
@@ -159,7 +159,7 @@ impl Detection {
             }
             true
         });
-        if end != End::Reached {
+        if end != RunEnd::Reached {
             return Ok(Fate::Ended(end));
         }
         let Some(n) = period else { return Ok(Fate::Irregular) };

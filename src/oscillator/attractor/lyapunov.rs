@@ -9,7 +9,7 @@ use crate::{
         Time,
         algebra::apply,
         flow::{Flow, State},
-        simulate::{End, Event, Run, Simulator},
+        simulate::{Event, Run, RunEnd, Simulator},
     },
 };
 
@@ -26,8 +26,8 @@ pub struct Exponent {
     pub second_half: f64,
     /// Impacts passed.
     pub impacts: u64,
-    /// [`End::Reached`], or why the run was shorter than asked for.
-    pub end: End,
+    /// [`RunEnd::Reached`], or why the run was shorter than asked for.
+    pub end: RunEnd,
 }
 
 /// Into how many stretches a run is divided, if it has that many periods.
@@ -43,14 +43,14 @@ struct Carried<'a> {
     tangent: [f64; 2],
     state: State,
     now: Time,
-    end: End,
+    end: RunEnd,
 }
 
 impl Carried<'_> {
     /// The logarithm of the vector's growth up to `goal`.
     fn grow(&mut self, goal: Time) -> f64 {
         let mut growth = 0.0;
-        while self.end == End::Reached {
+        while self.end == RunEnd::Reached {
             let event = self.run.next(goal);
             let then = event.time().unwrap_or(self.run.time());
             let flow = self.simulator.flow();
@@ -62,14 +62,14 @@ impl Carried<'_> {
                     tangent = apply(&contact.saltation(flow, arrival), tangent);
                 }
                 Event::Stick(_) | Event::Release(_) => tangent = [0.0; 2],
-                Event::Tangency(_) | Event::End(End::Reached) => {}
+                Event::Tangency(_) | Event::End(RunEnd::Reached) => {}
                 Event::End(other) => self.end = other,
             }
             let size = tangent[0].hypot(tangent[1]);
             growth += size.ln();
             self.tangent = if size > 0.0 { tangent.map(|x| x / size) } else { tangent };
             (self.state, self.now) = (self.run.state(), self.run.time());
-            if event == Event::End(End::Reached) {
+            if event == Event::End(RunEnd::Reached) {
                 break;
             }
         }
@@ -95,8 +95,8 @@ pub fn lyapunov(
     }
     let later = |periods: u64| Time { period: time.period.saturating_add_unsigned(periods), ..time };
     let mut run = simulator.start(time, q, u)?;
-    let (mut end, mut passed) = (End::Reached, 0);
-    while passed < transient && end == End::Reached {
+    let (mut end, mut passed) = (RunEnd::Reached, 0);
+    while passed < transient && end == RunEnd::Reached {
         passed = (passed + CHUNK).min(transient);
         end = run.finish(later(passed));
         monitor.advance(0)?;
@@ -112,7 +112,7 @@ pub fn lyapunov(
     for i in 1..=count {
         let (begin, mut growth) = (carried.now, 0.0);
         let mut at = goal(i - 1);
-        while at < goal(i) && carried.end == End::Reached {
+        while at < goal(i) && carried.end == RunEnd::Reached {
             at = (at + CHUNK).min(goal(i));
             growth += carried.grow(later(transient + at));
             monitor.advance(0)?;

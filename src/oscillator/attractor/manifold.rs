@@ -13,9 +13,9 @@ use crate::{
     monitor::Monitor,
     oscillator::{
         Harmonic, System, Time, Wall,
-        algebra::{IDENTITY, Matrix, product, trace},
+        algebra::{IDENTITY, Matrix2, product, trace},
         flow::Flow,
-        simulate::{End, Event, Simulator},
+        simulate::{Event, RunEnd, Simulator},
     },
 };
 
@@ -62,7 +62,7 @@ pub fn unstable_manifold(
         let mut run = simulator.start(Time::new(0, phase), q, u).ok()?;
         let end = run.finish(Time::new(rounds.into(), phase));
         let state = run.state();
-        (end == End::Reached).then_some([state.q, state.u])
+        (end == RunEnd::Reached).then_some([state.q, state.u])
     };
     let at = |offset: f64| [saddle[0] + offset * direction[0], saddle[1] + offset * direction[1]];
     let far = |a: [f64; 2], b: [f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]) > plan.step;
@@ -116,7 +116,7 @@ pub fn return_map(
     phase: f64,
     periods: u32,
     [q, u]: [f64; 2],
-) -> Result<([f64; 2], Matrix)> {
+) -> Result<([f64; 2], Matrix2)> {
     let goal = Time::new(periods.into(), phase);
     let mut run = simulator.start(Time::new(0, phase), q, u)?;
     let (mut state, mut now, mut matrix) = (run.state(), run.time(), IDENTITY);
@@ -132,7 +132,7 @@ pub fn return_map(
             }
             Event::Stick(_) | Event::Release(_) => matrix = [[0.0; 2]; 2],
             Event::Tangency(_) => {}
-            Event::End(End::Reached) => {
+            Event::End(RunEnd::Reached) => {
                 let state = run.state();
                 return Ok(([state.q, state.u], matrix));
             }
@@ -143,7 +143,7 @@ pub fn return_map(
 }
 
 /// The multiplier beyond ±1 and its unit eigenvector.
-fn expanding(m: &Matrix) -> Result<(f64, [f64; 2])> {
+fn expanding(m: &Matrix2) -> Result<(f64, [f64; 2])> {
     let (half, det) = (trace(m) / 2.0, m[0][0] * m[1][1] - m[0][1] * m[1][0]);
     let root = (half * half - det).sqrt();
     let expansion = half + if half < 0.0 { -root } else { root };

@@ -2,7 +2,7 @@
 
 use crate::oscillator::{
     Time,
-    simulate::{End, Run},
+    simulate::{Run, RunEnd},
 };
 
 /// A point of the section.
@@ -19,14 +19,14 @@ pub struct SectionPoint {
 }
 
 /// Shows the next `count` points at `phase` ∈ [0, 2π), the first strictly later than the run's time; false from `each` ends it early.
-/// Returns [`End::Reached`] unless the run ended by itself.
-pub fn section(run: &mut Run, phase: f64, count: u64, mut each: impl FnMut(SectionPoint) -> bool) -> End {
+/// Returns [`RunEnd::Reached`] unless the run ended by itself.
+pub fn section(run: &mut Run, phase: f64, count: u64, mut each: impl FnMut(SectionPoint) -> bool) -> RunEnd {
     let now = run.time();
     let mut next = Time::new(now.period + i64::from(now.phase >= phase), phase);
     for _ in 0..count {
         let before = run.impacts();
         let end = run.finish(next);
-        if end != End::Reached {
+        if end != RunEnd::Reached {
             return end;
         }
         let state = run.state();
@@ -40,5 +40,5 @@ pub fn section(run: &mut Run, phase: f64, count: u64, mut each: impl FnMut(Secti
         }
         next.period += 1;
     }
-    End::Reached
+    RunEnd::Reached
 }

@@ -4,8 +4,8 @@ use std::f64::consts::TAU;
 
 use super::{
     Bifurcation, Degeneracy, Options, Orbits, Singularity, crossing,
-    curve::{Curve, Foot, difference, norm},
-    follow::{End, Followed, Step, follow},
+    curve::{Curve, CurvePoint, difference, norm},
+    follow::{CurveEnd, Followed, Step, follow},
 };
 use crate::{
     error::{Error, Result},
@@ -14,13 +14,13 @@ use crate::{
 
 /// A point of a branch.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Point {
+pub struct BranchOrbit {
     /// The parameter; for events followed in two, both.
     pub parameters: Vec<f64>,
     /// The orbit, with multipliers, admissibility and residual.
     pub orbit: Orbit,
     /// The unknowns and the tangent.
-    pub foot: Foot,
+    pub place: CurvePoint,
     /// The branch's direction: of the unknowns, then of the parameters as they are, to any length.
     pub tangent: Vec<f64>,
     /// What happens here; none of it if it is of codimension two.
@@ -41,9 +41,9 @@ pub struct Branch {
     /// The pattern.
     pub itinerary: Itinerary,
     /// The points.
-    pub points: Vec<Point>,
+    pub points: Vec<BranchOrbit>,
     /// Why there are none before the first and after the last.
-    pub ends: [End; 2],
+    pub ends: [CurveEnd; 2],
 }
 
 /// Which way to follow a curve from its start.
@@ -97,7 +97,7 @@ impl OrbitCurve for Orbits<'_> {
     }
 }
 
-impl Point {
+impl BranchOrbit {
     /// The name of what happens here.
     pub fn kind(&self) -> Option<&'static str> {
         self.event.map(Bifurcation::name).or(self.degeneracy.map(Degeneracy::name))
@@ -116,13 +116,13 @@ impl Branch {
     /// Those of [`follow`].
     pub fn follow(
         curve: &impl OrbitCurve,
-        start: &Foot,
+        start: &CurvePoint,
         direction: Direction,
         options: &Options,
     ) -> Result<Branch> {
         let units = curve.units();
         let point = |step: Step<Orbit>, sign: f64| {
-            let mut tangent = step.foot.tangent.clone();
+            let mut tangent = step.place.tangent.clone();
             let first = tangent.len() - units.len();
             tangent[first..].iter_mut().zip(&units).for_each(|(t, unit)| *t *= unit);
             let (event, degeneracy) = match step.event.map(|monitor| curve.singularity(monitor)) {
@@ -130,10 +130,10 @@ impl Branch {
                 Some(Singularity::Degeneracy(what)) => (None, Some(what)),
                 None => (None, None),
             };
-            Point {
-                parameters: curve.parameters(&step.foot.u),
+            BranchOrbit {
+                parameters: curve.parameters(&step.place.u),
                 orbit: step.view,
-                foot: step.foot,
+                place: step.place,
                 tangent,
                 event,
                 degeneracy,
@@ -145,12 +145,12 @@ impl Branch {
             subject: curve.subject(),
             itinerary: curve.itinerary().clone(),
             points: Vec::new(),
-            ends: [End::Start, End::Start],
+            ends: [CurveEnd::Start, CurveEnd::Start],
         };
         if direction != Direction::Forward {
             let (steps, end) = follow(curve, start.reversed(), options)?;
             branch.points.extend(steps.into_iter().rev().map(|mut step| {
-                step.foot = step.foot.reversed();
+                step.place = step.place.reversed();
                 point(step, -1.0)
             }));
             if direction == Direction::Both {
@@ -158,7 +158,7 @@ impl Branch {
             }
             branch.ends[0] = end;
         }
-        if direction != Direction::Backward && branch.ends[0] != End::Closed {
+        if direction != Direction::Backward && branch.ends[0] != CurveEnd::Closed {
             let (steps, end) = follow(curve, start.clone(), options)?;
             branch.points.extend(steps.into_iter().map(|step| point(step, 1.0)));
             branch.ends[1] = end;
@@ -174,7 +174,7 @@ impl Branch {
     }
 
     /// The events with their labels.
-    pub fn labels(&self) -> Vec<(&str, &Point)> {
+    pub fn labels(&self) -> Vec<(&str, &BranchOrbit)> {
         self.points.iter().filter_map(|point| Some((point.label.as_deref()?, point))).collect()
     }
 
@@ -192,7 +192,7 @@ impl Branch {
             };
             (0..orbit.z.len()).map(|i| apart(i).powi(2)).sum::<f64>().sqrt()
         };
-        let same = |pair: &[Point]| {
+        let same = |pair: &[BranchOrbit]| {
             let [a, b] = [&pair[0], &pair[1]];
             let part = (parameter - a.parameters[0]) / (b.parameters[0] - a.parameters[0]);
             let chord = norm(&difference(&b.orbit.z, &a.orbit.z));
@@ -205,7 +205,7 @@ impl Branch {
     ///
     /// # Errors
     /// An input error that lists the labels there are.
-    pub fn labelled(&self, label: &str) -> Result<&Point> {
+    pub fn labelled(&self, label: &str) -> Result<&BranchOrbit> {
         let labels = self.labels();
         labels.iter().find(|(name, _)| *name == label).map(|(_, point)| *point).ok_or_else(|| {
             let names: Vec<&str> = labels.iter().map(|(name, _)| *name).collect();
@@ -214,11 +214,11 @@ impl Branch {
     }
 }
 
-impl Foot {
+impl CurvePoint {
     /// The same point, looking back.
     #[must_use]
-    pub fn reversed(&self) -> Foot {
-        Foot { tangent: self.tangent.iter().map(|t| -t).collect(), ..self.clone() }
+    pub fn reversed(&self) -> CurvePoint {
+        CurvePoint { tangent: self.tangent.iter().map(|t| -t).collect(), ..self.clone() }
     }
 }
 
@@ -227,7 +227,7 @@ impl<'a> Orbits<'a> {
     ///
     /// # Errors
     /// Those of [`find`]; an input error at a saddle-node, or outside the range.
-    pub fn start(&self, guess: Vec<f64>, parameter: f64, options: &Options) -> Result<Foot> {
+    pub fn start(&self, guess: Vec<f64>, parameter: f64, options: &Options) -> Result<CurvePoint> {
         if !self.contains(parameter) {
             let (low, high) = self.range();
             return Err(Error::input(format!(
@@ -235,20 +235,20 @@ impl<'a> Orbits<'a> {
             )));
         }
         let orbit = find(&self.family.at(parameter)?, &self.itinerary, guess)?;
-        self.foot(&self.unknowns(&orbit.z, parameter), options)
+        self.place(&self.unknowns(&orbit.z, parameter), options)
     }
 
     /// The point of the curve at u, or so near as rounding is, wherever on the curve it is: at a saddle-node too.
-    pub(super) fn foot(&self, u: &[f64], options: &Options) -> Result<Foot> {
+    pub(super) fn place(&self, u: &[f64], options: &Options) -> Result<CurvePoint> {
         // At a saddle-node the parameter must be free: any direction that is not normal to the curve fixes the point.
         let (corrector, last) = (options.corrector(), u.len() - 1);
-        let near = |foot: &Foot| foot.u.iter().zip(u).all(|(a, b)| (a - b).abs() < 1e-6);
+        let near = |place: &CurvePoint| place.u.iter().zip(u).all(|(a, b)| (a - b).abs() < 1e-6);
         let mut failure = None;
         for fixed in [last, 1, 0] {
             match corrector.start(self, u, fixed) {
-                Ok(foot) if near(&foot) => {
-                    let back = foot.tangent[last] < 0.0;
-                    return Ok(if back { foot.reversed() } else { foot });
+                Ok(place) if near(&place) => {
+                    let back = place.tangent[last] < 0.0;
+                    return Ok(if back { place.reversed() } else { place });
                 }
                 Ok(_) => {}
                 Err(error) => failure = Some(error),
@@ -262,11 +262,11 @@ impl<'a> Orbits<'a> {
     ///
     /// # Errors
     /// An input error at any other point, or where the two branches' tangents cannot be told apart.
-    pub fn switch(&self, what: Bifurcation, at: &Foot) -> Result<(Orbits<'a>, Foot)> {
+    pub fn switch(&self, what: Bifurcation, at: &CurvePoint) -> Result<(Orbits<'a>, CurvePoint)> {
         match what {
             Bifurcation::Crossing => {
                 let found = crossing::locate(self, at)?;
-                Ok((self.clone(), Foot { tangent: found.other, ..found.foot }))
+                Ok((self.clone(), CurvePoint { tangent: found.other, ..found.place }))
             }
             Bifurcation::Flip => {
                 let copies = if self.itinerary.strikes().is_empty() { 1 } else { 2 };
@@ -278,7 +278,7 @@ impl<'a> Orbits<'a> {
                 let (u, old) = (twice(&at.u), twice(&at.tangent));
                 let tangent = crossing::kernel(&born.equations(&u)?.jacobian, &old)
                     .ok_or_else(|| Error::input("no second tangent here"))?;
-                Ok((born, Foot { u, tangent, residual: at.residual, steps: at.steps }))
+                Ok((born, CurvePoint { u, tangent, residual: at.residual, steps: at.steps }))
             }
             other => Err(Error::input(format!("no branch to switch to at a {}", other.name()))),
         }

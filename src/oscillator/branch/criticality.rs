@@ -2,7 +2,7 @@
 
 use super::Bifurcation;
 use crate::oscillator::{
-    algebra::{Matrix, apply, determinant, product},
+    algebra::{Matrix2, apply, determinant, product},
     orbit::{Criticality, Derivatives, Orbit, Oscillator, Unknowns, return_map},
 };
 
@@ -111,7 +111,7 @@ fn parameter_shift(oscillator: &Oscillator, orbit: &Orbit) -> Option<[f64; 2]> {
     Some(shift)
 }
 
-fn inverse(m: &Matrix) -> Option<Matrix> {
+fn inverse(m: &Matrix2) -> Option<Matrix2> {
     let det = determinant(m);
     (det != 0.0).then(|| [[m[1][1] / det, -m[0][1] / det], [-m[1][0] / det, m[0][0] / det]])
 }

@@ -4,7 +4,7 @@
 //! system F(u) + µψ = 0, J(u)ᵀψ = 0, |ψ|² = 1 in (u, µ, ψ) is regular at a simple crossing and gives it with µ = 0 (G. Moore,
 //! SIAM J. Numer. Anal. 17 (1980) 567–576). The tangents are the roots of the quadratic form ψ·F″ on J's kernel.
 
-use super::curve::{Curve, Foot, difference, dot, largest, norm};
+use super::curve::{Curve, CurvePoint, difference, dot, largest, norm};
 use crate::{
     error::{Error, Result},
     oscillator::algebra::solve,
@@ -14,7 +14,7 @@ use crate::{
 #[derive(Debug, Clone)]
 pub struct Crossing {
     /// The point, its tangent that of the curve it was found on.
-    pub foot: Foot,
+    pub place: CurvePoint,
     /// The unit tangent of the other curve.
     pub other: Vec<f64>,
 }
@@ -24,11 +24,11 @@ const DIFFERENCE: f64 = 6e-6;
 
 /// Whether J is so nearly of rank n − 1 at a point that curves cross there or close by: the least singular value of J
 /// with the tangent, to within a factor √n.
-pub fn is_near(curve: &impl Curve, foot: &Foot) -> Result<bool> {
-    let mut matrix = curve.equations(&foot.u)?.jacobian;
+pub fn is_near(curve: &impl Curve, place: &CurvePoint) -> Result<bool> {
+    let mut matrix = curve.equations(&place.u)?.jacobian;
     let scale = matrix.iter().fold(1.0, |most: f64, row| most.max(largest(row)));
-    matrix.push(foot.tangent.clone());
-    let right = generic(foot.u.len());
+    matrix.push(place.tangent.clone());
+    let right = generic(place.u.len());
     Ok(solve(matrix, right).is_none_or(|x| norm(&x) * 1e-5 * scale >= 1.0))
 }
 
@@ -36,7 +36,7 @@ pub fn is_near(curve: &impl Curve, foot: &Foot) -> Result<bool> {
 ///
 /// # Errors
 /// An input error if there is none: Newton's method does not end, or the tangents are not two.
-pub fn locate(curve: &impl Curve, near: &Foot) -> Result<Crossing> {
+pub fn locate(curve: &impl Curve, near: &CurvePoint) -> Result<Crossing> {
     let failed = || Error::input("no crossing of two branches here");
     let size = near.u.len();
     let n = size - 1;
@@ -79,7 +79,7 @@ pub fn locate(curve: &impl Curve, near: &Foot) -> Result<Crossing> {
                 return Err(failed());
             }
             let [tangent, other] = tangents(curve, &u, &psi, &near.tangent)?;
-            return Ok(Crossing { foot: Foot { u, tangent, residual, steps }, other });
+            return Ok(Crossing { place: CurvePoint { u, tangent, residual, steps }, other });
         }
         last = length;
     }

@@ -27,7 +27,7 @@ pub trait Curve {
 
 /// A point of a curve with the unit tangent there.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Foot {
+pub struct CurvePoint {
     /// The unknowns.
     pub u: Vec<f64>,
     /// The tangent, pointing the way the curve is followed.
@@ -57,7 +57,7 @@ impl Corrector {
     ///
     /// # Errors
     /// An input error where the equations are not defined, or if Newton's method does not end.
-    pub fn correct(&self, curve: &impl Curve, guess: &[f64], normal: &[f64]) -> Result<Foot> {
+    pub fn correct(&self, curve: &impl Curve, guess: &[f64], normal: &[f64]) -> Result<CurvePoint> {
         let (mut u, mut last) = (guess.to_vec(), f64::INFINITY);
         for steps in 1..=self.steps {
             let here = curve.equations(&u)?;
@@ -73,19 +73,19 @@ impl Corrector {
                 let there = curve.equations(&u)?;
                 let residual = largest(&there.residual);
                 let tangent = tangent(there.jacobian, normal)?;
-                return Ok(Foot { u, tangent, residual, steps });
+                return Ok(CurvePoint { u, tangent, residual, steps });
             }
         }
         Err(Error::input(format!("Newton's method did not end in {} steps", self.steps)))
     }
 
-    /// The point a step `h` on from `foot`.
+    /// The point a step `h` on from `place`.
     ///
     /// # Errors
     /// As [`Corrector::correct`].
-    pub fn step(&self, curve: &impl Curve, foot: &Foot, h: f64) -> Result<Foot> {
-        let guess: Vec<f64> = foot.u.iter().zip(&foot.tangent).map(|(u, t)| u + h * t).collect();
-        self.correct(curve, &guess, &foot.tangent)
+    pub fn step(&self, curve: &impl Curve, place: &CurvePoint, h: f64) -> Result<CurvePoint> {
+        let guess: Vec<f64> = place.u.iter().zip(&place.tangent).map(|(u, t)| u + h * t).collect();
+        self.correct(curve, &guess, &place.tangent)
     }
 
     /// The point of the curve nearest to `guess`, as far as Newton's method can tell that does not know the tangent yet: the
@@ -93,7 +93,7 @@ impl Corrector {
     ///
     /// # Errors
     /// As [`Corrector::correct`].
-    pub fn start(&self, curve: &impl Curve, guess: &[f64], fixed: usize) -> Result<Foot> {
+    pub fn start(&self, curve: &impl Curve, guess: &[f64], fixed: usize) -> Result<CurvePoint> {
         let mut normal = vec![0.0; guess.len()];
         normal[fixed] = 1.0;
         self.correct(curve, guess, &normal)

@@ -2,7 +2,7 @@
 
 use super::{
     Options,
-    curve::{Corrector, Curve, Foot, difference, dot, norm},
+    curve::{Corrector, Curve, CurvePoint, difference, dot, norm},
 };
 use crate::error::{Error, Result};
 
@@ -15,10 +15,10 @@ pub trait Followed: Curve {
     ///
     /// # Errors
     /// An input error where that is not possible; the step is then halved.
-    fn view(&self, foot: &Foot) -> Result<Self::View>;
+    fn view(&self, place: &CurvePoint) -> Result<Self::View>;
 
     /// Functions along the curve, as many at every point: where one changes sign is an event. `None` where one is not defined.
-    fn monitors(&self, foot: &Foot, view: &Self::View) -> Vec<Option<f64>>;
+    fn monitors(&self, place: &CurvePoint, view: &Self::View) -> Vec<Option<f64>>;
 
     /// Whether the point is what the curve is followed for. Where that changes, a monitor changes sign.
     fn holds(&self, view: &Self::View) -> bool;
@@ -30,19 +30,19 @@ pub trait Followed: Curve {
     ///
     /// # Errors
     /// An input error where the point cannot be looked at.
-    fn settle(&self, monitor: usize, foot: Foot, view: Self::View) -> Result<Settled<Self::View>> {
-        Ok(Some((monitor, foot, view)))
+    fn settle(&self, monitor: usize, place: CurvePoint, view: Self::View) -> Result<Settled<Self::View>> {
+        Ok(Some((monitor, place, view)))
     }
 }
 
 /// An event: the number of its monitor, the point, what is known of it.
-pub type Settled<V> = Option<(usize, Foot, V)>;
+pub type Settled<V> = Option<(usize, CurvePoint, V)>;
 
 /// A point that the curve was followed through.
 #[derive(Debug, Clone)]
 pub struct Step<V> {
     /// The point.
-    pub foot: Foot,
+    pub place: CurvePoint,
     /// What is known of it.
     pub view: V,
     /// The number of the monitor that is zero here.
@@ -53,7 +53,7 @@ pub struct Step<V> {
 
 /// Why a curve was followed no further.
 #[derive(Debug, Clone, PartialEq)]
-pub enum End {
+pub enum CurveEnd {
     /// An unknown is at its bound.
     Bound,
     /// The curve is no longer what it was followed for.
@@ -77,7 +77,11 @@ pub enum End {
 ///
 /// # Errors
 /// An input error if the start itself cannot be looked at.
-pub fn follow<C: Followed>(curve: &C, start: Foot, options: &Options) -> Result<(Vec<Step<C::View>>, End)> {
+pub fn follow<C: Followed>(
+    curve: &C,
+    start: CurvePoint,
+    options: &Options,
+) -> Result<(Vec<Step<C::View>>, CurveEnd)> {
     follow_until(curve, start, options, |_| None)
 }
 
@@ -87,18 +91,18 @@ pub fn follow<C: Followed>(curve: &C, start: Foot, options: &Options) -> Result<
 /// As [`follow`].
 pub fn follow_until<C: Followed>(
     curve: &C,
-    start: Foot,
+    start: CurvePoint,
     options: &Options,
-    stop: impl Fn(&Step<C::View>) -> Option<End>,
-) -> Result<(Vec<Step<C::View>>, End)> {
+    stop: impl Fn(&Step<C::View>) -> Option<CurveEnd>,
+) -> Result<(Vec<Step<C::View>>, CurveEnd)> {
     let view = curve.view(&start)?;
     let origin = start.clone();
     let mut walk = Walk { curve, corrector: options.corrector(), options };
-    let mut steps = vec![Step { foot: start, view, event: None, length: 0.0 }];
+    let mut steps = vec![Step { place: start, view, event: None, length: 0.0 }];
     let (mut h, mut points, mut first) = (options.step, 1u32, FirstStep::Shorter);
     loop {
         if points == options.points {
-            return Ok((steps, End::Points));
+            return Ok((steps, CurveEnd::Points));
         }
         let here = steps.last().unwrap_or_else(|| unreachable!("the start is there"));
         let (new, next, end) = match walk.advance(here, h) {
@@ -112,20 +116,20 @@ pub fn follow_until<C: Followed>(
                     h /= 2.0;
                     continue;
                 }
-                None => return Ok((steps, End::Lost(error.to_string()))),
+                None => return Ok((steps, CurveEnd::Lost(error.to_string()))),
             },
         };
         // A start inside the step just made, and close to the curve there: the curve is closed.
-        if let Some(Step { foot: to, .. }) = new.last()
+        if let Some(Step { place: to, .. }) = new.last()
             && points > 2
         {
-            let from = &here.foot;
+            let from = &here.place;
             let back = difference(&origin.u, &from.u);
             let ahead = dot(&back, &from.tangent);
             if ahead > 0.0 && dot(&difference(&to.u, &origin.u), &from.tangent) >= 0.0 {
                 let there = walk.corrector.step(curve, from, ahead)?;
                 if norm(&difference(&there.u, &origin.u)) < 1e-6 * (1.0 + norm(&origin.u)) {
-                    return Ok((steps, End::Closed));
+                    return Ok((steps, CurveEnd::Closed));
                 }
             }
         }
@@ -172,47 +176,47 @@ struct Walk<'a, C> {
 }
 
 /// The new points of a step, the length to try next, and the end if it came.
-type Advance<V> = (Vec<Step<V>>, f64, Option<End>);
+type Advance<V> = (Vec<Step<V>>, f64, Option<CurveEnd>);
 
 impl<C: Followed> Walk<'_, C> {
     fn advance(&mut self, here: &Step<C::View>, h: f64) -> Result<Advance<C::View>> {
-        let mut foot = self.corrector.step(self.curve, &here.foot, h)?;
-        let turned = dot(&foot.tangent, &here.foot.tangent).clamp(-1.0, 1.0).acos();
+        let mut place = self.corrector.step(self.curve, &here.place, h)?;
+        let turned = dot(&place.tangent, &here.place.tangent).clamp(-1.0, 1.0).acos();
         if turned > self.options.turn {
             return Err(Error::input(format!("the curve turns by {turned:.2} within the shortest step")));
         }
         let (mut reach, mut end) = (h, None);
         for (unknown, low, high) in self.curve.bounds() {
-            let (before, after) = (here.foot.u[unknown], foot.u[unknown]);
+            let (before, after) = (here.place.u[unknown], place.u[unknown]);
             let bound = if after < low && low < before {
                 low
             } else if after > high && high > before {
                 high
             } else if (before <= low && after < before) || (before >= high && after > before) {
                 // It starts at the bound and leads out.
-                return Ok((vec![], h, Some(End::Bound)));
+                return Ok((vec![], h, Some(CurveEnd::Bound)));
             } else {
                 continue;
             };
             let past = |h: f64| {
-                let foot = self.corrector.step(self.curve, &here.foot, h)?;
-                Ok((Some(foot.u[unknown] - bound), foot))
+                let place = self.corrector.step(self.curve, &here.place, h)?;
+                Ok((Some(place.u[unknown] - bound), place))
             };
             let (at, found) = root(past, (0.0, before - bound), (reach, after - bound));
             let mut found = found.ok_or_else(|| Error::input("no point at the bound"))?;
             found.u[unknown] = bound;
-            (reach, foot, end) = (at, found, Some(End::Bound));
+            (reach, place, end) = (at, found, Some(CurveEnd::Bound));
         }
-        let view = self.curve.view(&foot)?;
-        let mut events = self.events(here, &foot, &view, reach)?;
+        let view = self.curve.view(&place)?;
+        let mut events = self.events(here, &place, &view, reach)?;
         events.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let (mut steps, foot_end) = (Vec::new(), foot.clone());
-        let length = |foot: &Foot| here.length + norm(&difference(&foot.u, &here.foot.u));
+        let (mut steps, foot_end) = (Vec::new(), place.clone());
+        let length = |place: &CurvePoint| here.length + norm(&difference(&place.u, &here.place.u));
         for index in 0..events.len() {
-            let (at, event, foot) = events[index].clone();
-            let view = self.curve.view(&foot)?;
-            if let Some((event, foot, view)) = self.curve.settle(event, foot, view)? {
-                let step = Step { length: length(&foot), foot, view, event: Some(event) };
+            let (at, event, place) = events[index].clone();
+            let view = self.curve.view(&place)?;
+            if let Some((event, place, view)) = self.curve.settle(event, place, view)? {
+                let step = Step { length: length(&place), place, view, event: Some(event) };
                 // Two monitors may vanish together at one event.
                 if !steps.iter().any(|known: &Step<C::View>| same(known, &step)) {
                     steps.push(step);
@@ -220,38 +224,38 @@ impl<C: Followed> Walk<'_, C> {
             }
             // What holds after the event is asked halfway to the next.
             let beyond = events.get(index + 1).map_or(reach, |next| next.0);
-            let middle = self.between(&here.foot, &foot_end, reach, at + (beyond - at) / 2.0)?;
+            let middle = self.between(&here.place, &foot_end, reach, at + (beyond - at) / 2.0)?;
             if !self.options.beyond && !self.curve.holds(&self.curve.view(&middle)?) {
-                return Ok((steps, h, Some(End::Fails)));
+                return Ok((steps, h, Some(CurveEnd::Fails)));
             }
         }
         if !self.options.beyond && !self.curve.holds(&view) {
             if here.length == 0.0 && h / 2.0 < self.options.least_step {
-                return Ok((vec![], h, Some(End::Fails)));
+                return Ok((vec![], h, Some(CurveEnd::Fails)));
             }
             return Err(Error::input("the curve ceases to be what it was, and no event says why"));
         }
         // Four Newton steps are about right, and a turn of half of what is allowed.
-        let wanted = 2f64.powf((4.0 - f64::from(foot.steps)) / 2.0);
+        let wanted = 2f64.powf((4.0 - f64::from(place.steps)) / 2.0);
         let straight = 0.7 * self.options.turn / turned.max(1e-9);
         let next =
             (h * wanted.min(straight).clamp(0.3, 2.0)).clamp(self.options.least_step, self.options.most_step);
-        steps.push(Step { length: length(&foot), foot, view, event: None });
+        steps.push(Step { length: length(&place), place, view, event: None });
         Ok((steps, next, end))
     }
 
     /// The point at h of a step that led from a to b, guessed so near that Newton's method keeps to this curve where another crosses.
-    fn between(&self, a: &Foot, b: &Foot, reach: f64, h: f64) -> Result<Foot> {
+    fn between(&self, a: &CurvePoint, b: &CurvePoint, reach: f64, h: f64) -> Result<CurvePoint> {
         self.corrector.correct(self.curve, &cubic(a, b, h / reach), &a.tangent)
     }
 
     /// The zero of a function close to h, where the equations are so nearly singular that no point can be had: from the points on either side.
     fn across(
         &self,
-        at: impl Fn(f64) -> Result<(Option<f64>, Foot)>,
+        at: impl Fn(f64) -> Result<(Option<f64>, CurvePoint)>,
         h: f64,
         reach: f64,
-    ) -> Result<(f64, Foot)> {
+    ) -> Result<(f64, CurvePoint)> {
         let aside = 1e-2 * reach;
         let ((Some(x), a), (Some(y), b)) = (at(h - aside)?, at(h + aside)?) else {
             return Err(Error::input("an event where it is not defined"));
@@ -263,43 +267,43 @@ impl<C: Followed> Walk<'_, C> {
         let length = norm(&tangent);
         tangent.iter_mut().for_each(|t| *t /= length);
         let residual = self.curve.equations(&u)?.residual.iter().fold(0.0, |most: f64, f| most.max(f.abs()));
-        Ok((h + aside * (2.0 * part - 1.0), Foot { u, tangent, residual, steps: 0 }))
+        Ok((h + aside * (2.0 * part - 1.0), CurvePoint { u, tangent, residual, steps: 0 }))
     }
 
     /// The events within `reach` of a point: (how far, which, where).
     fn events(
         &self,
         here: &Step<C::View>,
-        foot: &Foot,
+        place: &CurvePoint,
         view: &C::View,
         reach: f64,
-    ) -> Result<Vec<(f64, usize, Foot)>> {
-        let after = self.curve.monitors(foot, view);
-        let at = |which: usize, h: f64| -> Result<(Option<f64>, Foot)> {
-            let foot = self.between(&here.foot, foot, reach, h)?;
-            let view = self.curve.view(&foot)?;
-            Ok((self.curve.monitors(&foot, &view)[which], foot))
+    ) -> Result<Vec<(f64, usize, CurvePoint)>> {
+        let after = self.curve.monitors(place, view);
+        let at = |which: usize, h: f64| -> Result<(Option<f64>, CurvePoint)> {
+            let place = self.between(&here.place, place, reach, h)?;
+            let view = self.curve.view(&place)?;
+            Ok((self.curve.monitors(&place, &view)[which], place))
         };
         // A start may be an event itself, or where curves meet: then it is looked at from a little further on, where the signs of
         // what vanishes there are certain.
-        let mut before = self.curve.monitors(&here.foot, &here.view);
+        let mut before = self.curve.monitors(&here.place, &here.view);
         let vanishes = |value: &Option<f64>| value.is_some_and(|value| value.abs() < 1e-7);
         let mut first = 0.0;
         if here.length == 0.0 && before.iter().any(vanishes) {
             first = 1e-2 * reach;
-            let foot = self.between(&here.foot, foot, reach, first)?;
-            before = self.curve.monitors(&foot, &self.curve.view(&foot)?);
+            let place = self.between(&here.place, place, reach, first)?;
+            before = self.curve.monitors(&place, &self.curve.view(&place)?);
         }
-        let mut found: Vec<(f64, usize, Foot)> = Vec::new();
+        let mut found: Vec<(f64, usize, CurvePoint)> = Vec::new();
         let mut search = |which: usize, a: (f64, f64), b: (f64, f64)| -> Result<Option<f64>> {
             if !(a.1 * b.1 < 0.0 || b.1 == 0.0 && a.1 != 0.0) {
                 return Ok(None);
             }
-            let (h, foot) = match root(|h| at(which, h), a, b) {
-                (h, Some(foot)) => (h, foot),
+            let (h, place) = match root(|h| at(which, h), a, b) {
+                (h, Some(place)) => (h, place),
                 (h, None) => self.across(|h| at(which, h), h, reach)?,
             };
-            found.push((h, which, foot));
+            found.push((h, which, place));
             Ok(Some(h))
         };
         let mut limits: Option<(f64, f64)> = None;
@@ -335,11 +339,11 @@ impl<C: Followed> Walk<'_, C> {
 
 /// Whether two steps are the same event at the same point.
 fn same<V>(a: &Step<V>, b: &Step<V>) -> bool {
-    a.event == b.event && norm(&difference(&a.foot.u, &b.foot.u)) <= 1e-6 * (1.0 + norm(&a.foot.u))
+    a.event == b.event && norm(&difference(&a.place.u, &b.place.u)) <= 1e-6 * (1.0 + norm(&a.place.u))
 }
 
 /// The cubic through two points of a curve with their tangents, at the fraction s of the way.
-fn cubic(a: &Foot, b: &Foot, s: f64) -> Vec<f64> {
+fn cubic(a: &CurvePoint, b: &CurvePoint, s: f64) -> Vec<f64> {
     let reach = dot(&difference(&b.u, &a.u), &a.tangent);
     let slope = reach / dot(&a.tangent, &b.tangent);
     let at = |i: usize| {
@@ -352,20 +356,20 @@ fn cubic(a: &Foot, b: &Foot, s: f64) -> Vec<f64> {
 /// Where a function changes sign, by the Illinois rule with bisections: to a few units in the last place, with its
 /// argument's point; no point if the function fails there.
 fn root(
-    function: impl Fn(f64) -> Result<(Option<f64>, Foot)>,
+    function: impl Fn(f64) -> Result<(Option<f64>, CurvePoint)>,
     mut a: (f64, f64),
     mut b: (f64, f64),
-) -> (f64, Option<Foot>) {
+) -> (f64, Option<CurvePoint>) {
     let width = b.0 - a.0;
     let mut kept = None;
-    let mut best: (f64, f64, Option<Foot>) = (a.0, f64::INFINITY, None);
+    let mut best: (f64, f64, Option<CurvePoint>) = (a.0, f64::INFINITY, None);
     for round in 0..100 {
         let secant = b.0 - b.1 * (b.0 - a.0) / (b.1 - a.1);
         let inside = round % 8 < 7 && secant > a.0 && secant < b.0;
         let middle = if inside { secant } else { (a.0 + b.0) / 2.0 };
-        let Ok((Some(value), foot)) = function(middle) else { return (middle, None) };
+        let Ok((Some(value), place)) = function(middle) else { return (middle, None) };
         if value.abs() <= best.1 {
-            best = (middle, value.abs(), Some(foot));
+            best = (middle, value.abs(), Some(place));
         }
         if value == 0.0 || b.0 - a.0 <= 1e-15 * width || middle == a.0 || middle == b.0 {
             break;
@@ -382,17 +386,17 @@ fn root(
     (best.0, best.2)
 }
 
-impl std::fmt::Display for End {
+impl std::fmt::Display for CurveEnd {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.pad(match self {
-            End::Bound => "a parameter is at its bound",
-            End::Fails => "no orbit from here on",
-            End::Closed => "the branch is closed",
-            End::Points => "as many points as were allowed",
-            End::Start => "the start",
-            End::Found => "what was looked for",
-            End::Reach => "as far as was asked for",
-            End::Lost(why) => return write!(f, "lost: {why}"),
+            CurveEnd::Bound => "a parameter is at its bound",
+            CurveEnd::Fails => "no orbit from here on",
+            CurveEnd::Closed => "the branch is closed",
+            CurveEnd::Points => "as many points as were allowed",
+            CurveEnd::Start => "the start",
+            CurveEnd::Found => "what was looked for",
+            CurveEnd::Reach => "as far as was asked for",
+            CurveEnd::Lost(why) => return write!(f, "lost: {why}"),
         })
     }
 }

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::{Bifurcation, End, Followed, Foot, Options, Orbits, Step, follow::follow_until};
+use super::{Bifurcation, CurveEnd, CurvePoint, Followed, Options, Orbits, Step, follow::follow_until};
 use crate::{
     error::Result,
     oscillator::orbit::{Family, Orbit},
@@ -27,7 +27,7 @@ pub struct OneWay {
     /// Every bifurcation that was passed, with its parameter.
     pub passed: Vec<(Bifurcation, f64)>,
     /// Why it was followed no further.
-    pub end: End,
+    pub end: CurveEnd,
     /// The parameter there.
     pub parameter: f64,
     /// How far that is.
@@ -68,7 +68,7 @@ pub fn locate(
     options: &Options,
 ) -> Result<BranchSearch> {
     let orbits = Orbits::around(family, orbit.itinerary.clone(), parameter, reach);
-    let start = orbits.foot(&orbits.unknowns(&orbit.z, parameter), options)?;
+    let start = orbits.place(&orbits.unknowns(&orbit.z, parameter), options)?;
     let (mut nearest, mut sides) = (None::<Located>, Vec::new());
     for start in [start.reversed(), start] {
         let (side, found) = one_way(&orbits, start, bifurcation, reach, options)?;
@@ -88,15 +88,15 @@ pub fn locate(
 
 fn one_way(
     orbits: &Orbits,
-    start: Foot,
+    start: CurvePoint,
     bifurcation: Bifurcation,
     reach: f64,
     options: &Options,
 ) -> Result<(OneWay, Option<Located>)> {
     let wanted = |step: &Step<Orbit>| step.event.map(Bifurcation::of) == Some(bifurcation);
     let stop = |step: &Step<Orbit>| match () {
-        () if step.length > reach => Some(End::Reach),
-        () if wanted(step) => Some(End::Found),
+        () if step.length > reach => Some(CurveEnd::Reach),
+        () if wanted(step) => Some(CurveEnd::Found),
         () => None,
     };
     // A start that is the bifurcation itself is passed from a little behind it.
@@ -107,13 +107,17 @@ fn one_way(
     };
     let (steps, end) = follow_until(orbits, start, options, stop)?;
     let passed =
-        steps.iter().filter_map(|step| Some((Bifurcation::of(step.event?), orbits.parameter(&step.foot.u))));
+        steps.iter().filter_map(|step| Some((Bifurcation::of(step.event?), orbits.parameter(&step.place.u))));
     let last = steps.last().unwrap_or_else(|| unreachable!("the start is there"));
-    let (parameter, length) = (orbits.parameter(&last.foot.u), last.length);
+    let (parameter, length) = (orbits.parameter(&last.place.u), last.length);
     // At the parameter's bound it has gone as far as was asked for too.
-    let end = if end == End::Bound { End::Reach } else { end };
-    let found =
-        (end == End::Found).then(|| Located { bifurcation, parameter, orbit: last.view.clone(), length });
+    let end = if end == CurveEnd::Bound { CurveEnd::Reach } else { end };
+    let found = (end == CurveEnd::Found).then(|| Located {
+        bifurcation,
+        parameter,
+        orbit: last.view.clone(),
+        length,
+    });
     Ok((OneWay { passed: passed.collect(), end, parameter, length }, found))
 }
 
@@ -125,8 +129,10 @@ impl fmt::Display for Nothing {
             let OneWay { passed, end, parameter, length } = side;
             write!(f, "; {way} ")?;
             match (end, passed.last()) {
-                (End::Reach, _) => write!(f, "it goes on beyond reach = {} (at {parameter})", self.reach)?,
-                (End::Fails, Some((what, at))) => write!(f, "it ends in a {} at {at}", what.name())?,
+                (CurveEnd::Reach, _) => {
+                    write!(f, "it goes on beyond reach = {} (at {parameter})", self.reach)?
+                }
+                (CurveEnd::Fails, Some((what, at))) => write!(f, "it ends in a {} at {at}", what.name())?,
                 _ => write!(f, "it ends at {parameter} ({end})")?,
             }
             write!(f, ", {length:.3} along")?;
@@ -134,7 +140,7 @@ impl fmt::Display for Nothing {
                 write!(f, ", past a {} with another branch at {at}", what.name())?;
             }
         }
-        if self.sides.iter().any(|side| side.end == End::Reach) {
+        if self.sides.iter().any(|side| side.end == CurveEnd::Reach) {
             f.write_str("; a larger reach looks further")?;
         }
         Ok(())

@@ -17,13 +17,13 @@ mod plane;
 mod record;
 
 pub use bifurcation::{Bifurcation, Degeneracy, Singularity};
-pub use branch::{Branch, Direction, OrbitCurve, Point};
+pub use branch::{Branch, BranchOrbit, Direction, OrbitCurve};
 pub use criticality::{NormalForm, Sense};
-pub use curve::{Corrector, Curve, Equations, Foot};
-pub use follow::{End, Followed, Settled, Step, follow, follow_until};
+pub use curve::{Corrector, Curve, CurvePoint, Equations};
+pub use follow::{CurveEnd, Followed, Settled, Step, follow, follow_until};
 pub use locate::{BranchSearch, Located, Nothing, OneWay, locate};
 pub use options::Options;
 pub(crate) use options::with_options;
 pub use orbits::Orbits;
-pub use plane::{Events, Plane};
+pub use plane::{Events, TwoParameterFamily};
 pub use record::{Label, read_label, record};

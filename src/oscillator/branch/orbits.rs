@@ -2,7 +2,7 @@
 
 use super::{
     Bifurcation, crossing,
-    curve::{Curve, Equations, Foot},
+    curve::{Curve, CurvePoint, Equations},
     follow::{Followed, Settled},
 };
 use crate::{
@@ -85,18 +85,18 @@ impl Curve for Orbits<'_> {
 impl Followed for Orbits<'_> {
     type View = Orbit;
 
-    fn view(&self, foot: &Foot) -> Result<Orbit> {
-        let oscillator = self.family.at(self.parameter(&foot.u))?;
-        let z = foot.u[..foot.u.len() - 1].to_vec();
+    fn view(&self, place: &CurvePoint) -> Result<Orbit> {
+        let oscillator = self.family.at(self.parameter(&place.u))?;
+        let z = place.u[..place.u.len() - 1].to_vec();
         describe(
             &oscillator,
             &self.itinerary,
-            Root { z, residual: foot.residual, steps: foot.steps as usize },
+            Root { z, residual: place.residual, steps: place.steps as usize },
         )
     }
 
-    fn monitors(&self, foot: &Foot, orbit: &Orbit) -> Vec<Option<f64>> {
-        monitors(orbit, foot.tangent.last().copied())
+    fn monitors(&self, place: &CurvePoint, orbit: &Orbit) -> Vec<Option<f64>> {
+        monitors(orbit, place.tangent.last().copied())
     }
 
     fn holds(&self, orbit: &Orbit) -> bool {
@@ -108,21 +108,21 @@ impl Followed for Orbits<'_> {
     }
 
     /// Where branches cross both monitors of a multiplier 1 may vanish: the Jacobian's rank tells.
-    fn settle(&self, monitor: usize, mut foot: Foot, mut orbit: Orbit) -> Result<Settled<Orbit>> {
+    fn settle(&self, monitor: usize, mut place: CurvePoint, mut orbit: Orbit) -> Result<Settled<Orbit>> {
         let mut what = Bifurcation::of(monitor);
         if matches!(what, Bifurcation::SaddleNode | Bifurcation::Crossing) {
-            let crosses = crossing::is_near(self, &foot)?;
+            let crosses = crossing::is_near(self, &place)?;
             if crosses {
                 what = Bifurcation::Crossing;
-                if let Ok(found) = crossing::locate(self, &foot) {
-                    foot = found.foot;
-                    orbit = self.view(&foot)?;
+                if let Ok(found) = crossing::locate(self, &place) {
+                    place = found.place;
+                    orbit = self.view(&place)?;
                 }
             } else if what == Bifurcation::Crossing {
                 return Ok(None);
             }
         }
-        Ok(what.is_at(&orbit).then_some((what as usize, foot, orbit)))
+        Ok(what.is_at(&orbit).then_some((what as usize, place, orbit)))
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::{
     Bifurcation, Degeneracy, OrbitCurve, Singularity,
-    curve::{Curve, Equations, Foot},
+    curve::{Curve, CurvePoint, Equations},
     follow::{Followed, Settled},
     orbits::monitors,
 };
@@ -18,7 +18,7 @@ use crate::{
 };
 
 /// Oscillators that differ in two parameters.
-pub trait Plane: Sync {
+pub trait TwoParameterFamily: Sync {
     /// The oscillator at both values.
     ///
     /// # Errors
@@ -26,7 +26,7 @@ pub trait Plane: Sync {
     fn at(&self, parameters: [f64; 2]) -> Result<Oscillator>;
 }
 
-impl<F: Fn([f64; 2]) -> Result<Oscillator> + Sync> Plane for F {
+impl<F: Fn([f64; 2]) -> Result<Oscillator> + Sync> TwoParameterFamily for F {
     fn at(&self, parameters: [f64; 2]) -> Result<Oscillator> {
         self(parameters)
     }
@@ -36,7 +36,7 @@ impl<F: Fn([f64; 2]) -> Result<Oscillator> + Sync> Plane for F {
 /// fractions of their ranges.
 pub struct Events<'a> {
     /// The oscillators.
-    pub plane: &'a dyn Plane,
+    pub plane: &'a dyn TwoParameterFamily,
     /// The pattern.
     pub itinerary: Itinerary,
     /// What happens.
@@ -55,7 +55,7 @@ impl Events<'_> {
     ///
     /// # Errors
     /// An input error if Newton's method does not end, or outside the ranges.
-    pub fn start(&self, z: &[f64], parameters: [f64; 2], options: &super::Options) -> Result<Foot> {
+    pub fn start(&self, z: &[f64], parameters: [f64; 2], options: &super::Options) -> Result<CurvePoint> {
         let fraction = |i: usize| {
             let (low, high) = self.ranges[i];
             let at = (parameters[i] - low) / (high - low);
@@ -124,15 +124,15 @@ const DIFFERENCE: f64 = 6e-6;
 impl Followed for Events<'_> {
     type View = Orbit;
 
-    fn view(&self, foot: &Foot) -> Result<Orbit> {
-        let (z, parameters) = self.split(&foot.u);
-        let root = Root { z: z.to_vec(), residual: foot.residual, steps: foot.steps as usize };
+    fn view(&self, place: &CurvePoint) -> Result<Orbit> {
+        let (z, parameters) = self.split(&place.u);
+        let root = Root { z: z.to_vec(), residual: place.residual, steps: place.steps as usize };
         describe(&self.plane.at(parameters)?, &self.itinerary, root)
     }
 
     /// What makes a point one of codimension two, then the other bifurcations: points where two happen at once.
-    fn monitors(&self, foot: &Foot, orbit: &Orbit) -> Vec<Option<f64>> {
-        let mut all = self.degeneracies(foot, orbit);
+    fn monitors(&self, place: &CurvePoint, orbit: &Orbit) -> Vec<Option<f64>> {
+        let mut all = self.degeneracies(place, orbit);
         let mut others = monitors(orbit, None);
         match self.event {
             Bifurcation::Fade => others.truncate(Bifurcation::Fade as usize),
@@ -146,16 +146,16 @@ impl Followed for Events<'_> {
     }
 
     /// A degeneracy's function is zero at its zeros, and not just of two signs beside them.
-    fn settle(&self, monitor: usize, foot: Foot, orbit: Orbit) -> Result<Settled<Orbit>> {
+    fn settle(&self, monitor: usize, place: CurvePoint, orbit: Orbit) -> Result<Settled<Orbit>> {
         let genuine = match self.singularity(monitor) {
             Singularity::Degeneracy(what) => {
-                self.degeneracies(&foot, &orbit)[what as usize].is_some_and(|value| value.abs() <= 1e-6)
+                self.degeneracies(&place, &orbit)[what as usize].is_some_and(|value| value.abs() <= 1e-6)
             }
             Singularity::Bifurcation(what) => {
                 self.event == Bifurcation::Fade || what == Bifurcation::Fade || what.is_at(&orbit)
             }
         };
-        Ok(genuine.then_some((monitor, foot, orbit)))
+        Ok(genuine.then_some((monitor, place, orbit)))
     }
 
     /// At an event that ends a branch the orbit is just no orbit any more: here that does not count.
@@ -176,10 +176,10 @@ impl Followed for Events<'_> {
 impl Events<'_> {
     /// The functions whose zeros are of codimension two, in the order of [`Degeneracy::ALL`]; `None` where they are not
     /// defined or another curve's.
-    fn degeneracies(&self, foot: &Foot, orbit: &Orbit) -> Vec<Option<f64>> {
+    fn degeneracies(&self, place: &CurvePoint, orbit: &Orbit) -> Vec<Option<f64>> {
         let mut all = vec![None; Degeneracy::ALL.len()];
         let (trace, det) = (orbit.multipliers.trace, orbit.multipliers.determinant);
-        let oscillator = || self.plane.at(self.split(&foot.u).1).ok();
+        let oscillator = || self.plane.at(self.split(&place.u).1).ok();
         let expansion =
             || Some(Derivatives::of(&return_map(&oscillator()?, &self.itinerary, &orbit.z).ok()?));
         let mut set = |what: Degeneracy, value: Option<f64>| {
@@ -205,7 +205,7 @@ impl Events<'_> {
             }
             Bifurcation::Grazing => {
                 // Along the curve e dp + e′ dp′ = 0, with e′ that of the second parameter.
-                set(Degeneracy::NoDrift, foot.tangent.last().copied());
+                set(Degeneracy::NoDrift, place.tangent.last().copied());
                 let gamma = oscillator().and_then(|oscillator| LocalMap::of(&oscillator, orbit).ok());
                 set(Degeneracy::NoGamma, gamma.map(|map| map.gamma()));
                 // u_n without the factors that it shares with u_d, d a divisor of n.

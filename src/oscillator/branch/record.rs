@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 
 use super::{
     Bifurcation, Branch, OrbitCurve, Orbits, crossing,
-    curve::{Foot, norm},
+    curve::{CurvePoint, norm},
 };
 use crate::{
     error::{Error, Result},
@@ -83,10 +83,10 @@ pub fn read_label(text: &str, label: &str) -> Result<Label> {
         format: String,
         pattern: Vec<Struck>,
         period: u32,
-        points: Vec<Point>,
+        points: Vec<BranchOrbit>,
     }
     #[derive(Deserialize)]
-    struct Point {
+    struct BranchOrbit {
         label: Option<String>,
         parameters: Vec<f64>,
         unknowns: Vec<f64>,
@@ -123,7 +123,7 @@ impl Orbits<'_> {
     ///
     /// # Errors
     /// An input error if Newton's method does not come back to it, as when the scene has changed.
-    pub fn restart(&self, label: &Label, options: &super::Options) -> Result<Foot> {
+    pub fn restart(&self, label: &Label, options: &super::Options) -> Result<CurvePoint> {
         debug_assert_eq!(self.itinerary(), &label.itinerary);
         let u = self.unknowns(&label.z, label.parameters[0]);
         if !self.contains(label.parameters[0]) {
@@ -137,7 +137,7 @@ impl Orbits<'_> {
             error.context(format!("the {} is not on this branch; has the scene changed?", label.event.name()))
         };
         if label.event != Bifurcation::Crossing {
-            return self.foot(&u, options).map_err(gone);
+            return self.place(&u, options).map_err(gone);
         }
         // The tangent of the branch that the label is on tells it from the one that crosses.
         let mut tangent = label.tangent.clone();
@@ -145,7 +145,7 @@ impl Orbits<'_> {
         *last /= self.unit();
         let length = norm(&tangent);
         tangent.iter_mut().for_each(|x| *x /= length);
-        let near = Foot { u, tangent, residual: 0.0, steps: 0 };
-        Ok(crossing::locate(self, &near).map_err(gone)?.foot)
+        let near = CurvePoint { u, tangent, residual: 0.0, steps: 0 };
+        Ok(crossing::locate(self, &near).map_err(gone)?.place)
     }
 }

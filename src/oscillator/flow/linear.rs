@@ -1,6 +1,6 @@
 //! The linear flow in closed form: homogeneous motion by one exponential, plus one particular solution.
 
-use super::{Equation, Flow, Matrix, State, apply, response::Response};
+use super::{Equation, Flow, Matrix2, State, apply, response::Response};
 use crate::{
     error::{Error, Result},
     oscillator::System,
@@ -35,7 +35,7 @@ impl Linear {
     }
 
     /// E(duration).
-    pub fn matrix(&self, duration: f64) -> Matrix {
+    pub fn matrix(&self, duration: f64) -> Matrix2 {
         self.exponential.at(duration)
     }
 
@@ -68,7 +68,7 @@ impl Flow for Linear {
         self.advance_linearised(from, duration).0
     }
 
-    fn advance_linearised(&self, from: State, duration: f64) -> (State, Matrix) {
+    fn advance_linearised(&self, from: State, duration: f64) -> (State, Matrix2) {
         let matrix = self.matrix(duration);
         let t = from.t + duration;
         let (here, there) = (self.particular(from.t), self.particular(t));
@@ -107,7 +107,7 @@ impl Exponential {
     /// The matrix at t. With C = cos or cosh, S = sin or sinh over the root (t at a root of 0: near critical damping nothing cancels, both
     /// are entire in s − c²/4), it is e^{−ct/2} [[C + cS/2, S], [−sS, C − cS/2]]; far from critical damping by e^{λt} for each λ, so that neither
     /// overflow nor cancellation touches the slow one.
-    pub fn at(&self, t: f64) -> Matrix {
+    pub fn at(&self, t: f64) -> Matrix2 {
         let (c, s, angle) = (self.damping, self.stiffness, self.root * t);
         if !self.oscillates && angle.abs() > 0.5 {
             let [slow, fast] = self.real_eigenvalues();

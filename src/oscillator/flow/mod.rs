@@ -16,7 +16,7 @@ use super::{
     system::finite,
 };
 pub use super::{
-    algebra::Matrix,
+    algebra::Matrix2,
     system::{Flow, State},
 };
 use crate::error::Result;
@@ -66,7 +66,7 @@ impl Flow for Free {
         }
     }
 
-    fn advance_linearised(&self, from: State, duration: f64) -> (State, Matrix) {
+    fn advance_linearised(&self, from: State, duration: f64) -> (State, Matrix2) {
         match self {
             Free::Linear(flow) => flow.advance_linearised(from, duration),
             Free::Taylor(flow) => flow.advance_linearised(from, duration),

@@ -5,7 +5,7 @@
 //! below on whole intervals; the interpolants of Runge–Kutta codes are of lower order than their steps and have no such bound. Hence no
 //! integrator crate here.
 
-use super::{Equation, Flow, Matrix, State, product};
+use super::{Equation, Flow, Matrix2, State, product};
 use crate::{
     error::{Error, Result},
     oscillator::System,
@@ -96,7 +96,7 @@ impl Flow for Taylor {
         self.steps(from, duration, |_, _| {})
     }
 
-    fn advance_linearised(&self, from: State, duration: f64) -> (State, Matrix) {
+    fn advance_linearised(&self, from: State, duration: f64) -> (State, Matrix2) {
         let mut total = [[1.0, 0.0], [0.0, 1.0]];
         let n = self.order;
         let end = self.steps(from, duration, |_, step| {

@@ -6,7 +6,7 @@ use crate::{
     error::{Error, Result},
     local::{Plane, Region},
     oscillator::{
-        algebra::{Matrix, apply, product, resolve},
+        algebra::{Matrix2, apply, product, resolve},
         flow::Flow,
         orbit::{Itinerary, Leg, Multipliers, Oscillator, Unknowns},
     },
@@ -17,7 +17,7 @@ use crate::{
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LocalMap {
     /// A: the linearisation of the grazing orbit's full period, its other impacts included.
-    pub a: Matrix,
+    pub a: Matrix2,
     /// a₁ = λ₁ + λ₂ = tr A and a₂ = λ₁λ₂ = det A, the latter without cancellation.
     pub multipliers: Multipliers,
     /// a_G: the relative acceleration at the grazing point.
@@ -97,8 +97,8 @@ impl LocalMap {
     /// `None` on a singular boundary.
     pub fn leading(&self, periods: &[u64]) -> Option<f64> {
         let power = |n: u64| (0..n).fold([[1.0, 0.0], [0.0, 1.0]], |power, _| product(&self.a, &power));
-        let powers: Vec<Matrix> = periods.iter().map(|&n| power(n)).collect();
-        let x = |a: &Matrix| [-1.0, (a[0][0] - 1.0) / a[0][1]];
+        let powers: Vec<Matrix2> = periods.iter().map(|&n| power(n)).collect();
+        let x = |a: &Matrix2| [-1.0, (a[0][0] - 1.0) / a[0][1]];
         let product: f64 = (0..powers.len())
             .map(|i| {
                 let (a, next) = (&powers[i], &powers[(i + 1) % powers.len()]);

@@ -6,7 +6,7 @@ use crate::{
     oscillator::{
         algebra::apply,
         flow::{Flow, State},
-        orbit::{Family, Impact, Itinerary, Leg, Strike, Unknowns},
+        orbit::{Family, Itinerary, Leg, OrbitImpact, Strike, Unknowns},
     },
     pattern::Report,
 };
@@ -65,7 +65,7 @@ impl Grazing {
                     let Leg { matrix, slope, .. } = passage.fly();
                     let arrived = apply(&matrix, shift);
                     shift = [0, 1].map(|k| arrived[k] + slope[k] * away);
-                    let Impact { side, phase, speed } = passage.arrival;
+                    let OrbitImpact { side, phase, speed } = passage.arrival;
                     let there = &passage.there;
                     let [place, velocity] = [0, 1].map(|k| side.sign() * (shift[k] - there.slope[k] * away));
                     let delay = place / speed;

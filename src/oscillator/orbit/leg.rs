@@ -1,6 +1,6 @@
 //! What a passage between two impacts is made of: the motion without walls, and the wall at its end.
 
-use super::super::{Contact, algebra::Matrix, flow::State};
+use super::super::{Contact, algebra::Matrix2, flow::State};
 
 /// Where a motion without impacts leads, with derivatives at fixed times.
 #[derive(Debug, Clone, Copy)]
@@ -8,7 +8,7 @@ pub struct Leg {
     /// The state at its end.
     pub end: State,
     /// ∂(q, u)/∂(q₀, u₀).
-    pub matrix: Matrix,
+    pub matrix: Matrix2,
     /// ∂(q, u)/∂p.
     pub slope: [f64; 2],
 }

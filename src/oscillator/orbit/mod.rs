@@ -36,4 +36,4 @@ pub use passage::{Arrival, Passage, Unknowns};
 pub use return_map::{ReturnMap, return_map};
 pub use search::search;
 pub use single::SingleImpact;
-pub use solution::{Impact, Orbit, describe, find, monodromy};
+pub use solution::{Orbit, OrbitImpact, describe, find, monodromy};

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use super::{
-    super::algebra::{Matrix, trace},
+    super::algebra::{Matrix2, trace},
     Itinerary, Oscillator,
 };
 
@@ -19,7 +19,7 @@ pub struct Multipliers {
 impl Multipliers {
     /// Those of the monodromy matrix of an orbit. The determinant is exp(−damping · period) Π τ², which is exact where that of
     /// the matrix is lost by cancellation.
-    pub fn new(matrix: &Matrix, oscillator: &Oscillator, itinerary: &Itinerary) -> Multipliers {
+    pub fn new(matrix: &Matrix2, oscillator: &Oscillator, itinerary: &Itinerary) -> Multipliers {
         let decay = (-oscillator.system().damping * TAU * f64::from(itinerary.periods())).exp();
         let impacts = itinerary.strikes().iter().map(|strike| oscillator.restitution(strike.side).powi(2));
         Multipliers { trace: trace(matrix), determinant: decay * impacts.product::<f64>() }

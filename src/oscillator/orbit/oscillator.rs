@@ -5,7 +5,7 @@
 use super::{
     super::{
         Contact, Series, Side, System, Wall,
-        algebra::{IDENTITY, Matrix, apply, product},
+        algebra::{IDENTITY, Matrix2, apply, product},
         flow::{Flow, Free, State},
     },
     Leg, Touch,
@@ -148,7 +148,7 @@ impl Oscillator {
 
     /// How an impact of incoming speed V ≠ 0 passes on a displacement before it: the saltation matrix, and what the
     /// parameter adds, both at a fixed time.
-    pub fn saltation(&self, touch: &Touch<'_>, t: f64, speed: f64) -> (Matrix, [f64; 2]) {
+    pub fn saltation(&self, touch: &Touch<'_>, t: f64, speed: f64) -> (Matrix2, [f64; 2]) {
         let matrix = touch.wall.saltation(&self.flow, touch.leaving(t, -speed));
         let ([place, velocity], factor) = (touch.slope, 1.0 + touch.wall.restitution);
         let kick = touch.restitution_slope * touch.wall.side.sign() * speed;

@@ -5,10 +5,10 @@ use std::f64::consts::TAU;
 
 use super::{
     super::{
-        algebra::{Matrix, apply},
+        algebra::{Matrix2, apply},
         flow::{Flow, State},
     },
-    Impact, Itinerary, Leg, Oscillator, Touch,
+    Itinerary, Leg, OrbitImpact, Oscillator, Touch,
 };
 use crate::error::{Error, Result};
 
@@ -37,7 +37,7 @@ pub struct Passage<'o> {
     /// The wall that it arrives at.
     pub there: Touch<'o>,
     /// The impact that it arrives at, its phase as among the unknowns.
-    pub arrival: Impact,
+    pub arrival: OrbitImpact,
     oscillator: &'o Oscillator,
 }
 
@@ -47,9 +47,9 @@ pub struct Arrival {
     /// σ (q − Q(t′)) and σ (u − Q′(t′)) + V′.
     pub residual: [f64; 2],
     /// Their derivatives by (t, V) of the impact that it leaves from, by rows.
-    pub departure: Matrix,
+    pub departure: Matrix2,
     /// Their derivatives by (t′, V′) of the impact that it arrives at, by rows.
-    pub arrival: Matrix,
+    pub arrival: Matrix2,
     /// Their derivatives by the parameter.
     pub slope: [f64; 2],
 }
@@ -107,7 +107,7 @@ impl<'a> Unknowns<'a> {
             let there = oscillator.touch(target.side, unknowns.phase(next))?;
             let from = here.leaving(t, here.wall.restitution * speed);
             let arrival =
-                Impact { side: target.side, phase: unknowns.phase(next), speed: unknowns.speed(next) };
+                OrbitImpact { side: target.side, phase: unknowns.phase(next), speed: unknowns.speed(next) };
             let duration = unknowns.duration(index);
             Ok(Passage { index, next, here, from, speed, duration, there, arrival, oscillator })
         })
@@ -121,7 +121,7 @@ impl Passage<'_> {
     }
 
     /// The flight's derivatives in the state it starts from only.
-    pub fn matrix(&self) -> Matrix {
+    pub fn matrix(&self) -> Matrix2 {
         self.oscillator.flow().advance_linearised(self.from, self.duration).1
     }
 
@@ -147,7 +147,7 @@ impl Passage<'_> {
     }
 
     /// What the impact at its end does to a displacement, and what the parameter adds; its speed must not be 0.
-    pub fn saltation(&self) -> (Matrix, [f64; 2]) {
+    pub fn saltation(&self) -> (Matrix2, [f64; 2]) {
         self.oscillator.saltation(&self.there, self.arrival.phase, self.arrival.speed)
     }
 }

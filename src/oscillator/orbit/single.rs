@@ -20,7 +20,7 @@ use crate::{
     error::{Error, Result},
     oscillator::{
         Side, System, Wall,
-        algebra::{Matrix, apply, determinant, resolve, trace},
+        algebra::{Matrix2, apply, determinant, resolve, trace},
     },
 };
 
@@ -31,7 +31,7 @@ pub struct SingleImpact {
     stiffness: f64,
     restitution: f64,
     /// E_n.
-    flow: Matrix,
+    flow: Matrix2,
     /// (p₁, p₂).
     p: [f64; 2],
     /// g₀.
@@ -192,7 +192,7 @@ fn relative_harmonic(system: &System<f64>, wall: &Wall<f64>) -> Result<(u32, f64
 }
 
 /// exp(t [[0, 1], [−stiffness, −damping]]).
-fn flow_matrix(damping: f64, stiffness: f64, t: f64) -> Matrix {
+fn flow_matrix(damping: f64, stiffness: f64, t: f64) -> Matrix2 {
     let half = damping / 2.0;
     let square = stiffness - half * half;
     let omega = square.abs().sqrt();

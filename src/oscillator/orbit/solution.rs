@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use super::{
     super::{
         Side,
-        algebra::{IDENTITY, Matrix, product},
+        algebra::{IDENTITY, Matrix2, product},
         flow::{Flow, State},
     },
     Admissibility, Check, Itinerary, Minimum, Multipliers, Oscillator,
@@ -37,7 +37,7 @@ pub struct Orbit {
 
 /// An impact of an orbit.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Impact {
+pub struct OrbitImpact {
     /// The wall.
     pub side: Side,
     /// The phase in [0, 2π).
@@ -71,7 +71,7 @@ pub fn describe(oscillator: &Oscillator, itinerary: &Itinerary, root: Root) -> R
 ///
 /// # Errors
 /// An input error if a wall is missing.
-pub fn monodromy(oscillator: &Oscillator, itinerary: &Itinerary, z: &[f64]) -> Result<Matrix> {
+pub fn monodromy(oscillator: &Oscillator, itinerary: &Itinerary, z: &[f64]) -> Result<Matrix2> {
     if itinerary.strikes().is_empty() {
         let start = State { t: 0.0, q: z[0], u: z[1] };
         return Ok(oscillator.leg(start, 2.0 * PI * f64::from(itinerary.periods())).matrix);
@@ -86,8 +86,8 @@ pub fn monodromy(oscillator: &Oscillator, itinerary: &Itinerary, z: &[f64]) -> R
 
 impl Orbit {
     /// Its impacts.
-    pub fn impacts(&self) -> impl Iterator<Item = Impact> + '_ {
-        self.itinerary.strikes().iter().zip(self.z.chunks(2)).map(|(strike, z)| Impact {
+    pub fn impacts(&self) -> impl Iterator<Item = OrbitImpact> + '_ {
+        self.itinerary.strikes().iter().zip(self.z.chunks(2)).map(|(strike, z)| OrbitImpact {
             side: strike.side,
             phase: z[0].rem_euclid(2.0 * PI),
             speed: z[1],

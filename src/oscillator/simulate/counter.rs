@@ -85,9 +85,9 @@ impl<C: Counter> Counter for &mut C {
 
 /// A sum of counts that many threads add to.
 #[derive(Debug, Default)]
-pub struct Tally([AtomicU64; 7]);
+pub struct EffectTally([AtomicU64; 7]);
 
-impl Tally {
+impl EffectTally {
     /// How often an effect was evaluated.
     pub fn of(&self, effect: Effect) -> u64 {
         self.0[effect as usize].load(Ordering::Relaxed)
@@ -102,11 +102,11 @@ impl Tally {
 /// The counts of one run; they go to the tally when it ends.
 pub(super) struct Share {
     counts: Counts,
-    tally: Arc<Tally>,
+    tally: Arc<EffectTally>,
 }
 
 impl Share {
-    pub fn of(tally: &Arc<Tally>) -> Share {
+    pub fn of(tally: &Arc<EffectTally>) -> Share {
         Share { counts: Counts::default(), tally: tally.clone() }
     }
 }

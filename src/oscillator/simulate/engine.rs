@@ -1,7 +1,7 @@
 //! The event loop, composed at compile time of the effects present.
 
 use super::{
-    End, Event, Impact, Release, Settings, Stick, Tangency,
+    Event, Impact, Release, RunEnd, Settings, Stick, Tangency,
     pieces::{LOWER, Pieces, UPPER},
     search::{Gap, Hit, ROUNDING, clear, norm},
     wall::Walls,
@@ -38,7 +38,7 @@ pub(super) struct Loop<'a, P: Pieces, C, const HAS_LOWER: bool, const HAS_UPPER:
     /// A stick, not yet told.
     pending: Option<Event>,
     impacts: u64,
-    ended: Option<End>,
+    ended: Option<RunEnd>,
     counter: C,
 }
 
@@ -210,7 +210,7 @@ impl<'a, P: Pieces, C: Counter, const HAS_LOWER: bool, const HAS_UPPER: bool>
         self.pending = Some(Event::Stick(Stick { time, side: self.walls.side(wall), rest }));
     }
 
-    fn end(&mut self, end: End) -> Event {
+    fn end(&mut self, end: RunEnd) -> Event {
         self.ended = Some(end);
         Event::End(end)
     }
@@ -230,13 +230,13 @@ impl<P: Pieces, C: Counter, const HAS_LOWER: bool, const HAS_UPPER: bool> Engine
             return Event::End(end);
         }
         if self.impacts >= self.settings.impact_limit {
-            return self.end(End::ImpactLimit);
+            return self.end(RunEnd::ImpactLimit);
         }
         if let Some(Rest { wall, now, release }) = &mut self.rest {
             let wall = *wall;
             let Some(time) = release.filter(|time| *time <= until) else {
                 *now = if *now < until { until } else { *now };
-                return Event::End(End::Reached);
+                return Event::End(RunEnd::Reached);
             };
             let State { q, u, .. } = self.walls.on(wall, time.phase);
             self.cursor = self.pieces.start(time, q, u, &mut self.counter);
@@ -246,7 +246,7 @@ impl<P: Pieces, C: Counter, const HAS_LOWER: bool, const HAS_UPPER: bool> Engine
         if let Some(origin) = &self.origin {
             self.pieces.jump(origin, &mut self.cursor, until, &mut self.counter);
             let escaped = self.pieces.escaped(&self.cursor);
-            return if escaped { self.end(End::Escaped) } else { Event::End(End::Reached) };
+            return if escaped { self.end(RunEnd::Escaped) } else { Event::End(RunEnd::Reached) };
         }
         let target = self.pieces.target(until);
         loop {
@@ -258,11 +258,11 @@ impl<P: Pieces, C: Counter, const HAS_LOWER: bool, const HAS_UPPER: bool> Engine
             } else if reach <= 1.0 {
                 let from = self.pieces.from(&self.cursor);
                 self.pieces.pass(&mut self.cursor, reach.max(from));
-                return Event::End(End::Reached);
+                return Event::End(RunEnd::Reached);
             } else {
                 self.pieces.turn(&mut self.cursor, &mut self.counter);
                 if self.pieces.escaped(&self.cursor) {
-                    return self.end(End::Escaped);
+                    return self.end(RunEnd::Escaped);
                 }
             }
         }

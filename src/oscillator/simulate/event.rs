@@ -16,7 +16,7 @@ pub enum Event {
     /// A wall let go of it.
     Release(Release),
     /// Nothing more before the time asked for, or nothing more at all.
-    End(End),
+    End(RunEnd),
 }
 
 /// One impact.
@@ -66,7 +66,7 @@ pub struct Release {
 /// Why there is no other event.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum End {
+pub enum RunEnd {
     /// The time asked for is reached; the run can go on.
     Reached,
     /// The limit of impacts is reached; the run stays where it is.
@@ -99,13 +99,13 @@ impl Event {
     }
 }
 
-impl End {
+impl RunEnd {
     /// Why, to follow "ended".
     pub fn why(self) -> &'static str {
         match self {
-            End::Reached => "at the time asked for",
-            End::ImpactLimit => "at the limit of impacts",
-            End::Escaped => "when it left every bound",
+            RunEnd::Reached => "at the time asked for",
+            RunEnd::ImpactLimit => "at the limit of impacts",
+            RunEnd::Escaped => "when it left every bound",
         }
     }
 }

@@ -18,7 +18,7 @@ use crate::{
     error::{Error, Result},
     oscillator::{
         Contact, Counter, Effect, Time,
-        algebra::{Matrix, apply},
+        algebra::{Matrix2, apply},
         flow::{Flow, Linear, Recurrence, State},
     },
 };
@@ -42,7 +42,7 @@ pub(super) struct Grid<const DRIVEN: bool> {
     basis: [Polynomial; 2],
     heads: [Head; 2],
     /// From a cell's middle to the next.
-    matrix: Matrix,
+    matrix: Matrix2,
     /// What y gains where p starts anew: at each turn of the period; without `DRIVEN` of the cell.
     step: [f64; 2],
     /// Per wall and cell: ±(p − Q).

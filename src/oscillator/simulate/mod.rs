@@ -11,7 +11,7 @@
 //! - The oscillator is never behind a wall by more than the minimum depth, nor leaves an impact with z′ of the wrong sign.
 //! - Bounces that would be lower than the minimum depth on a wall that presses are summed as a geometric series and end in rest ([`Stick`])
 //!   until the force of contact is 0 ([`Release`]), at most one period later, or for good.
-//! - A run ends by an [`End`] that says why.
+//! - A run ends by an [`RunEnd`] that says why.
 //!
 //! For linear systems the trajectory itself carries rounding errors only. For others the error is that of [`Taylor`].
 //!
@@ -44,8 +44,8 @@ mod steps;
 mod wall;
 
 use counter::Share;
-pub use counter::{Counter, Counts, Effect, Tally};
-pub use event::{End, Event, Impact, Release, Stick, Tangency};
+pub use counter::{Counter, Counts, Effect, EffectTally};
+pub use event::{Event, Impact, Release, RunEnd, Stick, Tangency};
 
 use std::sync::Arc;
 
@@ -94,7 +94,7 @@ pub struct Simulator {
     flow: Free,
     walls: Walls,
     settings: Settings,
-    tally: Option<Arc<Tally>>,
+    tally: Option<Arc<EffectTally>>,
 }
 
 #[derive(Debug, Clone)]
@@ -141,7 +141,7 @@ impl Simulator {
 
     /// The same simulator, the work of its runs added up in `tally`. What counting costs has not been measured.
     #[must_use]
-    pub fn counting(self, tally: Arc<Tally>) -> Self {
+    pub fn counting(self, tally: Arc<EffectTally>) -> Self {
         Simulator { tally: Some(tally), ..self }
     }
 
@@ -236,12 +236,12 @@ impl Run<'_> {
     }
 
     /// On to `until`, events unseen.
-    pub fn finish(&mut self, until: Time) -> End {
+    pub fn finish(&mut self, until: Time) -> RunEnd {
         self.record(until, |_| {})
     }
 
     /// On to `until`, each event shown.
-    pub fn record(&mut self, until: Time, mut each: impl FnMut(Event)) -> End {
+    pub fn record(&mut self, until: Time, mut each: impl FnMut(Event)) -> RunEnd {
         loop {
             match self.next(until) {
                 Event::End(end) => return end,

@@ -1,6 +1,6 @@
 //! One wall in f64: the gap to it, how fast it closes, and the impact law (67) with its derivative.
 
-use super::{super::algebra::Matrix, Flow, Series, State, System, Wall, series::finite};
+use super::{super::algebra::Matrix2, Flow, Series, State, System, Wall, series::finite};
 use crate::error::{Error, Result};
 
 /// Which wall.
@@ -88,7 +88,7 @@ impl Contact {
 
     /// The saltation matrix of an impact that arrives as `at`: ∂(q, u) after, at a fixed time, by (q, u) before,
     /// [[−τ, 0], [(a⁺ + τ a⁻ − (1+τ) Q″) / w, −τ]] with w = u − Q′ ≠ 0 the incoming relative velocity; determinant τ².
-    pub fn saltation(&self, flow: &impl Flow, at: State) -> Matrix {
+    pub fn saltation(&self, flow: &impl Flow, at: State) -> Matrix2 {
         let (tau, [_, speed, bend]) = (self.restitution, self.position.at(at.t));
         let (before, after) = (flow.acceleration(at), flow.acceleration(self.bounce(at)));
         [[-tau, 0.0], [(after + tau * before - (1.0 + tau) * bend) / (at.u - speed), -tau]]

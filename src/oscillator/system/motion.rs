@@ -1,6 +1,6 @@
 //! Where a motion is, and what a motion without walls can be asked.
 
-use super::super::algebra::Matrix;
+use super::super::algebra::Matrix2;
 
 use serde::Serialize;
 
@@ -25,5 +25,5 @@ pub trait Flow {
     fn advance(&self, from: State, duration: f64) -> State;
 
     /// The same with its derivative by the initial q and u.
-    fn advance_linearised(&self, from: State, duration: f64) -> (State, Matrix);
+    fn advance_linearised(&self, from: State, duration: f64) -> (State, Matrix2);
 }

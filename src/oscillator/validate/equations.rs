@@ -6,7 +6,7 @@
 use num_bigint::BigInt;
 
 use super::{
-    Impact, Jet,
+    ExpectedImpact, Jet,
     linear::{Flight, Linear},
 };
 use crate::{
@@ -18,7 +18,7 @@ use crate::{
 /// The equations of a pattern.
 pub(super) struct Equations<'a> {
     pub linear: &'a Linear<'a>,
-    pub impacts: &'a [Impact],
+    pub impacts: &'a [ExpectedImpact],
 }
 
 /// One flight of an orbit: from an impact to the next.

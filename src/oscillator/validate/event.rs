@@ -3,7 +3,7 @@
 use num_rational::BigRational;
 
 use super::{
-    Impact, Jet, Verdict,
+    ExpectedImpact, Jet, Verdict,
     admissible::Touch,
     equations::Equations,
     krawczyk::Search,
@@ -37,7 +37,7 @@ pub enum Condition {
 /// A proved event: at exactly one parameter value and orbit in the box the condition holds, and that orbit is admissible
 /// (but for the tangency, if it is one).
 #[derive(Debug, Clone)]
-pub struct Event {
+pub struct ProvedEvent {
     /// The parameter's value.
     pub parameter: Ball,
     /// t_i.
@@ -58,11 +58,11 @@ pub struct Event {
 /// As [`orbit`](super::orbit()), and those of `family`; also where damping² cannot be told from 4 stiffness over a box.
 pub fn event(
     family: impl Fn(&Jet) -> Result<System<Jet>>,
-    impacts: &[Impact],
+    impacts: &[ExpectedImpact],
     parameter: f64,
     condition: Condition,
     precision: &Precision,
-) -> Result<Verdict<Event>> {
+) -> Result<Verdict<ProvedEvent>> {
     let m = impacts.len();
     let map = |unknowns: &[Jet]| {
         let linear = Linear::enclosed(family(&unknowns[2 * m])?, precision)?;
@@ -87,7 +87,7 @@ pub fn event(
             _ => None,
         };
         admitted(&equations(&linear, impacts)?, &unknowns, touch.as_ref())?.and_then(|_| {
-            Ok(Verdict::Proved(Event {
+            Ok(Verdict::Proved(ProvedEvent {
                 parameter: search.found[2 * m].clone(),
                 phases: search.found[..m].to_vec(),
                 velocities: search.found[m..2 * m].to_vec(),

@@ -14,9 +14,9 @@ mod linear;
 mod orbit;
 mod write;
 
-pub use event::{Condition, Event, event};
+pub use event::{Condition, ProvedEvent, event};
 pub use jet::Jet;
-pub use orbit::{Impact, Orbit, Stability, orbit, solution_in};
+pub use orbit::{ExpectedImpact, ProvedOrbit, Stability, orbit, solution_in};
 pub use write::certificate;
 
 use crate::error::Result;

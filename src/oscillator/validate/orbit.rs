@@ -17,7 +17,7 @@ use crate::{
 
 /// An impact of a pattern, with where it is expected.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Impact {
+pub struct ExpectedImpact {
     /// The wall that is met.
     pub side: Side,
     /// n_i: the next impact comes 2π n_i + t_{i+1} − t_i later.
@@ -39,9 +39,9 @@ pub enum Stability {
 
 /// A proved orbit.
 #[derive(Debug, Clone)]
-pub struct Orbit {
+pub struct ProvedOrbit {
     /// The pattern.
-    pub impacts: Vec<Impact>,
+    pub impacts: Vec<ExpectedImpact>,
     /// The middle of the box, t_1, …, t_m, V_1, …, V_m.
     pub centre: Vec<BigRational>,
     /// Half the side of the box in which the orbit is the only one with its pattern.
@@ -69,9 +69,9 @@ pub struct Orbit {
 /// An input error: the system is not linear, a wall that is met is missing, an undamped resonance, periods that sum to 0.
 pub fn orbit(
     system: &System<BigRational>,
-    guess: &[Impact],
+    guess: &[ExpectedImpact],
     precision: &Precision,
-) -> Result<Verdict<Orbit>> {
+) -> Result<Verdict<ProvedOrbit>> {
     let linear = Linear::exact(system, precision)?;
     let equations = equations(&linear, guess)?;
     let map = |unknowns: &[Jet]| equations.residual(unknowns);
@@ -84,7 +84,7 @@ pub fn orbit(
             let velocities = phases.split_off(guess.len());
             let stability = stability(&trace, &determinant, precision);
             let impacts = guess.to_vec();
-            Ok(Verdict::Proved(Orbit {
+            Ok(Verdict::Proved(ProvedOrbit {
                 impacts,
                 centre,
                 radius,
@@ -107,7 +107,7 @@ pub fn orbit(
 /// As [`orbit`]; also if the guess is not finite or the radius not positive.
 pub fn solution_in(
     system: &System<BigRational>,
-    guess: &[Impact],
+    guess: &[ExpectedImpact],
     radius: &BigRational,
     precision: &Precision,
 ) -> Result<Verdict<Vec<Ball>>> {
@@ -131,7 +131,7 @@ pub fn solution_in(
 ///
 /// # Errors
 /// An input error: no impact, periods that sum to 0, a wall that is missing.
-pub(super) fn equations<'a>(linear: &'a Linear<'a>, impacts: &'a [Impact]) -> Result<Equations<'a>> {
+pub(super) fn equations<'a>(linear: &'a Linear<'a>, impacts: &'a [ExpectedImpact]) -> Result<Equations<'a>> {
     if impacts.iter().all(|impact| impact.periods == 0) {
         return Err(Error::input("the periods of an impact pattern must not sum to 0"));
     }
@@ -142,7 +142,7 @@ pub(super) fn equations<'a>(linear: &'a Linear<'a>, impacts: &'a [Impact]) -> Re
 }
 
 /// The unknowns where the impacts are expected.
-pub(super) fn start(impacts: &[Impact]) -> Vec<f64> {
+pub(super) fn start(impacts: &[ExpectedImpact]) -> Vec<f64> {
     impacts.iter().map(|impact| impact.phase).chain(impacts.iter().map(|impact| impact.velocity)).collect()
 }
 

@@ -4,7 +4,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
-use super::{Orbit, Stability, krawczyk};
+use super::{ProvedOrbit, Stability, krawczyk};
 use crate::{
     certificate::{
         self,
@@ -22,7 +22,7 @@ const DIGITS: usize = 34;
 ///
 /// # Errors
 /// An input error: a coefficient of more than 34 digits, or no box that the checker accepts.
-pub fn certificate(system: &oscillator::System<BigRational>, orbit: &Orbit) -> Result<String> {
+pub fn certificate(system: &oscillator::System<BigRational>, orbit: &ProvedOrbit) -> Result<String> {
     let m = orbit.impacts.len();
     let impacts = orbit.impacts.iter().enumerate().map(|(i, impact)| {
         Ok(Impact {

@@ -23,7 +23,7 @@ use rayon::prelude::*;
 pub use chart::{Cell, Chart, Strip, strips};
 pub use tree::walk;
 
-use super::fuzz::{Case, differ};
+use super::{Instance, compare::differ};
 use crate::{
     certificate::cover::{FINEST, Leaf, header},
     error::{Error, Result},
@@ -36,7 +36,7 @@ use claim::Judge;
 
 /// What to cover, and how finely.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Options {
+pub struct CoverOptions {
     /// The periods, from 3 up.
     pub periods: RangeInclusive<u64>,
     /// The largest r covered; by default 1 − 1/n³.
@@ -49,10 +49,10 @@ pub struct Options {
     pub variant: Variant,
 }
 
-impl Options {
+impl CoverOptions {
     /// The usual options for a range of periods.
     pub fn new(periods: RangeInclusive<u64>) -> Self {
-        Options { periods, r_max: None, max_depth: 60, finest: None, variant: Variant::True }
+        CoverOptions { periods, r_max: None, max_depth: 60, finest: None, variant: Variant::True }
     }
 
     /// r_max for period `n`: by default 1 − 1/n³, which lies above the lowest point of every area, since each reaches
@@ -93,14 +93,14 @@ pub struct Cover {
     /// The strips with their trees as text; none where a strip was not reached, or refuted.
     pub strips: Vec<(Strip, Option<String>)>,
     /// A point at which the claim is false, confirmed by the definition.
-    pub refuted: Option<Case>,
+    pub refuted: Option<Instance>,
     /// Processor seconds spent, but for strips whose trees were known before.
     pub seconds: f64,
 }
 
 /// The leaves of a cover, counted.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct Tally {
+pub struct CoverTally {
     /// Leaves without an orbit.
     pub none: u64,
     /// Leaves with one everywhere.
@@ -115,7 +115,7 @@ pub struct Tally {
     pub depth: u32,
 }
 
-impl Tally {
+impl CoverTally {
     /// The number of leaves of all kinds.
     pub fn leaves(&self) -> u64 {
         self.none + self.orbit + self.edge + self.open.len() as u64
@@ -147,8 +147,8 @@ impl Cover {
     }
 
     /// The leaves counted.
-    pub fn tally(&self) -> Tally {
-        let mut tally = Tally::default();
+    pub fn tally(&self) -> CoverTally {
+        let mut tally = CoverTally::default();
         self.leaves(|chart, leaf, cell| {
             tally.depth = tally.depth.max(cell.depth());
             match leaf {
@@ -187,7 +187,7 @@ pub fn certificate(periods: &RangeInclusive<u64>, blocks: &[String]) -> String {
 ///
 /// # Errors
 /// As [`cover`].
-pub fn units(options: &Options) -> Result<Vec<Unit>> {
+pub fn units(options: &CoverOptions) -> Result<Vec<Unit>> {
     let of = |n| Ok((0..strips(n, options.variant)?.len()).map(move |index| (n, index)));
     Ok(options.periods.clone().map(of).collect::<Result<Vec<_>>>()?.into_iter().flatten().collect())
 }
@@ -200,7 +200,7 @@ pub fn units(options: &Options) -> Result<Vec<Unit>> {
 /// # Errors
 /// An input error if a period or r_max is out of bounds, or trees are known that are none; whatever `record` returns.
 pub fn cover(
-    options: &Options,
+    options: &CoverOptions,
     mut known: HashMap<Unit, String>,
     monitor: &dyn Monitor,
     record: &(dyn Fn(Unit, &str) -> Result<()> + Sync),
@@ -262,13 +262,13 @@ pub fn cover(
 }
 
 /// What one unit came to: trees, or a point at which the claim is false.
-type Found = std::result::Result<String, Box<Case>>;
+type Found = std::result::Result<String, Box<Instance>>;
 
-fn one_strip(options: &Options, cover: &Cover, index: usize) -> Found {
+fn one_strip(options: &CoverOptions, cover: &Cover, index: usize) -> Found {
     let chart = Chart::new(cover.strips[index].0.clone(), &cover.r_max);
     let refutes = |cell: &Cell| {
         let [r, s] = chart.bounds(cell).map(|[low, high]| (low + high) / BigInt::from(2));
-        let case = Case { n: cover.n, point: Point::Polar(Polar::new(r, s).ok()?) };
+        let case = Instance { n: cover.n, point: Point::Polar(Polar::new(r, s).ok()?) };
         differ(&Ladder::default(), &case, options.variant).then_some(case)
     };
     tree::grow(Judge::new(&chart, cover.n, options.finest), options.max_depth, refutes)

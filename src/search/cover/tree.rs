@@ -1,6 +1,6 @@
 //! A strip's bisection trees: grown, written, and walked again.
 
-use super::super::fuzz::Case;
+use super::super::Instance;
 use super::{
     chart::{Axis, Cell, Chart},
     claim::{Judge, Verdict},
@@ -19,8 +19,8 @@ const BUDGET: u32 = 1 << 16;
 pub(super) fn grow(
     mut judge: Judge,
     max_depth: u32,
-    refutes: impl Fn(&Cell) -> Option<Case>,
-) -> std::result::Result<String, Box<Case>> {
+    refutes: impl Fn(&Cell) -> Option<Instance>,
+) -> std::result::Result<String, Box<Instance>> {
     let (mut text, mut latest, mut met) = (String::new(), None, 0);
     for row in 0..judge.chart.rows() {
         let mut stack = vec![Cell::root(row)];

@@ -6,80 +6,30 @@
 //! disagreement proves nothing; a disagreement is decided again, shrunk, and can be replayed. Where two routes of this program
 //! to one answer differ, that is an error of its own, reported with the point.
 
-mod apart;
-mod compare;
+mod confirm;
 mod random;
 mod sweep;
 mod weighted;
-
-use std::fmt;
 
 use num_rational::BigRational;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
+use super::{Instance, compare::differ};
 use crate::{
     error::{Error, Result},
     existence::Variant,
-    local::{Ladder, Plane, Point, Polar},
+    local::{Ladder, Point, Polar},
     monitor::Monitor,
-    number::parse_rational,
     processor::thread_seconds,
     random::Random,
 };
-pub(super) use compare::differ;
-use compare::{contradiction, one_case, shrink};
+use confirm::{contradiction, one_case, shrink};
 use sweep::Sweep;
-
-/// A period and a point.
-#[derive(Debug, Clone)]
-pub struct Case {
-    /// The period.
-    pub n: u64,
-    /// The point.
-    pub point: Point,
-}
-
-impl Case {
-    /// The command-line arguments of `grazing classify` that show this case.
-    pub fn arguments(&self) -> String {
-        match &self.point {
-            Point::Polar(polar) => format!("--r {} --s {} --max-n {}", polar.r(), polar.s(), self.n),
-            Point::Plane(plane) => format!("--a1 {} --a2 {} --max-n {}", plane.a1(), plane.a2(), self.n),
-        }
-    }
-}
-
-/// A case as a line of a regression file: `N polar R S` or `N plane A1 A2`.
-impl fmt::Display for Case {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match &self.point {
-            Point::Polar(polar) => write!(f, "{} polar {} {}", self.n, polar.r(), polar.s()),
-            Point::Plane(plane) => write!(f, "{} plane {} {}", self.n, plane.a1(), plane.a2()),
-        }
-    }
-}
-
-impl std::str::FromStr for Case {
-    type Err = Error;
-
-    fn from_str(line: &str) -> Result<Self> {
-        let fail = || Error::input(format!("{line:?} is not a case: write N polar R S or N plane A1 A2"));
-        let words: Vec<&str> = line.split_whitespace().collect();
-        let [n, kind, a, b] = words[..] else { return Err(fail()) };
-        let (n, a, b) = (n.parse().map_err(|_| fail())?, parse_rational(a)?, parse_rational(b)?);
-        let point = match kind {
-            "polar" => Point::Polar(Polar::new(a, b)?),
-            "plane" => Point::Plane(Plane::new(a, b)?),
-            _ => return Err(fail()),
-        };
-        if n == 0 { Err(fail()) } else { Ok(Case { n, point }) }
-    }
-}
 
 /// What to fuzz.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Options {
+pub struct FuzzOptions {
     /// The smallest period.
     pub first: u64,
     /// The largest period; at least 3 and at most 4096.
@@ -94,7 +44,7 @@ pub struct Options {
 
 /// What a run has come to so far.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-pub struct Tally {
+pub struct FuzzTally {
     /// The number of units done: the run goes on from here.
     pub units: u64,
     /// Cases decided in sweeps by `f64` with proved bounds.
@@ -124,13 +74,13 @@ pub struct Tally {
     pub faults: Vec<String>,
 }
 
-impl Tally {
+impl FuzzTally {
     /// The number of cases decided, both ways, boundaries included.
     pub fn decided(&self) -> u64 {
         self.swept + self.interval + self.ball + self.exact + self.boundary
     }
 
-    fn merge(mut self, other: Tally) -> Tally {
+    fn merge(mut self, other: FuzzTally) -> FuzzTally {
         self.units += other.units;
         self.swept += other.swept;
         self.interval += other.interval;
@@ -156,10 +106,10 @@ const FIRST_SWEPT: u64 = 3;
 /// The most units between two checkpoints.
 const CHUNK: u64 = 512;
 
-impl Options {
+impl FuzzOptions {
     /// All that a tally depends on but for the number of cases, written so that equal runs give equal texts.
     pub fn canonical(&self) -> String {
-        let Options { first, last, seed, definition_share, .. } = self;
+        let FuzzOptions { first, last, seed, definition_share, .. } = self;
         let share = definition_share.to_bits();
         format!(
             "periods {first}..={last} seed {seed} share {share:016x} unit {SWEEP_POINTS}+{WEIGHTED_CASES}"
@@ -191,12 +141,12 @@ impl Options {
     }
 }
 
-impl Tally {
+impl FuzzTally {
     /// Whether a run with these options can have come to this, disagreements decided again.
     ///
     /// # Errors
     /// An input error that says what cannot be.
-    pub fn check(&self, options: &Options) -> Result<()> {
+    pub fn check(&self, options: &FuzzOptions) -> Result<()> {
         options.check()?;
         let bad = |what: &str| Err(Error::input(format!("a tally that no run comes to: {what}")));
         // Far more than any machine does, and few enough for every sum below.
@@ -223,7 +173,7 @@ impl Tally {
             return bad("its times");
         }
         for line in &self.disagreements {
-            let case: Case = line.parse()?;
+            let case: Instance = line.parse()?;
             if !differ(&Ladder::default(), &case, Variant::True) {
                 return bad(&format!("{line} is no disagreement"));
             }
@@ -239,18 +189,18 @@ impl Tally {
 /// # Errors
 /// An input error if the options are out of range, or `tally` cannot be of such a run; whatever `checkpoint` returns.
 pub fn fuzz(
-    options: &Options,
-    mut tally: Tally,
+    options: &FuzzOptions,
+    mut tally: FuzzTally,
     monitor: &dyn Monitor,
-    mut checkpoint: impl FnMut(&Tally) -> Result<()>,
-) -> Result<Tally> {
+    mut checkpoint: impl FnMut(&FuzzTally) -> Result<()>,
+) -> Result<FuzzTally> {
     tally.check(options)?;
     let ladder = Ladder::default();
     let sweep = Sweep::new(options.last as usize);
     while tally.decided() < options.cases && tally.disagreements.is_empty() && tally.faults.is_empty() {
         let first = tally.units;
         let wanted = (options.cases - tally.decided()).div_ceil(options.block()).clamp(1, CHUNK);
-        let units: Vec<Option<Tally>> = (first..first + wanted)
+        let units: Vec<Option<FuzzTally>> = (first..first + wanted)
             .into_par_iter()
             .map_with(sweep.clone(), |sweep, unit| {
                 monitor.advance(0).ok()?;
@@ -275,14 +225,14 @@ pub fn fuzz(
 
 /// One unit; none if the monitor ends it.
 fn run_unit(
-    options: &Options,
+    options: &FuzzOptions,
     ladder: &Ladder,
     sweep: &mut Sweep,
     unit: u64,
     monitor: &dyn Monitor,
-) -> Option<Tally> {
+) -> Option<FuzzTally> {
     let mut random = Random::of_unit(options.seed, unit);
-    let mut tally = Tally { units: 1, ..Tally::default() };
+    let mut tally = FuzzTally { units: 1, ..FuzzTally::default() };
     let start = thread_seconds();
     // The share as a threshold on 53 random bits: what it selects depends on the seed alone.
     let threshold = (options.definition_share * (1u64 << 53) as f64) as u64;
@@ -330,7 +280,7 @@ fn run_unit(
 }
 
 /// The first of `most` weighted cases of a seed that refutes a variant of the claim, shrunk.
-pub fn refute(variant: Variant, seed: u64, most: u64, last: u64) -> Option<Case> {
+pub fn refute(variant: Variant, seed: u64, most: u64, last: u64) -> Option<Instance> {
     let ladder = Ladder::default();
     let mut random = Random::of_unit(seed, 0);
     (0..most)
@@ -340,9 +290,9 @@ pub fn refute(variant: Variant, seed: u64, most: u64, last: u64) -> Option<Case>
 }
 
 /// The sweep's point r/2⁵³, s/2⁵⁴ as an exact case.
-fn dyadic(n: usize, r: u64, s: u64) -> Case {
+fn dyadic(n: usize, r: u64, s: u64) -> Instance {
     let r = BigRational::new(r.into(), (1u64 << 53).into());
     let s = BigRational::new(s.into(), (1u64 << 54).into());
     let polar = Polar::new(r, s).expect("a sweep's point is in region 3");
-    Case { n: n as u64, point: Point::Polar(polar) }
+    Instance { n: n as u64, point: Point::Polar(polar) }
 }

@@ -7,7 +7,7 @@ use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
-use super::Case;
+use super::Instance;
 use crate::{
     existence::intervals,
     local::{Answer, Ladder, Plane, Point, Polar, Quantity},
@@ -20,7 +20,7 @@ fn ratio(p: u64, q: u64) -> BigRational {
 }
 
 /// A case of a family chosen at random, mostly with a period in range; `None` if the choice fell outside the region meant.
-pub(super) fn case(random: &mut Random, ladder: &Ladder, periods: RangeInclusive<u64>) -> Option<Case> {
+pub(super) fn case(random: &mut Random, ladder: &Ladder, periods: RangeInclusive<u64>) -> Option<Instance> {
     let last = *periods.end();
     let n = random.within(*periods.start(), last);
     match random.within(0, 9) {
@@ -76,16 +76,16 @@ pub(super) fn case(random: &mut Random, ladder: &Ladder, periods: RangeInclusive
     }
 }
 
-fn polar(n: u64, r: BigRational, s: BigRational) -> Option<Case> {
-    Some(Case { n, point: Point::Polar(Polar::new(r, s).ok()?) })
+fn polar(n: u64, r: BigRational, s: BigRational) -> Option<Instance> {
+    Some(Instance { n, point: Point::Polar(Polar::new(r, s).ok()?) })
 }
 
-fn plane(n: u64, a1: BigRational, a2: BigRational) -> Option<Case> {
+fn plane(n: u64, a1: BigRational, a2: BigRational) -> Option<Instance> {
     // Beyond a₂ = 1 there is time reversal, tested apart.
     if a2 > BigRational::one() {
         return None;
     }
-    Some(Case { n, point: Point::Plane(Plane::new(a1, a2).ok()?) })
+    Some(Instance { n, point: Point::Plane(Plane::new(a1, a2).ok()?) })
 }
 
 fn signed(random: &mut Random, x: BigRational) -> BigRational {
@@ -129,7 +129,7 @@ fn near_end(random: &mut Random, n: u64) -> Option<BigRational> {
 }
 
 /// Near the curve that bounds an area: r bisected towards the sign change of the deciding b_{n,k}, then stopped early.
-fn near_boundary(random: &mut Random, ladder: &Ladder, n: u64) -> Option<Case> {
+fn near_boundary(random: &mut Random, ladder: &Ladder, n: u64) -> Option<Instance> {
     let all: Vec<_> = intervals(n).ok()?.filter(|interval| interval.deciding.is_some()).collect();
     let interval = &all[random.within(0, all.len() as u64 - 1) as usize];
     let (left, right) = (
@@ -153,7 +153,7 @@ fn near_boundary(random: &mut Random, ladder: &Ladder, n: u64) -> Option<Case> {
 }
 
 /// A catalogue of small cases, the simplest first: n ≤ 8, s with a denominator up to 24, a few r.
-pub(super) fn small_cases() -> impl Iterator<Item = Case> {
+pub(super) fn small_cases() -> impl Iterator<Item = Instance> {
     let moduli = [(1, 1), (1, 2), (3, 4), (9, 10), (99, 100)];
     (2..=8).flat_map(move |n| {
         (3..=24).flat_map(move |q| {
@@ -166,7 +166,7 @@ pub(super) fn small_cases() -> impl Iterator<Item = Case> {
 }
 
 /// Simpler cases than this one: fewer digits, smaller n; the simplest first.
-pub(super) fn simpler(case: &Case) -> Vec<Case> {
+pub(super) fn simpler(case: &Instance) -> Vec<Instance> {
     let mut all = Vec::new();
     let point = |a: BigRational, b: BigRational| match &case.point {
         Point::Polar(_) => Polar::new(a, b).ok().map(Point::Polar),
@@ -176,12 +176,12 @@ pub(super) fn simpler(case: &Case) -> Vec<Case> {
         Point::Polar(polar) => (polar.r(), polar.s()),
         Point::Plane(plane) => (plane.a1(), plane.a2()),
     };
-    all.extend((2..case.n).map(|n| Case { n, point: case.point.clone() }));
+    all.extend((2..case.n).map(|n| Instance { n, point: case.point.clone() }));
     for x in convergents(a) {
-        all.extend(point(x, b.clone()).map(|point| Case { n: case.n, point }));
+        all.extend(point(x, b.clone()).map(|point| Instance { n: case.n, point }));
     }
     for x in convergents(b) {
-        all.extend(point(a.clone(), x).map(|point| Case { n: case.n, point }));
+        all.extend(point(a.clone(), x).map(|point| Instance { n: case.n, point }));
     }
     all
 }

@@ -23,7 +23,7 @@ use crate::{
     oscillator::{
         Time,
         flow::State,
-        simulate::{End, Simulator},
+        simulate::{RunEnd, Simulator},
     },
 };
 
@@ -168,7 +168,7 @@ fn motion(
 ) -> Result<Option<(DiagramMotion, Fate)>> {
     let Look { phase, transient, points: count, longest } = plan.look;
     let Ok(mut run) = simulator.start(Time::new(0, start.t), start.q, start.u) else { return Ok(None) };
-    if wait(&mut run, phase, transient, monitor)? != End::Reached {
+    if wait(&mut run, phase, transient, monitor)? != RunEnd::Reached {
         return Ok(None);
     }
     let detection = Detection { phase, transient: 0, longest: longest as usize, ..Detection::default() };
@@ -189,7 +189,7 @@ fn motion(
         }
         true
     });
-    if end != End::Reached {
+    if end != RunEnd::Reached {
         return Ok(None);
     }
     let impacts = round.unwrap_or_else(|| run.impacts() - before);

@@ -95,31 +95,3 @@ fn parts(polar: &Polar, n: u64, k: u64, precision: &Precision) -> [Ball; 2] {
     let numerator = un.clone() - &imaginary(k) - &(weight * &imaginary(n - k));
     [un, numerator]
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::{local::Quantity, random::Random, search::fuzz::weighted};
-
-    /// Both routes give one sign on weighted cases of every family.
-    #[test]
-    fn two_routes_give_one_sign() {
-        let (ladder, mut random) = (Ladder::default(), Random::of_unit(3, 0));
-        let mut compared = 0;
-        for _ in 0..600 {
-            let Some(case) = weighted::case(&mut random, &ladder, 2..=40) else { continue };
-            for k in [1, case.n / 2, case.n - 1] {
-                if (1..case.n).contains(&k) {
-                    let other = sign(&ladder, &case.point, case.n, k);
-                    let answer = ladder.sign(&case.point, Quantity::B { n: case.n, k }).answer;
-                    assert!(
-                        other == answer || other == Answer::Undecided,
-                        "{case}, k = {k}: {other:?}, {answer:?}"
-                    );
-                    compared += u64::from(other == answer);
-                }
-            }
-        }
-        assert!(compared > 1000, "{compared}");
-    }
-}
