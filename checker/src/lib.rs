@@ -16,7 +16,7 @@
 //!
 //! ```text
 //! grazing-certificate 1                the format and its version
-//! kind KIND                            theorem2, cover or orbit; the rest is the kind's own
+//! kind KIND                            theorem2, cover, orbit or chaos; the rest is the kind's own
 //! statement …                          in every kind, after the lines that its form lists: what passing proves, word for word
 //! ```
 //!
@@ -29,6 +29,7 @@
 //! | `theorem2` | Theorem 2, on r = 1, for a range of periods | [`theorem2`], with a block by hand |
 //! | `cover` | Conjecture 1 for a range of periods, r ≤ r_max < 1 | [`cover`], with a block by hand |
 //! | `orbit` | that a periodic orbit of an oscillator exists, is unique in a box, admissible, stable or not | [`orbit`] |
+//! | `chaos` | that every bi-infinite word over an alphabet of periods is an orbit of an oscillator, over ranges of parameters | [`chaos`], with an example |
 //!
 //! # Adding a kind
 //!
@@ -38,6 +39,7 @@
 //! milliseconds, refuses work beyond a stated limit before it begins it, and holds no more than it says. What finds certificates lives elsewhere.
 
 mod arithmetic;
+pub mod chaos;
 pub mod cover;
 mod header;
 mod lines;
@@ -56,10 +58,11 @@ use lines::Lines;
 pub const FORMAT: &str = "grazing-certificate 1";
 
 /// The kinds of certificate. Nothing else in here names them all.
-const KINDS: [Kind; 3] = [
+const KINDS: [Kind; 4] = [
     Kind { name: theorem2::KIND, statement: theorem2::STATEMENT, check: theorem2::check },
     Kind { name: cover::KIND, statement: cover::STATEMENT, check: cover::check },
     Kind { name: orbit::KIND, statement: orbit::STATEMENT, check: orbit::check },
+    Kind { name: chaos::KIND, statement: chaos::STATEMENT, check: chaos::check },
 ];
 
 /// A kind of certificate.
@@ -81,7 +84,7 @@ struct Proved {
 /// What a certificate that passed the check has proved.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Checked {
-    /// The kind of certificate: `theorem2`, `cover` or `orbit`.
+    /// The kind of certificate: `theorem2`, `cover`, `orbit` or `chaos`.
     pub kind: &'static str,
     /// The statement, as in the header.
     pub statement: &'static str,

@@ -8,6 +8,8 @@ pub const THEOREM2: &str = include_str!("../data/theorem2.txt");
 pub const COVER: &str = include_str!("../data/cover.txt");
 pub const ORBIT_4: &str = include_str!("../data/orbit-4.txt");
 pub const ORBIT_6: &str = include_str!("../data/orbit-6.txt");
+pub const CHAOS_12: &str = include_str!("../data/chaos-12.txt");
+pub const CHAOS_123: &str = include_str!("../data/chaos-123.txt");
 
 pub fn answer(text: &str) -> Result<Checked, Rejection> {
     check(&mut text.as_bytes())

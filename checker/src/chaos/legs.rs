@@ -1,0 +1,154 @@
+//! Legs: from one impact to the next, over a cell of parameters, with bounds of their derivatives.
+//!
+//! All lengths and velocities are divided by ν. An impact is given by s = 2 (a + τ p)/(1 + τ), p and a being the velocities just before and
+//! after it: the law of impact says sin t = −ν s/2. The place is Q = σ − (1 − cos t)/ν = σ − ν s²/(4 (1 + cos t)). A leg of n periods from s
+//! to s′ lasts T = 2πn + t′ − t; its first velocity a and its last, p′, follow from both places:
+//!
+//! ```text
+//! a = (Q′ − E₁₁ Q − I)/E₁₂,    p′ = E₂₁ Q + E₂₂ a + J,    E = E(T),   I = f T²/2ν,   J = f T/ν   (f ≠ 0 only if c = k = 0)
+//! a_t = (p′ − E₁₁ s/2)/E₁₂,    p_t = E₂₁ s/2 + E₂₂ a_t − r,    r = −c p′ − k Q′ + f/ν  (the last acceleration)
+//! a_t′ = (s′/2 − p′)/E₁₂,      p_t′ = E₂₂ a_t′ + r,            dt/ds = −ν/(2 cos t)
+//! ```
+//!
+//! since dq/dT = p′ and dp/dT = r at the leg's end, and the place of an impact moves with s/2, the wall's velocity.
+
+use super::{
+    fixed::Interval,
+    flow::{Flow, Matrix, arcsine, circle},
+};
+
+/// A box of parameters.
+pub(super) struct Cell {
+    pub flow: Flow,
+    /// f/ν.
+    pub force: Interval,
+    /// ν.
+    pub depth: Interval,
+    /// σ = ±1.
+    pub side: Interval,
+    /// 2/(1 + τ) and 2τ/(1 + τ), by which a and p count in s.
+    pub shares: [Interval; 2],
+    /// W and its cosine and sine.
+    pub window: Interval,
+    pub cosine: Interval,
+    pub sine: Interval,
+}
+
+/// An impact.
+#[derive(Clone, Copy)]
+pub(super) struct Impact {
+    pub s: Interval,
+    pub phase: Interval,
+    pub cosine: Interval,
+    /// Q.
+    pub place: Interval,
+}
+
+/// A leg's first and last velocity, with bounds of their derivatives with respect to s and s′.
+pub(super) struct Leg {
+    pub after: Interval,
+    pub before: Interval,
+    pub after_slopes: [Interval; 2],
+    pub before_slopes: [Interval; 2],
+}
+
+impl Cell {
+    /// Of ranges of c, k, f, τ, ν, with σ and W.
+    pub fn new(
+        [damping, stiffness, force, restitution, depth]: [Interval; 5],
+        side: Interval,
+        window: Interval,
+    ) -> Cell {
+        let (cosine, sine) = circle(window);
+        let sum = Interval::ONE + restitution;
+        let two = Interval::ONE + Interval::ONE;
+        let force = if force == Interval::ZERO { force } else { force.over(depth) };
+        Cell {
+            flow: Flow { damping, stiffness },
+            force,
+            depth,
+            side,
+            shares: [two.over(sum), (two * restitution).over(sum)],
+            window,
+            cosine,
+            sine,
+        }
+    }
+
+    /// s of an impact with these velocities after and before.
+    pub fn strength(&self, after: Interval, before: Interval) -> Interval {
+        self.shares[0] * after + self.shares[1] * before
+    }
+
+    /// The impacts with these s, if their phases certainly lie within the window.
+    pub fn impact(&self, s: Interval) -> Option<Impact> {
+        let sine = -(self.depth * s).half();
+        if !sine.magnitude().is_below(self.sine) {
+            return None;
+        }
+        let phase = arcsine(sine, self.window, self.cosine);
+        let (cosine, _) = circle(phase);
+        let drop = (self.depth * s.squared()).over(Interval::ONE + cosine).shifted_down(2);
+        Some(Impact { s, phase, cosine, place: self.side - drop })
+    }
+
+    /// The fall I, J in a time.
+    pub fn fall(&self, time: Interval) -> (Interval, Interval) {
+        (self.force * time.squared().half(), self.force * time)
+    }
+
+    /// Acceleration at a place with a velocity.
+    pub fn acceleration(&self, place: Interval, velocity: Interval) -> Interval {
+        self.force - self.flow.damping * velocity - self.flow.stiffness * place
+    }
+
+    /// E(T) for a leg, given E(2πn).
+    fn matrix(&self, turns: Matrix, from: &Impact, to: &Impact) -> Matrix {
+        self.flow.times(turns, self.flow.exp(to.phase - from.phase))
+    }
+
+    /// The velocities alone.
+    fn ends(&self, e: Matrix, periods: u64, from: &Impact, to: &Impact) -> [Interval; 2] {
+        let time = turn(periods) + to.phase - from.phase;
+        let (fallen, speed) = self.fall(time);
+        let after = (to.place - e.a * from.place - fallen).over(e.b);
+        let (_, before) = self.flow.apply(e, from.place, after);
+        [after, before + speed]
+    }
+
+    /// A leg of so many periods, `turns` being E(2πn), between impacts from these; `middles` lie among them. Enclosed by the mean-value
+    /// form, twice, since the velocity p′ enters the derivatives. The impacts' s are independent of each other and of the parameters.
+    pub fn leg(&self, turns: Matrix, periods: u64, [from, to]: [&Impact; 2], middles: [&Impact; 2]) -> Leg {
+        let e = self.matrix(turns, from, to);
+        let [mut after, mut before] = self.ends(e, periods, from, to);
+        let [middle_after, middle_before] =
+            self.ends(self.matrix(turns, middles[0], middles[1]), periods, middles[0], middles[1]);
+        let (velocity, spring) = (self.flow.velocity(e), -(self.flow.stiffness * e.b));
+        let slope = |impact: &Impact| -self.depth.over(impact.cosine).half();
+        let (slopes, halves) = ([slope(from), slope(to)], [from.s.half(), to.s.half()]);
+        let apart = [from.s - middles[0].s, to.s - middles[1].s];
+        let mut leg =
+            Leg { after, before, after_slopes: [Interval::WHOLE; 2], before_slopes: [Interval::WHOLE; 2] };
+        for _ in 0..3 {
+            let last = self.acceleration(to.place, before);
+            let by_first = (before - e.a * halves[0]).over(e.b);
+            let by_last = (halves[1] - before).over(e.b);
+            leg.after_slopes = [slopes[0] * by_first, slopes[1] * by_last];
+            leg.before_slopes = [
+                slopes[0] * (spring * halves[0] + velocity * by_first - last),
+                slopes[1] * (velocity * by_last + last),
+            ];
+            let moved = |slopes: [Interval; 2]| slopes[0] * apart[0] + slopes[1] * apart[1];
+            after = after.meet(middle_after + moved(leg.after_slopes));
+            before = before.meet(middle_before + moved(leg.before_slopes));
+            (leg.after, leg.before) = (after, before);
+        }
+        leg
+    }
+}
+
+/// 2πn.
+pub(super) fn turn(periods: u64) -> Interval {
+    let pi = Interval::PI;
+    (pi + pi) * Interval::ratio(periods.into(), 1)
+}

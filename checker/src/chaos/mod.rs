@@ -1,0 +1,99 @@
+//! Certificates of kind `chaos`: every bi-infinite word over an alphabet of periods is an orbit of a linear impact oscillator.
+//!
+//! The theorem with its proof is in `docs/chaos.md`, with how any linear oscillator whose wall and forcing have one harmonic is brought to the
+//! form here; what is checked is its conditions H0 to H4, for every box of parameters (`proof`, `legs`, `gaps`), and the growth rate (`graph`).
+//! The checker works on integers in units of 2⁻⁴⁸ (`fixed`); exp, sin, cos and arcsin all are the exponential of one 2×2 matrix (`flow`). No code
+//! is shared with what finds the proof.
+//!
+//! # Form
+//!
+//! After `kind chaos`, times being in units in which the wall's period is 2π, lengths in units of its amplitude:
+//!
+//! ```text
+//! statement …                    what passing proves, word for word: STATEMENT
+//! damping LO HI                  the ranges of c, k, f, τ > 0 and ν: fractions in lowest terms, LO ≤ HI; f is 0/1 0/1 unless c and k are
+//! stiffness LO HI                and then ν > 0; for ν the least may be 0/1, which stands for all ν > 0 up to the greatest
+//! force LO HI
+//! restitution LO HI
+//! depth LO HI
+//! side σ                         1 or -1: the wall is at σν − 1 + cos t
+//! cells C K F T N                into how many parts each range is cut; at most 10000 boxes in all
+//! window W                       phases lie within ±W, 0 < W < π/2; there the gap is convex
+//! pieces J                       each window, and each time between two, is proved in J pieces, 1 to 1000
+//! letters L                      1 to 400, then L lines
+//! letter N A A' P P' α β γ S     N periods (1 to 1000); velocities after the first impact from A to A', before the last from P to P'; weights; an
+//!                                entry of the growth vector; the phases of both impacts are cut into S parts (1 to 64)
+//! next V …                       L lines: the numbers, from 1, increasing, of the letters that may follow
+//! contraction K                  0 < K < 1
+//! reach B                        q/ν stays below B
+//! growth LO HI                   the paths of T periods grow at least like LO^T and at most like HI^T
+//! complete none                  or: complete S R M: that there are no other orbits with |sin t| ≤ Sν at impacts, by R rounds in M parts
+//! ```
+//!
+//! All but the ranges and the counts are decimals. Decimals, and both parts of a fraction, have at most 15 digits and lie strictly between −2¹⁵
+//! and 2¹⁵.
+//!
+//! # Rules
+//!
+//! With s = 2(a + τp)/(1 + τ) for the velocities p before and a after an impact, s_{mn} of all p in P_m and a in A_n, the map G_n of `legs`, and
+//! all paths m → n → k of three letters, in every cell:
+//!
+//! - H0: ν|s|/2 < sin W, and E₁₂ ≠ 0 over the leg;
+//! - H1: G_n(s_{mn}, s_{nk}) lies in A_n × P_n;
+//! - H2: |a_s| (α_n + τβ_m) + |a_{s′}| (α_k + τβ_n) ≤ K (1 + τ)/2 α_n, and the same of p with β_n on the right;
+//! - H3: a > p;
+//! - H4: the gap is positive strictly between impacts (`gaps`), and q/ν < B.
+//!
+//! The growth vector γ satisfies Σ z^{n_w} γ_w ≥ γ_v over the successors w of each v for z = 1/LO, ≤ for z = 1/HI; and either no letter has two
+//! successors of the same period, or none two predecessors.
+//!
+//! # Cost
+//!
+//! The evaluations, of a leg with its derivatives or of a piece, are C·K·F·T·N times the sum of S_n² over all paths of three letters and of
+//! (2n + 1) J over all letters; at most 1,000,000. Each takes about TIME. Memory: the certificate and a few parts.
+
+mod fixed;
+mod flow;
+mod gaps;
+mod graph;
+mod legs;
+mod proof;
+#[cfg(test)]
+mod tests;
+mod text;
+mod words;
+
+use super::{
+    Proved, Rejection,
+    lines::{Lines, Words},
+};
+
+pub use text::{Certificate, Complete, Decimal, Fraction, Letter, Range};
+
+/// The word in the header.
+pub const KIND: &str = "chaos";
+
+/// The most boxes of parameters.
+const CELLS: u64 = 10_000;
+/// The most evaluations.
+const EVALUATIONS: u64 = 1_000_000;
+
+/// What a certificate of this kind proves.
+pub const STATEMENT: &str = "For all c, k, f, tau and nu > 0 in the listed ranges, the oscillator q'' = -c q' - k q + f above \
+the wall sigma nu - 1 + cos t, sigma the listed side, with restitution tau: for every bi-infinite path of the listed graph of letters there is exactly one \
+motion whose impacts, one between two letters, have phases within W of multiples of 2 pi, as many periods apart as the letters \
+say, and velocities, divided by nu, after the first and before the last impact of each letter in its ranges. It has no other \
+impacts, all are at positive speed, between them the gap is positive, and q/nu stays below the reach. Paths with different \
+periods have different motions; on the set of all these motions the map from t = pi to t = 3 pi has a topological entropy \
+between the logarithms of the growth rates. If it says complete, these are all motions for all times whose impacts all have \
+cos t > 0 and |sin t| <= S nu.";
+
+/// Checks everything after the kind line.
+pub(super) fn check(lines: &mut Lines) -> Result<Proved, Rejection> {
+    let certificate = text::read(lines)?;
+    graph::grows(&certificate).map_err(|reason| lines.false_claim(reason))?;
+    proof::run(&certificate, lines)?;
+    let periods = certificate.letters.iter().map(|letter| letter.periods);
+    let range = periods.clone().min().unwrap_or(1)..=periods.max().unwrap_or(1);
+    Ok(Proved { range, detail: words::detail(&certificate) })
+}

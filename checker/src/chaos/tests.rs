@@ -1,0 +1,82 @@
+//! The checker's arithmetic against known digits and rational numbers; its derivatives against differences.
+
+use super::{
+    fixed::Interval,
+    flow::{Flow, arcsine, circle},
+};
+
+fn ratio(p: i128, q: i128) -> Interval {
+    Interval::ratio(p, q)
+}
+
+/// Whether the interval holds p/10¹⁵ and is at most `width`/10¹⁵ wide.
+fn is(x: Interval, p: i128, width: i128) -> bool {
+    let (least, most) = (ratio(p - width, 1_000_000_000_000_000), ratio(p + width, 1_000_000_000_000_000));
+    least.is_up_to(x) && x.is_up_to(most) && x.hull(ratio(p, 1_000_000_000_000_000)) == x
+}
+
+#[test]
+fn products_and_quotients_round_outwards() {
+    for p in -9i128..=9 {
+        for r in [-1003i128, -7, -1, 1, 3, 123] {
+            let (x, y) = (ratio(p, 9), ratio(r, 7));
+            let exact = ratio(p * r, 63);
+            let product = x * y;
+            assert!(product.hull(exact) == product || (product - exact).magnitude().bits() < Some(20));
+            let quotient = x.over(y) * y - x;
+            assert!((-quotient.magnitude()).is_up_to(Interval::ZERO) && quotient.bits() < Some(24));
+            let sum = (x + y) - x - y;
+            assert!(!sum.is_positive() && !(-sum).is_positive());
+        }
+    }
+    let unknown = Interval::ONE.over(ratio(1, 3) - ratio(1, 3));
+    for x in [
+        unknown + Interval::ONE,
+        unknown * Interval::ZERO,
+        -unknown,
+        unknown.over(Interval::ONE),
+        unknown.half(),
+    ] {
+        assert_eq!(x, Interval::WHOLE);
+    }
+    let huge = ratio(30_000, 1);
+    assert_eq!((huge + huge, huge * huge), (Interval::WHOLE, Interval::WHOLE));
+    assert!(
+        !Interval::WHOLE.is_up_to(huge) && !huge.is_below(Interval::WHOLE) && !Interval::WHOLE.is_positive()
+    );
+}
+
+#[test]
+fn parts_leave_nothing_out() {
+    let whole = ratio(-1, 3).hull(ratio(5, 7));
+    for n in 1..20 {
+        let parts: Vec<_> = (0..n).map(|i| whole.part(i, n)).collect();
+        assert_eq!((parts[0].least(), parts[n as usize - 1].greatest()), (whole.least(), whole.greatest()));
+        assert!(parts.windows(2).all(|pair| !pair[0].greatest().is_below(pair[1].least())));
+    }
+}
+
+#[test]
+fn elementary_functions_have_known_digits() {
+    let (cos, sin) = circle(Interval::ONE);
+    assert!(is(cos, 540_302_305_868_140, 400) && is(sin, 841_470_984_807_897, 400));
+    let window = ratio(6, 5);
+    let cosine = circle(window).0;
+    for (p, q, digits) in [
+        (1, 2, 523_598_775_598_299),
+        (-9, 10, -1_119_769_514_998_634),
+        (1, 1000, 1_000_000_166_667),
+        (0, 1, 0),
+    ] {
+        assert!(is(arcsine(ratio(p, q), window, cosine), digits, 2000), "{p}/{q}");
+    }
+    // exp(−t), t exp(−t): c = 2, k = 1 is (d/dt + 1)² q = 0.
+    let e = Flow { damping: ratio(2, 1), stiffness: Interval::ONE }.exp(ratio(3, 1));
+    assert!(is(e.b, 149_361_205_103_592, 2000));
+    assert!(is(e.a, 4 * 49_787_068_367_864, 2000));
+    // The circle at π, where the sine changes its sign.
+    let (cos, sin) = circle(Interval::PI);
+    assert!(is(cos, -1_000_000_000_000_000, 400) && is(sin, 0, 400));
+    let Interval { .. } = Interval::PI;
+    assert!(circle(Interval::PI.least()).1.magnitude().bits() < Some(8));
+}

@@ -1,0 +1,46 @@
+//! What a certificate speaks of, in words.
+
+use super::text::{Certificate, Fraction, RANGES};
+
+/// Names and values: the oscillator, the ranges, the letters with what may follow, the rate of growth.
+pub(super) fn detail(certificate: &Certificate) -> Vec<(&'static str, String)> {
+    let mut all = vec![(
+        "motion",
+        format!(
+            "q'' = -c q' - k q + f above the wall {}nu - 1 + cos t, restitution tau",
+            if certificate.behind { "" } else { "-" }
+        ),
+    )];
+    for (name, [lo, hi]) in RANGES.iter().zip(certificate.ranges) {
+        let open = *name == "depth" && lo.p == 0;
+        let value = match (lo == hi, open) {
+            (true, _) => format!("{}", plain(lo)),
+            (false, true) => format!("every nu with 0 < nu <= {}", plain(hi)),
+            (false, false) => format!("from {} to {}", plain(lo), plain(hi)),
+        };
+        all.push((name, value));
+    }
+    let full = certificate.letters.iter().all(|letter| letter.next.len() == certificate.letters.len());
+    let letters = certificate.letters.iter().map(|letter| letter.periods.to_string());
+    let graph = if full { "each may follow each" } else { "as the lines next say" };
+    all.push(("letters", format!("{}; {graph}", letters.collect::<Vec<_>>().join(", "))));
+    all.push(("contraction", certificate.contraction.to_string()));
+    all.push(("reach", format!("q < {} nu", certificate.reach)));
+    let [lo, hi] = certificate.growth;
+    all.push(("entropy", format!("per period between log {lo} and log {hi}")));
+    all.push((
+        "complete",
+        match &certificate.complete {
+            None => "not claimed: there may be other orbits near".to_string(),
+            Some(complete) => {
+                format!("no other motion has only impacts with cos t > 0 and |sin t| <= {} nu", complete.sine)
+            }
+        },
+    ));
+    all
+}
+
+/// p/q, or p if q is 1.
+fn plain(x: Fraction) -> String {
+    if x.q == 1 { x.p.to_string() } else { x.to_string() }
+}
