@@ -14,7 +14,7 @@ pub(super) fn detail(certificate: &Certificate) -> Vec<(&'static str, String)> {
     for (name, [lo, hi]) in RANGES.iter().zip(certificate.ranges) {
         let open = *name == "depth" && lo.p == 0;
         let value = match (lo == hi, open) {
-            (true, _) => format!("{}", plain(lo)),
+            (true, _) => plain(lo),
             (false, true) => format!("every nu with 0 < nu <= {}", plain(hi)),
             (false, false) => format!("from {} to {}", plain(lo), plain(hi)),
         };
