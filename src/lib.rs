@@ -60,9 +60,10 @@
 //! | [`search`] | what finds certificates and looks for counterexamples |
 //! | [`Error`], [`Outcome`], [`Monitor`] | what goes wrong; how work ends; how a long job reports and is ended |
 //!
-//! Not public: `source` (errors that name file, line and key), `random` (the same choices on every machine), `study` (what accuracy
-//! costs), `output` (files that are whole or absent, saved states, tables), `processor` (its time), and with the feature `cli`, which is on by
-//! default, `figure` (pictures, the data of each beside it) and `cli` (the command line). Without it, `default-features = false`, none of their packages is compiled.
+//! Not public, and below the table, for every part: `processor` (its time), `random` (the same choices on every machine), `output` (files that
+//! are whole or absent, saved states, tables), `source` (errors that name file, line and key). Above it: `study` (what accuracy
+//! costs), and with the feature `cli`, which is on by default, `figure` (pictures, the data of each beside it) and `cli` (the command line).
+//! Without it, `default-features = false`, none of their packages is compiled. `tests/structure.rs` holds the sources to this order.
 
 // They panic once nobody reads; `output` has what does not.
 #![deny(clippy::print_stdout, clippy::print_stderr)]

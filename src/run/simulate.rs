@@ -11,7 +11,7 @@ use crate::{
         Time,
         simulate::{Event, RunEnd},
     },
-    scene::task::SimulateTask,
+    scene::simulate::SimulateTask,
 };
 
 /// What happened in one motion; its series and its events went to the [`Keeper`].

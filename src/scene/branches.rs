@@ -3,18 +3,15 @@
 use num_rational::BigRational;
 
 use super::{
-    Frame, Scene,
     keys::{keys, read_into, words},
     orbits::OrbitKeys,
-    task::{Check, Start},
+    sections::Frame,
+    simulate::Start,
 };
 use crate::{
     error::{Error, Result},
     number::{Plain, Real},
-    oscillator::{
-        System,
-        branch::{Options, with_options},
-    },
+    oscillator::branch::{Options, with_options},
 };
 
 with_options!(read_into);
@@ -168,79 +165,9 @@ keys! {
     }
 }
 
-impl Check for CrisisTask {
-    fn check(&self, scene: &Scene, system: &System<f64>, path: &str) -> Result<()> {
-        check_range(scene, &self.parameter, &self.bracket, &format!("{path}.bracket"))?;
-        if self.offsets.is_empty() {
-            return Err(scene.fail(&format!("{path}.offsets"), "is empty"));
-        }
-        self.orbit.check(scene, system, &format!("{path}.orbit"))
-    }
-}
-
-fn check_range<T: PartialOrd>(scene: &Scene, parameter: &str, range: &[T], key: &str) -> Result<()> {
-    scene.parameter(parameter)?;
-    match range {
-        [low, high] if low < high => Ok(()),
-        _ => Err(scene.fail(key, "must hold two numbers, the smaller first")),
-    }
-}
-
-fn check_starts(scene: &Scene, system: &System<f64>, starts: &[BranchStart], path: &str) -> Result<()> {
-    for (i, start) in (1..).zip(starts) {
-        let path = format!("{path}[{i}]");
-        start.origin().map_err(|error| scene.fail(&path, &error.to_string()))?;
-        if let Some(orbit) = &start.orbit {
-            orbit.check(scene, system, &format!("{path}.orbit"))?;
-        }
-    }
-    Ok(())
-}
-
-impl Check for BranchTask {
-    fn check(&self, scene: &Scene, system: &System<f64>, path: &str) -> Result<()> {
-        check_range(scene, &self.parameter, &self.range, &format!("{path}.range"))?;
-        check_starts(scene, system, &self.starts, &format!("{path}.starts"))?;
-        if let Some(second) = &self.second {
-            check_range(scene, second, &self.second_range, &format!("{path}.second_range"))?;
-            if second == &self.parameter || self.starts.iter().any(|start| start.restart.is_none()) {
-                return Err(scene.fail(
-                    &format!("{path}.second"),
-                    "must be another parameter, and every start a restart at the label of what is followed",
-                ));
-            }
-        }
-        let wrong = |error: crate::Error| scene.fail(&format!("{path}.options"), &error.to_string());
-        self.options.checked().map(drop).map_err(wrong)
-    }
-}
-
 impl DiagramTask {
     /// The bounds of the parameter.
     pub fn bounds(&self) -> (f64, f64) {
         (Plain::ratio(&self.range[0], &()).0, Plain::ratio(&self.range[1], &()).0)
-    }
-}
-
-impl Check for DiagramTask {
-    fn check(&self, scene: &Scene, system: &System<f64>, path: &str) -> Result<()> {
-        check_range(scene, &self.parameter, &self.range, &format!("{path}.range"))?;
-        check_starts(scene, system, &self.branches, &format!("{path}.branches"))?;
-        let values = [
-            (self.count, "count", 2, 1_000_000),
-            (self.points, "points", 2, 1_000_000),
-            (self.longest, "longest", 1, 10_000),
-            (self.every, "every", 1, self.points),
-        ];
-        for (value, key, least, most) in values {
-            if !(least..=most).contains(&value) {
-                return Err(scene.fail(&format!("{path}.{key}"), &format!("is outside {least} to {most}")));
-            }
-        }
-        if self.starts.is_empty() {
-            return Err(scene.fail(&format!("{path}.starts"), "is empty; a motion must start somewhere"));
-        }
-        let wrong = |error: crate::Error| scene.fail(&format!("{path}.options"), &error.to_string());
-        self.options.checked().map(drop).map_err(wrong)
     }
 }

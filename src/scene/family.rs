@@ -2,7 +2,7 @@
 
 use num_traits::ToPrimitive;
 
-use super::Scene;
+use super::scene::Scene;
 use crate::{
     error::Result,
     number::Dual,

@@ -6,19 +6,15 @@ use num_rational::BigRational;
 use toml_edit::Item;
 
 use super::{
-    Scene, Task,
-    expression::{Expression, is_name},
-    keys::{Entry, Key, Record, Scope, keys},
+    expression::is_name,
+    keys::{Entry, Key, Record, Scope, Value, keys},
+    scene::Scene,
+    system::{Accuracy, HarmonicKeys, SystemKeys, WallKeys, system},
+    task::Task,
 };
-use crate::{
-    error::Result,
-    oscillator::{Harmonic, Side, System, Wall},
-    source::Source,
-};
+use crate::{error::Result, source::Source};
 
 const FORMAT: &str = "grazing-scene 1";
-/// The highest multiple of the base frequency.
-const LIMIT_K: u32 = 1000;
 
 keys! {
     /// The file.
@@ -40,58 +36,6 @@ keys! {
     }
 }
 
-keys! {
-    /// q″ = −`damping` q′ − `stiffness` q − `cubic` q³ + `force` + `forcing`(t), time in units in which the forcing's period is 2π.
-    pub struct SystemKeys {
-        /// the coefficient of the velocity
-        damping: Expression = "0",
-        /// the coefficient of the displacement
-        stiffness: Expression = "0",
-        /// the coefficient of the displacement cubed (Duffing)
-        cubic: Expression = "0",
-        /// a constant acceleration: preload or gravity
-        force: Expression = "0",
-        /// the harmonics of the forcing
-        forcing: Vec<HarmonicKeys> = "[]",
-    }
-}
-
-keys! {
-    /// A term `cos` cos kt + `sin` sin kt.
-    pub struct HarmonicKeys {
-        /// the multiple of the base frequency, 1 to 1000
-        k: u32 = "1",
-        /// the coefficient of cos kt
-        cos: Expression = "0",
-        /// the coefficient of sin kt
-        sin: Expression = "0",
-    }
-}
-
-keys! {
-    /// A wall at `offset` + Σ `harmonics`; an impact turns the velocity relative to it into −`restitution` times itself.
-    pub struct WallKeys {
-        /// on which side of the oscillator
-        side: Side,
-        /// the mean position
-        offset: Expression,
-        /// its motion; none for a wall that stands still
-        harmonics: Vec<HarmonicKeys> = "[]",
-        /// at least 0: 0 for a wall that stops the motion, 1 for one that keeps the energy
-        restitution: Expression,
-    }
-}
-
-keys! {
-    /// How accurately motions are computed.
-    pub struct Accuracy {
-        /// the integrator's tolerance, absolute and relative, for oscillators with cubic stiffness; others need none
-        tolerance: f64 = "1e-12",
-        /// a minimum of the distance to a wall that is deeper than this is an impact; a shallower one is a tangency
-        minimum_depth: f64 = "1e-12",
-    }
-}
-
 /// Names and values.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Parameters;
@@ -100,7 +44,7 @@ pub struct Parameters;
 #[derive(Debug, Clone, PartialEq)]
 pub struct TaskEntry(Task);
 
-impl super::keys::Value for Parameters {
+impl Value for Parameters {
     fn shape() -> String {
         "table of numbers".to_string()
     }
@@ -110,17 +54,7 @@ impl super::keys::Value for Parameters {
     }
 }
 
-impl super::keys::Value for Side {
-    fn shape() -> String {
-        "`\"lower\"` or `\"upper\"`".to_string()
-    }
-
-    fn read(entry: &Entry) -> Result<Self> {
-        entry.word(&[Side::Lower, Side::Upper].map(|side| (side.name(), side)))
-    }
-}
-
-impl super::keys::Value for TaskEntry {
+impl Value for TaskEntry {
     fn shape() -> String {
         "task".to_string()
     }
@@ -216,51 +150,6 @@ fn parameters(entry: &Entry) -> Result<Vec<(String, BigRational)>> {
         all.push((name.to_string(), value.number()?));
     }
     Ok(all)
-}
-
-fn system(file: &Entry, keys: SystemKeys, walls: Vec<WallKeys>) -> Result<System<Expression>> {
-    let at = |path: &str| Entry {
-        scope: file.scope,
-        path: path.to_string(),
-        span: file.scope.places.borrow().get(path).cloned(),
-        item: Item::None,
-    };
-    let harmonics = |list: Vec<HarmonicKeys>, path: &str| {
-        for (i, harmonic) in list.iter().enumerate() {
-            let place = || at(&format!("{path}[{}]", i + 1));
-            if !(1..=LIMIT_K).contains(&harmonic.k) {
-                return Err(place().fail(&format!("k is {}; it goes from 1 to {LIMIT_K}", harmonic.k)));
-            }
-            if list[..i].iter().any(|other| other.k == harmonic.k) {
-                return Err(
-                    place().fail(&format!("k = {} stands here twice; add the two terms up", harmonic.k))
-                );
-            }
-        }
-        Ok(list.into_iter().map(|h| Harmonic { k: h.k, cos: h.cos, sin: h.sin }).collect())
-    };
-    let (mut lower, mut upper) = (None, None);
-    for (i, keys) in walls.into_iter().enumerate() {
-        let path = format!("walls[{}]", i + 1);
-        let place = match keys.side {
-            Side::Lower => &mut lower,
-            Side::Upper => &mut upper,
-        };
-        if place.is_some() {
-            return Err(at(&format!("{path}.side")).fail("there is a wall on this side already"));
-        }
-        let harmonics = harmonics(keys.harmonics, &format!("{path}.harmonics"))?;
-        *place = Some(Wall { offset: keys.offset, harmonics, restitution: keys.restitution });
-    }
-    Ok(System {
-        damping: keys.damping,
-        stiffness: keys.stiffness,
-        cubic: keys.cubic,
-        force: keys.force,
-        forcing: harmonics(keys.forcing, "system.forcing")?,
-        lower,
-        upper,
-    })
 }
 
 /// The tables of the file but those of the tasks: path, what it is, keys.

@@ -1,256 +1,35 @@
 //! Scenes: an oscillator, what to do with it and how accurately, as a TOML file that anyone can write.
 //!
-//! The format, with every key, is in docs/scenes.md, written by [`reference()`] from the declarations in `input` and `task`.
+//! The format, with every key, is in docs/scenes.md, written by [`reference()`] from the declarations of keys.
 //! Numbers are exact; coefficients are rational expressions in named parameters ([`Expression`]). Not here: running the
-//! tasks (`cli::run`).
+//! tasks (the module `run`).
+//!
+//! Each file imports from those before it alone: `expression`, `keys`; the keys, `system`, `simulate`, `orbits`, `sections`,
+//! `branches`, `validate`; `task`; `scene`, the type and its values; `check`; `input`, `family`, `reference`.
 
 pub mod branches;
+mod check;
 mod expression;
 mod family;
 mod input;
 mod keys;
 pub mod orbits;
 mod reference;
+#[expect(clippy::module_inception)]
+mod scene;
 mod sections;
+pub mod simulate;
+mod system;
 pub mod task;
 pub mod validate;
 mod walls;
 
-use std::{collections::BTreeMap, f64::consts::TAU, ops::Range};
-
-use num_rational::BigRational;
-use num_traits::ToPrimitive;
-
 pub use expression::{Coefficient, Expression};
 pub use family::SceneFamily;
-pub use input::Accuracy;
 pub use keys::Key;
 pub use reference::reference;
+pub use scene::Scene;
+pub(crate) use scene::phase;
 pub use sections::{BasinsTask, Frame, SectionTask, Values};
+pub use system::Accuracy;
 pub use task::{Kind, Task};
-
-use self::task::Start;
-use crate::{
-    error::{Error, Result},
-    number::{Plain, Real},
-    oscillator::{Contact, Side, System, flow::State, validate::Jet},
-    source::{Source, hint},
-};
-
-impl Coefficient for Jet {}
-
-/// An oscillator with named parameters, what to do with it, and how accurately.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Scene {
-    /// What it is.
-    pub title: String,
-    /// The parameters and their values, in the file's order.
-    pub parameters: Vec<(String, BigRational)>,
-    /// The equation of motion and the walls.
-    pub system: System<Expression>,
-    /// How accurately to compute.
-    pub accuracy: Accuracy,
-    /// What to do.
-    pub tasks: Vec<Task>,
-    /// The file's name and text, and where in it each key's value stands.
-    file: (String, String),
-    places: BTreeMap<String, Range<usize>>,
-}
-
-impl Scene {
-    /// The same scene with other values of some parameters.
-    ///
-    /// # Errors
-    /// An input error for a parameter that the scene does not have, or a value of more than 4096 bits.
-    pub fn with(&self, values: &[(String, BigRational)]) -> Result<Scene> {
-        let mut scene = self.clone();
-        for (name, value) in values {
-            scene.parameters[self.parameter(name)?].1 = expression::checked(value.clone())
-                .map_err(|error| error.context(format_args!("parameter {name}")))?;
-        }
-        Ok(scene)
-    }
-
-    /// A text of the oscillator: its parameters with their values, and its equation and walls as expressions in them, without the spaces in
-    /// them. Scenes with the same text have the same motions; titles, tasks, comments and the order of keys do not matter.
-    pub fn canonical(&self) -> Result<String> {
-        let parameters: Vec<(&str, String)> =
-            self.parameters.iter().map(|(name, value)| (name.as_str(), value.to_string())).collect();
-        Ok(serde_json::to_string(&(parameters, &self.system)).map_err(std::io::Error::other)?)
-    }
-
-    /// The place of a parameter in the list.
-    ///
-    /// # Errors
-    /// An input error if there is none of that name.
-    pub fn parameter(&self, name: &str) -> Result<usize> {
-        let names = || self.parameters.iter().map(|(name, _)| name.as_str());
-        names().position(|known| known == name).ok_or_else(|| {
-            let known: Vec<&str> = names().collect();
-            let near = hint(name, known);
-            Error::input(format!("{}: the scene has no parameter {name:?}; {near}", self.file.0))
-        })
-    }
-
-    /// The system with the parameters' values, and some of them changed.
-    ///
-    /// # Errors
-    /// An input error, naming file, line and key, for an unknown parameter, a division by zero, a negative restitution or
-    /// walls that touch.
-    pub fn exact(&self, changes: &[(&str, BigRational)]) -> Result<System<BigRational>> {
-        let mut values: Vec<BigRational> = self.parameters.iter().map(|(_, value)| value.clone()).collect();
-        for (name, value) in changes {
-            values[self.parameter(name)?].clone_from(value);
-        }
-        let point = || self.point(&values);
-        let system = self.system.try_map(|expression| self.value(expression, &values, float, &point))?;
-        self.check(&system.rounded(), &point)?;
-        Ok(system)
-    }
-
-    /// The system in plain floats, for parameters that vary continuously; otherwise as [`Scene::exact`].
-    ///
-    /// # Errors
-    /// As [`Scene::exact`].
-    pub fn plain(&self, changes: &[(&str, f64)]) -> Result<System<f64>> {
-        let mut values: Vec<Plain> =
-            self.parameters.iter().map(|(_, value)| Plain::ratio(value, &())).collect();
-        for (name, value) in changes {
-            values[self.parameter(name)?] = Plain(*value);
-        }
-        let floats: Vec<f64> = values.iter().map(|value| value.0).collect();
-        let point = || self.point(&floats);
-        let system = self.system.try_map(|expression| self.value(expression, &values, |x| x.0, &point))?;
-        let system = system.try_map(|x| Ok::<f64, Error>(x.0))?;
-        self.check(&system, &point)?;
-        Ok(system)
-    }
-
-    /// An expression's value with the scene's parameters, rounded.
-    ///
-    /// # Errors
-    /// An input error that names where it stands, for a division by zero or a value beyond floats.
-    pub fn number(&self, expression: &Expression) -> Result<f64> {
-        let values: Vec<BigRational> = self.parameters.iter().map(|(_, value)| value.clone()).collect();
-        Ok(float(&self.value(expression, &values, float, &|| self.point(&values))?))
-    }
-
-    /// A state to start from, rounded from its exact values.
-    ///
-    /// # Errors
-    /// As [`Scene::exact`].
-    pub fn state(&self, start: &Start) -> Result<State> {
-        Ok(State { t: phase(&start.phase), q: self.number(&start.q)?, u: self.number(&start.u)? })
-    }
-
-    /// A task's scene, with the values it sets and then `changes`; checks all that can be checked before running.
-    ///
-    /// # Errors
-    /// As [`Scene::exact`]; an input error for what the task's kind forbids.
-    pub fn for_task(&self, task: &Task, changes: &[(String, BigRational)]) -> Result<Scene> {
-        let scene = self.with(&task.set)?.with(changes)?;
-        let system = scene.exact(&[])?.rounded();
-        task.kind.check(&scene, &system, &task.path)?;
-        Ok(scene)
-    }
-
-    /// A coefficient's value, within the range of floats; an error names where it stands.
-    fn value<T: Coefficient<Context = ()>>(
-        &self,
-        expression: &Expression,
-        values: &[T],
-        float: impl Fn(&T) -> f64,
-        point: &dyn Fn() -> String,
-    ) -> Result<T> {
-        let fail = |message: &str| self.fail(&expression.key, &format!("{message}{}", point()));
-        let value = expression.evaluate(values, &()).map_err(|error| fail(&error.to_string()))?;
-        if float(&value).is_finite() { Ok(value) } else { Err(fail("is beyond the range of floats")) }
-    }
-
-    fn check(&self, system: &System<f64>, point: &dyn Fn() -> String) -> Result<()> {
-        for (wall, plain) in [(&self.system.lower, &system.lower), (&self.system.upper, &system.upper)] {
-            if let (Some(wall), Some(plain)) = (wall, plain)
-                && plain.restitution < 0.0
-            {
-                let message = format!("is {}; a restitution is at least 0{}", plain.restitution, point());
-                return Err(self.fail(&wall.restitution.key, &message));
-            }
-        }
-        if let ([lower, upper], Some(wall)) = (&Contact::of(system)?[..], &self.system.upper)
-            && let Some((t, gap)) = walls::meet(lower, upper)?
-        {
-            let message = format!(
-                "the walls meet: at t = {t:.6} the upper one is {gap:.3e} above the lower; move them apart{}",
-                point()
-            );
-            return Err(self.fail(&wall.offset.key, &message));
-        }
-        Ok(())
-    }
-
-    /// Where a task stands in the file.
-    pub(crate) fn place(&self, task: &Task) -> (String, Option<usize>) {
-        let source = Source { name: &self.file.0, text: &self.file.1 };
-        (self.file.0.clone(), self.places.get(&task.path).map(|span| source.line(span)))
-    }
-
-    /// What is allowed and likely to be a mistake.
-    pub(crate) fn warnings(&self) -> Vec<String> {
-        let Ok(system) = self.exact(&[]) else { return Vec::new() };
-        let one = num_traits::One::one();
-        let gains =
-            [Side::Lower, Side::Upper].into_iter().filter_map(|side| Some((side, system.wall(side)?)));
-        gains
-            .filter(|(_, wall)| wall.restitution > one)
-            .map(|(side, wall)| {
-                let (name, value) = (side.name(), &wall.restitution);
-                format!("the {name} wall's restitution is {value}, above 1: every impact there adds energy")
-            })
-            .collect()
-    }
-
-    pub(crate) fn check_start(&self, start: &Start, system: &System<f64>, path: &str) -> Result<()> {
-        let state = self.state(start)?;
-        for contact in Contact::of(system)? {
-            let at = contact.position.at(state.t)[0];
-            // A start on the wall may be behind it by rounding.
-            if contact.gap(state)[0] < -1e-12 * (1.0 + at.abs()) {
-                let message = format!(
-                    "starts at q = {}, behind the {} wall, which is at {at}{}",
-                    state.q,
-                    contact.side.name(),
-                    self.where_parameters()
-                );
-                return Err(self.fail(path, &message));
-            }
-        }
-        Ok(())
-    }
-
-    /// `file:line: key = value: message`.
-    pub(crate) fn fail(&self, key: &str, message: &str) -> Error {
-        let source = Source { name: &self.file.0, text: &self.file.1 };
-        source.at(key, self.places.get(key).cloned(), message)
-    }
-
-    fn where_parameters(&self) -> String {
-        let values: Vec<&BigRational> = self.parameters.iter().map(|(_, value)| value).collect();
-        self.point(&values)
-    }
-
-    /// The values at which something went wrong, one for each parameter.
-    fn point<T: std::fmt::Display>(&self, values: &[T]) -> String {
-        let named = self.parameters.iter().zip(values);
-        let all: Vec<String> = named.map(|((name, _), value)| format!("{name} = {value}")).collect();
-        if all.is_empty() { String::new() } else { format!(" (with {})", all.join(", ")) }
-    }
-}
-
-/// A fraction of the forcing period as t in [0, 2π).
-pub(crate) fn phase(fraction: &BigRational) -> f64 {
-    TAU * float(&(fraction - fraction.floor()))
-}
-
-fn float(x: &BigRational) -> f64 {
-    x.to_f64().unwrap_or(f64::NAN)
-}

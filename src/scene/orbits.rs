@@ -2,10 +2,7 @@
 
 use num_rational::BigRational;
 
-use super::{
-    keys::{Entry, Value, keys},
-    task::Check,
-};
+use super::keys::{Entry, Value, keys};
 use crate::{
     error::Result,
     oscillator::{
@@ -13,7 +10,6 @@ use crate::{
         branch::{Bifurcation, Options},
         orbit::{Itinerary, Orbit, Oscillator, Strike, find, search},
     },
-    scene::Scene,
 };
 
 keys! {
@@ -60,32 +56,6 @@ impl OrbitKeys {
         }
         Ok(vec![find(oscillator, &itinerary, self.start.clone())?])
     }
-
-    /// What [`Scene::for_task`] checks.
-    pub(super) fn check(&self, scene: &Scene, system: &System<f64>, path: &str) -> Result<()> {
-        let fail = |key: &str, message: &str| Err(scene.fail(&format!("{path}.{key}"), message));
-        if let Err(error) = self.itinerary(system) {
-            return fail("pattern", &error.to_string());
-        }
-        let m = self.pattern.len();
-        if !self.walls.is_empty() && self.walls.len() != m {
-            return fail("walls", &format!("must name {m} walls, one for each impact"));
-        }
-        if m > 0 && self.walls.is_empty() && system.lower.is_some() && system.upper.is_some() {
-            return fail("pattern", "the scene has two walls: name the wall of each impact in walls");
-        }
-        let missing =
-            |side| [system.lower.is_none(), system.upper.is_none()][usize::from(side == Side::Upper)];
-        if self.walls.iter().any(|&side| missing(side))
-            || (m > 0 && missing(Side::Lower) && missing(Side::Upper))
-        {
-            return fail("pattern", "has an impact at a wall that the scene does not have");
-        }
-        if !self.start.is_empty() && self.start.len() != (2 * m).max(2) {
-            return fail("start", &format!("must hold {} numbers", (2 * m).max(2)));
-        }
-        Ok(())
-    }
 }
 
 keys! {
@@ -97,19 +67,6 @@ keys! {
         parameter: Option<String>,
         /// its values
         values: Vec<BigRational> = "[]",
-    }
-}
-
-impl Check for OrbitTask {
-    fn check(&self, scene: &Scene, system: &System<f64>, path: &str) -> Result<()> {
-        self.orbit.check(scene, system, &format!("{path}.orbit"))?;
-        if let Some(parameter) = &self.parameter {
-            scene.parameter(parameter)?;
-        }
-        if self.parameter.is_some() == self.values.is_empty() {
-            return Err(scene.fail(path, "parameter and values belong together: give both or neither"));
-        }
-        Ok(())
     }
 }
 
@@ -139,23 +96,6 @@ keys! {
     }
 }
 
-/// What reach and options must be.
-pub(super) fn check_reach(scene: &Scene, reach: f64, options: &Options, path: &str) -> Result<()> {
-    if reach.is_nan() || reach <= 0.0 {
-        return Err(scene.fail(&format!("{path}.reach"), "must be positive"));
-    }
-    let wrong = |error: crate::Error| scene.fail(&format!("{path}.options"), &error.to_string());
-    options.checked().map(drop).map_err(wrong)
-}
-
-impl Check for EventTask {
-    fn check(&self, scene: &Scene, system: &System<f64>, path: &str) -> Result<()> {
-        scene.parameter(&self.parameter)?;
-        check_reach(scene, self.reach, &self.options, path)?;
-        self.orbit.check(scene, system, &format!("{path}.orbit"))
-    }
-}
-
 keys! {
     /// Locates a grazing bifurcation, and decides by the local theory there which orbits are born, on which side; each is then
     /// found in the true system near by.
@@ -172,16 +112,5 @@ keys! {
         max_period: u32 = "4",
         /// how far from the bifurcation the born orbits are found: the distance |eµ| between the orbit and the wall
         distance: f64 = "1e-6",
-    }
-}
-
-impl Check for GrazingTask {
-    fn check(&self, scene: &Scene, system: &System<f64>, path: &str) -> Result<()> {
-        scene.parameter(&self.parameter)?;
-        check_reach(scene, self.reach, &self.options, path)?;
-        if !(1..=12).contains(&self.max_period) {
-            return Err(scene.fail(&format!("{path}.max_period"), "is outside 1 to 12"));
-        }
-        self.orbit.check(scene, system, &format!("{path}.orbit"))
     }
 }

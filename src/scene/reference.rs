@@ -5,7 +5,8 @@ use std::fmt::Write;
 use super::{
     input::TABLES,
     keys::{Key, Record, Table},
-    task::{KINDS, Start, TaskKeys},
+    simulate::Start,
+    task::{KINDS, TaskKeys},
 };
 
 /// Every table of a scene file with its keys, nested ones after those in which they stand: what may stand there, what holds without

@@ -3,15 +3,12 @@
 use num_rational::BigRational;
 
 use super::{
-    Expression, Scene,
+    expression::Expression,
     keys::{keys, words},
     orbits::OrbitKeys,
-    task::{Check, Start},
+    simulate::Start,
 };
-use crate::{
-    error::Result,
-    oscillator::{Side, System},
-};
+use crate::oscillator::Side;
 
 keys! {
     /// Draws the stroboscopic (Poincaré) section of the attractors that motions lead to: periods, impacts, Lyapunov exponents.
@@ -88,51 +85,4 @@ impl Frame {
             Frame::Upper => Some(Side::Upper),
         }
     }
-}
-
-/// How many points and periods may be looked at.
-const LONGEST: u32 = 10_000;
-const POINTS: u32 = 1_000_000;
-
-impl Check for SectionTask {
-    fn check(&self, scene: &Scene, system: &System<f64>, path: &str) -> Result<()> {
-        if self.starts.is_empty() {
-            return Err(scene.fail(&format!("{path}.starts"), "is empty; a motion must start somewhere"));
-        }
-        for (i, start) in (1..).zip(&self.starts) {
-            scene.check_start(start, system, &format!("{path}.starts[{i}]"))?;
-        }
-        let has = |side| match side {
-            Side::Lower => system.lower.is_some(),
-            Side::Upper => system.upper.is_some(),
-        };
-        if let Some(side) = self.frame.side().filter(|&side| !has(side)) {
-            return Err(scene.fail(&format!("{path}.frame"), &format!("there is no {} wall", side.name())));
-        }
-        for (i, orbit) in (1..).zip(&self.orbits) {
-            orbit.check(scene, system, &format!("{path}.orbits[{i}]"))?;
-        }
-        within(scene, path, "points", self.points, POINTS)?;
-        within(scene, path, "longest", self.longest, LONGEST)
-    }
-}
-
-impl Check for BasinsTask {
-    fn check(&self, scene: &Scene, _: &System<f64>, path: &str) -> Result<()> {
-        for (range, name) in [(&self.q, "q"), (&self.u, "u")] {
-            if !(2..=4000).contains(&range.count) {
-                return Err(scene.fail(&format!("{path}.{name}.count"), "is outside 2 to 4000"));
-            }
-            scene.number(&range.from)?;
-            scene.number(&range.to)?;
-        }
-        within(scene, path, "longest", self.longest, LONGEST)
-    }
-}
-
-fn within(scene: &Scene, path: &str, key: &str, value: u32, most: u32) -> Result<()> {
-    if (1..=most).contains(&value) {
-        return Ok(());
-    }
-    Err(scene.fail(&format!("{path}.{key}"), &format!("is outside 1 to {most}")))
 }

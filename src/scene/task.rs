@@ -1,18 +1,19 @@
 //! What can be asked of a scene: one struct a kind of task, all kinds registered in one table.
 //!
-//! To add a kind: declare its keys here, add its line to `kinds!`, and write `cli/run/<kind>.rs`.
+//! To add a kind: declare its keys in a file beside this one, add its line to `kinds!` and its checks to `check.rs`, and write
+//! `run/<kind>.rs`.
 
 use num_rational::BigRational;
 
 use super::{
     branches::{BranchTask, CrisisTask, DiagramTask},
-    expression::Expression,
     keys::{Entry, Key, Record, Value, keys},
     orbits::{EventTask, GrazingTask, OrbitTask},
     sections::{BasinsTask, SectionTask},
+    simulate::SimulateTask,
     validate::ValidateTask,
 };
-use crate::{error::Result, oscillator::System, scene::Scene, source::nearest};
+use crate::{error::Result, source::nearest};
 
 /// One thing to do with a scene.
 #[derive(Debug, Clone, PartialEq)]
@@ -84,11 +85,6 @@ macro_rules! kinds {
                     _ => None,
                 }
             }
-
-            /// Checks what only the whole scene can tell, its coefficients being those of the task.
-            pub(super) fn check(&self, scene: &Scene, system: &System<f64>, path: &str) -> Result<()> {
-                match self { $(Kind::$kind(task) => task.check(scene, system, path),)+ }
-            }
         }
 
         /// Word, meaning and keys of every kind.
@@ -107,62 +103,6 @@ kinds! {
     "diagram" DiagramTask,
     "crisis" CrisisTask,
     "validate" ValidateTask,
-}
-
-/// What a kind of task checks before anything runs; by default nothing.
-pub(super) trait Check {
-    fn check(&self, _scene: &Scene, _system: &System<f64>, _path: &str) -> Result<()> {
-        Ok(())
-    }
-}
-
-keys! {
-    /// Follows one motion: its time series, its impacts and a picture of both.
-    pub struct SimulateTask {
-        /// where it starts
-        start: Start,
-        /// how many forcing periods are written
-        periods: u32 = "10",
-        /// how many periods pass before
-        transient: u64 = "0",
-        /// points of the time series in a period, from 1 to 10000; at most 100000000 in all
-        samples: u32 = "64",
-    }
-}
-
-/// No longer series is written: at some 50 bytes a point, 5 GB.
-const MOST_POINTS: u64 = 100_000_000;
-
-impl Check for SimulateTask {
-    fn check(&self, scene: &Scene, system: &System<f64>, path: &str) -> Result<()> {
-        let points = u64::from(self.periods) * u64::from(self.samples);
-        if points > MOST_POINTS {
-            let key = format!("{path}.periods");
-            return Err(scene.fail(
-                &key,
-                &format!(
-                    "with samples = {} makes a series of {points} points, more than {MOST_POINTS}: take fewer samples or periods",
-                    self.samples
-                ),
-            ));
-        }
-        if !(1..=10_000).contains(&self.samples) {
-            return Err(scene.fail(&format!("{path}.samples"), "is outside 1 to 10000"));
-        }
-        scene.check_start(&self.start, system, &format!("{path}.start"))
-    }
-}
-
-keys! {
-    /// A state from which a motion starts.
-    pub struct Start {
-        /// the time, as a fraction of the forcing period: t = 2π `phase`
-        phase: BigRational = "0",
-        /// the displacement
-        q: Expression,
-        /// the velocity
-        u: Expression = "0",
-    }
 }
 
 impl Task {

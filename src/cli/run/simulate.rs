@@ -9,7 +9,7 @@ use crate::{
     oscillator::{Contact, Time, flow::State, simulate::Event},
     output::write_file,
     run::{Findings, Keeper, TaskReport, run_task},
-    scene::task::SimulateTask,
+    scene::simulate::SimulateTask,
 };
 
 pub(super) fn run(task: &SimulateTask, job: &Job) -> TaskReport {

@@ -1,0 +1,320 @@
+//! What only a whole scene can tell of its tasks: parameters that exist, ranges, walls that are there, starts on the right side.
+
+use num_rational::BigRational;
+
+use super::{
+    branches::{BranchStart, BranchTask, CrisisTask, DiagramTask},
+    orbits::{EventTask, GrazingTask, OrbitKeys, OrbitTask},
+    scene::Scene,
+    sections::{BasinsTask, SectionTask},
+    simulate::{SimulateTask, Start},
+    task::{Kind, Task},
+    validate::ValidateTask,
+};
+use crate::{
+    error::{Error, Result},
+    oscillator::{
+        Contact, Side, System,
+        branch::{Bifurcation, Options},
+    },
+};
+
+/// No longer series is written: at some 50 bytes a point, 5 GB.
+const MOST_POINTS: u64 = 100_000_000;
+
+/// How many points and periods may be looked at.
+const LONGEST: u32 = 10_000;
+const POINTS: u32 = 1_000_000;
+
+impl Scene {
+    /// A task's scene, with the values it sets and then `changes`; checks all that can be checked before running.
+    ///
+    /// # Errors
+    /// As [`Scene::exact`]; an input error for what the task's kind forbids.
+    pub fn for_task(&self, task: &Task, changes: &[(String, BigRational)]) -> Result<Scene> {
+        let scene = self.with(&task.set)?.with(changes)?;
+        let system = scene.exact(&[])?.rounded();
+        check(&task.kind, &scene, &system, &task.path)?;
+        Ok(scene)
+    }
+
+    /// What is allowed and likely to be a mistake.
+    pub(crate) fn warnings(&self) -> Vec<String> {
+        let Ok(system) = self.exact(&[]) else { return Vec::new() };
+        let one = num_traits::One::one();
+        let gains =
+            [Side::Lower, Side::Upper].into_iter().filter_map(|side| Some((side, system.wall(side)?)));
+        gains
+            .filter(|(_, wall)| wall.restitution > one)
+            .map(|(side, wall)| {
+                let (name, value) = (side.name(), &wall.restitution);
+                format!("the {name} wall's restitution is {value}, above 1: every impact there adds energy")
+            })
+            .collect()
+    }
+
+    fn check_start(&self, start: &Start, system: &System<f64>, path: &str) -> Result<()> {
+        let state = self.state(start)?;
+        for contact in Contact::of(system)? {
+            let at = contact.position.at(state.t)[0];
+            // A start on the wall may be behind it by rounding.
+            if contact.gap(state)[0] < -1e-12 * (1.0 + at.abs()) {
+                let message = format!(
+                    "starts at q = {}, behind the {} wall, which is at {at}{}",
+                    state.q,
+                    contact.side.name(),
+                    self.where_parameters()
+                );
+                return Err(self.fail(path, &message));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The checks of one task, its coefficients being those of the task.
+fn check(kind: &Kind, scene: &Scene, system: &System<f64>, path: &str) -> Result<()> {
+    match kind {
+        Kind::SimulateTask(task) => task.check(scene, system, path),
+        Kind::SectionTask(task) => task.check(scene, system, path),
+        Kind::BasinsTask(task) => task.check(scene, system, path),
+        Kind::OrbitTask(task) => task.check(scene, system, path),
+        Kind::EventTask(task) => task.check(scene, system, path),
+        Kind::GrazingTask(task) => task.check(scene, system, path),
+        Kind::BranchTask(task) => task.check(scene, system, path),
+        Kind::DiagramTask(task) => task.check(scene, system, path),
+        Kind::CrisisTask(task) => task.check(scene, system, path),
+        Kind::ValidateTask(task) => task.check(scene, system, path),
+    }
+}
+
+/// What a kind of task checks before anything runs.
+trait Check {
+    fn check(&self, scene: &Scene, system: &System<f64>, path: &str) -> Result<()>;
+}
+
+impl Check for SimulateTask {
+    fn check(&self, scene: &Scene, system: &System<f64>, path: &str) -> Result<()> {
+        let points = u64::from(self.periods) * u64::from(self.samples);
+        if points > MOST_POINTS {
+            let key = format!("{path}.periods");
+            return Err(scene.fail(
+                &key,
+                &format!(
+                    "with samples = {} makes a series of {points} points, more than {MOST_POINTS}: take fewer samples or periods",
+                    self.samples
+                ),
+            ));
+        }
+        if !(1..=10_000).contains(&self.samples) {
+            return Err(scene.fail(&format!("{path}.samples"), "is outside 1 to 10000"));
+        }
+        scene.check_start(&self.start, system, &format!("{path}.start"))
+    }
+}
+
+impl Check for SectionTask {
+    fn check(&self, scene: &Scene, system: &System<f64>, path: &str) -> Result<()> {
+        if self.starts.is_empty() {
+            return Err(scene.fail(&format!("{path}.starts"), "is empty; a motion must start somewhere"));
+        }
+        for (i, start) in (1..).zip(&self.starts) {
+            scene.check_start(start, system, &format!("{path}.starts[{i}]"))?;
+        }
+        let has = |side| match side {
+            Side::Lower => system.lower.is_some(),
+            Side::Upper => system.upper.is_some(),
+        };
+        if let Some(side) = self.frame.side().filter(|&side| !has(side)) {
+            return Err(scene.fail(&format!("{path}.frame"), &format!("there is no {} wall", side.name())));
+        }
+        for (i, orbit) in (1..).zip(&self.orbits) {
+            check_orbit(orbit, scene, system, &format!("{path}.orbits[{i}]"))?;
+        }
+        within(scene, path, "points", self.points, POINTS)?;
+        within(scene, path, "longest", self.longest, LONGEST)
+    }
+}
+
+impl Check for BasinsTask {
+    fn check(&self, scene: &Scene, _: &System<f64>, path: &str) -> Result<()> {
+        for (range, name) in [(&self.q, "q"), (&self.u, "u")] {
+            if !(2..=4000).contains(&range.count) {
+                return Err(scene.fail(&format!("{path}.{name}.count"), "is outside 2 to 4000"));
+            }
+            scene.number(&range.from)?;
+            scene.number(&range.to)?;
+        }
+        within(scene, path, "longest", self.longest, LONGEST)
+    }
+}
+
+impl Check for OrbitTask {
+    fn check(&self, scene: &Scene, system: &System<f64>, path: &str) -> Result<()> {
+        check_orbit(&self.orbit, scene, system, &format!("{path}.orbit"))?;
+        if let Some(parameter) = &self.parameter {
+            scene.parameter(parameter)?;
+        }
+        if self.parameter.is_some() == self.values.is_empty() {
+            return Err(scene.fail(path, "parameter and values belong together: give both or neither"));
+        }
+        Ok(())
+    }
+}
+
+impl Check for EventTask {
+    fn check(&self, scene: &Scene, system: &System<f64>, path: &str) -> Result<()> {
+        scene.parameter(&self.parameter)?;
+        check_reach(scene, self.reach, &self.options, path)?;
+        check_orbit(&self.orbit, scene, system, &format!("{path}.orbit"))
+    }
+}
+
+impl Check for GrazingTask {
+    fn check(&self, scene: &Scene, system: &System<f64>, path: &str) -> Result<()> {
+        scene.parameter(&self.parameter)?;
+        check_reach(scene, self.reach, &self.options, path)?;
+        if !(1..=12).contains(&self.max_period) {
+            return Err(scene.fail(&format!("{path}.max_period"), "is outside 1 to 12"));
+        }
+        check_orbit(&self.orbit, scene, system, &format!("{path}.orbit"))
+    }
+}
+
+impl Check for BranchTask {
+    fn check(&self, scene: &Scene, system: &System<f64>, path: &str) -> Result<()> {
+        check_range(scene, &self.parameter, &self.range, &format!("{path}.range"))?;
+        check_starts(scene, system, &self.starts, &format!("{path}.starts"))?;
+        if let Some(second) = &self.second {
+            check_range(scene, second, &self.second_range, &format!("{path}.second_range"))?;
+            if second == &self.parameter || self.starts.iter().any(|start| start.restart.is_none()) {
+                return Err(scene.fail(
+                    &format!("{path}.second"),
+                    "must be another parameter, and every start a restart at the label of what is followed",
+                ));
+            }
+        }
+        let wrong = |error: Error| scene.fail(&format!("{path}.options"), &error.to_string());
+        self.options.checked().map(drop).map_err(wrong)
+    }
+}
+
+impl Check for DiagramTask {
+    fn check(&self, scene: &Scene, system: &System<f64>, path: &str) -> Result<()> {
+        check_range(scene, &self.parameter, &self.range, &format!("{path}.range"))?;
+        check_starts(scene, system, &self.branches, &format!("{path}.branches"))?;
+        let values = [
+            (self.count, "count", 2, 1_000_000),
+            (self.points, "points", 2, 1_000_000),
+            (self.longest, "longest", 1, 10_000),
+            (self.every, "every", 1, self.points),
+        ];
+        for (value, key, least, most) in values {
+            if !(least..=most).contains(&value) {
+                return Err(scene.fail(&format!("{path}.{key}"), &format!("is outside {least} to {most}")));
+            }
+        }
+        if self.starts.is_empty() {
+            return Err(scene.fail(&format!("{path}.starts"), "is empty; a motion must start somewhere"));
+        }
+        let wrong = |error: Error| scene.fail(&format!("{path}.options"), &error.to_string());
+        self.options.checked().map(drop).map_err(wrong)
+    }
+}
+
+impl Check for CrisisTask {
+    fn check(&self, scene: &Scene, system: &System<f64>, path: &str) -> Result<()> {
+        check_range(scene, &self.parameter, &self.bracket, &format!("{path}.bracket"))?;
+        if self.offsets.is_empty() {
+            return Err(scene.fail(&format!("{path}.offsets"), "is empty"));
+        }
+        check_orbit(&self.orbit, scene, system, &format!("{path}.orbit"))
+    }
+}
+
+impl Check for ValidateTask {
+    fn check(&self, scene: &Scene, system: &System<f64>, path: &str) -> Result<()> {
+        check_orbit(&self.orbit, scene, system, &format!("{path}.orbit"))?;
+        if system.cubic != 0.0 {
+            return Err(scene.fail(path, "only a linear system can be validated: cubic must be 0"));
+        }
+        if self.orbit.pattern.is_empty() {
+            return Err(scene.fail(&format!("{path}.orbit.pattern"), "must have an impact to be validated"));
+        }
+        if !(64..=4096).contains(&self.bits) {
+            return Err(scene.fail(&format!("{path}.bits"), "must be from 64 to 4096"));
+        }
+        check_reach(scene, self.reach, &self.options, path)?;
+        if let Some(event) = self.event
+            && !matches!(event, Bifurcation::SaddleNode | Bifurcation::Flip | Bifurcation::Grazing)
+        {
+            let message = format!("{}: only saddle-node, flip and grazing can be validated", event.name());
+            return Err(scene.fail(&format!("{path}.event"), &message));
+        }
+        match (&self.event, &self.parameter) {
+            (None, None) => Ok(()),
+            (Some(_), Some(parameter)) => scene.parameter(parameter).map(drop),
+            _ => Err(scene.fail(path, "event and parameter belong together: give both or neither")),
+        }
+    }
+}
+
+/// The keys of an orbit against the walls that there are.
+fn check_orbit(orbit: &OrbitKeys, scene: &Scene, system: &System<f64>, path: &str) -> Result<()> {
+    let fail = |key: &str, message: &str| Err(scene.fail(&format!("{path}.{key}"), message));
+    if let Err(error) = orbit.itinerary(system) {
+        return fail("pattern", &error.to_string());
+    }
+    let m = orbit.pattern.len();
+    if !orbit.walls.is_empty() && orbit.walls.len() != m {
+        return fail("walls", &format!("must name {m} walls, one for each impact"));
+    }
+    if m > 0 && orbit.walls.is_empty() && system.lower.is_some() && system.upper.is_some() {
+        return fail("pattern", "the scene has two walls: name the wall of each impact in walls");
+    }
+    let missing = |side| [system.lower.is_none(), system.upper.is_none()][usize::from(side == Side::Upper)];
+    if orbit.walls.iter().any(|&side| missing(side))
+        || (m > 0 && missing(Side::Lower) && missing(Side::Upper))
+    {
+        return fail("pattern", "has an impact at a wall that the scene does not have");
+    }
+    if !orbit.start.is_empty() && orbit.start.len() != (2 * m).max(2) {
+        return fail("start", &format!("must hold {} numbers", (2 * m).max(2)));
+    }
+    Ok(())
+}
+
+/// What reach and options must be.
+fn check_reach(scene: &Scene, reach: f64, options: &Options, path: &str) -> Result<()> {
+    if reach.is_nan() || reach <= 0.0 {
+        return Err(scene.fail(&format!("{path}.reach"), "must be positive"));
+    }
+    let wrong = |error: Error| scene.fail(&format!("{path}.options"), &error.to_string());
+    options.checked().map(drop).map_err(wrong)
+}
+
+fn check_range<T: PartialOrd>(scene: &Scene, parameter: &str, range: &[T], key: &str) -> Result<()> {
+    scene.parameter(parameter)?;
+    match range {
+        [low, high] if low < high => Ok(()),
+        _ => Err(scene.fail(key, "must hold two numbers, the smaller first")),
+    }
+}
+
+fn check_starts(scene: &Scene, system: &System<f64>, starts: &[BranchStart], path: &str) -> Result<()> {
+    for (i, start) in (1..).zip(starts) {
+        let path = format!("{path}[{i}]");
+        start.origin().map_err(|error| scene.fail(&path, &error.to_string()))?;
+        if let Some(orbit) = &start.orbit {
+            check_orbit(orbit, scene, system, &format!("{path}.orbit"))?;
+        }
+    }
+    Ok(())
+}
+
+fn within(scene: &Scene, path: &str, key: &str, value: u32, most: u32) -> Result<()> {
+    if (1..=most).contains(&value) {
+        return Ok(());
+    }
+    Err(scene.fail(&format!("{path}.{key}"), &format!("is outside 1 to {most}")))
+}

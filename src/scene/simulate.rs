@@ -1,0 +1,31 @@
+//! The keys of the task `simulate`, and of the state in which any motion starts.
+
+use num_rational::BigRational;
+
+use super::{expression::Expression, keys::keys};
+
+keys! {
+    /// Follows one motion: its time series, its impacts and a picture of both.
+    pub struct SimulateTask {
+        /// where it starts
+        start: Start,
+        /// how many forcing periods are written
+        periods: u32 = "10",
+        /// how many periods pass before
+        transient: u64 = "0",
+        /// points of the time series in a period, from 1 to 10000; at most 100000000 in all
+        samples: u32 = "64",
+    }
+}
+
+keys! {
+    /// A state from which a motion starts.
+    pub struct Start {
+        /// the time, as a fraction of the forcing period: t = 2π `phase`
+        phase: BigRational = "0",
+        /// the displacement
+        q: Expression,
+        /// the velocity
+        u: Expression = "0",
+    }
+}
