@@ -6,8 +6,10 @@ count() {
          !test && !/^[[:space:]]*$/ && !/^[[:space:]]*\/\// { lines++ } END { print lines + 0 }' "$@"
 }
 shared="lib.rs arithmetic.rs header.rs lines.rs rejection.rs"
-orbit=$(ls orbit/*.rs | grep -v tests.rs)
+oscillator=$(ls oscillator/*.rs | grep -v tests.rs)
 echo "theorem2 $(count $shared theorem2/*.rs)"
 echo "cover    $(count $shared theorem2/intervals.rs cover/*.rs)"
-echo "orbit    $(count $shared $orbit)"
-echo "of which shared by all $(count $shared); grazing-check itself $(count main.rs); in all $(count $shared main.rs theorem2/*.rs cover/*.rs $orbit)"
+echo "orbit    $(count $shared $oscillator orbit/*.rs)"
+echo "event    $(count $shared $oscillator event/*.rs)"
+echo "chaos    $(count $shared $(ls chaos/*.rs | grep -v tests.rs))"
+echo "of which shared by all $(count $shared); grazing-check itself $(count main.rs); in all $(count $shared main.rs theorem2/*.rs cover/*.rs $oscillator orbit/*.rs event/*.rs $(ls chaos/*.rs | grep -v tests.rs))"

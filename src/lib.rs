@@ -15,7 +15,7 @@
 //!   [`certificate::cover`], and by polynomial identities in regions 2 and 4.
 //! - For a linear oscillator with walls: that an exact periodic orbit with a given impact pattern exists, is the only one in a box,
 //!   touches no wall else, and is stable or not; and where in a parameter orbits meet, double their period or graze
-//!   ([`oscillator::validate`]). The orbits have certificates too ([`certificate::orbit`]).
+//!   ([`oscillator::validate`]). Both have certificates ([`certificate::orbit`], [`certificate::event`]).
 //!
 //! # What is computed
 //!

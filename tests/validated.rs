@@ -322,13 +322,18 @@ fn the_example_scene_proves_what_it_says() {
     for task in report["tasks"].as_array().unwrap() {
         for row in task["proofs"].as_array().into_iter().flatten() {
             assert_eq!(row["verdict"], "proved", "{task}");
-            if task["event"].is_string() {
-                assert!(row["width"].as_f64().unwrap() <= 1e-12, "{task}");
+            let file = folder.path().join(row["certificate"].as_str().unwrap());
+            let checked = grazing(&["check", file.to_str().unwrap(), "--format", "json"]);
+            if let Some(event) = task["event"].as_str() {
+                assert!(row["width"].as_f64().unwrap() <= 1e-30, "{task}");
+                let [lower, upper] = ["lower", "upper"].map(|end| row[end].as_str().unwrap());
+                let detail = &checked["files"][0]["detail"];
+                assert!(detail["event"].as_str().unwrap().starts_with(event), "{checked}");
+                assert_eq!(detail["parameter"], format!("mu, from {lower} to {upper}"));
+                assert!(number(upper) - number(lower) <= power_of_ten(20));
                 events += 1;
                 continue;
             }
-            let file = folder.path().join(row["certificate"].as_str().unwrap());
-            let checked = grazing(&["check", file.to_str().unwrap(), "--format", "json"]);
             let stable = if row["stable"] == true { "stable" } else { "unstable" };
             assert_eq!(checked["files"][0]["detail"]["stability"], stable, "{checked}");
             certificates += 1;

@@ -16,7 +16,7 @@
 //!
 //! ```text
 //! grazing-certificate 1                the format and its version
-//! kind KIND                            theorem2, cover, orbit or chaos; the rest is the kind's own
+//! kind KIND                            theorem2, cover, orbit, event or chaos; the rest is the kind's own
 //! statement …                          in every kind, after the lines that its form lists: what passing proves, word for word
 //! ```
 //!
@@ -29,6 +29,7 @@
 //! | `theorem2` | Theorem 2, on r = 1, for a range of periods | [`theorem2`], with a block by hand |
 //! | `cover` | Conjecture 1 for a range of periods, r ≤ r_max < 1 | [`cover`], with a block by hand |
 //! | `orbit` | that a periodic orbit of an oscillator exists, is unique in a box, admissible, stable or not | [`orbit`] |
+//! | `event` | that such an orbit bifurcates (saddle-node, flip) or grazes at a parameter in an interval | [`event`] |
 //! | `chaos` | that every bi-infinite word over an alphabet of periods is an orbit of an oscillator, over ranges of parameters | [`chaos`], with an example |
 //!
 //! # Adding a kind
@@ -41,9 +42,11 @@
 mod arithmetic;
 pub mod chaos;
 pub mod cover;
+pub mod event;
 mod header;
 mod lines;
 pub mod orbit;
+mod oscillator;
 mod rejection;
 pub mod theorem2;
 
@@ -58,10 +61,11 @@ use lines::Lines;
 pub const FORMAT: &str = "grazing-certificate 1";
 
 /// The kinds of certificate. Nothing else in here names them all.
-const KINDS: [Kind; 4] = [
+const KINDS: [Kind; 5] = [
     Kind { name: theorem2::KIND, statement: theorem2::STATEMENT, check: theorem2::check },
     Kind { name: cover::KIND, statement: cover::STATEMENT, check: cover::check },
     Kind { name: orbit::KIND, statement: orbit::STATEMENT, check: orbit::check },
+    Kind { name: event::KIND, statement: event::STATEMENT, check: event::check },
     Kind { name: chaos::KIND, statement: chaos::STATEMENT, check: chaos::check },
 ];
 
@@ -84,7 +88,7 @@ struct Proved {
 /// What a certificate that passed the check has proved.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Checked {
-    /// The kind of certificate: `theorem2`, `cover`, `orbit` or `chaos`.
+    /// The kind of certificate: `theorem2`, `cover`, `orbit`, `event` or `chaos`.
     pub kind: &'static str,
     /// The statement, as in the header.
     pub statement: &'static str,

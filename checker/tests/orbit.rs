@@ -144,7 +144,7 @@ fn the_work_is_bounded() {
     let nothing = "harmonic 7 0/1 0/1\n".repeat(999) + "harmonic 8 0/1 0/1";
     let many = resealed(&with(ORBIT_4, "forcing", &format!("forcing 1000\n{nothing}")));
     assert!(
-        rejected(&with(&many, "flight", "flight 2000")).contains("malformed: the check would take up to 8")
+        rejected(&with(&many, "flight", "flight 2000")).contains("malformed: the check would take up to 16")
     );
     assert!(rejected(&with(ORBIT_4, "flight", "flight 600000")).contains("exponentials, more than 1000000"));
     assert!(rejected(&with(ORBIT_4, "flight", "flight 1000001")).contains("expected the number of pieces"));

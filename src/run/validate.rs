@@ -14,7 +14,7 @@ use crate::{
         branch::{Bifurcation, BranchSearch, locate},
         grazing,
         orbit::{Family, Itinerary, Orbit, Oscillator, Unknowns},
-        validate::{self, Condition, ExpectedImpact, Jet, Stability, Verdict},
+        validate::{self, Condition, ExpectedImpact, Jet, Quotient, Stability, Verdict},
     },
     scene::{SceneFamily, validate::ValidateTask},
 };
@@ -37,6 +37,10 @@ row! {
         pub parameter: Option<String>,
         /// The width of its enclosure.
         pub width: Option<f64>,
+        /// The least value that the certificate leaves to it, exactly.
+        pub lower: Option<String>,
+        /// The greatest.
+        pub upper: Option<String>,
         /// The certain digits of the phases.
         pub phases: Option<Vec<String>>,
         /// Of the speeds.
@@ -136,6 +140,8 @@ impl ProofRow {
             reason,
             parameter: None,
             width: None,
+            lower: None,
+            upper: None,
             phases: None,
             speeds: None,
             only_within: None,
@@ -149,6 +155,13 @@ impl ProofRow {
 }
 
 impl ValidateFindings {
+    /// Adds the certificate of the row that comes next.
+    fn certify(&mut self, row: &mut ProofRow, task: &str, text: String) {
+        let file = format!("{task}-{}.certificate", self.proofs.len() + 1);
+        row.certificate = Some(file.clone());
+        self.certificates.push((file, text));
+    }
+
     fn nothing(&mut self, speeds: Vec<f64>, reason: String) {
         self.without.push(UnprovedRow { speeds, reason });
     }
@@ -193,11 +206,7 @@ fn orbits(task: &ValidateTask, job: &Job, found: &mut ValidateFindings) -> Resul
                 None => Judgement::Marginal,
             });
             match validate::certificate(&system, &proof) {
-                Ok(text) => {
-                    let file = format!("{}-{}.certificate", job.task.name, found.proofs.len() + 1);
-                    row.certificate = Some(file.clone());
-                    found.certificates.push((file, text));
-                }
+                Ok(text) => found.certify(&mut row, &job.task.name, text),
                 Err(error) => row.no_certificate = Some(error.to_string()),
             }
         }
@@ -224,6 +233,14 @@ fn events(
         job.scene.system.try_map(|expression| expression.evaluate(&values, &precision))
     };
     found.event = Some(event.name());
+    // The family as a function of the parameter, for the certificates.
+    let family_of = || {
+        let values = job.scene.parameters.iter().map(|(other, value)| {
+            if other == name { Quotient::parameter() } else { Quotient::ratio(value, &()) }
+        });
+        let values: Vec<Quotient> = values.collect();
+        job.scene.system.try_map(|expression| expression.evaluate(&values, &()))
+    };
     let mut known: Vec<BigRational> = Vec::new();
     for orbit in starts(task, &family.at(start)?, found) {
         job.check()?;
@@ -255,6 +272,13 @@ fn events(
             row.phases = Some(all(&proof.phases));
             row.speeds = Some(all(&proof.velocities));
             row.only_within = proof.radius.to_f64();
+            match family_of().and_then(|system| validate::event_certificate(&system, name, &proof)) {
+                Ok((text, [lower, upper])) => {
+                    (row.lower, row.upper) = (Some(lower), Some(upper));
+                    found.certify(&mut row, &job.task.name, text);
+                }
+                Err(error) => row.no_certificate = Some(error.to_string()),
+            }
             known.push((lo + hi) / BigRational::from_integer(2.into()));
         }
         found.proofs.push(row);

@@ -15,11 +15,16 @@ use super::{
 use crate::{
     error::{Error, Result},
     number::{Plain, Real},
-    oscillator::{Contact, System, flow::State, validate::Jet},
+    oscillator::{
+        Contact, System,
+        flow::State,
+        validate::{Jet, Quotient},
+    },
     source::{Source, hint},
 };
 
 impl Coefficient for Jet {}
+impl Coefficient for Quotient {}
 
 /// An oscillator with named parameters, what to do with it, and how accurately.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,8 +1,7 @@
 //! Certificates of kind `orbit`: a periodic orbit of a linear impact oscillator exists, is unique in a box, admissible, and stable or not.
 //!
-//! The checker works on integers in units of 2⁻⁹⁶ (`fixed`). exp, sin, cos and √ all are the exponential of one 2×2 matrix
-//! (`exponential`); the derivatives are formulas (`motion`, `proof`). No code is shared with what finds the proof, and the method differs: that
-//! one has balls, closed forms with exp, sin, cos and √, and automatic differentiation.
+//! The arithmetic, the motion and the equations are those of `oscillator`; the equations' derivatives are formulas (`proof`). No code is shared with
+//! what finds the proof, and the method differs: that one has balls, closed forms with exp, sin, cos and √, and automatic differentiation.
 //!
 //! # Form
 //!
@@ -38,25 +37,16 @@
 //!
 //! # Cost
 //!
-//! With J harmonics in all, P pieces and M impacts, (1 + J)(4P + 24M) may be at most 1,000,000, which bounds the exponentials taken; each takes about 18 µs. Memory: the certificate.
+//! With J harmonics in all, P pieces and M impacts, (1 + 2J)(4P + 24M) may be at most 1,000,000, which bounds the exponentials taken. Memory: the certificate.
 
-mod exponential;
-mod fixed;
-mod motion;
 mod proof;
-mod sha256;
-#[cfg(test)]
-mod tests;
 mod text;
 mod words;
 
-use super::{
-    FORMAT, Proved, Rejection, header,
-    lines::{Lines, Words},
-    rejection::Fault,
-};
+use super::{FORMAT, Proved, Rejection, lines::Lines, rejection::Fault};
 
-pub use text::{Certificate, Claim, Decimal, Fraction, Harmonic, Impact, Side, System, Wall};
+pub use super::oscillator::text::{Decimal, Fraction, Harmonic, Impact, Side, System, Wall};
+pub use text::{Certificate, Claim};
 
 /// The word in the header.
 pub const KIND: &str = "orbit";

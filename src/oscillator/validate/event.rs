@@ -4,9 +4,9 @@ use num_rational::BigRational;
 
 use super::{
     ExpectedImpact, Jet, Verdict,
-    admissible::Touch,
+    admissible::{Pieces, Touch},
     equations::Equations,
-    krawczyk::Search,
+    krawczyk::{Preconditioner, Search},
     linear::Linear,
     orbit::{admitted, equations, start},
 };
@@ -38,6 +38,10 @@ pub enum Condition {
 /// (but for the tangency, if it is one).
 #[derive(Debug, Clone)]
 pub struct ProvedEvent {
+    /// What happens.
+    pub condition: Condition,
+    /// The pattern.
+    pub impacts: Vec<ExpectedImpact>,
     /// The parameter's value.
     pub parameter: Ball,
     /// t_i.
@@ -50,6 +54,10 @@ pub struct ProvedEvent {
     pub centre: Vec<BigRational>,
     /// Half the side of the box in which there is no other.
     pub radius: BigRational,
+    /// The matrix that Krawczyk's test used.
+    pub(super) inverse: Preconditioner,
+    /// The pieces of time by which each flight was proved.
+    pub(super) pieces: Pieces,
 }
 
 /// Proves an event near the guess, in the largest box that allows it. `family` is the system at a parameter value.
@@ -86,14 +94,18 @@ pub fn event(
             }
             _ => None,
         };
-        admitted(&equations(&linear, impacts)?, &unknowns, touch.as_ref())?.and_then(|_| {
+        admitted(&equations(&linear, impacts)?, &unknowns, touch.as_ref())?.and_then(|pieces| {
             Ok(Verdict::Proved(ProvedEvent {
+                condition,
+                impacts: impacts.to_vec(),
                 parameter: search.found[2 * m].clone(),
                 phases: search.found[..m].to_vec(),
                 velocities: search.found[m..2 * m].to_vec(),
                 time,
                 centre: search.centre,
                 radius: search.radius,
+                inverse: search.inverse,
+                pieces,
             }))
         })
     })

@@ -2,8 +2,7 @@
 //!
 //! Krawczyk's test over balls with first derivatives proves that the equations of an impact pattern, extended by the
 //! event's condition where one is asked for, have exactly one solution in a box. Approximations serve to choose the box only.
-//! Proved orbits are written as
-//! certificates, which `grazing check` proves again. Not here: continuation and approximate orbits.
+//! Proved orbits and events are written as certificates, which `grazing check` proves again. Not here: continuation and approximate orbits.
 
 mod admissible;
 mod equations;
@@ -12,12 +11,14 @@ mod jet;
 mod krawczyk;
 mod linear;
 mod orbit;
+mod quotient;
 mod write;
 
 pub use event::{Condition, ProvedEvent, event};
 pub use jet::Jet;
 pub use orbit::{ExpectedImpact, ProvedOrbit, Stability, orbit, solution_in};
-pub use write::certificate;
+pub use quotient::Quotient;
+pub use write::{certificate, event_certificate};
 
 use crate::error::Result;
 

@@ -1,13 +1,13 @@
-//! A proved orbit as a certificate.
+//! Proved orbits and events as certificates.
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
-use super::{ProvedOrbit, Stability, krawczyk};
+use super::{Condition, ProvedEvent, ProvedOrbit, Quotient, Stability, krawczyk};
 use crate::{
     certificate::{
-        self,
+        self, event,
         orbit::{Certificate, Claim, Decimal, Fraction, Harmonic, Impact, Side, System, Wall},
     },
     error::{Error, Result},
@@ -23,39 +23,103 @@ const DIGITS: usize = 34;
 /// # Errors
 /// An input error: a coefficient of more than 34 digits, or no box that the checker accepts.
 pub fn certificate(system: &oscillator::System<BigRational>, orbit: &ProvedOrbit) -> Result<String> {
-    let m = orbit.impacts.len();
-    let impacts = orbit.impacts.iter().enumerate().map(|(i, impact)| {
-        Ok(Impact {
-            side: side(impact.side),
-            periods: impact.periods.into(),
-            phase: decimal(&orbit.centre[i])?,
-            velocity: decimal(&orbit.centre[m + i])?,
-        })
-    });
-    let all = |numbers: &[BigRational]| numbers.iter().map(decimal).collect::<Result<Vec<_>>>();
     let mut certificate = Certificate {
-        system: exact(system)?,
+        system: converted(system, &fraction)?,
         claim: match orbit.stability {
             Some(Stability::Stable) => Claim::Stable,
             Some(Stability::Unstable) => Claim::Unstable,
             None => Claim::Open,
         },
-        impacts: impacts.collect::<Result<_>>()?,
+        impacts: impacts(&orbit.impacts, &orbit.centre)?,
         radius: decimal(&orbit.radius)?,
         within: decimal(&krawczyk::near())?,
-        inverse: orbit.inverse.iter().map(|row| all(row)).collect::<Result<_>>()?,
-        flights: orbit.pieces.iter().map(|ends| all(ends)).collect::<Result<_>>()?,
+        inverse: lists(&orbit.inverse)?,
+        flights: lists(&orbit.pieces)?,
     };
-    let mut why = String::from("there is no box");
+    let mut last = "there is no box".to_string();
     for radius in krawczyk::radii().filter(|radius| *radius <= orbit.radius) {
         certificate.radius = decimal(&radius)?;
         let text = certificate.to_string();
-        match certificate::check(&mut text.as_bytes()) {
-            Ok(_) => return Ok(text),
-            Err(rejection) => why = rejection.to_string(),
+        match refusal(&text) {
+            None => return Ok(text),
+            Some(why) => last = why,
         }
     }
-    Err(Error::input(format!("the checker does not accept this orbit: {why}")))
+    Err(Error::input(format!("the checker does not accept this orbit: {last}")))
+}
+
+/// The text of a certificate of kind `event`, and the ends of the parameter's interval that it proves, in decimals. `system` is the family as a function of
+/// the parameter, `name` what the parameter is called. Of several boxes it has the first that the checker accepts, so that what is returned has passed.
+///
+/// # Errors
+/// An input error: a coefficient that does not fit, or no box that the checker accepts.
+pub fn event_certificate(
+    system: &oscillator::System<Quotient>,
+    name: &str,
+    event: &ProvedEvent,
+) -> Result<(String, [String; 2])> {
+    let m = event.impacts.len();
+    let mut certificate = event::Certificate {
+        system: converted(system, &quotient)?,
+        // The checker's names are short and of ASCII letters.
+        name: if name.is_ascii() && name.len() <= 32 { name.into() } else { "p".into() },
+        parameter: decimal(&event.centre[2 * m])?,
+        event: match event.condition {
+            Condition::SaddleNode => event::Event::SaddleNode,
+            Condition::Flip => event::Event::Flip,
+            Condition::Grazing { after, side: touched, .. } => event::Event::Grazing(event::Contact {
+                after,
+                side: side(touched),
+                time: decimal(&event.centre[2 * m + 1])?,
+            }),
+        },
+        impacts: impacts(&event.impacts, &event.centre)?,
+        radius: decimal(&event.radius)?,
+        within: decimal(&krawczyk::near())?,
+        inverse: lists(&event.inverse)?,
+        flights: lists(&event.pieces)?,
+    };
+    let mut last = "there is no box".to_string();
+    for radius in krawczyk::radii().filter(|radius| *radius <= event.radius) {
+        certificate.radius = decimal(&radius)?;
+        let Some(why) = refusal(&certificate.to_string()) else {
+            // The box that the event lies in as small as the checker's intervals allow.
+            let mut tightest = certificate.clone();
+            for places in [22, 21, 20] {
+                tightest.within = Decimal { digits: 1, places };
+                if refusal(&tightest.to_string()).is_none() {
+                    certificate = tightest;
+                    break;
+                }
+            }
+            let ends = certificate.interval().map(|ends| ends.map(|end| end.to_string()));
+            let ends = ends.ok_or_else(|| Error::input("the parameter has too many digits"))?;
+            return Ok((certificate.to_string(), ends));
+        };
+        last = why;
+    }
+    Err(Error::input(format!("the checker does not accept this event: {last}")))
+}
+
+/// Why the checker does not accept a certificate.
+fn refusal(text: &str) -> Option<String> {
+    certificate::check(&mut text.as_bytes()).err().map(|rejection| rejection.to_string())
+}
+
+fn impacts(list: &[super::ExpectedImpact], centre: &[BigRational]) -> Result<Vec<Impact>> {
+    let one = |(i, impact): (usize, &super::ExpectedImpact)| {
+        Ok(Impact {
+            side: side(impact.side),
+            periods: impact.periods.into(),
+            phase: decimal(&centre[i])?,
+            velocity: decimal(&centre[list.len() + i])?,
+        })
+    };
+    list.iter().enumerate().map(one).collect()
+}
+
+fn lists(lists: &[Vec<BigRational>]) -> Result<Vec<Vec<Decimal>>> {
+    lists.iter().map(|list| list.iter().map(decimal).collect()).collect()
 }
 
 fn side(side: oscillator::Side) -> Side {
@@ -65,24 +129,25 @@ fn side(side: oscillator::Side) -> Side {
     }
 }
 
-fn exact(system: &oscillator::System<BigRational>) -> Result<System> {
-    let harmonics = |list: &[oscillator::Harmonic<BigRational>]| {
-        let one = |h: &oscillator::Harmonic<BigRational>| {
-            Ok(Harmonic { k: h.k.into(), cos: fraction(&h.cos)?, sin: fraction(&h.sin)? })
+/// A linear system with its coefficients as the checker reads them.
+fn converted<T, C>(system: &oscillator::System<T>, convert: &dyn Fn(&T) -> Result<C>) -> Result<System<C>> {
+    let harmonics = |list: &[oscillator::Harmonic<T>]| {
+        let one = |h: &oscillator::Harmonic<T>| {
+            Ok(Harmonic { k: h.k.into(), cos: convert(&h.cos)?, sin: convert(&h.sin)? })
         };
         list.iter().map(one).collect::<Result<Vec<_>>>()
     };
-    let wall = |wall: &oscillator::Wall<BigRational>| {
+    let wall = |wall: &oscillator::Wall<T>| {
         Ok::<_, Error>(Wall {
-            offset: fraction(&wall.offset)?,
-            restitution: fraction(&wall.restitution)?,
+            offset: convert(&wall.offset)?,
+            restitution: convert(&wall.restitution)?,
             harmonics: harmonics(&wall.harmonics)?,
         })
     };
     Ok(System {
-        damping: fraction(&system.damping)?,
-        stiffness: fraction(&system.stiffness)?,
-        force: fraction(&system.force)?,
+        damping: convert(&system.damping)?,
+        stiffness: convert(&system.stiffness)?,
+        force: convert(&system.force)?,
         forcing: harmonics(&system.forcing)?,
         lower: system.lower.as_ref().map(wall).transpose()?,
         upper: system.upper.as_ref().map(wall).transpose()?,
@@ -99,6 +164,13 @@ fn integer(x: &BigInt) -> Result<i128> {
 
 fn fraction(x: &BigRational) -> Result<Fraction> {
     Ok(Fraction { p: integer(x.numer())?, q: integer(x.denom())? })
+}
+
+fn quotient(x: &Quotient) -> Result<event::Quotient> {
+    let too_large = || Error::input("a coefficient is too large an expression of the parameter");
+    let [numerator, denominator] = x.polynomials().ok_or_else(too_large)?;
+    let integers = |list: &[BigInt]| list.iter().map(integer).collect::<Result<Vec<_>>>();
+    Ok(event::Quotient { numerator: integers(numerator)?, denominator: integers(denominator)? })
 }
 
 /// A number that is a decimal.

@@ -4,81 +4,80 @@
 //! harmonics, I″ + c I′ + k I = 1 with I = I′ = 0 at τ = 0, and (a, b) the start minus (h, h′).
 
 use super::{
-    Side,
-    exponential::{CIRCLE, Element, Ring},
+    exponential::{Element, Ring},
     fixed::Interval,
-    text::{Fraction, Harmonic, System, Wall},
+    number::Number,
+    text::{Coefficient, Harmonic, Side, System, Wall},
 };
 
 /// A function of time with its first two derivatives.
-pub(super) type Motion = [Interval; 3];
+pub(crate) type Motion<N> = [N; 3];
 
 /// A sum of harmonics.
-type Series = Vec<(Interval, Interval, Interval)>;
+type Series<N> = Vec<(N, N, N)>;
 
 /// A wall over intervals: its mean and harmonics, its restitution.
-struct Moving {
-    offset: Interval,
-    motion: Series,
-    restitution: Interval,
+struct Moving<N> {
+    offset: N,
+    motion: Series<N>,
+    restitution: N,
 }
 
 /// A system over intervals.
-pub(super) struct Oscillator {
-    pub ring: Ring,
-    force: Interval,
-    forcing: Series,
-    response: Series,
-    walls: [Option<Moving>; 2],
-    /// Whether c and k are exactly 0: the motion under a constant force depends on it.
+pub(crate) struct Oscillator<N> {
+    pub ring: Ring<N>,
+    force: N,
+    forcing: Series<N>,
+    response: Series<N>,
+    walls: [Option<Moving<N>>; 2],
+    /// Whether c and k are exactly 0, whatever a parameter is: the motion under a constant force depends on it.
     zero: [bool; 2],
 }
 
 /// A motion that left a wall at a phase.
 #[derive(Clone, Copy)]
-pub(super) struct Flight {
-    phase: Interval,
-    start: [Interval; 2],
+pub(crate) struct Flight<N> {
+    phase: N,
+    start: [N; 2],
 }
 
-fn enclosed(value: Fraction) -> Interval {
-    Interval::ratio(value.p, value.q)
-}
-
-impl Oscillator {
-    /// Encloses the coefficients.
+impl<N: Number> Oscillator<N> {
+    /// Encloses the coefficients at a value of the parameter, of which they may make no use.
     ///
     /// # Errors
     /// Says what the method cannot do with them.
-    pub fn new(system: &System) -> Result<Self, String> {
-        let series = |harmonics: &[Harmonic]| -> Series {
-            harmonics.iter().map(|h| (Interval::integer(h.k), enclosed(h.cos), enclosed(h.sin))).collect()
+    pub fn new<C: Coefficient>(system: &System<C>, parameter: N) -> Result<Self, String> {
+        let enclosed = |coefficient: &C| coefficient.enclosed(parameter);
+        let integer = |n: u64| N::constant(Interval::integer(n));
+        let series = |harmonics: &[Harmonic<C>]| -> Series<N> {
+            harmonics.iter().map(|h| (integer(h.k), enclosed(&h.cos), enclosed(&h.sin))).collect()
         };
-        let wall = |wall: &Wall| Moving {
-            offset: enclosed(wall.offset),
+        let wall = |wall: &Wall<C>| Moving {
+            offset: enclosed(&wall.offset),
             motion: series(&wall.harmonics),
-            restitution: enclosed(wall.restitution),
+            restitution: enclosed(&wall.restitution),
         };
-        let ring = Ring { damping: enclosed(system.damping), stiffness: enclosed(system.stiffness) };
+        let ring = Ring { damping: enclosed(&system.damping), stiffness: enclosed(&system.stiffness) };
+        let zero = [system.damping.is_zero(), system.stiffness.is_zero()];
         let forcing = series(&system.forcing);
-        let mut response = Series::new();
+        let mut response = Vec::new();
         // α cos νt + β sin νt answers to a cos νt + b sin νt: (k − ν²) α + νc β = a, (k − ν²) β − νc α = b. Divided by ν, with w = k/ν − ν,
         // so that no power above ν² occurs.
         for (harmonic, &(nu, a, b)) in system.forcing.iter().zip(&forcing) {
             let nothing = |why| Err(format!("harmonic {} of the forcing {why}", harmonic.k));
             if harmonic.k == 0 {
-                if system.stiffness.p == 0 {
+                if zero[1] {
                     return nothing("is a constant, to which nothing periodic answers without stiffness");
                 }
-                response.push((nu, a.over(ring.stiffness), Interval::ZERO));
+                response.push((nu, a.over(ring.stiffness), N::ZERO));
                 continue;
             }
             let (detuning, damping) = (ring.stiffness.over(nu) - nu, ring.damping);
             let size = detuning.squared() + damping.squared();
-            if size.magnitude_bits().is_none() {
+            if size.value().magnitude_bits().is_none() {
                 return nothing("meets a stiffness or damping too large for this method: squares reach 2^30");
             }
-            if !size.is_positive() {
+            if !size.value().is_positive() {
                 return nothing("is in undamped resonance");
             }
             response.push((
@@ -87,9 +86,13 @@ impl Oscillator {
                 (detuning * b + damping * a).over(size).over(nu),
             ));
         }
-        let zero = [system.damping.p == 0, system.stiffness.p == 0];
         let walls = [system.lower.as_ref().map(wall), system.upper.as_ref().map(wall)];
-        Ok(Oscillator { ring, force: enclosed(system.force), forcing, response, walls, zero })
+        Ok(Oscillator { ring, force: enclosed(&system.force), forcing, response, walls, zero })
+    }
+
+    /// Whether the restitutions are certainly at least 0.
+    pub fn restitutions_are_nonnegative(&self) -> bool {
+        self.walls.iter().flatten().all(|wall| wall.restitution.value().is_nonnegative())
     }
 
     /// The sides that have a wall.
@@ -97,28 +100,28 @@ impl Oscillator {
         [Side::Lower, Side::Upper].into_iter().filter(|&side| self.walls[side as usize].is_some())
     }
 
-    fn wall(&self, side: Side) -> &Moving {
+    fn wall(&self, side: Side) -> &Moving<N> {
         self.walls[side as usize].as_ref().expect("impacts were read with the walls they meet")
     }
 
-    pub fn restitution(&self, side: Side) -> Interval {
+    pub fn restitution(&self, side: Side) -> N {
         self.wall(side).restitution
     }
 
     /// Q, Q′, Q″.
-    pub fn wall_motion(&self, side: Side, t: Interval) -> Motion {
+    pub fn wall_motion(&self, side: Side, t: N) -> Motion<N> {
         let wall = self.wall(side);
         let [value, slope, curvature] = sum(&wall.motion, t);
         [value + wall.offset, slope, curvature]
     }
 
     /// q″ at displacement q, velocity u, time t.
-    pub fn acceleration(&self, q: Interval, u: Interval, t: Interval) -> Interval {
+    pub fn acceleration(&self, q: N, u: N, t: N) -> N {
         sum(&self.forcing, t)[0] + self.force - self.ring.damping * u - self.ring.stiffness * q
     }
 
     /// The motion after an impact at the incoming relative speed `velocity`.
-    pub fn depart(&self, side: Side, phase: Interval, velocity: Interval) -> Flight {
+    pub fn depart(&self, side: Side, phase: N, velocity: N) -> Flight<N> {
         let [position, speed, _] = self.wall_motion(side, phase);
         let [response, slope, _] = sum(&self.response, phase);
         let rebound = side.inward(self.restitution(side) * velocity);
@@ -126,12 +129,12 @@ impl Oscillator {
     }
 
     /// The gap ±(q − Q) to a wall with its derivatives, a time τ after the start.
-    pub fn gap(&self, flight: Flight, side: Side, tau: Interval) -> Motion {
+    pub fn gap(&self, flight: Flight<N>, side: Side, tau: N) -> Motion<N> {
         self.gap_at(flight, side, tau, flight.phase + tau)
     }
 
     /// The same, the phase at that time being known as `t`.
-    pub fn gap_at(&self, flight: Flight, side: Side, tau: Interval, t: Interval) -> Motion {
+    pub fn gap_at(&self, flight: Flight<N>, side: Side, tau: N, t: N) -> Motion<N> {
         let e = self.ring.exp(tau);
         let [free, drift] = self.ring.apply(e, flight.start);
         let [response, slope, _] = sum(&self.response, t);
@@ -142,9 +145,9 @@ impl Oscillator {
     }
 
     /// I(τ): I′ is the entry b of exp(τA), which is integrated by its equation.
-    fn ramp(&self, tau: Interval, e: Element) -> Interval {
+    fn ramp(&self, tau: N, e: Element<N>) -> N {
         match self.zero {
-            [_, false] => (Interval::ONE - e.a).over(self.ring.stiffness),
+            [_, false] => (N::ONE - e.a).over(self.ring.stiffness),
             [false, true] => (tau - e.b).over(self.ring.damping),
             [true, true] => tau.squared().shifted_down(1),
         }
@@ -152,10 +155,10 @@ impl Oscillator {
 }
 
 /// Σ (a cos kt + b sin kt) with its derivatives.
-fn sum(series: &Series, t: Interval) -> Motion {
-    series.iter().fold([Interval::ZERO; 3], |[value, slope, curvature], &(k, a, b)| {
+fn sum<N: Number>(series: &Series<N>, t: N) -> Motion<N> {
+    series.iter().fold([N::ZERO; 3], |[value, slope, curvature], &(k, a, b)| {
         // Where k t is a wide interval the series says less than this.
-        let Element { a: cos, b: sin } = CIRCLE.exp(k * t);
+        let Element { a: cos, b: sin } = Ring::CIRCLE.exp(k * t);
         let (cos, sin) = (cos.within_unit(), sin.within_unit());
         let here = a * cos + b * sin;
         [value + here, slope + k * (b * cos - a * sin), curvature - k * k * here]

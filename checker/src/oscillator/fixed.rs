@@ -12,7 +12,7 @@ const FAR: i128 = 1 << (POINT + 30);
 ///
 /// Invariant: −FAR < lo ≤ hi < FAR, or the whole line, of which nothing is known and which every operation hands on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Interval {
+pub(crate) struct Interval {
     lo: i128,
     hi: i128,
 }
@@ -48,6 +48,11 @@ impl Interval {
         self.lo > 0
     }
 
+    /// Whether no enclosed number is < 0.
+    pub fn is_nonnegative(self) -> bool {
+        self.lo >= 0
+    }
+
     /// Whether the interval lies strictly within `radius` of every number of `centre`.
     pub fn is_within(self, radius: Interval, centre: Interval) -> bool {
         let (far, near) = (self - centre, centre - self);
@@ -55,7 +60,7 @@ impl Interval {
     }
 
     /// Whether every number of this interval is less than every number of the other.
-    fn is_below(self, other: Interval) -> bool {
+    pub fn is_below(self, other: Interval) -> bool {
         !self.is_whole() && !other.is_whole() && self.hi < other.lo
     }
 
@@ -92,6 +97,15 @@ impl Interval {
     pub fn magnitude_bits(self) -> Option<u32> {
         let bits = |x: i128| 128 - x.unsigned_abs().leading_zeros();
         (!self.is_whole()).then(|| bits(self.lo).max(bits(self.hi)))
+    }
+
+    /// The greatest magnitude, as a point.
+    pub fn magnitude(self) -> Interval {
+        if self.is_whole() {
+            return self;
+        }
+        let most = self.hi.max(-self.lo);
+        Interval { lo: most, hi: most }
     }
 
     /// Divided by 2^k.

@@ -1,7 +1,7 @@
 //! SHA-256 (FIPS 180-4), for the digest that names a system.
 
 /// The digest in hexadecimal.
-pub(super) fn sha256(message: &[u8]) -> String {
+pub(crate) fn sha256(message: &[u8]) -> String {
     let mut padded = message.to_vec();
     padded.push(0x80);
     padded.resize((padded.len() + 8).next_multiple_of(64) - 8, 0);

@@ -1,0 +1,102 @@
+//! The proof itself: Krawczyk's test of the extended equations on two boxes, and what makes the solution an orbit.
+
+use super::{
+    super::oscillator::{
+        Interval,
+        cycle::{Cycle, Touch},
+        krawczyk::{self, GoOn},
+        number::{Dual, Number},
+    },
+    Certificate, Contact, Event, Fault,
+};
+
+/// What is being proved, over intervals.
+pub(super) struct Proof<'a> {
+    certificate: &'a Certificate,
+    /// All phases, all speeds, the parameter, the time of the contact.
+    centre: Vec<Interval>,
+    inverse: Vec<Vec<Interval>>,
+}
+
+impl<'a> Proof<'a> {
+    /// Encloses what the certificate says.
+    pub fn new(certificate: &'a Certificate) -> Self {
+        let impacts = &certificate.impacts;
+        let unknowns = impacts.iter().map(|i| i.phase).chain(impacts.iter().map(|i| i.velocity));
+        let contact = match &certificate.event {
+            Event::Grazing(contact) => Some(contact.time),
+            Event::SaddleNode | Event::Flip => None,
+        };
+        let inverse = certificate.inverse.iter().map(|row| row.iter().map(|c| c.enclosed()).collect());
+        Proof {
+            certificate,
+            centre: unknowns.chain([certificate.parameter]).chain(contact).map(|x| x.enclosed()).collect(),
+            inverse: inverse.collect(),
+        }
+    }
+
+    /// Existence, uniqueness and regularity in the box, and that the solution is an orbit.
+    pub fn run(&self, go_on: GoOn) -> Result<(), Fault> {
+        let [radius, within] = [self.certificate.radius, self.certificate.within].map(|r| r.enclosed());
+        if !within.is_positive() || !within.is_up_to(radius) {
+            return Err(Fault::False("the smaller radius must be positive and at most the larger".into()));
+        }
+        self.krawczyk(radius, go_on)?;
+        let unknowns = self.krawczyk(within, go_on)?;
+        let m = self.certificate.impacts.len();
+        let cycle = self.cycle(unknowns[2 * m])?;
+        if !cycle.oscillator.restitutions_are_nonnegative() {
+            return Err(Fault::False("a restitution is not certainly at least 0".into()));
+        }
+        let touch = match &self.certificate.event {
+            Event::Grazing(Contact { after, side, .. }) => {
+                Some((*after, Touch { side: *side, time: unknowns[2 * m + 1] }))
+            }
+            Event::SaddleNode | Event::Flip => None,
+        };
+        cycle.is_orbit(&unknowns, &self.certificate.flights, touch, go_on)
+    }
+
+    /// The pattern at a value of the parameter.
+    fn cycle<N: Number>(&self, parameter: N) -> Result<Cycle<'a, N>, Fault> {
+        Cycle::new(&self.certificate.system, &self.certificate.impacts, parameter).map_err(Fault::False)
+    }
+
+    /// The left sides of all equations.
+    fn equations<N: Number>(&self, x: &[N], go_on: GoOn) -> Result<Vec<N>, Fault> {
+        let m = self.certificate.impacts.len();
+        let cycle = self.cycle(x[2 * m])?;
+        let mut all = cycle.residual(x, go_on)?;
+        if let Event::Grazing(Contact { after, side, .. }) = &self.certificate.event {
+            let leg = cycle.leg(x, *after);
+            let [gap, speed, _] = cycle.oscillator.gap(leg.flight, *side, x[2 * m + 1]);
+            all.extend([gap, speed]);
+        } else {
+            let [trace, determinant] = cycle.multipliers(x, go_on)?;
+            let trace = if self.certificate.event == Event::Flip { trace } else { -trace };
+            all.push(N::ONE + determinant + trace);
+        }
+        Ok(all)
+    }
+
+    /// Their derivatives by each unknown in turn, over a box.
+    fn derivatives(&self, region: &[Interval], go_on: GoOn) -> Result<Vec<Vec<Interval>>, Fault> {
+        let mut rows = vec![Vec::with_capacity(region.len()); region.len()];
+        for j in 0..region.len() {
+            let direction = |i| if i == j { Interval::ONE } else { Interval::ZERO };
+            let x: Vec<Dual> =
+                region.iter().enumerate().map(|(i, &value)| Dual { value, slope: direction(i) }).collect();
+            for (row, value) in rows.iter_mut().zip(self.equations(&x, go_on)?) {
+                row.push(value.slope);
+            }
+        }
+        Ok(rows)
+    }
+
+    /// The only solution in the box of `radius`, enclosed.
+    fn krawczyk(&self, radius: Interval, go_on: GoOn) -> Result<Vec<Interval>, Fault> {
+        let residual = self.equations(&self.centre, go_on)?;
+        let derivatives = self.derivatives(&krawczyk::around(&self.centre, radius), go_on)?;
+        krawczyk::image(&self.centre, &self.inverse, &residual, &derivatives, radius, go_on)
+    }
+}

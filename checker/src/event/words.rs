@@ -1,0 +1,41 @@
+//! What a certificate speaks of, in words.
+
+use super::{
+    super::oscillator::words::{list, pattern, system},
+    Certificate, Contact, Event,
+};
+
+/// Names and values: the event, the parameter's interval, the pattern, the impacts, the contact, the box, the oscillator, its walls and its digest.
+pub(super) fn detail(certificate: &Certificate) -> Vec<(&'static str, String)> {
+    let (impacts, name) = (&certificate.impacts, &certificate.name);
+    let event = match &certificate.event {
+        Event::SaddleNode => format!("saddle-node: a multiplier is 1, and {name} turns, nondegenerate"),
+        Event::Flip => {
+            format!("flip: a multiplier is -1, and 1 + trace + determinant passes through 0 as {name} varies")
+        }
+        Event::Grazing(contact) => {
+            format!("grazing: the {} wall is touched, and the gap's minimum passes through 0", contact.side)
+        }
+    };
+    // A certificate without an interval has not been read.
+    let [from, to] = certificate.interval().map(|ends| ends.map(|end| end.to_string())).unwrap_or_default();
+    let mut all = vec![
+        ("event", event),
+        ("parameter", format!("{name}, from {from} to {to}")),
+        ("pattern", pattern(impacts)),
+        ("phases", list(impacts, ", ", |impact| impact.phase.to_string())),
+        ("speeds", list(impacts, ", ", |impact| impact.velocity.to_string())),
+    ];
+    if let Event::Grazing(Contact { after, side, time }) = &certificate.event {
+        all.push(("contact", format!("with the {side} wall, {time} after impact {}", after + 1)));
+    }
+    all.push((
+        "box",
+        format!(
+            "the only event of this kind and pattern with all of these and {name} within {} of the listed values; its own are within {}",
+            certificate.radius, certificate.within
+        ),
+    ));
+    all.extend(system(&certificate.system, certificate.system.digest(), name));
+    all
+}

@@ -1,0 +1,127 @@
+//! What certificates about oscillators speak of, in words.
+
+use std::fmt::Write;
+
+use super::text::{Fraction, Harmonic, Impact, System, Wall};
+
+/// A coefficient in words.
+pub(crate) trait Spoken {
+    /// Whether a minus stands before it.
+    fn is_negative(&self) -> bool;
+
+    /// What stands after the sign; `parameter` is the parameter's name.
+    fn magnitude(&self, parameter: &str) -> String;
+}
+
+impl Spoken for Fraction {
+    fn is_negative(&self) -> bool {
+        self.p < 0
+    }
+
+    /// p/q, or p if q is 1.
+    fn magnitude(&self, _: &str) -> String {
+        let p = self.p.unsigned_abs();
+        if self.q == 1 { p.to_string() } else { format!("{p}/{}", self.q) }
+    }
+}
+
+/// A list, one item for each impact.
+pub(crate) fn list(impacts: &[Impact], between: &str, one: impl Fn(&Impact) -> String) -> String {
+    impacts.iter().map(one).collect::<Vec<_>>().join(between)
+}
+
+/// The pattern of impacts.
+pub(crate) fn pattern(impacts: &[Impact]) -> String {
+    let periods: u64 = impacts.iter().map(|impact| impact.periods).sum();
+    let plural = |count: u64| if count == 1 { "" } else { "s" };
+    let count = impacts.len() as u64;
+    format!(
+        "{count} impact{} in {periods} period{}, and in no fewer: {}",
+        plural(count),
+        plural(periods),
+        list(impacts, "; ", |impact| format!("{} wall, next after {}", impact.side, impact.periods))
+    )
+}
+
+/// The oscillator, its walls and its digest.
+pub(crate) fn system<C: Spoken>(
+    system: &System<C>,
+    digest: String,
+    parameter: &str,
+) -> [(&'static str, String); 4] {
+    let [damping, stiffness] = [(&system.damping, "q'"), (&system.stiffness, "q")]
+        .map(|(coefficient, what)| (!coefficient.is_negative(), coefficient, what.to_string()));
+    let force = (system.force.is_negative(), &system.force, String::new());
+    let terms: Vec<_> = [damping, stiffness, force].into_iter().chain(waves(&system.forcing)).collect();
+    [
+        ("motion", format!("q'' = {}", sum(&terms, parameter))),
+        ("lower wall", wall(&system.lower, parameter)),
+        ("upper wall", wall(&system.upper, parameter)),
+        ("digest", digest),
+    ]
+}
+
+fn wall<C: Spoken>(wall: &Option<Wall<C>>, parameter: &str) -> String {
+    let Some(wall) = wall else { return "none".into() };
+    let offset = (wall.offset.is_negative(), &wall.offset, String::new());
+    let terms: Vec<_> = [offset].into_iter().chain(waves(&wall.harmonics)).collect();
+    let restitution = (wall.restitution.is_negative(), &wall.restitution, String::new());
+    format!("{}, restitution {}", sum(&terms, parameter), sum(&[restitution], parameter))
+}
+
+/// A term of a sum: whether a minus stands before it, its coefficient, and what that is a multiple of.
+type Term<'a, C> = (bool, &'a C, String);
+
+fn waves<C: Spoken>(harmonics: &[Harmonic<C>]) -> Vec<Term<'_, C>> {
+    let angle = |k: u64| if k == 1 { "t".to_string() } else { format!("{k}t") };
+    harmonics
+        .iter()
+        .flat_map(|h| [(&h.cos, format!("cos {}", angle(h.k))), (&h.sin, format!("sin {}", angle(h.k)))])
+        .map(|(coefficient, what)| (coefficient.is_negative(), coefficient, what))
+        .collect()
+}
+
+/// A sum without its terms that are 0.
+fn sum<C: Spoken>(terms: &[Term<C>], parameter: &str) -> String {
+    let mut text = String::new();
+    for (negative, coefficient, what) in terms {
+        let size = coefficient.magnitude(parameter);
+        if size == "0" {
+            continue;
+        }
+        let sign = match (text.is_empty(), negative) {
+            (true, true) => "-",
+            (true, false) => "",
+            (false, true) => " - ",
+            (false, false) => " + ",
+        };
+        let factor = match (what.is_empty(), size.as_str()) {
+            (true, size) => size.to_string(),
+            (false, "1") => what.clone(),
+            (false, size) => format!("{size} {what}"),
+        };
+        write!(text, "{sign}{factor}").expect("writing to a String cannot fail");
+    }
+    if text.is_empty() { "0".into() } else { text }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sums_read_as_one_writes_them() {
+        let terms = |list: &[(i128, i128, &str)]| {
+            let fractions: Vec<_> =
+                list.iter().map(|&(p, q, what)| (Fraction { p, q }, what.to_string())).collect();
+            let terms: Vec<_> = fractions.iter().map(|(x, what)| (x.p < 0, x, what.clone())).collect();
+            sum(&terms, "")
+        };
+        assert_eq!(
+            terms(&[(-1, 10, "q'"), (-1, 1, "q"), (0, 1, ""), (24, 25, "cos t")]),
+            "-1/10 q' - q + 24/25 cos t"
+        );
+        assert_eq!(terms(&[(2, 1, ""), (-3, 2, "sin 2t")]), "2 - 3/2 sin 2t");
+        assert_eq!(terms(&[(0, 1, "q")]), "0");
+    }
+}
