@@ -1,15 +1,306 @@
-//! Certificates of events.
+//! Certificates of events: what is written passes and says what is known, what is damaged is rejected unless it is still true.
 
+mod common;
+mod systems;
+
+use common::damage::{damage, damaged};
 use grazing::{
-    number::{Real, Sign},
-    oscillator::validate::Quotient,
+    Result,
+    certificate::{self, Rejection},
+    number::{Ball, Elementary, Precision, Real, Sign},
+    oscillator::{
+        Harmonic, Side, System, Wall,
+        validate::{self, Condition, ExpectedImpact, Jet, ProvedEvent, Quotient, Verdict},
+    },
     scene::Expression,
 };
 use num_bigint::BigInt;
 use num_rational::BigRational;
+use num_traits::{Signed, ToPrimitive};
+use proptest::strategy::{Strategy, ValueTree};
+use systems::{example, lower, number, proved};
+
+/// A ball on a table that moves as p sin t, thrown back with restitution r = 3/5.
+fn table<T: Real>(p: &T, context: &T::Context) -> System<T> {
+    let ratio = |text: &str| T::ratio(&number(text), context);
+    let motion = Harmonic { k: 1, cos: ratio("0"), sin: p.clone() };
+    System {
+        damping: ratio("0"),
+        stiffness: ratio("0"),
+        cubic: ratio("0"),
+        force: ratio("-1"),
+        forcing: Vec::new(),
+        lower: Some(Wall { offset: ratio("0"), harmonics: vec![motion], restitution: ratio("3/5") }),
+        upper: None,
+    }
+}
+
+/// Shaw and Holmes' oscillator, forced at the frequency p: damping 1/(10 p), stiffness 1/p².
+fn one_sided<T: Real>(p: &T, context: &T::Context) -> System<T> {
+    let ratio = |text: &str| T::ratio(&number(text), context);
+    System {
+        damping: ratio("1/10") / p,
+        stiffness: ratio("1") / &(p.clone() * p),
+        cubic: ratio("0"),
+        force: ratio("0"),
+        forcing: vec![Harmonic { k: 1, cos: ratio("1"), sin: ratio("0") }],
+        lower: None,
+        upper: Some(Wall { offset: ratio("1/2"), harmonics: Vec::new(), restitution: ratio("4/5") }),
+    }
+}
+
+/// A family of systems, over any numbers.
+#[derive(Clone, Copy)]
+enum Family {
+    Example,
+    Table,
+    OneSided,
+}
+
+impl Family {
+    fn at<T: Real>(self, p: &T, context: &T::Context) -> System<T> {
+        match self {
+            Family::Example => example(p, context),
+            Family::Table => table(p, context),
+            Family::OneSided => one_sided(p, context),
+        }
+    }
+}
+
+struct Case {
+    family: Family,
+    impacts: Vec<ExpectedImpact>,
+    /// About where.
+    parameter: f64,
+    condition: Condition,
+    /// Digits of the parameter, known otherwise: by mpmath (tests/data/make_oscillator.py), or in closed form.
+    known: &'static str,
+}
+
+fn cases() -> Vec<Case> {
+    let upper =
+        |periods, phase, velocity| ExpectedImpact { side: Side::Upper, ..lower(periods, phase, velocity) };
+    let grazing = |after, side, time| Condition::Grazing { after, side, time };
+    let case = |family, impacts: &[ExpectedImpact], parameter, condition, known| Case {
+        family,
+        impacts: impacts.to_vec(),
+        parameter,
+        condition,
+        known,
+    };
+    use Condition::{Flip, SaddleNode};
+    use Family::{Example, OneSided, Table};
+    let double = [lower(3, 0.0089, 0.014), lower(3, -0.113, 0.114)];
+    vec![
+        case(
+            Example,
+            &[lower(4, -0.41, 0.365)],
+            -0.0843,
+            SaddleNode,
+            "-0.08433847008958920390351447963056555442772",
+        ),
+        case(
+            Example,
+            &[lower(3, -0.051, 0.063)],
+            0.0055,
+            Flip,
+            "0.005479046221248913834406155326246098121885",
+        ),
+        case(
+            Example,
+            &double,
+            0.0061,
+            grazing(0, Side::Lower, 12.56),
+            "0.006099928671612927934295875505827083198179",
+        ),
+        case(
+            Example,
+            &[lower(4, -0.76, 0.67)],
+            -0.0244,
+            grazing(0, Side::Lower, 19.7),
+            "-0.02444745630583192992178081065456275254876",
+        ),
+        // π(1 − r)/(1 + r) = π/4, and √(π²/16 + (2(1 + r²)/(1 + r)²)²).
+        case(Table, &[lower(1, 0.0, 3.93)], 0.79, SaddleNode, "0.7853981633974483096156608458198757210493"),
+        case(Table, &[lower(1, 0.93, 3.93)], 1.32, Flip, "1.3212707992944084260"),
+        case(OneSided, &[upper(1, 2.98, 0.94)], 2.5, Flip, "2.4953491531223987956"),
+        case(OneSided, &[upper(2, 2.995, 0.819)], 4.46, Flip, "4.4628247476097578103"),
+        case(
+            OneSided,
+            &[upper(1, -0.484, 1.88)],
+            0.703,
+            grazing(0, Side::Upper, 2.817),
+            "0.70273288572098418507",
+        ),
+        case(
+            OneSided,
+            &[upper(2, 0.173, 0.789)],
+            2.761,
+            grazing(0, Side::Upper, 10.05),
+            "2.7613528913660799842",
+        ),
+    ]
+}
+
+impl Case {
+    fn prove(&self, precision: &Precision) -> ProvedEvent {
+        let family = |p: &Jet| -> Result<System<Jet>> { Ok(self.family.at(p, precision)) };
+        proved(validate::event(family, &self.impacts, self.parameter, self.condition, precision).unwrap())
+    }
+
+    fn written(&self) -> (String, [String; 2]) {
+        let system = self.family.at(&Quotient::parameter(), &());
+        validate::event_certificate(&system, "p", &self.prove(&Precision::new(128))).unwrap()
+    }
+}
+
+fn check(text: &str) -> std::result::Result<certificate::Checked, Rejection> {
+    certificate::check(&mut text.as_bytes())
+}
+
+/// The known digits are right to one unit of the last: so the interval is in reach of them, and narrower than 10⁻²⁰.
+#[test]
+fn what_is_written_passes_and_holds_the_known_value() {
+    for case in cases() {
+        let (text, [from, to]) = case.written();
+        let checked = check(&text).unwrap();
+        let periods = u64::from(case.impacts.iter().map(|impact| impact.periods).sum::<u32>());
+        assert_eq!((checked.kind, checked.range), ("event", periods..=periods));
+        assert_eq!(checked.detail[1], ("parameter", format!("p, from {from} to {to}")));
+        let places = case.known.split_once('.').unwrap().1.len();
+        let unit = number(&format!("1e-{places}"));
+        let (from, to) = (number(&from), number(&to));
+        assert!(from <= number(case.known) + &unit && number(case.known) - unit <= to, "{}", case.known);
+        assert!(to - from < number("1e-20"), "{}", case.known);
+    }
+}
+
+/// π/4 and the root, in balls by their formulas.
+#[test]
+fn events_of_the_ball_have_closed_forms() {
+    let precision = Precision::new(200);
+    let ratio = |text: &str| Ball::ratio(&number(text), &precision);
+    let node = Ball::pi(&precision) * &ratio("1/4");
+    let depth = ratio("17/16");
+    let flip = (node.clone() * &node + &(depth.clone() * &depth)).sqrt();
+    for (case, value) in cases()[4..6].iter().zip([node, flip]) {
+        let (_, [from, to]) = case.written();
+        let (lo, hi) = value.exact_bounds().unwrap();
+        assert!(number(&from) <= lo && hi <= number(&to), "{}", case.known);
+    }
+}
+
+/// Whether what an accepted certificate says is true, by the proof in balls; of the ball on a table by closed formulas too. The digest holds
+/// the system, but the event, the pattern and the box may have changed.
+fn is_true(text: &str, case: &Case, event: &ProvedEvent, original: &str) -> bool {
+    let words = |text: &str, start: &str| -> Vec<Vec<String>> {
+        let lines = text.lines().filter(|line| line.starts_with(start));
+        lines.map(|line| line.split(' ').map(String::from).collect()).collect()
+    };
+    let parts = |text: &str| {
+        let system: Vec<String> =
+            text.lines().take_while(|line| !line.starts_with("parameter")).map(String::from).collect();
+        let pattern: Vec<_> =
+            words(text, "impact").into_iter().map(|w| (w[1].clone(), w[2].clone())).collect();
+        let contact: Vec<_> =
+            words(text, "contact").into_iter().map(|w| (w[1].clone(), w[2].clone())).collect();
+        (system, words(text, "event "), pattern, contact)
+    };
+    // Every event and pattern but its own is another statement, which this test does not know to be true.
+    if parts(text) != parts(original) {
+        return false;
+    }
+    let impacts = words(text, "impact");
+    let centre: Vec<BigRational> = (impacts.iter().map(|w| number(&w[3])))
+        .chain(impacts.iter().map(|w| number(&w[4])))
+        .chain(words(text, "parameter").iter().map(|w| number(&w[2])))
+        .chain(words(text, "contact").iter().map(|w| number(&w[3])))
+        .collect();
+    let [radius, within] = [1, 2].map(|i| number(&words(text, "radius")[0][i]));
+    let all = event.phases.iter().chain(&event.velocities).chain([&event.parameter]).chain(&event.time);
+    let contains = all.zip(&centre).all(|(x, c)| {
+        let (lo, hi) = x.exact_bounds().unwrap();
+        c - &within <= lo && hi <= c + &within
+    });
+    let inside = event.centre.iter().zip(&centre).all(|(a, b)| (a - b).abs() + &radius <= event.radius);
+    let float = |x: &BigRational| x.to_f64().unwrap();
+    let again = || {
+        let precision = Precision::new(128);
+        let mut guess = case.impacts.clone();
+        let m = guess.len();
+        for (i, impact) in guess.iter_mut().enumerate() {
+            (impact.phase, impact.velocity) = (float(&centre[i]), float(&centre[m + i]));
+        }
+        let condition = match case.condition {
+            Condition::Grazing { after, side, .. } => {
+                Condition::Grazing { after, side, time: float(&centre[2 * m + 1]) }
+            }
+            other => other,
+        };
+        let family = |p: &Jet| -> Result<System<Jet>> { Ok(case.family.at(p, &precision)) };
+        let wider = &radius + number("1e-12");
+        let verdict =
+            validate::event_in(family, &guess, float(&centre[2 * m]), condition, &wider, &precision).unwrap();
+        matches!(verdict, Verdict::Proved(_))
+    };
+    // a cos t = π/4 and V = 2π/(1 + r); a saddle-node has sin t = 0, a flip a sin t = 17/16.
+    let only = match case.family {
+        Family::Table => {
+            let node = std::f64::consts::FRAC_PI_4;
+            let depth = if case.condition == Condition::Flip { 17.0 / 16.0 } else { 0.0f64 };
+            let near = |t: f64, a: f64| {
+                let point = [t, 5.0 * node, a];
+                point.iter().zip(&centre).all(|(x, c)| (x - float(c)).abs() <= float(&radius) + 1e-12)
+            };
+            let half_turns = -20..20;
+            let solutions = half_turns.filter(|&turns| {
+                let (t, a) = (depth.atan2(node), node.hypot(depth));
+                let odd = turns % 2 != 0;
+                near(t + std::f64::consts::PI * f64::from(turns), if odd { -a } else { a })
+            });
+            solutions.count() == 1
+        }
+        Family::Example | Family::OneSided => true,
+    };
+    contains && only && (inside || again())
+}
+
+/// Thousands of damaged certificates; those that pass are confirmed true.
+#[test]
+fn damage_is_detected() {
+    let mut runner = proptest::test_runner::TestRunner::deterministic();
+    let strategy = damage();
+    // A saddle-node, a flip, a grazing of a double-impact orbit, a flip of the ball, a grazing with powers of the parameter.
+    for index in [0, 1, 2, 5, 9] {
+        let case = &cases()[index];
+        let (text, _) = case.written();
+        let event = case.prove(&Precision::new(256));
+        assert!(is_true(&text, case, &event, &text));
+        let body = text.lines().position(|line| line.starts_with("parameter")).unwrap();
+        let (mut rejected, mut unchanged, mut still_true) = (0, 0, 0);
+        for round in 0..common::rounds(1_000) {
+            let damage = strategy.new_tree(&mut runner).unwrap().current();
+            // Half of the time past the header, which the digest and the statement guard.
+            let changed = damaged(&text, if round % 2 == 0 { 0 } else { body }, &damage);
+            if changed == text {
+                unchanged += 1;
+            } else if check(&changed).is_ok() {
+                assert!(
+                    is_true(&changed, case, &event, &text),
+                    "accepted though false, after {damage:?}:\n{changed}"
+                );
+                still_true += 1;
+            } else {
+                rejected += 1;
+            }
+        }
+        println!("{}: {rejected} rejected, {still_true} still true, {unchanged} unchanged", case.known);
+        assert!(rejected > 4 * still_true && still_true > 10);
+    }
+}
 
 /// An expression in p and d = 1/3 as a function of p.
-fn quotient(text: &str) -> grazing::Result<Quotient> {
+fn quotient(text: &str) -> Result<Quotient> {
     let names = ["p".to_string(), "d".to_string()];
     let third = BigRational::new(1.into(), 3.into());
     let values = [Quotient::parameter(), Quotient::ratio(&third, &())];
@@ -51,4 +342,28 @@ fn signs_of_quotients_are_those_of_constants_only() {
     assert_eq!(sign("2"), Some(Sign::Positive));
     assert_eq!(sign("p^2 + 1"), None);
     assert_eq!(sign("1/p"), None);
+}
+
+/// What the form cannot hold, or the checker cannot prove, is an error in words.
+#[test]
+fn what_cannot_be_certified_is_an_error() {
+    let case = &cases()[0];
+    let event = case.prove(&Precision::new(128));
+    let refused = |change: &dyn Fn(&mut System<Quotient>)| {
+        let mut system = case.family.at(&Quotient::parameter(), &());
+        change(&mut system);
+        let error = validate::event_certificate(&system, "mu", &event).unwrap_err();
+        assert!(error.is_input());
+        error.to_string()
+    };
+    assert!(refused(&|system| system.force = quotient("1e-40").unwrap()).contains("more than the 34 digits"));
+    assert!(refused(&|system| system.force = quotient("p^17").unwrap()).contains("expected a quotient"));
+    assert!(
+        refused(&|system| system.force = quotient("p^60*p^60").unwrap()).contains("too large an expression")
+    );
+    assert!(refused(&|system| system.damping = quotient("p").unwrap()).contains("Krawczyk's test"));
+    // A name that the form cannot hold is replaced.
+    let system = case.family.at(&Quotient::parameter(), &());
+    let (text, _) = validate::event_certificate(&system, "µ", &event).unwrap();
+    assert!(text.contains("\nparameter p -0.0843"));
 }

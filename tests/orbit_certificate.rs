@@ -5,6 +5,7 @@ mod systems;
 
 use std::sync::LazyLock;
 
+use common::damage::{damage, damaged};
 use grazing::{
     certificate::{self, Rejection},
     number::Precision,
@@ -175,61 +176,6 @@ fn complex_multipliers_outside_the_circle_are_not_stable() {
     assert!(check(&text).is_ok());
     let answer = check(&with(&text, "orbit", "orbit 1 stable")).unwrap_err().to_string();
     assert!(answer.contains("the orbit is not certainly stable"), "{answer}");
-}
-
-#[derive(Debug, Clone)]
-enum Damage {
-    Remove(prop::sample::Index),
-    Swap(prop::sample::Index, prop::sample::Index),
-    Truncate(prop::sample::Index),
-    /// Replace a word by one from elsewhere in the file.
-    Transplant(prop::sample::Index, prop::sample::Index),
-    Byte(prop::sample::Index, u8),
-    Insert(prop::sample::Index, u8),
-}
-
-fn damage() -> impl Strategy<Value = Damage> {
-    let index = any::<prop::sample::Index>;
-    prop_oneof![
-        1 => index().prop_map(Damage::Remove),
-        1 => (index(), index()).prop_map(|(a, b)| Damage::Swap(a, b)),
-        1 => index().prop_map(Damage::Truncate),
-        3 => (index(), index()).prop_map(|(a, b)| Damage::Transplant(a, b)),
-        4 => (index(), prop::sample::select(b"0123456789-/. ".to_vec())).prop_map(|(at, byte)| Damage::Byte(at, byte)),
-        2 => (index(), prop::sample::select(b"0123456789-/. \r\n".to_vec())).prop_map(|(at, byte)| Damage::Insert(at, byte)),
-    ]
-}
-
-/// The text after the damage, which falls on the lines from `first` on.
-fn damaged(text: &str, first: usize, damage: &Damage) -> String {
-    let mut lines: Vec<String> = text.lines().map(String::from).collect();
-    let head: usize = lines[..first].iter().map(|line| line.len() + 1).sum();
-    let count = lines.len() - first;
-    let words: Vec<(usize, usize)> =
-        (first..lines.len()).flat_map(|i| (0..lines[i].split(' ').count()).map(move |j| (i, j))).collect();
-    match damage {
-        Damage::Remove(at) => drop(lines.remove(first + at.index(count))),
-        Damage::Swap(a, b) => lines.swap(first + a.index(count), first + b.index(count)),
-        Damage::Truncate(at) => return text[..head + at.index(text.len() - head)].to_string(),
-        Damage::Transplant(from, to) => {
-            let ((i, j), (k, l)) = (words[from.index(words.len())], words[to.index(words.len())]);
-            let word = lines[i].split(' ').nth(j).unwrap().to_string();
-            let mut parts: Vec<&str> = lines[k].split(' ').collect();
-            parts[l] = &word;
-            lines[k] = parts.join(" ");
-        }
-        Damage::Insert(at, byte) => {
-            let mut bytes = text.as_bytes().to_vec();
-            bytes.insert(head + at.index(text.len() - head), *byte);
-            return String::from_utf8(bytes).unwrap();
-        }
-        Damage::Byte(at, byte) => {
-            let mut bytes = text.as_bytes().to_vec();
-            bytes[head + at.index(text.len() - head)] = *byte;
-            return String::from_utf8(bytes).unwrap();
-        }
-    }
-    lines.join("\n") + "\n"
 }
 
 /// Whether what an accepted certificate of the first or third case says is true, by the proof in balls: only the claim, the middle of

@@ -306,6 +306,28 @@ fn past_its_grazing_the_double_impact_orbit_is_refuted() {
     assert!(matches!(&past, Verdict::Refuted(why) if why.contains("negative")), "{past:?}");
 }
 
+/// An orbit of period 4 listed as one of period 8 is none, with whatever words; nor is its saddle-node.
+#[test]
+fn a_pattern_listed_twice_repeats() {
+    let turn = std::f64::consts::TAU;
+    let (t, v) = (-0.144, 0.1363);
+    for twice in [[impact(4, t, v), impact(4, t, v)], [impact(3, t, v), impact(5, t + turn, v)]] {
+        let verdict = prove(&at("-0.05"), &twice);
+        let says = "repeats itself after 1 of its 2 impacts, that is after 4 of its 8 periods";
+        assert!(matches!(&verdict, Verdict::Refuted(why) if why.contains(says)), "{verdict:?}");
+    }
+    let precision = Precision::new(128);
+    let twice = [impact(4, -0.41, 0.365), impact(4, -0.41, 0.365)];
+    let node = Condition::SaddleNode;
+    let verdict = validate::event(family(&precision), &twice, -0.0843, node, &precision).unwrap();
+    assert!(matches!(&verdict, Verdict::Refuted(why) if why.contains("repeats itself")), "{verdict:?}");
+    // Two different impacts with the same periods do not repeat, from whichever the list begins.
+    for double in [[(0.0039, 0.0182), (-0.1078, 0.1098)], [(-0.1078, 0.1098), (0.0039, 0.0182)]] {
+        let impacts = double.map(|(t, v)| impact(3, t, v));
+        assert!(matches!(prove(&at("0.006"), &impacts), Verdict::Proved(_)));
+    }
+}
+
 /// The scene's own proofs: what is written passes `grazing check`, what is enclosed is enclosed tightly.
 #[test]
 fn the_example_scene_proves_what_it_says() {

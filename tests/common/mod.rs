@@ -3,6 +3,8 @@
 // Each test program uses a part of this.
 #![allow(dead_code)]
 
+pub mod damage;
+
 use num_integer::Integer;
 use proptest::test_runner::{Config, FileFailurePersistence};
 

@@ -6,7 +6,7 @@ use super::{
     ExpectedImpact, Jet, Verdict,
     admissible::{Pieces, Touch},
     equations::Equations,
-    krawczyk::{Preconditioner, Search},
+    krawczyk::{self, Preconditioner, Search},
     linear::Linear,
     orbit::{admitted, equations, start},
 };
@@ -72,19 +72,8 @@ pub fn event(
     precision: &Precision,
 ) -> Result<Verdict<ProvedEvent>> {
     let m = impacts.len();
-    let map = |unknowns: &[Jet]| {
-        let linear = Linear::enclosed(family(&unknowns[2 * m])?, precision)?;
-        let equations = equations(&linear, impacts)?;
-        let mut values = equations.residual(unknowns)?;
-        values.extend(extension(&equations, unknowns, condition)?);
-        Ok(values)
-    };
-    let mut guess = start(impacts);
-    guess.push(parameter);
-    if let Condition::Grazing { time, .. } = condition {
-        guess.push(time);
-    }
-    Search::run(&map, &guess, precision)?.and_then(|search| {
+    let map = |unknowns: &[Jet]| extended(&family, unknowns, impacts, condition, precision);
+    Search::run(&map, &unknowns(impacts, parameter, condition), precision)?.and_then(|search| {
         let unknowns: Vec<Jet> = search.found.iter().cloned().map(Jet::constant).collect();
         let linear = Linear::enclosed(family(&unknowns[2 * m])?, precision)?;
         let time = search.found.get(2 * m + 1).cloned();
@@ -94,7 +83,7 @@ pub fn event(
             }
             _ => None,
         };
-        admitted(&equations(&linear, impacts)?, &unknowns, touch.as_ref())?.and_then(|pieces| {
+        admitted(&equations(&linear, impacts)?, &unknowns, touch.as_ref(), &search)?.and_then(|pieces| {
             Ok(Verdict::Proved(ProvedEvent {
                 condition,
                 impacts: impacts.to_vec(),
@@ -109,6 +98,48 @@ pub fn event(
             }))
         })
     })
+}
+
+/// Proves that the equations of pattern and event have exactly one solution in the box of `radius` about the guess itself, and encloses it, or that they
+/// have none. Whether the solution is an orbit is not asked.
+///
+/// # Errors
+/// As [`event`]; also if the guess is not finite or the radius not positive.
+pub fn event_in(
+    family: impl Fn(&Jet) -> Result<System<Jet>>,
+    impacts: &[ExpectedImpact],
+    parameter: f64,
+    condition: Condition,
+    radius: &BigRational,
+    precision: &Precision,
+) -> Result<Verdict<Vec<Ball>>> {
+    let map = |unknowns: &[Jet]| extended(&family, unknowns, impacts, condition, precision);
+    krawczyk::in_box(&map, &unknowns(impacts, parameter, condition), radius, precision)
+}
+
+/// The unknowns where the event is expected.
+fn unknowns(impacts: &[ExpectedImpact], parameter: f64, condition: Condition) -> Vec<f64> {
+    let mut all = start(impacts);
+    all.push(parameter);
+    if let Condition::Grazing { time, .. } = condition {
+        all.push(time);
+    }
+    all
+}
+
+/// The equations of pattern and event.
+fn extended(
+    family: &dyn Fn(&Jet) -> Result<System<Jet>>,
+    unknowns: &[Jet],
+    impacts: &[ExpectedImpact],
+    condition: Condition,
+    precision: &Precision,
+) -> Result<Vec<Jet>> {
+    let linear = Linear::enclosed(family(&unknowns[2 * impacts.len()])?, precision)?;
+    let equations = equations(&linear, impacts)?;
+    let mut values = equations.residual(unknowns)?;
+    values.extend(extension(&equations, unknowns, condition)?);
+    Ok(values)
 }
 
 /// The condition's equations: as many as it has unknowns beside the parameter, and one.

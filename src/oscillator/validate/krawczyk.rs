@@ -6,7 +6,7 @@ use num_traits::{Signed, ToPrimitive};
 
 use super::{Jet, Verdict};
 use crate::{
-    error::Result,
+    error::{Error, Result},
     number::{Ball, Precision, Real},
 };
 
@@ -120,6 +120,29 @@ pub(super) struct Search {
     pub radius: BigRational,
     pub inverse: Preconditioner,
     pub found: Vec<Ball>,
+}
+
+/// Whether the map has exactly one zero, enclosed, or none in the box of `radius` about `centre`.
+///
+/// # Errors
+/// Those of the map; an input error if the centre is not finite or the radius not positive.
+pub(super) fn in_box(
+    map: &Map,
+    centre: &[f64],
+    radius: &BigRational,
+    precision: &Precision,
+) -> Result<Verdict<Vec<Ball>>> {
+    let centre: Option<Vec<BigRational>> = centre.iter().map(|&x| BigRational::from_float(x)).collect();
+    let centre = centre.filter(|_| radius.is_positive());
+    let centre = centre.ok_or_else(|| Error::input("a box has a finite centre and a positive radius"))?;
+    let Some((_, inverse)) = linearised(map, &centre, precision)? else {
+        return Ok(Verdict::Undecided("the equations' derivative is singular at the guess".into()));
+    };
+    Ok(match test(map, &centre, radius, &inverse, precision)? {
+        Test::Unique(found) => Verdict::Proved(found),
+        Test::Empty => Verdict::Refuted("the equations have no solution in the box".into()),
+        Test::Open => Verdict::Undecided("Krawczyk's test says nothing about the box".into()),
+    })
 }
 
 /// Zeros are enclosed within this much of a box's centre, 10⁻¹⁸, before they are enclosed more tightly.

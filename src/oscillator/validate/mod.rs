@@ -12,9 +12,10 @@ mod krawczyk;
 mod linear;
 mod orbit;
 mod quotient;
+mod repetition;
 mod write;
 
-pub use event::{Condition, ProvedEvent, event};
+pub use event::{Condition, ProvedEvent, event, event_in};
 pub use jet::Jet;
 pub use orbit::{ExpectedImpact, ProvedOrbit, Stability, orbit, solution_in};
 pub use quotient::Quotient;

@@ -1,13 +1,14 @@
 //! Proofs that a periodic orbit with a given impact pattern exists, is unique in a box, admissible, and stable or not.
 
 use num_rational::BigRational;
-use num_traits::Signed;
+use num_traits::Zero;
 
 use super::{
     Jet, Verdict, admissible,
     equations::Equations,
-    krawczyk::{self, Preconditioner, Search, Test},
+    krawczyk::{self, Preconditioner, Search},
     linear::Linear,
+    repetition::least_period,
 };
 use crate::{
     error::{Error, Result},
@@ -77,7 +78,8 @@ pub fn orbit(
     let map = |unknowns: &[Jet]| equations.residual(unknowns);
     Search::run(&map, &start(guess), precision)?.and_then(|search| {
         let unknowns: Vec<Jet> = search.found.iter().cloned().map(Jet::constant).collect();
-        admitted(&equations, &unknowns, None)?.and_then(|pieces| {
+        let pieces = admitted(&equations, &unknowns, None, &search)?;
+        pieces.and_then(|pieces| {
             let (trace, determinant) = equations.multipliers(&unknowns)?;
             let (trace, determinant) = (trace.value, determinant.value);
             let Search { centre, radius, inverse, found: mut phases } = search;
@@ -114,17 +116,7 @@ pub fn solution_in(
     let linear = Linear::exact(system, precision)?;
     let equations = equations(&linear, guess)?;
     let map = |unknowns: &[Jet]| equations.residual(unknowns);
-    let centre: Option<Vec<BigRational>> = start(guess).iter().map(|&x| BigRational::from_float(x)).collect();
-    let centre = centre.filter(|_| radius.is_positive());
-    let centre = centre.ok_or_else(|| Error::input("a box has a finite centre and a positive radius"))?;
-    let Some((_, inverse)) = krawczyk::linearised(&map, &centre, precision)? else {
-        return Ok(Verdict::Undecided("the equations' derivative is singular at the guess".into()));
-    };
-    Ok(match krawczyk::test(&map, &centre, radius, &inverse, precision)? {
-        Test::Unique(found) => Verdict::Proved(found),
-        Test::Empty => Verdict::Refuted("the equations have no solution in the box".into()),
-        Test::Open => Verdict::Undecided("Krawczyk's test says nothing about the box".into()),
-    })
+    krawczyk::in_box(&map, &start(guess), radius, precision)
 }
 
 /// The equations of a pattern.
@@ -146,11 +138,12 @@ pub(super) fn start(impacts: &[ExpectedImpact]) -> Vec<f64> {
     impacts.iter().map(|impact| impact.phase).chain(impacts.iter().map(|impact| impact.velocity)).collect()
 }
 
-/// Whether the solution is an orbit: V_i > 0, and every gap is positive between impacts but for a known tangency.
+/// Whether the solution is an orbit: V_i > 0, no smaller period, and every gap is positive between impacts but for a known tangency.
 pub(super) fn admitted(
     equations: &Equations,
     unknowns: &[Jet],
     touch: Option<&admissible::Touch>,
+    search: &Search,
 ) -> Result<Verdict<admissible::Pieces>> {
     let m = equations.impacts.len();
     for (i, velocity) in unknowns[m..2 * m].iter().enumerate() {
@@ -160,7 +153,11 @@ pub(super) fn admitted(
             None => return Ok(Verdict::Undecided(format!("impact {} may be a tangency", i + 1))),
         }
     }
-    admissible::prove(equations, unknowns, touch)
+    let Search { found, centre, radius, .. } = search;
+    // The same orbit begun later solves the equations of pattern, saddle-node and flip, but not those of a tangency after a given impact.
+    let only_within = if touch.is_some() { &BigRational::zero() } else { radius };
+    least_period(equations.impacts, found, centre, only_within, equations.linear.precision)
+        .and_then(|()| admissible::prove(equations, unknowns, touch))
 }
 
 /// Jury's conditions: both eigenvalues are inside the unit circle iff D < 1, 1 + D > |T|; one is outside if D > 1 or 1 + D < |T|.
