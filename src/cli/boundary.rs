@@ -15,7 +15,8 @@ use crate::{
     existence::{Boundary, Enclosure, Interval, Lowest, intervals, tip_correction, tip_law},
     monitor::Monitor,
     output::{
-        Column, Destination, TableCell, TableFormat, TableWriter, decimal_above, decimal_below, decimal_near,
+        Column, Destination, Print, TableCell, TableFormat, TableWriter, decimal_above, decimal_below,
+        decimal_near,
     },
 };
 
@@ -103,7 +104,7 @@ fn area_columns(digits: usize) -> Vec<Column> {
         Column::new("m", "$m$", digits),
         Column::new("sign_emu", "$\\operatorname{sign} e\\mu$", 0),
         Column::new("sign_gamma", "$\\operatorname{sign}\\gamma$", 0),
-        Column::new("deciding", "deciding $k$", 0),
+        Column::new("deciding", "$k$", 0),
     ]
 }
 
@@ -129,6 +130,14 @@ fn bounds(r: Option<&Enclosure>, digits: u32) -> [String; 4] {
     ]
 }
 
+fn bound_columns(digits: u32) -> impl Iterator<Item = Column> {
+    BOUNDS.into_iter().enumerate().map(move |(i, (name, latex))| {
+        let column = Column::new(name, latex, digits as usize + 2);
+        // A page has room for r or for a₂ = r².
+        if i < 2 { column } else { column.print(Print::Omitted) }
+    })
+}
+
 const BOUNDS: [(&str, &str); 4] = [
     ("r_lower", "$r \\ge$"),
     ("r_upper", "$r \\le$"),
@@ -145,7 +154,7 @@ fn edges(args: &Args, grid: u64, out: &mut dyn Write, progress: &Progress) -> Re
     let width = args.periods.0.end().to_string().len();
     let mut columns = area_columns(width);
     columns.push(Column::new("s", "$s$", 2 * width + 4));
-    columns.extend(BOUNDS.map(|(name, latex)| Column::new(name, latex, args.digits as usize + 2)));
+    columns.extend(bound_columns(args.digits));
     let mut table = TableWriter::new(out, args.format, "grazing-boundary-grid 1", columns)?;
     let mut certain = true;
     let rows = edge_rows(args, grid, &mut table, progress, &mut certain);
@@ -205,14 +214,14 @@ fn grid_point(interval: &Interval, i: u64, grid: u64) -> Ratio<u64> {
 fn lowest(args: &Args, out: &mut dyn Write, progress: &Progress) -> Result<bool> {
     let width = args.periods.0.end().to_string().len();
     let mut columns = area_columns(width);
-    columns.push(Column::new("lowest", "lowest", 8));
-    columns.extend(BOUNDS.map(|(name, latex)| Column::new(name, latex, args.digits as usize + 2)));
+    columns.push(Column::new("lowest", "lowest", 8).print(Print::Left));
+    columns.extend(bound_columns(args.digits));
     let s_width = args.digits as usize / 2 + 2;
     columns.push(Column::new("s_lower", "$s \\ge$", s_width));
     columns.push(Column::new("s_upper", "$s \\le$", s_width));
-    columns.push(Column::new("scaled", "$(1 - r)n^3$", 12));
-    columns.push(Column::new("law", "$G$", 12));
-    columns.push(Column::new("law_next", "$G + G_2/n^2$", 12));
+    columns.push(Column::new("scaled", "$(1 - r)n^3$", 12).print(Print::Omitted));
+    columns.push(Column::new("law", "$G$", 12).print(Print::Omitted));
+    columns.push(Column::new("law_next", "$G + G_2/n^2$", 12).print(Print::Omitted));
     let mut table = TableWriter::new(out, args.format, "grazing-boundary 1", columns)?;
     let mut certain = true;
     let rows = lowest_rows(args, width, &mut table, progress, &mut certain);

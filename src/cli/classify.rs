@@ -13,7 +13,7 @@ use crate::{
     existence::{Existence, by_definition, by_records, large_eigenvalue_sign},
     local::{Ladder, Plane, Point, Polar, Region},
     number::parse_rational,
-    output::{Column, Destination, TableCell, TableFormat, TableWriter},
+    output::{Column, Destination, Print, TableCell, TableFormat, TableWriter},
     word::{Extent, Word},
 };
 
@@ -160,7 +160,7 @@ fn write(
 ) -> Result<()> {
     let columns = [
         Column::new("n", "$n$", 6),
-        Column::new("existence", "existence", 17),
+        Column::new("existence", "existence", 17).print(Print::Left),
         Column::new("sign_emu", "$\\operatorname{sign} e\\mu$", 0),
         Column::new("sign_gamma", "$\\operatorname{sign}\\gamma$", 0),
         Column::new("large_eigenvalue", "$\\operatorname{sign}\\Lambda$", 0),
@@ -207,11 +207,11 @@ fn write(
 fn summary(args: &Args, destination: &Destination) -> Result<Outcome> {
     let columns = [
         Column::new("region", "region", 0),
-        Column::new("where", "where", 30),
-        Column::new("period_1", "period 1", 12),
-        Column::new("period_2", "period 2", 28),
-        Column::new("period_n", "period $n \\geq 3$", 52),
-        Column::new("large_eigenvalue", "large eigenvalue", 0),
+        Column::new("where", "where", 30).print(Print::Lines(17)),
+        Column::new("period_1", "period 1", 12).print(Print::Lines(12)),
+        Column::new("period_2", "period 2", 28).print(Print::Lines(17)),
+        Column::new("period_n", "period $n \\geq 3$", 52).print(Print::Lines(19)),
+        Column::new("large_eigenvalue", "large eigenvalue", 0).print(Print::Lines(13)),
     ];
     let rows = [
         ["1", "a1 > a2+1", "(+,+) (-,-)", "(+,+)", "(+,+)", "-sign(e mu)"],

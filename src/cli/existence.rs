@@ -14,7 +14,7 @@ use crate::{
     figure,
     number::{Sign, certain_digits},
     output::{
-        Column, Destination, LONGEST_INPUT, OutputFile, TableCell, TableFormat, TableWriter, distinct,
+        Column, Destination, LONGEST_INPUT, OutputFile, Print, TableCell, TableFormat, TableWriter, distinct,
         make_folder, read_text, say,
     },
     pattern::{
@@ -259,22 +259,22 @@ fn keep(args: &Args, report: &Report) -> bool {
 
 fn columns() -> Vec<Column> {
     vec![
-        Column::new("pattern", "pattern", 12),
+        Column::new("pattern", "pattern", 12).print(Print::Left),
         Column::new("period", "$n$", 0),
         Column::new("impacts", "$m$", 0),
-        Column::new("primitive", "primitive", 0),
-        Column::new("verdict", "verdict", 0),
+        Column::new("primitive", "primitive", 0).print(Print::Omitted),
+        Column::new("verdict", "verdict", 0).print(Print::Left),
         Column::new("sign_emu", "$\\operatorname{sign} e\\mu$", 0),
         Column::new("sign_mu", "$\\operatorname{sign}\\mu$", 0),
-        Column::new("h_plus", "$h_+$", 15),
-        Column::new("y_plus", "$y_+$", 15),
-        Column::new("h_minus", "$h_-$", 15),
-        Column::new("y_minus", "$y_-$", 15),
+        Column::new("h_plus", "$h_+$", 15).print(Print::Omitted),
+        Column::new("y_plus", "$y_+$", 15).print(Print::Omitted),
+        Column::new("h_minus", "$h_-$", 15).print(Print::Omitted),
+        Column::new("y_minus", "$y_-$", 15).print(Print::Omitted),
         Column::new("leading", "$L$", 15),
         Column::new("sign_eigenvalue", "$\\operatorname{sign}\\Lambda_1$", 0),
-        Column::new("reason", "reason", 0),
-        Column::new("Y", "$Y$", 0),
-        Column::new("X", "$X$", 0),
+        Column::new("reason", "reason", 0).print(Print::Lines(16)),
+        Column::new("Y", "$Y$", 0).print(Print::Omitted),
+        Column::new("X", "$X$", 0).print(Print::Omitted),
     ]
 }
 
@@ -352,11 +352,19 @@ fn counts(
     interrupt: &Interrupt,
     outcome: &mut Outcome,
 ) -> Result<()> {
-    let mut columns: Vec<Column> = ["period", "patterns", "plus", "minus", "neither", "undecided"]
-        .map(|name| Column::new(name, name, 9))
-        .to_vec();
+    let mut columns: Vec<Column> = [
+        ("period", "period"),
+        ("patterns", "patterns"),
+        ("plus", "$e\\mu > 0$"),
+        ("minus", "$e\\mu < 0$"),
+        ("neither", "neither"),
+        ("undecided", "undecided"),
+    ]
+    .map(|(name, latex)| Column::new(name, latex, 9))
+    .to_vec();
     if matches!(engine, Engine::Graph(_)) {
-        columns.extend(["growth_plus", "growth_minus"].map(|name| Column::new(name, name, 15)));
+        let growth = [("growth_plus", "growth"), ("growth_minus", "growth")];
+        columns.extend(growth.map(|(name, latex)| Column::new(name, latex, 15)));
     }
     let mut table = TableWriter::new(out, args.format, "grazing-existence-counts 1", columns)?;
     let rows = match engine {

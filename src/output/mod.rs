@@ -2,6 +2,8 @@
 
 mod bounds;
 mod destination;
+#[cfg(feature = "cli")]
+mod escape;
 mod file;
 mod hash;
 mod journal;
@@ -16,4 +18,4 @@ pub(crate) use file::remove_temporaries;
 pub use file::{LONGEST_INPUT, distinct, make_folder, probe, read_text, write_file};
 pub use journal::{Journal, SavedRun};
 #[cfg(feature = "cli")]
-pub use table::{Column, TableCell, TableFormat, TableWriter, decimal};
+pub use table::{Column, Print, TableCell, TableFormat, TableWriter, decimal};

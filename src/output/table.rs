@@ -5,6 +5,7 @@ use std::io::{self, Write};
 use clap::ValueEnum;
 use num_rational::Ratio;
 
+use super::escape;
 use crate::error::{Error, Result};
 
 /// How a table is written.
@@ -31,12 +32,32 @@ pub struct Column {
     pub latex: &'static str,
     /// The least width in a plain table.
     pub width: usize,
+    /// How it is set in LaTeX.
+    pub print: Print,
+}
+
+/// How a column is set in LaTeX.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Print {
+    /// On one line, to the right: numbers.
+    Right,
+    /// On one line, to the left: a word.
+    Left,
+    /// In lines of this many per cent of the text width: sentences.
+    Lines(u8),
+    /// Not at all: data too wide for a page, which the other formats have.
+    Omitted,
 }
 
 impl Column {
     /// A column at least `width` characters wide.
     pub fn new(name: &'static str, latex: &'static str, width: usize) -> Self {
-        Column { name, latex, width: width.max(name.len()) }
+        Column { name, latex, width: width.max(name.len()), print: Print::Right }
+    }
+
+    /// The same column, set in LaTeX as `print` says.
+    pub fn print(self, print: Print) -> Self {
+        Column { print, ..self }
     }
 }
 
@@ -97,9 +118,32 @@ impl<'a> TableWriter<'a> {
             }
             TableFormat::Json => writeln!(out, "{{\"format\":{},\"rows\":[", json_string(name))?,
             TableFormat::Latex => {
-                let heads: Vec<&str> = columns.iter().map(|column| column.latex).collect();
-                writeln!(out, "% Needs \\usepackage{{amsmath,booktabs,longtable}}")?;
-                writeln!(out, "\\begin{{longtable}}{{{}}}", "r".repeat(columns.len()))?;
+                let (printed, omitted): (Vec<&Column>, Vec<_>) =
+                    columns.iter().partition(|column| column.print != Print::Omitted);
+                let heads: Vec<&str> = printed.iter().map(|column| column.latex).collect();
+                let shape = printed.iter().map(|column| match column.print {
+                    Print::Right | Print::Omitted => "r".into(),
+                    Print::Left => "l".into(),
+                    Print::Lines(share) => {
+                        format!(">{{\\raggedright\\arraybackslash}}p{{0.{share:02}\\linewidth}}")
+                    }
+                });
+                writeln!(
+                    out,
+                    "% {name}: \\input this file after \\usepackage{{amsmath,array,booktabs,longtable}}"
+                )?;
+                if !omitted.is_empty() {
+                    let names: Vec<&str> = omitted.iter().map(|column| column.name).collect();
+                    writeln!(out, "% Columns that only CSV, JSON and Markdown have: {}", names.join(", "))?;
+                }
+                // Wide tables in smaller type, closer together, so that they fit a page of A4.
+                let (size, gap) = match heads.len() {
+                    0..=5 => ("", 6),
+                    6 => ("\\small", 4),
+                    _ => ("\\footnotesize", 3),
+                };
+                writeln!(out, "{{{size}\\setlength{{\\tabcolsep}}{{{gap}pt}}")?;
+                writeln!(out, "\\begin{{longtable}}{{{}}}", shape.collect::<String>())?;
                 writeln!(out, "\\toprule\n{} \\\\\n\\midrule\n\\endhead", heads.join(" & "))?;
                 writeln!(out, "\\bottomrule\n\\endfoot")?;
             }
@@ -163,12 +207,15 @@ impl<'a> TableWriter<'a> {
                 text.push('}');
             }
             TableFormat::Latex => {
-                for (index, cell) in cells.iter().enumerate() {
+                let printed =
+                    cells.iter().zip(&self.columns).filter(|(_, column)| column.print != Print::Omitted);
+                for (index, (cell, _)) in printed.enumerate() {
                     text.push_str(if index > 0 { " & " } else { "" });
                     match cell {
                         TableCell::Int(value) => drop(write!(text, "${value}$")),
                         TableCell::Fraction(x) => drop(write!(text, "${}/{}$", x.numer(), x.denom())),
-                        other => plain(text, other),
+                        TableCell::Text(value) => text.push_str(&escape::latex_cell(value)),
+                        TableCell::Empty => {}
                     }
                 }
                 text.push_str(" \\\\\n");
@@ -176,7 +223,10 @@ impl<'a> TableWriter<'a> {
             TableFormat::Csv | TableFormat::Markdown => {
                 for cell in cells {
                     text.push_str("| ");
-                    plain(text, cell);
+                    match cell {
+                        TableCell::Text(value) => text.push_str(&escape::markdown(value)),
+                        other => plain(text, other),
+                    }
                     text.push(' ');
                 }
                 text.push_str("|\n");
@@ -200,6 +250,9 @@ impl<'a> TableWriter<'a> {
                             writeln!(out, "\n],\"verdict\":\"interrupted\"}}")?;
                         }
                         Sink::Csv(writer) => writer.flush()?,
+                        Sink::Text(out) if self.format == TableFormat::Latex => {
+                            writeln!(out, "\\end{{longtable}}}}\n% interrupted: rows are missing")?;
+                        }
                         Sink::Text(_) => {}
                     }
                 }
@@ -219,7 +272,7 @@ impl<'a> TableWriter<'a> {
         };
         match self.format {
             TableFormat::Json => writeln!(out, "\n]}}")?,
-            TableFormat::Latex => writeln!(out, "\\end{{longtable}}")?,
+            TableFormat::Latex => writeln!(out, "\\end{{longtable}}}}")?,
             TableFormat::Table | TableFormat::Csv | TableFormat::Markdown => {}
         }
         Ok(())
