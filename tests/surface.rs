@@ -86,3 +86,124 @@ fn cells_are_balanced(what: &str, text: &str) {
         assert!(!maths && depth == 0, "{what}: {row}");
     }
 }
+
+/// Runs a line as a shell would in this folder, `grazing` and `grazing-check` being the ones just built; its exit code and what it printed.
+fn shell(line: &str, folder: &Path) -> (i32, String) {
+    let built = Path::new(env!("CARGO_BIN_EXE_grazing")).parent().unwrap();
+    let path = format!("{}:{}", built.display(), env::var("PATH").unwrap());
+    let output =
+        Command::new("sh").args(["-c", line]).current_dir(folder).env("PATH", path).output().unwrap();
+    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
+    (output.status.code().unwrap_or(-1), text(&output.stdout) + &text(&output.stderr))
+}
+
+/// A folder as a reader has it: the examples are there, and nothing else.
+fn reader() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    std::os::unix::fs::symlink(root().join("examples"), folder.path().join("examples")).unwrap();
+    folder
+}
+
+const COMMANDS: [&str; 17] = [
+    "verify",
+    "cover",
+    "check",
+    "intervals",
+    "classify",
+    "word",
+    "existence",
+    "fuzz",
+    "farey",
+    "boundary",
+    "figure",
+    "formula",
+    "evaluate",
+    "accuracy",
+    "run",
+    "completions",
+    "man",
+];
+
+/// Every command's help has examples, and each runs as it is printed. Those of `accuracy` measure for long and are only parsed.
+#[test]
+fn examples_in_the_help_run_as_printed() {
+    let folder = reader();
+    for command in COMMANDS {
+        let (code, help, _) = run(&format!("{command} --help"), root());
+        assert_eq!(code, 0);
+        let examples =
+            help.split("Examples:\n").nth(1).unwrap_or_else(|| panic!("{command} --help has no examples"));
+        let lines: Vec<&str> = examples.lines().take_while(|line| line.starts_with("  grazing ")).collect();
+        assert!(!lines.is_empty(), "{command}: {help}");
+        for line in lines.iter().filter(|_| command != "accuracy") {
+            let (code, printed) = shell(line, folder.path());
+            assert_eq!(code, 0, "{line}: {printed}");
+            assert!(!printed.contains("error"), "{line}: {printed}");
+        }
+    }
+}
+
+/// The commands that README and the pages print with a `$`, page by page and in order, in one folder per page. What a page prints below
+/// a command is what comes.
+#[test]
+fn commands_on_the_pages_run_as_printed() {
+    let mut pages = vec![root().join("README.md")];
+    pages.extend(fs::read_dir(root().join("docs")).unwrap().map(|entry| entry.unwrap().path()));
+    let mut ran = 0;
+    for page in pages.iter().filter(|page| page.extension().is_some_and(|end| end == "md")) {
+        let (folder, text) = (reader(), fs::read_to_string(page).unwrap());
+        let mut lines = text.lines().peekable();
+        while let Some(line) = lines.next() {
+            let Some(command) = line.strip_prefix("    $ ") else { continue };
+            let mut wanted = String::new();
+            while let Some(next) =
+                lines.peek().and_then(|next| next.strip_prefix("    ")).filter(|next| !next.starts_with('$'))
+            {
+                wanted += next.trim_end();
+                wanted += "\n";
+                lines.next();
+            }
+            // Other people's programs may not be there.
+            if ["z3", "qepcad", "sbatch"].iter().any(|tool| command.contains(tool)) {
+                continue;
+            }
+            let (code, printed) = shell(command, folder.path());
+            assert!(code == 0 || code == 1 || code == 3, "{}: {command}: {code} {printed}", page.display());
+            if !wanted.is_empty() {
+                let printed: String =
+                    printed.lines().map(|line| line.trim_end().to_string() + "\n").collect();
+                assert_eq!(printed, wanted, "{}: {command}", page.display());
+            }
+            ran += 1;
+        }
+    }
+    assert!(ran >= 5, "{ran} commands on the pages");
+}
+
+/// No line of a help text is wider than a terminal of 100 columns.
+#[test]
+fn help_fits_a_terminal() {
+    for command in COMMANDS {
+        let (_, help, _) = run(&format!("{command} --help"), root());
+        for line in help.lines() {
+            assert!(line.chars().count() <= 120, "{command}: {line}");
+        }
+    }
+}
+
+/// Completions name every command, and the manual has a page for each.
+#[test]
+fn completions_and_manual_know_every_command() {
+    let folder = tempfile::tempdir().unwrap();
+    for name in ["bash", "zsh", "fish", "elvish", "powershell"] {
+        let (code, script, _) = run(&format!("completions {name}"), folder.path());
+        assert_eq!(code, 0);
+        assert!(COMMANDS.iter().all(|command| script.contains(command)), "{name}");
+    }
+    let (code, ..) = run("man -o pages", folder.path());
+    assert_eq!(code, 0);
+    for command in COMMANDS {
+        let page = fs::read_to_string(folder.path().join(format!("pages/grazing-{command}.1"))).unwrap();
+        assert!(page.contains("Examples:") && page.contains(".SH OPTIONS"), "{command}");
+    }
+}

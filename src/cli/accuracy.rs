@@ -27,6 +27,8 @@ use crate::{
 ///
 /// Exit code 0: done; 2: a file that cannot be written; 3: interrupted.
 #[derive(Debug, Parser)]
+#[command(after_help = "Examples:
+  grazing accuracy --of effects -o figures")]
 pub(super) struct Args {
     /// Of what.
     #[arg(long, value_enum, default_value_t = Subject::Signs)]

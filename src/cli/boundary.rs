@@ -14,6 +14,7 @@ use crate::{
     error::{Error, Result},
     existence::{Boundary, Enclosure, Interval, Lowest, intervals, tip_correction, tip_law},
     monitor::Monitor,
+    number::parse_integer,
     output::{
         Column, Destination, Print, TableCell, TableFormat, TableWriter, decimal_above, decimal_below,
         decimal_near,
@@ -39,18 +40,21 @@ const MAX_DIGITS: u32 = 1000;
 /// Exit code 0: done; 2: wrong usage or a file that cannot be written; 3: interrupted, or some value could not be
 /// certified (its cells are empty).
 #[derive(Debug, Parser)]
+#[command(after_help = "Examples:
+  grazing boundary 3..=8
+  grazing boundary 5 --m 2 --grid 3 --digits 20")]
 pub(super) struct Args {
     /// The periods: N, or A..=B, from 2 to 100000.
     #[arg(value_name = "N|A..=B")]
     periods: Periods,
     /// Only the areas next to M/N.
-    #[arg(long, value_name = "M")]
+    #[arg(long, value_name = "M", value_parser = parse_integer::<u64>)]
     m: Option<u64>,
     /// R(s) at G values of s in each interval, at most 1000000.
-    #[arg(long, value_name = "G")]
+    #[arg(long, value_name = "G", value_parser = parse_integer::<u64>)]
     grid: Option<u64>,
     /// The number of decimals, 1 to 1000.
-    #[arg(long, value_name = "D", default_value_t = 12)]
+    #[arg(long, value_name = "D", default_value_t = 12, value_parser = parse_integer::<u32>)]
     digits: u32,
     /// How the table is written.
     #[arg(long, value_enum, default_value_t = TableFormat::Table)]

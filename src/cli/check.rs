@@ -12,7 +12,7 @@ use super::{Outcome, ReportFormat, progress::Interrupt, reader::Reader, reported
 use crate::{
     certificate::{Checked, Rejection, check_until},
     error::Result,
-    output::{Destination, say},
+    output::{Destination, distinct, say},
 };
 
 /// Prove certificates again, without search, by the trusted checker.
@@ -22,6 +22,9 @@ use crate::{
 /// Exit code 0: every file is proved; 1: some file is malformed or false; 2: none of these, but some file cannot be read; 3: none of all
 /// this, but some cover leaves boxes open, or the work was interrupted.
 #[derive(Debug, Parser)]
+#[command(after_help = "Examples:
+  grazing check theorem2.txt covers.txt
+  grazing check - <theorem2.txt")]
 pub(super) struct Args {
     /// The certificates; - is standard input.
     #[arg(required = true, value_name = "FILE")]
@@ -29,15 +32,24 @@ pub(super) struct Args {
     /// How the result is written.
     #[arg(long, value_enum, default_value_t = ReportFormat::Text)]
     pub(super) format: ReportFormat,
+    /// Write the result to a file, which appears only when complete.
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
 }
 
 /// The checker's answer for a file.
 type Answer = std::result::Result<Checked, Rejection>;
 
 pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
+    let destination = Destination::new(args.output.as_deref())?;
+    for file in &args.files {
+        if let Some(output) = &args.output {
+            distinct(&[("the certificate", file.as_path()), ("-o", output.as_path())])?;
+        }
+    }
     let answers: Vec<(&Path, Answer)> =
         args.files.iter().map(|path| (path.as_path(), check(path, interrupt))).collect();
-    let written = Destination::Stdout.write(|out| match args.format {
+    let written = destination.write(|out| match args.format {
         ReportFormat::Text => answers.iter().try_for_each(|(path, answer)| text(out, path, answer)),
         ReportFormat::Json => {
             let files: Vec<_> = answers.iter().map(|(path, answer)| json_report(path, answer)).collect();

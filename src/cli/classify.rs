@@ -12,7 +12,7 @@ use crate::{
     error::{Error, Result},
     existence::{Existence, by_definition, by_records, large_eigenvalue_sign},
     local::{Ladder, Plane, Point, Polar, Region},
-    number::parse_rational,
+    number::{parse_integer, parse_rational},
     output::{Column, Destination, Print, TableCell, TableFormat, TableWriter},
     word::{Extent, Word},
 };
@@ -30,6 +30,10 @@ const LIMIT: u64 = 100_000;
 ///
 /// Exit code 0: every period is decided; 2: wrong usage; 3: some period is undecided.
 #[derive(Debug, Parser)]
+#[command(after_help = "Examples:
+  grazing classify --r 0.99 --s 21/100
+  grazing classify --a1 -3/2 --a2 0.9 --max-n 6
+  grazing classify --summary")]
 #[command(group(clap::ArgGroup::new("point").required(true).args(["a1", "r", "summary"])))]
 pub(super) struct Args {
     /// The trace a1.
@@ -45,7 +49,7 @@ pub(super) struct Args {
     #[arg(long, requires = "r", allow_hyphen_values = true, value_parser = parse_rational, value_name = "S")]
     s: Option<BigRational>,
     /// The periods are 1 to N, at most 100000.
-    #[arg(long, value_name = "N", default_value_t = 15)]
+    #[arg(long, value_name = "N", default_value_t = 15, value_parser = parse_integer::<u64>)]
     max_n: u64,
     /// Print what holds in each region, for every period, instead.
     #[arg(long)]

@@ -19,7 +19,7 @@ use crate::{
     cli::progress::{Interrupt, Progress},
     error::{Error, Result},
     monitor::Monitor,
-    number::parse_rational,
+    number::{parse_integer, parse_rational},
     output::{Destination, Journal, OutputFile, SavedRun, decimal_above, decimal_below, distinct, say},
     search::cover::{Cover, CoverOptions, CoverTally, Unit, certificate as assemble, cover, units},
 };
@@ -33,6 +33,9 @@ use crate::{
 /// Exit code 0: proved; 1: refuted, with a point; 2: wrong usage or a file that cannot be read or written; 3: undecided (boxes left open
 /// are listed), or interrupted.
 #[derive(Debug, Parser)]
+#[command(after_help = "Examples:
+  grazing cover 3..=16
+  grazing cover 3..=16 --certificate covers.txt --resume covers.journal")]
 pub(super) struct Args {
     /// The periods: N, or A..=B, from 3 to 256.
     #[arg(value_name = "N|A..=B")]
@@ -50,11 +53,14 @@ pub(super) struct Args {
     #[arg(long, value_name = "FILE")]
     resume: Option<PathBuf>,
     /// The number of threads; default: one for each core.
-    #[arg(long, value_name = "J", default_value_t = 0, hide_default_value = true)]
+    #[arg(long, value_name = "J", default_value_t = 0, hide_default_value = true, value_parser = parse_integer::<usize>)]
     jobs: usize,
     /// How the result is written.
     #[arg(long, value_enum, default_value_t = ReportFormat::Text)]
     pub(super) format: ReportFormat,
+    /// Write the result to a file, which appears only when complete.
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
 }
 
 /// One period's result.
@@ -73,10 +79,15 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
         max_depth: args.max_depth,
         ..CoverOptions::new(range.clone())
     };
-    let files = [("--certificate", args.certificate.as_deref()), ("--resume", args.resume.as_deref())];
+    let files = [
+        ("--certificate", args.certificate.as_deref()),
+        ("--resume", args.resume.as_deref()),
+        ("-o", args.output.as_deref()),
+    ];
     distinct(&files.into_iter().filter_map(|(option, file)| Some((option, file?))).collect::<Vec<_>>())?;
     let certificate =
         args.certificate.as_deref().map(|path| OutputFile::new("--certificate", path)).transpose()?;
+    let destination = Destination::new(args.output.as_deref())?;
     let (rows, clock) = in_pool(args.jobs, || prove(&options, args.resume.as_deref(), interrupt))?;
     let outcome = outcome(&rows);
     if let (Some(file), Outcome::Done) = (&certificate, outcome) {
@@ -87,7 +98,7 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
         ReportFormat::Text => text(&range, &rows, args) + &growth(&rows) + &clock,
         ReportFormat::Json => format!("{}\n", json_report(&range, &rows, args)),
     };
-    reported(outcome, Destination::Stdout.write(|out| Ok(out.write_all(report.as_bytes())?)))
+    reported(outcome, destination.write(|out| Ok(out.write_all(report.as_bytes())?)))
 }
 
 /// Searches, then checks; the rows, and how long that took in words.

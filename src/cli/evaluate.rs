@@ -1,5 +1,7 @@
 //! `grazing evaluate`: b_{n,k} and c_n at one point.
 
+use std::path::PathBuf;
+
 use clap::{ArgGroup, Parser};
 use num_rational::BigRational;
 use num_traits::One;
@@ -25,6 +27,9 @@ const LIST: u64 = 100_000;
 ///
 /// Exit code 0: done; 2: wrong usage; 3: a sign is undecided, or interrupted.
 #[derive(Debug, Parser)]
+#[command(after_help = "Examples:
+  grazing evaluate --n 5 --s 1/7 --r 0.9
+  grazing evaluate --n 1000000 --k 7 --s 3/8+2^-200 --bits 512")]
 #[command(group = ArgGroup::new("point").required(true).args(["s", "a1"]))]
 pub(super) struct Args {
     /// The period.
@@ -51,10 +56,14 @@ pub(super) struct Args {
     /// How the result is written.
     #[arg(long, value_enum, default_value_t = ReportFormat::Text)]
     pub(super) format: ReportFormat,
+    /// Write the result to a file, which appears only when complete.
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
 }
 
 pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     let point = args.point()?;
+    let destination = Destination::new(args.output.as_deref())?;
     let n = args.n;
     if n == 0 {
         return Err(Error::input("--n 0: a period is at least 1"));
@@ -83,7 +92,7 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
         }
         rows.push(Row { quantity, decision, digits: digits(&point, quantity, decision, &precision) });
     }
-    let written = Destination::Stdout.write(|out| match args.format {
+    let written = destination.write(|out| match args.format {
         ReportFormat::Text => rows.iter().try_for_each(|row| Ok(writeln!(out, "{}", row.text())?)),
         ReportFormat::Json => {
             let values: Vec<_> = rows.iter().map(Row::json).collect();

@@ -12,7 +12,7 @@ use crate::{
     cli::progress::Interrupt,
     error::{Error, Result},
     figure,
-    number::{Sign, certain_digits},
+    number::{Sign, certain_digits, parse_integer},
     output::{
         Column, Destination, LONGEST_INPUT, OutputFile, Print, TableCell, TableFormat, TableWriter, distinct,
         make_folder, read_text, say,
@@ -32,12 +32,15 @@ use crate::{
 /// Exit code 0: every pattern decided; 2: wrong usage or a file that cannot be read or written; 3: some pattern
 /// undecided (the reason is given), or interrupted.
 #[derive(Debug, Parser)]
+#[command(after_help = "Examples:
+  grazing existence examples/maps/focus.toml --max-period 6
+  grazing existence examples/maps/focus.toml --pattern 1,3 --orbit orbit")]
 pub(super) struct Args {
     /// The map.
     #[arg(value_name = "MAP.toml")]
     map: PathBuf,
     /// The largest period of a pattern. There are about 2^P/P patterns of period P; at most 10000000 rows are written.
-    #[arg(long, value_name = "P", default_value_t = 6)]
+    #[arg(long, value_name = "P", default_value_t = 6, value_parser = parse_integer::<u64>)]
     max_period: u64,
     /// One pattern only, as in 3,4.
     #[arg(long, value_name = "N1,N2,...", value_parser = pattern, conflicts_with_all = ["existing", "counts"])]

@@ -1,6 +1,6 @@
 //! `grazing farey`: neighbours, rank, k-th term and walks.
 
-use std::io::Write;
+use std::{io::Write, path::PathBuf};
 
 use clap::{Parser, Subcommand};
 use num_bigint::BigInt;
@@ -14,7 +14,7 @@ use crate::{
     error::{Error, Result},
     farey::{Ranker, Sequence, Walk, neighbours},
     number::{parse_integer, parse_rational},
-    output::Destination,
+    output::{Destination, say},
 };
 
 /// Farey fractions: neighbours, rank, k-th term, walks.
@@ -23,12 +23,19 @@ use crate::{
 ///
 /// Exit code 0: done; 2: wrong usage; 3: interrupted.
 #[derive(Debug, Parser)]
+#[command(after_help = "Examples:
+  grazing farey neighbours 3/8
+  grazing farey walk 5
+  grazing farey kth 10 100")]
 pub(super) struct Args {
     #[command(subcommand)]
     command: Command,
     /// How the result is written.
     #[arg(long, value_enum, default_value_t = ReportFormat::Text, global = true)]
     pub(super) format: ReportFormat,
+    /// Write the result to a file, which appears only when complete.
+    #[arg(short, long, value_name = "FILE", global = true)]
+    output: Option<PathBuf>,
 }
 
 #[derive(Debug, Subcommand)]
@@ -73,7 +80,8 @@ enum Command {
 
 pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     let json = args.format == ReportFormat::Json;
-    Destination::Stdout.list(|out| {
+    let mut outcome = Outcome::Done;
+    Destination::new(args.output.as_deref())?.list(|out| {
         let line = match &args.command {
             Command::Neighbours { x } => {
                 let found = neighbours(x)?;
@@ -93,11 +101,17 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
                 let x = fraction(&Ranker::new(*order)?.kth(*index)?);
                 report(json, &x, *order, *index, &x)
             }
-            Command::Walk { order, from, to } => return walk(out, json, order, from, to, interrupt),
+            Command::Walk { order, from, to } => {
+                if walk(out, json, order, from, to, interrupt)? == 0 {
+                    say(format_args!("F_{order} has no term from {} to {}", fraction(from), fraction(to)));
+                    outcome = Outcome::NothingFound;
+                }
+                return Ok(());
+            }
         };
         Ok(writeln!(out, "{line}")?)
     })?;
-    Ok(Outcome::Done)
+    Ok(outcome)
 }
 
 fn report(json: bool, x: &str, order: u64, index: u128, text: &str) -> String {
@@ -117,7 +131,10 @@ fn walk(
     from: &BigRational,
     to: &BigRational,
     interrupt: &Interrupt,
-) -> Result<()> {
+) -> Result<u64> {
+    if from > to {
+        return Err(Error::input(format!("--from {} is above --to {}", fraction(from), fraction(to))));
+    }
     let fast = order.to_u32().and_then(|order| Walk::new(order, &small(from).ok()?, &small(to).ok()?).ok());
     match fast {
         Some(terms) => terms_to(out, json, terms, interrupt),
@@ -130,17 +147,19 @@ fn terms_to<T: std::fmt::Display>(
     json: bool,
     terms: impl Iterator<Item = Ratio<T>>,
     interrupt: &Interrupt,
-) -> Result<()> {
+) -> Result<u64> {
     if json {
         writeln!(out, "{{\"format\":\"grazing-farey 1\",\"terms\":[")?;
     }
     let (mut quote, end) = if json { ("\"", "\"") } else { ("", "\n") };
-    for (index, x) in terms.enumerate() {
+    let mut count = 0;
+    for x in terms {
+        count += 1;
         write!(out, "{quote}{}/{}{end}", x.numer(), x.denom())?;
         if json {
             quote = ",\n\"";
         }
-        if index % 65536 == 0 && interrupt.asked() {
+        if count % 65536 == 0 && interrupt.asked() {
             if json {
                 writeln!(out, "\n],\"verdict\":\"interrupted\"}}")?;
             }
@@ -150,7 +169,7 @@ fn terms_to<T: std::fmt::Display>(
     if json {
         writeln!(out, "\n]}}")?;
     }
-    Ok(())
+    Ok(count)
 }
 
 /// p/q, also for integers.

@@ -13,8 +13,8 @@ use crate::{
     cli::progress::{Interrupt, Progress},
     error::{Error, Result},
     figure,
-    number::parse_rational,
-    output::make_folder,
+    number::{parse_integer, parse_rational},
+    output::{Destination, make_folder},
     search::cover::{Cover, CoverOptions, certificate as assemble, cover},
 };
 
@@ -22,12 +22,15 @@ use crate::{
 ///
 /// Exit code 0: done; 2: wrong usage or a file that cannot be written; 3: interrupted.
 #[derive(Debug, Parser)]
+#[command(after_help = "Examples:
+  grazing figure intervals --n 9 -o figures
+  grazing figure records --r 0.993 --s 0.205 -o figures")]
 pub(super) struct Args {
     /// Which figure.
     #[arg(value_enum)]
     figure: Figure,
     /// The largest period shown, for 5 the only one; by default 15, for tips 200, for 5 8.
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = parse_integer::<u64>)]
     n: Option<u64>,
     /// For records: the modulus of the eigenvalues, 0 < R <= 1; by default 0.993.
     #[arg(long, value_name = "R", value_parser = parse_rational)]
@@ -79,6 +82,29 @@ enum Figure {
     Tips,
 }
 
+impl Figure {
+    fn name(self) -> String {
+        self.to_possible_value().map_or(String::new(), |value| value.get_name().to_string())
+    }
+
+    /// The name of its files, without ending.
+    fn file(self) -> String {
+        let name = self.name();
+        if name.starts_with(|c: char| c.is_ascii_digit()) { format!("figure{name}") } else { name }
+    }
+
+    /// Whether `--n` says what it shows.
+    fn has_periods(self) -> bool {
+        use Figure::*;
+        !matches!(self, Regions | Orbits | Branches | Diagram | Before | Near | After)
+    }
+
+    fn is_of_a_scene(self) -> bool {
+        use Figure::*;
+        matches!(self, Branches | Diagram | Before | Near | After)
+    }
+}
+
 /// A cover of period n up to r = 1 − 2⁻¹⁴, fine enough to be drawn, and proved by the checker.
 fn proved_cover(n: u64, progress: &Progress) -> Result<Cover> {
     if !(3..=24).contains(&n) {
@@ -99,6 +125,9 @@ fn proved_cover(n: u64, progress: &Progress) -> Result<Cover> {
 pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     if args.figure != Figure::Records && (args.r.is_some() || args.s.is_some()) {
         return Err(Error::input("--r and --s belong to `grazing figure records`"));
+    }
+    if args.n.is_some() && !args.figure.has_periods() {
+        return Err(Error::input(format!("--n says nothing to figure {}", args.figure.name())));
     }
     make_folder(&args.output)?;
     let number =
@@ -131,6 +160,13 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
         Figure::Near => paper("figure9", &args.output, interrupt)?,
         Figure::After => paper("figure10", &args.output, interrupt)?,
         Figure::Orbits => figure::orbits(&args.output)?,
+    }
+    // Those drawn from the paper's scene are reported by its task.
+    if !args.figure.is_of_a_scene() {
+        let base = args.output.join(args.figure.file());
+        let (picture, data) = (base.with_extension("svg"), base.with_extension("csv"));
+        Destination::Stdout
+            .write(|out| Ok(writeln!(out, "wrote {} and {}", picture.display(), data.display())?))?;
     }
     Ok(Outcome::Done)
 }

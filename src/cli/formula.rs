@@ -1,10 +1,13 @@
 //! `grazing formula`: the formulas as symbols.
 
+use std::path::PathBuf;
+
 use clap::Parser;
 
 use super::Outcome;
 use crate::{
     error::{Error, Result},
+    number::parse_integer,
     output::Destination,
     symbol::{Area, Format, Sentence, period_formulas, write_formulas},
 };
@@ -18,11 +21,15 @@ use crate::{
 ///
 /// Exit code 0: done; 2: wrong usage.
 #[derive(Debug, Parser)]
+#[command(after_help = "Examples:
+  grazing formula 5 2
+  grazing formula 5 --sentence --area 2+ --format smtlib -o area.smt2")]
 pub(super) struct Args {
     /// The period: up to 200, or up to 50 for a sentence.
+    #[arg(value_parser = parse_integer::<usize>)]
     n: usize,
     /// The index k, from 1 to N - 1.
-    #[arg(required_unless_present = "sentence", conflicts_with = "sentence")]
+    #[arg(required_unless_present = "sentence", conflicts_with = "sentence", value_parser = parse_integer::<usize>)]
     k: Option<usize>,
     /// Write a sentence.
     #[arg(long)]
@@ -33,6 +40,9 @@ pub(super) struct Args {
     /// Who is to read it.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
+    /// Write the result to a file, which appears only when complete.
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
 }
 
 pub(super) fn run(args: &Args) -> Result<Outcome> {
@@ -43,6 +53,6 @@ pub(super) fn run(args: &Args) -> Result<Outcome> {
         }
         None => return Err(Error::input("give K, or --sentence")),
     };
-    Destination::Stdout.write(|out| Ok(out.write_all(text.as_bytes())?))?;
+    Destination::new(args.output.as_deref())?.write(|out| Ok(out.write_all(text.as_bytes())?))?;
     Ok(Outcome::Done)
 }

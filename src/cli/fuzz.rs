@@ -33,6 +33,9 @@ use crate::{
 /// routes to one answer differ, shown with the point); 2: wrong usage or a file that cannot be read or written; 3: some
 /// case is undecided, or interrupted.
 #[derive(Debug, Parser)]
+#[command(after_help = "Examples:
+  grazing fuzz --cases 1e5
+  grazing fuzz --cases 1e5 --resume fuzz.journal --format json")]
 pub(super) struct Args {
     /// The periods: N, or A..=B with 3 <= B <= 4096.
     #[arg(long, value_name = "N|A..=B", default_value = "1..=64")]
@@ -41,10 +44,10 @@ pub(super) struct Args {
     #[arg(long, value_name = "N", default_value = "1e7", value_parser = parse_integer::<u64>)]
     cases: u64,
     /// The seed.
-    #[arg(long, value_name = "S", default_value_t = 1)]
+    #[arg(long, value_name = "S", default_value_t = 1, value_parser = parse_integer::<u64>)]
     seed: u64,
     /// The number of threads; default: one for each core.
-    #[arg(long, value_name = "J", default_value_t = 0, hide_default_value = true)]
+    #[arg(long, value_name = "J", default_value_t = 0, hide_default_value = true, value_parser = parse_integer::<usize>)]
     jobs: usize,
     /// The share of sweep points at which one period is decided by the definition, k by k, as well.
     #[arg(long, value_name = "F", default_value_t = 0.01)]
@@ -58,6 +61,9 @@ pub(super) struct Args {
     /// How the result is written.
     #[arg(long, value_enum, default_value_t = ReportFormat::Text)]
     pub(super) format: ReportFormat,
+    /// Write the result to a file, which appears only when complete.
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
 }
 
 pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
@@ -77,9 +83,14 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
         seed: args.seed,
         definition_share: args.definition_share,
     };
-    let files = [("--regressions", Some(args.regressions.as_path())), ("--resume", args.resume.as_deref())];
+    let files = [
+        ("--regressions", Some(args.regressions.as_path())),
+        ("--resume", args.resume.as_deref()),
+        ("-o", args.output.as_deref()),
+    ];
     distinct(&files.into_iter().filter_map(|(option, file)| Some((option, file?))).collect::<Vec<_>>())?;
     probe(&args.regressions)?;
+    let destination = Destination::new(args.output.as_deref())?;
     let (mut state, start) = match &args.resume {
         Some(path) => {
             let (state, start) = open(path, &options)?;
@@ -120,7 +131,7 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     if args.format == ReportFormat::Text {
         speeds(&tally, rate);
     }
-    let written = Destination::Stdout.write(|out| match args.format {
+    let written = destination.write(|out| match args.format {
         ReportFormat::Text => text(out, args, &options, &tally, outcome),
         ReportFormat::Json => {
             let report = json!({

@@ -10,6 +10,7 @@ use crate::{
     error::{Error, Result},
     existence::{MAX_PERIOD, intervals},
     monitor::Monitor,
+    number::parse_integer,
     output::{Column, Destination, TableCell, TableFormat, TableWriter, decimal},
     word,
 };
@@ -25,6 +26,10 @@ use crate::{
 ///
 /// Exit code 0: done; 2: wrong usage or a file that cannot be written; 3: interrupted.
 #[derive(Debug, Parser)]
+#[command(after_help = "Examples:
+  grazing intervals 3..=8
+  grazing intervals 3..=8 --decimals 6 --format latex -o intervals.tex
+  grazing intervals --pattern 3,5")]
 pub(super) struct Args {
     /// The periods: N, or A..=B. At most 10000000.
     #[arg(value_name = "N|A..=B", required_unless_present_any = ["pattern", "two_impacts"])]
@@ -39,7 +44,7 @@ pub(super) struct Args {
     #[arg(long, value_enum, default_value_t = Format::Table)]
     pub(super) format: Format,
     /// Add both ends as decimals, rounded to D digits (at most 1000).
-    #[arg(long, value_name = "D")]
+    #[arg(long, value_name = "D", value_parser = parse_integer::<usize>)]
     decimals: Option<usize>,
     /// Write to a file, which appears only when complete.
     #[arg(short, long, value_name = "FILE")]

@@ -16,6 +16,7 @@ pub(crate) mod progress;
 mod range;
 mod reader;
 mod run;
+mod shell;
 mod two_impacts;
 mod verify;
 mod word;
@@ -30,7 +31,7 @@ use std::{
     time::{Duration, Instant},
 };
 
-use clap::{Parser, Subcommand, error::ErrorKind};
+use clap::{CommandFactory, Parser, Subcommand, error::ErrorKind};
 use serde_json::json;
 
 use crate::{
@@ -38,6 +39,7 @@ use crate::{
     error::{Error, Result},
     outcome::Outcome,
     output::{Destination, TableFormat, remove_temporaries, say, stdout_is_untouched},
+    processor::{most_memory, process_seconds},
 };
 
 /// Proofs and computations for periodic orbits in grazing bifurcations of impact oscillators.
@@ -49,6 +51,12 @@ use crate::{
 struct Cli {
     #[command(subcommand)]
     command: Command,
+    /// No progress bars.
+    #[arg(short, long, global = true)]
+    quiet: bool,
+    /// Say at the end what it cost: seconds, processor seconds, the most memory.
+    #[arg(short, long, global = true, conflicts_with = "quiet")]
+    verbose: bool,
 }
 
 const EXIT_CODES: &str = "\
@@ -73,6 +81,8 @@ enum Command {
     Evaluate(evaluate::Args),
     Accuracy(accuracy::Args),
     Run(run::Args),
+    Completions(shell::CompletionsArgs),
+    Man(shell::ManArgs),
 }
 
 /// What the main thread waits for.
@@ -154,10 +164,25 @@ fn command(interrupt: &Interrupt, events: &Sender<Event>) -> u8 {
     };
     let json = cli.command.json();
     let _ = events.send(Event::Begun(json));
-    match run(cli, interrupt) {
+    if cli.quiet {
+        interrupt.without_bars();
+    }
+    let (verbose, start) = (cli.verbose, Instant::now());
+    let code = match run(cli, interrupt) {
         Ok(outcome) => outcome.code(),
         Err(error) => report(&error, json).code(),
+    };
+    if verbose {
+        say(cost(start.elapsed()));
     }
+    code
+}
+
+/// What a command has cost, in a line.
+fn cost(elapsed: Duration) -> String {
+    let memory =
+        most_memory().map_or(String::new(), |kb| format!(", at most {} MB of memory", kb.div_ceil(1024)));
+    format!("{:.2} s, {:.2} s of processor time{memory}", elapsed.as_secs_f64(), process_seconds())
 }
 
 fn fail(error: &Error, json: Option<&'static str>) -> ExitCode {
@@ -203,6 +228,8 @@ fn run(cli: Cli, interrupt: &Interrupt) -> Result<Outcome> {
         Command::Evaluate(args) => evaluate::run(&args, interrupt),
         Command::Accuracy(args) => accuracy::run(&args, interrupt),
         Command::Run(args) => run::run(&args, interrupt),
+        Command::Completions(args) => shell::completions(&args, Cli::command()),
+        Command::Man(args) => shell::man(&args, Cli::command()),
     }
 }
 
@@ -226,7 +253,11 @@ impl Command {
             Command::Boundary(args) => table(args.format, "grazing-boundary 1"),
             Command::Evaluate(args) => report(args.format, "grazing-evaluate 1"),
             Command::Run(args) => report(args.format, "grazing-run 2"),
-            Command::Figure(_) | Command::Formula(_) | Command::Accuracy(_) => None,
+            Command::Figure(_)
+            | Command::Formula(_)
+            | Command::Accuracy(_)
+            | Command::Completions(_)
+            | Command::Man(_) => None,
         }
     }
 }

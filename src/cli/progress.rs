@@ -24,6 +24,7 @@ pub struct Interrupt(Arc<Inner>);
 #[derive(Debug, Default)]
 struct Inner {
     asked: AtomicBool,
+    without_bars: AtomicBool,
     kept: Mutex<String>,
 }
 
@@ -59,6 +60,11 @@ impl Interrupt {
         self.0.asked.load(Ordering::Relaxed)
     }
 
+    /// Shows no progress bars from here on.
+    pub fn without_bars(&self) {
+        self.0.without_bars.store(true, Ordering::Relaxed);
+    }
+
     /// Says what is kept of the work, and how to go on from it: an interruption ends with these words.
     pub fn keeps(&self, what: impl Into<String>) {
         *self.0.kept.lock().unwrap_or_else(PoisonError::into_inner) = what.into();
@@ -82,8 +88,8 @@ pub struct Progress {
 impl Progress {
     /// A bar for `units` units named `unit` (as in "periods").
     pub fn new(interrupt: &Interrupt, units: u64, unit: &'static str) -> Self {
-        let bar =
-            if std::io::stderr().is_terminal() { ProgressBar::new(units) } else { ProgressBar::hidden() };
+        let shown = std::io::stderr().is_terminal() && !interrupt.0.without_bars.load(Ordering::Relaxed);
+        let bar = if shown { ProgressBar::new(units) } else { ProgressBar::hidden() };
         let template = format!("{{bar:40}} {{human_pos}}/{{human_len}} {unit}, {{per_sec}}, {{eta}} left");
         bar.set_style(
             ProgressStyle::with_template(&template).unwrap_or_else(|_| ProgressStyle::default_bar()),

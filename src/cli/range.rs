@@ -1,6 +1,6 @@
-//! Ranges of whole numbers on the command line: `N` or `A..=B`.
+//! Ranges of whole numbers on the command line: `N`, `A..=B` or `A-B`.
 
-use std::{ops::RangeInclusive, str::FromStr};
+use std::{num::IntErrorKind, ops::RangeInclusive, str::FromStr};
 
 use crate::error::{Error, Result};
 
@@ -13,13 +13,25 @@ impl FromStr for Periods {
 
     fn from_str(text: &str) -> Result<Self> {
         let number = |part: &str| {
-            part.parse::<u64>().map_err(|_| {
-                Error::input(format!("{part:?} is not a whole number: write N, or A..=B as in 3..=8"))
+            let part = part.trim();
+            part.parse::<u64>().map_err(|error| {
+                Error::input(match error.kind() {
+                    IntErrorKind::PosOverflow => format!("{part} is too large for a period"),
+                    _ => format!("{part:?} is not a whole number: write N, or A..=B as in 3..=8"),
+                })
             })
         };
-        let (first, last) = match text.split_once("..=") {
+        let (first, last) = match text.split_once("..=").or_else(|| text.split_once('-')) {
             Some((first, last)) => (number(first)?, number(last)?),
-            None => (number(text)?, number(text)?),
+            None => match text.split_once("..") {
+                Some((first, last)) => {
+                    let (first, last) = (number(first)?, number(last)?);
+                    return Err(Error::input(format!(
+                        "{first}..{last} may or may not mean {last} too: write {first}..={last}, which has both ends"
+                    )));
+                }
+                None => (number(text)?, number(text)?),
+            },
         };
         if first == 0 {
             return Err(Error::input("a period is at least 1"));

@@ -10,6 +10,7 @@ use crate::{
     cli::progress::{Interrupt, Progress},
     error::{Error, Result},
     existence::Decision,
+    number::parse_integer,
     output::{Destination, OutputFile, distinct},
     search::{Proof, ProofMethod, prove_theorem2, write_theorem2},
 };
@@ -29,6 +30,10 @@ const LIMIT: u64 = 200_000;
 /// Exit code 0: proved for all; 1: refuted for some; 2: wrong usage or a file that cannot be written; 3: undecided or
 /// interrupted.
 #[derive(Debug, Parser)]
+#[command(after_help = "Examples:
+  grazing verify
+  grazing verify 3..=100 --certificate theorem2.txt
+  grazing verify 8 --method both --format json")]
 pub(super) struct Args {
     /// The periods: N, or A..=B. At most 200000.
     #[arg(default_value = "3..=500", value_name = "N|A..=B")]
@@ -40,7 +45,7 @@ pub(super) struct Args {
     #[arg(long, value_name = "FILE")]
     certificate: Option<PathBuf>,
     /// The number of threads; default: one for each core.
-    #[arg(long, value_name = "J", default_value_t = 0, hide_default_value = true)]
+    #[arg(long, value_name = "J", default_value_t = 0, hide_default_value = true, value_parser = parse_integer::<usize>)]
     jobs: usize,
     /// How the result is written.
     #[arg(long, value_enum, default_value_t = ReportFormat::Text)]

@@ -15,7 +15,7 @@ use crate::{
     cli::progress::{Interrupt, Progress},
     error::{Error, Result},
     local::{Ladder, Rung},
-    number::{certain_digits, parse_rational},
+    number::{certain_digits, parse_integer, parse_rational},
     output::Destination,
     word::{ClosedWalks, Edge, Entropy, Extent, Letter, Relation, Word},
 };
@@ -38,6 +38,9 @@ const BITS: u32 = 64;
 /// Exit code 0: everything is decided; 2: wrong usage; 3: a sign is zero or undecided, the word has more letters than
 /// were asked for, or interrupted.
 #[derive(Debug, Parser)]
+#[command(after_help = "Examples:
+  grazing word --r 0.4633 --s 0.16327
+  grazing word --a1 1.9 --a2 0.95 --format dot -o word.dot")]
 #[command(group = ArgGroup::new("point").required(true).args(["a1", "r"]))]
 pub(super) struct Args {
     /// The trace a1.
@@ -53,10 +56,10 @@ pub(super) struct Args {
     #[arg(long, requires = "r", allow_hyphen_values = true, value_parser = parse_rational, value_name = "S")]
     s: Option<BigRational>,
     /// Count the patterns of periods 1 to P, at most 400.
-    #[arg(long, value_name = "P", default_value_t = 12)]
+    #[arg(long, value_name = "P", default_value_t = 12, value_parser = parse_integer::<u64>)]
     max_period: u64,
     /// End a word after L letters, at most 2000.
-    #[arg(long, value_name = "L", default_value_t = 200)]
+    #[arg(long, value_name = "L", default_value_t = 200, value_parser = parse_integer::<usize>)]
     letters: usize,
     /// How the result is written.
     #[arg(long, value_enum, default_value_t = Format::Text)]

@@ -2,7 +2,7 @@
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::{One, pow};
+use num_traits::{One, Zero, pow};
 
 use super::Fraction;
 use crate::error::{Error, Result};
@@ -68,8 +68,11 @@ pub fn parse_integer<T: TryFrom<BigInt>>(text: &str) -> Result<T> {
     if !value.is_integer() {
         return Err(Error::input(format!("{:?} is not a whole number", abbreviate(text))));
     }
-    T::try_from(value.to_integer())
-        .map_err(|_| Error::input(format!("{:?} is out of range here", abbreviate(text))))
+    let negative = value < BigRational::zero();
+    T::try_from(value.to_integer()).map_err(|_| {
+        let why = if negative { "negative: it must be a count" } else { "too large here" };
+        Error::input(format!("{:?} is {why}", abbreviate(text)))
+    })
 }
 
 struct Reader<'a> {

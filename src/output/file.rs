@@ -100,14 +100,19 @@ pub fn distinct(named: &[(&str, &Path)]) -> Result<()> {
     Ok(())
 }
 
-/// The text of a file of at most `most` bytes; a pipe or a device without end is read no further.
+/// The text of a file, or of standard input for `-`, of at most `most` bytes; a pipe or a device without end is read no further.
 ///
 /// # Errors
 /// An I/O error, or an input error if it is longer or not UTF-8; both name the file.
 pub fn read_text(path: &Path, most: u64) -> Result<String> {
     let fail = |error| Error::io("read", path, error);
     let mut bytes = Vec::new();
-    File::open(path).map_err(fail)?.take(most + 1).read_to_end(&mut bytes).map_err(fail)?;
+    let mut stream: Box<dyn Read> = if path == Path::new("-") {
+        Box::new(io::stdin())
+    } else {
+        Box::new(File::open(path).map_err(fail)?)
+    };
+    stream.by_ref().take(most + 1).read_to_end(&mut bytes).map_err(fail)?;
     if bytes.len() as u64 > most {
         return Err(Error::input(format!("{} has more than {most} bytes", path.display())));
     }

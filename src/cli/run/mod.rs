@@ -23,7 +23,7 @@ use super::{Outcome, ReportFormat, in_pool, reported};
 use crate::{
     cli::progress::Interrupt,
     error::{Error, Result},
-    number::parse_rational,
+    number::{parse_integer, parse_rational},
     output::{
         Column, Destination, LONGEST_INPUT, TableCell, TableFormat, TableWriter, make_folder, read_text, say,
         write_file,
@@ -43,6 +43,9 @@ use bars::Bars;
 /// Exit code, the first that applies: 1: something was refuted; 2: wrong usage, a wrong scene, a task that failed or a file
 /// that cannot be written; 3: interrupted, undecided or nothing found; 0: all done.
 #[derive(Debug, Parser)]
+#[command(after_help = "Examples:
+  grazing run examples/scenes/bouncing-ball.toml -o out
+  grazing run examples/scenes/bouncing-ball.toml --only bounces --set a=1/2 -o out")]
 pub(super) struct Args {
     /// The scene.
     #[arg(value_name = "SCENE.toml")]
@@ -60,7 +63,7 @@ pub(super) struct Args {
     #[arg(long, value_enum, default_value_t = ReportFormat::Text)]
     pub(super) format: ReportFormat,
     /// Threads; 0 for one a core.
-    #[arg(long, value_name = "J", default_value_t = 0)]
+    #[arg(long, value_name = "J", default_value_t = 0, value_parser = parse_integer::<usize>)]
     jobs: usize,
 }
 
