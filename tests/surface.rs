@@ -154,6 +154,15 @@ fn commands_on_the_pages_run_as_printed() {
         let (folder, text) = (reader(), fs::read_to_string(page).unwrap());
         let mut lines = text.lines().peekable();
         while let Some(line) = lines.next() {
+            // A file to save under the name that its first line gives.
+            if line == "```toml"
+                && let Some(name) = lines.peek().and_then(|first| first.strip_prefix("# "))
+            {
+                let file = folder.path().join(name);
+                let body: Vec<&str> = lines.by_ref().take_while(|line| *line != "```").collect();
+                fs::write(file, body.join("\n")).unwrap();
+                continue;
+            }
             let Some(command) = line.strip_prefix("    $ ") else { continue };
             let mut wanted = String::new();
             while let Some(next) =

@@ -22,6 +22,7 @@
 
 use std::{
     convert::Infallible,
+    fmt,
     ops::{Mul, Sub},
 };
 
@@ -60,6 +61,20 @@ pub enum Region {
     Five,
     /// |a₁| = a₂ + 1: an eigenvalue 1 or −1.
     Line,
+}
+
+/// The paper's number of the region, or `line`.
+impl fmt::Display for Region {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str(match self {
+            Region::One => "1",
+            Region::Two => "2",
+            Region::Three => "3",
+            Region::Four => "4",
+            Region::Five => "5",
+            Region::Line => "line",
+        })
+    }
 }
 
 impl Plane {

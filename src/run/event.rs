@@ -64,7 +64,7 @@ row! {
         pub lambda1: Complex,
         /// The smaller.
         pub lambda2: Complex,
-        /// The region of the plane of (a₁, a₂); none for a₂ ≤ 0.
+        /// The region of the plane of (a₁, a₂), 1 to 5 or `line`; none for a₂ ≤ 0.
         pub region: Option<String>,
         /// γ.
         pub gamma: f64,
@@ -239,7 +239,7 @@ impl GrazingEventRow {
             acceleration: map.acceleration,
             lambda1,
             lambda2,
-            region: map.region().map(|region| format!("{region:?}")),
+            region: map.region().map(|region| region.to_string()),
             gamma: map.gamma(),
             e: map.e(),
             admissible: if event.admissible { Judgement::Yes } else { Judgement::No },

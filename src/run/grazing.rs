@@ -65,7 +65,7 @@ pub struct GrazingFindings {
     pub lambda1: Complex,
     /// The smaller.
     pub lambda2: Complex,
-    /// The region of the plane of (a₁, a₂); none for a₂ ≤ 0.
+    /// The region of the plane of (a₁, a₂), 1 to 5 or `line`; none for a₂ ≤ 0.
     pub region: Option<String>,
     /// γ.
     pub gamma: f64,
@@ -162,7 +162,7 @@ pub fn grazing(task: &GrazingTask, job: &Job) -> Result<GrazingFindings> {
         a2: map.multipliers.determinant,
         lambda1,
         lambda2,
-        region: map.region().map(|region| format!("{region:?}")),
+        region: map.region().map(|region| region.to_string()),
         gamma: map.gamma(),
         e: map.e(),
         admissible: match (event.second, event.admissible) {
