@@ -7,6 +7,9 @@ pub trait Monitor: Sync {
     /// A stretch of work of that many units begins, named as in "periods". By default nothing.
     fn begin(&self, _units: u64, _unit: &'static str) {}
 
+    /// Something that the user should know happened, and the work goes on. By default nothing.
+    fn note(&self, _what: &str) {}
+
     /// `units` more are done.
     ///
     /// # Errors

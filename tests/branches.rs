@@ -3,7 +3,12 @@
 use std::{
     cell::Cell,
     f64::consts::TAU,
-    sync::atomic::{AtomicU64, Ordering},
+    fs,
+    io::Write,
+    sync::{
+        Mutex,
+        atomic::{AtomicU64, Ordering},
+    },
 };
 
 use grazing::{
@@ -447,6 +452,20 @@ fn plan(values: usize) -> DiagramPlan {
     }
 }
 
+/// Keeps what it is told.
+#[derive(Default)]
+struct Notes(Mutex<Vec<String>>);
+
+impl Monitor for Notes {
+    fn note(&self, what: &str) {
+        self.0.lock().unwrap().push(what.to_string());
+    }
+
+    fn advance(&self, _: u64) -> Result<()> {
+        Ok(())
+    }
+}
+
 /// Interrupts after some values.
 struct Until(AtomicU64);
 
@@ -474,7 +493,15 @@ fn a_resumed_diagram_is_the_uninterrupted_one() {
         count.fetch_add(1, Ordering::Relaxed);
         system(mu)
     };
-    let resumed = diagram::sweep(&plan, counted, "test", Some(&file), &()).unwrap();
+    // A last line cut off by a sudden end is dropped, and said.
+    fs::OpenOptions::new().append(true).open(&file).unwrap().write_all(b"0123456789abcdef {\"val").unwrap();
+    let notes = Notes::default();
+    let resumed = diagram::sweep(&plan, counted, "test", Some(&file), &notes).unwrap();
+    let notes = notes.0.into_inner().unwrap();
+    assert!(
+        matches!(&notes[..], [note] if note.contains("checkpoint.json: dropped a last line")),
+        "{notes:?}"
+    );
     assert_eq!(resumed, whole);
     assert!((1..=66).contains(&count.load(Ordering::Relaxed)), "{count:?}");
     let refused = diagram::sweep(&plan, system, "another", Some(&file), &()).unwrap_err();

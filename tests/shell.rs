@@ -345,6 +345,41 @@ fn an_interruption_is_said_in_json_too() {
     }
 }
 
+/// A task deep in its work, balls of 4096 bits, hears no signal for seconds: the report says of every task how far it came.
+#[test]
+fn the_report_of_a_run_whose_end_was_forced_has_every_task() {
+    let folder = tempdir().unwrap();
+    let folder = folder.path();
+    let task = |name: &str, rest: &str| format!("[[tasks]]\nname = \"{name}\"\n{rest}\n");
+    let motion = "kind = \"simulate\"\nstart = { q = 0.5 }\nperiods = 2";
+    let orbit = "kind = \"validate\"\nbits = 4096\norbit = { pattern = [3, 3], start = [0.0039, 0.0182, -0.1078, 0.1098] }";
+    // The paper's oscillator at µ = 0.006, balls of 4096 bits.
+    let scene = "format = \"grazing-scene 1\"\ntitle = \"t\"\n[system]\ndamping = \"12/49\"\nstiffness = \"100/2401\"\n\
+        [[walls]]\nside = \"lower\"\noffset = -1\nharmonics = [{ cos = \"1.006\" }]\nrestitution = 1\n"
+        .to_string()
+        + &task("first", motion)
+        + &task("long", orbit)
+        + &task("last", motion);
+    fs::write(folder.join("s.toml"), scene).unwrap();
+    let mut child = listening("run s.toml -o out --format json", folder);
+    until(|| folder.join("out/first.svg").exists());
+    std::thread::sleep(std::time::Duration::from_millis(300));
+    signal(&child, &["-INT"]);
+    let mut report = Vec::new();
+    child.stdout.take().unwrap().read_to_end(&mut report).unwrap();
+    assert_eq!(child.wait().unwrap().code(), Some(3));
+    let report: serde_json::Value = serde_json::from_slice(&report).unwrap();
+    assert_eq!(report["format"], "grazing-run 2");
+    let all: Vec<_> =
+        report["tasks"].as_array().unwrap().iter().map(|task| (&task["task"], &task["status"])).collect();
+    assert_eq!(
+        format!("{all:?}"),
+        r#"[(String("first"), String("done")), (String("long"), String("interrupted")), (String("last"), String("pending"))]"#
+    );
+    assert_eq!(report["tasks"][1]["reason"], "the process ended while this was under way");
+    assert!(report["tasks"][0]["effects"]["piece"].as_u64() > Some(0));
+}
+
 /// Whatever it is doing, and even if what it does never ends.
 #[test]
 fn one_signal_ends_every_command() {

@@ -2,6 +2,7 @@
 
 use std::{
     f64::consts::{PI, TAU},
+    io::Write,
     sync::atomic::{AtomicI64, Ordering},
 };
 
@@ -494,10 +495,16 @@ impl Monitor for After {
     }
 }
 
-/// Counts units.
-struct Rows(AtomicI64);
+/// Counts units and notes.
+#[derive(Default)]
+struct Rows(AtomicI64, AtomicI64);
 
 impl Monitor for Rows {
+    fn note(&self, what: &str) {
+        assert!(what.contains("basins.json: dropped a last line cut off"), "{what}");
+        self.1.fetch_add(1, Ordering::Relaxed);
+    }
+
     fn advance(&self, units: u64) -> Result<()> {
         self.0.fetch_add(units as i64, Ordering::Relaxed);
         Ok(())
@@ -524,9 +531,11 @@ fn basins_tell_starts_apart() {
     };
     let whole = run(None, &()).unwrap();
     assert!(run(Some(&file), &After(20.into())).unwrap_err().is_interrupted());
-    let rows = Rows(0.into());
+    std::fs::OpenOptions::new().append(true).open(&file).unwrap().write_all(b"0123456789abc").unwrap();
+    let rows = Rows::default();
     assert_eq!(run(Some(&file), &rows).unwrap(), whole);
     assert_eq!(rows.0.into_inner(), 40, "rows of the checkpoint and of the rest");
+    assert_eq!(rows.1.into_inner(), 1, "a note of the torn line");
 }
 
 #[test]

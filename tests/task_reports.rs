@@ -195,3 +195,40 @@ fn pictures_of_long_series_are_thinned() {
     let impacts = events.lines().filter(|line| line.starts_with("impact")).count();
     assert_eq!(corners, 2 * 16 + 1 + impacts);
 }
+
+/// Names of tasks are names of files: two that may write the same are an error at the second, before either runs.
+#[test]
+fn tasks_that_would_write_one_file_are_refused() {
+    let task = |name: &str, kind: &str, rest: &str| {
+        format!("[[tasks]]\nname = \"{name}\"\nkind = \"{kind}\"\n{rest}\n")
+    };
+    let start = "start = { q = 0.5 }\nperiods = 1";
+    let (orbit, pattern) = ("orbit", "orbit = { pattern = [1] }");
+    let branch = "parameter = \"a\"\nrange = [0, 1]\nstarts = [{ at = 0.5, orbit = { pattern = [1] } }]";
+    let wall = BALL.split("[[tasks]]").next().unwrap();
+    let head = format!("[parameters]\na = 1\n{wall}");
+    let cases = [
+        (("drop", "simulate", start), ("drop-events", orbit, pattern), "drop-events.csv"),
+        (("drop-events", orbit, pattern), ("drop", "simulate", start), "drop-events.csv"),
+        (("Drop", "simulate", start), ("drop", orbit, pattern), "Drop.csv"),
+        (("br-2", "branch", branch), ("br", "branch", branch), "br-2.json"),
+        (("br", "branch", branch), ("br-points", "validate", pattern), "br-points.csv"),
+    ];
+    for (first, second, file) in cases {
+        let scene =
+            format!("{head}{}{}", task(first.0, first.1, first.2), task(second.0, second.1, second.2));
+        let (code, out, error, folder) = command(&scene, &[]);
+        assert_eq!((code, out.as_str()), (2, ""), "{error}");
+        let said = format!("this task and the task {} would both write {file}: rename one", first.0);
+        let line = HEAD.lines().count()
+            + scene.lines().position(|line| line.contains(&format!("\"{}\"", second.0))).unwrap()
+            + 1;
+        assert!(error.contains(&said) && error.contains(&format!("s.toml:{line}: ")), "{error}");
+        let written: Vec<_> =
+            fs::read_dir(folder.path()).unwrap().map(|entry| entry.unwrap().file_name()).collect();
+        assert_eq!(written, ["s.toml"], "{file}");
+    }
+    // One of them alone may run.
+    let scene = format!("{head}{}{}", task("drop", "simulate", start), task("drop-events", orbit, pattern));
+    assert_eq!(command(&scene, &["--only", "drop"]).0, 0);
+}

@@ -20,7 +20,7 @@ use crate::{
     error::{Error, Result},
     monitor::Monitor,
     number::{parse_integer, parse_rational},
-    output::{Destination, Journal, OutputFile, SavedRun, decimal_above, decimal_below, distinct, say},
+    output::{Destination, Journal, OutputFile, SavedRun, decimal_above, decimal_below, distinct, say, torn},
     search::cover::{Cover, CoverOptions, CoverTally, Unit, certificate as assemble, cover, units},
 };
 
@@ -108,7 +108,7 @@ fn prove(options: &CoverOptions, resume: Option<&Path>, interrupt: &Interrupt) -
             let (journal, found) = Journal::open(path, &identity(options), MOST)?;
             interrupt.keeps(format!("finished strips are kept in {0}: --resume {0} goes on", path.display()));
             if found.torn > 0 {
-                say(format_args!("note: {}: dropped a last line cut off by a sudden end", path.display()));
+                say(format_args!("note: {}", torn(path)));
             }
             let known = known(&found.records, &units(options)?).ok_or_else(|| foreign(path))?;
             (Some(Mutex::new(journal)), known)

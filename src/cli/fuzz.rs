@@ -15,7 +15,7 @@ use crate::{
     cli::progress::{Interrupt, Progress},
     error::{Error, Result},
     number::parse_integer,
-    output::{Destination, Journal, SavedRun, distinct, probe, say},
+    output::{Destination, Journal, SavedRun, distinct, probe, say, torn},
     search::{
         Instance,
         fuzz::{FuzzOptions, FuzzTally, fuzz},
@@ -162,7 +162,7 @@ fn open(path: &Path, options: &FuzzOptions) -> Result<(Journal, FuzzTally)> {
     let words = format!("--n {first}..={last} --seed {seed} --definition-share {definition_share}");
     let (state, found) = Journal::open(path, &SavedRun::new("fuzz", words, &options.canonical()), MOST)?;
     if found.torn > 0 {
-        say(format_args!("note: {}: dropped a last line cut off by a sudden end", path.display()));
+        say(format_args!("note: {}", torn(path)));
     }
     let Some(record) = found.records.last() else { return Ok((state, FuzzTally::default())) };
     let tally: Result<FuzzTally> =

@@ -137,7 +137,15 @@ pub fn main() -> ExitCode {
         }
     }
     remove_temporaries();
-    fail(&interrupt.error(), json)
+    let error = interrupt.error();
+    match interrupt.last_words().filter(|_| json.is_some() && stdout_is_untouched()) {
+        Some((text, outcome)) => {
+            say(format_args!("error: {error}"));
+            let _ = Destination::Stdout.write(|out| Ok(out.write_all(text.as_bytes())?));
+            outcome.into()
+        }
+        None => fail(&error, json),
+    }
 }
 
 /// As Rust's own for a panic on the main thread.

@@ -1,6 +1,7 @@
 //! Progress on standard error, and the user's wish to end early.
 
 use std::{
+    fmt,
     io::IsTerminal,
     sync::{
         Arc, Mutex, PoisonError,
@@ -14,6 +15,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use crate::{
     error::{Error, Result},
     monitor::Monitor,
+    outcome::Outcome,
     output::remove_temporaries,
 };
 
@@ -21,11 +23,21 @@ use crate::{
 #[derive(Debug, Clone, Default)]
 pub struct Interrupt(Arc<Inner>);
 
-#[derive(Debug, Default)]
+#[derive(Default)]
 struct Inner {
     asked: AtomicBool,
     without_bars: AtomicBool,
     kept: Mutex<String>,
+    last: Mutex<Option<LastWords>>,
+}
+
+/// Gives a report in JSON, and how it counts.
+type LastWords = Box<dyn Fn() -> (String, Outcome) + Send>;
+
+impl fmt::Debug for Inner {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Inner").field("asked", &self.asked).field("kept", &self.kept).finish_non_exhaustive()
+    }
 }
 
 impl Interrupt {
@@ -68,6 +80,16 @@ impl Interrupt {
     /// Says what is kept of the work, and how to go on from it: an interruption ends with these words.
     pub fn keeps(&self, what: impl Into<String>) {
         *self.0.kept.lock().unwrap_or_else(PoisonError::into_inner) = what.into();
+    }
+
+    /// Says how a command reports in JSON, should the process have to end without it.
+    pub fn says_last(&self, report: impl Fn() -> (String, Outcome) + Send + 'static) {
+        *self.0.last.lock().unwrap_or_else(PoisonError::into_inner) = Some(Box::new(report));
+    }
+
+    /// That report.
+    pub fn last_words(&self) -> Option<(String, Outcome)> {
+        self.0.last.lock().unwrap_or_else(PoisonError::into_inner).as_ref().map(|report| report())
     }
 
     /// The interruption.

@@ -71,6 +71,11 @@ pub struct Found {
     pub torn: u64,
 }
 
+/// What is to be said of a torn last line.
+pub(crate) fn torn(path: &Path) -> String {
+    format!("{}: dropped a last line cut off by a sudden end", path.display())
+}
+
 /// Records given to the system reach the disk at least this often.
 const SYNC: Duration = Duration::from_secs(2);
 

@@ -16,6 +16,7 @@ pub(crate) use destination::stdout_is_untouched;
 pub use destination::{Destination, OutputFile, say};
 pub(crate) use file::remove_temporaries;
 pub use file::{LONGEST_INPUT, distinct, make_folder, probe, read_text, write_file};
+pub(crate) use journal::torn;
 pub use journal::{Journal, SavedRun};
 #[cfg(feature = "cli")]
 pub use table::{Column, Print, TableCell, TableFormat, TableWriter, decimal};

@@ -27,7 +27,7 @@ pub struct Task {
     /// What to do.
     pub kind: Kind,
     /// Where in the file it stands, as `tasks[1]`.
-    pub(super) path: String,
+    pub(crate) path: String,
 }
 
 keys! {

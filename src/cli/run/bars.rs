@@ -6,6 +6,7 @@ use crate::{
     cli::progress::{Interrupt, Progress},
     error::Result,
     monitor::Monitor,
+    output::say,
 };
 
 /// A bar for the stretch of work that began last.
@@ -30,6 +31,10 @@ impl Monitor for Bars<'_> {
         self.clear();
         *self.bar.write().unwrap_or_else(PoisonError::into_inner) =
             Some(Progress::new(self.interrupt, units, unit));
+    }
+
+    fn note(&self, what: &str) {
+        say(format_args!("note: {what}"));
     }
 
     fn advance(&self, units: u64) -> Result<()> {

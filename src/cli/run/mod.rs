@@ -5,6 +5,7 @@ mod bars;
 mod basins;
 mod branch;
 mod diagram;
+mod names;
 mod section;
 mod simulate;
 mod validate;
@@ -13,6 +14,7 @@ use std::{
     io::Write,
     ops::Deref,
     path::{Path, PathBuf},
+    sync::{Arc, Mutex, PoisonError},
 };
 
 use clap::Parser;
@@ -93,10 +95,12 @@ impl<'a> Deref for Job<'a> {
 
 impl Job<'_> {
     fn run(&self) -> TaskReport {
-        match &self.task.kind {
+        let report = match &self.task.kind {
             Kind::SimulateTask(task) => simulate::run(task, self),
             _ => run_task(self.job, &mut Files(self)),
-        }
+        };
+        debug_assert!(report.files.iter().all(|file| names::may_write(self.task, file)), "{report}");
+        report
     }
 
     /// Writes rows as the task's CSV file with this ending, and returns the file's name.
@@ -166,12 +170,16 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     if jobs.is_empty() {
         return Err(Error::input(format!("{name} has no [[tasks]]: nothing to do")));
     }
+    names::distinct(&scene, &jobs.iter().map(|job| job.task).collect::<Vec<_>>())?;
     make_folder(&args.output)?;
     // What cannot be written ends neither the tasks nor what they refute.
     let mut written = Ok(());
-    let mut parts: Vec<TaskReport> = Vec::new();
+    let done: Arc<Mutex<Vec<TaskReport>>> = Arc::default();
+    let parts = || done.lock().unwrap_or_else(PoisonError::into_inner);
+    interrupt.says_last(last_words(&scene.title, done.clone(), jobs.iter().map(TaskReport::pending)));
     for job in &jobs {
-        let part = if parts.last().is_some_and(|last| last.status.is_interrupted()) {
+        let over = parts().last().is_some_and(|last| last.status.is_interrupted());
+        let part = if over {
             TaskReport::pending(job)
         } else {
             let job = Job { job, folder: &args.output };
@@ -186,8 +194,9 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
             let part = Destination::Stdout.write(|out| Ok(write!(out, "{part}")?));
             written = written.and(part);
         }
-        parts.push(part);
+        parts().push(part);
     }
+    let parts = parts().clone();
     if args.format == ReportFormat::Json {
         written = Destination::Stdout.write(|out| json(&scene.title, &parts, out));
     }
@@ -198,6 +207,29 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
         say(format_args!("error: {failed} of {} tasks failed", parts.len()));
     }
     reported(outcome, written)
+}
+
+/// What is said, as JSON, if the process ends while a task is under way that does not end itself: the reports of all tasks.
+fn last_words(
+    scene: &str,
+    done: Arc<Mutex<Vec<TaskReport>>>,
+    pending: impl Iterator<Item = TaskReport>,
+) -> impl Fn() -> (String, Outcome) + Send + 'static {
+    let (scene, pending): (_, Vec<TaskReport>) = (scene.to_string(), pending.collect());
+    move || {
+        let mut parts = done.lock().unwrap_or_else(PoisonError::into_inner).clone();
+        let reason = "the process ended while this was under way".to_string();
+        let mut status = Status::Interrupted { reason };
+        for report in &pending[parts.len()..] {
+            let status = std::mem::replace(&mut status, Status::Pending);
+            parts.push(TaskReport { status, ..report.clone() });
+        }
+        let mut text = Vec::new();
+        let written = json(&scene, &parts, &mut text);
+        let outcome = parts.iter().map(|part| part.status.outcome()).collect::<Outcome>();
+        let text = written.ok().and_then(|()| String::from_utf8(text).ok()).unwrap_or_default();
+        (text, outcome.and(Outcome::Interrupted))
+    }
 }
 
 /// The reports as one object.

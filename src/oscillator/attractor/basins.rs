@@ -98,7 +98,7 @@ pub fn basins(
     // 64 bytes for each cell; the points of attractors, which are few.
     let most = (1 << 30) + 64 * (grid.columns * grid.rows) as u64;
     let (mut checkpoint, mut found): (_, Vec<Basins>) =
-        Checkpoint::open(file, "basins", &format!("{identity} {job}"), most)?;
+        Checkpoint::open(file, "basins", &format!("{identity} {job}"), most, monitor)?;
     let mut done = found.pop().unwrap_or_default();
     if !done.can_be(grid, detection) {
         return Err(checkpoint.bad("its record is not of these basins"));

@@ -9,7 +9,8 @@ use serde::{Serialize, de::DeserializeOwned};
 
 use crate::{
     error::{Error, Result},
-    output::{Journal, SavedRun},
+    monitor::Monitor,
+    output::{Journal, SavedRun, torn},
 };
 
 /// Less than this apart no whole state is written, but for the last.
@@ -22,7 +23,8 @@ pub(super) struct Checkpoint {
 }
 
 impl Checkpoint {
-    /// The checkpoint of a job, of at most `most` bytes, and what it holds; `canonical` is a text of all that the job's result depends on.
+    /// The checkpoint of a job, of at most `most` bytes, and what it holds; `canonical` is a text of all that the job's result depends on. The
+    /// monitor is told if a last line was torn.
     ///
     /// # Errors
     /// Those of [`Journal::open`]; an input error for records that are none of the job's.
@@ -31,11 +33,15 @@ impl Checkpoint {
         kind: &'static str,
         canonical: &str,
         most: u64,
+        monitor: &dyn Monitor,
     ) -> Result<(Checkpoint, Vec<T>)> {
         let last = Instant::now();
         let Some(path) = path else { return Ok((Checkpoint { state: None, last }, Vec::new())) };
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         let (state, found) = Journal::open(path, &SavedRun::new(kind, name, canonical), most)?;
+        if found.torn > 0 {
+            monitor.note(&torn(path));
+        }
         let checkpoint = Checkpoint { state: Some((state, path.to_path_buf())), last };
         let read = |record: &String| {
             serde_json::from_str(record).map_err(|error| checkpoint.bad(&error.to_string()))

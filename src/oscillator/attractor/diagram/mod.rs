@@ -93,7 +93,7 @@ pub fn sweep(
 ) -> Result<Vec<Slice>> {
     let plan_text = serde_json::to_string(plan).map_err(std::io::Error::other)?;
     let (mut checkpoint, mut done): (_, Vec<Slice>) =
-        Checkpoint::open(file, "diagram", &format!("{identity} {plan_text}"), plan.most_bytes())?;
+        Checkpoint::open(file, "diagram", &format!("{identity} {plan_text}"), plan.most_bytes(), monitor)?;
     if let Some(wrong) = done.iter().enumerate().find(|(i, slice)| !plan.can_be(*i, slice)) {
         return Err(checkpoint.bad(&format!("its record {} is not of this diagram", wrong.0 + 1)));
     }
