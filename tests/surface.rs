@@ -216,3 +216,164 @@ fn completions_and_manual_know_every_command() {
         assert!(page.contains("Examples:") && page.contains(".SH OPTIONS"), "{command}");
     }
 }
+
+/// What nobody may answer a count with, a range of periods, an exact number, a choice, an output file, an input file.
+const COUNT: &[&str] =
+    &["", "x", "1.5", "1e99", "99999999999999999999999", "1/0", "nan", "0x10", "٣", "1 2", "-7"];
+const RANGE: &[&str] = &[
+    "",
+    "x",
+    "0",
+    "3..8",
+    "8..=3",
+    "3..=",
+    "..=8",
+    "3..=x",
+    "18446744073709551616",
+    "1.5",
+    "3..=4..=5",
+    "3--8",
+];
+const NUMBER: &[&str] =
+    &["", "x", "1/0", "2^9999999999", "1e400000", "0x10", "1//2", "∞", "nan", "1/2/3", "2^2^9", "½"];
+const CHOICE: &[&str] = &["", "foo", "TEXT", "jsonn"];
+const OUTPUT: &[&str] = &["", "/nonexistent/file", "/dev/null/file", "."];
+const INPUT: &[&str] = &["", "/nonexistent/file", ".", "/dev/null"];
+
+/// A command that would be right, with a hole `@`, and what must not be put there.
+const HOLES: &[(&str, &[&str])] = &[
+    ("verify @", RANGE),
+    ("verify 3 --jobs @", COUNT),
+    ("verify 3 --method @", CHOICE),
+    ("verify 3 --format @", CHOICE),
+    ("verify 3 --certificate @", OUTPUT),
+    ("verify 3 -o @", OUTPUT),
+    ("cover @", RANGE),
+    ("cover 3 --r-max @", NUMBER),
+    ("cover 3 --max-depth @", COUNT),
+    ("cover 3 --jobs @", COUNT),
+    ("cover 3 --format @", CHOICE),
+    ("cover 3 --certificate @", OUTPUT),
+    ("cover 3 --resume @", OUTPUT),
+    ("check @", INPUT),
+    ("check --format @ /dev/null", CHOICE),
+    ("intervals @", RANGE),
+    ("intervals 3 --decimals @", COUNT),
+    ("intervals 3 --format @", CHOICE),
+    ("intervals 3 -o @", OUTPUT),
+    (
+        "intervals --pattern @",
+        &["", "x", "3", "3,", "3,5,7", "0,3", "3.5,1", "-3,5", "99999999999999999999,1"],
+    ),
+    ("intervals --two-impacts @", RANGE),
+    ("classify --r @ --s 1/5", NUMBER),
+    ("classify --r 1/2 --s @", NUMBER),
+    ("classify --a1 @ --a2 1/2", NUMBER),
+    ("classify --a1 1 --a2 @", NUMBER),
+    ("classify --r 1/2 --s 1/5 --max-n @", COUNT),
+    ("classify --r 1/2 --s 1/5 --format @", CHOICE),
+    ("word --r @ --s 1/5", NUMBER),
+    ("word --r 1/2 --s @", NUMBER),
+    ("word --r 1/2 --s 1/5 --max-period @", COUNT),
+    ("word --r 1/2 --s 1/5 --letters @", COUNT),
+    ("existence @", INPUT),
+    ("existence examples/maps/focus.toml --max-period @", COUNT),
+    ("existence examples/maps/focus.toml --pattern @", &["", "x", "0", "1,", "1,x", "-1", "1,0"]),
+    ("existence examples/maps/focus.toml --format @", CHOICE),
+    ("existence examples/maps/focus.toml --dot @", OUTPUT),
+    ("fuzz --cases @", COUNT),
+    ("fuzz --cases 10 --seed @", COUNT),
+    ("fuzz --cases 10 --n @", RANGE),
+    ("fuzz --cases 10 --definition-share @", &["", "x", "2", "-1", "nan", "inf"]),
+    ("fuzz --cases 10 --regressions @", OUTPUT),
+    ("fuzz --cases 10 --resume @", OUTPUT),
+    ("farey neighbours @", NUMBER),
+    ("farey rank @ 5", NUMBER),
+    ("farey rank 1/2 @", COUNT),
+    ("farey kth @ 5", COUNT),
+    ("farey kth 3 @", COUNT),
+    ("farey walk @", &["", "x", "1.5", "1/0", "0", "-1"]),
+    ("farey walk 5 --from @", NUMBER),
+    ("farey walk 5 --to @", NUMBER),
+    ("boundary @", RANGE),
+    ("boundary 5 --m @", COUNT),
+    ("boundary 5 --grid @", COUNT),
+    ("boundary 5 --digits @", COUNT),
+    ("boundary 5 --format @", CHOICE),
+    ("figure @", CHOICE),
+    ("figure intervals --n @ -o out", COUNT),
+    ("figure records --r @ -o out", NUMBER),
+    ("figure records --s @ -o out", NUMBER),
+    ("figure intervals -o @", &["/dev/null/file", "/proc/file"]),
+    ("formula @ 1", COUNT),
+    ("formula 3 @", COUNT),
+    ("formula 5 --sentence --area @", &["", "x", "2", "2*", "0+", "9+", "region5"]),
+    ("formula 5 2 --format @", CHOICE),
+    ("evaluate --n @ --s 1/7", COUNT),
+    ("evaluate --n 5 --k @ --s 1/7", COUNT),
+    ("evaluate --n 5 --s @", NUMBER),
+    ("evaluate --n 5 --s 1/7 --r @", NUMBER),
+    ("evaluate --n 5 --s 1/7 --bits @", COUNT),
+    ("accuracy --of @", CHOICE),
+    ("accuracy -o @", &["/dev/null/file"]),
+    ("run @", INPUT),
+    ("run examples/scenes/free.toml --only @", CHOICE),
+    ("run examples/scenes/free.toml --set @", &["", "x", "x=1", "w=", "w=x", "w=1/0", "=1", "w==1"]),
+    ("run examples/scenes/free.toml --format @", CHOICE),
+    ("run examples/scenes/free.toml --jobs @", COUNT),
+    ("run examples/scenes/free.toml -o @", &["/dev/null/file"]),
+    ("completions @", CHOICE),
+    ("man -o @", &["/dev/null/file"]),
+    ("@", CHOICE),
+];
+
+/// More than 400 wrong inputs: each ends with exit code 2 (a certificate that is none: 1), nothing on standard output, and an error that
+/// begins with the word, names the value or what it is for, and speaks neither of Rust nor of its types.
+#[test]
+fn wrong_inputs_are_named() {
+    let folder = reader();
+    let mut tried = 0;
+    for (line, values) in HOLES {
+        for value in *values {
+            let mut command = Command::new(env!("CARGO_BIN_EXE_grazing"));
+            command.current_dir(folder.path());
+            command.args(line.split(' ').map(|word| if word == "@" { value } else { word }));
+            let (code, out, err) = process::ended(command.output().unwrap());
+            let what = format!("grazing {} with {value:?}: {code} {out}{err}", line.replace('@', "…"));
+            let no_certificate = line.starts_with("check") && code == 1;
+            assert!(code == 2 || no_certificate, "{what}");
+            assert!(out.is_empty() || line.starts_with("check"), "{what}");
+            assert!(err.starts_with("error: ") || no_certificate, "{what}");
+            for jargon in [
+                "panicked",
+                "invalid digit",
+                "target type",
+                "cannot parse",
+                "ParseInt",
+                "from empty string",
+                "ParseFloat",
+                "Some(",
+                "None",
+            ] {
+                assert!(!err.contains(jargon), "{what}");
+            }
+            let option = line.split(' ').rev().skip_while(|word| *word != "@").nth(1).unwrap_or("");
+            let named = if value.is_empty() {
+                err.contains("''") || err.contains("\"\"")
+            } else {
+                err.contains(value.split(['+', '=']).next().unwrap())
+            };
+            assert!(
+                named
+                    || !option.is_empty() && err.contains(option)
+                    || no_certificate
+                    || err.contains("required")
+                    || err.contains("unexpected"),
+                "{what}"
+            );
+            tried += 1;
+        }
+    }
+    assert!(tried >= 400, "{tried}");
+    println!("{tried} wrong inputs, each named");
+}

@@ -13,7 +13,11 @@ use num_rational::BigRational;
 use rayon::prelude::*;
 use serde_json::json;
 
-use super::{Outcome, ReportFormat, in_pool, range::Periods, reported};
+use super::{
+    Outcome, ReportFormat, in_pool,
+    range::{Periods, whole},
+    reported,
+};
 use crate::{
     certificate::{self, Rejection},
     cli::progress::{Interrupt, Progress},
@@ -44,7 +48,7 @@ pub(super) struct Args {
     #[arg(long, value_name = "R", value_parser = parse_rational)]
     r_max: Option<BigRational>,
     /// Leave a box open once it is the result of this many halvings.
-    #[arg(long, value_name = "D", default_value_t = 60, value_parser = clap::value_parser!(u32).range(0..=60))]
+    #[arg(long, value_name = "D", default_value_t = 60, value_parser = whole(0..=60))]
     max_depth: u32,
     /// Write a certificate, which `grazing check` proves again without search.
     #[arg(long, value_name = "FILE")]

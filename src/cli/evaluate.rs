@@ -7,7 +7,7 @@ use num_rational::BigRational;
 use num_traits::One;
 use serde_json::json;
 
-use super::{Outcome, ReportFormat, reported};
+use super::{Outcome, ReportFormat, range::whole, reported};
 use crate::{
     cli::progress::Interrupt,
     error::{Error, Result},
@@ -51,7 +51,7 @@ pub(super) struct Args {
     #[arg(long, value_parser = parse_rational, allow_hyphen_values = true, requires = "a1", value_name = "Y")]
     a2: Option<BigRational>,
     /// The working precision of the printed digits, 16 to 65536 bits.
-    #[arg(long, default_value_t = 128, value_parser = clap::value_parser!(u32).range(16..=65536))]
+    #[arg(long, default_value_t = 128, value_parser = whole(16..=65536))]
     bits: u32,
     /// How the result is written.
     #[arg(long, value_enum, default_value_t = ReportFormat::Text)]

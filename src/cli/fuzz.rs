@@ -10,7 +10,11 @@ use std::{
 use clap::Parser;
 use serde_json::json;
 
-use super::{Outcome, ReportFormat, in_pool, range::Periods, reported};
+use super::{
+    Outcome, ReportFormat, in_pool,
+    range::{Periods, share},
+    reported,
+};
 use crate::{
     cli::progress::{Interrupt, Progress},
     error::{Error, Result},
@@ -50,7 +54,7 @@ pub(super) struct Args {
     #[arg(long, value_name = "J", default_value_t = 0, hide_default_value = true, value_parser = parse_integer::<usize>)]
     jobs: usize,
     /// The share of sweep points at which one period is decided by the definition, k by k, as well.
-    #[arg(long, value_name = "F", default_value_t = 0.01)]
+    #[arg(long, value_name = "F", default_value_t = 0.01, value_parser = share)]
     definition_share: f64,
     /// Where disagreements are appended; the tests replay those in tests/data/fuzz_regressions.txt.
     #[arg(long, value_name = "FILE", default_value = "fuzz-regressions.txt")]
@@ -67,12 +71,6 @@ pub(super) struct Args {
 }
 
 pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
-    if !(0.0..=1.0).contains(&args.definition_share) {
-        return Err(Error::input(format!(
-            "--definition-share {}: a number from 0 to 1",
-            args.definition_share
-        )));
-    }
     if args.cases == 0 {
         return Err(Error::input("--cases 0: give at least 1"));
     }

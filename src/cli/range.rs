@@ -2,7 +2,29 @@
 
 use std::{num::IntErrorKind, ops::RangeInclusive, str::FromStr};
 
-use crate::error::{Error, Result};
+use crate::{
+    error::{Error, Result},
+    number::parse_integer,
+};
+
+/// A parser of whole numbers in a range, for clap.
+pub(super) fn whole(range: RangeInclusive<u32>) -> impl Fn(&str) -> Result<u32> + Clone + Send + Sync {
+    move |text| {
+        let number = parse_integer(text)?;
+        if range.contains(&number) {
+            return Ok(number);
+        }
+        Err(Error::input(format!("{number} is not in {}..={}", range.start(), range.end())))
+    }
+}
+
+/// A parser of a number from 0 to 1, for clap.
+pub(super) fn share(text: &str) -> Result<f64> {
+    match text.parse() {
+        Ok(share) if (0.0..=1.0).contains(&share) => Ok(share),
+        _ => Err(Error::input(format!("{text:?} is not a number from 0 to 1"))),
+    }
+}
 
 /// A range of periods as written by the user, in order and from 1 up.
 #[derive(Debug, Clone, PartialEq, Eq)]
