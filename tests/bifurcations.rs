@@ -444,7 +444,6 @@ fn resonant_grazings_and_gamma_zero_are_labelled_along_the_curve_of_grazings() {
     let (report, code, error) = run(NORDMARK, &[task("rest", "branch", rest)], folder.path());
     assert_eq!(code, 0, "{report} {error}");
     let curve = "parameter = \"mu\"\nrange = [-0.1, 0.1]\nsecond = \"w\"\nsecond_range = [1.5, 10]\n\
-                 options = { most_step = 0.02 }\n\
                  starts = [{ restart = { file = \"rest.json\", label = \"grazing 1\" } }]";
     let (report, code, error) = run(NORDMARK, &[task("curve", "branch", curve)], folder.path());
     assert_eq!(code, 0, "{report} {error}");
@@ -472,4 +471,21 @@ fn resonant_grazings_and_gamma_zero_are_labelled_along_the_curve_of_grazings() {
 
 fn gcd(a: u32, b: u32) -> u32 {
     if b == 0 { a } else { gcd(b, a % b) }
+}
+
+/// What is not there is not a failure: no grazing within reach, and no orbit to begin with.
+#[test]
+fn a_grazing_out_of_reach_is_nothing_found() {
+    let folder = tempfile::tempdir().unwrap();
+    let keys = "parameter = \"a\"\nreach = 0.3\norbit = { pattern = [1], speed = 4 }";
+    let (report, code, error) = run(BALL, &[task("g", "grazing", keys)], folder.path());
+    assert_eq!((code, &report["tasks"][0]["status"]), (3, &"nothing-found".into()), "{report} {error}");
+    assert!(
+        report["tasks"][0]["reason"].as_str().unwrap().contains("a larger reach looks further"),
+        "{report}"
+    );
+    let keys = "parameter = \"a\"\norbit = { pattern = [9] }";
+    let (report, code, _) = run(BALL, &[task("g", "grazing", keys)], folder.path());
+    assert_eq!((code, &report["tasks"][0]["status"]), (3, &"nothing-found".into()), "{report}");
+    assert!(report["tasks"][0]["reason"].as_str().unwrap().contains("no admissible orbit"), "{report}");
 }

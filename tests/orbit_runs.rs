@@ -8,6 +8,7 @@ use grazing::{
         orbit::*,
         simulate::{Event, RunEnd, Settings, Simulator},
     },
+    run::{Findings, Surroundings, run},
     scene::{Scene, SceneFamily},
 };
 
@@ -119,4 +120,94 @@ fn the_simulator_settles_on_the_stable_orbits() {
             "{impact:?} {orbit:?}"
         );
     }
+}
+
+/// The paper's oscillator at µ = −0.05: a node, a saddle, both with pattern (4), and their section with the saddle's manifolds.
+const SADDLE: &str = r#"
+    format = "grazing-scene 1"
+    title = "a saddle"
+    [system]
+    damping = "12/49"
+    stiffness = "100/2401"
+    [[walls]]
+    side = "lower"
+    offset = -1
+    harmonics = [{ cos = "95/100" }]
+    restitution = 1
+    [[tasks]]
+    name = "manifolds"
+    kind = "section"
+    starts = [{ q = 0 }]
+    phase = "1/2"
+    points = 100
+    orbits = [{ pattern = [4] }]
+    manifolds = true
+"#;
+
+/// How far a point is from a curve in pieces.
+fn distance(at: [f64; 2], pieces: &[&Vec<[f64; 2]>]) -> f64 {
+    let segments = pieces.iter().flat_map(|piece| piece.windows(2));
+    let to = |segment: &[[f64; 2]]| {
+        let [a, b] = [segment[0], segment[1]];
+        let (along, from) = ([b[0] - a[0], b[1] - a[1]], [at[0] - a[0], at[1] - a[1]]);
+        let length = along[0] * along[0] + along[1] * along[1];
+        let part = ((from[0] * along[0] + from[1] * along[1]) / length.max(1e-300)).clamp(0.0, 1.0);
+        (from[0] - part * along[0]).hypot(from[1] - part * along[1])
+    };
+    segments.map(to).fold(f64::INFINITY, f64::min)
+}
+
+#[test]
+fn manifolds_are_invariant_and_leave_the_saddle_along_its_eigenvectors() {
+    let scene = Scene::from_toml(SADDLE, "test").unwrap();
+    let reports = run(&scene, Surroundings::default(), &mut ()).unwrap();
+    let Some(Findings::Section(found)) = &reports[0].findings else { panic!("{:?}", reports[0].status) };
+    let half = |wanted: bool| -> Vec<&Vec<[f64; 2]>> {
+        found.manifolds.iter().filter(|(stable, _)| *stable == wanted).map(|(_, piece)| piece).collect()
+    };
+    let (unstable, stable) = (half(false), half(true));
+    // Four points of the saddle, from each two halves of either manifold.
+    assert!(unstable.len() >= 8 && stable.len() >= 8, "{} {}", unstable.len(), stable.len());
+    let simulator = Simulator::new(&scene.exact(&[]).unwrap().rounded(), &Settings::default()).unwrap();
+    let four = |[q, u]: [f64; 2]| {
+        let mut run = simulator.start(Time::new(0, TAU / 2.0), q, u).ok()?;
+        (run.finish(Time::new(4, TAU / 2.0)) == RunEnd::Reached).then(|| [run.state().q, run.state().u])
+    };
+    let away = |a: [f64; 2], b: [f64; 2]| [a[0] - b[0], a[1] - b[1]];
+    let size = |v: [f64; 2]| v[0].hypot(v[1]);
+    let (mut followed, mut halves) = (0, 0);
+    for (pieces, is_stable) in [(&unstable, false), (&stable, true)] {
+        for piece in pieces {
+            // Only the first piece of a half begins at the saddle itself.
+            let saddle = piece[0];
+            let Some(image) = four(saddle) else { continue };
+            if size(away(image, saddle)) > 1e-9 {
+                continue;
+            }
+            halves += 1;
+            // The matrix of four periods by differences, and the multiplier and direction of this half by its trace and determinant.
+            let column = |by: [f64; 2]| {
+                let at = |sign: f64| four([saddle[0] + sign * by[0], saddle[1] + sign * by[1]]).unwrap();
+                away(at(1.0), at(-1.0)).map(|x| x / 2e-7)
+            };
+            let [a, b] = [column([1e-7, 0.0]), column([0.0, 1e-7])];
+            let (trace, det) = (a[0] + b[1], a[0] * b[1] - b[0] * a[1]);
+            let larger = trace / 2.0 + (trace * trace / 4.0 - det).sqrt().copysign(trace);
+            let multiplier = if is_stable { det / larger } else { larger };
+            let start = away(piece[1], saddle);
+            let moved = [
+                a[0] * start[0] + b[0] * start[1] - multiplier * start[0],
+                a[1] * start[0] + b[1] * start[1] - multiplier * start[1],
+            ];
+            assert!(size(moved) < 1e-3 * larger.abs() * size(start), "{is_stable}: {moved:?} {start:?}");
+        }
+        // Points of the unstable manifold map onto it; of the stable one back to it, nearer to the saddle.
+        for point in pieces.iter().flat_map(|piece| &piece[..piece.len() / 2]).step_by(5) {
+            let Some(image) = four(*point) else { continue };
+            followed += 1;
+            let off = distance(image, pieces);
+            assert!(off < 4e-3, "{is_stable}: {point:?} leads to {image:?}, {off} off");
+        }
+    }
+    assert!(halves >= 16 && followed > 200, "{halves} {followed}");
 }

@@ -182,7 +182,7 @@ impl BranchRow {
             admissible: admissible(orbit, point.event),
             reason: obstacle(orbit),
             coefficient: form.map(|form| form.coefficient),
-            criticality: form.and_then(|form| form.name()),
+            criticality: form.map(|form| form.name()),
             least_gap: orbit.least.map(|least| least.gap),
             residual: orbit.residual,
             newton_steps: orbit.steps,

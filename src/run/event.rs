@@ -220,7 +220,7 @@ impl EventRow {
             stable: stable(orbit, Some(*bifurcation)),
             admissible: admissible(orbit, Some(*bifurcation)),
             coefficient: form.map(|form| form.coefficient),
-            criticality: form.and_then(|form| form.name()),
+            criticality: form.map(|form| form.name()),
             length: *length,
             residual: orbit.residual,
         })

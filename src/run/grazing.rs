@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::{Complex, Finding, Job, Judgement, Lines, Status, orbit, row};
 use crate::{
-    error::{Error, Result},
+    error::Result,
     oscillator::{
         branch::{Bifurcation, BranchSearch, locate},
         grazing::{self, Grazing, LocalMap},
@@ -40,9 +40,45 @@ row! {
     }
 }
 
+/// What a search for a grazing bifurcation came to.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum GrazingFindings {
+    /// One was found.
+    Found(Box<GrazingReport>),
+    /// None within reach, or no orbit to begin with.
+    Nothing {
+        /// The parameter.
+        varied: String,
+        /// Its value at the start.
+        start: f64,
+        /// Why.
+        #[serde(skip)]
+        reason: String,
+    },
+}
+
+impl Finding for GrazingFindings {
+    fn status(&self) -> Status {
+        match self {
+            GrazingFindings::Found(found) => found.status(),
+            GrazingFindings::Nothing { reason, .. } => Status::nothing(reason.clone()),
+        }
+    }
+
+    fn lines(&self, lines: &mut Lines) {
+        match self {
+            GrazingFindings::Found(found) => found.lines(lines),
+            GrazingFindings::Nothing { varied, start, .. } => {
+                lines.say("start", format!("{varied} = {start:?}"));
+            }
+        }
+    }
+}
+
 /// A grazing bifurcation with its local map, and the patterns that are born there.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct GrazingFindings {
+pub struct GrazingReport {
     /// The parameter.
     pub varied: String,
     /// Its value at grazing.
@@ -87,7 +123,7 @@ pub struct GrazingFindings {
     undecided: usize,
 }
 
-impl Finding for GrazingFindings {
+impl GrazingReport {
     fn status(&self) -> Status {
         match (&self.open, self.undecided) {
             (Some(reason), _) => Status::undecided(reason.clone()),
@@ -131,26 +167,28 @@ impl Finding for GrazingFindings {
 /// Follows the branch of the orbit to the nearest grazing, and asks the local theory there.
 ///
 /// # Errors
-/// An input error if there is no admissible orbit to begin with, or no grazing within reach; those of the local theory; an interruption.
+/// Those of the orbit's search, of the branch and of the local theory; an interruption.
 pub fn grazing(task: &GrazingTask, job: &Job) -> Result<GrazingFindings> {
     let family = SceneFamily::new(&job.scene, &task.parameter)?;
     let start = family.value();
     let orbits = task.orbit.orbits(&family.at(start)?)?;
-    let orbit = orbits.iter().find(|orbit| orbit.admissibility.is_admissible()).ok_or_else(|| {
-        Error::input(format!("no admissible orbit to begin with at {} = {start}", task.parameter))
-    })?;
+    let nothing =
+        |reason: String| Ok(GrazingFindings::Nothing { varied: task.parameter.clone(), start, reason });
+    let Some(orbit) = orbits.iter().find(|orbit| orbit.admissibility.is_admissible()) else {
+        return nothing(format!("no admissible orbit to begin with at {} = {start}", task.parameter));
+    };
     job.check()?;
     let located =
         match locate(&family, Bifurcation::Grazing, orbit, start, task.reach, &task.options.checked()?)? {
             BranchSearch::Found(found) => found,
-            BranchSearch::Nothing(nothing) => return Err(Error::input(nothing.to_string())),
+            BranchSearch::Nothing(why) => return nothing(why.to_string()),
         };
     let event = grazing::locate(&family, &located.orbit, located.parameter)?;
     // Two grazings in a period are the theory's business only if a symmetry makes them one.
     let half = event.half_map(&family.at(event.parameter)?);
     let map = half.as_ref().unwrap_or(&event.map);
     let [lambda1, lambda2] = map.multipliers.values().map(Complex::from);
-    let mut found = GrazingFindings {
+    let mut found = GrazingReport {
         varied: task.parameter.clone(),
         parameter: event.parameter,
         orbit: orbit.itinerary.to_string(),
@@ -183,7 +221,7 @@ pub fn grazing(task: &GrazingTask, job: &Job) -> Result<GrazingFindings> {
         undecided: 0,
     };
     if found.open.is_some() {
-        return Ok(found);
+        return Ok(GrazingFindings::Found(Box::new(found)));
     }
     let local = map.to_map()?;
     let graph = Graph::new(&local, task.max_period.into(), false)?;
@@ -196,7 +234,7 @@ pub fn grazing(task: &GrazingTask, job: &Job) -> Result<GrazingFindings> {
         }
         found.undecided += usize::from(verdict.is_open());
     }
-    Ok(found)
+    Ok(GrazingFindings::Found(Box::new(found)))
 }
 
 /// A row: what the local theory says of a pattern, and the orbit of the true system at the distance asked for.

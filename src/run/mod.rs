@@ -47,7 +47,7 @@ pub use branch::{BranchFindings, BranchRow, StartRow, branch};
 pub use crisis::{CrisisFindings, CrisisRow, PersistenceRow, crisis};
 pub use diagram::{CoexistingRow, DiagramFindings, WindowRow, diagram};
 pub use event::{EventFindings, EventRow, EventRows, GrazingEventRow, WithoutRow, event};
-pub use grazing::{BornRow, GrazingFindings, grazing};
+pub use grazing::{BornRow, GrazingFindings, GrazingReport, grazing};
 pub use orbit::{MissingRow, OrbitFindings, OrbitRow, orbit};
 pub use report::TaskReport;
 pub use section::{AttractorRow, SectionFindings, SectionOrbitRow, SectionSet, section};

@@ -30,7 +30,10 @@ use crate::{
         Column, Destination, LONGEST_INPUT, TableCell, TableFormat, TableWriter, make_folder, read_text, say,
         write_file,
     },
-    run::{EventRows, Findings, Job as Task, Keeper, Row, Status, Surroundings, TaskReport, run_task},
+    run::{
+        EventRows, Findings, GrazingFindings, Job as Task, Keeper, Row, Status, Surroundings, TaskReport,
+        run_task,
+    },
     scene::{Kind, Scene},
 };
 use bars::Bars;
@@ -136,7 +139,10 @@ impl Keeper for Files<'_> {
             (Findings::Branch(found), Kind::BranchTask(task)) => branch::keep(found, task, self.0),
             (Findings::Validate(found), _) => validate::keep(found, self.0),
             (Findings::Orbit(found), _) => Ok(vec![self.0.csv(&found.orbits, ".csv")?]),
-            (Findings::Grazing(found), _) => Ok(vec![self.0.csv(&found.born, ".csv")?]),
+            (Findings::Grazing(found), _) => match &**found {
+                GrazingFindings::Found(found) => Ok(vec![self.0.csv(&found.born, ".csv")?]),
+                GrazingFindings::Nothing { .. } => Ok(Vec::new()),
+            },
             (Findings::Event(found), _) => Ok(vec![match &found.found {
                 EventRows::Bifurcations(rows) => self.0.csv(rows, ".csv")?,
                 EventRows::Grazings(rows) => self.0.csv(rows, ".csv")?,

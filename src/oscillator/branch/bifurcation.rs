@@ -77,14 +77,15 @@ impl Bifurcation {
 const STILL: f64 = 1e-10;
 
 /// A point of codimension two on a curve of bifurcations in two parameters.
+///
+/// A curve of Neimark–Sacker points has no Chenciner points, where Re d would change its sign: Re d is zero all along, see
+/// [`NormalForm`](super::NormalForm).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Degeneracy {
     /// On a curve of saddle-nodes: the coefficient a vanishes, three orbits meet.
     Cusp,
     /// On a curve of flips: the coefficient b vanishes, the flip turns from supercritical to subcritical.
     GeneralisedFlip,
-    /// On a Neimark–Sacker curve: the coefficient Re d vanishes.
-    Chenciner,
     /// Both multipliers are 1.
     Resonance1,
     /// Both multipliers are −1.
@@ -111,10 +112,9 @@ pub enum Degeneracy {
 
 impl Degeneracy {
     /// All, in the order of a curve's monitors.
-    pub const ALL: [Degeneracy; 14] = [
+    pub const ALL: [Degeneracy; 13] = [
         Degeneracy::Cusp,
         Degeneracy::GeneralisedFlip,
-        Degeneracy::Chenciner,
         Degeneracy::Resonance1,
         Degeneracy::Resonance2,
         Degeneracy::Resonance3,
@@ -133,7 +133,6 @@ impl Degeneracy {
         match self {
             Degeneracy::Cusp => "cusp",
             Degeneracy::GeneralisedFlip => "generalised-flip",
-            Degeneracy::Chenciner => "chenciner",
             Degeneracy::Resonance1 => "1:1-resonance",
             Degeneracy::Resonance2 => "1:2-resonance",
             Degeneracy::Resonance3 => "1:3-resonance",

@@ -7,6 +7,12 @@ use crate::oscillator::{
 };
 
 /// The normal form of a bifurcation: see [`Derivatives`] for what the coefficient is.
+///
+/// At a Neimark–Sacker point Re d = 0, always. Between impacts the area dq du shrinks by e^{−ct}, c the damping, whatever the stiffness and
+/// the forcing; an impact with restitution τ at a wall multiplies V dt dV by τ². Hence the Poincaré map, its time counted
+/// from one passage of the orbit to the next, multiplies the form e^{ct} V dt dV by the orbit's own determinant Π τ² e^{−cT}. Where that
+/// is 1, which only damping and restitution can bring about, the map keeps an area, and its normal form is a rotation to every
+/// order: no closed curve is born, motions wind in or out at all amplitudes alike.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NormalForm {
     /// a (saddle-node), c (crossing with a = 0: a pitchfork), a (any other crossing), b (flip), Re d (Neimark–Sacker).
@@ -35,13 +41,19 @@ const ROUNDING: f64 = 1e-12;
 
 impl NormalForm {
     /// The normal form of a bifurcation of an orbit; none for grazing and fading, where the Poincaré map is not smooth, and
-    /// where it cannot be computed. The oscillator needs slopes for a saddle-node's side. Cost: that of [`return_map`].
+    /// where it cannot be computed, as at a double multiplier. The oscillator needs slopes for a saddle-node's side. Cost: that of [`return_map`].
     pub fn at(oscillator: &Oscillator, orbit: &Orbit, bifurcation: Bifurcation) -> Option<NormalForm> {
         if matches!(bifurcation, Bifurcation::Grazing | Bifurcation::Fade) {
             return None;
         }
         let map = return_map(oscillator, &orbit.itinerary, &orbit.z).ok()?;
         let derivatives = Derivatives::of(&map);
+        // At a double multiplier the critical direction is no direction of its own, and the coefficients have no meaning.
+        let double = (orbit.multipliers.determinant - 1.0).abs() <= 1e-9;
+        let one = !matches!(bifurcation, Bifurcation::Torus);
+        if one && double {
+            return None;
+        }
         let size = map[0].size().max(map[1].size()).max(1.0);
         let small = |x: f64| x.abs() <= ROUNDING * size * size;
         let born = |coefficient: f64, stable: bool| {
@@ -76,20 +88,20 @@ impl NormalForm {
                 born(b, b > 0.0)
             }
             _ => {
-                let d = derivatives.torus()?;
-                born(d, d < 0.0)
+                // Zero but for rounding.
+                NormalForm { coefficient: derivatives.torus()?, kind: Sense::Degenerate }
             }
         })
     }
 
-    /// Its word, unless the bifurcation is degenerate.
-    pub fn name(&self) -> Option<&'static str> {
+    /// Its word.
+    pub fn name(&self) -> &'static str {
         match self.kind {
-            Sense::Born(criticality) => Some(criticality.name()),
-            Sense::Above => Some("above"),
-            Sense::Below => Some("below"),
-            Sense::Transcritical => Some("transcritical"),
-            Sense::Degenerate => None,
+            Sense::Born(criticality) => criticality.name(),
+            Sense::Above => "above",
+            Sense::Below => "below",
+            Sense::Transcritical => "transcritical",
+            Sense::Degenerate => "degenerate",
         }
     }
 }

@@ -23,6 +23,12 @@ pub trait Followed: Curve {
     /// Whether the point is what the curve is followed for. Where that changes, a monitor changes sign.
     fn holds(&self, view: &Self::View) -> bool;
 
+    /// Whether two neighbouring points are so far apart that a monitor may have had two zeros between them: the step is then
+    /// halved, down to the least one.
+    fn leaps(&self, _before: &Self::View, _after: &Self::View) -> bool {
+        false
+    }
+
     /// The unknowns that have bounds, with them.
     fn bounds(&self) -> Vec<(usize, f64, f64)>;
 
@@ -208,6 +214,9 @@ impl<C: Followed> Walk<'_, C> {
             (reach, place, end) = (at, found, Some(CurveEnd::Bound));
         }
         let view = self.curve.view(&place)?;
+        if self.curve.leaps(&here.view, &view) && h / 2.0 >= self.options.least_step {
+            return Err(Error::input("events may lie closer together than the shortest step"));
+        }
         let mut events = self.events(here, &place, &view, reach)?;
         events.sort_by(|a, b| a.0.total_cmp(&b.0));
         let (mut steps, foot_end) = (Vec::new(), place.clone());

@@ -1,5 +1,7 @@
 //! An event followed in two parameters: the pattern equations with one more, that the event's function is zero.
 
+use std::f64::consts::PI;
+
 use super::{
     Bifurcation, Degeneracy, OrbitCurve, Singularity,
     curve::{Curve, CurvePoint, Equations},
@@ -109,13 +111,25 @@ impl Curve for Events<'_> {
                 u[column] += by;
                 self.values(&u)
             };
-            let (ahead, behind) = (shifted(DIFFERENCE)?, shifted(-DIFFERENCE)?);
-            for (row, (a, b)) in jacobian.iter_mut().zip(ahead.iter().zip(&behind)) {
+            // Where the functions end (a restitution of 0), from one side only: (4 f(h) − f(2h) − 3 f(0))/2h.
+            let (a, b) = match (shifted(DIFFERENCE), shifted(-DIFFERENCE)) {
+                (Ok(ahead), Ok(behind)) => (ahead, behind),
+                (Ok(_), Err(_)) => (one_sided(&residual, shifted, 1.0)?, vec![0.0; residual.len()]),
+                (Err(_), Ok(_)) => (vec![0.0; residual.len()], one_sided(&residual, shifted, -1.0)?),
+                (Err(error), Err(_)) => return Err(error),
+            };
+            for (row, (a, b)) in jacobian.iter_mut().zip(a.iter().zip(&b)) {
                 row[column] = (a - b) / (2.0 * DIFFERENCE);
             }
         }
         Ok(Equations { residual, jacobian })
     }
+}
+
+/// 4 f(h) − f(2h) − 3 f(0), the value of f(0) being given.
+fn one_sided(here: &[f64], shifted: impl Fn(f64) -> Result<Vec<f64>>, sign: f64) -> Result<Vec<f64>> {
+    let (near, far) = (shifted(sign * DIFFERENCE)?, shifted(2.0 * sign * DIFFERENCE)?);
+    Ok(here.iter().zip(near).zip(far).map(|((here, near), far)| 4.0 * near - far - 3.0 * here).collect())
 }
 
 /// The cube root of the rounding error, where central differences are best.
@@ -141,8 +155,25 @@ impl Followed for Events<'_> {
         if self.event == Bifurcation::Crossing {
             others[Bifurcation::SaddleNode as usize] = None;
         }
+        // Where two of these meet is a resonance, which has a name of its own.
+        if matches!(self.event, Bifurcation::SaddleNode | Bifurcation::Flip) {
+            others[Bifurcation::Torus as usize] = None;
+        }
+        if self.event == Bifurcation::Torus {
+            others[Bifurcation::SaddleNode as usize] = None;
+            others[Bifurcation::Flip as usize] = None;
+        }
         all.extend(others);
         all
+    }
+
+    /// Two zeros of one u_n are not to lie within a step: for n ≤ 6 they are at least π/5 apart in θ, trace = 2 √det cos θ.
+    fn leaps(&self, before: &Orbit, after: &Orbit) -> bool {
+        let angle = |orbit: &Orbit| {
+            let Multipliers { trace, determinant } = orbit.multipliers;
+            (trace / (2.0 * determinant.sqrt())).clamp(-1.0, 1.0).acos()
+        };
+        self.event == Bifurcation::Grazing && (angle(before) - angle(after)).abs() > PI / 6.0
     }
 
     /// A degeneracy's function is zero at its zeros, and not just of two signs beside them.
@@ -195,9 +226,6 @@ impl Events<'_> {
                 set(Degeneracy::Resonance2, Some(det - 1.0));
             }
             Bifurcation::Torus => {
-                if trace.abs() < 2.0 {
-                    set(Degeneracy::Chenciner, expansion().and_then(|map| map.torus()));
-                }
                 set(Degeneracy::Resonance1, Some(trace - 2.0));
                 set(Degeneracy::Resonance2, Some(trace + 2.0));
                 set(Degeneracy::Resonance3, Some(trace + 1.0));
