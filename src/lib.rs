@@ -55,6 +55,7 @@
 //! | [`word`] | the word theorem: every impact pattern in two dimensions, their number and entropy |
 //! | [`pattern`] | Theorem 1 in any dimension: impact patterns, the pattern graph |
 //! | [`oscillator`] | impact oscillators: flow, impacts, orbits, branches, attractors, proofs of orbits |
+//! | [`machine`] | machines: any number of degrees of freedom and of stops, in real units |
 //! | [`scene`] | an oscillator and what to do with it, as a file |
 //! | [`run`] | the tasks of a scene run, each with a typed result |
 //! | [`search`] | what finds certificates and looks for counterexamples |
@@ -76,6 +77,7 @@ pub mod farey;
 #[cfg(feature = "cli")]
 mod figure;
 pub mod local;
+pub mod machine;
 mod monitor;
 pub mod number;
 pub mod oscillator;

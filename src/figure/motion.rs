@@ -20,6 +20,7 @@ const COLUMNS: usize = 4000;
 /// A motion as it is drawn: as many points as a screen shows, however many there were.
 pub struct MotionPicture {
     title: String,
+    label: String,
     begin: f64,
     periods: f64,
     columns: Vec<Column>,
@@ -39,7 +40,13 @@ impl MotionPicture {
     /// An empty picture of the time from `begin` on, in forcing periods, with that many walls.
     pub fn new(title: &str, begin: f64, periods: f64, walls: usize) -> Self {
         let column = Column { walls: Vec::with_capacity(walls), ..Column::default() };
-        MotionPicture { title: title.into(), begin, periods, columns: vec![column; COLUMNS], impacts: 0 }
+        let (title, label) = (title.into(), "q".into());
+        MotionPicture { title, label, begin, periods, columns: vec![column; COLUMNS], impacts: 0 }
+    }
+
+    /// The same, what is drawn being called so.
+    pub fn of(self, label: &str) -> Self {
+        MotionPicture { label: label.into(), ..self }
     }
 
     fn column(&mut self, time: f64) -> &mut Column {
@@ -123,7 +130,7 @@ fn draw(motion: &MotionPicture) -> Picture {
         .x_label_area_size(190)
         .y_label_area_size(260)
         .build_cartesian_2d(times.0..times.1.max(times.0 + 1e-9), bottom..top)?;
-    labelled_axes(&mut chart, 8, ["forcing periods", "q"])?;
+    labelled_axes(&mut chart, 8, ["forcing periods", &motion.label])?;
     for path in walls {
         chart.draw_series([PathElement::new(path, GREY.stroke_width(9))])?;
     }

@@ -27,6 +27,7 @@ mod crisis;
 mod diagram;
 mod event;
 mod grazing;
+mod machine;
 mod orbit;
 mod report;
 mod section;
@@ -48,6 +49,7 @@ pub use crisis::{CrisisFindings, CrisisRow, PersistenceRow, crisis};
 pub use diagram::{CoexistingRow, DiagramFindings, WindowRow, diagram};
 pub use event::{EventFindings, EventRow, EventRows, GrazingEventRow, WithoutRow, event};
 pub use grazing::{BornRow, GrazingFindings, GrazingReport, grazing};
+pub use machine::{MachineSimulationFindings, ModeRow, StopRow, simulate_machine};
 pub use orbit::{MissingRow, OrbitFindings, OrbitRow, orbit};
 pub use report::TaskReport;
 pub use section::{AttractorRow, SectionFindings, SectionOrbitRow, SectionSet, section};
@@ -59,7 +61,8 @@ pub use table::{Complex, Judgement, Lines, Row, Shown};
 pub use validate::{ProofRow, UnprovedRow, ValidateFindings, validate};
 
 use crate::{
-    error::Result,
+    error::{Error, Result},
+    machine::{Machine, MachineState, simulate::MachineEvent},
     monitor::Monitor,
     oscillator::{
         EffectTally, System, Time,
@@ -67,7 +70,7 @@ use crate::{
         simulate::{Event, Settings, Simulator},
     },
     output::Journal,
-    scene::{Accuracy, Kind, Scene, Task},
+    scene::{Accuracy, Body, Kind, Scene, Task},
 };
 
 /// What a task found.
@@ -109,6 +112,8 @@ macro_rules! findings {
 findings! {
     /// One motion.
     Simulation(SimulationFindings),
+    /// One motion of a machine.
+    MachineSimulation(MachineSimulationFindings),
     /// Attractors on a stroboscopic section.
     Section(SectionFindings),
     /// Which start leads to which attractor.
@@ -184,6 +189,22 @@ pub trait Keeper {
         Ok(())
     }
 
+    /// A point of a machine's time series.
+    ///
+    /// # Errors
+    /// The keeper's own; the task ends with it.
+    fn machine_sample(&mut self, _time: Time, _state: &MachineState) -> Result<()> {
+        Ok(())
+    }
+
+    /// An event of a machine's time series, no later than the next point.
+    ///
+    /// # Errors
+    /// The keeper's own; the task ends with it.
+    fn machine_event(&mut self, _event: &MachineEvent) -> Result<()> {
+        Ok(())
+    }
+
     /// Keeps the findings; the names of the files in which they are.
     ///
     /// # Errors
@@ -219,14 +240,23 @@ pub struct Job<'a> {
     pub task: &'a Task,
     /// The scene, with the parameter values of the task and of the run.
     pub scene: Scene,
-    /// Its coefficients, rounded from their exact values.
-    pub system: System<f64>,
+    /// What it is about, its coefficients rounded from their exact values.
+    pub model: Model,
     /// The folder of checkpoints and of the files that a task begins with.
     pub folder: Option<&'a Path>,
     /// Told how far the task is, and asked whether to go on.
     pub monitor: &'a dyn Monitor,
     /// What was computed how often.
     pub tally: Arc<EffectTally>,
+}
+
+/// What a task works on, in floats.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Model {
+    /// An oscillator of one degree of freedom.
+    Oscillator(System<f64>),
+    /// A machine.
+    Machine(Machine<f64>),
 }
 
 impl<'a> Job<'a> {
@@ -236,9 +266,23 @@ impl<'a> Job<'a> {
     /// Those of [`Scene::for_task`].
     pub fn new(scene: &Scene, task: &'a Task, around: Surroundings<'a>) -> Result<Self> {
         let scene = scene.for_task(task, around.changes)?;
-        let system = scene.exact(&[])?.rounded();
+        let model = match scene.body {
+            Body::Oscillator(_) => Model::Oscillator(scene.exact(&[])?.rounded()),
+            Body::Machine(_) => Model::Machine(scene.machine(&[])?),
+        };
         let Surroundings { folder, monitor, .. } = around;
-        Ok(Job { task, scene, system, folder, monitor, tally: Arc::default() })
+        Ok(Job { task, scene, model, folder, monitor, tally: Arc::default() })
+    }
+
+    /// The oscillator, of a scene of format 1.
+    ///
+    /// # Errors
+    /// For a machine.
+    pub fn system(&self) -> Result<&System<f64>> {
+        match &self.model {
+            Model::Oscillator(system) => Ok(system),
+            Model::Machine(_) => Err(Error::input("the task works on oscillators of one degree of freedom")),
+        }
     }
 
     /// How finely to simulate.
@@ -252,7 +296,7 @@ impl<'a> Job<'a> {
     /// # Errors
     /// Those of [`Simulator::new`].
     pub fn simulator(&self) -> Result<Simulator> {
-        self.simulator_of(&self.system)
+        self.simulator_of(self.system()?)
     }
 
     /// A simulator of another system of the scene, its work counted.
@@ -348,6 +392,13 @@ pub fn run_task(job: &Job, keeper: &mut dyn Keeper) -> TaskReport {
 }
 
 fn answer(job: &Job, keeper: &mut dyn Keeper) -> Result<Findings> {
+    if let Model::Machine(machine) = &job.model {
+        return Ok(match &job.task.kind {
+            Kind::SimulateTask(task) => simulate_machine(task, machine, job, keeper)?.into(),
+            // Refused when the scene was read.
+            kind => return Err(Error::input(format!("kind {:?} does not work on machines", kind.word()))),
+        });
+    }
     Ok(match &job.task.kind {
         Kind::SimulateTask(task) => simulate(task, job, keeper)?.into(),
         Kind::SectionTask(task) => section(task, job)?.into(),

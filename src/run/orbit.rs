@@ -108,7 +108,7 @@ pub fn orbit(task: &OrbitTask, job: &Job) -> Result<OrbitFindings> {
     for value in values {
         let system = match (&task.parameter, value) {
             (Some(parameter), Some(value)) => job.scene.plain(&[(parameter, value)])?,
-            _ => job.system.clone(),
+            _ => job.system()?.clone(),
         };
         match task.orbit.orbits(&Oscillator::new(system, tolerance)?) {
             Ok(orbits) if orbits.is_empty() => {

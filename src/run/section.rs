@@ -178,7 +178,7 @@ pub fn section(task: &SectionTask, job: &Job) -> Result<SectionFindings> {
         });
         found.points.push((SectionSet::Attractor(index), one.points.clone()));
     }
-    let oscillator = Oscillator::new(job.system.clone(), job.scene.accuracy.tolerance)?;
+    let oscillator = Oscillator::new(job.system()?.clone(), job.scene.accuracy.tolerance)?;
     for keys in &task.orbits {
         job.check()?;
         for orbit in keys.orbits(&oscillator)?.iter().filter(|orbit| orbit.admissibility.is_admissible()) {
@@ -218,7 +218,7 @@ fn manifolds(
     points: &[[f64; 2]],
     found: &mut SectionFindings,
 ) -> Result<()> {
-    let back = reversed(&job.system).and_then(|system| job.simulator_of(&system));
+    let back = reversed(job.system()?).and_then(|system| job.simulator_of(&system));
     let (periods, plan) = (points.len() as u32, ManifoldPlan::default());
     for &[q, u] in points {
         let unstable = unstable_manifold(simulator, phase, periods, [q, u], &plan, job.monitor);

@@ -189,7 +189,7 @@ fn starts(task: &ValidateTask, oscillator: &Oscillator, found: &mut ValidateFind
 fn orbits(task: &ValidateTask, job: &Job, found: &mut ValidateFindings) -> Result<()> {
     let precision = Precision::new(task.bits);
     let system = job.scene.exact(&[])?;
-    let oscillator = Oscillator::new(job.system.clone(), job.scene.accuracy.tolerance)?;
+    let oscillator = Oscillator::new(job.system()?.clone(), job.scene.accuracy.tolerance)?;
     for orbit in starts(task, &oscillator, found) {
         job.check()?;
         let verdict = validate::orbit(&system, &impacts(&orbit.itinerary, &orbit.z), &precision)?;
@@ -230,7 +230,7 @@ fn events(
             if other == name { parameter.clone() } else { Jet::ratio(value, &precision) }
         });
         let values: Vec<Jet> = values.collect();
-        job.scene.system.try_map(|expression| expression.evaluate(&values, &precision))
+        job.scene.system()?.try_map(|expression| expression.evaluate(&values, &precision))
     };
     found.event = Some(event.name());
     // The family as a function of the parameter, for the certificates.
@@ -239,7 +239,7 @@ fn events(
             if other == name { Quotient::parameter() } else { Quotient::ratio(value, &()) }
         });
         let values: Vec<Quotient> = values.collect();
-        job.scene.system.try_map(|expression| expression.evaluate(&values, &()))
+        job.scene.system()?.try_map(|expression| expression.evaluate(&values, &()))
     };
     let mut known: Vec<BigRational> = Vec::new();
     for orbit in starts(task, &family.at(start)?, found) {

@@ -4,8 +4,9 @@ use num_rational::BigRational;
 
 use super::{
     branches::{BranchStart, BranchTask, CrisisTask, DiagramTask},
+    expression::Expression,
     orbits::{EventTask, GrazingTask, OrbitKeys, OrbitTask},
-    scene::Scene,
+    scene::{Body, Scene},
     sections::{BasinsTask, SectionTask},
     simulate::{SimulateTask, Start},
     task::{Kind, Task},
@@ -13,6 +14,7 @@ use super::{
 };
 use crate::{
     error::{Error, Result},
+    machine::{Machine, Stop},
     oscillator::{
         Contact, Side, System,
         branch::{Bifurcation, Options},
@@ -33,13 +35,25 @@ impl Scene {
     /// As [`Scene::exact`]; an input error for what the task's kind forbids.
     pub fn for_task(&self, task: &Task, changes: &[(String, BigRational)]) -> Result<Scene> {
         let scene = self.with(&task.set)?.with(changes)?;
-        let system = scene.exact(&[])?.rounded();
-        check(&task.kind, &scene, &system, &task.path)?;
+        match scene.body {
+            Body::Oscillator(_) => check(&task.kind, &scene, &scene.exact(&[])?.rounded(), &task.path)?,
+            Body::Machine(_) => check_machine(&task.kind, &scene, &scene.machine(&[])?, &task.path)?,
+        }
         Ok(scene)
     }
 
     /// What is allowed and likely to be a mistake.
     pub(crate) fn warnings(&self) -> Vec<String> {
+        if let Ok(scene) = self.machine_scene() {
+            let gain = |stop: &Stop<Expression>| {
+                let value = self.number(&stop.wall.restitution).ok().filter(|value| *value > 1.0)?;
+                let name = &stop.name;
+                Some(format!(
+                    "the restitution of stop {name} is {value}, above 1: every impact there adds energy"
+                ))
+            };
+            return scene.machine.stops.iter().filter_map(gain).collect();
+        }
         let Ok(system) = self.exact(&[]) else { return Vec::new() };
         let one = num_traits::One::one();
         let gains =
@@ -51,6 +65,21 @@ impl Scene {
                 format!("the {name} wall's restitution is {value}, above 1: every impact there adds energy")
             })
             .collect()
+    }
+
+    /// Refuses starts behind a stop.
+    fn check_machine_start(&self, start: &Start, machine: &Machine<f64>, path: &str) -> Result<()> {
+        let state = self.machine_state(start, machine, path)?;
+        for contact in machine.contacts()? {
+            let gap = contact.gap(&state)[0];
+            let size = contact.position.at(state.t)[0].abs() + contact.row.amax() * state.q.amax();
+            // A start on the stop may be behind it by rounding.
+            if gap < -1e-12 * size {
+                let message = format!("starts behind the stop {}: its gap is {gap:e}", contact.name);
+                return Err(self.fail(path, &message));
+            }
+        }
+        Ok(())
     }
 
     fn check_start(&self, start: &Start, system: &System<f64>, path: &str) -> Result<()> {
@@ -88,13 +117,27 @@ fn check(kind: &Kind, scene: &Scene, system: &System<f64>, path: &str) -> Result
     }
 }
 
+/// The checks of one task on a machine; most kinds do not work on machines.
+fn check_machine(kind: &Kind, scene: &Scene, machine: &Machine<f64>, path: &str) -> Result<()> {
+    match kind {
+        Kind::SimulateTask(task) => {
+            task.check_length(scene, path)?;
+            scene.check_machine_start(&task.start, machine, &format!("{path}.start"))
+        }
+        _ => {
+            let message = "does not work on machines, format \"grazing-scene 2\": there is simulate";
+            Err(scene.fail(&format!("{path}.kind"), message))
+        }
+    }
+}
+
 /// What a kind of task checks before anything runs.
 trait Check {
     fn check(&self, scene: &Scene, system: &System<f64>, path: &str) -> Result<()>;
 }
 
-impl Check for SimulateTask {
-    fn check(&self, scene: &Scene, system: &System<f64>, path: &str) -> Result<()> {
+impl SimulateTask {
+    fn check_length(&self, scene: &Scene, path: &str) -> Result<()> {
         let points = u64::from(self.periods) * u64::from(self.samples);
         if points > MOST_POINTS {
             let key = format!("{path}.periods");
@@ -109,6 +152,13 @@ impl Check for SimulateTask {
         if !(1..=10_000).contains(&self.samples) {
             return Err(scene.fail(&format!("{path}.samples"), "is outside 1 to 10000"));
         }
+        Ok(())
+    }
+}
+
+impl Check for SimulateTask {
+    fn check(&self, scene: &Scene, system: &System<f64>, path: &str) -> Result<()> {
+        self.check_length(scene, path)?;
         scene.check_start(&self.start, system, &format!("{path}.start"))
     }
 }

@@ -1,12 +1,16 @@
-//! Coefficients as rational expressions in named parameters: `"2*d/w"`, `"1/w^2"`, `"(1 + mu)/3"`.
+//! Coefficients as expressions in named parameters: `"2*d/w"`, `"1/w^2"`, `"(1 + mu)/3"`, `"sqrt(k/m)"`.
 //!
 //! ```text
 //! sum     = product { ("+" | "-") product }
 //! product = signed { ("*" | "/") signed }
 //! signed  = [ "+" | "-" ] power
 //! power   = atom [ "^" [ "+" | "-" ] digits ]
-//! atom    = decimal | parameter | "(" sum ")"
+//! atom    = decimal | parameter | "pi" | function "(" sum ")" | "(" sum ")"
+//! function = "sqrt" | "exp" | "sin" | "cos"
 //! ```
+//!
+//! A parameter called like a function or `pi` is that parameter. Angles are in radians. A value is exact where it is rational
+//! (√ of a square, e⁰); other values there are on rungs that have the functions: floats, duals, enclosures.
 //!
 //! A decimal is one of the command line's number grammar (`12`, `0.375`, `1e-30`), and exact. Powers bind tighter
 //! than signs: -w^2 is -(w^2).
@@ -14,11 +18,13 @@
 use std::fmt;
 
 use num_rational::BigRational;
+use num_traits::{One, Signed, Zero};
 use serde::{Serialize, Serializer};
 
+use super::keys::Entry;
 use crate::{
     error::{Error, Result},
-    number::{Ball, Dual, FloatInterval, Fraction, Plain, Real, Sign, parse_rational_within},
+    number::{Ball, Dual, Elementary, FloatInterval, Fraction, Plain, Real, Sign, parse_rational_within},
     source::hint,
 };
 
@@ -30,7 +36,7 @@ pub(super) const LIMIT_BITS: u32 = 4096;
 const LIMIT_VALUE: u32 = 4 * LIMIT_BITS;
 const LIMIT_DEPTH: u32 = 32;
 
-/// A rational expression in a scene's parameters, which it knows by their places in the scene's list.
+/// An expression in a scene's parameters, which it knows by their places in the scene's list.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Expression {
     text: String,
@@ -46,6 +52,55 @@ enum Node {
     Negated(Box<Node>),
     Binary(Operation, Box<[Node; 2]>),
     Power(Box<Node>, i32),
+    Pi,
+    Call(Function, Box<Node>),
+}
+
+/// A function of one number.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Function {
+    /// √x.
+    Sqrt,
+    /// e^x.
+    Exp,
+    /// sin x, in radians.
+    Sin,
+    /// cos x, in radians.
+    Cos,
+}
+
+impl Function {
+    const ALL: [(&'static str, Function); 4] =
+        [("sqrt", Function::Sqrt), ("exp", Function::Exp), ("sin", Function::Sin), ("cos", Function::Cos)];
+
+    fn name(self) -> &'static str {
+        Function::ALL.into_iter().find(|known| known.1 == self).map_or("", |known| known.0)
+    }
+
+    fn of<T: Elementary>(self, x: &T, context: &T::Context) -> Result<T> {
+        if self == Function::Sqrt && x.sign() == Some(Sign::Negative) {
+            return Err(Error::input("takes the root of a negative number"));
+        }
+        Ok(match self {
+            Function::Sqrt => x.sqrt(),
+            Function::Exp => x.exp(context),
+            Function::Sin => x.sin_cos(context).0,
+            Function::Cos => x.sin_cos(context).1,
+        })
+    }
+
+    /// The value at an exact number where it is rational.
+    fn exactly(self, x: &BigRational) -> Option<BigRational> {
+        match self {
+            Function::Sqrt if !x.is_negative() => {
+                let root = BigRational::new(x.numer().sqrt(), x.denom().sqrt());
+                (&root * &root == *x).then_some(root)
+            }
+            Function::Sin if x.is_zero() => Some(BigRational::zero()),
+            Function::Exp | Function::Cos if x.is_zero() => Some(BigRational::one()),
+            _ => None,
+        }
+    }
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -87,6 +142,18 @@ impl Expression {
         Ok(Expression { text: text.to_string(), root, key: String::new() })
     }
 
+    /// Whether it is a zero written out.
+    pub(super) fn is_zero(&self) -> bool {
+        matches!(&self.root, Node::Number(value) if value.is_zero())
+    }
+
+    /// An expression of this one's text, reported at its key.
+    pub(super) fn derived(&self, file: &Entry, text: impl Fn(&str) -> String) -> Result<Expression> {
+        let mut derived = Expression::parse(&text(&self.text), file.scope.names)?;
+        derived.key.clone_from(&self.key);
+        Ok(derived)
+    }
+
     /// Its value, `parameters` being the values of the names it was read with, in their order. An enclosure if
     /// they are. Cost: at most 256 operations, on exact fractions of at most 16384 bits.
     ///
@@ -110,12 +177,73 @@ pub trait Coefficient: Real {
     fn value(expression: &Expression, parameters: &[Self], context: &Self::Context) -> Result<Self> {
         expression.root.evaluate(parameters, context)
     }
+
+    /// π.
+    ///
+    /// # Errors
+    /// An input error on a rung without it.
+    fn pi(_: &Self::Context) -> Result<Self> {
+        Err(irrational("pi"))
+    }
+
+    /// A function's value.
+    ///
+    /// # Errors
+    /// An input error on a rung that does not have the value, and for the root of a negative number.
+    fn call(function: Function, _: &Self, _: &Self::Context) -> Result<Self> {
+        Err(irrational(&format!("{}(…)", function.name())))
+    }
 }
 
-impl Coefficient for Plain {}
-impl Coefficient for Dual {}
+fn irrational(what: &str) -> Error {
+    Error::input(format!("{what} is irrational, where an exact value is needed; write a fraction"))
+}
+
+/// The elementary functions of a rung that has them.
+macro_rules! elementary {
+    ($($type:ty),+) => {
+        $(impl Coefficient for $type {
+            fn pi(context: &Self::Context) -> Result<Self> {
+                Ok(<$type as Elementary>::pi(context))
+            }
+
+            fn call(function: Function, x: &Self, context: &Self::Context) -> Result<Self> {
+                function.of(x, context)
+            }
+        })+
+    };
+}
+elementary! { Plain, Ball, crate::oscillator::validate::Jet }
+
 impl Coefficient for FloatInterval {}
-impl Coefficient for Ball {}
+
+impl Coefficient for Dual {
+    fn pi((): &()) -> Result<Self> {
+        Ok(Dual::constant(std::f64::consts::PI))
+    }
+
+    fn call(function: Function, x: &Self, (): &()) -> Result<Self> {
+        let value = function.of(&Plain(x.value), &())?.0;
+        let slope = match function {
+            Function::Sqrt => 0.5 / value,
+            Function::Exp => value,
+            Function::Sin => x.value.cos(),
+            Function::Cos => -x.value.sin(),
+        };
+        // The root of 0 does not vary where its argument does not.
+        let slope = if x.slope == 0.0 { 0.0 } else { slope * x.slope };
+        Ok(Dual { value, slope })
+    }
+}
+
+/// What is too large stays so.
+impl Coefficient for Fraction {
+    fn call(function: Function, x: &Self, limit: &u64) -> Result<Self> {
+        let Some(exact) = x.clone().reduced() else { return Ok(x.clone()) };
+        let value = function.exactly(&exact).ok_or_else(|| irrational(&format!("{}(…)", function.name())))?;
+        Ok(Fraction::ratio(&value, limit))
+    }
+}
 
 /// Without common factors divided out on the way, and no further than the limit on values.
 impl Coefficient for BigRational {
@@ -147,7 +275,8 @@ impl fmt::Display for Expression {
 impl Node {
     fn size(&self) -> u64 {
         match self {
-            Node::Number(_) | Node::Parameter(_) => 1,
+            Node::Number(_) | Node::Parameter(_) | Node::Pi => 1,
+            Node::Call(_, node) => node.size().saturating_add(1),
             Node::Negated(node) => node.size(),
             Node::Binary(_, nodes) => nodes[0].size() + nodes[1].size(),
             Node::Power(node, exponent) => {
@@ -156,8 +285,10 @@ impl Node {
         }
     }
 
-    fn evaluate<T: Real>(&self, parameters: &[T], context: &T::Context) -> Result<T> {
+    fn evaluate<T: Coefficient>(&self, parameters: &[T], context: &T::Context) -> Result<T> {
         Ok(match self {
+            Node::Pi => T::pi(context)?,
+            Node::Call(function, node) => T::call(*function, &node.evaluate(parameters, context)?, context)?,
             Node::Number(value) => T::ratio(value, context),
             Node::Parameter(index) => parameters[*index].clone(),
             Node::Negated(node) => -node.evaluate(parameters, context)?,
@@ -277,23 +408,25 @@ impl<'a> Parser<'a> {
 
     fn atom(&mut self) -> Result<Node> {
         match self.peek() {
-            Some('(') => {
-                self.depth += 1;
-                if self.depth > LIMIT_DEPTH {
-                    return Err(Error::input(format!("has more than {LIMIT_DEPTH} levels of parentheses")));
-                }
-                self.at += 1;
-                let inner = self.sum()?;
-                if !self.take(')') {
-                    return Err(self.expected("an operator or \")\""));
-                }
-                self.depth -= 1;
-                Ok(inner)
-            }
+            Some('(') => self.parenthesis(),
             Some(c) if c.is_ascii_digit() || c == '.' => self.decimal(),
             Some(c) if starts_name(c) => self.parameter(),
             _ => Err(self.expected("a number, a parameter or \"(\"")),
         }
+    }
+
+    fn parenthesis(&mut self) -> Result<Node> {
+        self.depth += 1;
+        if self.depth > LIMIT_DEPTH {
+            return Err(Error::input(format!("has more than {LIMIT_DEPTH} levels of parentheses")));
+        }
+        self.at += 1;
+        let inner = self.sum()?;
+        if !self.take(')') {
+            return Err(self.expected("an operator or \")\""));
+        }
+        self.depth -= 1;
+        Ok(inner)
     }
 
     fn decimal(&mut self) -> Result<Node> {
@@ -317,6 +450,15 @@ impl<'a> Parser<'a> {
         let name = self.word(continues_name);
         if let Some(index) = self.names.iter().position(|known| known == name) {
             return Ok(Node::Parameter(index));
+        }
+        if name == "pi" {
+            return Ok(Node::Pi);
+        }
+        if let Some((_, function)) = Function::ALL.into_iter().find(|known| known.0 == name) {
+            if self.peek() != Some('(') {
+                return Err(self.expected("\"(\""));
+            }
+            return Ok(Node::Call(function, Box::new(self.parenthesis()?)));
         }
         let hint = hint(name, self.names.iter().map(String::as_str));
         Err(Error::input(format!("unknown parameter {name:?} at character {}; {hint}", self.position(start))))

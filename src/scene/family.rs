@@ -26,6 +26,7 @@ impl<'s> SceneFamily<'s> {
     /// # Errors
     /// An input error if the scene has no such parameter.
     pub fn new(scene: &'s Scene, parameter: &str) -> Result<SceneFamily<'s>> {
+        scene.system()?;
         let free = scene.parameter(parameter)?;
         let values = scene.parameters.iter().map(|(_, value)| value.to_f64().unwrap_or(f64::NAN)).collect();
         Ok(SceneFamily { scene, values, free })
@@ -45,7 +46,7 @@ impl Family for SceneFamily<'_> {
         let point = || self.scene.point(&values.iter().map(|value| value.value).collect::<Vec<_>>());
         let dual = self
             .scene
-            .system
+            .system()?
             .try_map(|expression| self.scene.value(expression, &values, |x| x.value, &point))?;
         let part = |part: fn(&Dual) -> f64| -> Result<System<f64>> { dual.try_map(|x| Ok(part(x))) };
         Oscillator::with_slope(part(|x| x.value)?, &part(|x| x.slope)?, self.scene.accuracy.tolerance)

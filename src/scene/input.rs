@@ -8,13 +8,15 @@ use toml_edit::Item;
 use super::{
     expression::is_name,
     keys::{Entry, Key, Record, Scope, Value, keys},
-    scene::Scene,
+    machine::{MachineAccuracy, MachineKeys, MachineScene, StopKeys},
+    scene::{Body, Scene},
     system::{Accuracy, HarmonicKeys, SystemKeys, WallKeys, system},
     task::Task,
 };
 use crate::{error::Result, source::Source};
 
 const FORMAT: &str = "grazing-scene 1";
+const MACHINES: &str = "grazing-scene 2";
 
 keys! {
     /// The file.
@@ -31,6 +33,26 @@ keys! {
         walls: Vec<WallKeys> = "[]",
         /// how accurately to compute
         accuracy: Accuracy = "{}",
+        /// what to do
+        tasks: Vec<TaskEntry> = "[]",
+    }
+}
+
+keys! {
+    /// The file of a machine.
+    pub struct MachineFile {
+        /// `"grazing-scene 2"`
+        format: String,
+        /// what it is
+        title: String,
+        /// names and their values: numbers, which `grazing run --set` and a task's `set` can change
+        parameters: Parameters = "{}",
+        /// the equations of motion
+        system: MachineKeys,
+        /// the rigid stops
+        walls: Vec<StopKeys> = "[]",
+        /// how accurately to compute
+        accuracy: MachineAccuracy = "{}",
         /// what to do
         tasks: Vec<TaskEntry> = "[]",
     }
@@ -94,10 +116,15 @@ impl Scene {
         let nameless = scope(&[]);
         let file = Entry { scope: &nameless, path: String::new(), span: None, item: root.clone() };
         file.only(&File::KEYS.iter().map(|key| key.name).collect::<Vec<_>>())?;
-        if let Some(format) = file.get("format")?
+        let format = file.get("format")?;
+        let machines = format.as_ref().is_some_and(|format| format.item.as_str() == Some(MACHINES));
+        if let Some(format) = format
             && format.item.as_str() != Some(FORMAT)
+            && !machines
         {
-            return Err(format.fail(&format!("this version reads {FORMAT:?}")));
+            return Err(
+                format.fail(&format!("this version reads {FORMAT:?} and, for machines, {MACHINES:?}"))
+            );
         }
         let parameters = match file.get("parameters")? {
             Some(entry) => parameters(&entry)?,
@@ -106,14 +133,21 @@ impl Scene {
         let names: Vec<String> = parameters.iter().map(|(name, _)| name.clone()).collect();
         let scope = scope(&names);
         let file = Entry { scope: &scope, path: String::new(), span: None, item: root };
-        let read = File::fields(&file, &[])?;
-        let tasks: Vec<Task> = read.tasks.into_iter().map(|task| task.0).collect();
-        let system = system(&file, read.system, read.walls)?;
+        let (title, tasks, accuracy, body) = if machines {
+            let read = MachineFile::fields(&file, &[])?;
+            let machine = MachineScene::new(&file, read.system, read.walls, &read.accuracy)?;
+            (read.title, read.tasks, Accuracy::default(), Body::Machine(Box::new(machine)))
+        } else {
+            let read = File::fields(&file, &[])?;
+            let system = system(&file, read.system, read.walls)?;
+            (read.title, read.tasks, read.accuracy, Body::Oscillator(Box::new(system)))
+        };
+        let tasks: Vec<Task> = tasks.into_iter().map(|task| task.0).collect();
         let scene = Scene {
-            title: read.title,
+            title,
             parameters,
-            system,
-            accuracy: read.accuracy,
+            body,
+            accuracy,
             tasks,
             file: (name.to_string(), text.to_string()),
             places: places.take(),
@@ -126,7 +160,10 @@ impl Scene {
                 return Err(scene.fail(&format!("accuracy.{key}"), &format!("is outside {least:e} to 1e-3")));
             }
         }
-        scene.exact(&[])?;
+        match scene.body {
+            Body::Oscillator(_) => scene.exact(&[]).map(|_| ())?,
+            Body::Machine(_) => scene.machine(&[]).map(|_| ())?,
+        }
         for (index, task) in scene.tasks.iter().enumerate() {
             if scene.tasks[..index].iter().any(|other| other.name == task.name) {
                 let key = format!("{}.name", task.path);
@@ -155,6 +192,7 @@ fn parameters(entry: &Entry) -> Result<Vec<(String, BigRational)>> {
 /// The tables of the file but those of the tasks: path, what it is, keys.
 pub(super) const TABLES: &[(&str, &str, &[Key])] = &[
     ("the file", File::ABOUT, File::KEYS),
+    ("the file of a machine", MachineFile::ABOUT, MachineFile::KEYS),
     ("`[system]`", SystemKeys::ABOUT, SystemKeys::KEYS),
     ("an entry of `forcing` or `harmonics`", HarmonicKeys::ABOUT, HarmonicKeys::KEYS),
     ("`[[walls]]`", WallKeys::ABOUT, WallKeys::KEYS),

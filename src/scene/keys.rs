@@ -49,18 +49,27 @@ pub(super) trait Record: Sized {
 /// What a scene has in place of a word that others use.
 fn foreign(key: &str) -> Option<&'static str> {
     Some(match key.to_lowercase().as_str() {
-        "mass" | "m" => "the mass is 1: divide the equation of motion by it",
+        "mass" | "m" => {
+            "in format 1 the mass is 1: divide the equation of motion by it, or write format = \"grazing-scene 2\""
+        }
         "gravity" | "g" => "a constant acceleration is `force` of [system], negative downwards",
         "friction" | "dry_friction" | "coulomb" => {
             "there is no dry friction; `damping` of [system] is the coefficient of the velocity"
         }
         "frequency" | "omega" | "period_of_forcing" => {
-            "the forcing has period 2π in the scene's time: divide `damping` by the frequency, `stiffness` and forces by its square"
+            "in format 1 the forcing has period 2π: write format = \"grazing-scene 2\", or divide `damping` by the frequency, `stiffness` and forces by its square"
         }
         "amplitude" => "the forcing is a list of harmonics in [system]: forcing = [{ cos = … }]",
         "spring" | "k_spring" => "the spring is `stiffness` of [system]",
         "tau" | "coefficient_of_restitution" => "it is called `restitution`",
         "wall" => "walls stand in [[walls]], one table each",
+        "cubic" => {
+            "only oscillators of one degree of freedom, format = \"grazing-scene 1\", have a cubic spring"
+        }
+        "side" => {
+            "a stop of format 2 is on the side on which its gap, row·q − offset, is negative: row = [-1] for an upper one"
+        }
+        "modes" | "row" => "machines with modes and rows are of format = \"grazing-scene 2\"",
         _ => return None,
     })
 }
@@ -127,6 +136,12 @@ impl<'a> Entry<'a> {
             let span = table.key(key).and_then(toml_edit::Key::span).or(self.span.clone());
             Entry::new(self.scope, self.below(key), span, item.clone())
         }))
+    }
+
+    /// The place of another value of the file, by its path, for errors.
+    pub fn at(&self, path: &str) -> Entry<'a> {
+        let span = self.scope.places.borrow().get(path).cloned();
+        Entry { scope: self.scope, path: path.to_string(), span, item: Item::None }
     }
 
     fn below(&self, key: &str) -> String {

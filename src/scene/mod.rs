@@ -4,8 +4,8 @@
 //! Numbers are exact; coefficients are rational expressions in named parameters ([`Expression`]). Not here: running the
 //! tasks (the module `run`).
 //!
-//! Each file imports from those before it alone: `expression`, `keys`; the keys, `system`, `simulate`, `orbits`, `sections`,
-//! `branches`, `validate`; `task`; `scene`, the type and its values; `check`; `input`, `family`, `reference`.
+//! Each file imports from those before it alone: `expression`, `keys`, `matrix`; the keys, `system`, `machine`, `simulate`, `orbits`,
+//! `sections`, `branches`, `validate`; `task`; `scene`, the type and its values; `values`, those of a machine; `check`; `input`, `family`, `reference`.
 
 pub mod branches;
 mod check;
@@ -13,6 +13,8 @@ mod expression;
 mod family;
 mod input;
 mod keys;
+mod machine;
+mod matrix;
 pub mod orbits;
 mod reference;
 #[expect(clippy::module_inception)]
@@ -22,14 +24,17 @@ pub mod simulate;
 mod system;
 pub mod task;
 pub mod validate;
+mod values;
 mod walls;
 
 pub use expression::{Coefficient, Expression};
 pub use family::SceneFamily;
 pub use keys::Key;
+pub use machine::MachineScene;
+pub use matrix::Coordinates;
 pub use reference::reference;
-pub use scene::Scene;
 pub(crate) use scene::phase;
+pub use scene::{Body, Scene};
 pub use sections::{BasinsTask, Frame, SectionTask, Values};
 pub use system::Accuracy;
 pub use task::{Kind, Task};

@@ -5,6 +5,7 @@ use std::fmt::Write;
 use super::{
     input::TABLES,
     keys::{Key, Record, Table},
+    machine::MACHINES,
     simulate::Start,
     task::{KINDS, TaskKeys},
 };
@@ -17,7 +18,7 @@ pub fn reference() -> String {
     let mut written: Vec<&str> = Vec::new();
     // What it is, its keys, and the names under which it stands.
     let mut nested: Vec<(Table, Vec<&str>)> = Vec::new();
-    for &(name, about, keys) in TABLES.iter().chain(&tasks) {
+    for &(name, about, keys) in TABLES.iter().chain(MACHINES).chain(&tasks) {
         written.push(about);
         table(&mut text, name, about, keys);
     }

@@ -7,6 +7,8 @@ use num_traits::ToPrimitive;
 
 use super::{
     expression::{self, Coefficient, Expression},
+    machine::MachineScene,
+    matrix::Coordinates,
     simulate::Start,
     system::Accuracy,
     task::Task,
@@ -15,15 +17,10 @@ use super::{
 use crate::{
     error::{Error, Result},
     number::{Plain, Real},
-    oscillator::{
-        Contact, System,
-        flow::State,
-        validate::{Jet, Quotient},
-    },
+    oscillator::{Contact, System, flow::State, validate::Quotient},
     source::{Source, hint},
 };
 
-impl Coefficient for Jet {}
 impl Coefficient for Quotient {}
 
 /// An oscillator with named parameters, what to do with it, and how accurately.
@@ -33,8 +30,8 @@ pub struct Scene {
     pub title: String,
     /// The parameters and their values, in the file's order.
     pub parameters: Vec<(String, BigRational)>,
-    /// The equation of motion and the walls.
-    pub system: System<Expression>,
+    /// What it is about.
+    pub body: Body,
     /// How accurately to compute.
     pub accuracy: Accuracy,
     /// What to do.
@@ -44,7 +41,31 @@ pub struct Scene {
     pub(super) places: BTreeMap<String, Range<usize>>,
 }
 
+/// What a scene is about, by its format.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Body {
+    /// Format 1: the equation of motion and the walls of an oscillator with one degree of freedom.
+    Oscillator(Box<System<Expression>>),
+    /// Format 2: a machine.
+    Machine(Box<MachineScene>),
+}
+
 impl Scene {
+    /// The equation of motion and the walls of a scene of format 1.
+    ///
+    /// # Errors
+    /// For a machine.
+    pub fn system(&self) -> Result<&System<Expression>> {
+        match &self.body {
+            Body::Oscillator(system) => Ok(system),
+            Body::Machine(_) => Err(Error::input(format!(
+                "{}: is of format \"grazing-scene 2\": what was asked for works on oscillators of one degree of freedom, \
+                 format \"grazing-scene 1\"",
+                self.file.0
+            ))),
+        }
+    }
+
     /// The same scene with other values of some parameters.
     ///
     /// # Errors
@@ -63,7 +84,11 @@ impl Scene {
     pub fn canonical(&self) -> Result<String> {
         let parameters: Vec<(&str, String)> =
             self.parameters.iter().map(|(name, value)| (name.as_str(), value.to_string())).collect();
-        Ok(serde_json::to_string(&(parameters, &self.system)).map_err(std::io::Error::other)?)
+        Ok(match &self.body {
+            Body::Oscillator(system) => serde_json::to_string(&(parameters, system)),
+            Body::Machine(scene) => serde_json::to_string(&(parameters, &scene.machine, scene.minimum_depth)),
+        }
+        .map_err(std::io::Error::other)?)
     }
 
     /// The place of a parameter in the list.
@@ -90,7 +115,7 @@ impl Scene {
             values[self.parameter(name)?].clone_from(value);
         }
         let point = || self.point(&values);
-        let system = self.system.try_map(|expression| self.value(expression, &values, float, &point))?;
+        let system = self.system()?.try_map(|expression| self.value(expression, &values, float, &point))?;
         self.check(&system.rounded(), &point)?;
         Ok(system)
     }
@@ -107,7 +132,7 @@ impl Scene {
         }
         let floats: Vec<f64> = values.iter().map(|value| value.0).collect();
         let point = || self.point(&floats);
-        let system = self.system.try_map(|expression| self.value(expression, &values, |x| x.0, &point))?;
+        let system = self.system()?.try_map(|expression| self.value(expression, &values, |x| x.0, &point))?;
         let system = system.try_map(|x| Ok::<f64, Error>(x.0))?;
         self.check(&system, &point)?;
         Ok(system)
@@ -119,7 +144,13 @@ impl Scene {
     /// An input error that names where it stands, for a division by zero or a value beyond floats.
     pub fn number(&self, expression: &Expression) -> Result<f64> {
         let values: Vec<BigRational> = self.parameters.iter().map(|(_, value)| value.clone()).collect();
-        Ok(float(&self.value(expression, &values, float, &|| self.point(&values))?))
+        let exact = self.value(expression, &values, float, &|| self.point(&values));
+        if exact.is_err() && matches!(self.body, Body::Machine(_)) {
+            let values: Vec<Plain> = values.iter().map(|value| Plain::ratio(value, &())).collect();
+            let floats: Vec<f64> = values.iter().map(|value| value.0).collect();
+            return Ok(self.value(expression, &values, |x| x.0, &|| self.point(&floats))?.0);
+        }
+        Ok(float(&exact?))
     }
 
     /// A state to start from, rounded from its exact values.
@@ -127,7 +158,15 @@ impl Scene {
     /// # Errors
     /// As [`Scene::exact`].
     pub fn state(&self, start: &Start) -> Result<State> {
-        Ok(State { t: phase(&start.phase), q: self.number(&start.q)?, u: self.number(&start.u)? })
+        let one = |given: &Coordinates| match &given.entries[..] {
+            [only] => self.number(only),
+            many => {
+                let key = many.first().map_or("", |first| first.key.trim_end_matches("[1]"));
+                Err(self
+                    .fail(key, "is a list; an oscillator of format 1 has one displacement and one velocity"))
+            }
+        };
+        Ok(State { t: phase(&start.phase), q: one(&start.q)?, u: one(&start.u)? })
     }
 
     /// A coefficient's value, within the range of floats; an error names where it stands.
@@ -144,7 +183,8 @@ impl Scene {
     }
 
     fn check(&self, system: &System<f64>, point: &dyn Fn() -> String) -> Result<()> {
-        for (wall, plain) in [(&self.system.lower, &system.lower), (&self.system.upper, &system.upper)] {
+        let written = self.system()?;
+        for (wall, plain) in [(&written.lower, &system.lower), (&written.upper, &system.upper)] {
             if let (Some(wall), Some(plain)) = (wall, plain)
                 && plain.restitution < 0.0
             {
@@ -152,7 +192,7 @@ impl Scene {
                 return Err(self.fail(&wall.restitution.key, &message));
             }
         }
-        if let ([lower, upper], Some(wall)) = (&Contact::of(system)?[..], &self.system.upper)
+        if let ([lower, upper], Some(wall)) = (&Contact::of(system)?[..], &written.upper)
             && let Some((t, gap)) = walls::meet(lower, upper)?
         {
             let message = format!(
@@ -194,6 +234,6 @@ pub(crate) fn phase(fraction: &BigRational) -> f64 {
     TAU * float(&(fraction - fraction.floor()))
 }
 
-fn float(x: &BigRational) -> f64 {
+pub(super) fn float(x: &BigRational) -> f64 {
     x.to_f64().unwrap_or(f64::NAN)
 }

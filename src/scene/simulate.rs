@@ -2,7 +2,7 @@
 
 use num_rational::BigRational;
 
-use super::{expression::Expression, keys::keys};
+use super::{keys::keys, matrix::Coordinates};
 
 keys! {
     /// Follows one motion: its time series, its impacts and a picture of both.
@@ -23,9 +23,9 @@ keys! {
     pub struct Start {
         /// the time, as a fraction of the forcing period: t = 2π `phase`
         phase: BigRational = "0",
-        /// the displacement
-        q: Expression,
-        /// the velocity
-        u: Expression = "0",
+        /// the displacement; of a machine a list, or one 0 for all
+        q: Coordinates,
+        /// the velocity; of a machine a list, or one 0 for all
+        u: Coordinates = "0",
     }
 }

@@ -1,7 +1,5 @@
 //! The keys of the oscillator: its equation of motion, its walls, the accuracy of its motions.
 
-use toml_edit::Item;
-
 use super::{
     expression::Expression,
     keys::{Entry, Value, keys},
@@ -66,6 +64,12 @@ keys! {
     }
 }
 
+impl Default for Accuracy {
+    fn default() -> Self {
+        Accuracy { tolerance: 1e-12, minimum_depth: 1e-12 }
+    }
+}
+
 impl Value for Side {
     fn shape() -> String {
         "`\"lower\"` or `\"upper\"`".to_string()
@@ -76,28 +80,32 @@ impl Value for Side {
     }
 }
 
+/// Refuses a multiple that is out of range or stands among those before.
+pub(super) fn check_k(place: &Entry, k: u32, mut before: impl Iterator<Item = u32>) -> Result<()> {
+    if !(1..=LIMIT_K).contains(&k) {
+        return Err(place.fail(&format!("k is {k}; it goes from 1 to {LIMIT_K}")));
+    }
+    if before.any(|other| other == k) {
+        return Err(place.fail(&format!("k = {k} stands here twice; add the two terms up")));
+    }
+    Ok(())
+}
+
+/// Harmonics, each multiple once.
+pub(super) fn harmonics(
+    file: &Entry,
+    list: Vec<HarmonicKeys>,
+    path: &str,
+) -> Result<Vec<Harmonic<Expression>>> {
+    for (i, harmonic) in list.iter().enumerate() {
+        let place = file.at(&format!("{path}[{}]", i + 1));
+        check_k(&place, harmonic.k, list[..i].iter().map(|other| other.k))?;
+    }
+    Ok(list.into_iter().map(|h| Harmonic { k: h.k, cos: h.cos, sin: h.sin }).collect())
+}
+
 /// The equation of motion and the walls, once every key is read.
 pub(super) fn system(file: &Entry, keys: SystemKeys, walls: Vec<WallKeys>) -> Result<System<Expression>> {
-    let at = |path: &str| Entry {
-        scope: file.scope,
-        path: path.to_string(),
-        span: file.scope.places.borrow().get(path).cloned(),
-        item: Item::None,
-    };
-    let harmonics = |list: Vec<HarmonicKeys>, path: &str| {
-        for (i, harmonic) in list.iter().enumerate() {
-            let place = || at(&format!("{path}[{}]", i + 1));
-            if !(1..=LIMIT_K).contains(&harmonic.k) {
-                return Err(place().fail(&format!("k is {}; it goes from 1 to {LIMIT_K}", harmonic.k)));
-            }
-            if list[..i].iter().any(|other| other.k == harmonic.k) {
-                return Err(
-                    place().fail(&format!("k = {} stands here twice; add the two terms up", harmonic.k))
-                );
-            }
-        }
-        Ok(list.into_iter().map(|h| Harmonic { k: h.k, cos: h.cos, sin: h.sin }).collect())
-    };
     let (mut lower, mut upper) = (None, None);
     for (i, keys) in walls.into_iter().enumerate() {
         let path = format!("walls[{}]", i + 1);
@@ -106,9 +114,9 @@ pub(super) fn system(file: &Entry, keys: SystemKeys, walls: Vec<WallKeys>) -> Re
             Side::Upper => &mut upper,
         };
         if place.is_some() {
-            return Err(at(&format!("{path}.side")).fail("there is a wall on this side already"));
+            return Err(file.at(&format!("{path}.side")).fail("there is a wall on this side already"));
         }
-        let harmonics = harmonics(keys.harmonics, &format!("{path}.harmonics"))?;
+        let harmonics = harmonics(file, keys.harmonics, &format!("{path}.harmonics"))?;
         *place = Some(Wall { offset: keys.offset, harmonics, restitution: keys.restitution });
     }
     Ok(System {
@@ -116,7 +124,7 @@ pub(super) fn system(file: &Entry, keys: SystemKeys, walls: Vec<WallKeys>) -> Re
         stiffness: keys.stiffness,
         cubic: keys.cubic,
         force: keys.force,
-        forcing: harmonics(keys.forcing, "system.forcing")?,
+        forcing: harmonics(file, keys.forcing, "system.forcing")?,
         lower,
         upper,
     })

@@ -5,6 +5,7 @@ mod bars;
 mod basins;
 mod branch;
 mod diagram;
+mod machine;
 mod names;
 mod section;
 mod simulate;

@@ -18,7 +18,7 @@ enum Ending {
 fn endings(kind: &Kind) -> &'static [Ending] {
     use Ending::{Fixed, Numbered};
     match kind {
-        Kind::SimulateTask(_) => &[Fixed(".svg"), Fixed(".csv"), Fixed("-events.csv")],
+        Kind::SimulateTask(_) => &[Numbered(".svg"), Fixed(".svg"), Fixed(".csv"), Fixed("-events.csv")],
         Kind::SectionTask(_) => &[Fixed(".svg"), Fixed(".csv")],
         Kind::BasinsTask(_) => &[Fixed(".svg"), Fixed(".csv"), Fixed(".checkpoint")],
         Kind::DiagramTask(_) => &[Fixed(".svg"), Fixed(".csv"), Fixed("-windows.csv"), Fixed(".checkpoint")],

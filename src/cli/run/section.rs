@@ -10,7 +10,7 @@ use crate::{
 };
 
 pub(super) fn keep(found: &SectionFindings, task: &SectionTask, job: &Job) -> Result<Vec<String>> {
-    let walls = Contact::of(&job.system)?;
+    let walls = Contact::of(job.system()?)?;
     let frame = Frame {
         wall: walls.iter().find(|wall| Some(wall.side) == task.frame.side()),
         phase: phase(&task.phase),

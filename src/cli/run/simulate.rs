@@ -2,13 +2,13 @@
 
 use std::io::Write;
 
-use super::Job;
+use super::{Job, machine::MachineSeries};
 use crate::{
     error::{Error, Result},
     figure::{self, MotionPicture},
     oscillator::{Contact, Time, flow::State, simulate::Event},
     output::write_file,
-    run::{Findings, Keeper, TaskReport, run_task},
+    run::{Findings, Keeper, Model, TaskReport, run_task},
     scene::simulate::SimulateTask,
 };
 
@@ -18,8 +18,12 @@ pub(super) fn run(task: &SimulateTask, job: &Job) -> TaskReport {
     // What fails or is interrupted leaves no files: they are whole or absent.
     let written = write_file(&name(".csv"), |series| {
         write_file(&name("-events.csv"), |events| {
-            let mut files = Series::new(task, job, series, events)?;
-            let found = run_task(job.job, &mut files);
+            let found = match &job.model {
+                Model::Oscillator(_) => run_task(job.job, &mut Series::new(task, job, series, events)?),
+                Model::Machine(machine) => {
+                    run_task(job.job, &mut MachineSeries::new(task, job, machine, series, events)?)
+                }
+            };
             let whole = found.findings.is_some();
             report = Some(found);
             if whole { Ok(()) } else { Err(Error::input("the task failed")) }
@@ -49,7 +53,7 @@ impl<'a> Series<'a> {
         series: &'a mut dyn Write,
         events: &'a mut dyn Write,
     ) -> Result<Self> {
-        let walls = Contact::of(&job.system)?;
+        let walls = Contact::of(job.system()?)?;
         writeln!(series, "periods,q,u")?;
         writeln!(events, "event,period,phase,side,velocity,radius,gap,rest")?;
         let first = job.scene.state(&task.start)?.t;

@@ -54,7 +54,7 @@ impl Linear {
     }
 
     /// The largest modulus of an eigenvalue.
-    pub(in crate::oscillator) fn rate(&self) -> f64 {
+    pub(crate) fn rate(&self) -> f64 {
         self.exponential.rate()
     }
 }
@@ -79,7 +79,7 @@ impl Flow for Linear {
 
 /// t ↦ exp(t [[0, 1], [−s, −c]]).
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Exponential {
+pub(crate) struct Exponential {
     pub damping: f64,
     pub stiffness: f64,
     /// The square root of |s − c²/4|.

@@ -39,7 +39,7 @@ mod event;
 mod grid;
 mod pieces;
 mod rise;
-mod search;
+pub(crate) mod search;
 mod steps;
 mod wall;
 

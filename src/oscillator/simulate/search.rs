@@ -8,7 +8,7 @@
 
 /// What ends a search.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Hit {
+pub(crate) enum Hit {
     /// A root of z on a falling stretch that ends below −δ.
     Impact(f64),
     /// A minimum within δ of 0 after z was above δ.
@@ -28,7 +28,7 @@ impl Hit {
 
 /// A gap on one piece, an even number of coefficients.
 #[derive(Debug)]
-pub(super) struct Gap<'a> {
+pub(crate) struct Gap<'a> {
     coefficients: &'a [f64],
     /// Bounds |z‴| on the piece.
     third: f64,
@@ -39,23 +39,23 @@ pub(super) struct Gap<'a> {
 }
 
 /// Rounding: a sum of 24 terms by Horner errs by less than this times Σ |c_i|.
-pub(super) const ROUNDING: f64 = 1e-14;
+pub(crate) const ROUNDING: f64 = 1e-14;
 
 /// Σ |c_i|.
-pub(super) fn norm(coefficients: &[f64]) -> f64 {
+pub(crate) fn norm(coefficients: &[f64]) -> f64 {
     coefficients.iter().map(|c| c.abs()).sum()
 }
 
 /// A polynomial as far as [`clear`] needs it: c₀, c₁, c₂ and a bound on Σ |c_i|, i ≥ 3.
-pub(super) type Head = [f64; 4];
+pub(crate) type Head = [f64; 4];
 
-pub(super) fn head(coefficients: &[f64]) -> Head {
+pub(crate) fn head(coefficients: &[f64]) -> Head {
     [coefficients[0], coefficients[1], coefficients[2], norm(&coefficients[3..])]
 }
 
 /// Whether the gap surely stays above `depth` and its rounding error on all of [−1, 1].
 #[inline]
-pub(super) fn clear([start, slope, bend, tail]: Head, depth: f64) -> bool {
+pub(crate) fn clear([start, slope, bend, tail]: Head, depth: f64) -> bool {
     let slope = slope.abs();
     let low = if slope < 2.0 * bend { slope * slope / (4.0 * bend) } else { slope - bend };
     start - low - tail > depth + ROUNDING * (start + slope + bend.abs() + tail)

@@ -88,7 +88,7 @@ impl System<BigRational> {
 }
 
 impl<T> Wall<T> {
-    fn try_map<U, E>(&self, convert: &mut impl FnMut(&T) -> Result<U, E>) -> Result<Wall<U>, E> {
+    pub(crate) fn try_map<U, E>(&self, convert: &mut impl FnMut(&T) -> Result<U, E>) -> Result<Wall<U>, E> {
         Ok(Wall {
             offset: convert(&self.offset)?,
             harmonics: convert_all(&self.harmonics, convert)?,

@@ -101,7 +101,7 @@ impl Series {
     }
 
     /// A linear combination.
-    pub(in crate::oscillator) fn combination(terms: &[(f64, &Series)]) -> Series {
+    pub(crate) fn combination(terms: &[(f64, &Series)]) -> Series {
         let mean = terms.iter().map(|(factor, series)| factor * series.mean).sum();
         let scaled = |&(factor, series): &(f64, &'_ Series)| {
             let scale =

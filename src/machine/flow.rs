@@ -1,0 +1,529 @@
+//! The motion of a linear system with periodic force in closed form.
+//!
+//! (q, q′) = S (y + p(t)) with p a particular solution and y homogeneous. In pairs of coordinates y moves by one exponential each; p is the sum of the
+//! pairs' responses, of which those near resonance start from rest in every period, so that they stay moderate: y gains
+//! [`step`](LinearFlow::step) when a period ends. A system that does not fall apart is one block; its p starts from rest in every period, and both move by
+//! Taylor series of the exponential on steps in which the matrix is at most 1/2.
+
+use std::f64::consts::TAU;
+
+use nalgebra::Complex;
+
+use super::{
+    LinearEquations, MachineState, Periodic, RealMatrix, RealVector,
+    modes::{Pair, Reduction, Shape},
+};
+use crate::{
+    error::Result,
+    oscillator::{Harmonic, System, flow::Linear},
+};
+
+/// Terms of the Taylor series by which a system moves that is one block: with 1/2, what is left out is below 2⁻²⁰/20! < 10⁻²⁴.
+const BLOCK_TERMS: usize = 20;
+
+/// Nearer than this to an eigenvalue a periodic response would be large and cancel: a secular one takes its place.
+const NEAR: f64 = 1.0 / 16.0;
+
+/// How a flow is computed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FlowMethod {
+    /// Real modes: damping is classical.
+    RealModes,
+    /// Complex modes.
+    ComplexModes,
+    /// The matrix exponential: the eigenvectors are too nearly dependent.
+    Exponential,
+}
+
+impl FlowMethod {
+    /// Its name in reports.
+    pub fn name(self) -> &'static str {
+        match self {
+            FlowMethod::RealModes => "real modes",
+            FlowMethod::ComplexModes => "complex modes",
+            FlowMethod::Exponential => "matrix exponential",
+        }
+    }
+}
+
+/// The solved equations. Error of a motion over a duration: a few units in the last place of its largest terms, times the condition number, times
+/// 1 + the fastest rate · duration.
+#[derive(Debug, Clone)]
+pub struct LinearFlow {
+    equations: LinearEquations,
+    motion: Motion,
+    condition: f64,
+    to: RealMatrix,
+    from: RealMatrix,
+    /// The force on y.
+    force: Periodic,
+    step: RealVector,
+}
+
+#[derive(Debug, Clone)]
+enum Motion {
+    Real(Vec<(Pair, Linear)>),
+    Complex(Vec<(Pair, [Response; 2])>),
+    /// A; p at evenly spaced phases from 0.
+    Whole(RealMatrix, Vec<RealVector>),
+}
+
+impl LinearFlow {
+    /// Solves the equations. Cost: O(n³), and for one block O(n²) per radian of its fastest motion.
+    ///
+    /// # Errors
+    /// Modes that are not found, which finite matrices do not bring about in practice.
+    pub fn new(equations: LinearEquations) -> Result<LinearFlow> {
+        let Reduction { shape, to, from, condition } = Reduction::new(&equations)?;
+        let n = equations.size();
+        let force = |v: &RealVector| to.columns(n, n) * equations.accelerate(v);
+        let given = &equations.force;
+        let harmonics = given.harmonics.iter().map(|(k, a, b)| (*k, force(a), force(b))).collect();
+        let force = Periodic { mean: force(&given.mean), harmonics };
+        let (motion, step) = match shape {
+            Shape::Real(pairs) => {
+                let modes =
+                    pairs.into_iter().enumerate().map(|(i, pair)| Ok((pair, mode(pair, &force, 2 * i + 1)?)));
+                let modes = modes.collect::<Result<Vec<_>>>()?;
+                let step = modes.iter().flat_map(|(_, mode)| mode.step()).collect::<Vec<_>>();
+                (Motion::Real(modes), RealVector::from_vec(step))
+            }
+            Shape::Complex(pairs) => {
+                let both = |(i, pair)| (pair, responses(pair, &force, 2 * i));
+                let all: Vec<_> = pairs.into_iter().enumerate().map(both).collect();
+                let mut step = RealVector::zeros(2 * n);
+                for (i, (pair, two)) in all.iter().enumerate() {
+                    step.rows_mut(2 * i, 2)
+                        .copy_from_slice(&real_pair(*pair, two.each_ref().map(Response::step)));
+                }
+                (Motion::Complex(all), step)
+            }
+            Shape::Whole(a) => {
+                let count =
+                    (TAU * rate_of(&a).max(f64::from(force.order()))).ceil().clamp(8.0, 65536.0) as usize;
+                let mut starts = vec![RealVector::zeros(2 * n)];
+                for i in 0..count {
+                    let p = forced(&a, &force, TAU * i as f64 / count as f64, TAU / count as f64, &starts[i]);
+                    starts.push(p);
+                }
+                let step = starts.pop().unwrap_or_else(|| RealVector::zeros(2 * n));
+                (Motion::Whole(a, starts), step)
+            }
+        };
+        Ok(LinearFlow { equations, motion, condition, to, from, force, step })
+    }
+
+    /// What was solved.
+    pub fn equations(&self) -> &LinearEquations {
+        &self.equations
+    }
+
+    /// How.
+    pub fn method(&self) -> FlowMethod {
+        match self.motion {
+            Motion::Real(_) => FlowMethod::RealModes,
+            Motion::Complex(_) => FlowMethod::ComplexModes,
+            Motion::Whole(..) => FlowMethod::Exponential,
+        }
+    }
+
+    /// The condition number of the eigenvectors in coordinates in which those of an undamped system are orthonormal; 1 for real modes, infinite
+    /// for a defective system.
+    pub fn condition(&self) -> f64 {
+        self.condition
+    }
+
+    /// 2n: the number of coordinates of y.
+    pub fn dimension(&self) -> usize {
+        self.to.nrows()
+    }
+
+    /// The largest modulus of an eigenvalue of a pair, for one block a bound of its matrix.
+    pub fn rates(&self) -> Vec<f64> {
+        match &self.motion {
+            Motion::Real(all) => all.iter().map(|(_, mode)| mode.rate()).collect(),
+            Motion::Complex(all) => all.iter().map(|(pair, _)| pair.rate()).collect(),
+            Motion::Whole(a, _) => vec![rate_of(a)],
+        }
+    }
+
+    /// The pairs that move for themselves; none for one block.
+    pub(super) fn pairs(&self) -> Option<Vec<Pair>> {
+        match &self.motion {
+            Motion::Real(all) => Some(all.iter().map(|known| known.0).collect()),
+            Motion::Complex(all) => Some(all.iter().map(|known| known.0).collect()),
+            Motion::Whole(..) => None,
+        }
+    }
+
+    /// Natural frequencies and damping ratios of the modes that oscillate, in multiples of the forcing's frequency, ascending; none for one block.
+    pub fn frequencies(&self) -> Vec<(f64, f64)> {
+        let one = |pair: Pair| match pair {
+            Pair::Mode { damping, stiffness } if stiffness > 0.0 => {
+                Some((stiffness.sqrt(), damping / (2.0 * stiffness.sqrt())))
+            }
+            Pair::Spiral { rate, turn } => Some((rate.hypot(turn), -rate / rate.hypot(turn))),
+            _ => None,
+        };
+        let mut all: Vec<(f64, f64)> = self.pairs().unwrap_or_default().into_iter().filter_map(one).collect();
+        all.sort_by(|a, b| a.0.total_cmp(&b.0));
+        all
+    }
+
+    /// A p, 2n entries, at t in [0, 2π].
+    pub fn particular(&self, t: f64) -> RealVector {
+        match &self.motion {
+            Motion::Real(all) => {
+                let parts = all.iter().flat_map(|(_, mode)| mode.particular(t));
+                RealVector::from_iterator(2 * all.len(), parts)
+            }
+            Motion::Complex(all) => {
+                let parts =
+                    all.iter().flat_map(|(pair, two)| real_pair(*pair, two.each_ref().map(|r| r.at(t))));
+                RealVector::from_iterator(2 * all.len(), parts)
+            }
+            Motion::Whole(a, starts) => {
+                let width = TAU / starts.len() as f64;
+                let i = ((t / width) as usize).min(starts.len() - 1);
+                let begin = i as f64 * width;
+                forced(a, &self.force, begin, t - begin, &starts[i])
+            }
+        }
+    }
+
+    /// What y gains where a period ends: p(2π) − p(0).
+    pub fn step(&self) -> &RealVector {
+        &self.step
+    }
+
+    /// y of a state; t in [0, 2π].
+    pub fn split(&self, state: &MachineState) -> RealVector {
+        let n = self.equations.size();
+        self.to.columns(0, n) * &state.q + self.to.columns(n, n) * &state.u - self.particular(state.t)
+    }
+
+    /// The state of y at t in [0, 2π].
+    pub fn join(&self, t: f64, y: &RealVector) -> MachineState {
+        let n = self.equations.size();
+        let x = &self.from * (y + self.particular(t));
+        MachineState { t, q: x.rows(0, n).into_owned(), u: x.rows(n, n).into_owned() }
+    }
+
+    /// y of a change of velocity.
+    pub fn kick(&self, du: &RealVector) -> RealVector {
+        let n = self.equations.size();
+        self.to.columns(n, n) * du
+    }
+
+    /// The functional a·q + b·q′ on y.
+    pub fn seen(&self, a: &RealVector, b: &RealVector) -> RealVector {
+        let n = self.equations.size();
+        self.from.rows(0, n).tr_mul(a) + self.from.rows(n, n).tr_mul(b)
+    }
+
+    /// y after `duration`, which may be negative, within a period.
+    pub fn advance(&self, y: &mut RealVector, duration: f64) {
+        match &self.motion {
+            Motion::Real(all) => {
+                for (i, (_, mode)) in all.iter().enumerate() {
+                    apply(&mode.matrix(duration), y, i);
+                }
+            }
+            Motion::Complex(all) => {
+                for (i, (pair, _)) in all.iter().enumerate() {
+                    apply(&pair.matrix(duration), y, i);
+                }
+            }
+            Motion::Whole(a, _) => *y = moved(a, duration, y, |a, v| a * v),
+        }
+    }
+
+    /// g ↦ g E(duration) for a functional g on y.
+    pub(super) fn pull(&self, g: &mut RealVector, duration: f64) {
+        match &self.motion {
+            Motion::Real(all) => {
+                for (i, (_, mode)) in all.iter().enumerate() {
+                    apply(&transposed(mode.matrix(duration)), g, i);
+                }
+            }
+            Motion::Complex(all) => {
+                for (i, (pair, _)) in all.iter().enumerate() {
+                    apply(&transposed(pair.matrix(duration)), g, i);
+                }
+            }
+            Motion::Whole(a, _) => *g = moved(a, duration, g, |a, v| a.tr_mul(v)),
+        }
+    }
+
+    /// E(duration), 2n × 2n.
+    pub fn matrix(&self, duration: f64) -> RealMatrix {
+        let n = self.dimension();
+        let mut all = RealMatrix::identity(n, n);
+        for j in 0..n {
+            let mut column = all.column(j).into_owned();
+            self.advance(&mut column, duration);
+            all.set_column(j, &column);
+        }
+        all
+    }
+
+    /// ∂(q, q′) after by (q, q′) before.
+    pub fn transition(&self, duration: f64) -> RealMatrix {
+        &self.from * self.matrix(duration) * &self.to
+    }
+
+    /// The state after `duration` > 0, over as many periods as that takes. The phase is brought back to [0, 2π).
+    pub fn after(&self, state: &MachineState, duration: f64) -> MachineState {
+        let mut y = self.split(state);
+        let (mut t, mut left) = (state.t, duration);
+        let plain = self.step.iter().all(|x| *x == 0.0);
+        if plain {
+            self.advance(&mut y, left);
+            let end = t + left;
+            return self.join(end - (end / TAU).floor() * TAU, &y);
+        }
+        while t + left >= TAU {
+            self.advance(&mut y, TAU - t);
+            y += &self.step;
+            (left, t) = (left - (TAU - t), 0.0);
+        }
+        self.advance(&mut y, left);
+        self.join(t + left, &y)
+    }
+
+    /// G v with y′ = G y.
+    pub(super) fn generate(&self, v: &RealVector) -> RealVector {
+        match &self.motion {
+            Motion::Real(all) => generated(all.iter().map(|known| known.0.generator()), v),
+            Motion::Complex(all) => generated(all.iter().map(|known| known.0.generator()), v),
+            Motion::Whole(a, _) => a * v,
+        }
+    }
+
+    /// g G for a functional g on y.
+    pub(super) fn generate_row(&self, g: &RealVector) -> RealVector {
+        match &self.motion {
+            Motion::Real(all) => generated(all.iter().map(|known| transposed(known.0.generator())), g),
+            Motion::Complex(all) => generated(all.iter().map(|known| transposed(known.0.generator())), g),
+            Motion::Whole(a, _) => a.tr_mul(g),
+        }
+    }
+
+    /// The Taylor coefficients of x ↦ p(t + hx).
+    pub(super) fn expand(&self, t: f64, h: f64, terms: usize) -> Vec<RealVector> {
+        let mut all = vec![self.particular(t)];
+        let mut force = Force::new(&self.force, t, h);
+        for i in 1..terms {
+            let next = (self.generate(&all[i - 1]) + force.next()) * (h / i as f64);
+            all.push(next);
+        }
+        all
+    }
+}
+
+/// The one-degree oscillator of a mode, the force on which is at this place of y.
+fn mode(pair: Pair, force: &Periodic, at: usize) -> Result<Linear> {
+    let Pair::Mode { damping, stiffness } = pair else { unreachable!("real modes only") };
+    let forcing =
+        force.harmonics.iter().map(|(k, a, b)| Harmonic { k: *k, cos: a[at], sin: b[at] }).collect();
+    Linear::new(&System {
+        damping,
+        stiffness,
+        cubic: 0.0,
+        force: force.mean[at],
+        forcing,
+        lower: None,
+        upper: None,
+    })
+}
+
+/// The Taylor coefficients of a periodic vector at t, one after the other: those of x ↦ f(t + hx).
+struct Force {
+    /// Value and slope/k of each harmonic, turned by a quarter for each derivative, and k h.
+    parts: Vec<(RealVector, RealVector, f64)>,
+    mean: Option<RealVector>,
+    size: usize,
+    index: usize,
+}
+
+impl Force {
+    fn new(force: &Periodic, t: f64, h: f64) -> Force {
+        let part = |(k, a, b): &(u32, RealVector, RealVector)| {
+            let k = f64::from(*k);
+            let (sin, cos) = (k * t).sin_cos();
+            (a * cos + b * sin, b * cos - a * sin, k * h)
+        };
+        let parts = force.harmonics.iter().map(part).collect();
+        Force { parts, mean: Some(force.mean.clone()), size: force.mean.len(), index: 0 }
+    }
+
+    fn next(&mut self) -> RealVector {
+        let mut sum = self.mean.take().unwrap_or_else(|| RealVector::zeros(self.size));
+        self.index += 1;
+        for (even, odd, kh) in &mut self.parts {
+            sum += &*even;
+            let turned = &*even * -1.0;
+            let factor = *kh / self.index as f64;
+            (*even, *odd) = (&*odd * factor, turned * factor);
+        }
+        sum
+    }
+}
+
+impl Pair {
+    /// The largest modulus of an eigenvalue.
+    fn rate(&self) -> f64 {
+        match *self {
+            Pair::Mode { stiffness, damping } => stiffness.abs().sqrt().max(damping.abs()),
+            Pair::Spiral { rate, turn } => rate.hypot(turn),
+            Pair::Two([a, b]) => a.abs().max(b.abs()),
+        }
+    }
+
+    /// E(t), but for modes, which have [`Linear`].
+    fn matrix(&self, t: f64) -> [[f64; 2]; 2] {
+        match *self {
+            Pair::Mode { .. } => unreachable!("modes move by their own flow"),
+            Pair::Spiral { rate, turn } => {
+                let ((sin, cos), decay) = ((turn * t).sin_cos(), (rate * t).exp());
+                [[decay * cos, -decay * sin], [decay * sin, decay * cos]]
+            }
+            Pair::Two([a, b]) => [[(a * t).exp(), 0.0], [0.0, (b * t).exp()]],
+        }
+    }
+}
+
+fn apply(m: &[[f64; 2]; 2], y: &mut RealVector, i: usize) {
+    let (a, b) = (y[2 * i], y[2 * i + 1]);
+    y[2 * i] = m[0][0] * a + m[0][1] * b;
+    y[2 * i + 1] = m[1][0] * a + m[1][1] * b;
+}
+
+fn transposed(m: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
+    [[m[0][0], m[1][0]], [m[0][1], m[1][1]]]
+}
+
+fn generated(blocks: impl Iterator<Item = [[f64; 2]; 2]>, v: &RealVector) -> RealVector {
+    let mut all = v.clone();
+    for (i, block) in blocks.enumerate() {
+        apply(&block, &mut all, i);
+    }
+    all
+}
+
+/// A bound of A's largest singular value.
+fn rate_of(a: &RealMatrix) -> f64 {
+    let columns = a.column_iter().map(|c| c.iter().map(|x| x.abs()).sum::<f64>()).fold(0.0, f64::max);
+    let rows = a.row_iter().map(|r| r.iter().map(|x| x.abs()).sum::<f64>()).fold(0.0, f64::max);
+    (columns * rows).sqrt()
+}
+
+/// e^{A·duration} v, or with the transpose as `times` says.
+fn moved(
+    a: &RealMatrix,
+    duration: f64,
+    v: &RealVector,
+    times: impl Fn(&RealMatrix, &RealVector) -> RealVector,
+) -> RealVector {
+    let steps = (2.0 * rate_of(a) * duration.abs()).ceil().max(1.0);
+    let h = duration / steps;
+    let mut sum = v.clone();
+    for _ in 0..steps as u64 {
+        let mut term = sum.clone();
+        for i in 1..BLOCK_TERMS {
+            term = times(a, &term) * (h / i as f64);
+            sum += &term;
+        }
+    }
+    sum
+}
+
+/// p at t + duration from p at t, p′ = A p + f.
+fn forced(a: &RealMatrix, force: &Periodic, t: f64, duration: f64, p: &RealVector) -> RealVector {
+    let fastest = rate_of(a).max(f64::from(force.order()));
+    let steps = (2.0 * fastest * duration.abs()).ceil().max(1.0);
+    let h = duration / steps;
+    let mut sum = p.clone();
+    for step in 0..steps as u64 {
+        let mut coefficients = Force::new(force, t + step as f64 * h, h);
+        let mut term = sum.clone();
+        for i in 1..BLOCK_TERMS {
+            term = (a * &term + coefficients.next()) * (h / i as f64);
+            sum += &term;
+        }
+    }
+    sum
+}
+
+/// ζ with ζ′ = λζ + Σ z e^{iκt}.
+#[derive(Debug, Clone)]
+struct Response {
+    lambda: Complex<f64>,
+    /// κ, z, and whether the response starts from rest at 0: then it is z (e^{iκt} − e^{λt})/(iκ − λ), else z e^{iκt}/(iκ − λ).
+    terms: Vec<(f64, Complex<f64>, bool)>,
+}
+
+impl Response {
+    fn new(lambda: Complex<f64>, terms: impl Iterator<Item = (f64, Complex<f64>)>) -> Response {
+        let terms = terms.filter(|(_, z)| z.norm() > 0.0);
+        let near = |kappa: f64| (Complex::new(0.0, kappa) - lambda).norm() < NEAR;
+        Response { lambda, terms: terms.map(|(kappa, z)| (kappa, z, near(kappa))).collect() }
+    }
+
+    fn at(&self, t: f64) -> Complex<f64> {
+        self.terms.iter().fold(Complex::new(0.0, 0.0), |sum, term| sum + self.term(term, t))
+    }
+
+    fn term(&self, &(kappa, z, near): &(f64, Complex<f64>, bool), t: f64) -> Complex<f64> {
+        let away = Complex::new(0.0, kappa) - self.lambda;
+        if !near {
+            return z * Complex::from_polar(1.0, kappa * t) / away;
+        }
+        // (e^{iκt} − e^{λt})/(iκ − λ) = t e^{(iκ + λ)t/2} sinhc((iκ − λ)t/2), of which |(iκ − λ)t/2| < 1/5.
+        let middle = (Complex::new(0.0, kappa) + self.lambda) * (t / 2.0);
+        z * middle.exp() * sinhc(away * (t / 2.0)) * t
+    }
+
+    /// The response at 2π less that at 0.
+    fn step(&self) -> Complex<f64> {
+        let secular = self.terms.iter().filter(|term| term.2);
+        secular.fold(Complex::new(0.0, 0.0), |sum, term| sum + self.term(term, TAU))
+    }
+}
+
+/// sinh(x)/x for |x| ≤ 1/2, to 2⁻⁶⁰.
+fn sinhc(x: Complex<f64>) -> Complex<f64> {
+    let square = x * x;
+    (1..=8).rev().fold(Complex::new(1.0, 0.0), |sum, i| {
+        square * sum / f64::from(2 * i * (2 * i + 1)) + Complex::new(1.0, 0.0)
+    })
+}
+
+/// The responses of a pair: one complex number, or two real ones.
+fn responses(pair: Pair, force: &Periodic, at: usize) -> [Response; 2] {
+    let terms = |weight: fn(&RealVector, usize) -> Complex<f64>, at: usize| {
+        let i = Complex::new(0.0, 1.0);
+        let mut all = vec![(0.0, weight(&force.mean, at))];
+        for (k, a, b) in &force.harmonics {
+            let (a, b, k) = (weight(a, at), weight(b, at), f64::from(*k));
+            all.extend([(k, (a - i * b) * 0.5), (-k, (a + i * b) * 0.5)]);
+        }
+        all.into_iter()
+    };
+    let none = || Response::new(Complex::new(0.0, 0.0), std::iter::empty());
+    match pair {
+        Pair::Spiral { rate, turn } => {
+            let both = |v: &RealVector, at: usize| Complex::new(v[at], v[at + 1]);
+            [Response::new(Complex::new(rate, turn), terms(both, at)), none()]
+        }
+        Pair::Two(rates) => {
+            let one = |v: &RealVector, at: usize| Complex::new(v[at], 0.0);
+            [0, 1].map(|j| Response::new(Complex::new(rates[j], 0.0), terms(one, at + j)))
+        }
+        Pair::Mode { .. } => [none(), none()],
+    }
+}
+
+fn real_pair(pair: Pair, [first, second]: [Complex<f64>; 2]) -> [f64; 2] {
+    if matches!(pair, Pair::Two(_)) { [first.re, second.re] } else { [first.re, first.im] }
+}

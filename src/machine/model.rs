@@ -1,0 +1,241 @@
+//! A machine with coefficients of any kind, in the units of its scene, and its equations in floats.
+
+use std::f64::consts::TAU;
+
+use serde::Serialize;
+
+use super::{LinearEquations, Periodic, RealMatrix, RealVector};
+use crate::{
+    error::{Error, Result},
+    oscillator::{Series, Wall},
+};
+
+/// M q″ + C q′ + K q = f₀ + Σ (f_k cos kΩt + g_k sin kΩt), Ω = 2π/T, in consistent units, with stops.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Machine<T> {
+    /// Degrees of freedom n.
+    pub size: usize,
+    /// T: the period of the forcing; without forcing, what is called a period.
+    pub period: T,
+    /// The nonzero entries of M by row and column, which is symmetric and positive definite.
+    pub mass: Vec<(usize, usize, T)>,
+    /// The nonzero entries of C.
+    pub damping: Vec<(usize, usize, T)>,
+    /// Damping ratios added to C in the modes of M and K, in the order of their frequencies; one for all, or none.
+    pub damping_ratio: Vec<T>,
+    /// The nonzero entries of K.
+    pub stiffness: Vec<(usize, usize, T)>,
+    /// Φ by rows: q = Φη, where the equations are those of η and forces, rows of stops and states are given for q. None where q = η.
+    pub shapes: Vec<Vec<T>>,
+    /// f₀, an entry for each coordinate q, or none for zero.
+    pub force: Vec<T>,
+    /// The harmonics of the force.
+    pub forcing: Vec<Load<T>>,
+    /// The stops.
+    pub stops: Vec<Stop<T>>,
+}
+
+/// A harmonic of the force, on all coordinates: none for zero.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Load<T> {
+    /// The multiple k ≥ 1 of the base frequency.
+    pub k: u32,
+    /// The coefficients of cos kΩt.
+    pub cos: Vec<T>,
+    /// The coefficients of sin kΩt.
+    pub sin: Vec<T>,
+}
+
+/// A rigid stop: the gap `row`·q − `wall`(t) stays ≥ 0; an impact turns its rate w into −`restitution` w.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Stop<T> {
+    /// What it is called.
+    pub name: String,
+    /// w, an entry for each coordinate q.
+    pub row: Vec<T>,
+    /// Its place, motion and restitution.
+    pub wall: Wall<T>,
+}
+
+impl<T> Machine<T> {
+    /// The same machine with every coefficient converted.
+    ///
+    /// # Errors
+    /// The first error of `convert`.
+    pub fn try_map<U, E>(
+        &self,
+        mut convert: impl FnMut(&T) -> std::result::Result<U, E>,
+    ) -> std::result::Result<Machine<U>, E> {
+        let convert = &mut convert;
+        let load = |load: &Load<T>, convert: &mut _| -> std::result::Result<_, E> {
+            Ok(Load { k: load.k, cos: list(&load.cos, convert)?, sin: list(&load.sin, convert)? })
+        };
+        let stop = |stop: &Stop<T>, convert: &mut _| -> std::result::Result<_, E> {
+            let (row, wall) = (list(&stop.row, convert)?, stop.wall.try_map(convert)?);
+            Ok(Stop { name: stop.name.clone(), row, wall })
+        };
+        Ok(Machine {
+            size: self.size,
+            period: convert(&self.period)?,
+            mass: entries(&self.mass, convert)?,
+            damping: entries(&self.damping, convert)?,
+            damping_ratio: list(&self.damping_ratio, convert)?,
+            stiffness: entries(&self.stiffness, convert)?,
+            shapes: self
+                .shapes
+                .iter()
+                .map(|row| list(row, convert))
+                .collect::<std::result::Result<_, E>>()?,
+            force: list(&self.force, convert)?,
+            forcing: self
+                .forcing
+                .iter()
+                .map(|one| load(one, convert))
+                .collect::<std::result::Result<_, E>>()?,
+            stops: self.stops.iter().map(|one| stop(one, convert)).collect::<std::result::Result<_, E>>()?,
+        })
+    }
+}
+
+impl<T> Machine<T> {
+    /// The number of coordinates q.
+    pub fn points(&self) -> usize {
+        if self.shapes.is_empty() { self.size } else { self.shapes.len() }
+    }
+}
+
+fn list<T, U, E>(
+    all: &[T],
+    convert: &mut impl FnMut(&T) -> std::result::Result<U, E>,
+) -> std::result::Result<Vec<U>, E> {
+    all.iter().map(convert).collect()
+}
+
+fn entries<T, U, E>(
+    all: &[(usize, usize, T)],
+    convert: &mut impl FnMut(&T) -> std::result::Result<U, E>,
+) -> std::result::Result<Vec<(usize, usize, U)>, E> {
+    all.iter().map(|(i, j, x)| Ok((*i, *j, convert(x)?))).collect()
+}
+
+impl Machine<f64> {
+    /// Ω = 2π/T: a velocity per radian of the forcing times this is one per unit of time.
+    pub fn rate(&self) -> f64 {
+        TAU / self.period
+    }
+
+    /// The equations with the forcing's phase as time: MΩ², CΩ, K.
+    ///
+    /// # Errors
+    /// An input error for a period that is not positive, sizes that do not fit, coefficients that are not finite, M that is not
+    /// symmetric and positive definite, damping ratios without symmetric K ≥ 0.
+    pub fn equations(&self) -> Result<LinearEquations> {
+        if !(self.period > 0.0 && self.period.is_finite()) {
+            return Err(Error::input(format!("the period is {}; it must be positive", self.period)));
+        }
+        let rate = self.rate();
+        let mut damping = self.matrix("damping", &self.damping)? * rate;
+        let mass = self.matrix("mass", &self.mass)? * (rate * rate);
+        let stiffness = self.matrix("stiffness", &self.stiffness)?;
+        if !self.damping_ratio.is_empty() {
+            damping += super::modes::damping(&mass, &stiffness, &self.damping_ratio)?;
+        }
+        let mut force = Periodic::constant(self.vector("force", &self.force)?);
+        for load in &self.forcing {
+            if load.k == 0 {
+                return Err(Error::input("a harmonic with k = 0: give a constant as force instead"));
+            }
+            force.add(
+                load.k,
+                &self.vector("forcing: cos", &load.cos)?,
+                &self.vector("forcing: sin", &load.sin)?,
+            );
+        }
+        LinearEquations::new(mass, damping, stiffness, force)
+    }
+
+    /// w and the place of each stop.
+    ///
+    /// # Errors
+    /// As [`equations`](Self::equations), led by the stop's name; also for a row of zeros and a negative restitution.
+    pub fn contacts(&self) -> Result<Vec<super::contact::StopContact>> {
+        let one = |stop: &Stop<f64>| {
+            let row = self.vector("row", &stop.row)?;
+            if row.iter().all(|x| *x == 0.0) {
+                return Err(Error::input("row is zero: no motion reaches the stop"));
+            }
+            let restitution = stop.wall.restitution;
+            if !(restitution >= 0.0 && restitution.is_finite()) {
+                return Err(Error::input(format!("restitution = {restitution}; it is at least 0")));
+            }
+            let position = Series::new(stop.wall.offset, &stop.wall.harmonics)?;
+            Ok(super::contact::StopContact { name: stop.name.clone(), row, position, restitution })
+        };
+        let named =
+            |stop: &Stop<f64>| one(stop).map_err(|error| error.context(format!("stop {}", stop.name)));
+        self.stops.iter().map(named).collect()
+    }
+
+    /// Φ, none for the identity.
+    pub fn shape(&self) -> Option<RealMatrix> {
+        let n = self.size;
+        (!self.shapes.is_empty()).then(|| RealMatrix::from_fn(self.points(), n, |i, j| self.shapes[i][j]))
+    }
+
+    /// The coordinates q of amplitudes η.
+    pub fn seen(&self, eta: &RealVector) -> RealVector {
+        self.shape().map_or_else(|| eta.clone(), |shape| shape * eta)
+    }
+
+    /// The amplitudes η with coordinates q.
+    ///
+    /// # Errors
+    /// An input error where the shapes at the points do not tell all amplitudes.
+    pub fn coordinates(&self, q: &RealVector) -> Result<RealVector> {
+        let Some(shape) = self.shape() else { return Ok(q.clone()) };
+        if q.iter().all(|x| *x == 0.0) {
+            return Ok(RealVector::zeros(self.size));
+        }
+        let found = (shape.nrows() == shape.ncols()).then(|| shape.lu().solve(q)).flatten();
+        found.filter(|eta| eta.iter().all(|x| x.is_finite())).ok_or_else(|| {
+            Error::input("the shapes at the coordinates do not tell the modes' amplitudes: start from 0, or leave `shapes` out")
+        })
+    }
+
+    fn vector(&self, name: &str, values: &[f64]) -> Result<RealVector> {
+        let points = self.points();
+        if values.is_empty() {
+            return Ok(RealVector::zeros(self.size));
+        }
+        if values.len() != points {
+            let found = values.len();
+            return Err(Error::input(format!(
+                "{name} has {found} entries; the machine has {points} coordinates"
+            )));
+        }
+        if values.iter().any(|x| !x.is_finite()) {
+            return Err(Error::input(format!("{name} has an entry that is not finite")));
+        }
+        let given = RealVector::from_column_slice(values);
+        Ok(self.shape().map_or_else(|| given.clone(), |shape| shape.tr_mul(&given)))
+    }
+
+    fn matrix(&self, name: &str, entries: &[(usize, usize, f64)]) -> Result<RealMatrix> {
+        let mut matrix = RealMatrix::zeros(self.size, self.size);
+        for &(i, j, x) in entries {
+            if i >= self.size || j >= self.size {
+                let size = self.size;
+                return Err(Error::input(format!(
+                    "{name} has an entry in row {}, column {}; the machine has {size} coordinates",
+                    i + 1,
+                    j + 1
+                )));
+            }
+            if !x.is_finite() {
+                return Err(Error::input(format!("{name} has an entry that is not finite")));
+            }
+            matrix[(i, j)] += x;
+        }
+        Ok(matrix)
+    }
+}

@@ -1,0 +1,212 @@
+//! Simulation of machines: the flow, interrupted by impacts and rests on stops and nothing else, event by event.
+//!
+//! # What is promised
+//!
+//! - Every minimum of a gap below −[`minimum_depth`](MachineSettings::minimum_depth) is an impact, found on the stretch on which the gap falls, however slow; a
+//!   minimum within the depth of 0 is a [`StopTangency`]. *Proof.* On a cell of the finest level the gap is a polynomial up to 10⁻¹⁸ of its
+//!   amplitude (`stage`), on which the minimum test of the one-degree simulation decides (its `search`: cases by Taylor's formula with a bound on the third
+//!   derivative). Any other cell, and any stretch of cells at once, is passed over only where the head of `stage`, a lower bound of the gap
+//!   on all of it, exceeds the depth. Where rounding of the sum over the modes exceeds the minimum depth, it takes its place.
+//! - Stops that are touched at one instant, within the minimum depth, are hit together by Newton's law for all of them
+//!   ([`contact`](super::contact)); [`StopImpact::order_matters`] says where that is a choice.
+//! - Bounces on a stop that would be lower than the minimum depth, where it presses, are summed as a geometric series and end in rest ([`StopStick`]): motion
+//!   under the constraint that the gap is 0, until the force of contact falls to 0 ([`StopRelease`]). The velocity lost is that of the bounces left
+//!   out. Other stops are watched meanwhile, and may be rested on, too.
+//! - A run ends by an [`RunEnd`] that says why.
+//!
+//! The trajectory itself carries rounding errors only, amplified by the condition number of the modes.
+//!
+//! ```
+//! use grazing::{machine::{Machine, Stop, simulate::{MachineEvent, MachineSettings, MachineSimulator}}, oscillator::{Time, Wall}};
+//!
+//! // A mass of 2 that falls onto a table: g = 8, and the table keeps half of the velocity.
+//! let table = Wall { offset: 0.0, harmonics: vec![], restitution: 0.5 };
+//! let machine = Machine {
+//!     size: 1, period: 4.0, mass: vec![(0, 0, 2.0)], damping: vec![], damping_ratio: vec![], stiffness: vec![],
+//!     shapes: vec![], force: vec![-16.0], forcing: vec![], stops: vec![Stop { name: "table".into(), row: vec![1.0], wall: table }],
+//! };
+//! let simulator = MachineSimulator::new(&machine, &MachineSettings { minimum_depth: 1e-12, ..MachineSettings::default() })?;
+//! let mut run = simulator.start(Time::new(0, 0.0), &[1.0], &[0.0])?;
+//! let MachineEvent::Impact(impact) = run.next(Time::new(1, 0.0)) else { panic!() };
+//! // After half a unit of time, an eighth of the period, at velocity −4.
+//! assert!((impact.time.periods() - 0.125).abs() < 1e-14);
+//! assert!((impact.velocity * machine.rate() + 4.0).abs() < 1e-13);
+//! # Ok::<(), grazing::Error>(())
+//! ```
+
+mod engine;
+mod event;
+mod stage;
+
+use std::{
+    collections::BTreeMap,
+    f64::consts::TAU,
+    sync::{Arc, Mutex, PoisonError},
+};
+
+use serde::Serialize;
+
+pub use engine::MachineRun;
+pub use event::{MachineEvent, StopImpact, StopRelease, StopStick, StopTangency};
+use stage::Stage;
+
+use super::{
+    LinearEquations, LinearFlow, Machine, MachineState, RealVector,
+    contact::{Contacts, StopContact},
+};
+pub use crate::oscillator::simulate::RunEnd;
+use crate::{
+    error::{Error, Result},
+    oscillator::Time,
+};
+
+/// How finely to simulate.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct MachineSettings {
+    /// Gaps within this of 0 are contact without impact: see the promises of [`simulate`](self). In the unit of gaps, above 0. Default 1e-12, which suits
+    /// motions of size 1; [`MachineSimulator::scale`] tells their size.
+    pub minimum_depth: f64,
+    /// After so many impacts a run ends. Default: no limit.
+    pub impact_limit: u64,
+}
+
+impl Default for MachineSettings {
+    fn default() -> Self {
+        MachineSettings { minimum_depth: 1e-12, impact_limit: u64::MAX }
+    }
+}
+
+/// A machine ready to run from many starts and on many threads.
+#[derive(Debug)]
+pub struct MachineSimulator {
+    equations: LinearEquations,
+    contacts: Contacts,
+    /// The free machine first of all; others as they come up.
+    free: Arc<Stage>,
+    stages: Mutex<BTreeMap<Vec<usize>, Arc<Stage>>>,
+    /// w M⁻¹ C M⁻¹ wᵀ of each stop: by how much an impulse of 1 there changes z″ through damping.
+    drags: Vec<f64>,
+    settings: MachineSettings,
+    rate: f64,
+}
+
+impl MachineSimulator {
+    /// Solves the machine and fills its tables. Cost: O(n³ + n R (stops + harmonics)), R the fastest motion over the forcing's frequency.
+    ///
+    /// # Errors
+    /// Those of [`Machine::equations`] and [`Machine::contacts`]; a minimum depth that is not positive; motions more than some 5000 times
+    /// as fast as the forcing.
+    pub fn new(machine: &Machine<f64>, settings: &MachineSettings) -> Result<MachineSimulator> {
+        let depth = settings.minimum_depth;
+        if !(depth > 0.0 && depth.is_finite()) {
+            return Err(Error::input(format!("minimum_depth = {depth} is not positive")));
+        }
+        let equations = machine.equations()?;
+        let contacts = Contacts::new(&equations, machine.contacts()?);
+        let free = Arc::new(Stage::new(&equations, &contacts, &[])?);
+        for (stop, contact) in contacts.all().iter().enumerate() {
+            if contacts.mobility(stop) <= 0.0 || contacts.mobility(stop).is_nan() {
+                let name = &contact.name;
+                return Err(Error::input(format!("stop {name}: no motion of the machine reaches it")));
+            }
+        }
+        let drag = |j: usize| {
+            let push = contacts.push(j);
+            push.dot(&(&equations.damping * push))
+        };
+        let drags = (0..contacts.all().len()).map(drag).collect();
+        let (stages, settings, rate) = (Mutex::default(), settings.clone(), machine.rate());
+        Ok(MachineSimulator { equations, contacts, free, stages, drags, settings, rate })
+    }
+
+    /// The same machine simulated otherwise.
+    #[must_use]
+    pub fn with(self, settings: MachineSettings) -> MachineSimulator {
+        MachineSimulator { settings, ..self }
+    }
+
+    /// The flow between impacts.
+    pub fn flow(&self) -> &LinearFlow {
+        &self.free.flow
+    }
+
+    /// The equations of motion, the forcing's phase being time.
+    pub fn equations(&self) -> &LinearEquations {
+        &self.equations
+    }
+
+    /// The stops.
+    pub fn contacts(&self) -> &Contacts {
+        &self.contacts
+    }
+
+    /// How finely it simulates.
+    pub fn settings(&self) -> &MachineSettings {
+        &self.settings
+    }
+
+    /// Ω: velocities per radian of the forcing times this are per unit of time.
+    pub fn rate(&self) -> f64 {
+        self.rate
+    }
+
+    /// The size of the motions of the gaps: the largest, over the stops, of the stop's place and motion, of what the forces alone bring about over a
+    /// period, and of what a constant force does in a radian. 0 if there is none of them: then only starts tell.
+    pub fn scale(&self) -> f64 {
+        let one = |contact: &StopContact| {
+            let (flow, zero) = (&self.free.flow, RealVector::zeros(self.equations.size()));
+            let g = flow.seen(&contact.row, &zero);
+            let most = (0..64).map(|i| g.dot(&flow.particular(TAU * f64::from(i) / 64.0)).abs());
+            let push = contact.row.dot(&self.equations.accelerate(&self.equations.force.mean)).abs();
+            let place = contact.position.mean().abs() + contact.position.derivative_bound(0);
+            most.fold(place.max(push), f64::max)
+        };
+        self.contacts.all().iter().map(one).fold(0.0, f64::max)
+    }
+
+    /// A run from displacements q and velocities u, per radian of the forcing, at `time`.
+    ///
+    /// # Errors
+    /// A start behind a stop, not finite, or of another size.
+    pub fn start(&self, time: Time, q: &[f64], u: &[f64]) -> Result<MachineRun<'_>> {
+        let n = self.equations.size();
+        if q.len() != n || u.len() != n {
+            let (q, u) = (q.len(), u.len());
+            return Err(Error::input(format!(
+                "the start has {q} displacements and {u} velocities; it takes {n}"
+            )));
+        }
+        if q.iter().chain(u).any(|x| !x.is_finite()) {
+            return Err(Error::input("the start is not finite"));
+        }
+        let state = MachineState {
+            t: time.phase,
+            q: RealVector::from_column_slice(q),
+            u: RealVector::from_column_slice(u),
+        };
+        for contact in self.contacts.all() {
+            let [gap, _] = contact.gap(&state);
+            if gap < -self.settings.minimum_depth {
+                let name = &contact.name;
+                return Err(Error::input(format!(
+                    "the start lies behind the stop {name}: its gap is {gap:e}"
+                )));
+            }
+        }
+        MachineRun::new(self, time, state)
+    }
+
+    /// The machine resting on these stops, which are in ascending order.
+    fn stage(&self, resting: &[usize]) -> Result<Arc<Stage>> {
+        if resting.is_empty() {
+            return Ok(self.free.clone());
+        }
+        let mut stages = self.stages.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(stage) = stages.get(resting) {
+            return Ok(stage.clone());
+        }
+        let stage = Arc::new(Stage::new(&self.equations, &self.contacts, resting)?);
+        stages.insert(resting.to_vec(), stage.clone());
+        Ok(stage)
+    }
+}

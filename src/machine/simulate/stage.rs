@@ -1,0 +1,384 @@
+//! A machine resting on some of its stops, or on none, with tables of everything that is watched on it.
+//!
+//! What is watched is a function z(t) of time along the motion: a gap, or the force of a stop that is rested on. It is the sum of a known
+//! function (of p and of the stops' motion) and of a functional on the homogeneous y, about whose time steps everything is in tables.
+//!
+//! # Cells
+//!
+//! The period is cut into cells, on levels: on each level they are half as wide as on the level above. On the finest a cell is at most 1/R wide, R the
+//! largest rate of any pair, of forcing and of stops, so that z is a polynomial of 16 terms in x ∈ [−1, 1]: what is left out is below
+//! 2⁻¹⁶/16! < 10⁻¹⁸ of the amplitude. On the coarsest, forcing, stops and p still are such polynomials, but not the fast pairs.
+//!
+//! # The bound
+//!
+//! On each level a head (c₀, c₁, c₂, tail) with |z(x) − c₀ − c₁x − c₂x²| ≤ tail for |x| ≤ 1 is four functionals on y and |y|:
+//!
+//! - of a pair with rate ≤ 1/(cell's width), the Taylor coefficients, and as tail Σ_{k≥3} |c_k|, entry by entry of y;
+//! - of a faster pair, c₀ = c₁ = c₂ = 0 and as tail a bound on sup |g E(s)| over the cell, entry by entry: the maximum over the finest cells in it of
+//!   Σ_k |g E(s_m) G^k| w^k/k!, which is Taylor's formula about each one's beginning s_m with width w, |G w| ≤ 1.
+//!
+//! Where the head says that z is above the minimum depth on a whole cell, the cell is passed over, else its halves are looked at, and on the finest
+//! level the polynomial is searched. So no minimum below −depth is passed over, and a fast mode costs only where its amplitude can still
+//! move z to the stop. Rounding is in the tail: 10⁻¹⁴ of all that was added up.
+
+use std::f64::consts::{PI, TAU};
+
+use crate::{
+    error::{Error, Result},
+    machine::{
+        LinearEquations, LinearFlow, MachineState, RealMatrix, RealVector,
+        contact::{Contacts, Watch},
+    },
+    oscillator::{
+        Series,
+        simulate::search::{Head, ROUNDING, head},
+    },
+};
+
+/// Coefficients of a polynomial.
+pub(super) const TERMS: usize = 16;
+
+/// Finer grids than this are refused.
+const MOST_CELLS: usize = 1 << 16;
+
+/// Numbers side by side.
+const LANES: usize = 4;
+
+/// What is watched.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum What {
+    /// The gap to a stop.
+    Gap(usize),
+    /// The force of a stop that is rested on, as the acceleration that it prevents.
+    Force(usize),
+}
+
+#[derive(Debug)]
+pub(super) struct Stage {
+    pub resting: Vec<usize>,
+    pub flow: LinearFlow,
+    /// Z, the columns b_j, ZᵀM: [`Constrained`](crate::machine::equations::Constrained).
+    reduced: Option<(RealMatrix, RealMatrix, RealMatrix)>,
+    positions: Vec<Series>,
+    pub watched: Vec<What>,
+    /// Each as a functional on y, and its known part but for p.
+    watches: Vec<(RealVector, Series)>,
+    /// From coarse to fine.
+    pub levels: Vec<Level>,
+    /// Of the finest level, for each thing watched: 16 functionals on y, one after the other.
+    rows: Vec<Vec<f64>>,
+    /// Of the finest level, for each thing watched and each cell.
+    drive: Vec<Vec<[f64; TERMS]>>,
+    /// Entries of y, filled up to a multiple of 4.
+    padded: usize,
+}
+
+/// Cells of one width.
+#[derive(Debug)]
+pub(super) struct Level {
+    pub half: f64,
+    step: Step,
+    /// For each thing watched, four functionals by fours of y: c₀, c₁, c₂ on y and the tail on |y|.
+    heads: Vec<Vec<[f64; 4 * LANES]>>,
+    /// For each thing watched and each cell.
+    drive: Vec<Vec<Head>>,
+}
+
+/// From a cell's beginning to its end.
+#[derive(Debug)]
+enum Step {
+    /// y_i ↦ own_i y_i + other_i y_{i^1}, by fours.
+    Pairs(Vec<[f64; 2 * LANES]>),
+    Whole(RealMatrix),
+}
+
+impl Stage {
+    /// # Errors
+    /// Dependent rows among the stops rested on; motions too fast for 2¹⁶ cells in a period.
+    pub fn new(equations: &LinearEquations, contacts: &Contacts, resting: &[usize]) -> Result<Stage> {
+        let all = contacts.all();
+        let mut watches: Vec<(What, Watch)> = Vec::new();
+        for (j, contact) in all.iter().enumerate().filter(|(j, _)| !resting.contains(j)) {
+            let given = Series::combination(&[(-1.0, &contact.position)]);
+            let rates = RealVector::zeros(equations.size());
+            watches.push((What::Gap(j), Watch { places: contact.row.clone(), rates, given }));
+        }
+        let (mut reduced, mut positions) = (None, Vec::new());
+        let flow = if resting.is_empty() {
+            LinearFlow::new(equations.clone())?
+        } else {
+            let forces = contacts.forces(equations, resting)?;
+            watches.extend(resting.iter().zip(forces).map(|(j, watch)| (What::Force(*j), watch)));
+            let constrained = equations.constrained(&resting.iter().map(|&j| &all[j]).collect::<Vec<_>>())?;
+            positions = resting.iter().map(|&j| all[j].position.clone()).collect();
+            reduced = Some((constrained.free, constrained.lift, constrained.down));
+            LinearFlow::new(constrained.equations)?
+        };
+        let mut stage = Stage {
+            resting: resting.to_vec(),
+            padded: flow.dimension().next_multiple_of(LANES),
+            flow,
+            reduced,
+            positions,
+            watched: watches.iter().map(|known| known.0).collect(),
+            watches: Vec::new(),
+            levels: Vec::new(),
+            rows: Vec::new(),
+            drive: Vec::new(),
+        };
+        let watches = watches.iter().map(|(_, watch)| stage.reduce(watch)).collect::<Vec<_>>();
+        stage.fill(&watches)?;
+        stage.watches = watches;
+        Ok(stage)
+    }
+
+    /// What is watched as a functional on y, and its known part but for p.
+    fn reduce(&self, watch: &Watch) -> (RealVector, Series) {
+        let Some((free, lift, _)) = &self.reduced else {
+            return (self.flow.seen(&watch.places, &watch.rates), watch.given.clone());
+        };
+        let g = self.flow.seen(&free.tr_mul(&watch.places), &free.tr_mul(&watch.rates));
+        let speeds: Vec<Series> = self.positions.iter().map(Series::derivative).collect();
+        let mut parts = vec![(1.0, &watch.given)];
+        for (j, (place, speed)) in self.positions.iter().zip(&speeds).enumerate() {
+            parts.push((lift.column(j).dot(&watch.places), place));
+            parts.push((lift.column(j).dot(&watch.rates), speed));
+        }
+        (g, Series::combination(&parts))
+    }
+
+    fn fill(&mut self, watches: &[(RealVector, Series)]) -> Result<()> {
+        let rates = self.flow.rates();
+        let order = self.flow.equations().force.order();
+        let order = watches.iter().map(|known| known.1.order()).fold(order, u32::max);
+        // What p contains besides the forcing's frequencies: responses from rest in every period.
+        let secular = |i: usize| self.flow.pairs().is_none() || self.flow.step().rows(2 * i, 2).amax() != 0.0;
+        let slow =
+            (0..rates.len()).filter(|&i| secular(i)).map(|i| rates[i]).fold(f64::from(order), f64::max);
+        let fast = rates.iter().copied().fold(slow, f64::max);
+        let coarse = (TAU * slow).ceil().max(8.0);
+        let depth = (TAU * fast / coarse).log2().ceil().max(0.0);
+        let finest = coarse * depth.exp2();
+        if finest.is_nan() || finest > MOST_CELLS as f64 {
+            return Err(Error::input(format!(
+                "the fastest motion has {fast:.0} times the forcing's frequency; at most {:.0} times can be followed: \
+                 leave out the fastest modes, as with `keep` of [system]",
+                MOST_CELLS as f64 / TAU / 2.0
+            )));
+        }
+        let depth = depth as usize;
+        for level in 0..=depth {
+            let cells = (coarse as usize) << level;
+            let half = PI / cells as f64;
+            let heads = watches.iter().map(|(g, _)| self.heads(g, half, depth - level)).collect();
+            let mut drive: Vec<Vec<Head>> = vec![Vec::with_capacity(cells); watches.len()];
+            let mut polynomials: Vec<Vec<[f64; TERMS]>> = vec![Vec::new(); watches.len()];
+            for cell in 0..cells {
+                let t = (2 * cell + 1) as f64 * half;
+                let particular = self.flow.expand(t, half, TERMS);
+                for (i, (g, given)) in watches.iter().enumerate() {
+                    let mut polynomial: [f64; TERMS] = std::array::from_fn(|k| g.dot(&particular[k]));
+                    given.add_taylor(1.0, t, half, &mut polynomial);
+                    drive[i].push(head(&polynomial));
+                    if level == depth {
+                        polynomials[i].push(polynomial);
+                    }
+                }
+            }
+            self.levels.push(Level { half, step: self.step(2.0 * half), heads, drive });
+            if level == depth {
+                self.drive = polynomials;
+                self.rows = watches.iter().map(|(g, _)| self.functionals(g, half)).collect();
+            }
+        }
+        Ok(())
+    }
+
+    /// The Taylor coefficients of x ↦ g E(half (1 + x)), as functionals on y at a cell's beginning.
+    fn taylor(&self, g: &RealVector, half: f64) -> Vec<RealVector> {
+        let mut first = g.clone();
+        self.flow.pull(&mut first, half);
+        let mut all = vec![first];
+        for k in 1..TERMS {
+            let next = self.flow.generate_row(&all[k - 1]) * (half / k as f64);
+            all.push(next);
+        }
+        all
+    }
+
+    fn functionals(&self, g: &RealVector, half: f64) -> Vec<f64> {
+        let mut rows = vec![0.0; TERMS * self.padded];
+        for (k, row) in self.taylor(g, half).iter().enumerate() {
+            rows[k * self.padded..][..row.len()].copy_from_slice(row.as_slice());
+        }
+        rows
+    }
+
+    /// The head's functionals for cells of this width, each of 2^`finer` finest ones.
+    fn heads(&self, g: &RealVector, half: f64, finer: usize) -> Vec<[f64; 4 * LANES]> {
+        let n = g.len();
+        let mut rows = [(); 4].map(|()| vec![0.0; self.padded]);
+        let taylor = self.taylor(g, half);
+        let rates = self.flow.rates();
+        let resolved = |i: usize| finer == 0 || rates[i] * half <= 0.5;
+        for i in (0..n).filter(|&i| resolved(i / 2)) {
+            for k in 0..3 {
+                rows[k][i] = taylor[k][i];
+                rows[3][i] += ROUNDING * taylor[k][i].abs();
+            }
+            rows[3][i] += taylor[3..].iter().map(|row| row[i].abs()).sum::<f64>();
+        }
+        if (0..n / 2).any(|i| !resolved(i)) {
+            let width = 2.0 * half / f64::from(1u32 << finer);
+            let mut begin = g.clone();
+            for _ in 0..1usize << finer {
+                let mut term = begin.clone();
+                let mut bound = term.abs();
+                for k in 1..24 {
+                    term = self.flow.generate_row(&term) * (width / f64::from(k));
+                    bound += term.abs();
+                }
+                for i in (0..n).filter(|&i| !resolved(i / 2)) {
+                    rows[3][i] = rows[3][i].max(bound[i] * (1.0 + ROUNDING));
+                }
+                self.flow.pull(&mut begin, width);
+            }
+        }
+        (0..self.padded / LANES)
+            .map(|part| std::array::from_fn(|i| rows[i / LANES][part * LANES + i % LANES]))
+            .collect()
+    }
+
+    fn step(&self, width: f64) -> Step {
+        if self.flow.pairs().is_none() {
+            return Step::Whole(self.flow.matrix(width));
+        }
+        let n = self.flow.dimension();
+        // Column by column of all pairs at once: even entries, then odd ones.
+        let columns = [0, 1].map(|odd| {
+            let mut y = RealVector::from_fn(n, |i, _| f64::from(u8::from(i % 2 == odd)));
+            self.flow.advance(&mut y, width);
+            y
+        });
+        let entry = |i: usize, j: usize| if i < n { columns[j % 2][i] } else { 0.0 };
+        let part = |part: usize| {
+            std::array::from_fn(|k| {
+                let i = part * LANES + k % LANES;
+                if k < LANES { entry(i, i) } else { entry(i, i + 1) }
+            })
+        };
+        Step::Pairs((0..self.padded / LANES).map(part).collect())
+    }
+
+    /// The finest level.
+    pub fn finest(&self) -> &Level {
+        &self.levels[self.levels.len() - 1]
+    }
+
+    /// Cells in a period on the finest level.
+    pub fn cells(&self) -> usize {
+        (PI / self.finest().half).round() as usize
+    }
+
+    /// z on a cell of a level, as far as it can be had cheaply.
+    #[inline]
+    pub fn head(&self, level: usize, watch: usize, cell: usize, y: &[f64]) -> Head {
+        let level = &self.levels[level];
+        let mut sums = [[0.0; LANES]; 4];
+        for (rows, y) in level.heads[watch].iter().zip(y.chunks_exact(LANES)) {
+            for i in 0..LANES {
+                sums[0][i] += rows[i] * y[i];
+                sums[1][i] += rows[LANES + i] * y[i];
+                sums[2][i] += rows[2 * LANES + i] * y[i];
+                sums[3][i] += rows[3 * LANES + i] * y[i].abs();
+            }
+        }
+        let drive = &level.drive[watch][cell];
+        std::array::from_fn(|k| drive[k] + ((sums[k][0] + sums[k][1]) + (sums[k][2] + sums[k][3])))
+    }
+
+    /// z on a cell of the finest level, and the sum of the moduli of what c₀ was added up from.
+    pub fn polynomial(&self, watch: usize, cell: usize, y: &[f64]) -> ([f64; TERMS], f64) {
+        let mut polynomial = self.drive[watch][cell];
+        let rows = &self.rows[watch];
+        for (k, coefficient) in polynomial.iter_mut().enumerate() {
+            *coefficient += dot(&rows[k * self.padded..][..self.padded], y);
+        }
+        let size = rows[..self.padded].iter().zip(y).map(|(a, b)| (a * b).abs()).sum::<f64>();
+        (polynomial, size + self.drive[watch][cell][0].abs())
+    }
+
+    /// y from a cell's beginning to its end.
+    #[inline]
+    pub fn turn(&self, level: usize, y: &mut [f64]) {
+        match &self.levels[level].step {
+            Step::Pairs(parts) => {
+                for (part, y) in parts.iter().zip(y.chunks_exact_mut(LANES)) {
+                    let old = [y[0], y[1], y[2], y[3]];
+                    let other = [y[1], y[0], y[3], y[2]];
+                    for i in 0..LANES {
+                        y[i] = part[i] * old[i] + part[LANES + i] * other[i];
+                    }
+                }
+            }
+            Step::Whole(matrix) => {
+                let n = matrix.nrows();
+                let next = matrix * RealVector::from_column_slice(&y[..n]);
+                y[..n].copy_from_slice(next.as_slice());
+            }
+        }
+    }
+
+    /// The forces of the stops rested on, as the accelerations that they prevent, at t in [0, 2π].
+    pub fn forces(&self, t: f64, y: &RealVector) -> Vec<f64> {
+        let whole = y + self.flow.particular(t);
+        let all = self.watched.iter().zip(&self.watches);
+        let forces = all.filter(|(what, _)| matches!(what, What::Force(_)));
+        forces.map(|(_, (g, given))| g.dot(&whole) + given.at(t)[0]).collect()
+    }
+
+    /// y as the tables want it.
+    pub fn padded(&self, y: &RealVector) -> Vec<f64> {
+        let mut all = y.as_slice().to_vec();
+        all.resize(self.padded, 0.0);
+        all
+    }
+
+    /// y as the flow wants it.
+    pub fn vector(&self, y: &[f64]) -> RealVector {
+        RealVector::from_column_slice(&y[..self.flow.dimension()])
+    }
+
+    /// y of the machine's own state.
+    pub fn split(&self, state: &MachineState) -> RealVector {
+        match &self.reduced {
+            None => self.flow.split(state),
+            Some((_, _, down)) => {
+                self.flow.split(&MachineState { t: state.t, q: down * &state.q, u: down * &state.u })
+            }
+        }
+    }
+
+    /// The machine's own state of y.
+    pub fn join(&self, t: f64, y: &RealVector) -> MachineState {
+        let state = self.flow.join(t, y);
+        let Some((free, lift, _)) = &self.reduced else { return state };
+        let (mut q, mut u) = (free * state.q, free * state.u);
+        for (j, position) in self.positions.iter().enumerate() {
+            let [place, speed, _] = position.at(t);
+            q.axpy(place, &lift.column(j), 1.0);
+            u.axpy(speed, &lift.column(j), 1.0);
+        }
+        MachineState { t, q, u }
+    }
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    let mut sums = [0.0; LANES];
+    for (a, b) in a.chunks_exact(LANES).zip(b.chunks_exact(LANES)) {
+        for i in 0..LANES {
+            sums[i] += a[i] * b[i];
+        }
+    }
+    (sums[0] + sums[1]) + (sums[2] + sums[3])
+}

@@ -1,0 +1,282 @@
+//! Tasks on machines: one motion, its impacts and rests, by stop.
+//!
+//! Inside, time is the forcing's phase; everything here is reported in the scene's unit of time, and in periods.
+
+use serde::Serialize;
+
+use super::{Finding, Job, Keeper, Lines, Status, row};
+use crate::{
+    error::Result,
+    machine::{
+        Machine, MachineState,
+        simulate::{MachineEvent, MachineSettings, MachineSimulator, RunEnd},
+    },
+    oscillator::Time,
+    scene::simulate::SimulateTask,
+};
+
+row! {
+    /// What happened at a stop.
+    pub struct StopRow {
+        /// Its name.
+        pub stop: String,
+        /// Impacts there.
+        pub impacts: u64,
+        /// Minima of its gap within the minimum depth, of which no impact was made.
+        pub tangencies: u64,
+        /// How often something came to rest on it.
+        pub rests: u64,
+        /// The largest speed of an impact, in the scene's units.
+        pub fastest: f64,
+        /// The largest impulse of an impact, in the scene's units.
+        pub strongest: f64,
+        /// The least gap at points of the series.
+        pub least_gap: f64,
+        /// The largest gap at points of the series.
+        pub largest_gap: f64,
+    }
+}
+
+row! {
+    /// A mode that oscillates.
+    pub struct ModeRow {
+        /// Its natural frequency, in cycles per unit of time.
+        pub frequency: f64,
+        /// Its damping ratio.
+        pub damping_ratio: f64,
+    }
+}
+
+/// What happened in one motion of a machine; its series and its events went to the [`Keeper`].
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct MachineSimulationFindings {
+    /// Forcing periods asked for after the transient.
+    pub periods: u32,
+    /// The period, in the scene's unit of time.
+    pub period: f64,
+    /// How the motion is computed.
+    pub method: &'static str,
+    /// The condition number of the modes; absent where they do not exist.
+    pub condition: Option<f64>,
+    /// The slowest modes, at most ten.
+    pub modes: Vec<ModeRow>,
+    /// How many modes oscillate.
+    pub oscillating: usize,
+    /// What happened at each stop, after the transient.
+    pub stops: Vec<StopRow>,
+    /// Instants at which several stops were hit and impacts one by one would have ended otherwise.
+    pub order_matters: u64,
+    /// Why it ended.
+    pub end: RunEnd,
+    /// Forcing periods from the beginning to the end.
+    pub ended_at: f64,
+    /// The displacements at the end.
+    pub q: Vec<f64>,
+    /// The velocities at the end.
+    pub u: Vec<f64>,
+    /// What counts as contact without impact.
+    pub minimum_depth: f64,
+}
+
+impl Finding for MachineSimulationFindings {
+    fn status(&self) -> Status {
+        match self.end {
+            RunEnd::Reached => Status::Done,
+            end => Status::undecided(format!(
+                "the motion ended after {:.6} periods of those asked for, {}",
+                self.ended_at,
+                end.why()
+            )),
+        }
+    }
+
+    fn warnings(&self) -> Vec<String> {
+        let mut all = Vec::new();
+        if self.order_matters > 0 {
+            all.push(format!(
+                "{} times several stops were hit at one instant and the outcome depends on the order: Newton's law for all at once was taken",
+                self.order_matters
+            ));
+        }
+        for stop in &self.stops {
+            let extent = stop.largest_gap - stop.least_gap;
+            if stop.impacts > 0 && extent < 1e3 * self.minimum_depth {
+                all.push(format!(
+                    "the gap of stop {} extends over {extent:.3e}, within a thousand times minimum_depth = {:e}: impacts \
+                     shallower than that are not told from contact; lower minimum_depth",
+                    stop.stop, self.minimum_depth
+                ));
+            }
+        }
+        all
+    }
+
+    fn lines(&self, lines: &mut Lines) {
+        lines.say("method", self.method);
+        if let Some(condition) = self.condition {
+            lines.say("condition", condition);
+        }
+        lines.table("modes", &self.modes);
+        if self.oscillating > self.modes.len() {
+            lines.say("more_modes", self.oscillating - self.modes.len());
+        }
+        lines.say("period", self.period);
+        lines.say("periods", self.periods);
+        lines.table("stops", &self.stops);
+        if self.end != RunEnd::Reached {
+            lines.say("ended", self.end.why());
+            lines.say("after_periods", self.ended_at);
+        }
+        if self.q.len() <= 10 {
+            lines.say("q", self.q.clone());
+            lines.say("u", self.u.clone());
+        }
+    }
+}
+
+/// Modes that a report lists.
+const LISTED: usize = 10;
+/// Periods between two looks at whether to go on.
+const CHUNK: u64 = 16;
+
+/// Gaps within this of their motion's size are contact without impact, unless the scene says otherwise.
+const RELATIVE_DEPTH: f64 = 1e-12;
+
+impl Job<'_> {
+    /// A simulator of a machine. The minimum depth is the scene's, or 10⁻¹² of the size of the gaps' motion, starts among it.
+    ///
+    /// # Errors
+    /// Those of [`MachineSimulator::new`].
+    pub fn machine_simulator(
+        &self,
+        machine: &Machine<f64>,
+        starts: &[MachineState],
+    ) -> Result<MachineSimulator> {
+        let given = self.scene.machine_scene()?.minimum_depth;
+        let settings = |minimum_depth| MachineSettings { minimum_depth, ..MachineSettings::default() };
+        if let Some(depth) = given {
+            return MachineSimulator::new(machine, &settings(depth));
+        }
+        let simulator = MachineSimulator::new(machine, &settings(RELATIVE_DEPTH))?;
+        let gap = |state: &MachineState| {
+            let one = |contact: &crate::machine::contact::StopContact| {
+                let [z, slope] = contact.gap(state);
+                z.abs().max(slope.abs())
+            };
+            simulator.contacts().all().iter().map(one).fold(0.0, f64::max)
+        };
+        let scale = starts.iter().map(gap).fold(simulator.scale(), f64::max);
+        let scale = if scale > 0.0 && scale.is_finite() { scale } else { 1.0 };
+        Ok(simulator.with(settings(RELATIVE_DEPTH * scale)))
+    }
+}
+
+/// Follows the motion; each point and each event goes to `keeper` as it comes, so that memory does not grow with the length.
+///
+/// # Errors
+/// Those of the simulator; the keeper's; an interruption.
+pub fn simulate_machine(
+    task: &SimulateTask,
+    machine: &Machine<f64>,
+    job: &Job,
+    keeper: &mut dyn Keeper,
+) -> Result<MachineSimulationFindings> {
+    let start = job.scene.machine_state(&task.start, machine, "start")?;
+    let simulator = job.machine_simulator(machine, std::slice::from_ref(&start))?;
+    job.monitor.begin(task.transient + u64::from(task.periods), "periods");
+    let mut run = simulator.start(Time::new(0, start.t), start.q.as_slice(), start.u.as_slice())?;
+    let mut end = RunEnd::Reached;
+    let mut passed = 0;
+    while passed < task.transient && end == RunEnd::Reached {
+        let next = (passed + CHUNK).min(task.transient);
+        end = run.finish(Time::new(next as i64, start.t));
+        job.monitor.advance(next - passed)?;
+        passed = next;
+    }
+    let (flow, rate) = (simulator.flow(), simulator.rate());
+    let frequencies = flow.frequencies();
+    let cycles = 1.0 / machine.period;
+    let mode =
+        |&(frequency, damping_ratio): &(f64, f64)| ModeRow { frequency: frequency * cycles, damping_ratio };
+    let contacts = simulator.contacts().all();
+    let stop = |contact: &crate::machine::contact::StopContact| StopRow {
+        stop: contact.name.clone(),
+        impacts: 0,
+        tangencies: 0,
+        rests: 0,
+        fastest: 0.0,
+        strongest: 0.0,
+        least_gap: f64::INFINITY,
+        largest_gap: f64::NEG_INFINITY,
+    };
+    let mut found = MachineSimulationFindings {
+        periods: task.periods,
+        period: machine.period,
+        method: flow.method().name(),
+        condition: Some(flow.condition()).filter(|condition| condition.is_finite()),
+        modes: frequencies.iter().take(LISTED).map(mode).collect(),
+        oscillating: frequencies.len(),
+        stops: contacts.iter().map(stop).collect(),
+        order_matters: 0,
+        end,
+        ended_at: 0.0,
+        q: Vec::new(),
+        u: Vec::new(),
+        minimum_depth: simulator.settings().minimum_depth,
+    };
+    let samples = u64::from(task.samples);
+    let mut instant = None;
+    for sample in 0..=u64::from(task.periods) * samples {
+        if found.end != RunEnd::Reached {
+            break;
+        }
+        let (period, part) = (sample / samples, sample % samples);
+        if part == 0 && period > 0 && period.is_multiple_of(CHUNK) {
+            job.monitor.advance(CHUNK)?;
+        }
+        let phase = start.t + std::f64::consts::TAU * part as f64 / f64::from(task.samples);
+        let until = Time::new((task.transient + period) as i64, phase);
+        let mut failed = None;
+        found.end = run.record(until, |event| {
+            if let Some(row) = event.stop().map(|stop| &mut found.stops[stop]) {
+                match event {
+                    MachineEvent::Impact(impact) => {
+                        row.impacts += 1;
+                        row.fastest = row.fastest.max(impact.velocity.abs() * rate);
+                        // Masses per radian² times velocities per radian, over Ω, are masses times velocities.
+                        row.strongest = row.strongest.max(impact.impulse / rate);
+                        if impact.order_matters && instant != Some(impact.time) {
+                            found.order_matters += 1;
+                            instant = Some(impact.time);
+                        }
+                    }
+                    MachineEvent::Tangency(_) => row.tangencies += 1,
+                    MachineEvent::Stick(_) => row.rests += 1,
+                    _ => {}
+                }
+            }
+            if failed.is_none() {
+                failed = keeper.machine_event(&event).err();
+            }
+        });
+        if let Some(error) = failed {
+            return Err(error);
+        }
+        if found.end == RunEnd::Reached {
+            let state = run.state();
+            for (row, contact) in found.stops.iter_mut().zip(contacts) {
+                let [gap, _] = contact.gap(&state);
+                (row.least_gap, row.largest_gap) = (row.least_gap.min(gap), row.largest_gap.max(gap));
+            }
+            keeper.machine_sample(until, &state)?;
+        }
+    }
+    if let Some(error) = run.failure() {
+        return Err(error);
+    }
+    let state = run.state();
+    found.q = machine.seen(&state.q).iter().copied().collect();
+    found.u = machine.seen(&state.u).iter().map(|u| u * rate).collect();
+    found.ended_at = run.time().periods();
+    Ok(found)
+}

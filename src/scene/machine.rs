@@ -1,0 +1,256 @@
+//! Scenes of format 2: machines with any number of degrees of freedom and of stops, in the units in which they are measured.
+
+use super::{
+    expression::Expression,
+    keys::{Entry, Key, Record, keys},
+    matrix::{Coordinates, MatrixValue},
+    system::{HarmonicKeys, check_k, harmonics},
+};
+use crate::{
+    error::Result,
+    machine::{Load, Machine, Stop},
+    oscillator::Wall,
+};
+
+keys! {
+    /// `mass` q″ + `damping` q′ + `stiffness` q = `force` + `forcing`(t), in consistent units of your choice: kilograms, metres, seconds and newtons, say.
+    pub struct MachineKeys {
+        /// how often the forcing repeats in a unit of time (hertz if times are seconds); this or `period` must be given, also without forcing, as
+        /// times are reported in periods, too
+        frequency: Option<Expression>,
+        /// how long the forcing's period is
+        period: Option<Expression>,
+        /// the masses: symmetric, positive definite; this or `modes` must be given
+        mass: Option<MatrixValue>,
+        /// the stiffness
+        stiffness: Option<MatrixValue>,
+        /// the damping
+        damping: Option<MatrixValue>,
+        /// instead of `damping`, the damping ratio of every mode, or a list of them by frequency ascending
+        damping_ratio: Option<Coordinates>,
+        /// instead of matrices, the modes of the machine
+        modes: Option<ModesKeys>,
+        /// the constant force on each coordinate; one 0 for none
+        force: Coordinates = "0",
+        /// the harmonics of the force
+        forcing: Vec<LoadKeys> = "[]",
+    }
+}
+
+keys! {
+    /// A term `cos` cos 2πkt/T + `sin` sin 2πkt/T of the force, T its period.
+    pub struct LoadKeys {
+        /// the multiple of the base frequency, 1 to 1000
+        k: u32 = "1",
+        /// the coefficients of the cosine, one for each coordinate; one 0 for none
+        cos: Coordinates = "0",
+        /// the coefficients of the sine
+        sin: Coordinates = "0",
+    }
+}
+
+keys! {
+    /// The modes of a machine, of modal mass 1.
+    pub struct ModesKeys {
+        /// their frequencies, in the unit of `frequency`
+        frequencies: Vec<Expression>,
+        /// their damping ratios: one for all, or one for each
+        ratios: Coordinates = "0",
+        /// their shapes: a row for each coordinate q₁, q₂, … of the scene, an entry in it for each mode; the coordinates are points of the
+        /// machine where forces act, stops stand or motions are looked at. Without it the coordinates are the modes' amplitudes
+        shapes: Option<MatrixValue>,
+    }
+}
+
+keys! {
+    /// A rigid stop: the gap `row`·q − `offset` − Σ `harmonics` stays at least 0; an impact turns its rate into −`restitution` times itself.
+    pub struct StopKeys {
+        /// what it is called in reports
+        name: Option<String>,
+        /// what of the machine it stops, an entry for each coordinate; [1] for one coordinate. Two masses that hit each other: [1, −1]
+        row: Option<Coordinates>,
+        /// its mean place
+        offset: Expression,
+        /// its motion, harmonics of the forcing's frequency; none for a stop that stands still
+        harmonics: Vec<HarmonicKeys> = "[]",
+        /// at least 0: 0 for a stop that takes all velocity, 1 for one that keeps the energy
+        restitution: Expression,
+    }
+}
+
+keys! {
+    /// How accurately motions of machines are computed.
+    pub struct MachineAccuracy {
+        /// a minimum of a gap that is deeper than this is an impact; a shallower one is a tangency. In the unit of gaps; without it 10⁻¹² of the gaps' motion
+        minimum_depth: Option<f64>,
+    }
+}
+
+/// Most coordinates and modes.
+const MOST: usize = 2000;
+
+/// What a scene of format 2 has in place of [`System`](crate::oscillator::System).
+#[derive(Debug, Clone, PartialEq)]
+pub struct MachineScene {
+    /// Its coefficients.
+    pub machine: Machine<Expression>,
+    /// The minimum depth, if it is given.
+    pub minimum_depth: Option<f64>,
+}
+
+impl MachineScene {
+    /// Checks what stands in the file's tables against one another.
+    pub(super) fn new(
+        file: &Entry,
+        keys: MachineKeys,
+        walls: Vec<StopKeys>,
+        accuracy: &MachineAccuracy,
+    ) -> Result<Self> {
+        let at = |path: &str| file.at(path);
+        let period = match (keys.frequency, keys.period) {
+            (Some(frequency), None) => frequency.derived(file, |text| format!("1/({text})"))?,
+            (None, Some(period)) => period,
+            (Some(_), Some(_)) => {
+                return Err(at("system.period").fail("stands beside `frequency`: give one of them"));
+            }
+            (None, None) => {
+                return Err(at("system").fail("has neither `frequency` nor `period`: give one of them"));
+            }
+        };
+        let mut machine = Machine {
+            size: 0,
+            period,
+            mass: Vec::new(),
+            damping: Vec::new(),
+            damping_ratio: Vec::new(),
+            stiffness: Vec::new(),
+            shapes: Vec::new(),
+            force: Vec::new(),
+            forcing: Vec::new(),
+            stops: Vec::new(),
+        };
+        match (keys.mass, keys.modes) {
+            (Some(mass), None) => {
+                machine.size = mass.square(&at("system.mass"), None)?;
+                let n = machine.size;
+                machine.mass = mass.entries;
+                for (name, given, target) in [
+                    ("stiffness", keys.stiffness, &mut machine.stiffness),
+                    ("damping", keys.damping, &mut machine.damping),
+                ] {
+                    if let Some(given) = given {
+                        given.square(&at(&format!("system.{name}")), Some(n))?;
+                        *target = given.entries;
+                    }
+                }
+                if let Some(ratios) = keys.damping_ratio {
+                    let place = at("system.damping_ratio");
+                    if !machine.damping.is_empty() {
+                        return Err(place.fail("stands beside `damping`: give one of them"));
+                    }
+                    if ratios.entries.len() != 1 && ratios.entries.len() != n {
+                        return Err(place.fail(&format!("give one ratio for all modes, or {n}")));
+                    }
+                    machine.damping_ratio = ratios.entries;
+                }
+            }
+            (None, Some(modes)) => {
+                for (name, given) in [
+                    ("stiffness", keys.stiffness.is_some()),
+                    ("damping", keys.damping.is_some()),
+                    ("damping_ratio", keys.damping_ratio.is_some()),
+                ] {
+                    if given {
+                        return Err(
+                            at(&format!("system.{name}")).fail("stands beside `modes`, which say all of it")
+                        );
+                    }
+                }
+                modal(file, modes, &mut machine)?;
+            }
+            (Some(_), Some(_)) => {
+                return Err(at("system.modes").fail("stands beside `mass`: give one of them"));
+            }
+            (None, None) => return Err(at("system").fail("has neither `mass` nor `modes`: give one of them")),
+        }
+        let points = machine.points();
+        machine.force = keys.force.fit(&at("system.force"), points)?;
+        for (i, load) in (1..).zip(keys.forcing) {
+            let path = format!("system.forcing[{i}]");
+            check_k(&at(&path), load.k, machine.forcing.iter().map(|known| known.k))?;
+            let cos = load.cos.fit(&at(&format!("{path}.cos")), points)?;
+            let sin = load.sin.fit(&at(&format!("{path}.sin")), points)?;
+            machine.forcing.push(Load { k: load.k, cos, sin });
+        }
+        for (i, stop) in (1..).zip(walls) {
+            let path = format!("walls[{i}]");
+            let row = match stop.row {
+                Some(row) => row.fit(&at(&format!("{path}.row")), points)?,
+                None if points == 1 => vec![Expression::parse("1", &[])?],
+                None => {
+                    return Err(at(&path).fail(&format!("has no row: give what it stops, {points} entries")));
+                }
+            };
+            if row.is_empty() {
+                return Err(at(&format!("{path}.row")).fail("is zero: no motion reaches the stop"));
+            }
+            let harmonics = harmonics(file, stop.harmonics, &format!("{path}.harmonics"))?;
+            let wall = Wall { offset: stop.offset, harmonics, restitution: stop.restitution };
+            let name = stop.name.unwrap_or_else(|| format!("{i}"));
+            if machine.stops.iter().any(|known| known.name == name) {
+                return Err(at(&format!("{path}.name")).fail("is the name of an earlier stop, too"));
+            }
+            machine.stops.push(Stop { name, row, wall });
+        }
+        if let Some(depth) = accuracy.minimum_depth
+            && depth.is_nan() | (depth <= 0.0)
+        {
+            return Err(at("accuracy.minimum_depth").fail("must be positive"));
+        }
+        Ok(MachineScene { machine, minimum_depth: accuracy.minimum_depth })
+    }
+}
+
+fn modal(file: &Entry, modes: ModesKeys, machine: &mut Machine<Expression>) -> Result<()> {
+    let n = modes.frequencies.len();
+    let place = file.at("system.modes.frequencies");
+    if !(1..=MOST).contains(&n) {
+        return Err(place.fail(&format!("has {n} entries; a machine has 1 to {MOST} modes")));
+    }
+    let ratios = modes.ratios.entries;
+    if ratios.len() != 1 && ratios.len() != n {
+        let place = file.at("system.modes.ratios");
+        return Err(place.fail(&format!("has {} entries; give one for all modes, or {n}", ratios.len())));
+    }
+    machine.size = n;
+    let one = Expression::parse("1", &[])?;
+    for (i, frequency) in modes.frequencies.iter().enumerate() {
+        let ratio = &ratios[if ratios.len() == 1 { 0 } else { i }];
+        machine.mass.push((i, i, one.clone()));
+        machine.stiffness.push((i, i, frequency.derived(file, |text| format!("(2*pi*({text}))^2"))?));
+        let both = ratio.derived(file, |text| format!("4*pi*({text})*({frequency})"))?;
+        machine.damping.push((i, i, both));
+    }
+    if let Some(shapes) = modes.shapes {
+        let place = file.at("system.modes.shapes");
+        if shapes.columns != n {
+            let found = shapes.columns;
+            return Err(place.fail(&format!("has {found} entries in a row; there are {n} modes")));
+        }
+        let zero = Expression::parse("0", &[])?;
+        machine.shapes = vec![vec![zero; n]; shapes.rows];
+        for (i, j, value) in shapes.entries {
+            machine.shapes[i][j] = value;
+        }
+    }
+    Ok(())
+}
+
+/// The tables of a machine's file: path, what it is, keys.
+pub(super) const MACHINES: &[(&str, &str, &[Key])] = &[
+    ("`[system]` of a machine", MachineKeys::ABOUT, MachineKeys::KEYS),
+    ("an entry of a machine's `forcing`", LoadKeys::ABOUT, LoadKeys::KEYS),
+    ("`modes`", ModesKeys::ABOUT, ModesKeys::KEYS),
+    ("`[[walls]]` of a machine", StopKeys::ABOUT, StopKeys::KEYS),
+    ("`[accuracy]` of a machine", MachineAccuracy::ABOUT, MachineAccuracy::KEYS),
+];

@@ -1,0 +1,106 @@
+//! A machine of a scene at the parameters' values, and the states in which it starts.
+
+use super::{
+    expression::Expression,
+    machine::MachineScene,
+    matrix::Coordinates,
+    scene::{Body, Scene, float, phase},
+    simulate::Start,
+};
+use crate::{
+    error::{Error, Result},
+    machine::{Machine, MachineState, RealVector},
+    number::Plain,
+};
+
+impl Scene {
+    /// The machine of a scene of format 2, each coefficient rounded from its exact value where it is rational.
+    ///
+    /// # Errors
+    /// An input error, naming file, line and key, for a value that cannot be computed, M that is not symmetric and positive definite, a negative
+    /// restitution, a stop that no motion reaches, a period that is not positive; for a scene of format 1.
+    pub fn machine(&self, changes: &[(&str, f64)]) -> Result<Machine<f64>> {
+        let scene = self.machine_scene()?;
+        let exact: Vec<_> = self.parameters.iter().map(|(_, value)| value.clone()).collect();
+        let mut floats: Vec<_> = exact.iter().map(|value| Plain(float(value))).collect();
+        for (name, value) in changes {
+            floats[self.parameter(name)?] = Plain(*value);
+        }
+        let point = || self.point(&floats.iter().map(|value| value.0).collect::<Vec<_>>());
+        let number = |expression: &Expression| {
+            if changes.is_empty()
+                && let Ok(value) = expression.evaluate(&exact, &())
+            {
+                let value = float(&value);
+                if value.is_finite() {
+                    return Ok(value);
+                }
+            }
+            self.value(expression, &floats, |x| x.0, &point).map(|value| value.0)
+        };
+        let machine = scene.machine.try_map(number)?;
+        let keyed = |key: &str, error: &Error| self.fail(key, &format!("{error}{}", point()));
+        if !(machine.period > 0.0) {
+            let key =
+                if self.places.contains_key("system.period") { "system.period" } else { "system.frequency" };
+            return Err(self
+                .fail(key, &format!("makes the period {}; it must be positive{}", machine.period, point())));
+        }
+        machine.equations().map_err(|error| {
+            let text = error.to_string();
+            let key = ["mass", "damping_ratio", "damping", "stiffness"]
+                .into_iter()
+                .find(|key| text.starts_with(key));
+            keyed(&key.map_or("system".to_string(), |key| format!("system.{key}")), &error)
+        })?;
+        for (i, stop) in (1..).zip(&machine.stops) {
+            let alone = Machine { stops: vec![stop.clone()], ..machine.clone() };
+            alone.contacts().map_err(|error| {
+                let part = if error.to_string().contains("restitution") { "restitution" } else { "row" };
+                keyed(&format!("walls[{i}].{part}"), &error)
+            })?;
+        }
+        Ok(machine)
+    }
+
+    /// What a scene of format 2 is about.
+    ///
+    /// # Errors
+    /// For a scene of format 1.
+    pub fn machine_scene(&self) -> Result<&MachineScene> {
+        match &self.body {
+            Body::Machine(scene) => Ok(scene),
+            Body::Oscillator(_) => Err(Error::input(format!(
+                "{}: is of format \"grazing-scene 1\": it has an oscillator of one degree of freedom, no machine",
+                self.file.0
+            ))),
+        }
+    }
+
+    /// A state to start from: velocities per radian of the forcing.
+    ///
+    /// # Errors
+    /// An input error that names the key, for lists of the wrong length, values that cannot be computed, and points of modes that do not tell
+    /// all their amplitudes.
+    pub fn machine_state(&self, start: &Start, machine: &Machine<f64>, path: &str) -> Result<MachineState> {
+        let part = |given: &Coordinates, name: &str| -> Result<RealVector> {
+            let key = format!("{path}.{name}");
+            let points = machine.points();
+            let values = match given.entries.len() {
+                1 if given.entries[0].is_zero() => return Ok(RealVector::zeros(machine.size)),
+                found if found == points => {
+                    given.entries.iter().map(|x| self.number(x)).collect::<Result<Vec<f64>>>()?
+                }
+                found => {
+                    let message = format!("has {found} entries; the machine has {points} coordinates");
+                    return Err(self.fail(&key, &message));
+                }
+            };
+            machine
+                .coordinates(&RealVector::from_vec(values))
+                .map_err(|error| self.fail(&key, &error.to_string()))
+        };
+        let (q, u) = (part(&start.q, "q")?, part(&start.u, "u")?);
+        Ok(MachineState { t: phase(&start.phase), q, u: u / machine.rate() })
+    }
+}

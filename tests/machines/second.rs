@@ -1,0 +1,220 @@
+//! A second integrator: extrapolated midpoint steps (Gragg, Bulirsch, Stoer), impacts by sign changes and bisection. It shares no code with `src`.
+
+use grazing::machine::Machine;
+
+/// A motion under way.
+pub struct Motion<'a> {
+    machine: &'a Machine<f64>,
+    inverse: Vec<Vec<f64>>,
+    time: f64,
+    pub q: Vec<f64>,
+    pub u: Vec<f64>,
+    resting: Vec<bool>,
+}
+
+/// Bounces slower than this end in rest.
+const SLOW: f64 = 1e-8;
+
+impl<'a> Motion<'a> {
+    pub fn new(machine: &'a Machine<f64>, q: &[f64], u: &[f64]) -> Self {
+        let n = machine.size;
+        let mut mass = vec![vec![0.0; 2 * n]; n];
+        for &(i, j, x) in &machine.mass {
+            mass[i][j] = x;
+        }
+        for (i, row) in mass.iter_mut().enumerate() {
+            row[n + i] = 1.0;
+        }
+        for i in 0..n {
+            let pivot = mass[i][i];
+            mass[i].iter_mut().for_each(|x| *x /= pivot);
+            for j in (0..n).filter(|&j| j != i) {
+                let factor = mass[j][i];
+                let row = mass[i].clone();
+                mass[j].iter_mut().zip(&row).for_each(|(x, y)| *x -= factor * y);
+            }
+        }
+        let inverse = mass.into_iter().map(|row| row[n..].to_vec()).collect();
+        Motion {
+            machine,
+            inverse,
+            time: 0.0,
+            q: q.to_vec(),
+            u: u.to_vec(),
+            resting: vec![false; machine.stops.len()],
+        }
+    }
+
+    fn wall(&self, stop: usize, t: f64) -> [f64; 3] {
+        let wall = &self.machine.stops[stop].wall;
+        let mut all = [wall.offset, 0.0, 0.0];
+        for h in &wall.harmonics {
+            let k = f64::from(h.k);
+            let (sin, cos) = (k * t).sin_cos();
+            all[0] += h.cos * cos + h.sin * sin;
+            all[1] += k * (h.sin * cos - h.cos * sin);
+            all[2] -= k * k * (h.cos * cos + h.sin * sin);
+        }
+        all
+    }
+
+    fn push(&self, stop: usize) -> Vec<f64> {
+        let row = &self.machine.stops[stop].row;
+        self.inverse.iter().map(|line| dot(line, row)).collect()
+    }
+
+    fn gap(&self, stop: usize, t: f64, q: &[f64]) -> f64 {
+        dot(&self.machine.stops[stop].row, q) - self.wall(stop, t)[0]
+    }
+
+    fn rate(&self, stop: usize, t: f64, u: &[f64]) -> f64 {
+        dot(&self.machine.stops[stop].row, u) - self.wall(stop, t)[1]
+    }
+
+    /// q″ without stops.
+    fn free(&self, t: f64, q: &[f64], u: &[f64]) -> Vec<f64> {
+        let n = q.len();
+        let mut force: Vec<f64> = (0..n).map(|i| self.machine.force.get(i).copied().unwrap_or(0.0)).collect();
+        for load in &self.machine.forcing {
+            let (sin, cos) = (f64::from(load.k) * t).sin_cos();
+            for i in 0..n {
+                force[i] += load.cos[i] * cos + load.sin[i] * sin;
+            }
+        }
+        for &(i, j, c) in &self.machine.damping {
+            force[i] -= c * u[j];
+        }
+        for &(i, j, k) in &self.machine.stiffness {
+            force[i] -= k * q[j];
+        }
+        self.inverse.iter().map(|line| dot(line, &force)).collect()
+    }
+
+    /// The force of a stop that is rested on, one at a time.
+    fn force(&self, stop: usize, t: f64, a: &[f64]) -> f64 {
+        let row = &self.machine.stops[stop].row;
+        (self.wall(stop, t)[2] - dot(row, a)) / dot(row, &self.push(stop))
+    }
+
+    fn derivative(&self, t: f64, x: &[f64]) -> Vec<f64> {
+        let n = self.q.len();
+        let (q, u) = x.split_at(n);
+        let mut a = self.free(t, q, u);
+        for stop in (0..self.resting.len()).filter(|&stop| self.resting[stop]) {
+            let force = self.force(stop, t, &a);
+            for (a, push) in a.iter_mut().zip(self.push(stop)) {
+                *a += force * push;
+            }
+        }
+        u.iter().copied().chain(a).collect()
+    }
+
+    /// The state after h: midpoint rule with 2, 4, …, 16 steps, extrapolated in the square of the step.
+    fn after(&self, h: f64) -> Vec<f64> {
+        let x: Vec<f64> = self.q.iter().chain(&self.u).copied().collect();
+        let mut table: Vec<Vec<f64>> = Vec::new();
+        for i in 1..=8usize {
+            let (steps, step) = (2 * i, h / (2 * i) as f64);
+            let add =
+                |x: &[f64], d: &[f64], h: f64| x.iter().zip(d).map(|(x, d)| x + h * d).collect::<Vec<f64>>();
+            let mut before = x.clone();
+            let mut now = add(&x, &self.derivative(self.time, &x), step);
+            for j in 1..steps {
+                let next = add(&before, &self.derivative(self.time + j as f64 * step, &now), 2.0 * step);
+                (before, now) = (now, next);
+            }
+            let end = add(&before, &self.derivative(self.time + h, &now), step);
+            // Aitken–Neville: table[j] is extrapolated from the j + 1 latest step counts.
+            let mut last: Vec<f64> = now.iter().zip(&end).map(|(a, b)| (a + b) / 2.0).collect();
+            let mut next = vec![last.clone()];
+            for (j, old) in table.iter().enumerate() {
+                let ratio = (i as f64 / (i - 1 - j) as f64).powi(2);
+                last = last.iter().zip(old).map(|(new, old)| new + (new - old) / (ratio - 1.0)).collect();
+                next.push(last.clone());
+            }
+            table = next;
+        }
+        table.pop().expect("eight rows")
+    }
+
+    /// All impacts up to a time: stop, time, velocity.
+    pub fn follow(&mut self, until: f64) -> Vec<(usize, f64, f64)> {
+        let mut hits = Vec::new();
+        let n = self.q.len();
+        while self.time < until {
+            let h = 0.02f64.min(until - self.time);
+            let end = self.after(h);
+            // The first root of any gap that is not rested on, or of any force, within the step.
+            let mut first: Option<(f64, usize, bool)> = None;
+            for stop in 0..self.resting.len() {
+                let value = |h: f64| {
+                    let x = if h == 0.0 {
+                        self.q.iter().chain(&self.u).copied().collect()
+                    } else {
+                        self.after(h)
+                    };
+                    let (q, u) = x.split_at(n);
+                    if self.resting[stop] {
+                        self.force(stop, self.time + h, &self.free(self.time + h, q, u))
+                    } else {
+                        self.gap(stop, self.time + h, q)
+                    }
+                };
+                let at_end = if self.resting[stop] {
+                    self.force(stop, self.time + h, &self.free(self.time + h, &end[..n], &end[n..]))
+                } else {
+                    self.gap(stop, self.time + h, &end[..n])
+                };
+                if at_end < 0.0 {
+                    let (mut low, mut high) = (0.0, h);
+                    // Past the zero that an impact left behind.
+                    let mut inner = h;
+                    while inner > 1e-9 && value(inner) < 0.0 {
+                        inner /= 2.0;
+                    }
+                    if value(inner) > 0.0 {
+                        low = inner;
+                    }
+                    for _ in 0..60 {
+                        let middle = (low + high) / 2.0;
+                        if value(middle) > 0.0 { low = middle } else { high = middle }
+                    }
+                    if first.is_none_or(|known| high < known.0) {
+                        first = Some((high, stop, self.resting[stop]));
+                    }
+                }
+            }
+            let Some((h, stop, released)) = first else {
+                (self.q, self.u) = (end[..n].to_vec(), end[n..].to_vec());
+                self.time += h;
+                continue;
+            };
+            let x = self.after(h);
+            (self.q, self.u) = (x[..n].to_vec(), x[n..].to_vec());
+            self.time += h;
+            if released {
+                self.resting[stop] = false;
+                continue;
+            }
+            let rate = self.rate(stop, self.time, &self.u);
+            hits.push((stop, self.time, rate));
+            let push = self.push(stop);
+            let row = self.machine.stops[stop].row.clone();
+            let tau = self.machine.stops[stop].wall.restitution;
+            let slow = tau * rate.abs() < SLOW;
+            let factor = if slow { 1.0 } else { 1.0 + tau };
+            let impulse = -factor * rate / dot(&row, &push);
+            for (u, push) in self.u.iter_mut().zip(&push) {
+                *u += impulse * push;
+            }
+            if slow {
+                self.resting[stop] = true;
+            }
+        }
+        hits
+    }
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
