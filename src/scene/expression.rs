@@ -21,7 +21,6 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 use serde::{Serialize, Serializer};
 
-use super::keys::Entry;
 use crate::{
     error::{Error, Result},
     number::{Ball, Dual, Elementary, FloatInterval, Fraction, Plain, Real, Sign, parse_rational_within},
@@ -145,13 +144,6 @@ impl Expression {
     /// Whether it is a zero written out.
     pub(super) fn is_zero(&self) -> bool {
         matches!(&self.root, Node::Number(value) if value.is_zero())
-    }
-
-    /// An expression of this one's text, reported at its key.
-    pub(super) fn derived(&self, file: &Entry, text: impl Fn(&str) -> String) -> Result<Expression> {
-        let mut derived = Expression::parse(&text(&self.text), file.scope.names)?;
-        derived.key.clone_from(&self.key);
-        Ok(derived)
     }
 
     /// Its value, `parameters` being the values of the names it was read with, in their order. An enclosure if

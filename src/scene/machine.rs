@@ -3,7 +3,7 @@
 use super::{
     expression::Expression,
     keys::{Entry, Key, Record, keys},
-    matrix::{Coordinates, MatrixValue},
+    matrix::{CoordinateList, MatrixValue},
     system::{HarmonicKeys, check_k, harmonics},
 };
 use crate::{
@@ -27,11 +27,11 @@ keys! {
         /// the damping
         damping: Option<MatrixValue>,
         /// instead of `damping`, the damping ratio of every mode, or a list of them by frequency ascending
-        damping_ratio: Option<Coordinates>,
+        damping_ratio: Option<CoordinateList>,
         /// instead of matrices, the modes of the machine
         modes: Option<ModesKeys>,
         /// the constant force on each coordinate; one 0 for none
-        force: Coordinates = "0",
+        force: CoordinateList = "0",
         /// the harmonics of the force
         forcing: Vec<LoadKeys> = "[]",
     }
@@ -43,9 +43,9 @@ keys! {
         /// the multiple of the base frequency, 1 to 1000
         k: u32 = "1",
         /// the coefficients of the cosine, one for each coordinate; one 0 for none
-        cos: Coordinates = "0",
+        cos: CoordinateList = "0",
         /// the coefficients of the sine
-        sin: Coordinates = "0",
+        sin: CoordinateList = "0",
     }
 }
 
@@ -55,7 +55,7 @@ keys! {
         /// their frequencies, in the unit of `frequency`
         frequencies: Vec<Expression>,
         /// their damping ratios: one for all, or one for each
-        ratios: Coordinates = "0",
+        ratios: CoordinateList = "0",
         /// their shapes: a row for each coordinate q₁, q₂, … of the scene, an entry in it for each mode; the coordinates are points of the
         /// machine where forces act, stops stand or motions are looked at. Without it the coordinates are the modes' amplitudes
         shapes: Option<MatrixValue>,
@@ -68,7 +68,7 @@ keys! {
         /// what it is called in reports
         name: Option<String>,
         /// what of the machine it stops, an entry for each coordinate; [1] for one coordinate. Two masses that hit each other: [1, −1]
-        row: Option<Coordinates>,
+        row: Option<CoordinateList>,
         /// its mean place
         offset: Expression,
         /// its motion, harmonics of the forcing's frequency; none for a stop that stands still
@@ -108,7 +108,7 @@ impl MachineScene {
     ) -> Result<Self> {
         let at = |path: &str| file.at(path);
         let period = match (keys.frequency, keys.period) {
-            (Some(frequency), None) => frequency.derived(file, |text| format!("1/({text})"))?,
+            (Some(frequency), None) => derived(file, &frequency, |text| format!("1/({text})"))?,
             (None, Some(period)) => period,
             (Some(_), Some(_)) => {
                 return Err(at("system.period").fail("stands beside `frequency`: give one of them"));
@@ -227,8 +227,8 @@ fn modal(file: &Entry, modes: ModesKeys, machine: &mut Machine<Expression>) -> R
     for (i, frequency) in modes.frequencies.iter().enumerate() {
         let ratio = &ratios[if ratios.len() == 1 { 0 } else { i }];
         machine.mass.push((i, i, one.clone()));
-        machine.stiffness.push((i, i, frequency.derived(file, |text| format!("(2*pi*({text}))^2"))?));
-        let both = ratio.derived(file, |text| format!("4*pi*({text})*({frequency})"))?;
+        machine.stiffness.push((i, i, derived(file, frequency, |text| format!("(2*pi*({text}))^2"))?));
+        let both = derived(file, ratio, |text| format!("4*pi*({text})*({frequency})"))?;
         machine.damping.push((i, i, both));
     }
     if let Some(shapes) = modes.shapes {
@@ -244,6 +244,13 @@ fn modal(file: &Entry, modes: ModesKeys, machine: &mut Machine<Expression>) -> R
         }
     }
     Ok(())
+}
+
+/// An expression made of another's text, reported at its key.
+fn derived(file: &Entry, from: &Expression, text: impl Fn(&str) -> String) -> Result<Expression> {
+    let mut derived = Expression::parse(&text(&from.to_string()), file.scope.names)?;
+    derived.key.clone_from(&from.key);
+    Ok(derived)
 }
 
 /// The tables of a machine's file: path, what it is, keys.

@@ -21,7 +21,7 @@ pub struct MatrixValue {
 
 /// One number for each coordinate; a single one may stand without brackets.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Coordinates {
+pub struct CoordinateList {
     /// The numbers.
     pub entries: Vec<Expression>,
 }
@@ -31,7 +31,7 @@ const MOST: usize = 2000;
 /// The longest file of a matrix, in bytes.
 const LONGEST: u64 = 256 << 20;
 
-impl Coordinates {
+impl CoordinateList {
     /// The entries for so many coordinates; none at all for a single 0.
     pub(super) fn fit(self, place: &Entry, size: usize) -> Result<Vec<Expression>> {
         if self.entries.iter().all(Expression::is_zero) && self.entries.len() <= 1 {
@@ -48,7 +48,7 @@ impl Coordinates {
     }
 }
 
-impl Value for Coordinates {
+impl Value for CoordinateList {
     fn shape() -> String {
         "expression, or for a machine a list of them".to_string()
     }
@@ -59,7 +59,7 @@ impl Value for Coordinates {
         } else {
             vec![Expression::read(entry)?]
         };
-        Ok(Coordinates { entries })
+        Ok(CoordinateList { entries })
     }
 }
 

@@ -31,7 +31,7 @@ pub use expression::{Coefficient, Expression};
 pub use family::SceneFamily;
 pub use keys::Key;
 pub use machine::MachineScene;
-pub use matrix::Coordinates;
+pub use matrix::CoordinateList;
 pub use reference::reference;
 pub(crate) use scene::phase;
 pub use scene::{Body, Scene};

@@ -8,7 +8,7 @@ use num_traits::ToPrimitive;
 use super::{
     expression::{self, Coefficient, Expression},
     machine::MachineScene,
-    matrix::Coordinates,
+    matrix::CoordinateList,
     simulate::Start,
     system::Accuracy,
     task::Task,
@@ -158,7 +158,7 @@ impl Scene {
     /// # Errors
     /// As [`Scene::exact`].
     pub fn state(&self, start: &Start) -> Result<State> {
-        let one = |given: &Coordinates| match &given.entries[..] {
+        let one = |given: &CoordinateList| match &given.entries[..] {
             [only] => self.number(only),
             many => {
                 let key = many.first().map_or("", |first| first.key.trim_end_matches("[1]"));

@@ -2,7 +2,7 @@
 
 use num_rational::BigRational;
 
-use super::{keys::keys, matrix::Coordinates};
+use super::{keys::keys, matrix::CoordinateList};
 
 keys! {
     /// Follows one motion: its time series, its impacts and a picture of both.
@@ -24,8 +24,8 @@ keys! {
         /// the time, as a fraction of the forcing period: t = 2π `phase`
         phase: BigRational = "0",
         /// the displacement; of a machine a list, or one 0 for all
-        q: Coordinates,
+        q: CoordinateList,
         /// the velocity; of a machine a list, or one 0 for all
-        u: Coordinates = "0",
+        u: CoordinateList = "0",
     }
 }

@@ -3,7 +3,7 @@
 use super::{
     expression::Expression,
     machine::MachineScene,
-    matrix::Coordinates,
+    matrix::CoordinateList,
     scene::{Body, Scene, float, phase},
     simulate::Start,
 };
@@ -83,7 +83,7 @@ impl Scene {
     /// An input error that names the key, for lists of the wrong length, values that cannot be computed, and points of modes that do not tell
     /// all their amplitudes.
     pub fn machine_state(&self, start: &Start, machine: &Machine<f64>, path: &str) -> Result<MachineState> {
-        let part = |given: &Coordinates, name: &str| -> Result<RealVector> {
+        let part = |given: &CoordinateList, name: &str| -> Result<RealVector> {
             let key = format!("{path}.{name}");
             let points = machine.points();
             let values = match given.entries.len() {
