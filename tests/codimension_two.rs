@@ -134,6 +134,8 @@ fn neimark_sacker_points_and_their_resonances_are_where_areas_are_kept() {
         (Degeneracy::Resonance2, at(-2.0)),
     ];
     expect(&along, &wanted, 1e-12);
+    // Beyond them multipliers are real: no Neimark–Sacker points.
+    assert!(along.points.iter().all(|point| point.orbit.multipliers.trace.abs() < 2.0 + 1e-9));
 }
 
 #[test]

@@ -202,12 +202,12 @@ fn manifolds_are_invariant_and_leave_the_saddle_along_its_eigenvectors() {
             assert!(size(moved) < 1e-3 * larger.abs() * size(start), "{is_stable}: {moved:?} {start:?}");
         }
         // Points of the unstable manifold map onto it; of the stable one back to it, nearer to the saddle.
-        for point in pieces.iter().flat_map(|piece| &piece[..piece.len() / 2]).step_by(5) {
+        for point in pieces.iter().flat_map(|piece| &piece[..piece.len() / 2]).step_by(25) {
             let Some(image) = four(*point) else { continue };
             followed += 1;
             let off = distance(image, pieces);
             assert!(off < 4e-3, "{is_stable}: {point:?} leads to {image:?}, {off} off");
         }
     }
-    assert!(halves >= 16 && followed > 200, "{halves} {followed}");
+    assert!(halves >= 16 && followed > 60, "{halves} {followed}");
 }

@@ -52,7 +52,9 @@ pub(super) fn padded(values: impl Iterator<Item = f64>) -> (f64, f64) {
     if low > high {
         return (-1.0, 1.0);
     }
-    let margin = 0.06 * (high - low) + 1e-6 * (1.0 + high.abs());
+    // One value, to rounding, is shown by its own size.
+    let alone = high - low <= 1e-9 * high.abs();
+    let margin = if alone { 0.1 * high.abs() } else { 0.06 * (high - low) } + 1e-6 * (1.0 + high.abs());
     (low - margin, high + margin)
 }
 

@@ -112,13 +112,26 @@ fn draw(curves: &[DrawnBranch], scatter: &[Scatter], axes: [&str; 2]) -> Picture
             root.draw(&Circle::new((x, y), 12, BLACK.filled()))?;
             let anchor = if x > 1500 { HPos::Right } else { HPos::Left };
             let shift = if x > 1500 { -24 } else { 24 };
-            root.draw(&Text::new(text.clone(), (x + shift, y - 36), style(FONT - 10, anchor, VPos::Center)))?;
+            let rising = rising(curve.at.iter().map(|at| chart.backend_coord(&(at.0, at.1))), (x, y));
+            // Beside the curve: below it where it goes up on the text's side.
+            let below = rising == (shift > 0);
+            let place = (x + shift, if below { y + 36 } else { y - 36 });
+            root.draw(&Text::new(text.clone(), place, style(FONT - 10, anchor, VPos::Center)))?;
         }
     }
     root.present()?;
     drop(chart);
     drop(root);
     Ok(svg)
+}
+
+/// Whether a path goes up to the right where it passes a point, by the neighbours of its vertex that is nearest; y counts downwards.
+fn rising(path: impl Iterator<Item = (i32, i32)>, (x, y): (i32, i32)) -> bool {
+    let all: Vec<(i32, i32)> = path.collect();
+    let far = |at: &(i32, i32)| (at.0 - x).abs() + (at.1 - y).abs();
+    let Some(nearest) = (0..all.len()).min_by_key(|&i| far(&all[i])) else { return false };
+    let (before, after) = (all[nearest.saturating_sub(1)], all[(nearest + 1).min(all.len() - 1)]);
+    i64::from(after.0 - before.0) * i64::from(after.1 - before.1) < 0
 }
 
 /// A path broken into dashes.

@@ -85,6 +85,12 @@ impl Drawing<'_> {
                 curve.labels.push((at.0, at.1, kind.to_string()));
             }
         }
+        // At an event rounding decides the stability: the line changes there to that of what follows.
+        for i in (0..branch.points.len().saturating_sub(1)).rev() {
+            if branch.points[i].kind().is_some() {
+                curve.at[i].2 = curve.at[i + 1].2;
+            }
+        }
         Ok(curve)
     }
 

@@ -24,7 +24,7 @@ use crate::{
 pub struct ManifoldPlan {
     /// The distance from the orbit at which it is left. Default 10⁻⁵.
     pub distance: f64,
-    /// How many times the segment is mapped on. Default 12.
+    /// How many times the segment is mapped on. Default 30.
     pub images: u32,
     /// Neighbouring points of the curve are no farther apart, unless a grazing is between them. Default 0.02.
     pub step: f64,
@@ -34,7 +34,7 @@ pub struct ManifoldPlan {
 
 impl Default for ManifoldPlan {
     fn default() -> Self {
-        ManifoldPlan { distance: 1e-5, images: 12, step: 0.02, points: 4000 }
+        ManifoldPlan { distance: 1e-5, images: 30, step: 0.02, points: 4000 }
     }
 }
 

@@ -399,7 +399,7 @@ impl std::fmt::Display for CurveEnd {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.pad(match self {
             CurveEnd::Bound => "a parameter is at its bound",
-            CurveEnd::Fails => "no orbit from here on",
+            CurveEnd::Fails => "no such orbit from here on",
             CurveEnd::Closed => "the branch is closed",
             CurveEnd::Points => "as many points as were allowed",
             CurveEnd::Start => "the start",

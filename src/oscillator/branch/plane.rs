@@ -194,6 +194,11 @@ impl Followed for Events<'_> {
         match self.event {
             Bifurcation::Fade => orbit.impacts().all(|impact| impact.speed > -1e-9),
             Bifurcation::Grazing => orbit.impacts().all(|impact| impact.speed > 0.0),
+            // Beyond a double multiplier λ and 1/λ are real: a saddle that keeps areas, and no bifurcation.
+            Bifurcation::Torus => {
+                let Multipliers { trace, determinant } = orbit.multipliers;
+                orbit.admissibility.is_admissible() && trace.abs() <= (1.0 + determinant) * (1.0 + 1e-9)
+            }
             _ => orbit.admissibility.is_admissible(),
         }
     }
