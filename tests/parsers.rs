@@ -1,4 +1,4 @@
-//! Damaged text of every kind that is read: scenes, maps, numbers and certificates. Whatever comes in, what comes out is a
+//! Damaged text of every kind that is read: scenes, maps, numbers, certificates and saved states. Whatever comes in, what comes out is a
 //! value or an error in words: no panic, no wrapped arithmetic (tests are built with overflow checks), no work without a bound.
 //!
 //! `GRAZING_DAMAGED=50000 cargo test --test parsers -- --nocapture` runs as
@@ -6,10 +6,22 @@
 
 use std::{env, fs, path::Path};
 
-use grazing::certificate;
-use grazing::number::{parse_integer, parse_rational};
-use grazing::pattern::Map;
-use grazing::scene::Scene;
+use grazing::{
+    Error, Monitor, Result, certificate,
+    number::{parse_integer, parse_rational},
+    oscillator::{
+        System,
+        attractor::{
+            basins::{BasinGrid, basins},
+            detection::Detection,
+            diagram::{self, DiagramPlan, Look},
+        },
+        flow::State,
+        simulate::{Settings, Simulator},
+    },
+    pattern::Map,
+    scene::Scene,
+};
 
 /// SplitMix64: the same damage on every machine.
 struct Random(u64);
@@ -135,7 +147,7 @@ fn files(folder: &str) -> Vec<String> {
 }
 
 /// Feeds damaged texts to a reader, which says whether it took one; both must happen, or the damage is too little or too much.
-fn feed(what: &str, texts: &[String], read: impl Fn(&str) -> Result<(), String>) {
+fn feed(what: &str, texts: &[String], read: impl Fn(&str) -> std::result::Result<(), String>) {
     for text in texts {
         read(text).unwrap_or_else(|error| panic!("{what}: the undamaged text: {error}"));
     }
@@ -205,5 +217,86 @@ fn damaged_certificates_are_proved_or_rejected() {
     }
     feed("certificates", &texts, |text| {
         certificate::check(&mut text.as_bytes()).map(drop).map_err(|rejection| rejection.to_string())
+    });
+}
+
+/// Ends a job at the first thing that it would compute.
+struct AtOnce;
+
+impl Monitor for AtOnce {
+    fn advance(&self, units: u64) -> Result<()> {
+        if units == 0 { Err(Error::interrupted("enough")) } else { Ok(()) }
+    }
+}
+
+/// A job whose checkpoint is read, then continued with this wish to go on.
+type Job<'a> = &'a dyn Fn(&Path, &dyn Monitor) -> Result<()>;
+
+/// The checkpoint of a job that is done, damaged as text, and damaged with its checksums made right again.
+fn feed_checkpoints(what: &str, job: Job) {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("checkpoint");
+    job(&file, &()).unwrap();
+    let whole = fs::read_to_string(&file).unwrap();
+    let read = |text: &str| {
+        fs::write(&file, text).unwrap();
+        match job(&file, &AtOnce) {
+            Err(error) if !error.is_interrupted() => Err(error.to_string()),
+            _ => Ok(()),
+        }
+    };
+    feed(&format!("checkpoints of {what}"), &[whole.clone()], read);
+    let (header, records) = whole.split_once('\n').unwrap();
+    let records: String = records.lines().map(|line| format!("{}\n", &line[17..])).collect();
+    feed(&format!("records of {what}"), &[records], |records| {
+        read(&sealed([&header[17..]].into_iter().chain(records.split('\n').filter(|line| !line.is_empty()))))
+    });
+}
+
+/// Lines with the checksums of a saved state: FNV-1a of the checksum before, least byte first, and of the line.
+fn sealed<'a>(lines: impl Iterator<Item = &'a str>) -> String {
+    let mut before = 0u64;
+    let line = |line: &str| {
+        let bytes = before.to_le_bytes().into_iter().chain(line.bytes());
+        before = bytes.fold(0xcbf2_9ce4_8422_2325, |hash: u64, byte| {
+            (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3)
+        });
+        format!("{before:016x} {line}\n")
+    };
+    lines.map(line).collect()
+}
+
+/// Wells at q = −1 and 1, or at ±√(−k).
+fn wells(stiffness: f64) -> Result<Simulator> {
+    let system = System {
+        damping: 0.5,
+        stiffness,
+        cubic: 1.0,
+        force: 0.0,
+        forcing: Vec::new(),
+        lower: None,
+        upper: None,
+    };
+    Simulator::new(&system, &Settings::default())
+}
+
+#[test]
+fn damaged_checkpoints_are_read_or_refused() {
+    let start = |q| State { t: 0.0, q, u: 0.0 };
+    let plan = DiagramPlan {
+        values: (0..6).map(|i| -1.0 + 0.01 * f64::from(i)).collect(),
+        starts: vec![start(1.1), start(-1.1)],
+        look: Look { phase: 0.0, transient: 2, points: 3, longest: 2 },
+        every: 1,
+    };
+    feed_checkpoints("diagrams", &|file, monitor| {
+        let simulator = |value| monitor.advance(0).and_then(|()| wells(value));
+        diagram::sweep(&plan, simulator, "", Some(file), monitor).map(drop)
+    });
+    let grid = BasinGrid { q: [-1.3, 1.3], u: [0.0, 0.1], columns: 6, rows: 2 };
+    let detection = Detection { transient: 20, longest: 2, ..Detection::default() };
+    let simulator = wells(-1.0).unwrap();
+    feed_checkpoints("basins", &|file, monitor| {
+        basins(&simulator, &grid, &detection, "", Some(file), monitor).map(drop)
     });
 }

@@ -50,7 +50,7 @@
 //! # Cost
 //!
 //! The evaluations, of a leg with its derivatives or of a piece, are C·K·F·T·N times the sum of S_n² over all paths of three letters and of
-//! (2n + 1) J over all letters; at most 1,000,000. Each takes about 30 µs. Memory: the certificate and a few parts.
+//! (2n + 1) J over all letters; at most 1,000,000. Memory: the certificate and a few parts.
 
 mod fixed;
 mod flow;

@@ -68,8 +68,8 @@
 //!
 //! # Cost
 //!
-//! O(n³) small operations per period, at most 0.2 s, O(n) products per leaf that is no None leaf and per side of a box, about 5 µs. Memory: a line of trees, the sides of up to 2048 boxes (O(n) numbers each, 30 MB for n = 256), and
-//! the boxes above the present one.
+//! O(n³) small operations per period, O(n) products per leaf that is no None leaf and per side of a box. Memory: a line of trees, the sides of up to 2048 boxes (O(n) numbers
+//! each), and the boxes above the present one.
 //!
 //! # One block by hand
 //!

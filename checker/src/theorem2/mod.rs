@@ -67,7 +67,8 @@
 //!
 //! # Cost
 //!
-//! O(1) per line, O(n) steps of two additions each for an `orbit` or `boundary` line, of which a true block has about n: 0.7 ms for such a line of n = 200,000, which is 5 s per MB; 0.4 s per MB for n = 20,000. Memory: one line.
+//! O(1) per line, O(n) steps of two additions each for an `orbit` or `boundary` line, of which a true block has about n.
+//! Memory: one line. What long blocks take is measured in docs/reliability.md.
 
 mod claim;
 mod intervals;
