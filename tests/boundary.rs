@@ -215,6 +215,10 @@ proptest! {
         let s = inside(boundary, i, 1000);
         let (coarse, fine) = (boundary.at(&s, digits).unwrap().unwrap(), boundary.at(&s, digits + 20).unwrap().unwrap());
         prop_assert!(coarse.lower <= fine.upper && fine.lower <= coarse.upper);
+        for (found, digits) in [(&coarse, digits), (&fine, digits + 20)] {
+            let most = BigRational::new(2.into(), num_traits::pow(10.into(), digits as usize + 2));
+            prop_assert!(found.lower <= found.upper && &found.upper - &found.lower <= most);
+        }
         prop_assert!(!coarse.lower.is_negative() && coarse.upper <= BigRational::one());
         if let Some(tip) = tip(boundary, digits.max(17)) {
             prop_assert!(fine.upper >= tip.r.lower);

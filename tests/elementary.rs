@@ -90,12 +90,18 @@ proptest! {
         let inner = Ball::ratio(&point, &precision);
         for name in ["exp", "sin", "cos", "sqrt"] {
             let (wide, narrow) = (apply(name, &x, &precision), apply(name, &inner, &precision));
-            let Some((lo, hi)) = wide.exact_bounds() else { continue };
-            let (low, high) = narrow.exact_bounds().unwrap();
-            prop_assert!(lo <= low.clone().max(lo.clone()) && low <= hi && high >= lo, "{} of {}", name, point);
-            // Each of the narrow ball's points belongs to the image but for its own rounding.
-            let slack = (&high - &low) * BigInt::from(4);
-            prop_assert!(lo <= &low + &slack && &high - &slack <= hi, "{} of {} is not in the image", name, point);
+            // A root is not known where the argument may be negative; above 2^2¹⁷, e^90852, numbers are not written out.
+            let (Some((lo, hi)), Some((low, high))) = (wide.exact_bounds(), narrow.exact_bounds()) else {
+                let unknown = match name {
+                    "sqrt" => mid <= radius,
+                    "exp" => &mid + &radius > BigRational::from_integer(90_850.into()),
+                    _ => false,
+                };
+                prop_assert!(unknown, "nothing is known of {} of {}", name, point);
+                continue;
+            };
+            // Both hold the true value.
+            prop_assert!(low <= hi && lo <= high, "{} of {} is not in the image", name, point);
             let limit = match name {
                 "exp" => &hi * &radius.clone().max(BigRational::one()) * &radius.clone().min(BigRational::one()),
                 "sqrt" => continue,
@@ -123,7 +129,7 @@ proptest! {
         prop_assert!(is(product, &one));
         let square = x.clone() * &x;
         let root = square.sqrt();
-        prop_assert!((root.clone() * &root - &square).contains(&BigRational::zero()));
+        prop_assert!(is(root.clone() * &root - &square, &BigRational::zero()));
         let plain = Plain(p as f64 * 2f64.powi(e)).sin_cos(&());
         let near = |ball: &Ball, float: f64| {
             (ball.clone() - &Ball::ratio(&BigRational::from_float(float).unwrap(), &precision)).exponent().is_none_or(|e| e < -30)

@@ -248,6 +248,9 @@ impl<P: Pieces, C: Counter, const HAS_LOWER: bool, const HAS_UPPER: bool> Engine
             let escaped = self.pieces.escaped(&self.cursor);
             return if escaped { self.end(RunEnd::Escaped) } else { Event::End(RunEnd::Reached) };
         }
+        if self.pieces.escaped(&self.cursor) {
+            return self.end(RunEnd::Escaped);
+        }
         let target = self.pieces.target(until);
         loop {
             let reach = self.pieces.reach(&self.cursor, target);

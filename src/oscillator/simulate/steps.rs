@@ -54,7 +54,13 @@ impl Steps {
         if self.driven {
             counter.count(Effect::Drive);
         }
-        let step = self.flow.expand(State { t: start.phase, q, u }, true, self.longest);
+        let mut step = self.flow.expand(State { t: start.phase, q, u }, true, self.longest);
+        if !(step.h > 0.0 && step.q.iter().sum::<f64>().is_finite()) {
+            // Its terms overflow, so it has escaped: as far as it can be told, and no farther.
+            step.h = SHORTEST * TAU;
+            step.q = [0.0; TERMS];
+            (step.q[0], step.q[1]) = (q, u * step.h);
+        }
         Cursor { start, step, from: 0.0 }
     }
 }
