@@ -16,7 +16,7 @@ fn count((count, mix): (u64, u64), p: u32, q: u32) -> (u64, u64) {
     (count + 1, mix.wrapping_add(u64::from(p ^ q)))
 }
 
-/// The textbook walk: one division a term, nothing else.
+/// The textbook walk: one division per term, nothing else.
 fn recurrence() -> (u64, u64) {
     let (mut a, mut b, mut c, mut d) = (0, 1, 1, black_box(ORDER));
     let order = d;

@@ -1,6 +1,6 @@
 #!/bin/sh
 # The same branch by AUTO-07p (Debian's package auto-07p) and by `cargo bench --bench branches`: the orbits of period 4 with one impact of the
-# paper's example from mu = -0.05 through the saddle-node to mu = -0.0245. Prints AUTO's saddle-node, its time a point and how many
+# paper's example from mu = -0.05 through the saddle-node to mu = -0.0245. Prints AUTO's saddle-node, its time per point and how many
 # digits of it agree with the closed formula.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)

@@ -25,7 +25,7 @@ use crate::{
 
 /// Decide for every impact pattern of a local map whether an orbit exists near a grazing bifurcation.
 ///
-/// MAP is a TOML file with A, B, C and e (docs/existence.md). One row a pattern (n_1, ..., n_m), up to rotation, with
+/// MAP is a TOML file with A, B, C and e (docs/existence.md). One row per pattern (n_1, ..., n_m), up to rotation, with
 /// n_1 + ... + n_m at most P: for which sign of e*mu an orbit exists, both margins of both signs, the large
 /// eigenvalue's leading coefficient and sign, and the solution Y, X of the leading-order equations.
 ///
@@ -347,7 +347,7 @@ fn cells(pattern: &Pattern, report: &Report, e: Option<Sign>) -> Vec<String> {
     ]
 }
 
-/// One row a period: patterns, those that exist for each sign, undecided ones; and for N = 2 the growth rates.
+/// One row per period: patterns, those that exist for each sign, undecided ones; and for N = 2 the growth rates.
 fn counts(
     args: &Args,
     engine: &Engine,

@@ -64,7 +64,7 @@ enum Command {
         #[arg(value_parser = parse_integer::<u64>, value_name = "N")]
         order: u64,
     },
-    /// The terms of F_N in a closed range, one a line.
+    /// The terms of F_N in a closed range, one per line.
     Walk {
         /// The order N.
         #[arg(value_parser = parse_integer::<BigInt>, value_name = "N")]

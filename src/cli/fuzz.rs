@@ -186,7 +186,7 @@ fn append(path: &Path, lines: &[String]) -> Result<()> {
 fn speeds(tally: &FuzzTally, rate: f64) {
     let cases = [tally.decided().saturating_sub(tally.weighted), tally.weighted];
     let seconds = [tally.sweep_seconds, tally.weighted_seconds];
-    let mut line = format!("{rate:.3e} cases a second");
+    let mut line = format!("{rate:.3e} cases per second");
     if seconds.iter().all(|&seconds| seconds > 0.0) {
         let [sweeps, weighted] = [0, 1].map(|i| cases[i] as f64 / seconds[i]);
         line += &format!("; per second of processor time {sweeps:.3e} in sweeps, {weighted:.3e} weighted");

@@ -32,7 +32,7 @@ pub struct Scatter {
     pub at: Vec<(f64, f64)>,
 }
 
-/// Writes `name`.svg and `name`.csv into `folder`: a row a point, with the name of its curve, its stability and its label.
+/// Writes `name`.svg and `name`.csv into `folder`: a row per point, with the name of its curve, its stability and its label.
 ///
 /// # Errors
 /// An I/O error.

@@ -50,7 +50,7 @@ pub struct Points {
     pub at: Vec<(f64, f64)>,
 }
 
-/// Writes `name`.svg and `name`.csv into `folder`: a row a point, with the name of its set; `axes` names the coordinates.
+/// Writes `name`.svg and `name`.csv into `folder`: a row per point, with the name of its set; `axes` names the coordinates.
 ///
 /// # Errors
 /// An I/O error.

@@ -301,7 +301,7 @@ fn json_string(text: &str) -> String {
 }
 
 /// `x` rounded to `digits` decimals, a tie to the even digit. The result is a rounded value, not an enclosure:
-/// label it so. Cost: one division a digit. Precondition: the denominator is below 2⁶⁰.
+/// label it so. Cost: one division per digit. Precondition: the denominator is below 2⁶⁰.
 ///
 pub fn decimal(x: &Ratio<u64>, digits: usize) -> String {
     let q = *x.denom();

@@ -127,7 +127,7 @@ keys! {
         points: u32 = "400",
         /// the longest period told from none, in forcing periods
         longest: u32 = "64",
-        /// only every so many periods a point is drawn: one component of an attractor of that many
+        /// draw one point every this many periods: one component of an attractor of that many
         every: u32 = "1",
         /// branches to draw with it
         branches: Vec<BranchStart> = "[]",
@@ -160,7 +160,7 @@ keys! {
         margins: Vec<f64> = "[1e-5, 1e-6]",
         /// for how many periods
         periods: u64 = "1000000",
-        /// after so many periods without an impact a motion has escaped
+        /// a motion without an impact for this many periods has escaped
         quiet: u64 = "100",
     }
 }

@@ -21,7 +21,7 @@ keys! {
         frame: Frame = "\"fixed\"",
         /// how many periods pass before
         transient: u64 = "1000",
-        /// how many points a motion that is not periodic is shown by; over as many periods the Lyapunov exponent is taken
+        /// how many points per motion that is not periodic is shown by; over as many periods the Lyapunov exponent is taken
         points: u32 = "2000",
         /// the longest period told from none, in forcing periods
         longest: u32 = "64",

@@ -68,7 +68,7 @@ pub(super) struct Args {
     /// How the report is written.
     #[arg(long, value_enum, default_value_t = ReportFormat::Text)]
     pub(super) format: ReportFormat,
-    /// Threads; 0 for one a core.
+    /// Threads; 0 for one per core.
     #[arg(long, value_name = "J", default_value_t = 0, value_parser = parse_integer::<usize>)]
     jobs: usize,
 }

@@ -70,7 +70,7 @@ impl Saddle {
             )));
         }
         if !orbit.admissibility.is_admissible() {
-            return Err(Error::input("the orbit is none: it has a forbidden excursion"));
+            return Err(Error::input("this is no orbit of the system: it passes through a wall"));
         }
         let wait = (phase - orbit.z[0]).rem_euclid(TAU);
         let state = State { t: phase, ..orbit.state(&oscillator, orbit.z[0] + wait)? };

@@ -47,7 +47,7 @@ pub struct Corrector {
     pub steps: u32,
 }
 
-/// Residuals of at most so many units in the last place are rounding's: beside a point where curves cross, where the equations
+/// Residuals of at most this many units in the last place are rounding's: beside a point where curves cross, where the equations
 /// are nearly singular, steps made from them would not end.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 

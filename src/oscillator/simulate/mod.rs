@@ -77,7 +77,7 @@ pub struct Settings {
     pub tolerance: f64,
     /// Whether to integrate a linear system, too, instead of using its closed form. Default false.
     pub integrate: bool,
-    /// After so many impacts a run ends. Default: no limit.
+    /// A run ends after this many impacts. Default: no limit.
     pub impact_limit: u64,
 }
 

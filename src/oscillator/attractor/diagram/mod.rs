@@ -34,7 +34,7 @@ pub struct Look {
     pub phase: f64,
     /// Periods that pass before.
     pub transient: u64,
-    /// Points of the section, one a period.
+    /// Points of the section, one per period.
     pub points: u32,
     /// The longest period told from none.
     pub longest: u32,
@@ -49,7 +49,7 @@ pub struct DiagramPlan {
     pub starts: Vec<State>,
     /// For how long, and when they are looked at.
     pub look: Look,
-    /// Only the first of every so many points of the section is kept.
+    /// Of every this many points of the section only the first is kept.
     pub every: u32,
 }
 
