@@ -34,14 +34,35 @@ fn draw<'a>(
         .y_labels(6)
         .x_label_formatter(first)
         .y_label_formatter(second)
-        .x_desc(names[0])
-        .y_desc(names[1])
+        .x_desc(symbol(names[0]))
+        .y_desc(symbol(names[1]))
         .label_style(("sans-serif", FONT))
         .axis_desc_style(("sans-serif", FONT + 6))
         .axis_style(BLACK.stroke_width(3))
         .set_all_tick_mark_size(16)
         .draw()
         .map_err(|error| error.to_string().into())
+}
+
+/// The letter that a parameter's name spells, as in `mu`, or the name.
+fn symbol(name: &str) -> &str {
+    const LETTERS: [(&str, &str); 14] = [
+        ("alpha", "α"),
+        ("beta", "β"),
+        ("gamma", "γ"),
+        ("delta", "δ"),
+        ("epsilon", "ε"),
+        ("zeta", "ζ"),
+        ("lambda", "λ"),
+        ("mu", "µ"),
+        ("nu", "ν"),
+        ("rho", "ρ"),
+        ("sigma", "σ"),
+        ("tau", "τ"),
+        ("phi", "φ"),
+        ("omega", "ω"),
+    ];
+    LETTERS.iter().find(|(word, _)| *word == name).map_or(name, |(_, letter)| letter)
 }
 
 /// The range of some numbers with a margin, never empty.

@@ -79,7 +79,7 @@ fn draw(curves: &[DrawnBranch], scatter: &[Scatter], axes: [&str; 2]) -> Picture
     let ((left, right), (bottom, top)) = (padded(all().map(|at| at.0)), padded(all().map(|at| at.1)));
     let mut chart = ChartBuilder::on(&root)
         .margin(30)
-        .margin_right(60)
+        .margin_right(if curves.len() > 1 { 150 } else { 60 })
         .x_label_area_size(190)
         .y_label_area_size(280)
         .build_cartesian_2d(left..right, bottom..top)?;
@@ -88,6 +88,11 @@ fn draw(curves: &[DrawnBranch], scatter: &[Scatter], axes: [&str; 2]) -> Picture
     for at in scatter.iter().flat_map(|set| &set.at) {
         root.draw(&Circle::new(chart.backend_coord(at), 2, blue))?;
     }
+    let pixels: Vec<Vec<(i32, i32)>> = curves
+        .iter()
+        .map(|curve| curve.at.iter().map(|at| chart.backend_coord(&(at.0, at.1))).collect())
+        .collect();
+    let mut labels = Labels::new(&pixels, 1500 - 190 - 30);
     let mut marked = Vec::new();
     for curve in curves {
         // A stretch has the stability that both its ends have, or of two the one that is not the event's.
@@ -110,14 +115,29 @@ fn draw(curves: &[DrawnBranch], scatter: &[Scatter], axes: [&str; 2]) -> Picture
             }
             marked.push((x, y));
             root.draw(&Circle::new((x, y), 12, BLACK.filled()))?;
-            let anchor = if x > 1500 { HPos::Right } else { HPos::Left };
-            let shift = if x > 1500 { -24 } else { 24 };
-            let rising = rising(curve.at.iter().map(|at| chart.backend_coord(&(at.0, at.1))), (x, y));
-            // Beside the curve: below it where it goes up on the text's side.
-            let below = rising == (shift > 0);
-            let place = (x + shift, if below { y + 36 } else { y - 36 });
-            root.draw(&Text::new(text.clone(), place, style(FONT - 10, anchor, VPos::Center)))?;
+            labels.wanted.push(((x, y), text.clone()));
         }
+    }
+    // Names stand at the right ends of curves that go on to the right, one for ends that are close; else beside the curve.
+    let mut ends: Vec<((i32, i32), String)> = Vec::new();
+    let far_right = pixels.iter().flatten().map(|at| at.0).max().unwrap_or(0);
+    for (curve, path) in curves.iter().zip(&pixels) {
+        let (Some(name), Some(&end)) = (short(&curve.name), path.iter().max_by_key(|at| at.0)) else {
+            continue;
+        };
+        if curves.len() == 1 || end.0 < far_right - 20 {
+            labels.wanted.push((path[path.len() * 2 / 3], name));
+        } else if let Some((_, names)) = ends.iter_mut().find(|(at, _)| (at.1 - end.1).abs() < 50) {
+            *names += &format!(" {name}");
+        } else {
+            ends.push((end, name));
+        }
+    }
+    for ((x, y), names) in ends {
+        root.draw(&Text::new(names, (x + 16, y), style(FONT - 10, HPos::Left, VPos::Center)))?;
+    }
+    for (text, at) in labels.placed() {
+        root.draw(&Text::new(text, at, style(FONT - 10, HPos::Left, VPos::Center)))?;
     }
     root.present()?;
     drop(chart);
@@ -125,13 +145,71 @@ fn draw(curves: &[DrawnBranch], scatter: &[Scatter], axes: [&str; 2]) -> Picture
     Ok(svg)
 }
 
-/// Whether a path goes up to the right where it passes a point, by the neighbours of its vertex that is nearest; y counts downwards.
-fn rising(path: impl Iterator<Item = (i32, i32)>, (x, y): (i32, i32)) -> bool {
-    let all: Vec<(i32, i32)> = path.collect();
-    let far = |at: &(i32, i32)| (at.0 - x).abs() + (at.1 - y).abs();
-    let Some(nearest) = (0..all.len()).min_by_key(|&i| far(&all[i])) else { return false };
-    let (before, after) = (all[nearest.saturating_sub(1)], all[(nearest + 1).min(all.len() - 1)]);
-    i64::from(after.0 - before.0) * i64::from(after.1 - before.1) < 0
+/// What stands at a curve: what bifurcates there, or the pattern at the end of its name, in words if it has no impacts. None if the name has
+/// neither.
+fn short(name: &str) -> Option<String> {
+    if let Some((kind, _)) = name.split_once(" of the impact pattern") {
+        return Some(kind.into());
+    }
+    let pattern = name.strip_suffix(')')?.rsplit_once('(')?.1;
+    Some(if pattern.starts_with("free") { "no impact".into() } else { format!("({pattern})") })
+}
+
+/// Texts beside points, placed where they cover no curve and no other text, as far as there is room.
+struct Labels {
+    /// Points of all curves, close together.
+    points: Vec<(i32, i32)>,
+    /// The largest y of the panel.
+    bottom: i32,
+    /// Point and text.
+    wanted: Vec<((i32, i32), String)>,
+}
+
+impl Labels {
+    fn new(paths: &[Vec<(i32, i32)>], bottom: i32) -> Labels {
+        let between = |pair: &[(i32, i32)]| {
+            let ((x0, y0), (x1, y1)) = (pair[0], pair[1]);
+            let steps = ((x1 - x0).abs().max((y1 - y0).abs()) / 10).max(1);
+            (0..=steps).map(move |i| (x0 + (x1 - x0) * i / steps, y0 + (y1 - y0) * i / steps))
+        };
+        let points = paths.iter().flat_map(|path| path.windows(2).flat_map(between)).collect();
+        Labels { points, bottom, wanted: Vec::new() }
+    }
+
+    /// Each text with its left end, half-way up.
+    fn placed(&self) -> Vec<(String, (i32, i32))> {
+        let mut boxes: Vec<[i32; 4]> = Vec::new();
+        let mut placed = Vec::new();
+        for ((x, y), text) in &self.wanted {
+            let (wide, half) = (text.chars().count() as i32 * 30, 34);
+            // Beside, above and below the point, ever farther away.
+            let far = |d: i32| {
+                let (right, left, middle) = (30, -30 - wide, -wide / 2);
+                [(right, -d), (right, d), (left, -d), (left, d), (middle, -d - 20), (middle, d + 20)]
+            };
+            let around = [(36, 0), (-36 - wide, 0)];
+            let spot = |(dx, dy): (i32, i32)| [x + dx, x + dx + wide, y + dy - half, y + dy + half];
+            let cost = |spot: &[i32; 4]| {
+                let [left, right, top, bottom] = *spot;
+                let outside = left < 300 || right > WIDTH as i32 - 20 || top < 10 || bottom > self.bottom;
+                let inside =
+                    |&&(x, y): &&(i32, i32)| (left..=right).contains(&x) && (top..=bottom).contains(&y);
+                let meets = |other: &&[i32; 4]| {
+                    left < other[1] && other[0] < right && top < other[3] && other[2] < bottom
+                };
+                2000 * usize::from(outside)
+                    + self.points.iter().filter(inside).count()
+                    + 300 * boxes.iter().filter(meets).count()
+            };
+            let spots =
+                far(44).into_iter().chain(around).chain([90, 140, 190, 240].into_iter().flat_map(far));
+            let best = spots.map(spot).min_by_key(cost);
+            let Some(best) = best else { continue };
+            placed.push((text.clone(), (best[0], (best[2] + best[3]) / 2)));
+            boxes.push(best);
+        }
+        placed
+    }
 }
 
 /// A path broken into dashes.

@@ -134,6 +134,24 @@ where
     Ok(chart)
 }
 
+/// The picture with an outline of its own colour round each polygon, one unit to each side: vertices are whole units, and tiles that share a
+/// side need not share vertices there.
+fn outlined(svg: &str) -> String {
+    let mut all = String::with_capacity(svg.len() * 5 / 4);
+    for line in svg.split_inclusive('\n') {
+        let ink =
+            line.strip_prefix("<polygon ").and_then(|rest| rest.split_once("fill=\"")?.1.split_once('"'));
+        match ink {
+            Some((ink, _)) => {
+                all.push_str(&format!("<polygon stroke=\"{ink}\" stroke-width=\"2\" "));
+                all.push_str(&line["<polygon ".len()..]);
+            }
+            None => all.push_str(line),
+        }
+    }
+    all
+}
+
 /// The part of region 4, n odd, where b_{n,n−2} > 0, above a height.
 fn four(n: u64, bottom: f64) -> Vec<(f64, f64)> {
     // From the bottom up along the curve, and along region 4's other edge where the curve is in region 3.
@@ -170,5 +188,5 @@ fn draw(n: u64, tiles: &[Tile]) -> Picture {
     drop((legend, upper, lower, rest));
     drop(root);
     // Without this, white shines through between tiles that share a side.
-    Ok(svg.replacen("<svg ", "<svg shape-rendering=\"crispEdges\" ", 1))
+    Ok(outlined(&svg).replacen("<svg ", "<svg shape-rendering=\"crispEdges\" ", 1))
 }

@@ -42,6 +42,7 @@ fn draw() -> Picture {
     root.fill(&WHITE)?;
     let mut chart = ChartBuilder::on(&root)
         .margin(30)
+        .margin_top(50)
         .margin_right(60)
         .x_label_area_size(190)
         .y_label_area_size(230)
