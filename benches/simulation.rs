@@ -2,7 +2,7 @@
 //!
 //! The number of impacts is compared with a known one, or the bench fails. (What each effect costs: `effects`.)
 
-use std::{f64::consts::TAU, hint::black_box};
+use std::{f64::consts::TAU, hint::black_box, sync::Arc};
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use grazing::oscillator::{
@@ -47,6 +47,11 @@ fn periods(criterion: &mut Criterion) {
     assert!(impacts.abs_diff(292_100) < 500, "{impacts} impacts, 292100 expected");
     group.bench_function("10⁶ periods", |bencher| {
         bencher.iter(|| assert_eq!(run(&simulator, PERIODS), impacts))
+    });
+    // As `grazing run` does for its reports.
+    let counted = simulator.clone().counting(Arc::default());
+    group.bench_function("10⁶ periods, effects counted", |bencher| {
+        bencher.iter(|| assert_eq!(run(&counted, PERIODS), impacts))
     });
     group.bench_function("10⁵ periods from each of 64 starts, all cores", |bencher| {
         bencher.iter(|| {

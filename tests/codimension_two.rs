@@ -10,8 +10,10 @@ use std::f64::consts::{PI, TAU};
 use grazing::{
     oscillator::{
         Side, Time,
-        branch::{Bifurcation, Branch, Degeneracy, Direction, Events, NormalForm, Options, Orbits, Sense},
-        orbit::{Criticality, Family, Itinerary, Orbit, Oscillator, Root, describe, find},
+        branch::{
+            Bifurcation, Branch, CurveEnd, Degeneracy, Direction, Events, NormalForm, Options, Orbits, Sense,
+        },
+        orbit::{Criticality, Family, Itinerary, Orbit, Oscillator, Root, Strike, describe, find},
         simulate::{Event, Settings, Simulator},
     },
     scene::{Scene, SceneFamily},
@@ -358,4 +360,49 @@ fn at_a_double_multiplier_there_is_no_coefficient() {
     let orbit = find(&family.at(1.0).unwrap(), &one_impact(1), vec![PI / 2.0, PI]).unwrap();
     assert!(Bifurcation::Flip.is_at(&orbit));
     assert_eq!(NormalForm::at(&family.at(1.0).unwrap(), &orbit, Bifurcation::Flip), None);
+}
+
+/// Two walls that mirror each other: the pitchfork of the symmetric orbit in the damping. The places were computed apart, with 30 digits: the
+/// closed-form motion from wall to wall, its multiplier −1 by differences of 10⁻¹².
+#[test]
+fn pitchforks_of_symmetric_orbits_are_followed_in_two_parameters() {
+    let text = "format = \"grazing-scene 1\"\ntitle = \"two walls\"\n[parameters]\nD = 1.5\nc = 0.1\n[system]\n\
+        damping = \"c\"\nstiffness = \"1/4\"\nforcing = [{ cos = 1 }]\n\
+        [[walls]]\nside = \"lower\"\noffset = \"-D\"\nrestitution = \"7/10\"\n\
+        [[walls]]\nside = \"upper\"\noffset = \"D\"\nrestitution = \"7/10\"\n";
+    let scene = Scene::from_toml(text, "test").unwrap();
+    let strike = |side, periods| Strike { side, periods };
+    let itinerary = Itinerary::new(vec![strike(Side::Upper, 0), strike(Side::Lower, 1)]).unwrap();
+    let plane = |[d, c]: [f64; 2]| Oscillator::new(scene.plain(&[("D", d), ("c", c)])?, 1e-13);
+    let events = |plane, itinerary| Events {
+        plane,
+        itinerary,
+        event: Bifurcation::Crossing,
+        ranges: [(0.3, 4.0), (0.05, 0.2)],
+    };
+    let options = Options::default();
+    let (t, v, d) = (0.273_038_442_398_711_34, 1.428_129_548_930_853_5, 1.177_166_961_538_610_8);
+    let pitchforks = events(&plane, itinerary.clone());
+    let place = pitchforks.start(&[t, v, t + PI, v], [d, 0.1], &options).unwrap();
+    let found = Branch::follow(&pitchforks, &place, Direction::Both, &options).unwrap();
+    let ends = [&found.points[0], &found.points[found.points.len() - 1]];
+    assert_eq!(found.ends, [CurveEnd::Bound, CurveEnd::Bound]);
+    let wanted = [
+        (0.05, [0.225_110_009_701_173_69, 1.478_045_721_121_866_7], 1.228_988_697_716_136_7),
+        (0.2, [0.351_637_009_564_887_75, 1.318_958_948_833_225_3], 1.060_664_657_854_511_2),
+    ];
+    for (point, (c, z, d)) in ends.into_iter().zip(wanted) {
+        near(point.parameters[1], c, 0.0);
+        near(point.parameters[0], d, 1e-12);
+        (0..2).for_each(|i| near(point.orbit.z[i], z[i], 1e-12));
+        near(point.orbit.multipliers.fold(), 0.0, 1e-12);
+    }
+    // Without the symmetry crossings are isolated points, and the reason is given.
+    let lopsided = |[d, c]: [f64; 2]| {
+        let mut system = scene.plain(&[("D", d), ("c", c)])?;
+        system.force = 1e-6;
+        Oscillator::new(system, 1e-13)
+    };
+    let error = events(&lopsided, itinerary).start(&[t, v, t + PI, v], [d, 0.1], &options).unwrap_err();
+    assert!(error.is_input() && error.to_string().contains("only as pitchforks"), "{error}");
 }

@@ -1,6 +1,6 @@
 //! An event followed in two parameters: the pattern equations with one more, that the event's function is zero.
 
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 
 use super::{
     Bifurcation, Degeneracy, OrbitCurve, Singularity,
@@ -11,7 +11,7 @@ use super::{
 use crate::{
     error::{Error, Result},
     oscillator::{
-        grazing::LocalMap,
+        grazing::{LocalMap, is_mirrored},
         orbit::{
             Derivatives, Itinerary, Multipliers, Orbit, Oscillator, Root, Unknowns, check, describe,
             linearise, monodromy, return_map,
@@ -79,6 +79,9 @@ impl Events<'_> {
         let (z, parameters) = self.split(u);
         let oscillator = self.plane.at(parameters)?;
         let mut values = linearise(&oscillator, &self.itinerary, z)?.residual;
+        if self.event == Bifurcation::Crossing {
+            self.symmetric(&oscillator, z, &mut values)?;
+        }
         let unknowns = Unknowns::new(&self.itinerary, z)?;
         let speeds = || unknowns.speeds();
         let scale: f64 = speeds().product();
@@ -97,6 +100,37 @@ impl Events<'_> {
             Bifurcation::Fade => speeds().min_by(|a, b| a.abs().total_cmp(&b.abs())).unwrap_or(0.0),
         });
         Ok(values)
+    }
+}
+
+impl Events<'_> {
+    /// Where branches cross the pattern equations are singular, and in two parameters they cross along a curve only where a symmetry
+    /// is lost: at pitchforks of symmetric orbits. Among those the equations are regular: the second half of the pattern, in place of its own
+    /// equations, is the mirror of the first, half a period later.
+    fn symmetric(&self, oscillator: &Oscillator, z: &[f64], values: &mut [f64]) -> Result<()> {
+        let strikes = self.itinerary.strikes();
+        let half = strikes.len() / 2;
+        let (first, second) = strikes.split_at(half);
+        let opposite = first.iter().zip(second).all(|(a, b)| a.side != b.side);
+        let lag = PI * f64::from(self.itinerary.periods());
+        let off = |i: usize| {
+            let [late, faster] = [0, 1].map(|j| z[2 * (i + half) + j] - z[2 * i + j]);
+            [(late - lag + PI).rem_euclid(TAU) - PI, faster]
+        };
+        let symmetric = (0..half).all(|i| off(i).iter().all(|x| x.abs() < 1e-3));
+        if half == 0
+            || first.len() != second.len()
+            || !opposite
+            || !symmetric
+            || !is_mirrored(oscillator.system())
+        {
+            return Err(Error::input(
+                "crossings are followed in two parameters only as pitchforks of orbits that are their own mirror image half a period \
+                 later, with impacts; this one is not",
+            ));
+        }
+        (0..half).for_each(|i| values[2 * (i + half)..][..2].copy_from_slice(&off(i)));
+        Ok(())
     }
 }
 
