@@ -93,12 +93,47 @@ fn another_event_or_contact_is_none() {
         let why = rejected(&text);
         assert!(why.contains(expected), "{why}, expected {expected}");
     }
-    // The contact must lie in the interior of one piece, certainly.
-    let line = GRAZING.lines().rfind(|line| line.starts_with("until 12.7")).unwrap();
-    let at = GRAZING.rfind(line).unwrap();
-    let (before, after) = (&GRAZING[..at], &GRAZING[at + line.len()..]);
-    let why = rejected(&format!("{before}until 12.558922727389710130641076{after}"));
+    // The contact must lie in the interior of one piece, certainly, on all of which the gap bends away from the wall.
+    let first = GRAZING.rfind("\nuntil 12.7\n").unwrap();
+    let (before, after) = (&GRAZING[..first], &GRAZING[first + "\nuntil 12.7\n".len()..]);
+    let why = rejected(&format!("{before}\nuntil 12.558922727389710130641076\n{after}"));
     assert!(why.contains("is not certainly positive"), "{why}");
+    let flight = GRAZING.rfind("\nflight ").unwrap() + 1;
+    let ends: Vec<&str> = GRAZING[flight..].lines().skip(1).collect();
+    let few: Vec<&str> = ends.iter().copied().filter(|end| !("until 11".."until 15").contains(end)).collect();
+    let few = format!("{}flight {}\n{}\n", &GRAZING[..flight], few.len(), few.join("\n"));
+    assert!(few.lines().count() < GRAZING.lines().count() - 9);
+    assert!(rejected(&few).contains("is not certainly positive"), "{}", rejected(&few));
+}
+
+/// The flight's formula goes on before its start and after its end, with tangencies that no orbit has. Their numbers are by Newton's method from formulas
+/// of its own.
+#[test]
+fn a_contact_outside_its_flight_is_none() {
+    let before = [
+        "-0.349833330219330607 0.314559186130962953",
+        "parameter mu -0.082471007645187722",
+        "contact 1 lower -1.549735182033756153",
+        "row -0.014021 0.702684 0.381584 0\nrow -0.277928 0.339373 -0.321326 0\n\
+         row -0.872604 -0.160187 0.022372 0\nrow -0.050676 -1.099068 -2.244927 -2.198137",
+    ];
+    let after = [
+        "-0.435505713144437256 0.386484903481875475",
+        "parameter mu -0.084119646998618153",
+        "contact 1 lower 31.832943447919817004",
+        "row -5.1219 -0.593531 5.374826 0\nrow 3.939514 1.413315 -4.509809 0\n\
+         row -0.767652 -0.189138 -0.107627 0\nrow 4.926304 0.546396 -5.164824 1.092792",
+    ];
+    for [impact, parameter, contact, rows] in [before, after] {
+        let text = with(SADDLE_NODE, "event", "event grazing 1");
+        let text = with(&text, "parameter", parameter);
+        let text = with(&text, "impact", &format!("impact lower 4 {impact}\n{contact}"));
+        let text = with(&text, "row -0.332985148", "");
+        let text = with(&text, "row -0.870007234", "");
+        let text = with(&text, "row", rows);
+        let why = rejected(&with(&text, "radius", "radius 0.0000001 0.0000000000001"));
+        assert!(why.contains("false: the contact is not certainly during flight 1"), "{why}");
+    }
 }
 
 /// What the system's lines say is what is proved: every change of them is seen, resealed or not.

@@ -70,3 +70,22 @@ impl<N: Number> Ring<N> {
         [e.a * x + e.b * y, (e.a - self.damping * e.b) * y - self.stiffness * e.b * x]
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{
+        super::{Interval, number::Dual},
+        *,
+    };
+
+    /// Here nothing is rounded, so that what is seen is the rest of the series: in the derivative it grows with the speed at which the argument moves, 2²⁰.
+    #[test]
+    fn derivatives_hold_the_rest_of_the_series() {
+        let t = Dual { value: Interval::ZERO, slope: Interval::integer(1 << 20) };
+        let beyond = Ring::<Dual>::CIRCLE.series(t).b.slope - Interval::integer(1 << 20);
+        let units = |n: i128| Interval::ratio(n, 1 << 96);
+        // ‖X′‖ 4⁻²¹/21! for ‖X′‖ = 2²⁰ is above 2²⁰ 2⁻¹⁰⁸ = 2⁸ units of 2⁻⁹⁶.
+        assert!(!beyond.is_within(units(1 << 8), Interval::ZERO));
+        assert!(beyond.is_within(units(1 << 12), Interval::ZERO));
+    }
+}
