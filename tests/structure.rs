@@ -145,9 +145,7 @@ fn every_public_type_has_a_name_of_its_own() {
         }
     }
     assert!(places.len() > 150, "{}", places.len());
-    // Each command has its own arguments, and iterators their associated types.
-    places.retain(|name, files| {
-        files.len() > 1 && !["Args", "Output", "Item", "Error"].contains(&name.as_str())
-    });
+    // Without a name: what a macro defines.
+    places.retain(|name, files| files.len() > 1 && !name.is_empty());
     assert!(places.is_empty(), "{places:?}");
 }
