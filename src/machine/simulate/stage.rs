@@ -316,6 +316,13 @@ impl Stage {
         (polynomial, size + self.drive[watch][cell][0].abs())
     }
 
+    /// What y adds to dz/dx at x on a cell of the finest level.
+    pub fn slope(&self, watch: usize, x: f64, y: &[f64]) -> f64 {
+        let rows = &self.rows[watch];
+        let term = |k: usize| dot(&rows[k * self.padded..][..self.padded], y);
+        (1..TERMS).rev().fold(0.0, |sum, k| sum * x + k as f64 * term(k))
+    }
+
     /// y from a cell's beginning to its end.
     #[inline]
     pub fn turn(&self, level: usize, y: &mut [f64]) {
