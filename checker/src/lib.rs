@@ -16,7 +16,7 @@
 //!
 //! ```text
 //! grazing-certificate 1                the format and its version
-//! kind KIND                            theorem2, cover, orbit, event or chaos; the rest is the kind's own
+//! kind KIND                            one of those in the table below; the rest is the kind's own
 //! statement …                          in every kind, after the lines that its form lists: what passing proves, word for word
 //! ```
 //!
@@ -28,6 +28,8 @@
 //! | --- | --- | --- |
 //! | `theorem2` | Theorem 2, on r = 1, for a range of periods | [`theorem2`], with a block by hand |
 //! | `cover` | Conjecture 1 for a range of periods, r ≤ r_max < 1 | [`cover`], with a block by hand |
+//! | `word` | at a point (a₁, a₂) or in a box: which periods can occur between impacts, up to a last one, and which may follow which | [`word`], two by hand |
+//! | `word-by-theorem` | the signs that the word theorem asks for there, and so all periods | [`word`] |
 //! | `orbit` | that a periodic orbit of an oscillator exists, is unique in a box, admissible, stable or not | [`orbit`] |
 //! | `event` | that such an orbit bifurcates (saddle-node, flip) or grazes at a parameter in an interval | [`event`] |
 //! | `chaos` | that every bi-infinite word over an alphabet of periods is an orbit of an oscillator, over ranges of parameters | [`chaos`], with an example |
@@ -49,6 +51,7 @@ pub mod orbit;
 mod oscillator;
 mod rejection;
 pub mod theorem2;
+pub mod word;
 
 use std::{fmt, io::BufRead, ops::RangeInclusive};
 
@@ -61,12 +64,18 @@ use lines::Lines;
 pub const FORMAT: &str = "grazing-certificate 1";
 
 /// The kinds of certificate. Nothing else in here names them all.
-const KINDS: [Kind; 5] = [
+const KINDS: [Kind; 7] = [
     Kind { name: theorem2::KIND, statement: theorem2::STATEMENT, check: theorem2::check },
     Kind { name: cover::KIND, statement: cover::STATEMENT, check: cover::check },
     Kind { name: orbit::KIND, statement: orbit::STATEMENT, check: orbit::check },
     Kind { name: event::KIND, statement: event::STATEMENT, check: event::check },
     Kind { name: chaos::KIND, statement: chaos::STATEMENT, check: chaos::check },
+    Kind { name: word::KIND, statement: word::STATEMENT, check: word::check },
+    Kind {
+        name: word::KIND_BY_THEOREM,
+        statement: word::STATEMENT_BY_THEOREM,
+        check: word::check_by_theorem,
+    },
 ];
 
 /// A kind of certificate.
@@ -88,7 +97,7 @@ struct Proved {
 /// What a certificate that passed the check has proved.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Checked {
-    /// The kind of certificate: `theorem2`, `cover`, `orbit`, `event` or `chaos`.
+    /// The kind of certificate, as in its header.
     pub kind: &'static str,
     /// The statement, as in the header.
     pub statement: &'static str,

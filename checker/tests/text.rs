@@ -4,10 +4,10 @@ mod common;
 
 use std::io::{self, BufRead, BufReader, Read};
 
-use common::{COVER, ORBIT_4, ORBIT_6, THEOREM2, answer, rejected};
+use common::{COVER, ORBIT_4, ORBIT_6, THEOREM2, WORD, WORD_BY_THEOREM, answer, rejected};
 use grazing_check::{Rejection, check, check_until};
 
-const ALL: [&str; 4] = [THEOREM2, COVER, ORBIT_4, ORBIT_6];
+const ALL: [&str; 6] = [THEOREM2, COVER, ORBIT_4, ORBIT_6, WORD, WORD_BY_THEOREM];
 
 #[test]
 fn lines_may_end_as_on_other_systems_and_the_last_may_end_with_the_file() {
