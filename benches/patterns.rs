@@ -2,10 +2,14 @@
 //!
 //! There are about 2^P/P patterns of period P, so the time doubles with each further P. A wrong count fails the bench.
 
-use std::hint::black_box;
+use std::{hint::black_box, time::Instant};
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
+use grazing::local::{Ladder, Plane, Point};
 use grazing::pattern::{Analysis, Graph, Map, Numbers, Pattern, Patterns, Report};
+use grazing::word::{ClosedWalks, Relation, Word};
+use num_bigint::BigUint;
+use num_rational::BigRational;
 use rayon::prelude::*;
 
 const PLANE: &str = include_str!("../examples/maps/focus.toml");
@@ -95,5 +99,64 @@ fn four(criterion: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, plane, four);
+/// The word against listing every pattern, at the ten of 200 points where listing takes longest: medians of the ratio of times.
+fn words(_: &mut Criterion) {
+    const LAST: u64 = 14;
+    let started = |work: &mut dyn FnMut()| {
+        let clock = Instant::now();
+        work();
+        clock.elapsed().as_secs_f64()
+    };
+    let median = |mut times: [f64; 5]| {
+        times.sort_by(f64::total_cmp);
+        times[2]
+    };
+    let ratio = |p: i64, q: i64| BigRational::new(p.into(), q.into());
+    let mut rows = Vec::new();
+    for seed in 1..=200i64 {
+        // In region 3, half of them near r = 1.
+        let a2 = ratio(1 + seed * 389 % 999, 1000);
+        let a2 = if seed % 2 == 0 { (a2 + ratio(9, 1)) / ratio(10, 1) } else { a2 };
+        let a1 = ratio(-1900 + seed * 1597 % 3800, 1000);
+        let text = format!(
+            "format = \"grazing-map 1\"\nA = [[\"{a1}\", \"1\"], [\"-{a2}\", \"0\"]]\nB = [0, 1]\nC = [1, 0]\ne = 1\n"
+        );
+        let map = Map::from_toml(&text, "map").unwrap();
+        let point = Point::Plane(Plane::new(a1.clone(), a2.clone()).unwrap());
+        let (mut listed, mut counted) = ((0, 0), (0, 0));
+        let list = started(&mut || {
+            let graph = Graph::new(&map, LAST, false).unwrap();
+            let found = all(LAST, |pattern| graph.judge(pattern.periods()));
+            listed = (found.1, found.2);
+        });
+        let mut count = || {
+            let ladder = Ladder::default();
+            let mut sum = (BigUint::ZERO, 0);
+            for positive in [true, false] {
+                let word = Word::at(&ladder, &point, positive, 200, &()).unwrap();
+                let relation = Relation::new(&word, true, false, LAST).unwrap();
+                sum.1 += usize::from(relation.is_open());
+                sum.0 += ClosedWalks::new(&relation).count(LAST).iter().map(|row| &row.all).sum::<BigUint>();
+            }
+            counted = (usize::try_from(sum.0).unwrap(), sum.1);
+        };
+        let word = median([(); 5].map(|()| started(&mut count)));
+        assert!(listed == counted || (listed.1 > 0 && counted.1 > 0), "{a1} {a2}: {listed:?} {counted:?}");
+        rows.push((list, word, a1, a2));
+    }
+    rows.sort_by(|a, b| b.0.total_cmp(&a.0));
+    println!(
+        "all patterns to period {LAST} of maps with gamma > 0: listing each against one word, the ten slowest of 200 points"
+    );
+    for (list, word, a1, a2) in rows.iter().take(10) {
+        println!(
+            "  a1 = {a1}, a2 = {a2}: {:.2} ms against {:.2} ms, {:.0} times",
+            list * 1e3,
+            word * 1e3,
+            list / word
+        );
+    }
+}
+
+criterion_group!(benches, plane, four, words);
 criterion_main!(benches);

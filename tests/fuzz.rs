@@ -135,3 +135,92 @@ fn cases_that_are_no_cases_say_so() {
         assert!(line.parse::<Instance>().unwrap_err().is_input(), "{line}");
     }
 }
+
+mod words {
+    //! The same for `fuzz --words`.
+
+    use grazing::{
+        existence::by_definition,
+        local::Ladder,
+        search::fuzz::words::{WordOptions, WordStatement, WordTally, fuzz_words, refute_words, replayed},
+        word::Word,
+    };
+
+    fn options() -> WordOptions {
+        WordOptions { last: 64, cases: 60_000, seed: 7, definition_share: 2e-4 }
+    }
+
+    fn counts(tally: WordTally) -> WordTally {
+        WordTally { sweep_seconds: 0.0, other_seconds: 0.0, ..tally }
+    }
+
+    fn run(options: &WordOptions, from: WordTally) -> WordTally {
+        fuzz_words(options, from, &(), |_| Ok(())).unwrap()
+    }
+
+    #[test]
+    fn the_word_theorem_withstands_a_short_run_and_goes_on_where_it_ended() {
+        let short = run(&WordOptions { cases: 1, ..options() }, WordTally::default());
+        assert_eq!(short.units, 1);
+        let tally = run(&options(), short);
+        assert_eq!(tally.disagreements, Vec::<String>::new());
+        assert_eq!(tally.faults, Vec::<String>::new());
+        assert_eq!((tally.undecided, tally.beyond.len()), (0, 0));
+        assert!((options().cases..options().cases + 2 * options().block()).contains(&tally.decided()));
+        assert!(
+            tally.exact > 10 && tally.repeated > 5 && tally.words > 2 && tally.pairs > tally.swept,
+            "{tally:?}"
+        );
+        assert_eq!(counts(run(&options(), WordTally::default())), counts(tally));
+    }
+
+    /// What no run comes to is refused.
+    #[test]
+    fn false_tallies_are_refused() {
+        let good = run(&WordOptions { cases: 1, ..options() }, WordTally::default());
+        good.check(&options()).unwrap();
+        let damages: [fn(&mut WordTally); 9] = [
+            |tally| tally.units = u64::MAX,
+            |tally| tally.units += 1,
+            |tally| tally.swept += 1,
+            |tally| tally.boundary = u64::MAX - 5,
+            |tally| tally.weighted = u64::MAX,
+            |tally| tally.largest[0] = f64::NAN,
+            |tally| tally.sweep_seconds = -1.0,
+            |tally| tally.disagreements.push("words 5 polar 1/2 1/5".into()),
+            |tally| tally.disagreements.push("5 polar 1/2 1/5".into()),
+        ];
+        for (index, damage) in damages.into_iter().enumerate() {
+            let mut tally = good.clone();
+            damage(&mut tally);
+            assert!(fuzz_words(&options(), tally, &(), |_| Ok(())).unwrap_err().is_input(), "damage {index}");
+        }
+        for options in [
+            WordOptions { cases: 0, ..options() },
+            WordOptions { last: 2, ..options() },
+            WordOptions { last: 1025, ..options() },
+        ] {
+            assert!(fuzz_words(&options, WordTally::default(), &(), |_| Ok(())).unwrap_err().is_input());
+        }
+    }
+
+    /// Each false statement is refuted, and shrunk to a point at which the definition and the word agree.
+    #[test]
+    fn false_statements_are_refuted() {
+        for statement in
+            [WordStatement::NothingPassedOver, WordStatement::EarlierDecides, WordStatement::LastPairBoth]
+        {
+            let case = refute_words(statement, 1, 100_000).expect("the statement is false");
+            assert!(case.n <= 24 && case.to_string().len() < 30, "{statement:?} shrunk to {case}");
+            let ladder = Ladder::default();
+            let word = Word::at(&ladder, &case.point, true, 50, &()).unwrap();
+            let occurs =
+                |n| by_definition(&ladder, &case.point, n).cases(n).iter().any(|case| case.sign_emu() > 0);
+            let found: Vec<u64> = (1..=case.n).filter(|&n| occurs(n)).collect();
+            let listed: Vec<u64> = word.up_to(case.n).iter().map(|vertex| vertex.period).collect();
+            assert_eq!(found, listed, "{case}");
+        }
+        assert!(refute_words(WordStatement::True, 1, 100).is_none());
+        assert!(replayed("words 5 polar 1/2 1/5").is_ok() && replayed("5 polar 1/2 1/5").is_err());
+    }
+}

@@ -215,6 +215,15 @@ fn damaged_certificates_are_proved_or_rejected() {
         let path = folder.path().join(format!("{name}.certificate"));
         texts.push(fs::read_to_string(path).unwrap_or_else(|error| panic!("{name}: {error}")));
     }
+    for kind in [&[][..], &["--by-theorem"]] {
+        for point in [
+            ["--a1", "-1/4", "--a2", "1/2"],
+            ["--r", "9/10", "--s", "37/100"],
+            ["--a1", "-0.26..=-0.25", "--a2", "0.5..=0.51"],
+        ] {
+            texts.push(write("w", &[&["word"], &point[..], kind].concat()));
+        }
+    }
     feed("certificates", &texts, |text| {
         certificate::check(&mut text.as_bytes()).map(drop).map_err(|rejection| rejection.to_string())
     });

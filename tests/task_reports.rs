@@ -232,3 +232,47 @@ fn tasks_that_would_write_one_file_are_refused() {
     let scene = format!("{head}{}{}", task("drop", "simulate", start), task("drop-events", orbit, pattern));
     assert_eq!(command(&scene, &["--only", "drop"]).0, 0);
 }
+
+/// The word theorem at the paper's grazing: the full shift over 1, 2, 3 for e mu < 0 and γ > 0, nothing that branches for e mu > 0. At w = 4.8, where s = 1/6 and
+/// u_3 = 0, rounding leaves period 3 open, and 1 and 2 give a lower bound.
+#[test]
+fn a_grazing_task_says_whether_chaos_is_born() {
+    let report = |scene: &str| {
+        let folder = tempfile::tempdir().unwrap();
+        let path = format!("{}/examples/scenes/{scene}", env!("CARGO_MANIFEST_DIR"));
+        let run = |format: &str| {
+            let mut command = Command::new(env!("CARGO_BIN_EXE_grazing"));
+            let command = command.args(["run", &path, "--only", "grazing", "--format", format, "-o"]);
+            String::from_utf8(command.arg(folder.path()).output().unwrap().stdout).unwrap()
+        };
+        let json: Value = serde_json::from_str(&run("json")).unwrap();
+        (json["tasks"][0]["chaos"].clone(), run("text"))
+    };
+    let row = |chaos: &Value, emu: i64| {
+        let rows = chaos.as_array().unwrap();
+        assert_eq!(rows.len(), 2);
+        rows.iter().find(|row| row["sign_emu"] == emu).unwrap().clone()
+    };
+    let near = |row: &Value, expected: f64| {
+        let found: f64 = row["entropy"].as_str().unwrap().parse().unwrap();
+        assert!((found - expected).abs() < 1e-14, "{row}");
+    };
+    let (chaos, text) = report("nordmark-2001.toml");
+    let (plus, minus) = (row(&chaos, 1), row(&chaos, -1));
+    assert_eq!((&plus["chaos"], &plus["periods"]), (&Value::from(false), &Value::from(vec![1, 4])));
+    assert_eq!((&minus["chaos"], &minus["periods"]), (&Value::from(true), &Value::from(vec![1, 2, 3])));
+    assert_eq!((&minus["sign_gamma"], &minus["at_least"]), (&Value::from(1), &Value::from(false)));
+    // z + z² + z³ = 1: the tribonacci constant.
+    near(&minus, 1.839_286_755_214_161_1f64.ln());
+    let line = text.lines().find(|line| line.trim_start().starts_with("chaos ")).expect(&text);
+    assert!(
+        line.contains("none for mu ") && line.contains("born for mu ") && line.contains("(-,+)"),
+        "{line}"
+    );
+
+    let (chaos, text) = report("nordmark-2001-w48.toml");
+    let minus = row(&chaos, -1);
+    assert_eq!((&minus["periods"], &minus["at_least"]), (&Value::from(vec![1, 2]), &Value::from(true)));
+    near(&minus, ((1.0 + 5f64.sqrt()) / 2.0).ln());
+    assert!(text.contains("entropy at least 0.48121"), "{text}");
+}

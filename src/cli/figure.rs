@@ -29,7 +29,7 @@ pub(super) struct Args {
     /// Which figure.
     #[arg(value_enum)]
     figure: Figure,
-    /// The largest period shown, for 5 the only one; by default 15, for tips 200, for 5 8.
+    /// The largest period shown, for 5 the only one; by default 15, for entropy 40, for tips 200, for 5 8.
     #[arg(long, value_name = "N", value_parser = parse_integer::<u64>)]
     n: Option<u64>,
     /// For records: the modulus of the eigenvalues, 0 < R <= 1; by default 0.993.
@@ -78,6 +78,8 @@ enum Figure {
     Records,
     /// The words of the (a1, a2) plane and their entropy, areas of period up to N: where chaos is born.
     Words,
+    /// The entropy on r = 1 over s, periods up to N, by default 40.
+    Entropy,
     /// The lowest points of all areas beside their law for large n, n = 4 to N.
     Tips,
 }
@@ -135,6 +137,7 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     let n = args.n.unwrap_or(match args.figure {
         Figure::Areas => 8,
         Figure::Tips => 200,
+        Figure::Entropy => 40,
         _ => 15,
     });
     match args.figure {
@@ -151,6 +154,7 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
         Figure::Words => {
             figure::words(n, &args.output, &Progress::new(interrupt, n.saturating_sub(2), "periods"))?
         }
+        Figure::Entropy => figure::entropy(n, &args.output, &Progress::new(interrupt, 0, "intervals"))?,
         Figure::Tips => {
             figure::tips(n, &args.output, &Progress::new(interrupt, n.saturating_sub(3), "periods"))?
         }

@@ -1,10 +1,12 @@
-//! Ranges of whole numbers on the command line: `N`, `A..=B` or `A-B`.
+//! Ranges on the command line: of whole numbers, `N`, `A..=B` or `A-B`, and of exact ones, `X` or `A..=B`.
 
 use std::{num::IntErrorKind, ops::RangeInclusive, str::FromStr};
 
+use num_rational::BigRational;
+
 use crate::{
     error::{Error, Result},
-    number::parse_integer,
+    number::{parse_integer, parse_rational},
 };
 
 /// A parser of whole numbers in a range, for clap.
@@ -80,5 +82,30 @@ impl Periods {
     /// The number of periods.
     pub fn count(&self) -> u64 {
         self.0.end() - self.0.start() + 1
+    }
+}
+
+/// The ends of a closed interval of numbers, equal for a single one.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Span(pub [BigRational; 2]);
+
+impl FromStr for Span {
+    type Err = Error;
+
+    fn from_str(text: &str) -> Result<Self> {
+        let (lower, upper) = match text.split_once("..=") {
+            Some((lower, upper)) => (parse_rational(lower)?, parse_rational(upper)?),
+            None => (parse_rational(text)?, parse_rational(text)?),
+        };
+        if lower > upper {
+            return Err(Error::input(format!("the interval is reversed: write {upper}..={lower}")));
+        }
+        Ok(Span([lower, upper]))
+    }
+}
+
+impl Span {
+    pub fn is_interval(&self) -> bool {
+        self.0[0] != self.0[1]
     }
 }

@@ -1,6 +1,10 @@
 //! `grazing word`: every impact pattern at one point, for all periods at once.
 
-use std::{fmt::Write as _, io::Write, path::PathBuf};
+use std::{
+    fmt::Write as _,
+    io::Write,
+    path::{Path, PathBuf},
+};
 
 use clap::{ArgGroup, Parser, ValueEnum};
 use num_rational::BigRational;
@@ -9,15 +13,17 @@ use serde_json::{Value as Json, json};
 use super::{
     Outcome,
     classify::{describe, normalised},
+    range::Span,
     reported,
 };
 use crate::{
     cli::progress::{Interrupt, Progress},
     error::{Error, Result},
-    local::{Ladder, Rung},
+    local::{Ladder, Point, Rung},
     number::{certain_digits, parse_integer, parse_rational},
-    output::Destination,
-    word::{ClosedWalks, Edge, Entropy, Extent, Letter, Relation, Word},
+    output::{Destination, OutputFile, distinct, say},
+    search::{Certified, WordCertificate, WordPlace, certify_word},
+    word::{ClosedWalks, Edge, Entropy, Extent, Letter, Rectangle, Relation, Word},
 };
 
 /// The most letters of one word that the command lists: the graph has that many squared edges.
@@ -35,20 +41,23 @@ const BITS: u32 = 64;
 /// of each period, and the topological entropy per forcing period, which is above 0 exactly where two single-impact
 /// periods coexist. An impact pattern exists where every period in it may follow the one before it, cyclically.
 ///
-/// Exit code 0: everything is decided; 2: wrong usage; 3: a sign is zero or undecided, the word has more letters than
-/// were asked for, or interrupted.
+/// With intervals, as in --a1 0.3..=0.301 --a2 1/2, the answer is that of all points of the box at once; what is not the
+/// same for all of them, or not seen to be, is open. --certificate writes down why the answer is right.
+///
+/// Exit code 0: everything is decided; 2: wrong usage, or a file that cannot be written; 3: a sign is zero or undecided, the
+/// word has more letters than were asked for, what was found could not be certified, or interrupted.
 #[derive(Debug, Parser)]
 #[command(after_help = "Examples:
   grazing word --r 0.4633 --s 0.16327
   grazing word --a1 1.9 --a2 0.95 --format dot -o word.dot")]
 #[command(group = ArgGroup::new("point").required(true).args(["a1", "r"]))]
 pub(super) struct Args {
-    /// The trace a1.
-    #[arg(long, requires = "a2", allow_hyphen_values = true, value_parser = parse_rational, value_name = "X")]
-    a1: Option<BigRational>,
-    /// The determinant a2 > 0.
-    #[arg(long, requires = "a1", allow_hyphen_values = true, value_parser = parse_rational, value_name = "Y")]
-    a2: Option<BigRational>,
+    /// The trace a1, or an interval of it.
+    #[arg(long, requires = "a2", allow_hyphen_values = true, value_name = "X|A..=B")]
+    a1: Option<Span>,
+    /// The determinant a2 > 0, or an interval of it.
+    #[arg(long, requires = "a1", allow_hyphen_values = true, value_name = "Y|A..=B")]
+    a2: Option<Span>,
     /// The modulus r > 0.
     #[arg(long, requires = "s", allow_hyphen_values = true, value_parser = parse_rational, value_name = "R")]
     r: Option<BigRational>,
@@ -61,6 +70,13 @@ pub(super) struct Args {
     /// End a word after L letters, at most 2000.
     #[arg(long, value_name = "L", default_value_t = 200, value_parser = parse_integer::<usize>)]
     letters: usize,
+    /// Write a certificate, which `grazing check` proves again: every period up to the word's last mediant (or P, or 256) and
+    /// every edge by its own sign.
+    #[arg(long, value_name = "FILE")]
+    certificate: Option<PathBuf>,
+    /// Let the certificate rest on the word theorem: one sign per letter, and so all periods.
+    #[arg(long, requires = "certificate")]
+    by_theorem: bool,
     /// How the result is written.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub(super) format: Format,
@@ -100,37 +116,109 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     if !(1..=LETTERS).contains(&args.letters) {
         return Err(Error::input(format!("--letters {}: from 1 to {LETTERS}", args.letters)));
     }
+    let files = [("--certificate", args.certificate.as_deref()), ("-o", args.output.as_deref())];
+    distinct(&files.into_iter().filter_map(|(option, file)| Some((option, file?))).collect::<Vec<_>>())?;
     let destination = Destination::new(args.output.as_deref())?;
-    let (point, region, reversed) =
-        normalised(args.a1.as_ref().zip(args.a2.as_ref()), args.r.as_ref().zip(args.s.as_ref()))?;
+    let file = args.certificate.as_deref().map(|path| OutputFile::new("--certificate", path)).transpose()?;
+    let given = Given::new(args)?;
+    if given.reversed && file.is_some() {
+        return Err(Error::input(
+            "--certificate: for a2 > 1 certify the time-reversed system, at a1/a2 and 1/a2 (or 1/r and s); its patterns are read backwards",
+        ));
+    }
     let ladder = Ladder::default();
+    let progress = Progress::new(interrupt, 0, "letters");
     let sides = [true, false]
         .into_iter()
         .map(|positive| {
-            let word =
-                Word::at(&ladder, &point, positive, args.letters, &Progress::new(interrupt, 0, "letters"))?;
+            let word = match &given.place {
+                At::Point(point) => Word::at(&ladder, point, positive, args.letters, &progress)?,
+                At::Box(rectangle) => Word::in_rectangle(rectangle, positive, args.letters, &progress)?,
+            };
             let cases = [true, false]
                 .into_iter()
-                .map(|gamma| case(&word, gamma, reversed, args.max_period))
+                .map(|gamma| case(&word, gamma, given.reversed, args.max_period))
                 .collect::<Result<_>>()?;
             Ok(Side { word, cases })
         })
         .collect::<Result<Vec<Side>>>()?;
-    let heading = format!(
-        "{}{}",
-        describe(region),
-        if reversed { ", after reversing time (a2 > 1): patterns are read backwards" } else { "" }
-    );
+    drop(progress);
+    let certified = file.as_ref().map(|_| certify(args, &given, &sides, interrupt)).transpose()?;
+    let kept = match (&file, &certified) {
+        (Some(file), Some(Certified::Text(text))) => file.write(|out| Ok(out.write_all(text.as_bytes())?)),
+        (_, Some(Certified::Undecided(reason))) => {
+            say(format_args!("no certificate: {reason}"));
+            Ok(())
+        }
+        _ => Ok(()),
+    };
+    let written_to = match &certified {
+        Some(Certified::Text(_)) if kept.is_ok() => args.certificate.as_deref(),
+        _ => None,
+    };
+    let heading = &given.heading;
     let written = destination.write(|out| match args.format {
-        Format::Text => Ok(out.write_all(text(&heading, &sides).as_bytes())?),
-        Format::Json => json_report(&heading, reversed, &sides, out),
+        Format::Text => Ok(out.write_all(text(heading, &sides, written_to).as_bytes())?),
+        Format::Json => json_report(&given, &sides, written_to, out),
         Format::Dot => Ok(out.write_all(dot(&sides).as_bytes())?),
     });
     let open = sides.iter().any(|side| {
         !matches!(side.word.extent(), Extent::All | Extent::Complete { .. })
             || side.cases.iter().any(|case| case.relation.is_open())
     });
-    reported(if open { Outcome::Undecided } else { Outcome::Done }, written)
+    let open = open || matches!(certified, Some(Certified::Undecided(_)));
+    reported(if open { Outcome::Undecided } else { Outcome::Done }, kept.and(written))
+}
+
+/// Where the words are asked for.
+enum At {
+    Point(Point),
+    Box(Box<Rectangle>),
+}
+
+struct Given {
+    place: At,
+    /// Whether time was reversed to get there.
+    reversed: bool,
+    heading: String,
+    /// The bounds of a box.
+    bounds: Option<[[String; 2]; 2]>,
+}
+
+impl Given {
+    fn new(args: &Args) -> Result<Given> {
+        if let (Some(a1), Some(a2)) = (&args.a1, &args.a2)
+            && (a1.is_interval() || a2.is_interval())
+        {
+            let bounds = [a1, a2].map(|span| span.0.each_ref().map(ToString::to_string));
+            let rectangle = Rectangle::new(a1.0.clone(), a2.0.clone())?;
+            let region = rectangle.region().map_or("in no single region", describe);
+            let heading = format!(
+                "All points with {} <= a1 <= {}, {} <= a2 <= {}. {region}",
+                bounds[0][0], bounds[0][1], bounds[1][0], bounds[1][1]
+            );
+            let place = At::Box(Box::new(rectangle));
+            return Ok(Given { place, reversed: false, heading, bounds: Some(bounds) });
+        }
+        let point = |span: &Option<Span>| span.as_ref().map(|span| span.0[0].clone());
+        let (a1, a2) = (point(&args.a1), point(&args.a2));
+        let (point, region, reversed) =
+            normalised(a1.as_ref().zip(a2.as_ref()), args.r.as_ref().zip(args.s.as_ref()))?;
+        let time = if reversed { ", after reversing time (a2 > 1): patterns are read backwards" } else { "" };
+        let heading = format!("{}{time}", describe(region));
+        Ok(Given { place: At::Point(point), reversed, heading, bounds: None })
+    }
+}
+
+fn certify(args: &Args, given: &Given, sides: &[Side], interrupt: &Interrupt) -> Result<Certified> {
+    let place = match &given.place {
+        At::Point(point) => WordPlace::Point(point),
+        At::Box(rectangle) => WordPlace::Rectangle(rectangle),
+    };
+    let words: Vec<&Word> = sides.iter().map(|side| &side.word).collect();
+    let last = args.max_period;
+    let kind = if args.by_theorem { WordCertificate::ByTheorem } else { WordCertificate::BySigns { last } };
+    certify_word(place, &words, kind, &mut || interrupt.check().is_err())
 }
 
 fn case(word: &Word, gamma: bool, reversed: bool, last: u64) -> Result<Case> {
@@ -175,6 +263,12 @@ fn end(extent: Extent) -> String {
             };
             format!("undecided: whether period {next} occurs, with {rung} spent; there may be more")
         }
+        Extent::Straddled { next: 1 } => {
+            "undecided: the box meets a line between two regions, whose words are of different kinds".into()
+        }
+        Extent::Straddled { next } => format!(
+            "undecided: whether period {next} occurs is not the same on all of the box, or not seen to be; there may be more"
+        ),
         Extent::Cut => "the limit on letters is reached: there may be more".into(),
         Extent::Line => "on this line some c_n or b_{n,k} is zero: Theorem 1 is silent".into(),
     }
@@ -185,7 +279,7 @@ fn digits(entropy: &Entropy) -> Option<String> {
     Some(certain_digits(&lo, &hi, 15).unwrap_or_else(|| "0".into()))
 }
 
-fn text(heading: &str, sides: &[Side]) -> String {
+fn text(heading: &str, sides: &[Side], certificate: Option<&Path>) -> String {
     let mut text = format!("{heading}\n");
     let mut chaotic = Vec::new();
     for side in sides {
@@ -237,6 +331,9 @@ fn text(heading: &str, sides: &[Side]) -> String {
         format!("Chaos is born in the cases (sign e*mu, sign gamma) {}.", chaotic.join("; "))
     };
     let _ = writeln!(text, "\n{sentence}");
+    if let Some(path) = certificate {
+        let _ = writeln!(text, "Certificate: {}", path.display());
+    }
     text
 }
 
@@ -253,7 +350,7 @@ fn edges(relation: &Relation, text: &mut String) {
     }
 }
 
-fn json_report(heading: &str, reversed: bool, sides: &[Side], out: &mut dyn Write) -> Result<()> {
+fn json_report(given: &Given, sides: &[Side], certificate: Option<&Path>, out: &mut dyn Write) -> Result<()> {
     let sides: Vec<Json> = sides
         .iter()
         .map(|side| {
@@ -264,6 +361,7 @@ fn json_report(heading: &str, reversed: bool, sides: &[Side], out: &mut dyn Writ
                 Extent::Boundary { next, deciding: Some(_) } => ("boundary", Some(next)),
                 Extent::Boundary { next, deciding: None } => ("singular", Some(next)),
                 Extent::Undecided { next, .. } => ("undecided", Some(next)),
+                Extent::Straddled { next } => ("straddled", Some(next)),
                 Extent::Cut => ("cut", None),
                 Extent::Line => ("line", None),
             };
@@ -280,8 +378,15 @@ fn json_report(heading: &str, reversed: bool, sides: &[Side], out: &mut dyn Writ
             })
         })
         .collect();
-    let report =
-        json!({ "format": "grazing-word 1", "region": heading, "reversed": reversed, "words": sides });
+    let bounds = given.bounds.as_ref().map(|[a1, a2]| json!({ "a1": a1, "a2": a2 }));
+    let report = json!({
+        "format": "grazing-word 1",
+        "region": given.heading,
+        "box": bounds,
+        "reversed": given.reversed,
+        "words": sides,
+        "certificate": certificate.map(|path| path.display().to_string()),
+    });
     serde_json::to_writer_pretty(&mut *out, &report)
         .map_err(|error| Error::from(std::io::Error::from(error)))?;
     Ok(writeln!(out)?)

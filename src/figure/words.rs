@@ -6,7 +6,8 @@
 
 use std::path::Path;
 
-use num_traits::ToPrimitive;
+use num_rational::BigRational;
+use num_traits::{One, ToPrimitive, Zero};
 use plotters::{
     coord::Shift,
     prelude::*,
@@ -21,15 +22,19 @@ use super::{
 };
 use crate::{
     error::{Error, Result},
-    existence::{Case, intervals},
+    existence::{Boundary, Case, intervals},
     monitor::Monitor,
     word::{Entropy, Letter, Word},
 };
 
 /// Points of a curve s = const, and of an edge without a lower bound.
 const STEPS: u32 = 60;
+/// Points of the edge of an area within one strip of s.
+const STRIP_STEPS: u64 = 24;
 /// Bits of the entropies.
 const BITS: u32 = 40;
+/// Decimals of an edge.
+const DECIMALS: u32 = 8;
 
 /// A part of the plane with one word.
 struct Cell {
@@ -55,7 +60,7 @@ pub fn words(last: u64, folder: &Path, monitor: &dyn Monitor) -> Result<()> {
     let mut cells = Vec::new();
     sectors(last, &mut cells);
     for gamma in [true, false] {
-        plain(gamma, &mut cells);
+        plain(gamma, &mut cells)?;
     }
     for n in 3..=last {
         monitor.advance(1)?;
@@ -78,20 +83,26 @@ pub fn words(last: u64, folder: &Path, monitor: &dyn Monitor) -> Result<()> {
     save(folder, "words", draw(last, &cells), &columns, &rows)
 }
 
-/// The entropy of a word's case, in f64 for the picture.
-fn rate(word: &Word, gamma: bool) -> Option<f64> {
-    let (entropy, _) = Entropy::of(word, gamma, BITS).ok()?;
-    entropy.bounds()?.0.to_f64()
+/// The entropy of a word's case, in f64 for the picture; `None` if no pattern exists.
+fn rate(word: &Word, gamma: bool) -> Result<Option<f64>> {
+    let (entropy, _) = Entropy::of(word, gamma, BITS)?;
+    Ok(entropy.bounds().and_then(|(low, _)| low.to_f64()))
 }
 
-fn cell(word: &Word, case: Case, outline: Vec<(f64, f64)>) -> Cell {
-    Cell {
+fn cell(word: &Word, case: Case, outline: Vec<(f64, f64)>) -> Result<Cell> {
+    Ok(Cell {
         case,
         letters: word.letters(),
         periods: word.vertices().iter().map(|vertex| vertex.period).collect(),
-        entropy: rate(word, case.sign_gamma() > 0),
+        entropy: rate(word, case.sign_gamma() > 0)?,
         outline,
-    }
+    })
+}
+
+/// The word of an area; that there is one is known.
+fn of_area(n: u64, m: u64, letter: Letter, first: u64) -> Result<Word> {
+    Word::of_area(n, m, letter, first)
+        .ok_or_else(|| Error::input(format!("no word belongs to the area of {m}/{n} with K = {first}")))
 }
 
 /// a₁ = 2r cos 2πs, a₂ = r² for r from 0 to 1.
@@ -130,7 +141,7 @@ fn sectors(last: u64, cells: &mut Vec<Cell>) {
 }
 
 /// eµ > 0: what lies under all areas. Period 1 alone in region 2; 1 and K elsewhere.
-fn plain(gamma: bool, cells: &mut Vec<Cell>) {
+fn plain(gamma: bool, cells: &mut Vec<Cell>) -> Result<()> {
     let case = if gamma { Case::PlusPlus } else { Case::PlusMinus };
     let whole = between(lower_edge(-1.0), lower_edge(1.0));
     cells.push(Cell {
@@ -140,9 +151,9 @@ fn plain(gamma: bool, cells: &mut Vec<Cell>) {
         entropy: (!gamma).then_some(0.0),
         outline: whole,
     });
-    if let Some(word) = Word::of_area(2, 1, Letter::U, 2) {
-        cells.push(cell(&word, case, between(lower_edge(-1.0), ray(0.25))));
-    }
+    let word = of_area(2, 1, Letter::U, 2)?;
+    cells.push(cell(&word, case, between(lower_edge(-1.0), ray(0.25)))?);
+    Ok(())
 }
 
 /// eµ > 0: the areas of period n.
@@ -150,64 +161,67 @@ fn areas(n: u64, cells: &mut Vec<Cell>) -> Result<()> {
     for interval in intervals(n)?.filter(|interval| interval.deciding.is_some()) {
         let (m, k) = (interval.m, interval.deciding.unwrap_or_default());
         let letter = if interval.case == Case::PlusPlus { Letter::U } else { Letter::D };
-        let curve = Curve::new(interval.clone())?;
+        let mut add = |first, outline: Vec<(f64, f64)>| -> Result<()> {
+            let word = of_area(n, m, letter, first)?;
+            for case in [Case::PlusPlus, Case::PlusMinus] {
+                cells.push(cell(&word, case, outline.clone())?);
+            }
+            Ok(())
+        };
+        if m == 1 && letter == Letter::U {
+            // 1/(2n) < s < 1/n: K is anything from ⌊n/2⌋ + 1 to n.
+            let boundary = Boundary::new(interval);
+            (n / 2 + 1..=n).try_for_each(|first| add(first, strip(n, first, &boundary)?))?;
+            continue;
+        }
+        let curve = Curve::new(interval)?;
         let mut edge: Vec<(f64, f64)> = curve.points.iter().map(place).collect();
-        // The leftmost area is bounded by the line; that of m = 1 above s = 1/(2n) by nothing below.
+        // The leftmost area is bounded by the line.
         if k == n - 2 && letter == Letter::D {
             edge.extend(lower_edge(-1.0));
         }
-        let firsts = if m == 1 && letter == Letter::U {
-            (2..=n).collect()
-        } else {
-            // s ≈ m/n and 1/(2s) is no integer on the area.
-            vec![n.div_ceil(2 * m).max(2)]
-        };
-        for first in firsts {
-            let Some(word) = Word::of_area(n, m, letter, first) else { continue };
-            let outline = if m == 1 && letter == Letter::U { strip(n, first, &edge) } else { edge.clone() };
-            if outline.len() > 2 {
-                for case in [Case::PlusPlus, Case::PlusMinus] {
-                    cells.push(cell(&word, case, outline.clone()));
-                }
-            }
-        }
+        // s ≈ m/n and 1/(2s) is no integer on the area.
+        add(n.div_ceil(2 * m).max(2), edge)?;
     }
     Ok(())
 }
 
 /// The part of the area of 1/n on its upper side where K = `first`: 1/(2K) < s < 1/(2(K − 1)), s < 1/n.
-fn strip(n: u64, first: u64, edge: &[(f64, f64)]) -> Vec<(f64, f64)> {
-    let s = |&(a1, a2): &(f64, f64)| (a1 / (2.0 * a2.sqrt())).clamp(-1.0, 1.0).acos() / std::f64::consts::TAU;
-    let (low, high) = (1.0 / (2 * first) as f64, 1.0 / (2 * first - 2) as f64);
+fn strip(n: u64, first: u64, boundary: &Boundary) -> Result<Vec<(f64, f64)>> {
+    let ratio = |p: u64, q: u64| BigRational::new(p.into(), q.into());
+    let low = ratio(1, 2 * first);
+    let high = ratio(1, 2 * first - 2).min(ratio(1, n));
+    let float = |x: &BigRational| x.to_f64().unwrap_or(f64::NAN);
     if first == n {
         // R = 0 up to 1/(2(n − 1)).
-        return between(ray(low), ray(high));
+        return Ok(between(ray(float(&low)), ray(float(&high))));
     }
-    // The edge runs from s = 1/(2(n − 1)), r = 0 to s = 1/n, r = 1; its ends have no s of their own.
-    let high = high.min(1.0 / n as f64);
-    let mut outline: Vec<(f64, f64)> =
-        edge[1..edge.len() - 1].iter().copied().filter(|point| (low..high).contains(&s(point))).collect();
-    if outline.is_empty() {
-        return outline;
+    let at = |s: f64, r: f64| (2.0 * r * (std::f64::consts::TAU * s).cos(), r * r);
+    let mut lower = Vec::new();
+    for i in 0..=STRIP_STEPS {
+        let s = &low + (&high - &low) * ratio(i, STRIP_STEPS);
+        // The edge begins in 0 at 1/(2(n − 1)) and ends in 1 at 1/n.
+        let r = if s == ratio(1, 2 * (n - 1)) {
+            BigRational::zero()
+        } else if s == ratio(1, n) {
+            BigRational::one()
+        } else {
+            let edge = boundary.at(&s, DECIMALS)?;
+            edge.ok_or_else(|| {
+                Error::input(format!("the edge of the area of 1/{n} at s = {s} was not certified"))
+            })?
+            .middle()
+        };
+        lower.push((float(&s), float(&r)));
     }
-    if first == n - 1 {
-        outline.insert(0, (0.0, 0.0));
-    }
-    let top = |s: f64| (2.0 * (std::f64::consts::TAU * s).cos(), 1.0);
-    // Up along both sides from where the edge meets them.
-    let side = |from: (f64, f64), s: f64| {
-        let r0 = from.1.sqrt();
-        let cosine = (std::f64::consts::TAU * s).cos();
-        (0..=STEPS)
-            .map(move |i| r0 + (1.0 - r0) * f64::from(i) / f64::from(STEPS))
-            .map(move |r| (2.0 * r * cosine, r * r))
+    let (begin, end) = (lower[0], lower[lower.len() - 1]);
+    let up = |(s, r0): (f64, f64)| {
+        (0..=STEPS).map(move |i| at(s, r0 + (1.0 - r0) * f64::from(i) / f64::from(STEPS))).collect::<Vec<_>>()
     };
-    let (begin, end) = (outline[0], outline[outline.len() - 1]);
-    outline.extend(side(end, high));
-    outline.push(top(low));
-    let back: Vec<(f64, f64)> = side(begin, low).collect();
-    outline.extend(back.into_iter().rev());
-    outline
+    let mut outline: Vec<(f64, f64)> = lower.iter().map(|&(s, r)| at(s, r)).collect();
+    outline.extend(up(end));
+    outline.extend(up(begin).into_iter().rev());
+    Ok(outline)
 }
 
 /// From white (nothing) over grey (patterns, but no chaos) to a dark blue at log 2.
@@ -287,7 +301,7 @@ fn draw(last: u64, cells: &[Cell]) -> Picture {
     ))?;
     for (area, case) in panels.iter().zip([Case::PlusPlus, Case::PlusMinus, Case::MinusPlus]) {
         let chart = panel(area, cells, case).map_err(|error| error.to_string())?;
-        let (x, y) = chart.backend_coord(&(-1.95, 0.12));
+        let (x, y) = chart.backend_coord(&(-1.98, 0.06));
         root.draw(&Text::new(
             format!("eµ, γ: {}", label(case)),
             (x, y),

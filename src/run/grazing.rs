@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::{Complex, Finding, Job, Judgement, Lines, Status, orbit, row};
+use super::{ChaosRow, Complex, Finding, Job, Judgement, Lines, Status, chaos::chaos, orbit, row};
 use crate::{
     error::Result,
     oscillator::{
@@ -116,6 +116,8 @@ pub struct GrazingReport {
     pub half: bool,
     /// Why the local theory does not apply, if it does not.
     pub open: Option<String>,
+    /// Whether chaos is born, on either side, by all patterns together; none for a₂ ≤ 0, where patterns are only listed.
+    pub chaos: Option<Vec<ChaosRow>>,
     /// The patterns that are born or open.
     pub born: Vec<BornRow>,
     /// How many of them are open.
@@ -159,6 +161,13 @@ impl GrazingReport {
         lines.say("residual", self.residual);
         if let Some(open) = &self.open {
             lines.say("open", open.as_str());
+        }
+        if self.open.is_none() {
+            let words = match &self.chaos {
+                Some(rows) => rows.iter().map(ChaosRow::sentence).collect::<Vec<_>>().join("; "),
+                None => "not decided: that needs a2 > 0 and gamma, e other than 0".into(),
+            };
+            lines.say("chaos", words);
         }
         lines.table("born", &self.born);
     }
@@ -217,12 +226,18 @@ pub fn grazing(task: &GrazingTask, job: &Job) -> Result<GrazingFindings> {
                 second.side.name()
             )
         }),
+        chaos: None,
         born: Vec::new(),
         undecided: 0,
     };
     if found.open.is_some() {
         return Ok(GrazingFindings::Found(Box::new(found)));
     }
+    let side = |positive: bool| {
+        let above = positive == (map.e() > 0.0);
+        format!("{} {} {}", task.parameter, if above { '>' } else { '<' }, shown(event.parameter))
+    };
+    found.chaos = chaos(map, side, job.monitor)?;
     let local = map.to_map()?;
     let graph = Graph::new(&local, task.max_period.into(), false)?;
     let patterns = (1..=task.max_period).flat_map(|period| Patterns::of_period(period.into()));

@@ -23,6 +23,7 @@
 
 mod basins;
 mod branch;
+mod chaos;
 mod crisis;
 mod diagram;
 mod event;
@@ -45,6 +46,7 @@ pub use basins::{BasinRow, BasinsFindings, basins};
 #[cfg(feature = "cli")]
 pub(crate) use branch::follow;
 pub use branch::{BranchFindings, BranchRow, StartRow, branch};
+pub use chaos::ChaosRow;
 pub use crisis::{CrisisFindings, CrisisRow, PersistenceRow, crisis};
 pub use diagram::{CoexistingRow, DiagramFindings, WindowRow, diagram};
 pub use event::{EventFindings, EventRow, EventRows, GrazingEventRow, WithoutRow, event};

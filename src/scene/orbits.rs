@@ -98,7 +98,7 @@ keys! {
 
 keys! {
     /// Locates a grazing bifurcation, and decides by the local theory there which orbits are born, on which side; each is then
-    /// found in the true system near by.
+    /// found in the true system near by. One line says whether chaos is born on either side, by all patterns together, and with which entropy.
     pub struct GrazingTask {
         /// the parameter that varies
         parameter: String,

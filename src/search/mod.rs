@@ -7,6 +7,8 @@ pub mod cover;
 pub mod fuzz;
 mod instance;
 mod theorem2;
+mod word;
 
 pub use instance::Instance;
 pub use theorem2::{Proof, ProofMethod, prove_theorem2, write_theorem2};
+pub use word::{Certified, WordCertificate, WordPlace, certify_word};

@@ -5,10 +5,10 @@ use num_integer::Integer;
 use num_rational::{BigRational, Ratio};
 use num_traits::{One, ToPrimitive};
 
-use super::Edge;
+use super::{Edge, Rectangle};
 use crate::{
     error::{Error, Result},
-    local::{Answer, Ladder, Point, Polar, Quantity, Region, Rung},
+    local::{Answer, Ladder, Point, Polar, Quantity, Region, Rung, SignDecision},
     monitor::Monitor,
     number::Sign,
 };
@@ -64,6 +64,12 @@ pub enum Extent {
         /// The highest rung tried.
         rung: Rung,
     },
+    /// The sign that decides about the next period on the path is not the same on all of the rectangle, or not certain; the
+    /// word may go on.
+    Straddled {
+        /// The period that was not decided.
+        next: u64,
+    },
     /// The limit on letters was reached; the word may go on.
     Cut,
     /// On a line |a₁| = a₂ + 1, where some c_n or b_{n,k} is zero: nothing is said.
@@ -98,9 +104,18 @@ impl Word {
         limit: usize,
         monitor: &dyn Monitor,
     ) -> Result<Word> {
-        if !(1..=MAX_LETTERS).contains(&limit) {
-            return Err(Error::input(format!("a word of {limit} letters: from 1 to {MAX_LETTERS}")));
-        }
+        Word::by(&At { ladder, point }, point, positive, limit, monitor)
+    }
+
+    /// The same with signs from elsewhere.
+    pub(crate) fn by(
+        signs: &dyn Signs,
+        point: &Point,
+        positive: bool,
+        limit: usize,
+        monitor: &dyn Monitor,
+    ) -> Result<Word> {
+        limited(limit)?;
         let region = match point {
             Point::Polar(_) => Region::Three,
             Point::Plane(plane) if plane.a2() > &BigRational::one() => {
@@ -108,19 +123,29 @@ impl Word {
             }
             Point::Plane(plane) => plane.region(),
         };
-        let mut walk = Walk { ladder, point, limit, monitor, word: Word::empty(positive) };
-        match (region, positive) {
-            (Region::Line, _) => walk.word.extent = Extent::Line,
-            (Region::One, true) => walk.word.fill(Letter::U),
-            (Region::Two, false) | (Region::Five, true) => walk.word.fill(Letter::D),
-            // Period 1 alone: c_1 > 0 in region 1 only.
-            (Region::One, false) => walk.word.push(0, 1, Letter::U),
-            (Region::Two, true) | (Region::Four | Region::Five, false) => walk.word.push(0, 1, Letter::D),
-            (Region::Three, false) => walk.below_half_a_turn()?,
-            (Region::Three, true) => walk.down_to_angle()?,
-            (Region::Four, true) => walk.down_to_half()?,
-        }
-        Ok(walk.word)
+        Walk { signs, limit, monitor, word: Word::empty(positive) }.run(region)
+    }
+
+    /// The word that all points of a rectangle have in common, of at most `limit` letters; [`Extent::Straddled`] where they may differ. It
+    /// has no letter if the rectangle meets a line between regions.
+    ///
+    /// Cost: O(1) for each sign, of which there are two for each letter.
+    ///
+    /// # Errors
+    /// An input error if `limit` is not in 1..=[`MAX_LETTERS`]; the monitor's interruption.
+    pub fn in_rectangle(
+        rectangle: &Rectangle,
+        positive: bool,
+        limit: usize,
+        monitor: &dyn Monitor,
+    ) -> Result<Word> {
+        limited(limit)?;
+        let mut word = Word::empty(positive);
+        let Some(region) = rectangle.region() else {
+            word.extent = Extent::Straddled { next: 1 };
+            return Ok(word);
+        };
+        Walk { signs: rectangle, limit, monitor, word }.run(region)
     }
 
     /// The word for eµ > 0 in the part of region 3 where period n = `period`, m = `numerator`, occurs on the side `letter`
@@ -175,6 +200,14 @@ impl Word {
 
     fn push(&mut self, numerator: u64, period: u64, letter: Letter) {
         self.vertices.push(Vertex { period, numerator, letter });
+    }
+
+    /// The first letters of this word, as of a walk that was cut there.
+    pub(crate) fn shortened(&self, letters: usize) -> Word {
+        let vertices = self.vertices[..letters.min(self.vertices.len())].to_vec();
+        let last = |letter| vertices.iter().rposition(|vertex: &Vertex| vertex.letter == letter);
+        let last = last(Letter::D).zip(last(Letter::U));
+        Word { positive: self.positive, vertices, extent: Extent::Cut, last }
     }
 
     /// Whether this is the word for eµ > 0.
@@ -265,10 +298,90 @@ impl Word {
     }
 }
 
+fn limited(limit: usize) -> Result<()> {
+    if (1..=MAX_LETTERS).contains(&limit) {
+        return Ok(());
+    }
+    Err(Error::input(format!("a word of {limit} letters: from 1 to {MAX_LETTERS}")))
+}
+
+/// Where a walk has its signs from.
+pub(crate) trait Signs {
+    /// The sign of u_n.
+    fn side(&self, n: u64) -> std::result::Result<Sign, Rung>;
+    /// The sign of b_{n,k}.
+    fn deciding(&self, n: u64, k: u64) -> SignDecision;
+    /// What is said of the period whose sign was not decided.
+    fn open(&self, next: u64, rung: Rung) -> Extent;
+    /// Whether a₂ = 1.
+    fn on_circle(&self) -> bool;
+    /// The point by its modulus and angle, if it is given so.
+    fn polar(&self) -> Option<&Polar>;
+}
+
+/// A point, and the ladder that decides there.
+pub(crate) struct At<'a> {
+    pub ladder: &'a Ladder,
+    pub point: &'a Point,
+}
+
+impl Signs for At<'_> {
+    fn side(&self, n: u64) -> std::result::Result<Sign, Rung> {
+        let decision = self.ladder.u_sign(self.point, n);
+        match decision.answer {
+            Answer::Sign(sign) => Ok(sign),
+            Answer::Singular | Answer::Undecided => Err(decision.rung),
+        }
+    }
+
+    fn deciding(&self, n: u64, k: u64) -> SignDecision {
+        self.ladder.sign(self.point, Quantity::B { n, k })
+    }
+
+    fn open(&self, next: u64, rung: Rung) -> Extent {
+        Extent::Undecided { next, rung }
+    }
+
+    fn on_circle(&self) -> bool {
+        match self.point {
+            Point::Polar(polar) => polar.on_circle(),
+            Point::Plane(plane) => plane.a2().is_one(),
+        }
+    }
+
+    fn polar(&self) -> Option<&Polar> {
+        match self.point {
+            Point::Polar(polar) => Some(polar),
+            Point::Plane(_) => None,
+        }
+    }
+}
+
+impl Signs for Rectangle {
+    fn side(&self, n: u64) -> std::result::Result<Sign, Rung> {
+        self.u(n).ok_or(Rung::Exact)
+    }
+
+    fn deciding(&self, n: u64, k: u64) -> SignDecision {
+        SignDecision { answer: self.b(n, k).map_or(Answer::Undecided, Answer::Sign), rung: Rung::Exact }
+    }
+
+    fn open(&self, next: u64, _: Rung) -> Extent {
+        Extent::Straddled { next }
+    }
+
+    fn on_circle(&self) -> bool {
+        self.a2()[1].is_one()
+    }
+
+    fn polar(&self) -> Option<&Polar> {
+        None
+    }
+}
+
 /// A walk down the tree, with the word found so far.
 struct Walk<'a> {
-    ladder: &'a Ladder,
-    point: &'a Point,
+    signs: &'a dyn Signs,
     limit: usize,
     monitor: &'a dyn Monitor,
     word: Word,
@@ -283,6 +396,21 @@ struct End {
 }
 
 impl Walk<'_> {
+    fn run(mut self, region: Region) -> Result<Word> {
+        match (region, self.word.positive) {
+            (Region::Line, _) => self.word.extent = Extent::Line,
+            (Region::One, true) => self.word.fill(Letter::U),
+            (Region::Two, false) | (Region::Five, true) => self.word.fill(Letter::D),
+            // Period 1 alone: c_1 > 0 in region 1 only.
+            (Region::One, false) => self.word.push(0, 1, Letter::U),
+            (Region::Two, true) | (Region::Four | Region::Five, false) => self.word.push(0, 1, Letter::D),
+            (Region::Three, false) => self.below_half_a_turn()?,
+            (Region::Three, true) => self.down_to_angle()?,
+            (Region::Four, true) => self.down_to_half()?,
+        }
+        Ok(self.word)
+    }
+
     /// Region 3, eµ < 0: the n with 2ns < 1, all D.
     fn below_half_a_turn(&mut self) -> Result<()> {
         let Some(first) = self.first_above_half_a_turn()? else { return Ok(()) };
@@ -300,17 +428,16 @@ impl Walk<'_> {
     /// Region 3, eµ > 0: the path to s.
     fn down_to_angle(&mut self) -> Result<()> {
         self.word.push(0, 1, Letter::D);
-        let Some(HalfTurn { below, above }) = self.first_above_half_a_turn()? else { return Ok(()) };
+        let Some(HalfTurn { above, .. }) = self.first_above_half_a_turn()? else { return Ok(()) };
         let lower = End { numerator: 0, period: 1, index: Some(0) };
         if self.word.vertices.len() == self.limit {
             self.word.extent = Extent::Cut;
             return Ok(());
         }
         // For `above` = K the parents are 0/1 and 1/(K − 1), and its b's are positive whatever r is.
-        let _ = below;
         self.word.push(1, above, Letter::U);
         let upper = End { numerator: 1, period: above, index: Some(1) };
-        self.descend(lower, upper, |walk, n| walk.side(n))
+        self.descend(lower, upper, |walk, n| walk.signs.side(n))
     }
 
     /// Region 4, eµ > 0: the path to ½, which has every m/n = k/(2k + 1) below it.
@@ -351,7 +478,7 @@ impl Walk<'_> {
                 Ok(Sign::Negative) => (Letter::U, upper.period),
                 Ok(Sign::Positive) => (Letter::D, lower.period),
                 Ok(Sign::Zero) => {
-                    self.word.extent = if self.on_circle() {
+                    self.word.extent = if self.signs.on_circle() {
                         Extent::Boundary { next: n, deciding: None }
                     } else {
                         Extent::Complete { next: Some(n) }
@@ -359,11 +486,11 @@ impl Walk<'_> {
                     return Ok(());
                 }
                 Err(rung) => {
-                    self.word.extent = Extent::Undecided { next: n, rung };
+                    self.word.extent = self.signs.open(n, rung);
                     return Ok(());
                 }
             };
-            let decision = self.ladder.sign(self.point, Quantity::B { n, k: deciding });
+            let decision = self.signs.deciding(n, deciding);
             self.word.extent = match decision.answer {
                 Answer::Sign(Sign::Positive) => {
                     let end = End { numerator: m, period: n, index: Some(self.word.vertices.len()) };
@@ -376,32 +503,15 @@ impl Walk<'_> {
                 }
                 Answer::Sign(Sign::Negative) => Extent::Complete { next: Some(n) },
                 Answer::Sign(Sign::Zero) => Extent::Boundary { next: n, deciding: Some(letter) },
-                Answer::Singular | Answer::Undecided => Extent::Undecided { next: n, rung: decision.rung },
+                Answer::Singular | Answer::Undecided => self.signs.open(n, decision.rung),
             };
             return Ok(());
         }
     }
 
-    /// Whether a₂ = 1.
-    fn on_circle(&self) -> bool {
-        match self.point {
-            Point::Polar(polar) => polar.on_circle(),
-            Point::Plane(plane) => plane.a2().is_one(),
-        }
-    }
-
-    /// The sign of u_n: that of ns − m for the n of the path.
-    fn side(&self, n: u64) -> std::result::Result<Sign, Rung> {
-        let decision = self.ladder.u_sign(self.point, n);
-        match decision.answer {
-            Answer::Sign(sign) => Ok(sign),
-            Answer::Singular | Answer::Undecided => Err(decision.rung),
-        }
-    }
-
     /// Where 2ns passes 1; `None`, with the reason in the word, if that is not decided.
     fn first_above_half_a_turn(&mut self) -> Result<Option<HalfTurn>> {
-        if let Point::Polar(polar) = self.point {
+        if let Some(polar) = self.signs.polar() {
             return match polar_half_turn(polar) {
                 Some(found) => Ok(Some(found)),
                 None => {
@@ -415,7 +525,7 @@ impl Walk<'_> {
         let mut zero = None;
         loop {
             self.monitor.advance(0)?;
-            match self.side(high) {
+            match self.signs.side(high) {
                 Ok(Sign::Positive) => {
                     low = high;
                     match high.checked_mul(2) {
@@ -427,25 +537,34 @@ impl Walk<'_> {
                     }
                 }
                 Ok(_) => break,
+                // A jump may land where nothing is decided; single steps may not.
+                Err(_) if high > low + 1 => high = low + 1,
                 Err(rung) => {
-                    self.word.extent = Extent::Undecided { next: high, rung };
+                    self.word.extent = self.signs.open(high, rung);
                     return Ok(None);
                 }
             }
         }
-        if self.side(high) == Ok(Sign::Zero) {
+        if self.signs.side(high) == Ok(Sign::Zero) {
             zero = Some(high);
         }
         while high - low > 1 {
-            let middle = low + (high - low) / 2;
-            match self.side(middle) {
+            let (mut middle, mut side) = (low + (high - low) / 2, Err(Rung::Exact));
+            for at in [middle, low + 1] {
+                middle = at;
+                side = self.signs.side(at);
+                if side.is_ok() {
+                    break;
+                }
+            }
+            match side {
                 Ok(Sign::Positive) => low = middle,
                 Ok(sign) => {
                     high = middle;
                     zero = (sign == Sign::Zero).then_some(middle);
                 }
                 Err(rung) => {
-                    self.word.extent = Extent::Undecided { next: middle, rung };
+                    self.word.extent = self.signs.open(middle, rung);
                     return Ok(None);
                 }
             }

@@ -10,6 +10,7 @@ mod confirm;
 mod random;
 mod sweep;
 mod weighted;
+pub mod words;
 
 use num_rational::BigRational;
 use rayon::prelude::*;

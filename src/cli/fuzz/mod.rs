@@ -1,4 +1,6 @@
-//! `grazing fuzz`: look for a counterexample to Conjecture 1.
+//! `grazing fuzz`: look for a counterexample to Conjecture 1, or with --words to the word theorem.
+
+mod words;
 
 use std::{
     fs::{self, OpenOptions},
@@ -33,6 +35,10 @@ use crate::{
 /// eigenvalues of every kind. A disagreement is decided again, shrunk, printed with a command that shows it, and
 /// appended to a file that the tests replay. The same seed gives the same run whatever the number of threads.
 ///
+/// With --words the word theorem is fuzzed instead (`grazing word` has it): at each point every period up to N, and which may
+/// follow which, by the definition and by the word; cases are then points. Beside that the entropies of random words on r = 1
+/// are held against what is thought to be their supremum, which is an open question.
+///
 /// Exit code 0: no disagreement, which is no proof; 1: a confirmed disagreement, or an error of this program (two of its
 /// routes to one answer differ, shown with the point); 2: wrong usage or a file that cannot be read or written; 3: some
 /// case is undecided, or interrupted.
@@ -41,7 +47,10 @@ use crate::{
   grazing fuzz --cases 1e5
   grazing fuzz --cases 1e5 --resume fuzz.journal --format json")]
 pub(super) struct Args {
-    /// The periods: N, or A..=B with 3 <= B <= 4096.
+    /// Fuzz the word theorem.
+    #[arg(long)]
+    words: bool,
+    /// The periods: N, or A..=B with 3 <= B <= 4096; with --words 1..=B, B <= 1024.
     #[arg(long, value_name = "N|A..=B", default_value = "1..=64")]
     n: Periods,
     /// End with the block of cases that reaches this many (1e9 is allowed).
@@ -53,9 +62,10 @@ pub(super) struct Args {
     /// The number of threads; default: one for each core.
     #[arg(long, value_name = "J", default_value_t = 0, hide_default_value = true, value_parser = parse_integer::<usize>)]
     jobs: usize,
-    /// The share of sweep points at which one period is decided by the definition, k by k, as well.
-    #[arg(long, value_name = "F", default_value_t = 0.01, value_parser = share)]
-    definition_share: f64,
+    /// The share of sweep points at which one period is decided by the definition, k by k, as well; by default 0.01. With
+    /// --words at which all is decided exactly, by default 0.00001.
+    #[arg(long, value_name = "F", value_parser = share)]
+    definition_share: Option<f64>,
     /// Where disagreements are appended; the tests replay those in tests/data/fuzz_regressions.txt.
     #[arg(long, value_name = "FILE", default_value = "fuzz-regressions.txt")]
     regressions: PathBuf,
@@ -71,15 +81,19 @@ pub(super) struct Args {
 }
 
 pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
+    let definition_share = args.definition_share.unwrap_or(if args.words { 1e-5 } else { 0.01 });
     if args.cases == 0 {
         return Err(Error::input("--cases 0: give at least 1"));
+    }
+    if args.words {
+        return words::run(args, definition_share, interrupt);
     }
     let options = FuzzOptions {
         first: *args.n.0.start(),
         last: *args.n.0.end(),
         cases: args.cases,
         seed: args.seed,
-        definition_share: args.definition_share,
+        definition_share,
     };
     let files = [
         ("--regressions", Some(args.regressions.as_path())),

@@ -1,7 +1,11 @@
 //! The word theorem against the definition: which periods occur by every b_{n,k}, and which follow which by (64), in exact
 //! fractions written out here.
 
+mod certificate;
+mod command;
+#[path = "../common/mod.rs"]
 mod common;
+mod exhaustive;
 
 use common::{Fraction, config, middle, sign_b, sign_sin, singular};
 use grazing::existence::{Boundary, Case, intervals};

@@ -1,0 +1,171 @@
+//! The entropy of the patterns born at a grazing bifurcation without damping, r = 1, over the angle s: steps between Farey fractions.
+
+use std::path::Path;
+
+use num_rational::{BigRational, Ratio};
+use num_traits::ToPrimitive;
+use plotters::{
+    prelude::*,
+    style::text_anchor::{HPos, VPos},
+};
+
+use super::{FONT, GREY, Picture, WIDTH, axes::labelled_axes, colour, label, save, style};
+use crate::{
+    error::{Error, Result},
+    existence::Case,
+    farey::Sequence,
+    local::{Ladder, Point, Polar},
+    monitor::Monitor,
+    word::{ClosedWalks, Relation, Word},
+};
+
+/// Bits of the entropies.
+const BITS: u32 = 40;
+/// The most letters of a word: a path to a fraction of denominator 4N² has fewer.
+const LETTERS: usize = 2000;
+
+/// An interval of s on which the periods up to N have one word.
+struct Step {
+    left: Ratio<u64>,
+    right: Ratio<u64>,
+    case: Case,
+    periods: Vec<u64>,
+    letters: String,
+    /// Of the patterns over these periods; `None` if none exists.
+    entropy: Option<f64>,
+}
+
+/// Writes `entropy.svg` and `entropy.csv` into `folder`: for r = 1 and the three cases in which patterns are born, the entropy of the patterns over periods up to
+/// `last`, rounded down. It is a lower bound of that over all periods.
+///
+/// # Errors
+/// An input error unless 3 ≤ `last` ≤ 100; an I/O error; the monitor's interruption.
+pub fn entropy(last: u64, folder: &Path, monitor: &dyn Monitor) -> Result<()> {
+    if !(3..=100).contains(&last) {
+        return Err(Error::input(format!(
+            "--n {last}: this figure shows periods up to N, with N from 3 to 100"
+        )));
+    }
+    let steps = steps(last, monitor)?;
+    let rows: Vec<Vec<String>> = steps
+        .iter()
+        .map(|step| {
+            let periods: Vec<String> = step.periods.iter().map(u64::to_string).collect();
+            vec![
+                step.case.sign_emu().to_string(),
+                step.case.sign_gamma().to_string(),
+                format!("{}/{}", step.left.numer(), step.left.denom()),
+                format!("{}/{}", step.right.numer(), step.right.denom()),
+                step.letters.clone(),
+                periods.join(" "),
+                step.entropy.map_or(String::new(), |rate| format!("{rate:.10}")),
+            ]
+        })
+        .collect();
+    let columns = ["sign_emu", "sign_gamma", "left", "right", "word", "periods", "entropy"];
+    save(folder, "entropy", draw(last, &steps), &columns, &rows)
+}
+
+/// The steps between neighbours of F_N and the multiples 1/(2k), where the first U changes.
+fn steps(last: u64, monitor: &dyn Monitor) -> Result<Vec<Step>> {
+    let half = Ratio::new(1, 2);
+    let mut ends: Vec<Ratio<u64>> = Sequence::new(last, &Ratio::new(0, 1), &half)?.collect();
+    ends.extend((1..=last).map(|k| Ratio::new(1, 2 * k)));
+    ends.sort();
+    ends.dedup();
+    let ladder = Ladder::default();
+    let mut steps = Vec::new();
+    for pair in ends.windows(2) {
+        monitor.advance(1)?;
+        let (left, right) = (pair[0], pair[1]);
+        // Any s between them does; u_n = 0 at its own denominator only, beyond N.
+        let s =
+            BigRational::new((left.numer() + right.numer()).into(), (left.denom() + right.denom()).into());
+        let point = Point::Polar(Polar::new(BigRational::from_integer(1.into()), s)?);
+        for case in [Case::PlusPlus, Case::PlusMinus, Case::MinusPlus] {
+            let word = Word::at(&ladder, &point, case.sign_emu() > 0, LETTERS, &())?;
+            let relation = Relation::new(&word, case.sign_gamma() > 0, false, last)?;
+            let bounds = ClosedWalks::new(&relation).entropy(BITS).bounds();
+            let shown = word.up_to(last);
+            steps.push(Step {
+                left,
+                right,
+                case,
+                periods: shown.iter().map(|vertex| vertex.period).collect(),
+                letters: word.letters().chars().take(shown.len()).collect(),
+                entropy: bounds.and_then(|(low, _)| low.to_f64()),
+            });
+        }
+    }
+    Ok(steps)
+}
+
+fn draw(last: u64, steps: &[Step]) -> Picture {
+    let mut svg = String::new();
+    let root = SVGBackend::with_string(&mut svg, (WIDTH, 2700)).into_drawing_area();
+    root.fill(&WHITE)?;
+    let (head, rest) = root.split_vertically(170);
+    let panels = rest.split_evenly((3, 1));
+    let title = format!("entropy per forcing period at r = 1; periods ≤ {last}");
+    head.draw(&Text::new(title, (WIDTH as i32 / 2, 45), style(FONT, HPos::Center, VPos::Center)))?;
+    let marked: Vec<(u64, u64)> = vec![(1, 6), (1, 5), (1, 4), (1, 3), (2, 5), (1, 2)];
+    for (index, (area, case)) in
+        panels.iter().zip([Case::PlusPlus, Case::PlusMinus, Case::MinusPlus]).enumerate()
+    {
+        let top = if case == Case::PlusPlus { 0.5 } else { 0.75 };
+        let mut chart = ChartBuilder::on(area)
+            .margin(20)
+            .margin_right(60)
+            .x_label_area_size(150)
+            .y_label_area_size(210)
+            .build_cartesian_2d(0f64..0.5, 0f64..top)?;
+        for step in steps.iter().filter(|step| step.case == case) {
+            let [left, right] = [step.left, step.right].map(|x| *x.numer() as f64 / *x.denom() as f64);
+            let height = step.entropy.unwrap_or(0.0);
+            chart.draw_series([Rectangle::new([(left, 0.0), (right, height)], colour(case).filled())])?;
+        }
+        for &(p, q) in &marked {
+            let s = p as f64 / q as f64;
+            chart.draw_series([PathElement::new([(s, 0.0), (s, top)], GREY.stroke_width(2))])?;
+        }
+        labelled_axes(&mut chart, 6, ["s", ""]).map_err(|error| error.to_string())?;
+        let place = if case == Case::MinusPlus { 0.3 } else { 0.008 };
+        let (x, y) = chart.backend_coord(&(place, top * 0.9));
+        let name = format!("eµ, γ: {}", label(case));
+        root.draw(&Text::new(name, (x, y), style(FONT, HPos::Left, VPos::Center)))?;
+        if index == 0 {
+            for &(p, q) in &marked {
+                let (x, _) = chart.backend_coord(&(p as f64 / q as f64, top));
+                let name = format!("{p}/{q}");
+                root.draw(&Text::new(name, (x, 140), style(FONT - 12, HPos::Center, VPos::Center)))?;
+            }
+        }
+    }
+    root.present()?;
+    drop((head, panels, rest));
+    drop(root);
+    Ok(svg)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Steps cover (0, ½) for each case; a full shift has its known entropy.
+    #[test]
+    fn steps_cover_the_line() {
+        let steps = steps(6, &()).unwrap();
+        for case in [Case::PlusPlus, Case::PlusMinus, Case::MinusPlus] {
+            let of: Vec<&Step> = steps.iter().filter(|step| step.case == case).collect();
+            assert_eq!((of[0].left, of[of.len() - 1].right), (Ratio::new(0, 1), Ratio::new(1, 2)));
+            assert!(of.windows(2).all(|pair| pair[0].right == pair[1].left));
+        }
+        // 1/6 < s < 1/4: the periods with 2ns < 1 are 1 and 2, freely combined: z + z² = 1.
+        let golden = ((1.0 + 5f64.sqrt()) / 2.0).ln();
+        let inside = |step: &&Step| {
+            step.case == Case::MinusPlus && step.left >= Ratio::new(1, 6) && step.right <= Ratio::new(1, 4)
+        };
+        assert!(steps.iter().filter(inside).all(|step| (step.entropy.unwrap() - golden).abs() < 1e-9));
+        assert!(steps.iter().any(|step| inside(&step)));
+    }
+}

@@ -1,0 +1,429 @@
+//! Fuzzing the word theorem: which periods occur and which may follow which, by the definition and (64), against one word and its table.
+//!
+//! Most points come from sweeps (`sweep`): eight moduli per angle, uniform, near r = 1, near fractions of small denominator, near the lowest points of areas. Some
+//! are drawn near the places where something could fail and decided exactly (`compare`), as is a share of the sweeps' points. Beside them random words on r = 1 are
+//! asked two questions that are open: whether any has an entropy above what is thought to be the supremum, for eµ > 0 in region 3. Finding no disagreement
+//! proves nothing.
+
+mod compare;
+mod sweep;
+
+use std::sync::LazyLock;
+
+use num_integer::Integer;
+use num_rational::BigRational;
+use num_traits::ToPrimitive;
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+
+use super::{Instance, dyadic, weighted};
+use crate::{
+    error::{Error, Result},
+    existence::{Boundary, Lowest, intervals},
+    local::Ladder,
+    monitor::Monitor,
+    processor::thread_seconds,
+    random::Random,
+    word::{Entropy, Letter, Word},
+};
+pub use compare::WordStatement;
+use compare::{Comparison, compare, differ, shrink};
+use sweep::{Sweep, Swept};
+
+/// The entropies thought to be the suprema for eµ > 0 in region 3: in (+,−), as s → 1/2 on r = 1, the logarithm of the tribonacci constant, rounded up; in (+,+), as
+/// s → 1/4 from above, 0.450385…, rounded up.
+pub const SUPREMA: [f64; 2] = [0.450_386, 0.609_377_863_437];
+
+/// What to fuzz.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct WordOptions {
+    /// The largest period compared, from 3 to 1024.
+    pub last: u64,
+    /// End once this many points are decided.
+    pub cases: u64,
+    /// The seed.
+    pub seed: u64,
+    /// The share of sweep points that are decided exactly, too.
+    pub definition_share: f64,
+}
+
+/// What a run has come to so far.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct WordTally {
+    /// The number of units done: the run goes on from here.
+    pub units: u64,
+    /// Points at which both routes agree in a sweep.
+    pub swept: u64,
+    /// Pairs of periods compared there.
+    pub pairs: u64,
+    /// Points decided exactly, on which both routes agree.
+    pub exact: u64,
+    /// Points on a boundary, where something is zero; the rest agrees.
+    pub boundary: u64,
+    /// Points left undecided.
+    pub undecided: u64,
+    /// Points of sweeps decided exactly too, by choice.
+    pub repeated: u64,
+    /// Points drawn near the hard places.
+    pub weighted: u64,
+    /// Random words on r = 1 whose entropies were computed, both signs of γ.
+    pub words: u64,
+    /// The largest entropy of them for γ > 0 and γ < 0, rounded.
+    pub largest: [f64; 2],
+    /// The fractions m/n whose words have them, and their sides.
+    pub largest_at: [String; 2],
+    /// Words with an entropy certainly above the presumed supremum.
+    pub beyond: Vec<String>,
+    /// Processor seconds in sweeps and elsewhere; 0 where the system does not tell.
+    pub sweep_seconds: f64,
+    /// See `sweep_seconds`.
+    pub other_seconds: f64,
+    /// Confirmed disagreements, shrunk, as `words N polar R S` or `words N plane A1 A2`.
+    pub disagreements: Vec<String>,
+    /// Errors of this program: a sweep's disagreement that the exact routes do not confirm.
+    pub faults: Vec<String>,
+}
+
+/// Angles of one unit, moduli of each, and what else a unit has.
+const ANGLES: u64 = 4096;
+const MODULI: u64 = 8;
+const WEIGHTED: u64 = 4;
+const WORDS: u64 = 2;
+/// The most units between two checkpoints.
+const CHUNK: u64 = 64;
+/// The largest period that points decided exactly are compared on.
+const EXACT_LAST: u64 = 24;
+/// The largest denominator of a random word.
+const LONGEST_WORD: u64 = 400;
+
+impl WordTally {
+    /// The number of points decided, boundaries included.
+    pub fn decided(&self) -> u64 {
+        self.swept + self.exact + self.boundary
+    }
+
+    fn merge(mut self, other: WordTally) -> WordTally {
+        self.units += other.units;
+        self.swept += other.swept;
+        self.pairs += other.pairs;
+        self.exact += other.exact;
+        self.boundary += other.boundary;
+        self.undecided += other.undecided;
+        self.repeated += other.repeated;
+        self.weighted += other.weighted;
+        self.words += other.words;
+        for (index, at) in other.largest_at.into_iter().enumerate() {
+            if other.largest[index] > self.largest[index] {
+                self.largest[index] = other.largest[index];
+                self.largest_at[index] = at;
+            }
+        }
+        self.beyond.extend(other.beyond);
+        self.sweep_seconds += other.sweep_seconds;
+        self.other_seconds += other.other_seconds;
+        self.disagreements.extend(other.disagreements);
+        self.faults.extend(other.faults);
+        self
+    }
+
+    /// Whether a run with these options can have come to this, disagreements decided again.
+    ///
+    /// # Errors
+    /// An input error that says what cannot be.
+    pub fn check(&self, options: &WordOptions) -> Result<()> {
+        options.check()?;
+        let bad = |what: &str| Err(Error::input(format!("a tally that no run comes to: {what}")));
+        if self.units > 1 << 40 {
+            return bad("the number of units");
+        }
+        let points = self.units * ANGLES * MODULI;
+        let parts = [self.swept, self.exact, self.boundary, self.undecided];
+        if parts.iter().any(|&part| part > 1 << 60) || self.pairs > points.saturating_mul(1 << 20) {
+            return bad("a count beyond all units");
+        }
+        if self.repeated > points || self.weighted > self.units * WEIGHTED || self.words > self.units * WORDS
+        {
+            return bad("more repeated points, weighted points or words than units have");
+        }
+        // Every point of a sweep is decided, one repeated once more, and every weighted one.
+        let (counted, differing) = (parts.iter().sum::<u64>(), self.disagreements.len() as u64);
+        let all = points + self.repeated + self.weighted;
+        if counted > all || (self.faults.is_empty() && all - counted > differing) {
+            return bad("the counts do not add up");
+        }
+        let numbers = [self.sweep_seconds, self.other_seconds, self.largest[0], self.largest[1]];
+        if !numbers.iter().all(|number| (0.0..1e15).contains(number)) {
+            return bad("its times, or its entropies");
+        }
+        for line in &self.disagreements {
+            if !differ(&Ladder::default(), &replayed(line)?, WordStatement::True) {
+                return bad(&format!("{line} is no disagreement"));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The case of a line of a regression file.
+///
+/// # Errors
+/// An input error unless it is `words N polar R S` or `words N plane A1 A2`.
+pub fn replayed(line: &str) -> Result<Instance> {
+    let case = line.strip_prefix("words ");
+    case.ok_or_else(|| {
+        Error::input(format!("{line:?} is not a case: write words N polar R S or words N plane A1 A2"))
+    })?
+    .parse()
+}
+
+impl WordOptions {
+    /// All that a tally depends on but for the number of points, written so that equal runs give equal texts.
+    pub fn canonical(&self) -> String {
+        let WordOptions { last, seed, definition_share, .. } = self;
+        let share = definition_share.to_bits();
+        format!("words to {last} seed {seed} share {share:016x} unit {ANGLES}x{MODULI}+{WEIGHTED}+{WORDS}")
+    }
+
+    /// The points of one unit, to within its few weighted and repeated ones.
+    pub fn block(&self) -> u64 {
+        ANGLES * MODULI + WEIGHTED
+    }
+
+    fn check(&self) -> Result<()> {
+        if !(3..=sweep::LONGEST as u64).contains(&self.last) {
+            return Err(Error::input(format!(
+                "the largest period is {}: from 3 to {}",
+                self.last,
+                sweep::LONGEST
+            )));
+        }
+        if self.cases == 0 {
+            return Err(Error::input("the number of points is 0: give at least 1"));
+        }
+        Ok(())
+    }
+}
+
+/// Runs from `tally` on until enough points are decided or the monitor interrupts; `checkpoint` sees every state from which the run can go on. Ends early once a
+/// disagreement or an error of this program is found. What is counted is whole units.
+///
+/// # Errors
+/// An input error if the options are out of range, or `tally` cannot be of such a run; whatever `checkpoint` returns.
+pub fn fuzz_words(
+    options: &WordOptions,
+    mut tally: WordTally,
+    monitor: &dyn Monitor,
+    mut checkpoint: impl FnMut(&WordTally) -> Result<()>,
+) -> Result<WordTally> {
+    tally.check(options)?;
+    let ladder = Ladder::default();
+    let sweep = Sweep::new(options.last as usize);
+    while tally.decided() < options.cases && tally.disagreements.is_empty() && tally.faults.is_empty() {
+        let first = tally.units;
+        let wanted = (options.cases - tally.decided()).div_ceil(options.block()).clamp(1, CHUNK);
+        let units: Vec<Option<WordTally>> = (first..first + wanted)
+            .into_par_iter()
+            .map_with(sweep.clone(), |sweep, unit| {
+                monitor.advance(0).ok()?;
+                run_unit(options, &ladder, sweep, unit, monitor)
+            })
+            .collect();
+        let before = tally.decided();
+        for unit in units.iter().cloned().map_while(|unit| unit) {
+            if tally.decided() >= options.cases {
+                break;
+            }
+            tally = tally.merge(unit);
+        }
+        checkpoint(&tally)?;
+        if monitor.advance(tally.decided() - before).is_err() || units.contains(&None) {
+            break;
+        }
+    }
+    Ok(tally)
+}
+
+/// One unit; none if the monitor ends it.
+fn run_unit(
+    options: &WordOptions,
+    ladder: &Ladder,
+    sweep: &mut Sweep,
+    unit: u64,
+    monitor: &dyn Monitor,
+) -> Option<WordTally> {
+    let mut random = Random::of_unit(options.seed, unit);
+    let mut tally = WordTally { units: 1, ..WordTally::default() };
+    let start = thread_seconds();
+    let threshold = (options.definition_share * (1u64 << 53) as f64) as u64;
+    let mut exact = 0.0;
+    for _ in 0..ANGLES {
+        monitor.advance(0).ok()?;
+        let (family, s) = angle(&mut random);
+        sweep.turn(s);
+        for _ in 0..MODULI {
+            let r = modulus(&mut random, family);
+            let swept = sweep.compare(r);
+            if let Swept::Agree(pairs) = swept {
+                tally.swept += 1;
+                tally.pairs += pairs;
+            }
+            let repeated = random.next() >> 11 < threshold;
+            if swept != Swept::Differ && swept != Swept::Open && !repeated {
+                continue;
+            }
+            tally.repeated += u64::from(repeated);
+            let begun = thread_seconds();
+            let case = dyadic(options.last.min(EXACT_LAST) as usize, r, s);
+            for _ in 0..u32::from(!matches!(swept, Swept::Agree(_))) + u32::from(repeated) {
+                let decided = one_point(ladder, case.clone(), &mut tally);
+                if swept == Swept::Differ && decided != Comparison::Differ && tally.faults.is_empty() {
+                    tally.faults.push(format!(
+                        "a sweep's word and the definition differ, the exact routes do not: {case}"
+                    ));
+                }
+            }
+            exact += thread_seconds() - begun;
+            // After an error of ours the rest of the unit says nothing.
+            if !tally.faults.is_empty() {
+                return Some(tally);
+            }
+        }
+    }
+    tally.sweep_seconds = thread_seconds() - start - exact;
+    let start = thread_seconds();
+    for _ in 0..WEIGHTED {
+        monitor.advance(0).ok()?;
+        if let Some(mut case) = weighted::case(&mut random, ladder, 3..=24) {
+            tally.weighted += 1;
+            case.n = case.n.clamp(12, options.last.clamp(12, EXACT_LAST));
+            one_point(ladder, case, &mut tally);
+        }
+    }
+    for _ in 0..WORDS {
+        monitor.advance(0).ok()?;
+        entropies(&mut random, &mut tally);
+    }
+    tally.other_seconds = thread_seconds() - start + exact;
+    Some(tally)
+}
+
+/// Decides one point exactly and counts it.
+fn one_point(ladder: &Ladder, case: Instance, tally: &mut WordTally) -> Comparison {
+    let comparison = compare(ladder, &case, WordStatement::True);
+    match comparison {
+        Comparison::Agree => tally.exact += 1,
+        Comparison::Boundary => tally.boundary += 1,
+        Comparison::Undecided => tally.undecided += 1,
+        Comparison::Differ => {
+            // The first is enough to be made simple.
+            let case =
+                if tally.disagreements.is_empty() { shrink(ladder, case, WordStatement::True) } else { case };
+            tally.disagreements.push(format!("words {case}"));
+        }
+    }
+    comparison
+}
+
+/// Where the points of an angle lie.
+#[derive(Debug, Clone, Copy)]
+enum Family {
+    Uniform,
+    NearOne,
+    /// About the lowest point of an area, r times 2⁵³.
+    Tip(u64),
+}
+
+/// An angle, in units of 2⁻⁵⁴.
+fn angle(random: &mut Random) -> (Family, u64) {
+    let odd = |s: u64| s.clamp(1, (1 << 53) - 1) | 1;
+    let near = |random: &mut Random, s: u64| {
+        let shift = random.next() >> random.within(24, 56);
+        odd(if random.coin() { s.saturating_add(shift) } else { s.saturating_sub(shift) })
+    };
+    match random.within(0, 7) {
+        0..=3 => (Family::Uniform, random.next() >> 11 | 1),
+        4 => (Family::NearOne, random.next() >> 11 | 1),
+        5 | 6 => {
+            // Near a fraction p/q < ½, or a multiple of 1/(2q).
+            let q = random.within(3, 60);
+            let p = random.within(1, (q - 1) / 2);
+            let place = (u128::from(p) << 54) / u128::from(q);
+            let family = if random.coin() { Family::NearOne } else { Family::Uniform };
+            (family, near(random, place as u64))
+        }
+        _ => {
+            let (r, s) = TIPS[random.below(TIPS.len() as u64) as usize];
+            (Family::Tip(r), near(random, s))
+        }
+    }
+}
+
+/// A modulus, in units of 2⁻⁵³.
+fn modulus(random: &mut Random, family: Family) -> u64 {
+    let one = 1u64 << 53;
+    let r = match family {
+        Family::Uniform => random.next() >> 11,
+        Family::NearOne => one - (random.next() >> random.within(12, 50)),
+        Family::Tip(r) => {
+            let shift = random.next() >> random.within(18, 50);
+            if random.coin() { r.saturating_add(shift) } else { r.saturating_sub(shift) }
+        }
+    };
+    r.clamp(1, one - 1)
+}
+
+/// The lowest points of the areas of periods up to 16: r in units of 2⁻⁵³, s in units of 2⁻⁵⁴.
+static TIPS: LazyLock<Vec<(u64, u64)>> = LazyLock::new(|| {
+    let fixed = |x: &BigRational, bits: u32| (x * BigRational::from_integer((1u64 << bits).into())).to_u64();
+    let areas = (4..=16).filter_map(|n| intervals(n).ok()).flatten();
+    areas
+        .filter(|interval| interval.deciding.is_some())
+        .filter_map(|interval| match Boundary::new(interval).lowest(10)? {
+            Lowest::Tip(tip) => Some((fixed(&tip.r.middle(), 53)?, fixed(&tip.s.middle(), 54)?)),
+            _ => None,
+        })
+        .collect()
+});
+
+/// A random word on r = 1, down the tree to a random fraction, and its entropies.
+fn entropies(random: &mut Random, tally: &mut WordTally) {
+    // Near where the suprema are thought to be, or anywhere.
+    let n = random.within(3, LONGEST_WORD);
+    let m = match random.within(0, 3) {
+        0 => (n - 1) / 2,
+        1 => n / 4 + random.within(0, 2),
+        _ => random.within(1, (n - 1) / 2),
+    };
+    let g = m.gcd(&n);
+    let (m, n) = (m / g, n / g);
+    let letter = if random.coin() { Letter::U } else { Letter::D };
+    // s lies next to m/n, below it for U; K is the least with 2Ks > 1.
+    let first = if letter == Letter::U { n / (2 * m) + 1 } else { n.div_ceil(2 * m) };
+    let Some(word) = Word::of_area(n, m, letter, first.max(2)) else { return };
+    tally.words += 1;
+    for (index, gamma) in [true, false].into_iter().enumerate() {
+        let Ok((entropy, _)) = Entropy::of(&word, gamma, 40) else { continue };
+        let Some((low, _)) = entropy.bounds() else { continue };
+        let rate = low.to_f64().unwrap_or(0.0);
+        let side = if letter == Letter::U { "below" } else { "above" };
+        if rate > tally.largest[index] {
+            tally.largest[index] = rate;
+            tally.largest_at[index] = format!("s just {side} {m}/{n}");
+        }
+        // The lower bound, rounded by 2⁻⁵³ at most, is above a number rounded up by more.
+        if rate > SUPREMA[index] {
+            let case = if gamma { "(+,+)" } else { "(+,-)" };
+            tally.beyond.push(format!("{case}: entropy {rate:?} for s just {side} {m}/{n}, r = 1"));
+        }
+    }
+}
+
+/// The first of `most` weighted points of a seed that refutes a statement, shrunk.
+pub fn refute_words(statement: WordStatement, seed: u64, most: u64) -> Option<Instance> {
+    let ladder = Ladder::default();
+    let mut random = Random::of_unit(seed, 0);
+    (0..most)
+        .filter_map(|_| weighted::case(&mut random, &ladder, 3..=24))
+        .find(|case| differ(&ladder, case, statement))
+        .map(|case| shrink(&ladder, case, statement))
+}
