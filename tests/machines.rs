@@ -389,7 +389,7 @@ fn elastic_chain() -> Machine<f64> {
     chain
 }
 
-/// Impacts of all in the test: 3·10⁴, or GRAZING_IMPACTS of them; docs/machines.md has the measured figure for 10⁶.
+/// Over 3000 impacts, or GRAZING_IMPACTS of them; docs/machines.md has the figure for 10⁶.
 #[test]
 fn energy_is_kept_by_elastic_impacts() {
     let wanted: u64 = std::env::var("GRAZING_IMPACTS").map_or(3_000, |text| text.parse().unwrap());
@@ -446,8 +446,11 @@ fn the_symmetric_orbit_between_two_stops_is_that_of_the_closed_form() {
     }
 }
 
-/// A machine of the second integrator and of ours, and a start.
-fn pairs() -> Vec<(&'static str, Machine<f64>, Vec<f64>, Vec<f64>)> {
+/// A name, a machine, displacements and velocities to start from.
+type Start = (&'static str, Machine<f64>, Vec<f64>, Vec<f64>);
+
+/// Machines for both integrators.
+fn pairs() -> Vec<Start> {
     let mut all = Vec::new();
     let mut two =
         machine(&[&[2.0, 0.0], &[0.0, 0.5]], &[&[0.3, -0.1], &[-0.1, 0.2]], &[&[3.0, -1.0], &[-1.0, 1.0]]);

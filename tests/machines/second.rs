@@ -84,8 +84,8 @@ impl<'a> Motion<'a> {
         let mut force: Vec<f64> = (0..n).map(|i| self.machine.force.get(i).copied().unwrap_or(0.0)).collect();
         for load in &self.machine.forcing {
             let (sin, cos) = (f64::from(load.k) * t).sin_cos();
-            for i in 0..n {
-                force[i] += load.cos[i] * cos + load.sin[i] * sin;
+            for (force, (a, b)) in force.iter_mut().zip(load.cos.iter().zip(&load.sin)) {
+                *force += a * cos + b * sin;
             }
         }
         for &(i, j, c) in &self.machine.damping {
