@@ -81,7 +81,7 @@ fn draw(curves: &[DrawnBranch], scatter: &[Scatter], axes: [&str; 2]) -> Picture
         .margin(30)
         .margin_right(if curves.len() > 1 { 150 } else { 60 })
         .x_label_area_size(190)
-        .y_label_area_size(280)
+        .y_label_area_size(340)
         .build_cartesian_2d(left..right, bottom..top)?;
     labelled_axes(&mut chart, 6, axes)?;
     let blue = RGBColor(0, 114, 178).filled();
