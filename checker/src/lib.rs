@@ -32,7 +32,7 @@
 //! | `word-by-theorem` | the signs that the word theorem asks for there, and so all periods | [`word`] |
 //! | `orbit` | that a periodic orbit of an oscillator exists, is unique in a box, admissible, stable or not | [`orbit`] |
 //! | `event` | that such an orbit bifurcates (saddle-node, flip) or grazes at a parameter in an interval | [`event`] |
-//! | `chaos` | that every bi-infinite word over an alphabet of periods is an orbit of an oscillator, over ranges of parameters | [`chaos`], with an example |
+//! | `chaos` | that every bi-infinite word over an alphabet of periods is an orbit of an oscillator, over ranges of parameters | [`chaos`] |
 //!
 //! # Adding a kind
 //!

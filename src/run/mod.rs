@@ -32,6 +32,7 @@ mod machine;
 mod orbit;
 mod report;
 mod section;
+mod shift;
 mod simulate;
 mod status;
 mod table;
@@ -55,6 +56,7 @@ pub use machine::{MachineSimulationFindings, ModeRow, StopRow, simulate_machine}
 pub use orbit::{MissingRow, OrbitFindings, OrbitRow, orbit};
 pub use report::TaskReport;
 pub use section::{AttractorRow, SectionFindings, SectionOrbitRow, SectionSet, section};
+pub use shift::{ChaosFindings, FailureRow, LetterRow, chaos};
 pub use simulate::{SimulationFindings, simulate};
 pub use status::{Place, Status};
 pub(crate) use table::row;
@@ -134,6 +136,8 @@ findings! {
     Crisis(CrisisFindings),
     /// Proofs.
     Validate(ValidateFindings),
+    /// Chaos, proved.
+    Chaos(ChaosFindings),
 }
 
 /// [`Finding`] without `Serialize`, so that there are objects of it.
@@ -412,6 +416,7 @@ fn answer(job: &Job, keeper: &mut dyn Keeper) -> Result<Findings> {
         Kind::BranchTask(task) => branch(task, job)?.into(),
         Kind::CrisisTask(task) => crisis(task, job)?.into(),
         Kind::ValidateTask(task) => validate(task, job)?.into(),
+        Kind::ChaosTask(task) => chaos(task, job)?.into(),
     })
 }
 

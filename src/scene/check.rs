@@ -114,6 +114,7 @@ fn check(kind: &Kind, scene: &Scene, system: &System<f64>, path: &str) -> Result
         Kind::DiagramTask(task) => task.check(scene, system, path),
         Kind::CrisisTask(task) => task.check(scene, system, path),
         Kind::ValidateTask(task) => task.check(scene, system, path),
+        Kind::ChaosTask(task) => task.check(scene, path),
     }
 }
 

@@ -24,6 +24,7 @@ use serde::{Serialize, Serializer};
 use crate::{
     error::{Error, Result},
     number::{Ball, Dual, Elementary, FloatInterval, Fraction, Plain, Real, Sign, parse_rational_within},
+    oscillator::chaos::RationalFunction,
     source::hint,
 };
 
@@ -158,6 +159,11 @@ impl Expression {
     pub fn evaluate<T: Coefficient>(&self, parameters: &[T], context: &T::Context) -> Result<T> {
         T::value(self, parameters, context)
     }
+
+    /// Whether one of some parameters, told by their places, stands in it.
+    pub fn mentions(&self, which: &dyn Fn(usize) -> bool) -> bool {
+        self.root.mentions(which)
+    }
 }
 
 /// A rung on which expressions are evaluated.
@@ -207,6 +213,7 @@ macro_rules! elementary {
 }
 elementary! { Plain, Ball, crate::oscillator::validate::Jet }
 
+impl Coefficient for RationalFunction {}
 impl Coefficient for FloatInterval {}
 
 impl Coefficient for Dual {
@@ -274,6 +281,15 @@ impl Node {
             Node::Power(node, exponent) => {
                 node.size().saturating_mul(exponent.unsigned_abs().into()).clamp(1, 1 << 32)
             }
+        }
+    }
+
+    fn mentions(&self, which: &dyn Fn(usize) -> bool) -> bool {
+        match self {
+            Node::Number(_) | Node::Pi => false,
+            Node::Parameter(index) => which(*index),
+            Node::Negated(node) | Node::Power(node, _) | Node::Call(_, node) => node.mentions(which),
+            Node::Binary(_, nodes) => nodes.iter().any(|node| node.mentions(which)),
         }
     }
 

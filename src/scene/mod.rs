@@ -5,9 +5,10 @@
 //! tasks (the module `run`).
 //!
 //! Each file imports from those before it alone: `expression`, `keys`, `matrix`; the keys, `system`, `machine`, `simulate`, `orbits`,
-//! `sections`, `branches`, `validate`; `task`; `scene`, the type and its values; `values`, those of a machine; `check`; `input`, `family`, `reference`.
+//! `sections`, `branches`, `validate`, `chaos`; `task`; `scene`, the type and its values; `values`, those of a machine; `normal`, `check`; `input`, `family`, `reference`.
 
 pub mod branches;
+pub mod chaos;
 mod check;
 mod expression;
 mod family;
@@ -15,6 +16,7 @@ mod input;
 mod keys;
 mod machine;
 mod matrix;
+mod normal;
 pub mod orbits;
 mod reference;
 #[expect(clippy::module_inception)]

@@ -7,6 +7,7 @@ use num_rational::BigRational;
 
 use super::{
     branches::{BranchTask, CrisisTask, DiagramTask},
+    chaos::ChaosTask,
     keys::{Entry, Key, Record, Value, keys},
     orbits::{EventTask, GrazingTask, OrbitTask},
     sections::{BasinsTask, SectionTask},
@@ -103,6 +104,7 @@ kinds! {
     "diagram" DiagramTask,
     "crisis" CrisisTask,
     "validate" ValidateTask,
+    "chaos" ChaosTask,
 }
 
 impl Task {

@@ -40,7 +40,7 @@ impl Scene {
         };
         let machine = scene.machine.try_map(number)?;
         let keyed = |key: &str, error: &Error| self.fail(key, &format!("{error}{}", point()));
-        if machine.period.is_nan() || machine.period <= 0.0 {
+        if !(machine.period > 0.0) {
             let key =
                 if self.places.contains_key("system.period") { "system.period" } else { "system.frequency" };
             return Err(self

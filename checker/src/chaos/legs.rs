@@ -87,7 +87,8 @@ impl Cell {
             return None;
         }
         let phase = arcsine(sine, self.window, self.cosine);
-        let (cosine, _) = circle(phase);
+        let unit = (-Interval::ONE).hull(Interval::ONE);
+        let cosine = circle(phase).0.meet(unit);
         let drop = (self.depth * s.squared()).over(Interval::ONE + cosine).shifted_down(2);
         Some(Impact { s, phase, cosine, place: self.side - drop })
     }

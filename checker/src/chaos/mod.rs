@@ -27,7 +27,6 @@
 //! contraction K                  0 < K < 1
 //! reach B                        q/ν stays below B
 //! growth LO HI                   the paths of T periods grow at least like LO^T and at most like HI^T
-//! complete none                  or: complete S R M: that there are no other orbits with |sin t| ≤ Sν at impacts, by R rounds in M parts
 //! ```
 //!
 //! All but the ranges and the counts are decimals. Decimals, and both parts of a fraction, have at most 15 digits and lie strictly between −2¹⁵
@@ -68,7 +67,7 @@ use super::{
     lines::{Lines, Words},
 };
 
-pub use text::{Certificate, Complete, Decimal, Fraction, Letter, Range};
+pub use text::{Certificate, Decimal, Fraction, Letter, Range};
 
 /// The word in the header.
 pub const KIND: &str = "chaos";
@@ -85,8 +84,7 @@ motion whose impacts, one between two letters, have phases within W of multiples
 say, and velocities, divided by nu, after the first and before the last impact of each letter in its ranges. It has no other \
 impacts, all are at positive speed, between them the gap is positive, and q/nu stays below the reach. Paths with different \
 periods have different motions; on the set of all these motions the map from t = pi to t = 3 pi has a topological entropy \
-between the logarithms of the growth rates. If it says complete, these are all motions for all times whose impacts all have \
-cos t > 0 and |sin t| <= S nu.";
+between the logarithms of the growth rates.";
 
 /// Checks everything after the kind line.
 pub(super) fn check(lines: &mut Lines) -> Result<Proved, Rejection> {

@@ -56,17 +56,6 @@ pub struct Letter {
     pub next: Vec<usize>,
 }
 
-/// That there are no other orbits near.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Complete {
-    /// Impacts with |sin t| ≤ Σν are near.
-    pub sine: Decimal,
-    /// How often the boxes are narrowed.
-    pub rounds: u64,
-    /// Into how many parts the phases of a leg's two impacts are cut.
-    pub parts: u64,
-}
-
 /// All that a certificate of this kind holds.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Certificate {
@@ -88,8 +77,6 @@ pub struct Certificate {
     pub reach: Decimal,
     /// The growth rate per period lies between these.
     pub growth: Range<Decimal>,
-    /// That there are no other orbits near, if that is claimed.
-    pub complete: Option<Complete>,
 }
 
 /// The names of the ranges, as their lines begin.
@@ -123,11 +110,7 @@ impl Certificate {
             })
             .sum();
         let gaps: u64 = self.letters.iter().map(|letter| (2 * letter.periods + 1) * self.pieces).sum();
-        let complete = self.complete.as_ref().map_or(0, |complete| {
-            let longest = self.letters.iter().map(|letter| letter.periods).max().unwrap_or(0);
-            complete.rounds * longest * (complete.parts * complete.parts + 1)
-        });
-        self.cells() * (legs + gaps + complete)
+        self.cells() * (legs + gaps)
     }
 }
 
@@ -173,11 +156,7 @@ impl fmt::Display for Certificate {
             writeln!(f)?;
         }
         let [lo, hi] = self.growth;
-        writeln!(f, "contraction {}\nreach {}\ngrowth {lo} {hi}", self.contraction, self.reach)?;
-        match &self.complete {
-            None => writeln!(f, "complete none"),
-            Some(Complete { sine, rounds, parts }) => writeln!(f, "complete {sine} {rounds} {parts}"),
-        }
+        writeln!(f, "contraction {}\nreach {}\ngrowth {lo} {hi}", self.contraction, self.reach)
     }
 }
 
@@ -356,22 +335,8 @@ pub(super) fn read(lines: &mut Lines) -> Result<Certificate, Rejection> {
     if growth[0].digits <= 0 {
         return Err(lines.malformed("a growth rate must be positive"));
     }
-    let complete = line(lines, "complete", |words| {
-        let mut rest = words.clone();
-        if rest.word("none")? == "none" {
-            *words = rest;
-            return Ok(None);
-        }
-        let sine = positive(words, "the sine")?;
-        let (rounds, parts) = (words.number("rounds", PIECES)?, words.number("parts", PARTS)?);
-        if parts == 0 {
-            Err("parts are at least 1".into())
-        } else {
-            Ok(Some(Complete { sine, rounds, parts }))
-        }
-    })?;
     let certificate =
-        Certificate { ranges, behind, cells, window, pieces, letters, contraction, reach, growth, complete };
+        Certificate { ranges, behind, cells, window, pieces, letters, contraction, reach, growth };
     let work = certificate.evaluations();
     if work > EVALUATIONS {
         return Err(lines.malformed(format!(

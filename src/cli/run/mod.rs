@@ -4,6 +4,7 @@
 mod bars;
 mod basins;
 mod branch;
+mod chaos;
 mod diagram;
 mod machine;
 mod names;
@@ -139,6 +140,7 @@ impl Keeper for Files<'_> {
             (Findings::Diagram(found), Kind::DiagramTask(task)) => diagram::keep(found, task, self.0),
             (Findings::Branch(found), Kind::BranchTask(task)) => branch::keep(found, task, self.0),
             (Findings::Validate(found), _) => validate::keep(found, self.0),
+            (Findings::Chaos(found), _) => chaos::keep(found, self.0),
             (Findings::Orbit(found), _) => Ok(vec![self.0.csv(&found.orbits, ".csv")?]),
             (Findings::Grazing(found), _) => match &**found {
                 GrazingFindings::Found(found) => Ok(vec![self.0.csv(&found.born, ".csv")?]),

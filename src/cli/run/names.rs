@@ -28,6 +28,7 @@ fn endings(kind: &Kind) -> &'static [Ending] {
         }
         Kind::CrisisTask(_) => &[Fixed(".csv"), Fixed("-simulated.csv")],
         Kind::ValidateTask(_) => &[Fixed(".csv"), Numbered(".certificate")],
+        Kind::ChaosTask(_) => &[Fixed(".csv"), Fixed(".certificate")],
     }
 }
 

@@ -1,0 +1,259 @@
+#!/usr/bin/env python3
+"""A second reader of certificates of kind chaos, for whoever would rather trust 200 lines of Python.
+
+usage: chaos.py FILE…     prints "FILE: proved" or "FILE: rejected: reason"; exit code 1 if one is rejected.
+
+Written from the format text (checker/src/chaos/mod.rs) and docs/chaos.md, on Python's whole numbers in units of 2^-64, every operation rounded
+outwards. Slow: an evaluation of a leg takes about a millisecond.
+"""
+import re
+import sys
+from fractions import Fraction as F
+from itertools import product
+from math import gcd
+
+UNIT = 1 << 64
+STATEMENT = (
+    "For all c, k, f, tau and nu > 0 in the listed ranges, the oscillator q'' = -c q' - k q + f above the wall sigma nu - 1 + cos t, sigma "
+    "the listed side, with restitution tau: for every bi-infinite path of the listed graph of letters there is exactly one motion whose "
+    "impacts, one between two letters, have phases within W of multiples of 2 pi, as many periods apart as the letters say, and "
+    "velocities, divided by nu, after the first and before the last impact of each letter in its ranges. It has no other impacts, all are "
+    "at positive speed, between them the gap is positive, and q/nu stays below the reach. Paths with different periods have different "
+    "motions; on the set of all these motions the map from t = pi to t = 3 pi has a topological entropy between the logarithms of the "
+    "growth rates.")
+
+
+def need(condition, reason):
+    if not condition:
+        raise ValueError(reason)
+
+
+class I:
+    """The numbers from lo to hi, in units of 2^-64."""
+    def __init__(self, lo, hi): self.lo, self.hi = lo, hi
+    def __add__(x, y): return I(x.lo + y.lo, x.hi + y.hi)
+    def __neg__(x): return I(-x.hi, -x.lo)
+    def __sub__(x, y): return x + -y
+    def __mul__(x, y):
+        p = x.lo * y.lo, x.lo * y.hi, x.hi * y.lo, x.hi * y.hi
+        return I(min(p) >> 64, -(-max(p) >> 64))
+    def __truediv__(x, y):
+        need(y.lo > 0 or y.hi < 0, "a divisor may be zero (H0)")
+        if y.hi < 0:
+            return -x / -y
+        return I(min((x.lo << 64) // d for d in (y.lo, y.hi)), -min((-x.hi << 64) // d for d in (y.lo, y.hi)))
+    def square(x):
+        p = x * x
+        return I(max(p.lo, 0), p.hi)
+    def middle(x): return I((x.lo + x.hi) // 2, (x.lo + x.hi) // 2)
+    def hull(x, y): return I(min(x.lo, y.lo), max(x.hi, y.hi))
+    def meet(x, y): return I(max(x.lo, y.lo), min(x.hi, y.hi))
+    def size(x): return I(max(-x.lo, x.hi), max(-x.lo, x.hi))
+    def part(x, i, n): return I(x.lo + (x.hi - x.lo) * i // n, x.lo - (-(x.hi - x.lo) * (i + 1)) // n)
+    def over(x, n): return I(x.lo // n, -(-x.hi // n))
+    def half(x): return x.over(2)
+
+
+def num(x):
+    x = F(x)
+    return I((x.numerator << 64) // x.denominator, -((-x.numerator << 64) // x.denominator))
+
+
+ZERO, ONE, TWO = num(0), num(1), num(2)
+PI = I(0x3243F6A8885A308D3, 0x3243F6A8885A308D4)  # times 2^64: 3.243F6A88 85A308D3 13…
+
+
+def series(t, c, k):
+    """exp(tA) = a + bA, A^2 = -cA - k, by halving and squaring."""
+    halvings = 0
+    while (t.size().hi * max(UNIT, c.size().hi + k.size().hi)) >> (62 + halvings) > UNIT:
+        halvings += 1
+    t, a, b = t.over(1 << halvings), ONE, ZERO
+    for n in range(17, 0, -1):
+        f = t.over(n)
+        a, b = ONE - f * k * b, f * (a - c * b)
+    a, b = I(a.lo - 1, a.hi + 1), I(b.lo - 1, b.hi + 1)  # the rest is below 2·4^-18/18! < 2^-64
+    for _ in range(halvings):
+        a, b = a.square() - k * b.square(), TWO * (a * b) - c * b.square()
+    return a, b
+
+
+def times(x, y, c, k):
+    return x[0] * y[0] - k * (x[1] * y[1]), x[0] * y[1] + x[1] * y[0] - c * (x[1] * y[1])
+
+
+def exp(t, c, k):
+    return times(series(t.middle(), c, k), series(t - t.middle(), c, k), c, k)
+
+
+def circle(t): return exp(t, ZERO, ONE)
+
+
+def arcsine(y, window, cosine):
+    """By Newton's method; the error is at most |y - sin t|/cos W."""
+    ends = []
+    for y in (I(y.lo, y.lo), I(y.hi, y.hi)):
+        t = y
+        for _ in range(7):
+            cos, sin = circle(t)
+            t = (t + (y - sin) / cos).middle()
+        t = I(*[min(max(t.lo, -window.lo), window.lo)] * 2)
+        error = ((y - circle(t)[1]) / cosine).size().hi
+        ends.append(I(t.lo - error, t.hi + error))
+    return ends[0].hull(ends[1])
+
+
+def integer(word, most):
+    need(re.fullmatch(r"0|[1-9][0-9]{0,18}", word, re.ASCII) and int(word) <= most, f"a number up to {most}: {word}")
+    return int(word)
+
+
+def decimal(word, positive=False):
+    need(re.fullmatch(r"-?(0|[1-9][0-9]*)(\.[0-9]*[1-9])?", word, re.ASCII) and word != "-0", f"a decimal: {word}")
+    need(sum(map(str.isdigit, word)) <= 15 and abs(F(word)) < 2**15 and (F(word) > 0 or not positive), f"a decimal in range: {word}")
+    return F(word)
+
+
+def fraction(word):
+    p, slash, q = word.partition("/")
+    need(slash and "." not in word, f"a fraction: {word}")
+    p, q = whole(p), whole(q)
+    need(q > 0 and gcd(p, q) == 1 and abs(F(p, q)) < 2**15, f"a fraction in lowest terms: {word}")
+    return F(p, q)
+
+
+def whole(word):
+    need(re.fullmatch(r"-?(0|[1-9][0-9]{0,14})", word, re.ASCII) and word != "-0", f"a whole number: {word}")
+    return int(word)
+
+
+def check(text):
+    lines = iter(line.removesuffix("\r") for line in text.removesuffix("\n").split("\n"))
+
+    def line(name, count=None):
+        words = next(lines, "").split(" ")
+        need(words[0] == name and count in (None, len(words) - 1), f"expected a line {name}")
+        return words[1:]
+
+    def spread(words, read=decimal, strict=True):
+        lo, hi = map(read, words)
+        need(lo < hi or lo == hi and not strict, "ends must increase")
+        return lo, hi
+    need(next(lines, "") == "grazing-certificate 1" and next(lines, "") == "kind chaos", "not a certificate of kind chaos")
+    need(next(lines, "") == "statement " + STATEMENT, "another statement")
+    ranges = [spread(line(name, 2), fraction, False) for name in ("damping", "stiffness", "force", "restitution", "depth")]
+    (c, k, f, tau, nu) = ranges
+    need(tau[0] > 0 and nu[0] >= 0 and nu[1] > 0 and (f == (0, 0) or c == k == (0, 0) and nu[0] > 0), "ranges")
+    (side,) = line("side", 1)
+    need(side in ("1", "-1"), "a side")
+    sigma = num(int(side))
+    cells = [integer(word, 10000) for word in line("cells", 5)]
+    window, pieces = num(decimal(line("window", 1)[0], True)), integer(line("pieces", 1)[0], 1000)
+    letters = []
+    for _ in range(integer(line("letters", 1)[0], 400)):
+        n, a, b, p, q, alpha, beta, growth, parts = line("letter", 9)
+        letters.append((integer(n, 1000), spread((a, b)), spread((p, q)), *(decimal(x, True) for x in (alpha, beta, growth)), integer(parts, 64)))
+        need(letters[-1][0] > 0 and letters[-1][6] > 0, "periods and parts")
+    follow = []
+    for _ in letters:
+        follow.append([integer(word, len(letters)) - 1 for word in line("next")])
+        need(follow[-1] and follow[-1][0] >= 0 and all(x < y for x, y in zip(follow[-1], follow[-1][1:])), "successors")
+    kappa, reach = num(decimal(line("contraction", 1)[0], True)), num(decimal(line("reach", 1)[0], True))
+    rates = spread(line("growth", 2))
+    need(next(lines, None) is None, "the file goes on")
+    need(kappa.hi < UNIT and rates[0] > 0 and letters and pieces > 0 and all(cells), "numbers must be positive, the contraction below 1")
+    before = [[m for m in range(len(letters)) if n in follow[m]] for n in range(len(letters))]
+    told = [all(len({letters[w][0] for w in one}) == len(one) for one in way) for way in (follow, before)]
+    need(any(told), "paths are not told by their periods")
+    for v, letter in enumerate(letters):
+        for rate, sign in zip(rates, (1, -1)):
+            total = sum(letters[w][5] / rate**letters[w][0] for w in follow[v])
+            need(sign * (total - letter[5]) >= 0, "growth")
+    for choice in product(*map(range, cells)):
+        cell([num(lo).hull(num(hi)).part(i, n) for (lo, hi), i, n in zip(ranges, choice, cells)], sigma, window, pieces, letters, follow, before, kappa, reach)
+
+
+def cell(box, sigma, window, pieces, letters, follow, before, kappa, reach):
+    c, k, f, tau, nu = box
+    f = f / nu if f.lo or f.hi else f
+    cosine, sine = circle(window)
+    need(window.hi < 3 * UNIT and cosine.lo > 0 < sine.lo, "the window")
+    after, last = ([num(x[i][0]).hull(num(x[i][1])) for x in letters] for i in (1, 2))
+    share = TWO / (ONE + tau)
+    turns = [exp(num(2 * n) * PI, c, k) for n in range(max(x[0] for x in letters) + 1)]
+
+    def strength(a, p): return share * (a + tau * p)
+
+    def impact(s):
+        y = -(nu * s).half()
+        need(y.size().hi < sine.lo, "an impact outside the window (H0)")
+        t = arcsine(y, window, cosine)
+        cos = circle(t)[0].meet(I(-UNIT, UNIT))
+        return s, t, cos, sigma - (nu * s.square() / (ONE + cos)).over(4)
+
+    def both(s, i, n): return impact(s.part(i, n)), impact(s.part(i, n).middle())
+
+    def move(e, time, q, u): return e[0] * q + e[1] * u + f * time.square().half(), (e[0] - c * e[1]) * u - k * (e[1] * q) + f * time
+
+    def ends(n, x, y):
+        e, time = times(turns[n], exp(y[1] - x[1], c, k), c, k), num(2 * n) * PI + y[1] - x[1]
+        a = (y[3] - e[0] * x[3] - f * time.square().half()) / e[1]
+        return e, a, move(e, time, x[3], a)[1]
+
+    def leg(m, n, x, y, z):
+        periods, (a0, a1), (p0, p1), alpha, beta = letters[n][:5]
+        (x, x0), (y, y0) = x, y
+        (e, a, p), (_, a_mid, p_mid) = ends(periods, x, y), ends(periods, x0, y0)
+        slopes = [-(nu / u[2]).half() for u in (x, y)]
+        for _ in range(3):
+            r = f - c * p - k * y[3]
+            first, final = (p - e[0] * x[0].half()) / e[1], (y[0].half() - p) / e[1]
+            da = slopes[0] * first, slopes[1] * final
+            dp = slopes[0] * ((e[0] - c * e[1]) * first - k * (e[1] * x[0].half()) - r), slopes[1] * ((e[0] - c * e[1]) * final + r)
+            a = a.meet(a_mid + da[0] * (x[0] - x0[0]) + da[1] * (y[0] - y0[0]))
+            p = p.meet(p_mid + dp[0] * (x[0] - x0[0]) + dp[1] * (y[0] - y0[0]))
+        need(num(a0).hi <= a.lo and a.hi <= num(a1).lo and num(p0).hi <= p.lo and p.hi <= num(p1).lo, "a box is left (H1)")
+        u, v = strength(num(alpha), num(letters[m][4])), strength(num(letters[z][3]), num(beta))
+        for d, weight in ((da, alpha), (dp, beta)):
+            need((d[0].size() * u + d[1].size() * v).hi <= (kappa * num(weight)).lo, "no contraction (H2)")
+    for n, letter in enumerate(letters):
+        periods, parts = letter[0], letter[6]
+        into, out = [strength(after[n], last[m]) for m in before[n]], [strength(after[z], last[n]) for z in follow[n]]
+        for m, s in zip(before[n], into):
+            need((after[n] - last[m]).lo > 0, "a speed may be 0 (H3)")
+            for z, t in zip(follow[n], out):
+                for i, j in product(range(parts), repeat=2):
+                    leg(m, n, both(s, i, parts), both(t, j, parts), z)
+        if not before[n]:
+            continue
+        hull = [impact(I(min(s.lo for s in all), max(s.hi for s in all))) for all in (into, out)]
+
+        def motion(j, t):
+            q, u = move(times(turns[j], exp(t - hull[0][1], c, k), c, k), num(2 * j) * PI + t - hull[0][1], hull[0][3], after[n])
+            need(q.hi < reach.lo, "the reach")
+            return q, u
+        for j in range(periods + 1):
+            least, left, right = None, hull[0][1] if j == 0 else -window, hull[1][1] if j == periods else window
+            for i in range(pieces):
+                t = left.hull(right).part(i, pieces)
+                q, u = motion(j, t)
+                here = (circle(t)[0] + nu * (f - c * u - k * q)).lo
+                need(here > 0, "a gap may not be convex (H4)")
+                least = here if least is None else min(least, here)
+                t = window.hull(TWO * PI - window).part(i, pieces)
+                need(j == periods or (ONE - circle(t)[0] + nu * (motion(j, t)[0] - sigma)).lo > 0, "a gap may close (H4)")
+            if 0 < j < periods:
+                q, u = motion(j, ZERO)
+                need((q - sigma - nu * u.square() / I(2 * least, 2 * least)).lo > 0, "the wall may be met (H4)")
+
+
+if __name__ == "__main__":
+    good = True
+    for name in sys.argv[1:]:
+        try:
+            check(open(name, encoding="utf-8", newline="").read())
+            print(f"{name}: proved")
+        except ValueError as reason:
+            good = False
+            print(f"{name}: rejected: {reason}")
+    sys.exit(not good)

@@ -1,0 +1,204 @@
+//! The map of docs/chaos.md over a box of parameters, in spans: impacts by their strength s, legs with their derivatives, gaps.
+
+use super::span::Span;
+
+/// A box of the parameters c, k, f, τ, ν, with σ.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Cell {
+    damping: Span,
+    stiffness: Span,
+    /// f/ν.
+    force: Span,
+    pub depth: Span,
+    side: f64,
+    /// 2/(1 + τ) and 2τ/(1 + τ).
+    pub shares: [Span; 2],
+}
+
+/// E₁₁ and E₁₂ of the free motion; the others are −k E₁₂ and E₁₁ − c E₁₂.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Flow {
+    pub a: Span,
+    pub b: Span,
+}
+
+/// An impact of strength s: its phase, the cosine there, its place.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Impact {
+    pub s: Span,
+    pub phase: Span,
+    cosine: Span,
+    place: Span,
+}
+
+/// First and last velocity of a leg, and their derivatives with respect to the strengths of its impacts.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Leg {
+    pub after: Span,
+    pub before: Span,
+    pub after_slopes: [Span; 2],
+    pub before_slopes: [Span; 2],
+}
+
+impl Cell {
+    pub fn new([damping, stiffness, force, restitution, depth]: [Span; 5], side: f64) -> Cell {
+        let force = if force == Span::point(0.0) { force } else { force.over(depth) };
+        let sum = restitution + Span::point(1.0);
+        let two = Span::point(2.0);
+        Cell { damping, stiffness, force, depth, side, shares: [two.over(sum), two.over(sum) * restitution] }
+    }
+
+    /// s of an impact with these velocities after and before.
+    pub fn strength(&self, after: Span, before: Span) -> Span {
+        self.shares[0] * after + self.shares[1] * before
+    }
+
+    /// The impacts of these strengths, if their phases are within π/2.
+    pub fn impact(&self, s: Span) -> Option<Impact> {
+        let sine = -(self.depth * s).times(0.5);
+        if sine.magnitude() >= 1.0 || !sine.is_finite() {
+            return None;
+        }
+        let phase = Span::new(sine.lo.asin(), sine.hi.asin());
+        let most = if phase.lo <= 0.0 && phase.hi >= 0.0 { 1.0 } else { phase.lo.cos().max(phase.hi.cos()) };
+        let cosine = Span::new(phase.lo.cos().min(phase.hi.cos()), most);
+        let drop = (self.depth * s.squared()).over((cosine + Span::point(1.0)).times(4.0));
+        Some(Impact { s, phase, cosine, place: Span::point(self.side) - drop })
+    }
+
+    /// E(t), by the exponential series of a small part of t about the exact value at its middle.
+    pub fn flow(&self, t: Span) -> Flow {
+        let middle = t.middle();
+        self.product(self.series(Span::point(middle)), self.series(t - Span::point(middle)))
+    }
+
+    fn product(&self, x: Flow, y: Flow) -> Flow {
+        let square = x.b * y.b;
+        Flow { a: x.a * y.a - self.stiffness * square, b: x.a * y.b + x.b * y.a - self.damping * square }
+    }
+
+    fn series(&self, t: Span) -> Flow {
+        let norm = (self.damping.magnitude() + self.stiffness.magnitude()).max(1.0);
+        let halvings = (4.0 * norm * t.magnitude()).log2().ceil().clamp(0.0, 60.0) as i32;
+        let t = t.times(0.5f64.powi(halvings));
+        let mut sum = Flow { a: Span::point(1.0), b: Span::point(0.0) };
+        for n in (1..=13).rev() {
+            let factor = t.times(1.0 / f64::from(n));
+            let a = Span::point(1.0) - factor * self.stiffness * sum.b;
+            sum = Flow { a, b: factor * (sum.a - self.damping * sum.b) };
+        }
+        for _ in 0..halvings {
+            let (square, product) = (sum.b.squared(), sum.a * sum.b);
+            let a = sum.a.squared() - self.stiffness * square;
+            sum = Flow { a, b: product.times(2.0) - self.damping * square };
+        }
+        sum
+    }
+
+    fn velocity(&self, e: Flow) -> Span {
+        e.a - self.damping * e.b
+    }
+
+    fn acceleration(&self, place: Span, velocity: Span) -> Span {
+        self.force - self.damping * velocity - self.stiffness * place
+    }
+
+    /// Place and velocity a time after leaving a place with a velocity, given E of that time.
+    fn motion(&self, e: Flow, time: Span, place: Span, velocity: Span) -> [Span; 2] {
+        let fallen = self.force * time.squared().times(0.5);
+        [
+            e.a * place + e.b * velocity + fallen,
+            self.velocity(e) * velocity - self.stiffness * (e.b * place) + self.force * time,
+        ]
+    }
+
+    fn ends(&self, e: Flow, time: Span, from: &Impact, to: &Impact) -> [Span; 2] {
+        let fallen = self.force * time.squared().times(0.5);
+        let after = (to.place - e.a * from.place - fallen).over(e.b);
+        [after, self.motion(e, time, from.place, after)[1]]
+    }
+
+    /// A leg of so many periods, `turns` being E(2πn), between these impacts; `middles` lie among them.
+    pub fn leg(&self, turns: Flow, periods: u64, [from, to]: [&Impact; 2], middles: [&Impact; 2]) -> Leg {
+        let time = |from: &Impact, to: &Impact| turn(periods) + to.phase - from.phase;
+        let e = |from: &Impact, to: &Impact| self.product(turns, self.flow(to.phase - from.phase));
+        let whole = e(from, to);
+        let [mut after, mut before] = self.ends(whole, time(from, to), from, to);
+        let centre =
+            self.ends(e(middles[0], middles[1]), time(middles[0], middles[1]), middles[0], middles[1]);
+        let slope = |impact: &Impact| -self.depth.over(impact.cosine).times(0.5);
+        let (slopes, halves) = ([slope(from), slope(to)], [from.s.times(0.5), to.s.times(0.5)]);
+        let apart = [from.s - middles[0].s, to.s - middles[1].s];
+        let (mut after_slopes, mut before_slopes) = ([Span::point(0.0); 2], [Span::point(0.0); 2]);
+        for _ in 0..3 {
+            let last = self.acceleration(to.place, before);
+            let by_first = (before - whole.a * halves[0]).over(whole.b);
+            let by_last = (halves[1] - before).over(whole.b);
+            let velocity = self.velocity(whole);
+            after_slopes = [slopes[0] * by_first, slopes[1] * by_last];
+            before_slopes = [
+                slopes[0] * (velocity * by_first - self.stiffness * (whole.b * halves[0]) - last),
+                slopes[1] * (velocity * by_last + last),
+            ];
+            let moved = |slopes: [Span; 2]| slopes[0] * apart[0] + slopes[1] * apart[1];
+            after = after.meet(centre[0] + moved(after_slopes));
+            before = before.meet(centre[1] + moved(before_slopes));
+        }
+        Leg { after, before, after_slopes, before_slopes }
+    }
+
+    /// The greatest q/ν on a leg of n periods from these impacts with these velocities, and why its gap may not be positive.
+    pub fn gap(
+        &self,
+        periods: u64,
+        [from, to]: [&Impact; 2],
+        after: Span,
+        window: f64,
+        pieces: u64,
+    ) -> (f64, Option<String>) {
+        let mut reach = f64::NEG_INFINITY;
+        let mut reason = None;
+        let mut motion = |k: u64, t: Span| {
+            let since = turn(k) + t - from.phase;
+            let [place, velocity] = self.motion(self.flow(since), since, from.place, after);
+            reach = reach.max(place.hi);
+            (place, velocity, self.acceleration(place, velocity))
+        };
+        for k in 0..=periods {
+            let lo = if k == 0 { from.phase.lo } else { -window };
+            let hi = if k == periods { to.phase.hi } else { window };
+            let mut least = f64::INFINITY;
+            for piece in 0..pieces {
+                let t = Span::new(lo, hi).part(piece, pieces);
+                let (_, _, acceleration) = motion(k, t);
+                least = least.min(t.lo.cos().min(t.hi.cos()) + (self.depth * acceleration).lo);
+            }
+            if least <= 0.0 {
+                reason = reason.or(Some(format!("the wall may press {k} periods after the impact")));
+            }
+            if 0 < k && k < periods {
+                let (place, velocity, _) = motion(k, Span::point(0.0));
+                let dip = (self.depth * velocity.squared()).times(0.5 / least);
+                if (place - dip).lo <= self.side {
+                    reason = reason.or(Some(format!("the wall may be met {k} periods after the impact")));
+                }
+            }
+            let between = Span::new(window, std::f64::consts::TAU - window);
+            for piece in 0..if k < periods { pieces } else { 0 } {
+                let t = between.part(piece, pieces);
+                let (place, _, _) = motion(k, t);
+                let gap =
+                    1.0 - t.lo.cos().max(t.hi.cos()) + (self.depth * (place - Span::point(self.side))).lo;
+                if gap <= 0.0 {
+                    reason = reason.or(Some(format!("the gap may close between windows {k} and {}", k + 1)));
+                }
+            }
+        }
+        (reach, reason)
+    }
+}
+
+/// 2πn.
+pub(super) fn turn(periods: u64) -> Span {
+    Span::point(std::f64::consts::TAU * periods as f64)
+}

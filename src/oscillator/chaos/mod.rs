@@ -1,0 +1,138 @@
+//! Chaos proved: every bi-infinite path of a graph of periods is an orbit of a linear oscillator with one wall.
+//!
+//! docs/chaos.md has the theorem. [`prove`] looks for boxes and weights (`search`, in plain floats: `span`, `map`), writes a certificate of
+//! kind `chaos` and has it checked; what is proved is what the checker proves. [`Problem`] is in the normal form, to which `normal` brings an
+//! oscillator. Not here: the keys of a scene, reports.
+
+mod graph;
+mod map;
+mod normal;
+mod rational;
+mod search;
+mod span;
+mod write;
+
+use num_rational::BigRational;
+use num_traits::ToPrimitive;
+
+pub use graph::{Graph, born};
+pub use normal::Normal;
+pub use rational::RationalFunction;
+pub use span::Span;
+
+use crate::{
+    certificate::chaos::{Certificate, Decimal, Fraction},
+    error::Result,
+    monitor::Monitor,
+};
+
+/// What is to be proved: for all parameters in ranges, every path of a graph.
+#[derive(Debug, Clone)]
+pub struct Problem {
+    /// The ranges of c, k, f, τ, ν.
+    pub ranges: [[BigRational; 2]; 5],
+    /// Whether σ = 1.
+    pub behind: bool,
+    /// The periods n of the letters.
+    pub letters: Vec<u64>,
+    /// For each letter, which may follow, increasing.
+    pub next: Vec<Vec<usize>>,
+}
+
+/// A proof that has passed the checker.
+#[derive(Debug, Clone)]
+pub struct Proof {
+    /// The certificate.
+    pub certificate: Certificate,
+    /// Its text.
+    pub text: String,
+    /// Boxes of the velocities after and before the impacts of each letter, divided by ν.
+    pub boxes: Vec<[Span; 2]>,
+    /// κ.
+    pub contraction: f64,
+}
+
+impl Problem {
+    fn spans(&self) -> [Span; 5] {
+        let float = |x: &BigRational| x.to_f64().unwrap_or(f64::NAN);
+        self.ranges.each_ref().map(|[lo, hi]| Span::new(float(lo), float(hi)))
+    }
+}
+
+/// A certificate, or for each way of cutting parameters and phases why it failed, the last being the finest.
+///
+/// Cost: up to 16 attempts, each of up to 80 rounds of at most 100,000 evaluations of a leg (about 2 µs).
+///
+/// # Errors
+/// An interruption; numbers of more digits than a certificate holds.
+pub fn prove(problem: &Problem, monitor: &dyn Monitor) -> Result<std::result::Result<Proof, Vec<String>>> {
+    let wide = problem.spans().map(|span| span.width() > 0.0);
+    let mut failures: Vec<String> = Vec::new();
+    for level in 0..6u32 {
+        let others = 1u64 << (level / 2);
+        let cuts = [0, 1, 2, 3, 4].map(|i| match (wide[i], i) {
+            (false, _) => 1,
+            (true, 4) => 1 << level,
+            (true, _) => others,
+        });
+        if level > 0 && !wide.contains(&true) {
+            break;
+        }
+        for parts in search_parts(problem, level) {
+            monitor.advance(0)?;
+            let Some(attempt) = search::Attempt::new(problem, cuts, parts) else { continue };
+            let reason = match attempt.close() {
+                Err(reason) => reason,
+                Ok(closed) => {
+                    let (certificate, text) = write::certificate(problem, &closed)?;
+                    match crate::certificate::check(&mut text.as_bytes()) {
+                        Ok(_) => {
+                            let (boxes, contraction) = (closed.boxes, closed.contraction);
+                            return Ok(Ok(Proof { certificate, text, boxes, contraction }));
+                        }
+                        Err(rejection) => format!("the checker refuses the boxes: {rejection}"),
+                    }
+                }
+            };
+            if failures.last() != Some(&reason) {
+                failures.push(reason);
+            }
+        }
+    }
+    Ok(Err(failures))
+}
+
+/// Whether the conditions of a certificate hold as far as floats tell: H0 to H4 in its cells, its growth rate, and that its periods tell its paths.
+/// It shares nothing with the checker but the certificate's type, and rounds to nearest: margins below about 1e-12 are not seen.
+pub fn holds(certificate: &Certificate) -> std::result::Result<(), String> {
+    let number = |x: Fraction| BigRational::new(x.p.into(), x.q.into());
+    let problem = Problem {
+        ranges: certificate.ranges.map(|range| range.map(number)),
+        behind: certificate.behind,
+        letters: certificate.letters.iter().map(|letter| letter.periods).collect(),
+        next: certificate.letters.iter().map(|letter| letter.next.clone()).collect(),
+    };
+    let graph = Graph { letters: problem.letters.clone(), next: problem.next.clone() };
+    graph.claims(certificate)?;
+    let parts = certificate.letters.iter().map(|letter| letter.parts).collect();
+    let attempt = search::Attempt::new(&problem, certificate.cells, parts).ok_or("too much work")?;
+    attempt.holds(certificate)
+}
+
+/// A certificate's decimal.
+fn float(x: Decimal) -> f64 {
+    x.digits as f64 / 10f64.powi(x.places as i32)
+}
+
+/// Into how many parts the phases of each letter's impacts are cut, in the order to try: first none, then those of the longest letters, then all.
+fn search_parts(problem: &Problem, level: u32) -> Vec<Vec<u64>> {
+    let longest = problem.letters.iter().copied().max().unwrap_or(0);
+    let with = |long: u64, short: u64| {
+        problem.letters.iter().map(|&n| if n == longest { long } else { short }).collect::<Vec<u64>>()
+    };
+    match level {
+        0 => vec![with(1, 1), with(4, 1), with(4, 4), with(16, 4)],
+        1 | 2 => vec![with(1, 1), with(4, 1)],
+        _ => vec![with(1, 1), with(4, 1), with(8, 2)],
+    }
+}

@@ -1,0 +1,243 @@
+//! Tasks of kind `chaos`: that every word over an alphabet is an orbit (a full shift or a subshift), proved, or what stood in the way.
+
+use num_rational::BigRational;
+use num_traits::ToPrimitive;
+use serde::Serialize;
+
+use super::{Finding, Job, Lines, Status, row};
+use crate::{
+    error::{Error, Result},
+    number::certain_digits,
+    oscillator::{
+        Side,
+        chaos::{Graph, Normal, Problem, Proof, born, prove},
+    },
+    scene::chaos::{Alphabet, ChaosTask, LONGEST},
+};
+
+row! {
+    /// A letter of the alphabet, with its boxes: velocities divided by ν, in units of the normal form.
+    pub struct LetterRow {
+        /// n, the periods.
+        pub periods: u64,
+        /// The letters that may follow, by their number from 1.
+        pub next: Vec<u64>,
+        /// Between which the velocity just after its first impact lies.
+        pub after: [f64; 2],
+        /// Between which the velocity just before its last impact lies.
+        pub before: [f64; 2],
+    }
+}
+
+row! {
+    /// A graph for which no proof was found, and why.
+    pub struct FailureRow {
+        /// The periods of its letters.
+        pub alphabet: Vec<u64>,
+        /// What failed in the last, finest attempt.
+        pub reason: String,
+    }
+}
+
+/// What is proved.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ChaosFindings {
+    /// Whether it is.
+    pub proved: bool,
+    /// The oscillator in its normal form.
+    pub oscillator: String,
+    /// For which parameters of the scene.
+    pub range: String,
+    /// For which ν.
+    pub depth: [f64; 2],
+    /// The periods of the alphabet.
+    pub alphabet: Vec<u64>,
+    /// Whether every one may follow every one.
+    pub full: bool,
+    /// The letters with their boxes; none if nothing is proved.
+    pub letters: Vec<LetterRow>,
+    /// κ.
+    pub contraction: Option<f64>,
+    /// Certain digits of the topological entropy per forcing period.
+    pub entropy: Option<String>,
+    /// The growth rate per period that it is the logarithm of.
+    pub growth: Option<String>,
+    /// What was tried without success.
+    pub failures: Vec<FailureRow>,
+    /// The file of the certificate.
+    pub certificate: Option<String>,
+    /// The certificate: file and text.
+    #[serde(skip)]
+    pub text: Option<(String, String)>,
+}
+
+impl Finding for ChaosFindings {
+    fn status(&self) -> Status {
+        if self.proved {
+            return Status::Done;
+        }
+        match self.failures.last() {
+            Some(row) => Status::undecided(format!(
+                "no proof over the alphabet {:?}: {}. This does not say that there is no chaos",
+                row.alphabet, row.reason
+            )),
+            None => Status::undecided(
+                "at the grazing no alphabet with two words is born, as far as floats tell. This does not say that there is no chaos",
+            ),
+        }
+    }
+
+    fn lines(&self, lines: &mut Lines) {
+        lines.say("oscillator", self.oscillator.clone());
+        lines.say("for", self.range.clone());
+        if self.proved {
+            let periods: Vec<String> = self.alphabet.iter().map(u64::to_string).collect();
+            lines.say(
+                "proved",
+                format!(
+                    "every bi-infinite word over {{{}}}{} is exactly one orbit in the boxes, admissible",
+                    periods.join(", "),
+                    if self.full { "" } else { " that the graph allows" }
+                ),
+            );
+            lines.table("letters", &self.letters);
+            lines.say("contraction", self.contraction);
+            lines.say("entropy", format!("{} per forcing period", self.entropy.as_deref().unwrap_or("?")));
+        }
+        if !self.failures.is_empty() {
+            lines.table("without", &self.failures);
+        }
+    }
+}
+
+/// Proves the alphabet of the task, or the largest that closes of those born at the grazing.
+///
+/// # Errors
+/// What the normal form does not cover; an interruption.
+pub fn chaos(task: &ChaosTask, job: &Job) -> Result<ChaosFindings> {
+    let normal = task.normal(&job.scene)?;
+    let mut found = ChaosFindings {
+        proved: false,
+        oscillator: oscillator(&normal),
+        range: range(task, &normal),
+        depth: normal.ranges[4].each_ref().map(|x| x.to_f64().unwrap_or(f64::NAN)),
+        alphabet: Vec::new(),
+        full: false,
+        letters: Vec::new(),
+        contraction: None,
+        entropy: None,
+        growth: None,
+        failures: Vec::new(),
+        certificate: None,
+        text: None,
+    };
+    let problem = |graph: &Graph| {
+        let graph = match task.history[..] {
+            [of, depth] => graph.with_history(of, depth as usize),
+            _ => graph.clone(),
+        };
+        let Normal { ranges, behind, .. } = normal.clone();
+        Problem { ranges, behind, letters: graph.letters, next: graph.next }
+    };
+    let mut graph = match &task.alphabet {
+        Alphabet::Auto => born(&problem(&Graph::full(&[1])), LONGEST.min(24)).richest(),
+        Alphabet::Periods(periods) => Some(given(periods, &task.follow)?),
+    };
+    while let Some(tried) = graph.take() {
+        if tried.growth().0 <= 1.0 + 1e-9 {
+            if task.alphabet != Alphabet::Auto {
+                return Err(Error::input(
+                    "kind \"chaos\": the graph has one periodic word only, whose entropy is 0",
+                ));
+            }
+            break;
+        }
+        found.alphabet.clone_from(&tried.letters);
+        found.full = tried == Graph::full(&tried.letters);
+        match prove(&problem(&tried), job.monitor)? {
+            Ok(proof) => {
+                found.keep(proof, &job.task.name);
+                break;
+            }
+            Err(reasons) => {
+                let reason = reasons.last().cloned().unwrap_or_else(|| "too much work".into());
+                found.failures.push(FailureRow { alphabet: tried.letters.clone(), reason });
+                if task.alphabet == Alphabet::Auto {
+                    let longest = tried.letters.iter().copied().max();
+                    let keep: Vec<usize> =
+                        (0..tried.letters.len()).filter(|&v| Some(tried.letters[v]) != longest).collect();
+                    graph = tried.part(&keep).richest();
+                }
+            }
+        }
+    }
+    Ok(found)
+}
+
+impl ChaosFindings {
+    fn keep(&mut self, proof: Proof, name: &str) {
+        let letters = proof.certificate.letters.iter().zip(&proof.boxes);
+        self.letters = letters
+            .map(|(letter, [after, before])| LetterRow {
+                periods: letter.periods,
+                next: letter.next.iter().map(|&next| next as u64 + 1).collect(),
+                after: [after.lo, after.hi],
+                before: [before.lo, before.hi],
+            })
+            .collect();
+        self.contraction = Some(proof.contraction);
+        let growth = proof.certificate.growth;
+        self.growth = Some(growth[0].to_string());
+        self.entropy = entropy(growth.map(|x| x.digits as f64 / 10f64.powi(x.places as i32)));
+        let file = format!("{name}.certificate");
+        self.certificate = Some(file.clone());
+        self.text = Some((file, proof.text));
+        self.proved = true;
+    }
+}
+
+/// The digits of the logarithm that both ends share: an error of 1e-15, the library's, is allowed for.
+fn entropy([lo, hi]: [f64; 2]) -> Option<String> {
+    let ends = [lo.ln() - 1e-14, hi.ln() + 1e-14].map(BigRational::from_float);
+    let [Some(lo), Some(hi)] = ends else { return None };
+    certain_digits(&lo, &hi, 12)
+}
+
+fn given(periods: &[u64], follow: &[Vec<u64>]) -> Result<Graph> {
+    let mut graph = Graph::full(periods);
+    if !follow.is_empty() {
+        let place = |n: &u64| periods.iter().position(|known| known == n);
+        graph.next = follow.iter().map(|list| list.iter().filter_map(place).collect()).collect();
+    }
+    if graph.is_connected() {
+        Ok(graph)
+    } else {
+        Err(Error::input(
+            "kind \"chaos\": some period of the alphabet cannot be reached from another: leave it out",
+        ))
+    }
+}
+
+fn range(task: &ChaosTask, normal: &Normal) -> String {
+    let end = if normal.open { "<" } else { "<=" };
+    let mut parts = Vec::new();
+    if let (Some(name), Some(from)) = (&task.parameter, &task.from) {
+        parts.push(match &task.to {
+            Some(to) => format!("every {name} with {from} < {name} {end} {to}"),
+            None => format!("every {name} > {from}"),
+        });
+    }
+    parts.extend(task.cell.0.iter().map(|(name, [lo, hi])| format!("every {name} from {lo} to {hi}")));
+    if parts.is_empty() { "the values of the parameters".into() } else { parts.join(", ") }
+}
+
+fn oscillator(normal: &Normal) -> String {
+    let names = ["c", "k", "f", "tau", "nu"];
+    let one = |(name, [lo, hi]): (&str, &[BigRational; 2])| {
+        if lo == hi { format!("{name} = {lo}") } else { format!("{name} in [{lo}, {hi}]") }
+    };
+    let values: Vec<String> = names.into_iter().zip(&normal.ranges).map(one).collect();
+    let sign = if normal.behind { "" } else { "-" };
+    let turned = if normal.side == Side::Upper { ", turned below by q -> -q" } else { "" };
+    format!("q'' = -c q' - k q + f above {sign}nu - 1 + cos t{turned}; {}", values.join(", "))
+}

@@ -1,0 +1,75 @@
+//! The keys of the task `chaos`.
+
+use num_rational::BigRational;
+
+use super::keys::{Entry, Value, keys};
+use crate::error::Result;
+
+keys! {
+    /// Proves that every bi-infinite word over an alphabet of periods is an orbit, exactly one in given boxes and admissible, for every parameter in a range, with a certificate. Linear oscillators with one wall and one harmonic. See chaos.md.
+    pub struct ChaosTask {
+        /// the periods n between impacts; `"auto"` takes those born at the grazing, and leaves out the longest until the proof succeeds
+        alphabet: Alphabet = "\"auto\"",
+        /// for each period of the alphabet, in its order, those that may follow; if empty, every one
+        follow: Vec<Vec<u64>> = "[]",
+        /// a parameter that varies: the proof is for all its values above `from`, up to `to`
+        parameter: Option<String>,
+        /// the end of its range that is not included
+        from: Option<BigRational>,
+        /// the end that is, unless the motion without the wall grazes there; if absent, there is none
+        to: Option<BigRational>,
+        /// other parameters that vary, each with its least and greatest value, as in `{ d = [0.59, 0.61] }`; only damping, stiffness and restitution may depend on them
+        cell: Cell = "{}",
+        /// a period and a number: boxes are told apart by how many of that period follow, up to that number
+        history: Vec<u64> = "[]",
+    }
+}
+
+/// The periods, or that they are to be found.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Alphabet {
+    /// Those born at the grazing.
+    Auto,
+    /// These.
+    Periods(Vec<u64>),
+}
+
+impl Value for Alphabet {
+    fn shape() -> String {
+        "`\"auto\"` or list, each whole number".to_string()
+    }
+
+    fn read(entry: &Entry) -> Result<Self> {
+        if entry.item.as_str().is_some() {
+            return entry.word(&[("auto", ())]).map(|()| Alphabet::Auto);
+        }
+        Vec::<u64>::read(entry).map(Alphabet::Periods)
+    }
+}
+
+/// Ranges of parameters.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Cell(pub Vec<(String, [BigRational; 2])>);
+
+impl Value for Cell {
+    fn shape() -> String {
+        "table of lists, each two numbers".to_string()
+    }
+
+    fn read(entry: &Entry) -> Result<Self> {
+        let names: Vec<&str> = entry.scope.names.iter().map(String::as_str).collect();
+        entry.only(&names)?;
+        let mut all = Vec::new();
+        for name in names {
+            let Some(value) = entry.get(name)? else { continue };
+            match <[BigRational; 2]>::try_from(Vec::<BigRational>::read(&value)?) {
+                Ok(range) if range[0] < range[1] => all.push((name.to_string(), range)),
+                _ => return Err(value.fail("must be two numbers that increase")),
+            }
+        }
+        Ok(Cell(all))
+    }
+}
+
+/// The longest period of an alphabet.
+pub(crate) const LONGEST: u64 = 100;

@@ -1,0 +1,133 @@
+//! What the task `chaos` is about: its scene's oscillator in the normal form of docs/chaos.md, for all its parameters.
+
+use num_rational::BigRational;
+use num_traits::Zero;
+
+use super::{
+    chaos::{Alphabet, ChaosTask, LONGEST},
+    scene::Scene,
+};
+use crate::{
+    error::{Error, Result},
+    number::{FloatInterval, Real},
+    oscillator::{
+        Side,
+        chaos::{Normal, RationalFunction},
+    },
+};
+
+impl ChaosTask {
+    pub(super) fn check(&self, scene: &Scene, path: &str) -> Result<()> {
+        let fail = |key: &str, message: &str| Err(scene.fail(&format!("{path}.{key}"), message));
+        if let Alphabet::Periods(periods) = &self.alphabet {
+            let increase = periods.windows(2).all(|pair| pair[0] < pair[1]);
+            if periods.is_empty() || !increase || periods[0] == 0 || periods[periods.len() - 1] > LONGEST {
+                return fail("alphabet", &format!("must be periods from 1 to {LONGEST}, increasing"));
+            }
+            let known = |list: &Vec<u64>| {
+                !list.is_empty()
+                    && list.windows(2).all(|pair| pair[0] < pair[1])
+                    && list.iter().all(|n| periods.contains(n))
+            };
+            let given = self.follow.len() == periods.len() && self.follow.iter().all(known);
+            if !(given || self.follow.is_empty()) {
+                return fail(
+                    "follow",
+                    "must have, for each period of the alphabet, some of them, increasing",
+                );
+            }
+        } else if !self.follow.is_empty() {
+            return fail("follow", "goes with an alphabet of periods, not with \"auto\"");
+        }
+        match &self.history[..] {
+            [] => {}
+            [_, 0..=40] => {}
+            _ => return fail("history", "must be a period and a number up to 40"),
+        }
+        match (&self.parameter, &self.from, &self.to) {
+            (None, None, None) => {}
+            (Some(name), Some(from), to) => {
+                scene.parameter(name)?;
+                if to.as_ref().is_some_and(|to| to <= from) {
+                    return fail("to", "must be above from");
+                }
+                if self.cell.0.iter().any(|(other, _)| other == name) {
+                    return fail("cell", &format!("must not hold {name}, which varies from {from} on"));
+                }
+            }
+            _ => return fail("parameter", "goes with from, and to where the range ends"),
+        }
+        self.normal(scene).map(drop).map_err(|error| scene.fail(path, &error.to_string()))
+    }
+}
+
+impl ChaosTask {
+    /// The scene's oscillator in the normal form of chaos.md, for all parameters of the task.
+    ///
+    /// # Errors
+    /// As [`Normal::of`]; also where a wall or a force depends on a parameter of the cell.
+    pub fn normal(&self, scene: &Scene) -> Result<Normal> {
+        let cell = &self.cell.0;
+        let in_cell = |name: &String| cell.iter().find(|(other, _)| other == name).map(|(_, range)| range);
+        let varies = |name: &String| self.parameter.as_ref() == Some(name);
+        let functions: Vec<RationalFunction> = scene
+            .parameters
+            .iter()
+            .map(|(name, value)| match (&self.from, in_cell(name)) {
+                (Some(from), _) if varies(name) => RationalFunction::range(from, self.to.as_ref()),
+                // Where it matters, ranges are used in its place.
+                (_, Some([lo, _])) => RationalFunction::ratio(lo, &()),
+                _ => RationalFunction::ratio(value, &()),
+            })
+            .collect();
+        let system = scene.system()?;
+        let varied = system.try_map(|expression| expression.evaluate(&functions, &()))?;
+        if cell.is_empty() {
+            return Normal::of(&varied, None);
+        }
+        let ranged = |index: usize| in_cell(&scene.parameters[index].0).is_some();
+        let walls = [&system.lower, &system.upper].into_iter().flatten();
+        let harmonics = walls.clone().flat_map(|wall| &wall.harmonics).chain(&system.forcing);
+        let mut others = harmonics
+            .flat_map(|harmonic| [&harmonic.cos, &harmonic.sin])
+            .chain(walls.map(|wall| &wall.offset))
+            .chain([&system.force, &system.cubic]);
+        if let Some(expression) = others.find(|expression| expression.mentions(&ranged)) {
+            return Err(Error::input(format!(
+                "kind \"chaos\": {expression} depends on a parameter of the cell; only damping, stiffness and restitution may"
+            )));
+        }
+        let wide = |lo: &BigRational, hi: &BigRational| {
+            let [lo, hi] = [lo, hi].map(|x| FloatInterval::ratio(x, &()));
+            FloatInterval::from_bounds(lo.lo(), hi.hi())
+        };
+        let intervals: Vec<FloatInterval> = scene
+            .parameters
+            .iter()
+            .map(|(name, value)| match (&self.from, &self.to, in_cell(name)) {
+                (Some(from), Some(to), _) if varies(name) => wide(from, to),
+                (Some(_), None, _) if varies(name) => FloatInterval::WHOLE,
+                (_, _, Some([lo, hi])) => wide(lo, hi),
+                _ => FloatInterval::ratio(value, &()),
+            })
+            .collect();
+        let restitution = system.wall(Side::Lower).or(system.wall(Side::Upper)).map(|wall| &wall.restitution);
+        let measured = [Some(&system.damping), Some(&system.stiffness), restitution].map(|expression| {
+            let Some(expression) = expression else {
+                return Ok([BigRational::zero(), BigRational::zero()]);
+            };
+            let free = |index: usize| ranged(index) || varies(&scene.parameters[index].0);
+            if !expression.mentions(&free) {
+                let exact: Vec<BigRational> =
+                    scene.parameters.iter().map(|(_, value)| value.clone()).collect();
+                let value = expression.evaluate(&exact, &())?;
+                return Ok([value.clone(), value]);
+            }
+            let value = expression.evaluate(&intervals, &())?;
+            let bounds = value.exact_bounds().map(|(lo, hi)| [lo, hi]);
+            bounds.ok_or_else(|| Error::input(format!("kind \"chaos\": {expression} is not bounded")))
+        });
+        let [damping, stiffness, restitution] = measured;
+        Normal::of(&varied, Some([damping?, stiffness?, restitution?]))
+    }
+}
