@@ -254,7 +254,7 @@ fn feed_checkpoints(what: &str, job: Job) {
             _ => Ok(()),
         }
     };
-    feed(&format!("checkpoints of {what}"), &[whole.clone()], read);
+    feed(&format!("checkpoints of {what}"), std::slice::from_ref(&whole), read);
     let (header, records) = whole.split_once('\n').unwrap();
     let records: String = records.lines().map(|line| format!("{}\n", &line[17..])).collect();
     feed(&format!("records of {what}"), &[records], |records| {

@@ -172,7 +172,7 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
 
 /// Where the words are asked for.
 enum At {
-    Point(Point),
+    Point(Box<Point>),
     Box(Box<Rectangle>),
 }
 
@@ -206,7 +206,7 @@ impl Given {
             normalised(a1.as_ref().zip(a2.as_ref()), args.r.as_ref().zip(args.s.as_ref()))?;
         let time = if reversed { ", after reversing time (a2 > 1): patterns are read backwards" } else { "" };
         let heading = format!("{}{time}", describe(region));
-        Ok(Given { place: At::Point(point), reversed, heading, bounds: None })
+        Ok(Given { place: At::Point(Box::new(point)), reversed, heading, bounds: None })
     }
 }
 

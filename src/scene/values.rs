@@ -40,7 +40,8 @@ impl Scene {
         };
         let machine = scene.machine.try_map(number)?;
         let keyed = |key: &str, error: &Error| self.fail(key, &format!("{error}{}", point()));
-        if !(machine.period > 0.0) {
+        // A period that is no number fails too.
+        if machine.period.is_nan() || machine.period <= 0.0 {
             let key =
                 if self.places.contains_key("system.period") { "system.period" } else { "system.frequency" };
             return Err(self
