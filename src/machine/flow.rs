@@ -209,6 +209,11 @@ impl LinearFlow {
         MachineState { t, q: x.rows(0, n).into_owned(), u: x.rows(n, n).into_owned() }
     }
 
+    /// The change of state (q, q′) of a change of y.
+    pub(super) fn outward(&self, y: &RealVector) -> RealVector {
+        &self.from * y
+    }
+
     /// y of a change of velocity.
     pub fn kick(&self, du: &RealVector) -> RealVector {
         let n = self.equations.size();

@@ -17,6 +17,8 @@
 //! - **Impacts.** Newton's law for all stops that are hit at one instant, as a complementarity problem in the mass metric ([`contact`]).
 //! - **Simulation.** [`simulate`] promises what the one of `oscillator` does, with the same minimum test; far from all stops it passes over
 //!   long stretches at once.
+//! - **Analysis.** The motion without impacts, where it grazes a stop as a parameter varies, and the local map there ([`grazing`]); periodic
+//!   orbits with impacts ([`orbit`]). Derivatives come from the flow, the saltation at impacts and [`MachineSlope`]: nothing is differenced.
 //!
 //! Linear algebra is by `nalgebra`, 18 packages; `faer` would bring 57 and the eigenvectors of general matrices, which are thirty lines here.
 //! Not here: what is to be done, as a file (`scene`); tables and pictures.
@@ -24,13 +26,18 @@
 pub mod contact;
 mod equations;
 mod flow;
+pub mod grazing;
 mod model;
 mod modes;
+pub mod orbit;
+mod response;
 pub mod simulate;
+mod slope;
 
 pub use equations::{LinearEquations, Periodic};
 pub use flow::{FlowMethod, LinearFlow};
 pub use model::{Load, Machine, Stop};
+pub use slope::{MachineFamily, MachineSlope};
 
 /// Vectors of coordinates, velocities, forces.
 pub type RealVector = nalgebra::DVector<f64>;

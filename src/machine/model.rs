@@ -202,7 +202,7 @@ impl Machine<f64> {
         })
     }
 
-    fn vector(&self, name: &str, values: &[f64]) -> Result<RealVector> {
+    pub(super) fn vector(&self, name: &str, values: &[f64]) -> Result<RealVector> {
         let points = self.points();
         if values.is_empty() {
             return Ok(RealVector::zeros(self.size));
@@ -220,7 +220,7 @@ impl Machine<f64> {
         Ok(self.shape().map_or_else(|| given.clone(), |shape| shape.tr_mul(&given)))
     }
 
-    fn matrix(&self, name: &str, entries: &[(usize, usize, f64)]) -> Result<RealMatrix> {
+    pub(super) fn matrix(&self, name: &str, entries: &[(usize, usize, f64)]) -> Result<RealMatrix> {
         let mut matrix = RealMatrix::zeros(self.size, self.size);
         for &(i, j, x) in entries {
             if i >= self.size || j >= self.size {

@@ -125,7 +125,7 @@ fn is_symmetric(m: &RealMatrix) -> bool {
 }
 
 /// Eigenvalues, ascending, and orthonormal eigenvectors of a symmetric matrix.
-fn eigen(m: &RealMatrix) -> Result<(Vec<f64>, RealMatrix)> {
+pub(super) fn eigen(m: &RealMatrix) -> Result<(Vec<f64>, RealMatrix)> {
     let n = m.nrows();
     let symmetric = (m + m.transpose()) * 0.5;
     if is_diagonal(&symmetric) {

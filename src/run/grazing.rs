@@ -275,12 +275,7 @@ fn born(
         reason: verdict.reason.map(|reason| reason.to_string()),
     };
     let Some(side) = verdict.side() else {
-        row.side = match (verdict.plus, verdict.minus) {
-            (PatternExistence::NoOrbit, _) => "open for e mu < 0",
-            (_, PatternExistence::NoOrbit) => "open for e mu > 0",
-            _ => "open",
-        }
-        .into();
+        row.side = side_open(verdict).into();
         return Ok(row);
     };
     let away = if side { task.distance } else { -task.distance } / e;
@@ -308,7 +303,16 @@ fn born(
     Ok(row)
 }
 
+/// What of a pattern is open.
+pub(super) fn side_open(verdict: &Verdict) -> &'static str {
+    match (verdict.plus, verdict.minus) {
+        (PatternExistence::NoOrbit, _) => "open for e mu < 0",
+        (_, PatternExistence::NoOrbit) => "open for e mu > 0",
+        _ => "open",
+    }
+}
+
 /// A parameter value for reading: rounding's leavings at 0 left out.
-fn shown(value: f64) -> String {
+pub(super) fn shown(value: f64) -> String {
     if value.abs() < 1e-14 { "0".into() } else { format!("{value:.6}") }
 }

@@ -29,6 +29,8 @@ mod diagram;
 mod event;
 mod grazing;
 mod machine;
+mod machine_grazing;
+mod machine_orbit;
 mod orbit;
 mod report;
 mod section;
@@ -53,6 +55,8 @@ pub use diagram::{CoexistingRow, DiagramFindings, WindowRow, diagram};
 pub use event::{EventFindings, EventRow, EventRows, GrazingEventRow, WithoutRow, event};
 pub use grazing::{BornRow, GrazingFindings, GrazingReport, grazing};
 pub use machine::{MachineSimulationFindings, ModeRow, StopRow, simulate_machine};
+pub use machine_grazing::{MachineBornRow, MachineGrazingFindings, MachineGrazingReport, machine_grazing};
+pub use machine_orbit::{MachineOrbitFindings, MachineOrbitRow, machine_orbit};
 pub use orbit::{MissingRow, OrbitFindings, OrbitRow, orbit};
 pub use report::TaskReport;
 pub use section::{AttractorRow, SectionFindings, SectionOrbitRow, SectionSet, section};
@@ -126,10 +130,14 @@ findings! {
     Diagram(DiagramFindings),
     /// Periodic orbits.
     Orbit(OrbitFindings),
+    /// Periodic orbits of a machine.
+    MachineOrbit(MachineOrbitFindings),
     /// The first bifurcations along orbits' branches.
     Event(EventFindings),
     /// A grazing bifurcation.
     Grazing(GrazingFindings),
+    /// A grazing bifurcation of a machine.
+    MachineGrazing(MachineGrazingFindings),
     /// Branches of orbits.
     Branch(BranchFindings),
     /// The end of an attractor.
@@ -401,6 +409,8 @@ fn answer(job: &Job, keeper: &mut dyn Keeper) -> Result<Findings> {
     if let Model::Machine(machine) = &job.model {
         return Ok(match &job.task.kind {
             Kind::SimulateTask(task) => simulate_machine(task, machine, job, keeper)?.into(),
+            Kind::OrbitTask(task) => machine_orbit(task, machine, job)?.into(),
+            Kind::GrazingTask(task) => machine_grazing(task, job)?.into(),
             // Refused when the scene was read.
             kind => return Err(Error::input(format!("kind {:?} does not work on machines", kind.word()))),
         });

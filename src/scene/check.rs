@@ -125,8 +125,27 @@ fn check_machine(kind: &Kind, scene: &Scene, machine: &Machine<f64>, path: &str)
             task.check_length(scene, path)?;
             scene.check_machine_start(&task.start, machine, &format!("{path}.start"))
         }
+        Kind::OrbitTask(task) => {
+            check_machine_orbit(&task.orbit, scene, machine, &format!("{path}.orbit"))?;
+            check_values(task, scene, path)
+        }
+        Kind::GrazingTask(task) => {
+            scene.parameter(&task.parameter)?;
+            check_grazing(task, scene, path)?;
+            let key = |key: &str| format!("{path}.{key}");
+            if machine.stops.is_empty() {
+                return Err(
+                    scene.fail(&key("kind"), "needs a stop that could be grazed: there is no [[walls]]")
+                );
+            }
+            if !task.orbit.pattern.is_empty() || task.orbit.period != 1 {
+                let message = "of a machine, the motion without impacts is followed: leave `orbit` out";
+                return Err(scene.fail(&key("orbit"), message));
+            }
+            Ok(())
+        }
         _ => {
-            let message = "does not work on machines, format \"grazing-scene 2\": there is simulate";
+            let message = "does not work on machines, format \"grazing-scene 2\": there are simulate, orbit and grazing";
             Err(scene.fail(&format!("{path}.kind"), message))
         }
     }
@@ -203,14 +222,18 @@ impl Check for BasinsTask {
 impl Check for OrbitTask {
     fn check(&self, scene: &Scene, system: &System<f64>, path: &str) -> Result<()> {
         check_orbit(&self.orbit, scene, system, &format!("{path}.orbit"))?;
-        if let Some(parameter) = &self.parameter {
-            scene.parameter(parameter)?;
-        }
-        if self.parameter.is_some() == self.values.is_empty() {
-            return Err(scene.fail(path, "parameter and values belong together: give both or neither"));
-        }
-        Ok(())
+        check_values(self, scene, path)
     }
+}
+
+fn check_values(task: &OrbitTask, scene: &Scene, path: &str) -> Result<()> {
+    if let Some(parameter) = &task.parameter {
+        scene.parameter(parameter)?;
+    }
+    if task.parameter.is_some() == task.values.is_empty() {
+        return Err(scene.fail(path, "parameter and values belong together: give both or neither"));
+    }
+    Ok(())
 }
 
 impl Check for EventTask {
@@ -224,12 +247,17 @@ impl Check for EventTask {
 impl Check for GrazingTask {
     fn check(&self, scene: &Scene, system: &System<f64>, path: &str) -> Result<()> {
         scene.parameter(&self.parameter)?;
-        check_reach(scene, self.reach, &self.options, path)?;
-        if !(1..=12).contains(&self.max_period) {
-            return Err(scene.fail(&format!("{path}.max_period"), "is outside 1 to 12"));
-        }
+        check_grazing(self, scene, path)?;
         check_orbit(&self.orbit, scene, system, &format!("{path}.orbit"))
     }
+}
+
+fn check_grazing(task: &GrazingTask, scene: &Scene, path: &str) -> Result<()> {
+    check_reach(scene, task.reach, &task.options, path)?;
+    if !(1..=12).contains(&task.max_period) {
+        return Err(scene.fail(&format!("{path}.max_period"), "is outside 1 to 12"));
+    }
+    Ok(())
 }
 
 impl Check for BranchTask {
@@ -316,6 +344,9 @@ fn check_orbit(orbit: &OrbitKeys, scene: &Scene, system: &System<f64>, path: &st
     if let Err(error) = orbit.itinerary(system) {
         return fail("pattern", &error.to_string());
     }
+    if !orbit.stops.is_empty() {
+        return fail("stops", "names stops of a machine, format \"grazing-scene 2\": give `walls`");
+    }
     let m = orbit.pattern.len();
     if !orbit.walls.is_empty() && orbit.walls.len() != m {
         return fail("walls", &format!("must name {m} walls, one for each impact"));
@@ -331,6 +362,50 @@ fn check_orbit(orbit: &OrbitKeys, scene: &Scene, system: &System<f64>, path: &st
     }
     if !orbit.start.is_empty() && orbit.start.len() != (2 * m).max(2) {
         return fail("start", &format!("must hold {} numbers", (2 * m).max(2)));
+    }
+    Ok(())
+}
+
+/// The same for a machine, whose stops have names.
+fn check_machine_orbit(orbit: &OrbitKeys, scene: &Scene, machine: &Machine<f64>, path: &str) -> Result<()> {
+    let fail = |key: &str, message: &str| Err(scene.fail(&format!("{path}.{key}"), message));
+    let m = orbit.pattern.len();
+    if !orbit.walls.is_empty() {
+        return fail(
+            "walls",
+            "names walls of an oscillator of format 1: give `stops`, the names of a machine's stops",
+        );
+    }
+    if m == 0 && orbit.period == 0 {
+        return fail("period", "must be at least 1");
+    }
+    match orbit.pattern.iter().try_fold(0u32, |sum, &n| sum.checked_add(n)) {
+        Some(0) if m > 0 => return fail("pattern", "must have a period of at least 1"),
+        None => return fail("pattern", "sums to more than 4294967295"),
+        Some(_) => {}
+    }
+    let names: Vec<&str> = machine.stops.iter().map(|stop| stop.name.as_str()).collect();
+    if m > 0 && names.is_empty() {
+        return fail("pattern", "has impacts, but the machine has no stop");
+    }
+    if orbit.stops.is_empty() && m > 0 && names.len() > 1 {
+        let message = format!(
+            "the machine has several stops: name that of each impact in `stops`, of {}",
+            names.join(", ")
+        );
+        return fail("pattern", &message);
+    }
+    if !orbit.stops.is_empty() && orbit.stops.len() != m {
+        return fail("stops", &format!("must name {m} stops, one for each impact"));
+    }
+    if let Some(unknown) = orbit.stops.iter().find(|name| !names.contains(&name.as_str())) {
+        return fail(
+            "stops",
+            &format!("{unknown:?} is no stop of the machine; there are {}", names.join(", ")),
+        );
+    }
+    if !orbit.start.is_empty() && orbit.start.len() != 2 * m {
+        return fail("start", &format!("must hold {} numbers", 2 * m));
     }
     Ok(())
 }

@@ -30,7 +30,7 @@ mod values;
 mod walls;
 
 pub use expression::{Coefficient, Expression};
-pub use family::SceneFamily;
+pub use family::{MachineSceneFamily, SceneFamily};
 pub use keys::Key;
 pub use machine::MachineScene;
 pub use matrix::CoordinateList;

@@ -19,9 +19,12 @@ keys! {
         pattern: Vec<u32> = "[]",
         /// the wall of each impact; needed only if there are two walls
         walls: Vec<Side> = "[]",
+        /// of a machine, the name of the stop of each impact; needed only if there are several stops
+        stops: Vec<String> = "[]",
         /// the period of an orbit without impacts
         period: u32 = "1",
-        /// time and incoming speed t_1, V_1, …, t_m, V_m to start from (without impacts: q and u at t = 0); if empty, all orbits are searched for
+        /// time and incoming speed t_1, V_1, …, t_m, V_m to start from (without impacts: q and u at t = 0; of a machine nothing); of a machine
+        /// each t as a fraction of the period and each V in the scene's units; if empty, all orbits are searched for
         start: Vec<f64> = "[]",
         /// how many starts the search makes
         starts: u32 = "500",
@@ -102,11 +105,12 @@ keys! {
     pub struct GrazingTask {
         /// the parameter that varies
         parameter: String,
-        /// the orbit that comes to graze, near the parameter's present value; its least minimum of a gap is the one taken
+        /// the orbit that comes to graze, near the parameter's present value; its least minimum of a gap is the one taken; of a machine, the
+        /// motion without impacts
         orbit: OrbitKeys = "{}",
-        /// how far along its branch to look, both ways, in the norm of times, speeds and parameter
+        /// how far along its branch to look, both ways, in the norm of times, speeds and parameter; of a machine, in the parameter
         reach: f64 = "0.5",
-        /// how the branch is followed; lengths are those of times, speeds and the parameter as they are
+        /// how the branch is followed; lengths are those of times, speeds and the parameter as they are; not of a machine
         options: Options = "{}",
         /// the largest period of the patterns, in periods of that orbit
         max_period: u32 = "4",

@@ -33,8 +33,8 @@ use crate::{
         write_file,
     },
     run::{
-        EventRows, Findings, GrazingFindings, Job as Task, Keeper, Row, Status, Surroundings, TaskReport,
-        run_task,
+        EventRows, Findings, GrazingFindings, Job as Task, Keeper, MachineGrazingFindings, Row, Status,
+        Surroundings, TaskReport, run_task,
     },
     scene::{Kind, Scene},
 };
@@ -142,6 +142,11 @@ impl Keeper for Files<'_> {
             (Findings::Validate(found), _) => validate::keep(found, self.0),
             (Findings::Chaos(found), _) => chaos::keep(found, self.0),
             (Findings::Orbit(found), _) => Ok(vec![self.0.csv(&found.orbits, ".csv")?]),
+            (Findings::MachineOrbit(found), _) => Ok(vec![self.0.csv(&found.orbits, ".csv")?]),
+            (Findings::MachineGrazing(found), _) => match &**found {
+                MachineGrazingFindings::Found(found) => Ok(vec![self.0.csv(&found.born, ".csv")?]),
+                MachineGrazingFindings::Nothing { .. } => Ok(Vec::new()),
+            },
             (Findings::Grazing(found), _) => match &**found {
                 GrazingFindings::Found(found) => Ok(vec![self.0.csv(&found.born, ".csv")?]),
                 GrazingFindings::Nothing { .. } => Ok(Vec::new()),

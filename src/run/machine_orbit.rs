@@ -1,0 +1,245 @@
+//! Tasks of kind `orbit` on machines: periodic orbits of a pattern.
+//!
+//! Phases are fractions of the period, speeds in the scene's units.
+
+use std::f64::consts::TAU;
+
+use rayon::prelude::*;
+use serde::Serialize;
+
+use super::{Complex, Finding, Job, Judgement, Lines, MissingRow, Status, row};
+use crate::{
+    error::{Error, Result},
+    machine::{
+        Machine,
+        orbit::{MachineAdmissibility, MachineOrbit, StopPattern, StopStrike, find},
+        simulate::MachineSimulator,
+    },
+    number::{Plain, Real},
+    random::Random,
+    scene::orbits::{OrbitKeys, OrbitTask},
+};
+
+row! {
+    /// A solution of the equations of a pattern.
+    pub struct MachineOrbitRow {
+        /// The parameter's value, if the task goes through some.
+        pub value: Option<f64>,
+        /// The impact pattern.
+        pub pattern: String,
+        /// The phases of its impacts, as fractions of the period.
+        pub phases: Vec<f64>,
+        /// Their incoming speeds, at their stops, in the scene's units.
+        pub speeds: Vec<f64>,
+        /// The multipliers of largest modulus, at most four.
+        pub multipliers: Vec<Complex>,
+        /// Whether all are inside the unit circle.
+        pub stable: Judgement,
+        /// Whether it is an orbit: its impacts come in, and between them the simulator finds no other contact.
+        pub admissible: Judgement,
+        /// Why not.
+        pub reason: Option<String>,
+        /// What is left of the equations, relative to the size of the motion.
+        pub residual: f64,
+    }
+}
+
+/// The orbits of a machine that were found, and where there are none.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct MachineOrbitFindings {
+    /// Solutions, by value, then by speed.
+    pub orbits: Vec<MachineOrbitRow>,
+    /// Values without any.
+    pub missing: Vec<MissingRow>,
+}
+
+impl Finding for MachineOrbitFindings {
+    fn status(&self) -> Status {
+        match self.missing.as_slice() {
+            [] => Status::Done,
+            [MissingRow { value: None, reason }] => Status::nothing(reason.clone()),
+            [first, ..] => Status::nothing(format!(
+                "no solution at {} values; at {}: {}",
+                self.missing.len(),
+                first.value.unwrap_or(f64::NAN),
+                first.reason
+            )),
+        }
+    }
+
+    fn lines(&self, lines: &mut Lines) {
+        lines.table("orbits", &self.orbits);
+        if !self.missing.is_empty() {
+            lines.table("missing", &self.missing);
+        }
+    }
+}
+
+/// Finds the orbits of a pattern, at each value of a parameter if there is one.
+///
+/// # Errors
+/// Where the machine is not defined; an interruption.
+pub fn machine_orbit(task: &OrbitTask, machine: &Machine<f64>, job: &Job) -> Result<MachineOrbitFindings> {
+    let mut found = MachineOrbitFindings { orbits: Vec::new(), missing: Vec::new() };
+    let values: Vec<Option<f64>> = match &task.parameter {
+        None => vec![None],
+        Some(_) => task.values.iter().map(|value| Some(Plain::ratio(value, &()).0)).collect(),
+    };
+    job.monitor.begin(values.len() as u64, "values");
+    for value in values {
+        let machine = match (&task.parameter, value) {
+            (Some(parameter), Some(value)) => job.scene.machine(&[(parameter, value)])?,
+            _ => machine.clone(),
+        };
+        let simulator = job.machine_simulator(&machine, &[])?;
+        match orbits(&task.orbit, &machine, &simulator, job) {
+            Ok(orbits) if orbits.is_empty() => {
+                let reason = format!(
+                    "no orbit of the pattern from {} starts with speeds up to {}",
+                    task.orbit.starts, task.orbit.speed
+                );
+                found.missing.push(MissingRow { value, reason });
+            }
+            Ok(orbits) => {
+                found.orbits.extend(orbits.iter().map(|orbit| MachineOrbitRow::of(orbit, &simulator, value)));
+            }
+            Err(error) if error.is_interrupted() => return Err(error),
+            Err(error) => found.missing.push(MissingRow { value, reason: error.to_string() }),
+        }
+        job.monitor.advance(1)?;
+    }
+    Ok(found)
+}
+
+/// Starts between two looks at whether to go on.
+const CHUNK: u32 = 16;
+
+/// Closer than this, relative to the largest speed and to a radian, two solutions are one.
+const NEAR: f64 = 1e-7;
+
+/// The orbits of the keys: the one that Newton's method finds from `start`, or those of a search.
+fn orbits(
+    keys: &OrbitKeys,
+    machine: &Machine<f64>,
+    simulator: &MachineSimulator,
+    job: &Job,
+) -> Result<Vec<MachineOrbit>> {
+    let pattern = pattern(keys, machine)?;
+    let rate = machine.rate();
+    if !keys.start.is_empty() || keys.pattern.is_empty() {
+        let unit = |(i, x): (usize, &f64)| if i % 2 == 0 { x * TAU } else { x / rate };
+        let start: Vec<f64> = keys.start.iter().enumerate().map(unit).collect();
+        return Ok(vec![find(simulator, &pattern, &start)?]);
+    }
+    let m = keys.pattern.len();
+    let start = |i: u32| -> Vec<f64> {
+        let mut random = Random::of_unit(0, u64::from(i));
+        let mut part = || random.next() as f64 / u64::MAX as f64;
+        (0..2 * m).map(|j| part() * if j % 2 == 0 { TAU } else { keys.speed / rate }).collect()
+    };
+    let mut found: Vec<MachineOrbit> = Vec::new();
+    for first in (0..keys.starts).step_by(CHUNK as usize) {
+        job.check()?;
+        let last = first.saturating_add(CHUNK).min(keys.starts);
+        let roots: Vec<MachineOrbit> =
+            (first..last).into_par_iter().filter_map(|i| find(simulator, &pattern, &start(i)).ok()).collect();
+        for orbit in roots {
+            let fastest = orbit.impacts.iter().fold(0.0, |most: f64, impact| most.max(impact.speed));
+            let moving = orbit.impacts.iter().all(|impact| impact.speed > NEAR * fastest);
+            let primitive = (1..m).all(|shift| !same(&orbit, &orbit, shift));
+            if moving && primitive && found.iter().all(|old| (0..m).all(|shift| !same(old, &orbit, shift))) {
+                found.push(orbit);
+            }
+        }
+    }
+    found.sort_by(|a, b| a.impacts[0].speed.total_cmp(&b.impacts[0].speed));
+    Ok(found)
+}
+
+/// Whether b is a with impact `shift` called the first.
+fn same(a: &MachineOrbit, b: &MachineOrbit, shift: usize) -> bool {
+    let (strikes, m) = (a.pattern.strikes(), a.impacts.len());
+    let fastest = a.impacts.iter().fold(0.0, |most: f64, impact| most.max(impact.speed));
+    (0..m).all(|i| {
+        let (x, y) = (&a.impacts[i], &b.impacts[(i + shift) % m]);
+        let turn = (x.time - y.time).rem_euclid(TAU);
+        strikes[i].stop == strikes[(i + shift) % m].stop
+            && turn.min(TAU - turn) < NEAR
+            && (x.speed - y.speed).abs() < NEAR * fastest
+    })
+}
+
+/// The pattern of the keys, whose stops go by their names.
+pub(super) fn pattern(keys: &OrbitKeys, machine: &Machine<f64>) -> Result<StopPattern> {
+    if keys.pattern.is_empty() {
+        return StopPattern::free(keys.period);
+    }
+    let stop = |i: usize| match keys.stops.get(i) {
+        None => Ok(0),
+        Some(name) => machine
+            .stops
+            .iter()
+            .position(|stop| stop.name == *name)
+            .ok_or_else(|| Error::input(format!("there is no stop called {name:?}"))),
+    };
+    let strikes = keys.pattern.iter().enumerate();
+    StopPattern::new(
+        strikes.map(|(i, &periods)| Ok(StopStrike { stop: stop(i)?, periods })).collect::<Result<_>>()?,
+    )
+}
+
+/// Multipliers that a row shows.
+const SHOWN: usize = 4;
+
+impl MachineOrbitRow {
+    fn of(orbit: &MachineOrbit, simulator: &MachineSimulator, value: Option<f64>) -> MachineOrbitRow {
+        let (admissible, reason) = admissible(orbit);
+        MachineOrbitRow {
+            value,
+            pattern: orbit.pattern.named(simulator.contacts().all()),
+            phases: phases(orbit),
+            speeds: speeds(orbit, simulator),
+            multipliers: multipliers(&orbit.multipliers),
+            stable: stable(orbit),
+            admissible,
+            reason,
+            residual: orbit.residual,
+        }
+    }
+}
+
+pub(super) fn multipliers(all: &[(f64, f64)]) -> Vec<Complex> {
+    all.iter().take(SHOWN).map(|&one| Complex::from(one)).collect()
+}
+
+pub(super) fn phases(orbit: &MachineOrbit) -> Vec<f64> {
+    let fraction = |time: f64| {
+        let turned = time.rem_euclid(TAU) / TAU;
+        if turned < 1.0 { turned } else { 0.0 }
+    };
+    orbit.impacts.iter().map(|impact| fraction(impact.time)).collect()
+}
+
+pub(super) fn speeds(orbit: &MachineOrbit, simulator: &MachineSimulator) -> Vec<f64> {
+    orbit.impacts.iter().map(|impact| impact.speed * simulator.rate()).collect()
+}
+
+/// Closer to the unit circle than this, rounding decides.
+const MARGIN: f64 = 1e-11;
+
+fn stable(orbit: &MachineOrbit) -> Judgement {
+    let largest = orbit.multipliers.first().map_or(0.0, |x| x.0.hypot(x.1));
+    match () {
+        () if (largest - 1.0).abs() <= MARGIN => Judgement::Marginal,
+        () if largest < 1.0 => Judgement::Yes,
+        () => Judgement::No,
+    }
+}
+
+pub(super) fn admissible(orbit: &MachineOrbit) -> (Judgement, Option<String>) {
+    match &orbit.admissibility {
+        MachineAdmissibility::Admissible => (Judgement::Yes, None),
+        MachineAdmissibility::Marginal(why) => (Judgement::Marginal, Some(why.to_string())),
+        MachineAdmissibility::No(why) => (Judgement::No, Some(why.to_string())),
+    }
+}
