@@ -413,8 +413,12 @@ impl Walk<'_> {
 
     /// Region 3, eµ < 0: the n with 2ns < 1, all D.
     fn below_half_a_turn(&mut self) -> Result<()> {
-        let Some(first) = self.first_above_half_a_turn()? else { return Ok(()) };
-        for n in 1..first.below {
+        // Where the end is open, the periods before it are certain all the same.
+        let last = match self.first_above_half_a_turn()? {
+            Ok(first) => first.below - 1,
+            Err(certain) => certain,
+        };
+        for n in 1..=last {
             if self.word.vertices.len() == self.limit {
                 self.word.extent = Extent::Cut;
                 return Ok(());
@@ -428,7 +432,7 @@ impl Walk<'_> {
     /// Region 3, eµ > 0: the path to s.
     fn down_to_angle(&mut self) -> Result<()> {
         self.word.push(0, 1, Letter::D);
-        let Some(HalfTurn { above, .. }) = self.first_above_half_a_turn()? else { return Ok(()) };
+        let Ok(HalfTurn { above, .. }) = self.first_above_half_a_turn()? else { return Ok(()) };
         let lower = End { numerator: 0, period: 1, index: Some(0) };
         if self.word.vertices.len() == self.limit {
             self.word.extent = Extent::Cut;
@@ -509,14 +513,15 @@ impl Walk<'_> {
         }
     }
 
-    /// Where 2ns passes 1; `None`, with the reason in the word, if that is not decided.
-    fn first_above_half_a_turn(&mut self) -> Result<Option<HalfTurn>> {
+    /// Where 2ns passes 1; if that is not decided, an n up to which 2ns < 1, with the reason in the word.
+    fn first_above_half_a_turn(&mut self) -> Result<std::result::Result<HalfTurn, u64>> {
         if let Some(polar) = self.signs.polar() {
             return match polar_half_turn(polar) {
-                Some(found) => Ok(Some(found)),
+                Some(found) => Ok(Ok(found)),
                 None => {
                     self.word.extent = Extent::Cut;
-                    Ok(None)
+                    // 1/(2s) is beyond 2⁶⁴.
+                    Ok(Err(u64::MAX))
                 }
             };
         }
@@ -532,7 +537,7 @@ impl Walk<'_> {
                         Some(twice) => high = twice,
                         None => {
                             self.word.extent = Extent::Cut;
-                            return Ok(None);
+                            return Ok(Err(low));
                         }
                     }
                 }
@@ -541,7 +546,7 @@ impl Walk<'_> {
                 Err(_) if high > low + 1 => high = low + 1,
                 Err(rung) => {
                     self.word.extent = self.signs.open(high, rung);
-                    return Ok(None);
+                    return Ok(Err(low));
                 }
             }
         }
@@ -565,11 +570,11 @@ impl Walk<'_> {
                 }
                 Err(rung) => {
                     self.word.extent = self.signs.open(middle, rung);
-                    return Ok(None);
+                    return Ok(Err(low));
                 }
             }
         }
-        Ok(Some(HalfTurn { below: low + 1, above: if zero == Some(high) { high + 1 } else { high } }))
+        Ok(Ok(HalfTurn { below: low + 1, above: if zero == Some(high) { high + 1 } else { high } }))
     }
 }
 
