@@ -28,6 +28,7 @@
 //! - For a local map of any dimension, exact or enclosed: which impact patterns give orbits, by Theorem 1 ([`pattern`]).
 //! - Trajectories of impact oscillators with one degree of freedom, in f64: every impact deeper than a stated bound; sections, attractors,
 //!   Lyapunov exponents, basins ([`oscillator`]).
+//! - Trajectories of linear machines with any number of degrees of freedom and of rigid stops, in real units ([`machine`]).
 //! - Periodic orbits with any impact pattern, their grazing points with the local theory there, saddle-nodes and flips, branches of them over a
 //!   parameter, attractors over a parameter ([`oscillator::orbit`], [`oscillator::grazing`], [`oscillator::branch`],
 //!   [`oscillator::attractor::diagram`]): floating point, without proof.
@@ -36,8 +37,8 @@
 //! # When to use it, and when not
 //!
 //! Use it to attach a checked proof to a statement about these orbits, to ask which orbits a grazing bifurcation gives
-//! birth to, to simulate an oscillator with impacts, or for exact Farey arithmetic. Do not use it for oscillators of more than one degree
-//! of freedom, or for maps with more than one square-root direction. Nordmark's Theorem 1, which turns
+//! birth to, to simulate an oscillator with impacts, or for exact Farey arithmetic. Machines with more than
+//! one degree of freedom are simulated and no more. Do not use it for maps with more than one square-root direction. Nordmark's Theorem 1, which turns
 //! signs into orbits, is proved for maps in `proofs/`; that an oscillator near grazing has such a map is taken from the paper.
 //!
 //! # Map

@@ -45,6 +45,13 @@ impl<'a> Motion<'a> {
         }
     }
 
+    /// Short against the fastest motion: a radian's sixth.
+    fn step(&self) -> f64 {
+        let stiffest = self.machine.stiffness.iter().map(|known| known.2.abs()).fold(0.0, f64::max);
+        let lightest = self.inverse.iter().flatten().fold(0.0f64, |most, x| most.max(x.abs()));
+        (0.4 / (stiffest * lightest).sqrt().max(1.0)).min(0.02)
+    }
+
     fn wall(&self, stop: usize, t: f64) -> [f64; 3] {
         let wall = &self.machine.stops[stop].wall;
         let mut all = [wall.offset, 0.0, 0.0];
@@ -142,7 +149,13 @@ impl<'a> Motion<'a> {
         let mut hits = Vec::new();
         let n = self.q.len();
         while self.time < until {
-            let h = 0.02f64.min(until - self.time);
+            assert!(
+                hits.len() < 10_000,
+                "the second integrator does not get on at {}: {:?}",
+                self.time,
+                &hits[9_990..]
+            );
+            let h = self.step().min(until - self.time);
             let end = self.after(h);
             // The first root of any gap that is not rested on, or of any force, within the step.
             let mut first: Option<(f64, usize, bool)> = None;

@@ -255,11 +255,19 @@ impl Stage {
         }
         let n = self.flow.dimension();
         // Column by column of all pairs at once: even entries, then odd ones.
-        let columns = [0, 1].map(|odd| {
+        let mut columns = [0, 1].map(|odd| {
             let mut y = RealVector::from_fn(n, |i, _| f64::from(u8::from(i % 2 == odd)));
             self.flow.advance(&mut y, width);
             y
         });
+        for (i, pair) in self.flow.pairs().into_iter().flatten().enumerate() {
+            let [[a, _], [_, d]] = pair.generator();
+            let entries =
+                [columns[0][2 * i], columns[1][2 * i], columns[0][2 * i + 1], columns[1][2 * i + 1]];
+            let [a, b, c, d] = of_determinant(entries, ((a + d) * width).exp());
+            (columns[0][2 * i], columns[1][2 * i]) = (a, b);
+            (columns[0][2 * i + 1], columns[1][2 * i + 1]) = (c, d);
+        }
         let entry = |i: usize, j: usize| if i < n { columns[j % 2][i] } else { 0.0 };
         let part = |part: usize| {
             std::array::from_fn(|k| {
@@ -306,6 +314,13 @@ impl Stage {
         }
         let size = rows[..self.padded].iter().zip(y).map(|(a, b)| (a * b).abs()).sum::<f64>();
         (polynomial, size + self.drive[watch][cell][0].abs())
+    }
+
+    /// What y adds to dz/dx at x on a cell of the finest level.
+    pub fn slope(&self, watch: usize, x: f64, y: &[f64]) -> f64 {
+        let rows = &self.rows[watch];
+        let term = |k: usize| dot(&rows[k * self.padded..][..self.padded], y);
+        (1..TERMS).rev().fold(0.0, |sum, k| sum * x + k as f64 * term(k))
     }
 
     /// y from a cell's beginning to its end.
@@ -371,6 +386,40 @@ impl Stage {
         }
         MachineState { t, q, u }
     }
+}
+
+/// The matrix [[a, b], [c, d]], each entry moved by at most one place of its last digit, whose determinant is nearest to `wanted`. The same matrix is
+/// applied in every cell: with entries just rounded, an undamped motion would gain or lose some 10⁻¹⁶ of itself each time.
+fn of_determinant(entries: [f64; 4], wanted: f64) -> [f64; 4] {
+    let off = |[a, b, c, d]: [f64; 4]| {
+        let (p, q) = (a * d, b * c);
+        let (p_low, q_low) = (a.mul_add(d, -p), b.mul_add(c, -q));
+        // p − wanted − q, each difference with what its rounding leaves.
+        let difference = |x: f64, y: f64| {
+            let z = x - y;
+            let back = z - x;
+            (z, (x - (z - back)) - (y + back))
+        };
+        let (first, low) = difference(p, wanted);
+        let (second, lower) = difference(first, q);
+        (second + (low + lower + (p_low - q_low))).abs()
+    };
+    let near = |x: f64| if x == 0.0 { [x, x, x] } else { [x, x.next_down(), x.next_up()] };
+    let [a, b, c, d] = entries.map(near);
+    let mut best = (off(entries), entries);
+    for a in a {
+        for b in b {
+            for c in c {
+                for d in d {
+                    let here = off([a, b, c, d]);
+                    if here < best.0 {
+                        best = (here, [a, b, c, d]);
+                    }
+                }
+            }
+        }
+    }
+    best.1
 }
 
 fn dot(a: &[f64], b: &[f64]) -> f64 {
