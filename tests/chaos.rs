@@ -11,7 +11,7 @@ use grazing::{
     },
     oscillator::{
         Side, Time,
-        chaos::{Graph, holds},
+        chaos::{LetterGraph, holds},
         orbit::{Itinerary, Oscillator, Strike, find},
         simulate::{Event, Settings, Simulator},
     },
@@ -266,7 +266,7 @@ fn equivalent_oscillators_have_one_normal_form() {
 
 #[test]
 fn histories_tell_the_same_words() {
-    let graph = Graph::full(&[1, 2, 3]);
+    let graph = LetterGraph::full(&[1, 2, 3]);
     let deep = graph.with_history(3, 4);
     assert_eq!(deep.letters.len(), 15);
     assert!((deep.growth().0 - graph.growth().0).abs() < 1e-9);

@@ -112,8 +112,8 @@ fn imports_point_down_the_map() {
 #[test]
 fn files_of_scenes_import_from_earlier_ones() {
     let order: Vec<&str> =
-        "expression keys matrix walls system machine simulate orbits sections branches validate task scene \
-                            values check input family reference"
+        "expression keys matrix walls system machine simulate orbits sections branches validate chaos task scene \
+                            values normal check input family reference"
             .split_whitespace()
             .collect();
     let place = |name: &str| order.iter().position(|known| *known == name);

@@ -10,7 +10,7 @@ use crate::{
     number::certain_digits,
     oscillator::{
         Side,
-        chaos::{Graph, Normal, Problem, Proof, born, prove},
+        chaos::{LetterGraph, Normal, Problem, ShiftProof, born, prove},
     },
     scene::chaos::{Alphabet, ChaosTask, LONGEST},
 };
@@ -131,7 +131,7 @@ pub fn chaos(task: &ChaosTask, job: &Job) -> Result<ChaosFindings> {
         certificate: None,
         text: None,
     };
-    let problem = |graph: &Graph| {
+    let problem = |graph: &LetterGraph| {
         let graph = match task.history[..] {
             [of, depth] => graph.with_history(of, depth as usize),
             _ => graph.clone(),
@@ -140,7 +140,7 @@ pub fn chaos(task: &ChaosTask, job: &Job) -> Result<ChaosFindings> {
         Problem { ranges, behind, letters: graph.letters, next: graph.next }
     };
     let mut graph = match &task.alphabet {
-        Alphabet::Auto => born(&problem(&Graph::full(&[1])), LONGEST.min(24)).richest(),
+        Alphabet::Auto => born(&problem(&LetterGraph::full(&[1])), LONGEST.min(24)).richest(),
         Alphabet::Periods(periods) => Some(given(periods, &task.follow)?),
     };
     while let Some(tried) = graph.take() {
@@ -153,7 +153,7 @@ pub fn chaos(task: &ChaosTask, job: &Job) -> Result<ChaosFindings> {
             break;
         }
         found.alphabet.clone_from(&tried.letters);
-        found.full = tried == Graph::full(&tried.letters);
+        found.full = tried == LetterGraph::full(&tried.letters);
         match prove(&problem(&tried), job.monitor)? {
             Ok(proof) => {
                 found.keep(proof, &job.task.name);
@@ -175,7 +175,7 @@ pub fn chaos(task: &ChaosTask, job: &Job) -> Result<ChaosFindings> {
 }
 
 impl ChaosFindings {
-    fn keep(&mut self, proof: Proof, name: &str) {
+    fn keep(&mut self, proof: ShiftProof, name: &str) {
         let letters = proof.certificate.letters.iter().zip(&proof.boxes);
         self.letters = letters
             .map(|(letter, [after, before])| LetterRow {
@@ -203,8 +203,8 @@ fn entropy([lo, hi]: [f64; 2]) -> Option<String> {
     certain_digits(&lo, &hi, 12)
 }
 
-fn given(periods: &[u64], follow: &[Vec<u64>]) -> Result<Graph> {
-    let mut graph = Graph::full(periods);
+fn given(periods: &[u64], follow: &[Vec<u64>]) -> Result<LetterGraph> {
+    let mut graph = LetterGraph::full(periods);
     if !follow.is_empty() {
         let place = |n: &u64| periods.iter().position(|known| known == n);
         graph.next = follow.iter().map(|list| list.iter().filter_map(place).collect()).collect();

@@ -19,7 +19,7 @@ keys! {
         /// the end that is, unless the motion without the wall grazes there; if absent, there is none
         to: Option<BigRational>,
         /// other parameters that vary, each with its least and greatest value, as in `{ d = [0.59, 0.61] }`; only damping, stiffness and restitution may depend on them
-        cell: Cell = "{}",
+        cell: ParameterCell = "{}",
         /// a period and a number: boxes are told apart by how many of that period follow, up to that number
         history: Vec<u64> = "[]",
     }
@@ -49,9 +49,9 @@ impl Value for Alphabet {
 
 /// Ranges of parameters.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Cell(pub Vec<(String, [BigRational; 2])>);
+pub struct ParameterCell(pub Vec<(String, [BigRational; 2])>);
 
-impl Value for Cell {
+impl Value for ParameterCell {
     fn shape() -> String {
         "table of lists, each two numbers".to_string()
     }
@@ -67,7 +67,7 @@ impl Value for Cell {
                 _ => return Err(value.fail("must be two numbers that increase")),
             }
         }
-        Ok(Cell(all))
+        Ok(ParameterCell(all))
     }
 }
 

@@ -11,17 +11,17 @@ use crate::certificate::chaos::Certificate;
 
 /// Letters with their periods, and for each which may follow.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Graph {
+pub struct LetterGraph {
     /// The periods.
     pub letters: Vec<u64>,
     /// For each, the letters that may follow, by their places, increasing.
     pub next: Vec<Vec<usize>>,
 }
 
-impl Graph {
+impl LetterGraph {
     /// Every letter may follow every one.
-    pub fn full(letters: &[u64]) -> Graph {
-        Graph { letters: letters.to_vec(), next: vec![(0..letters.len()).collect(); letters.len()] }
+    pub fn full(letters: &[u64]) -> LetterGraph {
+        LetterGraph { letters: letters.to_vec(), next: vec![(0..letters.len()).collect(); letters.len()] }
     }
 
     /// Whether there is a path from every letter to every other.
@@ -47,16 +47,16 @@ impl Graph {
     }
 
     /// The graph of some of its letters.
-    pub fn part(&self, keep: &[usize]) -> Graph {
+    pub fn part(&self, keep: &[usize]) -> LetterGraph {
         let place = |v: usize| keep.iter().position(|&kept| kept == v);
-        Graph {
+        LetterGraph {
             letters: keep.iter().map(|&v| self.letters[v]).collect(),
             next: keep.iter().map(|&v| self.next[v].iter().filter_map(|&w| place(w)).collect()).collect(),
         }
     }
 
     /// The connected part whose paths grow fastest; none if no letter can follow itself, however late.
-    pub fn richest(&self) -> Option<Graph> {
+    pub fn richest(&self) -> Option<LetterGraph> {
         let parts = (0..self.letters.len()).map(|v| self.part(&self.component(v)));
         let parts = parts.filter(|part| part.next.iter().all(|next| !next.is_empty()));
         parts.max_by(|a, b| a.growth().0.total_cmp(&b.growth().0))
@@ -121,7 +121,7 @@ impl Graph {
 
     /// Each letter told apart by how many of the letters `of` follow it, up to `depth`: more boxes, the same words.
     #[must_use]
-    pub fn with_history(&self, of: u64, depth: usize) -> Graph {
+    pub fn with_history(&self, of: u64, depth: usize) -> LetterGraph {
         let vertices: Vec<(usize, usize)> =
             (0..self.letters.len()).flat_map(|v| (0..=depth).map(move |j| (v, j))).collect();
         let follows = |(v, j): (usize, usize), (w, i): (usize, usize)| {
@@ -129,7 +129,7 @@ impl Graph {
             let counted = if self.letters[w] == of { (i + 1).min(depth) == j } else { j == 0 };
             allowed && counted
         };
-        let graph = Graph {
+        let graph = LetterGraph {
             letters: vertices.iter().map(|&(v, _)| self.letters[v]).collect(),
             next: vertices
                 .iter()
@@ -141,7 +141,7 @@ impl Graph {
 }
 
 /// The graph at the grazing, ν → 0, in the middle of the ranges: n is a letter if (33) holds strictly, n may follow m if (64) does. Up to `most` periods.
-pub fn born(problem: &Problem, most: u64) -> Graph {
+pub fn born(problem: &Problem, most: u64) -> LetterGraph {
     let middle = problem.spans().map(|span| Span::point(span.middle()));
     let [damping, stiffness, force, restitution, _] = middle;
     let side = if problem.behind { 1.0 } else { -1.0 };
@@ -169,5 +169,5 @@ pub fn born(problem: &Problem, most: u64) -> Graph {
     let next = letters
         .iter()
         .map(|&(_, _, before)| (0..letters.len()).filter(|&n| letters[n].1 - before > 1e-9).collect());
-    Graph { letters: letters.iter().map(|letter| letter.0).collect(), next: next.collect() }
+    LetterGraph { letters: letters.iter().map(|letter| letter.0).collect(), next: next.collect() }
 }

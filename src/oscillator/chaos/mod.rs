@@ -15,7 +15,7 @@ mod write;
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
-pub use graph::{Graph, born};
+pub use graph::{LetterGraph, born};
 pub use normal::Normal;
 pub use rational::RationalFunction;
 pub use span::Span;
@@ -41,7 +41,7 @@ pub struct Problem {
 
 /// A proof that has passed the checker.
 #[derive(Debug, Clone)]
-pub struct Proof {
+pub struct ShiftProof {
     /// The certificate.
     pub certificate: Certificate,
     /// Its text.
@@ -65,7 +65,10 @@ impl Problem {
 ///
 /// # Errors
 /// An interruption; numbers of more digits than a certificate holds.
-pub fn prove(problem: &Problem, monitor: &dyn Monitor) -> Result<std::result::Result<Proof, Vec<String>>> {
+pub fn prove(
+    problem: &Problem,
+    monitor: &dyn Monitor,
+) -> Result<std::result::Result<ShiftProof, Vec<String>>> {
     let wide = problem.spans().map(|span| span.width() > 0.0);
     let mut failures: Vec<String> = Vec::new();
     for level in 0..6u32 {
@@ -88,7 +91,7 @@ pub fn prove(problem: &Problem, monitor: &dyn Monitor) -> Result<std::result::Re
                     match crate::certificate::check(&mut text.as_bytes()) {
                         Ok(_) => {
                             let (boxes, contraction) = (closed.boxes, closed.contraction);
-                            return Ok(Ok(Proof { certificate, text, boxes, contraction }));
+                            return Ok(Ok(ShiftProof { certificate, text, boxes, contraction }));
                         }
                         Err(rejection) => format!("the checker refuses the boxes: {rejection}"),
                     }
@@ -112,7 +115,7 @@ pub fn holds(certificate: &Certificate) -> std::result::Result<(), String> {
         letters: certificate.letters.iter().map(|letter| letter.periods).collect(),
         next: certificate.letters.iter().map(|letter| letter.next.clone()).collect(),
     };
-    let graph = Graph { letters: problem.letters.clone(), next: problem.next.clone() };
+    let graph = LetterGraph { letters: problem.letters.clone(), next: problem.next.clone() };
     graph.claims(certificate)?;
     let parts = certificate.letters.iter().map(|letter| letter.parts).collect();
     let attempt = search::Attempt::new(&problem, certificate.cells, parts).ok_or("too much work")?;

@@ -6,7 +6,7 @@ use num_traits::{ToPrimitive, pow};
 
 use super::{
     Problem,
-    graph::Graph,
+    graph::LetterGraph,
     search::{Closed, places},
     span::Span,
 };
@@ -20,7 +20,7 @@ const DIGITS: usize = 15;
 
 /// The certificate and its text.
 pub(super) fn certificate(problem: &Problem, closed: &Closed) -> Result<(Certificate, String)> {
-    let graph = Graph { letters: problem.letters.clone(), next: problem.next.clone() };
+    let graph = LetterGraph { letters: problem.letters.clone(), next: problem.next.clone() };
     let (rate, vector) = graph.growth();
     // An entry of 13 places is so far from its true value, in proportion.
     let least = vector.iter().copied().fold(1.0, f64::min);
