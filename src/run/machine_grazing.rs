@@ -203,7 +203,7 @@ pub fn machine_grazing(task: &GrazingTask, job: &Job) -> Result<MachineGrazingFi
         e: map.e,
         eigenvalues: map.eigenvalues.iter().map(|&x| Complex::from(x)).collect(),
         a1: one.then(|| map.a.trace()),
-        a2: one.then(|| map.determinant),
+        a2: one.then_some(map.determinant),
         gamma: map.gamma().map(|gamma| gamma / rate),
         residual: event.at.gap.abs(),
         open: None,
