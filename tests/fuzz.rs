@@ -7,7 +7,7 @@ use grazing::{
     local::Ladder,
     search::{
         Instance,
-        fuzz::{FuzzOptions, FuzzTally, fuzz, refute},
+        fuzz::{Campaign, FuzzOptions, FuzzTally, Tally, fuzz, refute},
     },
 };
 
@@ -67,7 +67,7 @@ fn cases_are_what_was_asked_for_to_within_a_block() {
 #[test]
 fn false_tallies_are_refused() {
     let good = fuzz(&options(), FuzzTally::default(), &(), |_| Ok(())).unwrap();
-    good.check(&options()).unwrap();
+    options().check(&good).unwrap();
     let damages: [fn(&mut FuzzTally); 12] = [
         |tally| tally.units = u64::MAX,
         |tally| tally.units += 1,
@@ -142,7 +142,10 @@ mod words {
     use grazing::{
         existence::by_definition,
         local::Ladder,
-        search::fuzz::words::{WordOptions, WordStatement, WordTally, fuzz_words, refute_words, replayed},
+        search::fuzz::{
+            Campaign, Tally, fuzz,
+            words::{WordOptions, WordStatement, WordTally, refute_words, replayed},
+        },
         word::Word,
     };
 
@@ -155,7 +158,7 @@ mod words {
     }
 
     fn run(options: &WordOptions, from: WordTally) -> WordTally {
-        fuzz_words(options, from, &(), |_| Ok(())).unwrap()
+        fuzz(options, from, &(), |_| Ok(())).unwrap()
     }
 
     #[test]
@@ -178,7 +181,7 @@ mod words {
     #[test]
     fn false_tallies_are_refused() {
         let good = run(&WordOptions { cases: 1, ..options() }, WordTally::default());
-        good.check(&options()).unwrap();
+        options().check(&good).unwrap();
         let damages: [fn(&mut WordTally); 9] = [
             |tally| tally.units = u64::MAX,
             |tally| tally.units += 1,
@@ -193,14 +196,14 @@ mod words {
         for (index, damage) in damages.into_iter().enumerate() {
             let mut tally = good.clone();
             damage(&mut tally);
-            assert!(fuzz_words(&options(), tally, &(), |_| Ok(())).unwrap_err().is_input(), "damage {index}");
+            assert!(fuzz(&options(), tally, &(), |_| Ok(())).unwrap_err().is_input(), "damage {index}");
         }
         for options in [
             WordOptions { cases: 0, ..options() },
             WordOptions { last: 2, ..options() },
             WordOptions { last: 1025, ..options() },
         ] {
-            assert!(fuzz_words(&options, WordTally::default(), &(), |_| Ok(())).unwrap_err().is_input());
+            assert!(fuzz(&options, WordTally::default(), &(), |_| Ok(())).unwrap_err().is_input());
         }
     }
 
@@ -222,5 +225,24 @@ mod words {
         }
         assert!(refute_words(WordStatement::True, 1, 100).is_none());
         assert!(replayed("words 5 polar 1/2 1/5").is_ok() && replayed("5 polar 1/2 1/5").is_err());
+    }
+}
+
+/// What `-o` names is written, with `--words` as without.
+#[test]
+fn a_report_goes_where_it_is_sent() {
+    let folder = tempfile::tempdir().unwrap();
+    for words in ["", "--words"] {
+        let file = folder.path().join("report.json");
+        let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_grazing"));
+        command
+            .current_dir(folder.path())
+            .args(["fuzz", "--cases", "1000", "--n", "1..=12", "--format", "json", "-o"]);
+        let output = command.arg(&file).args(words.split_whitespace()).output().unwrap();
+        assert!(output.status.success() && output.stdout.is_empty(), "{words}: {output:?}");
+        let report: serde_json::Value = serde_json::from_slice(&std::fs::read(&file).unwrap()).unwrap();
+        assert_eq!(report["verdict"], "no disagreement", "{words}");
+        assert_eq!(report["of"] == "words", words == "--words");
+        std::fs::remove_file(file).unwrap();
     }
 }

@@ -500,6 +500,19 @@ fn tasks_on_a_machine_say_what_they_say_of_the_oscillator() {
     assert!(searched.iter().any(|row| (number(&row["speeds"][0]) - speed).abs() < 1e-9), "{}", machine[1]);
 }
 
+/// A motion that touches a stop whatever the parameter is: the local theory has nothing to say, and no orbit is looked for infinitely far away.
+#[test]
+fn a_gap_that_does_not_pass_through_zero_is_left_open() {
+    let text = "format = \"grazing-scene 2\"\ntitle = \"t\"\n[parameters]\nr = 0.5\n[system]\nfrequency = 1\nmass = 1\n\
+                stiffness = \"4*pi*pi + 1\"\nforcing = [{ k = 1, cos = [1] }]\n\
+                [[walls]]\nname = \"below\"\nrow = [1]\noffset = \"-1\"\nrestitution = \"r\"\n\
+                [[tasks]]\nname = \"g\"\nkind = \"grazing\"\nparameter = \"r\"\nreach = 0.25\n";
+    let report = &reports(text)[0];
+    assert!(report["status"] == "undecided" && report["parameter"] == 0.5, "{report}");
+    assert!(report["open"].as_str().unwrap().contains("only touches 0"), "{report}");
+    assert!(report["born"].as_array().unwrap().is_empty(), "{report}");
+}
+
 #[test]
 fn several_stops_grazed_at_once_are_left_open_and_wrong_keys_are_named() {
     let stops = "[[walls]]\nname = \"below\"\nrow = [1]\noffset = \"-1\"\nrestitution = 0.5\n\

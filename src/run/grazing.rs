@@ -21,7 +21,7 @@ row! {
         pub pattern: String,
         /// On which side of the bifurcation an orbit is born, or what is open.
         pub side: String,
-        /// L: the large multiplier is L (eµ)^{−m} to leading order.
+        /// L: the large multiplier is L µ^{−m} to leading order, µ the parameter less its value at grazing.
         pub coefficient: Option<f64>,
         /// The parameter at which the orbit was found.
         pub found_at: Option<f64>,
@@ -40,12 +40,12 @@ row! {
     }
 }
 
-/// What a search for a grazing bifurcation came to.
+/// What a search for a grazing came to.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(untagged)]
-pub enum GrazingFindings {
+pub enum GrazingSearch<R> {
     /// One was found.
-    Found(Box<GrazingReport>),
+    Found(Box<R>),
     /// None within reach, or no orbit to begin with.
     Nothing {
         /// The parameter.
@@ -58,18 +58,21 @@ pub enum GrazingFindings {
     },
 }
 
-impl Finding for GrazingFindings {
+/// What a search for a grazing bifurcation of an oscillator came to.
+pub type GrazingFindings = GrazingSearch<GrazingReport>;
+
+impl<R: Finding> Finding for GrazingSearch<R> {
     fn status(&self) -> Status {
         match self {
-            GrazingFindings::Found(found) => found.status(),
-            GrazingFindings::Nothing { reason, .. } => Status::nothing(reason.clone()),
+            GrazingSearch::Found(found) => found.status(),
+            GrazingSearch::Nothing { reason, .. } => Status::nothing(reason.clone()),
         }
     }
 
     fn lines(&self, lines: &mut Lines) {
         match self {
-            GrazingFindings::Found(found) => found.lines(lines),
-            GrazingFindings::Nothing { varied, start, .. } => {
+            GrazingSearch::Found(found) => found.lines(lines),
+            GrazingSearch::Nothing { varied, start, .. } => {
                 lines.say("start", format!("{varied} = {start:?}"));
             }
         }
@@ -125,7 +128,7 @@ pub struct GrazingReport {
     undecided: usize,
 }
 
-impl GrazingReport {
+impl Finding for GrazingReport {
     fn status(&self) -> Status {
         match (&self.open, self.undecided) {
             (Some(reason), _) => Status::undecided(reason.clone()),

@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use super::{
     Complex, Finding, Job, Judgement, Lines, Status,
-    grazing::{shown, side_open},
+    grazing::{GrazingSearch, shown, side_open},
     machine_orbit as orbit, row,
 };
 use crate::{
@@ -47,40 +47,7 @@ row! {
 }
 
 /// What a search for a grazing of a machine came to.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[serde(untagged)]
-pub enum MachineGrazingFindings {
-    /// One was found.
-    Found(Box<MachineGrazingReport>),
-    /// None within reach.
-    Nothing {
-        /// The parameter.
-        varied: String,
-        /// Its value at the start.
-        start: f64,
-        /// Why.
-        #[serde(skip)]
-        reason: String,
-    },
-}
-
-impl Finding for MachineGrazingFindings {
-    fn status(&self) -> Status {
-        match self {
-            MachineGrazingFindings::Found(found) => found.status(),
-            MachineGrazingFindings::Nothing { reason, .. } => Status::nothing(reason.clone()),
-        }
-    }
-
-    fn lines(&self, lines: &mut Lines) {
-        match self {
-            MachineGrazingFindings::Found(found) => found.lines(lines),
-            MachineGrazingFindings::Nothing { varied, start, .. } => {
-                lines.say("start", format!("{varied} = {start:?}"));
-            }
-        }
-    }
-}
+pub type MachineGrazingFindings = GrazingSearch<MachineGrazingReport>;
 
 /// A grazing bifurcation of a machine with its local map, and the patterns that are born there.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -125,10 +92,13 @@ pub struct MachineGrazingReport {
     undecided: usize,
 }
 
+/// A least gap that changes over the reach by less than this, relative to the gaps' motion, does not pass through 0.
+const FLAT: f64 = 1e-9;
+
 /// A matrix of more rows than this is not shown in text.
 const SHOWN: usize = 6;
 
-impl MachineGrazingReport {
+impl Finding for MachineGrazingReport {
     fn status(&self) -> Status {
         match (&self.open, self.undecided) {
             (Some(reason), _) => Status::undecided(reason.clone()),
@@ -227,6 +197,11 @@ pub fn machine_grazing(task: &GrazingTask, job: &Job) -> Result<MachineGrazingFi
         found.open = Some(format!(
             "a_G = {} at the touch: the local theory is for a positive one",
             found.acceleration
+        ));
+    } else if found.e.is_nan() || found.e.abs() * task.reach <= FLAT * event.scale {
+        found.open = Some(format!(
+            "e = {:e}: the least gap only touches 0 as {} varies, and the local theory is for one that passes through it",
+            found.e, task.parameter
         ));
     } else if event.at.gap.abs() > 1e-9 * event.scale {
         found.open = Some(format!(

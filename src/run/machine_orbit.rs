@@ -5,9 +5,8 @@
 use std::f64::consts::TAU;
 
 use rayon::prelude::*;
-use serde::Serialize;
 
-use super::{Complex, Finding, Job, Judgement, Lines, MissingRow, Status, row};
+use super::{Complex, Job, Judgement, orbit::OrbitList, row};
 use crate::{
     error::{Error, Result},
     machine::{
@@ -15,7 +14,6 @@ use crate::{
         orbit::{MachineAdmissibility, MachineOrbit, StopPattern, StopStrike, find},
         simulate::MachineSimulator,
     },
-    number::{Plain, Real},
     random::Random,
     scene::orbits::{OrbitKeys, OrbitTask},
 };
@@ -44,71 +42,25 @@ row! {
     }
 }
 
-/// The orbits of a machine that were found, and where there are none.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct MachineOrbitFindings {
-    /// Solutions, by value, then by speed.
-    pub orbits: Vec<MachineOrbitRow>,
-    /// Values without any.
-    pub missing: Vec<MissingRow>,
-}
-
-impl Finding for MachineOrbitFindings {
-    fn status(&self) -> Status {
-        match self.missing.as_slice() {
-            [] => Status::Done,
-            [MissingRow { value: None, reason }] => Status::nothing(reason.clone()),
-            [first, ..] => Status::nothing(format!(
-                "no solution at {} values; at {}: {}",
-                self.missing.len(),
-                first.value.unwrap_or(f64::NAN),
-                first.reason
-            )),
-        }
-    }
-
-    fn lines(&self, lines: &mut Lines) {
-        lines.table("orbits", &self.orbits);
-        if !self.missing.is_empty() {
-            lines.table("missing", &self.missing);
-        }
-    }
-}
+/// The orbits of a machine.
+pub type MachineOrbitFindings = OrbitList<MachineOrbitRow>;
 
 /// Finds the orbits of a pattern, at each value of a parameter if there is one.
 ///
 /// # Errors
 /// Where the machine is not defined; an interruption.
 pub fn machine_orbit(task: &OrbitTask, machine: &Machine<f64>, job: &Job) -> Result<MachineOrbitFindings> {
-    let mut found = MachineOrbitFindings { orbits: Vec::new(), missing: Vec::new() };
-    let values: Vec<Option<f64>> = match &task.parameter {
-        None => vec![None],
-        Some(_) => task.values.iter().map(|value| Some(Plain::ratio(value, &()).0)).collect(),
-    };
-    job.monitor.begin(values.len() as u64, "values");
-    for value in values {
-        let machine = match (&task.parameter, value) {
-            (Some(parameter), Some(value)) => job.scene.machine(&[(parameter, value)])?,
-            _ => machine.clone(),
+    OrbitList::of(task, job, |place| {
+        let machine = match place {
+            Some(place) => job.scene.machine(&[place])?,
+            None => machine.clone(),
         };
         let simulator = job.machine_simulator(&machine, &[])?;
-        match orbits(&task.orbit, &machine, &simulator, job) {
-            Ok(orbits) if orbits.is_empty() => {
-                let reason = format!(
-                    "no orbit of the pattern from {} starts with speeds up to {}",
-                    task.orbit.starts, task.orbit.speed
-                );
-                found.missing.push(MissingRow { value, reason });
-            }
-            Ok(orbits) => {
-                found.orbits.extend(orbits.iter().map(|orbit| MachineOrbitRow::of(orbit, &simulator, value)));
-            }
-            Err(error) if error.is_interrupted() => return Err(error),
-            Err(error) => found.missing.push(MissingRow { value, reason: error.to_string() }),
-        }
-        job.monitor.advance(1)?;
-    }
-    Ok(found)
+        let orbits = orbits(&task.orbit, &machine, &simulator, job);
+        let row =
+            |orbit: &MachineOrbit| MachineOrbitRow::of(orbit, &simulator, place.map(|(_, value)| value));
+        Ok(orbits.map(|orbits| orbits.iter().map(row).collect()))
+    })
 }
 
 /// Starts between two looks at whether to go on.

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::{Complex, Finding, Job, Judgement, Lines, Status, row};
+use super::{Complex, Finding, Job, Judgement, Lines, Row, Status, row};
 use crate::{
     error::Result,
     number::{Plain, Real},
@@ -53,14 +53,20 @@ row! {
 
 /// The orbits that were found, and where there are none.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct OrbitFindings {
+pub struct OrbitList<R> {
     /// Solutions, by value, then by speed.
-    pub orbits: Vec<OrbitRow>,
+    pub orbits: Vec<R>,
     /// Values without any.
     pub missing: Vec<MissingRow>,
+    /// How many values were asked for.
+    #[serde(skip)]
+    values: usize,
 }
 
-impl Finding for OrbitFindings {
+/// The orbits of an oscillator.
+pub type OrbitFindings = OrbitList<OrbitRow>;
+
+impl<R: Row + Serialize> Finding for OrbitList<R> {
     fn status(&self) -> Status {
         match self.missing.as_slice() {
             [] => Status::Done,
@@ -68,7 +74,7 @@ impl Finding for OrbitFindings {
             [first, ..] => Status::nothing(format!(
                 "no solution at {} of {} values; at {}: {}",
                 self.missing.len(),
-                self.values(),
+                self.values,
                 first.value.unwrap_or(f64::NAN),
                 first.reason
             )),
@@ -83,13 +89,42 @@ impl Finding for OrbitFindings {
     }
 }
 
-impl OrbitFindings {
-    fn values(&self) -> usize {
-        let mut values: Vec<f64> = self.orbits.iter().filter_map(|row| row.value).collect();
-        values.extend(self.missing.iter().filter_map(|row| row.value));
-        values.sort_by(f64::total_cmp);
-        values.dedup();
-        values.len()
+impl<R> OrbitList<R> {
+    /// The orbits that `find` finds at each value of the task's parameter, or once if it has none; the parameter and its value are what `find` is given.
+    /// Its inner error says why there is no orbit at a value; the outer one ends the task.
+    ///
+    /// # Errors
+    /// The outer ones of `find`; an interruption.
+    pub(super) fn of(
+        task: &OrbitTask,
+        job: &Job,
+        mut find: impl FnMut(Option<(&str, f64)>) -> Result<Result<Vec<R>>>,
+    ) -> Result<OrbitList<R>> {
+        let places: Vec<Option<(&str, f64)>> = match &task.parameter {
+            None => vec![None],
+            Some(name) => {
+                task.values.iter().map(|value| Some((name.as_str(), Plain::ratio(value, &()).0))).collect()
+            }
+        };
+        let mut found = OrbitList { orbits: Vec::new(), missing: Vec::new(), values: places.len() };
+        job.monitor.begin(places.len() as u64, "values");
+        for place in places {
+            let value = place.map(|(_, value)| value);
+            match find(place)? {
+                Ok(orbits) if orbits.is_empty() => {
+                    let reason = format!(
+                        "no orbit of the pattern from {} starts with speeds up to {}",
+                        task.orbit.starts, task.orbit.speed
+                    );
+                    found.missing.push(MissingRow { value, reason });
+                }
+                Ok(orbits) => found.orbits.extend(orbits),
+                Err(error) if error.is_interrupted() => return Err(error),
+                Err(error) => found.missing.push(MissingRow { value, reason: error.to_string() }),
+            }
+            job.monitor.advance(1)?;
+        }
+        Ok(found)
     }
 }
 
@@ -98,32 +133,16 @@ impl OrbitFindings {
 /// # Errors
 /// Where the system is not defined; an interruption.
 pub fn orbit(task: &OrbitTask, job: &Job) -> Result<OrbitFindings> {
-    let mut found = OrbitFindings { orbits: Vec::new(), missing: Vec::new() };
     let tolerance = job.scene.accuracy.tolerance;
-    let values: Vec<Option<f64>> = match &task.parameter {
-        None => vec![None],
-        Some(_) => task.values.iter().map(|value| Some(Plain::ratio(value, &()).0)).collect(),
-    };
-    job.monitor.begin(values.len() as u64, "values");
-    for value in values {
-        let system = match (&task.parameter, value) {
-            (Some(parameter), Some(value)) => job.scene.plain(&[(parameter, value)])?,
-            _ => job.system()?.clone(),
+    OrbitList::of(task, job, |place| {
+        let system = match place {
+            Some(place) => job.scene.plain(&[place])?,
+            None => job.system()?.clone(),
         };
-        match task.orbit.orbits(&Oscillator::new(system, tolerance)?) {
-            Ok(orbits) if orbits.is_empty() => {
-                let reason = format!(
-                    "no orbit of the pattern from {} starts with speeds up to {}",
-                    task.orbit.starts, task.orbit.speed
-                );
-                found.missing.push(MissingRow { value, reason });
-            }
-            Ok(orbits) => found.orbits.extend(orbits.iter().map(|orbit| OrbitRow::of(orbit, value))),
-            Err(error) => found.missing.push(MissingRow { value, reason: error.to_string() }),
-        }
-        job.monitor.advance(1)?;
-    }
-    Ok(found)
+        let orbits = task.orbit.orbits(&Oscillator::new(system, tolerance)?);
+        let row = |orbit: &Orbit| OrbitRow::of(orbit, place.map(|(_, value)| value));
+        Ok(orbits.map(|orbits| orbits.iter().map(row).collect()))
+    })
 }
 
 impl OrbitRow {

@@ -41,14 +41,7 @@ pub struct SimulationFindings {
 
 impl Finding for SimulationFindings {
     fn status(&self) -> Status {
-        match self.end {
-            RunEnd::Reached => Status::Done,
-            end => Status::undecided(format!(
-                "the motion ended after {:.6} periods of those asked for, {}",
-                self.ended_at,
-                end.why()
-            )),
-        }
+        Status::of_motion(self.end, self.ended_at)
     }
 
     fn warnings(&self) -> Vec<String> {

@@ -4,7 +4,7 @@ use std::fmt;
 
 use serde::Serialize;
 
-use crate::{error::Error, outcome::Outcome};
+use crate::{error::Error, oscillator::simulate::RunEnd, outcome::Outcome};
 
 /// Where something stands in a file.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
@@ -74,6 +74,17 @@ impl Status {
             Status::Interrupted { .. } | Status::Pending => Outcome::Interrupted,
             Status::Failed { .. } => Outcome::Failed,
             Status::Refuted { .. } => Outcome::Refuted,
+        }
+    }
+
+    /// How a motion ended after so many forcing periods.
+    pub(super) fn of_motion(end: RunEnd, periods: f64) -> Status {
+        match end {
+            RunEnd::Reached => Status::Done,
+            end => Status::undecided(format!(
+                "the motion ended after {periods:.6} periods of those asked for, {}",
+                end.why()
+            )),
         }
     }
 

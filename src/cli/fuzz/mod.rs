@@ -1,5 +1,6 @@
 //! `grazing fuzz`: look for a counterexample to Conjecture 1, or with --words to the word theorem.
 
+mod conjecture;
 mod words;
 
 use std::{
@@ -10,7 +11,7 @@ use std::{
 };
 
 use clap::Parser;
-use serde_json::json;
+use serde_json::{Value, json};
 
 use super::{
     Outcome, ReportFormat, in_pool,
@@ -22,10 +23,7 @@ use crate::{
     error::{Error, Result},
     number::parse_integer,
     output::{Destination, Journal, SavedRun, distinct, probe, say, torn},
-    search::{
-        Instance,
-        fuzz::{FuzzOptions, FuzzTally, fuzz},
-    },
+    search::fuzz::{Campaign, FuzzOptions, Tally, fuzz, words::WordOptions},
 };
 
 /// Fuzz Conjecture 1: decide existence at random points by its definition and by the claim, and compare.
@@ -80,21 +78,54 @@ pub(super) struct Args {
     output: Option<PathBuf>,
 }
 
+/// How a campaign is told.
+trait Told: Campaign {
+    /// What is counted.
+    const UNIT: &'static str;
+    /// The verdict of a disagreement.
+    const REFUTED: &'static str;
+
+    /// The arguments that a saved state belongs to.
+    fn arguments(&self) -> String;
+
+    /// What JSON has beside the options and the tally.
+    fn more(&self) -> Vec<(&'static str, Value)> {
+        Vec::new()
+    }
+
+    /// Rates per second of processor time, in words; none where the system does not tell.
+    fn rates(&self, tally: &Self::Tally) -> Option<String>;
+
+    /// The counts of a report.
+    fn rows(&self, tally: &Self::Tally) -> Vec<(u64, &'static str)>;
+
+    /// What else the tally says, line by line.
+    fn remarks(&self, _: &Self::Tally) -> Vec<String> {
+        Vec::new()
+    }
+
+    /// The commands that show a disagreement.
+    fn shown_by(&self, line: &str) -> Result<String>;
+}
+
 pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
+    let (first, last) = (*args.n.0.start(), *args.n.0.end());
+    let (cases, seed) = (args.cases, args.seed);
     let definition_share = args.definition_share.unwrap_or(if args.words { 1e-5 } else { 0.01 });
-    if args.cases == 0 {
+    if cases == 0 {
         return Err(Error::input("--cases 0: give at least 1"));
     }
-    if args.words {
-        return words::run(args, definition_share, interrupt);
+    if !args.words {
+        return campaign(args, &FuzzOptions { first, last, cases, seed, definition_share }, interrupt);
     }
-    let options = FuzzOptions {
-        first: *args.n.0.start(),
-        last: *args.n.0.end(),
-        cases: args.cases,
-        seed: args.seed,
-        definition_share,
-    };
+    if first != 1 {
+        return Err(Error::input(format!("--words compares every period up to N: write --n 1..={last}")));
+    }
+    campaign(args, &WordOptions { last, cases, seed, definition_share }, interrupt)
+}
+
+/// Runs a campaign from its saved state on, and reports.
+fn campaign<C: Told>(args: &Args, options: &C, interrupt: &Interrupt) -> Result<Outcome> {
     let files = [
         ("--regressions", Some(args.regressions.as_path())),
         ("--resume", args.resume.as_deref()),
@@ -105,18 +136,18 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     let destination = Destination::new(args.output.as_deref())?;
     let (mut state, start) = match &args.resume {
         Some(path) => {
-            let (state, start) = open(path, &options)?;
+            let (state, start) = open(path, options)?;
             interrupt.keeps(format!("what was counted is kept in {0}: --resume {0} goes on", path.display()));
             (Some(state), start)
         }
-        None => (None, FuzzTally::default()),
+        None => (None, C::Tally::default()),
     };
     let before = start.decided();
     let clock = Instant::now();
-    let progress = Progress::new(interrupt, options.cases.saturating_sub(before), "cases");
+    let progress = Progress::new(interrupt, options.cases().saturating_sub(before), C::UNIT);
     let mut saved = Instant::now();
     let tally = in_pool(args.jobs, || {
-        fuzz(&options, start, &progress, |tally| match &mut state {
+        fuzz(options, start, &progress, |tally| match &mut state {
             Some(state) if saved.elapsed() > PAUSE => {
                 saved = Instant::now();
                 state.replace(&json!(tally).to_string())
@@ -128,25 +159,29 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     if let Some(state) = &mut state {
         state.replace(&json!(tally).to_string())?;
     }
-    let outcome = match (&tally.disagreements[..], tally.undecided) {
-        ([_, ..], _) => Outcome::Refuted,
-        _ if !tally.faults.is_empty() => Outcome::Refuted,
-        _ if tally.decided() < options.cases => Outcome::Interrupted,
-        ([], 0) => Outcome::Done,
-        ([], _) => Outcome::Undecided,
+    let outcome = if !tally.disagreements().is_empty() || !tally.faults().is_empty() {
+        Outcome::Refuted
+    } else if tally.decided() < options.cases() {
+        Outcome::Interrupted
+    } else if tally.undecided() > 0 {
+        Outcome::Undecided
+    } else {
+        Outcome::Done
     };
-    let kept = match &tally.disagreements[..] {
+    let kept = match tally.disagreements() {
         [] => Ok(()),
         found => append(&args.regressions, found),
     };
-    let rate = (tally.decided() - before) as f64 / clock.elapsed().as_secs_f64();
     if args.format == ReportFormat::Text {
-        speeds(&tally, rate);
+        // Times differ from run to run, so they do not belong to the result.
+        let rate = (tally.decided() - before) as f64 / clock.elapsed().as_secs_f64();
+        let rates = options.rates(&tally).map(|rates| format!("; per second of processor time {rates}"));
+        say(format_args!("{rate:.3e} {} per second{}", C::UNIT, rates.unwrap_or_default()));
     }
     let written = destination.write(|out| match args.format {
-        ReportFormat::Text => text(out, args, &options, &tally, outcome),
+        ReportFormat::Text => text(out, args, options, &tally, outcome),
         ReportFormat::Json => {
-            let report = json!({
+            let mut report = json!({
                 "format": "grazing-fuzz 2",
                 "verdict": match outcome {
                     Outcome::Done => "no disagreement",
@@ -156,6 +191,9 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
                 "block": options.block(),
                 "tally": tally,
             });
+            for (key, value) in options.more() {
+                report[key] = value;
+            }
             Ok(writeln!(out, "{report}")?)
         }
     });
@@ -169,17 +207,16 @@ const PAUSE: Duration = Duration::from_millis(250);
 const MOST: u64 = 16 << 20;
 
 /// The state of this run, and how far it has come.
-fn open(path: &Path, options: &FuzzOptions) -> Result<(Journal, FuzzTally)> {
-    let FuzzOptions { first, last, seed, definition_share, .. } = options;
-    let words = format!("--n {first}..={last} --seed {seed} --definition-share {definition_share}");
-    let (state, found) = Journal::open(path, &SavedRun::new("fuzz", words, &options.canonical()), MOST)?;
+fn open<C: Told>(path: &Path, options: &C) -> Result<(Journal, C::Tally)> {
+    let run = SavedRun::new("fuzz", options.arguments(), &options.canonical());
+    let (state, found) = Journal::open(path, &run, MOST)?;
     if found.torn > 0 {
         say(format_args!("note: {}", torn(path)));
     }
-    let Some(record) = found.records.last() else { return Ok((state, FuzzTally::default())) };
-    let tally: Result<FuzzTally> =
+    let Some(record) = found.records.last() else { return Ok((state, C::Tally::default())) };
+    let tally: Result<C::Tally> =
         serde_json::from_str(record).map_err(|error| Error::input(format!("no tally: {error}")));
-    let tally = tally.and_then(|tally| tally.check(options).map(|()| tally));
+    let tally = tally.and_then(|tally| options.check(&tally).map(|()| tally));
     tally
         .map(|tally| (state, tally))
         .map_err(|error| error.context(format_args!("cannot resume from {}", path.display())))
@@ -196,65 +233,46 @@ fn append(path: &Path, lines: &[String]) -> Result<()> {
     file.map(drop).map_err(|error| Error::io("append to", path, error))
 }
 
-/// Times differ from run to run, so they do not belong to the result.
-fn speeds(tally: &FuzzTally, rate: f64) {
-    let cases = [tally.decided().saturating_sub(tally.weighted), tally.weighted];
-    let seconds = [tally.sweep_seconds, tally.weighted_seconds];
-    let mut line = format!("{rate:.3e} cases per second");
-    if seconds.iter().all(|&seconds| seconds > 0.0) {
-        let [sweeps, weighted] = [0, 1].map(|i| cases[i] as f64 / seconds[i]);
-        line += &format!("; per second of processor time {sweeps:.3e} in sweeps, {weighted:.3e} weighted");
-    }
-    say(line);
-}
-
-fn text(
+fn text<C: Told>(
     out: &mut dyn Write,
     args: &Args,
-    options: &FuzzOptions,
-    tally: &FuzzTally,
+    options: &C,
+    tally: &C::Tally,
     outcome: Outcome,
 ) -> Result<()> {
     let verdict = match outcome {
-        Outcome::Refuted if tally.disagreements.is_empty() => {
+        Outcome::Refuted if tally.disagreements().is_empty() => {
             "An error of this program: two of its routes to one answer differ. Please report it.".to_string()
         }
-        Outcome::Refuted => "Refuted: the definition and the claim disagree.".to_string(),
+        Outcome::Refuted => format!("Refuted: {}.", C::REFUTED),
         Outcome::Interrupted => format!(
-            "Interrupted: no disagreement found in {} of {} cases. This is no proof.",
+            "Interrupted: no disagreement found in {} of {} {}. This is no proof.",
             tally.decided(),
-            options.cases
+            options.cases(),
+            C::UNIT
         ),
         _ => "No disagreement found. This is no proof.".to_string(),
     };
     writeln!(out, "{verdict}")?;
-    let rows = [
-        (tally.decided(), "cases (n, point) decided both ways, of which"),
-        (tally.swept, "by f64 with proved bounds, in sweeps over all n"),
-        (tally.interval, "by f64 intervals"),
-        (tally.ball, "by multi-precision balls"),
-        (tally.exact, "by integers alone"),
-        (tally.boundary, "on a boundary, where nothing is claimed"),
-        (tally.undecided, "undecided, and not counted above"),
-        (tally.weighted, "weighted cases, near the places where something could fail"),
-        (tally.repeated, "sweep results decided again by the definition, k by k"),
-    ];
-    for (count, what) in rows {
+    for (count, what) in options.rows(tally) {
         writeln!(out, "{count:>14}  {what}")?;
+    }
+    for remark in options.remarks(tally) {
+        writeln!(out, "{remark}")?;
     }
     writeln!(
         out,
-        "Cases come in blocks of about {}: the run ends with the block that reaches --cases.",
+        "The {} come in blocks of about {}: the run ends with the block that reaches --cases.",
+        C::UNIT,
         options.block()
     )?;
-    for fault in &tally.faults {
+    for fault in tally.faults() {
         writeln!(out, "{fault}")?;
     }
-    for line in &tally.disagreements {
-        let case: Instance = line.parse()?;
-        writeln!(out, "{line}\n  shown by: grazing classify {}", case.arguments())?;
+    for line in tally.disagreements() {
+        writeln!(out, "{line}\n  shown by: {}", options.shown_by(line)?)?;
     }
-    if !tally.disagreements.is_empty() {
+    if !tally.disagreements().is_empty() {
         writeln!(out, "appended to {}", args.regressions.display())?;
     }
     Ok(())

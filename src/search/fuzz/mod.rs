@@ -6,6 +6,7 @@
 //! disagreement proves nothing; a disagreement is decided again, shrunk, and can be replayed. Where two routes of this program
 //! to one answer differ, that is an error of its own, reported with the point.
 
+mod campaign;
 mod confirm;
 mod random;
 mod sweep;
@@ -13,7 +14,6 @@ mod weighted;
 pub mod words;
 
 use num_rational::BigRational;
-use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use super::{Instance, compare::differ};
@@ -25,6 +25,7 @@ use crate::{
     processor::thread_seconds,
     random::Random,
 };
+pub use campaign::{Campaign, Tally, fuzz};
 use confirm::{contradiction, one_case, shrink};
 use sweep::Sweep;
 
@@ -75,10 +76,25 @@ pub struct FuzzTally {
     pub faults: Vec<String>,
 }
 
-impl FuzzTally {
-    /// The number of cases decided, both ways, boundaries included.
-    pub fn decided(&self) -> u64 {
+impl Tally for FuzzTally {
+    fn units(&self) -> u64 {
+        self.units
+    }
+
+    fn decided(&self) -> u64 {
         self.swept + self.interval + self.ball + self.exact + self.boundary
+    }
+
+    fn undecided(&self) -> u64 {
+        self.undecided
+    }
+
+    fn disagreements(&self) -> &[String] {
+        &self.disagreements
+    }
+
+    fn faults(&self) -> &[String] {
+        &self.faults
     }
 
     fn merge(mut self, other: FuzzTally) -> FuzzTally {
@@ -104,30 +120,14 @@ const SWEEP_POINTS: u64 = 256;
 const WEIGHTED_CASES: u64 = 4;
 /// The least period of a sweep.
 const FIRST_SWEPT: u64 = 3;
-/// The most units between two checkpoints.
-const CHUNK: u64 = 512;
 
 impl FuzzOptions {
-    /// All that a tally depends on but for the number of cases, written so that equal runs give equal texts.
-    pub fn canonical(&self) -> String {
-        let FuzzOptions { first, last, seed, definition_share, .. } = self;
-        let share = definition_share.to_bits();
-        format!(
-            "periods {first}..={last} seed {seed} share {share:016x} unit {SWEEP_POINTS}+{WEIGHTED_CASES}"
-        )
-    }
-
-    /// The cases of one unit, to within its few weighted and repeated ones: a run decides those of whole units.
-    pub fn block(&self) -> u64 {
-        SWEEP_POINTS * self.periods() + WEIGHTED_CASES
-    }
-
     /// The periods of a sweep: it begins at 3.
     fn periods(&self) -> u64 {
         (self.last + 1).saturating_sub(self.first.max(FIRST_SWEPT))
     }
 
-    fn check(&self) -> Result<()> {
+    fn check_range(&self) -> Result<()> {
         if !(3..=sweep::LONGEST as u64).contains(&self.last) {
             return Err(Error::input(format!(
                 "the largest period is {}: from 3 to {}",
@@ -142,38 +142,54 @@ impl FuzzOptions {
     }
 }
 
-impl FuzzTally {
-    /// Whether a run with these options can have come to this, disagreements decided again.
-    ///
-    /// # Errors
-    /// An input error that says what cannot be.
-    pub fn check(&self, options: &FuzzOptions) -> Result<()> {
-        options.check()?;
+impl Campaign for FuzzOptions {
+    type Tally = FuzzTally;
+    type Sweep = Sweep;
+    const CHUNK: u64 = 512;
+
+    fn cases(&self) -> u64 {
+        self.cases
+    }
+
+    fn block(&self) -> u64 {
+        SWEEP_POINTS * self.periods() + WEIGHTED_CASES
+    }
+
+    fn canonical(&self) -> String {
+        let FuzzOptions { first, last, seed, definition_share, .. } = self;
+        let share = definition_share.to_bits();
+        format!(
+            "periods {first}..={last} seed {seed} share {share:016x} unit {SWEEP_POINTS}+{WEIGHTED_CASES}"
+        )
+    }
+
+    fn check(&self, tally: &FuzzTally) -> Result<()> {
+        self.check_range()?;
         let bad = |what: &str| Err(Error::input(format!("a tally that no run comes to: {what}")));
         // Far more than any machine does, and few enough for every sum below.
-        if self.units > 1 << 40 {
+        if tally.units > 1 << 40 {
             return bad("the number of units");
         }
-        let parts = [self.swept, self.interval, self.ball, self.exact, self.boundary, self.undecided];
-        if parts.iter().chain([&self.repeated, &self.weighted]).any(|&part| part > 1 << 60) {
+        let parts = [tally.swept, tally.interval, tally.ball, tally.exact, tally.boundary, tally.undecided];
+        if parts.iter().chain([&tally.repeated, &tally.weighted]).any(|&part| part > 1 << 60) {
             return bad("a count beyond all units");
         }
-        if self.repeated > self.units * SWEEP_POINTS || self.weighted > self.units * WEIGHTED_CASES {
+        if tally.repeated > tally.units * SWEEP_POINTS || tally.weighted > tally.units * WEIGHTED_CASES {
             return bad("more repeated or weighted cases than units have");
         }
         // Every point of a sweep is one case for each period, a repeated one is decided once more, and weighted cases are cases.
-        let cases = self.units * SWEEP_POINTS * options.periods() + self.repeated + self.weighted;
+        let cases = tally.units * SWEEP_POINTS * self.periods() + tally.repeated + tally.weighted;
         let counted: u64 = parts.iter().sum();
-        let differing = self.disagreements.len() as u64;
+        let differing = tally.disagreements.len() as u64;
         // A unit ends at its first fault.
-        if counted > cases || (self.faults.is_empty() && cases - counted > differing) {
+        if counted > cases || (tally.faults.is_empty() && cases - counted > differing) {
             return bad("the counts do not add up");
         }
-        let seconds = [self.sweep_seconds, self.weighted_seconds];
+        let seconds = [tally.sweep_seconds, tally.weighted_seconds];
         if !seconds.iter().all(|seconds| (0.0..1e15).contains(seconds)) {
             return bad("its times");
         }
-        for line in &self.disagreements {
+        for line in &tally.disagreements {
             let case: Instance = line.parse()?;
             if !differ(&Ladder::default(), &case, Variant::True) {
                 return bad(&format!("{line} is no disagreement"));
@@ -181,103 +197,65 @@ impl FuzzTally {
         }
         Ok(())
     }
-}
 
-/// Runs from `tally` on until enough cases are decided or the monitor interrupts; `checkpoint` sees every state from which
-/// the run can go on. Ends early once a disagreement or an error of this program is found. What is counted is whole units: at least `options.cases` cases unless it ends early, and
-/// less than one unit more.
-///
-/// # Errors
-/// An input error if the options are out of range, or `tally` cannot be of such a run; whatever `checkpoint` returns.
-pub fn fuzz(
-    options: &FuzzOptions,
-    mut tally: FuzzTally,
-    monitor: &dyn Monitor,
-    mut checkpoint: impl FnMut(&FuzzTally) -> Result<()>,
-) -> Result<FuzzTally> {
-    tally.check(options)?;
-    let ladder = Ladder::default();
-    let sweep = Sweep::new(options.last as usize);
-    while tally.decided() < options.cases && tally.disagreements.is_empty() && tally.faults.is_empty() {
-        let first = tally.units;
-        let wanted = (options.cases - tally.decided()).div_ceil(options.block()).clamp(1, CHUNK);
-        let units: Vec<Option<FuzzTally>> = (first..first + wanted)
-            .into_par_iter()
-            .map_with(sweep.clone(), |sweep, unit| {
-                monitor.advance(0).ok()?;
-                run_unit(options, &ladder, sweep, unit, monitor)
-            })
-            .collect();
-        // Whole units in their order, up to the first that was given up and no more than asked for.
-        let before = tally.decided();
-        for unit in units.iter().cloned().map_while(|unit| unit) {
-            if tally.decided() >= options.cases {
-                break;
-            }
-            tally = tally.merge(unit);
-        }
-        checkpoint(&tally)?;
-        if monitor.advance(tally.decided() - before).is_err() || units.contains(&None) {
-            break;
-        }
+    fn sweep(&self) -> Sweep {
+        Sweep::new(self.last as usize)
     }
-    Ok(tally)
-}
 
-/// One unit; none if the monitor ends it.
-fn run_unit(
-    options: &FuzzOptions,
-    ladder: &Ladder,
-    sweep: &mut Sweep,
-    unit: u64,
-    monitor: &dyn Monitor,
-) -> Option<FuzzTally> {
-    let mut random = Random::of_unit(options.seed, unit);
-    let mut tally = FuzzTally { units: 1, ..FuzzTally::default() };
-    let start = thread_seconds();
-    // The share as a threshold on 53 random bits: what it selects depends on the seed alone.
-    let threshold = (options.definition_share * (1u64 << 53) as f64) as u64;
-    for _ in 0..SWEEP_POINTS {
-        monitor.advance(0).ok()?;
-        let (r, s) = (random.next() >> 11 | 1, random.next() >> 11 | 1);
-        let repeated = if random.next() >> 11 < threshold {
-            random.within(options.first.max(FIRST_SWEPT), options.last)
-        } else {
-            0
-        };
-        sweep.run(r, s, |n, swept| {
-            // After an error of ours the rest of the unit says nothing, and might be one such line for every case.
-            if (n as u64) < options.first || !tally.faults.is_empty() {
-                return;
-            }
-            let agreed = swept.defined.is_some() && swept.defined == swept.claimed;
-            tally.swept += u64::from(agreed);
-            let repeated = n as u64 == repeated;
-            tally.repeated += u64::from(repeated);
-            if agreed && !repeated {
-                return;
-            }
-            let case = dyadic(n, r, s);
-            if let Some(what) = contradiction(ladder, &case, &swept) {
-                tally.faults.push(format!("{what}: {case}"));
-            }
-            // Open or an apparent disagreement; and one chosen to be decided again whatever the sweep says.
-            for _ in 0..u32::from(!agreed) + u32::from(repeated) {
-                one_case(ladder, case.clone(), Variant::True, &mut tally);
-            }
-        });
-    }
-    tally.sweep_seconds = thread_seconds() - start;
-    let start = thread_seconds();
-    for _ in 0..WEIGHTED_CASES {
-        monitor.advance(0).ok()?;
-        if let Some(case) = weighted::case(&mut random, ladder, options.first..=options.last) {
-            tally.weighted += 1;
-            one_case(ladder, case, Variant::True, &mut tally);
+    fn unit(
+        &self,
+        ladder: &Ladder,
+        sweep: &mut Sweep,
+        unit: u64,
+        monitor: &dyn Monitor,
+    ) -> Option<FuzzTally> {
+        let mut random = Random::of_unit(self.seed, unit);
+        let mut tally = FuzzTally { units: 1, ..FuzzTally::default() };
+        let start = thread_seconds();
+        // The share as a threshold on 53 random bits: what it selects depends on the seed alone.
+        let threshold = (self.definition_share * (1u64 << 53) as f64) as u64;
+        for _ in 0..SWEEP_POINTS {
+            monitor.advance(0).ok()?;
+            let (r, s) = (random.next() >> 11 | 1, random.next() >> 11 | 1);
+            let repeated = if random.next() >> 11 < threshold {
+                random.within(self.first.max(FIRST_SWEPT), self.last)
+            } else {
+                0
+            };
+            sweep.run(r, s, |n, swept| {
+                // After an error of ours the rest of the unit says nothing, and might be one such line for every case.
+                if (n as u64) < self.first || !tally.faults.is_empty() {
+                    return;
+                }
+                let agreed = swept.defined.is_some() && swept.defined == swept.claimed;
+                tally.swept += u64::from(agreed);
+                let repeated = n as u64 == repeated;
+                tally.repeated += u64::from(repeated);
+                if agreed && !repeated {
+                    return;
+                }
+                let case = dyadic(n, r, s);
+                if let Some(what) = contradiction(ladder, &case, &swept) {
+                    tally.faults.push(format!("{what}: {case}"));
+                }
+                // Open or an apparent disagreement; and one chosen to be decided again whatever the sweep says.
+                for _ in 0..u32::from(!agreed) + u32::from(repeated) {
+                    one_case(ladder, case.clone(), Variant::True, &mut tally);
+                }
+            });
         }
+        tally.sweep_seconds = thread_seconds() - start;
+        let start = thread_seconds();
+        for _ in 0..WEIGHTED_CASES {
+            monitor.advance(0).ok()?;
+            if let Some(case) = weighted::case(&mut random, ladder, self.first..=self.last) {
+                tally.weighted += 1;
+                one_case(ladder, case, Variant::True, &mut tally);
+            }
+        }
+        tally.weighted_seconds = thread_seconds() - start;
+        Some(tally)
     }
-    tally.weighted_seconds = thread_seconds() - start;
-    Some(tally)
 }
 
 /// The first of `most` weighted cases of a seed that refutes a variant of the claim, shrunk.

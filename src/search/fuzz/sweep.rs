@@ -36,7 +36,7 @@ pub(super) struct Neighbours {
 
 impl Neighbours {
     /// The table for n ≤ `last`, by brute force.
-    pub fn new(last: usize) -> Self {
+    pub(super) fn new(last: usize) -> Self {
         let (mut starts, mut n_plus) = (vec![0], Vec::new());
         for n in 0..=last {
             for m in 0..=n / 2 {
@@ -54,7 +54,7 @@ impl Neighbours {
 
 /// The work space of a sweep, kept from point to point.
 #[derive(Debug, Clone)]
-pub(super) struct Sweep {
+pub struct Sweep {
     neighbours: Neighbours,
     /// Im z_j, and an upper bound of r^j.
     y: Vec<f64>,
@@ -67,14 +67,14 @@ fn error(j: usize) -> f64 {
 }
 
 impl Sweep {
-    pub fn new(last: usize) -> Self {
+    pub(super) fn new(last: usize) -> Self {
         assert!(last <= LONGEST);
         Sweep { neighbours: Neighbours::new(last), y: vec![0.0; last + 1], rho: vec![1.0; last + 1] }
     }
 
     /// Visits n = 3, …, last at the point r = `r`/2⁵³, s = `s`/2⁵⁴, 0 < r, s < 2⁵³, s odd (so that u_n ≠ 0 for
     /// every n < 2⁵²).
-    pub fn run(&mut self, r: u64, s: u64, mut visit: impl FnMut(usize, Swept)) {
+    pub(super) fn run(&mut self, r: u64, s: u64, mut visit: impl FnMut(usize, Swept)) {
         const UNIT: f64 = 1.0 / (1u64 << 53) as f64;
         let last = self.y.len() - 1;
         let angle = Angle::new(&BigRational::new_raw(s.into(), (1u64 << 53).into()));

@@ -13,10 +13,9 @@ use std::sync::LazyLock;
 use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
-use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use super::{Instance, dyadic, weighted};
+use super::{Campaign, Instance, Tally, dyadic, weighted};
 use crate::{
     error::{Error, Result},
     existence::{Boundary, Lowest, intervals},
@@ -28,7 +27,7 @@ use crate::{
 };
 pub use compare::WordStatement;
 use compare::{Comparison, compare, differ, shrink};
-use sweep::{Sweep, Swept};
+use sweep::{Swept, WordSweep};
 
 /// The entropies thought to be the suprema for eµ > 0 in region 3: in (+,−), as s → 1/2 on r = 1, the logarithm of the tribonacci constant, rounded up; in (+,+), as
 /// s → 1/4 from above, 0.450385…, rounded up.
@@ -89,17 +88,30 @@ const ANGLES: u64 = 4096;
 const MODULI: u64 = 8;
 const WEIGHTED: u64 = 4;
 const WORDS: u64 = 2;
-/// The most units between two checkpoints.
-const CHUNK: u64 = 64;
 /// The largest period that points decided exactly are compared on.
 const EXACT_LAST: u64 = 24;
 /// The largest denominator of a random word.
 const LONGEST_WORD: u64 = 400;
 
-impl WordTally {
-    /// The number of points decided, boundaries included.
-    pub fn decided(&self) -> u64 {
+impl Tally for WordTally {
+    fn units(&self) -> u64 {
+        self.units
+    }
+
+    fn decided(&self) -> u64 {
         self.swept + self.exact + self.boundary
+    }
+
+    fn undecided(&self) -> u64 {
+        self.undecided
+    }
+
+    fn disagreements(&self) -> &[String] {
+        &self.disagreements
+    }
+
+    fn faults(&self) -> &[String] {
+        &self.faults
     }
 
     fn merge(mut self, other: WordTally) -> WordTally {
@@ -125,43 +137,6 @@ impl WordTally {
         self.faults.extend(other.faults);
         self
     }
-
-    /// Whether a run with these options can have come to this, disagreements decided again.
-    ///
-    /// # Errors
-    /// An input error that says what cannot be.
-    pub fn check(&self, options: &WordOptions) -> Result<()> {
-        options.check()?;
-        let bad = |what: &str| Err(Error::input(format!("a tally that no run comes to: {what}")));
-        if self.units > 1 << 40 {
-            return bad("the number of units");
-        }
-        let points = self.units * ANGLES * MODULI;
-        let parts = [self.swept, self.exact, self.boundary, self.undecided];
-        if parts.iter().any(|&part| part > 1 << 60) || self.pairs > points.saturating_mul(1 << 20) {
-            return bad("a count beyond all units");
-        }
-        if self.repeated > points || self.weighted > self.units * WEIGHTED || self.words > self.units * WORDS
-        {
-            return bad("more repeated points, weighted points or words than units have");
-        }
-        // Every point of a sweep is decided, one repeated once more, and every weighted one.
-        let (counted, differing) = (parts.iter().sum::<u64>(), self.disagreements.len() as u64);
-        let all = points + self.repeated + self.weighted;
-        if counted > all || (self.faults.is_empty() && all - counted > differing) {
-            return bad("the counts do not add up");
-        }
-        let numbers = [self.sweep_seconds, self.other_seconds, self.largest[0], self.largest[1]];
-        if !numbers.iter().all(|number| (0.0..1e15).contains(number)) {
-            return bad("its times, or its entropies");
-        }
-        for line in &self.disagreements {
-            if !differ(&Ladder::default(), &replayed(line)?, WordStatement::True) {
-                return bad(&format!("{line} is no disagreement"));
-            }
-        }
-        Ok(())
-    }
 }
 
 /// The case of a line of a regression file.
@@ -177,19 +152,7 @@ pub fn replayed(line: &str) -> Result<Instance> {
 }
 
 impl WordOptions {
-    /// All that a tally depends on but for the number of points, written so that equal runs give equal texts.
-    pub fn canonical(&self) -> String {
-        let WordOptions { last, seed, definition_share, .. } = self;
-        let share = definition_share.to_bits();
-        format!("words to {last} seed {seed} share {share:016x} unit {ANGLES}x{MODULI}+{WEIGHTED}+{WORDS}")
-    }
-
-    /// The points of one unit, to within its few weighted and repeated ones.
-    pub fn block(&self) -> u64 {
-        ANGLES * MODULI + WEIGHTED
-    }
-
-    fn check(&self) -> Result<()> {
+    fn check_range(&self) -> Result<()> {
         if !(3..=sweep::LONGEST as u64).contains(&self.last) {
             return Err(Error::input(format!(
                 "the largest period is {}: from 3 to {}",
@@ -204,107 +167,126 @@ impl WordOptions {
     }
 }
 
-/// Runs from `tally` on until enough points are decided or the monitor interrupts; `checkpoint` sees every state from which the run can go on. Ends early once a
-/// disagreement or an error of this program is found. What is counted is whole units.
-///
-/// # Errors
-/// An input error if the options are out of range, or `tally` cannot be of such a run; whatever `checkpoint` returns.
-pub fn fuzz_words(
-    options: &WordOptions,
-    mut tally: WordTally,
-    monitor: &dyn Monitor,
-    mut checkpoint: impl FnMut(&WordTally) -> Result<()>,
-) -> Result<WordTally> {
-    tally.check(options)?;
-    let ladder = Ladder::default();
-    let sweep = Sweep::new(options.last as usize);
-    while tally.decided() < options.cases && tally.disagreements.is_empty() && tally.faults.is_empty() {
-        let first = tally.units;
-        let wanted = (options.cases - tally.decided()).div_ceil(options.block()).clamp(1, CHUNK);
-        let units: Vec<Option<WordTally>> = (first..first + wanted)
-            .into_par_iter()
-            .map_with(sweep.clone(), |sweep, unit| {
-                monitor.advance(0).ok()?;
-                run_unit(options, &ladder, sweep, unit, monitor)
-            })
-            .collect();
-        let before = tally.decided();
-        for unit in units.iter().cloned().map_while(|unit| unit) {
-            if tally.decided() >= options.cases {
-                break;
-            }
-            tally = tally.merge(unit);
-        }
-        checkpoint(&tally)?;
-        if monitor.advance(tally.decided() - before).is_err() || units.contains(&None) {
-            break;
-        }
-    }
-    Ok(tally)
-}
+impl Campaign for WordOptions {
+    type Tally = WordTally;
+    type Sweep = WordSweep;
+    const CHUNK: u64 = 64;
 
-/// One unit; none if the monitor ends it.
-fn run_unit(
-    options: &WordOptions,
-    ladder: &Ladder,
-    sweep: &mut Sweep,
-    unit: u64,
-    monitor: &dyn Monitor,
-) -> Option<WordTally> {
-    let mut random = Random::of_unit(options.seed, unit);
-    let mut tally = WordTally { units: 1, ..WordTally::default() };
-    let start = thread_seconds();
-    let threshold = (options.definition_share * (1u64 << 53) as f64) as u64;
-    let mut exact = 0.0;
-    for _ in 0..ANGLES {
-        monitor.advance(0).ok()?;
-        let (family, s) = angle(&mut random);
-        sweep.turn(s);
-        for _ in 0..MODULI {
-            let r = modulus(&mut random, family);
-            let swept = sweep.compare(r);
-            if let Swept::Agree(pairs) = swept {
-                tally.swept += 1;
-                tally.pairs += pairs;
+    fn cases(&self) -> u64 {
+        self.cases
+    }
+
+    fn block(&self) -> u64 {
+        ANGLES * MODULI + WEIGHTED
+    }
+
+    fn canonical(&self) -> String {
+        let WordOptions { last, seed, definition_share, .. } = self;
+        let share = definition_share.to_bits();
+        format!("words to {last} seed {seed} share {share:016x} unit {ANGLES}x{MODULI}+{WEIGHTED}+{WORDS}")
+    }
+
+    fn check(&self, tally: &WordTally) -> Result<()> {
+        self.check_range()?;
+        let bad = |what: &str| Err(Error::input(format!("a tally that no run comes to: {what}")));
+        if tally.units > 1 << 40 {
+            return bad("the number of units");
+        }
+        let points = tally.units * ANGLES * MODULI;
+        let parts = [tally.swept, tally.exact, tally.boundary, tally.undecided];
+        if parts.iter().any(|&part| part > 1 << 60) || tally.pairs > points.saturating_mul(1 << 20) {
+            return bad("a count beyond all units");
+        }
+        if tally.repeated > points
+            || tally.weighted > tally.units * WEIGHTED
+            || tally.words > tally.units * WORDS
+        {
+            return bad("more repeated points, weighted points or words than units have");
+        }
+        // Every point of a sweep is decided, one repeated once more, and every weighted one.
+        let (counted, differing) = (parts.iter().sum::<u64>(), tally.disagreements.len() as u64);
+        let all = points + tally.repeated + tally.weighted;
+        if counted > all || (tally.faults.is_empty() && all - counted > differing) {
+            return bad("the counts do not add up");
+        }
+        let numbers = [tally.sweep_seconds, tally.other_seconds, tally.largest[0], tally.largest[1]];
+        if !numbers.iter().all(|number| (0.0..1e15).contains(number)) {
+            return bad("its times, or its entropies");
+        }
+        for line in &tally.disagreements {
+            if !differ(&Ladder::default(), &replayed(line)?, WordStatement::True) {
+                return bad(&format!("{line} is no disagreement"));
             }
-            let repeated = random.next() >> 11 < threshold;
-            if swept != Swept::Differ && swept != Swept::Open && !repeated {
-                continue;
-            }
-            tally.repeated += u64::from(repeated);
-            let begun = thread_seconds();
-            let case = dyadic(options.last.min(EXACT_LAST) as usize, r, s);
-            for _ in 0..u32::from(!matches!(swept, Swept::Agree(_))) + u32::from(repeated) {
-                let decided = one_point(ladder, case.clone(), &mut tally);
-                if swept == Swept::Differ && decided != Comparison::Differ && tally.faults.is_empty() {
-                    tally.faults.push(format!(
-                        "a sweep's word and the definition differ, the exact routes do not: {case}"
-                    ));
+        }
+        Ok(())
+    }
+
+    fn sweep(&self) -> WordSweep {
+        WordSweep::new(self.last as usize)
+    }
+
+    fn unit(
+        &self,
+        ladder: &Ladder,
+        sweep: &mut WordSweep,
+        unit: u64,
+        monitor: &dyn Monitor,
+    ) -> Option<WordTally> {
+        let mut random = Random::of_unit(self.seed, unit);
+        let mut tally = WordTally { units: 1, ..WordTally::default() };
+        let start = thread_seconds();
+        let threshold = (self.definition_share * (1u64 << 53) as f64) as u64;
+        let mut exact = 0.0;
+        for _ in 0..ANGLES {
+            monitor.advance(0).ok()?;
+            let (family, s) = angle(&mut random);
+            sweep.turn(s);
+            for _ in 0..MODULI {
+                let r = modulus(&mut random, family);
+                let swept = sweep.compare(r);
+                if let Swept::Agree(pairs) = swept {
+                    tally.swept += 1;
+                    tally.pairs += pairs;
+                }
+                let repeated = random.next() >> 11 < threshold;
+                if swept != Swept::Differ && swept != Swept::Open && !repeated {
+                    continue;
+                }
+                tally.repeated += u64::from(repeated);
+                let begun = thread_seconds();
+                let case = dyadic(self.last.min(EXACT_LAST) as usize, r, s);
+                for _ in 0..u32::from(!matches!(swept, Swept::Agree(_))) + u32::from(repeated) {
+                    let decided = one_point(ladder, case.clone(), &mut tally);
+                    if swept == Swept::Differ && decided != Comparison::Differ && tally.faults.is_empty() {
+                        tally.faults.push(format!(
+                            "a sweep's word and the definition differ, the exact routes do not: {case}"
+                        ));
+                    }
+                }
+                exact += thread_seconds() - begun;
+                // After an error of ours the rest of the unit says nothing.
+                if !tally.faults.is_empty() {
+                    return Some(tally);
                 }
             }
-            exact += thread_seconds() - begun;
-            // After an error of ours the rest of the unit says nothing.
-            if !tally.faults.is_empty() {
-                return Some(tally);
+        }
+        tally.sweep_seconds = thread_seconds() - start - exact;
+        let start = thread_seconds();
+        for _ in 0..WEIGHTED {
+            monitor.advance(0).ok()?;
+            if let Some(mut case) = weighted::case(&mut random, ladder, 3..=24) {
+                tally.weighted += 1;
+                case.n = case.n.clamp(12, self.last.clamp(12, EXACT_LAST));
+                one_point(ladder, case, &mut tally);
             }
         }
-    }
-    tally.sweep_seconds = thread_seconds() - start - exact;
-    let start = thread_seconds();
-    for _ in 0..WEIGHTED {
-        monitor.advance(0).ok()?;
-        if let Some(mut case) = weighted::case(&mut random, ladder, 3..=24) {
-            tally.weighted += 1;
-            case.n = case.n.clamp(12, options.last.clamp(12, EXACT_LAST));
-            one_point(ladder, case, &mut tally);
+        for _ in 0..WORDS {
+            monitor.advance(0).ok()?;
+            entropies(&mut random, &mut tally);
         }
+        tally.other_seconds = thread_seconds() - start + exact;
+        Some(tally)
     }
-    for _ in 0..WORDS {
-        monitor.advance(0).ok()?;
-        entropies(&mut random, &mut tally);
-    }
-    tally.other_seconds = thread_seconds() - start + exact;
-    Some(tally)
 }
 
 /// Decides one point exactly and counts it.

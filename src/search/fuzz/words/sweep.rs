@@ -50,7 +50,7 @@ type Span = (f64, f64);
 
 /// The work space of a sweep, and the powers of one angle.
 #[derive(Debug, Clone)]
-pub(super) struct Sweep {
+pub struct WordSweep {
     s: u64,
     cosine: Vec<f64>,
     sine: Vec<f64>,
@@ -60,12 +60,12 @@ pub(super) struct Sweep {
     word: Vec<Letter>,
 }
 
-impl Sweep {
+impl WordSweep {
     /// For periods up to `last` ≤ [`LONGEST`].
-    pub fn new(last: usize) -> Sweep {
+    pub(super) fn new(last: usize) -> WordSweep {
         assert!((3..=LONGEST).contains(&last));
         let room = || vec![0.0; last + 2];
-        Sweep { s: 1, cosine: room(), sine: room(), power: room(), found: Vec::new(), word: Vec::new() }
+        WordSweep { s: 1, cosine: room(), sine: room(), power: room(), found: Vec::new(), word: Vec::new() }
     }
 
     fn last(&self) -> usize {
@@ -73,7 +73,7 @@ impl Sweep {
     }
 
     /// Turns to the angle s = `s`/2⁵⁴, 0 < s < 2⁵³, s odd (so that u_n ≠ 0 for every n < 2⁵²).
-    pub fn turn(&mut self, s: u64) {
+    pub(super) fn turn(&mut self, s: u64) {
         self.s = s;
         let angle = Angle::new(&BigRational::new_raw(s.into(), (1u64 << 53).into()));
         let float = |x: FloatInterval| {
@@ -90,7 +90,7 @@ impl Sweep {
     }
 
     /// Compares the two routes at r = `r`/2⁵³, 0 < r < 2⁵³.
-    pub fn compare(&mut self, r: u64) -> Swept {
+    pub(super) fn compare(&mut self, r: u64) -> Swept {
         let radius = r as f64 * UNIT;
         let mut power = 1.0;
         for place in &mut self.power {
@@ -285,7 +285,7 @@ mod tests {
     #[test]
     fn followers_are_enclosed() {
         let (precision, mut random) = (Precision::new(300), Random::of_unit(11, 0));
-        let mut sweep = Sweep::new(40);
+        let mut sweep = WordSweep::new(40);
         let mut seen = 0;
         for _ in 0..40 {
             let (r, s) = (random.next() >> 12 | 1 << 52, random.next() >> 11 | 1);
@@ -318,7 +318,7 @@ mod tests {
     /// An edge, a side or a period changed on one route is noticed.
     #[test]
     fn a_changed_word_differs() {
-        let mut sweep = Sweep::new(64);
+        let mut sweep = WordSweep::new(64);
         // DUD at r = 0.9, s = 0.37.
         sweep.turn((0.37 * (1u64 << 54) as f64) as u64 | 1);
         let r = (0.9 * (1u64 << 53) as f64) as u64;

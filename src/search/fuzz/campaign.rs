@@ -1,0 +1,106 @@
+//! What every fuzzing has in common: units of cases, each drawn from the seed and its own number alone, so that a run is the same whatever the
+//! number of threads, can be ended after any unit and gone on with.
+
+use rayon::prelude::*;
+use serde::{Serialize, de::DeserializeOwned};
+
+use crate::{error::Result, local::Ladder, monitor::Monitor};
+
+/// What a run has come to so far.
+pub trait Tally: Clone + Default + PartialEq + Send + Sync + Serialize + DeserializeOwned {
+    /// The number of units done: the run goes on from here.
+    fn units(&self) -> u64;
+
+    /// The number of cases decided both ways, boundaries included.
+    fn decided(&self) -> u64;
+
+    /// Cases left undecided.
+    fn undecided(&self) -> u64;
+
+    /// Confirmed disagreements, shrunk, as lines of a regression file.
+    fn disagreements(&self) -> &[String];
+
+    /// Errors of this program: what two routes to one answer differ in, and the case.
+    fn faults(&self) -> &[String];
+
+    /// This with one more unit.
+    fn merge(self, other: Self) -> Self;
+}
+
+/// What to fuzz, and how far.
+pub trait Campaign: Serialize + Sync {
+    /// What a run comes to.
+    type Tally: Tally;
+    /// What a thread needs for its units.
+    type Sweep: Clone + Send + Sync;
+    /// The most units between two checkpoints.
+    const CHUNK: u64;
+
+    /// End once this many cases are decided.
+    fn cases(&self) -> u64;
+
+    /// The cases of one unit, to within a few: a run decides those of whole units.
+    fn block(&self) -> u64;
+
+    /// All that a tally depends on but for the number of cases, written so that equal runs give equal texts.
+    fn canonical(&self) -> String;
+
+    /// Whether a run with these options can have come to a tally, disagreements decided again.
+    ///
+    /// # Errors
+    /// An input error if the options are out of range, or one that says what cannot be.
+    fn check(&self, tally: &Self::Tally) -> Result<()>;
+
+    /// What each thread begins with.
+    fn sweep(&self) -> Self::Sweep;
+
+    /// One unit; none if the monitor ends it.
+    fn unit(
+        &self,
+        ladder: &Ladder,
+        sweep: &mut Self::Sweep,
+        unit: u64,
+        monitor: &dyn Monitor,
+    ) -> Option<Self::Tally>;
+}
+
+/// Runs from `tally` on until enough cases are decided or the monitor interrupts; `checkpoint` sees every state from which
+/// the run can go on. Ends early once a disagreement or an error of this program is found. What is counted is whole units: at least the cases asked for
+/// unless it ends early, and less than one unit more.
+///
+/// # Errors
+/// An input error if the options are out of range, or `tally` cannot be of such a run; whatever `checkpoint` returns.
+pub fn fuzz<C: Campaign>(
+    campaign: &C,
+    mut tally: C::Tally,
+    monitor: &dyn Monitor,
+    mut checkpoint: impl FnMut(&C::Tally) -> Result<()>,
+) -> Result<C::Tally> {
+    campaign.check(&tally)?;
+    let (ladder, sweep) = (Ladder::default(), campaign.sweep());
+    while tally.decided() < campaign.cases() && tally.disagreements().is_empty() && tally.faults().is_empty()
+    {
+        let first = tally.units();
+        let wanted = (campaign.cases() - tally.decided()).div_ceil(campaign.block()).clamp(1, C::CHUNK);
+        let units: Vec<Option<C::Tally>> = (first..first + wanted)
+            .into_par_iter()
+            .map_with(sweep.clone(), |sweep, unit| {
+                monitor.advance(0).ok()?;
+                campaign.unit(&ladder, sweep, unit, monitor)
+            })
+            .collect();
+        // Whole units in their order, up to the first that was given up and no more than asked for.
+        let before = tally.decided();
+        for unit in units.iter().cloned().map_while(|unit| unit) {
+            if tally.decided() >= campaign.cases() {
+                break;
+            }
+            tally = tally.merge(unit);
+        }
+        checkpoint(&tally)?;
+        if monitor.advance(tally.decided() - before).is_err() || units.contains(&None) {
+            break;
+        }
+    }
+    Ok(tally)
+}
