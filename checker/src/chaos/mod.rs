@@ -46,6 +46,25 @@
 //! The growth vector γ satisfies Σ z^{n_w} γ_w ≥ γ_v over the successors w of each v for z = 1/LO, ≤ for z = 1/HI; and either no letter has two
 //! successors of the same period, or none two predecessors.
 //!
+//! # Example
+//!
+//! The paper's oscillator (c = 12/49, k = 100/2401, τ = 1) over {1, 2} for every µ > 0, ν = µ/(1 + µ); the whole file is `tests/data/chaos-12.txt`:
+//!
+//! ```text
+//! depth 0/1 1/1
+//! window 1.2
+//! letter 1 0.089 0.244 -0.1582 -0.0612 0.264121084 0.082075454 1 1
+//! letter 2 0.615 1.036 -0.367 -0.14 1 0.310435706 1 1
+//! next 1 2
+//! next 1 2
+//! growth 1.61803398874 1.61803398876
+//! ```
+//!
+//! H0 and H3 by hand: s = a + p lies between 0.089 − 0.367 and 1.036 − 0.0612, so ν|s|/2 ≤ 0.4874 < sin 1.2 = 0.932; and every a is positive, every p negative. At ν = 0, where Q =
+//! Q′ = 1, letter 1 has E₁₁ = 0.5374, E₁₂ = 2.4267, E₂₁ = −0.1011, E₂₂ = −0.0570 at T = 2π, hence a = (1 − E₁₁)/E₁₂ = 0.1907 and p′ = E₂₁ + E₂₂ a = −0.1119: inside its box,
+//! as H1 wants. Growth: both letters may follow both, the vector is (1, 1), and z + z² − 1 is 8·10⁻¹² at z = 1/1.61803398874, −9·10⁻¹² at 1/1.61803398876. Evaluations: 8 paths of three
+//! letters, and (3 + 5)·16 pieces, in one cell: 136.
+//!
 //! # Cost
 //!
 //! The evaluations, of a leg with its derivatives or of a piece, are C·K·F·T·N times the sum of S_n² over all paths of three letters and of
