@@ -375,7 +375,8 @@ fn entropies(random: &mut Random, tally: &mut WordTally) {
         0 => (n - 1) / 2,
         1 => n / 4 + random.within(0, 2),
         _ => random.within(1, (n - 1) / 2),
-    };
+    }
+    .clamp(1, (n - 1) / 2);
     let g = m.gcd(&n);
     let (m, n) = (m / g, n / g);
     let letter = if random.coin() { Letter::U } else { Letter::D };
