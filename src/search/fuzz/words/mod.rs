@@ -86,8 +86,10 @@ pub struct WordTally {
 /// Angles of one unit, moduli of each, and what else a unit has.
 const ANGLES: u64 = 4096;
 const MODULI: u64 = 8;
-const WEIGHTED: u64 = 4;
-const WORDS: u64 = 2;
+const WEIGHTED: u64 = 8;
+const WORDS: u64 = 4;
+/// One unit in this many has weighted points and words, which take three times as long as its sweeps.
+const SELDOM: u64 = 16;
 /// The largest period that points decided exactly are compared on.
 const EXACT_LAST: u64 = 24;
 /// The largest denominator of a random word.
@@ -183,7 +185,9 @@ impl Campaign for WordOptions {
     fn canonical(&self) -> String {
         let WordOptions { last, seed, definition_share, .. } = self;
         let share = definition_share.to_bits();
-        format!("words to {last} seed {seed} share {share:016x} unit {ANGLES}x{MODULI}+{WEIGHTED}+{WORDS}")
+        format!(
+            "words to {last} seed {seed} share {share:016x} unit {ANGLES}x{MODULI}+({WEIGHTED}+{WORDS})/{SELDOM}"
+        )
     }
 
     fn check(&self, tally: &WordTally) -> Result<()> {
@@ -272,17 +276,19 @@ impl Campaign for WordOptions {
         }
         tally.sweep_seconds = thread_seconds() - start - exact;
         let start = thread_seconds();
-        for _ in 0..WEIGHTED {
-            monitor.advance(0).ok()?;
-            if let Some(mut case) = weighted::case(&mut random, ladder, 3..=24) {
-                tally.weighted += 1;
-                case.n = case.n.clamp(12, self.last.clamp(12, EXACT_LAST));
-                one_point(ladder, case, &mut tally);
+        if unit % SELDOM == 0 {
+            for _ in 0..WEIGHTED {
+                monitor.advance(0).ok()?;
+                if let Some(mut case) = weighted::case(&mut random, ladder, 3..=24) {
+                    tally.weighted += 1;
+                    case.n = case.n.clamp(12, self.last.clamp(12, EXACT_LAST));
+                    one_point(ladder, case, &mut tally);
+                }
             }
-        }
-        for _ in 0..WORDS {
-            monitor.advance(0).ok()?;
-            entropies(&mut random, &mut tally);
+            for _ in 0..WORDS {
+                monitor.advance(0).ok()?;
+                entropies(&mut random, &mut tally);
+            }
         }
         tally.other_seconds = thread_seconds() - start + exact;
         Some(tally)
@@ -367,9 +373,8 @@ static TIPS: LazyLock<Vec<(u64, u64)>> = LazyLock::new(|| {
         .collect()
 });
 
-/// A random word on r = 1, down the tree to a random fraction, and its entropies.
-fn entropies(random: &mut Random, tally: &mut WordTally) {
-    // Near where the suprema are thought to be, or anywhere.
+/// A random fraction m/n in lowest terms, 0 < m/n < ½, often near where the suprema are thought to be.
+fn fraction(random: &mut Random) -> (u64, u64) {
     let n = random.within(3, LONGEST_WORD);
     let m = match random.within(0, 3) {
         0 => (n - 1) / 2,
@@ -378,7 +383,12 @@ fn entropies(random: &mut Random, tally: &mut WordTally) {
     }
     .clamp(1, (n - 1) / 2);
     let g = m.gcd(&n);
-    let (m, n) = (m / g, n / g);
+    (m / g, n / g)
+}
+
+/// A random word on r = 1, down the tree to a random fraction, and its entropies.
+fn entropies(random: &mut Random, tally: &mut WordTally) {
+    let (m, n) = fraction(random);
     let letter = if random.coin() { Letter::U } else { Letter::D };
     // s lies next to m/n, below it for U; K is the least with 2Ks > 1.
     let first = if letter == Letter::U { n / (2 * m) + 1 } else { n.div_ceil(2 * m) };
@@ -409,4 +419,21 @@ pub fn refute_words(statement: WordStatement, seed: u64, most: u64) -> Option<In
         .filter_map(|_| weighted::case(&mut random, &ladder, 3..=24))
         .find(|case| differ(&ladder, case, statement))
         .map(|case| shrink(&ladder, case, statement))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The ends of the range too: n = 3 has one such fraction, and n/4 is 0 there.
+    #[test]
+    fn random_fractions_lie_between_0_and_a_half() {
+        let mut least = u64::MAX;
+        for unit in 0..200_000 {
+            let (m, n) = fraction(&mut Random::of_unit(1, unit));
+            assert!(0 < m && 2 * m < n && m.gcd(&n) == 1, "{m}/{n}");
+            least = least.min(n);
+        }
+        assert_eq!(least, 3);
+    }
 }
