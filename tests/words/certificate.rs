@@ -270,7 +270,10 @@ fn damaged(text: &str, random: &mut Random) -> String {
                 let places: Vec<usize> =
                     (0..lines[3].len()).filter(|&i| lines[3].as_bytes()[i].is_ascii_digit()).collect();
                 let mut bytes = lines[3].clone().into_bytes();
-                bytes[places[random.below(places.len())]] = b"0123456789"[random.below(10)];
+                // An earlier change may have left no digit there.
+                if !places.is_empty() {
+                    bytes[places[random.below(places.len())]] = b"0123456789"[random.below(10)];
+                }
                 lines[3] = String::from_utf8(bytes).unwrap();
             }
             7..=9 => {
