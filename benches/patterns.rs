@@ -7,7 +7,7 @@ use std::{hint::black_box, time::Instant};
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use grazing::local::{Ladder, Plane, Point};
 use grazing::pattern::{Analysis, Graph, Map, Numbers, Pattern, Patterns, Report};
-use grazing::word::{ClosedWalks, Relation, Word};
+use grazing::word::{ClosedWalks, Extent, Relation, Word};
 use num_bigint::BigUint;
 use num_rational::BigRational;
 use rayon::prelude::*;
@@ -135,12 +135,14 @@ fn words(_: &mut Criterion) {
             for positive in [true, false] {
                 let word = Word::at(&ladder, &point, positive, 200, &()).unwrap();
                 let relation = Relation::new(&word, true, false, LAST).unwrap();
-                sum.1 += usize::from(relation.is_open());
+                let closed = matches!(word.extent(), Extent::All | Extent::Complete { .. });
+                sum.1 += usize::from(relation.is_open() || !closed);
                 sum.0 += ClosedWalks::new(&relation).count(LAST).iter().map(|row| &row.all).sum::<BigUint>();
             }
             counted = (usize::try_from(sum.0).unwrap(), sum.1);
         };
         let word = median([(); 5].map(|()| started(&mut count)));
+        // Where the word does not end for certain, as on the lines between regions, some pattern must be open.
         assert!(listed == counted || (listed.1 > 0 && counted.1 > 0), "{a1} {a2}: {listed:?} {counted:?}");
         rows.push((list, word, a1, a2));
     }

@@ -324,9 +324,12 @@ fn text(heading: &str, sides: &[Side], certificate: Option<&Path>) -> String {
             };
         }
     }
-    let sentence = if chaotic.is_empty() {
-        "Chaos is born in none of the four cases (sign e*mu, sign gamma), as far as the words are known."
+    let cut = sides.iter().flat_map(|side| &side.cases).any(|case| case.at_least);
+    let sentence = if chaotic.is_empty() && cut {
+        "Whether chaos is born is not decided: it is certain in none of the four cases (sign e*mu, sign gamma)."
             .into()
+    } else if chaotic.is_empty() {
+        "Chaos is born in none of the four cases (sign e*mu, sign gamma).".into()
     } else {
         format!("Chaos is born in the cases (sign e*mu, sign gamma) {}.", chaotic.join("; "))
     };

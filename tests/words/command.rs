@@ -117,3 +117,15 @@ fn fuzzing_words_resumes_and_reports() {
     let (code, _, error) = self::run(folder.path(), "fuzz --cases 1 --resume state");
     assert_eq!(code, 2, "{error}");
 }
+
+/// "Born in none" is said where the words end for certain, and not where they do not.
+#[test]
+fn no_chaos_is_said_only_where_the_words_end() {
+    let run = |arguments: &str| run(std::path::Path::new("."), arguments);
+    let (code, out, _) = run("word --a1 -1807/1000 --a2 807/1000");
+    assert_eq!(code, 3);
+    assert!(out.contains("Whether chaos is born is not decided"), "{out}");
+    let (code, out, _) = run("word --r 1/10 --s 2/5");
+    assert_eq!(code, 0);
+    assert!(out.contains("Chaos is born in none of the four cases"), "{out}");
+}
