@@ -276,7 +276,7 @@ impl Campaign for WordOptions {
         }
         tally.sweep_seconds = thread_seconds() - start - exact;
         let start = thread_seconds();
-        if unit % SELDOM == 0 {
+        if unit.is_multiple_of(SELDOM) {
             for _ in 0..WEIGHTED {
                 monitor.advance(0).ok()?;
                 if let Some(mut case) = weighted::case(&mut random, ladder, 3..=24) {
