@@ -79,7 +79,8 @@ pub struct PatternOrbit {
     /// L = Π −C A^{n_i} B / (2 Y_i): the eigenvalue of largest modulus is L (eµ)^{−m} to leading order (36).
     /// `None` if some Y_i may be 0.
     pub leading: Option<Value>,
-    /// The sign of L, if it is certain.
+    /// The sign of L, if it is certain. For an exact map and a pattern that exists on a side it always is, unless some
+    /// C A^{n_i} B = 0.
     pub leading_sign: Option<Sign>,
 }
 
