@@ -1,6 +1,8 @@
-//! Continuation: time per point of the paper's period-4 branch, from µ = −0.05 through the saddle-node to its grazing, and of an orbit of many impacts.
+//! Continuation: time per point of the paper's period-4 branch, from µ = −0.05 through the saddle-node to its
+//! grazing, and of an orbit of many impacts.
 //!
-//! A saddle-node or a grazing in the wrong place fails the bench. `benches/peers/branch.sh` times AUTO-07p on the same branch.
+//! A saddle-node or a grazing in the wrong place fails the bench. `benches/peers/branch.sh` times AUTO-07p on
+//! the same branch.
 
 use std::hint::black_box;
 

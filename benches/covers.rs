@@ -1,6 +1,7 @@
 //! Covers: what finding and checking cost as n grows.
 //!
-//! A cover with an Open leaf, or one that the checker rejects, fails the bench. Find and check of one n stand side by side.
+//! A cover with an Open leaf, or one that the checker rejects, fails the bench. Find and check of one n stand
+//! side by side.
 
 use std::{collections::HashMap, hint::black_box};
 

@@ -1,4 +1,5 @@
-//! What each effect of an oscillator costs: a thousand periods of a bare linear one, and of it with each effect added.
+//! What each effect of an oscillator costs: a thousand periods of a bare linear one, and of it with each
+//! effect added.
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use grazing::{
@@ -12,7 +13,8 @@ use grazing::{
 fn bench(c: &mut Criterion) {
     let mut group = c.benchmark_group("effects/1000 periods");
     for effect in effects() {
-        // A benchmark of an effect that is evaluated where it is not needed, or not where it is, measures nothing.
+        // A benchmark of an effect that is evaluated where it is not needed, or not where it is, measures
+        // nothing.
         let (counts, _) = effect.count().unwrap();
         assert!(effect.needs.iter().all(|&needed| counts.of(needed) > 0), "{}", effect.name);
         let simulator = Simulator::new(&effect.system, &Settings::default()).unwrap();

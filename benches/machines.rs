@@ -1,5 +1,6 @@
-//! What following a machine costs: over the number of modes and (fastest mode) / forcing, in nanoseconds per mode and quarter period of the fastest,
-//! beside evaluating all modes once in closed form. Prints a CSV table; fails if a motion has no impact or leaves its bounds.
+//! What following a machine costs: over the number of modes and (fastest mode) / forcing, in nanoseconds per
+//! mode and quarter period of the fastest, beside evaluating all modes once in closed form. Prints a CSV
+//! table; fails if a motion has no impact or leaves its bounds.
 
 use std::{f64::consts::TAU, hint::black_box, time::Instant};
 
@@ -11,7 +12,8 @@ use grazing::{
     oscillator::{Time, Wall},
 };
 
-/// Modes of frequencies from 1.3 to `ratio` times the forcing's, evenly spaced by logarithms, each 2% damped; one stop that sees all of them.
+/// Modes of frequencies from 1.3 to `ratio` times the forcing's, evenly spaced by logarithms, each 2% damped;
+/// one stop that sees all of them.
 fn machine(modes: usize, ratio: f64) -> Machine<f64> {
     let frequency = |i: usize| {
         let part = if modes == 1 { 1.0 } else { i as f64 / (modes - 1) as f64 };

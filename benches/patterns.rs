@@ -1,6 +1,7 @@
 //! Theorem 1 for every impact pattern: the cost against the largest period P.
 //!
-//! There are about 2^P/P patterns of period P, so the time doubles with each further P. A wrong count fails the bench.
+//! There are about 2^P/P patterns of period P, so the time doubles with each further P. A wrong count fails
+//! the bench.
 
 use std::{hint::black_box, time::Instant};
 
@@ -30,7 +31,8 @@ fn all(last: u64, judge: impl Fn(&Pattern) -> Report + Sync) -> (usize, usize, u
     total
 }
 
-/// The number of patterns with Σ n_i ≤ 8, 12, 16, 20: necklaces of n beads in two colours but for one, added up.
+/// The number of patterns with Σ n_i ≤ 8, 12, 16, 20: necklaces of n beads in two colours but for one, added
+/// up.
 const PERIODS: [(u64, usize); 4] = [(8, 85), (12, 789), (16, 8_907), (20, 111_301)];
 
 fn plane(criterion: &mut Criterion) {
@@ -99,7 +101,8 @@ fn four(criterion: &mut Criterion) {
     group.finish();
 }
 
-/// The word against listing every pattern, at the ten of 200 points where listing takes longest: medians of the ratio of times.
+/// The word against listing every pattern, at the ten of 200 points where listing takes longest: medians of
+/// the ratio of times.
 fn words(_: &mut Criterion) {
     const LAST: u64 = 14;
     let started = |work: &mut dyn FnMut()| {
@@ -142,7 +145,8 @@ fn words(_: &mut Criterion) {
             counted = (usize::try_from(sum.0).unwrap(), sum.1);
         };
         let word = median([(); 5].map(|()| started(&mut count)));
-        // Where the word does not end for certain, as on the lines between regions, some pattern must be open.
+        // Where the word does not end for certain, as on the lines between regions, some pattern must be
+        // open.
         assert!(listed == counted || (listed.1 > 0 && counted.1 > 0), "{a1} {a2}: {listed:?} {counted:?}");
         rows.push((list, word, a1, a2));
     }

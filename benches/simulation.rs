@@ -1,6 +1,8 @@
-//! Simulation of the paper's scene at µ = 0.003 over 10⁶ forcing periods, on one core and on all; and what such long runs lose.
+//! Simulation of the paper's scene at µ = 0.003 over 10⁶ forcing periods, on one core and on all; and what
+//! such long runs lose.
 //!
-//! The number of impacts is compared with a known one, or the bench fails. (What each effect costs: `effects`.)
+//! The number of impacts is compared with a known one, or the bench fails. (What each effect costs:
+//! `effects`.)
 
 use std::{f64::consts::TAU, hint::black_box, sync::Arc};
 

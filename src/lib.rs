@@ -1,49 +1,57 @@
 //! Proofs and computations for periodic orbits in grazing bifurcations of impact oscillators.
 //!
-//! When a parameter µ brings a periodic orbit of an oscillator to touch a stop with zero velocity, the map from period to
-//! period is g ∘ f with f smooth and g containing a square root (A. B. Nordmark, Nonlinearity 14 (2001) 1517–1542). For
-//! one degree of freedom the linear part of f has trace a₁ and determinant a₂, and orbits of period n with one impact
-//! exist according to the signs of the numbers b_{n,k} (59) and c_n (60), by his conditions (52), (53).
+//! When a parameter µ brings a periodic orbit of an oscillator to touch a stop with zero velocity, the map
+//! from period to period is g ∘ f with f smooth and g containing a square root (A. B. Nordmark, Nonlinearity
+//! 14 (2001) 1517–1542). For one degree of freedom the linear part of f has trace a₁ and determinant a₂, and
+//! orbits of period n with one impact exist according to the signs of the numbers b_{n,k} (59) and c_n (60),
+//! by his conditions (52), (53).
 //!
 //! # What is proved
 //!
-//! - Theorem 2, for given n: on r = 1 (a₁ = 2 cos 2πs, a₂ = 1) the set of s with an orbit is exactly a list of intervals
-//!   between Farey fractions. [`existence::decide`] decides it by integer arithmetic, [`existence::decide_by_enclosure`] by
-//!   enclosures; [`search`] writes certificates; [`certificate::check`], which shares no code with any of them, proves them
-//!   again. (For all n at once, Theorem 2 and Conjecture 1 are proved in Coq, under `proofs/`.)
-//! - Conjecture 1, for given n and r ≤ r_max < 1: by covers of region 3 with boxes, found by [`search::cover`] and proved by
-//!   [`certificate::cover`], and by polynomial identities in regions 2 and 4.
-//! - For a linear oscillator with walls: that an exact periodic orbit with a given impact pattern exists, is the only one in a box,
-//!   touches no wall else, and is stable or not; and where in a parameter orbits meet, double their period or graze
-//!   ([`oscillator::validate`]). Both have certificates ([`certificate::orbit`], [`certificate::event`]).
+//! - Theorem 2, for given n: on r = 1 (a₁ = 2 cos 2πs, a₂ = 1) the set of s with an orbit is exactly a list
+//!   of intervals between Farey fractions. [`existence::decide`] decides it by integer arithmetic,
+//!   [`existence::decide_by_enclosure`] by enclosures; [`search`] writes certificates;
+//!   [`certificate::check`], which shares no code with any of them, proves them again. (For all n at once,
+//!   Theorem 2 and Conjecture 1 are proved in Coq, under `proofs/`.)
+//! - Conjecture 1, for given n and r ≤ r_max < 1: by covers of region 3 with boxes, found by
+//!   [`search::cover`] and proved by [`certificate::cover`], and by polynomial identities in regions 2 and 4.
+//! - For a linear oscillator with walls: that an exact periodic orbit with a given impact pattern exists, is
+//!   the only one in a box, touches no wall else, and is stable or not; and where in a parameter orbits meet,
+//!   double their period or graze ([`oscillator::validate`]). Both have certificates ([`certificate::orbit`],
+//!   [`certificate::event`]).
 //!
 //! # What is computed
 //!
-//! - The intervals themselves, by modular inverses and by the Farey tree ([`existence`]); Farey fractions of any
-//!   size ([`farey`]).
+//! - The intervals themselves, by modular inverses and by the Farey tree ([`existence`]); Farey fractions of
+//!   any size ([`farey`]).
 //! - At one point, r < 1 included: which orbits exist, by certain signs only ([`existence::by_definition`],
 //!   [`existence::by_records`]); b_{n,k} and c_n to any number of certain digits ([`local`]).
-//! - The lower edges of the areas of Conjecture 1, r < 1, and their lowest points, certified to any number of digits
-//!   ([`existence::Boundary`]).
-//! - For a local map of any dimension, exact or enclosed: which impact patterns give orbits, by Theorem 1 ([`pattern`]).
-//! - Trajectories of impact oscillators with one degree of freedom, in f64: every impact deeper than a stated bound; sections, attractors,
-//!   Lyapunov exponents, basins ([`oscillator`]).
-//! - Trajectories of linear machines with any number of degrees of freedom and of rigid stops, in real units ([`machine`]).
-//! - Periodic orbits with any impact pattern, their grazing points with the local theory there, saddle-nodes and flips, branches of them over a
-//!   parameter, attractors over a parameter ([`oscillator::orbit`], [`oscillator::grazing`], [`oscillator::branch`],
-//!   [`oscillator::attractor::diagram`]): floating point, without proof.
+//! - The lower edges of the areas of Conjecture 1, r < 1, and their lowest points, certified to any number of
+//!   digits ([`existence::Boundary`]).
+//! - For a local map of any dimension, exact or enclosed: which impact patterns give orbits, by Theorem 1
+//!   ([`pattern`]).
+//! - Trajectories of impact oscillators with one degree of freedom, in f64: every impact deeper than a stated
+//!   bound; sections, attractors, Lyapunov exponents, basins ([`oscillator`]).
+//! - Trajectories of linear machines with any number of degrees of freedom and of rigid stops, in real units
+//!   ([`machine`]).
+//! - Periodic orbits with any impact pattern, their grazing points with the local theory there, saddle-nodes
+//!   and flips, branches of them over a parameter, attractors over a parameter ([`oscillator::orbit`],
+//!   [`oscillator::grazing`], [`oscillator::branch`], [`oscillator::attractor::diagram`]): floating point,
+//!   without proof.
 //! - The formulas as integer polynomials, and statements about them for solvers ([`symbol`]).
 //!
 //! # When to use it, and when not
 //!
-//! Use it to attach a checked proof to a statement about these orbits, to ask which orbits a grazing bifurcation gives
-//! birth to, to simulate an oscillator with impacts, or for exact Farey arithmetic. Machines with more than
-//! one degree of freedom are simulated and no more. Do not use it for maps with more than one square-root direction. Nordmark's Theorem 1, which turns
-//! signs into orbits, is proved for maps in `proofs/`; that an oscillator near grazing has such a map is taken from the paper.
+//! Use it to attach a checked proof to a statement about these orbits, to ask which orbits a grazing
+//! bifurcation gives birth to, to simulate an oscillator with impacts, or for exact Farey arithmetic.
+//! Machines with more than one degree of freedom are simulated and no more. Do not use it for maps with more
+//! than one square-root direction. Nordmark's Theorem 1, which turns signs into orbits, is proved for maps in
+//! `proofs/`; that an oscillator near grazing has such a map is taken from the paper.
 //!
 //! # Map
 //!
-//! Dependencies point one way, from the bottom of this table up; `certificate` is the package `grazing-check`, which depends on nothing.
+//! Dependencies point one way, from the bottom of this table up; `certificate` is the package
+//! `grazing-check`, which depends on nothing.
 //!
 //! | module | holds |
 //! | --- | --- |
@@ -62,10 +70,12 @@
 //! | [`search`] | what finds certificates and looks for counterexamples |
 //! | [`Error`], [`Outcome`], [`Monitor`] | what goes wrong; how work ends; how a long job reports and is ended |
 //!
-//! Not public, and below the table, for every part: `processor` (its time), `random` (the same choices on every machine), `output` (files that
-//! are whole or absent, saved states, tables), `source` (errors that name file, line and key). Above it: `study` (what accuracy
-//! costs), and with the feature `cli`, which is on by default, `figure` (pictures, the data of each beside it) and `cli` (the command line).
-//! Without it, `default-features = false`, none of their packages is compiled. `tests/structure.rs` holds the sources to this order.
+//! Not public, and below the table, for every part: `processor` (its time), `random` (the same choices on
+//! every machine), `output` (files that are whole or absent, saved states, tables), `source` (errors that
+//! name file, line and key). Above it: `study` (what accuracy costs), and with the feature `cli`, which is on
+//! by default, `figure` (pictures, the data of each beside it) and `cli` (the command line). Without it,
+//! `default-features = false`, none of their packages is compiled. `tests/structure.rs` holds the sources to
+//! this order.
 
 // They panic once nobody reads; `output` has what does not.
 #![deny(clippy::print_stdout, clippy::print_stderr)]

@@ -6,8 +6,8 @@ use serde::Serialize;
 
 use crate::error::Error;
 
-/// How a piece of work ended, from best to worst. Work made of several parts (the tasks of a scene, the files of `check`) ends as the worst
-/// of them does.
+/// How a piece of work ended, from best to worst. Work made of several parts (the tasks of a scene, the files
+/// of `check`) ends as the worst of them does.
 ///
 /// ```
 /// use grazing::Outcome;
@@ -40,8 +40,8 @@ impl Outcome {
         self.max(other)
     }
 
-    /// The exit code: 1 if anything was refuted, else 2 if anything failed, else 3 if anything was undecided, interrupted or not found,
-    /// else 0.
+    /// The exit code: 1 if anything was refuted, else 2 if anything failed, else 3 if anything was undecided,
+    /// interrupted or not found, else 0.
     pub fn code(self) -> u8 {
         match self {
             Outcome::Done => 0,

@@ -1,7 +1,7 @@
 //! How long a processor was kept busy, and how much memory that took.
 
-/// Processor seconds that this thread has used. Time in which other threads or processes had the processor does not count. 0 where the system
-/// does not tell.
+/// Processor seconds that this thread has used. Time in which other threads or processes had the processor
+/// does not count. 0 where the system does not tell.
 pub(crate) fn thread_seconds() -> f64 {
     #[cfg(unix)]
     {

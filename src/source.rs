@@ -53,8 +53,8 @@ impl Source<'_> {
         self.fail(span, &format!("{key} = {short}: {message}"))
     }
 
-    /// The characters of a number: those of a string, or the source text of a TOML number and not the float that
-    /// TOML makes of it.
+    /// The characters of a number: those of a string, or the source text of a TOML number and not the float
+    /// that TOML makes of it.
     pub fn number_text(&self, value: &Value) -> Option<String> {
         match value {
             Value::String(text) => Some(text.value().clone()),
@@ -101,8 +101,9 @@ pub(crate) fn hint<'a>(word: &str, known: impl IntoIterator<Item = &'a str> + Cl
     }
 }
 
-/// The known word that takes the fewest changes, if these are few: at most one for every three letters, rounded up, and fewer than the
-/// word has. A change of case costs nothing; what a word begins with, or the other way round, is near it.
+/// The known word that takes the fewest changes, if these are few: at most one for every three letters,
+/// rounded up, and fewer than the word has. A change of case costs nothing; what a word begins with, or the
+/// other way round, is near it.
 pub(crate) fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let length = |word: &str| word.chars().count();
     let near = |other: &&str| {

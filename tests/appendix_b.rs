@@ -1,12 +1,14 @@
 //! Appendix B's expansions of b_{n,k} and c_n on r = 1, each proved in exact algebra for every n ≤ 50.
 //!
-//! With w = exp(2πis), 2i sin 2πs u_j = S(j) := w^j − w^{−j}, so that b_{n,k} = N/D with N = S(n) − S(k) − S(n−k) and D = S(n): polynomials
-//! in w and 1/w with integer coefficients. At a root of unity w₀ = exp(2πis₀), s = s₀ + ε,
+//! With w = exp(2πis), 2i sin 2πs u_j = S(j) := w^j − w^{−j}, so that b_{n,k} = N/D with N = S(n) − S(k) −
+//! S(n−k) and D = S(n): polynomials in w and 1/w with integer coefficients. At a root of unity w₀ =
+//! exp(2πis₀), s = s₀ + ε,
 //!
 //! f = Σ c_e w^e  has  f = Σ_p T_p(f) (2πiε)^p / p!,  T_p(f) = Σ c_e e^p w₀^e,
 //!
-//! and every coefficient the appendix states is, up to powers of 2πi, a ratio of such T_p. An equation between T_p holds at all primitive d-th
-//! roots of unity exactly if its polynomial is divisible by the cyclotomic polynomial Φ_d: integer arithmetic, nothing rounded.
+//! and every coefficient the appendix states is, up to powers of 2πi, a ratio of such T_p. An equation
+//! between T_p holds at all primitive d-th roots of unity exactly if its polynomial is divisible by the
+//! cyclotomic polynomial Φ_d: integer arithmetic, nothing rounded.
 
 use grazing::symbol::{Polynomial, period_formulas};
 use num_integer::gcd;
@@ -131,9 +133,9 @@ fn the_polynomials_on_the_circle() {
     }
 }
 
-/// wⁿ N = (wⁿ − 1)(w^k − 1)(w^{n−k} − 1) and wⁿ D = (wⁿ − 1)(wⁿ + 1): b_{n,k} = (w^k − 1)(w^{n−k} − 1)/(wⁿ + 1). Each factor has simple
-/// roots, so zeros are at m/k and m/(n−k) alone, double exactly where both, which is where w^{gcd(n,k)} = 1; and poles, where wⁿ = −1
-/// and neither factor is 0, are simple.
+/// wⁿ N = (wⁿ − 1)(w^k − 1)(w^{n−k} − 1) and wⁿ D = (wⁿ − 1)(wⁿ + 1): b_{n,k} = (w^k − 1)(w^{n−k} − 1)/(wⁿ +
+/// 1). Each factor has simple roots, so zeros are at m/k and m/(n−k) alone, double exactly where both, which
+/// is where w^{gcd(n,k)} = 1; and poles, where wⁿ = −1 and neither factor is 0, are simple.
 #[test]
 fn where_zeros_and_poles_are() {
     let minus_one = |j: i64| vec![(1, j), (-1, 0)];
@@ -183,8 +185,8 @@ fn values_at_multiples_of_1_over_n() {
     }
 }
 
-/// At s = (2m+1)/(2n): b = 2(n−k)/n where k(2m+1)/n is an odd integer, 2k/n where it is even, else a simple pole with
-/// b = sin(πk(2m+1)/n)/(πnε) + O(1).
+/// At s = (2m+1)/(2n): b = 2(n−k)/n where k(2m+1)/n is an odd integer, 2k/n where it is even, else a simple
+/// pole with b = sin(πk(2m+1)/n)/(πnε) + O(1).
 #[test]
 fn poles_and_finite_limits() {
     let (mut poles, mut odd, mut even) = (0, 0, 0);

@@ -1,4 +1,5 @@
-//! Bifurcations as a user meets them: scenes written to a file and run by the command, against values from closed formulas.
+//! Bifurcations as a user meets them: scenes written to a file and run by the command, against values from
+//! closed formulas.
 
 use std::{fs, path::Path, process::Command};
 
@@ -212,7 +213,8 @@ fn a_branch_starts_at_an_end_of_its_range_and_not_outside() {
     assert!(code == 2 && reason.contains("1.2") && reason.contains("from 0.1 to 1"), "{report}");
 }
 
-/// Follows a branch and switches at each label of a kind: the labels, and for each the points of the branch born there.
+/// Follows a branch and switches at each label of a kind: the labels, and for each the points of the branch
+/// born there.
 fn switched(scene: &str, keys: &str, event: &str, folder: &Path) -> (Vec<(String, Value)>, Vec<Vec<Value>>) {
     let (report, code, error) = run(scene, &[task("br", "branch", keys)], folder);
     assert_eq!(code, 0, "{report} {error}");
@@ -294,7 +296,8 @@ fn the_one_sided_branches_graze_where_the_closed_form_says() {
     }
 }
 
-/// Where the multiplier of the half period's map is −1, from the closed form of the symmetric orbit, computed apart.
+/// Where the multiplier of the half period's map is −1, from the closed form of the symmetric orbit, computed
+/// apart.
 const PITCHFORK: f64 = 1.177_166_961_538_611;
 
 const STARTS: &str = "pattern = [0, 1], walls = [\"upper\", \"lower\"], start = [0.326, 1.603, 3.468, 1.603]";
@@ -340,8 +343,8 @@ fn the_flips_coefficient_gives_the_amplitude_of_the_doubled_orbit() {
     let flip = rows.iter().find(|row| row["label"] == "flip 1").unwrap();
     assert_eq!(flip["criticality"], "supercritical");
     assert_eq!(flip["stable"], "marginal");
-    // The trace is 1 + r² − (1+r)² s with s = √(a² − a_sn²), so dλ₁/da = λ₁/(λ₁ − λ₂) times −(1+r)² a/s; beside the flip the doubled
-    // orbit's amplitude ξ obeys −(1 + λ₁) = b ξ².
+    // The trace is 1 + r² − (1+r)² s with s = √(a² − a_sn²), so dλ₁/da = λ₁/(λ₁ − λ₂) times −(1+r)² a/s;
+    // beside the flip the doubled orbit's amplitude ξ obeys −(1 + λ₁) = b ξ².
     let (r, at): (f64, f64) = (0.6, parameter(&all, "flip 1"));
     let s = (at * at - ball()[0] * ball()[0]).sqrt();
     let rate = -(1.0 + r).powi(2) * at / s / (1.0 - r * r);
@@ -436,7 +439,8 @@ fn a_start_without_an_orbit_is_said_and_the_others_go_on() {
     assert!(!labels(folder.path(), "br").is_empty());
 }
 
-/// The paper's orbit at rest grazes at µ = 0 for every w; there θ = 2π·0.8/w, and u_n = 0 where nθ is a multiple of π.
+/// The paper's orbit at rest grazes at µ = 0 for every w; there θ = 2π·0.8/w, and u_n = 0 where nθ is a
+/// multiple of π.
 #[test]
 fn resonant_grazings_and_gamma_zero_are_labelled_along_the_curve_of_grazings() {
     let folder = tempfile::tempdir().unwrap();

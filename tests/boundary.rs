@@ -1,4 +1,5 @@
-//! The lower edges of the areas and their lowest points, against the polynomials in (a₁, a₂) in exact arithmetic.
+//! The lower edges of the areas and their lowest points, against the polynomials in (a₁, a₂) in exact
+//! arithmetic.
 
 mod common;
 
@@ -66,7 +67,8 @@ fn tip(boundary: &Boundary, digits: u32) -> Option<Tip> {
     }
 }
 
-/// Above the edge all b have the case's sign, below it the deciding one is negative, by exact polynomials at the ends of the enclosure.
+/// Above the edge all b have the case's sign, below it the deciding one is negative, by exact polynomials at
+/// the ends of the enclosure.
 #[test]
 fn polynomials_change_sign_across_the_edge() {
     let mut crossings = 0;
@@ -119,7 +121,8 @@ fn period_three_in_closed_form() {
     assert!(all[1].at(&fraction(1, 6), 20).unwrap_err().is_input());
 }
 
-/// No value of R on a grid is below the certified minimum, and one is near it; the place is near the best of the grid.
+/// No value of R on a grid is below the certified minimum, and one is near it; the place is near the best of
+/// the grid.
 #[test]
 fn lowest_points_against_a_scan() {
     for n in [4, 5, 7, 8, 12, 17, 30] {

@@ -1,4 +1,5 @@
-//! Branches: continuation against closed formulas, events, switching, two parameters, restarts; crisis; diagrams.
+//! Branches: continuation against closed formulas, events, switching, two parameters, restarts; crisis;
+//! diagrams.
 
 use std::{
     cell::Cell,
@@ -144,7 +145,8 @@ fn saddle_node_and_flip_agree_with_the_closed_formulas() {
     }
 }
 
-/// The paper's numbers (section 4.2) with the digits that it leaves out, which `critical` and the proofs give as well.
+/// The paper's numbers (section 4.2) with the digits that it leaves out, which `critical` and the proofs give
+/// as well.
 #[test]
 fn the_branches_of_figure_6_have_the_papers_labels() {
     let scene = nordmark("4.9");
@@ -250,7 +252,8 @@ fn a_forbidden_excursion_ends_a_branch_or_flags_it() {
 
 #[test]
 fn at_the_resonance_both_multipliers_are_tau_r_cubed() {
-    // With w = 4.8, E_3 is −r³ times the identity (section 4.1), so trace and determinant do not vary, for any restitution.
+    // With w = 4.8, E_3 is −r³ times the identity (section 4.1), so trace and determinant do not vary, for
+    // any restitution.
     for tau in ["1", "0.5"] {
         let text = include_str!("../examples/scenes/nordmark-2001.toml");
         let scene = Scene::from_toml(
@@ -282,7 +285,8 @@ fn at_the_resonance_both_multipliers_are_tau_r_cubed() {
     }
 }
 
-/// The stable windows of period 4n with n + 1 impacts (section 4.2): they begin at a subcritical flip and end by grazing.
+/// The stable windows of period 4n with n + 1 impacts (section 4.2): they begin at a subcritical flip and end
+/// by grazing.
 #[test]
 fn windows_of_periods_28_32_and_36() {
     let scene = nordmark("4.9");
@@ -388,10 +392,12 @@ fn a_restart_from_a_label_goes_on_as_if_never_ended() {
     assert!(read_label(&text.replace("grazing-branch 2", "grazing-branch 9"), "grazing 1").is_err());
 }
 
-/// Where (1−λ) of the half period's map is zero, from the closed form of the symmetric orbit (computed apart).
+/// Where (1−λ) of the half period's map is zero, from the closed form of the symmetric orbit (computed
+/// apart).
 const CROSSING: f64 = 1.447_647_959_418_031_6;
 
-/// Two walls that mirror each other: the symmetric orbit that meets both loses its symmetry where another branch crosses.
+/// Two walls that mirror each other: the symmetric orbit that meets both loses its symmetry where another
+/// branch crosses.
 #[test]
 fn branches_that_cross_are_labelled_and_switched() {
     let oscillator = |force: f64| -> Result<Oscillator> {

@@ -120,7 +120,8 @@ fn newton_finds_all_short_patterns_in_the_boxes() {
     assert_eq!(count, 80);
 }
 
-/// Random words of 50 letters; GRAZING_TRIALS of them. The simulator, begun after each impact, meets the next where Newton's method has it.
+/// Random words of 50 letters; GRAZING_TRIALS of them. The simulator, begun after each impact, meets the next
+/// where Newton's method has it.
 #[test]
 fn the_simulator_confirms_every_leg_of_random_words() {
     let found = proved(FIGURE_10);
@@ -374,7 +375,8 @@ fn damaged(text: &str, head: usize, damage: &Damage) -> String {
     text[..head].to_string() + &lines.join("\n") + "\n"
 }
 
-/// Damaged certificates, GRAZING_DAMAGE of each; those that pass hold in floats too, by code that shares nothing with the checker.
+/// Damaged certificates, GRAZING_DAMAGE of each; those that pass hold in floats too, by code that shares
+/// nothing with the checker.
 #[test]
 fn damage_is_detected() {
     let mut runner = proptest::test_runner::TestRunner::deterministic();

@@ -1,4 +1,5 @@
-//! Existence at a point: the definition, the record form and the paper's claim, against one another and exact arithmetic.
+//! Existence at a point: the definition, the record form and the paper's claim, against one another and exact
+//! arithmetic.
 
 mod common;
 

@@ -267,7 +267,8 @@ fn interrupted_verification_says_what_is_pending() {
 
 #[test]
 fn classify_by_either_kind_of_point() {
-    // a₁ = a₂ = 1/4 has r = 1/2, cos θ = 1/4: s is irrational. By (r, s): r = 1/2, s = 1/4 is a₁ = 0, a₂ = 1/4.
+    // a₁ = a₂ = 1/4 has r = 1/2, cos θ = 1/4: s is irrational. By (r, s): r = 1/2, s = 1/4 is a₁ = 0, a₂ =
+    // 1/4.
     let polar = stdout("classify --r 1/2 --s 1/4 --max-n 12 --format csv");
     let plane = stdout("classify --a1 0 --a2 0.25 --max-n 12 --format csv");
     let kinds = |text: &str| {

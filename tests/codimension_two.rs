@@ -1,9 +1,10 @@
-//! Bifurcations of codimension two and the criticality of those of codimension one, on balls that bounce on a table: at places from closed
-//! formulas or from another method, and by what simulated motions do on both sides.
+//! Bifurcations of codimension two and the criticality of those of codimension one, on balls that bounce on a
+//! table: at places from closed formulas or from another method, and by what simulated motions do on both
+//! sides.
 //!
-//! A ball under gravity 1 with drag c, bouncing with restitution r on a table y(t), meets it once a period 2π where y′(t) = W, with trace
-//! 1 + r²E − κ(1+r)² S of its Poincaré map: E = e^{−2πc}, κ = (1−E)/2πc, S = −y″(t), W = (2π/(1−E))(1+rE)/(1+r) − 1/c,
-//! or for c = 0 κ = 1, W = π(1−r)/(1+r). Its determinant is r²E.
+//! A ball under gravity 1 with drag c, bouncing with restitution r on a table y(t), meets it once a period 2π
+//! where y′(t) = W, with trace 1 + r²E − κ(1+r)² S of its Poincaré map: E = e^{−2πc}, κ = (1−E)/2πc, S =
+//! −y″(t), W = (2π/(1−E))(1+rE)/(1+r) − 1/c, or for c = 0 κ = 1, W = π(1−r)/(1+r). Its determinant is r²E.
 
 use std::f64::consts::{PI, TAU};
 
@@ -164,8 +165,8 @@ fn resonances_lie_on_the_curves_of_saddle_nodes_and_of_flips() {
     }
 }
 
-/// The table A sin t − B cos t + sin(2t)/4: orbits where y′ = W, saddle-nodes where y″ = 0 too, a cusp where y‴ = 0 as well. From
-/// y‴ + y′ = −3/2 cos 2t it follows that cos 2t = −2W/3, and then A and B.
+/// The table A sin t − B cos t + sin(2t)/4: orbits where y′ = W, saddle-nodes where y″ = 0 too, a cusp where
+/// y‴ = 0 as well. From y‴ + y′ = −3/2 cos 2t it follows that cos 2t = −2W/3, and then A and B.
 #[test]
 fn a_cusp_is_where_three_derivatives_of_the_table_say() {
     let scene =
@@ -195,8 +196,9 @@ fn a_cusp_is_where_three_derivatives_of_the_table_say() {
     expect(&found, &wanted, 1e-7);
 }
 
-/// The table a sin t + E (sin 3t + cos 3t). Where the doubled orbit turns round from larger to smaller a was computed apart: its equations
-/// solved in 40 digits at a small difference of its two flights, and the second derivative of a by that difference brought to zero.
+/// The table a sin t + E (sin 3t + cos 3t). Where the doubled orbit turns round from larger to smaller a was
+/// computed apart: its equations solved in 40 digits at a small difference of its two flights, and the second
+/// derivative of a by that difference brought to zero.
 #[test]
 fn generalised_flips_are_where_the_doubled_orbit_turns_round() {
     let scene =
@@ -267,7 +269,8 @@ fn a_saddle_node_has_its_orbits_where_motions_stay() {
     assert!(kept(fold + 1e-3) && !kept(fold - 1e-3));
 }
 
-/// A supercritical flip: beyond it motions settle on the doubled orbit, whose size is what the coefficient says; before it on the single one.
+/// A supercritical flip: beyond it motions settle on the doubled orbit, whose size is what the coefficient
+/// says; before it on the single one.
 #[test]
 fn a_supercritical_flip_gives_birth_to_what_motions_settle_on() {
     let scene = ball("a = 1", "0", "{ sin = \"a\" }", "\"3/5\"");
@@ -284,7 +287,8 @@ fn a_supercritical_flip_gives_birth_to_what_motions_settle_on() {
     };
     let [x, y] = last(flip - 2e-3);
     near(x, y, 1e-9);
-    // −(1 + λ₁) = b ξ², λ₁ moving at the rate −(1+r)² (a/S)/(1 − r²) per a; ξ is along the critical direction of (t, V).
+    // −(1 + λ₁) = b ξ², λ₁ moving at the rate −(1+r)² (a/S)/(1 − r²) per a; ξ is along the critical direction
+    // of (t, V).
     let rate = (1.0 + r).powi(2) * flip / s / (1.0 - r * r);
     let delta = 1e-4;
     let size = (rate * delta / form.coefficient).sqrt();
@@ -296,7 +300,8 @@ fn a_supercritical_flip_gives_birth_to_what_motions_settle_on() {
     near((x - y).abs() / 2.0, size * part, 0.02 * size * part);
 }
 
-/// A subcritical flip: beyond it motions leave however near they start; before it they leave once they start beyond the doubled orbit.
+/// A subcritical flip: beyond it motions leave however near they start; before it they leave once they start
+/// beyond the doubled orbit.
 #[test]
 fn beyond_a_subcritical_flip_motions_leave() {
     // Beyond the first generalised flip of the test above.
@@ -333,7 +338,8 @@ fn beyond_a_subcritical_flip_motions_leave() {
     assert!(far(a - 1e-4, 0.02) < 1e-4 && far(a - 1e-4, 0.1) > 0.2);
 }
 
-/// Motions wind in or out at all amplitudes alike: the speeds' deviation changes by √det a period, near the orbit and farther off.
+/// Motions wind in or out at all amplitudes alike: the speeds' deviation changes by √det a period, near the
+/// orbit and farther off.
 #[test]
 fn at_a_neimark_sacker_point_no_circle_is_born() {
     let scene = in_air();
@@ -362,8 +368,9 @@ fn at_a_double_multiplier_there_is_no_coefficient() {
     assert_eq!(NormalForm::at(&family.at(1.0).unwrap(), &orbit, Bifurcation::Flip), None);
 }
 
-/// Two walls that mirror each other: the pitchfork of the symmetric orbit in the damping. The places were computed apart, with 30 digits: the
-/// closed-form motion from wall to wall, its multiplier −1 by differences of 10⁻¹².
+/// Two walls that mirror each other: the pitchfork of the symmetric orbit in the damping. The places were
+/// computed apart, with 30 digits: the closed-form motion from wall to wall, its multiplier −1 by differences
+/// of 10⁻¹².
 #[test]
 fn pitchforks_of_symmetric_orbits_are_followed_in_two_parameters() {
     let text = "format = \"grazing-scene 1\"\ntitle = \"two walls\"\n[parameters]\nD = 1.5\nc = 0.1\n[system]\n\

@@ -90,8 +90,8 @@ struct Rational {
     p: String,
     s: String,
     q: String,
-    /// `classify` is asked for the periods up to this one. Numbers have about as many digits as the longest of these,
-    /// times the period, and the proved functions multiply them bit by bit.
+    /// `classify` is asked for the periods up to this one. Numbers have about as many digits as the longest
+    /// of these, times the period, and the proved functions multiply them bit by bit.
     largest: usize,
 }
 

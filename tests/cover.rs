@@ -1,4 +1,5 @@
-//! Covers as the search makes them: complete, true at random points by multi-precision, the same however a run goes.
+//! Covers as the search makes them: complete, true at random points by multi-precision, the same however a
+//! run goes.
 
 use std::{
     collections::HashMap,
@@ -184,7 +185,8 @@ fn what_rounding_hides_is_left_open() {
     assert!(open > 0 && rejection.contains(&format!("all else being proved, {open} leaves")), "{rejection}");
 }
 
-/// A unit depends on nothing but its period and strip: known ones are taken as they are, the others come out alike.
+/// A unit depends on nothing but its period and strip: known ones are taken as they are, the others come out
+/// alike.
 #[test]
 fn a_run_goes_on_from_any_subset() {
     let options = CoverOptions::new(7..=9);

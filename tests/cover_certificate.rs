@@ -1,4 +1,5 @@
-//! Certificates of kind cover: what the search writes passes; what is damaged, or true only by a wrong rule, is rejected.
+//! Certificates of kind cover: what the search writes passes; what is damaged, or true only by a wrong rule,
+//! is rejected.
 
 mod common;
 
@@ -242,7 +243,8 @@ impl Found {
         }
     }
 
-    /// Whether the claim holds at some points, one above and one right of the first, and is what the conjecture says there.
+    /// Whether the claim holds at some points, one above and one right of the first, and is what the
+    /// conjecture says there.
     fn holds_at(&self, i: u64, j: u64) -> bool {
         let points = [(i, j), ((i + 97) / 2, j), (i, (j + 97) / 2)].map(|(i, j)| self.point(i, j));
         let [Some(point), Some(above), Some(right)] = points else { return true };
@@ -543,7 +545,8 @@ fn a_negative_w_is_refused() {
     assert!(caught > 0, "nothing is shown by a negative w: the test shows nothing");
 }
 
-/// At the least coefficient that suffices and one unit below: every part of the rest and of rounding counts, as often as it should.
+/// At the least coefficient that suffices and one unit below: every part of the rest and of rounding counts,
+/// as often as it should.
 #[test]
 fn bounds_are_met_to_the_unit() {
     let (slack, d) = (1i64 << 20, [1i64 << 10, 1 << 12, 1 << 14, 1 << 16]);
@@ -562,7 +565,8 @@ fn bounds_are_met_to_the_unit() {
     }
 }
 
-/// An Edge leaf is put in the place of every part of every tree: each condition is the one that fails somewhere.
+/// An Edge leaf is put in the place of every part of every tree: each condition is the one that fails
+/// somewhere.
 #[test]
 fn every_condition_of_an_edge_is_asked_for() {
     let text = written("3..=8", None);

@@ -90,7 +90,8 @@ proptest! {
         let inner = Ball::ratio(&point, &precision);
         for name in ["exp", "sin", "cos", "sqrt"] {
             let (wide, narrow) = (apply(name, &x, &precision), apply(name, &inner, &precision));
-            // A root is not known where the argument may be negative; above 2^2¹⁷, e^90852, numbers are not written out.
+            // A root is not known where the argument may be negative; above 2^2¹⁷, e^90852, numbers are not
+            // written out.
             let (Some((lo, hi)), Some((low, high))) = (wide.exact_bounds(), narrow.exact_bounds()) else {
                 let unknown = match name {
                     "sqrt" => mid <= radius,

@@ -1,4 +1,5 @@
-//! Enclosures against exact fractions, against FLINT (tests/data/sines.csv), and against each other on a million points.
+//! Enclosures against exact fractions, against FLINT (tests/data/sines.csv), and against each other on a
+//! million points.
 
 use grazing::local::{Answer, Ladder, Plane, Point, Polar, Quantity, Rung, sign_by, sign_on};
 use grazing::number::{Angle, Ball, Circular, FloatInterval, Precision, Real, parse_rational};
@@ -15,7 +16,8 @@ fn fraction(p: i64, q: u64, exponent: i32) -> BigRational {
     if exponent < 0 { x / power } else { x * power }
 }
 
-/// The unit in the last place of x ≠ 0 at a precision of `bits`: the width of the correctly rounded enclosure.
+/// The unit in the last place of x ≠ 0 at a precision of `bits`: the width of the correctly rounded
+/// enclosure.
 fn unit(x: &BigRational, bits: i64) -> BigRational {
     let estimate = x.numer().bits() as i64 - x.denom().bits() as i64;
     let power = |e: i64| fraction(1, 1, e as i32);
@@ -133,7 +135,8 @@ proptest! {
     }
 }
 
-/// The last binade below 2¹⁰²⁴ is as tight as any other (at the power of 2 below it the steps change); beyond the floats only the near end is finite.
+/// The last binade below 2¹⁰²⁴ is as tight as any other (at the power of 2 below it the steps change); beyond
+/// the floats only the near end is finite.
 #[test]
 fn the_largest_floats_enclose_as_tightly_as_others() {
     for text in ["1e308", "2^1023", "2^1023+1", "2^1024-2^971", "2^1024-2^972+1", "1.7e308"] {
@@ -317,7 +320,8 @@ fn rungs_agree_inside_the_circle() {
     }
 }
 
-/// All k at once and one k at a time are two routes; so are (r, s) and (a₁, a₂) where both are rational (s = 1/3, 1/4, 1/6).
+/// All k at once and one k at a time are two routes; so are (r, s) and (a₁, a₂) where both are rational (s =
+/// 1/3, 1/4, 1/6).
 #[test]
 fn routes_agree() {
     let precision = Precision::new(200);
@@ -402,7 +406,8 @@ fn plane_agrees_with_fractions() {
     }
 }
 
-/// Real eigenvalues: doubling and the recurrence in exact fractions are two routes, and one k needs O(log n) steps.
+/// Real eigenvalues: doubling and the recurrence in exact fractions are two routes, and one k needs O(log n)
+/// steps.
 #[test]
 fn real_eigenvalues_add_up_exactly() {
     for (a1, a2) in [

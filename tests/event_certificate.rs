@@ -1,4 +1,5 @@
-//! Certificates of events: what is written passes and says what is known, what is damaged is rejected unless it is still true.
+//! Certificates of events: what is written passes and says what is known, what is damaged is rejected unless
+//! it is still true.
 
 mod common;
 mod systems;
@@ -73,7 +74,8 @@ struct Case {
     /// About where.
     parameter: f64,
     condition: Condition,
-    /// Digits of the parameter, known otherwise: by mpmath (tests/data/make_oscillator.py), or in closed form.
+    /// Digits of the parameter, known otherwise: by mpmath (tests/data/make_oscillator.py), or in closed
+    /// form.
     known: &'static str,
 }
 
@@ -158,7 +160,8 @@ fn check(text: &str) -> std::result::Result<certificate::Checked, Rejection> {
     certificate::check(&mut text.as_bytes())
 }
 
-/// The known digits are right to one unit of the last: so the interval is in reach of them, and narrower than 10⁻²⁰.
+/// The known digits are right to one unit of the last: so the interval is in reach of them, and narrower than
+/// 10⁻²⁰.
 #[test]
 fn what_is_written_passes_and_holds_the_known_value() {
     for case in cases() {
@@ -190,8 +193,8 @@ fn events_of_the_ball_have_closed_forms() {
     }
 }
 
-/// Whether what an accepted certificate says is true, by the proof in balls; of the ball on a table by closed formulas too. The digest holds
-/// the system, but the event, the pattern and the box may have changed.
+/// Whether what an accepted certificate says is true, by the proof in balls; of the ball on a table by closed
+/// formulas too. The digest holds the system, but the event, the pattern and the box may have changed.
 fn is_true(text: &str, case: &Case, event: &ProvedEvent, original: &str) -> bool {
     let words = |text: &str, start: &str| -> Vec<Vec<String>> {
         let lines = text.lines().filter(|line| line.starts_with(start));
@@ -270,7 +273,8 @@ fn is_true(text: &str, case: &Case, event: &ProvedEvent, original: &str) -> bool
 fn damage_is_detected() {
     let mut runner = proptest::test_runner::TestRunner::deterministic();
     let strategy = damage();
-    // A saddle-node, a flip, a grazing of a double-impact orbit, a flip of the ball, a grazing with powers of the parameter.
+    // A saddle-node, a flip, a grazing of a double-impact orbit, a flip of the ball, a grazing with powers of
+    // the parameter.
     for index in [0, 1, 2, 5, 9] {
         let case = &cases()[index];
         let (text, _) = case.written();

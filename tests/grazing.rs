@@ -1,4 +1,5 @@
-//! Grazing bifurcations of true systems: where they are, the local map there, and that what Theorem 1 says is so.
+//! Grazing bifurcations of true systems: where they are, the local map there, and that what Theorem 1 says is
+//! so.
 
 use std::f64::consts::TAU;
 
@@ -77,7 +78,8 @@ fn a_forced_oscillator_grazes_a_fixed_wall_at_its_amplitude() {
     }
 }
 
-/// The orbits of section 4.2 that come to graze, and one of a Duffing oscillator: e and tr A against their neighbours.
+/// The orbits of section 4.2 that come to graze, and one of a Duffing oscillator: e and tr A against their
+/// neighbours.
 #[test]
 fn e_is_the_rate_at_which_the_gap_of_the_orbit_opens() {
     let duffing = r#"
@@ -135,8 +137,9 @@ fn e_is_the_rate_at_which_the_gap_of_the_orbit_opens() {
     }
 }
 
-/// Theorem 1 against the true system: near grazing the orbit of every pattern that is not singular can be found by Newton's
-/// method from its leading-order solution, on both sides; it is an orbit exactly where the theorem says.
+/// Theorem 1 against the true system: near grazing the orbit of every pattern that is not singular can be
+/// found by Newton's method from its leading-order solution, on both sides; it is an orbit exactly where the
+/// theorem says.
 #[test]
 fn the_true_system_has_the_orbits_of_the_local_theory_and_no_others() {
     let scene = paper(0.6, 4.9);

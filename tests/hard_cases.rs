@@ -168,7 +168,8 @@ fn the_largest_floats_give_no_wrong_sign() {
     }
 }
 
-/// Powers r^n whose exponents exceed 64 bits: the term is negligible, so that b u_n has the sign of −sin 2πks.
+/// Powers r^n whose exponents exceed 64 bits: the term is negligible, so that b u_n has the sign of −sin
+/// 2πks.
 #[test]
 fn exponents_beyond_the_range_give_no_wrong_sign() {
     let number = |text| parse_rational(text).unwrap();
@@ -212,7 +213,8 @@ fn exponents_beyond_the_range_give_no_wrong_sign() {
     }
 }
 
-/// An exact zero, b_{3,1} = (a₁ + 1)(a₁ − a₂ − 1)/(a₁² − a₂) at a₁ = −1, whose integers exceed the first exact try.
+/// An exact zero, b_{3,1} = (a₁ + 1)(a₁ − a₂ − 1)/(a₁² − a₂) at a₁ = −1, whose integers exceed the first
+/// exact try.
 #[test]
 fn the_last_exact_try_goes_beyond_the_first() {
     let a2 = parse_rational("1/3+2^-20000").unwrap();

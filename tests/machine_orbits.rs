@@ -1,4 +1,5 @@
-//! Grazing and periodic orbits of machines: against the one-degree code, against parts that do not know of each other, against the simulator.
+//! Grazing and periodic orbits of machines: against the one-degree code, against parts that do not know of
+//! each other, against the simulator.
 
 use std::f64::consts::TAU;
 
@@ -137,7 +138,8 @@ fn beside(coupling: f64) -> Lines {
     Lines { at_zero, slope }
 }
 
-/// Two masses that share a spring and a damper that is no sum of theirs, in real units, in the force's amplitude.
+/// Two masses that share a spring and a damper that is no sum of theirs, in real units, in the force's
+/// amplitude.
 fn coupled() -> Lines {
     let at_zero = Parts {
         mass: vec![vec![2.0, 0.1], vec![0.1, 0.5]],
@@ -174,7 +176,8 @@ fn paper_scene() -> Scene {
     Scene::from_toml(include_str!("../examples/scenes/nordmark-2001.toml"), "test").unwrap()
 }
 
-/// A forced oscillator against an upper wall, of mass 2 and period 1/2: as 1 × 1 matrices in seconds, and by hand in the forcing's phase.
+/// A forced oscillator against an upper wall, of mass 2 and period 1/2: as 1 × 1 matrices in seconds, and by
+/// hand in the forcing's phase.
 #[test]
 fn one_degree_of_freedom_has_the_local_map_of_the_one_degree_code() {
     let (mass, period): (f64, f64) = (2.0, 0.5);
@@ -346,8 +349,8 @@ fn orbits_of_one_degree_of_freedom_are_those_of_the_one_degree_code() {
     assert!(matches!(behind.admissibility, MachineAdmissibility::No(_)), "{behind:?}");
 }
 
-/// A ball on a moving table has no periodic motion without impacts; its orbit of one impact a period is found all the same, with the speed
-/// that gravity gives back: V(1 + τ) = g T + (1 − τ) v of the table, at T = 2π.
+/// A ball on a moving table has no periodic motion without impacts; its orbit of one impact a period is found
+/// all the same, with the speed that gravity gives back: V(1 + τ) = g T + (1 − τ) v of the table, at T = 2π.
 #[test]
 fn a_machine_without_stiffness_has_orbits() {
     let parts = Parts {
@@ -392,8 +395,8 @@ fn a_simulation_stays_on_a_stable_orbit() {
     assert!(q.amax().max(u.amax()) < 1e-9, "{q} {u}");
 }
 
-/// Theorem 1 in four dimensions against the true system: the leading-order solution is a start for Newton's method, right to first order, and what
-/// is found is an orbit exactly where the theorem says.
+/// Theorem 1 in four dimensions against the true system: the leading-order solution is a start for Newton's
+/// method, right to first order, and what is found is an orbit exactly where the theorem says.
 #[test]
 fn the_orbits_born_are_found_in_the_true_system() {
     for (family, start, reach, distance, unit) in
@@ -500,7 +503,8 @@ fn tasks_on_a_machine_say_what_they_say_of_the_oscillator() {
     assert!(searched.iter().any(|row| (number(&row["speeds"][0]) - speed).abs() < 1e-9), "{}", machine[1]);
 }
 
-/// A motion that touches a stop whatever the parameter is: the local theory has nothing to say, and no orbit is looked for infinitely far away.
+/// A motion that touches a stop whatever the parameter is: the local theory has nothing to say, and no orbit
+/// is looked for infinitely far away.
 #[test]
 fn a_gap_that_does_not_pass_through_zero_is_left_open() {
     let text = "format = \"grazing-scene 2\"\ntitle = \"t\"\n[parameters]\nr = 0.5\n[system]\nfrequency = 1\nmass = 1\n\

@@ -1,5 +1,5 @@
-//! Machines against 50-digit values, against the one-degree engine, against a second integrator that shares no code with `src`, and where the
-//! answer is known.
+//! Machines against 50-digit values, against the one-degree engine, against a second integrator that shares
+//! no code with `src`, and where the answer is known.
 
 use std::{
     f64::consts::{PI, TAU},
@@ -97,8 +97,8 @@ struct Given {
     sin: Vec<f64>,
 }
 
-/// Repeated, overdamped, defective, rigid-body, gyroscopic, circulatory, resonant, stiff: by whatever method, to 2·10⁻¹³ of the largest entry, times
-/// the condition number where there are complex modes.
+/// Repeated, overdamped, defective, rigid-body, gyroscopic, circulatory, resonant, stiff: by whatever method,
+/// to 2·10⁻¹³ of the largest entry, times the condition number where there are complex modes.
 #[test]
 fn motions_without_stops_agree_with_fifty_digits() {
     let table: Table = toml::from_str(include_str!("data/machines.toml")).unwrap();
@@ -248,8 +248,8 @@ fn oscillators() -> Vec<(&'static str, System<f64>, [f64; 2])> {
     ]
 }
 
-/// Every event of both engines, in the same order, at the same time with the same velocity: to 10⁻¹³ before amplification, which is measured by starts
-/// 10⁻⁸ apart.
+/// Every event of both engines, in the same order, at the same time with the same velocity: to 10⁻¹³ before
+/// amplification, which is measured by starts 10⁻⁸ apart.
 #[test]
 fn one_degree_of_freedom_agrees_with_the_engine_for_it() {
     for (name, system, start) in oscillators() {
@@ -277,7 +277,8 @@ fn one_degree_of_freedom_agrees_with_the_engine_for_it() {
         // What rounding makes of the times of slow impacts adds up.
         let (mut amplification, mut radii) = (1.0f64, 0.0);
         for (i, ((kind, time, velocity), event)) in known.iter().zip(&found).enumerate() {
-            // What is near a bounce that is summed up, or after another history, tells nothing of amplification.
+            // What is near a bounce that is summed up, or after another history, tells nothing of
+            // amplification.
             if let Some(moved) = moved.get(i).filter(|moved| moved.0 == *kind) {
                 amplification =
                     amplification.max((moved.1 - time).abs().max((moved.2 - velocity).abs()) / 1e-8);
@@ -412,8 +413,9 @@ fn energy_is_kept_by_elastic_impacts() {
     assert!(worst < 1e-10, "{worst:e} over {} impacts", run.impacts());
 }
 
-/// q = P cos t + a cos w(t − φ) + b sin w(t − φ) between stops at ±d, mirrored every half period: b = −a cot x, x = wπ/2, and with
-/// r = (1 − τ)/(1 + τ), P cos φ = −d − a, P sin φ = −a w r cot x, so that P² = (d + a)² + (a w r cot x)².
+/// q = P cos t + a cos w(t − φ) + b sin w(t − φ) between stops at ±d, mirrored every half period: b = −a cot
+/// x, x = wπ/2, and with r = (1 − τ)/(1 + τ), P cos φ = −d − a, P sin φ = −a w r cot x, so that P² = (d +
+/// a)² + (a w r cot x)².
 #[test]
 fn the_symmetric_orbit_between_two_stops_is_that_of_the_closed_form() {
     for (w, tau, d, force) in [(0.7f64, 0.8, 0.5, 1.0), (0.4, 0.6, 0.3, 1.0), (0.25, 0.7, 1.0, 3.0)] {
@@ -495,8 +497,8 @@ fn pairs() -> Vec<Start> {
     all
 }
 
-/// Impacts, rests and states agree with the second integrator, to 10⁻¹² before amplification where nothing rests, to 10⁻⁷ where something does, as the two
-/// end bounces at different heights.
+/// Impacts, rests and states agree with the second integrator, to 10⁻¹² before amplification where nothing
+/// rests, to 10⁻⁷ where something does, as the two end bounces at different heights.
 #[test]
 fn motions_agree_with_a_second_integrator() {
     let mut rested = 0;

@@ -1,4 +1,5 @@
-//! Certificates of orbits: what is written passes, what breaks a rule or is damaged is rejected unless it is still true.
+//! Certificates of orbits: what is written passes, what breaks a rule or is damaged is rejected unless it is
+//! still true.
 
 mod common;
 mod systems;
@@ -178,8 +179,9 @@ fn complex_multipliers_outside_the_circle_are_not_stable() {
     assert!(answer.contains("the orbit is not certainly stable"), "{answer}");
 }
 
-/// Whether what an accepted certificate of the first or third case says is true, by the proof in balls: only the claim, the middle of
-/// the box and its radius can have changed, since the digest holds the system and the pattern cannot change without the rest.
+/// Whether what an accepted certificate of the first or third case says is true, by the proof in balls: only
+/// the claim, the middle of the box and its radius can have changed, since the digest holds the system and
+/// the pattern cannot change without the rest.
 fn is_true(text: &str, case: &Case) -> bool {
     let orbit = proved(prove(&case.system, &case.impacts));
     let words = |start: &str| -> Vec<Vec<String>> {

@@ -33,7 +33,8 @@ const RICH: &str = r#"
     restitution = 0.7
 "#;
 
-/// Runs for `rounds` periods of the orbit from half way along its first leg; the largest error of impact times and speeds.
+/// Runs for `rounds` periods of the orbit from half way along its first leg; the largest error of impact
+/// times and speeds.
 fn error(oscillator: &Oscillator, orbit: &Orbit, rounds: u32) -> f64 {
     let simulator = Simulator::new(oscillator.system(), &Settings::default()).unwrap();
     let t = orbit.z[0] + Unknowns::new(&orbit.itinerary, &orbit.z).unwrap().duration(0) / 2.0;
@@ -122,7 +123,8 @@ fn the_simulator_settles_on_the_stable_orbits() {
     }
 }
 
-/// The paper's oscillator at µ = −0.05: a node, a saddle, both with pattern (4), and their section with the saddle's manifolds.
+/// The paper's oscillator at µ = −0.05: a node, a saddle, both with pattern (4), and their section with the
+/// saddle's manifolds.
 const SADDLE: &str = r#"
     format = "grazing-scene 1"
     title = "a saddle"
@@ -185,7 +187,8 @@ fn manifolds_are_invariant_and_leave_the_saddle_along_its_eigenvectors() {
                 continue;
             }
             halves += 1;
-            // The matrix of four periods by differences, and the multiplier and direction of this half by its trace and determinant.
+            // The matrix of four periods by differences, and the multiplier and direction of this half by its
+            // trace and determinant.
             let column = |by: [f64; 2]| {
                 let at = |sign: f64| four([saddle[0] + sign * by[0], saddle[1] + sign * by[1]]).unwrap();
                 away(at(1.0), at(-1.0)).map(|x| x / 2e-7)

@@ -1,4 +1,5 @@
-//! Periodic orbits of the true system: equations and derivatives, Newton's method, exact formulas, admissibility, bifurcations.
+//! Periodic orbits of the true system: equations and derivatives, Newton's method, exact formulas,
+//! admissibility, bifurcations.
 
 use std::f64::consts::{PI, SQRT_2, TAU};
 
@@ -132,7 +133,8 @@ fn all_derivatives_of_the_equations_agree_with_differences() {
     }
 }
 
-/// The multipliers a second way: each leg takes (t_i, V_i) to (t_{i+1}, V_{i+1}), by the implicit function theorem.
+/// The multipliers a second way: each leg takes (t_i, V_i) to (t_{i+1}, V_{i+1}), by the implicit function
+/// theorem.
 #[test]
 fn the_multipliers_are_those_of_the_impact_map() {
     let rich = scene(RICH);
@@ -236,7 +238,8 @@ fn hard_cases_have_the_digits_of_their_references() {
     }
 }
 
-/// Forcing in place of a moving wall, another harmonic, the upper wall, a load: the exact formulas and Newton's method.
+/// Forcing in place of a moving wall, another harmonic, the upper wall, a load: the exact formulas and
+/// Newton's method.
 #[test]
 fn exact_single_impact_orbits_solve_the_equations() {
     let scenes = [
@@ -423,7 +426,8 @@ fn impact_map(oscillator: &Oscillator, x: [f64; 2]) -> Option<(f64, [f64; 2])> {
     Some((h, [after.q - place, after.u - speed]))
 }
 
-/// (75), (76), the second-order expansion at the paper's grazing, with remainders of the orders claimed; (40), (41) are its lead.
+/// (75), (76), the second-order expansion at the paper's grazing, with remainders of the orders claimed;
+/// (40), (41) are its lead.
 #[test]
 fn the_local_map_is_the_true_one_to_the_orders_claimed() {
     for (d, w, tau) in [(0.6, 4.9, 1.0), (0.3, 2.2, 0.6), (1.4, 3.0, 0.9)] {
@@ -459,7 +463,8 @@ fn the_local_map_is_the_true_one_to_the_orders_claimed() {
     }
 }
 
-/// Section 4.1: on the branch of period 3 both multipliers are tau r^3, and V goes with the root of mu (77)-(81).
+/// Section 4.1: on the branch of period 3 both multipliers are tau r^3, and V goes with the root of mu
+/// (77)-(81).
 #[test]
 fn the_resonant_branch_starts_as_a_square_root() {
     for tau in [1.0, 0.7] {

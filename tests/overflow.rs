@@ -1,4 +1,5 @@
-//! The checker notices overflows, whatever its caller was built to do. In a release build this test's own code wraps.
+//! The checker notices overflows, whatever its caller was built to do. In a release build this test's own
+//! code wraps.
 
 use std::hint::black_box;
 

@@ -1,5 +1,6 @@
-//! Damaged text of every kind that is read: scenes, maps, numbers, certificates and saved states. Whatever comes in, what comes out is a
-//! value or an error in words: no panic, no wrapped arithmetic (tests are built with overflow checks), no work without a bound.
+//! Damaged text of every kind that is read: scenes, maps, numbers, certificates and saved states. Whatever
+//! comes in, what comes out is a value or an error in words: no panic, no wrapped arithmetic (tests are built
+//! with overflow checks), no work without a bound.
 //!
 //! `GRAZING_DAMAGED=50000 cargo test --test parsers -- --nocapture` runs as
 //! many of each kind as it says and prints how each went.
@@ -146,7 +147,8 @@ fn files(folder: &str) -> Vec<String> {
     paths.iter().map(|path| fs::read_to_string(path).unwrap()).collect()
 }
 
-/// Feeds damaged texts to a reader, which says whether it took one; both must happen, or the damage is too little or too much.
+/// Feeds damaged texts to a reader, which says whether it took one; both must happen, or the damage is too
+/// little or too much.
 fn feed(what: &str, texts: &[String], read: impl Fn(&str) -> std::result::Result<(), String>) {
     for text in texts {
         read(text).unwrap_or_else(|error| panic!("{what}: the undamaged text: {error}"));
@@ -262,7 +264,8 @@ fn feed_checkpoints(what: &str, job: Job) {
     });
 }
 
-/// Lines with the checksums of a saved state: FNV-1a of the checksum before, least byte first, and of the line.
+/// Lines with the checksums of a saved state: FNV-1a of the checksum before, least byte first, and of the
+/// line.
 fn sealed<'a>(lines: impl Iterator<Item = &'a str>) -> String {
     let mut before = 0u64;
     let line = |line: &str| {

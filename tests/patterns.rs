@@ -1,5 +1,5 @@
-//! Theorem 1 for impact patterns: the block solver against a dense one, hard cases, invariance, two dimensions against
-//! closed forms, and predictions against a smooth map iterated at small µ.
+//! Theorem 1 for impact patterns: the block solver against a dense one, hard cases, invariance, two
+//! dimensions against closed forms, and predictions against a smooth map iterated at small µ.
 
 mod common;
 
@@ -172,8 +172,8 @@ fn compare(a: &Dense, b: &[Q], c: &[Q], patterns: &[Vec<u64>]) {
                         };
                         let leading: Q = y.iter().zip(periods).map(factor).product();
                         assert!(contains(&orbit.leading.unwrap(), &leading));
-                        // Where no orbit exists on either side, no engine is asked to climb for this sign; a zero of it
-                        // (C A^n B = 0) is seen by exact fractions alone.
+                        // Where no orbit exists on either side, no engine is asked to climb for this sign; a
+                        // zero of it (C A^n B = 0) is seen by exact fractions alone.
                         match orbit.leading_sign {
                             Some(sign) => assert_eq!(sign, Sign::of(&leading), "{periods:?}"),
                             None => {
@@ -232,8 +232,8 @@ fn a_vanishing_response_of_a_pattern_without_orbits_is_no_sign() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 12, ..common::config() })]
 
-    /// Existence impacts against the definition in the (a₁, a₂) plane, which knows nothing of matrices: verdict, case, and the sign
-    /// of the large eigenvalue by region (3.6).
+    /// Existence impacts against the definition in the (a₁, a₂) plane, which knows nothing of matrices:
+    /// verdict, case, and the sign of the large eigenvalue by region (3.6).
     #[test]
     fn single_impacts_against_the_plane(p1 in -50i64..51, p2 in 1i64..21) {
         let (a1, a2) = (Q::new(p1.into(), 20.into()), Q::new(p2.into(), 20.into()));
@@ -412,7 +412,8 @@ fn hard_cases_against_dense() {
     compare(&shift, &unit(4), &unit(0), &all_patterns(6));
 }
 
-/// det D within 10⁻³⁰ of 0 in three dimensions: x is moved to where two large solutions of opposite sign meet.
+/// det D within 10⁻³⁰ of 0 in three dimensions: x is moved to where two large solutions of opposite sign
+/// meet.
 #[test]
 fn nearly_singular_in_three_dimensions() {
     let (b, c) = (vec![whole(0), whole(1), whole(1)], vec![whole(1), whole(0), whole(0)]);
@@ -562,7 +563,8 @@ fn the_graph_counts_what_exists() {
     }
 }
 
-/// The counts without listing, against judging every pattern: maps with singular periods and open edges among them.
+/// The counts without listing, against judging every pattern: maps with singular periods and open edges among
+/// them.
 #[test]
 fn tallies_agree_with_judging_every_pattern() {
     for (a1, a2) in [
@@ -612,7 +614,8 @@ fn growth_rates_known_in_closed_form() {
         let log = -root.ln();
         assert!(near(&lo) < log && log < near(&hi) && near(&(&hi - &lo)) < 1e-11, "{lo} {hi} {log}");
     };
-    // 1 = z + z²: the golden mean. 1 = z + z² + z³. z + z³ = 1 with 2 left out. Follow 1 by 2 only, 2 by both: z² + z³ = 1.
+    // 1 = z + z²: the golden mean. 1 = z + z² + z³. z + z³ = 1 with 2 left out. Follow 1 by 2 only, 2 by
+    // both: z² + z³ = 1.
     holds(rate(&[&[1, 1], &[1, 1]]), (5f64.sqrt() - 1.0) / 2.0);
     holds(rate(&[&[1, 1, 1], &[1, 1, 1], &[1, 1, 1]]), 0.543_689_012_692_076_4);
     holds(rate(&[&[1, 0, 1], &[0, 0, 0], &[1, 0, 1]]), 0.682_327_803_828_019_3);

@@ -1,5 +1,5 @@
-//! The simulator against impacts computed by another method (tests/data/make_events.py): random scenes, and scenes in which a minimum of
-//! the gap lies 10⁻³ to 10⁻¹⁰ on either side of the wall.
+//! The simulator against impacts computed by another method (tests/data/make_events.py): random scenes, and
+//! scenes in which a minimum of the gap lies 10⁻³ to 10⁻¹⁰ on either side of the wall.
 
 use std::f64::consts::TAU;
 
@@ -102,7 +102,8 @@ fn simulator(reference: &Reference, tolerance: f64) -> Simulator {
     Simulator::new(&reference.system, &Settings { tolerance, ..Settings::default() }).unwrap()
 }
 
-/// The rows whose impacts, with the integrator at a tolerance, are not the reference's to within `allowed`, one number per impact.
+/// The rows whose impacts, with the integrator at a tolerance, are not the reference's to within `allowed`,
+/// one number per impact.
 fn wrong(tolerance: f64, allowed: impl Fn(&Reference) -> Vec<f64>) -> Vec<String> {
     let mut wrong = Vec::new();
     let mut seen = 0;
@@ -132,15 +133,15 @@ fn every_reference_is_met() {
     let all = references();
     let count = |kind| all.iter().filter(|reference| reference.kind == kind).count();
     assert!(count("random") >= 241 && count("grazing") >= 109, "{} {}", count("random"), count("grazing"));
-    // A reference's tolerance is what a change of 1e-13 at the start amounts to by then. A linear motion has no other error than
-    // rounding; one with a cubic spring is integrated, here to rounding too.
+    // A reference's tolerance is what a change of 1e-13 at the start amounts to by then. A linear motion has
+    // no other error than rounding; one with a cubic spring is integrated, here to rounding too.
     let wrong = wrong(1e-15, |reference| reference.impacts.iter().map(|want| want.tolerance).collect());
     assert!(wrong.is_empty(), "{} of {}:\n{}", wrong.len(), all.len(), wrong.join("\n"));
 }
 
-/// What the integrator's errors may amount to by each impact: the number of its steps, times the error allowed to a step, times the
-/// most that a change of q or of u at any time before grows to by that impact. The growth is measured, by motions that start
-/// beside this one every half unit of time.
+/// What the integrator's errors may amount to by each impact: the number of its steps, times the error
+/// allowed to a step, times the most that a change of q or of u at any time before grows to by that impact.
+/// The growth is measured, by motions that start beside this one every half unit of time.
 fn accumulated(reference: &Reference, tolerance: f64) -> Vec<f64> {
     let mut counts = Counts::default();
     impacts(&simulator(reference, tolerance), reference.start, reference.until, &mut counts);
@@ -164,7 +165,8 @@ fn accumulated(reference: &Reference, tolerance: f64) -> Vec<f64> {
             let nudge = reference.nudge;
             let start = [beside(nudge), beside(-nudge)].into_iter().find(starts).unwrap();
             let beside = impacts(&exact, start, reference.until, &mut Counts::default());
-            // Just before or after an impact the motion beside may have one more or less: the last ones belong together.
+            // Just before or after an impact the motion beside may have one more or less: the last ones
+            // belong together.
             for (i, impact) in whole.iter().enumerate().skip(passed).rev() {
                 let Some(j) = (beside.len() + i).checked_sub(whole.len()) else { break };
                 if beside[j].0 == impact.0 {
@@ -178,7 +180,8 @@ fn accumulated(reference: &Reference, tolerance: f64) -> Vec<f64> {
     growth.iter().map(|growth| steps * tolerance * size * growth).collect()
 }
 
-/// At the default tolerance, too, motions with a cubic spring are as good as their integrator promises, and that says something.
+/// At the default tolerance, too, motions with a cubic spring are as good as their integrator promises, and
+/// that says something.
 #[test]
 fn an_integrated_motion_is_as_good_as_its_tolerance() {
     let tolerance = Settings::default().tolerance;
@@ -194,7 +197,8 @@ fn an_integrated_motion_is_as_good_as_its_tolerance() {
     assert!(wrong.is_empty(), "{}:\n{}", wrong.len(), wrong.join("\n"));
     let mut bounds = bounds.into_inner();
     bounds.sort_by(f64::total_cmp);
-    // Half of the impacts are told to 10⁻⁹; the few bounds above 10⁻⁵ are those of motions that nearly graze again and again.
+    // Half of the impacts are told to 10⁻⁹; the few bounds above 10⁻⁵ are those of motions that nearly graze
+    // again and again.
     let share = |bound: f64| bounds.iter().filter(|b| **b < bound).count() as f64 / bounds.len() as f64;
     let shares = [1e-9, 1e-7, 1e-5].map(share);
     assert!(bounds.len() > 200 && shares[0] > 0.5 && shares[1] > 0.9 && shares[2] > 0.97, "{shares:?}");

@@ -1,5 +1,6 @@
-//! Kills and damage: whatever ends a run, and whatever becomes of its saved state, the result is that of the undisturbed run, or an
-//! error. With GRAZING_TRIALS=N each kind of job is killed N times and its states are damaged 2 N times; by default a few times.
+//! Kills and damage: whatever ends a run, and whatever becomes of its saved state, the result is that of the
+//! undisturbed run, or an error. With GRAZING_TRIALS=N each kind of job is killed N times and its states are
+//! damaged 2 N times; by default a few times.
 //!
 //!     GRAZING_TRIALS=350 cargo test --test reliability -- --nocapture
 #![cfg(target_os = "linux")]
@@ -313,7 +314,8 @@ fn damaged_states_give_no_wrong_result() {
     }
 }
 
-/// With right checksums, so that only the values themselves can tell: no endless loop, no sum that wraps, no panic, no refutation.
+/// With right checksums, so that only the values themselves can tell: no endless loop, no sum that wraps, no
+/// panic, no refutation.
 #[test]
 fn false_records_with_right_checksums_are_harmless() {
     let mut numbers = Numbers(0x0f0f_1e1e_2d2d_3c3d);

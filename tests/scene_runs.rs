@@ -1,4 +1,5 @@
-//! `grazing run` on every example; figures 8 to 10 against exact orbits; absent effects; the studies of cost and accuracy.
+//! `grazing run` on every example; figures 8 to 10 against exact orbits; absent effects; the studies of cost
+//! and accuracy.
 
 use std::{collections::HashMap, f64::consts::PI, fs, path::Path, process::Command};
 
@@ -127,7 +128,8 @@ fn paper(mu: f64) -> Scene {
     scene.with(&[("mu".to_string(), mu)]).unwrap()
 }
 
-/// The points (q − (Q₁ − offset), u − Q₁′) at t = π of the period-4 orbits, from the exact formulas for one impact.
+/// The points (q − (Q₁ − offset), u − Q₁′) at t = π of the period-4 orbits, from the exact formulas for one
+/// impact.
 fn exact(mu: f64, n: u32, stable: bool) -> Vec<[f64; 2]> {
     let system = paper(mu).plain(&[]).unwrap();
     let oscillator = Oscillator::new(system.clone(), 1e-13).unwrap();
@@ -169,7 +171,8 @@ fn figures_8_to_10_show_what_the_captions_say() {
     assert!(same(&points(&csv, "stable, period 4 with 1 impact"), &exact(-0.05, 4, true)));
     assert!(same(&points(&csv, "unstable, impact pattern (4)"), &exact(-0.05, 4, false)));
 
-    // A noisy attractor of period 4, with points on both sides of the curve: it lies in four parts, met in turn.
+    // A noisy attractor of period 4, with points on both sides of the curve: it lies in four parts, met in
+    // turn.
     let csv = draw("9");
     assert!(same(&points(&csv, "stable, period 1 with 0 impacts"), &[[0.976, 0.0]]));
     assert!(same(&points(&csv, "unstable, impact pattern (4)"), &exact(-0.024, 4, false)));

@@ -1,4 +1,5 @@
-//! Scenes: what is read, every error's exact words, damaged scenes by the thousand, expressions against a second evaluation.
+//! Scenes: what is read, every error's exact words, damaged scenes by the thousand, expressions against a
+//! second evaluation.
 
 use std::{fs, path::Path};
 

@@ -1,5 +1,5 @@
-//! What a shell script relies on: exit codes that depend on the result alone, files that are whole or untouched, signals that end every
-//! command with its state written.
+//! What a shell script relies on: exit codes that depend on the result alone, files that are whole or
+//! untouched, signals that end every command with its state written.
 #![cfg(target_os = "linux")]
 
 mod process;
@@ -132,7 +132,8 @@ fn limits_are_said() {
     };
     assert!(refused("verify 8 --jobs 100000").contains("four times the number of cores"));
     assert!(refused("fuzz --cases 0").contains("--cases 0: give at least 1"));
-    // Words of the closed walks of n steps: 2^n − 1 with a marked step, so d p(d) over the divisors d of n for p primitive patterns.
+    // Words of the closed walks of n steps: 2^n − 1 with a marked step, so d p(d) over the divisors d of n
+    // for p primitive patterns.
     let mut primitive = vec![0u64];
     let mut rows = 0;
     for n in 1..=30 {
@@ -345,7 +346,8 @@ fn an_interruption_is_said_in_json_too() {
     }
 }
 
-/// A task deep in its work, balls of 4096 bits, hears no signal for seconds: the report says of every task how far it came.
+/// A task deep in its work, balls of 4096 bits, hears no signal for seconds: the report says of every task
+/// how far it came.
 #[test]
 fn the_report_of_a_run_whose_end_was_forced_has_every_task() {
     let folder = tempdir().unwrap();
@@ -410,7 +412,8 @@ fn one_signal_ends_every_command() {
 #[test]
 fn a_second_signal_ends_at_once_with_130() {
     let folder = tempdir().unwrap();
-    // A command that waits for a file to be written cannot end in order at once, as others may before the second signal.
+    // A command that waits for a file to be written cannot end in order at once, as others may before the
+    // second signal.
     assert!(Command::new("mkfifo").arg(folder.path().join("fifo")).status().unwrap().success());
     for signals in [["-INT", "-TERM"], ["-TERM", "-INT"]] {
         let mut child = listening("run fifo", folder.path());

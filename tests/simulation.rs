@@ -258,7 +258,8 @@ fn energy_is_kept_and_time_turned_back_without_losses() {
     let end = run.state();
     assert!((energy(end.q, end.u) / energy(1.0, 0.4) - 1.0).abs() < 1e-11);
 
-    // The paper's wall is even in time: from (q, −u) at −t the motion runs back. Chaotic, so for a few periods.
+    // The paper's wall is even in time: from (q, −u) at −t the motion runs back. Chaotic, so for a few
+    // periods.
     let moving = Simulator::new(&paper(0.0, 4.9, 0.003, 1.0), &Settings::default()).unwrap();
     let mut there = moving.start(at(-PI), 0.03, 0.01).unwrap();
     let forth = impacts(&mut there, Time::new(5, PI));
@@ -298,7 +299,8 @@ fn the_closed_form_and_the_integrator_see_the_same_impacts() {
     }
 }
 
-/// The steps of a ball's parabola know nothing of the table, which moves through more than a period in the longest of them.
+/// The steps of a ball's parabola know nothing of the table, which moves through more than a period in the
+/// longest of them.
 #[test]
 fn steps_are_short_enough_for_a_fast_wall() {
     let system = System { lower: Some(wall(0.0, 0.9, &[(9, 0.0, 0.005)])), ..ball(0.9) };
@@ -325,7 +327,8 @@ fn the_first_of_two_walls_on_a_piece_is_met() {
     }
 }
 
-/// With τ near 1 the bounces would last until after the table's acceleration has passed gravity: no rest is made of them.
+/// With τ near 1 the bounces would last until after the table's acceleration has passed gravity: no rest is
+/// made of them.
 #[test]
 fn bounces_are_not_summed_beyond_a_change_of_force() {
     let system = System { lower: Some(wall(0.0, 1.0 - 1e-7, &[(1, 0.0, 2.0)])), ..ball(1.0) };
@@ -478,7 +481,8 @@ fn lyapunov_exponents_match_what_is_known() {
         |mu| lyapunov(&simulator(&paper(0.6, 4.9, mu, 1.0)), at(1.0), [0.004, 0.0], 3000, 3000, &()).unwrap();
     assert!(exponent(0.0058).rate < -0.001);
     let chaos = exponent(0.003);
-    // Two stretches of the motion's length differ by about their errors; a multiplier's exponent has next to none.
+    // Two stretches of the motion's length differ by about their errors; a multiplier's exponent has next to
+    // none.
     assert!((1e-4..0.03).contains(&chaos.standard_error), "{chaos:?}");
     assert!((chaos.rate - chaos.second_half).abs() < 4.0 * chaos.standard_error, "{chaos:?}");
     assert!(free.standard_error < 1e-4, "{free:?}");
@@ -569,7 +573,8 @@ fn a_duffing_oscillator_keeps_its_energy_at_an_elastic_wall() {
 
 #[test]
 fn a_stable_orbit_is_met_to_rounding_after_many_periods() {
-    // The exact orbit of period 3 with one impact at µ = 0.0058, by the matrices of its three periods of flight.
+    // The exact orbit of period 3 with one impact at µ = 0.0058, by the matrices of its three periods of
+    // flight.
     let mu = 0.0058;
     let system = paper(0.6, 4.9, mu, 1.0);
     let e = Linear::new(&system).unwrap().matrix(3.0 * TAU);
@@ -647,7 +652,8 @@ fn hard_cases_have_the_impacts_of_their_references() {
     }
 }
 
-/// Between two walls that each give 19 % more speed, until the terms of a step overflow: an end with a reason, and no state that is not a number.
+/// Between two walls that each give 19 % more speed, until the terms of a step overflow: an end with a
+/// reason, and no state that is not a number.
 #[test]
 fn a_motion_that_gains_at_every_impact_escapes() {
     let system = System {

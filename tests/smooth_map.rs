@@ -1,5 +1,6 @@
-//! Theorem 1 against the thing itself: a smooth map g∘f, iterated at small µ. Predicted orbits are found by Newton's method and by
-//! iteration, with multipliers that tend to (36); where none is predicted, none is found.
+//! Theorem 1 against the thing itself: a smooth map g∘f, iterated at small µ. Predicted orbits are found by
+//! Newton's method and by iteration, with multipliers that tend to (36); where none is predicted, none is
+//! found.
 
 mod common;
 
@@ -278,7 +279,8 @@ fn predicted_orbits_are_there_and_no_others() {
                             )
                         })
                         .collect();
-                    // The smooth continuation of the leading-order solution always solves (19); is it an orbit?
+                    // The smooth continuation of the leading-order solution always solves (19); is it an
+                    // orbit?
                     let z = smooth
                         .newton(periods, mu, start.clone())
                         .unwrap_or_else(|| panic!("seed {seed} ({pattern}): a regular solution continues"));
@@ -297,8 +299,8 @@ fn predicted_orbits_are_there_and_no_others() {
                         assert!(far < 3e6 * size_emu, "seed {seed} ({pattern}): {far} away");
                     }
                     if expected {
-                        // By iteration, from impact to impact (over a period the multiplier would swamp every digit):
-                        // impacts come just where the pattern has them, and lead to the next point.
+                        // By iteration, from impact to impact (over a period the multiplier would swamp every
+                        // digit): impacts come just where the pattern has them, and lead to the next point.
                         for (i, &n) in periods.iter().enumerate() {
                             let mut x = z[i].0.clone();
                             for k in 1..=n {

@@ -1,4 +1,5 @@
-//! The sources keep to the map of `src/lib.rs`: imports point down its table, and no two public types share a name.
+//! The sources keep to the map of `src/lib.rs`: imports point down its table, and no two public types share a
+//! name.
 
 use std::{
     collections::{BTreeMap, BTreeSet},

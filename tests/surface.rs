@@ -1,4 +1,5 @@
-//! The surface that a reader prints and types: tables that LaTeX sets, commands that the pages print, inputs that are wrong.
+//! The surface that a reader prints and types: tables that LaTeX sets, commands that the pages print, inputs
+//! that are wrong.
 
 mod process;
 
@@ -26,8 +27,8 @@ const TABLES: [&str; 12] = [
     "existence examples/maps/singular.toml --max-period 4",
 ];
 
-/// With `pdflatex` on the path every table is set, and none is wider than the text of an A4 page; without it, what would stop LaTeX is
-/// looked for by hand. `GRAZING_REQUIRE_LATEX=1` makes its absence a failure.
+/// With `pdflatex` on the path every table is set, and none is wider than the text of an A4 page; without it,
+/// what would stop LaTeX is looked for by hand. `GRAZING_REQUIRE_LATEX=1` makes its absence a failure.
 #[test]
 fn latex_sets_every_table() {
     let folder = tempfile::tempdir().unwrap();
@@ -87,7 +88,8 @@ fn cells_are_balanced(what: &str, text: &str) {
     }
 }
 
-/// Runs a line as a shell would in this folder, `grazing` and `grazing-check` being the ones just built; its exit code and what it printed.
+/// Runs a line as a shell would in this folder, `grazing` and `grazing-check` being the ones just built; its
+/// exit code and what it printed.
 fn shell(line: &str, folder: &Path) -> (i32, String) {
     let built = Path::new(env!("CARGO_BIN_EXE_grazing")).parent().unwrap();
     let path = format!("{}:{}", built.display(), env::var("PATH").unwrap());
@@ -124,7 +126,8 @@ const COMMANDS: [&str; 17] = [
     "man",
 ];
 
-/// Every command's help has examples, and each runs as it is printed. Those of `accuracy` measure for long and are only parsed.
+/// Every command's help has examples, and each runs as it is printed. Those of `accuracy` measure for long
+/// and are only parsed.
 #[test]
 fn examples_in_the_help_run_as_printed() {
     let folder = reader();
@@ -143,8 +146,8 @@ fn examples_in_the_help_run_as_printed() {
     }
 }
 
-/// The commands that README and the pages print with a `$`, page by page and in order, in one folder per page. What a page prints below
-/// a command is what comes.
+/// The commands that README and the pages print with a `$`, page by page and in order, in one folder per
+/// page. What a page prints below a command is what comes.
 #[test]
 fn commands_on_the_pages_run_as_printed() {
     let mut pages = vec![root().join("README.md")];
@@ -217,7 +220,8 @@ fn completions_and_manual_know_every_command() {
     }
 }
 
-/// What nobody may answer a count with, a range of periods, an exact number, a choice, an output file, an input file.
+/// What nobody may answer a count with, a range of periods, an exact number, a choice, an output file, an
+/// input file.
 const COUNT: &[&str] =
     &["", "x", "1.5", "1e99", "99999999999999999999999", "1/0", "nan", "0x10", "٣", "1 2", "-7"];
 const RANGE: &[&str] = &[
@@ -327,8 +331,9 @@ const HOLES: &[(&str, &[&str])] = &[
     ("@", CHOICE),
 ];
 
-/// More than 400 wrong inputs: each ends with exit code 2 (a certificate that is none: 1), nothing on standard output, and an error that
-/// begins with the word, names the value or what it is for, and speaks neither of Rust nor of its types.
+/// More than 400 wrong inputs: each ends with exit code 2 (a certificate that is none: 1), nothing on
+/// standard output, and an error that begins with the word, names the value or what it is for, and speaks
+/// neither of Rust nor of its types.
 #[test]
 fn wrong_inputs_are_named() {
     let folder = reader();

@@ -42,7 +42,8 @@ fn product(f: &Factored) -> Polynomial {
 proptest! {
     #![proptest_config(common::config())]
 
-    /// b_{n,k} = (1 0) Aᵏ X + 1 with (I − Aⁿ)'s first row killing X, X₁ = −1 (51), (54); det(I − Aⁿ) from the matrix.
+    /// b_{n,k} = (1 0) Aᵏ X + 1 with (I − Aⁿ)'s first row killing X, X₁ = −1 (51), (54); det(I − Aⁿ) from the
+    /// matrix.
     #[test]
     fn polynomials_agree_with_matrix_powers((n, k) in period_and_index(20), at in [rational(), rational()]) {
         let [u_n, u_k, numerator, determinant] =
@@ -92,7 +93,8 @@ proptest! {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 64, ..common::config() })]
 
-    /// A sentence says the same in every format, its hypotheses describe its half-cell, and it is true where it is tried.
+    /// A sentence says the same in every format, its hypotheses describe its half-cell, and it is true where
+    /// it is tried.
     #[test]
     fn sentences_are_true_and_agree_between_formats(
         n in 3usize..12, m in 1usize..6, plus in any::<bool>(), c in -510i64..510, r in 1i64..=32,
@@ -121,7 +123,8 @@ proptest! {
     }
 }
 
-/// Checks the sentence at one point, and that each format compares the same values; true if its hypotheses hold.
+/// Checks the sentence at one point, and that each format compares the same values; true if its hypotheses
+/// hold.
 fn agree_and_hold(sentence: &Sentence, at: &HashMap<&str, BigRational>) -> bool {
     let script = sentence.write(Format::Smtlib);
     let asserted = prefix::asserted(&script, at);
@@ -187,8 +190,8 @@ fn binomial_u(n: usize) -> Polynomial {
     (0..n.div_ceil(2)).filter(|j| 2 * j < n).map(term).fold(Polynomial::default(), |sum, t| &sum + &t)
 }
 
-/// The brackets are disjoint and U_{n−1}, of degree n − 1, changes sign on each: so each holds exactly one root, with no
-/// appeal to Sturm; and it is the right one by its place.
+/// The brackets are disjoint and U_{n−1}, of degree n − 1, changes sign on each: so each holds exactly one
+/// root, with no appeal to Sturm; and it is the right one by its place.
 #[test]
 fn every_bracket_holds_one_root() {
     // q^{n−1} U_{n−1}(p/q)

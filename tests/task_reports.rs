@@ -1,4 +1,5 @@
-//! `grazing run` by the command: statuses, exit codes, warnings, sizes; and the same scene run by the library.
+//! `grazing run` by the command: statuses, exit codes, warnings, sizes; and the same scene run by the
+//! library.
 
 use std::{fs, process::Command};
 
@@ -196,7 +197,8 @@ fn pictures_of_long_series_are_thinned() {
     assert_eq!(corners, 2 * 16 + 1 + impacts);
 }
 
-/// Names of tasks are names of files: two that may write the same are an error at the second, before either runs.
+/// Names of tasks are names of files: two that may write the same are an error at the second, before either
+/// runs.
 #[test]
 fn tasks_that_would_write_one_file_are_refused() {
     let task = |name: &str, kind: &str, rest: &str| {
@@ -233,8 +235,9 @@ fn tasks_that_would_write_one_file_are_refused() {
     assert_eq!(command(&scene, &["--only", "drop"]).0, 0);
 }
 
-/// The word theorem at the paper's grazing: the full shift over 1, 2, 3 for e mu < 0 and γ > 0, nothing that branches for e mu > 0. At w = 4.8, where s = 1/6 and
-/// u_3 = 0, rounding leaves period 3 open, and 1 and 2 give a lower bound.
+/// The word theorem at the paper's grazing: the full shift over 1, 2, 3 for e mu < 0 and γ > 0, nothing that
+/// branches for e mu > 0. At w = 4.8, where s = 1/6 and u_3 = 0, rounding leaves period 3 open, and 1 and 2
+/// give a lower bound.
 #[test]
 fn a_grazing_task_says_whether_chaos_is_born() {
     let report = |scene: &str| {

@@ -296,7 +296,8 @@ fn orbits_and_multipliers_are_those_of_motions_in_floats() {
     }
 }
 
-/// Between the flip and its end the double-impact orbit exists; past µ_gr3 the same equations have a solution that is no orbit.
+/// Between the flip and its end the double-impact orbit exists; past µ_gr3 the same equations have a solution
+/// that is no orbit.
 #[test]
 fn past_its_grazing_the_double_impact_orbit_is_refuted() {
     let guess = |mu: &str, t1, v1, t2, v2| prove(&at(mu), &[impact(3, t1, v1), impact(3, t2, v2)]);

@@ -1,7 +1,8 @@
 //! The checker's own arithmetic: small fractions, signs of sin πjs over intervals, modular inverses.
 //!
 //! Precondition throughout: periods are at most [`MOST`] and denominators at most twice that, so that every
-//! product of two numbers stays below 2·10¹¹ and nothing overflows 64 bits. (r_max, a [`Fraction`] too, is only ever read and shown.)
+//! product of two numbers stays below 2·10¹¹ and nothing overflows 64 bits. (r_max, a [`Fraction`] too, is
+//! only ever read and shown.)
 
 use std::fmt;
 
@@ -115,7 +116,8 @@ impl Signs {
         Signs { sine: n * p / q % 2 == 1, cosine: (2 * n * p + q) / (2 * q) % 2 == 1 }
     }
 
-    /// Whether b_{n,k} = −2 sin kπs sin (n−k)πs / cos nπs < 0, given the multiples k and n − k; none of the three is zero.
+    /// Whether b_{n,k} = −2 sin kπs sin (n−k)πs / cos nπs < 0, given the multiples k and n − k; none of the
+    /// three is zero.
     pub fn b_negative(self, k: Multiple, rest: Multiple) -> bool {
         !(k.is_odd() ^ rest.is_odd() ^ self.cosine)
     }

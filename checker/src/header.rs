@@ -25,7 +25,8 @@ pub(super) struct Header {
 }
 
 impl Header {
-    /// Reads what follows the kind line: the range, which must lie within `periods`, the number of lines and the statement.
+    /// Reads what follows the kind line: the range, which must lie within `periods`, the number of lines and
+    /// the statement.
     pub fn read(
         lines: &mut Lines,
         periods: RangeInclusive<u64>,

@@ -1,18 +1,22 @@
-//! Certificates: their text format, and the checker that re-proves them. **This package is the trusted code.**
+//! Certificates: their text format, and the checker that re-proves them. **This package is the trusted
+//! code.**
 //!
-//! It depends on nothing but `std`: it has its own integers, fractions, signs, intervals and modular inverses, so that a fault in what finds a
-//! proof cannot hide in what checks it. A certificate that passes proves the statement in its header to whoever trusts this package, the Rust
-//! compiler and standard library, and the machine. There is no search in here and nothing is taken on faith from the file.
+//! It depends on nothing but `std`: it has its own integers, fractions, signs, intervals and modular
+//! inverses, so that a fault in what finds a proof cannot hide in what checks it. A certificate that passes
+//! proves the statement in its header to whoever trusts this package, the Rust compiler and standard library,
+//! and the machine. There is no search in here and nothing is taken on faith from the file.
 //!
-//! An overflow is a panic, in release builds too (the workspace's manifest asks for it; `grazing-check --overflow` shows it), and a panic is no
-//! verdict. Functions that are generic or `#[inline]` would follow their caller's settings instead, so the entry points, [`check`],
-//! [`check_until`] and [`cover::check_block`], are neither.
+//! An overflow is a panic, in release builds too (the workspace's manifest asks for it;
+//! `grazing-check --overflow` shows it), and a panic is no verdict. Functions that are generic or `#[inline]`
+//! would follow their caller's settings instead, so the entry points, [`check`], [`check_until`] and
+//! [`cover::check_block`], are neither.
 //!
 //! # Format
 //!
-//! A certificate is text: lines that end with a line feed, with a carriage return and a line feed, or, the last one, with the file. A
-//! line has at most 1000 bytes without its end, where its kind does not say otherwise. Words are separated by one space; none leads or
-//! trails. Every line must be read: a blank one at the end is one too many.
+//! A certificate is text: lines that end with a line feed, with a carriage return and a line feed, or, the
+//! last one, with the file. A line has at most 1000 bytes without its end, where its kind does not say
+//! otherwise. Words are separated by one space; none leads or trails. Every line must be read: a blank one at
+//! the end is one too many.
 //!
 //! ```text
 //! grazing-certificate 1                the format and its version
@@ -20,9 +24,11 @@
 //! statement …                          in every kind, after the lines that its form lists: what passing proves, word for word
 //! ```
 //!
-//! Where a form says *number*, it is a decimal integer from 0 up without leading zeros, `0|[1-9][0-9]*`. A *fraction* `P/Q` is two of these in lowest
-//! terms, with P ≤ Q and 0 < Q, so that zero is `0/1` and one `1/1`. A *decimal* is `-?(0|[1-9][0-9]*)(\.[0-9]*[1-9])?`, but not `-0`, of at most 34
-//! digits: every number has one form. A file that is not exactly of its form is malformed, one with a claim that fails is false; both are rejected.
+//! Where a form says *number*, it is a decimal integer from 0 up without leading zeros, `0|[1-9][0-9]*`. A
+//! *fraction* `P/Q` is two of these in lowest terms, with P ≤ Q and 0 < Q, so that zero is `0/1` and one
+//! `1/1`. A *decimal* is `-?(0|[1-9][0-9]*)(\.[0-9]*[1-9])?`, but not `-0`, of at most 34 digits: every
+//! number has one form. A file that is not exactly of its form is malformed, one with a claim that fails is
+//! false; both are rejected.
 //!
 //! | kind | proves | its form, rules, limits and cost |
 //! | --- | --- | --- |
@@ -36,10 +42,12 @@
 //!
 //! # Adding a kind
 //!
-//! A kind is a folder: `mod.rs` with the form, the rules, the limits and the cost in its head, the constants `KIND` and `STATEMENT`, and
-//! `check`, which reads and proves everything after the kind line and returns the range of periods and what else to print. It gets a line in the table
-//! `KINDS` below, which is the only place that names all kinds, a row in the table above, and samples in `tests/data`. It asks `Lines::go_on` at least every few
-//! milliseconds, refuses work beyond a stated limit before it begins it, and holds no more than it says. What finds certificates lives elsewhere.
+//! A kind is a folder: `mod.rs` with the form, the rules, the limits and the cost in its head, the constants
+//! `KIND` and `STATEMENT`, and `check`, which reads and proves everything after the kind line and returns the
+//! range of periods and what else to print. It gets a line in the table `KINDS` below, which is the only
+//! place that names all kinds, a row in the table above, and samples in `tests/data`. It asks `Lines::go_on`
+//! at least every few milliseconds, refuses work beyond a stated limit before it begins it, and holds no more
+//! than it says. What finds certificates lives elsewhere.
 
 mod arithmetic;
 pub mod chaos;
@@ -120,13 +128,15 @@ impl fmt::Display for Checked {
 /// Re-proves a certificate of any kind, reading it once. Memory: one line and what its kind says.
 ///
 /// # Errors
-/// A [`Rejection`] with the line and the reason: malformed text, a false claim, a cover with open leaves, or a stream that cannot be read.
+/// A [`Rejection`] with the line and the reason: malformed text, a false claim, a cover with open leaves, or
+/// a stream that cannot be read.
 pub fn check(input: &mut dyn BufRead) -> Result<Checked, Rejection> {
     check_until(input, &mut || false)
 }
 
-/// The same, ended early once `stop` returns true; it is asked before every line and every few milliseconds of work. Where `input` blocks, its
-/// reader has to notice the wish: a read that fails while `stop` returns true counts as the wish to end.
+/// The same, ended early once `stop` returns true; it is asked before every line and every few milliseconds
+/// of work. Where `input` blocks, its reader has to notice the wish: a read that fails while `stop` returns
+/// true counts as the wish to end.
 ///
 /// # Errors
 /// As [`check`]; an interruption.
@@ -146,7 +156,8 @@ pub fn check_until(input: &mut dyn BufRead, stop: &mut dyn FnMut() -> bool) -> R
     Ok(Checked { kind: kind.name, statement: kind.statement, range, detail, lines: lines.number() })
 }
 
-/// The largest `u64` and 1 more: a panic, if this crate was built to notice overflows, as the workspace's manifest asks. For tests of a build.
+/// The largest `u64` and 1 more: a panic, if this crate was built to notice overflows, as the workspace's
+/// manifest asks. For tests of a build.
 #[inline(never)]
 pub fn overflow() -> u64 {
     std::hint::black_box(u64::MAX) + 1

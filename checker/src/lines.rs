@@ -4,7 +4,8 @@ use std::io::{BufRead, Read};
 
 use super::{Rejection, arithmetic::Fraction, rejection::Fault};
 
-/// The longest line in bytes, without its end, but for those whose reader allows more; a longer one is rejected before it is held in memory.
+/// The longest line in bytes, without its end, but for those whose reader allows more; a longer one is
+/// rejected before it is held in memory.
 pub(super) const LONGEST: usize = 1000;
 
 /// The lines of a certificate, with the number of the latest.
@@ -15,7 +16,8 @@ pub(super) struct Lines<'a> {
 }
 
 impl<'a> Lines<'a> {
-    /// The lines of a part that `number` lines come before; `stop` is asked again and again whether the work should end.
+    /// The lines of a part that `number` lines come before; `stop` is asked again and again whether the work
+    /// should end.
     pub fn after(number: u64, input: &'a mut dyn BufRead, stop: &'a mut dyn FnMut() -> bool) -> Self {
         Lines { input, stop, number }
     }

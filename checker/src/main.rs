@@ -1,4 +1,5 @@
-//! `grazing-check FILE…`: the checker as a command of its own, so that nothing but this package need be trusted.
+//! `grazing-check FILE…`: the checker as a command of its own, so that nothing but this package need be
+//! trusted.
 
 use std::{
     env,

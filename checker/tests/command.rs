@@ -105,7 +105,8 @@ fn wrong_usage_is_2_and_help_is_0() {
     assert_eq!(code(&["--help"]), Some(0));
 }
 
-/// An overflow inside ends the process, and not as a verdict would. `.ci/run` runs this test with optimisation too.
+/// An overflow inside ends the process, and not as a verdict would. `.ci/run` runs this test with
+/// optimisation too.
 #[test]
 fn an_overflow_is_a_panic_and_no_verdict() {
     let output = command().arg("--overflow").output().unwrap();

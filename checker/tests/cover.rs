@@ -13,7 +13,8 @@ fn what_is_written_passes_and_names_r_max() {
     assert_eq!(shown, ["r_max: 1 - 1/n^3, from 26/27 (n = 3) to 511/512 (n = 8)"]);
 }
 
-/// The cuts of (0, 1/2) for period n: the multiples of 1/(2n) and the neighbours, of denominator below n, of every m/n.
+/// The cuts of (0, 1/2) for period n: the multiples of 1/(2n) and the neighbours, of denominator below n, of
+/// every m/n.
 fn cuts(n: u64) -> Vec<(u64, u64)> {
     let gcd = |mut a: u64, mut b: u64| {
         while b > 0 {

@@ -93,7 +93,8 @@ fn another_event_or_contact_is_none() {
         let why = rejected(&text);
         assert!(why.contains(expected), "{why}, expected {expected}");
     }
-    // The contact must lie in the interior of one piece, certainly, on all of which the gap bends away from the wall.
+    // The contact must lie in the interior of one piece, certainly, on all of which the gap bends away from
+    // the wall.
     let first = GRAZING.rfind("\nuntil 12.7\n").unwrap();
     let (before, after) = (&GRAZING[..first], &GRAZING[first + "\nuntil 12.7\n".len()..]);
     let why = rejected(&format!("{before}\nuntil 12.558922727389710130641076\n{after}"));
@@ -106,8 +107,8 @@ fn another_event_or_contact_is_none() {
     assert!(rejected(&few).contains("is not certainly positive"), "{}", rejected(&few));
 }
 
-/// The flight's formula goes on before its start and after its end, with tangencies that no orbit has. Their numbers are by Newton's method from formulas
-/// of its own.
+/// The flight's formula goes on before its start and after its end, with tangencies that no orbit has. Their
+/// numbers are by Newton's method from formulas of its own.
 #[test]
 fn a_contact_outside_its_flight_is_none() {
     let before = [

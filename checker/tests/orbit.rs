@@ -25,7 +25,8 @@ proved, orbit for n = 4..=4
     assert_eq!(answer(ORBIT_6).unwrap().range, 6..=6);
 }
 
-/// The orbit of period 4 twice round, with a preconditioner for the doubled equations: not an orbit of period 8.
+/// The orbit of period 4 twice round, with a preconditioner for the doubled equations: not an orbit of
+/// period 8.
 #[test]
 fn an_orbit_listed_twice_is_refused() {
     let rows = "row 2.60226462 0.19208311 0.83502371 0.60194405\nrow 0.83502371 0.60194405 2.60226462 0.19208311\n\
@@ -39,7 +40,8 @@ fn an_orbit_listed_twice_is_refused() {
     let text = with(&text, "impact", &format!("{IMPACT}\n{IMPACT}")) + &flight + "\n";
     let why = rejected(&text);
     assert!(why.contains("false: the orbit may repeat itself after 1 of its 2 impacts"), "{why}");
-    // The same with other words for the second impact: a whole turn later, a period less before it and one more after it.
+    // The same with other words for the second impact: a whole turn later, a period less before it and one
+    // more after it.
     let later = "impact lower 3 -0.143958325278224890315982 0.136325003032466663408355\n\
         impact lower 5 6.139226981901361586609304 0.136325003032466663408355";
     let text = with(&with(&text, "impact", later), IMPACT, "");

@@ -1,4 +1,5 @@
-//! The checker and `reference/theorem2.py`, which was written from the format text alone, give the same verdict on damaged files of all shapes.
+//! The checker and `reference/theorem2.py`, which was written from the format text alone, give the same
+//! verdict on damaged files of all shapes.
 
 mod common;
 

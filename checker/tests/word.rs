@@ -1,4 +1,5 @@
-//! Certificates of kinds word and word-by-theorem: the two worked by hand, and rules that random damage hardly ever touches.
+//! Certificates of kinds word and word-by-theorem: the two worked by hand, and rules that random damage
+//! hardly ever touches.
 
 mod common;
 

@@ -20,10 +20,11 @@ use crate::{
 
 /// Measure what accuracy costs in time, on this machine.
 ///
-/// Of signs: time, certain digits and decided signs of b_{n,k}, for each rung and each family of inputs, as accuracy.csv with the figure
-/// accuracy.svg. Of simulations: time and error of the closed form and of the integrator at tolerances 1e-3 to 1e-13, as
-/// flow-accuracy.csv and .svg, and the distance from exact motions after 1 to 10^6 periods, as long-runs.csv. Of effects: what each adds
-/// to the time of a period, with its evaluations counted, as effects.csv. Takes some seconds. The table is printed, too.
+/// Of signs: time, certain digits and decided signs of b_{n,k}, for each rung and each family of inputs, as
+/// accuracy.csv with the figure accuracy.svg. Of simulations: time and error of the closed form and of the
+/// integrator at tolerances 1e-3 to 1e-13, as flow-accuracy.csv and .svg, and the distance from exact motions
+/// after 1 to 10^6 periods, as long-runs.csv. Of effects: what each adds to the time of a period, with its
+/// evaluations counted, as effects.csv. Takes some seconds. The table is printed, too.
 ///
 /// Exit code 0: done; 2: a file that cannot be written; 3: interrupted.
 #[derive(Debug, Parser)]

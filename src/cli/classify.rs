@@ -22,11 +22,11 @@ const LIMIT: u64 = 100_000;
 
 /// Which single-impact orbits exist at one point, period by period.
 ///
-/// A point is given by the trace and determinant of the linear part, --a1 and --a2, or by the modulus r and the angle
-/// theta = 2 pi s of its complex eigenvalues, --r and --s. For each period: the cases (sign e*mu, sign gamma) with an
-/// orbit, and the sign of its large eigenvalue; or two k with b_{n,k} of opposite sign, which forbid one; or the boundary
-/// the point lies on, where the theory is silent. For a2 > 1 the time-reversed system is classified, which has the
-/// same orbits.
+/// A point is given by the trace and determinant of the linear part, --a1 and --a2, or by the modulus r and
+/// the angle theta = 2 pi s of its complex eigenvalues, --r and --s. For each period: the cases (sign e*mu,
+/// sign gamma) with an orbit, and the sign of its large eigenvalue; or two k with b_{n,k} of opposite sign,
+/// which forbid one; or the boundary the point lies on, where the theory is silent. For a2 > 1 the
+/// time-reversed system is classified, which has the same orbits.
 ///
 /// Exit code 0: every period is decided; 2: wrong usage; 3: some period is undecided.
 #[derive(Debug, Parser)]
@@ -91,7 +91,8 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     reported(if undecided { Outcome::Undecided } else { Outcome::Done }, written)
 }
 
-/// The point given by (a₁, a₂) or by (r, s), with a₂ ≤ 1, its region, and whether time was reversed to get there.
+/// The point given by (a₁, a₂) or by (r, s), with a₂ ≤ 1, its region, and whether time was reversed to get
+/// there.
 pub(super) fn normalised(
     plane: Option<(&BigRational, &BigRational)>,
     polar: Option<(&BigRational, &BigRational)>,

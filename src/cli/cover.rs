@@ -28,14 +28,15 @@ use crate::{
     search::cover::{Cover, CoverOptions, CoverTally, Unit, certificate as assemble, cover, units},
 };
 
-/// Prove Conjecture 1 for every period in a range, at every point of regions 2, 3 and 4 with r <= r_max, by computation.
+/// Prove Conjecture 1 for every period in a range, at every point of regions 2, 3 and 4 with r <= r_max, by
+/// computation.
 ///
-/// Region 3 is cut into boxes, of each of which it is claimed that there is no orbit, that there is one, or that the edge of an area
-/// runs through it. The search is not trusted: what is reported as proved is what the checker of certificates has
-/// proved again, in integers. Nothing is claimed for r_max < r < 1.
+/// Region 3 is cut into boxes, of each of which it is claimed that there is no orbit, that there is one, or
+/// that the edge of an area runs through it. The search is not trusted: what is reported as proved is what
+/// the checker of certificates has proved again, in integers. Nothing is claimed for r_max < r < 1.
 ///
-/// Exit code 0: proved; 1: refuted, with a point; 2: wrong usage or a file that cannot be read or written; 3: undecided (boxes left open
-/// are listed), or interrupted.
+/// Exit code 0: proved; 1: refuted, with a point; 2: wrong usage or a file that cannot be read or written; 3:
+/// undecided (boxes left open are listed), or interrupted.
 #[derive(Debug, Parser)]
 #[command(after_help = "Examples:
   grazing cover 3..=16

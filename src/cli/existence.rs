@@ -25,12 +25,13 @@ use crate::{
 
 /// Decide for every impact pattern of a local map whether an orbit exists near a grazing bifurcation.
 ///
-/// MAP is a TOML file with A, B, C and e (docs/existence.md). One row per pattern (n_1, ..., n_m), up to rotation, with
-/// n_1 + ... + n_m at most P: for which sign of e*mu an orbit exists, both margins of both signs, the large
-/// eigenvalue's leading coefficient and sign, and the solution Y, X of the leading-order equations.
+/// MAP is a TOML file with A, B, C and e (docs/existence.md). One row per pattern (n_1, ..., n_m), up to
+/// rotation, with n_1 + ... + n_m at most P: for which sign of e*mu an orbit exists, both margins of both
+/// signs, the large eigenvalue's leading coefficient and sign, and the solution Y, X of the leading-order
+/// equations.
 ///
-/// Exit code 0: every pattern decided; 2: wrong usage or a file that cannot be read or written; 3: some pattern
-/// undecided (the reason is given), or interrupted.
+/// Exit code 0: every pattern decided; 2: wrong usage or a file that cannot be read or written; 3: some
+/// pattern undecided (the reason is given), or interrupted.
 #[derive(Debug, Parser)]
 #[command(after_help = "Examples:
   grazing existence examples/maps/focus.toml --max-period 6
@@ -39,7 +40,8 @@ pub(super) struct Args {
     /// The map.
     #[arg(value_name = "MAP.toml")]
     map: PathBuf,
-    /// The largest period of a pattern. There are about 2^P/P patterns of period P; at most 10000000 rows are written.
+    /// The largest period of a pattern. There are about 2^P/P patterns of period P; at most 10000000 rows are
+    /// written.
     #[arg(long, value_name = "P", default_value_t = 6, value_parser = parse_integer::<u64>)]
     max_period: u64,
     /// One pattern only, as in 3,4.
@@ -51,7 +53,8 @@ pub(super) struct Args {
     /// Leave out the patterns that exist for neither sign; in two dimensions they are never visited.
     #[arg(long)]
     existing: bool,
-    /// Count the patterns of each period instead; in two dimensions with the growth rate over the periods up to it.
+    /// Count the patterns of each period instead; in two dimensions with the growth rate over the periods up
+    /// to it.
     #[arg(long, conflicts_with = "existing")]
     counts: bool,
     /// Give exact fractions in place of certain digits.
@@ -102,7 +105,8 @@ impl Engine<'_> {
         }
     }
 
-    /// The patterns of a period, if `existing` without those that certainly exist for neither sign as far as it is seen early.
+    /// The patterns of a period, if `existing` without those that certainly exist for neither sign as far as
+    /// it is seen early.
     fn patterns<'a>(&'a self, period: u64, existing: bool) -> Box<dyn Iterator<Item = Pattern> + 'a> {
         match self {
             Engine::Graph(graph) if existing => {
@@ -347,7 +351,8 @@ fn cells(pattern: &Pattern, report: &Report, e: Option<Sign>) -> Vec<String> {
     ]
 }
 
-/// One row per period: patterns, those that exist for each sign, undecided ones; and for N = 2 the growth rates.
+/// One row per period: patterns, those that exist for each sign, undecided ones; and for N = 2 the growth
+/// rates.
 fn counts(
     args: &Args,
     engine: &Engine,
@@ -378,7 +383,8 @@ fn counts(
     table.end(rows)
 }
 
-/// The rows of a two-dimensional map, from its graph without listing a pattern. Numbers beyond 64 bits are text.
+/// The rows of a two-dimensional map, from its graph without listing a pattern. Numbers beyond 64 bits are
+/// text.
 fn counted(
     graph: &Graph,
     interrupt: &Interrupt,

@@ -14,10 +14,12 @@ use crate::{
 
 /// Write the formulas of one period as symbols, or what holds for it as a sentence for other tools.
 ///
-/// With N and K: u_n, u_k, N_{n,k} = u_n - u_k - a2^k u_{n-k} and 1 - v_n + a2^n as integer polynomials in (a1, a2), multiplied
-/// out and with every factor known to divide them taken out; for a tool, a script that has the tool compare the two.
+/// With N and K: u_n, u_k, N_{n,k} = u_n - u_k - a2^k u_{n-k} and 1 - v_n + a2^n as integer polynomials in
+/// (a1, a2), multiplied out and with every factor known to divide them taken out; for a tool, a script that
+/// has the tool compare the two.
 ///
-/// With N and --sentence: a closed sentence, free of division. z3 and cvc5 answer `unsat` (of its negation), QEPCAD `TRUE`.
+/// With N and --sentence: a closed sentence, free of division. z3 and cvc5 answer `unsat` (of its negation),
+/// QEPCAD `TRUE`.
 ///
 /// Exit code 0: done; 2: wrong usage.
 #[derive(Debug, Parser)]
@@ -34,7 +36,8 @@ pub(super) struct Args {
     /// Write a sentence.
     #[arg(long)]
     sentence: bool,
-    /// Where the sentence speaks: region4 (the default), or M+ or M- for the half-cell on one side of s = M/N, r <= 1.
+    /// Where the sentence speaks: region4 (the default), or M+ or M- for the half-cell on one side of s =
+    /// M/N, r <= 1.
     #[arg(long, value_name = "M+|M-|region4", conflicts_with = "k")]
     area: Option<Area>,
     /// Who is to read it.

@@ -17,12 +17,12 @@ use crate::{
 
 /// List Theorem 2's intervals of s: where on r = 1 single-impact orbits of period n exist.
 ///
-/// Columns: n; m, the integer nearest to n s; the signs of e*mu and gamma; both ends as exact fractions; the k whose
-/// b_{n,k} alone decides existence for r < 1. Periods 1 and 2 get their intervals from the summary by period. The
-/// format bfile lists the number of intervals of each n instead.
+/// Columns: n; m, the integer nearest to n s; the signs of e*mu and gamma; both ends as exact fractions; the
+/// k whose b_{n,k} alone decides existence for r < 1. Periods 1 and 2 get their intervals from the summary by
+/// period. The format bfile lists the number of intervals of each n instead.
 ///
-/// With --pattern I,J, or --two-impacts for all patterns of two impacts of a period: the intervals of s where on r = 1 an
-/// orbit with two impacts exists, the periods between them being I and J.
+/// With --pattern I,J, or --two-impacts for all patterns of two impacts of a period: the intervals of s where
+/// on r = 1 an orbit with two impacts exists, the periods between them being I and J.
 ///
 /// Exit code 0: done; 2: wrong usage or a file that cannot be written; 3: interrupted.
 #[derive(Debug, Parser)]

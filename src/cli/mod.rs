@@ -44,8 +44,8 @@ use crate::{
 
 /// Proofs and computations for periodic orbits in grazing bifurcations of impact oscillators.
 ///
-/// Numbers are exact everywhere: 3/8, 0.375, 1e-30, 2^-10, and sums and differences of these, with up to 32768 bits in
-/// numerator and denominator (4096 in a scene).
+/// Numbers are exact everywhere: 3/8, 0.375, 1e-30, 2^-10, and sums and differences of these, with up to
+/// 32768 bits in numerator and denominator (4096 in a scene).
 #[derive(Debug, Parser)]
 #[command(name = "grazing", version, arg_required_else_help = true, after_help = EXIT_CODES)]
 struct Cli {
@@ -95,13 +95,14 @@ enum Event {
     Signal,
 }
 
-/// How long a command has to end by itself. Saved states are whole at every moment, so nothing is lost by an end without it.
+/// How long a command has to end by itself. Saved states are whole at every moment, so nothing is lost by an
+/// end without it.
 const GRACE: Duration = Duration::from_millis(700);
 
 /// Parses the process's arguments, runs the command, and says how it ended.
 ///
-/// The command runs on a thread of its own. Once the user asks for an end it has a moment to finish its files and its report; then the process
-/// ends without it.
+/// The command runs on a thread of its own. Once the user asks for an end it has a moment to finish its files
+/// and its report; then the process ends without it.
 pub fn main() -> ExitCode {
     let (sender, events) = mpsc::channel();
     let heard = sender.clone();
@@ -158,7 +159,8 @@ const STACK: usize = 8 << 20;
 fn command(interrupt: &Interrupt, events: &Sender<Event>) -> u8 {
     let cli = match Cli::try_parse() {
         Ok(cli) => cli,
-        // A bad value gets one line like every other error of ours; --help and misspelt options get clap's text.
+        // A bad value gets one line like every other error of ours; --help and misspelt options get clap's
+        // text.
         Err(error) if error.kind() == ErrorKind::ValueValidation => {
             let text = error.to_string();
             say(text.lines().next().unwrap_or_default());
@@ -197,7 +199,8 @@ fn fail(error: &Error, json: Option<&'static str>) -> ExitCode {
     report(error, json).into()
 }
 
-/// Says why a command failed. An interruption is said in JSON too, if that was asked for and none of it is written yet.
+/// Says why a command failed. An interruption is said in JSON too, if that was asked for and none of it is
+/// written yet.
 fn report(error: &Error, json: Option<&'static str>) -> Outcome {
     say(format_args!("error: {error}"));
     if let Some(format) = json.filter(|_| error.is_interrupted() && stdout_is_untouched()) {
@@ -207,7 +210,8 @@ fn report(error: &Error, json: Option<&'static str>) -> Outcome {
     Outcome::from(error)
 }
 
-/// A command's outcome once its report is written, or not: what could not be written is a failure, which a refutation outranks.
+/// A command's outcome once its report is written, or not: what could not be written is a failure, which a
+/// refutation outranks.
 fn reported(outcome: Outcome, written: Result<()>) -> Result<Outcome> {
     match written {
         Ok(()) => Ok(outcome),

@@ -41,7 +41,8 @@ impl fmt::Debug for Inner {
 }
 
 impl Interrupt {
-    /// Starts listening. The first signal asks for an orderly end and calls `heard`; a second ends the process at once, with exit code 130.
+    /// Starts listening. The first signal asks for an orderly end and calls `heard`; a second ends the
+    /// process at once, with exit code 130.
     ///
     /// # Errors
     /// An I/O error if the system refuses.

@@ -1,4 +1,5 @@
-//! Reading that hears Ctrl-C: a pipe that says nothing, or a file on a disk that sleeps, keeps nobody waiting.
+//! Reading that hears Ctrl-C: a pipe that says nothing, or a file on a disk that sleeps, keeps nobody
+//! waiting.
 
 use std::{
     fs::File,
@@ -23,8 +24,8 @@ pub(super) fn open(path: &Path) -> io::Result<Box<dyn Read>> {
     Ok(if path == Path::new("-") { Box::new(io::stdin()) } else { Box::new(File::open(path)?) })
 }
 
-/// A stream that a thread of its own opens and reads. Once the user wants an end, reading from here fails; the thread is left behind, which
-/// in a command that is about to end does no harm.
+/// A stream that a thread of its own opens and reads. Once the user wants an end, reading from here fails;
+/// the thread is left behind, which in a command that is about to end does no harm.
 pub(super) struct Reader<'a> {
     blocks: Receiver<io::Result<Vec<u8>>>,
     /// The latest block, and how much of it is used.

@@ -1,4 +1,5 @@
-//! `grazing completions` and `grazing man`: what a shell and a manual know of the command line, made from its definition.
+//! `grazing completions` and `grazing man`: what a shell and a manual know of the command line, made from its
+//! definition.
 
 use std::path::PathBuf;
 

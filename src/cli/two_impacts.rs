@@ -39,7 +39,8 @@ pub(super) fn periods(range: &Periods) -> Result<Vec<u64>> {
     Ok(range.0.clone().collect())
 }
 
-/// Writes the intervals of each period as a table, or their number as a b-file where there is no table format.
+/// Writes the intervals of each period as a table, or their number as a b-file where there is no table
+/// format.
 pub(super) fn run<I: Iterator<Item = PatternInterval>>(
     periods: &[u64],
     intervals: impl Fn(u64) -> Result<I>,

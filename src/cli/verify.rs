@@ -20,15 +20,15 @@ const LIMIT: u64 = 200_000;
 
 /// Prove Theorem 2 for every period in a range, by exact decision, by enclosures, or both.
 ///
-/// Exactly: for each n, (0, 1/2) is cut at every zero and pole of every b_{n,k} and c_n; all signs are decided by integer
-/// arithmetic, and the set where (52) and (53) hold is compared with the theorem's intervals. The theorem's own proof is
-/// not used. Periods 1 and 2 are compared with the summary by period.
+/// Exactly: for each n, (0, 1/2) is cut at every zero and pole of every b_{n,k} and c_n; all signs are
+/// decided by integer arithmetic, and the set where (52) and (53) hold is compared with the theorem's
+/// intervals. The theorem's own proof is not used. Periods 1 and 2 are compared with the summary by period.
 ///
-/// By enclosures: the arguments of (B1) and (B2) are bounded over whole closed stretches, and each factor's sign is proved on
-/// their interior; the two methods share no sign code.
+/// By enclosures: the arguments of (B1) and (B2) are bounded over whole closed stretches, and each factor's
+/// sign is proved on their interior; the two methods share no sign code.
 ///
-/// Exit code 0: proved for all; 1: refuted for some; 2: wrong usage or a file that cannot be written; 3: undecided or
-/// interrupted.
+/// Exit code 0: proved for all; 1: refuted for some; 2: wrong usage or a file that cannot be written; 3:
+/// undecided or interrupted.
 #[derive(Debug, Parser)]
 #[command(after_help = "Examples:
   grazing verify

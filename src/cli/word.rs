@@ -35,17 +35,20 @@ const BITS: u32 = 64;
 
 /// Tell every impact pattern at one point: which periods occur between impacts, and which may follow which.
 ///
-/// A point is given as for `classify`. For both signs of e*mu: the word, that is the periods n that can occur between two
-/// impacts, in the order of the Stern-Brocot path to s, each with the letter U (c_n > 0, m/n above s) or D (c_n < 0). For
-/// both signs of gamma: which period may follow which, the periods that may follow themselves, the number of patterns
-/// of each period, and the topological entropy per forcing period, which is above 0 exactly where two single-impact
-/// periods coexist. An impact pattern exists where every period in it may follow the one before it, cyclically.
+/// A point is given as for `classify`. For both signs of e*mu: the word, that is the periods n that can occur
+/// between two impacts, in the order of the Stern-Brocot path to s, each with the letter U (c_n > 0, m/n
+/// above s) or D (c_n < 0). For both signs of gamma: which period may follow which, the periods that may
+/// follow themselves, the number of patterns of each period, and the topological entropy per forcing period,
+/// which is above 0 exactly where two single-impact periods coexist. An impact pattern exists where every
+/// period in it may follow the one before it, cyclically.
 ///
-/// With intervals, as in --a1 0.3..=0.301 --a2 1/2, the answer is that of all points of the box at once; what is not the
-/// same for all of them, or not seen to be, is open. --certificate writes down why the answer is right.
+/// With intervals, as in --a1 0.3..=0.301 --a2 1/2, the answer is that of all points of the box at once; what
+/// is not the same for all of them, or not seen to be, is open. --certificate writes down why the answer is
+/// right.
 ///
-/// Exit code 0: everything is decided; 2: wrong usage, or a file that cannot be written; 3: a sign is zero or undecided, the
-/// word has more letters than were asked for, what was found could not be certified, or interrupted.
+/// Exit code 0: everything is decided; 2: wrong usage, or a file that cannot be written; 3: a sign is zero or
+/// undecided, the word has more letters than were asked for, what was found could not be certified, or
+/// interrupted.
 #[derive(Debug, Parser)]
 #[command(after_help = "Examples:
   grazing word --r 0.4633 --s 0.16327
@@ -70,8 +73,8 @@ pub(super) struct Args {
     /// End a word after L letters, at most 2000.
     #[arg(long, value_name = "L", default_value_t = 200, value_parser = parse_integer::<usize>)]
     letters: usize,
-    /// Write a certificate, which `grazing check` proves again: every period up to the word's last mediant (or P, or 256) and
-    /// every edge by its own sign.
+    /// Write a certificate, which `grazing check` proves again: every period up to the word's last mediant
+    /// (or P, or 256) and every edge by its own sign.
     #[arg(long, value_name = "FILE")]
     certificate: Option<PathBuf>,
     /// Let the certificate rest on the word theorem: one sign per letter, and so all periods.

@@ -1,15 +1,16 @@
 //! The lower edge r = R(s) of each area of Conjecture 1, enclosed to any number of digits.
 //!
-//! Let k decide existence (S3), j = n − k and e = |ns − m|. In the sine form (62), with whole turns removed from every
-//! angle, b_{n,k} sin 2πe equals
+//! Let k decide existence (S3), j = n − k and e = |ns − m|. In the sine form (62), with whole turns removed
+//! from every angle, b_{n,k} sin 2πe equals
 //!
 //! ```text
 //! h(r) = r^j sin 2πe + rⁿ sin(2π(1 − je)/n) − sin(2π(1 + ke)/n).
 //! ```
 //!
-//! Wherever the first two sines are not negative (their signs are found in integers, at every point) h increases for
-//! r > 0, so one sign change of h, certified at two fractions, encloses R(s), and nothing else can be the edge. That this
-//! b decides is S3; it is not used to enclose the curve b_{n,k} = 0. The lowest point of the edge is in `tip`.
+//! Wherever the first two sines are not negative (their signs are found in integers, at every point) h
+//! increases for r > 0, so one sign change of h, certified at two fractions, encloses R(s), and nothing else
+//! can be the edge. That this b decides is S3; it is not used to enclose the curve b_{n,k} = 0. The lowest
+//! point of the edge is in `tip`.
 
 use num_bigint::BigInt;
 use num_rational::{BigRational, Ratio};
@@ -79,8 +80,8 @@ impl Boundary {
 
     /// R(s), no wider than 2·10^−`digits`/100; exactly 0 where no r > 0 forbids the orbit.
     ///
-    /// `None` if h was not seen to increase or its signs were not certain (neither has been met). Cost: three sines and, for each
-    /// doubling of the digits, O(log n) products, at 4·`digits` + O(log n) bits.
+    /// `None` if h was not seen to increase or its signs were not certain (neither has been met). Cost: three
+    /// sines and, for each doubling of the digits, O(log n) products, at 4·`digits` + O(log n) bits.
     ///
     /// # Errors
     /// An input error unless s lies inside the interval.
@@ -100,8 +101,8 @@ fn big(x: &Ratio<u64>) -> BigRational {
     BigRational::new_raw((*x.numer()).into(), (*x.denom()).into())
 }
 
-/// Enough bits for `digits` decimals: at R the terms of h differ by a relative 10^−`digits` at worst, and powers and
-/// second differences in e cost a few times log₂ n.
+/// Enough bits for `digits` decimals: at R the terms of h differ by a relative 10^−`digits` at worst, and
+/// powers and second differences in e cost a few times log₂ n.
 pub(super) fn bits(n: u64, digits: u32) -> u32 {
     4 * digits + 64 + 8 * n.ilog2()
 }
@@ -149,7 +150,8 @@ impl Section {
         Section { n, j, turns, angles }
     }
 
-    /// Whether h is certain to increase for r > 0: its powers have no negative coefficient and r^j a positive one. Exact.
+    /// Whether h is certain to increase for r > 0: its powers have no negative coefficient and r^j a positive
+    /// one. Exact.
     pub fn increases(&self) -> bool {
         self.angles[0].sin_sign() == Sign::Positive && self.angles[1].sin_sign() != Sign::Negative
     }

@@ -1,13 +1,16 @@
-//! The second proof of Theorem 2 for one n: by enclosures over whole stretches of s, with no sign at a point needed but at cuts.
+//! The second proof of Theorem 2 for one n: by enclosures over whole stretches of s, with no sign at a point
+//! needed but at cuts.
 //!
-//! On a closed stretch each argument j s of (B1), (B2) is enclosed in an interval of rationals. If no integer lies inside it,
-//! sin πjs has one sign on the open stretch, whatever it does at the ends; else nothing is concluded. The theorem's intervals are taken as a
-//! guess and every factor's sign is proved on each; what lies between is cut at the multiples of 1/(2n), where u_n = 0, and on every
-//! part two b's of opposite sign are searched and proved. This shares no sign, cut or witness with [`decide`](super::decide()).
+//! On a closed stretch each argument j s of (B1), (B2) is enclosed in an interval of rationals. If no integer
+//! lies inside it, sin πjs has one sign on the open stretch, whatever it does at the ends; else nothing is
+//! concluded. The theorem's intervals are taken as a guess and every factor's sign is proved on each; what
+//! lies between is cut at the multiples of 1/(2n), where u_n = 0, and on every part two b's of opposite sign
+//! are searched and proved. This shares no sign, cut or witness with [`decide`](super::decide()).
 //!
-//! One pair always does for a whole part (so an undecided part would be an error here). Let ns = m ± δ, 0 < δ < ½, and ⌊x⌋ + {x} = x. Right
-//! of m/n, b_{n,k} > 0 iff {ks} > δ, which holds for k = ⌈n/(2m+1)⌉; left of it b_{n,k} > 0 iff {ks} < 1 − δ, which holds for k = 1. And
-//! b_{n,k} < 0 for k = n/g if g = gcd(m, n) > 1, else beyond the theorem's interval for the k that decides (S3).
+//! One pair always does for a whole part (so an undecided part would be an error here). Let ns = m ± δ, 0 < δ
+//! < ½, and ⌊x⌋ + {x} = x. Right of m/n, b_{n,k} > 0 iff {ks} > δ, which holds for k = ⌈n/(2m+1)⌉; left of it
+//! b_{n,k} > 0 iff {ks} < 1 − δ, which holds for k = 1. And b_{n,k} < 0 for k = n/g if g = gcd(m, n) > 1,
+//! else beyond the theorem's interval for the k that decides (S3).
 
 use num_integer::Integer;
 use num_rational::Ratio;
@@ -33,7 +36,8 @@ pub enum Enclosed {
 
 /// Proves or refutes Theorem 2 for period `n` by enclosures.
 ///
-/// Cost: O(n) operations for each of at most 2n parts, fewer where the last witnesses serve again; O(n) memory.
+/// Cost: O(n) operations for each of at most 2n parts, fewer where the last witnesses serve again; O(n)
+/// memory.
 ///
 /// # Errors
 /// An input error unless 1 ≤ n ≤ [`MAX_PERIOD`](super::MAX_PERIOD).
@@ -77,7 +81,8 @@ impl Stretch {
         Ratio::new(self.high, self.unit)
     }
 
-    /// The sign of sin π(j s + h/2) throughout the open stretch, or at the point, if the enclosure of j s + h/2 shows it.
+    /// The sign of sin π(j s + h/2) throughout the open stretch, or at the point, if the enclosure of j s +
+    /// h/2 shows it.
     fn sin(&self, j: u64, h: u64) -> Option<i8> {
         let unit = 2 * u128::from(self.unit);
         let argument = |s: u64| 2 * u128::from(j) * u128::from(s) + u128::from(h) * u128::from(self.unit);
@@ -197,7 +202,8 @@ impl Cover {
         Ok(())
     }
 
-    /// Looks for witnesses until there are two, those of the last stretch first; whether every sign was decided, and a k with b = 0.
+    /// Looks for witnesses until there are two, those of the last stretch first; whether every sign was
+    /// decided, and a k with b = 0.
     fn look(&mut self, stretch: &Stretch) -> (bool, Option<u64>) {
         let (mut decided, mut zero) = (true, None);
         let last = std::mem::take(&mut self.witnesses);

@@ -1,7 +1,7 @@
 //! What the paper claims about existence at one point: Conjecture 1 in regions 3 and 4, appendix A elsewhere.
 //!
-//! The claim for n ≥ 3 in regions 3 and 4 needs the sign of one b_{n,k} at the most, the one whose zero bounds the area. It is
-//! here to be compared with the definition in (`single`), of which it knows nothing.
+//! The claim for n ≥ 3 in regions 3 and 4 needs the sign of one b_{n,k} at the most, the one whose zero
+//! bounds the area. It is here to be compared with the definition in (`single`), of which it knows nothing.
 
 use num_bigint::BigInt;
 use num_integer::Integer;
@@ -39,8 +39,8 @@ pub enum Variant {
     EndsShifted,
 }
 
-/// What is claimed for period n ≥ 1 at `point`, whose determinant must be at most 1. Cost: one sign, and for (a₁, a₂) in
-/// region 3 the integers u_1, …, u_n.
+/// What is claimed for period n ≥ 1 at `point`, whose determinant must be at most 1. Cost: one sign, and for
+/// (a₁, a₂) in region 3 the integers u_1, …, u_n.
 pub fn claimed(ladder: &Ladder, point: &Point, n: u64, variant: Variant) -> Claim {
     claimed_with(&|point, quantity| ladder.sign(point, quantity).answer, point, n, variant)
 }
@@ -124,7 +124,8 @@ fn polar_half_turns(polar: &Polar, n: u64) -> Option<u64> {
     (rest != BigInt::ZERO).then_some(quotient.to_u64()?)
 }
 
-/// sin 2πks passes each multiple of π once as k grows, since 2s < 1: the sign changes of u_1, …, u_n count them.
+/// sin 2πks passes each multiple of π once as k grows, since 2s < 1: the sign changes of u_1, …, u_n count
+/// them.
 fn plane_half_turns(plane: &Plane, n: u64) -> Option<u64> {
     let d = plane.a1().denom().lcm(plane.a2().denom());
     let a = (plane.a1() * &d).to_integer();

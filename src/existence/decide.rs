@@ -1,10 +1,11 @@
 //! The decision procedure: where on r = 1 do (52) and (53) hold, for one n, from the signs alone.
 //!
-//! (0, ½) is cut at the zeros and poles of b_{n,k} and c_n, all rational: the multiples of 1/(2n), where u_n = 0, and
-//! the m/k, k < n. Between cuts no sign changes, so a sign just right of a cut holds up to the next cut that
-//! concerns it. Two b's of strictly opposite sign forbid every orbit as far as neither has a zero or pole: one
-//! such pair of witnesses settles a whole stretch of cells and all cuts inside it. Which witnesses are tried first
-//! is a guess that affects only the cost; each is tested, and where no pair is found every k has been.
+//! (0, ½) is cut at the zeros and poles of b_{n,k} and c_n, all rational: the multiples of 1/(2n), where u_n
+//! = 0, and the m/k, k < n. Between cuts no sign changes, so a sign just right of a cut holds up to the next
+//! cut that concerns it. Two b's of strictly opposite sign forbid every orbit as far as neither has a zero or
+//! pole: one such pair of witnesses settles a whole stretch of cells and all cuts inside it. Which witnesses
+//! are tried first is a guess that affects only the cost; each is tested, and where no pair is found every k
+//! has been.
 
 use num_integer::Integer;
 use num_rational::Ratio;
@@ -67,14 +68,15 @@ pub struct Decision {
     pub n: u64,
     /// The pieces that tile (0, ½), from left to right.
     pub pieces: Vec<Piece>,
-    /// The first interval in which the decision and Theorem 2 differ, as (decided, claimed); `None` proves the theorem
-    /// for this n.
+    /// The first interval in which the decision and Theorem 2 differ, as (decided, claimed); `None` proves
+    /// the theorem for this n.
     pub disagreement: Option<(Option<Interval>, Option<Interval>)>,
 }
 
 /// Decides Theorem 2 for period `n`, without using its proof, and compares the result with its statement.
 ///
-/// Cost: O(n) operations for each of the φ(n) + 1 intervals and O(1) for most others, so O(n²) in all; O(n) memory.
+/// Cost: O(n) operations for each of the φ(n) + 1 intervals and O(1) for most others, so O(n²) in all; O(n)
+/// memory.
 ///
 /// # Errors
 /// An input error unless 1 ≤ n ≤ [`MAX_PERIOD`](super::MAX_PERIOD).
@@ -153,8 +155,8 @@ impl Search {
         right
     }
 
-    /// Sets the witnesses for the signs just right of `left`: those at hand, a guess, or the first of all k; one is
-    /// `None` exactly if no b has that sign there.
+    /// Sets the witnesses for the signs just right of `left`: those at hand, a guess, or the first of all k;
+    /// one is `None` exactly if no b has that sign there.
     fn find_witnesses(&mut self, signs: &Signs, left: &Ratio<u64>) {
         let find = |sign: i8, known: Option<u64>| {
             let fits = |k: &u64| signs.b(*k) == sign;
@@ -173,8 +175,9 @@ impl Search {
         (self.positive, self.negative) = (positive, negative);
     }
 
-    /// Likely witnesses right of s = p/q: k near 1/(2s), where sin kπs is about 1 and b about 2; and where m/n is
-    /// the multiple of 1/n nearest to the piece, n/gcd(m,n) and the denominators of its Farey neighbours.
+    /// Likely witnesses right of s = p/q: k near 1/(2s), where sin kπs is about 1 and b about 2; and where
+    /// m/n is the multiple of 1/n nearest to the piece, n/gcd(m,n) and the denominators of its Farey
+    /// neighbours.
     fn guesses(&self, s: &Ratio<u64>) -> impl Iterator<Item = u64> + use<> {
         let (n, p, q) = (self.n, *s.numer(), *s.denom());
         let quarter_turn = (q + p) / (2 * p).max(1);
@@ -198,8 +201,8 @@ impl Search {
             Piece::Stretch { positive: p1, negative: n1, .. },
         ) = (before, after)
         else {
-            // All b have one sign on one side, and each is continuous here: none has the opposite sign. The cut is
-            // m/k for some k < n, so that sin kπs = 0, and its denominator is such a k.
+            // All b have one sign on one side, and each is continuous here: none has the opposite sign. The
+            // cut is m/k for some k < n, so that sin kπs = 0, and its denominator is such a k.
             return Reason::Boundary(*at.denom());
         };
         let known = [*p0, *p1, *n0, *n1].map(|k| (k, signs.b(k)));

@@ -9,8 +9,8 @@ use crate::{
     farey::Gap,
 };
 
-/// The largest period n for which intervals are made and decided: products of two numbers up to 2n fit 64 bits
-/// with room to spare.
+/// The largest period n for which intervals are made and decided: products of two numbers up to 2n fit 64
+/// bits with room to spare.
 pub const MAX_PERIOD: u64 = 10_000_000;
 
 /// An open interval of s on r = 1 where exactly one single-impact orbit of period n exists.
@@ -26,8 +26,8 @@ pub struct Interval {
     pub left: Ratio<u64>,
     /// The right end, in lowest terms.
     pub right: Ratio<u64>,
-    /// The k whose b_{n,k} alone decides existence for r < 1 (statement S3): n₋ for (+,+), n₊ for (+,−); none for
-    /// m = 0.
+    /// The k whose b_{n,k} alone decides existence for r < 1 (statement S3): n₋ for (+,+), n₊ for (+,−); none
+    /// for m = 0.
     pub deciding: Option<u64>,
 }
 
@@ -59,10 +59,12 @@ pub fn intervals(n: u64) -> Result<impl Iterator<Item = Interval> + Send> {
     Ok([Some(first), second].into_iter().flatten().chain(rest))
 }
 
-/// All of Theorem 2's intervals for every period from 3 to `order`, in increasing order of m/n, by Farey mediants.
+/// All of Theorem 2's intervals for every period from 3 to `order`, in increasing order of m/n, by Farey
+/// mediants.
 ///
-/// Each mediant inserted between two neighbours, starting from 0/1 and 1/2, makes the intervals on its two sides;
-/// the interval around s = 0 comes with the mediant 1/n. O(`order`) memory, O(1) operations an interval.
+/// Each mediant inserted between two neighbours, starting from 0/1 and 1/2, makes the intervals on its two
+/// sides; the interval around s = 0 comes with the mediant 1/n. O(`order`) memory, O(1) operations an
+/// interval.
 ///
 /// # Errors
 /// An input error unless 1 ≤ `order` ≤ [`MAX_PERIOD`].
@@ -95,7 +97,8 @@ fn around_zero(n: u64) -> Interval {
     }
 }
 
-/// The intervals on the two sides of m/n, given its neighbours; for m/n = ½ only the left side lies in (0, ½).
+/// The intervals on the two sides of m/n, given its neighbours; for m/n = ½ only the left side lies in (0,
+/// ½).
 fn around(n: u64, m: u64, left: Ratio<u64>, right: Ratio<u64>) -> impl Iterator<Item = Interval> + Send {
     let (n_plus, n_minus) = (*left.denom(), *right.denom());
     let at = Ratio::new_raw(m, n);

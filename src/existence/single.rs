@@ -1,14 +1,16 @@
-//! Does a single-impact orbit of period n exist at one point, and in which case? The definition, and the record form.
+//! Does a single-impact orbit of period n exist at one point, and in which case? The definition, and the
+//! record form.
 //!
-//! Existence has one definition, the signs in (52) and (53); [`by_definition`] takes it at its word, one k after the other.
-//! [`by_records`] uses an identity: with f_j = u_j/(2 − v_j),
+//! Existence has one definition, the signs in (52) and (53); [`by_definition`] takes it at its word, one k
+//! after the other. [`by_records`] uses an identity: with f_j = u_j/(2 − v_j),
 //!
 //! ```text
 //! 2 N_{n,k} = u_n (2 − v_k) − u_k (2 − v_n),    N_{n,k} = u_n b_{n,k},
 //! ```
 //!
-//! and 2 − v_j > 0 in regions 2, 3 and 4, so b_{n,k} u_n has the sign of f_n − f_k and c_n the sign of −f_n: an orbit exists
-//! iff f_n ≠ 0 is a strict record of f_1, …, f_n. One pass with the latest maximum and minimum decides every n ≤ N.
+//! and 2 − v_j > 0 in regions 2, 3 and 4, so b_{n,k} u_n has the sign of f_n − f_k and c_n the sign of −f_n:
+//! an orbit exists iff f_n ≠ 0 is a strict record of f_1, …, f_n. One pass with the latest maximum and
+//! minimum decides every n ≤ N.
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -23,7 +25,8 @@ use crate::{
 /// What is known of the single-impact orbits of one period at one point.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Existence {
-    /// (52) and (53) hold in this case and, for n = 1, in the one with both signs reversed: exactly one orbit in each.
+    /// (52) and (53) hold in this case and, for n = 1, in the one with both signs reversed: exactly one orbit
+    /// in each.
     Orbit(Case),
     /// b_{n,positive} > 0 > b_{n,negative}: no orbit.
     None {
@@ -98,7 +101,8 @@ pub(crate) fn definition_and_rung(ladder: &Ladder, point: &Point, n: u64) -> (Ex
     (found, rung)
 }
 
-/// The higher of two rungs; c_n from (r, s) is always exact, so integers count as the lowest unless they stand alone.
+/// The higher of two rungs; c_n from (r, s) is always exact, so integers count as the lowest unless they
+/// stand alone.
 fn higher(a: Rung, b: Rung) -> Rung {
     let height = |rung| match rung {
         Rung::Exact => 0,
@@ -108,8 +112,8 @@ fn higher(a: Rung, b: Rung) -> Rung {
     if height(b) > height(a) { b } else { a }
 }
 
-/// Existence for every period 1, …, `last` at a point of region 2, 3 or 4 with a₂ ≤ 1, by the record form; `None`
-/// elsewhere.
+/// Existence for every period 1, …, `last` at a point of region 2, 3 or 4 with a₂ ≤ 1, by the record form;
+/// `None` elsewhere.
 ///
 /// Cost: two signs of a b for each n, and for a point (a₁, a₂) of region 3 the integers u_1, …, u_last.
 pub fn by_records(ladder: &Ladder, point: &Point, last: u64) -> Option<Vec<Existence>> {

@@ -1,16 +1,16 @@
 //! The lowest point of an area: below which r, and so which determinant a₂ = r², the orbit cannot exist.
 //!
-//! The minimum of R is certified without assuming that R has only one. A guess (r*, e*) from Newton's method for
-//! h = ∂h/∂e = 0 is surrounded by r₋ < r* < r₊ and e₋ < e* < e₊ such that
+//! The minimum of R is certified without assuming that R has only one. A guess (r*, e*) from Newton's method
+//! for h = ∂h/∂e = 0 is surrounded by r₋ < r* < r₊ and e₋ < e* < e₊ such that
 //!
 //! - h(r₊, e*) > 0, so min R < r₊;
 //! - h(r₋, e) < 0 for all e in [e₋, e₊], so R > r₋ there;
 //! - h(r₊, e) < 0 for all other e in [0, 1/j], so R > r₊ there: every lowest point has e₋ < e < e₊.
 //!
-//! The second and third speak of R because h increases with r: for 0 ≤ e ≤ 1/j its powers have coefficients ≥ 0.
-//! "For all e" is shown on pieces [a, b] with h(a), h(b) < 0: either max(h(a), h(b)) + (b − a)²/8 · sup(−∂²h/∂e²) < 0, or h
-//! is concave on the piece and falls at a or rises at b, so that it is greatest at an end. ∂²h/∂e² is bounded by the
-//! monotonicity of sine on either side of π/2.
+//! The second and third speak of R because h increases with r: for 0 ≤ e ≤ 1/j its powers have coefficients
+//! ≥ 0. "For all e" is shown on pieces [a, b] with h(a), h(b) < 0: either max(h(a), h(b)) + (b − a)²/8 ·
+//! sup(−∂²h/∂e²) < 0, or h is concave on the piece and falls at a or rises at b, so that it is greatest at an
+//! end. ∂²h/∂e² is bounded by the monotonicity of sine on either side of π/2.
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -22,8 +22,8 @@ use crate::number::{Ball, Circular, Precision, Real, Sign};
 /// The infimum of r over an area, regions 3 and 4 together. No area attains it: areas are open.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Lowest {
-    /// 0, near every s with `left` < s < `right`: on all of the interval (m = 0) or up to s = 1/(2(n − 1)), where
-    /// h(0) changes its sign (m = 1, ns < 1).
+    /// 0, near every s with `left` < s < `right`: on all of the interval (m = 0) or up to s = 1/(2(n − 1)),
+    /// where h(0) changes its sign (m = 1, ns < 1).
     Zero {
         /// The left end.
         left: BigRational,
@@ -48,8 +48,8 @@ pub struct Tip {
 impl Boundary {
     /// The lowest point of the area, min R no wider than 10^−`digits`.
     ///
-    /// `None` if it could not be certified (this has not been met). Cost: O(`digits`) pieces, three sines each, at
-    /// 4·`digits` + O(log n) bits.
+    /// `None` if it could not be certified (this has not been met). Cost: O(`digits`) pieces, three sines
+    /// each, at 4·`digits` + O(log n) bits.
     pub fn lowest(&self, digits: u32) -> Option<Lowest> {
         let interval = self.interval();
         let fraction = |p: u64, q: u64| BigRational::new(p.into(), q.into());
@@ -69,13 +69,15 @@ impl Boundary {
     }
 }
 
-/// The large-n law of the tips, t = k/n for the deciding k: (1 − r_tip) n³ → G(t) and |n s_tip − m| n → D(t), where
+/// The large-n law of the tips, t = k/n for the deciding k: (1 − r_tip) n³ → G(t) and |n s_tip − m| n → D(t),
+/// where
 ///
 /// ```text
 /// D = 1/(√(1 − t + t²) + 1 − 2t),   G = 2π² (D + (2t − 1) D² − t(1 − t) D³),   0 ≤ t < 1.
 /// ```
 ///
-/// Derived to second order and checked numerically, not proved (docs/tips.md). Returns (D, G) in plain floats.
+/// Derived to second order and checked numerically, not proved (docs/tips.md). Returns (D, G) in plain
+/// floats.
 ///
 /// ```
 /// let (d, g) = grazing::existence::tip_law(0.5);
@@ -150,7 +152,8 @@ impl Search<'_> {
         certain.then_some((r, Enclosure { lower: left.e, upper: right.e }))
     }
 
-    /// A multiple of a power of ½ near x, finer than e needs to be known and yet short, which makes fractions cheap.
+    /// A multiple of a power of ½ near x, finer than e needs to be known and yet short, which makes fractions
+    /// cheap.
     fn place_near(&self, x: &BigRational, digits: u32) -> BigRational {
         let scale = BigInt::from(1) << (2 * digits + 2 * self.n.ilog2() + 16);
         BigRational::new((x * &scale).round().to_integer(), scale)
@@ -185,8 +188,9 @@ impl Search<'_> {
 
     /// How far to go below r, above r, and to either side of e.
     ///
-    /// Near the tip h ≈ h_r (r − r*) − |h_ee| (e − e*)²/2. With u = 10^−`digits` and |h_ee| η²/2 = 2u h_r, h(r* + u, e* ± η) ≈ −u h_r < 0
-    /// and the chord bound of the inner piece at r* − 4u is about −4u h_r < 0. Only a choice: what follows is checked.
+    /// Near the tip h ≈ h_r (r − r*) − |h_ee| (e − e*)²/2. With u = 10^−`digits` and |h_ee| η²/2 = 2u h_r,
+    /// h(r* + u, e* ± η) ≈ −u h_r < 0 and the chord bound of the inner piece at r* − 4u is about −4u h_r < 0.
+    /// Only a choice: what follows is checked.
     fn margins(
         &self,
         r: &BigRational,
@@ -255,10 +259,11 @@ impl Search<'_> {
         true
     }
 
-    /// The sines that make −∂²h/∂e² largest (or least) over e from a to b: S₀ and S₁ largest and S₂ least (or the reverse).
+    /// The sines that make −∂²h/∂e² largest (or least) over e from a to b: S₀ and S₁ largest and S₂ least (or
+    /// the reverse).
     ///
-    /// All three angles change monotonically and stay within [0, π], since 0 ≤ je ≤ 1 and j ≥ 3: a sine is the larger
-    /// the nearer its angle to π/2.
+    /// All three angles change monotonically and stay within [0, π], since 0 ≤ je ≤ 1 and j ≥ 3: a sine is
+    /// the larger the nearer its angle to π/2.
     fn extreme_sines(&self, a: &Place, b: &Place, largest: bool) -> Sines<Ball> {
         let quarter = BigRational::new(1.into(), 4.into());
         std::array::from_fn(|i| {

@@ -1,9 +1,9 @@
 //! Farey fractions: neighbours, the Stern–Brocot tree, the sequences F_N, rank and k-th term.
 //!
-//! Fractions are [`Ratio`](num_rational::Ratio)s in lowest terms over any machine integer or `BigInt`; where Farey
-//! arithmetic itself guarantees lowest terms no gcd is taken. Nothing wraps: a value that does not fit its
-//! type is an overflow error, or ruled out by a bound that the function states. What the fractions mean for
-//! impact oscillators is not here but in the module `existence`.
+//! Fractions are [`Ratio`](num_rational::Ratio)s in lowest terms over any machine integer or `BigInt`; where
+//! Farey arithmetic itself guarantees lowest terms no gcd is taken. Nothing wraps: a value that does not fit
+//! its type is an overflow error, or ruled out by a bound that the function states. What the fractions mean
+//! for impact oscillators is not here but in the module `existence`.
 
 mod neighbours;
 mod rank;

@@ -1,8 +1,8 @@
 //! Rank of a fraction in F_N and the K-th term, without listing the sequence.
 //!
-//! #{(a, q) : q ≤ N, a/q ≤ x, gcd(a, q) = 1, a ≥ 1} = Σ_d µ(d) S(x, ⌊N/d⌋), S(x, M) = Σ_{q ≤ M} ⌊q x⌋. The sum over
-//! d takes one term per distinct ⌊N/d⌋, with the Mertens function M(t) = Σ_{d ≤ t} µ(d) at those quotients, and
-//! each S is a lattice-point count in O(log N) steps.
+//! #{(a, q) : q ≤ N, a/q ≤ x, gcd(a, q) = 1, a ≥ 1} = Σ_d µ(d) S(x, ⌊N/d⌋), S(x, M) = Σ_{q ≤ M} ⌊q x⌋. The
+//! sum over d takes one term per distinct ⌊N/d⌋, with the Mertens function M(t) = Σ_{d ≤ t} µ(d) at those
+//! quotients, and each S is a lattice-point count in O(log N) steps.
 
 use num_integer::Roots;
 use num_rational::Ratio;
@@ -69,8 +69,8 @@ impl Ranker {
                 self.order, self.last
             )));
         }
-        // Descend the tree keeping rank(left) ≤ index < rank(right), by runs of equal turns: each run's length
-        // is found by doubling and bisection.
+        // Descend the tree keeping rank(left) ≤ index < rank(right), by runs of equal turns: each run's
+        // length is found by doubling and bisection.
         let mut gap = Gap::<u64>::unit();
         if index == self.last {
             return Ok(gap.right);

@@ -57,7 +57,8 @@ pub fn previous<T: FareyInteger + Display>(x: &Ratio<T>, order: &T) -> Result<Ra
     Ok(opposite(order, &left, &right))
 }
 
-/// The neighbour of the term `x` on the other side of a given one: k x − neighbour, with k as large as N allows.
+/// The neighbour of the term `x` on the other side of a given one: k x − neighbour, with k as large as N
+/// allows.
 fn opposite<T: FareyInteger>(order: &T, x: &Ratio<T>, neighbour: &Ratio<T>) -> Ratio<T> {
     let k = (order.clone() + neighbour.denom().clone()) / x.denom().clone();
     Ratio::new_raw(

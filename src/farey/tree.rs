@@ -133,8 +133,8 @@ pub enum Turn {
 
 /// The way from 1/1, the root of the Stern–Brocot tree, down to `x` > 0, as runs of equal turns.
 ///
-/// The runs are the partial quotients of `x`, alternating from a turn to the right (a first run of length 0 is
-/// left out). Cost: O(log n) divisions, n the denominator.
+/// The runs are the partial quotients of `x`, alternating from a turn to the right (a first run of length 0
+/// is left out). Cost: O(log n) divisions, n the denominator.
 ///
 /// # Errors
 /// An input error if `x` ≤ 0.

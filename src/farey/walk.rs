@@ -1,10 +1,10 @@
 //! A fast walk of F_N within [0, 1]: no division and no unpredictable branch for most terms.
 //!
-//! F_N is walked as a coarse sequence F_M, M ≈ N/6, by the next-term recurrence; the terms of F_N inside a gap of
-//! F_M between fractions with denominators d₁, d₂ are the combinations i·left + j·right, i and j coprime, with
-//! i d₁ + j d₂ ≤ N. The coprime pairs stand in tables, in the order of the terms, so a gap is filled by one
-//! multiply-add and one comparison a candidate. For the plain recurrence and for other types see
-//! [`Sequence`](super::Sequence).
+//! F_N is walked as a coarse sequence F_M, M ≈ N/6, by the next-term recurrence; the terms of F_N inside a
+//! gap of F_M between fractions with denominators d₁, d₂ are the combinations i·left + j·right, i and j
+//! coprime, with i d₁ + j d₂ ≤ N. The coprime pairs stand in tables, in the order of the terms, so a gap is
+//! filled by one multiply-add and one comparison a candidate. For the plain recurrence and for other types
+//! see [`Sequence`](super::Sequence).
 
 use num_rational::Ratio;
 
@@ -40,7 +40,8 @@ pub struct Walk {
 }
 
 impl Walk {
-    /// The largest order N allowed. A candidate in a gap has i d₁ ≤ N and j d₂ ≤ N, so every number formed is ≤ 2N.
+    /// The largest order N allowed. A candidate in a gap has i d₁ ≤ N and j d₂ ≤ N, so every number formed is
+    /// ≤ 2N.
     pub const MAX_ORDER: u32 = 1 << 30;
 
     /// The terms x of F_N, N = `order`, with `from` ≤ x ≤ `to`; none if `from` > `to`.
@@ -125,8 +126,8 @@ fn mirrored(term: Packed) -> Packed {
     (denominator - (term >> 32)) << 32 | denominator
 }
 
-/// The coarse order is N/`COARSENESS`; tables reach to ⌊N/d⌋ = `REACH`, so that of two neighbours in F_M, with
-/// d₁ + d₂ > M, at most one lies beyond. Both chosen by measurement.
+/// The coarse order is N/`COARSENESS`; tables reach to ⌊N/d⌋ = `REACH`, so that of two neighbours in F_M,
+/// with d₁ + d₂ > M, at most one lies beyond. Both chosen by measurement.
 const COARSENESS: u32 = 8;
 const REACH: u32 = 40;
 /// Gaps are filled until this many terms are ready.
@@ -253,8 +254,9 @@ impl Side {
         }
     }
 
-    /// Sets up the chain of points through the current gap of F_M: its two ends, and, if one end's denominator is
-    /// so small that no table reaches it, the terms of F_N adjacent to that end, an arithmetic progression.
+    /// Sets up the chain of points through the current gap of F_M: its two ends, and, if one end's
+    /// denominator is so small that no table reaches it, the terms of F_N adjacent to that end, an arithmetic
+    /// progression.
     fn enter_gap(&mut self) {
         let (left, right) = self.gap;
         let (d1, d2) = (left as u32, right as u32);
@@ -306,8 +308,8 @@ impl Side {
     }
 }
 
-/// For each α, β the coprime pairs (i, j), i, j ≥ 1, with i/(α + 1) + j/(β + 1) < 1, by increasing j/i: all that
-/// i d₁ + j d₂ ≤ N allows when ⌊N/d₁⌋ = α and ⌊N/d₂⌋ = β.
+/// For each α, β the coprime pairs (i, j), i, j ≥ 1, with i/(α + 1) + j/(β + 1) < 1, by increasing j/i: all
+/// that i d₁ + j d₂ ≤ N allows when ⌊N/d₁⌋ = α and ⌊N/d₂⌋ = β.
 #[derive(Debug, Clone)]
 struct Tables {
     reach: u32,

@@ -9,7 +9,8 @@ pub(super) type Panel<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<Ran
 
 type Drawn<'a> = std::result::Result<(), Box<dyn std::error::Error + 'a>>;
 
-/// Draws the axes of the (a₁, a₂) plane, with about `marks` marks on the first and `digits` decimals on the second.
+/// Draws the axes of the (a₁, a₂) plane, with about `marks` marks on the first and `digits` decimals on the
+/// second.
 pub(super) fn plane_axes<'a>(chart: &mut Panel<'a, '_>, marks: usize, digits: usize) -> Drawn<'a> {
     let first = |x: &f64| format!("{x:.0}").replace('-', "−");
     draw(chart, marks, ["a₁", "a₂"], &first, &|y| format!("{y:.digits$}"))

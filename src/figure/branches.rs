@@ -32,7 +32,8 @@ pub struct Scatter {
     pub at: Vec<(f64, f64)>,
 }
 
-/// Writes `name`.svg and `name`.csv into `folder`: a row per point, with the name of its curve, its stability and its label.
+/// Writes `name`.svg and `name`.csv into `folder`: a row per point, with the name of its curve, its stability
+/// and its label.
 ///
 /// # Errors
 /// An I/O error.
@@ -118,7 +119,8 @@ fn draw(curves: &[DrawnBranch], scatter: &[Scatter], axes: [&str; 2]) -> Picture
             labels.wanted.push(((x, y), text.clone()));
         }
     }
-    // Names stand at the right ends of curves that go on to the right, one for ends that are close; else beside the curve.
+    // Names stand at the right ends of curves that go on to the right, one for ends that are close; else
+    // beside the curve.
     let mut ends: Vec<((i32, i32), String)> = Vec::new();
     let far_right = pixels.iter().flatten().map(|at| at.0).max().unwrap_or(0);
     for (curve, path) in curves.iter().zip(&pixels) {
@@ -145,8 +147,8 @@ fn draw(curves: &[DrawnBranch], scatter: &[Scatter], axes: [&str; 2]) -> Picture
     Ok(svg)
 }
 
-/// What stands at a curve: what bifurcates there, or the pattern at the end of its name, in words if it has no impacts. None if the name has
-/// neither.
+/// What stands at a curve: what bifurcates there, or the pattern at the end of its name, in words if it has
+/// no impacts. None if the name has neither.
 fn short(name: &str) -> Option<String> {
     if let Some((kind, _)) = name.split_once(" of the impact pattern") {
         return Some(kind.into());

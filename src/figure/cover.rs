@@ -1,4 +1,5 @@
-//! The paper's figure 5: the areas in which orbits of one period exist, straight from the leaves of a checked cover.
+//! The paper's figure 5: the areas in which orbits of one period exist, straight from the leaves of a checked
+//! cover.
 
 use std::{f64::consts::TAU, path::Path};
 
@@ -29,9 +30,9 @@ pub const FINEST: f64 = 0.015;
 /// The lower panel begins here.
 const BOTTOM: f64 = 0.9;
 
-/// Writes `figure5.svg` and `figure5.csv` into `folder`: where single-impact orbits of period `n` exist, coloured by case; the upper part
-/// again, enlarged. What is coloured in region 3 are the leaves of `cover`, which are the rows of the data. Regions 2 and 4 are drawn from the
-/// closed form.
+/// Writes `figure5.svg` and `figure5.csv` into `folder`: where single-impact orbits of period `n` exist,
+/// coloured by case; the upper part again, enlarged. What is coloured in region 3 are the leaves of `cover`,
+/// which are the rows of the data. Regions 2 and 4 are drawn from the closed form.
 ///
 /// # Errors
 /// An I/O error.
@@ -134,8 +135,8 @@ where
     Ok(chart)
 }
 
-/// The picture with an outline of its own colour round each polygon, one unit to each side: vertices are whole units, and tiles that share a
-/// side need not share vertices there.
+/// The picture with an outline of its own colour round each polygon, one unit to each side: vertices are
+/// whole units, and tiles that share a side need not share vertices there.
 fn outlined(svg: &str) -> String {
     let mut all = String::with_capacity(svg.len() * 5 / 4);
     for line in svg.split_inclusive('\n') {

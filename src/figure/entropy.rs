@@ -1,4 +1,5 @@
-//! The entropy of the patterns born at a grazing bifurcation without damping, r = 1, over the angle s: steps between Farey fractions.
+//! The entropy of the patterns born at a grazing bifurcation without damping, r = 1, over the angle s: steps
+//! between Farey fractions.
 
 use std::path::Path;
 
@@ -35,8 +36,9 @@ struct Step {
     entropy: Option<f64>,
 }
 
-/// Writes `entropy.svg` and `entropy.csv` into `folder`: for r = 1 and the three cases in which patterns are born, the entropy of the patterns over periods up to
-/// `last`, rounded down. It is a lower bound of that over all periods.
+/// Writes `entropy.svg` and `entropy.csv` into `folder`: for r = 1 and the three cases in which patterns are
+/// born, the entropy of the patterns over periods up to `last`, rounded down. It is a lower bound of that
+/// over all periods.
 ///
 /// # Errors
 /// An input error unless 3 ≤ `last` ≤ 100; an I/O error; the monitor's interruption.

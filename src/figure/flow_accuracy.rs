@@ -1,4 +1,5 @@
-//! What accuracy costs in a simulation: time against error, both axes logarithmic; and the tables of that study.
+//! What accuracy costs in a simulation: time against error, both axes logarithmic; and the tables of that
+//! study.
 
 use std::{fs, io::Write, path::Path};
 

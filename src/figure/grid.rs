@@ -74,7 +74,8 @@ fn draw(grid: &Grid, axes: [&str; 2]) -> Picture {
         .x_label_area_size(190)
         .y_label_area_size(280)
         .build_cartesian_2d(x0 - dx..x1 + dx, y0 - dy..y1 + dy)?;
-    // Runs of one class in a row are one rectangle, each a unit larger than its share, so that nothing shines through.
+    // Runs of one class in a row are one rectangle, each a unit larger than its share, so that nothing shines
+    // through.
     let edge = |i: usize, j: usize| {
         chart.backend_coord(&(x0 - dx + 2.0 * dx * i as f64, y0 - dy + 2.0 * dy * j as f64))
     };

@@ -14,7 +14,8 @@ use crate::{
 const WIDTH: u32 = 760;
 const ROW: u32 = 26;
 
-/// Writes `intervals.svg` and `intervals.csv` into `folder`: where single-impact orbits exist on r = 1, 3 ≤ n ≤ `last`.
+/// Writes `intervals.svg` and `intervals.csv` into `folder`: where single-impact orbits exist on r = 1, 3 ≤ n
+/// ≤ `last`.
 ///
 /// # Errors
 /// An input error unless 3 ≤ `last` ≤ 40; an I/O error.

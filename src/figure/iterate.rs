@@ -28,8 +28,8 @@ use crate::{
 const STEPS: u64 = 60;
 const DECIMALS: u32 = 8;
 
-/// Writes `figure4.svg` and `figure4.csv` into `folder`: for 3 ≤ n ≤ `last` and each k coprime to n the part of b_{n,k} = 0
-/// that bounds an area, labelled n,k for n ≤ 5; the upper part again, enlarged.
+/// Writes `figure4.svg` and `figure4.csv` into `folder`: for 3 ≤ n ≤ `last` and each k coprime to n the part
+/// of b_{n,k} = 0 that bounds an area, labelled n,k for n ≤ 5; the upper part again, enlarged.
 ///
 /// # Errors
 /// An input error unless 3 ≤ `last` ≤ 40; an I/O error.

@@ -27,8 +27,8 @@ pub struct MotionPicture {
     impacts: u64,
 }
 
-/// What falls into one column: time and height of the first, lowest, highest and last point; the walls at the first; the
-/// lowest and the highest impact.
+/// What falls into one column: time and height of the first, lowest, highest and last point; the walls at the
+/// first; the lowest and the highest impact.
 #[derive(Clone, Default)]
 struct Column {
     points: Option<[[f64; 2]; 4]>,
@@ -104,7 +104,8 @@ impl MotionPicture {
     }
 }
 
-/// Writes `name`.svg into `folder`; the data beside it is the whole series, which whoever follows the motion writes.
+/// Writes `name`.svg into `folder`; the data beside it is the whole series, which whoever follows the motion
+/// writes.
 ///
 /// # Errors
 /// An I/O error.

@@ -47,8 +47,9 @@ pub fn orbits(folder: &Path) -> Result<()> {
     write(folder, "figure3", &drawn)
 }
 
-/// Writes `orbit.svg` and `orbit.csv` into `folder`: the orbit of a pattern, in the first two coordinates. `side` is the sign of
-/// eµ for which it exists; without one the solution of (32) is drawn for eµ > 0 and labelled so.
+/// Writes `orbit.svg` and `orbit.csv` into `folder`: the orbit of a pattern, in the first two coordinates.
+/// `side` is the sign of eµ for which it exists; without one the solution of (32) is drawn for eµ > 0 and
+/// labelled so.
 ///
 /// # Errors
 /// As [`predicted_orbit`]; an I/O error.

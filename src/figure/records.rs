@@ -1,6 +1,7 @@
 //! The record picture: which single-impact orbits exist, read off the powers of λ seen from 1.
 //!
-//! With complex eigenvalues, 0 < r ≤ 1, period n exists iff λⁿ sets a record in direction, seen from 1, among λ, …, λⁿ.
+//! With complex eigenvalues, 0 < r ≤ 1, period n exists iff λⁿ sets a record in direction, seen from 1, among
+//! λ, …, λⁿ.
 
 use std::{f64::consts::PI, path::Path};
 
@@ -18,8 +19,8 @@ use crate::{
     local::{Ladder, Point, Polar},
 };
 
-/// Writes `records.svg` and `records.csv` into `folder`: λ, λ², …, λ^`last` for λ = r e^{2πis}, and the ray from 1 through each
-/// λⁿ for which period n exists, with its case.
+/// Writes `records.svg` and `records.csv` into `folder`: λ, λ², …, λ^`last` for λ = r e^{2πis}, and the ray
+/// from 1 through each λⁿ for which period n exists, with its case.
 ///
 /// The cases are decided by (52), (53), from certain signs; the drawing is in plain floats.
 ///
@@ -82,7 +83,8 @@ fn draw(modulus: f64, turn: f64, title: &str, powers: &[Power]) -> Picture {
         .collect();
     root.draw(&PathElement::new(spiral, RGBColor(215, 215, 215).stroke_width(3)))?;
 
-    // A ray from 1 in direction π − φ leaves the disc at angle π − 2φ: labels stand around the circle, to its right and left.
+    // A ray from 1 in direction π − φ leaves the disc at angle π − 2φ: labels stand around the circle, to its
+    // right and left.
     let rays = powers.iter().filter(|power| !power.cases.is_empty());
     let (right, left): (Vec<_>, Vec<_>) = rays
         .map(|power| (on_circle(PI - 2.0 * power.at.1.atan2(1.0 - power.at.0), 1.0), power))
@@ -127,7 +129,8 @@ fn draw(modulus: f64, turn: f64, title: &str, powers: &[Power]) -> Picture {
     Ok(svg)
 }
 
-/// Moves increasing heights apart until neighbours differ by `least`, each about as little as the others allow, within ±1.22.
+/// Moves increasing heights apart until neighbours differ by `least`, each about as little as the others
+/// allow, within ±1.22.
 fn spread(heights: &mut [f64], least: f64) {
     for _ in 0..1000 {
         for height in heights.iter_mut() {

@@ -1,4 +1,5 @@
-//! Stroboscopic (Poincaré) sections: attractors, periodic orbits, and the curve on which the next period grazes a wall.
+//! Stroboscopic (Poincaré) sections: attractors, periodic orbits, and the curve on which the next period
+//! grazes a wall.
 
 use std::path::Path;
 
@@ -50,7 +51,8 @@ pub struct Points {
     pub at: Vec<(f64, f64)>,
 }
 
-/// Writes `name`.svg and `name`.csv into `folder`: a row per point, with the name of its set; `axes` names the coordinates.
+/// Writes `name`.svg and `name`.csv into `folder`: a row per point, with the name of its set; `axes` names
+/// the coordinates.
 ///
 /// # Errors
 /// An I/O error.

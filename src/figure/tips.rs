@@ -23,8 +23,8 @@ use crate::{
 /// Digits of r: enough for ten of (1 − r) n³ at the largest n.
 const DIGITS: u32 = 20;
 
-/// Writes `tips.svg` and `tips.csv` into `folder`: (1 − r_tip) n³ against k/n for every area with a tip, 4 ≤ n ≤ `last`, on the
-/// curve G; below, the deviation from G times n², on the curve of the next term.
+/// Writes `tips.svg` and `tips.csv` into `folder`: (1 − r_tip) n³ against k/n for every area with a tip, 4 ≤
+/// n ≤ `last`, on the curve G; below, the deviation from G times n², on the curve of the next term.
 ///
 /// # Errors
 /// An input error unless 4 ≤ `last` ≤ 400; an I/O error; an interruption.

@@ -1,8 +1,9 @@
-//! Which impact patterns a grazing bifurcation gives birth to, over the (a₁, a₂) plane: each cell one word, its colour the
-//! entropy.
+//! Which impact patterns a grazing bifurcation gives birth to, over the (a₁, a₂) plane: each cell one word,
+//! its colour the entropy.
 //!
-//! The cells for eµ > 0 are the areas of Conjecture 1 less those inside them: drawn from the lowest period up, each over the
-//! ones that it lies in, so that every edge is the edge of an area. For eµ < 0 they are sectors of s.
+//! The cells for eµ > 0 are the areas of Conjecture 1 less those inside them: drawn from the lowest period
+//! up, each over the ones that it lies in, so that every edge is the edge of an area. For eµ < 0 they are
+//! sectors of s.
 
 use std::path::Path;
 
@@ -46,8 +47,9 @@ struct Cell {
     outline: Vec<(f64, f64)>,
 }
 
-/// Writes `words.svg` and `words.csv` into `folder`: the words of at most the areas of period ≤ `last`, for the three cases in
-/// which patterns are born for |a₁| < 1 + a₂. Later periods are left out, so that colours are lower bounds near a₂ = 1.
+/// Writes `words.svg` and `words.csv` into `folder`: the words of at most the areas of period ≤ `last`, for
+/// the three cases in which patterns are born for |a₁| < 1 + a₂. Later periods are left out, so that colours
+/// are lower bounds near a₂ = 1.
 ///
 /// # Errors
 /// An input error unless 3 ≤ `last` ≤ 30; an I/O error; the monitor's interruption.
@@ -128,8 +130,8 @@ fn sectors(last: u64, cells: &mut Vec<Cell>) {
         let entropy = entropy.bounds().and_then(|(lo, _)| lo.to_f64());
         Cell { case: Case::MinusPlus, letters: "D".repeat(periods.len()), periods, entropy, outline }
     };
-    // Each over the ones to its right, so that nothing shines through between them; beyond the last, and in region 2,
-    // all periods: log 2.
+    // Each over the ones to its right, so that nothing shines through between them; beyond the last, and in
+    // region 2, all periods: log 2.
     let from = |s: f64| between(lower_edge(-1.0), ray(s));
     let mut rest = full(last, between(lower_edge(-1.0), lower_edge(1.0)));
     (rest.letters, rest.periods, rest.entropy) = ("D...".into(), Vec::new(), Some(std::f64::consts::LN_2));

@@ -70,8 +70,8 @@ pub struct SignDecision {
 
 /// The rungs up to a number of bits, with π computed at most once for each. Shared freely between threads.
 ///
-/// Order: exact where integers decide at once (a singular point; r = 1; c_n from (r, s)), intervals, balls of 128 bits,
-/// a cheap exact attempt, balls of 256, 512, … bits, a dear exact attempt.
+/// Order: exact where integers decide at once (a singular point; r = 1; c_n from (r, s)), intervals, balls of
+/// 128 bits, a cheap exact attempt, balls of 256, 512, … bits, a dear exact attempt.
 #[derive(Debug)]
 pub struct Ladder {
     balls: Vec<(u32, OnceLock<Precision>)>,
@@ -102,8 +102,9 @@ impl Ladder {
 
     /// The sign of a quantity at a point.
     ///
-    /// Right whenever it is not [`Answer::Undecided`]. An exact zero is found on r = 1, for every (a₁, a₂) within 2²³ bits, and for
-    /// (r, s) with s = p/q as long as q has at most one prime above 2²⁰ (below 2⁴⁰) and 12 primes in all.
+    /// Right whenever it is not [`Answer::Undecided`]. An exact zero is found on r = 1, for every (a₁, a₂)
+    /// within 2²³ bits, and for (r, s) with s = p/q as long as q has at most one prime above 2²⁰ (below 2⁴⁰)
+    /// and 12 primes in all.
     ///
     /// # Panics
     /// Unless n ≥ 1 and, for b_{n,k}, 1 ≤ k < n.
@@ -111,8 +112,8 @@ impl Ladder {
         self.sign_watched(point, quantity, &()).expect("nothing interrupts")
     }
 
-    /// [`sign`](Ladder::sign), which a monitor can end: it is asked before every rung, and in the exact one before every
-    /// product of long integers, of which none takes a second.
+    /// [`sign`](Ladder::sign), which a monitor can end: it is asked before every rung, and in the exact one
+    /// before every product of long integers, of which none takes a second.
     ///
     /// # Errors
     /// The monitor's interruption.
@@ -208,7 +209,8 @@ impl Ladder {
     }
 }
 
-/// The signs of b_{n,1}, …, b_{n,n−1} on one rung in one pass, from the direct numerators. Needs r < 1, u_n ≠ 0.
+/// The signs of b_{n,1}, …, b_{n,n−1} on one rung in one pass, from the direct numerators. Needs r < 1, u_n
+/// ≠ 0.
 pub fn direct_signs<T: Circular>(polar: &Polar, n: u64, context: &T::Context) -> Vec<Answer> {
     let sine = polar.u_sign(n);
     let answer = |numerator: T| numerator.sign().map_or(Answer::Undecided, |sign| Answer::Sign(sign * sine));

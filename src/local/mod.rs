@@ -1,4 +1,5 @@
-//! The local map in two dimensions: u_k, b_{n,k}, c_n at one point, on every rung of [`number`](crate::number).
+//! The local map in two dimensions: u_k, b_{n,k}, c_n at one point, on every rung of
+//! [`number`](crate::number).
 //!
 //! A point is given by (r, s), eigenvalues r·e^{±2πis} ([`Polar`], region 3), or by trace and determinant
 //! (a₁, a₂) ([`Plane`], every region). Both evaluate the same quantities of a single-impact orbit of

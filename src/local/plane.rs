@@ -1,14 +1,16 @@
-//! b_{n,k} and c_n from trace and determinant (a₁, a₂), a₂ > 0: every region, real and equal eigenvalues included.
+//! b_{n,k} and c_n from trace and determinant (a₁, a₂), a₂ > 0: every region, real and equal eigenvalues
+//! included.
 //!
-//! Let α = |a₁| and ũ_k, ṽ_k the sequences of (α, a₂): u_k = (±1)^{k−1} ũ_k. With real eigenvalues (α² ≥ 4a₂) every ũ_k is
-//! positive, and with e = 1 − α + a₂ and the sums U_m = Σ_{i≤m} ũ_i, P_m = Σ_{i≤m} a₂^{m−i} ũ_i,
+//! Let α = |a₁| and ũ_k, ṽ_k the sequences of (α, a₂): u_k = (±1)^{k−1} ũ_k. With real eigenvalues (α² ≥ 4a₂)
+//! every ũ_k is positive, and with e = 1 − α + a₂ and the sums U_m = Σ_{i≤m} ũ_i, P_m = Σ_{i≤m} a₂^{m−i} ũ_i,
 //!
 //! ```text
 //! ũ_n − ũ_k − a₂^k ũ_{n−k} = −e (ũ_{n−k} P_k + ũ_k U_{n−k−1}),   1 − ṽ_n + a₂ⁿ = e (U_n + a₂ P_{n−1}):
 //! ```
 //!
-//! terms of one sign, with e taken exactly, so nothing cancels near a₁ = ±(a₂ + 1), near a₁ = ±2√a₂ or as a₂ → 1. With h_k =
-//! ṽ_k/2, D = α²/4 − a₂ ≥ 0 (exact, too) and the sums V_m, Q_m of h as U_m, P_m are of ũ, two indices add up by
+//! terms of one sign, with e taken exactly, so nothing cancels near a₁ = ±(a₂ + 1), near a₁ = ±2√a₂ or as a₂
+//! → 1. With h_k = ṽ_k/2, D = α²/4 − a₂ ≥ 0 (exact, too) and the sums V_m, Q_m of h as U_m, P_m are of ũ, two
+//! indices add up by
 //!
 //! ```text
 //! ũ_{i+j} = h_i ũ_j + ũ_i h_j                 h_{i+j} = h_i h_j + D ũ_i ũ_j
@@ -16,9 +18,9 @@
 //! P_{i+j} = a₂^j P_i + h_i P_j + ũ_i Q_j      Q_{i+j} = a₂^j Q_i + h_i Q_j + D ũ_i P_j
 //! ```
 //!
-//! (from λ^k = h_k ± ũ_k √D), sums of products of positive numbers: a doubling doubles the relative error and cancels
-//! nothing, so that log₂ n bits are lost. With complex eigenvalues u_k and v_k come from duplication formulas, whose errors
-//! grow like n², not like (2.4)ⁿ.
+//! (from λ^k = h_k ± ũ_k √D), sums of products of positive numbers: a doubling doubles the relative error and
+//! cancels nothing, so that log₂ n bits are lost. With complex eigenvalues u_k and v_k come from duplication
+//! formulas, whose errors grow like n², not like (2.4)ⁿ.
 
 use std::{
     convert::Infallible,
@@ -123,7 +125,8 @@ impl Plane {
         }
     }
 
-    /// Whether u_n = 0: by Niven's theorem, exactly where a₁² is 0, a₂, 2a₂ or 3a₂ and 2, 3, 4 or 6 divides n.
+    /// Whether u_n = 0: by Niven's theorem, exactly where a₁² is 0, a₂, 2a₂ or 3a₂ and 2, 3, 4 or 6 divides
+    /// n.
     pub fn is_singular(&self, n: u64) -> bool {
         let square = &self.a1 * &self.a1;
         [(0, 2), (1, 3), (2, 4), (3, 6)]
@@ -138,8 +141,9 @@ impl Plane {
 
     /// b_{n,k}, 1 ≤ k < n; `None` where u_n = 0.
     ///
-    /// O(log n) operations on O(1) numbers. Real eigenvalues: log₂ n bits lost and a few, but where n is odd and a₁ < 0, as
-    /// many as the condition number of b_{n,k} says. Complex ones: 2 log₂ n bits lost and those of the condition number.
+    /// O(log n) operations on O(1) numbers. Real eigenvalues: log₂ n bits lost and a few, but where n is odd
+    /// and a₁ < 0, as many as the condition number of b_{n,k} says. Complex ones: 2 log₂ n bits lost and
+    /// those of the condition number.
     pub fn b<T: Real>(&self, n: u64, k: u64, context: &T::Context) -> Option<T> {
         let (numerator, u) = self.numerator::<T>(n, k, context)?;
         Some(numerator / &u)
@@ -180,8 +184,8 @@ impl Plane {
         Ok(Some(lucas(&a, &b, n, BigInt::from, || monitor.advance(0))?.u))
     }
 
-    /// b_{n,1}, …, b_{n,n−1}; `None` where u_n = 0. O(n) operations and numbers for real eigenvalues, O(n log n) operations for
-    /// complex ones.
+    /// b_{n,1}, …, b_{n,n−1}; `None` where u_n = 0. O(n) operations and numbers for real eigenvalues, O(n log
+    /// n) operations for complex ones.
     pub fn b_all<T: Real>(&self, n: u64, context: &T::Context) -> Option<Vec<T>> {
         if self.is_singular(n) {
             return None;
@@ -233,7 +237,8 @@ impl Plane {
         lucas
     }
 
-    /// The integers of the exact rung: A, B, D with a₁ = A/D, a₂ = B/D², and an estimate of the bits of u_n D^{n−1}.
+    /// The integers of the exact rung: A, B, D with a₁ = A/D, a₂ = B/D², and an estimate of the bits of u_n
+    /// D^{n−1}.
     fn integers(&self, n: u64) -> (BigInt, BigInt, BigInt, u64) {
         let d = self.a1.denom().lcm(self.a2.denom());
         let a = (&self.a1 * &d).to_integer();
@@ -242,9 +247,11 @@ impl Plane {
         (a, b, d, bits)
     }
 
-    /// D^{n+k−1}·N_{n,k} and D^{n+k−1}·u_n as integers, without a fraction anywhere; `None` beyond `limit` bits.
+    /// D^{n+k−1}·N_{n,k} and D^{n+k−1}·u_n as integers, without a fraction anywhere; `None` beyond `limit`
+    /// bits.
     ///
-    /// With W_k = D^{k−1} u_k they are D^k W_n − Dⁿ W_k − B^k W_{n−k} and D^k W_n. Cost: O(log n) products of n·size bits.
+    /// With W_k = D^{k−1} u_k they are D^k W_n − Dⁿ W_k − B^k W_{n−k} and D^k W_n. Cost: O(log n) products of
+    /// n·size bits.
     ///
     /// # Errors
     /// The monitor's interruption, asked for before every step.
@@ -306,7 +313,8 @@ struct Lucas<T> {
     power: T,
 }
 
-/// Before every step `watch` may end it. Duplication: u_{2i} = u_i v_i, u_{2i+1} = u_{i+1} v_i − a₂^i, v_{2i} = v_i² − 2a₂^i, v_{2i+1} = v_i v_{i+1} − a₁ a₂^i.
+/// Before every step `watch` may end it. Duplication: u_{2i} = u_i v_i, u_{2i+1} = u_{i+1} v_i − a₂^i, v_{2i}
+/// = v_i² − 2a₂^i, v_{2i+1} = v_i v_{i+1} − a₁ a₂^i.
 fn lucas<T, E>(
     a1: &T,
     a2: &T,

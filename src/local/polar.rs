@@ -10,8 +10,9 @@
 //! b_{n,k} = M / (2 r^j σ_n κ_n),   c_n = −sin 2πs (h_n² + 4 rⁿ σ_n²) / (2 r^{n−1} σ_n κ_n)
 //! ```
 //!
-//! At r = 1 the folded form is (B1), b = −2 σ_j σ_k / κ_n, and c_n is (B2). It keeps its digits near poles, near
-//! single and double zeros and as r → 1; the direct form does for small r. c_n is a product of sums of positive terms.
+//! At r = 1 the folded form is (B1), b = −2 σ_j σ_k / κ_n, and c_n is (B2). It keeps its digits near poles,
+//! near single and double zeros and as r → 1; the direct form does for small r. c_n is a product of sums of
+//! positive terms.
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -101,9 +102,10 @@ impl Polar {
 
     /// b_{n,k}, 1 ≤ k < n; `None` where u_n = 0.
     ///
-    /// Digits lost: O(log n) beyond those of rⁿ itself, |n ln r| u, and two where terms of both signs meet: at a zero
-    /// of b_{n,k} off its double zeros, as many as its condition number says, and within ε of a double zero s = m/g for
-    /// ε ≪ 1 − r, log₂ 1/(n(1 − r)). Cost: up to six sines and O(log n) products; on r = 1 three sines.
+    /// Digits lost: O(log n) beyond those of rⁿ itself, |n ln r| u, and two where terms of both signs meet:
+    /// at a zero of b_{n,k} off its double zeros, as many as its condition number says, and within ε of a
+    /// double zero s = m/g for ε ≪ 1 − r, log₂ 1/(n(1 − r)). Cost: up to six sines and O(log n) products; on
+    /// r = 1 three sines.
     pub fn b<T: Circular>(&self, n: u64, k: u64, context: &T::Context) -> Option<T> {
         let j = n - k;
         let at_n = self.half.times(n);
@@ -120,7 +122,8 @@ impl Polar {
         Some(self.numerator::<T>(n, k, context) / &denominator)
     }
 
-    /// c_n, n ≥ 1; `None` where u_n = 0. Digits lost: O(log n) beyond those of rⁿ. Cost: three sines and O(log n) products.
+    /// c_n, n ≥ 1; `None` where u_n = 0. Digits lost: O(log n) beyond those of rⁿ. Cost: three sines and
+    /// O(log n) products.
     pub fn c<T: Circular>(&self, n: u64, context: &T::Context) -> Option<T> {
         if self.is_singular(n) {
             return None;
@@ -198,15 +201,17 @@ impl Polar {
             .collect()
     }
 
-    /// The better of the two forms: the narrower enclosure, or, where there is none, the folded one for r ≥ ½.
+    /// The better of the two forms: the narrower enclosure, or, where there is none, the folded one for r ≥
+    /// ½.
     fn choose<T: Circular>(&self, folded: T, direct: T) -> T {
         if self.large { folded.tighter(direct) } else { direct.tighter(folded) }
     }
 
     /// r^j and 1 − r^j by repeated squaring: O(log j) products.
     ///
-    /// h_{2i} = h_i (1 + r^i) and h_{i+1} = h_i + r^i h_1 add positive terms; while h < ½, r^i = 1 − h_i keeps its digits better
-    /// than a product does, so that errors do not double at every step as long as i(1 − r) is small.
+    /// h_{2i} = h_i (1 + r^i) and h_{i+1} = h_i + r^i h_1 add positive terms; while h < ½, r^i = 1 − h_i
+    /// keeps its digits better than a product does, so that errors do not double at every step as long as i(1
+    /// − r) is small.
     fn power<T: Real>(&self, j: u64, context: &T::Context) -> Power<T> {
         let one = T::integer(1, context);
         let step = self.step::<T>(context);

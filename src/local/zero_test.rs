@@ -1,8 +1,9 @@
 //! Whether b_{n,k} is exactly zero at a rational (r, s): algebra, no enclosures.
 //!
-//! 2i·M = r^j(ζⁿ − ζ⁻ⁿ) − (ζ^k − ζ^−k) − rⁿ(ζ^j − ζ^−j), ζ a primitive q-th root of unity, s = p/q. A polynomial f has f(ζ) = 0
-//! iff f·Π (x^{q/ℓ} − 1), over the primes ℓ | q, vanishes modulo x^q − 1: the factors are zero at every q-th root of unity
-//! but the primitive ones. That product has at most 6·2^ω(q) terms, however large q is.
+//! 2i·M = r^j(ζⁿ − ζ⁻ⁿ) − (ζ^k − ζ^−k) − rⁿ(ζ^j − ζ^−j), ζ a primitive q-th root of unity, s = p/q. A
+//! polynomial f has f(ζ) = 0 iff f·Π (x^{q/ℓ} − 1), over the primes ℓ | q, vanishes modulo x^q − 1: the
+//! factors are zero at every q-th root of unity but the primitive ones. That product has at most 6·2^ω(q)
+//! terms, however large q is.
 
 use std::collections::BTreeMap;
 
@@ -12,7 +13,8 @@ use num_traits::{One, Pow, ToPrimitive, Zero, pow};
 
 use super::Polar;
 
-/// The primes that divide q are sought below this by trial division; one more may be left over, below its square.
+/// The primes that divide q are sought below this by trial division; one more may be left over, below its
+/// square.
 const TRIAL: u32 = 1 << 20;
 
 /// More distinct primes than this and the product is not written out.
@@ -20,7 +22,8 @@ const PRIMES: usize = 12;
 
 /// Whether M = 0; `None` if q could not be factored within [`TRIAL`] or has more than [`PRIMES`] primes.
 ///
-/// Decides every n, k and r for such q. Cost: at most [`TRIAL`] divisions of q by a word, then O(6·2^ω(q)) sums.
+/// Decides every n, k and r for such q. Cost: at most [`TRIAL`] divisions of q by a word, then O(6·2^ω(q))
+/// sums.
 pub(super) fn numerator_vanishes(point: &Polar, n: u64, k: u64) -> Option<bool> {
     let q = point.s().denom().magnitude();
     let p = point.s().numer().magnitude();

@@ -1,12 +1,15 @@
-//! Stops in floats: gaps, Newton's impact law for any number of them at one instant, the forces of those rested on.
+//! Stops in floats: gaps, Newton's impact law for any number of them at one instant, the forces of those
+//! rested on.
 //!
-//! With W the rows of the stops involved and D = W M⁻¹ Wᵀ, impulses Λ ≥ 0 change the gaps' rates from w⁻ to w⁺ = w⁻ + D Λ. Newton's law for all at once:
+//! With W the rows of the stops involved and D = W M⁻¹ Wᵀ, impulses Λ ≥ 0 change the gaps' rates from w⁻ to
+//! w⁺ = w⁻ + D Λ. Newton's law for all at once:
 //!
 //!   w⁺ + τ min(w⁻, 0) ≥ 0,  Λ ≥ 0,  and for each stop one of the two is 0,
 //!
-//! a linear complementarity problem. D is symmetric and positive semidefinite, and positive definite unless rows are dependent: then the
-//! problem has exactly one solution, and otherwise one w⁺. The velocities change by M⁻¹WᵀΛ. For one stop it is w⁺ = −τ w⁻. For several it is a choice: hits in
-//! quick succession, in whatever order, may end otherwise. [`ImpactLaw::order_matters`] says whether they would.
+//! a linear complementarity problem. D is symmetric and positive semidefinite, and positive definite unless
+//! rows are dependent: then the problem has exactly one solution, and otherwise one w⁺. The velocities change
+//! by M⁻¹WᵀΛ. For one stop it is w⁺ = −τ w⁻. For several it is a choice: hits in quick succession, in
+//! whatever order, may end otherwise. [`ImpactLaw::order_matters`] says whether they would.
 
 use super::{LinearEquations, MachineState, RealMatrix, RealVector};
 use crate::{
@@ -113,7 +116,8 @@ impl Contacts {
         sum
     }
 
-    /// Newton's law for the stops touched, the rates of whose gaps are `rates`. Cost: O(2^m m³) for m ≤ 12 stops.
+    /// Newton's law for the stops touched, the rates of whose gaps are `rates`. Cost: O(2^m m³) for m ≤ 12
+    /// stops.
     ///
     /// # Errors
     /// More than 12 stops with dependent rows for which no solution was found.
@@ -159,7 +163,8 @@ impl Contacts {
         None
     }
 
-    /// Which of the stops, all touched without velocity, press, and how hard, `accelerations` being z″ of each without their forces.
+    /// Which of the stops, all touched without velocity, press, and how hard, `accelerations` being z″ of
+    /// each without their forces.
     ///
     /// # Errors
     /// As [`impact`](Self::impact).
@@ -167,7 +172,8 @@ impl Contacts {
         complementary(&self.among(stops), &RealVector::from_column_slice(accelerations))
     }
 
-    /// The forces of the stops rested on, each as the acceleration that it prevents, λ_j D_jj, of the machine's own state.
+    /// The forces of the stops rested on, each as the acceleration that it prevents, λ_j D_jj, of the
+    /// machine's own state.
     ///
     /// # Errors
     /// Stops with dependent rows.
@@ -194,8 +200,9 @@ impl Contacts {
     }
 }
 
-/// Λ ≥ 0 with DΛ + b ≥ 0 and, for each entry, one of the two 0. Up to 12 entries all choices of those that act are tried, fewest first, so that
-/// dependent rows do no harm; beyond, by sweeps (projected Gauss–Seidel).
+/// Λ ≥ 0 with DΛ + b ≥ 0 and, for each entry, one of the two 0. Up to 12 entries all choices of those that
+/// act are tried, fewest first, so that dependent rows do no harm; beyond, by sweeps (projected
+/// Gauss–Seidel).
 fn complementary(coupling: &RealMatrix, b: &RealVector) -> Result<Vec<f64>> {
     let m = b.len();
     if b.iter().all(|x| *x >= 0.0) {
@@ -277,7 +284,8 @@ mod tests {
         assert!((after[1] - after[0] - 0.7 * 3.0).abs() < 1e-15);
     }
 
-    /// A mass in a right-angled corner turns each velocity for itself, in any order; in an acute corner the order matters.
+    /// A mass in a right-angled corner turns each velocity for itself, in any order; in an acute corner the
+    /// order matters.
     #[test]
     fn corners_depend_on_the_order_where_their_walls_are_not_orthogonal() {
         let square = contacts(&[1.0, 1.0], &[&[1.0, 0.0], &[0.0, 1.0]], 0.5);

@@ -1,4 +1,5 @@
-//! A linear system with periodic force, time being the forcing's phase: a machine, free or resting on some of its stops.
+//! A linear system with periodic force, time being the forcing's phase: a machine, free or resting on some of
+//! its stops.
 
 use super::{RealMatrix, RealVector, contact::StopContact};
 use crate::{
@@ -6,7 +7,8 @@ use crate::{
     oscillator::{Harmonic, Series},
 };
 
-/// M q″ + C q′ + K q = f(t) with M symmetric and positive definite, f 2π-periodic. No coordinate at all is allowed.
+/// M q″ + C q′ + K q = f(t) with M symmetric and positive definite, f 2π-periodic. No coordinate at all is
+/// allowed.
 #[derive(Debug, Clone)]
 pub struct LinearEquations {
     /// M.
@@ -147,8 +149,9 @@ impl LinearEquations {
         &self.root
     }
 
-    /// The motion under the constraint that the gaps of these contacts, whose rows are independent, are 0: q = Z r + Σ b_j Q_j(t), with Z an
-    /// M-orthonormal basis of the motions that keep the gaps, so that the mass of r is 1.
+    /// The motion under the constraint that the gaps of these contacts, whose rows are independent, are 0: q
+    /// = Z r + Σ b_j Q_j(t), with Z an M-orthonormal basis of the motions that keep the gaps, so that the
+    /// mass of r is 1.
     ///
     /// # Errors
     /// None in practice: of [`LinearEquations::new`].

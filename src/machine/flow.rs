@@ -1,8 +1,9 @@
 //! The motion of a linear system with periodic force in closed form.
 //!
-//! (q, q′) = S (y + p(t)) with p a particular solution and y homogeneous. In pairs of coordinates y moves by one exponential each; p is the sum of the
-//! pairs' responses, of which those near resonance start from rest in every period, so that they stay moderate: y gains
-//! [`step`](LinearFlow::step) when a period ends. A system that does not fall apart is one block; its p starts from rest in every period, and both move by
+//! (q, q′) = S (y + p(t)) with p a particular solution and y homogeneous. In pairs of coordinates y moves by
+//! one exponential each; p is the sum of the pairs' responses, of which those near resonance start from rest
+//! in every period, so that they stay moderate: y gains [`step`](LinearFlow::step) when a period ends. A
+//! system that does not fall apart is one block; its p starts from rest in every period, and both move by
 //! Taylor series of the exponential on steps in which the matrix is at most 1/2.
 
 use std::f64::consts::TAU;
@@ -18,10 +19,12 @@ use crate::{
     oscillator::{Harmonic, System, flow::Linear},
 };
 
-/// Terms of the Taylor series by which a system moves that is one block: with 1/2, what is left out is below 2⁻²⁰/20! < 10⁻²⁴.
+/// Terms of the Taylor series by which a system moves that is one block: with 1/2, what is left out is below
+/// 2⁻²⁰/20! < 10⁻²⁴.
 const BLOCK_TERMS: usize = 20;
 
-/// Nearer than this to an eigenvalue a periodic response would be large and cancel: a secular one takes its place.
+/// Nearer than this to an eigenvalue a periodic response would be large and cancel: a secular one takes its
+/// place.
 const NEAR: f64 = 1.0 / 16.0;
 
 /// How a flow is computed.
@@ -46,8 +49,8 @@ impl FlowMethod {
     }
 }
 
-/// The solved equations. Error of a motion over a duration: a few units in the last place of its largest terms, times the condition number, times
-/// 1 + the fastest rate · duration.
+/// The solved equations. Error of a motion over a duration: a few units in the last place of its largest
+/// terms, times the condition number, times 1 + the fastest rate · duration.
 #[derive(Debug, Clone)]
 pub struct LinearFlow {
     equations: LinearEquations,
@@ -127,8 +130,8 @@ impl LinearFlow {
         }
     }
 
-    /// The condition number of the eigenvectors in coordinates in which those of an undamped system are orthonormal; 1 for real modes, infinite
-    /// for a defective system.
+    /// The condition number of the eigenvectors in coordinates in which those of an undamped system are
+    /// orthonormal; 1 for real modes, infinite for a defective system.
     pub fn condition(&self) -> f64 {
         self.condition
     }
@@ -156,7 +159,8 @@ impl LinearFlow {
         }
     }
 
-    /// Natural frequencies and damping ratios of the modes that oscillate, in multiples of the forcing's frequency, ascending; none for one block.
+    /// Natural frequencies and damping ratios of the modes that oscillate, in multiples of the forcing's
+    /// frequency, ascending; none for one block.
     pub fn frequencies(&self) -> Vec<(f64, f64)> {
         let one = |pair: Pair| match pair {
             Pair::Mode { damping, stiffness } if stiffness > 0.0 => {
@@ -277,7 +281,8 @@ impl LinearFlow {
         &self.from * self.matrix(duration) * &self.to
     }
 
-    /// The state after `duration` > 0, over as many periods as that takes. The phase is brought back to [0, 2π).
+    /// The state after `duration` > 0, over as many periods as that takes. The phase is brought back to [0,
+    /// 2π).
     pub fn after(&self, state: &MachineState, duration: f64) -> MachineState {
         let mut y = self.split(state);
         let (mut t, mut left) = (state.t, duration);
@@ -464,7 +469,8 @@ fn forced(a: &RealMatrix, force: &Periodic, t: f64, duration: f64, p: &RealVecto
 #[derive(Debug, Clone)]
 struct Response {
     lambda: Complex<f64>,
-    /// κ, z, and whether the response starts from rest at 0: then it is z (e^{iκt} − e^{λt})/(iκ − λ), else z e^{iκt}/(iκ − λ).
+    /// κ, z, and whether the response starts from rest at 0: then it is z (e^{iκt} − e^{λt})/(iκ − λ), else z
+    /// e^{iκt}/(iκ − λ).
     terms: Vec<(f64, Complex<f64>, bool)>,
 }
 

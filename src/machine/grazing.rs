@@ -1,13 +1,16 @@
-//! Grazing bifurcations of the motion without impacts: where it touches a stop as a parameter varies, and the local map there.
+//! Grazing bifurcations of the motion without impacts: where it touches a stop as a parameter varies, and the
+//! local map there.
 //!
-//! The motion is known in closed form ([`LinearEquations::response`]), and so is its gap to each stop, a trigonometric sum. [`locate`] follows the least gap
-//! from one value of the parameter both ways and finds where it is zero first. The map there is the paper's, with the state x = (q, q′) less that of the
-//! motion, at the phase t_G of grazing, 2n numbers:
+//! The motion is known in closed form ([`LinearEquations::response`]), and so is its gap to each stop, a
+//! trigonometric sum. [`locate`] follows the least gap from one value of the parameter both ways and finds
+//! where it is zero first. The map there is the paper's, with the state x = (q, q′) less that of the motion,
+//! at the phase t_G of grazing, 2n numbers:
 //!
 //! - A = the flow over one period, (2);
 //! - C = (w, 0): the gap is C x + eµ to first order, (5), (26);
-//! - B = √(2a_G) (1 + τ) (0, M⁻¹wᵀ/(w M⁻¹wᵀ)): an impact of incoming speed V changes the velocities by (1 + τ) V M⁻¹wᵀ/(w M⁻¹wᵀ), Newton's law for one
-//!   stop ([`contact`](super::contact)), and V = √(2a_G) y, (44); with one degree of freedom B = (0, √(2a_G)(1 + τ));
+//! - B = √(2a_G) (1 + τ) (0, M⁻¹wᵀ/(w M⁻¹wᵀ)): an impact of incoming speed V changes the velocities by (1 +
+//!   τ) V M⁻¹wᵀ/(w M⁻¹wᵀ), Newton's law for one stop ([`contact`](super::contact)), and V = √(2a_G) y, (44);
+//!   with one degree of freedom B = (0, √(2a_G)(1 + τ));
 //! - e = the rate of the least gap with the parameter, (26).
 //!
 //! Not here: which patterns exist (`pattern`), motions with impacts (`orbit`).
@@ -52,7 +55,8 @@ impl FreeMotion {
     /// The motion of a machine whose coefficients change at the rates `slope`.
     ///
     /// # Errors
-    /// Those of [`Machine::equations`], [`Machine::contacts`], [`MachineSlope::new`] and [`LinearEquations::response`].
+    /// Those of [`Machine::equations`], [`Machine::contacts`], [`MachineSlope::new`] and
+    /// [`LinearEquations::response`].
     pub fn new(machine: &Machine<f64>, slope: &Machine<f64>) -> Result<FreeMotion> {
         let (equations, slope) = (machine.equations()?, MachineSlope::new(machine, slope)?);
         let contacts = Contacts::new(&equations, machine.contacts()?);
@@ -104,7 +108,8 @@ impl FreeMotion {
 
 /// The minima of a trigonometric sum over a period, phase and value.
 ///
-/// Cells are 1/32 of the fastest period; within one the second derivative is taken to change sign once at most, so that every root of the first is found.
+/// Cells are 1/32 of the fastest period; within one the second derivative is taken to change sign once at
+/// most, so that every root of the first is found.
 fn minima(z: &Series) -> Vec<(f64, f64)> {
     if z.order() == 0 {
         return vec![(0.0, z.mean())];
@@ -179,9 +184,10 @@ const STEPS: u32 = 200;
 /// A gap smaller than this, relative to the gaps' motion, where another is zero, is zero too.
 const TWICE: f64 = 1e-11;
 
-/// The grazing of the motion without impacts nearest to `start`, within `reach` of it. From step to step of the parameter, 200 of them each way, the least
-/// gap changes sign, or its derivative does, so that it dips between them; dips of a fraction of a step may be missed. Then Newton's method on the least
-/// gap as a function of the parameter, kept between bounds.
+/// The grazing of the motion without impacts nearest to `start`, within `reach` of it. From step to step of
+/// the parameter, 200 of them each way, the least gap changes sign, or its derivative does, so that it dips
+/// between them; dips of a fraction of a step may be missed. Then Newton's method on the least gap as a
+/// function of the parameter, kept between bounds.
 ///
 /// # Errors
 /// Where the family is not defined at `start`; no periodic motion there; det(I − A) = 0 at the grazing.
@@ -309,8 +315,8 @@ fn polish(look: Look, mut here: f64) -> Result<f64> {
     Ok(here)
 }
 
-/// The local map of the stroboscopic section at the phase of grazing, in coordinates x = (q, q′) less those of the motion, velocities per radian of the
-/// forcing.
+/// The local map of the stroboscopic section at the phase of grazing, in coordinates x = (q, q′) less those
+/// of the motion, velocities per radian of the forcing.
 #[derive(Debug, Clone)]
 pub struct MachineLocalMap {
     /// A: ∂(q, q′) after a period by (q, q′) before.
@@ -344,7 +350,8 @@ pub struct MachineLocalMap {
 const ERROR: f64 = 1e-12;
 
 impl MachineLocalMap {
-    /// The map at a minimum of a gap that is zero. An a_G that is not positive is for [`to_map`](Self::to_map) to refuse.
+    /// The map at a minimum of a gap that is zero. An a_G that is not positive is for
+    /// [`to_map`](Self::to_map) to refuse.
     ///
     /// # Errors
     /// Those of [`LinearFlow::new`]; eigenvalues of A that are not found.
@@ -388,9 +395,10 @@ impl MachineLocalMap {
         (self.b.len() == 2).then(|| self.a[(0, 1)])
     }
 
-    /// The map for the local theory, in the coordinates in which the flow falls apart, so that A is made of blocks of two and intervals stay narrow in
-    /// any dimension. Every computed entry is widened by 10⁻¹² of the largest of its block, more for fast modes and for nearly dependent ones: far
-    /// more than its error, but no proof. What is zero by structure stays exactly zero.
+    /// The map for the local theory, in the coordinates in which the flow falls apart, so that A is made of
+    /// blocks of two and intervals stay narrow in any dimension. Every computed entry is widened by 10⁻¹² of
+    /// the largest of its block, more for fast modes and for nearly dependent ones: far more than its error,
+    /// but no proof. What is zero by structure stays exactly zero.
     ///
     /// # Errors
     /// An input error if a_G is not positive, and those of [`Map::new`].
@@ -426,9 +434,11 @@ impl MachineLocalMap {
         Map::new(a, vector(b)?, vector(c)?, wide(self.e, ERROR * self.e.abs())?, None)
     }
 
-    /// Times t_i and incoming speeds V_i of the impacts of the pattern (n₁, …, n_m) of `report`, which is of [`to_map`](Self::to_map), at the distance
-    /// `away` of the parameter from the grazing at phase `phase`: the leading-order solution (32). Impact i follows n_{i−1} periods after the one before,
-    /// with speed √(2a_G) η Y_{i−1}, η = e · `away`, where the rate of the gap is −V on the parabola of curvature a_G that the gap follows there.
+    /// Times t_i and incoming speeds V_i of the impacts of the pattern (n₁, …, n_m) of `report`, which is of
+    /// [`to_map`](Self::to_map), at the distance `away` of the parameter from the grazing at phase `phase`:
+    /// the leading-order solution (32). Impact i follows n_{i−1} periods after the one before, with speed
+    /// √(2a_G) η Y_{i−1}, η = e · `away`, where the rate of the gap is −V on the parabola of curvature a_G
+    /// that the gap follows there.
     ///
     /// # Errors
     /// An input error if the report has no solution.

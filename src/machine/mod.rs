@@ -1,27 +1,33 @@
 //! Machines: mechanical systems with any number of degrees of freedom and any number of rigid stops.
 //!
-//! A [`Machine`] is M q″ + C q′ + K q = f₀ + Σ f_k(t) with stops w·q ≥ offset(t), in the units of its scene. It stands beside `oscillator`, which has
-//! one degree of freedom, two walls and a nonlinear spring, and which it leaves as it is: what they share (time as periods and phase, harmonic
-//! series, the minimum test on one polynomial) is taken from there.
+//! A [`Machine`] is M q″ + C q′ + K q = f₀ + Σ f_k(t) with stops w·q ≥ offset(t), in the units of its scene.
+//! It stands beside `oscillator`, which has one degree of freedom, two walls and a nonlinear spring, and
+//! which it leaves as it is: what they share (time as periods and phase, harmonic series, the minimum test on
+//! one polynomial) is taken from there.
 //!
 //! # Design
 //!
-//! - **Time.** Inside, time is the forcing's phase: T/2π is the unit of time ([`Machine::equations`]), so that velocities are per radian. Who reports
-//!   multiplies by [`Machine::rate`].
-//! - **One idea.** Between events a machine is a linear system with periodic force, and so is a machine that rests on some of its stops, with fewer
-//!   degrees of freedom: [`LinearEquations`] either way. Everything that is watched for (a gap, the force of a stop that something rests on) is a
-//!   linear functional of the state plus a known function of time (`contact::Watch`).
-//! - **LinearFlow.** [`LinearFlow`] solves [`LinearEquations`] in closed form: y = T(q, q′) − p(t) is homogeneous and falls apart into pairs of coordinates, by real modes
-//!   where damping is classical, else by complex modes; where their eigenvectors are too nearly dependent, it is one block with its
-//!   matrix exponential. [`LinearFlow::method`] and [`LinearFlow::condition`] say which and why.
-//! - **Impacts.** Newton's law for all stops that are hit at one instant, as a complementarity problem in the mass metric ([`contact`]).
-//! - **Simulation.** [`simulate`] promises what the one of `oscillator` does, with the same minimum test; far from all stops it passes over
-//!   long stretches at once.
-//! - **Analysis.** The motion without impacts, where it grazes a stop as a parameter varies, and the local map there ([`grazing`]); periodic
-//!   orbits with impacts ([`orbit`]). Derivatives come from the flow, the saltation at impacts and [`MachineSlope`]: nothing is differenced.
+//! - **Time.** Inside, time is the forcing's phase: T/2π is the unit of time ([`Machine::equations`]), so
+//!   that velocities are per radian. Who reports multiplies by [`Machine::rate`].
+//! - **One idea.** Between events a machine is a linear system with periodic force, and so is a machine that
+//!   rests on some of its stops, with fewer degrees of freedom: [`LinearEquations`] either way. Everything
+//!   that is watched for (a gap, the force of a stop that something rests on) is a linear functional of the
+//!   state plus a known function of time (`contact::Watch`).
+//! - **LinearFlow.** [`LinearFlow`] solves [`LinearEquations`] in closed form: y = T(q, q′) − p(t) is
+//!   homogeneous and falls apart into pairs of coordinates, by real modes where damping is classical, else by
+//!   complex modes; where their eigenvectors are too nearly dependent, it is one block with its matrix
+//!   exponential. [`LinearFlow::method`] and [`LinearFlow::condition`] say which and why.
+//! - **Impacts.** Newton's law for all stops that are hit at one instant, as a complementarity problem in the
+//!   mass metric ([`contact`]).
+//! - **Simulation.** [`simulate`] promises what the one of `oscillator` does, with the same minimum test; far
+//!   from all stops it passes over long stretches at once.
+//! - **Analysis.** The motion without impacts, where it grazes a stop as a parameter varies, and the local
+//!   map there ([`grazing`]); periodic orbits with impacts ([`orbit`]). Derivatives come from the flow, the
+//!   saltation at impacts and [`MachineSlope`]: nothing is differenced.
 //!
-//! Linear algebra is by `nalgebra`, 18 packages; `faer` would bring 57 and the eigenvectors of general matrices, which are thirty lines here.
-//! Not here: what is to be done, as a file (`scene`); tables and pictures.
+//! Linear algebra is by `nalgebra`, 18 packages; `faer` would bring 57 and the eigenvectors of general
+//! matrices, which are thirty lines here. Not here: what is to be done, as a file (`scene`); tables and
+//! pictures.
 
 pub mod contact;
 mod equations;

@@ -21,11 +21,13 @@ pub struct Machine<T> {
     pub mass: Vec<(usize, usize, T)>,
     /// The nonzero entries of C.
     pub damping: Vec<(usize, usize, T)>,
-    /// Damping ratios added to C in the modes of M and K, in the order of their frequencies; one for all, or none.
+    /// Damping ratios added to C in the modes of M and K, in the order of their frequencies; one for all, or
+    /// none.
     pub damping_ratio: Vec<T>,
     /// The nonzero entries of K.
     pub stiffness: Vec<(usize, usize, T)>,
-    /// Φ by rows: q = Φη, where the equations are those of η and forces, rows of stops and states are given for q. None where q = η.
+    /// Φ by rows: q = Φη, where the equations are those of η and forces, rows of stops and states are given
+    /// for q. None where q = η.
     pub shapes: Vec<Vec<T>>,
     /// f₀, an entry for each coordinate q, or none for zero.
     pub force: Vec<T>,
@@ -127,8 +129,8 @@ impl Machine<f64> {
     /// The equations with the forcing's phase as time: MΩ², CΩ, K.
     ///
     /// # Errors
-    /// An input error for a period that is not positive, sizes that do not fit, coefficients that are not finite, M that is not
-    /// symmetric and positive definite, damping ratios without symmetric K ≥ 0.
+    /// An input error for a period that is not positive, sizes that do not fit, coefficients that are not
+    /// finite, M that is not symmetric and positive definite, damping ratios without symmetric K ≥ 0.
     pub fn equations(&self) -> Result<LinearEquations> {
         if !(self.period > 0.0 && self.period.is_finite()) {
             return Err(Error::input(format!("the period is {}; it must be positive", self.period)));
@@ -157,7 +159,8 @@ impl Machine<f64> {
     /// w and the place of each stop.
     ///
     /// # Errors
-    /// As [`equations`](Self::equations), led by the stop's name; also for a row of zeros and a negative restitution.
+    /// As [`equations`](Self::equations), led by the stop's name; also for a row of zeros and a negative
+    /// restitution.
     pub fn contacts(&self) -> Result<Vec<super::contact::StopContact>> {
         let one = |stop: &Stop<f64>| {
             let row = self.vector("row", &stop.row)?;

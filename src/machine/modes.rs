@@ -1,12 +1,15 @@
 //! How a linear system falls apart: into its real modes, into complex ones, or not at all.
 //!
-//! Everything is done in coordinates in which the mass is 1, x = Lᵀq with M = L Lᵀ. There K and C are symmetric if they were.
+//! Everything is done in coordinates in which the mass is 1, x = Lᵀq with M = L Lᵀ. There K and C are
+//! symmetric if they were.
 //!
-//! 1. Classical damping: an orthogonal U makes both K and C diagonal. U are eigenvectors of K, or, where K has repeated eigenvalues that C tells apart, of
-//!    K + θC for a θ that makes coincidences unlikely. Accepted if what is left beside both diagonals is rounding.
-//! 2. Else the state is X = (Dη, η′), x = Uη with U from K's symmetric part and D = diag √max(|K_ii|, 1), in which an undamped system is a rotation and
-//!    its eigenvectors are orthonormal. Eigenvectors of the matrix of X′ = A X by its complex Schur form. Accepted if their condition number is at
-//!    most [`WORST`]: rounding is amplified by no more.
+//! 1. Classical damping: an orthogonal U makes both K and C diagonal. U are eigenvectors of K, or, where K
+//!    has repeated eigenvalues that C tells apart, of K + θC for a θ that makes coincidences unlikely.
+//!    Accepted if what is left beside both diagonals is rounding.
+//! 2. Else the state is X = (Dη, η′), x = Uη with U from K's symmetric part and D = diag √max(|K_ii|, 1), in
+//!    which an undamped system is a rotation and its eigenvectors are orthonormal. Eigenvectors of the matrix
+//!    of X′ = A X by its complex Schur form. Accepted if their condition number is at most [`WORST`]:
+//!    rounding is amplified by no more.
 //! 3. Else X itself, in one block.
 
 use nalgebra::{Complex, Schur, SymmetricEigen};
@@ -81,7 +84,8 @@ pub(super) fn damping(mass: &RealMatrix, stiffness: &RealMatrix, ratios: &[f64])
 
 impl Reduction {
     /// # Errors
-    /// An input error if an eigenvalue iteration does not end, which finite matrices do not bring about in practice.
+    /// An input error if an eigenvalue iteration does not end, which finite matrices do not bring about in
+    /// practice.
     pub fn new(equations: &LinearEquations) -> Result<Reduction> {
         let (k, c) = (equations.per_mass(&equations.stiffness), equations.per_mass(&equations.damping));
         match classical(&k, &c)? {
@@ -203,7 +207,8 @@ fn general(equations: &LinearEquations, k: &RealMatrix, c: &RealMatrix) -> Resul
     }
 }
 
-/// Pairs of modes of X′ = A X with the real basis of each and its inverse, and the condition number of that basis, infinite if there is none.
+/// Pairs of modes of X′ = A X with the real basis of each and its inverse, and the condition number of that
+/// basis, infinite if there is none.
 #[allow(clippy::type_complexity)]
 fn complex(a: &RealMatrix) -> (Option<(Vec<Pair>, RealMatrix, RealMatrix)>, f64) {
     let none = (None, f64::INFINITY);
@@ -270,7 +275,8 @@ fn eigenvector(
     for i in (0..k).rev() {
         let sum = (i + 1..=k).fold(Complex::new(0.0, 0.0), |sum, j| sum + t[(i, j)] * x[j]);
         let mut gap = t[(i, i)] - t[(k, k)];
-        // Equal eigenvalues: the vectors become nearly the same, which the condition number shows, or the sum is zero.
+        // Equal eigenvalues: the vectors become nearly the same, which the condition number shows, or the sum
+        // is zero.
         if gap.norm() < small {
             gap = Complex::new(small.max(f64::MIN_POSITIVE), 0.0);
         }

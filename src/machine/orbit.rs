@@ -1,10 +1,13 @@
-//! Periodic orbits of machines with a given impact pattern, by Newton's method on the impacts; their multipliers; whether they are orbits.
+//! Periodic orbits of machines with a given impact pattern, by Newton's method on the impacts; their
+//! multipliers; whether they are orbits.
 //!
-//! The unknowns are the state X just after the first impact, 2n numbers, and time and incoming speed t_i, V_i of each impact; impact i changes the
-//! velocities by (1 + τ) V_i M⁻¹wᵀ/(w M⁻¹wᵀ), Newton's law for one stop. The equations: at t_{i+1} + 2π n_i the gap is 0 and its rate −V_{i+1}; after the
-//! last leg and the first impact the state is X again. They are the equations (19) of the paper for any number of degrees of freedom, and as those they are
-//! smooth where an impact has V = 0. That the speeds are unknowns of their own, by which the velocities jump, keeps the equations well conditioned
-//! near grazing, where the flow with its impacts expands by 1/V.
+//! The unknowns are the state X just after the first impact, 2n numbers, and time and incoming speed t_i, V_i
+//! of each impact; impact i changes the velocities by (1 + τ) V_i M⁻¹wᵀ/(w M⁻¹wᵀ), Newton's law for one stop.
+//! The equations: at t_{i+1} + 2π n_i the gap is 0 and its rate −V_{i+1}; after the last leg and the first
+//! impact the state is X again. They are the equations (19) of the paper for any number of degrees of
+//! freedom, and as those they are smooth where an impact has V = 0. That the speeds are unknowns of their
+//! own, by which the velocities jump, keeps the equations well conditioned near grazing, where the flow with
+//! its impacts expands by 1/V.
 //!
 //! Not here: rest on stops, and several stops hit at one instant; an orbit that has them is not found.
 
@@ -285,8 +288,8 @@ impl Equations<'_> {
         Ok(Linearised { residual, jacobian, slope })
     }
 
-    /// X of given times and speeds: the equations of periodicity are linear in it. Where they have no one solution (a motion without stiffness or
-    /// damping), the smallest of the best.
+    /// X of given times and speeds: the equations of periodicity are linear in it. Where they have no one
+    /// solution (a motion without stiffness or damping), the smallest of the best.
     fn complete(&self, impacts: &[f64]) -> Result<Vec<f64>> {
         let n = self.size();
         let mut z = vec![0.0; 2 * n];
@@ -310,8 +313,9 @@ impl Equations<'_> {
 
     /// The motion linearised once around, after the first impact, at fixed times.
     ///
-    /// At an impact a displacement δ before it becomes S δ, S = J + (f⁻ − κ z″ − f⁺)(w, 0)/V, where J = I − κ (0, w) is Newton's law with
-    /// κ = (0, (1 + τ) M⁻¹wᵀ/(w M⁻¹wᵀ)), f = (q′, q″), z″ the gap's second derivative before it, and w δq/V the delay of the impact.
+    /// At an impact a displacement δ before it becomes S δ, S = J + (f⁻ − κ z″ − f⁺)(w, 0)/V, where J = I − κ
+    /// (0, w) is Newton's law with κ = (0, (1 + τ) M⁻¹wᵀ/(w M⁻¹wᵀ)), f = (q′, q″), z″ the gap's second
+    /// derivative before it, and w δq/V the delay of the impact.
     fn monodromy(&self, z: &[f64]) -> Result<RealMatrix> {
         let (n, m) = (self.size(), self.pattern.strikes.len());
         let (mut state, times, speeds) = self.split(z);
@@ -365,8 +369,9 @@ impl Equations<'_> {
                 }
                 Err(error) => return Err(error),
             };
-            // What the legs' own impacts look like to the simulator: at an end of the leg, at the stop that is hit there. Slow ones it does not see, as they
-            // are not as deep as the minimum depth; that they are there is in the equations.
+            // What the legs' own impacts look like to the simulator: at an end of the leg, at the stop that
+            // is hit there. Slow ones it does not see, as they are not as deep as the minimum depth; that
+            // they are there is in the equations.
             let own = |stop: usize, after: f64| {
                 let at = |i: usize| m > 0 && self.pattern.strikes[i].stop == stop;
                 (at(leg) && after <= CLOSE) || (at(next) && duration - after <= CLOSE)
@@ -424,7 +429,8 @@ impl Equations<'_> {
 /// A contact that the simulator sees this near an end of a leg, at the stop hit there, is that impact.
 const CLOSE: f64 = 1e-5;
 
-/// The orbit of a pattern nearest to times and incoming speeds t_1, V_1, …, t_m, V_m (none without impacts): Newton's method with exact derivatives.
+/// The orbit of a pattern nearest to times and incoming speeds t_1, V_1, …, t_m, V_m (none without impacts):
+/// Newton's method with exact derivatives.
 ///
 /// # Errors
 /// An input error if the start has another length, a stop is not there, or Newton's method does not end.
@@ -471,7 +477,8 @@ pub fn find(simulator: &MachineSimulator, pattern: &StopPattern, start: &[f64]) 
     })
 }
 
-/// Eigenvalues by modulus, the largest first, of a matrix of the given determinant, from which those of a 2 × 2 matrix are taken without cancellation.
+/// Eigenvalues by modulus, the largest first, of a matrix of the given determinant, from which those of a 2 ×
+/// 2 matrix are taken without cancellation.
 ///
 /// # Errors
 /// A matrix that is not finite.

@@ -1,4 +1,5 @@
-//! The periodic motion without impacts: the forced response of a linear system, and how it changes with a parameter.
+//! The periodic motion without impacts: the forced response of a linear system, and how it changes with a
+//! parameter.
 
 use nalgebra::{Complex, DMatrix, DVector};
 
@@ -18,7 +19,8 @@ impl Periodic {
         MachineState { t, q: self.at(t), u }
     }
 
-    /// a − ib of cos and sin of kt, the mean for k = 0: the function is the sum of the real parts of (a − ib) e^{ikt}.
+    /// a − ib of cos and sin of kt, the mean for k = 0: the function is the sum of the real parts of (a − ib)
+    /// e^{ikt}.
     fn amplitude(&self, k: u32) -> DVector<Complex<f64>> {
         if k == 0 {
             return self.mean.map(|x| Complex::new(x, 0.0));
@@ -33,10 +35,12 @@ impl Periodic {
 }
 
 impl LinearEquations {
-    /// The periodic motion: (K − k²M + ikC) z_k = f_k for each harmonic k, 0 among them. Cost: O(n³) for each.
+    /// The periodic motion: (K − k²M + ikC) z_k = f_k for each harmonic k, 0 among them. Cost: O(n³) for
+    /// each.
     ///
     /// # Errors
-    /// An input error at a resonance without damping, a motion without stiffness among them: there is no periodic motion then, or more than one.
+    /// An input error at a resonance without damping, a motion without stiffness among them: there is no
+    /// periodic motion then, or more than one.
     pub fn response(&self) -> Result<Periodic> {
         let ks = std::iter::once(0).chain(self.force.harmonics.iter().map(|known| known.0));
         self.solve(ks, |k| self.force.amplitude(k))

@@ -1,4 +1,5 @@
-//! How a machine's equations change with a parameter: the exact derivatives of every coefficient, no differences.
+//! How a machine's equations change with a parameter: the exact derivatives of every coefficient, no
+//! differences.
 
 use super::{LinearEquations, Machine, Periodic, RealMatrix, RealVector, modes};
 use crate::{
@@ -15,7 +16,8 @@ pub trait MachineFamily {
     fn at(&self, parameter: f64) -> Result<(Machine<f64>, Machine<f64>)>;
 }
 
-/// The derivatives in a parameter of what [`LinearEquations`] and the stops are made of, the forcing's phase being time.
+/// The derivatives in a parameter of what [`LinearEquations`] and the stops are made of, the forcing's phase
+/// being time.
 #[derive(Debug, Clone)]
 pub struct MachineSlope {
     /// Of M.
@@ -34,8 +36,8 @@ impl MachineSlope {
     /// The derivatives, `slope` being those of the coefficients of `machine` as they are written.
     ///
     /// # Errors
-    /// Those of [`Machine::equations`]; damping ratios by mode where two modes that the parameter mixes have one frequency, or where a mode
-    /// without stiffness gets some: the damping has no derivative there.
+    /// Those of [`Machine::equations`]; damping ratios by mode where two modes that the parameter mixes have
+    /// one frequency, or where a mode without stiffness gets some: the damping has no derivative there.
     pub fn new(machine: &Machine<f64>, slope: &Machine<f64>) -> Result<MachineSlope> {
         // Ω = 2π/T.
         let (rate, faster) = (machine.rate(), -machine.rate() * slope.period / machine.period);
@@ -90,8 +92,9 @@ const SAME: f64 = 1e-10;
 
 /// The derivative of C = L X Lᵀ, X = U diag(2ζ_i √s_i) Uᵀ, with S = L⁻¹ K L⁻ᵀ = U diag(s) Uᵀ and M = L Lᵀ.
 ///
-/// L′ = L B with B the lower triangle of L⁻¹ M′ L⁻ᵀ, its diagonal halved; S′ = L⁻¹ K′ L⁻ᵀ − B S − S Bᵀ; and by first-order perturbation of
-/// eigenvectors (UᵀX′U)_ij = (f_i − f_j)/(s_i − s_j) (UᵀS′U)_ij for f_i = 2ζ_i √s_i, on the diagonal f_i′.
+/// L′ = L B with B the lower triangle of L⁻¹ M′ L⁻ᵀ, its diagonal halved; S′ = L⁻¹ K′ L⁻ᵀ − B S − S Bᵀ; and
+/// by first-order perturbation of eigenvectors (UᵀX′U)_ij = (f_i − f_j)/(s_i − s_j) (UᵀS′U)_ij for f_i = 2ζ_i
+/// √s_i, on the diagonal f_i′.
 fn of_ratios(
     (mass, stiffness, ratios): (&RealMatrix, &RealMatrix, &[f64]),
     (mass_slope, stiffness_slope, ratio_slopes): (&RealMatrix, &RealMatrix, &[f64]),

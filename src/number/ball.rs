@@ -1,8 +1,8 @@
 //! Balls with a midpoint of any number of bits, on integers alone: no libm, no rounding modes.
 //!
 //! A ball is m·2^e ± radius. Each operation is exact on midpoints, then cuts the midpoint to its precision
-//! and adds what that lost to the radius. A result whose exponent would leave ±2⁶² becomes the whole line, or zero with
-//! a radius that bounds it. π, sines and cosines live in `ball_sine`.
+//! and adds what that lost to the radius. A result whose exponent would leave ±2⁶² becomes the whole line, or
+//! zero with a radius that bounds it. π, sines and cosines live in `ball_sine`.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -90,8 +90,8 @@ impl Ball {
 
     /// Bounds of the enclosed numbers as exact fractions, `None` if nothing is known.
     ///
-    /// They are the ball's own unless these would take more than 2¹⁷ bits beyond its precision: below 2^−2¹⁷ they are
-    /// ±2^−2¹⁷ and 0, and for numbers above 2^2¹⁷ there are none. So this is safe for any ball.
+    /// They are the ball's own unless these would take more than 2¹⁷ bits beyond its precision: below 2^−2¹⁷
+    /// they are ±2^−2¹⁷ and 0, and for numbers above 2^2¹⁷ there are none. So this is safe for any ball.
     pub fn exact_bounds(&self) -> Option<(BigRational, BigRational)> {
         if !self.radius.is_within(WRITTEN) || self.top().is_some_and(|top| top > WRITTEN) {
             return None;
@@ -124,7 +124,8 @@ impl Ball {
         (!self.mid.is_zero()).then(|| self.exp.wide() + self.mid.bits() as i128)
     }
 
-    /// Whether the exact number lies between the [`exact_bounds`](Ball::exact_bounds); true if there are none.
+    /// Whether the exact number lies between the [`exact_bounds`](Ball::exact_bounds); true if there are
+    /// none.
     pub fn contains(&self, value: &BigRational) -> bool {
         self.exact_bounds().is_none_or(|(lo, hi)| !(value - lo).is_negative() && !(hi - value).is_negative())
     }
@@ -315,7 +316,8 @@ impl Ball {
         Ball { radius: centre.radius + Radius::of(&reach.mid, reach.exp.wide()) + reach.radius, ..centre }
     }
 
-    /// An e with 2^(e−1) ≤ |x| for every enclosed x, the greatest that the bounds show; `None` if zero is enclosed.
+    /// An e with 2^(e−1) ≤ |x| for every enclosed x, the greatest that the bounds show; `None` if zero is
+    /// enclosed.
     pub fn least_exponent(&self) -> Option<i64> {
         self.least_magnitude().map(|(m, e)| (e + 64 - i128::from(m.leading_zeros())) as i64)
     }

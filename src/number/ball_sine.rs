@@ -47,16 +47,18 @@ pub(super) fn pi(w: u32) -> BigInt {
     BigInt::from((arctan(5) * 16u32 - arctan(239) * 4u32) >> 32)
 }
 
-/// Σ (−1)^i y^i first!/(2i + first)!: cos √y for `first` = 0, sin √y / √y for `first` = 1, in 2^−w, w = 64·`length`. Within [`SERIES_ERROR`].
+/// Σ (−1)^i y^i first!/(2i + first)!: cos √y for `first` = 0, sin √y / √y for `first` = 1, in 2^−w, w =
+/// 64·`length`. Within [`SERIES_ERROR`].
 ///
-/// Needs 0 ≤ y ≤ 0.617 known within 4. By blocks of m ≈ √N terms (Paterson and Stockmeyer): N multiplications by a word
-/// and 2√N full ones for N terms. With d_i = (2i + first − 1)(2i + first), `sum` counts in units of 1/(d₁⋯d_j) for a j that
-/// falls whenever the product `scale` = d_{i+1}⋯d_j would outgrow a word. N is odd and m even, so that the sum is positive (its
-/// leading term outweighs the rest) wherever it is multiplied or divided; in between it wraps.
+/// Needs 0 ≤ y ≤ 0.617 known within 4. By blocks of m ≈ √N terms (Paterson and Stockmeyer): N multiplications
+/// by a word and 2√N full ones for N terms. With d_i = (2i + first − 1)(2i + first), `sum` counts in units of
+/// 1/(d₁⋯d_j) for a j that falls whenever the product `scale` = d_{i+1}⋯d_j would outgrow a word. N is odd
+/// and m even, so that the sum is positive (its leading term outweighs the rest) wherever it is multiplied or
+/// divided; in between it wraps.
 ///
-/// Errors: a power is off by at most 12 (y off by 4, a product by 2, times y ≤ 0.617, summed), and the powers weigh at
-/// most 1/2! + 1/4! + … < 0.55; each other cut loses at most 2 in a unit of 1/(d₁⋯d_i), i ≥ 2, together less than
-/// 1; the last division and the tail lose less than 1 each.
+/// Errors: a power is off by at most 12 (y off by 4, a product by 2, times y ≤ 0.617, summed), and the powers
+/// weigh at most 1/2! + 1/4! + … < 0.55; each other cut loses at most 2 in a unit of 1/(d₁⋯d_i), i ≥ 2,
+/// together less than 1; the last division and the tail lose less than 1 each.
 pub(super) fn series(y: &BigInt, length: usize, first: u64) -> BigInt {
     let w = 64 * length as u64;
     let d = |i: u64| (2 * i + first - 1) * (2 * i + first);
@@ -156,11 +158,13 @@ fn fixed_sine(angle: &Angle, precision: &Precision, length: usize) -> Signed {
     Signed { negative: octant.negative, limbs: fixed::limbs(&magnitude, length + 1) }
 }
 
-/// f(0), f(1), …, f(n) for f(k) = sin or cos of k times the angle, from f(0), f(1) by f(k+1) = 2c·f(k) − f(k−1).
+/// f(0), f(1), …, f(n) for f(k) = sin or cos of k times the angle, from f(0), f(1) by f(k+1) = 2c·f(k) −
+/// f(k−1).
 ///
-/// Let c be the cosine, e_k the error of f(k) in the last place. A step adds at most 2·[`ERROR`]·1.1 + 9 < 80 (c's
-/// own error and a product's), and an error ε made at step i reaches step k as ε·sin((k−i)x)/sin x ≤ ε(k − i). Hence
-/// e_k ≤ 32k + 80·k²/2 ≤ 72k². Where that leaves fewer than `bits` good bits, the value is computed by itself.
+/// Let c be the cosine, e_k the error of f(k) in the last place. A step adds at most 2·[`ERROR`]·1.1 + 9 < 80
+/// (c's own error and a product's), and an error ε made at step i reaches step k as ε·sin((k−i)x)/sin x ≤ ε(k
+/// − i). Hence e_k ≤ 32k + 80·k²/2 ≤ 72k². Where that leaves fewer than `bits` good bits, the value is
+/// computed by itself.
 fn multiples(
     angle: &Angle,
     n: u64,
@@ -199,7 +203,8 @@ pub(super) fn limbs_for(bits: u32) -> usize {
 }
 
 impl Circular for Ball {
-    /// Width at most 3 times that of the correctly rounded enclosure. Cost for b bits: O(√b) products of b bits.
+    /// Width at most 3 times that of the correctly rounded enclosure. Cost for b bits: O(√b) products of b
+    /// bits.
     fn sin(angle: &Angle, precision: &Precision) -> Ball {
         let octant = angle.octant();
         let bits = precision.bits();
@@ -245,7 +250,8 @@ mod tests {
     /// The bounds from the terms that the comments name: no sampled value comes near them.
     #[test]
     fn the_error_bounds_cover_their_terms() {
-        // y = (π/4)² at the most, off by 4; a power adds a product's 2 and y's 4 to what the last one passes on.
+        // y = (π/4)² at the most, off by 4; a power adds a product's 2 and y's 4 to what the last one passes
+        // on.
         let y = (std::f64::consts::PI / 4.0).powi(2);
         let power = (2..60).fold(4.0f64, |error, j: i32| (error * y + 4.0 * y.powi(j - 1) + 2.0).max(error));
         for first in [0u64, 1] {

@@ -4,10 +4,11 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero, pow};
 
-/// The number between `lo` and `hi` in decimal: the printed text is off by less than one unit of its last digit.
+/// The number between `lo` and `hi` in decimal: the printed text is off by less than one unit of its last
+/// digit.
 ///
-/// At most `most` significant digits, and of an exact number no trailing zeros; `None` if not even one is certain.
-/// Cost: a few products of integers of the size of `lo` and `hi`.
+/// At most `most` significant digits, and of an exact number no trailing zeros; `None` if not even one is
+/// certain. Cost: a few products of integers of the size of `lo` and `hi`.
 ///
 /// ```
 /// use grazing::number::{certain_digits, parse_rational};

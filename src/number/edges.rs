@@ -97,7 +97,8 @@ fn radii_at_the_ends_of_their_range_stay_bounds() {
     assert_eq!(least.over(1 << 31, LIMIT), least);
 }
 
-/// Every operation on x·2^E, y·2^E for E up to both ends: the result holds the true value, or is the whole line.
+/// Every operation on x·2^E, y·2^E for E up to both ends: the result holds the true value, or is the whole
+/// line.
 #[test]
 fn operations_hold_at_every_exponent() {
     let bits = 40;
@@ -223,7 +224,8 @@ fn bounds_are_written_out_only_where_they_are_short() {
     assert_eq!((low, high), (dyadic(19, -1002), dyadic(21, -1002)));
 }
 
-/// The midpoint less the radius is 2⁶¹ − ½, which no bound in units of 2⁰ may call 2⁶¹; and 1 − 2⁻⁵⁰⁰ is not 1.
+/// The midpoint less the radius is 2⁶¹ − ½, which no bound in units of 2⁰ may call 2⁶¹; and 1 − 2⁻⁵⁰⁰ is
+/// not 1.
 #[test]
 fn least_magnitudes_round_the_radius_up() {
     let mid = (BigInt::one() << 61) + (BigInt::one() << 30);

@@ -1,7 +1,8 @@
-//! exp, sin, cos and √ of enclosed numbers. On balls by integers alone: argument reduction, then power series.
+//! exp, sin, cos and √ of enclosed numbers. On balls by integers alone: argument reduction, then power
+//! series.
 //!
-//! A wide argument is right too: the result's radius bounds how far the function moves over the whole ball. Sines of exact
-//! multiples of π, which are tighter and faster, live in `ball_sine`.
+//! A wide argument is right too: the result's radius bounds how far the function moves over the whole ball.
+//! Sines of exact multiples of π, which are tighter and faster, live in `ball_sine`.
 
 use num_bigint::BigInt;
 use num_integer::{Integer, Roots};
@@ -56,8 +57,9 @@ const GUARD: u32 = 32;
 /// Sines and cosines of arguments beyond 2^4096 are answered by ±1: π to as many bits would be needed.
 const FAR: i64 = 4096;
 
-/// For b bits: width at most 3 times that of the correctly rounded enclosure for a point, and for wide arguments at most
-/// 1 + 2⁻⁸ times the width of the true range more. Cost: O(√b) products of b bits for exp, sin and cos.
+/// For b bits: width at most 3 times that of the correctly rounded enclosure for a point, and for wide
+/// arguments at most 1 + 2⁻⁸ times the width of the true range more. Cost: O(√b) products of b bits for exp,
+/// sin and cos.
 impl Elementary for Ball {
     fn pi(context: &Precision) -> Ball {
         let w = i128::from(context.pi_bits());
@@ -146,7 +148,8 @@ fn point_exp(x: &Ball, bits: u32) -> Ball {
         }
         sum += &term;
     }
-    // All cuts go down: t by less than 1, each term (with what it takes over) by less than 2, the tail counts less than 3.
+    // All cuts go down: t by less than 1, each term (with what it takes over) by less than 2, the tail counts
+    // less than 3.
     let scale = -i128::from(w);
     let mut value = Ball::new(sum, scale, Radius::new(2 * u64::from(n) + 8, scale), w);
     for _ in 0..k {
@@ -187,7 +190,8 @@ fn point_sin_cos(x: &Ball, context: &Precision) -> (Ball, Ball) {
     }
 }
 
-/// n mod 4 and t = x − nπ/2 with |t| ≤ π/4 + 2^−v, within 2^(−v−4) and relative error below 2^−(bits + 32), for x ≠ 0.
+/// n mod 4 and t = x − nπ/2 with |t| ≤ π/4 + 2^−v, within 2^(−v−4) and relative error below 2^−(bits + 32),
+/// for x ≠ 0.
 fn reduced(x: &Ball, v: u32, context: &Precision) -> (u8, Ball) {
     let Some(exponent @ 0..) = x.exponent() else { return (0, x.clone()) };
     let good = context.bits() + GUARD;

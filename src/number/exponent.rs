@@ -1,7 +1,7 @@
 //! Exponents of two that cannot overflow: stored within ±2⁶², computed exactly in 128 bits.
 //!
-//! Nothing adds or subtracts a stored exponent. It is made [`wide`](Exponent::wide), every sum of a few of these and
-//! of lengths in bits is exact, and [`Exponent::fit`], the only way back, says what does not fit.
+//! Nothing adds or subtracts a stored exponent. It is made [`wide`](Exponent::wide), every sum of a few of
+//! these and of lengths in bits is exact, and [`Exponent::fit`], the only way back, says what does not fit.
 
 /// The largest stored exponent.
 const LIMIT: i128 = 1 << 62;

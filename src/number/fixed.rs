@@ -1,12 +1,14 @@
 //! Fixed-point numbers on 64-bit limbs: the few operations that sines spend their time in.
 //!
-//! A fraction is L limbs, least significant first, in units of 2^(−64L). Sizes are the caller's duty; nothing allocates but results.
+//! A fraction is L limbs, least significant first, in units of 2^(−64L). Sizes are the caller's duty; nothing
+//! allocates but results.
 
 use num_bigint::BigUint;
 
 /// ⌊a·b / 2^(64L)⌋ for L = b.len() ≥ 2, or one or two less: a.len() limbs.
 ///
-/// Products of limbs below the last two columns are left out; together they are less than L·2^−64 of the last place.
+/// Products of limbs below the last two columns are left out; together they are less than L·2^−64 of the last
+/// place.
 pub(super) fn product(a: &[u64], b: &[u64]) -> Vec<u64> {
     let skipped = b.len() - 2;
     let mut columns = vec![0u64; a.len() + 2];

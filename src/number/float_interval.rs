@@ -77,7 +77,8 @@ fn product_error(a: f64, b: f64, p: f64) -> Option<f64> {
     Some(((a1 * b1 - p) + a1 * b0 + a0 * b1) + a0 * b0)
 }
 
-/// The largest float known to be ≤ ab and the least known to be ≥ ab. 0·∞ counts as 0, as it must for end points.
+/// The largest float known to be ≤ ab and the least known to be ≥ ab. 0·∞ counts as 0, as it must for end
+/// points.
 fn product(a: f64, b: f64) -> (f64, f64) {
     if a == 0.0 || b == 0.0 {
         return (0.0, 0.0);
@@ -92,7 +93,8 @@ fn product(a: f64, b: f64) -> (f64, f64) {
     }
 }
 
-/// The floats next to `x` + `error` below and above, for an `error` within half a unit of x's last place, x normal.
+/// The floats next to `x` + `error` below and above, for an `error` within half a unit of x's last place, x
+/// normal.
 #[inline]
 fn directed(x: f64, error: f64) -> (f64, f64) {
     // The neighbour away from zero is one up in bits, whatever the sign.

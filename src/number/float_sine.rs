@@ -46,8 +46,8 @@ fn high(a: u64, b: u64) -> u64 {
 
 /// Σ (−1)^{i−1} c_i z^{i−1} over the table, in units of 2⁻⁶⁴, within 16.
 ///
-/// Each of 8 steps adds at most 1½ units (a coefficient is off by ½, a product is cut by 1 and scaled by z < 1), the tail
-/// less than 1; an error of 5 units in z weighs c₂ + 2c₃ + … < 0.02 and adds less than 1.
+/// Each of 8 steps adds at most 1½ units (a coefficient is off by ½, a product is cut by 1 and scaled by z <
+/// 1), the tail less than 1; an error of 5 units in z weighs c₂ + 2c₃ + … < 0.02 and adds less than 1.
 fn alternating(table: &[u64; 9], z: u64) -> u64 {
     table.iter().rev().skip(1).fold(table[8], |sum, &c| c - high(z, sum))
 }
@@ -59,8 +59,8 @@ fn square(w: u64) -> u64 {
 
 /// sin(πt)/t · m/π·(π/4) for a mantissa m of 4t: in units of 2⁻⁶⁴·m's scale, within [`ERROR`].
 ///
-/// q = m·π/4 is off by at most 3 (½ in the constant, 1 in m, 1 cut). The series gives 1 − sinc within 16 + 1 units;
-/// multiplied by q < 2⁶⁴ and cut, all stays within 3 + 18 units.
+/// q = m·π/4 is off by at most 3 (½ in the constant, 1 in m, 1 cut). The series gives 1 − sinc within 16 + 1
+/// units; multiplied by q < 2⁶⁴ and cut, all stays within 3 + 18 units.
 fn sin_mantissa(m: u64, w: u64) -> u64 {
     let z = square(w);
     let q = high(m, QUARTER_PI);
@@ -87,8 +87,8 @@ fn float(m: u64, e: i64, up: bool) -> f64 {
     let m = m << zeros;
     let top = (m >> 11) + u64::from(up && m & 0x7ff != 0);
     let exponent = e - i64::from(zeros) + 11;
-    // top in [2⁵², 2⁵³]: the value is top·2^exponent, and adding the fields lets a carry raise the exponent, from that of
-    // the largest floats (2⁵²·2⁹⁷¹ = 2¹⁰²³) to that of infinity.
+    // top in [2⁵², 2⁵³]: the value is top·2^exponent, and adding the fields lets a carry raise the exponent,
+    // from that of the largest floats (2⁵²·2⁹⁷¹ = 2¹⁰²³) to that of infinity.
     match exponent + 1074 {
         biased @ 0..=2045 => f64::from_bits(top + ((biased as u64) << 52)),
         biased if biased < 0 => {
@@ -103,8 +103,8 @@ fn float(m: u64, e: i64, up: bool) -> f64 {
     }
 }
 
-/// sin of the angle: width at most 2 ulp, and 0 where the sine is rational. Cost: a division and about 12 products of 64
-/// bits for angles in machine integers.
+/// sin of the angle: width at most 2 ulp, and 0 where the sine is rational. Cost: a division and about 12
+/// products of 64 bits for angles in machine integers.
 #[inline]
 pub(super) fn sin(angle: &Angle) -> FloatInterval {
     let Some((negative, cosine, numerator, denominator)) = angle.small_octant() else { return large(angle) };

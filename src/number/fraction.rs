@@ -11,10 +11,10 @@ use super::{Real, Sign};
 
 /// An exact fraction, not in lowest terms, or one that has become too large.
 ///
-/// Numerator and denominator have at most as many bits as the context says. What would need more is too large from then
-/// on, and costs nothing more. Sums are brought to a common denominator: the larger one where it is a multiple of the
-/// other, else the product. Only [`reduced`](Fraction::reduced) looks for common factors, so that no operation on b bits
-/// costs more than a product or quotient of b bits.
+/// Numerator and denominator have at most as many bits as the context says. What would need more is too large
+/// from then on, and costs nothing more. Sums are brought to a common denominator: the larger one where it is
+/// a multiple of the other, else the product. Only [`reduced`](Fraction::reduced) looks for common factors,
+/// so that no operation on b bits costs more than a product or quotient of b bits.
 #[derive(Debug, Clone)]
 pub(crate) struct Fraction {
     /// Numerator and denominator, which is positive; `None` if too large.
@@ -43,7 +43,8 @@ impl Fraction {
         self.value.as_ref().is_some_and(|(numerator, _)| numerator.is_zero())
     }
 
-    /// The k-th power. Refused before it is computed if it will be too large, which bounds k unless this is 0 or ±1.
+    /// The k-th power. Refused before it is computed if it will be too large, which bounds k unless this is 0
+    /// or ±1.
     pub fn power(&self, k: u64) -> Self {
         let limit = self.limit;
         let Some((numerator, denominator)) = &self.value else { return self.clone() };

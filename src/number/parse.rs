@@ -39,10 +39,10 @@ pub fn parse_rational(text: &str) -> Result<BigRational> {
 
 /// [`parse_rational`] with a limit of the caller's: numerator and denominator have at most `bits` bits.
 ///
-/// That holds at every step on the way, where a fraction is not in lowest terms: of the powers in a term, and of partial sums
-/// over a common denominator (the larger one where it is a multiple of the other, else the product). What would
-/// exceed it is refused before it is computed. Cost: at most one product or quotient of `bits` bits for each term, and
-/// one search for common factors, O(bits²), at the end.
+/// That holds at every step on the way, where a fraction is not in lowest terms: of the powers in a term, and
+/// of partial sums over a common denominator (the larger one where it is a multiple of the other, else the
+/// product). What would exceed it is refused before it is computed. Cost: at most one product or quotient of
+/// `bits` bits for each term, and one search for common factors, O(bits²), at the end.
 ///
 /// # Errors
 /// As [`parse_rational`].

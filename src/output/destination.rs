@@ -1,4 +1,5 @@
-//! Where output goes: standard output, or a file that appears only when it is complete; and what is said on standard error.
+//! Where output goes: standard output, or a file that appears only when it is complete; and what is said on
+//! standard error.
 
 use std::{
     fmt,
@@ -10,7 +11,8 @@ use std::{
 use super::file::{probe, write_file};
 use crate::error::{Error, Result};
 
-/// A file to be written whole. It was tried when this was made, and is not touched before [`write`](Self::write).
+/// A file to be written whole. It was tried when this was made, and is not touched before
+/// [`write`](Self::write).
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct OutputFile(PathBuf);
 
@@ -18,7 +20,8 @@ impl OutputFile {
     /// Tries the file that `option` (as in "--certificate") names.
     ///
     /// # Errors
-    /// An input or I/O error if it cannot be written; an input error for `-`, since standard output has the report.
+    /// An input or I/O error if it cannot be written; an input error for `-`, since standard output has the
+    /// report.
     pub fn new(option: &str, path: &Path) -> Result<Self> {
         if path == Path::new("-") {
             return Err(Error::input(format!(
@@ -60,8 +63,8 @@ impl Destination {
         }
     }
 
-    /// Runs `write` on the destination, buffered. Once the reader of standard output has gone, nothing more is written and `write` goes on as
-    /// before, so that what it finds does not depend on who reads.
+    /// Runs `write` on the destination, buffered. Once the reader of standard output has gone, nothing more
+    /// is written and `write` goes on as before, so that what it finds does not depend on who reads.
     ///
     /// # Errors
     /// Whatever `write` returns; an I/O error that names the destination.
@@ -72,7 +75,8 @@ impl Destination {
         }
     }
 
-    /// The same for a list whose end brings nothing new: `write` ends early, without error, once the reader of standard output has gone.
+    /// The same for a list whose end brings nothing new: `write` ends early, without error, once the reader
+    /// of standard output has gone.
     ///
     /// # Errors
     /// Those of [`write`](Self::write).
@@ -99,8 +103,8 @@ fn on_stdout(go_on: bool, write: impl FnOnce(&mut dyn Write) -> Result<()>) -> R
     let mut out =
         BufWriter::with_capacity(1 << 16, Stdout { inner: io::stdout().lock(), go_on, gone: false });
     let result = write(&mut out).and_then(|()| Ok(out.flush()?));
-    // What could not be written is not tried again when the buffer is dropped. What came before an interruption is whole and is
-    // wanted.
+    // What could not be written is not tried again when the buffer is dropped. What came before an
+    // interruption is whole and is wanted.
     match &result {
         Err(error) if error.is_interrupted() => drop(out.flush()),
         _ => {}

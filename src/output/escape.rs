@@ -1,8 +1,9 @@
-//! Text as LaTeX and Markdown need it. What is mathematics already (headings such as `$b_{n,k}$`) does not come here.
+//! Text as LaTeX and Markdown need it. What is mathematics already (headings such as `$b_{n,k}$`) does not
+//! come here.
 
-/// `text` so that LaTeX sets it as it reads, in text mode: the ten special characters escaped, the Greek letters, signs and small
-/// digits of this project in maths mode. A character that pdflatex does not know by these is written as its code point, `U+1F600`.
-/// Cost: linear in the length of `text`.
+/// `text` so that LaTeX sets it as it reads, in text mode: the ten special characters escaped, the Greek
+/// letters, signs and small digits of this project in maths mode. A character that pdflatex does not know by
+/// these is written as its code point, `U+1F600`. Cost: linear in the length of `text`.
 pub fn latex(text: &str) -> String {
     let mut all = String::with_capacity(text.len() + 16);
     for c in text.chars() {
@@ -26,8 +27,8 @@ pub fn latex(text: &str) -> String {
     all
 }
 
-/// `text` as [`latex`] writes it, or in maths mode where it is a decimal number: a minus that is no hyphen, and `1.5e-30` as 1.5·10⁻³⁰.
-/// No digit is changed.
+/// `text` as [`latex`] writes it, or in maths mode where it is a decimal number: a minus that is no hyphen,
+/// and `1.5e-30` as 1.5·10⁻³⁰. No digit is changed.
 pub fn latex_cell(text: &str) -> String {
     let number = text.parse::<f64>().is_ok() && text.bytes().any(|byte| byte.is_ascii_digit());
     match text.split_once(['e', 'E']) {

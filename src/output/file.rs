@@ -1,8 +1,9 @@
 //! The one writer of files, and the one reader of small ones.
 //!
-//! A file is written as a temporary one beside it, brought to the disk and renamed: at every moment the target is whole, the old one or
-//! the new. While it is written the temporary is locked. A killed process leaves its temporary behind but not the lock, so the next
-//! write of the same target knows it and removes it; one whose owner still writes stays.
+//! A file is written as a temporary one beside it, brought to the disk and renamed: at every moment the
+//! target is whole, the old one or the new. While it is written the temporary is locked. A killed process
+//! leaves its temporary behind but not the lock, so the next write of the same target knows it and removes
+//! it; one whose owner still writes stays.
 
 use std::{
     collections::{HashMap, hash_map::Entry},
@@ -14,8 +15,9 @@ use std::{
 
 use crate::error::{Error, Result};
 
-/// Writes a file whole, or not at all: an error or an interruption leaves neither a new file nor a changed old one. A link is followed,
-/// also one to a file that does not exist yet. A device or a pipe is written directly.
+/// Writes a file whole, or not at all: an error or an interruption leaves neither a new file nor a changed
+/// old one. A link is followed, also one to a file that does not exist yet. A device or a pipe is written
+/// directly.
 ///
 /// # Errors
 /// Whatever `write` returns; an input error if there is no such folder; an I/O error that names `path`.
@@ -75,7 +77,8 @@ pub fn make_folder(folder: &Path) -> Result<()> {
         .map_err(|error| error.context(format_args!("cannot write into {}", folder.display())))
 }
 
-/// Refuses files named twice: `named` holds each with the option that names it. Links to one file count as that file.
+/// Refuses files named twice: `named` holds each with the option that names it. Links to one file count as
+/// that file.
 ///
 /// # Errors
 /// An input error that names both.
@@ -100,7 +103,8 @@ pub fn distinct(named: &[(&str, &Path)]) -> Result<()> {
     Ok(())
 }
 
-/// The text of a file, or of standard input for `-`, of at most `most` bytes; a pipe or a device without end is read no further.
+/// The text of a file, or of standard input for `-`, of at most `most` bytes; a pipe or a device without end
+/// is read no further.
 ///
 /// # Errors
 /// An I/O error, or an input error if it is longer or not UTF-8; both name the file.
@@ -215,10 +219,12 @@ struct Temporary {
     renamed: bool,
 }
 
-/// The temporaries of this process, for an end that runs no destructors. The one piece of the file system that is ours is one per process.
+/// The temporaries of this process, for an end that runs no destructors. The one piece of the file system
+/// that is ours is one per process.
 static OPEN: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
-/// Removes the temporary files of all writes that are under way, before the process ends without waiting for them.
+/// Removes the temporary files of all writes that are under way, before the process ends without waiting for
+/// them.
 pub(crate) fn remove_temporaries() {
     for path in OPEN.lock().unwrap_or_else(PoisonError::into_inner).drain(..) {
         let _ = fs::remove_file(path);

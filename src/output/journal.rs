@@ -1,9 +1,11 @@
-//! Saved states: what an interrupted run has done, and from which it goes on. Covers, fuzzing and diagrams keep theirs in this one format.
+//! Saved states: what an interrupted run has done, and from which it goes on. Covers, fuzzing and diagrams
+//! keep theirs in this one format.
 //!
-//! One record per line, led by a checksum of it and of all before it, so that a line changed, lost, doubled or moved is noticed. The first
-//! line says what the run is: format, program version, a description, and a hash of everything that the records depend on. A process killed
-//! while it writes leaves at most a torn last line, which is dropped; damage anywhere else is an error. While a state is in use it is locked
-//! against other processes. Whether records make sense is for their reader to check.
+//! One record per line, led by a checksum of it and of all before it, so that a line changed, lost, doubled
+//! or moved is noticed. The first line says what the run is: format, program version, a description, and a
+//! hash of everything that the records depend on. A process killed while it writes leaves at most a torn last
+//! line, which is dropped; damage anywhere else is an error. While a state is in use it is locked against
+//! other processes. Whether records make sense is for their reader to check.
 
 use std::{
     fmt,
@@ -29,8 +31,8 @@ pub struct SavedRun {
 }
 
 impl SavedRun {
-    /// A run of `grazing KIND`, with a description on one line, and in `canonical` everything that the records depend on, written so that equal
-    /// runs give equal texts.
+    /// A run of `grazing KIND`, with a description on one line, and in `canonical` everything that the
+    /// records depend on, written so that equal runs give equal texts.
     pub fn new(kind: &'static str, words: impl Into<String>, canonical: &str) -> SavedRun {
         SavedRun { kind, words: words.into().replace('\n', " "), identity: fnv128(canonical.as_bytes()) }
     }
@@ -80,11 +82,12 @@ pub(crate) fn torn(path: &Path) -> String {
 const SYNC: Duration = Duration::from_secs(2);
 
 impl Journal {
-    /// Opens the state of a run, or begins one; with what it holds. A state of more than `most` bytes is refused.
+    /// Opens the state of a run, or begins one; with what it holds. A state of more than `most` bytes is
+    /// refused.
     ///
     /// # Errors
-    /// An input error if another process uses it, or if it is no regular file, too large, no state, of another run, or damaged before its last
-    /// line; an I/O error.
+    /// An input error if another process uses it, or if it is no regular file, too large, no state, of
+    /// another run, or damaged before its last line; an I/O error.
     pub fn open(path: &Path, run: &SavedRun, most: u64) -> Result<(Journal, Found)> {
         let bad = |reason: String| Error::input(format!("cannot resume from {}: {reason}", path.display()));
         if fs::metadata(path).is_ok_and(|found| !found.is_file()) {
@@ -120,7 +123,8 @@ impl Journal {
         Ok((journal, Found { records, torn: text.len() as u64 - whole }))
     }
 
-    /// Appends a record of one line. It is with the system when this returns, and so survives the end of this process.
+    /// Appends a record of one line. It is with the system when this returns, and so survives the end of this
+    /// process.
     ///
     /// # Errors
     /// An I/O error; the state then ends with the record before.

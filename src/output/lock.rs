@@ -10,8 +10,8 @@ use std::{
 use super::file::linked;
 use crate::error::{Error, Result};
 
-/// The right to use a state file, until dropped. The system releases it when the process ends, however it ends; the file that a kill leaves
-/// is taken over by the next run.
+/// The right to use a state file, until dropped. The system releases it when the process ends, however it
+/// ends; the file that a kill leaves is taken over by the next run.
 #[derive(Debug)]
 pub(super) struct Lock {
     path: PathBuf,

@@ -1,4 +1,5 @@
-//! What leaves the program, for every part: tables in six formats, files that are whole or absent, journals, rounded decimals.
+//! What leaves the program, for every part: tables in six formats, files that are whole or absent, journals,
+//! rounded decimals.
 
 mod bounds;
 mod destination;

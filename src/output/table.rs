@@ -236,7 +236,8 @@ impl<'a> TableWriter<'a> {
         Ok(out.write_all(text.as_bytes())?)
     }
 
-    /// Ends the table after its rows, or after those there are if an interruption ended them: JSON is closed and says so.
+    /// Ends the table after its rows, or after those there are if an interruption ended them: JSON is closed
+    /// and says so.
     ///
     /// # Errors
     /// That of the rows; an I/O error from the stream.
@@ -300,8 +301,8 @@ fn json_string(text: &str) -> String {
     serde_json::Value::from(text).to_string()
 }
 
-/// `x` rounded to `digits` decimals, a tie to the even digit. The result is a rounded value, not an enclosure:
-/// label it so. Cost: one division per digit. Precondition: the denominator is below 2⁶⁰.
+/// `x` rounded to `digits` decimals, a tie to the even digit. The result is a rounded value, not an
+/// enclosure: label it so. Cost: one division per digit. Precondition: the denominator is below 2⁶⁰.
 ///
 pub fn decimal(x: &Ratio<u64>, digits: usize) -> String {
     let q = *x.denom();

@@ -23,8 +23,9 @@ pub enum Numbers {
 /// The bits of the rungs between `f64` intervals and exact fractions.
 const BITS: [u32; 3] = [128, 512, 2048];
 
-/// Theorem 1 for any pattern of one map: each sign decided by `f64` intervals, balls of 128, 512 and 2048 bits, and for
-/// exact maps by fractions. A map with intervals stops at 128 bits: its own width is what it cannot see through.
+/// Theorem 1 for any pattern of one map: each sign decided by `f64` intervals, balls of 128, 512 and 2048
+/// bits, and for exact maps by fractions. A map with intervals stops at 128 bits: its own width is what it
+/// cannot see through.
 ///
 /// Shared freely between threads.
 #[derive(Debug)]
@@ -41,8 +42,8 @@ pub struct Analysis<'m> {
 type Attempt = (Report, bool);
 
 impl<'m> Analysis<'m> {
-    /// Prepares A, …, A^`last`; patterns may use periods up to that. With [`Numbers::Exact`] a map that is not exact
-    /// is treated as with [`Numbers::Enclosed`].
+    /// Prepares A, …, A^`last`; patterns may use periods up to that. With [`Numbers::Exact`] a map that is
+    /// not exact is treated as with [`Numbers::Enclosed`].
     pub fn new(map: &'m Map, last: u64, numbers: Numbers) -> Self {
         let float = Coordinates::new(map, last, ());
         Analysis { map, last, numbers, float, balls: Default::default(), exact: OnceLock::new() }
@@ -53,8 +54,9 @@ impl<'m> Analysis<'m> {
         self.map
     }
 
-    /// Theorem 1 for the pattern `periods`, each from 1 to the greatest prepared. Cost: O(m N³ + n N) operations on each rung
-    /// climbed, n = Σ n_i; on the exact rung with numbers of O(n) times the bits of the map's.
+    /// Theorem 1 for the pattern `periods`, each from 1 to the greatest prepared. Cost: O(m N³ + n N)
+    /// operations on each rung climbed, n = Σ n_i; on the exact rung with numbers of O(n) times the bits of
+    /// the map's.
     pub fn judge(&self, periods: &[u64]) -> Report {
         let mut found = None;
         if self.numbers == Numbers::Enclosed || !self.map.is_exact() {

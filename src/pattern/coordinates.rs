@@ -1,5 +1,5 @@
-//! Coordinates in which C reads off the first one and B pushes along the last: the equations shrink from N + 1 to N − 1
-//! unknowns an impact, and none is lost.
+//! Coordinates in which C reads off the first one and B pushes along the last: the equations shrink from N +
+//! 1 to N − 1 unknowns an impact, and none is lost.
 
 use num_rational::BigRational;
 
@@ -7,8 +7,8 @@ use super::{Map, Matrix, Scalar, map::convert};
 
 /// A in coordinates where C = (1, 0, …, 0) and B = (0, …, 0, 1)ᵀ, on one rung, with its powers.
 ///
-/// The change of basis is Q = (e_i/C_i | e_k − (C_k/C_i) e_i, k ≠ i, j | B), Q⁻¹ being explicit too: its first row is C,
-/// its last e_jᵀ/B_j. It is (12)–(14) with P = Q⁻¹, so every C A^k B stays what it is.
+/// The change of basis is Q = (e_i/C_i | e_k − (C_k/C_i) e_i, k ≠ i, j | B), Q⁻¹ being explicit too: its
+/// first row is C, its last e_jᵀ/B_j. It is (12)–(14) with P = Q⁻¹, so every C A^k B stays what it is.
 #[derive(Debug, Clone)]
 pub struct Coordinates<T: Scalar> {
     powers: Vec<Matrix<T>>,

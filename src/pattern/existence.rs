@@ -79,13 +79,14 @@ pub struct PatternOrbit {
     /// L = Π −C A^{n_i} B / (2 Y_i): the eigenvalue of largest modulus is L (eµ)^{−m} to leading order (36).
     /// `None` if some Y_i may be 0.
     pub leading: Option<Value>,
-    /// The sign of L, if it is certain. For an exact map and a pattern that exists on a side it always is, unless some
-    /// C A^{n_i} B = 0.
+    /// The sign of L, if it is certain. For an exact map and a pattern that exists on a side it always is,
+    /// unless some C A^{n_i} B = 0.
     pub leading_sign: Option<Sign>,
 }
 
 impl PatternOrbit {
-    /// The two margins for a sign of eµ: the least sign(eµ)(C A^k X_i + 1), `None` if every n_i = 1, and the least sign(eµ) Y_i.
+    /// The two margins for a sign of eµ: the least sign(eµ)(C A^k X_i + 1), `None` if every n_i = 1, and the
+    /// least sign(eµ) Y_i.
     pub fn margins(&self, positive: bool) -> (Option<Value>, Value) {
         let pick = |ends: &[Value; 2]| if positive { ends[0].clone() } else { -ends[1].clone() };
         (self.gaps.as_ref().map(pick), pick(&self.impacts))
@@ -128,7 +129,8 @@ impl Report {
         }
     }
 
-    /// The sign of eµ for which the orbit exists: `true` for eµ > 0, `None` if for neither or if that is not known.
+    /// The sign of eµ for which the orbit exists: `true` for eµ > 0, `None` if for neither or if that is not
+    /// known.
     pub fn side(&self) -> Option<bool> {
         match (self.plus, self.minus) {
             (PatternExistence::Orbit, _) => Some(true),

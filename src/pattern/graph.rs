@@ -1,4 +1,5 @@
-//! Two dimensions: each X_i is the single-impact X of its n_i, and which n_{i+1} may follow n_i is a matter of the pair (64).
+//! Two dimensions: each X_i is the single-impact X of its n_i, and which n_{i+1} may follow n_i is a matter
+//! of the pair (64).
 
 use num_bigint::BigUint;
 use num_rational::BigRational;
@@ -66,8 +67,8 @@ struct Step {
 }
 
 impl Graph {
-    /// The graph on the periods 1, …, `last`. Cost: O(`last`²) operations, on exact numbers of O(`last`) times the bits of the
-    /// map's. `exact` keeps the numbers exact as well as their signs.
+    /// The graph on the periods 1, …, `last`. Cost: O(`last`²) operations, on exact numbers of O(`last`)
+    /// times the bits of the map's. `exact` keeps the numbers exact as well as their signs.
     ///
     /// # Errors
     /// An input error unless N = 2 and 1 ≤ `last` ≤ [`MAX_GRAPH_PERIOD`].
@@ -147,7 +148,8 @@ impl Graph {
         self.nodes[n as usize - 1].as_ref().map_or(PatternExistence::Open, |node| node.tally.side(positive))
     }
 
-    /// What (52) for both periods and (64) say of an impact between the periods `from` and `to`, for a sign of eµ.
+    /// What (52) for both periods and (64) say of an impact between the periods `from` and `to`, for a sign
+    /// of eµ.
     pub fn edge(&self, from: u64, to: u64, positive: bool) -> PatternExistence {
         let (Some(a), Some(b), Some(step)) = (
             &self.nodes[from as usize - 1],
@@ -167,7 +169,8 @@ impl Graph {
         [true, false].iter().any(|&side| self.edge(from, to, side) != PatternExistence::NoOrbit)
     }
 
-    /// Theorem 1 for a pattern of periods ≤ P: the same answer as [`Analysis::judge`](super::Analysis::judge). Cost: O(m).
+    /// Theorem 1 for a pattern of periods ≤ P: the same answer as
+    /// [`Analysis::judge`](super::Analysis::judge). Cost: O(m).
     pub fn judge(&self, periods: &[u64]) -> Report {
         let m = periods.len();
         let index = |i: usize| periods[i % m] as usize - 1;
@@ -199,7 +202,8 @@ impl Graph {
         tally.report(self.e, flat, orbit)
     }
 
-    /// The closed walks of the periods ≤ `last` by their certain edges for a sign of eµ; open ones are left out.
+    /// The closed walks of the periods ≤ `last` by their certain edges for a sign of eµ; open ones are left
+    /// out.
     pub fn walks(&self, positive: bool, last: u64) -> ClosedWalks {
         self.closed_walks(last, |from, to| self.edge(from, to, positive) == PatternExistence::Orbit)
     }
@@ -213,8 +217,9 @@ impl Graph {
 
     /// What [`judge`](Graph::judge) says of all patterns of period 1, …, P, counted without listing one.
     ///
-    /// A pattern is open if no edge of it is certainly absent and one is open, or if one of its periods is singular. Cost: O(P²) edges and,
-    /// with C ≤ P classes of periods that follow alike, O(C³P²) products of integers of O(P) bits.
+    /// A pattern is open if no edge of it is certainly absent and one is open, or if one of its periods is
+    /// singular. Cost: O(P²) edges and, with C ≤ P classes of periods that follow alike, O(C³P²) products of
+    /// integers of O(P) bits.
     pub fn tallies(&self) -> Vec<PatternTally> {
         let last = self.last();
         let solved = |n: u64| self.nodes[n as usize - 1].is_some();
@@ -249,7 +254,8 @@ impl Graph {
             .collect()
     }
 
-    /// Graphviz: the periods that occur and who may follow whom, orange for eµ > 0, blue for eµ < 0, dashed if open.
+    /// Graphviz: the periods that occur and who may follow whom, orange for eµ > 0, blue for eµ < 0, dashed
+    /// if open.
     pub fn to_dot(&self) -> String {
         let mut text = String::from(
             "// Which period may follow which: closed walks of one colour are the impact patterns that exist.\n\

@@ -1,4 +1,5 @@
-//! A map as TOML: numbers read from their source text, so that 0.1 is 1/10; errors that name file, line, key and value.
+//! A map as TOML: numbers read from their source text, so that 0.1 is 1/10; errors that name file, line, key
+//! and value.
 
 use num_rational::BigRational;
 use toml_edit::{Item, Value};
@@ -13,10 +14,12 @@ const KEYS: [&str; 6] = ["format", "A", "B", "C", "e", "P"];
 const FORMAT: &str = "grazing-map 1";
 
 impl Map {
-    /// Reads a map from the text of a TOML file; `name` leads every error message. The format is in docs/formats.md.
+    /// Reads a map from the text of a TOML file; `name` leads every error message. The format is in
+    /// docs/formats.md.
     ///
     /// # Errors
-    /// An input error `name:line: key = value: what is wrong`, for the text's form and for every condition of [`Map::new`].
+    /// An input error `name:line: key = value: what is wrong`, for the text's form and for every condition of
+    /// [`Map::new`].
     ///
     /// ```
     /// use grazing::pattern::Map;

@@ -89,13 +89,13 @@ const BITS: u32 = 256;
 pub(super) struct Key(pub &'static str);
 
 impl Map {
-    /// The map x ↦ g(f(x, µ), µ) with A = D_x f, B, C = D_x h and e of (26); `section` is P of (12)–(14), in whose
-    /// coordinates P x results are given.
+    /// The map x ↦ g(f(x, µ), µ) with A = D_x f, B, C = D_x h and e of (26); `section` is P of (12)–(14), in
+    /// whose coordinates P x results are given.
     ///
     /// # Errors
-    /// An input error that names the key, the value and the condition unless: A is N × N, N ≥ 2; B and C have N
-    /// entries and are certainly not zero; C B = 0, or its enclosure contains 0; det(I − A) ≠ 0 certainly; P is N × N and
-    /// certainly invertible.
+    /// An input error that names the key, the value and the condition unless: A is N × N, N ≥ 2; B and C have
+    /// N entries and are certainly not zero; C B = 0, or its enclosure contains 0; det(I − A) ≠ 0 certainly;
+    /// P is N × N and certainly invertible.
     pub fn new(
         a: Vec<Vec<Entry>>,
         b: Vec<Entry>,

@@ -100,8 +100,8 @@ pub enum Failure {
     Unknown,
 }
 
-/// Makes columns `from..to` of the rows upper triangular by row operations, with pivots that are certainly not zero:
-/// the first `to − from` rows then hold the triangle. Cost: O((to − from)·rows·width).
+/// Makes columns `from..to` of the rows upper triangular by row operations, with pivots that are certainly
+/// not zero: the first `to − from` rows then hold the triangle. Cost: O((to − from)·rows·width).
 ///
 /// # Errors
 /// [`Failure`], the rows left in a state without meaning.

@@ -15,7 +15,8 @@ pub struct PredictedPoint {
     pub k: u64,
     /// sign(eµ) A^k X_i, in the coordinates of the map or of its section change P.
     pub x: Vec<Value>,
-    /// sign(eµ)(C A^k X_i + 1): h / |eµ|. Positive between impacts; for k = n_i and at k = 0 it is not a condition.
+    /// sign(eµ)(C A^k X_i + 1): h / |eµ|. Positive between impacts; for k = n_i and at k = 0 it is not a
+    /// condition.
     pub gap: Value,
 }
 

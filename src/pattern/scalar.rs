@@ -9,7 +9,8 @@ use crate::number::{Ball, FloatInterval, Precision, Real, Sign};
 
 /// A rung of the linear algebra.
 pub trait Scalar: Real + Send + Sync {
-    /// A number that contains the reals from `lo` to `hi`; `None` if the rung has only exact numbers and `lo` < `hi`.
+    /// A number that contains the reals from `lo` to `hi`; `None` if the rung has only exact numbers and `lo`
+    /// < `hi`.
     fn between(lo: &BigRational, hi: &BigRational, context: &Self::Context) -> Option<Self>;
 
     /// How good a pivot it makes, the greater the better; `None` if it may be zero.
@@ -80,7 +81,8 @@ impl Scalar for BigRational {
 
 /// A number to be shown: an exact fraction, or the interval it certainly lies in.
 ///
-/// Shown as p/q; or with digits that are certain up to one unit of the last; or as an interval if no digit is.
+/// Shown as p/q; or with digits that are certain up to one unit of the last; or as an interval if no digit
+/// is.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Value {
     /// It is this.
@@ -149,7 +151,8 @@ impl fmt::Display for Value {
         let (middle, radius) = (lo + (hi - lo) / 2.0, hi - lo);
         let digits = if radius == 0.0 { DIGITS } else { exponent(middle) - exponent(radius) - 1 };
         if (lo <= 0.0 && hi >= 0.0) || lo.is_infinite() || hi.is_infinite() || digits < 2 {
-            // Two decimals rounded to nearest move a number by less than 0.51 %: pushed out by 0.6 % first, it bounds.
+            // Two decimals rounded to nearest move a number by less than 0.51 %: pushed out by 0.6 % first,
+            // it bounds.
             let push = |x: f64, out: f64| if x.is_finite() { x + out * 0.006 * x.abs() } else { x };
             return f.pad(&format!("[{}, {}]", scientific(push(lo, -1.0), 2), scientific(push(hi, 1.0), 2)));
         }
@@ -171,7 +174,8 @@ fn scientific(x: f64, decimals: usize) -> String {
     format!("{x:.decimals$e}")
 }
 
-/// The decimal exponent of the leading digit of x ≠ 0, exactly: of all it prints, Rust's shortest form keeps that digit.
+/// The decimal exponent of the leading digit of x ≠ 0, exactly: of all it prints, Rust's shortest form keeps
+/// that digit.
 fn exponent(x: f64) -> i32 {
     let text = format!("{x:e}");
     text.split_once('e').and_then(|(_, e)| e.parse().ok()).unwrap_or(0)

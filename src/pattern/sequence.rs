@@ -6,7 +6,8 @@ use num_bigint::BigUint;
 use num_integer::Integer;
 use num_traits::One;
 
-/// An impact pattern (n₁, …, n_m): the periods between impacts, of all its rotations the lexicographically least.
+/// An impact pattern (n₁, …, n_m): the periods between impacts, of all its rotations the lexicographically
+/// least.
 #[derive(Debug, Clone, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Pattern {
     periods: Vec<u64>,
@@ -14,7 +15,8 @@ pub struct Pattern {
 }
 
 impl Pattern {
-    /// The pattern of these periods, rotated to its least form; `None` unless there is one and all are ≥ 1. Cost: O(m²).
+    /// The pattern of these periods, rotated to its least form; `None` unless there is one and all are ≥ 1.
+    /// Cost: O(m²).
     pub fn new(periods: &[u64]) -> Option<Pattern> {
         if periods.is_empty() || periods.contains(&0) {
             return None;
@@ -56,9 +58,10 @@ impl fmt::Display for Pattern {
 
 /// The patterns of one period in lexicographic order, those with a step that is not allowed left out unseen.
 ///
-/// The search extends pre-necklaces (Ruskey, Savage and Wang): a word a₁…a_t whose longest prefix that is a Lyndon
-/// word has length p may go on with any a_{t+1} ≥ a_{t+1−p}, and is a necklace iff p divides t. Memory O(n);
-/// without a filter the time for all patterns of period n is in proportion to their number (2ⁿ/n), O(1) steps for each.
+/// The search extends pre-necklaces (Ruskey, Savage and Wang): a word a₁…a_t whose longest prefix that is a
+/// Lyndon word has length p may go on with any a_{t+1} ≥ a_{t+1−p}, and is a necklace iff p divides t. Memory
+/// O(n); without a filter the time for all patterns of period n is in proportion to their number (2ⁿ/n), O(1)
+/// steps for each.
 pub struct Patterns<F> {
     period: u64,
     left: u64,
@@ -81,7 +84,8 @@ impl Patterns<fn(u64, u64) -> bool> {
         Patterns::walks(period, |_, _| true)
     }
 
-    /// How many there are: (1/n) Σ_{d|n} φ(n/d) 2^d − 1, the necklaces of n beads of two colours without the one that has no impact.
+    /// How many there are: (1/n) Σ_{d|n} φ(n/d) 2^d − 1, the necklaces of n beads of two colours without the
+    /// one that has no impact.
     ///
     /// ```
     /// use grazing::pattern::Patterns;

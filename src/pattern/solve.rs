@@ -1,16 +1,16 @@
 //! The leading-order equations (32) of an impact pattern, solved block by block.
 //!
-//! In [`Coordinates`] each X_i = (−1, ξ_i) because C X_{i+1} = C A^{n_i} X_i = −1, and Y_i is read off the last row of
-//! X_{i+1} = A^{n_i} X_i + B Y_i. What is left are N − 1 equations an impact for ξ_i ∈ R^{N−1},
+//! In [`Coordinates`] each X_i = (−1, ξ_i) because C X_{i+1} = C A^{n_i} X_i = −1, and Y_i is read off the
+//! last row of X_{i+1} = A^{n_i} X_i + B Y_i. What is left are N − 1 equations an impact for ξ_i ∈ R^{N−1},
 //!
 //! ```text
 //! S_i ξ_i + R ξ_{i+1} = f_i     (cyclic in i),
 //! ```
 //!
-//! S_i the rows 2, …, N−1 and 1 of A^{n_i} without their first column, R minus the identity but for a zero in its
-//! last place. |det D| of (28) is that of this system. Wright's structured elimination: ξ_2, ξ_3, … are
-//! eliminated in turn with row exchanges within two blocks, ξ_1 closes the circle.
-//! It fails only if the whole matrix is singular (or an enclosure cannot tell), also where some C A^{n_i} B = 0.
+//! S_i the rows 2, …, N−1 and 1 of A^{n_i} without their first column, R minus the identity but for a zero in
+//! its last place. |det D| of (28) is that of this system. Wright's structured elimination: ξ_2, ξ_3, … are
+//! eliminated in turn with row exchanges within two blocks, ξ_1 closes the circle. It fails only if the whole
+//! matrix is singular (or an enclosure cannot tell), also where some C A^{n_i} B = 0.
 
 use super::{
     Coordinates, Scalar,
@@ -28,8 +28,9 @@ pub struct Solution<T> {
     pub y: Vec<T>,
 }
 
-/// Solves (32) for the pattern `periods`, none of them above [`Coordinates::last`]. On a rung of enclosures the result contains
-/// the solution for every map enclosed, and each of these has one. Cost: O(m N³) operations, memory O(m N²).
+/// Solves (32) for the pattern `periods`, none of them above [`Coordinates::last`]. On a rung of enclosures
+/// the result contains the solution for every map enclosed, and each of these has one. Cost: O(m N³)
+/// operations, memory O(m N²).
 ///
 /// # Errors
 /// [`Failure`]: det D = 0, or it cannot be told from 0 on this rung.
@@ -37,7 +38,8 @@ pub fn solve<T: Scalar>(map: &Coordinates<T>, periods: &[u64]) -> Result<Solutio
     let (size, m) = (map.dimension() - 1, periods.len());
     let zero = T::integer(0, map.context());
     let minus_one = T::integer(-1, map.context());
-    // A row: ξ_i | ξ_{i+1} | ξ_1 | right side, each part of the width `size` but the last. What is eliminated stands first.
+    // A row: ξ_i | ξ_{i+1} | ξ_1 | right side, each part of the width `size` but the last. What is eliminated
+    // stands first.
     let (this, after, first) = (0, 1, 2);
     let width = 3 * size + 1;
     // Block i with S_i in the part `own` and R in the part `next`, added up if they are one.

@@ -1,4 +1,5 @@
-//! Tasks of kind `branch`: continuation of periodic orbits over a parameter, and of their bifurcations over two.
+//! Tasks of kind `branch`: continuation of periodic orbits over a parameter, and of their bifurcations over
+//! two.
 
 use serde::Serialize;
 
@@ -191,7 +192,8 @@ impl BranchRow {
     }
 }
 
-/// The branches of some starts, and what became of each; an orbit that lies on a branch already followed starts none.
+/// The branches of some starts, and what became of each; an orbit that lies on a branch already followed
+/// starts none.
 pub(crate) fn follow(
     starts: &[BranchStart],
     family: &SceneFamily,

@@ -1,4 +1,5 @@
-//! Whether chaos is born at a grazing bifurcation, and how much of it: the word theorem at the local map as computed.
+//! Whether chaos is born at a grazing bifurcation, and how much of it: the word theorem at the local map as
+//! computed.
 
 use num_rational::BigRational;
 use num_traits::{One, Signed};
@@ -28,8 +29,8 @@ row! {
         pub sign_gamma: i32,
         /// Whether infinitely many patterns are born with positive entropy; absent if that is not decided.
         pub chaos: Option<bool>,
-        /// The topological entropy per period of the orbit that grazes (per half period where those are counted): certain digits; absent if no pattern is
-        /// born, or none is certain.
+        /// The topological entropy per period of the orbit that grazes (per half period where those are
+        /// counted): certain digits; absent if no pattern is born, or none is certain.
         pub entropy: Option<String>,
         /// Whether the entropy is only a lower bound: the word may go on.
         pub at_least: bool,
@@ -63,8 +64,8 @@ impl ChaosRow {
 
 /// Both sides of the bifurcation, eµ > 0 first; `None` for a₂ ≤ 0, γ = 0 or e = 0, where no word decides.
 ///
-/// a₁ and a₂ are widened by 10⁻¹² of the larger of |a₁| and 1, as the map is for the table of patterns; what is not the same on all of that box is not
-/// decided. For a₂ > 1 time is reversed, which changes no entropy.
+/// a₁ and a₂ are widened by 10⁻¹² of the larger of |a₁| and 1, as the map is for the table of patterns; what
+/// is not the same on all of that box is not decided. For a₂ > 1 time is reversed, which changes no entropy.
 ///
 /// # Errors
 /// The monitor's interruption.
@@ -133,7 +134,8 @@ fn rectangle(trace: f64, determinant: f64) -> Option<Rectangle> {
 mod tests {
     use super::*;
 
-    /// A box about a point with a₂ near 1 holds the point, or its image, whatever side of 1 rounding puts it on.
+    /// A box about a point with a₂ near 1 holds the point, or its image, whatever side of 1 rounding puts it
+    /// on.
     #[test]
     fn boxes_hold_the_point_or_its_image() {
         let exact = |x: f64| BigRational::from_float(x).unwrap();

@@ -51,7 +51,8 @@ pub struct DiagramFindings {
     pub values: usize,
     /// Windows of periodic motion, by where they begin.
     pub windows: Vec<WindowRow>,
-    /// Values with several attractors or with lost starts, a row for each attractor, at least one for each value.
+    /// Values with several attractors or with lost starts, a row for each attractor, at least one for each
+    /// value.
     pub coexisting: Vec<CoexistingRow>,
     /// All points, value by value. Not in JSON: they are the task's CSV file.
     #[serde(skip)]

@@ -38,7 +38,8 @@ row! {
         pub admissible: Judgement,
         /// The normal form's coefficient.
         pub coefficient: Option<f64>,
-        /// "supercritical", "subcritical"; at a saddle-node on which side of it orbits exist, "above" or "below".
+        /// "supercritical", "subcritical"; at a saddle-node on which side of it orbits exist, "above" or
+        /// "below".
         pub criticality: Option<&'static str>,
         /// How far along the branch, in the norm of times, speeds and parameter.
         pub length: f64,

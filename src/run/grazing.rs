@@ -114,12 +114,13 @@ pub struct GrazingReport {
     pub admissible: Judgement,
     /// What is left of the equations.
     pub residual: f64,
-    /// Whether patterns are counted in half periods: the orbit is symmetric, grazes both walls, and the map is that of half its
-    /// period followed by the mirror; A and what follows from it are that map's.
+    /// Whether patterns are counted in half periods: the orbit is symmetric, grazes both walls, and the map
+    /// is that of half its period followed by the mirror; A and what follows from it are that map's.
     pub half: bool,
     /// Why the local theory does not apply, if it does not.
     pub open: Option<String>,
-    /// Whether chaos is born, on either side, by all patterns together; none for a₂ ≤ 0, where patterns are only listed.
+    /// Whether chaos is born, on either side, by all patterns together; none for a₂ ≤ 0, where patterns are
+    /// only listed.
     pub chaos: Option<Vec<ChaosRow>>,
     /// The patterns that are born or open.
     pub born: Vec<BornRow>,
@@ -255,7 +256,8 @@ pub fn grazing(task: &GrazingTask, job: &Job) -> Result<GrazingFindings> {
     Ok(GrazingFindings::Found(Box::new(found)))
 }
 
-/// A row: what the local theory says of a pattern, and the orbit of the true system at the distance asked for.
+/// A row: what the local theory says of a pattern, and the orbit of the true system at the distance asked
+/// for.
 fn born(
     task: &GrazingTask,
     family: &SceneFamily,

@@ -1,6 +1,7 @@
 //! Tasks on machines: one motion, its impacts and rests, by stop.
 //!
-//! Inside, time is the forcing's phase; everything here is reported in the scene's unit of time, and in periods.
+//! Inside, time is the forcing's phase; everything here is reported in the scene's unit of time, and in
+//! periods.
 
 use serde::Serialize;
 
@@ -136,7 +137,8 @@ const CHUNK: u64 = 16;
 const RELATIVE_DEPTH: f64 = 1e-12;
 
 impl Job<'_> {
-    /// A simulator of a machine. The minimum depth is the scene's, or 10⁻¹² of the size of the gaps' motion, starts among it.
+    /// A simulator of a machine. The minimum depth is the scene's, or 10⁻¹² of the size of the gaps' motion,
+    /// starts among it.
     ///
     /// # Errors
     /// Those of [`MachineSimulator::new`].
@@ -164,7 +166,8 @@ impl Job<'_> {
     }
 }
 
-/// Follows the motion; each point and each event goes to `keeper` as it comes, so that memory does not grow with the length.
+/// Follows the motion; each point and each event goes to `keeper` as it comes, so that memory does not grow
+/// with the length.
 ///
 /// # Errors
 /// Those of the simulator; the keeper's; an interruption.
@@ -236,7 +239,8 @@ pub fn simulate_machine(
                     MachineEvent::Impact(impact) => {
                         row.impacts += 1;
                         row.fastest = row.fastest.max(impact.velocity.abs() * rate);
-                        // Masses per radian² times velocities per radian, over Ω, are masses times velocities.
+                        // Masses per radian² times velocities per radian, over Ω, are masses times
+                        // velocities.
                         row.strongest = row.strongest.max(impact.impulse / rate);
                         if impact.order_matters && instant != Some(impact.time) {
                             found.order_matters += 1;

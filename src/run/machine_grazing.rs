@@ -1,6 +1,8 @@
-//! Tasks of kind `grazing` on machines: where the motion without impacts grazes a stop, and what is born there.
+//! Tasks of kind `grazing` on machines: where the motion without impacts grazes a stop, and what is born
+//! there.
 //!
-//! Phases are fractions of the period, everything else is in the scene's units: the section's coordinates are (q, q̇).
+//! Phases are fractions of the period, everything else is in the scene's units: the section's coordinates are
+//! (q, q̇).
 
 use std::f64::consts::TAU;
 
@@ -29,7 +31,8 @@ row! {
         pub pattern: String,
         /// On which side of the bifurcation an orbit is born, or what is open.
         pub side: String,
-        /// The large multiplier is this times µ^{−m} to leading order, µ the parameter less its value at grazing.
+        /// The large multiplier is this times µ^{−m} to leading order, µ the parameter less its value at
+        /// grazing.
         pub coefficient: Option<f64>,
         /// The parameter at which the orbit was found.
         pub found_at: Option<f64>,
@@ -92,7 +95,8 @@ pub struct MachineGrazingReport {
     undecided: usize,
 }
 
-/// A least gap that changes over the reach by less than this, relative to the gaps' motion, does not pass through 0.
+/// A least gap that changes over the reach by less than this, relative to the gaps' motion, does not pass
+/// through 0.
 const FLAT: f64 = 1e-9;
 
 /// A matrix of more rows than this is not shown in text.

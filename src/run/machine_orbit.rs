@@ -33,7 +33,8 @@ row! {
         pub multipliers: Vec<Complex>,
         /// Whether all are inside the unit circle.
         pub stable: Judgement,
-        /// Whether it is an orbit: its impacts come in, and between them the simulator finds no other contact.
+        /// Whether it is an orbit: its impacts come in, and between them the simulator finds no other
+        /// contact.
         pub admissible: Judgement,
         /// Why not.
         pub reason: Option<String>,

@@ -1,22 +1,25 @@
-//! Scenes run by the library: each task answered by one function with a typed result, and all tasks reported alike.
+//! Scenes run by the library: each task answered by one function with a typed result, and all tasks reported
+//! alike.
 //!
-//! [`run`] does a scene's tasks one after the other and gives a [`TaskReport`] for each; [`run_task`] does one. A failing
-//! task does not end the rest. What is long (a time series) or lasting (figures, tables, certificates) goes to a
-//! [`Keeper`]; `()` keeps nothing. Not here: the command line, pictures and tables (`cli::run`), the keys of a scene (`scene`),
-//! mathematics (`oscillator`).
+//! [`run`] does a scene's tasks one after the other and gives a [`TaskReport`] for each; [`run_task`] does
+//! one. A failing task does not end the rest. What is long (a time series) or lasting (figures, tables,
+//! certificates) goes to a [`Keeper`]; `()` keeps nothing. Not here: the command line, pictures and tables
+//! (`cli::run`), the keys of a scene (`scene`), mathematics (`oscillator`).
 //!
 //! # How a kind of task is run
 //!
 //! A kind has a file here of its name with
 //!
-//! 1. `XFindings`, its result: a struct with `Serialize` whose fields are numbers, booleans, words of enums, lists of
-//!    [rows](Row). A row is declared by `row!`, from which come its columns in text and in CSV. No field is a text that
-//!    a program would have to parse: complex numbers are [`Complex`], what rounding may decide is a [`Judgement`];
-//! 2. `impl Finding for XFindings`: its [`Status`] from the data alone, in one place, with a sentence for every answer that is not
-//!    "done"; warnings; what is printed, by [`Lines`];
-//! 3. `pub fn x(task, job) -> Result<XFindings>`: what [`Job`] holds, and no files but those that it reads and its
-//!    checkpoint. An error is for what makes the task fail as a whole; whatever happens to one orbit or one value of many is
-//!    a row or a count of the findings. It calls [`Job::monitor`] at least ten times a second;
+//! 1. `XFindings`, its result: a struct with `Serialize` whose fields are numbers, booleans, words of enums,
+//!    lists of [rows](Row). A row is declared by `row!`, from which come its columns in text and in CSV. No
+//!    field is a text that a program would have to parse: complex numbers are [`Complex`], what rounding may
+//!    decide is a [`Judgement`];
+//! 2. `impl Finding for XFindings`: its [`Status`] from the data alone, in one place, with a sentence for
+//!    every answer that is not "done"; warnings; what is printed, by [`Lines`];
+//! 3. `pub fn x(task, job) -> Result<XFindings>`: what [`Job`] holds, and no files but those that it reads
+//!    and its checkpoint. An error is for what makes the task fail as a whole; whatever happens to one orbit
+//!    or one value of many is a row or a count of the findings. It calls [`Job::monitor`] at least ten times
+//!    a second;
 //! 4. a variant of [`Findings`] and an arm of `answer`.
 //!
 //! The command line adds `cli/run/x.rs`, which writes the findings' files and returns their names.
@@ -350,8 +353,8 @@ impl<'a> Job<'a> {
     }
 }
 
-/// Runs all tasks of a scene, in their order; all are checked before the first begins. After an interruption the rest
-/// are reported as not reached.
+/// Runs all tasks of a scene, in their order; all are checked before the first begins. After an interruption
+/// the rest are reported as not reached.
 ///
 /// ```
 /// use grazing::{run::{Status, Surroundings, run}, scene::Scene};
@@ -391,7 +394,8 @@ pub fn run(scene: &Scene, around: Surroundings, keeper: &mut dyn Keeper) -> Resu
     Ok(reports)
 }
 
-/// Runs one task and lets the keeper keep what it found. Never fails as a function: the report's status says how the task ended.
+/// Runs one task and lets the keeper keep what it found. Never fails as a function: the report's status says
+/// how the task ended.
 pub fn run_task(job: &Job, keeper: &mut dyn Keeper) -> TaskReport {
     let kept = |findings: Findings, keeper: &mut dyn Keeper| {
         let files = keeper.keep(job, &findings)?;
@@ -430,7 +434,8 @@ fn answer(job: &Job, keeper: &mut dyn Keeper) -> Result<Findings> {
     })
 }
 
-/// A warning if a motion is so small that contact without impact, within `minimum_depth`, is a large part of it.
+/// A warning if a motion is so small that contact without impact, within `minimum_depth`, is a large part of
+/// it.
 fn small_motion(extent: f64, minimum_depth: f64) -> Option<String> {
     (extent < 1e3 * minimum_depth).then(|| {
         format!(

@@ -90,8 +90,9 @@ impl<R: Row + Serialize> Finding for OrbitList<R> {
 }
 
 impl<R> OrbitList<R> {
-    /// The orbits that `find` finds at each value of the task's parameter, or once if it has none; the parameter and its value are what `find` is given.
-    /// Its inner error says why there is no orbit at a value; the outer one ends the task.
+    /// The orbits that `find` finds at each value of the task's parameter, or once if it has none; the
+    /// parameter and its value are what `find` is given. Its inner error says why there is no orbit at a
+    /// value; the outer one ends the task.
     ///
     /// # Errors
     /// The outer ones of `find`; an interruption.

@@ -35,11 +35,13 @@ row! {
         pub impacts: Option<u64>,
         /// The mean number of impacts in a forcing period.
         pub impacts_per_period: f64,
-        /// The largest Lyapunov exponent times the forcing period; absent where it is −∞, because the motion comes to rest on a wall.
+        /// The largest Lyapunov exponent times the forcing period; absent where it is −∞, because the motion
+        /// comes to rest on a wall.
         pub lyapunov_per_period: Option<f64>,
         /// Its standard error; absent where the exponent is, or for a run too short.
         pub standard_error: Option<f64>,
-        /// How many of the starts lead to it; all motions that are not periodic are told apart by their start alone.
+        /// How many of the starts lead to it; all motions that are not periodic are told apart by their start
+        /// alone.
         pub starts: usize,
     }
 }

@@ -1,4 +1,5 @@
-//! Tasks of kind `chaos`: that every word over an alphabet is an orbit (a full shift or a subshift), proved, or what stood in the way.
+//! Tasks of kind `chaos`: that every word over an alphabet is an orbit (a full shift or a subshift), proved,
+//! or what stood in the way.
 
 use num_rational::BigRational;
 use num_traits::ToPrimitive;

@@ -65,7 +65,8 @@ impl Finding for SimulationFindings {
 /// Periods between two looks at whether to go on.
 const CHUNK: u64 = 256;
 
-/// Follows the motion; each point and each event goes to `keeper` as it comes, so that memory does not grow with the length.
+/// Follows the motion; each point and each event goes to `keeper` as it comes, so that memory does not grow
+/// with the length.
 ///
 /// # Errors
 /// Those of the simulator; the keeper's; an interruption.

@@ -1,4 +1,5 @@
-//! Tasks of kind `validate`: orbits and bifurcations proved, from approximations found as the tasks `orbit` and `event` do.
+//! Tasks of kind `validate`: orbits and bifurcations proved, from approximations found as the tasks `orbit`
+//! and `event` do.
 
 use std::f64::consts::TAU;
 
@@ -29,7 +30,8 @@ row! {
         pub verdict: &'static str,
         /// The impact pattern.
         pub pattern: String,
-        /// About where the solution is: its phases and speeds, t_1, V_1, …, and last the parameter of an event.
+        /// About where the solution is: its phases and speeds, t_1, V_1, …, and last the parameter of an
+        /// event.
         pub solution: Vec<f64>,
         /// Why it is not proved.
         pub reason: Option<String>,

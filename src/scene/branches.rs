@@ -17,7 +17,8 @@ use crate::{
 with_options!(read_into);
 
 keys! {
-    /// Where a branch starts: at an orbit, at the periodic attractor that a motion leads to, or at a label of a branch written before.
+    /// Where a branch starts: at an orbit, at the periodic attractor that a motion leads to, or at a label of
+    /// a branch written before.
     pub struct BranchStart {
         /// the parameter's value at the start; the scene's if absent
         at: Option<BigRational>,
@@ -81,8 +82,9 @@ words! {
 }
 
 keys! {
-    /// Follows branches of periodic orbits over a parameter by pseudo-arclength continuation, through saddle-nodes, and labels what
-    /// happens: saddle-node, crossing, flip, neimark-sacker, grazing (a minimum of the gap is zero), fade (an impact's speed is zero).
+    /// Follows branches of periodic orbits over a parameter by pseudo-arclength continuation, through
+    /// saddle-nodes, and labels what happens: saddle-node, crossing, flip, neimark-sacker, grazing (a minimum
+    /// of the gap is zero), fade (an impact's speed is zero).
     pub struct BranchTask {
         /// the parameter that varies
         parameter: String,
@@ -106,8 +108,9 @@ keys! {
 }
 
 keys! {
-    /// Draws what motions tend to over a parameter (bifurcation diagram): several starts for each value, in parallel; lists windows of
-    /// periodic motion and values where attractors coexist. An interrupted task resumes from its checkpoint.
+    /// Draws what motions tend to over a parameter (bifurcation diagram): several starts for each value, in
+    /// parallel; lists windows of periodic motion and values where attractors coexist. An interrupted task
+    /// resumes from its checkpoint.
     pub struct DiagramTask {
         /// the parameter that varies
         parameter: String,
@@ -139,14 +142,16 @@ keys! {
 }
 
 keys! {
-    /// Locates the end of an attractor: the parameter at which an image of the corner of an unstable orbit's unstable manifold, where it
-    /// first comes to graze, falls on the stable manifold; and simulates on both sides of it.
+    /// Locates the end of an attractor: the parameter at which an image of the corner of an unstable orbit's
+    /// unstable manifold, where it first comes to graze, falls on the stable manifold; and simulates on both
+    /// sides of it.
     pub struct CrisisTask {
         /// the parameter that varies
         parameter: String,
         /// a value on each side
         bracket: Vec<f64>,
-        /// the unstable orbit, by its pattern; of those found in the middle of the bracket the saddle is taken
+        /// the unstable orbit, by its pattern; of those found in the middle of the bracket the saddle is
+        /// taken
         orbit: OrbitKeys,
         /// when the section is taken, as a fraction of the forcing period: not near an impact of the orbit
         phase: BigRational,

@@ -6,9 +6,12 @@ use super::keys::{Entry, Value, keys};
 use crate::error::Result;
 
 keys! {
-    /// Proves that every bi-infinite word over an alphabet of periods is an orbit, exactly one in given boxes and admissible, for every parameter in a range, with a certificate. Linear oscillators with one wall and one harmonic. See chaos.md.
+    /// Proves that every bi-infinite word over an alphabet of periods is an orbit, exactly one in given boxes
+    /// and admissible, for every parameter in a range, with a certificate. Linear oscillators with one wall
+    /// and one harmonic. See chaos.md.
     pub struct ChaosTask {
-        /// the periods n between impacts; `"auto"` takes those born at the grazing, and leaves out the longest until the proof succeeds
+        /// the periods n between impacts; `"auto"` takes those born at the grazing, and leaves out the
+        /// longest until the proof succeeds
         alphabet: Alphabet = "\"auto\"",
         /// for each period of the alphabet, in its order, those that may follow; if empty, every one
         follow: Vec<Vec<u64>> = "[]",
@@ -18,7 +21,8 @@ keys! {
         from: Option<BigRational>,
         /// the end that is, unless the motion without the wall grazes there; if absent, there is none
         to: Option<BigRational>,
-        /// other parameters that vary, each with its least and greatest value, as in `{ d = [0.59, 0.61] }`; only damping, stiffness and restitution may depend on them
+        /// other parameters that vary, each with its least and greatest value, as in `{ d = [0.59, 0.61] }`;
+        /// only damping, stiffness and restitution may depend on them
         cell: ParameterCell = "{}",
         /// a period and a number: boxes are told apart by how many of that period follow, up to that number
         history: Vec<u64> = "[]",

@@ -1,4 +1,5 @@
-//! What only a whole scene can tell of its tasks: parameters that exist, ranges, walls that are there, starts on the right side.
+//! What only a whole scene can tell of its tasks: parameters that exist, ranges, walls that are there, starts
+//! on the right side.
 
 use num_rational::BigRational;
 
@@ -29,7 +30,8 @@ const LONGEST: u32 = 10_000;
 const POINTS: u32 = 1_000_000;
 
 impl Scene {
-    /// A task's scene, with the values it sets and then `changes`; checks all that can be checked before running.
+    /// A task's scene, with the values it sets and then `changes`; checks all that can be checked before
+    /// running.
     ///
     /// # Errors
     /// As [`Scene::exact`]; an input error for what the task's kind forbids.

@@ -9,11 +9,12 @@
 //! function = "sqrt" | "exp" | "sin" | "cos"
 //! ```
 //!
-//! A parameter called like a function or `pi` is that parameter. Angles are in radians. A value is exact where it is rational
-//! (√ of a square, e⁰); other values there are on rungs that have the functions: floats, duals, enclosures.
+//! A parameter called like a function or `pi` is that parameter. Angles are in radians. A value is exact
+//! where it is rational (√ of a square, e⁰); other values there are on rungs that have the functions: floats,
+//! duals, enclosures.
 //!
-//! A decimal is one of the command line's number grammar (`12`, `0.375`, `1e-30`), and exact. Powers bind tighter
-//! than signs: -w^2 is -(w^2).
+//! A decimal is one of the command line's number grammar (`12`, `0.375`, `1e-30`), and exact. Powers bind
+//! tighter than signs: -w^2 is -(w^2).
 
 use std::fmt;
 
@@ -32,7 +33,8 @@ use crate::{
 const LIMIT_SIZE: u64 = 256;
 /// The most bits of a literal's or parameter's numerator and denominator.
 pub(super) const LIMIT_BITS: u32 = 4096;
-/// The most bits of an exact value's numerator and denominator, not in lowest terms, at every step of its evaluation.
+/// The most bits of an exact value's numerator and denominator, not in lowest terms, at every step of its
+/// evaluation.
 const LIMIT_VALUE: u32 = 4 * LIMIT_BITS;
 const LIMIT_DEPTH: u32 = 32;
 
@@ -115,8 +117,8 @@ impl Expression {
     /// Reads an expression in the named parameters. Cost: linear in the text and in the size of the numbers.
     ///
     /// # Errors
-    /// An input error that says at which character what was expected, or which parameter is unknown and the nearest
-    /// that is known; also for more than 256 factors and terms or 32 levels of parentheses.
+    /// An input error that says at which character what was expected, or which parameter is unknown and the
+    /// nearest that is known; also for more than 256 factors and terms or 32 levels of parentheses.
     ///
     /// ```
     /// use grazing::{number::parse_rational, scene::Expression};
@@ -147,12 +149,12 @@ impl Expression {
         matches!(&self.root, Node::Number(value) if value.is_zero())
     }
 
-    /// Its value, `parameters` being the values of the names it was read with, in their order. An enclosure if
-    /// they are. Cost: at most 256 operations, on exact fractions of at most 16384 bits.
+    /// Its value, `parameters` being the values of the names it was read with, in their order. An enclosure
+    /// if they are. Cost: at most 256 operations, on exact fractions of at most 16384 bits.
     ///
     /// # Errors
-    /// An input error for a division by what is certainly zero, and where an exact value, or a step on the way to it, would
-    /// have more than 16384 bits in its numerator or denominator.
+    /// An input error for a division by what is certainly zero, and where an exact value, or a step on the
+    /// way to it, would have more than 16384 bits in its numerator or denominator.
     ///
     /// # Panics
     /// If there are fewer values than there were names.

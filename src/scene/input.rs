@@ -87,12 +87,14 @@ impl Value for TaskEntry {
 }
 
 impl Scene {
-    /// Reads a scene from the text of a TOML file; `name` leads every error message. The format is in docs/scenes.md.
+    /// Reads a scene from the text of a TOML file; `name` leads every error message. The format is in
+    /// docs/scenes.md.
     ///
     /// # Errors
-    /// An input error `name:line: key = value: what is wrong and the fix`: for the text's form, an unknown key, a
-    /// missing one, a value of the wrong shape, an expression that cannot be evaluated, walls that cross, a negative
-    /// restitution, a start behind a wall, with the scene's parameters and with those of each task.
+    /// An input error `name:line: key = value: what is wrong and the fix`: for the text's form, an unknown
+    /// key, a missing one, a value of the wrong shape, an expression that cannot be evaluated, walls that
+    /// cross, a negative restitution, a start behind a wall, with the scene's parameters and with those of
+    /// each task.
     ///
     /// ```
     /// use grazing::scene::Scene;

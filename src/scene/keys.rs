@@ -1,8 +1,8 @@
-//! The keys of a scene: one declaration each, from which come the typed field, its reader, its default and its row of
-//! the reference table.
+//! The keys of a scene: one declaration each, from which come the typed field, its reader, its default and
+//! its row of the reference table.
 //!
-//! `keys!` declares a table of the file as a struct. A field's type says what may stand there ([`Value`]); a default
-//! is TOML text, read as if it stood in the file; without one the key is required, but for `Option`.
+//! `keys!` declares a table of the file as a struct. A field's type says what may stand there ([`Value`]); a
+//! default is TOML text, read as if it stood in the file; without one the key is required, but for `Option`.
 
 use std::{cell::RefCell, collections::BTreeMap, ops::Range};
 

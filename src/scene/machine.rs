@@ -1,4 +1,5 @@
-//! Scenes of format 2: machines with any number of degrees of freedom and of stops, in the units in which they are measured.
+//! Scenes of format 2: machines with any number of degrees of freedom and of stops, in the units in which
+//! they are measured.
 
 use super::{
     expression::Expression,
@@ -13,10 +14,11 @@ use crate::{
 };
 
 keys! {
-    /// `mass` q″ + `damping` q′ + `stiffness` q = `force` + `forcing`(t), in consistent units of your choice: kilograms, metres, seconds and newtons, say.
+    /// `mass` q″ + `damping` q′ + `stiffness` q = `force` + `forcing`(t), in consistent units of your choice:
+    /// kilograms, metres, seconds and newtons, say.
     pub struct MachineKeys {
-        /// how often the forcing repeats in a unit of time (hertz if times are seconds); this or `period` must be given, also without forcing, as
-        /// times are reported in periods, too
+        /// how often the forcing repeats in a unit of time (hertz if times are seconds); this or `period`
+        /// must be given, also without forcing, as times are reported in periods, too
         frequency: Option<Expression>,
         /// how long the forcing's period is
         period: Option<Expression>,
@@ -56,18 +58,21 @@ keys! {
         frequencies: Vec<Expression>,
         /// their damping ratios: one for all, or one for each
         ratios: CoordinateList = "0",
-        /// their shapes: a row for each coordinate q₁, q₂, … of the scene, an entry in it for each mode; the coordinates are points of the
-        /// machine where forces act, stops stand or motions are looked at. Without it the coordinates are the modes' amplitudes
+        /// their shapes: a row for each coordinate q₁, q₂, … of the scene, an entry in it for each mode; the
+        /// coordinates are points of the machine where forces act, stops stand or motions are looked at.
+        /// Without it the coordinates are the modes' amplitudes
         shapes: Option<MatrixValue>,
     }
 }
 
 keys! {
-    /// A rigid stop: the gap `row`·q − `offset` − Σ `harmonics` stays at least 0; an impact turns its rate into −`restitution` times itself.
+    /// A rigid stop: the gap `row`·q − `offset` − Σ `harmonics` stays at least 0; an impact turns its rate
+    /// into −`restitution` times itself.
     pub struct StopKeys {
         /// what it is called in reports
         name: Option<String>,
-        /// what of the machine it stops, an entry for each coordinate; [1] for one coordinate. Two masses that hit each other: [1, −1]
+        /// what of the machine it stops, an entry for each coordinate; [1] for one coordinate. Two masses
+        /// that hit each other: [1, −1]
         row: Option<CoordinateList>,
         /// its mean place
         offset: Expression,
@@ -81,7 +86,8 @@ keys! {
 keys! {
     /// How accurately motions of machines are computed.
     pub struct MachineAccuracy {
-        /// a minimum of a gap that is deeper than this is an impact; a shallower one is a tangency. In the unit of gaps; without it 10⁻¹² of the gaps' motion
+        /// a minimum of a gap that is deeper than this is an impact; a shallower one is a tangency. In the
+        /// unit of gaps; without it 10⁻¹² of the gaps' motion
         minimum_depth: Option<f64>,
     }
 }

@@ -1,11 +1,12 @@
 //! Scenes: an oscillator, what to do with it and how accurately, as a TOML file that anyone can write.
 //!
-//! The format, with every key, is in docs/scenes.md, written by [`reference()`] from the declarations of keys.
-//! Numbers are exact; coefficients are rational expressions in named parameters ([`Expression`]). Not here: running the
-//! tasks (the module `run`).
+//! The format, with every key, is in docs/scenes.md, written by [`reference()`] from the declarations of
+//! keys. Numbers are exact; coefficients are rational expressions in named parameters ([`Expression`]). Not
+//! here: running the tasks (the module `run`).
 //!
-//! Each file imports from those before it alone: `expression`, `keys`, `matrix`; the keys, `system`, `machine`, `simulate`, `orbits`,
-//! `sections`, `branches`, `validate`, `chaos`; `task`; `scene`, the type and its values; `values`, those of a machine; `normal`, `check`; `input`, `family`, `reference`.
+//! Each file imports from those before it alone: `expression`, `keys`, `matrix`; the keys, `system`,
+//! `machine`, `simulate`, `orbits`, `sections`, `branches`, `validate`, `chaos`; `task`; `scene`, the type
+//! and its values; `values`, those of a machine; `normal`, `check`; `input`, `family`, `reference`.
 
 pub mod branches;
 pub mod chaos;

@@ -1,4 +1,5 @@
-//! What the task `chaos` is about: its scene's oscillator in the normal form of docs/chaos.md, for all its parameters.
+//! What the task `chaos` is about: its scene's oscillator in the normal form of docs/chaos.md, for all its
+//! parameters.
 
 use num_rational::BigRational;
 use num_traits::Zero;

@@ -15,7 +15,8 @@ use crate::{
 keys! {
     /// Which periodic orbit: its impact pattern, and where Newton's method starts.
     pub struct OrbitKeys {
-        /// n_1, …, n_m: the forcing periods from the phase of one impact to that of the next; none for an orbit without impacts
+        /// n_1, …, n_m: the forcing periods from the phase of one impact to that of the next; none for an
+        /// orbit without impacts
         pattern: Vec<u32> = "[]",
         /// the wall of each impact; needed only if there are two walls
         walls: Vec<Side> = "[]",
@@ -23,8 +24,9 @@ keys! {
         stops: Vec<String> = "[]",
         /// the period of an orbit without impacts
         period: u32 = "1",
-        /// time and incoming speed t_1, V_1, …, t_m, V_m to start from (without impacts: q and u at t = 0; of a machine nothing); of a machine
-        /// each t as a fraction of the period and each V in the scene's units; if empty, all orbits are searched for
+        /// time and incoming speed t_1, V_1, …, t_m, V_m to start from (without impacts: q and u at t = 0; of
+        /// a machine nothing); of a machine each t as a fraction of the period and each V in the scene's
+        /// units; if empty, all orbits are searched for
         start: Vec<f64> = "[]",
         /// how many starts the search makes
         starts: u32 = "500",
@@ -62,7 +64,8 @@ impl OrbitKeys {
 }
 
 keys! {
-    /// Finds periodic orbits: impacts, multipliers, and whether each is one (speeds positive, no other contact).
+    /// Finds periodic orbits: impacts, multipliers, and whether each is one (speeds positive, no other
+    /// contact).
     pub struct OrbitTask {
         /// which
         orbit: OrbitKeys,
@@ -84,7 +87,8 @@ impl Value for Bifurcation {
 }
 
 keys! {
-    /// Locates a bifurcation of an orbit in a parameter, to rounding, from the orbit at the parameter's present value.
+    /// Locates a bifurcation of an orbit in a parameter, to rounding, from the orbit at the parameter's
+    /// present value.
     pub struct EventTask {
         /// which bifurcation
         event: Bifurcation,
@@ -100,21 +104,25 @@ keys! {
 }
 
 keys! {
-    /// Locates a grazing bifurcation, and decides by the local theory there which orbits are born, on which side; each is then
-    /// found in the true system near by. One line says whether chaos is born on either side, by all patterns together, and with which entropy.
+    /// Locates a grazing bifurcation, and decides by the local theory there which orbits are born, on which
+    /// side; each is then found in the true system near by. One line says whether chaos is born on either
+    /// side, by all patterns together, and with which entropy.
     pub struct GrazingTask {
         /// the parameter that varies
         parameter: String,
-        /// the orbit that comes to graze, near the parameter's present value; its least minimum of a gap is the one taken; of a machine, the
-        /// motion without impacts
+        /// the orbit that comes to graze, near the parameter's present value; its least minimum of a gap is
+        /// the one taken; of a machine, the motion without impacts
         orbit: OrbitKeys = "{}",
-        /// how far along its branch to look, both ways, in the norm of times, speeds and parameter; of a machine, in the parameter
+        /// how far along its branch to look, both ways, in the norm of times, speeds and parameter; of a
+        /// machine, in the parameter
         reach: f64 = "0.5",
-        /// how the branch is followed; lengths are those of times, speeds and the parameter as they are; not of a machine
+        /// how the branch is followed; lengths are those of times, speeds and the parameter as they are; not
+        /// of a machine
         options: Options = "{}",
         /// the largest period of the patterns, in periods of that orbit
         max_period: u32 = "4",
-        /// how far from the bifurcation the born orbits are found: the distance |eµ| between the orbit and the wall
+        /// how far from the bifurcation the born orbits are found: the distance |eµ| between the orbit and
+        /// the wall
         distance: f64 = "1e-6",
     }
 }

@@ -10,8 +10,8 @@ use super::{
     task::{KINDS, TaskKeys},
 };
 
-/// Every table of a scene file with its keys, nested ones after those in which they stand: what may stand there, what holds without
-/// it, what it means.
+/// Every table of a scene file with its keys, nested ones after those in which they stand: what may stand
+/// there, what holds without it, what it means.
 pub fn reference() -> String {
     let mut text = String::new();
     let tasks = [("`[[tasks]]`", TaskKeys::ABOUT, TaskKeys::KEYS), ("a `start`", Start::ABOUT, Start::KEYS)];

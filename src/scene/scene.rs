@@ -1,4 +1,5 @@
-//! A scene and its values: the oscillator at the parameters' values, a state to start from, where each stands in the file.
+//! A scene and its values: the oscillator at the parameters' values, a state to start from, where each stands
+//! in the file.
 
 use std::{collections::BTreeMap, f64::consts::TAU, ops::Range};
 
@@ -79,8 +80,9 @@ impl Scene {
         Ok(scene)
     }
 
-    /// A text of the oscillator: its parameters with their values, and its equation and walls as expressions in them, without the spaces in
-    /// them. Scenes with the same text have the same motions; titles, tasks, comments and the order of keys do not matter.
+    /// A text of the oscillator: its parameters with their values, and its equation and walls as expressions
+    /// in them, without the spaces in them. Scenes with the same text have the same motions; titles, tasks,
+    /// comments and the order of keys do not matter.
     pub fn canonical(&self) -> Result<String> {
         let parameters: Vec<(&str, String)> =
             self.parameters.iter().map(|(name, value)| (name.as_str(), value.to_string())).collect();
@@ -107,8 +109,8 @@ impl Scene {
     /// The system with the parameters' values, and some of them changed.
     ///
     /// # Errors
-    /// An input error, naming file, line and key, for an unknown parameter, a division by zero, a negative restitution or
-    /// walls that touch.
+    /// An input error, naming file, line and key, for an unknown parameter, a division by zero, a negative
+    /// restitution or walls that touch.
     pub fn exact(&self, changes: &[(&str, BigRational)]) -> Result<System<BigRational>> {
         let mut values: Vec<BigRational> = self.parameters.iter().map(|(_, value)| value.clone()).collect();
         for (name, value) in changes {

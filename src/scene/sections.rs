@@ -11,7 +11,8 @@ use super::{
 use crate::oscillator::Side;
 
 keys! {
-    /// Draws the stroboscopic (Poincaré) section of the attractors that motions lead to: periods, impacts, Lyapunov exponents.
+    /// Draws the stroboscopic (Poincaré) section of the attractors that motions lead to: periods, impacts,
+    /// Lyapunov exponents.
     pub struct SectionTask {
         /// where motions start
         starts: Vec<Start>,
@@ -21,7 +22,8 @@ keys! {
         frame: Frame = "\"fixed\"",
         /// how many periods pass before
         transient: u64 = "1000",
-        /// how many points per motion that is not periodic is shown by; over as many periods the Lyapunov exponent is taken
+        /// how many points per motion that is not periodic is shown by; over as many periods the Lyapunov
+        /// exponent is taken
         points: u32 = "2000",
         /// the longest period told from none, in forcing periods
         longest: u32 = "64",

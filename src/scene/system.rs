@@ -13,7 +13,8 @@ use crate::{
 const LIMIT_K: u32 = 1000;
 
 keys! {
-    /// q″ = −`damping` q′ − `stiffness` q − `cubic` q³ + `force` + `forcing`(t), time in units in which the forcing's period is 2π.
+    /// q″ = −`damping` q′ − `stiffness` q − `cubic` q³ + `force` + `forcing`(t), time in units in which the
+    /// forcing's period is 2π.
     pub struct SystemKeys {
         /// the coefficient of the velocity
         damping: Expression = "0",
@@ -41,7 +42,8 @@ keys! {
 }
 
 keys! {
-    /// A wall at `offset` + Σ `harmonics`; an impact turns the velocity relative to it into −`restitution` times itself.
+    /// A wall at `offset` + Σ `harmonics`; an impact turns the velocity relative to it into −`restitution`
+    /// times itself.
     pub struct WallKeys {
         /// on which side of the oscillator
         side: Side,
@@ -57,9 +59,11 @@ keys! {
 keys! {
     /// How accurately motions are computed.
     pub struct Accuracy {
-        /// the integrator's tolerance, absolute and relative, for oscillators with cubic stiffness; others need none
+        /// the integrator's tolerance, absolute and relative, for oscillators with cubic stiffness; others
+        /// need none
         tolerance: f64 = "1e-12",
-        /// a minimum of the distance to a wall that is deeper than this is an impact; a shallower one is a tangency
+        /// a minimum of the distance to a wall that is deeper than this is an impact; a shallower one is a
+        /// tangency
         minimum_depth: f64 = "1e-12",
     }
 }

@@ -1,7 +1,7 @@
 //! What can be asked of a scene: one struct a kind of task, all kinds registered in one table.
 //!
-//! To add a kind: declare its keys in a file beside this one, add its line to `kinds!` and its checks to `check.rs`, and write
-//! `run/<kind>.rs`.
+//! To add a kind: declare its keys in a file beside this one, add its line to `kinds!` and its checks to
+//! `check.rs`, and write `run/<kind>.rs`.
 
 use num_rational::BigRational;
 

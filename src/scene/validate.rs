@@ -4,7 +4,9 @@ use super::{keys::keys, orbits::OrbitKeys};
 use crate::oscillator::branch::{Bifurcation, Options};
 
 keys! {
-    /// Proves that exact orbits exist, each the only one in a box, admissible, and stable or not; or, with `event`, that one bifurcates at a parameter in an interval. A certificate for each. Linear systems, orbits with impacts.
+    /// Proves that exact orbits exist, each the only one in a box, admissible, and stable or not; or, with
+    /// `event`, that one bifurcates at a parameter in an interval. A certificate for each. Linear systems,
+    /// orbits with impacts.
     pub struct ValidateTask {
         /// which; the proof starts from their approximations
         orbit: OrbitKeys,

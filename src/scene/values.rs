@@ -14,11 +14,13 @@ use crate::{
 };
 
 impl Scene {
-    /// The machine of a scene of format 2, each coefficient rounded from its exact value where it is rational.
+    /// The machine of a scene of format 2, each coefficient rounded from its exact value where it is
+    /// rational.
     ///
     /// # Errors
-    /// An input error, naming file, line and key, for a value that cannot be computed, M that is not symmetric and positive definite, a negative
-    /// restitution, a stop that no motion reaches, a period that is not positive; for a scene of format 1.
+    /// An input error, naming file, line and key, for a value that cannot be computed, M that is not
+    /// symmetric and positive definite, a negative restitution, a stop that no motion reaches, a period that
+    /// is not positive; for a scene of format 1.
     pub fn machine(&self, changes: &[(&str, f64)]) -> Result<Machine<f64>> {
         let scene = self.machine_scene()?;
         let exact: Vec<_> = self.parameters.iter().map(|(_, value)| value.clone()).collect();
@@ -81,8 +83,8 @@ impl Scene {
     /// A state to start from: velocities per radian of the forcing.
     ///
     /// # Errors
-    /// An input error that names the key, for lists of the wrong length, values that cannot be computed, and points of modes that do not tell
-    /// all their amplitudes.
+    /// An input error that names the key, for lists of the wrong length, values that cannot be computed, and
+    /// points of modes that do not tell all their amplitudes.
     pub fn machine_state(&self, start: &Start, machine: &Machine<f64>, path: &str) -> Result<MachineState> {
         let part = |given: &CoordinateList, name: &str| -> Result<RealVector> {
             let key = format!("{path}.{name}");

@@ -10,11 +10,12 @@ use crate::{
 /// Walls nearer than this, in units of their size, count as touching.
 const CLOSE: f64 = 1e-9;
 
-/// `None` if the walls stay apart by more than 10⁻⁹ times their size; else a time at which they do not, and the gap there.
+/// `None` if the walls stay apart by more than 10⁻⁹ times their size; else a time at which they do not, and
+/// the gap there.
 ///
-/// On a stretch of half-width h around m the gap g is at least g(m) − |g′(m)| h − M h²/2, M a bound of |g″|; stretches are
-/// halved until that is positive or the gap at the middle is not. Rounding is far below the margin. Cost: at worst
-/// about sqrt(M/g) stretches for the least gap g, some 10⁵.
+/// On a stretch of half-width h around m the gap g is at least g(m) − |g′(m)| h − M h²/2, M a bound of |g″|;
+/// stretches are halved until that is positive or the gap at the middle is not. Rounding is far below the
+/// margin. Cost: at worst about sqrt(M/g) stretches for the least gap g, some 10⁵.
 pub(super) fn meet(lower: &Contact, upper: &Contact) -> Result<Option<(f64, f64)>> {
     let (low, high) = (&lower.position, &upper.position);
     let opposite = |h: &Harmonic<f64>| Harmonic { k: h.k, cos: -h.cos, sin: -h.sin };

@@ -1,8 +1,9 @@
-//! The sign of b_{n,k} by (59) as it stands: a second route, which shares no formula, form or decision with the ladder.
+//! The sign of b_{n,k} by (59) as it stands: a second route, which shares no formula, form or decision with
+//! the ladder.
 //!
-//! From (a₁, a₂), u_1, …, u_n by their recurrence, in integers. From (r, s), the powers of λ = r e^{2πis} by complex
-//! products of balls, with sin and cos of the enclosed number 2πs rather than of a rational multiple of π. Shared are the
-//! arithmetic of balls and the power series that both kinds of sine sum up.
+//! From (a₁, a₂), u_1, …, u_n by their recurrence, in integers. From (r, s), the powers of λ = r e^{2πis} by
+//! complex products of balls, with sin and cos of the enclosed number 2πs rather than of a rational multiple
+//! of π. Shared are the arithmetic of balls and the power series that both kinds of sine sum up.
 
 use num_bigint::BigInt;
 use num_integer::Integer;
@@ -14,9 +15,11 @@ use crate::{
     number::{Ball, Elementary, Precision, Real, Sign},
 };
 
-/// The sign of b_{n,k}, 1 ≤ k < n; a zero is found from (a₁, a₂), and on r = 1. Only the precisions are the ladder's.
+/// The sign of b_{n,k}, 1 ≤ k < n; a zero is found from (a₁, a₂), and on r = 1. Only the precisions are the
+/// ladder's.
 ///
-/// Cost: from (a₁, a₂), n products of integers; from (r, s), O(log n) products of balls on each rung that is needed.
+/// Cost: from (a₁, a₂), n products of integers; from (r, s), O(log n) products of balls on each rung that is
+/// needed.
 pub(super) fn sign(ladder: &Ladder, point: &Point, n: u64, k: u64) -> Answer {
     match point {
         Point::Plane(plane) => from_plane(plane, n, k),

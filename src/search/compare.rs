@@ -1,7 +1,8 @@
 //! One case of the conjecture decided by its definition, by the record form and by the claim.
 //!
-//! The definition and the record form take their signs from the ladder, the claim from [`apart`](super::apart): a wrong sign
-//! on one side shows as a difference. Where the ladder does not confirm a difference, the error is this program's.
+//! The definition and the record form take their signs from the ladder, the claim from
+//! [`apart`](super::apart): a wrong sign on one side shows as a difference. Where the ladder does not confirm
+//! a difference, the error is this program's.
 
 use super::{Instance, apart};
 use crate::{
@@ -80,8 +81,8 @@ fn against(found: &Existence, claim: Claim, case: &Instance, rung: Rung) -> Comp
         Claim::Orbit(orbit) => Existence::Orbit(orbit).cases(case.n),
         Claim::None => Vec::new(),
         Claim::Undecided => return Comparison::Undecided,
-        // On a boundary nothing is claimed, but an orbit there would lie in no area. For odd n the line a₁ = −(a₂ + 1), which
-        // belongs to no region, has them.
+        // On a boundary nothing is claimed, but an orbit there would lie in no area. For odd n the line a₁ =
+        // −(a₂ + 1), which belongs to no region, has them.
         Claim::Boundary if matches!(found, Existence::Orbit(_)) && !on_line(&case.point) => {
             return Comparison::Differ;
         }

@@ -106,8 +106,8 @@ impl Proof {
     }
 }
 
-/// What two methods must find alike, however they cut (0, ½): the intervals with an orbit, and the points where some b is 0 and
-/// no two have opposite signs.
+/// What two methods must find alike, however they cut (0, ½): the intervals with an orbit, and the points
+/// where some b is 0 and no two have opposite signs.
 fn findings(decision: &Decision) -> Vec<Piece> {
     let finding = |piece: &Piece| match *piece {
         Piece::Orbit { .. } => Some(piece.clone()),
@@ -120,8 +120,8 @@ fn findings(decision: &Decision) -> Vec<Piece> {
     decision.pieces.iter().filter_map(finding).collect()
 }
 
-/// Decides Theorem 2 for every period in `range`, on all threads of the current pool; on an interruption, for those
-/// reached so far, and the rest is counted as pending.
+/// Decides Theorem 2 for every period in `range`, on all threads of the current pool; on an interruption, for
+/// those reached so far, and the rest is counted as pending.
 ///
 /// Cost: Σ O(n²) operations, O(n) memory a thread. One unit of progress per period.
 ///

@@ -1,5 +1,5 @@
-//! Certificates of words, kinds `word` and `word-by-theorem`: what to prove is read off the words that were found; the checker
-//! proves it.
+//! Certificates of words, kinds `word` and `word-by-theorem`: what to prove is read off the words that were
+//! found; the checker proves it.
 
 use std::fmt::Write as _;
 
@@ -43,13 +43,15 @@ pub enum Certified {
     Undecided(String),
 }
 
-/// The certificate of words found at a place, for one sign of eµ or both, eµ > 0 first; already checked, with the checker's verdict.
+/// The certificate of words found at a place, for one sign of eµ or both, eµ > 0 first; already checked, with
+/// the checker's verdict.
 ///
-/// Bits grow from 64 to 4096 until the checker is content. Cost: that of the check, which the kind's documentation has, for each precision tried.
+/// Bits grow from 64 to 4096 until the checker is content. Cost: that of the check, which the kind's
+/// documentation has, for each precision tried.
 ///
 /// # Errors
-/// An input error where nothing can be certified: on the lines |a₁| = 1 + a₂, and for numbers of more than 100 digits; an interruption, asked for by
-/// `stop`.
+/// An input error where nothing can be certified: on the lines |a₁| = 1 + a₂, and for numbers of more than
+/// 100 digits; an interruption, asked for by `stop`.
 pub fn certify_word(
     place: WordPlace,
     words: &[&Word],

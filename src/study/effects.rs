@@ -1,4 +1,5 @@
-//! What each effect of an oscillator costs: added one at a time to a bare linear one, timed, its evaluations counted.
+//! What each effect of an oscillator costs: added one at a time to a bare linear one, timed, its evaluations
+//! counted.
 
 use std::time::{Duration, Instant};
 
@@ -39,7 +40,8 @@ pub const PERIODS: i64 = 1000;
 
 const SPEED: f64 = 1.0 / 1.1;
 
-/// A linear oscillator q″ = −q/1.21, and each effect added to it alone; from q = 0, u = 1/1.1 the bare one moves between −1 and 1.
+/// A linear oscillator q″ = −q/1.21, and each effect added to it alone; from q = 0, u = 1/1.1 the bare one
+/// moves between −1 and 1.
 pub fn effects() -> Vec<WithEffect> {
     let bare = || System {
         damping: 0.0,

@@ -1,8 +1,10 @@
-//! What accuracy costs in a simulation: error against time, for the closed form and for the integrator at each tolerance.
+//! What accuracy costs in a simulation: error against time, for the closed form and for the integrator at
+//! each tolerance.
 //!
-//! The oscillators are conservative and so tuned that their exact motion returns to its start after every forcing period: the error is
-//! the distance from the start, with no other computation as reference. One has no wall, one hits it hard, one nearly grazes it: there
-//! an error of ε in the gap becomes one of ε over the impact velocity in time.
+//! The oscillators are conservative and so tuned that their exact motion returns to its start after every
+//! forcing period: the error is the distance from the start, with no other computation as reference. One has
+//! no wall, one hits it hard, one nearly grazes it: there an error of ε in the gap becomes one of ε over the
+//! impact velocity in time.
 
 use std::{
     f64::consts::PI,
@@ -69,7 +71,8 @@ pub fn tolerances() -> Vec<f64> {
         .collect()
 }
 
-/// The oscillators: q″ = −ω² q (+ forcing), a wall at −cos φ with ω = 1 − φ/π, so that the wall is met at t = π, at speed ω sin φ.
+/// The oscillators: q″ = −ω² q (+ forcing), a wall at −cos φ with ω = 1 − φ/π, so that the wall is met at t =
+/// π, at speed ω sin φ.
 pub fn returning() -> Vec<Returning> {
     let system = |omega: f64, wall: Option<f64>| System {
         damping: 0.0,
@@ -127,8 +130,9 @@ impl Returning {
     }
 }
 
-/// Runs of up to 10^`decades` periods: the conservative oscillators, and the paper's at µ = −0.05 on its stable orbit of period 4, whose exact
-/// place is Newton's solution of the pattern equations. A row a power of ten.
+/// Runs of up to 10^`decades` periods: the conservative oscillators, and the paper's at µ = −0.05 on its
+/// stable orbit of period 4, whose exact place is Newton's solution of the pattern equations. A row a power
+/// of ten.
 ///
 /// # Errors
 /// None expected.

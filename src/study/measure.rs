@@ -33,8 +33,8 @@ pub struct Measured {
     pub method: Evaluation,
     /// Time for one b_{n,k}: value for rungs with values, sign for the exact one. Median over the inputs.
     pub time: Duration,
-    /// Median of certain decimal digits (−log₁₀ of radius over |midpoint|, at least 0); for plain `f64`, which is certain of
-    /// nothing, digits that happen to be right; for the exact rung, nothing.
+    /// Median of certain decimal digits (−log₁₀ of radius over |midpoint|, at least 0); for plain `f64`,
+    /// which is certain of nothing, digits that happen to be right; for the exact rung, nothing.
     pub digits: Option<f64>,
     /// Median width of the enclosure, as log₁₀; −∞ is not shown.
     pub width: Option<f64>,
@@ -53,7 +53,8 @@ pub struct Measured {
 const INPUTS: usize = 24;
 const PRECISIONS: [u32; 5] = [128, 256, 1024, 4096, 16384];
 
-/// Measures every method on a family: naive and stable plain `f64`, intervals, balls of 128 to 16384 bits, exact.
+/// Measures every method on a family: naive and stable plain `f64`, intervals, balls of 128 to 16384 bits,
+/// exact.
 ///
 /// Signs are compared with the ladder's, plain digits with balls of 1024 bits. Takes up to a few seconds.
 pub fn measure(family: InputFamily) -> Vec<Measured> {
@@ -214,7 +215,8 @@ fn right_digits(value: f64, exact: Bounds) -> f64 {
     }
 }
 
-/// The condition number of b_{n,k} or c_n: its relative change per relative change of each parameter, both added.
+/// The condition number of b_{n,k} or c_n: its relative change per relative change of each parameter, both
+/// added.
 ///
 /// From a step of 2⁻³⁰⁰ in balls of 1024 bits: good to a few digits below 2²⁰⁰. Infinite at a zero.
 pub fn condition(at: &Point, quantity: Quantity) -> f64 {

@@ -1,14 +1,19 @@
-//! u_n, u_k, N_{n,k} and 1 − v_n + a₂ⁿ (59), (60) as polynomials in (a₁, a₂), factored as far as we can prove.
+//! u_n, u_k, N_{n,k} and 1 − v_n + a₂ⁿ (59), (60) as polynomials in (a₁, a₂), factored as far as we can
+//! prove.
 //!
 //! With the eigenvalues λ₁, λ₂ and Φ_d the cyclotomic polynomials:
-//! - u_n = Π Φ_d(λ₁, λ₂) over the divisors d > 1 of n, Φ_d made homogeneous; each factor is irreducible over the rationals.
-//! - 1 − v_n + a₂ⁿ = (1 − λ₁ⁿ)(1 − λ₂ⁿ) = −Π χ_d over the divisors d of n, with χ_d = ±Φ_d(λ₁)Φ_d(λ₂) monic in a₁; it is the product
-//!   of the φ(d) conjugates of a line, so irreducible too. χ_1 = a₁ − a₂ − 1, χ_2 = a₁ + a₂ + 1.
-//! - N_{n,k}: let g = gcd(n, k). u_g divides u_n, u_k and u_{n−k}. Each χ_d with d | g vanishes only where an eigenvalue has
-//!   λ^g = 1, and there 2 N_{n,k} = u_n (2 − v_k) − u_k (2 − v_n) is 0: with λ₁ⁿ = λ₁^k = 1 both products are
-//!   (1 − λ₂ⁿ)(1 − λ₂^k)/(λ₁ − λ₂). What remains is the quotient of N_{n/g,k/g} by χ_1, at the trace and determinant of A^g.
+//! - u_n = Π Φ_d(λ₁, λ₂) over the divisors d > 1 of n, Φ_d made homogeneous; each factor is irreducible over
+//!   the rationals.
+//! - 1 − v_n + a₂ⁿ = (1 − λ₁ⁿ)(1 − λ₂ⁿ) = −Π χ_d over the divisors d of n, with χ_d = ±Φ_d(λ₁)Φ_d(λ₂) monic
+//!   in a₁; it is the product of the φ(d) conjugates of a line, so irreducible too. χ_1 = a₁ − a₂ − 1, χ_2 =
+//!   a₁ + a₂ + 1.
+//! - N_{n,k}: let g = gcd(n, k). u_g divides u_n, u_k and u_{n−k}. Each χ_d with d | g vanishes only where an
+//!   eigenvalue has λ^g = 1, and there 2 N_{n,k} = u_n (2 − v_k) − u_k (2 − v_n) is 0: with λ₁ⁿ = λ₁^k = 1
+//!   both products are (1 − λ₂ⁿ)(1 − λ₂^k)/(λ₁ − λ₂). What remains is the quotient of N_{n/g,k/g} by χ_1, at
+//!   the trace and determinant of A^g.
 //!
-//! Nothing rests on that reasoning: every quotient is divided out, and the factors multiply back to the polynomial.
+//! Nothing rests on that reasoning: every quotient is divided out, and the factors multiply back to the
+//! polynomial.
 
 use num_integer::gcd;
 
@@ -93,7 +98,8 @@ pub fn period_formulas(n: usize, k: usize) -> Result<[Factored; 4]> {
     ])
 }
 
-/// The factor of `whole(n)` that belongs to each divisor d of n, where `whole(n)` is the product of those of all d.
+/// The factor of `whole(n)` that belongs to each divisor d of n, where `whole(n)` is the product of those of
+/// all d.
 fn parts(n: usize, whole: impl Fn(usize) -> Polynomial) -> Vec<Polynomial> {
     let mut parts: Vec<(usize, Polynomial)> = Vec::new();
     for d in (1..=n).filter(|d| n.is_multiple_of(*d)) {
@@ -108,8 +114,8 @@ fn quotient(whole: &Polynomial, factor: &Polynomial) -> Polynomial {
     whole.divided_by(factor).expect("the factor was proved to divide, see the head of this file")
 }
 
-/// The formulas in one text. For a tool it is a script that also puts the factorisation to the tool: sympy asserts it, z3 and cvc5
-/// answer `unsat` and QEPCAD `TRUE` when expanded and factored forms agree.
+/// The formulas in one text. For a tool it is a script that also puts the factorisation to the tool: sympy
+/// asserts it, z3 and cvc5 answer `unsat` and QEPCAD `TRUE` when expanded and factored forms agree.
 pub fn write_formulas(formulas: &[Factored], format: Format) -> String {
     let row = |f: &Factored| {
         let expanded = format.polynomial(&f.expanded, NAMES);

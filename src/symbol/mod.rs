@@ -2,7 +2,8 @@
 //! sentences, printed for a reader or for a tool that we did not write.
 //!
 //! - [`Polynomial`]: integer polynomials in two variables, nothing more than these formulas need.
-//! - [`period_formulas`]: u_n, u_k, N_{n,k} and 1 − v_n + a₂ⁿ in (a₁, a₂) with every factor that is proved to divide them.
+//! - [`period_formulas`]: u_n, u_k, N_{n,k} and 1 − v_n + a₂ⁿ in (a₁, a₂) with every factor that is proved to
+//!   divide them.
 //! - [`chebyshev_roots`]: rationals that provably separate the roots cos(πj/n) of u_n.
 //! - [`Sentence`]: what holds in region 4 and on one half-cell of region 3, for one n, free of division.
 //!

@@ -44,8 +44,8 @@ impl Polynomial {
 
     /// The quotient, if nothing remains; `divisor` must be monic in the first variable.
     ///
-    /// Under that condition division by the leading term decides divisibility. `None` where the condition fails or a
-    /// remainder is left. Cost: terms of the quotient times terms of the divisor.
+    /// Under that condition division by the leading term decides divisibility. `None` where the condition
+    /// fails or a remainder is left. Cost: terms of the quotient times terms of the divisor.
     pub fn divided_by(&self, divisor: &Polynomial) -> Option<Polynomial> {
         let (&[lead, second], coefficient) = divisor.terms().next()?;
         if second != 0 || !coefficient.is_one() {

@@ -1,9 +1,9 @@
 //! The roots cos(πj/n) of u_n, separated by rationals that are proved to separate them.
 //!
-//! At a₁ = 2rc, a₂ = r² one has u_k = r^{k−1} U_{k−1}(c), U the Chebyshev polynomials of the second kind. U_{n−1}, …, U_0 is
-//! a Sturm sequence: U_{k+1} = 2c U_k − U_{k−1} gives a zero inside opposite neighbours, and at a root c = cos θ of U_{n−1}
-//! both U'_{n−1} = −n cos nθ / sin²θ and U_{n−2} = −cos nθ have one sign. At c = 1 all are positive. So the changes of
-//! sign at x count the roots above x, with integers alone.
+//! At a₁ = 2rc, a₂ = r² one has u_k = r^{k−1} U_{k−1}(c), U the Chebyshev polynomials of the second kind.
+//! U_{n−1}, …, U_0 is a Sturm sequence: U_{k+1} = 2c U_k − U_{k−1} gives a zero inside opposite neighbours,
+//! and at a root c = cos θ of U_{n−1} both U'_{n−1} = −n cos nθ / sin²θ and U_{n−2} = −cos nθ have one sign.
+//! At c = 1 all are positive. So the changes of sign at x count the roots above x, with integers alone.
 
 use num_bigint::{BigInt, Sign};
 use num_rational::BigRational;
@@ -37,7 +37,8 @@ pub fn roots_above(n: usize, x: &BigRational) -> (usize, bool) {
 
 /// Rationals p < q between which cos(πj/n), 1 ≤ j ≤ n − 1, is the only root of U_{n−1}; neither is a root.
 ///
-/// Proved by [`roots_above`]. Neighbouring roots share a bound: the lower one for j is the upper one for j + 1.
+/// Proved by [`roots_above`]. Neighbouring roots share a bound: the lower one for j is the upper one for
+/// j + 1.
 pub fn chebyshev_roots(n: usize, j: usize) -> [BigRational; 2] {
     [separator(n, j), separator(n, j - 1)]
 }

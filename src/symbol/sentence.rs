@@ -1,12 +1,14 @@
 //! What holds for one period in one area, as a closed sentence about polynomials that other tools can decide.
 //!
-//! In every area here 1 − a₁ + a₂ > 0, a factor of every N_{n,k}, so with Q_k = N_{n,k} / (1 − a₁ + a₂) the sign of b_{n,k} (59) is
-//! that of Q_k u_n, and the sentences speak of u_n and the Q_k alone, which are easier to decide.
+//! In every area here 1 − a₁ + a₂ > 0, a factor of every N_{n,k}, so with Q_k = N_{n,k} / (1 − a₁ + a₂) the
+//! sign of b_{n,k} (59) is that of Q_k u_n, and the sentences speak of u_n and the Q_k alone, which are
+//! easier to decide.
 //!
-//! On a half-cell of region 3, a₁ = 2rc and a₂ = r² with c = cos 2πs turn u_n into r^{n−1} U(c) and Q_k into r^{k−1} times a
-//! polynomial in (c, r). The ends of the half-cell are neighbouring roots cos(πj/n) of U; between them U has one sign, and beyond
-//! them, up to the next roots, the other. So rational bounds that shut out the next roots, together with that sign of U, describe the
-//! half-cell without naming its ends, and the sentence has two variables.
+//! On a half-cell of region 3, a₁ = 2rc and a₂ = r² with c = cos 2πs turn u_n into r^{n−1} U(c) and Q_k into
+//! r^{k−1} times a polynomial in (c, r). The ends of the half-cell are neighbouring roots cos(πj/n) of U;
+//! between them U has one sign, and beyond them, up to the next roots, the other. So rational bounds that
+//! shut out the next roots, together with that sign of U, describe the half-cell without naming its ends, and
+//! the sentence has two variables.
 
 use std::fmt::{self, Display};
 use std::str::FromStr;
@@ -72,11 +74,13 @@ use Relation::{Negative, NonNegative, Positive};
 impl Sentence {
     /// What the paper's Conjecture 1 says of period n in `area`.
     ///
-    /// Region 4: n odd, u_n > 0 and all b_{n,k} > 0 iff b_{n,n−2} > 0; n even, b_{n,2} < 0 < b_{n,1}, so that there is no orbit (S5). A
-    /// half-cell, for 0 < r ≤ 1: all b_{n,k} > 0 iff the deciding one is, k = n − m⁻¹ mod n on the side `+` and m⁻¹ mod n on the side `-` (S3).
+    /// Region 4: n odd, u_n > 0 and all b_{n,k} > 0 iff b_{n,n−2} > 0; n even, b_{n,2} < 0 < b_{n,1}, so that
+    /// there is no orbit (S5). A half-cell, for 0 < r ≤ 1: all b_{n,k} > 0 iff the deciding one is, k = n −
+    /// m⁻¹ mod n on the side `+` and m⁻¹ mod n on the side `-` (S3).
     ///
     /// # Errors
-    /// An input error unless 3 ≤ n ≤ [`MAX_SENTENCE_PERIOD`] and, for a half-cell, 0 < 2m < n with m coprime to n.
+    /// An input error unless 3 ≤ n ≤ [`MAX_SENTENCE_PERIOD`] and, for a half-cell, 0 < 2m < n with m coprime
+    /// to n.
     pub fn new(n: usize, area: Area) -> Result<Sentence> {
         if !(3..=MAX_SENTENCE_PERIOD).contains(&n) {
             return Err(Error::input(format!(
@@ -185,7 +189,8 @@ impl Sentence {
         })
     }
 
-    /// The sentence as a formula or as a script for the tool: z3 and cvc5 answer `unsat` (of its negation) if it is true, QEPCAD `TRUE`.
+    /// The sentence as a formula or as a script for the tool: z3 and cvc5 answer `unsat` (of its negation) if
+    /// it is true, QEPCAD `TRUE`.
     pub fn write(&self, format: Format) -> String {
         let atoms =
             |atoms: &[Atom]| atoms.iter().map(|atom| atom.write(format, self.names)).collect::<Vec<_>>();

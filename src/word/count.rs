@@ -28,14 +28,16 @@ pub struct PatternCount {
 }
 
 impl ClosedWalks {
-    /// The certain edges of a relation; open ones count as absent, so that counts and entropy are lower bounds there.
+    /// The certain edges of a relation; open ones count as absent, so that counts and entropy are lower
+    /// bounds there.
     pub fn new(relation: &Relation) -> ClosedWalks {
         let follows: Vec<Vec<bool>> =
             relation.edges().iter().map(|row| row.iter().map(|&edge| edge == Edge::Yes).collect()).collect();
         ClosedWalks::from_edges(relation.periods(), &follows)
     }
 
-    /// The walks of any relation: `follows[i][j]` if `periods[j]` may follow `periods[i]`. Cost: O(V² C), C classes.
+    /// The walks of any relation: `follows[i][j]` if `periods[j]` may follow `periods[i]`. Cost: O(V² C), C
+    /// classes.
     ///
     /// # Panics
     /// Unless `follows` is a square matrix over `periods`, all of them at least 1.
@@ -63,9 +65,10 @@ impl ClosedWalks {
 
     /// The number of patterns of period 1, …, `last`.
     ///
-    /// With M_ab(z) = Σ z^n over the n of class b where b may follow a, the closed walks with a marked forcing period number
-    /// w_n, Σ w_n zⁿ = −z d′(z)/d(z), d = det(I − M); and w_n = Σ over the divisors d of n of d·(primitive patterns of period d).
-    /// Cost: O(C³ `last`²) products of integers of O(`last`) bits.
+    /// With M_ab(z) = Σ z^n over the n of class b where b may follow a, the closed walks with a marked
+    /// forcing period number w_n, Σ w_n zⁿ = −z d′(z)/d(z), d = det(I − M); and w_n = Σ over the divisors d
+    /// of n of d·(primitive patterns of period d). Cost: O(C³ `last`²) products of integers of O(`last`)
+    /// bits.
     pub fn count(&self, last: u64) -> Vec<PatternCount> {
         let last = usize::try_from(last).unwrap_or(usize::MAX);
         let determinant = self.determinant(last);

@@ -1,4 +1,5 @@
-//! The topological entropy of a relation, enclosed: log 1/z per forcing period, z the least positive root of det(I − M(z)).
+//! The topological entropy of a relation, enclosed: log 1/z per forcing period, z the least positive root of
+//! det(I − M(z)).
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -25,12 +26,13 @@ pub enum Entropy {
 }
 
 impl ClosedWalks {
-    /// The entropy, z within 2^−`bits` if the rungs up to 4·`bits` + 128 bits suffice, else as near as they do.
+    /// The entropy, z within 2^−`bits` if the rungs up to 4·`bits` + 128 bits suffice, else as near as they
+    /// do.
     ///
-    /// z is bracketed by pivots: I − M(z) with M ≥ 0 is a nonsingular M-matrix, that is z below the least root, iff elimination
-    /// without exchanges meets positive pivots only. No point tried is a root: det(I − M) and its leading minors
-    /// are integer polynomials with constant term 1, whose rational roots are ±1/q, and the points tried are odd/2^b,
-    /// odd ≥ 3. Cost: O(C³) operations for each of `bits` steps, C classes.
+    /// z is bracketed by pivots: I − M(z) with M ≥ 0 is a nonsingular M-matrix, that is z below the least
+    /// root, iff elimination without exchanges meets positive pivots only. No point tried is a root: det(I −
+    /// M) and its leading minors are integer polynomials with constant term 1, whose rational roots are ±1/q,
+    /// and the points tried are odd/2^b, odd ≥ 3. Cost: O(C³) operations for each of `bits` steps, C classes.
     pub fn entropy(&self, bits: u32) -> Entropy {
         let reach = self.reach();
         let core: Vec<usize> = (0..reach.len()).filter(|&a| reach[a][a]).collect();
@@ -123,8 +125,8 @@ fn power<T: Real>(z: &T, mut n: u64, context: &T::Context) -> T {
     result
 }
 
-/// log w for an enclosed w in [1, 2], or little beyond: 2 Σ t^{2k+1}/(2k+1), t = (w − 1)/(w + 1) ≤ 0.34. The terms from
-/// k = m on add up to less than t^{2m+1}.
+/// log w for an enclosed w in [1, 2], or little beyond: 2 Σ t^{2k+1}/(2k+1), t = (w − 1)/(w + 1) ≤ 0.34. The
+/// terms from k = m on add up to less than t^{2m+1}.
 fn logarithm(w: &Ball, bits: u32) -> Ball {
     let precision = Precision::new(bits + 32);
     let one = Ball::integer(1, &precision);
@@ -147,8 +149,9 @@ fn logarithm(w: &Ball, bits: u32) -> Ball {
 }
 
 impl Entropy {
-    /// The entropy of a word's case, for a sign of γ, and whether it is only a lower bound: where the word may go on, or an edge is
-    /// open. Over all periods it is log 2 or nothing. Cost: as [`ClosedWalks::entropy`], and V² edges.
+    /// The entropy of a word's case, for a sign of γ, and whether it is only a lower bound: where the word
+    /// may go on, or an edge is open. Over all periods it is log 2 or nothing. Cost: as
+    /// [`ClosedWalks::entropy`], and V² edges.
     ///
     /// # Errors
     /// An input error for words of more than [`MAX_RELATION`](super::MAX_RELATION) letters.
@@ -168,7 +171,8 @@ impl Entropy {
         Ok((ClosedWalks::new(&relation).entropy(bits), !relation.is_whole() || relation.is_open()))
     }
 
-    /// The entropy as bounds with denominators that are powers of 2, 0 where patterns do not branch; `None` if no pattern exists.
+    /// The entropy as bounds with denominators that are powers of 2, 0 where patterns do not branch; `None`
+    /// if no pattern exists.
     pub fn bounds(&self) -> Option<(BigRational, BigRational)> {
         let zero = || BigRational::from_integer(0.into());
         match self {

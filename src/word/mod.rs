@@ -6,16 +6,16 @@
 //! p_n = (u_{n+1} − 1)/u_n,   q_n = (a₂ⁿ + a₂ u_{n−1})/u_n,   σ = sign(eµ) sign(γ)
 //! ```
 //!
-//! period j may follow period i iff σ(p_j − q_i) > 0; a pattern exists iff it is a closed walk of that relation over the
-//! periods n whose b_{n,k} all have the sign of eµ. Those periods are, for eµ > 0 in region 3, an initial piece of the
-//! Stern–Brocot path to s, each period the denominator of a fraction above s (letter U, c_n > 0) or below it
-//! (letter D, c_n < 0). The whole relation, for both signs of γ, follows from that [`Word`] alone: see [`Word::edge`].
-//! `proofs/words.md` has the proof.
+//! period j may follow period i iff σ(p_j − q_i) > 0; a pattern exists iff it is a closed walk of that
+//! relation over the periods n whose b_{n,k} all have the sign of eµ. Those periods are, for eµ > 0 in region
+//! 3, an initial piece of the Stern–Brocot path to s, each period the denominator of a fraction above s
+//! (letter U, c_n > 0) or below it (letter D, c_n < 0). The whole relation, for both signs of γ, follows from
+//! that [`Word`] alone: see [`Word::edge`]. `proofs/words.md` has the proof.
 //!
-//! [`Word::at`] walks the path and decides one sign per step on the ladder; an answer is certain or says that it is open.
-//! [`Word::in_rectangle`] does the same for all points of a [`Rectangle`] at once.
-//! [`ClosedWalks`] counts the patterns of a relation by period and encloses its topological entropy. [`two_impacts`] lists
-//! the Farey intervals on r = 1 where patterns of two impacts exist.
+//! [`Word::at`] walks the path and decides one sign per step on the ladder; an answer is certain or says that
+//! it is open. [`Word::in_rectangle`] does the same for all points of a [`Rectangle`] at once.
+//! [`ClosedWalks`] counts the patterns of a relation by period and encloses its topological entropy.
+//! [`two_impacts`] lists the Farey intervals on r = 1 where patterns of two impacts exist.
 //!
 //! Not here: maps of three or more dimensions, where no word decides (`pattern`), and a₂ ≤ 0.
 

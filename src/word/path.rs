@@ -30,8 +30,8 @@ pub enum Letter {
 pub struct Vertex {
     /// n.
     pub period: u64,
-    /// m, the integer nearest to ns: m/n is the period's place in the Stern–Brocot tree. In regions 1, 2, 4 and 5, where s is 0
-    /// or ½, the fraction on the path to s that has the denominator n.
+    /// m, the integer nearest to ns: m/n is the period's place in the Stern–Brocot tree. In regions 1, 2, 4
+    /// and 5, where s is 0 or ½, the fraction on the path to s that has the denominator n.
     pub numerator: u64,
     /// Its letter.
     pub letter: Letter,
@@ -42,30 +42,30 @@ pub struct Vertex {
 pub enum Extent {
     /// Every period n ≥ 1 occurs, with the one letter given (regions 1, 2 and 5).
     All,
-    /// No other period occurs. `next` is the period on the path whose deciding b_{n,k} is negative, or whose u_n is zero
-    /// with a₂ < 1; `None` where the periods are bounded by 2ns < 1 or where 1 is the only one.
+    /// No other period occurs. `next` is the period on the path whose deciding b_{n,k} is negative, or whose
+    /// u_n is zero with a₂ < 1; `None` where the periods are bounded by 2ns < 1 or where 1 is the only one.
     Complete {
         /// The first period on the path that does not occur.
         next: Option<u64>,
     },
-    /// The next period on the path lies on a boundary of its area, and Theorem 1 is silent there: its deciding b_{n,k} is
-    /// zero (`deciding`), or u_n = 0 with a₂ = 1. No later period occurs.
+    /// The next period on the path lies on a boundary of its area, and Theorem 1 is silent there: its
+    /// deciding b_{n,k} is zero (`deciding`), or u_n = 0 with a₂ = 1. No later period occurs.
     Boundary {
         /// The period on whose boundary the point lies.
         next: u64,
         /// The letter of the side on which the deciding b_{n,k} vanishes; `None` where u_n = 0.
         deciding: Option<Letter>,
     },
-    /// The sign that decides about the next period on the path was not certain within the ladder's budget; the word
-    /// may go on.
+    /// The sign that decides about the next period on the path was not certain within the ladder's budget;
+    /// the word may go on.
     Undecided {
         /// The period that was not decided.
         next: u64,
         /// The highest rung tried.
         rung: Rung,
     },
-    /// The sign that decides about the next period on the path is not the same on all of the rectangle, or not certain; the
-    /// word may go on.
+    /// The sign that decides about the next period on the path is not the same on all of the rectangle, or
+    /// not certain; the word may go on.
     Straddled {
         /// The period that was not decided.
         next: u64,
@@ -78,8 +78,8 @@ pub enum Extent {
 
 /// The periods that can occur between impacts at a point with 0 < a₂ ≤ 1, for one sign of eµ, in path order.
 ///
-/// For eµ > 0 these are the n with u_n ≠ 0 and every b_{n,k} > 0, for eµ < 0 those with every b_{n,k} < 0; n = 1 always
-/// occurs. Which may follow which, for either sign of γ, is [`Word::edge`].
+/// For eµ > 0 these are the n with u_n ≠ 0 and every b_{n,k} > 0, for eµ < 0 those with every b_{n,k} < 0; n
+/// = 1 always occurs. Which may follow which, for either sign of γ, is [`Word::edge`].
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Word {
     positive: bool,
@@ -92,11 +92,12 @@ pub struct Word {
 impl Word {
     /// The word at `point` for the sign of eµ, `positive` or negative, of at most `limit` letters.
     ///
-    /// Cost: one sign of u_n and one of b_{n,k} for each of its L letters; memory O(L). `monitor` is told of every letter.
+    /// Cost: one sign of u_n and one of b_{n,k} for each of its L letters; memory O(L). `monitor` is told of
+    /// every letter.
     ///
     /// # Errors
-    /// An input error if a₂ > 1 (reverse time: [`Point`] with a₁/a₂, 1/a₂) or `limit` is not in 1..=[`MAX_LETTERS`];
-    /// the monitor's interruption.
+    /// An input error if a₂ > 1 (reverse time: [`Point`] with a₁/a₂, 1/a₂) or `limit` is not in
+    /// 1..=[`MAX_LETTERS`]; the monitor's interruption.
     pub fn at(
         ladder: &Ladder,
         point: &Point,
@@ -126,8 +127,9 @@ impl Word {
         Walk { signs, limit, monitor, word: Word::empty(positive) }.run(region)
     }
 
-    /// The word that all points of a rectangle have in common, of at most `limit` letters; [`Extent::Straddled`] where they may differ. It
-    /// has no letter if the rectangle meets a line between regions.
+    /// The word that all points of a rectangle have in common, of at most `limit` letters;
+    /// [`Extent::Straddled`] where they may differ. It has no letter if the rectangle meets a line between
+    /// regions.
     ///
     /// Cost: O(1) for each sign, of which there are two for each letter.
     ///
@@ -148,9 +150,10 @@ impl Word {
         Walk { signs: rectangle, limit, monitor, word }.run(region)
     }
 
-    /// The word for eµ > 0 in the part of region 3 where period n = `period`, m = `numerator`, occurs on the side `letter`
-    /// of m/n and no later period does, with K = `first` the least k such that 2ks > 1. K matters where m = 1 and the
-    /// side is U, 1/(2n) < s < 1/n; elsewhere s and so K is known well enough from m/n.
+    /// The word for eµ > 0 in the part of region 3 where period n = `period`, m = `numerator`, occurs on the
+    /// side `letter` of m/n and no later period does, with K = `first` the least k such that 2ks > 1. K
+    /// matters where m = 1 and the side is U, 1/(2n) < s < 1/n; elsewhere s and so K is known well enough
+    /// from m/n.
     ///
     /// `None` unless m/n is in lowest terms with 0 < m/n < ½, or 2 with the side U, and K ≤ n. Cost: O(n).
     pub fn of_area(period: u64, numerator: u64, letter: Letter, first: u64) -> Option<Word> {
@@ -238,8 +241,8 @@ impl Word {
         matches!(self.extent, Extent::All | Extent::Complete { .. } | Extent::Boundary { .. })
     }
 
-    /// Whether the period of vertex `to` may follow that of vertex `from`: condition (64) with σ = sign(eµ) sign(γ),
-    /// `sigma` true for σ > 0. Both are indices into [`vertices`](Word::vertices). Cost: O(1).
+    /// Whether the period of vertex `to` may follow that of vertex `from`: condition (64) with σ = sign(eµ)
+    /// sign(γ), `sigma` true for σ > 0. Both are indices into [`vertices`](Word::vertices). Cost: O(1).
     ///
     /// | from, to (σ > 0) | edge |
     /// | --- | --- |
@@ -457,7 +460,8 @@ impl Walk<'_> {
         self.descend(lower, upper, |_, _| Ok(Sign::Positive))
     }
 
-    /// Follows the path below a gap whose ends are in the word, as long as the periods occur. `side` is the sign of u_n.
+    /// Follows the path below a gap whose ends are in the word, as long as the periods occur. `side` is the
+    /// sign of u_n.
     fn descend(
         &mut self,
         mut lower: End,
@@ -525,7 +529,8 @@ impl Walk<'_> {
                 }
             };
         }
-        // u_n > 0 as long as 2ns < 1, and from such an n to 2n the sign tells whether 4ns < 1: gallop, then bisect.
+        // u_n > 0 as long as 2ns < 1, and from such an n to 2n the sign tells whether 4ns < 1: gallop, then
+        // bisect.
         let (mut low, mut high) = (1u64, 2u64);
         let mut zero = None;
         loop {

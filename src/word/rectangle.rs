@@ -1,8 +1,10 @@
-//! Signs of u_n and N_{n,k} = u_n − u_k − a₂ᵏ u_{n−k} on a whole rectangle of the (a₁, a₂) plane, by Taylor's formula of second order.
+//! Signs of u_n and N_{n,k} = u_n − u_k − a₂ᵏ u_{n−k} on a whole rectangle of the (a₁, a₂) plane, by Taylor's
+//! formula of second order.
 //!
 //! |u_n| ≤ nρⁿ where no eigenvalue exceeds ρ ≥ 1, and with U = Σ u_n zⁿ, ∂U/∂a₁ = U², ∂U/∂a₂ = −zU². So the second derivatives of N_{n,k} are at most
-//! n⁵ρⁿ/10 on the rectangle, half widths h₁, h₂, and N differs from its value at the middle by at most |∂₁N| h₁ + |∂₂N| h₂ + (h₁ + h₂)² n⁵ρⁿ/20, the derivatives
-//! being those at the middle; the same holds of u_n. Balls enclose all of it.
+//! n⁵ρⁿ/10 on the rectangle, half widths h₁, h₂, and N differs from its value at the middle by at most |∂₁N|
+//! h₁ + |∂₂N| h₂ + (h₁ + h₂)² n⁵ρⁿ/20, the derivatives being those at the middle; the same holds of u_n.
+//! Balls enclose all of it.
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -85,8 +87,8 @@ impl Rectangle {
 
     /// The region that every point lies in, if there is one.
     pub fn region(&self) -> Option<Region> {
-        // Each region asks for one or two of a₁² < 4a₂, a₁² ≥ 4a₂ with a₁ of one sign, |a₁| < 1 + a₂, |a₁| > 1 + a₂: each holds on the
-        // rectangle if it holds at the corner where it is tightest.
+        // Each region asks for one or two of a₁² < 4a₂, a₁² ≥ 4a₂ with a₁ of one sign, |a₁| < 1 + a₂, |a₁| >
+        // 1 + a₂: each holds on the rectangle if it holds at the corner where it is tightest.
         let corner = |i: usize, j: usize| Plane::new(self.a1[i].clone(), self.a2[j].clone()).ok();
         let region = corner(0, 0)?.region();
         let same = [(0, 1), (1, 0), (1, 1)]
@@ -158,7 +160,8 @@ mod tests {
         BigRational::new(p.into(), d.into())
     }
 
-    /// What is told of a rectangle is true at its corners and its middle; something is told, and something is not.
+    /// What is told of a rectangle is true at its corners and its middle; something is told, and something is
+    /// not.
     #[test]
     fn signs_hold_at_every_point_tried() {
         let ladder = Ladder::default();

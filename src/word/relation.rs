@@ -30,8 +30,8 @@ impl Edge {
     }
 }
 
-/// The pattern graph of one case on finitely many periods. The impact patterns that exist are its closed walks, a step to
-/// period n taking n forcing periods.
+/// The pattern graph of one case on finitely many periods. The impact patterns that exist are its closed
+/// walks, a step to period n taking n forcing periods.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Relation {
     case: Case,
@@ -42,8 +42,9 @@ pub struct Relation {
 }
 
 impl Relation {
-    /// The relation of a word for a sign of γ, on its periods up to `last`. `reversed`: the word is that of the
-    /// time-reversed system, a₂ > 1, whose patterns are read backwards. Time and memory: O(V²) for V periods.
+    /// The relation of a word for a sign of γ, on its periods up to `last`. `reversed`: the word is that of
+    /// the time-reversed system, a₂ > 1, whose patterns are read backwards. Time and memory: O(V²) for V
+    /// periods.
     ///
     /// # Errors
     /// An input error for more than [`MAX_RELATION`] periods.
@@ -122,7 +123,8 @@ impl Relation {
         self.edges.iter().flatten().any(|&edge| edge == Edge::Open)
     }
 
-    /// Whether the pattern exists: [`Edge::Yes`] if each period may follow the one before it, cyclically. Cost: O(m V).
+    /// Whether the pattern exists: [`Edge::Yes`] if each period may follow the one before it, cyclically.
+    /// Cost: O(m V).
     pub fn pattern(&self, pattern: &[u64]) -> Edge {
         let mut answer = Edge::Yes;
         for (index, &from) in pattern.iter().enumerate() {
@@ -135,8 +137,8 @@ impl Relation {
         answer
     }
 
-    /// Whether patterns branch: the topological entropy is positive. By the word theorem exactly where two single-impact
-    /// periods coexist in the case.
+    /// Whether patterns branch: the topological entropy is positive. By the word theorem exactly where two
+    /// single-impact periods coexist in the case.
     pub fn is_chaotic(&self) -> bool {
         self.loops().len() > 1
     }

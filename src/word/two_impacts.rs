@@ -24,9 +24,11 @@ pub struct PatternInterval {
     pub right: Ratio<u64>,
 }
 
-/// Every interval of the pattern (i, j), by increasing s; the ends are Farey fractions or multiples of 1/(2i), 1/(2j).
+/// Every interval of the pattern (i, j), by increasing s; the ends are Farey fractions or multiples of
+/// 1/(2i), 1/(2j).
 ///
-/// For each fraction m_j/j, gcd(m_j, j) = 1, with an ancestor m_i/i in the Stern–Brocot tree below 0/1 and ½, for eµ > 0:
+/// For each fraction m_j/j, gcd(m_j, j) = 1, with an ancestor m_i/i in the Stern–Brocot tree below 0/1 and ½,
+/// for eµ > 0:
 ///
 /// | i and j | (i, j) exists | in case |
 /// | --- | --- | --- |

@@ -1,4 +1,5 @@
-//! A second integrator: extrapolated midpoint steps (Gragg, Bulirsch, Stoer), impacts by sign changes and bisection. It shares no code with `src`.
+//! A second integrator: extrapolated midpoint steps (Gragg, Bulirsch, Stoer), impacts by sign changes and
+//! bisection. It shares no code with `src`.
 
 use grazing::machine::Machine;
 

@@ -9,7 +9,8 @@ use num_traits::{One, Zero, pow};
 
 type Point<'a> = HashMap<&'a str, BigRational>;
 
-/// The value of a polynomial expression: sums, products with or without a sign between, powers as ^ or **, braces as in LaTeX.
+/// The value of a polynomial expression: sums, products with or without a sign between, powers as ^ or **,
+/// braces as in LaTeX.
 pub fn infix(text: &str, at: &Point) -> BigRational {
     let text = text.replace("**", "^").replace(['_', '{', '}', '\\', '&'], "");
     let mut rest: &str = text.trim();

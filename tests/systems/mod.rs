@@ -59,7 +59,8 @@ pub struct Case {
     pub stability: Stability,
 }
 
-/// Oscillating, without stiffness, without damping, overdamped, critically damped; one wall, two; forced and not.
+/// Oscillating, without stiffness, without damping, overdamped, critically damped; one wall, two; forced and
+/// not.
 pub fn cases() -> Vec<Case> {
     let table = |damping, stiffness| System {
         damping: number(damping),

@@ -1,7 +1,8 @@
-//! Certificates of words: what is written passes, and a damaged one that passes is confirmed from the definition, in exact fractions
-//! written out here.
+//! Certificates of words: what is written passes, and a damaged one that passes is confirmed from the
+//! definition, in exact fractions written out here.
 //!
-//! `GRAZING_DAMAGE=100000 cargo test --test words damage -- --nocapture` damages as many as it says and prints how each went.
+//! `GRAZING_DAMAGE=100000 cargo test --test words damage -- --nocapture` damages as many as it says and
+//! prints how each went.
 
 use std::{collections::BTreeMap, env};
 
@@ -79,7 +80,8 @@ fn what_is_written_passes_and_is_true() {
     }
 }
 
-/// A box across an edge of an area is certified up to that edge, and one across a line between regions not at all.
+/// A box across an edge of an area is certified up to that edge, and one across a line between regions not at
+/// all.
 #[test]
 fn boxes_that_straddle_claim_less() {
     let kind = WordCertificate::ByTheorem;
@@ -124,7 +126,8 @@ impl Oracle {
                 let quantity = Quantity::B { n: n as u64, k: k as u64 };
                 match Ladder::default().sign(point, quantity).answer {
                     Answer::Sign(sign) => sign * self.u(n),
-                    // u_n = 0 and so N = −(1 − w) u_k with w = u_{n+1}, |w| = rⁿ; w = 1 on r = 1 for whole ns.
+                    // u_n = 0 and so N = −(1 − w) u_k with w = u_{n+1}, |w| = rⁿ; w = 1 on r = 1 for whole
+                    // ns.
                     _ => match &**point {
                         Point::Polar(at) if at.on_circle() && (at.s() * q(n as i64, 1)).is_integer() => {
                             Sign::Zero
@@ -253,7 +256,8 @@ fn damaged(text: &str, random: &mut Random) -> String {
                 let line = lines[random.below(lines.len())].clone();
                 lines.insert(at, line);
             }
-            // Changes that may leave it true: a mark withdrawn, another witness, another precision, a digit of the set.
+            // Changes that may leave it true: a mark withdrawn, another witness, another precision, a digit
+            // of the set.
             2 => {
                 if let Some(line) = lines.iter_mut().skip(at).find(|line| line.starts_with("follows")) {
                     *line = line.replacen(['+', '-'][random.below(2)], "?", 1);

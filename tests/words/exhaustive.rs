@@ -1,6 +1,8 @@
-//! The word against the general solver of Theorem 1, pattern by pattern: the solver knows nothing of two dimensions, of p and q, or of words.
+//! The word against the general solver of Theorem 1, pattern by pattern: the solver knows nothing of two
+//! dimensions, of p and q, or of words.
 //!
-//! `GRAZING_PATTERNS=1000000 cargo test --release --test words exhaustive -- --nocapture` judges as many and prints the counts.
+//! `GRAZING_PATTERNS=1000000 cargo test --release --test words exhaustive -- --nocapture` judges as many and
+//! prints the counts.
 
 use std::env;
 

@@ -1,5 +1,5 @@
-//! The word theorem against the definition: which periods occur by every b_{n,k}, and which follow which by (64), in exact
-//! fractions written out here.
+//! The word theorem against the definition: which periods occur by every b_{n,k}, and which follow which by
+//! (64), in exact fractions written out here.
 
 mod certificate;
 mod command;
@@ -78,7 +78,8 @@ fn compare(a1: &Q, a2: &Q) {
                     assert_eq!(relation.edge(i, j), expected, "{a1} {a2} {i} -> {j}, {positive} {gamma}");
                 }
             }
-            // W6: a cycle through two periods, one of them with a loop, needs two loops, the second perhaps beyond LAST.
+            // W6: a cycle through two periods, one of them with a loop, needs two loops, the second perhaps
+            // beyond LAST.
             let chaotic = Relation::new(&word, gamma, false, 1000).unwrap().is_chaotic();
             let cycles = found.iter().any(|&i| {
                 let edge = |i, j| relation.edge(i, j) == Edge::Yes;
@@ -112,7 +113,8 @@ proptest! {
     }
 }
 
-/// Points where something vanishes: u_n = 0 by Niven's theorem, a₂ = 1 with rational s, equal eigenvalues, lines.
+/// Points where something vanishes: u_n = 0 by Niven's theorem, a₂ = 1 with rational s, equal eigenvalues,
+/// lines.
 #[test]
 fn words_agree_where_quantities_vanish() {
     for a2 in [q(1, 1), q(1, 4), q(1, 9), q(9, 16), q(1, 2), q(1, 3), q(2, 3), q(1, 1000)] {
@@ -141,10 +143,12 @@ fn words_agree_where_quantities_vanish() {
     }
 }
 
-/// The deciding b is zero: b_{3,1} = 0 at (−(1 + a₂)²… ), found by solving N_{3,1} = a₁² − a₂ − 1 − a₂a₁ = (a₁ + 1)(a₁ − a₂ − 1).
+/// The deciding b is zero: b_{3,1} = 0 at (−(1 + a₂)²… ), found by solving N_{3,1} = a₁² − a₂ − 1 − a₂a₁ =
+/// (a₁ + 1)(a₁ − a₂ − 1).
 #[test]
 fn a_vanishing_deciding_b_leaves_one_edge_open() {
-    // N_{3,1} = 0 at a₁ = −1, in region 3 for a₂ > 1/4, with s > 1/4: 3 has letter D iff u_3 = a₁² − a₂ = 1 − a₂ > 0.
+    // N_{3,1} = 0 at a₁ = −1, in region 3 for a₂ > 1/4, with s > 1/4: 3 has letter D iff u_3 = a₁² − a₂ = 1 −
+    // a₂ > 0.
     let a2 = q(1, 2);
     compare(&q(-1, 1), &a2);
     let point = Point::Plane(Plane::new(q(-1, 1), a2).unwrap());
@@ -180,7 +184,8 @@ fn words_on_the_circle() {
     }
 }
 
-/// Whether j may follow i on r = 1, γ > 0: p_j − q_i = N_{i+j,i}/(u_i u_j), N_{n,k} ~ −sin nπs sin kπs sin (n−k)πs.
+/// Whether j may follow i on r = 1, γ > 0: p_j − q_i = N_{i+j,i}/(u_i u_j), N_{n,k} ~ −sin nπs sin kπs sin
+/// (n−k)πs.
 fn on_circle(i: u64, j: u64, (p, q): Fraction, positive: bool) -> Edge {
     let (i, j) = (i128::from(i), i128::from(j));
     let numerator = -sign_sin((i + j) * p, q) * sign_sin(i * p, q) * sign_sin(j * p, q);

@@ -1,7 +1,7 @@
 //! Intervals with end points in units of 2⁻⁴⁸, on 128-bit integers: every operation rounds outwards.
 //!
-//! Numbers below 2¹⁵ have 63 bits, so that a product fits and nothing here is longer than a line. The proofs of this kind need few digits:
-//! their boxes are wide.
+//! Numbers below 2¹⁵ have 63 bits, so that a product fits and nothing here is longer than a line. The proofs
+//! of this kind need few digits: their boxes are wide.
 
 use std::ops::{Add, Mul, Neg, Sub};
 
@@ -13,7 +13,8 @@ const FAR: i128 = 1 << (POINT + 15);
 
 /// The reals from `lo` to `hi`, in units of 2⁻⁴⁸.
 ///
-/// Invariant: −FAR < lo ≤ hi < FAR, or the whole line, of which nothing is known and which every operation hands on.
+/// Invariant: −FAR < lo ≤ hi < FAR, or the whole line, of which nothing is known and which every operation
+/// hands on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Interval {
     lo: i128,

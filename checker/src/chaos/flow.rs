@@ -1,7 +1,8 @@
 //! The free motion: the exponential of one 2×2 matrix, and with it sine, cosine and arcsine.
 //!
-//! q″ = −c q′ − k q is (q, q′)′ = A (q, q′) with A = [[0, 1], [−k, −c]] and A² = −cA − k. So E(t) = exp(tA) = a + bA for two numbers,
-//! found by the power series without any case; its entries are [[a, b], [−kb, a − cb]]. For c = 0 and k = 1 it is cos t + A sin t.
+//! q″ = −c q′ − k q is (q, q′)′ = A (q, q′) with A = [[0, 1], [−k, −c]] and A² = −cA − k. So E(t) = exp(tA) =
+//! a + bA for two numbers, found by the power series without any case; its entries are [[a, b], [−kb, a −
+//! cb]]. For c = 0 and k = 1 it is cos t + A sin t.
 
 use super::fixed::Interval;
 
@@ -92,10 +93,12 @@ pub(super) fn circle(t: Interval) -> (Interval, Interval) {
     (e.a, e.b)
 }
 
-/// The arcsines of an interval of numbers of magnitude < sin `window`, where 0 < `window` < π/2 and `cosine` is its cosine.
+/// The arcsines of an interval of numbers of magnitude < sin `window`, where 0 < `window` < π/2 and `cosine`
+/// is its cosine.
 ///
-/// An approximation t is improved by Newton's method, which need not be right. Then |arcsin y − t| ≤ |y − sin t| / cos `window` by the mean
-/// value theorem, provided that |t| ≤ `window` too; t is moved there if need be.
+/// An approximation t is improved by Newton's method, which need not be right. Then |arcsin y − t| ≤ |y − sin
+/// t| / cos `window` by the mean value theorem, provided that |t| ≤ `window` too; t is moved there if need
+/// be.
 pub(super) fn arcsine(y: Interval, window: Interval, cosine: Interval) -> Interval {
     let at = |y: Interval| {
         let square = y.squared();

@@ -1,8 +1,9 @@
 //! The condition H4: strictly between impacts the gap to the wall is positive.
 //!
-//! The gap is Z = q − w, and with q = ν q̂ it is Z = 1 − cos t + ν (q̂ − σ), Z″ = cos t + ν q̂″. A window is 2πk − W ≤ t ≤ 2πk + W. Where
-//! Z″ > 0 on the first window from the first impact on, Z = 0 < Z′ at that impact keeps Z > 0; likewise backwards from the last. Where
-//! Z″ ≥ m > 0 on a window between, Z ≥ Z(2πk) − Z′(2πk)²/2m on it, which is ν times q̂ − σ − ν q̂′²/2m. Between windows Z > 0 is shown outright.
+//! The gap is Z = q − w, and with q = ν q̂ it is Z = 1 − cos t + ν (q̂ − σ), Z″ = cos t + ν q̂″. A window is
+//! 2πk − W ≤ t ≤ 2πk + W. Where Z″ > 0 on the first window from the first impact on, Z = 0 < Z′ at that
+//! impact keeps Z > 0; likewise backwards from the last. Where Z″ ≥ m > 0 on a window between, Z ≥ Z(2πk) −
+//! Z′(2πk)²/2m on it, which is ν times q̂ − σ − ν q̂′²/2m. Between windows Z > 0 is shown outright.
 
 use super::{
     Lines, Rejection,

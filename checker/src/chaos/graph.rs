@@ -1,7 +1,9 @@
-//! What the graph of letters alone decides: that different paths are different motions, but for finitely many, and how fast they grow.
+//! What the graph of letters alone decides: that different paths are different motions, but for finitely
+//! many, and how fast they grow.
 //!
-//! M_{vw} = z^{n_w} for every edge v → w. If Mγ ≥ γ for a positive vector γ, the paths of N periods grow at least like z⁻ᴺ; if Mγ ≤ γ, at
-//! most so. At a vertex whose successors have different periods a path is told by its periods and where it starts; likewise backwards.
+//! M_{vw} = z^{n_w} for every edge v → w. If Mγ ≥ γ for a positive vector γ, the paths of N periods grow at
+//! least like z⁻ᴺ; if Mγ ≤ γ, at most so. At a vertex whose successors have different periods a path is told
+//! by its periods and where it starts; likewise backwards.
 
 use super::{fixed::Interval, text::Certificate};
 

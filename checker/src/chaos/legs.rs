@@ -1,8 +1,9 @@
 //! Legs: from one impact to the next, over a cell of parameters, with bounds of their derivatives.
 //!
-//! All lengths and velocities are divided by ν. An impact is given by s = 2 (a + τ p)/(1 + τ), p and a being the velocities just before and
-//! after it: the law of impact says sin t = −ν s/2. The place is Q = σ − (1 − cos t)/ν = σ − ν s²/(4 (1 + cos t)). A leg of n periods from s
-//! to s′ lasts T = 2πn + t′ − t; its first velocity a and its last, p′, follow from both places:
+//! All lengths and velocities are divided by ν. An impact is given by s = 2 (a + τ p)/(1 + τ), p and a being
+//! the velocities just before and after it: the law of impact says sin t = −ν s/2. The place is Q = σ − (1 −
+//! cos t)/ν = σ − ν s²/(4 (1 + cos t)). A leg of n periods from s to s′ lasts T = 2πn + t′ − t; its first
+//! velocity a and its last, p′, follow from both places:
 //!
 //! ```text
 //! a = (Q′ − E₁₁ Q − I)/E₁₂,    p′ = E₂₁ Q + E₂₂ a + J,    E = E(T),   I = f T²/2ν,   J = f T/ν   (f ≠ 0 only if c = k = 0)
@@ -10,7 +11,8 @@
 //! a_t′ = (s′/2 − p′)/E₁₂,      p_t′ = E₂₂ a_t′ + r,            dt/ds = −ν/(2 cos t)
 //! ```
 //!
-//! since dq/dT = p′ and dp/dT = r at the leg's end, and the place of an impact moves with s/2, the wall's velocity.
+//! since dq/dT = p′ and dp/dT = r at the leg's end, and the place of an impact moves with s/2, the wall's
+//! velocity.
 
 use super::{
     fixed::Interval,
@@ -117,8 +119,9 @@ impl Cell {
         [after, before + speed]
     }
 
-    /// A leg of so many periods, `turns` being E(2πn), between impacts from these; `middles` lie among them. Enclosed by the mean-value
-    /// form, twice, since the velocity p′ enters the derivatives. The impacts' s are independent of each other and of the parameters.
+    /// A leg of so many periods, `turns` being E(2πn), between impacts from these; `middles` lie among them.
+    /// Enclosed by the mean-value form, twice, since the velocity p′ enters the derivatives. The impacts' s
+    /// are independent of each other and of the parameters.
     pub fn leg(&self, turns: Matrix, periods: u64, [from, to]: [&Impact; 2], middles: [&Impact; 2]) -> Leg {
         let e = self.matrix(turns, from, to);
         let [mut after, mut before] = self.ends(e, periods, from, to);

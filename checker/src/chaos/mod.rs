@@ -1,13 +1,16 @@
-//! Certificates of kind `chaos`: every bi-infinite word over an alphabet of periods is an orbit of a linear impact oscillator.
+//! Certificates of kind `chaos`: every bi-infinite word over an alphabet of periods is an orbit of a linear
+//! impact oscillator.
 //!
-//! The theorem with its proof is in `docs/chaos.md`, with how any linear oscillator whose wall and forcing have one harmonic is brought to the
-//! form here; what is checked is its conditions H0 to H4, for every box of parameters (`proof`, `legs`, `gaps`), and the growth rate (`graph`).
-//! The checker works on integers in units of 2⁻⁴⁸ (`fixed`); exp, sin, cos and arcsin all are the exponential of one 2×2 matrix (`flow`). No code
-//! is shared with what finds the proof.
+//! The theorem with its proof is in `docs/chaos.md`, with how any linear oscillator whose wall and forcing
+//! have one harmonic is brought to the form here; what is checked is its conditions H0 to H4, for every box
+//! of parameters (`proof`, `legs`, `gaps`), and the growth rate (`graph`). The checker works on integers in
+//! units of 2⁻⁴⁸ (`fixed`); exp, sin, cos and arcsin all are the exponential of one 2×2 matrix (`flow`). No
+//! code is shared with what finds the proof.
 //!
 //! # Form
 //!
-//! After `kind chaos`, times being in units in which the wall's period is 2π, lengths in units of its amplitude:
+//! After `kind chaos`, times being in units in which the wall's period is 2π, lengths in units of its
+//! amplitude:
 //!
 //! ```text
 //! statement …                    what passing proves, word for word: STATEMENT
@@ -29,26 +32,28 @@
 //! growth LO HI                   the paths of T periods grow at least like LO^T and at most like HI^T
 //! ```
 //!
-//! All but the ranges and the counts are decimals. Decimals, and both parts of a fraction, have at most 15 digits and lie strictly between −2¹⁵
-//! and 2¹⁵.
+//! All but the ranges and the counts are decimals. Decimals, and both parts of a fraction, have at most 15
+//! digits and lie strictly between −2¹⁵ and 2¹⁵.
 //!
 //! # Rules
 //!
-//! With s = 2(a + τp)/(1 + τ) for the velocities p before and a after an impact, s_{mn} of all p in P_m and a in A_n, the map G_n of `legs`, and
-//! all paths m → n → k of three letters, in every cell:
+//! With s = 2(a + τp)/(1 + τ) for the velocities p before and a after an impact, s_{mn} of all p in P_m and a
+//! in A_n, the map G_n of `legs`, and all paths m → n → k of three letters, in every cell:
 //!
 //! - H0: ν|s|/2 < sin W, and E₁₂ ≠ 0 over the leg;
 //! - H1: G_n(s_{mn}, s_{nk}) lies in A_n × P_n;
-//! - H2: |a_s| (α_n + τβ_m) + |a_{s′}| (α_k + τβ_n) ≤ K (1 + τ)/2 α_n, and the same of p with β_n on the right;
+//! - H2: |a_s| (α_n + τβ_m) + |a_{s′}| (α_k + τβ_n) ≤ K (1 + τ)/2 α_n, and the same of p with β_n on the
+//!   right;
 //! - H3: a > p;
 //! - H4: the gap is positive strictly between impacts (`gaps`), and q/ν < B.
 //!
-//! The growth vector γ satisfies Σ z^{n_w} γ_w ≥ γ_v over the successors w of each v for z = 1/LO, ≤ for z = 1/HI; and either no letter has two
-//! successors of the same period, or none two predecessors.
+//! The growth vector γ satisfies Σ z^{n_w} γ_w ≥ γ_v over the successors w of each v for z = 1/LO, ≤ for z =
+//! 1/HI; and either no letter has two successors of the same period, or none two predecessors.
 //!
 //! # Example
 //!
-//! The paper's oscillator (c = 12/49, k = 100/2401, τ = 1) over {1, 2} for every µ > 0, ν = µ/(1 + µ); the whole file is `tests/data/chaos-12.txt`:
+//! The paper's oscillator (c = 12/49, k = 100/2401, τ = 1) over {1, 2} for every µ > 0, ν = µ/(1 + µ); the
+//! whole file is `tests/data/chaos-12.txt`:
 //!
 //! ```text
 //! depth 0/1 1/1
@@ -60,15 +65,18 @@
 //! growth 1.61803398874 1.61803398876
 //! ```
 //!
-//! H0 and H3 by hand: s = a + p lies between 0.089 − 0.367 and 1.036 − 0.0612, so ν|s|/2 ≤ 0.4874 < sin 1.2 = 0.932; and every a is positive, every p negative. At ν = 0, where Q =
-//! Q′ = 1, letter 1 has E₁₁ = 0.5374, E₁₂ = 2.4267, E₂₁ = −0.1011, E₂₂ = −0.0570 at T = 2π, hence a = (1 − E₁₁)/E₁₂ = 0.1907 and p′ = E₂₁ + E₂₂ a = −0.1119: inside its box,
-//! as H1 wants. Growth: both letters may follow both, the vector is (1, 1), and z + z² − 1 is 8·10⁻¹² at z = 1/1.61803398874, −9·10⁻¹² at 1/1.61803398876. Evaluations: 8 paths of three
+//! H0 and H3 by hand: s = a + p lies between 0.089 − 0.367 and 1.036 − 0.0612, so ν|s|/2 ≤ 0.4874 < sin 1.2 =
+//! 0.932; and every a is positive, every p negative. At ν = 0, where Q = Q′ = 1, letter 1 has E₁₁ = 0.5374,
+//! E₁₂ = 2.4267, E₂₁ = −0.1011, E₂₂ = −0.0570 at T = 2π, hence a = (1 − E₁₁)/E₁₂ = 0.1907 and p′ = E₂₁ + E₂₂
+//! a = −0.1119: inside its box, as H1 wants. Growth: both letters may follow both, the vector is (1, 1), and
+//! z + z² − 1 is 8·10⁻¹² at z = 1/1.61803398874, −9·10⁻¹² at 1/1.61803398876. Evaluations: 8 paths of three
 //! letters, and (3 + 5)·16 pieces, in one cell: 136.
 //!
 //! # Cost
 //!
-//! The evaluations, of a leg with its derivatives or of a piece, are C·K·F·T·N times the sum of S_n² over all paths of three letters and of
-//! (2n + 1) J over all letters; at most 1,000,000. Memory: the certificate and a few parts.
+//! The evaluations, of a leg with its derivatives or of a piece, are C·K·F·T·N times the sum of S_n² over all
+//! paths of three letters and of (2n + 1) J over all letters; at most 1,000,000. Memory: the certificate and
+//! a few parts.
 
 mod fixed;
 mod flow;

@@ -1,4 +1,5 @@
-//! The conditions H0 to H3 over all cells: the map of a sequence of velocities to the velocities of its legs is a contraction of the boxes.
+//! The conditions H0 to H3 over all cells: the map of a sequence of velocities to the velocities of its legs
+//! is a contraction of the boxes.
 
 use super::{
     Lines, Rejection,

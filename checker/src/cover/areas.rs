@@ -1,26 +1,33 @@
-//! From leaves to areas: the part of the conclusion that is about one strip which is an interval of Theorem 2.
+//! From leaves to areas: the part of the conclusion that is about one strip which is an interval of
+//! Theorem 2.
 //!
-//! Let E be the set of the points of the strip, 0 < r ≤ r_max, with t N_{n,k} > 0 for all k: the points with an orbit. It avoids
-//! the boxes of None leaves, contains those of Orbit leaves, and is {t T_d > 0} in those of Edge leaves. (There, t T_d > 0 makes every other
-//! t T_k > 0; where t T_d ≤ 0, some other t T_k is > 0, so that the signs are neither all t nor all −t.)
+//! Let E be the set of the points of the strip, 0 < r ≤ r_max, with t N_{n,k} > 0 for all k: the points with
+//! an orbit. It avoids the boxes of None leaves, contains those of Orbit leaves, and is {t T_d > 0} in those
+//! of Edge leaves. (There, t T_d > 0 makes every other t T_k > 0; where t T_d ≤ 0, some other t T_k is > 0,
+//! so that the signs are neither all t nor all −t.)
 //!
-//! **One interval of r.** From a point of E go up, s being fixed. In an Orbit leaf's box the path stays in E; in an Edge leaf's, too, as t T_d grows with r. Where it
-//! enters the box of another leaf it is in E at a point of that closed box, which therefore is an Orbit or Edge leaf's. So the path stays in E up to
-//! r = r_max: at every s of the strip, the r with an orbit form an interval (R(s), r_max], or are none.
+//! **One interval of r.** From a point of E go up, s being fixed. In an Orbit leaf's box the path stays in E;
+//! in an Edge leaf's, too, as t T_d grows with r. Where it enters the box of another leaf it is in E at a
+//! point of that closed box, which therefore is an Orbit or Edge leaf's. So the path stays in E up to r =
+//! r_max: at every s of the strip, the r with an orbit form an interval (R(s), r_max], or are none.
 //!
-//! **One interval at the top.** If the Orbit and Edge leaves at the top are neighbours in a row which reads, from left to right, Edge leaves where t T_d
-//! grows with s, at least one Orbit leaf, Edge leaves where it falls, then E at r = r_max is one
-//! interval: a point of E in a left Edge leaf has everything right of it up to the Orbit leaves in E, and likewise on the other side.
+//! **One interval at the top.** If the Orbit and Edge leaves at the top are neighbours in a row which reads,
+//! from left to right, Edge leaves where t T_d grows with s, at least one Orbit leaf, Edge leaves where it
+//! falls, then E at r = r_max is one interval: a point of E in a left Edge leaf has everything right of it up
+//! to the Orbit leaves in E, and likewise on the other side.
 //!
-//! **At s = ½**, for odd n, the row of the last strip must end in an Orbit leaf. Its box holds a piece of the line s = ½ below r_max, on which all t T_k/sin θ > 0: there the
-//! area of region 3 goes on into that of region 4.
+//! **At s = ½**, for odd n, the row of the last strip must end in an Orbit leaf. Its box holds a piece of the
+//! line s = ½ below r_max, on which all t T_k/sin θ > 0: there the area of region 3 goes on into that of
+//! region 4.
 //!
-//! So E is connected, and not empty. A limit of points of E inside the strip that is not in E lies in an Edge leaf and has N_{n,d} = 0: the curve b_{n,d} = 0 bounds the
-//! area, and there every other N_{n,k} has the strict sign t.
+//! So E is connected, and not empty. A limit of points of E inside the strip that is not in E lies in an Edge
+//! leaf and has N_{n,d} = 0: the curve b_{n,d} = 0 bounds the area, and there every other N_{n,k} has the
+//! strict sign t.
 
 use super::{expansion::Cell, leaf::Leaf, tree::shown};
 
-/// The Orbit and Edge leaves at the top of a strip, read in the order of a walk: from left to right. Memory: O(1).
+/// The Orbit and Edge leaves at the top of a strip, read in the order of a walk: from left to right. Memory:
+/// O(1).
 pub(super) struct Top {
     r: i64,
     /// How far the interval has been read.
@@ -72,7 +79,8 @@ impl Top {
         (self.stage, self.right, self.latest) = (next, Some(cell.s[1]), Some(leaf));
     }
 
-    /// Checks that they read as one interval does and, if it must `reach` a certain end on the right, that an Orbit leaf ends there.
+    /// Checks that they read as one interval does and, if it must `reach` a certain end on the right, that an
+    /// Orbit leaf ends there.
     pub fn is_one_interval(&self, reach: Option<u64>) -> Result<(), String> {
         if let Some(fault) = &self.fault {
             return Err(format!("at the top, {fault}"));

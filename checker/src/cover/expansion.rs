@@ -1,39 +1,44 @@
 //! T_{n,k} on a box: its second-order Taylor expansion at the centre, with a bound of the rest.
 //!
-//! Write a = n − k and f_q(θ) = sin qθ, or f_q = S_q/n with S_q = sin qθ/sin θ = Σ cos mθ over m = q−1, q−3, …, −(q−1), which has no pole. Then
+//! Write a = n − k and f_q(θ) = sin qθ, or f_q = S_q/n with S_q = sin qθ/sin θ = Σ cos mθ over m = q−1, q−3,
+//! …, −(q−1), which has no pole. Then
 //!
 //! ```text
 //! T_k(r, θ) = r^a f_n(θ) − r^n f_a(θ) − f_k(θ).
 //! ```
 //!
-//! On the box |r − r₀| ≤ h, |θ − θ₀| ≤ η put r = r₀ + hx, θ = θ₀ + ηy, |x|, |y| ≤ 1. With the *Taylor coefficients* of a factor,
-//! A_i(p; r) = binomial(p, i) r^{p−i} h^i for r^p and F_j(q; θ) = η^j f_q^{(j)}(θ)/j! for f_q, the expansion has the coefficients
-//! c_ij = A_i(a) F_j(n) − A_i(n) F_j(a) − [i = 0] F_j(k) at the centre: T_k = Σ_{i+j≤2} c_ij x^i y^j + ρ.
+//! On the box |r − r₀| ≤ h, |θ − θ₀| ≤ η put r = r₀ + hx, θ = θ₀ + ηy, |x|, |y| ≤ 1. With the *Taylor
+//! coefficients* of a factor, A_i(p; r) = binomial(p, i) r^{p−i} h^i for r^p and F_j(q; θ) = η^j
+//! f_q^{(j)}(θ)/j! for f_q, the expansion has the coefficients c_ij = A_i(a) F_j(n) − A_i(n) F_j(a) − [i = 0]
+//! F_j(k) at the centre: T_k = Σ_{i+j≤2} c_ij x^i y^j + ρ.
 //!
-//! **Remainder.** By Taylor's theorem with Lagrange's remainder on the segment from the centre, ρ = Σ_{i+j=3} C_ij x^i y^j with C_ij the same
-//! coefficient at a point of the box. r^{p−i} grows with r, and |f_q^{(j)}| is at most q^j, or Σ|m|^j/n for the
-//! quotient; so with r₁ = r₀ + h and G_j(q) = η^j/j! times that bound,
+//! **Remainder.** By Taylor's theorem with Lagrange's remainder on the segment from the centre, ρ = Σ_{i+j=3}
+//! C_ij x^i y^j with C_ij the same coefficient at a point of the box. r^{p−i} grows with r, and |f_q^{(j)}|
+//! is at most q^j, or Σ|m|^j/n for the quotient; so with r₁ = r₀ + h and G_j(q) = η^j/j! times that bound,
 //!
 //! ```text
 //! |C_ij| ≤ d_ij = A_i(a; r₁) G_j(n) + A_i(n; r₁) G_j(a) + [i = 0] G_j(k),   |ρ| ≤ d_30 + d_21 + d_12 + d_03.
 //! ```
 //!
-//! **A sign.** t T_k > 0 on the box, t = ±1, if t c_00 + min(0, t c_20) + min(0, t c_02) > |c_10| + |c_01| + |c_11| + Σ d_ij: x² and y² are
-//! between 0 and 1. Likewise for β T_k − α T_d, α, β ≥ 0, whose c are the same combination and whose d are at most β d(k) + α d(d).
+//! **A sign.** t T_k > 0 on the box, t = ±1, if t c_00 + min(0, t c_20) + min(0, t
+//! c_02) > |c_10| + |c_01| + |c_11| + Σ d_ij: x² and y² are between 0 and 1. Likewise for β T_k − α T_d, α, β
+//! ≥ 0, whose c are the same combination and whose d are at most β d(k) + α d(d).
 //!
-//! **A derivative.** h ∂_r T = ∂_x T = c_10 + 2 c_20 x + c_11 y + ρ_x, where ρ_x, the second-order remainder of ∂_x T, is Σ over the second derivatives
-//! of ∂_x T: |ρ_x| ≤ 3 d_30 + 2 d_21 + d_12. Likewise for y.
+//! **A derivative.** h ∂_r T = ∂_x T = c_10 + 2 c_20 x + c_11 y + ρ_x, where ρ_x, the second-order remainder
+//! of ∂_x T, is Σ over the second derivatives of ∂_x T: |ρ_x| ≤ 3 d_30 + 2 d_21 + d_12. Likewise for y.
 //!
-//! **Rounding**, in units of 2⁻⁶⁰. The box is exact, its centre too; η is an upper bound, which only enlarges the box. Let
-//! H = max(1, ⌈nh⌉). Every A_i is at most 1, being a term of (r + (1 − r))^p as h ≤ 1 − r₁, and is computed from below, with an error of
-//! at most n (i = 0), n(hn + 1) ≤ 2nH (i = 1), n(2nHh + 1)/2 + 1 ≤ 3nH²/2 + 1 (i = 2), n(h(3nH²/2 + 1) + 1)/3 + 1 ≤ 6nH³/5 + 1 (i = 3). As nη ≤ 1.6,
+//! **Rounding**, in units of 2⁻⁶⁰. The box is exact, its centre too; η is an upper bound, which only enlarges
+//! the box. Let H = max(1, ⌈nh⌉). Every A_i is at most 1, being a term of (r + (1 − r))^p as h ≤ 1 − r₁, and
+//! is computed from below, with an error of at most n (i = 0), n(hn + 1) ≤ 2nH (i = 1), n(2nHh + 1)/2 + 1 ≤
+//! 3nH²/2 + 1 (i = 2), n(h(3nH²/2 + 1) + 1)/3 + 1 ≤ 6nH³/5 + 1 (i = 3). As nη ≤ 1.6,
 //! |F_0|, G_0 ≤ 1, |F_1|, G_1 ≤ 1.6, |F_2|, G_2 ≤ 1.28, G_3 ≤ 0.69, each off by less than 24 (see `Wave`). The 20 products in the
-//! c and d of one k, each rounded by 1, and the 4 single terms are together off by less than
-//! 2(1 + 1.6 + 1.28 + 0.69) n + 2(1 + 1.6 + 1.28) 2nH + 2(1 + 1.6)(3nH²/2 + 1) + 2(6nH³/5 + 1) + 20·(24 + 1) + 4·24 < 35 nH³ + 620.
-//! No value reaches 8, where an `i64` ends: |c_ij| and d_ij are at most 3·1.6.
+//! c and d of one k, each rounded by 1, and the 4 single terms are together off by less than 2(1 + 1.6 +
+//! 1.28 + 0.69) n + 2(1 + 1.6 + 1.28) 2nH + 2(1 + 1.6)(3nH²/2 + 1) + 2(6nH³/5 + 1) + 20·(24 + 1) + 4·24 < 35
+//! nH³ + 620. No value reaches 8, where an `i64` ends: |c_ij| and d_ij are at most 3·1.6.
 //!
-//! With H = 1 (all boxes but those with r < 1 − 1/n or so) this is 4·10⁻¹⁵ for n = 128. The claims get finer like n⁻⁶, about 10⁻¹³
-//! at n = 128; somewhere beyond n = 200 they are below the error bound, and then a claim is not shown, so rejected.
+//! With H = 1 (all boxes but those with r < 1 − 1/n or so) this is 4·10⁻¹⁵ for n = 128. The claims get finer
+//! like n⁻⁶, about 10⁻¹³ at n = 128; somewhere beyond n = 200 they are below the error bound, and then a
+//! claim is not shown, so rejected.
 
 use std::cell::OnceCell;
 
@@ -71,9 +76,9 @@ struct Power {
 
 /// F_0, F_1, F_2 at the centre and G_0, …, G_3.
 ///
-/// Errors, with 14 for a sine and e = nη or qη ≤ 1.6: sine form, F_0 14, F_1 1.6·14 + 1, F_2 (2.56·14 + 1 + 1)/2 + 1, G_2 1, G_3 2. Quotient
-/// form: the sums of Σ 1, Σ|m|, Σ m² times 14 are divided by n, n², n³, which leaves less than 15, 8, 6; times e^j/j!, less
-/// than 15, 14, 10; G 1, 1, 2, 3. All are below 24.
+/// Errors, with 14 for a sine and e = nη or qη ≤ 1.6: sine form, F_0 14, F_1 1.6·14 + 1, F_2 (2.56·14 + 1 +
+/// 1)/2 + 1, G_2 1, G_3 2. Quotient form: the sums of Σ 1, Σ|m|, Σ m² times 14 are divided by n, n², n³,
+/// which leaves less than 15, 8, 6; times e^j/j!, less than 15, 14, 10; G 1, 1, 2, 3. All are below 24.
 #[derive(Debug, Clone, Copy, Default)]
 struct Wave {
     at: [i64; 3],
@@ -280,10 +285,11 @@ impl Expansion {
         lower(|i| i128::from(self.c[i]), t) > rest + i128::from(slack)
     }
 
-    /// Whether t (T_k − w T_d) > 0 on the box is shown for some w ≥ 0, `self` being T_k's expansion and w = 0 not sufficient.
+    /// Whether t (T_k − w T_d) > 0 on the box is shown for some w ≥ 0, `self` being T_k's expansion and w = 0
+    /// not sufficient.
     ///
-    /// The bound is concave and piecewise linear in w, so that it is enough to try the w that make a coefficient 0. As
-    /// β T_k − α T_d, w = α/β, max(α, β) = 1, nothing outgrows its range.
+    /// The bound is concave and piecewise linear in w, so that it is enough to try the w that make a
+    /// coefficient 0. As β T_k − α T_d, w = α/β, max(α, β) = 1, nothing outgrows its range.
     pub fn shows_beyond(&self, decider: &Expansion, t: i64, slack: i64) -> bool {
         (1..6).any(|i| {
             let (c, d) = (i128::from(self.c[i]), i128::from(decider.c[i]));

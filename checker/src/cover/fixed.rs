@@ -1,11 +1,13 @@
 //! Fixed point: an `i64` X stands for X·2⁻⁶⁰, so numbers from −8 to 8; angles in turns, a `u64` for X·2⁻⁶⁴.
 //!
-//! Errors are counted in units of 2⁻⁶⁰. A sum of integers is exact; a product is rounded down, off by less than 1.
+//! Errors are counted in units of 2⁻⁶⁰. A sum of integers is exact; a product is rounded down, off by less
+//! than 1.
 
 /// 1.
 pub const ONE: i64 = 1 << 60;
 
-/// π rounded down, off by less than 1. (π = 3.243F6A88 85A308D3 13… in hexadecimal; the tests compare with Machin's formula.)
+/// π rounded down, off by less than 1. (π = 3.243F6A88 85A308D3 13… in hexadecimal; the tests compare with
+/// Machin's formula.)
 const PI: i64 = 0x3243_F6A8_885A_308D;
 
 /// x·y rounded down. Precondition: |x·y| < 8.
@@ -30,11 +32,12 @@ const COSINE: [i64; 9] = [306, 240, 182, 132, 90, 56, 30, 12, 2];
 
 /// sin and cos of a number of turns, each within 4 and between −1 and 1.
 ///
-/// The angle is reduced to x ≤ π/4 by its octant, exactly. The cut series is off by less than x¹⁹/19! < 0.1 (sine) or x²⁰/20! < 0.01
-/// (cosine). x is off by 1.25: 0.25 from PI (x/π ≤ ¼) and 1 from rounding; y, rounded down from that x, by 1. A Horner step
-/// t ↦ 1 − y t/d with 0 ≤ t ≤ 1 and y ≤ 0.62 turns an error e of t into at most (0.62 e + 1 + 1)/d + 1. From e = 0 on, e stays
-/// below 1.4 while d ≥ 6, so that 1 − … is off by 1.4 for the sine and, its last d being 2, by 2.5 for the cosine. In all:
-/// sine 1.25 + 0.1 + 0.79·1.4 + 1 < 4, cosine 1.25 + 0.01 + 2.5 < 4.
+/// The angle is reduced to x ≤ π/4 by its octant, exactly. The cut series is off by less than x¹⁹/19! < 0.1
+/// (sine) or x²⁰/20! < 0.01 (cosine). x is off by 1.25: 0.25 from PI (x/π ≤ ¼) and 1 from rounding; y,
+/// rounded down from that x, by 1. A Horner step t ↦ 1 − y t/d with 0 ≤ t ≤ 1 and y ≤ 0.62 turns an error e
+/// of t into at most (0.62 e + 1 + 1)/d + 1. From e = 0 on, e stays below 1.4 while d ≥ 6, so that 1 − … is
+/// off by 1.4 for the sine and, its last d being 2, by 2.5 for the cosine. In all: sine 1.25 + 0.1 +
+/// 0.79·1.4 + 1 < 4, cosine 1.25 + 0.01 + 2.5 < 4.
 #[inline]
 pub fn sine_cosine(turns: u64) -> (i64, i64) {
     let (octant, rest) = (turns >> 61, turns & ((1 << 61) - 1));
@@ -43,13 +46,14 @@ pub fn sine_cosine(turns: u64) -> (i64, i64) {
     let y = product(x, x);
     let sine = product(x, series(y, SINE));
     let cosine = series(y, COSINE);
-    // Octants 1, 2, 5, 6 lie nearer to the vertical axis; the sine is negative in 4 to 7, the cosine in 2 to 5.
+    // Octants 1, 2, 5, 6 lie nearer to the vertical axis; the sine is negative in 4 to 7, the cosine in 2
+    // to 5.
     let (sine, cosine) = if (octant + 1) & 2 == 2 { (cosine, sine) } else { (sine, cosine) };
     (if octant >= 4 { -sine } else { sine }, if (octant + 2) & 4 == 4 { -cosine } else { cosine })
 }
 
-/// sin and cos of α + β from those of α and β, each within 14 if those are within 4: an error of 4 meets factors that add up to at most
-/// 2√2 and two products are rounded.
+/// sin and cos of α + β from those of α and β, each within 14 if those are within 4: an error of 4 meets
+/// factors that add up to at most 2√2 and two products are rounded.
 #[inline]
 fn combined((sine, cosine): (i64, i64), (s, c): (i64, i64)) -> (i64, i64) {
     (product(sine, c) + product(cosine, s), product(cosine, c) - product(sine, s))
@@ -73,7 +77,8 @@ pub fn sines_cosines(turns: u64, n: u64) -> impl Iterator<Item = (i64, i64)> {
         .take(n as usize + 1)
 }
 
-/// 1 − y/d_N (… (1 − y/d_2 (1 − y/d_1))). The number of terms is known when compiling: no division is left in the loop.
+/// 1 − y/d_N (… (1 − y/d_2 (1 − y/d_1))). The number of terms is known when compiling: no division is left in
+/// the loop.
 #[inline(always)]
 fn series<const N: usize>(y: i64, divisors: [i64; N]) -> i64 {
     divisors.into_iter().fold(ONE, |t, d| ONE - product(y, t) / d)

@@ -4,7 +4,8 @@ use std::fmt;
 
 use super::expansion::{Expansion, Patch};
 
-/// What is claimed of the closed box of a leaf, up to the factor 1/r^{k−1} > 0 and, in the sine form, sin θ > 0: T_{n,k} for N_{n,k}.
+/// What is claimed of the closed box of a leaf, up to the factor 1/r^{k−1} > 0 and, in the sine form, sin θ >
+/// 0: T_{n,k} for N_{n,k}.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Leaf {
     /// N_{n,positive} > 0 > N_{n,negative}: no orbit.
@@ -19,8 +20,8 @@ pub enum Leaf {
         /// Whether it is > 0.
         positive: bool,
     },
-    /// All N_{n,k} have the strict sign t where t N_{n,deciding} > 0, and where it is not, some other has; t N_{n,deciding}, divided as
-    /// above, grows with r.
+    /// All N_{n,k} have the strict sign t where t N_{n,deciding} > 0, and where it is not, some other has; t
+    /// N_{n,deciding}, divided as above, grows with r.
     Edge {
         /// Whether t = 1.
         positive: bool,
@@ -54,8 +55,8 @@ impl fmt::Display for Leaf {
 }
 
 impl Leaf {
-    /// Reads the leaf that `text` begins with, for period `n`, and what follows it. `latest` is the None leaf before it in its strip's text, if there is
-    /// one, which the token `n` repeats; it is brought up to date.
+    /// Reads the leaf that `text` begins with, for period `n`, and what follows it. `latest` is the None leaf
+    /// before it in its strip's text, if there is one, which the token `n` repeats; it is brought up to date.
     ///
     /// # Errors
     /// What was expected.

@@ -1,37 +1,46 @@
-//! Certificates of kind `cover`: Conjecture 1 for single periods n, in regions 2 and 4 and in region 3 up to r = r_max < 1.
+//! Certificates of kind `cover`: Conjecture 1 for single periods n, in regions 2 and 4 and in region 3 up to
+//! r = r_max < 1.
 //!
 //! # What is proved, and how
 //!
-//! In region 3 the eigenvalues are r e^{±iθ}, θ = 2πs. With N_{n,k} = u_n − u_k − a₂^k u_{n−k}, (59) and (60) read b_{n,k} = N_{n,k}/u_n and
-//! c_n = −|1 − rⁿe^{inθ}|²/u_n, and by (62) N_{n,k} = r^{k−1} T_k/sin θ with
+//! In region 3 the eigenvalues are r e^{±iθ}, θ = 2πs. With N_{n,k} = u_n − u_k − a₂^k u_{n−k}, (59) and (60)
+//! read b_{n,k} = N_{n,k}/u_n and c_n = −|1 − rⁿe^{inθ}|²/u_n, and by (62) N_{n,k} = r^{k−1} T_k/sin θ with
 //!
 //! ```text
 //! T_k(r, θ) = r^{n−k} sin nθ − rⁿ sin (n−k)θ − sin kθ.
 //! ```
 //!
-//! T_k/sin θ is a polynomial in r and cos θ, so that s = 0 and s = ½ are no exception. Where u_n ≠ 0, (52) and (53) hold for some signs exactly
-//! if all T_k have one strict sign t (for r > 0; a box that touches r = 0 says nothing of that line), and then for sign γ = −t and sign eµ = t sign u_n.
+//! T_k/sin θ is a polynomial in r and cos θ, so that s = 0 and s = ½ are no exception. Where u_n ≠ 0, (52)
+//! and (53) hold for some signs exactly if all T_k have one strict sign t (for r > 0; a box that touches r =
+//! 0 says nothing of that line), and then for sign γ = −t and sign eµ = t sign u_n.
 //!
-//! - *Strips.* [0, ½] is cut at all multiples of 1/(2n), where u_n = 0, and at the ends of Theorem 2's intervals. The checker computes these cuts and sees that
-//!   each interval is exactly one strip, so that u_n has one sign in it, and (52), (53) one case. The singular lines u_n = 0 are sides of boxes, never
-//!   inside: the N of a leaf at such a line keep their signs on both its sides, and the case changes across it with the sign of u_n.
-//! - *Leaves.* Every strip is covered by boxes, of each of which a claim is proved (`leaf`): no orbit (None); all T_k of one sign
-//!   (Orbit); or one T_d decides and grows with r (Edge). Taylor's formula of second order, with a bound of the rest, proves them
-//!   (`expansion`), in integer arithmetic (`fixed`).
-//! - *Areas.* In a strip that is no interval only None leaves may stand. In one that is, the Orbit and Edge leaves must have its t and d; they form one area that reaches up to r_max (`areas`). All
-//!   leaves of the strip (0, 1/(2n)) must be Orbit leaves. Two intervals touch only where u_n = 0; the other ends of an interval are in the closed boxes
-//!   of a neighbour whose leaves are all None. So no two of the areas are joined.
-//! - *Regions 2 and 4* take no boxes: there, polynomial identities decide (`regions`). On s = ½ both charts speak of the same orbits; for odd n the row at the top
-//!   of the last strip ends there in an Orbit leaf, or the area would not be one interval, so that the areas of regions 3 and 4 are joined.
+//! - *Strips.* [0, ½] is cut at all multiples of 1/(2n), where u_n = 0, and at the ends of Theorem 2's
+//!   intervals. The checker computes these cuts and sees that each interval is exactly one strip, so that u_n
+//!   has one sign in it, and (52), (53) one case. The singular lines u_n = 0 are sides of boxes, never
+//!   inside: the N of a leaf at such a line keep their signs on both its sides, and the case changes across
+//!   it with the sign of u_n.
+//! - *Leaves.* Every strip is covered by boxes, of each of which a claim is proved (`leaf`): no orbit (None);
+//!   all T_k of one sign (Orbit); or one T_d decides and grows with r (Edge). Taylor's formula of second
+//!   order, with a bound of the rest, proves them (`expansion`), in integer arithmetic (`fixed`).
+//! - *Areas.* In a strip that is no interval only None leaves may stand. In one that is, the Orbit and Edge
+//!   leaves must have its t and d; they form one area that reaches up to r_max (`areas`). All leaves of the
+//!   strip (0, 1/(2n)) must be Orbit leaves. Two intervals touch only where u_n = 0; the other ends of an
+//!   interval are in the closed boxes of a neighbour whose leaves are all None. So no two of the areas are
+//!   joined.
+//! - *Regions 2 and 4* take no boxes: there, polynomial identities decide (`regions`). On s = ½ both charts
+//!   speak of the same orbits; for odd n the row at the top of the last strip ends there in an Orbit leaf, or
+//!   the area would not be one interval, so that the areas of regions 3 and 4 are joined.
 //!
-//! Nothing is taken from the proof of Conjecture 1, and nothing is claimed for r_max < r < 1. The least r of every area of Theorem 2's intervals is below
-//! 1 − 4.9/n³ as far as is known; were r_max below it, the area would be missing at r_max and the certificate rejected.
+//! Nothing is taken from the proof of Conjecture 1, and nothing is claimed for r_max < r < 1. The least r of
+//! every area of Theorem 2's intervals is below 1 − 4.9/n³ as far as is known; were r_max below it, the area
+//! would be missing at r_max and the certificate rejected.
 //!
 //! # Boxes
 //!
-//! The rows of a strip are 0 ≤ r ≤ 1/2, 1/2 ≤ r ≤ 3/4, 3/4 ≤ r ≤ 7/8, …, the last one up to r_max. Strip × row is the root of a tree of
-//! halvings. The checker rounds: it takes r in units of 2⁻⁶⁰ and s in units of 2⁻⁶⁴, the ends of a strip and r_max outwards, midpoints down. So it covers a little more than the
-//! strip, by boxes that have their sides in common.
+//! The rows of a strip are 0 ≤ r ≤ 1/2, 1/2 ≤ r ≤ 3/4, 3/4 ≤ r ≤ 7/8, …, the last one up to r_max. Strip ×
+//! row is the root of a tree of halvings. The checker rounds: it takes r in units of 2⁻⁶⁰ and s in units of
+//! 2⁻⁶⁴, the ends of a strip and r_max outwards, midpoints down. So it covers a little more than the strip,
+//! by boxes that have their sides in common.
 //!
 //! # Form
 //!
@@ -57,19 +66,26 @@
 //!
 //! # Rules
 //!
-//! - *Strips*: between neighbours among the multiples of 1/(2n) in [0, ½] and the ends of Theorem 2's intervals ([`theorem2`](super::theorem2) lists them).
-//! - *Rows*: [1 − 2^−j, 1 − 2^−(j+1)], j = 0, 1, …, while the upper end is below r_max, then one up to r_max. A box of fewer than 4 units (2⁻⁶⁰ of r, 2⁻⁶⁴ of s) is not halved.
-//! - *Form of the sines*: in the first strip and the last one, whose closed boxes may touch s = 0 and s = ½, the claims are proved of T_k/(n sin θ), in all others of T_k (`expansion`).
-//! - *Leaves allowed*: in a strip that is no interval of Theorem 2, None and Open. In one that is, t = −1 (`M`, `m`) where GAMMA = + and t = 1 (`P`, `p`) where GAMMA = −; the deciding index of an Edge
-//!   leaf is n − n₊ in the interval (m₊/n₊, m/n), n₊ in the interval (m/n, (m − m₊)/(n − n₊)), where m n₊ ≡ 1 modulo n, 1 ≤ n₊ ≤ n; in (0, 1/(2n)) only Orbit and Open leaves.
-//! - *Top row*: of the leaves that end at r_max in a strip that is an interval, the Orbit and Edge leaves are neighbours and read from left to right: Edge leaves with `r`, at least one Orbit leaf, Edge leaves with `l`.
-//!   For odd n the last strip's end with an Orbit leaf, at s = ½.
+//! - *Strips*: between neighbours among the multiples of 1/(2n) in [0, ½] and the ends of Theorem 2's
+//!   intervals ([`theorem2`](super::theorem2) lists them).
+//! - *Rows*: [1 − 2^−j, 1 − 2^−(j+1)], j = 0, 1, …, while the upper end is below r_max, then one up to r_max.
+//!   A box of fewer than 4 units (2⁻⁶⁰ of r, 2⁻⁶⁴ of s) is not halved.
+//! - *Form of the sines*: in the first strip and the last one, whose closed boxes may touch s = 0 and s = ½,
+//!   the claims are proved of T_k/(n sin θ), in all others of T_k (`expansion`).
+//! - *Leaves allowed*: in a strip that is no interval of Theorem 2, None and Open. In one that is, t = −1
+//!   (`M`, `m`) where GAMMA = + and t = 1 (`P`, `p`) where GAMMA = −; the deciding index of an Edge leaf is n
+//!   − n₊ in the interval (m₊/n₊, m/n), n₊ in the interval (m/n, (m − m₊)/(n − n₊)), where m n₊ ≡ 1 modulo n,
+//!   1 ≤ n₊ ≤ n; in (0, 1/(2n)) only Orbit and Open leaves.
+//! - *Top row*: of the leaves that end at r_max in a strip that is an interval, the Orbit and Edge leaves are
+//!   neighbours and read from left to right: Edge leaves with `r`, at least one Orbit leaf, Edge leaves with
+//!   `l`. For odd n the last strip's end with an Orbit leaf, at s = ½.
 //! - With Open leaves and nothing false the answer is neither proved nor rejected but undecided.
 //!
 //! # Cost
 //!
-//! O(n³) small operations per period, O(n) products per leaf that is no None leaf and per side of a box. Memory: a line of trees, the sides of up to 2048 boxes (O(n) numbers
-//! each), and the boxes above the present one.
+//! O(n³) small operations per period, O(n) products per leaf that is no None leaf and per side of a box.
+//! Memory: a line of trees, the sides of up to 2048 boxes (O(n) numbers each), and the boxes above the
+//! present one.
 //!
 //! # One block by hand
 //!
@@ -87,23 +103,27 @@
 //! sN2,1;snrnp1;ssnp1r;sp1r;sp1r;rp1;P;
 //! ```
 //!
-//! T_1 = r² sin 3θ − r³ sin 2θ − sin θ and T_2 = r sin 3θ − r³ sin θ − sin 2θ. There are two rows, [0, 1/2] and [1/2, 2/3]. In the first strip both rows are
-//! halved in s, and both T are < 0 on all four boxes: (−,+). In the second strip, the interval (1/6, 1/3) with t = −1 and d = 2, the first row is quartered in s: on
-//! [1/6, 5/24] both T are < 0; on [5/24, 1/4] and [1/4, 7/24], the latter halved once more, T_2 decides: at r = 0, T_2 = −sin 2θ changes sign at
-//! s = 1/4. Near s = 1/3 there is no orbit: N2,1 and, for the same again, n. At the top, M and m2l: an orbit up to s = 1/4, and from there to 1/3
-//! an end of it, for −T_2 falls with s. In the third strip, t = 1 and d = 1, the top reads None, three Edge leaves where T_1 grows with s, and at s = 1/2 an Orbit leaf above an
-//! Edge leaf.
+//! T_1 = r² sin 3θ − r³ sin 2θ − sin θ and T_2 = r sin 3θ − r³ sin θ − sin 2θ. There are two rows, [0, 1/2]
+//! and [1/2, 2/3]. In the first strip both rows are halved in s, and both T are < 0 on all four boxes: (−,+).
+//! In the second strip, the interval (1/6, 1/3) with t = −1 and d = 2, the first row is quartered in s: on
+//! [1/6, 5/24] both T are < 0; on [5/24, 1/4] and [1/4, 7/24], the latter halved once more, T_2 decides: at r
+//! = 0, T_2 = −sin 2θ changes sign at s = 1/4. Near s = 1/3 there is no orbit: N2,1 and, for the same again,
+//! n. At the top, M and m2l: an orbit up to s = 1/4, and from there to 1/3 an end of it, for −T_2 falls with
+//! s. In the third strip, t = 1 and d = 1, the top reads None, three Edge leaves where T_1 grows with s, and
+//! at s = 1/2 an Orbit leaf above an Edge leaf.
 //!
 //! Damage is found:
 //!
 //! - 22 leaves changed to 21: `line 6: malformed: the block has 22 leaves, not 21`;
-//! - the first strip `sM;M;sM;M;` to `M;M;`: `line 10: false: column 1, M on [0, 0.5] x [0, 0.16666666666666666]: the sign of N_{3,1} is not shown`,
+//! - the first strip `sM;M;sM;M;` to `M;M;`:
+//!   `line 10: false: column 1, M on [0, 0.5] x [0, 0.16666666666666666]: the sign of N_{3,1} is not shown`,
 //!   for the box is too large for a parabola;
-//! - `sM;m2l;` to `sM;m2;`: `line 12: false: the leaves of (1/6, 1/3) are not one area: at the top, the leaf on
-//!   [0.5, 0.6666666666666666] x [0.25, 0.3333333333333333] is out of order`;
-//! - `rN2,1;snn` to `rnsnn`, the first None leaf of the strip: `line 12: malformed: column 13: n without an N before it`;
-//! - the last leaf `P;` to `M;`: `line 14: false: column 35, M on [0.5833333333333334, 0.6666666666666666] x [0.4791666666666667, 0.5]: the
-//!   sign or the deciding index is not that of the strip's interval`.
+//! - `sM;m2l;` to `sM;m2;`: `line 12: false: the leaves of (1/6, 1/3) are not one area: at the top, the leaf
+//!   on [0.5, 0.6666666666666666] x [0.25, 0.3333333333333333] is out of order`;
+//! - `rN2,1;snn` to `rnsnn`, the first None leaf of the strip:
+//!   `line 12: malformed: column 13: n without an N before it`;
+//! - the last leaf `P;` to `M;`: `line 14: false: column 35, M on [0.5833333333333334, 0.6666666666666666] x
+//!   [0.4791666666666667, 0.5]: the sign or the deciding index is not that of the strip's interval`.
 
 mod areas;
 pub mod expansion;
@@ -163,7 +183,8 @@ pub fn header(range: &RangeInclusive<u64>, lines: u64) -> String {
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 struct Open {
     leaves: u64,
-    /// Their area in r and s, as an integer and the rest in units of 2⁻¹²⁴. Up to 254 periods leave open up to about ½ each.
+    /// Their area in r and s, as an integer and the rest in units of 2⁻¹²⁴. Up to 254 periods leave open up
+    /// to about ½ each.
     area: (u32, u128),
     /// The line of the first.
     line: u64,
@@ -205,8 +226,9 @@ fn in_words(all: &[(u64, Fraction)]) -> String {
 
 /// Checks the block of one period, `text` being its lines from `n N …` on, which `before` lines come before.
 ///
-/// Blocks are independent: a certificate is proved if its header and all its blocks are. Cost: O(n³) small operations for the
-/// regions 2 and 4, O(n) products for every interval of r and, at s = 0 and s = ½, of s; O(1) for a None leaf, O(n) for an Orbit or Edge leaf.
+/// Blocks are independent: a certificate is proved if its header and all its blocks are. Cost: O(n³) small
+/// operations for the regions 2 and 4, O(n) products for every interval of r and, at s = 0 and s = ½, of s;
+/// O(1) for a None leaf, O(n) for an Orbit or Edge leaf.
 ///
 /// # Errors
 /// As [`check`](super::check).
@@ -316,7 +338,8 @@ fn block_header(line: &str, n: u64) -> Result<(Fraction, u64), String> {
     Ok((r_max, leaves))
 }
 
-/// Checks all leaves of a strip and, if none is open, the strip's part of the conclusion; the number of leaves.
+/// Checks all leaves of a strip and, if none is open, the strip's part of the conclusion; the number of
+/// leaves.
 fn check_strip(
     n: u64,
     powers: &mut Known<[i64; 2], Powers>,

@@ -1,6 +1,7 @@
 //! Regions 2 and 4, all of them, by identities between integer polynomials.
 //!
-//! The eigenvalues are x and ρx, 0 < ρ ≤ 1, with 0 < x < 1 in region 2 and x = −µ, 0 < µ < 1, in region 4 (there a₁ = x(1 + ρ), a₂ = ρx², and
+//! The eigenvalues are x and ρx, 0 < ρ ≤ 1, with 0 < x < 1 in region 2 and x = −µ, 0 < µ < 1, in region 4
+//! (there a₁ = x(1 + ρ), a₂ = ρx², and
 //! |a₁| < a₂ + 1 reads (1 − |x|)(1 − ρ|x|) > 0). With [k] = 1 + ρ + … + ρ^{k−1}, u_k = x^{k−1}[k], so that
 //!
 //! ```text
@@ -9,22 +10,23 @@
 //!
 //! and c_n has the sign of −u_n, since 1 − v_n + a₂ⁿ = (1 − xⁿ)(1 − ρⁿxⁿ) > 0.
 //!
-//! **Region 2.** p_k = −(1−x) Σ_{i<k, j<n−k} ρ^i x^j (1 − ρ^{k+j−i} x^{n−k+i−j}), every term positive: all N_{n,k} < 0. As u_n > 0, all b_{n,k} < 0
-//! and c_n < 0: there is an orbit, in the case (−,+), everywhere.
+//! **Region 2.** p_k = −(1−x) Σ_{i<k, j<n−k} ρ^i x^j (1 − ρ^{k+j−i} x^{n−k+i−j}), every term positive: all
+//! N_{n,k} < 0. As u_n > 0, all b_{n,k} < 0 and c_n < 0: there is an orbit, in the case (−,+), everywhere.
 //!
 //! **Region 4, n even, n ≥ 4.** −N_{n,1} = µ^{n−1}[n] + µⁿρ[n−1] + 1 > 0, and
 //! N_{n,2} = µ(1−µ²)(1+ρ) Σ_{i<(n−2)/2} (µ^{2i} − ρ^{2+2i} µ^{n−2}) > 0, as 2i < n − 2: no orbit, anywhere.
 //!
-//! **Region 4, n odd, d = n − 2.** u_n > 0. For even k, −p_k = µ^{n−k}[n] + [k] − µⁿρ^k[n−k] ≥ [k] + µⁿ([n] − ρ^k[n−k]) > 0 and x^{k−1} < 0: N_{n,k} > 0. For odd k < d
-//! and h = (n−k)/2,
+//! **Region 4, n odd, d = n − 2.** u_n > 0. For even k, −p_k = µ^{n−k}[n] + [k] − µⁿρ^k[n−k] ≥ [k] + µⁿ([n] −
+//! ρ^k[n−k]) > 0 and x^{k−1} < 0: N_{n,k} > 0. For odd k < d and h = (n−k)/2,
 //!
 //! ```text
 //! ρ^{d−k}[2] p_k − [n−k] p_d = (1−µ²)[n][2] Σ_{i<h} (ρ^{2i} − ρ^{2h−2} µ^{2i}) ≥ 0,
 //! ```
 //!
-//! so p_d > 0 makes every N_{n,k} > 0; where p_d ≤ 0, N_{n,2} > 0 ≥ N_{n,d}. So there is an orbit exactly where p_d > 0, in the case (+,−): all b > 0 and c_n < 0.
-//! This set is connected, and so is its part ρ = 1: p_d = µ²[n] − [n−2] + µⁿρ^{n−2}[2] grows with µ and is
-//! 2ρ^{n−2}(1+ρ) > 0 at µ = 1, so that it holds for µ*(ρ) < µ < 1 with a continuous µ* < 1.
+//! so p_d > 0 makes every N_{n,k} > 0; where p_d ≤ 0, N_{n,2} > 0 ≥ N_{n,d}. So there is an orbit exactly
+//! where p_d > 0, in the case (+,−): all b > 0 and c_n < 0. This set is connected, and so is its part ρ = 1:
+//! p_d = µ²[n] − [n−2] + µⁿρ^{n−2}[2] grows with µ and is 2ρ^{n−2}(1+ρ) > 0 at µ = 1, so that it holds for
+//! µ*(ρ) < µ < 1 with a continuous µ* < 1.
 
 /// An integer polynomial in ρ (degree < `width`) and x or µ.
 struct Polynomial {

@@ -46,8 +46,8 @@ impl Strip {
     }
 }
 
-/// The strips of period n ≥ 3 from left to right: [0, ½] is cut at every multiple of 1/(2n), where u_n = 0, and at the ends of Theorem
-/// 2's intervals.
+/// The strips of period n ≥ 3 from left to right: [0, ½] is cut at every multiple of 1/(2n), where u_n = 0,
+/// and at the ends of Theorem 2's intervals.
 ///
 /// # Errors
 /// If an interval is not exactly one strip, its signs are not those that follow from the strip's, or two
@@ -70,11 +70,13 @@ pub(super) fn strips(n: u64) -> Result<Vec<Strip>, String> {
         let (left, right) = (pair[0], pair[1]);
         let listed = remaining.next_if(|listed| (listed.0, listed.1) == (left, right));
         let interval = listed.map(|(_, _, emu, gamma)| {
-            // Where all t N > 0, (52), (53) hold with sign γ = −t and sign eµ = t sign u_n; u_n < 0 on every second stretch.
+            // Where all t N > 0, (52), (53) hold with sign γ = −t and sign eµ = t sign u_n; u_n < 0 on every
+            // second stretch.
             if emu != (gamma == Multiple::of(left, 2 * n).is_odd()) {
                 return Err(format!("Theorem 2's signs on ({left}, {right}) disagree with that of u_{n}"));
             }
-            // The end m/n is on the right of a (+,+) interval, on the left of a (+,−) one; n₊ = 1/m modulo n, n₋ = n − n₊.
+            // The end m/n is on the right of a (+,+) interval, on the left of a (+,−) one; n₊ = 1/m modulo n,
+            // n₋ = n − n₊.
             let deciding = match (left.parts().0, gamma) {
                 (0, _) => None,
                 (_, true) => Some(n - inverse(right.parts().0, n)),

@@ -5,10 +5,12 @@ use super::{Fault, expansion::Cell, leaf::Leaf};
 /// A box with a side of fewer units is not split.
 const LEAST: i64 = 4;
 
-/// Walks the trees of a strip's rows, one after the other in `text`, and hands every leaf with its box to `visit`.
+/// Walks the trees of a strip's rows, one after the other in `text`, and hands every leaf with its box to
+/// `visit`.
 ///
-/// A split halves the box at its midpoint, rounded down to a unit: the halves share that side, and the leaves' closed boxes cover the row.
-/// Memory: a box for each halving above the present one, of which there are at most 60 + 63.
+/// A split halves the box at its midpoint, rounded down to a unit: the halves share that side, and the
+/// leaves' closed boxes cover the row. Memory: a box for each halving above the present one, of which there
+/// are at most 60 + 63.
 pub(super) fn walk(
     text: &str,
     n: u64,

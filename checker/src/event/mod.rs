@@ -1,8 +1,11 @@
-//! Certificates of kind `event`: a periodic orbit of a linear impact oscillator bifurcates (saddle-node, flip) or grazes a wall at a parameter in an interval.
+//! Certificates of kind `event`: a periodic orbit of a linear impact oscillator bifurcates (saddle-node,
+//! flip) or grazes a wall at a parameter in an interval.
 //!
-//! The oscillator's coefficients are quotients of polynomials in one parameter p (`quotient`), which the checker evaluates in intervals itself. The unknowns are
-//! the phases T₁, …, T_M, the speeds V₁, …, V_M, then p, then for a grazing the time T of the contact. The equations are those of the pattern, two for
-//! each impact (see [`orbit`](crate::orbit)), and the event's: with T and D the trace and determinant of the linearised map once round,
+//! The oscillator's coefficients are quotients of polynomials in one parameter p (`quotient`), which the
+//! checker evaluates in intervals itself. The unknowns are the phases T₁, …, T_M, the speeds V₁, …, V_M, then
+//! p, then for a grazing the time T of the contact. The equations are those of the pattern, two for each
+//! impact (see [`orbit`](crate::orbit)), and the event's: with T and D the trace and determinant of the
+//! linearised map once round,
 //!
 //! | event | equations |
 //! | --- | --- |
@@ -10,18 +13,24 @@
 //! | `flip` | 1 + T + D = 0 |
 //! | `grazing` | z = 0 and z′ = 0 for the gap z to the wall that is touched, a time T after the impact that the contact follows |
 //!
-//! Krawczyk's test proves that they have exactly one solution in a box, and that their derivative is regular at it. All derivatives are taken by differentiating
-//! every step of the evaluation, in one direction at a time (`oscillator/number.rs`).
+//! Krawczyk's test proves that they have exactly one solution in a box, and that their derivative is regular
+//! at it. All derivatives are taken by differentiating every step of the evaluation, in one direction at a
+//! time (`oscillator/number.rs`).
 //!
 //! # What follows from a regular derivative
 //!
-//! Let f = 0 be the pattern's equations, x all phases and speeds, g = 1 − T + D. A regular derivative of (f, g) by (x, p) means that (f_x, f_p) has full rank, so that the
-//! solutions of f = 0 near this one are a curve, and that g has a nonzero derivative along it. On the curve det f_x = ± V₁ ⋯ V_M g: with B_i = [[V_i, 0], [−z″₋, −1]], which
-//! takes (δT_i, δV_i) to the state just before impact i, the linearised equation of flight i is M_i B_i − B_{i+1}, the M_i being the flights and impacts whose product is
-//! the map once round. Along the curve dp/dσ is det f_x but for a factor that is nowhere 0. So **at a saddle-node** dp/dσ = 0 and d²p/dσ² ≠ 0: there are two orbits on one side, which
-//! meet, and none on the other. **At a flip** D ≥ 0, as every impact has the determinant τ² ≥ 0 and every flight a positive one; the multipliers are −1 and −D, none is 1, and the curve is
-//! a graph over p, along which 1 + T + D passes through 0 with a nonzero derivative. Whether the doubled orbits are born stable or not is not asked. **At a grazing** the determinant is that
-//! of (f, z) by (x, p), with z taken at the contact, times z″ > 0: along the curve the minimum of the gap passes through 0 with a nonzero derivative.
+//! Let f = 0 be the pattern's equations, x all phases and speeds, g = 1 − T + D. A regular derivative of (f,
+//! g) by (x, p) means that (f_x, f_p) has full rank, so that the solutions of f = 0 near this one are a
+//! curve, and that g has a nonzero derivative along it. On the curve det f_x = ± V₁ ⋯ V_M g: with B_i =
+//! [[V_i, 0], [−z″₋, −1]], which takes (δT_i, δV_i) to the state just before impact i, the linearised
+//! equation of flight i is M_i B_i − B_{i+1}, the M_i being the flights and impacts whose product is the map
+//! once round. Along the curve dp/dσ is det f_x but for a factor that is nowhere 0. So **at a saddle-node**
+//! dp/dσ = 0 and d²p/dσ² ≠ 0: there are two orbits on one side, which meet, and none on the other. **At a
+//! flip** D ≥ 0, as every impact has the determinant τ² ≥ 0 and every flight a positive one; the multipliers
+//! are −1 and −D, none is 1, and the curve is a graph over p, along which 1 + T + D passes through 0 with a
+//! nonzero derivative. Whether the doubled orbits are born stable or not is not asked. **At a grazing** the
+//! determinant is that of (f, z) by (x, p), with z taken at the contact, times z″ > 0: along the curve the
+//! minimum of the gap passes through 0 with a nonzero derivative.
 //!
 //! # Form
 //!
@@ -42,16 +51,19 @@
 //! until T                      one of these pieces holds the contact in its interior
 //! ```
 //!
-//! The P and Q of a coefficient are integers of at most 34 digits, with a minus or none, at most 17 of each; the last is not 0, unless it is the only one of the
-//! numerator; the last Q is above 0; no integer above 1 divides them all. So a constant P/Q reads as a fraction in lowest terms. Each, divided by the greatest magnitude
-//! of the Q, lies strictly between −2³⁰ and 2³⁰. Common factors of the two polynomials are allowed; where their quotient is not defined nothing is accepted. P − W and P + W
-//! must be decimals of at most 34 digits: they are the ends of the checked interval. Restitutions must certainly be at least 0 there. A piece that holds the contact passes, for the wall
-//! touched, if z″ > 0 on it: z and z′ being 0 at one time, z is positive at all others.
+//! The P and Q of a coefficient are integers of at most 34 digits, with a minus or none, at most 17 of each;
+//! the last is not 0, unless it is the only one of the numerator; the last Q is above 0; no integer above 1
+//! divides them all. So a constant P/Q reads as a fraction in lowest terms. Each, divided by the greatest
+//! magnitude of the Q, lies strictly between −2³⁰ and 2³⁰. Common factors of the two polynomials are allowed;
+//! where their quotient is not defined nothing is accepted. P − W and P + W must be decimals of at most 34
+//! digits: they are the ends of the checked interval. Restitutions must certainly be at least 0 there. A
+//! piece that holds the contact passes, for the wall touched, if z″ > 0 on it: z and z′ being 0 at one time,
+//! z is positive at all others.
 //!
 //! # Cost
 //!
-//! With J harmonics in all, P pieces and M impacts, (1 + 2J)(4P + 6M(8M + 9)) may be at most 1,000,000, which bounds the exponentials taken, one with a derivative counting as four.
-//! Memory: the certificate.
+//! With J harmonics in all, P pieces and M impacts, (1 + 2J)(4P + 6M(8M + 9)) may be at most 1,000,000, which
+//! bounds the exponentials taken, one with a derivative counting as four. Memory: the certificate.
 
 mod proof;
 mod quotient;

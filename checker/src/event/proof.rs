@@ -1,4 +1,5 @@
-//! The proof itself: Krawczyk's test of the extended equations on two boxes, and what makes the solution an orbit.
+//! The proof itself: Krawczyk's test of the extended equations on two boxes, and what makes the solution an
+//! orbit.
 
 use super::{
     super::oscillator::{

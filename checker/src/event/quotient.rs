@@ -15,7 +15,8 @@ use super::super::{
 /// The highest power of the parameter.
 const DEGREE: usize = 16;
 
-/// (P₀ + P₁ p + P₂ p² + …)/(Q₀ + Q₁ p + …) in integers, the coefficients by rising powers. It may have common factors.
+/// (P₀ + P₁ p + P₂ p² + …)/(Q₀ + Q₁ p + …) in integers, the coefficients by rising powers. It may have common
+/// factors.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Quotient {
     /// P₀, P₁, …: the last is not 0, unless it is the only one.
@@ -25,8 +26,8 @@ pub struct Quotient {
 }
 
 impl Quotient {
-    /// Whether it has the one form in which it may be written, but for its size: no highest power is 0, no integer above 1 divides all
-    /// coefficients, the denominator's last is positive.
+    /// Whether it has the one form in which it may be written, but for its size: no highest power is 0, no
+    /// integer above 1 divides all coefficients, the denominator's last is positive.
     fn is_canonical(&self) -> bool {
         let (numerator, denominator) = (&self.numerator, &self.denominator);
         let divisor = numerator.iter().chain(denominator).fold(0, |all, x| gcd(all, x.unsigned_abs()));

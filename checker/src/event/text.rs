@@ -77,11 +77,11 @@ fn sum(a: Decimal, b: Decimal) -> Option<Decimal> {
     (digits.unsigned_abs() < 10u128.pow(DIGITS as u32)).then_some(Decimal { digits, places })
 }
 
-/// A bound of the number of exponentials that the check takes, one with a derivative counted four times: (1 + 2J)(4 P + 6 m (8 m + 9)) for J harmonics in all,
-/// P pieces and m impacts.
+/// A bound of the number of exponentials that the check takes, one with a derivative counted four times: (1 +
+/// 2J)(4 P + 6 m (8 m + 9)) for J harmonics in all, P pieces and m impacts.
 ///
-/// A piece is as in a certificate of kind `orbit`. The equations take at most 3(1 + 2J) for each impact, and are evaluated twice at a point and twice in each
-/// of at most 2m + 2 directions.
+/// A piece is as in a certificate of kind `orbit`. The equations take at most 3(1 + 2J) for each impact, and
+/// are evaluated twice at a point and twice in each of at most 2m + 2 directions.
 fn work(harmonics: u64, pieces: u64, impacts: u64) -> u64 {
     (1 + 2 * harmonics) * (4 * pieces + 6 * impacts * (8 * impacts + 9))
 }

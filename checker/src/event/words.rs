@@ -5,7 +5,8 @@ use super::{
     Certificate, Contact, Event,
 };
 
-/// Names and values: the event, the parameter's interval, the pattern, the impacts, the contact, the box, the oscillator, its walls and its digest.
+/// Names and values: the event, the parameter's interval, the pattern, the impacts, the contact, the box, the
+/// oscillator, its walls and its digest.
 pub(super) fn detail(certificate: &Certificate) -> Vec<(&'static str, String)> {
     let (impacts, name) = (&certificate.impacts, &certificate.name);
     let event = match &certificate.event {

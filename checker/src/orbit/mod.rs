@@ -1,7 +1,9 @@
-//! Certificates of kind `orbit`: a periodic orbit of a linear impact oscillator exists, is unique in a box, admissible, and stable or not.
+//! Certificates of kind `orbit`: a periodic orbit of a linear impact oscillator exists, is unique in a box,
+//! admissible, and stable or not.
 //!
-//! The arithmetic, the motion and the equations are those of `oscillator`; the equations' derivatives are formulas (`proof`). No code is shared with
-//! what finds the proof, and the method differs: that one has balls, closed forms with exp, sin, cos and √, and automatic differentiation.
+//! The arithmetic, the motion and the equations are those of `oscillator`; the equations' derivatives are
+//! formulas (`proof`). No code is shared with what finds the proof, and the method differs: that one has
+//! balls, closed forms with exp, sin, cos and √, and automatic differentiation.
 //!
 //! # Form
 //!
@@ -25,19 +27,23 @@
 //! until T                      the flight is proved piece by piece: the times since its impact at which the pieces end; they grow, and the last is not before the flight's end
 //! ```
 //!
-//! T, V, R, W and C are decimals (see the crate's head); A, B, OFFSET, TAU, P/Q are fractions in lowest terms of at most 34 digits each, Q > 0, P with a minus or none.
-//! All lie strictly between −2³⁰ and 2³⁰; beyond that the checker's intervals end.
+//! T, V, R, W and C are decimals (see the crate's head); A, B, OFFSET, TAU, P/Q are fractions in lowest terms
+//! of at most 34 digits each, Q > 0, P with a minus or none. All lie strictly between −2³⁰ and 2³⁰; beyond
+//! that the checker's intervals end.
 //!
-//! The equations are, for each flight, that at its end the gap to the wall met is 0 and closes at the speed V of that impact; the rows
-//! of the derivative in that order, its columns the phases, then the speeds. An impact turns the relative velocity w into −TAU w. Impact i + 1 comes
-//! 2πN_i + T_{i+1} − T_i after impact i, and impact 1 after the last. `tests/orbit_certificate.rs` prints and damages an example.
+//! The equations are, for each flight, that at its end the gap to the wall met is 0 and closes at the speed V
+//! of that impact; the rows of the derivative in that order, its columns the phases, then the speeds. An
+//! impact turns the relative velocity w into −TAU w. Impact i + 1 comes 2πN_i + T_{i+1} − T_i after impact i,
+//! and impact 1 after the last. `tests/orbit_certificate.rs` prints and damages an example.
 //!
-//! The listed orbit must be shown not to repeat itself: for every divisor d of M for which d N/M is whole, N being the sum of all N_i, some impact i differs from impact i + d in its wall, in its
-//! speed, or in that the time between them is not 2π d N/M. So an orbit listed twice is no orbit of twice the period.
+//! The listed orbit must be shown not to repeat itself: for every divisor d of M for which d N/M is whole, N
+//! being the sum of all N_i, some impact i differs from impact i + d in its wall, in its speed, or in that
+//! the time between them is not 2π d N/M. So an orbit listed twice is no orbit of twice the period.
 //!
 //! # Cost
 //!
-//! With J harmonics in all, P pieces and M impacts, (1 + 2J)(4P + 24M) may be at most 1,000,000, which bounds the exponentials taken. Memory: the certificate.
+//! With J harmonics in all, P pieces and M impacts, (1 + 2J)(4P + 24M) may be at most 1,000,000, which bounds
+//! the exponentials taken. Memory: the certificate.
 
 mod proof;
 mod text;

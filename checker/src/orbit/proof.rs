@@ -50,8 +50,9 @@ impl<'a> Proof<'a> {
         self.stability(&unknowns, go_on)
     }
 
-    /// The derivatives of the equations. With z seen from the wall that is met next, a later end adds (z′, z″), a later start takes away what a flight
-    /// makes of the velocity and acceleration after the impact relative to the wall left behind, and a greater V adds to that velocity.
+    /// The derivatives of the equations. With z seen from the wall that is met next, a later end adds (z′,
+    /// z″), a later start takes away what a flight makes of the velocity and acceleration after the impact
+    /// relative to the wall left behind, and a greater V adds to that velocity.
     fn derivatives(&self, x: &[Interval], go_on: GoOn) -> Result<Vec<Vec<Interval>>, Fault> {
         let (m, ring, oscillator) = (self.cycle.impacts(), self.cycle.ring(), &self.cycle.oscillator);
         let mut rows = vec![vec![Interval::ZERO; 2 * m]; 2 * m];
@@ -83,7 +84,8 @@ impl<'a> Proof<'a> {
         krawczyk::image(&self.centre, &self.inverse, &residual, &derivatives, radius, go_on)
     }
 
-    /// With T the trace of the linearised map once round and D its determinant: stable iff D < 1 and 1 + D ± T > 0, unstable if one is < 0.
+    /// With T the trace of the linearised map once round and D its determinant: stable iff D < 1 and 1 + D ±
+    /// T > 0, unstable if one is < 0.
     fn stability(&self, x: &[Interval], go_on: GoOn) -> Result<(), Fault> {
         let [trace, determinant] = self.cycle.multipliers(x, go_on)?;
         let sum = Interval::ONE + determinant;

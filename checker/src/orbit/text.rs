@@ -39,10 +39,11 @@ pub struct Certificate {
     pub flights: Vec<Vec<Decimal>>,
 }
 
-/// A bound of the number of exponentials that the check takes: (1 + 2J)(4 P + 24 m) for J harmonics in all, P pieces and m impacts.
+/// A bound of the number of exponentials that the check takes: (1 + 2J)(4 P + 24 m) for J harmonics in all, P
+/// pieces and m impacts.
 ///
-/// A piece takes two motions for each of at most two walls, and Krawczyk's test, twice, and the multipliers take at most 12 for each impact. A motion is one exponential, and at most two
-/// for each harmonic.
+/// A piece takes two motions for each of at most two walls, and Krawczyk's test, twice, and the multipliers
+/// take at most 12 for each impact. A motion is one exponential, and at most two for each harmonic.
 fn work(harmonics: u64, pieces: u64, impacts: u64) -> u64 {
     (1 + 2 * harmonics) * (4 * pieces + 24 * impacts)
 }

@@ -5,7 +5,8 @@ use super::{
     text::{Certificate, Claim},
 };
 
-/// Names and values: what is claimed, the pattern, the impacts, the box, the oscillator, its walls and its digest.
+/// Names and values: what is claimed, the pattern, the impacts, the box, the oscillator, its walls and its
+/// digest.
 pub(super) fn detail(certificate: &Certificate) -> Vec<(&'static str, String)> {
     let impacts = &certificate.impacts;
     let claim = match certificate.claim {

@@ -1,7 +1,9 @@
-//! A pattern of impacts: the equations that its orbits solve, when a solution is an orbit, and the multipliers.
+//! A pattern of impacts: the equations that its orbits solve, when a solution is an orbit, and the
+//! multipliers.
 //!
-//! The unknowns are the phases T₁, …, T_m, then the incoming relative speeds V₁, …, V_m. Impact i + 1 comes 2πN_i + T_{i+1} − T_i after impact i,
-//! and impact 1 after the last. There the gap z to the wall met is 0 and closes at its speed: z = 0, z′ + V_{i+1} = 0.
+//! The unknowns are the phases T₁, …, T_m, then the incoming relative speeds V₁, …, V_m. Impact i + 1 comes
+//! 2πN_i + T_{i+1} − T_i after impact i, and impact 1 after the last. There the gap z to the wall met is 0
+//! and closes at its speed: z = 0, z′ + V_{i+1} = 0.
 
 use super::{
     Fault,
@@ -102,8 +104,9 @@ impl<'a, N: Number> Cycle<'a, N> {
         (bend(-velocity), bend(self.oscillator.restitution(side) * velocity))
     }
 
-    /// Trace and determinant of the linearised map once round. It is a product of flights exp(τA) and of impacts [[−τ, 0], [−(τ z₋″ + z₊″)/V, −τ]],
-    /// since an orbit δz farther from the wall meets it δz/V later.
+    /// Trace and determinant of the linearised map once round. It is a product of flights exp(τA) and of
+    /// impacts [[−τ, 0], [−(τ z₋″ + z₊″)/V, −τ]], since an orbit δz farther from the wall meets it δz/V
+    /// later.
     pub fn multipliers(&self, x: &[N], go_on: GoOn) -> Result<[N; 2], Fault> {
         let (m, ring) = (self.impacts(), self.ring());
         let mut columns = [[N::ONE, N::ZERO], [N::ZERO, N::ONE]];
@@ -122,8 +125,9 @@ impl<'a, N: Number> Cycle<'a, N> {
 }
 
 impl Cycle<'_, Interval> {
-    /// Whether the solution in the box `x` is an orbit: every speed is positive, it does not repeat itself, and between impacts every gap is
-    /// positive, but for a `touch` in the flight with that index. The pieces of flight i end at the times `ends[i]`.
+    /// Whether the solution in the box `x` is an orbit: every speed is positive, it does not repeat itself,
+    /// and between impacts every gap is positive, but for a `touch` in the flight with that index. The pieces
+    /// of flight i end at the times `ends[i]`.
     ///
     /// # Errors
     /// A false claim, where this is not certain.
@@ -147,8 +151,9 @@ impl Cycle<'_, Interval> {
         Ok(())
     }
 
-    /// No smaller whole number of periods is one of the orbit. If one were, it would hold d of the m impacts, d a divisor of m, and every impact would come back d impacts
-    /// later: on the same wall, with the same speed, d/m of all periods later. For each such d some impact does not.
+    /// No smaller whole number of periods is one of the orbit. If one were, it would hold d of the m impacts,
+    /// d a divisor of m, and every impact would come back d impacts later: on the same wall, with the same
+    /// speed, d/m of all periods later. For each such d some impact does not.
     fn least_period(&self, x: &[Interval]) -> Result<(), String> {
         let (m, impacts) = (self.impacts(), self.impacts);
         let apart = |a: Interval, b: Interval| (a - b).is_positive() || (b - a).is_positive();
@@ -211,9 +216,10 @@ impl Cycle<'_, Interval> {
         Ok(())
     }
 
-    /// With r half the length and m the middle, z lies in z(m) + z′(m)[−r, r] + z″[0, r²/2] and z′ in z′(m) + z″[−r, r]. Enough is z > 0; for
-    /// the wall just left, where z = 0 ≤ z′, on the first piece z′ > 0 or z″ > 0; for the wall met next, where z = 0, on the last piece z′ < 0; for a
-    /// wall that is touched during the piece, where z = z′ = 0 at one time, z″ > 0.
+    /// With r half the length and m the middle, z lies in z(m) + z′(m)[−r, r] + z″[0, r²/2] and z′ in z′(m) +
+    /// z″[−r, r]. Enough is z > 0; for the wall just left, where z = 0 ≤ z′, on the first piece z′ > 0 or
+    /// z″ > 0; for the wall met next, where z = 0, on the last piece z′ < 0; for a wall that is touched
+    /// during the piece, where z = z′ = 0 at one time, z″ > 0.
     fn piece(
         &self,
         leg: &Leg<Interval>,

@@ -1,8 +1,9 @@
 //! exp, and with it sin, cos and √: the exponential of one 2×2 matrix.
 //!
-//! The free motion q″ = −c q′ − k q is (q, q′)′ = A (q, q′) with A = [[0, 1], [−k, −c]], and A² = −cA − k. So exp(tA) = a + bA for two
-//! numbers, found by the power series without any case: e^−ct/2 cos ωt and sin ωt with ω = √(k − c²/4) if that is real, cosh and sinh if
-//! not. For c = 0 and k = 1 it is cos t + A sin t. Entries: [[a, b], [−kb, a − cb]].
+//! The free motion q″ = −c q′ − k q is (q, q′)′ = A (q, q′) with A = [[0, 1], [−k, −c]], and A² = −cA − k. So
+//! exp(tA) = a + bA for two numbers, found by the power series without any case: e^−ct/2 cos ωt and sin ωt
+//! with ω = √(k − c²/4) if that is real, cosh and sinh if not. For c = 0 and k = 1 it is cos t + A sin t.
+//! Entries: [[a, b], [−kb, a − cb]].
 
 use super::number::Number;
 
@@ -55,8 +56,9 @@ impl<N: Number> Ring<N> {
             let a = N::ONE - factor * self.stiffness * sum.b;
             sum = Element { a, b: factor * (sum.a - self.damping * sum.b) };
         }
-        // a and b are entries of the matrix, the rest's are below its norm. With X = tA/2^j the rest's derivative is Σ (X′X^(n−1) + …)/n! over
-        // n > 21, below ‖X′‖ (4⁻²¹/21! + …) < 2⁻¹⁰⁶ ‖X′‖, where ‖X′‖ ≤ |t′| ‖A‖ + |t| (|c′| + |k′|).
+        // a and b are entries of the matrix, the rest's are below its norm. With X = tA/2^j the rest's
+        // derivative is Σ (X′X^(n−1) + …)/n! over n > 21, below ‖X′‖ (4⁻²¹/21! + …) < 2⁻¹⁰⁶ ‖X′‖, where ‖X′‖
+        // ≤ |t′| ‖A‖ + |t| (|c′| + |k′|).
         let [most_t, most_c, most_k] = [t, self.damping, self.stiffness].map(|x| x.value().magnitude());
         let [along_t, along_c, along_k] = [t, self.damping, self.stiffness].map(|x| x.slope().magnitude());
         let bend = along_t * (most_c + most_k + super::Interval::ONE) + most_t * (along_c + along_k);
@@ -78,7 +80,8 @@ mod tests {
         *,
     };
 
-    /// Here nothing is rounded, so that what is seen is the rest of the series: in the derivative it grows with the speed at which the argument moves, 2²⁰.
+    /// Here nothing is rounded, so that what is seen is the rest of the series: in the derivative it grows
+    /// with the speed at which the argument moves, 2²⁰.
     #[test]
     fn derivatives_hold_the_rest_of_the_series() {
         let t = Dual { value: Interval::ZERO, slope: Interval::integer(1 << 20) };

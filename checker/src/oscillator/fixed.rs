@@ -10,7 +10,8 @@ const FAR: i128 = 1 << (POINT + 30);
 
 /// The reals from `lo` to `hi`, in units of 2⁻⁹⁶.
 ///
-/// Invariant: −FAR < lo ≤ hi < FAR, or the whole line, of which nothing is known and which every operation hands on.
+/// Invariant: −FAR < lo ≤ hi < FAR, or the whole line, of which nothing is known and which every operation
+/// hands on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Interval {
     lo: i128,
@@ -21,7 +22,8 @@ impl Interval {
     const WHOLE: Interval = Interval { lo: -FAR, hi: FAR };
     pub const ZERO: Interval = Interval { lo: 0, hi: 0 };
     pub const ONE: Interval = Interval { lo: 1 << POINT, hi: 1 << POINT };
-    /// The least interval of this kind with π in it: ⌊π·2⁹⁶⌋ and one more (tests.rs shows sin change its sign there).
+    /// The least interval of this kind with π in it: ⌊π·2⁹⁶⌋ and one more (tests.rs shows sin change its sign
+    /// there).
     pub const PI: Interval =
         Interval { lo: 0x3243f6a8885a308d313198a2e, hi: 0x3243f6a8885a308d313198a2e + 1 };
 
@@ -229,7 +231,8 @@ fn quotient(x: i128, y: i128) -> (i128, i128) {
     directed(true, result, rest != 0, x < 0)
 }
 
-/// ±`magnitude` and, where `more` says that something was cut off, the unit beyond; ±FAR if it does not `fit`.
+/// ±`magnitude` and, where `more` says that something was cut off, the unit beyond; ±FAR if it does not
+/// `fit`.
 fn directed(fits: bool, magnitude: u128, more: bool, negative: bool) -> (i128, i128) {
     if !fits || magnitude >= FAR as u128 {
         return (-FAR, FAR);

@@ -10,8 +10,9 @@ pub(crate) fn around(centre: &[Interval], radius: Interval) -> Vec<Interval> {
     centre.iter().map(|y| y.widened(radius)).collect()
 }
 
-/// K = y − C f(y) + (I − C f′(X))(X − y) for the box X of `radius` about the `centre` y: `inverse` is C, `residual` f(y), `derivatives` f′(X).
-/// Every solution of f = 0 in X lies in K, and K in the interior of X proves that there is exactly one and that f′ is regular there.
+/// K = y − C f(y) + (I − C f′(X))(X − y) for the box X of `radius` about the `centre` y: `inverse` is C,
+/// `residual` f(y), `derivatives` f′(X). Every solution of f = 0 in X lies in K, and K in the interior of X
+/// proves that there is exactly one and that f′ is regular there.
 ///
 /// # Errors
 /// A false claim, if K is not in the interior of X.

@@ -1,9 +1,10 @@
 //! What certificates about linear impact oscillators share. The kinds are elsewhere: `orbit`, `event`.
 //!
-//! The checker works on integers in units of 2⁻⁹⁶ (`fixed`), alone or with a derivative (`number`). exp, sin, cos and √ all are the
-//! exponential of one 2×2 matrix (`exponential`). From it come the motion between impacts (`motion`), the equations of an impact
-//! pattern, what makes their solution an orbit, and its multipliers (`cycle`), and the test that there is one (`krawczyk`). `text` reads
-//! and writes the lines that the kinds have in common, `words` says them in words. No code is shared with what finds the proof, and the
+//! The checker works on integers in units of 2⁻⁹⁶ (`fixed`), alone or with a derivative (`number`). exp, sin,
+//! cos and √ all are the exponential of one 2×2 matrix (`exponential`). From it come the motion between
+//! impacts (`motion`), the equations of an impact pattern, what makes their solution an orbit, and its
+//! multipliers (`cycle`), and the test that there is one (`krawczyk`). `text` reads and writes the lines that
+//! the kinds have in common, `words` says them in words. No code is shared with what finds the proof, and the
 //! method differs: that one has balls, and closed forms with exp, sin, cos and √.
 
 pub(crate) mod cycle;

@@ -1,7 +1,8 @@
 //! The motion of a linear oscillator between impacts, and its walls, over intervals.
 //!
-//! q(t) = h(t) + F I(τ) + the first entry of exp(τA) (a, b), τ the time since the impact, h the periodic response to the forcing's
-//! harmonics, I″ + c I′ + k I = 1 with I = I′ = 0 at τ = 0, and (a, b) the start minus (h, h′).
+//! q(t) = h(t) + F I(τ) + the first entry of exp(τA) (a, b), τ the time since the impact, h the periodic
+//! response to the forcing's harmonics, I″ + c I′ + k I = 1 with I = I′ = 0 at τ = 0, and (a, b) the start
+//! minus (h, h′).
 
 use super::{
     exponential::{Element, Ring},
@@ -30,7 +31,8 @@ pub(crate) struct Oscillator<N> {
     forcing: Series<N>,
     response: Series<N>,
     walls: [Option<Moving<N>>; 2],
-    /// Whether c and k are exactly 0, whatever a parameter is: the motion under a constant force depends on it.
+    /// Whether c and k are exactly 0, whatever a parameter is: the motion under a constant force depends on
+    /// it.
     zero: [bool; 2],
 }
 
@@ -61,8 +63,8 @@ impl<N: Number> Oscillator<N> {
         let zero = [system.damping.is_zero(), system.stiffness.is_zero()];
         let forcing = series(&system.forcing);
         let mut response = Vec::new();
-        // α cos νt + β sin νt answers to a cos νt + b sin νt: (k − ν²) α + νc β = a, (k − ν²) β − νc α = b. Divided by ν, with w = k/ν − ν,
-        // so that no power above ν² occurs.
+        // α cos νt + β sin νt answers to a cos νt + b sin νt: (k − ν²) α + νc β = a, (k − ν²) β − νc α = b.
+        // Divided by ν, with w = k/ν − ν, so that no power above ν² occurs.
         for (harmonic, &(nu, a, b)) in system.forcing.iter().zip(&forcing) {
             let nothing = |why| Err(format!("harmonic {} of the forcing {why}", harmonic.k));
             if harmonic.k == 0 {

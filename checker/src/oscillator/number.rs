@@ -4,7 +4,8 @@ use std::ops::{Add, Mul, Neg, Sub};
 
 use super::fixed::Interval;
 
-/// An enclosed number. Of every operation the result encloses the true one for all enclosed arguments; so do its derivatives, if it has one.
+/// An enclosed number. Of every operation the result encloses the true one for all enclosed arguments; so do
+/// its derivatives, if it has one.
 pub(crate) trait Number:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self>
 {

@@ -33,7 +33,8 @@ pub(crate) fn sha256(message: &[u8]) -> String {
     state.iter().map(|word| format!("{word:08x}")).collect()
 }
 
-/// The first 32 bits of the fractions of the cube roots of the first 64 primes, and of the square roots of the first 8.
+/// The first 32 bits of the fractions of the cube roots of the first 64 primes, and of the square roots of
+/// the first 8.
 fn constants() -> ([u32; 64], [u32; 8]) {
     let primes: Vec<u128> = (2..).filter(|n| (2..*n).all(|d| n % d != 0)).take(64).collect();
     // ⌊p^(1/power)·2³²⌋, whose power is at most p·2^(32 power): the greatest, by bits.

@@ -22,7 +22,8 @@ fn is(x: Interval, text: &str) -> bool {
 
 #[test]
 fn products_and_quotients_round_outwards() {
-    // Thirds and sevenths of either sign: x·y − xy contains 0, is a few units wide at most, and is never empty.
+    // Thirds and sevenths of either sign: x·y − xy contains 0, is a few units wide at most, and is never
+    // empty.
     let unit = decimal("0.0000000000000000000000000001");
     for p in -9i128..=9 {
         for q in 1i128..=9 {
@@ -95,8 +96,8 @@ fn exponentials_have_known_derivatives() {
     let by_t = exp(growth, 2);
     assert!(near(by_t.a.slope, Interval::ZERO) && is(by_t.b.slope, "2.718281828459045235360287471352662"));
     assert!(near(by_t.b.slope - by_t.b.value, Interval::ONE));
-    // c = 0: a = cos √k t, b = sin(√k t)/√k, at k = 1: ∂a/∂k = −t b/2, ∂b/∂k = (t a − b)/2; ∂a/∂t = −b, ∂b/∂t = a. Far enough to be halved
-    // and squared nine times.
+    // c = 0: a = cos √k t, b = sin(√k t)/√k, at k = 1: ∂a/∂k = −t b/2, ∂b/∂k = (t a − b)/2; ∂a/∂t = −b, ∂b/∂t
+    // = a. Far enough to be halved and squared nine times.
     let t = Interval::integer(100);
     let circle = [Interval::ZERO, Interval::ONE, t];
     let known = Ring::<Interval>::CIRCLE.exp(t);

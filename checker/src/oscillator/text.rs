@@ -277,7 +277,8 @@ fn are_digits(text: &str) -> bool {
     !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit())
 }
 
-/// `-?(0|[1-9][0-9]*)(\.[0-9]*[1-9])?` but not `-0`, of at most [`DIGITS`] digits: every decimal number has exactly one such form.
+/// `-?(0|[1-9][0-9]*)(\.[0-9]*[1-9])?` but not `-0`, of at most [`DIGITS`] digits: every decimal number has
+/// exactly one such form.
 pub(crate) fn canonical_decimal(word: &str) -> Option<Decimal> {
     let magnitude = word.strip_prefix('-').unwrap_or(word);
     let (whole, places) = match magnitude.split_once('.') {
@@ -405,7 +406,8 @@ pub(crate) fn read_matrix(lines: &mut Lines, size: usize) -> Result<Vec<Vec<Deci
     (0..size).map(|_| line(lines, "row", row)).collect()
 }
 
-/// Reads the pieces of so many flights, and the end of the file. `work` is a bound of the exponentials that the check takes, by the number of pieces.
+/// Reads the pieces of so many flights, and the end of the file. `work` is a bound of the exponentials that
+/// the check takes, by the number of pieces.
 pub(crate) fn read_flights(
     lines: &mut Lines,
     count: usize,

@@ -2,7 +2,8 @@
 //!
 //! # What is proved, and how
 //!
-//! On r = 1 the eigenvalues are e^{±iθ}, θ = 2πs, 0 < s < ½, and u_k = sin kθ/sin θ. For a period n and 1 ≤ k ≤ n−1,
+//! On r = 1 the eigenvalues are e^{±iθ}, θ = 2πs, 0 < s < ½, and u_k = sin kθ/sin θ. For a period n and 1 ≤ k
+//! ≤ n−1,
 //!
 //! ```text
 //! b_{n,k} = (u_n − u_k − u_{n−k})/u_n = −2 sin kπs sin (n−k)πs / cos nπs                         (B1)
@@ -12,9 +13,10 @@
 //!     EMU GAMMA c_n > 0                                                                          (53)
 //! ```
 //!
-//! where EMU and GAMMA, the signs of eµ and γ, are + or −. u_n = 0 exactly where 2ns is an integer. At s = p/q and just right of it, sin jπs has the sign (−1)^⌊jp/q⌋,
-//! but at s itself it is 0 if q divides jp; on an open interval it has a zero exactly if an integer lies strictly between j times its ends. cos nπs is sin (ns + ½)π.
-//! So every sign is decided by integers, at the left end of an interval without zeros.
+//! where EMU and GAMMA, the signs of eµ and γ, are + or −. u_n = 0 exactly where 2ns is an integer. At s =
+//! p/q and just right of it, sin jπs has the sign (−1)^⌊jp/q⌋, but at s itself it is 0 if q divides jp; on an
+//! open interval it has a zero exactly if an integer lies strictly between j times its ends. cos nπs is sin
+//! (ns + ½)π. So every sign is decided by integers, at the left end of an interval without zeros.
 //!
 //! Theorem 2 lists for n ≥ 2, from left to right,
 //!
@@ -24,7 +26,8 @@
 //! (m/n, (m − m₊)/(n − n₊))                 in the case (+,−), if 2m < n
 //! ```
 //!
-//! with 1 ≤ n₊ ≤ n, m n₊ ≡ 1 modulo n and m₊ = (m n₊ − 1)/n. For n = 1 the summary by period lists (0, 1/2) twice, in the cases (+,−) and (−,+).
+//! with 1 ≤ n₊ ≤ n, m n₊ ≡ 1 modulo n and m₊ = (m n₊ − 1)/n. For n = 1 the summary by period lists (0, 1/2)
+//! twice, in the cases (+,−) and (−,+).
 //!
 //! # Form
 //!
@@ -40,9 +43,11 @@
 //! point P/Q excluded K K'                  u_n ≠ 0 and b_{n,K} > 0 > b_{n,K'} there: no orbit
 //! ```
 //!
-//! Fractions have 0 ≤ P ≤ Q ≤ 2n, the K lie in 1, …, n−1. The lines of a block tile (0, ½) from left to right, alternately an open interval and the point that ends it; the last is an interval that ends
-//! at 1/2, which is no point of (0, ½). The `orbit` lines must be all intervals of Theorem 2, in order. On an interval no b that is spoken of, for an orbit line no b at all, and not
-//! u_n may have a zero or a pole inside. For n = 1 the block is exactly `orbit 0/1 1/2 + -` and `orbit 0/1 1/2 - +`.
+//! Fractions have 0 ≤ P ≤ Q ≤ 2n, the K lie in 1, …, n−1. The lines of a block tile (0, ½) from left to
+//! right, alternately an open interval and the point that ends it; the last is an interval that ends at 1/2,
+//! which is no point of (0, ½). The `orbit` lines must be all intervals of Theorem 2, in order. On an
+//! interval no b that is spoken of, for an orbit line no b at all, and not u_n may have a zero or a pole
+//! inside. For n = 1 the block is exactly `orbit 0/1 1/2 + -` and `orbit 0/1 1/2 - +`.
 //!
 //! # A block by hand
 //!
@@ -61,14 +66,14 @@
 //! stretch 3/8 1/2 1 2     cos 4πs > 0 turns both
 //! ```
 //!
-//! Theorem 2 lists for n = 4, m = 1, the neighbours 0/1 and 1/3 of 1/4: (−,+) on (0, 1/8), (+,+) on (1/8, 1/4),
-//! (+,−) on (1/4, 1/3): the three `orbit` lines. Were the line `stretch 1/3 3/8 2 1` to read `stretch 1/3 3/8 1 2`, the
-//! checker would answer: `line 13: false: b_{4,1} is not > 0 on (1/3, 3/8)`.
+//! Theorem 2 lists for n = 4, m = 1, the neighbours 0/1 and 1/3 of 1/4: (−,+) on (0, 1/8), (+,+) on (1/8,
+//! 1/4), (+,−) on (1/4, 1/3): the three `orbit` lines. Were the line `stretch 1/3 3/8 2 1` to read
+//! `stretch 1/3 3/8 1 2`, the checker would answer: `line 13: false: b_{4,1} is not > 0 on (1/3, 3/8)`.
 //!
 //! # Cost
 //!
-//! O(1) per line, O(n) steps of two additions each for an `orbit` or `boundary` line, of which a true block has about n.
-//! Memory: one line. What long blocks take is measured in docs/reliability.md.
+//! O(1) per line, O(n) steps of two additions each for an `orbit` or `boundary` line, of which a true block
+//! has about n. Memory: one line. What long blocks take is measured in docs/reliability.md.
 
 mod claim;
 mod intervals;
@@ -157,7 +162,8 @@ impl Block {
     fn place(&mut self, claim: Claim) -> Result<(), String> {
         let reached = self.reached;
         let follows = match claim {
-            // For n = 1 the same interval comes twice, which the list of Theorem 2's intervals sees to, and nothing else.
+            // For n = 1 the same interval comes twice, which the list of Theorem 2's intervals sees to, and
+            // nothing else.
             Claim::Orbit { left, right, .. } if self.n == 1 => {
                 left == Fraction::ZERO && right == Fraction::HALF
             }
@@ -222,7 +228,8 @@ impl Block {
         }
     }
 
-    /// Checks that every b_{n,k}, of which b_{n,n−k} is another name, and c_n have the signs required on the whole interval.
+    /// Checks that every b_{n,k}, of which b_{n,n−k} is another name, and c_n have the signs required on the
+    /// whole interval.
     fn orbit(&self, left: Fraction, right: Fraction, emu: bool, gamma: bool) -> Result<(), String> {
         let n = self.n;
         self.no_singularity(left, right)?;

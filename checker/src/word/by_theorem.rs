@@ -1,4 +1,5 @@
-//! Kind `word-by-theorem`: the signs that the word theorem asks for, one per step, and the pattern graph that it gives.
+//! Kind `word-by-theorem`: the signs that the word theorem asks for, one per step, and the pattern graph that
+//! it gives.
 
 use std::cmp::Ordering;
 
@@ -164,8 +165,8 @@ fn path(desk: &mut Desk, region: u64) -> Result<Word, Rejection> {
     Ok(Word { positive: true, letters, last, rest })
 }
 
-/// Region 3: the least K with 2Ks > 1, that is the first with u_K < 0. As s < ½, 2ns passes 1 before it reaches 2, so that u_n ≤ 0 at the first n
-/// with 2ns ≥ 1.
+/// Region 3: the least K with 2Ks > 1, that is the first with u_K < 0. As s < ½, 2ns passes 1 before it
+/// reaches 2, so that u_n ≤ 0 at the first n with 2ns ≥ 1.
 fn first(desk: &mut Desk) -> Result<u64, Rejection> {
     let first = text::value(desk.lines, "first", LONGEST)?;
     if first < 2 {
@@ -188,7 +189,8 @@ fn first(desk: &mut Desk) -> Result<u64, Rejection> {
     Ok(first)
 }
 
-/// Whether p_j > q_i for the vertices i and j, by the theorem (its table is in the head of `mod.rs`); `last` are the last D and the last U.
+/// Whether p_j > q_i for the vertices i and j, by the theorem (its table is in the head of `mod.rs`); `last`
+/// are the last D and the last U.
 fn mark(word: &[Vertex], last: (usize, usize), end: End, i: usize, j: usize) -> char {
     let (from, to) = (word[i], word[j]);
     let both = |yes| if yes { '+' } else { '-' };
@@ -204,7 +206,8 @@ fn mark(word: &[Vertex], last: (usize, usize), end: End, i: usize, j: usize) -> 
     }
     let (a, b) = (word[d], word[u]);
     if b.m * a.n == a.m * b.n + 1 {
-        // Neighbours but not the last: their mediant comes after both, at the first place that lies between them.
+        // Neighbours but not the last: their mediant comes after both, at the first place that lies between
+        // them.
         let mediant = word.iter().find(|vertex| (vertex.m, vertex.n) == (a.m + b.m, a.n + b.n));
         return mediant.map_or('?', |vertex| both(vertex.upper));
     }

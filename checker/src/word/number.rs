@@ -15,7 +15,8 @@ pub(super) struct Rational {
 }
 
 impl Rational {
-    /// Reads `-?P/Q` in lowest terms with Q > 0, P and Q without leading zeros and of at most [`DIGITS`] digits; zero is `0/1`.
+    /// Reads `-?P/Q` in lowest terms with Q > 0, P and Q without leading zeros and of at most [`DIGITS`]
+    /// digits; zero is `0/1`.
     pub fn read(text: &str) -> Option<Rational> {
         let (p, q) = text.split_once('/')?;
         let (negative, p) = p.strip_prefix('-').map_or((false, p), |p| (true, p));
@@ -77,11 +78,13 @@ const GUARD: usize = 64;
 
 /// A number within one unit, 2^−`bits`, of 2 r cos 2πs, for 0 < r ≤ 1, 0 < s < ½ and `bits` ≤ 4096.
 ///
-/// In units of 2^−(`bits` + 64): π is off by less than 20 · 2 · 1000 < 2¹⁶ (Machin's formula, fewer than 1000 terms each, a term off by less
-/// than 2), 2πs by less than 2¹⁷, and with it its cosine. In the series of cos x, x² < 10.3, the term t_k is followed by
-/// t_{k+1} = t_k x²/((2k+1)(2k+2)). With E_k the error of t_k, E_{k+1} < (10.3 E_k + |t_k|)/((2k+1)(2k+2)) + 2, E_0 = 0 and |t_k| < 5.2:
-/// E_1 < 3, E_2 < 5, and less than 5 from there on. Fewer than 2¹¹ terms are summed, in all off by less than 2¹⁴; what is left out alternates
-/// and falls, below 6 units. So the cosine is off by less than 2¹⁸, and 2 r cos 2πs by 2¹⁹ and one more: far less than 2⁶⁴.
+/// In units of 2^−(`bits` + 64): π is off by less than 20 · 2 · 1000 < 2¹⁶ (Machin's formula, fewer than 1000
+/// terms each, a term off by less than 2), 2πs by less than 2¹⁷, and with it its cosine. In the series of cos
+/// x, x² < 10.3, the term t_k is followed by t_{k+1} = t_k x²/((2k+1)(2k+2)). With E_k the error of t_k,
+/// E_{k+1} < (10.3 E_k + |t_k|)/((2k+1)(2k+2)) + 2, E_0 = 0 and |t_k| < 5.2: E_1 < 3, E_2 < 5, and less than
+/// 5 from there on. Fewer than 2¹¹ terms are summed, in all off by less than 2¹⁴; what is left out alternates
+/// and falls, below 6 units. So the cosine is off by less than 2¹⁸, and 2 r cos 2πs by 2¹⁹ and one more: far
+/// less than 2⁶⁴.
 pub(super) fn trace(r: &Rational, s: &Rational, bits: usize) -> Integer {
     let w = bits + GUARD;
     let small = Integer::from;

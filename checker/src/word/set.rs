@@ -1,8 +1,10 @@
 //! The set of (a₁, a₂) that a certificate speaks of, and the signs of u_n and N_{n,k} on all of it.
 //!
-//! In units of 2^−P the set lies in a rectangle with the middle c = (c₁, c₂) and half-widths h = (h₁, h₂), all whole numbers. Let ρ be 1 if the rectangle
-//! lies in |a₁| ≤ 1 + a₂, 0 ≤ a₂ ≤ 1, else a power of 2 with |a₁| ≤ ρ on it, 0 ≤ a₂ ≤ 1. The eigenvalues are then at most ρ ≥ 1 in modulus, and
-//! u_n, the sum of λ^i µ^{n−1−i}, at most n ρⁿ. With generating functions, Σ u_n zⁿ = U = z/(1 − a₁z + a₂z²): ∂U/∂a₁ = U², ∂U/∂a₂ = −zU². So
+//! In units of 2^−P the set lies in a rectangle with the middle c = (c₁, c₂) and half-widths h = (h₁, h₂),
+//! all whole numbers. Let ρ be 1 if the rectangle lies in |a₁| ≤ 1 + a₂, 0 ≤ a₂ ≤ 1, else a power of 2
+//! with |a₁| ≤ ρ on it, 0 ≤ a₂ ≤ 1. The eigenvalues are then at most ρ ≥ 1 in modulus, and u_n, the sum of
+//! λ^i µ^{n−1−i}, at most n ρⁿ. With generating functions, Σ u_n zⁿ = U = z/(1 − a₁z + a₂z²): ∂U/∂a₁ = U²,
+//! ∂U/∂a₂ = −zU². So
 //!
 //! ```text
 //! ∂u_n/∂a₁ = d_n = Σ u_j u_{n−j},   ∂u_n/∂a₂ = −d_{n−1},   |d_n| ≤ n³ρⁿ/6,   second derivatives ≤ n⁵ρⁿ/60,
@@ -10,13 +12,15 @@
 //! ∂N/∂a₁ = d_n − d_k − a₂ᵏ d_{n−k},   ∂N/∂a₂ = −d_{n−1} + d_{k−1} + a₂ᵏ d_{n−k−1} − k a₂^{k−1} u_{n−k},
 //! ```
 //!
-//! and the second derivatives of N are at most (n⁵/30 + k(n−k)³/3 + k²(n−k)) ρⁿ ≤ n⁵ρⁿ/10. (n³, n⁵ are superadditive; k(n−k)³ ≤ 27n⁴/256,
-//! k²(n−k) ≤ 4n³/27, n ≥ 2.) By Taylor's formula about c, |N − N(c)| ≤ |∂₁N(c)| h₁ + |∂₂N(c)| h₂ + (h₁ + h₂)² n⁵ρⁿ/20 on the rectangle; likewise u.
+//! and the second derivatives of N are at most (n⁵/30 + k(n−k)³/3 + k²(n−k)) ρⁿ ≤ n⁵ρⁿ/10. (n³, n⁵ are
+//! superadditive; k(n−k)³ ≤ 27n⁴/256, k²(n−k) ≤ 4n³/27, n ≥ 2.) By Taylor's formula about c, |N − N(c)|
+//! ≤ |∂₁N(c)| h₁ + |∂₂N(c)| h₂ + (h₁ + h₂)² n⁵ρⁿ/20 on the rectangle; likewise u.
 //!
-//! *Rounding.* u at c is computed by its recurrence, each step off by less than a unit: the errors add up to Σ |u_{n−j}| ≤ n²ρⁿ/2 units. d_{n+1} = c₁d_n −
-//! c₂d_{n−1} + u_n is off by at most n⁴ρⁿ. The powers of c₂ ≤ 1 are rounded down, c₂ᵏ by less than k units. So N(c) is off by less than 4n²ρⁿ units, the two
-//! derivatives by less than 10n⁴ρⁿ. Where the rectangle is a few units wide the derivatives at c are not needed: they are at most (n³/3 + k(n−k)) ρⁿ ≤
-//! n³ρⁿ/2 on the rectangle, so that |N − N(c)| ≤ n³ρⁿ (h₁ + h₂).
+//! *Rounding.* u at c is computed by its recurrence, each step off by less than a unit: the errors add up to
+//! Σ |u_{n−j}| ≤ n²ρⁿ/2 units. d_{n+1} = c₁d_n − c₂d_{n−1} + u_n is off by at most n⁴ρⁿ. The powers of c₂ ≤ 1
+//! are rounded down, c₂ᵏ by less than k units. So N(c) is off by less than 4n²ρⁿ units, the two derivatives
+//! by less than 10n⁴ρⁿ. Where the rectangle is a few units wide the derivatives at c are not needed: they are
+//! at most (n³/3 + k(n−k)) ρⁿ ≤ n³ρⁿ/2 on the rectangle, so that |N − N(c)| ≤ n³ρⁿ (h₁ + h₂).
 
 use std::cmp::Ordering;
 
@@ -171,7 +175,8 @@ impl Signs {
         self.certain(n, &self.u[n], gradient)
     }
 
-    /// The sign of N_{n,k} = u_n − u_k − a₂ᵏ u_{n−k}, 0 < k < n, on all of the set, if it is certain and not 0.
+    /// The sign of N_{n,k} = u_n − u_k − a₂ᵏ u_{n−k}, 0 < k < n, on all of the set, if it is certain and
+    /// not 0.
     pub fn numerator(&self, n: usize, k: usize) -> Option<Ordering> {
         let weighted = |x: &Integer| (&self.power[k] * x).shifted_down(self.bits);
         let (u, d) = (&self.u, &self.d);
@@ -205,7 +210,8 @@ impl Signs {
         beyond(&bound).then(|| value.sign())
     }
 
-    /// Whether u_n = 0 exactly; a set with more than one point, or one given by (r, s) with 2ns not whole, answers no.
+    /// Whether u_n = 0 exactly; a set with more than one point, or one given by (r, s) with 2ns not whole,
+    /// answers no.
     pub fn u_vanishes(&mut self, n: usize) -> bool {
         match &self.place {
             Place::Polar(_, s) => (&Integer::from(2 * n as u64) * &s.p).divided(&s.q).1.is_zero(),
@@ -259,7 +265,8 @@ mod tests {
         value.cmp(&0)
     }
 
-    /// Every sign told is right, and at generic points all are told; boxes about them hold every corner's sign.
+    /// Every sign told is right, and at generic points all are told; boxes about them hold every corner's
+    /// sign.
     #[test]
     fn signs_are_those_of_whole_numbers() {
         let (last, mut told, mut untold) = (9, 0, 0);

@@ -28,18 +28,20 @@ use crate::{
 
 /// Fuzz Conjecture 1: decide existence at random points by its definition and by the claim, and compare.
 ///
-/// Most cases come from sweeps: (r, s) uniform, all n up to N in one pass. The others are drawn near the places where
-/// something could fail: r = 1, boundary curves, the ends of intervals, equal eigenvalues, gcd(m, n) > 1, real
-/// eigenvalues of every kind. A disagreement is decided again, shrunk, printed with a command that shows it, and
-/// appended to a file that the tests replay. The same seed gives the same run whatever the number of threads.
+/// Most cases come from sweeps: (r, s) uniform, all n up to N in one pass. The others are drawn near the
+/// places where something could fail: r = 1, boundary curves, the ends of intervals, equal eigenvalues,
+/// gcd(m, n) > 1, real eigenvalues of every kind. A disagreement is decided again, shrunk, printed with a
+/// command that shows it, and appended to a file that the tests replay. The same seed gives the same run
+/// whatever the number of threads.
 ///
-/// With --words the word theorem is fuzzed instead (`grazing word` has it): at each point every period up to N, and which may
-/// follow which, by the definition and by the word; cases are then points. Beside that the entropies of random words on r = 1
-/// are held against what is thought to be their supremum, which is an open question.
+/// With --words the word theorem is fuzzed instead (`grazing word` has it): at each point every period up to
+/// N, and which may follow which, by the definition and by the word; cases are then points. Beside that the
+/// entropies of random words on r = 1 are held against what is thought to be their supremum, which is an open
+/// question.
 ///
-/// Exit code 0: no disagreement, which is no proof; 1: a confirmed disagreement, or an error of this program (two of its
-/// routes to one answer differ, shown with the point); 2: wrong usage or a file that cannot be read or written; 3: some
-/// case is undecided, or interrupted.
+/// Exit code 0: no disagreement, which is no proof; 1: a confirmed disagreement, or an error of this program
+/// (two of its routes to one answer differ, shown with the point); 2: wrong usage or a file that cannot be
+/// read or written; 3: some case is undecided, or interrupted.
 #[derive(Debug, Parser)]
 #[command(after_help = "Examples:
   grazing fuzz --cases 1e5
@@ -60,8 +62,8 @@ pub(super) struct Args {
     /// The number of threads; default: one for each core.
     #[arg(long, value_name = "J", default_value_t = 0, hide_default_value = true, value_parser = parse_integer::<usize>)]
     jobs: usize,
-    /// The share of sweep points at which one period is decided by the definition, k by k, as well; by default 0.01. With
-    /// --words at which all is decided exactly, by default 0.00001.
+    /// The share of sweep points at which one period is decided by the definition, k by k, as well; by
+    /// default 0.01. With --words at which all is decided exactly, by default 0.00001.
     #[arg(long, value_name = "F", value_parser = share)]
     definition_share: Option<f64>,
     /// Where disagreements are appended; the tests replay those in tests/data/fuzz_regressions.txt.

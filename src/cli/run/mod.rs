@@ -1,5 +1,5 @@
-//! `grazing run`: the tasks of a scene, run by the library ([`run`](crate::run)); here their reports are written and what they found
-//! becomes files, each kind of task by the file of its name.
+//! `grazing run`: the tasks of a scene, run by the library ([`run`](crate::run)); here their reports are
+//! written and what they found becomes files, each kind of task by the file of its name.
 
 mod bars;
 mod basins;
@@ -42,13 +42,13 @@ use bars::Bars;
 
 /// Run the tasks of a scene: simulate an impact oscillator, find its orbits, follow and prove them.
 ///
-/// A scene is a TOML file that names an oscillator's effects, its walls, parameters and tasks; docs/scenes.md has every
-/// key, examples/scenes some scenes to begin with. Each task writes its files, named after it, into the folder, and its
-/// part of the report to standard output. All of the scene is checked before anything runs; a task that fails does not
-/// end the rest.
+/// A scene is a TOML file that names an oscillator's effects, its walls, parameters and tasks; docs/scenes.md
+/// has every key, examples/scenes some scenes to begin with. Each task writes its files, named after it, into
+/// the folder, and its part of the report to standard output. All of the scene is checked before anything
+/// runs; a task that fails does not end the rest.
 ///
-/// Exit code, the first that applies: 1: something was refuted; 2: wrong usage, a wrong scene, a task that failed or a file
-/// that cannot be written; 3: interrupted, undecided or nothing found; 0: all done.
+/// Exit code, the first that applies: 1: something was refuted; 2: wrong usage, a wrong scene, a task that
+/// failed or a file that cannot be written; 3: interrupted, undecided or nothing found; 0: all done.
 #[derive(Debug, Parser)]
 #[command(after_help = "Examples:
   grazing run examples/scenes/bouncing-ball.toml -o out
@@ -223,7 +223,8 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     reported(outcome, written)
 }
 
-/// What is said, as JSON, if the process ends while a task is under way that does not end itself: the reports of all tasks.
+/// What is said, as JSON, if the process ends while a task is under way that does not end itself: the reports
+/// of all tasks.
 fn last_words(
     scene: &str,
     done: Arc<Mutex<Vec<TaskReport>>>,

@@ -45,8 +45,8 @@ pub(super) fn may_write(task: &Task, file: &str) -> bool {
     })
 }
 
-/// A file that both tasks may write, one of them under a name without a number: two numbered names agree only where the names of their tasks do, which a
-/// scene does not allow.
+/// A file that both tasks may write, one of them under a name without a number: two numbered names agree only
+/// where the names of their tasks do, which a scene does not allow.
 fn shared(one: &Task, other: &Task) -> Option<String> {
     endings(&one.kind).iter().find_map(|ending| match ending {
         Ending::Fixed(end) => Some(format!("{}{end}", one.name)).filter(|file| may_write(other, file)),

@@ -1,4 +1,5 @@
-//! The files of tasks of kind `simulate`, written as the motion goes on: memory does not grow with its length.
+//! The files of tasks of kind `simulate`, written as the motion goes on: memory does not grow with its
+//! length.
 
 use std::io::Write;
 

@@ -94,8 +94,8 @@ impl<'a> MachineRun<'a> {
 
     /// On to the next event, no further than `until`. An impact at the initial time comes first of all.
     ///
-    /// A stage that cannot be built (dependent stops rested on, motions too fast) ends the run as [`RunEnd::Escaped`] would; it is reported by
-    /// [`failure`](Self::failure).
+    /// A stage that cannot be built (dependent stops rested on, motions too fast) ends the run as
+    /// [`RunEnd::Escaped`] would; it is reported by [`failure`](Self::failure).
     pub fn next(&mut self, until: Time) -> MachineEvent {
         if let Some(event) = self.due(until) {
             return event;
@@ -255,7 +255,8 @@ impl<'a> MachineRun<'a> {
         }
     }
 
-    /// Passes over the largest stretch of cells from here on that is surely clear of everything; false if there is none before `goal`.
+    /// Passes over the largest stretch of cells from here on that is surely clear of everything; false if
+    /// there is none before `goal`.
     fn skip(&mut self, stage: &Stage, goal: (i64, usize)) -> bool {
         let finest = stage.levels.len() - 1;
         // A coarser one where this begins it.
@@ -441,7 +442,8 @@ impl<'a> MachineRun<'a> {
         let mut kick = stage.flow.kick(&law.change);
         stage.flow.advance(&mut kick, -after);
         let kick = stage.padded(&kick);
-        // The gap's rate is to change by −(1 + τ) w as the tables see it: what they are off by would add up over many impacts.
+        // The gap's rate is to change by −(1 + τ) w as the tables see it: what they are off by would add up
+        // over many impacts.
         let wanted = -(1.0 + simulator.contacts.all()[stop].restitution) * velocity;
         let seen = stage.slope(watch, x, &kick) / self.half();
         let factor = if (seen / wanted - 1.0).abs() < 1e-6 { wanted / seen } else { 1.0 };
@@ -511,8 +513,9 @@ impl<'a> MachineRun<'a> {
         Ok(())
     }
 
-    /// Comes to rest on those of the stops touched whose bounce to come, z′ ≥ 0 in `state`, is lower than the minimum depth, beside those of `resting`
-    /// that still press. False if nothing is added: then nothing is changed.
+    /// Comes to rest on those of the stops touched whose bounce to come, z′ ≥ 0 in `state`, is lower than the
+    /// minimum depth, beside those of `resting` that still press. False if nothing is added: then nothing is
+    /// changed.
     fn settle(
         &mut self,
         time: Time,

@@ -7,7 +7,8 @@ use crate::oscillator::{Time, simulate::RunEnd};
 pub enum MachineEvent {
     /// The machine met a stop and bounced. Of several at one instant each is told.
     Impact(StopImpact),
-    /// A gap came within the minimum depth of 0, neither clearly short of it nor clearly beyond: no impact was made of it.
+    /// A gap came within the minimum depth of 0, neither clearly short of it nor clearly beyond: no impact
+    /// was made of it.
     Tangency(StopTangency),
     /// It came to rest on a stop that presses.
     Stick(StopStick),
@@ -22,7 +23,8 @@ pub enum MachineEvent {
 pub struct StopImpact {
     /// When, of the trajectory computed.
     pub time: Time,
-    /// The root of the gap lies within this of `time`, for the trajectory computed: rounding over impact velocity.
+    /// The root of the gap lies within this of `time`, for the trajectory computed: rounding over impact
+    /// velocity.
     pub radius: f64,
     /// Which stop, by its place in the machine.
     pub stop: usize,

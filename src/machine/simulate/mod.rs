@@ -1,17 +1,21 @@
-//! Simulation of machines: the flow, interrupted by impacts and rests on stops and nothing else, event by event.
+//! Simulation of machines: the flow, interrupted by impacts and rests on stops and nothing else, event by
+//! event.
 //!
 //! # What is promised
 //!
-//! - Every minimum of a gap below −[`minimum_depth`](MachineSettings::minimum_depth) is an impact, found on the stretch on which the gap falls, however slow; a
-//!   minimum within the depth of 0 is a [`StopTangency`]. *Proof.* On a cell of the finest level the gap is a polynomial up to 10⁻¹⁸ of its
-//!   amplitude (`stage`), on which the minimum test of the one-degree simulation decides (its `search`: cases by Taylor's formula with a bound on the third
-//!   derivative). Any other cell, and any stretch of cells at once, is passed over only where the head of `stage`, a lower bound of the gap
-//!   on all of it, exceeds the depth. Where rounding of the sum over the modes exceeds the minimum depth, it takes its place.
-//! - Stops that are touched at one instant, within the minimum depth, are hit together by Newton's law for all of them
-//!   ([`contact`](super::contact)); [`StopImpact::order_matters`] says where that is a choice.
-//! - Bounces on a stop that would be lower than the minimum depth, where it presses, are summed as a geometric series and end in rest ([`StopStick`]): motion
-//!   under the constraint that the gap is 0, until the force of contact falls to 0 ([`StopRelease`]). The velocity lost is that of the bounces left
-//!   out. Other stops are watched meanwhile, and may be rested on, too.
+//! - Every minimum of a gap below −[`minimum_depth`](MachineSettings::minimum_depth) is an impact, found on
+//!   the stretch on which the gap falls, however slow; a minimum within the depth of 0 is a [`StopTangency`].
+//!   *Proof.* On a cell of the finest level the gap is a polynomial up to 10⁻¹⁸ of its amplitude (`stage`),
+//!   on which the minimum test of the one-degree simulation decides (its `search`: cases by Taylor's formula
+//!   with a bound on the third derivative). Any other cell, and any stretch of cells at once, is passed over
+//!   only where the head of `stage`, a lower bound of the gap on all of it, exceeds the depth. Where rounding
+//!   of the sum over the modes exceeds the minimum depth, it takes its place.
+//! - Stops that are touched at one instant, within the minimum depth, are hit together by Newton's law for
+//!   all of them ([`contact`](super::contact)); [`StopImpact::order_matters`] says where that is a choice.
+//! - Bounces on a stop that would be lower than the minimum depth, where it presses, are summed as a
+//!   geometric series and end in rest ([`StopStick`]): motion under the constraint that the gap is 0, until
+//!   the force of contact falls to 0 ([`StopRelease`]). The velocity lost is that of the bounces left out.
+//!   Other stops are watched meanwhile, and may be rested on, too.
 //! - A run ends by an [`RunEnd`] that says why.
 //!
 //! The trajectory itself carries rounding errors only, amplified by the condition number of the modes.
@@ -63,8 +67,9 @@ use crate::{
 /// How finely to simulate.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct MachineSettings {
-    /// Gaps within this of 0 are contact without impact: see the promises of [`simulate`](self). In the unit of gaps, above 0. Default 1e-12, which suits
-    /// motions of size 1; [`MachineSimulator::scale`] tells their size.
+    /// Gaps within this of 0 are contact without impact: see the promises of [`simulate`](self). In the unit
+    /// of gaps, above 0. Default 1e-12, which suits motions of size 1; [`MachineSimulator::scale`] tells
+    /// their size.
     pub minimum_depth: f64,
     /// After so many impacts a run ends. Default: no limit.
     pub impact_limit: u64,
@@ -91,11 +96,12 @@ pub struct MachineSimulator {
 }
 
 impl MachineSimulator {
-    /// Solves the machine and fills its tables. Cost: O(n³ + n R (stops + harmonics)), R the fastest motion over the forcing's frequency.
+    /// Solves the machine and fills its tables. Cost: O(n³ + n R (stops + harmonics)), R the fastest motion
+    /// over the forcing's frequency.
     ///
     /// # Errors
-    /// Those of [`Machine::equations`] and [`Machine::contacts`]; a minimum depth that is not positive; motions more than some 5000 times
-    /// as fast as the forcing.
+    /// Those of [`Machine::equations`] and [`Machine::contacts`]; a minimum depth that is not positive;
+    /// motions more than some 5000 times as fast as the forcing.
     pub fn new(machine: &Machine<f64>, settings: &MachineSettings) -> Result<MachineSimulator> {
         let depth = settings.minimum_depth;
         if !(depth > 0.0 && depth.is_finite()) {
@@ -150,8 +156,9 @@ impl MachineSimulator {
         self.rate
     }
 
-    /// The size of the motions of the gaps: the largest, over the stops, of the stop's place and motion, of what the forces alone bring about over a
-    /// period, and of what a constant force does in a radian. 0 if there is none of them: then only starts tell.
+    /// The size of the motions of the gaps: the largest, over the stops, of the stop's place and motion, of
+    /// what the forces alone bring about over a period, and of what a constant force does in a radian. 0 if
+    /// there is none of them: then only starts tell.
     pub fn scale(&self) -> f64 {
         let one = |contact: &StopContact| {
             let (flow, zero) = (&self.free.flow, RealVector::zeros(self.equations.size()));

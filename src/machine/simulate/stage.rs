@@ -1,25 +1,31 @@
 //! A machine resting on some of its stops, or on none, with tables of everything that is watched on it.
 //!
-//! What is watched is a function z(t) of time along the motion: a gap, or the force of a stop that is rested on. It is the sum of a known
-//! function (of p and of the stops' motion) and of a functional on the homogeneous y, about whose time steps everything is in tables.
+//! What is watched is a function z(t) of time along the motion: a gap, or the force of a stop that is rested
+//! on. It is the sum of a known function (of p and of the stops' motion) and of a functional on the
+//! homogeneous y, about whose time steps everything is in tables.
 //!
 //! # Cells
 //!
-//! The period is cut into cells, on levels: on each level they are half as wide as on the level above. On the finest a cell is at most 1/R wide, R the
-//! largest rate of any pair, of forcing and of stops, so that z is a polynomial of 16 terms in x ∈ [−1, 1]: what is left out is below
-//! 2⁻¹⁶/16! < 10⁻¹⁸ of the amplitude. On the coarsest, forcing, stops and p still are such polynomials, but not the fast pairs.
+//! The period is cut into cells, on levels: on each level they are half as wide as on the level above. On the
+//! finest a cell is at most 1/R wide, R the largest rate of any pair, of forcing and of stops, so that z is a
+//! polynomial of 16 terms in x ∈ [−1, 1]: what is left out is below 2⁻¹⁶/16! < 10⁻¹⁸ of the amplitude. On the
+//! coarsest, forcing, stops and p still are such polynomials, but not the fast pairs.
 //!
 //! # The bound
 //!
-//! On each level a head (c₀, c₁, c₂, tail) with |z(x) − c₀ − c₁x − c₂x²| ≤ tail for |x| ≤ 1 is four functionals on y and |y|:
+//! On each level a head (c₀, c₁, c₂, tail) with |z(x) − c₀ − c₁x − c₂x²| ≤ tail for |x| ≤ 1 is four
+//! functionals on y and |y|:
 //!
-//! - of a pair with rate ≤ 1/(cell's width), the Taylor coefficients, and as tail Σ_{k≥3} |c_k|, entry by entry of y;
-//! - of a faster pair, c₀ = c₁ = c₂ = 0 and as tail a bound on sup |g E(s)| over the cell, entry by entry: the maximum over the finest cells in it of
-//!   Σ_k |g E(s_m) G^k| w^k/k!, which is Taylor's formula about each one's beginning s_m with width w, |G w| ≤ 1.
+//! - of a pair with rate ≤ 1/(cell's width), the Taylor coefficients, and as tail Σ_{k≥3} |c_k|, entry by
+//!   entry of y;
+//! - of a faster pair, c₀ = c₁ = c₂ = 0 and as tail a bound on sup |g E(s)| over the cell, entry by entry:
+//!   the maximum over the finest cells in it of Σ_k |g E(s_m) G^k| w^k/k!, which is Taylor's formula about
+//!   each one's beginning s_m with width w, |G w| ≤ 1.
 //!
-//! Where the head says that z is above the minimum depth on a whole cell, the cell is passed over, else its halves are looked at, and on the finest
-//! level the polynomial is searched. So no minimum below −depth is passed over, and a fast mode costs only where its amplitude can still
-//! move z to the stop. Rounding is in the tail: 10⁻¹⁴ of all that was added up.
+//! Where the head says that z is above the minimum depth on a whole cell, the cell is passed over, else its
+//! halves are looked at, and on the finest level the polynomial is searched. So no minimum below −depth is
+//! passed over, and a fast mode costs only where its amplitude can still move z to the stop. Rounding is in
+//! the tail: 10⁻¹⁴ of all that was added up.
 
 use std::f64::consts::{PI, TAU};
 
@@ -388,8 +394,9 @@ impl Stage {
     }
 }
 
-/// The matrix [[a, b], [c, d]], each entry moved by at most one place of its last digit, whose determinant is nearest to `wanted`. The same matrix is
-/// applied in every cell: with entries just rounded, an undamped motion would gain or lose some 10⁻¹⁶ of itself each time.
+/// The matrix [[a, b], [c, d]], each entry moved by at most one place of its last digit, whose determinant is
+/// nearest to `wanted`. The same matrix is applied in every cell: with entries just rounded, an undamped
+/// motion would gain or lose some 10⁻¹⁶ of itself each time.
 fn of_determinant(entries: [f64; 4], wanted: f64) -> [f64; 4] {
     let off = |[a, b, c, d]: [f64; 4]| {
         let (p, q) = (a * d, b * c);

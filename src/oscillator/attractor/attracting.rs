@@ -1,4 +1,5 @@
-//! From a motion to the periodic orbit that it tends to: the impact pattern read off, the orbit by Newton's method.
+//! From a motion to the periodic orbit that it tends to: the impact pattern read off, the orbit by Newton's
+//! method.
 
 use super::detection::{Detection, Fate};
 use crate::{

@@ -18,7 +18,8 @@ use crate::{
     },
 };
 
-/// A grid of starts at the phase of the detection's section: `columns` values of q by `rows` of u, ends included.
+/// A grid of starts at the phase of the detection's section: `columns` values of q by `rows` of u, ends
+/// included.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct BasinGrid {
     /// The least and the greatest q.
@@ -66,8 +67,9 @@ impl BasinGrid {
 /// Rows that run in parallel before what they lead to is sorted and kept.
 const CHUNK: usize = 16;
 
-/// Detects the attractor of every start, on all cores; the result does not depend on their number. With a file, what is done is kept there, and
-/// what it holds of the same grid is not done again; `identity` is what else the result depends on. The monitor hears of each row.
+/// Detects the attractor of every start, on all cores; the result does not depend on their number. With a
+/// file, what is done is kept there, and what it holds of the same grid is not done again; `identity` is what
+/// else the result depends on. The monitor hears of each row.
 ///
 /// # Errors
 /// Those of [`Detection::check`]; an unusable checkpoint; the monitor's, after a last checkpoint.

@@ -23,8 +23,8 @@ pub(super) struct Checkpoint {
 }
 
 impl Checkpoint {
-    /// The checkpoint of a job, of at most `most` bytes, and what it holds; `canonical` is a text of all that the job's result depends on. The
-    /// monitor is told if a last line was torn.
+    /// The checkpoint of a job, of at most `most` bytes, and what it holds; `canonical` is a text of all that
+    /// the job's result depends on. The monitor is told if a last line was torn.
     ///
     /// # Errors
     /// Those of [`Journal::open`]; an input error for records that are none of the job's.

@@ -1,13 +1,16 @@
-//! The end of an attractor at a homoclinic crossing: where a corner of an unstable manifold falls on the stable one.
+//! The end of an attractor at a homoclinic crossing: where a corner of an unstable manifold falls on the
+//! stable one.
 //!
-//! An unstable orbit S with one large multiplier Λ > 1 has a one-dimensional unstable manifold Wᵘ(S). Followed from S it first meets the
-//! states whose next flight grazes a wall at its *corner*; there the map from period to period has a square root, and the corner's
-//! images are the tips of the attractor beyond it. When a tip's image crosses the stable manifold Wˢ(S) the attractor is no longer
-//! confined, and ends: section 4.2's µ_cr is where the second image does. Not here: finding S (`orbit`), simulation.
+//! An unstable orbit S with one large multiplier Λ > 1 has a one-dimensional unstable manifold Wᵘ(S).
+//! Followed from S it first meets the states whose next flight grazes a wall at its *corner*; there the map
+//! from period to period has a square root, and the corner's images are the tips of the attractor beyond it.
+//! When a tip's image crosses the stable manifold Wˢ(S) the attractor is no longer confined, and ends:
+//! section 4.2's µ_cr is where the second image does. Not here: finding S (`orbit`), simulation.
 //!
-//! No manifold is drawn. Points S + εv on the unstable direction fall on Wᵘ(S) as they are iterated, the error shrinking by the small
-//! multiplier each time, so only the ε of the corner is looked for; and the side of Wˢ(S) on which a state lies is
-//! the sign of the left eigenvector's product with its distance from S, a few iterates on.
+//! No manifold is drawn. Points S + εv on the unstable direction fall on Wᵘ(S) as they are iterated, the
+//! error shrinking by the small multiplier each time, so only the ε of the corner is looked for; and the side
+//! of Wˢ(S) on which a state lies is the sign of the left eigenvector's product with its distance from S, a
+//! few iterates on.
 
 use std::f64::consts::TAU;
 
@@ -50,7 +53,8 @@ pub struct Corner {
     pub gap: f64,
 }
 
-/// One period of S from a state: where it leads, how many impacts there are, the least minimum of the gap without impact.
+/// One period of S from a state: where it leads, how many impacts there are, the least minimum of the gap
+/// without impact.
 struct Flight {
     end: State,
     impacts: u32,
@@ -61,7 +65,8 @@ impl Saddle {
     /// The orbit with its directions at `phase`, a phase at which no impact is near.
     ///
     /// # Errors
-    /// An input error if it is no orbit or its multipliers are not 0 < λ₂ < 1 < λ₁; those of [`Simulator::new`].
+    /// An input error if it is no orbit or its multipliers are not 0 < λ₂ < 1 < λ₁; those of
+    /// [`Simulator::new`].
     pub fn new(oscillator: Oscillator, orbit: &Orbit, phase: f64, settings: &Settings) -> Result<Saddle> {
         let [(expansion, imaginary), (contraction, _)] = orbit.multipliers.values();
         if imaginary != 0.0 || !(expansion > 1.0 && (0.0..1.0).contains(&contraction)) {
@@ -122,8 +127,8 @@ impl Saddle {
         State { q: self.state.q + offset * q, u: self.state.u + offset * u, ..self.state }
     }
 
-    /// The corner on the side of S on which there is one within `IMAGES` images of S + `offset` v. The corner does not depend on
-    /// the offset, as long as that is small.
+    /// The corner on the side of S on which there is one within `IMAGES` images of S + `offset` v. The corner
+    /// does not depend on the offset, as long as that is small.
     ///
     /// # Errors
     /// An input error if there is none on either side.
@@ -156,7 +161,8 @@ impl Saddle {
         Ok(None)
     }
 
-    /// The flight from the given image of S + εv, if all before it have as many impacts as S, and where it starts.
+    /// The flight from the given image of S + εv, if all before it have as many impacts as S, and where it
+    /// starts.
     fn image(&self, offset: f64, image: u32) -> Result<(State, Flight)> {
         let mut state = self.offset(offset);
         for _ in 0..image {
@@ -165,8 +171,8 @@ impl Saddle {
         Ok((state, self.flight(state)?))
     }
 
-    /// The corner in the fundamental segment [ε, Λε]: bisection by the number of impacts, then the secant rule on the gap, from
-    /// the side without the impact, where it is smooth.
+    /// The corner in the fundamental segment [ε, Λε]: bisection by the number of impacts, then the secant
+    /// rule on the gap, from the side without the impact, where it is smooth.
     fn corner_at(&self, offset: f64, image: u32, impacts: u32) -> Result<Corner> {
         let (mut free, mut struck) = (offset, offset * self.expansion);
         while (struck - free).abs() > 1e-7 * free.abs() {
@@ -203,8 +209,8 @@ impl Saddle {
         (0..images).try_fold(state, |state, _| Ok(self.flight(state)?.end))
     }
 
-    /// Which side of Wˢ a state is on, and about how far from it: the coordinate along Wᵘ of its second image, less S. Exact in sign
-    /// near Wˢ, where the second image is near S.
+    /// Which side of Wˢ a state is on, and about how far from it: the coordinate along Wᵘ of its second
+    /// image, less S. Exact in sign near Wˢ, where the second image is near S.
     ///
     /// # Errors
     /// As [`Simulator::start`].
@@ -254,11 +260,12 @@ pub struct CrisisSearch<'a> {
     pub settings: &'a Settings,
 }
 
-/// The crisis in a bracket, to rounding: bisection until the secant rule is good, then the secant rule, kept in the bracket, the end that
-/// stays twice counting half (Illinois). Cost: some 30 corners.
+/// The crisis in a bracket, to rounding: bisection until the secant rule is good, then the secant rule, kept
+/// in the bracket, the end that stays twice counting half (Illinois). Cost: some 30 corners.
 ///
 /// # Errors
-/// An input error if S or its corner cannot be found on the way, or the bracket's ends are on the same side of Wˢ.
+/// An input error if S or its corner cannot be found on the way, or the bracket's ends are on the same side
+/// of Wˢ.
 pub fn crisis(family: &dyn Family, search: &CrisisSearch) -> Result<Crisis> {
     let at = |parameter: f64| -> Result<Crisis> {
         let oscillator = family.at(parameter)?;
@@ -280,7 +287,8 @@ pub fn crisis(family: &dyn Family, search: &CrisisSearch) -> Result<Crisis> {
         let width = b.parameter - a.parameter;
         let secant = b.parameter - weight[1] * width / (weight[1] - weight[0]);
         let inside = (secant - a.parameter) * (secant - b.parameter) < 0.0;
-        // Far from the crisis the distance is no straight line; and where the secant leaves the bracket, halve it.
+        // Far from the crisis the distance is no straight line; and where the secant leaves the bracket,
+        // halve it.
         let halve = round < 12 || !inside;
         let middle = if halve { a.parameter + width / 2.0 } else { secant };
         if middle == a.parameter || middle == b.parameter {

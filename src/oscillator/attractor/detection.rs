@@ -12,8 +12,8 @@ use crate::{
 /// Points of the section this close in q and in u recur, unless a [`Detection`] says otherwise.
 pub const RECURRENCE: f64 = 1e-7;
 
-/// Orbits whose points are this close in q and in u are the same attractor. Larger than [`RECURRENCE`], because motions come from different
-/// sides to an attractor that they approach slowly.
+/// Orbits whose points are this close in q and in u are the same attractor. Larger than [`RECURRENCE`],
+/// because motions come from different sides to an attractor that they approach slowly.
 pub const SAME: f64 = 1e-4;
 
 /// How to look for recurrence in the section at `phase`.
@@ -129,7 +129,8 @@ impl Detection {
         Ok(())
     }
 
-    /// Follows the run for `transient` + `longest` · (1 + `confirm`) periods at most. The answer is numerical evidence, not proof.
+    /// Follows the run for `transient` + `longest` · (1 + `confirm`) periods at most. The answer is numerical
+    /// evidence, not proof.
     ///
     /// # Errors
     /// Those of [`check`](Self::check).

@@ -1,4 +1,5 @@
-//! The largest Lyapunov exponent: a tangent vector carried by the flow's derivative and by saltation matrices at impacts.
+//! The largest Lyapunov exponent: a tangent vector carried by the flow's derivative and by saltation matrices
+//! at impacts.
 
 use std::f64::consts::TAU;
 
@@ -16,11 +17,11 @@ use crate::{
 /// An exponent and what it rests on.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Exponent {
-    /// The mean rate of growth per unit of time; times 2π, per forcing period. −∞ once the oscillator has come to rest on a wall, where
-    /// neighbours meet.
+    /// The mean rate of growth per unit of time; times 2π, per forcing period. −∞ once the oscillator has
+    /// come to rest on a wall, where neighbours meet.
     pub rate: f64,
-    /// The standard error of the rate, from the means over [`BATCHES`] equal stretches of the run taken as independent; NaN for a run of one
-    /// period. It does not see what is slower than a stretch.
+    /// The standard error of the rate, from the means over [`BATCHES`] equal stretches of the run taken as
+    /// independent; NaN for a run of one period. It does not see what is slower than a stretch.
     pub standard_error: f64,
     /// The rate over the second half of the run: how far the two differ tells how far the mean has settled.
     pub second_half: f64,
@@ -77,8 +78,9 @@ impl Carried<'_> {
     }
 }
 
-/// Follows the motion from (q, u) at `time` over `transient` and then `periods` forcing periods. Tangencies and the square root at them are
-/// passed as if there were no wall; an impact of velocity w stretches by O(1/w). Asks `monitor` whether to go on.
+/// Follows the motion from (q, u) at `time` over `transient` and then `periods` forcing periods. Tangencies
+/// and the square root at them are passed as if there were no wall; an impact of velocity w stretches by
+/// O(1/w). Asks `monitor` whether to go on.
 ///
 /// # Errors
 /// A start behind a wall, or no periods; the monitor's.

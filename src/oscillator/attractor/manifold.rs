@@ -1,10 +1,11 @@
 //! Stable and unstable manifolds of periodic orbits on the stroboscopic section, as curves to be drawn.
 //!
-//! The unstable manifold of a saddle S with multiplier Λ is what becomes of a short segment [ε v, Λ ε v] on its unstable direction v, both ways,
-//! under the map from period to period of S. The stable manifold is the unstable one of the motion run backwards, which is that of an impact
-//! oscillator, too: damping, odd harmonics and velocities change sign, and a restitution τ becomes 1/τ. Impacts cut the curves: where
-//! neighbouring points come to lie far apart, one of them beyond a grazing, the curve is broken and not bridged. Not here: where manifolds
-//! cross (`crisis`).
+//! The unstable manifold of a saddle S with multiplier Λ is what becomes of a short segment [ε v, Λ ε v] on
+//! its unstable direction v, both ways, under the map from period to period of S. The stable manifold is the
+//! unstable one of the motion run backwards, which is that of an impact oscillator, too: damping, odd
+//! harmonics and velocities change sign, and a restitution τ becomes 1/τ. Impacts cut the curves: where
+//! neighbouring points come to lie far apart, one of them beyond a grazing, the curve is broken and not
+//! bridged. Not here: where manifolds cross (`crisis`).
 
 use std::f64::consts::TAU;
 
@@ -41,7 +42,8 @@ impl Default for ManifoldPlan {
 /// A point of the manifold under way: where on the first segment it began, and where it is.
 type Traced = (f64, [f64; 2]);
 
-/// The pieces of both halves of the unstable manifold of the saddle at (q, u) on the section at `phase`, of the given period. Points whose motion escapes or starts behind a wall end a piece.
+/// The pieces of both halves of the unstable manifold of the saddle at (q, u) on the section at `phase`, of
+/// the given period. Points whose motion escapes or starts behind a wall end a piece.
 ///
 /// # Errors
 /// An input error unless one multiplier is real and beyond ±1; the monitor's.
@@ -107,7 +109,8 @@ pub fn unstable_manifold(
     Ok(pieces)
 }
 
-/// Where a state leads in that many periods, and the derivative of that by the state: flow and saltation matrices on the way.
+/// Where a state leads in that many periods, and the derivative of that by the state: flow and saltation
+/// matrices on the way.
 ///
 /// # Errors
 /// As [`Simulator::start`]; an input error if the motion escapes.

@@ -1,8 +1,10 @@
-//! Where motions end: the stroboscopic section, attractors and their basins, Lyapunov exponents, diagrams, crises.
+//! Where motions end: the stroboscopic section, attractors and their basins, Lyapunov exponents, diagrams,
+//! crises.
 //!
-//! [`detection`] tells periodic attractors by recurrence; [`attracting`] turns one into an exact orbit; [`basins`] and [`diagram`]
-//! do it for many starts and many parameter values; [`crisis`] finds where an attractor meets the stable manifold of a saddle. All is
-//! numerical evidence. Not here: following orbits whether they attract or not (`branch`).
+//! [`detection`] tells periodic attractors by recurrence; [`attracting`] turns one into an exact orbit;
+//! [`basins`] and [`diagram`] do it for many starts and many parameter values; [`crisis`] finds where an
+//! attractor meets the stable manifold of a saddle. All is numerical evidence. Not here: following orbits
+//! whether they attract or not (`branch`).
 
 mod attracting;
 pub mod basins;

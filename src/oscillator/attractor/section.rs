@@ -18,8 +18,8 @@ pub struct SectionPoint {
     pub impacts: u64,
 }
 
-/// Shows the next `count` points at `phase` ∈ [0, 2π), the first strictly later than the run's time; false from `each` ends it early.
-/// Returns [`RunEnd::Reached`] unless the run ended by itself.
+/// Shows the next `count` points at `phase` ∈ [0, 2π), the first strictly later than the run's time; false
+/// from `each` ends it early. Returns [`RunEnd::Reached`] unless the run ended by itself.
 pub fn section(run: &mut Run, phase: f64, count: u64, mut each: impl FnMut(SectionPoint) -> bool) -> RunEnd {
     let now = run.time();
     let mut next = Time::new(now.period + i64::from(now.phase >= phase), phase);

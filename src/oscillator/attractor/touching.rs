@@ -11,8 +11,9 @@ use crate::oscillator::{
 const TIMES: u32 = 400;
 const LOOKS: u32 = 100;
 
-/// The states at `phase` whose motion grazes `wall` within the next period before any impact, as pieces of a curve: each found from
-/// its grazing contact by going back in time. To be drawn: that no wall is in the way is looked at, not proved.
+/// The states at `phase` whose motion grazes `wall` within the next period before any impact, as pieces of a
+/// curve: each found from its grazing contact by going back in time. To be drawn: that no wall is in the way
+/// is looked at, not proved.
 pub fn touching(flow: &Free, walls: &[Contact], wall: &Contact, phase: f64) -> Vec<Vec<State>> {
     let mut pieces = vec![Vec::new()];
     for i in 0..=TIMES {

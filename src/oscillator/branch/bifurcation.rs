@@ -52,8 +52,9 @@ impl Bifurcation {
         Bifurcation::ALL[monitor.min(Bifurcation::Fade as usize)]
     }
 
-    /// Whether an orbit is at it: its multipliers are the bifurcation's, and no speed is zero where multipliers are asked for.
-    /// A zero of a monitor that fails this is a pole of the multipliers seen from both sides.
+    /// Whether an orbit is at it: its multipliers are the bifurcation's, and no speed is zero where
+    /// multipliers are asked for. A zero of a monitor that fails this is a pole of the multipliers seen from
+    /// both sides.
     pub fn is_at(self, orbit: &Orbit) -> bool {
         let multipliers = &orbit.multipliers;
         let moving = orbit.impacts().all(|impact| impact.speed.abs() > STILL);
@@ -78,8 +79,8 @@ const STILL: f64 = 1e-10;
 
 /// A point of codimension two on a curve of bifurcations in two parameters.
 ///
-/// A curve of Neimark–Sacker points has no Chenciner points, where Re d would change its sign: Re d is zero all along, see
-/// [`NormalForm`](super::NormalForm).
+/// A curve of Neimark–Sacker points has no Chenciner points, where Re d would change its sign: Re d is zero
+/// all along, see [`NormalForm`](super::NormalForm).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Degeneracy {
     /// On a curve of saddle-nodes: the coefficient a vanishes, three orbits meet.
@@ -98,7 +99,8 @@ pub enum Degeneracy {
     NoDrift,
     /// On a curve of grazings: γ = 0.
     NoGamma,
-    /// On a curve of grazings: u_2 = 0; from here curves of saddle-nodes and flips of the orbit of twice the period start.
+    /// On a curve of grazings: u_2 = 0; from here curves of saddle-nodes and flips of the orbit of twice the
+    /// period start.
     Resonant2,
     /// The same with u_3 = 0 and three times the period.
     Resonant3,

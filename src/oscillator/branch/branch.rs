@@ -1,4 +1,5 @@
-//! A branch: what was found along the curve of an impact pattern, both ways from a start, and what continues from its labels.
+//! A branch: what was found along the curve of an impact pattern, both ways from a start, and what continues
+//! from its labels.
 
 use std::f64::consts::TAU;
 
@@ -178,8 +179,8 @@ impl Branch {
         self.points.iter().filter_map(|point| Some((point.label.as_deref()?, point))).collect()
     }
 
-    /// Whether an orbit at a parameter value lies on the branch, as nearly as chords can tell; impact times that differ by whole
-    /// periods are the same.
+    /// Whether an orbit at a parameter value lies on the branch, as nearly as chords can tell; impact times
+    /// that differ by whole periods are the same.
     pub fn passes(&self, orbit: &Orbit, parameter: f64) -> bool {
         let off = |a: &Orbit, b: &Orbit, part: f64| -> f64 {
             let apart = |i: usize| {
@@ -238,9 +239,11 @@ impl<'a> Orbits<'a> {
         self.place(&self.unknowns(&orbit.z, parameter), options)
     }
 
-    /// The point of the curve at u, or so near as rounding is, wherever on the curve it is: at a saddle-node too.
+    /// The point of the curve at u, or so near as rounding is, wherever on the curve it is: at a saddle-node
+    /// too.
     pub(super) fn place(&self, u: &[f64], options: &Options) -> Result<CurvePoint> {
-        // At a saddle-node the parameter must be free: any direction that is not normal to the curve fixes the point.
+        // At a saddle-node the parameter must be free: any direction that is not normal to the curve fixes
+        // the point.
         let (corrector, last) = (options.corrector(), u.len() - 1);
         let near = |place: &CurvePoint| place.u.iter().zip(u).all(|(a, b)| (a - b).abs() < 1e-6);
         let mut failure = None;
@@ -257,8 +260,9 @@ impl<'a> Orbits<'a> {
         Err(failure.unwrap_or_else(|| Error::input("Newton's method leads away from the point")))
     }
 
-    /// The branch that is born at a flip (with the doubled pattern) or crosses here (with the same): its curve and
-    /// first point. The other half of the new branch lies against the tangent; at a flip it is the same orbits, a period later.
+    /// The branch that is born at a flip (with the doubled pattern) or crosses here (with the same): its
+    /// curve and first point. The other half of the new branch lies against the tangent; at a flip it is the
+    /// same orbits, a period later.
     ///
     /// # Errors
     /// An input error at any other point, or where the two branches' tangents cannot be told apart.

@@ -1,4 +1,5 @@
-//! Which way a bifurcation on a branch goes: the coefficient of its normal form, by derivatives of the Poincaré map.
+//! Which way a bifurcation on a branch goes: the coefficient of its normal form, by derivatives of the
+//! Poincaré map.
 
 use super::Bifurcation;
 use crate::oscillator::{
@@ -8,14 +9,16 @@ use crate::oscillator::{
 
 /// The normal form of a bifurcation: see [`Derivatives`] for what the coefficient is.
 ///
-/// At a Neimark–Sacker point Re d = 0, always. Between impacts the area dq du shrinks by e^{−ct}, c the damping, whatever the stiffness and
-/// the forcing; an impact with restitution τ at a wall multiplies V dt dV by τ². Hence the Poincaré map, its time counted
-/// from one passage of the orbit to the next, multiplies the form e^{ct} V dt dV by the orbit's own determinant Π τ² e^{−cT}. Where that
-/// is 1, which only damping and restitution can bring about, the map keeps an area, and its normal form is a rotation to every
-/// order: no closed curve is born, motions wind in or out at all amplitudes alike.
+/// At a Neimark–Sacker point Re d = 0, always. Between impacts the area dq du shrinks by e^{−ct}, c the
+/// damping, whatever the stiffness and the forcing; an impact with restitution τ at a wall multiplies V dt dV
+/// by τ². Hence the Poincaré map, its time counted from one passage of the orbit to the next, multiplies the
+/// form e^{ct} V dt dV by the orbit's own determinant Π τ² e^{−cT}. Where that is 1, which only damping and
+/// restitution can bring about, the map keeps an area, and its normal form is a rotation to every order: no
+/// closed curve is born, motions wind in or out at all amplitudes alike.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NormalForm {
-    /// a (saddle-node), c (crossing with a = 0: a pitchfork), a (any other crossing), b (flip), Re d (Neimark–Sacker).
+    /// a (saddle-node), c (crossing with a = 0: a pitchfork), a (any other crossing), b (flip), Re d
+    /// (Neimark–Sacker).
     pub coefficient: f64,
     /// What it means.
     pub kind: Sense,
@@ -40,15 +43,17 @@ pub enum Sense {
 const ROUNDING: f64 = 1e-12;
 
 impl NormalForm {
-    /// The normal form of a bifurcation of an orbit; none for grazing and fading, where the Poincaré map is not smooth, and
-    /// where it cannot be computed, as at a double multiplier. The oscillator needs slopes for a saddle-node's side. Cost: that of [`return_map`].
+    /// The normal form of a bifurcation of an orbit; none for grazing and fading, where the Poincaré map is
+    /// not smooth, and where it cannot be computed, as at a double multiplier. The oscillator needs slopes
+    /// for a saddle-node's side. Cost: that of [`return_map`].
     pub fn at(oscillator: &Oscillator, orbit: &Orbit, bifurcation: Bifurcation) -> Option<NormalForm> {
         if matches!(bifurcation, Bifurcation::Grazing | Bifurcation::Fade) {
             return None;
         }
         let map = return_map(oscillator, &orbit.itinerary, &orbit.z).ok()?;
         let derivatives = Derivatives::of(&map);
-        // At a double multiplier the critical direction is no direction of its own, and the coefficients have no meaning.
+        // At a double multiplier the critical direction is no direction of its own, and the coefficients have
+        // no meaning.
         let double = (orbit.multipliers.determinant - 1.0).abs() <= 1e-9;
         let one = !matches!(bifurcation, Bifurcation::Torus);
         if one && double {
@@ -106,7 +111,8 @@ impl NormalForm {
     }
 }
 
-/// The derivative of the Poincaré map in the parameter: of (t, V) at the first impact, or of (q, u) without impacts.
+/// The derivative of the Poincaré map in the parameter: of (t, V) at the first impact, or of (q, u) without
+/// impacts.
 fn parameter_shift(oscillator: &Oscillator, orbit: &Orbit) -> Option<[f64; 2]> {
     if orbit.itinerary.strikes().is_empty() {
         let slope = crate::oscillator::orbit::linearise(oscillator, &orbit.itinerary, &orbit.z).ok()?.slope;

@@ -1,8 +1,9 @@
 //! Where two curves of solutions cross: the point to rounding, and both tangents.
 //!
-//! There the Jacobian J of F (n equations, n + 1 unknowns u) has rank n − 1, so Newton's method on F alone loses half the digits. The
-//! system F(u) + µψ = 0, J(u)ᵀψ = 0, |ψ|² = 1 in (u, µ, ψ) is regular at a simple crossing and gives it with µ = 0 (G. Moore,
-//! SIAM J. Numer. Anal. 17 (1980) 567–576). The tangents are the roots of the quadratic form ψ·F″ on J's kernel.
+//! There the Jacobian J of F (n equations, n + 1 unknowns u) has rank n − 1, so Newton's method on F alone
+//! loses half the digits. The system F(u) + µψ = 0, J(u)ᵀψ = 0, |ψ|² = 1 in (u, µ, ψ) is regular at a simple
+//! crossing and gives it with µ = 0 (G. Moore, SIAM J. Numer. Anal. 17 (1980) 567–576). The tangents are the
+//! roots of the quadratic form ψ·F″ on J's kernel.
 
 use super::curve::{Curve, CurvePoint, difference, dot, largest, norm};
 use crate::{
@@ -19,11 +20,12 @@ pub struct Crossing {
     pub other: Vec<f64>,
 }
 
-/// The step of central differences of J, whose error then is of the order of 10⁻¹⁰: it slows Newton's method, and moves no root.
+/// The step of central differences of J, whose error then is of the order of 10⁻¹⁰: it slows Newton's method,
+/// and moves no root.
 const DIFFERENCE: f64 = 6e-6;
 
-/// Whether J is so nearly of rank n − 1 at a point that curves cross there or close by: the least singular value of J
-/// with the tangent, to within a factor √n.
+/// Whether J is so nearly of rank n − 1 at a point that curves cross there or close by: the least singular
+/// value of J with the tangent, to within a factor √n.
 pub fn is_near(curve: &impl Curve, place: &CurvePoint) -> Result<bool> {
     let mut matrix = curve.equations(&place.u)?.jacobian;
     let scale = matrix.iter().fold(1.0, |most: f64, row| most.max(largest(row)));
@@ -32,7 +34,8 @@ pub fn is_near(curve: &impl Curve, place: &CurvePoint) -> Result<bool> {
     Ok(solve(matrix, right).is_none_or(|x| norm(&x) * 1e-5 * scale >= 1.0))
 }
 
-/// The crossing near a point of one of the curves. Cost: 2(n + 1) evaluations for each of a few Newton steps, O(n³).
+/// The crossing near a point of one of the curves. Cost: 2(n + 1) evaluations for each of a few Newton steps,
+/// O(n³).
 ///
 /// # Errors
 /// An input error if there is none: Newton's method does not end, or the tangents are not two.
@@ -97,7 +100,8 @@ fn tangents(curve: &impl Curve, u: &[f64], psi: &[f64], along: &[f64]) -> Result
     };
     let (by_first, by_second) = (bend(curve, u, &first)?, bend(curve, u, &second)?);
     let (a, b, c) = (form(&by_first, &first), form(&by_second, &first), form(&by_second, &second));
-    // a α² + 2b αβ + c β² = 0: the root of larger modulus of α/β or β/α without cancellation, the other from the product.
+    // a α² + 2b αβ + c β² = 0: the root of larger modulus of α/β or β/α without cancellation, the other from
+    // the product.
     let discriminant = b * b - a * c;
     if discriminant.is_nan() || discriminant <= 0.0 {
         return Err(failed());
@@ -147,8 +151,9 @@ fn unit(mut x: Vec<f64>) -> Option<Vec<f64>> {
     x.iter().all(|x| x.is_finite()).then_some(x)
 }
 
-/// A basis of the kernel of a matrix that is known to have this dimension, each vector of length 1: Gaussian elimination with complete
-/// pivoting, ended when the rank is reached; what is left then counts as 0. Cost: O(n³).
+/// A basis of the kernel of a matrix that is known to have this dimension, each vector of length 1: Gaussian
+/// elimination with complete pivoting, ended when the rank is reached; what is left then counts as 0. Cost:
+/// O(n³).
 fn null_space(matrix: &[Vec<f64>], dimension: usize) -> Option<Vec<Vec<f64>>> {
     let mut a = matrix.to_vec();
     let columns = a.first()?.len();

@@ -1,8 +1,8 @@
 //! Pseudo-arclength continuation of any curve given by n equations in n + 1 unknowns.
 //!
-//! From a point u with unit tangent t the next is predicted at u + h t and corrected by Newton's method on the equations with
-//! t·(v − u) = h. Nothing here singles out a parameter, so folds are points like others. Not here: what the equations
-//! say (`orbits`, `events`) and when to end (`follow`).
+//! From a point u with unit tangent t the next is predicted at u + h t and corrected by Newton's method on
+//! the equations with t·(v − u) = h. Nothing here singles out a parameter, so folds are points like others.
+//! Not here: what the equations say (`orbits`, `events`) and when to end (`follow`).
 
 use super::super::algebra::solve;
 use crate::error::{Error, Result};
@@ -47,13 +47,13 @@ pub struct Corrector {
     pub steps: u32,
 }
 
-/// Residuals of at most this many units in the last place are rounding's: beside a point where curves cross, where the equations
-/// are nearly singular, steps made from them would not end.
+/// Residuals of at most this many units in the last place are rounding's: beside a point where curves cross,
+/// where the equations are nearly singular, steps made from them would not end.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
 impl Corrector {
-    /// The point of the curve near `guess` in the hyperplane through it that is normal to `normal`, the tangent there within a
-    /// right angle of `normal`. Cost: O(n³) and one evaluation a step.
+    /// The point of the curve near `guess` in the hyperplane through it that is normal to `normal`, the
+    /// tangent there within a right angle of `normal`. Cost: O(n³) and one evaluation a step.
     ///
     /// # Errors
     /// An input error where the equations are not defined, or if Newton's method does not end.
@@ -88,8 +88,8 @@ impl Corrector {
         self.correct(curve, &guess, &place.tangent)
     }
 
-    /// The point of the curve nearest to `guess`, as far as Newton's method can tell that does not know the tangent yet: the
-    /// unknown `fixed` is kept. The tangent has that component not negative.
+    /// The point of the curve nearest to `guess`, as far as Newton's method can tell that does not know the
+    /// tangent yet: the unknown `fixed` is kept. The tangent has that component not negative.
     ///
     /// # Errors
     /// As [`Corrector::correct`].

@@ -17,14 +17,15 @@ pub trait Followed: Curve {
     /// An input error where that is not possible; the step is then halved.
     fn view(&self, place: &CurvePoint) -> Result<Self::View>;
 
-    /// Functions along the curve, as many at every point: where one changes sign is an event. `None` where one is not defined.
+    /// Functions along the curve, as many at every point: where one changes sign is an event. `None` where
+    /// one is not defined.
     fn monitors(&self, place: &CurvePoint, view: &Self::View) -> Vec<Option<f64>>;
 
     /// Whether the point is what the curve is followed for. Where that changes, a monitor changes sign.
     fn holds(&self, view: &Self::View) -> bool;
 
-    /// Whether two neighbouring points are so far apart that a monitor may have had two zeros between them: the step is then
-    /// halved, down to the least one.
+    /// Whether two neighbouring points are so far apart that a monitor may have had two zeros between them:
+    /// the step is then halved, down to the least one.
     fn leaps(&self, _before: &Self::View, _after: &Self::View) -> bool {
         false
     }
@@ -32,7 +33,8 @@ pub trait Followed: Curve {
     /// The unknowns that have bounds, with them.
     fn bounds(&self) -> Vec<(usize, f64, f64)>;
 
-    /// The event that a monitor's zero is, its point as exactly as it can be had; none if it is a pole or nothing happens there.
+    /// The event that a monitor's zero is, its point as exactly as it can be had; none if it is a pole or
+    /// nothing happens there.
     ///
     /// # Errors
     /// An input error where the point cannot be looked at.
@@ -78,8 +80,8 @@ pub enum CurveEnd {
     Lost(String),
 }
 
-/// The points from `start` on in the direction of its tangent, the start first, and why there are no more. Two events of one
-/// monitor within a step go unseen: `most_step` bounds what can be missed.
+/// The points from `start` on in the direction of its tangent, the start first, and why there are no more.
+/// Two events of one monitor within a step go unseen: `most_step` bounds what can be missed.
 ///
 /// # Errors
 /// An input error if the start itself cannot be looked at.
@@ -154,8 +156,8 @@ pub fn follow_until<C: Followed>(
     }
 }
 
-/// Lengths to try for a first step. Where the start is a point at which curves cross, a shorter step comes nearer to the
-/// singular point: then longer ones are tried too.
+/// Lengths to try for a first step. Where the start is a point at which curves cross, a shorter step comes
+/// nearer to the singular point: then longer ones are tried too.
 enum FirstStep {
     Shorter,
     Longer,
@@ -253,12 +255,14 @@ impl<C: Followed> Walk<'_, C> {
         Ok((steps, next, end))
     }
 
-    /// The point at h of a step that led from a to b, guessed so near that Newton's method keeps to this curve where another crosses.
+    /// The point at h of a step that led from a to b, guessed so near that Newton's method keeps to this
+    /// curve where another crosses.
     fn between(&self, a: &CurvePoint, b: &CurvePoint, reach: f64, h: f64) -> Result<CurvePoint> {
         self.corrector.correct(self.curve, &cubic(a, b, h / reach), &a.tangent)
     }
 
-    /// The zero of a function close to h, where the equations are so nearly singular that no point can be had: from the points on either side.
+    /// The zero of a function close to h, where the equations are so nearly singular that no point can be
+    /// had: from the points on either side.
     fn across(
         &self,
         at: impl Fn(f64) -> Result<(Option<f64>, CurvePoint)>,
@@ -293,8 +297,8 @@ impl<C: Followed> Walk<'_, C> {
             let view = self.curve.view(&place)?;
             Ok((self.curve.monitors(&place, &view)[which], place))
         };
-        // A start may be an event itself, or where curves meet: then it is looked at from a little further on, where the signs of
-        // what vanishes there are certain.
+        // A start may be an event itself, or where curves meet: then it is looked at from a little further
+        // on, where the signs of what vanishes there are certain.
         let mut before = self.curve.monitors(&here.place, &here.view);
         let vanishes = |value: &Option<f64>| value.is_some_and(|value| value.abs() < 1e-7);
         let mut first = 0.0;
@@ -362,8 +366,8 @@ fn cubic(a: &CurvePoint, b: &CurvePoint, s: f64) -> Vec<f64> {
     (0..a.u.len()).map(at).collect()
 }
 
-/// Where a function changes sign, by the Illinois rule with bisections: to a few units in the last place, with its
-/// argument's point; no point if the function fails there.
+/// Where a function changes sign, by the Illinois rule with bisections: to a few units in the last place,
+/// with its argument's point; no point if the function fails there.
 fn root(
     function: impl Fn(f64) -> Result<(Option<f64>, CurvePoint)>,
     mut a: (f64, f64),

@@ -1,4 +1,5 @@
-//! The first bifurcation of a kind on the branch through an orbit: the branch followed both ways until it is met.
+//! The first bifurcation of a kind on the branch through an orbit: the branch followed both ways until it is
+//! met.
 
 use std::fmt;
 
@@ -54,8 +55,9 @@ pub struct Nothing {
     pub sides: [OneWay; 2],
 }
 
-/// The bifurcation of a kind that is nearest along the branch through an orbit: followed both ways, no further than `reach` in the norm
-/// of times, speeds and parameter, and not beyond the branch's ends as one of orbits. Cost: as of the branch.
+/// The bifurcation of a kind that is nearest along the branch through an orbit: followed both ways, no
+/// further than `reach` in the norm of times, speeds and parameter, and not beyond the branch's ends as one
+/// of orbits. Cost: as of the branch.
 ///
 /// # Errors
 /// An input error if the branch cannot be followed at the orbit itself.

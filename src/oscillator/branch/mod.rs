@@ -1,7 +1,7 @@
 //! Branches of periodic orbits over a parameter: continuation, events, switching, events in two parameters.
 //!
-//! `curve` follows any curve, [`Orbits`] is the one of orbits with an impact pattern, [`Branch`] what was found along it.
-//! Not here: attractors (`attractor`).
+//! `curve` follows any curve, [`Orbits`] is the one of orbits with an impact pattern, [`Branch`] what was
+//! found along it. Not here: attractors (`attractor`).
 
 mod bifurcation;
 #[expect(clippy::module_inception)]

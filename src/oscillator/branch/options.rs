@@ -3,12 +3,13 @@
 use super::curve::Corrector;
 use crate::error::{Error, Result};
 
-/// Hands the declaration of [`Options`] to another macro: here it becomes the struct with its defaults, in `scene` a table of keys.
+/// Hands the declaration of [`Options`] to another macro: here it becomes the struct with its defaults, in
+/// `scene` a table of keys.
 macro_rules! with_options {
     ($use:ident) => {
         $use! {
-            /// How a branch is followed. Lengths are those of the curve in its unknowns: impact times in radians of the
-            /// forcing period, speeds as they are, each parameter as a fraction of its range.
+            /// How a branch is followed. Lengths are those of the curve in its unknowns: impact times in
+            /// radians of the forcing period, speeds as they are, each parameter as a fraction of its range.
             pub struct Options {
                 /// the length of the first step
                 step: f64 = 0.01,
@@ -24,7 +25,8 @@ macro_rules! with_options {
                 tolerance: f64 = 1e-11,
                 /// most Newton steps for a point; a step of the branch that needs more is halved
                 newton: u32 = 8,
-                /// whether to go on where solutions are no orbits: an impact that goes out, a forbidden excursion
+                /// whether to go on where solutions are no orbits: an impact that goes out, a forbidden
+                /// excursion
                 beyond: bool = false,
             }
         }

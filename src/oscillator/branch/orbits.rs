@@ -10,8 +10,8 @@ use crate::{
     oscillator::orbit::{Family, Itinerary, Orbit, Root, Unknowns, describe, linearise},
 };
 
-/// The solutions of the pattern equations over a range of a parameter: the unknowns are those of the pattern and, last, the
-/// parameter in units of its own.
+/// The solutions of the pattern equations over a range of a parameter: the unknowns are those of the pattern
+/// and, last, the parameter in units of its own.
 #[derive(Clone)]
 pub struct Orbits<'a> {
     /// The oscillators, with slopes.
@@ -32,8 +32,8 @@ impl<'a> Orbits<'a> {
         Orbits { family, itinerary, origin: low, unit: high - low, bounds: (0.0, 1.0) }
     }
 
-    /// The orbits of a pattern up to `reach` away from a parameter value: lengths are those of times, speeds and the
-    /// parameter as they are.
+    /// The orbits of a pattern up to `reach` away from a parameter value: lengths are those of times, speeds
+    /// and the parameter as they are.
     pub fn around(family: &'a dyn Family, itinerary: Itinerary, centre: f64, reach: f64) -> Orbits<'a> {
         Orbits { family, itinerary, origin: centre, unit: 1.0, bounds: (-reach, reach) }
     }
@@ -126,9 +126,10 @@ impl Followed for Orbits<'_> {
     }
 }
 
-/// The functions whose zeros are events, in their order, the speeds last; `turn` is the tangent's parameter component, if there is
-/// one parameter. Multipliers grow like 1/V at an impact of small speed V: the product of the speeds takes the poles away.
-/// (1−λ₁)(1−λ₂) vanishes with `turn` at a saddle-node, and alone where branches cross.
+/// The functions whose zeros are events, in their order, the speeds last; `turn` is the tangent's parameter
+/// component, if there is one parameter. Multipliers grow like 1/V at an impact of small speed V: the product
+/// of the speeds takes the poles away. (1−λ₁)(1−λ₂) vanishes with `turn` at a saddle-node, and alone where
+/// branches cross.
 pub(super) fn monitors(orbit: &Orbit, turn: Option<f64>) -> Vec<Option<f64>> {
     let finite = |x: f64| Some(x).filter(|x| x.is_finite());
     let speeds = || orbit.impacts().map(|impact| impact.speed);

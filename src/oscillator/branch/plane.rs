@@ -1,4 +1,5 @@
-//! An event followed in two parameters: the pattern equations with one more, that the event's function is zero.
+//! An event followed in two parameters: the pattern equations with one more, that the event's function is
+//! zero.
 
 use std::f64::consts::{PI, TAU};
 
@@ -34,8 +35,8 @@ impl<F: Fn([f64; 2]) -> Result<Oscillator> + Sync> TwoParameterFamily for F {
     }
 }
 
-/// The orbits of a pattern at which one event happens: the unknowns are those of the pattern and both parameters as
-/// fractions of their ranges.
+/// The orbits of a pattern at which one event happens: the unknowns are those of the pattern and both
+/// parameters as fractions of their ranges.
 pub struct Events<'a> {
     /// The oscillators.
     pub plane: &'a dyn TwoParameterFamily,
@@ -104,9 +105,10 @@ impl Events<'_> {
 }
 
 impl Events<'_> {
-    /// Where branches cross the pattern equations are singular, and in two parameters they cross along a curve only where a symmetry
-    /// is lost: at pitchforks of symmetric orbits. Among those the equations are regular: the second half of the pattern, in place of its own
-    /// equations, is the mirror of the first, half a period later.
+    /// Where branches cross the pattern equations are singular, and in two parameters they cross along a
+    /// curve only where a symmetry is lost: at pitchforks of symmetric orbits. Among those the equations are
+    /// regular: the second half of the pattern, in place of its own equations, is the mirror of the first,
+    /// half a period later.
     fn symmetric(&self, oscillator: &Oscillator, z: &[f64], values: &mut [f64]) -> Result<()> {
         let strikes = self.itinerary.strikes();
         let half = strikes.len() / 2;
@@ -135,7 +137,8 @@ impl Events<'_> {
 }
 
 impl Curve for Events<'_> {
-    /// Derivatives by central differences: the zeros are as exact as the functions, only the approach is slower.
+    /// Derivatives by central differences: the zeros are as exact as the functions, only the approach is
+    /// slower.
     fn equations(&self, u: &[f64]) -> Result<Equations> {
         let residual = self.values(u)?;
         let mut jacobian = vec![vec![0.0; u.len()]; residual.len()];
@@ -178,7 +181,8 @@ impl Followed for Events<'_> {
         describe(&self.plane.at(parameters)?, &self.itinerary, root)
     }
 
-    /// What makes a point one of codimension two, then the other bifurcations: points where two happen at once.
+    /// What makes a point one of codimension two, then the other bifurcations: points where two happen at
+    /// once.
     fn monitors(&self, place: &CurvePoint, orbit: &Orbit) -> Vec<Option<f64>> {
         let mut all = self.degeneracies(place, orbit);
         let mut others = monitors(orbit, None);
@@ -201,7 +205,8 @@ impl Followed for Events<'_> {
         all
     }
 
-    /// Two zeros of one u_n are not to lie within a step: for n ≤ 6 they are at least π/5 apart in θ, trace = 2 √det cos θ.
+    /// Two zeros of one u_n are not to lie within a step: for n ≤ 6 they are at least π/5 apart in θ, trace =
+    /// 2 √det cos θ.
     fn leaps(&self, before: &Orbit, after: &Orbit) -> bool {
         let angle = |orbit: &Orbit| {
             let Multipliers { trace, determinant } = orbit.multipliers;
@@ -244,8 +249,8 @@ impl Followed for Events<'_> {
 }
 
 impl Events<'_> {
-    /// The functions whose zeros are of codimension two, in the order of [`Degeneracy::ALL`]; `None` where they are not
-    /// defined or another curve's.
+    /// The functions whose zeros are of codimension two, in the order of [`Degeneracy::ALL`]; `None` where
+    /// they are not defined or another curve's.
     fn degeneracies(&self, place: &CurvePoint, orbit: &Orbit) -> Vec<Option<f64>> {
         let mut all = vec![None; Degeneracy::ALL.len()];
         let (trace, det) = (orbit.multipliers.trace, orbit.multipliers.determinant);

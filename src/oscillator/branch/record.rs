@@ -38,7 +38,8 @@ pub struct Label {
     pub tangent: Vec<f64>,
 }
 
-/// A branch over parameters of these names as JSON: the pattern, every point with its label if it has one, the ends.
+/// A branch over parameters of these names as JSON: the pattern, every point with its label if it has one,
+/// the ends.
 pub fn record(branch: &Branch, parameters: &[&str]) -> Value {
     let points: Vec<Value> = branch
         .points

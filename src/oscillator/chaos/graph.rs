@@ -1,4 +1,5 @@
-//! Graphs of letters: how fast their paths grow, which part of one is richest, and which graph is born at a grazing.
+//! Graphs of letters: how fast their paths grow, which part of one is richest, and which graph is born at a
+//! grazing.
 
 use std::collections::HashSet;
 
@@ -29,7 +30,8 @@ impl LetterGraph {
         self.component(0).len() == self.letters.len()
     }
 
-    /// The letters that can be reached from one and from which it can be reached, itself included even if not so.
+    /// The letters that can be reached from one and from which it can be reached, itself included even if not
+    /// so.
     fn component(&self, start: usize) -> Vec<usize> {
         let reach = |next: &dyn Fn(usize) -> Vec<usize>| {
             let mut known = vec![false; self.letters.len()];
@@ -62,7 +64,8 @@ impl LetterGraph {
         parts.max_by(|a, b| a.growth().0.total_cmp(&b.growth().0))
     }
 
-    /// The growth rate 1/z of a connected graph, where M(z) has the eigenvalue 1, and the positive eigenvector there, of greatest entry 1.
+    /// The growth rate 1/z of a connected graph, where M(z) has the eigenvalue 1, and the positive
+    /// eigenvector there, of greatest entry 1.
     pub fn growth(&self) -> (f64, Vec<f64>) {
         let eigen = |z: f64| {
             let mut vector = vec![1.0; self.letters.len()];
@@ -91,7 +94,8 @@ impl LetterGraph {
         (1.0 / hi, eigen(hi).1)
     }
 
-    /// Whether the growth rates of a certificate of this graph are proved by its vector, and its periods tell its paths.
+    /// Whether the growth rates of a certificate of this graph are proved by its vector, and its periods tell
+    /// its paths.
     pub(super) fn claims(&self, certificate: &Certificate) -> Result<(), String> {
         let periods = |list: &[usize]| {
             list.iter().map(|&v| self.letters[v]).collect::<HashSet<u64>>().len() == list.len()
@@ -119,7 +123,8 @@ impl LetterGraph {
         Ok(())
     }
 
-    /// Each letter told apart by how many of the letters `of` follow it, up to `depth`: more boxes, the same words.
+    /// Each letter told apart by how many of the letters `of` follow it, up to `depth`: more boxes, the same
+    /// words.
     #[must_use]
     pub fn with_history(&self, of: u64, depth: usize) -> LetterGraph {
         let vertices: Vec<(usize, usize)> =
@@ -140,7 +145,8 @@ impl LetterGraph {
     }
 }
 
-/// The graph at the grazing, ν → 0, in the middle of the ranges: n is a letter if (33) holds strictly, n may follow m if (64) does. Up to `most` periods.
+/// The graph at the grazing, ν → 0, in the middle of the ranges: n is a letter if (33) holds strictly, n may
+/// follow m if (64) does. Up to `most` periods.
 pub fn born(problem: &Problem, most: u64) -> LetterGraph {
     let middle = problem.spans().map(|span| Span::point(span.middle()));
     let [damping, stiffness, force, restitution, _] = middle;

@@ -1,4 +1,5 @@
-//! The map of docs/chaos.md over a box of parameters, in spans: impacts by their strength s, legs with their derivatives, gaps.
+//! The map of docs/chaos.md over a box of parameters, in spans: impacts by their strength s, legs with their
+//! derivatives, gaps.
 
 use super::span::Span;
 
@@ -147,7 +148,8 @@ impl Cell {
         Leg { after, before, after_slopes, before_slopes }
     }
 
-    /// The greatest q/ν on a leg of n periods from these impacts with these velocities, and why its gap may not be positive.
+    /// The greatest q/ν on a leg of n periods from these impacts with these velocities, and why its gap may
+    /// not be positive.
     pub fn gap(
         &self,
         periods: u64,

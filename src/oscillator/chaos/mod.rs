@@ -1,8 +1,10 @@
-//! Chaos proved: every bi-infinite path of a graph of periods is an orbit of a linear oscillator with one wall.
+//! Chaos proved: every bi-infinite path of a graph of periods is an orbit of a linear oscillator with one
+//! wall.
 //!
-//! docs/chaos.md has the theorem. [`prove`] looks for boxes and weights (`search`, in plain floats: `span`, `map`), writes a certificate of
-//! kind `chaos` and has it checked; what is proved is what the checker proves. [`Problem`] is in the normal form, to which `normal` brings an
-//! oscillator. Not here: the keys of a scene, reports.
+//! docs/chaos.md has the theorem. [`prove`] looks for boxes and weights (`search`, in plain floats: `span`,
+//! `map`), writes a certificate of kind `chaos` and has it checked; what is proved is what the checker
+//! proves. [`Problem`] is in the normal form, to which `normal` brings an oscillator. Not here: the keys of a
+//! scene, reports.
 
 mod graph;
 mod map;
@@ -105,8 +107,9 @@ pub fn prove(
     Ok(Err(failures))
 }
 
-/// Whether the conditions of a certificate hold as far as floats tell: H0 to H4 in its cells, its growth rate, and that its periods tell its paths.
-/// It shares nothing with the checker but the certificate's type, and rounds to nearest: margins below about 1e-12 are not seen.
+/// Whether the conditions of a certificate hold as far as floats tell: H0 to H4 in its cells, its growth
+/// rate, and that its periods tell its paths. It shares nothing with the checker but the certificate's type,
+/// and rounds to nearest: margins below about 1e-12 are not seen.
 pub fn holds(certificate: &Certificate) -> std::result::Result<(), String> {
     let number = |x: Fraction| BigRational::new(x.p.into(), x.q.into());
     let problem = Problem {
@@ -127,7 +130,8 @@ fn float(x: Decimal) -> f64 {
     x.digits as f64 / 10f64.powi(x.places as i32)
 }
 
-/// Into how many parts the phases of each letter's impacts are cut, in the order to try: first none, then those of the longest letters, then all.
+/// Into how many parts the phases of each letter's impacts are cut, in the order to try: first none, then
+/// those of the longest letters, then all.
 fn search_parts(problem: &Problem, level: u32) -> Vec<Vec<u64>> {
     let longest = problem.letters.iter().copied().max().unwrap_or(0);
     let with = |long: u64, short: u64| {

@@ -1,4 +1,5 @@
-//! The normal form q″ = −c q′ − k q + f above the wall σν − 1 + cos t of an oscillator with one wall and one harmonic: the three steps at the head of docs/chaos.md.
+//! The normal form q″ = −c q′ − k q + f above the wall σν − 1 + cos t of an oscillator with one wall and one
+//! harmonic: the three steps at the head of docs/chaos.md.
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -20,18 +21,21 @@ pub struct Normal {
     pub behind: bool,
     /// Which wall: an upper one is turned below by q → −q.
     pub side: Side,
-    /// Whether the motion without the wall grazes it at the end of the parameter's range, so that this end does not belong to what is proved.
+    /// Whether the motion without the wall grazes it at the end of the parameter's range, so that this end
+    /// does not belong to what is proved.
     pub open: bool,
 }
 
 type Function = RationalFunction;
 
 impl Normal {
-    /// Of a system whose coefficients are functions of a parameter; `measured` has ranges of c, k and τ where these are known by ranges only.
+    /// Of a system whose coefficients are functions of a parameter; `measured` has ranges of c, k and τ where
+    /// these are known by ranges only.
     ///
     /// # Errors
-    /// An input error that says what the normal form does not cover: two walls, none, a cubic spring, other harmonics than the first, a motion
-    /// without the wall that is not unique, a wall that does not move, a grazing within the range, a dependence too intricate to bound.
+    /// An input error that says what the normal form does not cover: two walls, none, a cubic spring, other
+    /// harmonics than the first, a motion without the wall that is not unique, a wall that does not move, a
+    /// grazing within the range, a dependence too intricate to bound.
     pub fn of(system: &System<Function>, measured: Option<[[BigRational; 2]; 3]>) -> Result<Normal> {
         let (side, wall) = match (&system.lower, &system.upper) {
             (Some(wall), None) => (Side::Lower, wall),

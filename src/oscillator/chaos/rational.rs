@@ -1,7 +1,9 @@
-//! Rational functions of one variable x > 0 with exact coefficients: how a system's coefficients depend on a parameter.
+//! Rational functions of one variable x > 0 with exact coefficients: how a system's coefficients depend on a
+//! parameter.
 //!
-//! A parameter in a range from `from` (not included) to `to` is (from + to x)/(1 + x), one without an upper end from + x. A quotient of polynomials
-//! without negative coefficients is positive for every x > 0: that is the only test of signs here, and it never errs.
+//! A parameter in a range from `from` (not included) to `to` is (from + to x)/(1 + x), one without an upper
+//! end from + x. A quotient of polynomials without negative coefficients is positive for every x > 0: that is
+//! the only test of signs here, and it never errs.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 

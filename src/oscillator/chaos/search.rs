@@ -1,8 +1,9 @@
 //! Finds boxes, weights and cells for which the theorem's conditions hold, as far as floats tell.
 //!
-//! The map of docs/chaos.md is iterated on boxes, from points, until they change no more: the least boxes that it keeps, if there are such. The weights
-//! are about the eigenvector of the greatest derivatives (of F(w)_n, the greatest over all triples of what H2 bounds). Cells and parts of phases
-//! are doubled until this succeeds and the checker agrees.
+//! The map of docs/chaos.md is iterated on boxes, from points, until they change no more: the least boxes
+//! that it keeps, if there are such. The weights are about the eigenvector of the greatest derivatives (of
+//! F(w)_n, the greatest over all triples of what H2 bounds). Cells and parts of phases are doubled until this
+//! succeeds and the checker agrees.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -153,7 +154,8 @@ impl<'a> Attempt<'a> {
         self.problem.letters.iter().map(leg).collect()
     }
 
-    /// The image of boxes, and the greatest derivatives on them for each triple; for each cell and part of phases if `apart`.
+    /// The image of boxes, and the greatest derivatives on them for each triple; for each cell and part of
+    /// phases if `apart`.
     fn image(&self, boxes: &[[Span; 2]], apart: bool) -> Result<(Vec<[Span; 2]>, Vec<Slopes>), String> {
         let mut image: Vec<Option<[Span; 2]>> = vec![None; boxes.len()];
         let mut slopes: Vec<Slopes> = Vec::new();

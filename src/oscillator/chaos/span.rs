@@ -1,4 +1,5 @@
-//! Intervals of floats without directed rounding: they guide the search and promise nothing. What is proved, the checker proves.
+//! Intervals of floats without directed rounding: they guide the search and promise nothing. What is proved,
+//! the checker proves.
 
 use std::ops::{Add, Mul, Neg, Sub};
 

@@ -6,9 +6,10 @@ use crate::{
     oscillator::System,
 };
 
-/// q″ + c q′ + s q = f(t) solved: x(t) = p(t) + E(t − t₀)(x(t₀) − p(t₀)), with E the exponential of the companion matrix and p a
-/// particular solution that stays moderate at and near resonance. Every damping and stiffness is allowed, also negative.
-/// Error: a few units in the last place of the largest of E's entries and p's terms, times 1 + |ω|·duration.
+/// q″ + c q′ + s q = f(t) solved: x(t) = p(t) + E(t − t₀)(x(t₀) − p(t₀)), with E the exponential of the
+/// companion matrix and p a particular solution that stays moderate at and near resonance. Every damping and
+/// stiffness is allowed, also negative. Error: a few units in the last place of the largest of E's entries
+/// and p's terms, times 1 + |ω|·duration.
 #[derive(Debug, Clone)]
 pub struct Linear {
     equation: Equation,
@@ -104,9 +105,10 @@ impl Exponential {
         if self.oscillates { self.stiffness.sqrt() } else { self.damping.abs() / 2.0 + self.root }
     }
 
-    /// The matrix at t. With C = cos or cosh, S = sin or sinh over the root (t at a root of 0: near critical damping nothing cancels, both
-    /// are entire in s − c²/4), it is e^{−ct/2} [[C + cS/2, S], [−sS, C − cS/2]]; far from critical damping by e^{λt} for each λ, so that neither
-    /// overflow nor cancellation touches the slow one.
+    /// The matrix at t. With C = cos or cosh, S = sin or sinh over the root (t at a root of 0: near critical
+    /// damping nothing cancels, both are entire in s − c²/4), it is e^{−ct/2} [[C + cS/2, S], [−sS, C −
+    /// cS/2]]; far from critical damping by e^{λt} for each λ, so that neither overflow nor cancellation
+    /// touches the slow one.
     pub fn at(&self, t: f64) -> Matrix2 {
         let (c, s, angle) = (self.damping, self.stiffness, self.root * t);
         if !self.oscillates && angle.abs() > 0.5 {

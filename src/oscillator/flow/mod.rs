@@ -31,7 +31,8 @@ pub enum Free {
 }
 
 impl Free {
-    /// The flow of a system without its walls; `tolerance` is that of [`Taylor::new`] and not looked at in closed form.
+    /// The flow of a system without its walls; `tolerance` is that of [`Taylor::new`] and not looked at in
+    /// closed form.
     ///
     /// # Errors
     /// Those of [`Linear::new`] and [`Taylor::new`].
@@ -121,7 +122,8 @@ mod tests {
         System { damping, stiffness, cubic: 0.0, force, forcing, lower: None, upper: None }
     }
 
-    /// Damped, undamped, critical and nearly, zero and negative stiffness, resonant and nearly, with force and harmonics.
+    /// Damped, undamped, critical and nearly, zero and negative stiffness, resonant and nearly, with force
+    /// and harmonics.
     fn systems() -> Vec<System<f64>> {
         let mut all = Vec::new();
         for (c, s) in [

@@ -4,8 +4,8 @@ use super::{Equation, apply, linear::Exponential};
 use crate::oscillator::Harmonic;
 use std::f64::consts::TAU;
 
-/// Below this distance of i k from an eigenvalue (of 0 from a stiffness for the constant force) the periodic response would be
-/// large and cancel against the homogeneous motion: a secular term takes its place.
+/// Below this distance of i k from an eigenvalue (of 0 from a stiffness for the constant force) the periodic
+/// response would be large and cancel against the homogeneous motion: a secular term takes its place.
 const NEAR: f64 = 1.0 / 16.0;
 
 /// p with p″ + c p′ + s p = f, as the sum over the terms of f.
@@ -22,8 +22,9 @@ pub(super) struct Response {
     resonant: Vec<Resonant>,
 }
 
-/// The secular response to one harmonic, Re(z w(t)) with w = (e^{ikt} − e^{λt}) / (ik − λ): the solution of (D − λ) w = e^{ikt} at rest at 0, which
-/// tends to t e^{ikt} as λ → ik. As λ̄ is far from ik, z = (cos − i sin) / (ik − λ̄).
+/// The secular response to one harmonic, Re(z w(t)) with w = (e^{ikt} − e^{λt}) / (ik − λ): the solution of
+/// (D − λ) w = e^{ikt} at rest at 0, which tends to t e^{ikt} as λ → ik. As λ̄ is far from ik, z = (cos − i
+/// sin) / (ik − λ̄).
 #[derive(Debug, Clone, Copy)]
 struct Resonant {
     k: f64,
@@ -98,8 +99,9 @@ impl Resonant {
     }
 }
 
-/// The response to the constant force 1 from rest at 0: p″ + c p′ + s p = 1, for |s| < `NEAR`. p′ is E₁₂; p is its integral, by whichever
-/// of three forms does not cancel: (1 − E₁₁)/s, a Taylor series, or both real eigenvalues apart.
+/// The response to the constant force 1 from rest at 0: p″ + c p′ + s p = 1, for |s| < `NEAR`. p′ is E₁₂; p
+/// is its integral, by whichever of three forms does not cancel: (1 − E₁₁)/s, a Taylor series, or both real
+/// eigenvalues apart.
 fn pushed(exponential: &Exponential, t: f64) -> [f64; 2] {
     let (c, s) = (exponential.damping, exponential.stiffness);
     let e = exponential.at(t);

@@ -1,8 +1,10 @@
-//! The flow by Taylor series of any order with a tolerance: for cubic stiffness, and to compare with the closed form.
+//! The flow by Taylor series of any order with a tolerance: for cubic stiffness, and to compare with the
+//! closed form.
 //!
-//! The equation is polynomial in q, q′ and sines of t, so that its Taylor coefficients follow from one another by sums of products. A step's
-//! polynomial *is* the dense output, as good inside the step as at its end, and a polynomial is what the search for impacts can bound from
-//! below on whole intervals; the interpolants of Runge–Kutta codes are of lower order than their steps and have no such bound. Hence no
+//! The equation is polynomial in q, q′ and sines of t, so that its Taylor coefficients follow from one
+//! another by sums of products. A step's polynomial *is* the dense output, as good inside the step as at its
+//! end, and a polynomial is what the search for impacts can bound from below on whole intervals; the
+//! interpolants of Runge–Kutta codes are of lower order than their steps and have no such bound. Hence no
 //! integrator crate here.
 
 use super::{Equation, Flow, Matrix2, State, product};
@@ -17,7 +19,8 @@ pub(in crate::oscillator) const TERMS: usize = 24;
 /// No step is longer than a quarter of the forcing period.
 const LONGEST: f64 = std::f64::consts::FRAC_PI_2;
 
-/// Adaptive Taylor series: order N from the tolerance, step such that the last two terms of q and of q′ stay under it.
+/// Adaptive Taylor series: order N from the tolerance, step such that the last two terms of q and of q′ stay
+/// under it.
 #[derive(Debug, Clone)]
 pub struct Taylor {
     recurrence: Recurrence,
@@ -33,8 +36,9 @@ pub(in crate::oscillator) struct Expansion {
 }
 
 impl Taylor {
-    /// `tolerance`, from 1e-3 to 1e-15, bounds the last terms kept of each step's series, relative to 1 + |q| + |u|; the estimated local error
-    /// is a seventh of it. A step costs O(N²) for a cubic term, else O(N) per harmonic, N ≈ 3 − ln(tolerance)/2.
+    /// `tolerance`, from 1e-3 to 1e-15, bounds the last terms kept of each step's series, relative to
+    /// 1 + |q| + |u|; the estimated local error is a seventh of it. A step costs O(N²) for a cubic term, else
+    /// O(N) per harmonic, N ≈ 3 − ln(tolerance)/2.
     ///
     /// # Errors
     /// A tolerance outside its range, a coefficient that is not finite.
@@ -116,7 +120,8 @@ impl Flow for Taylor {
 pub(in crate::oscillator) struct Recurrence(pub Equation);
 
 impl Recurrence {
-    /// Fills `q` with the coefficients of x ↦ q(t + hx) and returns those of its square (zeros without a cubic term).
+    /// Fills `q` with the coefficients of x ↦ q(t + hx) and returns those of its square (zeros without a
+    /// cubic term).
     pub fn expand(&self, from: State, h: f64, q: &mut [f64]) -> [f64; TERMS] {
         let Equation { damping, stiffness, cubic, ref forcing } = self.0;
         let mut force = [0.0; TERMS];

@@ -1,9 +1,11 @@
-//! The grazing of a symmetric orbit at both walls at once: the local theory of its half-period map, which has one wall.
+//! The grazing of a symmetric orbit at both walls at once: the local theory of its half-period map, which has
+//! one wall.
 //!
-//! If the system is its own mirror image half a period later, S: (q, u, t) ↦ (−q, −u, t + π), then H, half a period of motion followed by S's
-//! mirror, is a map whose square is the period's, and it sees one wall: a symmetric orbit is its fixed point. With Φ the linearised motion over
-//! half of the orbit's period, H has A = −Φ, and the same a_G, τ and e as either wall alone. Here: orbits that have no impacts
-//! but the two grazings. Not here: symmetric orbits with further impacts.
+//! If the system is its own mirror image half a period later, S: (q, u, t) ↦ (−q, −u, t + π), then H, half a
+//! period of motion followed by S's mirror, is a map whose square is the period's, and it sees one wall: a
+//! symmetric orbit is its fixed point. With Φ the linearised motion over half of the orbit's period, H has A
+//! = −Φ, and the same a_G, τ and e as either wall alone. Here: orbits that have no impacts but the two
+//! grazings. Not here: symmetric orbits with further impacts.
 
 use std::f64::consts::PI;
 
@@ -62,8 +64,9 @@ impl Grazing {
         Some(LocalMap { a, multipliers: Multipliers { trace: trace(&a), determinant }, ..self.map })
     }
 
-    /// The start for Newton's method on the true system for a pattern of the half-period map: as [`Grazing::start`], the walls
-    /// alternating with the halves; a pattern with an odd number of halves is gone round twice.
+    /// The start for Newton's method on the true system for a pattern of the half-period map: as
+    /// [`Grazing::start`], the walls alternating with the halves; a pattern with an odd number of halves is
+    /// gone round twice.
     ///
     /// # Errors
     /// An input error if the report has no solution.

@@ -13,7 +13,8 @@ use crate::{
     pattern::{Entry, Map},
 };
 
-/// (40)–(44) in the coordinates x = ±(q − Q, u − Q′) at the phase of grazing: C = (1, 0), B = (0, √(2a_G)(1+τ))ᵀ.
+/// (40)–(44) in the coordinates x = ±(q − Q, u − Q′) at the phase of grazing: C = (1, 0), B = (0,
+/// √(2a_G)(1+τ))ᵀ.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LocalMap {
     /// A: the linearisation of the grazing orbit's full period, its other impacts included.
@@ -93,8 +94,8 @@ impl LocalMap {
         )
     }
 
-    /// L = Π −C A^{n_i} B / (2 Y_i) of a pattern: the large eigenvalue is L (eµ)^{−m} to leading order (36), by (57) in floats;
-    /// `None` on a singular boundary.
+    /// L = Π −C A^{n_i} B / (2 Y_i) of a pattern: the large eigenvalue is L (eµ)^{−m} to leading order (36),
+    /// by (57) in floats; `None` on a singular boundary.
     pub fn leading(&self, periods: &[u64]) -> Option<f64> {
         let power = |n: u64| (0..n).fold([[1.0, 0.0], [0.0, 1.0]], |power, _| product(&self.a, &power));
         let powers: Vec<Matrix2> = periods.iter().map(|&n| power(n)).collect();
@@ -109,8 +110,8 @@ impl LocalMap {
         product.is_finite().then_some(product)
     }
 
-    /// The map for the local theory, every computed entry widened by 10⁻¹² of the largest: far more than its error where Newton's
-    /// method has converged, but no proof.
+    /// The map for the local theory, every computed entry widened by 10⁻¹² of the largest: far more than its
+    /// error where Newton's method has converged, but no proof.
     ///
     /// # Errors
     /// An input error if a_G is not positive, and those of [`Map::new`].

@@ -1,4 +1,5 @@
-//! A grazing orbit is a solution of the pattern equations with one more impact, of speed 0, and the parameter unknown.
+//! A grazing orbit is a solution of the pattern equations with one more impact, of speed 0, and the parameter
+//! unknown.
 
 use std::f64::consts::TAU;
 
@@ -27,13 +28,15 @@ pub struct Grazing {
     pub residual: f64,
     /// Whether it is an orbit: its other impacts come in, and every other minimum of a gap is positive.
     pub admissible: bool,
-    /// Another minimum of a gap that is zero to rounding: the orbit grazes twice, and the map is not the whole theory.
+    /// Another minimum of a gap that is zero to rounding: the orbit grazes twice, and the map is not the
+    /// whole theory.
     pub second: Option<Minimum>,
     /// The map there.
     pub map: LocalMap,
 }
 
-/// A gap smaller than this, where another is zero, is zero too: some thousand times what Newton's method leaves.
+/// A gap smaller than this, where another is zero, is zero too: some thousand times what Newton's method
+/// leaves.
 const TWICE: f64 = 1e-11;
 
 impl Grazing {
@@ -48,8 +51,8 @@ impl Grazing {
     }
 }
 
-/// The grazing bifurcation near `orbit` at `parameter`: its least minimum of a gap becomes the grazing point, its time and the
-/// parameter the last two unknowns. Quadratic convergence; nothing is differenced.
+/// The grazing bifurcation near `orbit` at `parameter`: its least minimum of a gap becomes the grazing point,
+/// its time and the parameter the last two unknowns. Quadratic convergence; nothing is differenced.
 ///
 /// # Errors
 /// An input error if the orbit has no minimum of a gap, as [`newton`], or if det(I − A) = 0 there.

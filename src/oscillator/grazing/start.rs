@@ -12,10 +12,11 @@ use crate::{
 };
 
 impl Grazing {
-    /// The pattern equations' unknowns for the pattern (n₁, …, n_m) of `report` at `parameter`, to leading order in its
-    /// distance η/e from the bifurcation, and their itinerary: between two low-velocity impacts the grazing orbit is gone
-    /// round n_i times, its own impacts displaced. Low-velocity impact i follows the n_{i−1} rounds, with speed
-    /// √(2a_G) ηY_{i−1}, where z′ = −V on the parabola of curvature a_G that the motion follows there.
+    /// The pattern equations' unknowns for the pattern (n₁, …, n_m) of `report` at `parameter`, to leading
+    /// order in its distance η/e from the bifurcation, and their itinerary: between two low-velocity impacts
+    /// the grazing orbit is gone round n_i times, its own impacts displaced. Low-velocity impact i follows
+    /// the n_{i−1} rounds, with speed √(2a_G) ηY_{i−1}, where z′ = −V on the parabola of curvature a_G that
+    /// the motion follows there.
     ///
     /// # Errors
     /// An input error if the report has no solution, and where the system is not defined.

@@ -1,4 +1,5 @@
-//! Is a solution of the pattern equations an orbit? (20), (21), and every other minimum of every gap positive.
+//! Is a solution of the pattern equations an orbit? (20), (21), and every other minimum of every gap
+//! positive.
 
 use std::f64::consts::PI;
 
@@ -51,7 +52,8 @@ pub struct Check {
     pub least: Option<Minimum>,
 }
 
-/// Checks a solution z of the pattern equations. Cost: about 16 flows for each period of the fastest rate of the system.
+/// Checks a solution z of the pattern equations. Cost: about 16 flows for each period of the fastest rate of
+/// the system.
 pub fn check(oscillator: &Oscillator, itinerary: &Itinerary, z: &[f64]) -> Check {
     let strikes = itinerary.strikes();
     let mut least: Option<Minimum> = None;
@@ -82,13 +84,14 @@ pub fn check(oscillator: &Oscillator, itinerary: &Itinerary, z: &[f64]) -> Check
     Check { admissibility, least }
 }
 
-/// How near the end of a leg a contact without speed belongs to the impact there: gaps there are of the order of its square.
+/// How near the end of a leg a contact without speed belongs to the impact there: gaps there are of the order
+/// of its square.
 const ROUNDING: f64 = 1e-6;
 
 /// The local minima of the gaps on an open stretch of motion.
 ///
-/// A cell is a sixteenth of the fastest period (but there are no more than 10⁶); within one z″ is taken to change sign once at most, so z′ is monotone on
-/// either side of that point and every root of z′ is found.
+/// A cell is a sixteenth of the fastest period (but there are no more than 10⁶); within one z″ is taken to
+/// change sign once at most, so z′ is monotone on either side of that point and every root of z′ is found.
 pub(in crate::oscillator) fn minima(
     oscillator: &Oscillator,
     leg: usize,
@@ -125,7 +128,8 @@ pub(in crate::oscillator) fn minima(
             if let Some((lo, hi)) = stretch {
                 let root = rising(|t| at(t)[1], lo, hi);
                 let (after, least) = (begun + root, at(root)[0]);
-                // A leg that begins or ends without speed has a minimum there, which rounding may bring inside.
+                // A leg that begins or ends without speed has a minimum there, which rounding may bring
+                // inside.
                 if after.min(time - after) > ROUNDING || least.abs() > ROUNDING * ROUNDING {
                     found.push(Minimum { side, leg, after, gap: least });
                 }

@@ -1,4 +1,5 @@
-//! Polynomials of degree at most 3 in two variables: the arithmetic of a map's Taylor expansion, without differences.
+//! Polynomials of degree at most 3 in two variables: the arithmetic of a map's Taylor expansion, without
+//! differences.
 
 use std::ops::{Add, Mul, Neg, Sub};
 

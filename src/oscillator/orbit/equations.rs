@@ -1,16 +1,17 @@
 //! The pattern equations (19) of the true system.
 //!
-//! The unknowns are the impact times and incoming relative speeds z = (t₁, V₁, …, t_m, V_m), t_i any real number near the
-//! phase of impact i. From impact i the motion goes on without impacts for 2π n_i + t_{i+1} − t_i and must arrive at the next
-//! wall with the next speed:
+//! The unknowns are the impact times and incoming relative speeds z = (t₁, V₁, …, t_m, V_m), t_i any real
+//! number near the phase of impact i. From impact i the motion goes on without impacts for 2π n_i + t_{i+1} −
+//! t_i and must arrive at the next wall with the next speed:
 //!
 //! ```text
 //! σ (q − Q(t_{i+1})) = 0,    σ (u − Q′(t_{i+1})) + V_{i+1} = 0      (cyclic in i; σ = ±1: lower, upper wall)
 //! ```
 //!
-//! They are smooth, and their determinant is not small, where an impact has V = 0, where other minima of the gap pass through
-//! zero, and for V < 0: whether the solution is an orbit is a separate question (`admissible`). Without
-//! impacts the unknowns are (q, u) at t = 0, and the equations say that the period returns them.
+//! They are smooth, and their determinant is not small, where an impact has V = 0, where other minima of the
+//! gap pass through zero, and for V < 0: whether the solution is an orbit is a separate question
+//! (`admissible`). Without impacts the unknowns are (q, u) at t = 0, and the equations say that the period
+//! returns them.
 
 use std::f64::consts::PI;
 

@@ -1,9 +1,10 @@
 //! Periodic orbits of the true system for any impact pattern, with what proves them orbits or not.
 //!
-//! [`Itinerary`] is the impact pattern with its walls, [`linearise`] the equations (19) with all derivatives, [`find`]
-//! Newton's method on them, its answer an [`Orbit`] with [`Multipliers`] and [`Admissibility`]. [`SingleImpact`] has the exact orbits of
-//! a linear oscillator, a second route. [`return_map`] expands the Poincaré map, [`Derivatives`] has the normal forms' coefficients.
-//! Not here: where orbits bifurcate (`grazing`, `branch`).
+//! [`Itinerary`] is the impact pattern with its walls, [`linearise`] the equations (19) with all derivatives,
+//! [`find`] Newton's method on them, its answer an [`Orbit`] with [`Multipliers`] and [`Admissibility`].
+//! [`SingleImpact`] has the exact orbits of a linear oscillator, a second route. [`return_map`] expands the
+//! Poincaré map, [`Derivatives`] has the normal forms' coefficients. Not here: where orbits bifurcate
+//! (`grazing`, `branch`).
 
 mod admissible;
 mod cubic;

@@ -17,8 +17,8 @@ pub struct Multipliers {
 }
 
 impl Multipliers {
-    /// Those of the monodromy matrix of an orbit. The determinant is exp(−damping · period) Π τ², which is exact where that of
-    /// the matrix is lost by cancellation.
+    /// Those of the monodromy matrix of an orbit. The determinant is exp(−damping · period) Π τ², which is
+    /// exact where that of the matrix is lost by cancellation.
     pub fn new(matrix: &Matrix2, oscillator: &Oscillator, itinerary: &Itinerary) -> Multipliers {
         let decay = (-oscillator.system().damping * TAU * f64::from(itinerary.periods())).exp();
         let impacts = itinerary.strikes().iter().map(|strike| oscillator.restitution(strike.side).powi(2));

@@ -17,8 +17,9 @@ pub struct Root {
     pub steps: usize,
 }
 
-/// A root of F near `start`. `equations` gives F and ∂F/∂z, or an error where F is not defined; no step is longer than
-/// 1, and a step that does not lower |F| is halved. Ends when steps stop shrinking at the level of rounding.
+/// A root of F near `start`. `equations` gives F and ∂F/∂z, or an error where F is not defined; no step is
+/// longer than 1, and a step that does not lower |F| is halved. Ends when steps stop shrinking at the level
+/// of rounding.
 ///
 /// # Errors
 /// An input error if F is not defined at `start`, ∂F/∂z is singular on the way, or 60 steps do not do.

@@ -1,7 +1,8 @@
-//! Coefficients of the normal forms at bifurcations of a fixed point of a plane map, from its Taylor expansion.
+//! Coefficients of the normal forms at bifurcations of a fixed point of a plane map, from its Taylor
+//! expansion.
 //!
-//! With A the linear part, B and C the second and third derivatives, q the critical eigenvector of length 1 and p the left one,
-//! p·q = 1 (Yu. A. Kuznetsov, Elements of Applied Bifurcation Theory, 5.4):
+//! With A the linear part, B and C the second and third derivatives, q the critical eigenvector of length 1
+//! and p the left one, p·q = 1 (Yu. A. Kuznetsov, Elements of Applied Bifurcation Theory, 5.4):
 //!
 //! ```text
 //! fold             ξ ↦ ξ + a ξ²,      a = p·B(q,q)/2
@@ -11,9 +12,9 @@
 //!     Re d = Re( e^{−iθ} p̄·(C(q,q,q̄) + 2 B(q,(I−A)⁻¹B(q,q̄)) + B(q̄,(e^{2iθ}I−A)⁻¹B(q,q))) )/2
 //! ```
 //!
-//! What is born is stable (supercritical) if c < 0, b > 0 or Re d < 0 and the other multiplier is inside the unit circle. A different scale
-//! of q multiplies a coefficient by a positive number, or a by any number: signs count, sizes go with the
-//! coordinates. Not here: the expansion itself (`return_map`).
+//! What is born is stable (supercritical) if c < 0, b > 0 or Re d < 0 and the other multiplier is inside the
+//! unit circle. A different scale of q multiplies a coefficient by a positive number, or a by any number:
+//! signs count, sizes go with the coordinates. Not here: the expansion itself (`return_map`).
 
 use super::{Cubic, return_map::ReturnMap};
 
@@ -105,8 +106,8 @@ impl Derivatives {
         Some(dot(p, self.second(q, q))[0] / 2.0).filter(|a| a.is_finite())
     }
 
-    /// a at a multiplier 1, the direction of q chosen so that it does not jump along a curve of folds (but where a
-    /// column of A − I vanishes).
+    /// a at a multiplier 1, the direction of q chosen so that it does not jump along a curve of folds (but
+    /// where a column of A − I vanishes).
     pub fn fold_along(&self) -> Option<f64> {
         let (a, (q, _)) = (self.linear(), self.eigenvectors([1.0, 0.0])?);
         let (along, fold) = (q[0][0] * a[0][1] + q[1][0] * (1.0 - a[0][0]), self.fold()?);
@@ -248,7 +249,8 @@ mod tests {
 
     #[test]
     fn the_delayed_logistic_map_has_a_stable_circle() {
-        // (x, y) ↦ (2x(1 − y), x) at its fixed point (1/2, 1/2): θ = π/3. In Kuznetsov's coordinates, in which |q|² = 2, Re d = −2.
+        // (x, y) ↦ (2x(1 − y), x) at its fixed point (1/2, 1/2): θ = π/3. In Kuznetsov's coordinates, in
+        // which |q|² = 2, Re d = −2.
         let found =
             map([[1.0, -1.0, 0.0, -2.0, 0.0, 0.0, 0.0, 0.0, 0.0], [1.0, 0., 0., 0., 0., 0., 0., 0., 0.]]);
         let value = found.torus().unwrap();

@@ -1,6 +1,8 @@
-//! An oscillator at one parameter value: motion between impacts and impacts themselves, with all their derivatives.
+//! An oscillator at one parameter value: motion between impacts and impacts themselves, with all their
+//! derivatives.
 //!
-//! Derivatives with respect to the parameter come with those of the system's coefficients: no differences are taken.
+//! Derivatives with respect to the parameter come with those of the system's coefficients: no differences are
+//! taken.
 
 use super::{
     super::{
@@ -115,8 +117,8 @@ impl Oscillator {
         }
     }
 
-    /// Duhamel's integral ∫ Φ(T, s) (0, ∂a/∂p)ᵀ ds by Gauss's rule on panels short against every period in the system,
-    /// summed on the way: exact to rounding.
+    /// Duhamel's integral ∫ Φ(T, s) (0, ∂a/∂p)ᵀ ds by Gauss's rule on panels short against every period in
+    /// the system, summed on the way: exact to rounding.
     fn sensitive_leg(&self, slope: &Slope, from: State, duration: f64) -> Leg {
         let panels = (duration * self.rate(&from)).ceil().max(1.0);
         let width = duration / panels;
@@ -137,8 +139,9 @@ impl Oscillator {
         Leg { end: here, matrix, slope: sum }
     }
 
-    /// The fastest rate in a motion from a state: of any harmonic, of the damping, of the vibration, whose stiffness is taken where the
-    /// oscillator is and as far as its velocity would carry it on the cubic spring alone.
+    /// The fastest rate in a motion from a state: of any harmonic, of the damping, of the vibration, whose
+    /// stiffness is taken where the oscillator is and as far as its velocity would carry it on the cubic
+    /// spring alone.
     pub(super) fn rate(&self, from: &State) -> f64 {
         let (cubic, damping) = (self.system.cubic.abs(), self.system.damping.abs());
         let stiffness = self.system.stiffness.abs()
@@ -146,8 +149,8 @@ impl Oscillator {
         stiffness.sqrt().max(damping).max(f64::from(self.order))
     }
 
-    /// How an impact of incoming speed V ≠ 0 passes on a displacement before it: the saltation matrix, and what the
-    /// parameter adds, both at a fixed time.
+    /// How an impact of incoming speed V ≠ 0 passes on a displacement before it: the saltation matrix, and
+    /// what the parameter adds, both at a fixed time.
     pub fn saltation(&self, touch: &Touch<'_>, t: f64, speed: f64) -> (Matrix2, [f64; 2]) {
         let matrix = touch.wall.saltation(&self.flow, touch.leaving(t, -speed));
         let ([place, velocity], factor) = (touch.slope, 1.0 + touch.wall.restitution);

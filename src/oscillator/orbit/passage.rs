@@ -1,5 +1,5 @@
-//! Once round an orbit, passage by passage: touch a wall, leave it, fly, touch the next, and what that impact does to a
-//! displacement.
+//! Once round an orbit, passage by passage: touch a wall, leave it, fly, touch the next, and what that impact
+//! does to a displacement.
 
 use std::f64::consts::TAU;
 
@@ -92,8 +92,8 @@ impl<'a> Unknowns<'a> {
         TAU * f64::from(self.itinerary.strikes()[i].periods) + self.phase(next) - self.phase(i)
     }
 
-    /// The passages in order, from the first impact to itself; none without impacts. Each is an input error if a
-    /// wall is missing.
+    /// The passages in order, from the first impact to itself; none without impacts. Each is an input error
+    /// if a wall is missing.
     pub fn passages<'o>(
         &self,
         oscillator: &'o Oscillator,
@@ -146,7 +146,8 @@ impl Passage<'_> {
         }
     }
 
-    /// What the impact at its end does to a displacement, and what the parameter adds; its speed must not be 0.
+    /// What the impact at its end does to a displacement, and what the parameter adds; its speed must not
+    /// be 0.
     pub fn saltation(&self) -> (Matrix2, [f64; 2]) {
         self.oscillator.saltation(&self.there, self.arrival.phase, self.arrival.speed)
     }

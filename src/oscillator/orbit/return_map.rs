@@ -1,9 +1,9 @@
 //! The Poincaré map round an orbit as a Taylor polynomial of degree 3.
 //!
-//! The section of an orbit with impacts is its first impact: coordinates (t, V), the time and the incoming speed. That of an orbit
-//! without is t = 0: coordinates (q, u). All derivatives are exact to rounding: polynomials go through the flow and the
-//! impacts in place of numbers. The map is smooth as long as every speed is positive. Not here: what its
-//! coefficients mean (`normal_form`).
+//! The section of an orbit with impacts is its first impact: coordinates (t, V), the time and the incoming
+//! speed. That of an orbit without is t = 0: coordinates (q, u). All derivatives are exact to rounding:
+//! polynomials go through the flow and the impacts in place of numbers. The map is smooth as long as every
+//! speed is positive. Not here: what its coefficients mean (`normal_form`).
 
 use std::f64::consts::TAU;
 
@@ -28,8 +28,9 @@ struct Point {
     u: Cubic,
 }
 
-/// The expansion of the Poincaré map at a solution z of the pattern equations. Cost: one flow with variations for each impact if
-/// the system is linear; else the Taylor steps of its flow, each with 30² products of polynomials.
+/// The expansion of the Poincaré map at a solution z of the pattern equations. Cost: one flow with variations
+/// for each impact if the system is linear; else the Taylor steps of its flow, each with 30² products of
+/// polynomials.
 ///
 /// # Errors
 /// An input error if a wall is missing, an impact does not come in, or the motion leaves every bound.
@@ -63,7 +64,8 @@ pub fn return_map(oscillator: &Oscillator, itinerary: &Itinerary, z: &[f64]) -> 
     Ok([delay, speed.without_value()])
 }
 
-/// When the motion with these Taylor coefficients in time meets a wall, and how fast: Newton's iteration, exact after three.
+/// When the motion with these Taylor coefficients in time meets a wall, and how fast: Newton's iteration,
+/// exact after three.
 fn arrive(ahead: &[Cubic], wall: &Series, side: Side, t: f64) -> (Cubic, Cubic) {
     let mut place = wall.clone();
     let mut gap = Vec::new();

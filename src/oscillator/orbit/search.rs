@@ -6,9 +6,10 @@ use rayon::prelude::*;
 
 use super::{Itinerary, Orbit, Oscillator, find};
 
-/// The orbits reached from `starts` well-spread starts with speeds up to `speed`, admissible or not, with every speed
-/// positive: each once, whichever of its impacts is called the first, those that go round a shorter pattern left out.
-/// Sorted by speeds. Finding none proves nothing. Cost: `starts` Newton solutions, shared by the threads.
+/// The orbits reached from `starts` well-spread starts with speeds up to `speed`, admissible or not, with
+/// every speed positive: each once, whichever of its impacts is called the first, those that go round a
+/// shorter pattern left out. Sorted by speeds. Finding none proves nothing. Cost: `starts` Newton solutions,
+/// shared by the threads.
 pub fn search(oscillator: &Oscillator, itinerary: &Itinerary, starts: u32, speed: f64) -> Vec<Orbit> {
     let m = itinerary.strikes().len();
     if m == 0 {
@@ -47,8 +48,8 @@ fn same(a: &Orbit, b: &Orbit, shift: usize) -> bool {
     })
 }
 
-/// The j-th ratio of an additive recurrence in `dimension` dimensions (powers of 1/φ_d, φ_d^{d+1} = φ_d + 1): points
-/// that fill the cube evenly.
+/// The j-th ratio of an additive recurrence in `dimension` dimensions (powers of 1/φ_d, φ_d^{d+1} = φ_d + 1):
+/// points that fill the cube evenly.
 fn spread(j: usize, dimension: usize) -> f64 {
     let mut root: f64 = 2.0;
     for _ in 0..40 {

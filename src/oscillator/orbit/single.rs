@@ -1,8 +1,9 @@
 //! Exact orbits with one impact a period: closed formulas for a linear oscillator whose gap has one harmonic.
 //!
-//! Beyond the paper. Write z for the distance to the wall, positive on the free side, and z = x − g(t) with x a free
-//! vibration (no forcing) and g = g₀ + R cos(kt − φ) the wall seen from the forced response. An impact of incoming speed
-//! V at phase t₀ adds (0, (1+τ)V) to (x, x′), and n periods later the state just before the next one is the same:
+//! Beyond the paper. Write z for the distance to the wall, positive on the free side, and z = x − g(t) with x
+//! a free vibration (no forcing) and g = g₀ + R cos(kt − φ) the wall seen from the forced response. An impact
+//! of incoming speed V at phase t₀ adds (0, (1+τ)V) to (x, x′), and n periods later the state just before the
+//! next one is the same:
 //!
 //! ```text
 //! (x, x′) = (p₁, p₂) V,   (p₁, p₂) = (I − E_n)⁻¹ E_n (0, 1+τ)ᵀ,   E_n the flow matrix over n periods
@@ -10,8 +11,8 @@
 //! det = τ² det E_n,   tr = −τ tr E_n − (1+τ)(−k²g₀/V + κ)(E_n)₁₂,   κ = p₁(k² − stiffness) − damping (1+p₂)
 //! ```
 //!
-//! Here are the speeds for given R, and R where the branch folds (saddle-node) or flips. Whether the motion between
-//! impacts keeps clear of the wall is not decided here (`admissible`).
+//! Here are the speeds for given R, and R where the branch folds (saddle-node) or flips. Whether the motion
+//! between impacts keeps clear of the wall is not decided here (`admissible`).
 
 use std::f64::consts::PI;
 
@@ -47,8 +48,8 @@ impl SingleImpact {
     /// The orbits of period `n` at the wall on `side`.
     ///
     /// # Errors
-    /// An input error unless the system is linear with a wall there, the forcing and the wall have together one
-    /// harmonic, and neither the forced response nor (I − E_n)⁻¹ is infinite.
+    /// An input error unless the system is linear with a wall there, the forcing and the wall have together
+    /// one harmonic, and neither the forced response nor (I − E_n)⁻¹ is infinite.
     pub fn new(system: &System<f64>, side: Side, n: u32) -> Result<SingleImpact> {
         let wall = system.wall(side).ok_or_else(|| {
             Error::input(format!("exact orbits at the {} wall, which is not there", side.name()))
@@ -123,7 +124,8 @@ impl SingleImpact {
         (p1 * speed - self.mean).hypot(p2 * speed)
     }
 
-    /// The speed where two orbits meet (saddle-node); there R = |g₀ p₂|/√(p₁² + p₂²), p₂ short for (1+p₂)/k. `None` if p₁g₀ ≤ 0.
+    /// The speed where two orbits meet (saddle-node); there R = |g₀ p₂|/√(p₁² + p₂²), p₂ short for (1+p₂)/k.
+    /// `None` if p₁g₀ ≤ 0.
     pub fn fold(&self) -> Option<f64> {
         let [p1, p2] = self.slopes();
         Some(p1 * self.mean / (p1 * p1 + p2 * p2)).filter(|speed| *speed > 0.0)

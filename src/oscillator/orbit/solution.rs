@@ -66,8 +66,8 @@ pub fn describe(oscillator: &Oscillator, itinerary: &Itinerary, root: Root) -> R
     Ok(Orbit { itinerary: itinerary.clone(), multipliers, admissibility, least, residual, steps, z })
 }
 
-/// The full period's linearisation, from just after the first impact (from t = 0 without impacts): flow matrices and
-/// saltation matrices. The speeds must not be 0.
+/// The full period's linearisation, from just after the first impact (from t = 0 without impacts): flow
+/// matrices and saltation matrices. The speeds must not be 0.
 ///
 /// # Errors
 /// An input error if a wall is missing.
@@ -94,7 +94,8 @@ impl Orbit {
         })
     }
 
-    /// Its state at time t: just after the first impact, if `t` is that impact's time; t counts from the phase 0 before it.
+    /// Its state at time t: just after the first impact, if `t` is that impact's time; t counts from the
+    /// phase 0 before it.
     pub fn state(&self, oscillator: &Oscillator, t: f64) -> Result<State> {
         let strikes = self.itinerary.strikes();
         if strikes.is_empty() {

@@ -184,7 +184,8 @@ impl<'a, P: Pieces, C: Counter, const HAS_LOWER: bool, const HAS_UPPER: bool>
         Event::Impact(Impact { time, radius: radius + 1e-15, side, velocity })
     }
 
-    /// Comes to rest on a wall that presses if the bounce to come, z′ being `velocity` ≥ 0, is lower than the minimum depth.
+    /// Comes to rest on a wall that presses if the bounce to come, z′ being `velocity` ≥ 0, is lower than the
+    /// minimum depth.
     #[inline]
     fn settle(&mut self, wall: usize, x: f64, velocity: f64) {
         let bound = self.settings.minimum_depth * self.walls.strongest(wall);

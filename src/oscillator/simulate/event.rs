@@ -9,7 +9,8 @@ use crate::oscillator::{Side, Time};
 pub enum Event {
     /// The oscillator met a wall and bounced.
     Impact(Impact),
-    /// It came within the minimum depth of a wall, neither clearly short of it nor clearly beyond: no impact was made of it.
+    /// It came within the minimum depth of a wall, neither clearly short of it nor clearly beyond: no impact
+    /// was made of it.
     Tangency(Tangency),
     /// It came to rest on a wall that presses.
     Stick(Stick),
@@ -24,7 +25,8 @@ pub enum Event {
 pub struct Impact {
     /// When, of the trajectory computed.
     pub time: Time,
-    /// The root of the gap lies within this of `time`, for the trajectory computed: rounding over impact velocity.
+    /// The root of the gap lies within this of `time`, for the trajectory computed: rounding over impact
+    /// velocity.
     pub radius: f64,
     /// Which wall.
     pub side: Side,

@@ -1,12 +1,15 @@
 //! Pieces of a linear flow: a fixed grid of cells over the forcing period, everything about it in tables.
 //!
-//! The motion is p + y with p the particular solution and y homogeneous, so that a forced oscillator against a wall Q is a free one against the wall
-//! Q − p, known in advance. Per cell a table holds the Taylor polynomial of p − Q about its middle; y about the middle is two numbers
-//! times two basis polynomials, the same in all cells, and one matrix takes it to the next cell. No sine, exponential or division is left.
-//! An autonomous oscillator needs one row for all cells: there p starts anew, at rest, in the middle of each cell.
+//! The motion is p + y with p the particular solution and y homogeneous, so that a forced oscillator against
+//! a wall Q is a free one against the wall Q − p, known in advance. Per cell a table holds the Taylor
+//! polynomial of p − Q about its middle; y about the middle is two numbers times two basis polynomials, the
+//! same in all cells, and one matrix takes it to the next cell. No sine, exponential or division is left. An
+//! autonomous oscillator needs one row for all cells: there p starts anew, at rest, in the middle of each
+//! cell.
 //!
-//! A cell is at most 1/R wide, R the largest of the frequencies in forcing and walls and of the moduli of the eigenvalues: the terms
-//! left out are below 2⁻¹⁶/16! < 10⁻¹⁸ of the amplitude for sines, and 32 times that for the homogeneous motion (at critical damping).
+//! A cell is at most 1/R wide, R the largest of the frequencies in forcing and walls and of the moduli of the
+//! eigenvalues: the terms left out are below 2⁻¹⁶/16! < 10⁻¹⁸ of the amplitude for sines, and 32 times that
+//! for the homogeneous motion (at critical damping).
 
 use std::f64::consts::{PI, TAU};
 

@@ -1,19 +1,24 @@
 //! Simulation: the flow, interrupted by impacts, rests on walls and nothing else, event by event.
 //!
-//! A [`Simulator`] is built once for a system and composed of the effects it has: a linear flow is followed through tables of one grid of
-//! cells, any other by Taylor steps; a wall that is not there is not tested; without any wall nothing is searched and the closed form is asked
-//! for the end at once; an autonomous system has tables of one row. A coefficient of 0 and one not given build the same simulator.
+//! A [`Simulator`] is built once for a system and composed of the effects it has: a linear flow is followed
+//! through tables of one grid of cells, any other by Taylor steps; a wall that is not there is not tested;
+//! without any wall nothing is searched and the closed form is asked for the end at once; an autonomous
+//! system has tables of one row. A coefficient of 0 and one not given build the same simulator.
 //!
 //! # What is promised
 //!
-//! - The gap to each wall is a polynomial on each piece of the trajectory. Every minimum of it below −[`minimum_depth`](Settings::minimum_depth) is
-//!   an impact, found on the stretch on which the gap falls, whatever its velocity; a minimum within the depth of 0 is a [`Tangency`].
-//! - The oscillator is never behind a wall by more than the minimum depth, nor leaves an impact with z′ of the wrong sign.
-//! - Bounces that would be lower than the minimum depth on a wall that presses are summed as a geometric series and end in rest ([`Stick`])
-//!   until the force of contact is 0 ([`Release`]), at most one period later, or for good.
+//! - The gap to each wall is a polynomial on each piece of the trajectory. Every minimum of it below
+//!   −[`minimum_depth`](Settings::minimum_depth) is an impact, found on the stretch on which the gap falls,
+//!   whatever its velocity; a minimum within the depth of 0 is a [`Tangency`].
+//! - The oscillator is never behind a wall by more than the minimum depth, nor leaves an impact with z′ of
+//!   the wrong sign.
+//! - Bounces that would be lower than the minimum depth on a wall that presses are summed as a geometric
+//!   series and end in rest ([`Stick`]) until the force of contact is 0 ([`Release`]), at most one period
+//!   later, or for good.
 //! - A run ends by an [`RunEnd`] that says why.
 //!
-//! For linear systems the trajectory itself carries rounding errors only. For others the error is that of [`Taylor`].
+//! For linear systems the trajectory itself carries rounding errors only. For others the error is that of
+//! [`Taylor`].
 //!
 //! ```
 //! use grazing::oscillator::{System, Time, Wall, simulate::{Event, Settings, Simulator}};
@@ -70,8 +75,9 @@ fn unbounded(size: f64) -> bool {
 /// How finely to simulate.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Settings {
-    /// Gaps within this of 0 are contact without impact: see the promises of [`simulate`](self). In units of q, 1e-13 to 1e-3, default 1e-12;
-    /// where a trajectory is so large that rounding exceeds it, the rounding error takes its place.
+    /// Gaps within this of 0 are contact without impact: see the promises of [`simulate`](self). In units of
+    /// q, 1e-13 to 1e-3, default 1e-12; where a trajectory is so large that rounding exceeds it, the rounding
+    /// error takes its place.
     pub minimum_depth: f64,
     /// The tolerance of the integrator, where there is one: see [`Taylor::new`]. Default 1e-13.
     pub tolerance: f64,
@@ -108,10 +114,12 @@ enum Method {
 pub struct Run<'a>(Box<dyn Engine + 'a>);
 
 impl Simulator {
-    /// Builds what the system needs and nothing else; O(16 R (walls + harmonics)) for a linear one, R the largest frequency.
+    /// Builds what the system needs and nothing else; O(16 R (walls + harmonics)) for a linear one, R the
+    /// largest frequency.
     ///
     /// # Errors
-    /// Coefficients that are not finite, a negative restitution, walls that meet, a setting out of range, a frequency above some 10⁴.
+    /// Coefficients that are not finite, a negative restitution, walls that meet, a setting out of range, a
+    /// frequency above some 10⁴.
     pub fn new(system: &System<f64>, settings: &Settings) -> Result<Self> {
         let depth = settings.minimum_depth;
         if !(1e-13..=1e-3).contains(&depth) {
@@ -139,7 +147,8 @@ impl Simulator {
         Ok(Simulator { method, flow, walls, settings: settings.clone(), tally: None })
     }
 
-    /// The same simulator, the work of its runs added up in `tally`. What counting costs has not been measured.
+    /// The same simulator, the work of its runs added up in `tally`. What counting costs has not been
+    /// measured.
     #[must_use]
     pub fn counting(self, tally: Arc<EffectTally>) -> Self {
         Simulator { tally: Some(tally), ..self }

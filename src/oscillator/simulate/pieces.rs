@@ -1,4 +1,5 @@
-//! A flow cut into pieces on each of which the gap to every wall is a polynomial, and no wall's effect unless it is asked for.
+//! A flow cut into pieces on each of which the gap to every wall is a polynomial, and no wall's effect unless
+//! it is asked for.
 
 use super::search::Head;
 use crate::oscillator::{Counter, Time, flow::State};

@@ -3,8 +3,9 @@
 /// Narrower intervals are not split: there the function is known to bend·10⁻¹⁷.
 const NARROW: f64 = 1e-8;
 
-/// The first t in [`from`, `to`] with f > 0, right after the root, or None if f ≤ 0 throughout, up to rises that end below `bend`·10⁻¹⁷. `f`
-/// gives value and derivative, `bend` bounds |f″|. Cost: O(log) evaluations a simple root, more where f comes close to 0.
+/// The first t in [`from`, `to`] with f > 0, right after the root, or None if f ≤ 0 throughout, up to rises
+/// that end below `bend`·10⁻¹⁷. `f` gives value and derivative, `bend` bounds |f″|. Cost: O(log) evaluations
+/// a simple root, more where f comes close to 0.
 pub(super) fn first_rise(f: &impl Fn(f64) -> [f64; 2], bend: f64, from: f64, to: f64) -> Option<f64> {
     let (centre, half) = ((from + to) / 2.0, (to - from) / 2.0);
     let [value, slope] = f(centre);

@@ -1,10 +1,12 @@
 //! The minimum test: what a gap does on one piece, its extrema first, its roots only on falling stretches.
 //!
-//! A gap on a piece is a polynomial z(x), |x| ≤ 1. Intervals are split until one of four things is certain of them, by Taylor's formula about the
-//! middle with a bound on |z‴| that holds on all of [−1, 1]: z > δ; z convex; z concave; z monotone. In the last three cases the stretches on which z
-//! falls are known, and an impact is a root on such a stretch whose end lies below −δ. Thus no minimum below −δ is passed over, however narrow;
-//! the zero that an impact leaves behind is never met again, as z does not fall there; and minima within δ of 0 are tangencies. Intervals
-//! too narrow to tell the cases apart hold z to better than δ and are taken as monotone between their ends.
+//! A gap on a piece is a polynomial z(x), |x| ≤ 1. Intervals are split until one of four things is certain of
+//! them, by Taylor's formula about the middle with a bound on |z‴| that holds on all of [−1, 1]: z > δ; z
+//! convex; z concave; z monotone. In the last three cases the stretches on which z falls are known, and an
+//! impact is a root on such a stretch whose end lies below −δ. Thus no minimum below −δ is passed over,
+//! however narrow; the zero that an impact leaves behind is never met again, as z does not fall there; and
+//! minima within δ of 0 are tangencies. Intervals too narrow to tell the cases apart hold z to better than δ
+//! and are taken as monotone between their ends.
 
 /// What ends a search.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -84,7 +86,8 @@ impl<'a> Gap<'a> {
         [e + x * o, o + 2.0 * (x * e1 + s * o1), bend]
     }
 
-    /// The first hit in [l, r], or None: then z has no minimum below −δ there, and any fall below it is still to come.
+    /// The first hit in [l, r], or None: then z has no minimum below −δ there, and any fall below it is still
+    /// to come.
     pub fn first(&mut self, l: f64, r: f64) -> Option<Hit> {
         let (centre, half) = ((l + r) / 2.0, (r - l) / 2.0);
         let [z, slope, bend] = self.at(centre);
@@ -145,8 +148,8 @@ impl<'a> Gap<'a> {
         (low < -self.depth).then(|| self.impact(l, high, r, guess))
     }
 
-    /// z is convex and has its minimum between l and r: Newton for z′ kept inside the bracket, until z is seen below −δ, or surely never is as
-    /// z″ ≥ `least`, or the minimum is known.
+    /// z is convex and has its minimum between l and r: Newton for z′ kept inside the bracket, until z is
+    /// seen below −δ, or surely never is as z″ ≥ `least`, or the minimum is known.
     fn valley(
         &mut self,
         (mut l, high): (f64, f64),
@@ -215,7 +218,8 @@ impl<'a> Gap<'a> {
         Hit::Impact(if high > 0.0 { self.root(l, r, guess) } else { l })
     }
 
-    /// The root of z between l and r, z(l) > 0 > z(r): there is one only, as z falls or is convex. Newton kept inside the bracket, to rounding.
+    /// The root of z between l and r, z(l) > 0 > z(r): there is one only, as z falls or is convex. Newton
+    /// kept inside the bracket, to rounding.
     fn root(&self, mut l: f64, mut r: f64, mut x: f64) -> f64 {
         for _ in 0..200 {
             if !(l < x && x < r) {

@@ -21,8 +21,9 @@ pub(super) struct Steps {
     /// What a piece counts: cubic stiffness, and forcing or a moving wall.
     cubic: bool,
     driven: bool,
-    /// The longest step on which a wall's motion is a polynomial, too: with 24 terms of a sine it is off by 2²⁴/24! < 10⁻¹⁶ of the
-    /// amplitude at 2 radians. The flow knows nothing of the walls and would go farther.
+    /// The longest step on which a wall's motion is a polynomial, too: with 24 terms of a sine it is off by
+    /// 2²⁴/24! < 10⁻¹⁶ of the amplitude at 2 radians. The flow knows nothing of the walls and would go
+    /// farther.
     longest: f64,
 }
 

@@ -86,8 +86,9 @@ impl Contact {
         State { u: speed - self.restitution * (at.u - speed), ..at }
     }
 
-    /// The saltation matrix of an impact that arrives as `at`: ∂(q, u) after, at a fixed time, by (q, u) before,
-    /// [[−τ, 0], [(a⁺ + τ a⁻ − (1+τ) Q″) / w, −τ]] with w = u − Q′ ≠ 0 the incoming relative velocity; determinant τ².
+    /// The saltation matrix of an impact that arrives as `at`: ∂(q, u) after, at a fixed time, by (q, u)
+    /// before, [[−τ, 0], [(a⁺ + τ a⁻ − (1+τ) Q″) / w, −τ]] with w = u − Q′ ≠ 0 the incoming relative
+    /// velocity; determinant τ².
     pub fn saltation(&self, flow: &impl Flow, at: State) -> Matrix2 {
         let (tau, [_, speed, bend]) = (self.restitution, self.position.at(at.t));
         let (before, after) = (flow.acceleration(at), flow.acceleration(self.bounce(at)));

@@ -8,8 +8,8 @@ use serde::Serialize;
 
 use super::Side;
 
-/// An oscillator q″ = −`damping` q′ − `stiffness` q − `cubic` q³ + `force` + Σ (`cos` cos kt + `sin` sin kt), mass 1,
-/// all 2π-periodic in t, that stays between its walls Q₁(t) ≤ q ≤ Q₂(t) (section 3.1 of the paper).
+/// An oscillator q″ = −`damping` q′ − `stiffness` q − `cubic` q³ + `force` + Σ (`cos` cos kt + `sin` sin kt),
+/// mass 1, all 2π-periodic in t, that stays between its walls Q₁(t) ≤ q ≤ Q₂(t) (section 3.1 of the paper).
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct System<T> {
     /// The coefficient of the velocity.
@@ -39,7 +39,8 @@ pub struct Harmonic<T> {
     pub sin: T,
 }
 
-/// A wall Q(t) = `offset` + Σ harmonics; an impact turns the velocity w relative to it into −`restitution` w (67).
+/// A wall Q(t) = `offset` + Σ harmonics; an impact turns the velocity w relative to it into −`restitution` w
+/// (67).
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Wall<T> {
     /// The mean position.

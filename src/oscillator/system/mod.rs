@@ -1,7 +1,7 @@
 //! What an oscillator is: the equation of motion, forcing and moving walls, the impact law, states and times.
 //!
-//! [`System`] has coefficients of any kind; [`Contact`] is one of its walls in f64, [`Side`] says which. Not here: how the
-//! motion goes on between impacts (`flow`), when impacts happen (`simulate`).
+//! [`System`] has coefficients of any kind; [`Contact`] is one of its walls in f64, [`Side`] says which. Not
+//! here: how the motion goes on between impacts (`flow`), when impacts happen (`simulate`).
 
 mod contact;
 mod equation;

@@ -4,8 +4,8 @@ use super::super::algebra::Matrix2;
 
 use serde::Serialize;
 
-/// Where the oscillator is: q, u = q′ at time t, the forcing period being 2π. Sines of t are as good as t is: keep it
-/// within a few periods of 0 and count whole periods apart.
+/// Where the oscillator is: q, u = q′ at time t, the forcing period being 2π. Sines of t are as good as t is:
+/// keep it within a few periods of 0 and count whole periods apart.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct State {
     /// Time, dimensionless.

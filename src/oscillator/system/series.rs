@@ -3,8 +3,8 @@
 use super::Harmonic;
 use crate::error::{Error, Result};
 
-/// `mean` + Σ (cos·cos kt + sin·sin kt), every k ≥ 1 once, ascending, with nonzero amplitude: a harmonic given with zero
-/// coefficients and one not given are the same series.
+/// `mean` + Σ (cos·cos kt + sin·sin kt), every k ≥ 1 once, ascending, with nonzero amplitude: a harmonic
+/// given with zero coefficients and one not given are the same series.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Series {
     mean: f64,
@@ -71,7 +71,8 @@ impl Series {
         })
     }
 
-    /// Adds the Taylor coefficients of `factor` times the series at t, scaled to the half width `h`: those of x ↦ series(t + hx).
+    /// Adds the Taylor coefficients of `factor` times the series at t, scaled to the half width `h`: those of
+    /// x ↦ series(t + hx).
     pub fn add_taylor(&self, factor: f64, t: f64, h: f64, coefficients: &mut [f64]) {
         let Some(constant) = coefficients.first_mut() else { return };
         *constant += factor * self.mean;

@@ -1,4 +1,5 @@
-//! Time as whole forcing periods and a phase, so that a run of 10⁶ periods is as exact as one of a single period.
+//! Time as whole forcing periods and a phase, so that a run of 10⁶ periods is as exact as one of a single
+//! period.
 
 use std::f64::consts::TAU;
 

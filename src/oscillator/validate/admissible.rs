@@ -1,9 +1,11 @@
-//! Whether the gaps stay positive between impacts: each flight is cut into pieces of time, each proved by itself.
+//! Whether the gaps stay positive between impacts: each flight is cut into pieces of time, each proved by
+//! itself.
 //!
-//! On a piece of half-width r about m, z lies in z(m) + z′(m)[−r, r] + z″[0, r²/2] and z′ in z′(m) + z″[−r, r], z″ enclosed over the whole
-//! piece. It passes if z > 0 there; or, for the gap that the flight starts from, if it is the first and z′ > 0 or z″ > 0 (z = 0 ≤ z′ at its start);
-//! or, for the gap that it ends at, if it is the last and z′ < 0; or, about a known tangency, if z″ > 0. Pieces are at most 1/2 long, so that cruder
-//! enclosures than these pass them too.
+//! On a piece of half-width r about m, z lies in z(m) + z′(m)[−r, r] + z″[0, r²/2] and z′ in z′(m) + z″[−r,
+//! r], z″ enclosed over the whole piece. It passes if z > 0 there; or, for the gap that the flight starts
+//! from, if it is the first and z′ > 0 or z″ > 0 (z = 0 ≤ z′ at its start); or, for the gap that it ends at,
+//! if it is the last and z′ < 0; or, about a known tangency, if z″ > 0. Pieces are at most 1/2 long, so that
+//! cruder enclosures than these pass them too.
 
 use num_bigint::BigInt;
 use num_rational::BigRational;

@@ -1,7 +1,8 @@
-//! What a periodic orbit with a given impact pattern solves, and the trace and determinant of its linearisation.
+//! What a periodic orbit with a given impact pattern solves, and the trace and determinant of its
+//! linearisation.
 //!
-//! Unknowns: the phases t_1, …, t_m and the incoming relative speeds V_1, …, V_m. Impact i + 1 comes 2π n_i + t_{i+1} − t_i
-//! after impact i; there the gap is 0 and closes at speed V_{i+1}: 2m equations.
+//! Unknowns: the phases t_1, …, t_m and the incoming relative speeds V_1, …, V_m. Impact i + 1 comes 2π n_i +
+//! t_{i+1} − t_i after impact i; there the gap is 0 and closes at speed V_{i+1}: 2m equations.
 
 use num_bigint::BigInt;
 
@@ -66,8 +67,9 @@ impl Equations<'_> {
 
     /// The trace and determinant of the linearised map once round the orbit.
     ///
-    /// It is the product of flights E(τ_i) and of impacts [[−τ, 0], [−(τ z₋″ + z₊″)/V, −τ]], in the displacement and
-    /// velocity away from the wall, z the gap just before and after: a perturbed orbit meets the wall δz/V later.
+    /// It is the product of flights E(τ_i) and of impacts [[−τ, 0], [−(τ z₋″ + z₊″)/V, −τ]], in the
+    /// displacement and velocity away from the wall, z the gap just before and after: a perturbed orbit meets
+    /// the wall δz/V later.
     pub fn multipliers(&self, unknowns: &[Jet]) -> Result<(Jet, Jet)> {
         let (linear, m) = (self.linear, self.impacts.len());
         let mut product = [[1, 0], [0, 1]].map(|row| row.map(|x| Jet::integer(x, linear.precision)));

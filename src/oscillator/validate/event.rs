@@ -34,8 +34,8 @@ pub enum Condition {
     },
 }
 
-/// A proved event: at exactly one parameter value and orbit in the box the condition holds, and that orbit is admissible
-/// (but for the tangency, if it is one).
+/// A proved event: at exactly one parameter value and orbit in the box the condition holds, and that orbit is
+/// admissible (but for the tangency, if it is one).
 #[derive(Debug, Clone)]
 pub struct ProvedEvent {
     /// What happens.
@@ -60,10 +60,12 @@ pub struct ProvedEvent {
     pub(super) pieces: Pieces,
 }
 
-/// Proves an event near the guess, in the largest box that allows it. `family` is the system at a parameter value.
+/// Proves an event near the guess, in the largest box that allows it. `family` is the system at a parameter
+/// value.
 ///
 /// # Errors
-/// As [`orbit`](super::orbit()), and those of `family`; also where damping² cannot be told from 4 stiffness over a box.
+/// As [`orbit`](super::orbit()), and those of `family`; also where damping² cannot be told from 4 stiffness
+/// over a box.
 pub fn event(
     family: impl Fn(&Jet) -> Result<System<Jet>>,
     impacts: &[ExpectedImpact],
@@ -100,8 +102,8 @@ pub fn event(
     })
 }
 
-/// Proves that the equations of pattern and event have exactly one solution in the box of `radius` about the guess itself, and encloses it, or that they
-/// have none. Whether the solution is an orbit is not asked.
+/// Proves that the equations of pattern and event have exactly one solution in the box of `radius` about the
+/// guess itself, and encloses it, or that they have none. Whether the solution is an orbit is not asked.
 ///
 /// # Errors
 /// As [`event`]; also if the guess is not finite or the radius not positive.

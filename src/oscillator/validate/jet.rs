@@ -6,8 +6,8 @@ use num_rational::BigRational;
 
 use crate::number::{Ball, Elementary, Precision, Real, Sign};
 
-/// A number and its derivatives by the unknowns, each enclosed. Of every operation the value and the derivatives contain
-/// the true ones for all enclosed unknowns.
+/// A number and its derivatives by the unknowns, each enclosed. Of every operation the value and the
+/// derivatives contain the true ones for all enclosed unknowns.
 #[derive(Debug, Clone)]
 pub struct Jet {
     /// The number.

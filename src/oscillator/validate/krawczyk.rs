@@ -27,8 +27,9 @@ pub(super) enum Test {
 /// A square matrix of exact numbers that approximates an inverse.
 pub(super) type Preconditioner = Vec<Vec<BigRational>>;
 
-/// The zeros of `map` in the box of `radius` about `centre`: with C the preconditioner, y the centre and X the box, all of them lie
-/// in K = y − C f(y) + (I − C f′(X))(X − y), and K inside X's interior proves that there is exactly one.
+/// The zeros of `map` in the box of `radius` about `centre`: with C the preconditioner, y the centre and X
+/// the box, all of them lie in K = y − C f(y) + (I − C f′(X))(X − y), and K inside X's interior proves that
+/// there is exactly one.
 pub(super) fn test(
     map: &Map,
     centre: &[BigRational],
@@ -151,8 +152,8 @@ pub(super) fn near() -> BigRational {
 }
 
 impl Search {
-    /// Finds a zero near the start by Newton's method, and the largest box of radius 1/2, 1/5, 1/10, … about it in which it is
-    /// the only one.
+    /// Finds a zero near the start by Newton's method, and the largest box of radius 1/2, 1/5, 1/10, … about
+    /// it in which it is the only one.
     pub fn run(map: &Map, start: &[f64], precision: &Precision) -> Result<Verdict<Search>> {
         let Some((centre, inverse)) = newton(map, start, precision)? else {
             return Ok(Verdict::Undecided("Newton's method does not converge from this guess".into()));
@@ -177,8 +178,8 @@ pub(super) fn radii() -> impl Iterator<Item = BigRational> {
     })
 }
 
-/// A zero near `start` to about the precision, by Newton's method without any guarantee, and an approximate inverse of the
-/// derivative there; `None` if it does not converge.
+/// A zero near `start` to about the precision, by Newton's method without any guarantee, and an approximate
+/// inverse of the derivative there; `None` if it does not converge.
 pub(super) fn newton(
     map: &Map,
     start: &[f64],
@@ -206,7 +207,8 @@ pub(super) fn newton(
     Ok(None)
 }
 
-/// The map at a point and an approximate inverse of its derivative there, without any guarantee; `None` if there is none.
+/// The map at a point and an approximate inverse of its derivative there, without any guarantee; `None` if
+/// there is none.
 pub(super) fn linearised(
     map: &Map,
     point: &[BigRational],
@@ -222,7 +224,8 @@ pub(super) fn linearised(
     Ok(residual.zip(inverse))
 }
 
-/// Newton steps before giving up, the steps at which it has converged or is lost, and the decimals that are kept.
+/// Newton steps before giving up, the steps at which it has converged or is lost, and the decimals that are
+/// kept.
 const STEPS: u32 = 60;
 const SMALL: f64 = 1e-22;
 const LARGE: f64 = 1e9;
@@ -236,7 +239,8 @@ pub(super) fn rounded(x: &BigRational, places: u32) -> BigRational {
     (x * &scale).round() / scale
 }
 
-/// The inverse by Gauss and Jordan with partial pivoting, rounded to [`COARSE`] decimals; `None` if it is singular.
+/// The inverse by Gauss and Jordan with partial pivoting, rounded to [`COARSE`] decimals; `None` if it is
+/// singular.
 fn invert(mut matrix: Vec<Vec<f64>>) -> Option<Preconditioner> {
     let n = matrix.len();
     for (i, row) in matrix.iter_mut().enumerate() {

@@ -1,7 +1,8 @@
 //! A linear oscillator in closed form: the motion between impacts, the walls, and the gaps to them.
 //!
-//! Between impacts q(t) = h(t) + F I(τ) + E₁₁(τ) a + E₁₂(τ) b with τ the time since the impact, h the response to the forcing's
-//! harmonics, E(τ) = exp(τ [[0, 1], [−k, −c]]), I′ = E₁₂ the response to a constant force, and (a, b) the start minus (h, h′).
+//! Between impacts q(t) = h(t) + F I(τ) + E₁₁(τ) a + E₁₂(τ) b with τ the time since the impact, h the
+//! response to the forcing's harmonics, E(τ) = exp(τ [[0, 1], [−k, −c]]), I′ = E₁₂ the response to a constant
+//! force, and (a, b) the start minus (h, h′).
 
 use num_bigint::BigInt;
 use num_rational::BigRational;

@@ -1,8 +1,10 @@
-//! Proofs about periodic orbits of linear oscillators: existence, uniqueness in a box, admissibility, stability, events.
+//! Proofs about periodic orbits of linear oscillators: existence, uniqueness in a box, admissibility,
+//! stability, events.
 //!
-//! Krawczyk's test over balls with first derivatives proves that the equations of an impact pattern, extended by the
-//! event's condition where one is asked for, have exactly one solution in a box. Approximations serve to choose the box only.
-//! Proved orbits and events are written as certificates, which `grazing check` proves again. Not here: continuation and approximate orbits.
+//! Krawczyk's test over balls with first derivatives proves that the equations of an impact pattern, extended
+//! by the event's condition where one is asked for, have exactly one solution in a box. Approximations serve
+//! to choose the box only. Proved orbits and events are written as certificates, which `grazing check` proves
+//! again. Not here: continuation and approximate orbits.
 
 mod admissible;
 mod equations;

@@ -1,4 +1,5 @@
-//! Proofs that a periodic orbit with a given impact pattern exists, is unique in a box, admissible, and stable or not.
+//! Proofs that a periodic orbit with a given impact pattern exists, is unique in a box, admissible, and
+//! stable or not.
 
 use num_rational::BigRational;
 use num_traits::Zero;
@@ -63,11 +64,12 @@ pub struct ProvedOrbit {
     pub(super) pieces: admissible::Pieces,
 }
 
-/// Proves an orbit near the guess, unique in the largest box of radius 1/2, 1/5, 1/10, … that allows it. For m impacts:
-/// O(m³) operations and, for each flight of n periods, O(n) evaluations of the motion.
+/// Proves an orbit near the guess, unique in the largest box of radius 1/2, 1/5, 1/10, … that allows it. For
+/// m impacts: O(m³) operations and, for each flight of n periods, O(n) evaluations of the motion.
 ///
 /// # Errors
-/// An input error: the system is not linear, a wall that is met is missing, an undamped resonance, periods that sum to 0.
+/// An input error: the system is not linear, a wall that is met is missing, an undamped resonance, periods
+/// that sum to 0.
 pub fn orbit(
     system: &System<BigRational>,
     guess: &[ExpectedImpact],
@@ -102,8 +104,8 @@ pub fn orbit(
     })
 }
 
-/// Proves that the pattern's equations have exactly one solution in the box of `radius` about the guess itself, and encloses it,
-/// or that they have none. Whether the solution is an orbit is not asked.
+/// Proves that the pattern's equations have exactly one solution in the box of `radius` about the guess
+/// itself, and encloses it, or that they have none. Whether the solution is an orbit is not asked.
 ///
 /// # Errors
 /// As [`orbit`]; also if the guess is not finite or the radius not positive.
@@ -138,7 +140,8 @@ pub(super) fn start(impacts: &[ExpectedImpact]) -> Vec<f64> {
     impacts.iter().map(|impact| impact.phase).chain(impacts.iter().map(|impact| impact.velocity)).collect()
 }
 
-/// Whether the solution is an orbit: V_i > 0, no smaller period, and every gap is positive between impacts but for a known tangency.
+/// Whether the solution is an orbit: V_i > 0, no smaller period, and every gap is positive between impacts
+/// but for a known tangency.
 pub(super) fn admitted(
     equations: &Equations,
     unknowns: &[Jet],
@@ -154,13 +157,15 @@ pub(super) fn admitted(
         }
     }
     let Search { found, centre, radius, .. } = search;
-    // The same orbit begun later solves the equations of pattern, saddle-node and flip, but not those of a tangency after a given impact.
+    // The same orbit begun later solves the equations of pattern, saddle-node and flip, but not those of a
+    // tangency after a given impact.
     let only_within = if touch.is_some() { &BigRational::zero() } else { radius };
     least_period(equations.impacts, found, centre, only_within, equations.linear.precision)
         .and_then(|()| admissible::prove(equations, unknowns, touch))
 }
 
-/// Jury's conditions: both eigenvalues are inside the unit circle iff D < 1, 1 + D > |T|; one is outside if D > 1 or 1 + D < |T|.
+/// Jury's conditions: both eigenvalues are inside the unit circle iff D < 1, 1 + D > |T|; one is outside if
+/// D > 1 or 1 + D < |T|.
 fn stability(trace: &Ball, determinant: &Ball, precision: &Precision) -> Option<Stability> {
     let one = Ball::integer(1, precision);
     let sum = one.clone() + determinant;

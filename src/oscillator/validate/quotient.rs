@@ -29,8 +29,9 @@ impl Quotient {
         Quotient::new([vec![BigInt::zero(), BigInt::one()], vec![BigInt::one()]])
     }
 
-    /// The coefficients by rising powers, of numerator and denominator, whose last is positive; no integer above 1 divides them all, and none of the two ends in a
-    /// 0 but the numerator 0 = 0/1. `None` if it was too large (powers above 64, integers of more than 16384 bits).
+    /// The coefficients by rising powers, of numerator and denominator, whose last is positive; no integer
+    /// above 1 divides them all, and none of the two ends in a 0 but the numerator 0 = 0/1. `None` if it was
+    /// too large (powers above 64, integers of more than 16384 bits).
     pub fn polynomials(&self) -> Option<&[Vec<BigInt>; 2]> {
         self.value.as_ref()
     }

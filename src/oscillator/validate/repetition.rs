@@ -6,12 +6,13 @@ use num_rational::BigRational;
 use super::{ExpectedImpact, Verdict};
 use crate::number::{Ball, Elementary, Precision, Real, Sign};
 
-/// That no smaller number of periods is a period of the orbit enclosed by `found` (t_1, …, t_m, V_1, …, V_m, and what else there may be). It is the only
-/// solution in the box of `radius` about `centre`.
+/// That no smaller number of periods is a period of the orbit enclosed by `found` (t_1, …, t_m, V_1, …, V_m,
+/// and what else there may be). It is the only solution in the box of `radius` about `centre`.
 ///
-/// If the orbit had d/m of its periods, d a divisor of the m impacts, every impact would come back d impacts later. The same orbit begun d impacts later solves
-/// the same equations, where the walls agree. If that solution certainly differs from this one, the orbit does not come back so; if it lies in the
-/// box, the two are one, and it does.
+/// If the orbit had d/m of its periods, d a divisor of the m impacts, every impact would come back d impacts
+/// later. The same orbit begun d impacts later solves the same equations, where the walls agree. If that
+/// solution certainly differs from this one, the orbit does not come back so; if it lies in the box, the two
+/// are one, and it does.
 pub(super) fn least_period(
     impacts: &[ExpectedImpact],
     found: &[Ball],

@@ -17,8 +17,8 @@ use crate::{
 /// The most digits of a number in a certificate.
 const DIGITS: usize = 34;
 
-/// The text of a certificate of kind `orbit`. The checker's intervals differ from the proof's: where it does not
-/// accept the box, smaller ones are tried, so that what is returned has passed the check.
+/// The text of a certificate of kind `orbit`. The checker's intervals differ from the proof's: where it does
+/// not accept the box, smaller ones are tried, so that what is returned has passed the check.
 ///
 /// # Errors
 /// An input error: a coefficient of more than 34 digits, or no box that the checker accepts.
@@ -48,8 +48,9 @@ pub fn certificate(system: &oscillator::System<BigRational>, orbit: &ProvedOrbit
     Err(Error::input(format!("the checker does not accept this orbit: {last}")))
 }
 
-/// The text of a certificate of kind `event`, and the ends of the parameter's interval that it proves, in decimals. `system` is the family as a function of
-/// the parameter, `name` what the parameter is called. Of several boxes it has the first that the checker accepts, so that what is returned has passed.
+/// The text of a certificate of kind `event`, and the ends of the parameter's interval that it proves, in
+/// decimals. `system` is the family as a function of the parameter, `name` what the parameter is called. Of
+/// several boxes it has the first that the checker accepts, so that what is returned has passed.
 ///
 /// # Errors
 /// An input error: a coefficient that does not fit, or no box that the checker accepts.

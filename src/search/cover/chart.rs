@@ -9,8 +9,8 @@ use crate::{
     existence::{Interval, Variant, intervals},
 };
 
-/// A closed interval of s between two neighbouring cuts: the multiples of 1/(2n), where u_n = 0, and the ends of the claimed
-/// intervals.
+/// A closed interval of s between two neighbouring cuts: the multiples of 1/(2n), where u_n = 0, and the ends
+/// of the claimed intervals.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Strip {
     /// The left end, in lowest terms.
@@ -27,7 +27,8 @@ impl Strip {
         *self.left.numer() == 0 || self.right == Ratio::new_raw(1, 2)
     }
 
-    /// The sign t that all N_{n,k} must have for an orbit in the claimed case: u_n t = sign eµ and t = −sign γ.
+    /// The sign t that all N_{n,k} must have for an orbit in the claimed case: u_n t = sign eµ and t = −sign
+    /// γ.
     pub(super) fn sign(&self) -> Option<f64> {
         self.interval.as_ref().map(|interval| -f64::from(interval.case.sign_gamma()))
     }
@@ -123,7 +124,8 @@ pub struct Chart {
     turns: [u64; 2],
 }
 
-/// A cell in floats: its centre to nearly twice their precision, since a claim is sensitive to n times the centre's error.
+/// A cell in floats: its centre to nearly twice their precision, since a claim is sensitive to n times the
+/// centre's error.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Frame {
     /// 1 − r at the centre.

@@ -31,7 +31,8 @@ impl<'a> Judge<'a> {
         Judge { chart, n, finest, expander: Expander::new(n, chart.strip.is_outermost()) }
     }
 
-    /// Decides a box, and says whether what was found contradicts the claim for the strip. `latest` is the None leaf found last in the strip. O(n).
+    /// Decides a box, and says whether what was found contradicts the claim for the strip. `latest` is the
+    /// None leaf found last in the strip. O(n).
     pub fn judge(&mut self, cell: &Cell, latest: Option<Leaf>) -> (Verdict, bool) {
         let frame = self.chart.frame(cell);
         self.expander.expand(&frame);

@@ -1,15 +1,18 @@
-//! Every N_{n,k} on a box in plain floats: Taylor expansions of second order at the centre, with bounds of the rest.
+//! Every N_{n,k} on a box in plain floats: Taylor expansions of second order at the centre, with bounds of
+//! the rest.
 //!
-//! Up to factors > 0 (r^{k−1}, sin θ), N_{n,k} is T_k = r^{n−k} f_n − rⁿ f_{n−k} − f_k with f_q = sin qθ (62). Near s = 0 and s = ½ the factor
-//! sin θ is divided out and f_q = sin qθ/(n sin θ) = (cos (q−1)θ + cos (q−3)θ + … + cos (1−q)θ)/n. A box of half
-//! widths h, η about (r₀, θ₀) is |x|, |y| ≤ 1 in r = r₀ + hx, θ = θ₀ + ηy, and there
+//! Up to factors > 0 (r^{k−1}, sin θ), N_{n,k} is T_k = r^{n−k} f_n − rⁿ f_{n−k} − f_k with f_q = sin qθ
+//! (62). Near s = 0 and s = ½ the factor sin θ is divided out and f_q = sin qθ/(n sin θ) = (cos (q−1)θ + cos
+//! (q−3)θ + … + cos (1−q)θ)/n. A box of half widths h, η about (r₀, θ₀) is |x|, |y| ≤ 1 in r = r₀ + hx, θ =
+//! θ₀ + ηy, and there
 //!
 //! ```text
 //! T_k = c₀₀ + c₁₀x + c₀₁y + c₂₀x² + c₁₁xy + c₀₂y² + rest,   |rest| ≤ d₃₀ + d₂₁ + d₁₂ + d₀₃,
 //! ```
 //!
-//! d from the third derivatives, bounded by powers of r₀ + h and by |∂ʲ sin qθ| ≤ qʲ. Nothing here is proof: the margin
-//! below is meant to be larger than what is lost to rounding, here and in the checker, which decides.
+//! d from the third derivatives, bounded by powers of r₀ + h and by |∂ʲ sin qθ| ≤ qʲ. Nothing here is proof:
+//! the margin below is meant to be larger than what is lost to rounding, here and in the checker, which
+//! decides.
 
 use std::f64::consts::TAU;
 
@@ -45,7 +48,8 @@ impl Expansion {
         t * c00 - 1.000_001 * (others + self.d.iter().sum::<f64>()) - self.pad
     }
 
-    /// T − wD, w ≥ 0 being such that the gradient is at right angles to that of D: the best guess where T = 0 and D = 0 almost touch.
+    /// T − wD, w ≥ 0 being such that the gradient is at right angles to that of D: the best guess where T = 0
+    /// and D = 0 almost touch.
     pub fn minus_multiple(&self, other: &Expansion) -> Expansion {
         let [_, a, b, ..] = self.c;
         let [_, x, y, ..] = other.c;

@@ -1,12 +1,14 @@
 //! Covers: what happens at every point of region 3 with r ≤ r_max, for one period after the other.
 //!
-//! Region 3 is cut into strips of s and rows of r (`chart`); a strip's part of a row is halved, along r or along s, until every box can be
-//! claimed something of (`claim`): no orbit, an orbit, or the edge of an area. The search knows Conjecture 1 and uses it as a guess. It computes
-//! in plain floats with margins (`expansion`), so it proves nothing; the trees it writes down (`tree`) do, once
-//! [`certificate`](crate::certificate) has checked them. A box it cannot claim anything of stays in the tree, as Open. Regions 2 and 4 need no search.
+//! Region 3 is cut into strips of s and rows of r (`chart`); a strip's part of a row is halved, along r or
+//! along s, until every box can be claimed something of (`claim`): no orbit, an orbit, or the edge of an
+//! area. The search knows Conjecture 1 and uses it as a guess. It computes in plain floats with margins
+//! (`expansion`), so it proves nothing; the trees it writes down (`tree`) do, once
+//! [`certificate`](crate::certificate) has checked them. A box it cannot claim anything of stays in the tree,
+//! as Open. Regions 2 and 4 need no search.
 //!
-//! A unit of work is one strip of one period, and its trees depend on nothing else: units run in any order and number at a
-//! time, and a run that was ended goes on from those it had finished.
+//! A unit of work is one strip of one period, and its trees depend on nothing else: units run in any order
+//! and number at a time, and a run that was ended goes on from those it had finished.
 
 mod chart;
 mod claim;
@@ -43,7 +45,8 @@ pub struct CoverOptions {
     pub r_max: Option<BigRational>,
     /// The largest number of splits above a leaf.
     pub max_depth: u32,
-    /// The largest width of an Edge leaf in the (a₁, a₂) plane, for pictures; its height is at most this times max(1 − a₂, 1/10).
+    /// The largest width of an Edge leaf in the (a₁, a₂) plane, for pictures; its height is at most this
+    /// times max(1 − a₂, 1/10).
     pub finest: Option<f64>,
     /// The statement that guides the search.
     pub variant: Variant,
@@ -55,11 +58,12 @@ impl CoverOptions {
         CoverOptions { periods, r_max: None, max_depth: 60, finest: None, variant: Variant::True }
     }
 
-    /// r_max for period `n`: by default 1 − 1/n³, which lies above the lowest point of every area, since each reaches
-    /// below 1 − 4/(πn³) (`proofs/coq/Depth.v`).
+    /// r_max for period `n`: by default 1 − 1/n³, which lies above the lowest point of every area, since each
+    /// reaches below 1 − 4/(πn³) (`proofs/coq/Depth.v`).
     ///
     /// # Errors
-    /// An input error if it is not in (0, 1), has more digits than a certificate can hold, or lies below the lowest points of areas.
+    /// An input error if it is not in (0, 1), has more digits than a certificate can hold, or lies below the
+    /// lowest points of areas.
     pub fn r_max(&self, n: u64) -> Result<BigRational> {
         let cube = BigInt::from(n).pow(3);
         let Some(r_max) = &self.r_max else {
@@ -135,7 +139,8 @@ impl Cover {
         self.strips.iter().all(|(_, trees)| trees.is_some())
     }
 
-    /// Calls `visit` with each leaf of the strips covered, its box, and the chart that gives the box its place.
+    /// Calls `visit` with each leaf of the strips covered, its box, and the chart that gives the box its
+    /// place.
     pub fn leaves(&self, mut visit: impl FnMut(&Chart, Leaf, Cell)) {
         for (strip, trees) in &self.strips {
             let chart = Chart::new(strip.clone(), &self.r_max);
@@ -192,13 +197,15 @@ pub fn units(options: &CoverOptions) -> Result<Vec<Unit>> {
     Ok(options.periods.clone().map(of).collect::<Result<Vec<_>>>()?.into_iter().flatten().collect())
 }
 
-/// Covers every period in the range, on all threads of the current pool. `known` holds the trees of units done before; `record` is told
-/// of every further one as it is done, from any thread. One unit of progress each. On an interruption, what is not reached is missing.
+/// Covers every period in the range, on all threads of the current pool. `known` holds the trees of units
+/// done before; `record` is told of every further one as it is done, from any thread. One unit of progress
+/// each. On an interruption, what is not reached is missing.
 ///
 /// Cost: for each n about n^1.3 leaves (docs/covers.md), O(n) for each box met.
 ///
 /// # Errors
-/// An input error if a period or r_max is out of bounds, or trees are known that are none; whatever `record` returns.
+/// An input error if a period or r_max is out of bounds, or trees are known that are none; whatever `record`
+/// returns.
 pub fn cover(
     options: &CoverOptions,
     mut known: HashMap<Unit, String>,

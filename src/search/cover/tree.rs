@@ -10,12 +10,14 @@ use crate::{
     error::{Error, Result},
 };
 
-/// Boxes met in one strip before the rest is left open: hundreds of times what any strip of a period up to 128 needs.
+/// Boxes met in one strip before the rest is left open: hundreds of times what any strip of a period up to
+/// 128 needs.
 const BUDGET: u32 = 1 << 16;
 
-/// The trees of a strip's rows as text: `r` or `s` for a split, then its two parts; leaves as [`Leaf::write`] has them. Boxes still undecided after `max_depth`
-/// splits become Open leaves. Where the claim for the strip
-/// seems to be false, `refutes` is asked; a point at which it is false ends the search and is returned instead. Cost: O(n) for each box met.
+/// The trees of a strip's rows as text: `r` or `s` for a split, then its two parts; leaves as [`Leaf::write`]
+/// has them. Boxes still undecided after `max_depth` splits become Open leaves. Where the claim for the strip
+/// seems to be false, `refutes` is asked; a point at which it is false ends the search and is returned
+/// instead. Cost: O(n) for each box met.
 pub(super) fn grow(
     mut judge: Judge,
     max_depth: u32,

@@ -1,5 +1,5 @@
-//! What every fuzzing has in common: units of cases, each drawn from the seed and its own number alone, so that a run is the same whatever the
-//! number of threads, can be ended after any unit and gone on with.
+//! What every fuzzing has in common: units of cases, each drawn from the seed and its own number alone, so
+//! that a run is the same whatever the number of threads, can be ended after any unit and gone on with.
 
 use rayon::prelude::*;
 use serde::{Serialize, de::DeserializeOwned};
@@ -64,12 +64,14 @@ pub trait Campaign: Serialize + Sync {
     ) -> Option<Self::Tally>;
 }
 
-/// Runs from `tally` on until enough cases are decided or the monitor interrupts; `checkpoint` sees every state from which
-/// the run can go on. Ends early once a disagreement or an error of this program is found. What is counted is whole units: at least the cases asked for
-/// unless it ends early, and less than one unit more.
+/// Runs from `tally` on until enough cases are decided or the monitor interrupts; `checkpoint` sees every
+/// state from which the run can go on. Ends early once a disagreement or an error of this program is found.
+/// What is counted is whole units: at least the cases asked for unless it ends early, and less than one unit
+/// more.
 ///
 /// # Errors
-/// An input error if the options are out of range, or `tally` cannot be of such a run; whatever `checkpoint` returns.
+/// An input error if the options are out of range, or `tally` cannot be of such a run; whatever `checkpoint`
+/// returns.
 pub fn fuzz<C: Campaign>(
     campaign: &C,
     mut tally: C::Tally,

@@ -1,4 +1,5 @@
-//! What becomes of a case that a sweep leaves open: it is decided on the ladder, counted, and shrunk if it disagrees.
+//! What becomes of a case that a sweep leaves open: it is decided on the ladder, counted, and shrunk if it
+//! disagrees.
 
 use super::{
     super::compare::{Comparison, compare, differ},
@@ -11,7 +12,8 @@ use crate::{
     local::{Ladder, Rung},
 };
 
-/// What a sweep found of one period and the ladder contradicts: an error of this program, whatever the conjecture says.
+/// What a sweep found of one period and the ladder contradicts: an error of this program, whatever the
+/// conjecture says.
 pub(super) fn contradiction(ladder: &Ladder, case: &Instance, swept: &Swept) -> Option<&'static str> {
     let Instance { n, point } = case;
     let cases = |found: Option<_>| found.into_iter().collect::<Vec<_>>();
@@ -49,8 +51,8 @@ pub(super) fn one_case(ladder: &Ladder, case: Instance, variant: Variant, tally:
     }
 }
 
-/// A simple case that differs too: the first of the small ones, or else one near this case, each step taking the first
-/// simplification that still differs.
+/// A simple case that differs too: the first of the small ones, or else one near this case, each step taking
+/// the first simplification that still differs.
 pub(super) fn shrink(ladder: &Ladder, mut case: Instance, variant: Variant) -> Instance {
     if let Some(small) = weighted::small_cases().find(|small| differ(ladder, small, variant)) {
         return small;

@@ -1,10 +1,11 @@
 //! Fuzzing Conjecture 1: random points at which the definition and the claim are decided apart and compared.
 //!
-//! Half of the cases come from sweeps: (r, s) uniform, every n ≤ N in one pass of the record form (`sweep`); half of
-//! the rest of the work goes to single cases drawn near the places where something could fail (`weighted`), decided k by k
-//! on the ladder. A run is a list of units; unit i of a seed is the same whatever the number of threads. Finding no
-//! disagreement proves nothing; a disagreement is decided again, shrunk, and can be replayed. Where two routes of this program
-//! to one answer differ, that is an error of its own, reported with the point.
+//! Half of the cases come from sweeps: (r, s) uniform, every n ≤ N in one pass of the record form (`sweep`);
+//! half of the rest of the work goes to single cases drawn near the places where something could fail
+//! (`weighted`), decided k by k on the ladder. A run is a list of units; unit i of a seed is the same
+//! whatever the number of threads. Finding no disagreement proves nothing; a disagreement is decided again,
+//! shrunk, and can be replayed. Where two routes of this program to one answer differ, that is an error of
+//! its own, reported with the point.
 
 mod campaign;
 mod confirm;
@@ -177,7 +178,8 @@ impl Campaign for FuzzOptions {
         if tally.repeated > tally.units * SWEEP_POINTS || tally.weighted > tally.units * WEIGHTED_CASES {
             return bad("more repeated or weighted cases than units have");
         }
-        // Every point of a sweep is one case for each period, a repeated one is decided once more, and weighted cases are cases.
+        // Every point of a sweep is one case for each period, a repeated one is decided once more, and
+        // weighted cases are cases.
         let cases = tally.units * SWEEP_POINTS * self.periods() + tally.repeated + tally.weighted;
         let counted: u64 = parts.iter().sum();
         let differing = tally.disagreements.len() as u64;
@@ -223,7 +225,8 @@ impl Campaign for FuzzOptions {
                 0
             };
             sweep.run(r, s, |n, swept| {
-                // After an error of ours the rest of the unit says nothing, and might be one such line for every case.
+                // After an error of ours the rest of the unit says nothing, and might be one such line for
+                // every case.
                 if (n as u64) < self.first || !tally.faults.is_empty() {
                     return;
                 }
@@ -238,7 +241,8 @@ impl Campaign for FuzzOptions {
                 if let Some(what) = contradiction(ladder, &case, &swept) {
                     tally.faults.push(format!("{what}: {case}"));
                 }
-                // Open or an apparent disagreement; and one chosen to be decided again whatever the sweep says.
+                // Open or an apparent disagreement; and one chosen to be decided again whatever the sweep
+                // says.
                 for _ in 0..u32::from(!agreed) + u32::from(repeated) {
                     one_case(ladder, case.clone(), Variant::True, &mut tally);
                 }

@@ -1,9 +1,11 @@
-//! One pass over n ≤ N at one point (r, s), in plain `f64` with proved error bounds: the record form and the claim.
+//! One pass over n ≤ N at one point (r, s), in plain `f64` with proved error bounds: the record form and the
+//! claim.
 //!
-//! Here u = 2⁻⁵³. The powers z_j ≈ λ^j come from z_{j+1} = fl(z_j λ̃). Cosine and sine of 2πs are floats within 2u of the
-//! true value, and multiplying by r, exact, rounds by u relatively: |λ̃ − λ| ≤ √2 (2u + u/2) r < 2⁻⁵¹ r. A complex product is off
-//! by at most 4u|z||λ̃|. So the error E_j of z_j, in units of r^j, grows by at most E_j 2⁻⁵¹ + 2⁻⁵¹ + 4u(1 + E_j)(1 + 2⁻⁵¹) <
-//! 2⁻⁴⁹ a step, and E_j ≤ j 2⁻⁴⁹ r^j for j ≤ 4096, as long as nothing underflows (r^j > 2⁻⁹⁰⁰ is tested).
+//! Here u = 2⁻⁵³. The powers z_j ≈ λ^j come from z_{j+1} = fl(z_j λ̃). Cosine and sine of 2πs are floats
+//! within 2u of the true value, and multiplying by r, exact, rounds by u relatively: |λ̃ − λ| ≤ √2 (2u + u/2)
+//! r < 2⁻⁵¹ r. A complex product is off by at most 4u|z||λ̃|. So the error E_j of z_j, in units of r^j, grows
+//! by at most E_j 2⁻⁵¹ + 2⁻⁵¹ + 4u(1 + E_j)(1 + 2⁻⁵¹) < 2⁻⁴⁹ a step, and E_j ≤ j 2⁻⁴⁹ r^j for j ≤ 4096, as
+//! long as nothing underflows (r^j > 2⁻⁹⁰⁰ is tested).
 //!
 //! A comparison whose error bound leaves it open is `None`: the caller decides that period on the ladder.
 
@@ -19,8 +21,8 @@ pub(super) const LONGEST: usize = 4096;
 /// Below this, 2⁻⁹⁰⁰, products could underflow.
 const SMALLEST: f64 = f64::from_bits((1023 - 900) << 52);
 
-/// What one period's sweep found: the cases by the record form and those claimed; `None` where a bound leaves it open.
-/// Some(None): no orbit.
+/// What one period's sweep found: the cases by the record form and those claimed; `None` where a bound leaves
+/// it open. Some(None): no orbit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Swept {
     pub defined: Option<Option<Case>>,
@@ -72,8 +74,8 @@ impl Sweep {
         Sweep { neighbours: Neighbours::new(last), y: vec![0.0; last + 1], rho: vec![1.0; last + 1] }
     }
 
-    /// Visits n = 3, …, last at the point r = `r`/2⁵³, s = `s`/2⁵⁴, 0 < r, s < 2⁵³, s odd (so that u_n ≠ 0 for
-    /// every n < 2⁵²).
+    /// Visits n = 3, …, last at the point r = `r`/2⁵³, s = `s`/2⁵⁴, 0 < r, s < 2⁵³, s odd (so that u_n ≠ 0
+    /// for every n < 2⁵²).
     pub(super) fn run(&mut self, r: u64, s: u64, mut visit: impl FnMut(usize, Swept)) {
         const UNIT: f64 = 1.0 / (1u64 << 53) as f64;
         let last = self.y.len() - 1;
@@ -149,8 +151,9 @@ impl Sweep {
 
     /// Im λⁿ − Im λ^k − r^{2k} Im λ^{n−k}, and a bound on its error.
     ///
-    /// Every term is at most r^k (1 + E). Errors in units of r^k: E_n + E_k + E_{n−k} = 2n 2⁻⁴⁹ from the powers, 12k·u
-    /// from the square of the bound ρ_k, which exceeds r^k by at most 6k·u of it, and 6u from the sums: below 4n 2⁻⁴⁹.
+    /// Every term is at most r^k (1 + E). Errors in units of r^k: E_n + E_k + E_{n−k} = 2n 2⁻⁴⁹ from the
+    /// powers, 12k·u from the square of the bound ρ_k, which exceeds r^k by at most 6k·u of it, and 6u from
+    /// the sums: below 4n 2⁻⁴⁹.
     fn numerator(&self, n: usize, k: usize) -> (f64, f64) {
         let value = self.y[n] - self.y[k] - self.rho[k] * self.rho[k] * self.y[n - k];
         (value, error(4 * n) * self.rho[k])
@@ -165,9 +168,9 @@ enum Record {
 
 /// An enclosure of Im λ^j/(1 − Re λ^j), a positive multiple of f_j, from z_j and ρ ≥ r^j.
 ///
-/// t = y/d with d = fl(1 − x): y is off by e = E_j and d by e + 2u at most, called e'. If d ≥ 4e' the true quotient is within
-/// (e + |t|e')/(d − e') ≤ 1.34 (e + |t|e')/d of y/d; the factor 2 and 2⁻⁵⁰|t| cover the roundings of t, of the bound and of
-/// t ± bound.
+/// t = y/d with d = fl(1 − x): y is off by e = E_j and d by e + 2u at most, called e'. If d ≥ 4e' the true
+/// quotient is within (e + |t|e')/(d − e') ≤ 1.34 (e + |t|e')/d of y/d; the factor 2 and 2⁻⁵⁰|t| cover the
+/// roundings of t, of the bound and of t ± bound.
 fn ratio(x: f64, y: f64, j: usize, rho: f64) -> (f64, f64) {
     let e = error(j) * rho;
     let e1 = e + error(1);

@@ -1,4 +1,5 @@
-//! Points where the conjecture could fail, or its evaluation: near boundaries, ends, equal eigenvalues, r = 1.
+//! Points where the conjecture could fail, or its evaluation: near boundaries, ends, equal eigenvalues, r
+//! = 1.
 
 use std::ops::RangeInclusive;
 
@@ -19,7 +20,8 @@ fn ratio(p: u64, q: u64) -> BigRational {
     BigRational::new(p.into(), q.into())
 }
 
-/// A case of a family chosen at random, mostly with a period in range; `None` if the choice fell outside the region meant.
+/// A case of a family chosen at random, mostly with a period in range; `None` if the choice fell outside the
+/// region meant.
 pub(super) fn case(random: &mut Random, ladder: &Ladder, periods: RangeInclusive<u64>) -> Option<Instance> {
     let last = *periods.end();
     let n = random.within(*periods.start(), last);
@@ -128,7 +130,8 @@ fn near_end(random: &mut Random, n: u64) -> Option<BigRational> {
     Some(ratio(*end.numer(), *end.denom()) + signed_tiny(random))
 }
 
-/// Near the curve that bounds an area: r bisected towards the sign change of the deciding b_{n,k}, then stopped early.
+/// Near the curve that bounds an area: r bisected towards the sign change of the deciding b_{n,k}, then
+/// stopped early.
 fn near_boundary(random: &mut Random, ladder: &Ladder, n: u64) -> Option<Instance> {
     let all: Vec<_> = intervals(n).ok()?.filter(|interval| interval.deciding.is_some()).collect();
     let interval = &all[random.within(0, all.len() as u64 - 1) as usize];

@@ -1,7 +1,9 @@
-//! Attractors over a parameter: what motions from several starts tend to at each of many values; windows and coexistence.
+//! Attractors over a parameter: what motions from several starts tend to at each of many values; windows and
+//! coexistence.
 //!
-//! Found by following motions, so nothing is proved: a long transient can look like an attractor. Values are independent of each other, run in parallel, and what
-//! is done is kept in a checkpoint; a resumed diagram is bit for bit the uninterrupted one.
+//! Found by following motions, so nothing is proved: a long transient can look like an attractor. Values are
+//! independent of each other, run in parallel, and what is done is kept in a checkpoint; a resumed diagram is
+//! bit for bit the uninterrupted one.
 
 mod windows;
 
@@ -69,7 +71,8 @@ pub struct DiagramMotion {
 pub struct Slice {
     /// The value.
     pub value: f64,
-    /// The attractors, in the order of the starts that lead there first; all motions that are not periodic count as one.
+    /// The attractors, in the order of the starts that lead there first; all motions that are not periodic
+    /// count as one.
     pub motions: Vec<DiagramMotion>,
     /// Starts whose motion left every bound, or are behind a wall here.
     pub lost: u32,
@@ -78,9 +81,10 @@ pub struct Slice {
 /// Values between two checkpoints.
 const CHUNK: usize = 64;
 
-/// The slices of a plan, in its order. With a file, what is done is kept there as it is done, and what it holds of the
-/// same plan is not done again. `identity` is what else the result depends on: a file of another plan or identity is refused. Tells `monitor` of each
-/// value. Cost: `transient` + `points` periods for each value and start.
+/// The slices of a plan, in its order. With a file, what is done is kept there as it is done, and what it
+/// holds of the same plan is not done again. `identity` is what else the result depends on: a file of another
+/// plan or identity is refused. Tells `monitor` of each value. Cost: `transient` + `points` periods for each
+/// value and start.
 ///
 /// # Errors
 /// Those of the system and the simulator; an unusable checkpoint; an interruption, after a last checkpoint.
@@ -122,7 +126,8 @@ pub fn sweep(
 }
 
 impl DiagramPlan {
-    /// More bytes than any state of this plan has: 64 for a point or what else a motion has, 128 for what else a slice and its line have.
+    /// More bytes than any state of this plan has: 64 for a point or what else a motion has, 128 for what
+    /// else a slice and its line have.
     fn most_bytes(&self) -> u64 {
         let points = u64::from(self.look.points.max(self.look.longest).max(self.every));
         let motion = 64 * (points + 2);

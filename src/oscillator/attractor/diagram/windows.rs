@@ -17,8 +17,8 @@ pub struct Window {
     pub values: usize,
 }
 
-/// The windows of a diagram whose values ascend, ordered by where they begin. One narrower than the distance of values can be missed, and two
-/// with nothing between them but missed values are taken for one.
+/// The windows of a diagram whose values ascend, ordered by where they begin. One narrower than the distance
+/// of values can be missed, and two with nothing between them but missed values are taken for one.
 pub fn windows(slices: &[Slice]) -> Vec<Window> {
     let mut open: Vec<Window> = Vec::new();
     let mut closed = Vec::new();

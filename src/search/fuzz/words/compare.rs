@@ -1,7 +1,9 @@
-//! One point decided exactly: the periods that occur by every b_{n,k} and which may follow which by (64), against the word and its table.
+//! One point decided exactly: the periods that occur by every b_{n,k} and which may follow which by (64),
+//! against the word and its table.
 //!
-//! The definition takes its signs from the ladder, and p and q from their formulas, in fractions or balls. The word takes the signs of u_n from the ladder and
-//! those that decide from `search::apart`: so no sign of a b is shared.
+//! The definition takes its signs from the ladder, and p and q from their formulas, in fractions or balls.
+//! The word takes the signs of u_n from the ladder and those that decide from `search::apart`: so no sign of
+//! a b is shared.
 
 use std::cell::OnceCell;
 
@@ -169,7 +171,8 @@ fn edge(word: &Word, statement: WordStatement, i: u64, j: u64) -> Edge {
     }
 }
 
-/// The signs of p_j − q_i for periods up to a last one, from p_n = (u_{n+1} − 1)/u_n and q_n = (a₂ⁿ + a₂u_{n−1})/u_n.
+/// The signs of p_j − q_i for periods up to a last one, from p_n = (u_{n+1} − 1)/u_n and q_n = (a₂ⁿ +
+/// a₂u_{n−1})/u_n.
 enum Followers {
     /// u_0, u_1, … and a₂.
     Exact(Vec<BigRational>, BigRational),

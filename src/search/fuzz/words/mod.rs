@@ -1,9 +1,11 @@
-//! Fuzzing the word theorem: which periods occur and which may follow which, by the definition and (64), against one word and its table.
+//! Fuzzing the word theorem: which periods occur and which may follow which, by the definition and (64),
+//! against one word and its table.
 //!
-//! Most points come from sweeps (`sweep`): eight moduli per angle, uniform, near r = 1, near fractions of small denominator, near the lowest points of areas. Some
-//! are drawn near the places where something could fail and decided exactly (`compare`), as is a share of the sweeps' points. Beside them random words on r = 1 are
-//! asked two questions that are open: whether any has an entropy above what is thought to be the supremum, for eµ > 0 in region 3. Finding no disagreement
-//! proves nothing.
+//! Most points come from sweeps (`sweep`): eight moduli per angle, uniform, near r = 1, near fractions of
+//! small denominator, near the lowest points of areas. Some are drawn near the places where something could
+//! fail and decided exactly (`compare`), as is a share of the sweeps' points. Beside them random words on r =
+//! 1 are asked two questions that are open: whether any has an entropy above what is thought to be the
+//! supremum, for eµ > 0 in region 3. Finding no disagreement proves nothing.
 
 mod compare;
 mod sweep;
@@ -29,8 +31,8 @@ pub use compare::WordStatement;
 use compare::{Comparison, compare, differ, shrink};
 use sweep::{Swept, WordSweep};
 
-/// The entropies thought to be the suprema for eµ > 0 in region 3: in (+,−), as s → 1/2 on r = 1, the logarithm of the tribonacci constant, rounded up; in (+,+), as
-/// s → 1/4 from above, 0.450385…, rounded up.
+/// The entropies thought to be the suprema for eµ > 0 in region 3: in (+,−), as s → 1/2 on r = 1, the
+/// logarithm of the tribonacci constant, rounded up; in (+,+), as s → 1/4 from above, 0.450385…, rounded up.
 pub const SUPREMA: [f64; 2] = [0.450_386, 0.609_377_863_437];
 
 /// What to fuzz.

@@ -1,16 +1,20 @@
-//! Many points (r, s) with one s, in plain `f64` with proved error bounds: the periods that occur by the record form and which may follow
-//! which by (64), against the word of the path and its table.
+//! Many points (r, s) with one s, in plain `f64` with proved error bounds: the periods that occur by the
+//! record form and which may follow which by (64), against the word of the path and its table.
 //!
-//! Here u = 2⁻⁵³. e_j ≈ e^{2πijs} comes from products by a float within 2⁻⁵¹ of e^{2πis}, so that it is off by at most j 2⁻⁴⁹ (the head of
-//! `fuzz::sweep` has the proof, here with r = 1), for j ≤ 4096. R_j ≈ rʲ comes from products by r, exact, and is off by at most (j − 1)u relatively; the sweep ends
-//! before rʲ < 2⁻⁹⁰⁰, and where smaller ones occur in a sum they are off by less than 2⁻¹⁰⁰⁰. So z_j = R_j e_j is off by at most j 2⁻⁴⁸ rʲ = E_j rʲ.
+//! Here u = 2⁻⁵³. e_j ≈ e^{2πijs} comes from products by a float within 2⁻⁵¹ of e^{2πis}, so that it is off
+//! by at most j 2⁻⁴⁹ (the head of `fuzz::sweep` has the proof, here with r = 1), for j ≤ 4096. R_j ≈ rʲ comes
+//! from products by r, exact, and is off by at most (j − 1)u relatively; the sweep ends before rʲ < 2⁻⁹⁰⁰,
+//! and where smaller ones occur in a sum they are off by less than 2⁻¹⁰⁰⁰. So z_j = R_j e_j is off by at most
+//! j 2⁻⁴⁸ rʲ = E_j rʲ.
 //!
-//! - *Records*: f_j = Im λʲ/(1 − Re λʲ) as in `fuzz::sweep`. After n it is no record once rⁿ/(1 − rⁿ) is below both |extremes|, which have
-//!   opposite signs: then every period has been decided.
-//! - *Followers*: p_n = (u_{n+1} − 1)/u_n, q_n = (a₂ⁿ + a₂u_{n−1})/u_n, with y_j = Im λʲ and y_1 = Im λ: (y_{n+1} − y_1)/y_n and (r²ⁿy_1 + r²y_{n−1})/y_n. The numerators
-//!   are off by less than (n + 4) 2⁻⁴⁸ r and 2(n + 4) 2⁻⁴⁸ rⁿ⁺¹, the denominator by n 2⁻⁴⁸ rⁿ; the quotient x/y by less than 1.1 (δx + |x/y| δy)/|y| where |y| > 16 δy.
-//! - *Word*: sides by integers, s = `s`/2⁵⁴ being exact; the deciding b has the sign of u_n T, T = r^{n−k} sin nθ − rⁿ sin (n−k)θ − sin kθ, whose terms are off by
-//!   less than 4n 2⁻⁴⁸ in all.
+//! - *Records*: f_j = Im λʲ/(1 − Re λʲ) as in `fuzz::sweep`. After n it is no record once rⁿ/(1 − rⁿ) is
+//!   below both |extremes|, which have opposite signs: then every period has been decided.
+//! - *Followers*: p_n = (u_{n+1} − 1)/u_n, q_n = (a₂ⁿ + a₂u_{n−1})/u_n, with y_j = Im λʲ and y_1 = Im λ:
+//!   (y_{n+1} − y_1)/y_n and (r²ⁿy_1 + r²y_{n−1})/y_n. The numerators are off by less than (n + 4) 2⁻⁴⁸ r and
+//!   2(n + 4) 2⁻⁴⁸ rⁿ⁺¹, the denominator by n 2⁻⁴⁸ rⁿ; the quotient x/y by less than 1.1 (δx + |x/y| δy)/|y|
+//!   where |y| > 16 δy.
+//! - *Word*: sides by integers, s = `s`/2⁵⁴ being exact; the deciding b has the sign of u_n T, T = r^{n−k}
+//!   sin nθ − rⁿ sin (n−k)θ − sin kθ, whose terms are off by less than 4n 2⁻⁴⁸ in all.
 
 use num_rational::BigRational;
 
@@ -105,8 +109,9 @@ impl WordSweep {
         self.against(decided, whole, ended)
     }
 
-    /// Finds the periods that occur for eµ > 0, by records; how far it came, and whether no later one occurs. `None` where a bound leaves one open. Those for
-    /// eµ < 0 must be the n with 2ns < 1: (0, …) if they are not.
+    /// Finds the periods that occur for eµ > 0, by records; how far it came, and whether no later one occurs.
+    /// `None` where a bound leaves one open. Those for eµ < 0 must be the n with 2ns < 1: (0, …) if they are
+    /// not.
     fn by_definition(&mut self) -> Option<(usize, bool)> {
         self.found.clear();
         let (mut highest, mut lowest) = ((0.0, 0.0), (0.0, 0.0));
@@ -172,7 +177,8 @@ impl WordSweep {
         Some(())
     }
 
-    /// Walks down the path as far as periods occur; whether it was seen to end. `None` where a bound leaves a sign open.
+    /// Walks down the path as far as periods occur; whether it was seen to end. `None` where a bound leaves a
+    /// sign open.
     fn by_path(&mut self) -> Option<bool> {
         let (s, last) = (self.s, self.last());
         self.word.clear();
@@ -232,7 +238,8 @@ impl WordSweep {
     }
 }
 
-/// The table of the word theorem: whether p_j > q_i for two letters; `None` for the last pair of a word that was not seen to end.
+/// The table of the word theorem: whether p_j > q_i for two letters; `None` for the last pair of a word that
+/// was not seen to end.
 fn edge(word: &[Letter], last: Option<(usize, usize)>, ended: bool, i: usize, j: usize) -> Option<bool> {
     let (from, to) = (word[i], word[j]);
     if from.upper == to.upper {
