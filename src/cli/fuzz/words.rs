@@ -33,12 +33,13 @@ impl Told for WordOptions {
         vec![
             (tally.decided(), "points decided both ways, every period up to the last, of which"),
             (tally.swept, "by f64 with proved bounds, in sweeps"),
+            (tally.closer, "by balls, where a sweep left them open"),
             (tally.exact, "exactly, or by intervals and balls"),
             (tally.boundary, "on a boundary, where something is zero and the rest agrees"),
             (tally.undecided, "undecided, and not counted above"),
             (tally.weighted, "drawn near the places where something could fail"),
             (tally.repeated, "of sweeps decided again exactly"),
-            (tally.pairs, "pairs of periods compared in sweeps"),
+            (tally.pairs, "pairs of periods compared there"),
             (tally.words, "random words on r = 1 whose entropies were computed"),
         ]
     }

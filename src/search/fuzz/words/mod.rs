@@ -7,6 +7,7 @@
 //! 1 are asked two questions that are open: whether any has an entropy above what is thought to be the
 //! supremum, for eµ > 0 in region 3. Finding no disagreement proves nothing.
 
+mod closer;
 mod compare;
 mod sweep;
 
@@ -23,6 +24,7 @@ use crate::{
     existence::{Boundary, Lowest, intervals},
     local::Ladder,
     monitor::Monitor,
+    number::Precision,
     processor::thread_seconds,
     random::Random,
     word::{Entropy, Letter, Word},
@@ -57,6 +59,8 @@ pub struct WordTally {
     pub swept: u64,
     /// Pairs of periods compared there.
     pub pairs: u64,
+    /// Points that a sweep left open, on which both routes agree in balls of 192 bits.
+    pub closer: u64,
     /// Points decided exactly, on which both routes agree.
     pub exact: u64,
     /// Points on a boundary, where something is zero; the rest agrees.
@@ -92,6 +96,8 @@ const WEIGHTED: u64 = 8;
 const WORDS: u64 = 4;
 /// One unit in this many has weighted points and words, which take three times as long as its sweeps.
 const SELDOM: u64 = 16;
+/// The bits of the balls that decide what a sweep leaves open.
+const CLOSER_BITS: u32 = 192;
 /// The largest period that points decided exactly are compared on.
 const EXACT_LAST: u64 = 24;
 /// The largest denominator of a random word.
@@ -103,7 +109,7 @@ impl Tally for WordTally {
     }
 
     fn decided(&self) -> u64 {
-        self.swept + self.exact + self.boundary
+        self.swept + self.closer + self.exact + self.boundary
     }
 
     fn undecided(&self) -> u64 {
@@ -122,6 +128,7 @@ impl Tally for WordTally {
         self.units += other.units;
         self.swept += other.swept;
         self.pairs += other.pairs;
+        self.closer += other.closer;
         self.exact += other.exact;
         self.boundary += other.boundary;
         self.undecided += other.undecided;
@@ -188,7 +195,7 @@ impl Campaign for WordOptions {
         let WordOptions { last, seed, definition_share, .. } = self;
         let share = definition_share.to_bits();
         format!(
-            "words to {last} seed {seed} share {share:016x} unit {ANGLES}x{MODULI}+({WEIGHTED}+{WORDS})/{SELDOM}"
+            "words to {last} seed {seed} share {share:016x} unit {ANGLES}x{MODULI}/{CLOSER_BITS}+({WEIGHTED}+{WORDS})/{SELDOM}"
         )
     }
 
@@ -199,7 +206,7 @@ impl Campaign for WordOptions {
             return bad("the number of units");
         }
         let points = tally.units * ANGLES * MODULI;
-        let parts = [tally.swept, tally.exact, tally.boundary, tally.undecided];
+        let parts = [tally.swept, tally.closer, tally.exact, tally.boundary, tally.undecided];
         if parts.iter().any(|&part| part > 1 << 60) || tally.pairs > points.saturating_mul(1 << 20) {
             return bad("a count beyond all units");
         }
@@ -242,6 +249,7 @@ impl Campaign for WordOptions {
         let mut tally = WordTally { units: 1, ..WordTally::default() };
         let start = thread_seconds();
         let threshold = (self.definition_share * (1u64 << 53) as f64) as u64;
+        let precision = Precision::new(CLOSER_BITS);
         let mut exact = 0.0;
         for _ in 0..ANGLES {
             monitor.advance(0).ok()?;
@@ -249,10 +257,16 @@ impl Campaign for WordOptions {
             sweep.turn(s);
             for _ in 0..MODULI {
                 let r = modulus(&mut random, family);
-                let swept = sweep.compare(r);
+                let mut swept = sweep.compare(r);
                 if let Swept::Agree(pairs) = swept {
                     tally.swept += 1;
                     tally.pairs += pairs;
+                } else if swept == Swept::Open {
+                    swept = closer::compare(r, s, self.last as usize, &precision);
+                    if let Swept::Agree(pairs) = swept {
+                        tally.closer += 1;
+                        tally.pairs += pairs;
+                    }
                 }
                 let repeated = random.next() >> 11 < threshold;
                 if swept != Swept::Differ && swept != Swept::Open && !repeated {

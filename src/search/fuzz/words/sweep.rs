@@ -18,7 +18,7 @@
 
 use num_rational::BigRational;
 
-use crate::number::{Angle, Circular, FloatInterval};
+use crate::number::{Angle, Circular, FloatInterval, Sign};
 
 /// The largest period of a sweep.
 pub(super) const LONGEST: usize = 1024;
@@ -43,7 +43,7 @@ pub(super) enum Swept {
 
 /// A period of a word.
 #[derive(Debug, Clone, Copy)]
-struct Letter {
+pub(super) struct Letter {
     m: u64,
     n: usize,
     upper: bool,
@@ -180,62 +180,82 @@ impl WordSweep {
     /// Walks down the path as far as periods occur; whether it was seen to end. `None` where a bound leaves a
     /// sign open.
     fn by_path(&mut self) -> Option<bool> {
-        let (s, last) = (self.s, self.last());
-        self.word.clear();
-        self.word.push(Letter { m: 0, n: 1, upper: false });
-        let first = (1u64 << 53) / s + 1;
-        if first > last as u64 {
-            return Some(false);
-        }
-        self.word.push(Letter { m: 1, n: first as usize, upper: true });
-        let (mut lower, mut upper) = (self.word[0], self.word[1]);
-        loop {
-            let (m, n) = (lower.m + upper.m, lower.n + upper.n);
-            if n > last {
-                return Some(false);
-            }
-            let is_upper = u128::from(m) << 54 > n as u128 * u128::from(s);
-            let k = if is_upper { upper.n } else { lower.n };
-            let value = self.power[n - k] * self.sine[n] - self.power[n] * self.sine[n - k] - self.sine[k];
-            if value.abs() <= 4.0 * n as f64 * ERROR {
-                return None;
-            }
-            // u_n < 0 above s.
-            if (value < 0.0) != is_upper {
-                return Some(true);
-            }
-            let letter = Letter { m, n, upper: is_upper };
-            self.word.push(letter);
-            if is_upper { upper = letter } else { lower = letter }
-        }
+        let (power, sine) = (&self.power, &self.sine);
+        path(self.s, self.last(), &mut self.word, |n, k| {
+            let value = power[n - k] * sine[n] - power[n] * sine[n - k] - sine[k];
+            let certain = value.abs() > 4.0 * n as f64 * ERROR;
+            certain.then_some(if value < 0.0 { Sign::Negative } else { Sign::Positive })
+        })
     }
 
     /// The periods up to `decided`, or all of them if `whole`, and every pair of them.
     fn against(&self, decided: usize, whole: bool, ended: bool) -> Swept {
-        let listed = self.word.iter().take_while(|letter| whole || letter.n <= decided);
-        if !listed.clone().map(|letter| letter.n).eq(self.found.iter().map(|found| found.0)) {
-            return Swept::Differ;
+        let periods: Vec<usize> = self.found.iter().map(|found| found.0).collect();
+        against(&self.word, &periods, (decided, whole, ended), |i, j| {
+            let (p, q) = (self.found[j].1, self.found[i].2);
+            (p.0 > q.1 || p.1 < q.0).then_some(p.0 > q.1)
+        })
+    }
+}
+
+/// Walks down the Stern–Brocot path to s = `s`/2⁵⁴ as far as periods occur, by the sign of u_n b_{n,k} times
+/// something positive; whether it was seen to end before `last`. `None` where such a sign is not certain.
+pub(super) fn path(
+    s: u64,
+    last: usize,
+    word: &mut Vec<Letter>,
+    mut deciding: impl FnMut(usize, usize) -> Option<Sign>,
+) -> Option<bool> {
+    word.clear();
+    word.push(Letter { m: 0, n: 1, upper: false });
+    let first = (1u64 << 53) / s + 1;
+    if first > last as u64 {
+        return Some(false);
+    }
+    word.push(Letter { m: 1, n: first as usize, upper: true });
+    let (mut lower, mut upper) = (word[0], word[1]);
+    loop {
+        let (m, n) = (lower.m + upper.m, lower.n + upper.n);
+        if n > last {
+            return Some(false);
         }
-        let count = self.found.len();
-        let newest = |upper: bool| self.word.iter().rposition(|letter| letter.upper == upper);
-        let last = newest(false).zip(newest(true));
-        for (i, (_, _, q)) in self.found.iter().enumerate() {
-            for (j, (_, p, _)) in self.found.iter().enumerate() {
-                let wanted = match edge(&self.word, last, ended, i, j) {
-                    Some(wanted) => wanted,
-                    None => continue,
-                };
-                if p.0 > q.1 || p.1 < q.0 {
-                    if wanted != (p.0 > q.1) {
-                        return Swept::Differ;
-                    }
-                } else {
-                    return Swept::Open;
-                }
+        let is_upper = u128::from(m) << 54 > n as u128 * u128::from(s);
+        let k = if is_upper { upper.n } else { lower.n };
+        // u_n < 0 above s.
+        if (deciding(n, k)? == Sign::Negative) != is_upper {
+            return Some(true);
+        }
+        let letter = Letter { m, n, upper: is_upper };
+        word.push(letter);
+        if is_upper { upper = letter } else { lower = letter }
+    }
+}
+
+/// A word against the periods that occur, up to `decided` or all of them if `whole`, and its edges against
+/// `follows(i, j)`, whether p_j > q_i for two of these.
+pub(super) fn against(
+    word: &[Letter],
+    found: &[usize],
+    (decided, whole, ended): (usize, bool, bool),
+    mut follows: impl FnMut(usize, usize) -> Option<bool>,
+) -> Swept {
+    let listed = word.iter().take_while(|letter| whole || letter.n <= decided);
+    if !listed.map(|letter| letter.n).eq(found.iter().copied()) {
+        return Swept::Differ;
+    }
+    let newest = |upper: bool| word.iter().rposition(|letter| letter.upper == upper);
+    let last = newest(false).zip(newest(true));
+    for i in 0..found.len() {
+        for j in 0..found.len() {
+            let Some(wanted) = edge(word, last, ended, i, j) else { continue };
+            match follows(i, j) {
+                Some(follows) if follows != wanted => return Swept::Differ,
+                Some(_) => {}
+                None => return Swept::Open,
             }
         }
-        Swept::Agree((count * count) as u64)
     }
+    Swept::Agree((found.len() * found.len()) as u64)
 }
 
 /// The table of the word theorem: whether p_j > q_i for two letters; `None` for the last pair of a word that
