@@ -62,7 +62,7 @@ keys! {
     pub struct Restart {
         /// the branch's JSON file, in the folder that this task writes into
         file: String,
-        /// the label, as "flip 1"
+        /// the label, such as "flip 1"
         label: String,
         /// whether to change to the branch that is born there (flip) or crosses
         switch: bool = "false",
@@ -74,9 +74,9 @@ words! {
     pub enum Way {
         /// Both ways.
         Both = "both",
-        /// To larger values of the (last) parameter first of all.
+        /// Towards larger values of the (last) parameter at first.
         Up = "up",
-        /// To smaller.
+        /// Towards smaller ones.
         Down = "down",
     }
 }
@@ -102,14 +102,14 @@ keys! {
         options: Options = "{}",
         /// when the picture's displacement is taken, as a fraction of the forcing period
         phase: BigRational = "0",
-        /// from where it is counted
+        /// the frame in which it is measured
         frame: Frame = "\"fixed\"",
     }
 }
 
 keys! {
-    /// Draws what motions tend to over a parameter (bifurcation diagram): several starts for each value, in
-    /// parallel; lists windows of periodic motion and values where attractors coexist. An interrupted task
+    /// Draws what motions tend to over a parameter (a bifurcation diagram), from several starts at each value,
+    /// in parallel. Lists windows of periodic motion and values where attractors coexist. An interrupted task
     /// resumes from its checkpoint.
     pub struct DiagramTask {
         /// the parameter that varies
@@ -122,36 +122,35 @@ keys! {
         starts: Vec<Start>,
         /// when to look, as a fraction of the forcing period
         phase: BigRational = "0",
-        /// from where the displacement is counted
+        /// the frame in which the displacement is measured
         frame: Frame = "\"fixed\"",
-        /// how many periods pass before
+        /// how many periods pass first, unrecorded
         transient: u64 = "1000",
         /// how many periods are looked at
         points: u32 = "400",
-        /// the longest period told from none, in forcing periods
+        /// the longest period that counts as periodic, in forcing periods
         longest: u32 = "64",
-        /// draw one point every this many periods: one component of an attractor of that many
+        /// draw one point per this many periods, which shows one component of an attractor that has that many
         every: u32 = "1",
         /// branches to draw with it
         branches: Vec<BranchStart> = "[]",
-        /// how those are followed
+        /// how these branches are followed
         options: Options = "{}",
-        /// whether to go on from the checkpoint that an interrupted run left in the folder
+        /// whether to continue from the checkpoint that an interrupted run left in the folder
         resume: bool = "true",
     }
 }
 
 keys! {
-    /// Locates the end of an attractor: the parameter at which an image of the corner of an unstable orbit's
-    /// unstable manifold, where it first comes to graze, falls on the stable manifold; and simulates on both
-    /// sides of it.
+    /// Locates the end of an attractor. An unstable orbit's unstable manifold has a corner where it first comes
+    /// to graze; the end is the parameter at which an image of this corner falls on the stable manifold. Also
+    /// simulates on both sides of it.
     pub struct CrisisTask {
         /// the parameter that varies
         parameter: String,
         /// a value on each side
         bracket: Vec<f64>,
-        /// the unstable orbit, by its pattern; of those found in the middle of the bracket the saddle is
-        /// taken
+        /// the unstable orbit, by its pattern: the saddle among the orbits found in the middle of the bracket
         orbit: OrbitKeys,
         /// when the section is taken, as a fraction of the forcing period: not near an impact of the orbit
         phase: BigRational,
@@ -161,9 +160,9 @@ keys! {
         offsets: Vec<f64> = "[1e-4, 1e-5, 1e-6]",
         /// where simulated motions start
         start: Start,
-        /// how far from the crisis they are made, on either side
+        /// how far from the crisis the simulations are made, on either side
         margins: Vec<f64> = "[1e-5, 1e-6]",
-        /// for how many periods
+        /// how many periods they last
         periods: u64 = "1000000",
         /// a motion without an impact for this many periods has escaped
         quiet: u64 = "100",

@@ -6,20 +6,22 @@ use super::keys::{Entry, Value, keys};
 use crate::error::Result;
 
 keys! {
-    /// Proves that every bi-infinite word over an alphabet of periods is an orbit, exactly one in given boxes
-    /// and admissible, for every parameter in a range, with a certificate. Linear oscillators with one wall
-    /// and one harmonic. See chaos.md.
+    /// Proves, for every parameter in a range, that every bi-infinite word over an alphabet of periods is an
+    /// orbit: exactly one in given boxes, and admissible. Writes a certificate. For linear oscillators with
+    /// one wall and one harmonic. See chaos.md.
     pub struct ChaosTask {
         /// the periods n between impacts; `"auto"` takes those born at the grazing, and leaves out the
         /// longest until the proof succeeds
         alphabet: Alphabet = "\"auto\"",
-        /// for each period of the alphabet, in its order, those that may follow; if empty, every one
+        /// for each period of the alphabet, in its order, the periods that may follow it; if empty, all of
+        /// them
         follow: Vec<Vec<u64>> = "[]",
         /// a parameter that varies: the proof is for all its values above `from`, up to `to`
         parameter: Option<String>,
         /// the end of its range that is not included
         from: Option<BigRational>,
-        /// the end that is, unless the motion without the wall grazes there; if absent, there is none
+        /// the end that is included, unless the motion without the wall grazes there; if absent, the range
+        /// has no upper end
         to: Option<BigRational>,
         /// other parameters that vary, each with its least and greatest value, as in `{ d = [0.59, 0.61] }`;
         /// only damping, stiffness and restitution may depend on them
@@ -40,7 +42,7 @@ pub enum Alphabet {
 
 impl Value for Alphabet {
     fn shape() -> String {
-        "`\"auto\"` or list, each whole number".to_string()
+        "`\"auto\"` or list of whole numbers".to_string()
     }
 
     fn read(entry: &Entry) -> Result<Self> {
@@ -57,7 +59,7 @@ pub struct ParameterCell(pub Vec<(String, [BigRational; 2])>);
 
 impl Value for ParameterCell {
     fn shape() -> String {
-        "table of lists, each two numbers".to_string()
+        "table of pairs of numbers".to_string()
     }
 
     fn read(entry: &Entry) -> Result<Self> {

@@ -19,7 +19,7 @@ const FORMAT: &str = "grazing-scene 1";
 const MACHINES: &str = "grazing-scene 2";
 
 keys! {
-    /// The file.
+    /// The top level of a scene of an oscillator.
     pub struct File {
         /// `"grazing-scene 1"`
         format: String,
@@ -39,7 +39,7 @@ keys! {
 }
 
 keys! {
-    /// The file of a machine.
+    /// The top level of a scene of a machine.
     pub struct MachineFile {
         /// `"grazing-scene 2"`
         format: String,

@@ -280,7 +280,7 @@ macro_rules! record {
 
         impl $crate::scene::keys::Value for $name {
             fn shape() -> String {
-                concat!("table of ", stringify!($($key),*)).to_string()
+                format!("table of {}", [$(stringify!($key)),*].join(", "))
             }
 
             fn table() -> Option<$crate::scene::keys::Table> {
@@ -414,9 +414,18 @@ impl Value for Expression {
     }
 }
 
+/// The plural of what may stand in a list; a choice of words has none.
+fn plural(shape: &str) -> String {
+    match shape.split_once(" of ") {
+        Some((one, rest)) => format!("{one}s of {rest}"),
+        None if shape.starts_with('`') => shape.to_string(),
+        None => format!("{shape}s"),
+    }
+}
+
 impl<T: Value> Value for Vec<T> {
     fn shape() -> String {
-        format!("list, each {}", T::shape())
+        format!("list of {}", plural(&T::shape()))
     }
 
     fn table() -> Option<Table> {

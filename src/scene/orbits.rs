@@ -15,7 +15,7 @@ use crate::{
 keys! {
     /// Which periodic orbit: its impact pattern, and where Newton's method starts.
     pub struct OrbitKeys {
-        /// n_1, …, n_m: the forcing periods from the phase of one impact to that of the next; none for an
+        /// n_1, …, n_m: the forcing periods from the phase of one impact to that of the next; empty for an
         /// orbit without impacts
         pattern: Vec<u32> = "[]",
         /// the wall of each impact; needed only if there are two walls
@@ -64,12 +64,12 @@ impl OrbitKeys {
 }
 
 keys! {
-    /// Finds periodic orbits: impacts, multipliers, and whether each is one (speeds positive, no other
-    /// contact).
+    /// Finds periodic orbits, with their impacts and multipliers, and says whether each is admissible (positive
+    /// speeds, no other contact).
     pub struct OrbitTask {
-        /// which
+        /// which orbit
         orbit: OrbitKeys,
-        /// a parameter to go through some values of
+        /// a parameter that takes several values
         parameter: Option<String>,
         /// its values
         values: Vec<BigRational> = "[]",
@@ -104,14 +104,14 @@ keys! {
 }
 
 keys! {
-    /// Locates a grazing bifurcation, and decides by the local theory there which orbits are born, on which
-    /// side; each is then found in the true system near by. One line says whether chaos is born on either
-    /// side, by all patterns together, and with which entropy.
+    /// Locates a grazing bifurcation. The local theory there decides which orbits are born on which side; each
+    /// is then found in the true system nearby. One line says whether chaos is born on either side, by all
+    /// patterns together, and with which entropy.
     pub struct GrazingTask {
         /// the parameter that varies
         parameter: String,
-        /// the orbit that comes to graze, near the parameter's present value; its least minimum of a gap is
-        /// the one taken; of a machine, the motion without impacts
+        /// the orbit that comes to graze, near the parameter's present value, at its least minimum of a gap;
+        /// of a machine, the motion without impacts
         orbit: OrbitKeys = "{}",
         /// how far along its branch to look, both ways, in the norm of times, speeds and parameter; of a
         /// machine, in the parameter

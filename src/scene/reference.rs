@@ -29,7 +29,7 @@ pub fn reference() -> String {
     nested.retain(|(table, _)| !written.contains(&table.0));
     for ((about, keys), names) in nested {
         let names: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
-        table(&mut text, &format!("what stands in {}", names.join(", ")), about, keys);
+        table(&mut text, &format!("inside {}", names.join(" and ")), about, keys);
     }
     text
 }
@@ -52,18 +52,36 @@ fn collect(keys: &'static [Key], nested: &mut Vec<(Table, Vec<&'static str>)>) {
 fn table(text: &mut String, name: &str, about: &str, keys: &[Key]) {
     let mut name = name.to_string();
     name[..1].make_ascii_uppercase();
-    let _ = write!(
-        text,
-        "### {name}\n\n{}\n\n| key | value | default | |\n| --- | --- | --- | --- |\n",
-        about.trim()
-    );
+    let about = wrapped(about);
+    let _ = write!(text, "### {name}\n\n{about}\n\n| key | value | default | |\n| --- | --- | --- | --- |\n");
     for key in keys {
         let default = match key.default {
             Some(default) => format!("`{}`", default()),
             None if key.required => "must be given".to_string(),
             None => String::new(),
         };
-        let _ = writeln!(text, "| `{}` | {} | {default} | {} |", key.name, (key.shape)(), key.about.trim());
+        // A bar would end the cell.
+        let about = key.about.trim().replace('|', "\\|");
+        let _ = writeln!(text, "| `{}` | {} | {default} | {about} |", key.name, (key.shape)());
     }
     text.push('\n');
+}
+
+/// The words in lines of at most 110 columns.
+fn wrapped(about: &str) -> String {
+    let mut text = String::new();
+    let mut column = 0;
+    for word in about.split_whitespace() {
+        let width = word.chars().count();
+        if column > 0 && column + 1 + width > 110 {
+            text.push('\n');
+            column = 0;
+        } else if column > 0 {
+            text.push(' ');
+            column += 1;
+        }
+        text.push_str(word);
+        column += width;
+    }
+    text
 }

@@ -18,14 +18,14 @@ keys! {
         starts: Vec<Start>,
         /// when to look, as a fraction of the forcing period: at t = 2π `phase` of every period
         phase: BigRational = "0",
-        /// from where displacement and velocity are counted
+        /// the frame in which displacement and velocity are measured
         frame: Frame = "\"fixed\"",
-        /// how many periods pass before
+        /// how many periods pass first, unrecorded
         transient: u64 = "1000",
-        /// how many points per motion that is not periodic is shown by; over as many periods the Lyapunov
-        /// exponent is taken
+        /// how many points show a motion that is not periodic; its Lyapunov exponent is taken over as many
+        /// periods
         points: u32 = "2000",
-        /// the longest period told from none, in forcing periods
+        /// the longest period that counts as periodic, in forcing periods
         longest: u32 = "64",
         /// orbits to mark, stable or not
         orbits: Vec<OrbitKeys> = "[]",
@@ -45,11 +45,11 @@ keys! {
         u: Values,
         /// when motions start and are looked at, as a fraction of the forcing period
         phase: BigRational = "0",
-        /// how many periods pass before
+        /// how many periods pass first, unrecorded
         transient: u64 = "300",
-        /// the longest period told from none, in forcing periods
+        /// the longest period that counts as periodic, in forcing periods
         longest: u32 = "16",
-        /// whether to go on from the checkpoint that an interrupted run left in the folder
+        /// whether to continue from the checkpoint that an interrupted run left in the folder
         resume: bool = "true",
     }
 }

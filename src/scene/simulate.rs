@@ -11,9 +11,9 @@ keys! {
         start: Start,
         /// how many forcing periods are written
         periods: u32 = "10",
-        /// how many periods pass before
+        /// how many periods pass first, unrecorded
         transient: u64 = "0",
-        /// points of the time series in a period, from 1 to 10000; at most 100000000 in all
+        /// points of the time series per period, from 1 to 10000; at most 100000000 in all
         samples: u32 = "64",
     }
 }

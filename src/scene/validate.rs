@@ -4,11 +4,11 @@ use super::{keys::keys, orbits::OrbitKeys};
 use crate::oscillator::branch::{Bifurcation, Options};
 
 keys! {
-    /// Proves that exact orbits exist, each the only one in a box, admissible, and stable or not; or, with
-    /// `event`, that one bifurcates at a parameter in an interval. A certificate for each. Linear systems,
-    /// orbits with impacts.
+    /// Proves that exact orbits exist, each the only one in a box, admissible, and stable or not. With `event`
+    /// it proves that an orbit bifurcates at a parameter in an interval. Writes a certificate for each. For
+    /// linear systems and orbits with impacts.
     pub struct ValidateTask {
-        /// which; the proof starts from their approximations
+        /// which orbits; the proof starts from their approximations
         orbit: OrbitKeys,
         /// a bifurcation to enclose, in place of the orbits themselves
         event: Option<Bifurcation>,
