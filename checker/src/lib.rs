@@ -20,7 +20,7 @@
 //!
 //! ```text
 //! grazing-certificate 1                the format and its version
-//! kind KIND                            one of those in the table below; the rest is the kind's own
+//! kind KIND                            one of those in the table below, with its version above 1; the rest is the kind's own
 //! statement …                          in every kind, after the lines that its form lists: what passing proves, word for word
 //! ```
 //!
@@ -36,8 +36,8 @@
 //! | `cover` | Conjecture 1 for a range of periods, r ≤ r_max < 1 | [`cover`], with a block by hand |
 //! | `word` | at a point (a₁, a₂) or in a box: which periods can occur between impacts, up to a last one, and which may follow which | [`word`], two by hand |
 //! | `word-by-theorem` | the signs that the word theorem asks for there, and so all periods | [`word`] |
-//! | `orbit` | that a periodic orbit of an oscillator exists, is unique in a box, admissible, stable or not | [`orbit`] |
-//! | `event` | that such an orbit bifurcates (saddle-node, flip) or grazes at a parameter in an interval | [`event`] |
+//! | `orbit`, `orbit 2` | that a periodic orbit of an oscillator exists, is unique in a box, admissible, stable or not; 2: for all coefficients in intervals | [`orbit`] |
+//! | `event`, `event 2` | that such an orbit bifurcates (saddle-node, flip) or grazes at a parameter in an interval; 2: for all coefficients in intervals | [`event`] |
 //! | `chaos` | that every bi-infinite word over an alphabet of periods is an orbit of an oscillator, over ranges of parameters | [`chaos`] |
 //!
 //! # Adding a kind
@@ -72,28 +72,48 @@ use lines::Lines;
 pub const FORMAT: &str = "grazing-certificate 1";
 
 /// The kinds of certificate. Nothing else in here names them all.
-const KINDS: [Kind; 7] = [
-    Kind { name: theorem2::KIND, statement: theorem2::STATEMENT, check: theorem2::check },
-    Kind { name: cover::KIND, statement: cover::STATEMENT, check: cover::check },
-    Kind { name: orbit::KIND, statement: orbit::STATEMENT, check: orbit::check },
-    Kind { name: event::KIND, statement: event::STATEMENT, check: event::check },
-    Kind { name: chaos::KIND, statement: chaos::STATEMENT, check: chaos::check },
-    Kind { name: word::KIND, statement: word::STATEMENT, check: word::check },
-    Kind {
-        name: word::KIND_BY_THEOREM,
-        statement: word::STATEMENT_BY_THEOREM,
-        check: word::check_by_theorem,
-    },
+const KINDS: [Kind; 9] = [
+    Kind::first(theorem2::KIND, theorem2::STATEMENT, theorem2::check),
+    Kind::first(cover::KIND, cover::STATEMENT, cover::check),
+    Kind::first(orbit::KIND, orbit::STATEMENT, orbit::check::<orbit::Fraction>),
+    Kind::first(event::KIND, event::STATEMENT, event::check::<event::Quotient>),
+    Kind::first(chaos::KIND, chaos::STATEMENT, chaos::check),
+    Kind::first(word::KIND, word::STATEMENT, word::check),
+    Kind::first(word::KIND_BY_THEOREM, word::STATEMENT_BY_THEOREM, word::check_by_theorem),
+    Kind::first(orbit::KIND, orbit::STATEMENT_2, orbit::check::<orbit::Range>).second(),
+    Kind::first(event::KIND, event::STATEMENT_2, event::check::<event::RangeQuotient>).second(),
 ];
 
-/// A kind of certificate.
+/// A kind of certificate, in one of its versions.
 struct Kind {
     /// The word in the header.
     name: &'static str,
+    /// What follows it in the header.
+    version: &'static str,
     /// What a certificate of this kind proves.
     statement: &'static str,
     /// Reads and proves everything after the kind line.
     check: fn(&mut Lines) -> Result<Proved, Rejection>,
+}
+
+impl Kind {
+    /// Version 1 of a kind, of which the header says nothing.
+    const fn first(
+        name: &'static str,
+        statement: &'static str,
+        check: fn(&mut Lines) -> Result<Proved, Rejection>,
+    ) -> Kind {
+        Kind { name, version: "", statement, check }
+    }
+
+    /// The same as version 2.
+    const fn second(self) -> Kind {
+        Kind { version: " 2", ..self }
+    }
+
+    fn line(&self) -> String {
+        format!("kind {}{}", self.name, self.version)
+    }
 }
 
 /// What the checker of a kind found, everything being proved.
@@ -148,8 +168,8 @@ pub fn check_until(input: &mut dyn BufRead, stop: &mut dyn FnMut() -> bool) -> R
         return Err(lines.malformed(format!("not a certificate of this format: expected {FORMAT:?}")));
     }
     let line = lines.expect("the kind")?;
-    let Some(kind) = KINDS.iter().find(|kind| line.strip_prefix("kind ") == Some(kind.name)) else {
-        let names = KINDS.map(|kind| format!("{:?}", format!("kind {}", kind.name)));
+    let Some(kind) = KINDS.iter().find(|kind| line == kind.line()) else {
+        let names = KINDS.map(|kind| format!("{:?}", kind.line()));
         return Err(lines.malformed(format!("expected a line {}", names.join(" or "))));
     };
     let Proved { range, detail } = (kind.check)(&mut lines)?;

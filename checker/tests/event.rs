@@ -258,3 +258,31 @@ fn boxes_are_claims() {
     assert!(rejected(&with(SADDLE_NODE, "row", "row 0 0")).contains("malformed: expected a decimal"));
     assert!(rejected(&(SADDLE_NODE.to_string() + "\n")).contains("malformed: the file goes on"));
 }
+
+/// The saddle-node with its coefficients' numbers in intervals.
+#[test]
+fn numbers_in_coefficients_may_be_intervals() {
+    let text = with(SADDLE_NODE, "kind", "kind event 2");
+    let text = with(&text, "statement", &format!("statement {}", grazing_check::event::STATEMENT_2));
+    let text = with(&text, "damping", "damping 12..12/49..49");
+    let text = with(&text, "stiffness", "stiffness 100..100/2401..2401");
+    let text = with(&text, "force", "force 0..0/1..1");
+    let text = with(&text, "lower", "lower -1..-1/1..1 1..1/1..1 1");
+    let with_harmonic =
+        |harmonic: &str| resealed(&with(&text, "harmonic", &format!("harmonic 1 {harmonic} 0..0/1..1")));
+    let exact = with_harmonic("1..1,1..1/1..1");
+    let checked = answer(&exact).unwrap_or_else(|why| panic!("{why}"));
+    assert_eq!((checked.kind, checked.statement), ("event", grazing_check::event::STATEMENT_2));
+    assert!(checked.detail.iter().any(|line| line.1 == "-1 + (1 + mu) cos t, restitution 1"));
+    let wide = with(&with_harmonic("1..1,0.9999..1.0001/1..1"), "radius", "radius 0.05 0.001");
+    assert!(answer(&wide).is_ok(), "{}", rejected(&wide));
+    assert!(rejected(&with_harmonic("1..1,0.99..1.01/1..1")).contains("false: Krawczyk's test does not map"));
+    assert!(rejected(&with_harmonic("1..1,1..1/-1..1")).contains("false: "));
+    for bad in ["1..1,1..1", "1,1/1", "1..1,,1..1/1..1", "1..1/", "2..1/1..1"] {
+        assert!(rejected(&with_harmonic(bad)).contains("line 10: malformed: expected"), "{bad}");
+    }
+    let most = format!("{}1..1/1..1", "0..0,".repeat(17));
+    assert!(rejected(&with_harmonic(&most)).contains("a polynomial has at most 17 coefficients"));
+    let why = rejected(&resealed(&with(&exact, "lower", "lower -1..-1/1..1 -1..-1/1..1 1")));
+    assert!(why.contains("malformed: a restitution is at least 0"), "{why}");
+}

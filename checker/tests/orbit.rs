@@ -151,3 +151,70 @@ fn the_work_is_bounded() {
     assert!(rejected(&with(ORBIT_4, "flight", "flight 600000")).contains("exponentials, more than 1000000"));
     assert!(rejected(&with(ORBIT_4, "flight", "flight 1000001")).contains("expected the number of pieces"));
 }
+
+/// The orbit of period 4 with its coefficients in intervals, 12/49 and 100/2401 among them.
+fn in_intervals() -> String {
+    let text = with(ORBIT_4, "kind", "kind orbit 2");
+    let text = with(&text, "statement", &format!("statement {}", grazing_check::orbit::STATEMENT_2));
+    let text = with(
+        &text,
+        "damping",
+        "damping 0.24489795918367346938775510204081..0.24489795918367346938775510204082",
+    );
+    let text = with(&text, "stiffness", "stiffness 0.04164931278633902540608..0.04164931278633902540609");
+    let text = with(&text, "force", "force 0..0");
+    let text = with(&text, "lower", "lower -1..-1 1..1 1");
+    resealed(&with(&text, "harmonic", "harmonic 1 0.95..0.95 0..0"))
+}
+
+#[test]
+fn coefficients_may_be_intervals() {
+    let checked = answer(&in_intervals()).unwrap();
+    assert_eq!((checked.kind, checked.range.clone()), ("orbit", 4..=4));
+    let detail = |name: &str| checked.detail.iter().find(|(known, _)| *known == name).unwrap().1.as_str();
+    assert_eq!(
+        detail("motion"),
+        "q'' = -[0.24489795918367346938775510204081, 0.24489795918367346938775510204082] q' \
+         - [0.04164931278633902540608, 0.04164931278633902540609] q"
+    );
+    assert_eq!(detail("lower wall"), "-1 + 0.95 cos t, restitution 1");
+    // Another number of the interval's is another oscillator, for which it is proved as well; one outside is not.
+    for line in ["stiffness 0.041649312..0.041649313", "stiffness 0.04..0.042", "stiffness 0.05..0.05"] {
+        let why = rejected(&resealed(&with(&in_intervals(), "stiffness", line)));
+        assert!(why.contains("false: Krawczyk's test does not map"), "{line}: {why}");
+    }
+    let wide = with(&in_intervals(), "stiffness", "stiffness 0.0416493..0.0416494");
+    assert!(answer(&resealed(&with(&wide, "radius", "radius 0.1 0.01"))).is_ok());
+}
+
+#[test]
+fn intervals_have_one_form() {
+    for bad in [
+        "1/2",
+        "0.5",
+        "0.5..",
+        "..0.5",
+        "0.5.0.6",
+        "0.6..0.5",
+        "0.5...6",
+        "0.5..0.60",
+        "-0..0",
+        "1..1..1",
+        "0..1073741824",
+        "0.1..0.10000000000000000000000000000000000001",
+        "-0.5..-0.6",
+        "0.5..-0.5",
+        "1.5..1.25",
+    ] {
+        let why = rejected(&with(&in_intervals(), "force", &format!("force {bad}")));
+        assert!(why.contains("line 7: malformed: expected LOWER..UPPER"), "{bad}: {why}");
+    }
+    let why = rejected(&with(&in_intervals(), "lower", "lower -1..-1 -0.1..1 1"));
+    assert!(why.contains("malformed: a restitution is at least 0"), "{why}");
+    for line in ["kind orbit 1", "kind orbit 3", "kind orbit  2", "kind theorem2 2", "kind orbit 2 "] {
+        assert!(
+            rejected(&with(ORBIT_4, "kind", line))
+                .contains("line 2: malformed: expected a line \"kind theorem2\"")
+        );
+    }
+}

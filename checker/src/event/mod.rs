@@ -60,6 +60,11 @@
 //! piece that holds the contact passes, for the wall touched, if z″ > 0 on it: z and z′ being 0 at one time,
 //! z is positive at all others.
 //!
+//! Version 2 begins with `kind event 2` and differs in its statement and in that each P and Q is an interval
+//! `LOWER..UPPER`, two decimals in order, as for an orbit of version 2:
+//! `1..1,3.14159265358979323846..3.14159265358979323847/2..2` stands for (1 + πp)/2. There the numbers of a
+//! quotient need not be in lowest terms.
+//!
 //! # Cost
 //!
 //! With J harmonics in all, P pieces and M impacts, (1 + 2J)(4P + 6M(8M + 9)) may be at most 1,000,000, which
@@ -67,23 +72,29 @@
 
 mod proof;
 mod quotient;
+mod ranges;
 mod text;
 mod words;
 
 use super::{
     FORMAT, Proved, Rejection,
     lines::{Lines, Words},
+    oscillator::{text::Coefficient, words::Spoken},
     rejection::Fault,
 };
 
-pub use super::oscillator::text::{Decimal, Harmonic, Impact, Side, System, Wall};
+pub use super::oscillator::{
+    range::Range,
+    text::{Decimal, Harmonic, Impact, Side, System, Wall},
+};
 pub use quotient::Quotient;
+pub use ranges::RangeQuotient;
 pub use text::{Certificate, Contact, Event};
 
 /// The word in the header.
 pub const KIND: &str = "event";
 
-/// What a certificate of this kind proves.
+/// What a certificate of version 1 proves.
 pub const STATEMENT: &str = "For exactly one choice of parameter, phases, incoming relative speeds and, for a grazing, time of \
 contact, all within R of the listed ones, the oscillator of this digest has the listed event: the equations of pattern and event have exactly \
 one solution there, their derivative is regular at it, and it lies within W of the listed one. It is a periodic orbit: every impact has positive speed, strictly \
@@ -92,9 +103,38 @@ Saddle-node: a multiplier is 1, and the parameter has a nondegenerate extremum a
 trace + determinant changes sign there with a nonzero derivative by the parameter. Grazing: at the contact the gap and its derivative are 0, its second derivative is \
 positive, and along the curve its minimum changes sign with a nonzero derivative.";
 
+/// What a certificate of version 2 proves.
+pub const STATEMENT_2: &str = "For every choice of one number in each interval of the system of this digest, exactly one parameter, phases, incoming relative speeds and, \
+for a grazing, time of contact, all within R of the listed ones, solve the equations of pattern and event; their derivative is \
+regular there, and they lie within W. This is a periodic orbit: every impact has positive speed, strictly between impacts every gap to a wall is \
+positive, but for the contact, and no smaller number of periods than that listed is a period; without impacts, it is the \
+response to the forcing in one period. Saddle-node: a multiplier is 1, and the parameter has a nondegenerate extremum along the curve of \
+solutions of the pattern. Flip: a multiplier is -1, and 1 + trace + determinant changes sign with a nonzero derivative by the \
+parameter. Grazing: at the contact the gap and its derivative are 0, its second derivative is positive, and along the curve its \
+minimum changes sign with a nonzero derivative.";
+
+/// What a coefficient is, which is what the versions differ in.
+#[expect(private_bounds, reason = "certificates are made of the versions that there are")]
+pub trait Version: Coefficient + Spoken {
+    /// The line of the kind.
+    const HEAD: &str;
+    /// What passing proves.
+    const STATEMENT: &str;
+}
+
+impl Version for Quotient {
+    const HEAD: &str = "kind event";
+    const STATEMENT: &str = STATEMENT;
+}
+
+impl Version for RangeQuotient {
+    const HEAD: &str = "kind event 2";
+    const STATEMENT: &str = STATEMENT_2;
+}
+
 /// Checks everything after the kind line.
-pub(super) fn check(lines: &mut Lines) -> Result<Proved, Rejection> {
-    let certificate = text::read(lines)?;
+pub(super) fn check<C: Version>(lines: &mut Lines) -> Result<Proved, Rejection> {
+    let certificate: Certificate<C> = text::read(lines)?;
     let periods: u64 = certificate.impacts.iter().map(|impact| impact.periods).sum();
     let proof = proof::Proof::new(&certificate);
     proof.run(&mut || lines.go_on()).map_err(|fault| lines.rejection(fault))?;

@@ -7,21 +7,22 @@ use super::{
         cycle::{Cycle, Touch},
         krawczyk::{self, GoOn},
         number::{Dual, Number},
+        text::Coefficient,
     },
     Certificate, Contact, Event, Fault,
 };
 
 /// What is being proved, over intervals.
-pub(super) struct Proof<'a> {
-    certificate: &'a Certificate,
+pub(super) struct Proof<'a, C> {
+    certificate: &'a Certificate<C>,
     /// All phases, all speeds, the parameter, the time of the contact.
     centre: Vec<Interval>,
     inverse: Vec<Vec<Interval>>,
 }
 
-impl<'a> Proof<'a> {
+impl<'a, C: Coefficient> Proof<'a, C> {
     /// Encloses what the certificate says.
-    pub fn new(certificate: &'a Certificate) -> Self {
+    pub fn new(certificate: &'a Certificate<C>) -> Self {
         let impacts = &certificate.impacts;
         let unknowns = impacts.iter().map(|i| i.phase).chain(impacts.iter().map(|i| i.velocity));
         let contact = match &certificate.event {

@@ -13,7 +13,7 @@ use super::super::{
 };
 
 /// The highest power of the parameter.
-const DEGREE: usize = 16;
+pub(super) const DEGREE: usize = 16;
 
 /// (P₀ + P₁ p + P₂ p² + …)/(Q₀ + Q₁ p + …) in integers, the coefficients by rising powers. It may have common
 /// factors.

@@ -7,7 +7,7 @@ use super::{
         DIGITS, decimal, line, read_count, read_flights, read_impacts, read_matrix, read_radius, read_system,
         write_proof,
     },
-    Decimal, Impact, Lines, Quotient, Rejection, STATEMENT, Side, System, Words,
+    Decimal, Impact, Lines, Quotient, Rejection, Side, System, Version, Words,
 };
 
 /// The longest name of a parameter.
@@ -37,9 +37,9 @@ pub struct Contact {
 
 /// All that a certificate of this kind holds.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Certificate {
+pub struct Certificate<C = Quotient> {
     /// The oscillator.
-    pub system: System<Quotient>,
+    pub system: System<C>,
     /// The parameter's name.
     pub name: String,
     /// The parameter in the middle of the box.
@@ -58,7 +58,7 @@ pub struct Certificate {
     pub flights: Vec<Vec<Decimal>>,
 }
 
-impl Certificate {
+impl<C> Certificate<C> {
     /// The ends of the parameter's checked interval, exactly; `None` where they have too many digits.
     pub fn interval(&self) -> Option<[Decimal; 2]> {
         let minus = Decimal { digits: -self.within.digits, ..self.within };
@@ -98,10 +98,10 @@ impl Event {
 }
 
 /// The text of the certificate, header included.
-impl fmt::Display for Certificate {
+impl<C: Version> fmt::Display for Certificate<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let system = &self.system;
-        write!(f, "{}\nkind {}\nstatement {STATEMENT}\n", super::FORMAT, super::KIND)?;
+        write!(f, "{}\n{}\nstatement {}\n", super::FORMAT, C::HEAD, C::STATEMENT)?;
         write!(f, "digest {}\n{system}parameter {} {}\n", system.digest(), self.name, self.parameter)?;
         writeln!(f, "event {} {}", self.event.name(), self.impacts.len())?;
         self.impacts.iter().try_for_each(|impact| writeln!(f, "{impact}"))?;
@@ -123,8 +123,8 @@ fn is_name(word: &str) -> bool {
 }
 
 /// Reads everything after the kind line.
-pub(super) fn read(lines: &mut Lines) -> Result<Certificate, Rejection> {
-    let system: System<Quotient> = read_system(lines, STATEMENT)?;
+pub(super) fn read<C: Version>(lines: &mut Lines) -> Result<Certificate<C>, Rejection> {
+    let system: System<C> = read_system(lines, C::STATEMENT)?;
     let (name, parameter) = line(lines, "parameter", |words| {
         let name = words.word("the parameter's name")?;
         if !is_name(name) {
@@ -159,7 +159,7 @@ pub(super) fn read(lines: &mut Lines) -> Result<Certificate, Rejection> {
     Ok(certificate)
 }
 
-fn contact(words: &mut Words, system: &System<Quotient>, impacts: u64) -> Result<Contact, String> {
+fn contact<C>(words: &mut Words, system: &System<C>, impacts: u64) -> Result<Contact, String> {
     let after = words.number("an impact", impacts)?;
     if after == 0 {
         return Err("impacts are counted from 1".into());

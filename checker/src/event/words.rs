@@ -2,12 +2,12 @@
 
 use super::{
     super::oscillator::words::{list, pattern, system},
-    Certificate, Contact, Event,
+    Certificate, Contact, Event, Version,
 };
 
 /// Names and values: the event, the parameter's interval, the pattern, the impacts, the contact, the box, the
 /// oscillator, its walls and its digest.
-pub(super) fn detail(certificate: &Certificate) -> Vec<(&'static str, String)> {
+pub(super) fn detail<C: Version>(certificate: &Certificate<C>) -> Vec<(&'static str, String)> {
     let (impacts, name) = (&certificate.impacts, &certificate.name);
     let event = match &certificate.event {
         Event::SaddleNode => format!("saddle-node: a multiplier is 1, and {name} turns, nondegenerate"),

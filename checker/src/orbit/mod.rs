@@ -1,5 +1,6 @@
 //! Certificates of kind `orbit`: a periodic orbit of a linear impact oscillator exists, is unique in a box,
 //! admissible, and stable or not.
+//! Version 2 says it of all oscillators whose coefficients lie in given intervals.
 //!
 //! The arithmetic, the motion and the equations are those of `oscillator`; the equations' derivatives are
 //! formulas (`proof`). No code is shared with what finds the proof, and the method differs: that one has
@@ -31,6 +32,13 @@
 //! of at most 34 digits each, Q > 0, P with a minus or none. All lie strictly between −2³⁰ and 2³⁰; beyond
 //! that the checker's intervals end.
 //!
+//! Version 2 begins with `kind orbit 2` and differs in its statement and in that each coefficient, here a
+//! fraction P/Q, A, B, OFFSET or TAU, is an interval `LOWER..UPPER`: two decimals, in order, equal for a
+//! number that is known exactly. `damping 0.31415926535897932..0.31415926535897933` is for c = π/10. All is
+//! evaluated over the intervals, so that it holds for every choice of one number in each; where one number
+//! stands in several places, each counts by itself. A coefficient is zero, as the motion without stiffness or
+//! damping needs it, only as `0..0`.
+//!
 //! The equations are, for each flight, that at its end the gap to the wall met is 0 and closes at the speed V
 //! of that impact; the rows of the derivative in that order, its columns the phases, then the speeds. An
 //! impact turns the relative velocity w into −TAU w. Impact i + 1 comes 2πN_i + T_{i+1} − T_i after impact i,
@@ -49,15 +57,23 @@ mod proof;
 mod text;
 mod words;
 
-use super::{FORMAT, Proved, Rejection, lines::Lines, rejection::Fault};
+use super::{
+    FORMAT, Proved, Rejection,
+    lines::Lines,
+    oscillator::{text::Coefficient, words::Spoken},
+    rejection::Fault,
+};
 
-pub use super::oscillator::text::{Decimal, Fraction, Harmonic, Impact, Side, System, Wall};
+pub use super::oscillator::{
+    range::Range,
+    text::{Decimal, Fraction, Harmonic, Impact, Side, System, Wall},
+};
 pub use text::{Certificate, Claim};
 
 /// The word in the header.
 pub const KIND: &str = "orbit";
 
-/// What a certificate of this kind proves.
+/// What a certificate of version 1 proves.
 pub const STATEMENT: &str = "The oscillator of this digest has exactly one periodic orbit with the listed impacts (the wall, \
 and the periods to the next) whose phases and incoming relative speeds all lie within R of the listed ones: the equations \
 of the pattern have exactly one solution there, at it every impact has positive speed, strictly between impacts every \
@@ -65,9 +81,37 @@ gap to a wall is positive, and no smaller number of periods than that of all lis
 the claim is stable, both multipliers of that orbit lie strictly inside the unit circle; if unstable, one lies strictly \
 outside.";
 
+/// What a certificate of version 2 proves.
+pub const STATEMENT_2: &str = "Each coefficient of the system of this digest is an interval. Every oscillator whose coefficients lie in \
+these intervals has exactly one periodic orbit with the listed impacts (the wall, \
+and the periods to the next) whose phases and incoming relative speeds all lie within R of the listed ones: the equations \
+of the pattern have exactly one solution there, at it every impact has positive speed, strictly between impacts every \
+gap to a wall is positive, and no smaller number of periods than that of all listed impacts is a period of the orbit. If \
+the claim is stable, both multipliers of that orbit lie strictly inside the unit circle; if unstable, one lies strictly \
+outside.";
+
+/// What a coefficient is, which is what the versions differ in.
+#[expect(private_bounds, reason = "certificates are made of the versions that there are")]
+pub trait Version: Coefficient + Spoken {
+    /// The line of the kind.
+    const HEAD: &str;
+    /// What passing proves.
+    const STATEMENT: &str;
+}
+
+impl Version for Fraction {
+    const HEAD: &str = "kind orbit";
+    const STATEMENT: &str = STATEMENT;
+}
+
+impl Version for Range {
+    const HEAD: &str = "kind orbit 2";
+    const STATEMENT: &str = STATEMENT_2;
+}
+
 /// Checks everything after the kind line.
-pub(super) fn check(lines: &mut Lines) -> Result<Proved, Rejection> {
-    let certificate = text::read(lines)?;
+pub(super) fn check<C: Version>(lines: &mut Lines) -> Result<Proved, Rejection> {
+    let certificate: Certificate<C> = text::read(lines)?;
     let periods: u64 = certificate.impacts.iter().map(|impact| impact.periods).sum();
     let proof = proof::Proof::new(&certificate).map_err(|reason| lines.false_claim(reason))?;
     proof.run(&mut || lines.go_on()).map_err(|fault| lines.rejection(fault))?;

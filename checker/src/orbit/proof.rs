@@ -5,25 +5,26 @@ use super::{
         Interval,
         cycle::Cycle,
         krawczyk::{self, GoOn},
+        text::Coefficient,
     },
     Fault,
     text::{Certificate, Claim},
 };
 
 /// What is being proved, over intervals.
-pub(super) struct Proof<'a> {
-    certificate: &'a Certificate,
+pub(super) struct Proof<'a, C> {
+    certificate: &'a Certificate<C>,
     cycle: Cycle<'a, Interval>,
     centre: Vec<Interval>,
     inverse: Vec<Vec<Interval>>,
 }
 
-impl<'a> Proof<'a> {
+impl<'a, C: Coefficient> Proof<'a, C> {
     /// Encloses what the certificate says.
     ///
     /// # Errors
     /// Says what the method cannot do with it.
-    pub fn new(certificate: &'a Certificate) -> Result<Self, String> {
+    pub fn new(certificate: &'a Certificate<C>) -> Result<Self, String> {
         let impacts = &certificate.impacts;
         let unknowns = impacts.iter().map(|i| i.phase).chain(impacts.iter().map(|i| i.velocity));
         Ok(Proof {

@@ -6,7 +6,7 @@ use super::{
     super::oscillator::text::{
         line, read_count, read_flights, read_impacts, read_matrix, read_radius, read_system, write_proof,
     },
-    Decimal, Impact, Lines, Rejection, STATEMENT, System,
+    Decimal, Fraction, Impact, Lines, Rejection, System, Version,
 };
 
 /// What is claimed of the multipliers.
@@ -22,9 +22,9 @@ pub enum Claim {
 
 /// All that a certificate of this kind holds.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Certificate {
+pub struct Certificate<C = Fraction> {
     /// The oscillator.
-    pub system: System,
+    pub system: System<C>,
     /// The claim about stability.
     pub claim: Claim,
     /// The pattern, and the middle of the box.
@@ -59,10 +59,10 @@ impl fmt::Display for Claim {
 }
 
 /// The text of the certificate, header included.
-impl fmt::Display for Certificate {
+impl<C: Version> fmt::Display for Certificate<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let system = &self.system;
-        write!(f, "{}\nkind {}\nstatement {STATEMENT}\n", super::FORMAT, super::KIND)?;
+        write!(f, "{}\n{}\nstatement {}\n", super::FORMAT, C::HEAD, C::STATEMENT)?;
         write!(f, "digest {}\n{system}orbit {} {}\n", system.digest(), self.impacts.len(), self.claim)?;
         self.impacts.iter().try_for_each(|impact| writeln!(f, "{impact}"))?;
         writeln!(f, "radius {} {}", self.radius, self.within)?;
@@ -71,8 +71,8 @@ impl fmt::Display for Certificate {
 }
 
 /// Reads everything after the kind line.
-pub(super) fn read(lines: &mut Lines) -> Result<Certificate, Rejection> {
-    let system: System = read_system(lines, STATEMENT)?;
+pub(super) fn read<C: Version>(lines: &mut Lines) -> Result<Certificate<C>, Rejection> {
+    let system: System<C> = read_system(lines, C::STATEMENT)?;
     let (m, claim) = line(lines, "orbit", |words| {
         let m = read_count(words)?;
         let claim = match words.word("stable, unstable or open")? {

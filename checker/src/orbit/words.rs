@@ -2,12 +2,13 @@
 
 use super::{
     super::oscillator::words::{list, pattern, system},
+    Version,
     text::{Certificate, Claim},
 };
 
 /// Names and values: what is claimed, the pattern, the impacts, the box, the oscillator, its walls and its
 /// digest.
-pub(super) fn detail(certificate: &Certificate) -> Vec<(&'static str, String)> {
+pub(super) fn detail<C: Version>(certificate: &Certificate<C>) -> Vec<(&'static str, String)> {
     let impacts = &certificate.impacts;
     let claim = match certificate.claim {
         Claim::Stable => "stable",

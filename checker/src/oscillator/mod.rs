@@ -4,7 +4,8 @@
 //! cos and √ all are the exponential of one 2×2 matrix (`exponential`). From it come the motion between
 //! impacts (`motion`), the equations of an impact pattern, what makes their solution an orbit, and its
 //! multipliers (`cycle`), and the test that there is one (`krawczyk`). `text` reads and writes the lines that
-//! the kinds have in common, `words` says them in words. No code is shared with what finds the proof, and the
+//! the kinds have in common, `range` coefficients that are intervals, `words` says them in words. No code is
+//! shared with what finds the proof, and the
 //! method differs: that one has balls, and closed forms with exp, sin, cos and √.
 
 pub(crate) mod cycle;
@@ -13,6 +14,7 @@ pub(crate) mod fixed;
 pub(crate) mod krawczyk;
 mod motion;
 pub(crate) mod number;
+pub(crate) mod range;
 mod sha256;
 #[cfg(test)]
 mod tests;

@@ -40,7 +40,7 @@ pub(crate) trait Coefficient: fmt::Display + Sized {
     /// Whether it is 0, whatever the parameter is.
     fn is_zero(&self) -> bool;
 
-    /// Whether it is below 0, whatever the parameter is, as far as that can be told without evaluating it.
+    /// Whether it may be below 0 whatever the parameter is, as far as that can be told without evaluating it.
     fn is_negative(&self) -> bool;
 
     /// Its value at a value of the parameter.
@@ -182,6 +182,12 @@ impl Side {
 impl Decimal {
     pub(crate) fn enclosed(self) -> Interval {
         Interval::ratio(self.digits, 10i128.pow(self.places))
+    }
+
+    /// The whole part and the rest in units of 10⁻³⁴, both of the number's sign: they are in order as the numbers are.
+    pub(crate) fn parts(self) -> (i128, i128) {
+        let scale = 10i128.pow(self.places);
+        (self.digits / scale, self.digits % scale * 10i128.pow(DIGITS as u32 - self.places))
     }
 }
 

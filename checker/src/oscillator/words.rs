@@ -70,7 +70,7 @@ fn wall<C: Spoken>(wall: &Option<Wall<C>>, parameter: &str) -> String {
 }
 
 /// A term of a sum: whether a minus stands before it, its coefficient, and what that is a multiple of.
-type Term<'a, C> = (bool, &'a C, String);
+pub(crate) type Term<'a, C> = (bool, &'a C, String);
 
 fn waves<C: Spoken>(harmonics: &[Harmonic<C>]) -> Vec<Term<'_, C>> {
     let angle = |k: u64| if k == 1 { "t".to_string() } else { format!("{k}t") };
@@ -82,7 +82,7 @@ fn waves<C: Spoken>(harmonics: &[Harmonic<C>]) -> Vec<Term<'_, C>> {
 }
 
 /// A sum without its terms that are 0.
-fn sum<C: Spoken>(terms: &[Term<C>], parameter: &str) -> String {
+pub(crate) fn sum<C: Spoken>(terms: &[Term<C>], parameter: &str) -> String {
     let mut text = String::new();
     for (negative, coefficient, what) in terms {
         let size = coefficient.magnitude(parameter);

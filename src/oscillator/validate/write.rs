@@ -2,13 +2,13 @@
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::ToPrimitive;
+use num_traits::{Signed, ToPrimitive};
 
 use super::{Condition, ProvedEvent, ProvedOrbit, Quotient, Stability, krawczyk};
 use crate::{
     certificate::{
         self, event,
-        orbit::{Certificate, Claim, Decimal, Fraction, Harmonic, Impact, Side, System, Wall},
+        orbit::{Certificate, Claim, Decimal, Fraction, Harmonic, Impact, Range, Side, System, Wall},
     },
     error::{Error, Result},
     oscillator,
@@ -19,12 +19,22 @@ const DIGITS: usize = 34;
 
 /// The text of a certificate of kind `orbit`. The checker's intervals differ from the proof's: where it does
 /// not accept the box, smaller ones are tried, so that what is returned has passed the check.
+/// Coefficients of more than 34 digits are enclosed in intervals, version 2 of the kind.
 ///
 /// # Errors
-/// An input error: a coefficient of more than 34 digits, or no box that the checker accepts.
+/// An input error: a coefficient of 2³⁰ or more, or no box that the checker accepts.
 pub fn certificate(system: &oscillator::System<BigRational>, orbit: &ProvedOrbit) -> Result<String> {
+    // Version 1 names coefficients exactly; where one is too long for it, version 2 holds all of them in intervals.
+    match converted(system, &fraction) {
+        Ok(system) => accepted(system, orbit),
+        Err(_) => accepted(converted(system, &range)?, orbit),
+    }
+}
+
+/// The first box that the checker accepts.
+fn accepted<C: certificate::orbit::Version>(system: System<C>, orbit: &ProvedOrbit) -> Result<String> {
     let mut certificate = Certificate {
-        system: converted(system, &fraction)?,
+        system,
         claim: match orbit.stability {
             Some(Stability::Stable) => Claim::Stable,
             Some(Stability::Unstable) => Claim::Unstable,
@@ -53,15 +63,27 @@ pub fn certificate(system: &oscillator::System<BigRational>, orbit: &ProvedOrbit
 /// several boxes it has the first that the checker accepts, so that what is returned has passed.
 ///
 /// # Errors
-/// An input error: a coefficient that does not fit, or no box that the checker accepts.
+/// An input error: a coefficient that does not fit in either version, or no box that the checker accepts.
 pub fn event_certificate(
     system: &oscillator::System<Quotient>,
     name: &str,
     event: &ProvedEvent,
 ) -> Result<(String, [String; 2])> {
+    match converted(system, &quotient) {
+        Ok(system) => accepted_event(system, name, event),
+        Err(_) => accepted_event(converted(system, &range_quotient)?, name, event),
+    }
+}
+
+/// The first box that the checker accepts.
+fn accepted_event<C: event::Version + Clone>(
+    system: System<C>,
+    name: &str,
+    event: &ProvedEvent,
+) -> Result<(String, [String; 2])> {
     let m = event.impacts.len();
     let mut certificate = event::Certificate {
-        system: converted(system, &quotient)?,
+        system,
         // The checker's names are short and of ASCII letters.
         name: if name.is_ascii() && name.len() <= 32 { name.into() } else { "p".into() },
         parameter: decimal(&event.centre[2 * m])?,
@@ -172,6 +194,29 @@ fn quotient(x: &Quotient) -> Result<event::Quotient> {
     let [numerator, denominator] = x.polynomials().ok_or_else(too_large)?;
     let integers = |list: &[BigInt]| list.iter().map(integer).collect::<Result<Vec<_>>>();
     Ok(event::Quotient { numerator: integers(numerator)?, denominator: integers(denominator)? })
+}
+
+/// Decimals of at most [`DIGITS`] digits as near below and above a number as there are.
+fn range(x: &BigRational) -> Result<Range> {
+    let whole = x.abs().to_integer().to_string().len();
+    if whole > DIGITS {
+        return Err(Error::input(format!("{x} is beyond the range of a certificate")));
+    }
+    let scale = num_traits::pow(BigInt::from(10), DIGITS - whole);
+    let scaled = x * BigRational::from_integer(scale.clone());
+    let end = |y: BigRational| decimal(&BigRational::new(y.to_integer(), scale.clone()));
+    Ok(Range { lower: end(scaled.floor())?, upper: end(scaled.ceil())? })
+}
+
+/// A quotient divided by the greatest magnitude in its denominator, in intervals.
+fn range_quotient(x: &Quotient) -> Result<event::RangeQuotient> {
+    let too_large = || Error::input("a coefficient is too large an expression of the parameter");
+    let [numerator, denominator] = x.polynomials().ok_or_else(too_large)?;
+    let greatest = denominator.iter().map(Signed::abs).max().ok_or_else(too_large)?;
+    let ranges = |list: &[BigInt]| -> Result<Vec<Range>> {
+        list.iter().map(|x| range(&BigRational::new(x.clone(), greatest.clone()))).collect()
+    };
+    Ok(event::RangeQuotient { numerator: ranges(numerator)?, denominator: ranges(denominator)? })
 }
 
 /// A number that is a decimal.

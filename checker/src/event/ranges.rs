@@ -1,0 +1,94 @@
+//! Coefficients that depend on the parameter and are known to lie within intervals: quotients of polynomials whose coefficients are ranges.
+
+use std::fmt;
+
+use super::{
+    super::{
+        lines::Words,
+        oscillator::{
+            number::Number,
+            range::Range,
+            text::Coefficient,
+            words::{Spoken, sum},
+        },
+    },
+    quotient::DEGREE,
+};
+
+/// (P₀ + P₁ p + …)/(Q₀ + Q₁ p + …), each P and Q any number in its range.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct RangeQuotient {
+    /// P₀, P₁, …
+    pub numerator: Vec<Range>,
+    /// Q₀, Q₁, …
+    pub denominator: Vec<Range>,
+}
+
+impl Coefficient for RangeQuotient {
+    fn is_zero(&self) -> bool {
+        self.numerator.iter().all(Coefficient::is_zero)
+    }
+
+    fn is_negative(&self) -> bool {
+        let alone = self.denominator.len() == 1 && self.numerator.len() == 1;
+        alone
+            && Coefficient::is_negative(&self.numerator[0])
+            && !Coefficient::is_negative(&self.denominator[0])
+    }
+
+    /// By Horner's rule.
+    fn enclosed<N: Number>(&self, parameter: N) -> N {
+        let [numerator, denominator] = [&self.numerator, &self.denominator].map(|list| {
+            list.iter().rev().fold(N::ZERO, |sum, x| sum * parameter + N::constant(x.interval()))
+        });
+        numerator.over(denominator)
+    }
+
+    fn read(words: &mut Words) -> Result<Self, String> {
+        let polynomial = |text: &str| -> Result<Vec<Range>, String> {
+            let list: Vec<Range> = text.split(',').map(Range::parse).collect::<Result<_, _>>()?;
+            if list.len() > DEGREE + 1 {
+                return Err(format!("a polynomial has at most {} coefficients", DEGREE + 1));
+            }
+            Ok(list)
+        };
+        let word = words.word("a quotient P0,P1,.../Q0,Q1,... of ranges")?;
+        let (numerator, denominator) =
+            word.split_once('/').ok_or("expected a quotient P0,P1,.../Q0,Q1,... of ranges LOWER..UPPER")?;
+        Ok(RangeQuotient { numerator: polynomial(numerator)?, denominator: polynomial(denominator)? })
+    }
+}
+
+impl fmt::Display for RangeQuotient {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let list = |list: &[Range]| list.iter().map(Range::to_string).collect::<Vec<_>>().join(",");
+        write!(f, "{}/{}", list(&self.numerator), list(&self.denominator))
+    }
+}
+
+impl Spoken for RangeQuotient {
+    fn is_negative(&self) -> bool {
+        false
+    }
+
+    fn magnitude(&self, parameter: &str) -> String {
+        let above = polynomial(&self.numerator, parameter);
+        let one = |x: &Range| x.to_string() == "1..1";
+        match &self.denominator[..] {
+            [only] if one(only) => above,
+            below => format!("{above}/{}", polynomial(below, parameter)),
+        }
+    }
+}
+
+/// A polynomial in words, in parentheses if it has several terms.
+fn polynomial(list: &[Range], parameter: &str) -> String {
+    let power = |power: usize| match power {
+        0 => String::new(),
+        1 => parameter.to_string(),
+        power => format!("{parameter}^{power}"),
+    };
+    let terms: Vec<_> = list.iter().enumerate().map(|(i, x)| (Spoken::is_negative(x), x, power(i))).collect();
+    let text = sum(&terms, parameter);
+    if list.iter().filter(|x| !x.is_zero()).count() > 1 { format!("({text})") } else { text }
+}
