@@ -505,13 +505,13 @@ fn a_resumed_diagram_is_the_uninterrupted_one() {
     let resumed = diagram::sweep(&plan, counted, "test", Some(&file), &notes).unwrap();
     let notes = notes.0.into_inner().unwrap();
     assert!(
-        matches!(&notes[..], [note] if note.contains("checkpoint.json: dropped a last line")),
+        matches!(&notes[..], [note] if note.contains("checkpoint.json: dropped the last line")),
         "{notes:?}"
     );
     assert_eq!(resumed, whole);
     assert!((1..=66).contains(&count.load(Ordering::Relaxed)), "{count:?}");
     let refused = diagram::sweep(&plan, system, "another", Some(&file), &()).unwrap_err();
-    assert!(refused.is_input() && refused.to_string().contains("of another run"), "{refused}");
+    assert!(refused.is_input() && refused.to_string().contains("another run"), "{refused}");
     // Both attractors are found at every value, and the windows of period 4 and 28 among them.
     assert!(whole.iter().all(|slice| slice.motions.len() == 2));
     assert_eq!(diagram::coexisting(&whole).count(), whole.len());

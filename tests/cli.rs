@@ -74,12 +74,12 @@ fn bad_input_gets_one_line_that_says_what_to_do() {
     let cases = [
         ("verify 0", "a period is at least 1"),
         ("verify 8..=3", "the range is reversed: write 3..=8"),
-        ("verify 3..8", "3..8 may or may not mean 8 too: write 3..=8, which has both ends"),
+        ("verify 3..8", "3..8 is ambiguous: write 3..=8, which includes both ends"),
         ("verify 3-8x", "\"8x\" is not a whole number: write N, or A..=B as in 3..=8"),
         ("verify 99999999999999999999", "99999999999999999999 is too large for a period"),
         ("fuzz --seed 1.5", "\"1.5\" is not a whole number"),
         ("farey walk 5 --from 1/2 --to 1/3", "--from 1/2 is above --to 1/3"),
-        ("figure 2 --n 7", "--n says nothing to figure 2"),
+        ("figure 2 --n 7", "figure 2 takes no --n"),
         ("verify 300000", "`grazing verify` goes up to period 200000, not 300000"),
         ("intervals 3..=10000001", "`grazing intervals` goes up to period 10000000, not 10000001"),
         ("intervals 8 --decimals 1001", "--decimals 1001 is too many: at most 1000"),
@@ -309,9 +309,10 @@ fn fuzz_resumes_and_reports() {
     let whole = tally(&stdout("fuzz --n 1..=12 --seed 3 --jobs 2 --format json --cases 3e6"));
     assert_eq!(whole, second);
     let (code, out, _) = run("fuzz --n 12 --cases 1");
-    assert!(code == 0 && out.starts_with("No disagreement found. This is no proof.\n"), "{out}");
+    assert!(code == 0 && out.starts_with("No disagreement found. This is not a proof.\n"), "{out}");
     assert!(
-        error(&format!("{} 1000", options.replace("--seed 3", "--seed 4"))).contains("is of another run")
+        error(&format!("{} 1000", options.replace("--seed 3", "--seed 4")))
+            .contains("belongs to another run")
     );
     fs::write(&state, "{}").unwrap();
     assert!(error(&format!("{options} 1000")).contains("it is not a saved state"));

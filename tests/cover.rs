@@ -281,10 +281,10 @@ fn a_killed_run_resumes_to_the_same_certificate() {
         assert!(read(&out) == read("whole") && read(&journal) == journal_text);
     }
     let other = stderr_of("cover 24..=45 --resume journal0", folder, 2);
-    assert!(other.contains("it is of another run") && other.contains("24..=45"), "{other}");
+    assert!(other.contains("it belongs to another run") && other.contains("24..=45"), "{other}");
     for option in ["--max-depth 40", "--r-max 0.99999"] {
         let other = stderr_of(&format!("cover {range} --resume journal0 {option}"), folder, 2);
-        assert!(other.contains("it is of another run"), "{option}: {other}");
+        assert!(other.contains("it belongs to another run"), "{option}: {other}");
     }
     fs::write(folder.join("notes"), "these are\nnot a journal\n").unwrap();
     assert!(stderr_of("cover 8 --resume notes", folder, 2).contains("it is not a saved state"));
@@ -311,7 +311,7 @@ fn the_command_reports_what_is_proved() {
     assert_eq!(code, 3);
     assert!(text.contains("    open: r in [0.") && text.contains("--format json lists them all"), "{text}");
     for (arguments, expected) in [
-        ("cover 2", "covers are for periods from 3 up, not 2"),
+        ("cover 2", "covers start at period 3, not at 2"),
         ("cover 8 --r-max 1", "r_max = 1: a fraction between 0 and 1"),
         ("cover 8 --r-max 0.9", "r_max = 9/10 may lie below an area of period 8: give at least 1 - 4.9/8^3"),
         ("cover 300", "`grazing cover` goes up to period 256, not 300"),

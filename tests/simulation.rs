@@ -505,7 +505,7 @@ struct Rows(AtomicI64, AtomicI64);
 
 impl Monitor for Rows {
     fn note(&self, what: &str) {
-        assert!(what.contains("basins.json: dropped a last line cut off"), "{what}");
+        assert!(what.contains("basins.json: dropped the last line"), "{what}");
         self.1.fetch_add(1, Ordering::Relaxed);
     }
 

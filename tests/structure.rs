@@ -150,3 +150,164 @@ fn every_public_type_has_a_name_of_its_own() {
     places.retain(|name, files| files.len() > 1 && !name.is_empty());
     assert!(places.is_empty(), "{places:?}");
 }
+
+/// Widths of comments and of prose.
+const WIDTH: usize = 110;
+
+/// The files below a folder of the package with this ending, but for what is built.
+fn below(folder: &Path, ending: &str, all: &mut Vec<PathBuf>) {
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        let name = path.file_name().unwrap().to_string_lossy().into_owned();
+        if path.is_dir() {
+            if name != "target" && !name.starts_with('.') {
+                below(&path, ending, all);
+            }
+        } else if path.extension().is_some_and(|extension| extension == ending) {
+            all.push(path);
+        }
+    }
+}
+
+/// The files of the package with this ending.
+fn all_files(ending: &str) -> Vec<PathBuf> {
+    let mut all = Vec::new();
+    below(Path::new(env!("CARGO_MANIFEST_DIR")), ending, &mut all);
+    all.sort();
+    all
+}
+
+/// Whether a line of prose cannot be broken: a row of a table, a heading, a picture, an address.
+fn unbreakable(line: &str) -> bool {
+    let picture = line.trim_start().starts_with("![");
+    let line = line.trim_start().trim_start_matches(['/', '!']).trim_start();
+    picture
+        || ["#", "<"].iter().any(|start| line.starts_with(start))
+        || line.starts_with('|') && line.ends_with('|')
+        || line.starts_with('[') && line.contains("]: ")
+        || line.contains("://")
+}
+
+/// The lines of Markdown that are prose, with their numbers: no code, no formula set apart.
+fn prose<'t>(lines: impl Iterator<Item = (usize, &'t str)>) -> Vec<(usize, &'t str)> {
+    let mut fenced = false;
+    let (mut listed, mut blank) = (false, true);
+    let mut all = Vec::new();
+    for (number, line) in lines {
+        let start = line.trim_start();
+        let item = ["- ", "* ", "> "].iter().any(|mark| start.starts_with(mark))
+            || start.split_once(". ").is_some_and(|(number, _)| number.parse::<u8>().is_ok());
+        if start.starts_with("```") {
+            fenced = !fenced;
+        } else if !fenced && !start.is_empty() {
+            listed = item || listed && (!blank || line.starts_with("  "));
+            // Indented by four, and no item's continuation: set apart.
+            if !(line.starts_with("    ") && !listed) {
+                all.push((number, line));
+            }
+        }
+        blank = start.is_empty();
+    }
+    all
+}
+
+#[test]
+fn comments_and_prose_keep_to_one_width() {
+    let mut wide = Vec::new();
+    let mut seen = 0;
+    let mut look = |path: &Path, lines: Vec<(usize, &str)>| {
+        for (number, line) in lines {
+            seen += 1;
+            if line.chars().count() > WIDTH && !unbreakable(line) {
+                wide.push(format!("{}:{number}: {line}", path.display()));
+            }
+        }
+    };
+    for path in all_files("rs") {
+        let text = fs::read_to_string(&path).unwrap();
+        let comments = (1..).zip(text.lines()).filter(|(_, line)| line.trim_start().starts_with("//"));
+        look(&path, comments.collect());
+    }
+    for path in all_files("md") {
+        let text = fs::read_to_string(&path).unwrap();
+        look(&path, prose((1..).zip(text.lines())));
+    }
+    assert!(seen > 8_000, "{seen} lines were looked at");
+    assert!(wide.is_empty(), "wider than {WIDTH} columns:\n{}", wide.join("\n"));
+}
+
+/// The name that a heading has in an address: lower case, blanks as hyphens, of other signs only `-` and `_`.
+fn anchor(heading: &str) -> String {
+    // Of a link its text; code without its marks.
+    let mut text = String::new();
+    let mut rest = heading;
+    while let Some((before, link)) = rest.split_once('[') {
+        let Some((name, after)) = link.split_once("](") else { break };
+        text += before;
+        text += name;
+        rest = after.split_once(')').map_or("", |(_, after)| after);
+    }
+    text += rest;
+    let kept = text.chars().filter(|c| c.is_alphanumeric() || [' ', '-', '_'].contains(c));
+    kept.collect::<String>().trim().to_lowercase().replace(' ', "-")
+}
+
+/// The targets of all links and pictures on a page, code apart.
+fn targets(text: &str) -> Vec<String> {
+    let mut all = Vec::new();
+    let lines = prose((1..).zip(text.lines()));
+    let whole = lines.iter().map(|(_, line)| line.trim()).collect::<Vec<_>>().join(" ");
+    // Between single backquotes is code.
+    for part in whole.split('`').step_by(2) {
+        for (at, _) in part.match_indices("](") {
+            let target = part[at + 2..].split([')', ' ']).next().unwrap_or_default();
+            all.push(target.to_string());
+        }
+    }
+    // A link whose text is code is cut in two above.
+    for (at, _) in whole.match_indices("`](") {
+        all.push(whole[at + 3..].split([')', ' ']).next().unwrap_or_default().to_string());
+    }
+    all
+}
+
+#[test]
+fn every_link_leads_somewhere() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let pages: BTreeMap<PathBuf, String> = all_files("md")
+        .into_iter()
+        .map(|path| (path.canonicalize().unwrap(), fs::read_to_string(&path).unwrap()))
+        .collect();
+    let anchors = |text: &str| -> BTreeSet<String> {
+        let lines = prose((1..).zip(text.lines()));
+        lines
+            .iter()
+            .filter(|(_, line)| line.starts_with('#'))
+            .map(|(_, line)| anchor(line.trim_start_matches('#')))
+            .collect()
+    };
+    let (mut broken, mut followed) = (Vec::new(), 0);
+    for (page, text) in &pages {
+        for target in targets(text) {
+            if target.contains("://") || target.starts_with("mailto:") {
+                continue;
+            }
+            followed += 1;
+            let (file, place) = target.split_once('#').unwrap_or((&target, ""));
+            let to = if file.is_empty() {
+                Ok(page.clone())
+            } else {
+                page.parent().unwrap().join(file).canonicalize()
+            };
+            let good = to.as_ref().is_ok_and(|to| {
+                to.starts_with(root.canonicalize().unwrap())
+                    && (place.is_empty() || pages.get(to).is_some_and(|text| anchors(text).contains(place)))
+            });
+            if !good {
+                broken.push(format!("{}: {target}", page.display()));
+            }
+        }
+    }
+    assert!(followed > 100, "{followed} links were followed");
+    assert!(broken.is_empty(), "links that lead nowhere:\n{}", broken.join("\n"));
+}

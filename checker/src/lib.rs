@@ -20,8 +20,10 @@
 //!
 //! ```text
 //! grazing-certificate 1                the format and its version
-//! kind KIND                            one of those in the table below, with its version above 1; the rest is the kind's own
-//! statement …                          in every kind, after the lines that its form lists: what passing proves, word for word
+//! kind KIND                            one of those in the table below, with its version above 1; the rest is
+//!                                      the kind's own
+//! statement …                          in every kind, after the lines that its form lists: what passing
+//!                                      proves, word for word
 //! ```
 //!
 //! Where a form says *number*, it is a decimal integer from 0 up without leading zeros, `0|[1-9][0-9]*`. A

@@ -20,18 +20,18 @@ use crate::{
 
 /// Measure what accuracy costs in time, on this machine.
 ///
-/// Of signs: time, certain digits and decided signs of b_{n,k}, for each rung and each family of inputs, as
-/// accuracy.csv with the figure accuracy.svg. Of simulations: time and error of the closed form and of the
-/// integrator at tolerances 1e-3 to 1e-13, as flow-accuracy.csv and .svg, and the distance from exact motions
-/// after 1 to 10^6 periods, as long-runs.csv. Of effects: what each adds to the time of a period, with its
-/// evaluations counted, as effects.csv. Takes some seconds. The table is printed, too.
+/// Of signs: the time, certain digits and decided signs of b_{n,k}, for each way to compute it and each
+/// family of inputs, as accuracy.csv and accuracy.svg. Of simulations: the time and error of the closed form
+/// and of the integrator at tolerances 1e-3 to 1e-13, as flow-accuracy.csv and .svg, and the distance from
+/// exact motions after 1 to 10^6 periods, as long-runs.csv. Of effects: what each adds to the time per
+/// period, with its evaluations counted, as effects.csv. The table is also printed. Takes some seconds.
 ///
 /// Exit code 0: done; 2: a file that cannot be written; 3: interrupted.
 #[derive(Debug, Parser)]
 #[command(after_help = "Examples:
   grazing accuracy --of effects -o figures")]
 pub(super) struct Args {
-    /// Of what.
+    /// What to measure.
     #[arg(long, value_enum, default_value_t = Subject::Signs)]
     of: Subject,
     /// The folder for the files.

@@ -28,12 +28,12 @@ const MAX_DIGITS: u32 = 1000;
 
 /// Enclose the lower edge r = R(s) of each area of Conjecture 1, or its lowest point.
 ///
-/// Without --grid, one row per area: the infimum of r and of a2 = r^2 over the area, regions 3 and 4
-/// together, and where it is approached. Areas are open, so none attains it. An orbit of period n cannot
-/// appear below it, whatever s; 0 says that no damping forbids the orbit. Beside it (1 - r) n^3 and its limit
-/// for large n, G (the universal law of the tips), alone and with the next term.
+/// Without --grid the table has one row per area: the infimum of r and of a2 = r^2 over the area, regions 3
+/// and 4 together, and where it is approached. Areas are open, so they do not attain it. Below it no orbit of
+/// period n can appear, whatever s; 0 says that no damping forbids the orbit. Beside it stand (1 - r) n^3 and
+/// its limit for large n, G (the law of the tips), alone and with the next term.
 ///
-/// With --grid G, R(s) at G evenly spaced s inside each interval of Theorem 2.
+/// With --grid G the table has R(s) at G evenly spaced s inside each interval of Theorem 2.
 ///
 /// Bounds are certified: the true value is not below *_lower and not above *_upper.
 ///

@@ -17,11 +17,10 @@ use crate::{
 
 /// Prove certificates again, without search, by the trusted checker.
 ///
-/// Every file gets a verdict. The command grazing-check (cargo install --path checker) is the same checker
-/// alone.
+/// Every file gets a verdict. The command grazing-check (cargo install --path checker) is this checker alone.
 ///
-/// Exit code 0: every file is proved; 1: some file is malformed or false; 2: none of these, but some file
-/// cannot be read; 3: none of all this, but some cover leaves boxes open, or the work was interrupted.
+/// Exit code 0: every file is proved; 1: some file is malformed or false; else 2: some file cannot be read;
+/// else 3: some cover leaves boxes open, or the work was interrupted.
 #[derive(Debug, Parser)]
 #[command(after_help = "Examples:
   grazing check theorem2.txt covers.txt

@@ -20,13 +20,13 @@ use crate::{
 /// The largest --max-n.
 const LIMIT: u64 = 100_000;
 
-/// Which single-impact orbits exist at one point, period by period.
+/// Say which single-impact orbits exist at one point, period by period.
 ///
-/// A point is given by the trace and determinant of the linear part, --a1 and --a2, or by the modulus r and
-/// the angle theta = 2 pi s of its complex eigenvalues, --r and --s. For each period: the cases (sign e*mu,
-/// sign gamma) with an orbit, and the sign of its large eigenvalue; or two k with b_{n,k} of opposite sign,
-/// which forbid one; or the boundary the point lies on, where the theory is silent. For a2 > 1 the
-/// time-reversed system is classified, which has the same orbits.
+/// Give the point by the trace and determinant of the linear part, --a1 and --a2, or by the modulus r and the
+/// angle theta = 2 pi s of its complex eigenvalues, --r and --s. The table has, for each period, the cases
+/// (sign e*mu, sign gamma) with an orbit and the sign of its large eigenvalue; or two k with b_{n,k} of
+/// opposite sign, which forbid an orbit; or the boundary on which the point lies, where the theory is silent.
+/// For a2 > 1 the time-reversed system is classified, which has the same orbits.
 ///
 /// Exit code 0: every period is decided; 2: wrong usage; 3: some period is undecided.
 #[derive(Debug, Parser)]
@@ -51,7 +51,7 @@ pub(super) struct Args {
     /// The periods are 1 to N, at most 100000.
     #[arg(long, value_name = "N", default_value_t = 15, value_parser = parse_integer::<u64>)]
     max_n: u64,
-    /// Print what holds in each region, for every period, instead.
+    /// Print what holds in each region for every period, instead of one point.
     #[arg(long)]
     summary: bool,
     /// How the table is written.

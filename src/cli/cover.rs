@@ -31,9 +31,9 @@ use crate::{
 /// Prove Conjecture 1 for every period in a range, at every point of regions 2, 3 and 4 with r <= r_max, by
 /// computation.
 ///
-/// Region 3 is cut into boxes, of each of which it is claimed that there is no orbit, that there is one, or
-/// that the edge of an area runs through it. The search is not trusted: what is reported as proved is what
-/// the checker of certificates has proved again, in integers. Nothing is claimed for r_max < r < 1.
+/// Region 3 is cut into boxes. For each box the claim is that there is no orbit, that there is one, or that
+/// the edge of an area runs through it. The search is not trusted: only what the checker of certificates has
+/// proved, in integers, is reported as proved. Nothing is claimed for r_max < r < 1.
 ///
 /// Exit code 0: proved; 1: refuted, with a point; 2: wrong usage or a file that cannot be read or written; 3:
 /// undecided (boxes left open are listed), or interrupted.
@@ -48,13 +48,13 @@ pub(super) struct Args {
     /// The largest r covered, at least 1 - 4.9/n^3; by default 1 - 1/n^3 for each n.
     #[arg(long, value_name = "R", value_parser = parse_rational)]
     r_max: Option<BigRational>,
-    /// Leave a box open once it is the result of this many halvings.
+    /// Leave a box open after this many halvings.
     #[arg(long, value_name = "D", default_value_t = 60, value_parser = whole(0..=60))]
     max_depth: u32,
     /// Write a certificate, which `grazing check` proves again without search.
     #[arg(long, value_name = "FILE")]
     certificate: Option<PathBuf>,
-    /// Keep a journal of finished work in this file, and go on from it if it exists.
+    /// Keep a journal of finished work in this file, and continue from it if it exists.
     #[arg(long, value_name = "FILE")]
     resume: Option<PathBuf>,
     /// The number of threads; default: one for each core.
@@ -111,7 +111,10 @@ fn prove(options: &CoverOptions, resume: Option<&Path>, interrupt: &Interrupt) -
     let (journal, known) = match resume {
         Some(path) => {
             let (journal, found) = Journal::open(path, &identity(options), MOST)?;
-            interrupt.keeps(format!("finished strips are kept in {0}: --resume {0} goes on", path.display()));
+            interrupt.keeps(format!(
+                "finished strips are kept in {0}: continue with --resume {0}",
+                path.display()
+            ));
             if found.torn > 0 {
                 say(format_args!("note: {}", torn(path)));
             }

@@ -25,10 +25,10 @@ use crate::{
 
 /// Decide for every impact pattern of a local map whether an orbit exists near a grazing bifurcation.
 ///
-/// MAP is a TOML file with A, B, C and e (docs/existence.md). One row per pattern (n_1, ..., n_m), up to
-/// rotation, with n_1 + ... + n_m at most P: for which sign of e*mu an orbit exists, both margins of both
-/// signs, the large eigenvalue's leading coefficient and sign, and the solution Y, X of the leading-order
-/// equations.
+/// MAP is a TOML file with A, B, C and e (docs/existence.md). The table has one row per pattern (n_1, ...,
+/// n_m), up to rotation, with n_1 + ... + n_m at most P. It says for which sign of e*mu an orbit exists, and
+/// has both margins for both signs, the large eigenvalue's leading coefficient and sign, and the solution Y,
+/// X of the leading-order equations.
 ///
 /// Exit code 0: every pattern decided; 2: wrong usage or a file that cannot be read or written; 3: some
 /// pattern undecided (the reason is given), or interrupted.
@@ -44,7 +44,7 @@ pub(super) struct Args {
     /// written.
     #[arg(long, value_name = "P", default_value_t = 6, value_parser = parse_integer::<u64>)]
     max_period: u64,
-    /// One pattern only, as in 3,4.
+    /// One pattern only, such as 3,4.
     #[arg(long, value_name = "N1,N2,...", value_parser = pattern, conflicts_with_all = ["existing", "counts"])]
     pattern: Option<Pattern>,
     /// Write that pattern's predicted orbit into a folder, as orbit.csv and orbit.svg.
@@ -53,7 +53,7 @@ pub(super) struct Args {
     /// Leave out the patterns that exist for neither sign; in two dimensions they are never visited.
     #[arg(long)]
     existing: bool,
-    /// Count the patterns of each period instead; in two dimensions with the growth rate over the periods up
+    /// Count the patterns of each period instead; in two dimensions, add the growth rate over the periods up
     /// to it.
     #[arg(long, conflicts_with = "existing")]
     counts: bool,

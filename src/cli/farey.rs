@@ -19,7 +19,7 @@ use crate::{
 
 /// Farey fractions: neighbours, rank, k-th term, walks.
 ///
-/// Fractions may have up to 32768 bits in numerator and denominator, those of rank 64.
+/// Fractions may have up to 32768 bits in numerator and denominator; those of `rank` up to 64.
 ///
 /// Exit code 0: done; 2: wrong usage; 3: interrupted.
 #[derive(Debug, Parser)]

@@ -129,7 +129,7 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
         return Err(Error::input("--r and --s belong to `grazing figure records`"));
     }
     if args.n.is_some() && !args.figure.has_periods() {
-        return Err(Error::input(format!("--n says nothing to figure {}", args.figure.name())));
+        return Err(Error::input(format!("figure {} takes no --n", args.figure.name())));
     }
     make_folder(&args.output)?;
     let number =

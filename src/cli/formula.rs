@@ -12,11 +12,11 @@ use crate::{
     symbol::{Area, Format, Sentence, period_formulas, write_formulas},
 };
 
-/// Write the formulas of one period as symbols, or what holds for it as a sentence for other tools.
+/// Write the formulas of one period as polynomials, or Conjecture 1 for it as a sentence for other tools.
 ///
 /// With N and K: u_n, u_k, N_{n,k} = u_n - u_k - a2^k u_{n-k} and 1 - v_n + a2^n as integer polynomials in
-/// (a1, a2), multiplied out and with every factor known to divide them taken out; for a tool, a script that
-/// has the tool compare the two.
+/// (a1, a2), both multiplied out and with every known factor taken out. For a tool, a script that makes it
+/// compare the two.
 ///
 /// With N and --sentence: a closed sentence, free of division. z3 and cvc5 answer `unsat` (of its negation),
 /// QEPCAD `TRUE`.
@@ -40,7 +40,7 @@ pub(super) struct Args {
     /// M/N, r <= 1.
     #[arg(long, value_name = "M+|M-|region4", conflicts_with = "k")]
     area: Option<Area>,
-    /// Who is to read it.
+    /// Who reads it.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
     /// Write the result to a file, which appears only when complete.

@@ -17,12 +17,12 @@ use crate::{
 
 /// List Theorem 2's intervals of s: where on r = 1 single-impact orbits of period n exist.
 ///
-/// Columns: n; m, the integer nearest to n s; the signs of e*mu and gamma; both ends as exact fractions; the
-/// k whose b_{n,k} alone decides existence for r < 1. Periods 1 and 2 get their intervals from the summary by
-/// period. The format bfile lists the number of intervals of each n instead.
+/// The columns are n; m, the integer nearest to n s; the signs of e*mu and gamma; both ends as exact
+/// fractions; and the k whose b_{n,k} alone decides existence for r < 1. Periods 1 and 2 get their intervals
+/// from the summary by period. The format bfile lists the number of intervals of each n instead.
 ///
-/// With --pattern I,J, or --two-impacts for all patterns of two impacts of a period: the intervals of s where
-/// on r = 1 an orbit with two impacts exists, the periods between them being I and J.
+/// --pattern I,J lists the intervals of s where on r = 1 an orbit with two impacts exists, I and J periods
+/// apart. --two-impacts does so for all patterns of two impacts of a period.
 ///
 /// Exit code 0: done; 2: wrong usage or a file that cannot be written; 3: interrupted.
 #[derive(Debug, Parser)]
@@ -34,7 +34,7 @@ pub(super) struct Args {
     /// The periods: N, or A..=B. At most 10000000.
     #[arg(value_name = "N|A..=B", required_unless_present_any = ["pattern", "two_impacts"])]
     periods: Option<Periods>,
-    /// The pattern of two impacts with these periods between them, as in 3,5.
+    /// The pattern of two impacts with these periods between them, such as 3,5.
     #[arg(long, value_name = "I,J", value_parser = two_impacts::pattern, conflicts_with_all = ["periods", "two_impacts"])]
     pattern: Option<(u64, u64)>,
     /// All patterns of two impacts of these periods, I + J = N from 3 to 2000.

@@ -51,10 +51,10 @@ use crate::{
 struct Cli {
     #[command(subcommand)]
     command: Command,
-    /// No progress bars.
+    /// Show no progress bars.
     #[arg(short, long, global = true)]
     quiet: bool,
-    /// Say at the end what it cost: seconds, processor seconds, the most memory.
+    /// Print at the end how long it took and what it used: seconds, processor seconds, peak memory.
     #[arg(short, long, global = true, conflicts_with = "quiet")]
     verbose: bool,
 }

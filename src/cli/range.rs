@@ -51,7 +51,7 @@ impl FromStr for Periods {
                 Some((first, last)) => {
                     let (first, last) = (number(first)?, number(last)?);
                     return Err(Error::input(format!(
-                        "{first}..{last} may or may not mean {last} too: write {first}..={last}, which has both ends"
+                        "{first}..{last} is ambiguous: write {first}..={last}, which includes both ends"
                     )));
                 }
                 None => (number(text)?, number(text)?),

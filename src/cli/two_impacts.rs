@@ -33,7 +33,7 @@ pub(super) fn periods(range: &Periods) -> Result<Vec<u64>> {
     let (first, last) = (*range.0.start(), *range.0.end());
     if first < 3 || last > LIMIT {
         return Err(Error::input(format!(
-            "--two-impacts {first}..={last}: a pattern of two different periods has a period from 3, here to {LIMIT}"
+            "--two-impacts {first}..={last}: give sums of two different periods, from 3 to {LIMIT}"
         )));
     }
     Ok(range.0.clone().collect())

@@ -20,12 +20,12 @@ const LIMIT: u64 = 200_000;
 
 /// Prove Theorem 2 for every period in a range, by exact decision, by enclosures, or both.
 ///
-/// Exactly: for each n, (0, 1/2) is cut at every zero and pole of every b_{n,k} and c_n; all signs are
-/// decided by integer arithmetic, and the set where (52) and (53) hold is compared with the theorem's
-/// intervals. The theorem's own proof is not used. Periods 1 and 2 are compared with the summary by period.
+/// Exactly: for each n, (0, 1/2) is cut at every zero and pole of every b_{n,k} and c_n. Integer arithmetic
+/// decides all signs, and the set where (52) and (53) hold is compared with the theorem's intervals. The
+/// proof of the theorem is not used. Periods 1 and 2 are compared with the summary by period.
 ///
-/// By enclosures: the arguments of (B1) and (B2) are bounded over whole closed stretches, and each factor's
-/// sign is proved on their interior; the two methods share no sign code.
+/// By enclosures: the arguments of (B1) and (B2) are bounded over whole closed stretches, and the sign of
+/// each factor is proved on their interior. The two methods share no code for signs.
 ///
 /// Exit code 0: proved for all; 1: refuted for some; 2: wrong usage or a file that cannot be written; 3:
 /// undecided or interrupted.
@@ -129,7 +129,7 @@ fn text(range: &RangeInclusive<u64>, proof: &Proof, args: &Args) -> String {
     };
     let rows = [
         (proof.orbits, "open intervals with an orbit: every b_{n,k} and c_n of the sign required"),
-        (proof.stretches, "open stretches without: two b_{n,k} of opposite sign on each"),
+        (proof.stretches, "open stretches without an orbit: two b_{n,k} of opposite sign on each"),
         (proof.singular, "break points where u_n = 0 (singular: Theorem 1 is silent)"),
         (proof.boundary, "break points where some b_{n,k} = 0, the rest of one sign (boundary)"),
         (proof.excluded, "break points where two b_{n,k} have opposite signs (no orbit)"),

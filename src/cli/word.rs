@@ -33,17 +33,17 @@ const LIMIT: u64 = 400;
 /// Bits of the entropy.
 const BITS: u32 = 64;
 
-/// Tell every impact pattern at one point: which periods occur between impacts, and which may follow which.
+/// Find every impact pattern at one point: which periods occur between impacts, and which may follow which.
 ///
-/// A point is given as for `classify`. For both signs of e*mu: the word, that is the periods n that can occur
-/// between two impacts, in the order of the Stern-Brocot path to s, each with the letter U (c_n > 0, m/n
-/// above s) or D (c_n < 0). For both signs of gamma: which period may follow which, the periods that may
-/// follow themselves, the number of patterns of each period, and the topological entropy per forcing period,
-/// which is above 0 exactly where two single-impact periods coexist. An impact pattern exists where every
-/// period in it may follow the one before it, cyclically.
+/// Give the point as for `classify`. For each sign of e*mu the report has the word: the periods n that can
+/// occur between two impacts, in the order of the Stern-Brocot path to s, each with the letter U (c_n > 0,
+/// m/n above s) or D (c_n < 0). For each sign of gamma it has which period may follow which, the periods that
+/// may follow themselves, the number of patterns of each period, and the topological entropy per forcing
+/// period, which is above 0 exactly where two single-impact periods coexist. An impact pattern exists where
+/// every period in it may follow the one before it, cyclically.
 ///
-/// With intervals, as in --a1 0.3..=0.301 --a2 1/2, the answer is that of all points of the box at once; what
-/// is not the same for all of them, or not seen to be, is open. --certificate writes down why the answer is
+/// With intervals, as in --a1 0.3..=0.301 --a2 1/2, the answer holds for all points of the box. What is not
+/// the same for all of them, or cannot be shown to be, is open. --certificate writes down why the answer is
 /// right.
 ///
 /// Exit code 0: everything is decided; 2: wrong usage, or a file that cannot be written; 3: a sign is zero or
@@ -270,7 +270,7 @@ fn end(extent: Extent) -> String {
             "undecided: the box meets a line between two regions, whose words are of different kinds".into()
         }
         Extent::Straddled { next } => format!(
-            "undecided: whether period {next} occurs is not the same on all of the box, or not seen to be; there may be more"
+            "undecided: whether period {next} occurs may differ between points of the box; there may be more"
         ),
         Extent::Cut => "the limit on letters is reached: there may be more".into(),
         Extent::Line => "on this line some c_n or b_{n,k} is zero: Theorem 1 is silent".into(),

@@ -5,14 +5,14 @@
 //! M = −Im (1 − λ^{n−k})(1 − conj λ^k) λ^k / r^k of (62) is
 //!
 //! ```text
-//! M = −(σ_n X + κ_n Y),   X = h_j h_k κ_j κ_k + p_j p_k σ_j σ_k,   Y = h_j κ_j p_k σ_k − p_j σ_j h_k κ_k     (folded)
-//! M = r^j sin 2πns − sin 2πks − rⁿ sin 2πjs                                                              (direct)
+//! M = −(σ_n X + κ_n Y),   X = h_j h_k κ_j κ_k + p_j p_k σ_j σ_k,   Y = h_j κ_j p_k σ_k − p_j σ_j h_k κ_k
+//! M = r^j sin 2πns − sin 2πks − rⁿ sin 2πjs
 //! b_{n,k} = M / (2 r^j σ_n κ_n),   c_n = −sin 2πs (h_n² + 4 rⁿ σ_n²) / (2 r^{n−1} σ_n κ_n)
 //! ```
 //!
-//! At r = 1 the folded form is (B1), b = −2 σ_j σ_k / κ_n, and c_n is (B2). It keeps its digits near poles,
-//! near single and double zeros and as r → 1; the direct form does for small r. c_n is a product of sums of
-//! positive terms.
+//! The first form of M is the folded one, the second the direct one. At r = 1 the folded form is (B1), b = −2
+//! σ_j σ_k / κ_n, and c_n is (B2). It keeps its digits near poles, near single and double zeros and as r → 1;
+//! the direct form does for small r. c_n is a product of sums of positive terms.
 
 use num_bigint::BigInt;
 use num_rational::BigRational;

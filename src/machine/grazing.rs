@@ -204,7 +204,7 @@ pub fn locate(family: &dyn MachineFamily, start: f64, reach: f64) -> Result<Mach
     if least.gap < -tiny {
         let name = &motion.contacts.all()[least.stop].name;
         return Ok(MachineSearch::Nothing(format!(
-            "the motion without impacts is behind stop {name} at the start already, by {:e}: begin where it is free",
+            "at the start the motion without impacts is already behind stop {name}, by {:e}: start where it is free",
             -least.gap
         )));
     }

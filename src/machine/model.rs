@@ -201,7 +201,7 @@ impl Machine<f64> {
         }
         let found = (shape.nrows() == shape.ncols()).then(|| shape.lu().solve(q)).flatten();
         found.filter(|eta| eta.iter().all(|x| x.is_finite())).ok_or_else(|| {
-            Error::input("the shapes at the coordinates do not tell the modes' amplitudes: start from 0, or leave `shapes` out")
+            Error::input("the shapes at the coordinates do not determine the modes' amplitudes: start from 0, or leave `shapes` out")
         })
     }
 

@@ -76,7 +76,7 @@ impl LinearEquations {
             let z = lu.solve(&right(k)).filter(|z| z.iter().all(|x| x.re.is_finite() && x.im.is_finite()));
             let Some(z) = z.filter(|_| pivot > 4.0 * f64::EPSILON * n as f64 * size) else {
                 return Err(Error::input(format!(
-                    "there is no one periodic motion without impacts: a motion resonates with {} without any damping, or has no stiffness",
+                    "without impacts there is no unique periodic motion: an undamped mode resonates with {}, or has no stiffness",
                     if k == 0 { "the constant force".to_string() } else { format!("harmonic {k}") }
                 )));
             };

@@ -122,7 +122,8 @@ impl Elementary for Ball {
         let root_exp = (exp - shift) / 2;
         let mut error = if &root * &root == shifted { Radius::ZERO } else { Radius::new(1, root_exp) };
         if !radius.is_zero() {
-            // |√(m+δ) − √m| ≤ r/(2√(m−r)), and 2³¹ ≤ least < 2³² makes the integer root of least·2³¹ or 2³² fit.
+            // |√(m+δ) − √m| ≤ r/(2√(m−r)), and 2³¹ ≤ least < 2³² makes the integer root of least·2³¹ or 2³²
+            // fit.
             let even = 31 + (least_exp - 31).rem_euclid(2);
             error = error + radius.over((least << even).sqrt(), (least_exp - even) / 2 + 1);
         }

@@ -75,7 +75,7 @@ pub struct Found {
 
 /// What is to be said of a torn last line.
 pub(crate) fn torn(path: &Path) -> String {
-    format!("{}: dropped a last line cut off by a sudden end", path.display())
+    format!("{}: dropped the last line, which a sudden end had cut off", path.display())
 }
 
 /// Records given to the system reach the disk at least this often.
@@ -106,7 +106,7 @@ impl Journal {
         let mut text = Vec::new();
         (&mut file).take(most + 1).read_to_end(&mut text).map_err(|error| fail("read", error))?;
         if text.len() as u64 > most {
-            return Err(bad(format!("it has more than the {most} bytes that this run can come to")));
+            return Err(bad(format!("it has more than {most} bytes, the most that this run can write")));
         }
         let header = run.to_string();
         let Lines { records, whole, chain } = read(&text, &header).map_err(bad)?;
@@ -216,7 +216,7 @@ fn read(text: &[u8], header: &str) -> std::result::Result<Lines, String> {
                 if index > 0 {
                     found.records.push(record.to_string());
                 } else if record != header {
-                    return Err(format!("it is of another run, {record:?}; this one is {header:?}"));
+                    return Err(format!("it belongs to another run, {record:?}; this one is {header:?}"));
                 }
                 (found.whole, found.chain) = (end as u64, chain);
             }
@@ -299,7 +299,7 @@ mod tests {
         }
         fs::write(&path, &text).unwrap();
         let error = Journal::open(&path, &run("another"), MOST).unwrap_err().to_string();
-        assert!(error.contains("it is of another run, \"grazing-state 2 test by "), "{error}");
+        assert!(error.contains("it belongs to another run, \"grazing-state 2 test by "), "{error}");
         assert!(error.contains(": a run; identity ") && error.contains(": another; identity "), "{error}");
         fs::write(&path, "notes").unwrap();
         assert!(open(&path).unwrap_err().to_string().contains("it is not a saved state"));

@@ -226,7 +226,7 @@ pub fn grazing(task: &GrazingTask, job: &Job) -> Result<GrazingFindings> {
         half: half.is_some(),
         open: event.second.filter(|_| half.is_none()).map(|second| {
             format!(
-                "the orbit grazes twice in its period, the {} wall too: the local theory is for one grazing",
+                "the orbit grazes twice in its period, also at the {} wall: the local theory is for one grazing",
                 second.side.name()
             )
         }),

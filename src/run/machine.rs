@@ -88,7 +88,7 @@ impl Finding for MachineSimulationFindings {
         let mut all = Vec::new();
         if self.order_matters > 0 {
             all.push(format!(
-                "{} times several stops were hit at one instant and the outcome depends on the order: Newton's law for all at once was taken",
+                "{} times several stops were hit at one instant and the outcome depends on the order: Newton's law for all at once was used",
                 self.order_matters
             ));
         }

@@ -79,11 +79,11 @@ impl Finding for ChaosFindings {
         }
         match self.failures.last() {
             Some(row) => Status::undecided(format!(
-                "no proof over the alphabet {:?}: {}. This does not say that there is no chaos",
+                "no proof over the alphabet {:?}: {}. This does not rule out chaos",
                 row.alphabet, row.reason
             )),
             None => Status::undecided(
-                "at the grazing no alphabet with two words is born, as far as floats tell. This does not say that there is no chaos",
+                "as far as floats can tell, no alphabet with two words is born at the grazing. This does not rule out chaos",
             ),
         }
     }

@@ -82,7 +82,7 @@ impl Status {
         match end {
             RunEnd::Reached => Status::Done,
             end => Status::undecided(format!(
-                "the motion ended after {periods:.6} periods of those asked for, {}",
+                "the motion ended after {periods:.6} of the periods asked for, {}",
                 end.why()
             )),
         }

@@ -108,9 +108,9 @@ keys! {
 }
 
 keys! {
-    /// Draws what motions tend to over a parameter (a bifurcation diagram), from several starts at each value,
-    /// in parallel. Lists windows of periodic motion and values where attractors coexist. An interrupted task
-    /// resumes from its checkpoint.
+    /// Draws what motions tend to over a parameter (a bifurcation diagram), from several starts at each
+    /// value, in parallel. Lists windows of periodic motion and values where attractors coexist. An
+    /// interrupted task resumes from its checkpoint.
     pub struct DiagramTask {
         /// the parameter that varies
         parameter: String,
@@ -142,9 +142,9 @@ keys! {
 }
 
 keys! {
-    /// Locates the end of an attractor. An unstable orbit's unstable manifold has a corner where it first comes
-    /// to graze; the end is the parameter at which an image of this corner falls on the stable manifold. Also
-    /// simulates on both sides of it.
+    /// Locates the end of an attractor. An unstable orbit's unstable manifold has a corner where it first
+    /// comes to graze; the end is the parameter at which an image of this corner falls on the stable
+    /// manifold. Also simulates on both sides of it.
     pub struct CrisisTask {
         /// the parameter that varies
         parameter: String,

@@ -403,7 +403,7 @@ fn check_machine_orbit(orbit: &OrbitKeys, scene: &Scene, machine: &Machine<f64>,
     if let Some(unknown) = orbit.stops.iter().find(|name| !names.contains(&name.as_str())) {
         return fail(
             "stops",
-            &format!("{unknown:?} is no stop of the machine; there are {}", names.join(", ")),
+            &format!("{unknown:?} is not a stop of the machine; there are {}", names.join(", ")),
         );
     }
     if !orbit.start.is_empty() && orbit.start.len() != 2 * m {

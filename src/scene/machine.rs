@@ -168,7 +168,7 @@ impl MachineScene {
                 ] {
                     if given {
                         return Err(
-                            at(&format!("system.{name}")).fail("stands beside `modes`, which say all of it")
+                            at(&format!("system.{name}")).fail("stands beside `modes`, which already say it")
                         );
                     }
                 }
@@ -194,7 +194,9 @@ impl MachineScene {
                 Some(row) => row.fit(&at(&format!("{path}.row")), points)?,
                 None if points == 1 => vec![Expression::parse("1", &[])?],
                 None => {
-                    return Err(at(&path).fail(&format!("has no row: give what it stops, {points} entries")));
+                    return Err(
+                        at(&path).fail(&format!("has no row: give {points} entries that say what it stops"))
+                    );
                 }
             };
             if row.is_empty() {

@@ -134,7 +134,7 @@ impl Value for MatrixValue {
                     let entries = all.into_iter().enumerate().map(|(i, value)| (i, i, value)).collect();
                     MatrixValue { rows: size, columns: size, entries }
                 }
-                _ => return Err(entry.fail("takes `file` or `diagonal`, one of them")),
+                _ => return Err(entry.fail("takes either `file` or `diagonal`")),
             }
         } else if entry.item.is_array() {
             MatrixValue::written(entry)?
@@ -276,7 +276,7 @@ fn market(text: &str) -> std::result::Result<Read, Wrong> {
                     let place = word.parse().ok().filter(|place| (1..=most).contains(place));
                     place
                         .map(|place: usize| place - 1)
-                        .ok_or((line, format!("{word:?} is not a place from 1 to {most}")))
+                        .ok_or((line, format!("{word:?} is not an index from 1 to {most}")))
                 };
                 (index(i, rows)?, index(j, columns)?, text)
             }

@@ -34,7 +34,7 @@ impl ChaosTask {
             if !(given || self.follow.is_empty()) {
                 return fail(
                     "follow",
-                    "must have, for each period of the alphabet, some of them, increasing",
+                    "must have one list per period of the alphabet: at least one of its periods, increasing",
                 );
             }
         } else if !self.follow.is_empty() {

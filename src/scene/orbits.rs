@@ -64,8 +64,8 @@ impl OrbitKeys {
 }
 
 keys! {
-    /// Finds periodic orbits, with their impacts and multipliers, and says whether each is admissible (positive
-    /// speeds, no other contact).
+    /// Finds periodic orbits, with their impacts and multipliers, and says whether each is admissible
+    /// (positive speeds, no other contact).
     pub struct OrbitTask {
         /// which orbit
         orbit: OrbitKeys,
@@ -104,9 +104,9 @@ keys! {
 }
 
 keys! {
-    /// Locates a grazing bifurcation. The local theory there decides which orbits are born on which side; each
-    /// is then found in the true system nearby. One line says whether chaos is born on either side, by all
-    /// patterns together, and with which entropy.
+    /// Locates a grazing bifurcation. The local theory there decides which orbits are born on which side;
+    /// each is then found in the true system nearby. One line says whether chaos is born on either side, by
+    /// all patterns together, and with which entropy.
     pub struct GrazingTask {
         /// the parameter that varies
         parameter: String,

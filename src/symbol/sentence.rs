@@ -293,7 +293,7 @@ impl FromStr for Area {
             (_, Some(m), _) => Ok(Area::HalfCell { m, side: HalfCellSide::Plus }),
             (_, _, Some(m)) => Ok(Area::HalfCell { m, side: HalfCellSide::Minus }),
             _ => Err(Error::input(format!(
-                "{name:?} is no area: write region4, or 3+ or 3- for a side of s = 3/n"
+                "{name:?} is not an area: write region4, or 3+ or 3- for a side of s = 3/n"
             ))),
         }
     }

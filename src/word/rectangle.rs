@@ -1,10 +1,10 @@
 //! Signs of u_n and N_{n,k} = u_n − u_k − a₂ᵏ u_{n−k} on a whole rectangle of the (a₁, a₂) plane, by Taylor's
 //! formula of second order.
 //!
-//! |u_n| ≤ nρⁿ where no eigenvalue exceeds ρ ≥ 1, and with U = Σ u_n zⁿ, ∂U/∂a₁ = U², ∂U/∂a₂ = −zU². So the second derivatives of N_{n,k} are at most
-//! n⁵ρⁿ/10 on the rectangle, half widths h₁, h₂, and N differs from its value at the middle by at most |∂₁N|
-//! h₁ + |∂₂N| h₂ + (h₁ + h₂)² n⁵ρⁿ/20, the derivatives being those at the middle; the same holds of u_n.
-//! Balls enclose all of it.
+//! |u_n| ≤ nρⁿ where no eigenvalue exceeds ρ ≥ 1, and with U = Σ u_n zⁿ, ∂U/∂a₁ = U², ∂U/∂a₂ = −zU². So the
+//! second derivatives of N_{n,k} are at most n⁵ρⁿ/10 on the rectangle, half widths h₁, h₂, and N differs from
+//! its value at the middle by at most |∂₁N| h₁ + |∂₂N| h₂ + (h₁ + h₂)² n⁵ρⁿ/20, the derivatives being those
+//! at the middle; the same holds of u_n. Balls enclose all of it.
 
 use num_bigint::BigInt;
 use num_rational::BigRational;

@@ -101,7 +101,7 @@ fn fuzzing_words_resumes_and_reports() {
     let (code, out, error) = run("--cases 1 --resume state");
     assert_eq!(code, 0, "{error}");
     assert!(
-        out.contains("No disagreement found. This is no proof.") && out.contains("which is not proved"),
+        out.contains("No disagreement found. This is not a proof.") && out.contains("which is not proved"),
         "{out}"
     );
     for (arguments, expected) in [

@@ -6,8 +6,9 @@
 //! velocity a and its last, p′, follow from both places:
 //!
 //! ```text
-//! a = (Q′ − E₁₁ Q − I)/E₁₂,    p′ = E₂₁ Q + E₂₂ a + J,    E = E(T),   I = f T²/2ν,   J = f T/ν   (f ≠ 0 only if c = k = 0)
-//! a_t = (p′ − E₁₁ s/2)/E₁₂,    p_t = E₂₁ s/2 + E₂₂ a_t − r,    r = −c p′ − k Q′ + f/ν  (the last acceleration)
+//! E = E(T),   I = f T²/2ν,   J = f T/ν,   r = −c p′ − k Q′ + f/ν  (f ≠ 0 only if c = k = 0)
+//! a = (Q′ − E₁₁ Q − I)/E₁₂,    p′ = E₂₁ Q + E₂₂ a + J
+//! a_t = (p′ − E₁₁ s/2)/E₁₂,    p_t = E₂₁ s/2 + E₂₂ a_t − r
 //! a_t′ = (s′/2 − p′)/E₁₂,      p_t′ = E₂₂ a_t′ + r,            dt/ds = −ν/(2 cos t)
 //! ```
 //!

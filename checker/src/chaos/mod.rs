@@ -14,8 +14,10 @@
 //!
 //! ```text
 //! statement …                    what passing proves, word for word: STATEMENT
-//! damping LO HI                  the ranges of c, k, f, τ > 0 and ν: fractions in lowest terms, LO ≤ HI; f is 0/1 0/1 unless c and k are
-//! stiffness LO HI                and then ν > 0; for ν the least may be 0/1, which stands for all ν > 0 up to the greatest
+//! damping LO HI                  the ranges of c, k, f, τ > 0 and ν: fractions in lowest terms, LO ≤ HI; f
+//!                                is 0/1 0/1 unless c and k are
+//! stiffness LO HI                and then ν > 0; for ν the least may be 0/1, which stands for all ν > 0 up
+//!                                to the greatest
 //! force LO HI
 //! restitution LO HI
 //! depth LO HI
@@ -24,8 +26,9 @@
 //! window W                       phases lie within ±W, 0 < W < π/2; there the gap is convex
 //! pieces J                       each window, and each time between two, is proved in J pieces, 1 to 1000
 //! letters L                      1 to 400, then L lines
-//! letter N A A' P P' α β γ S     N periods (1 to 1000); velocities after the first impact from A to A', before the last from P to P'; weights; an
-//!                                entry of the growth vector; the phases of both impacts are cut into S parts (1 to 64)
+//! letter N A A' P P' α β γ S     N periods (1 to 1000); velocities after the first impact from A to A',
+//!                                before the last from P to P'; weights; an entry of the growth vector; the
+//!                                phases of both impacts are cut into S parts (1 to 64)
 //! next V …                       L lines: the numbers, from 1, increasing, of the letters that may follow
 //! contraction K                  0 < K < 1
 //! reach B                        q/ν stays below B

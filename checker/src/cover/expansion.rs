@@ -29,12 +29,13 @@
 //!
 //! **Rounding**, in units of 2⁻⁶⁰. The box is exact, its centre too; η is an upper bound, which only enlarges
 //! the box. Let H = max(1, ⌈nh⌉). Every A_i is at most 1, being a term of (r + (1 − r))^p as h ≤ 1 − r₁, and
-//! is computed from below, with an error of at most n (i = 0), n(hn + 1) ≤ 2nH (i = 1), n(2nHh + 1)/2 + 1 ≤
-//! 3nH²/2 + 1 (i = 2), n(h(3nH²/2 + 1) + 1)/3 + 1 ≤ 6nH³/5 + 1 (i = 3). As nη ≤ 1.6,
-//! |F_0|, G_0 ≤ 1, |F_1|, G_1 ≤ 1.6, |F_2|, G_2 ≤ 1.28, G_3 ≤ 0.69, each off by less than 24 (see `Wave`). The 20 products in the
-//! c and d of one k, each rounded by 1, and the 4 single terms are together off by less than 2(1 + 1.6 +
-//! 1.28 + 0.69) n + 2(1 + 1.6 + 1.28) 2nH + 2(1 + 1.6)(3nH²/2 + 1) + 2(6nH³/5 + 1) + 20·(24 + 1) + 4·24 < 35
-//! nH³ + 620. No value reaches 8, where an `i64` ends: |c_ij| and d_ij are at most 3·1.6.
+//! is computed from below, with an error of at most n (i = 0), n(hn + 1) ≤ 2nH (i = 1),
+//! n(2nHh + 1)/2 + 1 ≤ 3nH²/2 + 1 (i = 2), n(h(3nH²/2 + 1) + 1)/3 + 1 ≤ 6nH³/5 + 1 (i = 3). As
+//! nη ≤ 1.6, |F_0|, G_0 ≤ 1, |F_1|, G_1 ≤ 1.6, |F_2|, G_2 ≤ 1.28, G_3 ≤ 0.69, each off by less than 24 (see
+//! `Wave`). The 20 products in the c and d of one k, each rounded by 1, and the 4 single terms are together
+//! off by less than 2(1 + 1.6 + 1.28 + 0.69) n + 2(1 + 1.6 + 1.28) 2nH + 2(1 + 1.6)(3nH²/2 + 1) +
+//! 2(6nH³/5 + 1) + 20·(24 + 1) + 4·24 < 35 nH³ + 620. No value reaches 8, where an `i64` ends: |c_ij| and
+//! d_ij are at most 3·1.6.
 //!
 //! With H = 1 (all boxes but those with r < 1 − 1/n or so) this is 4·10⁻¹⁵ for n = 128. The claims get finer
 //! like n⁻⁶, about 10⁻¹³ at n = 128; somewhere beyond n = 200 they are below the error bound, and then a

@@ -49,18 +49,22 @@
 //! lines L                              the number of lines after the header
 //! statement …                          what passing proves, word for word: STATEMENT
 //!
-//! n N RMAX COUNT                       for each period in turn, with r_max, a fraction 0 < p/q < 1, q ≤ 2^40, and the number of leaves
+//! n N RMAX COUNT                       for each period in turn, with r_max, a fraction 0 < p/q < 1, q ≤
+//!                                      2^40, and the number of leaves
 //! identity region2                     N_{n,k} < 0 for all k in region 2
 //! identity region4                     none in region 4 for even n; for odd n, b_{n,n-2} > 0 decides
 //! strip P/Q P/Q                        the next strip of s, from 0/1 to 1/2
-//! TREES                                the trees of its rows, r = 0 to 1/2, 1/2 to 3/4, … up to r_max, in preorder: one line of at most 2^24 bytes
+//! TREES                                the trees of its rows, r = 0 to 1/2, 1/2 to 3/4, … up to r_max, in
+//!                                      preorder: one line of at most 2^24 bytes
 //!
 //! r                                    the box is halved in r; the lower half's tree, then the upper one's
 //! s                                    the box is halved in s; the left half's tree, then the right one's
 //! NK,K';                               N_{n,K} > 0 > N_{n,K'} on the closed box: no orbit
-//! n                                    the same again: NK,K'; with the K and K' of the last one before it in TREES; malformed if there is none
+//! n                                    the same again: NK,K'; with the K and K' of the last one before it in
+//!                                      TREES; malformed if there is none
 //! P;  M;                               all N_{n,k} > 0 (P) or < 0 (M)
-//! pK; pKl; pKr;  mK; mKl; mKr;         N_{n,K} > 0 (p) or < 0 (m) decides, the more so for larger r; for smaller (l) or larger (r) s
+//! pK; pKl; pKr;  mK; mKl; mKr;         N_{n,K} > 0 (p) or < 0 (m) decides, the more so for larger r; for
+//!                                      smaller (l) or larger (r) s
 //! O;                                   open: nothing is claimed, and the statement is not proved
 //! ```
 //!

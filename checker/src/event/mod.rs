@@ -39,13 +39,17 @@
 //! ```text
 //! statement …                  what passing proves, word for word: STATEMENT
 //! digest HEX                   of the system's lines, from damping to the last harmonic
-//! damping C                    and so on as for an orbit, but that every coefficient is a quotient of polynomials in p:
+//! damping C                    and so on as for an orbit, but that every coefficient is a quotient of
+//!                              polynomials in p:
 //! …                            P0,P1,…/Q0,Q1,… stands for (P0 + P1 p + …)/(Q0 + Q1 p + …)
-//! parameter NAME P             a letter or _, then up to 31 letters, digits or _ (ASCII); the parameter is about P
+//! parameter NAME P             a letter or _, then up to 31 letters, digits or _ (ASCII); the parameter is
+//!                              about P
 //! event EVENT M                saddle-node, flip or grazing; the number of impacts, 1 to 24
 //! impact SIDE N T V            M lines
-//! contact I SIDE T             only for a grazing: between impact I (from 1) and the next the wall SIDE is touched, about a time T after impact I
-//! radius R W                   the only solution with all unknowns within R of the listed ones, and it lies within W; 0 < W ≤ R
+//! contact I SIDE T             only for a grazing: between impact I (from 1) and the next the wall SIDE is
+//!                              touched, about a time T after impact I
+//! radius R W                   the only solution with all unknowns within R of the listed ones, and it lies
+//!                              within W; 0 < W ≤ R
 //! row C …                      as many lines as there are unknowns, of as many numbers
 //! flight J                     for each impact, J ≥ 1, and J lines
 //! until T                      one of these pieces holds the contact in its interior

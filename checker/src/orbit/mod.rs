@@ -12,20 +12,26 @@
 //!
 //! ```text
 //! statement …                  what passing proves, word for word: STATEMENT
-//! digest HEX                   SHA-256, in lower case, of the system's lines, from damping to the last harmonic, each ended by a line feed
+//! digest HEX                   SHA-256, in lower case, of the system's lines, from damping to the last
+//!                              harmonic, each ended by a line feed
 //! damping P/Q                  c, k, F of q″ = −c q′ − k q + F + Σ (a cos νt + b sin νt)
 //! stiffness P/Q
 //! force P/Q
 //! forcing J                    and J lines, J ≤ 1000:
 //! harmonic NU A B              0 ≤ ν ≤ 1000, in any order, repeated or not
-//! lower OFFSET TAU J           the wall Q₁ = OFFSET + Σ (a cos νt + b sin νt) with restitution TAU ≥ 0, and J harmonics; or: lower none
+//! lower OFFSET TAU J           the wall Q₁ = OFFSET + Σ (a cos νt + b sin νt) with restitution TAU ≥ 0, and
+//!                              J harmonics; or: lower none
 //! upper …                      the wall Q₂ likewise; Q₁ < q < Q₂
 //! orbit M CLAIM                the number of impacts, 1 to 24; stable, unstable, or open (no claim)
-//! impact SIDE N T V            M lines: lower or upper, the periods to the next impact (0 to 10000, not all 0), the phase and the incoming relative speed, about
-//! radius R W                   the orbit is the only one with all T, V within R, and it lies within W; 0 < W ≤ R
-//! row C …                      2M lines of 2M numbers: the preconditioner of Krawczyk's test, about the inverse of the derivative
+//! impact SIDE N T V            M lines: lower or upper, the periods to the next impact (0 to 10000, not all
+//!                              0), the phase and the incoming relative speed, about
+//! radius R W                   the orbit is the only one with all T, V within R, and it lies within W; 0 < W
+//!                              ≤ R
+//! row C …                      2M lines of 2M numbers: the preconditioner of Krawczyk's test, about the
+//!                              inverse of the derivative
 //! flight J                     for each impact, J ≥ 1, and J lines
-//! until T                      the flight is proved piece by piece: the times since its impact at which the pieces end; they grow, and the last is not before the flight's end
+//! until T                      the flight is proved piece by piece: the times since its impact at which the
+//!                              pieces end; they grow, and the last is not before the flight's end
 //! ```
 //!
 //! T, V, R, W and C are decimals (see the crate's head); A, B, OFFSET, TAU, P/Q are fractions in lowest terms

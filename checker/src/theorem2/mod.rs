@@ -21,7 +21,8 @@
 //! Theorem 2 lists for n ≥ 2, from left to right,
 //!
 //! ```text
-//! (0, 1/(2n))                              in the case (−,+); then for m = 1, 2, … ≤ n/2 without a common factor with n
+//! (0, 1/(2n))                              in the case (−,+); then for m = 1, 2, … ≤ n/2 without a common
+//!                                          factor with n
 //! (m₊/n₊, m/n)                             in the case (+,+), but for m = 1 from 1/(2n) on
 //! (m/n, (m − m₊)/(n − n₊))                 in the case (+,−), if 2m < n
 //! ```
@@ -35,11 +36,14 @@
 //! range A B                                after the kind line: the periods, 1 ≤ A ≤ B ≤ 200000
 //! lines L                                  the number of lines after the header
 //! statement …                              what passing proves, word for word: STATEMENT
-//! n N COUNT                                for each period in turn, with the number of lines in its block, at most 10^7
-//! orbit P/Q P/Q EMU GAMMA                  (52), (53) hold on the open interval in the case (EMU, GAMMA), each + or -
+//! n N COUNT                                for each period in turn, with the number of lines in its block,
+//!                                          at most 10^7
+//! orbit P/Q P/Q EMU GAMMA                  (52), (53) hold on the open interval in the case (EMU, GAMMA),
+//!                                          each + or -
 //! stretch P/Q P/Q K K'                     b_{n,K} > 0 > b_{n,K'} and u_n ≠ 0 on the open interval: no orbit
 //! point P/Q singular                       u_n = 0: Theorem 1 is silent
-//! point P/Q boundary K                     u_n ≠ 0, b_{n,K} = 0 and no two b of opposite sign: Theorem 1 is silent
+//! point P/Q boundary K                     u_n ≠ 0, b_{n,K} = 0 and no two b of opposite sign: Theorem 1 is
+//!                                          silent
 //! point P/Q excluded K K'                  u_n ≠ 0 and b_{n,K} > 0 > b_{n,K'} there: no orbit
 //! ```
 //!

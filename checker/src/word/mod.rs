@@ -23,7 +23,8 @@
 //! at polar R S                    the point a₁ = 2r cos 2πs, a₂ = r², 0 < r ≤ 1, 0 < s < ½; or
 //! at box LO HI LO HI              all points with a₁ and a₂ in these closed intervals
 //! bits P                          the precision of the check, a multiple of 32 from 64 to 4096
-//! word +                          for eµ > 0 (+), or eµ < 0 (-): the lines below; then perhaps the other, + before -
+//! word +                          for eµ > 0 (+), or eµ < 0 (-): the lines below; then perhaps the other, +
+//!                                 before -
 //! ```
 //!
 //! A1, A2, R, S, LO, HI are fractions `-?P/Q` in lowest terms, Q > 0, of at most 100 digits each; 0 < a₂ ≤ 1.
@@ -31,25 +32,32 @@
 //!
 //! ```text
 //! last N                          1 ≤ N ≤ 256
-//! occurs n L                      for each n = 1, …, N one of these three: all b_{n,k} have the sign of eµ, c_n that of the letter L, U or D
+//! occurs n L                      for each n = 1, …, N one of these three: all b_{n,k} have the sign of eµ,
+//!                                 c_n that of the letter L, U or D
 //! absent n K                      b_{n,K} has the other sign
 //! singular n                      u_n = 0 (at a single point)
-//! follows i MARKS                 for each i that occurs, a mark for each j that occurs: + p_j > q_i, - p_j < q_i, ? nothing is claimed
+//! follows i MARKS                 for each i that occurs, a mark for each j that occurs: + p_j > q_i, - p_j
+//!                                 < q_i, ? nothing is claimed
 //! ```
 //!
 //! In kind `word-by-theorem` a line `region R` comes after `bits P`, the paper's region, 1 to 5, that the set
 //! lies in; then for each word
 //!
 //! ```text
-//! all L                           regions 1 and 5 for +, 2 for -: every period occurs, with this letter (U in region 1, else D)
+//! all L                           regions 1 and 5 for +, 2 for -: every period occurs, with this letter (U
+//!                                 in region 1, else D)
 //! one L                           regions 2 for +, 1, 4 and 5 for -: period 1 alone
-//! below H                         region 3 for -: the periods 1, …, H, H ≤ 512: u_1, …, u_H > 0 and u_{H+1} < 0 or = 0
-//! first K                         region 3 for +: u_1, …, u_{K−1} > 0 (the last one may be 0), u_K < 0, K ≤ 4096; 1 is D and K is U. In region 4 K = 2 without this line
-//! step n L                        the next period on the path occurs: n = i + j for the last D, i, and the last U, j; u_n < 0 and b_{n,j} > 0 (U), u_n > 0 and b_{n,i} > 0 (D)
+//! below H                         region 3 for -: the periods 1, …, H, H ≤ 512: u_1, …, u_H > 0 and u_{H+1}
+//!                                 < 0 or = 0
+//! first K                         region 3 for +: u_1, …, u_{K−1} > 0 (the last one may be 0), u_K < 0, K ≤
+//!                                 4096; 1 is D and K is U. In region 4 K = 2 without this line
+//! step n L                        the next period on the path occurs: n = i + j for the last D, i, and the
+//!                                 last U, j; u_n < 0 and b_{n,j} > 0 (U), u_n > 0 and b_{n,i} > 0 (D)
 //! end n L                         it does not: u_n < 0 and b_{n,j} < 0 (U), u_n > 0 and b_{n,i} < 0 (D); or
 //! end n 0                         u_n = 0; or
 //! open                            nothing is claimed of it
-//! follows i MARKS                 after first or region 4: a line for each letter in path order, as the theorem has it; at most 512 letters, n ≤ 4096
+//! follows i MARKS                 after first or region 4: a line for each letter in path order, as the
+//!                                 theorem has it; at most 512 letters, n ≤ 4096
 //! ```
 //!
 //! The marks by the theorem: U to U +, D to D -; between a D, i, and a U, j: the last pair + from D to U, -

@@ -28,20 +28,19 @@ use crate::{
 
 /// Fuzz Conjecture 1: decide existence at random points by its definition and by the claim, and compare.
 ///
-/// Most cases come from sweeps: (r, s) uniform, all n up to N in one pass. The others are drawn near the
+/// Most cases come from sweeps: (r, s) uniform, with all n up to N in one pass. The others are drawn near the
 /// places where something could fail: r = 1, boundary curves, the ends of intervals, equal eigenvalues,
 /// gcd(m, n) > 1, real eigenvalues of every kind. A disagreement is decided again, shrunk, printed with a
-/// command that shows it, and appended to a file that the tests replay. The same seed gives the same run
+/// command that shows it, and appended to a file that the tests replay. The same seed gives the same run,
 /// whatever the number of threads.
 ///
-/// With --words the word theorem is fuzzed instead (`grazing word` has it): at each point every period up to
-/// N, and which may follow which, by the definition and by the word; cases are then points. Beside that the
-/// entropies of random words on r = 1 are held against what is thought to be their supremum, which is an open
-/// question.
+/// With --words it fuzzes the word theorem, which `grazing word` uses. At each point it compares every period
+/// up to N, and which may follow which, by the definition and by the word; a case is then a point. It also
+/// compares the entropies of random words on r = 1 with their presumed supremum, which is an open question.
 ///
-/// Exit code 0: no disagreement, which is no proof; 1: a confirmed disagreement, or an error of this program
-/// (two of its routes to one answer differ, shown with the point); 2: wrong usage or a file that cannot be
-/// read or written; 3: some case is undecided, or interrupted.
+/// Exit code 0: no disagreement, which proves nothing; 1: a confirmed disagreement, or an error of this
+/// program (two of its routes to one answer differ; the point is shown); 2: wrong usage or a file that cannot
+/// be read or written; 3: some case is undecided, or interrupted.
 #[derive(Debug, Parser)]
 #[command(after_help = "Examples:
   grazing fuzz --cases 1e5
@@ -53,7 +52,7 @@ pub(super) struct Args {
     /// The periods: N, or A..=B with 3 <= B <= 4096; with --words 1..=B, B <= 1024.
     #[arg(long, value_name = "N|A..=B", default_value = "1..=64")]
     n: Periods,
-    /// End with the block of cases that reaches this many (1e9 is allowed).
+    /// Stop after the block of cases that reaches this number (1e9 is allowed).
     #[arg(long, value_name = "N", default_value = "1e7", value_parser = parse_integer::<u64>)]
     cases: u64,
     /// The seed.
@@ -62,14 +61,14 @@ pub(super) struct Args {
     /// The number of threads; default: one for each core.
     #[arg(long, value_name = "J", default_value_t = 0, hide_default_value = true, value_parser = parse_integer::<usize>)]
     jobs: usize,
-    /// The share of sweep points at which one period is decided by the definition, k by k, as well; by
-    /// default 0.01. With --words at which all is decided exactly, by default 0.00001.
+    /// The share of sweep points at which one period is also decided by the definition, k by k; by default
+    /// 0.01. With --words, the share of points at which everything is decided exactly; by default 0.00001.
     #[arg(long, value_name = "F", value_parser = share)]
     definition_share: Option<f64>,
     /// Where disagreements are appended; the tests replay those in tests/data/fuzz_regressions.txt.
     #[arg(long, value_name = "FILE", default_value = "fuzz-regressions.txt")]
     regressions: PathBuf,
-    /// Go on from this state file if it exists, and keep it up to date.
+    /// Continue from this state file if it exists, and keep it up to date.
     #[arg(long, value_name = "FILE")]
     resume: Option<PathBuf>,
     /// How the result is written.
@@ -139,7 +138,10 @@ fn campaign<C: Told>(args: &Args, options: &C, interrupt: &Interrupt) -> Result<
     let (mut state, start) = match &args.resume {
         Some(path) => {
             let (state, start) = open(path, options)?;
-            interrupt.keeps(format!("what was counted is kept in {0}: --resume {0} goes on", path.display()));
+            interrupt.keeps(format!(
+                "what was counted is kept in {0}: continue with --resume {0}",
+                path.display()
+            ));
             (Some(state), start)
         }
         None => (None, C::Tally::default()),
@@ -248,12 +250,12 @@ fn text<C: Told>(
         }
         Outcome::Refuted => format!("Refuted: {}.", C::REFUTED),
         Outcome::Interrupted => format!(
-            "Interrupted: no disagreement found in {} of {} {}. This is no proof.",
+            "Interrupted: no disagreement found in {} of {} {}. This is not a proof.",
             tally.decided(),
             options.cases(),
             C::UNIT
         ),
-        _ => "No disagreement found. This is no proof.".to_string(),
+        _ => "No disagreement found. This is not a proof.".to_string(),
     };
     writeln!(out, "{verdict}")?;
     for (count, what) in options.rows(tally) {

@@ -42,10 +42,10 @@ use bars::Bars;
 
 /// Run the tasks of a scene: simulate an impact oscillator, find its orbits, follow and prove them.
 ///
-/// A scene is a TOML file that names an oscillator's effects, its walls, parameters and tasks; docs/scenes.md
-/// has every key, examples/scenes some scenes to begin with. Each task writes its files, named after it, into
-/// the folder, and its part of the report to standard output. All of the scene is checked before anything
-/// runs; a task that fails does not end the rest.
+/// A scene is a TOML file that names an oscillator's effects, its walls, parameters and tasks. docs/scenes.md
+/// has every key, and examples/scenes has scenes to start from. Each task writes its files, named after it,
+/// into the folder, and its part of the report to standard output. The whole scene is checked before anything
+/// runs. If a task fails, the others still run.
 ///
 /// Exit code, the first that applies: 1: something was refuted; 2: wrong usage, a wrong scene, a task that
 /// failed or a file that cannot be written; 3: interrupted, undecided or nothing found; 0: all done.
@@ -57,7 +57,7 @@ pub(super) struct Args {
     /// The scene.
     #[arg(value_name = "SCENE.toml")]
     scene: PathBuf,
-    /// Run this task only, or the tasks of this group; may be repeated.
+    /// Run only this task, or the tasks of this group; may be repeated.
     #[arg(long, value_name = "TASK")]
     only: Vec<String>,
     /// Give a parameter this value, in every task; may be repeated.

@@ -21,15 +21,26 @@
 //! The trajectory itself carries rounding errors only, amplified by the condition number of the modes.
 //!
 //! ```
-//! use grazing::{machine::{Machine, Stop, simulate::{MachineEvent, MachineSettings, MachineSimulator}}, oscillator::{Time, Wall}};
+//! use grazing::machine::simulate::{MachineEvent, MachineSettings, MachineSimulator};
+//! use grazing::machine::{Machine, Stop};
+//! use grazing::oscillator::{Time, Wall};
 //!
 //! // A mass of 2 that falls onto a table: g = 8, and the table keeps half of the velocity.
 //! let table = Wall { offset: 0.0, harmonics: vec![], restitution: 0.5 };
 //! let machine = Machine {
-//!     size: 1, period: 4.0, mass: vec![(0, 0, 2.0)], damping: vec![], damping_ratio: vec![], stiffness: vec![],
-//!     shapes: vec![], force: vec![-16.0], forcing: vec![], stops: vec![Stop { name: "table".into(), row: vec![1.0], wall: table }],
+//!     size: 1,
+//!     period: 4.0,
+//!     mass: vec![(0, 0, 2.0)],
+//!     damping: vec![],
+//!     damping_ratio: vec![],
+//!     stiffness: vec![],
+//!     shapes: vec![],
+//!     force: vec![-16.0],
+//!     forcing: vec![],
+//!     stops: vec![Stop { name: "table".into(), row: vec![1.0], wall: table }],
 //! };
-//! let simulator = MachineSimulator::new(&machine, &MachineSettings { minimum_depth: 1e-12, ..MachineSettings::default() })?;
+//! let settings = MachineSettings { minimum_depth: 1e-12, ..MachineSettings::default() };
+//! let simulator = MachineSimulator::new(&machine, &settings)?;
 //! let mut run = simulator.start(Time::new(0, 0.0), &[1.0], &[0.0])?;
 //! let MachineEvent::Impact(impact) = run.next(Time::new(1, 0.0)) else { panic!() };
 //! // After half a unit of time, an eighth of the period, at velocity −4.

@@ -91,7 +91,7 @@ impl Checkpoint {
     pub fn ended(&self, error: Error, done: usize, all: usize, what: &str) -> Error {
         match &self.state {
             Some((_, path)) if error.is_interrupted() => Error::interrupted(format!(
-                "interrupted: {done} of {all} {what} are done and kept in {}; running again goes on from there",
+                "interrupted: {done} of {all} {what} are done and kept in {}; running again continues from there",
                 path.display()
             )),
             _ => error,

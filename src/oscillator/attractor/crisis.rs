@@ -71,11 +71,11 @@ impl Saddle {
         let [(expansion, imaginary), (contraction, _)] = orbit.multipliers.values();
         if imaginary != 0.0 || !(expansion > 1.0 && (0.0..1.0).contains(&contraction)) {
             return Err(Error::input(format!(
-                "the orbit's multipliers are {expansion} and {contraction}: it is no saddle with positive ones"
+                "the orbit's multipliers are {expansion} and {contraction}: it is not a saddle with positive multipliers"
             )));
         }
         if !orbit.admissibility.is_admissible() {
-            return Err(Error::input("this is no orbit of the system: it passes through a wall"));
+            return Err(Error::input("this is not an orbit of the system: it passes through a wall"));
         }
         let wait = (phase - orbit.z[0]).rem_euclid(TAU);
         let state = State { t: phase, ..orbit.state(&oscillator, orbit.z[0] + wait)? };

@@ -244,7 +244,7 @@ impl<C: Followed> Walk<'_, C> {
             if here.length == 0.0 && h / 2.0 < self.options.least_step {
                 return Ok((vec![], h, Some(CurveEnd::Fails)));
             }
-            return Err(Error::input("the curve ceases to be what it was, and no event says why"));
+            return Err(Error::input("the curve ends, and no labelled event says why"));
         }
         // Four Newton steps are about right, and a turn of half of what is allowed.
         let wanted = 2f64.powf((4.0 - f64::from(place.steps)) / 2.0);

@@ -93,7 +93,7 @@ pub fn read_label(text: &str, label: &str) -> Result<Label> {
         unknowns: Vec<f64>,
         tangent: Vec<f64>,
     }
-    let bad = |what: &dyn std::fmt::Display| Error::input(format!("no branch that grazing wrote: {what}"));
+    let bad = |what: &dyn std::fmt::Display| Error::input(format!("not a branch that grazing wrote: {what}"));
     let file: File = serde_json::from_str(text).map_err(|error| bad(&error))?;
     if file.format != FORMAT {
         return Err(bad(&format_args!("its format is {:?}, not {FORMAT:?}", file.format)));

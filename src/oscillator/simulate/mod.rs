@@ -25,8 +25,9 @@
 //!
 //! // A ball under gravity 1 on a table that keeps half of the velocity: 1 + 1 + 1/2 + 1/4 + … = 3.
 //! let table = Wall { offset: 0.0, harmonics: vec![], restitution: 0.5 };
-//! let (force, lower) = (-1.0, Some(table));
-//! let ball = System { damping: 0.0, stiffness: 0.0, cubic: 0.0, force, forcing: vec![], lower, upper: None };
+//! let (damping, stiffness, cubic, force) = (0.0, 0.0, 0.0, -1.0);
+//! let lower = Some(table);
+//! let ball = System { damping, stiffness, cubic, force, forcing: vec![], lower, upper: None };
 //! let simulator = Simulator::new(&ball, &Settings::default())?;
 //! let mut run = simulator.start(Time::new(0, 0.0), 0.5, 0.0)?;
 //! let mut rest = None;

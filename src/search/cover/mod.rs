@@ -215,7 +215,7 @@ pub fn cover(
     let mut covers = Vec::new();
     for n in options.periods.clone() {
         if n < 3 {
-            return Err(Error::input(format!("covers are for periods from 3 up, not {n}")));
+            return Err(Error::input(format!("covers start at period 3, not at {n}")));
         }
         let r_max = options.r_max(n)?;
         let strip = |(index, strip): (usize, Strip)| {

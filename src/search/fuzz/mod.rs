@@ -166,7 +166,7 @@ impl Campaign for FuzzOptions {
 
     fn check(&self, tally: &FuzzTally) -> Result<()> {
         self.check_range()?;
-        let bad = |what: &str| Err(Error::input(format!("a tally that no run comes to: {what}")));
+        let bad = |what: &str| Err(Error::input(format!("no run can give this tally: {what}")));
         // Far more than any machine does, and few enough for every sum below.
         if tally.units > 1 << 40 {
             return bad("the number of units");

@@ -201,7 +201,7 @@ impl Campaign for WordOptions {
 
     fn check(&self, tally: &WordTally) -> Result<()> {
         self.check_range()?;
-        let bad = |what: &str| Err(Error::input(format!("a tally that no run comes to: {what}")));
+        let bad = |what: &str| Err(Error::input(format!("no run can give this tally: {what}")));
         if tally.units > 1 << 40 {
             return bad("the number of units");
         }
