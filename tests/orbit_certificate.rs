@@ -49,7 +49,8 @@ fn long(case: Case) -> Case {
     Case { system: System { force, ..case.system }, ..case }
 }
 
-/// Version 2, where one coefficient is too long for version 1: every coefficient lies in its interval, which is narrow.
+/// Version 2, where one coefficient is too long for version 1: every coefficient lies in its interval, which
+/// is narrow.
 #[test]
 fn long_coefficients_are_held_in_intervals() {
     for case in cases().into_iter().map(long) {
@@ -90,7 +91,8 @@ fn long_coefficients_are_held_in_intervals() {
     assert!(error.is_input() && error.to_string().contains("between -2^30 and 2^30"), "{error}");
 }
 
-/// What is accepted of a wide interval is true at its ends and within, by the proof in balls; and none is accepted that is too wide.
+/// What is accepted of a wide interval is true at its ends and within, by the proof in balls; and none is
+/// accepted that is too wide.
 #[test]
 fn a_wide_interval_is_a_statement_about_all_of_it() {
     let case = long(cases().remove(0));

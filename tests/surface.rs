@@ -88,8 +88,8 @@ fn cells_are_balanced(what: &str, text: &str) {
     }
 }
 
-/// Outputs in JSON, at least one for each schema in docs/schemas; `@` begins the name of a file that a command
-/// of the list writes itself.
+/// Outputs in JSON, at least one for each schema in docs/schemas; `@` begins the name of a file that a
+/// command of the list writes itself.
 const JSON: [&str; 27] = [
     "intervals 3..=5",
     "intervals 3..=5 --decimals 4",
@@ -120,9 +120,9 @@ const JSON: [&str; 27] = [
     "@branch.json",
 ];
 
-/// With Python's `jsonschema` every output is as its schema says, and no key can be renamed, left out or given
-/// another type without the schema noticing (`tests/schemas.py`). `GRAZING_REQUIRE_PYTHON=1` makes its absence a
-/// failure.
+/// With Python's `jsonschema` every output is as its schema says, and no key can be renamed, left out or
+/// given another type without the schema noticing (`tests/schemas.py`). `GRAZING_REQUIRE_PYTHON=1` makes its
+/// absence a failure.
 #[test]
 fn json_is_as_its_schemas_say() {
     let folder = tempfile::tempdir().unwrap();

@@ -20,8 +20,8 @@
 //!
 //! ```text
 //! grazing-certificate 1                the format and its version
-//! kind KIND                            one of those in the table below, with its version above 1; the rest is
-//!                                      the kind's own
+//! kind KIND                            one of those in the table below, with its version above 1; the rest
+//!                                      is the kind's own
 //! statement …                          in every kind, after the lines that its form lists: what passing
 //!                                      proves, word for word
 //! ```

@@ -178,7 +178,8 @@ fn coefficients_may_be_intervals() {
          - [0.04164931278633902540608, 0.04164931278633902540609] q"
     );
     assert_eq!(detail("lower wall"), "-1 + 0.95 cos t, restitution 1");
-    // Another number of the interval's is another oscillator, for which it is proved as well; one outside is not.
+    // Another number of the interval's is another oscillator, for which it is proved as well; one outside is
+    // not.
     for line in ["stiffness 0.041649312..0.041649313", "stiffness 0.04..0.042", "stiffness 0.05..0.05"] {
         let why = rejected(&resealed(&with(&in_intervals(), "stiffness", line)));
         assert!(why.contains("false: Krawczyk's test does not map"), "{line}: {why}");

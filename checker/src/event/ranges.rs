@@ -1,4 +1,5 @@
-//! Coefficients that depend on the parameter and are known to lie within intervals: quotients of polynomials whose coefficients are ranges.
+//! Coefficients that depend on the parameter and are known to lie within intervals: quotients of polynomials
+//! whose coefficients are ranges.
 
 use std::fmt;
 

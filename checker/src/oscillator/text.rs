@@ -184,7 +184,8 @@ impl Decimal {
         Interval::ratio(self.digits, 10i128.pow(self.places))
     }
 
-    /// The whole part and the rest in units of 10⁻³⁴, both of the number's sign: they are in order as the numbers are.
+    /// The whole part and the rest in units of 10⁻³⁴, both of the number's sign: they are in order as the
+    /// numbers are.
     pub(crate) fn parts(self) -> (i128, i128) {
         let scale = 10i128.pow(self.places);
         (self.digits / scale, self.digits % scale * 10i128.pow(DIGITS as u32 - self.places))

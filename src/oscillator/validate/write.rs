@@ -24,7 +24,8 @@ const DIGITS: usize = 34;
 /// # Errors
 /// An input error: a coefficient of 2³⁰ or more, or no box that the checker accepts.
 pub fn certificate(system: &oscillator::System<BigRational>, orbit: &ProvedOrbit) -> Result<String> {
-    // Version 1 names coefficients exactly; where one is too long for it, version 2 holds all of them in intervals.
+    // Version 1 names coefficients exactly; where one is too long for it, version 2 holds all of them in
+    // intervals.
     match converted(system, &fraction) {
         Ok(system) => accepted(system, orbit),
         Err(_) => accepted(converted(system, &range)?, orbit),
