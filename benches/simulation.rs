@@ -86,7 +86,7 @@ fn long_runs(_: &mut Criterion) {
         let undamped = Simulator::new(&System { lower, ..bare(0.0, 1.3) }, &Settings::default()).unwrap();
         let mut run = undamped.start(Time::new(0, 0.0), 0.5, 0.3).unwrap();
         let energy = |q: f64, u: f64| u * u + 1.3 * q * q;
-        section(&mut run, 0.0, PERIODS, |_| true);
+        section(&mut run, 0.0, PERIODS, |_| true).unwrap();
         let state = run.state();
         let lost = energy(state.q, state.u) / energy(0.5, 0.3) - 1.0;
         println!("energy after {PERIODS} periods {name}, relative error: {lost:.1e}");

@@ -213,6 +213,31 @@ impl LinearFlow {
         MachineState { t, q: x.rows(0, n).into_owned(), u: x.rows(n, n).into_owned() }
     }
 
+    /// The real parts of the eigenvalues with the other sign, ascending: how fast motions decay. For one block a bound
+    /// of its matrix in place of each.
+    pub(super) fn decays(&self) -> Vec<f64> {
+        let of = |pair: Pair| match pair {
+            Pair::Mode { damping, stiffness } => {
+                let root = (damping * damping / 4.0 - stiffness).max(0.0).sqrt();
+                [damping / 2.0 - root, damping / 2.0 + root]
+            }
+            Pair::Spiral { rate, .. } => [-rate; 2],
+            Pair::Two(rates) => rates.map(|rate| -rate),
+        };
+        let mut all: Vec<f64> = match &self.motion {
+            Motion::Whole(a, _) => vec![rate_of(a); a.nrows()],
+            _ => self.pairs().unwrap_or_default().into_iter().flat_map(of).collect(),
+        };
+        all.sort_by(f64::total_cmp);
+        all
+    }
+
+    /// The change of y of a change of state.
+    pub(super) fn inward(&self, q: &RealVector, u: &RealVector) -> RealVector {
+        let n = self.equations.size();
+        self.to.columns(0, n) * q + self.to.columns(n, n) * u
+    }
+
     /// The change of state (q, q′) of a change of y.
     pub(super) fn outward(&self, y: &RealVector) -> RealVector {
         &self.from * y

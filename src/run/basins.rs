@@ -2,13 +2,14 @@
 
 use serde::Serialize;
 
-use super::{Finding, Job, Lines, Status, row, small_motion};
+use super::{Finding, Job, Lines, Model, Status, row, small_motion};
 use crate::{
     error::Result,
     oscillator::{
         attractor::{
             basins::{BasinCell, BasinGrid, Basins, basins as find_basins},
             detection::Detection,
+            dynamics::SectionState,
         },
         simulate::RunEnd,
     },
@@ -25,9 +26,9 @@ row! {
         pub period: Option<usize>,
         /// Its impacts in a period.
         pub impacts: Option<u64>,
-        /// Displacement of its first point on the section.
+        /// Displacement of its first point on the section; of machines the first number of the plane.
         pub q: Option<f64>,
-        /// Velocity there.
+        /// Velocity there; of machines the second.
         pub u: Option<f64>,
         /// How many starts lead to it.
         pub starts: usize,
@@ -41,12 +42,18 @@ pub struct BasinsFindings {
     pub basins: Vec<BasinRow>,
     /// The grid of starts.
     pub grid: BasinGrid,
+    /// Of a machine, what q and u stand for in rows and grid, as in the scene.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub plane: Option<[String; 2]>,
     /// For each start, q fastest, the index of its end in `basins`. Not in JSON: it is the task's CSV file.
     #[serde(skip)]
     pub cells: Vec<usize>,
     /// What counts as contact without impact.
     #[serde(skip)]
     minimum_depth: f64,
+    /// Of a machine, the size of the gaps' motion.
+    #[serde(skip)]
+    size: Option<f64>,
 }
 
 impl Finding for BasinsFindings {
@@ -58,10 +65,14 @@ impl Finding for BasinsFindings {
     }
 
     fn warnings(&self) -> Vec<String> {
-        small_motion(self.grid.q[1] - self.grid.q[0], self.minimum_depth).into_iter().collect()
+        let extent = self.size.unwrap_or(self.grid.q[1] - self.grid.q[0]);
+        small_motion(extent, self.minimum_depth).into_iter().collect()
     }
 
     fn lines(&self, lines: &mut Lines) {
+        if let Some([first, second]) = &self.plane {
+            lines.say("plane", format!("{first}, {second}"));
+        }
         lines.table("basins", &self.basins);
     }
 }
@@ -71,7 +82,6 @@ impl Finding for BasinsFindings {
 /// # Errors
 /// Those of the simulator; an unusable checkpoint; an interruption.
 pub fn basins(task: &BasinsTask, job: &Job) -> Result<BasinsFindings> {
-    let simulator = job.simulator()?;
     let ends = |values: &Values| -> Result<[f64; 2]> {
         Ok([job.scene.number(&values.from)?, job.scene.number(&values.to)?])
     };
@@ -92,11 +102,33 @@ pub fn basins(task: &BasinsTask, job: &Job) -> Result<BasinsFindings> {
         Journal::discard(file)?;
     }
     job.monitor.begin(u64::from(task.u.count), "rows");
-    let found = find_basins(&simulator, &grid, &detection, &job.identity()?, file.as_deref(), job.monitor)?;
-    Ok(gather(found, grid, job.scene.accuracy.minimum_depth))
+    let (file, identity) = (file.as_deref(), job.identity()?);
+    match &job.model {
+        Model::Oscillator(_) => {
+            let simulator = job.simulator()?;
+            let found = find_basins(&simulator, &grid, &detection, &identity, file, job.monitor)?;
+            Ok(gather(found, grid, job.scene.accuracy.minimum_depth))
+        }
+        Model::Machine(machine) => {
+            let rest = job.scene.rest(&task.start, machine)?;
+            let axes = job.scene.plane(&task.plane, machine, "plane")?;
+            let planar = job.planar(machine, &[], &task.plane)?;
+            let planar = planar.starting(machine, &axes, [&rest[0], &rest[1]])?;
+            let names = job.scene.plane_names(&task.plane);
+            let own = serde_json::to_string(&(&names, &rest, planar.simulator().settings()));
+            let identity = format!("{identity} {}", own.map_err(std::io::Error::other)?);
+            let found = find_basins(&planar, &grid, &detection, &identity, file, job.monitor)?;
+            let found = gather(found, grid, planar.simulator().settings().minimum_depth);
+            Ok(BasinsFindings { plane: Some(names), size: Some(planar.simulator().scale()), ..found })
+        }
+    }
 }
 
-fn gather(Basins { attractors, cells }: Basins, grid: BasinGrid, minimum_depth: f64) -> BasinsFindings {
+fn gather<P: SectionState>(
+    Basins { attractors, cells }: Basins<P>,
+    grid: BasinGrid,
+    minimum_depth: f64,
+) -> BasinsFindings {
     let none = BasinRow { end: "", period: None, impacts: None, q: None, u: None, starts: 0 };
     let word = |end| BasinRow { end, ..none.clone() };
     let mut all = vec![word("behind-a-wall"), word("escaped"), word("impact-limit"), word("not-periodic")];
@@ -105,8 +137,8 @@ fn gather(Basins { attractors, cells }: Basins, grid: BasinGrid, minimum_depth: 
         end: "periodic",
         period: Some(cycle.period()),
         impacts: Some(cycle.impacts),
-        q: Some(cycle.points[0][0]),
-        u: Some(cycle.points[0][1]),
+        q: Some(cycle.points[0].plane()[0]),
+        u: Some(cycle.points[0].plane()[1]),
         starts: 0,
     }));
     let class = |cell: &BasinCell| match cell {
@@ -126,5 +158,5 @@ fn gather(Basins { attractors, cells }: Basins, grid: BasinGrid, minimum_depth: 
         basins.push(basin);
     }
     let cells = classes.into_iter().map(|class| index[class]).collect();
-    BasinsFindings { basins, grid, cells, minimum_depth }
+    BasinsFindings { basins, grid, plane: None, cells, minimum_depth, size: None }
 }

@@ -3,11 +3,14 @@
 use num_rational::BigRational;
 use serde::Serialize;
 
-use super::{Finding, Job, Lines, Status, row};
+use super::{Finding, Job, Lines, Model, Status, row};
 use crate::{
     error::Result,
     number::{Plain, Real},
-    oscillator::attractor::diagram::{self, DiagramPlan, Look, Slice},
+    oscillator::attractor::{
+        diagram::{self, DiagramPlan, Look, Slice},
+        dynamics::Dynamics,
+    },
     output::Journal,
     scene::{branches::DiagramTask, phase},
 };
@@ -47,6 +50,9 @@ row! {
 pub struct DiagramFindings {
     /// The parameter.
     pub parameter: String,
+    /// Of a machine, what the two numbers of a point are, as in the scene; the first is drawn.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub plane: Option<[String; 2]>,
     /// How many values were looked at.
     pub values: usize,
     /// Windows of periodic motion, by where they begin.
@@ -68,6 +74,9 @@ impl Finding for DiagramFindings {
     }
 
     fn lines(&self, lines: &mut Lines) {
+        if let Some([first, _]) = &self.plane {
+            lines.say("drawn", first.as_str());
+        }
         lines.say("values", self.values);
         lines.table("windows", &self.windows);
         lines.table("coexisting", &self.coexisting);
@@ -80,14 +89,17 @@ fn value(range: &[BigRational], i: u32, count: u32) -> f64 {
     Plain::ratio(&(&range[0] + (&range[1] - &range[0]) * part), &()).0
 }
 
-/// Follows motions at every value, resuming from the checkpoint of an interrupted run if there is one.
-///
-/// # Errors
-/// Those of the system at a value and of the simulator; an unusable checkpoint; an interruption.
-pub fn diagram(task: &DiagramTask, job: &Job) -> Result<DiagramFindings> {
+/// Follows the motions of systems of one kind.
+fn follow<D: Dynamics<Start: Serialize>>(
+    task: &DiagramTask,
+    job: &Job,
+    starts: Vec<D::Start>,
+    plane: &str,
+    dynamics: impl Fn(f64) -> Result<D> + Sync,
+) -> Result<Vec<Slice>> {
     let plan = DiagramPlan {
         values: (0..task.count).map(|i| value(&task.range, i, task.count)).collect(),
-        starts: task.starts.iter().map(|start| job.scene.state(start)).collect::<Result<_>>()?,
+        starts,
         look: Look {
             phase: phase(&task.phase),
             transient: task.transient,
@@ -101,9 +113,31 @@ pub fn diagram(task: &DiagramTask, job: &Job) -> Result<DiagramFindings> {
         Journal::discard(file)?;
     }
     job.monitor.begin(u64::from(task.count), "values");
-    let simulator = |value| job.simulator_of(&job.scene.plain(&[(&task.parameter, value)])?);
-    let identity = format!("{} {}", job.identity()?, task.parameter);
-    let slices = diagram::sweep(&plan, simulator, &identity, file.as_deref(), job.monitor)?;
+    let identity = format!("{} {}{plane}", job.identity()?, task.parameter);
+    diagram::sweep(&plan, dynamics, &identity, file.as_deref(), job.monitor)
+}
+
+/// Follows motions at every value, resuming from the checkpoint of an interrupted run if there is one.
+///
+/// # Errors
+/// Those of the system at a value and of the simulator; an unusable checkpoint; an interruption.
+pub fn diagram(task: &DiagramTask, job: &Job) -> Result<DiagramFindings> {
+    let slices = match &job.model {
+        Model::Oscillator(_) => {
+            let starts = task.starts.iter().map(|start| job.scene.state(start)).collect::<Result<_>>()?;
+            let simulator = |value| job.simulator_of(&job.scene.plain(&[(&task.parameter, value)])?);
+            follow(task, job, starts, "", simulator)?
+        }
+        Model::Machine(machine) => {
+            let states = task.starts.iter().map(|start| job.scene.machine_state(start, machine, "starts"));
+            let states = states.collect::<Result<Vec<_>>>()?;
+            let starts = states.iter().map(|state| state.start(machine.rate())).collect();
+            let names = job.scene.plane_names(&task.plane).join(", ");
+            let planar =
+                |value| job.planar(&job.scene.machine(&[(&task.parameter, value)])?, &states, &task.plane);
+            follow(task, job, starts, &names, planar)?
+        }
+    };
     let windows = diagram::windows(&slices).into_iter().map(|window| WindowRow {
         from: window.from,
         to: window.to,
@@ -123,7 +157,9 @@ pub fn diagram(task: &DiagramTask, job: &Job) -> Result<DiagramFindings> {
             lost,
         }));
     }
+    let plane = matches!(job.model, Model::Machine(_)).then(|| job.scene.plane_names(&task.plane));
     Ok(DiagramFindings {
+        plane,
         parameter: task.parameter.clone(),
         values: slices.len(),
         windows: windows.collect(),

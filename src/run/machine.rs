@@ -10,6 +10,7 @@ use crate::{
     error::Result,
     machine::{
         Machine, MachineState,
+        section::PlanarMachine,
         simulate::{MachineEvent, MachineSettings, MachineSimulator, RunEnd},
     },
     oscillator::Time,
@@ -163,6 +164,22 @@ impl Job<'_> {
         let scale = starts.iter().map(gap).fold(simulator.scale(), f64::max);
         let scale = if scale > 0.0 && scale.is_finite() { scale } else { 1.0 };
         Ok(simulator.with(settings(RELATIVE_DEPTH * scale)))
+    }
+}
+
+impl Job<'_> {
+    /// A machine with the plane in which its sections are seen.
+    ///
+    /// # Errors
+    /// Those of [`machine_simulator`](Self::machine_simulator); a plane that names what the machine does not have.
+    pub(super) fn planar(
+        &self,
+        machine: &Machine<f64>,
+        starts: &[MachineState],
+        plane: &[String],
+    ) -> Result<PlanarMachine> {
+        let axes = self.scene.plane(plane, machine, "plane")?;
+        PlanarMachine::new(machine, self.machine_simulator(machine, starts)?, &axes)
     }
 }
 

@@ -71,7 +71,7 @@ const CHUNK: u32 = 16;
 const NEAR: f64 = 1e-7;
 
 /// The orbits of the keys: the one that Newton's method finds from `start`, or those of a search.
-fn orbits(
+pub(super) fn orbits(
     keys: &OrbitKeys,
     machine: &Machine<f64>,
     simulator: &MachineSimulator,
@@ -180,7 +180,7 @@ pub(super) fn speeds(orbit: &MachineOrbit, simulator: &MachineSimulator) -> Vec<
 /// Closer to the unit circle than this, rounding decides.
 const MARGIN: f64 = 1e-11;
 
-fn stable(orbit: &MachineOrbit) -> Judgement {
+pub(super) fn stable(orbit: &MachineOrbit) -> Judgement {
     let largest = orbit.multipliers.first().map_or(0.0, |x| x.0.hypot(x.1));
     match () {
         () if (largest - 1.0).abs() <= MARGIN => Judgement::Marginal,

@@ -62,7 +62,7 @@ pub use machine_grazing::{MachineBornRow, MachineGrazingFindings, MachineGrazing
 pub use machine_orbit::{MachineOrbitFindings, MachineOrbitRow, machine_orbit};
 pub use orbit::{MissingRow, OrbitFindings, OrbitRow, orbit};
 pub use report::TaskReport;
-pub use section::{AttractorRow, SectionFindings, SectionOrbitRow, SectionSet, section};
+pub use section::{AttractorRow, ExponentRow, SectionFindings, SectionOrbitRow, SectionSet, section};
 pub use shift::{ChaosFindings, FailureRow, LetterRow, chaos};
 pub use simulate::{SimulationFindings, simulate};
 pub use status::{Place, Status};
@@ -413,6 +413,9 @@ fn answer(job: &Job, keeper: &mut dyn Keeper) -> Result<Findings> {
     if let Model::Machine(machine) = &job.model {
         return Ok(match &job.task.kind {
             Kind::SimulateTask(task) => simulate_machine(task, machine, job, keeper)?.into(),
+            Kind::SectionTask(task) => section(task, job)?.into(),
+            Kind::BasinsTask(task) => basins(task, job)?.into(),
+            Kind::DiagramTask(task) => diagram(task, job)?.into(),
             Kind::OrbitTask(task) => machine_orbit(task, machine, job)?.into(),
             Kind::GrazingTask(task) => machine_grazing(task, job)?.into(),
             // Refused when the scene was read.

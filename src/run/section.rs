@@ -5,14 +5,16 @@ use std::f64::consts::TAU;
 use rayon::prelude::*;
 use serde::Serialize;
 
-use super::{Finding, Job, Lines, Status, row, small_motion};
+use super::{Finding, Job, Lines, Model, Status, machine_orbit, row, small_motion};
 use crate::{
     error::{Error, Result},
+    machine::Machine,
     oscillator::{
-        Contact, Time,
+        Contact,
         attractor::{
             detection::{Cycle, Detection, Fate, wait},
-            lyapunov::lyapunov,
+            dynamics::{Dynamics, SectionState},
+            lyapunov::exponents,
             manifold::{ManifoldPlan, reversed, reversed_phase, unstable_manifold},
             section::section as follow,
             touching,
@@ -56,6 +58,20 @@ row! {
     }
 }
 
+row! {
+    /// One of the largest Lyapunov exponents of an attractor.
+    pub struct ExponentRow {
+        /// The attractor, by its place in the list, from 1.
+        pub attractor: usize,
+        /// Which exponent, from 1: the largest first, with multiplicity.
+        pub exponent: usize,
+        /// The exponent times the forcing period; absent where it is −∞: a direction that a rest on a stop ends.
+        pub per_period: Option<f64>,
+        /// Its standard error; absent where the exponent is, or for a run too short.
+        pub standard_error: Option<f64>,
+    }
+}
+
 /// What of a section belongs together.
 #[derive(Debug, Clone, PartialEq)]
 pub enum SectionSet {
@@ -70,6 +86,12 @@ pub enum SectionSet {
 pub struct SectionFindings {
     /// The attractors, in the order of the starts that lead there first.
     pub attractors: Vec<AttractorRow>,
+    /// Their largest exponents, if more than one for each was asked for.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub exponents: Vec<ExponentRow>,
+    /// Of a machine, what the two numbers are by which points are drawn, as in the scene.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub plane: Option<[String; 2]>,
     /// The admissible orbits of the patterns asked for that are no attractors of the list.
     pub further_orbits: Vec<SectionOrbitRow>,
     /// Why motions of other starts ended, a start each.
@@ -86,6 +108,9 @@ pub struct SectionFindings {
     /// What counts as contact without impact.
     #[serde(skip)]
     minimum_depth: f64,
+    /// Of a machine, the size of the gaps' motion.
+    #[serde(skip)]
+    size: Option<f64>,
     #[serde(skip)]
     notes: Vec<String>,
 }
@@ -102,12 +127,18 @@ impl Finding for SectionFindings {
         let all = || self.points.iter().flat_map(|(_, points)| points).map(|point| point[0]);
         let (low, high) = (all().fold(f64::INFINITY, f64::min), all().fold(f64::NEG_INFINITY, f64::max));
         // A section of fixed points only has no extent of its own: its distance from 0 counts, too.
-        let extent = (high - low).max(low.abs()).max(high.abs());
+        let extent = self.size.unwrap_or((high - low).max(low.abs()).max(high.abs()));
         self.notes.iter().cloned().chain(small_motion(extent, self.minimum_depth)).collect()
     }
 
     fn lines(&self, lines: &mut Lines) {
+        if let Some([first, second]) = &self.plane {
+            lines.say("plane", format!("{first}, {second}"));
+        }
         lines.table("attractors", &self.attractors);
+        if !self.exponents.is_empty() {
+            lines.table("exponents", &self.exponents);
+        }
         if !self.further_orbits.is_empty() {
             lines.table("further_orbits", &self.further_orbits);
         }
@@ -118,14 +149,14 @@ impl Finding for SectionFindings {
 }
 
 /// What a motion came to after the transient.
-struct Seen {
-    fate: Fate,
-    /// Its points (q, u), for a periodic motion once round.
+struct Seen<P> {
+    fate: Fate<P>,
+    /// Its points, for a periodic motion once round.
     points: Vec<[f64; 2]>,
     /// Impacts in a forcing period.
     impacts: f64,
-    /// The Lyapunov exponent and its error, in a forcing period.
-    exponent: [f64; 2],
+    /// The Lyapunov exponents and their errors, in a forcing period.
+    exponents: Vec<[f64; 2]>,
 }
 
 /// Follows the motions, in parallel, and finds the orbits.
@@ -133,16 +164,28 @@ struct Seen {
 /// # Errors
 /// Those of the simulator and of the orbits' search; an interruption.
 pub fn section(task: &SectionTask, job: &Job) -> Result<SectionFindings> {
-    let simulator = job.simulator()?;
-    let phase = phase(&task.phase);
-    let starts = task.starts.iter().map(|start| job.scene.state(start)).collect::<Result<Vec<State>>>()?;
+    match &job.model {
+        Model::Oscillator(_) => of_oscillator(task, job),
+        Model::Machine(machine) => of_machine(task, machine, job),
+    }
+}
+
+/// The attractors that motions from the starts lead to, and of the periodic ones their place in the list and their
+/// points.
+#[allow(clippy::type_complexity)]
+fn attractors<D: Dynamics>(
+    task: &SectionTask,
+    job: &Job,
+    dynamics: &D,
+    starts: Vec<D::Start>,
+) -> Result<(SectionFindings, Vec<(usize, Cycle<D::Point>)>)> {
     job.monitor.begin(starts.len() as u64, "motions");
-    let seen: Vec<Seen> = starts
-        .into_par_iter()
-        .map(|start| look(task, job, &simulator, start, phase))
-        .collect::<Result<_>>()?;
+    let seen: Vec<Seen<D::Point>> =
+        starts.into_par_iter().map(|start| look(task, job, dynamics, &start)).collect::<Result<_>>()?;
     let mut found = SectionFindings {
         attractors: Vec::new(),
+        exponents: Vec::new(),
+        plane: None,
         further_orbits: Vec::new(),
         ended: Vec::new(),
         points: Vec::new(),
@@ -150,36 +193,91 @@ pub fn section(task: &SectionTask, job: &Job) -> Result<SectionFindings> {
         manifolds: Vec::new(),
         notes: Vec::new(),
         minimum_depth: job.scene.accuracy.minimum_depth,
+        size: None,
     };
-    let mut cycles: Vec<(usize, &Cycle)> = Vec::new();
-    for one in &seen {
-        let cycle = match &one.fate {
+    let mut cycles: Vec<(usize, Cycle<D::Point>)> = Vec::new();
+    for one in seen {
+        let cycle = match one.fate {
             Fate::Ended(end) => {
-                found.ended.push(*end);
+                found.ended.push(end);
                 continue;
             }
             Fate::Periodic(cycle) => Some(cycle),
             Fate::Irregular => None,
         };
-        if let Some((known, _)) = cycles.iter().find(|(_, known)| cycle.is_some_and(|cycle| known.is(cycle)))
-        {
+        let known = |(_, known): &&(usize, Cycle<D::Point>)| cycle.as_ref().is_some_and(|cycle| known.is(cycle));
+        if let Some((known, _)) = cycles.iter().find(known) {
             found.attractors[*known].starts += 1;
             continue;
         }
         let index = found.attractors.len();
-        cycles.extend(cycle.map(|cycle| (index, cycle)));
-        let [exponent, error] = one.exponent;
+        let finite = |x: f64| x.is_finite().then_some(x);
+        let [exponent, error] = one.exponents.first().copied().unwrap_or([f64::NAN; 2]);
         found.attractors.push(AttractorRow {
             periodic: cycle.is_some(),
-            period: cycle.map(Cycle::period),
-            impacts: cycle.map(|cycle| cycle.impacts),
+            period: cycle.as_ref().map(Cycle::period),
+            impacts: cycle.as_ref().map(|cycle| cycle.impacts),
             impacts_per_period: one.impacts,
-            lyapunov_per_period: exponent.is_finite().then_some(exponent),
-            standard_error: error.is_finite().then_some(error),
+            lyapunov_per_period: finite(exponent),
+            standard_error: finite(error),
             starts: 1,
         });
-        found.points.push((SectionSet::Attractor(index), one.points.clone()));
+        if task.exponents > 1 {
+            found.exponents.extend((1..).zip(&one.exponents).map(|(k, [exponent, error])| ExponentRow {
+                attractor: index + 1,
+                exponent: k,
+                per_period: finite(*exponent),
+                standard_error: finite(*error),
+            }));
+        }
+        cycles.extend(cycle.map(|cycle| (index, cycle)));
+        found.points.push((SectionSet::Attractor(index), one.points));
     }
+    Ok((found, cycles))
+}
+
+fn of_machine(task: &SectionTask, machine: &Machine<f64>, job: &Job) -> Result<SectionFindings> {
+    let states = task.starts.iter().map(|start| job.scene.machine_state(start, machine, "starts"));
+    let states = states.collect::<Result<Vec<_>>>()?;
+    let planar = job.planar(machine, &states, &task.plane)?;
+    let starts = states.iter().map(|state| state.start(machine.rate())).collect();
+    let (mut found, cycles) = attractors(task, job, &planar, starts)?;
+    let simulator = planar.simulator();
+    found.plane = Some(job.scene.plane_names(&task.plane));
+    (found.minimum_depth, found.size) = (simulator.settings().minimum_depth, Some(simulator.scale()));
+    for keys in &task.orbits {
+        job.check()?;
+        for orbit in machine_orbit::orbits(keys, machine, simulator, job)? {
+            let (judgement, _) = machine_orbit::admissible(&orbit);
+            if judgement == super::Judgement::No {
+                continue;
+            }
+            let start = orbit.state.start(machine.rate());
+            let mut run = planar.begin(&start)?;
+            let (mut points, mut first) = (Vec::new(), None);
+            let end = follow(&mut run, phase(&task.phase), orbit.pattern.periods().into(), |point| {
+                points.push(point.at.plane());
+                first.get_or_insert(point.at);
+                true
+            })?;
+            let stable = machine_orbit::stable(&orbit) == super::Judgement::Yes;
+            let shown = |point| cycles.iter().any(|(_, cycle)| cycle.passes(point));
+            if end != RunEnd::Reached || first.as_ref().is_some_and(shown) {
+                continue;
+            }
+            found.points.push((SectionSet::Orbit(found.further_orbits.len()), points));
+            let pattern = orbit.pattern.named(simulator.contacts().all());
+            found.further_orbits.push(SectionOrbitRow { pattern, stable });
+        }
+    }
+    Ok(found)
+}
+
+fn of_oscillator(task: &SectionTask, job: &Job) -> Result<SectionFindings> {
+    let simulator = job.simulator()?;
+    let phase = phase(&task.phase);
+    let starts = task.starts.iter().map(|start| job.scene.state(start)).collect::<Result<Vec<State>>>()?;
+    let (mut found, cycles) = attractors(task, job, &simulator, starts)?;
     let oscillator = Oscillator::new(job.system()?.clone(), job.scene.accuracy.tolerance)?;
     for keys in &task.orbits {
         job.check()?;
@@ -189,7 +287,7 @@ pub fn section(task: &SectionTask, job: &Job) -> Result<SectionFindings> {
                 Ok([state.q, state.u])
             };
             let points = (0..orbit.itinerary.periods()).map(point).collect::<Result<Vec<_>>>()?;
-            if cycles.iter().any(|(_, cycle)| cycle.passes(points[0])) {
+            if cycles.iter().any(|(_, cycle)| cycle.passes(&points[0])) {
                 continue;
             }
             if task.manifolds && !orbit.multipliers.is_stable() {
@@ -254,37 +352,45 @@ fn manifolds(
 }
 
 /// Follows one motion.
-fn look(task: &SectionTask, job: &Job, simulator: &Simulator, start: State, phase: f64) -> Result<Seen> {
-    let mut run = simulator.start(Time::new(0, start.t), start.q, start.u)?;
-    let over = |end| Seen { fate: Fate::Ended(end), points: Vec::new(), impacts: 0.0, exponent: [0.0; 2] };
+fn look<D: Dynamics>(
+    task: &SectionTask,
+    job: &Job,
+    dynamics: &D,
+    start: &D::Start,
+) -> Result<Seen<D::Point>> {
+    let phase = phase(&task.phase);
+    let mut run = dynamics.begin(start)?;
+    let over = |end| Seen { fate: Fate::Ended(end), points: Vec::new(), impacts: 0.0, exponents: Vec::new() };
     let end = wait(&mut run, phase, task.transient + 1, job.monitor)?;
     if end != RunEnd::Reached {
         return Ok(over(end));
     }
-    let (time, state) = (run.time(), run.state());
+    let settled = dynamics.here(&run);
     let detection = Detection { phase, transient: 0, longest: task.longest as usize, ..Detection::default() };
     let fate = detection.detect(&mut run)?;
     job.check()?;
     let mut points = Vec::new();
     let end = match &fate {
         Fate::Periodic(cycle) => {
-            points.clone_from(&cycle.points);
+            points.extend(cycle.points.iter().map(SectionState::plane));
             RunEnd::Reached
         }
         Fate::Irregular => follow(&mut run, phase, task.points.into(), |point| {
-            points.push([point.q, point.u]);
+            points.push(point.at.plane());
             true
-        }),
+        })?,
         Fate::Ended(end) => *end,
     };
     if end != RunEnd::Reached {
         return Ok(over(end));
     }
-    let exponent = lyapunov(simulator, time, [state.q, state.u], 0, task.points.into(), job.monitor)?;
+    let count = (task.exponents as usize).min(dynamics.dimension());
+    let all = exponents(dynamics, &settled, count, 0, task.points.into(), job.monitor)?;
     let impacts = match &fate {
         Fate::Periodic(cycle) => cycle.impacts as f64 / cycle.period() as f64,
-        _ => exponent.impacts as f64 / f64::from(task.points),
+        _ => all.first().map_or(0.0, |first| first.impacts as f64 / f64::from(task.points)),
     };
     job.monitor.advance(1)?;
-    Ok(Seen { fate, points, impacts, exponent: [TAU * exponent.rate, TAU * exponent.standard_error] })
+    let exponents = all.iter().map(|one| [TAU * one.rate, TAU * one.standard_error]).collect();
+    Ok(Seen { fate, points, impacts, exponents })
 }

@@ -8,14 +8,14 @@ use super::{
     expression::Expression,
     orbits::{EventTask, GrazingTask, OrbitKeys, OrbitTask},
     scene::{Body, Scene},
-    sections::{BasinsTask, SectionTask},
+    sections::{BasinsTask, Frame, SectionTask},
     simulate::{SimulateTask, Start},
     task::{Kind, Task},
     validate::ValidateTask,
 };
 use crate::{
     error::{Error, Result},
-    machine::{Machine, Stop},
+    machine::{Machine, RealVector, Stop, section::PlaneAxis},
     oscillator::{
         Contact, Side, System,
         branch::{Bifurcation, Options},
@@ -146,11 +146,88 @@ fn check_machine(kind: &Kind, scene: &Scene, machine: &Machine<f64>, path: &str)
             }
             Ok(())
         }
+        Kind::SectionTask(task) => check_machine_section(task, scene, machine, path),
+        Kind::BasinsTask(task) => {
+            check_basins(task, scene, path)?;
+            let axes = scene.plane(&task.plane, machine, &format!("{path}.plane"))?;
+            if axes.iter().any(|axis| matches!(axis, PlaneAxis::Gap(_) | PlaneAxis::Rate(_))) {
+                let message = "has a gap; starts are given by displacements and velocities, as in [\"q1\", \"u2\"]";
+                return Err(scene.fail(&format!("{path}.plane"), message));
+            }
+            let rest = scene.rest(&task.start, machine)?;
+            let ones = RealVector::from_element(machine.points(), 1.0);
+            let wrong = |error: Error| scene.fail(&format!("{path}.plane"), &error.to_string());
+            machine.coordinates(&ones).map_err(wrong)?;
+            machine.coordinates(&RealVector::from_vec(rest[0].clone())).map(drop).map_err(wrong)
+        }
+        Kind::DiagramTask(task) => {
+            check_range(scene, &task.parameter, &task.range, &format!("{path}.range"))?;
+            task.check_counts(scene, path)?;
+            let key = |key: &str| format!("{path}.{key}");
+            scene.plane(&task.plane, machine, &key("plane"))?;
+            for (i, start) in (1..).zip(&task.starts) {
+                scene.machine_state(start, machine, &key(&format!("starts[{i}]")))?;
+            }
+            check_frame(task.frame, scene, path)?;
+            if !task.branches.is_empty() {
+                let message = "are not drawn with a machine's diagram: leave them out";
+                return Err(scene.fail(&key("branches"), message));
+            }
+            Ok(())
+        }
         _ => {
-            let message = "does not work on machines, format \"grazing-scene 2\": there are simulate, orbit and grazing";
+            let message = "does not work on machines, format \"grazing-scene 2\": there are simulate, section, basins, \
+                           diagram, orbit and grazing";
             Err(scene.fail(&format!("{path}.kind"), message))
         }
     }
+}
+
+fn check_machine_section(
+    task: &SectionTask,
+    scene: &Scene,
+    machine: &Machine<f64>,
+    path: &str,
+) -> Result<()> {
+    let key = |key: &str| format!("{path}.{key}");
+    task.check_counts(scene, path, 2 * machine.size)?;
+    for (i, start) in (1..).zip(&task.starts) {
+        scene.check_machine_start(start, machine, &key(&format!("starts[{i}]")))?;
+    }
+    scene.plane(&task.plane, machine, &key("plane"))?;
+    check_frame(task.frame, scene, path)?;
+    for (i, orbit) in (1..).zip(&task.orbits) {
+        check_machine_orbit(orbit, scene, machine, &key(&format!("orbits[{i}]")))?;
+    }
+    if task.manifolds {
+        let message = "are drawn for oscillators of one degree of freedom only, format \"grazing-scene 1\": \
+                       with more they are no curves in a plane";
+        return Err(scene.fail(&key("manifolds"), message));
+    }
+    if task.grazing_curve {
+        let message = "is drawn for oscillators of one degree of freedom only, format \"grazing-scene 1\": \
+                       with more it is no curve in a plane";
+        return Err(scene.fail(&key("grazing_curve"), message));
+    }
+    Ok(())
+}
+
+/// Machines have gaps in place of frames.
+fn check_frame(frame: Frame, scene: &Scene, path: &str) -> Result<()> {
+    if frame == Frame::Fixed {
+        return Ok(());
+    }
+    let message = "is a wall of format 1: of a machine write plane = [\"gap NAME\", \"rate NAME\"] with a stop's name";
+    Err(scene.fail(&format!("{path}.frame"), message))
+}
+
+/// An oscillator has one displacement and one velocity.
+fn check_no_plane(plane: &[String], scene: &Scene, path: &str) -> Result<()> {
+    if plane.is_empty() {
+        return Ok(());
+    }
+    let message = "names coordinates of a machine, format \"grazing-scene 2\": here they are q and u, leave it out";
+    Err(scene.fail(&format!("{path}.plane"), message))
 }
 
 /// What a kind of task checks before anything runs.
@@ -185,11 +262,21 @@ impl Check for SimulateTask {
     }
 }
 
-impl Check for SectionTask {
-    fn check(&self, scene: &Scene, system: &System<f64>, path: &str) -> Result<()> {
+impl SectionTask {
+    fn check_counts(&self, scene: &Scene, path: &str, dimension: usize) -> Result<()> {
         if self.starts.is_empty() {
             return Err(scene.fail(&format!("{path}.starts"), "is empty; a motion must start somewhere"));
         }
+        within(scene, path, "points", self.points, POINTS)?;
+        within(scene, path, "longest", self.longest, LONGEST)?;
+        within(scene, path, "exponents", self.exponents, u32::try_from(dimension).unwrap_or(u32::MAX))
+    }
+}
+
+impl Check for SectionTask {
+    fn check(&self, scene: &Scene, system: &System<f64>, path: &str) -> Result<()> {
+        self.check_counts(scene, path, 2)?;
+        check_no_plane(&self.plane, scene, path)?;
         for (i, start) in (1..).zip(&self.starts) {
             scene.check_start(start, system, &format!("{path}.starts[{i}]"))?;
         }
@@ -203,22 +290,30 @@ impl Check for SectionTask {
         for (i, orbit) in (1..).zip(&self.orbits) {
             check_orbit(orbit, scene, system, &format!("{path}.orbits[{i}]"))?;
         }
-        within(scene, path, "points", self.points, POINTS)?;
-        within(scene, path, "longest", self.longest, LONGEST)
+        Ok(())
     }
 }
 
 impl Check for BasinsTask {
     fn check(&self, scene: &Scene, _: &System<f64>, path: &str) -> Result<()> {
-        for (range, name) in [(&self.q, "q"), (&self.u, "u")] {
-            if !(2..=4000).contains(&range.count) {
-                return Err(scene.fail(&format!("{path}.{name}.count"), "is outside 2 to 4000"));
-            }
-            scene.number(&range.from)?;
-            scene.number(&range.to)?;
+        check_no_plane(&self.plane, scene, path)?;
+        if self.start.is_some() {
+            let message = "is for machines, format \"grazing-scene 2\": here q and u say all, leave it out";
+            return Err(scene.fail(&format!("{path}.start"), message));
         }
-        within(scene, path, "longest", self.longest, LONGEST)
+        check_basins(self, scene, path)
     }
+}
+
+fn check_basins(task: &BasinsTask, scene: &Scene, path: &str) -> Result<()> {
+    for (range, name) in [(&task.q, "q"), (&task.u, "u")] {
+        if !(2..=4000).contains(&range.count) {
+            return Err(scene.fail(&format!("{path}.{name}.count"), "is outside 2 to 4000"));
+        }
+        scene.number(&range.from)?;
+        scene.number(&range.to)?;
+    }
+    within(scene, path, "longest", task.longest, LONGEST)
 }
 
 impl Check for OrbitTask {
@@ -284,6 +379,15 @@ impl Check for DiagramTask {
     fn check(&self, scene: &Scene, system: &System<f64>, path: &str) -> Result<()> {
         check_range(scene, &self.parameter, &self.range, &format!("{path}.range"))?;
         check_starts(scene, system, &self.branches, &format!("{path}.branches"))?;
+        check_no_plane(&self.plane, scene, path)?;
+        self.check_counts(scene, path)?;
+        let wrong = |error: Error| scene.fail(&format!("{path}.options"), &error.to_string());
+        self.options.checked().map(drop).map_err(wrong)
+    }
+}
+
+impl DiagramTask {
+    fn check_counts(&self, scene: &Scene, path: &str) -> Result<()> {
         let values = [
             (self.count, "count", 2, 1_000_000),
             (self.points, "points", 2, 1_000_000),
@@ -298,8 +402,7 @@ impl Check for DiagramTask {
         if self.starts.is_empty() {
             return Err(scene.fail(&format!("{path}.starts"), "is empty; a motion must start somewhere"));
         }
-        let wrong = |error: Error| scene.fail(&format!("{path}.options"), &error.to_string());
-        self.options.checked().map(drop).map_err(wrong)
+        Ok(())
     }
 }
 

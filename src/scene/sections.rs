@@ -25,6 +25,11 @@ keys! {
         /// how many points show a motion that is not periodic; its Lyapunov exponent is taken over as many
         /// periods
         points: u32 = "2000",
+        /// how many Lyapunov exponents are found, the largest first; of a machine at most twice its coordinates
+        exponents: u32 = "1",
+        /// of a machine, by which two numbers of its state points are drawn: `q2` and `u2` are displacement and velocity
+        /// of a coordinate, `gap NAME` and `rate NAME` the gap of a stop and how fast it opens
+        plane: Vec<String> = "[]",
         /// the longest period that counts as periodic, in forcing periods
         longest: u32 = "64",
         /// orbits to mark, stable or not
@@ -39,10 +44,14 @@ keys! {
 keys! {
     /// Finds which starts lead to which attractor, on a grid.
     pub struct BasinsTask {
-        /// displacements of the starts
+        /// displacements of the starts; of a machine, values of the first axis of `plane`
         q: Values,
-        /// velocities of the starts
+        /// velocities of the starts; of a machine, values of the second
         u: Values,
+        /// of a machine, which two displacements or velocities are varied: `q2` and `u2` are those of a coordinate
+        plane: Vec<String> = "[]",
+        /// of a machine, the other displacements and velocities of every start; without it 0
+        start: Option<Start>,
         /// when motions start and are looked at, as a fraction of the forcing period
         phase: BigRational = "0",
         /// how many periods pass first, unrecorded

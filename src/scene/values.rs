@@ -9,7 +9,7 @@ use super::{
 };
 use crate::{
     error::{Error, Result},
-    machine::{Machine, MachineState, RealVector},
+    machine::{Machine, MachineState, RealVector, section::PlaneAxis},
     number::Plain,
 };
 
@@ -78,6 +78,78 @@ impl Scene {
                 self.file.0
             ))),
         }
+    }
+
+    /// What the axes of a plane are: `q3` and `u3`, displacement and velocity of a coordinate, `gap NAME` and
+    /// `rate NAME`, the gap of a stop and how fast it opens; without names those of the first coordinate.
+    ///
+    /// # Errors
+    /// An input error at `path` for anything else.
+    pub fn plane(&self, names: &[String], machine: &Machine<f64>, path: &str) -> Result<[PlaneAxis; 2]> {
+        let fail = |message: String| self.fail(path, &message);
+        let axis = |name: &String| {
+            let digits = |letter: char| name.strip_prefix(letter)?.parse::<usize>().ok();
+            let stop = |word: &str| {
+                let given = name.strip_prefix(word)?.strip_prefix(' ')?.trim();
+                Some((given.to_string(), machine.stops.iter().position(|stop| stop.name == given)))
+            };
+            let points = machine.points();
+            let within = |i: usize| {
+                (1..=points).contains(&i).then(|| i - 1).ok_or_else(|| {
+                    fail(format!("{name:?}: the machine has the coordinates 1 to {points}"))
+                })
+            };
+            let known = |(given, place): (String, Option<usize>)| {
+                let names: Vec<&str> = machine.stops.iter().map(|stop| stop.name.as_str()).collect();
+                place.ok_or_else(|| {
+                    fail(format!("{name:?}: {given:?} is no stop of the machine; there are {}", names.join(", ")))
+                })
+            };
+            match (digits('q'), digits('u'), stop("gap"), stop("rate")) {
+                (Some(i), ..) => Ok(PlaneAxis::Place(within(i)?)),
+                (_, Some(i), ..) => Ok(PlaneAxis::Speed(within(i)?)),
+                (_, _, Some(gap), _) => Ok(PlaneAxis::Gap(known(gap)?)),
+                (_, _, _, Some(rate)) => Ok(PlaneAxis::Rate(known(rate)?)),
+                _ => Err(fail(format!(
+                    "{name:?} is neither a displacement, as \"q1\", nor a velocity, \"u1\", nor of a stop, \"gap NAME\" or \
+                     \"rate NAME\""
+                ))),
+            }
+        };
+        match names {
+            [] => Ok([PlaneAxis::Place(0), PlaneAxis::Speed(0)]),
+            [first, second] if first != second => Ok([axis(first)?, axis(second)?]),
+            _ => Err(fail("must name two different axes, as in [\"q1\", \"u1\"]".into())),
+        }
+    }
+
+    /// The names of the axes of a plane.
+    pub(crate) fn plane_names(&self, names: &[String]) -> [String; 2] {
+        match names {
+            [first, second] => [first.clone(), second.clone()],
+            _ => ["q1".into(), "u1".into()],
+        }
+    }
+
+    /// Displacements and velocities of all coordinates of the scene, those of a start or 0.
+    ///
+    /// # Errors
+    /// An input error for lists of the wrong length and values that cannot be computed.
+    pub(crate) fn rest(&self, start: &Option<Start>, machine: &Machine<f64>) -> Result<[Vec<f64>; 2]> {
+        let points = machine.points();
+        let part = |given: &CoordinateList| -> Result<Vec<f64>> {
+            match given.entries.len() {
+                1 if given.entries[0].is_zero() => Ok(vec![0.0; points]),
+                found if found == points => given.entries.iter().map(|x| self.number(x)).collect(),
+                found => {
+                    let message = format!("has {found} entries; the machine has {points} coordinates");
+                    let key = given.entries.first().map_or("", |first| first.key.trim_end_matches("[1]"));
+                    Err(self.fail(key, &message))
+                }
+            }
+        };
+        let Some(start) = start else { return Ok([vec![0.0; points], vec![0.0; points]]) };
+        Ok([part(&start.q)?, part(&start.u)?])
     }
 
     /// A state to start from: velocities per radian of the forcing.

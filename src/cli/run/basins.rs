@@ -28,7 +28,9 @@ pub(super) fn keep(found: &BasinsFindings, job: &Job) -> Result<Vec<String>> {
         })
         .collect();
     let cells = found.cells.iter().map(|&cell| classes[cell]).collect();
-    figure::grid(&Grid { x, y, cells, names }, ["q", "u"], job.folder, &job.task.name)?;
+    let plane = found.plane.as_ref();
+    let axes = plane.map_or(["q", "u"], |[first, second]| [first, second]);
+    figure::grid(&Grid { x, y, cells, names }, axes, job.folder, &job.task.name)?;
     Ok(job.figure())
 }
 

@@ -10,14 +10,26 @@ use crate::{
 };
 
 pub(super) fn keep(found: &DiagramFindings, task: &DiagramTask, job: &Job) -> Result<Vec<String>> {
+    if let Some([drawn, _]) = &found.plane {
+        let axes = [task.parameter.as_str(), drawn];
+        let sets = scatter(found, |_| Ok(Box::new(|q| q)))?;
+        figure::branches(&[], &sets, axes, job.folder, &job.task.name)?;
+        let windows = job.csv(&found.windows, "-windows.csv")?;
+        return Ok(job.figure().into_iter().chain([windows]).collect());
+    }
     let family = SceneFamily::new(&job.scene, &task.parameter)?;
     let range = task.bounds();
     let drawing = Drawing { family: &family, phase: phase(&task.phase), frame: task.frame };
     let (branches, _) = follow(&task.branches, &family, range, Direction::Both, &task.options, job)?;
     let curves = branches.iter().map(|branch| drawing.curve(branch)).collect::<Result<Vec<_>>>()?;
+    let height = |value: f64| -> Result<Height> {
+        let oscillator = drawing.family.at(value)?;
+        let drawing = &drawing;
+        Ok(Box::new(move |q| drawing.displacement(&oscillator, q)))
+    };
     figure::branches(
         &curves,
-        &scatter(found, &drawing)?,
+        &scatter(found, height)?,
         [&task.parameter, drawing.axis()],
         job.folder,
         &job.task.name,
@@ -26,16 +38,22 @@ pub(super) fn keep(found: &DiagramFindings, task: &DiagramTask, job: &Job) -> Re
     Ok(job.figure().into_iter().chain([windows]).collect())
 }
 
-fn scatter(found: &DiagramFindings, drawing: &Drawing) -> Result<Vec<figure::Scatter>> {
+/// What is drawn of the first number of a point.
+type Height<'a> = Box<dyn Fn(f64) -> f64 + 'a>;
+
+fn scatter<'a>(
+    found: &DiagramFindings,
+    height: impl Fn(f64) -> Result<Height<'a>>,
+) -> Result<Vec<figure::Scatter>> {
     let mut sets = Vec::new();
     for slice in &found.slices {
-        let oscillator = drawing.family.at(slice.value)?;
+        let height = height(slice.value)?;
         for motion in &slice.motions {
             let name = match motion.period {
                 Some(period) => format!("period {period} with {} impacts", motion.impacts),
                 None => "attractor, not periodic".to_string(),
             };
-            let at = |&[q, _]: &[f64; 2]| (slice.value, drawing.displacement(&oscillator, q));
+            let at = |&[q, _]: &[f64; 2]| (slice.value, height(q));
             sets.push(figure::Scatter { name, at: motion.points.iter().map(at).collect() });
         }
     }

@@ -5,12 +5,15 @@ use crate::{
     error::Result,
     figure::{self, Mark, Points},
     oscillator::{Contact, Side},
-    run::{AttractorRow, SectionFindings, SectionSet},
+    run::{AttractorRow, Model, SectionFindings, SectionSet},
     scene::{SectionTask, phase},
 };
 
 pub(super) fn keep(found: &SectionFindings, task: &SectionTask, job: &Job) -> Result<Vec<String>> {
-    let walls = Contact::of(job.system()?)?;
+    let walls = match &job.model {
+        Model::Oscillator(system) => Contact::of(system)?,
+        Model::Machine(_) => Vec::new(),
+    };
     let frame = Frame {
         wall: walls.iter().find(|wall| Some(wall.side) == task.frame.side()),
         phase: phase(&task.phase),
@@ -40,7 +43,10 @@ pub(super) fn keep(found: &SectionFindings, task: &SectionTask, job: &Job) -> Re
         };
         sets.push(frame.points(name, mark, points));
     }
-    figure::section(&sets, frame.axes(), job.folder, &job.task.name)?;
+    match &found.plane {
+        Some([x, y]) => figure::section(&sets, [x, y], job.folder, &job.task.name)?,
+        None => figure::section(&sets, frame.axes(), job.folder, &job.task.name)?,
+    }
     Ok(job.figure())
 }
 

@@ -137,6 +137,29 @@ impl<'a> MachineRun<'a> {
         (time(&self.events[first]) <= until).then(|| self.events.remove(first))
     }
 
+    /// The other impacts at the instant of one that was told, which are not told any more.
+    pub(super) fn others_at(&mut self, time: Time) -> Vec<StopImpact> {
+        let mut others = Vec::new();
+        self.events.retain(|event| match event {
+            MachineEvent::Impact(impact) if impact.time == time => {
+                others.push(*impact);
+                false
+            }
+            _ => true,
+        });
+        others
+    }
+
+    /// What is run.
+    pub(super) fn simulator(&self) -> &'a MachineSimulator {
+        self.simulator
+    }
+
+    /// The machine as it rests now.
+    pub(super) fn stage(&self) -> Arc<Stage> {
+        self.stage.clone()
+    }
+
     /// Where the run is in time.
     pub fn time(&self) -> Time {
         self.time_at(self.from)

@@ -52,6 +52,7 @@
 mod engine;
 mod event;
 mod stage;
+mod tangent;
 
 use std::{
     collections::BTreeMap,
@@ -64,6 +65,7 @@ use serde::Serialize;
 pub use engine::MachineRun;
 pub use event::{MachineEvent, StopImpact, StopRelease, StopStick, StopTangency};
 use stage::Stage;
+pub use tangent::MachineTangents;
 
 use super::{
     LinearEquations, LinearFlow, Machine, MachineState, RealVector,

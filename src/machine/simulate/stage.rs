@@ -374,23 +374,55 @@ impl Stage {
     pub fn split(&self, state: &MachineState) -> RealVector {
         match &self.reduced {
             None => self.flow.split(state),
-            Some((_, _, down)) => {
-                self.flow.split(&MachineState { t: state.t, q: down * &state.q, u: down * &state.u })
-            }
+            Some(_) => self.flow.split(&self.lowered(state)),
         }
     }
 
     /// The machine's own state of y.
     pub fn join(&self, t: f64, y: &RealVector) -> MachineState {
-        let state = self.flow.join(t, y);
-        let Some((free, lift, _)) = &self.reduced else { return state };
-        let (mut q, mut u) = (free * state.q, free * state.u);
+        self.raised(self.flow.join(t, y))
+    }
+
+    /// The machine's own state after `duration` ≥ 0 of motion in this stage, over as many periods as that takes.
+    pub fn after(&self, state: &MachineState, duration: f64) -> MachineState {
+        self.raised(self.flow.after(&self.lowered(state), duration))
+    }
+
+    /// q″ of the machine in this stage.
+    pub fn acceleration(&self, state: &MachineState) -> RealVector {
+        let own = self.lowered(state);
+        let bend = self.flow.equations().acceleration(own.t, &own.q, &own.u);
+        let Some((free, lift, _)) = &self.reduced else { return bend };
+        let mut sum = free * bend;
         for (j, position) in self.positions.iter().enumerate() {
-            let [place, speed, _] = position.at(t);
+            sum.axpy(position.at(state.t)[2], &lift.column(j), 1.0);
+        }
+        sum
+    }
+
+    /// Z and ZᵀM, where something is rested on.
+    pub fn directions(&self) -> Option<(&RealMatrix, &RealMatrix)> {
+        self.reduced.as_ref().map(|(free, _, down)| (free, down))
+    }
+
+    /// The state of the stage's own coordinates.
+    fn lowered(&self, state: &MachineState) -> MachineState {
+        match &self.reduced {
+            None => state.clone(),
+            Some((_, _, down)) => MachineState { t: state.t, q: down * &state.q, u: down * &state.u },
+        }
+    }
+
+    /// The machine's own state of one of the stage's own coordinates.
+    fn raised(&self, state: MachineState) -> MachineState {
+        let Some((free, lift, _)) = &self.reduced else { return state };
+        let (mut q, mut u) = (free * &state.q, free * &state.u);
+        for (j, position) in self.positions.iter().enumerate() {
+            let [place, speed, _] = position.at(state.t);
             q.axpy(place, &lift.column(j), 1.0);
             u.axpy(speed, &lift.column(j), 1.0);
         }
-        MachineState { t, q, u }
+        MachineState { t: state.t, q, u }
     }
 }
 

@@ -7,16 +7,10 @@ use serde::{Deserialize, Serialize};
 
 use super::{
     checkpoint::Checkpoint,
-    detection::{Cycle, Detection, Fate},
+    detection::{Cycle, Detection, Fate, wait},
+    dynamics::{Dynamics, SectionState},
 };
-use crate::{
-    error::Result,
-    monitor::Monitor,
-    oscillator::{
-        Time,
-        simulate::{RunEnd, Simulator},
-    },
-};
+use crate::{error::Result, monitor::Monitor, oscillator::simulate::RunEnd};
 
 /// A grid of starts at the phase of the detection's section: `columns` values of q by `rows` of u, ends
 /// included.
@@ -46,10 +40,10 @@ pub enum BasinCell {
 }
 
 /// The attractors met, in order of the first start that leads to each, and the cells, q fastest.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-pub struct Basins {
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Basins<P = [f64; 2]> {
     /// The attractors.
-    pub attractors: Vec<Cycle>,
+    pub attractors: Vec<Cycle<P>>,
     /// One cell a start.
     pub cells: Vec<BasinCell>,
 }
@@ -73,22 +67,29 @@ const CHUNK: usize = 16;
 ///
 /// # Errors
 /// Those of [`Detection::check`]; an unusable checkpoint; the monitor's, after a last checkpoint.
-pub fn basins(
-    simulator: &Simulator,
+pub fn basins<D: Dynamics>(
+    dynamics: &D,
     grid: &BasinGrid,
     detection: &Detection,
     identity: &str,
     file: Option<&Path>,
     monitor: &dyn Monitor,
-) -> Result<Basins> {
+) -> Result<Basins<D::Point>> {
     detection.check()?;
+    let settled = Detection { transient: 0, ..detection.clone() };
     let row = |row: usize| {
         let fates = (0..grid.columns)
             .map(|column| {
                 monitor.advance(0)?;
-                let [q, u] = grid.start(column, row);
-                match simulator.start(Time::new(0, detection.phase), q, u) {
-                    Ok(mut run) => detection.detect(&mut run).map(Some),
+                let start = dynamics.in_plane(grid.start(column, row), detection.phase);
+                match dynamics.begin(&start) {
+                    Ok(mut run) => {
+                        let end = wait(&mut run, detection.phase, detection.transient, monitor)?;
+                        match end {
+                            RunEnd::Reached => settled.detect(&mut run).map(Some),
+                            end => Ok(Some(Fate::Ended(end))),
+                        }
+                    }
                     Err(_) => Ok(None),
                 }
             })
@@ -99,16 +100,16 @@ pub fn basins(
     let job = serde_json::to_string(&(grid, detection)).map_err(std::io::Error::other)?;
     // 64 bytes for each cell; the points of attractors, which are few.
     let most = (1 << 30) + 64 * (grid.columns * grid.rows) as u64;
-    let (mut checkpoint, mut found): (_, Vec<Basins>) =
+    let (mut checkpoint, mut found): (_, Vec<Basins<D::Point>>) =
         Checkpoint::open(file, "basins", &format!("{identity} {job}"), most, monitor)?;
-    let mut done = found.pop().unwrap_or_default();
+    let mut done = found.pop().unwrap_or_else(|| Basins { attractors: Vec::new(), cells: Vec::new() });
     if !done.can_be(grid, detection) {
         return Err(checkpoint.bad("its record is not of these basins"));
     }
     let first = done.cells.len() / grid.columns;
     monitor.advance(first as u64)?;
     for rows in (first..grid.rows).collect::<Vec<_>>().chunks(CHUNK) {
-        let fates: Result<Vec<Vec<Option<Fate>>>> = rows.par_iter().map(|&i| row(i)).collect();
+        let fates: Result<Vec<Vec<Option<Fate<D::Point>>>>> = rows.par_iter().map(|&i| row(i)).collect();
         let fates = match fates {
             Ok(fates) => fates,
             Err(error) => {
@@ -125,12 +126,12 @@ pub fn basins(
     Ok(done)
 }
 
-impl Basins {
+impl<P: SectionState> Basins<P> {
     /// Whether a run over the grid can have come to this.
     fn can_be(&self, grid: &BasinGrid, detection: &Detection) -> bool {
-        let cycle = |cycle: &Cycle| {
+        let cycle = |cycle: &Cycle<P>| {
             (1..=detection.longest).contains(&cycle.points.len())
-                && cycle.points.iter().flatten().all(|x| x.is_finite())
+                && cycle.points.iter().all(P::is_finite)
         };
         let cell = |cell: &BasinCell| match *cell {
             BasinCell::Attractor(index) => index < self.attractors.len(),
@@ -143,7 +144,7 @@ impl Basins {
     }
 
     /// What is kept of a start; an attractor not met before is added.
-    fn cell(&mut self, fate: Option<Fate>) -> BasinCell {
+    fn cell(&mut self, fate: Option<Fate<P>>) -> BasinCell {
         match fate {
             None => BasinCell::Behind,
             Some(Fate::Irregular) => BasinCell::Irregular,

@@ -1,12 +1,17 @@
 //! Which attractor a start ends up on: its period and number of impacts, by recurrence and confirmation.
 
+use std::cmp::Ordering;
+
 use serde::{Deserialize, Serialize};
 
-use super::section::{SectionPoint, section};
+use super::{
+    dynamics::{Motion, SectionState},
+    section::{SectionPoint, section, stops},
+};
 use crate::{
     error::{Error, Result},
     monitor::Monitor,
-    oscillator::simulate::{Run, RunEnd},
+    oscillator::simulate::RunEnd,
 };
 
 /// Points of the section this close in q and in u recur, unless a [`Detection`] says otherwise.
@@ -39,18 +44,18 @@ impl Default for Detection {
 
 /// What a run ends up on.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Fate {
+pub enum Fate<P = [f64; 2]> {
     /// A periodic orbit: the least period by recurrence.
-    Periodic(Cycle),
+    Periodic(Cycle<P>),
     /// No recurrence up to the longest period: chaos, a long period, or a transient not over.
     Irregular,
     /// The run ended first.
     Ended(RunEnd),
 }
 
-impl Fate {
+impl<P: SectionState> Fate<P> {
     /// Whether another run ends up on the same attractor; all motions that are not periodic count as one.
-    pub fn is(&self, other: &Fate) -> bool {
+    pub fn is(&self, other: &Fate<P>) -> bool {
         match (self, other) {
             (Fate::Periodic(one), Fate::Periodic(other)) => one.is(other),
             (Fate::Irregular, Fate::Irregular) => true,
@@ -62,12 +67,12 @@ impl Fate {
 /// Passes `count` points of the section, asking `monitor` whether to go on.
 ///
 /// # Errors
-/// The monitor's.
-pub fn wait(run: &mut Run, phase: f64, count: u64, monitor: &dyn Monitor) -> Result<RunEnd> {
+/// The monitor's; those of [`Motion::pass`].
+pub fn wait<M: Motion>(run: &mut M, phase: f64, count: u64, monitor: &dyn Monitor) -> Result<RunEnd> {
     let mut left = count;
     while left > 0 {
-        let some = left.min(256);
-        let end = section(run, phase, some, |_| true);
+        let some = left.min(M::CHUNK);
+        let end = stops(run, phase, some, |_, _, _| true)?;
         if end != RunEnd::Reached {
             return Ok(end);
         }
@@ -79,17 +84,17 @@ pub fn wait(run: &mut Run, phase: f64, count: u64, monitor: &dyn Monitor) -> Res
 
 /// A periodic orbit as the section sees it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Cycle {
-    /// Its points, from the one of least q (then least u) on.
-    pub points: Vec<[f64; 2]>,
+pub struct Cycle<P = [f64; 2]> {
+    /// Its points, from the one of least q (then least u) on; of machines, by the plane that is drawn.
+    pub points: Vec<P>,
     /// Impacts in one time round.
     pub impacts: u64,
 }
 
-impl Cycle {
+impl<P: SectionState> Cycle<P> {
     /// Whether a state of the section is one of its points, up to [`SAME`].
-    pub fn passes(&self, state: [f64; 2]) -> bool {
-        self.points.iter().any(|point| near(*point, state, SAME))
+    pub fn passes(&self, state: &P) -> bool {
+        self.points.iter().any(|point| point.near(state, SAME))
     }
 
     /// The period in forcing periods.
@@ -98,19 +103,15 @@ impl Cycle {
     }
 
     /// Whether the other is the same attractor: up to [`SAME`] in each coordinate, and where on it one began.
-    pub fn is(&self, other: &Cycle) -> bool {
+    pub fn is(&self, other: &Cycle<P>) -> bool {
         let same = |shift: usize| {
             let turned = other.points.iter().cycle().skip(shift);
-            self.points.iter().zip(turned).all(|(a, b)| near(*a, *b, SAME))
+            self.points.iter().zip(turned).all(|(a, b)| a.near(b, SAME))
         };
         self.points.len() == other.points.len()
             && self.impacts == other.impacts
             && (0..self.period()).any(same)
     }
-}
-
-fn near(a: [f64; 2], b: [f64; 2], tolerance: f64) -> bool {
-    (a[0] - b[0]).abs() <= tolerance && (a[1] - b[1]).abs() <= tolerance
 }
 
 impl Detection {
@@ -133,40 +134,42 @@ impl Detection {
     /// evidence, not proof.
     ///
     /// # Errors
-    /// Those of [`check`](Self::check).
-    pub fn detect(&self, run: &mut Run) -> Result<Fate> {
+    /// Those of [`check`](Self::check) and of [`Motion::pass`].
+    pub fn detect<M: Motion>(&self, run: &mut M) -> Result<Fate<M::Point>> {
         self.check()?;
-        let end = section(run, self.phase, self.transient.saturating_add(1), |_| true);
+        let end = stops(run, self.phase, self.transient.saturating_add(1), |_, _, _| true)?;
         if end != RunEnd::Reached {
             return Ok(Fate::Ended(end));
         }
-        let state = run.state();
-        let mut points = vec![SectionPoint { period: 0, q: state.q, u: state.u, impacts: 0 }];
+        let mut points = vec![SectionPoint { period: 0, at: run.point(), impacts: 0 }];
         let mut period = None;
         let end = section(run, self.phase, (self.longest * (1 + self.confirm)) as u64, |point| {
-            points.push(point);
-            let here = points.len() - 1;
-            let same =
-                |n: usize| near([point.q, point.u], [points[here - n].q, points[here - n].u], self.tolerance);
+            let here = points.len();
+            let same = |n: usize| point.at.near(&points[here - n].at, self.tolerance);
+            let mut more = true;
             match period {
                 None if same(here) => period = Some(here),
-                None => return here < self.longest,
+                None => more = here < self.longest,
                 // A chance encounter: on with the search.
                 Some(n) if !same(n) || here > 2 * n && point.impacts != points[here - n].impacts => {
                     period = None;
-                    return here < self.longest;
+                    more = here < self.longest;
                 }
-                Some(n) => return here < n * (1 + self.confirm),
+                Some(n) => more = here < n * (1 + self.confirm),
             }
-            true
-        });
+            points.push(point);
+            more
+        })?;
         if end != RunEnd::Reached {
             return Ok(Fate::Ended(end));
         }
         let Some(n) = period else { return Ok(Fate::Irregular) };
         let impacts = points[1..=n].iter().map(|point| point.impacts).sum();
-        let mut points: Vec<_> = points[1..=n].iter().map(|point| [point.q, point.u]).collect();
-        let least = (0..n).min_by(|&i, &j| points[i].partial_cmp(&points[j]).expect("finite")).unwrap_or(0);
+        let mut points: Vec<_> = points[1..=n].iter().map(|point| point.at.clone()).collect();
+        let order = |&i: &usize, &j: &usize| {
+            points[i].plane().partial_cmp(&points[j].plane()).unwrap_or(Ordering::Equal)
+        };
+        let least = (0..n).min_by(order).unwrap_or(0);
         points.rotate_left(least);
         Ok(Fate::Periodic(Cycle { points, impacts }))
     }

@@ -1,8 +1,9 @@
-//! The largest Lyapunov exponent: a tangent vector carried by the flow's derivative and by saltation matrices
-//! at impacts.
+//! Lyapunov exponents: vectors carried by the flow's derivative and by saltation matrices at impacts, kept
+//! orthonormal; the largest exponent needs one vector.
 
 use std::f64::consts::TAU;
 
+use super::dynamics::{Dynamics, Motion, Tangents, check_count, orthonormalise};
 use crate::{
     error::{Error, Result},
     monitor::Monitor,
@@ -34,52 +35,76 @@ pub struct Exponent {
 /// Into how many stretches a run is divided, if it has that many periods.
 pub const BATCHES: u64 = 20;
 
-/// Periods between two looks at whether to go on.
-const CHUNK: u64 = 256;
-
-/// A motion with a vector that its derivative carries along.
-struct Carried<'a> {
+/// A motion with one or two vectors that its derivative carries along.
+pub struct Carried<'a> {
     simulator: &'a Simulator,
     run: Run<'a>,
-    tangent: [f64; 2],
+    frame: Vec<[f64; 2]>,
     state: State,
     now: Time,
-    end: RunEnd,
+    /// The longest stretch on which the vectors neither vanish in floats nor fall together.
+    longest: f64,
 }
 
-impl Carried<'_> {
-    /// The logarithm of the vector's growth up to `goal`.
-    fn grow(&mut self, goal: Time) -> f64 {
-        let mut growth = 0.0;
-        while self.end == RunEnd::Reached {
-            let event = self.run.next(goal);
-            let then = event.time().unwrap_or(self.run.time());
-            let flow = self.simulator.flow();
-            let (arrival, matrix) = flow.advance_linearised(self.state, then.since(self.now));
-            let mut tangent = apply(&matrix, self.tangent);
-            match event {
-                Event::Impact(impact) => {
-                    let contact = self.simulator.contact(impact.side).expect("a wall that was met");
-                    tangent = apply(&contact.saltation(flow, arrival), tangent);
-                }
-                Event::Stick(_) | Event::Release(_) => tangent = [0.0; 2],
-                Event::Tangency(_) | Event::End(RunEnd::Reached) => {}
-                Event::End(other) => self.end = other,
-            }
-            let size = tangent[0].hypot(tangent[1]);
-            growth += size.ln();
-            self.tangent = if size > 0.0 { tangent.map(|x| x / size) } else { tangent };
-            (self.state, self.now) = (self.run.state(), self.run.time());
-            if event == Event::End(RunEnd::Reached) {
-                break;
-            }
+impl<'a> Carried<'a> {
+    pub(super) fn new(simulator: &'a Simulator, run: Run<'a>, count: usize) -> Carried<'a> {
+        // Any direction but, by ill luck, the stable one.
+        let frame = [[0.6, 0.8], [-0.8, 0.6]][..count.min(2)].to_vec();
+        let (state, now) = (run.state(), run.time());
+        let most = if count < 2 { 600.0 } else { 20.0 };
+        let longest = most / simulator.flow().equation().damping.abs();
+        Carried { simulator, run, frame, state, now, longest }
+    }
+
+    /// The vectors on to `then`, and the state there: without impact.
+    fn fly(&mut self, then: Time, growth: &mut [f64]) -> State {
+        let flow = self.simulator.flow();
+        while then.since(self.now) > self.longest {
+            let (state, matrix) = flow.advance_linearised(self.state, self.longest);
+            self.now = self.now.after(self.longest);
+            self.state = State { t: self.now.phase, ..state };
+            self.frame.iter_mut().for_each(|v| *v = apply(&matrix, *v));
+            orthonormalise(&mut self.frame, growth, 0.0);
         }
-        growth
+        let (arrival, matrix) = flow.advance_linearised(self.state, then.since(self.now));
+        self.frame.iter_mut().for_each(|v| *v = apply(&matrix, *v));
+        arrival
     }
 }
 
-/// Follows the motion from (q, u) at `time` over `transient` and then `periods` forcing periods. Tangencies
-/// and the square root at them are passed as if there were no wall; an impact of velocity w stretches by
+impl Tangents for Carried<'_> {
+    fn time(&self) -> Time {
+        self.now
+    }
+
+    fn impacts(&self) -> u64 {
+        self.run.impacts()
+    }
+
+    fn grow(&mut self, goal: Time, growth: &mut [f64]) -> Result<RunEnd> {
+        loop {
+            let event = self.run.next(goal);
+            let arrival = self.fly(event.time().unwrap_or(self.run.time()), growth);
+            match event {
+                Event::Impact(impact) => {
+                    let contact = self.simulator.contact(impact.side).expect("a wall that was met");
+                    let matrix = contact.saltation(self.simulator.flow(), arrival);
+                    self.frame.iter_mut().for_each(|v| *v = apply(&matrix, *v));
+                }
+                Event::Stick(_) | Event::Release(_) => self.frame.fill([0.0; 2]),
+                Event::Tangency(_) | Event::End(_) => {}
+            }
+            orthonormalise(&mut self.frame, growth, 0.0);
+            (self.state, self.now) = (self.run.state(), self.run.time());
+            if let Event::End(end) = event {
+                return Ok(end);
+            }
+        }
+    }
+}
+
+/// The largest exponent of the motion from (q, u) at `time` over `transient` and then `periods` forcing periods.
+/// Tangencies and the square root at them are passed as if there were no wall; an impact of velocity w stretches by
 /// O(1/w). Asks `monitor` whether to go on.
 ///
 /// # Errors
@@ -92,46 +117,72 @@ pub fn lyapunov(
     periods: u64,
     monitor: &dyn Monitor,
 ) -> Result<Exponent> {
+    let start = State { t: time.phase, q, u };
+    let all = exponents(simulator, &start, 1, transient, periods, monitor)?;
+    all.into_iter().next().ok_or_else(|| Error::input("no exponent"))
+}
+
+/// The largest `count` exponents, with multiplicity, the largest first, of the motion from a start: as [`lyapunov`].
+/// Those of one motion share impacts and end. Cost: the motion's, and that of `count` vectors in each flight.
+///
+/// # Errors
+/// As [`lyapunov`]; a count that is not from 1 to the dimension.
+pub fn exponents<D: Dynamics>(
+    dynamics: &D,
+    start: &D::Start,
+    count: usize,
+    transient: u64,
+    periods: u64,
+    monitor: &dyn Monitor,
+) -> Result<Vec<Exponent>> {
     if periods == 0 {
         return Err(Error::input("periods = 0: the exponent is a mean over at least one"));
     }
+    check_count(count, dynamics.dimension())?;
+    let chunk = <D::Motion<'_> as Motion>::CHUNK;
+    let mut run = dynamics.begin(start)?;
+    let time = run.time();
     let later = |periods: u64| Time { period: time.period.saturating_add_unsigned(periods), ..time };
-    let mut run = simulator.start(time, q, u)?;
     let (mut end, mut passed) = (RunEnd::Reached, 0);
     while passed < transient && end == RunEnd::Reached {
-        passed = (passed + CHUNK).min(transient);
-        end = run.finish(later(passed));
+        passed = (passed + chunk).min(transient);
+        end = run.pass(later(passed))?;
         monitor.advance(0)?;
     }
-    let start = run.impacts();
-    let (state, now) = (run.state(), run.time());
-    // Any direction but, by ill luck, the stable one.
-    let mut carried = Carried { simulator, run, tangent: [0.6, 0.8], state, now, end };
-    // Growth and time of each stretch.
-    let mut stretches: Vec<(f64, f64)> = Vec::new();
-    let count = BATCHES.min(periods);
-    let goal = |i: u64| (u128::from(periods) * u128::from(i) / u128::from(count)) as u64;
-    for i in 1..=count {
-        let (begin, mut growth) = (carried.now, 0.0);
+    let before = run.impacts();
+    let mut carried = dynamics.tangents(run, count);
+    // Growths and time of each stretch.
+    let mut stretches: Vec<(Vec<f64>, f64)> = Vec::new();
+    let batches = BATCHES.min(periods);
+    let goal = |i: u64| (u128::from(periods) * u128::from(i) / u128::from(batches)) as u64;
+    for i in 1..=batches {
+        let (begin, mut growth) = (carried.time(), vec![0.0; count]);
         let mut at = goal(i - 1);
-        while at < goal(i) && carried.end == RunEnd::Reached {
-            at = (at + CHUNK).min(goal(i));
-            growth += carried.grow(later(transient + at));
+        while at < goal(i) && end == RunEnd::Reached {
+            at = (at + chunk).min(goal(i));
+            // Apart, so that the sum's rounding does not depend on how many stretches there were before.
+            let mut part = vec![0.0; count];
+            end = carried.grow(later(transient + at), &mut part)?;
+            growth.iter_mut().zip(part).for_each(|(sum, x)| *sum += x);
             monitor.advance(0)?;
         }
-        stretches.push((growth, carried.now.since(begin)));
+        stretches.push((growth, carried.time().since(begin)));
     }
-    let mean = |all: &[(f64, f64)]| {
-        let (growth, time) = all.iter().fold((0.0, 0.0), |sum, one| (sum.0 + one.0, sum.1 + one.1));
-        growth / time.max(TAU * f64::EPSILON)
+    let impacts = carried.impacts() - before;
+    let one = |k: usize| {
+        let mean = |all: &[(Vec<f64>, f64)]| {
+            let (growth, time) = all.iter().fold((0.0, 0.0), |sum, one| (sum.0 + one.0[k], sum.1 + one.1));
+            growth / time.max(TAU * f64::EPSILON)
+        };
+        let (rate, n) = (mean(&stretches), stretches.len() as f64);
+        let off = stretches.iter().map(|one| (mean(std::slice::from_ref(one)) - rate).powi(2)).sum::<f64>();
+        Exponent {
+            rate,
+            standard_error: (off / (n * (n - 1.0))).sqrt(),
+            second_half: mean(&stretches[stretches.len() / 2..]),
+            impacts,
+            end,
+        }
     };
-    let (rate, n) = (mean(&stretches), stretches.len() as f64);
-    let off = stretches.iter().map(|one| (mean(&[*one]) - rate).powi(2)).sum::<f64>();
-    Ok(Exponent {
-        rate,
-        standard_error: (off / (n * (n - 1.0))).sqrt(),
-        second_half: mean(&stretches[stretches.len() / 2..]),
-        impacts: carried.run.impacts() - start,
-        end: carried.end,
-    })
+    Ok((0..count).map(one).collect())
 }

@@ -12,6 +12,7 @@ mod checkpoint;
 pub mod crisis;
 pub mod detection;
 pub mod diagram;
+pub mod dynamics;
 pub mod lyapunov;
 pub mod manifold;
 pub mod section;

@@ -17,16 +17,13 @@ use serde::{Deserialize, Serialize};
 use super::{
     checkpoint::Checkpoint,
     detection::{Detection, Fate, wait},
+    dynamics::{Dynamics, Motion, SectionState},
     section::section,
 };
 use crate::{
     Monitor,
     error::Result,
-    oscillator::{
-        Time,
-        flow::State,
-        simulate::{RunEnd, Simulator},
-    },
+    oscillator::{flow::State, simulate::RunEnd},
 };
 
 /// When and for how long to look.
@@ -44,11 +41,11 @@ pub struct Look {
 
 /// What to run at which values.
 #[derive(Debug, Clone, Serialize)]
-pub struct DiagramPlan {
+pub struct DiagramPlan<S = State> {
     /// The parameter's values.
     pub values: Vec<f64>,
     /// Where motions start.
-    pub starts: Vec<State>,
+    pub starts: Vec<S>,
     /// For how long, and when they are looked at.
     pub look: Look,
     /// Of every this many points of the section only the first is kept.
@@ -88,9 +85,9 @@ const CHUNK: usize = 64;
 ///
 /// # Errors
 /// Those of the system and the simulator; an unusable checkpoint; an interruption, after a last checkpoint.
-pub fn sweep(
-    plan: &DiagramPlan,
-    simulator: impl Fn(f64) -> Result<Simulator> + Sync,
+pub fn sweep<D: Dynamics<Start: Serialize>>(
+    plan: &DiagramPlan<D::Start>,
+    dynamics: impl Fn(f64) -> Result<D> + Sync,
     identity: &str,
     file: Option<&Path>,
     monitor: &dyn Monitor,
@@ -107,7 +104,7 @@ pub fn sweep(
         let slices: Vec<Result<Slice>> = chunk
             .par_iter()
             .map(|&value| {
-                let slice = slice(plan, value, &simulator(value)?, monitor)?;
+                let slice = slice(plan, value, &dynamics(value)?, monitor)?;
                 monitor.advance(1)?;
                 Ok(slice)
             })
@@ -125,7 +122,7 @@ pub fn sweep(
     Ok(done)
 }
 
-impl DiagramPlan {
+impl<S> DiagramPlan<S> {
     /// More bytes than any state of this plan has: 64 for a point or what else a motion has, 128 for what
     /// else a slice and its line have.
     fn most_bytes(&self) -> u64 {
@@ -149,14 +146,19 @@ impl DiagramPlan {
     }
 }
 
-fn slice(plan: &DiagramPlan, value: f64, simulator: &Simulator, monitor: &dyn Monitor) -> Result<Slice> {
-    let (mut found, mut lost): (Vec<(DiagramMotion, Fate)>, u32) = (Vec::new(), 0);
-    for &start in &plan.starts {
-        let Some((motion, fate)) = motion(plan, simulator, start, monitor)? else {
+fn slice<D: Dynamics>(
+    plan: &DiagramPlan<D::Start>,
+    value: f64,
+    dynamics: &D,
+    monitor: &dyn Monitor,
+) -> Result<Slice> {
+    let (mut found, mut lost): (Vec<(DiagramMotion, Fate<D::Point>)>, u32) = (Vec::new(), 0);
+    for start in &plan.starts {
+        let Some((motion, fate)) = motion(plan, dynamics, start, monitor)? else {
             lost += 1;
             continue;
         };
-        let known = |(_, old): &(DiagramMotion, Fate)| old.is(&fate);
+        let known = |(_, old): &(DiagramMotion, Fate<D::Point>)| old.is(&fate);
         if !found.iter().any(known) {
             found.push((motion, fate));
         }
@@ -165,14 +167,14 @@ fn slice(plan: &DiagramPlan, value: f64, simulator: &Simulator, monitor: &dyn Mo
 }
 
 /// What a start's motion tends to; `None` if it left every bound, or cannot start.
-fn motion(
-    plan: &DiagramPlan,
-    simulator: &Simulator,
-    start: State,
+fn motion<D: Dynamics>(
+    plan: &DiagramPlan<D::Start>,
+    dynamics: &D,
+    start: &D::Start,
     monitor: &dyn Monitor,
-) -> Result<Option<(DiagramMotion, Fate)>> {
+) -> Result<Option<(DiagramMotion, Fate<D::Point>)>> {
     let Look { phase, transient, points: count, longest } = plan.look;
-    let Ok(mut run) = simulator.start(Time::new(0, start.t), start.q, start.u) else { return Ok(None) };
+    let Ok(mut run) = dynamics.begin(start) else { return Ok(None) };
     if wait(&mut run, phase, transient, monitor)? != RunEnd::Reached {
         return Ok(None);
     }
@@ -190,10 +192,10 @@ fn motion(
     let (mut points, before) = (Vec::new(), run.impacts());
     let end = section(&mut run, phase, look_at.into(), |point| {
         if shown(point.period) {
-            points.push([point.q, point.u]);
+            points.push(point.at.plane());
         }
         true
-    });
+    })?;
     if end != RunEnd::Reached {
         return Ok(None);
     }

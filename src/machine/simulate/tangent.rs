@@ -1,0 +1,229 @@
+//! A motion with vectors that its derivative carries along: what Lyapunov exponents of machines rest on.
+//!
+//! In flight, and at rest on stops, vectors move by the homogeneous flow. At an impact with incoming speed V they
+//! take part in Newton's law, and a motion beside this one is hit later by δt = w·δq/V:
+//!
+//!   δq⁺ = δq + (q′⁻ − q′⁺) δt,  δq′⁺ = δq′ + (q″⁻ − q″⁺) δt + M⁻¹Wᵀ δΛ,
+//!
+//! δΛ being the change of the impulses with the rates of the gaps there. Where the machine comes to rest on stops,
+//! what is not motion along them is gone. Rest ends without a jump: q″ is continuous there. A vector of several
+//! stops hit at one instant by chance is that of the order in which the law takes them.
+//!
+//! Vectors are in coordinates in which the mass is 1, (Lᵀδq, Lᵀδq′).
+
+use std::sync::Arc;
+
+use super::{MachineEvent, MachineRun, MachineSimulator, StopImpact, stage::Stage};
+use crate::{
+    error::Result,
+    machine::{MachineState, RealMatrix, RealVector},
+    oscillator::{
+        Time,
+        attractor::dynamics::{Tangents, orthonormalise},
+        simulate::RunEnd,
+    },
+    random::Random,
+};
+
+/// A motion with vectors.
+pub struct MachineTangents<'a> {
+    run: MachineRun<'a>,
+    simulator: &'a MachineSimulator,
+    stage: Arc<Stage>,
+    state: MachineState,
+    now: Time,
+    frame: Vec<Vec<f64>>,
+    /// The longest stretch on which vectors neither vanish in floats nor fall together.
+    longest: f64,
+}
+
+/// What is left of a vector beside others after a longer stretch is rounding.
+const FLOOR: f64 = 1e-14;
+
+impl<'a> MachineTangents<'a> {
+    /// The motion with `count` vectors, at least 1 and at most twice the number of coordinates.
+    pub fn new(run: MachineRun<'a>, count: usize) -> MachineTangents<'a> {
+        let simulator = run.simulator();
+        let n = simulator.equations().size();
+        let (stage, state, now) = (run.stage(), run.state(), run.time());
+        let (mut frame, mut longest) = (first(n, count), f64::INFINITY);
+        let decays = stage.flow.decays();
+        let (most, slowest) = if count < 2 { (600.0, decays.first()) } else { (20.0, decays.get(count - 1)) };
+        if let Some(decay) = slowest.filter(|decay| **decay > 0.0) {
+            longest = most / decay;
+        }
+        orthonormalise(&mut frame, &mut vec![0.0; count], 0.0);
+        let mut all = MachineTangents { run, simulator, stage, state, now, frame, longest };
+        all.project();
+        all
+    }
+
+    /// (δq, δq′) of a vector.
+    fn open(&self, vector: &[f64]) -> (RealVector, RealVector) {
+        let (n, upper) = (vector.len() / 2, self.simulator.equations().root().transpose());
+        let part = |x: &[f64]| {
+            let x = RealVector::from_column_slice(x);
+            upper.solve_upper_triangular(&x).unwrap_or(x)
+        };
+        (part(&vector[..n]), part(&vector[n..]))
+    }
+
+    /// The vector of (δq, δq′).
+    fn close(&self, q: &RealVector, u: &RealVector) -> Vec<f64> {
+        let lower = self.simulator.equations().root();
+        let (q, u): (RealVector, RealVector) = (lower.tr_mul(q), lower.tr_mul(u));
+        q.iter().chain(u.iter()).copied().collect()
+    }
+
+    /// What a map of (δq, δq′) makes of all vectors.
+    fn mapped(&mut self, map: impl Fn(RealVector, RealVector) -> (RealVector, RealVector)) {
+        let one = |vector: &Vec<f64>| {
+            // What has vanished does not come back.
+            if vector.iter().all(|x| *x == 0.0) {
+                return vector.clone();
+            }
+            let (q, u) = self.open(vector);
+            let (q, u) = map(q, u);
+            self.close(&q, &u)
+        };
+        let frame = self.frame.iter().map(one).collect();
+        self.frame = frame;
+    }
+
+    /// Vectors and state on by `duration`, without events.
+    fn advance(&mut self, duration: f64) {
+        let stage = self.stage.clone();
+        self.mapped(|q, u| stage.carried(&q, &u, duration));
+        let state = MachineState { t: self.now.phase, ..self.state.clone() };
+        (self.state, self.now) = (stage.after(&state, duration), self.now.after(duration));
+        self.state.t = self.now.phase;
+    }
+
+    fn fly(&mut self, then: Time, growth: &mut [f64]) {
+        while then.since(self.now) > self.longest {
+            self.advance(self.longest);
+            orthonormalise(&mut self.frame, growth, FLOOR);
+        }
+        self.advance(then.since(self.now));
+    }
+
+    /// The impacts at one instant, of which these were told; the state before is known, that after is the run's.
+    fn saltation(&mut self, hits: &[StopImpact], before: &[usize]) -> Result<()> {
+        let contacts = self.simulator.contacts();
+        let (arrival, after, stage) = (self.state.clone(), self.run.state(), self.run.stage());
+        let all: Vec<usize> = hits.iter().map(|hit| hit.stop).chain(before.iter().copied()).collect();
+        let rates: Vec<f64> =
+            hits.iter().map(|hit| hit.velocity).chain(before.iter().map(|_| 0.0)).collect();
+        let law = contacts.impact(&all, &rates)?;
+        let acting: Vec<usize> = (0..all.len()).filter(|&i| law.impulses[i] > 0.0).collect();
+        let first = acting.iter().copied().min_by(|&a, &b| rates[a].total_cmp(&rates[b]));
+        let Some(first) = first.filter(|&i| rates[i] < 0.0) else { return Ok(()) };
+        let stops: Vec<usize> = acting.iter().map(|&i| all[i]).collect();
+        let inner = contacts.among(&stops).lu();
+        let (bend, bent) = (self.stage.acceleration(&arrival), stage.acceleration(&after));
+        let (row, speed) = (contacts.all()[all[first]].row.clone(), -rates[first]);
+        let rows: Vec<_> = stops.iter().map(|&stop| contacts.all()[stop].clone()).collect();
+        let bends: Vec<f64> =
+            rows.iter().map(|row| row.row.dot(&bend) - row.position.at(arrival.t)[2]).collect();
+        let factors: Vec<f64> = acting
+            .iter()
+            .zip(&rows)
+            .map(|(&i, row)| if rates[i] < 0.0 { 1.0 + row.restitution } else { 1.0 })
+            .collect();
+        let jump = &arrival.u - &after.u;
+        let turn = bend - bent;
+        self.mapped(|q, u| {
+            let delay = row.dot(&q) / speed;
+            let change =
+                RealVector::from_fn(rows.len(), |i, _| -factors[i] * (rows[i].row.dot(&u) + bends[i] * delay));
+            let impulses = inner.solve(&change).unwrap_or_else(|| RealVector::zeros(rows.len()));
+            let u = u + &turn * delay + contacts.change(&stops, impulses.as_slice());
+            (q + &jump * delay, u)
+        });
+        Ok(())
+    }
+
+    /// Of vectors only what moves along the stops that are rested on.
+    fn project(&mut self) {
+        if self.stage.resting.is_empty() {
+            return;
+        }
+        let stage = self.stage.clone();
+        self.mapped(|q, u| stage.carried(&q, &u, 0.0));
+        let rank = stage.flow.dimension().min(self.frame.len());
+        self.frame[rank..].iter_mut().for_each(|vector| vector.fill(0.0));
+    }
+}
+
+impl Tangents for MachineTangents<'_> {
+    fn time(&self) -> Time {
+        self.now
+    }
+
+    fn impacts(&self) -> u64 {
+        self.run.impacts()
+    }
+
+    fn grow(&mut self, goal: Time, growth: &mut [f64]) -> Result<RunEnd> {
+        loop {
+            let event = self.run.next(goal);
+            if let Some(error) = self.run.failure() {
+                return Err(error);
+            }
+            // A rest is told when its bounces end; the run rests from where they are left out.
+            self.fly(self.run.time(), growth);
+            if let MachineEvent::Impact(hit) = event {
+                let mut hits = vec![hit];
+                hits.extend(self.run.others_at(hit.time));
+                let resting = self.stage.resting.clone();
+                self.saltation(&hits, &resting)?;
+            }
+            (self.state, self.now) = (self.run.state(), self.run.time());
+            let stage = self.run.stage();
+            if !Arc::ptr_eq(&stage, &self.stage) {
+                self.stage = stage;
+                self.project();
+            }
+            orthonormalise(&mut self.frame, growth, FLOOR);
+            if let MachineEvent::End(end) = event {
+                return Ok(end);
+            }
+        }
+    }
+}
+
+/// Vectors in no special direction; the first, for one coordinate, as for an oscillator.
+fn first(n: usize, count: usize) -> Vec<Vec<f64>> {
+    let mut random = Random::of_unit(1, 0);
+    let mut part = || 1.0 + random.next() as f64 / u64::MAX as f64;
+    let mut frame = Vec::with_capacity(count);
+    for k in 0..count.min(2 * n) {
+        let sign = |i: usize| if k > 0 && (i + k) % 2 == 1 { -1.0 } else { 1.0 };
+        let weights: Vec<f64> = (0..2 * n).map(|i| if n == 1 && k == 0 { 1.0 } else { part() * sign(i) }).collect();
+        let scaled = |(i, x): (usize, &f64)| x * if i < n { 0.6 } else { 0.8 };
+        frame.push(weights.iter().enumerate().map(scaled).collect());
+    }
+    frame
+}
+
+impl Stage {
+    /// (δq, δq′) after a duration of motion in this stage; of (δq, δq′) only what the stage allows.
+    fn carried(&self, q: &RealVector, u: &RealVector, duration: f64) -> (RealVector, RealVector) {
+        let inward = |map: &RealMatrix| (map * q, map * u);
+        let (q, u) = match self.directions() {
+            None => (q.clone(), u.clone()),
+            Some((_, down)) => inward(down),
+        };
+        let mut y = self.flow.inward(&q, &u);
+        if duration != 0.0 {
+            self.flow.advance(&mut y, duration);
+        }
+        let x = self.flow.outward(&y);
+        let n = x.len() / 2;
+        let (q, u) = (x.rows(0, n).into_owned(), x.rows(n, n).into_owned());
+        match self.directions() {
+            None => (q, u),
+            Some((free, _)) => (free * q, free * u),
+        }
+    }
+}

@@ -1,0 +1,213 @@
+//! What this chapter asks of a system: motions that can be followed from any start, states as a section sees
+//! them, vectors that a motion's derivative carries along. An oscillator's [`Simulator`] has all of it; so have
+//! machines, in a module above this one.
+
+use std::fmt::Debug;
+
+use serde::{Serialize, de::DeserializeOwned};
+
+use super::lyapunov::Carried;
+use crate::{
+    error::{Error, Result},
+    oscillator::{
+        Time,
+        flow::State,
+        simulate::{Run, RunEnd, Simulator},
+    },
+};
+
+/// A state on a section.
+pub trait SectionState: Clone + Debug + PartialEq + Send + Sync + Serialize + DeserializeOwned {
+    /// The two numbers by which it is drawn.
+    fn plane(&self) -> [f64; 2];
+
+    /// All numbers by which states are told apart, in units in which motions have a size of about 1.
+    fn coordinates(&self) -> &[f64];
+
+    /// Whether the other is this close in every coordinate.
+    fn near(&self, other: &Self, tolerance: f64) -> bool {
+        let (a, b) = (self.coordinates(), other.coordinates());
+        a.len() == b.len() && a.iter().zip(b).all(|(a, b)| (a - b).abs() <= tolerance)
+    }
+
+    /// Whether all its numbers are finite.
+    fn is_finite(&self) -> bool {
+        self.plane().iter().chain(self.coordinates()).all(|x| x.is_finite())
+    }
+}
+
+/// (q, u).
+impl SectionState for [f64; 2] {
+    fn plane(&self) -> [f64; 2] {
+        *self
+    }
+
+    fn coordinates(&self) -> &[f64] {
+        self
+    }
+}
+
+/// A motion under way.
+pub trait Motion {
+    /// Its state on a section.
+    type Point: SectionState;
+
+    /// Periods between two looks at whether to go on.
+    const CHUNK: u64;
+
+    /// Where it is in time.
+    fn time(&self) -> Time;
+
+    /// How many impacts there were.
+    fn impacts(&self) -> u64;
+
+    /// Its state now.
+    fn point(&self) -> Self::Point;
+
+    /// On to `until`.
+    ///
+    /// # Errors
+    /// Where a motion cannot go on for another reason than a [`RunEnd`].
+    fn pass(&mut self, until: Time) -> Result<RunEnd>;
+}
+
+/// A motion with vectors that its derivative carries along.
+pub trait Tangents {
+    /// Where the motion is in time.
+    fn time(&self) -> Time;
+
+    /// How many impacts there were.
+    fn impacts(&self) -> u64;
+
+    /// On to `goal`. To `growth`, an entry for each vector, is added the logarithm of the growth of the first;
+    /// of the second, beside the first; and so on: −∞ for one that vanishes. The vectors are orthonormal before
+    /// and after.
+    ///
+    /// # Errors
+    /// Those of [`Motion::pass`].
+    fn grow(&mut self, goal: Time, growth: &mut [f64]) -> Result<RunEnd>;
+}
+
+/// A system whose motions can be followed.
+pub trait Dynamics: Sync {
+    /// A state with its phase, from which a motion can start.
+    type Start: Clone + Send + Sync;
+    /// A state on a section.
+    type Point: SectionState;
+    /// A motion.
+    type Motion<'a>: Motion<Point = Self::Point>
+    where
+        Self: 'a;
+    /// A motion with vectors.
+    type Tangents<'a>: Tangents
+    where
+        Self: 'a;
+
+    /// How many coordinates a state has.
+    fn dimension(&self) -> usize;
+
+    /// The motion from a start, at the forcing's period 0.
+    ///
+    /// # Errors
+    /// A start behind a stop, or not finite.
+    fn begin(&self, start: &Self::Start) -> Result<Self::Motion<'_>>;
+
+    /// The start with these two numbers in the plane that is drawn, at a phase in [0, 2π).
+    fn in_plane(&self, at: [f64; 2], phase: f64) -> Self::Start;
+
+    /// Where a motion is, as a start.
+    fn here(&self, motion: &Self::Motion<'_>) -> Self::Start;
+
+    /// The motion with that many vectors, at least 1 and no more than the dimension.
+    fn tangents<'a>(&'a self, motion: Self::Motion<'a>, count: usize) -> Self::Tangents<'a>;
+}
+
+impl Motion for Run<'_> {
+    type Point = [f64; 2];
+
+    const CHUNK: u64 = 256;
+
+    fn time(&self) -> Time {
+        Run::time(self)
+    }
+
+    fn impacts(&self) -> u64 {
+        Run::impacts(self)
+    }
+
+    fn point(&self) -> [f64; 2] {
+        let state = self.state();
+        [state.q, state.u]
+    }
+
+    fn pass(&mut self, until: Time) -> Result<RunEnd> {
+        Ok(self.finish(until))
+    }
+}
+
+impl Dynamics for Simulator {
+    type Start = State;
+    type Point = [f64; 2];
+    type Motion<'a> = Run<'a>;
+    type Tangents<'a> = Carried<'a>;
+
+    fn dimension(&self) -> usize {
+        2
+    }
+
+    fn begin(&self, start: &State) -> Result<Run<'_>> {
+        self.start(Time::new(0, start.t), start.q, start.u)
+    }
+
+    fn in_plane(&self, [q, u]: [f64; 2], phase: f64) -> State {
+        State { t: phase, q, u }
+    }
+
+    fn here(&self, run: &Run<'_>) -> State {
+        State { t: run.time().phase, ..run.state() }
+    }
+
+    fn tangents<'a>(&'a self, run: Run<'a>, count: usize) -> Carried<'a> {
+        Carried::new(self, run, count)
+    }
+}
+
+/// Orthonormal vectors from these, in their order, with the logarithm of what is left of each beside those before
+/// it. What is left of a vector that is at most `floor` times as long as it was counts as nothing.
+pub(crate) fn orthonormalise<V: AsMut<[f64]> + AsRef<[f64]>>(
+    frame: &mut [V],
+    growth: &mut [f64],
+    floor: f64,
+) {
+    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+    let size = |v: &[f64]| v.iter().fold(0.0, |sum: f64, x| sum.hypot(*x));
+    for i in 0..frame.len() {
+        let (before, rest) = frame.split_at_mut(i);
+        let vector = rest[0].as_mut();
+        let whole = size(vector);
+        // Twice is enough.
+        for _ in 0..if before.is_empty() { 0 } else { 2 } {
+            for known in before.iter() {
+                let part = dot(known.as_ref(), vector);
+                vector.iter_mut().zip(known.as_ref()).for_each(|(x, y)| *x -= part * y);
+            }
+        }
+        let mut left = size(vector);
+        if left <= floor * whole {
+            vector.fill(0.0);
+            left = 0.0;
+        }
+        growth[i] += left.ln();
+        if left > 0.0 {
+            vector.iter_mut().for_each(|x| *x /= left);
+        }
+    }
+}
+
+/// An error for a number of vectors that a system does not have.
+pub(crate) fn check_count(count: usize, dimension: usize) -> Result<()> {
+    if (1..=dimension).contains(&count) {
+        return Ok(());
+    }
+    Err(Error::input(format!("{count} exponents; there are 1 to {dimension}")))
+}
