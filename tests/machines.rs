@@ -20,6 +20,8 @@ use grazing::{
     scene::Scene,
 };
 
+#[path = "machines/attractors.rs"]
+mod attractors;
 #[path = "machines/second.rs"]
 mod second;
 
@@ -677,7 +679,7 @@ fn bad_machines_are_named_with_file_line_key_and_value() {
         ),
         (
             "kind = \"simulate\"",
-            "kind = \"basins\"\nq = { from = 0, to = 1 }\nu = { from = 0, to = 1 }",
+            "kind = \"crisis\"\nparameter = \"k\"\nbracket = [1, 2]\norbit = { pattern = [1] }\nphase = 0",
             17,
             "does not work on machines",
         ),
@@ -698,7 +700,6 @@ fn bad_machines_are_named_with_file_line_key_and_value() {
         let text = if from.starts_with("kind") || from.starts_with("start") {
             let (head, tail) = GOOD.rsplit_once(from).unwrap();
             format!("{head}{to}{tail}")
-                .replace(if to.contains("basins") { "start = { q = 0 }\n" } else { "\u{0}" }, "")
         } else {
             GOOD.replacen(from, to, 1)
         };

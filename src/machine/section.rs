@@ -273,7 +273,9 @@ impl MachineSimulator {
             unit = unit.max(times().map(gap).fold(0.0, f64::max) / self.contacts().mobility(stop).sqrt());
         }
         if self.contacts().all().is_empty() {
-            unit = times().map(|t| moved(equations, &flow.join(t, &RealVector::zeros(flow.dimension())))).fold(0.0, f64::max);
+            unit = times()
+                .map(|t| moved(equations, &flow.join(t, &RealVector::zeros(flow.dimension()))))
+                .fold(0.0, f64::max);
         }
         if unit > 0.0 && unit.is_finite() { unit } else { 1.0 }
     }

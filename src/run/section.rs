@@ -205,7 +205,8 @@ fn attractors<D: Dynamics>(
             Fate::Periodic(cycle) => Some(cycle),
             Fate::Irregular => None,
         };
-        let known = |(_, known): &&(usize, Cycle<D::Point>)| cycle.as_ref().is_some_and(|cycle| known.is(cycle));
+        let known =
+            |(_, known): &&(usize, Cycle<D::Point>)| cycle.as_ref().is_some_and(|cycle| known.is(cycle));
         if let Some((known, _)) = cycles.iter().find(known) {
             found.attractors[*known].starts += 1;
             continue;

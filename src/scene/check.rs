@@ -151,7 +151,8 @@ fn check_machine(kind: &Kind, scene: &Scene, machine: &Machine<f64>, path: &str)
             check_basins(task, scene, path)?;
             let axes = scene.plane(&task.plane, machine, &format!("{path}.plane"))?;
             if axes.iter().any(|axis| matches!(axis, PlaneAxis::Gap(_) | PlaneAxis::Rate(_))) {
-                let message = "has a gap; starts are given by displacements and velocities, as in [\"q1\", \"u2\"]";
+                let message =
+                    "has a gap; starts are given by displacements and velocities, as in [\"q1\", \"u2\"]";
                 return Err(scene.fail(&format!("{path}.plane"), message));
             }
             let rest = scene.rest(&task.start, machine)?;
@@ -217,7 +218,8 @@ fn check_frame(frame: Frame, scene: &Scene, path: &str) -> Result<()> {
     if frame == Frame::Fixed {
         return Ok(());
     }
-    let message = "is a wall of format 1: of a machine write plane = [\"gap NAME\", \"rate NAME\"] with a stop's name";
+    let message =
+        "is a wall of format 1: of a machine write plane = [\"gap NAME\", \"rate NAME\"] with a stop's name";
     Err(scene.fail(&format!("{path}.frame"), message))
 }
 
@@ -226,7 +228,8 @@ fn check_no_plane(plane: &[String], scene: &Scene, path: &str) -> Result<()> {
     if plane.is_empty() {
         return Ok(());
     }
-    let message = "names coordinates of a machine, format \"grazing-scene 2\": here they are q and u, leave it out";
+    let message =
+        "names coordinates of a machine, format \"grazing-scene 2\": here they are q and u, leave it out";
     Err(scene.fail(&format!("{path}.plane"), message))
 }
 

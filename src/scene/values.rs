@@ -95,14 +95,18 @@ impl Scene {
             };
             let points = machine.points();
             let within = |i: usize| {
-                (1..=points).contains(&i).then(|| i - 1).ok_or_else(|| {
-                    fail(format!("{name:?}: the machine has the coordinates 1 to {points}"))
-                })
+                (1..=points)
+                    .contains(&i)
+                    .then(|| i - 1)
+                    .ok_or_else(|| fail(format!("{name:?}: the machine has the coordinates 1 to {points}")))
             };
             let known = |(given, place): (String, Option<usize>)| {
                 let names: Vec<&str> = machine.stops.iter().map(|stop| stop.name.as_str()).collect();
                 place.ok_or_else(|| {
-                    fail(format!("{name:?}: {given:?} is no stop of the machine; there are {}", names.join(", ")))
+                    fail(format!(
+                        "{name:?}: {given:?} is no stop of the machine; there are {}",
+                        names.join(", ")
+                    ))
                 })
             };
             match (digits('q'), digits('u'), stop("gap"), stop("rate")) {

@@ -4,6 +4,7 @@
 use grazing::machine::Machine;
 
 /// A motion under way.
+#[derive(Clone)]
 pub struct Motion<'a> {
     machine: &'a Machine<f64>,
     inverse: Vec<Vec<f64>>,

@@ -112,8 +112,7 @@ impl<'a> MachineTangents<'a> {
         let contacts = self.simulator.contacts();
         let (arrival, after, stage) = (self.state.clone(), self.run.state(), self.run.stage());
         let all: Vec<usize> = hits.iter().map(|hit| hit.stop).chain(before.iter().copied()).collect();
-        let rates: Vec<f64> =
-            hits.iter().map(|hit| hit.velocity).chain(before.iter().map(|_| 0.0)).collect();
+        let rates: Vec<f64> = hits.iter().map(|hit| hit.velocity).chain(before.iter().map(|_| 0.0)).collect();
         let law = contacts.impact(&all, &rates)?;
         let acting: Vec<usize> = (0..all.len()).filter(|&i| law.impulses[i] > 0.0).collect();
         let first = acting.iter().copied().min_by(|&a, &b| rates[a].total_cmp(&rates[b]));
@@ -134,8 +133,9 @@ impl<'a> MachineTangents<'a> {
         let turn = bend - bent;
         self.mapped(|q, u| {
             let delay = row.dot(&q) / speed;
-            let change =
-                RealVector::from_fn(rows.len(), |i, _| -factors[i] * (rows[i].row.dot(&u) + bends[i] * delay));
+            let change = RealVector::from_fn(rows.len(), |i, _| {
+                -factors[i] * (rows[i].row.dot(&u) + bends[i] * delay)
+            });
             let impulses = inner.solve(&change).unwrap_or_else(|| RealVector::zeros(rows.len()));
             let u = u + &turn * delay + contacts.change(&stops, impulses.as_slice());
             (q + &jump * delay, u)
@@ -199,7 +199,8 @@ fn first(n: usize, count: usize) -> Vec<Vec<f64>> {
     let mut frame = Vec::with_capacity(count);
     for k in 0..count.min(2 * n) {
         let sign = |i: usize| if k > 0 && (i + k) % 2 == 1 { -1.0 } else { 1.0 };
-        let weights: Vec<f64> = (0..2 * n).map(|i| if n == 1 && k == 0 { 1.0 } else { part() * sign(i) }).collect();
+        let weights: Vec<f64> =
+            (0..2 * n).map(|i| if n == 1 && k == 0 { 1.0 } else { part() * sign(i) }).collect();
         let scaled = |(i, x): (usize, &f64)| x * if i < n { 0.6 } else { 0.8 };
         frame.push(weights.iter().enumerate().map(scaled).collect());
     }

@@ -130,8 +130,7 @@ impl<P: SectionState> Basins<P> {
     /// Whether a run over the grid can have come to this.
     fn can_be(&self, grid: &BasinGrid, detection: &Detection) -> bool {
         let cycle = |cycle: &Cycle<P>| {
-            (1..=detection.longest).contains(&cycle.points.len())
-                && cycle.points.iter().all(P::is_finite)
+            (1..=detection.longest).contains(&cycle.points.len()) && cycle.points.iter().all(P::is_finite)
         };
         let cell = |cell: &BasinCell| match *cell {
             BasinCell::Attractor(index) => index < self.attractors.len(),
