@@ -25,7 +25,7 @@ use super::{
 };
 use crate::{
     error::{Error, Result},
-    oscillator::Series,
+    oscillator::{Series, orbit::minimum_within},
     pattern::{Entry, Map, Report},
 };
 
@@ -120,38 +120,13 @@ fn minima(z: &Series) -> Vec<(f64, f64)> {
     for cell in 0..cells {
         let (lo, hi) = (f64::from(cell) * width, f64::from(cell + 1) * width);
         // The end of the last cell is the beginning of the first, to the bit.
-        let ([_, a, bend], [_, b, end]) = (z.at(lo), z.at(if cell + 1 == cells { 0.0 } else { hi }));
-        let stretch = if a < 0.0 && b >= 0.0 {
-            Some((lo, hi))
-        } else if bend * end < 0.0 && (a < 0.0) == (b < 0.0) && (a < 0.0) == (bend > 0.0) {
-            let turn = rising(|t| z.at(t)[2] * end.signum(), lo, hi);
-            match (a < 0.0, z.at(turn)[1]) {
-                (true, middle) if middle >= 0.0 => Some((lo, turn)),
-                (false, middle) if middle < 0.0 => Some((turn, hi)),
-                _ => None,
-            }
-        } else {
-            None
-        };
-        if let Some((lo, hi)) = stretch {
-            let t = rising(|t| z.at(t)[1], lo, hi);
+        let [_, b, end] = z.at(if cell + 1 == cells { 0.0 } else { hi });
+        if let Some(x) = minimum_within(|x| z.at(lo + x), z.at(lo), [z.at(hi)[0], b, end], hi - lo) {
+            let t = lo + x;
             found.push((if t < TAU { t } else { 0.0 }, z.at(t)[0]));
         }
     }
     found
-}
-
-/// Where an f with f(lo) < 0 ≤ f(hi) passes through 0: bisection, to the last digit.
-fn rising(f: impl Fn(f64) -> f64, mut lo: f64, mut hi: f64) -> f64 {
-    for _ in 0..60 {
-        let middle = lo + (hi - lo) / 2.0;
-        if f(middle) < 0.0 {
-            lo = middle;
-        } else {
-            hi = middle;
-        }
-    }
-    hi
 }
 
 /// The motion without impacts that grazes.

@@ -22,8 +22,9 @@
 //! - **Simulation.** [`simulate`] promises what the one of `oscillator` does, with the same minimum test; far
 //!   from all stops it passes over long stretches at once.
 //! - **Analysis.** The motion without impacts, where it grazes a stop as a parameter varies, and the local
-//!   map there ([`grazing`]); periodic orbits with impacts ([`orbit`]). Derivatives come from the flow, the
-//!   saltation at impacts and [`MachineSlope`]: nothing is differenced.
+//!   map there ([`grazing`]); periodic orbits with impacts ([`orbit`]), their branches and bifurcations by
+//!   the continuation of `oscillator` ([`branch`]). Derivatives come from the flow, the saltation at impacts
+//!   and [`MachineSlope`]: nothing is differenced.
 //!
 //! - **Attractors.** [`section`] is the machine as sections, basins, diagrams and Lyapunov exponents of `oscillator`
 //!   follow it: there is one notion of an attractor.
@@ -32,6 +33,7 @@
 //! matrices, which are thirty lines here. Not here: what is to be done, as a file (`scene`); tables and
 //! pictures.
 
+pub mod branch;
 pub mod contact;
 mod equations;
 mod flow;

@@ -4,7 +4,7 @@
 use serde::Serialize;
 
 use super::{
-    Complex, Finding, Job, Judgement, Lines, Status,
+    Complex, Finding, Job, Judgement, Lines, Row, Status,
     orbit::{admissible, obstacle, phases, speeds, stable},
     row,
 };
@@ -14,10 +14,11 @@ use crate::{
     oscillator::{
         attractor::{attracting, detection::Detection},
         branch::{
-            Bifurcation, Branch, BranchOrbit, CurveEnd, Direction, Events, Label, NormalForm, Options,
-            Orbits, read_label,
+            Bifurcation, BranchOrbit, CurveEnd, Direction, EventCurve, FollowedOrbit, Label, NormalForm,
+            Options, OrbitBranch, PatternCurve, PatternFamily, PatternOf, PatternPlane, TwoParameterFamily,
+            read_label,
         },
-        orbit::{Family, Orbit, Oscillator},
+        orbit::{Family, Itinerary, Orbit, Oscillator},
     },
     output::{LONGEST_INPUT, read_text},
     scene::{
@@ -84,9 +85,26 @@ row! {
     }
 }
 
+/// A row of a table of points of branches.
+pub trait PointRow: Row + Serialize + Clone {
+    /// What the table's readers should know of what is not in it.
+    const NOTE: Option<&'static str>;
+
+    /// Whether the point has a label.
+    fn is_labelled(&self) -> bool;
+}
+
+impl PointRow for BranchRow {
+    const NOTE: Option<&'static str> = None;
+
+    fn is_labelled(&self) -> bool {
+        self.label.is_some()
+    }
+}
+
 /// Branches, with all that happens along them.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct BranchFindings {
+pub struct BranchList<R, O: FollowedOrbit> {
     /// The parameter, or both.
     pub varied: Vec<String>,
     /// How many points all branches have.
@@ -94,16 +112,19 @@ pub struct BranchFindings {
     /// What became of every start.
     pub starts: Vec<StartRow>,
     /// The labelled points.
-    pub labels: Vec<BranchRow>,
+    pub labels: Vec<R>,
     /// Every point. Not in JSON: it is the task's CSV file.
     #[serde(skip)]
-    pub rows: Vec<BranchRow>,
+    pub rows: Vec<R>,
     /// The branches. Not in JSON: each has a file.
     #[serde(skip)]
-    pub branches: Vec<Branch>,
+    pub branches: Vec<OrbitBranch<O>>,
 }
 
-impl Finding for BranchFindings {
+/// Branches of an oscillator.
+pub type BranchFindings = BranchList<BranchRow, Orbit>;
+
+impl<R: PointRow, O: FollowedOrbit> Finding for BranchList<R, O> {
     fn status(&self) -> Status {
         let empty = self.starts.iter().find(|start| start.branch.is_none());
         if let Some(StartRow { start, reason, .. }) = empty {
@@ -127,6 +148,27 @@ impl Finding for BranchFindings {
         lines.say("points", self.points);
         lines.table("starts", &self.starts);
         lines.table("labels", &self.labels);
+        if let Some(note) = R::NOTE.filter(|_| !self.labels.is_empty()) {
+            lines.say("note", note);
+        }
+    }
+}
+
+impl<R: PointRow, O: FollowedOrbit> BranchList<R, O> {
+    /// The findings of a task whose branches have these points.
+    pub(super) fn of(
+        task: &BranchTask,
+        (branches, starts): (Vec<OrbitBranch<O>>, Vec<StartRow>),
+        rows: Vec<R>,
+    ) -> BranchList<R, O> {
+        BranchList {
+            varied: [&task.parameter].into_iter().chain(&task.second).cloned().collect(),
+            points: rows.len(),
+            starts,
+            labels: rows.iter().filter(|row| row.is_labelled()).cloned().collect(),
+            rows,
+            branches,
+        }
     }
 }
 
@@ -135,16 +177,18 @@ impl Finding for BranchFindings {
 /// # Errors
 /// A start outside the range, a file that cannot be read or has no such label; an interruption.
 pub fn branch(task: &BranchTask, job: &Job) -> Result<BranchFindings> {
-    let direction = match task.direction {
-        Way::Both => Direction::Both,
-        Way::Up => Direction::Forward,
-        Way::Down => Direction::Backward,
-    };
     let family = SceneFamily::new(&job.scene, &task.parameter)?;
-    let range = (task.range[0], task.range[1]);
     let (branches, starts) = match &task.second {
-        Some(second) => events(task, second, direction, job)?,
-        None => follow(&task.starts, &family, range, direction, &task.options, job)?,
+        Some(second) => {
+            let plane = |[first, other]: [f64; 2]| {
+                let system = job.scene.plain(&[(&task.parameter, first), (second, other)])?;
+                Oscillator::new(system, job.scene.accuracy.tolerance)
+            };
+            let value = SceneFamily::new(&job.scene, second)?.value();
+            let plane: &dyn TwoParameterFamily = &plane;
+            events(task, &family, plane, value, job)?
+        }
+        None => follow_over(task, &family, job)?,
     };
     let mut rows = Vec::new();
     for (branch, i) in branches.iter().zip(1..) {
@@ -156,14 +200,25 @@ pub fn branch(task: &BranchTask, job: &Job) -> Result<BranchFindings> {
             rows.push(BranchRow::of(i, point, form));
         }
     }
-    Ok(BranchFindings {
-        varied: [&task.parameter].into_iter().chain(&task.second).cloned().collect(),
-        points: rows.len(),
-        starts,
-        labels: rows.iter().filter(|row| row.label.is_some()).cloned().collect(),
-        rows,
-        branches,
-    })
+    Ok(BranchFindings::of(task, (branches, starts), rows))
+}
+
+/// The branches of a task over one parameter.
+pub(super) fn follow_over<S: BranchSource>(
+    task: &BranchTask,
+    source: &S,
+    job: &Job,
+) -> Result<Branches<<S::Family as PatternFamily>::Orbit>> {
+    let range = (task.range[0], task.range[1]);
+    follow(&task.starts, source, range, direction(task.direction), &task.options, job)
+}
+
+fn direction(way: Way) -> Direction {
+    match way {
+        Way::Both => Direction::Both,
+        Way::Up => Direction::Forward,
+        Way::Down => Direction::Backward,
+    }
 }
 
 impl BranchRow {
@@ -192,36 +247,113 @@ impl BranchRow {
     }
 }
 
+/// What the branches of a scene are followed in.
+pub(crate) trait BranchSource {
+    /// The orbits over the parameter.
+    type Family: PatternFamily + ?Sized;
+
+    /// The orbits over the parameter.
+    fn family(&self) -> &Self::Family;
+
+    /// The scene's own value of the parameter.
+    fn value(&self) -> f64;
+
+    /// The admissible orbits that a start means, at a value of the parameter.
+    ///
+    /// # Errors
+    /// Why there are none, or an interruption.
+    fn orbits(
+        &self,
+        start: &BranchStart,
+        at: f64,
+        job: &Job,
+    ) -> Result<Vec<<Self::Family as PatternFamily>::Orbit>>;
+
+    /// A label of a branch's file.
+    ///
+    /// # Errors
+    /// Those of [`read_label`].
+    fn label(
+        &self,
+        text: &str,
+        label: &str,
+    ) -> Result<Label<PatternOf<<Self::Family as PatternFamily>::Orbit>>>;
+
+    /// How a pattern is written.
+    fn named(&self, pattern: &PatternOf<<Self::Family as PatternFamily>::Orbit>) -> String;
+}
+
+impl<'s> BranchSource for SceneFamily<'s> {
+    type Family = dyn Family + 's;
+
+    fn family(&self) -> &(dyn Family + 's) {
+        self
+    }
+
+    fn value(&self) -> f64 {
+        SceneFamily::value(self)
+    }
+
+    fn orbits(&self, start: &BranchStart, at: f64, job: &Job) -> Result<Vec<Orbit>> {
+        let oscillator = self.at(at)?;
+        match start.origin()? {
+            BranchOrigin::Attractor(state) => {
+                let from = job.scene.state(state)?;
+                let detection =
+                    Detection { phase: from.t, transient: 10_000, longest: 200, ..Detection::default() };
+                Ok(vec![attracting(&oscillator, from, &detection, &job.settings())?])
+            }
+            BranchOrigin::Orbit(keys) => {
+                let mut orbits = keys.orbits(&oscillator)?;
+                orbits.retain(|orbit| orbit.admissibility.is_admissible());
+                Ok(orbits)
+            }
+            BranchOrigin::Restart(_) => Ok(Vec::new()),
+        }
+    }
+
+    fn label(&self, text: &str, label: &str) -> Result<Label> {
+        read_label(text, label)
+    }
+
+    fn named(&self, pattern: &Itinerary) -> String {
+        pattern.to_string()
+    }
+}
+
+/// Branches, and what became of every start.
+type Branches<O> = (Vec<OrbitBranch<O>>, Vec<StartRow>);
+
 /// The branches of some starts, and what became of each; an orbit that lies on a branch already followed
 /// starts none.
-pub(crate) fn follow(
+pub(crate) fn follow<S: BranchSource>(
     starts: &[BranchStart],
-    family: &SceneFamily,
+    source: &S,
     range: (f64, f64),
     direction: Direction,
     options: &Options,
     job: &Job,
-) -> Result<(Vec<Branch>, Vec<StartRow>)> {
+) -> Result<Branches<<S::Family as PatternFamily>::Orbit>> {
     let options = options.checked()?;
-    let (mut found, mut rows) = (Vec::<Branch>::new(), Vec::new());
+    let (mut found, mut rows) = (Vec::<OrbitBranch<_>>::new(), Vec::new());
     job.monitor.begin(starts.len() as u64, "starts");
     for (start, number) in starts.iter().zip(1..) {
         if let BranchOrigin::Restart(restart) = start.origin()? {
-            let label = label(restart, job)?;
-            let orbits = Orbits::over(family, label.itinerary.clone(), range);
+            let label = label(restart, source, job)?;
+            let orbits = PatternCurve::over(source.family(), label.itinerary.clone(), range);
             let place = orbits.restart(&label, &options)?;
             let branch = if restart.switch {
                 let (born, place) = orbits.switch(label.event, &place)?;
                 // Against the tangent are the same orbits, a period later.
                 let direction = if label.event == Bifurcation::Flip { Direction::Forward } else { direction };
-                Branch::follow(&born, &place, direction, &options)?
+                OrbitBranch::follow(&born, &place, direction, &options)?
             } else {
-                Branch::follow(&orbits, &place, direction, &options)?
+                OrbitBranch::follow(&orbits, &place, direction, &options)?
             };
-            rows.push(StartRow::of(number, found.len() + 1, &branch));
+            rows.push(StartRow::of(number, found.len() + 1, &branch, source.named(&branch.itinerary)));
             found.push(branch);
         } else {
-            let at = start.at.as_ref().map_or(family.value(), |value| Plain::ratio(value, &()).0);
+            let at = start.at.as_ref().map_or(source.value(), |value| Plain::ratio(value, &()).0);
             let nothing = |reason: String| StartRow {
                 start: number,
                 pattern: None,
@@ -230,7 +362,7 @@ pub(crate) fn follow(
                 forward: None,
                 reason: Some(reason),
             };
-            match orbits_at(start, &family.at(at)?, job) {
+            match source.orbits(start, at, job) {
                 Err(error) if error.is_interrupted() => return Err(error),
                 Err(error) => rows.push(nothing(error.to_string())),
                 Ok(orbits) if orbits.is_empty() => {
@@ -238,18 +370,19 @@ pub(crate) fn follow(
                 }
                 Ok(orbits) => {
                     for orbit in orbits {
+                        let pattern = source.named(orbit.pattern());
                         if let Some(index) = found.iter().position(|branch| branch.passes(&orbit, at)) {
                             rows.push(StartRow {
-                                pattern: Some(orbit.itinerary.to_string()),
+                                pattern: Some(pattern),
                                 branch: Some(index + 1),
                                 ..nothing("lies on a branch already followed".into())
                             });
                             continue;
                         }
-                        let orbits = Orbits::over(family, orbit.itinerary.clone(), range);
-                        let place = orbits.start(orbit.z, at, &options)?;
-                        let branch = Branch::follow(&orbits, &place, direction, &options)?;
-                        rows.push(StartRow::of(number, found.len() + 1, &branch));
+                        let orbits = PatternCurve::over(source.family(), orbit.pattern().clone(), range);
+                        let place = orbits.start_at(&orbit, at, &options)?;
+                        let branch = OrbitBranch::follow(&orbits, &place, direction, &options)?;
+                        rows.push(StartRow::of(number, found.len() + 1, &branch, pattern));
                         found.push(branch);
                         job.check()?;
                     }
@@ -262,62 +395,52 @@ pub(crate) fn follow(
 }
 
 impl StartRow {
-    fn of(start: usize, number: usize, branch: &Branch) -> StartRow {
+    fn of<O: FollowedOrbit>(
+        start: usize,
+        number: usize,
+        branch: &OrbitBranch<O>,
+        pattern: String,
+    ) -> StartRow {
         let [backward, forward] = branch.ends.each_ref().map(|end| Some(end.to_string()));
-        let pattern = Some(branch.itinerary.to_string());
-        StartRow { start, pattern, branch: Some(number), backward, forward, reason: None }
+        StartRow { start, pattern: Some(pattern), branch: Some(number), backward, forward, reason: None }
     }
 }
 
-/// The admissible orbits that a start means.
-fn orbits_at(start: &BranchStart, oscillator: &Oscillator, job: &Job) -> Result<Vec<Orbit>> {
-    match start.origin()? {
-        BranchOrigin::Attractor(state) => {
-            let from = job.scene.state(state)?;
-            let detection =
-                Detection { phase: from.t, transient: 10_000, longest: 200, ..Detection::default() };
-            Ok(vec![attracting(oscillator, from, &detection, &job.settings())?])
-        }
-        BranchOrigin::Orbit(keys) => {
-            let mut orbits = keys.orbits(oscillator)?;
-            orbits.retain(|orbit| orbit.admissibility.is_admissible());
-            Ok(orbits)
-        }
-        BranchOrigin::Restart(_) => Ok(Vec::new()),
-    }
-}
-
-fn label(restart: &Restart, job: &Job) -> Result<Label> {
+fn label<S: BranchSource>(
+    restart: &Restart,
+    source: &S,
+    job: &Job,
+) -> Result<Label<PatternOf<<S::Family as PatternFamily>::Orbit>>> {
     let folder = job.folder.ok_or_else(|| Error::input("a restart needs the folder of its branch's file"))?;
     let file = folder.join(&restart.file);
     let text = read_text(&file, LONGEST_INPUT)?;
-    read_label(&text, &restart.label).map_err(|error| error.context(file.display()))
+    source.label(&text, &restart.label).map_err(|error| error.context(file.display()))
 }
 
-/// The labels of the restarts, followed in two parameters.
-fn events(
+/// The labels of the restarts, followed in two parameters, `value` being the scene's own of the second.
+pub(super) fn events<S, P>(
     task: &BranchTask,
-    second: &str,
-    direction: Direction,
+    source: &S,
+    plane: &P,
+    value: f64,
     job: &Job,
-) -> Result<(Vec<Branch>, Vec<StartRow>)> {
+) -> Result<Branches<P::Orbit>>
+where
+    S: BranchSource,
+    P: PatternPlane<Orbit = <S::Family as PatternFamily>::Orbit> + ?Sized,
+{
     let options = task.options.checked()?;
-    let plane = |[first, other]: [f64; 2]| {
-        let system = job.scene.plain(&[(&task.parameter, first), (second, other)])?;
-        Oscillator::new(system, job.scene.accuracy.tolerance)
-    };
-    let value = SceneFamily::new(&job.scene, second)?.value();
     let (mut found, mut rows) = (Vec::new(), Vec::new());
     for (start, number) in task.starts.iter().zip(1..) {
         job.check()?;
         let BranchOrigin::Restart(restart) = start.origin()? else { continue };
-        let label = label(restart, job)?;
+        let label = label(restart, source, job)?;
         let ranges = [(task.range[0], task.range[1]), (task.second_range[0], task.second_range[1])];
-        let events = Events { plane: &plane, itinerary: label.itinerary.clone(), event: label.event, ranges };
         let parameters = [label.parameters[0], *label.parameters.get(1).unwrap_or(&value)];
+        let events = EventCurve { plane, itinerary: label.itinerary.clone(), event: label.event, ranges };
         let place = events.start(&label.z, parameters, &options)?;
-        let branch = Branch::follow(&events, &place, direction, &options)?;
-        rows.push(StartRow::of(number, found.len() + 1, &branch));
+        let branch = OrbitBranch::follow(&events, &place, direction(task.direction), &options)?;
+        rows.push(StartRow::of(number, found.len() + 1, &branch, source.named(&branch.itinerary)));
         found.push(branch);
     }
     Ok((found, rows))

@@ -90,6 +90,15 @@ row! {
     }
 }
 
+/// The table of what was found.
+pub trait EventTable: Serialize {
+    /// Whether it is empty.
+    fn is_empty(&self) -> bool;
+
+    /// What a report shows of it.
+    fn lines(&self, lines: &mut Lines);
+}
+
 /// Bifurcations with multipliers, or grazings with their maps.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(untagged)]
@@ -100,9 +109,25 @@ pub enum EventRows {
     Grazings(Vec<GrazingEventRow>),
 }
 
+impl EventTable for EventRows {
+    fn is_empty(&self) -> bool {
+        match self {
+            EventRows::Bifurcations(rows) => rows.is_empty(),
+            EventRows::Grazings(rows) => rows.is_empty(),
+        }
+    }
+
+    fn lines(&self, lines: &mut Lines) {
+        match self {
+            EventRows::Bifurcations(rows) => lines.table("found", rows),
+            EventRows::Grazings(rows) => lines.table("found", rows),
+        }
+    }
+}
+
 /// The bifurcations nearest to the orbits of a pattern.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct EventFindings {
+pub struct EventList<T> {
     /// What was looked for.
     pub event: &'static str,
     /// The parameter.
@@ -112,19 +137,18 @@ pub struct EventFindings {
     /// How many admissible orbits there are to begin with.
     pub orbits: usize,
     /// What was found, each once.
-    pub found: EventRows,
+    pub found: T,
     /// Orbits from which nothing was found, with the reason.
     pub without: Vec<WithoutRow>,
 }
 
-impl Finding for EventFindings {
+/// Those of an oscillator.
+pub type EventFindings = EventList<EventRows>;
+
+impl<T: EventTable> Finding for EventList<T> {
     fn status(&self) -> Status {
-        let found = match &self.found {
-            EventRows::Bifurcations(rows) => !rows.is_empty(),
-            EventRows::Grazings(rows) => !rows.is_empty(),
-        };
         match self.without.first() {
-            _ if found => Status::Done,
+            _ if !self.found.is_empty() => Status::Done,
             Some(first) => Status::nothing(first.reason.clone()),
             None => Status::nothing(format!(
                 "no admissible orbit to begin with at {} = {}",
@@ -136,10 +160,7 @@ impl Finding for EventFindings {
     fn lines(&self, lines: &mut Lines) {
         lines.say("event", self.event);
         lines.say("orbits", self.orbits);
-        match &self.found {
-            EventRows::Bifurcations(rows) => lines.table("found", rows),
-            EventRows::Grazings(rows) => lines.table("found", rows),
-        }
+        self.found.lines(lines);
         if !self.without.is_empty() {
             lines.table("without", &self.without);
         }

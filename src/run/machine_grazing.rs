@@ -272,7 +272,7 @@ fn born(
             let (admissible, why) = orbit::admissible(&found);
             row.multipliers = Some(orbit::multipliers(&found.multipliers));
             row.phases = Some(orbit::phases(&found));
-            row.speeds = Some(orbit::speeds(&found, &simulator));
+            row.speeds = Some(orbit::speeds(&found, simulator.rate()));
             row.admissible = Some(admissible);
             row.reason = row.reason.or(why);
         }

@@ -14,6 +14,7 @@ use crate::{
         orbit::{MachineAdmissibility, MachineOrbit, StopPattern, StopStrike, find},
         simulate::MachineSimulator,
     },
+    oscillator::branch::{Bifurcation, FollowedOrbit},
     random::Random,
     scene::orbits::{OrbitKeys, OrbitTask},
 };
@@ -151,9 +152,9 @@ impl MachineOrbitRow {
             value,
             pattern: orbit.pattern.named(simulator.contacts().all()),
             phases: phases(orbit),
-            speeds: speeds(orbit, simulator),
+            speeds: speeds(orbit, simulator.rate()),
             multipliers: multipliers(&orbit.multipliers),
-            stable: stable(orbit),
+            stable: stable(orbit, None),
             admissible,
             reason,
             residual: orbit.residual,
@@ -173,19 +174,48 @@ pub(super) fn phases(orbit: &MachineOrbit) -> Vec<f64> {
     orbit.impacts.iter().map(|impact| fraction(impact.time)).collect()
 }
 
-pub(super) fn speeds(orbit: &MachineOrbit, simulator: &MachineSimulator) -> Vec<f64> {
-    orbit.impacts.iter().map(|impact| impact.speed * simulator.rate()).collect()
+/// In the scene's units, of which `rate` is Ω.
+pub(super) fn speeds(orbit: &MachineOrbit, rate: f64) -> Vec<f64> {
+    orbit.impacts.iter().map(|impact| impact.speed * rate).collect()
 }
 
 /// Closer to the unit circle than this, rounding decides.
 const MARGIN: f64 = 1e-11;
 
-pub(super) fn stable(orbit: &MachineOrbit) -> Judgement {
-    let largest = orbit.multipliers.first().map_or(0.0, |x| x.0.hypot(x.1));
+/// Whether all multipliers are inside the unit circle; marginal at a bifurcation at which one or two are on
+/// it.
+pub(super) fn stable(orbit: &MachineOrbit, at: Option<Bifurcation>) -> Judgement {
+    let off = |&(re, im): &(f64, f64)| match at {
+        Some(Bifurcation::SaddleNode | Bifurcation::Crossing) => (re - 1.0).hypot(im),
+        Some(Bifurcation::Flip) => (re + 1.0).hypot(im),
+        _ => (re.hypot(im) - 1.0).abs(),
+    };
+    let critical = match at {
+        Some(Bifurcation::SaddleNode | Bifurcation::Crossing | Bifurcation::Flip) => 1,
+        Some(Bifurcation::Torus) => 2,
+        _ => 0,
+    };
+    let mut all = orbit.multipliers.clone();
+    all.sort_by(|a, b| off(a).total_cmp(&off(b)));
+    let largest = all[critical.min(all.len())..].iter().map(|x| x.0.hypot(x.1)).fold(0.0, f64::max);
     match () {
-        () if (largest - 1.0).abs() <= MARGIN => Judgement::Marginal,
-        () if largest < 1.0 => Judgement::Yes,
-        () => Judgement::No,
+        () if largest > 1.0 + MARGIN => Judgement::No,
+        () if critical > 0 || (largest - 1.0).abs() <= MARGIN => Judgement::Marginal,
+        () => Judgement::Yes,
+    }
+}
+
+/// Whether a solution on a branch is an orbit, and why not; marginal at a grazing or where an impact fades.
+pub(super) fn admissible_at(orbit: &MachineOrbit, at: Option<Bifurcation>) -> (Judgement, Option<String>) {
+    match at {
+        Some(Bifurcation::Grazing | Bifurcation::Fade) => (Judgement::Marginal, None),
+        _ => match admissible(orbit) {
+            (Judgement::Yes, _) if !orbit.is_orbit() => {
+                let why = "the least gap between impacts is not positive, though within the minimum depth";
+                (Judgement::Marginal, Some(why.into()))
+            }
+            found => found,
+        },
     }
 }
 

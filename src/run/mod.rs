@@ -32,6 +32,8 @@ mod diagram;
 mod event;
 mod grazing;
 mod machine;
+mod machine_branch;
+mod machine_event;
 mod machine_grazing;
 mod machine_orbit;
 mod orbit;
@@ -51,13 +53,19 @@ use serde::Serialize;
 pub use basins::{BasinRow, BasinsFindings, basins};
 #[cfg(feature = "cli")]
 pub(crate) use branch::follow;
-pub use branch::{BranchFindings, BranchRow, StartRow, branch};
+pub use branch::{BranchFindings, BranchList, BranchRow, PointRow, StartRow, branch};
 pub use chaos::ChaosRow;
 pub use crisis::{CrisisFindings, CrisisRow, PersistenceRow, crisis};
 pub use diagram::{CoexistingRow, DiagramFindings, WindowRow, diagram};
-pub use event::{EventFindings, EventRow, EventRows, GrazingEventRow, WithoutRow, event};
+pub use event::{
+    EventFindings, EventList, EventRow, EventRows, EventTable, GrazingEventRow, WithoutRow, event,
+};
 pub use grazing::{BornRow, GrazingFindings, GrazingReport, grazing};
 pub use machine::{MachineSimulationFindings, ModeRow, StopRow, simulate_machine};
+#[cfg(feature = "cli")]
+pub(crate) use machine_branch::form;
+pub use machine_branch::{MachineBranchFindings, MachineBranchRow, machine_branch};
+pub use machine_event::{MachineEventFindings, MachineEventRow, machine_event};
 pub use machine_grazing::{MachineBornRow, MachineGrazingFindings, MachineGrazingReport, machine_grazing};
 pub use machine_orbit::{MachineOrbitFindings, MachineOrbitRow, machine_orbit};
 pub use orbit::{MissingRow, OrbitFindings, OrbitRow, orbit};
@@ -137,12 +145,16 @@ findings! {
     MachineOrbit(MachineOrbitFindings),
     /// The first bifurcations along orbits' branches.
     Event(EventFindings),
+    /// The first bifurcations along branches of a machine.
+    MachineEvent(MachineEventFindings),
     /// A grazing bifurcation.
     Grazing(GrazingFindings),
     /// A grazing bifurcation of a machine.
     MachineGrazing(MachineGrazingFindings),
     /// Branches of orbits.
     Branch(BranchFindings),
+    /// Branches of orbits of a machine.
+    MachineBranch(MachineBranchFindings),
     /// The end of an attractor.
     Crisis(CrisisFindings),
     /// Proofs.
@@ -417,7 +429,9 @@ fn answer(job: &Job, keeper: &mut dyn Keeper) -> Result<Findings> {
             Kind::BasinsTask(task) => basins(task, job)?.into(),
             Kind::DiagramTask(task) => diagram(task, job)?.into(),
             Kind::OrbitTask(task) => machine_orbit(task, machine, job)?.into(),
+            Kind::EventTask(task) => machine_event(task, machine, job)?.into(),
             Kind::GrazingTask(task) => machine_grazing(task, job)?.into(),
+            Kind::BranchTask(task) => machine_branch(task, machine, job)?.into(),
             // Refused when the scene was read.
             kind => return Err(Error::input(format!("kind {:?} does not work on machines", kind.word()))),
         });

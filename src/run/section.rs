@@ -261,7 +261,7 @@ fn of_machine(task: &SectionTask, machine: &Machine<f64>, job: &Job) -> Result<S
                 first.get_or_insert(point.at);
                 true
             })?;
-            let stable = machine_orbit::stable(&orbit) == super::Judgement::Yes;
+            let stable = machine_orbit::stable(&orbit, None) == super::Judgement::Yes;
             let shown = |point| cycles.iter().any(|(_, cycle)| cycle.passes(point));
             if end != RunEnd::Reached || first.as_ref().is_some_and(shown) {
                 continue;

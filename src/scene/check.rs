@@ -135,11 +135,7 @@ fn check_machine(kind: &Kind, scene: &Scene, machine: &Machine<f64>, path: &str)
             scene.parameter(&task.parameter)?;
             check_grazing(task, scene, path)?;
             let key = |key: &str| format!("{path}.{key}");
-            if machine.stops.is_empty() {
-                return Err(
-                    scene.fail(&key("kind"), "needs a stop that could be grazed: there is no [[walls]]")
-                );
-            }
+            check_stops(scene, machine, path)?;
             if !task.orbit.pattern.is_empty() || task.orbit.period != 1 {
                 let message = "of a machine, the motion without impacts is followed: leave `orbit` out";
                 return Err(scene.fail(&key("orbit"), message));
@@ -176,9 +172,33 @@ fn check_machine(kind: &Kind, scene: &Scene, machine: &Machine<f64>, path: &str)
             }
             Ok(())
         }
+        Kind::EventTask(task) => {
+            scene.parameter(&task.parameter)?;
+            check_reach(scene, task.reach, &task.options, path)?;
+            check_stops(scene, machine, path)?;
+            check_machine_orbit(&task.orbit, scene, machine, &format!("{path}.orbit"))
+        }
+        Kind::BranchTask(task) => {
+            check_stops(scene, machine, path)?;
+            if task.frame != Frame::Fixed {
+                let message = "is a wall of format 1: of a machine, the picture shows the gap to a stop";
+                return Err(scene.fail(&format!("{path}.frame"), message));
+            }
+            for (i, start) in (1..).zip(&task.starts) {
+                let path = format!("{path}.starts[{i}]");
+                start.origin().map_err(|error| scene.fail(&path, &error.to_string()))?;
+                if let Some(orbit) = &start.orbit {
+                    check_machine_orbit(orbit, scene, machine, &format!("{path}.orbit"))?;
+                }
+                if let Some(start) = &start.attractor {
+                    scene.check_machine_start(start, machine, &format!("{path}.attractor"))?;
+                }
+            }
+            task.check_ranges(scene, path)
+        }
         _ => {
             let message = "does not work on machines, format \"grazing-scene 2\": there are simulate, section, basins, \
-                           diagram, orbit and grazing";
+                           diagram, orbit, event, grazing and branch";
             Err(scene.fail(&format!("{path}.kind"), message))
         }
     }
@@ -209,6 +229,14 @@ fn check_machine_section(
         let message = "is drawn for oscillators of one degree of freedom only, format \"grazing-scene 1\": \
                        with more it is no curve in a plane";
         return Err(scene.fail(&key("grazing_curve"), message));
+    }
+    Ok(())
+}
+
+fn check_stops(scene: &Scene, machine: &Machine<f64>, path: &str) -> Result<()> {
+    if machine.stops.is_empty() {
+        let message = "needs a stop that could be grazed: there is no [[walls]]";
+        return Err(scene.fail(&format!("{path}.kind"), message));
     }
     Ok(())
 }
@@ -362,8 +390,14 @@ fn check_grazing(task: &GrazingTask, scene: &Scene, path: &str) -> Result<()> {
 
 impl Check for BranchTask {
     fn check(&self, scene: &Scene, system: &System<f64>, path: &str) -> Result<()> {
-        check_range(scene, &self.parameter, &self.range, &format!("{path}.range"))?;
         check_starts(scene, system, &self.starts, &format!("{path}.starts"))?;
+        self.check_ranges(scene, path)
+    }
+}
+
+impl BranchTask {
+    fn check_ranges(&self, scene: &Scene, path: &str) -> Result<()> {
+        check_range(scene, &self.parameter, &self.range, &format!("{path}.range"))?;
         if let Some(second) = &self.second {
             check_range(scene, second, &self.second_range, &format!("{path}.second_range"))?;
             if second == &self.parameter || self.starts.iter().any(|start| start.restart.is_none()) {

@@ -6,17 +6,68 @@ use super::Job;
 use crate::{
     error::Result,
     figure,
+    machine::{
+        branch::{MachineBranch, MachinePatterns},
+        orbit::MachineOrbit,
+    },
     oscillator::{
-        branch::{Branch, record},
-        orbit::{Family, Oscillator},
+        branch::{Branch, BranchPoint, FollowedOrbit, OrbitBranch, record, record_as},
+        orbit::{Family, Orbit, Oscillator},
     },
     output::write_file,
-    run::BranchFindings,
-    scene::{Frame, SceneFamily, branches::BranchTask, phase},
+    run::{BranchFindings, BranchList, MachineBranchFindings, Row, form},
+    scene::{Frame, MachineSceneFamily, SceneFamily, branches::BranchTask, phase},
 };
 
 pub(super) fn keep(found: &BranchFindings, task: &BranchTask, job: &Job) -> Result<Vec<String>> {
     let family = SceneFamily::new(&job.scene, &task.parameter)?;
+    let drawing = Drawing { family: &family, phase: phase(&task.phase), frame: task.frame };
+    let draw = |branch: &Branch| drawing.curve(branch);
+    let named = |branch: &Branch| branch.itinerary.to_string();
+    write(found, task, job, (&record, &draw, &named), drawing.axis())
+}
+
+pub(super) fn keep_machine(
+    found: &MachineBranchFindings,
+    task: &BranchTask,
+    job: &Job,
+) -> Result<Vec<String>> {
+    let machine = job.scene.machine(&[])?;
+    let stops: Vec<&str> = machine.stops.iter().map(|stop| stop.name.as_str()).collect();
+    let family = MachineSceneFamily::new(&job.scene, &task.parameter)?;
+    let patterns = MachinePatterns::new(&family, family.value(), job.scene.machine_scene()?.minimum_depth)?;
+    // One stop for all branches: that of the first impact of the first that has one.
+    let mut first = found.branches.iter().filter_map(|branch| branch.itinerary.strikes().first());
+    let stop = first.next().map_or(0, |strike| strike.stop);
+    let record = |branch: &MachineBranch, names: &[&str]| {
+        let strikes: Vec<(usize, u32)> =
+            branch.itinerary.strikes().iter().map(|strike| (strike.stop, strike.periods)).collect();
+        record_as(branch, names, form(&stops), (&strikes, branch.itinerary.periods()))
+    };
+    let named = |branch: &MachineBranch| branch.itinerary.with_names(&stops);
+    let at = phase(&task.phase);
+    let draw = |branch: &MachineBranch| {
+        let gap = |parameter: f64, orbit: &MachineOrbit| patterns.gap(parameter, orbit, stop, at);
+        curve(branch, &named(branch), &gap)
+    };
+    let axis = if stops.len() == 1 { "gap".to_string() } else { format!("gap of {}", stops[stop]) };
+    write(found, task, job, (&record, &draw, &named), &axis)
+}
+
+/// A branch as JSON, as a curve of its picture, and its pattern.
+type Views<'v, O> = (
+    &'v dyn Fn(&OrbitBranch<O>, &[&str]) -> serde_json::Value,
+    &'v dyn Fn(&OrbitBranch<O>) -> Result<figure::DrawnBranch>,
+    &'v dyn Fn(&OrbitBranch<O>) -> String,
+);
+
+fn write<R: Row, O: FollowedOrbit>(
+    found: &BranchList<R, O>,
+    task: &BranchTask,
+    job: &Job,
+    (record, draw, named): Views<O>,
+    axis: &str,
+) -> Result<Vec<String>> {
     let names: Vec<&str> = found.varied.iter().map(String::as_str).collect();
     let mut files = Vec::new();
     for (i, branch) in (1..).zip(&found.branches) {
@@ -29,14 +80,12 @@ pub(super) fn keep(found: &BranchFindings, task: &BranchTask, job: &Job) -> Resu
         write_file(&job.folder.join(&file), |out| Ok(writeln!(out, "{text}")?))?;
         files.push(file);
     }
-    let drawing = Drawing { family: &family, phase: phase(&task.phase), frame: task.frame };
     let (curves, axes) = match &task.second {
         None => {
-            let curves =
-                found.branches.iter().map(|branch| drawing.curve(branch)).collect::<Result<Vec<_>>>()?;
-            (curves, [task.parameter.as_str(), drawing.axis()])
+            (found.branches.iter().map(draw).collect::<Result<Vec<_>>>()?, [task.parameter.as_str(), axis])
         }
         Some(second) => {
+            let locus = |branch: &OrbitBranch<O>| locus(branch, &named(branch));
             (found.branches.iter().map(locus).collect(), [task.parameter.as_str(), second.as_str()])
         }
     };
@@ -47,10 +96,10 @@ pub(super) fn keep(found: &BranchFindings, task: &BranchTask, job: &Job) -> Resu
 }
 
 /// A curve of bifurcations in the plane of both parameters.
-fn locus(branch: &Branch) -> figure::DrawnBranch {
-    let place = |point: &crate::oscillator::branch::BranchOrbit| (point.parameters[0], point.parameters[1]);
+fn locus<O: FollowedOrbit>(branch: &OrbitBranch<O>, pattern: &str) -> figure::DrawnBranch {
+    let place = |point: &BranchPoint<O>| (point.parameters[0], point.parameters[1]);
     figure::DrawnBranch {
-        name: format!("{} of the impact pattern ({})", branch.name(), branch.itinerary),
+        name: format!("{} of the impact pattern ({pattern})", branch.name()),
         at: branch.points.iter().map(|point| (place(point).0, place(point).1, true)).collect(),
         labels: branch
             .points
@@ -58,6 +107,31 @@ fn locus(branch: &Branch) -> figure::DrawnBranch {
             .filter_map(|point| Some((place(point).0, place(point).1, point.kind()?.to_string())))
             .collect(),
     }
+}
+
+/// A branch over one parameter, `height` of each orbit over it.
+fn curve<O: FollowedOrbit>(
+    branch: &OrbitBranch<O>,
+    pattern: &str,
+    height: &dyn Fn(f64, &O) -> Result<f64>,
+) -> Result<figure::DrawnBranch> {
+    let name = format!("impact pattern ({pattern})");
+    let mut curve = figure::DrawnBranch { name, at: Vec::new(), labels: Vec::new() };
+    for point in &branch.points {
+        let parameter = point.parameters[0];
+        let height = height(parameter, &point.orbit)?;
+        curve.at.push((parameter, height, point.orbit.is_stable()));
+        if let Some(kind) = point.kind() {
+            curve.labels.push((parameter, height, kind.to_string()));
+        }
+    }
+    // At an event rounding decides the stability: the line changes there to that of what follows.
+    for i in (0..branch.points.len().saturating_sub(1)).rev() {
+        if branch.points[i].kind().is_some() {
+            curve.at[i].2 = curve.at[i + 1].2;
+        }
+    }
+    Ok(curve)
 }
 
 /// What of an orbit is drawn: its displacement when `phase` comes first after its first impact.
@@ -69,29 +143,14 @@ pub(super) struct Drawing<'a> {
 
 impl Drawing<'_> {
     pub fn curve(&self, branch: &Branch) -> Result<figure::DrawnBranch> {
-        let mut curve = figure::DrawnBranch {
-            name: format!("impact pattern ({})", branch.itinerary),
-            at: Vec::new(),
-            labels: Vec::new(),
-        };
-        for point in &branch.points {
-            let oscillator = self.family.at(point.parameters[0])?;
-            let first = if branch.itinerary.strikes().is_empty() { 0.0 } else { point.orbit.z[0] };
+        let height = |parameter: f64, orbit: &Orbit| {
+            let oscillator = self.family.at(parameter)?;
+            let first = if orbit.itinerary.strikes().is_empty() { 0.0 } else { orbit.z[0] };
             let wait = (self.phase - first).rem_euclid(TAU);
-            let q = point.orbit.state(&oscillator, first + wait)?.q;
-            let at = (point.parameters[0], self.displacement(&oscillator, q));
-            curve.at.push((at.0, at.1, point.orbit.multipliers.is_stable()));
-            if let Some(kind) = point.kind() {
-                curve.labels.push((at.0, at.1, kind.to_string()));
-            }
-        }
-        // At an event rounding decides the stability: the line changes there to that of what follows.
-        for i in (0..branch.points.len().saturating_sub(1)).rev() {
-            if branch.points[i].kind().is_some() {
-                curve.at[i].2 = curve.at[i + 1].2;
-            }
-        }
-        Ok(curve)
+            let q = orbit.state(&oscillator, first + wait)?.q;
+            Ok(self.displacement(&oscillator, q))
+        };
+        curve(branch, &branch.itinerary.to_string(), &height)
     }
 
     /// q at the phase, from where it is counted.

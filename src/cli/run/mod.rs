@@ -139,6 +139,10 @@ impl Keeper for Files<'_> {
             (Findings::Basins(found), _) => basins::keep(found, self.0),
             (Findings::Diagram(found), Kind::DiagramTask(task)) => diagram::keep(found, task, self.0),
             (Findings::Branch(found), Kind::BranchTask(task)) => branch::keep(found, task, self.0),
+            (Findings::MachineBranch(found), Kind::BranchTask(task)) => {
+                branch::keep_machine(found, task, self.0)
+            }
+            (Findings::MachineEvent(found), _) => Ok(vec![self.0.csv(&found.found, ".csv")?]),
             (Findings::Validate(found), _) => validate::keep(found, self.0),
             (Findings::Chaos(found), _) => chaos::keep(found, self.0),
             (Findings::Orbit(found), _) => Ok(vec![self.0.csv(&found.orbits, ".csv")?]),

@@ -1,6 +1,6 @@
 //! What happens to a periodic orbit along its branch: one list, for labels, tasks and proofs alike.
 
-use crate::oscillator::orbit::Orbit;
+use super::FollowedOrbit;
 
 /// A bifurcation of codimension one, or another end of a branch as one of orbits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -55,27 +55,10 @@ impl Bifurcation {
     /// Whether an orbit is at it: its multipliers are the bifurcation's, and no speed is zero where
     /// multipliers are asked for. A zero of a monitor that fails this is a pole of the multipliers seen from
     /// both sides.
-    pub fn is_at(self, orbit: &Orbit) -> bool {
-        let multipliers = &orbit.multipliers;
-        let moving = orbit.impacts().all(|impact| impact.speed.abs() > STILL);
-        let near = |test: f64, tolerance: f64| test.abs() <= tolerance * (1.0 + multipliers.determinant);
-        match self {
-            // A multiplier moves like the square root of the parameter there: half the digits.
-            Bifurcation::SaddleNode | Bifurcation::Crossing => moving && near(multipliers.fold(), 1e-4),
-            Bifurcation::Flip => moving && near(multipliers.flip(), 1e-6),
-            Bifurcation::Torus => {
-                moving
-                    && near(multipliers.determinant - 1.0, 1e-9)
-                    && multipliers.trace.abs() < 1.0 + multipliers.determinant
-            }
-            Bifurcation::Grazing => moving && orbit.least.is_some_and(|least| least.gap.abs() <= 1e-9),
-            Bifurcation::Fade => orbit.impacts().any(|impact| impact.speed.abs() <= 1e-9),
-        }
+    pub fn is_at(self, orbit: &impl FollowedOrbit) -> bool {
+        orbit.is_at(self)
     }
 }
-
-/// Slower than this, an impact's speed is rounding's.
-const STILL: f64 = 1e-10;
 
 /// A point of codimension two on a curve of bifurcations in two parameters.
 ///
@@ -91,6 +74,8 @@ pub enum Degeneracy {
     Resonance1,
     /// Both multipliers are −1.
     Resonance2,
+    /// One multiplier is 1 and another −1, which takes more than one degree of freedom.
+    FoldFlip,
     /// The multipliers are third roots of 1.
     Resonance3,
     /// The multipliers are ±i.
@@ -114,11 +99,12 @@ pub enum Degeneracy {
 
 impl Degeneracy {
     /// All, in the order of a curve's monitors.
-    pub const ALL: [Degeneracy; 13] = [
+    pub const ALL: [Degeneracy; 14] = [
         Degeneracy::Cusp,
         Degeneracy::GeneralisedFlip,
         Degeneracy::Resonance1,
         Degeneracy::Resonance2,
+        Degeneracy::FoldFlip,
         Degeneracy::Resonance3,
         Degeneracy::Resonance4,
         Degeneracy::NoDrift,
@@ -137,6 +123,7 @@ impl Degeneracy {
             Degeneracy::GeneralisedFlip => "generalised-flip",
             Degeneracy::Resonance1 => "1:1-resonance",
             Degeneracy::Resonance2 => "1:2-resonance",
+            Degeneracy::FoldFlip => "fold-flip",
             Degeneracy::Resonance3 => "1:3-resonance",
             Degeneracy::Resonance4 => "1:4-resonance",
             Degeneracy::NoDrift => "e-zero",

@@ -4,22 +4,23 @@
 use std::f64::consts::TAU;
 
 use super::{
-    Bifurcation, Degeneracy, Options, Orbits, Singularity, crossing,
+    Bifurcation, Degeneracy, Options, Orbits, PatternCurve, Singularity, crossing,
     curve::{Curve, CurvePoint, difference, norm},
     follow::{CurveEnd, Followed, Step, follow},
+    problem::{FollowedOrbit, ImpactPattern, PatternFamily, PatternOf},
 };
 use crate::{
     error::{Error, Result},
-    oscillator::orbit::{Itinerary, Orbit, find},
+    oscillator::orbit::{Orbit, find},
 };
 
 /// A point of a branch.
 #[derive(Debug, Clone, PartialEq)]
-pub struct BranchOrbit {
+pub struct BranchPoint<O> {
     /// The parameter; for events followed in two, both.
     pub parameters: Vec<f64>,
     /// The orbit, with multipliers, admissibility and residual.
-    pub orbit: Orbit,
+    pub orbit: O,
     /// The unknowns and the tangent.
     pub place: CurvePoint,
     /// The branch's direction: of the unknowns, then of the parameters as they are, to any length.
@@ -34,18 +35,24 @@ pub struct BranchOrbit {
     pub length: f64,
 }
 
+/// Of an oscillator of one degree of freedom.
+pub type BranchOrbit = BranchPoint<Orbit>;
+
 /// Orbits of one pattern along a curve, in its order.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Branch {
+pub struct OrbitBranch<O: FollowedOrbit> {
     /// The bifurcation that is followed, if it is a curve of them.
     pub subject: Option<Bifurcation>,
     /// The pattern.
-    pub itinerary: Itinerary,
+    pub itinerary: O::Pattern,
     /// The points.
-    pub points: Vec<BranchOrbit>,
+    pub points: Vec<BranchPoint<O>>,
     /// Why there are none before the first and after the last.
     pub ends: [CurveEnd; 2],
 }
+
+/// Of an oscillator of one degree of freedom.
+pub type Branch = OrbitBranch<Orbit>;
 
 /// Which way to follow a curve from its start.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -59,9 +66,9 @@ pub enum Direction {
 }
 
 /// A curve of orbits, over one parameter or two.
-pub trait OrbitCurve: Followed<View = Orbit> {
+pub trait OrbitCurve: Followed<View: FollowedOrbit> {
     /// The pattern.
-    fn itinerary(&self) -> &Itinerary;
+    fn itinerary(&self) -> &PatternOf<Self::View>;
 
     /// The parameters at a point.
     fn parameters(&self, u: &[f64]) -> Vec<f64>;
@@ -76,8 +83,8 @@ pub trait OrbitCurve: Followed<View = Orbit> {
     fn subject(&self) -> Option<Bifurcation>;
 }
 
-impl OrbitCurve for Orbits<'_> {
-    fn itinerary(&self) -> &Itinerary {
+impl<F: PatternFamily + ?Sized> OrbitCurve for PatternCurve<'_, F> {
+    fn itinerary(&self) -> &PatternOf<F::Orbit> {
         &self.itinerary
     }
 
@@ -98,14 +105,14 @@ impl OrbitCurve for Orbits<'_> {
     }
 }
 
-impl BranchOrbit {
+impl<O> BranchPoint<O> {
     /// The name of what happens here.
     pub fn kind(&self) -> Option<&'static str> {
         self.event.map(Bifurcation::name).or(self.degeneracy.map(Degeneracy::name))
     }
 }
 
-impl Branch {
+impl<O: FollowedOrbit> OrbitBranch<O> {
     /// What its points are, in a word.
     pub fn name(&self) -> &'static str {
         self.subject.map_or("orbit", Bifurcation::name)
@@ -116,13 +123,13 @@ impl Branch {
     /// # Errors
     /// Those of [`follow`].
     pub fn follow(
-        curve: &impl OrbitCurve,
+        curve: &impl OrbitCurve<View = O>,
         start: &CurvePoint,
         direction: Direction,
         options: &Options,
-    ) -> Result<Branch> {
+    ) -> Result<Self> {
         let units = curve.units();
-        let point = |step: Step<Orbit>, sign: f64| {
+        let point = |step: Step<O>, sign: f64| {
             let mut tangent = step.place.tangent.clone();
             let first = tangent.len() - units.len();
             tangent[first..].iter_mut().zip(&units).for_each(|(t, unit)| *t *= unit);
@@ -131,7 +138,7 @@ impl Branch {
                 Some(Singularity::Degeneracy(what)) => (None, Some(what)),
                 None => (None, None),
             };
-            BranchOrbit {
+            BranchPoint {
                 parameters: curve.parameters(&step.place.u),
                 orbit: step.view,
                 place: step.place,
@@ -142,7 +149,7 @@ impl Branch {
                 length: sign * step.length,
             }
         };
-        let mut branch = Branch {
+        let mut branch = OrbitBranch {
             subject: curve.subject(),
             itinerary: curve.itinerary().clone(),
             points: Vec::new(),
@@ -175,38 +182,36 @@ impl Branch {
     }
 
     /// The events with their labels.
-    pub fn labels(&self) -> Vec<(&str, &BranchOrbit)> {
+    pub fn labels(&self) -> Vec<(&str, &BranchPoint<O>)> {
         self.points.iter().filter_map(|point| Some((point.label.as_deref()?, point))).collect()
     }
 
     /// Whether an orbit at a parameter value lies on the branch, as nearly as chords can tell; impact times
     /// that differ by whole periods are the same.
-    pub fn passes(&self, orbit: &Orbit, parameter: f64) -> bool {
-        let off = |a: &Orbit, b: &Orbit, part: f64| -> f64 {
+    pub fn passes(&self, orbit: &O, parameter: f64) -> bool {
+        let z = orbit.unknowns();
+        let off = |a: &O, b: &O, part: f64| -> f64 {
             let apart = |i: usize| {
-                let apart = a.z[i] + part * (b.z[i] - a.z[i]) - orbit.z[i];
-                if i.is_multiple_of(2) && !orbit.itinerary.strikes().is_empty() {
-                    apart - TAU * (apart / TAU).round()
-                } else {
-                    apart
-                }
+                let there = z[i] * orbit.unit(i) / a.unit(i);
+                let apart = a.unknowns()[i] + part * (b.unknowns()[i] - a.unknowns()[i]) - there;
+                if orbit.is_time(i) { apart - TAU * (apart / TAU).round() } else { apart }
             };
-            (0..orbit.z.len()).map(|i| apart(i).powi(2)).sum::<f64>().sqrt()
+            (0..z.len()).map(|i| apart(i).powi(2)).sum::<f64>().sqrt()
         };
-        let same = |pair: &[BranchOrbit]| {
+        let same = |pair: &[BranchPoint<O>]| {
             let [a, b] = [&pair[0], &pair[1]];
             let part = (parameter - a.parameters[0]) / (b.parameters[0] - a.parameters[0]);
-            let chord = norm(&difference(&b.orbit.z, &a.orbit.z));
+            let chord = norm(&difference(b.orbit.unknowns(), a.orbit.unknowns()));
             (0.0..=1.0).contains(&part) && off(&a.orbit, &b.orbit, part) <= 0.1 * chord + 1e-6
         };
-        self.itinerary == orbit.itinerary && self.points.windows(2).any(same)
+        self.itinerary == *orbit.pattern() && self.points.windows(2).any(same)
     }
 
     /// The point with a label.
     ///
     /// # Errors
     /// An input error that lists the labels there are.
-    pub fn labelled(&self, label: &str) -> Result<&BranchOrbit> {
+    pub fn labelled(&self, label: &str) -> Result<&BranchPoint<O>> {
         let labels = self.labels();
         labels.iter().find(|(name, _)| *name == label).map(|(_, point)| *point).ok_or_else(|| {
             let names: Vec<&str> = labels.iter().map(|(name, _)| *name).collect();
@@ -223,20 +228,36 @@ impl CurvePoint {
     }
 }
 
-impl<'a> Orbits<'a> {
+impl Orbits<'_> {
     /// The orbit near `guess` at a parameter value, to start from; its tangent points to larger parameters.
     ///
     /// # Errors
     /// Those of [`find`]; an input error at a saddle-node, or outside the range.
     pub fn start(&self, guess: Vec<f64>, parameter: f64, options: &Options) -> Result<CurvePoint> {
-        if !self.contains(parameter) {
-            let (low, high) = self.range();
-            return Err(Error::input(format!(
-                "the start, {parameter}, is not in the range from {low} to {high}"
-            )));
-        }
+        self.check_range(parameter)?;
         let orbit = find(&self.family.at(parameter)?, &self.itinerary, guess)?;
-        self.place(&self.unknowns(&orbit.z, parameter), options)
+        self.start_at(&orbit, parameter, options)
+    }
+}
+
+impl<F: PatternFamily + ?Sized> PatternCurve<'_, F> {
+    fn check_range(&self, parameter: f64) -> Result<()> {
+        if self.contains(parameter) {
+            return Ok(());
+        }
+        let (low, high) = self.range();
+        Err(Error::input(format!("the start, {parameter}, is not in the range from {low} to {high}")))
+    }
+
+    /// An orbit at a parameter value, to start from; its tangent points to larger parameters.
+    ///
+    /// # Errors
+    /// An input error at a saddle-node, or outside the range.
+    pub fn start_at(&self, orbit: &F::Orbit, parameter: f64, options: &Options) -> Result<CurvePoint> {
+        self.check_range(parameter)?;
+        let own = |(i, z): (usize, &f64)| z * orbit.unit(i) / self.family.unit(&self.itinerary, i);
+        let z: Vec<f64> = orbit.unknowns().iter().enumerate().map(own).collect();
+        self.place(&self.unknowns(&z, parameter), options)
     }
 
     /// The point of the curve at u, or so near as rounding is, wherever on the curve it is: at a saddle-node
@@ -266,17 +287,16 @@ impl<'a> Orbits<'a> {
     ///
     /// # Errors
     /// An input error at any other point, or where the two branches' tangents cannot be told apart.
-    pub fn switch(&self, what: Bifurcation, at: &CurvePoint) -> Result<(Orbits<'a>, CurvePoint)> {
+    pub fn switch(&self, what: Bifurcation, at: &CurvePoint) -> Result<(Self, CurvePoint)> {
         match what {
             Bifurcation::Crossing => {
                 let found = crossing::locate(self, at)?;
                 Ok((self.clone(), CurvePoint { tangent: found.other, ..found.place }))
             }
             Bifurcation::Flip => {
-                let copies = if self.itinerary.strikes().is_empty() { 1 } else { 2 };
                 let twice = |u: &[f64]| {
                     let (z, last) = u.split_at(u.len() - 1);
-                    z.repeat(copies).into_iter().chain([last[0]]).collect::<Vec<f64>>()
+                    self.family.twice(&self.itinerary, z).into_iter().chain([last[0]]).collect::<Vec<f64>>()
                 };
                 let born = self.with(self.itinerary.repeated(2));
                 let (u, old) = (twice(&at.u), twice(&at.tangent));

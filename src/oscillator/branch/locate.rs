@@ -3,7 +3,11 @@
 
 use std::fmt;
 
-use super::{Bifurcation, CurveEnd, CurvePoint, Followed, Options, Orbits, Step, follow::follow_until};
+use super::{
+    Bifurcation, CurveEnd, CurvePoint, Followed, Options, PatternCurve, Step,
+    follow::follow_until,
+    problem::{FollowedOrbit, PatternFamily},
+};
 use crate::{
     error::Result,
     oscillator::orbit::{Family, Orbit},
@@ -11,13 +15,13 @@ use crate::{
 
 /// A bifurcation that was found.
 #[derive(Debug, Clone)]
-pub struct Located {
+pub struct Located<O = Orbit> {
     /// Which.
     pub bifurcation: Bifurcation,
     /// The parameter there.
     pub parameter: f64,
     /// The orbit there.
-    pub orbit: Orbit,
+    pub orbit: O,
     /// How far along the branch, in the norm of times, speeds and parameter.
     pub length: f64,
 }
@@ -37,9 +41,9 @@ pub struct OneWay {
 
 /// What a search came to.
 #[derive(Debug, Clone)]
-pub enum BranchSearch {
+pub enum BranchSearch<O = Orbit> {
     /// The nearest of the kind.
-    Found(Box<Located>),
+    Found(Box<Located<O>>),
     /// None of the kind: how far it was looked for, to smaller and to larger parameters.
     Nothing(Nothing),
 }
@@ -69,9 +73,24 @@ pub fn locate(
     reach: f64,
     options: &Options,
 ) -> Result<BranchSearch> {
-    let orbits = Orbits::around(family, orbit.itinerary.clone(), parameter, reach);
-    let start = orbits.place(&orbits.unknowns(&orbit.z, parameter), options)?;
-    let (mut nearest, mut sides) = (None::<Located>, Vec::new());
+    nearest(family, bifurcation, orbit, parameter, reach, options)
+}
+
+/// The same for orbits of any kind.
+///
+/// # Errors
+/// As [`locate`].
+pub fn nearest<F: PatternFamily + ?Sized>(
+    family: &F,
+    bifurcation: Bifurcation,
+    orbit: &F::Orbit,
+    parameter: f64,
+    reach: f64,
+    options: &Options,
+) -> Result<BranchSearch<F::Orbit>> {
+    let orbits = PatternCurve::around(family, orbit.pattern().clone(), parameter, reach);
+    let start = orbits.start_at(orbit, parameter, options)?;
+    let (mut nearest, mut sides) = (None::<Located<F::Orbit>>, Vec::new());
     for start in [start.reversed(), start] {
         let (side, found) = one_way(&orbits, start, bifurcation, reach, options)?;
         sides.push(side);
@@ -88,15 +107,15 @@ pub fn locate(
     })
 }
 
-fn one_way(
-    orbits: &Orbits,
+fn one_way<F: PatternFamily + ?Sized>(
+    orbits: &PatternCurve<'_, F>,
     start: CurvePoint,
     bifurcation: Bifurcation,
     reach: f64,
     options: &Options,
-) -> Result<(OneWay, Option<Located>)> {
-    let wanted = |step: &Step<Orbit>| step.event.map(Bifurcation::of) == Some(bifurcation);
-    let stop = |step: &Step<Orbit>| match () {
+) -> Result<(OneWay, Option<Located<F::Orbit>>)> {
+    let wanted = |step: &Step<F::Orbit>| step.event.map(Bifurcation::of) == Some(bifurcation);
+    let stop = |step: &Step<F::Orbit>| match () {
         () if step.length > reach => Some(CurveEnd::Reach),
         () if wanted(step) => Some(CurveEnd::Found),
         () => None,

@@ -4,20 +4,20 @@ use super::{
     Bifurcation, crossing,
     curve::{Curve, CurvePoint, Equations},
     follow::{Followed, Settled},
+    problem::{FollowedOrbit, PatternFamily, PatternOf, monitors},
 };
 use crate::{
     error::Result,
-    oscillator::orbit::{Family, Itinerary, Orbit, Root, Unknowns, describe, linearise},
+    oscillator::orbit::{Family, Root},
 };
 
 /// The solutions of the pattern equations over a range of a parameter: the unknowns are those of the pattern
 /// and, last, the parameter in units of its own.
-#[derive(Clone)]
-pub struct Orbits<'a> {
-    /// The oscillators, with slopes.
-    pub family: &'a dyn Family,
+pub struct PatternCurve<'a, F: PatternFamily + ?Sized> {
+    /// The systems, with slopes.
+    pub family: &'a F,
     /// The pattern.
-    pub itinerary: Itinerary,
+    pub itinerary: PatternOf<F::Orbit>,
     /// The parameter where the last unknown is 0.
     origin: f64,
     /// The parameter's unit of length along the curve.
@@ -26,22 +26,31 @@ pub struct Orbits<'a> {
     bounds: (f64, f64),
 }
 
-impl<'a> Orbits<'a> {
+/// Those of oscillators of one degree of freedom.
+pub type Orbits<'a> = PatternCurve<'a, dyn Family + 'a>;
+
+impl<F: PatternFamily + ?Sized> Clone for PatternCurve<'_, F> {
+    fn clone(&self) -> Self {
+        PatternCurve { itinerary: self.itinerary.clone(), ..*self }
+    }
+}
+
+impl<'a, F: PatternFamily + ?Sized> PatternCurve<'a, F> {
     /// The orbits of a pattern over a range of the parameter, whose length is the parameter's unit.
-    pub fn over(family: &'a dyn Family, itinerary: Itinerary, (low, high): (f64, f64)) -> Orbits<'a> {
-        Orbits { family, itinerary, origin: low, unit: high - low, bounds: (0.0, 1.0) }
+    pub fn over(family: &'a F, itinerary: PatternOf<F::Orbit>, (low, high): (f64, f64)) -> Self {
+        PatternCurve { family, itinerary, origin: low, unit: high - low, bounds: (0.0, 1.0) }
     }
 
     /// The orbits of a pattern up to `reach` away from a parameter value: lengths are those of times, speeds
     /// and the parameter as they are.
-    pub fn around(family: &'a dyn Family, itinerary: Itinerary, centre: f64, reach: f64) -> Orbits<'a> {
-        Orbits { family, itinerary, origin: centre, unit: 1.0, bounds: (-reach, reach) }
+    pub fn around(family: &'a F, itinerary: PatternOf<F::Orbit>, centre: f64, reach: f64) -> Self {
+        PatternCurve { family, itinerary, origin: centre, unit: 1.0, bounds: (-reach, reach) }
     }
 
     /// The same with another pattern.
     #[must_use]
-    pub fn with(&self, itinerary: Itinerary) -> Orbits<'a> {
-        Orbits { itinerary, ..self.clone() }
+    pub fn with(&self, itinerary: PatternOf<F::Orbit>) -> Self {
+        PatternCurve { itinerary, ..*self }
     }
 
     /// The parameter's bounds.
@@ -71,10 +80,9 @@ impl<'a> Orbits<'a> {
     }
 }
 
-impl Curve for Orbits<'_> {
+impl<F: PatternFamily + ?Sized> Curve for PatternCurve<'_, F> {
     fn equations(&self, u: &[f64]) -> Result<Equations> {
-        let oscillator = self.family.at(self.parameter(u))?;
-        let mut found = linearise(&oscillator, &self.itinerary, &u[..u.len() - 1])?;
+        let mut found = self.family.equations(self.parameter(u), &self.itinerary, &u[..u.len() - 1])?;
         for (row, slope) in found.jacobian.iter_mut().zip(&found.slope) {
             row.push(slope * self.unit);
         }
@@ -82,33 +90,34 @@ impl Curve for Orbits<'_> {
     }
 }
 
-impl Followed for Orbits<'_> {
-    type View = Orbit;
+impl<F: PatternFamily + ?Sized> Followed for PatternCurve<'_, F> {
+    type View = F::Orbit;
 
-    fn view(&self, place: &CurvePoint) -> Result<Orbit> {
-        let oscillator = self.family.at(self.parameter(&place.u))?;
+    fn view(&self, place: &CurvePoint) -> Result<F::Orbit> {
         let z = place.u[..place.u.len() - 1].to_vec();
-        describe(
-            &oscillator,
-            &self.itinerary,
-            Root { z, residual: place.residual, steps: place.steps as usize },
-        )
+        let root = Root { z, residual: place.residual, steps: place.steps as usize };
+        self.family.orbit(self.parameter(&place.u), &self.itinerary, root)
     }
 
-    fn monitors(&self, place: &CurvePoint, orbit: &Orbit) -> Vec<Option<f64>> {
+    fn monitors(&self, place: &CurvePoint, orbit: &F::Orbit) -> Vec<Option<f64>> {
         monitors(orbit, place.tangent.last().copied())
     }
 
-    fn holds(&self, orbit: &Orbit) -> bool {
-        orbit.admissibility.is_admissible()
+    fn holds(&self, orbit: &F::Orbit) -> bool {
+        orbit.is_orbit()
     }
 
     fn bounds(&self) -> Vec<(usize, f64, f64)> {
-        vec![(Unknowns::count(&self.itinerary), self.bounds.0, self.bounds.1)]
+        vec![(self.family.count(&self.itinerary), self.bounds.0, self.bounds.1)]
     }
 
     /// Where branches cross both monitors of a multiplier 1 may vanish: the Jacobian's rank tells.
-    fn settle(&self, monitor: usize, mut place: CurvePoint, mut orbit: Orbit) -> Result<Settled<Orbit>> {
+    fn settle(
+        &self,
+        monitor: usize,
+        mut place: CurvePoint,
+        mut orbit: F::Orbit,
+    ) -> Result<Settled<F::Orbit>> {
         let mut what = Bifurcation::of(monitor);
         if matches!(what, Bifurcation::SaddleNode | Bifurcation::Crossing) {
             let crosses = crossing::is_near(self, &place)?;
@@ -124,26 +133,4 @@ impl Followed for Orbits<'_> {
         }
         Ok(what.is_at(&orbit).then_some((what as usize, place, orbit)))
     }
-}
-
-/// The functions whose zeros are events, in their order, the speeds last; `turn` is the tangent's parameter
-/// component, if there is one parameter. Multipliers grow like 1/V at an impact of small speed V: the product
-/// of the speeds takes the poles away. (1−λ₁)(1−λ₂) vanishes with `turn` at a saddle-node, and alone where
-/// branches cross.
-pub(super) fn monitors(orbit: &Orbit, turn: Option<f64>) -> Vec<Option<f64>> {
-    let finite = |x: f64| Some(x).filter(|x| x.is_finite());
-    let speeds = || orbit.impacts().map(|impact| impact.speed);
-    let scale: f64 = speeds().product();
-    let multipliers = &orbit.multipliers;
-    let complex = multipliers.trace.abs() < 1.0 + multipliers.determinant;
-    let incoming = speeds().all(|speed| speed > 0.0);
-    let mut all = vec![
-        turn.or_else(|| finite(multipliers.fold() * scale)),
-        turn.and_then(|turn| finite(multipliers.fold() * scale / turn)),
-        finite(multipliers.flip() * scale),
-        complex.then_some(multipliers.determinant - 1.0),
-        orbit.least.filter(|_| incoming).map(|least| least.gap),
-    ];
-    all.extend(speeds().map(Some));
-    all
 }

@@ -1,60 +1,41 @@
 //! An event followed in two parameters: the pattern equations with one more, that the event's function is
 //! zero.
 
-use std::f64::consts::{PI, TAU};
-
 use super::{
-    Bifurcation, Degeneracy, OrbitCurve, Singularity,
+    Bifurcation, Degeneracy, OrbitCurve, Singularity, TwoParameterFamily,
     curve::{Curve, CurvePoint, Equations},
     follow::{Followed, Settled},
-    orbits::monitors,
+    problem::{FollowedOrbit, PatternOf, PatternPlane, monitors},
 };
 use crate::{
     error::{Error, Result},
-    oscillator::{
-        grazing::{LocalMap, is_mirrored},
-        orbit::{
-            Derivatives, Itinerary, Multipliers, Orbit, Oscillator, Root, Unknowns, check, describe,
-            linearise, monodromy, return_map,
-        },
-    },
+    oscillator::orbit::Root,
 };
-
-/// Oscillators that differ in two parameters.
-pub trait TwoParameterFamily: Sync {
-    /// The oscillator at both values.
-    ///
-    /// # Errors
-    /// An input error where the system is not defined.
-    fn at(&self, parameters: [f64; 2]) -> Result<Oscillator>;
-}
-
-impl<F: Fn([f64; 2]) -> Result<Oscillator> + Sync> TwoParameterFamily for F {
-    fn at(&self, parameters: [f64; 2]) -> Result<Oscillator> {
-        self(parameters)
-    }
-}
 
 /// The orbits of a pattern at which one event happens: the unknowns are those of the pattern and both
 /// parameters as fractions of their ranges.
-pub struct Events<'a> {
-    /// The oscillators.
-    pub plane: &'a dyn TwoParameterFamily,
+pub struct EventCurve<'a, P: PatternPlane + ?Sized> {
+    /// The systems.
+    pub plane: &'a P,
     /// The pattern.
-    pub itinerary: Itinerary,
+    pub itinerary: PatternOf<P::Orbit>,
     /// What happens.
     pub event: Bifurcation,
     /// The bounds of both parameters.
     pub ranges: [(f64, f64); 2],
 }
 
-impl Events<'_> {
+/// Those of oscillators of one degree of freedom.
+pub type Events<'a> = EventCurve<'a, dyn TwoParameterFamily + 'a>;
+
+impl<P: PatternPlane + ?Sized> EventCurve<'_, P> {
     fn split<'u>(&self, u: &'u [f64]) -> (&'u [f64], [f64; 2]) {
         let (z, last) = u.split_at(u.len() - 2);
         (z, [0, 1].map(|i| self.ranges[i].0 + last[i] * (self.ranges[i].1 - self.ranges[i].0)))
     }
 
-    /// The point near an orbit at both parameter values, on the way to larger values of the second.
+    /// The point near an orbit, its unknowns in the units of a [`Label`](super::Label), at both parameter
+    /// values, on the way to larger values of the second.
     ///
     /// # Errors
     /// An input error if Newton's method does not end, or outside the ranges.
@@ -71,72 +52,20 @@ impl Events<'_> {
                 )))
             }
         };
-        let u: Vec<f64> = z.iter().copied().chain([fraction(0)?, fraction(1)?]).collect();
+        let count = self.plane.count(&self.itinerary);
+        if z.len() != count {
+            let found = z.len();
+            return Err(Error::input(format!(
+                "the label has {found} unknowns; its pattern takes {count} here"
+            )));
+        }
+        let own = z.iter().enumerate().map(|(i, x)| x / self.plane.unit(&self.itinerary, i));
+        let u: Vec<f64> = own.chain([fraction(0)?, fraction(1)?]).collect();
         options.corrector().start(self, &u, u.len() - 1)
     }
-
-    /// F and the event's function.
-    fn values(&self, u: &[f64]) -> Result<Vec<f64>> {
-        let (z, parameters) = self.split(u);
-        let oscillator = self.plane.at(parameters)?;
-        let mut values = linearise(&oscillator, &self.itinerary, z)?.residual;
-        if self.event == Bifurcation::Crossing {
-            self.symmetric(&oscillator, z, &mut values)?;
-        }
-        let unknowns = Unknowns::new(&self.itinerary, z)?;
-        let speeds = || unknowns.speeds();
-        let scale: f64 = speeds().product();
-        let multipliers = || {
-            let matrix = monodromy(&oscillator, &self.itinerary, z)?;
-            Ok::<_, Error>(Multipliers::new(&matrix, &oscillator, &self.itinerary))
-        };
-        values.push(match self.event {
-            Bifurcation::SaddleNode | Bifurcation::Crossing => multipliers()?.fold() * scale,
-            Bifurcation::Flip => multipliers()?.flip() * scale,
-            Bifurcation::Torus => multipliers()?.determinant - 1.0,
-            Bifurcation::Grazing => {
-                let least = check(&oscillator, &self.itinerary, z).least;
-                least.ok_or_else(|| Error::input("no minimum of a gap to graze at"))?.gap
-            }
-            Bifurcation::Fade => speeds().min_by(|a, b| a.abs().total_cmp(&b.abs())).unwrap_or(0.0),
-        });
-        Ok(values)
-    }
 }
 
-impl Events<'_> {
-    /// Where branches cross the pattern equations are singular, and in two parameters they cross along a
-    /// curve only where a symmetry is lost: at pitchforks of symmetric orbits. Among those the equations are
-    /// regular: the second half of the pattern, in place of its own equations, is the mirror of the first,
-    /// half a period later.
-    fn symmetric(&self, oscillator: &Oscillator, z: &[f64], values: &mut [f64]) -> Result<()> {
-        let strikes = self.itinerary.strikes();
-        let half = strikes.len() / 2;
-        let (first, second) = strikes.split_at(half);
-        let opposite = first.iter().zip(second).all(|(a, b)| a.side != b.side);
-        let lag = PI * f64::from(self.itinerary.periods());
-        let off = |i: usize| {
-            let [late, faster] = [0, 1].map(|j| z[2 * (i + half) + j] - z[2 * i + j]);
-            [(late - lag + PI).rem_euclid(TAU) - PI, faster]
-        };
-        let symmetric = (0..half).all(|i| off(i).iter().all(|x| x.abs() < 1e-3));
-        if half == 0
-            || first.len() != second.len()
-            || !opposite
-            || !symmetric
-            || !is_mirrored(oscillator.system())
-        {
-            return Err(Error::input(
-                "crossings are followed in two parameters only as pitchforks of orbits that are their own mirror image half a period \
-                 later, with impacts; this one is not",
-            ));
-        }
-        (0..half).for_each(|i| values[2 * (i + half)..][..2].copy_from_slice(&off(i)));
-        Ok(())
-    }
-}
-
-impl Curve for Events<'_> {
+impl<P: PatternPlane + ?Sized> Curve for EventCurve<'_, P> {
     /// Derivatives by central differences: the zeros are as exact as the functions, only the approach is
     /// slower.
     fn equations(&self, u: &[f64]) -> Result<Equations> {
@@ -172,18 +101,18 @@ fn one_sided(here: &[f64], shifted: impl Fn(f64) -> Result<Vec<f64>>, sign: f64)
 /// The cube root of the rounding error, where central differences are best.
 const DIFFERENCE: f64 = 6e-6;
 
-impl Followed for Events<'_> {
-    type View = Orbit;
+impl<P: PatternPlane + ?Sized> Followed for EventCurve<'_, P> {
+    type View = P::Orbit;
 
-    fn view(&self, place: &CurvePoint) -> Result<Orbit> {
+    fn view(&self, place: &CurvePoint) -> Result<P::Orbit> {
         let (z, parameters) = self.split(&place.u);
         let root = Root { z: z.to_vec(), residual: place.residual, steps: place.steps as usize };
-        describe(&self.plane.at(parameters)?, &self.itinerary, root)
+        self.plane.orbit(parameters, &self.itinerary, root)
     }
 
     /// What makes a point one of codimension two, then the other bifurcations: points where two happen at
     /// once.
-    fn monitors(&self, place: &CurvePoint, orbit: &Orbit) -> Vec<Option<f64>> {
+    fn monitors(&self, place: &CurvePoint, orbit: &P::Orbit) -> Vec<Option<f64>> {
         let mut all = self.degeneracies(place, orbit);
         let mut others = monitors(orbit, None);
         match self.event {
@@ -193,8 +122,10 @@ impl Followed for Events<'_> {
         if self.event == Bifurcation::Crossing {
             others[Bifurcation::SaddleNode as usize] = None;
         }
-        // Where two of these meet is a resonance, which has a name of its own.
+        // Where two of these meet is a resonance, or a fold-flip point, which have names of their own.
         if matches!(self.event, Bifurcation::SaddleNode | Bifurcation::Flip) {
+            others[Bifurcation::SaddleNode as usize] = None;
+            others[Bifurcation::Flip as usize] = None;
             others[Bifurcation::Torus as usize] = None;
         }
         if self.event == Bifurcation::Torus {
@@ -205,18 +136,12 @@ impl Followed for Events<'_> {
         all
     }
 
-    /// Two zeros of one u_n are not to lie within a step: for n ≤ 6 they are at least π/5 apart in θ, trace =
-    /// 2 √det cos θ.
-    fn leaps(&self, before: &Orbit, after: &Orbit) -> bool {
-        let angle = |orbit: &Orbit| {
-            let Multipliers { trace, determinant } = orbit.multipliers;
-            (trace / (2.0 * determinant.sqrt())).clamp(-1.0, 1.0).acos()
-        };
-        self.event == Bifurcation::Grazing && (angle(before) - angle(after)).abs() > PI / 6.0
+    fn leaps(&self, before: &P::Orbit, after: &P::Orbit) -> bool {
+        self.plane.leaps(self.event, before, after)
     }
 
     /// A degeneracy's function is zero at its zeros, and not just of two signs beside them.
-    fn settle(&self, monitor: usize, place: CurvePoint, orbit: Orbit) -> Result<Settled<Orbit>> {
+    fn settle(&self, monitor: usize, place: CurvePoint, orbit: P::Orbit) -> Result<Settled<P::Orbit>> {
         let genuine = match self.singularity(monitor) {
             Singularity::Degeneracy(what) => {
                 self.degeneracies(&place, &orbit)[what as usize].is_some_and(|value| value.abs() <= 1e-6)
@@ -229,73 +154,36 @@ impl Followed for Events<'_> {
     }
 
     /// At an event that ends a branch the orbit is just no orbit any more: here that does not count.
-    fn holds(&self, orbit: &Orbit) -> bool {
+    fn holds(&self, orbit: &P::Orbit) -> bool {
+        let slowest = orbit.speeds().into_iter().fold(f64::INFINITY, f64::min);
         match self.event {
-            Bifurcation::Fade => orbit.impacts().all(|impact| impact.speed > -1e-9),
-            Bifurcation::Grazing => orbit.impacts().all(|impact| impact.speed > 0.0),
-            // Beyond a double multiplier λ and 1/λ are real: a saddle that keeps areas, and no bifurcation.
-            Bifurcation::Torus => {
-                let Multipliers { trace, determinant } = orbit.multipliers;
-                orbit.admissibility.is_admissible() && trace.abs() <= (1.0 + determinant) * (1.0 + 1e-9)
-            }
-            _ => orbit.admissibility.is_admissible(),
+            Bifurcation::Fade => slowest > -1e-9,
+            Bifurcation::Grazing => slowest > 0.0,
+            Bifurcation::Torus => orbit.is_orbit() && orbit.rotates(),
+            _ => orbit.is_orbit(),
         }
     }
 
     fn bounds(&self) -> Vec<(usize, f64, f64)> {
-        let first = Unknowns::count(&self.itinerary);
+        let first = self.plane.count(&self.itinerary);
         vec![(first, 0.0, 1.0), (first + 1, 0.0, 1.0)]
     }
 }
 
-impl Events<'_> {
-    /// The functions whose zeros are of codimension two, in the order of [`Degeneracy::ALL`]; `None` where
-    /// they are not defined or another curve's.
-    fn degeneracies(&self, place: &CurvePoint, orbit: &Orbit) -> Vec<Option<f64>> {
-        let mut all = vec![None; Degeneracy::ALL.len()];
-        let (trace, det) = (orbit.multipliers.trace, orbit.multipliers.determinant);
-        let oscillator = || self.plane.at(self.split(&place.u).1).ok();
-        let expansion =
-            || Some(Derivatives::of(&return_map(&oscillator()?, &self.itinerary, &orbit.z).ok()?));
-        let mut set = |what: Degeneracy, value: Option<f64>| {
-            all[what as usize] = value.filter(|value| value.is_finite());
-        };
-        match self.event {
-            Bifurcation::SaddleNode => {
-                set(Degeneracy::Cusp, expansion().and_then(|map| map.fold_along()));
-                set(Degeneracy::Resonance1, Some(det - 1.0));
-            }
-            Bifurcation::Flip => {
-                set(Degeneracy::GeneralisedFlip, expansion().and_then(|map| map.flip()));
-                set(Degeneracy::Resonance2, Some(det - 1.0));
-            }
-            Bifurcation::Torus => {
-                set(Degeneracy::Resonance1, Some(trace - 2.0));
-                set(Degeneracy::Resonance2, Some(trace + 2.0));
-                set(Degeneracy::Resonance3, Some(trace + 1.0));
-                set(Degeneracy::Resonance4, Some(trace));
-            }
-            Bifurcation::Grazing => {
-                // Along the curve e dp + e′ dp′ = 0, with e′ that of the second parameter.
-                set(Degeneracy::NoDrift, place.tangent.last().copied());
-                let gamma = oscillator().and_then(|oscillator| LocalMap::of(&oscillator, orbit).ok());
-                set(Degeneracy::NoGamma, gamma.map(|map| map.gamma()));
-                // u_n without the factors that it shares with u_d, d a divisor of n.
-                let square = trace * trace;
-                set(Degeneracy::Resonant2, Some(trace));
-                set(Degeneracy::Resonant3, Some(square - det));
-                set(Degeneracy::Resonant4, Some(square - 2.0 * det));
-                set(Degeneracy::Resonant5, Some(square * square - 3.0 * square * det + det * det));
-                set(Degeneracy::Resonant6, Some(square - 3.0 * det));
-            }
-            Bifurcation::Crossing | Bifurcation::Fade => {}
-        }
-        all
+impl<P: PatternPlane + ?Sized> EventCurve<'_, P> {
+    fn values(&self, u: &[f64]) -> Result<Vec<f64>> {
+        let (z, parameters) = self.split(u);
+        self.plane.values(self.event, parameters, &self.itinerary, z)
+    }
+
+    fn degeneracies(&self, place: &CurvePoint, orbit: &P::Orbit) -> Vec<Option<f64>> {
+        let along = place.tangent.last().copied().unwrap_or(0.0);
+        self.plane.degeneracies(self.event, self.split(&place.u).1, along, orbit)
     }
 }
 
-impl OrbitCurve for Events<'_> {
-    fn itinerary(&self) -> &Itinerary {
+impl<P: PatternPlane + ?Sized> OrbitCurve for EventCurve<'_, P> {
+    fn itinerary(&self) -> &PatternOf<P::Orbit> {
         &self.itinerary
     }
 

@@ -4,8 +4,9 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
 use super::{
-    Bifurcation, Branch, OrbitCurve, Orbits, crossing,
+    Bifurcation, Branch, OrbitBranch, PatternCurve, crossing,
     curve::{CurvePoint, norm},
+    problem::{FollowedOrbit, PatternFamily, PatternOf},
 };
 use crate::{
     error::{Error, Result},
@@ -15,7 +16,17 @@ use crate::{
     },
 };
 
-const FORMAT: &str = "grazing-branch 2";
+/// What a branch's file calls its system, and how it names the contacts of a pattern.
+#[derive(Debug, Clone, Copy)]
+pub struct RecordForm<'n> {
+    /// The format's name and version.
+    pub format: &'static str,
+    /// The names of walls or stops, by number.
+    pub contacts: &'n [&'n str],
+}
+
+/// That of oscillators of one degree of freedom: lower wall, upper wall.
+const OSCILLATOR: RecordForm = RecordForm { format: "grazing-branch 2", contacts: &["lower", "upper"] };
 
 #[derive(Serialize, Deserialize)]
 struct Struck {
@@ -25,14 +36,14 @@ struct Struck {
 
 /// A labelled point of a branch, as far as it is needed to go on from it.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Label {
+pub struct Label<P = Itinerary> {
     /// The pattern.
-    pub itinerary: Itinerary,
+    pub itinerary: P,
     /// What happens there.
     pub event: Bifurcation,
     /// The parameter, or both.
     pub parameters: Vec<f64>,
-    /// The unknowns of the pattern.
+    /// The unknowns of the pattern: radians, and what the file's lengths and speeds are in.
     pub z: Vec<f64>,
     /// The branch's direction: of the unknowns, then of the parameters as they are, to any length.
     pub tangent: Vec<f64>,
@@ -41,34 +52,56 @@ pub struct Label {
 /// A branch over parameters of these names as JSON: the pattern, every point with its label if it has one,
 /// the ends.
 pub fn record(branch: &Branch, parameters: &[&str]) -> Value {
+    let strikes: Vec<(usize, u32)> = branch
+        .itinerary
+        .strikes()
+        .iter()
+        .map(|strike| (usize::from(strike.side == Side::Upper), strike.periods))
+        .collect();
+    record_as(branch, parameters, OSCILLATOR, (&strikes, branch.itinerary.periods()))
+}
+
+/// The same in another form, for any orbits: `pattern` has the contact and the periods of each impact, and
+/// the period of it all.
+pub fn record_as<O: FollowedOrbit>(
+    branch: &OrbitBranch<O>,
+    parameters: &[&str],
+    form: RecordForm,
+    (strikes, period): (&[(usize, u32)], u32),
+) -> Value {
     let points: Vec<Value> = branch
         .points
         .iter()
         .map(|point| {
+            let orbit = &point.orbit;
+            let natural = |values: &[f64]| -> Vec<f64> {
+                let count = orbit.unknowns().len();
+                let unit = |i: usize| if i < count { orbit.unit(i) } else { 1.0 };
+                values.iter().enumerate().map(|(i, x)| x * unit(i)).collect()
+            };
             json!({
                 "label": point.label,
                 "parameters": point.parameters,
-                "unknowns": point.orbit.z,
-                "tangent": point.tangent,
-                "multipliers": point.orbit.multipliers.values(),
-                "stable": point.orbit.multipliers.is_stable(),
-                "admissible": point.orbit.admissibility.is_admissible(),
-                "least_gap": point.orbit.least.map(|least| least.gap),
-                "residual": point.orbit.residual,
-                "newton_steps": point.orbit.steps,
+                "unknowns": natural(orbit.unknowns()),
+                "tangent": natural(&point.tangent),
+                "multipliers": orbit.multipliers(),
+                "stable": orbit.is_stable(),
+                "admissible": orbit.is_orbit(),
+                "least_gap": orbit.least_gap().map(|gap| gap * orbit.length_unit()),
+                "residual": orbit.residual(),
+                "newton_steps": orbit.newton_steps(),
                 "length": point.length,
             })
         })
         .collect();
-    let strikes = branch.itinerary.strikes().iter();
-    let pattern: Vec<Struck> = strikes
-        .map(|strike| Struck { wall: strike.side.name().to_string(), periods: strike.periods })
-        .collect();
+    let wall = |contact: usize| form.contacts[contact].to_string();
+    let pattern: Vec<Struck> =
+        strikes.iter().map(|&(contact, periods)| Struck { wall: wall(contact), periods }).collect();
     json!({
-        "format": FORMAT,
+        "format": form.format,
         "parameters": parameters,
         "pattern": pattern,
-        "period": branch.itinerary.periods(),
+        "period": period,
         "ends": branch.ends.each_ref().map(ToString::to_string),
         "points": points,
     })
@@ -79,15 +112,34 @@ pub fn record(branch: &Branch, parameters: &[&str]) -> Value {
 /// # Errors
 /// An input error for text of another format, or a label that is not there, with those that are.
 pub fn read_label(text: &str, label: &str) -> Result<Label> {
+    let side = |contact: usize| [Side::Lower, Side::Upper][contact];
+    read_label_as(text, label, OSCILLATOR, |strikes, period| {
+        let strikes: Vec<Strike> =
+            strikes.iter().map(|&(contact, periods)| Strike { side: side(contact), periods }).collect();
+        if strikes.is_empty() { Itinerary::free(period) } else { Itinerary::new(strikes) }
+    })
+}
+
+/// The same in another form; `pattern` makes a pattern of the contact and the periods of each impact, and of
+/// the period of it all.
+///
+/// # Errors
+/// As [`read_label`]; those of `pattern`; a contact whose name is not among the form's.
+pub fn read_label_as<P>(
+    text: &str,
+    label: &str,
+    form: RecordForm,
+    pattern: impl FnOnce(&[(usize, u32)], u32) -> Result<P>,
+) -> Result<Label<P>> {
     #[derive(Deserialize)]
     struct File {
         format: String,
         pattern: Vec<Struck>,
         period: u32,
-        points: Vec<BranchOrbit>,
+        points: Vec<Point>,
     }
     #[derive(Deserialize)]
-    struct BranchOrbit {
+    struct Point {
         label: Option<String>,
         parameters: Vec<f64>,
         unknowns: Vec<f64>,
@@ -95,23 +147,25 @@ pub fn read_label(text: &str, label: &str) -> Result<Label> {
     }
     let bad = |what: &dyn std::fmt::Display| Error::input(format!("not a branch that grazing wrote: {what}"));
     let file: File = serde_json::from_str(text).map_err(|error| bad(&error))?;
-    if file.format != FORMAT {
-        return Err(bad(&format_args!("its format is {:?}, not {FORMAT:?}", file.format)));
+    if file.format != form.format {
+        return Err(bad(&format_args!("its format is {:?}, not {:?}", file.format, form.format)));
     }
     let labels: Vec<&str> = file.points.iter().filter_map(|point| point.label.as_deref()).collect();
     let point = file.points.iter().find(|point| point.label.as_deref() == Some(label)).ok_or_else(|| {
         Error::input(format!("the branch has no label {label:?}; it has {}", labels.join(", ")))
     })?;
     let event = label.rsplit_once(' ').and_then(|(name, _)| Bifurcation::named(name));
-    let side = |name: &str| [Side::Lower, Side::Upper].into_iter().find(|side| side.name() == name);
     let strike = |struck: &Struck| {
-        let side = side(&struck.wall).ok_or_else(|| bad(&format_args!("it has a wall {:?}", struck.wall)))?;
-        Ok(Strike { side, periods: struck.periods })
+        let contact = form.contacts.iter().position(|known| *known == struck.wall);
+        let contact = contact.ok_or_else(|| bad(&format_args!("it has a wall {:?}", struck.wall)))?;
+        Ok((contact, struck.periods))
     };
     let strikes = file.pattern.iter().map(strike).collect::<Result<Vec<_>>>()?;
-    let free = strikes.is_empty();
+    if point.parameters.is_empty() || point.tangent.len() != point.unknowns.len() + point.parameters.len() {
+        return Err(bad(&"a point's unknowns, tangent and parameters do not fit"));
+    }
     Ok(Label {
-        itinerary: if free { Itinerary::free(file.period)? } else { Itinerary::new(strikes)? },
+        itinerary: pattern(&strikes, file.period)?,
         event: event.ok_or_else(|| bad(&format_args!("it has a label {label:?}")))?,
         parameters: point.parameters.clone(),
         z: point.unknowns.clone(),
@@ -119,14 +173,23 @@ pub fn read_label(text: &str, label: &str) -> Result<Label> {
     })
 }
 
-impl Orbits<'_> {
+impl<F: PatternFamily + ?Sized> PatternCurve<'_, F> {
     /// The point of this curve at a label.
     ///
     /// # Errors
     /// An input error if Newton's method does not come back to it, as when the scene has changed.
-    pub fn restart(&self, label: &Label, options: &super::Options) -> Result<CurvePoint> {
-        debug_assert_eq!(self.itinerary(), &label.itinerary);
-        let u = self.unknowns(&label.z, label.parameters[0]);
+    pub fn restart(
+        &self,
+        label: &Label<PatternOf<F::Orbit>>,
+        options: &super::Options,
+    ) -> Result<CurvePoint> {
+        let count = self.family.count(&self.itinerary);
+        if self.itinerary != label.itinerary || label.z.len() != count {
+            return Err(Error::input(format!(
+                "the label has {} unknowns; its pattern takes {count} here",
+                label.z.len()
+            )));
+        }
         if !self.contains(label.parameters[0]) {
             let (low, high) = self.range();
             return Err(Error::input(format!(
@@ -134,6 +197,11 @@ impl Orbits<'_> {
                 label.parameters[0]
             )));
         }
+        let own = |values: &[f64]| -> Vec<f64> {
+            let unit = |i: usize| if i < count { self.family.unit(&self.itinerary, i) } else { 1.0 };
+            values.iter().enumerate().map(|(i, x)| x / unit(i)).collect()
+        };
+        let u = self.unknowns(&own(&label.z), label.parameters[0]);
         let gone = |error: Error| {
             error.context(format!("the {} is not on this branch; has the scene changed?", label.event.name()))
         };
@@ -141,7 +209,8 @@ impl Orbits<'_> {
             return self.place(&u, options).map_err(gone);
         }
         // The tangent of the branch that the label is on tells it from the one that crosses.
-        let mut tangent = label.tangent.clone();
+        let mut tangent = own(&label.tangent);
+        tangent.truncate(count + 1);
         let last = tangent.last_mut().ok_or_else(|| Error::input("the label has no tangent"))?;
         *last /= self.unit();
         let length = norm(&tangent);

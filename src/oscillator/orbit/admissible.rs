@@ -90,8 +90,8 @@ const ROUNDING: f64 = 1e-6;
 
 /// The local minima of the gaps on an open stretch of motion.
 ///
-/// A cell is a sixteenth of the fastest period (but there are no more than 10⁶); within one z″ is taken to
-/// change sign once at most, so z′ is monotone on either side of that point and every root of z′ is found.
+/// A cell is a sixteenth of the fastest period (but there are no more than 10⁶), searched by
+/// [`minimum_within`].
 pub(in crate::oscillator) fn minima(
     oscillator: &Oscillator,
     leg: usize,
@@ -112,21 +112,7 @@ pub(in crate::oscillator) fn minima(
             let width = (PI / 8.0 / oscillator.rate(&start)).max(1e-6 * time).min(time - begun);
             let at = |after: f64| gap(flow.advance(start, after));
             let (a, b) = (gap(start), at(width));
-            // The stretch on which z′ rises through zero, if there is one.
-            let stretch = if a[1] < 0.0 && b[1] >= 0.0 {
-                Some((0.0, width))
-            } else if a[2] * b[2] < 0.0 && (a[1] < 0.0) == (b[1] < 0.0) && (a[1] < 0.0) == (a[2] > 0.0) {
-                let turn = rising(|t| at(t)[2] * b[2].signum(), 0.0, width);
-                match (a[1] < 0.0, at(turn)[1]) {
-                    (true, middle) if middle >= 0.0 => Some((0.0, turn)),
-                    (false, middle) if middle < 0.0 => Some((turn, width)),
-                    _ => None,
-                }
-            } else {
-                None
-            };
-            if let Some((lo, hi)) = stretch {
-                let root = rising(|t| at(t)[1], lo, hi);
+            if let Some(root) = minimum_within(at, a, b, width) {
                 let (after, least) = (begun + root, at(root)[0]);
                 // A leg that begins or ends without speed has a minimum there, which rounding may bring
                 // inside.
@@ -138,6 +124,31 @@ pub(in crate::oscillator) fn minima(
         }
     }
     found
+}
+
+/// Where z has a minimum on the cell from 0 to `width`, `at` being (z, z′, z″), `a` and `b` its values at
+/// both ends: on it z″ is taken to change sign once at most, so z′ is monotone on either side of that point
+/// and every root of z′ is found.
+pub(crate) fn minimum_within(
+    at: impl Fn(f64) -> [f64; 3],
+    a: [f64; 3],
+    b: [f64; 3],
+    width: f64,
+) -> Option<f64> {
+    // The stretch on which z′ rises through zero, if there is one.
+    let (lo, hi) = if a[1] < 0.0 && b[1] >= 0.0 {
+        (0.0, width)
+    } else if a[2] * b[2] < 0.0 && (a[1] < 0.0) == (b[1] < 0.0) && (a[1] < 0.0) == (a[2] > 0.0) {
+        let turn = rising(|t| at(t)[2] * b[2].signum(), 0.0, width);
+        match (a[1] < 0.0, at(turn)[1]) {
+            (true, middle) if middle >= 0.0 => (0.0, turn),
+            (false, middle) if middle < 0.0 => (turn, width),
+            _ => return None,
+        }
+    } else {
+        return None;
+    };
+    Some(rising(|t| at(t)[1], lo, hi))
 }
 
 /// Where an f with f(lo) < 0 ≤ f(hi) passes through 0: bisection, to the last digit.

@@ -23,6 +23,7 @@ mod single;
 mod solution;
 
 pub(super) use admissible::minima;
+pub(crate) use admissible::minimum_within;
 pub use admissible::{Admissibility, Check, Minimum, check};
 pub use cubic::Cubic;
 pub use equations::{Linearised, linearise};
@@ -32,6 +33,7 @@ pub use leg::{Leg, Touch};
 pub use multipliers::Multipliers;
 pub use newton::{Root, newton};
 pub use normal_form::{Criticality, Derivatives};
+pub(crate) use oscillator::GAUSS;
 pub use oscillator::Oscillator;
 pub use passage::{Arrival, Passage, Unknowns};
 pub use return_map::{ReturnMap, return_map};

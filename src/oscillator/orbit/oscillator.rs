@@ -173,7 +173,7 @@ impl Slope {
 }
 
 /// Gauss–Legendre with 8 points on [0, 1]: (node, weight).
-const GAUSS: [(f64, f64); 8] = {
+pub(crate) const GAUSS: [(f64, f64); 8] = {
     let half = [
         (0.183_434_642_495_649_8, 0.362_683_783_378_362),
         (0.525_532_409_916_329, 0.313_706_645_877_887_27),

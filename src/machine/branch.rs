@@ -1,0 +1,424 @@
+//! Machines as continuation sees them ([`branch`](crate::oscillator::branch)): their orbits over one
+//! parameter and over two.
+//!
+//! With 2n multipliers the functions whose zeros are bifurcations are Π (1 − λ), Π (1 + λ) and, for
+//! Neimark–Sacker points, the least 1 − λ_iλ_j over pairs of conjugates and of real multipliers, with the
+//! sign of the product of them all, which no pair that turns from complex to real changes. Not here: normal
+//! forms, so that nothing says which way a bifurcation goes.
+
+use std::f64::consts::TAU;
+
+use super::{
+    LinearFlow, Machine, MachineFamily,
+    contact::Contacts,
+    orbit::{
+        MachineAdmissibility, MachineChange, MachineOrbit, StopEquations, StopPattern, check_stops, describe,
+        multipliers,
+    },
+    simulate::{MachineSettings, MachineSimulator},
+};
+use crate::{
+    error::{Error, Result},
+    oscillator::{
+        branch::{
+            Bifurcation, Degeneracy, EventCurve, FollowedOrbit, ImpactPattern, OrbitBranch, PatternCurve,
+            PatternFamily, PatternPlane,
+        },
+        orbit::{Linearised, Root},
+    },
+};
+
+/// The orbits of one pattern of a machine over a parameter.
+pub type MachineOrbits<'a> = PatternCurve<'a, MachinePatterns<'a>>;
+/// The orbits of one pattern of a machine at which one event happens, over two parameters.
+pub type MachineEvents<'a> = EventCurve<'a, MachinePlane<'a>>;
+/// A branch of orbits of a machine.
+pub type MachineBranch = OrbitBranch<MachineOrbit>;
+
+/// Gaps within this of their motion's size are contact without impact, unless a depth is given.
+const RELATIVE_DEPTH: f64 = 1e-12;
+
+/// What all orbits that are followed have in common.
+#[derive(Debug, Clone, Copy)]
+struct Common {
+    /// The unit of lengths and speeds.
+    scale: f64,
+    /// The minimum depth of the simulator that tells orbits from other solutions.
+    depth: f64,
+}
+
+impl Common {
+    fn new(machine: &Machine<f64>, depth: Option<f64>) -> Result<Common> {
+        let settings = MachineSettings::default();
+        let size = MachineSimulator::new(machine, &settings)?.scale();
+        let scale = if size > 0.0 && size.is_finite() { size } else { 1.0 };
+        Ok(Common { scale, depth: depth.unwrap_or(RELATIVE_DEPTH * scale) })
+    }
+
+    fn orbit(&self, machine: &Machine<f64>, pattern: &StopPattern, root: Root) -> Result<MachineOrbit> {
+        let settings = MachineSettings { minimum_depth: self.depth, ..MachineSettings::default() };
+        let simulator = MachineSimulator::new(machine, &settings)?;
+        check_stops(pattern, simulator.contacts())?;
+        describe(&simulator, pattern, self.scale, root)
+    }
+
+    fn count(machine_size: usize, pattern: &StopPattern) -> usize {
+        2 * machine_size + 2 * pattern.impacts()
+    }
+
+    fn unit(&self, machine_size: usize, unknown: usize) -> f64 {
+        if is_time(machine_size, unknown) { 1.0 } else { self.scale }
+    }
+}
+
+fn is_time(machine_size: usize, unknown: usize) -> bool {
+    unknown >= 2 * machine_size && unknown.is_multiple_of(2)
+}
+
+fn solved(machine: &Machine<f64>, pattern: &StopPattern) -> Result<(LinearFlow, Contacts)> {
+    let flow = LinearFlow::new(machine.equations()?)?;
+    let contacts = Contacts::new(flow.equations(), machine.contacts()?);
+    check_stops(pattern, &contacts)?;
+    Ok((flow, contacts))
+}
+
+/// Orbits of machines over one parameter.
+pub struct MachinePatterns<'a> {
+    family: &'a dyn MachineFamily,
+    size: usize,
+    common: Common,
+}
+
+impl<'a> MachinePatterns<'a> {
+    /// The orbits of a family. Lengths are measured by the size of the gaps' motion at one value of the
+    /// parameter; `depth` is the minimum depth of the simulator that tells orbits from other solutions, 10⁻¹²
+    /// of that size if absent.
+    ///
+    /// # Errors
+    /// Where the machine is not defined there.
+    pub fn new(family: &'a dyn MachineFamily, at: f64, depth: Option<f64>) -> Result<MachinePatterns<'a>> {
+        let (machine, _) = family.at(at)?;
+        Ok(MachinePatterns { family, size: machine.size, common: Common::new(&machine, depth)? })
+    }
+}
+
+impl MachinePatterns<'_> {
+    /// The gap to a stop when `phase` comes first after the first impact of an orbit.
+    ///
+    /// # Errors
+    /// Where the machine is not defined.
+    pub fn gap(&self, parameter: f64, orbit: &MachineOrbit, stop: usize, phase: f64) -> Result<f64> {
+        let (machine, _) = self.family.at(parameter)?;
+        let (flow, contacts) = solved(&machine, &orbit.pattern)?;
+        let equations = StopEquations::new(&flow, &contacts, &orbit.pattern, orbit.scale);
+        let wait = (phase - orbit.state.t).rem_euclid(TAU);
+        let state = equations.state(&orbit.z, wait)?;
+        Ok(contacts.all()[stop].gap(&state)[0])
+    }
+}
+
+impl PatternFamily for MachinePatterns<'_> {
+    type Orbit = MachineOrbit;
+
+    fn count(&self, pattern: &StopPattern) -> usize {
+        Common::count(self.size, pattern)
+    }
+
+    fn equations(&self, parameter: f64, pattern: &StopPattern, z: &[f64]) -> Result<Linearised> {
+        let (machine, slope) = self.family.at(parameter)?;
+        let (flow, contacts) = solved(&machine, pattern)?;
+        let change = MachineChange::new(&machine, &slope, &flow, &contacts)?;
+        StopEquations::new(&flow, &contacts, pattern, self.common.scale).linearise(z, Some(&change))
+    }
+
+    fn orbit(&self, parameter: f64, pattern: &StopPattern, root: Root) -> Result<MachineOrbit> {
+        self.common.orbit(&self.family.at(parameter)?.0, pattern, root)
+    }
+
+    /// The state after the first impact stays, the impacts come twice.
+    fn twice(&self, _: &StopPattern, z: &[f64]) -> Vec<f64> {
+        let (state, impacts) = z.split_at(2 * self.size);
+        [state, impacts, impacts].concat()
+    }
+
+    fn unit(&self, _: &StopPattern, unknown: usize) -> f64 {
+        self.common.unit(self.size, unknown)
+    }
+}
+
+impl FollowedOrbit for MachineOrbit {
+    type Pattern = StopPattern;
+
+    fn pattern(&self) -> &StopPattern {
+        &self.pattern
+    }
+
+    fn unknowns(&self) -> &[f64] {
+        &self.z
+    }
+
+    fn is_time(&self, unknown: usize) -> bool {
+        is_time(self.state.q.len(), unknown)
+    }
+
+    fn unit(&self, unknown: usize) -> f64 {
+        if FollowedOrbit::is_time(self, unknown) { 1.0 } else { self.scale }
+    }
+
+    fn length_unit(&self) -> f64 {
+        self.scale
+    }
+
+    fn speeds(&self) -> Vec<f64> {
+        self.impacts.iter().map(|impact| impact.speed / self.scale).collect()
+    }
+
+    fn least_gap(&self) -> Option<f64> {
+        self.least.map(|least| least.gap / self.scale)
+    }
+
+    fn is_orbit(&self) -> bool {
+        let clear = self.least.is_none_or(|least| least.gap > 0.0);
+        let comes_in = self.impacts.iter().all(|impact| impact.speed > 0.0);
+        clear && comes_in && !matches!(self.admissibility, MachineAdmissibility::No(_))
+    }
+
+    fn residual(&self) -> f64 {
+        self.residual
+    }
+
+    fn newton_steps(&self) -> usize {
+        self.steps
+    }
+
+    fn multipliers(&self) -> Vec<(f64, f64)> {
+        self.multipliers.clone()
+    }
+
+    fn is_stable(&self) -> bool {
+        self.multipliers.iter().all(|(re, im)| re.hypot(*im) < 1.0)
+    }
+
+    fn fold(&self) -> f64 {
+        product(&self.multipliers, -1.0)
+    }
+
+    fn flip(&self) -> f64 {
+        product(&self.multipliers, 1.0)
+    }
+
+    fn torus(&self) -> Option<f64> {
+        torus(&self.multipliers)
+    }
+
+    fn rotates(&self) -> bool {
+        nearest_pair(&self.multipliers).is_some_and(|pair| pair.sum.abs() <= 2.0 * (1.0 + 1e-7))
+    }
+
+    fn is_at(&self, bifurcation: Bifurcation) -> bool {
+        let speeds = FollowedOrbit::speeds(self);
+        let moving = speeds.iter().all(|speed| speed.abs() > STILL);
+        let nearest = |to: f64| {
+            self.multipliers.iter().map(|(re, im)| (re - to).hypot(*im)).fold(f64::INFINITY, f64::min)
+        };
+        match bifurcation {
+            // A multiplier moves like the square root of the parameter there: half the digits.
+            Bifurcation::SaddleNode | Bifurcation::Crossing => moving && nearest(1.0) <= 1e-4,
+            Bifurcation::Flip => moving && nearest(-1.0) <= 1e-6,
+            Bifurcation::Torus => {
+                moving
+                    && nearest_pair(&self.multipliers)
+                        .is_some_and(|pair| pair.complex && pair.off.abs() <= 1e-8)
+            }
+            Bifurcation::Grazing => {
+                moving && FollowedOrbit::least_gap(self).is_some_and(|gap| gap.abs() <= 1e-9)
+            }
+            Bifurcation::Fade => speeds.iter().any(|speed| speed.abs() <= 1e-9),
+        }
+    }
+}
+
+/// Slower than this, in units of the motion, an impact's speed is rounding's.
+const STILL: f64 = 1e-10;
+
+/// Products are kept between these in modulus: with hundreds of multipliers they might leave the range of
+/// floats, and only signs would be lost.
+const RANGE: (f64, f64) = (1e-290, 1e290);
+
+/// Π (1 ± λ), one factor |1 ± λ|² for each complex pair.
+fn product(multipliers: &[(f64, f64)], sign: f64) -> f64 {
+    multipliers.iter().filter(|(_, im)| *im >= 0.0).fold(1.0, |all: f64, &(re, im)| {
+        let factor = if im > 0.0 { (1.0 + sign * re).powi(2) + im * im } else { 1.0 + sign * re };
+        let next = all * factor;
+        if next == 0.0 { next } else { next.abs().clamp(RANGE.0, RANGE.1).copysign(next) }
+    })
+}
+
+/// Σ_i Π_{j ≠ i} (1 ± λ_j): where one multiplier is ∓1 the product over the others, and smooth where another
+/// joins it.
+fn product_of_others(multipliers: &[(f64, f64)], sign: f64) -> f64 {
+    // (product, sum of products without one) over factors, conjugates together: (a + ib)(a − ib) and its
+    // derivative 2a.
+    let (_, sum) =
+        multipliers.iter().filter(|(_, im)| *im >= 0.0).fold((1.0, 0.0), |(all, sum), &(re, im)| {
+            let a = 1.0 + sign * re;
+            if im > 0.0 {
+                (all * (a * a + im * im), sum * (a * a + im * im) + all * 2.0 * a)
+            } else {
+                (all * a, sum * a + all)
+            }
+        });
+    sum
+}
+
+/// Two multipliers that are complex conjugates, or real.
+#[derive(Debug, Clone, Copy)]
+struct MultiplierPair {
+    complex: bool,
+    /// 1 − λ_iλ_j.
+    off: f64,
+    /// λ_i + λ_j.
+    sum: f64,
+}
+
+fn pairs(multipliers: &[(f64, f64)]) -> impl Iterator<Item = MultiplierPair> + '_ {
+    let complex = multipliers.iter().filter(|(_, im)| *im > 0.0).map(|&(re, im)| MultiplierPair {
+        complex: true,
+        off: 1.0 - (re * re + im * im),
+        sum: 2.0 * re,
+    });
+    let real: Vec<f64> = multipliers.iter().filter(|(_, im)| *im == 0.0).map(|(re, _)| *re).collect();
+    let two = (0..real.len()).flat_map(move |i| {
+        let real = real.clone();
+        (0..i).map(move |j| MultiplierPair {
+            complex: false,
+            off: 1.0 - real[i] * real[j],
+            sum: real[i] + real[j],
+        })
+    });
+    complex.chain(two)
+}
+
+fn nearest_pair(multipliers: &[(f64, f64)]) -> Option<MultiplierPair> {
+    pairs(multipliers).min_by(|a, b| a.off.abs().total_cmp(&b.off.abs()))
+}
+
+/// Closer to 0 than this, rounding decides what 1 − λ_iλ_j is: motions without any loss have it everywhere.
+const NEUTRAL: f64 = 1e-12;
+
+/// The least 1 − λ_iλ_j, with the sign of the product of them all; 0 where rounding decides.
+fn torus(multipliers: &[(f64, f64)]) -> Option<f64> {
+    let (mut least, mut sign) = (f64::INFINITY, 1.0);
+    for pair in pairs(multipliers) {
+        least = least.min(pair.off.abs());
+        sign *= pair.off.signum();
+    }
+    (least < f64::INFINITY).then_some(if least <= NEUTRAL { 0.0 } else { sign * least })
+}
+
+/// A machine at both of two values.
+type AtBoth<'a> = dyn Fn([f64; 2]) -> Result<Machine<f64>> + 'a;
+
+/// Orbits of machines over two parameters.
+pub struct MachinePlane<'a> {
+    at: &'a AtBoth<'a>,
+    size: usize,
+    common: Common,
+}
+
+impl<'a> MachinePlane<'a> {
+    /// The orbits of the machines that `at` gives at two values; the others as in [`MachinePatterns::new`].
+    ///
+    /// # Errors
+    /// Where the machine is not defined there.
+    pub fn new(at: &'a AtBoth<'a>, place: [f64; 2], depth: Option<f64>) -> Result<MachinePlane<'a>> {
+        let machine = at(place)?;
+        Ok(MachinePlane { at, size: machine.size, common: Common::new(&machine, depth)? })
+    }
+}
+
+impl PatternPlane for MachinePlane<'_> {
+    type Orbit = MachineOrbit;
+
+    fn count(&self, pattern: &StopPattern) -> usize {
+        Common::count(self.size, pattern)
+    }
+
+    fn unit(&self, _: &StopPattern, unknown: usize) -> f64 {
+        self.common.unit(self.size, unknown)
+    }
+
+    fn values(
+        &self,
+        event: Bifurcation,
+        parameters: [f64; 2],
+        pattern: &StopPattern,
+        z: &[f64],
+    ) -> Result<Vec<f64>> {
+        let machine = (self.at)(parameters)?;
+        let (flow, contacts) = solved(&machine, pattern)?;
+        let equations = StopEquations::new(&flow, &contacts, pattern, self.common.scale);
+        let mut values = equations.linearise(z, None)?.residual;
+        let speeds = || z[2 * self.size..].iter().skip(1).step_by(2);
+        let scale: f64 = speeds().product();
+        let multipliers = || multipliers(&equations, z);
+        values.push(match event {
+            Bifurcation::SaddleNode => product(&multipliers()?, -1.0) * scale,
+            Bifurcation::Flip => product(&multipliers()?, 1.0) * scale,
+            Bifurcation::Torus => nearest_pair(&multipliers()?).map_or(f64::NAN, |pair| pair.off),
+            Bifurcation::Grazing => {
+                let least = equations.least(z)?;
+                let least = least.ok_or_else(|| Error::input("no minimum of a gap to graze at"))?;
+                least.gap / self.common.scale
+            }
+            Bifurcation::Fade => *speeds().min_by(|a, b| a.abs().total_cmp(&b.abs())).unwrap_or(&0.0),
+            Bifurcation::Crossing => {
+                return Err(Error::input(
+                    "crossings of branches of a machine are not followed in two parameters",
+                ));
+            }
+        });
+        Ok(values)
+    }
+
+    fn orbit(&self, parameters: [f64; 2], pattern: &StopPattern, root: Root) -> Result<MachineOrbit> {
+        self.common.orbit(&(self.at)(parameters)?, pattern, root)
+    }
+
+    /// Without normal forms there are no cusps and no generalised flips; resonant grazings are those of one
+    /// degree of freedom.
+    fn degeneracies(
+        &self,
+        event: Bifurcation,
+        _: [f64; 2],
+        along: f64,
+        orbit: &MachineOrbit,
+    ) -> Vec<Option<f64>> {
+        let mut all = vec![None; Degeneracy::ALL.len()];
+        let multipliers = &orbit.multipliers;
+        let mut set =
+            |what: Degeneracy, value: f64| all[what as usize] = Some(value).filter(|x| x.is_finite());
+        match event {
+            Bifurcation::SaddleNode => {
+                set(Degeneracy::Resonance1, product_of_others(multipliers, -1.0));
+                set(Degeneracy::FoldFlip, product(multipliers, 1.0));
+            }
+            Bifurcation::Flip => {
+                set(Degeneracy::Resonance2, product_of_others(multipliers, 1.0));
+                set(Degeneracy::FoldFlip, product(multipliers, -1.0));
+            }
+            Bifurcation::Torus => {
+                if let Some(pair) = nearest_pair(multipliers) {
+                    set(Degeneracy::Resonance1, pair.sum - 2.0);
+                    set(Degeneracy::Resonance2, pair.sum + 2.0);
+                    set(Degeneracy::Resonance3, pair.sum + 1.0);
+                    set(Degeneracy::Resonance4, pair.sum);
+                }
+            }
+            // Along the curve e dp + e′ dp′ = 0, with e′ that of the second parameter.
+            Bifurcation::Grazing => set(Degeneracy::NoDrift, along),
+            Bifurcation::Crossing | Bifurcation::Fade => {}
+        }
+        all
+    }
+}

@@ -1,0 +1,129 @@
+//! How the motion of a machine, its gaps and its impacts change with a parameter.
+
+use super::{Contacts, LinearFlow, MachineState, RealMatrix, RealVector, stacked};
+use crate::{
+    error::Result,
+    machine::{LinearEquations, Machine, MachineSlope, Periodic},
+    oscillator::{Series, orbit::GAUSS},
+};
+
+/// What a parameter changes of a machine, ready for legs of motion.
+///
+/// A motion q(t) from a given state changes by s(t) with M s″ + C s′ + K s = r(t), s = s′ = 0 at first,
+///
+///   r = f′ − M′q″ − C′q′ − K′q = (f′ − M′M⁻¹f) + (M′M⁻¹C − C′) q′ + (M′M⁻¹K − K′) q,
+///
+/// where f′ and so on are derivatives in the parameter. If only the force changes, s is a motion of the same
+/// machine under the force f′ and known in closed form. Else it is Duhamel's integral, by Gauss's rule on
+/// panels short against every motion, exact to rounding.
+#[derive(Debug, Clone)]
+pub struct MachineChange {
+    /// f′ − M′M⁻¹f.
+    force: Periodic,
+    /// By q and by q′; none where M, C and K stay.
+    state: Option<[RealMatrix; 2]>,
+    /// The machine under f′ alone, if that is all; none if nothing changes.
+    alone: Option<LinearFlow>,
+    /// Of each stop: of its row, of its place, and of its kick (1 + τ) M⁻¹wᵀ/(w M⁻¹wᵀ).
+    stops: Vec<(RealVector, Series, RealVector)>,
+}
+
+impl MachineChange {
+    /// The change of a machine whose coefficients change at the rates `slope`.
+    ///
+    /// # Errors
+    /// Those of [`MachineSlope::new`].
+    pub fn new(
+        machine: &Machine<f64>,
+        slope: &Machine<f64>,
+        flow: &LinearFlow,
+        contacts: &Contacts,
+    ) -> Result<MachineChange> {
+        let equations = flow.equations();
+        let change = MachineSlope::new(machine, slope)?;
+        let still = [&change.mass, &change.damping, &change.stiffness].iter().all(|x| x.amax() == 0.0);
+        let mut force = change.force.clone();
+        // M′M⁻¹ = (M⁻¹M′)ᵀ, both being symmetric.
+        let ratio = solved(equations, &change.mass).transpose();
+        if change.mass.amax() != 0.0 {
+            let lost = equations.force.mapped(&ratio);
+            force.mean -= &lost.mean;
+            for (k, a, b) in &lost.harmonics {
+                force.add(*k, &-a, &-b);
+            }
+        }
+        let state = (!still).then(|| {
+            [&ratio * &equations.stiffness - &change.stiffness, &ratio * &equations.damping - &change.damping]
+        });
+        let pushed = force.mean.amax() != 0.0 || !force.harmonics.is_empty();
+        let alone = (still && pushed).then(|| {
+            let LinearEquations { mass, damping, stiffness, .. } = equations.clone();
+            LinearFlow::new(LinearEquations::new(mass, damping, stiffness, force.clone())?)
+        });
+        let stops = change.stops.iter().zip(&slope.stops).enumerate().map(|(stop, ((row, place), own))| {
+            let (contact, push, mobility) =
+                (&contacts.all()[stop], contacts.push(stop), contacts.mobility(stop));
+            // (M⁻¹wᵀ)′ = M⁻¹(w′ᵀ − M′M⁻¹wᵀ), (w M⁻¹wᵀ)′ = 2w′M⁻¹wᵀ − (M⁻¹wᵀ)ᵀM′M⁻¹wᵀ.
+            let pushed = equations.accelerate(&(row - &change.mass * push));
+            let moved = 2.0 * row.dot(push) - push.dot(&(&change.mass * push));
+            let factor = (1.0 + contact.restitution) / mobility;
+            let kick = pushed * factor + push * (own.wall.restitution / mobility - factor * moved / mobility);
+            (row.clone(), place.clone(), kick)
+        });
+        Ok(MachineChange { force, state, alone: alone.transpose()?, stops: stops.collect() })
+    }
+
+    /// (q, q′) after `duration` from a state, as it changes with the parameter, the state being fixed. Cost:
+    /// O(n²), or O(n²) for each of 8 points per radian of the fastest motion where M, C or K change.
+    pub fn leg(&self, flow: &LinearFlow, from: &MachineState, duration: f64) -> RealVector {
+        let n = flow.equations().size();
+        if let Some(alone) = &self.alone {
+            let (zero, t) = (RealVector::zeros(n), from.t);
+            let end = alone.after(&MachineState { t, q: zero.clone(), u: zero }, duration);
+            return stacked(&end.q, &end.u);
+        }
+        let Some([by_place, by_rate]) = &self.state else { return RealVector::zeros(2 * n) };
+        let order = flow.equations().force.order().max(self.force.order()).max(1);
+        let rate = flow.rates().into_iter().fold(f64::from(order), f64::max);
+        let panels = (duration * rate).ceil().max(1.0);
+        let width = duration / panels;
+        let (mut here, mut sum, mut at) = (from.clone(), RealVector::zeros(2 * n), 0.0);
+        let mut go = |to: f64, weight: f64| {
+            if to > at {
+                here = flow.after(&here, to - at);
+                flow.advance(&mut sum, to - at);
+                at = to;
+            }
+            if weight > 0.0 {
+                let r = self.force.at(here.t) + by_place * &here.q + by_rate * &here.u;
+                sum.axpy(weight, &flow.kick(&flow.equations().accelerate(&r)), 1.0);
+            }
+        };
+        for panel in 0..panels as u64 {
+            for (node, weight) in GAUSS {
+                go(width * (panel as f64 + node), width * weight);
+            }
+        }
+        go(duration, 0.0);
+        flow.outward(&sum)
+    }
+
+    /// How the gap to a stop and its rate change at a state.
+    pub fn gap(&self, stop: usize, at: &MachineState) -> [f64; 2] {
+        let (row, place, _) = &self.stops[stop];
+        let [place, speed, _] = place.at(at.t);
+        [row.dot(&at.q) - place, row.dot(&at.u) - speed]
+    }
+
+    /// How the kick of a stop changes.
+    pub fn kick(&self, stop: usize) -> &RealVector {
+        &self.stops[stop].2
+    }
+}
+
+/// M⁻¹X.
+fn solved(equations: &LinearEquations, x: &RealMatrix) -> RealMatrix {
+    let columns: Vec<RealVector> =
+        x.column_iter().map(|column| equations.accelerate(&column.into_owned())).collect();
+    RealMatrix::from_columns(&columns)
+}

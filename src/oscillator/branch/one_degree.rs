@@ -1,0 +1,279 @@
+//! Oscillators of one degree of freedom as continuation sees them: their orbits, and the functions of their
+//! bifurcations in two parameters.
+
+use std::f64::consts::{PI, TAU};
+
+use super::{
+    Bifurcation, Degeneracy,
+    problem::{FollowedOrbit, ImpactPattern, PatternFamily, PatternPlane},
+};
+use crate::{
+    error::{Error, Result},
+    oscillator::{
+        grazing::{LocalMap, is_mirrored},
+        orbit::{
+            Derivatives, Family, Itinerary, Linearised, Multipliers, Orbit, Oscillator, Root, Unknowns,
+            check, describe, linearise, monodromy, return_map,
+        },
+    },
+};
+
+/// Oscillators that differ in two parameters.
+pub trait TwoParameterFamily: Sync {
+    /// The oscillator at both values.
+    ///
+    /// # Errors
+    /// An input error where the system is not defined.
+    fn at(&self, parameters: [f64; 2]) -> Result<Oscillator>;
+}
+
+impl<F: Fn([f64; 2]) -> Result<Oscillator> + Sync> TwoParameterFamily for F {
+    fn at(&self, parameters: [f64; 2]) -> Result<Oscillator> {
+        self(parameters)
+    }
+}
+
+impl ImpactPattern for Itinerary {
+    fn impacts(&self) -> usize {
+        self.strikes().len()
+    }
+
+    fn repeated(&self, times: u32) -> Itinerary {
+        Itinerary::repeated(self, times)
+    }
+}
+
+/// Slower than this, an impact's speed is rounding's.
+const STILL: f64 = 1e-10;
+
+impl FollowedOrbit for Orbit {
+    type Pattern = Itinerary;
+
+    fn pattern(&self) -> &Itinerary {
+        &self.itinerary
+    }
+
+    fn unknowns(&self) -> &[f64] {
+        &self.z
+    }
+
+    fn is_time(&self, unknown: usize) -> bool {
+        unknown.is_multiple_of(2) && !self.itinerary.strikes().is_empty()
+    }
+
+    fn speeds(&self) -> Vec<f64> {
+        self.impacts().map(|impact| impact.speed).collect()
+    }
+
+    fn least_gap(&self) -> Option<f64> {
+        self.least.map(|least| least.gap)
+    }
+
+    fn is_orbit(&self) -> bool {
+        self.admissibility.is_admissible()
+    }
+
+    fn residual(&self) -> f64 {
+        self.residual
+    }
+
+    fn newton_steps(&self) -> usize {
+        self.steps
+    }
+
+    fn multipliers(&self) -> Vec<(f64, f64)> {
+        self.multipliers.values().to_vec()
+    }
+
+    fn is_stable(&self) -> bool {
+        self.multipliers.is_stable()
+    }
+
+    fn fold(&self) -> f64 {
+        self.multipliers.fold()
+    }
+
+    fn flip(&self) -> f64 {
+        self.multipliers.flip()
+    }
+
+    fn torus(&self) -> Option<f64> {
+        let Multipliers { trace, determinant } = self.multipliers;
+        (trace.abs() < 1.0 + determinant).then_some(determinant - 1.0)
+    }
+
+    fn rotates(&self) -> bool {
+        let Multipliers { trace, determinant } = self.multipliers;
+        trace.abs() <= (1.0 + determinant) * (1.0 + 1e-9)
+    }
+
+    fn is_at(&self, bifurcation: Bifurcation) -> bool {
+        let multipliers = &self.multipliers;
+        let moving = self.impacts().all(|impact| impact.speed.abs() > STILL);
+        let near = |test: f64, tolerance: f64| test.abs() <= tolerance * (1.0 + multipliers.determinant);
+        match bifurcation {
+            // A multiplier moves like the square root of the parameter there: half the digits.
+            Bifurcation::SaddleNode | Bifurcation::Crossing => moving && near(multipliers.fold(), 1e-4),
+            Bifurcation::Flip => moving && near(multipliers.flip(), 1e-6),
+            Bifurcation::Torus => {
+                moving
+                    && near(multipliers.determinant - 1.0, 1e-9)
+                    && multipliers.trace.abs() < 1.0 + multipliers.determinant
+            }
+            Bifurcation::Grazing => moving && self.least.is_some_and(|least| least.gap.abs() <= 1e-9),
+            Bifurcation::Fade => self.impacts().any(|impact| impact.speed.abs() <= 1e-9),
+        }
+    }
+}
+
+impl PatternFamily for dyn Family + '_ {
+    type Orbit = Orbit;
+
+    fn count(&self, pattern: &Itinerary) -> usize {
+        Unknowns::count(pattern)
+    }
+
+    fn equations(&self, parameter: f64, pattern: &Itinerary, z: &[f64]) -> Result<Linearised> {
+        linearise(&self.at(parameter)?, pattern, z)
+    }
+
+    fn orbit(&self, parameter: f64, pattern: &Itinerary, root: Root) -> Result<Orbit> {
+        describe(&self.at(parameter)?, pattern, root)
+    }
+
+    fn twice(&self, pattern: &Itinerary, z: &[f64]) -> Vec<f64> {
+        z.repeat(if pattern.strikes().is_empty() { 1 } else { 2 })
+    }
+}
+
+impl PatternPlane for dyn TwoParameterFamily + '_ {
+    type Orbit = Orbit;
+
+    fn count(&self, pattern: &Itinerary) -> usize {
+        Unknowns::count(pattern)
+    }
+
+    fn values(
+        &self,
+        event: Bifurcation,
+        parameters: [f64; 2],
+        pattern: &Itinerary,
+        z: &[f64],
+    ) -> Result<Vec<f64>> {
+        let oscillator = self.at(parameters)?;
+        let mut values = linearise(&oscillator, pattern, z)?.residual;
+        if event == Bifurcation::Crossing {
+            symmetric(&oscillator, pattern, z, &mut values)?;
+        }
+        let unknowns = Unknowns::new(pattern, z)?;
+        let speeds = || unknowns.speeds();
+        let scale: f64 = speeds().product();
+        let multipliers = || {
+            let matrix = monodromy(&oscillator, pattern, z)?;
+            Ok::<_, Error>(Multipliers::new(&matrix, &oscillator, pattern))
+        };
+        values.push(match event {
+            Bifurcation::SaddleNode | Bifurcation::Crossing => multipliers()?.fold() * scale,
+            Bifurcation::Flip => multipliers()?.flip() * scale,
+            Bifurcation::Torus => multipliers()?.determinant - 1.0,
+            Bifurcation::Grazing => {
+                let least = check(&oscillator, pattern, z).least;
+                least.ok_or_else(|| Error::input("no minimum of a gap to graze at"))?.gap
+            }
+            Bifurcation::Fade => speeds().min_by(|a, b| a.abs().total_cmp(&b.abs())).unwrap_or(0.0),
+        });
+        Ok(values)
+    }
+
+    fn orbit(&self, parameters: [f64; 2], pattern: &Itinerary, root: Root) -> Result<Orbit> {
+        describe(&self.at(parameters)?, pattern, root)
+    }
+
+    fn degeneracies(
+        &self,
+        event: Bifurcation,
+        parameters: [f64; 2],
+        along: f64,
+        orbit: &Orbit,
+    ) -> Vec<Option<f64>> {
+        let mut all = vec![None; Degeneracy::ALL.len()];
+        let (trace, det) = (orbit.multipliers.trace, orbit.multipliers.determinant);
+        let oscillator = || self.at(parameters).ok();
+        let expansion =
+            || Some(Derivatives::of(&return_map(&oscillator()?, &orbit.itinerary, &orbit.z).ok()?));
+        let mut set = |what: Degeneracy, value: Option<f64>| {
+            all[what as usize] = value.filter(|value| value.is_finite());
+        };
+        match event {
+            Bifurcation::SaddleNode => {
+                set(Degeneracy::Cusp, expansion().and_then(|map| map.fold_along()));
+                set(Degeneracy::Resonance1, Some(det - 1.0));
+            }
+            Bifurcation::Flip => {
+                set(Degeneracy::GeneralisedFlip, expansion().and_then(|map| map.flip()));
+                set(Degeneracy::Resonance2, Some(det - 1.0));
+            }
+            Bifurcation::Torus => {
+                set(Degeneracy::Resonance1, Some(trace - 2.0));
+                set(Degeneracy::Resonance2, Some(trace + 2.0));
+                set(Degeneracy::Resonance3, Some(trace + 1.0));
+                set(Degeneracy::Resonance4, Some(trace));
+            }
+            Bifurcation::Grazing => {
+                // Along the curve e dp + e′ dp′ = 0, with e′ that of the second parameter.
+                set(Degeneracy::NoDrift, Some(along));
+                let gamma = oscillator().and_then(|oscillator| LocalMap::of(&oscillator, orbit).ok());
+                set(Degeneracy::NoGamma, gamma.map(|map| map.gamma()));
+                // u_n without the factors that it shares with u_d, d a divisor of n.
+                let square = trace * trace;
+                set(Degeneracy::Resonant2, Some(trace));
+                set(Degeneracy::Resonant3, Some(square - det));
+                set(Degeneracy::Resonant4, Some(square - 2.0 * det));
+                set(Degeneracy::Resonant5, Some(square * square - 3.0 * square * det + det * det));
+                set(Degeneracy::Resonant6, Some(square - 3.0 * det));
+            }
+            Bifurcation::Crossing | Bifurcation::Fade => {}
+        }
+        all
+    }
+
+    /// Two zeros of one u_n are not to lie within a step: for n ≤ 6 they are at least π/5 apart in θ, trace =
+    /// 2 √det cos θ.
+    fn leaps(&self, event: Bifurcation, before: &Orbit, after: &Orbit) -> bool {
+        let angle = |orbit: &Orbit| {
+            let Multipliers { trace, determinant } = orbit.multipliers;
+            (trace / (2.0 * determinant.sqrt())).clamp(-1.0, 1.0).acos()
+        };
+        event == Bifurcation::Grazing && (angle(before) - angle(after)).abs() > PI / 6.0
+    }
+}
+
+/// Where branches cross the pattern equations are singular, and in two parameters they cross along a curve
+/// only where a symmetry is lost: at pitchforks of symmetric orbits. Among those the equations are regular:
+/// the second half of the pattern, in place of its own equations, is the mirror of the first, half a period
+/// later.
+fn symmetric(oscillator: &Oscillator, pattern: &Itinerary, z: &[f64], values: &mut [f64]) -> Result<()> {
+    let strikes = pattern.strikes();
+    let half = strikes.len() / 2;
+    let (first, second) = strikes.split_at(half);
+    let opposite = first.iter().zip(second).all(|(a, b)| a.side != b.side);
+    let lag = PI * f64::from(pattern.periods());
+    let off = |i: usize| {
+        let [late, faster] = [0, 1].map(|j| z[2 * (i + half) + j] - z[2 * i + j]);
+        [(late - lag + PI).rem_euclid(TAU) - PI, faster]
+    };
+    let symmetric = (0..half).all(|i| off(i).iter().all(|x| x.abs() < 1e-3));
+    if half == 0
+        || first.len() != second.len()
+        || !opposite
+        || !symmetric
+        || !is_mirrored(oscillator.system())
+    {
+        return Err(Error::input(
+            "crossings are followed in two parameters only as pitchforks of orbits that are their own mirror image half a period \
+             later, with impacts; this one is not",
+        ));
+    }
+    (0..half).for_each(|i| values[2 * (i + half)..][..2].copy_from_slice(&off(i)));
+    Ok(())
+}
