@@ -151,14 +151,14 @@ impl fmt::Display for Nothing {
             write!(f, "; {way} ")?;
             match (end, passed.last()) {
                 (CurveEnd::Reach, _) => {
-                    write!(f, "it goes on beyond reach = {} (at {parameter})", self.reach)?
+                    write!(f, "it goes on beyond reach = {} (at {parameter:?})", self.reach)?
                 }
-                (CurveEnd::Fails, Some((what, at))) => write!(f, "it ends in a {} at {at}", what.name())?,
-                _ => write!(f, "it ends at {parameter} ({end})")?,
+                (CurveEnd::Fails, Some((what, at))) => write!(f, "it ends in a {} at {at:?}", what.name())?,
+                _ => write!(f, "it ends at {parameter:?} ({end})")?,
             }
             write!(f, ", {length:.3} along")?;
             for (what, at) in passed.iter().filter(|(what, _)| *what == Bifurcation::Crossing) {
-                write!(f, ", past a {} with another branch at {at}", what.name())?;
+                write!(f, ", past a {} with another branch at {at:?}", what.name())?;
             }
         }
         if self.sides.iter().any(|side| side.end == CurveEnd::Reach) {
