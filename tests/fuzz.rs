@@ -23,22 +23,24 @@ fn counts(tally: FuzzTally) -> FuzzTally {
 #[test]
 fn conjecture_1_withstands_a_short_run() {
     let options = FuzzOptions { cases: 5_000_000, ..options() };
-    let tally = fuzz(&options, FuzzTally::default(), &(), |_| Ok(())).unwrap();
+    let tally = fuzz(&options, 0..options.units(), FuzzTally::default(), &(), |_| Ok(())).unwrap();
     assert_eq!(tally.disagreements, Vec::<String>::new());
     // Nor do two routes of this program to one answer differ, as they would if a sweep took another k.
     assert_eq!(tally.faults, Vec::<String>::new());
     assert_eq!(tally.undecided, 0);
-    assert!((options.cases..options.cases + 2 * options.block()).contains(&tally.decided()));
+    assert_eq!(tally.units, options.cases.div_ceil(options.block()));
+    assert!(tally.decided() >= options.cases);
     assert!(tally.weighted > 500 && tally.repeated > 50 && tally.ball > 0 && tally.boundary > 0, "{tally:?}");
 }
 
 #[test]
 fn threads_and_interruptions_change_nothing() {
-    let whole = fuzz(&options(), FuzzTally::default(), &(), |_| Ok(())).unwrap();
+    let whole = fuzz(&options(), 0..options().units(), FuzzTally::default(), &(), |_| Ok(())).unwrap();
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
     let mut states = Vec::new();
+    let longer = FuzzOptions { cases: 1_000_000, ..options() };
     let single = pool.install(|| {
-        fuzz(&FuzzOptions { cases: 1_000_000, ..options() }, FuzzTally::default(), &(), |tally| {
+        fuzz(&longer, 0..longer.units(), FuzzTally::default(), &(), |tally| {
             states.push(tally.clone());
             Ok(())
         })
@@ -46,27 +48,28 @@ fn threads_and_interruptions_change_nothing() {
     let single = counts(single.unwrap());
     // From the end of a shorter run, and from every state of the longer one.
     for state in states.into_iter().chain([whole]) {
-        let resumed = fuzz(&FuzzOptions { cases: 1_000_000, ..options() }, state, &(), |_| Ok(())).unwrap();
+        let resumed = fuzz(&longer, 0..longer.units(), state, &(), |_| Ok(())).unwrap();
         assert_eq!(counts(resumed), single);
     }
 }
 
-/// The run stops within the block that reaches the cases asked for.
+/// A run is the blocks that reach the cases asked for, and what they have beside their sweeps.
 #[test]
 fn cases_are_what_was_asked_for_to_within_a_block() {
     for (first, last, cases) in [(1, 3, 1), (1, 64, 1), (1, 64, 100_000), (60, 64, 5_000), (12, 12, 10_000)] {
         let options = FuzzOptions { first, last, cases, ..options() };
-        let tally = fuzz(&options, FuzzTally::default(), &(), |_| Ok(())).unwrap();
-        let most = cases + options.block() + tally.repeated;
+        let tally = fuzz(&options, 0..options.units(), FuzzTally::default(), &(), |_| Ok(())).unwrap();
+        let most = cases + options.block() + tally.repeated + tally.weighted;
         assert!((cases..most).contains(&tally.decided()), "{} for {options:?}", tally.decided());
     }
-    assert!(fuzz(&FuzzOptions { cases: 0, ..options() }, FuzzTally::default(), &(), |_| Ok(())).is_err());
+    let none = FuzzOptions { cases: 0, ..options() };
+    assert!(fuzz(&none, 0..0, FuzzTally::default(), &(), |_| Ok(())).is_err());
 }
 
 /// What no run comes to is refused, also where a sum would wrap or a loop have no end.
 #[test]
 fn false_tallies_are_refused() {
-    let good = fuzz(&options(), FuzzTally::default(), &(), |_| Ok(())).unwrap();
+    let good = fuzz(&options(), 0..options().units(), FuzzTally::default(), &(), |_| Ok(())).unwrap();
     options().check(&good).unwrap();
     let damages: [fn(&mut FuzzTally); 12] = [
         |tally| tally.units = u64::MAX,
@@ -85,7 +88,10 @@ fn false_tallies_are_refused() {
     for (index, damage) in damages.into_iter().enumerate() {
         let mut tally = good.clone();
         damage(&mut tally);
-        assert!(fuzz(&options(), tally, &(), |_| Ok(())).unwrap_err().is_input(), "damage {index}");
+        assert!(
+            fuzz(&options(), 0..options().units(), tally, &(), |_| Ok(())).unwrap_err().is_input(),
+            "damage {index}"
+        );
     }
 }
 
@@ -158,7 +164,7 @@ mod words {
     }
 
     fn run(options: &WordOptions, from: WordTally) -> WordTally {
-        fuzz(options, from, &(), |_| Ok(())).unwrap()
+        fuzz(options, 0..options.units(), from, &(), |_| Ok(())).unwrap()
     }
 
     #[test]
@@ -169,7 +175,8 @@ mod words {
         assert_eq!(tally.disagreements, Vec::<String>::new());
         assert_eq!(tally.faults, Vec::<String>::new());
         assert_eq!((tally.undecided, tally.beyond.len()), (0, 0));
-        assert!((options().cases..options().cases + 2 * options().block()).contains(&tally.decided()));
+        assert_eq!(tally.units, options().cases.div_ceil(options().block()));
+        assert!(tally.decided() >= options().cases);
         assert!(
             tally.exact > 10 && tally.repeated > 5 && tally.words > 2 && tally.pairs > tally.swept,
             "{tally:?}"
@@ -196,14 +203,21 @@ mod words {
         for (index, damage) in damages.into_iter().enumerate() {
             let mut tally = good.clone();
             damage(&mut tally);
-            assert!(fuzz(&options(), tally, &(), |_| Ok(())).unwrap_err().is_input(), "damage {index}");
+            assert!(
+                fuzz(&options(), 0..options().units(), tally, &(), |_| Ok(())).unwrap_err().is_input(),
+                "damage {index}"
+            );
         }
         for options in [
             WordOptions { cases: 0, ..options() },
             WordOptions { last: 2, ..options() },
             WordOptions { last: 1025, ..options() },
         ] {
-            assert!(fuzz(&options, WordTally::default(), &(), |_| Ok(())).unwrap_err().is_input());
+            assert!(
+                fuzz(&options, 0..options.units(), WordTally::default(), &(), |_| Ok(()))
+                    .unwrap_err()
+                    .is_input()
+            );
         }
     }
 

@@ -166,6 +166,9 @@ pub fn check(input: &mut dyn BufRead) -> Result<Checked, Rejection> {
 pub fn check_until(input: &mut dyn BufRead, stop: &mut dyn FnMut() -> bool) -> Result<Checked, Rejection> {
     let mut lines = Lines::after(0, input, stop);
     let first = lines.expect("the format line")?;
+    if first.starts_with("grazing-shard ") {
+        return Err(lines.malformed("a shard is no certificate: `grazing merge` puts shards together"));
+    }
     if first != FORMAT {
         return Err(lines.malformed(format!("not a certificate of this format: expected {FORMAT:?}")));
     }

@@ -4,6 +4,7 @@ use std::{
     collections::{HashMap, HashSet},
     ops::RangeInclusive,
     path::{Path, PathBuf},
+    str::FromStr,
     sync::Mutex,
     time::Instant,
 };
@@ -15,6 +16,7 @@ use serde_json::json;
 
 use super::{
     Outcome, ReportFormat, in_pool,
+    merge::{self, Part, ShardSet, certify, part_of, task_of},
     range::{Periods, whole},
     reported,
 };
@@ -24,7 +26,9 @@ use crate::{
     error::{Error, Result},
     monitor::Monitor,
     number::{parse_integer, parse_rational},
-    output::{Destination, Journal, OutputFile, SavedRun, decimal_above, decimal_below, distinct, say, torn},
+    output::{
+        Destination, Journal, OutputFile, SavedRun, Shard, decimal_above, decimal_below, distinct, say, torn,
+    },
     search::cover::{Cover, CoverOptions, CoverTally, Unit, certificate as assemble, cover, units},
 };
 
@@ -54,6 +58,9 @@ pub(super) struct Args {
     /// Write a certificate, which `grazing check` proves again without search.
     #[arg(long, value_name = "FILE")]
     certificate: Option<PathBuf>,
+    /// Cover the I-th of N parts only, and write a shard of the certificate, for `grazing merge`.
+    #[arg(long, value_name = "I/N", requires = "certificate", value_parser = Shard::from_str)]
+    shard: Option<Shard>,
     /// Keep a journal of finished work in this file, and continue from it if it exists.
     #[arg(long, value_name = "FILE")]
     resume: Option<PathBuf>,
@@ -78,12 +85,17 @@ struct Row {
 }
 
 pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
-    let range = args.periods.within(certificate::cover::MOST, "cover")?;
-    let options = CoverOptions {
-        r_max: args.r_max.clone(),
-        max_depth: args.max_depth,
-        ..CoverOptions::new(range.clone())
+    let all = args.periods.within(certificate::cover::MOST, "cover")?;
+    let task = task_of(words(&options(args, all.clone())));
+    let range = match args.shard {
+        Some(shard) => {
+            let part = part_of(&all, shard);
+            // An empty range for an empty part.
+            RangeInclusive::new(part.start, part.end - 1)
+        }
+        None => all,
     };
+    let options = options(args, range.clone());
     let files = [
         ("--certificate", args.certificate.as_deref()),
         ("--resume", args.resume.as_deref()),
@@ -95,15 +107,53 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     let destination = Destination::new(args.output.as_deref())?;
     let (rows, clock) = in_pool(args.jobs, || prove(&options, args.resume.as_deref(), interrupt))?;
     let outcome = outcome(&rows);
-    if let (Some(file), Outcome::Done) = (&certificate, outcome) {
-        let blocks: Vec<String> = rows.iter().filter_map(|row| row.cover.block()).collect();
-        file.write(|out| Ok(out.write_all(assemble(&range, &blocks).as_bytes())?))?;
+    if let (Some(file), Outcome::Done) = (certificate, outcome) {
+        let blocks = rows.iter().filter_map(|row| Some((row.cover.n, row.cover.block()?)));
+        match args.shard {
+            None => {
+                let blocks: Vec<String> = blocks.map(|(_, block)| block).collect();
+                file.write(|out| Ok(out.write_all(assemble(&range, &blocks).as_bytes())?))?;
+            }
+            Some(shard) => Part { task, shard, file }.write(|out| {
+                for (n, block) in blocks {
+                    out.record(n, &json!(block).to_string())?;
+                }
+                Ok(())
+            })?,
+        }
     }
     let report = match args.format {
         ReportFormat::Text => text(&range, &rows, args) + &growth(&rows) + &clock,
         ReportFormat::Json => format!("{}\n", json_report(&range, &rows, args)),
     };
     reported(outcome, destination.write(|out| Ok(out.write_all(report.as_bytes())?)))
+}
+
+fn options(args: &Args, periods: RangeInclusive<u64>) -> CoverOptions {
+    CoverOptions { r_max: args.r_max.clone(), max_depth: args.max_depth, ..CoverOptions::new(periods) }
+}
+
+/// What shards are parts of.
+fn words(options: &CoverOptions) -> Vec<String> {
+    let mut words = vec!["cover".to_string(), format!("{:?}", options.periods)];
+    words.extend(options.r_max.iter().flat_map(|r| ["--r-max".to_string(), r.to_string()]));
+    words.extend(["--max-depth".to_string(), options.max_depth.to_string()]);
+    words
+}
+
+/// The certificate from its shards.
+pub(super) fn merge(
+    args: &Args,
+    set: &ShardSet,
+    merged: &merge::Args,
+    interrupt: &Interrupt,
+) -> Result<Outcome> {
+    let range = args.periods.within(certificate::cover::MOST, "cover")?;
+    certify(merged, interrupt, |out| {
+        let mut blocks = Vec::new();
+        set.texts(|shard| part_of(&range, shard), |block| Ok(blocks.push(block.to_string())))?;
+        Ok(out.write_all(assemble(&range, &blocks).as_bytes())?)
+    })
 }
 
 /// Searches, then checks; the rows, and how long that took in words.
@@ -247,8 +297,18 @@ fn text(range: &RangeInclusive<u64>, rows: &[Row], args: &Args) -> String {
         }
     }
     text += &table(rows);
-    if let (Some(path), Outcome::Done) = (&args.certificate, outcome(rows)) {
-        text += &format!("Certificate: {0}; `grazing check {0}` proves it again.\n", path.display());
+    match (&args.certificate, args.shard) {
+        _ if outcome(rows) != Outcome::Done => {}
+        (Some(path), None) => {
+            text += &format!("Certificate: {0}; `grazing check {0}` proves it again.\n", path.display());
+        }
+        (Some(path), Some(shard)) => {
+            text += &format!(
+                "Shard {shard} of a certificate: {}; `grazing merge` puts all together.\n",
+                path.display()
+            );
+        }
+        (None, _) => {}
     }
     text
 }
@@ -341,6 +401,7 @@ fn json_report(range: &RangeInclusive<u64>, rows: &[Row], args: &Args) -> serde_
         },
         "range": [range.start(), range.end()],
         "periods": rows.iter().map(period).collect::<Vec<_>>(),
+        "shard": args.shard.map(|shard| shard.to_string()),
         "certificate": args.certificate.as_ref().filter(|_| outcome(rows) == Outcome::Done),
     })
 }

@@ -12,6 +12,7 @@ mod figure;
 mod formula;
 mod fuzz;
 mod intervals;
+mod merge;
 pub(crate) mod progress;
 mod range;
 mod reader;
@@ -68,6 +69,7 @@ Ctrl-C ends at once with 130.";
 enum Command {
     Verify(verify::Args),
     Check(check::Args),
+    Merge(merge::Args),
     Cover(cover::Args),
     Intervals(intervals::Args),
     Classify(classify::Args),
@@ -227,6 +229,7 @@ fn run(cli: Cli, interrupt: &Interrupt) -> Result<Outcome> {
     match cli.command {
         Command::Verify(args) => verify::run(&args, interrupt),
         Command::Check(args) => check::run(&args, interrupt),
+        Command::Merge(args) => merge::run(&args, interrupt),
         Command::Cover(args) => cover::run(&args, interrupt),
         Command::Intervals(args) => intervals::run(&args, interrupt),
         Command::Classify(args) => classify::run(&args, interrupt),
@@ -253,6 +256,7 @@ impl Command {
         match self {
             Command::Verify(args) => report(args.format, "grazing-verify 1"),
             Command::Check(args) => report(args.format, "grazing-check 2"),
+            Command::Merge(args) => report(args.format, "grazing-merge 1"),
             Command::Cover(args) => report(args.format, "grazing-cover 1"),
             Command::Intervals(args) => {
                 (args.format == intervals::Format::Json).then_some("grazing-intervals 1")

@@ -1,18 +1,23 @@
 //! `grazing verify`: prove Theorem 2 for given periods.
 
-use std::{ops::RangeInclusive, path::PathBuf};
+use std::{ops::RangeInclusive, path::PathBuf, str::FromStr};
 
 use clap::{Parser, ValueEnum};
 use serde_json::json;
 
-use super::{Outcome, ReportFormat, in_pool, range::Periods, reported};
+use super::{
+    Outcome, ReportFormat, in_pool,
+    merge::{self, Part, ShardSet, certify, part_of, task_of},
+    range::Periods,
+    reported,
+};
 use crate::{
     cli::progress::{Interrupt, Progress},
     error::{Error, Result},
     existence::Decision,
     number::parse_integer,
-    output::{Destination, OutputFile, distinct},
-    search::{Proof, ProofMethod, prove_theorem2, write_theorem2},
+    output::{Destination, OutputFile, Shard, distinct},
+    search::{Proof, ProofMethod, assemble_theorem2, prove_theorem2, theorem2_blocks, write_theorem2},
 };
 
 /// The largest period: deciding it takes minutes.
@@ -44,6 +49,9 @@ pub(super) struct Args {
     /// Write a certificate (of the exact method), which `grazing check` proves again without search.
     #[arg(long, value_name = "FILE")]
     certificate: Option<PathBuf>,
+    /// Prove the I-th of N parts only, and write a shard of the certificate, for `grazing merge`.
+    #[arg(long, value_name = "I/N", requires = "certificate", value_parser = Shard::from_str)]
+    shard: Option<Shard>,
     /// The number of threads; default: one for each core.
     #[arg(long, value_name = "J", default_value_t = 0, hide_default_value = true, value_parser = parse_integer::<usize>)]
     jobs: usize,
@@ -70,6 +78,32 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     in_pool(args.jobs, || verify(range, args, certificate, &output, interrupt))
 }
 
+/// What shards are parts of.
+fn words(range: &RangeInclusive<u64>) -> [String; 2] {
+    ["verify".into(), format!("{range:?}")]
+}
+
+/// The certificate from its shards.
+pub(super) fn merge(
+    args: &Args,
+    set: &ShardSet,
+    merged: &merge::Args,
+    interrupt: &Interrupt,
+) -> Result<Outcome> {
+    let range = args.periods.within(LIMIT, "verify")?;
+    let items = |shard| part_of(&range, shard);
+    certify(merged, interrupt, |out| {
+        let mut lines = 0;
+        set.texts(items, |block| {
+            lines += block.lines().count() as u64;
+            interrupt.check()
+        })?;
+        assemble_theorem2(&range, lines, out, |out| {
+            set.texts(items, |block| Ok(out.write_all(block.as_bytes())?))
+        })
+    })
+}
+
 fn verify(
     range: RangeInclusive<u64>,
     args: &Args,
@@ -77,11 +111,25 @@ fn verify(
     output: &Destination,
     interrupt: &Interrupt,
 ) -> Result<Outcome> {
+    let task = task_of(words(&range));
+    let range = match args.shard {
+        Some(shard) => {
+            let part = part_of(&range, shard);
+            // An empty range for an empty part.
+            RangeInclusive::new(part.start, part.end - 1)
+        }
+        None => range,
+    };
     let passes = if args.certificate.is_some() { 2 } else { 1 };
-    let progress = Progress::new(interrupt, passes * args.periods.count(), "periods");
+    let progress = Progress::new(interrupt, passes * range.clone().count() as u64, "periods");
     let proof = prove_theorem2(range.clone(), args.method, &progress)?;
-    if let (Some(file), Outcome::Done) = (certificate, outcome(&proof)) {
-        file.write(|out| write_theorem2(range.clone(), &proof, out, &progress))?;
+    match (certificate, args.shard) {
+        _ if outcome(&proof) != Outcome::Done => {}
+        (Some(file), None) => file.write(|out| write_theorem2(range.clone(), &proof, out, &progress))?,
+        (Some(file), Some(shard)) => Part { task, shard, file }.write(|out| {
+            theorem2_blocks(range.clone(), &progress, |n, block| out.record(n, &json!(block).to_string()))
+        })?,
+        (None, _) => {}
     }
     drop(progress);
     let report = match args.format {
@@ -137,14 +185,26 @@ fn text(range: &RangeInclusive<u64>, proof: &Proof, args: &Args) -> String {
     for (count, what) in rows {
         text += &format!("{count:>12}  {what}\n");
     }
-    if let (Some(path), 0) = (&args.certificate, proof.pending) {
-        text += &format!("Certificate: {0}; `grazing check {0}` proves it again.\n", path.display());
+    match (&args.certificate, args.shard) {
+        _ if proof.pending > 0 => {}
+        (Some(path), None) => {
+            text += &format!("Certificate: {0}; `grazing check {0}` proves it again.\n", path.display());
+        }
+        (Some(path), Some(shard)) => {
+            text += &format!(
+                "Shard {shard} of a certificate: {}; `grazing merge` puts all together.\n",
+                path.display()
+            );
+        }
+        (None, _) => {}
     }
     text
 }
 
 fn periods(range: &RangeInclusive<u64>) -> String {
-    if range.start() == range.end() {
+    if range.is_empty() {
+        "no period: this part is empty".to_string()
+    } else if range.start() == range.end() {
         format!("period n = {}", range.start())
     } else {
         format!("every period n in {}..={}", range.start(), range.end())
@@ -180,6 +240,7 @@ fn json_report(range: &RangeInclusive<u64>, proof: &Proof, args: &Args) -> serde
         "excluded_points": proof.excluded,
         "witness": proof.refuted.as_ref().map(|decision| json!({ "n": decision.n, "reason": witness(decision) })),
         "contradiction": proof.contradiction,
+        "shard": args.shard.map(|shard| shard.to_string()),
         "certificate": args.certificate.as_ref().filter(|_| outcome(proof) == Outcome::Done),
     })
 }

@@ -1,5 +1,5 @@
 //! What leaves the program, for every part: tables in six formats, files that are whole or absent, journals,
-//! rounded decimals.
+//! shards, rounded decimals.
 
 mod bounds;
 mod destination;
@@ -9,6 +9,7 @@ mod file;
 mod hash;
 mod journal;
 mod lock;
+mod shard;
 #[cfg(feature = "cli")]
 mod table;
 
@@ -19,5 +20,6 @@ pub(crate) use file::remove_temporaries;
 pub use file::{LONGEST_INPUT, distinct, make_folder, probe, read_text, write_file};
 pub(crate) use journal::torn;
 pub use journal::{Journal, SavedRun};
+pub use shard::{Shard, ShardFile, ShardWriter, ShardedTask};
 #[cfg(feature = "cli")]
 pub use table::{Column, Print, TableCell, TableFormat, TableWriter, decimal};

@@ -10,5 +10,5 @@ mod theorem2;
 mod word;
 
 pub use instance::Instance;
-pub use theorem2::{Proof, ProofMethod, prove_theorem2, write_theorem2};
+pub use theorem2::{Proof, ProofMethod, assemble_theorem2, prove_theorem2, theorem2_blocks, write_theorem2};
 pub use word::{Certified, WordCertificate, WordPlace, certify_word};

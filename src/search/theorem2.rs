@@ -161,20 +161,52 @@ pub fn write_theorem2(
     out: &mut dyn Write,
     monitor: &dyn Monitor,
 ) -> Result<()> {
-    out.write_all(header(&range, proof.pieces() + proof.periods).as_bytes())?;
+    let lines = proof.pieces() + proof.periods;
+    assemble_theorem2(&range.clone(), lines, out, |out| {
+        theorem2_blocks(range, monitor, |_, text| Ok(out.write_all(text.as_bytes())?))
+    })
+}
+
+/// Hands on the blocks of a range of periods in order, decided in parallel.
+///
+/// # Errors
+/// As [`prove_theorem2`]; whatever `each` returns; an interruption.
+pub fn theorem2_blocks(
+    range: RangeInclusive<u64>,
+    monitor: &dyn Monitor,
+    mut each: impl FnMut(u64, &str) -> Result<()>,
+) -> Result<()> {
     let periods: Vec<u64> = range.collect();
     for chunk in periods.chunks(64) {
-        let blocks: Result<Vec<String>> = chunk.par_iter().map(|&n| block(n)).collect();
-        for text in blocks? {
-            out.write_all(text.as_bytes())?;
+        let blocks: Result<Vec<String>> = chunk.par_iter().map(|&n| theorem2_block(n)).collect();
+        for (&n, text) in chunk.iter().zip(blocks?) {
+            each(n, &text)?;
             monitor.advance(1)?;
         }
     }
     Ok(())
 }
 
-/// The block of one period, as text.
-fn block(n: u64) -> Result<String> {
+/// The certificate of the periods in `range` with their blocks given, in order; `lines` is the number of lines
+/// of all blocks. Whether it is true is for the checker to say.
+///
+/// # Errors
+/// An I/O error from `out`; whatever `blocks` returns.
+pub fn assemble_theorem2(
+    range: &RangeInclusive<u64>,
+    lines: u64,
+    out: &mut dyn Write,
+    blocks: impl FnOnce(&mut dyn Write) -> Result<()>,
+) -> Result<()> {
+    out.write_all(header(range, lines).as_bytes())?;
+    blocks(out)
+}
+
+/// The block of one period in a certificate. Cost: that of deciding it, O(n²) operations.
+///
+/// # Errors
+/// An input error if the period is out of bounds.
+fn theorem2_block(n: u64) -> Result<String> {
     use std::fmt::Write;
     let decision = decide(n)?;
     let mut text = block_header(n, decision.pieces.len());

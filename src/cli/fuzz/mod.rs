@@ -6,7 +6,9 @@ mod words;
 use std::{
     fs::{self, OpenOptions},
     io::Write,
+    ops::Range,
     path::{Path, PathBuf},
+    str::FromStr,
     time::{Duration, Instant},
 };
 
@@ -15,6 +17,7 @@ use serde_json::{Value, json};
 
 use super::{
     Outcome, ReportFormat, in_pool,
+    merge::{self, Part, ShardSet, task_of},
     range::{Periods, share},
     reported,
 };
@@ -22,7 +25,7 @@ use crate::{
     cli::progress::{Interrupt, Progress},
     error::{Error, Result},
     number::parse_integer,
-    output::{Destination, Journal, SavedRun, distinct, probe, say, torn},
+    output::{Destination, Journal, OutputFile, SavedRun, Shard, distinct, probe, say, torn},
     search::fuzz::{Campaign, FuzzOptions, Tally, fuzz, words::WordOptions},
 };
 
@@ -52,7 +55,7 @@ pub(super) struct Args {
     /// The periods: N, or A..=B with 3 <= B <= 4096; with --words 1..=B, B <= 1024.
     #[arg(long, value_name = "N|A..=B", default_value = "1..=64")]
     n: Periods,
-    /// Stop after the block of cases that reaches this number (1e9 is allowed).
+    /// How many cases, rounded up to whole blocks (1e9 is allowed).
     #[arg(long, value_name = "N", default_value = "1e7", value_parser = parse_integer::<u64>)]
     cases: u64,
     /// The seed.
@@ -71,6 +74,9 @@ pub(super) struct Args {
     /// Continue from this state file if it exists, and keep it up to date.
     #[arg(long, value_name = "FILE")]
     resume: Option<PathBuf>,
+    /// Do the I-th of N parts only, and write a shard of the result to -o, for `grazing merge`.
+    #[arg(long, value_name = "I/N", requires = "output", value_parser = Shard::from_str)]
+    shard: Option<Shard>,
     /// How the result is written.
     #[arg(long, value_enum, default_value_t = ReportFormat::Text)]
     pub(super) format: ReportFormat,
@@ -110,6 +116,32 @@ trait Told: Campaign {
 }
 
 pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
+    match options(args)? {
+        Options::Conjecture(options) => campaign(args, &options, interrupt),
+        Options::Words(options) => campaign(args, &options, interrupt),
+    }
+}
+
+/// The report of a campaign from its shards.
+pub(super) fn merge(
+    args: &Args,
+    set: &ShardSet,
+    merged: &merge::Args,
+    interrupt: &Interrupt,
+) -> Result<Outcome> {
+    match options(args)? {
+        Options::Conjecture(options) => merged_campaign(args, &options, set, merged, interrupt),
+        Options::Words(options) => merged_campaign(args, &options, set, merged, interrupt),
+    }
+}
+
+/// What is fuzzed.
+enum Options {
+    Conjecture(FuzzOptions),
+    Words(WordOptions),
+}
+
+fn options(args: &Args) -> Result<Options> {
     let (first, last) = (*args.n.0.start(), *args.n.0.end());
     let (cases, seed) = (args.cases, args.seed);
     let definition_share = args.definition_share.unwrap_or(if args.words { 1e-5 } else { 0.01 });
@@ -117,15 +149,34 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
         return Err(Error::input("--cases 0: give at least 1"));
     }
     if !args.words {
-        return campaign(args, &FuzzOptions { first, last, cases, seed, definition_share }, interrupt);
+        return Ok(Options::Conjecture(FuzzOptions { first, last, cases, seed, definition_share }));
     }
     if first != 1 {
         return Err(Error::input(format!("--words compares every period up to N: write --n 1..={last}")));
     }
-    campaign(args, &WordOptions { last, cases, seed, definition_share }, interrupt)
+    Ok(Options::Words(WordOptions { last, cases, seed, definition_share }))
 }
 
-/// Runs a campaign from its saved state on, and reports.
+/// What shards of a campaign are parts of.
+fn words<C: Told>(options: &C) -> Vec<String> {
+    let arguments = format!("fuzz {} --cases {}", options.arguments(), options.cases());
+    arguments.split(' ').map(str::to_string).collect()
+}
+
+/// The units of a part, each of which costs the same.
+fn units<C: Campaign>(options: &C, shard: Option<Shard>) -> Range<u64> {
+    match shard {
+        Some(shard) => shard.part(0..options.units(), 0),
+        None => 0..options.units(),
+    }
+}
+
+/// The one record of a shard, if it has any unit: its number is that of its first unit.
+fn record_of(units: &Range<u64>) -> Range<u64> {
+    units.start..units.start + units.end.saturating_sub(units.start).min(1)
+}
+
+/// Runs a campaign, or a part, from its saved state on, and reports.
 fn campaign<C: Told>(args: &Args, options: &C, interrupt: &Interrupt) -> Result<Outcome> {
     let files = [
         ("--regressions", Some(args.regressions.as_path())),
@@ -134,10 +185,22 @@ fn campaign<C: Told>(args: &Args, options: &C, interrupt: &Interrupt) -> Result<
     ];
     distinct(&files.into_iter().filter_map(|(option, file)| Some((option, file?))).collect::<Vec<_>>())?;
     probe(&args.regressions)?;
-    let destination = Destination::new(args.output.as_deref())?;
+    // Before a shard is begun its options are looked at.
+    options.check(&C::Tally::default())?;
+    let part = match (args.shard, &args.output) {
+        (Some(shard), Some(file)) => {
+            Some(Part { task: task_of(words(options)), shard, file: OutputFile::new("-o", file)? })
+        }
+        _ => None,
+    };
+    let destination = match part {
+        Some(_) => Destination::Stdout,
+        None => Destination::new(args.output.as_deref())?,
+    };
+    let units = units(options, args.shard);
     let (mut state, start) = match &args.resume {
         Some(path) => {
-            let (state, start) = open(path, options)?;
+            let (state, start) = open(path, options, args.shard)?;
             interrupt.keeps(format!(
                 "what was counted is kept in {0}: continue with --resume {0}",
                 path.display()
@@ -148,10 +211,11 @@ fn campaign<C: Told>(args: &Args, options: &C, interrupt: &Interrupt) -> Result<
     };
     let before = start.decided();
     let clock = Instant::now();
-    let progress = Progress::new(interrupt, options.cases().saturating_sub(before), C::UNIT);
+    let left = (units.end - units.start).saturating_sub(start.units());
+    let progress = Progress::new(interrupt, left.saturating_mul(options.block()), C::UNIT);
     let mut saved = Instant::now();
     let tally = in_pool(args.jobs, || {
-        fuzz(options, start, &progress, |tally| match &mut state {
+        fuzz(options, units.clone(), start, &progress, |tally| match &mut state {
             Some(state) if saved.elapsed() > PAUSE => {
                 saved = Instant::now();
                 state.replace(&json!(tally).to_string())
@@ -163,27 +227,78 @@ fn campaign<C: Told>(args: &Args, options: &C, interrupt: &Interrupt) -> Result<
     if let Some(state) = &mut state {
         state.replace(&json!(tally).to_string())?;
     }
-    let outcome = if !tally.disagreements().is_empty() || !tally.faults().is_empty() {
-        Outcome::Refuted
-    } else if tally.decided() < options.cases() {
-        Outcome::Interrupted
-    } else if tally.undecided() > 0 {
-        Outcome::Undecided
-    } else {
-        Outcome::Done
-    };
-    let kept = match tally.disagreements() {
-        [] => Ok(()),
-        found => append(&args.regressions, found),
-    };
+    let outcome = outcome(&tally, &units);
     if args.format == ReportFormat::Text {
         // Times differ from run to run, so they do not belong to the result.
         let rate = (tally.decided() - before) as f64 / clock.elapsed().as_secs_f64();
         let rates = options.rates(&tally).map(|rates| format!("; per second of processor time {rates}"));
         say(format_args!("{rate:.3e} {} per second{}", C::UNIT, rates.unwrap_or_default()));
     }
-    let written = destination.write(|out| match args.format {
-        ReportFormat::Text => text(out, args, options, &tally, outcome),
+    if let (Some(part), false) = (&part, outcome == Outcome::Interrupted) {
+        // A disagreement ends a part early; the shard says so by having it.
+        part.write(|out| record_of(&units).try_for_each(|item| out.record(item, &json!(tally).to_string())))?;
+    }
+    tell(args, options, (&tally, outcome), args.format, &destination)
+}
+
+/// The tallies of shards, put together in their order.
+fn merged_campaign<C: Told>(
+    args: &Args,
+    options: &C,
+    set: &ShardSet,
+    merged: &merge::Args,
+    interrupt: &Interrupt,
+) -> Result<Outcome> {
+    let mut all = C::Tally::default();
+    let items = |shard| record_of(&units(options, Some(shard)));
+    set.records(items, |_, record| {
+        interrupt.check()?;
+        let tally: C::Tally =
+            serde_json::from_str(record).map_err(|error| Error::input(format!("no tally: {error}")))?;
+        options.check(&tally)?;
+        all = std::mem::take(&mut all).merge(tally);
+        Ok(())
+    })?;
+    let clean = all.disagreements().is_empty() && all.faults().is_empty();
+    if clean && all.units() != options.units() {
+        return Err(Error::input(format!(
+            "the shards have {} blocks, the task {}: a tally in them is not of its part",
+            all.units(),
+            options.units()
+        )));
+    }
+    options.check(&all)?;
+    let outcome = outcome(&all, &(0..options.units()));
+    tell(args, options, (&all, outcome), merged.format, &Destination::new(merged.output.as_deref())?)
+}
+
+/// What a tally amounts to.
+fn outcome<T: Tally>(tally: &T, units: &Range<u64>) -> Outcome {
+    if !tally.disagreements().is_empty() || !tally.faults().is_empty() {
+        Outcome::Refuted
+    } else if tally.units() < units.end - units.start {
+        Outcome::Interrupted
+    } else if tally.undecided() > 0 {
+        Outcome::Undecided
+    } else {
+        Outcome::Done
+    }
+}
+
+/// Keeps the disagreements and writes the report.
+fn tell<C: Told>(
+    args: &Args,
+    options: &C,
+    (tally, outcome): (&C::Tally, Outcome),
+    format: ReportFormat,
+    destination: &Destination,
+) -> Result<Outcome> {
+    let kept = match tally.disagreements() {
+        [] => Ok(()),
+        found => append(&args.regressions, found),
+    };
+    let written = destination.write(|out| match format {
+        ReportFormat::Text => text(out, args, options, tally, outcome),
         ReportFormat::Json => {
             let mut report = json!({
                 "format": "grazing-fuzz 2",
@@ -211,8 +326,11 @@ const PAUSE: Duration = Duration::from_millis(250);
 const MOST: u64 = 16 << 20;
 
 /// The state of this run, and how far it has come.
-fn open<C: Told>(path: &Path, options: &C) -> Result<(Journal, C::Tally)> {
-    let run = SavedRun::new("fuzz", options.arguments(), &options.canonical());
+fn open<C: Told>(path: &Path, options: &C, shard: Option<Shard>) -> Result<(Journal, C::Tally)> {
+    // The blocks of a part depend on how many there are in all; a whole run can be made longer.
+    let part = shard.map(|shard| format!(" --cases {} --shard {shard}", options.cases()));
+    let part = part.unwrap_or_default();
+    let run = SavedRun::new("fuzz", options.arguments() + &part, &(options.canonical() + &part));
     let (state, found) = Journal::open(path, &run, MOST)?;
     if found.torn > 0 {
         say(format_args!("note: {}", torn(path)));
@@ -266,7 +384,7 @@ fn text<C: Told>(
     }
     writeln!(
         out,
-        "The {} come in blocks of about {}: the run ends with the block that reaches --cases.",
+        "The {} come in blocks of {} and a few more: --cases is rounded up to whole blocks.",
         C::UNIT,
         options.block()
     )?;

@@ -1,6 +1,8 @@
 //! What every fuzzing has in common: units of cases, each drawn from the seed and its own number alone, so
 //! that a run is the same whatever the number of threads, can be ended after any unit and gone on with.
 
+use std::ops::Range;
+
 use rayon::prelude::*;
 use serde::{Serialize, de::DeserializeOwned};
 
@@ -36,11 +38,16 @@ pub trait Campaign: Serialize + Sync {
     /// The most units between two checkpoints.
     const CHUNK: u64;
 
-    /// End once this many cases are decided.
+    /// The cases wanted.
     fn cases(&self) -> u64;
 
-    /// The cases of one unit, to within a few: a run decides those of whole units.
+    /// The cases of one unit, but for a few more: a run is whole units.
     fn block(&self) -> u64;
+
+    /// The units of the whole run: as few as have the cases wanted.
+    fn units(&self) -> u64 {
+        self.cases().div_ceil(self.block())
+    }
 
     /// All that a tally depends on but for the number of cases, written so that equal runs give equal texts.
     fn canonical(&self) -> String;
@@ -64,41 +71,38 @@ pub trait Campaign: Serialize + Sync {
     ) -> Option<Self::Tally>;
 }
 
-/// Runs from `tally` on until enough cases are decided or the monitor interrupts; `checkpoint` sees every
-/// state from which the run can go on. Ends early once a disagreement or an error of this program is found.
-/// What is counted is whole units: at least the cases asked for unless it ends early, and less than one unit
-/// more.
+/// Does the units in `range`, of which `tally` has the first ones, until the last is done or the monitor
+/// interrupts; `checkpoint` sees every state from which the run can go on. Ends early once a disagreement or an
+/// error of this program is found.
 ///
 /// # Errors
 /// An input error if the options are out of range, or `tally` cannot be of such a run; whatever `checkpoint`
 /// returns.
 pub fn fuzz<C: Campaign>(
     campaign: &C,
+    range: Range<u64>,
     mut tally: C::Tally,
     monitor: &dyn Monitor,
     mut checkpoint: impl FnMut(&C::Tally) -> Result<()>,
 ) -> Result<C::Tally> {
     campaign.check(&tally)?;
     let (ladder, sweep) = (Ladder::default(), campaign.sweep());
-    while tally.decided() < campaign.cases() && tally.disagreements().is_empty() && tally.faults().is_empty()
+    while range.start + tally.units() < range.end
+        && tally.disagreements().is_empty()
+        && tally.faults().is_empty()
     {
-        let first = tally.units();
-        let wanted = (campaign.cases() - tally.decided()).div_ceil(campaign.block()).clamp(1, C::CHUNK);
-        let units: Vec<Option<C::Tally>> = (first..first + wanted)
+        let first = range.start + tally.units();
+        let last = range.end.min(first + C::CHUNK);
+        let units: Vec<Option<C::Tally>> = (first..last)
             .into_par_iter()
             .map_with(sweep.clone(), |sweep, unit| {
                 monitor.advance(0).ok()?;
                 campaign.unit(&ladder, sweep, unit, monitor)
             })
             .collect();
-        // Whole units in their order, up to the first that was given up and no more than asked for.
+        // Whole units in their order, up to the first that was given up.
         let before = tally.decided();
-        for unit in units.iter().cloned().map_while(|unit| unit) {
-            if tally.decided() >= campaign.cases() {
-                break;
-            }
-            tally = tally.merge(unit);
-        }
+        tally = units.iter().cloned().map_while(|unit| unit).fold(tally, C::Tally::merge);
         checkpoint(&tally)?;
         if monitor.advance(tally.decided() - before).is_err() || units.contains(&None) {
             break;

@@ -37,7 +37,7 @@ pub struct FuzzOptions {
     pub first: u64,
     /// The largest period; at least 3 and at most 4096.
     pub last: u64,
-    /// End once this many cases are decided.
+    /// The cases wanted: whole units are done, as few as have them.
     pub cases: u64,
     /// The seed.
     pub seed: u64,
@@ -153,7 +153,7 @@ impl Campaign for FuzzOptions {
     }
 
     fn block(&self) -> u64 {
-        SWEEP_POINTS * self.periods() + WEIGHTED_CASES
+        SWEEP_POINTS * self.periods()
     }
 
     fn canonical(&self) -> String {

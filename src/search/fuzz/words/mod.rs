@@ -42,7 +42,7 @@ pub const SUPREMA: [f64; 2] = [0.450_386, 0.609_377_863_437];
 pub struct WordOptions {
     /// The largest period compared, from 3 to 1024.
     pub last: u64,
-    /// End once this many points are decided.
+    /// The points wanted: whole units are done, as few as have them.
     pub cases: u64,
     /// The seed.
     pub seed: u64,
@@ -188,7 +188,7 @@ impl Campaign for WordOptions {
     }
 
     fn block(&self) -> u64 {
-        ANGLES * MODULI + WEIGHTED
+        ANGLES * MODULI
     }
 
     fn canonical(&self) -> String {

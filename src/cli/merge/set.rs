@@ -1,0 +1,232 @@
+//! All shards of a task: whether they belong together, and what is missing.
+
+use std::{
+    collections::BTreeMap,
+    io::{BufReader, Write},
+    ops::{Range, RangeInclusive},
+    path::{Path, PathBuf},
+};
+
+use serde_json::json;
+
+use super::super::{Outcome, ReportFormat, reader::Reader, reported};
+use crate::{
+    certificate::{Checked, Rejection, check_until},
+    cli::progress::{Interrupt, Progress},
+    error::{Error, Result},
+    monitor::Monitor,
+    output::{Destination, OutputFile, Shard, ShardFile, ShardWriter, ShardedTask, say},
+};
+
+/// The task that a command's words name, for its shards.
+pub(in super::super) fn task_of(words: impl IntoIterator<Item = impl Into<String>>) -> ShardedTask {
+    ShardedTask::new(words.into_iter().map(Into::into).collect())
+}
+
+/// The periods of a part of a range, each of which costs about n² operations.
+pub(in super::super) fn part_of(range: &RangeInclusive<u64>, shard: Shard) -> Range<u64> {
+    shard.part(*range.start()..*range.end() + 1, 2)
+}
+
+/// A part of a task and the file that it goes to.
+pub(in super::super) struct Part {
+    pub task: ShardedTask,
+    pub shard: Shard,
+    pub file: OutputFile,
+}
+
+impl Part {
+    /// Writes the shard.
+    ///
+    /// # Errors
+    /// An I/O error; whatever `write` returns.
+    pub fn write(&self, write: impl FnOnce(&mut ShardWriter<'_>) -> Result<()>) -> Result<()> {
+        self.file.write(|out| {
+            let mut shard = ShardWriter::new(out, &self.task, self.shard)?;
+            write(&mut shard)?;
+            shard.finish()
+        })
+    }
+}
+
+/// The shards of one task, each once, none missing.
+pub(in super::super) struct ShardSet {
+    task: ShardedTask,
+    /// In order.
+    shards: Vec<ShardFile>,
+}
+
+impl ShardSet {
+    /// Reads shards through.
+    ///
+    /// # Errors
+    /// An input error once every fault was said: a shard that is damaged, of another task or there twice, and
+    /// those missing; an interruption.
+    pub fn read(files: &[PathBuf], interrupt: &Interrupt) -> Result<ShardSet> {
+        let progress = Progress::new(interrupt, files.len() as u64, "shards read");
+        let mut faults = Vec::new();
+        let mut found = Vec::new();
+        for file in files {
+            match ShardFile::open(file) {
+                Ok(shard) => found.push(shard),
+                Err(error) => faults.push(error.to_string()),
+            }
+            progress.advance(1)?;
+        }
+        drop(progress);
+        // The task of most files is the one that is meant.
+        let key = |shard: &ShardFile| (shard.task.program.clone(), shard.task.words.clone(), shard.shard.of);
+        let mut votes = BTreeMap::new();
+        found.iter().for_each(|shard| *votes.entry(key(shard)).or_insert(0) += 1);
+        let meant = votes.into_iter().max_by_key(|(_, count)| *count).map(|(key, _)| key);
+        let Some((program, words, of)) = meant else {
+            faults.iter().for_each(|fault| say(format_args!("error: {fault}")));
+            return Err(Error::input("none of the files is a whole shard"));
+        };
+        let mut shards: BTreeMap<u64, ShardFile> = BTreeMap::new();
+        for shard in found {
+            let path = shard.path.display();
+            if (&shard.task.words, shard.shard.of) != (&words, of) {
+                faults.push(format!(
+                    "{path}: it is shard {} of `grazing {}`, the others are of {of} of `grazing {}`",
+                    shard.shard,
+                    shard.task.words.join(" "),
+                    words.join(" ")
+                ));
+            } else if shard.task.program != program {
+                faults.push(format!(
+                    "{path}: it is by version {}, the others are by {program}",
+                    shard.task.program
+                ));
+            } else if let Some(other) = shards.get(&shard.shard.index) {
+                faults.push(format!("{path}: it is shard {}, as {} is", shard.shard, other.path.display()));
+            } else {
+                shards.insert(shard.shard.index, shard);
+            }
+        }
+        faults.iter().for_each(|fault| say(format_args!("error: {fault}")));
+        let missing: Vec<u64> = (1..=of).filter(|index| !shards.contains_key(index)).collect();
+        if !missing.is_empty() {
+            return Err(Error::input(format!(
+                "{} of {of} shards are missing: --array={}",
+                missing.len(),
+                listed(&missing)
+            )));
+        }
+        if !faults.is_empty() {
+            return Err(Error::input(
+                "all shards are there, but some of the files are none of them: leave them out",
+            ));
+        }
+        if program != env!("CARGO_PKG_VERSION") {
+            return Err(Error::input(format!(
+                "the shards are by version {program}, this is {}: merge with the version that wrote them",
+                env!("CARGO_PKG_VERSION")
+            )));
+        }
+        let shards = shards.into_values().collect();
+        Ok(ShardSet { task: ShardedTask { program, words }, shards })
+    }
+
+    /// The command and its arguments.
+    pub fn words(&self) -> &[String] {
+        &self.task.words
+    }
+
+    /// Hands on the records of all shards in order, `items` saying which each must have.
+    ///
+    /// # Errors
+    /// An input error if a shard has others; an I/O error; whatever `each` returns.
+    pub fn records(
+        &self,
+        items: impl Fn(Shard) -> Range<u64>,
+        mut each: impl FnMut(u64, &str) -> Result<()>,
+    ) -> Result<()> {
+        self.shards.iter().try_for_each(|shard| shard.records(items(shard.shard), &mut each))
+    }
+
+    /// The same for records that are texts of several lines.
+    ///
+    /// # Errors
+    /// Those of [`records`](Self::records).
+    pub fn texts(
+        &self,
+        items: impl Fn(Shard) -> Range<u64>,
+        mut each: impl FnMut(&str) -> Result<()>,
+    ) -> Result<()> {
+        self.records(items, |item, record| {
+            let text: String = serde_json::from_str(record)
+                .map_err(|error| Error::input(format!("item {item} is no text: {error}")))?;
+            each(&text)
+        })
+    }
+}
+
+/// "3,17-19".
+fn listed(numbers: &[u64]) -> String {
+    let mut text = String::new();
+    let mut rest = numbers;
+    while let Some(&first) = rest.first() {
+        let run = rest.iter().zip(first..).take_while(|(number, wanted)| *number == wanted).count();
+        let last = rest[run - 1];
+        let comma = if text.is_empty() { "" } else { "," };
+        text += &if last == first { format!("{comma}{first}") } else { format!("{comma}{first}-{last}") };
+        rest = &rest[run..];
+    }
+    text
+}
+
+/// Writes a merged certificate and checks it as `grazing check` does; the report.
+pub(in super::super) fn certify(
+    args: &super::Args,
+    interrupt: &Interrupt,
+    write: impl FnOnce(&mut dyn Write) -> Result<()>,
+) -> Result<Outcome> {
+    let Some(path) = args.output.as_deref().filter(|path| *path != Path::new("-")) else {
+        return Err(Error::input("these are shards of a certificate: name its file with -o"));
+    };
+    OutputFile::new("-o", path)?.write(write)?;
+    let mut stop = || interrupt.check().is_err();
+    let answer: std::result::Result<Checked, Rejection> = match Reader::open(path, interrupt) {
+        Ok(reader) => check_until(&mut BufReader::with_capacity(1 << 16, reader), &mut stop),
+        Err(source) => return Err(Error::io("read", path, source)),
+    };
+    let outcome = match &answer {
+        Ok(_) => Outcome::Done,
+        Err(Rejection::Interrupted { .. }) => Outcome::Interrupted,
+        Err(Rejection::Undecided { .. }) => Outcome::Undecided,
+        Err(_) => Outcome::Refuted,
+    };
+    let report = match (&answer, args.format) {
+        (Ok(checked), ReportFormat::Text) => format!("{}: {checked}\n", path.display()),
+        (Err(rejection), ReportFormat::Text) => {
+            format!("{}: {}: {rejection}\n", path.display(), rejection.verdict())
+        }
+        (answer, ReportFormat::Json) => {
+            let report = json!({
+                "format": "grazing-merge 1",
+                "file": path,
+                "verdict": match answer {
+                    Ok(_) => "proved",
+                    Err(rejection) => rejection.verdict(),
+                },
+                "reason": answer.as_ref().err().map(ToString::to_string),
+            });
+            format!("{report}\n")
+        }
+    };
+    reported(outcome, Destination::Stdout.write(|out| Ok(out.write_all(report.as_bytes())?)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn missing_shards_read_as_a_job_array() {
+        assert_eq!(listed(&[]), "");
+        assert_eq!(listed(&[3]), "3");
+        assert_eq!(listed(&[3, 17, 18, 19]), "3,17-19");
+        assert_eq!(listed(&[1, 2, 4, 6, 7]), "1-2,4,6-7");
+    }
+}
