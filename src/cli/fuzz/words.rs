@@ -33,7 +33,7 @@ impl Told for WordOptions {
         vec![
             (tally.decided(), "points decided both ways, every period up to the last, of which"),
             (tally.swept, "by f64 with proved bounds, in sweeps"),
-            (tally.closer, "by balls, where a sweep left them open"),
+            (tally.closer, "by pairs of floats with proved bounds, where f64 left them open"),
             (tally.exact, "exactly, or by intervals and balls"),
             (tally.boundary, "on a boundary, where something is zero and the rest agrees"),
             (tally.undecided, "undecided, and not counted above"),

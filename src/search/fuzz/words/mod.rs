@@ -7,9 +7,9 @@
 //! 1 are asked two questions that are open: whether any has an entropy above what is thought to be the
 //! supremum, for eµ > 0 in region 3. Finding no disagreement proves nothing.
 
-mod closer;
 mod compare;
 mod sweep;
+mod twofold;
 
 use std::sync::LazyLock;
 
@@ -24,7 +24,6 @@ use crate::{
     existence::{Boundary, Lowest, intervals},
     local::Ladder,
     monitor::Monitor,
-    number::Precision,
     processor::thread_seconds,
     random::Random,
     word::{Entropy, Letter, Word},
@@ -32,6 +31,7 @@ use crate::{
 pub use compare::WordStatement;
 use compare::{Comparison, compare, differ, shrink};
 use sweep::{Swept, WordSweep};
+use twofold::Twofold;
 
 /// The entropies thought to be the suprema for eµ > 0 in region 3: in (+,−), as s → 1/2 on r = 1, the
 /// logarithm of the tribonacci constant, rounded up; in (+,+), as s → 1/4 from above, 0.450385…, rounded up.
@@ -59,7 +59,7 @@ pub struct WordTally {
     pub swept: u64,
     /// Pairs of periods compared there.
     pub pairs: u64,
-    /// Points that a sweep left open, on which both routes agree in balls of 192 bits.
+    /// Points that a sweep left open, on which both routes agree in pairs of floats.
     pub closer: u64,
     /// Points decided exactly, on which both routes agree.
     pub exact: u64,
@@ -96,8 +96,6 @@ const WEIGHTED: u64 = 8;
 const WORDS: u64 = 4;
 /// One unit in this many has weighted points and words, which take three times as long as its sweeps.
 const SELDOM: u64 = 16;
-/// The bits of the balls that decide what a sweep leaves open.
-const CLOSER_BITS: u32 = 192;
 /// The largest period that points decided exactly are compared on.
 const EXACT_LAST: u64 = 24;
 /// The largest denominator of a random word.
@@ -178,9 +176,16 @@ impl WordOptions {
     }
 }
 
+/// What a thread sweeps with: floats, and pairs of them for what they leave open.
+#[derive(Debug, Clone)]
+pub struct Sweeps {
+    near: WordSweep<f64>,
+    closer: WordSweep<Twofold>,
+}
+
 impl Campaign for WordOptions {
     type Tally = WordTally;
-    type Sweep = WordSweep;
+    type Sweep = Sweeps;
     const CHUNK: u64 = 64;
 
     fn cases(&self) -> u64 {
@@ -195,7 +200,7 @@ impl Campaign for WordOptions {
         let WordOptions { last, seed, definition_share, .. } = self;
         let share = definition_share.to_bits();
         format!(
-            "words to {last} seed {seed} share {share:016x} unit {ANGLES}x{MODULI}/{CLOSER_BITS}+({WEIGHTED}+{WORDS})/{SELDOM}"
+            "words to {last} seed {seed} share {share:016x} unit {ANGLES}x{MODULI}/2+({WEIGHTED}+{WORDS})/{SELDOM}"
         )
     }
 
@@ -234,14 +239,15 @@ impl Campaign for WordOptions {
         Ok(())
     }
 
-    fn sweep(&self) -> WordSweep {
-        WordSweep::new(self.last as usize)
+    fn sweep(&self) -> Sweeps {
+        let last = self.last as usize;
+        Sweeps { near: WordSweep::new(last), closer: WordSweep::new(last) }
     }
 
     fn unit(
         &self,
         ladder: &Ladder,
-        sweep: &mut WordSweep,
+        sweep: &mut Sweeps,
         unit: u64,
         monitor: &dyn Monitor,
     ) -> Option<WordTally> {
@@ -249,20 +255,23 @@ impl Campaign for WordOptions {
         let mut tally = WordTally { units: 1, ..WordTally::default() };
         let start = thread_seconds();
         let threshold = (self.definition_share * (1u64 << 53) as f64) as u64;
-        let precision = Precision::new(CLOSER_BITS);
         let mut exact = 0.0;
         for _ in 0..ANGLES {
             monitor.advance(0).ok()?;
             let (family, s) = angle(&mut random);
-            sweep.turn(s);
+            sweep.near.turn(s);
+            let mut turned = false;
             for _ in 0..MODULI {
                 let r = modulus(&mut random, family);
-                let mut swept = sweep.compare(r);
+                let mut swept = sweep.near.compare(r);
                 if let Swept::Agree(pairs) = swept {
                     tally.swept += 1;
                     tally.pairs += pairs;
                 } else if swept == Swept::Open {
-                    swept = closer::compare(r, s, self.last as usize, &precision);
+                    if !std::mem::replace(&mut turned, true) {
+                        sweep.closer.turn(s);
+                    }
+                    swept = sweep.closer.compare(r);
                     if let Swept::Agree(pairs) = swept {
                         tally.closer += 1;
                         tally.pairs += pairs;

@@ -1,34 +1,33 @@
-//! Many points (r, s) with one s, in plain `f64` with proved error bounds: the periods that occur by the
-//! record form and which may follow which by (64), against the word of the path and its table.
+//! Many points (r, s) with one s, in `f64` or in pairs of them with proved error bounds: the periods that occur
+//! by the record form and which may follow which by (64), against the word of the path and its table.
 //!
-//! Here u = 2⁻⁵³. e_j ≈ e^{2πijs} comes from products by a float within 2⁻⁵¹ of e^{2πis}, so that it is off
-//! by at most j 2⁻⁴⁹ (the head of `fuzz::sweep` has the proof, here with r = 1), for j ≤ 4096. R_j ≈ rʲ comes
-//! from products by r, exact, and is off by at most (j − 1)u relatively; the sweep ends before rʲ < 2⁻⁹⁰⁰,
-//! and where smaller ones occur in a sum they are off by less than 2⁻¹⁰⁰⁰. So z_j = R_j e_j is off by at most
-//! j 2⁻⁴⁸ rʲ = E_j rʲ.
+//! Here U is that of `twofold`. e_j ≈ e^{2πijs} comes from products by a number within 4U of e^{2πis}, so that
+//! it is off by at most 16jU (the head of `fuzz::sweep` has the proof, here with r = 1), for j ≤ 4096. R_j ≈ rʲ
+//! comes from products by r, exact, and is off by at most (j − 1)U relatively; the sweep ends before rʲ
+//! underflows, and where smaller products occur in a sum their errors do not count. So z_j = R_j e_j is off by
+//! at most 32jU rʲ = E_j rʲ.
 //!
 //! - *Records*: f_j = Im λʲ/(1 − Re λʲ) as in `fuzz::sweep`. After n it is no record once rⁿ/(1 − rⁿ) is
 //!   below both |extremes|, which have opposite signs: then every period has been decided.
 //! - *Followers*: p_n = (u_{n+1} − 1)/u_n, q_n = (a₂ⁿ + a₂u_{n−1})/u_n, with y_j = Im λʲ and y_1 = Im λ:
-//!   (y_{n+1} − y_1)/y_n and (r²ⁿy_1 + r²y_{n−1})/y_n. The numerators are off by less than (n + 4) 2⁻⁴⁸ r and
-//!   2(n + 4) 2⁻⁴⁸ rⁿ⁺¹, the denominator by n 2⁻⁴⁸ rⁿ; the quotient x/y by less than 1.1 (δx + |x/y| δy)/|y|
+//!   (y_{n+1} − y_1)/y_n and (r²ⁿy_1 + r²y_{n−1})/y_n. The numerators are off by less than 32(n + 4)U r and
+//!   64(n + 4)U rⁿ⁺¹, the denominator by 32nU rⁿ; the quotient x/y by less than 1.1 (δx + |x/y| δy)/|y|
 //!   where |y| > 16 δy.
 //! - *Word*: sides by integers, s = `s`/2⁵⁴ being exact; the deciding b has the sign of u_n T, T = r^{n−k}
-//!   sin nθ − rⁿ sin (n−k)θ − sin kθ, whose terms are off by less than 4n 2⁻⁴⁸ in all.
+//!   sin nθ − rⁿ sin (n−k)θ − sin kθ, whose terms are off by less than 128nU in all.
 
 use num_rational::BigRational;
 
-use crate::number::{Angle, Circular, FloatInterval, Sign};
+use super::twofold::Rounded;
+use crate::number::{Angle, Sign};
 
 /// The largest period of a sweep.
 pub(super) const LONGEST: usize = 1024;
 
-/// Below this, 2⁻⁹⁰⁰, products could underflow.
-const SMALLEST: f64 = f64::from_bits((1023 - 900) << 52);
-/// 2⁻⁵³.
-const UNIT: f64 = 1.0 / (1u64 << 53) as f64;
-/// 2⁻⁴⁸.
-const ERROR: f64 = 1.0 / (1u64 << 48) as f64;
+/// 32U j: how far off e_j may be, relatively.
+fn error<T: Rounded>(j: usize) -> T {
+    T::of(32.0 * T::UNIT * j as f64)
+}
 
 /// How the two routes compare at one point.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -43,32 +42,32 @@ pub(super) enum Swept {
 
 /// A period of a word.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Letter {
+struct Letter {
     m: u64,
     n: usize,
     upper: bool,
 }
 
-/// A closed interval of floats.
-type Span = (f64, f64);
+/// A closed interval of numbers.
+type Span<T> = (T, T);
 
 /// The work space of a sweep, and the powers of one angle.
 #[derive(Debug, Clone)]
-pub struct WordSweep {
+pub struct WordSweep<T> {
     s: u64,
-    cosine: Vec<f64>,
-    sine: Vec<f64>,
-    power: Vec<f64>,
+    cosine: Vec<T>,
+    sine: Vec<T>,
+    power: Vec<T>,
     /// The periods found by the definition, with p and q.
-    found: Vec<(usize, Span, Span)>,
+    found: Vec<(usize, Span<T>, Span<T>)>,
     word: Vec<Letter>,
 }
 
-impl WordSweep {
+impl<T: Rounded> WordSweep<T> {
     /// For periods up to `last` ≤ [`LONGEST`].
-    pub(super) fn new(last: usize) -> WordSweep {
+    pub(super) fn new(last: usize) -> WordSweep<T> {
         assert!((3..=LONGEST).contains(&last));
-        let room = || vec![0.0; last + 2];
+        let room = || vec![T::of(0.0); last + 2];
         WordSweep { s: 1, cosine: room(), sine: room(), power: room(), found: Vec::new(), word: Vec::new() }
     }
 
@@ -80,13 +79,8 @@ impl WordSweep {
     pub(super) fn turn(&mut self, s: u64) {
         self.s = s;
         let angle = Angle::new(&BigRational::new_raw(s.into(), (1u64 << 53).into()));
-        let float = |x: FloatInterval| {
-            // Neighbouring or equal floats of size ≤ 1, else the bound on the powers fails.
-            assert!(x.hi() - x.lo() <= 2.0 * UNIT, "the sine of a dyadic angle is enclosed within 2u");
-            x.lo()
-        };
-        let (a, b) = (float(FloatInterval::cos(&angle, &())), float(FloatInterval::sin(&angle, &())));
-        let (mut x, mut y) = (1.0, 0.0);
+        let (a, b) = T::cosine_sine(&angle);
+        let (mut x, mut y) = (T::of(1.0), T::of(0.0));
         for (cosine, sine) in self.cosine.iter_mut().zip(&mut self.sine) {
             (*cosine, *sine) = (x, y);
             (x, y) = (x * a - y * b, x * b + y * a);
@@ -95,11 +89,11 @@ impl WordSweep {
 
     /// Compares the two routes at r = `r`/2⁵³, 0 < r < 2⁵³.
     pub(super) fn compare(&mut self, r: u64) -> Swept {
-        let radius = r as f64 * UNIT;
-        let mut power = 1.0;
+        let radius = T::of(r as f64 / (1u64 << 53) as f64);
+        let mut power = T::of(1.0);
         for place in &mut self.power {
             *place = power;
-            power *= radius;
+            power = power * radius;
         }
         let Some((decided, whole)) = self.by_definition() else { return Swept::Open };
         if decided == 0 {
@@ -114,10 +108,11 @@ impl WordSweep {
     /// not.
     fn by_definition(&mut self) -> Option<(usize, bool)> {
         self.found.clear();
-        let (mut highest, mut lowest) = ((0.0, 0.0), (0.0, 0.0));
+        let zero = T::of(0.0);
+        let (mut highest, mut lowest) = ((zero, zero), (zero, zero));
         for n in 1..=self.last() {
             let size = self.power[n];
-            if size < SMALLEST {
+            if size < T::of(T::SMALLEST) {
                 return Some((n - 1, false));
             }
             let (x, y) = (size * self.cosine[n], size * self.sine[n]);
@@ -129,10 +124,10 @@ impl WordSweep {
             }
             let (high, low) = (here.0 > highest.1, here.1 < lowest.0);
             if high || low {
-                if y.abs() <= n as f64 * ERROR * size {
+                if y.abs() <= error::<T>(n) * size {
                     return None;
                 }
-                let positive = (y > 0.0) == high;
+                let positive = (y > zero) == high;
                 // 2ns < 1 in integers.
                 if positive == ((n as u64) * self.s < 1 << 53) {
                     return Some((0, false));
@@ -147,10 +142,10 @@ impl WordSweep {
             } else {
                 return None;
             }
-            highest = (highest.0.max(here.0), highest.1.max(here.1));
-            lowest = (lowest.0.min(here.0), lowest.1.min(here.1));
+            highest = (highest.0.larger(here.0), highest.1.larger(here.1));
+            lowest = (lowest.0.smaller(here.0), lowest.1.smaller(here.1));
             // rⁿ/(1 − rⁿ) ≤ 2rⁿ for rⁿ ≤ ½; the factor 2.1 covers the rounding of rⁿ.
-            if size <= 0.5 && 2.1 * size < highest.0.min(-lowest.1) {
+            if size <= T::of(0.5) && T::of(2.1) * size < highest.0.smaller(-lowest.1) {
                 return Some((n, true));
             }
         }
@@ -161,18 +156,18 @@ impl WordSweep {
     fn push(&mut self, n: usize) -> Option<()> {
         let y = |j: usize| self.power[j] * self.sine[j];
         let (one, r) = (y(1), self.power[1]);
-        let (below, error) = (y(n), n as f64 * ERROR * self.power[n]);
-        if below.abs() < 16.0 * error {
+        let (below, off) = (y(n), error::<T>(n) * self.power[n]);
+        if below.abs() < T::of(16.0) * off {
             return None;
         }
-        let quotient = |x: f64, error_x: f64| {
+        let quotient = |x: T, error_x: T| {
             let t = x / below;
-            let bound = 1.1 * (error_x + t.abs() * error) / below.abs() + 4.0 * UNIT * t.abs();
+            let bound = T::of(1.1) * (error_x + t.abs() * off) / below.abs() + T::of(4.0 * T::UNIT) * t.abs();
             (t - bound, t + bound)
         };
-        let p = quotient(y(n + 1) - one, (n + 4) as f64 * ERROR * r);
+        let p = quotient(y(n + 1) - one, error::<T>(n + 4) * r);
         let ahead = self.power[n] * self.power[n] * one + r * r * y(n - 1);
-        let q = quotient(ahead, 2.0 * (n + 4) as f64 * ERROR * self.power[n] * r);
+        let q = quotient(ahead, error::<T>(2 * (n + 4)) * self.power[n] * r);
         self.found.push((n, p, q));
         Some(())
     }
@@ -183,8 +178,8 @@ impl WordSweep {
         let (power, sine) = (&self.power, &self.sine);
         path(self.s, self.last(), &mut self.word, |n, k| {
             let value = power[n - k] * sine[n] - power[n] * sine[n - k] - sine[k];
-            let certain = value.abs() > 4.0 * n as f64 * ERROR;
-            certain.then_some(if value < 0.0 { Sign::Negative } else { Sign::Positive })
+            let certain = value.abs() > error::<T>(4 * n);
+            certain.then_some(if value < T::of(0.0) { Sign::Negative } else { Sign::Positive })
         })
     }
 
@@ -200,7 +195,7 @@ impl WordSweep {
 
 /// Walks down the Stern–Brocot path to s = `s`/2⁵⁴ as far as periods occur, by the sign of u_n b_{n,k} times
 /// something positive; whether it was seen to end before `last`. `None` where such a sign is not certain.
-pub(super) fn path(
+fn path(
     s: u64,
     last: usize,
     word: &mut Vec<Letter>,
@@ -233,7 +228,7 @@ pub(super) fn path(
 
 /// A word against the periods that occur, up to `decided` or all of them if `whole`, and its edges against
 /// `follows(i, j)`, whether p_j > q_i for two of these.
-pub(super) fn against(
+fn against(
     word: &[Letter],
     found: &[usize],
     (decided, whole, ended): (usize, bool, bool),
@@ -278,15 +273,15 @@ fn edge(word: &[Letter], last: Option<(usize, usize)>, ended: bool, i: usize, j:
 }
 
 /// An enclosure of Im λʲ/(1 − Re λʲ) from z_j; `fuzz::sweep` has the proof, here with twice its bound on z_j.
-fn ratio(x: f64, y: f64, j: usize, size: f64) -> Span {
-    let e = j as f64 * ERROR * size * 1.01;
-    let e1 = e + ERROR;
-    let d = 1.0 - x;
-    if d < 4.0 * e1 {
-        return (f64::NEG_INFINITY, f64::INFINITY);
+fn ratio<T: Rounded>(x: T, y: T, j: usize, size: T) -> Span<T> {
+    let e = error::<T>(j) * size * T::of(1.01);
+    let e1 = e + error(1);
+    let d = T::of(1.0) - x;
+    if d < T::of(4.0) * e1 {
+        return (T::of(f64::NEG_INFINITY), T::of(f64::INFINITY));
     }
     let t = y / d;
-    let bound = 2.0 * (e + t.abs() * e1) / d + t.abs() * (1.0 / (1u64 << 50) as f64);
+    let bound = T::of(2.0) * (e + t.abs() * e1) / d + t.abs() * T::of(8.0 * T::UNIT);
     (t - bound, t + bound)
 }
 
@@ -294,9 +289,12 @@ fn ratio(x: f64, y: f64, j: usize, size: f64) -> Span {
 mod tests {
     use num_traits::{One, Pow};
 
-    use super::*;
+    use super::{
+        super::{angle, modulus, twofold::Twofold},
+        *,
+    };
     use crate::{
-        number::{Ball, Precision, Real},
+        number::{Ball, Circular, Precision, Real},
         random::Random,
     };
 
@@ -312,7 +310,7 @@ mod tests {
     #[test]
     fn followers_are_enclosed() {
         let (precision, mut random) = (Precision::new(300), Random::of_unit(11, 0));
-        let mut sweep = WordSweep::new(40);
+        let mut sweep = WordSweep::<f64>::new(40);
         let mut seen = 0;
         for _ in 0..40 {
             let (r, s) = (random.next() >> 12 | 1 << 52, random.next() >> 11 | 1);
@@ -345,7 +343,7 @@ mod tests {
     /// An edge, a side or a period changed on one route is noticed.
     #[test]
     fn a_changed_word_differs() {
-        let mut sweep = WordSweep::new(64);
+        let mut sweep = WordSweep::<f64>::new(64);
         // DUD at r = 0.9, s = 0.37.
         sweep.turn((0.37 * (1u64 << 54) as f64) as u64 | 1);
         let r = (0.9 * (1u64 << 53) as f64) as u64;
@@ -364,5 +362,37 @@ mod tests {
             sweep.word = kept;
         }
         assert_eq!(sweep.against(decided, whole, false), Swept::Agree(9));
+    }
+
+    /// Where floats decide, pairs say the same of as many periods; where they do not, pairs nearly always decide.
+    #[test]
+    fn pairs_agree_with_floats() {
+        let mut random = Random::of_unit(5, 0);
+        let (mut near, mut closer) = (WordSweep::<f64>::new(48), WordSweep::<Twofold>::new(48));
+        let (mut agreed, mut open, mut still) = (0, 0, 0);
+        for _ in 0..1200 {
+            let (family, s) = angle(&mut random);
+            near.turn(s);
+            closer.turn(s);
+            for _ in 0..8 {
+                let r = modulus(&mut random, family);
+                let found = closer.compare(r);
+                match near.compare(r) {
+                    Swept::Agree(pairs) => {
+                        // Pairs give up smaller powers than floats do.
+                        let as_many = matches!(found, Swept::Agree(more) if more >= pairs);
+                        assert!(as_many || r < 1 << 43, "{r} {s}: {found:?}");
+                        agreed += 1;
+                    }
+                    Swept::Open => {
+                        assert_ne!(found, Swept::Differ, "{r} {s}");
+                        open += 1;
+                        still += usize::from(found == Swept::Open);
+                    }
+                    Swept::Differ => panic!("{r} {s}"),
+                }
+            }
+        }
+        assert!(agreed > 6000 && open > 40 && still <= open / 10, "{agreed} {open} {still}");
     }
 }
