@@ -90,7 +90,7 @@ fn cells_are_balanced(what: &str, text: &str) {
 
 /// Outputs in JSON, at least one for each schema in docs/schemas; `@` begins the name of a file that a
 /// command of the list writes itself.
-const JSON: [&str; 27] = [
+const JSON: [&str; 28] = [
     "intervals 3..=5",
     "intervals 3..=5 --decimals 4",
     "intervals --pattern 3,5",
@@ -101,6 +101,7 @@ const JSON: [&str; 27] = [
     "verify 3..=8 --certificate theorem2",
     "cover 3..=4 --certificate cover",
     "cover 8 --max-depth 3",
+    "cover 5 --shard 1/2 --certificate part",
     "check theorem2 cover missing",
     "farey neighbours 3/8",
     "farey rank 3/8 10",
@@ -176,10 +177,11 @@ fn reader() -> tempfile::TempDir {
     folder
 }
 
-const COMMANDS: [&str; 17] = [
+const COMMANDS: [&str; 18] = [
     "verify",
     "cover",
     "check",
+    "merge",
     "intervals",
     "classify",
     "word",

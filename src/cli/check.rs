@@ -40,6 +40,13 @@ pub(super) struct Args {
 /// The checker's answer for a file.
 type Answer = std::result::Result<Checked, Rejection>;
 
+impl Args {
+    /// To check one file and report to standard output.
+    pub(super) fn of(file: &Path, format: ReportFormat) -> Args {
+        Args { files: vec![file.to_path_buf()], format, output: None }
+    }
+}
+
 pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     let destination = Destination::new(args.output.as_deref())?;
     for file in &args.files {

@@ -256,7 +256,8 @@ impl Command {
         match self {
             Command::Verify(args) => report(args.format, "grazing-verify 1"),
             Command::Check(args) => report(args.format, "grazing-check 2"),
-            Command::Merge(args) => report(args.format, "grazing-merge 1"),
+            // Of a certificate, `check`'s; what the shards are of is not known yet.
+            Command::Merge(args) => report(args.format, "grazing-check 2"),
             Command::Cover(args) => report(args.format, "grazing-cover 1"),
             Command::Intervals(args) => {
                 (args.format == intervals::Format::Json).then_some("grazing-intervals 1")

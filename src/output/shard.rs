@@ -1,4 +1,5 @@
-//! Shards: one part of a command's work, done apart from the others, in a file that is written once and whole.
+//! Shards: one part of a command's work, done apart from the others, in a file that is written once and
+//! whole.
 //!
 //! Lines of text: what the command is, which part this is, one record per item of work, and at the end their
 //! number and a checksum of all before it. A shard withstands accidents (cuts, lost lines, exchanged files),
@@ -57,10 +58,10 @@ impl fmt::Display for Shard {
 }
 
 impl Shard {
-    /// The items of this part, of those in `all`, each of which costs about as much as its number to the power
-    /// `exponent` ≤ 2: parts are contiguous, in order, disjoint, and together all items. With more parts than
-    /// items some are empty. Items below 2⁴⁰, below 2³² if they do not all cost the same. Cost: O(log) of the
-    /// number of items.
+    /// The items of this part, of those in `all`, each of which costs about as much as its number to the
+    /// power `exponent` ≤ 2: parts are contiguous, in order, disjoint, and together all items. With more
+    /// parts than items some are empty. Items below 2⁴⁰, below 2³² if they do not all cost the same. Cost:
+    /// O(log) of the number of items.
     pub fn part(self, all: Range<u64>, exponent: u32) -> Range<u64> {
         debug_assert!(exponent <= 2 && all.end <= if exponent == 0 { 1 << 40 } else { 1 << 32 });
         // What the items below n cost, but for a factor: below 2⁹⁶, times `of` below 2¹¹⁶.

@@ -187,8 +187,8 @@ pub fn theorem2_blocks(
     Ok(())
 }
 
-/// The certificate of the periods in `range` with their blocks given, in order; `lines` is the number of lines
-/// of all blocks. Whether it is true is for the checker to say.
+/// The certificate of the periods in `range` with their blocks given, in order; `lines` is the number of
+/// lines of all blocks. Whether it is true is for the checker to say.
 ///
 /// # Errors
 /// An I/O error from `out`; whatever `blocks` returns.

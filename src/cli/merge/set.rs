@@ -2,20 +2,17 @@
 
 use std::{
     collections::BTreeMap,
-    io::{BufReader, Write},
+    io::Write,
     ops::{Range, RangeInclusive},
     path::{Path, PathBuf},
 };
 
-use serde_json::json;
-
-use super::super::{Outcome, ReportFormat, reader::Reader, reported};
+use super::super::{Outcome, check};
 use crate::{
-    certificate::{Checked, Rejection, check_until},
     cli::progress::{Interrupt, Progress},
     error::{Error, Result},
     monitor::Monitor,
-    output::{Destination, OutputFile, Shard, ShardFile, ShardWriter, ShardedTask, say},
+    output::{OutputFile, Shard, ShardFile, ShardWriter, ShardedTask, say},
 };
 
 /// The task that a command's words name, for its shards.
@@ -186,36 +183,7 @@ pub(in super::super) fn certify(
         return Err(Error::input("these are shards of a certificate: name its file with -o"));
     };
     OutputFile::new("-o", path)?.write(write)?;
-    let mut stop = || interrupt.check().is_err();
-    let answer: std::result::Result<Checked, Rejection> = match Reader::open(path, interrupt) {
-        Ok(reader) => check_until(&mut BufReader::with_capacity(1 << 16, reader), &mut stop),
-        Err(source) => return Err(Error::io("read", path, source)),
-    };
-    let outcome = match &answer {
-        Ok(_) => Outcome::Done,
-        Err(Rejection::Interrupted { .. }) => Outcome::Interrupted,
-        Err(Rejection::Undecided { .. }) => Outcome::Undecided,
-        Err(_) => Outcome::Refuted,
-    };
-    let report = match (&answer, args.format) {
-        (Ok(checked), ReportFormat::Text) => format!("{}: {checked}\n", path.display()),
-        (Err(rejection), ReportFormat::Text) => {
-            format!("{}: {}: {rejection}\n", path.display(), rejection.verdict())
-        }
-        (answer, ReportFormat::Json) => {
-            let report = json!({
-                "format": "grazing-merge 1",
-                "file": path,
-                "verdict": match answer {
-                    Ok(_) => "proved",
-                    Err(rejection) => rejection.verdict(),
-                },
-                "reason": answer.as_ref().err().map(ToString::to_string),
-            });
-            format!("{report}\n")
-        }
-    };
-    reported(outcome, Destination::Stdout.write(|out| Ok(out.write_all(report.as_bytes())?)))
+    check::run(&check::Args::of(path, args.format), interrupt)
 }
 
 #[cfg(test)]

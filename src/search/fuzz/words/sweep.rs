@@ -1,11 +1,11 @@
-//! Many points (r, s) with one s, in `f64` or in pairs of them with proved error bounds: the periods that occur
-//! by the record form and which may follow which by (64), against the word of the path and its table.
+//! Many points (r, s) with one s, in `f64` or in pairs of them with proved error bounds: the periods that
+//! occur by the record form and which may follow which by (64), against the word of the path and its table.
 //!
-//! Here U is that of `twofold`. e_j ≈ e^{2πijs} comes from products by a number within 4U of e^{2πis}, so that
-//! it is off by at most 16jU (the head of `fuzz::sweep` has the proof, here with r = 1), for j ≤ 4096. R_j ≈ rʲ
-//! comes from products by r, exact, and is off by at most (j − 1)U relatively; the sweep ends before rʲ
-//! underflows, and where smaller products occur in a sum their errors do not count. So z_j = R_j e_j is off by
-//! at most 32jU rʲ = E_j rʲ.
+//! Here U is that of `twofold`. e_j ≈ e^{2πijs} comes from products by a number within 4U of e^{2πis}, so
+//! that it is off by at most 16jU (the head of `fuzz::sweep` has the proof, here with r = 1), for j ≤ 4096.
+//! R_j ≈ rʲ comes from products by r, exact, and is off by at most (j − 1)U relatively; the sweep ends before
+//! rʲ underflows, and where smaller products occur in a sum their errors do not count. So z_j = R_j e_j is
+//! off by at most 32jU rʲ = E_j rʲ.
 //!
 //! - *Records*: f_j = Im λʲ/(1 − Re λʲ) as in `fuzz::sweep`. After n it is no record once rⁿ/(1 − rⁿ) is
 //!   below both |extremes|, which have opposite signs: then every period has been decided.
@@ -364,7 +364,8 @@ mod tests {
         assert_eq!(sweep.against(decided, whole, false), Swept::Agree(9));
     }
 
-    /// Where floats decide, pairs say the same of as many periods; where they do not, pairs nearly always decide.
+    /// Where floats decide, pairs say the same of as many periods; where they do not, pairs nearly always
+    /// decide.
     #[test]
     fn pairs_agree_with_floats() {
         let mut random = Random::of_unit(5, 0);

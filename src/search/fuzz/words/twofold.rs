@@ -1,18 +1,18 @@
 //! The numbers of a sweep: `f64`, and pairs of them for what `f64` leaves open.
 //!
-//! A pair (h, l) stands for h + l with h = fl(h + l), so |l| ≤ u|h|, u = 2⁻⁵³. Sums and products of floats are
-//! split into their rounded value and its error without error (Knuth; Dekker and Veltkamp: no fused operation;
-//! nothing overflows here, and what underflows is too small to count). What a sweep needs of its numbers is, with
-//! U = 2⁻¹⁰⁰ for pairs and 2⁻⁵³ for floats:
+//! A pair (h, l) stands for h + l with h = fl(h + l), so |l| ≤ u|h|, u = 2⁻⁵³. Sums and products of floats
+//! are split into their rounded value and its error without error (Knuth; Dekker and Veltkamp: no fused
+//! operation; nothing overflows here, and what underflows is too small to count). What a sweep needs of its
+//! numbers is, with U = 2⁻¹⁰⁰ for pairs and 2⁻⁵³ for floats:
 //!
 //! - a sum is off by at most U(|x| + |y|). The pair: with s + e = h₁ + h₂ and t + f = l₁ + l₂, c = fl(e + t),
-//!   v + w = s + c, d = fl(f + w), where |e|, |t| ≤ 1.1u(|x| + |y|) and |f| ≤ 1.1u|t|, |w| ≤ 1.1u(|x| + |y|), the
-//!   two roundings are off by at most u(2.2 + 1.2)u(|x| + |y|) in all, below 4u²(|x| + |y|).
-//! - a product is off by at most U|xy|. The pair: p + e = h₁h₂; h₁l₂ + l₁h₂ is rounded three times, by at most
-//!   4.1u²|xy|; l₁l₂ ≤ 1.1u²|xy| is left out; adding e rounds by at most 3.4u²|xy|: below 9u²|xy|.
-//! - a quotient is off by at most U|x/y|. The pair: q = fl(h₁/h₂) is within 3.1u|x/y|; x − qy as a pair is off by
-//!   at most 9u²|x| + 4u²·2.1|x| < 18u²|x|, and divided by h₂ once more, off by 4u of the 3.2u|x| that it is:
-//!   below 18u² + 13u² + u² of |x/y|.
+//!   v + w = s + c, d = fl(f + w), where |e|, |t| ≤ 1.1u(|x| + |y|) and |f| ≤ 1.1u|t|, |w| ≤ 1.1u(|x| + |y|),
+//!   the two roundings are off by at most u(2.2 + 1.2)u(|x| + |y|) in all, below 4u²(|x| + |y|).
+//! - a product is off by at most U|xy|. The pair: p + e = h₁h₂; h₁l₂ + l₁h₂ is rounded three times, by at
+//!   most 4.1u²|xy|; l₁l₂ ≤ 1.1u²|xy| is left out; adding e rounds by at most 3.4u²|xy|: below 9u²|xy|.
+//! - a quotient is off by at most U|x/y|. The pair: q = fl(h₁/h₂) is within 3.1u|x/y|; x − qy as a pair is
+//!   off by at most 9u²|x| + 4u²·2.1|x| < 18u²|x|, and divided by h₂ once more, off by 4u of the 3.2u|x| that
+//!   it is: below 18u² + 13u² + u² of |x/y|.
 //!
 //! All are below 2⁻¹⁰¹ = 32u² relatively.
 
