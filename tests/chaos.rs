@@ -7,7 +7,7 @@ use std::{collections::HashMap, f64::consts::TAU};
 use grazing::{
     certificate::{
         self,
-        chaos::{Certificate, Decimal, Fraction, Letter},
+        chaos::{Certificate, Complete, Decimal, Fraction, Harmonic, Letter},
     },
     oscillator::{
         Side, Time,
@@ -302,6 +302,17 @@ fn read(text: &str) -> Option<Certificate> {
             next: next.iter().map(|w| Some(whole(w)? as usize - 1)).collect::<Option<_>>()?,
         })
     });
+    let harmonic = |w: &Vec<&str>| {
+        let [a, b, c, d] = [fraction(w[1])?, fraction(w[2])?, fraction(w[3])?, fraction(w[4])?];
+        Some(Harmonic { order: whole(w[0])?, parts: [[a, b], [c, d]] })
+    };
+    let complete = match &one("complete")?[..] {
+        ["no"] => None,
+        [s, m, k, r] => {
+            Some(Complete { strength: decimal(s)?, longest: whole(m)?, parts: whole(k)?, rounds: whole(r)? })
+        }
+        _ => return None,
+    };
     let cells: Vec<u64> = one("cells")?.iter().filter_map(|w| whole(w)).collect();
     Some(Certificate {
         ranges: [
@@ -312,6 +323,8 @@ fn read(text: &str) -> Option<Certificate> {
             range("depth")?,
         ],
         behind: one("side")?[0] == "1",
+        harmonics: lines.get("harmonic")?.iter().map(harmonic).collect::<Option<_>>()?,
+        complete,
         cells: cells.try_into().ok()?,
         window: decimal(one("window")?[0])?,
         pieces: whole(one("pieces")?[0])?,

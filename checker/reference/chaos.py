@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A second reader of certificates of kind chaos, for whoever would rather trust 200 lines of Python.
+"""A second reader of certificates of kind chaos, for whoever would rather trust 400 lines of Python.
 
 usage: chaos.py FILE…     prints "FILE: proved" or "FILE: rejected: reason"; exit code 1 if one is rejected.
 
@@ -14,13 +14,16 @@ from math import gcd
 
 UNIT = 1 << 64
 STATEMENT = (
-    "For all c, k, f, tau and nu > 0 in the listed ranges, the oscillator q'' = -c q' - k q + f above the wall sigma nu - 1 + cos t, sigma "
+    "For all c, k, f, tau and nu > 0 in the listed ranges, and for g(t) the sum of the listed harmonics a cos jt + b sin jt, a and b in "
+    "their ranges, all a together 1 and all j b together 0, the oscillator q'' = -c q' - k q + f above the wall sigma nu - 1 + g(t), sigma "
     "the listed side, with restitution tau: for every bi-infinite path of the listed graph of letters there is exactly one motion whose "
-    "impacts, one between two letters, have phases within W of multiples of 2 pi, as many periods apart as the letters say, and "
-    "velocities, divided by nu, after the first and before the last impact of each letter in its ranges. It has no other impacts, all are "
-    "at positive speed, between them the gap is positive, and q/nu stays below the reach. Paths with different periods have different "
-    "motions; on the set of all these motions the map from t = pi to t = 3 pi has a topological entropy between the logarithms of the "
-    "growth rates.")
+    "impacts, one between two letters, have phases within W of multiples of 2 pi, as many periods apart as the letters say, and velocities, "
+    "divided by nu, after the first and before the last impact of each letter in its ranges. It has no other impacts, all are at positive "
+    "speed, between them the gap is positive, and q/nu stays below the reach. Paths with different periods have different motions; on the "
+    "set of all these motions the map from t = pi to t = 3 pi has a topological entropy between the logarithms of the growth rates. If the "
+    "line complete has a strength S, every motion that meets the wall at arbitrarily early and arbitrarily late times, and only within W of "
+    "multiples of 2 pi where |g'| <= nu S/2, is one of these; if c and k are positive, so is every bounded motion for all time that meets it "
+    "only there.")
 
 
 def need(condition, reason):
@@ -48,6 +51,7 @@ class I:
     def middle(x): return I((x.lo + x.hi) // 2, (x.lo + x.hi) // 2)
     def hull(x, y): return I(min(x.lo, y.lo), max(x.hi, y.hi))
     def meet(x, y): return I(max(x.lo, y.lo), min(x.hi, y.hi))
+    def within(x, y): return y.lo <= x.lo and x.hi <= y.hi
     def size(x): return I(max(-x.lo, x.hi), max(-x.lo, x.hi))
     def part(x, i, n): return I(x.lo + (x.hi - x.lo) * i // n, x.lo - (-(x.hi - x.lo) * (i + 1)) // n)
     def over(x, n): return I(x.lo // n, -(-x.hi // n))
@@ -89,18 +93,49 @@ def exp(t, c, k):
 def circle(t): return exp(t, ZERO, ONE)
 
 
-def arcsine(y, window, cosine):
-    """By Newton's method; the error is at most |y - sin t|/cos W."""
-    ends = []
-    for y in (I(y.lo, y.lo), I(y.hi, y.hi)):
-        t = y
-        for _ in range(7):
-            cos, sin = circle(t)
-            t = (t + (y - sin) / cos).middle()
-        t = I(*[min(max(t.lo, -window.lo), window.lo)] * 2)
-        error = ((y - circle(t)[1]) / cosine).size().hi
-        ends.append(I(t.lo - error, t.hi + error))
-    return ends[0].hull(ends[1])
+class Wall:
+    """g(t), the sum of a cos jt + b sin jt with Σ a = 1 and Σ j b = 0, and the window ±W on which it is convex."""
+    def __init__(self, harmonics, window, pieces):
+        self.harmonics, self.window = harmonics, window
+        self.plain = [(j, a.lo, a.hi, b.lo, b.hi) for j, a, b in harmonics] == [(1, UNIT, UNIT, 0, 0)]
+        need(2 * window.hi < PI.lo, "the window is not below pi/2")
+        least = min(self.at((-window).hull(window).part(i, pieces))[2].lo for i in range(pieces))
+        need(least > 0, "the wall may not be convex on the window")
+        self.bend, self.ends = I(least, least), (self.at(-window)[1], self.at(window)[1])
+
+    def at(self, t):
+        """1 - g, -g' and -g''."""
+        drop, slope, bend = ZERO, ZERO, ZERO
+        for j, a, b in self.harmonics:
+            n = num(j)
+            cos, sin = circle(n * t)
+            drop = drop + a * (ONE - cos) - b * sin
+            slope = slope + n * (a * sin + b * (ONE - cos))
+            bend = bend + n * n * (a * cos + b * sin)
+        return drop, slope, bend
+
+    def phase(self, y):
+        """Where -g' is y: by Newton's method; the error is at most |y + g'(t)| / min -g''."""
+        need(self.ends[0].hi < y.lo and y.hi < self.ends[1].lo, "an impact outside the window (H0)")
+        ends = []
+        for y in (I(y.lo, y.lo), I(y.hi, y.hi)):
+            t = ZERO
+            for _ in range(7):
+                _, slope, bend = self.at(t)
+                t = (t + (y - slope) / bend).middle()
+                t = I(*[min(max(t.lo, -self.window.lo), self.window.lo)] * 2)
+            error = ((y - self.at(t)[1]) / self.bend).size().hi
+            ends.append(I(t.lo - error, t.hi + error))
+        return ends[0].hull(ends[1])
+
+    def bends(self, t):
+        """-g'', and (1 - g)/g'^2 = 1/(-2 g'') somewhere between t and 0; 1/(1 + cos t) for the cosine."""
+        if self.plain:
+            cos = circle(t)[0].meet(I(-UNIT, UNIT))
+            return cos, ONE / (ONE + cos)
+        low = self.bend.lo
+        here, all = self.at(t)[2], self.at(t.hull(ZERO))[2]
+        return I(max(here.lo, low), here.hi), ONE / (TWO * I(max(all.lo, low), all.hi))
 
 
 def integer(word, most):
@@ -147,6 +182,14 @@ def check(text):
     (side,) = line("side", 1)
     need(side in ("1", "-1"), "a side")
     sigma = num(int(side))
+    harmonics = []
+    for _ in range(integer(line("harmonics", 1)[0], 100)):
+        order, *rest = line("harmonic", 5)
+        one, other = spread(rest[:2], fraction, False), spread(rest[2:], fraction, False)
+        harmonics.append((integer(order, 100), *(num(lo).hull(num(hi)) for lo, hi in (one, other))))
+        need(harmonics[-1][0] > max([0] + [before[0] for before in harmonics[:-1]]), "orders increase from 1")
+    total = [sum((x[1] for x in harmonics), -ONE), sum((num(x[0]) * x[2] for x in harmonics), ZERO)]
+    need(all(x.lo <= 0 <= x.hi for x in total), "the harmonics have not their top at 0")
     cells = [integer(word, 10000) for word in line("cells", 5)]
     window, pieces = num(decimal(line("window", 1)[0], True)), integer(line("pieces", 1)[0], 1000)
     letters = []
@@ -160,6 +203,11 @@ def check(text):
         need(follow[-1] and follow[-1][0] >= 0 and all(x < y for x, y in zip(follow[-1], follow[-1][1:])), "successors")
     kappa, reach = num(decimal(line("contraction", 1)[0], True)), num(decimal(line("reach", 1)[0], True))
     rates = spread(line("growth", 2))
+    complete = line("complete")
+    if complete != ["no"]:
+        need(len(complete) == 4 and side == "1" and f == (0, 0), "completeness")
+        complete = decimal(complete[0], True), *(integer(x, most) for x, most in zip(complete[1:], (1000, 64, 100)))
+        need(all(complete) and len({x[0] for x in letters}) == len(letters), "completeness needs letters of different periods")
     need(next(lines, None) is None, "the file goes on")
     need(kappa.hi < UNIT and rates[0] > 0 and letters and pieces > 0 and all(cells), "numbers must be positive, the contraction below 1")
     before = [[m for m in range(len(letters)) if n in follow[m]] for n in range(len(letters))]
@@ -169,27 +217,29 @@ def check(text):
         for rate, sign in zip(rates, (1, -1)):
             total = sum(letters[w][5] / rate**letters[w][0] for w in follow[v])
             need(sign * (total - letter[5]) >= 0, "growth")
+    wall = Wall(harmonics, window, pieces)
     for choice in product(*map(range, cells)):
-        cell([num(lo).hull(num(hi)).part(i, n) for (lo, hi), i, n in zip(ranges, choice, cells)], sigma, window, pieces, letters, follow, before, kappa, reach)
+        cell([num(lo).hull(num(hi)).part(i, n) for (lo, hi), i, n in zip(ranges, choice, cells)], sigma, wall, pieces, letters, follow, before, kappa, reach, complete)
 
 
-def cell(box, sigma, window, pieces, letters, follow, before, kappa, reach):
+def cell(box, sigma, wall, pieces, letters, follow, before, kappa, reach, complete):
     c, k, f, tau, nu = box
     f = f / nu if f.lo or f.hi else f
-    cosine, sine = circle(window)
-    need(window.hi < 3 * UNIT and cosine.lo > 0 < sine.lo, "the window")
+    window = wall.window
     after, last = ([num(x[i][0]).hull(num(x[i][1])) for x in letters] for i in (1, 2))
     share = TWO / (ONE + tau)
-    turns = [exp(num(2 * n) * PI, c, k) for n in range(max(x[0] for x in letters) + 1)]
+    longest = max([x[0] for x in letters] + ([] if complete == ["no"] else [complete[1]]))
+    turns = [exp(num(2 * n) * PI, c, k) for n in range(longest + 1)]
 
     def strength(a, p): return share * (a + tau * p)
 
     def impact(s):
-        y = -(nu * s).half()
-        need(y.size().hi < sine.lo, "an impact outside the window (H0)")
-        t = arcsine(y, window, cosine)
-        cos = circle(t)[0].meet(I(-UNIT, UNIT))
-        return s, t, cos, sigma - (nu * s.square() / (ONE + cos)).over(4)
+        t = wall.phase(-(nu * s).half())
+        bend, ratio = wall.bends(t)
+        drop = (nu * s.square() * ratio).over(4)
+        if nu.lo > 0 and not wall.plain:
+            drop = drop.meet(wall.at(t)[0] / nu)
+        return s, t, bend, sigma - drop
 
     def both(s, i, n): return impact(s.part(i, n)), impact(s.part(i, n).middle())
 
@@ -200,8 +250,8 @@ def cell(box, sigma, window, pieces, letters, follow, before, kappa, reach):
         a = (y[3] - e[0] * x[3] - f * time.square().half()) / e[1]
         return e, a, move(e, time, x[3], a)[1]
 
-    def leg(m, n, x, y, z):
-        periods, (a0, a1), (p0, p1), alpha, beta = letters[n][:5]
+    def leg(periods, x, y):
+        """The velocities of a leg and their derivatives."""
         (x, x0), (y, y0) = x, y
         (e, a, p), (_, a_mid, p_mid) = ends(periods, x, y), ends(periods, x0, y0)
         slopes = [-(nu / u[2]).half() for u in (x, y)]
@@ -212,10 +262,42 @@ def cell(box, sigma, window, pieces, letters, follow, before, kappa, reach):
             dp = slopes[0] * ((e[0] - c * e[1]) * first - k * (e[1] * x[0].half()) - r), slopes[1] * ((e[0] - c * e[1]) * final + r)
             a = a.meet(a_mid + da[0] * (x[0] - x0[0]) + da[1] * (y[0] - y0[0]))
             p = p.meet(p_mid + dp[0] * (x[0] - x0[0]) + dp[1] * (y[0] - y0[0]))
-        need(num(a0).hi <= a.lo and a.hi <= num(a1).lo and num(p0).hi <= p.lo and p.hi <= num(p1).lo, "a box is left (H1)")
+        return a, p, da, dp
+
+    def fits(n, a, p):
+        (a0, a1), (p0, p1) = letters[n][1:3]
+        return num(a0).hi <= a.lo and a.hi <= num(a1).lo and num(p0).hi <= p.lo and p.hi <= num(p1).lo
+
+    def contracts(m, n, z, x, y):
+        a, p, da, dp = leg(letters[n][0], x, y)
+        alpha, beta = letters[n][3:5]
+        need(fits(n, a, p), "a box is left (H1)")
         u, v = strength(num(alpha), num(letters[m][4])), strength(num(letters[z][3]), num(beta))
         for d, weight in ((da, alpha), (dp, beta)):
             need((d[0].size() * u + d[1].size() * v).hi <= (kappa * num(weight)).lo, "no contraction (H2)")
+
+    def gaps(n, periods, into, out):
+        """H4 for a letter, between impacts of all strengths that it can have."""
+        x, y = (impact(I(min(s.lo for s in all), max(s.hi for s in all))) for all in (into, out))
+
+        def motion(j, t):
+            q, u = move(times(turns[j], exp(t - x[1], c, k), c, k), num(2 * j) * PI + t - x[1], x[3], after[n])
+            need(q.hi < reach.lo, "the reach")
+            return q, u
+        for j in range(periods + 1):
+            least, left, right = None, x[1] if j == 0 else -window, y[1] if j == periods else window
+            for i in range(pieces):
+                t = left.hull(right).part(i, pieces)
+                q, u = motion(j, t)
+                here = (wall.at(t)[2] + nu * (f - c * u - k * q)).lo
+                need(here > 0, "a gap may not be convex (H4)")
+                least = here if least is None else min(least, here)
+                t = window.hull(TWO * PI - window).part(i, pieces)
+                need(j == periods or (wall.at(t)[0] + nu * (motion(j, t)[0] - sigma)).lo > 0, "a gap may close (H4)")
+            if 0 < j < periods:
+                q, u = motion(j, ZERO)
+                need((q - sigma - nu * u.square() / I(2 * least, 2 * least)).lo > 0, "the wall may be met (H4)")
+
     for n, letter in enumerate(letters):
         periods, parts = letter[0], letter[6]
         into, out = [strength(after[n], last[m]) for m in before[n]], [strength(after[z], last[n]) for z in follow[n]]
@@ -223,28 +305,85 @@ def cell(box, sigma, window, pieces, letters, follow, before, kappa, reach):
             need((after[n] - last[m]).lo > 0, "a speed may be 0 (H3)")
             for z, t in zip(follow[n], out):
                 for i, j in product(range(parts), repeat=2):
-                    leg(m, n, both(s, i, parts), both(t, j, parts), z)
-        if not before[n]:
-            continue
-        hull = [impact(I(min(s.lo for s in all), max(s.hi for s in all))) for all in (into, out)]
+                    contracts(m, n, z, both(s, i, parts), both(t, j, parts))
+        if before[n]:
+            gaps(n, periods, into, out)
+    if complete == ["no"]:
+        return
+    bound, longest, parts, rounds = complete
+    bound = num(bound)
 
-        def motion(j, t):
-            q, u = move(times(turns[j], exp(t - hull[0][1], c, k), c, k), num(2 * j) * PI + t - hull[0][1], hull[0][3], after[n])
-            need(q.hi < reach.lo, "the reach")
-            return q, u
-        for j in range(periods + 1):
-            least, left, right = None, hull[0][1] if j == 0 else -window, hull[1][1] if j == periods else window
-            for i in range(pieces):
-                t = left.hull(right).part(i, pieces)
-                q, u = motion(j, t)
-                here = (circle(t)[0] + nu * (f - c * u - k * q)).lo
-                need(here > 0, "a gap may not be convex (H4)")
-                least = here if least is None else min(least, here)
-                t = window.hull(TWO * PI - window).part(i, pieces)
-                need(j == periods or (ONE - circle(t)[0] + nu * (motion(j, t)[0] - sigma)).lo > 0, "a gap may close (H4)")
-            if 0 < j < periods:
-                q, u = motion(j, ZERO)
-                need((q - sigma - nu * u.square() / I(2 * least, 2 * least)).lo > 0, "the wall may be met (H4)")
+    def once(x):
+        """At most one contact in a window: |q'| <= most, |q''| <= bend."""
+        width = x[1].size() + x[1].size()
+        room = ONE - width * (c.size() + k.size() * width)
+        need(room.lo > 0, "two contacts in a window (C)")
+        most = (x[0].size().half() + width * (k.size() * x[3].size())) / room
+        need((x[2] - nu * (c.size() * most + k.size() * (x[3].size() + width * most))).lo > 0, "two contacts in a window (C)")
+
+    def short():
+        """No leg of more than so many periods: the ratios of q a period apart do not stay positive."""
+        e = turns[1]
+        det = (e[0] * (e[0] - c * e[1]) + k * e[1].square()).lo
+        trace = (e[0] + e[0] - c * e[1]).hi
+        ratio = trace
+        for _ in range(longest - 2):
+            if ratio <= 0:
+                break
+            ratio = (I(trace, trace) - I(det, det) / I(ratio, ratio)).hi
+        need(det > 0 and longest > 1 and ratio <= 0, "a leg may be longer (C)")
+
+    everything = impact((-bound).hull(bound))
+    once(everything)
+    need(everything[3].lo > 0, "an impact may be below rest (C)")
+    short()
+    # The velocities of legs of each length; None where nothing is known; left out if there is no such leg.
+    known = {n: None for n in range(1, longest + 1)}
+
+    def between(m, n):
+        if known[m] is None or known[n] is None:
+            return (-bound).hull(bound)
+        (a, _), (_, p) = known[n], known[m]
+        s = strength(a, p)
+        return s.meet((-bound).hull(bound)) if a.hi >= p.lo and s.hi >= -bound.hi and s.lo <= bound.hi else None
+
+    def possible(m, n, z, x, y):
+        """The velocities of such a leg between legs of m and z periods; None if there is none."""
+        a, p, _, _ = leg(n, x, y)
+        x, y = x[0], y[0]
+        a, p = I(max(a.lo, x[0].half().lo), a.hi), I(p.lo, min(p.hi, y[0].half().hi))
+        if known[n]:
+            a, p = a.meet(known[n][0]), p.meet(known[n][1])
+        if known[m]:
+            a = a.meet(x[0] / share - tau * known[m][1])
+        if known[z]:
+            p = p.meet((y[0] / share - known[z][0]) / tau)
+        fine = a.lo <= a.hi and p.lo <= p.hi
+        for j in range(1, n):
+            e = times(turns[j], exp(-x[1], c, k), c, k)
+            fine = fine and (e[0] * x[3] + e[1] * a - sigma).hi >= 0
+        return (a, p) if fine else None
+
+    def done():
+        place = {letter[0]: n for n, letter in enumerate(letters)}
+        return all(n in place and known[n] and fits(place[n], *known[n]) for n in known) and all(
+            place[n] in follow[place[m]] or between(m, n) is None for m, n in product(known, repeat=2))
+
+    for turn in range(rounds):
+        strengths = {pair: between(*pair) for pair in product(known, repeat=2)}
+        impacts = {pair: [both(s, i, parts) for i in range(parts)] for pair, s in strengths.items() if s}
+        found = {}
+        for n in known:
+            others = list(known)[:1] if turn == 0 else known
+            for m, z in product(others, repeat=2):
+                for x, y in product(impacts.get((m, n), []), impacts.get((n, z), [])):
+                    one = possible(m, n, z, x, y)
+                    if one:
+                        found[n] = tuple(u.hull(v) for u, v in zip(found[n], one)) if n in found else one
+        known = found
+        if done():
+            return
+    need(False, "there may be other orbits near (C)")
 
 
 if __name__ == "__main__":

@@ -4,7 +4,7 @@ use std::ops::RangeInclusive;
 
 use super::{
     FORMAT, Proved, Rejection,
-    lines::{Lines, Words},
+    lines::{LONGEST, Lines, Words},
 };
 
 /// The header's lines.
@@ -64,7 +64,8 @@ impl Header {
 
 /// Reads the statement, which must be this one.
 pub(super) fn expect_statement(lines: &mut Lines, statement: &str) -> Result<(), Rejection> {
-    if lines.expect("the statement")?.strip_prefix("statement ") != Some(statement) {
+    let longest = LONGEST.max(statement.len() + 100);
+    if lines.expect_within(longest, "the statement")?.strip_prefix("statement ") != Some(statement) {
         return Err(lines.malformed("the statement is not, word for word, that of this kind and version"));
     }
     Ok(())

@@ -13,7 +13,10 @@ fn what_is_written_passes_and_is_named() {
     let text = checked.to_string();
     assert!(text.contains("depth: every nu with 0 < nu <= 1\n"), "{text}");
     assert!(text.contains("letters: 1, 2; each may follow each"), "{text}");
-    assert_eq!(answer(CHAOS_123).unwrap().range, 1..=3);
+    assert!(text.contains("others: not excluded"), "{text}");
+    let checked = answer(CHAOS_123).unwrap();
+    assert_eq!(checked.range, 1..=3);
+    assert!(checked.to_string().contains("others: none near"), "{checked}");
 }
 
 /// What is known not to hold is refused for the reason why it does not.
@@ -25,8 +28,6 @@ fn negative_controls_are_refused() {
         ("letter 3", "letter 3 19 32.3 -3.34 -1.75 1 0.102973657 1 4", "(H1)"),
         // w = 4.7.
         ("stiffness", "stiffness 100/2209 100/2209", "(H1)"),
-        // The place of rest before the wall, µ < 0.
-        ("side", "side -1", "(H1)"),
         // Equal weights.
         ("letter 1", "letter 1 0.028 0.196 -0.1137 -0.101 1 1 1 1", "(H2)"),
         ("contraction", "contraction 0.92", "(H2)"),
@@ -41,6 +42,9 @@ fn negative_controls_are_refused() {
         let why = rejected(&with(CHAOS_123, start, line));
         assert!(why.contains("false") && why.contains(reason), "{start}: {why}");
     }
+    // The place of rest before the wall, µ < 0.
+    let before = with(&with(CHAOS_123, "side", "side -1"), "complete", "complete no");
+    assert!(rejected(&before).contains("(H1)"));
     // w = 8 has no letter of 4 periods near: u_4 is nearly 0.
     let why = rejected(&with(
         &with(CHAOS_12, "letter 2", "letter 4 0.69 0.962 -0.282 -0.197 1 0.25 1 1"),
@@ -48,6 +52,55 @@ fn negative_controls_are_refused() {
         "stiffness 1/64 1/64",
     ));
     assert!(why.contains("false"), "{why}");
+}
+
+/// That there are no other orbits is refused where there are, or where the claim's numbers do not show it.
+#[test]
+fn what_is_not_complete_is_refused() {
+    for (line, reason) in [
+        // The orbits of letter 3 have |s| up to 32.2; from 30 on there are none to be missed.
+        ("complete 48.3 3 2 7", "longer than 3 periods"),
+        ("complete 48.3 4 2 1", "(C)"),
+        ("complete 60 4 2 7", "longer than 4 periods"),
+        ("complete 400 4 2 7", "two contacts"),
+        ("complete 2000 4 2 7", "outside the window"),
+    ] {
+        let why = rejected(&with(CHAOS_123, "complete", line));
+        assert!(why.contains("false") && why.contains(reason), "{line}: {why}");
+    }
+    assert!(answer(&with(CHAOS_123, "complete", "complete 36 4 2 7")).is_ok());
+    // At µ = 0.003 letter 3 exists, with |s| from 13 on: {1, 2} is complete without it, not with it.
+    let few = with(CHAOS_12, "depth", "depth 0/1 3/1003");
+    assert!(answer(&with(&few, "complete", "complete 2 4 2 7")).is_ok());
+    let why = rejected(&with(&few, "complete", "complete 36 4 2 7"));
+    assert!(why.contains("there may be a leg of 3 periods (C)"), "{why}");
+    // Without the edge from 2 to 2 the orbits ... 2 2 ... are others. Growth: z + z³ = 1, and 2 has z times
+    // the entry of 1.
+    let graph = few.replace("next 1 2\nnext 1 2\n", "next 1 2\nnext 1\n");
+    let graph = graph.replace("0.310435706 1 1", "0.310435706 0.6823278038 1");
+    let graph = with(&graph, "growth", "growth 1.465571 1.465572");
+    assert!(answer(&graph).is_ok(), "{:?}", answer(&graph));
+    let why = rejected(&with(&graph, "complete", "complete 2 4 2 7"));
+    assert!(why.contains("letter 2 may follow letter 2 (C)"), "{why}");
+    // Undamped and for ever: not for the place of rest before the wall.
+    let before = with(&with(CHAOS_12, "side", "side -1"), "complete", "complete 2 4 2 7");
+    assert!(rejected(&before).contains("side 1"));
+}
+
+/// A wall of two harmonics that is not convex on the window, and one that is lower than its other top.
+#[test]
+fn walls_without_one_top_are_refused() {
+    let two = |terms: &str| with(&with(CHAOS_12, "harmonics", "harmonics 2"), "harmonic ", terms);
+    // cos t and a tenth of cos 2t more: less than a tenth changes little.
+    let small = two("harmonic 1 9999/10000 9999/10000 0/1 0/1\nharmonic 2 1/10000 1/10000 0/1 0/1");
+    assert!(answer(&with(&small, "depth", "depth 0/1 1/3")).is_ok(), "{:?}", answer(&small));
+    let why = rejected(&two("harmonic 1 4/3 4/3 0/1 0/1\nharmonic 2 -1/3 -1/3 0/1 0/1"));
+    assert!(why.contains("convex"), "{why}");
+    // Tops at 0 and π, the latter the higher.
+    let twin = two("harmonic 1 -1/10 -1/10 0/1 0/1\nharmonic 2 11/10 11/10 0/1 0/1");
+    assert!(rejected(&with(&twin, "window", "window 0.6")).contains("false"));
+    let twice = two("harmonic 2 1/1 1/1 0/1 0/1\nharmonic 1 0/1 0/1 0/1 0/1");
+    assert!(rejected(&twice).contains("orders of harmonics increase"));
 }
 
 /// Two letters of the same period that may be exchanged would count orbits twice.
@@ -85,7 +138,17 @@ fn numbers_have_one_form_and_limits() {
         ("next", "next", "expected"),
         ("next", "next 1 3", "from 0 to 2"),
         ("contraction", "contraction 1", "below 1"),
-        ("growth", "growth 1.6 1.62\ncontraction 0.5", "goes on"),
+        ("complete", "complete no\ncontraction 0.5", "goes on"),
+        ("complete", "complete", "decimal"),
+        ("complete", "complete 2 4 2 0", "at least 1"),
+        ("complete", "complete 2 4 2 101", "from 0 to 100"),
+        ("complete", "complete 2 400 2 7", "evaluations"),
+        ("side", "side -1\ncomplete 2 4 2 7", "harmonics"),
+        ("harmonics", "harmonics 0", "sum to 1"),
+        ("harmonic ", "harmonic 1 1/2 2/3 0/1 0/1", "sum to 1"),
+        ("harmonic ", "harmonic 1 1/1 1/1 1/9 1/9", "sum to 1"),
+        ("harmonic ", "harmonic 0 1/1 1/1 0/1 0/1", "at least 1"),
+        ("harmonic ", "harmonic 1 1/1 1/1 0/1", "fraction"),
         ("cells", "cells 1 1 1 1 10000", "evaluations"),
     ] {
         let why = rejected(&with(CHAOS_12, start, line));
@@ -129,10 +192,20 @@ fn two_readers_agree() {
         ("letter 1", letter.replacen("0.089", "0.0890", 1), false),
         ("letter 1", letter.replacen("0.089", "0.086", 1), true),
     ];
+    let few = with(CHAOS_12, "depth", "depth 0/1 3/1003");
+    let changes = changes.into_iter().map(|change| (CHAOS_12, change)).chain([
+        (&few[..], ("complete", "complete 2 4 2 3".to_string(), true)),
+        (&few, ("complete", "complete 2 3 2 3".to_string(), false)),
+        (&few, ("complete", "complete 36 4 2 2".to_string(), false)),
+        (&few, ("complete", "complete 0 4 2 2".to_string(), false)),
+        (&few, ("harmonic ", "harmonic 1 1/1 1/1 1/99 1/9".to_string(), false)),
+        (&few, ("harmonic ", "harmonic 1 99999/100000 1/1 0/1 0/1".to_string(), true)),
+    ]);
+    let changes: Vec<_> = changes.collect();
     let mut files = Vec::new();
-    for (i, (start, line, _)) in changes.iter().enumerate() {
+    for (i, (text, (start, line, _))) in changes.iter().enumerate() {
         let path = folder.join(i.to_string());
-        let text = with(CHAOS_12, start, line);
+        let text = with(text, start, line);
         fs::write(&path, &text).unwrap();
         files.push((path, text));
     }
@@ -141,7 +214,7 @@ fn two_readers_agree() {
         Command::new("python3").arg(script).args(files.iter().map(|(path, _)| path)).output().unwrap();
     let verdicts = String::from_utf8(output.stdout).unwrap();
     assert_eq!(verdicts.lines().count(), files.len(), "{}", String::from_utf8_lossy(&output.stderr));
-    for (((_, text), line), (start, new, expected)) in files.iter().zip(verdicts.lines()).zip(&changes) {
+    for (((_, text), line), (_, (start, new, expected))) in files.iter().zip(verdicts.lines()).zip(&changes) {
         let (ours, theirs) = (answer(text), line.ends_with(": proved"));
         assert_eq!((ours.is_ok(), theirs), (*expected, *expected), "{start}: {new}: {ours:?}, {line}");
     }

@@ -7,6 +7,7 @@ use serde::Serialize;
 
 use super::{Finding, Job, Lines, Status, row};
 use crate::{
+    certificate::chaos::Decimal,
     error::{Error, Result},
     number::certain_digits,
     oscillator::{
@@ -63,6 +64,13 @@ pub struct ChaosFindings {
     pub entropy: Option<String>,
     /// The growth rate per period that it is the logarithm of.
     pub growth: Option<String>,
+    /// q/ν stays below this on all these orbits; lengths in the units of the normal form.
+    pub reach: Option<f64>,
+    /// q/ν where a second wall is at its nearest.
+    pub ceiling: Option<f64>,
+    /// S: every bounded motion that meets the wall only where its speed, in units of the normal form, is at
+    /// most νS/2 is one of these; none if that is not proved.
+    pub complete: Option<f64>,
     /// What was tried without success.
     pub failures: Vec<FailureRow>,
     /// The file of the certificate.
@@ -103,7 +111,20 @@ impl Finding for ChaosFindings {
             );
             lines.table("letters", &self.letters);
             lines.say("contraction", self.contraction);
-            lines.say("entropy", format!("{} per forcing period", self.entropy.as_deref().unwrap_or("?")));
+            lines
+                .say("entropy", format!("{} per period of the wall", self.entropy.as_deref().unwrap_or("?")));
+            if let Some((reach, ceiling)) = self.reach.zip(self.ceiling) {
+                lines.say(
+                    "the other wall",
+                    format!("not met: q/nu stays below {reach}, it is above {ceiling:.4}"),
+                );
+            }
+            lines.say(
+                "others",
+                self.complete.map_or("not excluded: there may be other orbits near".to_string(), |strength| {
+                    format!("none near: every bounded motion that meets the wall only in the window, at a speed of the wall of at most {strength} nu/2, is one of these")
+                }),
+            );
         }
         if !self.failures.is_empty() {
             lines.table("without", &self.failures);
@@ -128,6 +149,9 @@ pub fn chaos(task: &ChaosTask, job: &Job) -> Result<ChaosFindings> {
         contraction: None,
         entropy: None,
         growth: None,
+        reach: None,
+        ceiling: normal.ceiling.as_ref().and_then(ToPrimitive::to_f64),
+        complete: None,
         failures: Vec::new(),
         certificate: None,
         text: None,
@@ -137,8 +161,8 @@ pub fn chaos(task: &ChaosTask, job: &Job) -> Result<ChaosFindings> {
             [of, depth] => graph.with_history(of, depth as usize),
             _ => graph.clone(),
         };
-        let Normal { ranges, behind, .. } = normal.clone();
-        Problem { ranges, behind, letters: graph.letters, next: graph.next }
+        let Normal { ranges, behind, harmonics, .. } = normal.clone();
+        Problem { ranges, behind, harmonics, letters: graph.letters, next: graph.next }
     };
     let mut graph = match &task.alphabet {
         Alphabet::Auto => born(&problem(&LetterGraph::full(&[1])), LONGEST.min(24)).richest(),
@@ -156,9 +180,16 @@ pub fn chaos(task: &ChaosTask, job: &Job) -> Result<ChaosFindings> {
         found.alphabet.clone_from(&tried.letters);
         found.full = tried == LetterGraph::full(&tried.letters);
         match prove(&problem(&tried), job.monitor)? {
-            Ok(proof) => {
+            Ok(proof) if found.ceiling.is_none_or(|ceiling| reach(&proof) < ceiling) => {
                 found.keep(proof, &job.task.name);
                 break;
+            }
+            Ok(proof) => {
+                let (reach, ceiling) = (reach(&proof), found.ceiling.unwrap_or(f64::NAN));
+                let reason = format!(
+                    "the other wall may be met: it is above q/nu = {ceiling:.4}, the orbits below {reach}"
+                );
+                found.failures.push(FailureRow { alphabet: tried.letters.clone(), reason });
             }
             Err(reasons) => {
                 let reason = reasons.last().cloned().unwrap_or_else(|| "too much work".into());
@@ -189,12 +220,23 @@ impl ChaosFindings {
         self.contraction = Some(proof.contraction);
         let growth = proof.certificate.growth;
         self.growth = Some(growth[0].to_string());
-        self.entropy = entropy(growth.map(|x| x.digits as f64 / 10f64.powi(x.places as i32)));
+        self.entropy = entropy(growth.map(float));
+        self.reach = Some(reach(&proof));
+        self.complete = proof.certificate.complete.map(|claim| float(claim.strength));
         let file = format!("{name}.certificate");
         self.certificate = Some(file.clone());
         self.text = Some((file, proof.text));
         self.proved = true;
     }
+}
+
+fn reach(proof: &ShiftProof) -> f64 {
+    float(proof.certificate.reach)
+}
+
+/// The number that a certificate's decimal stands for.
+fn float(x: Decimal) -> f64 {
+    x.digits as f64 / 10f64.powi(x.places as i32)
 }
 
 /// The digits of the logarithm that both ends share: an error of 1e-15, the library's, is allowed for.
@@ -234,11 +276,23 @@ fn range(task: &ChaosTask, normal: &Normal) -> String {
 
 fn oscillator(normal: &Normal) -> String {
     let names = ["c", "k", "f", "tau", "nu"];
-    let one = |(name, [lo, hi]): (&str, &[BigRational; 2])| {
+    let one = |name: &str, [lo, hi]: &[BigRational; 2]| {
         if lo == hi { format!("{name} = {lo}") } else { format!("{name} in [{lo}, {hi}]") }
     };
-    let values: Vec<String> = names.into_iter().zip(&normal.ranges).map(one).collect();
+    let mut values: Vec<String> =
+        names.into_iter().zip(&normal.ranges).map(|(name, range)| one(name, range)).collect();
+    let wall = match &normal.harmonics[..] {
+        [_] => "cos t".to_string(),
+        all => {
+            values.extend(
+                all.iter().flat_map(|(j, [a, b])| [one(&format!("a{j}"), a), one(&format!("b{j}"), b)]),
+            );
+            let terms: Vec<String> =
+                all.iter().map(|(j, _)| format!("a{j} cos {j}t + b{j} sin {j}t")).collect();
+            terms.join(" + ")
+        }
+    };
     let sign = if normal.behind { "" } else { "-" };
     let turned = if normal.side == Side::Upper { ", turned below by q -> -q" } else { "" };
-    format!("q'' = -c q' - k q + f above {sign}nu - 1 + cos t{turned}; {}", values.join(", "))
+    format!("q'' = -c q' - k q + f above {sign}nu - 1 + {wall}{turned}; {}", values.join(", "))
 }

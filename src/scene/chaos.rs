@@ -3,12 +3,12 @@
 use num_rational::BigRational;
 
 use super::keys::{Entry, Value, keys};
-use crate::error::Result;
+use crate::{error::Result, oscillator::Side};
 
 keys! {
     /// Proves, for every parameter in a range, that every bi-infinite word over an alphabet of periods is an
     /// orbit: exactly one in given boxes, and admissible. Writes a certificate. For linear oscillators with
-    /// one wall and one harmonic. See chaos.md.
+    /// one rigid wall that is met. See chaos.md.
     pub struct ChaosTask {
         /// the periods n between impacts; `"auto"` takes those born at the grazing, and leaves out the
         /// longest until the proof succeeds
@@ -26,6 +26,8 @@ keys! {
         /// other parameters that vary, each with its least and greatest value, as in `{ d = [0.59, 0.61] }`;
         /// only damping, stiffness and restitution may depend on them
         cell: ParameterCell = "{}",
+        /// of two walls the one that is met; that the other is out of reach is proved too
+        side: Option<Side>,
         /// a period and a number: boxes are told apart by how many of that period follow, up to that number
         history: Vec<u64> = "[]",
     }

@@ -84,7 +84,7 @@ impl ChaosTask {
         let system = scene.system()?;
         let varied = system.try_map(|expression| expression.evaluate(&functions, &()))?;
         if cell.is_empty() {
-            return Normal::of(&varied, None);
+            return Normal::of(&varied, None, self.side);
         }
         let ranged = |index: usize| in_cell(&scene.parameters[index].0).is_some();
         let walls = [&system.lower, &system.upper].into_iter().flatten();
@@ -112,7 +112,10 @@ impl ChaosTask {
                 _ => FloatInterval::ratio(value, &()),
             })
             .collect();
-        let restitution = system.wall(Side::Lower).or(system.wall(Side::Upper)).map(|wall| &wall.restitution);
+        let met = self
+            .side
+            .map_or_else(|| system.wall(Side::Lower).or(system.wall(Side::Upper)), |side| system.wall(side));
+        let restitution = met.map(|wall| &wall.restitution);
         let measured = [Some(&system.damping), Some(&system.stiffness), restitution].map(|expression| {
             let Some(expression) = expression else {
                 return Ok([BigRational::zero(), BigRational::zero()]);
@@ -129,6 +132,6 @@ impl ChaosTask {
             bounds.ok_or_else(|| Error::input(format!("kind \"chaos\": {expression} is not bounded")))
         });
         let [damping, stiffness, restitution] = measured;
-        Normal::of(&varied, Some([damping?, stiffness?, restitution?]))
+        Normal::of(&varied, Some([damping?, stiffness?, restitution?]), self.side)
     }
 }

@@ -52,6 +52,26 @@ impl Interval {
         if lo <= hi { Interval { lo, hi } } else { self }
     }
 
+    /// What is in both; `None` if certainly nothing is.
+    pub fn common(self, other: Interval) -> Option<Interval> {
+        let (lo, hi) = (self.lo.max(other.lo), self.hi.min(other.hi));
+        (lo <= hi).then_some(Interval { lo, hi })
+    }
+
+    /// Its numbers that may be at least some number of the other; `None` if certainly none is.
+    pub fn at_least(self, other: Interval) -> Option<Interval> {
+        if self.is_whole() {
+            return Some(self);
+        }
+        let lo = self.lo.max(other.lo);
+        (lo <= self.hi).then_some(Interval { lo, ..self })
+    }
+
+    /// What is left of it, given that its numbers are at least the least of the other.
+    pub fn raised(self, other: Interval) -> Interval {
+        self.at_least(other).unwrap_or(self)
+    }
+
     /// The `i`-th of `n` parts of it from the left; they overlap at most by rounding and leave nothing out.
     pub fn part(self, i: u64, n: u64) -> Interval {
         if self.is_whole() {

@@ -1,4 +1,4 @@
-//! The free motion: the exponential of one 2×2 matrix, and with it sine, cosine and arcsine.
+//! The free motion: the exponential of one 2×2 matrix, and with it sine and cosine.
 //!
 //! q″ = −c q′ − k q is (q, q′)′ = A (q, q′) with A = [[0, 1], [−k, −c]] and A² = −cA − k. So E(t) = exp(tA) =
 //! a + bA for two numbers, found by the power series without any case; its entries are [[a, b], [−kb, a −
@@ -81,6 +81,12 @@ impl Flow {
         (e.a * q + e.b * u, self.velocity(e) * u - self.stiffness * (e.b * q))
     }
 
+    /// E₁₁ + E₂₂ and E₁₁E₂₂ − E₁₂E₂₁.
+    pub fn invariants(self, e: Matrix) -> [Interval; 2] {
+        let velocity = self.velocity(e);
+        [e.a + velocity, e.a * velocity + self.stiffness * e.b.squared()]
+    }
+
     /// E₂₂.
     pub fn velocity(self, e: Matrix) -> Interval {
         e.a - self.damping * e.b
@@ -91,42 +97,4 @@ impl Flow {
 pub(super) fn circle(t: Interval) -> (Interval, Interval) {
     let e = CIRCLE.exp(t);
     (e.a, e.b)
-}
-
-/// The arcsines of an interval of numbers of magnitude < sin `window`, where 0 < `window` < π/2 and `cosine`
-/// is its cosine.
-///
-/// An approximation t is improved by Newton's method, which need not be right. Then |arcsin y − t| ≤ |y − sin
-/// t| / cos `window` by the mean value theorem, provided that |t| ≤ `window` too; t is moved there if need
-/// be.
-pub(super) fn arcsine(y: Interval, window: Interval, cosine: Interval) -> Interval {
-    let at = |y: Interval| {
-        let square = y.squared();
-        // y + y³/6 + 3y⁵/40
-        let mut t = y + y * square.divided(6) + y * (square.squared() * Interval::ratio(3, 40));
-        t = t.middle();
-        let close = Interval::ratio(1, 1 << 40);
-        let inside = |t: Interval| {
-            let edge = window.least();
-            if (-edge).is_up_to(t) && t.is_up_to(edge) {
-                t
-            } else if t.is_positive() {
-                edge
-            } else {
-                -edge
-            }
-        };
-        t = inside(t);
-        let (mut cos, mut sin) = circle(t);
-        for _ in 0..6 {
-            if (y - sin).magnitude().is_below(close) {
-                break;
-            }
-            t = inside((t + (y - sin).over(cos)).middle());
-            (cos, sin) = circle(t);
-        }
-        let error = (y - sin).over(cosine).magnitude();
-        t + (-error).hull(error)
-    };
-    if y == y.middle() { at(y) } else { at(y.least()).hull(at(y.greatest())) }
 }

@@ -1,6 +1,6 @@
 //! The condition H4: strictly between impacts the gap to the wall is positive.
 //!
-//! The gap is Z = q − w, and with q = ν q̂ it is Z = 1 − cos t + ν (q̂ − σ), Z″ = cos t + ν q̂″. A window is
+//! The gap is Z = q − w, and with q = ν q̂ it is Z = 1 − g(t) + ν (q̂ − σ), Z″ = −g″(t) + ν q̂″. A window is
 //! 2πk − W ≤ t ≤ 2πk + W. Where Z″ > 0 on the first window from the first impact on, Z = 0 < Z′ at that
 //! impact keeps Z > 0; likewise backwards from the last. Where Z″ ≥ m > 0 on a window between, Z ≥ Z(2πk) −
 //! Z′(2πk)²/2m on it, which is ν times q̂ − σ − ν q̂′²/2m. Between windows Z > 0 is shown outright.
@@ -8,7 +8,6 @@
 use super::{
     Lines, Rejection,
     fixed::Interval,
-    flow::circle,
     legs::turn,
     proof::{Place, Work},
 };
@@ -58,14 +57,14 @@ fn flight(work: &Work, n: usize, pieces: u64) -> Result<(), String> {
     let bounded = |motion: &Motion| motion.place.is_below(work.numbers.reach);
     let mut least = Vec::new();
     for k in 0..=letter.periods {
-        let from = if k == 0 { first.phase } else { -cell.window };
-        let to = if k == letter.periods { last.phase } else { cell.window };
+        let from = if k == 0 { first.phase } else { -cell.wall.window };
+        let to = if k == letter.periods { last.phase } else { cell.wall.window };
         let window = from.until(to);
         let mut curvature: Option<Interval> = None;
         for piece in 0..pieces {
             let t = window.part(piece, pieces);
             let motion = motion(k, t);
-            let here = (circle(t).0 + cell.depth * motion.acceleration).least();
+            let here = (cell.wall.at(t).bend + cell.depth * motion.acceleration).least();
             if !here.is_positive() {
                 return Err(format!("the gap may not be convex in window {k}"));
             }
@@ -76,12 +75,12 @@ fn flight(work: &Work, n: usize, pieces: u64) -> Result<(), String> {
         }
         least.push(curvature.unwrap_or(Interval::WHOLE));
     }
-    let between = cell.window.until(turn(1) - cell.window);
+    let between = cell.wall.window.until(turn(1) - cell.wall.window);
     for k in 0..letter.periods {
         for piece in 0..pieces {
             let t = between.part(piece, pieces);
             let motion = motion(k, t);
-            let gap = Interval::ONE - circle(t).0 + cell.depth * (motion.place - cell.side);
+            let gap = cell.wall.at(t).drop + cell.depth * (motion.place - cell.side);
             if !gap.is_positive() {
                 return Err(format!("the gap may not be positive after window {k}"));
             }

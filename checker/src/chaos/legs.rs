@@ -1,15 +1,15 @@
 //! Legs: from one impact to the next, over a cell of parameters, with bounds of their derivatives.
 //!
 //! All lengths and velocities are divided by ν. An impact is given by s = 2 (a + τ p)/(1 + τ), p and a being
-//! the velocities just before and after it: the law of impact says sin t = −ν s/2. The place is Q = σ − (1 −
-//! cos t)/ν = σ − ν s²/(4 (1 + cos t)). A leg of n periods from s to s′ lasts T = 2πn + t′ − t; its first
+//! the velocities just before and after it: the law of impact says −g′(t) = −ν s/2. The place is Q = σ − (1 −
+//! g(t))/ν = σ − ν s²/4 (1 − g)/g′². A leg of n periods from s to s′ lasts T = 2πn + t′ − t; its first
 //! velocity a and its last, p′, follow from both places:
 //!
 //! ```text
 //! E = E(T),   I = f T²/2ν,   J = f T/ν,   r = −c p′ − k Q′ + f/ν  (f ≠ 0 only if c = k = 0)
 //! a = (Q′ − E₁₁ Q − I)/E₁₂,    p′ = E₂₁ Q + E₂₂ a + J
 //! a_t = (p′ − E₁₁ s/2)/E₁₂,    p_t = E₂₁ s/2 + E₂₂ a_t − r
-//! a_t′ = (s′/2 − p′)/E₁₂,      p_t′ = E₂₂ a_t′ + r,            dt/ds = −ν/(2 cos t)
+//! a_t′ = (s′/2 − p′)/E₁₂,      p_t′ = E₂₂ a_t′ + r,            dt/ds = ν/2g″(t)
 //! ```
 //!
 //! since dq/dT = p′ and dp/dT = r at the leg's end, and the place of an impact moves with s/2, the wall's
@@ -17,11 +17,12 @@
 
 use super::{
     fixed::Interval,
-    flow::{Flow, Matrix, arcsine, circle},
+    flow::{Flow, Matrix},
+    wall::Wall,
 };
 
 /// A box of parameters.
-pub(super) struct Cell {
+pub(super) struct Cell<'a> {
     pub flow: Flow,
     /// f/ν.
     pub force: Interval,
@@ -31,10 +32,7 @@ pub(super) struct Cell {
     pub side: Interval,
     /// 2/(1 + τ) and 2τ/(1 + τ), by which a and p count in s.
     pub shares: [Interval; 2],
-    /// W and its cosine and sine.
-    pub window: Interval,
-    pub cosine: Interval,
-    pub sine: Interval,
+    pub wall: &'a Wall,
 }
 
 /// An impact.
@@ -42,7 +40,8 @@ pub(super) struct Cell {
 pub(super) struct Impact {
     pub s: Interval,
     pub phase: Interval,
-    pub cosine: Interval,
+    /// −g″.
+    pub bend: Interval,
     /// Q.
     pub place: Interval,
 }
@@ -55,14 +54,13 @@ pub(super) struct Leg {
     pub before_slopes: [Interval; 2],
 }
 
-impl Cell {
-    /// Of ranges of c, k, f, τ, ν, with σ and W.
+impl<'a> Cell<'a> {
+    /// Of ranges of c, k, f, τ, ν, with σ and the wall.
     pub fn new(
         [damping, stiffness, force, restitution, depth]: [Interval; 5],
         side: Interval,
-        window: Interval,
-    ) -> Cell {
-        let (cosine, sine) = circle(window);
+        wall: &'a Wall,
+    ) -> Cell<'a> {
         let sum = Interval::ONE + restitution;
         let two = Interval::ONE + Interval::ONE;
         let force = if force == Interval::ZERO { force } else { force.over(depth) };
@@ -72,9 +70,7 @@ impl Cell {
             depth,
             side,
             shares: [two.over(sum), (two * restitution).over(sum)],
-            window,
-            cosine,
-            sine,
+            wall,
         }
     }
 
@@ -85,15 +81,13 @@ impl Cell {
 
     /// The impacts with these s, if their phases certainly lie within the window.
     pub fn impact(&self, s: Interval) -> Option<Impact> {
-        let sine = -(self.depth * s).half();
-        if !sine.magnitude().is_below(self.sine) {
-            return None;
+        let phase = self.wall.phase(-(self.depth * s).half())?;
+        let [bend, ratio] = self.wall.bends(phase);
+        let mut drop = (self.depth * s.squared() * ratio).shifted_down(2);
+        if self.depth.is_positive() && !self.wall.plain() {
+            drop = drop.meet(self.wall.at(phase).drop.over(self.depth));
         }
-        let phase = arcsine(sine, self.window, self.cosine);
-        let unit = (-Interval::ONE).hull(Interval::ONE);
-        let cosine = circle(phase).0.meet(unit);
-        let drop = (self.depth * s.squared()).over(Interval::ONE + cosine).shifted_down(2);
-        Some(Impact { s, phase, cosine, place: self.side - drop })
+        Some(Impact { s, phase, bend, place: self.side - drop })
     }
 
     /// The fall I, J in a time.
@@ -129,7 +123,7 @@ impl Cell {
         let [middle_after, middle_before] =
             self.ends(self.matrix(turns, middles[0], middles[1]), periods, middles[0], middles[1]);
         let (velocity, spring) = (self.flow.velocity(e), -(self.flow.stiffness * e.b));
-        let slope = |impact: &Impact| -self.depth.over(impact.cosine).half();
+        let slope = |impact: &Impact| -self.depth.over(impact.bend).half();
         let (slopes, halves) = ([slope(from), slope(to)], [from.s.half(), to.s.half()]);
         let apart = [from.s - middles[0].s, to.s - middles[1].s];
         let mut leg =

@@ -1,11 +1,12 @@
 //! Certificates of kind `chaos`: every bi-infinite word over an alphabet of periods is an orbit of a linear
 //! impact oscillator.
 //!
-//! The theorem with its proof is in `docs/chaos.md`, with how any linear oscillator whose wall and forcing
-//! have one harmonic is brought to the form here; what is checked is its conditions H0 to H4, for every box
-//! of parameters (`proof`, `legs`, `gaps`), and the growth rate (`graph`). The checker works on integers in
-//! units of 2⁻⁴⁸ (`fixed`); exp, sin, cos and arcsin all are the exponential of one 2×2 matrix (`flow`). No
-//! code is shared with what finds the proof.
+//! The theorem with its proof is in `docs/chaos.md`, with how any linear oscillator with a rigid wall is
+//! brought to the form here; what is checked is its conditions H0 to H4, for every box of parameters
+//! (`proof`, `legs`, `gaps`; `wall` has the wall), the growth rate (`graph`), and, if it is claimed, that
+//! there are no other orbits near (`only`). The checker works on integers in units of 2⁻⁴⁸ (`fixed`); exp,
+//! sin, cos and arcsin all are the exponential of one 2×2 matrix (`flow`). No code is shared with what finds
+//! the proof.
 //!
 //! # Form
 //!
@@ -21,7 +22,10 @@
 //! force LO HI
 //! restitution LO HI
 //! depth LO HI
-//! side σ                         1 or -1: the wall is at σν − 1 + cos t
+//! side σ                         1 or -1: the wall is at σν − 1 + g(t)
+//! harmonics J                    1 to 100, then J lines, their orders increasing
+//! harmonic N A A' B B'           a term a cos Nt + b sin Nt of g, 1 ≤ N ≤ 100: fractions, a from A to A',
+//!                                b from B to B'
 //! cells C K F T N                into how many parts each range is cut; at most 10000 boxes in all
 //! window W                       phases lie within ±W, 0 < W < π/2; there the gap is convex
 //! pieces J                       each window, and each time between two, is proved in J pieces, 1 to 1000
@@ -33,6 +37,9 @@
 //! contraction K                  0 < K < 1
 //! reach B                        q/ν stays below B
 //! growth LO HI                   the paths of T periods grow at least like LO^T and at most like HI^T
+//! complete S M K R               no other orbits with |g′| ≤ νS/2 at all impacts; none of their legs is
+//!                                longer than M periods (1 to 1000); proved in R rounds (1 to 100) with phases
+//!                                cut into K parts (1 to 64). Or: complete no
 //! ```
 //!
 //! All but the ranges and the counts are decimals. Decimals, and both parts of a fraction, have at most 15
@@ -43,7 +50,8 @@
 //! With s = 2(a + τp)/(1 + τ) for the velocities p before and a after an impact, s_{mn} of all p in P_m and a
 //! in A_n, the map G_n of `legs`, and all paths m → n → k of three letters, in every cell:
 //!
-//! - H0: ν|s|/2 < sin W, and E₁₂ ≠ 0 over the leg;
+//! - 0 < W < π/2, g″ < 0 on ±W, and some a and b of the ranges have Σ a = 1 and Σ j b = 0;
+//! - H0: −νs/2 lies strictly between −g′ at −W and at W, and E₁₂ ≠ 0 over the leg;
 //! - H1: G_n(s_{mn}, s_{nk}) lies in A_n × P_n;
 //! - H2: |a_s| (α_n + τβ_m) + |a_{s′}| (α_k + τβ_n) ≤ K (1 + τ)/2 α_n, and the same of p with β_n on the
 //!   right;
@@ -51,7 +59,8 @@
 //! - H4: the gap is positive strictly between impacts (`gaps`), and q/ν < B.
 //!
 //! The growth vector γ satisfies Σ z^{n_w} γ_w ≥ γ_v over the successors w of each v for z = 1/LO, ≤ for z =
-//! 1/HI; and either no letter has two successors of the same period, or none two predecessors.
+//! 1/HI; and either no letter has two successors of the same period, or none two predecessors. For
+//! `complete`, σ = 1, f = 0, the letters' periods are different, and C1 to C3 of `only` hold.
 //!
 //! # Example
 //!
@@ -60,12 +69,15 @@
 //!
 //! ```text
 //! depth 0/1 1/1
+//! harmonics 1
+//! harmonic 1 1/1 1/1 0/1 0/1
 //! window 1.2
 //! letter 1 0.089 0.244 -0.1582 -0.0612 0.264121084 0.082075454 1 1
 //! letter 2 0.615 1.036 -0.367 -0.14 1 0.310435706 1 1
 //! next 1 2
 //! next 1 2
 //! growth 1.61803398874 1.61803398876
+//! complete no
 //! ```
 //!
 //! H0 and H3 by hand: s = a + p lies between 0.089 − 0.367 and 1.036 − 0.0612, so ν|s|/2 ≤ 0.4874 < sin 1.2 =
@@ -78,18 +90,20 @@
 //! # Cost
 //!
 //! The evaluations, of a leg with its derivatives or of a piece, are C·K·F·T·N times the sum of S_n² over all
-//! paths of three letters and of (2n + 1) J over all letters; at most 1,000,000. Memory: the certificate and
-//! a few parts.
+//! paths of three letters, of (2n + 1) J over all letters, and of R M³ K² if `complete` is claimed; at most
+//! 1,000,000. Memory: the certificate and a few parts.
 
 mod fixed;
 mod flow;
 mod gaps;
 mod graph;
 mod legs;
+mod only;
 mod proof;
 #[cfg(test)]
 mod tests;
 mod text;
+mod wall;
 mod words;
 
 use super::{
@@ -97,7 +111,7 @@ use super::{
     lines::{Lines, Words},
 };
 
-pub use text::{Certificate, Decimal, Fraction, Letter, Range};
+pub use text::{Certificate, Complete, Decimal, Fraction, Harmonic, Letter, Range};
 
 /// The word in the header.
 pub const KIND: &str = "chaos";
@@ -108,13 +122,19 @@ const CELLS: u64 = 10_000;
 const EVALUATIONS: u64 = 1_000_000;
 
 /// What a certificate of this kind proves.
-pub const STATEMENT: &str = "For all c, k, f, tau and nu > 0 in the listed ranges, the oscillator q'' = -c q' - k q + f above \
-the wall sigma nu - 1 + cos t, sigma the listed side, with restitution tau: for every bi-infinite path of the listed graph of letters there is exactly one \
-motion whose impacts, one between two letters, have phases within W of multiples of 2 pi, as many periods apart as the letters \
-say, and velocities, divided by nu, after the first and before the last impact of each letter in its ranges. It has no other \
-impacts, all are at positive speed, between them the gap is positive, and q/nu stays below the reach. Paths with different \
-periods have different motions; on the set of all these motions the map from t = pi to t = 3 pi has a topological entropy \
-between the logarithms of the growth rates.";
+pub const STATEMENT: &str = "For all c, k, f, tau and nu > 0 in the listed ranges, and for g(t) \
+the sum of the listed harmonics a cos jt + b sin jt, a and b in their ranges, all a together 1 and all j \
+b together 0, the oscillator q'' = -c q' - k q + f above the wall sigma nu - 1 + g(t), sigma the listed \
+side, with restitution tau: for every bi-infinite path of the listed graph of letters there is exactly \
+one motion whose impacts, one between two letters, have phases within W of multiples of 2 pi, as many \
+periods apart as the letters say, and velocities, divided by nu, after the first and before the last \
+impact of each letter in its ranges. It has no other impacts, all are at positive speed, between them \
+the gap is positive, and q/nu stays below the reach. Paths with different periods have different \
+motions; on the set of all these motions the map from t = pi to t = 3 pi has a topological entropy \
+between the logarithms of the growth rates. If the line complete has a strength S, every motion that \
+meets the wall at arbitrarily early and arbitrarily late times, and only within W of multiples of 2 pi \
+where |g'| <= nu S/2, is one of these; if c and k are positive, so is every bounded motion for all time \
+that meets it only there.";
 
 /// Checks everything after the kind line.
 pub(super) fn check(lines: &mut Lines) -> Result<Proved, Rejection> {

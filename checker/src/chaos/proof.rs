@@ -7,7 +7,9 @@ use super::{
     flow::Matrix,
     gaps,
     legs::{Cell, Impact, turn},
-    text::{Certificate, Decimal, Range},
+    only,
+    text::{Certificate, Complete, Decimal, Range},
+    wall::Wall,
 };
 
 /// A certificate's numbers, enclosed.
@@ -15,6 +17,7 @@ pub(super) struct Numbers {
     pub letters: Vec<Numbered>,
     pub contraction: Interval,
     pub reach: Interval,
+    pub complete: Option<Complete>,
 }
 
 /// A letter's.
@@ -50,7 +53,7 @@ impl Box1 {
 
 /// What holds in one cell: its turns E(2πn), and the least and greatest s from letter to letter.
 pub(super) struct Work<'a> {
-    pub cell: Cell,
+    pub cell: Cell<'a>,
     pub numbers: &'a Numbers,
     turns: Vec<Matrix>,
 }
@@ -73,6 +76,7 @@ impl Numbers {
             letters: letters.collect(),
             contraction: certificate.contraction.enclosed(),
             reach: certificate.reach.enclosed(),
+            complete: certificate.complete,
         }
     }
 }
@@ -80,7 +84,11 @@ impl Numbers {
 /// Proves everything in every cell.
 pub(super) fn run(certificate: &Certificate, lines: &mut Lines) -> Result<(), Rejection> {
     let numbers = Numbers::new(certificate);
-    let window = certificate.window.enclosed();
+    let harmonics = certificate.harmonics.iter();
+    let harmonics =
+        harmonics.map(|one| (one.order, one.parts.map(|[lo, hi]| lo.enclosed().hull(hi.enclosed()))));
+    let wall = Wall::new(harmonics.collect(), certificate.window.enclosed(), certificate.pieces)
+        .map_err(|reason| lines.false_claim(reason))?;
     let ranges = certificate.ranges.map(|[lo, hi]| lo.enclosed().hull(hi.enclosed()));
     let side = if certificate.behind { Interval::ONE } else { -Interval::ONE };
     let total: u64 = certificate.cells.iter().product();
@@ -91,17 +99,17 @@ pub(super) fn run(certificate: &Certificate, lines: &mut Lines) -> Result<(), Re
             *parameter = parameter.part(rest % parts, parts);
             rest /= parts;
         }
-        let cell = Cell::new(parameters, side, window);
-        let narrow = window.is_below(Interval::ratio(3, 1));
-        if !(narrow && cell.cosine.is_positive() && cell.sine.is_positive()) {
-            return Err(lines.false_claim("the window is not below pi/2"));
-        }
-        let longest = numbers.letters.iter().map(|letter| letter.periods).max().unwrap_or(0);
+        let cell = Cell::new(parameters, side, &wall);
+        let periods = numbers.letters.iter().map(|letter| letter.periods);
+        let longest = periods.chain(numbers.complete.map(|claim| claim.longest)).max().unwrap_or(0);
         let turns = (0..=longest).map(|n| cell.flow.exp(turn(n))).collect();
         let work = Work { cell, numbers: &numbers, turns };
         let place = |reason: String| format!("cell {} of {total}: {reason}", index + 1);
         work.contracts(lines, &place)?;
         gaps::open(&work, certificate.pieces, lines, &place)?;
+        if let Some(claim) = &numbers.complete {
+            only::complete(&work, claim, lines, &place)?;
+        }
     }
     Ok(())
 }

@@ -13,6 +13,10 @@ const LETTERS: u64 = 400;
 const PERIODS: u64 = 1000;
 /// The most parts of a range of phases.
 const PARTS: u64 = 64;
+/// The most harmonics of a wall, and the highest.
+const HARMONICS: u64 = 100;
+/// The most rounds of narrowing.
+const ROUNDS: u64 = 100;
 /// The most pieces of a time between windows.
 const PIECES: u64 = 1000;
 
@@ -56,6 +60,28 @@ pub struct Letter {
     pub next: Vec<usize>,
 }
 
+/// A term a cos jt + b sin jt of the wall.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Harmonic {
+    /// j ≥ 1.
+    pub order: u64,
+    /// The ranges of a and b.
+    pub parts: [Range<Fraction>; 2],
+}
+
+/// That there are no other orbits near, and what its proof takes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Complete {
+    /// S: orbits all of whose impacts have the wall at a speed of at most νS/2.
+    pub strength: Decimal,
+    /// M: no leg of theirs is longer.
+    pub longest: u64,
+    /// Into how many parts the phases of both impacts of a leg are cut.
+    pub parts: u64,
+    /// After at most so many rounds all legs are in the letters' boxes.
+    pub rounds: u64,
+}
+
 /// All that a certificate of this kind holds.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Certificate {
@@ -65,6 +91,8 @@ pub struct Certificate {
     pub cells: [u64; 5],
     /// Whether σ = 1, the place of rest being behind the wall at t = 0; else σ = −1.
     pub behind: bool,
+    /// The wall's harmonics, their orders increasing.
+    pub harmonics: Vec<Harmonic>,
     /// W: where phases are, and where the gap is convex.
     pub window: Decimal,
     /// Into how many pieces a window, and the time between two, is cut.
@@ -77,6 +105,8 @@ pub struct Certificate {
     pub reach: Decimal,
     /// The growth rate per period lies between these.
     pub growth: Range<Decimal>,
+    /// Whether it is proved that there are no other orbits near.
+    pub complete: Option<Complete>,
 }
 
 /// The names of the ranges, as their lines begin.
@@ -110,7 +140,9 @@ impl Certificate {
             })
             .sum();
         let gaps: u64 = self.letters.iter().map(|letter| (2 * letter.periods + 1) * self.pieces).sum();
-        self.cells() * (legs + gaps)
+        let others =
+            self.complete.map_or(0, |claim| claim.rounds * claim.longest.pow(3) * claim.parts.pow(2));
+        self.cells().saturating_mul(legs + gaps + others)
     }
 }
 
@@ -141,6 +173,10 @@ impl fmt::Display for Certificate {
             writeln!(f, "{name} {lo} {hi}")?;
         }
         writeln!(f, "side {}", if self.behind { "1" } else { "-1" })?;
+        writeln!(f, "harmonics {}", self.harmonics.len())?;
+        for Harmonic { order, parts: [[a, b], [c, d]] } in &self.harmonics {
+            writeln!(f, "harmonic {order} {a} {b} {c} {d}")?;
+        }
         let [c, k, force, restitution, depth] = self.cells;
         writeln!(f, "cells {c} {k} {force} {restitution} {depth}")?;
         writeln!(f, "window {}\npieces {}\nletters {}", self.window, self.pieces, self.letters.len())?;
@@ -156,7 +192,13 @@ impl fmt::Display for Certificate {
             writeln!(f)?;
         }
         let [lo, hi] = self.growth;
-        writeln!(f, "contraction {}\nreach {}\ngrowth {lo} {hi}", self.contraction, self.reach)
+        writeln!(f, "contraction {}\nreach {}\ngrowth {lo} {hi}", self.contraction, self.reach)?;
+        match self.complete {
+            None => writeln!(f, "complete no"),
+            Some(Complete { strength, longest, parts, rounds }) => {
+                writeln!(f, "complete {strength} {longest} {parts} {rounds}")
+            }
+        }
     }
 }
 
@@ -260,6 +302,45 @@ fn letter(words: &mut Words) -> Result<Letter, String> {
     Ok(Letter { periods, after, before, weights, growth, parts, next: Vec::new() })
 }
 
+fn harmonic(words: &mut Words) -> Result<Harmonic, String> {
+    let order = words.number("the order of a harmonic", HARMONICS)?;
+    if order == 0 {
+        return Err("the order of a harmonic is at least 1".into());
+    }
+    Ok(Harmonic { order, parts: [fractions(words)?, fractions(words)?] })
+}
+
+/// Σ a = 1 and Σ j b = 0 for some numbers of the ranges.
+fn is_wall(harmonics: &[Harmonic]) -> bool {
+    let sum = |term: &dyn Fn(&Harmonic) -> Interval| {
+        harmonics.iter().map(term).fold(Interval::ZERO, |sum, term| sum + term)
+    };
+    let part = |i: usize| {
+        move |one: &Harmonic| {
+            let [lo, hi] = one.parts[i].map(Fraction::enclosed);
+            lo.hull(hi)
+        }
+    };
+    let height = sum(&part(0)) - Interval::ONE;
+    let slope = sum(&|one: &Harmonic| Interval::ratio(one.order.into(), 1) * part(1)(one));
+    [height, slope].iter().all(|sum| sum.common(Interval::ZERO).is_some())
+}
+
+fn complete(words: &mut Words) -> Result<Option<Complete>, String> {
+    if words.clone().word("no").is_ok_and(|word| word == "no") {
+        words.word("no")?;
+        return Ok(None);
+    }
+    let strength = positive(words, "a strength")?;
+    let longest = words.number("the longest leg", PERIODS)?;
+    let parts = words.number("the number of parts", PARTS)?;
+    let rounds = words.number("the number of rounds", ROUNDS)?;
+    if longest == 0 || parts == 0 || rounds == 0 {
+        return Err("the longest leg, parts and rounds are at least 1".into());
+    }
+    Ok(Some(Complete { strength, longest, parts, rounds }))
+}
+
 /// Numbers from 1 to `count`, increasing, at least one; from 0 in the result.
 fn successors(words: &mut Words, count: u64) -> Result<Vec<usize>, String> {
     let mut all: Vec<usize> = Vec::new();
@@ -299,6 +380,20 @@ pub(super) fn read(lines: &mut Lines) -> Result<Certificate, Rejection> {
         "-1" => Ok(false),
         _ => Err("a side is 1 or -1".into()),
     })?;
+    let count = line(lines, "harmonics", |words| words.number("the number of harmonics", HARMONICS))?;
+    let mut harmonics: Vec<Harmonic> = Vec::new();
+    for _ in 0..count {
+        let next = line(lines, "harmonic", harmonic)?;
+        if harmonics.last().is_some_and(|last| last.order >= next.order) {
+            return Err(lines.malformed("the orders of harmonics increase"));
+        }
+        harmonics.push(next);
+    }
+    if !is_wall(&harmonics) {
+        return Err(
+            lines.malformed("the harmonics' cosines must sum to 1, their sines times their orders to 0")
+        );
+    }
     let cells = line(lines, "cells", |words| {
         let mut cells = [0; 5];
         for cell in &mut cells {
@@ -335,8 +430,23 @@ pub(super) fn read(lines: &mut Lines) -> Result<Certificate, Rejection> {
     if growth[0].digits <= 0 {
         return Err(lines.malformed("a growth rate must be positive"));
     }
-    let certificate =
-        Certificate { ranges, behind, cells, window, pieces, letters, contraction, reach, growth };
+    let complete = line(lines, "complete", complete)?;
+    if complete.is_some() && !(behind && ranges[2].iter().all(|force| force.p == 0)) {
+        return Err(lines.malformed("completeness is for side 1 and force 0/1"));
+    }
+    let certificate = Certificate {
+        ranges,
+        behind,
+        harmonics,
+        cells,
+        window,
+        pieces,
+        letters,
+        contraction,
+        reach,
+        growth,
+        complete,
+    };
     let work = certificate.evaluations();
     if work > EVALUATIONS {
         return Err(lines.malformed(format!(

@@ -7,8 +7,9 @@ pub(super) fn detail(certificate: &Certificate) -> Vec<(&'static str, String)> {
     let mut all = vec![(
         "motion",
         format!(
-            "q'' = -c q' - k q + f above the wall {}nu - 1 + cos t, restitution tau",
-            if certificate.behind { "" } else { "-" }
+            "q'' = -c q' - k q + f above the wall {}nu - 1 + {}, restitution tau",
+            if certificate.behind { "" } else { "-" },
+            wall(certificate)
         ),
     )];
     for (name, [lo, hi]) in RANGES.iter().zip(certificate.ranges) {
@@ -28,8 +29,29 @@ pub(super) fn detail(certificate: &Certificate) -> Vec<(&'static str, String)> {
     all.push(("reach", format!("q < {} nu", certificate.reach)));
     let [lo, hi] = certificate.growth;
     all.push(("entropy", format!("per period between log {lo} and log {hi}")));
-    all.push(("others", "not excluded: there may be other orbits near".to_string()));
+    all.push((
+        "others",
+        match certificate.complete {
+            None => "not excluded: there may be other orbits near".to_string(),
+            Some(claim) => format!(
+                "none near: every bounded motion that meets the wall only in the window, at |g'| <= nu {}/2, is one of these",
+                claim.strength
+            ),
+        },
+    ));
     all
+}
+
+/// g(t), or its name where its harmonics are not those of a cosine.
+fn wall(certificate: &Certificate) -> String {
+    let one = |x: Fraction| x.p == 1 && x.q == 1;
+    match &certificate.harmonics[..] {
+        [only] if only.order == 1 && only.parts[0].into_iter().all(one) => "cos t".into(),
+        all => {
+            let orders: Vec<String> = all.iter().map(|term| term.order.to_string()).collect();
+            format!("g(t), of harmonics {} as the lines harmonic say", orders.join(", "))
+        }
+    }
 }
 
 /// p/q, or p if q is 1.

@@ -151,7 +151,8 @@ pub fn born(problem: &Problem, most: u64) -> LetterGraph {
     let middle = problem.spans().map(|span| Span::point(span.middle()));
     let [damping, stiffness, force, restitution, _] = middle;
     let side = if problem.behind { 1.0 } else { -1.0 };
-    let cell = Cell::new([damping, stiffness, force, restitution, Span::point(0.0)], side);
+    let cell =
+        Cell::new([damping, stiffness, force, restitution, Span::point(0.0)], side, &problem.profile());
     let mut letters = Vec::new();
     for n in 1..=most {
         let entry = |k: u64| {

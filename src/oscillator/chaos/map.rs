@@ -1,10 +1,12 @@
 //! The map of docs/chaos.md over a box of parameters, in spans: impacts by their strength s, legs with their
 //! derivatives, gaps.
 
-use super::span::Span;
+use std::rc::Rc;
 
-/// A box of the parameters c, k, f, τ, ν, with σ.
-#[derive(Debug, Clone, Copy)]
+use super::{profile::Profile, span::Span};
+
+/// A box of the parameters c, k, f, τ, ν, with σ and the wall.
+#[derive(Debug, Clone)]
 pub(super) struct Cell {
     damping: Span,
     stiffness: Span,
@@ -14,6 +16,7 @@ pub(super) struct Cell {
     side: f64,
     /// 2/(1 + τ) and 2τ/(1 + τ).
     pub shares: [Span; 2],
+    profile: Rc<Profile>,
 }
 
 /// E₁₁ and E₁₂ of the free motion; the others are −k E₁₂ and E₁₁ − c E₁₂.
@@ -23,12 +26,12 @@ pub(super) struct Flow {
     pub b: Span,
 }
 
-/// An impact of strength s: its phase, the cosine there, its place.
+/// An impact of strength s: its phase, the wall's bend there, its place.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Impact {
     pub s: Span,
     pub phase: Span,
-    cosine: Span,
+    bend: Span,
     place: Span,
 }
 
@@ -42,11 +45,16 @@ pub(super) struct Leg {
 }
 
 impl Cell {
-    pub fn new([damping, stiffness, force, restitution, depth]: [Span; 5], side: f64) -> Cell {
+    pub fn new(
+        [damping, stiffness, force, restitution, depth]: [Span; 5],
+        side: f64,
+        profile: &Rc<Profile>,
+    ) -> Cell {
         let force = if force == Span::point(0.0) { force } else { force.over(depth) };
         let sum = restitution + Span::point(1.0);
         let two = Span::point(2.0);
-        Cell { damping, stiffness, force, depth, side, shares: [two.over(sum), two.over(sum) * restitution] }
+        let shares = [two.over(sum), two.over(sum) * restitution];
+        Cell { damping, stiffness, force, depth, side, shares, profile: Rc::clone(profile) }
     }
 
     /// s of an impact with these velocities after and before.
@@ -56,15 +64,42 @@ impl Cell {
 
     /// The impacts of these strengths, if their phases are within π/2.
     pub fn impact(&self, s: Span) -> Option<Impact> {
-        let sine = -(self.depth * s).times(0.5);
-        if sine.magnitude() >= 1.0 || !sine.is_finite() {
-            return None;
-        }
-        let phase = Span::new(sine.lo.asin(), sine.hi.asin());
-        let most = if phase.lo <= 0.0 && phase.hi >= 0.0 { 1.0 } else { phase.lo.cos().max(phase.hi.cos()) };
-        let cosine = Span::new(phase.lo.cos().min(phase.hi.cos()), most);
-        let drop = (self.depth * s.squared()).over((cosine + Span::point(1.0)).times(4.0));
-        Some(Impact { s, phase, cosine, place: Span::point(self.side) - drop })
+        let phase = self.profile.phase(-(self.depth * s).times(0.5))?;
+        let [bend, ratio] = self.profile.bends(phase);
+        let drop = (self.depth * s.squared() * ratio).times(0.25);
+        Some(Impact { s, phase, bend, place: Span::point(self.side) - drop })
+    }
+
+    /// The least −g″ on a window.
+    pub fn least_bend(&self, window: f64, pieces: u64) -> f64 {
+        let whole = Span::new(-window, window);
+        let bend = |piece| self.profile.at(whole.part(piece, pieces)).bend.lo;
+        (0..pieces).map(bend).fold(f64::INFINITY, f64::min)
+    }
+
+    /// E₁₁ + E₂₂ and the determinant of E(2π).
+    pub fn invariants(&self) -> [Span; 2] {
+        let e = self.flow(turn(1));
+        let velocity = self.velocity(e);
+        [e.a + velocity, e.a * velocity + self.stiffness * e.b.squared()]
+    }
+
+    /// Whether no motion meets the wall twice in one window with impacts like these, nor rests on it.
+    pub fn meets_once(&self, all: &Impact) -> bool {
+        let width = 2.0 * all.phase.magnitude();
+        let (damping, stiffness) = (self.damping.magnitude(), self.stiffness.magnitude());
+        let place = all.place.magnitude();
+        // |q̂′| ≤ speed = s/2 + width·(damping·speed + stiffness·(place + width·speed)).
+        let share = 1.0 - width * (damping + stiffness * width);
+        let speed = (0.5 * all.s.magnitude() + width * stiffness * place) / share;
+        let acceleration = damping * speed + stiffness * (place + width * speed);
+        share > 0.0 && all.place.lo > 0.0 && all.bend.lo > self.depth.hi * acceleration
+    }
+
+    /// q̂ at the middle of the window whose time from the first one's middle has this E.
+    pub fn at_turn(&self, turns: Flow, from: &Impact, after: Span) -> Span {
+        let e = self.product(turns, self.flow(-from.phase));
+        e.a * from.place + e.b * after
     }
 
     /// E(t), by the exponential series of a small part of t about the exact value at its middle.
@@ -127,7 +162,7 @@ impl Cell {
         let [mut after, mut before] = self.ends(whole, time(from, to), from, to);
         let centre =
             self.ends(e(middles[0], middles[1]), time(middles[0], middles[1]), middles[0], middles[1]);
-        let slope = |impact: &Impact| -self.depth.over(impact.cosine).times(0.5);
+        let slope = |impact: &Impact| -self.depth.over(impact.bend).times(0.5);
         let (slopes, halves) = ([slope(from), slope(to)], [from.s.times(0.5), to.s.times(0.5)]);
         let apart = [from.s - middles[0].s, to.s - middles[1].s];
         let (mut after_slopes, mut before_slopes) = ([Span::point(0.0); 2], [Span::point(0.0); 2]);
@@ -173,7 +208,7 @@ impl Cell {
             for piece in 0..pieces {
                 let t = Span::new(lo, hi).part(piece, pieces);
                 let (_, _, acceleration) = motion(k, t);
-                least = least.min(t.lo.cos().min(t.hi.cos()) + (self.depth * acceleration).lo);
+                least = least.min(self.profile.at(t).bend.lo + (self.depth * acceleration).lo);
             }
             if least <= 0.0 {
                 reason = reason.or(Some(format!("the wall may press {k} periods after the impact")));
@@ -189,8 +224,7 @@ impl Cell {
             for piece in 0..if k < periods { pieces } else { 0 } {
                 let t = between.part(piece, pieces);
                 let (place, _, _) = motion(k, t);
-                let gap =
-                    1.0 - t.lo.cos().max(t.hi.cos()) + (self.depth * (place - Span::point(self.side))).lo;
+                let gap = self.profile.at(t).drop.lo + (self.depth * (place - Span::point(self.side))).lo;
                 if gap <= 0.0 {
                     reason = reason.or(Some(format!("the gap may close between windows {k} and {}", k + 1)));
                 }

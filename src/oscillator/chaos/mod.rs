@@ -9,16 +9,23 @@
 mod graph;
 mod map;
 mod normal;
+mod others;
+mod profile;
 mod rational;
 mod search;
 mod span;
+mod top;
 mod write;
+
+use std::rc::Rc;
 
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
 pub use graph::{LetterGraph, born};
 pub use normal::Normal;
+use profile::Profile;
+pub use profile::Term;
 pub use rational::RationalFunction;
 pub use span::Span;
 
@@ -35,6 +42,8 @@ pub struct Problem {
     pub ranges: [[BigRational; 2]; 5],
     /// Whether σ = 1.
     pub behind: bool,
+    /// The harmonics of the wall's motion g, their orders increasing; its top is g(0) = 1.
+    pub harmonics: Vec<Term>,
     /// The periods n of the letters.
     pub letters: Vec<u64>,
     /// For each letter, which may follow, increasing.
@@ -55,6 +64,10 @@ pub struct ShiftProof {
 }
 
 impl Problem {
+    fn profile(&self) -> Rc<Profile> {
+        Rc::new(Profile::new(&self.harmonics))
+    }
+
     fn spans(&self) -> [Span; 5] {
         let float = |x: &BigRational| x.to_f64().unwrap_or(f64::NAN);
         self.ranges.each_ref().map(|[lo, hi]| Span::new(float(lo), float(hi)))
@@ -88,15 +101,23 @@ pub fn prove(
             let Some(attempt) = search::Attempt::new(problem, cuts, parts) else { continue };
             let reason = match attempt.close() {
                 Err(reason) => reason,
-                Ok(closed) => {
-                    let (certificate, text) = write::certificate(problem, &closed)?;
-                    match crate::certificate::check(&mut text.as_bytes()) {
-                        Ok(_) => {
-                            let (boxes, contraction) = (closed.boxes, closed.contraction);
-                            return Ok(Ok(ShiftProof { certificate, text, boxes, contraction }));
+                Ok(mut closed) => {
+                    let plain = (cuts, None);
+                    let mut reason = String::new();
+                    for (cells, complete) in attempt.complete(&closed).into_iter().chain([plain]) {
+                        (closed.cells, closed.complete) = (cells, complete);
+                        let (certificate, text) = write::certificate(problem, &closed)?;
+                        match crate::certificate::check(&mut text.as_bytes()) {
+                            Ok(_) => {
+                                let (boxes, contraction) = (closed.boxes, closed.contraction);
+                                return Ok(Ok(ShiftProof { certificate, text, boxes, contraction }));
+                            }
+                            Err(rejection) => {
+                                reason = format!("the checker refuses the boxes: {rejection}");
+                            }
                         }
-                        Err(rejection) => format!("the checker refuses the boxes: {rejection}"),
                     }
+                    reason
                 }
             };
             if failures.last() != Some(&reason) {
@@ -115,6 +136,11 @@ pub fn holds(certificate: &Certificate) -> std::result::Result<(), String> {
     let problem = Problem {
         ranges: certificate.ranges.map(|range| range.map(number)),
         behind: certificate.behind,
+        harmonics: certificate
+            .harmonics
+            .iter()
+            .map(|term| (term.order, term.parts.map(|range| range.map(number))))
+            .collect(),
         letters: certificate.letters.iter().map(|letter| letter.periods).collect(),
         next: certificate.letters.iter().map(|letter| letter.next.clone()).collect(),
     };

@@ -1,82 +1,99 @@
-//! The normal form q″ = −c q′ − k q + f above the wall σν − 1 + cos t of an oscillator with one wall and one
-//! harmonic: the three steps at the head of docs/chaos.md.
+//! The normal form q″ = −c q′ − k q + f above the wall σν − 1 + g(t) of an oscillator with a rigid wall: the
+//! steps at the head of docs/chaos.md.
 
 use num_bigint::BigInt;
+use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero, pow};
 
-use super::{rational::RationalFunction, write::short};
+use super::{
+    profile::Term,
+    rational::RationalFunction,
+    top::{Wave, top},
+    write::short,
+};
 use crate::{
     error::{Error, Result},
     number::{Real, Sign},
-    oscillator::{Harmonic, Side, System},
+    oscillator::{Harmonic, Side, System, Wall},
 };
 
-/// The ranges of c, k, f, τ and ν, with σ.
+/// The ranges of c, k, f, τ and ν, with σ and the wall's motion.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Normal {
     /// Of c, k, f, τ, ν, each from the least to the greatest.
     pub ranges: [[BigRational; 2]; 5],
     /// Whether σ = 1.
     pub behind: bool,
+    /// The harmonics of g, their orders increasing.
+    pub harmonics: Vec<Term>,
     /// Which wall: an upper one is turned below by q → −q.
     pub side: Side,
     /// Whether the motion without the wall grazes it at the end of the parameter's range, so that this end
     /// does not belong to what is proved.
     pub open: bool,
+    /// A number that q/ν does not exceed where the other wall is never met; none if there is no other.
+    pub ceiling: Option<BigRational>,
 }
 
 type Function = RationalFunction;
 
 impl Normal {
     /// Of a system whose coefficients are functions of a parameter; `measured` has ranges of c, k and τ where
-    /// these are known by ranges only.
+    /// these are known by ranges only. With two walls, `side` says which one is met.
     ///
     /// # Errors
-    /// An input error that says what the normal form does not cover: two walls, none, a cubic spring, other
-    /// harmonics than the first, a motion without the wall that is not unique, a wall that does not move, a
-    /// grazing within the range, a dependence too intricate to bound.
-    pub fn of(system: &System<Function>, measured: Option<[[BigRational; 2]; 3]>) -> Result<Normal> {
-        let (side, wall) = match (&system.lower, &system.upper) {
-            (Some(wall), None) => (Side::Lower, wall),
-            (None, Some(wall)) => (Side::Upper, wall),
-            (Some(_), Some(_)) => return fail("two walls are not covered; leave out one that is never met"),
-            (None, None) => return fail("the oscillator has no wall"),
+    /// An input error that says what the normal form does not cover: no wall, two without `side`, a cubic
+    /// spring, a motion without the wall that is not unique, a wall that does not move, a grazing within the
+    /// range, a dependence too intricate to bound.
+    pub fn of(
+        system: &System<Function>,
+        measured: Option<[[BigRational; 2]; 3]>,
+        side: Option<Side>,
+    ) -> Result<Normal> {
+        let (side, wall) = match (&system.lower, &system.upper, side) {
+            (Some(wall), None, None) | (Some(wall), _, Some(Side::Lower)) => (Side::Lower, wall),
+            (None, Some(wall), None) | (_, Some(wall), Some(Side::Upper)) => (Side::Upper, wall),
+            (Some(_), Some(_), None) => {
+                return fail("of two walls, side must say which is met; the other must be out of reach");
+            }
+            (None, None, None) => return fail("the oscillator has no wall"),
+            _ => return fail("there is no wall on the side that is given"),
         };
         if !is_zero(&system.cubic) {
             return fail("only linear oscillators are covered: cubic must be 0");
         }
         let (damping, stiffness) = (&system.damping, &system.stiffness);
-        let ([a, b], [f, g]) = (wave(&wall.harmonics)?, wave(&system.forcing)?);
-        let forced = !(is_zero(&f) && is_zero(&g));
+        let forcing = waves(&system.forcing);
         let falls = measured.is_none() && is_zero(damping) && is_zero(stiffness);
-        if measured.is_some() && (forced || !is_zero(&system.force)) {
+        if measured.is_some() && (!forcing.is_empty() || !is_zero(&system.force)) {
             return fail("with ranges of damping or stiffness there may be no forcing and no constant force");
         }
-        // The motion without the wall, and the wall seen from it: C + A cos t + B sin t.
-        let (mut a, mut b, mut mean) = (a, b, wall.offset.clone());
-        if forced {
-            let one = Function::integer(1, &());
-            let detuning = stiffness.clone() - &one;
-            let determinant = detuning.clone() * &detuning + &(damping.clone() * damping);
-            if !determinant.is_positive() {
-                return fail("the motion without the wall is not unique: undamped resonance");
-            }
-            a = a - &((detuning.clone() * &f - &(damping.clone() * &g)) / &determinant);
-            b = b - &((detuning * &g + &(damping.clone() * &f)) / &determinant);
+        if measured.is_none() && !falls && !matches!(stiffness.sign(), Some(Sign::Positive | Sign::Negative))
+        {
+            return fail(
+                "without a spring there may be no damping: the motion without the wall is not unique",
+            );
         }
-        if measured.is_none() && !falls {
-            if stiffness.sign() != Some(Sign::Positive) && stiffness.sign() != Some(Sign::Negative) {
-                return fail(
-                    "without a spring there may be no damping: the motion without the wall is not unique",
-                );
-            }
-            mean = mean - &(system.force.clone() / stiffness);
-        }
-        let square = a.clone() * &a + &(b.clone() * &b);
-        if !square.is_positive() {
+        let response = response(damping, stiffness, &forcing)?;
+        let rest = if measured.is_none() && !falls {
+            system.force.clone() / stiffness
+        } else {
+            Function::integer(0, &())
+        };
+        let seen = |wall: &Wall<Function>| {
+            let offset = wall.offset.clone() - &rest;
+            let all = minus(&waves(&wall.harmonics), &response);
+            if side == Side::Lower { (offset, all) } else { (-offset, minus(&Vec::new(), &all)) }
+        };
+        let (mean, mut motion) = seen(wall);
+        // With a period of 2π/j the time is multiplied by j.
+        let faster = motion.iter().fold(0, |gcd: u32, wave| gcd.gcd(&wave.0));
+        if faster == 0 {
             return fail("the wall must move, seen from the motion without it");
         }
+        motion.iter_mut().for_each(|wave| wave.0 /= faster);
+        let top = top(&motion)?;
         let mut force = [BigRational::zero(), BigRational::zero()];
         let (behind, open, depth) = if falls {
             // q → −q turns an upper wall down, and gravity with it.
@@ -84,12 +101,11 @@ impl Normal {
             if !(-pull.clone()).is_positive() {
                 return fail("without a spring a constant force must press towards the wall");
             }
-            let [lo, hi] = bounds(&(pull.clone() * &pull / &square), "the force")?;
-            force = [-root(&hi, true), -root(&lo, false)];
+            let [lo, hi] = top.ratio(&pull, "the force")?;
+            force = [lo, hi];
             (true, false, [BigRational::one(), BigRational::one()])
         } else {
-            let mean = if side == Side::Lower { mean } else { -mean };
-            depth(&mean, &square)?
+            top.depth(&mean)?
         };
         let [damping, stiffness, restitution] = match measured {
             Some(ranges) => ranges,
@@ -102,63 +118,78 @@ impl Normal {
         if !restitution[0].is_positive() {
             return fail("the restitution must be positive");
         }
-        let ranges = [damping, stiffness, force, restitution, depth];
+        let other = if side == Side::Lower { &system.upper } else { &system.lower };
+        let ceiling = other.as_ref().map(|other| {
+            let (mean, motion) = seen(other);
+            Ok::<_, Error>(top.least(&mean, &motion)? / &depth[1])
+        });
+        let once = BigRational::from_integer(faster.into());
+        let scaled = |range: [BigRational; 2], by: &BigRational| range.map(|x| x / by);
+        let twice = &once * &once;
+        let ranges =
+            [scaled(damping, &once), scaled(stiffness, &twice), scaled(force, &twice), restitution, depth];
         let ranges = ranges.map(|[lo, hi]| [short(&lo, false), short(&hi, true)]);
-        Ok(Normal { ranges, behind, side, open })
+        let harmonics = top.harmonics;
+        Ok(Normal { ranges, behind, harmonics, side, open, ceiling: ceiling.transpose()? })
     }
 }
 
-fn fail<T>(message: &str) -> Result<T> {
+pub(super) fn fail<T>(message: &str) -> Result<T> {
     Err(Error::input(format!("kind \"chaos\": {message}")))
 }
 
-fn is_zero(x: &Function) -> bool {
+pub(super) fn is_zero(x: &Function) -> bool {
     x.sign() == Some(Sign::Zero)
 }
 
-/// The coefficients of cos t and sin t.
-fn wave(list: &[Harmonic<Function>]) -> Result<[Function; 2]> {
-    let mut sum = [Function::integer(0, &()), Function::integer(0, &())];
-    for harmonic in list {
-        if harmonic.k == 1 {
-            sum = [sum[0].clone() + &harmonic.cos, sum[1].clone() + &harmonic.sin];
-        } else if !(is_zero(&harmonic.cos) && is_zero(&harmonic.sin)) {
-            return fail("only walls and forcing with one harmonic, k = 1, are covered");
-        }
-    }
-    Ok(sum)
+/// The coefficients of cos jt and sin jt for each order j, increasing; none that are zero.
+fn waves(list: &[Harmonic<Function>]) -> Vec<Wave> {
+    let terms = list.iter().map(|harmonic| (harmonic.k, [harmonic.cos.clone(), harmonic.sin.clone()]));
+    gathered(terms.collect())
 }
 
-fn bounds(x: &Function, what: &str) -> Result<[BigRational; 2]> {
+/// The difference of two motions.
+fn minus(one: &Vec<Wave>, other: &[Wave]) -> Vec<Wave> {
+    let negative = other.iter().map(|(j, [a, b])| (*j, [-a.clone(), -b.clone()]));
+    gathered(one.iter().cloned().chain(negative).collect())
+}
+
+fn gathered(mut terms: Vec<Wave>) -> Vec<Wave> {
+    terms.sort_by_key(|term| term.0);
+    let mut all: Vec<Wave> = Vec::new();
+    for (j, [a, b]) in terms {
+        match all.last_mut() {
+            Some((order, sum)) if *order == j => *sum = [sum[0].clone() + &a, sum[1].clone() + &b],
+            _ => all.push((j, [a, b])),
+        }
+    }
+    all.retain(|(_, [a, b])| !(is_zero(a) && is_zero(b)));
+    all
+}
+
+/// The forced motion without the wall.
+fn response(damping: &Function, stiffness: &Function, forcing: &[Wave]) -> Result<Vec<Wave>> {
+    let one = |(j, [f, g]): &Wave| {
+        let order = Function::ratio(&BigRational::from_integer((*j).into()), &());
+        let detuning = stiffness.clone() - &(order.clone() * &order);
+        let drag = order * damping;
+        let determinant = detuning.clone() * &detuning + &(drag.clone() * &drag);
+        if !determinant.is_positive() {
+            return fail("the motion without the wall is not unique: undamped resonance");
+        }
+        let a = (detuning.clone() * f - &(drag.clone() * g)) / &determinant;
+        let b = (detuning * g + &(drag * f)) / &determinant;
+        Ok((*j, [a, b]))
+    };
+    forcing.iter().map(one).collect()
+}
+
+pub(super) fn bounds(x: &Function, what: &str) -> Result<[BigRational; 2]> {
     x.bounds().map_or_else(|| fail(&format!("{what} is not bounded by its values at the range's ends")), Ok)
 }
 
-/// σ, whether ν = 0 at the range's end, and the range of ν, where σν = 1 + C/R, from C and R².
-fn depth(mean: &Function, square: &Function) -> Result<(bool, bool, [BigRational; 2])> {
-    let quotient = mean.clone() * mean / square;
-    let [lo, hi] = bounds(&quotient, "the wall's mean over its amplitude")?;
-    let one = BigRational::one();
-    if mean.is_nonnegative() {
-        return Ok((true, false, [&one + root(&lo, false), one + root(&hi, true)]));
-    }
-    if !(-mean.clone()).is_nonnegative() {
-        return fail("the wall's mean position must not change its sign within the range");
-    }
-    let beyond = square.clone() - &(mean.clone() * mean);
-    let open = beyond.constant().is_none() && beyond.ends().is_some_and(|[_, end]| end.is_zero());
-    if beyond.is_positive() {
-        let ends = [&one - root(&hi, true), one - root(&lo, false)];
-        Ok((true, open, ends.map(|x| if x.is_negative() { BigRational::zero() } else { x })))
-    } else if (-beyond).is_positive() {
-        let ends = [root(&lo, false) - &one, root(&hi, true) - one];
-        Ok((false, open, ends.map(|x| if x.is_negative() { BigRational::zero() } else { x })))
-    } else {
-        fail("the free motion grazes the wall within the range: take a range on one side of the grazing")
-    }
-}
-
 /// The square root if it is rational, else one of 12 places below or above it.
-fn root(x: &BigRational, up: bool) -> BigRational {
+pub(super) fn root(x: &BigRational, up: bool) -> BigRational {
     let exact = BigRational::new(x.numer().sqrt(), x.denom().sqrt());
     if &exact * &exact == *x {
         return exact;

@@ -12,7 +12,7 @@ use super::{
     map::{Cell, Flow, Impact, turn},
     span::Span,
 };
-use crate::certificate::chaos::{Certificate, Decimal};
+use crate::certificate::chaos::{Certificate, Complete, Decimal};
 
 /// Boxes that the map keeps, and the rest of what a certificate needs.
 #[derive(Debug, Clone)]
@@ -27,20 +27,22 @@ pub(super) struct Closed {
     pub window: f64,
     pub pieces: u64,
     pub reach: f64,
+    /// A neighbourhood in which there are no other orbits.
+    pub complete: Option<Complete>,
 }
 
 /// Windows to try, the likeliest first.
-const WINDOWS: [f64; 6] = [1.2, 1.0, 0.8, 0.6, 1.35, 0.4];
+const WINDOWS: [f64; 9] = [1.2, 1.0, 0.8, 0.6, 1.35, 0.4, 0.3, 0.2, 0.1];
 
 /// No attempt takes more evaluations of a leg per round.
 const MOST: u64 = 100_000;
 
 /// One way to cut parameters and phases.
 pub(super) struct Attempt<'a> {
-    problem: &'a Problem,
+    pub problem: &'a Problem,
     cuts: [u64; 5],
     parts: Vec<u64>,
-    cells: Vec<(Cell, Vec<Flow>)>,
+    pub cells: Vec<(Cell, Vec<Flow>)>,
     previous: Vec<Vec<usize>>,
 }
 
@@ -65,6 +67,7 @@ impl<'a> Attempt<'a> {
         if total * legs > MOST {
             return None;
         }
+        let profile = problem.profile();
         let longest = problem.letters.iter().copied().max().unwrap_or(0);
         let cells = (0..total).map(|index| {
             let mut rest = index;
@@ -73,8 +76,9 @@ impl<'a> Attempt<'a> {
                 *parameter = parameter.part(rest % cuts, cuts);
                 rest /= cuts;
             }
-            let cell = Cell::new(parameters, side);
-            (cell, (0..=longest).map(|n| cell.flow(turn(n))).collect())
+            let cell = Cell::new(parameters, side, &profile);
+            let turns = (0..=longest).map(|n| cell.flow(turn(n))).collect();
+            (cell, turns)
         });
         Some(Attempt { problem, cuts, parts, cells: cells.collect(), previous })
     }
@@ -113,7 +117,9 @@ impl<'a> Attempt<'a> {
             self.speeds(&wide)?;
             let (window, pieces, reach) = self.window(&wide)?;
             let (cells, parts) = (self.cuts, self.parts.clone());
-            return Ok(Closed { cells, parts, boxes: wide, weights, contraction, window, pieces, reach });
+            let boxes = wide;
+            let complete = None;
+            return Ok(Closed { cells, parts, boxes, weights, contraction, window, pieces, reach, complete });
         }
         Err("the map does not keep boxes a little wider than its least".into())
     }
@@ -140,6 +146,9 @@ impl<'a> Attempt<'a> {
         self.speeds(&boxes)?;
         let (_, reach) =
             self.gaps(&boxes, float(certificate.window), certificate.pieces).map_err(|why| why + " (H4)")?;
+        if let Some(claim) = &certificate.complete {
+            self.alone(&boxes, float(certificate.window), claim).map_err(|why| why + " (C)")?;
+        }
         if reach > float(certificate.reach) + SMALL { Err("the reach".into()) } else { Ok(()) }
     }
 
@@ -291,6 +300,9 @@ impl<'a> Attempt<'a> {
     fn gaps(&self, boxes: &[[Span; 2]], window: f64, pieces: u64) -> Result<(f64, f64), String> {
         if window >= FRAC_PI_2 {
             return Err("the window is not below pi/2".into());
+        }
+        if self.cells[0].0.least_bend(window, pieces) <= 1e-9 {
+            return Err(format!("the wall is not convex on a window of {window}"));
         }
         let (mut edge, mut reach) = (0.0f64, f64::NEG_INFINITY);
         for ((cell, _), n) in self.cells.iter().flat_map(|cell| (0..boxes.len()).map(move |n| (cell, n))) {

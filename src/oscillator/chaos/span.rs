@@ -14,7 +14,7 @@ pub struct Span {
 
 impl Span {
     /// Of nothing is known.
-    const WHOLE: Span = Span { lo: f64::NEG_INFINITY, hi: f64::INFINITY };
+    pub(super) const WHOLE: Span = Span { lo: f64::NEG_INFINITY, hi: f64::INFINITY };
 
     /// From one number to another.
     pub fn new(lo: f64, hi: f64) -> Span {
@@ -34,6 +34,12 @@ impl Span {
     pub(super) fn meet(self, other: Span) -> Span {
         let (lo, hi) = (self.lo.max(other.lo), self.hi.min(other.hi));
         if lo <= hi { Span { lo, hi } } else { self }
+    }
+
+    /// What is in both, if anything is.
+    pub(super) fn common(self, other: Span) -> Option<Span> {
+        let (lo, hi) = (self.lo.max(other.lo), self.hi.min(other.hi));
+        (lo <= hi).then_some(Span { lo, hi })
     }
 
     pub(super) fn part(self, i: u64, n: u64) -> Span {

@@ -11,7 +11,7 @@ use super::{
     span::Span,
 };
 use crate::{
-    certificate::chaos::{Certificate, Decimal, Fraction, Letter},
+    certificate::chaos::{Certificate, Decimal, Fraction, Harmonic, Letter},
     error::{Error, Result},
 };
 
@@ -41,11 +41,17 @@ pub(super) fn certificate(problem: &Problem, closed: &Closed) -> Result<(Certifi
         })
     });
     let letters = letters.collect::<Result<Vec<_>>>()?;
-    let fractions = |[lo, hi]: &[BigRational; 2]| Ok([fraction(lo)?, fraction(hi)?]);
+    let fractions =
+        |[lo, hi]: &[BigRational; 2]| -> Result<[Fraction; 2]> { Ok([fraction(lo)?, fraction(hi)?]) };
     let ranges = problem.ranges.iter().map(fractions).collect::<Result<Vec<_>>>()?;
+    let harmonics = problem
+        .harmonics
+        .iter()
+        .map(|(order, [a, b])| Ok(Harmonic { order: *order, parts: [fractions(a)?, fractions(b)?] }));
     let certificate = Certificate {
         ranges: ranges.try_into().map_err(|_| Error::input("five ranges"))?,
         behind: problem.behind,
+        harmonics: harmonics.collect::<Result<_>>()?,
         cells: closed.cells,
         window: decimal(closed.window, 3)?,
         pieces: closed.pieces,
@@ -54,6 +60,7 @@ pub(super) fn certificate(problem: &Problem, closed: &Closed) -> Result<(Certifi
         contraction: decimal((closed.contraction * 1005.0 + 1.0).ceil() / 1000.0, 3)?,
         reach: decimal((closed.reach * 11.0).ceil() / 10.0 + 0.1, 1)?,
         growth: [decimal(rate - margin, 12)?, decimal(rate + margin, 12)?],
+        complete: closed.complete,
     };
     let text = certificate.to_string();
     Ok((certificate, text))
