@@ -124,8 +124,12 @@ class Wall:
                 _, slope, bend = self.at(t)
                 t = (t + (y - slope) / bend).middle()
                 t = I(*[min(max(t.lo, -self.window.lo), self.window.lo)] * 2)
-            error = ((y - self.at(t)[1]) / self.bend).size().hi
-            ends.append(I(t.lo - error, t.hi + error))
+            miss, around = y - self.at(t)[1], I(-UNIT, UNIT)
+            for bend in (self.bend, None) if not self.plain else (self.bend,):
+                bend = bend or self.at(around)[2]
+                error = (miss / I(max(bend.lo, self.bend.lo), bend.hi)).size().hi
+                around = I(t.lo - error, t.hi + error)
+            ends.append(around)
         return ends[0].hull(ends[1])
 
     def bends(self, t):

@@ -2,7 +2,7 @@
 //! or what stood in the way.
 
 use num_rational::BigRational;
-use num_traits::ToPrimitive;
+use num_traits::{ToPrimitive, Zero};
 use serde::Serialize;
 
 use super::{Finding, Job, Lines, Status, row};
@@ -284,11 +284,16 @@ fn oscillator(normal: &Normal) -> String {
     let wall = match &normal.harmonics[..] {
         [_] => "cos t".to_string(),
         all => {
-            values.extend(
-                all.iter().flat_map(|(j, [a, b])| [one(&format!("a{j}"), a), one(&format!("b{j}"), b)]),
-            );
-            let terms: Vec<String> =
-                all.iter().map(|(j, _)| format!("a{j} cos {j}t + b{j} sin {j}t")).collect();
+            let mut terms = Vec::new();
+            for (j, both) in all {
+                for ((name, function), range) in [("a", "cos"), ("b", "sin")].into_iter().zip(both) {
+                    if range.iter().any(|x| !x.is_zero()) {
+                        let order = if *j == 1 { String::new() } else { j.to_string() };
+                        terms.push(format!("{name}{j} {function} {order}t"));
+                        values.push(one(&format!("{name}{j}"), range));
+                    }
+                }
+            }
             terms.join(" + ")
         }
     };

@@ -38,8 +38,8 @@
 //! reach B                        q/ν stays below B
 //! growth LO HI                   the paths of T periods grow at least like LO^T and at most like HI^T
 //! complete S M K R               no other orbits with |g′| ≤ νS/2 at all impacts; none of their legs is
-//!                                longer than M periods (1 to 1000); proved in R rounds (1 to 100) with phases
-//!                                cut into K parts (1 to 64). Or: complete no
+//!                                longer than M periods (1 to 1000); proved in R rounds (1 to 100) with
+//!                                phases cut into K parts (1 to 64). Or: complete no
 //! ```
 //!
 //! All but the ranges and the counts are decimals. Decimals, and both parts of a fraction, have at most 15

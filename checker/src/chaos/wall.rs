@@ -85,8 +85,8 @@ impl Wall {
     /// The phases in the window where −g′ is among these numbers, if it takes each of them there.
     ///
     /// An approximation t in the window is improved by Newton's method, which need not be right. Then the
-    /// phase differs from t by at most
-    /// |y + g′(t)| / min −g″, by the mean value theorem.
+    /// phase differs from t by at most |y + g′(t)| / min −g″, by the mean value theorem: the minimum first
+    /// over the window, then over what it has been narrowed to.
     pub fn phase(&self, y: Interval) -> Option<Interval> {
         if !(self.ends[0].is_below(y) && y.is_below(self.ends[1])) {
             return None;
@@ -112,8 +112,12 @@ impl Wall {
                 t = inside((t + (y - shape.slope).over(shape.bend)).middle());
                 shape = self.at(t);
             }
-            let error = (y - shape.slope).over(self.bend).magnitude();
-            t + (-error).hull(error)
+            let within = |bend: Interval| {
+                let error = (y - shape.slope).over(bend).magnitude();
+                t + (-error).hull(error)
+            };
+            let coarse = within(self.bend);
+            if self.plain { coarse } else { within(self.at(coarse).bend.raised(self.bend)) }
         };
         Some(if y == y.middle() { at(y) } else { at(y.least()).hull(at(y.greatest())) })
     }

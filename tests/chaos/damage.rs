@@ -1,0 +1,158 @@
+//! Damaged certificates, against an oracle in floats.
+
+use std::collections::HashMap;
+
+use grazing::{
+    certificate::{
+        self,
+        chaos::{Certificate, Complete, Decimal, Fraction, Harmonic, Letter},
+    },
+    oscillator::chaos::holds,
+};
+use proptest::{prelude::*, strategy::ValueTree};
+
+use super::{ALWAYS, FIGURE_10, common, proved};
+
+/// The certificate as a plain reader of the format has it.
+fn read(text: &str) -> Option<Certificate> {
+    let mut lines: HashMap<&str, Vec<Vec<&str>>> = HashMap::new();
+    for line in text.lines() {
+        let mut words = line.split(' ');
+        lines.entry(words.next()?).or_default().push(words.collect());
+    }
+    let decimal = |word: &str| {
+        let (whole, places) = word.split_once('.').unwrap_or((word, ""));
+        Some(Decimal { digits: format!("{whole}{places}").parse().ok()?, places: places.len() as u32 })
+    };
+    let fraction = |word: &str| {
+        let (p, q) = word.split_once('/')?;
+        Some(Fraction { p: p.parse().ok()?, q: q.parse().ok()? })
+    };
+    let one = |name: &str| lines.get(name).map(|all| all[0].clone());
+    let range = |name: &str| Some([fraction(one(name)?[0])?, fraction(one(name)?[1])?]);
+    let whole = |word: &str| word.parse::<u64>().ok();
+    let letters = lines.get("letter")?.iter().zip(lines.get("next")?).map(|(w, next)| {
+        Some(Letter {
+            periods: whole(w[0])?,
+            after: [decimal(w[1])?, decimal(w[2])?],
+            before: [decimal(w[3])?, decimal(w[4])?],
+            weights: [decimal(w[5])?, decimal(w[6])?],
+            growth: decimal(w[7])?,
+            parts: whole(w[8])?,
+            next: next.iter().map(|w| Some(whole(w)? as usize - 1)).collect::<Option<_>>()?,
+        })
+    });
+    let harmonic = |w: &Vec<&str>| {
+        let [a, b, c, d] = [fraction(w[1])?, fraction(w[2])?, fraction(w[3])?, fraction(w[4])?];
+        Some(Harmonic { order: whole(w[0])?, parts: [[a, b], [c, d]] })
+    };
+    let complete = match &one("complete")?[..] {
+        ["no"] => None,
+        [s, m, k, r] => {
+            Some(Complete { strength: decimal(s)?, longest: whole(m)?, parts: whole(k)?, rounds: whole(r)? })
+        }
+        _ => return None,
+    };
+    let cells: Vec<u64> = one("cells")?.iter().filter_map(|w| whole(w)).collect();
+    Some(Certificate {
+        ranges: [
+            range("damping")?,
+            range("stiffness")?,
+            range("force")?,
+            range("restitution")?,
+            range("depth")?,
+        ],
+        behind: one("side")?[0] == "1",
+        harmonics: lines.get("harmonic")?.iter().map(harmonic).collect::<Option<_>>()?,
+        complete,
+        cells: cells.try_into().ok()?,
+        window: decimal(one("window")?[0])?,
+        pieces: whole(one("pieces")?[0])?,
+        letters: letters.collect::<Option<_>>()?,
+        contraction: decimal(one("contraction")?[0])?,
+        reach: decimal(one("reach")?[0])?,
+        growth: [decimal(one("growth")?[0])?, decimal(one("growth")?[1])?],
+    })
+}
+
+#[derive(Debug, Clone)]
+enum Damage {
+    Remove(prop::sample::Index),
+    Swap(prop::sample::Index, prop::sample::Index),
+    Truncate(prop::sample::Index),
+    /// Replace a word by one from elsewhere in the file.
+    Transplant(prop::sample::Index, prop::sample::Index),
+    Byte(prop::sample::Index, u8),
+    Insert(prop::sample::Index, u8),
+}
+
+fn damage() -> impl Strategy<Value = Damage> {
+    let index = any::<prop::sample::Index>;
+    prop_oneof![
+        1 => index().prop_map(Damage::Remove),
+        1 => (index(), index()).prop_map(|(a, b)| Damage::Swap(a, b)),
+        1 => index().prop_map(Damage::Truncate),
+        3 => (index(), index()).prop_map(|(a, b)| Damage::Transplant(a, b)),
+        6 => (index(), prop::sample::select(b"0123456789-/. ".to_vec())).prop_map(|(at, byte)| Damage::Byte(at, byte)),
+        3 => (index(), prop::sample::select(b"0123456789-/. \r\n".to_vec())).prop_map(|(at, byte)| Damage::Insert(at, byte)),
+    ]
+}
+
+fn damaged(text: &str, head: usize, damage: &Damage) -> String {
+    let mut lines: Vec<String> = text[head..].lines().map(String::from).collect();
+    let count = lines.len();
+    let mut bytes = text.as_bytes().to_vec();
+    let place = |at: &prop::sample::Index| head + at.index(text.len() - head);
+    match damage {
+        Damage::Remove(at) => drop(lines.remove(at.index(count))),
+        Damage::Swap(a, b) => lines.swap(a.index(count), b.index(count)),
+        Damage::Truncate(at) => return text[..place(at)].to_string(),
+        Damage::Transplant(from, to) => {
+            let words: Vec<(usize, usize)> =
+                (0..count).flat_map(|i| (0..lines[i].split(' ').count()).map(move |j| (i, j))).collect();
+            let ((i, j), (k, l)) = (words[from.index(words.len())], words[to.index(words.len())]);
+            let word = lines[i].split(' ').nth(j).unwrap().to_string();
+            let mut parts: Vec<&str> = lines[k].split(' ').collect();
+            parts[l] = &word;
+            lines[k] = parts.join(" ");
+        }
+        Damage::Byte(at, byte) => {
+            bytes[place(at)] = *byte;
+            return String::from_utf8(bytes).unwrap();
+        }
+        Damage::Insert(at, byte) => {
+            bytes.insert(place(at), *byte);
+            return String::from_utf8(bytes).unwrap();
+        }
+    }
+    text[..head].to_string() + &lines.join("\n") + "\n"
+}
+
+/// Damaged certificates, GRAZING_DAMAGE of each; those that pass hold in floats too, by code that shares
+/// nothing with the checker.
+#[test]
+fn damage_is_detected() {
+    let mut runner = proptest::test_runner::TestRunner::deterministic();
+    let strategy = damage();
+    for task in [ALWAYS, FIGURE_10] {
+        let text = proved(task).text.unwrap().1;
+        assert_eq!(holds(&read(&text).unwrap()), Ok(()));
+        let head = text.find("damping").unwrap();
+        let (mut rejected, mut unchanged, mut still_true) = (0, 0, 0);
+        for round in 0..common::rounds(250) {
+            let damage = strategy.new_tree(&mut runner).unwrap().current();
+            let changed = damaged(&text, if round % 8 == 0 { 0 } else { head }, &damage);
+            if changed == text {
+                unchanged += 1;
+            } else if certificate::check(&mut changed.as_bytes()).is_ok() {
+                let certificate = read(&changed).expect("what is accepted can be read");
+                assert_eq!(holds(&certificate), Ok(()), "accepted after {damage:?}:\n{changed}");
+                still_true += 1;
+            } else {
+                rejected += 1;
+            }
+        }
+        println!("{rejected} rejected, {still_true} still true, {unchanged} unchanged");
+        assert!(rejected > 2 * still_true && still_true > 5);
+    }
+}
