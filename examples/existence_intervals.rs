@@ -2,8 +2,7 @@
 //!
 //! Run with `cargo run --example existence_intervals`.
 
-use grazing::existence::intervals;
-use num_rational::Ratio;
+use grazing::{existence::intervals, num_rational::Ratio};
 
 fn main() -> grazing::Result<()> {
     let s = Ratio::new(21, 100);

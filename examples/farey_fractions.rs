@@ -2,8 +2,10 @@
 //!
 //! Run with `cargo run --example farey_fractions`.
 
-use grazing::farey::{Walk, kth, neighbours, rank};
-use num_rational::Ratio;
+use grazing::{
+    farey::{Walk, kth, neighbours, rank},
+    num_rational::Ratio,
+};
 
 fn main() -> grazing::Result<()> {
     let x = Ratio::new(3, 8);

@@ -118,4 +118,8 @@ pub mod internals {
 pub use error::{Error, Result};
 pub use grazing_check as certificate;
 pub use monitor::Monitor;
+/// The package of the integers in this interface.
+pub use num_bigint;
+/// The package of the exact fractions in this interface.
+pub use num_rational;
 pub use outcome::Outcome;

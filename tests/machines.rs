@@ -266,7 +266,7 @@ fn one_degree_of_freedom_agrees_with_the_engine_for_it() {
                     alone::Event::Tangency(x) => (1, x.time.since(at(0.0)), 0.0),
                     alone::Event::Stick(x) => (2, x.time.since(at(0.0)), 0.0),
                     alone::Event::Release(x) => (3, x.time.since(at(0.0)), 0.0),
-                    alone::Event::End(_) => unreachable!(),
+                    other => unreachable!("{other:?}"),
                 });
             });
             (all, run.state())
@@ -297,7 +297,7 @@ fn one_degree_of_freedom_agrees_with_the_engine_for_it() {
                 MachineEvent::Tangency(_) => 1,
                 MachineEvent::Stick(_) => 2,
                 MachineEvent::Release(_) => 3,
-                MachineEvent::End(_) => 4,
+                other => panic!("{name}: {other:?}"),
             };
             assert_eq!(same, *kind, "{name}: event {i}");
             let off = (t - time).abs().max((v - velocity).abs());

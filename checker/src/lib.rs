@@ -42,6 +42,20 @@
 //! | `event`, `event 2` | that such an orbit bifurcates (saddle-node, flip) or grazes at a parameter in an interval; 2: for all coefficients in intervals | [`event`] |
 //! | `chaos` | that every bi-infinite word over an alphabet of periods is an orbit of an oscillator, over ranges of parameters | [`chaos`] |
 //!
+//! # Use
+//!
+//! ```
+//! use grazing_check::{FORMAT, check, theorem2};
+//! // Period 2 on r = 1: an orbit on (0, 1/4) and one on (1/4, 1/2), and u_2 = 0 between them.
+//! let lines = "n 2 3\norbit 0/1 1/4 - +\npoint 1/4 singular\norbit 1/4 1/2 + +\n";
+//! let head = format!("{FORMAT}\nkind theorem2\nrange 2 2\nlines 4\nstatement {}\n", theorem2::STATEMENT);
+//! let checked = check(&mut (head.clone() + lines).as_bytes()).unwrap();
+//! assert_eq!((checked.kind, checked.range), ("theorem2", 2..=2));
+//! // With one sign changed it is rejected, with the line and the reason.
+//! let rejection = check(&mut (head + &lines.replace("- +", "+ +")).as_bytes()).unwrap_err();
+//! assert!(rejection.to_string().starts_with("line 7: false"));
+//! ```
+//!
 //! # Adding a kind
 //!
 //! A kind is a folder: `mod.rs` with the form, the rules, the limits and the cost in its head, the constants

@@ -135,7 +135,7 @@ fn walk(
     if from > to {
         return Err(Error::input(format!("--from {} is above --to {}", fraction(from), fraction(to))));
     }
-    let fast = order.to_u32().and_then(|order| Walk::new(order, &small(from).ok()?, &small(to).ok()?).ok());
+    let fast = order.to_u64().and_then(|order| Walk::new(order, &small(from).ok()?, &small(to).ok()?).ok());
     match fast {
         Some(terms) => terms_to(out, json, terms, interrupt),
         None => terms_to(out, json, Sequence::new(order.clone(), from, to)?, interrupt),

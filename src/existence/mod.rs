@@ -7,6 +7,23 @@
 //! ([`decide_by_enclosure`]) takes the claim as a guess and proves it by enclosures over whole stretches. For
 //! r < 1: one point at a time ([`by_definition`], [`by_records`], [`claimed`]), and the edge of an area of
 //! Conjecture 1 with its lowest point ([`Boundary`]).
+//!
+//! ```
+//! use grazing::existence::{Existence, by_definition, decide, intervals};
+//! use grazing::local::{Ladder, Point, Polar};
+//! use grazing::number::parse_rational;
+//! // Period 5 on r = 1: φ(5) + 1 intervals, and the decision finds the same.
+//! assert_eq!(intervals(5)?.count(), 5);
+//! assert!(decide(5)?.disagreement.is_none());
+//! // One of them is (1/3, 2/5). At s = 3/8 the orbit survives damping r = 0.95, but not r = 0.7.
+//! let at = |r: &str| -> grazing::Result<Existence> {
+//!     let polar = Polar::new(parse_rational(r)?, parse_rational("3/8")?)?;
+//!     Ok(by_definition(&Ladder::default(), &Point::Polar(polar), 5))
+//! };
+//! assert!(matches!(at("0.95")?, Existence::Orbit(_)));
+//! assert!(matches!(at("0.7")?, Existence::None { .. }));
+//! # Ok::<(), grazing::Error>(())
+//! ```
 
 mod boundary;
 mod by_enclosure;

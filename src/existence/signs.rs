@@ -8,6 +8,7 @@ use num_rational::Ratio;
 
 /// Where a sign is taken.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Approach {
     /// At s itself; a zero or pole gives 0.
     At,

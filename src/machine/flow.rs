@@ -29,6 +29,7 @@ const NEAR: f64 = 1.0 / 16.0;
 
 /// How a flow is computed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum FlowMethod {
     /// Real modes: damping is classical.
     RealModes,

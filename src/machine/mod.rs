@@ -32,6 +32,17 @@
 //! Linear algebra is by `nalgebra`, 18 packages; `faer` would bring 57 and the eigenvectors of general
 //! matrices, which are thirty lines here. Not here: what is to be done, as a file (`scene`); tables and
 //! pictures.
+//!
+//! ```
+//! use grazing::machine::grazing::{MachineSearch, locate};
+//! use grazing::scene::{MachineSceneFamily, Scene};
+//! // At which force, from 1 N on, do the two masses first touch?
+//! let scene = Scene::read("examples/machines/two-masses.toml")?;
+//! let family = MachineSceneFamily::new(&scene, "F0")?;
+//! let MachineSearch::Found(touch) = locate(&family, 1.0, 20.0)? else { panic!() };
+//! assert!(touch.parameter > 1.0 && touch.at.gap.abs() <= 1e-11 * touch.scale);
+//! # Ok::<(), grazing::Error>(())
+//! ```
 
 pub mod branch;
 pub mod contact;

@@ -17,6 +17,19 @@
 //! the range of its rung: an interval of a number below 2⁻¹⁰²² may end at 0 and at 2⁻¹⁰²², one above 2¹⁰²⁴ at
 //! ∞; a ball outside 2^±2⁶² is the whole line, or zero with a radius. It is an enclosure there too. Trusted:
 //! Rust, IEEE 754 `f64` addition and multiplication to nearest, num-bigint. Not here: the formulas (`local`).
+//!
+//! ```
+//! use grazing::number::{Ball, FloatInterval, Precision, Real, Sign, parse_rational};
+//! // No float tells 3/8 + 2^-200 from 3/8; a ball of 256 bits does.
+//! let (x, y) = (parse_rational("3/8+2^-200")?, parse_rational("0.375")?);
+//! let close = FloatInterval::ratio(&x, &()) - &FloatInterval::ratio(&y, &());
+//! assert!(close.contains(&(&x - &y)));
+//! assert_eq!(close.sign(), None);
+//! let bits = Precision::new(256);
+//! let apart = Ball::ratio(&x, &bits) - &Ball::ratio(&y, &bits);
+//! assert_eq!(apart.sign(), Some(Sign::Positive));
+//! # Ok::<(), grazing::Error>(())
+//! ```
 
 mod angle;
 mod ball;

@@ -27,6 +27,7 @@ pub struct PatternQuantity {
 
 /// Why a side is left open.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum OpenReason {
     /// det D = 0: a singular boundary, where several branches are possible (section 4.1 of the paper).
     Singular,

@@ -93,6 +93,7 @@ impl<T: Scalar> Matrix<T> {
 
 /// Why an elimination stopped.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Failure {
     /// The columns are certainly dependent.
     Singular,

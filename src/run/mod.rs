@@ -112,6 +112,7 @@ macro_rules! findings {
         /// The findings of a task, by its kind.
         #[derive(Debug, Clone, PartialEq, Serialize)]
         #[serde(untagged)]
+        #[non_exhaustive]
         pub enum Findings { $($(#[doc = $doc])+ $kind(Box<$type>),)+ }
 
         impl Findings {
@@ -281,6 +282,7 @@ pub struct Job<'a> {
 
 /// What a task works on, in floats.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub enum Model {
     /// An oscillator of one degree of freedom.
     Oscillator(System<f64>),

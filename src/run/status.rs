@@ -27,6 +27,7 @@ impl fmt::Display for Place {
 /// How a task ended, with the reason where there is one.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 #[serde(tag = "status", rename_all = "kebab-case")]
+#[non_exhaustive]
 pub enum Status {
     /// What was asked for was computed, found or proved.
     Done,

@@ -33,6 +33,7 @@ keys! {
 
 /// Where a branch starts.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub enum BranchOrigin<'a> {
     /// At the orbits of a pattern.
     Orbit(&'a OrbitKeys),

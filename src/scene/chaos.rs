@@ -35,6 +35,7 @@ keys! {
 
 /// The periods, or that they are to be found.
 #[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Alphabet {
     /// Those born at the grazing.
     Auto,

@@ -60,6 +60,7 @@ enum Node {
 
 /// A function of one number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Function {
     /// √x.
     Sqrt,

@@ -1,6 +1,6 @@
 //! A scene from TOML text.
 
-use std::cell::RefCell;
+use std::{cell::RefCell, path::Path};
 
 use num_rational::BigRational;
 use toml_edit::Item;
@@ -13,7 +13,11 @@ use super::{
     system::{Accuracy, HarmonicKeys, SystemKeys, WallKeys, system},
     task::Task,
 };
-use crate::{error::Result, source::Source};
+use crate::{
+    error::Result,
+    output::{LONGEST_INPUT, read_text},
+    source::Source,
+};
 
 const FORMAT: &str = "grazing-scene 1";
 const MACHINES: &str = "grazing-scene 2";
@@ -87,6 +91,25 @@ impl Value for TaskEntry {
 }
 
 impl Scene {
+    /// Reads a scene from a TOML file, whose path leads every error message. Matrices that the scene keeps in
+    /// files of their own are read beside it. The format is in docs/scenes.md.
+    ///
+    /// ```
+    /// use grazing::scene::Scene;
+    /// let scene = Scene::read("examples/scenes/nordmark-2001.toml")?;
+    /// assert_eq!(scene.parameters[0].0, "d");
+    /// assert!(Scene::read("no/such/scene.toml").unwrap_err().is_io());
+    /// # Ok::<(), grazing::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// If the file cannot be read, is longer than 16 MiB or is not UTF-8; else as
+    /// [`from_toml`](Self::from_toml).
+    pub fn read(path: impl AsRef<Path>) -> Result<Scene> {
+        let path = path.as_ref();
+        Self::from_toml(&read_text(path, LONGEST_INPUT)?, &path.display().to_string())
+    }
+
     /// Reads a scene from the text of a TOML file; `name` leads every error message. The format is in
     /// docs/scenes.md.
     ///

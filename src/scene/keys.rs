@@ -315,6 +315,7 @@ macro_rules! words {
     }) => {
         $(#[doc = $about])+
         #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+        #[non_exhaustive]
         pub enum $name { $($(#[doc = $doc])+ $variant,)+ }
 
         impl $crate::scene::keys::Value for $name {

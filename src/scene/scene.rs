@@ -44,6 +44,7 @@ pub struct Scene {
 
 /// What a scene is about, by its format.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub enum Body {
     /// Format 1: the equation of motion and the walls of an oscillator with one degree of freedom.
     Oscillator(Box<System<Expression>>),

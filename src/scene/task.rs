@@ -72,6 +72,7 @@ macro_rules! kinds {
     ($($word:literal $kind:ident,)+) => {
         /// What a task does.
         #[derive(Debug, Clone, PartialEq)]
+        #[non_exhaustive]
         pub enum Kind { $(#[doc = concat!("`", $word, "`.")] $kind(Box<$kind>),)+ }
 
         impl Kind {

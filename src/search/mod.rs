@@ -1,5 +1,16 @@
 //! What finds proofs and writes them down as certificates. Untrusted: the checker in
 //! [`certificate`](crate::certificate) shares no code with it.
+//!
+//! ```
+//! use grazing::certificate;
+//! use grazing::search::{ProofMethod, prove_theorem2, write_theorem2};
+//! let proof = prove_theorem2(3..=8, ProofMethod::Exact, &())?;
+//! assert!(proof.refuted.is_none() && proof.pending == 0);
+//! let mut text = Vec::new();
+//! write_theorem2(3..=8, &proof, &mut text, &())?;
+//! assert_eq!(certificate::check(&mut &text[..])?.range, 3..=8);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod apart;
 mod compare;

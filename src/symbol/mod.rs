@@ -8,6 +8,15 @@
 //! - [`Sentence`]: what holds in region 4 and on one half-cell of region 3, for one n, free of division.
 //!
 //! No numbers are decided here (that is `local`) and no solver is run: a sentence is text.
+//!
+//! ```
+//! use grazing::symbol::{Area, Format, Sentence, period_formulas, write_formulas};
+//! let text = write_formulas(&period_formulas(5, 2)?, Format::Text);
+//! assert!(text.contains("N_{5,2} = u_5 - u_2 - a2^2*u_3"));
+//! let sentence = Sentence::new(5, Area::Region4)?.write(Format::Smtlib);
+//! assert!(sentence.ends_with("(check-sat)\n"));
+//! # Ok::<(), grazing::Error>(())
+//! ```
 
 mod formula;
 mod polynomial;

@@ -27,6 +27,7 @@ pub const MAX_SENTENCE_PERIOD: usize = 50;
 
 /// Where a sentence speaks: region 4 or the half-cell on one side of s = m/n.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Area {
     /// −(a₂ + 1) < a₁ ≤ −2√a₂, 0 < a₂ < 1; written `region4`.
     Region4,

@@ -28,10 +28,7 @@ use crate::{
     cli::progress::Interrupt,
     error::{Error, Result},
     number::{parse_integer, parse_rational},
-    output::{
-        Column, Destination, LONGEST_INPUT, TableCell, TableFormat, TableWriter, make_folder, read_text, say,
-        write_file,
-    },
+    output::{Column, Destination, TableCell, TableFormat, TableWriter, make_folder, say, write_file},
     run::{
         EventRows, Findings, GrazingFindings, Job as Task, Keeper, MachineGrazingFindings, Row, Status,
         Surroundings, TaskReport, run_task,
@@ -168,9 +165,8 @@ impl Keeper for Files<'_> {
 }
 
 pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
+    let scene = Scene::read(&args.scene)?;
     let name = args.scene.display().to_string();
-    let text = read_text(&args.scene, LONGEST_INPUT)?;
-    let scene = Scene::from_toml(&text, &name)?;
     for only in &args.only {
         if !scene.tasks.iter().any(|task| called(task, only)) {
             let names: Vec<&str> = scene.tasks.iter().map(|task| task.name.as_str()).collect();

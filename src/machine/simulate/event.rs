@@ -4,6 +4,7 @@ use crate::oscillator::{Time, simulate::RunEnd};
 
 /// The next thing that happens.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub enum MachineEvent {
     /// The machine met a stop and bounced. Of several at one instant each is told.
     Impact(StopImpact),

@@ -28,6 +28,7 @@ pub struct BasinGrid {
 
 /// What becomes of one start.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub enum BasinCell {
     /// The index of its attractor.
     Attractor(usize),

@@ -44,6 +44,7 @@ impl Default for Detection {
 
 /// What a run ends up on.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub enum Fate<P = [f64; 2]> {
     /// A periodic orbit: the least period by recurrence.
     Periodic(Cycle<P>),

@@ -5,6 +5,19 @@
 //! [`basins`] and [`diagram`] do it for many starts and many parameter values; [`crisis`] finds where an
 //! attractor meets the stable manifold of a saddle. All is numerical evidence. Not here: following orbits
 //! whether they attract or not (`branch`).
+//!
+//! ```
+//! use grazing::oscillator::{Time, attractor::detection::{Detection, Fate}};
+//! use grazing::oscillator::simulate::{Settings, Simulator};
+//! use grazing::scene::Scene;
+//! // At µ = −0.05 a motion of the paper's oscillator settles on the orbit of period 4.
+//! let scene = Scene::read("examples/scenes/nordmark-2001.toml")?;
+//! let simulator = Simulator::new(&scene.exact(&[])?.rounded(), &Settings::default())?;
+//! let mut run = simulator.start(Time::new(0, 0.0), 0.5, 0.0)?;
+//! let fate = Detection { transient: 300, longest: 8, ..Detection::default() }.detect(&mut run)?;
+//! assert!(matches!(fate, Fate::Periodic(cycle) if cycle.period() == 4 || cycle.period() == 1));
+//! # Ok::<(), grazing::Error>(())
+//! ```
 
 mod attracting;
 pub mod basins;

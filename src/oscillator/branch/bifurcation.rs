@@ -4,6 +4,7 @@ use super::FollowedOrbit;
 
 /// A bifurcation of codimension one, or another end of a branch as one of orbits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[non_exhaustive]
 pub enum Bifurcation {
     /// The branch turns back in the parameter: two orbits meet, a multiplier is 1.
     SaddleNode,
@@ -65,6 +66,7 @@ impl Bifurcation {
 /// A curve of Neimark–Sacker points has no Chenciner points, where Re d would change its sign: Re d is zero
 /// all along, see [`NormalForm`](super::NormalForm).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[non_exhaustive]
 pub enum Degeneracy {
     /// On a curve of saddle-nodes: the coefficient a vanishes, three orbits meet.
     Cusp,
@@ -139,6 +141,7 @@ impl Degeneracy {
 
 /// What happens at a point of a branch, or of a curve of bifurcations.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Singularity {
     /// A bifurcation; on a curve of bifurcations, a second one at the same point.
     Bifurcation(Bifurcation),

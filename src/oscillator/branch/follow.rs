@@ -61,6 +61,7 @@ pub struct Step<V> {
 
 /// Why a curve was followed no further.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub enum CurveEnd {
     /// An unknown is at its bound.
     Bound,

@@ -3,6 +3,21 @@
 //! `curve` follows any curve, [`PatternCurve`] is the one of orbits with an impact pattern, [`OrbitBranch`]
 //! what was found along it; what they ask of the orbits, of oscillators and of machines alike, is in
 //! `problem`. Not here: attractors (`attractor`).
+//!
+//! ```
+//! use grazing::oscillator::branch::{Bifurcation, BranchSearch, Options, locate};
+//! use grazing::oscillator::{Side, orbit::{Family, Itinerary, search}};
+//! use grazing::scene::{Scene, SceneFamily};
+//! // Section 4.2 of the paper: period 3 flips at µ = 0.005479.
+//! let scene = Scene::read("examples/scenes/nordmark-2001.toml")?;
+//! let family = SceneFamily::new(&scene, "mu")?;
+//! let orbits = search(&family.at(0.003)?, &Itinerary::at(Side::Lower, &[3])?, 100, 1.0);
+//! let orbit = orbits.iter().find(|orbit| orbit.admissibility.is_admissible()).unwrap();
+//! let found = locate(&family, Bifurcation::Flip, orbit, 0.003, 0.5, &Options::default())?;
+//! let BranchSearch::Found(flip) = found else { panic!("there is a flip") };
+//! assert!((flip.parameter - 0.005479).abs() < 5e-7);
+//! # Ok::<(), grazing::Error>(())
+//! ```
 
 mod bifurcation;
 #[expect(clippy::module_inception)]

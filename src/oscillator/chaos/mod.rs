@@ -5,6 +5,21 @@
 //! `map`), writes a certificate of kind `chaos` and has it checked; what is proved is what the checker
 //! proves. [`Problem`] is in the normal form, to which `normal` brings an oscillator. Not here: the keys of a
 //! scene, reports.
+//!
+//! ```
+//! use grazing::certificate;
+//! use grazing::number::parse_rational;
+//! use grazing::oscillator::chaos::{Problem, prove};
+//! // The paper's oscillator, c = 12/49, k = 100/2401, τ = 1, over {1, 2} for every µ > 0: 0 < ν < 1.
+//! let range = |lo, hi| -> grazing::Result<_> { Ok([parse_rational(lo)?, parse_rational(hi)?]) };
+//! let at = |x| range(x, x);
+//! let ranges = [at("12/49")?, at("100/2401")?, at("0")?, at("1")?, range("0", "1")?];
+//! let problem = Problem { ranges, behind: true, letters: vec![1, 2], next: vec![vec![0, 1]; 2] };
+//! let proof = prove(&problem, &())?.unwrap();
+//! assert!(proof.contraction < 1.0);
+//! assert!(certificate::check(&mut proof.text.as_bytes()).is_ok());
+//! # Ok::<(), grazing::Error>(())
+//! ```
 
 mod graph;
 mod map;

@@ -23,6 +23,7 @@ use crate::error::Result;
 
 /// The flow that suits a system: closed form without a cubic term, else Taylor series.
 #[derive(Debug, Clone)]
+#[non_exhaustive]
 pub enum Free {
     /// No cubic term.
     Linear(Linear),

@@ -4,6 +4,20 @@
 //! Its [`LocalMap`] has A, B, C, e, γ and a_G of sections 2 and 3.1 of the paper, and [`Grazing::start`]
 //! turns the leading-order solution of a pattern into a start for Newton's method on the true system. Not
 //! here: which patterns exist (`pattern`), following a branch further.
+//!
+//! ```
+//! use grazing::oscillator::grazing::locate;
+//! use grazing::oscillator::orbit::{Family, Itinerary, find};
+//! use grazing::scene::{Scene, SceneFamily};
+//! // The motion at rest grazes the paper's moving stop at µ = 0, with eigenvalues in region 3.
+//! let scene = Scene::read("examples/scenes/nordmark-2001.toml")?;
+//! let family = SceneFamily::new(&scene, "mu")?;
+//! let rest = find(&family.at(-0.05)?, &Itinerary::free(1)?, vec![0.0, 0.0])?;
+//! let grazing = locate(&family, &rest, -0.05)?;
+//! assert!(grazing.parameter.abs() < 1e-12 && grazing.admissible);
+//! assert_eq!(grazing.map.region(), Some(grazing::local::Region::Three));
+//! # Ok::<(), grazing::Error>(())
+//! ```
 
 mod half;
 mod local_map;

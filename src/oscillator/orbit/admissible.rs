@@ -27,6 +27,7 @@ pub struct Minimum {
 
 /// Whether a solution is an orbit, and if not, the first reason that is found.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub enum Admissibility {
     /// Every impact comes in and every other minimum of every gap is positive.
     Admissible,

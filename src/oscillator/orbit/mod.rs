@@ -5,6 +5,18 @@
 //! [`SingleImpact`] has the exact orbits of a linear oscillator, a second route. [`return_map`] expands the
 //! Poincaré map, [`Derivatives`] has the normal forms' coefficients. Not here: where orbits bifurcate
 //! (`grazing`, `branch`).
+//!
+//! ```
+//! use grazing::oscillator::{Side, orbit::{Itinerary, Oscillator, search}};
+//! use grazing::scene::Scene;
+//! // The paper's oscillator at µ = −0.05 has a stable orbit with one impact every four periods.
+//! let scene = Scene::read("examples/scenes/nordmark-2001.toml")?;
+//! let oscillator = Oscillator::new(scene.exact(&[])?.rounded(), 1e-12)?;
+//! let orbits = search(&oscillator, &Itinerary::at(Side::Lower, &[4])?, 100, 1.0);
+//! let stable = orbits.iter().find(|orbit| orbit.multipliers.is_stable()).unwrap();
+//! assert!(stable.admissibility.is_admissible() && stable.residual < 1e-12);
+//! # Ok::<(), grazing::Error>(())
+//! ```
 
 mod admissible;
 mod cubic;

@@ -7,6 +7,7 @@ use std::sync::{
 
 /// What is counted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Effect {
     /// A piece of the trajectory was looked at for impacts.
     Piece,

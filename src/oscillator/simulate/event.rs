@@ -6,6 +6,7 @@ use crate::oscillator::{Side, Time};
 
 /// The next thing that happens.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub enum Event {
     /// The oscillator met a wall and bounced.
     Impact(Impact),
@@ -68,6 +69,7 @@ pub struct Release {
 /// Why there is no other event.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
 pub enum RunEnd {
     /// The time asked for is reached; the run can go on.
     Reached,

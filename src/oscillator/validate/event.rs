@@ -18,6 +18,7 @@ use crate::{
 
 /// What happens at the event.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub enum Condition {
     /// A multiplier is 1: 1 − trace + det = 0.
     SaddleNode,

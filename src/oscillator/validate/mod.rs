@@ -5,6 +5,23 @@
 //! by the event's condition where one is asked for, have exactly one solution in a box. Approximations serve
 //! to choose the box only. Proved orbits and events are written as certificates, which `grazing check` proves
 //! again. Not here: continuation and approximate orbits.
+//!
+//! ```
+//! use grazing::number::Precision;
+//! use grazing::oscillator::validate::{ExpectedImpact, Stability, Verdict, orbit};
+//! use grazing::oscillator::{Side, orbit::{Itinerary, Oscillator, search}};
+//! use grazing::scene::Scene;
+//! // An approximate orbit of period 4, and the proof that there is an exact one near it.
+//! let system = Scene::read("examples/scenes/nordmark-2001.toml")?.exact(&[])?;
+//! let oscillator = Oscillator::new(system.rounded(), 1e-12)?;
+//! let orbits = search(&oscillator, &Itinerary::at(Side::Lower, &[4])?, 100, 1.0);
+//! let found = orbits.iter().find(|orbit| orbit.multipliers.is_stable()).unwrap();
+//! let [phase, velocity] = found.z[..] else { panic!("one impact") };
+//! let guess = [ExpectedImpact { side: Side::Lower, periods: 4, phase, velocity }];
+//! let Verdict::Proved(proof) = orbit(&system, &guess, &Precision::new(128))? else { panic!() };
+//! assert_eq!(proof.stability, Some(Stability::Stable));
+//! # Ok::<(), grazing::Error>(())
+//! ```
 
 mod admissible;
 mod equations;

@@ -9,6 +9,19 @@
 //!
 //! A unit of work is one strip of one period, and its trees depend on nothing else: units run in any order
 //! and number at a time, and a run that was ended goes on from those it had finished.
+//!
+//! ```
+//! use std::collections::HashMap;
+//! use grazing::certificate;
+//! use grazing::search::cover::{Cover, CoverOptions, certificate as text, cover};
+//! let options = CoverOptions::new(3..=4);
+//! let covers = cover(&options, HashMap::new(), &(), &|_, _| Ok(()))?;
+//! assert!(covers.iter().all(Cover::is_complete));
+//! let blocks: Vec<String> = covers.iter().filter_map(Cover::block).collect();
+//! let checked = certificate::check(&mut text(&options.periods, &blocks).as_bytes())?;
+//! assert_eq!((checked.kind, checked.range), ("cover", 3..=4));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod chart;
 mod claim;

@@ -6,6 +6,14 @@
 //! whatever the number of threads. Finding no disagreement proves nothing; a disagreement is decided again,
 //! shrunk, and can be replayed. Where two routes of this program to one answer differ, that is an error of
 //! its own, reported with the point.
+//!
+//! ```
+//! use grazing::search::fuzz::{FuzzOptions, FuzzTally, Tally, fuzz};
+//! let options = FuzzOptions { first: 1, last: 12, cases: 1000, seed: 1, definition_share: 0.01 };
+//! let tally = fuzz(&options, FuzzTally::default(), &(), |_| Ok(()))?;
+//! assert!(tally.decided() >= 1000 && tally.disagreements().is_empty());
+//! # Ok::<(), grazing::Error>(())
+//! ```
 
 mod campaign;
 mod confirm;

@@ -21,6 +21,7 @@ use crate::{
 
 /// The theorem, or a false statement like it, for tests.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum WordStatement {
     /// The word theorem.
     True,
