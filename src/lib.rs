@@ -43,9 +43,10 @@
 //! # When to use it, and when not
 //!
 //! Use it to attach a checked proof to a statement about these orbits, to ask which orbits a grazing
-//! bifurcation gives birth to, to simulate an oscillator with impacts, or for exact Farey arithmetic.
-//! Do not use it for maps with more than one square-root direction. Nordmark's Theorem 1, which turns signs into
-//! orbits, is proved for maps in `proofs/`; that an oscillator near grazing has such a map is taken from the paper.
+//! bifurcation gives birth to, to simulate an oscillator with impacts, or for exact Farey arithmetic. Do not
+//! use it for maps with more than one square-root direction. Nordmark's Theorem 1, which turns signs into
+//! orbits, is proved for maps in `proofs/`; that an oscillator near grazing has such a map is taken from the
+//! paper.
 //!
 //! # Map
 //!

@@ -214,8 +214,8 @@ impl LinearFlow {
         MachineState { t, q: x.rows(0, n).into_owned(), u: x.rows(n, n).into_owned() }
     }
 
-    /// The real parts of the eigenvalues with the other sign, ascending: how fast motions decay. For one block a bound
-    /// of its matrix in place of each.
+    /// The real parts of the eigenvalues with the other sign, ascending: how fast motions decay. For one
+    /// block a bound of its matrix in place of each.
     pub(super) fn decays(&self) -> Vec<f64> {
         let of = |pair: Pair| match pair {
             Pair::Mode { damping, stiffness } => {

@@ -26,8 +26,8 @@
 //!   the continuation of `oscillator` ([`branch`]). Derivatives come from the flow, the saltation at impacts
 //!   and [`MachineSlope`]: nothing is differenced.
 //!
-//! - **Attractors.** [`section`] is the machine as sections, basins, diagrams and Lyapunov exponents of `oscillator`
-//!   follow it: there is one notion of an attractor.
+//! - **Attractors.** [`section`] is the machine as sections, basins, diagrams and Lyapunov exponents of
+//!   `oscillator` follow it: there is one notion of an attractor.
 //!
 //! Linear algebra is by `nalgebra`, 18 packages; `faer` would bring 57 and the eigenvectors of general
 //! matrices, which are thirty lines here. Not here: what is to be done, as a file (`scene`); tables and

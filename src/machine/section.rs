@@ -1,9 +1,10 @@
-//! Machines as the chapter on attractors follows them (`oscillator::attractor`): sections seen in a plane, starts,
-//! and one measure of how far apart two states are.
+//! Machines as the chapter on attractors follows them (`oscillator::attractor`): sections seen in a plane,
+//! starts, and one measure of how far apart two states are.
 //!
-//! States are told apart by the whole state, in coordinates in which the mass is 1, x = Lᵀq with M = L Lᵀ, and
-//! velocities are per radian of the forcing: displacements and velocities of all parts have one unit there. They
-//! are divided by [`MachineSimulator::unit`], so that motions have a size of about 1, whatever units a scene is in.
+//! States are told apart by the whole state, in coordinates in which the mass is 1, x = Lᵀq with M = L Lᵀ,
+//! and velocities are per radian of the forcing: displacements and velocities of all parts have one unit
+//! there. They are divided by [`MachineSimulator::unit`], so that motions have a size of about 1, whatever
+//! units a scene is in.
 
 use serde::{Deserialize, Serialize};
 
@@ -141,11 +142,12 @@ impl PlanarMachine {
         Ok(PlanarMachine { simulator, plane, base: [none(), none()], directions, unit })
     }
 
-    /// The same, starts in the plane having displacements q and velocities u, of the coordinates of the scene and per
-    /// unit of time, but for those of the axes.
+    /// The same, starts in the plane having displacements q and velocities u, of the coordinates of the scene
+    /// and per unit of time, but for those of the axes.
     ///
     /// # Errors
-    /// An axis that is a gap or its rate; points that do not tell the amplitudes of all modes; lists of another length.
+    /// An axis that is a gap or its rate; points that do not tell the amplitudes of all modes; lists of
+    /// another length.
     pub fn starting(
         self,
         machine: &Machine<f64>,
@@ -258,9 +260,9 @@ impl Dynamics for PlanarMachine {
 }
 
 impl MachineSimulator {
-    /// What the unit of displacements and velocities is, in coordinates of mass 1: the largest gap on the motion that
-    /// the forces bring about, over the stops, as the displacement that closes it; without stops the size of that
-    /// motion; 1 if there is neither.
+    /// What the unit of displacements and velocities is, in coordinates of mass 1: the largest gap on the
+    /// motion that the forces bring about, over the stops, as the displacement that closes it; without stops
+    /// the size of that motion; 1 if there is neither.
     pub fn unit(&self) -> f64 {
         const LOOKS: u32 = 64;
         let (flow, equations) = (self.flow(), self.equations());

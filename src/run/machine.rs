@@ -171,7 +171,8 @@ impl Job<'_> {
     /// A machine with the plane in which its sections are seen.
     ///
     /// # Errors
-    /// Those of [`machine_simulator`](Self::machine_simulator); a plane that names what the machine does not have.
+    /// Those of [`machine_simulator`](Self::machine_simulator); a plane that names what the machine does not
+    /// have.
     pub(super) fn planar(
         &self,
         machine: &Machine<f64>,

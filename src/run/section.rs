@@ -65,7 +65,8 @@ row! {
         pub attractor: usize,
         /// Which exponent, from 1: the largest first, with multiplicity.
         pub exponent: usize,
-        /// The exponent times the forcing period; absent where it is −∞: a direction that a rest on a stop ends.
+        /// The exponent times the forcing period; absent where it is −∞: a direction that a rest on a stop
+        /// ends.
         pub per_period: Option<f64>,
         /// Its standard error; absent where the exponent is, or for a run too short.
         pub standard_error: Option<f64>,
@@ -171,8 +172,8 @@ pub fn section(task: &SectionTask, job: &Job) -> Result<SectionFindings> {
     }
 }
 
-/// The attractors that motions from the starts lead to, and of the periodic ones their place in the list and their
-/// points.
+/// The attractors that motions from the starts lead to, and of the periodic ones their place in the list and
+/// their points.
 #[allow(clippy::type_complexity)]
 fn attractors<D: Dynamics>(
     task: &SectionTask,

@@ -125,8 +125,8 @@ keys! {
         phase: BigRational = "0",
         /// the frame in which the displacement is measured
         frame: Frame = "\"fixed\"",
-        /// of a machine, what of its state is kept, the first drawn: `q2` and `u2` are displacement and velocity of a
-        /// coordinate, `gap NAME` and `rate NAME` the gap of a stop and how fast it opens
+        /// of a machine, what of its state is kept, the first drawn: `q2` and `u2` are displacement and
+        /// velocity of a coordinate, `gap NAME` and `rate NAME` the gap of a stop and how fast it opens
         plane: Vec<String> = "[]",
         /// how many periods pass first, unrecorded
         transient: u64 = "1000",

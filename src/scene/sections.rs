@@ -25,10 +25,11 @@ keys! {
         /// how many points show a motion that is not periodic; its Lyapunov exponent is taken over as many
         /// periods
         points: u32 = "2000",
-        /// how many Lyapunov exponents are found, the largest first; of a machine at most twice its coordinates
+        /// how many Lyapunov exponents are found, the largest first; of a machine at most twice its
+        /// coordinates
         exponents: u32 = "1",
-        /// of a machine, by which two numbers of its state points are drawn: `q2` and `u2` are displacement and velocity
-        /// of a coordinate, `gap NAME` and `rate NAME` the gap of a stop and how fast it opens
+        /// of a machine, by which two numbers of its state points are drawn: `q2` and `u2` are displacement
+        /// and velocity of a coordinate, `gap NAME` and `rate NAME` the gap of a stop and how fast it opens
         plane: Vec<String> = "[]",
         /// the longest period that counts as periodic, in forcing periods
         longest: u32 = "64",
@@ -48,7 +49,8 @@ keys! {
         q: Values,
         /// velocities of the starts; of a machine, values of the second
         u: Values,
-        /// of a machine, which two displacements or velocities are varied: `q2` and `u2` are those of a coordinate
+        /// of a machine, which two displacements or velocities are varied: `q2` and `u2` are those of a
+        /// coordinate
         plane: Vec<String> = "[]",
         /// of a machine, the other displacements and velocities of every start; without it 0
         start: Option<Start>,

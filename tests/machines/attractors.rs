@@ -1,5 +1,6 @@
-//! Sections, diagrams, basins and Lyapunov exponents of machines: against the engine for one degree of freedom, against
-//! the second integrator, against multipliers from Newton's method and against Liouville's formula.
+//! Sections, diagrams, basins and Lyapunov exponents of machines: against the engine for one degree of
+//! freedom, against the second integrator, against multipliers from Newton's method and against Liouville's
+//! formula.
 
 use std::f64::consts::TAU;
 
@@ -40,7 +41,8 @@ fn findings(text: &str) -> Vec<Findings> {
     reports.into_iter().map(|report| report.findings.unwrap_or_else(|| panic!("{}", report.status))).collect()
 }
 
-/// The paper's oscillator, as a scene of either format: as a machine its mass is 3 and its unit of time another.
+/// The paper's oscillator, as a scene of either format: as a machine its mass is 3 and its unit of time
+/// another.
 fn paper(machine: bool, tasks: &str) -> String {
     let (format, system, wall) = if machine {
         // T = 1/2: velocities are 4π times as large.

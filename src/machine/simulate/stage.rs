@@ -383,7 +383,8 @@ impl Stage {
         self.raised(self.flow.join(t, y))
     }
 
-    /// The machine's own state after `duration` ≥ 0 of motion in this stage, over as many periods as that takes.
+    /// The machine's own state after `duration` ≥ 0 of motion in this stage, over as many periods as that
+    /// takes.
     pub fn after(&self, state: &MachineState, duration: f64) -> MachineState {
         self.raised(self.flow.after(&self.lowered(state), duration))
     }

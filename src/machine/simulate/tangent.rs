@@ -1,13 +1,13 @@
 //! A motion with vectors that its derivative carries along: what Lyapunov exponents of machines rest on.
 //!
-//! In flight, and at rest on stops, vectors move by the homogeneous flow. At an impact with incoming speed V they
-//! take part in Newton's law, and a motion beside this one is hit later by δt = w·δq/V:
+//! In flight, and at rest on stops, vectors move by the homogeneous flow. At an impact with incoming speed V
+//! they take part in Newton's law, and a motion beside this one is hit later by δt = w·δq/V:
 //!
 //!   δq⁺ = δq + (q′⁻ − q′⁺) δt,  δq′⁺ = δq′ + (q″⁻ − q″⁺) δt + M⁻¹Wᵀ δΛ,
 //!
-//! δΛ being the change of the impulses with the rates of the gaps there. Where the machine comes to rest on stops,
-//! what is not motion along them is gone. Rest ends without a jump: q″ is continuous there. A vector of several
-//! stops hit at one instant by chance is that of the order in which the law takes them.
+//! δΛ being the change of the impulses with the rates of the gaps there. Where the machine comes to rest on
+//! stops, what is not motion along them is gone. Rest ends without a jump: q″ is continuous there. A vector
+//! of several stops hit at one instant by chance is that of the order in which the law takes them.
 //!
 //! Vectors are in coordinates in which the mass is 1, (Lᵀδq, Lᵀδq′).
 
@@ -107,7 +107,8 @@ impl<'a> MachineTangents<'a> {
         self.advance(then.since(self.now));
     }
 
-    /// The impacts at one instant, of which these were told; the state before is known, that after is the run's.
+    /// The impacts at one instant, of which these were told; the state before is known, that after is the
+    /// run's.
     fn saltation(&mut self, hits: &[StopImpact], before: &[usize]) -> Result<()> {
         let contacts = self.simulator.contacts();
         let (arrival, after, stage) = (self.state.clone(), self.run.state(), self.run.stage());

@@ -1,6 +1,6 @@
 //! What this chapter asks of a system: motions that can be followed from any start, states as a section sees
-//! them, vectors that a motion's derivative carries along. An oscillator's [`Simulator`] has all of it; so have
-//! machines, in a module above this one.
+//! them, vectors that a motion's derivative carries along. An oscillator's [`Simulator`] has all of it; so
+//! have machines, in a module above this one.
 
 use std::fmt::Debug;
 
@@ -79,9 +79,9 @@ pub trait Tangents {
     /// How many impacts there were.
     fn impacts(&self) -> u64;
 
-    /// On to `goal`. To `growth`, an entry for each vector, is added the logarithm of the growth of the first;
-    /// of the second, beside the first; and so on: −∞ for one that vanishes. The vectors are orthonormal before
-    /// and after.
+    /// On to `goal`. To `growth`, an entry for each vector, is added the logarithm of the growth of the
+    /// first; of the second, beside the first; and so on: −∞ for one that vanishes. The vectors are
+    /// orthonormal before and after.
     ///
     /// # Errors
     /// Those of [`Motion::pass`].
@@ -172,8 +172,8 @@ impl Dynamics for Simulator {
     }
 }
 
-/// Orthonormal vectors from these, in their order, with the logarithm of what is left of each beside those before
-/// it. What is left of a vector that is at most `floor` times as long as it was counts as nothing.
+/// Orthonormal vectors from these, in their order, with the logarithm of what is left of each beside those
+/// before it. What is left of a vector that is at most `floor` times as long as it was counts as nothing.
 pub(crate) fn orthonormalise<V: AsMut<[f64]> + AsRef<[f64]>>(
     frame: &mut [V],
     growth: &mut [f64],

@@ -103,9 +103,9 @@ impl Tangents for Carried<'_> {
     }
 }
 
-/// The largest exponent of the motion from (q, u) at `time` over `transient` and then `periods` forcing periods.
-/// Tangencies and the square root at them are passed as if there were no wall; an impact of velocity w stretches by
-/// O(1/w). Asks `monitor` whether to go on.
+/// The largest exponent of the motion from (q, u) at `time` over `transient` and then `periods` forcing
+/// periods. Tangencies and the square root at them are passed as if there were no wall; an impact of velocity
+/// w stretches by O(1/w). Asks `monitor` whether to go on.
 ///
 /// # Errors
 /// A start behind a wall, or no periods; the monitor's.
@@ -122,8 +122,9 @@ pub fn lyapunov(
     all.into_iter().next().ok_or_else(|| Error::input("no exponent"))
 }
 
-/// The largest `count` exponents, with multiplicity, the largest first, of the motion from a start: as [`lyapunov`].
-/// Those of one motion share impacts and end. Cost: the motion's, and that of `count` vectors in each flight.
+/// The largest `count` exponents, with multiplicity, the largest first, of the motion from a start: as
+/// [`lyapunov`]. Those of one motion share impacts and end. Cost: the motion's, and that of `count` vectors
+/// in each flight.
 ///
 /// # Errors
 /// As [`lyapunov`]; a count that is not from 1 to the dimension.

@@ -17,8 +17,8 @@ pub struct SectionPoint<P = [f64; 2]> {
     pub impacts: u64,
 }
 
-/// Shows the next `count` points at `phase` ∈ [0, 2π), the first strictly later than the run's time; false from
-/// `each` ends it early. Returns [`RunEnd::Reached`] unless the run ended by itself.
+/// Shows the next `count` points at `phase` ∈ [0, 2π), the first strictly later than the run's time; false
+/// from `each` ends it early. Returns [`RunEnd::Reached`] unless the run ended by itself.
 ///
 /// # Errors
 /// Those of [`Motion::pass`].
