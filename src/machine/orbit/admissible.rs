@@ -38,6 +38,7 @@ pub struct MachineMinimum {
 
 /// Whether a solution is an orbit.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub enum MachineAdmissibility {
     /// Every impact comes in, and on the legs between them the simulator finds no other contact.
     Admissible,
@@ -49,6 +50,7 @@ pub enum MachineAdmissibility {
 
 /// What is in the way of an orbit.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub enum MachineObstacle {
     /// This impact, from 0, has V ≤ 0.
     Outgoing(usize),
