@@ -8,7 +8,9 @@ use super::Outcome;
 use crate::{
     cli::progress::Interrupt,
     error::Result,
-    figure::{accuracy_figure, accuracy_table, effects_table, flow_accuracy, flow_table, long_runs_table},
+    figure::{
+        Place, accuracy_figure, accuracy_table, effects_table, flow_accuracy, flow_table, long_runs_table,
+    },
     output::{Destination, TableFormat, make_folder, write_file},
     study::{
         FAMILIES,
@@ -67,7 +69,7 @@ fn signs(args: &Args, interrupt: &Interrupt) -> Result<()> {
         rows.extend(measure(family));
     }
     Destination::Stdout.write(|out| accuracy_table(&rows, TableFormat::Table, out))?;
-    accuracy_figure(&rows, &args.output)
+    accuracy_figure(&rows, &Place { folder: &args.output, name: "accuracy" })
 }
 
 fn simulations(args: &Args, interrupt: &Interrupt) -> Result<()> {
@@ -79,7 +81,7 @@ fn simulations(args: &Args, interrupt: &Interrupt) -> Result<()> {
         }
     }
     Destination::Stdout.write(|out| flow_table(&rows, TableFormat::Table, out))?;
-    flow_accuracy(&rows, &args.output)?;
+    flow_accuracy(&rows, &Place { folder: &args.output, name: "flow-accuracy" })?;
     let rows = long_runs(6)?;
     Destination::Stdout.write(|out| long_runs_table(&rows, TableFormat::Table, out))?;
     write_file(&args.output.join("long-runs.csv"), |out| long_runs_table(&rows, TableFormat::Csv, out))

@@ -12,7 +12,7 @@ use crate::{
     certificate,
     cli::progress::{Interrupt, Progress},
     error::{Error, Result},
-    figure,
+    figure::{self, Place},
     number::{parse_integer, parse_rational},
     output::{Destination, make_folder},
     search::cover::{Cover, CoverOptions, certificate as assemble, cover},
@@ -140,35 +140,32 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
         Figure::Entropy => 40,
         _ => 15,
     });
+    let file = args.figure.file();
+    let place = Place { folder: &args.output, name: &file };
     match args.figure {
-        Figure::Regions => figure::regions(&args.output)?,
-        Figure::Iterate => figure::iterate_boundaries(n, &args.output)?,
+        Figure::Regions => figure::regions(&place)?,
+        Figure::Iterate => figure::iterate_boundaries(n, &place)?,
         Figure::Areas => {
             let cover = proved_cover(n, &Progress::new(interrupt, n + 1, "strips"))?;
-            figure::areas(n, &cover, &args.output)?;
+            figure::areas(n, &cover, &place)?;
         }
-        Figure::Intervals => figure::intervals(n, &args.output)?,
+        Figure::Intervals => figure::intervals(n, &place)?,
         Figure::Records => {
-            figure::records(&number(&args.r, "0.993")?, &number(&args.s, "0.205")?, n, &args.output)?
+            figure::records(&number(&args.r, "0.993")?, &number(&args.s, "0.205")?, n, &place)?
         }
-        Figure::Words => {
-            figure::words(n, &args.output, &Progress::new(interrupt, n.saturating_sub(2), "periods"))?
-        }
-        Figure::Entropy => figure::entropy(n, &args.output, &Progress::new(interrupt, 0, "intervals"))?,
-        Figure::Tips => {
-            figure::tips(n, &args.output, &Progress::new(interrupt, n.saturating_sub(3), "periods"))?
-        }
+        Figure::Words => figure::words(n, &place, &Progress::new(interrupt, n.saturating_sub(2), "periods"))?,
+        Figure::Entropy => figure::entropy(n, &place, &Progress::new(interrupt, 0, "intervals"))?,
+        Figure::Tips => figure::tips(n, &place, &Progress::new(interrupt, n.saturating_sub(3), "periods"))?,
         Figure::Branches => paper("figure6", &args.output, interrupt)?,
         Figure::Diagram => paper("figure7", &args.output, interrupt)?,
         Figure::Before => paper("figure8", &args.output, interrupt)?,
         Figure::Near => paper("figure9", &args.output, interrupt)?,
         Figure::After => paper("figure10", &args.output, interrupt)?,
-        Figure::Orbits => figure::orbits(&args.output)?,
+        Figure::Orbits => figure::orbits(&place)?,
     }
     // Those drawn from the paper's scene are reported by its task.
     if !args.figure.is_of_a_scene() {
-        let base = args.output.join(args.figure.file());
-        let (picture, data) = (base.with_extension("svg"), base.with_extension("csv"));
+        let (picture, data) = (place.picture(), place.data());
         Destination::Stdout
             .write(|out| Ok(writeln!(out, "wrote {} and {}", picture.display(), data.display())?))?;
     }

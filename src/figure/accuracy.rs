@@ -1,25 +1,30 @@
 //! What accuracy costs: time against certain digits, both axes logarithmic.
 
-use std::{fs, io::Write, path::Path};
+use std::io::Write;
 
-use plotters::prelude::*;
-
+use super::{
+    Place,
+    canvas::{
+        At, BLACK, BLUE, COLUMN, Canvas, Colour, GREEN, GREY, ORANGE, PINK, RED, SKY, Stroke, Words, line,
+    },
+    frame::{Axis, Frame},
+    legend::Legend,
+};
 use crate::{
-    error::{Error, Result},
+    error::Result,
     local::Rung,
     output::{Column, TableCell, TableFormat, TableWriter, write_file},
-    study::{Evaluation, FAMILIES, Measured},
+    study::{Evaluation, Measured},
 };
 
-/// Writes `accuracy.svg` and `accuracy.csv` into `folder`.
+/// Writes the picture and its data.
 ///
 /// # Errors
 /// An I/O error.
-pub fn accuracy_figure(rows: &[Measured], folder: &Path) -> Result<()> {
-    fs::create_dir_all(folder).map_err(|error| Error::io("create", folder, error))?;
-    let picture = draw(rows).map_err(|error| Error::from(std::io::Error::other(error.to_string())))?;
-    write_file(&folder.join("accuracy.svg"), |out| Ok(out.write_all(picture.as_bytes())?))?;
-    write_file(&folder.join("accuracy.csv"), |out| accuracy_table(rows, TableFormat::Csv, out))
+pub fn accuracy_figure(rows: &[Measured], place: &Place) -> Result<()> {
+    let shown: Vec<Shown> = rows.iter().map(Shown::from).collect();
+    place.draw(&draw(&shown))?;
+    write_file(&place.data(), |out| accuracy_table(rows, TableFormat::Csv, out))
 }
 
 /// Writes the table behind the figure.
@@ -71,77 +76,132 @@ fn method(method: Evaluation) -> String {
     }
 }
 
-const COLOURS: [RGBColor; 7] = [
-    RGBColor(0, 0, 0),
-    RGBColor(0, 114, 178),
-    RGBColor(86, 180, 233),
-    RGBColor(204, 121, 167),
-    RGBColor(213, 94, 0),
-    RGBColor(230, 159, 0),
-    RGBColor(0, 158, 115),
-];
+/// What is drawn of a measurement.
+struct Shown {
+    family: String,
+    method: String,
+    /// Nanoseconds.
+    time: f64,
+    digits: Option<f64>,
+}
 
-fn draw(rows: &[Measured]) -> std::result::Result<String, Box<dyn std::error::Error>> {
-    let mut svg = String::new();
-    let root = SVGBackend::with_string(&mut svg, (860, 600)).into_drawing_area();
-    root.fill(&WHITE)?;
-    let mut chart = ChartBuilder::on(&root)
-        .margin(20)
-        .margin_top(60)
-        .x_label_area_size(52)
-        .y_label_area_size(84)
-        .build_cartesian_2d((0.8f64..8000.0).log_scale(), (10f64..1e9).log_scale())?;
-    let duration = |ns: &f64| match *ns {
-        ns if ns < 1e3 => format!("{ns:.0} ns"),
-        ns if ns < 1e6 => format!("{:.0} µs", ns / 1e3),
-        ns if ns < 1e9 => format!("{:.0} ms", ns / 1e6),
-        ns => format!("{:.0} s", ns / 1e9),
-    };
-    chart
-        .configure_mesh()
-        .light_line_style(RGBColor(240, 240, 240))
-        .bold_line_style(RGBColor(215, 215, 215))
-        .x_desc("certain decimal digits of b_{n,k}")
-        .y_desc("time of one evaluation")
-        .x_label_formatter(&|digits| format!("{digits:.0}"))
-        .y_label_formatter(&duration)
-        .label_style(("sans-serif", 14))
-        .axis_desc_style(("sans-serif", 16))
-        .draw()?;
-    for (family, colour) in FAMILIES.into_iter().zip(COLOURS) {
-        let of_family = || rows.iter().filter(move |row| row.family == family);
-        // Less than one digit is drawn at the left edge.
-        let place = |row: &Measured| Some((row.digits?.max(0.8), row.time.as_nanos() as f64));
-        let enclosed =
-            |row: &&Measured| !matches!(row.method, Evaluation::Naive | Evaluation::Rung(Rung::Plain));
-        let line: Vec<(f64, f64)> = of_family().filter(enclosed).filter_map(place).collect();
-        chart
-            .draw_series(LineSeries::new(line.iter().copied(), colour.stroke_width(2)))?
-            .label(family.name())
-            .legend(move |(x, y)| PathElement::new([(x, y), (x + 22, y)], colour.stroke_width(3)));
-        chart.draw_series(line.into_iter().map(|at| Circle::new(at, 4, colour.filled())))?;
-        let plain = |method| of_family().filter(move |row| row.method == method).filter_map(place);
-        chart.draw_series(
-            plain(Evaluation::Rung(Rung::Plain)).map(|at| Circle::new(at, 5, colour.stroke_width(2))),
-        )?;
-        chart.draw_series(plain(Evaluation::Naive).map(|at| Cross::new(at, 5, colour.stroke_width(2))))?;
+impl From<&Measured> for Shown {
+    fn from(row: &Measured) -> Shown {
+        Shown {
+            family: row.family.name().into(),
+            method: method(row.method),
+            time: row.time.as_nanos() as f64,
+            // As the table has it.
+            digits: row.digits.and_then(|x| format!("{x:.1}").parse().ok()).filter(|x: &f64| x.is_finite()),
+        }
     }
-    chart
-        .configure_series_labels()
-        .position(SeriesLabelPosition::UpperLeft)
-        .background_style(WHITE.mix(0.9))
-        .border_style(RGBColor(200, 200, 200))
-        .label_font(("sans-serif", 15))
-        .draw()?;
-    root.draw(&Text::new(
-        "What accuracy costs: b_{n,k} by rung and family of inputs",
-        (84, 10),
-        ("sans-serif", 18),
-    ))?;
-    let key = "lines: f64 interval, then 128, 256, 1024, 4096, 16384 bits;   ○ plain f64, ✕ naive formula: digits that happen to be right";
-    root.draw(&Text::new(key, (84, 36), ("sans-serif", 13)))?;
-    root.present()?;
-    drop(chart);
-    drop(root);
-    Ok(svg)
+}
+
+const COLOURS: [Colour; 7] = [BLACK, BLUE, SKY, PINK, RED, ORANGE, GREEN];
+
+/// Less than one certain digit has a column of its own, left of a broken line; this is its middle, as a
+/// logarithm.
+const NONE: f64 = -0.35;
+
+/// A time in words, from its logarithm in nanoseconds.
+pub(super) fn duration(exponent: i32) -> String {
+    let (value, unit) = match exponent {
+        ..3 => (exponent, "ns"),
+        3..6 => (exponent - 3, "µs"),
+        6..9 => (exponent - 6, "ms"),
+        _ => (exponent - 9, "s"),
+    };
+    format!("{} {unit}", 10u64.pow(value.max(0) as u32))
+}
+
+fn draw(rows: &[Shown]) -> Canvas {
+    let mut families: Vec<&str> = rows.iter().map(|row| row.family.as_str()).collect();
+    families.dedup();
+    let mut legend = Legend::default();
+    for (family, ink) in families.iter().zip(COLOURS.into_iter().cycle()) {
+        legend.add(Words::plain(family), move |canvas: &mut Canvas, at: At| sample(canvas, at, ink));
+    }
+    legend.add(Words::plain("f64 by luck"), |canvas: &mut Canvas, at: At| {
+        canvas.disc(at, 2.0, line(BLACK, 0.7))
+    });
+    legend.add("naive formula by luck", |canvas: &mut Canvas, at: At| cross(canvas, at, BLACK));
+    let high = legend.height(COLUMN - 8.0);
+    let mut canvas = Canvas::new(
+        COLUMN,
+        176.0 + high,
+        "What accuracy costs: b_{n,k} by method and family of inputs",
+        "Time of one evaluation over certain decimal digits, both logarithmic, a line per family of inputs: f64 \
+         intervals first, then 128, 256, 1024, 4096 and 16384 bits. Rings and crosses are plain floats, whose \
+         digits happen to be right.",
+    );
+    let times = rows.iter().map(|row| row.time.log10());
+    let (low, top) = times.fold((9.0, 1.0), |(low, top): (f64, f64), t| (low.min(t), top.max(t)));
+    let (low, top) = (low.floor() as i32, top.ceil() as i32);
+    let marks = (low..=top).map(|e| (f64::from(e), Words::plain(&duration(e))));
+    let mut digits = vec![(NONE, "< 1".into())];
+    digits.extend((0..=3).map(|e| (f64::from(e), format!("{}", 10u64.pow(e as u32)).into())));
+    let frame = Frame::new(
+        [2.0, 2.0, COLUMN - 4.0, 174.0],
+        Axis::marked("certain decimal digits", (-0.7, 3.9), true, digits),
+        Axis::marked("time of one evaluation", (f64::from(low), f64::from(top)), true, marks.collect()),
+    );
+    let gap = frame.path([(10f64.powf(-0.12), 10f64.powi(low)), (10f64.powf(-0.12), 10f64.powi(top))]);
+    canvas.line(gap, Stroke { dashes: Some([2.0, 2.0]), ..line(GREY, 0.4) });
+    for (&family, ink) in families.iter().zip(COLOURS.into_iter().cycle()) {
+        let of = |wanted: fn(&str) -> bool| {
+            rows.iter().filter(move |row| row.family == family && wanted(&row.method)).filter_map(|row| {
+                let digits = row.digits?;
+                Some(frame.at((if digits < 1.0 { 10f64.powf(NONE) } else { digits }, row.time)))
+            })
+        };
+        let enclosed: Vec<At> = of(|method| !matches!(method, "f64" | "f64, naive")).collect();
+        canvas.line(enclosed.clone(), line(ink, 0.8));
+        canvas.discs(enclosed, 1.4, ink);
+        canvas.discs(of(|method| method == "f64").collect(), 2.0, line(ink, 0.7));
+        of(|method| method == "f64, naive").for_each(|at| cross(&mut canvas, at, ink));
+    }
+    frame.draw(&mut canvas);
+    legend.draw(&mut canvas, (4.0, 175.0), COLUMN - 8.0);
+    canvas
+}
+
+/// A line with a dot.
+pub(super) fn sample(canvas: &mut Canvas, (x, y): At, ink: Colour) {
+    canvas.line(vec![(x - 8.0, y), (x + 8.0, y)], line(ink, 0.8));
+    canvas.disc((x, y), 1.4, ink);
+}
+
+fn cross(canvas: &mut Canvas, (x, y): At, ink: Colour) {
+    let d = 1.8;
+    canvas.lines(
+        vec![vec![(x - d, y - d), (x + d, y + d)], vec![(x - d, y + d), (x + d, y - d)]],
+        line(ink, 0.7),
+    );
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The picture in the documentation shows the table beside it; GRAZING_REDRAW=1 draws it anew.
+    #[test]
+    fn the_checked_in_picture_shows_the_checked_in_table() {
+        let folder = std::path::Path::new("docs");
+        let mut rows = Vec::new();
+        for row in csv::Reader::from_path(folder.join("accuracy.csv")).unwrap().records() {
+            let row = row.unwrap();
+            let digits = row[3].parse().ok();
+            rows.push(Shown {
+                family: row[0].into(),
+                method: row[1].into(),
+                time: row[2].parse().unwrap(),
+                digits,
+            });
+        }
+        let place = Place { folder, name: "accuracy" };
+        if std::env::var_os("GRAZING_REDRAW").is_some() {
+            place.draw(&draw(&rows)).unwrap();
+        }
+        assert!(std::fs::read_to_string(place.picture()).unwrap() == draw(&rows).svg());
+    }
 }

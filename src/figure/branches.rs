@@ -1,16 +1,12 @@
 //! Branches of periodic orbits over a parameter, with attractors behind them: stable solid, unstable broken.
 
-use std::path::Path;
-
-use plotters::{
-    prelude::*,
-    style::text_anchor::{HPos, VPos},
-};
+use std::collections::HashSet;
 
 use super::{
-    FONT, Picture, WIDTH,
-    axes::{labelled_axes, padded},
-    save, style,
+    Place,
+    canvas::{Anchor, At, BLACK, BLUE, COLUMN, Canvas, Stroke, TYPE, Words, line},
+    frame::{Axis, Frame, padded, symbol},
+    legend::Legend,
 };
 use crate::error::Result;
 
@@ -32,18 +28,12 @@ pub struct Scatter {
     pub at: Vec<(f64, f64)>,
 }
 
-/// Writes `name`.svg and `name`.csv into `folder`: a row per point, with the name of its curve, its stability
+/// Writes the picture and its data: a row per point, with the name of its curve, its stability
 /// and its label.
 ///
 /// # Errors
 /// An I/O error.
-pub fn branches(
-    curves: &[DrawnBranch],
-    scatter: &[Scatter],
-    axes: [&str; 2],
-    folder: &Path,
-    name: &str,
-) -> Result<()> {
+pub fn branches(curves: &[DrawnBranch], scatter: &[Scatter], axes: [&str; 2], place: &Place) -> Result<()> {
     let mut rows = Vec::new();
     for curve in curves {
         for (x, y, stable) in &curve.at {
@@ -63,88 +53,169 @@ pub fn branches(
         };
         rows.extend(set.at.iter().map(row));
     }
-    save(folder, name, draw(curves, scatter, axes), &["set", "parameter", "q", "stability", "label"], &rows)
+    place.save(&draw(curves, scatter, axes), &["set", "parameter", "q", "stability", "label"], &rows)
 }
 
 /// Lengths of a dash and of the gap after it.
-const DASH: [f64; 2] = [34.0, 20.0];
+const DASHES: [f64; 2] = [4.0, 2.4];
 
-fn draw(curves: &[DrawnBranch], scatter: &[Scatter], axes: [&str; 2]) -> Picture {
-    let mut svg = String::new();
-    let root = SVGBackend::with_string(&mut svg, (WIDTH, 1500)).into_drawing_area();
-    root.fill(&WHITE)?;
+fn stroke(stable: bool) -> Stroke {
+    Stroke { dashes: (!stable).then_some(DASHES), ..line(BLACK, 0.8) }
+}
+
+fn draw(curves: &[DrawnBranch], scatter: &[Scatter], axes: [&str; 2]) -> Canvas {
+    let mut legend = Legend::default();
+    let any = |stable| curves.iter().flat_map(|curve| &curve.at).any(|at| at.2 == stable);
+    for (stable, name) in [(true, "stable"), (false, "unstable")] {
+        // All of one kind of line needs no name in a plane of two parameters.
+        if any(stable) && (any(!stable) || !scatter.is_empty()) {
+            legend.add(name, move |canvas: &mut Canvas, (x, y): At| {
+                canvas.line(vec![(x - 9.0, y), (x + 9.0, y)], stroke(stable));
+            });
+        }
+    }
+    if scatter.iter().any(|set| !set.at.is_empty()) {
+        legend.add("attractors", |canvas: &mut Canvas, (x, y): At| {
+            canvas.discs((-3..=3).map(|i| (x + 2.0 * f64::from(i), y)).collect(), 0.4, BLUE);
+        });
+    }
+    let high = legend.height(COLUMN - 8.0);
+    let mut canvas = Canvas::new(
+        COLUMN,
+        190.0 + high,
+        "Branches of periodic orbits over a parameter",
+        &format!("{} over {}: stable solid, unstable broken, attractors as dots.", axes[1], axes[0]),
+    );
     let all = || {
         let lines = curves.iter().flat_map(|curve| curve.at.iter().map(|at| (at.0, at.1)));
         lines.chain(scatter.iter().flat_map(|set| set.at.iter().copied()))
     };
-    let ((left, right), (bottom, top)) = (padded(all().map(|at| at.0)), padded(all().map(|at| at.1)));
-    let mut chart = ChartBuilder::on(&root)
-        .margin(30)
-        .margin_right(if curves.len() > 1 { 150 } else { 60 })
-        .x_label_area_size(190)
-        .y_label_area_size(340)
-        .build_cartesian_2d(left..right, bottom..top)?;
-    labelled_axes(&mut chart, 6, axes)?;
-    let blue = RGBColor(0, 114, 178).filled();
-    for at in scatter.iter().flat_map(|set| &set.at) {
-        root.draw(&Circle::new(chart.backend_coord(at), 2, blue))?;
-    }
-    let pixels: Vec<Vec<(i32, i32)>> = curves
-        .iter()
-        .map(|curve| curve.at.iter().map(|at| chart.backend_coord(&(at.0, at.1))).collect())
-        .collect();
-    let mut labels = Labels::new(&pixels, 1500 - 190 - 30);
-    let mut marked = Vec::new();
-    for curve in curves {
+    let framed = |beside: f64| {
+        Frame::new(
+            [2.0, 2.0, COLUMN - 2.0 - beside, 188.0],
+            Axis::linear(symbol(axes[0]), padded(all().map(|at| at.0)), 5),
+            Axis::linear(symbol(axes[1]), padded(all().map(|at| at.1)), 6),
+        )
+    };
+    let path = |curve: &DrawnBranch, frame: &Frame| frame.path(curve.at.iter().map(|at| (at.0, at.1)));
+    let paths_in = |frame: &Frame| curves.iter().map(|curve| path(curve, frame)).collect::<Vec<_>>();
+    // Beside it stand the names of curves that go on to the right.
+    let (ends, _) = names(curves, &paths_in(&framed(0.0)));
+    let wide = ends.iter().map(|(_, text)| 4.0 + Words::plain(text).width(SMALL)).fold(0.0, f64::max);
+    let frame = framed(wide);
+    // One dot for those that would cover each other.
+    let mut seen = HashSet::new();
+    let dots = scatter.iter().flat_map(|set| &set.at).map(|at| frame.at(*at));
+    let fine = |(x, y): &At| seen.insert(((x * 8.0).round() as i64, (y * 8.0).round() as i64));
+    canvas.discs(dots.filter(fine).collect(), 0.18, BLUE);
+    let paths = paths_in(&frame);
+    let smooth: Vec<Smooth> = paths.iter().map(|path| Smooth(path)).collect();
+    let lines: Vec<Vec<At>> = smooth.iter().map(|curve| curve.points(0, usize::MAX)).collect();
+    let mut labels = Labels::new(&lines, frame.inside());
+    let mut marked: Vec<At> = Vec::new();
+    for (curve, path) in curves.iter().zip(&smooth) {
         // A stretch has the stability that both its ends have, or of two the one that is not the event's.
-        let mut end = 0;
+        let mut start = 0;
         for stretch in curve.at.chunk_by(|a, b| a.2 == b.2) {
-            end += stretch.len();
-            let next = curve.at.get(end);
-            let path: Vec<(i32, i32)> =
-                stretch.iter().chain(next).map(|at| chart.backend_coord(&(at.0, at.1))).collect();
-            let pieces = if stretch[0].2 { vec![path] } else { dashes(&path) };
-            for piece in pieces {
-                root.draw(&PathElement::new(piece, BLACK.stroke_width(6)))?;
-            }
+            let end = start + stretch.len();
+            canvas.line(path.points(start, end), stroke(stretch[0].2));
+            start = end;
         }
         for (x, y, text) in &curve.labels {
-            let (x, y) = chart.backend_coord(&(*x, *y));
+            let at = frame.at((*x, *y));
             // Where branches meet, the first to be drawn says it for all.
-            if marked.iter().any(|(a, b): &(i32, i32)| (a - x).abs() + (b - y).abs() < 60) {
+            if marked.iter().any(|other| (other.0 - at.0).abs() + (other.1 - at.1).abs() < 7.0) {
                 continue;
             }
-            marked.push((x, y));
-            root.draw(&Circle::new((x, y), 12, BLACK.filled()))?;
-            labels.wanted.push(((x, y), text.clone()));
+            marked.push(at);
+            labels.wanted.push((at, text.clone()));
         }
     }
-    // Names stand at the right ends of curves that go on to the right, one for ends that are close; else
-    // beside the curve.
-    let mut ends: Vec<((i32, i32), String)> = Vec::new();
-    let far_right = pixels.iter().flatten().map(|at| at.0).max().unwrap_or(0);
-    for (curve, path) in curves.iter().zip(&pixels) {
-        let (Some(name), Some(&end)) = (short(&curve.name), path.iter().max_by_key(|at| at.0)) else {
-            continue;
-        };
-        if curves.len() == 1 || end.0 < far_right - 20 {
-            labels.wanted.push((path[path.len() * 2 / 3], name));
-        } else if let Some((_, names)) = ends.iter_mut().find(|(at, _)| (at.1 - end.1).abs() < 50) {
+    canvas.discs(marked, 1.6, BLACK);
+    let (ends, beside) = names(curves, &paths);
+    labels.wanted.extend(beside);
+    for ((_, y), text) in ends {
+        canvas.sized(Words::plain(&text), (frame.right + 3.0, y), Anchor::Start, SMALL);
+    }
+    for (text, at) in labels.placed() {
+        canvas.sized(Words::plain(&text), at, Anchor::Start, SMALL);
+    }
+    frame.draw(&mut canvas);
+    legend.draw(&mut canvas, (4.0, 189.0), COLUMN - 8.0);
+    canvas
+}
+
+/// The size of labels inside the picture.
+const SMALL: f64 = TYPE - 1.0;
+
+/// A text and its place.
+type Label = (At, String);
+
+/// The names of curves. Those of curves that go on to the right stand at their ends, one for ends that are close;
+/// the others beside the curve.
+fn names(curves: &[DrawnBranch], paths: &[Vec<At>]) -> (Vec<Label>, Vec<Label>) {
+    let (mut ends, mut beside): (Vec<Label>, Vec<Label>) = (Vec::new(), Vec::new());
+    let far_right = paths.iter().flatten().map(|at| at.0).fold(f64::NEG_INFINITY, f64::max);
+    for (curve, path) in curves.iter().zip(paths) {
+        let end = path.iter().copied().max_by(|a, b| a.0.total_cmp(&b.0));
+        let (Some(name), Some(end)) = (short(&curve.name), end) else { continue };
+        if curves.len() == 1 || end.0 < far_right - 2.5 {
+            beside.push((path[path.len() * 2 / 3], name));
+        } else if let Some((_, names)) = ends.iter_mut().find(|(at, _)| (at.1 - end.1).abs() < 7.0) {
             *names += &format!(" {name}");
         } else {
             ends.push((end, name));
         }
     }
-    for ((x, y), names) in ends {
-        root.draw(&Text::new(names, (x + 16, y), style(FONT - 10, HPos::Left, VPos::Center)))?;
+    (ends, beside)
+}
+
+/// A curve through points without corners: a centripetal Catmull–Rom spline, which makes no loops.
+struct Smooth<'a>(&'a [At]);
+
+impl Smooth<'_> {
+    /// Close points of the curve from one of its points to another, or to its end.
+    fn points(&self, from: usize, to: usize) -> Vec<At> {
+        let to = to.min(self.0.len().saturating_sub(1));
+        let mut all: Vec<At> = self.0.get(from).copied().into_iter().collect();
+        for i in from..to {
+            self.piece(i, &mut all);
+        }
+        all
     }
-    for (text, at) in labels.placed() {
-        root.draw(&Text::new(text, at, style(FONT - 10, HPos::Left, VPos::Center)))?;
+
+    /// The piece between two points, without its beginning.
+    fn piece(&self, i: usize, all: &mut Vec<At>) {
+        let (p, q) = (self.0[i], self.0[i + 1]);
+        let length = (q.0 - p.0).hypot(q.1 - p.1);
+        let steps = (length / 1.5).ceil().clamp(1.0, 200.0) as usize;
+        // Beyond an end the curve goes straight on.
+        let mirror = |a: At, b: At| (2.0 * a.0 - b.0, 2.0 * a.1 - b.1);
+        let before = if i > 0 { self.0[i - 1] } else { mirror(p, q) };
+        let after = self.0.get(i + 2).copied().unwrap_or(mirror(q, p));
+        let gap = |a: At, b: At| (b.0 - a.0).hypot(b.1 - a.1).sqrt();
+        let (d0, d1, d2) = (gap(before, p), gap(p, q), gap(q, after));
+        if steps == 1 || d0 < 1e-6 || d2 < 1e-6 {
+            all.push(q);
+            return;
+        }
+        // The derivatives at both ends, times d1.
+        let slope = |x0: f64, x1: f64, x2: f64, x3: f64| {
+            let first = (x1 - x0) / d0 - (x2 - x0) / (d0 + d1) + (x2 - x1) / d1;
+            let second = (x2 - x1) / d1 - (x3 - x1) / (d1 + d2) + (x3 - x2) / d2;
+            (d1 * first, d1 * second)
+        };
+        let (mx, my) = (slope(before.0, p.0, q.0, after.0), slope(before.1, p.1, q.1, after.1));
+        for step in 1..=steps {
+            let t = step as f64 / steps as f64;
+            let s = 1.0 - t;
+            let at = |x: f64, y: f64, (m, n): (f64, f64)| {
+                let (a, b) = ((1.0 + 2.0 * t) * s * s, t * t * (3.0 - 2.0 * t));
+                a * x + t * s * s * m - t * t * s * n + b * y
+            };
+            all.push((at(p.0, q.0, mx), at(p.1, q.1, my)));
+        }
     }
-    root.present()?;
-    drop(chart);
-    drop(root);
-    Ok(svg)
 }
 
 /// What stands at a curve: what bifurcates there, or the pattern at the end of its name, in words if it has
@@ -160,88 +231,85 @@ fn short(name: &str) -> Option<String> {
 /// Texts beside points, placed where they cover no curve and no other text, as far as there is room.
 struct Labels {
     /// Points of all curves, close together.
-    points: Vec<(i32, i32)>,
-    /// The largest y of the panel.
-    bottom: i32,
+    points: Vec<At>,
+    /// The panel: left, top, right, bottom.
+    panel: [f64; 4],
     /// Point and text.
-    wanted: Vec<((i32, i32), String)>,
+    wanted: Vec<(At, String)>,
 }
 
 impl Labels {
-    fn new(paths: &[Vec<(i32, i32)>], bottom: i32) -> Labels {
-        let between = |pair: &[(i32, i32)]| {
+    fn new(paths: &[Vec<At>], panel: [f64; 4]) -> Labels {
+        let between = |pair: &[At]| {
             let ((x0, y0), (x1, y1)) = (pair[0], pair[1]);
-            let steps = ((x1 - x0).abs().max((y1 - y0).abs()) / 10).max(1);
-            (0..=steps).map(move |i| (x0 + (x1 - x0) * i / steps, y0 + (y1 - y0) * i / steps))
+            let steps = ((x1 - x0).abs().max((y1 - y0).abs()).min(1e4) / 1.2).ceil().max(1.0) as usize;
+            let part = move |i: usize| i as f64 / steps as f64;
+            (0..=steps).map(move |i| (x0 + (x1 - x0) * part(i), y0 + (y1 - y0) * part(i)))
         };
         let points = paths.iter().flat_map(|path| path.windows(2).flat_map(between)).collect();
-        Labels { points, bottom, wanted: Vec::new() }
+        Labels { points, panel, wanted: Vec::new() }
     }
 
     /// Each text with its left end, half-way up.
-    fn placed(&self) -> Vec<(String, (i32, i32))> {
-        let mut boxes: Vec<[i32; 4]> = Vec::new();
+    fn placed(&self) -> Vec<(String, At)> {
+        let mut boxes: Vec<[f64; 4]> = Vec::new();
         let mut placed = Vec::new();
         for ((x, y), text) in &self.wanted {
-            let (wide, half) = (text.chars().count() as i32 * 30, 34);
+            let (wide, half) = (Words::plain(text).width(SMALL) + 1.0, 0.55 * SMALL);
             // Beside, above and below the point, ever farther away.
-            let far = |d: i32| {
-                let (right, left, middle) = (30, -30 - wide, -wide / 2);
-                [(right, -d), (right, d), (left, -d), (left, d), (middle, -d - 20), (middle, d + 20)]
+            let far = |d: f64| {
+                let (right, left, middle) = (3.5, -3.5 - wide, -wide / 2.0);
+                [(right, -d), (right, d), (left, -d), (left, d), (middle, -d - 2.4), (middle, d + 2.4)]
             };
-            let around = [(36, 0), (-36 - wide, 0)];
-            let spot = |(dx, dy): (i32, i32)| [x + dx, x + dx + wide, y + dy - half, y + dy + half];
-            let cost = |spot: &[i32; 4]| {
+            let around = [(4.4, 0.0), (-4.4 - wide, 0.0)];
+            let spot = |(dx, dy): (f64, f64)| [x + dx, x + dx + wide, y + dy - half, y + dy + half];
+            let cost = |spot: &[f64; 4]| {
                 let [left, right, top, bottom] = *spot;
-                let outside = left < 300 || right > WIDTH as i32 - 20 || top < 10 || bottom > self.bottom;
-                let inside =
-                    |&&(x, y): &&(i32, i32)| (left..=right).contains(&x) && (top..=bottom).contains(&y);
-                let meets = |other: &&[i32; 4]| {
+                let edge = 1.0;
+                let outside = left < self.panel[0] + edge
+                    || right > self.panel[2] - edge
+                    || top < self.panel[1] + edge
+                    || bottom > self.panel[3] - edge;
+                let inside = |&&(x, y): &&At| (left..=right).contains(&x) && (top..=bottom).contains(&y);
+                let meets = |other: &&[f64; 4]| {
                     left < other[1] && other[0] < right && top < other[3] && other[2] < bottom
                 };
                 2000 * usize::from(outside)
                     + self.points.iter().filter(inside).count()
                     + 300 * boxes.iter().filter(meets).count()
             };
-            let spots =
-                far(44).into_iter().chain(around).chain([90, 140, 190, 240].into_iter().flat_map(far));
-            let best = spots.map(spot).min_by_key(cost);
-            let Some(best) = best else { continue };
-            placed.push((text.clone(), (best[0], (best[2] + best[3]) / 2)));
+            let farther = [11.0, 17.0, 23.0, 29.0].into_iter().flat_map(far);
+            let Some(best) = far(5.4).into_iter().chain(around).chain(farther).map(spot).min_by_key(cost)
+            else {
+                continue;
+            };
+            placed.push((text.clone(), (best[0], (best[2] + best[3]) / 2.0)));
             boxes.push(best);
         }
         placed
     }
 }
 
-/// A path broken into dashes.
-fn dashes(path: &[(i32, i32)]) -> Vec<Vec<(i32, i32)>> {
-    let (mut all, mut dash, mut left, mut on) = (Vec::new(), Vec::new(), DASH[0], true);
-    for pair in path.windows(2) {
-        let (mut from, to) = ((f64::from(pair[0].0), f64::from(pair[0].1)), pair[1]);
-        let to = (f64::from(to.0), f64::from(to.1));
-        loop {
-            let rest = (to.0 - from.0).hypot(to.1 - from.1);
-            if on {
-                dash.push((from.0.round() as i32, from.1.round() as i32));
-            }
-            if rest < left {
-                left -= rest;
-                break;
-            }
-            let part = left / rest;
-            from = (from.0 + part * (to.0 - from.0), from.1 + part * (to.1 - from.1));
-            if on {
-                dash.push((from.0.round() as i32, from.1.round() as i32));
-                all.push(std::mem::take(&mut dash));
-            }
-            on = !on;
-            left = DASH[usize::from(!on)];
-        }
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Points of a circle: between them the spline is within a thousandth of it.
+    #[test]
+    fn a_smooth_curve_keeps_its_points_and_has_no_corners() {
+        let circle = |t: f64| (100.0 * t.cos(), 100.0 * t.sin());
+        let points: Vec<At> = (0..9).map(|i| circle(f64::from(i) * 0.2)).collect();
+        let curve = Smooth(&points).points(0, usize::MAX);
+        assert!(points.iter().all(|p| curve.iter().any(|q| (p.0 - q.0).abs() + (p.1 - q.1).abs() < 1e-9)));
+        // Away from the ends, where the curve has neighbours on both sides.
+        let inner = Smooth(&points).points(1, 7);
+        assert!(inner.iter().all(|p| (p.0.hypot(p.1) - 100.0).abs() < 0.1), "{inner:?}");
+        let turn = |w: &[At]| {
+            let angle = |a: At, b: At| (b.1 - a.1).atan2(b.0 - a.0);
+            (angle(w[1], w[2]) - angle(w[0], w[1])).abs()
+        };
+        assert!(curve.windows(3).all(|w| turn(w) < 0.06));
+        assert_eq!(Smooth(&points[..1]).points(0, 9), points[..1]);
+        assert!(Smooth(&[]).points(0, 9).is_empty());
     }
-    if let (true, Some(&last)) = (on, path.last()) {
-        dash.push(last);
-        all.push(dash);
-    }
-    all
 }

@@ -1,22 +1,19 @@
 //! The paper's figure 5: the areas in which orbits of one period exist, straight from the leaves of a checked
 //! cover.
 
-use std::{f64::consts::TAU, path::Path};
+use std::f64::consts::TAU;
 
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
-use plotters::{
-    coord::Shift,
-    prelude::*,
-    style::text_anchor::{HPos, VPos},
-};
 
 use super::{
-    FONT, GREY, Picture, WIDTH,
-    axes::{Panel, plane_axes},
+    Place,
+    canvas::{Anchor, At, COLUMN, Canvas, Colour, GREY, Paint, line},
     colour,
-    iterate::region4,
-    label, save, style,
+    frame::Frame,
+    iterate::{above, plane_frame, region_lines, region4},
+    label,
+    legend::{Legend, ROW},
 };
 use crate::{
     certificate::cover::Leaf,
@@ -30,18 +27,18 @@ pub const FINEST: f64 = 0.015;
 /// The lower panel begins here.
 const BOTTOM: f64 = 0.9;
 
-/// Writes `figure5.svg` and `figure5.csv` into `folder`: where single-impact orbits of period `n` exist,
+/// Writes the picture and its data: where single-impact orbits of period `n` exist,
 /// coloured by case; the upper part again, enlarged. What is coloured in region 3 are the leaves of `cover`,
 /// which are the rows of the data. Regions 2 and 4 are drawn from the closed form.
 ///
 /// # Errors
 /// An I/O error.
-pub fn areas(n: u64, cover: &Cover, folder: &Path) -> Result<()> {
+pub fn areas(n: u64, cover: &Cover, place: &Place) -> Result<()> {
     let mut tiles = Vec::new();
     cover.leaves(|chart, leaf, cell| tiles.push(Tile::new(chart, leaf, chart.bounds(&cell))));
     let rows: Vec<Vec<String>> = tiles.iter().map(Tile::row).collect();
     let columns = ["kind", "sign_emu", "sign_gamma", "r_lower", "r_upper", "s_lower", "s_upper"];
-    save(folder, "figure5", draw(n, &tiles), &columns, &rows)
+    place.save(&draw(n, &tiles), &columns, &rows)
 }
 
 /// A leaf and its box.
@@ -70,6 +67,10 @@ impl Tile {
         [kind.to_string(), sign(Case::sign_emu), sign(Case::sign_gamma)].into_iter().chain(ends).collect()
     }
 
+    fn is_edge(&self) -> bool {
+        matches!(self.leaf, Leaf::Edge { .. })
+    }
+
     /// The box as a polygon of the plane, above a height; sides of constant s are arcs of parabolas.
     fn outline(&self, bottom: f64) -> Option<Vec<(f64, f64)>> {
         let [[r0, r1], [s0, s1]] =
@@ -86,72 +87,42 @@ impl Tile {
     }
 }
 
-/// A tint half-way to white.
-fn light(ink: RGBColor) -> RGBColor {
-    let mix = |part: u8| part / 2 + 127;
-    RGBColor(mix(ink.0), mix(ink.1), mix(ink.2))
-}
-
 /// A panel for a₂ between `bottom` and 1.
-fn panel<'a, 'b>(
-    area: &'a DrawingArea<SVGBackend<'b>, Shift>,
-    bottom: f64,
-    n: u64,
-    tiles: &[Tile],
-) -> std::result::Result<Panel<'a, 'b>, Box<dyn std::error::Error + 'a>>
-where
-    'b: 'a,
-{
-    let mut chart = ChartBuilder::on(area)
-        .margin(30)
-        .margin_right(50)
-        .x_label_area_size(190)
-        .y_label_area_size(250)
-        .build_cartesian_2d(-2f64..2.0, bottom..1.0)?;
-    // Evenly in r, since a₁ = 2√a₂ is steep at 0.
-    let heights = |low: f64, high: f64| {
-        let (low, high) = (low.sqrt(), high.sqrt());
-        (0..=200).map(move |i| (low + (high - low) * f64::from(i) / 200.0).powi(2))
-    };
-    let two = heights(bottom, 1.0)
-        .map(|a2| (2.0 * a2.sqrt(), a2))
-        .chain(heights(bottom, 1.0).map(|a2| (a2 + 1.0, a2)).rev());
-    chart.draw_series([Polygon::new(two.collect::<Vec<_>>(), colour(Case::MinusPlus).filled())])?;
-    if n % 2 == 1 {
-        chart.draw_series([Polygon::new(four(n, bottom), colour(Case::PlusMinus).filled())])?;
-    }
-    for tile in tiles {
-        let (Some(case), Some(outline)) = (tile.case, tile.outline(bottom)) else { continue };
-        let ink = if matches!(tile.leaf, Leaf::Edge { .. }) { light(colour(case)) } else { colour(case) };
-        chart.draw_series([Polygon::new(outline, ink.filled())])?;
-    }
-    plane_axes(&mut chart, 5, if bottom > 0.0 { 2 } else { 1 })?;
-    let lines: [fn(f64) -> f64; 4] =
-        [|a2| -1.0 - a2, |a2| -2.0 * a2.sqrt(), |a2| 2.0 * a2.sqrt(), |a2| 1.0 + a2];
-    for line in lines {
-        let path: Vec<(f64, f64)> = heights(bottom, 1.0).map(|a2| (line(a2), a2)).collect();
-        chart.draw_series([PathElement::new(path, GREY.stroke_width(3))])?;
-    }
-    Ok(chart)
+fn panel(canvas: &mut Canvas, heights: [f64; 2], bottom: f64, n: u64, tiles: &[Tile]) -> Frame {
+    let frame = plane_frame(heights, bottom);
+    canvas.inside(frame.inside(), |canvas| {
+        // Region 2, between the right arm of the parabola and the line.
+        let parabola = above(
+            &(0..=200).map(|i| f64::from(i) / 100.0).map(|a1| (a1, a1 * a1 / 4.0)).collect::<Vec<_>>(),
+            bottom,
+        );
+        let mut two: Vec<(f64, f64)> = parabola.into_iter().flatten().collect();
+        two.push((1.0 + bottom, bottom));
+        let whole = |ink: Colour| Paint { fill: Some(ink), stroke: Some(line(ink, SEAM)) };
+        canvas.polygon(frame.path(two), whole(colour(Case::MinusPlus)));
+        if n % 2 == 1 {
+            canvas.polygon(frame.path(four(n, bottom)), whole(colour(Case::PlusMinus)));
+        }
+        for case in CASES {
+            for edge in [false, true] {
+                let of = tiles.iter().filter(|tile| tile.case == Some(case) && tile.is_edge() == edge);
+                let outlines = of.filter_map(|tile| tile.outline(bottom)).map(|outline| frame.path(outline));
+                let ink = if edge { colour(case).tint(0.5) } else { colour(case) };
+                canvas.polygons(outlines.collect(), whole(ink));
+            }
+        }
+        for path in region_lines(bottom) {
+            canvas.line(frame.path(path), line(GREY, 0.5));
+        }
+    });
+    frame.draw(canvas);
+    frame
 }
 
-/// The picture with an outline of its own colour round each polygon, one unit to each side: vertices are
-/// whole units, and tiles that share a side need not share vertices there.
-fn outlined(svg: &str) -> String {
-    let mut all = String::with_capacity(svg.len() * 5 / 4);
-    for line in svg.split_inclusive('\n') {
-        let ink =
-            line.strip_prefix("<polygon ").and_then(|rest| rest.split_once("fill=\"")?.1.split_once('"'));
-        match ink {
-            Some((ink, _)) => {
-                all.push_str(&format!("<polygon stroke=\"{ink}\" stroke-width=\"2\" "));
-                all.push_str(&line["<polygon ".len()..]);
-            }
-            None => all.push_str(line),
-        }
-    }
-    all
-}
+/// The cases in which orbits of a period n > 2 exist in these regions.
+const CASES: [Case; 3] = [Case::MinusPlus, Case::PlusPlus, Case::PlusMinus];
+/// Tiles of one colour overlap by half of this: they need not share vertices where they share a side.
+const SEAM: f64 = 0.12;
 
 /// The part of region 4, n odd, where b_{n,n−2} > 0, above a height.
 fn four(n: u64, bottom: f64) -> Vec<(f64, f64)> {
@@ -169,25 +140,24 @@ fn four(n: u64, bottom: f64) -> Vec<(f64, f64)> {
     right
 }
 
-fn draw(n: u64, tiles: &[Tile]) -> Picture {
-    let mut svg = String::new();
-    let root = SVGBackend::with_string(&mut svg, (WIDTH, 2300)).into_drawing_area();
-    root.fill(&WHITE)?;
-    let (legend, rest) = root.split_vertically(100);
-    let (upper, lower) = rest.split_vertically(1200);
-    let mut x = 250;
-    for case in [Case::MinusPlus, Case::PlusPlus, Case::PlusMinus] {
-        legend.draw(&Rectangle::new([(x, 35), (x + 60, 85)], colour(case).filled()))?;
-        legend.draw(&Text::new(label(case), (x + 80, 60), style(FONT, HPos::Left, VPos::Center)))?;
-        x += 340;
+fn draw(n: u64, tiles: &[Tile]) -> Canvas {
+    let mut canvas = Canvas::new(
+        COLUMN,
+        304.0,
+        &format!("Where single-impact orbits of period {n} exist"),
+        "Above, the (a1, a2) plane for 0 < a2 < 1; below, the part above a2 = 0.9. The colour of an area says for which \
+         signs of e mu and gamma the orbit exists; pale are the boxes that an edge passes through.",
+    );
+    let mut legend = Legend::default();
+    let drawn = |case| case == Case::MinusPlus || tiles.iter().any(|tile| tile.case == Some(case));
+    for case in CASES.into_iter().filter(|&case| drawn(case)) {
+        legend.add(label(case), move |canvas: &mut Canvas, (x, y): At| {
+            canvas.rectangle([x - 8.0, y - 3.5, x + 8.0, y + 3.5], colour(case));
+        });
     }
-    let title = format!("period {n}");
-    legend.draw(&Text::new(title, (WIDTH as i32 - 50, 60), style(FONT, HPos::Right, VPos::Center)))?;
-    panel(&upper, 0.0, n, tiles).map_err(|error| error.to_string())?;
-    panel(&lower, BOTTOM, n, tiles).map_err(|error| error.to_string())?;
-    root.present()?;
-    drop((legend, upper, lower, rest));
-    drop(root);
-    // Without this, white shines through between tiles that share a side.
-    Ok(outlined(&svg).replacen("<svg ", "<svg shape-rendering=\"crispEdges\" ", 1))
+    legend.draw(&mut canvas, (36.0, 2.0), COLUMN);
+    canvas.text(format!("period {n}"), (COLUMN - 4.0, 2.0 + ROW / 2.0), Anchor::End);
+    panel(&mut canvas, [16.0, 162.0], 0.0, n, tiles);
+    panel(&mut canvas, [168.0, 302.0], BOTTOM, n, tiles);
+    canvas
 }

@@ -1,16 +1,16 @@
 //! The entropy of the patterns born at a grazing bifurcation without damping, r = 1, over the angle s: steps
 //! between Farey fractions.
 
-use std::path::Path;
-
 use num_rational::{BigRational, Ratio};
 use num_traits::ToPrimitive;
-use plotters::{
-    prelude::*,
-    style::text_anchor::{HPos, VPos},
-};
 
-use super::{FONT, GREY, Picture, WIDTH, axes::labelled_axes, colour, label, save, style};
+use super::{
+    Place,
+    canvas::{Anchor, COLUMN, Canvas, GREY, TYPE, WHITE, Words, line},
+    colour,
+    frame::{Axis, Frame},
+    label,
+};
 use crate::{
     error::{Error, Result},
     existence::Case,
@@ -36,13 +36,13 @@ struct Step {
     entropy: Option<f64>,
 }
 
-/// Writes `entropy.svg` and `entropy.csv` into `folder`: for r = 1 and the three cases in which patterns are
+/// Writes the picture and its data: for r = 1 and the three cases in which patterns are
 /// born, the entropy of the patterns over periods up to `last`, rounded down. It is a lower bound of that
 /// over all periods.
 ///
 /// # Errors
 /// An input error unless 3 ≤ `last` ≤ 100; an I/O error; the monitor's interruption.
-pub fn entropy(last: u64, folder: &Path, monitor: &dyn Monitor) -> Result<()> {
+pub fn entropy(last: u64, place: &Place, monitor: &dyn Monitor) -> Result<()> {
     if !(3..=100).contains(&last) {
         return Err(Error::input(format!(
             "--n {last}: this figure shows periods up to N, with N from 3 to 100"
@@ -65,7 +65,7 @@ pub fn entropy(last: u64, folder: &Path, monitor: &dyn Monitor) -> Result<()> {
         })
         .collect();
     let columns = ["sign_emu", "sign_gamma", "left", "right", "word", "periods", "entropy"];
-    save(folder, "entropy", draw(last, &steps), &columns, &rows)
+    place.save(&draw(last, &steps), &columns, &rows)
 }
 
 /// The steps between neighbours of F_N and the multiples 1/(2k), where the first U changes.
@@ -102,51 +102,57 @@ fn steps(last: u64, monitor: &dyn Monitor) -> Result<Vec<Step>> {
     Ok(steps)
 }
 
-fn draw(last: u64, steps: &[Step]) -> Picture {
-    let mut svg = String::new();
-    let root = SVGBackend::with_string(&mut svg, (WIDTH, 2700)).into_drawing_area();
-    root.fill(&WHITE)?;
-    let (head, rest) = root.split_vertically(170);
-    let panels = rest.split_evenly((3, 1));
+/// Fractions that are marked on every panel.
+const MARKED: [(u64, u64); 6] = [(1, 6), (1, 5), (1, 4), (1, 3), (2, 5), (1, 2)];
+/// The height of a panel.
+const PANEL: f64 = 116.0;
+
+fn draw(last: u64, steps: &[Step]) -> Canvas {
+    let mut canvas = Canvas::new(
+        COLUMN,
+        26.0 + 3.0 * PANEL,
+        &format!("Entropy of the patterns born without damping, periods up to {last}"),
+        "Three panels, one per case: the entropy per forcing period at r = 1 over s, a step function between \
+         fractions. It is 0 where no chaos is born.",
+    );
     let title = format!("entropy per forcing period at r = 1; periods ≤ {last}");
-    head.draw(&Text::new(title, (WIDTH as i32 / 2, 45), style(FONT, HPos::Center, VPos::Center)))?;
-    let marked: Vec<(u64, u64)> = vec![(1, 6), (1, 5), (1, 4), (1, 3), (2, 5), (1, 2)];
-    for (index, (area, case)) in
-        panels.iter().zip([Case::PlusPlus, Case::PlusMinus, Case::MinusPlus]).enumerate()
-    {
-        let top = if case == Case::PlusPlus { 0.5 } else { 0.75 };
-        let mut chart = ChartBuilder::on(area)
-            .margin(20)
-            .margin_right(60)
-            .x_label_area_size(150)
-            .y_label_area_size(210)
-            .build_cartesian_2d(0f64..0.5, 0f64..top)?;
+    canvas.text(title, (COLUMN / 2.0, 7.0), Anchor::Middle);
+    let cases = [Case::PlusPlus, Case::PlusMinus, Case::MinusPlus];
+    for (case, top) in cases.into_iter().zip((0..).map(|i| 22.0 + PANEL * f64::from(i))) {
+        let high = if case == Case::PlusPlus { 0.5 } else { 0.75 };
+        let name = if case == Case::MinusPlus { "s" } else { "" };
+        let bottom = if case == Case::MinusPlus { top + PANEL + 4.0 } else { top + PANEL - 4.0 };
+        let frame = Frame::new(
+            [2.0, top, COLUMN - 2.0, bottom],
+            Axis::linear(name, (0.0, 0.5), 5),
+            Axis::linear("", (0.0, high), 4),
+        )
+        .from_left(22.0);
+        // One outline of all steps, so that nothing shines through between them.
+        let mut outline = vec![(0.0, 0.0)];
         for step in steps.iter().filter(|step| step.case == case) {
-            let [left, right] = [step.left, step.right].map(|x| *x.numer() as f64 / *x.denom() as f64);
             let height = step.entropy.unwrap_or(0.0);
-            chart.draw_series([Rectangle::new([(left, 0.0), (right, height)], colour(case).filled())])?;
+            let ends = [step.left, step.right].map(|x| *x.numer() as f64 / *x.denom() as f64);
+            outline.extend(ends.map(|s| (s, height)));
         }
-        for &(p, q) in &marked {
+        outline.push((0.5, 0.0));
+        outline.dedup();
+        canvas.inside(frame.inside(), |canvas| canvas.polygon(frame.path(outline), colour(case)));
+        for (p, q) in MARKED {
             let s = p as f64 / q as f64;
-            chart.draw_series([PathElement::new([(s, 0.0), (s, top)], GREY.stroke_width(2))])?;
-        }
-        labelled_axes(&mut chart, 6, ["s", ""]).map_err(|error| error.to_string())?;
-        let place = if case == Case::MinusPlus { 0.3 } else { 0.008 };
-        let (x, y) = chart.backend_coord(&(place, top * 0.9));
-        let name = format!("eµ, γ: {}", label(case));
-        root.draw(&Text::new(name, (x, y), style(FONT, HPos::Left, VPos::Center)))?;
-        if index == 0 {
-            for &(p, q) in &marked {
-                let (x, _) = chart.backend_coord(&(p as f64 / q as f64, top));
-                let name = format!("{p}/{q}");
-                root.draw(&Text::new(name, (x, 140), style(FONT - 12, HPos::Center, VPos::Center)))?;
+            canvas.line(frame.path([(s, 0.0), (s, high)]), line(GREY, 0.4));
+            if case == cases[0] {
+                let (x, y) = frame.at((s, high));
+                canvas.sized(format!("{p}/{q}"), (x, y - 5.0), Anchor::Middle, 7.0);
             }
         }
+        frame.draw(&mut canvas);
+        let name = Words::from(format!("eµ, γ: {}", label(case)));
+        let (x, y) = frame.at((if case == Case::MinusPlus { 0.3 } else { 0.004 }, high * 0.92));
+        canvas.rectangle([x, y - 5.0, x + name.width(TYPE) + 4.0, y + 5.0], WHITE);
+        canvas.text(name, (x + 2.0, y), Anchor::Start);
     }
-    root.present()?;
-    drop((head, panels, rest));
-    drop(root);
-    Ok(svg)
+    canvas
 }
 
 #[cfg(test)]

@@ -1,25 +1,29 @@
 //! Theorem 2's intervals as bars, one row for each period.
 
-use std::path::Path;
-
 use num_rational::Ratio;
-use plotters::prelude::*;
 
-use super::{Picture, colour, save};
+use super::{
+    Place,
+    canvas::{At, BLACK, COLUMN, Canvas, line},
+    colour,
+    frame::{Axis, Frame},
+    label,
+    legend::Legend,
+};
 use crate::{
     error::{Error, Result},
     existence::{Case, Interval, intervals as theorem},
 };
 
-const WIDTH: u32 = 760;
-const ROW: u32 = 26;
+/// The height of a period's row.
+const HIGH: f64 = 11.0;
 
-/// Writes `intervals.svg` and `intervals.csv` into `folder`: where single-impact orbits exist on r = 1, 3 ≤ n
+/// Writes the picture and its data: where single-impact orbits exist on r = 1, 3 ≤ n
 /// ≤ `last`.
 ///
 /// # Errors
 /// An input error unless 3 ≤ `last` ≤ 40; an I/O error.
-pub fn intervals(last: u64, folder: &Path) -> Result<()> {
+pub fn intervals(last: u64, place: &Place) -> Result<()> {
     if !(3..=40).contains(&last) {
         return Err(Error::input(format!(
             "--n {last}: this figure shows periods 3 to N, with N from 3 to 40"
@@ -38,64 +42,51 @@ pub fn intervals(last: u64, folder: &Path) -> Result<()> {
         })
         .collect();
     let columns = ["n", "sign_emu", "sign_gamma", "left", "right"];
-    save(folder, "intervals", draw(last, &all), &columns, &rows)
+    place.save(&draw(last, &all), &columns, &rows)
 }
 
-fn draw(last: u64, all: &[Interval]) -> Picture {
-    let mut svg = String::new();
-    let rows = (last - 2) as u32;
-    let root = SVGBackend::with_string(&mut svg, (WIDTH, 110 + ROW * rows)).into_drawing_area();
-    root.fill(&WHITE)?;
+fn draw(last: u64, all: &[Interval]) -> Canvas {
+    let mut legend = Legend::default();
+    for case in [Case::MinusPlus, Case::PlusPlus, Case::PlusMinus] {
+        legend.add(label(case), move |canvas: &mut Canvas, (x, y): At| {
+            canvas.rectangle([x - 8.0, y - 3.5, x + 8.0, y + 3.5], colour(case));
+        });
+    }
+    legend.add("m/n, lowest terms", |canvas: &mut Canvas, (x, y): At| {
+        canvas.line(vec![(x, y - 4.5), (x, y + 4.5)], line(BLACK, 0.8));
+    });
+    let top = 2.0 + legend.height(COLUMN - 26.0);
+    let rows = (last - 2) as f64;
+    let mut canvas = Canvas::new(
+        COLUMN,
+        HIGH * rows + top + 32.0,
+        &format!("Theorem 2's intervals for periods 3 to {last}"),
+        "A row per period n: the intervals of s on which the single-impact orbit exists without damping, r = 1, \
+         coloured by the signs of e mu and gamma; a black line at each m/n in lowest terms.",
+    );
+    legend.draw(&mut canvas, (24.0, 2.0), COLUMN - 26.0);
+    let marks = (3..=last).map(|n| (n as f64, n.to_string().into())).collect();
+    let frame = Frame::new(
+        [2.0, top, COLUMN - 2.0, canvas.height - 2.0],
+        Axis::linear("s = θ/2π", (0.0, 0.5), 5),
+        // From the top down.
+        Axis::marked("n", (last as f64 + 0.6, 2.4), false, marks),
+    );
     // Drawing only: what is exact stands in the CSV.
-    let place = |x: &Ratio<u64>| *x.numer() as f64 / *x.denom() as f64;
-    let mut chart = ChartBuilder::on(&root)
-        .margin_right(24)
-        .margin_top(44)
-        .x_label_area_size(52)
-        .y_label_area_size(64)
-        .build_cartesian_2d(0f64..0.5, (last as f64 + 0.6)..2.4)?;
-    chart
-        .configure_mesh()
-        .disable_mesh()
-        .x_labels(11)
-        .y_labels(rows as usize + 2)
-        .x_label_formatter(&|s| format!("{s:.2}"))
-        .y_label_formatter(&|n| if n.fract() == 0.0 { format!("{n}") } else { String::new() })
-        .x_desc("s = θ/2π")
-        .y_desc("period n")
-        .label_style(("sans-serif", 15))
-        .axis_desc_style(("sans-serif", 17))
-        .draw()?;
+    let number = |x: &Ratio<u64>| *x.numer() as f64 / *x.denom() as f64;
     for case in [Case::MinusPlus, Case::PlusPlus, Case::PlusMinus] {
         let bars = all.iter().filter(|i| i.case == case).map(|i| {
-            let n = i.n as f64;
-            Rectangle::new([(place(&i.left), n - 0.33), (place(&i.right), n + 0.33)], colour(case).filled())
+            let (n, left, right) = (i.n as f64, number(&i.left), number(&i.right));
+            frame.path([(left, n - 0.33), (right, n - 0.33), (right, n + 0.33), (left, n + 0.33)])
         });
-        chart.draw_series(bars)?;
+        canvas.polygons(bars.collect(), colour(case));
     }
     // The multiples m/n in lowest terms, which separate (+,+) from (+,−).
     let marks = all.iter().filter(|i| i.case == Case::PlusPlus).map(|i| {
-        let (s, n) = (place(&i.right), i.n as f64);
-        PathElement::new([(s, n - 0.42), (s, n + 0.42)], BLACK)
+        let (s, n) = (number(&i.right), i.n as f64);
+        frame.path([(s, n - 0.42), (s, n + 0.42)])
     });
-    chart.draw_series(marks)?;
-    let mut x = 64;
-    for case in [Case::MinusPlus, Case::PlusPlus, Case::PlusMinus] {
-        root.draw(&Rectangle::new([(x, 15), (x + 26, 31)], colour(case).filled()))?;
-        let label = format!("{case}").replace('-', "−");
-        root.draw(&Text::new(label, (x + 33, 16), ("sans-serif", 16)))?;
-        x += 100;
-    }
-    root.draw(&PathElement::new([(x + 4, 12), (x + 4, 34)], BLACK))?;
-    root.draw(&Text::new("m/n in lowest terms", (x + 13, 16), ("sans-serif", 16)))?;
-    let right = WIDTH as i32 - 24;
-    let style = ("sans-serif", 15).into_text_style(&root).pos(plotters::style::text_anchor::Pos::new(
-        plotters::style::text_anchor::HPos::Right,
-        plotters::style::text_anchor::VPos::Top,
-    ));
-    root.draw(&Text::new("cases (sign eµ, sign γ), r = 1", (right, 16), style))?;
-    root.present()?;
-    drop(chart);
-    drop(root);
-    Ok(svg)
+    canvas.lines(marks.collect(), line(BLACK, 0.8));
+    frame.draw(&mut canvas);
+    canvas
 }

@@ -1,20 +1,16 @@
 //! The paper's figure 4: the iterate boundaries b_{n,k} = 0 that bound areas, in the (a₁, a₂) plane.
 
-use std::path::Path;
-
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, ToPrimitive, Zero};
-use plotters::{
-    coord::Shift,
-    prelude::*,
-    style::text_anchor::{HPos, VPos},
-};
 
 use super::{
-    FONT, GREY, Picture, WIDTH,
-    axes::{Panel, plane_axes},
-    colour, label, save, style,
+    Place,
+    canvas::{Anchor, At, COLUMN, Canvas, GREY, line},
+    colour,
+    frame::{Axis, Frame},
+    label,
+    legend::{Legend, ROW},
 };
 use crate::{
     error::{Error, Result},
@@ -28,12 +24,12 @@ use crate::{
 const STEPS: u64 = 60;
 const DECIMALS: u32 = 8;
 
-/// Writes `figure4.svg` and `figure4.csv` into `folder`: for 3 ≤ n ≤ `last` and each k coprime to n the part
+/// Writes the picture and its data: for 3 ≤ n ≤ `last` and each k coprime to n the part
 /// of b_{n,k} = 0 that bounds an area, labelled n,k for n ≤ 5; the upper part again, enlarged.
 ///
 /// # Errors
 /// An input error unless 3 ≤ `last` ≤ 40; an I/O error.
-pub fn iterate_boundaries(last: u64, folder: &Path) -> Result<()> {
+pub fn iterate_boundaries(last: u64, place: &Place) -> Result<()> {
     if !(3..=40).contains(&last) {
         return Err(Error::input(format!(
             "--n {last}: this figure shows periods 3 to N, with N from 3 to 40"
@@ -58,7 +54,7 @@ pub fn iterate_boundaries(last: u64, folder: &Path) -> Result<()> {
             head.iter().cloned().chain(place).collect::<Vec<String>>()
         }));
     }
-    save(folder, "figure4", draw(&curves), &["n", "k", "m", "sign_gamma", "a1", "a2"], &rows)
+    place.save(&draw(&curves), &["n", "k", "m", "sign_gamma", "a1", "a2"], &rows)
 }
 
 /// The active part of b_{n,k} = 0 as points (a₁, a₂) within 10⁻⁸.
@@ -128,47 +124,47 @@ pub(super) fn region4(n: u64) -> Vec<[BigRational; 2]> {
     points
 }
 
-pub(super) fn place(point: &[BigRational; 2]) -> (f64, f64) {
+pub(super) fn plane(point: &[BigRational; 2]) -> (f64, f64) {
     let [a1, a2] = point.each_ref().map(|x| x.to_f64().unwrap_or(f64::NAN));
     (a1, a2)
 }
 
 /// A panel for a₂ between `bottom` and 1, with the regions' lines in grey and all curves.
-fn panel<'a, 'b>(
-    area: &'a DrawingArea<SVGBackend<'b>, Shift>,
-    bottom: f64,
-    curves: &[Curve],
-) -> std::result::Result<Panel<'a, 'b>, Box<dyn std::error::Error + 'a>>
-where
-    'b: 'a,
-{
-    let mut chart = ChartBuilder::on(area)
-        .margin(30)
-        .margin_right(50)
-        .x_label_area_size(190)
-        .y_label_area_size(250)
-        .build_cartesian_2d(-2f64..2.0, bottom..1.0)?;
-    plane_axes(&mut chart, 5, if bottom > 0.0 { 2 } else { 1 })?;
-    let parabola: Vec<(f64, f64)> =
-        (-200..=200).map(|i| f64::from(i) / 100.0).map(|a1| (a1, a1 * a1 / 4.0)).collect();
-    let line = |sign: f64| vec![(sign * (1.0 + bottom), bottom), (sign * 2.0, 1.0)];
-    for path in above(&parabola, bottom).into_iter().chain([line(-1.0), line(1.0)]) {
-        chart.draw_series([PathElement::new(path, GREY.stroke_width(3))])?;
+fn panel(canvas: &mut Canvas, [top, low]: [f64; 2], bottom: f64, curves: &[Curve]) -> Frame {
+    let frame = plane_frame([top, low], bottom);
+    for path in region_lines(bottom) {
+        canvas.line(frame.path(path), line(GREY, 0.5));
     }
     // The labelled curves last, so that they lie above the others.
     for curve in curves.iter().rev() {
-        let points: Vec<(f64, f64)> = curve.points.iter().map(place).collect();
-        let width = if curve.interval.n <= 5 { 7 } else { 3 };
-        let ink = colour(curve.interval.case).stroke_width(width);
-        for part in above(&points, bottom) {
-            chart.draw_series([PathElement::new(part, ink)])?;
-        }
+        let width = if curve.interval.n <= 5 { 0.9 } else { 0.4 };
+        let parts = above(&curve.points.iter().map(plane).collect::<Vec<_>>(), bottom);
+        let parts = parts.into_iter().map(|part| frame.path(part)).collect();
+        canvas.lines(parts, line(colour(curve.interval.case), width));
     }
-    Ok(chart)
+    frame.draw(canvas);
+    frame
+}
+
+/// The plane above a height, in a part of a picture between two heights; frames below one another are aligned.
+pub(super) fn plane_frame([top, low]: [f64; 2], bottom: f64) -> Frame {
+    let (x, y) = (Axis::linear("a₁", (-2.0, 2.0), 4), Axis::linear("a₂", (bottom, 1.0), 5));
+    Frame::new([2.0, top, COLUMN - 4.0, low], x, y).from_left(36.0)
+}
+
+/// The lines between the regions above a height, from left to right.
+pub(super) fn region_lines(bottom: f64) -> Vec<Vec<(f64, f64)>> {
+    let parabola: Vec<(f64, f64)> =
+        (-200..=200).map(|i| f64::from(i) / 100.0).map(|a1| (a1, a1 * a1 / 4.0)).collect();
+    let straight = |sign: f64| vec![(sign * (1.0 + bottom), bottom), (sign * 2.0, 1.0)];
+    let mut lines = vec![straight(-1.0)];
+    lines.extend(above(&parabola, bottom));
+    lines.push(straight(1.0));
+    lines
 }
 
 /// The parts of a path at or above a height, cut there.
-fn above(path: &[(f64, f64)], height: f64) -> Vec<Vec<(f64, f64)>> {
+pub(super) fn above(path: &[(f64, f64)], height: f64) -> Vec<Vec<(f64, f64)>> {
     let mut parts = vec![Vec::new()];
     for (index, &(x, y)) in path.iter().enumerate() {
         if let Some(&(x0, y0)) = index.checked_sub(1).map(|before| &path[before])
@@ -188,49 +184,47 @@ fn above(path: &[(f64, f64)], height: f64) -> Vec<Vec<(f64, f64)>> {
     parts
 }
 
-fn draw(curves: &[Curve]) -> Picture {
-    let mut svg = String::new();
-    let root = SVGBackend::with_string(&mut svg, (WIDTH, 2300)).into_drawing_area();
-    root.fill(&WHITE)?;
-    let (legend, rest) = root.split_vertically(100);
-    let (upper, lower) = rest.split_vertically(1200);
+fn draw(curves: &[Curve]) -> Canvas {
     let last = curves.last().map_or(0, |curve| curve.interval.n);
-    let mut x = 250;
+    let mut canvas = Canvas::new(
+        COLUMN,
+        304.0,
+        &format!("The curves b_(n,k) = 0 that bound areas, n from 3 to {last}"),
+        "Above, the (a1, a2) plane for 0 < a2 < 1; below, the part above a2 = 0.9. Orange curves bound areas of the \
+         case (+,+), green ones those of (+,-); those up to n = 5 are labelled n,k.",
+    );
+    let mut legend = Legend::default();
     for case in [Case::PlusPlus, Case::PlusMinus] {
-        legend.draw(&PathElement::new([(x, 60), (x + 80, 60)], colour(case).stroke_width(9)))?;
-        legend.draw(&Text::new(label(case), (x + 100, 60), style(FONT, HPos::Left, VPos::Center)))?;
-        x += 340;
+        legend.add(label(case), move |canvas: &mut Canvas, (x, y): At| {
+            canvas.line(vec![(x - 8.0, y), (x + 8.0, y)], line(colour(case), 1.2));
+        });
     }
-    let title = format!("b(n,k) = 0, 3 ≤ n ≤ {last}");
-    legend.draw(&Text::new(title, (WIDTH as i32 - 50, 60), style(FONT, HPos::Right, VPos::Center)))?;
-    {
-        let chart = panel(&upper, 0.0, curves).map_err(|error| error.to_string())?;
-        for curve in curves.iter().filter(|curve| curve.interval.n <= 5) {
-            let name = format!("{},{}", curve.interval.n, curve.k);
-            let (at, (dx, dy), side) = anchor(curve);
-            let (x, y) = chart.backend_coord(&at);
-            root.draw(&Text::new(name, (x + dx, y + dy), style(FONT, side, VPos::Center)))?;
-        }
+    legend.draw(&mut canvas, (36.0, 2.0), COLUMN);
+    let title = format!("b_{{n,k}} = 0, 3 ≤ n ≤ {last}");
+    canvas.text(title, (COLUMN - 4.0, 2.0 + ROW / 2.0), Anchor::End);
+    let frame = panel(&mut canvas, [16.0, 162.0], 0.0, curves);
+    for curve in curves.iter().filter(|curve| curve.interval.n <= 5) {
+        let name = format!("{},{}", curve.interval.n, curve.k);
+        let (at, (dx, dy), anchor) = anchor(curve);
+        let (x, y) = frame.at(at);
+        canvas.sized(name, (x + dx, y + dy), anchor, 7.0);
     }
-    panel(&lower, 0.9, curves).map_err(|error| error.to_string())?;
-    root.present()?;
-    drop((legend, upper, lower, rest));
-    drop(root);
-    Ok(svg)
+    panel(&mut canvas, [168.0, 302.0], 0.9, curves);
+    canvas
 }
 
-/// Where a curve's label stands: a point of the curve, an offset from it in units of the picture, the side.
-fn anchor(curve: &Curve) -> ((f64, f64), (i32, i32), HPos) {
+/// Where a curve's label stands: a point of the curve, an offset from it, the side.
+fn anchor(curve: &Curve) -> ((f64, f64), (f64, f64), Anchor) {
     let low = |height: f64| {
-        let above = curve.points.iter().map(place).filter(|point| point.1 >= height);
+        let above = curve.points.iter().map(plane).filter(|point| point.1 >= height);
         above.min_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((0.0, 0.0))
     };
     match (curve.interval.n, curve.k) {
-        (3, 2) => (low(0.5), (-20, 20), HPos::Right),
-        (4, 3) => (low(0.5), (-24, 0), HPos::Right),
-        (5, 4) => (low(0.45), (-24, 0), HPos::Right),
-        (3, 1) => (low(0.4), (24, 0), HPos::Left),
-        (5, 3) => (low(0.62), (24, 0), HPos::Left),
-        _ => (low(0.0), (0, 52), HPos::Center),
+        (3, 2) => (low(0.5), (-2.5, 2.5), Anchor::End),
+        (4, 3) => (low(0.5), (-3.0, 0.0), Anchor::End),
+        (5, 4) => (low(0.45), (-3.0, 0.0), Anchor::End),
+        (3, 1) => (low(0.4), (3.0, 0.0), Anchor::Start),
+        (5, 3) => (low(0.62), (3.0, 0.0), Anchor::Start),
+        _ => (low(0.0), (0.0, 6.0), Anchor::Middle),
     }
 }

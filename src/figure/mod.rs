@@ -1,16 +1,19 @@
 //! The project's figures: vector graphics with the data of each in a CSV file of the same name.
 //!
-//! A picture is 2000 units wide and meant for a journal's column of 86 mm, where its text has about 7 points.
+//! A picture is as wide as a journal's column, 86 mm, and its text has 8 points. A figure fills a
+//! [canvas](canvas) with shapes, mostly inside [frames](frame) with axes; it reads no scene and runs no search.
 
 mod accuracy;
-mod axes;
 mod branches;
+mod canvas;
 mod cover;
 mod entropy;
 mod flow_accuracy;
+mod frame;
 mod grid;
 mod intervals;
 mod iterate;
+mod legend;
 mod motion;
 mod orbits;
 mod records;
@@ -35,11 +38,9 @@ pub use section::{Mark, Points, section};
 pub use tips::tips;
 pub use words::words;
 
-use std::{fs, path::Path};
-
-use plotters::{
-    prelude::*,
-    style::text_anchor::{HPos, Pos, VPos},
+use std::{
+    fs,
+    path::{Path, PathBuf},
 };
 
 use crate::{
@@ -47,58 +48,60 @@ use crate::{
     existence::Case,
     output::{Column, TableCell, TableFormat, TableWriter, write_file},
 };
+use canvas::{BLUE, Canvas, Colour, GREEN, ORANGE, PINK};
 
-/// A picture as SVG text.
-type Picture = std::result::Result<String, Box<dyn std::error::Error>>;
+/// Where a figure goes: its folder, which is made if need be, and the name of its files without ending.
+#[derive(Debug, Clone, Copy)]
+pub struct Place<'a> {
+    /// The folder.
+    pub folder: &'a Path,
+    /// The name.
+    pub name: &'a str,
+}
 
-const WIDTH: u32 = 2000;
-/// The library writes 1/1.24 of this.
-const FONT: i32 = 70;
-const GREY: RGBColor = RGBColor(150, 150, 150);
+impl Place<'_> {
+    /// The picture's file.
+    pub fn picture(&self) -> PathBuf {
+        self.folder.join(format!("{}.svg", self.name))
+    }
 
-/// The colour of a case, from the palette of Okabe and Ito, which colour-blind readers can tell apart.
-fn colour(case: Case) -> RGBColor {
-    match case {
-        Case::MinusPlus => RGBColor(0, 114, 178),
-        Case::PlusPlus => RGBColor(230, 159, 0),
-        Case::PlusMinus => RGBColor(0, 158, 115),
-        Case::MinusMinus => RGBColor(204, 121, 167),
+    /// The file of the data beside it.
+    pub fn data(&self) -> PathBuf {
+        self.folder.join(format!("{}.csv", self.name))
+    }
+
+    /// Writes the picture.
+    fn draw(&self, canvas: &Canvas) -> Result<()> {
+        fs::create_dir_all(self.folder).map_err(|error| Error::io("create", self.folder, error))?;
+        write_file(&self.picture(), |out| Ok(out.write_all(canvas.svg().as_bytes())?))
+    }
+
+    /// Writes the picture and the data beside it.
+    fn save(&self, canvas: &Canvas, columns: &[&'static str], rows: &[Vec<String>]) -> Result<()> {
+        self.draw(canvas)?;
+        write_file(&self.data(), |out| {
+            let columns = columns.iter().map(|name| Column::new(name, name, 0)).collect();
+            let mut table = TableWriter::new(out, TableFormat::Csv, "", columns)?;
+            for row in rows {
+                let cells: Vec<TableCell> = row.iter().map(|cell| TableCell::Text(cell)).collect();
+                table.row(&cells)?;
+            }
+            table.finish()
+        })
     }
 }
 
-/// The text style of the column-wide figures.
-fn style(size: i32, horizontal: HPos, vertical: VPos) -> TextStyle<'static> {
-    ("sans-serif", size).into_font().color(&BLACK).pos(Pos::new(horizontal, vertical))
+/// The colour of a case.
+fn colour(case: Case) -> Colour {
+    match case {
+        Case::MinusPlus => BLUE,
+        Case::PlusPlus => ORANGE,
+        Case::PlusMinus => GREEN,
+        Case::MinusMinus => PINK,
+    }
 }
 
 /// A case as it is printed.
 fn label(case: Case) -> String {
     case.to_string().replace('-', "−")
-}
-
-/// Writes `name`.svg into `folder`, which is made if need be.
-fn save_picture(folder: &Path, name: &str, picture: Picture) -> Result<()> {
-    let picture = picture.map_err(|error| Error::from(std::io::Error::other(error.to_string())))?;
-    fs::create_dir_all(folder).map_err(|error| Error::io("create", folder, error))?;
-    write_file(&folder.join(format!("{name}.svg")), |out| Ok(out.write_all(picture.as_bytes())?))
-}
-
-/// Writes `name`.svg and `name`.csv into `folder`, which is made if need be.
-fn save(
-    folder: &Path,
-    name: &str,
-    picture: Picture,
-    columns: &[&'static str],
-    rows: &[Vec<String>],
-) -> Result<()> {
-    save_picture(folder, name, picture)?;
-    write_file(&folder.join(format!("{name}.csv")), |out| {
-        let columns = columns.iter().map(|name| Column::new(name, name, 0)).collect();
-        let mut table = TableWriter::new(out, TableFormat::Csv, "", columns)?;
-        for row in rows {
-            let cells: Vec<TableCell> = row.iter().map(|cell| TableCell::Text(cell)).collect();
-            table.row(&cells)?;
-        }
-        table.finish()
-    })
 }

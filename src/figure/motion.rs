@@ -1,16 +1,9 @@
 //! A motion between its walls: displacement over time.
 
-use std::path::Path;
-
-use plotters::{
-    prelude::*,
-    style::text_anchor::{HPos, VPos},
-};
-
 use super::{
-    FONT, GREY, Picture, WIDTH,
-    axes::{labelled_axes, padded},
-    save_picture, style,
+    Place,
+    canvas::{Anchor, BLUE, COLUMN, Canvas, GREY, RED, TYPE, Words, line},
+    frame::{Axis, Frame, padded},
 };
 use crate::error::Result;
 
@@ -104,49 +97,54 @@ impl MotionPicture {
     }
 }
 
-/// Writes `name`.svg into `folder`; the data beside it is the whole series, which whoever follows the motion
-/// writes.
+/// Writes the picture; the data beside it is the whole series, which whoever follows the motion writes.
 ///
 /// # Errors
 /// An I/O error.
-pub fn motion(motion: &MotionPicture, folder: &Path, name: &str) -> Result<()> {
-    save_picture(folder, name, draw(motion))
+pub fn motion(motion: &MotionPicture, place: &Place) -> Result<()> {
+    place.draw(&draw(motion))
 }
 
-const BLUE: RGBColor = RGBColor(0, 114, 178);
-const RED: RGBColor = RGBColor(213, 94, 0);
-
-fn draw(motion: &MotionPicture) -> Picture {
-    let mut svg = String::new();
-    let (line, walls) = (motion.line(), motion.walls());
-    let root = SVGBackend::with_string(&mut svg, (WIDTH, 1000)).into_drawing_area();
-    root.fill(&WHITE)?;
-    let heights = || line.iter().chain(walls.iter().flatten()).map(|at| at.1);
-    let (bottom, top) = padded(heights());
-    let times = (line.first().map_or(0.0, |p| p.0), line.last().map_or(1.0, |p| p.0));
-    let mut chart = ChartBuilder::on(&root)
-        .margin(30)
-        .margin_top(110)
-        .margin_right(60)
-        .x_label_area_size(190)
-        .y_label_area_size(260)
-        .build_cartesian_2d(times.0..times.1.max(times.0 + 1e-9), bottom..top)?;
-    labelled_axes(&mut chart, 8, ["forcing periods", &motion.label])?;
-    for path in walls {
-        chart.draw_series([PathElement::new(path, GREY.stroke_width(9))])?;
-    }
-    chart.draw_series([PathElement::new(line, BLUE.stroke_width(5))])?;
-    chart.draw_series(motion.impacts().map(|at| Circle::new(at, 13, RED.filled())))?;
+fn draw(motion: &MotionPicture) -> Canvas {
+    let (path, walls) = (motion.line(), motion.walls());
     let count = motion.impacts;
     let note = match count {
         0 => "no impacts".to_string(),
         1 => "1 impact".to_string(),
         _ => format!("{count} impacts"),
     };
-    root.draw(&Text::new(motion.title.clone(), (30, 55), style(FONT, HPos::Left, VPos::Center)))?;
-    root.draw(&Text::new(note, (WIDTH as i32 - 30, 55), style(FONT, HPos::Right, VPos::Center)))?;
-    root.present()?;
-    drop(chart);
-    drop(root);
-    Ok(svg)
+    let mut canvas = Canvas::new(
+        COLUMN,
+        136.0,
+        &motion.title,
+        &format!("{} over time in forcing periods, {note}; walls are grey, impacts red.", motion.label),
+    );
+    let heights = || path.iter().chain(walls.iter().flatten()).map(|at| at.1);
+    let times = (path.first().map_or(0.0, |p| p.0), path.last().map_or(1.0, |p| p.0));
+    let times = (times.0, times.1.max(times.0 + 1e-9 * (1.0 + times.0.abs())));
+    let frame = Frame::new(
+        [2.0, 14.0, COLUMN - 2.0, 134.0],
+        Axis::linear("forcing periods", times, 8),
+        Axis::linear(motion.label.as_str(), padded(heights()), 5),
+    );
+    canvas.inside(frame.inside(), |canvas| {
+        for wall in walls {
+            canvas.line(frame.path(wall), line(GREY, 1.2));
+        }
+        canvas.line(frame.path(path), line(BLUE, 0.6));
+    });
+    // Where they are many, smaller, so that they stay apart.
+    let radius = if count > 300 { 0.8 } else { 1.5 };
+    canvas.discs(motion.impacts().map(|at| frame.at(at)).collect(), radius, RED);
+    frame.draw(&mut canvas);
+    canvas.text(Words::plain(&shortened(&motion.title, COLUMN - 60.0)), (4.0, 8.0), Anchor::Start);
+    canvas.text(note, (COLUMN - 4.0, 8.0), Anchor::End);
+    canvas
+}
+
+/// The beginning of a title that is too long for its line.
+fn shortened(title: &str, room: f64) -> String {
+    let mut text = title.to_string();
+    while Words::plain(&text).width(TYPE) > room && text.pop().is_some() {}
+    if text.len() < title.len() { text.trim_end().to_string() + "…" } else { text }
 }

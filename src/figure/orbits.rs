@@ -1,19 +1,17 @@
 //! Predicted orbits to leading order: figure 3 of the paper, and the orbit of any pattern of any map.
 
-use std::{fs, ops::Range, path::Path};
-
-use num_rational::BigRational;
-use plotters::{coord::Shift, prelude::*};
-
+use super::{
+    Place,
+    canvas::{Anchor, At, BLACK, COLUMN, Canvas, GREY, RED, Words, line},
+    frame::{Axis, Frame},
+    legend::Legend,
+};
 use crate::{
-    error::{Error, Result},
+    error::Result,
     output::{Column, TableCell, TableFormat, TableWriter, write_file},
     pattern::{Entry, Map, Pattern, PredictedPoint, Value, predicted_orbit},
 };
-
-type Drawn = std::result::Result<(), Box<dyn std::error::Error>>;
-
-const PANEL: (u32, u32) = (520, 400);
+use num_rational::BigRational;
 
 /// One orbit and how it is labelled.
 struct Panel {
@@ -22,12 +20,12 @@ struct Panel {
     positive: bool,
 }
 
-/// Writes `figure3.svg` and `figure3.csv` into `folder`: the complete single-impact orbits of period 15 at
+/// Writes the picture and its data: the complete single-impact orbits of period 15 at
 /// (λ₁, λ₂) = (1.5, 0.5), (0.8, 0.5), (−0.5, −1.5), regions 1, 2 and 5, in the normal form (45)–(47).
 ///
 /// # Errors
 /// An I/O error.
-pub fn orbits(folder: &Path) -> Result<()> {
+pub fn orbits(place: &Place) -> Result<()> {
     // Twice λ₁, λ₂ in tenths; the signs of eµ and γ for which the orbit exists.
     let panels = [(1, (15, 5), true, 1), (2, (8, 5), false, 1), (5, (-5, -15), true, -1)];
     let mut drawn = Vec::new();
@@ -44,16 +42,16 @@ pub fn orbits(folder: &Path) -> Result<()> {
             positive,
         });
     }
-    write(folder, "figure3", &drawn)
+    write(place, &drawn)
 }
 
-/// Writes `orbit.svg` and `orbit.csv` into `folder`: the orbit of a pattern, in the first two coordinates.
+/// Writes the picture and its data: the orbit of a pattern, in the first two coordinates.
 /// `side` is the sign of eµ for which it exists; without one the solution of (32) is drawn for eµ > 0 and
 /// labelled so.
 ///
 /// # Errors
 /// As [`predicted_orbit`]; an I/O error.
-pub fn orbit(map: &Map, pattern: &Pattern, side: Option<bool>, folder: &Path) -> Result<()> {
+pub fn orbit(map: &Map, pattern: &Pattern, side: Option<bool>, place: &Place) -> Result<()> {
     let positive = side.unwrap_or(true);
     let points = predicted_orbit(map, pattern.periods(), positive)?;
     let what = match side {
@@ -61,13 +59,11 @@ pub fn orbit(map: &Map, pattern: &Pattern, side: Option<bool>, folder: &Path) ->
         Some(false) => "exists for eµ < 0",
         None => "existence not shown; drawn for eµ > 0",
     };
-    write(folder, "orbit", &[Panel { label: format!("pattern ({pattern}): {what}"), points, positive }])
+    write(place, &[Panel { label: format!("pattern ({pattern}): {what}"), points, positive }])
 }
 
-fn write(folder: &Path, name: &str, panels: &[Panel]) -> Result<()> {
-    fs::create_dir_all(folder).map_err(|error| Error::io("create", folder, error))?;
-    let picture = draw(panels).map_err(|error| Error::from(std::io::Error::other(error.to_string())))?;
-    write_file(&folder.join(format!("{name}.svg")), |out| Ok(out.write_all(picture.as_bytes())?))?;
+fn write(place: &Place, panels: &[Panel]) -> Result<()> {
+    place.draw(&draw(panels))?;
     let size = panels[0].points[0].x.len();
     // A column's name lives as long as the program; these few may.
     const NAMES: [&str; 8] = ["x1", "x2", "x3", "x4", "x5", "x6", "x7", "x8"];
@@ -80,7 +76,7 @@ fn write(folder: &Path, name: &str, panels: &[Panel]) -> Result<()> {
     if size > shown {
         columns.push(Column::new("further_x", "further_x", 0));
     }
-    write_file(&folder.join(format!("{name}.csv")), |out| {
+    write_file(&place.data(), |out| {
         let mut table = TableWriter::new(out, TableFormat::Csv, "grazing-orbit 1", columns)?;
         for (panel, number) in panels.iter().zip(1..) {
             for point in &panel.points {
@@ -106,103 +102,166 @@ fn write(folder: &Path, name: &str, panels: &[Panel]) -> Result<()> {
     })
 }
 
-fn draw(panels: &[Panel]) -> std::result::Result<String, Box<dyn std::error::Error>> {
-    let mut svg = String::new();
-    let columns = panels.len().min(2);
-    let rows = panels.len().div_ceil(2);
-    let size = (PANEL.0 * columns as u32, PANEL.1 * rows as u32 + 30);
-    let root = SVGBackend::with_string(&mut svg, size).into_drawing_area();
-    root.fill(&WHITE)?;
-    let (top, legend) = root.split_vertically(size.1 - 30);
-    for (panel, area) in panels.iter().zip(top.split_evenly((rows, columns))) {
-        draw_panel(panel, &area)?;
+/// The height of a panel.
+const PANEL: f64 = 172.0;
+/// The size of the numbers beside points.
+const SMALL: f64 = 6.5;
+
+fn draw(panels: &[Panel]) -> Canvas {
+    let mut legend = Legend::default();
+    legend.add("point of the orbit", |canvas: &mut Canvas, at: At| canvas.disc(at, 1.2, BLACK));
+    legend.add("impact", |canvas: &mut Canvas, (x, y): At| {
+        canvas.line(vec![(x - 8.0, y), (x + 8.0, y)], line(RED, 0.7));
+    });
+    if panels.iter().any(|panel| panel.grazing().is_some()) {
+        legend.add("h = 0", |canvas: &mut Canvas, (x, y): At| {
+            canvas.line(vec![(x - 8.0, y), (x + 8.0, y)], line(GREY, 0.5));
+        });
     }
-    let style = ("sans-serif", 15);
-    legend.draw(&Circle::new((24, 10), 4, BLACK.filled()))?;
-    legend.draw(&Text::new("points of the orbit", (34, 2), style))?;
-    legend.draw(&PathElement::new([(180, 10), (206, 10)], JUMP.stroke_width(2)))?;
-    legend.draw(&Text::new("impact", (212, 2), style))?;
-    legend.draw(&PathElement::new([(280, 10), (306, 10)], GRAZING.stroke_width(2)))?;
-    legend.draw(&Text::new("h = 0", (312, 2), style))?;
-    legend.draw(&Cross::new((372, 10), 5, BLACK.stroke_width(1)))?;
-    legend.draw(&Text::new("fixed point", (383, 2), style))?;
-    root.present()?;
-    drop((top, legend));
-    drop(root);
-    Ok(svg)
+    legend.add("fixed point", fixed);
+    let high = legend.height(COLUMN - 8.0);
+    let mut canvas = Canvas::new(
+        COLUMN,
+        PANEL * panels.len() as f64 + high + 4.0,
+        "Orbits as the local theory predicts them, to leading order",
+        "The points of an orbit in the plane of the first two coordinates, numbered from the impact on, and the jump \
+         that the impact makes.",
+    );
+    for (panel, top) in panels.iter().zip((0..).map(|i| 2.0 + PANEL * f64::from(i))) {
+        draw_panel(panel, top, &mut canvas);
+    }
+    legend.draw(&mut canvas, (4.0, PANEL * panels.len() as f64 + 2.0), COLUMN - 8.0);
+    canvas
 }
 
-const JUMP: RGBColor = RGBColor(213, 94, 0);
-const GRAZING: RGBColor = RGBColor(150, 150, 150);
+fn fixed(canvas: &mut Canvas, (x, y): At) {
+    let d = 2.0;
+    canvas.lines(
+        vec![vec![(x - d, y - d), (x + d, y + d)], vec![(x - d, y + d), (x + d, y - d)]],
+        line(BLACK, 0.5),
+    );
+}
 
-fn draw_panel(panel: &Panel, area: &DrawingArea<SVGBackend, Shift>) -> Drawn {
-    // Drawing only: what is certain stands in the CSV.
+/// In the plane that is shown. Drawing only: what is certain stands in the CSV.
+fn place_of(point: &PredictedPoint) -> (f64, f64) {
     let middle = |value: &Value| {
         let x = value.enclosure();
         x.lo() + (x.hi() - x.lo()) / 2.0
     };
-    let place = |point: &PredictedPoint| (middle(&point.x[0]), middle(&point.x[1]));
-    let places: Vec<(f64, f64)> = panel.points.iter().map(place).collect();
-    let range = |pick: fn(&(f64, f64)) -> f64| -> Range<f64> {
-        let all = || places.iter().map(pick).chain([0.0]);
-        let (lo, hi) = (all().fold(0.0, f64::min), all().fold(0.0, f64::max));
-        let margin = 0.08 * (hi - lo).max(1e-300);
-        lo - margin..hi + margin
-    };
-    let (x, y) = (range(|p| p.0), range(|p| p.1));
-    let mut chart = ChartBuilder::on(area)
-        .margin(14)
-        .margin_top(10)
-        .caption(&panel.label, ("sans-serif", 17))
-        .x_label_area_size(42)
-        .y_label_area_size(58)
-        .build_cartesian_2d(x, y.clone())?;
-    chart
-        .configure_mesh()
-        .disable_mesh()
-        .x_labels(7)
-        .y_labels(7)
-        .x_label_formatter(&tick)
-        .y_label_formatter(&tick)
-        .x_desc("x₁ / |eµ|")
-        .y_desc("x₂ / |eµ|")
-        .label_style(("sans-serif", 14))
-        .axis_desc_style(("sans-serif", 16))
-        .draw()?;
-    // h = 0 is a line in the plane shown only if h depends on x₁ alone there: then every impact lies on it.
-    let befores: Vec<f64> = ends(panel).map(|(before, _)| place(before).0).collect();
-    let afters: Vec<f64> = ends(panel).map(|(_, after)| place(after).0).collect();
-    let first = befores[0];
-    if befores.iter().chain(&afters).all(|x| (x - first).abs() <= 1e-9 * first.abs().max(1.0)) {
-        chart.draw_series([PathElement::new([(first, y.start), (first, y.end)], GRAZING.stroke_width(1))])?;
-    }
-    let jumps = ends(panel)
-        .map(|(before, after)| PathElement::new([place(before), place(after)], JUMP.stroke_width(2)));
-    chart.draw_series(jumps)?;
-    chart.draw_series(places.iter().map(|&p| Circle::new(p, 3, BLACK.filled())))?;
-    chart.draw_series([Cross::new((0.0, 0.0), 5, BLACK.stroke_width(1))])?;
-    // Labels where there is room for them, so that none covers another.
-    let mut taken: Vec<(i32, i32)> = Vec::new();
-    for (point, &p) in panel.points.iter().zip(&places) {
-        let at = chart.backend_coord(&p);
-        if taken.iter().all(|other| (other.0 - at.0).abs() > 16 || (other.1 - at.1).abs() > 11) {
-            taken.push(at);
-            let label = Text::new(point.k.to_string(), (5, -14), ("sans-serif", 12));
-            chart.draw_series([EmptyElement::at(p) + label])?;
-        }
-    }
-    Ok(())
+    (middle(&point.x[0]), middle(&point.x[1]))
 }
 
-/// A tick's label: no trailing zeros, no −0.
-fn tick(x: &f64) -> String {
-    let text = format!("{x:.4}");
-    let text = match text.trim_end_matches('0').trim_end_matches('.') {
-        "-0" | "0" if x.abs() > 1e-12 => format!("{x:.0e}"),
-        "-0" => "0".into(),
-        text => text.into(),
+impl Panel {
+    /// Where h = 0 is, if it is a line x₁ = const in the plane shown: then every impact lies on it.
+    fn grazing(&self) -> Option<f64> {
+        let all: Vec<f64> =
+            ends(self).flat_map(|(before, after)| [before, after].map(|p| place_of(p).0)).collect();
+        let first = *all.first()?;
+        all.iter().all(|x| (x - first).abs() <= 1e-9 * first.abs().max(1.0)).then_some(first)
+    }
+}
+
+fn draw_panel(panel: &Panel, top: f64, canvas: &mut Canvas) {
+    let places: Vec<(f64, f64)> = panel.points.iter().map(place_of).collect();
+    let range = |pick: fn(&(f64, f64)) -> f64| {
+        let all = || places.iter().map(pick).chain([0.0]);
+        let (lo, hi) = (all().fold(0.0, f64::min), all().fold(0.0, f64::max));
+        let margin = 0.09 * (hi - lo).max(1e-300);
+        (lo - margin, hi + margin)
     };
-    text.replace('-', "−")
+    let (x, y) = (range(|p| p.0), range(|p| p.1));
+    canvas.text(panel.label.as_str(), (COLUMN / 2.0, top + 5.0), Anchor::Middle);
+    let frame = Frame::new(
+        [2.0, top + 10.0, COLUMN - 2.0, top + PANEL - 6.0],
+        Axis::linear("x₁/|eµ|", x, 6),
+        Axis::linear("x₂/|eµ|", y, 6),
+    );
+    if let Some(x) = panel.grazing() {
+        canvas.line(frame.path([(x, y.0), (x, y.1)]), line(GREY, 0.5));
+    }
+    let jumps = ends(panel).map(|(before, after)| frame.path([place_of(before), place_of(after)]));
+    canvas.lines(jumps.collect(), line(RED, 0.7));
+    let at = frame.path(places);
+    canvas.discs(at.clone(), 1.2, BLACK);
+    fixed(canvas, frame.at((0.0, 0.0)));
+    for (text, place) in numbers(panel, &at, &frame) {
+        canvas.sized(Words::plain(&text), place, Anchor::Middle, SMALL);
+    }
+    frame.draw(canvas);
+}
+
+/// A number beside each point, or one text beside points so close together that their numbers would cover one
+/// another: `3–7, 12`.
+fn numbers(panel: &Panel, at: &[At], frame: &Frame) -> Vec<(String, At)> {
+    let mut groups: Vec<Vec<usize>> = Vec::new();
+    for (index, place) in at.iter().enumerate() {
+        let near = |group: &&mut Vec<usize>| {
+            group.iter().any(|&other| (at[other].0 - place.0).hypot(at[other].1 - place.1) < 5.0)
+        };
+        match groups.iter_mut().find(near) {
+            Some(group) => group.push(index),
+            None => groups.push(vec![index]),
+        }
+    }
+    let mut taken: Vec<[f64; 4]> = at.iter().map(|(x, y)| [x - 1.3, x + 1.3, y - 1.3, y + 1.3]).collect();
+    // Nor do numbers cover the jumps.
+    for (before, after) in ends(panel) {
+        let (before, after) = (frame.at(place_of(before)), frame.at(place_of(after)));
+        taken.extend((0..=40).map(|i| f64::from(i) / 40.0).map(|t| {
+            let (x, y) = (before.0 + t * (after.0 - before.0), before.1 + t * (after.1 - before.1));
+            [x - 0.5, x + 0.5, y - 0.5, y + 0.5]
+        }));
+    }
+    let mut placed = Vec::new();
+    for group in groups {
+        let text = ranges(group.iter().map(|&index| panel.points[index].k as u64));
+        let wide = Words::plain(&text).width(SMALL);
+        let middle =
+            |pick: fn(&At) -> f64| group.iter().map(|&i| pick(&at[i])).sum::<f64>() / group.len() as f64;
+        let (x, y) = (middle(|at| at.0), middle(|at| at.1));
+        let spot =
+            |(dx, dy): (f64, f64)| [x + dx - wide / 2.0, x + dx + wide / 2.0, y + dy - 3.0, y + dy + 3.0];
+        let beside = |d: f64| {
+            let s = wide / 2.0 + d;
+            [
+                (0.0, -d - 3.0),
+                (0.0, d + 3.0),
+                (s, 0.0),
+                (-s, 0.0),
+                (s, -d - 1.0),
+                (-s, -d - 1.0),
+                (s, d + 1.0),
+                (-s, d + 1.0),
+            ]
+        };
+        let cost = |spot: &[f64; 4]| {
+            let meets = |b: &&[f64; 4]| spot[0] < b[1] && b[0] < spot[1] && spot[2] < b[3] && b[2] < spot[3];
+            let out = !frame.holds((spot[0], spot[2])) || !frame.holds((spot[1], spot[3]));
+            taken.iter().filter(meets).count() + 50 * usize::from(out)
+        };
+        let spots = [2.0, 4.0, 7.0, 11.0].into_iter().flat_map(beside).map(spot);
+        let Some(best) = spots.min_by_key(cost) else { continue };
+        taken.push(best);
+        placed.push((text, ((best[0] + best[1]) / 2.0, (best[2] + best[3]) / 2.0)));
+    }
+    placed
+}
+
+/// Increasing numbers, runs of them by their ends.
+fn ranges(all: impl Iterator<Item = u64>) -> String {
+    let mut runs: Vec<(u64, u64)> = Vec::new();
+    for k in all {
+        match runs.last_mut() {
+            Some(run) if run.1 + 1 == k => run.1 = k,
+            _ => runs.push((k, k)),
+        }
+    }
+    let text = |&(first, last): &(u64, u64)| match last - first {
+        0 => first.to_string(),
+        1 => format!("{first}, {last}"),
+        _ => format!("{first}–{last}"),
+    };
+    runs.iter().map(text).collect::<Vec<_>>().join(", ")
 }
 
 /// The points just before and just after each impact.

@@ -1,22 +1,19 @@
 //! The paper's figure 2: the five regions of the (a₁, a₂) plane.
 
-use std::path::Path;
-
-use plotters::{
-    prelude::*,
-    style::text_anchor::{HPos, VPos},
+use super::{
+    Place,
+    canvas::{Anchor, BLACK, COLUMN, Canvas, Colour, line},
+    frame::{Axis, Frame},
 };
-
-use super::{FONT, Picture, WIDTH, axes::plane_axes, save, style};
 use crate::error::Result;
 
 const STEPS: u32 = 100;
 
-/// Writes `figure2.svg` and `figure2.csv` into `folder`: regions 1–5 and the lines between them.
+/// Writes the picture and its data: regions 1–5 and the lines between them.
 ///
 /// # Errors
 /// An I/O error.
-pub fn regions(folder: &Path) -> Result<()> {
+pub fn regions(place: &Place) -> Result<()> {
     let rows: Vec<Vec<String>> = (0..4)
         .flat_map(|line| (0..=STEPS).map(move |i| (line, i)))
         .map(|(line, i)| {
@@ -24,7 +21,7 @@ pub fn regions(folder: &Path) -> Result<()> {
             vec![NAMES[line].to_string(), format!("{a1:.4}"), format!("{a2:.4}")]
         })
         .collect();
-    save(folder, "figure2", draw(), &["line", "a1", "a2"], &rows)
+    place.save(&draw(), &["line", "a1", "a2"], &rows)
 }
 
 const NAMES: [&str; 4] = ["a1 = -(a2 + 1)", "a1 = -2 sqrt(a2)", "a1 = 2 sqrt(a2)", "a1 = a2 + 1"];
@@ -36,45 +33,42 @@ fn point(line: usize, i: u32) -> (f64, f64) {
     (a1, r * r)
 }
 
-fn draw() -> Picture {
-    let mut svg = String::new();
-    let root = SVGBackend::with_string(&mut svg, (WIDTH, 1060)).into_drawing_area();
-    root.fill(&WHITE)?;
-    let mut chart = ChartBuilder::on(&root)
-        .margin(30)
-        .margin_top(50)
-        .margin_right(60)
-        .x_label_area_size(190)
-        .y_label_area_size(230)
-        .build_cartesian_2d(-3f64..3.0, 0f64..1.0)?;
+fn draw() -> Canvas {
+    let mut canvas = Canvas::new(
+        COLUMN,
+        132.0,
+        "The five regions of the (a1, a2) plane",
+        "Lines a1 = ±(a2 + 1) and the parabola a1 = ±2 sqrt(a2) divide 0 < a2 < 1 into regions 1 to 5, from right \
+         to left; in region 3, inside the parabola, the eigenvalues are complex.",
+    );
+    let frame = Frame::new(
+        [2.0, 4.0, COLUMN - 2.0, 130.0],
+        Axis::linear("a₁", (-3.0, 3.0), 6),
+        Axis::linear("a₂", (0.0, 1.0), 5),
+    );
     // Regions 2 and 4, and 3 between them; 1 and 5 stay white.
-    let line = |index: usize| (0..=STEPS).map(move |i| point(index, i));
+    let side = |index: usize| (0..=STEPS).map(move |i| point(index, i));
     for (left, right, tint) in
-        [(0, 1, RGBColor(213, 232, 226)), (1, 2, RGBColor(250, 236, 204)), (2, 3, RGBColor(204, 227, 240))]
+        [(0, 1, Colour(213, 232, 226)), (1, 2, Colour(250, 236, 204)), (2, 3, Colour(204, 227, 240))]
     {
-        let outline: Vec<(f64, f64)> =
-            line(left).chain(line(right).collect::<Vec<_>>().into_iter().rev()).collect();
-        chart.draw_series([Polygon::new(outline, tint.filled())])?;
+        let outline = side(left).chain(side(right).collect::<Vec<_>>().into_iter().rev());
+        canvas.polygon(frame.path(outline), tint);
     }
-    plane_axes(&mut chart, 7, 1)?;
-    for index in 0..4 {
-        chart.draw_series([PathElement::new(line(index).collect::<Vec<_>>(), BLACK.stroke_width(5))])?;
+    frame.draw(&mut canvas);
+    canvas.lines((0..4).map(|index| frame.path(side(index))).collect(), line(BLACK, 0.8));
+    for (a1, a2, name) in
+        [(2.35, 0.5, "1"), (0.78, 0.055, "2"), (0.0, 0.65, "3"), (-0.78, 0.055, "4"), (-2.35, 0.5, "5")]
+    {
+        canvas.sized(name, frame.at((a1, a2)), Anchor::Middle, 12.0);
     }
-    let text = |words: &str, at: (f64, f64), size: i32, side: HPos| {
-        Text::new(words.to_string(), at, style(size, side, VPos::Center))
-    };
-    let numbers =
-        [(2.35, 0.5, "1"), (0.78, 0.055, "2"), (0.0, 0.62, "3"), (-0.78, 0.055, "4"), (-2.35, 0.5, "5")];
-    chart.draw_series(numbers.map(|(a1, a2, name)| text(name, (a1, a2), 110, HPos::Center)))?;
-    chart.draw_series([
-        text("a₁ = a₂ + 1", (1.32, 0.2), FONT - 6, HPos::Left),
-        text("a₁ = −(a₂ + 1)", (-1.32, 0.2), FONT - 6, HPos::Right),
-        text("a₁ = 2√a₂", (1.12, 0.4), FONT - 6, HPos::Right),
-        text("a₁ = −2√a₂", (-1.12, 0.4), FONT - 6, HPos::Left),
-        text("complex eigenvalues", (0.0, 0.82), FONT - 6, HPos::Center),
-    ])?;
-    root.present()?;
-    drop(chart);
-    drop(root);
-    Ok(svg)
+    for (words, at, anchor) in [
+        ("a₁ = a₂ + 1", (1.32, 0.2), Anchor::Start),
+        ("a₁ = −(a₂ + 1)", (-1.32, 0.2), Anchor::End),
+        ("a₁ = 2√a₂", (1.2, 0.46), Anchor::End),
+        ("a₁ = −2√a₂", (-1.2, 0.46), Anchor::Start),
+        ("complex eigenvalues", (0.0, 0.84), Anchor::Middle),
+    ] {
+        canvas.text(words, frame.at(at), anchor);
+    }
+    canvas
 }

@@ -1,18 +1,11 @@
 //! Stroboscopic (Poincaré) sections: attractors, periodic orbits, and the curve on which the next period
 //! grazes a wall.
 
-use std::path::Path;
-
-use plotters::{
-    coord::Shift,
-    prelude::*,
-    style::text_anchor::{HPos, VPos},
-};
-
 use super::{
-    FONT, Picture, WIDTH,
-    axes::{labelled_axes, padded},
-    save, style,
+    Place,
+    canvas::{At, BLACK, BLUE, COLUMN, Canvas, Colour, GREEN, ORANGE, RED, SKY, Words, line},
+    frame::{Axis, Frame, padded},
+    legend::Legend,
 };
 use crate::error::Result;
 
@@ -27,6 +20,8 @@ pub enum Mark {
     Ring,
     /// A star: an unstable orbit.
     Star,
+    /// A ring: an unstable orbit where there is no other orbit.
+    UnstableRing,
     /// A line through the points.
     Curve,
     /// A line: a stable manifold.
@@ -51,107 +46,100 @@ pub struct Points {
     pub at: Vec<(f64, f64)>,
 }
 
-/// Writes `name`.svg and `name`.csv into `folder`: a row per point, with the name of its set; `axes` names
-/// the coordinates.
+/// Writes the picture and its data: a row per point, with the name of its set; `axes` names the coordinates.
 ///
 /// # Errors
 /// An I/O error.
-pub fn section(sets: &[Points], axes: [&str; 2], folder: &Path, name: &str) -> Result<()> {
+pub fn section(sets: &[Points], axes: [&str; 2], place: &Place) -> Result<()> {
     let row = |set: &Points| {
         let set_name = set.name.clone();
         let one = move |(x, y): &(f64, f64)| vec![set_name.clone(), x.to_string(), y.to_string()];
         set.at.iter().map(one).collect::<Vec<_>>()
     };
     let rows: Vec<Vec<String>> = sets.iter().flat_map(row).collect();
-    save(folder, name, draw(sets, axes), &["set", "q", "u"], &rows)
+    place.save(&draw(sets, axes), &["set", "q", "u"], &rows)
 }
 
-fn colour(mark: Mark) -> RGBColor {
+fn colour(mark: Mark) -> Colour {
     match mark {
-        Mark::Dot => RGBColor(0, 114, 178),
-        Mark::Square => RGBColor(0, 158, 115),
-        Mark::Ring => RGBColor(0, 114, 178),
-        Mark::Star => RGBColor(213, 94, 0),
+        Mark::Dot | Mark::Ring => BLUE,
+        Mark::Square => GREEN,
+        Mark::Star | Mark::UnstableRing => RED,
         Mark::Curve => BLACK,
-        Mark::StableCurve => RGBColor(86, 180, 233),
-        Mark::UnstableCurve => RGBColor(230, 159, 0),
+        Mark::StableCurve => SKY,
+        Mark::UnstableCurve => ORANGE,
     }
 }
 
-/// Draws a mark, or for a curve a piece of it as the legend shows it.
-fn draw_mark<'a>(
-    area: &DrawingArea<SVGBackend<'a>, Shift>,
-    mark: Mark,
-    (x, y): (i32, i32),
-) -> std::result::Result<(), Box<dyn std::error::Error + 'a>> {
-    let ink = colour(mark).stroke_width(6);
-    let line = |from: (i32, i32), to: (i32, i32)| {
-        area.draw(&PathElement::new([(x + from.0, y + from.1), (x + to.0, y + to.1)], ink))
+/// The width of the lines of curves and marks.
+const THIN: f64 = 0.7;
+
+/// Draws marks, or for curves a piece as the legend shows it.
+fn draw_marks(canvas: &mut Canvas, mark: Mark, at: Vec<At>) {
+    let ink = colour(mark);
+    let around = |corners: &[[f64; 2]]| -> Vec<Vec<At>> {
+        let shape = |&(x, y): &At| corners.iter().map(|[dx, dy]| (x + dx, y + dy)).collect();
+        at.iter().map(shape).collect()
     };
     match mark {
-        Mark::Dot => area.draw(&Circle::new((x, y), 4, colour(mark).filled()))?,
+        Mark::Dot => canvas.discs(at, 0.45, ink),
         Mark::Square => {
-            let corners = [(-17, -17), (17, -17), (17, 17), (-17, 17), (-17, -20)];
-            area.draw(&PathElement::new(corners.map(|corner| (x + corner.0, y + corner.1)), ink))?;
+            canvas.polygons(around(&[[-2.2, -2.2], [2.2, -2.2], [2.2, 2.2], [-2.2, 2.2]]), line(ink, THIN))
         }
-        Mark::Ring => area.draw(&Circle::new((x, y), 18, ink))?,
+        Mark::Ring | Mark::UnstableRing => canvas.discs(at, 2.4, line(ink, THIN)),
         Mark::Star => {
-            line((0, -22), (0, 22))?;
-            line((-19, -11), (19, 11))?;
-            line((-19, 11), (19, -11))?;
+            for [x, y] in [[0.0, 2.8], [2.4, 1.4], [2.4, -1.4]] {
+                canvas.lines(around(&[[-x, -y], [x, y]]), line(ink, THIN));
+            }
         }
-        Mark::Curve | Mark::StableCurve | Mark::UnstableCurve => line((-40, 0), (40, 0))?,
+        Mark::Curve | Mark::StableCurve | Mark::UnstableCurve => {
+            canvas.lines(around(&[[-8.0, 0.0], [8.0, 0.0]]), line(ink, THIN));
+        }
     }
-    Ok(())
 }
 
-const LINE: i32 = 92;
-
-fn draw(sets: &[Points], axes: [&str; 2]) -> Picture {
-    let mut svg = String::new();
-    // The legend stands below the picture, a line a set.
-    let mut legend: Vec<&Points> = Vec::new();
+fn draw(sets: &[Points], axes: [&str; 2]) -> Canvas {
+    let mut legend = Legend::default();
     for set in sets {
-        if legend.iter().all(|other| other.name != set.name) {
-            legend.push(set);
-        }
+        legend.add(Words::plain(&set.name), |canvas: &mut Canvas, (x, y): At| {
+            // A single dot would be overlooked.
+            let sample = if set.mark == Mark::Dot { -3..=3 } else { 0..=0 };
+            draw_marks(canvas, set.mark, sample.map(|i| (x + 2.0 * f64::from(i), y)).collect());
+        });
     }
-    let height = 1500 + 40 + LINE as u32 * legend.len() as u32;
-    let root = SVGBackend::with_string(&mut svg, (WIDTH, height)).into_drawing_area();
-    root.fill(&WHITE)?;
-    let (picture, key) = root.split_vertically(1500);
+    let high = legend.height(COLUMN - 8.0);
+    let mut canvas = Canvas::new(
+        COLUMN,
+        190.0 + high,
+        "A stroboscopic section: one point per forcing period",
+        &format!("{} over {}: {}.", axes[1], axes[0], names(sets)),
+    );
     // A curve may leave the picture.
     let shown = || sets.iter().filter(|set| !set.mark.is_line()).flat_map(|set| set.at.iter());
-    let ((left, right), (bottom, top)) = (padded(shown().map(|at| at.0)), padded(shown().map(|at| at.1)));
-    let mut chart = ChartBuilder::on(&picture)
-        .margin(30)
-        .margin_right(60)
-        .x_label_area_size(190)
-        .y_label_area_size(280)
-        .build_cartesian_2d(left..right, bottom..top)?;
-    labelled_axes(&mut chart, 6, axes)?;
-    let inside = |&(x, y): &(f64, f64)| (left..=right).contains(&x) && (bottom..=top).contains(&y);
-    for set in sets {
-        if set.mark.is_line() {
-            // Only what is inside; a part ends where the curve leaves.
-            for part in set.at.split(|at| !inside(at)).filter(|part| part.len() > 1) {
-                let path: Vec<(i32, i32)> = part.iter().map(|at| chart.backend_coord(at)).collect();
-                root.draw(&PathElement::new(path, colour(set.mark).stroke_width(6)))?;
-            }
-            continue;
+    let frame = Frame::new(
+        [2.0, 2.0, COLUMN - 2.0, 188.0],
+        Axis::linear(axes[0], padded(shown().map(|at| at.0)), 6),
+        Axis::linear(axes[1], padded(shown().map(|at| at.1)), 6),
+    );
+    canvas.inside(frame.inside(), |canvas| {
+        for set in sets.iter().filter(|set| set.mark.is_line()) {
+            canvas.line(frame.path(set.at.iter().copied()), line(colour(set.mark), THIN));
         }
-        for at in &set.at {
-            draw_mark(&root, set.mark, chart.backend_coord(at)).map_err(|error| error.to_string())?;
+    });
+    // The many dots first, so that orbits stand out.
+    for many in [true, false] {
+        for set in sets.iter().filter(|set| !set.mark.is_line() && (set.mark == Mark::Dot) == many) {
+            draw_marks(&mut canvas, set.mark, frame.path(set.at.iter().copied()));
         }
     }
-    for (i, set) in (0..).zip(legend) {
-        let y = LINE / 2 + i * LINE;
-        draw_mark(&key, set.mark, (330, y)).map_err(|error| error.to_string())?;
-        key.draw(&Text::new(set.name.clone(), (400, y), style(FONT, HPos::Left, VPos::Center)))?;
-    }
-    root.present()?;
-    drop(chart);
-    drop((picture, key));
-    drop(root);
-    Ok(svg)
+    frame.draw(&mut canvas);
+    legend.draw(&mut canvas, (4.0, 189.0), COLUMN - 8.0);
+    canvas
+}
+
+/// The names of the sets, each once.
+fn names(sets: &[Points]) -> String {
+    let mut names: Vec<&str> = sets.iter().map(|set| set.name.as_str()).collect();
+    names.dedup();
+    names.join("; ")
 }

@@ -1,18 +1,18 @@
 //! The tips of the areas of all periods beside the universal law, and how fast they approach it.
 
-use std::{collections::HashSet, path::Path};
+use std::collections::HashSet;
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, ToPrimitive, pow};
-use plotters::{
-    coord::Shift,
-    prelude::*,
-    style::text_anchor::{HPos, VPos},
-};
 use rayon::prelude::*;
 
-use super::{FONT, Picture, WIDTH, save, style};
+use super::{
+    Place,
+    canvas::{At, BLACK, COLUMN, Canvas, Colour, ORANGE, RED, SKY, line},
+    frame::{Axis, Frame},
+    legend::Legend,
+};
 use crate::{
     error::{Error, Result},
     existence::{Boundary, Interval, Lowest, intervals, tip_correction, tip_law},
@@ -23,12 +23,12 @@ use crate::{
 /// Digits of r: enough for ten of (1 − r) n³ at the largest n.
 const DIGITS: u32 = 20;
 
-/// Writes `tips.svg` and `tips.csv` into `folder`: (1 − r_tip) n³ against k/n for every area with a tip, 4 ≤
+/// Writes the picture and its data: (1 − r_tip) n³ against k/n for every area with a tip, 4 ≤
 /// n ≤ `last`, on the curve G; below, the deviation from G times n², on the curve of the next term.
 ///
 /// # Errors
 /// An input error unless 4 ≤ `last` ≤ 400; an I/O error; an interruption.
-pub fn tips(last: u64, folder: &Path, monitor: &dyn Monitor) -> Result<()> {
+pub fn tips(last: u64, place: &Place, monitor: &dyn Monitor) -> Result<()> {
     if !(4..=400).contains(&last) {
         return Err(Error::input(format!(
             "--n {last}: this figure shows periods 4 to N, with N from 4 to 400"
@@ -45,7 +45,7 @@ pub fn tips(last: u64, folder: &Path, monitor: &dyn Monitor) -> Result<()> {
     let points = periods?.concat();
     let rows: Vec<Vec<String>> = points.iter().map(TipPoint::row).collect();
     let columns = ["n", "m", "sign_gamma", "k", "scaled_lower", "scaled_upper", "law", "law_next"];
-    save(folder, "tips", draw(last, &points), &columns, &rows)
+    place.save(&draw(last, &points), &columns, &rows)
 }
 
 /// The tip of one area.
@@ -89,99 +89,65 @@ impl TipPoint {
     }
 }
 
+/// Periods up to here have this colour and size of dot: the fewer, the larger, so that the rims of those below
+/// stand out.
+const SHADES: [(u64, Colour, f64); 3] = [(12, RED, 1.9), (50, ORANGE, 1.3), (u64::MAX, SKY, 0.7)];
+
 /// A panel of (t, value) with logarithmic values: dots coloured by period, a curve on top.
 fn panel(
-    area: &DrawingArea<SVGBackend, Shift>,
+    canvas: &mut Canvas,
+    heights: [f64; 2],
     (name, decades): (&str, [i32; 2]),
     dots: &[(u64, f64, f64)],
     curve: impl Fn(f64) -> f64,
-) -> std::result::Result<(), Box<dyn std::error::Error>> {
-    let mut chart = ChartBuilder::on(area)
-        .margin(30)
-        .margin_right(60)
-        .x_label_area_size(190)
-        .y_label_area_size(270)
-        .build_cartesian_2d(0f64..1.0, f64::from(decades[0])..f64::from(decades[1]))?;
-    chart
-        .configure_mesh()
-        .disable_mesh()
-        .x_labels(6)
-        .y_labels((decades[1] - decades[0] + 1) as usize)
-        .x_label_formatter(&|t| format!("{t:.1}"))
-        .y_label_formatter(&|y| format!("10{}", superscript(y.round() as i32)))
-        .x_desc("k/n")
-        .y_desc(name)
-        .label_style(("sans-serif", FONT))
-        .axis_desc_style(("sans-serif", FONT + 2))
-        .axis_style(BLACK.stroke_width(3))
-        .set_all_tick_mark_size(16)
-        .draw()?;
-    // One dot for those that would cover each other; the large periods first.
-    let mut seen = HashSet::new();
-    for &(n, t, value) in dots.iter().rev() {
-        let at = (t, value.log10());
-        let (x, y) = chart.backend_coord(&at);
-        let (lowest, highest) = (f64::from(decades[0]), f64::from(decades[1]));
-        if at.1 > lowest && at.1 < highest && seen.insert((x / 5, y / 5, shade(n).rgb())) {
-            chart.draw_series([Circle::new(at, 8, shade(n).filled())])?;
+) {
+    let frame = Frame::new(
+        [2.0, heights[0], COLUMN - 2.0, heights[1]],
+        Axis::linear("k/n", (0.0, 1.0), 5),
+        Axis::decades(name, decades, 1),
+    )
+    .from_left(38.0);
+    canvas.inside(frame.inside(), |canvas| {
+        for (index, (_, ink, radius)) in SHADES.into_iter().enumerate() {
+            let of = |n: u64| SHADES.iter().position(|shade| n <= shade.0) == Some(index);
+            // One dot for those that would cover each other.
+            let mut seen = HashSet::new();
+            let at = dots.iter().filter(|dot| of(dot.0) && dot.2 > 0.0).map(|dot| frame.at((dot.1, dot.2)));
+            let fine = |(x, y): &At| seen.insert(((x / 0.3).round() as i64, (y / 0.3).round() as i64));
+            canvas.discs(at.filter(|at| frame.holds(*at)).filter(fine).collect(), radius, ink);
+        }
+        let points = (1..1000).map(|i| f64::from(i) / 1000.0).map(|t| (t, curve(t)));
+        canvas.line(frame.path(points.filter(|point| point.1 > 0.0)), line(BLACK, 0.35));
+    });
+    frame.draw(canvas);
+}
+
+fn draw(last: u64, points: &[TipPoint]) -> Canvas {
+    let mut legend = Legend::default();
+    for (least, (most, ink, radius)) in [4, 13, 51].into_iter().zip(SHADES) {
+        if least <= last {
+            let most = most.min(last);
+            let name = if least == most { format!("n = {least}") } else { format!("n = {least} to {most}") };
+            legend.add(name, move |canvas: &mut Canvas, at: At| canvas.disc(at, radius.max(1.0), ink));
         }
     }
-    let line = (0..400).map(|i| f64::from(i) / 400.0).map(|t| (t, curve(t).log10()));
-    let shown = line.filter(|point: &(f64, f64)| point.1 < f64::from(decades[1]));
-    chart.draw_series([PathElement::new(shown.collect::<Vec<_>>(), BLACK.stroke_width(4))])?;
-    Ok(())
-}
-
-fn superscript(exponent: i32) -> String {
-    exponent
-        .to_string()
-        .chars()
-        .map(|c| {
-            if c == '-' {
-                '⁻'
-            } else {
-                ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'][c as usize - '0' as usize]
-            }
-        })
-        .collect()
-}
-
-const SHADES: [(u64, &str, RGBColor); 3] = [
-    (12, "n ≤ 12", RGBColor(213, 94, 0)),
-    (50, "n ≤ 50", RGBColor(230, 159, 0)),
-    (u64::MAX, "n > 50", RGBColor(86, 180, 233)),
-];
-
-fn shade(n: u64) -> RGBColor {
-    SHADES.iter().find(|shade| n <= shade.0).map_or(BLACK, |shade| shade.2)
-}
-
-fn draw(last: u64, points: &[TipPoint]) -> Picture {
-    let mut svg = String::new();
-    let root = SVGBackend::with_string(&mut svg, (WIDTH, 2300)).into_drawing_area();
-    root.fill(&WHITE)?;
-    let (legend, rest) = root.split_vertically(100);
-    let (upper, lower) = rest.split_vertically(1100);
-    let mut x = 290;
-    for (_, name, ink) in SHADES {
-        legend.draw(&Circle::new((x, 60), 16, ink.filled()))?;
-        legend.draw(&Text::new(name, (x + 35, 60), style(FONT, HPos::Left, VPos::Center)))?;
-        x += 360;
-    }
-    legend.draw(&PathElement::new([(x, 60), (x + 80, 60)], BLACK.stroke_width(4)))?;
-    legend.draw(&Text::new(
-        format!("law; all n ≤ {last}"),
-        (x + 105, 60),
-        style(FONT, HPos::Left, VPos::Center),
-    ))?;
+    legend.add("law for large n", |canvas: &mut Canvas, (x, y): At| {
+        canvas.line(vec![(x - 8.0, y), (x + 8.0, y)], line(BLACK, 0.8));
+    });
+    let top = 4.0 + legend.height(COLUMN - 40.0);
+    let mut canvas = Canvas::new(
+        COLUMN,
+        top + 280.0,
+        &format!("The lowest points of all areas of periods 4 to {last}, and their law"),
+        "Above, (1 - r) n³ at the tips over k/n, on the curve G; below, the deviation from G times n², where it is \
+         positive, on the curve of the next term. Dots are coloured by period.",
+    );
+    legend.draw(&mut canvas, (38.0, 2.0), COLUMN - 40.0);
     let value = |point: &TipPoint| point.scaled[0].to_f64().unwrap_or(f64::NAN);
     let heights: Vec<(u64, f64, f64)> = points.iter().map(|p| (p.interval.n, p.t(), value(p))).collect();
     let rest_of = |&(n, t, scaled): &(u64, f64, f64)| (n, t, (scaled - tip_law(t).1) * (n * n) as f64);
     let rests: Vec<(u64, f64, f64)> = heights.iter().map(rest_of).collect();
-    panel(&upper, ("(1 − r) n³", [0, 5]), &heights, |t| tip_law(t).1)?;
-    panel(&lower, ("((1 − r) n³ − G) n²", [0, 8]), &rests, tip_correction)?;
-    root.present()?;
-    drop((legend, upper, lower, rest));
-    drop(root);
-    Ok(svg)
+    panel(&mut canvas, [top, top + 138.0], ("(1 − r) n³", [0, 5]), &heights, |t| tip_law(t).1);
+    panel(&mut canvas, [top + 142.0, top + 278.0], ("((1 − r) n³ − G) n²", [0, 8]), &rests, tip_correction);
+    canvas
 }

@@ -5,21 +5,15 @@
 //! up, each over the ones that it lies in, so that every edge is the edge of an area. For eµ < 0 they are
 //! sectors of s.
 
-use std::path::Path;
-
 use num_rational::BigRational;
 use num_traits::{One, ToPrimitive, Zero};
-use plotters::{
-    coord::Shift,
-    prelude::*,
-    style::text_anchor::{HPos, VPos},
-};
 
 use super::{
-    FONT, GREY, Picture, WIDTH,
-    axes::{Panel, plane_axes},
-    iterate::{Curve, place},
-    label, save, style,
+    Place,
+    canvas::{Anchor, BLACK, COLUMN, Canvas, Colour, GREY, Paint, WHITE, line},
+    frame::{Axis, Frame},
+    iterate::{Curve, plane},
+    label,
 };
 use crate::{
     error::{Error, Result},
@@ -47,13 +41,13 @@ struct Cell {
     outline: Vec<(f64, f64)>,
 }
 
-/// Writes `words.svg` and `words.csv` into `folder`: the words of at most the areas of period ≤ `last`, for
+/// Writes the picture and its data: the words of at most the areas of period ≤ `last`, for
 /// the three cases in which patterns are born for |a₁| < 1 + a₂. Later periods are left out, so that colours
 /// are lower bounds near a₂ = 1.
 ///
 /// # Errors
 /// An input error unless 3 ≤ `last` ≤ 30; an I/O error; the monitor's interruption.
-pub fn words(last: u64, folder: &Path, monitor: &dyn Monitor) -> Result<()> {
+pub fn words(last: u64, place: &Place, monitor: &dyn Monitor) -> Result<()> {
     if !(3..=30).contains(&last) {
         return Err(Error::input(format!(
             "--n {last}: this figure shows periods up to N, with N from 3 to 30"
@@ -82,7 +76,7 @@ pub fn words(last: u64, folder: &Path, monitor: &dyn Monitor) -> Result<()> {
         })
         .collect();
     let columns = ["sign_emu", "sign_gamma", "word", "periods", "entropy"];
-    save(folder, "words", draw(last, &cells), &columns, &rows)
+    place.save(&draw(last, &cells), &columns, &rows)
 }
 
 /// The entropy of a word's case, in f64 for the picture; `None` if no pattern exists.
@@ -177,7 +171,7 @@ fn areas(n: u64, cells: &mut Vec<Cell>) -> Result<()> {
             continue;
         }
         let curve = Curve::new(interval)?;
-        let mut edge: Vec<(f64, f64)> = curve.points.iter().map(place).collect();
+        let mut edge: Vec<(f64, f64)> = curve.points.iter().map(plane).collect();
         // The leftmost area is bounded by the line.
         if k == n - 2 && letter == Letter::D {
             edge.extend(lower_edge(-1.0));
@@ -227,10 +221,10 @@ fn strip(n: u64, first: u64, boundary: &Boundary) -> Result<Vec<(f64, f64)>> {
 }
 
 /// From white (nothing) over grey (patterns, but no chaos) to a dark blue at log 2.
-fn shade(entropy: Option<f64>) -> RGBColor {
+fn shade(entropy: Option<f64>) -> Colour {
     let Some(rate) = entropy else { return WHITE };
     if rate <= 0.0 {
-        return RGBColor(226, 226, 226);
+        return Colour(226, 226, 226);
     }
     // Yellow, green, blue: apart in lightness as well as in hue.
     let stops = [(253.0, 231.0, 120.0), (120.0, 198.0, 121.0), (44.0, 127.0, 184.0), (37.0, 32.0, 110.0)];
@@ -238,82 +232,79 @@ fn shade(entropy: Option<f64>) -> RGBColor {
     let i = (t as usize).min(2);
     let mix = |a: f64, b: f64| (a + (b - a) * (t - i as f64)).round() as u8;
     let (a, b) = (stops[i], stops[i + 1]);
-    RGBColor(mix(a.0, b.0), mix(a.1, b.1), mix(a.2, b.2))
+    Colour(mix(a.0, b.0), mix(a.1, b.1), mix(a.2, b.2))
 }
 
-fn panel<'a, 'b>(
-    area: &'a DrawingArea<SVGBackend<'b>, Shift>,
-    cells: &[Cell],
-    case: Case,
-) -> std::result::Result<Panel<'a, 'b>, Box<dyn std::error::Error + 'a>>
-where
-    'b: 'a,
-{
-    let mut chart = ChartBuilder::on(area)
-        .margin(25)
-        .margin_right(50)
-        .x_label_area_size(180)
-        .y_label_area_size(200)
-        .build_cartesian_2d(-2f64..2.0, 0f64..1.0)?;
-    for cell in cells.iter().filter(|cell| cell.case == case) {
-        chart.draw_series([Polygon::new(cell.outline.clone(), shade(cell.entropy).filled())])?;
-    }
-    let parabola =
-        (-100..=100).map(|i| f64::from(i) / 50.0).map(|a1| (a1, a1 * a1 / 4.0)).collect::<Vec<_>>();
-    chart.draw_series([PathElement::new(parabola, GREY.stroke_width(3))])?;
-    for sign in [-1.0, 1.0] {
-        chart.draw_series([PathElement::new(lower_edge(sign), BLACK.stroke_width(3))])?;
-    }
-    plane_axes(&mut chart, 5, 1)?;
-    Ok(chart)
+/// The height of a panel.
+const PANEL: f64 = 128.0;
+
+fn panel(canvas: &mut Canvas, top: f64, cells: &[Cell], case: Case, lowest: bool) {
+    let bottom = if lowest { top + PANEL + 8.0 } else { top + PANEL - 4.0 };
+    let frame = Frame::new(
+        [2.0, top, COLUMN - 4.0, bottom],
+        Axis::linear(if lowest { "a₁" } else { "" }, (-2.0, 2.0), 4),
+        Axis::linear("a₂", (0.0, 1.0), 5),
+    );
+    canvas.inside(frame.inside(), |canvas| {
+        for cell in cells.iter().filter(|cell| cell.case == case) {
+            // With a thin outline of its own colour: neighbours need not share vertices where they share a side.
+            let ink = shade(cell.entropy);
+            let paint = Paint { fill: Some(ink), stroke: Some(line(ink, 0.12)) };
+            canvas.polygon(frame.path(cell.outline.clone()), paint);
+        }
+        let parabola = (-100..=100).map(|i| f64::from(i) / 50.0).map(|a1| (a1, a1 * a1 / 4.0));
+        canvas.line(frame.path(parabola), line(GREY, 0.4));
+        for sign in [-1.0, 1.0] {
+            canvas.line(frame.path(lower_edge(sign)), line(BLACK, 0.5));
+        }
+    });
+    frame.draw(canvas);
+    // Below the lines, where nothing is coloured.
+    canvas.text(format!("eµ, γ: {}", label(case)), frame.at((-1.98, 0.07)), Anchor::Start);
 }
 
-fn draw(last: u64, cells: &[Cell]) -> Picture {
-    let mut svg = String::new();
-    let root = SVGBackend::with_string(&mut svg, (WIDTH, 3300)).into_drawing_area();
-    root.fill(&WHITE)?;
-    let (key, rest) = root.split_vertically(260);
-    let panels = rest.split_evenly((3, 1));
-    let text =
-        |words: String, at: (i32, i32), side: HPos| Text::new(words, at, style(FONT, side, VPos::Center));
-    // The key: nothing, no chaos, a scale.
-    let mut x = 60;
+/// What the colours mean: nothing, no chaos, a scale.
+fn key(canvas: &mut Canvas, last: u64) {
+    let mut x = 4.0;
+    let outline = line(BLACK, 0.4);
     for (name, entropy) in [("nothing", None), ("no chaos", Some(0.0))] {
-        key.draw(&Rectangle::new([(x, 40), (x + 80, 110)], shade(entropy).filled()))?;
-        key.draw(&Rectangle::new([(x, 40), (x + 80, 110)], BLACK.stroke_width(2)))?;
-        key.draw(&text(name.into(), (x + 100, 75), HPos::Left))?;
-        x += 480;
+        canvas.rectangle([x, 4.0, x + 12.0, 12.0], shade(entropy));
+        canvas.rectangle([x, 4.0, x + 12.0, 12.0], outline);
+        canvas.text(name, (x + 15.0, 8.0), Anchor::Start);
+        x += if entropy.is_none() { 50.0 } else { 58.0 };
     }
-    for i in 0..400 {
-        let rate = f64::from(i) / 400.0 * std::f64::consts::LN_2;
-        key.draw(&Rectangle::new(
-            [(x + 2 * i, 40), (x + 2 * i + 2, 110)],
-            shade(Some(rate.max(1e-9))).filled(),
-        ))?;
+    let (left, right) = (x, COLUMN - 8.0);
+    // Each piece reaches to the end, so that nothing shines through between them.
+    for i in 0..128 {
+        let share = f64::from(i) / 128.0;
+        let ink = shade(Some((share * std::f64::consts::LN_2).max(1e-9)));
+        canvas.rectangle([left + share * (right - left), 4.0, right, 12.0], ink);
     }
-    for (rate, name) in [(0.0, "0"), (0.2, "0.2"), (0.4, "0.4"), (0.6, "0.6"), (std::f64::consts::LN_2, "")] {
-        let at = x + (rate / std::f64::consts::LN_2 * 800.0) as i32;
-        key.draw(&PathElement::new([(at, 110), (at, 124)], BLACK.stroke_width(3)))?;
-        key.draw(&text(name.into(), (at, 158), HPos::Center))?;
+    canvas.rectangle([left, 4.0, right, 12.0], outline);
+    for (rate, name) in [(0.0, "0"), (0.2, "0.2"), (0.4, "0.4")] {
+        let at = left + rate / std::f64::consts::LN_2 * (right - left);
+        canvas.line(vec![(at, 12.0), (at, 14.0)], outline);
+        canvas.sized(name, (at, 18.5), Anchor::Middle, 7.0);
     }
-    key.draw(&text(
-        format!("entropy per forcing period; areas of period ≤ {last}"),
-        (x + 800, 220),
-        HPos::Right,
-    ))?;
-    for (area, case) in panels.iter().zip([Case::PlusPlus, Case::PlusMinus, Case::MinusPlus]) {
-        let chart = panel(area, cells, case).map_err(|error| error.to_string())?;
-        let (x, y) = chart.backend_coord(&(-1.98, 0.06));
-        root.draw(&Text::new(
-            format!("eµ, γ: {}", label(case)),
-            (x, y),
-            style(FONT + 10, HPos::Left, VPos::Center),
-        ))?;
+    canvas.sized("log 2", (COLUMN - 4.0, 18.5), Anchor::End, 7.0);
+    let what = format!("entropy per forcing period; areas of period ≤ {last}");
+    canvas.text(what, (COLUMN - 4.0, 28.0), Anchor::End);
+}
+
+fn draw(last: u64, cells: &[Cell]) -> Canvas {
+    let mut canvas = Canvas::new(
+        COLUMN,
+        36.0 + 3.0 * PANEL + 10.0,
+        "Which impact patterns a grazing bifurcation gives birth to",
+        "Three panels, one per case, show the (a1, a2) plane for 0 < a2 < 1. White: no pattern is born; grey: \
+         patterns, but no chaos; from yellow to dark blue: chaos, of entropy up to log 2.",
+    );
+    key(&mut canvas, last);
+    let cases = [Case::PlusPlus, Case::PlusMinus, Case::MinusPlus];
+    for (case, top) in cases.into_iter().zip((0..).map(|i| 36.0 + PANEL * f64::from(i))) {
+        panel(&mut canvas, top, cells, case, case == Case::MinusPlus);
     }
-    root.present()?;
-    drop((key, panels, rest));
-    drop(root);
-    Ok(svg)
+    canvas
 }
 
 #[cfg(test)]

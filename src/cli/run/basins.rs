@@ -30,7 +30,7 @@ pub(super) fn keep(found: &BasinsFindings, job: &Job) -> Result<Vec<String>> {
     let cells = found.cells.iter().map(|&cell| classes[cell]).collect();
     let plane = found.plane.as_ref();
     let axes = plane.map_or(["q", "u"], |[first, second]| [first, second]);
-    figure::grid(&Grid { x, y, cells, names }, axes, job.folder, &job.task.name)?;
+    figure::grid(&Grid { x, y, cells, names }, axes, &job.place())?;
     Ok(job.figure())
 }
 

@@ -89,7 +89,7 @@ fn write<R: Row, O: FollowedOrbit>(
             (found.branches.iter().map(locus).collect(), [task.parameter.as_str(), second.as_str()])
         }
     };
-    figure::branches(&curves, &[], axes, job.folder, &job.task.name)?;
+    figure::branches(&curves, &[], axes, &job.place())?;
     files.extend(job.figure());
     files.push(job.csv(&found.rows, "-points.csv")?);
     Ok(files)

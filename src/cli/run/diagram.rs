@@ -13,7 +13,7 @@ pub(super) fn keep(found: &DiagramFindings, task: &DiagramTask, job: &Job) -> Re
     if let Some([drawn, _]) = &found.plane {
         let axes = [task.parameter.as_str(), drawn];
         let sets = scatter(found, |_| Ok(Box::new(|q| q)))?;
-        figure::branches(&[], &sets, axes, job.folder, &job.task.name)?;
+        figure::branches(&[], &sets, axes, &job.place())?;
         let windows = job.csv(&found.windows, "-windows.csv")?;
         return Ok(job.figure().into_iter().chain([windows]).collect());
     }
@@ -27,13 +27,7 @@ pub(super) fn keep(found: &DiagramFindings, task: &DiagramTask, job: &Job) -> Re
         let drawing = &drawing;
         Ok(Box::new(move |q| drawing.displacement(&oscillator, q)))
     };
-    figure::branches(
-        &curves,
-        &scatter(found, height)?,
-        [&task.parameter, drawing.axis()],
-        job.folder,
-        &job.task.name,
-    )?;
+    figure::branches(&curves, &scatter(found, height)?, [&task.parameter, drawing.axis()], &job.place())?;
     let windows = job.csv(&found.windows, "-windows.csv")?;
     Ok(job.figure().into_iter().chain([windows]).collect())
 }

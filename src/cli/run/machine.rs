@@ -5,7 +5,7 @@ use std::io::Write;
 use super::Job;
 use crate::{
     error::Result,
-    figure::{self, MotionPicture},
+    figure::{self, MotionPicture, Place},
     machine::{Machine, MachineState, contact::StopContact, simulate::MachineEvent},
     oscillator::Time,
     run::{Findings, Keeper},
@@ -51,7 +51,7 @@ impl<'a> MachineSeries<'a> {
         let begin = job.scene.machine_state(&task.start, machine, "start")?.t / std::f64::consts::TAU;
         let begin = begin + task.transient as f64;
         let picture = |contact: &StopContact| {
-            let title = format!("{}: stop {}", job.scene.title, contact.name);
+            let title = format!("{}: “{}”", job.scene.title, contact.name);
             MotionPicture::new(&title, begin, f64::from(task.periods), 1).of("gap")
         };
         let pictures = contacts.iter().take(PICTURES).map(picture).collect();
@@ -125,7 +125,7 @@ impl Keeper for MachineSeries<'_> {
         let name = &self.job.task.name;
         let mut files = [".csv", "-events.csv"].map(|end| format!("{name}{end}")).to_vec();
         for (picture, name) in self.pictures.iter().zip(self.names()) {
-            figure::motion(picture, self.job.folder, &name)?;
+            figure::motion(picture, &Place { name: &name, ..self.job.place() })?;
             files.push(format!("{name}.svg"));
         }
         Ok(files)

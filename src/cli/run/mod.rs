@@ -27,6 +27,7 @@ use super::{Outcome, ReportFormat, in_pool, reported};
 use crate::{
     cli::progress::Interrupt,
     error::{Error, Result},
+    figure::Place,
     number::{parse_integer, parse_rational},
     output::{Column, Destination, TableCell, TableFormat, TableWriter, make_folder, say, write_file},
     run::{
@@ -118,6 +119,11 @@ impl Job<'_> {
             table.finish()
         })?;
         Ok(file)
+    }
+
+    /// Where its picture goes.
+    fn place(&self) -> Place<'_> {
+        Place { folder: self.folder, name: &self.task.name }
     }
 
     /// The names of the task's picture and of the data beside it.

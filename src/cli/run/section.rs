@@ -30,22 +30,28 @@ pub(super) fn keep(found: &SectionFindings, task: &SectionTask, job: &Job) -> Re
         };
         sets.push(frame.points(name.to_string(), mark, piece));
     }
+    let periodic = found.attractors.iter().filter(|attractor| attractor.periodic).count();
+    let alone = periodic + found.further_orbits.len() == 1;
     for (set, points) in &found.points {
         let (mark, name) = match set {
             SectionSet::Attractor(index) => describe(&found.attractors[*index]),
             SectionSet::Orbit(index) => {
                 let orbit = &found.further_orbits[*index];
-                // A stable one is there already, unless no start led to it.
-                let (mark, kind) =
-                    if orbit.stable { (Mark::Ring, "stable") } else { (Mark::Star, "unstable") };
+                // A stable one is there already, unless no start led to it. Stars tell orbits apart: alone,
+                // one has rings.
+                let (mark, kind) = match orbit.stable {
+                    true => (Mark::Ring, "stable"),
+                    false if alone => (Mark::UnstableRing, "unstable"),
+                    false => (Mark::Star, "unstable"),
+                };
                 (mark, format!("{kind}, impact pattern ({})", orbit.pattern))
             }
         };
         sets.push(frame.points(name, mark, points));
     }
     match &found.plane {
-        Some([x, y]) => figure::section(&sets, [x, y], job.folder, &job.task.name)?,
-        None => figure::section(&sets, frame.axes(), job.folder, &job.task.name)?,
+        Some([x, y]) => figure::section(&sets, [x, y], &job.place())?,
+        None => figure::section(&sets, frame.axes(), &job.place())?,
     }
     Ok(job.figure())
 }
