@@ -71,6 +71,7 @@ pub mod cover;
 pub mod event;
 mod header;
 mod lines;
+pub mod machine;
 pub mod orbit;
 mod oscillator;
 mod rejection;
@@ -88,7 +89,7 @@ use lines::Lines;
 pub const FORMAT: &str = "grazing-certificate 1";
 
 /// The kinds of certificate. Nothing else in here names them all.
-const KINDS: [Kind; 9] = [
+const KINDS: [Kind; 10] = [
     Kind::first(theorem2::KIND, theorem2::STATEMENT, theorem2::check),
     Kind::first(cover::KIND, cover::STATEMENT, cover::check),
     Kind::first(orbit::KIND, orbit::STATEMENT, orbit::check::<orbit::Fraction>),
@@ -98,6 +99,7 @@ const KINDS: [Kind; 9] = [
     Kind::first(word::KIND_BY_THEOREM, word::STATEMENT_BY_THEOREM, word::check_by_theorem),
     Kind::first(orbit::KIND, orbit::STATEMENT_2, orbit::check::<orbit::Range>).second(),
     Kind::first(event::KIND, event::STATEMENT_2, event::check::<event::RangeQuotient>).second(),
+    Kind::first(machine::KIND, machine::STATEMENT, machine::check),
 ];
 
 /// A kind of certificate, in one of its versions.

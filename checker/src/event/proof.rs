@@ -97,8 +97,9 @@ impl<'a, C: Coefficient> Proof<'a, C> {
 
     /// The only solution in the box of `radius`, enclosed.
     fn krawczyk(&self, radius: Interval, go_on: GoOn) -> Result<Vec<Interval>, Fault> {
+        let radii = vec![radius; self.centre.len()];
         let residual = self.equations(&self.centre, go_on)?;
-        let derivatives = self.derivatives(&krawczyk::around(&self.centre, radius), go_on)?;
-        krawczyk::image(&self.centre, &self.inverse, &residual, &derivatives, radius, go_on)
+        let derivatives = self.derivatives(&krawczyk::around(&self.centre, &radii), go_on)?;
+        krawczyk::image(&self.centre, &self.inverse, &residual, &derivatives, &radii, go_on)
     }
 }

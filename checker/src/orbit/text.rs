@@ -3,6 +3,7 @@
 use std::fmt;
 
 use super::{
+    super::lines::Words,
     super::oscillator::text::{
         line, read_count, read_flights, read_impacts, read_matrix, read_radius, read_system, write_proof,
     },
@@ -48,6 +49,17 @@ fn work(harmonics: u64, pieces: u64, impacts: u64) -> u64 {
     (1 + 2 * harmonics) * (4 * pieces + 24 * impacts)
 }
 
+impl Claim {
+    pub(crate) fn read(words: &mut Words) -> Result<Claim, String> {
+        match words.word("stable, unstable or open")? {
+            "stable" => Ok(Claim::Stable),
+            "unstable" => Ok(Claim::Unstable),
+            "open" => Ok(Claim::Open),
+            _ => Err("expected stable, unstable or open".into()),
+        }
+    }
+}
+
 impl fmt::Display for Claim {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
@@ -73,16 +85,7 @@ impl<C: Version> fmt::Display for Certificate<C> {
 /// Reads everything after the kind line.
 pub(super) fn read<C: Version>(lines: &mut Lines) -> Result<Certificate<C>, Rejection> {
     let system: System<C> = read_system(lines, C::STATEMENT)?;
-    let (m, claim) = line(lines, "orbit", |words| {
-        let m = read_count(words)?;
-        let claim = match words.word("stable, unstable or open")? {
-            "stable" => Claim::Stable,
-            "unstable" => Claim::Unstable,
-            "open" => Claim::Open,
-            _ => return Err("expected stable, unstable or open".into()),
-        };
-        Ok((m, claim))
-    })?;
+    let (m, claim) = line(lines, "orbit", |words| Ok((read_count(words)?, Claim::read(words)?)))?;
     let impacts = read_impacts(lines, &system, m)?;
     let (radius, within) = read_radius(lines)?;
     let inverse = read_matrix(lines, 2 * impacts.len())?;

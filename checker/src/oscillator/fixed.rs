@@ -95,6 +95,12 @@ impl Interval {
         Interval { lo: middle, hi: middle }
     }
 
+    /// A point near its middle, a multiple of 2⁻⁵⁶.
+    pub fn coarse_middle(self) -> Interval {
+        let Interval { lo, .. } = self.middle();
+        if self.is_whole() { self } else { Interval { lo: lo >> 40 << 40, hi: lo >> 40 << 40 } }
+    }
+
     /// The numbers' magnitudes are at most 2^`exponent` units; `None` of the whole line.
     pub fn magnitude_bits(self) -> Option<u32> {
         let bits = |x: i128| 128 - x.unsigned_abs().leading_zeros();

@@ -5,12 +5,12 @@ use super::{Fault, Interval};
 /// Asked now and then whether the work should go on.
 pub(crate) type GoOn<'a> = &'a mut dyn FnMut() -> Result<(), Fault>;
 
-/// The box of `radius` about `centre`.
-pub(crate) fn around(centre: &[Interval], radius: Interval) -> Vec<Interval> {
-    centre.iter().map(|y| y.widened(radius)).collect()
+/// The box of `radii` about `centre`, one for each unknown.
+pub(crate) fn around(centre: &[Interval], radii: &[Interval]) -> Vec<Interval> {
+    centre.iter().zip(radii).map(|(y, &radius)| y.widened(radius)).collect()
 }
 
-/// K = y − C f(y) + (I − C f′(X))(X − y) for the box X of `radius` about the `centre` y: `inverse` is C,
+/// K = y − C f(y) + (I − C f′(X))(X − y) for the box X of `radii` about the `centre` y: `inverse` is C,
 /// `residual` f(y), `derivatives` f′(X). Every solution of f = 0 in X lies in K, and K in the interior of X
 /// proves that there is exactly one and that f′ is regular there.
 ///
@@ -21,10 +21,10 @@ pub(crate) fn image(
     inverse: &[Vec<Interval>],
     residual: &[Interval],
     derivatives: &[Vec<Interval>],
-    radius: Interval,
+    radii: &[Interval],
     go_on: GoOn,
 ) -> Result<Vec<Interval>, Fault> {
-    let region = around(centre, radius);
+    let region = around(centre, radii);
     let mut image = Vec::with_capacity(region.len());
     for (i, row) in inverse.iter().enumerate() {
         go_on()?;
@@ -39,7 +39,8 @@ pub(crate) fn image(
         }
         image.push(value);
     }
-    match image.iter().zip(centre).position(|(k, y)| !k.is_within(radius, *y)) {
+    let inside = |((k, y), r): ((&Interval, &Interval), &Interval)| k.is_within(*r, *y);
+    match image.iter().zip(centre).zip(radii).position(|unknown| !inside(unknown)) {
         None => Ok(image),
         Some(i) => Err(Fault::False(format!(
             "Krawczyk's test does not map the box into itself in unknown {}",

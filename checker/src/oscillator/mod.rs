@@ -1,4 +1,5 @@
-//! What certificates about linear impact oscillators share. The kinds are elsewhere: `orbit`, `event`.
+//! What certificates about linear impact oscillators share. The kinds are elsewhere: `orbit`, `event`; `machine`
+//! takes numbers and lines from here.
 //!
 //! The checker works on integers in units of 2⁻⁹⁶ (`fixed`), alone or with a derivative (`number`). exp, sin,
 //! cos and √ all are the exponential of one 2×2 matrix (`exponential`). From it come the motion between
@@ -9,13 +10,13 @@
 //! method differs: that one has balls, and closed forms with exp, sin, cos and √.
 
 pub(crate) mod cycle;
-mod exponential;
+pub(crate) mod exponential;
 pub(crate) mod fixed;
 pub(crate) mod krawczyk;
 mod motion;
 pub(crate) mod number;
 pub(crate) mod range;
-mod sha256;
+pub(crate) mod sha256;
 #[cfg(test)]
 mod tests;
 pub(crate) mod text;
@@ -25,6 +26,6 @@ pub(crate) use fixed::Interval;
 
 use super::{
     Rejection, header,
-    lines::{Lines, Words},
+    lines::{self, Lines, Words},
     rejection::Fault,
 };

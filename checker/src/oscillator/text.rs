@@ -3,7 +3,8 @@
 use std::fmt;
 
 use super::{
-    Lines, Rejection, Words, fixed::Interval, header::expect_statement, number::Number, sha256::sha256,
+    Lines, Rejection, Words, fixed::Interval, header::expect_statement, lines::LONGEST, number::Number,
+    sha256::sha256,
 };
 
 /// The longest numerator, denominator or decimal, in digits: below 2¹¹³.
@@ -11,9 +12,9 @@ pub(crate) const DIGITS: usize = 34;
 /// The most impacts; a row of the matrix is one line.
 const IMPACTS: u64 = 24;
 /// The most harmonics of one function, and the largest multiple.
-const HARMONICS: u64 = 1000;
+pub(crate) const HARMONICS: u64 = 1000;
 /// The most periods between two impacts.
-const PERIODS: u64 = 10_000;
+pub(crate) const PERIODS: u64 = 10_000;
 /// The most exponentials that a check may take.
 const WORK: u64 = 1_000_000;
 
@@ -266,7 +267,17 @@ pub(crate) fn line<T>(
     name: &str,
     parse: impl FnOnce(&mut Words) -> Result<T, String>,
 ) -> Result<T, Rejection> {
-    let text = lines.expect(&format!("a line \"{name} …\""))?;
+    line_within(LONGEST, lines, name, parse)
+}
+
+/// The same, of up to `longest` bytes.
+pub(crate) fn line_within<T>(
+    longest: usize,
+    lines: &mut Lines,
+    name: &str,
+    parse: impl FnOnce(&mut Words) -> Result<T, String>,
+) -> Result<T, Rejection> {
+    let text = lines.expect_within(longest, &format!("a line \"{name} …\""))?;
     let mut words = Words::new(&text);
     let read = || {
         if words.word(name)? != name {
@@ -409,8 +420,17 @@ pub(crate) fn read_radius(lines: &mut Lines) -> Result<(Decimal, Decimal), Rejec
 
 /// Reads a square matrix.
 pub(crate) fn read_matrix(lines: &mut Lines, size: usize) -> Result<Vec<Vec<Decimal>>, Rejection> {
+    read_matrix_within(LONGEST, lines, size)
+}
+
+/// The same, its lines of up to `longest` bytes.
+pub(crate) fn read_matrix_within(
+    longest: usize,
+    lines: &mut Lines,
+    size: usize,
+) -> Result<Vec<Vec<Decimal>>, Rejection> {
     let row = |words: &mut Words| (0..size).map(|_| decimal(words)).collect::<Result<Vec<_>, _>>();
-    (0..size).map(|_| line(lines, "row", row)).collect()
+    (0..size).map(|_| line_within(longest, lines, "row", row)).collect()
 }
 
 /// Reads the pieces of so many flights, and the end of the file. `work` is a bound of the exponentials that
