@@ -41,6 +41,7 @@
 //! | `orbit`, `orbit 2` | that a periodic orbit of an oscillator exists, is unique in a box, admissible, stable or not; 2: for all coefficients in intervals | [`orbit`] |
 //! | `event`, `event 2` | that such an orbit bifurcates (saddle-node, flip) or grazes at a parameter in an interval; 2: for all coefficients in intervals | [`event`] |
 //! | `chaos` | that every bi-infinite word over an alphabet of periods is an orbit of an oscillator, over ranges of parameters | [`chaos`] |
+//! | `machine-orbit` | that a periodic orbit of a machine with any number of coordinates and stops exists, is unique in a box, admissible, stable or not | [`machine`] |
 //!
 //! # Use
 //!

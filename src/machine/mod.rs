@@ -56,6 +56,7 @@ mod response;
 pub mod section;
 pub mod simulate;
 mod slope;
+pub mod validate;
 
 pub use equations::{LinearEquations, Periodic};
 pub use flow::{FlowMethod, LinearFlow};

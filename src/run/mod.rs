@@ -36,6 +36,7 @@ mod machine_branch;
 mod machine_event;
 mod machine_grazing;
 mod machine_orbit;
+mod machine_validate;
 mod orbit;
 mod report;
 mod section;
@@ -68,6 +69,7 @@ pub use machine_branch::{MachineBranchFindings, MachineBranchRow, machine_branch
 pub use machine_event::{MachineEventFindings, MachineEventRow, machine_event};
 pub use machine_grazing::{MachineBornRow, MachineGrazingFindings, MachineGrazingReport, machine_grazing};
 pub use machine_orbit::{MachineOrbitFindings, MachineOrbitRow, machine_orbit};
+pub use machine_validate::machine_validate;
 pub use orbit::{MissingRow, OrbitFindings, OrbitRow, orbit};
 pub use report::TaskReport;
 pub use section::{AttractorRow, ExponentRow, SectionFindings, SectionOrbitRow, SectionSet, section};
@@ -434,6 +436,7 @@ fn answer(job: &Job, keeper: &mut dyn Keeper) -> Result<Findings> {
             Kind::EventTask(task) => machine_event(task, machine, job)?.into(),
             Kind::GrazingTask(task) => machine_grazing(task, job)?.into(),
             Kind::BranchTask(task) => machine_branch(task, machine, job)?.into(),
+            Kind::ValidateTask(task) => machine_validate(task, machine, job)?.into(),
             // Refused when the scene was read.
             kind => return Err(Error::input(format!("kind {:?} does not work on machines", kind.word()))),
         });

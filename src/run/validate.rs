@@ -73,7 +73,7 @@ row! {
 }
 
 /// What is proved of each solution.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub struct ValidateFindings {
     /// The bifurcation that is enclosed; absent for orbits.
     pub event: Option<&'static str>,
@@ -119,8 +119,7 @@ impl Finding for ValidateFindings {
 /// # Errors
 /// Where the system is not defined; an interruption.
 pub fn validate(task: &ValidateTask, job: &Job) -> Result<ValidateFindings> {
-    let mut found =
-        ValidateFindings { event: None, proofs: Vec::new(), without: Vec::new(), certificates: Vec::new() };
+    let mut found = ValidateFindings::default();
     match (task.event, &task.parameter) {
         (Some(event), Some(parameter)) => events(task, event, parameter, job, &mut found)?,
         _ => orbits(task, job, &mut found)?,
@@ -129,7 +128,7 @@ pub fn validate(task: &ValidateTask, job: &Job) -> Result<ValidateFindings> {
 }
 
 impl ProofRow {
-    fn new<T>(verdict: &Verdict<T>, itinerary: &Itinerary, solution: Vec<f64>) -> ProofRow {
+    pub(super) fn of<T>(verdict: &Verdict<T>, pattern: String, solution: Vec<f64>) -> ProofRow {
         let (verdict, reason) = match verdict {
             Verdict::Proved(_) => ("proved", None),
             Verdict::Refuted(why) => ("refuted", Some(why.clone())),
@@ -137,7 +136,7 @@ impl ProofRow {
         };
         ProofRow {
             verdict,
-            pattern: itinerary.to_string(),
+            pattern,
             solution,
             reason,
             parameter: None,
@@ -158,13 +157,13 @@ impl ProofRow {
 
 impl ValidateFindings {
     /// Adds the certificate of the row that comes next.
-    fn certify(&mut self, row: &mut ProofRow, task: &str, text: String) {
+    pub(super) fn certify(&mut self, row: &mut ProofRow, task: &str, text: String) {
         let file = format!("{task}-{}.certificate", self.proofs.len() + 1);
         row.certificate = Some(file.clone());
         self.certificates.push((file, text));
     }
 
-    fn nothing(&mut self, speeds: Vec<f64>, reason: String) {
+    pub(super) fn nothing(&mut self, speeds: Vec<f64>, reason: String) {
         self.without.push(UnprovedRow { speeds, reason });
     }
 }
@@ -195,7 +194,7 @@ fn orbits(task: &ValidateTask, job: &Job, found: &mut ValidateFindings) -> Resul
     for orbit in starts(task, &oscillator, found) {
         job.check()?;
         let verdict = validate::orbit(&system, &impacts(&orbit.itinerary, &orbit.z), &precision)?;
-        let mut row = ProofRow::new(&verdict, &orbit.itinerary, orbit.z.clone());
+        let mut row = ProofRow::of(&verdict, orbit.itinerary.to_string(), orbit.z.clone());
         if let Verdict::Proved(proof) = verdict {
             row.phases = Some(all(&proof.phases));
             row.speeds = Some(all(&proof.velocities));
@@ -259,7 +258,7 @@ fn events(
         };
         let solution = guess.iter().flat_map(|impact| [impact.phase, impact.velocity]).chain([parameter]);
         let verdict = validate::event(exact, &guess, parameter, condition, &precision)?;
-        let mut row = ProofRow::new(&verdict, &orbit.itinerary, solution.collect());
+        let mut row = ProofRow::of(&verdict, orbit.itinerary.to_string(), solution.collect());
         if let Verdict::Proved(proof) = verdict {
             let Some((lo, hi)) = proof.parameter.exact_bounds() else {
                 found.nothing(speeds(&orbit), "the parameter's enclosure is not bounded".into());
@@ -330,7 +329,7 @@ fn impacts(itinerary: &Itinerary, z: &[f64]) -> Vec<ExpectedImpact> {
 }
 
 /// The certain digits of an enclosed number.
-fn digits(x: &Ball) -> Option<String> {
+pub(super) fn digits(x: &Ball) -> Option<String> {
     let (lo, hi) = x.exact_bounds()?;
     certain_digits(&lo, &hi, DIGITS)
 }

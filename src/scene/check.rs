@@ -196,9 +196,21 @@ fn check_machine(kind: &Kind, scene: &Scene, machine: &Machine<f64>, path: &str)
             }
             task.check_ranges(scene, path)
         }
+        Kind::ValidateTask(task) => {
+            check_machine_orbit(&task.orbit, scene, machine, &format!("{path}.orbit"))?;
+            let fail = |key: &str, message: &str| Err(scene.fail(&format!("{path}.{key}"), message));
+            if task.event.is_some() || task.parameter.is_some() {
+                let key = if task.event.is_some() { "event" } else { "parameter" };
+                return fail(key, "of a machine, orbits are proved and no bifurcations: leave it out");
+            }
+            if task.orbit.pattern.is_empty() {
+                return fail("orbit.pattern", "must have an impact to be validated");
+            }
+            Ok(())
+        }
         _ => {
             let message = "does not work on machines, format \"grazing-scene 2\": there are simulate, section, basins, \
-                           diagram, orbit, event, grazing and branch";
+                           diagram, orbit, event, grazing, branch and validate";
             Err(scene.fail(&format!("{path}.kind"), message))
         }
     }

@@ -9,8 +9,8 @@ use super::{
 };
 use crate::{
     error::{Error, Result},
-    machine::{Machine, MachineState, RealVector, section::PlaneAxis},
-    number::Plain,
+    machine::{Machine, MachineState, RealVector, section::PlaneAxis, validate::Bounds},
+    number::{Ball, Plain, Precision, Real},
 };
 
 impl Scene {
@@ -64,6 +64,26 @@ impl Scene {
             })?;
         }
         Ok(machine)
+    }
+
+    /// The machine of a scene of format 2, each coefficient exact where it is rational, else between bounds of 256 bits.
+    ///
+    /// # Errors
+    /// An input error, naming file, line and key, for a value that cannot be computed; for a scene of format 1.
+    pub fn enclosed_machine(&self) -> Result<Machine<Bounds>> {
+        let exact: Vec<_> = self.parameters.iter().map(|(_, value)| value.clone()).collect();
+        let precision = Precision::new(256);
+        let balls: Vec<_> = exact.iter().map(|value| Ball::ratio(value, &precision)).collect();
+        self.machine_scene()?.machine.try_map(|expression| {
+            if let Ok(value) = expression.evaluate(&exact, &()) {
+                return Ok([value.clone(), value]);
+            }
+            let fail =
+                |message: &str| self.fail(&expression.key, &format!("{message}{}", self.where_parameters()));
+            let ball = expression.evaluate(&balls, &precision).map_err(|error| fail(&error.to_string()))?;
+            let (lo, hi) = ball.exact_bounds().ok_or_else(|| fail("cannot be enclosed"))?;
+            Ok([lo, hi])
+        })
     }
 
     /// What a scene of format 2 is about.

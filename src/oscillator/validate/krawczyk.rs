@@ -171,7 +171,7 @@ impl Search {
 }
 
 /// 1/2, 1/5, 1/10, 1/20, … down to 10⁻¹².
-pub(super) fn radii() -> impl Iterator<Item = BigRational> {
+pub(crate) fn radii() -> impl Iterator<Item = BigRational> {
     (0..12).flat_map(|power| {
         let ten = num_traits::pow(BigInt::from(10), power);
         [2, 5, 10].map(|part| BigRational::new(1.into(), &ten * part))
@@ -234,7 +234,7 @@ const PLACES: u32 = 24;
 const COARSE: u32 = 9;
 
 /// The nearest number of so many decimals.
-pub(super) fn rounded(x: &BigRational, places: u32) -> BigRational {
+pub(crate) fn rounded(x: &BigRational, places: u32) -> BigRational {
     let scale = BigRational::from_integer(num_traits::pow(BigInt::from(10), places as usize));
     (x * &scale).round() / scale
 }

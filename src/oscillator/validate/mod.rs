@@ -36,9 +36,11 @@ mod write;
 
 pub use event::{Condition, ProvedEvent, event, event_in};
 pub use jet::Jet;
+pub(crate) use krawczyk::{radii, rounded};
 pub use orbit::{ExpectedImpact, ProvedOrbit, Stability, orbit, solution_in};
 pub use quotient::Quotient;
 pub use write::{certificate, event_certificate};
+pub(crate) use write::{decimal, range_of};
 
 use crate::error::Result;
 

@@ -199,14 +199,21 @@ fn quotient(x: &Quotient) -> Result<event::Quotient> {
 
 /// Decimals of at most [`DIGITS`] digits as near below and above a number as there are.
 fn range(x: &BigRational) -> Result<Range> {
-    let whole = x.abs().to_integer().to_string().len();
+    range_of(x, x)
+}
+
+/// The same of all numbers from `lo` to `hi`.
+pub(crate) fn range_of(lo: &BigRational, hi: &BigRational) -> Result<Range> {
+    let whole = [lo, hi].map(|x| x.abs().to_integer().to_string().len()).into_iter().max().unwrap_or(1);
     if whole > DIGITS {
-        return Err(Error::input(format!("{x} is beyond the range of a certificate")));
+        return Err(Error::input(format!("{hi} is beyond the range of a certificate")));
     }
     let scale = num_traits::pow(BigInt::from(10), DIGITS - whole);
-    let scaled = x * BigRational::from_integer(scale.clone());
-    let end = |y: BigRational| decimal(&BigRational::new(y.to_integer(), scale.clone()));
-    Ok(Range { lower: end(scaled.floor())?, upper: end(scaled.ceil())? })
+    let end = |x: &BigRational, round: fn(&BigRational) -> BigRational| {
+        let scaled = round(&(x * BigRational::from_integer(scale.clone())));
+        decimal(&BigRational::new(scaled.to_integer(), scale.clone()))
+    };
+    Ok(Range { lower: end(lo, BigRational::floor)?, upper: end(hi, BigRational::ceil)? })
 }
 
 /// A quotient divided by the greatest magnitude in its denominator, in intervals.
@@ -221,7 +228,7 @@ fn range_quotient(x: &Quotient) -> Result<event::RangeQuotient> {
 }
 
 /// A number that is a decimal.
-fn decimal(x: &BigRational) -> Result<Decimal> {
+pub(crate) fn decimal(x: &BigRational) -> Result<Decimal> {
     let scaled =
         |places: u32| x * BigRational::from_integer(num_traits::pow(BigInt::from(10), places as usize));
     let places = (0..DIGITS as u32).find(|&places| scaled(places).is_integer());
