@@ -26,6 +26,15 @@ use crate::{
 /// Where the machine is not defined; an interruption.
 pub fn machine_validate(task: &ValidateTask, machine: &Machine<f64>, job: &Job) -> Result<ValidateFindings> {
     let mut found = ValidateFindings::default();
+    // What no certificate can hold is said before the search.
+    let enclosed = job.scene.enclosed_machine()?;
+    let listed = match validate::listed(&enclosed) {
+        Ok(listed) => listed,
+        Err(error) => {
+            found.nothing(Vec::new(), error.to_string());
+            return Ok(found);
+        }
+    };
     let simulator = job.machine_simulator(machine, &[])?;
     let all = match orbits(&task.orbit, machine, &simulator, job) {
         Ok(all) => all,
@@ -43,18 +52,15 @@ pub fn machine_validate(task: &ValidateTask, machine: &Machine<f64>, job: &Job) 
         );
         return Ok(found);
     }
-    let listed = job.scene.enclosed_machine().and_then(|machine| validate::listed(&machine));
     for orbit in &all {
         job.check()?;
-        let verdict = match &listed {
-            Ok(listed) => prove(listed, orbit, job)?,
-            Err(error) => Verdict::Undecided(error.to_string()),
-        };
-        let solution = phases(orbit).into_iter().zip(speeds(orbit, &simulator)).flat_map(|(t, v)| [t, v]);
+        let verdict = prove(&listed, orbit, job)?;
+        let solution =
+            phases(orbit).into_iter().zip(speeds(orbit, simulator.rate())).flat_map(|(t, v)| [t, v]);
         let pattern = orbit.pattern.named(simulator.contacts().all());
         let mut row = ProofRow::of(&verdict, pattern, solution.collect());
         if let Verdict::Proved(proof) = verdict {
-            fill(&mut row, &proof, &job.scene.enclosed_machine()?.period)?;
+            fill(&mut row, &proof, &enclosed.period)?;
             found.certify(&mut row, &job.task.name, proof.text);
         }
         found.proofs.push(row);
