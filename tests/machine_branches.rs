@@ -130,6 +130,12 @@ fn one_degree_of_freedom_bifurcates_as_by_the_one_degree_code() {
             event("sn", "saddle-node", -0.08, orbit("4", 1.0)),
             event("gr", "grazing", -0.03, orbit("4", 1.0)),
             task("all", "branch", &starts),
+            task(
+                "born",
+                "branch",
+                "parameter = \"mu\"\nrange = [0, 0.01]\noptions = { most_step = 0.05 }\nstarts = [{ restart = { file = \"all-3.json\", \
+                 label = \"flip 1\", switch = true } }]",
+            ),
         ]
     };
     let rate = TAU / 3.0;
@@ -162,6 +168,11 @@ fn one_degree_of_freedom_bifurcates_as_by_the_one_degree_code() {
             near(number(&a["acceleration"]), number(&b["acceleration"]) * rate * rate, 1e-8);
         }
     }
+    // The doubled orbit is born at the flip and grazes where the paper says.
+    let (a, b) = (labels(&machine["tasks"][4]), labels(&alone["tasks"][4]));
+    assert!(a.len() == b.len() && a[0].0 == "1 grazing 1" && a[0].1["pattern"] == "3,3", "{a:?} {b:?}");
+    near(number(&a[0].1["parameters"][0]), number(&b[0].1["parameters"][0]), 1e-11);
+    near(number(&a[0].1["parameters"][0]), 0.00609992867161, 1e-13);
     let (a, b) = (labels(&machine["tasks"][3]), labels(&alone["tasks"][3]));
     let names = |all: &[(String, &Value)]| all.iter().map(|row| row.0.clone()).collect::<Vec<_>>();
     assert_eq!(names(&a), names(&b));
@@ -223,4 +234,172 @@ fn uncoupled_oscillators_bifurcate_where_each_does() {
     let all = found(0)["multipliers"].as_array().unwrap();
     let sizes: Vec<f64> = all.iter().map(|x| number(&x[0]).hypot(number(&x[1]))).collect();
     assert!(sizes.iter().filter(|size| (*size - modulus).abs() < 1e-10).count() == 2, "{sizes:?}");
+}
+
+/// A chain of masses, the first held to the ground: spring and damper to the ground, springs, dampers,
+/// masses, the mass that is forced, the mass that the stop meets. Those of the script, by its names.
+type Chain = (
+    [&'static str; 2],
+    &'static [&'static str],
+    &'static [&'static str],
+    &'static [&'static str],
+    usize,
+    usize,
+);
+
+fn chain(name: &str) -> Chain {
+    match name {
+        "driven" => (["1.6", "0.05"], &["5.5"], &["0.09"], &["1", "3"], 1, 0),
+        "stopped" => (["2.9", "0.2"], &["2.7"], &["0.07"], &["1", "1"], 0, 0),
+        "second" => (["0.9", "0.2"], &["1.6"], &["0.14"], &["1", "3"], 1, 1),
+        "slow" => (["1.91", "0.05"], &["0.22"], &["0.02"], &["1", "1"], 0, 0),
+        "stiff" => (["0.48", "0.06"], &["3.87"], &["0.04"], &["1", "0.5"], 1, 0),
+        "three" => (["1.6", "0.05"], &["5.5", "3"], &["0.09", "0.05"], &["1", "3", "0.5"], 1, 0),
+        other => panic!("{other}"),
+    }
+}
+
+fn scene(name: &str, tau: f64) -> String {
+    let (ground, springs, dampers, masses, forced, met) = chain(name);
+    let n = masses.len();
+    let matrix = |ground: &str, links: &[&str]| {
+        let entry = |i: usize, j: usize| {
+            let own = if i == j && i == 0 { ground.to_string() } else { String::new() };
+            let linked = |k: usize| (k == i || k + 1 == i) && (k == j || k + 1 == j);
+            let sign = if i == j { "+" } else { "-" };
+            let sum: String =
+                (0..n - 1).filter(|k| linked(*k)).map(|k| format!("{sign}{}", links[k])).collect();
+            format!("\"0{}{own}{sum}\"", if own.is_empty() { "" } else { "+" })
+        };
+        let row = |i: usize| format!("[{}]", (0..n).map(|j| entry(i, j)).collect::<Vec<_>>().join(", "));
+        format!("[{}]", (0..n).map(row).collect::<Vec<_>>().join(", "))
+    };
+    let at = |i: usize, what: &str| {
+        format!("[{}]", (0..n).map(|j| if i == j { what } else { "0" }).collect::<Vec<_>>().join(", "))
+    };
+    format!(
+        "format = \"grazing-scene 2\"\ntitle = \"{name}\"\n[parameters]\nF = 1\ntau = {tau}\n[system]\n\
+         period = \"2*pi\"\nmass = {{ diagonal = [{}] }}\ndamping = {}\nstiffness = {}\n\
+         forcing = [{{ cos = {} }}]\n[[walls]]\nrow = {}\noffset = -1\nrestitution = \"tau\"\n",
+        masses.join(", "),
+        matrix(ground[1], dampers),
+        matrix(ground[0], springs),
+        at(forced, "\"F\""),
+        at(met, "1"),
+    )
+}
+
+/// F, tau, V, phase and the largest multiplier at an event of the script's.
+fn known(machine: &str, event: &str) -> [f64; 6] {
+    let text = include_str!("data/machine_bifurcations.csv");
+    let start = format!("{machine},{event},");
+    let row = text.lines().find_map(|line| line.strip_prefix(&start)).unwrap_or_else(|| panic!("{start}"));
+    let numbers: Vec<f64> = row.split(',').map(|x| x.parse().unwrap()).collect();
+    numbers.try_into().unwrap()
+}
+
+/// Coupled machines of two and three masses against the script: saddle-node, flip, Neimark–Sacker point,
+/// grazing.
+#[test]
+fn events_of_coupled_machines_are_where_an_independent_script_has_them() {
+    let folder = tempfile::tempdir().unwrap();
+    for (name, tau, force, periods, start, events) in [
+        ("driven", 0.9, 2.62, 1, [0.947, 0.166], &["saddle-node", "neimark-sacker"][..]),
+        ("stopped", 0.7, 0.54, 1, [0.547, 0.34], &["neimark-sacker"]),
+        ("second", 0.85, 1.15, 2, [0.584, 0.443], &["flip"]),
+        ("three", 0.9, 3.9, 1, [0.9355, 0.255], &["neimark-sacker", "grazing"]),
+    ] {
+        let one = |what: &&str| {
+            let keys = format!(
+                "event = \"{what}\"\nparameter = \"F\"\nset = {{ F = {force} }}\norbit = {{ pattern = [{periods}], start = {start:?} }}"
+            );
+            task(what, "event", &keys)
+        };
+        let tasks: Vec<String> = events.iter().map(one).collect();
+        let (report, code, error) = run(&scene(name, tau), &tasks, folder.path());
+        assert_eq!(code, 0, "{name}: {error}{report}");
+        for (i, event) in events.iter().enumerate() {
+            let [force, _, speed, phase, re, im] = known(name, event);
+            let found = &report["tasks"][i]["found"][0];
+            near(number(&found["parameter"]), force, 1e-11 * force);
+            // Along a branch that turns back the parameter is known better than the orbit.
+            near(number(&found["speeds"][0]), speed, 1e-8);
+            near(number(&found["phases"][0]), phase, 1e-8);
+            let first = &found["multipliers"][0];
+            near(number(&first[0]), re, 1e-7);
+            near(number(&first[1]).abs(), im, 1e-7);
+            let stable = if *event == "grazing" { Value::Bool(true) } else { Value::from("marginal") };
+            // What is not critical may be outside the unit circle.
+            assert!(
+                found["stable"] == stable || found["stable"] == false && *event == "saddle-node",
+                "{found}"
+            );
+        }
+    }
+}
+
+/// Curves in force and restitution: each meets its point of codimension two where the script has it.
+#[test]
+fn points_of_codimension_two_are_where_an_independent_script_has_them() {
+    let folder = tempfile::tempdir().unwrap();
+    for (name, tau, force, range, start, events) in [
+        (
+            "driven",
+            0.95,
+            2.62,
+            [2.58, 2.66],
+            [0.947, 0.166],
+            &[("neimark-sacker", "1:1-resonance"), ("saddle-node", "1:1-resonance")][..],
+        ),
+        ("slow", 0.8, 1.2005, [1.195, 1.21], [0.5075, 0.082], &[("flip", "1:2-resonance")]),
+        ("stiff", 0.85, 0.75, [0.55, 0.95], [0.87, 2.5], &[("flip", "fold-flip")]),
+    ] {
+        let keys = format!(
+            "parameter = \"F\"\nrange = {range:?}\nstarts = [{{ at = {force}, orbit = {{ pattern = [1], start = {start:?} }} }}]\n\
+             options = {{ step = 0.05, most_step = 0.2 }}"
+        );
+        let mut tasks = vec![task("one", "branch", &keys)];
+        for (event, _) in events {
+            let keys = format!(
+                "parameter = \"F\"\nrange = {range:?}\nsecond = \"tau\"\nsecond_range = [0.7, 1]\n\
+                 starts = [{{ restart = {{ file = \"one.json\", label = \"{event} 1\" }} }}]\n\
+                 options = {{ step = 0.05, most_step = 0.2 }}"
+            );
+            tasks.push(task(&format!("two-{event}"), "branch", &keys));
+        }
+        let (report, code, error) = run(&scene(name, tau), &tasks, folder.path());
+        assert_eq!(code, 0, "{name}: {error}{report}");
+        for (i, (_, label)) in events.iter().enumerate() {
+            let [force, tau, speed, ..] = known(name, label);
+            let all = labels(&report["tasks"][i + 1]);
+            let found = all.iter().find(|(known, _)| *known == format!("1 {label} 1"));
+            let (_, row) = found.unwrap_or_else(|| panic!("{label}: {all:?}"));
+            near(number(&row["parameters"][0]), force, 1e-9);
+            near(number(&row["parameters"][1]), tau, 1e-8);
+            near(number(&row["speeds"][0]), speed, 1e-8);
+        }
+    }
+}
+
+/// What continuation cannot do with machines is said.
+#[test]
+fn what_is_not_done_is_said() {
+    let folder = tempfile::tempdir().unwrap();
+    let orbit = "starts = [{ orbit = { pattern = [4], start = [0.878, 1.41] } }]";
+    let keys = format!("parameter = \"mu\"\nrange = [-0.1, 0.01]\nframe = \"lower\"\n{orbit}");
+    let file = folder.path().join("scene.toml");
+    fs::write(&file, format!("{PAPER}{}", task("a", "branch", &keys))).unwrap();
+    let output = Command::new(env!("CARGO_BIN_EXE_grazing")).arg("run").arg(&file).output().unwrap();
+    let error = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(2), "{error}");
+    assert!(error.contains("frame") && error.contains("of a machine, the picture shows the gap"), "{error}");
+    // A label of another machine.
+    let keys = format!("parameter = \"mu\"\nrange = [-0.1, 0.01]\noptions = {{ most_step = 0.3 }}\n{orbit}");
+    let (report, code, error) = run(PAPER, &[task("one", "branch", &keys)], folder.path());
+    assert_eq!(code, 0, "{error}{report}");
+    let keys = "parameter = \"mu\"\nrange = [-0.1, 0.01]\nstarts = [{ restart = { file = \"one.json\", label = \"grazing 1\" } }]";
+    let (report, code, _) = run(PAIR, &[task("other", "branch", keys)], folder.path());
+    assert_eq!(code, 2, "{report}");
+    let reason = report["tasks"][0]["reason"].as_str().unwrap();
+    assert!(reason.contains("wall \"plate\""), "{reason}");
 }

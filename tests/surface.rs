@@ -119,6 +119,7 @@ const JSON: [&str; 28] = [
     "run {root}/tests/data/kinds.toml",
     "run {root}/tests/data/kinds-machine.toml",
     "@branch.json",
+    "@machine-branch.json",
 ];
 
 /// With Python's `jsonschema` every output is as its schema says, and no key can be renamed, left out or

@@ -101,7 +101,8 @@ keys! {
         second_range: Vec<f64> = "[]",
         /// how they are followed
         options: Options = "{}",
-        /// when the picture's displacement is taken, as a fraction of the forcing period
+        /// when the picture's displacement, of a machine the gap to a stop, is taken, as a fraction of the
+        /// forcing period
         phase: BigRational = "0",
         /// the frame in which it is measured
         frame: Frame = "\"fixed\"",
