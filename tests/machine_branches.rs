@@ -342,17 +342,18 @@ fn events_of_coupled_machines_are_where_an_independent_script_has_them() {
 #[test]
 fn points_of_codimension_two_are_where_an_independent_script_has_them() {
     let folder = tempfile::tempdir().unwrap();
-    for (name, tau, force, range, start, events) in [
+    for (name, tau, force, range, second, start, events) in [
         (
             "driven",
             0.95,
-            2.62,
-            [2.58, 2.66],
-            [0.947, 0.166],
+            2.61,
+            [2.6, 2.615],
+            [0.94, 1.0],
+            [0.9495, 0.154],
             &[("neimark-sacker", "1:1-resonance"), ("saddle-node", "1:1-resonance")][..],
         ),
-        ("slow", 0.8, 1.2005, [1.195, 1.21], [0.5075, 0.082], &[("flip", "1:2-resonance")]),
-        ("stiff", 0.85, 0.75, [0.55, 0.95], [0.87, 2.5], &[("flip", "fold-flip")]),
+        ("slow", 0.85, 1.2005, [1.198, 1.202], [0.8, 0.9], [0.5085, 0.079], &[("flip", "1:2-resonance")]),
+        ("stiff", 0.85, 0.75, [0.65, 0.76], [0.78, 0.87], [0.87, 2.5], &[("flip", "fold-flip")]),
     ] {
         let keys = format!(
             "parameter = \"F\"\nrange = {range:?}\nstarts = [{{ at = {force}, orbit = {{ pattern = [1], start = {start:?} }} }}]\n\
@@ -361,7 +362,7 @@ fn points_of_codimension_two_are_where_an_independent_script_has_them() {
         let mut tasks = vec![task("one", "branch", &keys)];
         for (event, _) in events {
             let keys = format!(
-                "parameter = \"F\"\nrange = {range:?}\nsecond = \"tau\"\nsecond_range = [0.7, 1]\n\
+                "parameter = \"F\"\nrange = {range:?}\nsecond = \"tau\"\nsecond_range = {second:?}\n\
                  starts = [{{ restart = {{ file = \"one.json\", label = \"{event} 1\" }} }}]\n\
                  options = {{ step = 0.05, most_step = 0.2 }}"
             );

@@ -84,6 +84,9 @@ struct Case {
     mass: Vec<Vec<f64>>,
     damping: Vec<Vec<f64>>,
     stiffness: Vec<Vec<f64>>,
+    /// Φ, if forces and states are at points of the machine; the start is of the modes.
+    #[serde(default)]
+    shapes: Vec<Vec<f64>>,
     force: Vec<f64>,
     loads: Vec<Given>,
     t0: f64,
@@ -99,8 +102,8 @@ struct Given {
     sin: Vec<f64>,
 }
 
-/// Repeated, overdamped, defective, rigid-body, gyroscopic, circulatory, resonant, stiff: by whatever method,
-/// to 2·10⁻¹³ of the largest entry, times the condition number where there are complex modes.
+/// Repeated, overdamped, defective, rigid-body, gyroscopic, circulatory, resonant, stiff, modal: by whatever
+/// method, to 2·10⁻¹³ of the largest entry, times the condition number where there are complex modes.
 #[test]
 fn motions_without_stops_agree_with_fifty_digits() {
     let table: Table = toml::from_str(include_str!("data/machines.toml")).unwrap();
@@ -108,6 +111,7 @@ fn motions_without_stops_agree_with_fifty_digits() {
     for case in &table.cases {
         let mut machine = machine(&rows(&case.mass), &rows(&case.damping), &rows(&case.stiffness));
         machine.force = case.force.clone();
+        machine.shapes = case.shapes.clone();
         let load = |given: &Given| Load { k: given.k, cos: given.cos.clone(), sin: given.sin.clone() };
         machine.forcing = case.loads.iter().map(load).collect();
         let simulator = simulator(&machine);
@@ -126,7 +130,9 @@ fn motions_without_stops_agree_with_fifty_digits() {
             let mut run = simulator.start(at(case.t0), &case.q, &case.u).unwrap();
             run.finish(at(case.t0).after(*duration));
             for (how, state) in [("at once", end), ("by the run", run.state())] {
-                let found = state.q.iter().chain(&state.u);
+                let (q, u) = (machine.seen(&state.q), machine.seen(&state.u));
+                let found = q.iter().chain(&u);
+                assert_eq!(q.len() + u.len(), expected.len(), "{}", case.name);
                 let off = found.zip(&expected).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
                 let fastest = flow.rates().iter().fold(1.0f64, |most, rate| most.max(*rate));
                 let bound = 2e-15 * size * condition * (10.0 + fastest * duration);
@@ -153,6 +159,13 @@ fn the_method_is_as_the_eigenvectors_are() {
         ("rigid body", FlowMethod::RealModes),
         ("defective", FlowMethod::Exponential),
         ("rigid body, defective", FlowMethod::Exponential),
+        ("defective, threefold", FlowMethod::Exponential),
+        ("defective, oscillating", FlowMethod::Exponential),
+        ("defective, damped", FlowMethod::Exponential),
+        ("flutter", FlowMethod::ComplexModes),
+        ("three, oscillating and overdamped", FlowMethod::ComplexModes),
+        ("two spirals at resonance", FlowMethod::ComplexModes),
+        ("shapes, two points of three modes", FlowMethod::RealModes),
         ("gyroscopic", FlowMethod::ComplexModes),
         ("circulatory", FlowMethod::ComplexModes),
         ("five, not classical", FlowMethod::ComplexModes),
