@@ -1,5 +1,5 @@
-//! Certificates of machines: orbits of one coordinate against the proofs in balls and version 1, machines of up to three against the
-//! simulator; damage is rejected unless what is said is still true.
+//! Certificates of machines: orbits of one coordinate against the proofs in balls and version 1, machines of
+//! up to three against the simulator; damage is rejected unless what is said is still true.
 
 mod common;
 mod systems;
@@ -43,7 +43,8 @@ fn turn() -> Bounds {
     ["6.283185307179586476925286766559", "6.283185307179586476925286766560"].map(number)
 }
 
-/// An oscillator as a machine of one coordinate, its walls as stops with the rows 1 and −1, made as a certificate lists it.
+/// An oscillator as a machine of one coordinate, its walls as stops with the rows 1 and −1, made as a
+/// certificate lists it.
 fn as_machine(case: &Case) -> (Machine<Bounds>, Vec<Side>) {
     let system = &case.system;
     let zero = BigRational::zero();
@@ -192,7 +193,8 @@ orbit = {{ pattern = [1], stops = ["end"], speed = 6, starts = 100 }}
     )
 }
 
-/// Machines of one to three coordinates, from their scenes: the numbers between which phases and speeds lie hold those that the simulator follows.
+/// Machines of one to three coordinates, from their scenes: the numbers between which phases and speeds lie
+/// hold those that the simulator follows.
 #[test]
 fn chains_are_proved_and_the_simulator_follows_them() {
     for n in 1..=3 {
@@ -217,7 +219,8 @@ fn chains_are_proved_and_the_simulator_follows_them() {
     }
 }
 
-/// The simulator, begun just before the first impact of the certificate's middle, comes to the same state a period later.
+/// The simulator, begun just before the first impact of the certificate's middle, comes to the same state a
+/// period later.
 fn follow(scene: &Scene, text: &str) {
     let machine = scene.machine(&[]).unwrap();
     let simulator = MachineSimulator::new(
@@ -267,8 +270,9 @@ fn lines<'t>(text: &'t str, start: &str) -> Vec<Vec<&'t str>> {
     all.map(|line| line.split(' ').skip(1).collect()).collect()
 }
 
-/// Whether what an accepted certificate says is true, by another route: the machine is the same (its digest), one impact, and the orbit that
-/// all orbits near are is in both of its boxes. The solution is `state`, to many digits.
+/// Whether what an accepted certificate says is true, by another route: the machine is the same (its digest),
+/// one impact, and the orbit that all orbits near are is in both of its boxes. The solution is `state`, to
+/// many digits.
 fn is_true(text: &str, original: &str, solution: &[BigRational], fixed: &Fixed, multiplier: f64) -> bool {
     let head = |text: &str| -> Vec<String> {
         text.lines().skip(4).take_while(|line| !line.starts_with("orbit")).map(String::from).collect()
@@ -296,7 +300,8 @@ fn is_true(text: &str, original: &str, solution: &[BigRational], fixed: &Fixed, 
     inside && claim && only(fixed, &centre, &scales, &radius)
 }
 
-/// Whether no second solution shows in the box: from corners of it Newton's method, in floats, comes to the one in it or leaves the box.
+/// Whether no second solution shows in the box: from corners of it Newton's method, in floats, comes to the
+/// one in it or leaves the box.
 fn only(fixed: &Fixed, centre: &[BigRational], scales: &[BigRational], radius: &BigRational) -> bool {
     let float = |x: &BigRational| x.to_f64().unwrap();
     let (radius, centre): (f64, Vec<f64>) = (float(radius), centre.iter().map(float).collect());
@@ -315,8 +320,9 @@ fn only(fixed: &Fixed, centre: &[BigRational], scales: &[BigRational], radius: &
     found.len() <= 1
 }
 
-/// The orbits of one impact at a stop that stands still, of a machine with one harmonic: for every phase there is one state that comes back, and what is left is one
-/// equation, that its gap is 0. With eigenvalues of nobody: the flow by many small steps of a Runge–Kutta method.
+/// The orbits of one impact at a stop that stands still, of a machine with one harmonic: for every phase
+/// there is one state that comes back, and what is left is one equation, that its gap is 0. With eigenvalues
+/// of nobody: the flow by many small steps of a Runge–Kutta method.
 struct Fixed {
     n: usize,
     matrix: nalgebra::DMatrix<f64>,
@@ -433,7 +439,8 @@ impl Fixed {
 
 const MASSES: &str = include_str!("../checker/tests/data/machine-masses.txt");
 
-/// Thousands of damaged certificates of two masses; those that pass are confirmed true by a Runge–Kutta method and Newton's.
+/// Thousands of damaged certificates of two masses; those that pass are confirmed true by a Runge–Kutta
+/// method and Newton's.
 #[test]
 fn damage_is_detected() {
     let mut runner = proptest::test_runner::TestRunner::deterministic();

@@ -311,3 +311,18 @@ fn every_link_leads_somewhere() {
     assert!(followed > 100, "{followed} links were followed");
     assert!(broken.is_empty(), "links that lead nowhere:\n{}", broken.join("\n"));
 }
+
+/// The list of pages is complete, so that docs can be read from front to back.
+#[test]
+fn the_summary_lists_every_page_once() {
+    let docs = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs");
+    let mut listed = targets(&fs::read_to_string(docs.join("SUMMARY.md")).unwrap());
+    listed.sort();
+    let mut pages: Vec<String> = fs::read_dir(&docs)
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .filter(|name| name.ends_with(".md") && name != "SUMMARY.md")
+        .collect();
+    pages.sort();
+    assert_eq!(listed, pages);
+}

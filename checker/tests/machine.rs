@@ -1,4 +1,5 @@
-//! Certificates of kind machine-orbit: the example worked by hand, and rules that random damage hardly ever touches.
+//! Certificates of kind machine-orbit: the example worked by hand, and rules that random damage hardly ever
+//! touches.
 
 mod common;
 
@@ -27,7 +28,8 @@ fn the_example_worked_by_hand_is_proved() {
     let claimed = |text: &str, claim: &str| answer(&with(text, "orbit", &format!("orbit 1 {claim}"))).is_ok();
     assert!(claimed(BALL, "unstable") && !claimed(BALL, "stable"));
     assert!(answer(&other()).is_ok(), "{}", rejected(&other()));
-    // By hand: P = [[−τ, 0], [−(τ z₋″ + z₊″)/V, −τ]] and a flight [[1, 2π], [0, 1]], z″ = −1 + a sin t: T = −2τ − 2π(1 + τ) z″/V with V = 2π/(1 + τ), D = τ².
+    // By hand: P = [[−τ, 0], [−(τ z₋″ + z₊″)/V, −τ]] and a flight [[1, 2π], [0, 1]], z″ = −1 + a sin t:
+    // T = −2τ − 2π(1 + τ) z″/V with V = 2π/(1 + τ), D = τ².
     let trace = |sine: f64| -1.0 - 2.25 * (-1.0 + 2.0 * sine);
     let determinant = 0.25f64;
     let phase = (std::f64::consts::PI / 6.0).acos();

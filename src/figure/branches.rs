@@ -151,8 +151,8 @@ const SMALL: f64 = TYPE - 1.0;
 /// A text and its place.
 type Label = (At, String);
 
-/// The names of curves. Those of curves that go on to the right stand at their ends, one for ends that are close;
-/// the others beside the curve.
+/// The names of curves. Those of curves that go on to the right stand at their ends, one for ends that are
+/// close; the others beside the curve.
 fn names(curves: &[DrawnBranch], paths: &[Vec<At>]) -> (Vec<Label>, Vec<Label>) {
     let (mut ends, mut beside): (Vec<Label>, Vec<Label>) = (Vec::new(), Vec::new());
     let far_right = paths.iter().flatten().map(|at| at.0).fold(f64::NEG_INFINITY, f64::max);

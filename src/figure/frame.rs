@@ -20,7 +20,8 @@ impl Axis {
         Axis { name: name.into(), from, to, log: false, most: Some(most), marks: even(from, to, most) }
     }
 
-    /// An axis with these marks, whose places are numbers or, if it is logarithmic, their logarithms to base 10.
+    /// An axis with these marks, whose places are numbers or, if it is logarithmic, their logarithms to
+    /// base 10.
     pub fn marked(
         name: impl Into<Words>,
         (from, to): (f64, f64),

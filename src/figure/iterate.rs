@@ -146,7 +146,8 @@ fn panel(canvas: &mut Canvas, [top, low]: [f64; 2], bottom: f64, curves: &[Curve
     frame
 }
 
-/// The plane above a height, in a part of a picture between two heights; frames below one another are aligned.
+/// The plane above a height, in a part of a picture between two heights; frames below one another are
+/// aligned.
 pub(super) fn plane_frame([top, low]: [f64; 2], bottom: f64) -> Frame {
     let (x, y) = (Axis::linear("a₁", (-2.0, 2.0), 4), Axis::linear("a₂", (bottom, 1.0), 5));
     Frame::new([2.0, top, COLUMN - 4.0, low], x, y).from_left(36.0)

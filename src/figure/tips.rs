@@ -89,8 +89,8 @@ impl TipPoint {
     }
 }
 
-/// Periods up to here have this colour and size of dot: the fewer, the larger, so that the rims of those below
-/// stand out.
+/// Periods up to here have this colour and size of dot: the fewer, the larger, so that the rims of those
+/// below stand out.
 const SHADES: [(u64, Colour, f64); 3] = [(12, RED, 1.9), (50, ORANGE, 1.3), (u64::MAX, SKY, 0.7)];
 
 /// A panel of (t, value) with logarithmic values: dots coloured by period, a curve on top.

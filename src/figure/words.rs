@@ -247,7 +247,8 @@ fn panel(canvas: &mut Canvas, top: f64, cells: &[Cell], case: Case, lowest: bool
     );
     canvas.inside(frame.inside(), |canvas| {
         for cell in cells.iter().filter(|cell| cell.case == case) {
-            // With a thin outline of its own colour: neighbours need not share vertices where they share a side.
+            // With a thin outline of its own colour: neighbours need not share vertices where they share a
+            // side.
             let ink = shade(cell.entropy);
             let paint = Paint { fill: Some(ink), stroke: Some(line(ink, 0.12)) };
             canvas.polygon(frame.path(cell.outline.clone()), paint);

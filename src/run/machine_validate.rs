@@ -1,4 +1,5 @@
-//! Tasks of kind `validate` on machines: orbits found as the task `orbit` does, each proved by the checker of certificates.
+//! Tasks of kind `validate` on machines: orbits found as the task `orbit` does, each proved by the checker of
+//! certificates.
 //!
 //! Phases are fractions of the period, speeds in the scene's units.
 

@@ -66,10 +66,12 @@ impl Scene {
         Ok(machine)
     }
 
-    /// The machine of a scene of format 2, each coefficient exact where it is rational, else between bounds of 256 bits.
+    /// The machine of a scene of format 2, each coefficient exact where it is rational, else between bounds
+    /// of 256 bits.
     ///
     /// # Errors
-    /// An input error, naming file, line and key, for a value that cannot be computed; for a scene of format 1.
+    /// An input error, naming file, line and key, for a value that cannot be computed; for a scene of
+    /// format 1.
     pub fn enclosed_machine(&self) -> Result<Machine<Bounds>> {
         let exact: Vec<_> = self.parameters.iter().map(|(_, value)| value.clone()).collect();
         let precision = Precision::new(256);

@@ -1,7 +1,8 @@
 //! The equations of an impact pattern, their derivatives, and the map once round, linearised.
 //!
-//! The unknowns are, impact by impact, its phase T, then the state (q, q′) just before it: 2n + 1 each. The equations of impact i are that its
-//! gap is 0, and that the flight that it begins ends in the state before impact i + 1.
+//! The unknowns are, impact by impact, its phase T, then the state (q, q′) just before it: 2n + 1 each. The
+//! equations of impact i are that its gap is 0, and that the flight that it begins ends in the state before
+//! impact i + 1.
 
 use super::{
     super::oscillator::{Interval, krawczyk::GoOn},
@@ -92,8 +93,9 @@ impl Cycle<'_> {
         Ok(all)
     }
 
-    /// Their derivatives over a box. The flight that ends later goes on by (q′, q″) there; begun later it lacks what the flow makes of (q′, q″) after
-    /// the impact, and has what it makes of the kick of Q″; what comes before the impact passes it by q′ → q′ − κ w·q′ and then the flow.
+    /// Their derivatives over a box. The flight that ends later goes on by (q′, q″) there; begun later it
+    /// lacks what the flow makes of (q′, q″) after the impact, and has what it makes of the kick of Q″; what
+    /// comes before the impact passes it by q′ → q′ − κ w·q′ and then the flow.
     pub fn derivatives(&self, x: &[Interval], go_on: GoOn) -> Result<Matrix, Fault> {
         let (m, n, block) = (self.impacts.len(), self.motion.size, self.block());
         let mut rows = vec![vec![Interval::ZERO; x.len()]; x.len()];
@@ -137,8 +139,9 @@ impl Cycle<'_> {
         matrix
     }
 
-    /// The linearised map once round, from just before the first impact. An orbit displaced by δ meets the stop w·δq/V later, in which it goes on
-    /// by (q′, q″) before the impact instead of after, while its speed V grows by −z″ per unit of time.
+    /// The linearised map once round, from just before the first impact. An orbit displaced by δ meets the
+    /// stop w·δq/V later, in which it goes on by (q′, q″) before the impact instead of after, while its speed
+    /// V grows by −z″ per unit of time.
     pub fn monodromy(&self, x: &[Interval], go_on: GoOn) -> Result<Matrix, Fault> {
         let n = self.motion.size;
         let mut all = linear::identity(2 * n);

@@ -10,7 +10,8 @@ pub(super) type Matrix = Vec<Vector>;
 /// The terms of the power series after which, with a norm up to 1/4, the rest is below
 /// 4⁻²¹/21! · 4/3 < 2⁻¹⁰⁶, far less than a unit.
 const TERMS: i128 = 20;
-/// The most halvings of a time: more of them than the bits that a coarse middle leaves free would lose digits.
+/// The most halvings of a time: more of them than the bits that a coarse middle leaves free would lose
+/// digits.
 const HALVINGS: u32 = 40;
 
 /// The n × n identity.
@@ -72,12 +73,13 @@ pub(super) struct Solved {
     pub solution: Matrix,
     /// det a.
     pub determinant: Interval,
-    /// Whether every pivot is positive. Without exchanges of rows, and if a is symmetric: whether it is positive definite.
+    /// Whether every pivot is positive. Without exchanges of rows, and if a is symmetric: whether it is
+    /// positive definite.
     pub positive: bool,
 }
 
-/// Solves a x = b for every enclosed a and b; `None` where a may be singular, as far as the intervals tell. With `exchange` the row whose
-/// entry is the least likely to be 0 is taken for each column, else the next.
+/// Solves a x = b for every enclosed a and b; `None` where a may be singular, as far as the intervals tell.
+/// With `exchange` the row whose entry is the least likely to be 0 is taken for each column, else the next.
 pub(super) fn solve(a: &Matrix, b: &Matrix, exchange: bool) -> Option<Solved> {
     let n = a.len();
     let (mut left, mut right) = (a.clone(), b.clone());
@@ -114,8 +116,8 @@ pub(super) fn solve(a: &Matrix, b: &Matrix, exchange: bool) -> Option<Solved> {
     Some(Solved { solution: right, determinant, positive })
 }
 
-/// exp(ta) for every enclosed t: a coarse middle apart, so that an interval of t is no wider than it must be and halving
-/// the middle loses no digits.
+/// exp(ta) for every enclosed t: a coarse middle apart, so that an interval of t is no wider than it must be
+/// and halving the middle loses no digits.
 pub(super) fn exp(a: &Matrix, t: Interval) -> Matrix {
     let middle = t.coarse_middle();
     times(&series(a, middle), &series(a, t - middle))

@@ -1,63 +1,80 @@
-//! Certificates of kind `machine-orbit`: a periodic orbit of a linear machine with rigid stops exists, is unique in a box, admissible, and stable or
-//! not.
+//! Certificates of kind `machine-orbit`: a periodic orbit of a linear machine with rigid stops exists, is
+//! unique in a box, admissible, and stable or not.
 //!
-//! A machine is M q″ + C q′ + K q = f₀ + Σ f_k(t) with n coordinates, a force of period T, and stops w·q ≥ Q(t) in any number, each with a restitution τ: an
-//! impact turns the gap's rate −V into τV and changes the velocities by (1 + τ) V M⁻¹wᵀ/(w M⁻¹wᵀ). It is a kind of its own, not a version of `orbit`, as
-//! no part of the mathematics is that of one coordinate: the flow is the exponential of a matrix of any size (`linear`, `motion`), the unknowns are
-//! whole states (`cycle`), stability is asked of powers of a matrix (`proof`). Numbers and the lines of the proof are those of `oscillator`. No
-//! code is shared with what finds the proof.
+//! A machine is M q″ + C q′ + K q = f₀ + Σ f_k(t) with n coordinates, a force of period T, and stops
+//! w·q ≥ Q(t) in any number, each with a restitution τ: an impact turns the gap's rate −V into τV and changes
+//! the velocities by (1 + τ) V M⁻¹wᵀ/(w M⁻¹wᵀ). It is a kind of its own, not a version of `orbit`, as no part
+//! of the mathematics is that of one coordinate: the flow is the exponential of a matrix of any size
+//! (`linear`, `motion`), the unknowns are whole states (`cycle`), stability is asked of powers of a matrix
+//! (`proof`). Numbers and the lines of the proof are those of `oscillator`. No code is shared with what finds
+//! the proof.
 //!
 //! # Form
 //!
-//! After `kind machine-orbit`. Every coefficient is an interval `LOWER..UPPER`, written R here: two decimals, in order, equal for a number that is known
-//! exactly. M, C, K, forces and T are in consistent units of the machine's own; phases T, pieces, velocities U and V are not: their unit of
-//! time is T/2π, in which the forcing's period is 2π.
+//! After `kind machine-orbit`. Every coefficient is an interval `LOWER..UPPER`, written R here: two decimals,
+//! in order, equal for a number that is known exactly. M, C, K, forces and T are in consistent units of the
+//! machine's own; phases T, pieces, velocities U and V are not: their unit of time is T/2π, in which the
+//! forcing's period is 2π.
 //!
 //! ```text
 //! statement …                  what passing proves, word for word: STATEMENT
-//! digest HEX                   SHA-256, in lower case, of the machine's lines, from coordinates to the last stop's, each ended by a line feed
+//! digest HEX                   SHA-256, in lower case, of the machine's lines, from coordinates to the last
+//!                              stop's, each ended by a line feed
 //! coordinates N                1 to 8
 //! period R                     T > 0
-//! unit E                       M, C, K and forces are 10^E times what is listed, -99 to 99; no motion depends on it
+//! unit E                       M, C, K and forces are 10^E times what is listed, -99 to 99; no motion
+//!                              depends on it
 //! mass R …                     N lines, of 1, 2, …, N numbers: the lower triangle of M, which is symmetric
 //! damping R …                  N lines of N numbers
 //! stiffness R …                N lines of N numbers
 //! force R …                    f₀, N numbers
 //! forcing J                    and J lines, J ≤ 1000:
-//! harmonic K A … B …           A cos 2πKt/T + B sin 2πKt/T, N numbers each, 1 ≤ K ≤ 1000, in any order, repeated or not
+//! harmonic K A … B …           A cos 2πKt/T + B sin 2πKt/T, N numbers each, 1 ≤ K ≤ 1000, in any order,
+//!                              repeated or not
 //! stops S                      0 to 16, and for each:
-//! stop OFFSET TAU J            Q = OFFSET + Σ (a cos + b sin), restitution TAU ≥ 0, J harmonics; three intervals and a number
+//! stop OFFSET TAU J            Q = OFFSET + Σ (a cos + b sin), restitution TAU ≥ 0, J harmonics; three
+//!                              intervals and a number
 //! direction R …                w, N numbers
 //! harmonic K A B               J lines
 //! orbit M CLAIM                the number of impacts, (2N + 1) M ≤ 84; stable, unstable, or open (no claim)
-//! scales S …                   2N decimals above 0: the units of the displacements, then of the velocities, in which the radii are meant
-//! impact STOP N T Q … U …      M lines: the stop from 1, the periods to the next impact (0 to 10000, not all 0); about the phase, and N displacements and N
-//!                              velocities just before the impact
-//! radius R W                   the orbit is the only one with all phases within R, and displacements and velocities within R times their scales; its own are within W; 0 < W ≤ R
+//! scales S …                   2N decimals above 0: the units of the displacements, then of the velocities,
+//!                              in which the radii are meant
+//! impact STOP N T Q … U …      M lines: the stop from 1, the periods to the next impact (0 to 10000, not all
+//!                              0); about the phase, and N displacements and N velocities just before the
+//!                              impact
+//! radius R W                   the orbit is the only one with all phases within R, and displacements and
+//!                              velocities within R times their scales; its own are within W; 0 < W ≤ R
 //! row C …                      (2N + 1) M lines of as many numbers: the preconditioner of Krawczyk's test
 //! flight J                     for each impact, J ≥ 1, and J lines
-//! until T                      the times since its impact at which pieces end; they grow, and the last is not before the flight's end
+//! until T                      the times since its impact at which pieces end; they grow, and the last is
+//!                              not before the flight's end
 //! ```
 //!
-//! T, Q, U, S, C are decimals (see the crate's head), and all numbers lie strictly between −2³⁰ and 2³⁰. Lines with a number for every coordinate or unknown have at
-//! most 4000 bytes.
+//! T, Q, U, S, C are decimals (see the crate's head), and all numbers lie strictly between −2³⁰ and 2³⁰.
+//! Lines with a number for every coordinate or unknown have at most 4000 bytes.
 //!
-//! The unknowns are, impact by impact, T, Q …, U …; the equations, impact by impact, that the gap to the stop that is hit is 0 (one), and that the flight ends in
-//! the state before the next impact (2N). As for an orbit, it must be shown not to repeat itself: for every divisor d of M for which d of M parts of the
+//! The unknowns are, impact by impact, T, Q …, U …; the equations, impact by impact, that the gap to the stop
+//! that is hit is 0 (one), and that the flight ends in the state before the next impact (2N). As for an
+//! orbit, it must be shown not to repeat itself: for every divisor d of M for which d of M parts of the
 //! periods are whole, some impact i and i + d differ in stop, state, or the time between them.
 //!
 //! # An example worked by hand
 //!
-//! A ball of mass 1 that a table throws up: q″ = −1, stop q ≥ 0 at rest, restitution 1, T = 2π. Thrown with V it comes back 2V later, so that V = π for the pattern 1. But it does
-//! so from any phase: no certificate is accepted, as the equations' derivative is singular. Let the table move, Q = a sin t, with restitution τ < 1. Each impact must give back what is lost:
-//! relative to the table the ball comes at −V and leaves at τV; it leaves with q′ = τV + a cos t and comes back a period later with q′ = −V + a cos t, and in between loses 2π by
-//! gravity, so that (1 + τ) V = 2π. Over the flight q changes by 2π(τV + a cos t) − 2π² = 0: a cos t = π − τV = π(1 − τ)/(1 + τ). With τ = 1/2 and a = 2: V = 4π/3, cos t = π/6,
-//! t = ±1.0197…; just before the impact q = 2 sin t, q′ = π/3 − 4π/3 = −π. So `impact 1 1 1.0197267436954502 1.7039299541846926 -3.141592653589793` is near one orbit, and with a minus
+//! A ball of mass 1 that a table throws up: q″ = −1, stop q ≥ 0 at rest, restitution 1, T = 2π. Thrown with V
+//! it comes back 2V later, so that V = π for the pattern 1. But it does so from any phase: no certificate is
+//! accepted, as the equations' derivative is singular. Let the table move, Q = a sin t, with restitution
+//! τ < 1. Each impact must give back what is lost: relative to the table the ball comes at −V and leaves at
+//! τV; it leaves with q′ = τV + a cos t and comes back a period later with q′ = −V + a cos t, and in between
+//! loses 2π by gravity, so that (1 + τ) V = 2π. Over the flight q changes by 2π(τV + a cos t) − 2π² = 0: a
+//! cos t = π − τV = π(1 − τ)/(1 + τ). With τ = 1/2 and a = 2: V = 4π/3, cos t = π/6, t = ±1.0197…; just
+//! before the impact q = 2 sin t, q′ = π/3 − 4π/3 = −π. So
+//! `impact 1 1 1.0197267436954502 1.7039299541846926 -3.141592653589793` is near one orbit, and with a minus
 //! before phase and displacement near the other. `checker/tests/machine.rs` checks both.
 //!
 //! # Cost
 //!
-//! In exponentials of 2 × 2 matrices, with J harmonics in all, P pieces and M impacts: e (8P + 20M) + (1 + 2J)(4P + 12M) may be at most 1,000,000, e = (2N + 1)³/4 rounded up. Memory: the
+//! In exponentials of 2 × 2 matrices, with J harmonics in all, P pieces and M impacts: e
+//! (8P + 20M) + (1 + 2J)(4P + 12M) may be at most 1,000,000, e = (2N + 1)³/4 rounded up. Memory: the
 //! certificate.
 
 mod cycle;

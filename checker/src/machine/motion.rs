@@ -1,11 +1,12 @@
 //! The motion of a machine between impacts and its stops, over intervals, time being the forcing's phase.
 //!
-//! With a = T/2π, Ω = 1/a: q″ = −K̂ q − Ĉ q′ + f̂(t), K̂ = a² M⁻¹K, Ĉ = a M⁻¹C, f̂ = a² M⁻¹f. A motion is p(t) + Φ(τ) y, τ the time
-//! since its start: p the periodic response to the harmonics, Φ the exponential of
+//! With a = T/2π, Ω = 1/a: q″ = −K̂ q − Ĉ q′ + f̂(t), K̂ = a² M⁻¹K, Ĉ = a M⁻¹C, f̂ = a² M⁻¹f. A motion is
+//! p(t) + Φ(τ) y, τ the time since its start: p the periodic response to the harmonics, Φ the exponential of
 //!
 //! ```text
 //! [  0   I   0 ]
-//! [ −K̂  −Ĉ  f̂₀ ]      on (q, q′, 1), which takes the constant force along, so that K need not be invertible.
+//! [ −K̂  −Ĉ  f̂₀ ]      on (q, q′, 1), which takes the constant force along, so that K need not be
+//!                       invertible.
 //! [  0   0   0 ]
 //! ```
 
@@ -187,7 +188,8 @@ impl Contact {
     }
 }
 
-/// α, β with α cos kt + β sin kt the response to a cos kt + b sin kt: (K̂ − k²) α + k Ĉ β = a, (K̂ − k²) β − k Ĉ α = b.
+/// α, β with α cos kt + β sin kt the response to a cos kt + b sin kt: (K̂ − k²) α + k Ĉ β = a, (K̂ − k²)
+/// β − k Ĉ α = b.
 fn answer(
     stiffness: &Matrix,
     damping: &Matrix,

@@ -1,4 +1,5 @@
-//! The proof itself: Krawczyk's test on two boxes, what makes the solution an orbit, where its multipliers are.
+//! The proof itself: Krawczyk's test on two boxes, what makes the solution an orbit, where its multipliers
+//! are.
 
 use super::{
     super::{
@@ -78,8 +79,9 @@ impl<'a> Proof<'a> {
         krawczyk::image(&self.centre, &self.inverse, &residual, &derivatives, &radii, go_on)
     }
 
-    /// No smaller whole number of periods is one of the orbit. If one were, it would hold d of the m impacts, d a divisor of m, and every impact would
-    /// come back d impacts later: on the same stop, in the same state, d/m of all periods later. For each such d some impact does not.
+    /// No smaller whole number of periods is one of the orbit. If one were, it would hold d of the m impacts,
+    /// d a divisor of m, and every impact would come back d impacts later: on the same stop, in the same
+    /// state, d/m of all periods later. For each such d some impact does not.
     fn least_period(&self, x: &[Interval]) -> Result<(), String> {
         let impacts = self.cycle.impacts;
         let m = impacts.len();
@@ -129,9 +131,10 @@ impl<'a> Proof<'a> {
         Ok(())
     }
 
-    /// A stop whose gap z is not shown to be positive on a piece. With r half its length and m its middle, z lies in z(m) + z′(m)[−r, r] + z″[0, r²/2] and z′ in
-    /// z′(m) + z″[−r, r]. Enough is z > 0; for the stop just left, where z = 0 ≤ z′, on the first piece z′ > 0 or z″ > 0; for the stop met
-    /// next, where z = 0, on the last piece z′ < 0.
+    /// A stop whose gap z is not shown to be positive on a piece. With r half its length and m its middle, z
+    /// lies in z(m) + z′(m)[−r, r] + z″[0, r²/2] and z′ in z′(m) + z″[−r, r]. Enough is z > 0; for the stop
+    /// just left, where z = 0 ≤ z′, on the first piece z′ > 0 or z″ > 0; for the stop met next, where z = 0,
+    /// on the last piece z′ < 0.
     fn doubtful(
         &self,
         i: usize,
@@ -157,8 +160,9 @@ impl<'a> Proof<'a> {
         })
     }
 
-    /// Stable: some power of the map once round has a norm below 1, in the certificate's units. Unstable: |det| > 1, or det(1 − P) < 0, so that the characteristic
-    /// polynomial, positive far out, has a root above 1, or det(1 + P) < 0, so that it has one below −1.
+    /// Stable: some power of the map once round has a norm below 1, in the certificate's units.
+    /// Unstable: |det| > 1, or det(1 − P) < 0, so that the characteristic polynomial, positive far out, has a
+    /// root above 1, or det(1 + P) < 0, so that it has one below −1.
     fn stability(&self, x: &[Interval], go_on: GoOn) -> Result<(), Fault> {
         let claim = self.certificate.claim;
         if claim == Claim::Open {

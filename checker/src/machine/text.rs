@@ -76,7 +76,8 @@ pub struct Machine {
     pub stops: Vec<Stop>,
 }
 
-/// An impact: on which stop, how many periods from its phase to the next one's, about when and in which state.
+/// An impact: on which stop, how many periods from its phase to the next one's, about when and in which
+/// state.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Impact {
     /// The stop, from 0.
@@ -171,8 +172,9 @@ impl fmt::Display for Certificate {
     }
 }
 
-/// A bound of the work of a check, in exponentials of 2 × 2 matrices: one of a (2n + 1) × (2n + 1) matrix counts as
-/// (2n + 1)³/4, or 7 at least. It is (8P + 20M) of those, and (1 + 2J)(4P + 12M) for the harmonics; J harmonics in all, P pieces and M impacts.
+/// A bound of the work of a check, in exponentials of 2 × 2 matrices: one of a (2n + 1) × (2n + 1) matrix
+/// counts as (2n + 1)³/4, or 7 at least. It is (8P + 20M) of those, and (1 + 2J)(4P + 12M) for the harmonics;
+/// J harmonics in all, P pieces and M impacts.
 fn work(size: u64, harmonics: u64, pieces: u64, impacts: u64) -> u64 {
     let one = (2 * size + 1).pow(3).div_ceil(4);
     one * (8 * pieces + 20 * impacts) + (1 + 2 * harmonics) * (4 * pieces + 12 * impacts)

@@ -9,7 +9,8 @@ use super::{
     text::{Certificate, Stop},
 };
 
-/// Names and values: what is claimed, the pattern, the impacts, the box, the machine, its stops and its digest.
+/// Names and values: what is claimed, the pattern, the impacts, the box, the machine, its stops and its
+/// digest.
 pub(super) fn detail(certificate: &Certificate) -> Vec<(&'static str, String)> {
     let (impacts, machine) = (&certificate.impacts, &certificate.machine);
     let claim = match certificate.claim {

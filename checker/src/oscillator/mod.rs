@@ -1,5 +1,5 @@
-//! What certificates about linear impact oscillators share. The kinds are elsewhere: `orbit`, `event`; `machine`
-//! takes numbers and lines from here.
+//! What certificates about linear impact oscillators share. The kinds are elsewhere: `orbit`, `event`;
+//! `machine` takes numbers and lines from here.
 //!
 //! The checker works on integers in units of 2⁻⁹⁶ (`fixed`), alone or with a derivative (`number`). exp, sin,
 //! cos and √ all are the exponential of one 2×2 matrix (`exponential`). From it come the motion between

@@ -1,4 +1,5 @@
-//! A picture as a list of shapes, in points (1/72 inch): what the figures draw on, and what is written as SVG.
+//! A picture as a list of shapes, in points (1/72 inch): what the figures draw on, and what is written as
+//! SVG.
 //!
 //! Lengths grow to the right and downwards. Nothing here knows of axes ([`frame`](super::frame)) or of data.
 
@@ -81,8 +82,8 @@ pub enum Anchor {
 /// One thing drawn.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Shape {
-    /// Lines through points, each part for itself; closed ones are polygons, together filled where an odd number
-    /// of windings is not zero in sum.
+    /// Lines through points, each part for itself; closed ones are polygons, together filled where an odd
+    /// number of windings is not zero in sum.
     Path { parts: Vec<Vec<At>>, closed: bool, paint: Paint },
     /// Discs or rings of one radius.
     Discs { at: Vec<At>, radius: f64, paint: Paint },

@@ -37,9 +37,9 @@ pub struct Run {
 
 /// A line of text.
 ///
-/// Made from a `str`, the letters of Unicode for indices and exponents (a₁, λⁿ), `_{…}` and `^{…}` are lowered
-/// and raised, and a letter that stands alone (q, a₁, eµ) is a symbol, in italics. [`Words::plain`] changes
-/// nothing: for names that come from a reader.
+/// Made from a `str`, the letters of Unicode for indices and exponents (a₁, λⁿ), `_{…}` and `^{…}` are
+/// lowered and raised, and a letter that stands alone (q, a₁, eµ) is a symbol, in italics. [`Words::plain`]
+/// changes nothing: for names that come from a reader.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Words(pub Vec<Run>);
 
@@ -119,7 +119,8 @@ impl Words {
         Words(runs)
     }
 
-    /// The width in points at a size of type, about: in DejaVu Sans Condensed, which other faces are close to.
+    /// The width in points at a size of type, about: in DejaVu Sans Condensed, which other faces are close
+    /// to.
     pub fn width(&self, size: f64) -> f64 {
         let run = |run: &Run| run.level.scale() * run.text.chars().map(advance).sum::<f64>();
         size * self.0.iter().map(run).sum::<f64>()

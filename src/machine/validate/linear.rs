@@ -1,4 +1,5 @@
-//! Small matrices of any kind of number, and their exponential, without any guarantee on the rest of its series.
+//! Small matrices of any kind of number, and their exponential, without any guarantee on the rest of its
+//! series.
 
 use crate::number::{Real, Sign};
 
@@ -60,7 +61,8 @@ pub(super) fn exp<T: Real>(a: &Matrix<T>, t: &T, norm: f64, terms: i32, context:
     (0..halvings).fold(sum, |power, _| times(&power, &power, context))
 }
 
-/// The inverse by Gauss and Jordan with partial pivoting; `None` if it is singular. `size` tells how large a pivot is.
+/// The inverse by Gauss and Jordan with partial pivoting; `None` if it is singular. `size` tells how large a
+/// pivot is.
 pub(super) fn inverse<T: Real>(
     a: &Matrix<T>,
     size: impl Fn(&T) -> f64,

@@ -1,9 +1,10 @@
 //! Proofs about periodic orbits of machines with few coordinates.
 //!
-//! An orbit found in floats is made precise by Newton's method in balls, and everything that a certificate of kind `machine-orbit` needs is
-//! looked for: the box, the preconditioner, the pieces of time. None of that is a proof. What is called proved is what the checker of certificates has proved from
-//! the certificate's text, with code and formulas of its own: here time is in the state (`linear`), there the response to the forcing is subtracted.
-//! Up to 8 coordinates and 16 stops.
+//! An orbit found in floats is made precise by Newton's method in balls, and everything that a certificate of
+//! kind `machine-orbit` needs is looked for: the box, the preconditioner, the pieces of time. None of that is
+//! a proof. What is called proved is what the checker of certificates has proved from the certificate's text,
+//! with code and formulas of its own: here time is in the state (`linear`), there the response to the forcing
+//! is subtracted. Up to 8 coordinates and 16 stops.
 
 mod linear;
 mod motion;

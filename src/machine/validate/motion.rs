@@ -1,6 +1,7 @@
 //! A machine as a linear system without forcing: time goes along in the state, as cos kt and sin kt.
 //!
-//! Y = (q, q′, 1, cos k₁t, sin k₁t, …) with Y′ = A Y, k₁, … all multiples in forces and stops. The gap to a stop is a functional of Y, and so are its derivatives.
+//! Y = (q, q′, 1, cos k₁t, sin k₁t, …) with Y′ = A Y, k₁, … all multiples in forces and stops. The gap to a
+//! stop is a functional of Y, and so are its derivatives.
 
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive, Zero};

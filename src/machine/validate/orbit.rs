@@ -34,8 +34,8 @@ pub struct ProvedMachineOrbit {
 }
 
 impl ProvedMachineOrbit {
-    /// The radius of the box in which there is no other orbit of its pattern: of phases in radians of the forcing, of displacements and velocities in the certificate's
-    /// scales.
+    /// The radius of the box in which there is no other orbit of its pattern: of phases in radians of the
+    /// forcing, of displacements and velocities in the certificate's scales.
     pub fn radius(&self) -> f64 {
         nearest(&exact(&self.certificate.radius))
     }
@@ -58,8 +58,8 @@ struct Equations {
     strikes: Vec<(usize, u32)>,
 }
 
-/// Proves an orbit near one that was found in floats, unique in the largest box that the checker accepts. `stop` is asked again and
-/// again whether to end.
+/// Proves an orbit near one that was found in floats, unique in the largest box that the checker accepts.
+/// `stop` is asked again and again whether to end.
 ///
 /// # Errors
 /// An interruption; an input error where the machine is not defined.
@@ -163,7 +163,8 @@ fn refusal(text: &str, stop: &mut dyn FnMut() -> bool) -> Result<Option<String>>
     }
 }
 
-/// Cuts the piece that the checker doubts in two, until it doubts none; else why it does not accept the certificate.
+/// Cuts the piece that the checker doubts in two, until it doubts none; else why it does not accept the
+/// certificate.
 fn cut_until_accepted(
     certificate: &mut Certificate,
     stop: &mut dyn FnMut() -> bool,
@@ -225,7 +226,8 @@ impl Equations {
         all.concat()
     }
 
-    /// About the size of each unknown, 1 for phases: those of one coordinate have one scale, not far below those of the others.
+    /// About the size of each unknown, 1 for phases: those of one coordinate have one scale, not far below
+    /// those of the others.
     fn scales(&self, x: &[f64]) -> Vec<f64> {
         let block = 2 * self.motion.size + 1;
         let most = |j: usize| x.iter().skip(j).step_by(block).fold(0.0, |most: f64, x| most.max(x.abs()));
@@ -288,7 +290,8 @@ impl Equations {
         rows
     }
 
-    /// A solution to many digits, and about the inverse of the derivative there; `None` if Newton's method does not converge.
+    /// A solution to many digits, and about the inverse of the derivative there; `None` if Newton's method
+    /// does not converge.
     fn refine(&self, start: &[f64], scales: &[f64]) -> Result<Option<(Vec<BigRational>, Vec<Vec<f64>>)>> {
         let place = |scale: f64| (PLACES - scale.log10().floor() as i32).clamp(0, 32) as u32;
         let number = |(x, scale): (&f64, &f64)| Some(rounded(&BigRational::from_float(*x)?, place(*scale)));
@@ -337,7 +340,8 @@ impl Equations {
     fn enclosed(&self, certificate: &Certificate, centre: &[BigRational]) -> (Vec<Ball>, Vec<Ball>) {
         let (motion, context) = (&self.motion, &self.motion.context);
         let block = 2 * motion.size + 1;
-        // Series without their rests and the machine in the middle of its intervals are off by less than this thousandth.
+        // Series without their rests and the machine in the middle of its intervals are off by less than this
+        // thousandth.
         let within = exact(&certificate.within) * BigRational::new(1001.into(), 1000.into());
         let turn = Ball::pi(context) * &Ball::integer(2, context);
         let one = |(i, &(stop, _)): (usize, &(usize, u32))| {

@@ -1,4 +1,5 @@
-//! Pieces of time on which the gaps are seen to be positive, by the checker's test in floats, without guarantee.
+//! Pieces of time on which the gaps are seen to be positive, by the checker's test in floats, without
+//! guarantee.
 
 use num_rational::BigRational;
 use num_traits::ToPrimitive;

@@ -43,11 +43,12 @@ impl Numbers {
     }
 }
 
-/// The machine as a certificate lists it: in the scene's units, or M, C, K and forces in units of a power of ten where they are too large or small.
+/// The machine as a certificate lists it: in the scene's units, or M, C, K and forces in units of a power of
+/// ten where they are too large or small.
 ///
 /// # Errors
-/// An input error for more than 8 coordinates or 16 stops, damping ratios beside a mass matrix of several coordinates, M that is not symmetric, and
-/// numbers beyond the range of a certificate.
+/// An input error for more than 8 coordinates or 16 stops, damping ratios beside a mass matrix of several
+/// coordinates, M that is not symmetric, and numbers beyond the range of a certificate.
 pub fn listed(machine: &Machine<Bounds>) -> Result<listed::Machine> {
     let (n, numbers) = (machine.size, Numbers { precision: Precision::new(BITS) });
     if n > COORDINATES || machine.stops.len() > STOPS {
