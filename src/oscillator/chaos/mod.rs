@@ -14,7 +14,9 @@
 //! let range = |lo, hi| -> grazing::Result<_> { Ok([parse_rational(lo)?, parse_rational(hi)?]) };
 //! let at = |x| range(x, x);
 //! let ranges = [at("12/49")?, at("100/2401")?, at("0")?, at("1")?, range("0", "1")?];
-//! let problem = Problem { ranges, behind: true, letters: vec![1, 2], next: vec![vec![0, 1]; 2] };
+//! let harmonics = vec![(1, [at("1")?, at("0")?])];
+//! let (letters, next) = (vec![1, 2], vec![vec![0, 1]; 2]);
+//! let problem = Problem { ranges, behind: true, harmonics, letters, next };
 //! let proof = prove(&problem, &())?.unwrap();
 //! assert!(proof.contraction < 1.0);
 //! assert!(certificate::check(&mut proof.text.as_bytes()).is_ok());

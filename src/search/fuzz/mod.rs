@@ -8,9 +8,9 @@
 //! its own, reported with the point.
 //!
 //! ```
-//! use grazing::search::fuzz::{FuzzOptions, FuzzTally, Tally, fuzz};
+//! use grazing::search::fuzz::{Campaign, FuzzOptions, FuzzTally, Tally, fuzz};
 //! let options = FuzzOptions { first: 1, last: 12, cases: 1000, seed: 1, definition_share: 0.01 };
-//! let tally = fuzz(&options, FuzzTally::default(), &(), |_| Ok(()))?;
+//! let tally = fuzz(&options, 0..options.units(), FuzzTally::default(), &(), |_| Ok(()))?;
 //! assert!(tally.decided() >= 1000 && tally.disagreements().is_empty());
 //! # Ok::<(), grazing::Error>(())
 //! ```
