@@ -5,6 +5,8 @@ mod common;
 mod systems;
 
 use common::damage::{damage, damaged};
+use std::f64::consts::PI;
+
 use grazing::{
     Result,
     certificate::{self, Rejection},
@@ -196,6 +198,107 @@ fn long_coefficients_are_held_in_intervals() {
         assert!(force.contains("..") && force.contains(','), "{force}");
         assert!(checked.detail.iter().any(|(name, value)| *name == "motion" && value.contains("] p")));
     }
+}
+
+/// Without impacts: undamped with k = 1/4, q = −(4p/3) cos t answers to p cos t. It grazes a wall at −1 where
+/// p = 3/4, and at −1 + (1/5)(1 + p²) sin t, which moves it, where 16p²/9 + (1 + p²)²/25 = 1.
+#[test]
+fn the_motion_without_impacts_grazes_where_its_formula_says() {
+    let still = |p: &Jet, precision: &Precision| free(p, precision, false);
+    let moving = |p: &Jet, precision: &Precision| free(p, precision, true);
+    let square = (-(16.0 / 9.0 + 0.08) + ((16.0f64 / 9.0 + 0.08).powi(2) + 4.0 * 0.04 * 0.96).sqrt()) / 0.08;
+    for (moves, known) in [(false, 0.75), (true, square.sqrt())] {
+        let precision = Precision::new(128);
+        let family = |p: &Jet| -> Result<System<Jet>> {
+            Ok(if moves { moving(p, &precision) } else { still(p, &precision) })
+        };
+        // q − Q = −(4p/3) cos t − a sin t + 1 is least at the phase with tangent 3a/(4p).
+        let a = if moves { (1.0 + known * known) / 5.0 } else { 0.0 };
+        let phase = a.atan2(4.0 * known / 3.0);
+        let condition = Condition::Grazing { after: 0, side: Side::Lower, time: phase + 0.01 };
+        let event = proved(validate::event(family, &[], known + 0.003, condition, &precision).unwrap());
+        let system = free(&Quotient::parameter(), &(), moves);
+        let (text, [from, to]) = validate::event_certificate(&system, "p", &event).unwrap();
+        let (from, to) = (number(&from), number(&to));
+        let within = |x: f64| from.to_f64().unwrap() - 1e-14 <= x && x <= to.to_f64().unwrap() + 1e-14;
+        assert!(within(known) && &to - &from < number("1e-17"), "{from} {to}");
+        if !moves {
+            assert!(from <= number("3/4") && number("3/4") <= to);
+        }
+        let checked = check(&text).unwrap();
+        assert_eq!(
+            (checked.kind, checked.range, checked.statement),
+            ("event", 1..=1, certificate::event::STATEMENT_2)
+        );
+        let detail = |name: &str| checked.detail.iter().find(|(known, _)| *known == name).unwrap().1.clone();
+        assert_eq!(detail("pattern"), "no impact, period 1");
+        assert!(detail("contact").starts_with("with the lower wall, at phase "));
+        // Another wall that is crossed on the way; a version that knows no such orbit; a contact where there is none.
+        let (at, end) = (text.find("upper none").unwrap(), text.find("\nparameter").unwrap() + 1);
+        let crossed = format!("{}upper 0.5..0.5/1..1 1..1/1..1 0\n{}", &text[..at], &text[end..]);
+        assert!(
+            refusal(&resealed(&crossed)).contains("is not certainly positive"),
+            "{}",
+            refusal(&resealed(&crossed))
+        );
+        assert!(refusal(&text.replace("kind event 2", "kind event")).contains("malformed"));
+        assert!(refusal(&text.replace("event grazing 0", "event flip 0")).contains("must not sum to 0"));
+        assert!(
+            refusal(&text.replace("contact 0", "contact 1"))
+                .contains("expected an impact, a number from 0 to 0")
+        );
+        let contact = text.lines().find(|line| line.starts_with("contact")).unwrap();
+        let moved = text.replace(contact, "contact 0 lower 1");
+        assert!(refusal(&moved).contains("false: Krawczyk's test"), "{}", refusal(&moved));
+    }
+    // With stiffness 4, undamped, cos 2t and sin 2t have the period 2π, too; and without any, every constant.
+    for stiffness in ["4", "0"] {
+        let precision = Precision::new(128);
+        let family = |p: &Jet| -> Result<System<Jet>> {
+            let system = free(p, &precision, false);
+            Ok(System { stiffness: Jet::ratio(&number(stiffness), &precision), ..system })
+        };
+        let (amplitude, phase) = if stiffness == "4" { (3.0, PI) } else { (1.0, 0.0) };
+        let condition = Condition::Grazing { after: 0, side: Side::Lower, time: phase };
+        match validate::event(family, &[], amplitude, condition, &precision) {
+            Ok(Verdict::Undecided(why)) => assert!(why.contains("1 may be a multiplier"), "{why}"),
+            Err(error) => assert!(error.to_string().contains("only with stiffness"), "{error}"),
+            Ok(other) => panic!("{other:?}"),
+        }
+    }
+}
+
+/// The undamped oscillator of that test.
+fn free<T: Real>(p: &T, context: &T::Context, moves: bool) -> System<T> {
+    let ratio = |text: &str| T::ratio(&number(text), context);
+    let motion = if moves {
+        let square = (ratio("1") + &(p.clone() * p)) * &ratio("1/5");
+        vec![Harmonic { k: 1, cos: ratio("0"), sin: square }]
+    } else {
+        Vec::new()
+    };
+    System {
+        damping: ratio("0"),
+        stiffness: ratio("1/4"),
+        cubic: ratio("0"),
+        force: ratio("0"),
+        // The response is p cos t/(1/4 − 1).
+        forcing: vec![Harmonic { k: 1, cos: p.clone(), sin: ratio("0") }],
+        lower: Some(Wall { offset: ratio("-1"), harmonics: motion, restitution: ratio("4/5") }),
+        upper: None,
+    }
+}
+
+fn refusal(text: &str) -> String {
+    check(text).map_or_else(|rejection| rejection.to_string(), |checked| format!("accepted: {checked}"))
+}
+
+/// The text with the digest of its system.
+fn resealed(text: &str) -> String {
+    let why = refusal(text);
+    let Some((_, digest)) = why.split_once("which is ") else { return text.to_string() };
+    let old = text.lines().find(|line| line.starts_with("digest ")).unwrap();
+    text.replace(old, &format!("digest {digest}"))
 }
 
 /// π/4 and the root, in balls by their formulas.

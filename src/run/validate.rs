@@ -304,7 +304,13 @@ fn approximate(
         // The tangency is the first of its impacts: what comes before it flies on to what comes after.
         let mut all = impacts(&found.itinerary, &found.z);
         let touch = all.remove(0);
-        let last = all.last_mut().ok_or_else(|| Error::input("the orbit that grazes has no impact"))?;
+        let Some(last) = all.last_mut() else {
+            return Ok((
+                all,
+                found.parameter,
+                Condition::Grazing { after: 0, side: touch.side, time: touch.phase },
+            ));
+        };
         let time = TAU * f64::from(last.periods) + touch.phase - last.phase;
         last.periods += touch.periods;
         let after = all.len() - 1;

@@ -471,8 +471,11 @@ impl Check for ValidateTask {
         if system.cubic != 0.0 {
             return Err(scene.fail(path, "only a linear system can be validated: cubic must be 0"));
         }
-        if self.orbit.pattern.is_empty() {
-            return Err(scene.fail(&format!("{path}.orbit.pattern"), "must have an impact to be validated"));
+        if self.orbit.pattern.is_empty()
+            && (self.event != Some(Bifurcation::Grazing) || self.orbit.period != 1)
+        {
+            let message = "must have an impact to be validated; without one, only a grazing is, of period 1";
+            return Err(scene.fail(&format!("{path}.orbit.pattern"), message));
         }
         if !(64..=4096).contains(&self.bits) {
             return Err(scene.fail(&format!("{path}.bits"), "must be from 64 to 4096"));

@@ -69,6 +69,11 @@
 //! `1..1,3.14159265358979323846..3.14159265358979323847/2..2` stands for (1 + πp)/2. There the numbers of a
 //! quotient need not be in lowest terms.
 //!
+//! In version 2 the motion without impacts may graze, the response to the forcing: `event grazing 0`, no impact, and `contact 0 SIDE T`
+//! with the phase T. The unknowns are p and T, the equations z = 0 and z′ = 0 at that phase, and the one flight is the period that begins half a period before. 1
+//! must not be a multiplier of the motion without impacts, so that no other one has the period 2π, and the stiffness not 0. At the contact the derivative of the equations
+//! is z_p z″, so that the minimum of the gap passes through 0 with a nonzero derivative here, too.
+//!
 //! # Cost
 //!
 //! With J harmonics in all, P pieces and M impacts, (1 + 2J)(4P + 6M(8M + 9)) may be at most 1,000,000, which
@@ -124,22 +129,26 @@ pub trait Version: Coefficient + Spoken {
     const HEAD: &str;
     /// What passing proves.
     const STATEMENT: &str;
+    /// Whether an orbit without impacts may graze.
+    const WITHOUT_IMPACTS: bool;
 }
 
 impl Version for Quotient {
     const HEAD: &str = "kind event";
     const STATEMENT: &str = STATEMENT;
+    const WITHOUT_IMPACTS: bool = false;
 }
 
 impl Version for RangeQuotient {
     const HEAD: &str = "kind event 2";
     const STATEMENT: &str = STATEMENT_2;
+    const WITHOUT_IMPACTS: bool = true;
 }
 
 /// Checks everything after the kind line.
 pub(super) fn check<C: Version>(lines: &mut Lines) -> Result<Proved, Rejection> {
     let certificate: Certificate<C> = text::read(lines)?;
-    let periods: u64 = certificate.impacts.iter().map(|impact| impact.periods).sum();
+    let periods: u64 = certificate.impacts.iter().map(|impact| impact.periods).sum::<u64>().max(1);
     let proof = proof::Proof::new(&certificate);
     proof.run(&mut || lines.go_on()).map_err(|fault| lines.rejection(fault))?;
     Ok(Proved { range: periods..=periods, detail: words::detail(&certificate) })

@@ -50,9 +50,18 @@ impl<'a, C: Coefficient> Proof<'a, C> {
         if !cycle.oscillator.restitutions_are_nonnegative() {
             return Err(Fault::False("a restitution is not certainly at least 0".into()));
         }
+        if m == 0 && !cycle.oscillator.is_alone() {
+            return Err(Fault::False("1 may be a multiplier of the motion without impacts".into()));
+        }
         let touch = match &self.certificate.event {
             Event::Grazing(Contact { after, side, .. }) => {
-                Some((*after, Touch { side: *side, time: unknowns[2 * m + 1] }))
+                let time = unknowns[2 * m + 1];
+                let touch = match m {
+                    // The response is followed from half a period before the contact on.
+                    0 => Touch { side: *side, time: Interval::PI, phase: time },
+                    _ => Touch { side: *side, time, phase: unknowns[*after] + time },
+                };
+                Some((*after, touch))
             }
             Event::SaddleNode | Event::Flip => None,
         };
@@ -70,8 +79,11 @@ impl<'a, C: Coefficient> Proof<'a, C> {
         let cycle = self.cycle(x[2 * m])?;
         let mut all = cycle.residual(x, go_on)?;
         if let Event::Grazing(Contact { after, side, .. }) = &self.certificate.event {
-            let leg = cycle.leg(x, *after);
-            let [gap, speed, _] = cycle.oscillator.gap(leg.flight, *side, x[2 * m + 1]);
+            let [gap, speed, _] = if m == 0 {
+                cycle.oscillator.gap(cycle.oscillator.steady(x[1]), *side, N::ZERO)
+            } else {
+                cycle.oscillator.gap(cycle.leg(x, *after).flight, *side, x[2 * m + 1])
+            };
             all.extend([gap, speed]);
         } else {
             let [trace, determinant] = cycle.multipliers(x, go_on)?;

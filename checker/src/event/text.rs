@@ -27,11 +27,11 @@ pub enum Event {
 /// Where a wall is touched.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Contact {
-    /// The impact that it follows, from 0.
+    /// The impact that it follows, from 0; 0 if there is none.
     pub after: usize,
     /// The wall.
     pub side: Side,
-    /// About how long after that impact.
+    /// About how long after that impact; about the phase if there is none.
     pub time: Decimal,
 }
 
@@ -106,7 +106,8 @@ impl<C: Version> fmt::Display for Certificate<C> {
         writeln!(f, "event {} {}", self.event.name(), self.impacts.len())?;
         self.impacts.iter().try_for_each(|impact| writeln!(f, "{impact}"))?;
         if let Event::Grazing(Contact { after, side, time }) = &self.event {
-            writeln!(f, "contact {} {side} {time}", after + 1)?;
+            let after = if self.impacts.is_empty() { 0 } else { after + 1 };
+            writeln!(f, "contact {after} {side} {time}")?;
         }
         writeln!(f, "radius {} {}", self.radius, self.within)?;
         write_proof(f, &self.inverse, &self.flights)
@@ -140,7 +141,8 @@ pub(super) fn read<C: Version>(lines: &mut Lines) -> Result<Certificate<C>, Reje
         }
         Ok((event.to_string(), read_count(words)?))
     })?;
-    let impacts = read_impacts(lines, &system, m)?;
+    let free = m == 0 && C::WITHOUT_IMPACTS && event == "grazing";
+    let impacts = if free { Vec::new() } else { read_impacts(lines, &system, m)? };
     let event = match event.as_str() {
         "saddle-node" => Event::SaddleNode,
         "flip" => Event::Flip,
@@ -149,7 +151,8 @@ pub(super) fn read<C: Version>(lines: &mut Lines) -> Result<Certificate<C>, Reje
     let (radius, within) = read_radius(lines)?;
     let size = 2 * impacts.len() + if matches!(event, Event::Grazing(_)) { 2 } else { 1 };
     let inverse = read_matrix(lines, size)?;
-    let flights = read_flights(lines, impacts.len(), |pieces| work(system.harmonics(), pieces, m))?;
+    let flights =
+        read_flights(lines, impacts.len().max(1), |pieces| work(system.harmonics(), pieces, m.max(1)))?;
     let certificate =
         Certificate { system, name, parameter, event, impacts, radius, within, inverse, flights };
     if certificate.interval().is_none() {
@@ -161,12 +164,12 @@ pub(super) fn read<C: Version>(lines: &mut Lines) -> Result<Certificate<C>, Reje
 
 fn contact<C>(words: &mut Words, system: &System<C>, impacts: u64) -> Result<Contact, String> {
     let after = words.number("an impact", impacts)?;
-    if after == 0 {
+    if after == 0 && impacts > 0 {
         return Err("impacts are counted from 1".into());
     }
     let side = Side::read(words)?;
     if !system.has(side) {
         return Err(format!("there is no {side} wall"));
     }
-    Ok(Contact { after: after as usize - 1, side, time: decimal(words)? })
+    Ok(Contact { after: (after as usize).saturating_sub(1), side, time: decimal(words)? })
 }

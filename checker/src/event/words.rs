@@ -23,12 +23,16 @@ pub(super) fn detail<C: Version>(certificate: &Certificate<C>) -> Vec<(&'static 
     let mut all = vec![
         ("event", event),
         ("parameter", format!("{name}, from {from} to {to}")),
-        ("pattern", pattern(impacts)),
+        ("pattern", if impacts.is_empty() { "no impact, period 1".into() } else { pattern(impacts) }),
         ("phases", list(impacts, ", ", |impact| impact.phase.to_string())),
         ("speeds", list(impacts, ", ", |impact| impact.velocity.to_string())),
     ];
     if let Event::Grazing(Contact { after, side, time }) = &certificate.event {
-        all.push(("contact", format!("with the {side} wall, {time} after impact {}", after + 1)));
+        let when = match impacts.len() {
+            0 => format!("at phase {time}"),
+            _ => format!("{time} after impact {}", after + 1),
+        };
+        all.push(("contact", format!("with the {side} wall, {when}")));
     }
     all.push((
         "box",

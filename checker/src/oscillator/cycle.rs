@@ -36,6 +36,8 @@ pub(crate) struct Touch {
     pub side: Side,
     /// How long after the flight's start.
     pub time: Interval,
+    /// Its phase.
+    pub phase: Interval,
 }
 
 /// 2πn.
@@ -77,6 +79,14 @@ impl<'a, N: Number> Cycle<'a, N> {
             duration: if m == 1 { periods } else { periods + x[next] - x[i] },
             end: x[next],
         }
+    }
+
+    /// A period of the response without impacts, of which the middle is at phase t.
+    pub fn free(&self, t: N) -> Leg<N> {
+        let half = N::constant(Interval::PI);
+        let flight = self.oscillator.steady(t - half);
+        // It leaves no wall and meets none: what stands here is not asked for.
+        Leg { flight, from: Side::Lower, to: Side::Lower, duration: half + half, end: t + half }
     }
 
     /// z and z′ + V at the end of each flight.
@@ -146,7 +156,11 @@ impl Cycle<'_, Interval> {
         self.least_period(x).map_err(Fault::False)?;
         for (index, ends) in ends.iter().enumerate() {
             let touch = touch.filter(|touch| touch.0 == index).map(|touch| touch.1);
-            self.admissible(index + 1, &self.leg(x, index), ends, touch, go_on)?;
+            let leg = match (self.impacts(), touch) {
+                (0, Some(touch)) => self.free(touch.phase),
+                _ => self.leg(x, index),
+            };
+            self.admissible(index + 1, &leg, ends, touch, go_on)?;
         }
         Ok(())
     }
@@ -191,7 +205,7 @@ impl Cycle<'_, Interval> {
         {
             return wrong(format!("the contact is not certainly during flight {flight}"));
         }
-        let last = ends.len() - 1;
+        let (last, impacts) = (ends.len() - 1, self.impacts() > 0);
         if !leg.duration.is_up_to(ends[last].enclosed()) {
             return wrong(format!("the pieces of flight {flight} stop before its end"));
         }
@@ -204,7 +218,8 @@ impl Cycle<'_, Interval> {
             let here = touch.filter(|touch| from.is_below(touch.time) && touch.time.is_below(to));
             for side in self.oscillator.sides() {
                 let here = here.is_some_and(|touch| touch.side == side);
-                if !self.piece(leg, side, from, to, [number == 0, number == last, here]) {
+                if !self.piece(leg, side, from, to, [impacts && number == 0, impacts && number == last, here])
+                {
                     let number = number + 1;
                     return wrong(format!(
                         "the gap on piece {number} of flight {flight} is not certainly positive"

@@ -31,9 +31,9 @@ pub(crate) struct Oscillator<N> {
     forcing: Series<N>,
     response: Series<N>,
     walls: [Option<Moving<N>>; 2],
-    /// Whether c and k are exactly 0, whatever a parameter is: the motion under a constant force depends on
+    /// Whether c, k and F are exactly 0, whatever a parameter is: the motion under a constant force depends on
     /// it.
-    zero: [bool; 2],
+    zero: [bool; 3],
 }
 
 /// A motion that left a wall at a phase.
@@ -60,7 +60,7 @@ impl<N: Number> Oscillator<N> {
             restitution: enclosed(&wall.restitution),
         };
         let ring = Ring { damping: enclosed(&system.damping), stiffness: enclosed(&system.stiffness) };
-        let zero = [system.damping.is_zero(), system.stiffness.is_zero()];
+        let zero = [&system.damping, &system.stiffness, &system.force].map(Coefficient::is_zero);
         let forcing = series(&system.forcing);
         let mut response = Vec::new();
         // α cos νt + β sin νt answers to a cos νt + b sin νt: (k − ν²) α + νc β = a, (k − ν²) β − νc α = b.
@@ -130,6 +130,23 @@ impl<N: Number> Oscillator<N> {
         Flight { phase, start: [position - response, speed + rebound - slope] }
     }
 
+    /// The periodic response itself, from a phase on. Nothing is known of it where the stiffness may be 0.
+    pub fn steady(&self, phase: N) -> Flight<N> {
+        let rest = if self.zero[2] { N::ZERO } else { self.force.over(self.ring.stiffness) };
+        Flight { phase, start: [rest, N::ZERO] }
+    }
+
+    /// Whether no other motion without impacts comes back after 2π: 1 is no multiplier of it.
+    pub fn is_alone(&self) -> bool {
+        let Element { a, b } = self.ring.exp(N::constant(Interval::PI + Interval::PI));
+        let (damping, stiffness) = (self.ring.damping, self.ring.stiffness);
+        // Of exp(tA) = a + bA the trace is 2a − cb, the determinant a² − cab + kb².
+        let trace = a + a - damping * b;
+        let determinant = a * a - damping * a * b + stiffness * b * b;
+        let value = (N::ONE - trace + determinant).value();
+        value.is_positive() || (-value).is_positive()
+    }
+
     /// The gap ±(q − Q) to a wall with its derivatives, a time τ after the start.
     pub fn gap(&self, flight: Flight<N>, side: Side, tau: N) -> Motion<N> {
         self.gap_at(flight, side, tau, flight.phase + tau)
@@ -149,9 +166,9 @@ impl<N: Number> Oscillator<N> {
     /// I(τ): I′ is the entry b of exp(τA), which is integrated by its equation.
     fn ramp(&self, tau: N, e: Element<N>) -> N {
         match self.zero {
-            [_, false] => (N::ONE - e.a).over(self.ring.stiffness),
-            [false, true] => (tau - e.b).over(self.ring.damping),
-            [true, true] => tau.squared().shifted_down(1),
+            [_, false, _] => (N::ONE - e.a).over(self.ring.stiffness),
+            [false, true, _] => (tau - e.b).over(self.ring.damping),
+            [true, true, _] => tau.squared().shifted_down(1),
         }
     }
 }

@@ -27,6 +27,8 @@ pub(super) struct Touch {
     pub flight: usize,
     pub side: Side,
     pub time: Ball,
+    /// Its phase.
+    pub phase: Jet,
 }
 
 /// No piece is cut below this many decimals of time.
@@ -42,7 +44,11 @@ pub(super) fn prove(
     touch: Option<&Touch>,
 ) -> Result<Verdict<Pieces>> {
     let mut all = Vec::new();
-    for (index, leg) in equations.legs(unknowns)?.iter().enumerate() {
+    let legs = match touch {
+        Some(touch) if equations.impacts.is_empty() => vec![equations.free(&touch.phase)?],
+        _ => equations.legs(unknowns)?,
+    };
+    for (index, leg) in legs.iter().enumerate() {
         match pieces(equations, leg, touch.filter(|touch| touch.flight == index))? {
             Verdict::Proved(ends) => all.push(ends),
             Verdict::Refuted(why) => {
@@ -145,8 +151,11 @@ impl Piece<'_> {
             let [_, _, curvature] = equations.linear.gap(&leg.flight, side, &whole)?;
             let over = slope.clone() + &(curvature.clone() * &reach);
             let gap = gap + &(slope * &reach) + &(curvature.clone() * &bent);
-            let first = self.from.is_zero() && side == leg.from && (positive(&over) || positive(&curvature));
-            let last = self.last && side == leg.to && positive(&-over);
+            let first = !leg.free
+                && self.from.is_zero()
+                && side == leg.from
+                && (positive(&over) || positive(&curvature));
+            let last = !leg.free && self.last && side == leg.to && positive(&-over);
             let touching = touches && touch.is_some_and(|touch| touch.side == side) && positive(&curvature);
             if !(positive(&gap) || first || last || touching) {
                 return Ok(false);

@@ -30,6 +30,8 @@ pub(super) struct Leg {
     /// How long it lasts, and the phase at its end.
     pub duration: Jet,
     pub end: Jet,
+    /// Whether it leaves no wall and meets none.
+    pub free: bool,
 }
 
 impl Equations<'_> {
@@ -48,9 +50,18 @@ impl Equations<'_> {
                 // With one impact the phases cancel, which enclosures would not see.
                 duration: if m == 1 { periods } else { periods + end - phase },
                 end: end.clone(),
+                free: false,
             })
         };
         (0..m).map(leg).collect()
+    }
+
+    /// A period of the response without impacts, of which the middle is at phase `t`.
+    pub fn free(&self, t: &Jet) -> Result<Leg> {
+        let half = Jet::pi(self.linear.precision);
+        let flight = self.linear.steady(&(t.clone() - &half))?;
+        let (duration, end) = (half.clone() + &half, t.clone() + &half);
+        Ok(Leg { flight, from: Side::Lower, to: Side::Lower, duration, end, free: true })
     }
 
     /// The gap at the end of each flight, and the sum of its derivative there and V.

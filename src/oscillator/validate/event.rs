@@ -12,7 +12,7 @@ use super::{
 };
 use crate::{
     error::{Error, Result},
-    number::{Ball, Precision, Real},
+    number::{Ball, Elementary, Precision, Real, Sign},
     oscillator::{Side, System},
 };
 
@@ -26,11 +26,11 @@ pub enum Condition {
     Flip,
     /// Between impacts the orbit touches a wall: z = z′ = 0 < z″.
     Grazing {
-        /// The impact after which it does, from 0.
+        /// The impact after which it does, from 0; 0 for an orbit without impacts.
         after: usize,
         /// The wall.
         side: Side,
-        /// About how long after that impact.
+        /// About how long after that impact; about the phase, for an orbit without impacts.
         time: f64,
     },
 }
@@ -82,11 +82,24 @@ pub fn event(
         let time = search.found.get(2 * m + 1).cloned();
         let touch = match (condition, &time) {
             (Condition::Grazing { after, side, .. }, Some(time)) => {
-                Some(Touch { flight: after, side, time: time.clone() })
+                let phase = Jet::constant(time.clone());
+                Some(match m {
+                    0 => Touch { flight: 0, side, time: Ball::pi(precision), phase },
+                    _ => Touch {
+                        flight: after,
+                        side,
+                        time: time.clone(),
+                        phase: phase + unknowns.get(after).unwrap_or(&unknowns[0]),
+                    },
+                })
             }
             _ => None,
         };
-        admitted(&equations(&linear, impacts)?, &unknowns, touch.as_ref(), &search)?.and_then(|pieces| {
+        let equations = pattern(&linear, impacts, condition)?;
+        if m == 0 && !is_alone(&linear) {
+            return Ok(Verdict::Undecided("1 may be a multiplier of the motion without impacts".into()));
+        }
+        admitted(&equations, &unknowns, touch.as_ref(), &search)?.and_then(|pieces| {
             Ok(Verdict::Proved(ProvedEvent {
                 condition,
                 impacts: impacts.to_vec(),
@@ -130,6 +143,27 @@ fn unknowns(impacts: &[ExpectedImpact], parameter: f64, condition: Condition) ->
     all
 }
 
+/// The equations of the pattern; none of a motion without impacts, which may graze.
+fn pattern<'a>(
+    linear: &'a Linear<'a>,
+    impacts: &'a [ExpectedImpact],
+    condition: Condition,
+) -> Result<Equations<'a>> {
+    if impacts.is_empty() && matches!(condition, Condition::Grazing { .. }) {
+        return Ok(Equations { linear, impacts });
+    }
+    equations(linear, impacts)
+}
+
+/// Whether no other motion without impacts comes back after 2π.
+fn is_alone(linear: &Linear) -> bool {
+    let turn = Jet::pi(linear.precision) * &Jet::integer(2, linear.precision);
+    let [[a, b], [c, d]] = linear.propagator(&turn);
+    let determinant = a.clone() * &d - &(b * &c);
+    let value = Jet::integer(1, linear.precision) - &(a + &d) + &determinant;
+    matches!(value.sign(), Some(Sign::Positive | Sign::Negative))
+}
+
 /// The equations of pattern and event.
 fn extended(
     family: &dyn Fn(&Jet) -> Result<System<Jet>>,
@@ -139,7 +173,7 @@ fn extended(
     precision: &Precision,
 ) -> Result<Vec<Jet>> {
     let linear = Linear::enclosed(family(&unknowns[2 * impacts.len()])?, precision)?;
-    let equations = equations(&linear, impacts)?;
+    let equations = pattern(&linear, impacts, condition)?;
     let mut values = equations.residual(unknowns)?;
     values.extend(extension(&equations, unknowns, condition)?);
     Ok(values)
@@ -149,6 +183,12 @@ fn extended(
 fn extension(equations: &Equations, unknowns: &[Jet], condition: Condition) -> Result<Vec<Jet>> {
     let m = equations.impacts.len();
     if let Condition::Grazing { after, side, .. } = condition {
+        if m == 0 {
+            let steady = equations.linear.steady(&unknowns[1])?;
+            let zero = Jet::integer(0, equations.linear.precision);
+            let [gap, speed, _] = equations.linear.gap(&steady, side, &zero)?;
+            return Ok(vec![gap, speed]);
+        }
         let legs = equations.legs(unknowns)?;
         let leg = legs.get(after).ok_or_else(|| Error::input(format!("there is no impact {after}")))?;
         let [gap, speed, _] = equations.linear.gap(&leg.flight, side, &unknowns[2 * m + 1])?;

@@ -167,6 +167,19 @@ impl<'a> Linear<'a> {
         Ok(Flight { phase: phase.clone(), start: [position - &response, speed + &rebound - &slope] })
     }
 
+    /// The periodic response itself, from a phase on.
+    ///
+    /// # Errors
+    /// An input error without stiffness.
+    pub fn steady(&self, phase: &Jet) -> Result<Flight> {
+        let (force, stiffness) = (&self.system.force, &self.system.stiffness);
+        if stiffness.sign().is_none_or(|sign| sign == Sign::Zero) {
+            return Err(Error::input("a motion without impacts is proved only with stiffness"));
+        }
+        let rest = if is_zero(force) { self.integer(0) } else { force.clone() / stiffness };
+        Ok(Flight { phase: phase.clone(), start: [rest, self.integer(0)] })
+    }
+
     /// q, q′, q″ of a flight a time τ after its start, at time `t` (the start's phase and τ, modulo 2π).
     pub fn motion(&self, flight: &Flight, tau: &Jet, t: &Jet) -> Motion {
         let e = self.propagator(tau);

@@ -71,8 +71,9 @@ pub fn event_certificate(
     event: &ProvedEvent,
 ) -> Result<(String, [String; 2])> {
     match converted(system, &quotient) {
-        Ok(system) => accepted_event(system, name, event),
-        Err(_) => accepted_event(converted(system, &range_quotient)?, name, event),
+        // Only version 2 knows orbits without impacts.
+        Ok(system) if !event.impacts.is_empty() => accepted_event(system, name, event),
+        Ok(_) | Err(_) => accepted_event(converted(system, &range_quotient)?, name, event),
     }
 }
 
