@@ -217,6 +217,7 @@ fn damaged_certificates_are_proved_or_rejected() {
         let path = folder.path().join(format!("{name}.certificate"));
         texts.push(fs::read_to_string(path).unwrap_or_else(|error| panic!("{name}: {error}")));
     }
+    texts.push(include_str!("../checker/tests/data/machine-masses.txt").into());
     for kind in [&[][..], &["--by-theorem"]] {
         for point in [
             ["--a1", "-1/4", "--a2", "1/2"],
