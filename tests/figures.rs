@@ -176,6 +176,27 @@ fn tips_have_bounds_near_the_law() {
     assert_no_overlap(&svg);
 }
 
+/// Each strip crosses every band within its boxes; the attractor of figure 10 comes near the strip of period 3.
+#[test]
+fn the_strips_of_the_shift_cross_its_bands() {
+    let (rows, svg) = draw("chaos", "chaos");
+    let at = |row: &HashMap<String, String>| (number(row, "before"), number(row, "after"));
+    let of = |set: String| rows.iter().filter(move |row| row["set"] == set).map(at).collect::<Vec<_>>();
+    let boxes: Vec<Vec<(f64, f64)>> = (1..=3).map(|n| of(format!("corner of box {n}"))).collect();
+    for n in 1..=3 {
+        let strip = of(format!("edge of strip {n}"));
+        let [(least, _), (most, _)] = boxes[n - 1][..] else { panic!("{boxes:?}") };
+        for (low, high) in boxes.iter().map(|corners| (corners[0].1, corners[1].1)) {
+            let inside: Vec<f64> =
+                strip.iter().filter(|(_, a)| low <= *a && *a <= high).map(|(p, _)| *p).collect();
+            assert!(inside.len() >= 4, "strip {n} between {low} and {high}: {inside:?}");
+            assert!(inside.iter().all(|p| least <= *p && *p <= most), "strip {n}: {inside:?}");
+        }
+    }
+    assert!(of("attractor".into()).len() > 100);
+    assert_no_overlap(&svg);
+}
+
 #[test]
 fn wrong_numbers_are_named() {
     let cases = [

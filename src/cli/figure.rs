@@ -14,7 +14,13 @@ use crate::{
     error::{Error, Result},
     figure::{self, Place},
     number::{parse_integer, parse_rational},
+    oscillator::{
+        Time,
+        chaos::{Problem, prove},
+        simulate::{Event, Settings, Simulator},
+    },
     output::{Destination, make_folder},
+    scene::{Kind, Scene},
     search::cover::{Cover, CoverOptions, certificate as assemble, cover},
 };
 
@@ -72,6 +78,8 @@ enum Figure {
     /// The attractor after it, mu = 0.003.
     #[value(name = "10")]
     After,
+    /// The boxes of the shift that is proved at mu = 0.003, where legs take them, and the attractor after it.
+    Chaos,
     /// Theorem 2's intervals for n = 3 to N.
     Intervals,
     /// The powers of an eigenvalue seen from 1: their records are the periods that exist.
@@ -83,6 +91,10 @@ enum Figure {
     /// The lowest points of all areas beside their law for large n, n = 4 to N.
     Tips,
 }
+
+/// For how many periods the attractor is followed, and how many it is given to settle.
+const ATTRACTOR: i64 = 6000;
+const SETTLED: i64 = 500;
 
 impl Figure {
     fn name(self) -> String {
@@ -98,7 +110,7 @@ impl Figure {
     /// Whether `--n` says what it shows.
     fn has_periods(self) -> bool {
         use Figure::*;
-        !matches!(self, Regions | Orbits | Branches | Diagram | Before | Near | After)
+        !matches!(self, Regions | Orbits | Branches | Diagram | Before | Near | After | Chaos)
     }
 
     fn is_of_a_scene(self) -> bool {
@@ -122,6 +134,46 @@ fn proved_cover(n: u64, progress: &Progress) -> Result<Cover> {
     certificate::check(&mut assemble(&options.periods, &[block]).as_bytes())
         .map_err(|rejection| Error::input(format!("the cover of period {n} is not proved: {rejection}")))?;
     Ok(found)
+}
+
+/// The shift over {1, 2, 3} of the paper's oscillator for 0 < µ ≤ 0.003, proved, with the impacts of its
+/// attractor at µ = 0.003.
+fn chaos(place: &Place, interrupt: &Interrupt) -> Result<()> {
+    let text = include_str!("../../examples/scenes/nordmark-2001-chaos.toml");
+    let scene = Scene::from_toml(text, "nordmark-2001-chaos.toml")?;
+    let task = scene.tasks.iter().find_map(|task| match &task.kind {
+        Kind::ChaosTask(chaos) if task.name == "figure10" => Some(chaos),
+        _ => None,
+    });
+    let task = task.ok_or_else(|| Error::input("the paper's scene of chaos has no task figure10"))?;
+    let normal = task.normal(&scene)?;
+    let problem = Problem {
+        ranges: normal.ranges,
+        behind: normal.behind,
+        harmonics: normal.harmonics,
+        letters: vec![1, 2, 3],
+        next: vec![vec![0, 1, 2]; 3],
+    };
+    let progress = Progress::new(interrupt, 0, "attempts");
+    let proof = prove(&problem, &progress)?
+        .map_err(|reasons| Error::input(format!("figure chaos: not proved: {}", reasons.join("; "))))?;
+    let system = scene.plain(&[])?;
+    let simulator = Simulator::new(&system, &Settings::default())?;
+    let mut run = simulator.start(Time::new(0, 0.0), 1.0, 0.0)?;
+    let mut impacts = Vec::new();
+    let wall = system.lower.as_ref().ok_or_else(|| Error::input("figure chaos: the scene has no wall"))?;
+    // The unit of velocities is how far the wall comes beyond the place of rest.
+    let unit = wall.offset + wall.harmonics.iter().map(|one| one.cos).sum::<f64>();
+    while let Event::Impact(impact) = run.next(Time::new(ATTRACTOR, 0.0)) {
+        let (t, arriving) = (impact.time.phase, impact.velocity);
+        let moving =
+            wall.harmonics.iter().map(|one| -f64::from(one.k) * one.cos * (f64::from(one.k) * t).sin());
+        let moving: f64 = moving.sum();
+        if impact.time.period > SETTLED && t.cos() > 0.0 {
+            impacts.push(((moving + arriving) / unit, (moving - wall.restitution * arriving) / unit));
+        }
+    }
+    figure::shift(&problem, &proof, &impacts, place)
 }
 
 pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
@@ -161,6 +213,7 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
         Figure::Before => paper("figure8", &args.output, interrupt)?,
         Figure::Near => paper("figure9", &args.output, interrupt)?,
         Figure::After => paper("figure10", &args.output, interrupt)?,
+        Figure::Chaos => chaos(&place, interrupt)?,
         Figure::Orbits => figure::orbits(&place)?,
     }
     // Those drawn from the paper's scene are reported by its task.

@@ -20,6 +20,7 @@ mod orbits;
 mod records;
 mod regions;
 mod section;
+mod shift;
 mod tips;
 mod words;
 
@@ -36,6 +37,7 @@ pub use orbits::{orbit, orbits};
 pub use records::records;
 pub use regions::regions;
 pub use section::{Mark, Points, section};
+pub use shift::shift;
 pub use tips::tips;
 pub use words::words;
 

@@ -85,6 +85,34 @@ impl Problem {
         Rc::new(Profile::new(&self.harmonics))
     }
 
+    /// The velocities before the impacts that end legs of a letter, at the greatest ν and the middle of the
+    /// other ranges: for given velocities after them, those of the legs that begin with the least and with
+    /// the greatest s that the boxes allow.
+    ///
+    /// Plain floats, for a picture. Cost: 40 evaluations of a leg per velocity.
+    pub fn arrivals(&self, proof: &ShiftProof, letter: usize, after: &[f64]) -> Vec<(f64, [f64; 2])> {
+        let mut parameters = self.spans().map(|span| Span::point(span.middle()));
+        parameters[4] = Span::point(self.spans()[4].hi);
+        let cell = map::Cell::new(parameters, if self.behind { 1.0 } else { -1.0 }, &self.profile());
+        let turns = cell.flow(map::turn(self.letters[letter]));
+        let previous = (0..self.letters.len()).filter(|&m| self.next[m].contains(&letter));
+        let strengths = previous.map(|m| cell.strength(proof.boxes[letter][0], proof.boxes[m][1]));
+        let Some(first) = strengths.reduce(Span::hull) else { return Vec::new() };
+        let arrival = |s: f64, after: f64| {
+            let mut before = 0.0;
+            for _ in 0..20 {
+                // s′ = 2 (a′ + τp′)/(1 + τ), where p′ depends on s′ a little.
+                let last = cell.strength(Span::point(after), Span::point(before)).middle();
+                let impacts = cell.impact(Span::point(s)).zip(cell.impact(Span::point(last)));
+                let Some((from, to)) = impacts else { return f64::NAN };
+                before = cell.leg(turns, self.letters[letter], [&from, &to], [&from, &to]).before.middle();
+            }
+            before
+        };
+        let row = |&after: &f64| (after, [arrival(first.lo, after), arrival(first.hi, after)]);
+        after.iter().map(row).filter(|(_, ends)| ends.iter().all(|p| *p < 0.0)).collect()
+    }
+
     fn spans(&self) -> [Span; 5] {
         let float = |x: &BigRational| x.to_f64().unwrap_or(f64::NAN);
         self.ranges.each_ref().map(|[lo, hi]| Span::new(float(lo), float(hi)))
