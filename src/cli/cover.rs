@@ -16,9 +16,9 @@ use serde_json::json;
 
 use super::{
     Outcome, ReportFormat, in_pool,
-    merge::{self, Part, ShardSet, certify, part_of, task_of},
     range::{Periods, whole},
     reported,
+    shards::{Merged, Part, ShardSet, certify, part_of, task_of},
 };
 use crate::{
     certificate::{self, Rejection},
@@ -142,12 +142,7 @@ fn words(options: &CoverOptions) -> Vec<String> {
 }
 
 /// The certificate from its shards.
-pub(super) fn merge(
-    args: &Args,
-    set: &ShardSet,
-    merged: &merge::Args,
-    interrupt: &Interrupt,
-) -> Result<Outcome> {
+pub(super) fn merge(args: &Args, set: &ShardSet, merged: &Merged, interrupt: &Interrupt) -> Result<Outcome> {
     let range = args.periods.within(certificate::cover::MOST, "cover")?;
     certify(merged, interrupt, |out| {
         let mut blocks = Vec::new();

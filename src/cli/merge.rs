@@ -1,18 +1,19 @@
 //! `grazing merge`: shards of one task, put together to what one run of it would have written.
 
-mod set;
-
 use std::path::PathBuf;
 
 use clap::Parser;
 
-use super::{Outcome, ReportFormat, cover, fuzz, verify};
+use super::{
+    Outcome, ReportFormat, cover, fuzz,
+    shards::{Merged, ShardSet},
+    verify,
+};
 use crate::{
     cli::progress::Interrupt,
     error::{Error, Result},
     output::{Destination, distinct},
 };
-pub(super) use set::{Part, ShardSet, certify, part_of, task_of};
 
 /// Put the shards of one task together: the certificate or report that one run of it writes, byte for byte
 /// but for times.
@@ -37,7 +38,7 @@ pub(super) struct Args {
     files: Vec<PathBuf>,
     /// Write the certificate, or for `fuzz` the report, to a file, which appears only when complete.
     #[arg(short, long, value_name = "FILE")]
-    pub(super) output: Option<PathBuf>,
+    output: Option<PathBuf>,
     /// How the report is written.
     #[arg(long, value_enum, default_value_t = ReportFormat::Text)]
     pub(super) format: ReportFormat,
@@ -52,6 +53,7 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     // Tried before the shards are read, which may take long.
     Destination::new(args.output.as_deref())?;
     let set = ShardSet::read(&args.files, interrupt)?;
+    let merged = Merged { output: args.output.clone(), format: args.format };
     let words = set.words();
     let damaged = |error: clap::Error| {
         let reason = error.to_string();
@@ -60,13 +62,13 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     };
     match words.first().map(String::as_str) {
         Some("verify") => {
-            verify::merge(&verify::Args::try_parse_from(words).map_err(damaged)?, &set, args, interrupt)
+            verify::merge(&verify::Args::try_parse_from(words).map_err(damaged)?, &set, &merged, interrupt)
         }
         Some("cover") => {
-            cover::merge(&cover::Args::try_parse_from(words).map_err(damaged)?, &set, args, interrupt)
+            cover::merge(&cover::Args::try_parse_from(words).map_err(damaged)?, &set, &merged, interrupt)
         }
         Some("fuzz") => {
-            fuzz::merge(&fuzz::Args::try_parse_from(words).map_err(damaged)?, &set, args, interrupt)
+            fuzz::merge(&fuzz::Args::try_parse_from(words).map_err(damaged)?, &set, &merged, interrupt)
         }
         _ => Err(Error::input(format!("no shards of `grazing {}` are known", words.join(" ")))),
     }

@@ -17,6 +17,7 @@ pub(crate) mod progress;
 mod range;
 mod reader;
 mod run;
+mod shards;
 mod shell;
 mod two_impacts;
 mod verify;

@@ -7,9 +7,9 @@ use serde_json::json;
 
 use super::{
     Outcome, ReportFormat, in_pool,
-    merge::{self, Part, ShardSet, certify, part_of, task_of},
     range::Periods,
     reported,
+    shards::{Merged, Part, ShardSet, certify, part_of, task_of},
 };
 use crate::{
     cli::progress::{Interrupt, Progress},
@@ -84,12 +84,7 @@ fn words(range: &RangeInclusive<u64>) -> [String; 2] {
 }
 
 /// The certificate from its shards.
-pub(super) fn merge(
-    args: &Args,
-    set: &ShardSet,
-    merged: &merge::Args,
-    interrupt: &Interrupt,
-) -> Result<Outcome> {
+pub(super) fn merge(args: &Args, set: &ShardSet, merged: &Merged, interrupt: &Interrupt) -> Result<Outcome> {
     let range = args.periods.within(LIMIT, "verify")?;
     let items = |shard| part_of(&range, shard);
     certify(merged, interrupt, |out| {

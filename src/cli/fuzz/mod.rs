@@ -17,9 +17,9 @@ use serde_json::{Value, json};
 
 use super::{
     Outcome, ReportFormat, in_pool,
-    merge::{self, Part, ShardSet, task_of},
     range::{Periods, share},
     reported,
+    shards::{Merged, Part, ShardSet, task_of},
 };
 use crate::{
     cli::progress::{Interrupt, Progress},
@@ -123,12 +123,7 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
 }
 
 /// The report of a campaign from its shards.
-pub(super) fn merge(
-    args: &Args,
-    set: &ShardSet,
-    merged: &merge::Args,
-    interrupt: &Interrupt,
-) -> Result<Outcome> {
+pub(super) fn merge(args: &Args, set: &ShardSet, merged: &Merged, interrupt: &Interrupt) -> Result<Outcome> {
     match options(args)? {
         Options::Conjecture(options) => merged_campaign(args, &options, set, merged, interrupt),
         Options::Words(options) => merged_campaign(args, &options, set, merged, interrupt),
@@ -246,7 +241,7 @@ fn merged_campaign<C: Told>(
     args: &Args,
     options: &C,
     set: &ShardSet,
-    merged: &merge::Args,
+    merged: &Merged,
     interrupt: &Interrupt,
 ) -> Result<Outcome> {
     let mut all = C::Tally::default();

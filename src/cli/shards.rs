@@ -1,4 +1,5 @@
-//! All shards of a task: whether they belong together, and what is missing.
+//! Shards for every command that has them: writing one, and reading all of a task: whether they belong
+//! together, and what is missing.
 
 use std::{
     collections::BTreeMap,
@@ -7,7 +8,7 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use super::super::{Outcome, check};
+use super::{Outcome, ReportFormat, check};
 use crate::{
     cli::progress::{Interrupt, Progress},
     error::{Error, Result},
@@ -16,17 +17,17 @@ use crate::{
 };
 
 /// The task that a command's words name, for its shards.
-pub(in super::super) fn task_of(words: impl IntoIterator<Item = impl Into<String>>) -> ShardedTask {
+pub(super) fn task_of(words: impl IntoIterator<Item = impl Into<String>>) -> ShardedTask {
     ShardedTask::new(words.into_iter().map(Into::into).collect())
 }
 
 /// The periods of a part of a range, each of which costs about n² operations.
-pub(in super::super) fn part_of(range: &RangeInclusive<u64>, shard: Shard) -> Range<u64> {
+pub(super) fn part_of(range: &RangeInclusive<u64>, shard: Shard) -> Range<u64> {
     shard.part(*range.start()..*range.end() + 1, 2)
 }
 
 /// A part of a task and the file that it goes to.
-pub(in super::super) struct Part {
+pub(super) struct Part {
     pub task: ShardedTask,
     pub shard: Shard,
     pub file: OutputFile,
@@ -47,7 +48,7 @@ impl Part {
 }
 
 /// The shards of one task, each once, none missing.
-pub(in super::super) struct ShardSet {
+pub(super) struct ShardSet {
     task: ShardedTask,
     /// In order.
     shards: Vec<ShardFile>,
@@ -173,17 +174,23 @@ fn listed(numbers: &[u64]) -> String {
     text
 }
 
+/// Where what is merged goes, and how it is told.
+pub(super) struct Merged {
+    pub output: Option<PathBuf>,
+    pub format: ReportFormat,
+}
+
 /// Writes a merged certificate and checks it as `grazing check` does; the report.
-pub(in super::super) fn certify(
-    args: &super::Args,
+pub(super) fn certify(
+    merged: &Merged,
     interrupt: &Interrupt,
     write: impl FnOnce(&mut dyn Write) -> Result<()>,
 ) -> Result<Outcome> {
-    let Some(path) = args.output.as_deref().filter(|path| *path != Path::new("-")) else {
+    let Some(path) = merged.output.as_deref().filter(|path| *path != Path::new("-")) else {
         return Err(Error::input("these are shards of a certificate: name its file with -o"));
     };
     OutputFile::new("-o", path)?.write(write)?;
-    check::run(&check::Args::of(path, args.format), interrupt)
+    check::run(&check::Args::of(path, merged.format), interrupt)
 }
 
 #[cfg(test)]
