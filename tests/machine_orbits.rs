@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 use grazing::{
     Error,
     machine::{
-        Load, Machine, MachineFamily, MachineSlope, Stop,
+        Load, Machine, MachineFamily, MachineSlope, RealMatrix, Stop,
         grazing::{FreeMotion, MachineGrazing, MachineSearch, locate},
         orbit::{MachineAdmissibility, MachineOrbit, StopPattern, StopStrike, find},
         simulate::{MachineSettings, MachineSimulator},
@@ -520,7 +520,7 @@ fn a_gap_that_does_not_pass_through_zero_is_left_open() {
 #[test]
 fn several_stops_grazed_at_once_are_left_open_and_wrong_keys_are_named() {
     let stops = "[[walls]]\nname = \"below\"\nrow = [1]\noffset = \"-1\"\nrestitution = 0.5\n\
-                 [[walls]]\nname = \"above\"\nrow = [-1]\noffset = \"-1\"\nrestitution = 0.5\n";
+                 [[walls]]\nname = \"above\"\nrow = [-1]\noffset = \"-1\"\nrestitution = 0.6\n";
     let text = format!(
         "format = \"grazing-scene 2\"\ntitle = \"t\"\n[parameters]\nF = 0.1\n[system]\nfrequency = 1\nmass = 1\nstiffness = 100\ndamping = 1\n\
          forcing = [{{ k = 1, cos = [\"F\"] }}]\n{stops}[[tasks]]\nname = \"g\"\nkind = \"grazing\"\nparameter = \"F\"\nreach = 200\n"
@@ -554,4 +554,91 @@ fn several_stops_grazed_at_once_are_left_open_and_wrong_keys_are_named() {
     refused("orbit = { pattern = [1], walls = [\"lower\"] }", "`stops`");
     refused("orbit = { pattern = [1], stops = [\"below\", \"above\"] }", "1 stops");
     refused("orbit = { pattern = [1], stops = [\"below\"], start = [1] }", "2 numbers");
+}
+
+/// e^X by its Taylor series, scaled and squared.
+fn exponential(x: &RealMatrix) -> RealMatrix {
+    let mut term = RealMatrix::identity(x.nrows(), x.nrows());
+    let (mut sum, small) = (term.clone(), x / 1024.0);
+    for i in 1..20 {
+        term = &term * &small / f64::from(i);
+        sum += &term;
+    }
+    (0..10).fold(sum, |sum, _| &sum * &sum)
+}
+
+/// A symmetric machine that grazes a stop and its mirror: of one coordinate as by the one-degree code; of
+/// two, coupled, the symmetric orbit that is born has the closed form of half a period.
+#[test]
+fn two_stops_that_mirror_each_other_are_one_of_half_a_period() {
+    let task = "[[tasks]]\nname = \"g\"\nkind = \"grazing\"\nparameter = \"D\"\nmax_period = 3\ndistance = 1e-5\nreach = 5\n";
+    let walls = |row: &str| {
+        ["", "-"].map(|sign| {
+            let row = row.replace('1', &format!("{sign}1"));
+            format!("[[walls]]\nname = \"{sign}\"\nrow = {row}\noffset = -1\nrestitution = 0.7\n")
+        })
+    };
+    let one = reports(&format!(
+        "format = \"grazing-scene 1\"\ntitle = \"t\"\n[parameters]\nD = 0.5\n[system]\ndamping = 0.1\nstiffness = 0.25\n\
+         forcing = [{{ cos = \"D\" }}]\n[[walls]]\nside = \"lower\"\noffset = -1\nrestitution = 0.7\n[[walls]]\nside = \"upper\"\n\
+         offset = 1\nrestitution = 0.7\n{task}"
+    ));
+    let machine = reports(&format!(
+        "format = \"grazing-scene 2\"\ntitle = \"t\"\n[parameters]\nD = 0.5\n[system]\nperiod = \"2*pi\"\nmass = 1\ndamping = 0.1\n\
+         stiffness = 0.25\nforcing = [{{ cos = [\"D\"] }}]\n{}{task}",
+        walls("[1]").concat()
+    ));
+    let number = |value: &serde_json::Value| value.as_f64().unwrap_or_else(|| panic!("{value}"));
+    let near = |a: f64, b: f64, size: f64| assert!((a - b).abs() <= size * (1.0 + b.abs()), "{a} {b}");
+    let (a, b) = (&machine[0], &one[0]);
+    assert!(a["half"] == true && b["half"] == true && a["status"] == "done", "{a} {b}");
+    for key in ["parameter", "a1", "a2", "gamma", "e", "acceleration"] {
+        near(number(&a[key]), number(&b[key]), 1e-11);
+    }
+    let (rows, known) = (a["born"].as_array().unwrap(), b["born"].as_array().unwrap());
+    assert!(rows.len() == known.len() && rows.len() > 1, "{a} {b}");
+    for (row, known) in rows.iter().zip(known) {
+        assert!(row["pattern"] == known["pattern"] && row["side"] == known["side"], "{row} {known}");
+        assert!(row["admissible"] == true && known["admissible"] == true, "{row} {known}");
+        near(number(&row["coefficient"]), number(&known["coefficient"]), 1e-8);
+        let speeds = |row: &serde_json::Value| {
+            row["speeds"].as_array().unwrap().iter().map(number).collect::<Vec<_>>()
+        };
+        assert_eq!(speeds(row).len(), speeds(known).len());
+        speeds(row).iter().zip(speeds(known)).for_each(|(a, b)| near(*a, b, 1e-9));
+        near(number(&row["multipliers"][0][0]), number(&known["lambda1"][0]), 1e-5);
+    }
+
+    // Masses 1 and 3 in a row, the force on the second, the first between stops.
+    let coupled = format!(
+        "format = \"grazing-scene 2\"\ntitle = \"t\"\n[parameters]\nD = 2\n[system]\nperiod = \"2*pi\"\nmass = [[1, 0], [0, 3]]\n\
+         damping = [[0.14, -0.09], [-0.09, 0.09]]\nstiffness = [[7.1, -5.5], [-5.5, 5.5]]\nforcing = [{{ cos = [0, \"D\"] }}]\n{}{task}",
+        walls("[1, 0]").concat()
+    );
+    let found = &reports(&coupled)[0];
+    assert!(found["half"] == true && found["status"] == "done", "{found}");
+    // x″ = −(K x + C x′)/M: the flow over half a period, and the response to a force of 1.
+    let field = RealMatrix::from_row_slice(
+        4,
+        4,
+        &[0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, -7.1, 5.5, -0.14, 0.09, 5.5 / 3.0, -5.5 / 3.0, 0.03, -0.03],
+    );
+    let flow = exponential(&(&field * (TAU / 2.0)));
+    let a: Vec<f64> =
+        found["A"].as_array().unwrap().iter().flat_map(|row| row.as_array().unwrap()).map(number).collect();
+    near((RealMatrix::from_row_slice(4, 4, &a) + &flow).amax(), 0.0, 1e-11);
+    // (K − M + iC) z = (0, 1): z₁ = −k₁₂/det with complex entries.
+    let times = |(a, b): (f64, f64), (c, d): (f64, f64)| (a * c - b * d, a * d + b * c);
+    let (first, second) = (times((6.1, 0.14), (2.5, 0.09)), times((-5.5, -0.09), (-5.5, -0.09)));
+    let response = 5.5f64.hypot(0.09) / (first.0 - second.0).hypot(first.1 - second.1);
+    near(number(&found["parameter"]), 1.0 / response, 1e-12);
+    let symmetric = found["born"].as_array().unwrap().iter().find(|row| row["pattern"] == "1").unwrap();
+    assert!(symmetric["admissible"] == true, "{symmetric}");
+    let speeds: Vec<f64> = symmetric["speeds"].as_array().unwrap().iter().map(number).collect();
+    near(speeds[0], speeds[1], 1e-9);
+    // y before the next impact is −(y after this one less the kick): (I + E) y = kick, for a speed of 1.
+    let kick = RealMatrix::from_column_slice(4, 1, &[0.0, 0.0, 1.7, 0.0]);
+    let y = (RealMatrix::identity(4, 4) + flow).lu().solve(&kick).unwrap();
+    let (place, rate) = (-1.0 - y[0] * speeds[0], (1.0 + y[2] - 1.7) * speeds[0]);
+    near(place.hypot(rate), number(&symmetric["found_at"]) * response, 1e-11);
 }

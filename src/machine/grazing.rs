@@ -15,13 +15,13 @@
 //!
 //! Not here: which patterns exist (`pattern`), motions with impacts (`orbit`).
 
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 use num_rational::BigRational;
 
 use super::{
     LinearEquations, LinearFlow, Machine, MachineFamily, MachineSlope, MachineState, Periodic, RealMatrix,
-    RealVector, contact::Contacts, modes::Pair, orbit::eigenvalues,
+    RealVector, contact::Contacts, half::HalfPeriod, modes::Pair, orbit::eigenvalues,
 };
 use crate::{
     error::{Error, Result},
@@ -69,6 +69,11 @@ impl FreeMotion {
         };
         let gaps = contacts.all().iter().zip(&slope.stops).map(gap).collect::<Result<_>>()?;
         Ok(FreeMotion { equations, contacts, motion, drift, gaps })
+    }
+
+    /// The equations of motion.
+    pub(super) fn equations(&self) -> &LinearEquations {
+        &self.equations
     }
 
     /// The motion's displacements over a period.
@@ -142,6 +147,8 @@ pub struct MachineGrazing {
     pub others: Vec<LeastGap>,
     /// The map there.
     pub map: MachineLocalMap,
+    /// That of half a period, where a symmetric machine grazes a stop and its mirror.
+    pub half: Option<HalfPeriod>,
 }
 
 /// What a search for a grazing came to.
@@ -232,8 +239,8 @@ pub fn locate(family: &dyn MachineFamily, start: f64, reach: f64) -> Result<Mach
     let tiny = TWICE * scale;
     let mut others = motion.minima();
     others.retain(|other| other.gap.abs() <= tiny && *other != at);
-    let map = MachineLocalMap::new(&motion, &at)?;
-    Ok(MachineSearch::Found(Box::new(MachineGrazing { parameter, at, scale, others, map })))
+    let (map, half) = (MachineLocalMap::new(&motion, &at)?, HalfPeriod::new(&motion, &at, &others)?);
+    Ok(MachineSearch::Found(Box::new(MachineGrazing { parameter, at, scale, others, map, half })))
 }
 
 type Look<'l> = &'l dyn Fn(f64) -> Result<(FreeMotion, LeastGap, f64)>;
@@ -316,6 +323,8 @@ pub struct MachineLocalMap {
     pub determinant: f64,
     /// The eigenvalues of A, by modulus, the largest first.
     pub eigenvalues: Vec<(f64, f64)>,
+    /// What A is the flow over, 2π, or the mirror of the flow over, π.
+    span: f64,
     flow: LinearFlow,
     /// Of B, C on the flow's own coordinates.
     own: [RealVector; 2],
@@ -331,12 +340,22 @@ impl MachineLocalMap {
     /// # Errors
     /// Those of [`LinearFlow::new`]; eigenvalues of A that are not found.
     pub fn new(motion: &FreeMotion, at: &LeastGap) -> Result<MachineLocalMap> {
+        Self::over(motion, at, TAU)
+    }
+
+    /// The same over half a period, after which all is mirrored.
+    pub(super) fn half(motion: &FreeMotion, at: &LeastGap) -> Result<MachineLocalMap> {
+        Self::over(motion, at, PI)
+    }
+
+    fn over(motion: &FreeMotion, at: &LeastGap, span: f64) -> Result<MachineLocalMap> {
         let (contact, push) = (&motion.contacts.all()[at.stop], motion.contacts.push(at.stop));
         let n = motion.equations.size();
         let [gap, slope] = &motion.gaps[at.stop];
         let (acceleration, [e, rate_drift, _]) = (gap.at(at.phase)[2], slope.at(at.phase));
         let flow = LinearFlow::new(motion.equations.clone())?;
-        let (a, determinant) = (flow.transition(TAU), determinant(&motion.equations, 1));
+        // 2n is even: the mirror does not change the determinant.
+        let (a, determinant) = (flow.transition(span) * mirrors(span), determinant(&motion.equations, span));
         let kick = (2.0 * acceleration.max(0.0)).sqrt() * (1.0 + contact.restitution);
         let change = push * (kick / motion.contacts.mobility(at.stop));
         let zero = RealVector::zeros(n);
@@ -356,6 +375,7 @@ impl MachineLocalMap {
             eigenvalues: eigenvalues(&a, determinant)?,
             own: [flow.kick(&change), flow.seen(&contact.row, &zero)],
             a,
+            span,
             flow,
         })
     }
@@ -385,7 +405,7 @@ impl MachineLocalMap {
         let exact = |x: f64| BigRational::from_float(x).ok_or_else(|| Error::input("A is not finite"));
         let wide = |x: f64, radius: f64| Entry::between(exact(x - radius)?, exact(x + radius)?);
         let zero = || Entry::from(BigRational::from_integer(0.into()));
-        let (own, size) = (self.flow.matrix(TAU), self.flow.dimension());
+        let (own, size) = (self.flow.matrix(self.span) * mirrors(self.span), self.flow.dimension());
         let condition = if self.flow.condition().is_finite() { self.flow.condition() } else { 10.0 };
         let pairs = self.flow.pairs();
         let rates = self.flow.rates();
@@ -442,7 +462,12 @@ impl MachineLocalMap {
     }
 }
 
-/// det of the flow over some periods, by Liouville: exp(−tr(M⁻¹C) · 2π · periods).
-pub(super) fn determinant(equations: &LinearEquations, periods: u32) -> f64 {
-    (-equations.per_mass(&equations.damping).trace() * TAU * f64::from(periods)).exp()
+/// 1 for a whole period, −1 for half of one, after which all is mirrored.
+fn mirrors(span: f64) -> f64 {
+    if span < TAU { -1.0 } else { 1.0 }
+}
+
+/// det of the flow over a time, by Liouville: exp(−tr(M⁻¹C) · time).
+pub(super) fn determinant(equations: &LinearEquations, time: f64) -> f64 {
+    (-equations.per_mass(&equations.damping).trace() * time).exp()
 }

@@ -49,6 +49,7 @@ pub mod contact;
 mod equations;
 mod flow;
 pub mod grazing;
+mod half;
 mod model;
 mod modes;
 pub mod orbit;
@@ -60,6 +61,7 @@ pub mod validate;
 
 pub use equations::{LinearEquations, Periodic};
 pub use flow::{FlowMethod, LinearFlow};
+pub use half::HalfPeriod;
 pub use model::{Load, Machine, Stop};
 pub use slope::{MachineFamily, MachineSlope};
 

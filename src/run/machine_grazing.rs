@@ -18,7 +18,7 @@ use crate::{
     machine::{
         Machine, MachineFamily, RealMatrix,
         grazing::{MachineGrazing, MachineSearch, locate},
-        orbit::{StopPattern, StopStrike, find},
+        orbit::find,
     },
     pattern::{Analysis, Numbers, Pattern, Patterns, Report as Verdict},
     scene::{MachineSceneFamily, orbits::GrazingTask},
@@ -86,6 +86,9 @@ pub struct MachineGrazingReport {
     pub gamma: Option<f64>,
     /// What is left of the gap.
     pub residual: f64,
+    /// Whether the map is of half a period, for a symmetric machine that grazes a stop and its mirror:
+    /// patterns count halves then, and the stops alternate with them.
+    pub half: bool,
     /// Why the local theory does not apply, if it does not.
     pub open: Option<String>,
     /// The patterns that are born or open.
@@ -114,6 +117,10 @@ impl Finding for MachineGrazingReport {
     fn lines(&self, lines: &mut Lines) {
         lines.say("grazing", format!("{} = {:?}", self.varied, self.parameter));
         lines.say("stop", self.stop.as_str());
+        if self.half {
+            let what = "of half a period, then the mirror: the stop and its mirror are grazed; patterns count halves";
+            lines.say("map", what);
+        }
         lines.say("t_G", self.phase);
         lines.say("a_G", self.acceleration);
         if self.b.len() <= SHOWN {
@@ -158,7 +165,7 @@ pub fn machine_grazing(task: &GrazingTask, job: &Job) -> Result<MachineGrazingFi
     job.check()?;
     let (machine, _) = family.at(event.parameter)?;
     let rate = machine.rate();
-    let map = &event.map;
+    let map = event.local();
     let (n, one) = (machine.size, machine.size == 1);
     // From velocities per radian to velocities per unit of time.
     let unit = |i: usize| if i < n { 1.0 } else { rate };
@@ -180,11 +187,12 @@ pub fn machine_grazing(task: &GrazingTask, job: &Job) -> Result<MachineGrazingFi
         a2: one.then_some(map.determinant),
         gamma: map.gamma().map(|gamma| gamma / rate),
         residual: event.at.gap.abs(),
+        half: event.half.is_some(),
         open: None,
         born: Vec::new(),
         undecided: 0,
     };
-    if let Some(other) = event.others.first() {
+    if let Some(other) = event.others.first().filter(|_| event.half.is_none()) {
         found.open = Some(if other.stop == event.at.stop {
             format!(
                 "the motion grazes stop {} more than once in its period: the local theory is for one grazing",
@@ -264,9 +272,7 @@ fn born(
         format!("{} {} {}", task.parameter, if away > 0.0 { '>' } else { '<' }, shown(event.parameter));
     let (machine, _): (Machine<f64>, _) = family.at(parameter)?;
     let simulator = job.machine_simulator(&machine, &[])?;
-    let strike = |&n: &u64| StopStrike { stop: event.at.stop, periods: n as u32 };
-    let strikes = StopPattern::new(pattern.periods().iter().map(strike).collect())?;
-    let start = event.map.start(event.at.phase, pattern.periods(), verdict, away)?;
+    let (strikes, start) = event.start(pattern.periods(), verdict, away)?;
     match find(&simulator, &strikes, &start) {
         Ok(found) => {
             let (admissible, why) = orbit::admissible(&found);

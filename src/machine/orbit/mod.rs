@@ -151,7 +151,8 @@ pub(super) fn multipliers(equations: &StopEquations, z: &[f64]) -> Result<Vec<(f
     let monodromy = equations.monodromy(z)?;
     let m = equations.pattern.strikes().len();
     let factor: f64 = (0..m).map(|i| equations.contact(i).restitution.powi(2)).product();
-    let product = determinant(equations.flow.equations(), equations.pattern.periods()) * factor;
+    let product =
+        determinant(equations.flow.equations(), TAU * f64::from(equations.pattern.periods())) * factor;
     eigenvalues(&monodromy, product)
 }
 
