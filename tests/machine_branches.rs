@@ -404,3 +404,57 @@ fn what_is_not_done_is_said() {
     let reason = report["tasks"][0]["reason"].as_str().unwrap();
     assert!(reason.contains("wall \"plate\""), "{reason}");
 }
+
+/// A branch that starts where a motion settles, one that starts at its label, and the curve of its grazing
+/// over two parameters, which ends at the same places by both codes.
+#[test]
+fn branches_start_at_attractors_and_labels_and_go_on_in_two_parameters() {
+    let folder = tempfile::tempdir().unwrap();
+    let rate = TAU / 3.0;
+    let tasks = |name: &str, u: f64| {
+        let over = "parameter = \"mu\"\nrange = [-0.1, 0.01]\noptions = { step = 0.05, most_step = 0.3 }\n";
+        let restart = |label: &str| {
+            format!("starts = [{{ restart = {{ file = \"{name}.json\", label = \"{label} 1\" }} }}]\n")
+        };
+        [
+            task(
+                name,
+                "branch",
+                &format!(
+                    "set = {{ mu = -0.03 }}\n{over}starts = [{{ attractor = {{ phase = \"1/2\", q = 2.6, u = {u} }} }}]"
+                ),
+            ),
+            task(&format!("{name}-again"), "branch", &format!("{over}{}", restart("saddle-node"))),
+            task(
+                &format!("{name}-curve"),
+                "branch",
+                &format!("{over}second = \"w\"\nsecond_range = [4.85, 4.95]\n{}", restart("grazing")),
+            ),
+        ]
+    };
+    let (machine, code, error) = run(PAPER, &tasks("machine", 0.31 * rate), folder.path());
+    assert_eq!(code, 0, "{error}{machine}");
+    let (alone, code, error) = run(ALONE, &tasks("alone", 0.31), folder.path());
+    assert_eq!(code, 0, "{error}{alone}");
+    for i in 0..2 {
+        let (a, b) = (labels(&machine["tasks"][i]), labels(&alone["tasks"][i]));
+        assert!(a.len() >= 2 && a.len() == b.len(), "{a:?} {b:?}");
+        for ((name, a), (known, b)) in a.iter().zip(&b) {
+            assert!(name == known && a["pattern"] == "4", "{a} {b}");
+            near(number(&a["parameters"][0]), number(&b["parameters"][0]), 1e-12);
+        }
+    }
+    let ends = |name: &str| {
+        let text = fs::read_to_string(folder.path().join(format!("{name}-curve.json"))).unwrap();
+        let branch: Value = serde_json::from_str(&text).unwrap();
+        assert_eq!(branch["ends"][0], "a parameter is at its bound");
+        assert_eq!(branch["ends"][1], "a parameter is at its bound");
+        let points = branch["points"].as_array().unwrap();
+        let place = |point: &Value| [0, 1].map(|i| number(&point["parameters"][i]));
+        [place(&points[0]), place(&points[points.len() - 1])]
+    };
+    for (a, b) in ends("machine").iter().zip(ends("alone")) {
+        assert!(a[1] == b[1] && a[1] != 4.9, "{a:?} {b:?}");
+        near(a[0], b[0], 1e-9);
+    }
+}

@@ -223,8 +223,8 @@ const SAME: f64 = 1e-6;
 fn settled(simulator: &MachineSimulator, from: &MachineState, job: &Job) -> Result<MachineOrbit> {
     let mut run = simulator.start(Time::new(0, from.t), from.q.as_slice(), from.u.as_slice())?;
     let at = |period: u32| Time::new(period.into(), from.t);
-    for period in (0..=TRANSIENT).step_by(CHUNK as usize) {
-        ended(run.finish(at(period.min(TRANSIENT))))?;
+    for period in (0..TRANSIENT).step_by(CHUNK as usize) {
+        ended(run.finish(at((period + CHUNK).min(TRANSIENT))))?;
         job.check()?;
     }
     let first = run.state();
