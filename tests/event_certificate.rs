@@ -233,7 +233,8 @@ fn the_motion_without_impacts_grazes_where_its_formula_says() {
         let detail = |name: &str| checked.detail.iter().find(|(known, _)| *known == name).unwrap().1.clone();
         assert_eq!(detail("pattern"), "no impact, period 1");
         assert!(detail("contact").starts_with("with the lower wall, at phase "));
-        // Another wall that is crossed on the way; a version that knows no such orbit; a contact where there is none.
+        // Another wall that is crossed on the way; a version that knows no such orbit; a contact where there
+        // is none.
         let (at, end) = (text.find("upper none").unwrap(), text.find("\nparameter").unwrap() + 1);
         let crossed = format!("{}upper 0.5..0.5/1..1 1..1/1..1 0\n{}", &text[..at], &text[end..]);
         assert!(

@@ -69,10 +69,12 @@
 //! `1..1,3.14159265358979323846..3.14159265358979323847/2..2` stands for (1 + πp)/2. There the numbers of a
 //! quotient need not be in lowest terms.
 //!
-//! In version 2 the motion without impacts may graze, the response to the forcing: `event grazing 0`, no impact, and `contact 0 SIDE T`
-//! with the phase T. The unknowns are p and T, the equations z = 0 and z′ = 0 at that phase, and the one flight is the period that begins half a period before. 1
-//! must not be a multiplier of the motion without impacts, so that no other one has the period 2π, and the stiffness not 0. At the contact the derivative of the equations
-//! is z_p z″, so that the minimum of the gap passes through 0 with a nonzero derivative here, too.
+//! In version 2 the motion without impacts may graze, the response to the forcing: `event grazing 0`, no
+//! impact, and `contact 0 SIDE T` with the phase T. The unknowns are p and T, the equations z = 0 and z′ = 0
+//! at that phase, and the one flight is the period that begins half a period before. 1 must not be a
+//! multiplier of the motion without impacts, so that no other one has the period 2π, and the stiffness not 0.
+//! At the contact the derivative of the equations is z_p z″, so that the minimum of the gap passes through 0
+//! with a nonzero derivative here, too.
 //!
 //! # Cost
 //!

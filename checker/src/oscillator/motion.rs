@@ -31,8 +31,8 @@ pub(crate) struct Oscillator<N> {
     forcing: Series<N>,
     response: Series<N>,
     walls: [Option<Moving<N>>; 2],
-    /// Whether c, k and F are exactly 0, whatever a parameter is: the motion under a constant force depends on
-    /// it.
+    /// Whether c, k and F are exactly 0, whatever a parameter is: the motion under a constant force depends
+    /// on it.
     zero: [bool; 3],
 }
 
