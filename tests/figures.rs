@@ -216,6 +216,32 @@ fn wrong_numbers_are_named() {
     }
 }
 
+/// `-o` names a picture's file; what this program cannot write is refused before the work.
+#[test]
+fn the_output_may_be_a_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let figure = |arguments: &str| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_grazing"));
+        let output = command.arg("figure").args(arguments.split(' ')).current_dir(&folder).output().unwrap();
+        (output.status.code(), String::from_utf8(output.stderr).unwrap())
+    };
+    assert_eq!(figure("2 -o plane.svg"), (Some(0), String::new()));
+    let svg = fs::read_to_string(folder.path().join("plane.svg")).unwrap();
+    assert!(svg.starts_with("<svg ") && folder.path().join("plane.csv").exists());
+    let (code, message) = figure("8 -o eight.svg");
+    assert!(code == Some(2) && message.contains("figure8.svg"), "{message}");
+    for (name, begin) in [("plane.pdf", &b"%PDF-"[..]), ("plane.png", b"\x89PNG\r\n")] {
+        let (code, message) = figure(&format!("2 -o {name}"));
+        if cfg!(feature = "print") {
+            let bytes = fs::read(folder.path().join(name)).unwrap();
+            assert!(code == Some(0) && bytes.starts_with(begin) && bytes.len() > 5000, "{message}");
+        } else {
+            assert!(code == Some(2) && message.contains("--features print"), "{message}");
+            assert!(!folder.path().join(name).exists());
+        }
+    }
+}
+
 /// The pictures in the documentation are those that the program draws today.
 #[test]
 fn checked_in_figures_are_current() {

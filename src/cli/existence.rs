@@ -206,7 +206,12 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     }
     if let (Some(folder), Some(pattern)) = (&args.orbit, &args.pattern) {
         let side = engine.judge(pattern).side();
-        figure::orbit(&map, pattern, side, &figure::Place { folder, name: "orbit" })?;
+        figure::orbit(
+            &map,
+            pattern,
+            side,
+            &figure::Place { folder, name: "orbit", format: Default::default() },
+        )?;
     }
     let mut outcome = Outcome::Done;
     let written = destination.write(|out| {

@@ -1,6 +1,9 @@
 //! `grazing figure`: the project's figures, each with its data beside it.
 
-use std::{collections::HashMap, path::PathBuf};
+use std::{
+    collections::HashMap,
+    path::{Path, PathBuf},
+};
 
 use clap::{Parser, ValueEnum};
 use num_bigint::BigInt;
@@ -12,7 +15,7 @@ use crate::{
     certificate,
     cli::progress::{Interrupt, Progress},
     error::{Error, Result},
-    figure::{self, Place},
+    figure::{self, PictureFormat, Place},
     number::{parse_integer, parse_rational},
     oscillator::{
         Time,
@@ -44,8 +47,10 @@ pub(super) struct Args {
     /// For records: their angle in turns, 0 < S < 1/2; by default 0.205.
     #[arg(long, value_name = "S", value_parser = parse_rational)]
     s: Option<BigRational>,
-    /// The folder for the files.
-    #[arg(short, long, value_name = "DIR", default_value = ".")]
+    /// The folder for the files, or the picture's file: NAME.svg, NAME.pdf or NAME.png, its data in NAME.csv.
+    ///
+    /// PDF and PNG need a program built with the feature `print`.
+    #[arg(short, long, value_name = "DIR|FILE", default_value = ".")]
     output: PathBuf,
 }
 
@@ -119,6 +124,27 @@ impl Figure {
     }
 }
 
+impl Args {
+    /// Where the files go: `name` is that of the figure, if the output names none.
+    fn place<'a>(&'a self, name: &'a str) -> Result<Place<'a>> {
+        let Some(format) = PictureFormat::of(&self.output).filter(|_| !self.output.is_dir()) else {
+            return Ok(Place { folder: &self.output, name, format: PictureFormat::Svg });
+        };
+        format.check()?;
+        let stem = self.output.file_stem().and_then(|stem| stem.to_str());
+        let stem = stem.ok_or_else(|| Error::input(format!("{}: no name", self.output.display())))?;
+        if self.figure.is_of_a_scene() && stem != name {
+            return Err(Error::input(format!(
+                "-o {}: this figure has several files, named after it: write {name}.{}, or a folder",
+                self.output.display(),
+                format.ending()
+            )));
+        }
+        let folder = self.output.parent().filter(|folder| !folder.as_os_str().is_empty());
+        Ok(Place { folder: folder.unwrap_or(Path::new(".")), name: stem, format })
+    }
+}
+
 /// A cover of period n up to r = 1 − 2⁻¹⁴, fine enough to be drawn, and proved by the checker.
 fn proved_cover(n: u64, progress: &Progress) -> Result<Cover> {
     if !(3..=24).contains(&n) {
@@ -183,7 +209,9 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     if args.n.is_some() && !args.figure.has_periods() {
         return Err(Error::input(format!("figure {} takes no --n", args.figure.name())));
     }
-    make_folder(&args.output)?;
+    let file = args.figure.file();
+    let place = args.place(&file)?;
+    make_folder(place.folder)?;
     let number =
         |given: &Option<BigRational>, default| given.clone().map_or_else(|| parse_rational(default), Ok);
     let n = args.n.unwrap_or(match args.figure {
@@ -192,8 +220,6 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
         Figure::Entropy => 40,
         _ => 15,
     });
-    let file = args.figure.file();
-    let place = Place { folder: &args.output, name: &file };
     match args.figure {
         Figure::Regions => figure::regions(&place)?,
         Figure::Iterate => figure::iterate_boundaries(n, &place)?,
@@ -208,11 +234,11 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
         Figure::Words => figure::words(n, &place, &Progress::new(interrupt, n.saturating_sub(2), "periods"))?,
         Figure::Entropy => figure::entropy(n, &place, &Progress::new(interrupt, 0, "intervals"))?,
         Figure::Tips => figure::tips(n, &place, &Progress::new(interrupt, n.saturating_sub(3), "periods"))?,
-        Figure::Branches => paper("figure6", &args.output, interrupt)?,
-        Figure::Diagram => paper("figure7", &args.output, interrupt)?,
-        Figure::Before => paper("figure8", &args.output, interrupt)?,
-        Figure::Near => paper("figure9", &args.output, interrupt)?,
-        Figure::After => paper("figure10", &args.output, interrupt)?,
+        Figure::Branches => paper("figure6", place.folder, place.format, interrupt)?,
+        Figure::Diagram => paper("figure7", place.folder, place.format, interrupt)?,
+        Figure::Before => paper("figure8", place.folder, place.format, interrupt)?,
+        Figure::Near => paper("figure9", place.folder, place.format, interrupt)?,
+        Figure::After => paper("figure10", place.folder, place.format, interrupt)?,
         Figure::Chaos => chaos(&place, interrupt)?,
         Figure::Orbits => figure::orbits(&place)?,
     }

@@ -198,7 +198,7 @@ mod tests {
                 digits,
             });
         }
-        let place = Place { folder, name: "accuracy" };
+        let place = Place { folder, name: "accuracy", format: Default::default() };
         if std::env::var_os("GRAZING_REDRAW").is_some() {
             place.draw(&draw(&rows)).unwrap();
         }

@@ -184,7 +184,7 @@ mod tests {
                 error: row[3].parse().unwrap(),
             });
         }
-        let place = Place { folder, name: "flow-accuracy" };
+        let place = Place { folder, name: "flow-accuracy", format: Default::default() };
         if std::env::var_os("GRAZING_REDRAW").is_some() {
             place.draw(&draw(&rows)).unwrap();
         }

@@ -53,6 +53,51 @@ use crate::{
 };
 use canvas::{BLUE, Canvas, Colour, GREEN, ORANGE, PINK};
 
+/// What a picture is written as.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum PictureFormat {
+    /// Vectors for screens.
+    #[default]
+    Svg,
+    /// Vectors for print; with the feature `print`.
+    Pdf,
+    /// Pixels for print; with the feature `print`.
+    Png,
+}
+
+impl PictureFormat {
+    /// The format that the ending of a file's name says.
+    pub fn of(file: &Path) -> Option<PictureFormat> {
+        let ending = file.extension()?.to_str()?.to_ascii_lowercase();
+        [PictureFormat::Svg, PictureFormat::Pdf, PictureFormat::Png]
+            .into_iter()
+            .find(|format| format.ending() == ending)
+    }
+
+    /// The ending of its files' names.
+    pub fn ending(self) -> &'static str {
+        match self {
+            PictureFormat::Svg => "svg",
+            PictureFormat::Pdf => "pdf",
+            PictureFormat::Png => "png",
+        }
+    }
+
+    /// Whether this program can write it.
+    ///
+    /// # Errors
+    /// An input error for PDF and PNG without the feature `print`.
+    pub fn check(self) -> Result<()> {
+        if self == PictureFormat::Svg || cfg!(feature = "print") {
+            return Ok(());
+        }
+        Err(Error::input(format!(
+            "this grazing writes no .{}: build it with `cargo install --path . --features print`, or name an .svg",
+            self.ending()
+        )))
+    }
+}
+
 /// Where a figure goes: its folder, which is made if need be, and the name of its files without ending.
 #[derive(Debug, Clone, Copy)]
 pub struct Place<'a> {
@@ -60,12 +105,14 @@ pub struct Place<'a> {
     pub folder: &'a Path,
     /// The name.
     pub name: &'a str,
+    /// What the picture is written as.
+    pub format: PictureFormat,
 }
 
 impl Place<'_> {
     /// The picture's file.
     pub fn picture(&self) -> PathBuf {
-        self.folder.join(format!("{}.svg", self.name))
+        self.folder.join(format!("{}.{}", self.name, self.format.ending()))
     }
 
     /// The file of the data beside it.
@@ -76,7 +123,17 @@ impl Place<'_> {
     /// Writes the picture.
     fn draw(&self, canvas: &Canvas) -> Result<()> {
         fs::create_dir_all(self.folder).map_err(|error| Error::io("create", self.folder, error))?;
-        write_file(&self.picture(), |out| Ok(out.write_all(canvas.svg().as_bytes())?))
+        self.format.check()?;
+        let picture = match self.format {
+            #[cfg(feature = "print")]
+            PictureFormat::Pdf => canvas.pdf(),
+            #[cfg(feature = "print")]
+            PictureFormat::Png => {
+                canvas.png().ok_or_else(|| Error::input(format!("{}: too large to draw", self.name)))?
+            }
+            _ => canvas.svg().into_bytes(),
+        };
+        write_file(&self.picture(), |out| Ok(out.write_all(&picture)?))
     }
 
     /// Writes the picture and the data beside it.

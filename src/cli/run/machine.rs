@@ -126,7 +126,7 @@ impl Keeper for MachineSeries<'_> {
         let mut files = [".csv", "-events.csv"].map(|end| format!("{name}{end}")).to_vec();
         for (picture, name) in self.pictures.iter().zip(self.names()) {
             figure::motion(picture, &Place { name: &name, ..self.job.place() })?;
-            files.push(format!("{name}.svg"));
+            files.push(format!("{name}.{}", self.job.format.ending()));
         }
         Ok(files)
     }

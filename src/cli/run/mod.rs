@@ -27,7 +27,7 @@ use super::{Outcome, ReportFormat, in_pool, reported};
 use crate::{
     cli::progress::Interrupt,
     error::{Error, Result},
-    figure::Place,
+    figure::{PictureFormat, Place},
     number::{parse_integer, parse_rational},
     output::{Column, Destination, TableCell, TableFormat, TableWriter, make_folder, say, write_file},
     run::{
@@ -67,9 +67,18 @@ pub(super) struct Args {
     /// How the report is written.
     #[arg(long, value_enum, default_value_t = ReportFormat::Text)]
     pub(super) format: ReportFormat,
+    /// What pictures are written as: svg; pdf and png with the feature `print`.
+    #[arg(long, value_name = "FORMAT", default_value = "svg", value_parser = picture_format)]
+    pictures: PictureFormat,
     /// Threads; 0 for one per core.
     #[arg(long, value_name = "J", default_value_t = 0, value_parser = parse_integer::<usize>)]
     jobs: usize,
+}
+
+fn picture_format(text: &str) -> Result<PictureFormat> {
+    let format = PictureFormat::of(Path::new(&format!("picture.{text}")));
+    let format = format.ok_or_else(|| Error::input("pictures are svg, pdf or png"))?;
+    format.check().map(|()| format)
 }
 
 fn setting(text: &str) -> Result<(String, BigRational)> {
@@ -86,6 +95,8 @@ fn called(task: &crate::scene::Task, name: &str) -> bool {
 struct Job<'a> {
     job: &'a Task<'a>,
     folder: &'a Path,
+    /// What pictures are written as.
+    format: PictureFormat,
 }
 
 impl<'a> Deref for Job<'a> {
@@ -123,12 +134,12 @@ impl Job<'_> {
 
     /// Where its picture goes.
     fn place(&self) -> Place<'_> {
-        Place { folder: self.folder, name: &self.task.name }
+        Place { folder: self.folder, name: &self.task.name, format: self.format }
     }
 
     /// The names of the task's picture and of the data beside it.
     fn figure(&self) -> Vec<String> {
-        ["svg", "csv"].map(|end| format!("{}.{end}", self.task.name)).to_vec()
+        [self.format.ending(), "csv"].map(|end| format!("{}.{end}", self.task.name)).to_vec()
     }
 }
 
@@ -202,7 +213,7 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
         let part = if over {
             TaskReport::pending(job)
         } else {
-            let job = Job { job, folder: &args.output };
+            let job = Job { job, folder: &args.output, format: args.pictures };
             in_pool(args.jobs, || Ok(job.run()))?
         };
         bars.clear();
@@ -266,7 +277,7 @@ fn json(scene: &str, tasks: &[TaskReport], out: &mut dyn Write) -> Result<()> {
 }
 
 /// Runs a task of the paper's own scene, without a report.
-pub(super) fn paper(task: &str, folder: &Path, interrupt: &Interrupt) -> Result<()> {
+pub(super) fn paper(task: &str, folder: &Path, format: PictureFormat, interrupt: &Interrupt) -> Result<()> {
     let text = include_str!("../../../examples/scenes/nordmark-2001.toml");
     let scene = Scene::from_toml(text, "nordmark-2001.toml")?;
     let task = scene.tasks.iter().find(|known| known.name == task);
@@ -274,7 +285,7 @@ pub(super) fn paper(task: &str, folder: &Path, interrupt: &Interrupt) -> Result<
     make_folder(folder)?;
     let bars = Bars::new(interrupt);
     let around = Surroundings { changes: &[], folder: Some(folder), monitor: &bars };
-    let report = Job { job: &Task::new(&scene, task, around)?, folder }.run();
+    let report = Job { job: &Task::new(&scene, task, around)?, folder, format }.run();
     match report.status {
         Status::Failed { reason, .. } => Err(Error::input(reason)),
         Status::Interrupted { reason } => Err(Error::interrupted(reason)),

@@ -12,19 +12,23 @@ enum Ending {
     Fixed(&'static str),
     /// A minus, a number and this.
     Numbered(&'static str),
+    /// That of a picture.
+    Picture,
+    /// A minus, a number and that.
+    Pictures,
 }
 
 /// The endings of all files that a task of a kind may write.
 fn endings(kind: &Kind) -> &'static [Ending] {
-    use Ending::{Fixed, Numbered};
+    use Ending::{Fixed, Numbered, Picture, Pictures};
     match kind {
-        Kind::SimulateTask(_) => &[Numbered(".svg"), Fixed(".svg"), Fixed(".csv"), Fixed("-events.csv")],
-        Kind::SectionTask(_) => &[Fixed(".svg"), Fixed(".csv")],
-        Kind::BasinsTask(_) => &[Fixed(".svg"), Fixed(".csv"), Fixed(".checkpoint")],
-        Kind::DiagramTask(_) => &[Fixed(".svg"), Fixed(".csv"), Fixed("-windows.csv"), Fixed(".checkpoint")],
+        Kind::SimulateTask(_) => &[Pictures, Picture, Fixed(".csv"), Fixed("-events.csv")],
+        Kind::SectionTask(_) => &[Picture, Fixed(".csv")],
+        Kind::BasinsTask(_) => &[Picture, Fixed(".csv"), Fixed(".checkpoint")],
+        Kind::DiagramTask(_) => &[Picture, Fixed(".csv"), Fixed("-windows.csv"), Fixed(".checkpoint")],
         Kind::OrbitTask(_) | Kind::EventTask(_) | Kind::GrazingTask(_) => &[Fixed(".csv")],
         Kind::BranchTask(_) => {
-            &[Fixed(".json"), Numbered(".json"), Fixed(".svg"), Fixed(".csv"), Fixed("-points.csv")]
+            &[Fixed(".json"), Numbered(".json"), Picture, Fixed(".csv"), Fixed("-points.csv")]
         }
         Kind::CrisisTask(_) => &[Fixed(".csv"), Fixed("-simulated.csv")],
         Kind::ValidateTask(_) => &[Fixed(".csv"), Numbered(".certificate")],
@@ -36,12 +40,17 @@ fn endings(kind: &Kind) -> &'static [Ending] {
 pub(super) fn may_write(task: &Task, file: &str) -> bool {
     let (name, file) = (task.name.to_ascii_lowercase(), file.to_ascii_lowercase());
     let Some(rest) = file.strip_prefix(&name) else { return false };
+    let numbered = |end: &str| {
+        rest.strip_suffix(end)
+            .and_then(|rest| rest.strip_prefix('-'))
+            .is_some_and(|number| !number.is_empty() && number.bytes().all(|byte| byte.is_ascii_digit()))
+    };
+    const PICTURES: [&str; 3] = [".svg", ".pdf", ".png"];
     endings(&task.kind).iter().any(|ending| match *ending {
         Ending::Fixed(end) => rest == end,
-        Ending::Numbered(end) => rest
-            .strip_suffix(end)
-            .and_then(|rest| rest.strip_prefix('-'))
-            .is_some_and(|number| !number.is_empty() && number.bytes().all(|byte| byte.is_ascii_digit())),
+        Ending::Numbered(end) => numbered(end),
+        Ending::Picture => PICTURES.contains(&rest),
+        Ending::Pictures => PICTURES.into_iter().any(numbered),
     })
 }
 
@@ -50,7 +59,9 @@ pub(super) fn may_write(task: &Task, file: &str) -> bool {
 fn shared(one: &Task, other: &Task) -> Option<String> {
     endings(&one.kind).iter().find_map(|ending| match ending {
         Ending::Fixed(end) => Some(format!("{}{end}", one.name)).filter(|file| may_write(other, file)),
-        Ending::Numbered(_) => None,
+        // The same whatever it is written as.
+        Ending::Picture => Some(format!("{}.svg", one.name)).filter(|file| may_write(other, file)),
+        Ending::Numbered(_) | Ending::Pictures => None,
     })
 }
 

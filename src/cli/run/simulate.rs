@@ -97,6 +97,8 @@ impl Keeper for Series<'_> {
     fn keep(&mut self, _: &crate::run::Job, _: &Findings) -> Result<Vec<String>> {
         let name = &self.job.task.name;
         figure::motion(&self.picture, &self.job.place())?;
-        Ok([".svg", ".csv", "-events.csv"].map(|end| format!("{name}{end}")).to_vec())
+        let mut files = self.job.figure();
+        files.push(format!("{name}-events.csv"));
+        Ok(files)
     }
 }

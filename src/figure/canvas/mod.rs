@@ -1,8 +1,14 @@
-//! A picture as a list of shapes, in points (1/72 inch): what the figures draw on, and what is written as
-//! SVG.
+//! A picture as a list of shapes, in points (1/72 inch): what the figures draw on, and what is written as SVG
+//! and, with the feature `print`, as PDF and PNG.
 //!
 //! Lengths grow to the right and downwards. Nothing here knows of axes ([`frame`](super::frame)) or of data.
 
+#[cfg(feature = "print")]
+mod face;
+#[cfg(feature = "print")]
+mod pdf;
+#[cfg(feature = "print")]
+mod png;
 mod svg;
 mod words;
 
@@ -179,8 +185,38 @@ impl Canvas {
         self.shapes.push(Shape::Unclip);
     }
 
+    /// The picture as PDF, 86 mm wide.
+    #[cfg(feature = "print")]
+    pub fn pdf(&self) -> Vec<u8> {
+        pdf::write(self)
+    }
+
+    /// The picture as PNG, 600 dots per inch; `None` if it is too large for memory.
+    #[cfg(feature = "print")]
+    pub fn png(&self) -> Option<Vec<u8>> {
+        png::write(self)
+    }
+
     /// The picture as SVG.
     pub fn svg(&self) -> String {
         svg::write(self)
     }
+}
+
+/// How much of a text is before its place.
+#[cfg(feature = "print")]
+fn before(anchor: Anchor) -> f64 {
+    match anchor {
+        Anchor::Start => 0.0,
+        Anchor::Middle => 0.5,
+        Anchor::End => 1.0,
+    }
+}
+
+/// The width of a text in the face that print has.
+#[cfg(feature = "print")]
+fn width_in(face: &ttf_parser::Face, words: &Words, size: f64) -> f64 {
+    let letter = |c: char| face::advance(face, face::glyph(face, c));
+    let run = |run: &words::Run| run.level.scale() * run.text.chars().map(letter).sum::<f64>();
+    size * words.0.iter().map(run).sum::<f64>()
 }
