@@ -70,11 +70,11 @@
 //! quotient need not be in lowest terms.
 //!
 //! In version 2 the motion without impacts may graze, the response to the forcing: `event grazing 0`, no
-//! impact, and `contact 0 SIDE T` with the phase T. The unknowns are p and T, the equations z = 0 and z′ = 0
-//! at that phase, and the one flight is the period that begins half a period before. 1 must not be a
-//! multiplier of the motion without impacts, so that no other one has the period 2π, and the stiffness not 0.
-//! At the contact the derivative of the equations is z_p z″, so that the minimum of the gap passes through 0
-//! with a nonzero derivative here, too.
+//! impact, and `contact 0 SIDE T` with the phase T. The unknowns are p and T, the equations z = 0 and z′
+//! = 0 at that phase, and the one flight is the period that begins half a period before. The motion
+//! without impacts must not have the multiplier 1, so that no other one has the period 2π, and the
+//! stiffness must certainly differ from 0. At the contact the derivative of the equations is z_p z″, so
+//! that the minimum of the gap passes through 0 with a nonzero derivative here, too.
 //!
 //! # Cost
 //!
