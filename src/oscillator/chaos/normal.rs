@@ -84,7 +84,7 @@ impl Normal {
         let seen = |wall: &Wall<Function>| {
             let offset = wall.offset.clone() - &rest;
             let all = minus(&waves(&wall.harmonics), &response);
-            if side == Side::Lower { (offset, all) } else { (-offset, minus(&Vec::new(), &all)) }
+            if side == Side::Lower { (offset, all) } else { (-offset, minus(&[], &all)) }
         };
         let (mean, mut motion) = seen(wall);
         // With a period of 2π/j the time is multiplied by j.
@@ -149,7 +149,7 @@ fn waves(list: &[Harmonic<Function>]) -> Vec<Wave> {
 }
 
 /// The difference of two motions.
-fn minus(one: &Vec<Wave>, other: &[Wave]) -> Vec<Wave> {
+fn minus(one: &[Wave], other: &[Wave]) -> Vec<Wave> {
     let negative = other.iter().map(|(j, [a, b])| (*j, [-a.clone(), -b.clone()]));
     gathered(one.iter().cloned().chain(negative).collect())
 }

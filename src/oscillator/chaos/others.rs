@@ -107,8 +107,8 @@ impl Attempt<'_> {
 
     fn left(&self, narrow: &Narrowing, known: &Known, boxes: &[[Span; 2]]) -> Option<String> {
         let place = |n: usize| self.problem.letters.iter().position(|&periods| periods == n as u64 + 1);
-        for n in 0..known.len() {
-            let Some(spans) = known[n] else { continue };
+        for (n, spans) in known.iter().enumerate() {
+            let Some(spans) = spans else { continue };
             let fits = place(n).is_some_and(|v| (0..2).all(|i| spans[i].is_in(boxes[v][i])));
             if !fits {
                 return Some(format!("legs of {} periods may be elsewhere", n + 1));
