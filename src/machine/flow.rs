@@ -16,7 +16,7 @@ use super::{
 };
 use crate::{
     error::Result,
-    oscillator::{Harmonic, System, flow::Linear},
+    oscillator::{Harmonic, Series, System, flow::Linear},
 };
 
 /// Terms of the Taylor series by which a system moves that is one block: with 1/2, what is left out is below
@@ -194,6 +194,43 @@ impl LinearFlow {
                 forced(a, &self.force, begin, t - begin, &starts[i])
             }
         }
+    }
+
+    /// g·p for a functional g on y, in two parts: a series, of the pairs whose p is periodic; and g on the other
+    /// pairs alone.
+    ///
+    /// # Errors
+    /// Responses that are not finite.
+    pub(super) fn drive(&self, g: &RealVector) -> Result<(Series, RealVector)> {
+        let mut rest = g.clone();
+        let mut parts: Vec<(f64, Series)> = Vec::new();
+        match &self.motion {
+            Motion::Real(all) => {
+                for (i, (_, mode)) in all.iter().enumerate() {
+                    let Some(place) = mode.periodic() else { continue };
+                    parts.push((g[2 * i + 1], place.derivative()));
+                    parts.push((g[2 * i], place));
+                    rest.rows_mut(2 * i, 2).fill(0.0);
+                }
+            }
+            Motion::Complex(all) => {
+                for (i, (pair, two)) in all.iter().enumerate() {
+                    if two.iter().any(|response| response.terms.iter().any(|term| term.2)) {
+                        continue;
+                    }
+                    let [first, second] = match pair {
+                        Pair::Two(_) => [two[0].series(false)?, two[1].series(false)?],
+                        _ => [two[0].series(false)?, two[0].series(true)?],
+                    };
+                    parts.push((g[2 * i], first));
+                    parts.push((g[2 * i + 1], second));
+                    rest.rows_mut(2 * i, 2).fill(0.0);
+                }
+            }
+            Motion::Whole(..) => {}
+        }
+        let parts: Vec<(f64, &Series)> = parts.iter().map(|(factor, series)| (*factor, series)).collect();
+        Ok((Series::combination(&parts), rest))
     }
 
     /// What y gains where a period ends: p(2π) − p(0).
@@ -407,6 +444,47 @@ impl Force {
 }
 
 impl Pair {
+    /// A bound of |f(s)| for 0 ≤ s ≤ `width`, f being g E(s) at one entry of a functional g on the pair, from f(0) and
+    /// f′(0).
+    ///
+    /// f satisfies the pair's own equation f″ + c f′ + k f = 0. With γ ≥ 0 such that h = e^{−γs} f does not grow,
+    /// |f| ≤ e^{γ·width} sup |h|, and h is one of
+    ///
+    /// - e^{−rs} (h₀ cos ωs + (h₀′ + r h₀)/ω sin ωs), r ≥ 0: at most √(h₀² + ((h₀′ + r h₀)/ω)²);
+    /// - for real decay rates 0 ≤ a ≤ b: h₀ times a number in [0, 1], plus h₀′ (e^{−as} − e^{−bs})/(b − a), which is at
+    ///   most h₀′/b and at most h₀′ s.
+    ///
+    /// The least of what applies is taken, and 10⁻¹² of it added for rounding.
+    pub(super) fn supremum(&self, start: f64, slope: f64, width: f64) -> f64 {
+        if let Pair::Two(rates) = *self {
+            // Each entry moves for itself: which one it is does not matter for the bound.
+            let growth = rates[0].max(rates[1]).max(0.0);
+            return start.abs() * (growth * width).exp() * (1.0 + 1e-12);
+        }
+        let (c, k) = match *self {
+            Pair::Mode { damping, stiffness } => (damping, stiffness),
+            Pair::Spiral { rate, turn } => (-2.0 * rate, rate * rate + turn * turn),
+            Pair::Two(_) => unreachable!("done above"),
+        };
+        let square = k - c * c / 4.0;
+        let root = square.abs().sqrt();
+        let slowest = if square > 0.0 { c / 2.0 } else { c / 2.0 - root };
+        let growth = (-slowest).max(0.0);
+        let (own, decay) = (slope - growth * start, c / 2.0 + growth);
+        let straight = if square > 0.0 {
+            // Also without ω, by |h′| of a decaying motion, where ω is small.
+            f64::INFINITY
+        } else {
+            let fastest = decay + root;
+            start.abs() + own.abs() * if fastest > 0.0 { width.min(1.0 / fastest) } else { width }
+        };
+        let round = if square > 0.0 { start.hypot((own + decay * start) / root) } else { f64::INFINITY };
+        // Nearly critical: h = e^{−rs}(h₀ cos ωs + (h₀′ + r h₀) s sinc ωs).
+        let critical =
+            if square > 0.0 { start.abs() + (own + decay * start).abs() * width } else { f64::INFINITY };
+        straight.min(round).min(critical) * (growth * width).exp() * (1.0 + 1e-12)
+    }
+
     /// The largest modulus of an eigenvalue.
     fn rate(&self) -> f64 {
         match *self {
@@ -519,6 +597,23 @@ impl Response {
         // (e^{iκt} − e^{λt})/(iκ − λ) = t e^{(iκ + λ)t/2} sinhc((iκ − λ)t/2), of which |(iκ − λ)t/2| < 1/5.
         let middle = (Complex::new(0.0, kappa) + self.lambda) * (t / 2.0);
         z * middle.exp() * sinhc(away * (t / 2.0)) * t
+    }
+
+    /// Its real or its imaginary part, where no term starts from rest.
+    fn series(&self, imaginary: bool) -> Result<Series> {
+        let mut mean = 0.0;
+        let mut harmonics = Vec::new();
+        for &(kappa, z, _) in &self.terms {
+            let c = z / (Complex::new(0.0, kappa) - self.lambda);
+            // c e^{iκt} = (c.re cos − c.im sin) + i (c.im cos + c.re sin) of κt.
+            let (cos, sin) = if imaginary { (c.im, c.re) } else { (c.re, -c.im) };
+            if kappa == 0.0 {
+                mean += cos;
+            } else {
+                harmonics.push(Harmonic { k: kappa.abs() as u32, cos, sin: sin * kappa.signum() });
+            }
+        }
+        Series::new(mean, &harmonics)
     }
 
     /// The response at 2π less that at 0.

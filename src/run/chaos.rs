@@ -74,12 +74,26 @@ pub(super) fn chaos(
     side: impl Fn(bool) -> String,
     monitor: &dyn Monitor,
 ) -> Result<Option<Vec<ChaosRow>>> {
-    let (trace, determinant) = (map.multipliers.trace, map.multipliers.determinant);
-    if determinant.is_nan() || determinant <= 0.0 || map.gamma() == 0.0 || map.e() == 0.0 {
+    let plane = [map.multipliers.trace, map.multipliers.determinant];
+    chaos_at(plane, map.gamma(), map.e(), side, monitor)
+}
+
+/// The same at (a₁, a₂) with γ and e.
+///
+/// # Errors
+/// As [`chaos`].
+pub(super) fn chaos_at(
+    [trace, determinant]: [f64; 2],
+    gamma: f64,
+    e: f64,
+    side: impl Fn(bool) -> String,
+    monitor: &dyn Monitor,
+) -> Result<Option<Vec<ChaosRow>>> {
+    if determinant.is_nan() || determinant <= 0.0 || gamma == 0.0 || e == 0.0 {
         return Ok(None);
     }
     let Some(rectangle) = rectangle(trace, determinant) else { return Ok(None) };
-    let gamma = map.gamma() > 0.0;
+    let gamma = gamma > 0.0;
     let rows = [true, false].into_iter().map(|positive| {
         let word = Word::in_rectangle(&rectangle, positive, LETTERS, monitor)?;
         let (entropy, at_least) = Entropy::of(&word, gamma, BITS)?;

@@ -151,7 +151,7 @@ impl Job<'_> {
         let given = self.scene.machine_scene()?.minimum_depth;
         let settings = |minimum_depth| MachineSettings { minimum_depth, ..MachineSettings::default() };
         if let Some(depth) = given {
-            return MachineSimulator::new(machine, &settings(depth));
+            return Ok(MachineSimulator::new(machine, &settings(depth))?.counting(self.tally.clone()));
         }
         let simulator = MachineSimulator::new(machine, &settings(RELATIVE_DEPTH))?;
         let gap = |state: &MachineState| {
@@ -163,7 +163,7 @@ impl Job<'_> {
         };
         let scale = starts.iter().map(gap).fold(simulator.scale(), f64::max);
         let scale = if scale > 0.0 && scale.is_finite() { scale } else { 1.0 };
-        Ok(simulator.with(settings(RELATIVE_DEPTH * scale)))
+        Ok(simulator.with(settings(RELATIVE_DEPTH * scale)).counting(self.tally.clone()))
     }
 }
 

@@ -9,7 +9,8 @@ use std::f64::consts::TAU;
 use serde::Serialize;
 
 use super::{
-    Complex, Finding, Job, Judgement, Lines, Status,
+    ChaosRow, Complex, Finding, Job, Judgement, Lines, Status,
+    chaos::chaos_at,
     grazing::{GrazingSearch, shown, side_open},
     machine_orbit as orbit, row,
 };
@@ -20,6 +21,7 @@ use crate::{
         grazing::{MachineGrazing, MachineSearch, locate},
         orbit::find,
     },
+    oscillator::grazing::region_of,
     pattern::{Analysis, Numbers, Pattern, Patterns, Report as Verdict},
     scene::{MachineSceneFamily, orbits::GrazingTask},
 };
@@ -84,6 +86,8 @@ pub struct MachineGrazingReport {
     pub a2: Option<f64>,
     /// γ; only of one degree of freedom.
     pub gamma: Option<f64>,
+    /// The region of the plane of (a₁, a₂), 1 to 5 or `line`; only of one degree of freedom, and for a₂ > 0.
+    pub region: Option<String>,
     /// What is left of the gap.
     pub residual: f64,
     /// Whether the map is of half a period, for a symmetric machine that grazes a stop and its mirror:
@@ -91,6 +95,10 @@ pub struct MachineGrazingReport {
     pub half: bool,
     /// Why the local theory does not apply, if it does not.
     pub open: Option<String>,
+    /// Whether chaos is born, on either side, by all patterns together; absent where no word decides.
+    pub chaos: Option<Vec<ChaosRow>>,
+    /// Why it is not decided whether chaos is born.
+    pub chaos_open: Option<String>,
     /// The patterns that are born or open.
     pub born: Vec<MachineBornRow>,
     /// How many of them are open.
@@ -138,11 +146,18 @@ impl Finding for MachineGrazingReport {
         if let (Some(a1), Some(a2), Some(gamma)) = (self.a1, self.a2, self.gamma) {
             lines.say("a1", a1);
             lines.say("a2", a2);
+            lines.say("region", self.region.as_deref().unwrap_or("none"));
             lines.say("gamma", gamma);
         }
         lines.say("residual", self.residual);
         if let Some(open) = &self.open {
             lines.say("open", open.as_str());
+        }
+        if let Some(rows) = &self.chaos {
+            lines.say("chaos", rows.iter().map(ChaosRow::sentence).collect::<Vec<_>>().join("; "));
+        }
+        if let Some(reason) = &self.chaos_open {
+            lines.say("chaos", format!("not decided: {reason}"));
         }
         lines.table("born", &self.born);
     }
@@ -188,7 +203,12 @@ pub fn machine_grazing(task: &GrazingTask, job: &Job) -> Result<MachineGrazingFi
         gamma: map.gamma().map(|gamma| gamma / rate),
         residual: event.at.gap.abs(),
         half: event.half.is_some(),
+        region: one
+            .then(|| region_of(map.a.trace(), map.determinant).map(|region| region.to_string()))
+            .flatten(),
         open: None,
+        chaos: None,
+        chaos_open: None,
         born: Vec::new(),
         undecided: 0,
     };
@@ -222,6 +242,28 @@ pub fn machine_grazing(task: &GrazingTask, job: &Job) -> Result<MachineGrazingFi
         ));
     }
     if found.open.is_none() {
+        match map.gamma() {
+            None => {
+                found.chaos_open = Some(format!(
+                    "the local map has {} dimensions and the word theorem is for two; the table has the patterns up to \
+                     period {}",
+                    2 * n,
+                    task.max_period
+                ));
+            }
+            Some(gamma) => {
+                let side = |positive: bool| {
+                    let above = positive == (map.e > 0.0);
+                    let sign = if above { '>' } else { '<' };
+                    format!("{} {sign} {}", task.parameter, shown(event.parameter))
+                };
+                let plane = [map.a.trace(), map.determinant];
+                found.chaos = chaos_at(plane, gamma, map.e, side, job.monitor)?;
+                if found.chaos.is_none() {
+                    found.chaos_open = Some("that needs a2 > 0 and gamma other than 0".into());
+                }
+            }
+        }
         let local = map.to_map()?;
         let analysis = Analysis::new(&local, task.max_period.into(), Numbers::Enclosed);
         let patterns = (1..=task.max_period).flat_map(|period| Patterns::of_period(period.into()));

@@ -4,7 +4,7 @@ use std::fmt;
 
 use serde::{Serialize, Serializer, ser::SerializeMap};
 
-use super::{Findings, Job, Lines, Place, Status};
+use super::{Findings, Job, Lines, Model, Place, Status};
 use crate::{error::Error, oscillator::Effect};
 
 /// A task's name, its status, what it found, what that cost, and where it is kept.
@@ -48,7 +48,11 @@ fn as_map<K: Serialize, V: Serialize, S: Serializer>(
 impl TaskReport {
     fn new(job: &Job, status: Status) -> TaskReport {
         let parameters = job.scene.parameters.iter();
-        let counted = Effect::ALL.iter().map(|&effect| (effect.name(), job.tally.of(effect)));
+        let kinds: &[Effect] = match job.model {
+            Model::Oscillator(_) => &Effect::ALL,
+            Model::Machine(_) => &Effect::OF_MACHINES,
+        };
+        let counted = kinds.iter().map(|&effect| (effect.name(), job.tally.of(effect)));
         TaskReport {
             task: job.task.name.clone(),
             kind: job.task.kind.word(),

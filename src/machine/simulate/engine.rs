@@ -10,9 +10,9 @@ use crate::{
     error::{Error, Result},
     machine::{MachineState, RealVector},
     oscillator::{
-        Time,
+        Counter, Effect, Time,
         simulate::{
-            RunEnd,
+            RunEnd, Share,
             search::{Gap, Hit, ROUNDING, clear},
         },
     },
@@ -46,6 +46,7 @@ pub struct MachineRun<'a> {
     /// Changes of the stage without progress.
     changes: u32,
     failure: Option<Error>,
+    counts: Option<Share>,
 }
 
 /// A hit on a cell: what was watched, z, z′ and z″ by x, and the rounding error of z.
@@ -80,6 +81,7 @@ impl<'a> MachineRun<'a> {
             ended: None,
             changes: 0,
             failure: None,
+            counts: simulator.tally.as_ref().map(Share::of),
         };
         run.enter(simulator.free.clone(), time, &state);
         let touched: Vec<usize> = (0..gaps.len()).filter(|&j| gaps[j][0] <= depth).collect();
@@ -195,6 +197,21 @@ impl<'a> MachineRun<'a> {
         }
     }
 
+    #[inline]
+    fn count(&mut self, effect: Effect) {
+        if let Some(counts) = &mut self.counts {
+            counts.count(effect);
+        }
+    }
+
+    /// Whether what is watched is surely clear of 0 on a cell of a level.
+    #[inline]
+    fn clear(&mut self, stage: &Stage, level: usize, watch: usize, cell: usize) -> bool {
+        let what = stage.watched[watch];
+        self.count(if matches!(what, What::Gap(_)) { Effect::Gap } else { Effect::Force });
+        clear(stage.head(level, watch, cell, &self.y), self.simulator.settings.minimum_depth)
+    }
+
     fn half(&self) -> f64 {
         self.stage.finest().half
     }
@@ -292,9 +309,9 @@ impl<'a> MachineRun<'a> {
             let before = self.period < goal.0 || self.cell + cells <= goal.1;
             if aligned && before {
                 let at = self.cell / cells;
-                let depth = self.simulator.settings.minimum_depth;
-                let free = |watch: usize| clear(stage.head(self.level, watch, at, &self.y), depth);
-                if (0..stage.watched.len()).all(free) {
+                let level = self.level;
+                self.count(Effect::Piece);
+                if (0..stage.watched.len()).all(|watch| self.clear(stage, level, watch, at)) {
                     self.opened(stage);
                     self.changes = 0;
                     self.turn(stage, self.level, cells);
@@ -365,13 +382,15 @@ impl<'a> MachineRun<'a> {
     fn first(&mut self, stage: &Stage, mut end: f64) -> Option<Found> {
         let mut first = None;
         let (depth, finest) = (self.simulator.settings.minimum_depth, stage.levels.len() - 1);
+        self.count(Effect::Piece);
         for (watch, what) in stage.watched.iter().enumerate() {
-            if clear(stage.head(finest, watch, self.cell, &self.y), depth) {
+            if self.clear(stage, finest, watch, self.cell) {
                 if let What::Gap(stop) = what {
                     self.open[*stop] = true;
                 }
                 continue;
             }
+            self.count(Effect::Search);
             let (polynomial, size) = stage.polynomial(watch, self.cell, &self.y);
             let rounding = ROUNDING * size;
             let open = match what {
@@ -520,6 +539,9 @@ impl<'a> MachineRun<'a> {
     ) -> Result<()> {
         let (simulator, resting) = (self.simulator, self.stage.resting.clone());
         let all: Vec<usize> = touched.iter().chain(&resting).copied().collect();
+        if all.len() > 1 {
+            self.count(Effect::Together);
+        }
         let rates: Vec<f64> = rates.iter().copied().chain(resting.iter().map(|_| 0.0)).collect();
         let law = simulator.contacts.impact(&all, &rates)?;
         state.u += &law.change;

@@ -74,7 +74,7 @@ use super::{
 pub use crate::oscillator::simulate::RunEnd;
 use crate::{
     error::{Error, Result},
-    oscillator::Time,
+    oscillator::{EffectTally, Time},
 };
 
 /// How finely to simulate.
@@ -106,15 +106,16 @@ pub struct MachineSimulator {
     drags: Vec<f64>,
     settings: MachineSettings,
     rate: f64,
+    tally: Option<Arc<EffectTally>>,
 }
 
 impl MachineSimulator {
-    /// Solves the machine and fills its tables. Cost: O(n³ + n R (stops + harmonics)), R the fastest motion
-    /// over the forcing's frequency.
+    /// Solves the machine and fills its tables. Cost: O(n³ + (stops + harmonics) (min(R, 10⁴) + n log R)), R the
+    /// fastest motion over the forcing's frequency.
     ///
     /// # Errors
-    /// Those of [`Machine::equations`] and [`Machine::contacts`]; a minimum depth that is not positive;
-    /// motions more than some 5000 times as fast as the forcing.
+    /// Those of [`Machine::equations`] and [`Machine::contacts`]; a minimum depth that is not positive; motions some
+    /// 10¹¹ times as fast as the forcing, or, without modes, some 10⁴ times.
     pub fn new(machine: &Machine<f64>, settings: &MachineSettings) -> Result<MachineSimulator> {
         let depth = settings.minimum_depth;
         if !(depth > 0.0 && depth.is_finite()) {
@@ -135,13 +136,19 @@ impl MachineSimulator {
         };
         let drags = (0..contacts.all().len()).map(drag).collect();
         let (stages, settings, rate) = (Mutex::default(), settings.clone(), machine.rate());
-        Ok(MachineSimulator { equations, contacts, free, stages, drags, settings, rate })
+        Ok(MachineSimulator { equations, contacts, free, stages, drags, settings, rate, tally: None })
     }
 
     /// The same machine simulated otherwise.
     #[must_use]
     pub fn with(self, settings: MachineSettings) -> MachineSimulator {
         MachineSimulator { settings, ..self }
+    }
+
+    /// The same machine, the work of its runs added up in `tally` as each ends.
+    #[must_use]
+    pub fn counting(self, tally: Arc<EffectTally>) -> MachineSimulator {
+        MachineSimulator { tally: Some(tally), ..self }
     }
 
     /// The flow between impacts.

@@ -9,7 +9,9 @@
 //! The period is cut into cells, on levels: on each level they are half as wide as on the level above. On the
 //! finest a cell is at most 1/R wide, R the largest rate of any pair, of forcing and of stops, so that z is a
 //! polynomial of 16 terms in x ∈ [−1, 1]: what is left out is below 2⁻¹⁶/16! < 10⁻¹⁸ of the amplitude. On the
-//! coarsest, forcing, stops and p still are such polynomials, but not the fast pairs.
+//! coarsest, forcing, stops and p still are such polynomials, but not the fast pairs. What of z does not depend
+//! on y is in a table for each cell, down to the level of at most [`TABLED`] cells; below, it is the polynomial
+//! of the tabled cell, seen on a part of it. So fast modes need no memory, and time only where they are looked at.
 //!
 //! # The bound
 //!
@@ -18,9 +20,8 @@
 //!
 //! - of a pair with rate ≤ 1/(cell's width), the Taylor coefficients, and as tail Σ_{k≥3} |c_k|, entry by
 //!   entry of y;
-//! - of a faster pair, c₀ = c₁ = c₂ = 0 and as tail a bound on sup |g E(s)| over the cell, entry by entry:
-//!   the maximum over the finest cells in it of Σ_k |g E(s_m) G^k| w^k/k!, which is Taylor's formula about
-//!   each one's beginning s_m with width w, |G w| ≤ 1.
+//! - of a faster pair, c₀ = c₁ = c₂ = 0 and as tail a bound on sup |g E(s)| over the cell, entry by entry
+//!   (`Pair::supremum`).
 //!
 //! Where the head says that z is above the minimum depth on a whole cell, the cell is passed over, else its
 //! halves are looked at, and on the finest level the polynomial is searched. So no minimum below −depth is
@@ -44,8 +45,14 @@ use crate::{
 /// Coefficients of a polynomial.
 pub(super) const TERMS: usize = 16;
 
-/// Finer grids than this are refused.
-const MOST_CELLS: usize = 1 << 16;
+/// On levels with more cells nothing is in tables of one row per cell.
+const TABLED: usize = 1 << 13;
+
+/// Of a motion that needs tables on all levels, more cells than this are refused: some 10 MB for each thing watched.
+const MOST_TABLED: f64 = 65536.0;
+
+/// Finer grids than this are refused: places in a cell could not be told apart in floats.
+const MOST_CELLS: f64 = 1.1e12;
 
 /// Numbers side by side.
 const LANES: usize = 4;
@@ -73,7 +80,9 @@ pub(super) struct Stage {
     pub levels: Vec<Level>,
     /// Of the finest level, for each thing watched: 16 functionals on y, one after the other.
     rows: Vec<Vec<f64>>,
-    /// Of the finest level, for each thing watched and each cell.
+    /// The finest level with tables for each cell.
+    tabled: usize,
+    /// Of that level, for each thing watched and each cell.
     drive: Vec<Vec<[f64; TERMS]>>,
     /// Entries of y, filled up to a multiple of 4.
     padded: usize,
@@ -86,7 +95,7 @@ pub(super) struct Level {
     step: Step,
     /// For each thing watched, four functionals by fours of y: c₀, c₁, c₂ on y and the tail on |y|.
     heads: Vec<Vec<[f64; 4 * LANES]>>,
-    /// For each thing watched and each cell.
+    /// For each thing watched and each cell; empty on levels without tables.
     drive: Vec<Vec<Head>>,
 }
 
@@ -100,7 +109,7 @@ enum Step {
 
 impl Stage {
     /// # Errors
-    /// Dependent rows among the stops rested on; motions too fast for 2¹⁶ cells in a period.
+    /// Dependent rows among the stops rested on; motions too fast for the grid.
     pub fn new(equations: &LinearEquations, contacts: &Contacts, resting: &[usize]) -> Result<Stage> {
         let all = contacts.all();
         let mut watches: Vec<(What, Watch)> = Vec::new();
@@ -131,6 +140,7 @@ impl Stage {
             levels: Vec::new(),
             rows: Vec::new(),
             drive: Vec::new(),
+            tabled: 0,
         };
         let watches = watches.iter().map(|(_, watch)| stage.reduce(watch)).collect::<Vec<_>>();
         stage.fill(&watches)?;
@@ -158,46 +168,91 @@ impl Stage {
         let order = self.flow.equations().force.order();
         let order = watches.iter().map(|known| known.1.order()).fold(order, u32::max);
         // What p contains besides the forcing's frequencies: responses from rest in every period.
-        let secular = |i: usize| self.flow.pairs().is_none() || self.flow.step().rows(2 * i, 2).amax() != 0.0;
+        let parts = watches.iter().map(|(g, _)| self.flow.drive(g)).collect::<Result<Vec<_>>>()?;
+        let whole = self.flow.pairs().is_none();
+        let secular = |i: usize| whole || self.flow.step().rows(2 * i, 2).amax() != 0.0;
         let slow =
             (0..rates.len()).filter(|&i| secular(i)).map(|i| rates[i]).fold(f64::from(order), f64::max);
         let fast = rates.iter().copied().fold(slow, f64::max);
         let coarse = (TAU * slow).ceil().max(8.0);
-        let depth = (TAU * fast / coarse).log2().ceil().max(0.0);
-        let finest = coarse * depth.exp2();
-        if finest.is_nan() || finest > MOST_CELLS as f64 {
+        if coarse.is_nan() || coarse > MOST_TABLED {
+            let most = MOST_TABLED / TAU;
             return Err(Error::input(format!(
-                "the fastest motion has {fast:.0} times the forcing's frequency; at most {:.0} times can be followed: \
-                 leave out the fastest modes, as with `keep` of [system]",
-                MOST_CELLS as f64 / TAU / 2.0
+                "the fastest motion has {slow:.0} times the forcing's frequency; without modes, by the matrix exponential, at \
+                 most {most:.0} times can be followed: give `damping_ratio` in place of `damping`, or fewer coordinates"
             )));
         }
-        let depth = depth as usize;
+        let depth = (TAU * fast / coarse).log2().ceil().max(0.0);
+        if depth.is_nan() || coarse * depth.exp2() > MOST_CELLS {
+            let most = MOST_CELLS / TAU / 2.0;
+            return Err(Error::input(format!(
+                "the fastest motion has {fast:.1e} times the forcing's frequency; at most {most:.0e} times can be followed: \
+                 leave such stiff parts out of `stiffness`, or such modes out of `modes`"
+            )));
+        }
+        let (coarse, depth) = (coarse as usize, depth as usize);
+        self.tabled = (0..=depth).rev().find(|level| coarse << level <= TABLED).unwrap_or(0);
+        let known: Vec<Series> = watches
+            .iter()
+            .zip(&parts)
+            .map(|((_, given), (periodic, _))| Series::combination(&[(1.0, given), (1.0, periodic)]))
+            .collect();
+        let resonant = parts.iter().any(|(_, rest)| rest.amax() != 0.0);
         for level in 0..=depth {
-            let cells = (coarse as usize) << level;
-            let half = PI / cells as f64;
-            let heads = watches.iter().map(|(g, _)| self.heads(g, half, depth - level)).collect();
-            let mut drive: Vec<Vec<Head>> = vec![Vec::with_capacity(cells); watches.len()];
+            let half = PI / (coarse as f64 * (level as f64).exp2());
+            let heads = watches.iter().map(|(g, _)| self.heads(g, half, level == depth)).collect();
+            let mut drive: Vec<Vec<Head>> = vec![Vec::new(); watches.len()];
             let mut polynomials: Vec<Vec<[f64; TERMS]>> = vec![Vec::new(); watches.len()];
+            let cells = if level <= self.tabled { coarse << level } else { 0 };
             for cell in 0..cells {
                 let t = (2 * cell + 1) as f64 * half;
-                let particular = self.flow.expand(t, half, TERMS);
-                for (i, (g, given)) in watches.iter().enumerate() {
-                    let mut polynomial: [f64; TERMS] = std::array::from_fn(|k| g.dot(&particular[k]));
+                let particular = if resonant { self.flow.expand(t, half, TERMS) } else { Vec::new() };
+                for (i, ((_, rest), given)) in parts.iter().zip(&known).enumerate() {
+                    let mut polynomial = [0.0; TERMS];
+                    if resonant {
+                        polynomial = std::array::from_fn(|k| rest.dot(&particular[k]));
+                    }
                     given.add_taylor(1.0, t, half, &mut polynomial);
                     drive[i].push(head(&polynomial));
-                    if level == depth {
+                    if level == self.tabled {
                         polynomials[i].push(polynomial);
                     }
                 }
             }
             self.levels.push(Level { half, step: self.step(2.0 * half), heads, drive });
-            if level == depth {
+            if level == self.tabled {
                 self.drive = polynomials;
+            }
+            if level == depth {
                 self.rows = watches.iter().map(|(g, _)| self.functionals(g, half)).collect();
             }
         }
         Ok(())
+    }
+
+    /// What of z does not depend on y, on a cell of a level at or below that of the tables.
+    fn driven(&self, level: usize, watch: usize, cell: usize) -> [f64; TERMS] {
+        let finer = level - self.tabled;
+        let whole = &self.drive[watch][cell >> finer];
+        if finer == 0 {
+            return *whole;
+        }
+        // x ↦ middle + x/2^finer of the tabled cell.
+        let scale = (-(finer as f64)).exp2();
+        let part = cell & ((1 << finer) - 1);
+        let middle = (2 * part + 1) as f64 * scale - 1.0;
+        let mut shifted = *whole;
+        for i in 0..TERMS {
+            for k in (i..TERMS - 1).rev() {
+                shifted[k] += middle * shifted[k + 1];
+            }
+        }
+        let mut power = 1.0;
+        for coefficient in &mut shifted {
+            *coefficient *= power;
+            power *= scale;
+        }
+        shifted
     }
 
     /// The Taylor coefficients of x ↦ g E(half (1 + x)), as functionals on y at a cell's beginning.
@@ -220,34 +275,24 @@ impl Stage {
         rows
     }
 
-    /// The head's functionals for cells of this width, each of 2^`finer` finest ones.
-    fn heads(&self, g: &RealVector, half: f64, finer: usize) -> Vec<[f64; 4 * LANES]> {
+    /// The head's functionals for cells of this width, the finest or not.
+    fn heads(&self, g: &RealVector, half: f64, finest: bool) -> Vec<[f64; 4 * LANES]> {
         let n = g.len();
         let mut rows = [(); 4].map(|()| vec![0.0; self.padded]);
-        let taylor = self.taylor(g, half);
-        let rates = self.flow.rates();
-        let resolved = |i: usize| finer == 0 || rates[i] * half <= 0.5;
-        for i in (0..n).filter(|&i| resolved(i / 2)) {
-            for k in 0..3 {
-                rows[k][i] = taylor[k][i];
-                rows[3][i] += ROUNDING * taylor[k][i].abs();
-            }
-            rows[3][i] += taylor[3..].iter().map(|row| row[i].abs()).sum::<f64>();
-        }
-        if (0..n / 2).any(|i| !resolved(i)) {
-            let width = 2.0 * half / f64::from(1u32 << finer);
-            let mut begin = g.clone();
-            for _ in 0..1usize << finer {
-                let mut term = begin.clone();
-                let mut bound = term.abs();
-                for k in 1..24 {
-                    term = self.flow.generate_row(&term) * (width / f64::from(k));
-                    bound += term.abs();
+        let (taylor, slope) = (self.taylor(g, half), self.flow.generate_row(g));
+        let (rates, pairs) = (self.flow.rates(), self.flow.pairs());
+        for i in 0..n {
+            match &pairs {
+                Some(pairs) if !finest && rates[i / 2] * half > 0.5 => {
+                    rows[3][i] = pairs[i / 2].supremum(g[i], slope[i], 2.0 * half) * (1.0 + ROUNDING);
                 }
-                for i in (0..n).filter(|&i| !resolved(i / 2)) {
-                    rows[3][i] = rows[3][i].max(bound[i] * (1.0 + ROUNDING));
+                _ => {
+                    for k in 0..3 {
+                        rows[k][i] = taylor[k][i];
+                        rows[3][i] += ROUNDING * taylor[k][i].abs();
+                    }
+                    rows[3][i] += taylor[3..].iter().map(|row| row[i].abs()).sum::<f64>();
                 }
-                self.flow.pull(&mut begin, width);
             }
         }
         (0..self.padded / LANES)
@@ -297,9 +342,9 @@ impl Stage {
     /// z on a cell of a level, as far as it can be had cheaply.
     #[inline]
     pub fn head(&self, level: usize, watch: usize, cell: usize, y: &[f64]) -> Head {
-        let level = &self.levels[level];
+        let table = &self.levels[level];
         let mut sums = [[0.0; LANES]; 4];
-        for (rows, y) in level.heads[watch].iter().zip(y.chunks_exact(LANES)) {
+        for (rows, y) in table.heads[watch].iter().zip(y.chunks_exact(LANES)) {
             for i in 0..LANES {
                 sums[0][i] += rows[i] * y[i];
                 sums[1][i] += rows[LANES + i] * y[i];
@@ -307,19 +352,23 @@ impl Stage {
                 sums[3][i] += rows[3 * LANES + i] * y[i].abs();
             }
         }
-        let drive = &level.drive[watch][cell];
+        let drive = match table.drive[watch].get(cell) {
+            Some(drive) => *drive,
+            None => head(&self.driven(level, watch, cell)),
+        };
         std::array::from_fn(|k| drive[k] + ((sums[k][0] + sums[k][1]) + (sums[k][2] + sums[k][3])))
     }
 
     /// z on a cell of the finest level, and the sum of the moduli of what c₀ was added up from.
     pub fn polynomial(&self, watch: usize, cell: usize, y: &[f64]) -> ([f64; TERMS], f64) {
-        let mut polynomial = self.drive[watch][cell];
+        let mut polynomial = self.driven(self.levels.len() - 1, watch, cell);
+        let driven = polynomial[0];
         let rows = &self.rows[watch];
         for (k, coefficient) in polynomial.iter_mut().enumerate() {
             *coefficient += dot(&rows[k * self.padded..][..self.padded], y);
         }
         let size = rows[..self.padded].iter().zip(y).map(|(a, b)| (a * b).abs()).sum::<f64>();
-        (polynomial, size + self.drive[watch][cell][0].abs())
+        (polynomial, size + driven.abs())
     }
 
     /// What y adds to dz/dx at x on a cell of the finest level.

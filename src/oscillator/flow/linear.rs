@@ -3,7 +3,7 @@
 use super::{Equation, Flow, Matrix2, State, apply, response::Response};
 use crate::{
     error::{Error, Result},
-    oscillator::System,
+    oscillator::{Series, System},
 };
 
 /// q″ + c q′ + s q = f(t) solved: x(t) = p(t) + E(t − t₀)(x(t₀) − p(t₀)), with E the exponential of the
@@ -48,6 +48,11 @@ impl Linear {
     /// p(t + 2π) at t = 0 less p(0): zero but for terms near resonance.
     pub fn step(&self) -> [f64; 2] {
         self.response.step()
+    }
+
+    /// p, if it is periodic.
+    pub(crate) fn periodic(&self) -> Option<Series> {
+        self.response.periodic()
     }
 
     pub(in crate::oscillator) fn equation(&self) -> &Equation {

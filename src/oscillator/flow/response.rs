@@ -1,7 +1,7 @@
 //! A particular solution of the forced linear equation that stays moderate at and near resonance.
 
 use super::{Equation, apply, linear::Exponential};
-use crate::oscillator::Harmonic;
+use crate::oscillator::{Harmonic, Series};
 use std::f64::consts::TAU;
 
 /// Below this distance of i k from an eigenvalue (of 0 from a stiffness for the constant force) the periodic
@@ -54,6 +54,14 @@ impl Response {
             }
         }
         response
+    }
+
+    /// p as a series, if no part of it is secular.
+    pub fn periodic(&self) -> Option<Series> {
+        if self.push != 0.0 || !self.resonant.is_empty() {
+            return None;
+        }
+        Series::new(self.rest, &self.periodic).ok()
     }
 
     /// (p, p′) at t.

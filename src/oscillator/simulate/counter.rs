@@ -23,10 +23,16 @@ pub enum Effect {
     Search,
     /// A place of release from a wall was looked for.
     Release,
+    /// A gap of a machine was bounded on a cell or a stretch of cells.
+    Gap,
+    /// A force of contact of a machine that rests was bounded on a cell or a stretch of cells.
+    Force,
+    /// The impulses at stops hit at one instant were found together.
+    Together,
 }
 
 impl Effect {
-    /// All of them.
+    /// Those of an oscillator of one degree of freedom.
     pub const ALL: [Effect; 7] = [
         Effect::Piece,
         Effect::Drive,
@@ -36,6 +42,13 @@ impl Effect {
         Effect::Search,
         Effect::Release,
     ];
+
+    /// Those of machines.
+    pub const OF_MACHINES: [Effect; 5] =
+        [Effect::Piece, Effect::Gap, Effect::Force, Effect::Search, Effect::Together];
+
+    /// How many there are.
+    const COUNT: usize = 10;
 
     /// Its name in reports and tables.
     pub fn name(self) -> &'static str {
@@ -47,6 +60,9 @@ impl Effect {
             Effect::UpperGap => "upper_gap",
             Effect::Search => "search",
             Effect::Release => "release",
+            Effect::Gap => "gap",
+            Effect::Force => "force",
+            Effect::Together => "together",
         }
     }
 }
@@ -63,7 +79,7 @@ impl Counter for () {
 
 /// The numbers of evaluations so far.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Counts([u64; 7]);
+pub struct Counts([u64; Effect::COUNT]);
 
 impl Counts {
     /// How often an effect was evaluated.
@@ -86,7 +102,7 @@ impl<C: Counter> Counter for &mut C {
 
 /// A sum of counts that many threads add to.
 #[derive(Debug, Default)]
-pub struct EffectTally([AtomicU64; 7]);
+pub struct EffectTally([AtomicU64; Effect::COUNT]);
 
 impl EffectTally {
     /// How often an effect was evaluated.
@@ -101,7 +117,7 @@ impl EffectTally {
 }
 
 /// The counts of one run; they go to the tally when it ends.
-pub(super) struct Share {
+pub(crate) struct Share {
     counts: Counts,
     tally: Arc<EffectTally>,
 }

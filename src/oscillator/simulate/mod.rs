@@ -49,7 +49,7 @@ pub(crate) mod search;
 mod steps;
 mod wall;
 
-use counter::Share;
+pub(crate) use counter::Share;
 pub use counter::{Counter, Counts, Effect, EffectTally};
 pub use event::{Event, Impact, Release, RunEnd, Stick, Tangency};
 
