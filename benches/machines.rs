@@ -38,7 +38,7 @@ fn machine(modes: usize, ratio: f64) -> Machine<f64> {
 fn main() {
     println!("modes,ratio,build_ms,impacts_per_period,ns_per_mode_quarter,ns_per_mode_evaluation");
     for modes in [1, 2, 10, 100, 200] {
-        for ratio in [3.0, 30.0, 300.0] {
+        for ratio in [3.0, 30.0, 300.0, 1e5] {
             let machine = machine(modes, ratio);
             let clock = Instant::now();
             let simulator = MachineSimulator::new(&machine, &MachineSettings::default()).expect("a machine");

@@ -24,6 +24,8 @@ use grazing::{
 mod attractors;
 #[path = "machines/second.rs"]
 mod second;
+#[path = "machines/stiff.rs"]
+mod stiff;
 
 fn rows(rows: &[Vec<f64>]) -> Vec<&[f64]> {
     rows.iter().map(Vec::as_slice).collect()

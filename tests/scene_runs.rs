@@ -108,6 +108,16 @@ fn a_zero_and_nothing_give_the_same_output() {
     };
     let plain = output(&base.replace("EXTRA", "").replace("HARMONICS", ""));
     assert!(rows(&plain.2).len() > 5);
+    // Periods and phases, which are fractions of one, ascend.
+    let times: Vec<f64> = rows(&plain.2)
+        .iter()
+        .map(|row| {
+            let [period, phase] = ["period", "phase"].map(|name| row[name].parse::<f64>().unwrap());
+            assert!((0.0..1.0).contains(&phase), "{row:?}");
+            period + phase
+        })
+        .collect();
+    assert!(times.is_sorted() && times.iter().any(|time| time.fract() > 0.5), "{times:?}");
     for (extra, harmonics) in [
         ("cubic = 0", ""),
         ("force = \"1 - 1\"", ""),

@@ -15,13 +15,16 @@ use super::{
     modes::{Pair, Reduction, Shape},
 };
 use crate::{
-    error::Result,
+    error::{Error, Result},
     oscillator::{Harmonic, Series, System, flow::Linear},
 };
 
 /// Terms of the Taylor series by which a system moves that is one block: with 1/2, what is left out is below
 /// 2⁻²⁰/20! < 10⁻²⁴.
 const BLOCK_TERMS: usize = 20;
+
+/// Most phases of a period at which the response of one block is kept.
+const MOST_STARTS: f64 = 65536.0;
 
 /// Nearer than this to an eigenvalue a periodic response would be large and cancel: a secular one takes its
 /// place.
@@ -103,8 +106,16 @@ impl LinearFlow {
                 (Motion::Complex(all), step)
             }
             Shape::Whole(a) => {
-                let count =
-                    (TAU * rate_of(&a).max(f64::from(force.order()))).ceil().clamp(8.0, 65536.0) as usize;
+                let rate = rate_of(&a).max(f64::from(force.order()));
+                if rate.is_nan() || TAU * rate > MOST_STARTS {
+                    let most = MOST_STARTS / TAU;
+                    return Err(Error::input(format!(
+                        "the machine has no modes that tell its motions apart, and its fastest motion has up to {rate:.1e} times the \
+                         forcing's frequency; by the matrix exponential at most {most:.0} times can be followed: give `damping_ratio` in \
+                         place of `damping`, or leave the stiffest parts out"
+                    )));
+                }
+                let count = (TAU * rate).ceil().clamp(8.0, MOST_STARTS) as usize;
                 let mut starts = vec![RealVector::zeros(2 * n)];
                 for i in 0..count {
                     let p = forced(&a, &force, TAU * i as f64 / count as f64, TAU / count as f64, &starts[i]);

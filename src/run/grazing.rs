@@ -191,11 +191,17 @@ pub fn grazing(task: &GrazingTask, job: &Job) -> Result<GrazingFindings> {
         return nothing(format!("no admissible orbit to begin with at {} = {start}", task.parameter));
     };
     job.check()?;
-    let located =
-        match locate(&family, Bifurcation::Grazing, orbit, start, task.reach, &task.options.checked()?)? {
-            BranchSearch::Found(found) => found,
-            BranchSearch::Nothing(why) => return nothing(why.to_string()),
-        };
+    let located = match locate(
+        &family,
+        Bifurcation::Grazing,
+        orbit,
+        start,
+        task.reach_from(None),
+        &task.options.checked()?,
+    )? {
+        BranchSearch::Found(found) => found,
+        BranchSearch::Nothing(why) => return nothing(why.to_string()),
+    };
     let event = grazing::locate(&family, &located.orbit, located.parameter)?;
     // Two grazings in a period are the theory's business only if a symmetry makes them one.
     let half = event.half_map(&family.at(event.parameter)?);
@@ -283,7 +289,7 @@ fn born(
         row.side = side_open(verdict).into();
         return Ok(row);
     };
-    let away = if side { task.distance } else { -task.distance } / e;
+    let away = if side { task.distance_at(1.0) } else { -task.distance_at(1.0) } / e;
     let periods: Vec<u64> = pattern.periods().to_vec();
     row.coefficient = map.leading(&periods).map(|leading| leading / e.powi(periods.len() as i32));
     let parameter = event.parameter + away;

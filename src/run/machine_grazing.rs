@@ -170,7 +170,8 @@ impl Finding for MachineGrazingReport {
 pub fn machine_grazing(task: &GrazingTask, job: &Job) -> Result<MachineGrazingFindings> {
     let family = MachineSceneFamily::new(&job.scene, &task.parameter)?;
     let start = family.value();
-    let event = match locate(&family, start, task.reach)? {
+    let reach = task.reach_from(Some(start));
+    let event = match locate(&family, start, reach)? {
         MachineSearch::Found(found) => *found,
         MachineSearch::Nothing(reason) => {
             let varied = task.parameter.clone();
@@ -230,7 +231,7 @@ pub fn machine_grazing(task: &GrazingTask, job: &Job) -> Result<MachineGrazingFi
             "a_G = {} at the touch: the local theory is for a positive one",
             found.acceleration
         ));
-    } else if found.e.is_nan() || found.e.abs() * task.reach <= FLAT * event.scale {
+    } else if found.e.is_nan() || found.e.abs() * reach <= FLAT * event.scale {
         found.open = Some(format!(
             "e = {:e}: the least gap only touches 0 as {} varies, and the local theory is for one that passes through it",
             found.e, task.parameter
@@ -302,7 +303,8 @@ fn born(
         row.side = side_open(verdict).into();
         return Ok(row);
     };
-    let away = if side { task.distance } else { -task.distance } / event.map.e;
+    let distance = task.distance_at(event.scale);
+    let away = if side { distance } else { -distance } / event.map.e;
     row.coefficient = verdict.orbit.as_ref().and_then(|orbit| orbit.leading.as_ref()).map(|leading| {
         let enclosed = leading.enclosure();
         let middle = enclosed.lo() + (enclosed.hi() - enclosed.lo()) / 2.0;

@@ -86,10 +86,11 @@ pub(super) fn orbits(
         return Ok(vec![find(simulator, &pattern, &start)?]);
     }
     let m = keys.pattern.len();
+    let greatest = keys.speed.map_or(4.0 * simulator.scale(), |speed| speed / rate);
     let start = |i: u32| -> Vec<f64> {
         let mut random = Random::of_unit(0, u64::from(i));
         let mut part = || random.next() as f64 / u64::MAX as f64;
-        (0..2 * m).map(|j| part() * if j % 2 == 0 { TAU } else { keys.speed / rate }).collect()
+        (0..2 * m).map(|j| part() * if j % 2 == 0 { TAU } else { greatest }).collect()
     };
     let mut found: Vec<MachineOrbit> = Vec::new();
     for first in (0..keys.starts).step_by(CHUNK as usize) {

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::{Complex, Finding, Job, Judgement, Lines, Row, Status, row};
+use super::{Complex, Finding, Job, Judgement, Lines, Model, Row, Status, row};
 use crate::{
     error::Result,
     number::{Plain, Real},
@@ -113,10 +113,12 @@ impl<R> OrbitList<R> {
             let value = place.map(|(_, value)| value);
             match find(place)? {
                 Ok(orbits) if orbits.is_empty() => {
-                    let reason = format!(
-                        "no orbit of the pattern from {} starts with speeds up to {}",
-                        task.orbit.starts, task.orbit.speed
-                    );
+                    let speeds = match (&job.model, task.orbit.speed) {
+                        (Model::Machine(_), None) => "speeds of the size of the motion".to_string(),
+                        _ => format!("speeds up to {}", task.orbit.greatest_speed()),
+                    };
+                    let starts = task.orbit.starts;
+                    let reason = format!("no orbit of the pattern from {starts} starts with {speeds}");
                     found.missing.push(MissingRow { value, reason });
                 }
                 Ok(orbits) => found.orbits.extend(orbits),

@@ -173,7 +173,7 @@ fn starts(task: &ValidateTask, oscillator: &Oscillator, found: &mut ValidateFind
     match task.orbit.orbits(oscillator) {
         Ok(orbits) => {
             if orbits.is_empty() {
-                let (starts, speed) = (task.orbit.starts, task.orbit.speed);
+                let (starts, speed) = (task.orbit.starts, task.orbit.greatest_speed());
                 let reason =
                     format!("no orbit of the pattern from {starts} starts with speeds up to {speed}");
                 found.nothing(Vec::new(), reason);

@@ -393,7 +393,7 @@ impl Check for GrazingTask {
 }
 
 fn check_grazing(task: &GrazingTask, scene: &Scene, path: &str) -> Result<()> {
-    check_reach(scene, task.reach, &task.options, path)?;
+    check_reach(scene, task.reach_from(None), &task.options, path)?;
     if !(1..=12).contains(&task.max_period) {
         return Err(scene.fail(&format!("{path}.max_period"), "is outside 1 to 12"));
     }

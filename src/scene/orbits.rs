@@ -30,8 +30,9 @@ keys! {
         start: Vec<f64> = "[]",
         /// how many starts the search makes
         starts: u32 = "500",
-        /// the greatest speed at which the search starts
-        speed: f64 = "1",
+        /// the greatest speed at which the search starts, in the scene's units; without it 1, of a machine four
+        /// times the size of the gaps' motion per radian of the forcing
+        speed: Option<f64>,
     }
 }
 
@@ -50,6 +51,11 @@ impl OrbitKeys {
         Itinerary::new(strikes.collect())
     }
 
+    /// The greatest speed at which the search starts, for an oscillator of one degree of freedom.
+    pub fn greatest_speed(&self) -> f64 {
+        self.speed.unwrap_or(1.0)
+    }
+
     /// The orbits of the pattern: the one Newton's method finds from `start`, or those of a search.
     ///
     /// # Errors
@@ -57,7 +63,7 @@ impl OrbitKeys {
     pub fn orbits(&self, oscillator: &Oscillator) -> Result<Vec<Orbit>> {
         let itinerary = self.itinerary(oscillator.system())?;
         if self.start.is_empty() {
-            return Ok(search(oscillator, &itinerary, self.starts, self.speed));
+            return Ok(search(oscillator, &itinerary, self.starts, self.greatest_speed()));
         }
         Ok(vec![find(oscillator, &itinerary, self.start.clone())?])
     }
@@ -114,15 +120,27 @@ keys! {
         /// of a machine, the motion without impacts
         orbit: OrbitKeys = "{}",
         /// how far along its branch to look, both ways, in the norm of times, speeds and parameter; of a
-        /// machine, in the parameter
-        reach: f64 = "0.5",
+        /// machine, in the parameter; without it 0.5, of a machine half of the parameter's value if that is more
+        reach: Option<f64>,
         /// how the branch is followed; lengths are those of times, speeds and the parameter as they are; not
         /// of a machine
         options: Options = "{}",
         /// the largest period of the patterns, in periods of that orbit
         max_period: u32 = "4",
         /// how far from the bifurcation the born orbits are found: the distance |eµ| between the orbit and
-        /// the wall
-        distance: f64 = "1e-6",
+        /// the wall; without it 1e-6, of a machine that part of the size of the gaps' motion
+        distance: Option<f64>,
+    }
+}
+
+impl GrazingTask {
+    /// How far to look, for a parameter that begins at `value` for a machine, at none for an oscillator.
+    pub fn reach_from(&self, value: Option<f64>) -> f64 {
+        self.reach.unwrap_or(value.map_or(0.5, |value| (value.abs() / 2.0).max(0.5)))
+    }
+
+    /// The distance |eµ| where motions have this size: 1 for an oscillator.
+    pub fn distance_at(&self, size: f64) -> f64 {
+        self.distance.unwrap_or(1e-6 * size)
     }
 }

@@ -78,7 +78,7 @@ impl Keeper for Series<'_> {
         {
             self.picture.impact(impact.time.periods(), wall.position.at(phase)[0]);
         }
-        let side = side.name();
+        let (side, phase) = (side.name(), phase / std::f64::consts::TAU);
         let out = &mut self.events;
         match event {
             Event::Impact(impact) => {

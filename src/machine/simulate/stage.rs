@@ -178,8 +178,8 @@ impl Stage {
         if coarse.is_nan() || coarse > MOST_TABLED {
             let most = MOST_TABLED / TAU;
             return Err(Error::input(format!(
-                "the fastest motion has {slow:.0} times the forcing's frequency; without modes, by the matrix exponential, at \
-                 most {most:.0} times can be followed: give `damping_ratio` in place of `damping`, or fewer coordinates"
+                "a motion without stiffness, or near resonance, is damped {slow:.1e} times as fast as the forcing; at most \
+                 {most:.0} times can be followed: leave that part out"
             )));
         }
         let depth = (TAU * fast / coarse).log2().ceil().max(0.0);
