@@ -49,7 +49,14 @@ pub fn machine_validate(task: &ValidateTask, machine: &Machine<f64>, job: &Job) 
         let (starts, speed) = (task.orbit.starts, task.orbit.speed);
         found.nothing(
             Vec::new(),
-            format!("no orbit of the pattern from {starts} starts with speeds up to {speed}"),
+            match speed {
+                Some(speed) => {
+                    format!("no orbit of the pattern from {starts} starts with speeds up to {speed}")
+                }
+                None => format!(
+                    "no orbit of the pattern from {starts} starts with speeds of the size of the motion"
+                ),
+            },
         );
         return Ok(found);
     }
