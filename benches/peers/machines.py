@@ -1,6 +1,10 @@
-"""The machines of benches/machines.rs by SciPy's solve_ivp with an event function: DOP853, rtol 1e-10. Usage: machines.py [LARGEST]. Prints
-a CSV table: modes, ratio, impacts per period, nanoseconds per mode and quarter period of the fastest mode. Machines whose modes times ratio
-exceed LARGEST (3000) are left out, and those that chatter to rest, after a thousand impacts, are only named. Impacts of low velocity fall between its steps: then the machine passes through the stop."""
+"""The machines of benches/machines.rs by SciPy's solve_ivp with an event function: DOP853, rtol 1e-10.
+
+Usage: machines.py [LARGEST]. Prints a CSV table: modes, ratio, impacts per period, nanoseconds per mode and quarter
+period of the fastest mode. Machines whose modes times ratio exceed LARGEST (3000) are left out; those that chatter to
+rest are only named, after a thousand impacts. Impacts of low velocity fall between its steps: then the machine passes
+through the stop.
+"""
 
 import sys
 import time
@@ -59,4 +63,5 @@ for modes in [1, 2, 10, 100, 200]:
     for ratio in [3.0, 30.0, 300.0]:
         if modes * ratio <= largest:
             found = measure(modes, ratio)
-            print(f"{modes},{ratio:.0f}," + ("chatters," if found is None else "{:.2f},{:.0f}".format(*found)), flush=True)
+            shown = "chatters," if found is None else "{:.2f},{:.0f}".format(*found)
+            print(f"{modes},{ratio:.0f},{shown}", flush=True)

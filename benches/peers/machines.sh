@@ -1,6 +1,6 @@
 #!/bin/sh
-# The machines of benches/machines.rs here and by SciPy's solve_ivp: nanoseconds per mode and quarter period of the fastest mode. SciPy's part
-# needs python3 (or $PYTHON) with numpy and scipy and is left out without.
+# The machines of benches/machines.rs here and by SciPy's solve_ivp: nanoseconds per mode and quarter period of the
+# fastest mode. SciPy's part needs python3 (or $PYTHON) with numpy and scipy and is left out without.
 set -eu
 cd "$(dirname "$0")/../.."
 python=${PYTHON:-python3}

@@ -207,8 +207,8 @@ impl LinearFlow {
         }
     }
 
-    /// g·p for a functional g on y, in two parts: a series, of the pairs whose p is periodic; and g on the other
-    /// pairs alone.
+    /// g·p for a functional g on y, in two parts: a series, of the pairs whose p is periodic; and g on the
+    /// other pairs alone.
     ///
     /// # Errors
     /// Responses that are not finite.
@@ -455,15 +455,16 @@ impl Force {
 }
 
 impl Pair {
-    /// A bound of |f(s)| for 0 ≤ s ≤ `width`, f being g E(s) at one entry of a functional g on the pair, from f(0) and
-    /// f′(0).
+    /// A bound of |f(s)| for 0 ≤ s ≤ `width`, f being g E(s) at one entry of a functional g on the pair, from
+    /// f(0) and f′(0).
     ///
-    /// f satisfies the pair's own equation f″ + c f′ + k f = 0. With γ ≥ 0 such that h = e^{−γs} f does not grow,
+    /// f satisfies the pair's own equation f″ + c f′ + k f = 0. With γ ≥ 0 such that h = e^{−γs} f does not
+    /// grow,
     /// |f| ≤ e^{γ·width} sup |h|, and h is one of
     ///
     /// - e^{−rs} (h₀ cos ωs + (h₀′ + r h₀)/ω sin ωs), r ≥ 0: at most √(h₀² + ((h₀′ + r h₀)/ω)²);
-    /// - for real decay rates 0 ≤ a ≤ b: h₀ times a number in [0, 1], plus h₀′ (e^{−as} − e^{−bs})/(b − a), which is at
-    ///   most h₀′/b and at most h₀′ s.
+    /// - for real decay rates 0 ≤ a ≤ b: h₀ times a number in [0, 1], plus h₀′ (e^{−as} − e^{−bs})/(b − a),
+    ///   which is at most h₀′/b and at most h₀′ s.
     ///
     /// The least of what applies is taken, and 10⁻¹² of it added for rounding.
     pub(super) fn supremum(&self, start: f64, slope: f64, width: f64) -> f64 {

@@ -30,8 +30,8 @@ keys! {
         start: Vec<f64> = "[]",
         /// how many starts the search makes
         starts: u32 = "500",
-        /// the greatest speed at which the search starts, in the scene's units; without it 1, of a machine four
-        /// times the size of the gaps' motion per radian of the forcing
+        /// the greatest speed at which the search starts, in the scene's units; without it 1, of a machine
+        /// four times the size of the gaps' motion per radian of the forcing
         speed: Option<f64>,
     }
 }
@@ -120,7 +120,8 @@ keys! {
         /// of a machine, the motion without impacts
         orbit: OrbitKeys = "{}",
         /// how far along its branch to look, both ways, in the norm of times, speeds and parameter; of a
-        /// machine, in the parameter; without it 0.5, of a machine half of the parameter's value if that is more
+        /// machine, in the parameter; without it 0.5, of a machine half of the parameter's value if that is
+        /// more
         reach: Option<f64>,
         /// how the branch is followed; lengths are those of times, speeds and the parameter as they are; not
         /// of a machine

@@ -31,8 +31,8 @@ fn modes(frequencies: &[f64], ratio: f64, offset: f64) -> Machine<f64> {
     }
 }
 
-/// Between its impacts the gap of the closed form is looked at ten times in a radian of the fastest mode: it is never
-/// negative, it is 0 at every impact, and Newton's law holds there.
+/// Between its impacts the gap of the closed form is looked at ten times in a radian of the fastest mode: it
+/// is never negative, it is 0 at every impact, and Newton's law holds there.
 #[test]
 fn fast_modes_pass_no_impact_over() {
     for (name, frequencies, ratio) in
@@ -86,8 +86,8 @@ fn fast_modes_pass_no_impact_over() {
     }
 }
 
-/// The 60 lowest modes of a cantilever, the fastest 20,000 times as fast as the forcing: it bounces, and comes to rest on
-/// its stop. (The bench has 200.)
+/// The 60 lowest modes of a cantilever, the fastest 20,000 times as fast as the forcing: it bounces, and
+/// comes to rest on its stop. (The bench has 200.)
 #[test]
 fn sixty_modes_of_a_beam_are_followed() {
     let frequencies: Vec<f64> = (1..=60).map(|k| 1.5 * f64::from(2 * k - 1).powi(2)).collect();

@@ -110,12 +110,12 @@ pub struct MachineSimulator {
 }
 
 impl MachineSimulator {
-    /// Solves the machine and fills its tables. Cost: O(n³ + (stops + harmonics) (min(R, 10⁴) + n log R)), R the
-    /// fastest motion over the forcing's frequency.
+    /// Solves the machine and fills its tables. Cost: O(n³ + (stops + harmonics) (min(R, 10⁴) + n log R)), R
+    /// the fastest motion over the forcing's frequency.
     ///
     /// # Errors
-    /// Those of [`Machine::equations`] and [`Machine::contacts`]; a minimum depth that is not positive; motions some
-    /// 10¹¹ times as fast as the forcing, or, without modes, some 10⁴ times.
+    /// Those of [`Machine::equations`] and [`Machine::contacts`]; a minimum depth that is not positive;
+    /// motions some 10¹¹ times as fast as the forcing, or, without modes, some 10⁴ times.
     pub fn new(machine: &Machine<f64>, settings: &MachineSettings) -> Result<MachineSimulator> {
         let depth = settings.minimum_depth;
         if !(depth > 0.0 && depth.is_finite()) {

@@ -9,9 +9,10 @@
 //! The period is cut into cells, on levels: on each level they are half as wide as on the level above. On the
 //! finest a cell is at most 1/R wide, R the largest rate of any pair, of forcing and of stops, so that z is a
 //! polynomial of 16 terms in x ∈ [−1, 1]: what is left out is below 2⁻¹⁶/16! < 10⁻¹⁸ of the amplitude. On the
-//! coarsest, forcing, stops and p still are such polynomials, but not the fast pairs. What of z does not depend
-//! on y is in a table for each cell, down to the level of at most [`TABLED`] cells; below, it is the polynomial
-//! of the tabled cell, seen on a part of it. So fast modes need no memory, and time only where they are looked at.
+//! coarsest, forcing, stops and p still are such polynomials, but not the fast pairs. What of z does not
+//! depend on y is in a table for each cell, down to the level of at most [`TABLED`] cells; below, it is the
+//! polynomial of the tabled cell, seen on a part of it. So fast modes need no memory, and time only where
+//! they are looked at.
 //!
 //! # The bound
 //!
@@ -48,7 +49,8 @@ pub(super) const TERMS: usize = 16;
 /// On levels with more cells nothing is in tables of one row per cell.
 const TABLED: usize = 1 << 13;
 
-/// Of a motion that needs tables on all levels, more cells than this are refused: some 10 MB for each thing watched.
+/// Of a motion that needs tables on all levels, more cells than this are refused: some 10 MB for each thing
+/// watched.
 const MOST_TABLED: f64 = 65536.0;
 
 /// Finer grids than this are refused: places in a cell could not be told apart in floats.
