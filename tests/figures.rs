@@ -176,7 +176,8 @@ fn tips_have_bounds_near_the_law() {
     assert_no_overlap(&svg);
 }
 
-/// Each strip crosses every band within its boxes; the attractor of figure 10 comes near the strip of period 3.
+/// Each strip crosses every band within its boxes; the attractor of figure 10 comes near the strip of
+/// period 3.
 #[test]
 fn the_strips_of_the_shift_cross_its_bands() {
     let (rows, svg) = draw("chaos", "chaos");
