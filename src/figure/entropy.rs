@@ -127,7 +127,7 @@ fn draw(last: u64, steps: &[Step]) -> Canvas {
             Axis::linear(name, (0.0, 0.5), 5),
             Axis::linear("", (0.0, high), 4),
         )
-        .from_left(22.0);
+        .with_left(22.0);
         // One outline of all steps, so that nothing shines through between them.
         let mut outline = vec![(0.0, 0.0)];
         for step in steps.iter().filter(|step| step.case == case) {

@@ -139,7 +139,7 @@ impl Frame {
     }
 
     /// The same, its left side moved: for frames below one another.
-    pub fn from_left(self, left: f64) -> Frame {
+    pub fn with_left(self, left: f64) -> Frame {
         Frame { left, ..self }
     }
 

@@ -150,7 +150,7 @@ fn panel(canvas: &mut Canvas, [top, low]: [f64; 2], bottom: f64, curves: &[Curve
 /// aligned.
 pub(super) fn plane_frame([top, low]: [f64; 2], bottom: f64) -> Frame {
     let (x, y) = (Axis::linear("a₁", (-2.0, 2.0), 4), Axis::linear("a₂", (bottom, 1.0), 5));
-    Frame::new([2.0, top, COLUMN - 4.0, low], x, y).from_left(36.0)
+    Frame::new([2.0, top, COLUMN - 4.0, low], x, y).with_left(36.0)
 }
 
 /// The lines between the regions above a height, from left to right.

@@ -1,7 +1,7 @@
 //! The project's figures: vector graphics with the data of each in a CSV file of the same name.
 //!
 //! A picture is as wide as a journal's column, 86 mm, and its text has 8 points. A figure fills a
-//! [canvas](canvas) with shapes, mostly inside [frames](frame) with axes; it reads no scene and runs no
+//! [`canvas`] with shapes, mostly inside [frames](frame) with axes; it reads no scene and runs no
 //! search.
 
 mod accuracy;

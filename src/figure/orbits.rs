@@ -214,7 +214,7 @@ fn numbers(panel: &Panel, at: &[At], frame: &Frame) -> Vec<(String, At)> {
     }
     let mut placed = Vec::new();
     for group in groups {
-        let text = ranges(group.iter().map(|&index| panel.points[index].k as u64));
+        let text = ranges(group.iter().map(|&index| panel.points[index].k));
         let wide = Words::plain(&text).width(SMALL);
         let middle =
             |pick: fn(&At) -> f64| group.iter().map(|&i| pick(&at[i])).sum::<f64>() / group.len() as f64;

@@ -106,7 +106,7 @@ fn panel(
         Axis::linear("k/n", (0.0, 1.0), 5),
         Axis::decades(name, decades, 1),
     )
-    .from_left(38.0);
+    .with_left(38.0);
     canvas.inside(frame.inside(), |canvas| {
         for (index, (_, ink, radius)) in SHADES.into_iter().enumerate() {
             let of = |n: u64| SHADES.iter().position(|shade| n <= shade.0) == Some(index);
