@@ -146,7 +146,13 @@ pub(super) fn merge(args: &Args, set: &ShardSet, merged: &Merged, interrupt: &In
     let range = args.periods.within(certificate::cover::MOST, "cover")?;
     certify(merged, interrupt, |out| {
         let mut blocks = Vec::new();
-        set.texts(|shard| part_of(&range, shard), |block| Ok(blocks.push(block.to_string())))?;
+        set.texts(
+            |shard| part_of(&range, shard),
+            |block| {
+                blocks.push(block.to_string());
+                Ok(())
+            },
+        )?;
         Ok(out.write_all(assemble(&range, &blocks).as_bytes())?)
     })
 }

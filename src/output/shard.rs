@@ -310,7 +310,11 @@ mod tests {
         let shard = ShardFile::open(&path).unwrap();
         assert_eq!((&shard.task, shard.shard), (&task(), Shard { index: 2, of: 3 }));
         let mut seen = Vec::new();
-        shard.records(5..8, |item, record| Ok(seen.push(format!("{item}:{record}")))).unwrap();
+        let keep = |item, record: &str| {
+            seen.push(format!("{item}:{record}"));
+            Ok(())
+        };
+        shard.records(5..8, keep).unwrap();
         assert_eq!(seen, ["5:one", "6:two words", "7:"]);
         for items in [5..7, 5..9, 4..7, 6..8] {
             assert!(shard.records(items.clone(), |_, _| Ok(())).unwrap_err().is_input(), "{items:?}");

@@ -51,6 +51,9 @@ const COARSE: i32 = 10;
 /// How often a piece that the checker refuses is cut.
 const CUTS: u32 = 100;
 
+/// A solution to many digits, and about the inverse of the derivative there.
+type Refined = (Vec<BigRational>, Vec<Vec<f64>>);
+
 /// The equations of a pattern.
 struct Equations {
     motion: Motion<Ball>,
@@ -292,7 +295,7 @@ impl Equations {
 
     /// A solution to many digits, and about the inverse of the derivative there; `None` if Newton's method
     /// does not converge.
-    fn refine(&self, start: &[f64], scales: &[f64]) -> Result<Option<(Vec<BigRational>, Vec<Vec<f64>>)>> {
+    fn refine(&self, start: &[f64], scales: &[f64]) -> Result<Option<Refined>> {
         let place = |scale: f64| (PLACES - scale.log10().floor() as i32).clamp(0, 32) as u32;
         let number = |(x, scale): (&f64, &f64)| Some(rounded(&BigRational::from_float(*x)?, place(*scale)));
         let Some(mut x) = start.iter().zip(scales).map(number).collect::<Option<Vec<_>>>() else {

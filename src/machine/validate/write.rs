@@ -68,8 +68,8 @@ pub fn listed(machine: &Machine<Bounds>) -> Result<listed::Machine> {
     };
     let (mass, stiffness) = (matrix(&machine.mass), matrix(&machine.stiffness));
     let mut damping = matrix(&machine.damping);
-    for i in 0..n {
-        if let Some(j) = (0..i).find(|&j| mass[i][j] != mass[j][i]) {
+    for (i, row) in mass.iter().enumerate() {
+        if let Some(j) = (0..i).find(|&j| row[j] != mass[j][i]) {
             return Err(Error::input(format!(
                 "the mass matrix is not exactly symmetric in row {}, column {}, and its proofs hold of symmetric ones",
                 i + 1,

@@ -110,7 +110,7 @@ pub fn basins<D: Dynamics>(
     let first = done.cells.len() / grid.columns;
     monitor.advance(first as u64)?;
     for rows in (first..grid.rows).collect::<Vec<_>>().chunks(CHUNK) {
-        let fates: Result<Vec<Vec<Option<Fate<D::Point>>>>> = rows.par_iter().map(|&i| row(i)).collect();
+        let fates: Result<Vec<_>> = rows.par_iter().map(|&i| row(i)).collect();
         let fates = match fates {
             Ok(fates) => fates,
             Err(error) => {

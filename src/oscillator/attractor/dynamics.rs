@@ -181,7 +181,7 @@ pub(crate) fn orthonormalise<V: AsMut<[f64]> + AsRef<[f64]>>(
 ) {
     let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
     let size = |v: &[f64]| v.iter().fold(0.0, |sum: f64, x| sum.hypot(*x));
-    for i in 0..frame.len() {
+    for (i, growth) in growth.iter_mut().enumerate().take(frame.len()) {
         let (before, rest) = frame.split_at_mut(i);
         let vector = rest[0].as_mut();
         let whole = size(vector);
@@ -197,7 +197,7 @@ pub(crate) fn orthonormalise<V: AsMut<[f64]> + AsRef<[f64]>>(
             vector.fill(0.0);
             left = 0.0;
         }
-        growth[i] += left.ln();
+        *growth += left.ln();
         if left > 0.0 {
             vector.iter_mut().for_each(|x| *x /= left);
         }

@@ -152,7 +152,7 @@ fn slice<D: Dynamics>(
     dynamics: &D,
     monitor: &dyn Monitor,
 ) -> Result<Slice> {
-    let (mut found, mut lost): (Vec<(DiagramMotion, Fate<D::Point>)>, u32) = (Vec::new(), 0);
+    let (mut found, mut lost) = (Vec::new(), 0u32);
     for start in &plan.starts {
         let Some((motion, fate)) = motion(plan, dynamics, start, monitor)? else {
             lost += 1;
