@@ -206,7 +206,7 @@ fn prose<'t>(lines: impl Iterator<Item = (usize, &'t str)>) -> Vec<(usize, &'t s
         } else if !fenced && !start.is_empty() {
             listed = item || listed && (!blank || line.starts_with("  "));
             // Indented by four, and no item's continuation: set apart.
-            if !(line.starts_with("    ") && !listed) {
+            if !line.starts_with("    ") || listed {
                 all.push((number, line));
             }
         }
