@@ -429,7 +429,7 @@ impl Fixed {
             if step.abs() < 1e-10 {
                 return Some(t);
             }
-            if !(step.abs() < 10.0) {
+            if step.is_nan() || step.abs() >= 10.0 {
                 return None;
             }
         }
