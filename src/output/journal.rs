@@ -357,7 +357,7 @@ mod tests {
         assert!(told.ends_with(&holder), "{told}");
         drop(journal);
         fs::write(&path, vec![b'x'; MOST as usize + 1]).unwrap();
-        assert!(open(&path).unwrap_err().to_string().contains("more than the 65536 bytes"));
+        assert!(open(&path).unwrap_err().to_string().contains("more than 65536 bytes"));
         #[cfg(unix)]
         for device in ["/dev/full", "/dev/zero", "/dev/null"] {
             assert!(open(Path::new(device)).unwrap_err().to_string().contains("is not a regular file"));

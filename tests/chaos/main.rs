@@ -257,7 +257,7 @@ fn what_is_not_covered_is_said() {
         ("stiffness = 2", wall, "parameter = \"mu\"\nfrom = 0.1\nto = 0.05", "above from"),
         ("stiffness = 2", wall, "cell = { mu = [0.1, 0.2] }", "only damping"),
         ("stiffness = 2", wall, "cell = { mu = [0.2, 0.1] }", "increase"),
-        ("stiffness = 2", wall, "follow = [[1]]", "for each period"),
+        ("stiffness = 2", wall, "follow = [[1]]", "one list per period"),
         (
             "stiffness = 2",
             &wall.replace("restitution = 1", "restitution = 0"),
