@@ -190,8 +190,8 @@ fn pictures_of_long_series_are_thinned() {
     // Short ones lose no point: each of the line's corners is in the picture.
     let (_, _, _, short) = json(&format!("{swing}2\n"), &[]);
     let svg = fs::read_to_string(short.path().join("m.svg")).unwrap();
-    let longest = svg.match_indices("points=\"").map(|(at, _)| svg[at..].split('"').nth(1).unwrap());
-    let corners = longest.map(|points| points.split_whitespace().count()).max().unwrap();
+    let lines = svg.match_indices("<path d=\"").map(|(at, _)| svg[at..].split('"').nth(1).unwrap());
+    let corners = lines.map(|line| line.matches(['M', 'L']).count()).max().unwrap();
     let events = fs::read_to_string(short.path().join("m-events.csv")).unwrap();
     let impacts = events.lines().filter(|line| line.starts_with("impact")).count();
     assert_eq!(corners, 2 * 16 + 1 + impacts);
