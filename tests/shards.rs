@@ -33,11 +33,15 @@ fn shards(folder: &TempDir, command: &str, file: &str, of: u64) -> String {
     (1..=of).rev().map(|index| format!(" {index}")).collect()
 }
 
-/// The checksum of a shard, by its definition: FNV-1a of 64 bits of all before the last line.
+/// FNV-1a of 64 bits, by its definition.
+fn hash(text: &str) -> u64 {
+    text.bytes()
+        .fold(0xcbf2_9ce4_8422_2325u64, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3))
+}
+
+/// A shard with its last line: the number of items and a hash of all before it.
 fn sealed(body: &str) -> String {
-    let hash = body
-        .bytes()
-        .fold(0xcbf2_9ce4_8422_2325u64, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3));
+    let hash = hash(body);
     let records = body.lines().filter(|line| line.starts_with("item ")).count();
     format!("{body}end {records} {hash:016x}\n")
 }
@@ -109,10 +113,11 @@ fn what_is_wrong_with_shards_is_said() {
     // One of another version, of another task, of another cut.
     let foreign = body(&good).replace(&format!("program {}", env!("CARGO_PKG_VERSION")), "program 0.0.0");
     fs::write(path("5"), sealed(&foreign)).unwrap();
-    assert!(
-        merge(&files, 2).contains("5: its first lines are not those of a shard"),
-        "its task has another hash"
-    );
+    assert!(merge(&files, 2).contains("5: its first lines are not those of a shard"), "another hash");
+    let task = |program: &str| format!("task {:016x}", hash(&format!("{program} verify 3..=20")));
+    let foreign = foreign.replace(&task(env!("CARGO_PKG_VERSION")), &task("0.0.0"));
+    fs::write(path("5"), sealed(&foreign)).unwrap();
+    assert!(merge(&files, 2).contains("5: it is by version 0.0.0, the others are by"));
     done(folder.path(), "verify 3..=21 --shard 5/6 --certificate 5");
     assert!(
         merge(&files, 2)
@@ -133,6 +138,41 @@ fn what_is_wrong_with_shards_is_said() {
     assert!(code == 1 && out.contains("merged: rejected: line "), "{code} {out}");
 }
 
+/// A tally that is none of its part, and tasks that this program gives nobody a part of.
+#[test]
+fn what_is_claimed_in_a_shard_is_looked_at() {
+    let folder = tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name);
+    let files = shards(&folder, "fuzz --n 1..=12 --cases 2e4 --seed 3", "-o", 2);
+    let good = fs::read_to_string(path("1")).unwrap();
+    let merge = |text: String, wanted: &str| {
+        fs::write(path("1"), sealed(&text)).unwrap();
+        let (code, out, error) = run(folder.path(), &format!("merge {files}"));
+        assert!(code == 2 && error.contains(wanted), "{wanted}: {code} {out} {error}");
+    };
+    let from = good.find("\"units\":").unwrap();
+    let units = &good[from..from + good[from..].find([',', '}']).unwrap()];
+    merge(body(&good).replace(units, "\"units\":1"), "no run can give this tally");
+    // A true tally, of fewer blocks than the part has.
+    done(folder.path(), "fuzz --n 1..=12 --cases 1 --seed 3 --shard 1/1 -o short");
+    let short = fs::read_to_string(path("short")).unwrap();
+    let record = short.lines().find(|line| line.starts_with("item ")).unwrap();
+    let head: Vec<&str> = good.lines().take(4).collect();
+    merge(format!("{}\n{record}\n", head.join("\n")), "a tally of 1 blocks, where the part has ");
+    // Whole, and alone of its task: but no shard is given these arguments.
+    let program = env!("CARGO_PKG_VERSION");
+    for words in ["fuzz --n 1..=2 --cases 9", "fuzz --regressions x", "verify 3..=9 --certificate x", "run x"]
+    {
+        let task = hash(&format!("{program} {words}"));
+        let head =
+            format!("grazing-shard 1\ncommand {words}\nprogram {program} task {task:016x}\nshard 1/1\n");
+        fs::write(path("odd"), sealed(&head)).unwrap();
+        let (code, out, error) = run(folder.path(), "merge odd -o merged");
+        assert!(code == 2 && error.starts_with("error: "), "{words}: {code} {out} {error}");
+        assert!(!path("merged").exists() && !path("x").exists(), "{words}");
+    }
+}
+
 #[test]
 fn wrong_use_is_named() {
     let folder = tempdir().unwrap();
@@ -142,6 +182,8 @@ fn wrong_use_is_named() {
         ("verify 3..=9 --shard 0/2 --certificate f", "numbered from 1 to 2"),
         ("verify 3..=9 --shard 2 --certificate f", "is not I/N"),
         ("verify 3..=9 --method interval --shard 1/2 --certificate f", "exact"),
+        ("fuzz --n 1..=3 --cases 1e19 --shard 1/2 -o f", "too many"),
+        ("fuzz --n 1..=2 --shard 1/2 -o f", "largest period"),
         ("merge", "FILE"),
     ] {
         let (code, _, error) = run(folder.path(), arguments);

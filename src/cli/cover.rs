@@ -18,7 +18,7 @@ use super::{
     Outcome, ReportFormat, in_pool,
     range::{Periods, whole},
     reported,
-    shards::{Merged, Part, ShardSet, certify, part_of, task_of},
+    shards::{Merged, Part, ShardSet, certificate_line, certify, part_of, periods_of, task_of},
 };
 use crate::{
     certificate::{self, Rejection},
@@ -87,14 +87,7 @@ struct Row {
 pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     let all = args.periods.within(certificate::cover::MOST, "cover")?;
     let task = task_of(words(&options(args, all.clone())));
-    let range = match args.shard {
-        Some(shard) => {
-            let part = part_of(&all, shard);
-            // An empty range for an empty part.
-            RangeInclusive::new(part.start, part.end - 1)
-        }
-        None => all,
-    };
+    let range = periods_of(&all, args.shard);
     let options = options(args, range.clone());
     let files = [
         ("--certificate", args.certificate.as_deref()),
@@ -144,6 +137,7 @@ fn words(options: &CoverOptions) -> Vec<String> {
 /// The certificate from its shards.
 pub(super) fn merge(args: &Args, set: &ShardSet, merged: &Merged, interrupt: &Interrupt) -> Result<Outcome> {
     let range = args.periods.within(certificate::cover::MOST, "cover")?;
+    set.expect(&task_of(words(&options(args, range.clone()))))?;
     certify(merged, interrupt, |out| {
         let mut blocks = Vec::new();
         set.texts(
@@ -266,7 +260,9 @@ fn text(range: &RangeInclusive<u64>, rows: &[Row], args: &Args) -> String {
     let proved = rows.iter().filter(|row| row.verdict() == "proved").count();
     let r_max = args.r_max.as_ref().map_or_else(|| "1 - 1/n^3".to_string(), BigRational::to_string);
     let what = format!("Conjecture 1 for r <= {r_max}");
-    let which = if proved == 1 && rows.len() == 1 {
+    let which = if rows.is_empty() {
+        "no period: this part is empty".to_string()
+    } else if proved == 1 && rows.len() == 1 {
         format!("period n = {}", range.start())
     } else {
         format!("every period n in {range:?}")
@@ -298,18 +294,8 @@ fn text(range: &RangeInclusive<u64>, rows: &[Row], args: &Args) -> String {
         }
     }
     text += &table(rows);
-    match (&args.certificate, args.shard) {
-        _ if outcome(rows) != Outcome::Done => {}
-        (Some(path), None) => {
-            text += &format!("Certificate: {0}; `grazing check {0}` proves it again.\n", path.display());
-        }
-        (Some(path), Some(shard)) => {
-            text += &format!(
-                "Shard {shard} of a certificate: {}; `grazing merge` puts all together.\n",
-                path.display()
-            );
-        }
-        (None, _) => {}
+    if let (Some(path), Outcome::Done) = (&args.certificate, outcome(rows)) {
+        text += &certificate_line(path, args.shard);
     }
     text
 }

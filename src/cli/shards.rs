@@ -26,6 +26,26 @@ pub(super) fn part_of(range: &RangeInclusive<u64>, shard: Shard) -> Range<u64> {
     shard.part(*range.start()..*range.end() + 1, 2)
 }
 
+/// The same as a range with both ends, which may be empty; all periods if there are no parts.
+pub(super) fn periods_of(range: &RangeInclusive<u64>, shard: Option<Shard>) -> RangeInclusive<u64> {
+    match shard.map(|shard| part_of(range, shard)) {
+        // A period is at least 1.
+        Some(part) => part.start..=part.end - 1,
+        None => range.clone(),
+    }
+}
+
+/// What a report says at its end of the certificate that was written, or of the shard of one.
+pub(super) fn certificate_line(path: &Path, shard: Option<Shard>) -> String {
+    let path = path.display();
+    match shard {
+        None => format!("Certificate: {path}; `grazing check {path}` proves it again.\n"),
+        Some(shard) => {
+            format!("Shard {shard} of a certificate: {path}; `grazing merge` puts all together.\n")
+        }
+    }
+}
+
 /// A part of a task and the file that it goes to.
 pub(super) struct Part {
     pub task: ShardedTask,
@@ -131,6 +151,21 @@ impl ShardSet {
         &self.task.words
     }
 
+    /// Whether the shards are of a task as this program writes it: arguments that it would not give a shard
+    /// are nobody's.
+    ///
+    /// # Errors
+    /// An input error if not.
+    pub fn expect(&self, task: &ShardedTask) -> Result<()> {
+        if self.task == *task {
+            return Ok(());
+        }
+        let [found, wanted] = [&self.task, task].map(|task| task.words.join(" "));
+        Err(Error::input(format!(
+            "the shards are of `grazing {found}`; as a task that is `grazing {wanted}`"
+        )))
+    }
+
     /// Hands on the records of all shards in order, `items` saying which each must have.
     ///
     /// # Errors
@@ -138,9 +173,11 @@ impl ShardSet {
     pub fn records(
         &self,
         items: impl Fn(Shard) -> Range<u64>,
-        mut each: impl FnMut(u64, &str) -> Result<()>,
+        mut each: impl FnMut(Shard, &str) -> Result<()>,
     ) -> Result<()> {
-        self.shards.iter().try_for_each(|shard| shard.records(items(shard.shard), &mut each))
+        self.shards
+            .iter()
+            .try_for_each(|file| file.records(items(file.shard), |_, record| each(file.shard, record)))
     }
 
     /// The same for records that are texts of several lines.
@@ -152,9 +189,9 @@ impl ShardSet {
         items: impl Fn(Shard) -> Range<u64>,
         mut each: impl FnMut(&str) -> Result<()>,
     ) -> Result<()> {
-        self.records(items, |item, record| {
+        self.records(items, |_, record| {
             let text: String = serde_json::from_str(record)
-                .map_err(|error| Error::input(format!("item {item} is no text: {error}")))?;
+                .map_err(|error| Error::input(format!("an item is no text: {error}")))?;
             each(&text)
         })
     }

@@ -9,7 +9,7 @@ use super::{
     Outcome, ReportFormat, in_pool,
     range::Periods,
     reported,
-    shards::{Merged, Part, ShardSet, certify, part_of, task_of},
+    shards::{Merged, Part, ShardSet, certificate_line, certify, part_of, periods_of, task_of},
 };
 use crate::{
     cli::progress::{Interrupt, Progress},
@@ -86,6 +86,7 @@ fn words(range: &RangeInclusive<u64>) -> [String; 2] {
 /// The certificate from its shards.
 pub(super) fn merge(args: &Args, set: &ShardSet, merged: &Merged, interrupt: &Interrupt) -> Result<Outcome> {
     let range = args.periods.within(LIMIT, "verify")?;
+    set.expect(&task_of(words(&range)))?;
     let items = |shard| part_of(&range, shard);
     certify(merged, interrupt, |out| {
         let mut lines = 0;
@@ -107,14 +108,7 @@ fn verify(
     interrupt: &Interrupt,
 ) -> Result<Outcome> {
     let task = task_of(words(&range));
-    let range = match args.shard {
-        Some(shard) => {
-            let part = part_of(&range, shard);
-            // An empty range for an empty part.
-            RangeInclusive::new(part.start, part.end - 1)
-        }
-        None => range,
-    };
+    let range = periods_of(&range, args.shard);
     let passes = if args.certificate.is_some() { 2 } else { 1 };
     let progress = Progress::new(interrupt, passes * range.clone().count() as u64, "periods");
     let proof = prove_theorem2(range.clone(), args.method, &progress)?;
@@ -180,18 +174,8 @@ fn text(range: &RangeInclusive<u64>, proof: &Proof, args: &Args) -> String {
     for (count, what) in rows {
         text += &format!("{count:>12}  {what}\n");
     }
-    match (&args.certificate, args.shard) {
-        _ if proof.pending > 0 => {}
-        (Some(path), None) => {
-            text += &format!("Certificate: {0}; `grazing check {0}` proves it again.\n", path.display());
-        }
-        (Some(path), Some(shard)) => {
-            text += &format!(
-                "Shard {shard} of a certificate: {}; `grazing merge` puts all together.\n",
-                path.display()
-            );
-        }
-        (None, _) => {}
+    if let (Some(path), Outcome::Done) = (&args.certificate, outcome(proof)) {
+        text += &certificate_line(path, args.shard);
     }
     text
 }

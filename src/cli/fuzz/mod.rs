@@ -180,8 +180,7 @@ fn campaign<C: Told>(args: &Args, options: &C, interrupt: &Interrupt) -> Result<
     ];
     distinct(&files.into_iter().filter_map(|(option, file)| Some((option, file?))).collect::<Vec<_>>())?;
     probe(&args.regressions)?;
-    // Before a shard is begun its options are looked at.
-    options.check(&C::Tally::default())?;
+    options.check_range()?;
     let part = match (args.shard, &args.output) {
         (Some(shard), Some(file)) => {
             Some(Part { task: task_of(words(options)), shard, file: OutputFile::new("-o", file)? })
@@ -244,25 +243,27 @@ fn merged_campaign<C: Told>(
     merged: &Merged,
     interrupt: &Interrupt,
 ) -> Result<Outcome> {
+    options.check_range()?;
+    set.expect(&task_of(words(options)))?;
     let mut all = C::Tally::default();
-    let items = |shard| record_of(&units(options, Some(shard)));
-    set.records(items, |_, record| {
-        interrupt.check()?;
-        let tally: C::Tally =
-            serde_json::from_str(record).map_err(|error| Error::input(format!("no tally: {error}")))?;
-        options.check(&tally)?;
-        all = std::mem::take(&mut all).merge(tally);
-        Ok(())
-    })?;
-    let clean = all.disagreements().is_empty() && all.faults().is_empty();
-    if clean && all.units() != options.units() {
-        return Err(Error::input(format!(
-            "the shards have {} blocks, the task {}: a tally in them is not of its part",
-            all.units(),
-            options.units()
-        )));
-    }
-    options.check(&all)?;
+    let part = |shard| units(options, Some(shard));
+    set.records(
+        |shard| record_of(&part(shard)),
+        |shard, record| {
+            interrupt.check()?;
+            let tally: C::Tally =
+                serde_json::from_str(record).map_err(|error| Error::input(format!("no tally: {error}")))?;
+            options.check(&tally)?;
+            // Only a disagreement, or an error of this program, ends a part early.
+            let (done, whole) = (tally.units(), part(shard).end - part(shard).start);
+            let early = !tally.disagreements().is_empty() || !tally.faults().is_empty();
+            if done > whole || (done < whole && !early) {
+                return Err(Error::input(format!("a tally of {done} blocks, where the part has {whole}")));
+            }
+            all = std::mem::take(&mut all).merge(tally);
+            Ok(())
+        },
+    )?;
     let outcome = outcome(&all, &(0..options.units()));
     tell(args, options, (&all, outcome), merged.format, &Destination::new(merged.output.as_deref())?)
 }

@@ -6,7 +6,11 @@ use std::ops::Range;
 use rayon::prelude::*;
 use serde::{Serialize, de::DeserializeOwned};
 
-use crate::{error::Result, local::Ladder, monitor::Monitor};
+use crate::{
+    error::{Error, Result},
+    local::Ladder,
+    monitor::Monitor,
+};
 
 /// What a run has come to so far.
 pub trait Tally: Clone + Default + PartialEq + Send + Sync + Serialize + DeserializeOwned {
@@ -29,6 +33,9 @@ pub trait Tally: Clone + Default + PartialEq + Send + Sync + Serialize + Deseria
     fn merge(self, other: Self) -> Self;
 }
 
+/// The most units of a run: far more than any machine does, and few enough for every sum of counts.
+const MOST_UNITS: u64 = 1 << 40;
+
 /// What to fuzz, and how far.
 pub trait Campaign: Serialize + Sync {
     /// What a run comes to.
@@ -37,6 +44,11 @@ pub trait Campaign: Serialize + Sync {
     type Sweep: Clone + Send + Sync;
     /// The most units between two checkpoints.
     const CHUNK: u64;
+    /// The largest period that can be fuzzed.
+    const LONGEST: u64;
+
+    /// The largest period fuzzed.
+    fn last(&self) -> u64;
 
     /// The cases wanted.
     fn cases(&self) -> u64;
@@ -52,11 +64,61 @@ pub trait Campaign: Serialize + Sync {
     /// All that a tally depends on but for the number of cases, written so that equal runs give equal texts.
     fn canonical(&self) -> String;
 
+    /// What is wrong with the counts of a tally of at most 2⁴⁰ units, if no run comes to them.
+    ///
+    /// # Errors
+    /// What that is, in words.
+    fn check_counts(&self, tally: &Self::Tally) -> std::result::Result<(), &'static str>;
+
+    /// Whether a line of a tally's disagreements is one: decided again.
+    ///
+    /// # Errors
+    /// An input error if it is no case.
+    fn differs(&self, line: &str) -> Result<bool>;
+
+    /// Whether there is such a run.
+    ///
+    /// # Errors
+    /// An input error that says which option is out of range.
+    fn check_range(&self) -> Result<()> {
+        if !(3..=Self::LONGEST).contains(&self.last()) || self.block() == 0 {
+            return Err(Error::input(format!(
+                "the largest period is {}: from 3 to {}, and no smaller than the first",
+                self.last(),
+                Self::LONGEST
+            )));
+        }
+        if self.cases() == 0 {
+            return Err(Error::input("the number of cases is 0: give at least 1"));
+        }
+        if self.units() > MOST_UNITS {
+            return Err(Error::input(format!(
+                "{} cases are too many: at most {}",
+                self.cases(),
+                MOST_UNITS.saturating_mul(self.block())
+            )));
+        }
+        Ok(())
+    }
+
     /// Whether a run with these options can have come to a tally, disagreements decided again.
     ///
     /// # Errors
     /// An input error if the options are out of range, or one that says what cannot be.
-    fn check(&self, tally: &Self::Tally) -> Result<()>;
+    fn check(&self, tally: &Self::Tally) -> Result<()> {
+        self.check_range()?;
+        let bad = |what: &str| Error::input(format!("no run can give this tally: {what}"));
+        if tally.units() > MOST_UNITS {
+            return Err(bad("the number of units"));
+        }
+        self.check_counts(tally).map_err(bad)?;
+        for line in tally.disagreements() {
+            if !self.differs(line)? {
+                return Err(bad(&format!("{line} is no disagreement")));
+            }
+        }
+        Ok(())
+    }
 
     /// What each thread begins with.
     fn sweep(&self) -> Self::Sweep;

@@ -27,7 +27,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{Instance, compare::differ};
 use crate::{
-    error::{Error, Result},
+    error::Result,
     existence::Variant,
     local::{Ladder, Point, Polar},
     monitor::Monitor,
@@ -135,26 +135,17 @@ impl FuzzOptions {
     fn periods(&self) -> u64 {
         (self.last + 1).saturating_sub(self.first.max(FIRST_SWEPT))
     }
-
-    fn check_range(&self) -> Result<()> {
-        if !(3..=sweep::LONGEST as u64).contains(&self.last) {
-            return Err(Error::input(format!(
-                "the largest period is {}: from 3 to {}",
-                self.last,
-                sweep::LONGEST
-            )));
-        }
-        if self.cases == 0 {
-            return Err(Error::input("the number of cases is 0: give at least 1"));
-        }
-        Ok(())
-    }
 }
 
 impl Campaign for FuzzOptions {
     type Tally = FuzzTally;
     type Sweep = Sweep;
     const CHUNK: u64 = 512;
+    const LONGEST: u64 = sweep::LONGEST as u64;
+
+    fn last(&self) -> u64 {
+        self.last
+    }
 
     fn cases(&self) -> u64 {
         self.cases
@@ -172,19 +163,13 @@ impl Campaign for FuzzOptions {
         )
     }
 
-    fn check(&self, tally: &FuzzTally) -> Result<()> {
-        self.check_range()?;
-        let bad = |what: &str| Err(Error::input(format!("no run can give this tally: {what}")));
-        // Far more than any machine does, and few enough for every sum below.
-        if tally.units > 1 << 40 {
-            return bad("the number of units");
-        }
+    fn check_counts(&self, tally: &FuzzTally) -> std::result::Result<(), &'static str> {
         let parts = [tally.swept, tally.interval, tally.ball, tally.exact, tally.boundary, tally.undecided];
         if parts.iter().chain([&tally.repeated, &tally.weighted]).any(|&part| part > 1 << 60) {
-            return bad("a count beyond all units");
+            return Err("a count beyond all units");
         }
         if tally.repeated > tally.units * SWEEP_POINTS || tally.weighted > tally.units * WEIGHTED_CASES {
-            return bad("more repeated or weighted cases than units have");
+            return Err("more repeated or weighted cases than units have");
         }
         // Every point of a sweep is one case for each period, a repeated one is decided once more, and
         // weighted cases are cases.
@@ -193,19 +178,17 @@ impl Campaign for FuzzOptions {
         let differing = tally.disagreements.len() as u64;
         // A unit ends at its first fault.
         if counted > cases || (tally.faults.is_empty() && cases - counted > differing) {
-            return bad("the counts do not add up");
+            return Err("the counts do not add up");
         }
         let seconds = [tally.sweep_seconds, tally.weighted_seconds];
         if !seconds.iter().all(|seconds| (0.0..1e15).contains(seconds)) {
-            return bad("its times");
-        }
-        for line in &tally.disagreements {
-            let case: Instance = line.parse()?;
-            if !differ(&Ladder::default(), &case, Variant::True) {
-                return bad(&format!("{line} is no disagreement"));
-            }
+            return Err("its times");
         }
         Ok(())
+    }
+
+    fn differs(&self, line: &str) -> Result<bool> {
+        Ok(differ(&Ladder::default(), &line.parse()?, Variant::True))
     }
 
     fn sweep(&self) -> Sweep {

@@ -8,34 +8,28 @@
 //! supremum, for eµ > 0 in region 3. Finding no disagreement proves nothing.
 
 mod compare;
+mod points;
+mod suprema;
 mod sweep;
 mod twofold;
 
-use std::sync::LazyLock;
-
-use num_integer::Integer;
-use num_rational::BigRational;
-use num_traits::ToPrimitive;
 use serde::{Deserialize, Serialize};
 
 use super::{Campaign, Instance, Tally, dyadic, weighted};
 use crate::{
     error::{Error, Result},
-    existence::{Boundary, Lowest, intervals},
     local::Ladder,
     monitor::Monitor,
     processor::thread_seconds,
     random::Random,
-    word::{Entropy, Letter, Word},
 };
 pub use compare::WordStatement;
 use compare::{Comparison, compare, differ, shrink};
+use points::{angle, modulus};
+pub use suprema::SUPREMA;
+use suprema::entropies;
 use sweep::{Swept, WordSweep};
 use twofold::Twofold;
-
-/// The entropies thought to be the suprema for eµ > 0 in region 3: in (+,−), as s → 1/2 on r = 1, the
-/// logarithm of the tribonacci constant, rounded up; in (+,+), as s → 1/4 from above, 0.450385…, rounded up.
-pub const SUPREMA: [f64; 2] = [0.450_386, 0.609_377_863_437];
 
 /// What to fuzz.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -98,8 +92,6 @@ const WORDS: u64 = 4;
 const SELDOM: u64 = 16;
 /// The largest period that points decided exactly are compared on.
 const EXACT_LAST: u64 = 24;
-/// The largest denominator of a random word.
-const LONGEST_WORD: u64 = 400;
 
 impl Tally for WordTally {
     fn units(&self) -> u64 {
@@ -160,22 +152,6 @@ pub fn replayed(line: &str) -> Result<Instance> {
     .parse()
 }
 
-impl WordOptions {
-    fn check_range(&self) -> Result<()> {
-        if !(3..=sweep::LONGEST as u64).contains(&self.last) {
-            return Err(Error::input(format!(
-                "the largest period is {}: from 3 to {}",
-                self.last,
-                sweep::LONGEST
-            )));
-        }
-        if self.cases == 0 {
-            return Err(Error::input("the number of points is 0: give at least 1"));
-        }
-        Ok(())
-    }
-}
-
 /// What a thread sweeps with: floats, and pairs of them for what they leave open.
 #[derive(Debug, Clone)]
 pub struct Sweeps {
@@ -187,6 +163,11 @@ impl Campaign for WordOptions {
     type Tally = WordTally;
     type Sweep = Sweeps;
     const CHUNK: u64 = 64;
+    const LONGEST: u64 = sweep::LONGEST as u64;
+
+    fn last(&self) -> u64 {
+        self.last
+    }
 
     fn cases(&self) -> u64 {
         self.cases
@@ -204,39 +185,33 @@ impl Campaign for WordOptions {
         )
     }
 
-    fn check(&self, tally: &WordTally) -> Result<()> {
-        self.check_range()?;
-        let bad = |what: &str| Err(Error::input(format!("no run can give this tally: {what}")));
-        if tally.units > 1 << 40 {
-            return bad("the number of units");
-        }
+    fn check_counts(&self, tally: &WordTally) -> std::result::Result<(), &'static str> {
         let points = tally.units * ANGLES * MODULI;
         let parts = [tally.swept, tally.closer, tally.exact, tally.boundary, tally.undecided];
         if parts.iter().any(|&part| part > 1 << 60) || tally.pairs > points.saturating_mul(1 << 20) {
-            return bad("a count beyond all units");
+            return Err("a count beyond all units");
         }
         if tally.repeated > points
             || tally.weighted > tally.units * WEIGHTED
             || tally.words > tally.units * WORDS
         {
-            return bad("more repeated points, weighted points or words than units have");
+            return Err("more repeated points, weighted points or words than units have");
         }
         // Every point of a sweep is decided, one repeated once more, and every weighted one.
         let (counted, differing) = (parts.iter().sum::<u64>(), tally.disagreements.len() as u64);
         let all = points + tally.repeated + tally.weighted;
         if counted > all || (tally.faults.is_empty() && all - counted > differing) {
-            return bad("the counts do not add up");
+            return Err("the counts do not add up");
         }
         let numbers = [tally.sweep_seconds, tally.other_seconds, tally.largest[0], tally.largest[1]];
         if !numbers.iter().all(|number| (0.0..1e15).contains(number)) {
-            return bad("its times, or its entropies");
-        }
-        for line in &tally.disagreements {
-            if !differ(&Ladder::default(), &replayed(line)?, WordStatement::True) {
-                return bad(&format!("{line} is no disagreement"));
-            }
+            return Err("its times, or its entropies");
         }
         Ok(())
+    }
+
+    fn differs(&self, line: &str) -> Result<bool> {
+        Ok(differ(&Ladder::default(), &replayed(line)?, WordStatement::True))
     }
 
     fn sweep(&self) -> Sweeps {
@@ -337,105 +312,6 @@ fn one_point(ladder: &Ladder, case: Instance, tally: &mut WordTally) -> Comparis
     comparison
 }
 
-/// Where the points of an angle lie.
-#[derive(Debug, Clone, Copy)]
-enum Family {
-    Uniform,
-    NearOne,
-    /// About the lowest point of an area, r times 2⁵³.
-    Tip(u64),
-}
-
-/// An angle, in units of 2⁻⁵⁴.
-fn angle(random: &mut Random) -> (Family, u64) {
-    let odd = |s: u64| s.clamp(1, (1 << 53) - 1) | 1;
-    let near = |random: &mut Random, s: u64| {
-        let shift = random.next() >> random.within(24, 56);
-        odd(if random.coin() { s.saturating_add(shift) } else { s.saturating_sub(shift) })
-    };
-    match random.within(0, 7) {
-        0..=3 => (Family::Uniform, random.next() >> 11 | 1),
-        4 => (Family::NearOne, random.next() >> 11 | 1),
-        5 | 6 => {
-            // Near a fraction p/q < ½, or a multiple of 1/(2q).
-            let q = random.within(3, 60);
-            let p = random.within(1, (q - 1) / 2);
-            let place = (u128::from(p) << 54) / u128::from(q);
-            let family = if random.coin() { Family::NearOne } else { Family::Uniform };
-            (family, near(random, place as u64))
-        }
-        _ => {
-            let (r, s) = TIPS[random.below(TIPS.len() as u64) as usize];
-            (Family::Tip(r), near(random, s))
-        }
-    }
-}
-
-/// A modulus, in units of 2⁻⁵³.
-fn modulus(random: &mut Random, family: Family) -> u64 {
-    let one = 1u64 << 53;
-    let r = match family {
-        Family::Uniform => random.next() >> 11,
-        Family::NearOne => one - (random.next() >> random.within(12, 50)),
-        Family::Tip(r) => {
-            let shift = random.next() >> random.within(18, 50);
-            if random.coin() { r.saturating_add(shift) } else { r.saturating_sub(shift) }
-        }
-    };
-    r.clamp(1, one - 1)
-}
-
-/// The lowest points of the areas of periods up to 16: r in units of 2⁻⁵³, s in units of 2⁻⁵⁴.
-static TIPS: LazyLock<Vec<(u64, u64)>> = LazyLock::new(|| {
-    let fixed = |x: &BigRational, bits: u32| (x * BigRational::from_integer((1u64 << bits).into())).to_u64();
-    let areas = (4..=16).filter_map(|n| intervals(n).ok()).flatten();
-    areas
-        .filter(|interval| interval.deciding.is_some())
-        .filter_map(|interval| match Boundary::new(interval).lowest(10)? {
-            Lowest::Tip(tip) => Some((fixed(&tip.r.middle(), 53)?, fixed(&tip.s.middle(), 54)?)),
-            _ => None,
-        })
-        .collect()
-});
-
-/// A random fraction m/n in lowest terms, 0 < m/n < ½, often near where the suprema are thought to be.
-fn fraction(random: &mut Random) -> (u64, u64) {
-    let n = random.within(3, LONGEST_WORD);
-    let m = match random.within(0, 3) {
-        0 => (n - 1) / 2,
-        1 => n / 4 + random.within(0, 2),
-        _ => random.within(1, (n - 1) / 2),
-    }
-    .clamp(1, (n - 1) / 2);
-    let g = m.gcd(&n);
-    (m / g, n / g)
-}
-
-/// A random word on r = 1, down the tree to a random fraction, and its entropies.
-fn entropies(random: &mut Random, tally: &mut WordTally) {
-    let (m, n) = fraction(random);
-    let letter = if random.coin() { Letter::U } else { Letter::D };
-    // s lies next to m/n, below it for U; K is the least with 2Ks > 1.
-    let first = if letter == Letter::U { n / (2 * m) + 1 } else { n.div_ceil(2 * m) };
-    let Some(word) = Word::of_area(n, m, letter, first.max(2)) else { return };
-    tally.words += 1;
-    for (index, gamma) in [true, false].into_iter().enumerate() {
-        let Ok((entropy, _)) = Entropy::of(&word, gamma, 40) else { continue };
-        let Some((low, _)) = entropy.bounds() else { continue };
-        let rate = low.to_f64().unwrap_or(0.0);
-        let side = if letter == Letter::U { "below" } else { "above" };
-        if rate > tally.largest[index] {
-            tally.largest[index] = rate;
-            tally.largest_at[index] = format!("s just {side} {m}/{n}");
-        }
-        // The lower bound, rounded by 2⁻⁵³ at most, is above a number rounded up by more.
-        if rate > SUPREMA[index] {
-            let case = if gamma { "(+,+)" } else { "(+,-)" };
-            tally.beyond.push(format!("{case}: entropy {rate:?} for s just {side} {m}/{n}, r = 1"));
-        }
-    }
-}
-
 /// The first of `most` weighted points of a seed that refutes a statement, shrunk.
 pub fn refute_words(statement: WordStatement, seed: u64, most: u64) -> Option<Instance> {
     let ladder = Ladder::default();
@@ -444,21 +320,4 @@ pub fn refute_words(statement: WordStatement, seed: u64, most: u64) -> Option<In
         .filter_map(|_| weighted::case(&mut random, &ladder, 3..=24))
         .find(|case| differ(&ladder, case, statement))
         .map(|case| shrink(&ladder, case, statement))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// The ends of the range too: n = 3 has one such fraction, and n/4 is 0 there.
-    #[test]
-    fn random_fractions_lie_between_0_and_a_half() {
-        let mut least = u64::MAX;
-        for unit in 0..200_000 {
-            let (m, n) = fraction(&mut Random::of_unit(1, unit));
-            assert!(0 < m && 2 * m < n && m.gcd(&n) == 1, "{m}/{n}");
-            least = least.min(n);
-        }
-        assert_eq!(least, 3);
-    }
 }

@@ -290,7 +290,10 @@ mod tests {
     use num_traits::{One, Pow};
 
     use super::{
-        super::{angle, modulus, twofold::Twofold},
+        super::{
+            points::{angle, modulus},
+            twofold::Twofold,
+        },
         *,
     };
     use crate::{
