@@ -6,21 +6,17 @@
 //! Z′(2πk)²/2m on it, which is ν times q̂ − σ − ν q̂′²/2m. Between windows Z > 0 is shown outright.
 
 use super::{
-    Lines, Rejection,
+    Fault,
     fixed::Interval,
     legs::turn,
-    proof::{Place, Work},
+    work::{GoOn, Work},
 };
 
 /// Proves it for every letter of a cell, and that q̂ stays below the reach.
-pub(super) fn open(work: &Work, pieces: u64, lines: &mut Lines, place: Place) -> Result<(), Rejection> {
-    for n in 0..work.numbers.letters.len() {
-        lines.go_on().map_err(|fault| lines.rejection(fault))?;
-        if let Err(reason) = flight(work, n, pieces) {
-            return Err(lines.false_claim(place(format!("letter {}: {reason} (H4)", n + 1))));
-        }
-    }
-    Ok(())
+pub(super) fn open(work: &Work, pieces: u64, go_on: GoOn) -> Result<(), Fault> {
+    (0..work.numbers.letters.len()).try_for_each(|n| {
+        flight(work, n, pieces, go_on).map_err(|fault| fault.at(format!("letter {}", n + 1)))
+    })
 }
 
 /// Of all legs of a letter, at a time since the middle of their first window.
@@ -30,7 +26,8 @@ struct Motion {
     acceleration: Interval,
 }
 
-fn flight(work: &Work, n: usize, pieces: u64) -> Result<(), String> {
+fn flight(work: &Work, n: usize, pieces: u64, go_on: GoOn) -> Result<(), Fault> {
+    let wrong = |reason: String| Err(Fault::False(format!("{reason} (H4)")));
     let (cell, letter) = (&work.cell, &work.numbers.letters[n]);
     let all = |mut strengths: Vec<Interval>| {
         let first = strengths.pop()?;
@@ -43,7 +40,7 @@ fn flight(work: &Work, n: usize, pieces: u64) -> Result<(), String> {
         return if letter.previous.is_empty() {
             Ok(())
         } else {
-            Err("an impact may be outside the window".into())
+            wrong("an impact may be outside the window".into())
         };
     };
     let motion = |k: u64, t: Interval| {
@@ -62,14 +59,15 @@ fn flight(work: &Work, n: usize, pieces: u64) -> Result<(), String> {
         let window = from.until(to);
         let mut curvature: Option<Interval> = None;
         for piece in 0..pieces {
+            go_on()?;
             let t = window.part(piece, pieces);
             let motion = motion(k, t);
             let here = (cell.wall.at(t).bend + cell.depth * motion.acceleration).least();
             if !here.is_positive() {
-                return Err(format!("the gap may not be convex in window {k}"));
+                return wrong(format!("the gap may not be convex in window {k}"));
             }
             if !bounded(&motion) {
-                return Err(format!("the motion may go beyond its reach in window {k}"));
+                return wrong(format!("the motion may go beyond its reach in window {k}"));
             }
             curvature = Some(curvature.map_or(here, |least| least.hull(here).least()));
         }
@@ -78,14 +76,15 @@ fn flight(work: &Work, n: usize, pieces: u64) -> Result<(), String> {
     let between = cell.wall.window.until(turn(1) - cell.wall.window);
     for k in 0..letter.periods {
         for piece in 0..pieces {
+            go_on()?;
             let t = between.part(piece, pieces);
             let motion = motion(k, t);
             let gap = cell.wall.at(t).drop + cell.depth * (motion.place - cell.side);
             if !gap.is_positive() {
-                return Err(format!("the gap may not be positive after window {k}"));
+                return wrong(format!("the gap may not be positive after window {k}"));
             }
             if !bounded(&motion) {
-                return Err(format!("the motion may go beyond its reach after window {k}"));
+                return wrong(format!("the motion may go beyond its reach after window {k}"));
             }
         }
     }
@@ -94,7 +93,7 @@ fn flight(work: &Work, n: usize, pieces: u64) -> Result<(), String> {
         let bound = least[k as usize];
         let dip = (cell.depth * motion.velocity.squared()).over(bound + bound);
         if !(motion.place - cell.side - dip).is_positive() {
-            return Err(format!("the wall may be met in window {k}"));
+            return wrong(format!("the wall may be met in window {k}"));
         }
     }
     Ok(())

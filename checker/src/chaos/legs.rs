@@ -90,6 +90,15 @@ impl<'a> Cell<'a> {
         Some(Impact { s, phase, bend, place: self.side - drop })
     }
 
+    /// The impacts with these s cut into parts, each part with its middle.
+    pub fn parts(&self, s: Interval, parts: u64) -> Option<Vec<[Impact; 2]>> {
+        let both = |part| {
+            let s = s.part(part, parts);
+            Some([self.impact(s)?, self.impact(s.middle())?])
+        };
+        (0..parts).map(both).collect()
+    }
+
     /// The fall I, J in a time.
     pub fn fall(&self, time: Interval) -> (Interval, Interval) {
         (self.force * time.squared().half(), self.force * time)

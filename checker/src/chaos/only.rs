@@ -12,53 +12,47 @@
 //!   until all legs that are left are in a letter's box and follow each other as the graph allows.
 
 use super::{
-    Lines, Rejection,
+    Fault,
     fixed::Interval,
-    flow::Flow,
     legs::Impact,
-    proof::{Place, Work},
     text::Complete,
+    work::{GoOn, Work},
 };
 
 /// What the velocities a and p of legs of n periods lie in, for n from 1; `None` if there are no such legs.
 type Known = Vec<Option<[Interval; 2]>>;
 
+fn wrong<T>(what: &str) -> Result<T, Fault> {
+    Err(Fault::False(format!("{what} (C)")))
+}
+
+fn outside<T>() -> Result<T, Fault> {
+    wrong("an impact may be outside the window")
+}
+
 /// Proves it in a cell.
-pub(super) fn complete(
-    work: &Work,
-    claim: &Complete,
-    lines: &mut Lines,
-    place: Place,
-) -> Result<(), Rejection> {
-    let fail = |lines: &Lines, reason: String| Err(lines.false_claim(place(format!("{reason} (C)"))));
+pub(super) fn complete(work: &Work, claim: &Complete, go_on: GoOn) -> Result<(), Fault> {
     let strength = claim.strength.enclosed();
     let strengths = (-strength).hull(strength);
     let letters = &work.numbers.letters;
     if (1..letters.len()).any(|n| letters[..n].iter().any(|other| other.periods == letters[n].periods)) {
-        return fail(lines, "letters of one period are told apart by more than that".into());
+        return wrong("letters of one period are told apart by more than that");
     }
-    let Some(all) = work.cell.impact(strengths) else {
-        return fail(lines, "an impact may be outside the window".into());
-    };
+    let Some(all) = work.cell.impact(strengths) else { return outside() };
     if !once(work, &all) {
-        return fail(lines, "there may be two contacts in one window".into());
+        return wrong("there may be two contacts in one window");
     }
-    if !all.place.is_positive() || !ends(work.cell.flow, work, claim.longest) {
-        return fail(lines, format!("a leg may be longer than {} periods", claim.longest));
+    if !all.place.is_positive() || !ends(work.cell.flow.invariants(work.turns(1)), claim.longest) {
+        return wrong(&format!("a leg may be longer than {} periods", claim.longest));
     }
     let mut known: Known = vec![Some([Interval::WHOLE; 2]); claim.longest as usize];
     for round in 0..claim.rounds {
-        lines.go_on().map_err(|fault| lines.rejection(fault))?;
-        let Some(narrow) = narrowed(work, &known, strengths, claim.parts, round == 0) else {
-            return fail(lines, "an impact may be outside the window".into());
-        };
-        known = narrow;
+        known = narrowed(work, &known, strengths, claim.parts, round == 0, go_on)?;
         if left(work, &known, strengths).is_none() {
             return Ok(());
         }
     }
-    let why = left(work, &known, strengths).unwrap_or_default();
-    fail(lines, why)
+    wrong(&left(work, &known, strengths).unwrap_or_default())
 }
 
 /// C1. With D the width of the phases and |q̂(0)| ≤ Q: |q̂′| ≤ M, |q̂″| ≤ A = |c|M + |k|(Q + DM) and M ≤ S/2
@@ -77,22 +71,22 @@ fn once(work: &Work, all: &Impact) -> bool {
     (all.bend.least() - cell.depth * acceleration).is_positive()
 }
 
-/// C2, with the ratios' upper bounds.
-fn ends(flow: Flow, work: &Work, longest: u64) -> bool {
-    let [trace, determinant] = flow.invariants(work.turns(1));
+/// C2, with the ratios' upper bounds, from the trace and the determinant of E(2π). Where a ratio is not
+/// bounded nothing follows.
+pub(super) fn ends([trace, determinant]: [Interval; 2], longest: u64) -> bool {
     let (trace, determinant) = (trace.greatest(), determinant.least());
     if !determinant.is_positive() {
         return false;
     }
     // Of y_{k+1}/y_k for k = 1, 2, …; a leg of n periods has y_0, …, y_{n−1}.
     let mut ratio = trace;
-    for _ in 2..longest {
-        if !ratio.is_positive() {
+    for _ in 1..longest {
+        if ratio.is_up_to(Interval::ZERO) {
             return true;
         }
         ratio = (trace - determinant.over(ratio)).greatest();
     }
-    longest >= 2 && ratio.is_up_to(Interval::ZERO)
+    false
 }
 
 /// The s of impacts between legs of m and n periods (from 0), if there can be any.
@@ -102,30 +96,32 @@ fn between(work: &Work, known: &Known, strengths: Interval, m: usize, n: usize) 
     work.cell.strength(after, before).common(strengths)
 }
 
-/// C3: a round of narrowing; none if a phase is outside the window.
-fn narrowed(work: &Work, known: &Known, strengths: Interval, parts: u64, first: bool) -> Option<Known> {
-    let cell = &work.cell;
+/// C3: a round of narrowing.
+fn narrowed(
+    work: &Work,
+    known: &Known,
+    strengths: Interval,
+    parts: u64,
+    first: bool,
+    go_on: GoOn,
+) -> Result<Known, Fault> {
     let count = known.len();
     let mut narrow: Known = vec![None; count];
-    let cut = |s: Interval| -> Option<Vec<[Impact; 2]>> {
-        let one = |part| {
-            let s = s.part(part, parts);
-            Some([cell.impact(s)?, cell.impact(s.middle())?])
-        };
-        (0..parts).map(one).collect()
-    };
     // At first all are alike.
     let others = if first { 1 } else { count };
     let mut impacts = vec![None; count * count];
     for (m, n) in (0..count).flat_map(|m| (0..count).map(move |n| (m, n))) {
+        go_on()?;
         if let Some(s) = between(work, known, strengths, m, n) {
-            impacts[m * count + n] = Some(cut(s)?);
+            let Some(cut) = work.cell.parts(s, parts) else { return outside() };
+            impacts[m * count + n] = Some(cut);
         }
     }
     for n in 0..count {
         for (m, k) in (0..others).flat_map(|m| (0..others).map(move |k| (m, k))) {
             let (Some(from), Some(to)) = (&impacts[m * count + n], &impacts[n * count + k]) else { continue };
             for (from, to) in from.iter().flat_map(|from| to.iter().map(move |to| (from, to))) {
+                go_on()?;
                 if let Some(found) = leg(work, known, [m, n, k], from, to) {
                     let old = narrow[n].unwrap_or(found);
                     narrow[n] = Some([0, 1].map(|i| old[i].hull(found[i])));
@@ -133,7 +129,7 @@ fn narrowed(work: &Work, known: &Known, strengths: Interval, parts: u64, first: 
             }
         }
     }
-    Some(narrow)
+    Ok(narrow)
 }
 
 /// The velocities of a leg of n + 1 periods between impacts, those of the legs before and after being known;

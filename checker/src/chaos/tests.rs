@@ -3,6 +3,7 @@
 use super::{
     fixed::Interval,
     flow::{Flow, circle},
+    only::ends,
     wall::Wall,
 };
 
@@ -109,5 +110,18 @@ fn walls_of_two_harmonics_have_their_slope_and_bend() {
     {
         let error = difference.over(h + h) - derivative;
         assert!(error.magnitude().is_below(ratio(1, 1_000_000)));
+    }
+}
+
+/// By hand: the trace 1 and the determinant 4 have r₁ = 1 and r₂ = 1 − 4; 5 and 4 have the root 4 above 1, so
+/// that no ratio falls below it. What is not bounded ends no leg.
+#[test]
+fn only_a_bounded_ratio_ends_a_leg() {
+    let [one, four] = [ratio(1, 1), ratio(4, 1)];
+    assert!(ends([one, four], 3) && !ends([one, four], 2));
+    assert!(ends([-one, four], 2) && !ends([-one, four], 1));
+    assert!(!ends([four + one, four], 1000));
+    for unknown in [[Interval::WHOLE, four], [one, Interval::WHOLE], [one, -four], [one, Interval::ZERO]] {
+        assert!(!ends(unknown, 1000), "{unknown:?}");
     }
 }

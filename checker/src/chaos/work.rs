@@ -1,0 +1,107 @@
+//! What the conditions are proved of: a certificate's numbers, enclosed, and a cell of parameters with what
+//! holds in it.
+
+use super::{
+    Fault,
+    fixed::Interval,
+    flow::Matrix,
+    legs::{Cell, Impact, turn},
+    text::{Certificate, Complete, Decimal, Range},
+};
+
+/// A certificate's numbers, enclosed.
+pub(super) struct Numbers {
+    pub letters: Vec<Numbered>,
+    pub contraction: Interval,
+    pub reach: Interval,
+    pub complete: Option<Complete>,
+}
+
+/// A letter's.
+pub(super) struct Numbered {
+    pub periods: u64,
+    pub after: Box1,
+    pub before: Box1,
+    pub alpha: Interval,
+    pub beta: Interval,
+    pub parts: u64,
+    pub next: Vec<usize>,
+    pub previous: Vec<usize>,
+}
+
+/// A range of numbers: its ends, each enclosed, and all between them.
+pub(super) struct Box1 {
+    least: Interval,
+    greatest: Interval,
+    pub all: Interval,
+}
+
+impl Box1 {
+    fn new([least, greatest]: Range<Decimal>) -> Box1 {
+        let (least, greatest) = (least.enclosed(), greatest.enclosed());
+        Box1 { least, greatest, all: least.hull(greatest) }
+    }
+
+    /// Whether all these numbers are in the range.
+    pub fn holds(&self, x: Interval) -> bool {
+        self.least.is_up_to(x) && x.is_up_to(self.greatest)
+    }
+}
+
+/// A cell of parameters, with its turns E(2πn).
+pub(super) struct Work<'a> {
+    pub cell: Cell<'a>,
+    pub numbers: &'a Numbers,
+    turns: Vec<Matrix>,
+}
+
+impl Numbers {
+    pub fn new(certificate: &Certificate) -> Numbers {
+        let letters = certificate.letters.iter().enumerate().map(|(n, letter)| Numbered {
+            periods: letter.periods,
+            after: Box1::new(letter.after),
+            before: Box1::new(letter.before),
+            alpha: letter.weights[0].enclosed(),
+            beta: letter.weights[1].enclosed(),
+            parts: letter.parts,
+            next: letter.next.clone(),
+            previous: (0..certificate.letters.len())
+                .filter(|&m| certificate.letters[m].next.contains(&n))
+                .collect(),
+        });
+        Numbers {
+            letters: letters.collect(),
+            contraction: certificate.contraction.enclosed(),
+            reach: certificate.reach.enclosed(),
+            complete: certificate.complete,
+        }
+    }
+}
+
+/// Asked now and then whether the work should go on.
+pub(super) type GoOn<'a> = &'a mut dyn FnMut() -> Result<(), Fault>;
+
+impl<'a> Work<'a> {
+    pub fn new(cell: Cell<'a>, numbers: &'a Numbers) -> Self {
+        let periods = numbers.letters.iter().map(|letter| letter.periods);
+        let longest = periods.chain(numbers.complete.map(|claim| claim.longest)).max().unwrap_or(0);
+        let turns = (0..=longest).map(|n| cell.flow.exp(turn(n))).collect();
+        Work { cell, numbers, turns }
+    }
+
+    /// E(2πn).
+    pub fn turns(&self, periods: u64) -> Matrix {
+        self.turns[periods as usize]
+    }
+
+    /// The s of all impacts between two letters.
+    pub fn strength(&self, m: usize, n: usize) -> Interval {
+        let (one, other) = (&self.numbers.letters[m], &self.numbers.letters[n]);
+        self.cell.strength(other.after.all, one.before.all)
+    }
+
+    /// The impacts between two letters, their s cut into parts.
+    pub fn parts(&self, m: usize, n: usize, parts: u64) -> Option<Vec<[Impact; 2]>> {
+        self.cell.parts(self.strength(m, n), parts)
+    }
+}
