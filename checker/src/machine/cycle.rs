@@ -5,7 +5,7 @@
 //! impact i + 1.
 
 use super::{
-    super::oscillator::{Interval, krawczyk::GoOn},
+    super::oscillator::{Interval, krawczyk::GoOn, pattern::turns},
     Fault,
     linear::{self, Matrix, Vector, apply, difference, dot, scaled, sum},
     motion::Motion,
@@ -29,11 +29,6 @@ pub(super) struct Leg {
     pub after: Vector,
     /// What the flow acts on.
     start: Vector,
-}
-
-/// 2πn.
-pub(super) fn turns(n: u64) -> Interval {
-    Interval::integer(n) * (Interval::PI + Interval::PI)
 }
 
 impl Cycle<'_> {

@@ -6,8 +6,8 @@
 //! the velocities by (1 + τ) V M⁻¹wᵀ/(w M⁻¹wᵀ). It is a kind of its own, not a version of `orbit`, as no part
 //! of the mathematics is that of one coordinate: the flow is the exponential of a matrix of any size
 //! (`linear`, `motion`), the unknowns are whole states (`cycle`), stability is asked of powers of a matrix
-//! (`proof`). Numbers and the lines of the proof are those of `oscillator`. No code is shared with what finds
-//! the proof.
+//! (`proof`). Numbers, the lines of the proof and what holds of every pattern are those of `oscillator`. No
+//! code is shared with what finds the proof.
 //!
 //! # Form
 //!
@@ -84,7 +84,7 @@ mod proof;
 mod text;
 mod words;
 
-use super::{FORMAT, Proved, Rejection, lines::Lines, rejection::Fault};
+use super::{FORMAT, Proved, Rejection, lines::Lines, oscillator::krawczyk::GoOn, rejection::Fault};
 
 pub use super::orbit::Claim;
 pub use super::oscillator::{
@@ -109,7 +109,9 @@ unstable, one lies strictly outside.";
 pub(super) fn check(lines: &mut Lines) -> Result<Proved, Rejection> {
     let certificate = text::read(lines)?;
     let periods: u64 = certificate.impacts.iter().map(|impact| impact.periods).sum();
-    let proof = proof::Proof::new(&certificate).map_err(|reason| lines.false_claim(reason))?;
-    proof.run(&mut || lines.go_on()).map_err(|fault| lines.rejection(fault))?;
+    let go_on: GoOn = &mut || lines.go_on();
+    proof::Proof::new(&certificate, go_on)
+        .and_then(|proof| proof.run(go_on))
+        .map_err(|fault| lines.rejection(fault))?;
     Ok(Proved { range: periods..=periods, detail: words::detail(&certificate) })
 }

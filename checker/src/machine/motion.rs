@@ -11,7 +11,8 @@
 //! ```
 
 use super::{
-    super::oscillator::{Interval, exponential::Ring},
+    super::oscillator::{Interval, exponential::Ring, krawczyk::GoOn},
+    Fault,
     linear::{self, Matrix, Solved, Vector, apply, difference, dot, scaled, sum},
     text::{Machine, Stop},
 };
@@ -52,12 +53,16 @@ fn transposed(a: &[Vector]) -> Matrix {
     (0..a.first().map_or(0, Vec::len)).map(|j| a.iter().map(|row| row[j]).collect()).collect()
 }
 
+fn wrong<T>(what: &str) -> Result<T, Fault> {
+    Err(Fault::False(what.into()))
+}
+
 impl Motion {
     /// Encloses the coefficients.
     ///
     /// # Errors
     /// Says what the method cannot do with them.
-    pub fn new(machine: &Machine) -> Result<Self, String> {
+    pub fn new(machine: &Machine, go_on: GoOn) -> Result<Self, Fault> {
         let n = machine.size();
         let list = |list: &[super::Range]| -> Vector { list.iter().map(|x| x.interval()).collect() };
         let rows = |rows: &[Vec<super::Range>]| -> Matrix { rows.iter().map(|row| list(row)).collect() };
@@ -66,11 +71,11 @@ impl Motion {
         // Without exchanges the pivots are quotients of leading minors.
         let inverse = match linear::solve(&mass, &linear::identity(n), false) {
             Some(Solved { solution, positive: true, .. }) => solution,
-            _ => return Err("the mass matrix is not certainly positive definite".into()),
+            _ => return wrong("the mass matrix is not certainly positive definite"),
         };
         let period = machine.period.interval();
         if !period.is_positive() {
-            return Err("the period is not certainly positive".into());
+            return wrong("the period is not certainly positive");
         }
         let unit = period.over(Interval::PI + Interval::PI);
         // One factor a at each side, so that neither product is needlessly large.
@@ -90,10 +95,12 @@ impl Motion {
         }
         let (mut forcing, mut response) = (Vec::new(), Vec::new());
         for load in &machine.forcing {
+            go_on()?;
             let k = Interval::integer(load.k);
             let [cos, sin] = [&load.cos, &load.sin].map(|force| accelerated(&list(force)));
-            let (alpha, beta) = answer(&stiffness, &damping, k, &cos, &sin)
-                .ok_or_else(|| format!("harmonic {} of the forcing may be in undamped resonance", load.k))?;
+            let Some((alpha, beta)) = answer(&stiffness, &damping, k, &cos, &sin) else {
+                return wrong(&format!("harmonic {} of the forcing may be in undamped resonance", load.k));
+            };
             forcing.push((k, cos, sin));
             response.push((k, alpha, beta));
         }
@@ -102,7 +109,7 @@ impl Motion {
             let push = apply(&inverse, &row);
             let mobility = dot(&row, &push);
             if !mobility.is_positive() {
-                return Err(format!("the row of stop {number} may be zero"));
+                return wrong(&format!("the row of stop {number} may be zero"));
             }
             let restitution = stop.restitution.interval();
             let waves = stop.harmonics.iter();
@@ -113,7 +120,7 @@ impl Motion {
                 kick: scaled((Interval::ONE + restitution).over(mobility), &push),
             })
         };
-        let contacts = (1..).zip(&machine.stops).map(contact).collect::<Result<_, _>>()?;
+        let contacts = (1..).zip(&machine.stops).map(contact).collect::<Result<_, Fault>>()?;
         Ok(Motion { size: n, matrix, stiffness, damping, constant, forcing, response, contacts })
     }
 

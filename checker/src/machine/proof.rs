@@ -7,10 +7,11 @@ use super::{
         oscillator::{
             Interval,
             krawczyk::{self, GoOn},
+            pattern::{apart, follow, least_period},
         },
     },
     Fault,
-    cycle::{Cycle, Leg, turns},
+    cycle::{Cycle, Leg},
     linear::{self, Matrix, Solved, Vector},
     motion::Motion,
     text::{Certificate, Decimal},
@@ -38,13 +39,13 @@ impl<'a> Proof<'a> {
     ///
     /// # Errors
     /// Says what the method cannot do with it.
-    pub fn new(certificate: &'a Certificate) -> Result<Self, String> {
+    pub fn new(certificate: &'a Certificate, go_on: GoOn) -> Result<Self, Fault> {
         let list = |list: &[Decimal]| -> Vector { list.iter().map(|x| x.enclosed()).collect() };
         let unknowns = |impact: &super::Impact| [vec![impact.phase.enclosed()], list(&impact.state)].concat();
         let units = [vec![Interval::ONE], list(&certificate.scales)].concat();
         Ok(Proof {
             certificate,
-            cycle: Cycle { motion: Motion::new(&certificate.machine)?, impacts: &certificate.impacts },
+            cycle: Cycle { motion: Motion::new(&certificate.machine, go_on)?, impacts: &certificate.impacts },
             centre: certificate.impacts.iter().flat_map(unknowns).collect(),
             units: units.repeat(certificate.impacts.len()),
             inverse: certificate.inverse.iter().map(|row| list(row)).collect(),
@@ -64,9 +65,18 @@ impl<'a> Proof<'a> {
                 return wrong(format!("the speed of impact {} is not certainly positive", i + 1));
             }
         }
-        self.least_period(&unknowns).map_err(Fault::False)?;
+        let impacts = self.cycle.impacts;
+        let at = |i: usize| self.cycle.impact(&unknowns, i);
+        let known: Vec<_> = (0..impacts.len()).map(|i| (impacts[i].periods, at(i).0)).collect();
+        let same = |i: usize, j: usize| {
+            impacts[i].stop == impacts[j].stop && !at(i).1.iter().zip(at(j).1).any(|(&a, &b)| apart(a, b))
+        };
+        least_period(&known, same).map_err(Fault::False)?;
         for (i, ends) in self.certificate.flights.iter().enumerate() {
-            self.admissible(i, &self.cycle.leg(&unknowns, i), ends, go_on)?;
+            let leg = self.cycle.leg(&unknowns, i);
+            follow(i + 1, leg.duration, ends, go_on, |from, to, edges| {
+                self.doubtful(i, &leg, from, to, edges).map(|stop| format!("the gap to stop {}", stop + 1))
+            })?;
         }
         self.stability(&unknowns, go_on)
     }
@@ -77,58 +87,6 @@ impl<'a> Proof<'a> {
         let residual = self.cycle.residual(&self.centre, go_on)?;
         let derivatives = self.cycle.derivatives(&krawczyk::around(&self.centre, &radii), go_on)?;
         krawczyk::image(&self.centre, &self.inverse, &residual, &derivatives, &radii, go_on)
-    }
-
-    /// No smaller whole number of periods is one of the orbit. If one were, it would hold d of the m impacts,
-    /// d a divisor of m, and every impact would come back d impacts later: on the same stop, in the same
-    /// state, d/m of all periods later. For each such d some impact does not.
-    fn least_period(&self, x: &[Interval]) -> Result<(), String> {
-        let impacts = self.cycle.impacts;
-        let m = impacts.len();
-        let apart = |a: Interval, b: Interval| (a - b).is_positive() || (b - a).is_positive();
-        let total: u64 = impacts.iter().map(|impact| impact.periods).sum();
-        for d in (1..m).filter(|&d| m.is_multiple_of(d) && (total * d as u64).is_multiple_of(m as u64)) {
-            let shift = turns(total * d as u64 / m as u64);
-            let comes_back = |i: usize| {
-                let j = (i + d) % m;
-                let between: u64 = (i..i + d).map(|l| impacts[l % m].periods).sum();
-                let ((t, state), (later, other)) = (self.cycle.impact(x, i), self.cycle.impact(x, j));
-                impacts[i].stop == impacts[j].stop
-                    && !apart(turns(between) + later - t, shift)
-                    && !state.iter().zip(other).any(|(&a, &b)| apart(a, b))
-            };
-            if (0..m).all(comes_back) {
-                return Err(format!("the orbit may repeat itself after {d} of its {m} impacts"));
-            }
-        }
-        Ok(())
-    }
-
-    /// Every gap is positive during flight i, piece by piece.
-    fn admissible(&self, i: usize, leg: &Leg, ends: &[Decimal], go_on: GoOn) -> Result<(), Fault> {
-        let (flight, last) = (i + 1, ends.len() - 1);
-        if !leg.duration.is_positive() {
-            return wrong(format!("flight {flight} does not certainly last"));
-        }
-        if !leg.duration.is_up_to(ends[last].enclosed()) {
-            return wrong(format!("the pieces of flight {flight} stop before its end"));
-        }
-        let mut from = Interval::ZERO;
-        for (number, to) in ends.iter().map(|end| end.enclosed()).enumerate() {
-            go_on()?;
-            if !(to - from).is_positive() {
-                return wrong(format!("the pieces of flight {flight} do not follow one another"));
-            }
-            if let Some(stop) = self.doubtful(i, leg, from, to, [number == 0, number == last]) {
-                return wrong(format!(
-                    "the gap to stop {} on piece {} of flight {flight} is not certainly positive",
-                    stop + 1,
-                    number + 1
-                ));
-            }
-            from = to;
-        }
-        Ok(())
     }
 
     /// A stop whose gap z is not shown to be positive on a piece. With r half its length and m its middle, z

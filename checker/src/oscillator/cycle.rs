@@ -12,6 +12,7 @@ use super::{
     krawczyk::GoOn,
     motion::{Flight, Motion, Oscillator},
     number::Number,
+    pattern::{apart, follow, least_period, turns},
     text::{Coefficient, Decimal, Impact, Side, System},
 };
 
@@ -38,11 +39,6 @@ pub(crate) struct Touch {
     pub time: Interval,
     /// Its phase.
     pub phase: Interval,
-}
-
-/// 2πn.
-fn turns(n: u64) -> Interval {
-    Interval::integer(n) * (Interval::PI + Interval::PI)
 }
 
 impl<'a, N: Number> Cycle<'a, N> {
@@ -153,7 +149,12 @@ impl Cycle<'_, Interval> {
                 return Err(Fault::False(format!("the speed of impact {} is not certainly positive", i + 1)));
             }
         }
-        self.least_period(x).map_err(Fault::False)?;
+        let m = self.impacts();
+        let known: Vec<_> =
+            self.impacts.iter().zip(x).map(|(impact, &phase)| (impact.periods, phase)).collect();
+        let same =
+            |i: usize, j: usize| self.impacts[i].side == self.impacts[j].side && !apart(x[m + i], x[m + j]);
+        least_period(&known, same).map_err(Fault::False)?;
         for (index, ends) in ends.iter().enumerate() {
             let touch = touch.filter(|touch| touch.0 == index).map(|touch| touch.1);
             let leg = match (self.impacts(), touch) {
@@ -161,28 +162,6 @@ impl Cycle<'_, Interval> {
                 _ => self.leg(x, index),
             };
             self.admissible(index + 1, &leg, ends, touch, go_on)?;
-        }
-        Ok(())
-    }
-
-    /// No smaller whole number of periods is one of the orbit. If one were, it would hold d of the m impacts,
-    /// d a divisor of m, and every impact would come back d impacts later: on the same wall, with the same
-    /// speed, d/m of all periods later. For each such d some impact does not.
-    fn least_period(&self, x: &[Interval]) -> Result<(), String> {
-        let (m, impacts) = (self.impacts(), self.impacts);
-        let apart = |a: Interval, b: Interval| (a - b).is_positive() || (b - a).is_positive();
-        let total: u64 = impacts.iter().map(|impact| impact.periods).sum();
-        for d in (1..m).filter(|&d| m.is_multiple_of(d) && (total * d as u64).is_multiple_of(m as u64)) {
-            let shift = turns(total * d as u64 / m as u64);
-            let comes_back = |i: usize| {
-                let j = (i + d) % m;
-                let between: u64 = (i..i + d).map(|l| impacts[l % m].periods).sum();
-                let later = turns(between) + x[j] - x[i];
-                impacts[i].side == impacts[j].side && !apart(later, shift) && !apart(x[m + i], x[m + j])
-            };
-            if (0..m).all(comes_back) {
-                return Err(format!("the orbit may repeat itself after {d} of its {m} impacts"));
-            }
         }
         Ok(())
     }
@@ -196,39 +175,20 @@ impl Cycle<'_, Interval> {
         touch: Option<Touch>,
         go_on: GoOn,
     ) -> Result<(), Fault> {
-        let wrong = |what: String| Err(Fault::False(what));
-        if !leg.duration.is_positive() {
-            return wrong(format!("flight {flight} does not certainly last"));
-        }
         if let Some(Touch { time, .. }) = touch
             && !(time.is_positive() && time.is_below(leg.duration))
         {
-            return wrong(format!("the contact is not certainly during flight {flight}"));
+            return Err(Fault::False(format!("the contact is not certainly during flight {flight}")));
         }
-        let (last, impacts) = (ends.len() - 1, self.impacts() > 0);
-        if !leg.duration.is_up_to(ends[last].enclosed()) {
-            return wrong(format!("the pieces of flight {flight} stop before its end"));
-        }
-        let mut from = Interval::ZERO;
-        for (number, to) in ends.iter().map(|end| end.enclosed()).enumerate() {
-            go_on()?;
-            if !(to - from).is_positive() {
-                return wrong(format!("the pieces of flight {flight} do not follow one another"));
-            }
+        let impacts = self.impacts() > 0;
+        follow(flight, leg.duration, ends, go_on, |from, to, [first, last]| {
             let here = touch.filter(|touch| from.is_below(touch.time) && touch.time.is_below(to));
-            for side in self.oscillator.sides() {
-                let here = here.is_some_and(|touch| touch.side == side);
-                if !self.piece(leg, side, from, to, [impacts && number == 0, impacts && number == last, here])
-                {
-                    let number = number + 1;
-                    return wrong(format!(
-                        "the gap on piece {number} of flight {flight} is not certainly positive"
-                    ));
-                }
-            }
-            from = to;
-        }
-        Ok(())
+            let shown = |side| {
+                let touched = here.is_some_and(|touch| touch.side == side);
+                self.piece(leg, side, from, to, [impacts && first, impacts && last, touched])
+            };
+            (!self.oscillator.sides().all(shown)).then(|| "the gap".into())
+        })
     }
 
     /// With r half the length and m the middle, z lies in z(m) + z′(m)[−r, r] + z″[0, r²/2] and z′ in z′(m) +
