@@ -69,15 +69,21 @@ impl fmt::Display for RangeQuotient {
 
 impl Spoken for RangeQuotient {
     fn is_negative(&self) -> bool {
-        false
+        matches!(&self.numerator[..], [only] if Spoken::is_negative(only))
     }
 
     fn magnitude(&self, parameter: &str) -> String {
-        let above = polynomial(&self.numerator, parameter);
-        let one = |x: &Range| x.to_string() == "1..1";
+        let above = match &self.numerator[..] {
+            [only] => only.magnitude(parameter),
+            list => polynomial(list, parameter),
+        };
+        let below = polynomial(&self.denominator, parameter);
         match &self.denominator[..] {
-            [only] if one(only) => above,
-            below => format!("{above}/{}", polynomial(below, parameter)),
+            [one] if one.to_string() == "1..1" => above,
+            [_] => format!("{above}/{below}"),
+            _ if below.starts_with('(') => format!("{above}/{below}"),
+            // Else 1/2 p would be read as (1/2) p.
+            _ => format!("{above}/({below})"),
         }
     }
 }
@@ -92,4 +98,23 @@ fn polynomial(list: &[Range], parameter: &str) -> String {
     let terms: Vec<_> = list.iter().enumerate().map(|(i, x)| (Spoken::is_negative(x), x, power(i))).collect();
     let text = sum(&terms, parameter);
     if list.iter().filter(|x| !x.is_zero()).count() > 1 { format!("({text})") } else { text }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn quotients_of_ranges_read_as_one_writes_them() {
+        for (word, sign, text) in [
+            ("-3..-3/1..1", true, "3"),
+            ("-3..-2/1..1", false, "[-3, -2]"),
+            ("1..1,2..3/2..2", false, "(1 + [2, 3] p)/2"),
+            ("1..1/0..0,2..2", false, "1/(2 p)"),
+            ("-1..-1/1..1,0..0,-1..-1", true, "1/(1 - p^2)"),
+        ] {
+            let read = RangeQuotient::read(&mut Words::new(word)).unwrap_or_else(|why| panic!("{why}"));
+            assert_eq!((Spoken::is_negative(&read), read.magnitude("p").as_str()), (sign, text), "{word}");
+        }
+    }
 }
