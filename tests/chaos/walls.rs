@@ -145,3 +145,83 @@ fn of_two_walls_the_other_is_out_of_reach() {
     assert!(!found.proved && found.text.is_none() && found.letters.is_empty());
     assert!(found.failures[0].reason.contains("the other wall may be met"), "{found:?}");
 }
+
+/// A ball between a table and a ceiling, wherever the origin is: between two impacts two periods apart it rises
+/// by f T²/8 = f π²/2 · 4 ≈ 1.97 above the place of the first, which is at most 1 above the table's mean.
+#[test]
+fn a_ceiling_is_measured_from_the_table() {
+    let task = "alphabet = [1, 2]\nside = \"lower\"";
+    let found = |table: f64, above: f64| {
+        let text = format!(
+            "format = \"grazing-scene 1\"\ntitle = \"x\"\n[system]\nforce = \"-0.1\"\n\
+             [[walls]]\nside = \"lower\"\noffset = {table}\nrestitution = \"1/2\"\nharmonics = [{{ sin = 1 }}]\n\
+             [[walls]]\nside = \"upper\"\noffset = {}\nrestitution = 1\n\
+             [[tasks]]\nname = \"x\"\nkind = \"chaos\"\n{task}\n",
+            table + above
+        );
+        let scene = Scene::from_toml(&text, "test").unwrap();
+        let job = Job::new(&scene, &scene.tasks[0], Surroundings::default()).unwrap();
+        let Some(Findings::Chaos(found)) = run_task(&job, &mut ()).findings else { panic!() };
+        *found
+    };
+    for table in [0.0, 8.0, -8.0] {
+        let (low, high) = (found(table, 2.5), found(table, 4.0));
+        assert_eq!((low.proved, high.proved), (false, true), "{table}");
+        assert!(low.failures[0].reason.contains("the other wall may be met"), "{low:?}");
+        assert!((high.ceiling.unwrap() - 4.0).abs() < 1e-9);
+    }
+}
+
+/// A still stop under a forcing of two harmonics with sines: what is seen from the motion without the stop is
+/// a wall of two. Newton's method, on the oscillator as it is given, has its orbits at the phases of those
+/// boxes, and the certificate is that of the wall that moves.
+#[test]
+fn a_forcing_of_several_harmonics_is_a_wall_of_several() {
+    // x = q + cos t + (cos 2t)/20 + (sin 2t)/25 for c = 12/49, k = 100/2401.
+    let (c, k) = (12.0 / 49.0, 100.0 / 2401.0);
+    let forced = |j: f64, a: f64, b: f64| {
+        let (cos, sin) = ((k - j * j) * a + c * j * b, (k - j * j) * b - c * j * a);
+        format!("{{ k = {j}, cos = {cos:.15}, sin = {sin:.15} }}")
+    };
+    let forcing = format!("forcing = [{}, {}]\n", forced(1.0, 1.0, 0.0), forced(2.0, 0.05, 0.04));
+    let still = |offset: f64| {
+        format!("{forcing}[[walls]]\nside = \"lower\"\noffset = {offset:.9}\nrestitution = 1\nharmonics = []")
+    };
+    let moving = |offset: f64| {
+        format!(
+            "[[walls]]\nside = \"lower\"\noffset = {offset:.9}\nrestitution = 1\n\
+             harmonics = [{{ cos = -1 }}, {{ k = 2, cos = -0.05, sin = -0.04 }}]"
+        )
+    };
+    let response = |t: f64| t.cos() + 0.05 * (2.0 * t).cos() + 0.04 * (2.0 * t).sin();
+    let phases = (0..=1_000_000).map(|i| PI - 0.5 + f64::from(i) * 1e-6);
+    let lowest = phases.min_by(|&a, &b| response(a).total_cmp(&response(b))).unwrap();
+    let (unit, offset) = (-response(lowest), response(lowest) + 0.004);
+    let task = "alphabet = [1, 2]";
+    let (scene, found) = with_walls(&still(offset), task);
+    assert!(found.proved && found.complete.is_some(), "{found:?}");
+    let (_, same) = with_walls(&moving(offset), task);
+    assert!((found.depth[0] - 0.004 / unit).abs() < 1e-8 && (found.depth[0] - same.depth[0]).abs() < 1e-12);
+    for (one, other) in found.letters.iter().zip(&same.letters) {
+        let ends = |row: &grazing::run::LetterRow| [row.after, row.before].concat();
+        assert!(ends(one).iter().zip(ends(other)).all(|(a, b)| (a - b).abs() < 1e-6), "{one:?} {other:?}");
+    }
+    let oscillator = Oscillator::new(scene.plain(&[]).unwrap(), 1e-13).unwrap();
+    let speed = |t: f64| -t.sin() - 0.1 * (2.0 * t).sin() + 0.08 * (2.0 * t).cos();
+    for pattern in [&[1u32][..], &[2], &[1, 2], &[1, 1, 2]] {
+        let strikes = pattern.iter().map(|&periods| Strike { side: Side::Lower, periods }).collect();
+        let start = pattern.iter().flat_map(|_| [lowest, 0.002]).collect();
+        let orbit = find(&oscillator, &Itinerary::new(strikes).unwrap(), start).unwrap();
+        assert!(orbit.admissibility.is_admissible(), "{pattern:?}");
+        for (i, z) in orbit.z.chunks(2).enumerate() {
+            // Relative to the motion without the stop, in units of ν: −x₀′ ± V, over νH = 0.004.
+            let (after, before) = ((z[1] - speed(z[0])) / 0.004, (-z[1] - speed(z[0])) / 0.004);
+            let letter = |i: usize| {
+                let periods = u64::from(pattern[i % pattern.len()]);
+                found.letters.iter().find(|row| row.periods == periods).unwrap()
+            };
+            let ([a, b], [c, d]) = (letter(i).after, letter(i + pattern.len() - 1).before);
+            assert!(a < after && after < b && c < before && before < d, "{pattern:?} {after} {before}");
+        }
+    }
+}

@@ -48,7 +48,7 @@ pub use span::Span;
 
 use crate::{
     certificate::chaos::{Certificate, Decimal, Fraction},
-    error::Result,
+    error::{Error, Result},
     monitor::Monitor,
 };
 
@@ -194,6 +194,11 @@ pub fn holds(certificate: &Certificate) -> std::result::Result<(), String> {
     let parts = certificate.letters.iter().map(|letter| letter.parts).collect();
     let attempt = search::Attempt::new(&problem, certificate.cells, parts).ok_or("too much work")?;
     attempt.holds(certificate)
+}
+
+/// What is not covered.
+fn fail<T>(message: &str) -> Result<T> {
+    Err(Error::input(format!("kind \"chaos\": {message}")))
 }
 
 /// A certificate's decimal.

@@ -1,12 +1,12 @@
 //! The normal form q″ = −c q′ − k q + f above the wall σν − 1 + g(t) of an oscillator with a rigid wall: the
 //! steps at the head of docs/chaos.md.
 
-use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;
-use num_traits::{One, Signed, Zero, pow};
+use num_traits::{One, Signed, Zero};
 
 use super::{
+    fail,
     profile::Term,
     rational::RationalFunction,
     top::{Wave, top},
@@ -60,13 +60,13 @@ impl Normal {
             (None, None, None) => return fail("the oscillator has no wall"),
             _ => return fail("there is no wall on the side that is given"),
         };
-        if !is_zero(&system.cubic) {
+        if !system.cubic.is_zero() {
             return fail("only linear oscillators are covered: cubic must be 0");
         }
         let (damping, stiffness) = (&system.damping, &system.stiffness);
         let forcing = waves(&system.forcing);
-        let falls = measured.is_none() && is_zero(damping) && is_zero(stiffness);
-        if measured.is_some() && (!forcing.is_empty() || !is_zero(&system.force)) {
+        let falls = measured.is_none() && damping.is_zero() && stiffness.is_zero();
+        if measured.is_some() && (!forcing.is_empty() || !system.force.is_zero()) {
             return fail("with ranges of damping or stiffness there may be no forcing and no constant force");
         }
         if measured.is_none() && !falls && !matches!(stiffness.sign(), Some(Sign::Positive | Sign::Negative))
@@ -110,9 +110,9 @@ impl Normal {
         let [damping, stiffness, restitution] = match measured {
             Some(ranges) => ranges,
             None => [
-                bounds(damping, "the damping")?,
-                bounds(stiffness, "the stiffness")?,
-                bounds(&wall.restitution, "the restitution")?,
+                damping.bounded("the damping")?,
+                stiffness.bounded("the stiffness")?,
+                wall.restitution.bounded("the restitution")?,
             ],
         };
         if !restitution[0].is_positive() {
@@ -120,8 +120,10 @@ impl Normal {
         }
         let other = if side == Side::Lower { &system.upper } else { &system.lower };
         let ceiling = other.as_ref().map(|other| {
-            let (mean, motion) = seen(other);
-            Ok::<_, Error>(top.least(&mean, &motion)? / &depth[1])
+            let (height, motion) = seen(other);
+            // The origin is the place of rest, but where there is none, the mean of the wall that is met.
+            let height = if falls { height - &mean } else { height };
+            Ok::<_, Error>(top.least(&height, &motion)? / &depth[1])
         });
         let once = BigRational::from_integer(faster.into());
         let scaled = |range: [BigRational; 2], by: &BigRational| range.map(|x| x / by);
@@ -132,14 +134,6 @@ impl Normal {
         let harmonics = top.harmonics;
         Ok(Normal { ranges, behind, harmonics, side, open, ceiling: ceiling.transpose()? })
     }
-}
-
-pub(super) fn fail<T>(message: &str) -> Result<T> {
-    Err(Error::input(format!("kind \"chaos\": {message}")))
-}
-
-pub(super) fn is_zero(x: &Function) -> bool {
-    x.sign() == Some(Sign::Zero)
 }
 
 /// The coefficients of cos jt and sin jt for each order j, increasing; none that are zero.
@@ -163,7 +157,7 @@ fn gathered(mut terms: Vec<Wave>) -> Vec<Wave> {
             _ => all.push((j, [a, b])),
         }
     }
-    all.retain(|(_, [a, b])| !(is_zero(a) && is_zero(b)));
+    all.retain(|(_, [a, b])| !(a.is_zero() && b.is_zero()));
     all
 }
 
@@ -182,19 +176,4 @@ fn response(damping: &Function, stiffness: &Function, forcing: &[Wave]) -> Resul
         Ok((*j, [a, b]))
     };
     forcing.iter().map(one).collect()
-}
-
-pub(super) fn bounds(x: &Function, what: &str) -> Result<[BigRational; 2]> {
-    x.bounds().map_or_else(|| fail(&format!("{what} is not bounded by its values at the range's ends")), Ok)
-}
-
-/// The square root if it is rational, else one of 12 places below or above it.
-pub(super) fn root(x: &BigRational, up: bool) -> BigRational {
-    let exact = BigRational::new(x.numer().sqrt(), x.denom().sqrt());
-    if &exact * &exact == *x {
-        return exact;
-    }
-    let scale = pow(BigInt::from(10), 12);
-    let floor = (x * BigRational::from_integer(&scale * &scale)).floor().to_integer().sqrt();
-    BigRational::new(if up { floor + 1 } else { floor }, scale)
 }

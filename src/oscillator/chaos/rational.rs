@@ -7,10 +7,15 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
+use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::{One, Signed, Zero};
+use num_traits::{One, Signed, Zero, pow};
 
-use crate::number::{Real, Sign};
+use super::fail;
+use crate::{
+    error::Result,
+    number::{Real, Sign},
+};
 
 /// A quotient of polynomials, coefficients from the constant one on.
 #[derive(Debug, Clone, PartialEq)]
@@ -99,6 +104,28 @@ impl RationalFunction {
         let between = (self.clone() - &number(&lo)).is_nonnegative() && (number(&hi) - self).is_nonnegative();
         between.then_some([lo, hi])
     }
+
+    /// The same of what is so called, where it must be so.
+    pub(super) fn bounded(&self, what: &str) -> Result<[BigRational; 2]> {
+        let unbounded = || fail(&format!("{what} is not bounded by its values at the range's ends"));
+        self.bounds().map_or_else(unbounded, Ok)
+    }
+
+    /// Whether it is certainly 0 for every x > 0.
+    pub(super) fn is_zero(&self) -> bool {
+        self.sign() == Some(Sign::Zero)
+    }
+}
+
+/// The square root if it is rational, else one of 12 places below or above it.
+pub(super) fn root(x: &BigRational, up: bool) -> BigRational {
+    let exact = BigRational::new(x.numer().sqrt(), x.denom().sqrt());
+    if &exact * &exact == *x {
+        return exact;
+    }
+    let scale = pow(BigInt::from(10), 12);
+    let floor = (x * BigRational::from_integer(&scale * &scale)).floor().to_integer().sqrt();
+    BigRational::new(if up { floor + 1 } else { floor }, scale)
 }
 
 fn sum(a: &[BigRational], b: &[BigRational]) -> Vec<BigRational> {

@@ -8,9 +8,9 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use super::{
-    normal::{bounds, fail, is_zero, root},
+    fail,
     profile::Term,
-    rational::RationalFunction,
+    rational::{RationalFunction, root},
 };
 use crate::{
     error::Result,
@@ -52,11 +52,11 @@ pub(super) fn top(motion: &[Wave]) -> Result<Top> {
     let what = "the wall's motion";
     let ranges = motion
         .iter()
-        .map(|(j, [a, b])| Ok((*j, [bounds(a, what)?, bounds(b, what)?])))
+        .map(|(j, [a, b])| Ok((*j, [a.bounded(what)?, b.bounded(what)?])))
         .collect::<Result<Vec<_>>>()?;
     let at = highest(&ranges);
     let odd = (at.abs() - std::f64::consts::PI).abs() < 1e-9;
-    if (odd || at.abs() < 1e-9) && motion.iter().all(|(_, [_, b])| is_zero(b)) {
+    if (odd || at.abs() < 1e-9) && motion.iter().all(|(_, [_, b])| b.is_zero()) {
         let sign = |j: u32| RationalFunction::integer(if odd && j % 2 == 1 { -1 } else { 1 }, &());
         let signed: Vec<_> = motion.iter().map(|(j, [a, _])| (*j, a.clone() * &sign(*j))).collect();
         let sum = RationalFunction::integer(0, &());
@@ -65,7 +65,7 @@ pub(super) fn top(motion: &[Wave]) -> Result<Top> {
             return fail("the wall's top is not certainly above its mean");
         }
         let term = |(j, a): &(u32, RationalFunction)| {
-            Ok((u64::from(*j), [bounds(&(a.clone() / &height), what)?, [zero.clone(), zero.clone()]]))
+            Ok((u64::from(*j), [(a.clone() / &height).bounded(what)?, [zero.clone(), zero.clone()]]))
         };
         let harmonics = signed.iter().map(term).collect::<Result<_>>()?;
         return Ok(Top { height: Height::Square(height.clone() * &height), harmonics });
@@ -154,7 +154,7 @@ impl Top {
     fn ball(&self) -> Result<[BigRational; 2]> {
         match &self.height {
             Height::Square(square) => {
-                let [lo, hi] = bounds(square, "the wall's amplitude")?;
+                let [lo, hi] = square.bounded("the wall's amplitude")?;
                 Ok([root(&lo, false), root(&hi, true)])
             }
             Height::Between(ball) => match ball.exact_bounds() {
@@ -168,13 +168,13 @@ impl Top {
     pub fn ratio(&self, x: &RationalFunction, what: &str) -> Result<[BigRational; 2]> {
         match &self.height {
             Height::Square(square) => {
-                let [lo, hi] = bounds(&(x.clone() * x / square), what)?;
+                let [lo, hi] = (x.clone() * x / square).bounded(what)?;
                 let (lo, hi) = (root(&lo, false), root(&hi, true));
                 Ok(if x.is_nonnegative() { [lo, hi] } else { [-hi, -lo] })
             }
             Height::Between(_) => {
                 let [least, most] = self.ball()?;
-                let [lo, hi] = bounds(x, what)?;
+                let [lo, hi] = x.bounded(what)?;
                 let lower = if lo.is_negative() { &least } else { &most };
                 let upper = if hi.is_negative() { &most } else { &least };
                 Ok([lo / lower, hi / upper])
@@ -218,9 +218,9 @@ impl Top {
     /// A number that mean + motion, divided by the height, is never below.
     pub fn least(&self, mean: &RationalFunction, motion: &[Wave]) -> Result<BigRational> {
         let what = "the other wall";
-        let mut least = bounds(mean, what)?[0].clone();
+        let mut least = mean.bounded(what)?[0].clone();
         for part in motion.iter().flat_map(|wave| &wave.1) {
-            let [lo, hi] = bounds(part, what)?;
+            let [lo, hi] = part.bounded(what)?;
             least -= lo.abs().max(hi.abs());
         }
         let [lo, hi] = self.ball()?;
