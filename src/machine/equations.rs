@@ -138,6 +138,11 @@ impl LinearEquations {
         self.accelerate(&(self.force.at(t) - &self.damping * u - &self.stiffness * q))
     }
 
+    /// det of the flow over a time, by Liouville: exp(−tr(M⁻¹C) · time).
+    pub(super) fn determinant(&self, time: f64) -> f64 {
+        (-self.per_mass(&self.damping).trace() * time).exp()
+    }
+
     /// L⁻¹ X L⁻ᵀ: a matrix of the equations in coordinates in which the mass is 1.
     pub(super) fn per_mass(&self, x: &RealMatrix) -> RealMatrix {
         let half = self.root.solve_lower_triangular(x).unwrap_or_else(|| x.clone());

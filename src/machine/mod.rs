@@ -44,15 +44,16 @@
 //! # Ok::<(), grazing::Error>(())
 //! ```
 
+mod algebra;
 pub mod branch;
 pub mod contact;
 mod equations;
 mod flow;
 pub mod grazing;
-mod half;
 mod model;
 mod modes;
 pub mod orbit;
+mod pair;
 mod response;
 pub mod section;
 pub mod simulate;
@@ -61,7 +62,6 @@ pub mod validate;
 
 pub use equations::{LinearEquations, Periodic};
 pub use flow::{FlowMethod, LinearFlow};
-pub use half::HalfPeriod;
 pub use model::{Load, Machine, Stop};
 pub use slope::{MachineFamily, MachineSlope};
 

@@ -14,22 +14,11 @@
 
 use nalgebra::{Complex, Schur, SymmetricEigen};
 
-use super::{LinearEquations, RealMatrix, RealVector};
+use super::{LinearEquations, RealMatrix, RealVector, pair::Pair};
 use crate::error::{Error, Result};
 
 /// The worst condition number of complex eigenvectors: with it, some 10⁻¹² of a motion is rounding.
 pub(super) const WORST: f64 = 1e4;
-
-/// A pair of coordinates that moves for itself.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Pair {
-    /// (η, η′) with η″ + damping η′ + stiffness η = 0.
-    Mode { damping: f64, stiffness: f64 },
-    /// Real and imaginary part of ζ with ζ′ = (rate + i turn) ζ.
-    Spiral { rate: f64, turn: f64 },
-    /// Two numbers that grow at these rates.
-    Two([f64; 2]),
-}
 
 /// Coordinates in which a system falls apart.
 #[derive(Debug, Clone)]
@@ -285,15 +274,4 @@ fn eigenvector(
     let v = q * x;
     let norm = v.iter().map(Complex::norm_sqr).sum::<f64>().sqrt();
     v.map(|x| x / norm)
-}
-
-impl Pair {
-    /// G with y′ = G y.
-    pub fn generator(&self) -> [[f64; 2]; 2] {
-        match *self {
-            Pair::Mode { damping, stiffness } => [[0.0, 1.0], [-stiffness, -damping]],
-            Pair::Spiral { rate, turn } => [[rate, -turn], [turn, rate]],
-            Pair::Two([a, b]) => [[a, 0.0], [0.0, b]],
-        }
-    }
 }

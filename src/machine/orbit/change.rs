@@ -1,9 +1,9 @@
 //! How the motion of a machine, its gaps and its impacts change with a parameter.
 
-use super::{Contacts, LinearFlow, MachineState, RealMatrix, RealVector, stacked};
+use super::{Contacts, LinearFlow, MachineState, RealMatrix, RealVector};
 use crate::{
     error::Result,
-    machine::{LinearEquations, Machine, MachineSlope, Periodic},
+    machine::{LinearEquations, Machine, MachineSlope, Periodic, algebra::stacked},
     oscillator::{Series, orbit::GAUSS},
 };
 

@@ -5,10 +5,11 @@ use std::f64::consts::TAU;
 
 use super::{
     Contacts, LinearFlow, MachineChange, MachineState, RealMatrix, RealVector, StopContact, StopPattern,
-    stacked, turned,
+    turned,
 };
 use crate::{
     error::{Error, Result},
+    machine::algebra::stacked,
     oscillator::orbit::Linearised,
 };
 

@@ -20,8 +20,6 @@ mod pattern;
 
 use std::f64::consts::TAU;
 
-use nalgebra::Schur;
-
 pub use admissible::{MachineAdmissibility, MachineMinimum, MachineObstacle};
 pub(super) use change::MachineChange;
 pub(super) use equations::StopEquations;
@@ -29,13 +27,13 @@ pub use pattern::{StopPattern, StopStrike};
 
 use super::{
     LinearFlow, MachineState, RealMatrix, RealVector,
+    algebra::eigenvalues,
     contact::{Contacts, StopContact},
-    grazing::determinant,
     simulate::MachineSimulator,
 };
 use crate::{
     error::{Error, Result},
-    oscillator::orbit::{Multipliers, Root, newton},
+    oscillator::orbit::{Root, newton},
 };
 
 /// An impact of an orbit.
@@ -151,38 +149,11 @@ pub(super) fn multipliers(equations: &StopEquations, z: &[f64]) -> Result<Vec<(f
     let monodromy = equations.monodromy(z)?;
     let m = equations.pattern.strikes().len();
     let factor: f64 = (0..m).map(|i| equations.contact(i).restitution.powi(2)).product();
-    let product =
-        determinant(equations.flow.equations(), TAU * f64::from(equations.pattern.periods())) * factor;
-    eigenvalues(&monodromy, product)
-}
-
-/// Eigenvalues by modulus, the largest first, of a matrix of the given determinant, from which those of a 2 ×
-/// 2 matrix are taken without cancellation.
-///
-/// # Errors
-/// A matrix that is not finite.
-pub(super) fn eigenvalues(matrix: &RealMatrix, determinant: f64) -> Result<Vec<(f64, f64)>> {
-    if matrix.nrows() == 2 {
-        return Ok(Multipliers { trace: matrix.trace(), determinant }.values().to_vec());
-    }
-    if matrix.iter().any(|x| !x.is_finite()) {
-        return Err(Error::input("the linearised motion is not finite"));
-    }
-    let schur = Schur::try_new(matrix.clone(), f64::EPSILON, 1_000 * matrix.nrows());
-    let schur = schur.ok_or_else(|| Error::input("the multipliers were not found"))?;
-    let mut all: Vec<(f64, f64)> = schur.complex_eigenvalues().iter().map(|x| (x.re, x.im)).collect();
-    all.sort_by(|a, b| {
-        let size = |x: &(f64, f64)| x.0.hypot(x.1);
-        size(b).total_cmp(&size(a)).then(b.1.total_cmp(&a.1))
-    });
-    Ok(all)
+    let time = TAU * f64::from(equations.pattern.periods());
+    eigenvalues(&monodromy, equations.flow.equations().determinant(time) * factor)
 }
 
 /// A time's phase, in [0, 2π].
 fn turned(t: f64) -> f64 {
     t.rem_euclid(TAU)
-}
-
-fn stacked(q: &RealVector, u: &RealVector) -> RealVector {
-    RealVector::from_iterator(q.len() + u.len(), q.iter().chain(u.iter()).copied())
 }

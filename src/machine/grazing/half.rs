@@ -8,12 +8,19 @@
 use std::f64::consts::PI;
 
 use super::{
-    RealVector,
-    contact::StopContact,
-    grazing::{FreeMotion, LeastGap, MachineGrazing, MachineLocalMap},
-    orbit::{StopPattern, StopStrike},
+    free::{FreeMotion, LeastGap},
+    local_map::MachineLocalMap,
 };
-use crate::{error::Result, oscillator::Series, pattern::Report};
+use crate::{
+    error::Result,
+    machine::{
+        RealVector,
+        contact::StopContact,
+        orbit::{StopPattern, StopStrike},
+    },
+    oscillator::Series,
+    pattern::Report,
+};
 
 /// The local map over half a period.
 #[derive(Debug, Clone)]
@@ -41,12 +48,43 @@ impl HalfPeriod {
         }
         Ok(Some(HalfPeriod { map: MachineLocalMap::half(motion, at)?, mirror }))
     }
+
+    /// The pattern in the machine of one of the map's, and a start for Newton's method there, the stop `at`
+    /// being grazed: see [`MachineLocalMap::start`]. A pattern with an odd number of halves is gone round
+    /// twice.
+    ///
+    /// # Errors
+    /// An input error if the report has no solution.
+    pub(super) fn start(
+        &self,
+        at: &LeastGap,
+        periods: &[u64],
+        report: &Report,
+        away: f64,
+    ) -> Result<(StopPattern, Vec<f64>)> {
+        let m = periods.len();
+        let once = self.map.start(at.phase, periods, report, away)?;
+        let rounds = if periods.iter().sum::<u64>() % 2 == 1 { 2 } else { 1 };
+        let (mut stops, mut begun, mut z, mut passed) = (Vec::new(), Vec::new(), Vec::new(), 0);
+        for i in (0..rounds).flat_map(|_| 0..m) {
+            let late = passed % 2 == 1;
+            // Whole periods before this half: the other half of one is in the phase.
+            begun.push((passed - u64::from(late)) / 2);
+            stops.push(if late { self.mirror } else { at.stop });
+            z.extend([once[2 * i] + if late { PI } else { 0.0 }, once[2 * i + 1]]);
+            passed += periods[i];
+        }
+        begun.push(passed / 2);
+        let strike = |(stop, pair): (usize, &[u64])| StopStrike { stop, periods: (pair[1] - pair[0]) as u32 };
+        let strikes = stops.into_iter().zip(begun.windows(2)).map(strike).collect();
+        Ok((StopPattern::new(strikes)?, z))
+    }
 }
 
 /// The mirror of a stop, if S takes the machine to itself: a force of odd harmonics, and each stop with its
 /// mirror.
 fn mirror(motion: &FreeMotion, stop: usize) -> Option<usize> {
-    let (force, all) = (&motion.equations().force, motion.contacts().all());
+    let (force, all) = (&motion.equations.force, motion.contacts().all());
     let still = |v: &RealVector| v.iter().all(|x| *x == 0.0);
     let odd = |(k, a, b): &(u32, RealVector, RealVector)| k % 2 == 1 || still(a) && still(b);
     let of = |one: &StopContact| all.iter().position(|other| mirrored(one, other));
@@ -68,41 +106,4 @@ fn mirrored(one: &StopContact, other: &StopContact) -> bool {
         && one.restitution == other.restitution
         && one.position.mean() == other.position.mean()
         && one.position.harmonics().iter().chain(other.position.harmonics()).all(|h| moves(h.k))
-}
-
-impl MachineGrazing {
-    /// The map that the local theory is asked about: of half a period if two stops that mirror each other are
-    /// grazed, and then patterns count halves.
-    pub fn local(&self) -> &MachineLocalMap {
-        self.half.as_ref().map_or(&self.map, |half| &half.map)
-    }
-
-    /// The pattern in the machine of one of the map's, and a start for Newton's method there at the distance
-    /// `away` of the parameter from the grazing: see [`MachineLocalMap::start`]. Of half a period, a pattern
-    /// with an odd number of halves is gone round twice.
-    ///
-    /// # Errors
-    /// An input error if the report, which is of [`local`](Self::local), has no solution.
-    pub fn start(&self, periods: &[u64], report: &Report, away: f64) -> Result<(StopPattern, Vec<f64>)> {
-        let (stop, m) = (self.at.stop, periods.len());
-        let once = self.local().start(self.at.phase, periods, report, away)?;
-        let Some(half) = &self.half else {
-            let strike = |&n: &u64| StopStrike { stop, periods: n as u32 };
-            return Ok((StopPattern::new(periods.iter().map(strike).collect())?, once));
-        };
-        let rounds = if periods.iter().sum::<u64>() % 2 == 1 { 2 } else { 1 };
-        let (mut stops, mut begun, mut z, mut at) = (Vec::new(), Vec::new(), Vec::new(), 0);
-        for i in (0..rounds).flat_map(|_| 0..m) {
-            let late = at % 2 == 1;
-            // Whole periods before this half: the other half of one is in the phase.
-            begun.push((at - u64::from(late)) / 2);
-            stops.push(if late { half.mirror } else { stop });
-            z.extend([once[2 * i] + if late { PI } else { 0.0 }, once[2 * i + 1]]);
-            at += periods[i];
-        }
-        begun.push(at / 2);
-        let strike = |(stop, pair): (usize, &[u64])| StopStrike { stop, periods: (pair[1] - pair[0]) as u32 };
-        let strikes = stops.into_iter().zip(begun.windows(2)).map(strike).collect();
-        Ok((StopPattern::new(strikes)?, z))
-    }
 }

@@ -4,31 +4,29 @@
 //! one exponential each; p is the sum of the pairs' responses, of which those near resonance start from rest
 //! in every period, so that they stay moderate: y gains [`step`](LinearFlow::step) when a period ends. A
 //! system that does not fall apart is one block; its p starts from rest in every period, and both move by
-//! Taylor series of the exponential on steps in which the matrix is at most 1/2.
+//! Taylor series of the exponential on steps in which the matrix is at most 1/2 (`block`). `response` has the
+//! pairs' responses but those of real modes, which are oscillators with one degree of freedom.
+
+mod block;
+mod response;
 
 use std::f64::consts::TAU;
 
-use nalgebra::Complex;
+use block::{Force, forced, moved, rate_of};
+use response::{Response, real_pair, responses};
 
 use super::{
     LinearEquations, MachineState, Periodic, RealMatrix, RealVector,
-    modes::{Pair, Reduction, Shape},
+    modes::{Reduction, Shape},
+    pair::Pair,
 };
 use crate::{
     error::{Error, Result},
     oscillator::{Harmonic, Series, System, flow::Linear},
 };
 
-/// Terms of the Taylor series by which a system moves that is one block: with 1/2, what is left out is below
-/// 2⁻²⁰/20! < 10⁻²⁴.
-const BLOCK_TERMS: usize = 20;
-
 /// Most phases of a period at which the response of one block is kept.
 const MOST_STARTS: f64 = 65536.0;
-
-/// Nearer than this to an eigenvalue a periodic response would be large and cancel: a secular one takes its
-/// place.
-const NEAR: f64 = 1.0 / 16.0;
 
 /// How a flow is computed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -226,7 +224,7 @@ impl LinearFlow {
             }
             Motion::Complex(all) => {
                 for (i, (pair, two)) in all.iter().enumerate() {
-                    if two.iter().any(|response| response.terms.iter().any(|term| term.2)) {
+                    if !two.iter().all(Response::is_periodic) {
                         continue;
                     }
                     let [first, second] = match pair {
@@ -421,104 +419,6 @@ fn mode(pair: Pair, force: &Periodic, at: usize) -> Result<Linear> {
     })
 }
 
-/// The Taylor coefficients of a periodic vector at t, one after the other: those of x ↦ f(t + hx).
-struct Force {
-    /// Value and slope/k of each harmonic, turned by a quarter for each derivative, and k h.
-    parts: Vec<(RealVector, RealVector, f64)>,
-    mean: Option<RealVector>,
-    size: usize,
-    index: usize,
-}
-
-impl Force {
-    fn new(force: &Periodic, t: f64, h: f64) -> Force {
-        let part = |(k, a, b): &(u32, RealVector, RealVector)| {
-            let k = f64::from(*k);
-            let (sin, cos) = (k * t).sin_cos();
-            (a * cos + b * sin, b * cos - a * sin, k * h)
-        };
-        let parts = force.harmonics.iter().map(part).collect();
-        Force { parts, mean: Some(force.mean.clone()), size: force.mean.len(), index: 0 }
-    }
-
-    fn next(&mut self) -> RealVector {
-        let mut sum = self.mean.take().unwrap_or_else(|| RealVector::zeros(self.size));
-        self.index += 1;
-        for (even, odd, kh) in &mut self.parts {
-            sum += &*even;
-            let turned = &*even * -1.0;
-            let factor = *kh / self.index as f64;
-            (*even, *odd) = (&*odd * factor, turned * factor);
-        }
-        sum
-    }
-}
-
-impl Pair {
-    /// A bound of |f(s)| for 0 ≤ s ≤ `width`, f being g E(s) at one entry of a functional g on the pair, from
-    /// f(0) and f′(0).
-    ///
-    /// f satisfies the pair's own equation f″ + c f′ + k f = 0. With γ ≥ 0 such that h = e^{−γs} f does not
-    /// grow,
-    /// |f| ≤ e^{γ·width} sup |h|, and h is one of
-    ///
-    /// - e^{−rs} (h₀ cos ωs + (h₀′ + r h₀)/ω sin ωs), r ≥ 0: at most √(h₀² + ((h₀′ + r h₀)/ω)²);
-    /// - for real decay rates 0 ≤ a ≤ b: h₀ times a number in [0, 1], plus h₀′ (e^{−as} − e^{−bs})/(b − a),
-    ///   which is at most h₀′/b and at most h₀′ s.
-    ///
-    /// The least of what applies is taken, and 10⁻¹² of it added for rounding.
-    pub(super) fn supremum(&self, start: f64, slope: f64, width: f64) -> f64 {
-        if let Pair::Two(rates) = *self {
-            // Each entry moves for itself: which one it is does not matter for the bound.
-            let growth = rates[0].max(rates[1]).max(0.0);
-            return start.abs() * (growth * width).exp() * (1.0 + 1e-12);
-        }
-        let (c, k) = match *self {
-            Pair::Mode { damping, stiffness } => (damping, stiffness),
-            Pair::Spiral { rate, turn } => (-2.0 * rate, rate * rate + turn * turn),
-            Pair::Two(_) => unreachable!("done above"),
-        };
-        let square = k - c * c / 4.0;
-        let root = square.abs().sqrt();
-        let slowest = if square > 0.0 { c / 2.0 } else { c / 2.0 - root };
-        let growth = (-slowest).max(0.0);
-        let (own, decay) = (slope - growth * start, c / 2.0 + growth);
-        let straight = if square > 0.0 {
-            // Also without ω, by |h′| of a decaying motion, where ω is small.
-            f64::INFINITY
-        } else {
-            let fastest = decay + root;
-            start.abs() + own.abs() * if fastest > 0.0 { width.min(1.0 / fastest) } else { width }
-        };
-        let round = if square > 0.0 { start.hypot((own + decay * start) / root) } else { f64::INFINITY };
-        // Nearly critical: h = e^{−rs}(h₀ cos ωs + (h₀′ + r h₀) s sinc ωs).
-        let critical =
-            if square > 0.0 { start.abs() + (own + decay * start).abs() * width } else { f64::INFINITY };
-        straight.min(round).min(critical) * (growth * width).exp() * (1.0 + 1e-12)
-    }
-
-    /// The largest modulus of an eigenvalue.
-    fn rate(&self) -> f64 {
-        match *self {
-            Pair::Mode { stiffness, damping } => stiffness.abs().sqrt().max(damping.abs()),
-            Pair::Spiral { rate, turn } => rate.hypot(turn),
-            Pair::Two([a, b]) => a.abs().max(b.abs()),
-        }
-    }
-
-    /// E(t), but for modes, which have [`Linear`].
-    fn matrix(&self, t: f64) -> [[f64; 2]; 2] {
-        match *self {
-            Pair::Mode { .. } => unreachable!("modes move by their own flow"),
-            Pair::Spiral { rate, turn } => {
-                let ((sin, cos), decay) = ((turn * t).sin_cos(), (rate * t).exp());
-                [[decay * cos, -decay * sin], [decay * sin, decay * cos]]
-            }
-            Pair::Two([a, b]) => [[(a * t).exp(), 0.0], [0.0, (b * t).exp()]],
-        }
-    }
-}
-
 fn apply(m: &[[f64; 2]; 2], y: &mut RealVector, i: usize) {
     let (a, b) = (y[2 * i], y[2 * i + 1]);
     y[2 * i] = m[0][0] * a + m[0][1] * b;
@@ -535,139 +435,4 @@ fn generated(blocks: impl Iterator<Item = [[f64; 2]; 2]>, v: &RealVector) -> Rea
         apply(&block, &mut all, i);
     }
     all
-}
-
-/// A bound of A's largest singular value.
-fn rate_of(a: &RealMatrix) -> f64 {
-    let columns = a.column_iter().map(|c| c.iter().map(|x| x.abs()).sum::<f64>()).fold(0.0, f64::max);
-    let rows = a.row_iter().map(|r| r.iter().map(|x| x.abs()).sum::<f64>()).fold(0.0, f64::max);
-    (columns * rows).sqrt()
-}
-
-/// e^{A·duration} v, or with the transpose as `times` says.
-fn moved(
-    a: &RealMatrix,
-    duration: f64,
-    v: &RealVector,
-    times: impl Fn(&RealMatrix, &RealVector) -> RealVector,
-) -> RealVector {
-    let steps = (2.0 * rate_of(a) * duration.abs()).ceil().max(1.0);
-    let h = duration / steps;
-    let mut sum = v.clone();
-    for _ in 0..steps as u64 {
-        let mut term = sum.clone();
-        for i in 1..BLOCK_TERMS {
-            term = times(a, &term) * (h / i as f64);
-            sum += &term;
-        }
-    }
-    sum
-}
-
-/// p at t + duration from p at t, p′ = A p + f.
-fn forced(a: &RealMatrix, force: &Periodic, t: f64, duration: f64, p: &RealVector) -> RealVector {
-    let fastest = rate_of(a).max(f64::from(force.order()));
-    let steps = (2.0 * fastest * duration.abs()).ceil().max(1.0);
-    let h = duration / steps;
-    let mut sum = p.clone();
-    for step in 0..steps as u64 {
-        let mut coefficients = Force::new(force, t + step as f64 * h, h);
-        let mut term = sum.clone();
-        for i in 1..BLOCK_TERMS {
-            term = (a * &term + coefficients.next()) * (h / i as f64);
-            sum += &term;
-        }
-    }
-    sum
-}
-
-/// ζ with ζ′ = λζ + Σ z e^{iκt}.
-#[derive(Debug, Clone)]
-struct Response {
-    lambda: Complex<f64>,
-    /// κ, z, and whether the response starts from rest at 0: then it is z (e^{iκt} − e^{λt})/(iκ − λ), else z
-    /// e^{iκt}/(iκ − λ).
-    terms: Vec<(f64, Complex<f64>, bool)>,
-}
-
-impl Response {
-    fn new(lambda: Complex<f64>, terms: impl Iterator<Item = (f64, Complex<f64>)>) -> Response {
-        let terms = terms.filter(|(_, z)| z.norm() > 0.0);
-        let near = |kappa: f64| (Complex::new(0.0, kappa) - lambda).norm() < NEAR;
-        Response { lambda, terms: terms.map(|(kappa, z)| (kappa, z, near(kappa))).collect() }
-    }
-
-    fn at(&self, t: f64) -> Complex<f64> {
-        self.terms.iter().fold(Complex::new(0.0, 0.0), |sum, term| sum + self.term(term, t))
-    }
-
-    fn term(&self, &(kappa, z, near): &(f64, Complex<f64>, bool), t: f64) -> Complex<f64> {
-        let away = Complex::new(0.0, kappa) - self.lambda;
-        if !near {
-            return z * Complex::from_polar(1.0, kappa * t) / away;
-        }
-        // (e^{iκt} − e^{λt})/(iκ − λ) = t e^{(iκ + λ)t/2} sinhc((iκ − λ)t/2), of which |(iκ − λ)t/2| < 1/5.
-        let middle = (Complex::new(0.0, kappa) + self.lambda) * (t / 2.0);
-        z * middle.exp() * sinhc(away * (t / 2.0)) * t
-    }
-
-    /// Its real or its imaginary part, where no term starts from rest.
-    fn series(&self, imaginary: bool) -> Result<Series> {
-        let mut mean = 0.0;
-        let mut harmonics = Vec::new();
-        for &(kappa, z, _) in &self.terms {
-            let c = z / (Complex::new(0.0, kappa) - self.lambda);
-            // c e^{iκt} = (c.re cos − c.im sin) + i (c.im cos + c.re sin) of κt.
-            let (cos, sin) = if imaginary { (c.im, c.re) } else { (c.re, -c.im) };
-            if kappa == 0.0 {
-                mean += cos;
-            } else {
-                harmonics.push(Harmonic { k: kappa.abs() as u32, cos, sin: sin * kappa.signum() });
-            }
-        }
-        Series::new(mean, &harmonics)
-    }
-
-    /// The response at 2π less that at 0.
-    fn step(&self) -> Complex<f64> {
-        let secular = self.terms.iter().filter(|term| term.2);
-        secular.fold(Complex::new(0.0, 0.0), |sum, term| sum + self.term(term, TAU))
-    }
-}
-
-/// sinh(x)/x for |x| ≤ 1/2, to 2⁻⁶⁰.
-fn sinhc(x: Complex<f64>) -> Complex<f64> {
-    let square = x * x;
-    (1..=8).rev().fold(Complex::new(1.0, 0.0), |sum, i| {
-        square * sum / f64::from(2 * i * (2 * i + 1)) + Complex::new(1.0, 0.0)
-    })
-}
-
-/// The responses of a pair: one complex number, or two real ones.
-fn responses(pair: Pair, force: &Periodic, at: usize) -> [Response; 2] {
-    let terms = |weight: fn(&RealVector, usize) -> Complex<f64>, at: usize| {
-        let i = Complex::new(0.0, 1.0);
-        let mut all = vec![(0.0, weight(&force.mean, at))];
-        for (k, a, b) in &force.harmonics {
-            let (a, b, k) = (weight(a, at), weight(b, at), f64::from(*k));
-            all.extend([(k, (a - i * b) * 0.5), (-k, (a + i * b) * 0.5)]);
-        }
-        all.into_iter()
-    };
-    let none = || Response::new(Complex::new(0.0, 0.0), std::iter::empty());
-    match pair {
-        Pair::Spiral { rate, turn } => {
-            let both = |v: &RealVector, at: usize| Complex::new(v[at], v[at + 1]);
-            [Response::new(Complex::new(rate, turn), terms(both, at)), none()]
-        }
-        Pair::Two(rates) => {
-            let one = |v: &RealVector, at: usize| Complex::new(v[at], 0.0);
-            [0, 1].map(|j| Response::new(Complex::new(rates[j], 0.0), terms(one, at + j)))
-        }
-        Pair::Mode { .. } => [none(), none()],
-    }
-}
-
-fn real_pair(pair: Pair, [first, second]: [Complex<f64>; 2]) -> [f64; 2] {
-    if matches!(pair, Pair::Two(_)) { [first.re, second.re] } else { [first.re, first.im] }
 }

@@ -1,0 +1,297 @@
+//! What contact makes of a motion: impacts, rest, the end of rest.
+
+use std::{f64::consts::TAU, sync::Arc};
+
+use super::{Found, MOST_CHANGES, MachineRun, NUDGE};
+use crate::{
+    error::Result,
+    machine::{
+        MachineState, RealVector,
+        simulate::{
+            MachineEvent, StopImpact, StopRelease, StopStick, StopTangency,
+            stage::{Stage, What},
+        },
+    },
+    oscillator::{Effect, Time, simulate::search::Hit},
+};
+
+impl MachineRun<'_> {
+    /// Makes events of a hit.
+    pub(super) fn meet(&mut self, stage: &Stage, Found { watch, hit, z, rounding }: Found) -> Result<()> {
+        let (x, half) = (hit.place(), self.half());
+        let time = self.time_at(x);
+        self.from = x;
+        match (stage.watched[watch], hit) {
+            (What::Gap(stop), Hit::Tangency(_)) => {
+                self.events.push(MachineEvent::Tangency(StopTangency { time, stop, gap: z[0] }));
+            }
+            (What::Gap(stop), Hit::Press(_)) => {
+                let state = self.state_at(x);
+                let resting = stage.resting.clone();
+                if !self.settle(time, state, &[stop], &resting)? {
+                    // The stop presses by no more than rounding: on, and surely not to the same place.
+                    self.from = x + NUDGE;
+                }
+            }
+            (What::Gap(stop), Hit::Impact(_)) => {
+                // On the wrong side of rounding an impact may seem to leave: it arrives with velocity 0.
+                let velocity = (z[1] / half).min(0.0);
+                let off = 2.0 * (z[0].abs() + rounding);
+                let radius = (off / z[1].abs()).min((off / z[2].abs()).sqrt()) * half;
+                self.hit(stage, (x, watch), stop, velocity, z[2] / (half * half), radius)?;
+            }
+            (What::Force(_), Hit::Tangency(_)) => {}
+            (What::Force(stop), Hit::Impact(_) | Hit::Press(_)) => {
+                let state = self.state_at(x);
+                let resting: Vec<usize> =
+                    stage.resting.iter().copied().filter(|&other| other != stop).collect();
+                self.events.push(MachineEvent::Release(StopRelease { time, stop }));
+                self.rest(time, &state, &resting)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// An impact on a stop at x, the gap's rate being `velocity` and its second derivative before it `bend`.
+    fn hit(
+        &mut self,
+        stage: &Stage,
+        (x, watch): (f64, usize),
+        stop: usize,
+        velocity: f64,
+        bend: f64,
+        radius: f64,
+    ) -> Result<()> {
+        let (time, simulator) = (self.time_at(x), self.simulator);
+        let (depth, mut touched) = (simulator.settings.minimum_depth, vec![stop]);
+        let after = (1.0 + x) * self.half();
+        let mut y = stage.vector(&self.y);
+        let alone = stage.resting.is_empty() && simulator.contacts.all().len() == 1;
+        let mut known = None;
+        if !alone {
+            stage.flow.advance(&mut y, after);
+            let state = stage.join(self.begin() + after, &y);
+            for (other, contact) in simulator.contacts.all().iter().enumerate() {
+                if other != stop && !stage.resting.contains(&other) && contact.gap(&state)[0] <= depth {
+                    touched.push(other);
+                }
+            }
+            known = Some(state);
+        }
+        if touched.len() > 1 || !stage.resting.is_empty() {
+            let state = known.unwrap_or_else(|| self.state_at(x));
+            let rate =
+                |&j: &usize| if j == stop { velocity } else { simulator.contacts.all()[j].gap(&state)[1] };
+            let rates: Vec<f64> = touched.iter().map(rate).collect();
+            return self.strike(time, state, &touched, &rates, radius);
+        }
+        // One stop alone: the motion is kicked where it is.
+        let law = simulator.contacts.impact(&[stop], &[velocity])?;
+        let mut kick = stage.flow.kick(&law.change);
+        stage.flow.advance(&mut kick, -after);
+        let kick = stage.padded(&kick);
+        // The gap's rate is to change by −(1 + τ) w as the tables see it: what they are off by would add up
+        // over many impacts.
+        let wanted = -(1.0 + simulator.contacts.all()[stop].restitution) * velocity;
+        let seen = stage.slope(watch, x, &kick) / self.half();
+        let factor = if (seen / wanted - 1.0).abs() < 1e-6 { wanted / seen } else { 1.0 };
+        for (y, kick) in self.y.iter_mut().zip(kick) {
+            *y += factor * kick;
+        }
+        self.told(time, stop, velocity, law.impulses[0], radius, 1, false);
+        let bounce = -simulator.contacts.all()[stop].restitution * velocity;
+        let pushed = bend - simulator.drags[stop] * law.impulses[0];
+        if pushed < 0.0 && bounce * bounce < -2.0 * pushed * depth {
+            let state = self.state_at(x);
+            self.settle(time, state, &[stop], &[])?;
+        }
+        Ok(())
+    }
+
+    #[allow(clippy::too_many_arguments)]
+    fn told(
+        &mut self,
+        time: Time,
+        stop: usize,
+        velocity: f64,
+        impulse: f64,
+        radius: f64,
+        together: usize,
+        order_matters: bool,
+    ) {
+        self.impacts += 1;
+        self.open[stop] = false;
+        // The phase is a double below 2π.
+        let radius = radius + 1e-15;
+        self.events.push(MachineEvent::Impact(StopImpact {
+            time,
+            radius,
+            stop,
+            velocity,
+            impulse,
+            together,
+            order_matters,
+        }));
+    }
+
+    /// Impacts at one instant on the stops touched, together with those rested on.
+    pub(super) fn strike(
+        &mut self,
+        time: Time,
+        mut state: MachineState,
+        touched: &[usize],
+        rates: &[f64],
+        radius: f64,
+    ) -> Result<()> {
+        let (simulator, resting) = (self.simulator, self.stage.resting.clone());
+        let all: Vec<usize> = touched.iter().chain(&resting).copied().collect();
+        if all.len() > 1 {
+            self.count(Effect::Together);
+        }
+        let rates: Vec<f64> = rates.iter().copied().chain(resting.iter().map(|_| 0.0)).collect();
+        let law = simulator.contacts.impact(&all, &rates)?;
+        state.u += &law.change;
+        for (i, &stop) in touched.iter().enumerate() {
+            // A stop that is touched and neither hit nor pushed is only touched.
+            if rates[i] < 0.0 || law.impulses[i] > 0.0 {
+                self.told(time, stop, rates[i], law.impulses[i], radius, all.len(), law.order_matters);
+            }
+        }
+        if !self.settle(time, state.clone(), touched, &resting)? {
+            // Thrown off what it rested on, unless some of it still presses.
+            self.rest_among(time, &state, &resting)?;
+        }
+        Ok(())
+    }
+
+    /// Comes to rest on those of the stops touched whose bounce to come, z′ ≥ 0 in `state`, is lower than the
+    /// minimum depth, beside those of `resting` that still press. False if nothing is added: then nothing is
+    /// changed.
+    pub(super) fn settle(
+        &mut self,
+        time: Time,
+        mut state: MachineState,
+        touched: &[usize],
+        resting: &[usize],
+    ) -> Result<bool> {
+        let (simulator, depth) = (self.simulator, self.simulator.settings.minimum_depth);
+        let contacts = simulator.contacts.all();
+        let bounce = |j: usize, state: &MachineState| contacts[j].gap(state)[1].max(0.0);
+        let held: Vec<usize> = self.held(&state, resting)?;
+        // z″ of a stop with the forces of those that are held.
+        let free = |j: usize, state: &MachineState| contacts[j].acceleration(&simulator.equations, state);
+        let accelerations: Vec<f64> = held.iter().map(|&j| free(j, &state)).collect();
+        let forces = simulator.contacts.pressing(&held, &accelerations)?;
+        let helped = simulator.contacts.change(&held, &forces);
+        let pressed = |j: usize| free(j, &state) + contacts[j].row.dot(&helped);
+        let mut added: Vec<(usize, f64)> = Vec::new();
+        for &j in touched {
+            let (v, a) = (bounce(j, &state), pressed(j));
+            if a < 0.0 && v * v < -2.0 * a * depth {
+                let tau = contacts[j].restitution;
+                let rest = if tau < 1.0 { 2.0 * v / (-a * (1.0 - tau)) } else { 0.0 };
+                added.push((j, rest));
+            }
+        }
+        if added.is_empty() {
+            return Ok(false);
+        }
+        let all: Vec<usize> = held.iter().copied().chain(added.iter().map(|known| known.0)).collect();
+        // What still moves away is brought to rest, all at once.
+        let rates = RealVector::from_iterator(all.len(), all.iter().map(|&j| -contacts[j].gap(&state)[1]));
+        if let Some(stopped) = simulator.contacts.among(&all).lu().solve(&rates) {
+            state.u += simulator.contacts.change(&all, stopped.as_slice());
+        }
+        let accelerations: Vec<f64> = all.iter().map(|&j| free(j, &state)).collect();
+        let forces = simulator.contacts.pressing(&all, &accelerations)?;
+        let mut pressing: Vec<usize> = (0..all.len()).filter(|&i| forces[i] > 0.0).map(|i| all[i]).collect();
+        pressing.sort_unstable();
+        if !added.iter().any(|(j, _)| pressing.contains(j)) {
+            return Ok(false);
+        }
+        let stage = simulator.stage(&pressing)?;
+        let longest = added.iter().map(|known| known.1).fold(0.0, f64::max);
+        if longest > 0.0 && !steady(&stage, &state, longest) {
+            // The stop changes its mind before the bounces end: one by one, then.
+            return Ok(false);
+        }
+        for &j in resting.iter().filter(|j| !pressing.contains(j)) {
+            self.events.push(MachineEvent::Release(StopRelease { time, stop: j }));
+        }
+        for (stop, rest) in added {
+            if pressing.contains(&stop) {
+                self.open[stop] = false;
+                self.events.push(MachineEvent::Stick(StopStick { time: time.after(rest), stop, rest }));
+            }
+        }
+        self.change(stage, time, &state);
+        Ok(true)
+    }
+
+    /// Those of the stops rested on that are not left by the velocities of `state`.
+    fn held(&self, state: &MachineState, resting: &[usize]) -> Result<Vec<usize>> {
+        let simulator = self.simulator;
+        let depth = simulator.settings.minimum_depth;
+        let stays = |&&j: &&usize| {
+            let contact = &simulator.contacts.all()[j];
+            let (v, a) = (contact.gap(state)[1], contact.acceleration(&simulator.equations, state));
+            v <= 0.0 || v * v < 2.0 * a.abs() * depth
+        };
+        Ok(resting.iter().filter(stays).copied().collect())
+    }
+
+    /// Goes on resting on those of the stops that still press, after others were hit.
+    fn rest_among(&mut self, time: Time, state: &MachineState, resting: &[usize]) -> Result<()> {
+        let held = self.held(state, resting)?;
+        for &stop in resting.iter().filter(|j| !held.contains(j)) {
+            self.events.push(MachineEvent::Release(StopRelease { time, stop }));
+        }
+        self.rest(time, state, &held)
+    }
+
+    /// Rests on those of the stops, none of which is left by velocity, that press; the others let go.
+    fn rest(&mut self, time: Time, state: &MachineState, stops: &[usize]) -> Result<()> {
+        let simulator = self.simulator;
+        let contacts = simulator.contacts.all();
+        let accelerations: Vec<f64> =
+            stops.iter().map(|&j| contacts[j].acceleration(&simulator.equations, state)).collect();
+        let forces = simulator.contacts.pressing(stops, &accelerations)?;
+        let mut pressing = Vec::new();
+        for (&stop, force) in stops.iter().zip(forces) {
+            if force > 0.0 {
+                pressing.push(stop);
+            } else {
+                self.events.push(MachineEvent::Release(StopRelease { time, stop }));
+            }
+        }
+        pressing.sort_unstable();
+        let stage = simulator.stage(&pressing)?;
+        self.change(stage, time, state);
+        Ok(())
+    }
+
+    fn change(&mut self, stage: Arc<Stage>, time: Time, state: &MachineState) {
+        for &stop in stage.resting.iter().chain(&self.stage.resting) {
+            self.open[stop] = false;
+        }
+        self.changes += 1;
+        self.enter(stage, time, state);
+        if self.changes > MOST_CHANGES {
+            // On, by what rounding may move a place.
+            self.from = (self.from + NUDGE).min(1.0);
+        }
+    }
+}
+
+/// Whether the forces of what is rested on are within a factor of their values at `state` for `duration`.
+fn steady(stage: &Stage, state: &MachineState, duration: f64) -> bool {
+    let forces = |t: f64, y: &RealVector| -> Vec<f64> {
+        let period = (t / TAU).floor() * TAU;
+        stage.forces(t - period, y)
+    };
+    let mut y = stage.split(state);
+    let now = forces(state.t, &y);
+    stage.flow.advance(&mut y, duration);
+    let later = forces(state.t + duration, &y);
+    now.iter().zip(later).all(|(now, later)| (later / now - 1.0).abs() <= 0.5)
+}
