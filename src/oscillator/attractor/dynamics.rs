@@ -1,19 +1,14 @@
 //! What this chapter asks of a system: motions that can be followed from any start, states as a section sees
-//! them, vectors that a motion's derivative carries along. An oscillator's [`Simulator`] has all of it; so
-//! have machines, in a module above this one.
+//! them, vectors that a motion's derivative carries along. Oscillators have it in `one_degree`, machines in a
+//! module above this one.
 
 use std::fmt::Debug;
 
 use serde::{Serialize, de::DeserializeOwned};
 
-use super::lyapunov::Carried;
 use crate::{
     error::{Error, Result},
-    oscillator::{
-        Time,
-        flow::State,
-        simulate::{Run, RunEnd, Simulator},
-    },
+    oscillator::{Time, simulate::RunEnd},
 };
 
 /// A state on a section.
@@ -33,17 +28,6 @@ pub trait SectionState: Clone + Debug + PartialEq + Send + Sync + Serialize + De
     /// Whether all its numbers are finite.
     fn is_finite(&self) -> bool {
         self.plane().iter().chain(self.coordinates()).all(|x| x.is_finite())
-    }
-}
-
-/// (q, u).
-impl SectionState for [f64; 2] {
-    fn plane(&self) -> [f64; 2] {
-        *self
-    }
-
-    fn coordinates(&self) -> &[f64] {
-        self
     }
 }
 
@@ -120,56 +104,6 @@ pub trait Dynamics: Sync {
 
     /// The motion with that many vectors, at least 1 and no more than the dimension.
     fn tangents<'a>(&'a self, motion: Self::Motion<'a>, count: usize) -> Self::Tangents<'a>;
-}
-
-impl Motion for Run<'_> {
-    type Point = [f64; 2];
-
-    const CHUNK: u64 = 256;
-
-    fn time(&self) -> Time {
-        Run::time(self)
-    }
-
-    fn impacts(&self) -> u64 {
-        Run::impacts(self)
-    }
-
-    fn point(&self) -> [f64; 2] {
-        let state = self.state();
-        [state.q, state.u]
-    }
-
-    fn pass(&mut self, until: Time) -> Result<RunEnd> {
-        Ok(self.finish(until))
-    }
-}
-
-impl Dynamics for Simulator {
-    type Start = State;
-    type Point = [f64; 2];
-    type Motion<'a> = Run<'a>;
-    type Tangents<'a> = Carried<'a>;
-
-    fn dimension(&self) -> usize {
-        2
-    }
-
-    fn begin(&self, start: &State) -> Result<Run<'_>> {
-        self.start(Time::new(0, start.t), start.q, start.u)
-    }
-
-    fn in_plane(&self, [q, u]: [f64; 2], phase: f64) -> State {
-        State { t: phase, q, u }
-    }
-
-    fn here(&self, run: &Run<'_>) -> State {
-        State { t: run.time().phase, ..run.state() }
-    }
-
-    fn tangents<'a>(&'a self, run: Run<'a>, count: usize) -> Carried<'a> {
-        Carried::new(self, run, count)
-    }
 }
 
 /// Orthonormal vectors from these, in their order, with the logarithm of what is left of each beside those

@@ -1,17 +1,16 @@
-//! Lyapunov exponents: vectors carried by the flow's derivative and by saltation matrices at impacts, kept
+//! Lyapunov exponents: the mean growth of vectors that a motion's derivative carries along, kept
 //! orthonormal; the largest exponent needs one vector.
 
 use std::f64::consts::TAU;
 
-use super::dynamics::{Dynamics, Motion, Tangents, check_count, orthonormalise};
+use super::dynamics::{Dynamics, Motion, Tangents, check_count};
 use crate::{
     error::{Error, Result},
     monitor::Monitor,
     oscillator::{
         Time,
-        algebra::apply,
-        flow::{Flow, State},
-        simulate::{Event, Run, RunEnd, Simulator},
+        flow::State,
+        simulate::{RunEnd, Simulator},
     },
 };
 
@@ -34,74 +33,6 @@ pub struct Exponent {
 
 /// Into how many stretches a run is divided, if it has that many periods.
 pub const BATCHES: u64 = 20;
-
-/// A motion with one or two vectors that its derivative carries along.
-pub struct Carried<'a> {
-    simulator: &'a Simulator,
-    run: Run<'a>,
-    frame: Vec<[f64; 2]>,
-    state: State,
-    now: Time,
-    /// The longest stretch on which the vectors neither vanish in floats nor fall together.
-    longest: f64,
-}
-
-impl<'a> Carried<'a> {
-    pub(super) fn new(simulator: &'a Simulator, run: Run<'a>, count: usize) -> Carried<'a> {
-        // Any direction but, by ill luck, the stable one.
-        let frame = [[0.6, 0.8], [-0.8, 0.6]][..count.min(2)].to_vec();
-        let (state, now) = (run.state(), run.time());
-        let most = if count < 2 { 600.0 } else { 20.0 };
-        let longest = most / simulator.flow().equation().damping.abs();
-        Carried { simulator, run, frame, state, now, longest }
-    }
-
-    /// The vectors on to `then`, and the state there: without impact.
-    fn fly(&mut self, then: Time, growth: &mut [f64]) -> State {
-        let flow = self.simulator.flow();
-        while then.since(self.now) > self.longest {
-            let (state, matrix) = flow.advance_linearised(self.state, self.longest);
-            self.now = self.now.after(self.longest);
-            self.state = State { t: self.now.phase, ..state };
-            self.frame.iter_mut().for_each(|v| *v = apply(&matrix, *v));
-            orthonormalise(&mut self.frame, growth, 0.0);
-        }
-        let (arrival, matrix) = flow.advance_linearised(self.state, then.since(self.now));
-        self.frame.iter_mut().for_each(|v| *v = apply(&matrix, *v));
-        arrival
-    }
-}
-
-impl Tangents for Carried<'_> {
-    fn time(&self) -> Time {
-        self.now
-    }
-
-    fn impacts(&self) -> u64 {
-        self.run.impacts()
-    }
-
-    fn grow(&mut self, goal: Time, growth: &mut [f64]) -> Result<RunEnd> {
-        loop {
-            let event = self.run.next(goal);
-            let arrival = self.fly(event.time().unwrap_or(self.run.time()), growth);
-            match event {
-                Event::Impact(impact) => {
-                    let contact = self.simulator.contact(impact.side).expect("a wall that was met");
-                    let matrix = contact.saltation(self.simulator.flow(), arrival);
-                    self.frame.iter_mut().for_each(|v| *v = apply(&matrix, *v));
-                }
-                Event::Stick(_) | Event::Release(_) => self.frame.fill([0.0; 2]),
-                Event::Tangency(_) | Event::End(_) => {}
-            }
-            orthonormalise(&mut self.frame, growth, 0.0);
-            (self.state, self.now) = (self.run.state(), self.run.time());
-            if let Event::End(end) = event {
-                return Ok(end);
-            }
-        }
-    }
-}
 
 /// The largest exponent of the motion from (q, u) at `time` over `transient` and then `periods` forcing
 /// periods. Tangencies and the square root at them are passed as if there were no wall; an impact of velocity

@@ -28,6 +28,7 @@ pub mod diagram;
 pub mod dynamics;
 pub mod lyapunov;
 pub mod manifold;
+mod one_degree;
 pub mod section;
 mod touching;
 
