@@ -1,6 +1,8 @@
 //! Grazing and periodic orbits of machines: against the one-degree code, against parts that do not know of
 //! each other, against the simulator.
 
+mod tasks;
+
 use std::f64::consts::TAU;
 
 use grazing::{
@@ -15,6 +17,8 @@ use grazing::{
     pattern::{Analysis, Graph, Numbers, Pattern, Patterns},
     scene::{Scene, SceneFamily},
 };
+
+use tasks::PAPER_MACHINE;
 
 /// A machine of n coordinates: mass, damping, stiffness by rows, forces of cos t, one stop.
 #[derive(Clone)]
@@ -437,29 +441,13 @@ fn the_orbits_born_are_found_in_the_true_system() {
     }
 }
 
-const PAPER: &str = r#"
-format = "grazing-scene 2"
-title = "section 4.2 of the paper as a machine, in seconds"
-[parameters]
-d = 0.6
-w = 4.9
-mu = -0.05
-[system]
-period = 3
-mass = 2
-stiffness = "2*(2*pi/3)^2/w^2"
-damping = "2*(2*pi/3)*2*d/w"
-[[walls]]
-name = "plate"
-offset = -1
-harmonics = [{ k = 1, cos = "1 + mu" }]
-restitution = 1
-"#;
+fn told(text: &str) -> Vec<grazing::run::TaskReport> {
+    let scene = Scene::from_toml(text, "test").unwrap();
+    grazing::run::run(&scene, grazing::run::Surroundings::default(), &mut ()).unwrap()
+}
 
 fn reports(text: &str) -> Vec<serde_json::Value> {
-    let scene = Scene::from_toml(text, "test").unwrap();
-    let reports = grazing::run::run(&scene, grazing::run::Surroundings::default(), &mut ()).unwrap();
-    reports.iter().map(|report| serde_json::to_value(report).unwrap()).collect()
+    told(text).iter().map(|report| serde_json::to_value(report).unwrap()).collect()
 }
 
 /// The tasks of a scene of format 2 against those of format 1.
@@ -468,7 +456,7 @@ fn tasks_on_a_machine_say_what_they_say_of_the_oscillator() {
     let tasks = "[[tasks]]\nname = \"g\"\nkind = \"grazing\"\nparameter = \"mu\"\ndistance = 1e-7\n\
                  [[tasks]]\nname = \"o\"\nkind = \"orbit\"\norbit = { pattern = [4], starts = 40 }\n\
                  [[tasks]]\nname = \"p\"\nkind = \"orbit\"\norbit = { pattern = [4], start = [START] }\n";
-    let machine = reports(&format!("{PAPER}{}", tasks.replace("START", "-0.12254931, 1.4032447")));
+    let machine = reports(&format!("{PAPER_MACHINE}{}", tasks.replace("START", "-0.12254931, 1.4032447")));
     let scene = include_str!("../examples/scenes/nordmark-2001.toml");
     let scene = scene.split("[[tasks]]").next().unwrap();
     let one = reports(&format!("{scene}{}", tasks.replace("START", "-0.77, 0.67")));
@@ -578,16 +566,22 @@ fn two_stops_that_mirror_each_other_are_one_of_half_a_period() {
             format!("[[walls]]\nname = \"{sign}\"\nrow = {row}\noffset = -1\nrestitution = 0.7\n")
         })
     };
-    let one = reports(&format!(
+    let one = format!(
         "format = \"grazing-scene 1\"\ntitle = \"t\"\n[parameters]\nD = 0.5\n[system]\ndamping = 0.1\nstiffness = 0.25\n\
          forcing = [{{ cos = \"D\" }}]\n[[walls]]\nside = \"lower\"\noffset = -1\nrestitution = 0.7\n[[walls]]\nside = \"upper\"\n\
          offset = 1\nrestitution = 0.7\n{task}"
-    ));
-    let machine = reports(&format!(
+    );
+    let machine = format!(
         "format = \"grazing-scene 2\"\ntitle = \"t\"\n[parameters]\nD = 0.5\n[system]\nperiod = \"2*pi\"\nmass = 1\ndamping = 0.1\n\
          stiffness = 0.25\nforcing = [{{ cos = [\"D\"] }}]\n{}{task}",
         walls("[1]").concat()
-    ));
+    );
+    // Where chaos is born its entropy is per half period, too.
+    for text in [&one, &machine] {
+        let text = told(&text.replace("stiffness = 0.25", "stiffness = 4.5"))[0].to_string();
+        assert!(text.contains("per half period"), "{text}");
+    }
+    let (one, machine) = (reports(&one), reports(&machine));
     let number = |value: &serde_json::Value| value.as_f64().unwrap_or_else(|| panic!("{value}"));
     let near = |a: f64, b: f64, size: f64| assert!((a - b).abs() <= size * (1.0 + b.abs()), "{a} {b}");
     let (a, b) = (&machine[0], &one[0]);
@@ -606,7 +600,15 @@ fn two_stops_that_mirror_each_other_are_one_of_half_a_period() {
         };
         assert_eq!(speeds(row).len(), speeds(known).len());
         speeds(row).iter().zip(speeds(known)).for_each(|(a, b)| near(*a, b, 1e-9));
-        near(number(&row["multipliers"][0][0]), number(&known["lambda1"][0]), 1e-5);
+        let multiplier = number(&row["multipliers"][0][0]);
+        near(multiplier, number(&known["lambda1"][0]), 1e-5);
+        // The coefficient is of one round of the pattern; an odd number of halves is gone round twice.
+        let pattern: Vec<u32> =
+            row["pattern"].as_str().unwrap().split(',').map(|n| n.parse().unwrap()).collect();
+        let away = number(&row["found_at"]) - number(&a["parameter"]);
+        let once = number(&row["coefficient"]) / away.powi(pattern.len() as i32);
+        let whole = if pattern.iter().sum::<u32>() % 2 == 1 { once * once } else { once };
+        assert!((multiplier / whole - 1.0).abs() < 0.05, "{pattern:?}: {multiplier} {whole}");
     }
 
     // Masses 1 and 3 in a row, the force on the second, the first between stops.

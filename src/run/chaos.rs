@@ -34,7 +34,7 @@ row! {
         pub entropy: Option<String>,
         /// Whether the entropy is only a lower bound: the word may go on.
         pub at_least: bool,
-        /// The periods that can occur between impacts, as far as they are certain.
+        /// The periods, or half periods, that can occur between impacts, as far as they are certain.
         pub periods: Vec<u64>,
         /// Whether every period can occur.
         pub all_periods: bool,
@@ -42,13 +42,18 @@ row! {
 }
 
 impl ChaosRow {
-    /// The row in words.
-    pub fn sentence(&self) -> String {
+    /// The rows in words; `half` if periods are counted in halves.
+    pub(super) fn sentences(rows: &[ChaosRow], half: bool) -> String {
+        let per = if half { "half period" } else { "period" };
+        rows.iter().map(|row| row.sentence(per)).collect::<Vec<_>>().join("; ")
+    }
+
+    fn sentence(&self, per: &str) -> String {
         let side = &self.side;
         let at_least = if self.at_least { "at least " } else { "" };
         match (self.chaos, &self.entropy) {
             (Some(true), Some(entropy)) => {
-                format!("born for {side} in case {}, entropy {at_least}{entropy} per period", self.case())
+                format!("born for {side} in case {}, entropy {at_least}{entropy} per {per}", self.case())
             }
             (Some(_), Some(_)) => format!("none for {side}: the patterns born there do not branch"),
             (Some(_), None) => format!("none for {side}: no pattern is born"),

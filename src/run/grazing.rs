@@ -21,7 +21,8 @@ row! {
         pub pattern: String,
         /// On which side of the bifurcation an orbit is born, or what is open.
         pub side: String,
-        /// L: the large multiplier is L µ^{−m} to leading order, µ the parameter less its value at grazing.
+        /// L: the large multiplier of one round of the pattern is L µ^{−m} to leading order, µ the parameter
+        /// less its value at grazing.
         pub coefficient: Option<f64>,
         /// The parameter at which the orbit was found.
         pub found_at: Option<f64>,
@@ -168,7 +169,7 @@ impl Finding for GrazingReport {
         }
         if self.open.is_none() {
             let words = match &self.chaos {
-                Some(rows) => rows.iter().map(ChaosRow::sentence).collect::<Vec<_>>().join("; "),
+                Some(rows) => ChaosRow::sentences(rows, self.half),
                 None => "not decided: that needs a2 > 0 and gamma, e other than 0".into(),
             };
             lines.say("chaos", words);

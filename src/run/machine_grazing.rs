@@ -33,8 +33,8 @@ row! {
         pub pattern: String,
         /// On which side of the bifurcation an orbit is born, or what is open.
         pub side: String,
-        /// The large multiplier is this times µ^{−m} to leading order, µ the parameter less its value at
-        /// grazing.
+        /// The large multiplier of one round of the pattern is this times µ^{−m} to leading order, µ the
+        /// parameter less its value at grazing.
         pub coefficient: Option<f64>,
         /// The parameter at which the orbit was found.
         pub found_at: Option<f64>,
@@ -154,7 +154,7 @@ impl Finding for MachineGrazingReport {
             lines.say("open", open.as_str());
         }
         if let Some(rows) = &self.chaos {
-            lines.say("chaos", rows.iter().map(ChaosRow::sentence).collect::<Vec<_>>().join("; "));
+            lines.say("chaos", ChaosRow::sentences(rows, self.half));
         }
         if let Some(reason) = &self.chaos_open {
             lines.say("chaos", format!("not decided: {reason}"));
@@ -245,9 +245,10 @@ pub fn machine_grazing(task: &GrazingTask, job: &Job) -> Result<MachineGrazingFi
     if found.open.is_none() {
         match map.gamma() {
             None => {
+                let unit = if found.half { "half periods" } else { "periods" };
                 found.chaos_open = Some(format!(
-                    "the local map has {} dimensions and the word theorem is for two; the table has the patterns up to \
-                     period {}",
+                    "the local map has {} dimensions and the word theorem is for two; the table has the patterns of up \
+                     to {} {unit}",
                     2 * n,
                     task.max_period
                 ));
