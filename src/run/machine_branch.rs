@@ -18,7 +18,7 @@ use crate::{
         Machine, MachineFamily, MachineState,
         branch::{MachinePatterns, MachinePlane},
         orbit::{MachineOrbit, StopPattern, StopStrike, find},
-        simulate::{MachineEvent, MachineSimulator, RunEnd},
+        simulate::{MachineEvent, MachineRun, MachineSimulator, RunEnd},
     },
     oscillator::{
         Time,
@@ -224,7 +224,8 @@ fn settled(simulator: &MachineSimulator, from: &MachineState, job: &Job) -> Resu
     let mut run = simulator.start(Time::new(0, from.t), from.q.as_slice(), from.u.as_slice())?;
     let at = |period: u32| Time::new(period.into(), from.t);
     for period in (0..TRANSIENT).step_by(CHUNK as usize) {
-        ended(run.finish(at((period + CHUNK).min(TRANSIENT))))?;
+        let end = run.finish(at((period + CHUNK).min(TRANSIENT)));
+        ended(&mut run, end)?;
         job.check()?;
     }
     let first = run.state();
@@ -237,7 +238,7 @@ fn settled(simulator: &MachineSimulator, from: &MachineState, job: &Job) -> Resu
             MachineEvent::Stick(_) => rests = true,
             _ => {}
         });
-        ended(end)?;
+        ended(&mut run, end)?;
         job.check()?;
         if rests || !run.resting().is_empty() {
             return Err(Error::input(
@@ -268,9 +269,10 @@ fn settled(simulator: &MachineSimulator, from: &MachineState, job: &Job) -> Resu
     )))
 }
 
-fn ended(end: RunEnd) -> Result<()> {
-    match end {
-        RunEnd::Reached => Ok(()),
-        end => Err(Error::input(format!("the motion ended before it settled, {}", end.why()))),
+fn ended(run: &mut MachineRun, end: RunEnd) -> Result<()> {
+    match (run.failure(), end) {
+        (Some(error), _) => Err(error),
+        (None, RunEnd::Reached) => Ok(()),
+        (None, end) => Err(Error::input(format!("the motion ended before it settled, {}", end.why()))),
     }
 }
