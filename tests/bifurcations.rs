@@ -1,9 +1,13 @@
 //! Bifurcations as a user meets them: scenes written to a file and run by the command, against values from
 //! closed formulas.
 
-use std::{fs, path::Path, process::Command};
+mod tasks;
+
+use std::{fs, path::Path};
 
 use serde_json::Value;
+
+use tasks::{ball, near, number, run, task};
 
 /// The paper's oscillator.
 const NORDMARK: &str = r#"
@@ -90,30 +94,6 @@ offset = "11/10"
 restitution = "4/5"
 "#;
 
-/// A task in TOML.
-fn task(name: &str, kind: &str, keys: &str) -> String {
-    format!("[[tasks]]\nname = \"{name}\"\nkind = \"{kind}\"\n{keys}\n")
-}
-
-/// The report of a scene's tasks as JSON, the exit code and what was written to standard error.
-fn run(scene: &str, tasks: &[String], folder: &Path) -> (Value, i32, String) {
-    let file = folder.join("scene.toml");
-    fs::write(&file, format!("{scene}{}", tasks.concat())).unwrap();
-    let output = Command::new(env!("CARGO_BIN_EXE_grazing"))
-        .args(["run", "--format", "json", "-o"])
-        .arg(folder)
-        .arg(&file)
-        .output()
-        .unwrap();
-    let error = String::from_utf8_lossy(&output.stderr).into_owned();
-    let report = serde_json::from_slice(&output.stdout).unwrap_or_else(|e| panic!("{e}: {error}"));
-    (report, output.status.code().unwrap(), error)
-}
-
-fn near(a: f64, b: f64, tolerance: f64) {
-    assert!((a - b).abs() <= tolerance, "{a} and {b} differ by {:e}", a - b);
-}
-
 fn found(report: &Value, task: usize) -> &Vec<Value> {
     report["tasks"][task]["found"].as_array().unwrap()
 }
@@ -161,13 +141,6 @@ fn a_pole_of_the_multipliers_is_no_bifurcation() {
             assert!(text.contains("no flip") && text.contains("fade"), "{text}");
         }
     }
-}
-
-/// The saddle-node and the flip of the ball's orbit with one impact a period.
-fn ball() -> [f64; 2] {
-    let r: f64 = 0.6;
-    let fold = std::f64::consts::PI * (1.0 - r) / (1.0 + r);
-    [fold, fold.hypot(2.0 * (1.0 + r * r) / (1.0 + r).powi(2))]
 }
 
 #[test]
@@ -326,10 +299,6 @@ fn a_pitchfork_is_not_called_a_saddle_node() {
     assert_eq!(code, 3);
     let text = report.to_string();
     assert!(text.contains("crossing with another branch at 1.1771669615386"), "{text}");
-}
-
-fn number(value: &Value) -> f64 {
-    value.as_f64().unwrap_or_else(|| panic!("{value} is no number"))
 }
 
 #[test]

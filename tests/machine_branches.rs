@@ -1,31 +1,15 @@
 //! Branches and bifurcations of machines: against the one-degree code, against parts that do not know of each
 //! other, against data that a script of its own computed (`tests/data/make_machine_bifurcations.py`).
 
-use std::{f64::consts::TAU, fs, path::Path, process::Command};
+mod tasks;
+
+use std::{f64::consts::TAU, fs, process::Command};
 
 use serde_json::Value;
 
-/// Section 4.2 of the paper, in seconds and with a mass of 2.
-const PAPER: &str = r#"
-format = "grazing-scene 2"
-title = "section 4.2 of the paper as a machine, in seconds"
-[parameters]
-d = 0.6
-w = 4.9
-mu = -0.05
-[system]
-period = 3
-mass = 2
-stiffness = "2*(2*pi/3)^2/w^2"
-damping = "2*(2*pi/3)*2*d/w"
-[[walls]]
-name = "plate"
-offset = -1
-harmonics = [{ k = 1, cos = "1 + mu" }]
-restitution = 1
-"#;
+use tasks::{PAPER_MACHINE, ball, near, number, run, task};
 
-/// The same in the forcing's phase, as an oscillator.
+/// Section 4.2 of the paper in the forcing's phase, as an oscillator.
 const ALONE: &str = r#"
 format = "grazing-scene 1"
 title = "section 4.2 of the paper"
@@ -73,33 +57,6 @@ offset = -4
 restitution = 1
 "#;
 
-fn task(name: &str, kind: &str, keys: &str) -> String {
-    format!("[[tasks]]\nname = \"{name}\"\nkind = \"{kind}\"\n{keys}\n")
-}
-
-/// The report of a scene's tasks as JSON, the exit code and what was written to standard error.
-fn run(scene: &str, tasks: &[String], folder: &Path) -> (Value, i32, String) {
-    let file = folder.join("scene.toml");
-    fs::write(&file, format!("{scene}{}", tasks.concat())).unwrap();
-    let output = Command::new(env!("CARGO_BIN_EXE_grazing"))
-        .args(["run", "--format", "json", "-o"])
-        .arg(folder)
-        .arg(&file)
-        .output()
-        .unwrap();
-    let error = String::from_utf8_lossy(&output.stderr).into_owned();
-    let report = serde_json::from_slice(&output.stdout).unwrap_or_else(|e| panic!("{e}: {error}"));
-    (report, output.status.code().unwrap(), error)
-}
-
-fn number(value: &Value) -> f64 {
-    value.as_f64().unwrap_or_else(|| panic!("{value}"))
-}
-
-fn near(a: f64, b: f64, tolerance: f64) {
-    assert!((a - b).abs() <= tolerance, "{a} and {b} differ by {:e}", a - b);
-}
-
 /// (label, row) of a task's labelled points.
 fn labels(report: &Value) -> Vec<(String, &Value)> {
     let rows = report["labels"].as_array().unwrap_or_else(|| panic!("{report}")).iter();
@@ -139,7 +96,7 @@ fn one_degree_of_freedom_bifurcates_as_by_the_one_degree_code() {
         ]
     };
     let rate = TAU / 3.0;
-    let (machine, code, error) = run(PAPER, &tasks(rate), folder.path());
+    let (machine, code, error) = run(PAPER_MACHINE, &tasks(rate), folder.path());
     assert_eq!(code, 0, "{error}{machine}");
     let (alone, code, error) = run(ALONE, &tasks(1.0), folder.path());
     assert_eq!(code, 0, "{error}{alone}");
@@ -189,13 +146,38 @@ fn one_degree_of_freedom_bifurcates_as_by_the_one_degree_code() {
         .arg(folder.path())
         .arg({
             let file = folder.path().join("paper.toml");
-            fs::write(&file, format!("{PAPER}{}", tasks(rate)[0])).unwrap();
+            fs::write(&file, format!("{PAPER_MACHINE}{}", tasks(rate)[0])).unwrap();
             file
         })
         .output()
         .unwrap();
     let text = String::from_utf8_lossy(&note.stdout).into_owned();
     assert!(text.contains("criticality is not computed for machines"), "{text}");
+}
+
+/// The ball on a table, of which everything is known in closed form, as a machine without stiffness.
+#[test]
+fn a_ball_on_a_table_bifurcates_where_the_closed_form_says() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = "format = \"grazing-scene 2\"\ntitle = \"a ball on a table\"\n[parameters]\na = 1.2\n[system]\n\
+                 period = \"2*pi\"\nmass = 1\nforce = -1\n[[walls]]\nname = \"table\"\noffset = 0\n\
+                 harmonics = [{ sin = \"a\" }]\nrestitution = \"3/5\"\n";
+    let event = |name: &str, what: &str| {
+        let keys = format!(
+            "event = \"{what}\"\nparameter = \"a\"\nreach = 3\norbit = {{ pattern = [1], speed = 4 }}"
+        );
+        task(name, "event", &keys)
+    };
+    let tasks = [event("sn", "saddle-node"), event("pd", "flip")];
+    let (report, code, error) = run(scene, &tasks, folder.path());
+    assert_eq!(code, 0, "{error}{report}");
+    for (i, value) in ball().into_iter().enumerate() {
+        let found = report["tasks"][i]["found"].as_array().unwrap();
+        assert_eq!(found.len(), 1, "{report}");
+        near(number(&found[0]["parameter"]), value, 1e-14);
+        // A period later the table moves as before: rV − 2π = −V.
+        near(number(&found[0]["speeds"][0]), TAU / 1.6, 1e-12);
+    }
 }
 
 /// The orbit of the first oscillator beside the free motion of the second: its bifurcations are where they
@@ -389,14 +371,14 @@ fn what_is_not_done_is_said() {
     let orbit = "starts = [{ orbit = { pattern = [4], start = [0.878, 1.41] } }]";
     let keys = format!("parameter = \"mu\"\nrange = [-0.1, 0.01]\nframe = \"lower\"\n{orbit}");
     let file = folder.path().join("scene.toml");
-    fs::write(&file, format!("{PAPER}{}", task("a", "branch", &keys))).unwrap();
+    fs::write(&file, format!("{PAPER_MACHINE}{}", task("a", "branch", &keys))).unwrap();
     let output = Command::new(env!("CARGO_BIN_EXE_grazing")).arg("run").arg(&file).output().unwrap();
     let error = String::from_utf8_lossy(&output.stderr).into_owned();
     assert_eq!(output.status.code(), Some(2), "{error}");
     assert!(error.contains("frame") && error.contains("of a machine, the picture shows the gap"), "{error}");
     // A label of another machine.
     let keys = format!("parameter = \"mu\"\nrange = [-0.1, 0.01]\noptions = {{ most_step = 0.3 }}\n{orbit}");
-    let (report, code, error) = run(PAPER, &[task("one", "branch", &keys)], folder.path());
+    let (report, code, error) = run(PAPER_MACHINE, &[task("one", "branch", &keys)], folder.path());
     assert_eq!(code, 0, "{error}{report}");
     let keys = "parameter = \"mu\"\nrange = [-0.1, 0.01]\nstarts = [{ restart = { file = \"one.json\", label = \"grazing 1\" } }]";
     let (report, code, _) = run(PAIR, &[task("other", "branch", keys)], folder.path());
@@ -432,7 +414,7 @@ fn branches_start_at_attractors_and_labels_and_go_on_in_two_parameters() {
             ),
         ]
     };
-    let (machine, code, error) = run(PAPER, &tasks("machine", 0.31 * rate), folder.path());
+    let (machine, code, error) = run(PAPER_MACHINE, &tasks("machine", 0.31 * rate), folder.path());
     assert_eq!(code, 0, "{error}{machine}");
     let (alone, code, error) = run(ALONE, &tasks("alone", 0.31), folder.path());
     assert_eq!(code, 0, "{error}{alone}");
