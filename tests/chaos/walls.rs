@@ -146,8 +146,9 @@ fn of_two_walls_the_other_is_out_of_reach() {
     assert!(found.failures[0].reason.contains("the other wall may be met"), "{found:?}");
 }
 
-/// A ball between a table and a ceiling, wherever the origin is: between two impacts two periods apart it rises
-/// by f T²/8 = f π²/2 · 4 ≈ 1.97 above the place of the first, which is at most 1 above the table's mean.
+/// A ball between a table and a ceiling, wherever the origin is: between two impacts two periods apart it
+/// rises by f T²/8 = f π²/2 · 4 ≈ 1.97 above the place of the first, which is at most 1 above the table's
+/// mean.
 #[test]
 fn a_ceiling_is_measured_from_the_table() {
     let task = "alphabet = [1, 2]\nside = \"lower\"";

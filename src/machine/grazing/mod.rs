@@ -1,10 +1,10 @@
 //! Grazing bifurcations of the motion without impacts: where it touches a stop as a parameter varies, and the
 //! local map there.
 //!
-//! The motion is known in closed form ([`LinearEquations::response`]), and so is its gap to each stop, a
-//! trigonometric sum. [`locate`] follows the least gap from one value of the parameter both ways and finds
-//! where it is zero first. The map there is the paper's, with the state x = (q, q′) less that of the motion,
-//! at the phase t_G of grazing, 2n numbers:
+//! The motion is known in closed form ([`LinearEquations::response`](super::LinearEquations::response)), and
+//! so is its gap to each stop, a trigonometric sum. [`locate`] follows the least gap from one value of the
+//! parameter both ways and finds where it is zero first. The map there is the paper's, with the state x = (q,
+//! q′) less that of the motion, at the phase t_G of grazing, 2n numbers:
 //!
 //! - A = the flow over one period, (2);
 //! - C = (w, 0): the gap is C x + eµ to first order, (5), (26);
