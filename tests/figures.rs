@@ -231,6 +231,12 @@ fn the_output_may_be_a_file() {
     assert!(svg.starts_with("<svg ") && folder.path().join("plane.csv").exists());
     let (code, message) = figure("8 -o eight.svg");
     assert!(code == Some(2) && message.contains("figure8.svg"), "{message}");
+    let (code, message) = figure("2 -o plane.jpg");
+    assert!(code == Some(2) && message.contains("plane.jpg: pictures are .svg"), "{message}");
+    assert!(!folder.path().join("plane.jpg").exists());
+    fs::create_dir(folder.path().join("v1.2")).unwrap();
+    assert_eq!(figure("2 -o v1.2"), (Some(0), String::new()));
+    assert!(folder.path().join("v1.2/figure2.svg").exists());
     for (name, begin) in [("plane.pdf", &b"%PDF-"[..]), ("plane.png", b"\x89PNG\r\n")] {
         let (code, message) = figure(&format!("2 -o {name}"));
         if cfg!(feature = "print") {
@@ -241,6 +247,32 @@ fn the_output_may_be_a_file() {
             assert!(!folder.path().join(name).exists());
         }
     }
+}
+
+/// The branches of figure 6 are still those in the documentation. At a saddle-node and a flip a multiplier is
+/// on the unit circle, and rounding decides on which side.
+#[test]
+fn branches_are_marginal_where_a_multiplier_is_on_the_unit_circle() {
+    let (rows, svg) = draw("6", "figure6");
+    let kept = table(&fs::read_to_string("docs/figure6.csv").unwrap());
+    assert_eq!(rows.len(), kept.len());
+    let mut marginal = Vec::new();
+    for (row, kept) in rows.iter().zip(&kept) {
+        for column in ["parameter", "q"] {
+            assert!((number(row, column) - number(kept, column)).abs() < 1e-9, "{row:?} {kept:?}");
+        }
+        for column in ["set", "stability", "label"] {
+            assert_eq!(row[column], kept[column], "{row:?}");
+        }
+        match row["stability"].as_str() {
+            "marginal" => marginal.push(row["label"].as_str()),
+            other => assert!(["stable", "unstable"].contains(&other), "{row:?}"),
+        }
+    }
+    assert_eq!(marginal, ["saddle-node", "flip"]);
+    // In the picture each goes with what follows it.
+    let drawn = |name| labels(&svg).iter().any(|(text, _)| text == name);
+    assert!(drawn("stable") && drawn("unstable") && !drawn("marginal"));
 }
 
 /// The pictures in the documentation are those that the program draws today.

@@ -9,8 +9,8 @@ use crate::{
     cli::progress::Interrupt,
     error::Result,
     figure::{
-        PictureFormat, Place, accuracy_figure, accuracy_table, effects_table, flow_accuracy, flow_table,
-        long_runs_table,
+        FigurePlace, PictureFormat, accuracy_figure, accuracy_table, effects_table, flow_accuracy,
+        flow_table, long_runs_table,
     },
     output::{Destination, TableFormat, make_folder, write_file},
     study::{
@@ -70,7 +70,10 @@ fn signs(args: &Args, interrupt: &Interrupt) -> Result<()> {
         rows.extend(measure(family));
     }
     Destination::Stdout.write(|out| accuracy_table(&rows, TableFormat::Table, out))?;
-    accuracy_figure(&rows, &Place { folder: &args.output, name: "accuracy", format: PictureFormat::Svg })
+    accuracy_figure(
+        &rows,
+        &FigurePlace { folder: &args.output, name: "accuracy", format: PictureFormat::Svg },
+    )
 }
 
 fn simulations(args: &Args, interrupt: &Interrupt) -> Result<()> {
@@ -82,7 +85,10 @@ fn simulations(args: &Args, interrupt: &Interrupt) -> Result<()> {
         }
     }
     Destination::Stdout.write(|out| flow_table(&rows, TableFormat::Table, out))?;
-    flow_accuracy(&rows, &Place { folder: &args.output, name: "flow-accuracy", format: PictureFormat::Svg })?;
+    flow_accuracy(
+        &rows,
+        &FigurePlace { folder: &args.output, name: "flow-accuracy", format: PictureFormat::Svg },
+    )?;
     let rows = long_runs(6)?;
     Destination::Stdout.write(|out| long_runs_table(&rows, TableFormat::Table, out))?;
     write_file(&args.output.join("long-runs.csv"), |out| long_runs_table(&rows, TableFormat::Csv, out))

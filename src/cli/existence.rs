@@ -210,7 +210,7 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
             &map,
             pattern,
             side,
-            &figure::Place { folder, name: "orbit", format: Default::default() },
+            &figure::FigurePlace { folder, name: "orbit", format: Default::default() },
         )?;
     }
     let mut outcome = Outcome::Done;

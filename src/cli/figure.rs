@@ -15,10 +15,10 @@ use crate::{
     certificate,
     cli::progress::{Interrupt, Progress},
     error::{Error, Result},
-    figure::{self, PictureFormat, Place},
+    figure::{self, FigurePlace, PictureFormat},
     number::{parse_integer, parse_rational},
     oscillator::{
-        Time,
+        Contact, Time,
         chaos::{Problem, prove},
         simulate::{Event, Settings, Simulator},
     },
@@ -65,15 +65,15 @@ enum Figure {
     /// The iterate boundaries b_{n,k} = 0 that bound areas, n = 3 to N.
     #[value(name = "4")]
     Iterate,
+    /// The areas where orbits of period N exist, from a proved cover.
+    #[value(name = "5")]
+    Areas,
     /// Branches of the non-impacting and the single-impact orbits of section 4.2 over mu.
     #[value(name = "6")]
     Branches,
     /// The attractor of section 4.2 between mu_gr4 and mu_cr, with the branch of period 4.
     #[value(name = "7")]
     Diagram,
-    /// The areas where orbits of period N exist, from a proved cover.
-    #[value(name = "5")]
-    Areas,
     /// Attractors before the grazing bifurcation of section 4.2, mu = -0.05.
     #[value(name = "8")]
     Before,
@@ -126,10 +126,16 @@ impl Figure {
 
 impl Args {
     /// Where the files go: `name` is that of the figure, if the output names none.
-    fn place<'a>(&'a self, name: &'a str) -> Result<Place<'a>> {
-        let Some(format) = PictureFormat::of(&self.output).filter(|_| !self.output.is_dir()) else {
-            return Ok(Place { folder: &self.output, name, format: PictureFormat::Svg });
-        };
+    fn place<'a>(&'a self, name: &'a str) -> Result<FigurePlace<'a>> {
+        if self.output.is_dir() || self.output.extension().is_none() {
+            return Ok(FigurePlace { folder: &self.output, name, format: PictureFormat::Svg });
+        }
+        let format = PictureFormat::of(&self.output).ok_or_else(|| {
+            Error::input(format!(
+                "-o {}: pictures are .svg, .pdf or .png; a folder whose name has an ending must be there before",
+                self.output.display()
+            ))
+        })?;
         format.check()?;
         let stem = self.output.file_stem().and_then(|stem| stem.to_str());
         let stem = stem.ok_or_else(|| Error::input(format!("{}: no name", self.output.display())))?;
@@ -141,7 +147,7 @@ impl Args {
             )));
         }
         let folder = self.output.parent().filter(|folder| !folder.as_os_str().is_empty());
-        Ok(Place { folder: folder.unwrap_or(Path::new(".")), name: stem, format })
+        Ok(FigurePlace { folder: folder.unwrap_or(Path::new(".")), name: stem, format })
     }
 }
 
@@ -164,7 +170,7 @@ fn proved_cover(n: u64, progress: &Progress) -> Result<Cover> {
 
 /// The shift over {1, 2, 3} of the paper's oscillator for 0 < µ ≤ 0.003, proved, with the impacts of its
 /// attractor at µ = 0.003.
-fn chaos(place: &Place, interrupt: &Interrupt) -> Result<()> {
+fn chaos(place: &FigurePlace, interrupt: &Interrupt) -> Result<()> {
     let text = include_str!("../../examples/scenes/nordmark-2001-chaos.toml");
     let scene = Scene::from_toml(text, "nordmark-2001-chaos.toml")?;
     let task = scene.tasks.iter().find_map(|task| match &task.kind {
@@ -187,14 +193,13 @@ fn chaos(place: &Place, interrupt: &Interrupt) -> Result<()> {
     let simulator = Simulator::new(&system, &Settings::default())?;
     let mut run = simulator.start(Time::new(0, 0.0), 1.0, 0.0)?;
     let mut impacts = Vec::new();
-    let wall = system.lower.as_ref().ok_or_else(|| Error::input("figure chaos: the scene has no wall"))?;
+    let walls = Contact::of(&system)?;
+    let wall = walls.first().ok_or_else(|| Error::input("figure chaos: the scene has no wall"))?;
     // The unit of velocities is how far the wall comes beyond the place of rest.
-    let unit = wall.offset + wall.harmonics.iter().map(|one| one.cos).sum::<f64>();
+    let [unit, ..] = wall.position.at(0.0);
     while let Event::Impact(impact) = run.next(Time::new(ATTRACTOR, 0.0)) {
         let (t, arriving) = (impact.time.phase, impact.velocity);
-        let moving =
-            wall.harmonics.iter().map(|one| -f64::from(one.k) * one.cos * (f64::from(one.k) * t).sin());
-        let moving: f64 = moving.sum();
+        let [_, moving, _] = wall.position.at(t);
         if impact.time.period > SETTLED && t.cos() > 0.0 {
             impacts.push(((moving + arriving) / unit, (moving - wall.restitution * arriving) / unit));
         }

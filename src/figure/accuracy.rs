@@ -3,11 +3,11 @@
 use std::io::Write;
 
 use super::{
-    Place,
+    FigurePlace,
     canvas::{
         At, BLACK, BLUE, COLUMN, Canvas, Colour, GREEN, GREY, ORANGE, PINK, RED, SKY, Stroke, Words, line,
     },
-    frame::{Axis, Frame},
+    frame::{Axis, PlotFrame},
     legend::Legend,
 };
 use crate::{
@@ -21,7 +21,7 @@ use crate::{
 ///
 /// # Errors
 /// An I/O error.
-pub fn accuracy_figure(rows: &[Measured], place: &Place) -> Result<()> {
+pub fn accuracy_figure(rows: &[Measured], place: &FigurePlace) -> Result<()> {
     let shown: Vec<Shown> = rows.iter().map(Shown::from).collect();
     place.draw(&draw(&shown))?;
     write_file(&place.data(), |out| accuracy_table(rows, TableFormat::Csv, out))
@@ -119,7 +119,9 @@ fn draw(rows: &[Shown]) -> Canvas {
     families.dedup();
     let mut legend = Legend::default();
     for (family, ink) in families.iter().zip(COLOURS.into_iter().cycle()) {
-        legend.add(Words::plain(family), move |canvas: &mut Canvas, at: At| sample(canvas, at, ink));
+        legend.add(Words::plain(&family.replace("->", "→")), move |canvas: &mut Canvas, at: At| {
+            sample(canvas, at, ink)
+        });
     }
     legend.add(Words::plain("f64 by luck"), |canvas: &mut Canvas, at: At| {
         canvas.disc(at, 2.0, line(BLACK, 0.7))
@@ -140,7 +142,7 @@ fn draw(rows: &[Shown]) -> Canvas {
     let marks = (low..=top).map(|e| (f64::from(e), Words::plain(&duration(e))));
     let mut digits = vec![(NONE, "< 1".into())];
     digits.extend((0..=3).map(|e| (f64::from(e), format!("{}", 10u64.pow(e as u32)).into())));
-    let frame = Frame::new(
+    let frame = PlotFrame::new(
         [2.0, 2.0, COLUMN - 4.0, 174.0],
         Axis::marked("certain decimal digits", (-0.7, 3.9), true, digits),
         Axis::marked("time of one evaluation", (f64::from(low), f64::from(top)), true, marks.collect()),
@@ -181,27 +183,16 @@ fn cross(canvas: &mut Canvas, (x, y): At, ink: Colour) {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
+    use super::{super::assert_shows_its_table, Shown, draw};
 
-    /// The picture in the documentation shows the table beside it; GRAZING_REDRAW=1 draws it anew.
     #[test]
     fn the_checked_in_picture_shows_the_checked_in_table() {
-        let folder = std::path::Path::new("docs");
-        let mut rows = Vec::new();
-        for row in csv::Reader::from_path(folder.join("accuracy.csv")).unwrap().records() {
-            let row = row.unwrap();
-            let digits = row[3].parse().ok();
-            rows.push(Shown {
-                family: row[0].into(),
-                method: row[1].into(),
-                time: row[2].parse().unwrap(),
-                digits,
-            });
-        }
-        let place = Place { folder, name: "accuracy", format: Default::default() };
-        if std::env::var_os("GRAZING_REDRAW").is_some() {
-            place.draw(&draw(&rows)).unwrap();
-        }
-        assert!(std::fs::read_to_string(place.picture()).unwrap() == draw(&rows).svg());
+        let row = |row: &csv::StringRecord| Shown {
+            family: row[0].into(),
+            method: row[1].into(),
+            time: row[2].parse().unwrap(),
+            digits: row[3].parse().ok(),
+        };
+        assert_shows_its_table("accuracy", row, draw);
     }
 }

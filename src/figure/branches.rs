@@ -3,19 +3,19 @@
 use std::collections::HashSet;
 
 use super::{
-    Place,
+    FigurePlace,
     canvas::{Anchor, At, BLACK, BLUE, COLUMN, Canvas, Stroke, TYPE, Words, line},
-    frame::{Axis, Frame, padded, symbol},
+    frame::{Axis, PlotFrame, padded, symbol},
     legend::Legend,
 };
-use crate::error::Result;
+use crate::{error::Result, run::Judgement};
 
 /// A branch as it is drawn.
 pub struct DrawnBranch {
     /// What it is, for the CSV.
     pub name: String,
-    /// Parameter, displacement, whether stable.
-    pub at: Vec<(f64, f64, bool)>,
+    /// Parameter, displacement, whether stable; on a curve of bifurcations nothing is said of that.
+    pub at: Vec<(f64, f64, Option<Judgement>)>,
     /// Labels: parameter, displacement, text.
     pub labels: Vec<(f64, f64, String)>,
 }
@@ -33,7 +33,12 @@ pub struct Scatter {
 ///
 /// # Errors
 /// An I/O error.
-pub fn branches(curves: &[DrawnBranch], scatter: &[Scatter], axes: [&str; 2], place: &Place) -> Result<()> {
+pub fn branches(
+    curves: &[DrawnBranch],
+    scatter: &[Scatter],
+    axes: [&str; 2],
+    place: &FigurePlace,
+) -> Result<()> {
     let mut rows = Vec::new();
     for curve in curves {
         for (x, y, stable) in &curve.at {
@@ -42,7 +47,7 @@ pub fn branches(curves: &[DrawnBranch], scatter: &[Scatter], axes: [&str; 2], pl
                 curve.name.clone(),
                 x.to_string(),
                 y.to_string(),
-                if *stable { "stable" } else { "unstable" }.to_string(),
+                stability(*stable).to_string(),
                 label.map_or(String::new(), |label| label.2.clone()),
             ]);
         }
@@ -56,21 +61,42 @@ pub fn branches(curves: &[DrawnBranch], scatter: &[Scatter], axes: [&str; 2], pl
     place.save(&draw(curves, scatter, axes), &["set", "parameter", "q", "stability", "label"], &rows)
 }
 
+fn stability(stable: Option<Judgement>) -> &'static str {
+    match stable {
+        Some(Judgement::Yes) => "stable",
+        Some(Judgement::No) => "unstable",
+        Some(Judgement::Marginal) => "marginal",
+        None => "",
+    }
+}
+
+impl DrawnBranch {
+    /// Which points have a solid line: those that are not unstable. One that rounding decides goes with what
+    /// follows it, or, at the end, with what comes before.
+    fn solid(&self) -> Vec<bool> {
+        let decided = |i: &usize| self.at[*i].2 != Some(Judgement::Marginal);
+        let count = self.at.len();
+        let near = |i: usize| (i..count).find(decided).or((0..i).rev().find(decided));
+        (0..count).map(|i| near(i).is_some_and(|i| self.at[i].2 != Some(Judgement::No))).collect()
+    }
+}
+
 /// Lengths of a dash and of the gap after it.
 const DASHES: [f64; 2] = [4.0, 2.4];
 
-fn stroke(stable: bool) -> Stroke {
-    Stroke { dashes: (!stable).then_some(DASHES), ..line(BLACK, 0.8) }
+fn stroke(solid: bool) -> Stroke {
+    Stroke { dashes: (!solid).then_some(DASHES), ..line(BLACK, 0.8) }
 }
 
 fn draw(curves: &[DrawnBranch], scatter: &[Scatter], axes: [&str; 2]) -> Canvas {
     let mut legend = Legend::default();
-    let any = |stable| curves.iter().flat_map(|curve| &curve.at).any(|at| at.2 == stable);
-    for (stable, name) in [(true, "stable"), (false, "unstable")] {
+    let solid: Vec<Vec<bool>> = curves.iter().map(DrawnBranch::solid).collect();
+    let any = |wanted| solid.iter().flatten().any(|&solid| solid == wanted);
+    for (wanted, name) in [(true, "stable"), (false, "unstable")] {
         // All of one kind of line needs no name in a plane of two parameters.
-        if any(stable) && (any(!stable) || !scatter.is_empty()) {
+        if any(wanted) && (any(!wanted) || !scatter.is_empty()) {
             legend.add(name, move |canvas: &mut Canvas, (x, y): At| {
-                canvas.line(vec![(x - 9.0, y), (x + 9.0, y)], stroke(stable));
+                canvas.line(vec![(x - 9.0, y), (x + 9.0, y)], stroke(wanted));
             });
         }
     }
@@ -91,14 +117,14 @@ fn draw(curves: &[DrawnBranch], scatter: &[Scatter], axes: [&str; 2]) -> Canvas 
         lines.chain(scatter.iter().flat_map(|set| set.at.iter().copied()))
     };
     let framed = |beside: f64| {
-        Frame::new(
+        PlotFrame::new(
             [2.0, 2.0, COLUMN - 2.0 - beside, 188.0],
             Axis::linear(symbol(axes[0]), padded(all().map(|at| at.0)), 5),
             Axis::linear(symbol(axes[1]), padded(all().map(|at| at.1)), 6),
         )
     };
-    let path = |curve: &DrawnBranch, frame: &Frame| frame.path(curve.at.iter().map(|at| (at.0, at.1)));
-    let paths_in = |frame: &Frame| curves.iter().map(|curve| path(curve, frame)).collect::<Vec<_>>();
+    let path = |curve: &DrawnBranch, frame: &PlotFrame| frame.path(curve.at.iter().map(|at| (at.0, at.1)));
+    let paths_in = |frame: &PlotFrame| curves.iter().map(|curve| path(curve, frame)).collect::<Vec<_>>();
     // Beside it stand the names of curves that go on to the right.
     let (ends, _) = names(curves, &paths_in(&framed(0.0)));
     let wide = ends.iter().map(|(_, text)| 4.0 + Words::plain(text).width(SMALL)).fold(0.0, f64::max);
@@ -113,12 +139,11 @@ fn draw(curves: &[DrawnBranch], scatter: &[Scatter], axes: [&str; 2]) -> Canvas 
     let lines: Vec<Vec<At>> = smooth.iter().map(|curve| curve.points(0, usize::MAX)).collect();
     let mut labels = Labels::new(&lines, frame.inside());
     let mut marked: Vec<At> = Vec::new();
-    for (curve, path) in curves.iter().zip(&smooth) {
-        // A stretch has the stability that both its ends have, or of two the one that is not the event's.
+    for ((curve, path), solid) in curves.iter().zip(&smooth).zip(&solid) {
         let mut start = 0;
-        for stretch in curve.at.chunk_by(|a, b| a.2 == b.2) {
+        for stretch in solid.chunk_by(|a, b| a == b) {
             let end = start + stretch.len();
-            canvas.line(path.points(start, end), stroke(stretch[0].2));
+            canvas.line(path.points(start, end), stroke(stretch[0]));
             start = end;
         }
         for (x, y, text) in &curve.labels {
@@ -293,6 +318,22 @@ impl Labels {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_rounding_decides_is_drawn_as_what_follows_it() {
+        use Judgement::{Marginal, No, Yes};
+        let solid = |all: &[Judgement]| {
+            let at = all.iter().map(|&one| (0.0, 0.0, Some(one))).collect();
+            DrawnBranch { name: String::new(), at, labels: Vec::new() }.solid()
+        };
+        assert_eq!(solid(&[No, Marginal, Yes]), [false, true, true]);
+        assert_eq!(solid(&[Yes, Marginal, Marginal, No, Marginal]), [true, false, false, false, false]);
+        // Of an undamped oscillator: no orbit attracts.
+        assert_eq!(solid(&[Marginal, Marginal]), [false, false]);
+        assert!(solid(&[]).is_empty());
+        let events = DrawnBranch { name: String::new(), at: vec![(0.0, 0.0, None)], labels: Vec::new() };
+        assert_eq!(events.solid(), [true]);
+    }
 
     /// Points of a circle: between them the spline is within a thousandth of it.
     #[test]

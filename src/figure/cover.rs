@@ -7,10 +7,10 @@ use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
 use super::{
-    Place,
+    FigurePlace,
     canvas::{Anchor, At, COLUMN, Canvas, Colour, GREY, Paint, line},
     colour,
-    frame::Frame,
+    frame::PlotFrame,
     iterate::{above, plane_frame, region_lines, region4},
     label,
     legend::{Legend, ROW},
@@ -33,7 +33,7 @@ const BOTTOM: f64 = 0.9;
 ///
 /// # Errors
 /// An I/O error.
-pub fn areas(n: u64, cover: &Cover, place: &Place) -> Result<()> {
+pub fn areas(n: u64, cover: &Cover, place: &FigurePlace) -> Result<()> {
     let mut tiles = Vec::new();
     cover.leaves(|chart, leaf, cell| tiles.push(Tile::new(chart, leaf, chart.bounds(&cell))));
     let rows: Vec<Vec<String>> = tiles.iter().map(Tile::row).collect();
@@ -88,7 +88,7 @@ impl Tile {
 }
 
 /// A panel for a₂ between `bottom` and 1.
-fn panel(canvas: &mut Canvas, heights: [f64; 2], bottom: f64, n: u64, tiles: &[Tile]) -> Frame {
+fn panel(canvas: &mut Canvas, heights: [f64; 2], bottom: f64, n: u64, tiles: &[Tile]) -> PlotFrame {
     let frame = plane_frame(heights, bottom);
     canvas.inside(frame.inside(), |canvas| {
         // Region 2, between the right arm of the parabola and the line.

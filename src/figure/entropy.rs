@@ -5,10 +5,10 @@ use num_rational::{BigRational, Ratio};
 use num_traits::ToPrimitive;
 
 use super::{
-    Place,
+    FigurePlace,
     canvas::{Anchor, COLUMN, Canvas, GREY, TYPE, WHITE, Words, line},
     colour,
-    frame::{Axis, Frame},
+    frame::{Axis, PlotFrame},
     label,
 };
 use crate::{
@@ -42,7 +42,7 @@ struct Step {
 ///
 /// # Errors
 /// An input error unless 3 ≤ `last` ≤ 100; an I/O error; the monitor's interruption.
-pub fn entropy(last: u64, place: &Place, monitor: &dyn Monitor) -> Result<()> {
+pub fn entropy(last: u64, place: &FigurePlace, monitor: &dyn Monitor) -> Result<()> {
     if !(3..=100).contains(&last) {
         return Err(Error::input(format!(
             "--n {last}: this figure shows periods up to N, with N from 3 to 100"
@@ -122,7 +122,7 @@ fn draw(last: u64, steps: &[Step]) -> Canvas {
         let high = if case == Case::PlusPlus { 0.5 } else { 0.75 };
         let name = if case == Case::MinusPlus { "s" } else { "" };
         let bottom = if case == Case::MinusPlus { top + PANEL + 4.0 } else { top + PANEL - 4.0 };
-        let frame = Frame::new(
+        let frame = PlotFrame::new(
             [2.0, top, COLUMN - 2.0, bottom],
             Axis::linear(name, (0.0, 0.5), 5),
             Axis::linear("", (0.0, high), 4),

@@ -4,10 +4,10 @@
 use std::io::Write;
 
 use super::{
-    Place,
+    FigurePlace,
     accuracy::{duration, sample},
     canvas::{At, BLUE, COLUMN, Canvas, Colour, GREEN, GREY, ORANGE, RED, Stroke, Words, line},
-    frame::{Axis, Frame, power},
+    frame::{Axis, PlotFrame, power},
     legend::Legend,
 };
 use crate::{
@@ -24,7 +24,7 @@ use crate::{
 ///
 /// # Errors
 /// An I/O error.
-pub fn flow_accuracy(rows: &[FlowMeasured], place: &Place) -> Result<()> {
+pub fn flow_accuracy(rows: &[FlowMeasured], place: &FigurePlace) -> Result<()> {
     let shown: Vec<Shown> = rows.iter().map(Shown::from).collect();
     place.draw(&draw(&shown))?;
     write_file(&place.data(), |out| flow_table(rows, TableFormat::Csv, out))
@@ -143,7 +143,7 @@ fn draw(rows: &[Shown]) -> Canvas {
     let mut errors: Vec<(f64, Words)> = if exact { vec![(NONE, "0".into())] } else { Vec::new() };
     errors.extend((-16..=worst as i32).step_by(4).map(|e| (f64::from(e), power(e))));
     let times = (fastest..=slowest).map(|e| (f64::from(e), Words::plain(&duration(e)))).collect();
-    let frame = Frame::new(
+    let frame = PlotFrame::new(
         [2.0, 2.0, COLUMN - 4.0, 174.0],
         Axis::marked("error after ten periods", (least, worst + 0.4), true, errors),
         Axis::marked("time per period", (f64::from(fastest), f64::from(slowest)), true, times),
@@ -168,26 +168,16 @@ fn draw(rows: &[Shown]) -> Canvas {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
+    use super::{super::assert_shows_its_table, Shown, draw};
 
-    /// The picture in the documentation shows the table beside it; GRAZING_REDRAW=1 draws it anew.
     #[test]
     fn the_checked_in_picture_shows_the_checked_in_table() {
-        let folder = std::path::Path::new("docs");
-        let mut rows = Vec::new();
-        for row in csv::Reader::from_path(folder.join("flow-accuracy.csv")).unwrap().records() {
-            let row = row.unwrap();
-            rows.push(Shown {
-                name: row[0].into(),
-                integrated: &row[1] != "closed form",
-                time: row[2].parse().unwrap(),
-                error: row[3].parse().unwrap(),
-            });
-        }
-        let place = Place { folder, name: "flow-accuracy", format: Default::default() };
-        if std::env::var_os("GRAZING_REDRAW").is_some() {
-            place.draw(&draw(&rows)).unwrap();
-        }
-        assert!(std::fs::read_to_string(place.picture()).unwrap() == draw(&rows).svg());
+        let row = |row: &csv::StringRecord| Shown {
+            name: row[0].into(),
+            integrated: &row[1] != "closed form",
+            time: row[2].parse().unwrap(),
+            error: row[3].parse().unwrap(),
+        };
+        assert_shows_its_table("flow-accuracy", row, draw);
     }
 }

@@ -113,7 +113,7 @@ const MARK: f64 = 2.5;
 
 /// A rectangle with two axes.
 #[derive(Debug, Clone)]
-pub struct Frame {
+pub struct PlotFrame {
     pub left: f64,
     pub top: f64,
     pub right: f64,
@@ -122,10 +122,10 @@ pub struct Frame {
     y: Axis,
 }
 
-impl Frame {
+impl PlotFrame {
     /// A frame that, with its numbers and names, fills a rectangle: left, top, right, bottom.
-    pub fn new([left, top, right, bottom]: [f64; 4], x: Axis, y: Axis) -> Frame {
-        let mut frame = Frame { left, top, right, bottom, x, y };
+    pub fn new([left, top, right, bottom]: [f64; 4], x: Axis, y: Axis) -> PlotFrame {
+        let mut frame = PlotFrame { left, top, right, bottom, x, y };
         frame.left += frame.name_width() + frame.numbers_width() + MARK + GAP;
         frame.bottom -= MARK + GAP + TYPE + if frame.x.name.0.is_empty() { 0.0 } else { 1.4 * TYPE };
         frame.x.thin(frame.right - frame.left - 2.0 * TYPE);
@@ -139,8 +139,8 @@ impl Frame {
     }
 
     /// The same, its left side moved: for frames below one another.
-    pub fn with_left(self, left: f64) -> Frame {
-        Frame { left, ..self }
+    pub fn with_left(self, left: f64) -> PlotFrame {
+        PlotFrame { left, ..self }
     }
 
     fn numbers_width(&self) -> f64 {

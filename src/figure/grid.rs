@@ -1,9 +1,9 @@
 //! A plane whose points belong to a few classes: basins of attraction.
 
 use super::{
-    Place,
+    FigurePlace,
     canvas::{At, BLACK, BLUE, COLUMN, Canvas, Colour, GREEN, ORANGE, PINK, RED, SKY, Words, YELLOW, line},
-    frame::{Axis, Frame},
+    frame::{Axis, PlotFrame},
     legend::Legend,
 };
 use crate::error::Result;
@@ -24,7 +24,7 @@ pub struct Grid {
 ///
 /// # Errors
 /// An I/O error.
-pub fn grid(grid: &Grid, axes: [&str; 2], place: &Place) -> Result<()> {
+pub fn grid(grid: &Grid, axes: [&str; 2], place: &FigurePlace) -> Result<()> {
     let row = |(i, &class): (usize, &usize)| {
         let (x, y) = (grid.x[i % grid.x.len()], grid.y[i / grid.x.len()]);
         vec![x.to_string(), y.to_string(), grid.names[class].clone()]
@@ -68,7 +68,7 @@ fn draw(grid: &Grid, axes: [&str; 2]) -> Canvas {
         (all[0] - half, all[all.len() - 1] + half)
     };
     let ((x0, x1), (y0, y1)) = (span(&grid.x), span(&grid.y));
-    let frame = Frame::new(
+    let frame = PlotFrame::new(
         [2.0, 2.0, COLUMN - 2.0, 188.0],
         Axis::linear(axes[0], (x0, x1), 6),
         Axis::linear(axes[1], (y0, y1), 6),

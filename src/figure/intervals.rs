@@ -3,10 +3,10 @@
 use num_rational::Ratio;
 
 use super::{
-    Place,
+    FigurePlace,
     canvas::{At, BLACK, COLUMN, Canvas, line},
     colour,
-    frame::{Axis, Frame},
+    frame::{Axis, PlotFrame},
     label,
     legend::Legend,
 };
@@ -23,7 +23,7 @@ const HIGH: f64 = 11.0;
 ///
 /// # Errors
 /// An input error unless 3 ≤ `last` ≤ 40; an I/O error.
-pub fn intervals(last: u64, place: &Place) -> Result<()> {
+pub fn intervals(last: u64, place: &FigurePlace) -> Result<()> {
     if !(3..=40).contains(&last) {
         return Err(Error::input(format!(
             "--n {last}: this figure shows periods 3 to N, with N from 3 to 40"
@@ -66,7 +66,7 @@ fn draw(last: u64, all: &[Interval]) -> Canvas {
     );
     legend.draw(&mut canvas, (24.0, 2.0), COLUMN - 26.0);
     let marks = (3..=last).map(|n| (n as f64, n.to_string().into())).collect();
-    let frame = Frame::new(
+    let frame = PlotFrame::new(
         [2.0, top, COLUMN - 2.0, canvas.height - 2.0],
         Axis::linear("s = θ/2π", (0.0, 0.5), 5),
         // From the top down.

@@ -5,10 +5,10 @@ use num_rational::BigRational;
 use num_traits::{One, ToPrimitive, Zero};
 
 use super::{
-    Place,
+    FigurePlace,
     canvas::{Anchor, At, COLUMN, Canvas, GREY, line},
     colour,
-    frame::{Axis, Frame},
+    frame::{Axis, PlotFrame},
     label,
     legend::{Legend, ROW},
 };
@@ -29,7 +29,7 @@ const DECIMALS: u32 = 8;
 ///
 /// # Errors
 /// An input error unless 3 ≤ `last` ≤ 40; an I/O error.
-pub fn iterate_boundaries(last: u64, place: &Place) -> Result<()> {
+pub fn iterate_boundaries(last: u64, place: &FigurePlace) -> Result<()> {
     if !(3..=40).contains(&last) {
         return Err(Error::input(format!(
             "--n {last}: this figure shows periods 3 to N, with N from 3 to 40"
@@ -130,7 +130,7 @@ pub(super) fn plane(point: &[BigRational; 2]) -> (f64, f64) {
 }
 
 /// A panel for a₂ between `bottom` and 1, with the regions' lines in grey and all curves.
-fn panel(canvas: &mut Canvas, [top, low]: [f64; 2], bottom: f64, curves: &[Curve]) -> Frame {
+fn panel(canvas: &mut Canvas, [top, low]: [f64; 2], bottom: f64, curves: &[Curve]) -> PlotFrame {
     let frame = plane_frame([top, low], bottom);
     for path in region_lines(bottom) {
         canvas.line(frame.path(path), line(GREY, 0.5));
@@ -148,9 +148,9 @@ fn panel(canvas: &mut Canvas, [top, low]: [f64; 2], bottom: f64, curves: &[Curve
 
 /// The plane above a height, in a part of a picture between two heights; frames below one another are
 /// aligned.
-pub(super) fn plane_frame([top, low]: [f64; 2], bottom: f64) -> Frame {
+pub(super) fn plane_frame([top, low]: [f64; 2], bottom: f64) -> PlotFrame {
     let (x, y) = (Axis::linear("a₁", (-2.0, 2.0), 4), Axis::linear("a₂", (bottom, 1.0), 5));
-    Frame::new([2.0, top, COLUMN - 4.0, low], x, y).with_left(36.0)
+    PlotFrame::new([2.0, top, COLUMN - 4.0, low], x, y).with_left(36.0)
 }
 
 /// The lines between the regions above a height, from left to right.

@@ -92,7 +92,7 @@ impl PictureFormat {
             return Ok(());
         }
         Err(Error::input(format!(
-            "this grazing writes no .{}: build it with `cargo install --path . --features print`, or name an .svg",
+            "this grazing writes .svg, no .{}: build it with `cargo install --path . --features print` for that",
             self.ending()
         )))
     }
@@ -100,7 +100,7 @@ impl PictureFormat {
 
 /// Where a figure goes: its folder, which is made if need be, and the name of its files without ending.
 #[derive(Debug, Clone, Copy)]
-pub struct Place<'a> {
+pub struct FigurePlace<'a> {
     /// The folder.
     pub folder: &'a Path,
     /// The name.
@@ -109,7 +109,7 @@ pub struct Place<'a> {
     pub format: PictureFormat,
 }
 
-impl Place<'_> {
+impl FigurePlace<'_> {
     /// The picture's file.
     pub fn picture(&self) -> PathBuf {
         self.folder.join(format!("{}.{}", self.name, self.format.ending()))
@@ -149,6 +149,24 @@ impl Place<'_> {
             table.finish()
         })
     }
+}
+
+/// The picture of this name in the documentation is what `draw` makes of the table beside it;
+/// GRAZING_REDRAW=1 draws it anew.
+#[cfg(test)]
+fn assert_shows_its_table<T>(
+    name: &str,
+    row: impl Fn(&csv::StringRecord) -> T,
+    draw: impl Fn(&[T]) -> Canvas,
+) {
+    let place = FigurePlace { folder: Path::new("docs"), name, format: PictureFormat::Svg };
+    let rows: Vec<T> =
+        csv::Reader::from_path(place.data()).unwrap().records().map(|one| row(&one.unwrap())).collect();
+    let canvas = draw(&rows);
+    if std::env::var_os("GRAZING_REDRAW").is_some() {
+        place.draw(&canvas).unwrap();
+    }
+    assert!(fs::read_to_string(place.picture()).unwrap() == canvas.svg(), "{name}");
 }
 
 /// The colour of a case.

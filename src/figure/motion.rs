@@ -1,9 +1,9 @@
 //! A motion between its walls: displacement over time.
 
 use super::{
-    Place,
+    FigurePlace,
     canvas::{Anchor, BLUE, COLUMN, Canvas, GREY, RED, TYPE, Words, line},
-    frame::{Axis, Frame, padded},
+    frame::{Axis, PlotFrame, padded},
 };
 use crate::error::Result;
 
@@ -101,7 +101,7 @@ impl MotionPicture {
 ///
 /// # Errors
 /// An I/O error.
-pub fn motion(motion: &MotionPicture, place: &Place) -> Result<()> {
+pub fn motion(motion: &MotionPicture, place: &FigurePlace) -> Result<()> {
     place.draw(&draw(motion))
 }
 
@@ -122,7 +122,7 @@ fn draw(motion: &MotionPicture) -> Canvas {
     let heights = || path.iter().chain(walls.iter().flatten()).map(|at| at.1);
     let times = (path.first().map_or(0.0, |p| p.0), path.last().map_or(1.0, |p| p.0));
     let times = (times.0, times.1.max(times.0 + 1e-9 * (1.0 + times.0.abs())));
-    let frame = Frame::new(
+    let frame = PlotFrame::new(
         [2.0, 14.0, COLUMN - 2.0, 134.0],
         Axis::linear("forcing periods", times, 8),
         Axis::linear(motion.label.as_str(), padded(heights()), 5),

@@ -1,9 +1,9 @@
 //! Predicted orbits to leading order: figure 3 of the paper, and the orbit of any pattern of any map.
 
 use super::{
-    Place,
+    FigurePlace,
     canvas::{Anchor, At, BLACK, COLUMN, Canvas, GREY, RED, Words, line},
-    frame::{Axis, Frame},
+    frame::{Axis, PlotFrame},
     legend::Legend,
 };
 use crate::{
@@ -25,7 +25,7 @@ struct Panel {
 ///
 /// # Errors
 /// An I/O error.
-pub fn orbits(place: &Place) -> Result<()> {
+pub fn orbits(place: &FigurePlace) -> Result<()> {
     // Twice λ₁, λ₂ in tenths; the signs of eµ and γ for which the orbit exists.
     let panels = [(1, (15, 5), true, 1), (2, (8, 5), false, 1), (5, (-5, -15), true, -1)];
     let mut drawn = Vec::new();
@@ -51,7 +51,7 @@ pub fn orbits(place: &Place) -> Result<()> {
 ///
 /// # Errors
 /// As [`predicted_orbit`]; an I/O error.
-pub fn orbit(map: &Map, pattern: &Pattern, side: Option<bool>, place: &Place) -> Result<()> {
+pub fn orbit(map: &Map, pattern: &Pattern, side: Option<bool>, place: &FigurePlace) -> Result<()> {
     let positive = side.unwrap_or(true);
     let points = predicted_orbit(map, pattern.periods(), positive)?;
     let what = match side {
@@ -62,7 +62,7 @@ pub fn orbit(map: &Map, pattern: &Pattern, side: Option<bool>, place: &Place) ->
     write(place, &[Panel { label: format!("pattern ({pattern}): {what}"), points, positive }])
 }
 
-fn write(place: &Place, panels: &[Panel]) -> Result<()> {
+fn write(place: &FigurePlace, panels: &[Panel]) -> Result<()> {
     place.draw(&draw(panels))?;
     let size = panels[0].points[0].x.len();
     // A column's name lives as long as the program; these few may.
@@ -171,7 +171,7 @@ fn draw_panel(panel: &Panel, top: f64, canvas: &mut Canvas) {
     };
     let (x, y) = (range(|p| p.0), range(|p| p.1));
     canvas.text(panel.label.as_str(), (COLUMN / 2.0, top + 5.0), Anchor::Middle);
-    let frame = Frame::new(
+    let frame = PlotFrame::new(
         [2.0, top + 10.0, COLUMN - 2.0, top + PANEL - 6.0],
         Axis::linear("x₁/|eµ|", x, 6),
         Axis::linear("x₂/|eµ|", y, 6),
@@ -192,7 +192,7 @@ fn draw_panel(panel: &Panel, top: f64, canvas: &mut Canvas) {
 
 /// A number beside each point, or one text beside points so close together that their numbers would cover one
 /// another: `3–7, 12`.
-fn numbers(panel: &Panel, at: &[At], frame: &Frame) -> Vec<(String, At)> {
+fn numbers(panel: &Panel, at: &[At], frame: &PlotFrame) -> Vec<(String, At)> {
     let mut groups: Vec<Vec<usize>> = Vec::new();
     for (index, place) in at.iter().enumerate() {
         let near = |group: &&mut Vec<usize>| {

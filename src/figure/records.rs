@@ -9,7 +9,7 @@ use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
 use super::{
-    Place,
+    FigurePlace,
     canvas::{Anchor, At, BLACK, COLUMN, Canvas, Colour, GREY, line},
     colour, label,
     legend::{Legend, ROW},
@@ -27,7 +27,7 @@ use crate::{
 ///
 /// # Errors
 /// An input error unless 1 ≤ `last` ≤ 60, 0 < r ≤ 1 and 0 < s < ½; an I/O error.
-pub fn records(r: &BigRational, s: &BigRational, last: u64, place: &Place) -> Result<()> {
+pub fn records(r: &BigRational, s: &BigRational, last: u64, place: &FigurePlace) -> Result<()> {
     if !(1..=60).contains(&last) {
         return Err(Error::input(format!(
             "--n {last}: this figure shows periods 1 to N, with N from 1 to 60"

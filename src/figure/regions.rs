@@ -1,9 +1,9 @@
 //! The paper's figure 2: the five regions of the (a₁, a₂) plane.
 
 use super::{
-    Place,
+    FigurePlace,
     canvas::{Anchor, BLACK, COLUMN, Canvas, Colour, line},
-    frame::{Axis, Frame},
+    frame::{Axis, PlotFrame},
 };
 use crate::error::Result;
 
@@ -13,7 +13,7 @@ const STEPS: u32 = 100;
 ///
 /// # Errors
 /// An I/O error.
-pub fn regions(place: &Place) -> Result<()> {
+pub fn regions(place: &FigurePlace) -> Result<()> {
     let rows: Vec<Vec<String>> = (0..4)
         .flat_map(|line| (0..=STEPS).map(move |i| (line, i)))
         .map(|(line, i)| {
@@ -41,7 +41,7 @@ fn draw() -> Canvas {
         "Lines a1 = ±(a2 + 1) and the parabola a1 = ±2 sqrt(a2) divide 0 < a2 < 1 into regions 1 to 5, from right \
          to left; in region 3, inside the parabola, the eigenvalues are complex.",
     );
-    let frame = Frame::new(
+    let frame = PlotFrame::new(
         [2.0, 4.0, COLUMN - 2.0, 130.0],
         Axis::linear("a₁", (-3.0, 3.0), 6),
         Axis::linear("a₂", (0.0, 1.0), 5),

@@ -2,9 +2,9 @@
 //! grazes a wall.
 
 use super::{
-    Place,
+    FigurePlace,
     canvas::{At, BLACK, BLUE, COLUMN, Canvas, Colour, GREEN, ORANGE, RED, SKY, Words, line},
-    frame::{Axis, Frame, padded},
+    frame::{Axis, PlotFrame, padded},
     legend::Legend,
 };
 use crate::error::Result;
@@ -50,7 +50,7 @@ pub struct Points {
 ///
 /// # Errors
 /// An I/O error.
-pub fn section(sets: &[Points], axes: [&str; 2], place: &Place) -> Result<()> {
+pub fn section(sets: &[Points], axes: [&str; 2], place: &FigurePlace) -> Result<()> {
     let row = |set: &Points| {
         let set_name = set.name.clone();
         let one = move |(x, y): &(f64, f64)| vec![set_name.clone(), x.to_string(), y.to_string()];
@@ -116,7 +116,7 @@ fn draw(sets: &[Points], axes: [&str; 2]) -> Canvas {
     );
     // A curve may leave the picture.
     let shown = || sets.iter().filter(|set| !set.mark.is_line()).flat_map(|set| set.at.iter());
-    let frame = Frame::new(
+    let frame = PlotFrame::new(
         [2.0, 2.0, COLUMN - 2.0, 188.0],
         Axis::linear(axes[0], padded(shown().map(|at| at.0)), 6),
         Axis::linear(axes[1], padded(shown().map(|at| at.1)), 6),

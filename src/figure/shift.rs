@@ -2,9 +2,9 @@
 //! take them, the boxes where both meet, and the impacts of an attractor among them.
 
 use super::{
-    Place,
+    FigurePlace,
     canvas::{Anchor, At, BLACK, BLUE, COLUMN, Canvas, Colour, GREEN, ORANGE, PINK, SKY, Words, line},
-    frame::{Axis, Frame},
+    frame::{Axis, PlotFrame},
     legend::Legend,
 };
 use crate::{
@@ -27,7 +27,12 @@ type Strip = Vec<(f64, [f64; 2])>;
 ///
 /// # Errors
 /// An input error if a letter's velocities after are not positive or those before not negative; an I/O error.
-pub fn shift(problem: &Problem, proof: &ShiftProof, impacts: &[(f64, f64)], place: &Place) -> Result<()> {
+pub fn shift(
+    problem: &Problem,
+    proof: &ShiftProof,
+    impacts: &[(f64, f64)],
+    place: &FigurePlace,
+) -> Result<()> {
     let boxes = &proof.boxes;
     if boxes.iter().any(|[after, before]| after.lo <= 0.0 || before.hi >= 0.0) {
         return Err(Error::input("figure chaos: a velocity of the boxes may be 0, which has no logarithm"));
@@ -89,7 +94,7 @@ fn draw(
         let mark = |e: i32| (f64::from(e), Words::from(10f64.powi(e).to_string()));
         Axis::marked(name, (from.log10(), to.log10()), true, exponents.map(mark).collect())
     };
-    let frame = Frame::new(
+    let frame = PlotFrame::new(
         [2.0, 14.0, COLUMN - 14.0, 202.0],
         axis("−p before an impact", before),
         axis("a after it", after),

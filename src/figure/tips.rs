@@ -8,9 +8,9 @@ use num_traits::{One, ToPrimitive, pow};
 use rayon::prelude::*;
 
 use super::{
-    Place,
+    FigurePlace,
     canvas::{At, BLACK, COLUMN, Canvas, Colour, ORANGE, RED, SKY, line},
-    frame::{Axis, Frame},
+    frame::{Axis, PlotFrame},
     legend::Legend,
 };
 use crate::{
@@ -28,7 +28,7 @@ const DIGITS: u32 = 20;
 ///
 /// # Errors
 /// An input error unless 4 ≤ `last` ≤ 400; an I/O error; an interruption.
-pub fn tips(last: u64, place: &Place, monitor: &dyn Monitor) -> Result<()> {
+pub fn tips(last: u64, place: &FigurePlace, monitor: &dyn Monitor) -> Result<()> {
     if !(4..=400).contains(&last) {
         return Err(Error::input(format!(
             "--n {last}: this figure shows periods 4 to N, with N from 4 to 400"
@@ -101,7 +101,7 @@ fn panel(
     dots: &[(u64, f64, f64)],
     curve: impl Fn(f64) -> f64,
 ) {
-    let frame = Frame::new(
+    let frame = PlotFrame::new(
         [2.0, heights[0], COLUMN - 2.0, heights[1]],
         Axis::linear("k/n", (0.0, 1.0), 5),
         Axis::decades(name, decades, 1),

@@ -9,9 +9,9 @@ use num_rational::BigRational;
 use num_traits::{One, ToPrimitive, Zero};
 
 use super::{
-    Place,
+    FigurePlace,
     canvas::{Anchor, BLACK, COLUMN, Canvas, Colour, GREY, Paint, WHITE, line},
-    frame::{Axis, Frame},
+    frame::{Axis, PlotFrame},
     iterate::{Curve, plane},
     label,
 };
@@ -47,7 +47,7 @@ struct Cell {
 ///
 /// # Errors
 /// An input error unless 3 ≤ `last` ≤ 30; an I/O error; the monitor's interruption.
-pub fn words(last: u64, place: &Place, monitor: &dyn Monitor) -> Result<()> {
+pub fn words(last: u64, place: &FigurePlace, monitor: &dyn Monitor) -> Result<()> {
     if !(3..=30).contains(&last) {
         return Err(Error::input(format!(
             "--n {last}: this figure shows periods up to N, with N from 3 to 30"
@@ -240,7 +240,7 @@ const PANEL: f64 = 128.0;
 
 fn panel(canvas: &mut Canvas, top: f64, cells: &[Cell], case: Case, lowest: bool) {
     let bottom = if lowest { top + PANEL + 8.0 } else { top + PANEL - 4.0 };
-    let frame = Frame::new(
+    let frame = PlotFrame::new(
         [2.0, top, COLUMN - 4.0, bottom],
         Axis::linear(if lowest { "a₁" } else { "" }, (-2.0, 2.0), 4),
         Axis::linear("a₂", (0.0, 1.0), 5),

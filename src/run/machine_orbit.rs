@@ -185,7 +185,7 @@ const MARGIN: f64 = 1e-11;
 
 /// Whether all multipliers are inside the unit circle; marginal at a bifurcation at which one or two are on
 /// it.
-pub(super) fn stable(orbit: &MachineOrbit, at: Option<Bifurcation>) -> Judgement {
+pub(crate) fn stable(orbit: &MachineOrbit, at: Option<Bifurcation>) -> Judgement {
     let off = |&(re, im): &(f64, f64)| match at {
         Some(Bifurcation::SaddleNode | Bifurcation::Crossing) => (re - 1.0).hypot(im),
         Some(Bifurcation::Flip) => (re + 1.0).hypot(im),

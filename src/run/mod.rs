@@ -68,8 +68,12 @@ pub(crate) use machine_branch::form;
 pub use machine_branch::{MachineBranchFindings, MachineBranchRow, machine_branch};
 pub use machine_event::{MachineEventFindings, MachineEventRow, machine_event};
 pub use machine_grazing::{MachineBornRow, MachineGrazingFindings, MachineGrazingReport, machine_grazing};
+#[cfg(feature = "cli")]
+pub(crate) use machine_orbit::stable as machine_stable;
 pub use machine_orbit::{MachineOrbitFindings, MachineOrbitRow, machine_orbit};
 pub use machine_validate::machine_validate;
+#[cfg(feature = "cli")]
+pub(crate) use orbit::stable;
 pub use orbit::{MissingRow, OrbitFindings, OrbitRow, orbit};
 pub use report::TaskReport;
 pub use section::{AttractorRow, ExponentRow, SectionFindings, SectionOrbitRow, SectionSet, section};

@@ -179,7 +179,7 @@ pub(super) fn speeds(orbit: &Orbit) -> Vec<f64> {
 const MARGIN: f64 = 1e-11;
 
 /// Whether both multipliers are inside the unit circle; marginal at a bifurcation at which one is on it.
-pub(super) fn stable(orbit: &Orbit, at: Option<Bifurcation>) -> Judgement {
+pub(crate) fn stable(orbit: &Orbit, at: Option<Bifurcation>) -> Judgement {
     let multipliers = &orbit.multipliers;
     let test = |value: f64, here: bool| match () {
         () if here || value.abs() <= MARGIN * (1.0 + multipliers.trace.abs()) => Judgement::Marginal,

@@ -15,7 +15,7 @@ use crate::{
         orbit::{Family, Orbit, Oscillator},
     },
     output::write_file,
-    run::{BranchFindings, BranchList, MachineBranchFindings, Row, form},
+    run::{BranchFindings, BranchList, Judgement, MachineBranchFindings, Row, form, machine_stable, stable},
     scene::{Frame, MachineSceneFamily, SceneFamily, branches::BranchTask, phase},
 };
 
@@ -47,8 +47,11 @@ pub(super) fn keep_machine(
     let named = |branch: &MachineBranch| branch.itinerary.with_names(&stops);
     let at = phase(&task.phase);
     let draw = |branch: &MachineBranch| {
-        let gap = |parameter: f64, orbit: &MachineOrbit| patterns.gap(parameter, orbit, stop, at);
-        curve(branch, &named(branch), &gap)
+        let drawn = |point: &BranchPoint<MachineOrbit>| {
+            let gap = patterns.gap(point.parameters[0], &point.orbit, stop, at)?;
+            Ok((gap, machine_stable(&point.orbit, point.event)))
+        };
+        curve(branch, &named(branch), &drawn)
     };
     let axis = if stops.len() == 1 { "gap".to_string() } else { format!("gap of {}", stops[stop]) };
     write(found, task, job, (&record, &draw, &named), &axis)
@@ -100,7 +103,7 @@ fn locus<O: FollowedOrbit>(branch: &OrbitBranch<O>, pattern: &str) -> figure::Dr
     let place = |point: &BranchPoint<O>| (point.parameters[0], point.parameters[1]);
     figure::DrawnBranch {
         name: format!("{} of the impact pattern ({pattern})", branch.name()),
-        at: branch.points.iter().map(|point| (place(point).0, place(point).1, true)).collect(),
+        at: branch.points.iter().map(|point| (place(point).0, place(point).1, None)).collect(),
         labels: branch
             .points
             .iter()
@@ -109,26 +112,23 @@ fn locus<O: FollowedOrbit>(branch: &OrbitBranch<O>, pattern: &str) -> figure::Dr
     }
 }
 
-/// A branch over one parameter, `height` of each orbit over it.
+/// The height of an orbit in the picture, and whether it is stable.
+type Drawn = (f64, Judgement);
+
+/// A branch over one parameter.
 fn curve<O: FollowedOrbit>(
     branch: &OrbitBranch<O>,
     pattern: &str,
-    height: &dyn Fn(f64, &O) -> Result<f64>,
+    drawn: &dyn Fn(&BranchPoint<O>) -> Result<Drawn>,
 ) -> Result<figure::DrawnBranch> {
     let name = format!("impact pattern ({pattern})");
     let mut curve = figure::DrawnBranch { name, at: Vec::new(), labels: Vec::new() };
     for point in &branch.points {
         let parameter = point.parameters[0];
-        let height = height(parameter, &point.orbit)?;
-        curve.at.push((parameter, height, point.orbit.is_stable()));
+        let (height, stable) = drawn(point)?;
+        curve.at.push((parameter, height, Some(stable)));
         if let Some(kind) = point.kind() {
             curve.labels.push((parameter, height, kind.to_string()));
-        }
-    }
-    // At an event rounding decides the stability: the line changes there to that of what follows.
-    for i in (0..branch.points.len().saturating_sub(1)).rev() {
-        if branch.points[i].kind().is_some() {
-            curve.at[i].2 = curve.at[i + 1].2;
         }
     }
     Ok(curve)
@@ -143,14 +143,14 @@ pub(super) struct Drawing<'a> {
 
 impl Drawing<'_> {
     pub fn curve(&self, branch: &Branch) -> Result<figure::DrawnBranch> {
-        let height = |parameter: f64, orbit: &Orbit| {
-            let oscillator = self.family.at(parameter)?;
+        let drawn = |point: &BranchPoint<Orbit>| {
+            let (oscillator, orbit) = (self.family.at(point.parameters[0])?, &point.orbit);
             let first = if orbit.itinerary.strikes().is_empty() { 0.0 } else { orbit.z[0] };
             let wait = (self.phase - first).rem_euclid(TAU);
             let q = orbit.state(&oscillator, first + wait)?.q;
-            Ok(self.displacement(&oscillator, q))
+            Ok((self.displacement(&oscillator, q), stable(orbit, point.event)))
         };
-        curve(branch, &branch.itinerary.to_string(), &height)
+        curve(branch, &branch.itinerary.to_string(), &drawn)
     }
 
     /// q at the phase, from where it is counted.

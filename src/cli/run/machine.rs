@@ -5,7 +5,7 @@ use std::io::Write;
 use super::Job;
 use crate::{
     error::Result,
-    figure::{self, MotionPicture, Place},
+    figure::{self, FigurePlace, MotionPicture},
     machine::{Machine, MachineState, contact::StopContact, simulate::MachineEvent},
     oscillator::Time,
     run::{Findings, Keeper},
@@ -125,7 +125,7 @@ impl Keeper for MachineSeries<'_> {
         let name = &self.job.task.name;
         let mut files = [".csv", "-events.csv"].map(|end| format!("{name}{end}")).to_vec();
         for (picture, name) in self.pictures.iter().zip(self.names()) {
-            figure::motion(picture, &Place { name: &name, ..self.job.place() })?;
+            figure::motion(picture, &FigurePlace { name: &name, ..self.job.place() })?;
             files.push(format!("{name}.{}", self.job.format.ending()));
         }
         Ok(files)

@@ -27,7 +27,7 @@ use super::{Outcome, ReportFormat, in_pool, reported};
 use crate::{
     cli::progress::Interrupt,
     error::{Error, Result},
-    figure::{PictureFormat, Place},
+    figure::{FigurePlace, PictureFormat},
     number::{parse_integer, parse_rational},
     output::{Column, Destination, TableCell, TableFormat, TableWriter, make_folder, say, write_file},
     run::{
@@ -133,8 +133,8 @@ impl Job<'_> {
     }
 
     /// Where its picture goes.
-    fn place(&self) -> Place<'_> {
-        Place { folder: self.folder, name: &self.task.name, format: self.format }
+    fn place(&self) -> FigurePlace<'_> {
+        FigurePlace { folder: self.folder, name: &self.task.name, format: self.format }
     }
 
     /// The names of the task's picture and of the data beside it.

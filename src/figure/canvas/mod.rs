@@ -217,6 +217,6 @@ fn before(anchor: Anchor) -> f64 {
 #[cfg(feature = "print")]
 fn width_in(face: &ttf_parser::Face, words: &Words, size: f64) -> f64 {
     let letter = |c: char| face::advance(face, face::glyph(face, c));
-    let run = |run: &words::Run| run.level.scale() * run.text.chars().map(letter).sum::<f64>();
+    let run = |run: &words::LetterRun| run.level.scale() * run.text.chars().map(letter).sum::<f64>();
     size * words.0.iter().map(run).sum::<f64>()
 }

@@ -29,7 +29,7 @@ impl Level {
 
 /// Letters of one kind.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Run {
+pub struct LetterRun {
     pub text: String,
     pub level: Level,
     pub italic: bool,
@@ -41,7 +41,7 @@ pub struct Run {
 /// lowered and raised, and a letter that stands alone (q, a₁, eµ) is a symbol, in italics. [`Words::plain`]
 /// changes nothing: for names that come from a reader.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
-pub struct Words(pub Vec<Run>);
+pub struct Words(pub Vec<LetterRun>);
 
 impl From<&str> for Words {
     fn from(text: &str) -> Words {
@@ -73,7 +73,7 @@ fn is_greek(c: char) -> bool {
 impl Words {
     /// Text as it is.
     pub fn plain(text: &str) -> Words {
-        Words(vec![Run { text: text.into(), level: Level::Base, italic: false }])
+        Words(vec![LetterRun { text: text.into(), level: Level::Base, italic: false }])
     }
 
     fn maths(text: &str) -> Words {
@@ -107,13 +107,13 @@ impl Words {
             let other = index.and_then(|index| letters.get(index));
             other.is_some_and(|&(c, of)| of == level && c.is_alphabetic() && !is_greek(c))
         };
-        let mut runs: Vec<Run> = Vec::new();
+        let mut runs: Vec<LetterRun> = Vec::new();
         for (index, &(c, level)) in letters.iter().enumerate() {
             let alone = !latin(index.checked_sub(1), level) && !latin(Some(index + 1), level);
             let italic = is_greek(c) || (c.is_ascii_alphabetic() && alone);
             match runs.last_mut() {
                 Some(run) if run.level == level && run.italic == italic => run.text.push(c),
-                _ => runs.push(Run { text: c.into(), level, italic }),
+                _ => runs.push(LetterRun { text: c.into(), level, italic }),
             }
         }
         Words(runs)
@@ -122,7 +122,7 @@ impl Words {
     /// The width in points at a size of type, about: in DejaVu Sans Condensed, which other faces are close
     /// to.
     pub fn width(&self, size: f64) -> f64 {
-        let run = |run: &Run| run.level.scale() * run.text.chars().map(advance).sum::<f64>();
+        let run = |run: &LetterRun| run.level.scale() * run.text.chars().map(advance).sum::<f64>();
         size * self.0.iter().map(run).sum::<f64>()
     }
 }
@@ -151,7 +151,7 @@ mod tests {
     use super::*;
 
     fn shown(text: &str) -> String {
-        let run = |run: &Run| {
+        let run = |run: &LetterRun| {
             let text = if run.italic { format!("/{}/", run.text) } else { run.text.clone() };
             match run.level {
                 Level::Base => text,
