@@ -491,6 +491,38 @@ fn tasks_on_a_machine_say_what_they_say_of_the_oscillator() {
     assert!(searched.iter().any(|row| (number(&row["speeds"][0]) - speed).abs() < 1e-9), "{}", machine[1]);
 }
 
+/// However far the search may go, the grazing is the nearest; and a distance that rounding does not leave is
+/// said, with no orbit beside it.
+#[test]
+fn reach_and_distance_may_be_huge_or_tiny() {
+    let of = |keys: &str| {
+        let text = format!(
+            "format = \"grazing-scene 2\"\ntitle = \"t\"\n[parameters]\nF = 1\n[system]\nperiod = \"2*pi\"\n\
+             mass = 1\ndamping = 0.1\nstiffness = 3\nforcing = [{{ cos = [\"F\"] }}]\n[[walls]]\nname = \"stop\"\n\
+             row = [1]\noffset = -1\nrestitution = 0.5\n[[tasks]]\nname = \"g\"\nkind = \"grazing\"\n\
+             parameter = \"F\"\n{keys}\n"
+        );
+        reports(&text).remove(0)
+    };
+    // Where |F|/|3 − 1 + i/10| is 1.
+    let known = 2.0f64.hypot(0.1);
+    for reach in ["2", "1e6", "1e20", "1e300"] {
+        let found = of(&format!("reach = {reach}"));
+        let parameter = found["parameter"].as_f64().unwrap_or_else(|| panic!("{found}"));
+        assert!((parameter / known - 1.0).abs() < 1e-14, "{reach}: {found}");
+    }
+    for (distance, looked) in [("1e-9", true), ("1e-17", false), ("1e-300", false)] {
+        let found = of(&format!("reach = 2\ndistance = {distance}"));
+        let rows = found["born"].as_array().unwrap();
+        assert!(!rows.is_empty(), "{found}");
+        for row in rows {
+            assert_eq!(row["found_at"].is_number(), looked, "{row}");
+            let said = row["reason"].as_str().is_some_and(|reason| reason.contains("`distance`"));
+            assert!(said != looked, "{row}");
+        }
+    }
+}
+
 /// A motion that touches a stop whatever the parameter is: the local theory has nothing to say, and no orbit
 /// is looked for infinitely far away.
 #[test]

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::{ChaosRow, Complex, Finding, Job, Judgement, Lines, Status, chaos::chaos, orbit, row};
 use crate::{
-    error::Result,
+    error::{Error, Result},
     oscillator::{
         branch::{Bifurcation, BranchSearch, locate},
         grazing::{self, Grazing, LocalMap},
@@ -293,10 +293,13 @@ fn born(
     let away = if side { task.distance_at(1.0) } else { -task.distance_at(1.0) } / e;
     let periods: Vec<u64> = pattern.periods().to_vec();
     row.coefficient = map.leading(&periods).map(|leading| leading / e.powi(periods.len() as i32));
-    let parameter = event.parameter + away;
-    row.found_at = Some(parameter);
     row.side =
         format!("{} {} {}", task.parameter, if away > 0.0 { '>' } else { '<' }, shown(event.parameter));
+    let parameter = match beside(&task.parameter, event.parameter, away) {
+        Ok(parameter) => parameter,
+        Err(error) => return Ok(BornRow { reason: Some(error.to_string()), ..row }),
+    };
+    row.found_at = Some(parameter);
     let (itinerary, z) = match half {
         Some(map) => event.half_start(map, &periods, verdict, parameter)?,
         None => event.start(family, &periods, verdict, parameter)?,
@@ -313,6 +316,21 @@ fn born(
         Err(error) => row.reason = Some(error.to_string()),
     }
     Ok(row)
+}
+
+/// The parameter at a distance from a grazing.
+///
+/// # Errors
+/// A distance of which too little is left beside the parameter, rounded.
+pub(super) fn beside(name: &str, parameter: f64, away: f64) -> Result<f64> {
+    let there = parameter + away;
+    if ((there - parameter) / away - 1.0).abs() < 0.01 {
+        return Ok(there);
+    }
+    let message = format!(
+        "not looked for: {name} = {parameter:?} changes by {away:e} at this `distance`, which rounding does not leave"
+    );
+    Err(Error::input(message))
 }
 
 /// What of a pattern is open.

@@ -11,7 +11,7 @@ use serde::Serialize;
 use super::{
     ChaosRow, Complex, Finding, Job, Judgement, Lines, Status,
     chaos::chaos_at,
-    grazing::{GrazingSearch, shown, side_open},
+    grazing::{GrazingSearch, beside, shown, side_open},
     machine_orbit as orbit, row,
 };
 use crate::{
@@ -311,10 +311,13 @@ fn born(
         let middle = enclosed.lo() + (enclosed.hi() - enclosed.lo()) / 2.0;
         middle / event.map.e.powi(pattern.periods().len() as i32)
     });
-    let parameter = event.parameter + away;
-    row.found_at = Some(parameter);
     row.side =
         format!("{} {} {}", task.parameter, if away > 0.0 { '>' } else { '<' }, shown(event.parameter));
+    let parameter = match beside(&task.parameter, event.parameter, away) {
+        Ok(parameter) => parameter,
+        Err(error) => return Ok(MachineBornRow { reason: Some(error.to_string()), ..row }),
+    };
+    row.found_at = Some(parameter);
     let (machine, _): (Machine<f64>, _) = family.at(parameter)?;
     let simulator = job.machine_simulator(&machine, &[])?;
     let (strikes, start) = event.start(pattern.periods(), verdict, away)?;

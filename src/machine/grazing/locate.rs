@@ -168,7 +168,8 @@ fn dip(look: Look, mut lo: f64, mut hi: f64, direction: f64) -> Result<Option<f6
 /// Where the least gap, positive at `free`, passes through 0 before `behind`: Newton's method between bounds.
 fn root(look: Look, mut free: f64, mut behind: f64) -> Result<f64> {
     let mut here = free + (behind - free) / 2.0;
-    for _ in 0..200 {
+    // Far away Newton's steps are rounding's: down from the largest float it takes some 1100 halvings.
+    for _ in 0..1200 {
         let (_, least, rate) = look(here)?;
         if least.gap > 0.0 {
             free = here;
