@@ -68,8 +68,9 @@ pub struct ChaosFindings {
     pub reach: Option<f64>,
     /// q/ν where a second wall is at its nearest.
     pub ceiling: Option<f64>,
-    /// S: every bounded motion that meets the wall only where its speed, in units of the normal form, is at
-    /// most νS/2 is one of these; none if that is not proved.
+    /// S: every motion that meets the wall at arbitrarily early and late times, and only near its top where
+    /// its speed, in units of the normal form, is at most νS/2, is one of these; with damping and a spring so
+    /// is every bounded motion that meets it only there. None if that is not proved.
     pub complete: Option<f64>,
     /// What was tried without success.
     pub failures: Vec<FailureRow>,
@@ -122,7 +123,7 @@ impl Finding for ChaosFindings {
             lines.say(
                 "others",
                 self.complete.map_or("not excluded: there may be other orbits near".to_string(), |strength| {
-                    format!("none near: every bounded motion that meets the wall only in the window, at a speed of the wall of at most {strength} nu/2, is one of these")
+                    format!("none near: every motion that meets the wall at arbitrarily early and late times, and only in the window, at a speed of the wall of at most {strength} nu/2, is one of these")
                 }),
             );
         }

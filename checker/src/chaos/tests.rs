@@ -4,8 +4,11 @@ use super::{
     fixed::Interval,
     flow::{Flow, circle},
     only::ends,
+    text::read,
     wall::Wall,
+    words::detail,
 };
+use crate::lines::Lines;
 
 fn ratio(p: i128, q: i128) -> Interval {
     Interval::ratio(p, q)
@@ -123,5 +126,30 @@ fn only_a_bounded_ratio_ends_a_leg() {
     assert!(!ends([four + one, four], 1000));
     for unknown in [[Interval::WHOLE, four], [one, Interval::WHOLE], [one, -four], [one, Interval::ZERO]] {
         assert!(!ends(unknown, 1000), "{unknown:?}");
+    }
+}
+
+/// Without damping or without a spring a bounded motion may be free for ever: of those nothing is said.
+#[test]
+fn what_is_said_of_others_is_what_is_proved() {
+    let text = include_str!("../../tests/data/chaos-12.txt");
+    let said = |damping: &str, stiffness: &str| {
+        let rest: Vec<&str> = text.lines().skip_while(|line| !line.starts_with("statement")).collect();
+        let text = rest.join("\n").replace("complete no", "complete 2 4 2 7");
+        let text =
+            text.replace("damping 12/49 12/49", damping).replace("stiffness 100/2401 100/2401", stiffness);
+        let certificate = read(&mut Lines::after(0, &mut text.as_bytes(), &mut || false)).unwrap();
+        let (_, others) = detail(&certificate).into_iter().find(|(name, _)| *name == "others").unwrap();
+        others
+    };
+    let (damped, free) = ("every bounded motion", "every motion that meets the wall at arbitrarily early");
+    for (damping, stiffness, expected) in [
+        ("damping 12/49 12/49", "stiffness 100/2401 100/2401", damped),
+        ("damping 0/1 12/49", "stiffness 100/2401 100/2401", free),
+        ("damping 12/49 12/49", "stiffness 0/1 100/2401", free),
+        ("damping -12/49 12/49", "stiffness 100/2401 100/2401", free),
+    ] {
+        let others = said(damping, stiffness);
+        assert!(others.contains(expected), "{damping}, {stiffness}: {others}");
     }
 }

@@ -33,10 +33,17 @@ pub(super) fn detail(certificate: &Certificate) -> Vec<(&'static str, String)> {
         "others",
         match certificate.complete {
             None => "not excluded: there may be other orbits near".to_string(),
-            Some(claim) => format!(
-                "none near: every bounded motion that meets the wall only in the window, at |g'| <= nu {}/2, is one of these",
-                claim.strength
-            ),
+            Some(claim) => {
+                let [[damping, _], [stiffness, _], ..] = certificate.ranges;
+                let which = match damping.p > 0 && stiffness.p > 0 {
+                    true => "bounded motion that meets the wall only",
+                    false => "motion that meets the wall at arbitrarily early and late times, and only",
+                };
+                format!(
+                    "none near: every {which} in the window, at |g'| <= nu {}/2, is one of these",
+                    claim.strength
+                )
+            }
         },
     ));
     all
