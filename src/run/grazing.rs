@@ -328,7 +328,7 @@ pub(super) fn beside(name: &str, parameter: f64, away: f64) -> Result<f64> {
         return Ok(there);
     }
     let message = format!(
-        "not looked for: {name} = {parameter:?} changes by {away:e} at this `distance`, which rounding does not leave"
+        "not looked for: in floating point {name} = {parameter:?} hardly changes by {away:e}, the task's `distance`: take a larger one"
     );
     Err(Error::input(message))
 }
