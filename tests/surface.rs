@@ -11,8 +11,9 @@ fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
-/// Every command that writes a LaTeX table, with the awkward texts among them.
-const TABLES: [&str; 12] = [
+/// Every command that writes a LaTeX table, with the awkward texts among them; `{in}` is a folder with the
+/// certificates that are cited.
+const TABLES: [&str; 14] = [
     "intervals 3..=9",
     "intervals 3..=9 --decimals 6",
     "intervals --two-impacts 5",
@@ -25,6 +26,8 @@ const TABLES: [&str; 12] = [
     "existence examples/maps/nordmark-2001.toml --max-period 5 --counts",
     "existence examples/maps/four-dimensional.toml --max-period 5",
     "existence examples/maps/singular.toml --max-period 4",
+    "intervals 3..=5 --cite {in}/theorem_2#.txt --cite {in}/covers.txt",
+    "boundary 3..=5 --cite {in}/covers.txt",
 ];
 
 /// With `pdflatex` on the path every table is set, and none is wider than the text of an A4 page; without it,
@@ -32,11 +35,15 @@ const TABLES: [&str; 12] = [
 #[test]
 fn latex_sets_every_table() {
     let folder = tempfile::tempdir().unwrap();
+    for arguments in ["verify 3..=5 --certificate theorem_2#.txt", "cover 3..=5 --certificate covers.txt"] {
+        assert_eq!(run(arguments, folder.path()).0, 0);
+    }
     let mut document = String::from(
         "\\documentclass[a4paper]{article}\\usepackage{amsmath,array,booktabs,longtable}\\begin{document}\n",
     );
     for (index, arguments) in TABLES.iter().enumerate() {
         let file = folder.path().join(format!("table{index}.tex"));
+        let arguments = &arguments.replace("{in}", &folder.path().display().to_string());
         let all = format!("{arguments} --format latex -o {}", file.display());
         let (code, _, err) = run(&all, root());
         // A table of patterns may leave some undecided: 3.
@@ -61,10 +68,54 @@ fn latex_sets_every_table() {
     assert!(!log.contains("Overfull"), "a table is too wide:\n{log}");
 }
 
+/// What a caption cites is checked first, covers the table, and has the digest that `sha256sum` prints.
+#[test]
+fn a_certificate_is_checked_before_it_is_cited() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name);
+    for arguments in ["verify 3..=5 --certificate theorem2", "cover 3..=4 --certificate covers"] {
+        assert_eq!(run(arguments, folder.path()).0, 0);
+    }
+    let text = fs::read_to_string(path("theorem2")).unwrap();
+    fs::write(path("false"), text.replacen(" - +", " + +", 1)).unwrap();
+    fs::write(path("longer"), text + "\n").unwrap();
+
+    let (code, table, _) = run("intervals 3..=5 --format latex --cite theorem2", folder.path());
+    let (_, sum) = shell("sha256sum theorem2 || shasum -a 256 theorem2", folder.path());
+    let digest = sum.split(' ').next().unwrap();
+    assert!(code == 0 && digest.len() == 64, "{sum}");
+    assert!(table.replace("\\allowbreak ", "").contains(&format!("SHA-256 \\texttt{{{digest}}}")), "{table}");
+    for part in ["\\caption{", "\\label{tab:intervals-3-5}", "of kind theorem2", "$n = 3, \\dots, 5$"] {
+        assert!(table.contains(part), "{part}: {table}");
+    }
+
+    for (arguments, wanted, says) in [
+        ("intervals 3..=5 --format latex --cite false", 1, "false cannot be cited: rejected: line "),
+        ("intervals 3..=5 --format latex --cite longer", 1, "longer cannot be cited: rejected: line "),
+        ("intervals 3..=5 --format latex --cite missing", 2, "cannot open missing"),
+        ("intervals 3..=6 --format latex --cite theorem2", 2, "`grazing verify 3..=6 --certificate FILE`"),
+        ("intervals 2..=5 --format latex --cite theorem2", 2, "list 3..=5"),
+        ("intervals 3 --format latex --cite theorem2 --cite theorem2", 2, "second of kind theorem2"),
+        ("intervals 3 --cite theorem2", 2, "only --format latex has a caption"),
+        ("intervals 3 --format bfile --cite theorem2", 2, "only --format latex has a caption"),
+        ("intervals --pattern 1,2 --format latex --cite theorem2", 2, "--pattern"),
+        ("intervals 3 --format latex --cite theorem2 -o theorem2", 2, "theorem2"),
+        ("boundary 3..=4 --format latex --cite theorem2", 2, "cite one of kind cover"),
+        ("boundary 3..=5 --format latex --cite covers", 2, "`grazing cover 3..=5 --certificate FILE`"),
+        ("boundary 3..=4 --format csv --cite covers", 2, "only --format latex has a caption"),
+    ] {
+        let (code, out, err) = run(arguments, folder.path());
+        assert_eq!(code, wanted, "grazing {arguments}: {err}");
+        assert!(out.is_empty() && err.contains(says), "grazing {arguments}: {out}{err}");
+    }
+    assert!(fs::read_to_string(path("theorem2")).unwrap().ends_with('\n'));
+}
+
 /// Each row has as many columns as the table, no special character bare, braces and dollars in pairs.
 fn cells_are_balanced(what: &str, text: &str) {
     let shape = text.lines().find_map(|line| line.strip_prefix("\\begin{longtable}{")).unwrap();
-    let rows: Vec<&str> = text.lines().filter(|line| line.ends_with("\\\\")).collect();
+    let rows = text.lines().filter(|line| line.ends_with("\\\\") && !line.starts_with("\\caption"));
+    let rows: Vec<&str> = rows.collect();
     assert!(rows.len() > 1, "{what}: {text}");
     let columns = rows[0].matches(" & ").count();
     assert!(shape.len() > columns, "{what}: {shape}");
@@ -315,6 +366,8 @@ const NUMBER: &[&str] =
     &["", "x", "1/0", "2^9999999999", "1e400000", "0x10", "1//2", "∞", "nan", "1/2/3", "2^2^9", "½"];
 const CHOICE: &[&str] = &["", "foo", "TEXT", "jsonn"];
 const OUTPUT: &[&str] = &["", "/nonexistent/file", "/dev/null/file", "."];
+const SHARD: &[&str] =
+    &["", "x", "1", "0/3", "4/3", "1/0", "-1/3", "1/", "/3", "1/2/3", "1.5/3", "1/99999999999999999999"];
 const INPUT: &[&str] = &["", "/nonexistent/file", ".", "/dev/null"];
 
 /// A command that would be right, with a hole `@`, and what must not be put there.
@@ -377,6 +430,15 @@ const HOLES: &[(&str, &[&str])] = &[
     ("boundary 5 --grid @", COUNT),
     ("boundary 5 --digits @", COUNT),
     ("boundary 5 --format @", CHOICE),
+    ("boundary 5 --format latex --cite @", INPUT),
+    ("intervals 5 --format latex --cite @", INPUT),
+    ("merge @ -o out", INPUT),
+    ("merge examples/maps/focus.toml -o @", OUTPUT),
+    ("merge examples/maps/focus.toml --format @ -o out", CHOICE),
+    ("verify 3..=8 --certificate part --shard @", SHARD),
+    ("cover 3..=4 --certificate part --shard @", SHARD),
+    ("fuzz --cases 100 -o part --shard @", SHARD),
+    ("fuzz --words --cases @", COUNT),
     ("figure @", CHOICE),
     ("figure intervals --n @ -o out", COUNT),
     ("figure records --r @ -o out", NUMBER),
@@ -418,7 +480,7 @@ fn wrong_inputs_are_named() {
             command.args(line.split(' ').map(|word| if word == "@" { value } else { word }));
             let (code, out, err) = process::ended(command.output().unwrap());
             let what = format!("grazing {} with {value:?}: {code} {out}{err}", line.replace('@', "…"));
-            let no_certificate = line.starts_with("check") && code == 1;
+            let no_certificate = (line.starts_with("check") || line.contains("--cite")) && code == 1;
             assert!(code == 2 || no_certificate, "{what}");
             assert!(out.is_empty() || line.starts_with("check"), "{what}");
             assert!(err.starts_with("error: ") || no_certificate, "{what}");

@@ -76,6 +76,7 @@ pub mod machine;
 pub mod orbit;
 mod oscillator;
 mod rejection;
+mod sha256;
 pub mod theorem2;
 pub mod word;
 
@@ -83,6 +84,7 @@ use std::{fmt, io::BufRead, ops::RangeInclusive};
 
 pub use arithmetic::Fraction;
 pub use rejection::Rejection;
+pub use sha256::Sha256;
 
 use lines::Lines;
 

@@ -8,16 +8,22 @@ use num_rational::{BigRational, Ratio};
 use num_traits::{One, pow};
 use rayon::prelude::*;
 
-use super::{Outcome, range::Periods, reported};
+use super::{
+    Outcome,
+    cite::{self, Basis},
+    range::Periods,
+    reported,
+};
 use crate::{
+    certificate::cover,
     cli::progress::{Interrupt, Progress},
     error::{Error, Result},
     existence::{Boundary, Enclosure, Interval, Lowest, intervals, tip_correction, tip_law},
     monitor::Monitor,
     number::parse_integer,
     output::{
-        Column, Destination, Print, TableCell, TableFormat, TableWriter, decimal_above, decimal_below,
-        decimal_near,
+        Caption, Column, Destination, Print, TableCell, TableFormat, TableWriter, decimal_above,
+        decimal_below, decimal_near,
     },
 };
 
@@ -59,6 +65,10 @@ pub(super) struct Args {
     /// How the table is written.
     #[arg(long, value_enum, default_value_t = TableFormat::Table)]
     pub(super) format: TableFormat,
+    /// Cite this certificate, from `grazing cover`, in the caption of the LaTeX table, by its SHA-256; - is
+    /// standard input. It is checked first. It proves that nothing but b_{n,k} bounds the areas.
+    #[arg(long, value_name = "CERTIFICATE")]
+    cite: Option<PathBuf>,
     /// Write to a file, which appears only when complete.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -75,18 +85,45 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     if let Some(grid) = args.grid.filter(|grid| !(1..=MAX_GRID).contains(grid)) {
         return Err(Error::input(format!("--grid {grid} is out of bounds: 1 to {MAX_GRID}")));
     }
+    if args.cite.is_some() && args.format != TableFormat::Latex {
+        return Err(Error::input("--cite does nothing here: only --format latex has a caption"));
+    }
     let destination = Destination::new(args.output.as_deref())?;
+    let (name, about) = match args.grid {
+        Some(_) => ("boundary-grid", EDGES),
+        None => ("boundary", TIPS),
+    };
+    let about = (name, about, BASES.as_slice());
+    let files = args.cite.as_slice();
+    let caption = match cite::caption(files, about, &args.periods, args.output.as_deref(), interrupt)? {
+        Ok(caption) => caption,
+        Err(outcome) => return Ok(outcome),
+    };
+    let caption = caption.as_ref();
     let progress = Progress::new(interrupt, args.periods.count(), "periods");
     let mut certain = true;
     let written = destination.write(|out| {
         certain = match args.grid {
-            Some(grid) => edges(args, grid, out, &progress)?,
-            None => lowest(args, out, &progress)?,
+            Some(grid) => edges(args, grid, caption, out, &progress)?,
+            None => lowest(args, caption, out, &progress)?,
         };
         Ok(())
     });
     reported(if certain { Outcome::Done } else { Outcome::Undecided }, written)
 }
+
+const TIPS: &str = "Bounds of the infimum of $r$ over each area in which there is an orbit with one impact in \
+$n$ periods, and of the $s$ at which it is approached.";
+
+const EDGES: &str = "Bounds of $R(s)$, the lower edge of each area in which there is an orbit with one impact in \
+$n$ periods.";
+
+/// What a table of edges can rest on.
+const BASES: [Basis; 1] = [Basis {
+    kind: cover::KIND,
+    proves: "That $b_{n,k} = 0$ alone bounds each area for $r$ up to the certificate's $r_{\\max} < 1$ is proved",
+    command: "grazing cover",
+}];
 
 /// The areas of one period that the user asked for.
 fn areas(args: &Args, n: u64) -> Result<Vec<Boundary>> {
@@ -154,12 +191,18 @@ fn text(value: &str) -> TableCell<'_> {
 }
 
 /// R(s) on a grid; whether everything was certified.
-fn edges(args: &Args, grid: u64, out: &mut dyn Write, progress: &Progress) -> Result<bool> {
+fn edges(
+    args: &Args,
+    grid: u64,
+    caption: Option<&Caption>,
+    out: &mut dyn Write,
+    progress: &Progress,
+) -> Result<bool> {
     let width = args.periods.0.end().to_string().len();
     let mut columns = area_columns(width);
     columns.push(Column::new("s", "$s$", 2 * width + 4));
     columns.extend(bound_columns(args.digits));
-    let mut table = TableWriter::new(out, args.format, "grazing-boundary-grid 1", columns)?;
+    let mut table = TableWriter::captioned(out, args.format, "grazing-boundary-grid 1", columns, caption)?;
     let mut certain = true;
     let rows = edge_rows(args, grid, &mut table, progress, &mut certain);
     table.end(rows)?;
@@ -215,7 +258,7 @@ fn grid_point(interval: &Interval, i: u64, grid: u64) -> Ratio<u64> {
 }
 
 /// The lowest points; whether all were certified.
-fn lowest(args: &Args, out: &mut dyn Write, progress: &Progress) -> Result<bool> {
+fn lowest(args: &Args, caption: Option<&Caption>, out: &mut dyn Write, progress: &Progress) -> Result<bool> {
     let width = args.periods.0.end().to_string().len();
     let mut columns = area_columns(width);
     columns.push(Column::new("lowest", "lowest", 8).print(Print::Left));
@@ -226,7 +269,7 @@ fn lowest(args: &Args, out: &mut dyn Write, progress: &Progress) -> Result<bool>
     columns.push(Column::new("scaled", "$(1 - r)n^3$", 12).print(Print::Omitted));
     columns.push(Column::new("law", "$G$", 12).print(Print::Omitted));
     columns.push(Column::new("law_next", "$G + G_2/n^2$", 12).print(Print::Omitted));
-    let mut table = TableWriter::new(out, args.format, "grazing-boundary 1", columns)?;
+    let mut table = TableWriter::captioned(out, args.format, "grazing-boundary 1", columns, caption)?;
     let mut certain = true;
     let rows = lowest_rows(args, width, &mut table, progress, &mut certain);
     table.end(rows)?;

@@ -1,7 +1,7 @@
 //! `grazing check`: prove certificates again.
 
 use std::{
-    io::{BufReader, Write},
+    io::{self, BufReader, Read, Write},
     path::{Path, PathBuf},
 };
 
@@ -10,7 +10,7 @@ use serde_json::json;
 
 use super::{Outcome, ReportFormat, progress::Interrupt, reader::Reader, reported};
 use crate::{
-    certificate::{Checked, Rejection, check_until},
+    certificate::{Checked, Rejection, Sha256, check_until},
     error::Result,
     output::{Destination, distinct, say},
 };
@@ -63,30 +63,61 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
             Ok(writeln!(out, "{}", json!({ "format": "grazing-check 2", "files": files }))?)
         }
     });
-    let mut outcomes = Vec::new();
-    for (path, answer) in &answers {
-        outcomes.push(match answer {
-            Ok(_) => Outcome::Done,
-            Err(Rejection::Unreadable { line, source }) => {
-                let action = if *line == 0 { "open" } else { "read" };
-                say(format_args!("error: cannot {action} {}: {source}", path.display()));
-                Outcome::Failed
-            }
-            Err(Rejection::Interrupted { .. }) => Outcome::Interrupted,
-            Err(Rejection::Undecided { .. }) => Outcome::Undecided,
-            Err(_) => Outcome::Refuted,
-        });
+    let outcomes = answers.iter().map(|(path, answer)| match answer {
+        Ok(_) => Outcome::Done,
+        Err(rejection) => outcome(path, rejection),
+    });
+    reported(outcomes.collect(), written)
+}
+
+/// What a rejection is to the command; a file that cannot be read is said.
+pub(super) fn outcome(path: &Path, rejection: &Rejection) -> Outcome {
+    match rejection {
+        Rejection::Unreadable { line, source } => {
+            let action = if *line == 0 { "open" } else { "read" };
+            say(format_args!("error: cannot {action} {}: {source}", path.display()));
+            Outcome::Failed
+        }
+        Rejection::Interrupted { .. } => Outcome::Interrupted,
+        Rejection::Undecided { .. } => Outcome::Undecided,
+        _ => Outcome::Refuted,
     }
-    reported(outcomes.into_iter().collect(), written)
 }
 
 fn check(path: &Path, interrupt: &Interrupt) -> Answer {
+    hashed(path, interrupt).map(|(checked, _)| checked)
+}
+
+/// A stream, and the hash of what was read from it.
+struct Hashed<R> {
+    stream: R,
+    hash: Sha256,
+}
+
+impl<R: Read> Read for Hashed<R> {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        let count = self.stream.read(buffer)?;
+        self.hash.update(&buffer[..count]);
+        Ok(count)
+    }
+}
+
+/// What a certificate proves, and the SHA-256 of the bytes that were checked: the file's, since the checker
+/// reads to its end. A file that changes meanwhile is not cited by the wrong name.
+pub(super) fn hashed(
+    path: &Path,
+    interrupt: &Interrupt,
+) -> std::result::Result<(Checked, String), Rejection> {
     let mut stop = || interrupt.check().is_err();
     if stop() {
         return Err(Rejection::Interrupted { line: 1 });
     }
     match Reader::open(path, interrupt) {
-        Ok(reader) => check_until(&mut BufReader::with_capacity(1 << 16, reader), &mut stop),
+        Ok(stream) => {
+            let mut hashed = Hashed { stream, hash: Sha256::default() };
+            let checked = check_until(&mut BufReader::with_capacity(1 << 16, &mut hashed), &mut stop)?;
+            Ok((checked, hashed.hash.finish()))
+        }
         Err(_) if stop() => Err(Rejection::Interrupted { line: 1 }),
         Err(source) => Err(Rejection::Unreadable { line: 0, source }),
     }

@@ -4,14 +4,20 @@ use std::{io::Write, path::PathBuf};
 
 use clap::{Parser, ValueEnum};
 
-use super::{Outcome, range::Periods, two_impacts};
+use super::{
+    Outcome,
+    cite::{self, Basis},
+    range::Periods,
+    two_impacts,
+};
 use crate::{
+    certificate::{cover, theorem2},
     cli::progress::{Interrupt, Progress},
     error::{Error, Result},
     existence::{MAX_PERIOD, intervals},
     monitor::Monitor,
     number::parse_integer,
-    output::{Column, Destination, TableCell, TableFormat, TableWriter, decimal},
+    output::{Caption, Column, Destination, TableCell, TableFormat, TableWriter, decimal},
     word,
 };
 
@@ -29,6 +35,8 @@ use crate::{
 #[command(after_help = "Examples:
   grazing intervals 3..=8
   grazing intervals 3..=8 --decimals 6 --format latex -o intervals.tex
+  grazing verify 3..=8 --certificate theorem2.txt
+  grazing intervals 3..=8 --format latex --cite theorem2.txt
   grazing intervals --pattern 3,5")]
 pub(super) struct Args {
     /// The periods: N, or A..=B. At most 10000000.
@@ -46,6 +54,11 @@ pub(super) struct Args {
     /// Add both ends as decimals, rounded to D digits (at most 1000).
     #[arg(long, value_name = "D", value_parser = parse_integer::<usize>)]
     decimals: Option<usize>,
+    /// Cite this certificate in the caption of the LaTeX table, by its SHA-256; - is standard input. It is
+    /// checked first. `grazing verify` writes one that proves the intervals and signs, `grazing cover` one
+    /// that proves the deciding k; the option may be given for each.
+    #[arg(long, value_name = "CERTIFICATE", conflicts_with_all = ["pattern", "two_impacts"])]
+    cite: Vec<PathBuf>,
     /// Write to a file, which appears only when complete.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -92,13 +105,38 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     }
     let Some(periods) = &args.periods else { return Err(Error::input("give the periods: N, or A..=B")) };
     periods.within(MAX_PERIOD, "intervals")?;
+    if !args.cite.is_empty() && format != Some(TableFormat::Latex) {
+        return Err(Error::input("--cite does nothing here: only --format latex has a caption"));
+    }
+    let about = ("intervals", CAPTION, BASES.as_slice());
+    let caption = match cite::caption(&args.cite, about, periods, args.output.as_deref(), interrupt)? {
+        Ok(caption) => caption,
+        Err(outcome) => return Ok(outcome),
+    };
     let progress = Progress::new(interrupt, periods.count(), "periods");
     match format {
         None => destination.list(|out| bfile(periods, out, &progress))?,
-        Some(format) => destination.list(|out| table(periods, args.decimals, format, out, &progress))?,
+        Some(format) => {
+            let caption = caption.as_ref();
+            destination.list(|out| table(periods, args.decimals, (format, caption), out, &progress))?;
+        }
     }
     Ok(Outcome::Done)
 }
+
+const CAPTION: &str = "The open intervals of $s$ on $r = 1$ where there is an orbit with one impact in $n$ \
+periods, and the signs of $e\\mu$ and $\\gamma$ for which it exists.";
+
+/// What a table of intervals can rest on.
+const BASES: [Basis; 2] = [
+    Basis { kind: theorem2::KIND, proves: "The intervals and signs are proved", command: "grazing verify" },
+    Basis {
+        kind: cover::KIND,
+        proves: "That $b_{n,k}$ with the deciding $k$ alone bounds each area of orbits for $r$ up to the certificate's \
+$r_{\\max} < 1$ is proved",
+        command: "grazing cover",
+    },
+];
 
 fn bfile(periods: &Periods, out: &mut dyn Write, progress: &Progress) -> Result<()> {
     for n in periods.0.clone() {
@@ -111,7 +149,7 @@ fn bfile(periods: &Periods, out: &mut dyn Write, progress: &Progress) -> Result<
 fn table(
     periods: &Periods,
     decimals: Option<usize>,
-    format: TableFormat,
+    (format, caption): (TableFormat, Option<&Caption>),
     out: &mut dyn Write,
     progress: &Progress,
 ) -> Result<()> {
@@ -129,7 +167,7 @@ fn table(
         columns.push(Column::new("left_rounded", "left (rounded)", decimals + 2));
         columns.push(Column::new("right_rounded", "right (rounded)", decimals + 2));
     }
-    let mut table = TableWriter::new(out, format, "grazing-intervals 1", columns)?;
+    let mut table = TableWriter::captioned(out, format, "grazing-intervals 1", columns, caption)?;
     let rows = rows(periods, decimals, &mut table, progress);
     table.end(rows)
 }

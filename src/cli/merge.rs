@@ -1,4 +1,4 @@
-//! `grazing merge`: shards of one task, put together to what one run of it would have written.
+//! `grazing merge`: the shards of one task become what a single run would have written.
 
 use std::path::PathBuf;
 
@@ -15,8 +15,8 @@ use crate::{
     output::{Destination, distinct},
 };
 
-/// Put the shards of one task together: the certificate or report that one run of it writes, byte for byte
-/// but for times.
+/// Put the shards of one task together. The certificate or report is the one that a single run would write,
+/// byte for byte, except for times.
 ///
 /// Shards are what `verify`, `cover` and `fuzz` write with --shard I/N. They must be of one task and one
 /// version of the program, and all N of them must be there, each once and undamaged; otherwise every fault is
@@ -70,6 +70,9 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
         Some("fuzz") => {
             fuzz::merge(&fuzz::Args::try_parse_from(words).map_err(damaged)?, &set, &merged, interrupt)
         }
-        _ => Err(Error::input(format!("no shards of `grazing {}` are known", words.join(" ")))),
+        _ => Err(Error::input(format!(
+            "the shards are of `grazing {}`, which has none: only verify, cover and fuzz have",
+            words.join(" ")
+        ))),
     }
 }

@@ -3,6 +3,7 @@
 mod accuracy;
 mod boundary;
 mod check;
+mod cite;
 mod classify;
 mod cover;
 mod evaluate;

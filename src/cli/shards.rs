@@ -117,7 +117,11 @@ impl ShardSet {
                     shard.task.program
                 ));
             } else if let Some(other) = shards.get(&shard.shard.index) {
-                faults.push(format!("{path}: it is shard {}, as {} is", shard.shard, other.path.display()));
+                faults.push(format!(
+                    "{path}: it is shard {} again, after {}: leave one out",
+                    shard.shard,
+                    other.path.display()
+                ));
             } else {
                 shards.insert(shard.shard.index, shard);
             }
@@ -133,7 +137,7 @@ impl ShardSet {
         }
         if !faults.is_empty() {
             return Err(Error::input(
-                "all shards are there, but some of the files are none of them: leave them out",
+                "all shards are there; leave out the files named above, which are not among them",
             ));
         }
         if program != env!("CARGO_PKG_VERSION") {
@@ -162,7 +166,7 @@ impl ShardSet {
         }
         let [found, wanted] = [&self.task, task].map(|task| task.words.join(" "));
         Err(Error::input(format!(
-            "the shards are of `grazing {found}`; as a task that is `grazing {wanted}`"
+            "the shards name the task `grazing {found}`, which --shard writes as `grazing {wanted}`: they were changed"
         )))
     }
 

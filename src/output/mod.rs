@@ -16,10 +16,12 @@ mod table;
 pub use bounds::{decimal_above, decimal_below, decimal_near};
 pub(crate) use destination::stdout_is_untouched;
 pub use destination::{Destination, OutputFile, say};
+#[cfg(feature = "cli")]
+pub use escape::latex;
 pub(crate) use file::remove_temporaries;
 pub use file::{LONGEST_INPUT, distinct, make_folder, probe, read_text, write_file};
 pub(crate) use journal::torn;
 pub use journal::{Journal, SavedRun};
 pub use shard::{Shard, ShardFile, ShardWriter, ShardedTask};
 #[cfg(feature = "cli")]
-pub use table::{Column, Print, TableCell, TableFormat, TableWriter, decimal};
+pub use table::{Caption, Column, Print, TableCell, TableFormat, TableWriter, decimal};

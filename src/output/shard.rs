@@ -168,7 +168,7 @@ impl ShardFile {
         let (mut records, mut end) = (0, None);
         lines(path, |line| {
             if head.is_empty() && line != format!("{MAGIC}\n") {
-                return Err("it is not a shard".into());
+                return Err("it is not a shard: `--shard I/N` writes them".into());
             }
             if end.is_some() {
                 return Err("it is damaged: lines follow its end".into());
@@ -189,7 +189,7 @@ impl ShardFile {
         match end {
             None if head.is_empty() => return Err(bad("it is empty")),
             None => return Err(bad("it is cut off")),
-            Some(false) => return Err(bad("it is damaged: its checksum is another")),
+            Some(false) => return Err(bad("it is damaged: its checksum does not match")),
             Some(true) => {}
         }
         let field = |index: usize, name: &str| {
@@ -226,7 +226,7 @@ impl ShardFile {
                         String::new()
                     })
                 }
-                _ => Err(format!("it has item {item}, where {items:?} were to come in order")),
+                _ => Err(format!("it is damaged: item {item} is out of order or not of this part")),
             }
         });
         match failed {

@@ -61,6 +61,15 @@ impl Column {
     }
 }
 
+/// What stands above a LaTeX table, once.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Caption {
+    /// Text, in LaTeX.
+    pub text: String,
+    /// What `\ref` finds it by.
+    pub label: String,
+}
+
 /// One entry of a row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum TableCell<'a> {
@@ -98,6 +107,20 @@ impl<'a> TableWriter<'a> {
         format: TableFormat,
         name: &str,
         columns: Vec<Column>,
+    ) -> Result<Self> {
+        Self::captioned(out, format, name, columns, None)
+    }
+
+    /// The same, in LaTeX with a caption.
+    ///
+    /// # Errors
+    /// An I/O error from `out`.
+    pub fn captioned(
+        out: &'a mut dyn Write,
+        format: TableFormat,
+        name: &str,
+        columns: Vec<Column>,
+        caption: Option<&Caption>,
     ) -> Result<Self> {
         let names: Vec<&str> = columns.iter().map(|column| column.name).collect();
         match format {
@@ -142,9 +165,14 @@ impl<'a> TableWriter<'a> {
                     6 => ("\\small", 4),
                     _ => ("\\footnotesize", 3),
                 };
-                writeln!(out, "{{{size}\\setlength{{\\tabcolsep}}{{{gap}pt}}")?;
+                let wide = caption.map_or("", |_| "\\setlength{\\LTcapwidth}{\\linewidth}");
+                writeln!(out, "{{{size}\\setlength{{\\tabcolsep}}{{{gap}pt}}{wide}")?;
                 writeln!(out, "\\begin{{longtable}}{{{}}}", shape.collect::<String>())?;
-                writeln!(out, "\\toprule\n{} \\\\\n\\midrule\n\\endhead", heads.join(" & "))?;
+                let head = format!("\\toprule\n{} \\\\\n\\midrule", heads.join(" & "));
+                if let Some(Caption { text, label }) = caption {
+                    writeln!(out, "\\caption{{{text}}}\\label{{{label}}} \\\\\n{head}\n\\endfirsthead")?;
+                }
+                writeln!(out, "{head}\n\\endhead")?;
                 writeln!(out, "\\bottomrule\n\\endfoot")?;
             }
             TableFormat::Markdown => {

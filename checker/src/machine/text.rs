@@ -7,13 +7,11 @@ use super::{
         header::expect_statement,
         lines::Words,
         orbit::Claim,
-        oscillator::{
-            sha256::sha256,
-            text::{
-                HARMONICS, PERIODS, decimal, line, line_within, read_flights, read_matrix_within,
-                read_radius, write_proof,
-            },
+        oscillator::text::{
+            HARMONICS, PERIODS, decimal, line, line_within, read_flights, read_matrix_within, read_radius,
+            write_proof,
         },
+        sha256::sha256,
     },
     Harmonic, Lines, Range, Rejection, STATEMENT,
 };

@@ -17,7 +17,6 @@ mod motion;
 pub(crate) mod number;
 pub(crate) mod pattern;
 pub(crate) mod range;
-pub(crate) mod sha256;
 #[cfg(test)]
 mod tests;
 pub(crate) mod text;

@@ -4,8 +4,8 @@ use std::fmt;
 
 use super::{
     Lines, Rejection, Words, fixed::Interval, header::expect_statement, lines::LONGEST, number::Number,
-    sha256::sha256,
 };
+use crate::sha256::sha256;
 
 /// The longest numerator, denominator or decimal, in digits: below 2¹¹³.
 pub(crate) const DIGITS: usize = 34;

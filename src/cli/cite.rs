@@ -1,0 +1,105 @@
+//! Certificates in the caption of a LaTeX table: checked first, then named by their SHA-256.
+
+use std::path::{Path, PathBuf};
+
+use super::{
+    Outcome,
+    check::{hashed, outcome},
+    progress::Interrupt,
+    range::Periods,
+};
+use crate::{
+    certificate::Rejection,
+    error::{Error, Result},
+    output::{Caption, distinct, latex, say},
+};
+
+/// A kind of certificate that a table can rest on.
+pub(super) struct Basis {
+    /// As in its header.
+    pub kind: &'static str,
+    /// What of the table it proves, in LaTeX, without the stop.
+    pub proves: &'static str,
+    /// The command that writes one.
+    pub command: &'static str,
+}
+
+/// The caption of a table of `periods` that cites `files`, or what keeps one of them from being cited, which
+/// is said. None of them: no caption. `about` says what the table shows, in LaTeX; `bases` what it can rest
+/// on. Cost: that of checking the files.
+///
+/// # Errors
+/// A certificate of another kind, one that leaves out some of the periods, or one that is the output too.
+pub(super) fn caption(
+    files: &[PathBuf],
+    (name, about, bases): (&str, &str, &[Basis]),
+    periods: &Periods,
+    output: Option<&Path>,
+    interrupt: &Interrupt,
+) -> Result<std::result::Result<Option<Caption>, Outcome>> {
+    if files.is_empty() {
+        return Ok(Ok(None));
+    }
+    let (first, last) = (*periods.0.start(), *periods.0.end());
+    let mut text = about.to_owned();
+    let mut cited: Vec<&str> = Vec::new();
+    for path in files {
+        if let Some(output) = output {
+            distinct(&[("--cite", path), ("-o", output)])?;
+        }
+        let shown = path.display();
+        let (checked, sha256) = match hashed(path, interrupt) {
+            Ok(found) => found,
+            Err(Rejection::Interrupted { .. }) => {
+                return Err(Error::interrupted(format!("while {shown} was checked")));
+            }
+            Err(rejection) => {
+                let outcome = outcome(path, &rejection);
+                if outcome != Outcome::Failed {
+                    let verdict = rejection.verdict();
+                    say(format_args!("error: {shown} cannot be cited: {verdict}: {rejection}"));
+                }
+                return Ok(Err(outcome));
+            }
+        };
+        let Some(basis) = bases.iter().find(|basis| basis.kind == checked.kind) else {
+            let kinds: Vec<&str> = bases.iter().map(|basis| basis.kind).collect();
+            return Err(Error::input(format!(
+                "{shown} is of kind {}, which proves nothing of this table: cite one of kind {}",
+                checked.kind,
+                kinds.join(" or ")
+            )));
+        };
+        if cited.contains(&basis.kind) {
+            return Err(Error::input(format!("{shown} is the second of kind {}: cite one", basis.kind)));
+        }
+        cited.push(basis.kind);
+        let (from, to) = (*checked.range.start(), *checked.range.end());
+        if first < from || last > to {
+            return Err(Error::input(format!(
+                "{shown} proves n = {from}..={to}, and the table has {first}..={last}: list {}..={}, or cite what \
+                 `{} {first}..={last} --certificate FILE` writes",
+                first.clamp(from, to),
+                last.clamp(from, to),
+                basis.command
+            )));
+        }
+        let file = path.file_name().map_or_else(|| shown.to_string(), |name| name.to_string_lossy().into());
+        let named = if file == "-" { String::new() } else { format!(" \\texttt{{{}}}", latex(&file)) };
+        text += &format!(
+            " {} (certificate{named} of kind {}, $n = {from}, \\dots, {to}$, SHA-256 {}).",
+            basis.proves,
+            latex(basis.kind),
+            digest(&sha256)
+        );
+    }
+    let label =
+        if first == last { format!("tab:{name}-{first}") } else { format!("tab:{name}-{first}-{last}") };
+    Ok(Ok(Some(Caption { text, label })))
+}
+
+/// A digest that a line may break.
+fn digest(sha256: &str) -> String {
+    let parts: Vec<&str> = (0..sha256.len()).step_by(8).map(|i| &sha256[i..i + 8]).collect();
+    format!("\\texttt{{{}}}", parts.join("\\allowbreak "))
+}
