@@ -4,10 +4,12 @@ mod common;
 
 use common::Fraction;
 use grazing::existence::{
-    Approach, Case, Enclosed, Interval, Piece, Reason, Signs, decide, decide_by_enclosure, intervals,
-    tree_intervals,
+    Approach, Case, Enclosed, Existence, Interval, Piece, Reason, Signs, by_definition, decide,
+    decide_by_enclosure, intervals, tree_intervals,
 };
+use grazing::local::{Ladder, Point, Polar, Quantity};
 use grazing::search::{ProofMethod, prove_theorem2};
+use grazing::word::two_impacts;
 use num_integer::Integer;
 use num_rational::Ratio;
 use proptest::prelude::*;
@@ -18,6 +20,33 @@ fn plain(x: &Ratio<u64>) -> Fraction {
 
 fn signs(case: Case) -> (i32, i32) {
     (case.sign_emu().into(), case.sign_gamma().into())
+}
+
+/// Results say what they are, in words and as JSON.
+#[test]
+fn results_in_words_and_as_json() {
+    let interval = intervals(5).unwrap().nth(1).unwrap();
+    assert_eq!(interval.to_string(), "n = 5: (1/10, 1/5) in case (+,+)");
+    let json = serde_json::to_string(&interval).unwrap();
+    let wanted = r#"{"n":5,"m":1,"case":"(+,+)","left":"1/10","right":"1/5","deciding":4}"#;
+    assert_eq!(json, wanted);
+    let first = serde_json::to_value(intervals(5).unwrap().next().unwrap()).unwrap();
+    assert_eq!((&first["left"], &first["deciding"]), (&"0/1".into(), &serde_json::Value::Null));
+    let pattern = two_impacts(3, 5).unwrap()[1];
+    assert_eq!(pattern.to_string(), "(3,5): (1/6, 1/5) in case (+,+)");
+
+    let (half, s) = (Ratio::new(1.into(), 2.into()), Ratio::new(2.into(), 7.into()));
+    let point = Point::Polar(Polar::new(half, s).unwrap());
+    let ladder = Ladder::default();
+    let found = by_definition(&ladder, &point, 5);
+    let Existence::None { positive: 2 | 3, negative: 1 | 4 } = found else { panic!("{found}") };
+    let none = Existence::None { positive: 2, negative: 1 };
+    assert_eq!(none.to_string(), "no orbit: b_{n,2} > 0 > b_{n,1}");
+    assert_eq!(serde_json::to_string(&none).unwrap(), r#"{"none":{"positive":2,"negative":1}}"#);
+    let quantity = Quantity::B { n: 5, k: 4 };
+    let decision = ladder.sign(&point, quantity);
+    assert_eq!(format!("{quantity} {} {}", decision.answer, decision.rung), "b_{5,4} - f64 interval");
+    assert_eq!(serde_json::to_string(&decision).unwrap(), r#"{"answer":"-","rung":"f64 interval"}"#);
 }
 
 #[test]

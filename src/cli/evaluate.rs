@@ -11,7 +11,7 @@ use super::{Outcome, ReportFormat, range::whole, reported};
 use crate::{
     cli::progress::Interrupt,
     error::{Error, Result},
-    local::{Answer, Ladder, Plane, Point, Polar, Quantity, Rung, SignDecision},
+    local::{Answer, Ladder, Plane, Point, Polar, Quantity, SignDecision},
     number::{Ball, Precision, Sign, certain_digits, parse_integer, parse_rational},
     output::Destination,
 };
@@ -121,39 +121,16 @@ struct Row {
 }
 
 impl Row {
-    fn name(&self) -> String {
-        match self.quantity {
-            Quantity::B { n, k } => format!("b_{{{n},{k}}}"),
-            Quantity::C { n } => format!("c_{n}"),
-        }
-    }
-
-    fn sign(&self) -> &'static str {
-        match self.decision.answer {
-            Answer::Sign(Sign::Negative) => "-",
-            Answer::Sign(Sign::Zero) => "0",
-            Answer::Sign(Sign::Positive) => "+",
-            Answer::Singular => "singular",
-            Answer::Undecided => "undecided",
-        }
-    }
-
-    fn rung(&self) -> String {
-        match self.decision.rung {
-            Rung::Plain => "plain f64".into(),
-            Rung::Interval => "f64 interval".into(),
-            Rung::Ball(bits) => format!("{bits} bits"),
-            Rung::Exact => "exact".into(),
-        }
-    }
-
     fn text(&self) -> String {
+        let SignDecision { answer, rung, .. } = self.decision;
         let digits = self.digits.as_deref().unwrap_or_default();
-        format!("{:<12} {:<9} {:<12} {digits}", self.name(), self.sign(), self.rung()).trim_end().to_string()
+        let name = self.quantity.to_string();
+        format!("{name:<12} {answer:<9} {rung:<12} {digits}").trim_end().to_string()
     }
 
     fn json(&self) -> serde_json::Value {
-        json!({ "name": self.name(), "sign": self.sign(), "decided_by": self.rung(), "value": self.digits })
+        let SignDecision { answer, rung, .. } = self.decision;
+        json!({ "name": self.quantity, "sign": answer, "decided_by": rung, "value": self.digits })
     }
 }
 

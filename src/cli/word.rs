@@ -19,7 +19,7 @@ use super::{
 use crate::{
     cli::progress::{Interrupt, Progress},
     error::{Error, Result},
-    local::{Ladder, Point, Rung},
+    local::{Ladder, Point},
     number::{certain_digits, parse_integer, parse_rational},
     output::{Destination, OutputFile, distinct, say},
     search::{Certified, WordCertificate, WordPlace, certify_word},
@@ -258,13 +258,9 @@ fn end(extent: Extent) -> String {
             format!("u_{next} = 0 at this point, where Theorem 1 is silent; no later period occurs")
         }
         Extent::Undecided { next, rung } => {
-            let rung = match rung {
-                Rung::Plain => "plain f64".into(),
-                Rung::Interval => "f64 intervals".into(),
-                Rung::Ball(bits) => format!("{bits} bits"),
-                Rung::Exact => "integers".to_string(),
-            };
-            format!("undecided: whether period {next} occurs, with {rung} spent; there may be more")
+            format!(
+                "undecided: whether period {next} occurs (highest precision tried: {rung}); there may be more"
+            )
         }
         Extent::Straddled { next: 1 } => {
             "undecided: the box meets a line between two regions, whose words are of different kinds".into()

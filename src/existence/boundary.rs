@@ -12,6 +12,8 @@
 //! can be the edge. That this b decides is S3; it is not used to enclose the curve b_{n,k} = 0. The lowest
 //! point of the edge is in `tip`.
 
+use std::fmt;
+
 use num_bigint::BigInt;
 use num_rational::{BigRational, Ratio};
 use num_traits::{One, Signed, ToPrimitive, Zero, pow};
@@ -29,6 +31,13 @@ pub struct Enclosure {
     pub lower: BigRational,
     /// Not below the number.
     pub upper: BigRational,
+}
+
+/// `[lower, upper]`, exact.
+impl fmt::Display for Enclosure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "[{}, {}]", self.lower, self.upper)
+    }
 }
 
 impl Enclosure {

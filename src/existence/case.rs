@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use serde::{Serialize, Serializer};
+
 /// A case (sign eµ, sign γ): the side of the bifurcation and the sign of γ = CAB for which an orbit exists.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Case {
@@ -62,5 +64,12 @@ impl fmt::Display for Case {
             Case::PlusMinus => "(+,-)",
             Case::PlusPlus => "(+,+)",
         })
+    }
+}
+
+/// As text: `(+,-)`.
+impl Serialize for Case {
+    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
     }
 }

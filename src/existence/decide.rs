@@ -63,6 +63,7 @@ pub enum Reason {
 
 /// What was decided for one n.
 #[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Decision {
     /// The period.
     pub n: u64,

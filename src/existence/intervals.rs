@@ -1,12 +1,16 @@
 //! Theorem 2's intervals of s, by two independent routes.
 
+use std::fmt;
+
 use num_integer::Integer;
 use num_rational::Ratio;
+use serde::Serialize;
 
 use super::Case;
 use crate::{
     error::{Error, Result},
     farey::Gap,
+    number::serialize_fraction,
 };
 
 /// The largest period n for which intervals are made and decided: products of two numbers up to 2n fit 64
@@ -14,7 +18,7 @@ use crate::{
 pub const MAX_PERIOD: u64 = 10_000_000;
 
 /// An open interval of s on r = 1 where exactly one single-impact orbit of period n exists.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Interval {
     /// The period n.
     pub n: u64,
@@ -23,12 +27,21 @@ pub struct Interval {
     /// The signs of eµ and γ for which the orbit exists.
     pub case: Case,
     /// The left end, in lowest terms.
+    #[serde(serialize_with = "serialize_fraction")]
     pub left: Ratio<u64>,
     /// The right end, in lowest terms.
+    #[serde(serialize_with = "serialize_fraction")]
     pub right: Ratio<u64>,
     /// The k whose b_{n,k} alone decides existence for r < 1 (statement S3): n₋ for (+,+), n₊ for (+,−); none
     /// for m = 0.
     pub deciding: Option<u64>,
+}
+
+/// As `n = 5: (1/10, 1/5) in case (+,+)`.
+impl fmt::Display for Interval {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "n = {}: ({}, {}) in case {}", self.n, self.left, self.right, self.case)
+    }
 }
 
 /// All of Theorem 2's intervals for period `n`, from left to right, by modular inverses.

@@ -12,9 +12,12 @@
 //! an orbit exists iff f_n ≠ 0 is a strict record of f_1, …, f_n. One pass with the latest maximum and
 //! minimum decides every n ≤ N.
 
+use std::fmt;
+
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::One;
+use serde::Serialize;
 
 use super::Case;
 use crate::{
@@ -23,7 +26,8 @@ use crate::{
 };
 
 /// What is known of the single-impact orbits of one period at one point.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Existence {
     /// (52) and (53) hold in this case and, for n = 1, in the one with both signs reversed: exactly one orbit
     /// in each.
@@ -43,6 +47,22 @@ pub enum Existence {
     SignBoundary,
     /// The ladder's precision was not enough.
     Undecided,
+}
+
+/// In words, as `orbit in case (+,-)` or `no orbit: b_{n,2} > 0 > b_{n,1}`.
+impl fmt::Display for Existence {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Existence::Orbit(case) => write!(f, "orbit in case {case}"),
+            Existence::None { positive, negative } => {
+                write!(f, "no orbit: b_{{n,{positive}}} > 0 > b_{{n,{negative}}}")
+            }
+            Existence::Singular => f.write_str("singular boundary: u_n = 0"),
+            Existence::Iterate(k) => write!(f, "iterate boundary: b_{{n,{k}}} = 0"),
+            Existence::SignBoundary => f.write_str("sign boundary: c_n = 0"),
+            Existence::Undecided => f.write_str("undecided"),
+        }
+    }
 }
 
 impl Existence {

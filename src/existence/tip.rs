@@ -38,6 +38,7 @@ pub enum Lowest {
 
 /// A certified minimum of R.
 #[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Tip {
     /// Contains min R.
     pub r: Enclosure,

@@ -1,6 +1,8 @@
 //! Signs by a ladder of rungs: climb as far as needed, no further, and never guess.
 
-use std::sync::OnceLock;
+use std::{fmt, sync::OnceLock};
+
+use serde::{Serialize, Serializer};
 
 use super::{Plane, Polar, zero_test};
 use crate::{
@@ -35,6 +37,23 @@ pub enum Quantity {
     },
 }
 
+/// `b_{5,2}` or `c_5`.
+impl fmt::Display for Quantity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Quantity::B { n, k } => write!(f, "b_{{{n},{k}}}"),
+            Quantity::C { n } => write!(f, "c_{n}"),
+        }
+    }
+}
+
+/// As text: `b_{5,2}` or `c_5`.
+impl Serialize for Quantity {
+    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}
+
 /// Where an answer came from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
@@ -49,6 +68,25 @@ pub enum Rung {
     Exact,
 }
 
+/// `plain f64`, `f64 interval`, `256 bits` or `exact`.
+impl fmt::Display for Rung {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Rung::Plain => f.pad("plain f64"),
+            Rung::Interval => f.pad("f64 interval"),
+            Rung::Ball(bits) => f.pad(&format!("{bits} bits")),
+            Rung::Exact => f.pad("exact"),
+        }
+    }
+}
+
+/// As text: `plain f64`, `f64 interval`, `256 bits` or `exact`.
+impl Serialize for Rung {
+    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}
+
 /// What is known of a sign.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Answer {
@@ -60,8 +98,27 @@ pub enum Answer {
     Undecided,
 }
 
+/// The sign, `singular` or `undecided`.
+impl fmt::Display for Answer {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Answer::Sign(sign) => sign.fmt(f),
+            Answer::Singular => f.pad("singular"),
+            Answer::Undecided => f.pad("undecided"),
+        }
+    }
+}
+
+/// As text: the sign, `singular` or `undecided`.
+impl Serialize for Answer {
+    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}
+
 /// An answer and the highest rung it took.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[non_exhaustive]
 pub struct SignDecision {
     /// The answer.
     pub answer: Answer,
@@ -90,6 +147,8 @@ impl Default for Ladder {
 
 impl Ladder {
     /// Rungs of 128, 256, … bits, not above `max_bits`; below 128 there are only intervals and integers.
+    /// Cost: none here; a rung's constants are computed when a sign first needs it, O(log `max_bits`) rungs
+    /// in all.
     pub fn new(max_bits: u32) -> Ladder {
         let rungs = std::iter::successors(Some(128u32), |bits| bits.checked_mul(2))
             .take_while(|&bits| bits <= max_bits);
@@ -105,7 +164,9 @@ impl Ladder {
     ///
     /// Right whenever it is not [`Answer::Undecided`]. An exact zero is found on r = 1, for every (a₁, a₂)
     /// within 2²³ bits, and for (r, s) with s = p/q as long as q has at most one prime above 2²⁰ (below 2⁴⁰)
-    /// and 12 primes in all.
+    /// and 12 primes in all. Cost: on each rung climbed O(log n) products of the rung's bits and, from (r,
+    /// s), up to six sines; on the exact one, from (a₁, a₂), O(log n) products of integers of n times the
+    /// bits of the point, at most 2²³. Memory: some of these numbers.
     ///
     /// # Panics
     /// Unless n ≥ 1 and, for b_{n,k}, 1 ≤ k < n.
@@ -139,6 +200,7 @@ impl Ladder {
     }
 
     /// The sign of u_n, never [`Answer::Singular`]: exact from (r, s) and where u_n = 0, else by the rungs.
+    /// Cost: O(1) from (r, s); else as [`sign`](Ladder::sign).
     ///
     /// # Panics
     /// Unless n ≥ 1.
@@ -162,7 +224,9 @@ impl Ladder {
         .expect("nothing interrupts")
     }
 
-    /// The signs of b_{n,1}, …, b_{n,n−1}, most of them from one pass of intervals over all k.
+    /// The signs of b_{n,1}, …, b_{n,n−1}, most of them from one pass of intervals over all k. Cost: from (r,
+    /// s) with r < 1, O(n) interval operations, and a [`sign`](Ladder::sign) for each k that they leave open;
+    /// else n − 1 signs. Memory: O(n).
     ///
     /// # Panics
     /// Unless n ≥ 1.
@@ -210,8 +274,8 @@ impl Ladder {
     }
 }
 
-/// The signs of b_{n,1}, …, b_{n,n−1} on one rung in one pass, from the direct numerators. Needs r < 1, u_n
-/// ≠ 0.
+/// The signs of b_{n,1}, …, b_{n,n−1} on one rung in one pass, from the direct numerators. Needs
+/// r < 1 and u_n ≠ 0. Cost: O(n) products of the rung's numbers, and as many held in memory.
 pub fn direct_signs<T: Circular>(polar: &Polar, n: u64, context: &T::Context) -> Vec<Answer> {
     let sine = polar.u_sign(n);
     let answer = |numerator: T| numerator.sign().map_or(Answer::Undecided, |sign| Answer::Sign(sign * sine));
@@ -266,7 +330,8 @@ fn exactly(point: &Point, quantity: Quantity, limit: u64, monitor: &dyn Monitor)
     Ok(parts.map(|(numerator, denominator)| Sign::from(&numerator) * Sign::from(&denominator)))
 }
 
-/// The sign on one rung alone, from enclosures of numerator and denominator.
+/// The sign on one rung alone, from enclosures of numerator and denominator. Cost: O(log n) products of the
+/// rung's numbers and, from (r, s), up to six sines.
 ///
 /// # Panics
 /// As [`Ladder::sign`].
@@ -294,7 +359,8 @@ pub fn sign_on<T: Circular>(point: &Point, quantity: Quantity, context: &T::Cont
     }
 }
 
-/// The sign on a rung chosen at run time; [`Rung::Exact`] alone decides what it can within 2²³ bits.
+/// The sign on a rung chosen at run time; [`Rung::Exact`] alone decides what it can within 2²³ bits. Cost:
+/// that of this rung in [`Ladder::sign`]; [`Rung::Ball`] computes its constants anew.
 pub fn sign_by(point: &Point, quantity: Quantity, rung: Rung) -> Answer {
     match rung {
         Rung::Plain => sign_on::<Plain>(point, quantity, &()),
@@ -310,7 +376,7 @@ pub fn sign_by(point: &Point, quantity: Quantity, rung: Rung) -> Answer {
 }
 
 impl Point {
-    /// The quantity on one rung; `None` where u_n = 0.
+    /// The quantity on one rung; `None` where u_n = 0. Cost: as [`sign_on`].
     ///
     /// # Panics
     /// As [`Ladder::sign`].

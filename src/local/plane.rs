@@ -32,6 +32,7 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Signed};
+use serde::{Serialize, Serializer};
 
 use crate::{
     error::{Error, Result},
@@ -76,6 +77,13 @@ impl fmt::Display for Region {
             Region::Five => "5",
             Region::Line => "line",
         })
+    }
+}
+
+/// As text: `1` to `5`, or `line`.
+impl Serialize for Region {
+    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
     }
 }
 
@@ -273,7 +281,8 @@ impl Plane {
         Ok(Some((numerator, denominator)))
     }
 
-    /// D^{2n}(1 − v_n + a₂ⁿ) and a positive multiple of u_n as integers; `None` beyond `limit` bits.
+    /// D^{2n}(1 − v_n + a₂ⁿ) and a positive multiple of u_n as integers; `None` beyond `limit` bits. Cost:
+    /// O(log n) products of integers of up to n times the bits of the point.
     ///
     /// # Errors
     /// As [`Plane::exact_numerator`].

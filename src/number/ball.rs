@@ -92,6 +92,7 @@ impl Ball {
     ///
     /// They are the ball's own unless these would take more than 2¹⁷ bits beyond its precision: below 2^−2¹⁷
     /// they are ±2^−2¹⁷ and 0, and for numbers above 2^2¹⁷ there are none. So this is safe for any ball.
+    /// Cost: linear in the bits of midpoint and exponent.
     pub fn exact_bounds(&self) -> Option<(BigRational, BigRational)> {
         if !self.radius.is_within(WRITTEN) || self.top().is_some_and(|top| top > WRITTEN) {
             return None;

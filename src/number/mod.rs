@@ -49,6 +49,7 @@ mod plain;
 mod radius;
 mod real;
 mod sign;
+mod text;
 
 pub use angle::Angle;
 pub use ball::{Ball, Precision};
@@ -61,3 +62,4 @@ pub use parse::{LIMIT_BITS, parse_integer, parse_rational, parse_rational_within
 pub use plain::Plain;
 pub use real::{Circular, Real};
 pub use sign::Sign;
+pub(crate) use text::serialize_fraction;

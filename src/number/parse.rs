@@ -10,7 +10,8 @@ use crate::error::{Error, Result};
 /// The most bits of a number on the command line, of its numerator and of its denominator.
 pub const LIMIT_BITS: u32 = 1 << 15;
 
-/// Reads an exact rational: a sum or difference of terms `12`, `3/8`, `0.375`, `1e-30`, `2^-200`.
+/// Reads an exact rational: a sum or difference of terms `12`, `3/8`, `0.375`, `1e-30`, `2^-200`. Cost: that
+/// of a product of numbers of the result's bits, at most [`LIMIT_BITS`], for each term.
 ///
 /// ```text
 /// number  = [sign] term { sign term }          sign = "+" | "-"

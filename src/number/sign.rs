@@ -1,9 +1,13 @@
 //! Certain signs. An enclosure that cannot tell answers `None`; a `Sign` is never a guess.
 
-use std::ops::{Mul, Neg};
+use std::{
+    fmt,
+    ops::{Mul, Neg},
+};
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
+use serde::{Serialize, Serializer};
 
 /// The sign of a real number that has been decided.
 ///
@@ -28,6 +32,24 @@ impl Sign {
     #[must_use]
     pub fn negated_if(self, odd: bool) -> Sign {
         if odd { -self } else { self }
+    }
+}
+
+/// `-`, `0` or `+`.
+impl fmt::Display for Sign {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Sign::Negative => "-",
+            Sign::Zero => "0",
+            Sign::Positive => "+",
+        })
+    }
+}
+
+/// As text: `-`, `0` or `+`.
+impl Serialize for Sign {
+    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
     }
 }
 

@@ -43,7 +43,9 @@ type Attempt = (Report, bool);
 
 impl<'m> Analysis<'m> {
     /// Prepares A, …, A^`last`; patterns may use periods up to that. With [`Numbers::Exact`] a map that is
-    /// not exact is treated as with [`Numbers::Enclosed`].
+    /// not exact is treated as with [`Numbers::Enclosed`]. Cost: O(P N³) products of `f64` intervals, P =
+    /// `last`; later, once on each rung that a pattern needs, as many of its numbers. Memory: P N² numbers
+    /// per rung.
     pub fn new(map: &'m Map, last: u64, numbers: Numbers) -> Self {
         let float = Coordinates::new(map, last, ());
         Analysis { map, last, numbers, float, balls: Default::default(), exact: OnceLock::new() }

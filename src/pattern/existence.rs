@@ -2,11 +2,14 @@
 
 use std::fmt;
 
+use serde::Serialize;
+
 use super::{Coordinates, Failure, Scalar, Solution, Value, matrix::dot};
 use crate::number::Sign;
 
 /// Whether an orbit with a given pattern tends to 0 on one side of the bifurcation.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum PatternExistence {
     /// Exactly one: (33) and (34) hold strictly.
     Orbit,
@@ -14,6 +17,17 @@ pub enum PatternExistence {
     NoOrbit,
     /// Theorem 1 is silent or a sign is not known; the [`OpenReason`] says which.
     Open,
+}
+
+/// `orbit`, `no orbit` or `open`.
+impl fmt::Display for PatternExistence {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            PatternExistence::Orbit => "orbit",
+            PatternExistence::NoOrbit => "no orbit",
+            PatternExistence::Open => "open",
+        })
+    }
 }
 
 /// A quantity of a pattern: C A^k X_i + 1, or Y_i if k = 0. Both are counted from 1.
@@ -68,6 +82,7 @@ impl fmt::Display for OpenReason {
 
 /// The solution of (32) and what follows from it; all numbers are exact or enclosed.
 #[derive(Debug, Clone)]
+#[non_exhaustive]
 pub struct PatternOrbit {
     /// X_1, …, X_m, in the coordinates the map was given in, or those of its section change P.
     pub x: Vec<Vec<Value>>,
@@ -101,6 +116,7 @@ impl PatternOrbit {
 
 /// Theorem 1 for one pattern.
 #[derive(Debug, Clone)]
+#[non_exhaustive]
 pub struct Report {
     /// For small eµ > 0.
     pub plus: PatternExistence,

@@ -36,6 +36,7 @@ pub struct Graph {
 
 /// The patterns of one period by what Theorem 1 says of them.
 #[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct PatternTally {
     /// Σ n_i.
     pub period: u64,
@@ -149,7 +150,7 @@ impl Graph {
     }
 
     /// What (52) for both periods and (64) say of an impact between the periods `from` and `to`, for a sign
-    /// of eµ.
+    /// of eµ. Cost: O(1).
     pub fn edge(&self, from: u64, to: u64, positive: bool) -> PatternExistence {
         let (Some(a), Some(b), Some(step)) = (
             &self.nodes[from as usize - 1],
@@ -203,7 +204,7 @@ impl Graph {
     }
 
     /// The closed walks of the periods ≤ `last` by their certain edges for a sign of eµ; open ones are left
-    /// out.
+    /// out. Cost: O(V² C), V = `last`, C ≤ V classes of periods that follow alike; memory: V² edges.
     pub fn walks(&self, positive: bool, last: u64) -> ClosedWalks {
         self.closed_walks(last, |from, to| self.edge(from, to, positive) == PatternExistence::Orbit)
     }
@@ -255,7 +256,7 @@ impl Graph {
     }
 
     /// Graphviz: the periods that occur and who may follow whom, orange for eµ > 0, blue for eµ < 0, dashed
-    /// if open.
+    /// if open. Cost: O(P²), as is the length of the text.
     pub fn to_dot(&self) -> String {
         let mut text = String::from(
             "// Which period may follow which: closed walks of one colour are the impact patterns that exist.\n\

@@ -90,7 +90,8 @@ pub(super) struct Key(pub &'static str);
 
 impl Map {
     /// The map x ↦ g(f(x, µ), µ) with A = D_x f, B, C = D_x h and e of (26); `section` is P of (12)–(14), in
-    /// whose coordinates P x results are given.
+    /// whose coordinates P x results are given. Cost: O(N³) operations for each of I − A and P, on exact
+    /// numbers or balls of 256 bits; memory: O(N²) numbers.
     ///
     /// # Errors
     /// An input error that names the key, the value and the condition unless: A is N × N, N ≥ 2; B and C have

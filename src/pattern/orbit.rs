@@ -8,6 +8,7 @@ use crate::{
 
 /// A point of a predicted orbit to leading order: x = x̃ + |eµ| times `x`.
 #[derive(Debug, Clone)]
+#[non_exhaustive]
 pub struct PredictedPoint {
     /// The impact that it follows, from 1.
     pub i: usize,
@@ -23,7 +24,8 @@ pub struct PredictedPoint {
 const BITS: u32 = 512;
 
 /// The orbit of a pattern for a sign of eµ, m + Σ n_i points. It solves (32); whether it exists is for
-/// [`Analysis`](super::Analysis) to say.
+/// [`Analysis`](super::Analysis) to say. Cost: O(P N³ + m N³ + n N²) products of balls of 512 bits, P the
+/// greatest of the m periods and n = Σ n_i; memory: O(P N² + n N) of them.
 ///
 /// # Errors
 /// An input error if det D = 0, or if it cannot be told from 0 with 512 bits.

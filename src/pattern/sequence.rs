@@ -85,7 +85,8 @@ impl Patterns<fn(u64, u64) -> bool> {
     }
 
     /// How many there are: (1/n) Σ_{d|n} φ(n/d) 2^d − 1, the necklaces of n beads of two colours without the
-    /// one that has no impact.
+    /// one that has no impact. Cost: O(σ(n)) greatest common divisors, σ(n) the sum of the divisors of n =
+    /// `period`, and a number of n bits.
     ///
     /// ```
     /// use grazing::pattern::Patterns;
@@ -100,7 +101,8 @@ impl Patterns<fn(u64, u64) -> bool> {
 }
 
 impl<F: Fn(u64, u64) -> bool> Patterns<F> {
-    /// The patterns in which `follows(n_i, n_{i+1})` holds cyclically.
+    /// The patterns in which `follows(n_i, n_{i+1})` holds cyclically. Cost: memory O(n), n = `period`; time
+    /// up to that of all beginnings that `follows` allows, of which there are O(2ⁿ).
     pub fn walks(period: u64, follows: F) -> Self {
         Patterns { period, left: period, word: Vec::new(), next: 1, follows }
     }

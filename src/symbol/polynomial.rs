@@ -64,7 +64,8 @@ impl Polynomial {
         Some(quotient)
     }
 
-    /// The value at a rational point, exactly.
+    /// The value at a rational point, exactly. Cost: per term two powers and a sum, of fractions of d times
+    /// the bits of the point, d the degree.
     pub fn evaluate(&self, at: &[BigRational; 2]) -> BigRational {
         let term = |(e, c): (&[u32; 2], &BigInt)| {
             let power = |i: usize| pow(at[i].clone(), e[i] as usize);

@@ -37,8 +37,9 @@ pub fn roots_above(n: usize, x: &BigRational) -> (usize, bool) {
 
 /// Rationals p < q between which cos(πj/n), 1 ≤ j ≤ n − 1, is the only root of U_{n−1}; neither is a root.
 ///
-/// Proved by [`roots_above`]. Neighbouring roots share a bound: the lower one for j is the upper one for
-/// j + 1.
+/// Proved by [`roots_above`]. The lower bound for j is the upper one for j + 1.
+///
+/// Cost: O(log n) calls of [`roots_above`], since roots are at least about 1/n² apart.
 pub fn chebyshev_roots(n: usize, j: usize) -> [BigRational; 2] {
     [separator(n, j), separator(n, j - 1)]
 }

@@ -29,7 +29,7 @@ pub struct PatternCount {
 
 impl ClosedWalks {
     /// The certain edges of a relation; open ones count as absent, so that counts and entropy are lower
-    /// bounds there.
+    /// bounds there. Cost: O(V² C) for V periods in C classes that follow alike; memory: O(V²).
     pub fn new(relation: &Relation) -> ClosedWalks {
         let follows: Vec<Vec<bool>> =
             relation.edges().iter().map(|row| row.iter().map(|&edge| edge == Edge::Yes).collect()).collect();

@@ -1,9 +1,12 @@
 //! The word of a point: which periods can occur between impacts, found by walking down the Stern–Brocot tree.
 
+use std::fmt;
+
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::{BigRational, Ratio};
 use num_traits::{One, ToPrimitive};
+use serde::Serialize;
 
 use super::{Edge, Rectangle};
 use crate::{
@@ -17,7 +20,7 @@ use crate::{
 pub const MAX_LETTERS: usize = 100_000;
 
 /// The sign of c_n of a period, which is also its side in regions 2, 3 and 4.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
 pub enum Letter {
     /// c_n > 0. In region 3 its fraction m/n lies above s, and u_n < 0.
     U,
@@ -25,8 +28,19 @@ pub enum Letter {
     D,
 }
 
+/// `U` or `D`.
+impl fmt::Display for Letter {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Letter::U => "U",
+            Letter::D => "D",
+        })
+    }
+}
+
 /// A period that can occur between impacts.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[non_exhaustive]
 pub struct Vertex {
     /// n.
     pub period: u64,
@@ -38,7 +52,9 @@ pub struct Vertex {
 }
 
 /// Where a word ends, and why.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
 pub enum Extent {
     /// Every period n ≥ 1 occurs, with the one letter given (regions 1, 2 and 5).
     All,

@@ -37,7 +37,8 @@ pub struct Rectangle {
 }
 
 impl Rectangle {
-    /// The points with a₁ and a₂ between these bounds, both included.
+    /// The points with a₁ and a₂ between these bounds, both included. Cost: 512 steps of recurrences, five
+    /// products of balls of 1024 bits each; memory: 1536 balls.
     ///
     /// # Errors
     /// An input error unless lower ≤ upper and 0 < a₂ ≤ 1.
@@ -97,13 +98,14 @@ impl Rectangle {
         (same && region != Region::Line).then_some(region)
     }
 
-    /// The sign of u_n at every point, if it is certain and not 0.
+    /// The sign of u_n at every point, if it is certain and not 0. Cost: O(1) products of balls, and ρⁿ as a
+    /// fraction, where |a₁| may exceed 1 + a₂.
     pub fn u(&self, n: u64) -> Option<Sign> {
         let i = usize::try_from(n).ok().filter(|&i| i < self.u.len())?;
         self.certain(n, self.u[i].clone(), [self.slope[i].clone(), -self.slope[i - 1].clone()])
     }
 
-    /// The sign of N_{n,k} at every point, if it is certain and not 0.
+    /// The sign of N_{n,k} at every point, if it is certain and not 0. Cost: as [`u`](Rectangle::u).
     ///
     /// # Panics
     /// Unless 1 ≤ k < n.

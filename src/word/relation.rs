@@ -1,5 +1,9 @@
 //! Which period may follow which in one case (sign eµ, sign γ): the pattern graph as a relation on periods.
 
+use std::fmt;
+
+use serde::Serialize;
+
 use super::{Extent, Letter, Word};
 use crate::{
     error::{Error, Result},
@@ -10,7 +14,8 @@ use crate::{
 pub const MAX_RELATION: usize = 4096;
 
 /// Whether one period may follow another.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Edge {
     /// It may.
     Yes,
@@ -18,6 +23,17 @@ pub enum Edge {
     No,
     /// The quantity that decides is zero, where Theorem 1 is silent, or its sign was not decided.
     Open,
+}
+
+/// `yes`, `no` or `open`.
+impl fmt::Display for Edge {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Edge::Yes => "yes",
+            Edge::No => "no",
+            Edge::Open => "open",
+        })
+    }
 }
 
 impl Edge {
@@ -99,7 +115,8 @@ impl Relation {
         self.whole
     }
 
-    /// Whether `to` may follow `from`; [`Edge::No`] for periods that do not occur.
+    /// Whether `to` may follow `from`; [`Edge::No`] for periods that do not occur. Cost: O(V), V the number
+    /// of periods.
     pub fn edge(&self, from: u64, to: u64) -> Edge {
         let place = |n| self.periods.iter().position(|&period| period == n);
         match (place(from), place(to)) {
@@ -118,7 +135,7 @@ impl Relation {
         (0..self.periods.len()).filter(|&i| self.edges[i][i] == Edge::Yes).map(|i| self.periods[i]).collect()
     }
 
-    /// Whether an edge is open.
+    /// Whether an edge is open. Cost: O(V²).
     pub fn is_open(&self) -> bool {
         self.edges.iter().flatten().any(|&edge| edge == Edge::Open)
     }

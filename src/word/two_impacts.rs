@@ -1,16 +1,21 @@
 //! Where patterns of two impacts exist on r = 1: Farey intervals of s, by the word theorem.
 
+use std::fmt;
+
 use num_integer::Integer;
 use num_rational::Ratio;
 use num_traits::Zero;
+use serde::Serialize;
 
 use crate::{
     error::{Error, Result},
     existence::{Case, MAX_PERIOD},
+    number::serialize_fraction,
 };
 
 /// An open interval of s on r = 1 in which the impact pattern (i, j) exists.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[non_exhaustive]
 pub struct PatternInterval {
     /// The lower period, i < j.
     pub i: u64,
@@ -19,9 +24,18 @@ pub struct PatternInterval {
     /// The case (sign eµ, sign γ) in which it exists.
     pub case: Case,
     /// The left end.
+    #[serde(serialize_with = "serialize_fraction")]
     pub left: Ratio<u64>,
     /// The right end.
+    #[serde(serialize_with = "serialize_fraction")]
     pub right: Ratio<u64>,
+}
+
+/// As `(3,5): (1/6, 1/5) in case (+,+)`.
+impl fmt::Display for PatternInterval {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "({},{}): ({}, {}) in case {}", self.i, self.j, self.left, self.right, self.case)
+    }
 }
 
 /// Every interval of the pattern (i, j), by increasing s; the ends are Farey fractions or multiples of

@@ -22,6 +22,7 @@ use crate::{
 
 /// A proved orbit.
 #[derive(Debug, Clone)]
+#[non_exhaustive]
 pub struct ProvedMachineOrbit {
     /// The certificate's contents.
     pub certificate: Certificate,

@@ -230,6 +230,7 @@ fn inverse(m: &Matrix2) -> Matrix2 {
 
 /// A parameter value at which an image of the corner lies on the stable manifold.
 #[derive(Debug, Clone)]
+#[non_exhaustive]
 pub struct Crisis {
     /// The parameter.
     pub parameter: f64,

@@ -41,6 +41,7 @@ pub struct OneWay {
 
 /// What a search came to.
 #[derive(Debug, Clone)]
+#[non_exhaustive]
 pub enum BranchSearch<O = Orbit> {
     /// The nearest of the kind.
     Found(Box<Located<O>>),

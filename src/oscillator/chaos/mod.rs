@@ -69,6 +69,7 @@ pub struct Problem {
 
 /// A proof that has passed the checker.
 #[derive(Debug, Clone)]
+#[non_exhaustive]
 pub struct ShiftProof {
     /// The certificate.
     pub certificate: Certificate,

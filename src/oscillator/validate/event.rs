@@ -38,6 +38,7 @@ pub enum Condition {
 /// A proved event: at exactly one parameter value and orbit in the box the condition holds, and that orbit is
 /// admissible (but for the tangency, if it is one).
 #[derive(Debug, Clone)]
+#[non_exhaustive]
 pub struct ProvedEvent {
     /// What happens.
     pub condition: Condition,

@@ -3,6 +3,7 @@
 
 use num_rational::BigRational;
 use num_traits::Zero;
+use serde::Serialize;
 
 use super::{
     Jet, Verdict, admissible,
@@ -31,7 +32,8 @@ pub struct ExpectedImpact {
 }
 
 /// Where the multipliers of an orbit are.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Stability {
     /// All strictly inside the unit circle.
     Stable,
@@ -41,6 +43,7 @@ pub enum Stability {
 
 /// A proved orbit.
 #[derive(Debug, Clone)]
+#[non_exhaustive]
 pub struct ProvedOrbit {
     /// The pattern.
     pub impacts: Vec<ExpectedImpact>,

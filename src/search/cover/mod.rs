@@ -102,6 +102,7 @@ pub type Unit = (u64, usize);
 
 /// What the search came to for one period.
 #[derive(Debug, Clone)]
+#[non_exhaustive]
 pub struct Cover {
     /// The period.
     pub n: u64,
@@ -117,6 +118,7 @@ pub struct Cover {
 
 /// The leaves of a cover, counted.
 #[derive(Debug, Clone, Default, PartialEq)]
+#[non_exhaustive]
 pub struct CoverTally {
     /// Leaves without an orbit.
     pub none: u64,
@@ -153,7 +155,7 @@ impl Cover {
     }
 
     /// Calls `visit` with each leaf of the strips covered, its box, and the chart that gives the box its
-    /// place.
+    /// place. Cost: linear in the leaves and the splits above them.
     pub fn leaves(&self, mut visit: impl FnMut(&Chart, Leaf, Cell)) {
         for (strip, trees) in &self.strips {
             let chart = Chart::new(strip.clone(), &self.r_max);
@@ -164,7 +166,7 @@ impl Cover {
         }
     }
 
-    /// The leaves counted.
+    /// The leaves counted. Cost: as [`leaves`](Cover::leaves); memory: the open ones.
     pub fn tally(&self) -> CoverTally {
         let mut tally = CoverTally::default();
         self.leaves(|chart, leaf, cell| {
@@ -182,7 +184,8 @@ impl Cover {
         tally
     }
 
-    /// The block of this period in a certificate; none unless it is complete.
+    /// The block of this period in a certificate; none unless it is complete. Cost: as
+    /// [`leaves`](Cover::leaves); memory: the text, about two bytes per leaf.
     pub fn block(&self) -> Option<String> {
         let leaves = self.tally().leaves();
         let (p, q) = (self.r_max.numer(), self.r_max.denom());
@@ -195,13 +198,14 @@ impl Cover {
     }
 }
 
-/// The certificate of covers, given their blocks in order.
+/// The certificate of covers, given their blocks in order. Cost: linear in the text, which is in memory
+/// twice.
 pub fn certificate(periods: &RangeInclusive<u64>, blocks: &[String]) -> String {
     let lines = blocks.iter().map(|block| block.lines().count() as u64).sum();
     header(periods, lines) + &blocks.concat()
 }
 
-/// The number of units of a run.
+/// The number of units of a run. Cost: O(n) strips for each period n, as is the memory.
 ///
 /// # Errors
 /// As [`cover`].

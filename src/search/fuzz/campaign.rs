@@ -135,7 +135,8 @@ pub trait Campaign: Serialize + Sync {
 
 /// Does the units in `range`, of which `tally` has the first ones, until the last is done or the monitor
 /// interrupts; `checkpoint` sees every state from which the run can go on. Ends early once a disagreement or
-/// an error of this program is found.
+/// an error of this program is found. Cost: that of the units, on all threads; memory: the tallies of a chunk
+/// of units.
 ///
 /// # Errors
 /// An input error if the options are out of range, or `tally` cannot be of such a run; whatever `checkpoint`

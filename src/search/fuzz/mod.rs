@@ -253,7 +253,8 @@ impl Campaign for FuzzOptions {
     }
 }
 
-/// The first of `most` weighted cases of a seed that refutes a variant of the claim, shrunk.
+/// The first of `most` weighted cases of a seed that refutes a variant of the claim, shrunk. Cost: at most
+/// `most` cases, each with O(n) signs, n ≤ `last`, and the shrinking of one.
 pub fn refute(variant: Variant, seed: u64, most: u64, last: u64) -> Option<Instance> {
     let ladder = Ladder::default();
     let mut random = Random::of_unit(seed, 0);

@@ -312,7 +312,8 @@ fn one_point(ladder: &Ladder, case: Instance, tally: &mut WordTally) -> Comparis
     comparison
 }
 
-/// The first of `most` weighted points of a seed that refutes a statement, shrunk.
+/// The first of `most` weighted points of a seed that refutes a statement, shrunk. Cost: at most `most`
+/// points, each with O(n²) signs for n up to 24, and the shrinking of one.
 pub fn refute_words(statement: WordStatement, seed: u64, most: u64) -> Option<Instance> {
     let ladder = Ladder::default();
     let mut random = Random::of_unit(seed, 0);
