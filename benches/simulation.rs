@@ -26,7 +26,16 @@ fn paper(mu: f64) -> System<f64> {
 }
 
 fn bare(damping: f64, stiffness: f64) -> System<f64> {
-    System { damping, stiffness, cubic: 0.0, force: 0.0, forcing: vec![], lower: None, upper: None }
+    System {
+        damping,
+        stiffness,
+        cubic: 0.0,
+        force: 0.0,
+        forcing: vec![],
+        smooth: None,
+        lower: None,
+        upper: None,
+    }
 }
 
 fn run(simulator: &Simulator, periods: u64) -> u64 {

@@ -407,6 +407,7 @@ fn branches_that_cross_are_labelled_and_switched() {
             stiffness: if walls { 2.0 } else { 0.0 },
             cubic: 0.0,
             force: 0.0,
+            smooth: None,
             forcing: vec![Harmonic { k: 1, cos: size, sin: 0.0 }],
             lower: if walls { wall(-1.0) } else { None },
             upper: if walls { wall(1.0) } else { None },

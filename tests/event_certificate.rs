@@ -33,6 +33,7 @@ fn table<T: Real>(p: &T, context: &T::Context) -> System<T> {
         stiffness: ratio("0"),
         cubic: ratio("0"),
         force: ratio("-1"),
+        smooth: None,
         forcing: Vec::new(),
         lower: Some(Wall { offset: ratio("0"), harmonics: vec![motion], restitution: ratio("3/5") }),
         upper: None,
@@ -47,6 +48,7 @@ fn one_sided<T: Real>(p: &T, context: &T::Context) -> System<T> {
         stiffness: ratio("1") / &(p.clone() * p),
         cubic: ratio("0"),
         force: ratio("0"),
+        smooth: None,
         forcing: vec![Harmonic { k: 1, cos: ratio("1"), sin: ratio("0") }],
         lower: None,
         upper: Some(Wall { offset: ratio("1/2"), harmonics: Vec::new(), restitution: ratio("4/5") }),
@@ -288,6 +290,7 @@ fn free<T: Real>(p: &T, context: &T::Context, moves: bool) -> System<T> {
         stiffness: ratio("1/4"),
         cubic: ratio("0"),
         force: ratio("0"),
+        smooth: None,
         // The response is p cos t/(1/4 − 1).
         forcing: vec![Harmonic { k: 1, cos: p.clone(), sin: ratio("0") }],
         lower: Some(Wall { offset: ratio("-1"), harmonics: motion, restitution: ratio("4/5") }),

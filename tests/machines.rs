@@ -210,6 +210,7 @@ fn oscillators() -> Vec<(&'static str, System<f64>, [f64; 2])> {
         stiffness,
         cubic: 0.0,
         force: 0.0,
+        smooth: None,
         forcing: vec![],
         lower: None,
         upper: None,

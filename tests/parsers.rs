@@ -286,6 +286,7 @@ fn wells(stiffness: f64) -> Result<Simulator> {
         stiffness,
         cubic: 1.0,
         force: 0.0,
+        smooth: None,
         forcing: Vec::new(),
         lower: None,
         upper: None,

@@ -20,8 +20,20 @@ use grazing::{
     },
 };
 
+#[path = "simulation/forces.rs"]
+mod forces;
+
 fn bare(damping: f64, stiffness: f64) -> System<f64> {
-    System { damping, stiffness, cubic: 0.0, force: 0.0, forcing: vec![], lower: None, upper: None }
+    System {
+        damping,
+        stiffness,
+        cubic: 0.0,
+        force: 0.0,
+        forcing: vec![],
+        smooth: None,
+        lower: None,
+        upper: None,
+    }
 }
 
 fn wall(offset: f64, restitution: f64, harmonics: &[(u32, f64, f64)]) -> Wall<f64> {
@@ -385,6 +397,7 @@ fn absent_effects_are_never_evaluated() {
         Effect::Piece,
         Effect::Drive,
         Effect::Cubic,
+        Effect::Smooth,
         Effect::LowerGap,
         Effect::UpperGap,
         Effect::Search,
@@ -708,7 +721,7 @@ mod properties {
             (lower, upper) in walls(),
         ) -> System<f64> {
             let forcing = forcing.into_iter().map(|(k, cos, sin)| Harmonic { k, cos, sin }).collect();
-            System { damping, stiffness, cubic, force, forcing, lower, upper }
+            System { damping, stiffness, cubic, force, forcing, smooth: None, lower, upper }
         }
     }
 

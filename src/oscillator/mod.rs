@@ -22,4 +22,5 @@ mod system;
 pub mod validate;
 
 pub use simulate::{Counter, Counts, Effect, EffectTally};
-pub use system::{Contact, Harmonic, Series, Side, System, Time, Wall};
+pub use system::{Contact, Harmonic, Series, Side, SmoothForce, System, Time, Wall};
+pub(crate) use system::{Q, TIME, U};

@@ -20,7 +20,7 @@ use crate::{
 row! {
     /// One end and how many starts lead to it.
     pub struct BasinRow {
-        /// "periodic", "not-periodic", "behind-a-wall" or "escaped".
+        /// "periodic", "not-periodic", "behind-a-wall", "escaped", "impact-limit" or "not-smooth".
         pub end: &'static str,
         /// The period of a periodic attractor, in forcing periods.
         pub period: Option<usize>,
@@ -131,7 +131,13 @@ fn gather<P: SectionState>(
 ) -> BasinsFindings {
     let none = BasinRow { end: "", period: None, impacts: None, q: None, u: None, starts: 0 };
     let word = |end| BasinRow { end, ..none.clone() };
-    let mut all = vec![word("behind-a-wall"), word("escaped"), word("impact-limit"), word("not-periodic")];
+    let mut all = vec![
+        word("behind-a-wall"),
+        word("escaped"),
+        word("impact-limit"),
+        word("not-periodic"),
+        word("not-smooth"),
+    ];
     let others = all.len();
     all.extend(attractors.iter().map(|cycle| BasinRow {
         end: "periodic",
@@ -144,6 +150,7 @@ fn gather<P: SectionState>(
     let class = |cell: &BasinCell| match cell {
         BasinCell::Behind => 0,
         BasinCell::Ended(RunEnd::ImpactLimit) => 2,
+        BasinCell::Ended(RunEnd::NotSmooth) => 4,
         BasinCell::Ended(_) => 1,
         BasinCell::Irregular => 3,
         BasinCell::Attractor(index) => others + index,

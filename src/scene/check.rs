@@ -471,6 +471,11 @@ impl Check for ValidateTask {
         if system.cubic != 0.0 {
             return Err(scene.fail(path, "only a linear system can be validated: cubic must be 0"));
         }
+        if system.smooth.is_some() {
+            let message = "depends on q, u or t: kind \"validate\" proves linear systems only; if the force is linear, \
+                           write it as damping, stiffness and forcing";
+            return Err(scene.fail("system.force", message));
+        }
         if self.orbit.pattern.is_empty()
             && (self.event != Some(Bifurcation::Grazing) || self.orbit.period != 1)
         {

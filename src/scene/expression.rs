@@ -6,8 +6,11 @@
 //! signed  = [ "+" | "-" ] power
 //! power   = atom [ "^" [ "+" | "-" ] digits ]
 //! atom    = decimal | parameter | "pi" | function "(" sum ")" | "(" sum ")"
-//! function = "sqrt" | "exp" | "sin" | "cos"
+//! function = "sqrt" | "exp" | "sin" | "cos" | "log" | "tanh"
 //! ```
+//!
+//! In a force the displacement q, the velocity u and the time t are parameters, too (`force`); log and tanh
+//! have no enclosures and stand only there.
 //!
 //! A parameter called like a function or `pi` is that parameter. Angles are in radians. A value is exact
 //! where it is rational (√ of a square, e⁰); other values there are on rungs that have the functions: floats,
@@ -19,12 +22,15 @@
 use std::fmt;
 
 use num_rational::BigRational;
-use num_traits::{One, Signed, Zero};
+use num_traits::Zero;
 use serde::{Serialize, Serializer};
 
 use crate::{
     error::{Error, Result},
-    number::{Ball, Dual, Elementary, FloatInterval, Fraction, Plain, Real, Sign, parse_rational_within},
+    number::{
+        Ball, Dual, Elementary, FloatInterval, Formula, Fraction, Function, Operation, Plain, Real, Sign,
+        parse_rational_within,
+    },
     oscillator::chaos::RationalFunction,
     source::hint,
 };
@@ -41,77 +47,29 @@ const LIMIT_DEPTH: u32 = 32;
 /// An expression in a scene's parameters, which it knows by their places in the scene's list.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Expression {
-    text: String,
-    root: Node,
+    pub(super) text: String,
+    pub(super) root: Formula,
     /// The key whose value it is, empty if none; an error is reported there.
     pub(super) key: String,
 }
 
-#[derive(Debug, Clone, PartialEq)]
-enum Node {
-    Number(BigRational),
-    Parameter(usize),
-    Negated(Box<Node>),
-    Binary(Operation, Box<[Node; 2]>),
-    Power(Box<Node>, i32),
-    Pi,
-    Call(Function, Box<Node>),
-}
-
-/// A function of one number.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Function {
-    /// √x.
-    Sqrt,
-    /// e^x.
-    Exp,
-    /// sin x, in radians.
-    Sin,
-    /// cos x, in radians.
-    Cos,
-}
-
-impl Function {
-    const ALL: [(&'static str, Function); 4] =
-        [("sqrt", Function::Sqrt), ("exp", Function::Exp), ("sin", Function::Sin), ("cos", Function::Cos)];
-
-    fn name(self) -> &'static str {
-        Function::ALL.into_iter().find(|known| known.1 == self).map_or("", |known| known.0)
+/// A function's value on a rung that has the elementary functions.
+fn call<T: Elementary>(function: Function, x: &T, context: &T::Context) -> Result<T> {
+    if function == Function::Sqrt && x.sign() == Some(Sign::Negative) {
+        return Err(Error::input("takes the root of a negative number"));
     }
-
-    fn of<T: Elementary>(self, x: &T, context: &T::Context) -> Result<T> {
-        if self == Function::Sqrt && x.sign() == Some(Sign::Negative) {
-            return Err(Error::input("takes the root of a negative number"));
+    Ok(match function {
+        Function::Sqrt => x.sqrt(),
+        Function::Exp => x.exp(context),
+        Function::Sin => x.sin_cos(context).0,
+        Function::Cos => x.sin_cos(context).1,
+        Function::Log | Function::Tanh => {
+            return Err(Error::input(format!(
+                "{}(…) stands only in a force that depends on q, u or t",
+                function.name()
+            )));
         }
-        Ok(match self {
-            Function::Sqrt => x.sqrt(),
-            Function::Exp => x.exp(context),
-            Function::Sin => x.sin_cos(context).0,
-            Function::Cos => x.sin_cos(context).1,
-        })
-    }
-
-    /// The value at an exact number where it is rational.
-    fn exactly(self, x: &BigRational) -> Option<BigRational> {
-        match self {
-            Function::Sqrt if !x.is_negative() => {
-                let root = BigRational::new(x.numer().sqrt(), x.denom().sqrt());
-                (&root * &root == *x).then_some(root)
-            }
-            Function::Sin if x.is_zero() => Some(BigRational::zero()),
-            Function::Exp | Function::Cos if x.is_zero() => Some(BigRational::one()),
-            _ => None,
-        }
-    }
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Operation {
-    Sum,
-    Difference,
-    Product,
-    Quotient,
+    })
 }
 
 impl Expression {
@@ -145,9 +103,14 @@ impl Expression {
         Ok(Expression { text: text.to_string(), root, key: String::new() })
     }
 
+    /// A part of an expression, reported with the whole's text at its key.
+    pub(super) fn of(root: &Formula, text: &str, key: &str) -> Expression {
+        Expression { text: text.to_string(), root: root.clone(), key: key.to_string() }
+    }
+
     /// Whether it is a zero written out.
     pub(super) fn is_zero(&self) -> bool {
-        matches!(&self.root, Node::Number(value) if value.is_zero())
+        matches!(&self.root, Formula::Number(value) if value.is_zero())
     }
 
     /// Its value, `parameters` being the values of the names it was read with, in their order. An enclosure
@@ -176,7 +139,7 @@ pub trait Coefficient: Real {
     /// # Errors
     /// As [`Expression::evaluate`].
     fn value(expression: &Expression, parameters: &[Self], context: &Self::Context) -> Result<Self> {
-        expression.root.evaluate(parameters, context)
+        evaluate(&expression.root, parameters, context)
     }
 
     /// π.
@@ -209,7 +172,7 @@ macro_rules! elementary {
             }
 
             fn call(function: Function, x: &Self, context: &Self::Context) -> Result<Self> {
-                function.of(x, context)
+                call(function, x, context)
             }
         })+
     };
@@ -225,12 +188,14 @@ impl Coefficient for Dual {
     }
 
     fn call(function: Function, x: &Self, (): &()) -> Result<Self> {
-        let value = function.of(&Plain(x.value), &())?.0;
+        let value = call(function, &Plain(x.value), &())?.0;
         let slope = match function {
             Function::Sqrt => 0.5 / value,
             Function::Exp => value,
             Function::Sin => x.value.cos(),
             Function::Cos => -x.value.sin(),
+            Function::Log => 1.0 / x.value,
+            Function::Tanh => 1.0 - value * value,
         };
         // The root of 0 does not vary where its argument does not.
         let slope = if x.slope == 0.0 { 0.0 } else { slope * x.slope };
@@ -252,7 +217,7 @@ impl Coefficient for BigRational {
     fn value(expression: &Expression, parameters: &[Self], (): &()) -> Result<Self> {
         let limit = u64::from(LIMIT_VALUE);
         let parameters: Vec<Fraction> = parameters.iter().map(|x| Fraction::ratio(x, &limit)).collect();
-        let value = expression.root.evaluate(&parameters, &limit)?;
+        let value = evaluate(&expression.root, &parameters, &limit)?;
         value.reduced().ok_or_else(|| {
             let message = "has a value, or a step on the way to it, of more than";
             Error::input(format!("{message} {LIMIT_VALUE} bits in numerator or denominator"))
@@ -274,53 +239,33 @@ impl fmt::Display for Expression {
     }
 }
 
-impl Node {
-    fn size(&self) -> u64 {
-        match self {
-            Node::Number(_) | Node::Parameter(_) | Node::Pi => 1,
-            Node::Call(_, node) => node.size().saturating_add(1),
-            Node::Negated(node) => node.size(),
-            Node::Binary(_, nodes) => nodes[0].size() + nodes[1].size(),
-            Node::Power(node, exponent) => {
-                node.size().saturating_mul(exponent.unsigned_abs().into()).clamp(1, 1 << 32)
+/// The value of a formula whose variables have these values.
+fn evaluate<T: Coefficient>(formula: &Formula, parameters: &[T], context: &T::Context) -> Result<T> {
+    Ok(match formula {
+        Formula::Pi => T::pi(context)?,
+        Formula::Call(function, inner) => {
+            T::call(*function, &evaluate(inner, parameters, context)?, context)?
+        }
+        Formula::Number(value) => T::ratio(value, context),
+        Formula::Variable(index) => parameters[*index].clone(),
+        Formula::Negated(inner) => -evaluate(inner, parameters, context)?,
+        Formula::Binary(operation, parts) => {
+            let left = evaluate(&parts[0], parameters, context)?;
+            let right = evaluate(&parts[1], parameters, context)?;
+            match operation {
+                Operation::Sum => left + &right,
+                Operation::Difference => left - &right,
+                Operation::Product => left * &right,
+                Operation::Quotient => divide(left, &right)?,
             }
         }
-    }
-
-    fn mentions(&self, which: &dyn Fn(usize) -> bool) -> bool {
-        match self {
-            Node::Number(_) | Node::Pi => false,
-            Node::Parameter(index) => which(*index),
-            Node::Negated(node) | Node::Power(node, _) | Node::Call(_, node) => node.mentions(which),
-            Node::Binary(_, nodes) => nodes.iter().any(|node| node.mentions(which)),
+        Formula::Power(base, exponent) => {
+            let base = evaluate(base, parameters, context)?;
+            let one = T::integer(1, context);
+            let power = (0..exponent.unsigned_abs()).fold(one.clone(), |power, _| power * &base);
+            if *exponent < 0 { divide(one, &power)? } else { power }
         }
-    }
-
-    fn evaluate<T: Coefficient>(&self, parameters: &[T], context: &T::Context) -> Result<T> {
-        Ok(match self {
-            Node::Pi => T::pi(context)?,
-            Node::Call(function, node) => T::call(*function, &node.evaluate(parameters, context)?, context)?,
-            Node::Number(value) => T::ratio(value, context),
-            Node::Parameter(index) => parameters[*index].clone(),
-            Node::Negated(node) => -node.evaluate(parameters, context)?,
-            Node::Binary(operation, nodes) => {
-                let left = nodes[0].evaluate(parameters, context)?;
-                let right = nodes[1].evaluate(parameters, context)?;
-                match operation {
-                    Operation::Sum => left + &right,
-                    Operation::Difference => left - &right,
-                    Operation::Product => left * &right,
-                    Operation::Quotient => divide(left, &right)?,
-                }
-            }
-            Node::Power(node, exponent) => {
-                let base = node.evaluate(parameters, context)?;
-                let one = T::integer(1, context);
-                let power = (0..exponent.unsigned_abs()).fold(one.clone(), |power, _| power * &base);
-                if *exponent < 0 { divide(one, &power)? } else { power }
-            }
-        })
-    }
+    })
 }
 
 fn divide<T: Real>(left: T, right: &T) -> Result<T> {
@@ -363,19 +308,19 @@ impl<'a> Parser<'a> {
         Error::input(format!("expected {what} at character {}, found {found}", self.position(self.at)))
     }
 
-    fn sum(&mut self) -> Result<Node> {
+    fn sum(&mut self) -> Result<Formula> {
         self.chain(Self::product, [('+', Operation::Sum), ('-', Operation::Difference)])
     }
 
-    fn product(&mut self) -> Result<Node> {
+    fn product(&mut self) -> Result<Formula> {
         self.chain(Self::signed, [('*', Operation::Product), ('/', Operation::Quotient)])
     }
 
     fn chain(
         &mut self,
-        part: fn(&mut Self) -> Result<Node>,
+        part: fn(&mut Self) -> Result<Formula>,
         operators: [(char, Operation); 2],
-    ) -> Result<Node> {
+    ) -> Result<Formula> {
         let mut left = part(self)?;
         let mut parts = 1;
         while let Some((_, operation)) = operators.into_iter().find(|&(sign, _)| self.take(sign)) {
@@ -384,20 +329,20 @@ impl<'a> Parser<'a> {
             if parts > LIMIT_SIZE {
                 return Err(Error::input(format!("has more than {LIMIT_SIZE} factors or terms")));
             }
-            left = Node::Binary(operation, Box::new([left, part(self)?]));
+            left = Formula::Binary(operation, Box::new([left, part(self)?]));
         }
         Ok(left)
     }
 
-    fn signed(&mut self) -> Result<Node> {
+    fn signed(&mut self) -> Result<Formula> {
         if self.take('-') {
-            return Ok(Node::Negated(Box::new(self.power()?)));
+            return Ok(Formula::Negated(Box::new(self.power()?)));
         }
         self.take('+');
         self.power()
     }
 
-    fn power(&mut self) -> Result<Node> {
+    fn power(&mut self) -> Result<Formula> {
         let base = self.atom()?;
         if !self.take('^') {
             return Ok(base);
@@ -410,14 +355,14 @@ impl<'a> Parser<'a> {
         let digits = self.word(|c| c.is_ascii_digit());
         match digits.parse::<i32>() {
             Ok(exponent) if exponent as u64 <= LIMIT_SIZE => {
-                Ok(Node::Power(Box::new(base), if negative { -exponent } else { exponent }))
+                Ok(Formula::Power(Box::new(base), if negative { -exponent } else { exponent }))
             }
             _ if digits.is_empty() => Err(self.expected("a whole number as exponent")),
             _ => Err(Error::input(format!("the exponent {digits} is above {LIMIT_SIZE}"))),
         }
     }
 
-    fn atom(&mut self) -> Result<Node> {
+    fn atom(&mut self) -> Result<Formula> {
         match self.peek() {
             Some('(') => self.parenthesis(),
             Some(c) if c.is_ascii_digit() || c == '.' => self.decimal(),
@@ -426,7 +371,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    fn parenthesis(&mut self) -> Result<Node> {
+    fn parenthesis(&mut self) -> Result<Formula> {
         self.depth += 1;
         if self.depth > LIMIT_DEPTH {
             return Err(Error::input(format!("has more than {LIMIT_DEPTH} levels of parentheses")));
@@ -440,7 +385,7 @@ impl<'a> Parser<'a> {
         Ok(inner)
     }
 
-    fn decimal(&mut self) -> Result<Node> {
+    fn decimal(&mut self) -> Result<Formula> {
         let start = self.at;
         self.word(|c| c.is_ascii_digit() || c == '.');
         // An exponent only if a digit follows: in 2*e the e is a parameter.
@@ -453,25 +398,31 @@ impl<'a> Parser<'a> {
         }
         let value = parse_rational_within(&self.text[start..self.at], LIMIT_BITS)
             .map_err(|error| error.context(format_args!("at character {}", self.position(start))))?;
-        Ok(Node::Number(value))
+        Ok(Formula::Number(value))
     }
 
-    fn parameter(&mut self) -> Result<Node> {
+    fn parameter(&mut self) -> Result<Formula> {
         let start = self.at;
         let name = self.word(continues_name);
         if let Some(index) = self.names.iter().position(|known| known == name) {
-            return Ok(Node::Parameter(index));
+            return Ok(Formula::Variable(index));
         }
         if name == "pi" {
-            return Ok(Node::Pi);
+            return Ok(Formula::Pi);
         }
         if let Some((_, function)) = Function::ALL.into_iter().find(|known| known.0 == name) {
             if self.peek() != Some('(') {
                 return Err(self.expected("\"(\""));
             }
-            return Ok(Node::Call(function, Box::new(self.parenthesis()?)));
+            return Ok(Formula::Call(function, Box::new(self.parenthesis()?)));
         }
         let hint = hint(name, self.names.iter().map(String::as_str));
+        let is_state = matches!(name.trim_end_matches(|c: char| c.is_ascii_digit()), "q" | "u" | "t");
+        let hint = if is_state {
+            format!("{hint}; q, u and t stand only in `force` of format \"grazing-scene 1\"")
+        } else {
+            hint
+        };
         Err(Error::input(format!("unknown parameter {name:?} at character {}; {hint}", self.position(start))))
     }
 

@@ -4,7 +4,7 @@
 //! keys. Numbers are exact; coefficients are rational expressions in named parameters ([`Expression`]). Not
 //! here: running the tasks (the module `run`).
 //!
-//! Each file imports from those before it alone: `expression`, `keys`, `matrix`; the keys, `system`,
+//! Each file imports from those before it alone: `expression`, `keys`, `force`, `matrix`; the keys, `system`,
 //! `machine`, `simulate`, `orbits`, `sections`, `branches`, `validate`, `chaos`; `task`; `scene`, the type
 //! and its values; `values`, those of a machine; `normal`, `check`; `input`, `family`, `reference`.
 
@@ -13,6 +13,7 @@ pub mod chaos;
 mod check;
 mod expression;
 mod family;
+mod force;
 mod input;
 mod keys;
 mod machine;

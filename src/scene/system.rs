@@ -2,6 +2,7 @@
 
 use super::{
     expression::Expression,
+    force::ForceKey,
     keys::{Entry, Value, keys},
 };
 use crate::{
@@ -22,8 +23,9 @@ keys! {
         stiffness: Expression = "0",
         /// the coefficient of the displacement cubed (Duffing)
         cubic: Expression = "0",
-        /// a constant acceleration: preload or gravity
-        force: Expression = "0",
+        /// an acceleration: a constant one, such as preload or gravity, or any smooth function of the
+        /// displacement q, the velocity u and the time t, periodic in t with the forcing
+        force: ForceKey = "0",
         /// the harmonics of the forcing
         forcing: Vec<HarmonicKeys> = "[]",
     }
@@ -59,7 +61,7 @@ keys! {
 keys! {
     /// How accurately motions are computed.
     pub struct Accuracy {
-        /// the integrator's tolerance, absolute and relative, for oscillators with cubic stiffness; others
+        /// the integrator's tolerance, absolute and relative, for oscillators that are not linear; others
         /// need none
         tolerance: f64 = "1e-12",
         /// a minimum of the distance to a wall that is deeper than this is an impact; a shallower one is a
@@ -123,12 +125,14 @@ pub(super) fn system(file: &Entry, keys: SystemKeys, walls: Vec<WallKeys>) -> Re
         let harmonics = harmonics(file, keys.harmonics, &format!("{path}.harmonics"))?;
         *place = Some(Wall { offset: keys.offset, harmonics, restitution: keys.restitution });
     }
+    let (force, smooth) = keys.force.parts()?;
     Ok(System {
         damping: keys.damping,
         stiffness: keys.stiffness,
         cubic: keys.cubic,
-        force: keys.force,
+        force,
         forcing: harmonics(file, keys.forcing, "system.forcing")?,
+        smooth,
         lower,
         upper,
     })

@@ -6,9 +6,10 @@ use std::time::{Duration, Instant};
 use crate::{
     error::Result,
     oscillator::{
-        Counts, Effect, Harmonic, System, Time, Wall,
+        Counts, Effect, Harmonic, SmoothForce, System, Time, Wall,
         simulate::{Settings, Simulator},
     },
+    scene::Scene,
 };
 
 /// An oscillator with one effect more than the bare one.
@@ -48,6 +49,7 @@ pub fn effects() -> Vec<WithEffect> {
         stiffness: 1.0 / 1.21,
         cubic: 0.0,
         force: 0.0,
+        smooth: None,
         forcing: vec![],
         lower: None,
         upper: None,
@@ -57,7 +59,8 @@ pub fn effects() -> Vec<WithEffect> {
         let harmonics = if amplitude == 0.0 { vec![] } else { vec![harmonic(1, amplitude)] };
         Some(Wall { offset, harmonics, restitution: 1.0 })
     };
-    use Effect::{Cubic, Drive, LowerGap, Piece, Search, UpperGap};
+    use Effect::{Cubic, Drive, LowerGap, Piece, Search, Smooth, UpperGap};
+    let formula = |text: &str| System { damping: 0.0, stiffness: 0.0, smooth: force(text), ..bare() };
     let with = |name, system, needs| WithEffect { name, system, needs };
     vec![
         with("bare", bare(), &[]),
@@ -83,7 +86,19 @@ pub fn effects() -> Vec<WithEffect> {
             &[Piece, Drive, LowerGap, Search],
         ),
         with("cubic stiffness", System { cubic: 0.1, ..bare() }, &[Cubic]),
+        with("cubic stiffness, as a formula", formula("-q/1.21 - 0.1*q^3"), &[Cubic]),
+        // The cubic spring's parabola keeps it from being taken for one of the cubic key.
+        with("cubic stiffness, by the graph", formula("-q/1.21 - 0.1*q^3 - 1e-30*q^2"), &[Smooth]),
+        with("pendulum, as a formula", formula("-sin(q)/1.21"), &[Smooth]),
+        with("pole, as a formula", formula("-q/1.21 + 0.01/(3 - q)^2"), &[Smooth]),
     ]
+}
+
+/// A force from its formula.
+fn force(text: &str) -> Option<SmoothForce<f64>> {
+    let scene = format!("format = \"grazing-scene 1\"\ntitle = \"\"\n[system]\nforce = \"{text}\"\n");
+    let scene = Scene::from_toml(&scene, "effects").ok()?;
+    scene.plain(&[]).ok()?.smooth
 }
 
 impl WithEffect {

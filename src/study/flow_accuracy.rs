@@ -79,6 +79,7 @@ pub fn returning() -> Vec<Returning> {
         stiffness: omega * omega,
         cubic: 0.0,
         force: 0.0,
+        smooth: None,
         forcing: vec![],
         lower: wall.map(|offset| Wall { offset, harmonics: vec![], restitution: 1.0 }),
         upper: None,

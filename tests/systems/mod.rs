@@ -25,6 +25,7 @@ pub fn example<T: Real>(mu: &T, context: &T::Context) -> System<T> {
         stiffness: ratio("100/2401"),
         cubic: ratio("0"),
         force: ratio("0"),
+        smooth: None,
         forcing: Vec::new(),
         lower: Some(Wall { offset: ratio("-1"), harmonics: vec![motion], restitution: ratio("1") }),
         upper: None,

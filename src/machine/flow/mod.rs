@@ -413,6 +413,7 @@ fn mode(pair: Pair, force: &Periodic, at: usize) -> Result<Linear> {
         stiffness,
         cubic: 0.0,
         force: force.mean[at],
+        smooth: None,
         forcing,
         lower: None,
         upper: None,

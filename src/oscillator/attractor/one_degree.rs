@@ -90,7 +90,10 @@ impl<'a> Carried<'a> {
         let frame = [[0.6, 0.8], [-0.8, 0.6]][..count.min(2)].to_vec();
         let (state, now) = (run.state(), run.time());
         let most = if count < 2 { 600.0 } else { 20.0 };
-        let longest = most / simulator.flow().equation().damping.abs();
+        let equation = simulator.flow().equation();
+        let longest = most / equation.damping.abs();
+        // Any other force may contract faster than its damping says.
+        let longest = if equation.smooth.is_some() { longest.min(0.5) } else { longest };
         Carried { simulator, run, frame, state, now, longest }
     }
 

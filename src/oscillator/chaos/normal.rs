@@ -63,6 +63,9 @@ impl Normal {
         if !system.cubic.is_zero() {
             return fail("only linear oscillators are covered: cubic must be 0");
         }
+        if system.smooth.is_some() {
+            return fail("only linear oscillators are covered: force must not depend on q, u or t");
+        }
         let (damping, stiffness) = (&system.damping, &system.stiffness);
         let forcing = waves(&system.forcing);
         let falls = measured.is_none() && damping.is_zero() && stiffness.is_zero();

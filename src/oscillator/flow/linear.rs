@@ -21,7 +21,7 @@ impl Linear {
     /// Solves the equation; the walls are not looked at.
     ///
     /// # Errors
-    /// A cubic term, or a coefficient that is not finite.
+    /// A cubic term or another force that is not linear, or a coefficient that is not finite.
     pub fn new(system: &System<f64>) -> Result<Self> {
         if system.cubic != 0.0 {
             return Err(Error::input(format!(
@@ -30,6 +30,14 @@ impl Linear {
             )));
         }
         let equation = Equation::new(system)?;
+        if !equation.is_linear() {
+            return Err(Error::input("the force is not linear: only linear systems have a closed form"));
+        }
+        Linear::of(equation)
+    }
+
+    /// Solves a linear equation.
+    pub(super) fn of(equation: Equation) -> Result<Self> {
         let exponential = Exponential::new(equation.damping, equation.stiffness);
         let response = Response::new(&equation, exponential);
         Ok(Linear { equation, exponential, response })

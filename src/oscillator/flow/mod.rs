@@ -1,17 +1,25 @@
-//! The motion between impacts: closed form for linear systems, Taylor series with a tolerance for all.
+//! The motion between impacts: closed form for linear systems, Taylor series with a tolerance for all. A
+//! smooth force is compiled once, to a list of operations on series; what of it is linear, cubic or a
+//! harmonic joins the equation's own coefficients, and nothing of it remains if it is all of that kind.
 //!
 //! Not here: walls and what happens at them (`system`), when they are met (`simulate`).
 
 mod linear;
+mod program;
 mod response;
+mod scalar;
 mod taylor;
 
 pub use linear::Linear;
+pub(super) use program::Program;
+pub(super) use scalar::{Gradient, Primitive, Range, Scalar};
 pub use taylor::Taylor;
-pub(super) use taylor::{Expansion, Recurrence, TERMS};
+pub(super) use taylor::{Expansion, Recurrence, SHORTEST, TERMS};
+
+use std::sync::Arc;
 
 use super::{
-    Series, System,
+    Harmonic, Series, System,
     algebra::{apply, product},
     system::finite,
 };
@@ -19,15 +27,15 @@ pub use super::{
     algebra::Matrix2,
     system::{Flow, State},
 };
-use crate::error::Result;
+use crate::error::{Error, Result};
 
-/// The flow that suits a system: closed form without a cubic term, else Taylor series.
+/// The flow that suits a system: closed form if it is linear, else Taylor series.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub enum Free {
-    /// No cubic term.
+    /// Neither a cubic term nor another force that is not linear.
     Linear(Linear),
-    /// Duffing, or any system on demand.
+    /// Duffing, any smooth force, or any system on demand.
     Taylor(Taylor),
 }
 
@@ -38,10 +46,19 @@ impl Free {
     /// # Errors
     /// Those of [`Linear::new`] and [`Taylor::new`].
     pub fn new(system: &System<f64>, tolerance: f64) -> Result<Self> {
-        if system.cubic == 0.0 {
-            Linear::new(system).map(Free::Linear)
+        let equation = Equation::new(system)?;
+        if equation.is_linear() {
+            Linear::of(equation).map(Free::Linear)
         } else {
-            Taylor::new(system, tolerance).map(Free::Taylor)
+            Taylor::of(equation, tolerance).map(Free::Taylor)
+        }
+    }
+
+    /// The integrator, if the force is neither linear nor cubic.
+    pub(super) fn by_program(&self) -> Option<&Taylor> {
+        match self {
+            Free::Taylor(flow) if flow.equation().smooth.is_some() => Some(flow),
+            _ => None,
         }
     }
 
@@ -84,6 +101,27 @@ pub(super) struct Equation {
     pub cubic: f64,
     /// Forcing with the constant force as its mean.
     pub forcing: Series,
+    /// The whole equation again, all of the above in it, where these terms are not all of it.
+    pub smooth: Option<Arc<Smooth>>,
+}
+
+/// An equation of motion that is not linear but for a cubic term.
+#[derive(Debug)]
+pub(super) struct Smooth {
+    pub program: Program<f64>,
+    /// With the derivatives by q and u at the start.
+    pub varied: Program<Gradient<3>>,
+    system: System<f64>,
+}
+
+impl Smooth {
+    /// The equation in other numbers.
+    ///
+    /// # Errors
+    /// Those of [`Program::new`].
+    pub fn program_in<S: Scalar>(&self) -> Result<Program<S>> {
+        Program::new(&self.system.try_map(|x| Ok::<_, Error>(S::constant(*x)))?)
+    }
 }
 
 impl Equation {
@@ -94,20 +132,57 @@ impl Equation {
             finite(name, value)?;
         }
         let forcing = Series::new(system.force, &system.forcing).map_err(|e| e.context("forcing"))?;
-        Ok(Equation {
+        let equation = Equation {
             damping: system.damping + 0.0,
             stiffness: system.stiffness + 0.0,
             cubic: system.cubic + 0.0,
             forcing,
-        })
+            smooth: None,
+        };
+        if system.smooth.is_some() { equation.with(system) } else { Ok(equation) }
+    }
+
+    /// The equation with the system's smooth force.
+    fn with(self, system: &System<f64>) -> Result<Self> {
+        let system = System { lower: None, upper: None, ..system.clone() };
+        for coefficient in system.smooth.iter().flat_map(|force| &force.coefficients) {
+            finite("a coefficient of the force", *coefficient)?;
+        }
+        let wrong = |e: Error| e.context("force");
+        let program = Program::new(&system).map_err(wrong)?;
+        if let Some(plain) = program.plain() {
+            let harmonics: Vec<Harmonic<f64>> = plain
+                .drive
+                .iter()
+                .map(|drive| Harmonic { k: drive.k as u32, cos: drive.cos, sin: drive.sin })
+                .collect();
+            let forcing = Series::new(plain.force, &harmonics).map_err(wrong)?;
+            let (damping, stiffness) = (plain.damping + 0.0, plain.stiffness + 0.0);
+            return Ok(Equation { damping, stiffness, cubic: plain.cubic + 0.0, forcing, smooth: None });
+        }
+        let varied = Program::new(&system.try_map(|x| Ok::<_, Error>(Gradient::constant(*x)))?)?;
+        Ok(Equation { smooth: Some(Arc::new(Smooth { program, varied, system })), ..self })
+    }
+
+    /// Whether it has a closed form.
+    pub fn is_linear(&self) -> bool {
+        self.cubic == 0.0 && self.smooth.is_none()
+    }
+
+    /// Whether the time enters.
+    pub fn is_driven(&self) -> bool {
+        self.forcing.order() > 0 || self.smooth.as_ref().is_some_and(|smooth| smooth.program.is_driven())
     }
 
     /// The same without force and forcing.
     pub fn unforced(&self) -> Self {
-        Equation { forcing: Series::ZERO, ..*self }
+        Equation { forcing: Series::ZERO, smooth: None, ..*self }
     }
 
     pub fn acceleration(&self, at: State) -> f64 {
+        if let Some(smooth) = &self.smooth {
+            return smooth.program.at(at.q, at.u, at.t);
+        }
         let smooth = -self.damping * at.u - (self.stiffness + self.cubic * at.q * at.q) * at.q;
         smooth + self.forcing.at(at.t)[0]
     }
@@ -120,7 +195,7 @@ mod tests {
 
     fn system(damping: f64, stiffness: f64, force: f64, forcing: &[(u32, f64, f64)]) -> System<f64> {
         let forcing = forcing.iter().map(|&(k, cos, sin)| Harmonic { k, cos, sin }).collect();
-        System { damping, stiffness, cubic: 0.0, force, forcing, lower: None, upper: None }
+        System { damping, stiffness, cubic: 0.0, force, forcing, smooth: None, lower: None, upper: None }
     }
 
     /// Damped, undamped, critical and nearly, zero and negative stiffness, resonant and nearly, with force

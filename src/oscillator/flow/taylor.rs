@@ -1,13 +1,13 @@
-//! The flow by Taylor series of any order with a tolerance: for cubic stiffness, and to compare with the
-//! closed form.
+//! The flow by Taylor series of any order with a tolerance: for cubic stiffness, for any smooth force, and to
+//! compare with the closed form.
 //!
 //! The equation is polynomial in q, q′ and sines of t, so that its Taylor coefficients follow from one
-//! another by sums of products. A step's polynomial *is* the dense output, as good inside the step as at its
+//! another by sums of products; those of any other smooth force do so by a [`Program`]. A step's polynomial *is* the dense output, as good inside the step as at its
 //! end, and a polynomial is what the search for impacts can bound from below on whole intervals; the
 //! interpolants of Runge–Kutta codes are of lower order than their steps and have no such bound. Hence no
 //! integrator crate here.
 
-use super::{Equation, Flow, Matrix2, State, product};
+use super::{Equation, Flow, Gradient, Matrix2, Program, Scalar, State, product};
 use crate::{
     error::{Error, Result},
     oscillator::System,
@@ -15,6 +15,9 @@ use crate::{
 
 /// Room for the coefficients of a piece.
 pub(in crate::oscillator) const TERMS: usize = 24;
+
+/// Steps this short end a motion that needs them: towards a pole or beyond all bounds.
+pub(in crate::oscillator) const SHORTEST: f64 = 1e-9 * std::f64::consts::TAU;
 
 /// No step is longer than a quarter of the forcing period.
 const LONGEST: f64 = std::f64::consts::FRAC_PI_2;
@@ -33,6 +36,9 @@ pub struct Taylor {
 pub(in crate::oscillator) struct Expansion {
     pub h: f64,
     pub q: [f64; TERMS],
+    /// Whether the force is smooth as far as can be told: no pole, root or logarithm of 0 is within some
+    /// 1000 steps too short to go on by.
+    pub smooth: bool,
 }
 
 impl Taylor {
@@ -43,11 +49,16 @@ impl Taylor {
     /// # Errors
     /// A tolerance outside its range, a coefficient that is not finite.
     pub fn new(system: &System<f64>, tolerance: f64) -> Result<Self> {
+        Taylor::of(Equation::new(system)?, tolerance)
+    }
+
+    /// The flow of an equation.
+    pub(super) fn of(equation: Equation, tolerance: f64) -> Result<Self> {
         if !(1e-15..=1e-3).contains(&tolerance) {
             return Err(Error::input(format!("tolerance = {tolerance} is not between 1e-15 and 1e-3")));
         }
         let order = (3.0 - tolerance.ln() / 2.0).ceil() as usize;
-        let recurrence = Recurrence(Equation::new(system)?);
+        let recurrence = Recurrence(equation);
         Ok(Taylor { recurrence, tolerance, order: order.min(TERMS - 1) })
     }
 
@@ -57,6 +68,12 @@ impl Taylor {
 
     /// The next step, no longer than `longest` > 0, backwards if `forward` is false.
     pub(in crate::oscillator) fn expand(&self, from: State, forward: bool, longest: f64) -> Expansion {
+        if let Some(smooth) = &self.equation().smooth {
+            let step = self.step(&smooth.program, [from.q, from.u], from.t, forward, longest);
+            let mut q = [0.0; TERMS];
+            q[..=self.order].copy_from_slice(&step.q);
+            return Expansion { h: step.h, q, smooth: step.smooth };
+        }
         let trial = if forward { 0.25 } else { -0.25 };
         let mut q = [0.0; TERMS];
         let n = self.order;
@@ -74,7 +91,66 @@ impl Taylor {
             *coefficient *= power;
             power *= factor;
         }
-        Expansion { h: trial * factor, q }
+        Expansion { h: trial * factor, q, smooth: true }
+    }
+
+    /// The same by a program, in numbers of any kind; a step suits all their parts. On it every divisor keeps
+    /// its sign, and every argument of a root or a logarithm.
+    fn step<S: Scalar>(
+        &self,
+        program: &Program<S>,
+        from: [S; 2],
+        t: f64,
+        forward: bool,
+        longest: f64,
+    ) -> Step<S> {
+        let trial = if forward { 0.25 } else { -0.25 };
+        let n = self.order;
+        let rows = program.solve(from, S::constant(t), trial, n + 1);
+        let mut factor = longest.min(LONGEST) / trial.abs();
+        for part in 0..S::PARTS {
+            let goal = self.tolerance * (1.0 + from[0].part(part).abs() + from[1].part(part).abs());
+            for i in [n, n - 1] {
+                let size = rows.q()[i].part(part).abs() * (i as f64 / trial.abs()).max(1.0);
+                factor = factor.min((goal / size).powf(1.0 / i as f64));
+            }
+        }
+        let mut smooth = true;
+        if program.has_poles() {
+            factor = program.reach(&rows, factor);
+            let short = trial.abs() * factor <= SHORTEST;
+            smooth = factor > 0.0 && !(short && program.is_near_pole(&rows, factor));
+        }
+        let mut power = 1.0;
+        let scaled = |coefficient: &S| {
+            let scaled = coefficient.scaled(power);
+            power *= factor;
+            scaled
+        };
+        Step { h: trial * factor, q: rows.q().iter().map(scaled).collect(), smooth }
+    }
+
+    /// A motion by a program, the numbers carrying what they carry; NaN where it cannot be followed.
+    pub(in crate::oscillator) fn carry<S: Scalar>(
+        &self,
+        program: &Program<S>,
+        [mut q, mut u]: [S; 2],
+        from: f64,
+        duration: f64,
+    ) -> [S; 2] {
+        let (mut left, mut t) = (duration, from);
+        while left != 0.0 {
+            let step = self.step(program, [q, u], t, left > 0.0, left.abs());
+            if is_stuck(step.h, left) {
+                return [S::constant(f64::NAN); 2];
+            }
+            let zero = S::constant(0.0);
+            let end = step.q.iter().rev().fold([zero; 2], |[p, slope], c| [p + *c, slope + p]);
+            (q, u) = (end[0], end[1].scaled(1.0 / step.h));
+            left = if step.h.abs() < left.abs() { left - step.h } else { 0.0 };
+            t = from + duration - left;
+        }
+        [q, u]
     }
 
     fn steps(&self, mut from: State, duration: f64, mut each: impl FnMut(State, &Expansion)) -> State {
@@ -82,6 +158,9 @@ impl Taylor {
         let mut left = duration;
         while left != 0.0 {
             let step = self.expand(from, left > 0.0, left.abs());
+            if is_stuck(step.h, left) {
+                return State { t: end, q: f64::NAN, u: f64::NAN };
+            }
             each(from, &step);
             let [q, slope] = value(&step.q, 1.0);
             left = if step.h.abs() < left.abs() { left - step.h } else { 0.0 };
@@ -101,6 +180,12 @@ impl Flow for Taylor {
     }
 
     fn advance_linearised(&self, from: State, duration: f64) -> (State, Matrix2) {
+        if let Some(smooth) = &self.equation().smooth {
+            let start = [Gradient::variable(from.q, 1), Gradient::variable(from.u, 2)];
+            let [q, u] = self.carry(&smooth.varied, start, from.t, duration);
+            let end = State { t: from.t + duration, q: q.0[0], u: u.0[0] };
+            return (end, [[q.0[1], q.0[2]], [u.0[1], u.0[2]]]);
+        }
         let mut total = [[1.0, 0.0], [0.0, 1.0]];
         let n = self.order;
         let end = self.steps(from, duration, |_, step| {
@@ -115,6 +200,18 @@ impl Flow for Taylor {
     }
 }
 
+/// A step in numbers of any kind.
+struct Step<S> {
+    h: f64,
+    q: Vec<S>,
+    smooth: bool,
+}
+
+/// Whether a step is too short to reach the end, and not the last one.
+fn is_stuck(h: f64, left: f64) -> bool {
+    h.is_nan() || h.abs() < left.abs().min(1e-11)
+}
+
 /// The Taylor coefficients of the equation's solutions.
 #[derive(Debug, Clone)]
 pub(in crate::oscillator) struct Recurrence(pub Equation);
@@ -123,7 +220,7 @@ impl Recurrence {
     /// Fills `q` with the coefficients of x ↦ q(t + hx) and returns those of its square (zeros without a
     /// cubic term).
     pub fn expand(&self, from: State, h: f64, q: &mut [f64]) -> [f64; TERMS] {
-        let Equation { damping, stiffness, cubic, ref forcing } = self.0;
+        let Equation { damping, stiffness, cubic, ref forcing, .. } = self.0;
         let mut force = [0.0; TERMS];
         forcing.add_taylor(1.0, from.t, h, &mut force[..q.len() - 2]);
         let mut squares = [0.0; TERMS];

@@ -3,6 +3,8 @@
 
 use std::ops::{Add, Mul, Neg, Sub};
 
+use super::super::flow::{Primitive, Scalar};
+
 /// How many monomials x^i y^j with i + j ≤ 3 there are.
 const TERMS: usize = 10;
 
@@ -120,6 +122,29 @@ impl Mul for Cubic {
             }
         }
         Cubic(product)
+    }
+}
+
+/// Functions by their own Taylor polynomials.
+impl Scalar for Cubic {
+    const PARTS: usize = TERMS;
+
+    fn constant(value: f64) -> Cubic {
+        Cubic::constant(value)
+    }
+
+    fn scaled(self, factor: f64) -> Cubic {
+        Cubic::scaled(self, factor)
+    }
+
+    fn call(self, function: Primitive) -> Cubic {
+        let [value, first, second, third] = function.derivatives(self.value());
+        let terms = [value, first, second / 2.0, third / 6.0].map(Cubic::constant);
+        polynomial(&terms, self.without_value())
+    }
+
+    fn part(&self, which: usize) -> f64 {
+        self.0[which]
     }
 }
 

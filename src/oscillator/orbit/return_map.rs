@@ -10,7 +10,7 @@ use std::f64::consts::TAU;
 use super::{
     super::{
         Series, Side,
-        flow::{Equation, Flow, Free, State},
+        flow::{Equation, Flow, Free, Program, State},
     },
     Itinerary, Oscillator,
     cubic::{Cubic, polynomial},
@@ -36,10 +36,11 @@ struct Point {
 /// An input error if a wall is missing, an impact does not come in, or the motion leaves every bound.
 pub fn return_map(oscillator: &Oscillator, itinerary: &Itinerary, z: &[f64]) -> Result<ReturnMap> {
     let unknowns = Unknowns::new(itinerary, z)?;
+    let equation = &Expanded::new(oscillator.flow().equation())?;
     let [x, y] = [0, 1].map(|which| Cubic::variable(0.0, which));
     if itinerary.strikes().is_empty() {
         let from = Point { q: Cubic::constant(z[0]) + x, u: Cubic::constant(z[1]) + y };
-        let end = fly(oscillator, from, 0.0, TAU * f64::from(itinerary.periods()))?;
+        let end = fly(oscillator, equation, from, 0.0, TAU * f64::from(itinerary.periods()))?;
         return Ok([end.q.without_value(), end.u.without_value()]);
     }
     let (mut delay, mut speed) = (x, Cubic::constant(unknowns.speed(0)) + y);
@@ -55,9 +56,9 @@ pub fn return_map(oscillator: &Oscillator, itinerary: &Itinerary, z: &[f64]) -> 
                 + speed.scaled(wall.side.sign() * wall.restitution),
         };
         // Back to the impact's own time, from there to the next one's, and on to the wall.
-        let left = moved(&series(oscillator.flow().equation(), left, t, delay, 5), -delay);
-        let end = fly(oscillator, left, t, passage.duration)?;
-        let ahead = series(oscillator.flow().equation(), end, t + passage.duration, Cubic::constant(0.0), 5);
+        let left = moved(&series(equation, left, t, delay, 5), -delay);
+        let end = fly(oscillator, equation, left, t, passage.duration)?;
+        let ahead = series(equation, end, t + passage.duration, Cubic::constant(0.0), 5);
         let there = passage.there.wall;
         (delay, speed) = arrive(&ahead, &there.position, there.side, t + passage.duration);
     }
@@ -95,8 +96,25 @@ fn shifted(series: &Series, t: f64, by: Cubic) -> Cubic {
     polynomial(&[value, first, second / 2.0, third / 6.0].map(Cubic::constant), by)
 }
 
+/// An equation of motion, and its program in polynomials if it has one.
+struct Expanded<'a> {
+    equation: &'a Equation,
+    program: Option<Program<Cubic>>,
+}
+
+impl Expanded<'_> {
+    fn new(equation: &Equation) -> Result<Expanded<'_>> {
+        let program = equation.smooth.as_ref().map(|smooth| smooth.program_in()).transpose()?;
+        Ok(Expanded { equation, program })
+    }
+}
+
 /// The first Taylor coefficients in time of the motion from a point at t + `late`.
-fn series(equation: &Equation, from: Point, t: f64, late: Cubic, count: usize) -> Vec<Cubic> {
+fn series(expanded: &Expanded, from: Point, t: f64, late: Cubic, count: usize) -> Vec<Cubic> {
+    if let Some(program) = &expanded.program {
+        return program.solve([from.q, from.u], Cubic::constant(t) + late, 1.0, count).q().to_vec();
+    }
+    let equation = expanded.equation;
     let mut q = vec![from.q, from.u];
     let mut square: Vec<Cubic> = Vec::new();
     let (mut forcing, mut factorial) = (equation.forcing.clone(), 1.0);
@@ -124,7 +142,7 @@ fn moved(q: &[Cubic], by: Cubic) -> Point {
 }
 
 /// The motion for a given time from a given time.
-fn fly(oscillator: &Oscillator, from: Point, t: f64, duration: f64) -> Result<Point> {
+fn fly(oscillator: &Oscillator, equation: &Expanded, from: Point, t: f64, duration: f64) -> Result<Point> {
     if let Free::Linear(_) = oscillator.flow() {
         // The flow is affine: one matrix carries everything but the orbit's own motion.
         let start = State { t, q: from.q.value(), u: from.u.value() };
@@ -139,7 +157,7 @@ fn fly(oscillator: &Oscillator, from: Point, t: f64, duration: f64) -> Result<Po
         if at >= duration {
             return Ok(here);
         }
-        let q = series(oscillator.flow().equation(), here, t + at, Cubic::constant(0.0), COUNT);
+        let q = series(equation, here, t + at, Cubic::constant(0.0), COUNT);
         // The last terms are to be below rounding in every coefficient.
         let scale = q[0].size().max(q[1].size()).max(1.0);
         let fits = |k: usize| (1e-17 * scale / q[k].size().max(1e-300)).powf(1.0 / k as f64);

@@ -57,6 +57,9 @@ impl SingleImpact {
         if system.cubic != 0.0 {
             return Err(Error::input("exact orbits need a linear system; the cubic stiffness is not 0"));
         }
+        if system.smooth.is_some() {
+            return Err(Error::input("exact orbits need a linear system; the force is a formula"));
+        }
         let (k, cos, sin) = relative_harmonic(system, wall)?;
         let sign = side.sign();
         let restitution = wall.restitution;

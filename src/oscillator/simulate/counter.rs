@@ -15,6 +15,8 @@ pub enum Effect {
     Drive,
     /// The cubic stiffness entered a piece.
     Cubic,
+    /// Another smooth force entered a piece.
+    Smooth,
     /// The gap to the lower wall was formed on a piece.
     LowerGap,
     /// The gap to the upper wall was formed on a piece.
@@ -33,10 +35,11 @@ pub enum Effect {
 
 impl Effect {
     /// Those of an oscillator of one degree of freedom.
-    pub const ALL: [Effect; 7] = [
+    pub const ALL: [Effect; 8] = [
         Effect::Piece,
         Effect::Drive,
         Effect::Cubic,
+        Effect::Smooth,
         Effect::LowerGap,
         Effect::UpperGap,
         Effect::Search,
@@ -48,7 +51,7 @@ impl Effect {
         [Effect::Piece, Effect::Gap, Effect::Force, Effect::Search, Effect::Together];
 
     /// How many there are.
-    const COUNT: usize = 10;
+    const COUNT: usize = 11;
 
     /// Its name in reports and tables.
     pub fn name(self) -> &'static str {
@@ -56,6 +59,7 @@ impl Effect {
             Effect::Piece => "piece",
             Effect::Drive => "drive",
             Effect::Cubic => "cubic",
+            Effect::Smooth => "smooth",
             Effect::LowerGap => "lower_gap",
             Effect::UpperGap => "upper_gap",
             Effect::Search => "search",

@@ -246,11 +246,11 @@ impl<P: Pieces, C: Counter, const HAS_LOWER: bool, const HAS_UPPER: bool> Engine
         }
         if let Some(origin) = &self.origin {
             self.pieces.jump(origin, &mut self.cursor, until, &mut self.counter);
-            let escaped = self.pieces.escaped(&self.cursor);
-            return if escaped { self.end(RunEnd::Escaped) } else { Event::End(RunEnd::Reached) };
+            let over = self.pieces.over(&self.cursor);
+            return over.map_or(Event::End(RunEnd::Reached), |end| self.end(end));
         }
-        if self.pieces.escaped(&self.cursor) {
-            return self.end(RunEnd::Escaped);
+        if let Some(end) = self.pieces.over(&self.cursor) {
+            return self.end(end);
         }
         let target = self.pieces.target(until);
         loop {
@@ -265,8 +265,8 @@ impl<P: Pieces, C: Counter, const HAS_LOWER: bool, const HAS_UPPER: bool> Engine
                 return Event::End(RunEnd::Reached);
             } else {
                 self.pieces.turn(&mut self.cursor, &mut self.counter);
-                if self.pieces.escaped(&self.cursor) {
-                    return self.end(RunEnd::Escaped);
+                if let Some(end) = self.pieces.over(&self.cursor) {
+                    return self.end(end);
                 }
             }
         }

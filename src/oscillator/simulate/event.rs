@@ -77,6 +77,8 @@ pub enum RunEnd {
     ImpactLimit,
     /// The motion left every bound (negative stiffness, resonance); the run stays where it is.
     Escaped,
+    /// The force has a pole here, or a root or a logarithm of 0; the run stays where it is.
+    NotSmooth,
 }
 
 impl Event {
@@ -110,6 +112,7 @@ impl RunEnd {
             RunEnd::Reached => "at the time asked for",
             RunEnd::ImpactLimit => "at the limit of impacts",
             RunEnd::Escaped => "when it left every bound",
+            RunEnd::NotSmooth => "where its force is not smooth",
         }
     }
 }

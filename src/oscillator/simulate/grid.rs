@@ -14,6 +14,7 @@
 use std::f64::consts::{PI, TAU};
 
 use super::{
+    RunEnd,
     pieces::{LOWER, Pieces},
     search::{Head, head},
 };
@@ -230,7 +231,7 @@ impl<const DRIVEN: bool> Pieces for Grid<DRIVEN> {
         self.flow.advance(State { t, q: cursor.y[0] + p[0], u: cursor.y[1] + p[1] }, x * self.half)
     }
 
-    fn escaped(&self, cursor: &Cursor) -> bool {
-        super::unbounded(cursor.y[0].abs() + cursor.y[1].abs())
+    fn over(&self, cursor: &Cursor) -> Option<RunEnd> {
+        super::unbounded(cursor.y[0].abs() + cursor.y[1].abs()).then_some(RunEnd::Escaped)
     }
 }

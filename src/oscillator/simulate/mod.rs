@@ -18,7 +18,7 @@
 //! - A run ends by an [`RunEnd`] that says why.
 //!
 //! For linear systems the trajectory itself carries rounding errors only. For others the error is that of
-//! [`Taylor`].
+//! [`Taylor`], an estimate: there the promises hold for the polynomials that are computed.
 //!
 //! ```
 //! use grazing::oscillator::{System, Time, Wall, simulate::{Event, Settings, Simulator}};
@@ -27,7 +27,8 @@
 //! let table = Wall { offset: 0.0, harmonics: vec![], restitution: 0.5 };
 //! let (damping, stiffness, cubic, force) = (0.0, 0.0, 0.0, -1.0);
 //! let lower = Some(table);
-//! let ball = System { damping, stiffness, cubic, force, forcing: vec![], lower, upper: None };
+//! let (forcing, smooth, upper) = (vec![], None, None);
+//! let ball = System { damping, stiffness, cubic, force, forcing, smooth, lower, upper };
 //! let simulator = Simulator::new(&ball, &Settings::default())?;
 //! let mut run = simulator.start(Time::new(0, 0.0), 0.5, 0.0)?;
 //! let mut rest = None;

@@ -1,7 +1,7 @@
 //! A flow cut into pieces on each of which the gap to every wall is a polynomial, and no wall's effect unless
 //! it is asked for.
 
-use super::search::Head;
+use super::{RunEnd, search::Head};
 use crate::oscillator::{Counter, Time, flow::State};
 
 /// The lower wall's place in arrays of two; the upper's is 1.
@@ -62,6 +62,6 @@ pub(super) trait Pieces: Send + Sync {
     /// The motion at a place; t is the phase.
     fn state(&self, cursor: &Self::Cursor, x: f64) -> State;
 
-    /// Whether the motion on the piece is beyond all bounds.
-    fn escaped(&self, cursor: &Self::Cursor) -> bool;
+    /// Why the motion cannot go on from the piece, if it cannot.
+    fn over(&self, cursor: &Self::Cursor) -> Option<RunEnd>;
 }

@@ -1,25 +1,22 @@
 //! Pieces of any flow: the steps of its Taylor series.
 
-use std::f64::consts::TAU;
-
 use super::{
+    RunEnd,
     pieces::{LOWER, Pieces},
     search::{Head, head},
 };
 use crate::oscillator::{
     Contact, Counter, Effect, Time,
-    flow::{Expansion, State, TERMS, Taylor},
+    flow::{Expansion, SHORTEST, State, TERMS, Taylor},
 };
-
-/// A shorter step than this, relative to the forcing period, means that the motion has no bound.
-const SHORTEST: f64 = 1e-9;
 
 #[derive(Debug, Clone)]
 pub(super) struct Steps {
     flow: Taylor,
     walls: [Option<Contact>; 2],
-    /// What a piece counts: cubic stiffness, and forcing or a moving wall.
+    /// What a piece counts: cubic stiffness or another smooth force, and forcing or a moving wall.
     cubic: bool,
+    smooth: bool,
     driven: bool,
     /// The longest step on which a wall's motion is a polynomial, too: with 24 terms of a sine it is off by
     /// 2²⁴/24! < 10⁻¹⁶ of the amplitude at 2 radians. The flow knows nothing of the walls and would go
@@ -40,8 +37,9 @@ impl Steps {
         let order = walls.iter().flatten().map(|wall| wall.position.order()).max().unwrap_or(0);
         let equation = flow.equation();
         Steps {
-            cubic: equation.cubic != 0.0,
-            driven: order > 0 || equation.forcing.order() > 0,
+            cubic: equation.cubic != 0.0 && equation.smooth.is_none(),
+            smooth: equation.smooth.is_some(),
+            driven: order > 0 || equation.is_driven(),
             longest: 2.0 / f64::from(order),
             flow: flow.clone(),
             walls: walls.clone(),
@@ -52,13 +50,16 @@ impl Steps {
         if self.cubic {
             counter.count(Effect::Cubic);
         }
+        if self.smooth {
+            counter.count(Effect::Smooth);
+        }
         if self.driven {
             counter.count(Effect::Drive);
         }
         let mut step = self.flow.expand(State { t: start.phase, q, u }, true, self.longest);
         if !(step.h > 0.0 && step.q.iter().sum::<f64>().is_finite()) {
-            // Its terms overflow, so it has escaped: as far as it can be told, and no farther.
-            step.h = SHORTEST * TAU;
+            // Its terms overflow, or it stands at a pole: as far as it can be told, and no farther.
+            step.h = SHORTEST;
             step.q = [0.0; TERMS];
             (step.q[0], step.q[1]) = (q, u * step.h);
         }
@@ -106,7 +107,7 @@ impl Pieces for Steps {
     }
 
     fn jump<C: Counter>(&self, _: &Cursor, cursor: &mut Cursor, until: Time, counter: &mut C) {
-        while self.reach(cursor, until) > 1.0 && !self.escaped(cursor) {
+        while self.reach(cursor, until) > 1.0 && self.over(cursor).is_none() {
             self.turn(cursor, counter);
         }
         cursor.from = self.reach(cursor, until).min(1.0);
@@ -134,7 +135,8 @@ impl Pieces for Steps {
         State { t: self.time(cursor, x).phase, q, u: slope / cursor.step.h }
     }
 
-    fn escaped(&self, cursor: &Cursor) -> bool {
-        super::unbounded(cursor.step.q[0].abs()) || cursor.step.h <= SHORTEST * TAU
+    fn over(&self, cursor: &Cursor) -> Option<RunEnd> {
+        let over = super::unbounded(cursor.step.q[0].abs()) || cursor.step.h <= SHORTEST;
+        over.then_some(if cursor.step.smooth { RunEnd::Escaped } else { RunEnd::NotSmooth })
     }
 }

@@ -1,6 +1,6 @@
 //! The walls of a run: where a start lies, how hard a wall presses on what rests on it, when it lets go.
 
-use std::f64::consts::TAU;
+use std::{f64::consts::TAU, sync::Arc};
 
 use super::{
     pieces::{LOWER, UPPER},
@@ -10,7 +10,7 @@ use crate::{
     error::{Error, Result},
     oscillator::{
         Contact, Series, Side,
-        flow::{Equation, State},
+        flow::{Equation, Program, Range, Scalar, Smooth, State},
     },
 };
 
@@ -20,13 +20,15 @@ pub(super) struct Walls {
     forces: [Option<Force>; 2],
 }
 
-/// z″ of what rests on a wall, as a function of time: `linear` − ±cubic Q³.
+/// z″ of what rests on a wall, as a function of time: `linear` − ±cubic Q³, or ±(a − Q″) with any smooth
+/// force.
 #[derive(Debug, Clone)]
 struct Force {
     linear: Series,
     /// ±cubic.
     cubic: f64,
     position: Series,
+    smooth: Option<(f64, Arc<Smooth>)>,
     /// Bounds its modulus.
     strongest: f64,
     /// Bounds its second derivative.
@@ -35,7 +37,7 @@ struct Force {
 
 impl Walls {
     /// # Errors
-    /// Walls that come within `2 depth` of each other, or cross.
+    /// Walls that come within `2 depth` of each other, or cross; a force that is not smooth on a wall.
     pub fn new(equation: &Equation, contacts: [Option<Contact>; 2], depth: f64) -> Result<Self> {
         if let [Some(lower), Some(upper)] = &contacts {
             let gap = Series::combination(&[(1.0, &upper.position), (-1.0, &lower.position)]);
@@ -48,8 +50,9 @@ impl Walls {
                 )));
             }
         }
-        let forces =
-            contacts.each_ref().map(|contact| contact.as_ref().map(|contact| Force::new(equation, contact)));
+        let force =
+            |wall: usize| contacts[wall].as_ref().map(|contact| Force::new(equation, contact)).transpose();
+        let forces = [force(LOWER)?, force(UPPER)?];
         Ok(Walls { contacts, forces })
     }
 
@@ -123,7 +126,10 @@ impl Walls {
 }
 
 impl Force {
-    fn new(equation: &Equation, contact: &Contact) -> Self {
+    fn new(equation: &Equation, contact: &Contact) -> Result<Self> {
+        if let Some(smooth) = &equation.smooth {
+            return Force::smooth(smooth, contact);
+        }
         let (position, sign) = (&contact.position, contact.side.sign());
         let speed = position.derivative();
         let linear = Series::combination(&[
@@ -135,16 +141,75 @@ impl Force {
         let cubic = sign * equation.cubic;
         let most = [position.mean().abs() + position.derivative_bound(0), position.derivative_bound(1)];
         let cube = most[0] * (most[0] * position.derivative_bound(2) + 2.0 * most[1] * most[1]);
-        Force {
+        Ok(Force {
             strongest: linear.mean().abs() + linear.derivative_bound(0) + cubic.abs() * most[0].powi(3),
             bend: linear.derivative_bound(2) + 3.0 * cubic.abs() * cube,
             position: position.clone(),
+            smooth: None,
             linear,
             cubic,
-        }
+        })
+    }
+
+    /// Bounds on cells of the period; they are 0 where nothing moves.
+    ///
+    /// # Errors
+    /// A force that is not smooth on the wall.
+    fn smooth(smooth: &Arc<Smooth>, contact: &Contact) -> Result<Self> {
+        let program: Program<Range> = smooth.program_in()?;
+        let position = &contact.position;
+        let still = position.order() == 0 && !smooth.program.is_driven();
+        let bounds = |cells: u32| {
+            let width = TAU / f64::from(cells);
+            let (mut strongest, mut bend) = (0.0f64, 0.0f64);
+            for cell in 0..cells {
+                let t = (f64::from(cell) + 0.5) * width;
+                let radius = if still { 0.0 } else { width / 2.0 };
+                let ([q, u, second], third) = (position.at(t), position.derivative().at(t)[2]);
+                // The derivative of order n − 1, within the radius.
+                let near = |value: f64, n: i32| {
+                    let change = radius * position.derivative_bound(n);
+                    Range::new(value - change, value + change)
+                };
+                let (q, u, second, third) = (near(q, 1), near(u, 2), near(second, 3), near(third, 4));
+                let path = [q, u, second.scaled(0.5)];
+                let speed = [u, second, third.scaled(0.5)];
+                let time = Range::new(t - radius, t + radius);
+                let all = program.along(&path, &speed, time, 1.0);
+                let (here, bent) = ((all[0] - second).size(), 2.0 * all[2].size());
+                if !(here.is_finite() && bent.is_finite()) {
+                    return Err(t);
+                }
+                (strongest, bend) = (strongest.max(here), bend.max(bent + position.derivative_bound(4)));
+            }
+            Ok((strongest, bend))
+        };
+        let cells = if still { 1 } else { 64 };
+        let (strongest, bend) = bounds(cells).or_else(|_| bounds(64 * cells)).map_err(|t| {
+            let side = contact.side.name();
+            Error::input(format!(
+                "the force is not smooth on the {side} wall near q = {}, t = {t:.3}: a pole, or a root or \
+                 logarithm of a number that is not positive; move the wall or change the force",
+                position.at(t)[0]
+            ))
+        })?;
+        Ok(Force {
+            linear: Series::ZERO,
+            cubic: 0.0,
+            position: position.clone(),
+            smooth: Some((contact.side.sign(), smooth.clone())),
+            // Rounding within the ranges.
+            strongest: strongest * (1.0 + 1e-9),
+            bend: bend * (1.0 + 1e-9),
+        })
     }
 
     fn at(&self, t: f64) -> [f64; 2] {
+        if let Some((sign, smooth)) = &self.smooth {
+            let ([q, u, second], third) = (self.position.at(t), self.position.derivative().at(t)[2]);
+            let all = smooth.program.along(&[q, u], &[u, second], t, 1.0);
+            return [sign * (all[0] - second), sign * (all[1] - third)];
+        }
         let [force, slope, _] = self.linear.at(t);
         if self.cubic == 0.0 {
             return [force, slope];

@@ -6,10 +6,10 @@ use num_rational::BigRational;
 use num_traits::ToPrimitive;
 use serde::Serialize;
 
-use super::Side;
+use super::{Side, SmoothForce};
 
-/// An oscillator q″ = −`damping` q′ − `stiffness` q − `cubic` q³ + `force` + Σ (`cos` cos kt + `sin` sin kt),
-/// mass 1, all 2π-periodic in t, that stays between its walls Q₁(t) ≤ q ≤ Q₂(t) (section 3.1 of the paper).
+/// An oscillator q″ = −`damping` q′ − `stiffness` q − `cubic` q³ + `force` + Σ (`cos` cos kt + `sin` sin kt) +
+/// `smooth`(t, q, q′), mass 1, all 2π-periodic in t, that stays between its walls Q₁(t) ≤ q ≤ Q₂(t) (section 3.1 of the paper).
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct System<T> {
     /// The coefficient of the velocity.
@@ -22,6 +22,9 @@ pub struct System<T> {
     pub force: T,
     /// The harmonics of the forcing.
     pub forcing: Vec<Harmonic<T>>,
+    /// Any other smooth force; most systems have none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub smooth: Option<SmoothForce<T>>,
     /// The wall Q₁ below, if any.
     pub lower: Option<Wall<T>>,
     /// The wall Q₂ above, if any.
@@ -71,6 +74,7 @@ impl<T> System<T> {
             cubic: convert(&self.cubic)?,
             force: convert(&self.force)?,
             forcing: convert_all(&self.forcing, &mut convert)?,
+            smooth: self.smooth.as_ref().map(|force| force.try_map(&mut convert)).transpose()?,
             lower: self.lower.as_ref().map(|wall| wall.try_map(&mut convert)).transpose()?,
             upper: self.upper.as_ref().map(|wall| wall.try_map(&mut convert)).transpose()?,
         })

@@ -5,12 +5,15 @@
 
 mod contact;
 mod equation;
+mod force;
 mod motion;
 mod series;
 mod time;
 
 pub use contact::{Contact, Side};
 pub use equation::{Harmonic, System, Wall};
+pub use force::SmoothForce;
+pub(crate) use force::{Q, TIME, U};
 pub use motion::{Flow, State};
 pub use series::Series;
 pub(super) use series::finite;

@@ -62,6 +62,11 @@ impl<'a> Linear<'a> {
         if !is_zero(&system.cubic) {
             return Err(Error::input("only linear systems can be validated: `cubic` must be 0"));
         }
+        if system.smooth.is_some() {
+            return Err(Error::input(
+                "only linear systems can be validated: `force` must not depend on q, u or t",
+            ));
+        }
         let walls = [&system.lower, &system.upper].into_iter().flatten();
         if walls.map(|wall| wall.restitution.sign()).any(|sign| matches!(sign, None | Some(Sign::Negative))) {
             return Err(Error::input("a restitution must be at least 0"));

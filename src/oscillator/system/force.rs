@@ -1,0 +1,49 @@
+//! A force that is any smooth function of displacement, velocity and the phase of the forcing.
+
+use std::sync::Arc;
+
+use serde::Serialize;
+
+use crate::number::Formula;
+
+/// An acceleration a(t, q, u), smooth but for poles, roots of negative numbers and the like, 2π-periodic in
+/// t: a formula with coefficients of any kind. Made by [`Scene`](crate::scene::Scene) from `force`.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SmoothForce<T> {
+    /// Variables: [`Q`], [`U`], [`T`](TIME), then the coefficients.
+    #[serde(skip)]
+    pub(crate) formula: Arc<Formula>,
+    /// As it was written, without spaces.
+    pub(crate) text: String,
+    pub(crate) coefficients: Vec<T>,
+}
+
+/// The displacement's place among the variables.
+pub(crate) const Q: usize = 0;
+/// The velocity's.
+pub(crate) const U: usize = 1;
+/// That of the time, an angle of the forcing.
+pub(crate) const TIME: usize = 2;
+
+impl<T> SmoothForce<T> {
+    /// The formula, without spaces.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// The numbers and parameters in it, as far as they are joined by + − · / alone.
+    pub fn coefficients(&self) -> &[T] {
+        &self.coefficients
+    }
+
+    pub(super) fn try_map<U, E>(
+        &self,
+        convert: &mut impl FnMut(&T) -> Result<U, E>,
+    ) -> Result<SmoothForce<U>, E> {
+        Ok(SmoothForce {
+            formula: self.formula.clone(),
+            text: self.text.clone(),
+            coefficients: self.coefficients.iter().map(convert).collect::<Result<_, E>>()?,
+        })
+    }
+}

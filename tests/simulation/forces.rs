@@ -1,0 +1,442 @@
+//! Forces that are formulas: against a second integrator that shares no code with `src`, against the cubic
+//! oscillator moved aside, against differences, and where they are not smooth.
+
+use std::f64::consts::TAU;
+
+use grazing::{
+    oscillator::{
+        Counts, Effect, System, Time,
+        attractor::lyapunov::lyapunov,
+        flow::{Flow, Free, State},
+        orbit::{Family, Itinerary, Oscillator, find, return_map},
+        simulate::{Event, RunEnd, Settings, Simulator},
+    },
+    scene::{Scene, SceneFamily},
+};
+
+use super::{at, bare, events, impacts, wall};
+
+/// A scene with parameters a = 0.4, b = 0.7.
+fn scene(system: &str, walls: &str) -> Scene {
+    let text = format!(
+        "format = \"grazing-scene 1\"\ntitle = \"force\"\n[parameters]\na = 0.4\nb = 0.7\n[system]\n{system}\n{walls}"
+    );
+    Scene::from_toml(&text, "force.toml").unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn formula(force: &str) -> System<f64> {
+    scene(&format!("force = \"{force}\""), "").plain(&[]).unwrap()
+}
+
+/// (q, u) → (q′, u′) followed by extrapolated midpoint steps, impacts by sign changes of the gaps and
+/// bisection.
+struct Second<'a> {
+    acceleration: &'a dyn Fn(f64, f64, f64) -> f64,
+    /// Sign, place of t and its derivative, restitution.
+    walls: &'a [(f64, fn(f64) -> [f64; 2], f64)],
+    t: f64,
+    x: [f64; 2],
+}
+
+impl Second<'_> {
+    fn after(&self, h: f64) -> [f64; 2] {
+        let slope = |t: f64, x: [f64; 2]| [x[1], (self.acceleration)(t, x[0], x[1])];
+        let add = |x: [f64; 2], d: [f64; 2], h: f64| [x[0] + h * d[0], x[1] + h * d[1]];
+        let mut table: Vec<[f64; 2]> = Vec::new();
+        for i in 1..=8usize {
+            let step = h / (2 * i) as f64;
+            let (mut before, mut now) = (self.x, add(self.x, slope(self.t, self.x), step));
+            for j in 1..2 * i {
+                let next = add(before, slope(self.t + j as f64 * step, now), 2.0 * step);
+                (before, now) = (now, next);
+            }
+            let end = add(before, slope(self.t + h, now), step);
+            let mut last = [(now[0] + end[0]) / 2.0, (now[1] + end[1]) / 2.0];
+            let mut next = vec![last];
+            for (j, old) in table.iter().enumerate() {
+                let ratio = (i as f64 / (i - 1 - j) as f64).powi(2) - 1.0;
+                last = [last[0] + (last[0] - old[0]) / ratio, last[1] + (last[1] - old[1]) / ratio];
+                next.push(last);
+            }
+            table = next;
+        }
+        *table.last().unwrap()
+    }
+
+    /// Times and relative velocities of the impacts up to a time.
+    fn follow(&mut self, until: f64) -> Vec<(f64, f64)> {
+        let mut hits = Vec::new();
+        while self.t < until {
+            let h = 0.08f64.min(until - self.t);
+            let gap = |sign: f64, place: fn(f64) -> [f64; 2], h: f64| {
+                sign * (self.after(h)[0] - place(self.t + h)[0])
+            };
+            let mut first: Option<(f64, usize)> = None;
+            for (i, &(sign, place, _)) in self.walls.iter().enumerate() {
+                // Not the zero that an impact leaves behind.
+                let mut low = if gap(sign, place, 0.0) > 1e-9 { 0.0 } else { h / 16.0 };
+                if gap(sign, place, h) < 0.0 && gap(sign, place, low) > 0.0 {
+                    let mut high = h;
+                    for _ in 0..60 {
+                        let middle = (low + high) / 2.0;
+                        if gap(sign, place, middle) > 0.0 { low = middle } else { high = middle }
+                    }
+                    if first.is_none_or(|known| high < known.0) {
+                        first = Some((high, i));
+                    }
+                }
+            }
+            let step = first.map_or(h, |hit| hit.0);
+            self.x = self.after(step);
+            self.t += step;
+            if let Some((_, i)) = first {
+                let (sign, place, tau) = self.walls[i];
+                let speed = place(self.t)[1];
+                hits.push((self.t, sign * (self.x[1] - speed)));
+                self.x[1] = speed - tau * (self.x[1] - speed);
+            }
+        }
+        hits
+    }
+}
+
+type Walls = Vec<(f64, fn(f64) -> [f64; 2], f64)>;
+
+struct Case {
+    name: &'static str,
+    force: &'static str,
+    acceleration: fn(f64, f64, f64) -> f64,
+    toml: &'static str,
+    walls: Walls,
+}
+
+const HIGH: &str = "[[walls]]\nside = \"upper\"\noffset = 1\nrestitution = 0.9";
+const MOVING: &str =
+    "[[walls]]\nside = \"lower\"\noffset = -0.6\nharmonics = [{ sin = 0.1 }]\nrestitution = 0.7";
+const BOTH: &str = "[[walls]]\nside = \"lower\"\noffset = -0.5\nrestitution = 0.8\n\
+                    [[walls]]\nside = \"upper\"\noffset = 1\nrestitution = 0.9";
+
+fn cases() -> Vec<Case> {
+    let low = || -> Walls { vec![(1.0, |_| [-0.5, 0.0], 0.8)] };
+    let high = || -> Walls { vec![(-1.0, |_| [1.0, 0.0], 0.9)] };
+    let moving = || -> Walls { vec![(1.0, |t: f64| [-0.6 + 0.1 * t.sin(), 0.1 * t.cos()], 0.7)] };
+    vec![
+        Case {
+            name: "pendulum",
+            force: "-0.1*u - sin(q) + (a + 0.4)*cos(t)",
+            acceleration: |t, q, u| -0.1 * u - q.sin() + 0.8 * t.cos(),
+            toml: BOTH,
+            walls: [low(), high()].concat(),
+        },
+        Case {
+            name: "van der Pol",
+            force: "2*a*(1 - q^2)*u - q + 0.5*cos(2*t)",
+            acceleration: |t, q, u| 0.8 * (1.0 - q * q) * u - q + 0.5 * (2.0 * t).cos(),
+            toml: HIGH,
+            walls: high(),
+        },
+        Case {
+            name: "electrostatic",
+            force: "-0.2*u - q + 0.1/(2 - q)^2 + cos(t)*b",
+            acceleration: |t, q, u| -0.2 * u - q + 0.1 / ((2.0 - q) * (2.0 - q)) + 0.7 * t.cos(),
+            toml: HIGH,
+            walls: high(),
+        },
+        Case {
+            name: "Morse",
+            force: "2*(exp(-2*q) - exp(-q)) - 0.05*u + 0.3*sin(t)",
+            acceleration: |t, q, u| 2.0 * ((-2.0 * q).exp() - (-q).exp()) - 0.05 * u + 0.3 * t.sin(),
+            toml: HIGH,
+            walls: high(),
+        },
+        Case {
+            name: "every function",
+            force: "-tanh(2*q) - 0.1*log(1 + q^2)*u + sqrt(1 + q^2)*sin(t - q)*a - q^3/(1 + cos(q)^2)",
+            acceleration: |t, q, u| {
+                -(2.0 * q).tanh() - 0.1 * (1.0 + q * q).ln() * u + (1.0 + q * q).sqrt() * (t - q).sin() * 0.4
+                    - q.powi(3) / (1.0 + q.cos().powi(2))
+            },
+            toml: MOVING,
+            walls: moving(),
+        },
+        Case {
+            name: "driven pendulum, moved at its hinge",
+            force: "-(1 + a*cos(2*t + 0.3))*sin(q) - 0.05*u - u^3/20",
+            acceleration: |t, q, u| {
+                -(1.0 + 0.4 * (2.0 * t + 0.3).cos()) * q.sin() - 0.05 * u - u.powi(3) / 20.0
+            },
+            toml: MOVING,
+            walls: moving(),
+        },
+    ]
+}
+
+const START: [f64; 3] = [0.3, 0.2, 1.5];
+
+/// To 10⁻¹² of the time before amplification, which is measured.
+#[test]
+fn formulas_agree_with_a_second_integrator() {
+    for case in cases() {
+        let system = scene(&format!("force = \"{}\"", case.force), case.toml).plain(&[]).unwrap();
+        let settings = Settings { tolerance: 1e-15, ..Settings::default() };
+        let ours = Simulator::new(&system, &settings).unwrap();
+        let [t, q, u] = START;
+        let until = t + 6.0 * TAU;
+        let hits = |q: f64| -> Vec<(f64, f64)> {
+            let found = impacts(&mut ours.start(at(t), q, u).unwrap(), at(0.0).after(until));
+            found.iter().map(|hit| (hit.time.since(at(0.0)), hit.velocity)).collect()
+        };
+        let (found, nudged) = (hits(q), hits(q + 1e-8));
+        let mut second = Second { acceleration: &case.acceleration, walls: &case.walls, t, x: [q, u] };
+        let known = second.follow(until);
+        assert_eq!(found.len(), known.len(), "{}: {found:?} {known:?}", case.name);
+        assert!(known.len() >= 3, "{}: {} impacts, {known:?}", case.name, known.len());
+        let (mut amplification, mut worst) = (1.0f64, 0.0f64);
+        for (i, (a, b)) in found.iter().zip(&known).enumerate() {
+            if let Some(moved) = nudged.get(i) {
+                amplification = amplification.max((moved.0 - a.0).abs().max((moved.1 - a.1).abs()) / 1e-8);
+            }
+            let off = (a.0 - b.0).abs().max((a.1 - b.1).abs());
+            worst = worst.max(off / amplification / b.0.max(1.0));
+            assert!(
+                off <= 1e-12 * amplification * b.0.max(1.0),
+                "{}: impact {i} {a:?} {b:?}, {amplification:e}",
+                case.name
+            );
+        }
+        println!("{}: {} impacts, worst {worst:.1e}, amplified {amplification:.1e}", case.name, known.len());
+    }
+}
+
+/// What is linear, cubic or a harmonic in a formula is the same as its own key, to the last bit.
+#[test]
+fn what_a_formula_has_of_other_keys_is_the_same_as_these() {
+    let walls = "[[walls]]\nside = \"lower\"\noffset = -0.5\nrestitution = 0.8";
+    let keys = scene(
+        "damping = 0.1\nstiffness = \"a\"\ncubic = \"b\"\nforce = 0.2\nforcing = [{ cos = 1.5, sin = 0.5 }, { k = 3, sin = \"a\" }]",
+        walls,
+    );
+    let one = scene("force = \"-0.1*u - a*q - b*q^3 + 0.2 + 1.5*cos(t) + 0.5*sin(t) + a*sin(3*t)\"", walls);
+    let two = scene(
+        "damping = 0.1\nforcing = [{ k = 3, sin = \"a\" }]\nforce = \"-q*(a) - q*q*q*b + 0.2 + 1.5*cos(-t) - sin(-t)/2\"",
+        walls,
+    );
+    let run = |scene: &Scene| {
+        let simulator = Simulator::new(&scene.plain(&[]).unwrap(), &Settings::default()).unwrap();
+        let mut run = simulator.start(at(0.3), 0.2, 1.5).unwrap();
+        let all = events(&mut run, Time::new(40, 0.0));
+        format!("{all:?} {:?}", run.state())
+    };
+    assert_eq!(run(&keys), run(&one));
+    assert_eq!(run(&keys), run(&two));
+    // A linear one has a closed form, and a coefficient of 0 is not there.
+    let flow = |force: &str| Free::new(&formula(force), 1e-12).unwrap();
+    assert!(matches!(flow("-q - 0.1*u + a*cos(t) + 0*sin(q) + (b - 0.7)*exp(q)"), Free::Linear(_)));
+    assert!(matches!(flow("-q - 0.1*u + a*cos(t)*q"), Free::Taylor(_)));
+}
+
+/// The cubic oscillator, and the same moved by 1/4 and written as a formula that is not recognised: the same
+/// impacts, rests, exponents and derivatives.
+#[test]
+fn a_cubic_oscillator_moved_aside_has_the_same_motions() {
+    let cubic = System { cubic: 0.7, ..bare(0.1, 0.4) };
+    for (offset, motion, tau, weight) in
+        [(-0.5, vec![], 0.8, 0.0), (-0.3, vec![(1, 0.0, 0.8), (3, 0.0, 0.02)], 0.3, 1.0)]
+    {
+        let forcing = vec![grazing::oscillator::Harmonic { k: 1, cos: 1.2, sin: 0.0 }];
+        let here =
+            System { force: -weight, forcing, lower: Some(wall(offset, tau, &motion)), ..cubic.clone() };
+        let moved = System {
+            lower: Some(wall(offset + 0.25, tau, &motion)),
+            force: -weight,
+            ..formula("-0.1*u - 0.4*(q - 1/4) - 0.7*(q - 1/4)^3 + 1.2*cos(t)")
+        };
+        let [one, two] = [&here, &moved].map(|system| Simulator::new(system, &Settings::default()).unwrap());
+        let follow = |simulator: &Simulator, q: f64| {
+            let mut run = simulator.start(at(0.3), q, 1.5).unwrap();
+            events(&mut run, Time::new(20, 0.0)).0
+        };
+        let (a, b, nudged) = (follow(&one, 0.3), follow(&two, 0.55), follow(&one, 0.3 + 1e-9));
+        assert!(a.len() >= 20, "{} events", a.len());
+        assert_eq!(a.len(), b.len());
+        let mut amplification = 1.0f64;
+        for (i, (a, b)) in a.iter().zip(&b).enumerate() {
+            assert_eq!(std::mem::discriminant(a), std::mem::discriminant(b), "{i}: {a:?} {b:?}");
+            let (s, t) = (a.time().unwrap(), b.time().unwrap());
+            if let Some(moved) = nudged.get(i).and_then(Event::time) {
+                amplification = amplification.max(moved.since(s).abs() / 1e-9);
+            }
+            // Rest is the limit of many impacts, whose times are known to the minimum depth.
+            let bound = if tau < 0.5 { 1e-9 } else { 1e-13 * s.since(at(0.0)).max(1.0) };
+            assert!(t.since(s).abs() <= bound * amplification, "{i}: {a:?} {b:?} {amplification:e}");
+        }
+        if tau < 0.5 {
+            assert!(a.iter().any(|event| matches!(event, Event::Release(_))), "{} events", a.len());
+        } else {
+            let rate =
+                |simulator: &Simulator, q| lyapunov(simulator, at(0.3), [q, 1.5], 20, 100, &()).unwrap().rate;
+            assert!((rate(&one, 0.3) - rate(&two, 0.55)).abs() < 1e-3);
+        }
+    }
+}
+
+#[test]
+fn the_variation_of_a_formula_is_its_derivative() {
+    for case in cases() {
+        let flow = Free::new(&formula(case.force), 1e-14).unwrap();
+        let start = State { t: 0.3, q: 0.1, u: 0.2 };
+        for duration in [1.3, -0.4] {
+            let (end, matrix) = flow.advance_linearised(start, duration);
+            let plain = flow.advance(start, duration);
+            assert!((end.q - plain.q).abs().max((end.u - plain.u).abs()) < 1e-12, "{}", case.name);
+            let h = 1e-5;
+            for (j, [dq, du]) in [[h, 0.0], [0.0, h]].into_iter().enumerate() {
+                let go = |f: f64| flow.advance(State { q: 0.1 + f * dq, u: 0.2 + f * du, ..start }, duration);
+                // Of fourth order: the error is 10⁻²⁰ and rounding.
+                let slope = |part: fn(State) -> f64| {
+                    let at = |f| part(go(f));
+                    (8.0 * (at(1.0) - at(-1.0)) - (at(2.0) - at(-2.0))) / (12.0 * h)
+                };
+                for (i, slope) in [slope(|x| x.q), slope(|x| x.u)].into_iter().enumerate() {
+                    let off = (slope - matrix[i][j]).abs();
+                    assert!(off < 2e-9, "{} {i}{j} over {duration}: off by {off:e}", case.name);
+                }
+            }
+        }
+    }
+}
+
+/// By a parameter that stands in the formula, recognised or not, and elsewhere.
+#[test]
+fn the_derivative_in_a_parameter_is_that_of_the_motion() {
+    for force in
+        ["-a*q - a^2*u/3 + a*cos(t)", "-sin(a*q)/a - 0.1*u*a + a^2*cos(t)", "-a*q^3 + sin(a)*exp(-q)"]
+    {
+        let scene = scene(&format!("damping = \"a/5\"\nforce = \"{force}\""), "");
+        let family = SceneFamily::new(&scene, "a").unwrap();
+        let start = State { t: 0.3, q: 0.1, u: 0.2 };
+        let leg = |a: f64| family.at(a).unwrap().leg(start, 2.5);
+        let (here, h) = (leg(0.4), 1e-5);
+        for i in 0..2 {
+            let at = |f: f64| {
+                let end = leg(0.4 + f * h).end;
+                [end.q, end.u][i]
+            };
+            let slope = (8.0 * (at(1.0) - at(-1.0)) - (at(2.0) - at(-2.0))) / (12.0 * h);
+            assert!((slope - here.slope[i]).abs() < 1e-8, "{force}: {slope} {:?}", here.slope);
+        }
+    }
+}
+
+/// The expansion of the Poincaré map to third order.
+#[test]
+fn the_return_map_of_a_cubic_oscillator_moved_aside_is_the_same() {
+    let forcing = vec![grazing::oscillator::Harmonic { k: 1, cos: 0.3, sin: 0.0 }];
+    let here = Oscillator::new(System { forcing, cubic: 0.7, ..bare(0.2, 0.4) }, 1e-13).unwrap();
+    let moved = formula("-0.2*u - 0.4*(q - 1/4) - 0.7*(q - 1/4)^3 + 0.3*cos(t)");
+    let moved = Oscillator::new(moved, 1e-13).unwrap();
+    let free = Itinerary::free(1).unwrap();
+    // Where the motion from rest ends.
+    let simulator = Simulator::new(here.system(), &Settings::default()).unwrap();
+    let mut run = simulator.start(at(0.0), 0.0, 0.0).unwrap();
+    run.finish(Time::new(100, 0.0));
+    let State { q, u, .. } = run.state();
+    let one = find(&here, &free, vec![q, u]).unwrap();
+    let two = find(&moved, &free, vec![q + 0.25, u]).unwrap();
+    assert!((two.z[0] - one.z[0] - 0.25).abs() < 1e-12 && (two.z[1] - one.z[1]).abs() < 1e-12);
+    let [a, b] = [return_map(&here, &free, &one.z).unwrap(), return_map(&moved, &free, &two.z).unwrap()];
+    for (a, b) in a.iter().zip(&b) {
+        for (i, j) in [(1, 0), (0, 1), (2, 0), (1, 1), (0, 2), (3, 0), (2, 1), (1, 2), (0, 3)] {
+            let off = (a.coefficient(i, j) - b.coefficient(i, j)).abs();
+            assert!(off < 1e-10 * (1.0 + a.size()), "x^{i} y^{j}: {a:?} {b:?}");
+        }
+    }
+}
+
+/// How far a pole, a root or a logarithm lets a motion go, and why it ends there.
+#[test]
+fn a_motion_ends_where_its_force_is_not_smooth() {
+    let cases: [(&str, f64, f64, f64); 6] = [
+        // Drawn into a pole at 1; thrown at one that no potential keeps it from.
+        ("1/(1 - q)^2", 0.0, 0.0, 1.0),
+        ("1e-6/(1 - q)", 0.0, 1.0, 1.0),
+        // Too weak a pole to be felt, but none is stepped over.
+        ("1e-30/(1 - q)", 0.0, 1.0, 1.0),
+        ("sqrt(1 - q)", 0.0, 0.5, 1.0),
+        ("log(q + 1)", 0.0, -2.0, -1.0),
+        ("-q + cos(t)/(q - 1)", 0.0, 3.0, 1.0),
+    ];
+    for (force, q, u, place) in cases {
+        let simulator = Simulator::new(&formula(force), &Settings::default()).unwrap();
+        let mut run = simulator.start(at(0.0), q, u).unwrap();
+        assert_eq!(run.finish(Time::new(10, 0.0)), RunEnd::NotSmooth, "{force}");
+        let state = run.state();
+        assert!((state.q - place).abs() < 1e-4, "{force}: {state:?}");
+        assert!(run.time().periods() < 2.0, "{force}: {:?}", run.time());
+        // A wall before it keeps the motion from it.
+        let side = if place > q { "upper" } else { "lower" };
+        let walls = format!("[[walls]]\nside = \"{side}\"\noffset = {}\nrestitution = 0.5", 0.9 * place);
+        let system = scene(&format!("force = \"{force}\""), &walls).plain(&[]).unwrap();
+        let simulator = Simulator::new(&system, &Settings::default()).unwrap();
+        let mut run = simulator.start(at(0.0), q, u).unwrap();
+        let end = run.finish(Time::new(2, 0.0));
+        assert!(matches!(end, RunEnd::Reached | RunEnd::Escaped) && run.impacts() > 0, "{force}: {end:?}");
+    }
+    // At a pole from the start, and where it leaves every bound instead.
+    let end = |force: &str, q: f64| {
+        let simulator = Simulator::new(&formula(force), &Settings::default()).unwrap();
+        simulator.start(at(0.0), q, 0.0).unwrap().finish(Time::new(10, 0.0))
+    };
+    assert_eq!(end("1/q", 0.0), RunEnd::NotSmooth);
+    assert_eq!(end("sqrt(q)", -1.0), RunEnd::NotSmooth);
+    assert_eq!(end("exp(q)", 0.0), RunEnd::Escaped);
+    assert_eq!(end("exp(q)", 1e6), RunEnd::Escaped);
+    assert_eq!(end("q^3 + q^2", 1.0), RunEnd::Escaped);
+    // The linearised motion has no end there, and says so.
+    let flow = Free::new(&formula("1/(1 - q)^2"), 1e-12).unwrap();
+    let (end, _) = flow.advance_linearised(State { t: 0.0, q: 0.0, u: 0.0 }, 20.0);
+    assert!(end.q.is_nan());
+    // A pole on a wall is no place to rest.
+    let walls = "[[walls]]\nside = \"upper\"\noffset = 1\nrestitution = 0.5";
+    let system = scene("force = \"1/(1 - q)^2\"", walls).plain(&[]).unwrap();
+    let error = Simulator::new(&system, &Settings::default()).unwrap_err();
+    assert!(error.to_string().contains("not smooth on the upper wall near q = 1"), "{error}");
+}
+
+#[test]
+fn a_formula_is_counted_only_where_there_is_one() {
+    for (force, present, absent) in
+        [("-sin(q)", Effect::Smooth, Effect::Cubic), ("-q^3", Effect::Cubic, Effect::Smooth)]
+    {
+        let mut counts = Counts::default();
+        let simulator = Simulator::new(&formula(force), &Settings::default()).unwrap();
+        let mut run = simulator.start_counting(at(0.0), 0.1, 1.0, &mut counts).unwrap();
+        run.finish(at(0.0).after(12.0));
+        drop(run);
+        assert!(counts.of(present) > 0 && counts.of(absent) == 0, "{force}");
+    }
+}
+
+#[test]
+fn what_is_wrong_with_a_force_is_said() {
+    let error = |force: &str| {
+        let text = format!(
+            "format = \"grazing-scene 1\"\ntitle = \"force\"\n[parameters]\na = 0\n[system]\nforce = \"{force}\"\n"
+        );
+        let scene = Scene::from_toml(&text, "force.toml").and_then(|scene| scene.plain(&[]));
+        scene.and_then(|system| Free::new(&system, 1e-12)).map(drop).unwrap_err().to_string()
+    };
+    for (force, expected) in [
+        ("-q + cos(w*t)", "force.toml:6: system.force = \"-q + cos(w*t)\": unknown parameter \"w\""),
+        ("-q + cos(t/2)", "is not periodic in t"),
+        ("abs(q)", "unknown parameter \"abs\""),
+        ("q/a", "divides by zero"),
+        ("sqrt(a - 1)*q", "takes the root of a negative number"),
+        ("log(a)*q", "takes the logarithm of a number that is not positive"),
+        ("q^300", "the exponent 300 is above 256"),
+        ("q^(1/2)", "expected a whole number as exponent"),
+    ] {
+        let error = error(force);
+        assert!(error.contains(expected), "{force}: {error}");
+    }
+}
