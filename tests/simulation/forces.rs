@@ -28,12 +28,14 @@ fn formula(force: &str) -> System<f64> {
     scene(&format!("force = \"{force}\""), "").plain(&[]).unwrap()
 }
 
+/// A wall: its sign, its place and speed at t, its restitution.
+type Place = (f64, fn(f64) -> [f64; 2], f64);
+
 /// (q, u) → (q′, u′) followed by extrapolated midpoint steps, impacts by sign changes of the gaps and
 /// bisection.
 struct Second<'a> {
     acceleration: &'a dyn Fn(f64, f64, f64) -> f64,
-    /// Sign, place of t and its derivative, restitution.
-    walls: &'a [(f64, fn(f64) -> [f64; 2], f64)],
+    walls: &'a [Place],
     t: f64,
     x: [f64; 2],
 }
@@ -100,7 +102,7 @@ impl Second<'_> {
     }
 }
 
-type Walls = Vec<(f64, fn(f64) -> [f64; 2], f64)>;
+type Walls = Vec<Place>;
 
 struct Case {
     name: &'static str,
@@ -161,9 +163,9 @@ fn cases() -> Vec<Case> {
         },
         Case {
             name: "driven pendulum, moved at its hinge",
-            force: "-(1 + a*cos(2*t + 0.3))*sin(q) - 0.05*u - u^3/20",
+            force: "-(1 + a*cos(2*t + 0.3))*sin(q) - 0.05*u - u^3/20 + b*cos(t)",
             acceleration: |t, q, u| {
-                -(1.0 + 0.4 * (2.0 * t + 0.3).cos()) * q.sin() - 0.05 * u - u.powi(3) / 20.0
+                -(1.0 + 0.4 * (2.0 * t + 0.3).cos()) * q.sin() - 0.05 * u - u.powi(3) / 20.0 + 0.7 * t.cos()
             },
             toml: MOVING,
             walls: moving(),

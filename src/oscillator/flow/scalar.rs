@@ -144,6 +144,14 @@ impl<const N: usize> Gradient<N> {
         all
     }
 
+    /// By Leibniz's rule.
+    fn times(self, other: Self) -> Self {
+        let (x, y) = (self.0[0], other.0[0]);
+        let mut product = self.zip(other, |dx, dy| dx * y + x * dy);
+        product.0[0] = x * y;
+        product
+    }
+
     fn zip(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
         Gradient(std::array::from_fn(|i| f(self.0[i], other.0[i])))
     }
@@ -177,10 +185,7 @@ impl<const N: usize> Mul for Gradient<N> {
     type Output = Self;
 
     fn mul(self, other: Self) -> Self {
-        let (x, y) = (self.0[0], other.0[0]);
-        let mut product = self.zip(other, |dx, dy| dx * y + x * dy);
-        product.0[0] = x * y;
-        product
+        self.times(other)
     }
 }
 

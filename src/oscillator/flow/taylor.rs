@@ -2,10 +2,10 @@
 //! compare with the closed form.
 //!
 //! The equation is polynomial in q, q′ and sines of t, so that its Taylor coefficients follow from one
-//! another by sums of products; those of any other smooth force do so by a [`Program`]. A step's polynomial *is* the dense output, as good inside the step as at its
-//! end, and a polynomial is what the search for impacts can bound from below on whole intervals; the
-//! interpolants of Runge–Kutta codes are of lower order than their steps and have no such bound. Hence no
-//! integrator crate here.
+//! another by sums of products; those of any other smooth force do so by a [`Program`]. A step's polynomial
+//! *is* the dense output, as good inside the step as at its end, and a polynomial is what the search for
+//! impacts can bound from below on whole intervals; the interpolants of Runge–Kutta codes are of lower order
+//! than their steps and have no such bound. Hence no integrator crate here.
 
 use super::{Equation, Flow, Gradient, Matrix2, Program, Scalar, State, product};
 use crate::{

@@ -32,8 +32,8 @@ struct Slope {
     stiffness: f64,
     cubic: f64,
     forcing: Series,
-    /// The equation with its derivatives by q and u at a start and by the parameter, if it has a smooth force:
-    /// then the terms above are not looked at.
+    /// The equation with its derivatives by q and u at a start and by the parameter, if it has a smooth
+    /// force: then the terms above are not looked at.
     smooth: Option<Program<Gradient<4>>>,
     /// Of position and restitution; lower, upper.
     walls: [Option<(Series, f64)>; 2],

@@ -8,8 +8,9 @@ use serde::Serialize;
 
 use super::{Side, SmoothForce};
 
-/// An oscillator q″ = −`damping` q′ − `stiffness` q − `cubic` q³ + `force` + Σ (`cos` cos kt + `sin` sin kt) +
-/// `smooth`(t, q, q′), mass 1, all 2π-periodic in t, that stays between its walls Q₁(t) ≤ q ≤ Q₂(t) (section 3.1 of the paper).
+/// An oscillator q″ = −`damping` q′ − `stiffness` q − `cubic` q³ + `force` + `smooth`(t, q, q′) +
+/// Σ (`cos` cos kt + `sin` sin kt), mass 1, all 2π-periodic in t, that stays between its walls Q₁(t) ≤ q ≤
+/// Q₂(t) (section 3.1 of the paper).
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct System<T> {
     /// The coefficient of the velocity.
