@@ -6,7 +6,7 @@ use std::{f64::consts::TAU, hint::black_box, time::Instant};
 
 use grazing::{
     machine::{
-        Load, Machine, RealVector, Stop,
+        Load, Machine, RealVector, Stop, StopLaw,
         simulate::{MachineSettings, MachineSimulator},
     },
     oscillator::{Time, Wall},
@@ -31,7 +31,7 @@ fn machine(modes: usize, ratio: f64) -> Machine<f64> {
         shapes: vec![],
         force: vec![],
         forcing: vec![Load { k: 1, cos: seen.clone(), sin: vec![] }],
-        stops: vec![Stop { name: "stop".into(), row: seen, wall }],
+        stops: vec![Stop { name: "stop".into(), row: seen, wall, law: StopLaw::Newton }],
     }
 }
 

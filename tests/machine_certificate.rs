@@ -63,7 +63,12 @@ fn as_machine(case: &Case) -> (Machine<Bounds>, Vec<Side>) {
             harmonics: wall.harmonics.iter().map(harmonic).collect(),
             restitution: exact(&wall.restitution),
         };
-        stops.push(grazing::machine::Stop { name: side.name().into(), row: vec![exact(&sign)], wall });
+        stops.push(grazing::machine::Stop {
+            name: side.name().into(),
+            row: vec![exact(&sign)],
+            wall,
+            law: grazing::machine::StopLaw::Newton,
+        });
         sides.push(side);
     }
     let load = |h: &Harmonic<BigRational>| grazing::machine::Load {

@@ -8,7 +8,7 @@ use std::f64::consts::TAU;
 use grazing::{
     Error,
     machine::{
-        Load, Machine, MachineFamily, MachineSlope, RealMatrix, Stop,
+        Load, Machine, MachineFamily, MachineSlope, RealMatrix, Stop, StopLaw,
         grazing::{FreeMotion, MachineGrazing, MachineSearch, locate},
         orbit::{MachineAdmissibility, MachineOrbit, StopPattern, StopStrike, find},
         simulate::{MachineSettings, MachineSimulator},
@@ -54,7 +54,7 @@ impl Parts {
             shapes: vec![],
             force: vec![],
             forcing: vec![Load { k: 1, cos: self.cos.clone(), sin: vec![] }],
-            stops: vec![Stop { name: "stop".into(), row: self.row.clone(), wall }],
+            stops: vec![Stop { name: "stop".into(), row: self.row.clone(), wall, law: StopLaw::Newton }],
         }
     }
 

@@ -10,7 +10,7 @@ use std::{
 
 use grazing::{
     machine::{
-        FlowMethod, Load, Machine, MachineState, RealVector, Stop,
+        FlowMethod, Load, Machine, MachineState, RealVector, Stop, StopLaw,
         simulate::{MachineEvent, MachineSettings, MachineSimulator},
     },
     oscillator::{
@@ -24,6 +24,8 @@ use grazing::{
 mod attractors;
 #[path = "machines/second.rs"]
 mod second;
+#[path = "machines/soft.rs"]
+mod soft;
 #[path = "machines/stiff.rs"]
 mod stiff;
 
@@ -55,7 +57,7 @@ fn machine(mass: &[&[f64]], damping: &[&[f64]], stiffness: &[&[f64]]) -> Machine
 
 fn stop(row: &[f64], offset: f64, restitution: f64) -> Stop<f64> {
     let wall = Wall { offset, harmonics: vec![], restitution };
-    Stop { name: format!("{row:?} {offset}"), row: row.to_vec(), wall }
+    Stop { name: format!("{row:?} {offset}"), row: row.to_vec(), wall, law: StopLaw::Newton }
 }
 
 fn simulator(machine: &Machine<f64>) -> MachineSimulator {
@@ -193,7 +195,8 @@ fn as_machine(system: &System<f64>) -> Machine<f64> {
         harmonics: wall.harmonics.iter().map(|h| Harmonic { k: h.k, cos: -h.cos, sin: -h.sin }).collect(),
         restitution: wall.restitution,
     };
-    let named = |name: &str, row: f64, wall| Stop { name: name.into(), row: vec![row], wall };
+    let named =
+        |name: &str, row: f64, wall| Stop { name: name.into(), row: vec![row], wall, law: StopLaw::Newton };
     all.stops.extend(system.lower.clone().map(|wall| named("lower", 1.0, wall)));
     all.stops.extend(system.upper.as_ref().map(|wall| named("upper", -1.0, turned(wall))));
     all
@@ -352,6 +355,7 @@ fn uncoupled_oscillators_each_move_as_alone() {
                 name: format!("{i} {}", stop.name),
                 row: place(&stop.row),
                 wall: stop.wall.clone(),
+                law: stop.law.clone(),
             }));
         }
         let until = Time::new(8, 0.0);
@@ -495,8 +499,12 @@ fn pairs() -> Vec<Start> {
     let mut free =
         machine(&[&[1.0, 0.0], &[0.0, 3.0]], &[&[0.0, 0.0], &[0.0, 0.0]], &[&[2.0, -2.0], &[-2.0, 2.0]]);
     free.force = vec![-1.0, -3.0];
-    free.stops =
-        vec![Stop { name: "shaker".into(), row: vec![1.0, 0.0], wall: wall(0.0, 0.6, &[(1, 0.8, 0.0)]) }];
+    free.stops = vec![Stop {
+        name: "shaker".into(),
+        row: vec![1.0, 0.0],
+        wall: wall(0.0, 0.6, &[(1, 0.8, 0.0)]),
+        law: StopLaw::Newton,
+    }];
     all.push(("a sprung pair that falls on a shaker", free, vec![1.0, 1.5], vec![0.0, 0.0]));
     let mut stiff = machine(
         &[&[1.0, 0.0, 0.0], &[0.0, 0.1, 0.0], &[0.0, 0.0, 0.1]],

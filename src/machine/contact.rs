@@ -28,6 +28,30 @@ pub struct StopContact {
     pub position: Series,
     /// τ ≥ 0.
     pub restitution: f64,
+    /// What it does instead, if it is soft.
+    pub soft: Option<SoftContact>,
+}
+
+/// The force −(`stiffness` z + `damping` z′) of a soft stop where z < 0, unless it would pull.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SoftContact {
+    /// Force per displacement, above 0.
+    pub stiffness: f64,
+    /// Force per velocity, velocities being per radian of the forcing; at least 0.
+    pub damping: f64,
+}
+
+impl SoftContact {
+    /// The force at z and z′, which may be negative: then there is none.
+    pub fn force(&self, [gap, rate]: [f64; 2]) -> f64 {
+        -(self.stiffness * gap + self.damping * rate)
+    }
+
+    /// The force that is 1 where it is watched, so that what is watched has the unit of gaps: −z of a stop
+    /// without damping, −z′ of one without stiffness.
+    pub fn unit(&self) -> f64 {
+        self.stiffness.max(self.damping)
+    }
 }
 
 impl StopContact {
@@ -35,6 +59,25 @@ impl StopContact {
     pub fn gap(&self, at: &MachineState) -> [f64; 2] {
         let [place, speed, _] = self.position.at(at.t);
         [self.row.dot(&at.q) - place, self.row.dot(&at.u) - speed]
+    }
+
+    /// z times a sign.
+    pub(super) fn gap_watch(&self, sign: f64) -> Watch {
+        let given = Series::combination(&[(-sign, &self.position)]);
+        // Times 1 changes no bit.
+        Watch { places: &self.row * sign, rates: RealVector::zeros(self.row.len()), given }
+    }
+
+    /// The force of a soft stop over its unit, times a sign; 0 of a rigid one.
+    pub(super) fn push_watch(&self, sign: f64) -> Watch {
+        let soft = self.soft.unwrap_or(SoftContact { stiffness: 0.0, damping: 0.0 });
+        let unit = if self.soft.is_some() { sign / soft.unit() } else { 0.0 };
+        let (place, rate) = (soft.stiffness * unit, soft.damping * unit);
+        Watch {
+            places: &self.row * -place,
+            rates: &self.row * -rate,
+            given: Series::combination(&[(place, &self.position), (rate, &self.position.derivative())]),
+        }
     }
 
     /// z″ of the motion without any stop.
@@ -269,6 +312,7 @@ mod tests {
             row: RealVector::from_column_slice(row),
             position: Series::ZERO,
             restitution,
+            soft: None,
         };
         Contacts::new(&equations, rows.iter().map(contact).collect())
     }

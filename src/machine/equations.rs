@@ -138,6 +138,22 @@ impl LinearEquations {
         self.accelerate(&(self.force.at(t) - &self.damping * u - &self.stiffness * q))
     }
 
+    /// The same machine while these soft stops push on it: M q″ + (C + Σ c wᵀw) q′ + (K + Σ k wᵀw) q = f + Σ
+    /// wᵀ (k Q + c Q′), Q being where a stop stands.
+    #[must_use]
+    pub fn pushed<'c>(&self, contacts: impl Iterator<Item = &'c StopContact>) -> LinearEquations {
+        let mut all = self.clone();
+        for contact in contacts {
+            let Some(soft) = contact.soft else { continue };
+            let (row, place) = (&contact.row, &contact.position);
+            all.stiffness.ger(soft.stiffness, row, row, 1.0);
+            all.damping.ger(soft.damping, row, row, 1.0);
+            all.force.add_series(&(row * soft.stiffness), place);
+            all.force.add_series(&(row * soft.damping), &place.derivative());
+        }
+        all
+    }
+
     /// det of the flow over a time, by Liouville: exp(−tr(M⁻¹C) · time).
     pub(super) fn determinant(&self, time: f64) -> f64 {
         (-self.per_mass(&self.damping).trace() * time).exp()

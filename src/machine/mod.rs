@@ -62,7 +62,7 @@ pub mod validate;
 
 pub use equations::{LinearEquations, Periodic};
 pub use flow::{FlowMethod, LinearFlow};
-pub use model::{Load, Machine, Stop};
+pub use model::{Load, Machine, Stop, StopLaw};
 pub use slope::{MachineFamily, MachineSlope};
 
 /// Vectors of coordinates, velocities, forces.

@@ -48,7 +48,7 @@ pub struct Load<T> {
     pub sin: Vec<T>,
 }
 
-/// A rigid stop: the gap `row`·q − `wall`(t) stays ≥ 0; an impact turns its rate w into −`restitution` w.
+/// A stop for the gap z = `row`·q − `wall`(t).
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Stop<T> {
     /// What it is called.
@@ -57,6 +57,48 @@ pub struct Stop<T> {
     pub row: Vec<T>,
     /// Its place, motion and restitution.
     pub wall: Wall<T>,
+    /// What contact with it does.
+    #[serde(skip_serializing_if = "StopLaw::is_newton")]
+    pub law: StopLaw<T>,
+}
+
+/// What contact with a stop does.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
+pub enum StopLaw<T> {
+    /// It is rigid, z stays ≥ 0: an impact turns z′ into −τ z′, τ being the wall's restitution.
+    Newton,
+    /// It gives way, and z may be negative: then it pushes along w with the force −(`stiffness` z +
+    /// `damping` z′), unless that would pull. The wall's restitution is not used.
+    Soft {
+        /// Force per displacement, above 0.
+        stiffness: T,
+        /// Force per velocity, at least 0.
+        damping: T,
+    },
+}
+
+impl<T> StopLaw<T> {
+    /// Whether it is Newton's.
+    pub fn is_newton(&self) -> bool {
+        matches!(self, StopLaw::Newton)
+    }
+
+    /// The same law with every coefficient converted.
+    ///
+    /// # Errors
+    /// The first error of `convert`.
+    pub fn try_map<U, E>(
+        &self,
+        convert: &mut impl FnMut(&T) -> std::result::Result<U, E>,
+    ) -> std::result::Result<StopLaw<U>, E> {
+        Ok(match self {
+            StopLaw::Newton => StopLaw::Newton,
+            StopLaw::Soft { stiffness, damping } => {
+                StopLaw::Soft { stiffness: convert(stiffness)?, damping: convert(damping)? }
+            }
+        })
+    }
 }
 
 impl<T> Machine<T> {
@@ -73,8 +115,8 @@ impl<T> Machine<T> {
             Ok(Load { k: load.k, cos: list(&load.cos, convert)?, sin: list(&load.sin, convert)? })
         };
         let stop = |stop: &Stop<T>, convert: &mut _| -> std::result::Result<_, E> {
-            let (row, wall) = (list(&stop.row, convert)?, stop.wall.try_map(convert)?);
-            Ok(Stop { name: stop.name.clone(), row, wall })
+            let (row, wall) = (list(&stop.row, convert)?, stop.wall.try_map(&mut *convert)?);
+            Ok(Stop { name: stop.name.clone(), row, wall, law: stop.law.try_map(convert)? })
         };
         Ok(Machine {
             size: self.size,
@@ -159,8 +201,8 @@ impl Machine<f64> {
     /// w and the place of each stop.
     ///
     /// # Errors
-    /// As [`equations`](Self::equations), led by the stop's name; also for a row of zeros and a negative
-    /// restitution.
+    /// As [`equations`](Self::equations), led by the stop's name; also for a row of zeros, a negative
+    /// restitution, and a soft stop without stiffness or with negative damping.
     pub fn contacts(&self) -> Result<Vec<super::contact::StopContact>> {
         let one = |stop: &Stop<f64>| {
             let row = self.vector("row", &stop.row)?;
@@ -172,7 +214,21 @@ impl Machine<f64> {
                 return Err(Error::input(format!("restitution = {restitution}; it is at least 0")));
             }
             let position = Series::new(stop.wall.offset, &stop.wall.harmonics)?;
-            Ok(super::contact::StopContact { name: stop.name.clone(), row, position, restitution })
+            let soft = match stop.law {
+                StopLaw::Newton => None,
+                StopLaw::Soft { stiffness, damping } => {
+                    if !(stiffness > 0.0 && stiffness.is_finite()) {
+                        return Err(Error::input(format!(
+                            "stiffness = {stiffness}; that of a soft stop is positive"
+                        )));
+                    }
+                    if !(damping >= 0.0 && damping.is_finite()) {
+                        return Err(Error::input(format!("damping = {damping}; it is at least 0")));
+                    }
+                    Some(super::contact::SoftContact { stiffness, damping: damping * self.rate() })
+                }
+            };
+            Ok(super::contact::StopContact { name: stop.name.clone(), row, position, restitution, soft })
         };
         let named =
             |stop: &Stop<f64>| one(stop).map_err(|error| error.context(format!("stop {}", stop.name)));

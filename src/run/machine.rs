@@ -22,15 +22,15 @@ row! {
     pub struct StopRow {
         /// Its name.
         pub stop: String,
-        /// Impacts there.
+        /// Impacts there; contacts with a stop that gives way.
         pub impacts: u64,
-        /// Minima of its gap within the minimum depth, of which no impact was made.
+        /// Minima of its gap within the minimum depth, of which no impact or contact was made.
         pub tangencies: u64,
         /// How often something came to rest on it.
         pub rests: u64,
-        /// The largest speed of an impact, in the scene's units.
+        /// The largest speed of an impact, or with which a contact began, in the scene's units.
         pub fastest: f64,
-        /// The largest impulse of an impact, in the scene's units.
+        /// The largest impulse of an impact, in the scene's units; 0 for a stop that gives way.
         pub strongest: f64,
         /// The least gap at points of the series.
         pub least_gap: f64,
@@ -264,6 +264,10 @@ pub fn simulate_machine(
                             found.order_matters += 1;
                             instant = Some(impact.time);
                         }
+                    }
+                    MachineEvent::Touch(touch) => {
+                        row.impacts += 1;
+                        row.fastest = row.fastest.max(touch.velocity.abs() * rate);
                     }
                     MachineEvent::Tangency(_) => row.tangencies += 1,
                     MachineEvent::Stick(_) => row.rests += 1,

@@ -17,7 +17,7 @@ use super::{
 use crate::{
     error::Result,
     machine::{
-        Machine, MachineFamily, RealMatrix,
+        Machine, MachineFamily, RealMatrix, StopLaw,
         grazing::{MachineGrazing, MachineSearch, locate},
         orbit::find,
     },
@@ -213,7 +213,14 @@ pub fn machine_grazing(task: &GrazingTask, job: &Job) -> Result<MachineGrazingFi
         born: Vec::new(),
         undecided: 0,
     };
-    if let Some(other) = event.others.first().filter(|_| event.half.is_none()) {
+    if let StopLaw::Soft { damping, .. } = machine.stops[event.at.stop].law {
+        found.open = Some(format!(
+            "stop {} gives way: what a contact of depth d changes is of the order of d{}, so the local map has no square \
+             root, and the local theory is not for it",
+            name(event.at.stop),
+            if damping > 0.0 { "" } else { "^(3/2)" }
+        ));
+    } else if let Some(other) = event.others.first().filter(|_| event.half.is_none()) {
         found.open = Some(if other.stop == event.at.stop {
             format!(
                 "the motion grazes stop {} more than once in its period: the local theory is for one grazing",

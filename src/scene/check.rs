@@ -69,14 +69,14 @@ impl Scene {
             .collect()
     }
 
-    /// Refuses starts behind a stop.
+    /// Refuses starts behind a rigid stop.
     fn check_machine_start(&self, start: &Start, machine: &Machine<f64>, path: &str) -> Result<()> {
         let state = self.machine_state(start, machine, path)?;
         for contact in machine.contacts()? {
             let gap = contact.gap(&state)[0];
             let size = contact.position.at(state.t)[0].abs() + contact.row.amax() * state.q.amax();
-            // A start on the stop may be behind it by rounding.
-            if gap < -1e-12 * size {
+            // A start on the stop may be behind it by rounding; one that gives way may be pushed in.
+            if contact.soft.is_none() && gap < -1e-12 * size {
                 let message = format!("starts behind the stop {}: its gap is {gap:e}", contact.name);
                 return Err(self.fail(path, &message));
             }
@@ -205,6 +205,13 @@ fn check_machine(kind: &Kind, scene: &Scene, machine: &Machine<f64>, path: &str)
             }
             if task.orbit.pattern.is_empty() {
                 return fail("orbit.pattern", "must have an impact to be validated");
+            }
+            if let Some(stop) = machine.stops.iter().find(|stop| !stop.law.is_newton()) {
+                let message = format!(
+                    "proves orbits between rigid stops of constant restitution; stop {} is another",
+                    stop.name
+                );
+                return fail("kind", &message);
             }
             Ok(())
         }

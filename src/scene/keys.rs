@@ -154,7 +154,10 @@ impl<'a> Entry<'a> {
         let Some((key, item)) = table.iter().find(|(key, _)| !known.contains(key)) else { return Ok(()) };
         let span = table.key(key).and_then(toml_edit::Key::span).or(item.span()).or(self.span.clone());
         let place = if self.path.is_empty() { String::new() } else { format!("{}: ", self.path) };
-        let message = foreign(key)
+        let soft = (self.path.starts_with("walls[") && ["stiffness", "damping"].contains(&key))
+            .then_some("walls of format 1 are rigid; in format = \"grazing-scene 2\" a wall may have `stiffness` and `damping` in place of `restitution`");
+        let message = soft
+            .or_else(|| foreign(key))
             .map_or_else(|| unknown(key, known), |instead| format!("unknown key {key:?}: {instead}"));
         Err(self.scope.source.fail(span, &format!("{place}{message}")))
     }

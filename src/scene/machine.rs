@@ -9,7 +9,7 @@ use super::{
 };
 use crate::{
     error::Result,
-    machine::{Load, Machine, Stop},
+    machine::{Load, Machine, Stop, StopLaw},
     oscillator::Wall,
 };
 
@@ -66,8 +66,9 @@ keys! {
 }
 
 keys! {
-    /// A rigid stop: the gap `row`·q − `offset` − Σ `harmonics` stays at least 0; an impact turns its rate
-    /// into −`restitution` times itself.
+    /// A stop for the gap z = `row`·q − `offset` − Σ `harmonics`. With `restitution` it is rigid: z stays at
+    /// least 0, and an impact turns z′ into −`restitution` times itself. With `stiffness` it gives way: where z
+    /// is negative it pushes with the force −`stiffness` z − `damping` z′, until that would pull.
     pub struct StopKeys {
         /// what it is called in reports
         name: Option<String>,
@@ -78,8 +79,13 @@ keys! {
         offset: Expression,
         /// its motion, harmonics of the forcing's frequency; none for a stop that stands still
         harmonics: Vec<HarmonicKeys> = "[]",
-        /// at least 0: 0 for a stop that takes all velocity, 1 for one that keeps the energy
-        restitution: Expression,
+        /// at least 0: 0 for a stop that takes all velocity, 1 for one that keeps the energy; this or
+        /// `stiffness` must be given
+        restitution: Option<Expression>,
+        /// of a stop that gives way, the force per displacement along `row`, above 0
+        stiffness: Option<Expression>,
+        /// of a stop that gives way, the force per velocity, at least 0; without it 0
+        damping: Option<Expression>,
     }
 }
 
@@ -203,12 +209,34 @@ impl MachineScene {
                 return Err(at(&format!("{path}.row")).fail("is zero: no motion reaches the stop"));
             }
             let harmonics = harmonics(file, stop.harmonics, &format!("{path}.harmonics"))?;
-            let wall = Wall { offset: stop.offset, harmonics, restitution: stop.restitution };
+            let zero = || Expression::parse("0", &[]);
+            let (restitution, law) = match (stop.restitution, stop.stiffness) {
+                (Some(restitution), None) => {
+                    if stop.damping.is_some() {
+                        let why = "stands beside `restitution`: give `stiffness` with it for a stop that gives way, or leave it out";
+                        return Err(at(&format!("{path}.damping")).fail(why));
+                    }
+                    (restitution, StopLaw::Newton)
+                }
+                (None, Some(stiffness)) => {
+                    let damping = stop.damping.map_or_else(zero, Ok)?;
+                    (zero()?, StopLaw::Soft { stiffness, damping })
+                }
+                (Some(_), Some(_)) => {
+                    let why = "stands beside `restitution`: give `restitution` for a rigid stop, or `stiffness` for one that gives way";
+                    return Err(at(&format!("{path}.stiffness")).fail(why));
+                }
+                (None, None) => {
+                    let why = "has neither `restitution` nor `stiffness`: give the first for a rigid stop, the second for one that gives way";
+                    return Err(at(&path).fail(why));
+                }
+            };
+            let wall = Wall { offset: stop.offset, harmonics, restitution };
             let name = stop.name.unwrap_or_else(|| format!("{i}"));
             if machine.stops.iter().any(|known| known.name == name) {
                 return Err(at(&format!("{path}.name")).fail("is the name of an earlier stop, too"));
             }
-            machine.stops.push(Stop { name, row, wall });
+            machine.stops.push(Stop { name, row, wall, law });
         }
         if let Some(depth) = accuracy.minimum_depth
             && depth.is_nan() | (depth <= 0.0)

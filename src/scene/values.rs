@@ -59,7 +59,10 @@ impl Scene {
         for (i, stop) in (1..).zip(&machine.stops) {
             let alone = Machine { stops: vec![stop.clone()], ..machine.clone() };
             alone.contacts().map_err(|error| {
-                let part = if error.to_string().contains("restitution") { "restitution" } else { "row" };
+                let text = error.to_string();
+                let text = text.strip_prefix(&format!("stop {}: ", stop.name)).unwrap_or(&text);
+                let parts = ["restitution", "stiffness", "damping"];
+                let part = parts.into_iter().find(|part| text.starts_with(part)).unwrap_or("row");
                 keyed(&format!("walls[{i}].{part}"), &error)
             })?;
         }

@@ -1,7 +1,7 @@
 //! A second integrator: extrapolated midpoint steps (Gragg, Bulirsch, Stoer), impacts by sign changes and
 //! bisection. It shares no code with `src`.
 
-use grazing::machine::Machine;
+use grazing::machine::{Machine, StopLaw};
 
 /// A motion under way.
 #[derive(Clone)]
@@ -12,6 +12,20 @@ pub struct Motion<'a> {
     pub q: Vec<f64>,
     pub u: Vec<f64>,
     resting: Vec<bool>,
+    soft: Vec<Soft>,
+    /// The beginnings and ends of contact with soft stops: stop, time, the gap's rate, whether it begins.
+    pub contacts: Vec<(usize, f64, f64, bool)>,
+}
+
+/// Where the motion is at a soft stop.
+#[derive(Clone, Copy, PartialEq)]
+enum Soft {
+    /// It is rigid.
+    Not,
+    Open,
+    In,
+    /// Let go of, the gap still negative.
+    Behind,
 }
 
 /// Bounces slower than this end in rest.
@@ -37,19 +51,46 @@ impl<'a> Motion<'a> {
             }
         }
         let inverse = mass.into_iter().map(|row| row[n..].to_vec()).collect();
-        Motion {
+        let mut motion = Motion {
+            soft: vec![Soft::Not; machine.stops.len()],
+            contacts: vec![],
             machine,
             inverse,
             time: 0.0,
             q: q.to_vec(),
             u: u.to_vec(),
             resting: vec![false; machine.stops.len()],
+        };
+        for stop in 0..machine.stops.len() {
+            if !machine.stops[stop].law.is_newton() {
+                let gap = motion.gap(stop, 0.0, q);
+                let (force, _) = motion.push_of(stop, 0.0, q, u);
+                motion.soft[stop] = match () {
+                    () if gap >= 0.0 => Soft::Open,
+                    () if force > 0.0 => Soft::In,
+                    () => Soft::Behind,
+                };
+            }
         }
+        motion
+    }
+
+    /// The force of a soft stop, of either sign, and the gap.
+    fn push_of(&self, stop: usize, t: f64, q: &[f64], u: &[f64]) -> (f64, f64) {
+        let StopLaw::Soft { stiffness, damping } = self.machine.stops[stop].law else { panic!("rigid") };
+        let gap = self.gap(stop, t, q);
+        (-stiffness * gap - damping * self.rate(stop, t, u), gap)
     }
 
     /// Short against the fastest motion: a radian's sixth.
     fn step(&self) -> f64 {
-        let stiffest = self.machine.stiffness.iter().map(|known| known.2.abs()).fold(0.0, f64::max);
+        let soft = self.machine.stops.iter().map(|stop| match stop.law {
+            // Two coordinates at most are pushed.
+            StopLaw::Soft { stiffness, damping } => 2.0 * stiffness.max(damping * damping),
+            _ => 0.0,
+        });
+        let stiffest =
+            self.machine.stiffness.iter().map(|known| known.2.abs()).chain(soft).fold(0.0, f64::max);
         let lightest = self.inverse.iter().flatten().fold(0.0f64, |most, x| most.max(x.abs()));
         (0.4 / (stiffest * lightest).sqrt().max(1.0)).min(0.02)
     }
@@ -115,6 +156,12 @@ impl<'a> Motion<'a> {
                 *a += force * push;
             }
         }
+        for stop in (0..self.soft.len()).filter(|&stop| self.soft[stop] == Soft::In) {
+            let (force, _) = self.push_of(stop, t, q, u);
+            for (a, push) in a.iter_mut().zip(self.push(stop)) {
+                *a += force * push;
+            }
+        }
         u.iter().copied().chain(a).collect()
     }
 
@@ -146,6 +193,32 @@ impl<'a> Motion<'a> {
         table.pop().expect("eight rows")
     }
 
+    /// What falls below 0 where a soft stop changes.
+    fn until(&self, stop: usize, t: f64, q: &[f64], u: &[f64]) -> f64 {
+        let (force, gap) = self.push_of(stop, t, q, u);
+        match self.soft[stop] {
+            Soft::In => force,
+            Soft::Behind => (-force).min(-gap),
+            _ => gap,
+        }
+    }
+
+    /// A soft stop changes now.
+    fn pass(&mut self, stop: usize) {
+        let (force, gap) = self.push_of(stop, self.time, &self.q, &self.u);
+        let rate = self.rate(stop, self.time, &self.u);
+        let before = self.soft[stop];
+        self.soft[stop] = match before {
+            Soft::In if gap < 0.0 && gap.abs() > 1e-13 => Soft::Behind,
+            Soft::In => Soft::Open,
+            Soft::Behind if force.abs() > gap.abs() => Soft::Open,
+            _ => Soft::In,
+        };
+        if (before == Soft::In) != (self.soft[stop] == Soft::In) {
+            self.contacts.push((stop, self.time, rate, self.soft[stop] == Soft::In));
+        }
+    }
+
     /// All impacts up to a time: stop, time, velocity.
     pub fn follow(&mut self, until: f64) -> Vec<(usize, f64, f64)> {
         let mut hits = Vec::new();
@@ -169,13 +242,17 @@ impl<'a> Motion<'a> {
                         self.after(h)
                     };
                     let (q, u) = x.split_at(n);
-                    if self.resting[stop] {
+                    if self.soft[stop] != Soft::Not {
+                        self.until(stop, self.time + h, q, u)
+                    } else if self.resting[stop] {
                         self.force(stop, self.time + h, &self.free(self.time + h, q, u))
                     } else {
                         self.gap(stop, self.time + h, q)
                     }
                 };
-                let at_end = if self.resting[stop] {
+                let at_end = if self.soft[stop] != Soft::Not {
+                    self.until(stop, self.time + h, &end[..n], &end[n..])
+                } else if self.resting[stop] {
                     self.force(stop, self.time + h, &self.free(self.time + h, &end[..n], &end[n..]))
                 } else {
                     self.gap(stop, self.time + h, &end[..n])
@@ -209,6 +286,10 @@ impl<'a> Motion<'a> {
             self.time += h;
             if released {
                 self.resting[stop] = false;
+                continue;
+            }
+            if self.soft[stop] != Soft::Not {
+                self.pass(stop);
                 continue;
             }
             let rate = self.rate(stop, self.time, &self.u);

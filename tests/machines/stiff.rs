@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use grazing::{
     machine::{
-        Load, Machine, MachineState, Stop,
+        Load, Machine, MachineState, Stop, StopLaw,
         simulate::{MachineEvent, MachineSettings, MachineSimulator},
     },
     oscillator::{Time, Wall},
@@ -26,7 +26,7 @@ fn modes(frequencies: &[f64], ratio: f64, offset: f64) -> Machine<f64> {
         damping: diagonal(&|w| 2.0 * ratio * w),
         stiffness: diagonal(&|w| w * w),
         forcing: vec![Load { k: 1, cos: row.clone(), sin: vec![] }],
-        stops: vec![Stop { name: "stop".into(), row, wall }],
+        stops: vec![Stop { name: "stop".into(), row, wall, law: StopLaw::Newton }],
         ..machine(&[&[1.0]], &[&[0.0]], &[&[0.0]])
     }
 }

@@ -90,7 +90,9 @@ impl Keeper for MachineSeries<'_> {
     fn machine_event(&mut self, event: &MachineEvent) -> Result<()> {
         let (Some(time), Some(stop)) = (event.time(), event.stop()) else { return Ok(()) };
         let (rate, periods) = (self.machine.rate(), time.periods());
-        if let (MachineEvent::Impact(_), Some(picture)) = (event, self.pictures.get_mut(stop)) {
+        if let (MachineEvent::Impact(_) | MachineEvent::Touch(_), Some(picture)) =
+            (event, self.pictures.get_mut(stop))
+        {
             picture.impact(periods, 0.0);
         }
         let (period, phase) = (time.period, time.phase / std::f64::consts::TAU);
@@ -113,6 +115,10 @@ impl Keeper for MachineSeries<'_> {
                 impact.together,
                 if impact.order_matters { "yes" } else { "no" }
             ),
+            MachineEvent::Touch(touch) => {
+                let (velocity, radius) = (touch.velocity * rate, touch.radius / rate);
+                writeln!(out, "{},{velocity},,{radius},,,,", head("touch"))
+            }
             MachineEvent::Tangency(tangency) => writeln!(out, "{},,,,{},,,", head("tangency"), tangency.gap),
             MachineEvent::Stick(stick) => writeln!(out, "{},,,,,{},,", head("stick"), stick.rest / rate),
             MachineEvent::Release(_) => writeln!(out, "{},,,,,,,", head("release")),

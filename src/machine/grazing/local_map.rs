@@ -74,7 +74,9 @@ impl MachineLocalMap {
         let flow = LinearFlow::new(motion.equations.clone())?;
         // 2n is even: the mirror does not change the determinant.
         let (a, determinant) = (flow.transition(span) * mirrors(span), motion.equations.determinant(span));
-        let kick = (2.0 * acceleration.max(0.0)).sqrt() * (1.0 + contact.restitution);
+        // A stop that gives way does not turn velocities at once: its map has no square root.
+        let factor = if contact.soft.is_some() { 0.0 } else { 1.0 + contact.restitution };
+        let kick = (2.0 * acceleration.max(0.0)).sqrt() * factor;
         let change = push * (kick / motion.contacts().mobility(at.stop));
         let zero = RealVector::zeros(n);
         Ok(MachineLocalMap {

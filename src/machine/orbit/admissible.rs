@@ -151,7 +151,7 @@ impl StopEquations<'_> {
                         let (stop, after) = (name(stick.stop), stick.time.since(begin));
                         return Ok(MachineAdmissibility::No(MachineObstacle::Met { leg, stop, after }));
                     }
-                    MachineEvent::Release(_) => {}
+                    MachineEvent::Touch(_) | MachineEvent::Release(_) => {}
                     MachineEvent::End(RunEnd::Reached) => break,
                     MachineEvent::End(_) => {
                         return Ok(MachineAdmissibility::Marginal(MachineObstacle::Lost(leg)));

@@ -11,9 +11,11 @@ pub enum MachineEvent {
     /// A gap came within the minimum depth of 0, neither clearly short of it nor clearly beyond: no impact
     /// was made of it.
     Tangency(StopTangency),
+    /// Contact with a soft stop began.
+    Touch(StopTouch),
     /// It came to rest on a stop that presses.
     Stick(StopStick),
-    /// A stop let go of it.
+    /// A stop let go of it: rest on it ended, or the contact with a soft one.
     Release(StopRelease),
     /// Nothing more before the time asked for, or nothing more at all.
     End(RunEnd),
@@ -39,6 +41,23 @@ pub struct StopImpact {
     pub order_matters: bool,
 }
 
+/// The beginning of contact with a soft stop.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StopTouch {
+    /// When, of the trajectory computed.
+    pub time: Time,
+    /// As of an impact: the root of the gap lies within this of `time`.
+    pub radius: f64,
+    /// Which stop, by its place in the machine.
+    pub stop: usize,
+    /// The gap's z′ there, per radian of the forcing: negative, but where the motion was about to leave a
+    /// stop with damping, which let go of it before.
+    pub velocity: f64,
+    /// The force with which contact begins as the gap closes, in the scene's unit: damping times velocity; 0
+    /// where it begins otherwise.
+    pub jump: f64,
+}
+
 /// A minimum of the gap within the minimum depth of 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StopTangency {
@@ -61,7 +80,7 @@ pub struct StopStick {
     pub rest: f64,
 }
 
-/// The end of rest on a stop.
+/// The end of rest on a stop, or of contact with a soft one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StopRelease {
     /// When the force of contact falls to 0, or an impact elsewhere throws it off.
@@ -75,6 +94,7 @@ impl MachineEvent {
     pub fn time(&self) -> Option<Time> {
         match self {
             MachineEvent::Impact(impact) => Some(impact.time),
+            MachineEvent::Touch(touch) => Some(touch.time),
             MachineEvent::Tangency(tangency) => Some(tangency.time),
             MachineEvent::Stick(stick) => Some(stick.time),
             MachineEvent::Release(release) => Some(release.time),
@@ -86,6 +106,7 @@ impl MachineEvent {
     pub fn stop(&self) -> Option<usize> {
         match self {
             MachineEvent::Impact(impact) => Some(impact.stop),
+            MachineEvent::Touch(touch) => Some(touch.stop),
             MachineEvent::Tangency(tangency) => Some(tangency.stop),
             MachineEvent::Stick(stick) => Some(stick.stop),
             MachineEvent::Release(release) => Some(release.stop),

@@ -16,13 +16,18 @@
 //!   geometric series and end in rest ([`StopStick`]): motion under the constraint that the gap is 0, until
 //!   the force of contact falls to 0 ([`StopRelease`]). The velocity lost is that of the bounces left out.
 //!   Other stops are watched meanwhile, and may be rested on, too.
+//! - A soft stop pushes from where its gap closes until its force would pull ([`StopTouch`],
+//!   [`StopRelease`]), and again if it would push before the gap is open. In contact the machine is another
+//!   linear one. *Proof* of what is found: where contact begins is the minimum of a gap, as above; where it
+//!   ends, and may begin again, the force over its [unit](super::contact::SoftContact::unit) is watched as a
+//!   gap is, so that no pull beyond the minimum depth times that unit is passed over.
 //! - A run ends by an [`RunEnd`] that says why.
 //!
 //! The trajectory itself carries rounding errors only, amplified by the condition number of the modes.
 //!
 //! ```
 //! use grazing::machine::simulate::{MachineEvent, MachineSettings, MachineSimulator};
-//! use grazing::machine::{Machine, Stop};
+//! use grazing::machine::{Machine, Stop, StopLaw};
 //! use grazing::oscillator::{Time, Wall};
 //!
 //! // A mass of 2 that falls onto a table: g = 8, and the table keeps half of the velocity.
@@ -37,7 +42,7 @@
 //!     shapes: vec![],
 //!     force: vec![-16.0],
 //!     forcing: vec![],
-//!     stops: vec![Stop { name: "table".into(), row: vec![1.0], wall: table }],
+//!     stops: vec![Stop { name: "table".into(), row: vec![1.0], wall: table, law: StopLaw::Newton }],
 //! };
 //! let settings = MachineSettings { minimum_depth: 1e-12, ..MachineSettings::default() };
 //! let simulator = MachineSimulator::new(&machine, &settings)?;
@@ -63,8 +68,8 @@ use std::{
 use serde::Serialize;
 
 pub use engine::MachineRun;
-pub use event::{MachineEvent, StopImpact, StopRelease, StopStick, StopTangency};
-use stage::Stage;
+pub use event::{MachineEvent, StopImpact, StopRelease, StopStick, StopTangency, StopTouch};
+use stage::{SoftStops, Stage};
 pub use tangent::MachineTangents;
 
 use super::{
@@ -101,7 +106,7 @@ pub struct MachineSimulator {
     contacts: Contacts,
     /// The free machine first of all; others as they come up.
     free: Arc<Stage>,
-    stages: Mutex<BTreeMap<Vec<usize>, Arc<Stage>>>,
+    stages: Mutex<BTreeMap<(Vec<usize>, SoftStops), Arc<Stage>>>,
     /// w M⁻¹ C M⁻¹ wᵀ of each stop: by how much an impulse of 1 there changes z″ through damping.
     drags: Vec<f64>,
     settings: MachineSettings,
@@ -123,7 +128,7 @@ impl MachineSimulator {
         }
         let equations = machine.equations()?;
         let contacts = Contacts::new(&equations, machine.contacts()?);
-        let free = Arc::new(Stage::new(&equations, &contacts, &[])?);
+        let free = Arc::new(Stage::new(&equations, &contacts, &[], &SoftStops::default())?);
         for (stop, contact) in contacts.all().iter().enumerate() {
             if contacts.mobility(stop) <= 0.0 || contacts.mobility(stop).is_nan() {
                 let name = &contact.name;
@@ -194,7 +199,7 @@ impl MachineSimulator {
     /// A run from displacements q and velocities u, per radian of the forcing, at `time`.
     ///
     /// # Errors
-    /// A start behind a stop, not finite, or of another size.
+    /// A start behind a rigid stop, not finite, or of another size.
     pub fn start(&self, time: Time, q: &[f64], u: &[f64]) -> Result<MachineRun<'_>> {
         let n = self.equations.size();
         if q.len() != n || u.len() != n {
@@ -213,7 +218,7 @@ impl MachineSimulator {
         };
         for contact in self.contacts.all() {
             let [gap, _] = contact.gap(&state);
-            if gap < -self.settings.minimum_depth {
+            if contact.soft.is_none() && gap < -self.settings.minimum_depth {
                 let name = &contact.name;
                 return Err(Error::input(format!(
                     "the start lies behind the stop {name}: its gap is {gap:e}"
@@ -223,17 +228,25 @@ impl MachineSimulator {
         MachineRun::new(self, time, state)
     }
 
-    /// The machine resting on these stops, which are in ascending order.
-    fn stage(&self, resting: &[usize]) -> Result<Arc<Stage>> {
-        if resting.is_empty() {
+    /// The machine resting on these stops, which are in ascending order, beside soft ones.
+    fn stage(&self, resting: &[usize], soft: &SoftStops) -> Result<Arc<Stage>> {
+        if resting.is_empty() && soft.is_empty() {
             return Ok(self.free.clone());
         }
         let mut stages = self.stages.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(stage) = stages.get(resting) {
+        let key = (resting.to_vec(), soft.clone());
+        if let Some(stage) = stages.get(&key) {
             return Ok(stage.clone());
         }
-        let stage = Arc::new(Stage::new(&self.equations, &self.contacts, resting)?);
-        stages.insert(resting.to_vec(), stage.clone());
+        let stage = Stage::new(&self.equations, &self.contacts, resting, soft).map_err(|error| {
+            let names = |all: &[usize]| -> Vec<&str> {
+                all.iter().map(|&j| self.contacts.all()[j].name.as_str()).collect()
+            };
+            let all = [names(resting), names(&soft.pushing)].concat();
+            error.context(format!("in contact with {}", all.join(", ")))
+        })?;
+        let stage = Arc::new(stage);
+        stages.insert(key, stage.clone());
         Ok(stage)
     }
 }

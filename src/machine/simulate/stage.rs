@@ -1,7 +1,7 @@
-//! A machine resting on some of its stops, or on none, with tables of everything that is watched on it.
+//! A machine in contact with some of its stops, or with none, with tables of everything that is watched on it.
 //!
 //! What is watched is a function z(t) of time along the motion: a gap, or the force of a stop that is rested
-//! on. It is the sum of a known function (of p and of the stops' motion) and of a functional on the
+//! on or that gives way, in the unit of gaps. It is the sum of a known function (of p and of the stops' motion) and of a functional on the
 //! homogeneous y, about whose time steps everything is in tables.
 //!
 //! # Cells
@@ -66,11 +66,73 @@ pub(super) enum What {
     Gap(usize),
     /// The force of a stop that is rested on, as the acceleration that it prevents.
     Force(usize),
+    /// The force of a soft stop, over [`SoftContact::unit`](crate::machine::contact::SoftContact::unit).
+    Push(usize),
+    /// The same with the other sign: by how much a soft stop would pull.
+    Pull(usize),
+    /// The gap to a soft stop with the other sign.
+    Rise(usize),
+}
+
+/// Which soft stops are not open, each list ascending. A stop without damping is never behind.
+#[derive(Debug, Clone, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct SoftStops {
+    /// Those that push: z < 0 and the force is positive.
+    pub pushing: Vec<usize>,
+    /// Those let go of that are not open yet: z < 0, and they would pull.
+    pub behind: Vec<usize>,
+}
+
+impl SoftStops {
+    /// Of a state: what it is follows from gaps and rates alone.
+    pub fn of(contacts: &Contacts, state: &MachineState) -> SoftStops {
+        let mut all = SoftStops::default();
+        for (j, contact) in contacts.all().iter().enumerate() {
+            let Some(soft) = contact.soft else { continue };
+            let gap = contact.gap(state);
+            match soft.force(gap) > 0.0 {
+                _ if gap[0] >= 0.0 => {}
+                true => all.pushing.push(j),
+                false => all.behind.push(j),
+            }
+        }
+        all
+    }
+
+    pub fn is_empty(&self) -> bool {
+        self.pushing.is_empty() && self.behind.is_empty()
+    }
+
+    /// The same with one stop somewhere else.
+    pub fn with(&self, stop: usize, place: SoftPlace) -> SoftStops {
+        let mut all = self.clone();
+        all.pushing.retain(|&j| j != stop);
+        all.behind.retain(|&j| j != stop);
+        let list = match place {
+            SoftPlace::Open => return all,
+            SoftPlace::Pushing => &mut all.pushing,
+            SoftPlace::Behind => &mut all.behind,
+        };
+        list.push(stop);
+        list.sort_unstable();
+        all
+    }
+}
+
+/// Where the motion is at a soft stop.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum SoftPlace {
+    Open,
+    Pushing,
+    Behind,
 }
 
 #[derive(Debug)]
 pub(super) struct Stage {
     pub resting: Vec<usize>,
+    pub soft: SoftStops,
+    /// The equations with the forces of soft stops, not resting on any other.
+    pub equations: LinearEquations,
     pub flow: LinearFlow,
     /// Z, the columns b_j, ZᵀM: [`Constrained`](crate::machine::equations::Constrained).
     reduced: Option<(RealMatrix, RealMatrix, RealMatrix)>,
@@ -112,13 +174,25 @@ enum Step {
 impl Stage {
     /// # Errors
     /// Dependent rows among the stops rested on; motions too fast for the grid.
-    pub fn new(equations: &LinearEquations, contacts: &Contacts, resting: &[usize]) -> Result<Stage> {
+    pub fn new(
+        equations: &LinearEquations,
+        contacts: &Contacts,
+        resting: &[usize],
+        soft: &SoftStops,
+    ) -> Result<Stage> {
         let all = contacts.all();
+        let pushed = equations.pushed(soft.pushing.iter().map(|&j| &all[j]));
+        let equations = &pushed;
         let mut watches: Vec<(What, Watch)> = Vec::new();
         for (j, contact) in all.iter().enumerate().filter(|(j, _)| !resting.contains(j)) {
-            let given = Series::combination(&[(-1.0, &contact.position)]);
-            let rates = RealVector::zeros(equations.size());
-            watches.push((What::Gap(j), Watch { places: contact.row.clone(), rates, given }));
+            if soft.pushing.contains(&j) {
+                watches.push((What::Push(j), contact.push_watch(1.0)));
+            } else if soft.behind.contains(&j) {
+                watches.push((What::Pull(j), contact.push_watch(-1.0)));
+                watches.push((What::Rise(j), contact.gap_watch(-1.0)));
+            } else {
+                watches.push((What::Gap(j), contact.gap_watch(1.0)));
+            }
         }
         let (mut reduced, mut positions) = (None, Vec::new());
         let flow = if resting.is_empty() {
@@ -133,6 +207,8 @@ impl Stage {
         };
         let mut stage = Stage {
             resting: resting.to_vec(),
+            soft: soft.clone(),
+            equations: equations.clone(),
             padded: flow.dimension().next_multiple_of(LANES),
             flow,
             reduced,

@@ -6,14 +6,16 @@
 //!   δq⁺ = δq + (q′⁻ − q′⁺) δt,  δq′⁺ = δq′ + (q″⁻ − q″⁺) δt + M⁻¹Wᵀ δΛ,
 //!
 //! δΛ being the change of the impulses with the rates of the gaps there. Where the machine comes to rest on
-//! stops, what is not motion along them is gone. Rest ends without a jump: q″ is continuous there. A vector
+//! stops, what is not motion along them is gone. Rest ends without a jump: q″ is continuous there. So does
+//! contact with a soft stop; where it begins at speed V, q″ jumps by cV M⁻¹wᵀ, c being the stop's damping, and
+//! δq′⁺ = δq′ − c (w·δq) M⁻¹wᵀ, however small V is. A vector
 //! of several stops hit at one instant by chance is that of the order in which the law takes them.
 //!
 //! Vectors are in coordinates in which the mass is 1, (Lᵀδq, Lᵀδq′).
 
 use std::sync::Arc;
 
-use super::{MachineEvent, MachineRun, MachineSimulator, StopImpact, stage::Stage};
+use super::{MachineEvent, MachineRun, MachineSimulator, StopImpact, StopTouch, stage::Stage};
 use crate::{
     error::Result,
     machine::{MachineState, RealMatrix, RealVector},
@@ -46,14 +48,11 @@ impl<'a> MachineTangents<'a> {
         let simulator = run.simulator();
         let n = simulator.equations().size();
         let (stage, state, now) = (run.stage(), run.state(), run.time());
-        let (mut frame, mut longest) = (first(n, count), f64::INFINITY);
-        let decays = stage.flow.decays();
-        let (most, slowest) = if count < 2 { (600.0, decays.first()) } else { (20.0, decays.get(count - 1)) };
-        if let Some(decay) = slowest.filter(|decay| **decay > 0.0) {
-            longest = most / decay;
-        }
+        let mut frame = first(n, count);
         orthonormalise(&mut frame, &mut vec![0.0; count], 0.0);
+        let longest = f64::INFINITY;
         let mut all = MachineTangents { run, simulator, stage, state, now, frame, longest };
+        all.bound();
         all.project();
         all
     }
@@ -144,6 +143,28 @@ impl<'a> MachineTangents<'a> {
         Ok(())
     }
 
+    /// Contact with a soft stop begins: the force jumps.
+    fn touched(&mut self, touch: &StopTouch) {
+        if touch.jump <= 0.0 {
+            return;
+        }
+        let contacts = self.simulator.contacts();
+        let (row, push) = (&contacts.all()[touch.stop].row, contacts.push(touch.stop));
+        let damping = touch.jump / -touch.velocity;
+        self.mapped(|q, u| {
+            let u = u - push * (damping * row.dot(&q));
+            (q, u)
+        });
+    }
+
+    /// The longest stretch on which vectors neither vanish in floats nor fall together.
+    fn bound(&mut self) {
+        let count = self.frame.len();
+        let decays = self.stage.flow.decays();
+        let (most, slowest) = if count < 2 { (600.0, decays.first()) } else { (20.0, decays.get(count - 1)) };
+        self.longest = slowest.filter(|decay| **decay > 0.0).map_or(f64::INFINITY, |decay| most / decay);
+    }
+
     /// Of vectors only what moves along the stops that are rested on.
     fn project(&mut self) {
         if self.stage.resting.is_empty() {
@@ -179,10 +200,17 @@ impl Tangents for MachineTangents<'_> {
                 let resting = self.stage.resting.clone();
                 self.saltation(&hits, &resting)?;
             }
+            if let MachineEvent::Touch(touch) = &event {
+                self.touched(touch);
+            }
             (self.state, self.now) = (self.run.state(), self.run.time());
             let stage = self.run.stage();
             if !Arc::ptr_eq(&stage, &self.stage) {
+                let soft = stage.soft != self.stage.soft;
                 self.stage = stage;
+                if soft {
+                    self.bound();
+                }
                 self.project();
             }
             orthonormalise(&mut self.frame, growth, FLOOR);

@@ -1,4 +1,4 @@
-//! What contact makes of a motion: impacts, rest, the end of rest.
+//! What contact makes of a motion: impacts, rest, the end of rest; contact with soft stops and its end.
 
 use std::{f64::consts::TAU, sync::Arc};
 
@@ -8,8 +8,8 @@ use crate::{
     machine::{
         MachineState, RealVector,
         simulate::{
-            MachineEvent, StopImpact, StopRelease, StopStick, StopTangency,
-            stage::{Stage, What},
+            MachineEvent, StopImpact, StopRelease, StopStick, StopTangency, StopTouch,
+            stage::{SoftPlace, SoftStops, Stage, What},
         },
     },
     oscillator::{Effect, Time, simulate::search::Hit},
@@ -24,6 +24,14 @@ impl MachineRun<'_> {
         match (stage.watched[watch], hit) {
             (What::Gap(stop), Hit::Tangency(_)) => {
                 self.events.push(MachineEvent::Tangency(StopTangency { time, stop, gap: z[0] }));
+            }
+            (What::Gap(stop), Hit::Impact(_) | Hit::Press(_)) if self.is_soft(stop) => {
+                let radius = (z[0].abs() + rounding) / z[1].abs() * half;
+                let velocity = (z[1] / half).min(0.0);
+                let soft = self.simulator.contacts.all()[stop].soft;
+                let jump = soft.map_or(0.0, |soft| -soft.damping * velocity);
+                self.touch(StopTouch { time, radius: radius + 1e-15, stop, velocity, jump });
+                self.place(time, x, stop, SoftPlace::Pushing)?;
             }
             (What::Gap(stop), Hit::Press(_)) => {
                 let state = self.state_at(x);
@@ -40,7 +48,20 @@ impl MachineRun<'_> {
                 let radius = (off / z[1].abs()).min((off / z[2].abs()).sqrt()) * half;
                 self.hit(stage, (x, watch), stop, velocity, z[2] / (half * half), radius)?;
             }
-            (What::Force(_), Hit::Tangency(_)) => {}
+            (_, Hit::Tangency(_)) => {}
+            (What::Push(stop), _) => {
+                self.events.push(MachineEvent::Release(StopRelease { time, stop }));
+                let contact = &self.simulator.contacts.all()[stop];
+                let damped = contact.soft.is_some_and(|soft| soft.damping > 0.0);
+                let behind = damped && contact.gap(&self.state_at(x))[0] < 0.0;
+                self.place(time, x, stop, if behind { SoftPlace::Behind } else { SoftPlace::Open })?;
+            }
+            (What::Pull(stop), _) => {
+                let velocity = self.simulator.contacts.all()[stop].gap(&self.state_at(x))[1];
+                self.touch(StopTouch { time, radius: 1e-15, stop, velocity, jump: 0.0 });
+                self.place(time, x, stop, SoftPlace::Pushing)?;
+            }
+            (What::Rise(stop), _) => self.place(time, x, stop, SoftPlace::Open)?,
             (What::Force(stop), Hit::Impact(_) | Hit::Press(_)) => {
                 let state = self.state_at(x);
                 let resting: Vec<usize> =
@@ -50,6 +71,49 @@ impl MachineRun<'_> {
             }
         }
         Ok(())
+    }
+
+    fn is_soft(&self, stop: usize) -> bool {
+        self.simulator.contacts.all()[stop].soft.is_some()
+    }
+
+    fn touch(&mut self, touch: StopTouch) {
+        self.impacts += 1;
+        self.events.push(MachineEvent::Touch(touch));
+    }
+
+    /// A soft stop is somewhere else from x on.
+    fn place(&mut self, time: Time, x: f64, stop: usize, place: SoftPlace) -> Result<()> {
+        let state = self.state_at(x);
+        self.open[stop] = false;
+        let stage = self.simulator.stage(&self.stage.resting, &self.stage.soft.with(stop, place))?;
+        self.change(stage, time, &state);
+        Ok(())
+    }
+
+    /// Where soft stops are after velocities have jumped to those of `state`: some may be thrown off, others
+    /// caught before they are open.
+    fn soft_after(&mut self, time: Time, state: &MachineState) -> SoftStops {
+        let before = self.stage.soft.clone();
+        if before.is_empty() {
+            return before;
+        }
+        let mut after = before.clone();
+        for (stop, contact) in self.simulator.contacts.all().iter().enumerate() {
+            let Some(soft) = contact.soft else { continue };
+            let gap = contact.gap(state);
+            let pushes = soft.force(gap) > 0.0;
+            if before.pushing.contains(&stop) && !pushes && soft.damping > 0.0 {
+                after = after.with(stop, SoftPlace::Behind);
+                self.events.push(MachineEvent::Release(StopRelease { time, stop }));
+            } else if before.behind.contains(&stop) && pushes {
+                after = after.with(stop, SoftPlace::Pushing);
+                self.impacts += 1;
+                let touch = StopTouch { time, radius: 1e-15, stop, velocity: gap[1], jump: 0.0 };
+                self.events.push(MachineEvent::Touch(touch));
+            }
+        }
+        after
     }
 
     /// An impact on a stop at x, the gap's rate being `velocity` and its second derivative before it `bend`.
@@ -72,13 +136,18 @@ impl MachineRun<'_> {
             stage.flow.advance(&mut y, after);
             let state = stage.join(self.begin() + after, &y);
             for (other, contact) in simulator.contacts.all().iter().enumerate() {
-                if other != stop && !stage.resting.contains(&other) && contact.gap(&state)[0] <= depth {
+                let rigid = contact.soft.is_none();
+                if rigid
+                    && other != stop
+                    && !stage.resting.contains(&other)
+                    && contact.gap(&state)[0] <= depth
+                {
                     touched.push(other);
                 }
             }
             known = Some(state);
         }
-        if touched.len() > 1 || !stage.resting.is_empty() {
+        if touched.len() > 1 || !stage.resting.is_empty() || !stage.soft.is_empty() {
             let state = known.unwrap_or_else(|| self.state_at(x));
             let rate =
                 |&j: &usize| if j == stop { velocity } else { simulator.contacts.all()[j].gap(&state)[1] };
@@ -157,6 +226,11 @@ impl MachineRun<'_> {
                 self.told(time, stop, rates[i], law.impulses[i], radius, all.len(), law.order_matters);
             }
         }
+        let soft = self.soft_after(time, &state);
+        if soft != self.stage.soft {
+            // What it rests on is decided by the forces that act from now on.
+            self.enter(simulator.stage(&resting, &soft)?, time, &state);
+        }
         if !self.settle(time, state.clone(), touched, &resting)? {
             // Thrown off what it rested on, unless some of it still presses.
             self.rest_among(time, &state, &resting)?;
@@ -175,11 +249,11 @@ impl MachineRun<'_> {
         resting: &[usize],
     ) -> Result<bool> {
         let (simulator, depth) = (self.simulator, self.simulator.settings.minimum_depth);
-        let contacts = simulator.contacts.all();
+        let (contacts, now) = (simulator.contacts.all(), self.stage.clone());
         let bounce = |j: usize, state: &MachineState| contacts[j].gap(state)[1].max(0.0);
         let held: Vec<usize> = self.held(&state, resting)?;
         // z″ of a stop with the forces of those that are held.
-        let free = |j: usize, state: &MachineState| contacts[j].acceleration(&simulator.equations, state);
+        let free = |j: usize, state: &MachineState| contacts[j].acceleration(&now.equations, state);
         let accelerations: Vec<f64> = held.iter().map(|&j| free(j, &state)).collect();
         let forces = simulator.contacts.pressing(&held, &accelerations)?;
         let helped = simulator.contacts.change(&held, &forces);
@@ -209,7 +283,7 @@ impl MachineRun<'_> {
         if !added.iter().any(|(j, _)| pressing.contains(j)) {
             return Ok(false);
         }
-        let stage = simulator.stage(&pressing)?;
+        let stage = simulator.stage(&pressing, &now.soft)?;
         let longest = added.iter().map(|known| known.1).fold(0.0, f64::max);
         if longest > 0.0 && !steady(&stage, &state, longest) {
             // The stop changes its mind before the bounces end: one by one, then.
@@ -234,7 +308,7 @@ impl MachineRun<'_> {
         let depth = simulator.settings.minimum_depth;
         let stays = |&&j: &&usize| {
             let contact = &simulator.contacts.all()[j];
-            let (v, a) = (contact.gap(state)[1], contact.acceleration(&simulator.equations, state));
+            let (v, a) = (contact.gap(state)[1], contact.acceleration(&self.stage.equations, state));
             v <= 0.0 || v * v < 2.0 * a.abs() * depth
         };
         Ok(resting.iter().filter(stays).copied().collect())
@@ -254,7 +328,7 @@ impl MachineRun<'_> {
         let simulator = self.simulator;
         let contacts = simulator.contacts.all();
         let accelerations: Vec<f64> =
-            stops.iter().map(|&j| contacts[j].acceleration(&simulator.equations, state)).collect();
+            stops.iter().map(|&j| contacts[j].acceleration(&self.stage.equations, state)).collect();
         let forces = simulator.contacts.pressing(stops, &accelerations)?;
         let mut pressing = Vec::new();
         for (&stop, force) in stops.iter().zip(forces) {
@@ -265,7 +339,7 @@ impl MachineRun<'_> {
             }
         }
         pressing.sort_unstable();
-        let stage = simulator.stage(&pressing)?;
+        let stage = simulator.stage(&pressing, &self.stage.soft)?;
         self.change(stage, time, state);
         Ok(())
     }

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use super::{
     MachineEvent, MachineSimulator, StopImpact,
-    stage::{Stage, What},
+    stage::{SoftStops, Stage, What},
 };
 use crate::{
     error::{Error, Result},
@@ -66,13 +66,14 @@ impl<'a> MachineRun<'a> {
         time: Time,
         state: MachineState,
     ) -> Result<MachineRun<'a>> {
-        let stage = simulator.free.clone();
+        let soft = SoftStops::of(&simulator.contacts, &state);
+        let stage = simulator.stage(&[], &soft)?;
         let gaps: Vec<[f64; 2]> =
             simulator.contacts.all().iter().map(|contact| contact.gap(&state)).collect();
         let depth = simulator.settings.minimum_depth;
         let mut run = MachineRun {
             simulator,
-            stage,
+            stage: stage.clone(),
             period: time.period,
             cell: 0,
             y: Vec::new(),
@@ -86,8 +87,9 @@ impl<'a> MachineRun<'a> {
             failure: None,
             counts: simulator.tally.as_ref().map(Share::of),
         };
-        run.enter(simulator.free.clone(), time, &state);
-        let touched: Vec<usize> = (0..gaps.len()).filter(|&j| gaps[j][0] <= depth).collect();
+        run.enter(stage, time, &state);
+        let rigid = |j: &usize| simulator.contacts.all()[*j].soft.is_none();
+        let touched: Vec<usize> = (0..gaps.len()).filter(rigid).filter(|&j| gaps[j][0] <= depth).collect();
         if touched.iter().any(|&j| gaps[j][1] < 0.0) {
             let rates: Vec<f64> = touched.iter().map(|&j| gaps[j][1]).collect();
             run.strike(time, state, &touched, &rates, 0.0)?;
@@ -185,6 +187,11 @@ impl<'a> MachineRun<'a> {
         &self.stage.resting
     }
 
+    /// The soft stops that push, ascending.
+    pub fn pushing(&self) -> &[usize] {
+        &self.stage.soft.pushing
+    }
+
     /// On to `until`, events unseen.
     pub fn finish(&mut self, until: Time) -> RunEnd {
         self.record(until, |_| {})
@@ -211,7 +218,7 @@ impl<'a> MachineRun<'a> {
     #[inline]
     fn clear(&mut self, stage: &Stage, level: usize, watch: usize, cell: usize) -> bool {
         let what = stage.watched[watch];
-        self.count(if matches!(what, What::Gap(_)) { Effect::Gap } else { Effect::Force });
+        self.count(if matches!(what, What::Gap(_) | What::Rise(_)) { Effect::Gap } else { Effect::Force });
         clear(stage.head(level, watch, cell, &self.y), self.simulator.settings.minimum_depth)
     }
 
@@ -398,7 +405,7 @@ impl<'a> MachineRun<'a> {
             let rounding = ROUNDING * size;
             let open = match what {
                 What::Gap(stop) => self.open[*stop],
-                What::Force(_) => false,
+                _ => false,
             };
             let mut gap = Gap::new(&polynomial, depth.max(rounding), open);
             let hit = gap.first(self.from, end);
