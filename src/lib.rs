@@ -32,7 +32,7 @@
 //!   ([`pattern`]).
 //! - Trajectories of impact oscillators with one degree of freedom, in f64: every impact deeper than a stated
 //!   bound; sections, attractors, Lyapunov exponents, basins ([`oscillator`]).
-//! - Trajectories of linear machines with any number of degrees of freedom and of rigid stops, in real units
+//! - Trajectories of linear machines with any number of degrees of freedom and of stops, in real units
 //!   ([`machine`]).
 //! - Periodic orbits with any impact pattern, their grazing points with the local theory there, saddle-nodes
 //!   and flips, branches of them over a parameter, attractors over a parameter ([`oscillator::orbit`],

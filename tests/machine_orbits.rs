@@ -1,6 +1,10 @@
 //! Grazing and periodic orbits of machines: against the one-degree code, against parts that do not know of
 //! each other, against the simulator.
 
+#[path = "machines/second.rs"]
+mod second;
+#[path = "machines/soft_orbits.rs"]
+mod soft_orbits;
 mod tasks;
 
 use std::f64::consts::TAU;

@@ -12,8 +12,8 @@ use super::{
     LinearFlow, Machine, MachineFamily,
     contact::Contacts,
     orbit::{
-        MachineAdmissibility, MachineChange, MachineOrbit, StopEquations, StopPattern, check_stops, describe,
-        multipliers,
+        Between, MachineAdmissibility, MachineChange, MachineOrbit, StopEquations, StopPattern, check_stops,
+        describe, multipliers,
     },
     simulate::{MachineSettings, MachineSimulator},
 };
@@ -75,11 +75,31 @@ fn is_time(machine_size: usize, unknown: usize) -> bool {
     unknown >= 2 * machine_size && unknown.is_multiple_of(2)
 }
 
-fn solved(machine: &Machine<f64>, pattern: &StopPattern) -> Result<(LinearFlow, Contacts)> {
-    let flow = LinearFlow::new(machine.equations()?)?;
-    let contacts = Contacts::new(flow.equations(), machine.contacts()?);
-    check_stops(pattern, &contacts)?;
-    Ok((flow, contacts))
+/// A machine ready for equations of orbits.
+struct Solved {
+    flow: LinearFlow,
+    contacts: Contacts,
+    soft: Option<MachineSimulator>,
+}
+
+impl Solved {
+    fn new(machine: &Machine<f64>, pattern: &StopPattern, depth: f64) -> Result<Solved> {
+        let flow = LinearFlow::new(machine.equations()?)?;
+        let contacts = Contacts::new(flow.equations(), machine.contacts()?);
+        check_stops(pattern, &contacts)?;
+        let soft = if contacts.all().iter().any(|contact| contact.soft.is_some()) {
+            let settings = MachineSettings { minimum_depth: depth, ..MachineSettings::default() };
+            MachineSimulator::new(machine, &settings)?.through()?
+        } else {
+            None
+        };
+        Ok(Solved { flow, contacts, soft })
+    }
+
+    fn equations<'s>(&'s self, pattern: &'s StopPattern, scale: f64) -> StopEquations<'s> {
+        let between = Between { flow: &self.flow, contacts: &self.contacts, soft: self.soft.as_ref() };
+        StopEquations::new(between, pattern, scale)
+    }
 }
 
 /// Orbits of machines over one parameter.
@@ -109,11 +129,11 @@ impl MachinePatterns<'_> {
     /// Where the machine is not defined.
     pub fn gap(&self, parameter: f64, orbit: &MachineOrbit, stop: usize, phase: f64) -> Result<f64> {
         let (machine, _) = self.family.at(parameter)?;
-        let (flow, contacts) = solved(&machine, &orbit.pattern)?;
-        let equations = StopEquations::new(&flow, &contacts, &orbit.pattern, orbit.scale);
+        let solved = Solved::new(&machine, &orbit.pattern, self.common.depth)?;
+        let equations = solved.equations(&orbit.pattern, orbit.scale);
         let wait = (phase - orbit.state.t).rem_euclid(TAU);
         let state = equations.state(&orbit.z, wait)?;
-        Ok(contacts.all()[stop].gap(&state)[0])
+        Ok(solved.contacts.all()[stop].gap(&state)[0])
     }
 }
 
@@ -126,9 +146,9 @@ impl PatternFamily for MachinePatterns<'_> {
 
     fn equations(&self, parameter: f64, pattern: &StopPattern, z: &[f64]) -> Result<Linearised> {
         let (machine, slope) = self.family.at(parameter)?;
-        let (flow, contacts) = solved(&machine, pattern)?;
-        let change = MachineChange::new(&machine, &slope, &flow, &contacts)?;
-        StopEquations::new(&flow, &contacts, pattern, self.common.scale).linearise(z, Some(&change))
+        let solved = Solved::new(&machine, pattern, self.common.depth)?;
+        let change = MachineChange::new(&machine, &slope, &solved.flow, &solved.contacts)?;
+        solved.equations(pattern, self.common.scale).linearise(z, Some(&change))
     }
 
     fn orbit(&self, parameter: f64, pattern: &StopPattern, root: Root) -> Result<MachineOrbit> {
@@ -356,8 +376,8 @@ impl PatternPlane for MachinePlane<'_> {
         z: &[f64],
     ) -> Result<Vec<f64>> {
         let machine = (self.at)(parameters)?;
-        let (flow, contacts) = solved(&machine, pattern)?;
-        let equations = StopEquations::new(&flow, &contacts, pattern, self.common.scale);
+        let solved = Solved::new(&machine, pattern, self.common.depth)?;
+        let equations = solved.equations(pattern, self.common.scale);
         let mut values = equations.linearise(z, None)?.residual;
         let speeds = || z[2 * self.size..].iter().skip(1).step_by(2);
         let scale: f64 = speeds().product();

@@ -1,6 +1,7 @@
-//! Machines: mechanical systems with any number of degrees of freedom and any number of rigid stops.
+//! Machines: mechanical systems with any number of degrees of freedom and any number of stops, rigid or not.
 //!
-//! A [`Machine`] is M q″ + C q′ + K q = f₀ + Σ f_k(t) with stops w·q ≥ offset(t), in the units of its scene.
+//! A [`Machine`] is M q″ + C q′ + K q = f₀ + Σ f_k(t) with stops w·q ≥ offset(t), rigid or giving way
+//! ([`StopLaw`]), in the units of its scene.
 //! It stands beside `oscillator`, which has one degree of freedom, two walls and a nonlinear spring, and
 //! which it leaves as it is: what they share (time as periods and phase, harmonic series, the minimum test on
 //! one polynomial) is taken from there.
@@ -10,7 +11,8 @@
 //! - **Time.** Inside, time is the forcing's phase: T/2π is the unit of time ([`Machine::equations`]), so
 //!   that velocities are per radian. Who reports multiplies by [`Machine::rate`].
 //! - **One idea.** Between events a machine is a linear system with periodic force, and so is a machine that
-//!   rests on some of its stops, with fewer degrees of freedom: [`LinearEquations`] either way. Everything
+//!   rests on some of its stops, with fewer degrees of freedom, and one that soft stops push:
+//!   [`LinearEquations`] each time. Everything
 //!   that is watched for (a gap, the force of a stop that something rests on) is a linear functional of the
 //!   state plus a known function of time (`contact::Watch`).
 //! - **LinearFlow.** [`LinearFlow`] solves [`LinearEquations`] in closed form: y = T(q, q′) − p(t) is

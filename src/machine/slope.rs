@@ -1,7 +1,11 @@
 //! How a machine's equations change with a parameter: the exact derivatives of every coefficient, no
 //! differences.
 
-use super::{LinearEquations, Machine, Periodic, RealMatrix, RealVector, modes};
+use super::{
+    LinearEquations, Machine, Periodic, RealMatrix, RealVector, StopLaw,
+    contact::{Contacts, SoftContact},
+    modes,
+};
 use crate::{
     error::{Error, Result},
     oscillator::Series,
@@ -30,6 +34,8 @@ pub struct MachineSlope {
     pub force: Periodic,
     /// Of each stop's row and place.
     pub stops: Vec<(RealVector, Series)>,
+    /// Of each soft stop's stiffness and damping.
+    pub soft: Vec<Option<SoftContact>>,
 }
 
 impl MachineSlope {
@@ -77,13 +83,53 @@ impl MachineSlope {
             Ok((vector("row", &stop.row, &change.row)?, place))
         });
         let stops = stops.collect::<Result<_>>()?;
+        let soft = machine.stops.iter().zip(&slope.stops).map(|pair| match (&pair.0.law, &pair.1.law) {
+            (StopLaw::Soft { damping, .. }, StopLaw::Soft { stiffness, damping: change }) => {
+                Some(SoftContact { stiffness: *stiffness, damping: change * rate + damping * faster })
+            }
+            _ => None,
+        });
         Ok(MachineSlope {
+            soft: soft.collect(),
             mass: mass_slope,
             damping: damping_slope,
             stiffness: stiffness_slope,
             force,
             stops,
         })
+    }
+}
+
+impl MachineSlope {
+    /// The same while these soft stops push: the derivatives of K + Σ k wᵀw and so on
+    /// ([`LinearEquations::pushed`]).
+    #[must_use]
+    pub fn pushed(&self, contacts: &Contacts, pushing: &[usize]) -> MachineSlope {
+        let mut all = self.clone();
+        for &stop in pushing {
+            let (contact, (row_slope, place_slope)) = (&contacts.all()[stop], &self.stops[stop]);
+            let (Some(soft), Some(slope)) = (contact.soft, self.soft[stop]) else { continue };
+            let row = &contact.row;
+            for (matrix, value, change) in [
+                (&mut all.stiffness, soft.stiffness, slope.stiffness),
+                (&mut all.damping, soft.damping, slope.damping),
+            ] {
+                matrix.ger(change, row, row, 1.0);
+                matrix.ger(value, row, row_slope, 1.0);
+                matrix.ger(value, row_slope, row, 1.0);
+            }
+            let (place, speed) = (&contact.position, contact.position.derivative());
+            let given = Series::combination(&[(soft.stiffness, place), (soft.damping, &speed)]);
+            let changed = Series::combination(&[
+                (slope.stiffness, place),
+                (soft.stiffness, place_slope),
+                (slope.damping, &speed),
+                (soft.damping, &place_slope.derivative()),
+            ]);
+            all.force.add_series(row_slope, &given);
+            all.force.add_series(row, &changed);
+        }
+        all
     }
 }
 

@@ -17,7 +17,7 @@ use crate::{
     machine::{
         Machine, MachineFamily, MachineState,
         branch::{MachinePatterns, MachinePlane},
-        orbit::{MachineOrbit, StopPattern, StopStrike, find},
+        orbit::{MachineOrbit, StopPattern, StopStrike, find_from},
         simulate::{MachineEvent, MachineRun, MachineSimulator, RunEnd},
     },
     oscillator::{
@@ -228,16 +228,26 @@ fn settled(simulator: &MachineSimulator, from: &MachineState, job: &Job) -> Resu
         ended(&mut run, end)?;
         job.check()?;
     }
+    let soft = simulator.contacts().all().iter().any(|contact| contact.soft.is_some());
     let first = run.state();
+    let mut struck = None;
     let size = simulator.scale().max(first.q.amax()).max(first.u.amax());
     let mut impacts: Vec<(usize, Time, f64)> = Vec::new();
     for period in 1..=LONGEST {
         let mut rests = false;
-        let end = run.record(at(TRANSIENT + period), |event| match event {
-            MachineEvent::Impact(hit) => impacts.push((hit.stop, hit.time, -hit.velocity)),
-            MachineEvent::Stick(_) => rests = true,
-            _ => {}
-        });
+        let end = loop {
+            match run.next(at(TRANSIENT + period)) {
+                MachineEvent::Impact(hit) => {
+                    impacts.push((hit.stop, hit.time, -hit.velocity));
+                    if soft && struck.is_none() {
+                        struck = Some(run.state());
+                    }
+                }
+                MachineEvent::Stick(_) => rests = true,
+                MachineEvent::End(end) => break end,
+                _ => {}
+            }
+        };
         ended(&mut run, end)?;
         job.check()?;
         if rests || !run.resting().is_empty() {
@@ -259,10 +269,15 @@ fn settled(simulator: &MachineSimulator, from: &MachineState, job: &Job) -> Resu
             StopStrike { stop: impacts[i].0, periods: (next - times[i].0) as u32 }
         });
         let strikes: Vec<StopStrike> = strikes.collect();
+        if soft && strikes.is_empty() {
+            let end = run.finish(Time::new(i64::from(TRANSIENT + period) + 1, 0.0));
+            ended(&mut run, end)?;
+            return find_from(simulator, &StopPattern::free(period)?, &[], Some(&run.state()));
+        }
         let pattern = if strikes.is_empty() { StopPattern::free(1)? } else { StopPattern::new(strikes)? };
         let start: Vec<f64> =
             times.iter().zip(&impacts).flat_map(|((_, phase), (_, _, speed))| [*phase, *speed]).collect();
-        return find(simulator, &pattern, &start);
+        return find_from(simulator, &pattern, &start, struck.as_ref());
     }
     Err(Error::input(format!(
         "the motion has no period of at most {LONGEST} after {TRANSIENT} periods: its attractor is not periodic, or it settles slowly"

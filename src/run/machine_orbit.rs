@@ -10,10 +10,11 @@ use super::{Complex, Job, Judgement, orbit::OrbitList, row};
 use crate::{
     error::{Error, Result},
     machine::{
-        Machine,
-        orbit::{MachineAdmissibility, MachineOrbit, StopPattern, StopStrike, find},
-        simulate::MachineSimulator,
+        Machine, MachineState, RealVector,
+        orbit::{MachineAdmissibility, MachineOrbit, StopPattern, StopStrike, find, find_from},
+        simulate::{MachineSimulator, RunEnd},
     },
+    oscillator::Time,
     oscillator::branch::{Bifurcation, FollowedOrbit},
     random::Random,
     scene::orbits::{OrbitKeys, OrbitTask},
@@ -80,6 +81,10 @@ pub(super) fn orbits(
 ) -> Result<Vec<MachineOrbit>> {
     let pattern = pattern(keys, machine)?;
     let rate = machine.rate();
+    let soft = simulator.contacts().all().iter().any(|contact| contact.soft.is_some());
+    if soft && keys.pattern.is_empty() {
+        return through_soft_stops(keys, machine, simulator, job);
+    }
     if !keys.start.is_empty() || keys.pattern.is_empty() {
         let unit = |(i, x): (usize, &f64)| if i % 2 == 0 { x * TAU } else { x / rate };
         let start: Vec<f64> = keys.start.iter().enumerate().map(unit).collect();
@@ -108,6 +113,69 @@ pub(super) fn orbits(
         }
     }
     found.sort_by(|a, b| a.impacts[0].speed.total_cmp(&b.impacts[0].speed));
+    Ok(found)
+}
+
+/// Orbits without impacts on rigid stops: from the state at phase 0 of the keys, or those of a search, from the
+/// motion that the forces alone bring about and from random states.
+fn through_soft_stops(
+    keys: &OrbitKeys,
+    machine: &Machine<f64>,
+    simulator: &MachineSimulator,
+    job: &Job,
+) -> Result<Vec<MachineOrbit>> {
+    let (pattern, rate, points) = (pattern(keys, machine)?, machine.rate(), machine.points());
+    if !keys.start.is_empty() {
+        let part = |from: usize| {
+            machine.coordinates(&RealVector::from_column_slice(&keys.start[from..from + points]))
+        };
+        let state = MachineState { t: 0.0, q: part(0)?, u: part(points)? / rate };
+        return Ok(vec![find_from(simulator, &pattern, &[], Some(&state))?]);
+    }
+    let scale = simulator.scale();
+    let greatest = keys.speed.map_or(4.0 * scale, |speed| speed / rate);
+    let start = |i: u32| -> Result<MachineOrbit> {
+        if i == 0 {
+            return find(simulator, &pattern, &[]);
+        }
+        let mut random = Random::of_unit(0, u64::from(i));
+        let mut list = |most: f64| {
+            RealVector::from_fn(machine.size, |_, _| {
+                most * (2.0 * (random.next() as f64 / u64::MAX as f64) - 1.0)
+            })
+        };
+        let state = MachineState { t: 0.0, q: list(2.0 * scale), u: list(greatest) };
+        find_from(simulator, &pattern, &[], Some(&state))
+    };
+    let near = |a: &MachineState, b: &MachineState| {
+        let size = a.q.amax().max(a.u.amax());
+        (&a.q - &b.q).amax().max((&a.u - &b.u).amax()) <= NEAR * size
+    };
+    let mut found: Vec<MachineOrbit> = Vec::new();
+    for first in (0..keys.starts).step_by(CHUNK as usize) {
+        job.check()?;
+        let last = first.saturating_add(CHUNK).min(keys.starts);
+        let roots: Vec<MachineOrbit> = (first..last).into_par_iter().filter_map(|i| start(i).ok()).collect();
+        for orbit in roots {
+            let shorter = |n: u32| -> Result<bool> {
+                if keys.period % n != 0 {
+                    return Ok(false);
+                }
+                let mut run =
+                    simulator.start(Time::new(0, 0.0), orbit.state.q.as_slice(), orbit.state.u.as_slice())?;
+                Ok(run.finish(Time::new(n.into(), 0.0)) == RunEnd::Reached
+                    && near(&orbit.state, &run.state()))
+            };
+            let known = found.iter().any(|old| near(&old.state, &orbit.state));
+            if !known && orbit.is_orbit() {
+                let repeats = (1..keys.period).map(shorter).collect::<Result<Vec<_>>>()?;
+                if !repeats.contains(&true) {
+                    found.push(orbit);
+                }
+            }
+        }
+    }
+    found.sort_by(|a, b| a.state.q[0].total_cmp(&b.state.q[0]));
     Ok(found)
 }
 

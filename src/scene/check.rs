@@ -15,7 +15,7 @@ use super::{
 };
 use crate::{
     error::{Error, Result},
-    machine::{Machine, RealVector, Stop, section::PlaneAxis},
+    machine::{Machine, RealVector, Stop, StopLaw, section::PlaneAxis},
     oscillator::{
         Contact, Side, System,
         branch::{Bifurcation, Options},
@@ -573,8 +573,20 @@ fn check_machine_orbit(orbit: &OrbitKeys, scene: &Scene, machine: &Machine<f64>,
             &format!("{unknown:?} is not a stop of the machine; there are {}", names.join(", ")),
         );
     }
-    if !orbit.start.is_empty() && orbit.start.len() != 2 * m {
-        return fail("start", &format!("must hold {} numbers", 2 * m));
+    let rigid = |stop: &Stop<f64>| !matches!(stop.law, StopLaw::Soft { .. });
+    let hit = |stop: &&Stop<f64>| m > 0 && (orbit.stops.is_empty() || orbit.stops.contains(&stop.name));
+    if let Some(soft) = machine.stops.iter().filter(hit).find(|stop| !rigid(stop)) {
+        let message = format!(
+            "stop {} gives way: contact with it is no impact of a pattern, and orbits have it without being told; \
+             leave it out",
+            soft.name
+        );
+        return fail(if orbit.stops.is_empty() { "pattern" } else { "stops" }, &message);
+    }
+    let free = m == 0 && !machine.stops.iter().all(rigid);
+    let needed = if free { 2 * machine.points() } else { 2 * m };
+    if !orbit.start.is_empty() && orbit.start.len() != needed {
+        return fail("start", &format!("must hold {needed} numbers"));
     }
     Ok(())
 }

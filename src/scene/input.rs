@@ -53,7 +53,7 @@ keys! {
         parameters: Parameters = "{}",
         /// the equations of motion
         system: MachineKeys,
-        /// the rigid stops
+        /// the stops
         walls: Vec<StopKeys> = "[]",
         /// how accurately to compute
         accuracy: MachineAccuracy = "{}",

@@ -25,8 +25,8 @@ keys! {
         /// the period of an orbit without impacts
         period: u32 = "1",
         /// time and incoming speed t_1, V_1, …, t_m, V_m to start from (without impacts: q and u at t = 0; of
-        /// a machine nothing); of a machine each t as a fraction of the period and each V in the scene's
-        /// units; if empty, all orbits are searched for
+        /// a machine nothing, with stops that give way all of q, then all of u at t = 0); of a machine each t
+        /// as a fraction of the period and each V in the scene's units; if empty, all orbits are searched for
         start: Vec<f64> = "[]",
         /// how many starts the search makes
         starts: u32 = "500",

@@ -121,7 +121,7 @@ impl<'a> Motion<'a> {
         dot(&self.machine.stops[stop].row, u) - self.wall(stop, t)[1]
     }
 
-    /// q″ without stops.
+    /// q″ without rigid stops.
     fn free(&self, t: f64, q: &[f64], u: &[f64]) -> Vec<f64> {
         let n = q.len();
         let mut force: Vec<f64> = (0..n).map(|i| self.machine.force.get(i).copied().unwrap_or(0.0)).collect();
@@ -136,6 +136,12 @@ impl<'a> Motion<'a> {
         }
         for &(i, j, k) in &self.machine.stiffness {
             force[i] -= k * q[j];
+        }
+        for stop in (0..self.soft.len()).filter(|&stop| self.soft[stop] == Soft::In) {
+            let (push, _) = self.push_of(stop, t, q, u);
+            for (force, w) in force.iter_mut().zip(&self.machine.stops[stop].row) {
+                *force += push * w;
+            }
         }
         self.inverse.iter().map(|line| dot(line, &force)).collect()
     }
@@ -152,12 +158,6 @@ impl<'a> Motion<'a> {
         let mut a = self.free(t, q, u);
         for stop in (0..self.resting.len()).filter(|&stop| self.resting[stop]) {
             let force = self.force(stop, t, &a);
-            for (a, push) in a.iter_mut().zip(self.push(stop)) {
-                *a += force * push;
-            }
-        }
-        for stop in (0..self.soft.len()).filter(|&stop| self.soft[stop] == Soft::In) {
-            let (force, _) = self.push_of(stop, t, q, u);
             for (a, push) in a.iter_mut().zip(self.push(stop)) {
                 *a += force * push;
             }

@@ -9,7 +9,7 @@ use std::{
     fmt,
 };
 
-use super::{StopEquations, turned};
+use super::{StopContact, StopEquations, leg::Piece, turned};
 use crate::{
     error::Result,
     machine::{
@@ -114,7 +114,8 @@ impl StopEquations<'_> {
             let mut run = match simulator.start(begin, state.q.as_slice(), state.u.as_slice()) {
                 Ok(run) => run,
                 Err(_) if m == 0 => {
-                    let stop = self.contacts.all().iter().position(|c| c.gap(&state)[0] < 0.0);
+                    let behind = |c: &StopContact| c.soft.is_none() && c.gap(&state)[0] < 0.0;
+                    let stop = self.contacts.all().iter().position(behind);
                     let stop = name(stop.unwrap_or(0));
                     return Ok(MachineAdmissibility::No(MachineObstacle::Met { leg, stop, after: 0.0 }));
                 }
@@ -130,6 +131,7 @@ impl StopEquations<'_> {
             let until = begin.after(duration);
             loop {
                 match run.next(until) {
+                    MachineEvent::Tangency(touch) if self.contacts.all()[touch.stop].soft.is_some() => {}
                     MachineEvent::Tangency(touch) if own(touch.stop, touch.time.since(begin)) => {}
                     MachineEvent::Tangency(touch) => {
                         marginal = Some(MachineObstacle::Touched { leg, stop: name(touch.stop) });
@@ -160,15 +162,18 @@ impl StopEquations<'_> {
             }
             // Another stop at the instant of the impact.
             if m > 0 {
-                let end = self.flow.after(&state, duration);
+                let end = self.between.after(&state, duration)?;
                 let depth = simulator.settings().minimum_depth;
                 let (stop, all) = (self.pattern.strikes()[next].stop, self.contacts.all());
-                if (0..all.len()).any(|other| other != stop && all[other].gap(&end)[0] <= depth) {
+                let rigid = |other: usize| all[other].soft.is_none();
+                if (0..all.len())
+                    .any(|other| other != stop && rigid(other) && all[other].gap(&end)[0] <= depth)
+                {
                     return Ok(MachineAdmissibility::Marginal(MachineObstacle::Together(next)));
                 }
             }
             if m > 0 {
-                state = self.flow.after(&state, duration);
+                state = self.between.after(&state, duration)?;
                 state.t = turned(times[next]);
                 state.u.axpy(speeds[next], &self.kick(next), 1.0);
             }
@@ -194,14 +199,18 @@ impl StopEquations<'_> {
                 0 => TAU * f64::from(self.pattern.periods()) + 0.01,
                 _ => self.duration(&times, leg)?,
             };
-            self.minima(&state, leg, duration, &mut |found| {
-                if least.is_none_or(|least| found.gap < least.gap) {
-                    least = Some(found);
-                }
-            })?;
+            let mut begun = 0.0;
+            for piece in self.between.pieces(&state, duration)?.0 {
+                self.minima(&piece, (leg, begun, duration), &mut |found| {
+                    if least.is_none_or(|least| found.gap < least.gap) {
+                        least = Some(found);
+                    }
+                })?;
+                begun += piece.duration;
+            }
             if m > 0 {
                 let next = (leg + 1) % m;
-                state = self.flow.after(&state, duration);
+                state = self.between.after(&state, duration)?;
                 state.t = turned(times[next]);
                 state.u.axpy(speeds[next], &self.kick(next), 1.0);
             }
@@ -211,15 +220,22 @@ impl StopEquations<'_> {
 
     fn minima(
         &self,
-        from: &MachineState,
-        leg: usize,
-        duration: f64,
+        piece: &Piece,
+        (leg, before, whole): (usize, f64, f64),
         each: &mut impl FnMut(MachineMinimum),
     ) -> Result<()> {
-        let (flow, equations, n) = (self.flow, self.flow.equations(), self.size());
+        let (flow, from, duration) = (&piece.flow, &piece.start, piece.duration);
+        let (equations, n) = (flow.equations(), self.size());
+        // Gaps to soft stops may be negative.
+        let rigid = |stop: &usize| self.contacts.all()[*stop].soft.is_none();
+        let watched: Vec<usize> = (0..self.contacts.all().len()).filter(rigid).collect();
+        if watched.is_empty() {
+            return Ok(());
+        }
         let zero = RealVector::zeros(n);
-        let sights: Vec<Sight> = (0..self.contacts.all().len())
-            .map(|stop| {
+        let sights: Vec<Sight> = watched
+            .iter()
+            .map(|&stop| {
                 let (contact, push) = (&self.contacts.all()[stop], self.contacts.push(stop));
                 let (places, rates) = (-equations.stiffness.tr_mul(push), -equations.damping.tr_mul(push));
                 Ok(Sight {
@@ -266,15 +282,15 @@ impl StopEquations<'_> {
                 at + flow.particular((t + x).min(TAU))
             };
             let (first, last) = (motion(0.0), motion(width));
-            for (stop, sight) in sights.iter().enumerate() {
+            for (i, (&stop, sight)) in watched.iter().zip(&sights).enumerate() {
                 let seen = |motion: &RealVector, x: f64| sight.gap(motion, t + x);
                 let b = seen(&last, width);
-                let a = ends[stop].replace(b).unwrap_or_else(|| seen(&first, 0.0));
+                let a = ends[i].replace(b).unwrap_or_else(|| seen(&first, 0.0));
                 let Some(x) = minimum_within(|x| seen(&motion(x), x), a, b, width) else { continue };
-                let ([gap, _, acceleration], after) = (seen(&motion(x), x), begun + x);
+                let ([gap, _, acceleration], after) = (seen(&motion(x), x), before + begun + x);
                 // A leg that begins or ends without speed has a minimum there, which rounding may bring
                 // inside.
-                if !impacts || after.min(duration - after) > NEAR || gap.abs() > NEAR * NEAR * self.scale {
+                if !impacts || after.min(whole - after) > NEAR || gap.abs() > NEAR * NEAR * self.scale {
                     each(MachineMinimum { stop, leg, after, phase: turned(t + x), gap, acceleration });
                 }
             }

@@ -24,6 +24,8 @@ pub struct MachineChange {
     state: Option<[RealMatrix; 2]>,
     /// The machine under f′ alone, if that is all; none if nothing changes.
     alone: Option<LinearFlow>,
+    /// Of the machine's coefficients.
+    slope: MachineSlope,
     /// Of each stop: of its row, of its place, and of its kick (1 + τ) M⁻¹wᵀ/(w M⁻¹wᵀ).
     stops: Vec<(RealVector, Series, RealVector)>,
 }
@@ -41,25 +43,7 @@ impl MachineChange {
     ) -> Result<MachineChange> {
         let equations = flow.equations();
         let change = MachineSlope::new(machine, slope)?;
-        let still = [&change.mass, &change.damping, &change.stiffness].iter().all(|x| x.amax() == 0.0);
-        let mut force = change.force.clone();
-        // M′M⁻¹ = (M⁻¹M′)ᵀ, both being symmetric.
-        let ratio = solved(equations, &change.mass).transpose();
-        if change.mass.amax() != 0.0 {
-            let lost = equations.force.mapped(&ratio);
-            force.mean -= &lost.mean;
-            for (k, a, b) in &lost.harmonics {
-                force.add(*k, &-a, &-b);
-            }
-        }
-        let state = (!still).then(|| {
-            [&ratio * &equations.stiffness - &change.stiffness, &ratio * &equations.damping - &change.damping]
-        });
-        let pushed = force.mean.amax() != 0.0 || !force.harmonics.is_empty();
-        let alone = (still && pushed).then(|| {
-            let LinearEquations { mass, damping, stiffness, .. } = equations.clone();
-            LinearFlow::new(LinearEquations::new(mass, damping, stiffness, force.clone())?)
-        });
+        let (force, state, alone) = moving(equations, &change)?;
         let stops = change.stops.iter().zip(&slope.stops).enumerate().map(|(stop, ((row, place), own))| {
             let (contact, push, mobility) =
                 (&contacts.all()[stop], contacts.push(stop), contacts.mobility(stop));
@@ -70,7 +54,21 @@ impl MachineChange {
             let kick = pushed * factor + push * (own.wall.restitution / mobility - factor * moved / mobility);
             (row.clone(), place.clone(), kick)
         });
-        Ok(MachineChange { force, state, alone: alone.transpose()?, stops: stops.collect() })
+        let stops = stops.collect();
+        Ok(MachineChange { force, state, alone, slope: change, stops })
+    }
+
+    /// The change while soft stops push, `flow` being that of the machine then.
+    ///
+    /// # Errors
+    /// Those of [`LinearFlow::new`].
+    pub fn pushed(&self, flow: &LinearFlow, contacts: &Contacts, pushing: &[usize]) -> Result<MachineChange> {
+        if pushing.is_empty() {
+            return Ok(self.clone());
+        }
+        let slope = self.slope.pushed(contacts, pushing);
+        let (force, state, alone) = moving(flow.equations(), &slope)?;
+        Ok(MachineChange { force, state, alone, slope, stops: self.stops.clone() })
     }
 
     /// (q, q′) after `duration` from a state, as it changes with the parameter, the state being fixed. Cost:
@@ -119,6 +117,33 @@ impl MachineChange {
     pub fn kick(&self, stop: usize) -> &RealVector {
         &self.stops[stop].2
     }
+}
+
+/// What a parameter does to motion between events: f′ − M′M⁻¹f, the matrices by q and q′, and the machine under
+/// f′ alone.
+type Moving = (Periodic, Option<[RealMatrix; 2]>, Option<LinearFlow>);
+
+fn moving(equations: &LinearEquations, change: &MachineSlope) -> Result<Moving> {
+    let still = [&change.mass, &change.damping, &change.stiffness].iter().all(|x| x.amax() == 0.0);
+    let mut force = change.force.clone();
+    // M′M⁻¹ = (M⁻¹M′)ᵀ, both being symmetric.
+    let ratio = solved(equations, &change.mass).transpose();
+    if change.mass.amax() != 0.0 {
+        let lost = equations.force.mapped(&ratio);
+        force.mean -= &lost.mean;
+        for (k, a, b) in &lost.harmonics {
+            force.add(*k, &-a, &-b);
+        }
+    }
+    let state = (!still).then(|| {
+        [&ratio * &equations.stiffness - &change.stiffness, &ratio * &equations.damping - &change.damping]
+    });
+    let pushed = force.mean.amax() != 0.0 || !force.harmonics.is_empty();
+    let alone = (still && pushed).then(|| {
+        let LinearEquations { mass, damping, stiffness, .. } = equations.clone();
+        LinearFlow::new(LinearEquations::new(mass, damping, stiffness, force.clone())?)
+    });
+    Ok((force, state, alone.transpose()?))
 }
 
 /// M⁻¹X.

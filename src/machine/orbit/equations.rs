@@ -4,19 +4,18 @@
 use std::f64::consts::TAU;
 
 use super::{
-    Contacts, LinearFlow, MachineChange, MachineState, RealMatrix, RealVector, StopContact, StopPattern,
-    turned,
+    Between, Contacts, MachineChange, MachineState, RealMatrix, RealVector, StopContact, StopPattern, turned,
 };
 use crate::{
     error::{Error, Result},
-    machine::algebra::stacked,
+    machine::{algebra::stacked, orbit::leg::Passage},
     oscillator::orbit::Linearised,
 };
 
 /// The equations at one machine.
 #[derive(Clone, Copy)]
 pub struct StopEquations<'s> {
-    pub flow: &'s LinearFlow,
+    pub between: Between<'s>,
     pub contacts: &'s Contacts,
     pub pattern: &'s StopPattern,
     /// The unit of X and V.
@@ -24,18 +23,13 @@ pub struct StopEquations<'s> {
 }
 
 impl<'s> StopEquations<'s> {
-    pub fn new(
-        flow: &'s LinearFlow,
-        contacts: &'s Contacts,
-        pattern: &'s StopPattern,
-        scale: f64,
-    ) -> StopEquations<'s> {
-        StopEquations { flow, contacts, pattern, scale }
+    pub fn new(between: Between<'s>, pattern: &'s StopPattern, scale: f64) -> StopEquations<'s> {
+        StopEquations { between, contacts: between.contacts, pattern, scale }
     }
 
     /// n.
     pub fn size(&self) -> usize {
-        self.flow.equations().size()
+        self.between.flow.equations().size()
     }
 
     /// The stop of impact i.
@@ -48,12 +42,6 @@ impl<'s> StopEquations<'s> {
         let stop = self.pattern.strikes()[i].stop;
         self.contacts.push(stop)
             * ((1.0 + self.contacts.all()[stop].restitution) / self.contacts.mobility(stop))
-    }
-
-    /// (q′, q″).
-    fn field(&self, state: &MachineState) -> RealVector {
-        let bend = self.flow.equations().acceleration(state.t, &state.q, &state.u);
-        stacked(&state.u, &bend)
     }
 
     pub fn duration(&self, times: &[f64], i: usize) -> Result<f64> {
@@ -92,16 +80,15 @@ impl<'s> StopEquations<'s> {
             let next = (i + 1) % m;
             let (time, speed) = (2 * n + 2 * next, 2 * n + 2 * next + 1);
             let duration = self.duration(&times, i)?;
-            let phi = self.flow.transition(duration);
-            let begin = self.field(&state);
-            let mut end = self.flow.after(&state, duration);
+            let Passage { mut end, phi, slope } = self.between.passage(&state, duration, change)?;
+            let begin = self.between.field(&state);
             end.t = turned(times[next]);
             d = &phi * d;
             let earlier = &phi * begin;
             add_column(&mut d, 2 * n + 2 * i, -1.0, &earlier);
-            add_column(&mut d, time, 1.0, &self.field(&end));
-            if let Some(change) = change {
-                add_column(&mut d, unknowns, 1.0, &change.leg(self.flow, &state, duration));
+            add_column(&mut d, time, 1.0, &self.between.field(&end));
+            if change.is_some() {
+                add_column(&mut d, unknowns, 1.0, &slope);
             }
             let contact = self.contact(next);
             let [_, speed_of_stop, bend_of_stop] = contact.position.at(end.t);
@@ -136,11 +123,12 @@ impl<'s> StopEquations<'s> {
         }
         if m == 0 {
             let duration = TAU * f64::from(self.pattern.periods());
-            d = self.flow.transition(duration) * d;
-            if let Some(change) = change {
-                add_column(&mut d, unknowns, 1.0, &change.leg(self.flow, &state, duration));
+            let Passage { end, phi, slope } = self.between.passage(&state, duration, change)?;
+            d = phi * d;
+            if change.is_some() {
+                add_column(&mut d, unknowns, 1.0, &slope);
             }
-            state = self.flow.after(&state, duration);
+            state = end;
         }
         let (now, then) = (stacked(&state.q, &state.u), stacked(&first.q, &first.u));
         for k in 0..2 * n {
@@ -184,12 +172,12 @@ impl<'s> StopEquations<'s> {
             if left <= duration {
                 break;
             }
-            state = self.flow.after(&state, duration);
+            state = self.between.after(&state, duration)?;
             state.t = turned(times[next]);
             state.u.axpy(speeds[next], &self.kick(next), 1.0);
             left -= duration;
         }
-        Ok(self.flow.after(&state, left))
+        self.between.after(&state, left)
     }
 
     /// The motion linearised once around, after the first impact, at fixed times.
@@ -201,26 +189,46 @@ impl<'s> StopEquations<'s> {
         let (n, m) = (self.size(), self.pattern.strikes().len());
         let (mut state, times, speeds) = self.split(z);
         if m == 0 {
-            return Ok(self.flow.transition(TAU * f64::from(self.pattern.periods())));
+            return Ok(self.between.passage(&state, TAU * f64::from(self.pattern.periods()), None)?.phi);
         }
         let mut all = RealMatrix::identity(2 * n, 2 * n);
         for i in 0..m {
             let next = (i + 1) % m;
             let duration = self.duration(&times, i)?;
-            all = self.flow.transition(duration) * all;
-            let mut end = self.flow.after(&state, duration);
+            let Passage { mut end, phi, .. } = self.between.passage(&state, duration, None)?;
+            all = phi * all;
             end.t = turned(times[next]);
             let (contact, kick) = (self.contact(next), self.kick(next));
-            let bend = contact.acceleration(self.flow.equations(), &end);
-            let before = self.field(&end);
+            let before = self.between.field(&end);
+            let bend = contact.row.dot(&before.rows(n, n)) - contact.position.at(end.t)[2];
             end.u.axpy(speeds[next], &kick, 1.0);
             let kappa = stacked(&RealVector::zeros(n), &kick);
-            let turn = (before - &kappa * bend - self.field(&end)) / speeds[next];
+            let turn = (before - &kappa * bend - self.between.field(&end)) / speeds[next];
             let zero = RealVector::zeros(n);
             let delay = stacked(&contact.row, &zero).transpose() * &all;
             let rate = stacked(&zero, &contact.row).transpose() * &all;
             all += turn * delay - kappa * rate;
             state = end;
+        }
+        Ok(all)
+    }
+
+    /// The determinant of [`monodromy`](Self::monodromy), by Liouville.
+    pub fn determinant(&self, z: &[f64]) -> Result<f64> {
+        let (mut state, times, speeds) = self.split(z);
+        let m = times.len();
+        let factor: f64 = (0..m).map(|i| self.contact(i).restitution.powi(2)).product();
+        let whole = TAU * f64::from(self.pattern.periods());
+        if self.between.soft.is_none() || m == 0 {
+            return Ok(self.between.determinant(&state, whole)? * factor);
+        }
+        let mut all = factor;
+        for i in 0..m {
+            let (next, duration) = ((i + 1) % m, self.duration(&times, i)?);
+            all *= self.between.determinant(&state, duration)?;
+            state = self.between.after(&state, duration)?;
+            state.t = turned(times[next]);
+            state.u.axpy(speeds[next], &self.kick(next), 1.0);
         }
         Ok(all)
     }

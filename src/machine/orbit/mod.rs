@@ -9,6 +9,9 @@
 //! own, by which the velocities jump, keeps the equations well conditioned near grazing, where the flow with
 //! its impacts expands by 1/V.
 //!
+//! Soft stops take no part in the pattern: a leg passes through contact with them (`leg`), and a branch
+//! through their grazing.
+//!
 //! `pattern` is the pattern, `equations` the equations with all derivatives, that in a parameter by `change`,
 //! `admissible` what tells an orbit from another solution. Not here: rest on stops, and several stops hit at
 //! one instant, an orbit with which is not found; how orbits continue (`branch`).
@@ -16,6 +19,7 @@
 mod admissible;
 mod change;
 mod equations;
+mod leg;
 mod pattern;
 
 use std::f64::consts::TAU;
@@ -23,6 +27,7 @@ use std::f64::consts::TAU;
 pub use admissible::{MachineAdmissibility, MachineMinimum, MachineObstacle};
 pub(super) use change::MachineChange;
 pub(super) use equations::StopEquations;
+pub(super) use leg::Between;
 pub use pattern::{StopPattern, StopStrike};
 
 use super::{
@@ -78,6 +83,20 @@ pub struct MachineOrbit {
 /// # Errors
 /// An input error if the start has another length, a stop is not there, or Newton's method does not end.
 pub fn find(simulator: &MachineSimulator, pattern: &StopPattern, start: &[f64]) -> Result<MachineOrbit> {
+    find_from(simulator, pattern, start, None)
+}
+
+/// The same, from the state just after the first impact (at phase 0 without impacts): where there are soft
+/// stops the state does not follow from times and speeds.
+///
+/// # Errors
+/// As [`find`].
+pub fn find_from(
+    simulator: &MachineSimulator,
+    pattern: &StopPattern,
+    start: &[f64],
+    state: Option<&MachineState>,
+) -> Result<MachineOrbit> {
     let m = pattern.strikes().len();
     if start.len() != 2 * m {
         return Err(Error::input(format!(
@@ -96,17 +115,32 @@ pub fn find(simulator: &MachineSimulator, pattern: &StopPattern, start: &[f64]) 
     } else {
         1.0
     };
-    let equations = StopEquations::new(simulator.flow(), simulator.contacts(), pattern, scale);
+    let soft = simulator.through()?;
+    let equations = StopEquations::new(between(simulator, soft.as_ref()), pattern, scale);
     let scaled: Vec<f64> =
         start.iter().enumerate().map(|(i, x)| if i % 2 == 0 { *x } else { x / scale }).collect();
-    let root = newton(equations.complete(&scaled)?, |z| equations.linearise(z, None))?;
+    let first = match state {
+        None => equations.complete(&scaled)?,
+        Some(state) => state.q.iter().chain(state.u.iter()).map(|x| x / scale).chain(scaled).collect(),
+    };
+    let root = newton(first, |z| equations.linearise(z, None))?;
     describe(simulator, pattern, scale, root)
+}
+
+fn between<'s>(simulator: &'s MachineSimulator, soft: Option<&'s MachineSimulator>) -> Between<'s> {
+    Between { flow: simulator.flow(), contacts: simulator.contacts(), soft }
 }
 
 /// Refuses patterns with impacts at stops that are not there.
 pub(super) fn check_stops(pattern: &StopPattern, contacts: &Contacts) -> Result<()> {
     if pattern.strikes().iter().any(|strike| strike.stop >= contacts.all().len()) {
         return Err(Error::input("an impact at a stop that the machine does not have"));
+    }
+    if let Some(strike) = pattern.strikes().iter().find(|strike| contacts.all()[strike.stop].soft.is_some()) {
+        return Err(Error::input(format!(
+            "stop {} gives way: contact with it is no impact of a pattern and is found without being named",
+            contacts.all()[strike.stop].name
+        )));
     }
     Ok(())
 }
@@ -121,7 +155,8 @@ pub(super) fn describe(
     scale: f64,
     root: Root,
 ) -> Result<MachineOrbit> {
-    let equations = StopEquations::new(simulator.flow(), simulator.contacts(), pattern, scale);
+    let soft = simulator.through()?;
+    let equations = StopEquations::new(between(simulator, soft.as_ref()), pattern, scale);
     let Root { z, residual, steps } = root;
     let (state, times, speeds) = equations.split(&z);
     let impacts = pattern.strikes().iter().zip(times.iter().zip(&speeds));
@@ -147,10 +182,9 @@ pub(super) fn describe(
 /// As [`describe`].
 pub(super) fn multipliers(equations: &StopEquations, z: &[f64]) -> Result<Vec<(f64, f64)>> {
     let monodromy = equations.monodromy(z)?;
-    let m = equations.pattern.strikes().len();
-    let factor: f64 = (0..m).map(|i| equations.contact(i).restitution.powi(2)).product();
-    let time = TAU * f64::from(equations.pattern.periods());
-    eigenvalues(&monodromy, equations.flow.equations().determinant(time) * factor)
+    // Only that of two multipliers is used.
+    let determinant = if equations.size() == 1 { equations.determinant(z)? } else { f64::NAN };
+    eigenvalues(&monodromy, determinant)
 }
 
 /// A time's phase, in [0, 2π].

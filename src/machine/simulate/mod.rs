@@ -111,6 +111,8 @@ pub struct MachineSimulator {
     drags: Vec<f64>,
     settings: MachineSettings,
     rate: f64,
+    /// Whether rigid stops are passed through.
+    through: bool,
     tally: Option<Arc<EffectTally>>,
 }
 
@@ -128,7 +130,7 @@ impl MachineSimulator {
         }
         let equations = machine.equations()?;
         let contacts = Contacts::new(&equations, machine.contacts()?);
-        let free = Arc::new(Stage::new(&equations, &contacts, &[], &SoftStops::default())?);
+        let free = Arc::new(Stage::new(&equations, &contacts, &[], &SoftStops::default(), false)?);
         for (stop, contact) in contacts.all().iter().enumerate() {
             if contacts.mobility(stop) <= 0.0 || contacts.mobility(stop).is_nan() {
                 let name = &contact.name;
@@ -141,13 +143,45 @@ impl MachineSimulator {
         };
         let drags = (0..contacts.all().len()).map(drag).collect();
         let (stages, settings, rate) = (Mutex::default(), settings.clone(), machine.rate());
-        Ok(MachineSimulator { equations, contacts, free, stages, drags, settings, rate, tally: None })
+        Ok(MachineSimulator {
+            equations,
+            contacts,
+            free,
+            stages,
+            drags,
+            settings,
+            rate,
+            through: false,
+            tally: None,
+        })
     }
 
     /// The same machine simulated otherwise.
     #[must_use]
     pub fn with(self, settings: MachineSettings) -> MachineSimulator {
         MachineSimulator { settings, ..self }
+    }
+
+    /// The machine with its rigid stops passed through; none if it has no soft ones.
+    ///
+    /// # Errors
+    /// None in practice: those of [`MachineSimulator::new`].
+    pub(in crate::machine) fn through(&self) -> Result<Option<MachineSimulator>> {
+        if self.contacts.all().iter().all(|contact| contact.soft.is_none()) {
+            return Ok(None);
+        }
+        let free = Stage::new(&self.equations, &self.contacts, &[], &SoftStops::default(), true)?;
+        Ok(Some(MachineSimulator {
+            equations: self.equations.clone(),
+            contacts: self.contacts.clone(),
+            free: Arc::new(free),
+            stages: Mutex::default(),
+            drags: self.drags.clone(),
+            settings: self.settings.clone(),
+            rate: self.rate,
+            through: true,
+            tally: None,
+        }))
     }
 
     /// The same machine, the work of its runs added up in `tally` as each ends.
@@ -218,7 +252,7 @@ impl MachineSimulator {
         };
         for contact in self.contacts.all() {
             let [gap, _] = contact.gap(&state);
-            if contact.soft.is_none() && gap < -self.settings.minimum_depth {
+            if contact.soft.is_none() && !self.through && gap < -self.settings.minimum_depth {
                 let name = &contact.name;
                 return Err(Error::input(format!(
                     "the start lies behind the stop {name}: its gap is {gap:e}"
@@ -238,13 +272,14 @@ impl MachineSimulator {
         if let Some(stage) = stages.get(&key) {
             return Ok(stage.clone());
         }
-        let stage = Stage::new(&self.equations, &self.contacts, resting, soft).map_err(|error| {
-            let names = |all: &[usize]| -> Vec<&str> {
-                all.iter().map(|&j| self.contacts.all()[j].name.as_str()).collect()
-            };
-            let all = [names(resting), names(&soft.pushing)].concat();
-            error.context(format!("in contact with {}", all.join(", ")))
-        })?;
+        let stage =
+            Stage::new(&self.equations, &self.contacts, resting, soft, self.through).map_err(|error| {
+                let names = |all: &[usize]| -> Vec<&str> {
+                    all.iter().map(|&j| self.contacts.all()[j].name.as_str()).collect()
+                };
+                let all = [names(resting), names(&soft.pushing)].concat();
+                error.context(format!("in contact with {}", all.join(", ")))
+            })?;
         let stage = Arc::new(stage);
         stages.insert(key, stage.clone());
         Ok(stage)

@@ -172,6 +172,8 @@ enum Step {
 }
 
 impl Stage {
+    /// Rigid stops are not watched if the motion is to pass through them.
+    ///
     /// # Errors
     /// Dependent rows among the stops rested on; motions too fast for the grid.
     pub fn new(
@@ -179,12 +181,14 @@ impl Stage {
         contacts: &Contacts,
         resting: &[usize],
         soft: &SoftStops,
+        through: bool,
     ) -> Result<Stage> {
         let all = contacts.all();
+        let watched = |j: usize| !resting.contains(&j) && !(through && all[j].soft.is_none());
         let pushed = equations.pushed(soft.pushing.iter().map(|&j| &all[j]));
         let equations = &pushed;
         let mut watches: Vec<(What, Watch)> = Vec::new();
-        for (j, contact) in all.iter().enumerate().filter(|(j, _)| !resting.contains(j)) {
+        for (j, contact) in all.iter().enumerate().filter(|(j, _)| watched(*j)) {
             if soft.pushing.contains(&j) {
                 watches.push((What::Push(j), contact.push_watch(1.0)));
             } else if soft.behind.contains(&j) {

@@ -11,7 +11,7 @@ use super::{
 };
 use crate::{
     error::{Error, Result},
-    machine::MachineState,
+    machine::{LinearFlow, MachineState},
     oscillator::{
         Counter, Effect, Time,
         simulate::{
@@ -88,7 +88,7 @@ impl<'a> MachineRun<'a> {
             counts: simulator.tally.as_ref().map(Share::of),
         };
         run.enter(stage, time, &state);
-        let rigid = |j: &usize| simulator.contacts.all()[*j].soft.is_none();
+        let rigid = |j: &usize| !simulator.through && simulator.contacts.all()[*j].soft.is_none();
         let touched: Vec<usize> = (0..gaps.len()).filter(rigid).filter(|&j| gaps[j][0] <= depth).collect();
         if touched.iter().any(|&j| gaps[j][1] < 0.0) {
             let rates: Vec<f64> = touched.iter().map(|&j| gaps[j][1]).collect();
@@ -185,6 +185,11 @@ impl<'a> MachineRun<'a> {
     /// The stops rested on, ascending.
     pub fn resting(&self) -> &[usize] {
         &self.stage.resting
+    }
+
+    /// The flow of the machine as it is in contact now.
+    pub(in crate::machine) fn flow(&self) -> LinearFlow {
+        self.stage.flow.clone()
     }
 
     /// The soft stops that push, ascending.
