@@ -217,10 +217,8 @@ def check(text):
     before = [[m for m in range(len(letters)) if n in follow[m]] for n in range(len(letters))]
     told = [all(len({letters[w][0] for w in one}) == len(one) for one in way) for way in (follow, before)]
     need(any(told), "paths are not told by their periods")
-    for v, letter in enumerate(letters):
-        for rate, sign in zip(rates, (1, -1)):
-            total = sum(letters[w][5] / rate**letters[w][0] for w in follow[v])
-            need(sign * (total - letter[5]) >= 0, "growth")
+    need(any(all(sign * (sum(letters[w][5] / rate**letters[w][0] for w in way[v]) - letter[5]) >= 0
+                 for v, letter in enumerate(letters) for rate, sign in zip(rates, (1, -1))) for way in (follow, before)), "growth")
     wall = Wall(harmonics, window, pieces)
     for choice in product(*map(range, cells)):
         cell([num(lo).hull(num(hi)).part(i, n) for (lo, hi), i, n in zip(ranges, choice, cells)], sigma, wall, pieces, letters, follow, before, kappa, reach, complete)

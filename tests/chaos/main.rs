@@ -3,6 +3,8 @@
 #[path = "../common/mod.rs"]
 mod common;
 mod damage;
+mod edges;
+mod entropy;
 mod walls;
 
 use std::f64::consts::TAU;
@@ -201,7 +203,11 @@ fn gamma_below_zero_has_the_graph_of_the_word_theorem() {
 fn histories_cells_and_restitution_close() {
     let found = proved("alphabet = [1, 2, 3]\nset = { mu = 0.0038 }\nhistory = [3, 3]");
     assert_eq!((found.letters.len(), found.full), (12, true));
-    assert!(found.entropy.unwrap().starts_with("0.60937786"));
+    assert_eq!(found.entropy.as_deref(), Some("0.6093778634"));
+    let found =
+        proved("alphabet = [1, 2, 3]\nparameter = \"mu\"\nfrom = 0.0042\nto = 0.0044\nhistory = [3, 16]");
+    assert_eq!((found.letters.len(), found.full), (51, true));
+    assert_eq!(found.entropy.as_deref(), Some("0.6093778634"));
     proved(&format!("{ALWAYS}\nto = 1\ncell = {{ d = [0.598, 0.602], w = [4.89, 4.91] }}"));
     proved(&format!("{ALWAYS}\nset = {{ tau = 0.9 }}"));
     proved(&format!("{ALWAYS}\nset = {{ tau = 0.7 }}"));

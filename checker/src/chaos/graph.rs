@@ -2,7 +2,8 @@
 //! many, and how fast they grow.
 //!
 //! M_{vw} = z^{n_w} for every edge v → w. If Mγ ≥ γ for a positive vector γ, the paths of N periods grow at
-//! least like z⁻ᴺ; if Mγ ≤ γ, at most so. At a vertex whose successors have different periods a path is told
+//! least like z⁻ᴺ; if Mγ ≤ γ, at most so. With all edges reversed the paths are as many, so predecessors do as
+//! well as successors. At a vertex whose successors have different periods a path is told
 //! by its periods and where it starts; likewise backwards.
 
 use super::{fixed::Interval, text::Certificate};
@@ -16,19 +17,28 @@ pub(super) fn grows(certificate: &Certificate) -> Result<(), String> {
         periods.dedup();
         periods.len() == count
     };
-    let of = |list: &mut dyn Iterator<Item = usize>| list.map(|v| letters[v].periods).collect::<Vec<_>>();
-    let forward = letters.iter().all(|letter| distinct(of(&mut letter.next.iter().copied())));
-    let backward = (0..letters.len())
-        .all(|v| distinct(of(&mut (0..letters.len()).filter(|&m| letters[m].next.contains(&v)))));
+    let next: Vec<Vec<usize>> = letters.iter().map(|letter| letter.next.clone()).collect();
+    let previous: Vec<Vec<usize>> =
+        (0..letters.len()).map(|v| (0..letters.len()).filter(|&m| next[m].contains(&v)).collect()).collect();
+    let told = |way: &[Vec<usize>]| {
+        way.iter().all(|list| distinct(list.iter().map(|&v| letters[v].periods).collect()))
+    };
+    let (forward, backward) = (told(&next), told(&previous));
     if !forward && !backward {
         return Err(
             "a letter has two successors of the same period, and one has two such predecessors".into()
         );
     }
+    bounds(certificate, &next).or_else(|reason| bounds(certificate, &previous).map_err(|_| reason))
+}
+
+/// Whether the growth vector proves both rates, along these edges.
+fn bounds(certificate: &Certificate, edges: &[Vec<usize>]) -> Result<(), String> {
+    let letters = &certificate.letters;
     let [least, most] = certificate.growth.map(|growth| Interval::ONE.over(growth.enclosed()));
     for (v, letter) in letters.iter().enumerate() {
         let sum = |z: Interval| {
-            letter.next.iter().fold(Interval::ZERO, |sum, &w| {
+            edges[v].iter().fold(Interval::ZERO, |sum, &w| {
                 sum + power(z, letters[w].periods) * letters[w].growth.enclosed()
             })
         };

@@ -59,8 +59,9 @@
 //! - H4: the gap is positive strictly between impacts (`gaps`), and q/ν < B.
 //!
 //! The growth vector γ satisfies Σ z^{n_w} γ_w ≥ γ_v over the successors w of each v for z = 1/LO, ≤ for z =
-//! 1/HI; and either no letter has two successors of the same period, or none two predecessors. For
-//! `complete`, σ = 1, f = 0, the letters' periods are different, and C1 to C3 of `only` hold.
+//! 1/HI; or both over the predecessors. And either no letter has two successors of the same period, or none
+//! two predecessors. For `complete`, σ = 1, f = 0, the letters' periods are different, and C1 to C3 of `only`
+//! hold.
 //!
 //! # Example
 //!

@@ -100,27 +100,42 @@ impl LetterGraph {
         let periods = |list: &[usize]| {
             list.iter().map(|&v| self.letters[v]).collect::<HashSet<u64>>().len() == list.len()
         };
-        let before =
-            |w: usize| (0..self.letters.len()).filter(|&v| self.next[v].contains(&w)).collect::<Vec<_>>();
         let told = self.next.iter().all(|next| periods(next))
-            || (0..self.letters.len()).all(|w| periods(&before(w)));
+            || self.backwards().next.iter().all(|before| periods(before));
         if !told {
             return Err("periods do not tell paths".into());
         }
-        for (letter, next) in certificate.letters.iter().zip(&self.next) {
-            let sum = |rate: f64| -> f64 {
-                next.iter()
-                    .map(|&w| float(certificate.letters[w].growth) / rate.powi(self.letters[w] as i32))
-                    .sum()
-            };
-            let own = float(letter.growth);
-            if sum(float(certificate.growth[0])) < own - 1e-12
-                || sum(float(certificate.growth[1])) > own + 1e-12
-            {
-                return Err("the growth vector proves another rate".into());
-            }
+        let proves = |edges: &[Vec<usize>]| {
+            certificate.letters.iter().zip(edges).all(|(letter, next)| {
+                let sum = |rate: f64| -> f64 {
+                    next.iter()
+                        .map(|&w| float(certificate.letters[w].growth) / rate.powi(self.letters[w] as i32))
+                        .sum()
+                };
+                let own = float(letter.growth);
+                sum(float(certificate.growth[0])) >= own - 1e-12
+                    && sum(float(certificate.growth[1])) <= own + 1e-12
+            })
+        };
+        if proves(&self.next) || proves(&self.backwards().next) {
+            Ok(())
+        } else {
+            Err("the growth vector proves another rate".into())
         }
-        Ok(())
+    }
+
+    /// The same letters, every edge reversed: as many paths.
+    fn backwards(&self) -> LetterGraph {
+        let before = |w: usize| (0..self.letters.len()).filter(|&v| self.next[v].contains(&w)).collect();
+        LetterGraph { letters: self.letters.clone(), next: (0..self.letters.len()).map(before).collect() }
+    }
+
+    /// The growth rate with a vector that proves it: of this graph or of the one with every edge reversed,
+    /// whichever has the greater least entry, and so the shorter decimals.
+    pub(super) fn growth_either_way(&self) -> (f64, Vec<f64>) {
+        let least = |vector: &[f64]| vector.iter().copied().fold(1.0, f64::min);
+        let (forward, backward) = (self.growth(), self.backwards().growth());
+        if least(&backward.1) > least(&forward.1) { backward } else { forward }
     }
 
     /// Each letter told apart by how many of the letters `of` follow it, up to `depth`: more boxes, the same

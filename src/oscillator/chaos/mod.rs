@@ -122,7 +122,8 @@ impl Problem {
 
 /// A certificate, or for each way of cutting parameters and phases why it failed, the last being the finest.
 ///
-/// Cost: up to 16 attempts, each of up to 80 rounds of at most 100,000 evaluations of a leg (about 2 µs).
+/// Cost: up to 16 attempts, each of up to 200 rounds, and one per letter, of at most 100,000 evaluations of a
+/// leg (about 2 µs).
 ///
 /// # Errors
 /// An interruption; numbers of more digits than a certificate holds.

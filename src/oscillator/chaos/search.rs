@@ -34,6 +34,9 @@ pub(super) struct Closed {
 /// Windows to try, the likeliest first.
 const WINDOWS: [f64; 9] = [1.2, 1.0, 0.8, 0.6, 1.35, 0.4, 0.3, 0.2, 0.1];
 
+/// No greater contraction is tried: a certificate has it with three places, and rounded up.
+const MOST_CONTRACTION: f64 = 0.99;
+
 /// No attempt takes more evaluations of a leg per round.
 const MOST: u64 = 100_000;
 
@@ -85,8 +88,58 @@ impl<'a> Attempt<'a> {
 
     /// Boxes that close, or why there are none.
     pub fn close(&self) -> Result<Closed, String> {
+        let boxes = self.settled()?;
+        self.speeds(&boxes)?;
+        let (_, slopes) = self.image(&boxes, false)?;
+        let (_, least) = self.weights(&boxes, &slopes);
+        if least >= MOST_CONTRACTION {
+            return Err(slow(least));
+        }
+        let mut reason = String::from("the map does not keep boxes a little wider than its least");
+        // With one box per letter, finer cuts do more than the last two.
+        let letters = &self.problem.letters;
+        let histories = (1..letters.len()).any(|n| letters[..n].contains(&letters[n]));
+        let shares = [(0.02, 1), (0.05, 1), (0.1, 1), (0.005, 1), (1e-3, 60), (2e-4, 60)];
+        for &(share, rounds) in &shares[..if histories { 6 } else { 4 }] {
+            let Some((boxes, slopes)) = self.widened(&boxes, share, rounds) else { continue };
+            let (weights, contraction) = self.weights(&boxes, &slopes);
+            if contraction >= MOST_CONTRACTION {
+                reason = slow(contraction);
+                continue;
+            }
+            self.speeds(&boxes)?;
+            let (window, pieces, reach) = self.window(&boxes)?;
+            let (cells, parts) = (self.cuts, self.parts.clone());
+            let complete = None;
+            return Ok(Closed { cells, parts, boxes, weights, contraction, window, pieces, reach, complete });
+        }
+        Err(reason)
+    }
+
+    /// Boxes that the map keeps, with its derivatives there: the image of the last ones, wider by a share of
+    /// the first, round by round. Where the map hardly contracts one round does not do.
+    fn widened(&self, boxes: &[[Span; 2]], share: f64, rounds: u64) -> Option<(Vec<[Span; 2]>, Vec<Slopes>)> {
+        let margins: Vec<[f64; 2]> = boxes.iter().map(|pair| pair.map(|span| share * span.width())).collect();
+        let mut image = boxes.to_vec();
+        for _ in 0..rounds {
+            let both = image.iter().zip(&margins);
+            let wide: Vec<[Span; 2]> =
+                both.map(|(pair, margin)| [0, 1].map(|i| rounded(pair[i], margin[i], rounds > 1))).collect();
+            let (next, slopes) = self.image(&wide, false).ok()?;
+            if wide.iter().zip(&next).all(|(wide, next)| (0..2).all(|i| next[i].is_in(wide[i]))) {
+                return Some((wide, slopes));
+            }
+            image = next;
+        }
+        None
+    }
+
+    /// Boxes that the map changes no more, from points.
+    fn settled(&self) -> Result<Vec<[Span; 2]>, String> {
         let mut boxes = self.start()?;
-        for round in 0.. {
+        // Of letters with a history the boxes grow by one step of it per round.
+        let rounds = 80 + boxes.len();
+        for _ in 0..rounds {
             let (image, _) = self.image(&boxes, false)?;
             let settled = boxes.iter().zip(&image).all(|(old, new)| {
                 (0..2).all(|i| {
@@ -96,32 +149,10 @@ impl<'a> Attempt<'a> {
             });
             boxes = image;
             if settled {
-                break;
-            }
-            if round == 80 {
-                return Err("the boxes still grow after 80 rounds".into());
+                return Ok(boxes);
             }
         }
-        for margin in [0.02, 0.05, 0.1, 0.005] {
-            let wide: Vec<[Span; 2]> =
-                boxes.iter().map(|pair| pair.map(|span| rounded(span, margin))).collect();
-            let Ok((image, slopes)) = self.image(&wide, false) else { continue };
-            let kept = wide.iter().zip(&image).all(|(wide, image)| (0..2).all(|i| image[i].is_in(wide[i])));
-            if !kept {
-                continue;
-            }
-            let (weights, contraction) = self.weights(&wide, &slopes);
-            if contraction >= 0.99 {
-                return Err(format!("the map does not contract: {contraction:.3} at best"));
-            }
-            self.speeds(&wide)?;
-            let (window, pieces, reach) = self.window(&wide)?;
-            let (cells, parts) = (self.cuts, self.parts.clone());
-            let boxes = wide;
-            let complete = None;
-            return Ok(Closed { cells, parts, boxes, weights, contraction, window, pieces, reach, complete });
-        }
-        Err("the map does not keep boxes a little wider than its least".into())
+        Err(format!("the boxes still grow after {rounds} rounds"))
     }
 
     /// Whether a certificate with these cells and parts holds, as far as floats tell.
@@ -199,7 +230,7 @@ impl<'a> Attempt<'a> {
                                 [&from[1], &to[1]],
                             );
                             if !(leg.after.is_finite() && leg.before.is_finite())
-                                || leg.after.magnitude() > 1e4
+                                || leg.after.magnitude().max(leg.before.magnitude()) > 1e4
                             {
                                 return Err(singular(periods));
                             }
@@ -327,6 +358,10 @@ impl<'a> Attempt<'a> {
     }
 }
 
+fn slow(contraction: f64) -> String {
+    format!("the map does not contract: {contraction:.3} at best")
+}
+
 fn singular(periods: u64) -> String {
     format!(
         "letter {periods}: a leg of {periods} periods is near one that returns every velocity to one place (E12 = 0)"
@@ -338,9 +373,9 @@ pub(super) fn places(span: Span) -> i32 {
     (2 - span.width().max(1e-11).log10().floor() as i32).clamp(0, 13)
 }
 
-/// A box wider by a share of its width on each side, its ends short decimals.
-fn rounded(span: Span, margin: f64) -> Span {
-    let wide = span.widened(margin * span.width() + 1e-11);
-    let scale = 10f64.powi(places(wide));
+/// A box wider by so much on each side, its ends short decimals, or with two more digits.
+fn rounded(span: Span, margin: f64, finer: bool) -> Span {
+    let wide = span.widened(margin + 1e-11);
+    let scale = 10f64.powi((places(wide) + if finer { 2 } else { 0 }).min(13));
     Span::new((wide.lo * scale).floor() / scale, (wide.hi * scale).ceil() / scale)
 }

@@ -21,12 +21,12 @@ const DIGITS: usize = 15;
 /// The certificate and its text.
 pub(super) fn certificate(problem: &Problem, closed: &Closed) -> Result<(Certificate, String)> {
     let graph = LetterGraph { letters: problem.letters.clone(), next: problem.next.clone() };
-    let (rate, vector) = graph.growth();
+    let (rate, vector) = graph.growth_either_way();
     // An entry of 13 places is so far from its true value, in proportion.
     let least = vector.iter().copied().fold(1.0, f64::min);
     let margin = (1e-11f64).max(2e-12 / least);
     let range = |span: Span| -> Result<[Decimal; 2]> {
-        let places = places(span) + 1;
+        let places = (places(span) + 3).min(13);
         Ok([decimal(span.lo, places)?, decimal(span.hi, places)?])
     };
     let letters = (0..problem.letters.len()).map(|n| {
