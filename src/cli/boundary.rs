@@ -22,7 +22,7 @@ use crate::{
     monitor::Monitor,
     number::parse_integer,
     output::{
-        Caption, Column, Destination, Print, TableCell, TableFormat, TableWriter, decimal_above,
+        Column, Destination, Print, Setting, TableCell, TableFormat, TableWriter, decimal_above,
         decimal_below, decimal_near,
     },
 };
@@ -99,13 +99,13 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
         Ok(caption) => caption,
         Err(outcome) => return Ok(outcome),
     };
-    let caption = caption.as_ref();
+    let setting = Setting { caption: caption.as_ref(), ..Setting::at(&destination) };
     let progress = Progress::new(interrupt, args.periods.count(), "periods");
     let mut certain = true;
     let written = destination.write(|out| {
         certain = match args.grid {
-            Some(grid) => edges(args, grid, caption, out, &progress)?,
-            None => lowest(args, caption, out, &progress)?,
+            Some(grid) => edges(args, grid, setting, out, &progress)?,
+            None => lowest(args, setting, out, &progress)?,
         };
         Ok(())
     });
@@ -194,7 +194,7 @@ fn text(value: &str) -> TableCell<'_> {
 fn edges(
     args: &Args,
     grid: u64,
-    caption: Option<&Caption>,
+    setting: Setting<'_>,
     out: &mut dyn Write,
     progress: &Progress,
 ) -> Result<bool> {
@@ -202,7 +202,7 @@ fn edges(
     let mut columns = area_columns(width);
     columns.push(Column::new("s", "$s$", 2 * width + 4));
     columns.extend(bound_columns(args.digits));
-    let mut table = TableWriter::captioned(out, args.format, "grazing-boundary-grid 1", columns, caption)?;
+    let mut table = TableWriter::set(out, args.format, "grazing-boundary-grid 1", columns, setting)?;
     let mut certain = true;
     let rows = edge_rows(args, grid, &mut table, progress, &mut certain);
     table.end(rows)?;
@@ -258,7 +258,7 @@ fn grid_point(interval: &Interval, i: u64, grid: u64) -> Ratio<u64> {
 }
 
 /// The lowest points; whether all were certified.
-fn lowest(args: &Args, caption: Option<&Caption>, out: &mut dyn Write, progress: &Progress) -> Result<bool> {
+fn lowest(args: &Args, setting: Setting<'_>, out: &mut dyn Write, progress: &Progress) -> Result<bool> {
     let width = args.periods.0.end().to_string().len();
     let mut columns = area_columns(width);
     columns.push(Column::new("lowest", "lowest", 8).print(Print::Left));
@@ -269,7 +269,7 @@ fn lowest(args: &Args, caption: Option<&Caption>, out: &mut dyn Write, progress:
     columns.push(Column::new("scaled", "$(1 - r)n^3$", 12).print(Print::Omitted));
     columns.push(Column::new("law", "$G$", 12).print(Print::Omitted));
     columns.push(Column::new("law_next", "$G + G_2/n^2$", 12).print(Print::Omitted));
-    let mut table = TableWriter::captioned(out, args.format, "grazing-boundary 1", columns, caption)?;
+    let mut table = TableWriter::set(out, args.format, "grazing-boundary 1", columns, setting)?;
     let mut certain = true;
     let rows = lowest_rows(args, width, &mut table, progress, &mut certain);
     table.end(rows)?;

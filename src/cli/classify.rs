@@ -49,7 +49,7 @@ pub(super) struct Args {
     #[arg(long, requires = "r", allow_hyphen_values = true, value_parser = parse_rational, value_name = "S")]
     s: Option<BigRational>,
     /// The periods are 1 to N, at most 100000.
-    #[arg(long, value_name = "N", default_value_t = 15, value_parser = parse_integer::<u64>)]
+    #[arg(long, value_name = "N", default_value_t = 15, value_parser = parse_integer::<u64>, conflicts_with = "summary")]
     max_n: u64,
     /// Print what holds in each region for every period, instead of one point.
     #[arg(long)]

@@ -14,8 +14,8 @@ use crate::{
     figure,
     number::{Sign, certain_digits, parse_integer},
     output::{
-        Column, Destination, LONGEST_INPUT, OutputFile, Print, TableCell, TableFormat, TableWriter, distinct,
-        make_folder, read_text, say,
+        Column, Destination, LONGEST_INPUT, OutputFile, Print, Setting, TableCell, TableFormat, TableWriter,
+        distinct, make_folder, read_text, say,
     },
     pattern::{
         Analysis, Graph, MAX_GRAPH_PERIOD, Map, Numbers, Pattern, PatternExistence, Patterns, Report, Value,
@@ -42,7 +42,7 @@ pub(super) struct Args {
     map: PathBuf,
     /// The largest period of a pattern. There are about 2^P/P patterns of period P; at most 10000000 rows are
     /// written.
-    #[arg(long, value_name = "P", default_value_t = 6, value_parser = parse_integer::<u64>)]
+    #[arg(long, value_name = "P", default_value_t = 6, value_parser = parse_integer::<u64>, conflicts_with = "pattern")]
     max_period: u64,
     /// One pattern only, such as 3,4.
     #[arg(long, value_name = "N1,N2,...", value_parser = pattern, conflicts_with_all = ["existing", "counts"])]
@@ -218,7 +218,8 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
         if args.counts {
             return counts(args, &engine, out, interrupt, &mut outcome);
         }
-        let mut table = TableWriter::new(out, args.format, "grazing-existence 1", columns())?;
+        let mut table =
+            TableWriter::set(out, args.format, "grazing-existence 1", columns(), Setting::at(&destination))?;
         let mut write = |chunk: &[Pattern]| {
             let rows: Vec<(Report, Vec<String>)> = chunk
                 .par_iter()

@@ -17,7 +17,7 @@ use crate::{
     existence::{MAX_PERIOD, intervals},
     monitor::Monitor,
     number::parse_integer,
-    output::{Caption, Column, Destination, TableCell, TableFormat, TableWriter, decimal},
+    output::{Caption, Column, Destination, Setting, TableCell, TableFormat, TableWriter, decimal},
     word,
 };
 
@@ -93,6 +93,9 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
         Format::Markdown => Some(TableFormat::Markdown),
         Format::Bfile => None,
     };
+    if args.decimals.is_some() && format.is_none() {
+        return Err(Error::input("--decimals does nothing with --format bfile, which has no ends"));
+    }
     if let Some((i, j)) = args.pattern {
         let pattern = || Ok(word::two_impacts(i, j)?.into_iter());
         two_impacts::run(&[i + j], |_| pattern(), format, args.decimals, &destination, interrupt)?;
@@ -167,7 +170,13 @@ fn table(
         columns.push(Column::new("left_rounded", "left (rounded)", decimals + 2));
         columns.push(Column::new("right_rounded", "right (rounded)", decimals + 2));
     }
-    let mut table = TableWriter::captioned(out, format, "grazing-intervals 1", columns, caption)?;
+    let mut table = TableWriter::set(
+        out,
+        format,
+        "grazing-intervals 1",
+        columns,
+        Setting { caption, ..Setting::default() },
+    )?;
     let rows = rows(periods, decimals, &mut table, progress);
     table.end(rows)
 }

@@ -99,7 +99,9 @@ impl ShardSet {
         let meant = votes.into_iter().max_by_key(|(_, count)| *count).map(|(key, _)| key);
         let Some((program, words, of)) = meant else {
             faults.iter().for_each(|fault| say(format_args!("error: {fault}")));
-            return Err(Error::input("none of the files is a whole shard"));
+            return Err(Error::input(
+                "none of the files is a whole shard: give those that --shard I/N wrote",
+            ));
         };
         let mut shards: BTreeMap<u64, ShardFile> = BTreeMap::new();
         for shard in found {

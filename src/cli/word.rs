@@ -330,7 +330,7 @@ fn text(heading: &str, sides: &[Side], certificate: Option<&Path>) -> String {
     } else if chaotic.is_empty() {
         "Chaos is born in none of the four cases (sign e*mu, sign gamma).".into()
     } else {
-        format!("Chaos is born in the cases (sign e*mu, sign gamma) {}.", chaotic.join("; "))
+        format!("Chaos is born in these cases (sign e*mu, sign gamma):\n  {}", chaotic.join("\n  "))
     };
     let _ = writeln!(text, "\n{sentence}");
     if let Some(path) = certificate {

@@ -63,6 +63,18 @@ impl Destination {
         }
     }
 
+    /// The columns of the terminal that this is; none if it is none, or does not tell its size.
+    #[cfg(feature = "cli")]
+    pub fn columns(&self) -> Option<usize> {
+        #[cfg(unix)]
+        if *self == Destination::Stdout {
+            // Fails where it is no terminal; a terminal that does not tell says 0.
+            let size = rustix::termios::tcgetwinsize(io::stdout()).ok()?;
+            return Some(usize::from(size.ws_col)).filter(|&columns| columns > 0);
+        }
+        None
+    }
+
     /// Runs `write` on the destination, buffered. Once the reader of standard output has gone, nothing more
     /// is written and `write` goes on as before, so that what it finds does not depend on who reads.
     ///

@@ -24,4 +24,4 @@ pub(crate) use journal::torn;
 pub use journal::{Journal, SavedRun};
 pub use shard::{Shard, ShardFile, ShardWriter, ShardedTask};
 #[cfg(feature = "cli")]
-pub use table::{Caption, Column, Print, TableCell, TableFormat, TableWriter, decimal};
+pub use table::{Caption, Column, Print, Setting, TableCell, TableFormat, TableWriter, decimal};

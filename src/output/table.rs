@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use clap::ValueEnum;
 use num_rational::Ratio;
 
-use super::escape;
+use super::{Destination, escape, say};
 use crate::error::{Error, Result};
 
 /// How a table is written.
@@ -70,6 +70,23 @@ pub struct Caption {
     pub label: String,
 }
 
+/// What a table stands in.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Setting<'a> {
+    /// What is above it in LaTeX.
+    pub caption: Option<&'a Caption>,
+    /// The columns of the terminal that shows it. A plain table that is wider leaves out what print does:
+    /// [`Print::Omitted`].
+    pub width: Option<usize>,
+}
+
+impl Setting<'_> {
+    /// That of a table without a caption at a destination.
+    pub fn at(destination: &Destination) -> Self {
+        Setting { caption: None, width: destination.columns() }
+    }
+}
+
 /// One entry of a row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum TableCell<'a> {
@@ -88,6 +105,8 @@ pub struct TableWriter<'a> {
     sink: Sink<'a>,
     format: TableFormat,
     columns: Vec<Column>,
+    /// Whether a plain table leaves out what print does.
+    narrow: bool,
     rows: u64,
     text: String,
 }
@@ -108,24 +127,36 @@ impl<'a> TableWriter<'a> {
         name: &str,
         columns: Vec<Column>,
     ) -> Result<Self> {
-        Self::captioned(out, format, name, columns, None)
+        Self::set(out, format, name, columns, Setting::default())
     }
 
-    /// The same, in LaTeX with a caption.
+    /// The same in its setting. Columns that do not fit a terminal are said to be left out.
     ///
     /// # Errors
     /// An I/O error from `out`.
-    pub fn captioned(
+    pub fn set(
         out: &'a mut dyn Write,
         format: TableFormat,
         name: &str,
         columns: Vec<Column>,
-        caption: Option<&Caption>,
+        setting: Setting<'_>,
     ) -> Result<Self> {
         let names: Vec<&str> = columns.iter().map(|column| column.name).collect();
+        let mut narrow = false;
         match format {
             TableFormat::Table => {
-                let heads = columns.iter().map(|column| format!("{:>1$}", column.name, column.width));
+                let all: usize = columns.iter().map(|column| column.width + 2).sum();
+                narrow = setting.width.is_some_and(|width| all > width + 2);
+                let (omitted, shown): (Vec<&Column>, Vec<_>) =
+                    columns.iter().partition(|column| narrow && column.print == Print::Omitted);
+                if !omitted.is_empty() {
+                    let names: Vec<&str> = omitted.iter().map(|column| column.name).collect();
+                    say(format_args!(
+                        "note: the terminal is too narrow for {}; --format csv and -o FILE have them",
+                        names.join(", ")
+                    ));
+                }
+                let heads = shown.iter().map(|column| format!("{:>1$}", column.name, column.width));
                 writeln!(out, "{}", heads.collect::<Vec<_>>().join("  "))?;
             }
             TableFormat::Csv => {
@@ -135,6 +166,7 @@ impl<'a> TableWriter<'a> {
                     sink: Sink::Csv(Box::new(writer)),
                     format,
                     columns,
+                    narrow,
                     rows: 0,
                     text: String::new(),
                 });
@@ -165,11 +197,11 @@ impl<'a> TableWriter<'a> {
                     6 => ("\\small", 4),
                     _ => ("\\footnotesize", 3),
                 };
-                let wide = caption.map_or("", |_| "\\setlength{\\LTcapwidth}{\\linewidth}");
+                let wide = setting.caption.map_or("", |_| "\\setlength{\\LTcapwidth}{\\linewidth}");
                 writeln!(out, "{{{size}\\setlength{{\\tabcolsep}}{{{gap}pt}}{wide}")?;
                 writeln!(out, "\\begin{{longtable}}{{{}}}", shape.collect::<String>())?;
                 let head = format!("\\toprule\n{} \\\\\n\\midrule", heads.join(" & "));
-                if let Some(Caption { text, label }) = caption {
+                if let Some(Caption { text, label }) = setting.caption {
                     writeln!(out, "\\caption{{{text}}}\\label{{{label}}} \\\\\n{head}\n\\endfirsthead")?;
                 }
                 writeln!(out, "{head}\n\\endhead")?;
@@ -180,7 +212,7 @@ impl<'a> TableWriter<'a> {
                 writeln!(out, "|{}", " ---: |".repeat(columns.len()))?;
             }
         }
-        Ok(TableWriter { sink: Sink::Text(out), format, columns, rows: 0, text: String::new() })
+        Ok(TableWriter { sink: Sink::Text(out), format, columns, narrow, rows: 0, text: String::new() })
     }
 
     /// Writes a row, one cell for each column.
@@ -205,7 +237,11 @@ impl<'a> TableWriter<'a> {
         };
         match self.format {
             TableFormat::Table => {
-                for (index, (cell, column)) in cells.iter().zip(&self.columns).enumerate() {
+                let shown = cells
+                    .iter()
+                    .zip(&self.columns)
+                    .filter(|(_, column)| !(self.narrow && column.print == Print::Omitted));
+                for (index, (cell, column)) in shown.enumerate() {
                     let start = text.len();
                     plain(text, cell);
                     let padding =
@@ -364,6 +400,26 @@ pub fn decimal(x: &Ratio<u64>, digits: usize) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_terminal_that_is_too_narrow_has_what_print_has() {
+        let written = |width| {
+            let columns = vec![
+                Column::new("n", "$n$", 3),
+                Column::new("wide", "wide", 10).print(Print::Omitted),
+                Column::new("last", "last", 0),
+            ];
+            let mut out = Vec::new();
+            let setting = Setting { width, ..Setting::default() };
+            let mut table = TableWriter::set(&mut out, TableFormat::Table, "", columns, setting).unwrap();
+            table.row(&[TableCell::Int(1), TableCell::Text("x"), TableCell::Int(2)]).unwrap();
+            table.finish().unwrap();
+            String::from_utf8(out).unwrap()
+        };
+        let whole = "  n        wide  last\n  1           x     2\n";
+        assert_eq!([written(None), written(Some(21))], [whole; 2]);
+        assert_eq!(written(Some(20)), "  n  last\n  1     2\n");
+    }
 
     #[test]
     fn a_tie_goes_to_the_even_digit_and_nines_carry() {
