@@ -136,6 +136,18 @@ fn higher(a: Rung, b: Rung) -> Rung {
 /// `None` elsewhere.
 ///
 /// Cost: two signs of a b for each n, and for a point (a₁, a₂) of region 3 the integers u_1, …, u_last.
+///
+/// ```
+/// use grazing::existence::{Existence, by_definition, by_records};
+/// use grazing::{local::{Ladder, Point, Polar}, number::parse_rational};
+/// let point = Point::Polar(Polar::new(parse_rational("0.99")?, parse_rational("0.21")?)?);
+/// let ladder = Ladder::default();
+/// let found = by_records(&ladder, &point, 6).expect("region 3");
+/// assert_eq!(found[4], by_definition(&ladder, &point, 5));
+/// assert_eq!(found[4].to_string(), "orbit in case (+,-)");
+/// assert!(matches!(found[5], Existence::None { .. }));
+/// # Ok::<(), grazing::Error>(())
+/// ```
 pub fn by_records(ladder: &Ladder, point: &Point, last: u64) -> Option<Vec<Existence>> {
     let signs = u_signs(point, last)?;
     let mut records = Records { ladder, point, signs: &signs, highest: 1, lowest: 1, lost: false };

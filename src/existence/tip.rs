@@ -51,6 +51,16 @@ impl Boundary {
     ///
     /// `None` if it could not be certified (this has not been met). Cost: O(`digits`) pieces, three sines
     /// each, at 4·`digits` + O(log n) bits.
+    ///
+    /// ```
+    /// use grazing::existence::{Boundary, Lowest, intervals};
+    /// use grazing::number::parse_rational;
+    /// // Period 4 on (1/4, 1/3), in the case (+,−): there is no orbit below r = 0.866….
+    /// let interval = intervals(4)?.nth(2).expect("there are three");
+    /// let Some(Lowest::Tip(tip)) = Boundary::new(interval).lowest(12) else { panic!("it has a tip") };
+    /// assert!(tip.r.lower > parse_rational("0.866")? && tip.r.upper < parse_rational("0.867")?);
+    /// # Ok::<(), grazing::Error>(())
+    /// ```
     pub fn lowest(&self, digits: u32) -> Option<Lowest> {
         let interval = self.interval();
         let fraction = |p: u64, q: u64| BigRational::new(p.into(), q.into());

@@ -17,6 +17,16 @@ use crate::error::{Error, Result};
 ///
 /// # Errors
 /// An input error if `order` < 1; an overflow error if 2N(|x| + 1) does not fit the type.
+///
+/// ```
+/// use grazing::farey::{bracket, next, previous};
+/// use num_rational::Ratio;
+/// // 3/8 is no term of F_7; 2/5 is one.
+/// let [third, x, two_fifths] = [(1u64, 3), (3, 8), (2, 5)].map(|(p, q)| Ratio::new(p, q));
+/// assert_eq!(bracket(&x, &7)?, (third, two_fifths));
+/// assert_eq!((next(&x, &7)?, previous(&two_fifths, &7)?), (two_fifths, third));
+/// # Ok::<(), grazing::Error>(())
+/// ```
 pub fn bracket<T: FareyInteger + Display>(x: &Ratio<T>, order: &T) -> Result<(Ratio<T>, Ratio<T>)> {
     check(x, order)?;
     let (floor, rest) = x.numer().div_mod_floor(x.denom());

@@ -167,6 +167,15 @@ pub fn path<T: FareyInteger + std::fmt::Display>(x: &Ratio<T>) -> Result<Vec<(Tu
 ///
 /// # Errors
 /// An overflow error if the fraction does not fit the type.
+///
+/// ```
+/// use grazing::farey::{Turn, from_path, path};
+/// use num_rational::Ratio;
+/// let turns = path(&Ratio::new(3u64, 8))?;
+/// assert_eq!(turns, [(Turn::Left, 2), (Turn::Right, 1), (Turn::Left, 1)]);
+/// assert_eq!(from_path(&turns)?, Ratio::new(3, 8));
+/// # Ok::<(), grazing::Error>(())
+/// ```
 pub fn from_path<T: FareyInteger>(runs: &[(Turn, T)]) -> Result<Ratio<T>> {
     let too_large = || Error::overflow("the fraction at the end of this path does not fit its integer type");
     let advance = |x: &T, by: &T, times: &T| -> Result<T> {

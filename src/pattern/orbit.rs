@@ -29,6 +29,25 @@ const BITS: u32 = 512;
 ///
 /// # Errors
 /// An input error if det D = 0, or if it cannot be told from 0 with 512 bits.
+///
+/// ```
+/// use grazing::pattern::{Analysis, Map, Numbers, predicted_orbit};
+/// let text = r#"
+///     format = "grazing-map 1"
+///     A = [[0.1, 1], ["-1/3", 0]]
+///     B = [0, 1]
+///     C = [1, 0]
+///     e = 1
+/// "#;
+/// let map = Map::from_toml(text, "map.toml")?;
+/// // Theorem 1 for the pattern (1, 2), and the points of its orbit if it exists.
+/// let report = Analysis::new(&map, 2, Numbers::Enclosed).judge(&[1, 2]);
+/// assert!(!report.is_open());
+/// if let Some(positive) = report.side() {
+///     assert_eq!(predicted_orbit(&map, &[1, 2], positive)?.len(), 5);
+/// }
+/// # Ok::<(), grazing::Error>(())
+/// ```
 pub fn predicted_orbit(map: &Map, periods: &[u64], positive: bool) -> Result<Vec<PredictedPoint>> {
     let last = periods.iter().copied().max().unwrap_or(1);
     let coordinates = Coordinates::<Ball>::new(map, last, Precision::new(BITS));

@@ -52,6 +52,23 @@ pub enum Certified {
 /// # Errors
 /// An input error where nothing can be certified: on the lines |a₁| = 1 + a₂, and for numbers of more than
 /// 100 digits; an interruption, asked for by `stop`.
+///
+/// ```
+/// use grazing::{
+///     certificate,
+///     local::{Ladder, Plane, Point},
+///     number::parse_rational,
+///     search::{Certified, WordCertificate, WordPlace, certify_word},
+///     word::Word,
+/// };
+/// let point = Point::Plane(Plane::new(parse_rational("-1/4")?, parse_rational("1/2")?)?);
+/// let word = Word::at(&Ladder::default(), &point, true, 100, &())?;
+/// let kind = WordCertificate::ByTheorem;
+/// let found = certify_word(WordPlace::Point(&point), &[&word], kind, &mut || false)?;
+/// let Certified::Text(text) = found else { panic!("{found:?}") };
+/// assert_eq!(certificate::check(&mut text.as_bytes()).unwrap().kind, "word-by-theorem");
+/// # Ok::<(), grazing::Error>(())
+/// ```
 pub fn certify_word(
     place: WordPlace,
     words: &[&Word],

@@ -40,6 +40,14 @@ pub fn roots_above(n: usize, x: &BigRational) -> (usize, bool) {
 /// Proved by [`roots_above`]. The lower bound for j is the upper one for j + 1.
 ///
 /// Cost: O(log n) calls of [`roots_above`], since roots are at least about 1/n² apart.
+///
+/// ```
+/// use grazing::{number::parse_rational, symbol::chebyshev_roots};
+/// let [below, above] = chebyshev_roots(3, 1); // cos(π/3) = 1/2
+/// let half = parse_rational("1/2")?;
+/// assert!(below < half && half < above);
+/// # Ok::<(), grazing::Error>(())
+/// ```
 pub fn chebyshev_roots(n: usize, j: usize) -> [BigRational; 2] {
     [separator(n, j), separator(n, j - 1)]
 }

@@ -17,6 +17,29 @@
 //! [`ClosedWalks`] counts the patterns of a relation by period and encloses its topological entropy.
 //! [`two_impacts`] lists the Farey intervals on r = 1 where patterns of two impacts exist.
 //!
+//! ```
+//! use grazing::{
+//!     local::{Ladder, Point, Polar},
+//!     number::parse_rational,
+//!     word::{ClosedWalks, Entropy, Relation, Word, two_impacts},
+//! };
+//! let point = Point::Polar(Polar::new(parse_rational("0.9")?, parse_rational("0.37")?)?);
+//! let word = Word::at(&Ladder::default(), &point, true, 100, &())?;
+//! assert_eq!((word.letters().as_str(), word.is_whole()), ("DUD", true));
+//! // For γ < 0 the periods 1 and 3 may follow themselves: chaos is born.
+//! let relation = Relation::new(&word, false, false, 100)?;
+//! assert_eq!(relation.loops(), [1, 3]);
+//! assert!(relation.is_chaotic());
+//! // One pattern has period 1; the number for period n grows like e^(0.528 n).
+//! assert_eq!(ClosedWalks::new(&relation).count(1)[0].all, 1u32.into());
+//! let (entropy, at_least) = Entropy::of(&word, false, 64)?;
+//! let (lower, upper) = entropy.bounds().expect("patterns exist");
+//! assert!(parse_rational("0.52804890")? < lower && upper < parse_rational("0.52804891")? && !at_least);
+//! // On r = 1 the pattern (3, 5) exists on six intervals of s.
+//! assert_eq!(two_impacts(3, 5)?.len(), 6);
+//! # Ok::<(), grazing::Error>(())
+//! ```
+//!
 //! Not here: maps of three or more dimensions, where no word decides (`pattern`), and a₂ ≤ 0.
 
 mod count;
