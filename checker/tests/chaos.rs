@@ -87,6 +87,28 @@ fn what_is_not_complete_is_refused() {
     assert!(rejected(&before).contains("side 1"));
 }
 
+/// The growth vector proves its rates along the edges or along the edges reversed, not some of each.
+#[test]
+fn rates_are_proved_along_edges_or_against_them() {
+    // From 1 to 1 and 2, from 2 to 3, from 3 to 1: z + z⁶ = 1. Fewer edges leave fewer conditions.
+    let graph = with(CHAOS_123, "complete", "complete no");
+    let graph = graph.replace("next 1 2 3\nnext 1 2 3\nnext 1 2 3\n", "next 1 2\nnext 3\nnext 1\n");
+    let graph = with(&graph, "growth", "growth 1.285198 1.2852");
+    let (z, cube, fourth) = ("0.7780895987", "0.4710736687", "0.3665375218");
+    for (second, third, proved) in [(fourth, z, true), (z, cube, true), (fourth, cube, false), (z, z, false)]
+    {
+        let entry = |start: &str, entry: &str| {
+            let line = CHAOS_123.lines().find(|line| line.starts_with(start)).unwrap();
+            let mut words: Vec<&str> = line.split(' ').collect();
+            words[8] = entry;
+            words.join(" ")
+        };
+        let text = with(&graph, "letter 2", &entry("letter 2", second));
+        let text = with(&text, "letter 3", &entry("letter 3", third));
+        assert_eq!(answer(&text).is_ok(), proved, "{second} {third}: {:?}", answer(&text));
+    }
+}
+
 /// A wall of two harmonics that is not convex on the window, and one that is lower than its other top.
 #[test]
 fn walls_without_one_top_are_refused() {

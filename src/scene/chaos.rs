@@ -26,8 +26,8 @@ keys! {
         /// other parameters that vary, each with its least and greatest value, as in `{ d = [0.59, 0.61] }`;
         /// only damping, stiffness and restitution may depend on them
         cell: ParameterCell = "{}",
-        /// of two walls the one that is met; that the other is out of reach is proved too (no orbits that meet
-        /// both)
+        /// of two walls the one that is met; that the other is out of reach is proved too (no orbits that
+        /// meet both)
         side: Option<Side>,
         /// a period and a number: boxes are told apart by how many of that period follow, up to that number
         history: Vec<u64> = "[]",

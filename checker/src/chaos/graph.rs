@@ -2,9 +2,9 @@
 //! many, and how fast they grow.
 //!
 //! M_{vw} = z^{n_w} for every edge v → w. If Mγ ≥ γ for a positive vector γ, the paths of N periods grow at
-//! least like z⁻ᴺ; if Mγ ≤ γ, at most so. With all edges reversed the paths are as many, so predecessors do as
-//! well as successors. At a vertex whose successors have different periods a path is told
-//! by its periods and where it starts; likewise backwards.
+//! least like z⁻ᴺ; if Mγ ≤ γ, at most so. With all edges reversed the paths are as many, so predecessors do
+//! as well as successors. At a vertex whose successors have different periods a path is told by its periods
+//! and where it starts; likewise backwards.
 
 use super::{fixed::Interval, text::Certificate};
 
