@@ -84,6 +84,55 @@ fn grazing_prints_what_is_proved() {
     println!("{compared} signs and {} verdicts compared: {kinds:?}", kinds.values().sum::<usize>());
 }
 
+/// Coq's theorem on chaos is about the oscillator and the boxes of the certificate, whose checker shares
+/// nothing with it.
+#[test]
+fn chaos_has_the_certificates_boxes() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let statement = fs::read_to_string(root.join("proofs/coq/StatementChaos.v")).unwrap();
+    let certificate = fs::read_to_string(root.join("checker/tests/data/chaos-12.txt")).unwrap();
+    let line = |name: &str| -> Vec<&str> {
+        let line = certificate.lines().find(|line| line.split(' ').next() == Some(name)).unwrap();
+        line.split(' ').skip(1).collect()
+    };
+    assert_eq!(line("damping"), ["12/49", "12/49"]);
+    assert_eq!(line("stiffness"), ["100/2401", "100/2401"]);
+    assert!(statement.contains("v t (- (12 / 49) * v t - 100 / 2401 * q t)"));
+    assert_eq!(line("window"), ["1.2"]);
+    assert!(statement.contains("Rabs (t i - 2 * PI * IZR (N i)) < 6 / 5 "));
+
+    // Each bound is NUMBER / NUMBER * mu, perhaps - (NUMBER / NUMBER) * mu; in units of 1/10000.
+    let (_, boxes) = statement.split_once("Definition in_boxes").unwrap();
+    let (boxes, _) = boxes.split_once("Definition").unwrap();
+    let mut stated: Vec<&str> = boxes.split(" * mu").collect();
+    stated.pop();
+    let stated: Vec<i64> = stated
+        .iter()
+        .map(|piece| {
+            let bound = piece.rsplit(['>', '=', '\\']).next().unwrap();
+            let parts = bound.split(|c: char| !c.is_ascii_digit()).filter(|part| !part.is_empty());
+            let parts: Vec<i64> = parts.map(|part| part.parse().unwrap()).collect();
+            assert_eq!((parts.len(), 10_000 % parts[1]), (2, 0), "{bound}");
+            let size = parts[0] * (10_000 / parts[1]);
+            if bound.contains('-') { -size } else { size }
+        })
+        .collect();
+    let decimal = |word: &str| {
+        let (whole, rest) = word.split_once('.').unwrap_or((word, ""));
+        format!("{whole}{rest:0<4}").parse::<i64>().unwrap()
+    };
+    let letters = certificate.lines().filter_map(|line| line.strip_prefix("letter "));
+    let certified: Vec<i64> = letters
+        .enumerate()
+        .flat_map(|(i, letter)| {
+            let words: Vec<&str> = letter.split(' ').collect();
+            assert_eq!(words[0], (i + 1).to_string());
+            words[1..5].iter().map(|word| decimal(word)).collect::<Vec<_>>()
+        })
+        .collect();
+    assert_eq!(stated, certified);
+}
+
 /// a₁ = p/q and a₂ = s/q as decimal numbers.
 #[derive(Clone, Debug)]
 struct Rational {

@@ -278,3 +278,26 @@ Proof.
   replace (-3) with (IZR (-6) / IZR 2) by field; replace (1 / 2) with (IZR 1 / IZR 2) by field.
   apply orbitZ_orbit; reflexivity.
 Qed.
+
+(** ** The paper's oscillator: impacts one period apart for ever, slow ones, and two apart, fast ones *)
+
+From Grazing Require Import StatementChaos.
+
+Lemma one_apart_and_two : Chaos_oscillator_statement -> Chaos_periodic_statement -> forall mu, mu > 0 ->
+  (exists t q v, motion mu (fun i => i) t q v /\ t 1%Z = t 0%Z + 2 * PI /\ v 0%Z (t 0%Z) <= 1 / 4 * mu /\
+   q 0%Z (t 0%Z) = (1 + mu) * cos (t 0%Z) - 1) /\
+  exists t q v, motion mu (fun i => 2 * i)%Z t q v /\ t 1%Z = t 0%Z + 4 * PI /\ v 0%Z (t 0%Z) >= 3 / 5 * mu.
+Proof.
+  intros H HP mu Hmu; split.
+  - assert (HN : one_or_two (fun i => i)) by (intros i; lia).
+    destruct (H mu _ Hmu HN) as (t & q & v & HM & HB & _).
+    destruct (HP mu _ t q v 1%Z 1%Z Hmu HN HM HB ltac:(intros; cbn beta; lia) 0%Z 0) as (T & _).
+    destruct (HB 0%Z 1%Z eq_refl) as [B _]; destruct (B eq_refl) as [A _].
+    destruct (HM 0%Z 1%Z eq_refl) as (_ & _ & _ & Q & _).
+    exists t, q, v; split; [exact HM|]; change (0 + 1)%Z with 1%Z in T; split; [lra|]; split; [lra | exact Q].
+  - assert (HN : one_or_two (fun i => 2 * i)%Z) by (intros i; lia).
+    destruct (H mu _ Hmu HN) as (t & q & v & HM & HB & _).
+    destruct (HP mu _ t q v 1%Z 2%Z Hmu HN HM HB ltac:(intros; cbn beta; lia) 0%Z 0) as (T & _).
+    destruct (HB 0%Z 1%Z eq_refl) as [_ B]; destruct (B eq_refl) as [A _].
+    exists t, q, v; split; [exact HM|]; change (0 + 1)%Z with 1%Z in T; split; lra.
+Qed.

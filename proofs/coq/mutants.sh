@@ -94,6 +94,9 @@ E
 mutant area-without-its-graph 'Consequences.v' --pin StatementConjecture.v <<'E'
 s/^  above n k g lo hi Rad \/\\ tends_to_1 Rad lo hi lo/  tends_to_1 Rad lo hi lo/
 E
+mutant chaos-in-no-box 'Consequences.v' --pin StatementChaos.v <<'E'
+s/615 \/ 1000 \* mu <= v i (t i)/0 <= v i (t i)/
+E
 mutant theorem-dropped 'assumptions.txt and what was found differ' '' Main.v <<'E'
 /^Theorem S4 :/d
 E

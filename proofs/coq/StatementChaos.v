@@ -1,0 +1,48 @@
+(** * Statement: the paper's oscillator has exactly one motion for every word over {1, 2} and every mu > 0
+
+    Section 4's oscillator (65)-(67) with d = 0.6, w = 4.9 and restitution 1. Its impacts can be one or two
+    periods apart in any order, for all time: exactly one motion in the boxes below does it, above the wall
+    between impacts. Complete on this page. *)
+From Coq Require Import Reals ZArith.
+Open Scope R_scope.
+
+(** The wall (1 + mu) cos t - 1 and its velocity; a free motion q with velocity v. *)
+Definition wall (mu t : R) : R := (1 + mu) * cos t - 1.
+Definition wall_velocity (mu t : R) : R := - (1 + mu) * sin t.
+Definition free (q v : R -> R) : Prop := forall t, derivable_pt_lim q t (v t) /\
+  derivable_pt_lim v t (- (12 / 49) * v t - 100 / 2401 * q t).
+
+(** Between impact i, at the time t i, and the next the oscillator moves as q i, v i. Impact i is within
+    6/5 of a time 2 pi N i, at positive relative speed; it turns the relative velocity around. The
+    oscillator is above the wall strictly between impacts. *)
+Definition motion (mu : R) (N : Z -> Z) (t : Z -> R) (q v : Z -> R -> R) : Prop := forall i j,
+  j = (i + 1)%Z ->
+  free (q i) (v i) /\ Rabs (t i - 2 * PI * IZR (N i)) < 6 / 5 /\ t i < t j /\
+  q i (t i) = wall mu (t i) /\ q i (t j) = wall mu (t j) /\
+  (forall x, t i < x < t j -> q i x > wall mu x) /\
+  v i (t j) - wall_velocity mu (t j) < 0 /\
+  v j (t j) - wall_velocity mu (t j) = - (v i (t j) - wall_velocity mu (t j)).
+
+(** Boxes for the velocities after the first and before the last impact of a leg of one period, of two. *)
+Definition in_boxes (mu : R) (N : Z -> Z) (t : Z -> R) (v : Z -> R -> R) : Prop := forall i j,
+  j = (i + 1)%Z ->
+  (N j = (N i + 1)%Z -> 89 / 1000 * mu <= v i (t i) <= 244 / 1000 * mu /\
+    - (1582 / 10000) * mu <= v i (t j) <= - (612 / 10000) * mu) /\
+  (N j = (N i + 2)%Z -> 615 / 1000 * mu <= v i (t i) <= 1036 / 1000 * mu /\
+    - (367 / 1000) * mu <= v i (t j) <= - (140 / 1000) * mu).
+
+Definition one_or_two (N : Z -> Z) : Prop :=
+  forall i, (N (i + 1) = N i + 1)%Z \/ (N (i + 1) = N i + 2)%Z.
+
+Definition Chaos_oscillator_statement : Prop := forall mu N, mu > 0 -> one_or_two N ->
+  exists t q v, motion mu N t q v /\ in_boxes mu N t v /\
+  forall t' q' v', motion mu N t' q' v' -> in_boxes mu N t' v' ->
+  forall i x, t' i = t i /\ q' i x = q i x /\ v' i x = v i x.
+
+(** The times of the impacts say which N it is; where N is periodic, so is the motion. *)
+Definition Chaos_distinct_statement : Prop := forall mu N N' t q v q' v',
+  motion mu N t q v -> motion mu N' t q' v' -> forall i, N i = N' i.
+Definition Chaos_periodic_statement : Prop := forall mu N t q v (m P : Z), mu > 0 -> one_or_two N ->
+  motion mu N t q v -> in_boxes mu N t v -> (forall i, N (i + m) = N i + P)%Z ->
+  forall i x, t (i + m)%Z = t i + 2 * PI * IZR P /\ q (i + m)%Z (x + 2 * PI * IZR P) = q i x /\
+  v (i + m)%Z (x + 2 * PI * IZR P) = v i x.
