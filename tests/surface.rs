@@ -322,7 +322,7 @@ fn help_fits_a_terminal() {
     for command in COMMANDS {
         let (_, help, _) = run(&format!("{command} --help"), root());
         for line in help.lines() {
-            assert!(line.chars().count() <= 120, "{command}: {line}");
+            assert!(line.chars().count() <= 100, "{command}: {line}");
         }
     }
 }

@@ -41,7 +41,7 @@ pub(super) fn certificate_line(path: &Path, shard: Option<Shard>) -> String {
     match shard {
         None => format!("Certificate: {path}; `grazing check {path}` proves it again.\n"),
         Some(shard) => {
-            format!("Shard {shard} of a certificate: {path}; `grazing merge` puts all together.\n")
+            format!("Shard {shard} of a certificate: {path}; `grazing merge` puts the shards together.\n")
         }
     }
 }

@@ -137,7 +137,11 @@ fn draw(motion: &MotionPicture) -> Canvas {
     let radius = if count > 300 { 0.8 } else { 1.5 };
     canvas.discs(motion.impacts().map(|at| frame.at(at)).collect(), radius, RED);
     frame.draw(&mut canvas);
-    canvas.text(Words::plain(&shortened(&motion.title, COLUMN - 60.0)), (4.0, 8.0), Anchor::Start);
+    canvas.text(Words::plain(&shortened(&motion.title, COLUMN - 66.0)), (4.0, 8.0), Anchor::Start);
+    if count > 0 {
+        // The count is the legend of the points.
+        canvas.disc((COLUMN - 7.0 - Words::plain(&note).width(TYPE), 5.6), 1.5, RED);
+    }
     canvas.text(note, (COLUMN - 4.0, 8.0), Anchor::End);
     canvas
 }
