@@ -5,7 +5,7 @@ use std::{collections::HashMap, f64::consts::PI, fs, path::Path, process::Comman
 
 use grazing::{
     internals::{
-        effects::effects,
+        effects::{effects, machine_effects},
         flow_accuracy::{long_runs, returning, tolerances},
     },
     oscillator::{
@@ -237,6 +237,18 @@ fn absent_effects_are_never_evaluated() {
         for what in Effect::ALL {
             let needed = effect.needs.contains(&what);
             assert_eq!(counts.of(what) > 0, needed, "{}: {} {}", effect.name, what.name(), counts.of(what));
+        }
+        assert_eq!(impacts > 1000, effect.name.ends_with("hit"), "{}: {impacts}", effect.name);
+    }
+}
+
+#[test]
+fn absent_effects_of_machines_are_never_evaluated() {
+    for effect in machine_effects() {
+        let (counts, impacts) = effect.count().unwrap();
+        for (what, count) in Effect::OF_MACHINES.iter().zip(counts) {
+            let needed = effect.needs.contains(what);
+            assert_eq!(count > 0, needed, "{}: {} {count}", effect.name, what.name());
         }
         assert_eq!(impacts > 1000, effect.name.ends_with("hit"), "{}: {impacts}", effect.name);
     }

@@ -10,12 +10,12 @@ use crate::{
     error::Result,
     figure::{
         FigurePlace, PictureFormat, accuracy_figure, accuracy_table, effects_table, flow_accuracy,
-        flow_table, long_runs_table,
+        flow_table, long_runs_table, machine_effects_table,
     },
     output::{Destination, TableFormat, make_folder, write_file},
     study::{
         FAMILIES,
-        effects::effects,
+        effects::{effects, machine_effects},
         flow_accuracy::{long_runs, returning, tolerances},
         measure,
     },
@@ -27,7 +27,7 @@ use crate::{
 /// family of inputs, as accuracy.csv and accuracy.svg. Of simulations: the time and error of the closed form
 /// and of the integrator at tolerances 1e-3 to 1e-13, as flow-accuracy.csv and .svg, and the distance from
 /// exact motions after 1 to 10^6 periods, as long-runs.csv. Of effects: what each adds to the time per
-/// period, with its evaluations counted, as effects.csv. The table is also printed. Takes some seconds.
+/// period, with its evaluations counted, as effects.csv, and of machines as machine-effects.csv. The table is also printed. Takes some seconds.
 ///
 /// Exit code 0: done; 2: a file that cannot be written; 3: interrupted.
 #[derive(Debug, Parser)]
@@ -101,5 +101,14 @@ fn costs(args: &Args, interrupt: &Interrupt) -> Result<()> {
         rows.push(effect.measure()?);
     }
     Destination::Stdout.write(|out| effects_table(&rows, TableFormat::Table, out))?;
-    write_file(&args.output.join("effects.csv"), |out| effects_table(&rows, TableFormat::Csv, out))
+    write_file(&args.output.join("effects.csv"), |out| effects_table(&rows, TableFormat::Csv, out))?;
+    let mut rows = Vec::new();
+    for effect in machine_effects() {
+        interrupt.check()?;
+        rows.push(effect.measure()?);
+    }
+    Destination::Stdout.write(|out| machine_effects_table(&rows, TableFormat::Table, out))?;
+    write_file(&args.output.join("machine-effects.csv"), |out| {
+        machine_effects_table(&rows, TableFormat::Csv, out)
+    })
 }

@@ -15,7 +15,7 @@ use crate::{
     oscillator::Effect,
     output::{Column, TableCell, TableFormat, TableWriter, write_file},
     study::{
-        effects::{EffectCost, PERIODS},
+        effects::{EffectCost, MachineEffectCost, PERIODS},
         flow_accuracy::{FlowMeasured, LongRun},
     },
 };
@@ -80,6 +80,27 @@ pub fn effects_table(rows: &[EffectCost], format: TableFormat, out: &mut dyn Wri
     let names: Vec<&str> =
         ["effect", "time_ns", "impacts"].into_iter().chain(Effect::ALL.map(Effect::name)).collect();
     let mut table = TableWriter::new(out, format, "grazing-effects 1", columns(&names))?;
+    for row in rows {
+        let per_period = |count: u64| format!("{}", count as f64 / PERIODS as f64);
+        let mut cells = vec![row.name.to_string(), row.time.as_nanos().to_string(), per_period(row.impacts)];
+        cells.extend(row.counts.map(per_period));
+        table.row(&cells.iter().map(|cell| TableCell::Text(cell)).collect::<Vec<_>>())?;
+    }
+    table.finish()
+}
+
+/// The same of machines.
+///
+/// # Errors
+/// An I/O error from `out`.
+pub fn machine_effects_table(
+    rows: &[MachineEffectCost],
+    format: TableFormat,
+    out: &mut dyn Write,
+) -> Result<()> {
+    let names: Vec<&str> =
+        ["effect", "time_ns", "impacts"].into_iter().chain(Effect::OF_MACHINES.map(Effect::name)).collect();
+    let mut table = TableWriter::new(out, format, "grazing-machine-effects 1", columns(&names))?;
     for row in rows {
         let per_period = |count: u64| format!("{}", count as f64 / PERIODS as f64);
         let mut cells = vec![row.name.to_string(), row.time.as_nanos().to_string(), per_period(row.impacts)];

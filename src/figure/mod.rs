@@ -28,7 +28,7 @@ pub use accuracy::{accuracy_figure, accuracy_table};
 pub use branches::{DrawnBranch, Scatter, branches};
 pub use cover::{FINEST, areas};
 pub use entropy::entropy;
-pub use flow_accuracy::{effects_table, flow_accuracy, flow_table, long_runs_table};
+pub use flow_accuracy::{effects_table, flow_accuracy, flow_table, long_runs_table, machine_effects_table};
 pub use grid::{Grid, grid};
 pub use intervals::intervals;
 pub use iterate::iterate_boundaries;

@@ -11,7 +11,7 @@
 //! by M⁻¹WᵀΛ. For one stop it is w⁺ = −τ w⁻. For several it is a choice: hits in quick succession, in
 //! whatever order, may end otherwise. [`ImpactLaw::order_matters`] says whether they would.
 
-use super::{LinearEquations, MachineState, RealMatrix, RealVector};
+use super::{LinearEquations, MachineState, RealMatrix, RealVector, SpeedLaw};
 use crate::{
     error::{Error, Result},
     oscillator::Series,
@@ -26,8 +26,10 @@ pub struct StopContact {
     pub row: RealVector,
     /// Where it stands.
     pub position: Series,
-    /// τ ≥ 0.
+    /// τ ≥ 0; where it depends on the speed, its limit at 0.
     pub restitution: f64,
+    /// τ as a function of the speed, per radian of the forcing, if it is one.
+    pub law: Option<SpeedLaw<f64>>,
     /// What it does instead, if it is soft.
     pub soft: Option<SoftContact>,
 }
@@ -59,6 +61,20 @@ impl StopContact {
     pub fn gap(&self, at: &MachineState) -> [f64; 2] {
         let [place, speed, _] = self.position.at(at.t);
         [self.row.dot(&at.q) - place, self.row.dot(&at.u) - speed]
+    }
+
+    /// τ at an impact of speed V; for V < 0 that at 0.
+    pub fn restitution_at(&self, speed: f64) -> f64 {
+        self.law.as_ref().map_or(self.restitution, |law| law.at(speed.max(0.0))[0])
+    }
+
+    /// The derivative of V⁺ = τ(V) V by V.
+    pub fn restitution_slope(&self, speed: f64) -> f64 {
+        self.law.as_ref().map_or(self.restitution, |law| {
+            let v = speed.max(0.0);
+            let [tau, slope] = law.at(v);
+            tau + v * slope
+        })
     }
 
     /// z times a sign.
@@ -166,12 +182,13 @@ impl Contacts {
     /// More than 12 stops with dependent rows for which no solution was found.
     pub fn impact(&self, stops: &[usize], rates: &[f64]) -> Result<ImpactLaw> {
         if let ([stop], [rate]) = (stops, rates) {
-            let impulse = -(1.0 + self.all[*stop].restitution) * rate.min(0.0) / self.mobility(*stop);
+            let factor = 1.0 + self.all[*stop].restitution_at(-rate);
+            let impulse = -factor * rate.min(0.0) / self.mobility(*stop);
             let change = &self.pushes[*stop] * impulse;
             return Ok(ImpactLaw { impulses: vec![impulse], change, order_matters: false });
         }
         let coupling = self.among(stops);
-        let goal = |i: usize| rates[i] + self.all[stops[i]].restitution * rates[i].min(0.0);
+        let goal = |i: usize| rates[i] + self.all[stops[i]].restitution_at(-rates[i]) * rates[i].min(0.0);
         let impulses = complementary(&coupling, &RealVector::from_fn(stops.len(), |i, _| goal(i)))?;
         let after =
             RealVector::from_column_slice(rates) + &coupling * RealVector::from_column_slice(&impulses);
@@ -199,7 +216,7 @@ impl Contacts {
             }
             let i = (first + turn) % m;
             if now[i] < 0.0 {
-                let impulse = -(1.0 + self.all[stops[i]].restitution) * now[i] / coupling[(i, i)];
+                let impulse = -(1.0 + self.all[stops[i]].restitution_at(-now[i])) * now[i] / coupling[(i, i)];
                 now += coupling.column(i) * impulse;
             }
         }
@@ -312,6 +329,7 @@ mod tests {
             row: RealVector::from_column_slice(row),
             position: Series::ZERO,
             restitution,
+            law: None,
             soft: None,
         };
         Contacts::new(&equations, rows.iter().map(contact).collect())

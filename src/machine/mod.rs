@@ -60,12 +60,15 @@ mod response;
 pub mod section;
 pub mod simulate;
 mod slope;
+mod speed;
 pub mod validate;
 
 pub use equations::{LinearEquations, Periodic};
 pub use flow::{FlowMethod, LinearFlow};
 pub use model::{Load, Machine, Stop, StopLaw};
 pub use slope::{MachineFamily, MachineSlope};
+pub(crate) use speed::MOST as MOST_POWERS;
+pub use speed::SpeedLaw;
 
 /// Vectors of coordinates, velocities, forces.
 pub type RealVector = nalgebra::DVector<f64>;

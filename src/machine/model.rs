@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use serde::Serialize;
 
-use super::{LinearEquations, Periodic, RealMatrix, RealVector};
+use super::{LinearEquations, Periodic, RealMatrix, RealVector, SpeedLaw};
 use crate::{
     error::{Error, Result},
     oscillator::{Series, Wall},
@@ -76,6 +76,9 @@ pub enum StopLaw<T> {
         /// Force per velocity, at least 0.
         damping: T,
     },
+    /// It is rigid as Newton's is, τ being a function of the impact's speed. The wall's restitution is not
+    /// used.
+    Speed(SpeedLaw<T>),
 }
 
 impl<T> StopLaw<T> {
@@ -94,6 +97,7 @@ impl<T> StopLaw<T> {
     ) -> std::result::Result<StopLaw<U>, E> {
         Ok(match self {
             StopLaw::Newton => StopLaw::Newton,
+            StopLaw::Speed(law) => StopLaw::Speed(law.try_map(convert)?),
             StopLaw::Soft { stiffness, damping } => {
                 StopLaw::Soft { stiffness: convert(stiffness)?, damping: convert(damping)? }
             }
@@ -214,9 +218,17 @@ impl Machine<f64> {
                 return Err(Error::input(format!("restitution = {restitution}; it is at least 0")));
             }
             let position = Series::new(stop.wall.offset, &stop.wall.harmonics)?;
-            let soft = match stop.law {
+            let mut restitution = restitution;
+            let mut law = None;
+            let soft = match &stop.law {
                 StopLaw::Newton => None,
-                StopLaw::Soft { stiffness, damping } => {
+                StopLaw::Speed(given) => {
+                    given.check()?;
+                    restitution = given.at(0.0)[0];
+                    law = Some(given.scaled(self.rate()));
+                    None
+                }
+                &StopLaw::Soft { stiffness, damping } => {
                     if !(stiffness > 0.0 && stiffness.is_finite()) {
                         return Err(Error::input(format!(
                             "stiffness = {stiffness}; that of a soft stop is positive"
@@ -228,7 +240,7 @@ impl Machine<f64> {
                     Some(super::contact::SoftContact { stiffness, damping: damping * self.rate() })
                 }
             };
-            Ok(super::contact::StopContact { name: stop.name.clone(), row, position, restitution, soft })
+            Ok(super::contact::StopContact { name: stop.name.clone(), row, position, restitution, law, soft })
         };
         let named =
             |stop: &Stop<f64>| one(stop).map_err(|error| error.context(format!("stop {}", stop.name)));

@@ -47,6 +47,15 @@ impl Scene {
     /// What is allowed and likely to be a mistake.
     pub(crate) fn warnings(&self) -> Vec<String> {
         if let Ok(scene) = self.machine_scene() {
+            let laws = self.machine(&[]).map(|machine| machine.stops).unwrap_or_default();
+            let faster = laws.iter().filter_map(|stop| {
+                let StopLaw::Speed(law) = &stop.law else { return None };
+                let (name, v) = (&stop.name, law.above_one()?);
+                let text = &law.text;
+                Some(format!(
+                    "the restitution of stop {name}, {text}, is above 1 at the speed v = {v}: impacts there add energy"
+                ))
+            });
             let gain = |stop: &Stop<Expression>| {
                 let value = self.number(&stop.wall.restitution).ok().filter(|value| *value > 1.0)?;
                 let name = &stop.name;
@@ -54,7 +63,7 @@ impl Scene {
                     "the restitution of stop {name} is {value}, above 1: every impact there adds energy"
                 ))
             };
-            return scene.machine.stops.iter().filter_map(gain).collect();
+            return scene.machine.stops.iter().filter_map(gain).chain(faster).collect();
         }
         let Ok(system) = self.exact(&[]) else { return Vec::new() };
         let one = num_traits::One::one();

@@ -5,6 +5,7 @@ use super::{
     expression::Expression,
     keys::{Entry, Key, Record, keys},
     matrix::{CoordinateList, MatrixValue},
+    restitution::RestitutionKey,
     system::{HarmonicKeys, check_k, harmonics},
 };
 use crate::{
@@ -79,9 +80,9 @@ keys! {
         offset: Expression,
         /// its motion, harmonics of the forcing's frequency; none for a stop that stands still
         harmonics: Vec<HarmonicKeys> = "[]",
-        /// at least 0: 0 for a stop that takes all velocity, 1 for one that keeps the energy; this or
-        /// `stiffness` must be given
-        restitution: Option<Expression>,
+        /// at least 0: 0 for a stop that takes all velocity, 1 for one that keeps the energy; or a rational
+        /// function of the speed v of the impact, as "1/(1 + v/2)". This or `stiffness` must be given
+        restitution: Option<RestitutionKey>,
         /// of a stop that gives way, the force per displacement along `row`, above 0
         stiffness: Option<Expression>,
         /// of a stop that gives way, the force per velocity, at least 0; without it 0
@@ -216,7 +217,10 @@ impl MachineScene {
                         let why = "stands beside `restitution`: give `stiffness` with it for a stop that gives way, or leave it out";
                         return Err(at(&format!("{path}.damping")).fail(why));
                     }
-                    (restitution, StopLaw::Newton)
+                    match restitution {
+                        RestitutionKey::Constant(restitution) => (restitution, StopLaw::Newton),
+                        RestitutionKey::Speed(law) => (zero()?, StopLaw::Speed(law)),
+                    }
                 }
                 (None, Some(stiffness)) => {
                     let damping = stop.damping.map_or_else(zero, Ok)?;

@@ -21,6 +21,7 @@ mod matrix;
 mod normal;
 pub mod orbits;
 mod reference;
+mod restitution;
 #[expect(clippy::module_inception)]
 mod scene;
 mod sections;

@@ -4,6 +4,7 @@ use super::{
     expression::Expression,
     force::ForceKey,
     keys::{Entry, Value, keys},
+    restitution::RestitutionKey,
 };
 use crate::{
     error::Result,
@@ -54,7 +55,7 @@ keys! {
         /// its motion; none for a wall that stands still
         harmonics: Vec<HarmonicKeys> = "[]",
         /// at least 0: 0 for a wall that stops the motion, 1 for one that keeps the energy
-        restitution: Expression,
+        restitution: RestitutionKey,
     }
 }
 
@@ -123,7 +124,13 @@ pub(super) fn system(file: &Entry, keys: SystemKeys, walls: Vec<WallKeys>) -> Re
             return Err(file.at(&format!("{path}.side")).fail("there is a wall on this side already"));
         }
         let harmonics = harmonics(file, keys.harmonics, &format!("{path}.harmonics"))?;
-        *place = Some(Wall { offset: keys.offset, harmonics, restitution: keys.restitution });
+        let RestitutionKey::Constant(restitution) = keys.restitution else {
+            return Err(file.at(&format!("{path}.restitution")).fail(
+                "depends on the speed v: walls of format 1 have one restitution; write the oscillator as a machine, \
+                 format = \"grazing-scene 2\" with period = \"2*pi\" and mass = 1",
+            ));
+        };
+        *place = Some(Wall { offset: keys.offset, harmonics, restitution });
     }
     let (force, smooth) = keys.force.parts()?;
     Ok(System {

@@ -1,12 +1,19 @@
 //! What each effect of an oscillator costs: added one at a time to a bare linear one, timed, its evaluations
 //! counted.
 
-use std::time::{Duration, Instant};
+use std::{
+    sync::Arc,
+    time::{Duration, Instant},
+};
 
 use crate::{
     error::Result,
+    machine::{
+        Machine, SpeedLaw, Stop, StopLaw,
+        simulate::{MachineSettings, MachineSimulator},
+    },
     oscillator::{
-        Counts, Effect, Harmonic, SmoothForce, System, Time, Wall,
+        Counts, Effect, EffectTally, Harmonic, SmoothForce, System, Time, Wall,
         simulate::{Settings, Simulator},
     },
     scene::Scene,
@@ -92,6 +99,104 @@ pub fn effects() -> Vec<WithEffect> {
         with("pendulum, as a formula", formula("-sin(q)/1.21"), &[Smooth]),
         with("pole, as a formula", formula("-q/1.21 + 0.01/(3 - q)^2"), &[Smooth]),
     ]
+}
+
+/// A machine with one effect more than the bare one.
+#[derive(Debug, Clone)]
+pub struct MachineWithEffect {
+    /// What is added.
+    pub name: &'static str,
+    /// The machine.
+    pub machine: Machine<f64>,
+    /// The evaluations that it needs; all others must be counted 0 times.
+    pub needs: &'static [Effect],
+}
+
+/// What a machine costs.
+#[derive(Debug, Clone)]
+pub struct MachineEffectCost {
+    /// What was added.
+    pub name: &'static str,
+    /// The mean time of a period at whose end the state is asked for.
+    pub time: Duration,
+    /// Impacts and beginnings of contact in the periods counted.
+    pub impacts: u64,
+    /// Evaluations in these periods, in the order of [`Effect::OF_MACHINES`].
+    pub counts: [u64; Effect::OF_MACHINES.len()],
+}
+
+/// The oscillator of [`effects`] as a machine, and kinds of stops.
+pub fn machine_effects() -> Vec<MachineWithEffect> {
+    use Effect::{Force, Gap, Piece, Search};
+    let with = |name, stop: Option<(f64, f64, StopLaw<f64>)>, needs| {
+        let made = |(offset, restitution, law)| {
+            let wall = Wall { offset, harmonics: vec![], restitution };
+            Stop { name: "stop".into(), row: vec![1.0], wall, law }
+        };
+        let machine = Machine {
+            size: 1,
+            period: std::f64::consts::TAU,
+            mass: vec![(0, 0, 1.0)],
+            damping: vec![],
+            damping_ratio: vec![],
+            stiffness: vec![(0, 0, 1.0 / 1.21)],
+            shapes: vec![],
+            force: vec![],
+            forcing: vec![],
+            stops: stop.map(made).into_iter().collect(),
+        };
+        MachineWithEffect { name, machine, needs }
+    };
+    let soft = |damping| StopLaw::Soft { stiffness: 100.0, damping };
+    // 1 at every speed, so that the motion goes on.
+    let law = SpeedLaw { text: "(1+v)/(1+v)".into(), over: vec![1.0, 1.0], under: vec![1.0, 1.0] };
+    vec![
+        with("machine, bare", None, &[]),
+        with("rigid stop, far away", Some((-20.0, 1.0, StopLaw::Newton)), &[Piece, Gap]),
+        with("soft stop, far away", Some((-20.0, 0.0, soft(0.0))), &[Piece, Gap]),
+        with("rigid stop, hit", Some((-0.5, 1.0, StopLaw::Newton)), &[Piece, Gap, Search]),
+        with("restitution by the speed, hit", Some((-0.5, 0.0, StopLaw::Speed(law))), &[Piece, Gap, Search]),
+        with("soft stop, hit", Some((-0.5, 0.0, soft(0.0))), &[Piece, Gap, Force, Search]),
+    ]
+}
+
+impl MachineWithEffect {
+    /// Evaluations and time, as those of [`WithEffect`].
+    ///
+    /// # Errors
+    /// None for [`machine_effects`].
+    pub fn measure(&self) -> Result<MachineEffectCost> {
+        let (counts, impacts) = self.count()?;
+        let simulator = MachineSimulator::new(&self.machine, &MachineSettings::default())?;
+        let mut least = Duration::MAX;
+        for _ in 0..20 {
+            let mut run = simulator.start(Time::new(0, 0.0), &[0.0], &[SPEED])?;
+            let start = Instant::now();
+            for period in 1..=PERIODS {
+                std::hint::black_box(run.finish(Time::new(period, 0.0)));
+                std::hint::black_box(run.state());
+            }
+            least = least.min(start.elapsed());
+        }
+        Ok(MachineEffectCost { name: self.name, time: least / PERIODS as u32, impacts, counts })
+    }
+
+    /// The evaluations in [`PERIODS`] periods, and the impacts.
+    ///
+    /// # Errors
+    /// None for [`machine_effects`].
+    pub fn count(&self) -> Result<([u64; Effect::OF_MACHINES.len()], u64)> {
+        let tally = Arc::new(EffectTally::default());
+        let simulator =
+            MachineSimulator::new(&self.machine, &MachineSettings::default())?.counting(tally.clone());
+        let mut run = simulator.start(Time::new(0, 0.0), &[0.0], &[SPEED])?;
+        for period in 1..=PERIODS {
+            run.finish(Time::new(period, 0.0));
+        }
+        let impacts = run.impacts();
+        drop(run);
+        Ok((Effect::OF_MACHINES.map(|effect| tally.of(effect)), impacts))
+    }
 }
 
 /// A force from its formula.

@@ -62,7 +62,7 @@ impl<'a> Motion<'a> {
             resting: vec![false; machine.stops.len()],
         };
         for stop in 0..machine.stops.len() {
-            if !machine.stops[stop].law.is_newton() {
+            if matches!(machine.stops[stop].law, StopLaw::Soft { .. }) {
                 let gap = motion.gap(stop, 0.0, q);
                 let (force, _) = motion.push_of(stop, 0.0, q, u);
                 motion.soft[stop] = match () {
@@ -203,6 +203,13 @@ impl<'a> Motion<'a> {
         }
     }
 
+    fn restitution(&self, stop: usize, rate: f64) -> f64 {
+        let stop = &self.machine.stops[stop];
+        let StopLaw::Speed(law) = &stop.law else { return stop.wall.restitution };
+        let sum = |all: &[f64]| -> f64 { (0i32..).zip(all).map(|(i, c)| c * rate.abs().powi(i)).sum() };
+        sum(&law.over) / sum(&law.under)
+    }
+
     /// A soft stop changes now.
     fn pass(&mut self, stop: usize) {
         let (force, gap) = self.push_of(stop, self.time, &self.q, &self.u);
@@ -296,7 +303,7 @@ impl<'a> Motion<'a> {
             hits.push((stop, self.time, rate));
             let push = self.push(stop);
             let row = self.machine.stops[stop].row.clone();
-            let tau = self.machine.stops[stop].wall.restitution;
+            let tau = self.restitution(stop, rate);
             let slow = tau * rate.abs() < SLOW;
             let factor = if slow { 1.0 } else { 1.0 + tau };
             let impulse = -factor * rate / dot(&row, &push);

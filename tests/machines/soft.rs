@@ -3,9 +3,43 @@
 use grazing::machine::simulate::StopTouch;
 
 use super::{second::Motion, *};
+use grazing::machine::SpeedLaw;
 
 fn soft(row: &[f64], offset: f64, stiffness: f64, damping: f64) -> Stop<f64> {
     Stop { law: StopLaw::Soft { stiffness, damping }, ..stop(row, offset, 0.0) }
+}
+
+fn law(over: &[f64], under: &[f64]) -> StopLaw<f64> {
+    StopLaw::Speed(SpeedLaw { text: "law".into(), over: over.to_vec(), under: under.to_vec() })
+}
+
+/// Bounces of a ball whose restitution depends on the speed: each by the law; those left out take the time of
+/// the limit at speed 0.
+#[test]
+fn chatter_ends_with_the_restitution_of_speed_zero() {
+    let mut ball = machine(&[&[1.0]], &[&[0.0]], &[&[0.0]]);
+    ball.force = vec![-1.0];
+    ball.stops = vec![Stop { law: law(&[0.6], &[1.0, 0.5]), ..stop(&[1.0], 0.0, 0.0) }];
+    let settings = MachineSettings { minimum_depth: 1e-6, ..MachineSettings::default() };
+    let simulator = MachineSimulator::new(&ball, &settings).unwrap();
+    let mut run = simulator.start(at(0.0), &[0.5], &[0.0]).unwrap();
+    let (mut v, mut time, mut bounces) = (1.0f64, 1.0f64, 0);
+    let stick = loop {
+        match run.next(Time::new(5, 0.0)) {
+            MachineEvent::Impact(hit) => {
+                assert!((hit.velocity + v).abs() < 1e-12 && (TAU * hit.time.periods() - time).abs() < 1e-12);
+                v *= 0.6 / (1.0 + v / 2.0);
+                time += 2.0 * v;
+                bounces += 1;
+            }
+            MachineEvent::Stick(stick) => break stick,
+            event => panic!("{event:?}"),
+        }
+    };
+    // v is that of the first bounce left out; τ = 0.6 from there on.
+    let last = time - 2.0 * v;
+    assert!(bounces > 5 && v * v < 2e-6, "{bounces} {v}");
+    assert!((TAU * stick.time.periods() - (last + 2.0 * v / 0.4)).abs() < 1e-12);
 }
 
 /// Beginnings and ends of contact: stop, time, velocity at the beginning.
@@ -166,6 +200,8 @@ fn cases() -> Vec<(&'static str, Machine<f64>, Vec<f64>, Vec<f64>)> {
     ];
     let mut mixed = pair.clone();
     mixed.stops[2] = stop(&[0.0, -1.0], -0.3, 0.6);
+    let mut by_speed = mixed.clone();
+    by_speed.stops[2].law = law(&[0.9, 0.1], &[1.0, 0.5, 0.05]);
     let mut gyroscopic = pair.clone();
     gyroscopic.damping.extend([(0, 1, 0.6), (1, 0, -0.6)]);
     vec![
@@ -177,6 +213,7 @@ fn cases() -> Vec<(&'static str, Machine<f64>, Vec<f64>, Vec<f64>)> {
         ("in contact at first", within, vec![0.0], vec![0.0]),
         ("a pair with three stops", pair, vec![0.0, 0.0], vec![0.2, 0.0]),
         ("soft and rigid stops", mixed, vec![0.0, 0.0], vec![0.2, 0.0]),
+        ("restitution by the speed", by_speed, vec![0.0, 0.0], vec![0.2, 0.0]),
         ("gyroscopic", gyroscopic, vec![0.0, 0.0], vec![0.2, 0.1]),
     ]
 }
@@ -192,7 +229,7 @@ fn soft_contacts_agree_with_a_second_integrator() {
         let mut told = Vec::new();
         run.record(Time::new(2, 0.0), |event| told.push(event));
         let mut found = contacts(&told);
-        found.retain(|one| !machine.stops[one.0].law.is_newton());
+        found.retain(|one| matches!(machine.stops[one.0].law, StopLaw::Soft { .. }));
         let follow = |nudge: f64| {
             let q: Vec<f64> = q.iter().map(|q| q + nudge).collect();
             let mut motion = Motion::new(&machine, &q, &u);

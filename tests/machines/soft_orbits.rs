@@ -6,7 +6,7 @@ use grazing::{
 };
 
 use super::{second::Motion, *};
-use grazing::machine::{MachineState, RealVector};
+use grazing::machine::{MachineState, RealVector, SpeedLaw, simulate::MachineEvent};
 
 fn entries(n: usize, rows: &[f64]) -> Vec<(usize, usize, f64)> {
     rows.iter().enumerate().map(|(k, x)| (k / n, k % n, *x)).collect()
@@ -160,6 +160,68 @@ fn soft_orbits_return_and_their_multipliers_are_those_of_differences() {
     }
 }
 
+/// An orbit whose impacts have a restitution that depends on their speed, beside a soft stop: its multipliers
+/// are those of differences of the second integrator's map of a period.
+#[test]
+fn multipliers_know_how_restitution_changes_with_the_speed() {
+    for beside in [None, Some(soft(&[-1.0], -0.6, 5.0, 0.4))] {
+        let law = SpeedLaw { text: "law".into(), over: vec![0.8], under: vec![1.0, 0.7] };
+        let mut rigid = soft(&[1.0], -0.4, 1.0, 0.0);
+        (rigid.name, rigid.law) = ("rigid".into(), StopLaw::Speed(law));
+        let machine =
+            machine(1, [&[1.0], &[0.2], &[0.3]], &[1.0], std::iter::once(rigid).chain(beside).collect());
+        let simulator = simulator(&machine);
+        let mut run = simulator.start(Time::new(0, 0.0), &[0.0], &[0.0]).unwrap();
+        run.finish(Time::new(600, 0.0));
+        let before = run.state();
+        let mut hits = Vec::new();
+        let mut after = None;
+        let period = (1..=6)
+            .find(|&period: &i64| {
+                loop {
+                    match run.next(Time::new(600 + period, 0.0)) {
+                        MachineEvent::Impact(hit) => {
+                            after.get_or_insert_with(|| run.state());
+                            hits.push((hit.time, -hit.velocity));
+                        }
+                        MachineEvent::End(_) => break,
+                        _ => {}
+                    }
+                }
+                (&run.state().q - &before.q).amax() < 1e-7
+            })
+            .expect("periodic");
+        let strikes = (0..hits.len()).map(|i| {
+            let next = hits.get(i + 1).map_or(hits[0].0.period + period, |next| next.0.period);
+            StopStrike { stop: 0, periods: (next - hits[i].0.period) as u32 }
+        });
+        let pattern = StopPattern::new(strikes.collect()).unwrap();
+        let start: Vec<f64> = hits.iter().flat_map(|(time, speed)| [time.phase, *speed]).collect();
+        let orbit = find_from(&simulator, &pattern, &start, after.as_ref()).unwrap();
+        let map = |x: [f64; 2]| {
+            let mut motion = Motion::new(&machine, &x[..1], &x[1..]);
+            motion.follow(TAU * period as f64);
+            [motion.q[0], motion.u[0]]
+        };
+        let (x, h) = ([before.q[0], before.u[0]], 1e-5);
+        let column = |j: usize| {
+            let moved = |h: f64| {
+                let mut x = x;
+                x[j] += h;
+                map(x)
+            };
+            let (more, less) = (moved(h), moved(-h));
+            [0, 1].map(|i| (more[i] - less[i]) / (2.0 * h))
+        };
+        let (a, b) = (column(0), column(1));
+        let (trace, determinant) = (a[0] + b[1], a[0] * b[1] - a[1] * b[0]);
+        let [first, second] = [orbit.multipliers[0], orbit.multipliers[1]];
+        println!("period {period}, {} impacts: {:?}, {trace} {determinant}", hits.len(), orbit.multipliers);
+        assert!((first.0 + second.0 - trace).abs() < 1e-6);
+        assert!((first.0 * second.0 - first.1 * second.1 - determinant).abs() < 1e-6);
+    }
+}
+
 /// A machine every coefficient of which changes with the parameter, those of its soft stop among them.
 struct Changing;
 
@@ -171,6 +233,13 @@ impl MachineFamily for Changing {
             let mut stop = soft(&[c(-1.0, 0.2), c(0.8, -0.1)], c(-0.2, 0.1), c(9.0, 3.0), c(0.8, 0.5));
             stop.wall.harmonics = vec![Harmonic { k: 1, cos: c(0.05, 0.1), sin: 0.0 }];
             let rows = |a: [f64; 4], b: [f64; 4]| -> Vec<f64> { (0..4).map(|i| c(a[i], b[i])).collect() };
+            let law = SpeedLaw {
+                text: "law".into(),
+                over: vec![c(0.9, 0.2), c(0.1, 0.1)],
+                under: vec![c(1.0, 0.0), c(0.5, -0.2), c(0.05, 0.1)],
+            };
+            let mut rigid = soft(&[c(0.1, 0.3), c(1.0, -0.2)], c(-1.0, 0.3), 1.0, 0.0);
+            (rigid.name, rigid.law) = ("rigid".into(), StopLaw::Speed(law));
             let mut machine = machine(
                 2,
                 [
@@ -179,7 +248,7 @@ impl MachineFamily for Changing {
                     &rows([3.0, -1.0, -1.0, 2.0], [1.0, 0.5, 0.5, -0.4]),
                 ],
                 &[c(1.5, 0.3), c(-0.6, 0.2)],
-                vec![stop],
+                vec![stop, rigid],
             );
             machine.period = c(5.0, 0.7);
             machine
@@ -192,27 +261,28 @@ impl MachineFamily for Changing {
 fn the_equations_of_soft_orbits_change_with_a_parameter_as_differences_say() {
     let family = Changing;
     let patterns = MachinePatterns::new(&family, 0.0, None).unwrap();
-    let pattern = StopPattern::free(1).unwrap();
     let z = [0.1, -0.3, 0.5, -0.4];
-    let at = |p: f64, z: &[f64]| patterns.equations(p, &pattern, z).unwrap();
-    let (exact, h) = (at(0.1, &z), 1e-5);
-    let (more, less) = (at(0.1 + h, &z), at(0.1 - h, &z));
-    for i in 0..4 {
-        let slope = (more.residual[i] - less.residual[i]) / (2.0 * h);
-        assert!(
-            (slope - exact.slope[i]).abs() < 1e-6 * (1.0 + slope.abs()),
-            "{i}: {slope} {}",
-            exact.slope[i]
-        );
-        for j in 0..4 {
-            let moved = |h: f64| {
-                let mut z = z;
-                z[j] += h;
-                at(0.1, &z).residual[i]
-            };
-            let slope = (moved(h) - moved(-h)) / (2.0 * h);
-            let found = exact.jacobian[i][j];
-            assert!((slope - found).abs() < 1e-6 * (1.0 + slope.abs()), "{i} {j}: {slope} {found}");
+    let struck = StopPattern::new(vec![StopStrike { stop: 1, periods: 1 }]).unwrap();
+    for (pattern, z) in
+        [(StopPattern::free(1).unwrap(), z.to_vec()), (struck, vec![0.1, -0.3, 0.5, -0.4, 0.7, 0.6])]
+    {
+        let at = |p: f64, z: &[f64]| patterns.equations(p, &pattern, z).unwrap();
+        let (exact, h) = (at(0.1, &z), 1e-5);
+        let (more, less) = (at(0.1 + h, &z), at(0.1 - h, &z));
+        for i in 0..z.len() {
+            let slope = (more.residual[i] - less.residual[i]) / (2.0 * h);
+            let found = exact.slope[i];
+            assert!((slope - found).abs() < 1e-6 * (1.0 + slope.abs()), "{i}: {slope} {found}");
+            for j in 0..z.len() {
+                let moved = |h: f64| {
+                    let mut z = z.clone();
+                    z[j] += h;
+                    at(0.1, &z).residual[i]
+                };
+                let slope = (moved(h) - moved(-h)) / (2.0 * h);
+                let found = exact.jacobian[i][j];
+                assert!((slope - found).abs() < 1e-6 * (1.0 + slope.abs()), "{i} {j}: {slope} {found}");
+            }
         }
     }
     // There is contact on the way.

@@ -105,6 +105,7 @@ fn mirrored(one: &StopContact, other: &StopContact) -> bool {
     one.row == -&other.row
         && one.restitution == other.restitution
         && one.soft == other.soft
+        && one.law == other.law
         && one.position.mean() == other.position.mean()
         && one.position.harmonics().iter().chain(other.position.harmonics()).all(|h| moves(h.k))
 }

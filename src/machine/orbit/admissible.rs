@@ -175,7 +175,7 @@ impl StopEquations<'_> {
             if m > 0 {
                 state = self.between.after(&state, duration)?;
                 state.t = turned(times[next]);
-                state.u.axpy(speeds[next], &self.kick(next), 1.0);
+                state.u.axpy(speeds[next], &self.kick(next, speeds[next]), 1.0);
             }
         }
         Ok(marginal.map_or(MachineAdmissibility::Admissible, MachineAdmissibility::Marginal))
@@ -212,7 +212,7 @@ impl StopEquations<'_> {
                 let next = (leg + 1) % m;
                 state = self.between.after(&state, duration)?;
                 state.t = turned(times[next]);
-                state.u.axpy(speeds[next], &self.kick(next), 1.0);
+                state.u.axpy(speeds[next], &self.kick(next, speeds[next]), 1.0);
             }
         }
         Ok(least)

@@ -1,9 +1,9 @@
 //! How the motion of a machine, its gaps and its impacts change with a parameter.
 
-use super::{Contacts, LinearFlow, MachineState, RealMatrix, RealVector};
+use super::{Contacts, LinearFlow, MachineState, RealMatrix, RealVector, StopContact};
 use crate::{
     error::Result,
-    machine::{LinearEquations, Machine, MachineSlope, Periodic, algebra::stacked},
+    machine::{LinearEquations, Machine, MachineSlope, Periodic, SpeedLaw, StopLaw, algebra::stacked},
     oscillator::{Series, orbit::GAUSS},
 };
 
@@ -26,8 +26,25 @@ pub struct MachineChange {
     alone: Option<LinearFlow>,
     /// Of the machine's coefficients.
     slope: MachineSlope,
-    /// Of each stop: of its row, of its place, and of its kick (1 + τ) M⁻¹wᵀ/(w M⁻¹wᵀ).
-    stops: Vec<(RealVector, Series, RealVector)>,
+    /// Of each stop.
+    stops: Vec<StopChange>,
+}
+
+/// How a stop changes.
+#[derive(Debug, Clone)]
+struct StopChange {
+    row: RealVector,
+    place: Series,
+    /// M⁻¹wᵀ, its derivative, w M⁻¹wᵀ and its derivative.
+    push: RealVector,
+    pushed: RealVector,
+    mobility: f64,
+    moved: f64,
+    contact: StopContact,
+    /// Of a constant τ.
+    restitution: f64,
+    /// τ as a function of the speed, and what it changes by.
+    law: Option<(SpeedLaw<f64>, SpeedLaw<f64>)>,
 }
 
 impl MachineChange {
@@ -44,15 +61,27 @@ impl MachineChange {
         let equations = flow.equations();
         let change = MachineSlope::new(machine, slope)?;
         let (force, state, alone) = moving(equations, &change)?;
+        let (rate, faster) = (machine.rate(), -machine.rate() * slope.period / machine.period);
         let stops = change.stops.iter().zip(&slope.stops).enumerate().map(|(stop, ((row, place), own))| {
-            let (contact, push, mobility) =
-                (&contacts.all()[stop], contacts.push(stop), contacts.mobility(stop));
-            // (M⁻¹wᵀ)′ = M⁻¹(w′ᵀ − M′M⁻¹wᵀ), (w M⁻¹wᵀ)′ = 2w′M⁻¹wᵀ − (M⁻¹wᵀ)ᵀM′M⁻¹wᵀ.
-            let pushed = equations.accelerate(&(row - &change.mass * push));
-            let moved = 2.0 * row.dot(push) - push.dot(&(&change.mass * push));
-            let factor = (1.0 + contact.restitution) / mobility;
-            let kick = pushed * factor + push * (own.wall.restitution / mobility - factor * moved / mobility);
-            (row.clone(), place.clone(), kick)
+            let (push, mobility) = (contacts.push(stop), contacts.mobility(stop));
+            let law = match (&machine.stops[stop].law, &own.law) {
+                (StopLaw::Speed(law), StopLaw::Speed(slope)) => {
+                    Some((law.scaled(rate), law.scaled_slope(slope, rate, faster)))
+                }
+                _ => None,
+            };
+            StopChange {
+                row: row.clone(),
+                place: place.clone(),
+                // (M⁻¹wᵀ)′ = M⁻¹(w′ᵀ − M′M⁻¹wᵀ), (w M⁻¹wᵀ)′ = 2w′M⁻¹wᵀ − (M⁻¹wᵀ)ᵀM′M⁻¹wᵀ.
+                pushed: equations.accelerate(&(row - &change.mass * push)),
+                moved: 2.0 * row.dot(push) - push.dot(&(&change.mass * push)),
+                push: push.clone(),
+                mobility,
+                contact: contacts.all()[stop].clone(),
+                restitution: own.wall.restitution,
+                law,
+            }
         });
         let stops = stops.collect();
         Ok(MachineChange { force, state, alone, slope: change, stops })
@@ -108,14 +137,17 @@ impl MachineChange {
 
     /// How the gap to a stop and its rate change at a state.
     pub fn gap(&self, stop: usize, at: &MachineState) -> [f64; 2] {
-        let (row, place, _) = &self.stops[stop];
+        let StopChange { row, place, .. } = &self.stops[stop];
         let [place, speed, _] = place.at(at.t);
         [row.dot(&at.q) - place, row.dot(&at.u) - speed]
     }
 
-    /// How the kick of a stop changes.
-    pub fn kick(&self, stop: usize) -> &RealVector {
-        &self.stops[stop].2
+    /// How the kick of a stop, (1 + τ) M⁻¹wᵀ/(w M⁻¹wᵀ), changes at an impact of speed V.
+    pub fn kick(&self, stop: usize, speed: f64) -> RealVector {
+        let own = &self.stops[stop];
+        let factor = (1.0 + own.contact.restitution_at(speed)) / own.mobility;
+        let slope = own.law.as_ref().map_or(own.restitution, |(law, slope)| law.slope(slope, speed.max(0.0)));
+        &own.pushed * factor + &own.push * (slope / own.mobility - factor * own.moved / own.mobility)
     }
 }
 

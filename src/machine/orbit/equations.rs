@@ -37,11 +37,19 @@ impl<'s> StopEquations<'s> {
         &self.contacts.all()[self.pattern.strikes()[i].stop]
     }
 
-    /// (1 + τ) M⁻¹wᵀ/(w M⁻¹wᵀ).
-    pub fn kick(&self, i: usize) -> RealVector {
+    /// (1 + τ) M⁻¹wᵀ/(w M⁻¹wᵀ), by which the velocities change for each V of an impact of speed V.
+    pub fn kick(&self, i: usize, speed: f64) -> RealVector {
+        self.pushed(i, self.contact(i).restitution_at(speed))
+    }
+
+    /// How the change of velocities changes with V: τ + Vτ′ in place of τ.
+    fn kick_slope(&self, i: usize, speed: f64) -> RealVector {
+        self.pushed(i, self.contact(i).restitution_slope(speed))
+    }
+
+    fn pushed(&self, i: usize, restitution: f64) -> RealVector {
         let stop = self.pattern.strikes()[i].stop;
-        self.contacts.push(stop)
-            * ((1.0 + self.contacts.all()[stop].restitution) / self.contacts.mobility(stop))
+        self.contacts.push(stop) * ((1.0 + restitution) / self.contacts.mobility(stop))
     }
 
     pub fn duration(&self, times: &[f64], i: usize) -> Result<f64> {
@@ -109,13 +117,13 @@ impl<'s> StopEquations<'s> {
             }
             residual.extend([gap / s, (rate + speeds[next]) / s]);
             jacobian.extend([gap_row, rate_row]);
-            let kick = self.kick(next);
-            end.u.axpy(speeds[next], &kick, 1.0);
+            let kick = self.kick_slope(next, speeds[next]);
+            end.u.axpy(speeds[next], &self.kick(next, speeds[next]), 1.0);
             for k in 0..n {
                 d[(n + k, speed)] += kick[k] * s;
             }
             if let Some(change) = change {
-                for (k, by) in change.kick(stop).iter().enumerate() {
+                for (k, by) in change.kick(stop, speeds[next]).iter().enumerate() {
                     d[(n + k, unknowns)] += by * speeds[next];
                 }
             }
@@ -174,7 +182,7 @@ impl<'s> StopEquations<'s> {
             }
             state = self.between.after(&state, duration)?;
             state.t = turned(times[next]);
-            state.u.axpy(speeds[next], &self.kick(next), 1.0);
+            state.u.axpy(speeds[next], &self.kick(next, speeds[next]), 1.0);
             left -= duration;
         }
         self.between.after(&state, left)
@@ -183,7 +191,7 @@ impl<'s> StopEquations<'s> {
     /// The motion linearised once around, after the first impact, at fixed times.
     ///
     /// At an impact a displacement δ before it becomes S δ, S = J + (f⁻ − κ z″ − f⁺)(w, 0)/V, where J = I − κ
-    /// (0, w) is Newton's law with κ = (0, (1 + τ) M⁻¹wᵀ/(w M⁻¹wᵀ)), f = (q′, q″), z″ the gap's second
+    /// (0, w) is Newton's law with κ = (0, (1 + τ + Vτ′) M⁻¹wᵀ/(w M⁻¹wᵀ)), f = (q′, q″), z″ the gap's second
     /// derivative before it, and w δq/V the delay of the impact.
     pub fn monodromy(&self, z: &[f64]) -> Result<RealMatrix> {
         let (n, m) = (self.size(), self.pattern.strikes().len());
@@ -198,11 +206,11 @@ impl<'s> StopEquations<'s> {
             let Passage { mut end, phi, .. } = self.between.passage(&state, duration, None)?;
             all = phi * all;
             end.t = turned(times[next]);
-            let (contact, kick) = (self.contact(next), self.kick(next));
+            let (contact, kick) = (self.contact(next), self.kick(next, speeds[next]));
             let before = self.between.field(&end);
             let bend = contact.row.dot(&before.rows(n, n)) - contact.position.at(end.t)[2];
             end.u.axpy(speeds[next], &kick, 1.0);
-            let kappa = stacked(&RealVector::zeros(n), &kick);
+            let kappa = stacked(&RealVector::zeros(n), &self.kick_slope(next, speeds[next]));
             let turn = (before - &kappa * bend - self.between.field(&end)) / speeds[next];
             let zero = RealVector::zeros(n);
             let delay = stacked(&contact.row, &zero).transpose() * &all;
@@ -217,7 +225,11 @@ impl<'s> StopEquations<'s> {
     pub fn determinant(&self, z: &[f64]) -> Result<f64> {
         let (mut state, times, speeds) = self.split(z);
         let m = times.len();
-        let factor: f64 = (0..m).map(|i| self.contact(i).restitution.powi(2)).product();
+        let lost = |i: usize| {
+            let contact = self.contact(i);
+            contact.restitution_at(speeds[i]) * contact.restitution_slope(speeds[i])
+        };
+        let factor: f64 = (0..m).map(lost).product();
         let whole = TAU * f64::from(self.pattern.periods());
         if self.between.soft.is_none() || m == 0 {
             return Ok(self.between.determinant(&state, whole)? * factor);
@@ -228,7 +240,7 @@ impl<'s> StopEquations<'s> {
             all *= self.between.determinant(&state, duration)?;
             state = self.between.after(&state, duration)?;
             state.t = turned(times[next]);
-            state.u.axpy(speeds[next], &self.kick(next), 1.0);
+            state.u.axpy(speeds[next], &self.kick(next, speeds[next]), 1.0);
         }
         Ok(all)
     }

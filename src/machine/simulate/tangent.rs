@@ -127,7 +127,7 @@ impl<'a> MachineTangents<'a> {
         let factors: Vec<f64> = acting
             .iter()
             .zip(&rows)
-            .map(|(&i, row)| if rates[i] < 0.0 { 1.0 + row.restitution } else { 1.0 })
+            .map(|(&i, row)| if rates[i] < 0.0 { 1.0 + row.restitution_slope(-rates[i]) } else { 1.0 })
             .collect();
         let jump = &arrival.u - &after.u;
         let turn = bend - bent;

@@ -161,14 +161,15 @@ impl MachineRun<'_> {
         let kick = stage.padded(&kick);
         // The gap's rate is to change by −(1 + τ) w as the tables see it: what they are off by would add up
         // over many impacts.
-        let wanted = -(1.0 + simulator.contacts.all()[stop].restitution) * velocity;
+        let restitution = simulator.contacts.all()[stop].restitution_at(-velocity);
+        let wanted = -(1.0 + restitution) * velocity;
         let seen = stage.slope(watch, x, &kick) / self.half();
         let factor = if (seen / wanted - 1.0).abs() < 1e-6 { wanted / seen } else { 1.0 };
         for (y, kick) in self.y.iter_mut().zip(kick) {
             *y += factor * kick;
         }
         self.told(time, stop, velocity, law.impulses[0], radius, 1, false);
-        let bounce = -simulator.contacts.all()[stop].restitution * velocity;
+        let bounce = -restitution * velocity;
         let pushed = bend - simulator.drags[stop] * law.impulses[0];
         if pushed < 0.0 && bounce * bounce < -2.0 * pushed * depth {
             let state = self.state_at(x);
