@@ -84,6 +84,19 @@ fn simulated_orbits_have_the_entropy_that_is_proved() {
         assert!(near == all[1] || (periods > 4 && near < all[1]));
         assert!(estimate >= proved, "{periods} periods: {estimate}");
     }
+    let mut run = simulator.start(Time::new(0, PI), 0.0, 0.01).unwrap();
+    // Legs by their periods, from 1 on; those of more than four are counted with four.
+    let (mut legs, mut last) = ([0; 4], None);
+    run.record(Time::new(20_000, PI), |event| {
+        if let Event::Impact(impact) = event {
+            let period = impact.time.period - i64::from(impact.time.phase < PI);
+            if let Some(last) = last.replace(period) {
+                legs[(period - last - 1).clamp(0, 3) as usize] += 1;
+            }
+        }
+    });
+    println!("legs of 1, 2, 3 and 4 periods on the attractor: {legs:?}");
+    assert!(legs[0] + legs[1] > 0 && 50 * (legs[0] + legs[1]) < legs[2] + legs[3]);
     let time = Time::new(0, PI);
     let exponent = lyapunov(&simulator, time, [0.0, 0.01], 100, 20_000, &()).unwrap();
     let rate = 2.0 * PI * exponent.rate;
