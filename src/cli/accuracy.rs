@@ -27,7 +27,8 @@ use crate::{
 /// family of inputs, as accuracy.csv and accuracy.svg. Of simulations: the time and error of the closed form
 /// and of the integrator at tolerances 1e-3 to 1e-13, as flow-accuracy.csv and .svg, and the distance from
 /// exact motions after 1 to 10^6 periods, as long-runs.csv. Of effects: what each adds to the time per
-/// period, with its evaluations counted, as effects.csv, and of machines as machine-effects.csv. The table is also printed. Takes some seconds.
+/// period, with its evaluations counted, as effects.csv, and of machines as machine-effects.csv. The table is
+/// also printed. Takes some seconds.
 ///
 /// Exit code 0: done; 2: a file that cannot be written; 3: interrupted.
 #[derive(Debug, Parser)]

@@ -71,8 +71,8 @@ impl SpeedLaw<f64> {
         }
     }
 
-    /// Refuses a law with a pole or a negative value at a speed v ≥ 0; decided exactly, the coefficients being
-    /// what they are in floats.
+    /// Refuses a law with a pole or a negative value at a speed v ≥ 0; decided exactly, the coefficients
+    /// being what they are in floats.
     ///
     /// # Errors
     /// Such a law, with a place; more than 8 powers of v.

@@ -116,8 +116,8 @@ pub(super) fn orbits(
     Ok(found)
 }
 
-/// Orbits without impacts on rigid stops: from the state at phase 0 of the keys, or those of a search, from the
-/// motion that the forces alone bring about and from random states.
+/// Orbits without impacts on rigid stops: from the state at phase 0 of the keys, or those of a search, from
+/// the motion that the forces alone bring about and from random states.
 fn through_soft_stops(
     keys: &OrbitKeys,
     machine: &Machine<f64>,
@@ -158,7 +158,7 @@ fn through_soft_stops(
         let roots: Vec<MachineOrbit> = (first..last).into_par_iter().filter_map(|i| start(i).ok()).collect();
         for orbit in roots {
             let shorter = |n: u32| -> Result<bool> {
-                if keys.period % n != 0 {
+                if !keys.period.is_multiple_of(n) {
                     return Ok(false);
                 }
                 let mut run =

@@ -68,8 +68,8 @@ keys! {
 
 keys! {
     /// A stop for the gap z = `row`·q − `offset` − Σ `harmonics`. With `restitution` it is rigid: z stays at
-    /// least 0, and an impact turns z′ into −`restitution` times itself. With `stiffness` it gives way: where z
-    /// is negative it pushes with the force −`stiffness` z − `damping` z′, until that would pull.
+    /// least 0, and an impact turns z′ into −`restitution` times itself. With `stiffness` it gives way: where
+    /// z is negative it pushes with the force −`stiffness` z − `damping` z′, until that would pull.
     pub struct StopKeys {
         /// what it is called in reports
         name: Option<String>,

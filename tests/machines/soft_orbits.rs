@@ -46,9 +46,9 @@ fn state(q: &[f64], u: &[f64]) -> MachineState {
     MachineState { t: 0.0, q: RealVector::from_column_slice(q), u: RealVector::from_column_slice(u) }
 }
 
-/// Without damping the symmetric motion under F cos t between two soft stops is even about t = 0 and odd about
-/// t = π/2: beyond the gap q* + A cos Ωt + F/(Ω² − 1) cos t, within B sin ω(π/2 − t) + F/(ω² − 1) cos t; one
-/// equation says when it passes from one to the other.
+/// Without damping the symmetric motion under F cos t between two soft stops is even about t = 0 and odd
+/// about t = π/2: beyond the gap q* + A cos Ωt + F/(Ω² − 1) cos t, within B sin ω(π/2 − t) + F/(ω² − 1) cos
+/// t; one equation says when it passes from one to the other.
 #[test]
 fn the_symmetric_orbit_of_the_bilinear_oscillator_has_a_closed_form() {
     for (k, stop, gap, force) in

@@ -9,7 +9,7 @@ use std::{
     fmt,
 };
 
-use super::{StopContact, StopEquations, leg::Piece, turned};
+use super::{StopContact, StopEquations, leg::LegPiece, turned};
 use crate::{
     error::Result,
     machine::{
@@ -220,7 +220,7 @@ impl StopEquations<'_> {
 
     fn minima(
         &self,
-        piece: &Piece,
+        piece: &LegPiece,
         (leg, before, whole): (usize, f64, f64),
         each: &mut impl FnMut(MachineMinimum),
     ) -> Result<()> {

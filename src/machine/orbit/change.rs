@@ -151,8 +151,8 @@ impl MachineChange {
     }
 }
 
-/// What a parameter does to motion between events: f′ − M′M⁻¹f, the matrices by q and q′, and the machine under
-/// f′ alone.
+/// What a parameter does to motion between events: f′ − M′M⁻¹f, the matrices by q and q′, and the machine
+/// under f′ alone.
 type Moving = (Periodic, Option<[RealMatrix; 2]>, Option<LinearFlow>);
 
 fn moving(equations: &LinearEquations, change: &MachineSlope) -> Result<Moving> {

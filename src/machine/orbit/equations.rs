@@ -8,7 +8,7 @@ use super::{
 };
 use crate::{
     error::{Error, Result},
-    machine::{algebra::stacked, orbit::leg::Passage},
+    machine::{algebra::stacked, orbit::leg::LegPassage},
     oscillator::orbit::Linearised,
 };
 
@@ -88,7 +88,7 @@ impl<'s> StopEquations<'s> {
             let next = (i + 1) % m;
             let (time, speed) = (2 * n + 2 * next, 2 * n + 2 * next + 1);
             let duration = self.duration(&times, i)?;
-            let Passage { mut end, phi, slope } = self.between.passage(&state, duration, change)?;
+            let LegPassage { mut end, phi, slope } = self.between.passage(&state, duration, change)?;
             let begin = self.between.field(&state);
             end.t = turned(times[next]);
             d = &phi * d;
@@ -131,7 +131,7 @@ impl<'s> StopEquations<'s> {
         }
         if m == 0 {
             let duration = TAU * f64::from(self.pattern.periods());
-            let Passage { end, phi, slope } = self.between.passage(&state, duration, change)?;
+            let LegPassage { end, phi, slope } = self.between.passage(&state, duration, change)?;
             d = phi * d;
             if change.is_some() {
                 add_column(&mut d, unknowns, 1.0, &slope);
@@ -203,7 +203,7 @@ impl<'s> StopEquations<'s> {
         for i in 0..m {
             let next = (i + 1) % m;
             let duration = self.duration(&times, i)?;
-            let Passage { mut end, phi, .. } = self.between.passage(&state, duration, None)?;
+            let LegPassage { mut end, phi, .. } = self.between.passage(&state, duration, None)?;
             all = phi * all;
             end.t = turned(times[next]);
             let (contact, kick) = (self.contact(next), self.kick(next, speeds[next]));

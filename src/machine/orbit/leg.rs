@@ -1,11 +1,11 @@
 //! Motion from one impact on a rigid stop to the next, through contact with soft ones.
 //!
-//! Between impacts a machine without soft stops is one linear system. With some, a leg is made of pieces, each
-//! of them linear: the simulator follows it with all rigid stops passed through, so that the equations of an
-//! orbit are smooth beyond them. Contact with a soft stop begins and ends without an unknown of its own. Where
-//! it ends, the motion's field is continuous, and nothing is to be done; where it begins the force jumps by
-//! cV, and a displacement δ becomes δq′ − c M⁻¹wᵀ δz, δz being by how much the gap is larger there. So a
-//! branch passes through a grazing of a soft stop.
+//! Between impacts a machine without soft stops is one linear system. With some, a leg is made of pieces,
+//! each of them linear: the simulator follows it with all rigid stops passed through, so that the equations
+//! of an orbit are smooth beyond them. Contact with a soft stop begins and ends without an unknown of its
+//! own. Where it ends, the motion's field is continuous, and nothing is to be done; where it begins the force
+//! jumps by cV, and a displacement δ becomes δq′ − c M⁻¹wᵀ δz, δz being by how much the gap is larger there.
+//! So a branch passes through a grazing of a soft stop.
 
 use super::{Contacts, LinearFlow, MachineChange, MachineState, RealMatrix, RealVector};
 use crate::{
@@ -28,7 +28,7 @@ pub struct Between<'s> {
 }
 
 /// Linear motion.
-pub struct Piece {
+pub struct LegPiece {
     pub flow: LinearFlow,
     /// The soft stops that push.
     pub pushing: Vec<usize>,
@@ -39,7 +39,7 @@ pub struct Piece {
 }
 
 /// A leg's end, what of a displacement before is left there, and how the end changes with a parameter.
-pub struct Passage {
+pub struct LegPassage {
     pub end: MachineState,
     pub phi: RealMatrix,
     pub slope: RealVector,
@@ -79,10 +79,10 @@ impl<'s> Between<'s> {
     }
 
     /// The pieces of a leg; one without soft stops.
-    pub fn pieces(&self, state: &MachineState, duration: f64) -> Result<(Vec<Piece>, MachineState)> {
+    pub fn pieces(&self, state: &MachineState, duration: f64) -> Result<(Vec<LegPiece>, MachineState)> {
         let Some(simulator) = self.soft else {
             let (flow, start) = (self.flow.clone(), state.clone());
-            let whole = Piece { flow, pushing: Vec::new(), start, duration, touch: None };
+            let whole = LegPiece { flow, pushing: Vec::new(), start, duration, touch: None };
             return Ok((vec![whole], self.flow.after(state, duration)));
         };
         let begin = Time::new(0, state.t);
@@ -100,7 +100,7 @@ impl<'s> Between<'s> {
             let (time, here) = (run.time(), MachineState { t: run.time().phase, ..run.state() });
             let touch = touch.filter(|touch| touch.jump > 0.0).map(|touch| (touch, here.clone()));
             let duration = time.since(now).max(0.0);
-            pieces.push(Piece { flow, pushing, start, duration, touch });
+            pieces.push(LegPiece { flow, pushing, start, duration, touch });
             if let MachineEvent::End(end) = event {
                 followed(run.failure(), end)?;
                 return Ok((pieces, here));
@@ -115,9 +115,9 @@ impl<'s> Between<'s> {
         state: &MachineState,
         duration: f64,
         change: Option<&MachineChange>,
-    ) -> Result<Passage> {
+    ) -> Result<LegPassage> {
         if self.soft.is_none() {
-            return Ok(Passage {
+            return Ok(LegPassage {
                 end: self.flow.after(state, duration),
                 phi: self.flow.transition(duration),
                 slope: change.map_or_else(none, |change| change.leg(self.flow, state, duration)),
@@ -144,7 +144,7 @@ impl<'s> Between<'s> {
             let seen = row.transpose() * &phi;
             phi += &kick * seen;
         }
-        Ok(Passage { end, phi, slope })
+        Ok(LegPassage { end, phi, slope })
     }
 
     /// det of the flow over a leg, by Liouville: beginnings of contact have determinant 1.

@@ -99,6 +99,9 @@ impl Default for MachineSettings {
     }
 }
 
+/// The machine in contact with stops: those it rests on, and the soft ones.
+type Stages = BTreeMap<(Vec<usize>, SoftStops), Arc<Stage>>;
+
 /// A machine ready to run from many starts and on many threads.
 #[derive(Debug)]
 pub struct MachineSimulator {
@@ -106,7 +109,7 @@ pub struct MachineSimulator {
     contacts: Contacts,
     /// The free machine first of all; others as they come up.
     free: Arc<Stage>,
-    stages: Mutex<BTreeMap<(Vec<usize>, SoftStops), Arc<Stage>>>,
+    stages: Mutex<Stages>,
     /// w M⁻¹ C M⁻¹ wᵀ of each stop: by how much an impulse of 1 there changes z″ through damping.
     drags: Vec<f64>,
     settings: MachineSettings,

@@ -1,8 +1,9 @@
-//! A machine in contact with some of its stops, or with none, with tables of everything that is watched on it.
+//! A machine in contact with some of its stops, or with none, with tables of everything that is watched on
+//! it.
 //!
 //! What is watched is a function z(t) of time along the motion: a gap, or the force of a stop that is rested
-//! on or that gives way, in the unit of gaps. It is the sum of a known function (of p and of the stops' motion) and of a functional on the
-//! homogeneous y, about whose time steps everything is in tables.
+//! on or that gives way, in the unit of gaps. It is the sum of a known function (of p and of the stops'
+//! motion) and of a functional on the homogeneous y, about whose time steps everything is in tables.
 //!
 //! # Cells
 //!
@@ -184,7 +185,7 @@ impl Stage {
         through: bool,
     ) -> Result<Stage> {
         let all = contacts.all();
-        let watched = |j: usize| !resting.contains(&j) && !(through && all[j].soft.is_none());
+        let watched = |j: usize| !(resting.contains(&j) || through && all[j].soft.is_none());
         let pushed = equations.pushed(soft.pushing.iter().map(|&j| &all[j]));
         let equations = &pushed;
         let mut watches: Vec<(What, Watch)> = Vec::new();

@@ -7,9 +7,9 @@
 //!
 //! δΛ being the change of the impulses with the rates of the gaps there. Where the machine comes to rest on
 //! stops, what is not motion along them is gone. Rest ends without a jump: q″ is continuous there. So does
-//! contact with a soft stop; where it begins at speed V, q″ jumps by cV M⁻¹wᵀ, c being the stop's damping, and
-//! δq′⁺ = δq′ − c (w·δq) M⁻¹wᵀ, however small V is. A vector
-//! of several stops hit at one instant by chance is that of the order in which the law takes them.
+//! contact with a soft stop; where it begins at speed V, q″ jumps by cV M⁻¹wᵀ, c being the stop's damping,
+//! and δq′⁺ = δq′ − c (w·δq) M⁻¹wᵀ, however small V is. A vector of several stops hit at one instant by
+//! chance is that of the order in which the law takes them.
 //!
 //! Vectors are in coordinates in which the mass is 1, (Lᵀδq, Lᵀδq′).
 
