@@ -46,3 +46,11 @@ Definition Chaos_periodic_statement : Prop := forall mu N t q v (m P : Z), mu > 
   motion mu N t q v -> in_boxes mu N t v -> (forall i, N (i + m) = N i + P)%Z ->
   forall i x, t (i + m)%Z = t i + 2 * PI * IZR P /\ q (i + m)%Z (x + 2 * PI * IZR P) = q i x /\
   v (i + m)%Z (x + 2 * PI * IZR P) = v i x.
+
+(** Two motions whose N agree around an impact, the 0th for short, are close there. *)
+Definition Chaos_continuous_statement : Prop := forall mu N N' t q v t' q' v' (K : nat), mu > 0 ->
+  one_or_two N -> one_or_two N' -> motion mu N t q v -> in_boxes mu N t v ->
+  motion mu N' t' q' v' -> in_boxes mu N' t' v' ->
+  (forall i, (- (Z.of_nat K + 2) <= i <= Z.of_nat K + 2)%Z -> N i = N' i) ->
+  Rabs (t 0%Z - t' 0%Z) <= 3 * (7 / 8) ^ K /\
+  Rabs (v 0%Z (t 0%Z) - v' 0%Z (t' 0%Z)) <= 2 * mu * (7 / 8) ^ K.
