@@ -178,8 +178,11 @@ fn stiff_stops_tend_to_rigid_ones() {
     }
 }
 
+/// A name, a machine, and its displacements and velocities at the start.
+type Case = (&'static str, Machine<f64>, Vec<f64>, Vec<f64>);
+
 /// Machines with several soft stops at once, rigid ones among them, that start free, on a stop, in contact.
-fn cases() -> Vec<(&'static str, Machine<f64>, Vec<f64>, Vec<f64>)> {
+fn cases() -> Vec<Case> {
     let load = |cos: &[f64]| vec![Load { k: 1, cos: cos.to_vec(), sin: vec![0.0; cos.len()] }];
     let mut one = machine(&[&[1.0]], &[&[0.05]], &[&[0.4]]);
     one.forcing = load(&[1.0]);
