@@ -273,6 +273,14 @@ impl Machine<f64> {
         })
     }
 
+    /// A force on the coordinates q as one on the amplitudes.
+    ///
+    /// # Errors
+    /// As [`equations`](Self::equations).
+    pub fn direction(&self, values: &[f64]) -> Result<RealVector> {
+        self.vector("direction", values)
+    }
+
     pub(super) fn vector(&self, name: &str, values: &[f64]) -> Result<RealVector> {
         let points = self.points();
         if values.is_empty() {

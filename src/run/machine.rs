@@ -9,7 +9,7 @@ use super::{Finding, Job, Keeper, Lines, Status, row};
 use crate::{
     error::Result,
     machine::{
-        Machine, MachineState,
+        Machine, MachineState, RealVector,
         section::PlanarMachine,
         simulate::{MachineEvent, MachineSettings, MachineSimulator, RunEnd},
     },
@@ -78,6 +78,60 @@ pub struct MachineSimulationFindings {
     pub u: Vec<f64>,
     /// What counts as contact without impact.
     pub minimum_depth: f64,
+    /// What the harmonics of a measured force leave out, if there is one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub measured: Option<MeasuredEffect>,
+}
+
+/// How well the harmonics of a measured force stand for it, and what of it the motion feels.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct MeasuredEffect {
+    /// The file.
+    pub file: String,
+    /// The samples used, of so many whole periods; the rest is left out.
+    pub samples: usize,
+    /// Whole periods in the record.
+    pub periods: usize,
+    /// The samples left out.
+    pub left_out: usize,
+    /// How many harmonics stand for it.
+    pub harmonics: usize,
+    /// The largest difference from a sample.
+    pub residual: f64,
+    /// The largest difference from the record, taken as straight between samples, is no larger.
+    pub bound: f64,
+    /// By how much a force of that size could change the gap at the first impact.
+    pub gap_change: Option<f64>,
+    /// By how much of a period it could change its time, to first order; absent without an impact.
+    pub time_change: Option<f64>,
+}
+
+/// ∫ |response of a contact's gap to a force of 1 in a direction| over a time from its start, by the
+/// trapezoidal rule.
+fn felt(
+    simulator: &MachineSimulator,
+    direction: &[f64],
+    machine: &Machine<f64>,
+    stop: usize,
+    time: f64,
+) -> f64 {
+    let flow = simulator.flow();
+    let Ok(force) = machine.direction(direction) else { return f64::NAN };
+    let n = machine.size;
+    let fastest = flow.rates().into_iter().fold(1.0, f64::max);
+    let steps = (time * fastest * 16.0).ceil().clamp(64.0, 20_000.0);
+    let step = flow.transition(time / steps);
+    let mut state = RealVector::zeros(2 * n);
+    state.rows_mut(n, n).copy_from(&simulator.equations().accelerate(&force));
+    let row = &simulator.contacts().all()[stop].row;
+    let (mut sum, mut before) = (0.0, 0.0f64);
+    for _ in 0..steps as u64 {
+        state = &step * state;
+        let gap = row.dot(&state.rows(0, n)).abs();
+        sum += (before + gap) / 2.0 * time / steps;
+        before = gap;
+    }
+    sum
 }
 
 impl Finding for MachineSimulationFindings {
@@ -121,6 +175,16 @@ impl Finding for MachineSimulationFindings {
         if self.end != RunEnd::Reached {
             lines.say("ended", self.end.why());
             lines.say("after_periods", self.ended_at);
+        }
+        if let Some(measured) = &self.measured {
+            lines.say("measured_force", measured.file.as_str());
+            lines.say("harmonics", measured.harmonics);
+            lines.say("residual", measured.residual);
+            lines.say("bound", measured.bound);
+            if let (Some(gap), Some(time)) = (measured.gap_change, measured.time_change) {
+                lines.say("gap_change", gap);
+                lines.say("time_change", time);
+            }
         }
         if self.q.len() <= 10 {
             lines.say("q", self.q.clone());
@@ -237,7 +301,9 @@ pub fn simulate_machine(
         q: Vec::new(),
         u: Vec::new(),
         minimum_depth: simulator.settings().minimum_depth,
+        measured: None,
     };
+    let mut first = None;
     let samples = u64::from(task.samples);
     let mut instant = None;
     for sample in 0..=u64::from(task.periods) * samples {
@@ -255,6 +321,7 @@ pub fn simulate_machine(
             if let Some(row) = event.stop().map(|stop| &mut found.stops[stop]) {
                 match event {
                     MachineEvent::Impact(impact) => {
+                        first.get_or_insert((impact.stop, impact.time, impact.velocity));
                         row.impacts += 1;
                         row.fastest = row.fastest.max(impact.velocity.abs() * rate);
                         // Masses per radian² times velocities per radian, over Ω, are masses times
@@ -297,5 +364,25 @@ pub fn simulate_machine(
     found.q = machine.seen(&state.q).iter().copied().collect();
     found.u = machine.seen(&state.u).iter().map(|u| u * rate).collect();
     found.ended_at = run.time().periods();
+    if let Some(force) = &job.scene.machine_scene()?.measured {
+        let direction: Vec<f64> =
+            force.direction.iter().map(|one| job.scene.number(one)).collect::<Result<_>>()?;
+        // After a transient it is not the first impact.
+        let change = first.filter(|_| task.transient == 0).map(|(stop, time, velocity)| {
+            let since = time.since(Time::new(0, start.t));
+            (force.bound * felt(&simulator, &direction, machine, stop, since), velocity.abs())
+        });
+        found.measured = Some(MeasuredEffect {
+            file: force.file.clone(),
+            samples: force.samples,
+            periods: force.periods,
+            left_out: force.left_out,
+            harmonics: force.harmonics.len(),
+            residual: force.residual,
+            bound: force.bound,
+            gap_change: change.map(|(gap, _)| gap),
+            time_change: change.map(|(gap, speed)| gap / speed / std::f64::consts::TAU),
+        });
+    }
     Ok(found)
 }

@@ -63,7 +63,14 @@ impl Scene {
                     "the restitution of stop {name} is {value}, above 1: every impact there adds energy"
                 ))
             };
-            return scene.machine.stops.iter().filter_map(gain).chain(faster).collect();
+            let measured = scene.measured.iter().filter(|force| force.left_out > 1).map(|force| {
+                let (file, left_out, periods) = (&force.file, force.left_out, force.periods);
+                format!(
+                    "the last {left_out} samples of {file} are beyond its last whole period and are left out: {periods} \
+                     whole periods are used"
+                )
+            });
+            return scene.machine.stops.iter().filter_map(gain).chain(faster).chain(measured).collect();
         }
         let Ok(system) = self.exact(&[]) else { return Vec::new() };
         let one = num_traits::One::one();

@@ -5,6 +5,7 @@ use super::{
     expression::Expression,
     keys::{Entry, Key, Record, keys},
     matrix::{CoordinateList, MatrixValue},
+    measured::{MeasuredForce, MeasuredKeys},
     restitution::RestitutionKey,
     system::{HarmonicKeys, check_k, harmonics},
 };
@@ -37,6 +38,8 @@ keys! {
         force: CoordinateList = "0",
         /// the harmonics of the force
         forcing: Vec<LoadKeys> = "[]",
+        /// instead of `forcing`, a measured force: harmonics are fitted to it, its mean is added to `force`
+        measured: Option<MeasuredKeys>,
     }
 }
 
@@ -109,6 +112,8 @@ pub struct MachineScene {
     pub machine: Machine<Expression>,
     /// The minimum depth, if it is given.
     pub minimum_depth: Option<f64>,
+    /// The measured force, which is among the machine's own loads, too.
+    pub measured: Option<MeasuredForce>,
 }
 
 impl MachineScene {
@@ -195,6 +200,25 @@ impl MachineScene {
             let sin = load.sin.fit(&at(&format!("{path}.sin")), points)?;
             machine.forcing.push(Load { k: load.k, cos, sin });
         }
+        let measured = match keys.measured {
+            Some(_) if !machine.forcing.is_empty() => {
+                return Err(at("system.measured").fail("stands beside `forcing`: give one of them"));
+            }
+            Some(keys) => Some(MeasuredForce::new(file, keys, &machine.period, points)?),
+            None => None,
+        };
+        if let Some(force) = &measured {
+            let (mean, loads) = force.loads(file.scope.names)?;
+            machine.forcing = loads;
+            machine.force = match &machine.force[..] {
+                [] => mean,
+                constant => constant
+                    .iter()
+                    .zip(&mean)
+                    .map(|(one, mean)| derived(file, one, |text| format!("({text}) + ({mean})")))
+                    .collect::<Result<_>>()?,
+            };
+        }
         for (i, stop) in (1..).zip(walls) {
             let path = format!("walls[{i}]");
             let row = match stop.row {
@@ -247,7 +271,7 @@ impl MachineScene {
         {
             return Err(at("accuracy.minimum_depth").fail("must be positive"));
         }
-        Ok(MachineScene { machine, minimum_depth: accuracy.minimum_depth })
+        Ok(MachineScene { machine, minimum_depth: accuracy.minimum_depth, measured })
     }
 }
 
@@ -297,6 +321,7 @@ fn derived(file: &Entry, from: &Expression, text: impl Fn(&str) -> String) -> Re
 pub(super) const MACHINES: &[(&str, &str, &[Key])] = &[
     ("`[system]` of a machine", MachineKeys::ABOUT, MachineKeys::KEYS),
     ("an entry of a machine's `forcing`", LoadKeys::ABOUT, LoadKeys::KEYS),
+    ("`measured`", MeasuredKeys::ABOUT, MeasuredKeys::KEYS),
     ("`modes`", ModesKeys::ABOUT, ModesKeys::KEYS),
     ("`[[walls]]` of a machine", StopKeys::ABOUT, StopKeys::KEYS),
     ("`[accuracy]` of a machine", MachineAccuracy::ABOUT, MachineAccuracy::KEYS),

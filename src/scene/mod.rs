@@ -4,7 +4,7 @@
 //! keys. Numbers are exact; coefficients are rational expressions in named parameters ([`Expression`]). Not
 //! here: running the tasks (the module `run`).
 //!
-//! Each file imports from those before it alone: `expression`, `keys`, `force`, `matrix`; the keys, `system`,
+//! Each file imports from those before it alone: `expression`, `keys`, `force`, `matrix`, `measured`; the keys, `system`,
 //! `machine`, `simulate`, `orbits`, `sections`, `branches`, `validate`, `chaos`; `task`; `scene`, the type
 //! and its values; `values`, those of a machine; `normal`, `check`; `input`, `family`, `reference`.
 
@@ -18,6 +18,7 @@ mod input;
 mod keys;
 mod machine;
 mod matrix;
+mod measured;
 mod normal;
 pub mod orbits;
 mod reference;
@@ -37,6 +38,7 @@ pub use family::{MachineSceneFamily, SceneFamily};
 pub use keys::Key;
 pub use machine::MachineScene;
 pub use matrix::CoordinateList;
+pub use measured::MeasuredForce;
 pub use reference::reference;
 pub(crate) use scene::phase;
 pub use scene::{Body, Scene};

@@ -1,0 +1,366 @@
+//! A measured force: a CSV file of times and forces, as harmonics of the forcing.
+//!
+//! The harmonics are fitted by least squares, each sample weighted by the time that it stands for in the
+//! period, all whole periods of the record on top of one another. So samples need not be even, and a record
+//! of several periods is averaged. What the fit leaves is bounded at the samples by the largest residual; and
+//! between them, with the record taken as straight from sample to sample, by that and an eighth of the
+//! longest step squared times a bound on the second derivative of the harmonics.
+
+use std::{f64::consts::TAU, path::Path};
+
+use super::{
+    expression::Expression,
+    keys::{Entry, keys},
+    matrix::CoordinateList,
+};
+use crate::{
+    error::Result,
+    machine::{Load, RealMatrix, RealVector},
+    number::Plain,
+    output::read_text,
+};
+
+keys! {
+    /// A record of the force, `time` and `force` in columns of a CSV file beside the scene, in its units. The
+    /// phase is 0 where the record's time is.
+    pub struct MeasuredKeys {
+        /// the file; its first line names the columns
+        file: String,
+        /// how many harmonics, 1 to 100, are fitted to it besides the mean
+        harmonics: u32,
+        /// the period of the record, if it is not that of the forcing: then the same force is taken faster or
+        /// slower
+        period: Option<Expression>,
+        /// what a force of 1 in the file is on each coordinate; one number for a single coordinate
+        direction: CoordinateList = "1",
+    }
+}
+
+/// A measured force as the scene uses it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MeasuredForce {
+    /// The file.
+    pub file: String,
+    /// The samples used.
+    pub samples: usize,
+    /// The samples beyond the last whole period, which are left out.
+    pub left_out: usize,
+    /// Whole periods in the record.
+    pub periods: usize,
+    /// The mean, then (cos kt, sin kt) for k = 1, 2, ….
+    pub mean: f64,
+    /// The coefficients.
+    pub harmonics: Vec<[f64; 2]>,
+    /// The largest difference from a sample.
+    pub residual: f64,
+    /// No difference from the record, taken as straight between samples, is larger.
+    pub bound: f64,
+    /// What a force of 1 is on each coordinate.
+    pub direction: Vec<Expression>,
+}
+
+/// Most harmonics and samples.
+const HARMONICS: u32 = 100;
+const SAMPLES: usize = 100_000;
+/// The longest file, in bytes.
+const LONGEST: u64 = 64 << 20;
+
+/// A line of the file, a time and a force.
+type Sample = (usize, f64, f64);
+/// What is wrong and in which line.
+type Wrong = (usize, String);
+
+impl MeasuredForce {
+    /// Reads and fits a record; `period` is the forcing's, `points` the number of coordinates.
+    pub(super) fn new(file: &Entry, keys: MeasuredKeys, period: &Expression, points: usize) -> Result<Self> {
+        let at = |key: &str| file.at(&format!("system.measured.{key}"));
+        let direction = keys.direction.fit(&at("direction"), points)?;
+        if direction.is_empty() {
+            return Err(at("direction").fail("is zero: the force would act on nothing"));
+        }
+        let given = keys.period.as_ref().unwrap_or(period);
+        if given.mentions(&|_| true) {
+            let place = if keys.period.is_some() { at("period") } else { at("file") };
+            return Err(place.fail(
+                "has a period that depends on parameters: give `period`, a number, the period of the record",
+            ));
+        }
+        let period = given.evaluate(&[], &()).map(|Plain(period)| period);
+        let period = period.map_err(|error| at("period").fail(&error.to_string()))?;
+        if !(period > 0.0 && period.is_finite()) {
+            return Err(at("period").fail("must be positive"));
+        }
+        if !(1..=HARMONICS).contains(&keys.harmonics) {
+            return Err(at("harmonics").fail(&format!("is outside 1 to {HARMONICS}")));
+        }
+        let beside = Path::new(file.scope.source.name).parent().unwrap_or(Path::new("")).join(&keys.file);
+        let place = at("file");
+        let text = read_text(&beside, LONGEST).map_err(|error| place.fail(&error.to_string()))?;
+        let wrong = |(line, message): Wrong| place.fail(&format!("{}:{line}: {message}", beside.display()));
+        let record = record(&text).map_err(wrong)?;
+        let fitted = fit(&record, period, keys.harmonics as usize).map_err(wrong)?;
+        Ok(MeasuredForce { file: keys.file, direction, ..fitted })
+    }
+
+    /// The mean and the harmonics on all coordinates.
+    pub(super) fn loads(&self, names: &[String]) -> Result<(Vec<Expression>, Vec<Load<Expression>>)> {
+        let times = |factor: f64| {
+            let one = |direction: &Expression| {
+                let mut all = Expression::parse(&format!("({direction})*({factor:e})"), names)?;
+                all.key.clone_from(&direction.key);
+                Ok(all)
+            };
+            self.direction.iter().map(one).collect::<Result<Vec<_>>>()
+        };
+        let load = |(k, [cos, sin]): (u32, &[f64; 2])| Ok(Load { k, cos: times(*cos)?, sin: times(*sin)? });
+        Ok((times(self.mean)?, (1..).zip(&self.harmonics).map(load).collect::<Result<_>>()?))
+    }
+}
+
+/// The samples of a file, by time.
+fn record(text: &str) -> std::result::Result<Vec<Sample>, Wrong> {
+    let text = text.trim_start_matches('\u{feff}');
+    let mut lines = (1..)
+        .zip(text.lines())
+        .map(|(line, content)| (line, content.trim()))
+        .filter(|(_, content)| !content.is_empty() && !content.starts_with('#'));
+    let (line, head) =
+        lines.next().ok_or((1, "holds no samples: columns time and force are needed".into()))?;
+    let separator = [';', ',', '\t'].into_iter().find(|c| head.contains(*c));
+    let cells = |content: &str| -> Vec<String> {
+        let bare = |cell: &str| cell.trim().trim_matches('"').to_string();
+        match separator {
+            Some(separator) => content.split(separator).map(bare).collect(),
+            None => content.split_whitespace().map(bare).collect(),
+        }
+    };
+    let names: Vec<String> = cells(head).iter().map(|name| name.to_lowercase()).collect();
+    let column = |name: &str| {
+        let found = names.iter().position(|known| known == name);
+        found.ok_or_else(|| {
+            let here = names.join(", ");
+            (line, format!("has no column {name:?}: the first line names the columns, as in time,force; here are {here}"))
+        })
+    };
+    let (time, force) = (column("time")?, column("force")?);
+    let mut all: Vec<Sample> = Vec::new();
+    for (line, content) in lines {
+        let cells = cells(content);
+        if cells.len() != names.len() {
+            return Err((
+                line,
+                format!("has {} cells; the first line names {} columns", cells.len(), names.len()),
+            ));
+        }
+        let number = |place: usize| {
+            let value = cells[place].parse::<f64>().ok().filter(|value| value.is_finite());
+            value.ok_or_else(|| {
+                (
+                    line,
+                    format!(
+                        "{:?} is not a finite number, written with a point: take the line out",
+                        cells[place]
+                    ),
+                )
+            })
+        };
+        let (t, f) = (number(time)?, number(force)?);
+        if let Some(&(before, last, _)) = all.last()
+            && t <= last
+        {
+            let message = if t == last {
+                format!("the time {t} stands in line {before}, too: keep one of them")
+            } else {
+                format!("the time {t} is before that of line {before}, {last}: sort the lines by time")
+            };
+            return Err((line, message));
+        }
+        if all.len() == SAMPLES {
+            return Err((line, format!("more than {SAMPLES} samples: take fewer")));
+        }
+        all.push((line, t, f));
+    }
+    if all.len() < 3 {
+        return Err((line, format!("has {} samples; a force needs at least 3", all.len())));
+    }
+    Ok(all)
+}
+
+/// The harmonics of a record with this period.
+fn fit(record: &[Sample], period: f64, count: usize) -> std::result::Result<MeasuredForce, Wrong> {
+    let (first, last) = (record[0].1, record[record.len() - 1].1);
+    let mut steps: Vec<f64> = record.windows(2).map(|pair| pair[1].1 - pair[0].1).collect();
+    steps.sort_by(f64::total_cmp);
+    let step = steps[steps.len() / 2];
+    // A last sample one step before the end of a period ends it, give or take half a step.
+    let periods = ((last - first + 1.5 * step) / period + 1e-9).floor();
+    if periods < 1.0 {
+        let share = (last - first + step) / period;
+        let message = format!(
+            "the record covers {share:.4} of the period {period}: it must cover a whole one; check the unit of time"
+        );
+        return Err((record[record.len() - 1].0, message));
+    }
+    let end = first + periods * period - 1e-6 * step;
+    let used = &record[..record.partition_point(|sample| sample.1 < end)];
+    // Phases of all periods on top of one another, with the line before each gap.
+    let phase = |t: f64| (t / period).rem_euclid(1.0) * TAU;
+    let mut folded: Vec<(f64, f64, usize)> = used.iter().map(|&(line, t, f)| (phase(t), f, line)).collect();
+    folded.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let n = folded.len();
+    let gap = |i: usize| {
+        let next = if i + 1 == n { folded[0].0 + TAU } else { folded[i + 1].0 };
+        next - folded[i].0
+    };
+    let widest = (0..n).max_by(|&i, &j| gap(i).total_cmp(&gap(j))).unwrap_or(0);
+    // Two samples in every period of the highest harmonic, at the least.
+    if count as f64 * gap(widest) >= TAU / 2.0 * (1.0 - 1e-9) {
+        let most = ((TAU / 2.0 * (1.0 - 1e-9)) / gap(widest)).ceil() - 1.0;
+        let message = format!(
+            "after this line {:.4} of the period has no sample, so that {most} harmonics can be told and not {count}: \
+             fill the gap or lower `harmonics`",
+            gap(widest) / TAU
+        );
+        return Err((folded[widest].2, message));
+    }
+    let size = 2 * count + 1;
+    let row = |phase: f64| -> Vec<f64> {
+        let mut row = vec![1.0];
+        for k in 1..=count {
+            let (sin, cos) = (k as f64 * phase).sin_cos();
+            row.extend([cos, sin]);
+        }
+        row
+    };
+    let (mut matrix, mut right) = (RealMatrix::zeros(size, size), RealVector::zeros(size));
+    for (i, &(phase, force, _)) in folded.iter().enumerate() {
+        let weight = (gap(i) + gap((i + n - 1) % n)) / 2.0;
+        let row = row(phase);
+        for (a, x) in row.iter().enumerate() {
+            right[a] += weight * x * force;
+            for (b, y) in row[..=a].iter().enumerate() {
+                matrix[(a, b)] += weight * x * y;
+            }
+        }
+    }
+    let solved = matrix.cholesky().map(|root| root.solve(&right));
+    let solved = solved.filter(|all| all.iter().all(|x| x.is_finite())).ok_or_else(|| {
+        (folded[widest].2, format!("{count} harmonics cannot be told from these samples: lower `harmonics`"))
+    })?;
+    let harmonics: Vec<[f64; 2]> = (0..count).map(|k| [solved[2 * k + 1], solved[2 * k + 2]]).collect();
+    let model = |phase: f64| row(phase).iter().zip(solved.iter()).map(|(x, c)| x * c).sum::<f64>();
+    let residual = folded.iter().map(|&(phase, force, _)| (force - model(phase)).abs()).fold(0.0, f64::max);
+    // Straight lines over the longest step of the record.
+    let longest = used.windows(2).map(|pair| pair[1].1 - pair[0].1).fold(0.0, f64::max) * TAU / period;
+    let bend: f64 = (1..).zip(&harmonics).map(|(k, [cos, sin])| f64::from(k * k) * cos.hypot(*sin)).sum();
+    Ok(MeasuredForce {
+        file: String::new(),
+        samples: used.len(),
+        left_out: record.len() - used.len(),
+        periods: periods as usize,
+        mean: solved[0],
+        harmonics,
+        residual,
+        bound: residual + longest * longest / 8.0 * bend,
+        direction: Vec::new(),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn force(phase: f64) -> f64 {
+        0.5 + 2.0 * phase.cos() - phase.sin() + 0.25 * (3.0 * phase).sin()
+    }
+
+    /// Samples of it at these times, with period 0.02.
+    fn samples(times: impl Iterator<Item = f64>) -> Vec<Sample> {
+        times.enumerate().map(|(i, t)| (i + 2, t, force(TAU * t / 0.02))).collect()
+    }
+
+    fn assert_known(fitted: &MeasuredForce) {
+        let expected = [[2.0, -1.0], [0.0, 0.0], [0.0, 0.25]];
+        assert!((fitted.mean - 0.5).abs() < 1e-12, "{fitted:?}");
+        for (found, known) in fitted.harmonics.iter().zip(expected) {
+            assert!((found[0] - known[0]).abs().max((found[1] - known[1]).abs()) < 1e-12, "{fitted:?}");
+        }
+        assert!(fitted.residual < 1e-12 && fitted.bound > fitted.residual);
+    }
+
+    /// Even, uneven, over several periods, with the end of the period or without it, from any phase on.
+    #[test]
+    fn harmonics_are_found_however_they_are_sampled() {
+        let even = samples((0..40).map(|i| 0.0005 * f64::from(i)));
+        let fitted = fit(&even, 0.02, 3).unwrap();
+        assert_eq!((fitted.samples, fitted.left_out, fitted.periods), (40, 0, 1));
+        assert_known(&fitted);
+        let closed = fit(&samples((0..=40).map(|i| 0.0005 * f64::from(i))), 0.02, 3).unwrap();
+        assert_eq!((closed.samples, closed.left_out), (40, 1));
+        assert_known(&closed);
+        let uneven = samples((0..70).map(|i| 0.013 + 0.0007 * f64::from(i) + 0.0003 * f64::from(i).sin()));
+        let fitted = fit(&uneven, 0.02, 3).unwrap();
+        assert_eq!(fitted.periods, 2);
+        assert!(fitted.left_out > 10, "{fitted:?}");
+        assert_known(&fitted);
+    }
+
+    /// Between samples the harmonics are within the bound of the straight lines.
+    #[test]
+    fn the_bound_holds_between_samples() {
+        let rough: Vec<Sample> = (0..60)
+            .map(|i| (i, 0.02 * i as f64 / 60.0, force(TAU * i as f64 / 60.0) + 0.1 * (i as f64 * 7.7).sin()))
+            .collect();
+        let fitted = fit(&rough, 0.02, 4).unwrap();
+        assert!(fitted.residual > 0.05, "{fitted:?}");
+        let model = |phase: f64| {
+            let harmonic = |(k, [cos, sin]): (u32, &[f64; 2])| {
+                let angle = f64::from(k) * phase;
+                cos * angle.cos() + sin * angle.sin()
+            };
+            fitted.mean + (1..).zip(&fitted.harmonics).map(harmonic).sum::<f64>()
+        };
+        let mut worst = 0.0f64;
+        for pair in rough.windows(2) {
+            for part in 0..=10 {
+                let x = f64::from(part) / 10.0;
+                let line = pair[0].2 * (1.0 - x) + pair[1].2 * x;
+                let t = pair[0].1 * (1.0 - x) + pair[1].1 * x;
+                worst = worst.max((line - model(TAU * t / 0.02)).abs());
+            }
+        }
+        assert!(worst >= fitted.residual * (1.0 - 1e-9) && worst <= fitted.bound, "{worst} {fitted:?}");
+    }
+
+    #[test]
+    fn what_is_wrong_with_a_record_is_said() {
+        let rows = |n: usize, step: f64| -> String {
+            (0..n).map(|i| format!("{},{}\n", step * i as f64, (i as f64).sin())).collect()
+        };
+        for (text, expected) in [
+            (String::new(), "holds no samples"),
+            ("t,force\n0,1\n".into(), "has no column \"time\""),
+            ("time;kraft\n0;1\n".into(), "has no column \"force\""),
+            ("time,force\n0,1\n".into(), "has 1 samples"),
+            ("time,force\n0,1\n0.1,2\n0.1,3\n".into(), "stands in line 3, too"),
+            ("time,force\n0,1\n0.2,2\n0.1,3\n".into(), "sort the lines by time"),
+            ("time,force\n0,1\n0.1,NaN\n".into(), "is not a finite number"),
+            ("time,force\n0,1\n0.1\n".into(), "has 1 cells"),
+            ("time;force\n0;1,5\n".into(), "written with a point"),
+            (format!("time,force\n{}", rows(30, 0.0005)), "covers 0.7500 of the period"),
+            (format!("time,force\n{}", rows(8, 0.0025)), "3 harmonics can be told and not 6"),
+        ] {
+            let found = record(&text).and_then(|record| fit(&record, 0.02, 6)).unwrap_err();
+            assert!(found.1.contains(expected), "{text:?}: {found:?}");
+        }
+        // Other separators, another order, other columns, comments.
+        for text in [
+            "# a shaker\ntime\tforce\n0\t1\n1\t2\n2\t3\n",
+            "Force; Note; Time\n1; a; 0\n2; b; 1\n3; c; 2\n",
+            "\u{feff}time force\r\n0 1\r\n1 2\r\n2 3\r\n",
+        ] {
+            let found: Vec<(f64, f64)> = record(text).unwrap().iter().map(|row| (row.1, row.2)).collect();
+            assert_eq!(found, [(0.0, 1.0), (1.0, 2.0), (2.0, 3.0)], "{text:?}");
+        }
+    }
+}
