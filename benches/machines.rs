@@ -1,6 +1,7 @@
 //! What following a machine costs: over the number of modes and (fastest mode) / forcing, in nanoseconds per
 //! mode and quarter period of the fastest, beside evaluating all modes once in closed form. Prints a CSV
-//! table; fails if a motion has no impact or leaves its bounds.
+//! table; fails if a motion has no impact or leaves its bounds. Then the same for chains of masses with dampers
+//! of unlike sizes, which no real modes tell apart: how they are solved, how well conditioned, how fast.
 
 use std::{f64::consts::TAU, hint::black_box, time::Instant};
 
@@ -35,7 +36,75 @@ fn machine(modes: usize, ratio: f64) -> Machine<f64> {
     }
 }
 
+/// A chain of masses of 1 to 2 between springs, a damper between any two neighbours, of a size of its own; every
+/// seventh pair is coupled by a gyroscopic force where `gyroscopic`. The last mass is forced and meets the stop.
+fn chain(masses: usize, gyroscopic: bool) -> Machine<f64> {
+    // Numbers in [0, 1), spread evenly.
+    let part = |i: usize, step: f64| (i as f64 * step).fract();
+    let (mut damping, mut stiffness) = (Vec::new(), Vec::new());
+    for i in 0..masses {
+        let spring = (masses * masses) as f64 * (0.5 + part(i, 0.618_033_988_7));
+        let damper = 0.02 * masses as f64 * part(i, 0.414_213_562_4).powi(2);
+        for (all, x) in [(&mut damping, damper), (&mut stiffness, spring)] {
+            all.push((i, i, x));
+            if i > 0 {
+                all.extend([(i - 1, i - 1, x), (i, i - 1, -x), (i - 1, i, -x)]);
+            }
+        }
+        if gyroscopic && i % 7 == 6 {
+            damping.extend([(i, i - 3, 0.5), (i - 3, i, -0.5)]);
+        }
+    }
+    let at_end = |x: f64| (0..masses).map(|i| if i + 1 == masses { x } else { 0.0 }).collect::<Vec<_>>();
+    let wall = Wall { offset: -0.01, harmonics: vec![], restitution: 0.7 };
+    Machine {
+        size: masses,
+        period: TAU,
+        mass: (0..masses).map(|i| (i, i, 1.0 + part(i, 0.732_050_807_6))).collect(),
+        damping,
+        damping_ratio: vec![],
+        stiffness,
+        shapes: vec![],
+        force: vec![],
+        forcing: vec![Load { k: 1, cos: at_end(masses as f64), sin: vec![] }],
+        stops: vec![Stop { name: "stop".into(), row: at_end(1.0), wall }],
+    }
+}
+
+fn chains() {
+    println!("masses,gyroscopic,method,condition,fastest,build_s,impacts_per_period,ns_per_mode_quarter");
+    for (masses, gyroscopic) in
+        [(10, false), (50, false), (100, false), (100, true), (200, false), (200, true)]
+    {
+        let machine = chain(masses, gyroscopic);
+        let clock = Instant::now();
+        let simulator = MachineSimulator::new(&machine, &MachineSettings::default()).expect("a machine");
+        let build = clock.elapsed().as_secs_f64();
+        let flow = simulator.flow();
+        let fastest = flow.rates().into_iter().fold(0.0, f64::max);
+        let (zero, periods) = (vec![0.0; masses], 20);
+        let mut run = simulator.start(Time::new(0, 0.0), &zero, &zero).expect("a start");
+        run.finish(Time::new(2, 0.0));
+        let (before, clock) = (run.impacts(), Instant::now());
+        run.finish(Time::new(2 + periods, 0.0));
+        let spent = clock.elapsed().as_secs_f64() * 1e9;
+        let impacts = (run.impacts() - before) as f64 / periods as f64;
+        assert!(impacts > 0.0 && run.state().q.amax() < 10.0, "{masses} masses: {impacts} impacts");
+        println!(
+            "{masses},{gyroscopic},{},{:.1},{fastest:.0},{build:.2},{impacts:.2},{:.2}",
+            flow.method().name(),
+            flow.condition(),
+            spent / (4.0 * fastest * periods as f64) / masses as f64
+        );
+    }
+}
+
 fn main() {
+    modes();
+    chains();
+}
+
+fn modes() {
     println!("modes,ratio,build_ms,impacts_per_period,ns_per_mode_quarter,ns_per_mode_evaluation");
     for modes in [1, 2, 10, 100, 200] {
         for ratio in [3.0, 30.0, 300.0, 1e5] {

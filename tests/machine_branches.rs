@@ -1,6 +1,8 @@
 //! Branches and bifurcations of machines: against the one-degree code, against parts that do not know of each
 //! other, against data that a script of its own computed (`tests/data/make_machine_bifurcations.py`).
 
+#[path = "machines/normal_forms.rs"]
+mod normal_forms;
 mod tasks;
 
 use std::{f64::consts::TAU, fs, process::Command};
@@ -119,6 +121,12 @@ fn one_degree_of_freedom_bifurcates_as_by_the_one_degree_code() {
         if i < 2 {
             near(number(&a["multipliers"][0][0]), number(&b["lambda1"][0]), 1e-7);
             same(a, b);
+            // The same normal form, but for the unit of ξ.
+            let (periods, multiplier, power) = if i == 0 { (3, -1.0, 2) } else { (4, 1.0, 1) };
+            let length = normal_forms::length(b, periods, multiplier).powi(power);
+            let (own, wanted) = (number(&a["coefficient"]), number(&b["coefficient"]) / length);
+            assert!((own.abs() - wanted.abs()).abs() <= 1e-6 * wanted.abs(), "{own} {wanted}");
+            assert!(i == 1 || own * wanted > 0.0, "{own} {wanted}");
         } else {
             assert_eq!(a["stop"], "plate");
             near(number(&a["phase"]), number(&b["phase"]) / TAU, 1e-8);
@@ -136,23 +144,12 @@ fn one_degree_of_freedom_bifurcates_as_by_the_one_degree_code() {
     assert!(names(&a).len() >= 6 && names(&a).iter().any(|name| name == "1 grazing 1"), "{a:?}");
     for ((name, a), (_, b)) in a.iter().zip(&b) {
         near(number(&a["parameters"][0]), number(&b["parameters"][0]), 1e-12);
+        assert_eq!(a["criticality"], b["criticality"], "{name}");
         // At a fade phases and multipliers are rounding's.
         if !name.contains("fade") {
             same(a, b);
         }
     }
-    let note = Command::new(env!("CARGO_BIN_EXE_grazing"))
-        .args(["run", "--only", "pd", "-o"])
-        .arg(folder.path())
-        .arg({
-            let file = folder.path().join("paper.toml");
-            fs::write(&file, format!("{PAPER_MACHINE}{}", tasks(rate)[0])).unwrap();
-            file
-        })
-        .output()
-        .unwrap();
-    let text = String::from_utf8_lossy(&note.stdout).into_owned();
-    assert!(text.contains("criticality is not computed for machines"), "{text}");
 }
 
 /// The ball on a table, of which everything is known in closed form, as a machine without stiffness.
@@ -310,6 +307,9 @@ fn events_of_coupled_machines_are_where_an_independent_script_has_them() {
             let first = &found["multipliers"][0];
             near(number(&first[0]), re, 1e-7);
             near(number(&first[1]).abs(), im, 1e-7);
+            if *event != "grazing" {
+                normal_forms::agrees(found, name, event);
+            }
             let stable = if *event == "grazing" { Value::Bool(true) } else { Value::from("marginal") };
             // What is not critical may be outside the unit circle.
             assert!(
@@ -317,6 +317,39 @@ fn events_of_coupled_machines_are_where_an_independent_script_has_them() {
                 "{found}"
             );
         }
+    }
+}
+
+/// In whatever unit forces and lengths are, an event is found within a reach of the machine's own size, and has
+/// the same coefficient; a reach that is given is in the parameter's unit.
+#[test]
+fn how_far_an_event_is_looked_for_goes_with_the_units() {
+    let folder = tempfile::tempdir().unwrap();
+    for unit in [1e-6, 1e6] {
+        let text = scene("second", 0.85).replace("offset = -1", &format!("offset = {:e}", -unit));
+        let event = |name: &str, reach: &str| {
+            let keys = format!(
+                "event = \"flip\"\nparameter = \"F\"\nset = {{ F = {:e} }}\norbit = {{ pattern = [2], start = [0.584, {:e}] }}\n{reach}",
+                1.15 * unit,
+                0.443 * unit
+            );
+            task(name, "event", &keys)
+        };
+        let far = |reach: f64| format!("reach = {:e}", reach * unit);
+        let tasks = [event("own", ""), event("far", &far(0.05)), event("near", &far(0.03))];
+        let (report, code, error) = run(&text, &tasks, folder.path());
+        assert_eq!(code, 3, "{error}{report}");
+        for i in 0..2 {
+            let found = &report["tasks"][i]["found"][0];
+            let force = known("second", "flip")[0];
+            near(number(&found["parameter"]) / unit, force, 1e-10);
+            normal_forms::agrees(found, "second", "flip");
+        }
+        let nothing = report["tasks"][2].to_string();
+        assert!(
+            nothing.contains("beyond reach") && report["tasks"][2]["status"] == "nothing-found",
+            "{nothing}"
+        );
     }
 }
 

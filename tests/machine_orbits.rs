@@ -7,12 +7,13 @@ mod second;
 mod soft_orbits;
 mod tasks;
 
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 use grazing::{
     Error,
     machine::{
-        Load, Machine, MachineFamily, MachineSlope, RealMatrix, Stop, StopLaw,
+        FlowMethod, LinearEquations, LinearFlow, Load, Machine, MachineFamily, MachineSlope, Periodic,
+        RealMatrix, RealVector, Stop, StopLaw,
         grazing::{FreeMotion, MachineGrazing, MachineSearch, locate},
         orbit::{MachineAdmissibility, MachineOrbit, StopPattern, StopStrike, find},
         simulate::{MachineSettings, MachineSimulator},
@@ -495,6 +496,39 @@ fn tasks_on_a_machine_say_what_they_say_of_the_oscillator() {
     assert!(searched.iter().any(|row| (number(&row["speeds"][0]) - speed).abs() < 1e-9), "{}", machine[1]);
 }
 
+/// Section 4.1 of the paper, w = 4.8, as a machine: A is a turn by π/3 with r = e^{−π/4}, so that A³ = −r³; period
+/// 3 is on the singular boundary, and all along its branch both multipliers are r³.
+#[test]
+fn the_resonance_of_section_4_1_has_its_closed_form() {
+    let text = PAPER_MACHINE.replace("w = 4.9", "w = 4.8");
+    assert!(text != PAPER_MACHINE);
+    let tasks = "[[tasks]]\nname = \"g\"\nkind = \"grazing\"\nparameter = \"mu\"\n\
+                 [[tasks]]\nname = \"o\"\nkind = \"orbit\"\nparameter = \"mu\"\nvalues = [1e-2, 1e-4, 1e-8]\n\
+                 orbit = { pattern = [3] }\n";
+    let told = reports(&format!("{text}{tasks}"));
+    let number = |value: &serde_json::Value| value.as_f64().unwrap_or_else(|| panic!("{value}"));
+    let near = |a: f64, b: f64, size: f64| assert!((a - b).abs() <= size, "{a} {b}");
+    let r = (-PI / 4.0).exp();
+    let map = &told[0];
+    near(number(&map["parameter"]), 0.0, 1e-14);
+    near(number(&map["a1"]), r, 1e-14);
+    near(number(&map["a2"]), r * r, 1e-14);
+    let sides: Vec<&str> =
+        map["born"].as_array().unwrap().iter().map(|row| row["side"].as_str().unwrap()).collect();
+    assert_eq!(sides, ["mu > 0", "mu > 0", "open", "mu < 0"], "{map}");
+    assert_eq!(map["status"], "undecided");
+    let orbits = told[1]["orbits"].as_array().unwrap();
+    let admissible: Vec<_> = orbits.iter().filter(|row| row["admissible"] == true).collect();
+    assert_eq!(admissible.len(), 3, "{}", told[1]);
+    for row in admissible {
+        let [first, second] = [0, 1].map(|i| [0, 1].map(|j| number(&row["multipliers"][i][j])));
+        // Near the grazing entries are as large as 1/V.
+        let size = 1e-12 / number(&row["speeds"][0]);
+        near(first[0] + second[0], 2.0 * r.powi(3), size);
+        near(first[0] * second[0] - first[1] * second[1], r.powi(6), size);
+    }
+}
+
 /// However far the search may go, the grazing is the nearest; and a distance that rounding does not leave is
 /// said, with no orbit beside it.
 #[test]
@@ -589,6 +623,46 @@ fn exponential(x: &RealMatrix) -> RealMatrix {
         sum += &term;
     }
     (0..10).fold(sum, |sum, _| &sum * &sum)
+}
+
+/// Sixty masses between springs, with dampers of unlike sizes and two gyroscopic pairs: complex modes that
+/// repeat what the exponential of the matrix says.
+#[test]
+fn a_long_chain_without_real_modes_moves_by_the_exponential() {
+    let n = 60;
+    let part = |i: usize, step: f64| (i as f64 * step).fract();
+    let mut damping = RealMatrix::zeros(n, n);
+    let mut stiffness = damping.clone();
+    let mass = RealMatrix::from_fn(n, n, |i, j| if i == j { 1.0 + part(i, 0.732) } else { 0.0 });
+    for i in 0..n {
+        let parts = [(&mut stiffness, 30.0 * (0.5 + part(i, 0.618))), (&mut damping, part(i, 0.414))];
+        for (all, x) in parts {
+            all[(i, i)] += x;
+            if i > 0 {
+                all[(i - 1, i - 1)] += x;
+                all[(i, i - 1)] -= x;
+                all[(i - 1, i)] -= x;
+            }
+        }
+        if i % 30 == 29 {
+            damping[(i, i - 3)] += 0.5;
+            damping[(i - 3, i)] -= 0.5;
+        }
+    }
+    let still = Periodic::constant(RealVector::zeros(n));
+    let equations = LinearEquations::new(mass.clone(), damping.clone(), stiffness.clone(), still).unwrap();
+    let flow = LinearFlow::new(equations).unwrap();
+    assert!(flow.method() == FlowMethod::ComplexModes && flow.condition() < 100.0, "{}", flow.condition());
+    let mut a = RealMatrix::zeros(2 * n, 2 * n);
+    for i in 0..n {
+        a[(i, n + i)] = 1.0;
+        for j in 0..n {
+            a[(n + i, j)] = -stiffness[(i, j)] / mass[(i, i)];
+            a[(n + i, n + j)] = -damping[(i, j)] / mass[(i, i)];
+        }
+    }
+    let off = (flow.transition(0.5) - exponential(&(a * 0.5))).amax();
+    assert!(off <= 1e-12, "{off}");
 }
 
 /// A symmetric machine that grazes a stop and its mirror: of one coordinate as by the one-degree code; of

@@ -3,14 +3,15 @@
 //!
 //! With 2n multipliers the functions whose zeros are bifurcations are Π (1 − λ), Π (1 + λ) and, for
 //! Neimark–Sacker points, the least 1 − λ_iλ_j over pairs of conjugates and of real multipliers, with the
-//! sign of the product of them all, which no pair that turns from complex to real changes. Not here: normal
-//! forms, so that nothing says which way a bifurcation goes.
+//! sign of the product of them all, which no pair that turns from complex to real changes. Which way a
+//! bifurcation goes is in `normal_form`.
 
 use std::f64::consts::TAU;
 
 use super::{
     LinearFlow, Machine, MachineFamily,
     contact::Contacts,
+    normal_form::{Coefficient, Local},
     orbit::{
         Between, MachineAdmissibility, MachineChange, MachineOrbit, StopEquations, StopPattern, check_stops,
         describe, multipliers,
@@ -36,7 +37,7 @@ pub type MachineEvents<'a> = EventCurve<'a, MachinePlane<'a>>;
 pub type MachineBranch = OrbitBranch<MachineOrbit>;
 
 /// Gaps within this of their motion's size are contact without impact, unless a depth is given.
-const RELATIVE_DEPTH: f64 = 1e-12;
+pub(super) const RELATIVE_DEPTH: f64 = 1e-12;
 
 /// What all orbits that are followed have in common.
 #[derive(Debug, Clone, Copy)]
@@ -76,14 +77,16 @@ fn is_time(machine_size: usize, unknown: usize) -> bool {
 }
 
 /// A machine ready for equations of orbits.
-struct Solved {
-    flow: LinearFlow,
-    contacts: Contacts,
+pub(super) struct Solved {
+    pub flow: LinearFlow,
+    pub contacts: Contacts,
     soft: Option<MachineSimulator>,
 }
 
 impl Solved {
-    fn new(machine: &Machine<f64>, pattern: &StopPattern, depth: f64) -> Result<Solved> {
+    /// # Errors
+    /// Where the machine is not defined, or has not the pattern's stops.
+    pub fn new(machine: &Machine<f64>, pattern: &StopPattern, depth: f64) -> Result<Solved> {
         let flow = LinearFlow::new(machine.equations()?)?;
         let contacts = Contacts::new(flow.equations(), machine.contacts()?);
         check_stops(pattern, &contacts)?;
@@ -96,7 +99,7 @@ impl Solved {
         Ok(Solved { flow, contacts, soft })
     }
 
-    fn equations<'s>(&'s self, pattern: &'s StopPattern, scale: f64) -> StopEquations<'s> {
+    pub fn equations<'s>(&'s self, pattern: &'s StopPattern, scale: f64) -> StopEquations<'s> {
         let between = Between { flow: &self.flow, contacts: &self.contacts, soft: self.soft.as_ref() };
         StopEquations::new(between, pattern, scale)
     }
@@ -405,30 +408,40 @@ impl PatternPlane for MachinePlane<'_> {
         self.common.orbit(&(self.at)(parameters)?, pattern, root)
     }
 
-    /// Without normal forms there are no cusps and no generalised flips; resonant grazings are those of one
-    /// degree of freedom.
+    /// Coefficients of normal forms as parts of what they were added up from, so that no unit enters; resonant
+    /// grazings are those of one degree of freedom.
     fn degeneracies(
         &self,
         event: Bifurcation,
-        _: [f64; 2],
-        along: f64,
+        parameters: [f64; 2],
+        tangent: &[f64],
         orbit: &MachineOrbit,
     ) -> Vec<Option<f64>> {
         let mut all = vec![None; Degeneracy::ALL.len()];
         let multipliers = &orbit.multipliers;
+        let part = |of: &dyn Fn(&Local) -> Option<Coefficient>| {
+            let machine = (self.at)(parameters).ok()?;
+            let solved = Solved::new(&machine, &orbit.pattern, self.common.depth).ok()?;
+            let equations = solved.equations(&orbit.pattern, orbit.scale);
+            Some(of(&Local::new(equations, &orbit.z).ok()?)?.part())
+        };
         let mut set =
             |what: Degeneracy, value: f64| all[what as usize] = Some(value).filter(|x| x.is_finite());
         match event {
             Bifurcation::SaddleNode => {
+                set(Degeneracy::Cusp, part(&|local| local.fold_along(tangent)).unwrap_or(f64::NAN));
                 set(Degeneracy::Resonance1, product_of_others(multipliers, -1.0));
                 set(Degeneracy::FoldFlip, product(multipliers, 1.0));
             }
             Bifurcation::Flip => {
+                set(Degeneracy::GeneralisedFlip, part(&|local| local.cubic(-1.0)).unwrap_or(f64::NAN));
                 set(Degeneracy::Resonance2, product_of_others(multipliers, 1.0));
                 set(Degeneracy::FoldFlip, product(multipliers, -1.0));
             }
             Bifurcation::Torus => {
                 if let Some(pair) = nearest_pair(multipliers) {
+                    let d = part(&|local| local.torus(multipliers));
+                    set(Degeneracy::Chenciner, d.unwrap_or(f64::NAN));
                     set(Degeneracy::Resonance1, pair.sum - 2.0);
                     set(Degeneracy::Resonance2, pair.sum + 2.0);
                     set(Degeneracy::Resonance3, pair.sum + 1.0);
@@ -436,7 +449,9 @@ impl PatternPlane for MachinePlane<'_> {
                 }
             }
             // Along the curve e dp + e′ dp′ = 0, with e′ that of the second parameter.
-            Bifurcation::Grazing => set(Degeneracy::NoDrift, along),
+            Bifurcation::Grazing => {
+                set(Degeneracy::NoDrift, tangent.last().copied().unwrap_or(f64::NAN));
+            }
             Bifurcation::Crossing | Bifurcation::Fade => {}
         }
         all

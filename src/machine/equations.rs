@@ -102,21 +102,7 @@ impl LinearEquations {
         stiffness: RealMatrix,
         force: Periodic,
     ) -> Result<LinearEquations> {
-        let n = mass.nrows();
-        for i in 0..n {
-            for j in 0..i {
-                let (a, b) = (mass[(i, j)], mass[(j, i)]);
-                if (a - b).abs() > 1e-12 * a.abs().max(b.abs()) {
-                    return Err(Error::input(format!(
-                        "mass is not symmetric: row {}, column {} has {a}, row {}, column {} has {b} (in units of the forcing's phase)",
-                        i + 1,
-                        j + 1,
-                        j + 1,
-                        i + 1
-                    )));
-                }
-            }
-        }
+        check_symmetric(&mass)?;
         let root = root_of(&mass)?;
         Ok(LinearEquations { mass, damping, stiffness, force, root })
     }
@@ -249,6 +235,22 @@ fn complement(seen: &RealMatrix) -> RealMatrix {
         all.push(v / norm);
     }
     RealMatrix::from_columns(&all[m..])
+}
+
+/// Refuses a mass that is not symmetric.
+pub(super) fn check_symmetric(mass: &RealMatrix) -> Result<()> {
+    for i in 0..mass.nrows() {
+        for j in 0..i {
+            let (a, b) = (mass[(i, j)], mass[(j, i)]);
+            if (a - b).abs() > 1e-12 * a.abs().max(b.abs()) {
+                let (i, j) = (i + 1, j + 1);
+                return Err(Error::input(format!(
+                    "mass is not symmetric: row {i}, column {j} has {a}, row {j}, column {i} has {b}"
+                )));
+            }
+        }
+    }
+    Ok(())
 }
 
 /// The lower triangular L with L Lᵀ = M.

@@ -54,6 +54,7 @@ mod flow;
 pub mod grazing;
 mod model;
 mod modes;
+pub mod normal_form;
 pub mod orbit;
 mod pair;
 mod response;

@@ -4,7 +4,9 @@ use std::f64::consts::TAU;
 
 use serde::Serialize;
 
-use super::{LinearEquations, Periodic, RealMatrix, RealVector, SpeedLaw};
+use super::{
+    LinearEquations, Periodic, RealMatrix, RealVector, SpeedLaw, equations::check_symmetric,
+};
 use crate::{
     error::{Error, Result},
     oscillator::{Series, Wall},
@@ -183,7 +185,9 @@ impl Machine<f64> {
         }
         let rate = self.rate();
         let mut damping = self.matrix("damping", &self.damping)? * rate;
-        let mass = self.matrix("mass", &self.mass)? * (rate * rate);
+        let mass = self.matrix("mass", &self.mass)?;
+        check_symmetric(&mass)?;
+        let mass = mass * (rate * rate);
         let stiffness = self.matrix("stiffness", &self.stiffness)?;
         if !self.damping_ratio.is_empty() {
             damping += super::modes::damping(&mass, &stiffness, &self.damping_ratio)?;
@@ -211,7 +215,9 @@ impl Machine<f64> {
         let one = |stop: &Stop<f64>| {
             let row = self.vector("row", &stop.row)?;
             if row.iter().all(|x| *x == 0.0) {
-                return Err(Error::input("row is zero: no motion reaches the stop"));
+                let given = stop.row.iter().any(|x| *x != 0.0);
+                let seen = if given { "no mode moves it" } else { "row is zero" };
+                return Err(Error::input(format!("{seen}: no motion reaches the stop")));
             }
             let restitution = stop.wall.restitution;
             if !(restitution >= 0.0 && restitution.is_finite()) {

@@ -8,7 +8,7 @@
 //!    Accepted if what is left beside both diagonals is rounding.
 //! 2. Else the state is X = (Dη, η′), x = Uη with U from K's symmetric part and D = diag √max(|K_ii|, 1), in
 //!    which an undamped system is a rotation and its eigenvectors are orthonormal. Eigenvectors of the matrix
-//!    of X′ = A X by its complex Schur form. Accepted if their condition number is at most [`WORST`]:
+//!    of X′ = A X by its real Schur form, or, where the iteration for that does not end, by the complex one. Accepted if their condition number is at most [`WORST`]:
 //!    rounding is amplified by no more.
 //! 3. Else X itself, in one block.
 
@@ -200,78 +200,170 @@ fn general(equations: &LinearEquations, k: &RealMatrix, c: &RealMatrix) -> Resul
 /// basis, infinite if there is none.
 #[allow(clippy::type_complexity)]
 fn complex(a: &RealMatrix) -> (Option<(Vec<Pair>, RealMatrix, RealMatrix)>, f64) {
-    let none = (None, f64::INFINITY);
+    let (mut worst, small) = (f64::INFINITY, rounding(a.nrows()) * a.norm());
+    for modes in [real_schur, complex_schur] {
+        let Some((pairs, vectors)) = modes(a, small).and_then(|all| paired(all, small)) else { continue };
+        let values = vectors.singular_values();
+        worst = values.max() / values.min();
+        if worst.is_nan() || worst > WORST {
+            break;
+        }
+        let Some(inverse) = vectors.clone().try_inverse() else { break };
+        let off = (a * &vectors - times_generators(&vectors, &pairs)).norm() / a.norm();
+        if off <= 1e-11 * worst {
+            return (Some((pairs, vectors, inverse)), worst);
+        }
+    }
+    (None, worst)
+}
+
+type ComplexMatrix = nalgebra::DMatrix<Complex<f64>>;
+
+/// Eigenvalues with their eigenvectors as columns, of each pair of conjugates at least the one above the real
+/// axis.
+type Modes = (Vec<Complex<f64>>, ComplexMatrix);
+
+/// By the real Schur form, which is cheaper than the complex one.
+fn real_schur(a: &RealMatrix, small: f64) -> Option<Modes> {
     let n = a.nrows();
-    let schur = Schur::try_new(a.map(|x| Complex::new(x, 0.0)), f64::EPSILON, 1_000 * n);
-    let Some((q, t)) = schur.map(Schur::unpack) else { return none };
-    let small = rounding(n) * a.norm();
-    let (mut pairs, mut columns, mut reals) = (Vec::new(), Vec::new(), Vec::new());
-    let mut conjugates = 0;
-    for k in 0..n {
-        let lambda = t[(k, k)];
-        if lambda.im < -small {
-            conjugates += 1;
+    let (q, t) = Schur::try_new(a.clone(), f64::EPSILON, 1_000 * n)?.unpack();
+    let (mut values, mut columns) = (Vec::new(), Vec::new());
+    let mut k = 0;
+    while k < n {
+        if k + 1 == n || t[(k + 1, k)] == 0.0 {
+            values.push(Complex::new(t[(k, k)], 0.0));
+            columns.push(eigenvector(&t, k, &[Complex::new(1.0, 0.0)], values[values.len() - 1], small));
+            k += 1;
             continue;
         }
-        let v = eigenvector(&q, &t, k, small);
+        let [b, c] = [t[(k, k + 1)], t[(k + 1, k)]];
+        let (middle, half) = ((t[(k, k)] + t[(k + 1, k + 1)]) / 2.0, (t[(k, k)] - t[(k + 1, k + 1)]) / 2.0);
+        let square = half * half + b * c;
+        let root = Complex::new(square.max(0.0).sqrt(), (-square).max(0.0).sqrt());
+        // A pair off the real axis needs one of its two.
+        let both = if root.im > small { &[1.0][..] } else { &[1.0, -1.0] };
+        for sign in both {
+            let lambda = root * *sign + middle;
+            // (block − λ) x = 0 by its row with the larger entry beside the diagonal.
+            let x = if b.abs() >= c.abs() {
+                [Complex::new(b, 0.0), lambda - t[(k, k)]]
+            } else {
+                [lambda - t[(k + 1, k + 1)], Complex::new(c, 0.0)]
+            };
+            values.push(lambda);
+            columns.push(eigenvector(&t, k, &x, lambda, small));
+        }
+        k += 2;
+    }
+    let part = |of: fn(&Complex<f64>) -> f64| {
+        &q * RealMatrix::from_fn(n, columns.len(), |i, j| columns[j].get(i).map_or(0.0, of))
+    };
+    let (re, im) = (part(|z| z.re), part(|z| z.im));
+    Some((values, ComplexMatrix::from_fn(n, columns.len(), |i, j| Complex::new(re[(i, j)], im[(i, j)]))))
+}
+
+/// By the complex Schur form, whose iteration ends where that of the real one does not.
+fn complex_schur(a: &RealMatrix, small: f64) -> Option<Modes> {
+    let n = a.nrows();
+    let schur = Schur::try_new(a.map(|x| Complex::new(x, 0.0)), f64::EPSILON, 1_000 * n)?;
+    let (q, t) = schur.unpack();
+    let values: Vec<Complex<f64>> = (0..n).map(|k| t[(k, k)]).filter(|z| z.im >= -small).collect();
+    let mut all = ComplexMatrix::zeros(n, values.len());
+    for (j, k) in (0..n).filter(|k| t[(*k, *k)].im >= -small).enumerate() {
+        let x = eigenvector(&t, k, &[Complex::new(1.0, 0.0)], values[j], small);
+        all.set_column(j, &(q.columns(0, x.len()) * nalgebra::DVector::from_vec(x)));
+    }
+    Some((values, all))
+}
+
+/// The pairs of modes, those off the real axis first, and their real bases.
+fn paired((values, vectors): Modes, small: f64) -> Option<(Vec<Pair>, RealMatrix)> {
+    let (mut pairs, mut columns, mut reals) = (Vec::new(), Vec::new(), Vec::new());
+    for (lambda, v) in values.iter().zip(vectors.column_iter()) {
+        let norm = v.iter().map(Complex::norm_sqr).sum::<f64>().sqrt();
         if lambda.im > small {
             pairs.push(Pair::Spiral { rate: lambda.re, turn: lambda.im });
-            columns.extend([v.map(|x| x.re), v.map(|x| -x.im)]);
+            columns.extend([v.map(|x| x.re / norm), v.map(|x| -x.im / norm)]);
         } else {
             // The largest entry made real; the others are real then, up to rounding.
             let largest = v.iter().copied().max_by(|x, y| x.norm().total_cmp(&y.norm())).unwrap_or_default();
-            let v = v.map(|x| (x * largest.conj()).re);
-            reals.push((lambda.re, v.normalize()));
+            reals.push((lambda.re, v.map(|x| (x * largest.conj()).re).normalize()));
         }
     }
-    if conjugates != pairs.len() || reals.len() % 2 != 0 {
-        return none;
+    if columns.len() + reals.len() != vectors.nrows() || reals.len() % 2 != 0 {
+        return None;
     }
     for two in reals.chunks_exact(2) {
         pairs.push(Pair::Two([two[0].0, two[1].0]));
         columns.extend([two[0].1.clone(), two[1].1.clone()]);
     }
-    let vectors = RealMatrix::from_columns(&columns);
-    let values = vectors.singular_values();
-    let condition = values.max() / values.min();
-    let Some(inverse) = vectors.clone().try_inverse() else { return none };
-    let mut diagonal = RealMatrix::zeros(n, n);
-    for (i, pair) in pairs.iter().enumerate() {
-        let g = pair.generator();
-        for (r, row) in g.iter().enumerate() {
-            for (s, x) in row.iter().enumerate() {
-                diagonal[(2 * i + r, 2 * i + s)] = *x;
-            }
-        }
-    }
-    let off = (a * &vectors - &vectors * diagonal).norm() / a.norm();
-    if condition.is_nan() || condition > WORST || off > 1e-11 * condition {
-        return (None, condition);
-    }
-    (Some((pairs, vectors, inverse)), condition)
+    Some((pairs, RealMatrix::from_columns(&columns)))
 }
 
-/// The k-th eigenvector by back substitution in the triangle, as long as 1.
-fn eigenvector(
-    q: &nalgebra::DMatrix<Complex<f64>>,
-    t: &nalgebra::DMatrix<Complex<f64>>,
-    k: usize,
-    small: f64,
-) -> nalgebra::DVector<Complex<f64>> {
-    let n = t.nrows();
-    let mut x = nalgebra::DVector::from_element(n, Complex::new(0.0, 0.0));
-    x[k] = Complex::new(1.0, 0.0);
-    for i in (0..k).rev() {
-        let sum = (i + 1..=k).fold(Complex::new(0.0, 0.0), |sum, j| sum + t[(i, j)] * x[j]);
-        let mut gap = t[(i, i)] - t[(k, k)];
-        // Equal eigenvalues: the vectors become nearly the same, which the condition number shows, or the sum
-        // is zero.
-        if gap.norm() < small {
-            gap = Complex::new(small.max(f64::MIN_POSITIVE), 0.0);
-        }
-        x[i] = -sum / gap;
+/// V G, G being the generators of the pairs along the diagonal.
+fn times_generators(vectors: &RealMatrix, pairs: &[Pair]) -> RealMatrix {
+    let mut all = vectors.clone();
+    for (i, pair) in pairs.iter().enumerate() {
+        let [[a, b], [c, d]] = pair.generator();
+        let (first, second) = (vectors.column(2 * i), vectors.column(2 * i + 1));
+        all.set_column(2 * i, &(first * a + second * c));
+        all.set_column(2 * i + 1, &(first * b + second * d));
     }
-    let v = q * x;
-    let norm = v.iter().map(Complex::norm_sqr).sum::<f64>().sqrt();
-    v.map(|x| x / norm)
+    all
+}
+
+/// An eigenvector of a triangle, or of one with blocks of two on its diagonal, of which the part `own` in the
+/// block from row k on is given, by back substitution: its entries down to there.
+fn eigenvector<T: Copy + nalgebra::Scalar>(
+    t: &nalgebra::DMatrix<T>,
+    k: usize,
+    own: &[Complex<f64>],
+    lambda: Complex<f64>,
+    small: f64,
+) -> Vec<Complex<f64>>
+where
+    Complex<f64>: From<T>,
+{
+    let at = |i: usize, j: usize| Complex::from(t[(i, j)]);
+    let zero = Complex::new(0.0, 0.0);
+    let mut x = vec![zero; k + own.len()];
+    // What the entries known so far bring about in each row.
+    let mut right = vec![zero; k];
+    let set = |x: &mut [Complex<f64>], right: &mut [Complex<f64>], j: usize, value: Complex<f64>| {
+        x[j] = value;
+        for (i, sum) in right.iter_mut().enumerate().take(j) {
+            *sum -= at(i, j) * value;
+        }
+    };
+    for (j, value) in own.iter().enumerate() {
+        set(&mut x, &mut right, k + j, *value);
+    }
+    // Equal eigenvalues: the vectors become nearly the same, which the condition number shows, or the sum is
+    // zero.
+    let least = small.max(f64::MIN_POSITIVE);
+    let mut i = k;
+    while i > 0 {
+        i -= 1;
+        if i > 0 && at(i, i - 1) != zero {
+            let (a, b, c, d) = (at(i - 1, i - 1) - lambda, at(i - 1, i), at(i, i - 1), at(i, i) - lambda);
+            let size = a.norm().max(b.norm()).max(c.norm()).max(d.norm());
+            let mut det = a * d - b * c;
+            if det.norm() < least * size {
+                det = Complex::new(least * size, 0.0);
+            }
+            let (p, q) = (right[i - 1], right[i]);
+            let (first, second) = ((d * p - b * q) / det, (a * q - c * p) / det);
+            set(&mut x, &mut right, i, second);
+            set(&mut x, &mut right, i - 1, first);
+            i -= 1;
+            continue;
+        }
+        let mut gap = at(i, i) - lambda;
+        if gap.norm() < least {
+            gap = Complex::new(least, 0.0);
+        }
+        let value = right[i] / gap;
+        set(&mut x, &mut right, i, value);
+    }
+    x
 }

@@ -87,16 +87,11 @@ row! {
 
 /// A row of a table of points of branches.
 pub trait PointRow: Row + Serialize + Clone {
-    /// What the table's readers should know of what is not in it.
-    const NOTE: Option<&'static str>;
-
     /// Whether the point has a label.
     fn is_labelled(&self) -> bool;
 }
 
 impl PointRow for BranchRow {
-    const NOTE: Option<&'static str> = None;
-
     fn is_labelled(&self) -> bool {
         self.label.is_some()
     }
@@ -148,9 +143,6 @@ impl<R: PointRow, O: FollowedOrbit> Finding for BranchList<R, O> {
         lines.say("points", self.points);
         lines.table("starts", &self.starts);
         lines.table("labels", &self.labels);
-        if let Some(note) = R::NOTE.filter(|_| !self.labels.is_empty()) {
-            lines.say("note", note);
-        }
     }
 }
 

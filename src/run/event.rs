@@ -180,7 +180,7 @@ pub fn event(task: &EventTask, job: &Job) -> Result<EventFindings> {
     let mut known: Vec<f64> = Vec::new();
     job.monitor.begin(orbits.len() as u64, "orbits");
     for orbit in &orbits {
-        let found = locate(&family, task.event, orbit, start, task.reach, &options);
+        let found = locate(&family, task.event, orbit, start, task.length(), &options);
         job.monitor.advance(1)?;
         let mut fail = |reason: String| {
             let pattern = orbit.itinerary.to_string();

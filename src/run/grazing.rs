@@ -192,17 +192,11 @@ pub fn grazing(task: &GrazingTask, job: &Job) -> Result<GrazingFindings> {
         return nothing(format!("no admissible orbit to begin with at {} = {start}", task.parameter));
     };
     job.check()?;
-    let located = match locate(
-        &family,
-        Bifurcation::Grazing,
-        orbit,
-        start,
-        task.reach_from(None),
-        &task.options.checked()?,
-    )? {
-        BranchSearch::Found(found) => found,
-        BranchSearch::Nothing(why) => return nothing(why.to_string()),
-    };
+    let located =
+        match locate(&family, Bifurcation::Grazing, orbit, start, task.length(), &task.options.checked()?)? {
+            BranchSearch::Found(found) => found,
+            BranchSearch::Nothing(why) => return nothing(why.to_string()),
+        };
     let event = grazing::locate(&family, &located.orbit, located.parameter)?;
     // Two grazings in a period are the theory's business only if a symmetry makes them one.
     let half = event.half_map(&family.at(event.parameter)?);

@@ -17,12 +17,13 @@ use crate::{
     machine::{
         Machine, MachineFamily, MachineState,
         branch::{MachinePatterns, MachinePlane},
+        normal_form::normal_form,
         orbit::{MachineOrbit, StopPattern, StopStrike, find_from},
         simulate::{MachineEvent, MachineRun, MachineSimulator, RunEnd},
     },
     oscillator::{
         Time,
-        branch::{BranchPoint, FollowedOrbit, Label, RecordForm, read_label_as},
+        branch::{BranchPoint, FollowedOrbit, Label, NormalForm, RecordForm, read_label_as},
     },
     scene::{
         MachineSceneFamily,
@@ -53,6 +54,10 @@ row! {
         pub admissible: Judgement,
         /// Why not.
         pub reason: Option<String>,
+        /// The normal form's coefficient at a label.
+        pub coefficient: Option<f64>,
+        /// Its meaning: "supercritical", "subcritical", "above", "below", "transcritical", "degenerate".
+        pub criticality: Option<&'static str>,
         /// The stop with the least minimum of its gap away from the impacts.
         pub nearest_stop: Option<String>,
         /// That minimum, in the scene's units.
@@ -70,9 +75,6 @@ row! {
 pub type MachineBranchFindings = BranchList<MachineBranchRow, MachineOrbit>;
 
 impl PointRow for MachineBranchRow {
-    const NOTE: Option<&'static str> =
-        Some("criticality is not computed for machines: nothing here says which way a bifurcation goes");
-
     fn is_labelled(&self) -> bool {
         self.label.is_some()
     }
@@ -107,13 +109,17 @@ pub fn machine_branch(task: &BranchTask, machine: &Machine<f64>, job: &Job) -> R
     let mut rows = Vec::new();
     for (branch, i) in found.0.iter().zip(1..) {
         for point in &branch.points {
-            let rate = match (&task.second, point.parameters.as_slice()) {
+            let (rate, form) = match (&task.second, point.parameters.as_slice()) {
                 (Some(second), &[first, other]) => {
-                    job.scene.machine(&[(&task.parameter, first), (second, other)])?.rate()
+                    (job.scene.machine(&[(&task.parameter, first), (second, other)])?.rate(), None)
                 }
-                (_, places) => family.at(places[0])?.0.rate(),
+                (_, places) => {
+                    let (here, slope) = family.at(places[0])?;
+                    let form = point.event.and_then(|event| normal_form(&here, &slope, &point.orbit, event));
+                    (here.rate(), form)
+                }
             };
-            rows.push(MachineBranchRow::of(i, point, &source, rate));
+            rows.push(MachineBranchRow::of(i, point, &source, rate, form));
         }
     }
     Ok(BranchList::of(task, found, rows))
@@ -125,6 +131,7 @@ impl MachineBranchRow {
         point: &BranchPoint<MachineOrbit>,
         source: &MachineSource,
         rate: f64,
+        form: Option<NormalForm>,
     ) -> MachineBranchRow {
         let orbit = &point.orbit;
         let (admissible, reason) = admissible_at(orbit, point.event);
@@ -139,6 +146,8 @@ impl MachineBranchRow {
             stable: stable(orbit, point.event),
             admissible,
             reason,
+            coefficient: form.map(|form| form.coefficient),
+            criticality: form.map(|form| form.name()),
             nearest_stop: orbit.least.map(|least| source.machine.stops[least.stop].name.clone()),
             least_gap: orbit.least.map(|least| least.gap),
             residual: orbit.residual,

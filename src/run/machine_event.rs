@@ -6,16 +6,16 @@ use std::f64::consts::TAU;
 
 use super::{
     Complex, Job, Judgement, Lines,
-    branch::{BranchSource, PointRow},
+    branch::BranchSource,
     event::{EventList, EventTable, WithoutRow},
-    machine_branch::{MachineBranchRow, MachineSource},
+    machine_branch::MachineSource,
     machine_orbit::{admissible_at, multipliers, orbits, phases, speeds, stable},
     row,
 };
 use crate::{
     error::Result,
-    machine::{Machine, MachineFamily, orbit::MachineOrbit},
-    oscillator::branch::{Bifurcation, BranchSearch, FollowedOrbit, Located, nearest},
+    machine::{Machine, MachineFamily, grazing::own_reach, normal_form::normal_form, orbit::MachineOrbit},
+    oscillator::branch::{Bifurcation, BranchSearch, Extent, FollowedOrbit, Located, nearest},
     scene::{MachineSceneFamily, orbits::EventTask},
 };
 
@@ -36,6 +36,10 @@ row! {
         pub stable: Judgement,
         /// Whether it is an orbit.
         pub admissible: Judgement,
+        /// The normal form's coefficient.
+        pub coefficient: Option<f64>,
+        /// Its meaning: "supercritical", "subcritical", "above", "below", "transcritical", "degenerate".
+        pub criticality: Option<&'static str>,
         /// Of a grazing, the stop that is grazed.
         pub stop: Option<String>,
         /// Of a grazing, its phase, as a fraction of the period.
@@ -43,7 +47,7 @@ row! {
         /// Of a grazing, the second derivative of the gap there, in the scene's units.
         pub acceleration: Option<f64>,
         /// How far along the branch, in the norm of times, states and speeds in units of the motion, and the
-        /// parameter.
+        /// parameter in units of its own reach.
         pub length: f64,
         /// What is left of the equations, relative to the size of the motion.
         pub residual: f64,
@@ -57,9 +61,6 @@ impl EventTable for Vec<MachineEventRow> {
 
     fn lines(&self, lines: &mut Lines) {
         lines.table("found", self);
-        if let Some(note) = MachineBranchRow::NOTE.filter(|_| !Vec::is_empty(self)) {
-            lines.say("note", note);
-        }
     }
 }
 
@@ -78,16 +79,17 @@ pub fn machine_event(task: &EventTask, machine: &Machine<f64>, job: &Job) -> Res
     let mut orbits = orbits(&task.orbit, machine, &simulator, job)?;
     orbits.retain(FollowedOrbit::is_orbit);
     let (mut found, mut without) = (Vec::<MachineEventRow>::new(), Vec::new());
+    let unit = own_reach(&family, start)?;
+    let extent = Extent::Parameter { unit, reach: task.reach.unwrap_or(unit) };
     job.monitor.begin(orbits.len() as u64, "orbits");
     for orbit in &orbits {
-        let search = nearest(&source.patterns, task.event, orbit, start, task.reach, &options);
+        let search = nearest(&source.patterns, task.event, orbit, start, extent, &options);
         job.monitor.advance(1)?;
         let reason = match search {
             Ok(BranchSearch::Found(located)) => {
                 let at = located.parameter;
                 if found.iter().all(|old| (old.parameter - at).abs() > 1e-9 * (1.0 + at.abs())) {
-                    let machine = family.at(at)?.0;
-                    found.push(MachineEventRow::of(&located, &source, &machine));
+                    found.push(MachineEventRow::of(&located, &source, &family.at(at)?));
                 }
                 continue;
             }
@@ -108,8 +110,13 @@ pub fn machine_event(task: &EventTask, machine: &Machine<f64>, job: &Job) -> Res
 }
 
 impl MachineEventRow {
-    fn of(found: &Located<MachineOrbit>, source: &MachineSource, machine: &Machine<f64>) -> MachineEventRow {
+    fn of(
+        found: &Located<MachineOrbit>,
+        source: &MachineSource,
+        (machine, slope): &(Machine<f64>, Machine<f64>),
+    ) -> MachineEventRow {
         let Located { bifurcation, parameter, orbit, length } = found;
+        let form = normal_form(machine, slope, orbit, *bifurcation);
         let touch = orbit.least.filter(|_| *bifurcation == Bifurcation::Grazing);
         let rate = machine.rate();
         MachineEventRow {
@@ -120,6 +127,8 @@ impl MachineEventRow {
             multipliers: multipliers(&orbit.multipliers),
             stable: stable(orbit, Some(*bifurcation)),
             admissible: admissible_at(orbit, Some(*bifurcation)).0,
+            coefficient: form.map(|form| form.coefficient),
+            criticality: form.map(|form| form.name()),
             stop: touch.map(|touch| machine.stops[touch.stop].name.clone()),
             phase: touch.map(|touch| (touch.phase / TAU).fract()),
             acceleration: touch.map(|touch| touch.acceleration * rate * rate),

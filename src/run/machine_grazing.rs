@@ -18,7 +18,7 @@ use crate::{
     error::Result,
     machine::{
         Machine, MachineFamily, RealMatrix, StopLaw,
-        grazing::{MachineGrazing, MachineSearch, locate},
+        grazing::{MachineGrazing, MachineSearch, locate, own_reach},
         orbit::find,
     },
     oscillator::grazing::region_of,
@@ -170,7 +170,7 @@ impl Finding for MachineGrazingReport {
 pub fn machine_grazing(task: &GrazingTask, job: &Job) -> Result<MachineGrazingFindings> {
     let family = MachineSceneFamily::new(&job.scene, &task.parameter)?;
     let start = family.value();
-    let reach = task.reach_from(Some(start));
+    let reach = task.reach.map_or_else(|| own_reach(&family, start), Ok)?;
     let event = match locate(&family, start, reach)? {
         MachineSearch::Found(found) => *found,
         MachineSearch::Nothing(reason) => {

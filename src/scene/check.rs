@@ -148,7 +148,7 @@ fn check_machine(kind: &Kind, scene: &Scene, machine: &Machine<f64>, path: &str)
             check_values(task, scene, path)
         }
         Kind::GrazingTask(task) => {
-            scene.parameter(&task.parameter)?;
+            scene.check_parameter(&task.parameter, &format!("{path}.parameter"))?;
             check_grazing(task, scene, path)?;
             let key = |key: &str| format!("{path}.{key}");
             check_stops(scene, machine, path)?;
@@ -174,7 +174,7 @@ fn check_machine(kind: &Kind, scene: &Scene, machine: &Machine<f64>, path: &str)
             machine.coordinates(&RealVector::from_vec(rest[0].clone())).map(drop).map_err(wrong)
         }
         Kind::DiagramTask(task) => {
-            check_range(scene, &task.parameter, &task.range, &format!("{path}.range"))?;
+            check_range(scene, path, ("parameter", &task.parameter), ("range", &task.range))?;
             task.check_counts(scene, path)?;
             let key = |key: &str| format!("{path}.{key}");
             scene.plane(&task.plane, machine, &key("plane"))?;
@@ -189,8 +189,8 @@ fn check_machine(kind: &Kind, scene: &Scene, machine: &Machine<f64>, path: &str)
             Ok(())
         }
         Kind::EventTask(task) => {
-            scene.parameter(&task.parameter)?;
-            check_reach(scene, task.reach, &task.options, path)?;
+            scene.check_parameter(&task.parameter, &format!("{path}.parameter"))?;
+            check_reach(scene, task.length(), &task.options, path)?;
             check_stops(scene, machine, path)?;
             check_machine_orbit(&task.orbit, scene, machine, &format!("{path}.orbit"))
         }
@@ -391,7 +391,7 @@ impl Check for OrbitTask {
 
 fn check_values(task: &OrbitTask, scene: &Scene, path: &str) -> Result<()> {
     if let Some(parameter) = &task.parameter {
-        scene.parameter(parameter)?;
+        scene.check_parameter(parameter, &format!("{path}.parameter"))?;
     }
     if task.parameter.is_some() == task.values.is_empty() {
         return Err(scene.fail(path, "parameter and values belong together: give both or neither"));
@@ -401,22 +401,22 @@ fn check_values(task: &OrbitTask, scene: &Scene, path: &str) -> Result<()> {
 
 impl Check for EventTask {
     fn check(&self, scene: &Scene, system: &System<f64>, path: &str) -> Result<()> {
-        scene.parameter(&self.parameter)?;
-        check_reach(scene, self.reach, &self.options, path)?;
+        scene.check_parameter(&self.parameter, &format!("{path}.parameter"))?;
+        check_reach(scene, self.length(), &self.options, path)?;
         check_orbit(&self.orbit, scene, system, &format!("{path}.orbit"))
     }
 }
 
 impl Check for GrazingTask {
     fn check(&self, scene: &Scene, system: &System<f64>, path: &str) -> Result<()> {
-        scene.parameter(&self.parameter)?;
+        scene.check_parameter(&self.parameter, &format!("{path}.parameter"))?;
         check_grazing(self, scene, path)?;
         check_orbit(&self.orbit, scene, system, &format!("{path}.orbit"))
     }
 }
 
 fn check_grazing(task: &GrazingTask, scene: &Scene, path: &str) -> Result<()> {
-    check_reach(scene, task.reach_from(None), &task.options, path)?;
+    check_reach(scene, task.length(), &task.options, path)?;
     if !(1..=12).contains(&task.max_period) {
         return Err(scene.fail(&format!("{path}.max_period"), "is outside 1 to 12"));
     }
@@ -432,9 +432,9 @@ impl Check for BranchTask {
 
 impl BranchTask {
     fn check_ranges(&self, scene: &Scene, path: &str) -> Result<()> {
-        check_range(scene, &self.parameter, &self.range, &format!("{path}.range"))?;
+        check_range(scene, path, ("parameter", &self.parameter), ("range", &self.range))?;
         if let Some(second) = &self.second {
-            check_range(scene, second, &self.second_range, &format!("{path}.second_range"))?;
+            check_range(scene, path, ("second", second), ("second_range", &self.second_range))?;
             if second == &self.parameter || self.starts.iter().any(|start| start.restart.is_none()) {
                 return Err(scene.fail(
                     &format!("{path}.second"),
@@ -449,7 +449,7 @@ impl BranchTask {
 
 impl Check for DiagramTask {
     fn check(&self, scene: &Scene, system: &System<f64>, path: &str) -> Result<()> {
-        check_range(scene, &self.parameter, &self.range, &format!("{path}.range"))?;
+        check_range(scene, path, ("parameter", &self.parameter), ("range", &self.range))?;
         check_starts(scene, system, &self.branches, &format!("{path}.branches"))?;
         check_no_plane(&self.plane, scene, path)?;
         self.check_counts(scene, path)?;
@@ -480,7 +480,7 @@ impl DiagramTask {
 
 impl Check for CrisisTask {
     fn check(&self, scene: &Scene, system: &System<f64>, path: &str) -> Result<()> {
-        check_range(scene, &self.parameter, &self.bracket, &format!("{path}.bracket"))?;
+        check_range(scene, path, ("parameter", &self.parameter), ("bracket", &self.bracket))?;
         if self.offsets.is_empty() {
             return Err(scene.fail(&format!("{path}.offsets"), "is empty"));
         }
@@ -517,7 +517,7 @@ impl Check for ValidateTask {
         }
         match (&self.event, &self.parameter) {
             (None, None) => Ok(()),
-            (Some(_), Some(parameter)) => scene.parameter(parameter).map(drop),
+            (Some(_), Some(parameter)) => scene.check_parameter(parameter, &format!("{path}.parameter")),
             _ => Err(scene.fail(path, "event and parameter belong together: give both or neither")),
         }
     }
@@ -616,11 +616,17 @@ fn check_reach(scene: &Scene, reach: f64, options: &Options, path: &str) -> Resu
     options.checked().map(drop).map_err(wrong)
 }
 
-fn check_range<T: PartialOrd>(scene: &Scene, parameter: &str, range: &[T], key: &str) -> Result<()> {
-    scene.parameter(parameter)?;
+/// The parameter that `over` names, and its range; each a key of the task, with its value.
+fn check_range<T: PartialOrd>(
+    scene: &Scene,
+    path: &str,
+    (over, parameter): (&str, &str),
+    (key, range): (&str, &[T]),
+) -> Result<()> {
+    scene.check_parameter(parameter, &format!("{path}.{over}"))?;
     match range {
         [low, high] if low < high => Ok(()),
-        _ => Err(scene.fail(key, "must hold two numbers, the smaller first")),
+        _ => Err(scene.fail(&format!("{path}.{key}"), "must hold two numbers, the smaller first")),
     }
 }
 

@@ -102,10 +102,23 @@ keys! {
         parameter: String,
         /// the orbit at the parameter's present value
         orbit: OrbitKeys,
-        /// how far along its branch to look, both ways, in the norm of times, speeds and parameter
-        reach: f64 = "0.5",
-        /// how the branch is followed; lengths are those of times, speeds and the parameter as they are
+        /// how far along its branch to look, both ways, in the norm of times, speeds and parameter; of a
+        /// machine, in the parameter; without it 0.5, of a machine half of the parameter's value, or what
+        /// moves a gap by the size of the gaps' motion, the larger
+        reach: Option<f64>,
+        /// how the branch is followed; lengths are those of times, speeds and the parameter as they are; of a
+        /// machine in units of the gaps' motion, and of what `reach` is if it is not given
         options: Options = "{}",
+    }
+}
+
+/// How far to look in a parameter, or along a branch, of an oscillator.
+const REACH: f64 = 0.5;
+
+impl EventTask {
+    /// How far to look along the branch of an oscillator.
+    pub fn length(&self) -> f64 {
+        self.reach.unwrap_or(REACH)
     }
 }
 
@@ -120,8 +133,8 @@ keys! {
         /// of a machine, the motion without impacts
         orbit: OrbitKeys = "{}",
         /// how far along its branch to look, both ways, in the norm of times, speeds and parameter; of a
-        /// machine, in the parameter; without it 0.5, of a machine half of the parameter's value if that is
-        /// more
+        /// machine, in the parameter; without it 0.5, of a machine half of the parameter's value, or what
+        /// moves a gap by the size of the gaps' motion, the larger
         reach: Option<f64>,
         /// how the branch is followed; lengths are those of times, speeds and the parameter as they are; not
         /// of a machine
@@ -135,9 +148,9 @@ keys! {
 }
 
 impl GrazingTask {
-    /// How far to look, for a parameter that begins at `value` for a machine, at none for an oscillator.
-    pub fn reach_from(&self, value: Option<f64>) -> f64 {
-        self.reach.unwrap_or(value.map_or(0.5, |value| (value.abs() / 2.0).max(0.5)))
+    /// How far to look along the branch of an oscillator.
+    pub fn length(&self) -> f64 {
+        self.reach.unwrap_or(REACH)
     }
 
     /// The distance |eµ| where motions have this size: 1 for an oscillator.

@@ -99,12 +99,23 @@ impl Scene {
     /// # Errors
     /// An input error if there is none of that name.
     pub fn parameter(&self, name: &str) -> Result<usize> {
-        let names = || self.parameters.iter().map(|(name, _)| name.as_str());
-        names().position(|known| known == name).ok_or_else(|| {
-            let known: Vec<&str> = names().collect();
-            let near = hint(name, known);
-            Error::input(format!("{}: the scene has no parameter {name:?}; {near}", self.file.0))
-        })
+        self.parameters
+            .iter()
+            .position(|known| known.0 == name)
+            .ok_or_else(|| Error::input(format!("{}: {}", self.file.0, self.no_parameter(name))))
+    }
+
+    /// That there is a parameter of the name that stands at a key.
+    ///
+    /// # Errors
+    /// An input error if there is none.
+    pub(super) fn check_parameter(&self, name: &str, key: &str) -> Result<()> {
+        self.parameter(name).map(drop).map_err(|_| self.fail(key, &self.no_parameter(name)))
+    }
+
+    fn no_parameter(&self, name: &str) -> String {
+        let known: Vec<&str> = self.parameters.iter().map(|(name, _)| name.as_str()).collect();
+        format!("the scene has no parameter {name:?}; {}", hint(name, known))
     }
 
     /// The system with the parameters' values, and some of them changed.

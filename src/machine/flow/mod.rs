@@ -353,6 +353,11 @@ impl LinearFlow {
         &self.from * self.matrix(duration) * &self.to
     }
 
+    /// A linear map of (q, q′) as one of y.
+    pub(super) fn reduced(&self, map: &RealMatrix) -> RealMatrix {
+        &self.to * map * &self.from
+    }
+
     /// The state after `duration` > 0, over as many periods as that takes. The phase is brought back to [0,
     /// 2π).
     pub fn after(&self, state: &MachineState, duration: f64) -> MachineState {

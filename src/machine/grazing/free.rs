@@ -84,9 +84,18 @@ impl FreeMotion {
 
     /// The size of the gaps' motion: what is much smaller is rounding.
     pub fn scale(&self) -> f64 {
-        let one = |gap: &Series| gap.mean().abs() + gap.derivative_bound(0);
-        self.gaps.iter().map(|[gap, _]| one(gap)).fold(0.0, f64::max)
+        self.gaps.iter().map(|[gap, _]| size(gap)).fold(0.0, f64::max)
     }
+
+    /// The size of its derivative in the parameter.
+    pub(super) fn drift_scale(&self) -> f64 {
+        self.gaps.iter().map(|[_, drift]| size(drift)).fold(0.0, f64::max)
+    }
+}
+
+/// A bound of a sum that it comes near to.
+fn size(z: &Series) -> f64 {
+    z.mean().abs() + z.derivative_bound(0)
 }
 
 /// The minima of a trigonometric sum over a period, phase and value.

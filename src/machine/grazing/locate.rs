@@ -69,6 +69,20 @@ const STEPS: u32 = 200;
 /// A gap smaller than this, relative to the gaps' motion, where another is zero, is zero too.
 const TWICE: f64 = 1e-11;
 
+/// How far a parameter is looked through that has this value, where nothing else is said: half of it, or the
+/// change that moves a gap, to first order, by the size of the gaps' motion, the larger; 1/2 where neither is
+/// anything.
+///
+/// # Errors
+/// Where the family is not defined.
+pub fn own_reach(family: &dyn MachineFamily, value: f64) -> Result<f64> {
+    let (machine, slope) = family.at(value)?;
+    // Without a periodic motion there is no gaps' motion.
+    let moved = FreeMotion::new(&machine, &slope).map_or(0.0, |motion| motion.scale() / motion.drift_scale());
+    let reach = if moved.is_finite() { moved.max(value.abs() / 2.0) } else { value.abs() / 2.0 };
+    Ok(if reach > 0.0 { reach } else { 0.5 })
+}
+
 /// The grazing of the motion without impacts nearest to `start`, within `reach` of it. From step to step of
 /// the parameter, 200 of them each way, the least gap changes sign, or its derivative does, so that it dips
 /// between them; dips of a fraction of a step may be missed. Then Newton's method on the least gap as a

@@ -23,4 +23,4 @@ mod locate;
 pub use free::{FreeMotion, LeastGap};
 pub use half::HalfPeriod;
 pub use local_map::MachineLocalMap;
-pub use locate::{MachineGrazing, MachineSearch, locate};
+pub use locate::{MachineGrazing, MachineSearch, locate, own_reach};

@@ -13,7 +13,7 @@
 //! through their grazing.
 //!
 //! `pattern` is the pattern, `equations` the equations with all derivatives, that in a parameter by `change`,
-//! `admissible` what tells an orbit from another solution. Not here: rest on stops, and several stops hit at
+//! `admissible` what tells an orbit from another solution, `surface` the Poincaré map to third order. Not here: rest on stops, and several stops hit at
 //! one instant, an orbit with which is not found; how orbits continue (`branch`).
 
 mod admissible;
@@ -21,6 +21,7 @@ mod change;
 mod equations;
 mod leg;
 mod pattern;
+mod surface;
 
 use std::f64::consts::TAU;
 
@@ -29,6 +30,7 @@ pub(super) use change::MachineChange;
 pub(super) use equations::StopEquations;
 pub(super) use leg::Between;
 pub use pattern::{StopPattern, StopStrike};
+pub(super) use surface::{Image, Surface};
 
 use super::{
     LinearFlow, MachineState, RealMatrix, RealVector,

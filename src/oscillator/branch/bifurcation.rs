@@ -63,8 +63,8 @@ impl Bifurcation {
 
 /// A point of codimension two on a curve of bifurcations in two parameters.
 ///
-/// A curve of Neimark–Sacker points has no Chenciner points, where Re d would change its sign: Re d is zero
-/// all along, see [`NormalForm`](super::NormalForm).
+/// With one degree of freedom a curve of Neimark–Sacker points has no Chenciner points: Re d is zero all along,
+/// see [`NormalForm`](super::NormalForm).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
 pub enum Degeneracy {
@@ -72,6 +72,8 @@ pub enum Degeneracy {
     Cusp,
     /// On a curve of flips: the coefficient b vanishes, the flip turns from supercritical to subcritical.
     GeneralisedFlip,
+    /// On a curve of Neimark–Sacker points: the coefficient Re d vanishes.
+    Chenciner,
     /// Both multipliers are 1.
     Resonance1,
     /// Both multipliers are −1.
@@ -101,9 +103,10 @@ pub enum Degeneracy {
 
 impl Degeneracy {
     /// All, in the order of a curve's monitors.
-    pub const ALL: [Degeneracy; 14] = [
+    pub const ALL: [Degeneracy; 15] = [
         Degeneracy::Cusp,
         Degeneracy::GeneralisedFlip,
+        Degeneracy::Chenciner,
         Degeneracy::Resonance1,
         Degeneracy::Resonance2,
         Degeneracy::FoldFlip,
@@ -123,6 +126,7 @@ impl Degeneracy {
         match self {
             Degeneracy::Cusp => "cusp",
             Degeneracy::GeneralisedFlip => "generalised-flip",
+            Degeneracy::Chenciner => "chenciner",
             Degeneracy::Resonance1 => "1:1-resonance",
             Degeneracy::Resonance2 => "1:2-resonance",
             Degeneracy::FoldFlip => "fold-flip",

@@ -39,6 +39,29 @@ pub struct OneWay {
     pub length: f64,
 }
 
+/// How far a bifurcation is looked for, both ways.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Extent {
+    /// This far along the branch, in the norm of times, speeds and the parameter, and as far in the parameter.
+    Length(f64),
+    /// This far in the parameter, however long the branch is.
+    Parameter {
+        /// The parameter's unit of length along the branch.
+        unit: f64,
+        /// How far.
+        reach: f64,
+    },
+}
+
+impl Extent {
+    /// How far.
+    fn reach(self) -> f64 {
+        match self {
+            Extent::Length(reach) | Extent::Parameter { reach, .. } => reach,
+        }
+    }
+}
+
 /// What a search came to.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
@@ -54,7 +77,7 @@ pub enum BranchSearch<O = Orbit> {
 pub struct Nothing {
     /// What was looked for.
     pub bifurcation: Bifurcation,
-    /// How far, along the branch.
+    /// How far: see [`Extent`].
     pub reach: f64,
     /// Against the branch's direction, and along it: that of larger parameters at the start.
     pub sides: [OneWay; 2],
@@ -74,10 +97,10 @@ pub fn locate(
     reach: f64,
     options: &Options,
 ) -> Result<BranchSearch> {
-    nearest(family, bifurcation, orbit, parameter, reach, options)
+    nearest(family, bifurcation, orbit, parameter, Extent::Length(reach), options)
 }
 
-/// The same for orbits of any kind.
+/// The same for orbits of any kind, as far as `extent` says.
 ///
 /// # Errors
 /// As [`locate`].
@@ -86,14 +109,18 @@ pub fn nearest<F: PatternFamily + ?Sized>(
     bifurcation: Bifurcation,
     orbit: &F::Orbit,
     parameter: f64,
-    reach: f64,
+    extent: Extent,
     options: &Options,
 ) -> Result<BranchSearch<F::Orbit>> {
-    let orbits = PatternCurve::around(family, orbit.pattern().clone(), parameter, reach);
+    let unit = match extent {
+        Extent::Length(_) => 1.0,
+        Extent::Parameter { unit, .. } => unit,
+    };
+    let orbits = PatternCurve::around(family, orbit.pattern().clone(), parameter, unit, extent.reach());
     let start = orbits.start_at(orbit, parameter, options)?;
     let (mut nearest, mut sides) = (None::<Located<F::Orbit>>, Vec::new());
     for start in [start.reversed(), start] {
-        let (side, found) = one_way(&orbits, start, bifurcation, reach, options)?;
+        let (side, found) = one_way(&orbits, start, bifurcation, extent, options)?;
         sides.push(side);
         if let Some(found) = found
             && nearest.as_ref().is_none_or(|known| found.length < known.length)
@@ -104,7 +131,7 @@ pub fn nearest<F: PatternFamily + ?Sized>(
     let sides: [OneWay; 2] = sides.try_into().unwrap_or_else(|_| unreachable!("both ways were gone"));
     Ok(match nearest {
         Some(found) => BranchSearch::Found(Box::new(found)),
-        None => BranchSearch::Nothing(Nothing { bifurcation, reach, sides }),
+        None => BranchSearch::Nothing(Nothing { bifurcation, reach: extent.reach(), sides }),
     })
 }
 
@@ -112,12 +139,12 @@ fn one_way<F: PatternFamily + ?Sized>(
     orbits: &PatternCurve<'_, F>,
     start: CurvePoint,
     bifurcation: Bifurcation,
-    reach: f64,
+    extent: Extent,
     options: &Options,
 ) -> Result<(OneWay, Option<Located<F::Orbit>>)> {
     let wanted = |step: &Step<F::Orbit>| step.event.map(Bifurcation::of) == Some(bifurcation);
     let stop = |step: &Step<F::Orbit>| match () {
-        () if step.length > reach => Some(CurveEnd::Reach),
+        () if matches!(extent, Extent::Length(reach) if step.length > reach) => Some(CurveEnd::Reach),
         () if wanted(step) => Some(CurveEnd::Found),
         () => None,
     };

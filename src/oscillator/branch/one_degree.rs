@@ -193,7 +193,7 @@ impl PatternPlane for dyn TwoParameterFamily + '_ {
         &self,
         event: Bifurcation,
         parameters: [f64; 2],
-        along: f64,
+        tangent: &[f64],
         orbit: &Orbit,
     ) -> Vec<Option<f64>> {
         let mut all = vec![None; Degeneracy::ALL.len()];
@@ -221,7 +221,7 @@ impl PatternPlane for dyn TwoParameterFamily + '_ {
             }
             Bifurcation::Grazing => {
                 // Along the curve e dp + e′ dp′ = 0, with e′ that of the second parameter.
-                set(Degeneracy::NoDrift, Some(along));
+                set(Degeneracy::NoDrift, tangent.last().copied());
                 let gamma = oscillator().and_then(|oscillator| LocalMap::of(&oscillator, orbit).ok());
                 set(Degeneracy::NoGamma, gamma.map(|map| map.gamma()));
                 // u_n without the factors that it shares with u_d, d a divisor of n.

@@ -42,9 +42,9 @@ impl<'a, F: PatternFamily + ?Sized> PatternCurve<'a, F> {
     }
 
     /// The orbits of a pattern up to `reach` away from a parameter value: lengths are those of times, speeds
-    /// and the parameter as they are.
-    pub fn around(family: &'a F, itinerary: PatternOf<F::Orbit>, centre: f64, reach: f64) -> Self {
-        PatternCurve { family, itinerary, origin: centre, unit: 1.0, bounds: (-reach, reach) }
+    /// and the parameter over `unit`.
+    pub fn around(family: &'a F, itinerary: PatternOf<F::Orbit>, centre: f64, unit: f64, reach: f64) -> Self {
+        PatternCurve { family, itinerary, origin: centre, unit, bounds: (-reach / unit, reach / unit) }
     }
 
     /// The same with another pattern.

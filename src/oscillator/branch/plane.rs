@@ -177,8 +177,7 @@ impl<P: PatternPlane + ?Sized> EventCurve<'_, P> {
     }
 
     fn degeneracies(&self, place: &CurvePoint, orbit: &P::Orbit) -> Vec<Option<f64>> {
-        let along = place.tangent.last().copied().unwrap_or(0.0);
-        self.plane.degeneracies(self.event, self.split(&place.u).1, along, orbit)
+        self.plane.degeneracies(self.event, self.split(&place.u).1, &place.tangent, orbit)
     }
 }
 

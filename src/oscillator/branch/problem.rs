@@ -158,12 +158,12 @@ pub trait PatternPlane {
 
     /// The functions whose zeros on a curve of bifurcations are of codimension two, in the order of
     /// [`Degeneracy::ALL`](super::Degeneracy::ALL); `None` where they are not defined or another curve's.
-    /// `along` is the second parameter's part of the curve's tangent.
+    /// `tangent` is that of the curve: of the unknowns, then of both parameters.
     fn degeneracies(
         &self,
         event: Bifurcation,
         parameters: [f64; 2],
-        along: f64,
+        tangent: &[f64],
         orbit: &Self::Orbit,
     ) -> Vec<Option<f64>>;
 

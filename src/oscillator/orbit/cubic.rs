@@ -33,6 +33,16 @@ impl Cubic {
         found
     }
 
+    /// Of these coefficients: of 1, x, y, x², xy, y², x³, x²y, xy², y³.
+    pub fn of(coefficients: [f64; 10]) -> Cubic {
+        Cubic(coefficients)
+    }
+
+    /// All coefficients, in the order of [`of`](Self::of).
+    pub fn coefficients(&self) -> &[f64; 10] {
+        &self.0
+    }
+
     /// The coefficient of x^i y^j, i + j ≤ 3.
     pub fn coefficient(&self, i: usize, j: usize) -> f64 {
         self.0[place(i, j)]

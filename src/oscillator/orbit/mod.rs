@@ -37,7 +37,7 @@ mod solution;
 pub(super) use admissible::minima;
 pub(crate) use admissible::minimum_within;
 pub use admissible::{Admissibility, Check, Minimum, check};
-pub use cubic::Cubic;
+pub use cubic::{Cubic, polynomial};
 pub use equations::{Linearised, linearise};
 pub use family::Family;
 pub use itinerary::{Itinerary, Strike};
