@@ -473,3 +473,32 @@ fn branches_start_at_attractors_and_labels_and_go_on_in_two_parameters() {
         near(a[0], b[0], 1e-9);
     }
 }
+
+/// The branch that a diagram draws goes through the same labels at the same heights by both codes.
+#[test]
+fn a_diagram_draws_branches() {
+    let folder = tempfile::tempdir().unwrap();
+    let rate = TAU / 3.0;
+    let keys = |speed: f64, more: &str| {
+        format!(
+            "parameter = \"mu\"\nrange = [-0.1, 0.01]\ncount = 2\ntransient = 1\npoints = 2\nstarts = [{{ q = 3 }}]\n\
+             options = {{ most_step = 0.2 }}\nbranches = [{{ at = -0.05, orbit = {{ pattern = [4], speed = {speed}, starts = 60 }} }}]\n{more}"
+        )
+    };
+    let drawn = |scene: &str, name: &str, keys: &str| -> Vec<(String, [f64; 2])> {
+        let (report, code, error) = run(scene, &[task(name, "diagram", keys)], folder.path());
+        assert_eq!(code, 0, "{error}{report}");
+        let text = fs::read_to_string(folder.path().join(format!("{name}.csv"))).unwrap();
+        let mut rows = csv::Reader::from_reader(text.as_bytes());
+        let all = rows.records().map(|row| row.unwrap()).filter(|row| !row[4].is_empty());
+        all.map(|row| (row[4].to_string(), [1, 2].map(|i| row[i].parse().unwrap()))).collect()
+    };
+    let machine = drawn(PAPER_MACHINE, "machine", &keys(rate, "plane = [\"q1\", \"u1\"]\n"));
+    let alone = drawn(ALONE, "alone", &keys(1.0, ""));
+    assert!(machine.len() >= 2 && machine.len() == alone.len(), "{machine:?} {alone:?}");
+    for ((label, a), (known, b)) in machine.iter().zip(&alone) {
+        assert_eq!(label, known);
+        near(a[0], b[0], 1e-12);
+        near(a[1], b[1], 1e-7);
+    }
+}

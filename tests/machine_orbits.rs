@@ -663,6 +663,18 @@ fn a_long_chain_without_real_modes_moves_by_the_exponential() {
     }
     let off = (flow.transition(0.5) - exponential(&(a * 0.5))).amax();
     assert!(off <= 1e-12, "{off}");
+    // One chain of vectors: no modes at all.
+    let two = |entries: [f64; 4]| RealMatrix::from_row_slice(2, 2, &entries);
+    let still = Periodic::constant(RealVector::zeros(2));
+    let (one, c) = (two([1.0, 0.0, 0.0, 1.0]), two([2.0, 1.0, 0.0, 2.0]));
+    let flow = LinearFlow::new(LinearEquations::new(one.clone(), c.clone(), one, still).unwrap()).unwrap();
+    assert_eq!(flow.method(), FlowMethod::Exponential);
+    let mut a = RealMatrix::zeros(4, 4);
+    a.view_mut((0, 2), (2, 2)).fill_diagonal(1.0);
+    a.view_mut((2, 0), (2, 2)).fill_diagonal(-1.0);
+    a.view_mut((2, 2), (2, 2)).copy_from(&-c);
+    let off = (flow.transition(7.0) - exponential(&(a * 7.0))).amax();
+    assert!(off <= 1e-14, "{off}");
 }
 
 /// A symmetric machine that grazes a stop and its mirror: of one coordinate as by the one-degree code; of

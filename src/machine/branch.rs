@@ -9,7 +9,7 @@
 use std::f64::consts::TAU;
 
 use super::{
-    LinearFlow, Machine, MachineFamily,
+    LinearFlow, Machine, MachineFamily, MachineState,
     contact::Contacts,
     normal_form::{Coefficient, Local},
     orbit::{
@@ -131,12 +131,19 @@ impl MachinePatterns<'_> {
     /// # Errors
     /// Where the machine is not defined.
     pub fn gap(&self, parameter: f64, orbit: &MachineOrbit, stop: usize, phase: f64) -> Result<f64> {
+        let contacts = self.family.at(parameter)?.0.contacts()?;
+        Ok(contacts[stop].gap(&self.state(parameter, orbit, phase)?)[0])
+    }
+
+    /// The state when `phase` comes first after the first impact of an orbit.
+    ///
+    /// # Errors
+    /// Where the machine is not defined.
+    pub fn state(&self, parameter: f64, orbit: &MachineOrbit, phase: f64) -> Result<MachineState> {
         let (machine, _) = self.family.at(parameter)?;
         let solved = Solved::new(&machine, &orbit.pattern, self.common.depth)?;
         let equations = solved.equations(&orbit.pattern, orbit.scale);
-        let wait = (phase - orbit.state.t).rem_euclid(TAU);
-        let state = equations.state(&orbit.z, wait)?;
-        Ok(solved.contacts.all()[stop].gap(&state)[0])
+        equations.state(&orbit.z, (phase - orbit.state.t).rem_euclid(TAU))
     }
 }
 

@@ -158,7 +158,7 @@ impl MachineBranchRow {
 }
 
 /// The branches of a scene's machine.
-pub(super) struct MachineSource<'a> {
+pub(crate) struct MachineSource<'a> {
     family: &'a MachineSceneFamily<'a>,
     pub patterns: MachinePatterns<'a>,
     machine: &'a Machine<f64>,

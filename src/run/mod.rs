@@ -52,9 +52,9 @@ use num_rational::BigRational;
 use serde::Serialize;
 
 pub use basins::{BasinRow, BasinsFindings, basins};
-#[cfg(feature = "cli")]
-pub(crate) use branch::follow;
 pub use branch::{BranchFindings, BranchList, BranchRow, PointRow, StartRow, branch};
+#[cfg(feature = "cli")]
+pub(crate) use branch::{BranchSource, follow};
 pub use chaos::ChaosRow;
 pub use crisis::{CrisisFindings, CrisisRow, PersistenceRow, crisis};
 pub use diagram::{CoexistingRow, DiagramFindings, WindowRow, diagram};
@@ -63,9 +63,9 @@ pub use event::{
 };
 pub use grazing::{BornRow, GrazingFindings, GrazingReport, grazing};
 pub use machine::{MachineSimulationFindings, ModeRow, StopRow, simulate_machine};
-#[cfg(feature = "cli")]
-pub(crate) use machine_branch::form;
 pub use machine_branch::{MachineBranchFindings, MachineBranchRow, machine_branch};
+#[cfg(feature = "cli")]
+pub(crate) use machine_branch::{MachineSource, form};
 pub use machine_event::{MachineEventFindings, MachineEventRow, machine_event};
 pub use machine_grazing::{MachineBornRow, MachineGrazingFindings, MachineGrazingReport, machine_grazing};
 #[cfg(feature = "cli")]

@@ -182,11 +182,9 @@ fn check_machine(kind: &Kind, scene: &Scene, machine: &Machine<f64>, path: &str)
                 scene.machine_state(start, machine, &key(&format!("starts[{i}]")))?;
             }
             check_frame(task.frame, scene, path)?;
-            if !task.branches.is_empty() {
-                let message = "are not drawn with a machine's diagram: leave them out";
-                return Err(scene.fail(&key("branches"), message));
-            }
-            Ok(())
+            check_machine_branches(&task.branches, scene, machine, &key("branches"))?;
+            let wrong = |error: Error| scene.fail(&key("options"), &error.to_string());
+            task.options.checked().map(drop).map_err(wrong)
         }
         Kind::EventTask(task) => {
             scene.check_parameter(&task.parameter, &format!("{path}.parameter"))?;
@@ -200,16 +198,7 @@ fn check_machine(kind: &Kind, scene: &Scene, machine: &Machine<f64>, path: &str)
                 let message = "is a wall of format 1: of a machine, the picture shows the gap to a stop";
                 return Err(scene.fail(&format!("{path}.frame"), message));
             }
-            for (i, start) in (1..).zip(&task.starts) {
-                let path = format!("{path}.starts[{i}]");
-                start.origin().map_err(|error| scene.fail(&path, &error.to_string()))?;
-                if let Some(orbit) = &start.orbit {
-                    check_machine_orbit(orbit, scene, machine, &format!("{path}.orbit"))?;
-                }
-                if let Some(start) = &start.attractor {
-                    scene.check_machine_start(start, machine, &format!("{path}.attractor"))?;
-                }
-            }
+            check_machine_branches(&task.starts, scene, machine, &format!("{path}.starts"))?;
             task.check_ranges(scene, path)
         }
         Kind::ValidateTask(task) => {
@@ -603,6 +592,25 @@ fn check_machine_orbit(orbit: &OrbitKeys, scene: &Scene, machine: &Machine<f64>,
     let needed = if free { 2 * machine.points() } else { 2 * m };
     if !orbit.start.is_empty() && orbit.start.len() != needed {
         return fail("start", &format!("must hold {needed} numbers"));
+    }
+    Ok(())
+}
+
+fn check_machine_branches(
+    starts: &[BranchStart],
+    scene: &Scene,
+    machine: &Machine<f64>,
+    path: &str,
+) -> Result<()> {
+    for (i, start) in (1..).zip(starts) {
+        let path = format!("{path}[{i}]");
+        start.origin().map_err(|error| scene.fail(&path, &error.to_string()))?;
+        if let Some(orbit) = &start.orbit {
+            check_machine_orbit(orbit, scene, machine, &format!("{path}.orbit"))?;
+        }
+        if let Some(start) = &start.attractor {
+            scene.check_machine_start(start, machine, &format!("{path}.attractor"))?;
+        }
     }
     Ok(())
 }

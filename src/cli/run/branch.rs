@@ -116,7 +116,7 @@ fn locus<O: FollowedOrbit>(branch: &OrbitBranch<O>, pattern: &str) -> figure::Dr
 type Drawn = (f64, Judgement);
 
 /// A branch over one parameter.
-fn curve<O: FollowedOrbit>(
+pub(super) fn curve<O: FollowedOrbit>(
     branch: &OrbitBranch<O>,
     pattern: &str,
     drawn: &dyn Fn(&BranchPoint<O>) -> Result<Drawn>,

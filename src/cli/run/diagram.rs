@@ -1,19 +1,26 @@
 //! The files of tasks of kind `diagram`.
 
-use super::{Job, branch::Drawing};
+use super::{
+    Job,
+    branch::{Drawing, curve},
+};
 use crate::{
     error::Result,
     figure,
-    oscillator::{branch::Direction, orbit::Family},
-    run::{DiagramFindings, follow},
-    scene::{SceneFamily, branches::DiagramTask, phase},
+    machine::{MachineFamily, orbit::MachineOrbit},
+    oscillator::{
+        branch::{BranchPoint, Direction},
+        orbit::Family,
+    },
+    run::{BranchSource, DiagramFindings, MachineSource, follow, machine_stable},
+    scene::{MachineSceneFamily, SceneFamily, branches::DiagramTask, phase},
 };
 
 pub(super) fn keep(found: &DiagramFindings, task: &DiagramTask, job: &Job) -> Result<Vec<String>> {
     if let Some([drawn, _]) = &found.plane {
         let axes = [task.parameter.as_str(), drawn];
         let sets = scatter(found, |_| Ok(Box::new(|q| q)))?;
-        figure::branches(&[], &sets, axes, &job.place())?;
+        figure::branches(&machine_curves(task, job)?, &sets, axes, &job.place())?;
         let windows = job.csv(&found.windows, "-windows.csv")?;
         return Ok(job.figure().into_iter().chain([windows]).collect());
     }
@@ -30,6 +37,24 @@ pub(super) fn keep(found: &DiagramFindings, task: &DiagramTask, job: &Job) -> Re
     figure::branches(&curves, &scatter(found, height)?, [&task.parameter, drawing.axis()], &job.place())?;
     let windows = job.csv(&found.windows, "-windows.csv")?;
     Ok(job.figure().into_iter().chain([windows]).collect())
+}
+
+/// The branches of a machine, seen on the first axis of the plane.
+fn machine_curves(task: &DiagramTask, job: &Job) -> Result<Vec<figure::DrawnBranch>> {
+    if task.branches.is_empty() {
+        return Ok(Vec::new());
+    }
+    let (machine, family) = (job.scene.machine(&[])?, MachineSceneFamily::new(&job.scene, &task.parameter)?);
+    let source = MachineSource::new(&family, &machine, job)?;
+    let (branches, _) = follow(&task.branches, &source, task.bounds(), Direction::Both, &task.options, job)?;
+    let at = phase(&task.phase);
+    let drawn = |point: &BranchPoint<MachineOrbit>| {
+        let parameter = point.parameters[0];
+        let state = source.patterns.state(parameter, &point.orbit, at)?;
+        let planar = job.planar(&family.at(parameter)?.0, &[], &task.plane)?;
+        Ok((planar.point(&state).at[0], machine_stable(&point.orbit, point.event)))
+    };
+    branches.iter().map(|branch| curve(branch, &source.named(&branch.itinerary), &drawn)).collect()
 }
 
 /// What is drawn of the first number of a point.

@@ -1,5 +1,7 @@
 //! A system that does not fall apart: y and p move by Taylor series of the matrix exponential.
 
+use std::f64::consts::TAU;
+
 use crate::machine::{Periodic, RealMatrix, RealVector};
 
 /// Terms of the Taylor series by which a system moves that is one block: with 1/2, what is left out is below
@@ -64,6 +66,50 @@ pub(super) fn moved(
         }
     }
     sum
+}
+
+/// e^{A·duration}: by its series where the matrix is at most 1/2, then squared. Cost: 20 products of matrices
+/// and one more for each doubling.
+pub(super) fn exponential(a: &RealMatrix, duration: f64) -> RealMatrix {
+    let n = a.nrows();
+    let doublings = (2.0 * rate_of(a) * duration.abs()).log2().ceil().max(0.0);
+    let small = a * (duration / doublings.exp2());
+    let mut sum = RealMatrix::identity(n, n);
+    for i in (1..BLOCK_TERMS).rev() {
+        sum = &small * sum / i as f64;
+        sum.iter_mut().step_by(n + 1).for_each(|x| *x += 1.0);
+    }
+    (0..doublings as u64).fold(sum, |sum, _| &sum * &sum)
+}
+
+/// The responses from rest at 0 at the beginnings of `count` equal parts of a period, and at its end.
+///
+/// From part to part p ↦ E p + r, where r is what the force brings about within a part: for a harmonic with
+/// the coefficients a and b it is cos kt times that of (a, b) and sin kt times that of (b, −a).
+pub(super) fn responses_from_rest(a: &RealMatrix, force: &Periodic, count: usize) -> Vec<RealVector> {
+    let width = TAU / count as f64;
+    let (step, rest) = (exponential(a, width), RealVector::zeros(a.nrows()));
+    let alone = |k: u32, cos: &RealVector, sin: &RealVector| {
+        let harmonics = vec![(k, cos.clone(), sin.clone())];
+        forced(a, &Periodic { mean: rest.clone(), harmonics }, 0.0, width, &rest)
+    };
+    let mean = forced(a, &Periodic::constant(force.mean.clone()), 0.0, width, &rest);
+    let parts: Vec<(f64, RealVector, RealVector)> = force
+        .harmonics
+        .iter()
+        .map(|(k, cos, sin)| (f64::from(*k), alone(*k, cos, sin), alone(*k, sin, &-cos)))
+        .collect();
+    let mut all = vec![rest.clone()];
+    for i in 0..count {
+        let mut next = &step * &all[i] + &mean;
+        for (k, even, odd) in &parts {
+            let (sin, cos) = (k * (width * i as f64)).sin_cos();
+            next.axpy(cos, even, 1.0);
+            next.axpy(sin, odd, 1.0);
+        }
+        all.push(next);
+    }
+    all
 }
 
 /// p at t + duration from p at t, p′ = A p + f.

@@ -12,7 +12,7 @@ mod response;
 
 use std::f64::consts::TAU;
 
-use block::{Force, forced, moved, rate_of};
+use block::{Force, exponential, forced, moved, rate_of, responses_from_rest};
 use response::{Response, real_pair, responses};
 
 use super::{
@@ -114,11 +114,7 @@ impl LinearFlow {
                     )));
                 }
                 let count = (TAU * rate).ceil().clamp(8.0, MOST_STARTS) as usize;
-                let mut starts = vec![RealVector::zeros(2 * n)];
-                for i in 0..count {
-                    let p = forced(&a, &force, TAU * i as f64 / count as f64, TAU / count as f64, &starts[i]);
-                    starts.push(p);
-                }
+                let mut starts = responses_from_rest(&a, &force, count);
                 let step = starts.pop().unwrap_or_else(|| RealVector::zeros(2 * n));
                 (Motion::Whole(a, starts), step)
             }
@@ -338,6 +334,9 @@ impl LinearFlow {
 
     /// E(duration), 2n × 2n.
     pub fn matrix(&self, duration: f64) -> RealMatrix {
+        if let Motion::Whole(a, _) = &self.motion {
+            return exponential(a, duration);
+        }
         let n = self.dimension();
         let mut all = RealMatrix::identity(n, n);
         for j in 0..n {
