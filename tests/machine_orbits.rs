@@ -513,8 +513,10 @@ fn the_resonance_of_section_4_1_has_its_closed_form() {
     near(number(&map["parameter"]), 0.0, 1e-14);
     near(number(&map["a1"]), r, 1e-14);
     near(number(&map["a2"]), r * r, 1e-14);
-    let sides: Vec<&str> =
-        map["born"].as_array().unwrap().iter().map(|row| row["side"].as_str().unwrap()).collect();
+    // The patterns of one impact.
+    let rows = map["born"].as_array().unwrap().iter();
+    let single = rows.filter(|row| !row["pattern"].as_str().unwrap().contains(','));
+    let sides: Vec<&str> = single.map(|row| row["side"].as_str().unwrap()).collect();
     assert_eq!(sides, ["mu > 0", "mu > 0", "open", "mu < 0"], "{map}");
     assert_eq!(map["status"], "undecided");
     let orbits = told[1]["orbits"].as_array().unwrap();
