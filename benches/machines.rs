@@ -97,7 +97,7 @@ fn chain(masses: usize, gyroscopic: bool) -> Machine<f64> {
         shapes: vec![],
         force: vec![],
         forcing: vec![Load { k: 1, cos: at_end(masses as f64), sin: vec![] }],
-        stops: vec![Stop { name: "stop".into(), row: at_end(1.0), wall, law: StopLaw::Rigid }],
+        stops: vec![Stop { name: "stop".into(), row: at_end(1.0), wall, law: StopLaw::Newton }],
     }
 }
 

@@ -95,7 +95,9 @@ impl StopEquations<'_> {
         let (mut state, times, speeds) = self.split(z);
         let flow = self.between.flow;
         if self.between.soft.is_some() {
-            return Err(Error::input("the Poincaré map's derivatives are not followed through stops that give way"));
+            return Err(Error::input(
+                "the Poincaré map's derivatives are not followed through stops that give way",
+            ));
         }
         if m == 0 || speeds.iter().any(|speed| speed.is_nan() || *speed <= 0.0) {
             return Err(Error::input("the Poincaré map is not smooth: an impact does not come in"));
