@@ -4,9 +4,7 @@ use std::f64::consts::TAU;
 
 use serde::Serialize;
 
-use super::{
-    LinearEquations, Periodic, RealMatrix, RealVector, SpeedLaw, equations::check_symmetric,
-};
+use super::{LinearEquations, Periodic, RealMatrix, RealVector, SpeedLaw, equations::check_symmetric};
 use crate::{
     error::{Error, Result},
     oscillator::{Series, Wall},

@@ -62,7 +62,7 @@ impl Coefficient {
 
 /// The normal form of a bifurcation of an orbit of a machine, whose coefficients change with the parameter at
 /// the rates `slope`; none for grazing and fading, where the Poincaré map is not smooth, for orbits without
-/// impacts, where it is linear, for machines with stops that give way, and where the coefficient cannot be computed, as at a double multiplier. Cost:
+/// impacts, where it is linear, for machines with stops that give way or a restitution that depends on the speed, and where the coefficient cannot be computed, as at a double multiplier. Cost:
 /// O(n³).
 pub fn normal_form(
     machine: &Machine<f64>,

@@ -94,9 +94,11 @@ impl StopEquations<'_> {
         let m = self.pattern.strikes().len();
         let (mut state, times, speeds) = self.split(z);
         let flow = self.between.flow;
-        if self.between.soft.is_some() {
+        let own = |i: usize| self.contact(i).law.is_some();
+        if self.between.soft.is_some() || (0..m).any(own) {
             return Err(Error::input(
-                "the Poincaré map's derivatives are not followed through stops that give way",
+                "the Poincaré map's derivatives are not followed through stops that give way, nor through impacts whose restitution \
+                 depends on the speed",
             ));
         }
         if m == 0 || speeds.iter().any(|speed| speed.is_nan() || *speed <= 0.0) {
@@ -121,7 +123,7 @@ impl StopEquations<'_> {
             let beside = arrive(&approach, &surface);
             impacts[next] = beside;
             // V Σ (−δ)^k A^k κ/k!.
-            let (mut power, mut kick) = (beside.speed, flow.kick(&self.kick(next)));
+            let (mut power, mut kick) = (beside.speed, flow.kick(&self.kick(next, speeds[next])));
             for k in 0..4 {
                 surface.add(power, &kick);
                 for (j, coefficient) in power.coefficients().iter().enumerate().skip(1) {
@@ -130,7 +132,7 @@ impl StopEquations<'_> {
                 power = power * -beside.delay;
                 kick = flow.generate(&kick) / f64::from(k + 1);
             }
-            end.u.axpy(speeds[next], &self.kick(next), 1.0);
+            end.u.axpy(speeds[next], &self.kick(next, speeds[next]), 1.0);
             state = end;
         }
         for (j, column) in surface.0.column_iter().enumerate() {
@@ -154,7 +156,7 @@ impl StopEquations<'_> {
             let Passage { mut end, phi, slope } = self.between.passage(&state, duration, Some(change))?;
             x = phi * x + slope;
             end.t = turned(times[next]);
-            let (kick, speed) = (self.kick(next), speeds[next]);
+            let (kick, speed) = (self.kick(next, speeds[next]), speeds[next]);
             let contact = self.contact(next);
             let field = self.between.field(&end);
             let bend = contact.row.dot(&field.rows(n, n)) - contact.position.at(end.t)[2];
@@ -163,7 +165,7 @@ impl StopEquations<'_> {
             let delay = (row.dot(&x.rows(0, n)) + gap) / speed;
             let faster = -(row.dot(&x.rows(n, n)) + rate + bend * delay);
             // V e^{−δA} κ: κ dV + V κ′ − V δ Aκ.
-            let whole = stacked(&RealVector::zeros(n), &(&kick * faster + change.kick(stop) * speed));
+            let whole = stacked(&RealVector::zeros(n), &(&kick * faster + change.kick(stop, speed) * speed));
             let moved = flow.outward(&flow.generate(&flow.kick(&kick)));
             x += whole - moved * (speed * delay);
             end.u.axpy(speed, &kick, 1.0);
