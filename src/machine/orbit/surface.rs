@@ -9,7 +9,7 @@
 use super::{MachineChange, MachineState, RealMatrix, RealVector, StopEquations, turned};
 use crate::{
     error::{Error, Result},
-    machine::{algebra::stacked, orbit::leg::Passage},
+    machine::{algebra::stacked, orbit::leg::LegPassage},
     oscillator::orbit::{Cubic, polynomial},
 };
 
@@ -153,7 +153,7 @@ impl StopEquations<'_> {
         for i in 0..m {
             let next = (i + 1) % m;
             let (duration, stop) = (self.duration(&times, i)?, self.pattern.strikes()[next].stop);
-            let Passage { mut end, phi, slope } = self.between.passage(&state, duration, Some(change))?;
+            let LegPassage { mut end, phi, slope } = self.between.passage(&state, duration, Some(change))?;
             x = phi * x + slope;
             end.t = turned(times[next]);
             let (kick, speed) = (self.kick(next, speeds[next]), speeds[next]);
