@@ -113,7 +113,7 @@ fn imports_point_down_the_map() {
 #[test]
 fn files_of_scenes_import_from_earlier_ones() {
     let order: Vec<&str> =
-        "expression keys force matrix measured walls system machine simulate orbits sections branches validate chaos task scene \
+        "expression keys restitution force matrix measured walls system machine simulate orbits sections branches validate chaos task scene \
                             values normal check input family reference"
             .split_whitespace()
             .collect();
