@@ -1,10 +1,11 @@
-//! What following a machine costs, in nanoseconds of the time that the thread computes. Prints two CSV tables;
-//! fails if a motion has no impact, or one where none should be, or leaves its bounds.
+//! What following a machine costs, in nanoseconds of the time that the thread computes. Prints two CSV
+//! tables; fails if a motion has no impact, or one where none should be, or leaves its bounds.
 //!
 //! The first is over the number of modes and (fastest mode) / forcing: per mode and quarter period of the
 //! fastest; per mode and quarter period of that mode where the gap stays just open; per mode and impact, what
-//! is left of the former; per mode, evaluating all modes once in closed form. The second is for chains of masses with dampers of unlike sizes, which no real modes tell
-//! apart: how they are solved, how well conditioned, how fast.
+//! is left of the former; per mode, evaluating all modes once in closed form. The second is for chains of
+//! masses with dampers of unlike sizes, which no real modes tell apart: how they are solved, how well
+//! conditioned, how fast.
 
 use std::{f64::consts::TAU, hint::black_box, time::Duration};
 
@@ -66,8 +67,9 @@ fn machine(modes: usize, ratio: f64) -> Machine<f64> {
     }
 }
 
-/// A chain of masses of 1 to 2 between springs, a damper between any two neighbours, of a size of its own; every
-/// seventh pair is coupled by a gyroscopic force where `gyroscopic`. The last mass is forced and meets the stop.
+/// A chain of masses of 1 to 2 between springs, a damper between any two neighbours, of a size of its own;
+/// every seventh pair is coupled by a gyroscopic force where `gyroscopic`. The last mass is forced and meets
+/// the stop.
 fn chain(masses: usize, gyroscopic: bool) -> Machine<f64> {
     // Numbers in [0, 1), spread evenly.
     let part = |i: usize, step: f64| (i as f64 * step).fract();

@@ -320,8 +320,8 @@ fn events_of_coupled_machines_are_where_an_independent_script_has_them() {
     }
 }
 
-/// In whatever unit forces and lengths are, an event is found within a reach of the machine's own size, and has
-/// the same coefficient; a reach that is given is in the parameter's unit.
+/// In whatever unit forces and lengths are, an event is found within a reach of the machine's own size, and
+/// has the same coefficient; a reach that is given is in the parameter's unit.
 #[test]
 fn how_far_an_event_is_looked_for_goes_with_the_units() {
     let folder = tempfile::tempdir().unwrap();

@@ -496,8 +496,8 @@ fn tasks_on_a_machine_say_what_they_say_of_the_oscillator() {
     assert!(searched.iter().any(|row| (number(&row["speeds"][0]) - speed).abs() < 1e-9), "{}", machine[1]);
 }
 
-/// Section 4.1 of the paper, w = 4.8, as a machine: A is a turn by π/3 with r = e^{−π/4}, so that A³ = −r³; period
-/// 3 is on the singular boundary, and all along its branch both multipliers are r³.
+/// Section 4.1 of the paper, w = 4.8, as a machine: A is a turn by π/3 with r = e^{−π/4}, so that A³ = −r³;
+/// period 3 is on the singular boundary, and all along its branch both multipliers are r³.
 #[test]
 fn the_resonance_of_section_4_1_has_its_closed_form() {
     let text = PAPER_MACHINE.replace("w = 4.9", "w = 4.8");

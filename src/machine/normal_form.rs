@@ -1,11 +1,11 @@
-//! Which way a bifurcation of a machine's orbit goes: the coefficient of its normal form, by the Poincaré map to
-//! third order on the centre manifold.
+//! Which way a bifurcation of a machine's orbit goes: the coefficient of its normal form, by the Poincaré map
+//! to third order on the centre manifold.
 //!
-//! The formulas are those of the one-degree chapter (`oscillator::orbit::Derivatives`, after Yu. A. Kuznetsov),
-//! in 2n dimensions. No third derivative is ever a tensor: with A the linear part and q the critical
-//! eigenvector, the map's image of the curve ξq has B(q,q)/2 at ξ², and that of ξq + ξ²h/2, h being the centre
-//! manifold's bend, has C(q,q,q)/6 + B(q,h)/2 at ξ³, of which p takes the coefficient. For a pair of complex
-//! multipliers it is the same with the surface 2 Re ζq.
+//! The formulas are those of the one-degree chapter (`oscillator::orbit::Derivatives`, after Yu. A.
+//! Kuznetsov), in 2n dimensions. No third derivative is ever a tensor: with A the linear part and q the
+//! critical eigenvector, the map's image of the curve ξq has B(q,q)/2 at ξ², and that of ξq + ξ²h/2, h being
+//! the centre manifold's bend, has C(q,q,q)/6 + B(q,h)/2 at ξ³, of which p takes the coefficient. For a pair
+//! of complex multipliers it is the same with the surface 2 Re ζq.
 //!
 //! **The unit of ξ.** Signs of coefficients count; their sizes go with the length of q. Here that is counted
 //! at the first impact that the critical motion moves, as √(δ² + (δV/V)²), δ being the impact's delay in
@@ -62,8 +62,8 @@ impl Coefficient {
 
 /// The normal form of a bifurcation of an orbit of a machine, whose coefficients change with the parameter at
 /// the rates `slope`; none for grazing and fading, where the Poincaré map is not smooth, for orbits without
-/// impacts, where it is linear, for machines with stops that give way or a restitution that depends on the speed, and where the coefficient cannot be computed, as at a double multiplier. Cost:
-/// O(n³).
+/// impacts, where it is linear, for machines with stops that give way or a restitution that depends on the
+/// speed, and where the coefficient cannot be computed, as at a double multiplier. Cost: O(n³).
 pub fn normal_form(
     machine: &Machine<f64>,
     slope: &Machine<f64>,

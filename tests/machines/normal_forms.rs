@@ -1,6 +1,6 @@
-//! Which way bifurcations of machines go: against the one-degree code, against a script that takes the Poincaré
-//! map by differences in 60 digits (`tests/data/make_machine_normal_forms.py`), and cusps and generalised flips
-//! where closed formulas and another method have them.
+//! Which way bifurcations of machines go: against the one-degree code, against a script that takes the
+//! Poincaré map by differences in 60 digits (`tests/data/make_machine_normal_forms.py`), and cusps and
+//! generalised flips where closed formulas and another method have them.
 
 use std::f64::consts::{PI, TAU};
 

@@ -1,8 +1,8 @@
 //! The Poincaré map of an orbit on a curve or a surface of states, to third order.
 //!
-//! Between impacts a machine is linear, so that displacements from the orbit, as polynomials, move by the flow
-//! itself. At an impact they bring about a delay δ, where the gap is 0, and an incoming speed V, which are
-//! polynomials again; seen at the orbit's own time, the impact adds V e^{−δA} κ to the state, A being the
+//! Between impacts a machine is linear, so that displacements from the orbit, as polynomials, move by the
+//! flow itself. At an impact they bring about a delay δ, where the gap is 0, and an incoming speed V, which
+//! are polynomials again; seen at the orbit's own time, the impact adds V e^{−δA} κ to the state, A being the
 //! matrix of the flow and κ the kick for V = 1. So all derivatives are exact to rounding, and nothing is
 //! differenced. Not here: what the coefficients mean (`machine::normal_form`).
 
@@ -16,8 +16,9 @@ use crate::{
 /// Coefficients of a polynomial of degree 3 in two variables.
 const TERMS: usize = 10;
 
-/// Displacements from an orbit as polynomials of degree 3 in x and y that vanish at (0, 0), in the coordinates
-/// of [`LinearFlow`] in which motions fall apart: a column for each of x, y, x², xy, y², x³, x²y, xy², y³.
+/// Displacements from an orbit as polynomials of degree 3 in x and y that vanish at (0, 0), in the
+/// coordinates of [`LinearFlow`] in which motions fall apart: a column for each of x, y, x², xy, y², x³, x²y,
+/// xy², y³.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Surface(pub RealMatrix);
 
