@@ -415,8 +415,8 @@ impl PatternPlane for MachinePlane<'_> {
         self.common.orbit(&(self.at)(parameters)?, pattern, root)
     }
 
-    /// Coefficients of normal forms as parts of what they were added up from, so that no unit enters; resonant
-    /// grazings are those of one degree of freedom.
+    /// Coefficients of normal forms as parts of what they were added up from, so that no unit enters;
+    /// resonant grazings are those of one degree of freedom.
     fn degeneracies(
         &self,
         event: Bifurcation,

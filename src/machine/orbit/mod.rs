@@ -13,8 +13,9 @@
 //! through their grazing.
 //!
 //! `pattern` is the pattern, `equations` the equations with all derivatives, that in a parameter by `change`,
-//! `admissible` what tells an orbit from another solution, `surface` the Poincaré map to third order. Not here: rest on stops, and several stops hit at
-//! one instant, an orbit with which is not found; how orbits continue (`branch`).
+//! `admissible` what tells an orbit from another solution, `surface` the Poincaré map to third order. Not
+//! here: rest on stops, and several stops hit at one instant, an orbit with which is not found; how orbits
+//! continue (`branch`).
 
 mod admissible;
 mod change;
