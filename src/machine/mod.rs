@@ -25,8 +25,9 @@
 //!   from all stops it passes over long stretches at once.
 //! - **Analysis.** The motion without impacts, where it grazes a stop as a parameter varies, and the local
 //!   map there ([`grazing`]); periodic orbits with impacts ([`orbit`]), their branches and bifurcations by
-//!   the continuation of `oscillator` ([`branch`]), and which way those go ([`normal_form`](mod@normal_form)).
-//!   Derivatives come from the flow, the saltation at impacts and [`MachineSlope`]: nothing is differenced.
+//!   the continuation of `oscillator` ([`branch`]), and which way those go
+//!   ([`normal_form`](mod@normal_form)). Derivatives come from the flow, the saltation at impacts and
+//!   [`MachineSlope`]: nothing is differenced.
 //!
 //! - **Attractors.** [`section`] is the machine as sections, basins, diagrams and Lyapunov exponents of
 //!   `oscillator` follow it: there is one notion of an attractor.

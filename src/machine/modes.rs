@@ -8,8 +8,8 @@
 //!    Accepted if what is left beside both diagonals is rounding.
 //! 2. Else the state is X = (Dη, η′), x = Uη with U from K's symmetric part and D = diag √max(|K_ii|, 1), in
 //!    which an undamped system is a rotation and its eigenvectors are orthonormal. Eigenvectors of the matrix
-//!    of X′ = A X by its real Schur form, or, where the iteration for that does not end, by the complex one. Accepted if their condition number is at most [`WORST`]:
-//!    rounding is amplified by no more.
+//!    of X′ = A X by its real Schur form, or, where the iteration for that does not end, by the complex one.
+//!    Accepted if their condition number is at most [`WORST`]: rounding is amplified by no more.
 //! 3. Else X itself, in one block.
 
 use nalgebra::{Complex, Schur, SymmetricEigen};
