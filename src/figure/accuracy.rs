@@ -70,9 +70,7 @@ fn method(method: Evaluation) -> String {
     match method {
         Evaluation::Naive => "f64, naive".into(),
         Evaluation::Rung(Rung::Plain) => "f64".into(),
-        Evaluation::Rung(Rung::Interval) => "f64 interval".into(),
-        Evaluation::Rung(Rung::Ball(bits)) => format!("{bits} bits"),
-        Evaluation::Rung(Rung::Exact) => "exact".into(),
+        Evaluation::Rung(rung) => rung.to_string(),
     }
 }
 

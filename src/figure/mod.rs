@@ -21,6 +21,7 @@ mod records;
 mod regions;
 mod section;
 mod shift;
+mod sign_price;
 mod tips;
 mod words;
 
@@ -38,6 +39,7 @@ pub use records::records;
 pub use regions::regions;
 pub use section::{Mark, Points, section};
 pub use shift::shift;
+pub use sign_price::{sign_price_figure, sign_price_table};
 pub use tips::tips;
 pub use words::words;
 

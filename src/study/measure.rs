@@ -9,7 +9,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
-use super::{Input, InputFamily, naive_b};
+use super::{Input, InputFamily, naive::naive_b};
 use crate::{
     local::{Answer, Ladder, Plane, Point, Polar, Quantity, Rung, sign_by, sign_on},
     number::{Ball, Circular, FloatInterval, Plain, Precision, Real, Sign},
@@ -97,10 +97,10 @@ pub fn measure(family: InputFamily) -> Vec<Measured> {
     };
     let mut rows = Vec::new();
 
-    let values: Vec<f64> = inputs.iter().map(naive_b).collect();
+    let values: Vec<f64> = inputs.iter().map(naive).collect();
     let signs =
         values.iter().map(|&value| Plain(value).sign().map_or(Answer::Undecided, Answer::Sign)).collect();
-    let times = inputs.iter().map(|input| time(|| naive_b(black_box(input)))).collect();
+    let times = inputs.iter().map(|input| time(|| naive(black_box(input)))).collect();
     rows.push(Measured { digits: Some(plain_digits(&values)), ..row(Evaluation::Naive, times, signs) });
 
     let values: Vec<f64> = inputs
@@ -156,6 +156,10 @@ pub fn measure(family: InputFamily) -> Vec<Measured> {
     rows
 }
 
+fn naive(input: &Input) -> f64 {
+    naive_b(&input.point, input.n, input.k)
+}
+
 fn run<T: Circular>(inputs: &[Input], context: &T::Context) -> (Vec<Duration>, Vec<Answer>) {
     let quantity = |input: &Input| Quantity::B { n: input.n, k: input.k };
     let times = inputs
@@ -167,18 +171,22 @@ fn run<T: Circular>(inputs: &[Input], context: &T::Context) -> (Vec<Duration>, V
 }
 
 /// Time of one call: the least average of three batches of about a millisecond.
-fn time<R>(mut work: impl FnMut() -> R) -> Duration {
+fn time<R>(work: impl FnMut() -> R) -> Duration {
+    batches(Duration::from_millis(1), work).into_iter().min().unwrap_or_default()
+}
+
+/// The time of one call, as the averages of three batches of about this length, or of one call each.
+pub(super) fn batches<R>(length: Duration, mut work: impl FnMut() -> R) -> [Duration; 3] {
     let once = Instant::now();
     black_box(work());
-    let calls = (1_000_000 / once.elapsed().as_nanos().max(1)).clamp(1, 20_000) as u32;
-    let batch = || {
+    let calls = (length.as_nanos() / once.elapsed().as_nanos().max(1)).clamp(1, 20_000) as u32;
+    [(); 3].map(|()| {
         let start = Instant::now();
         for _ in 0..calls {
             black_box(work());
         }
         start.elapsed() / calls
-    };
-    std::iter::repeat_with(batch).take(3).min().unwrap_or_default()
+    })
 }
 
 fn median(values: impl Iterator<Item = f64>) -> f64 {

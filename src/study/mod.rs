@@ -9,7 +9,10 @@ mod families;
 pub mod flow_accuracy;
 mod measure;
 mod naive;
+mod sign_price;
+mod zeros;
 
 pub use families::{FAMILIES, Input, InputFamily};
 pub use measure::{Evaluation, Measured, condition, measure};
-pub use naive::naive_b;
+pub use sign_price::{DISTANCES, QUICK_DISTANCES, SignMethod, SignPrice, sign_prices};
+pub use zeros::{ZERO_FAMILIES, ZeroFamily};
