@@ -15,7 +15,7 @@ use super::{
 use crate::{
     error::Result,
     machine::{Machine, MachineFamily, grazing::own_reach, normal_form::normal_form, orbit::MachineOrbit},
-    oscillator::branch::{Bifurcation, BranchSearch, Extent, FollowedOrbit, Located, nearest},
+    oscillator::branch::{Bifurcation, BranchSearch, FollowedOrbit, Located, SearchReach, nearest},
     scene::{MachineSceneFamily, orbits::EventTask},
 };
 
@@ -80,7 +80,7 @@ pub fn machine_event(task: &EventTask, machine: &Machine<f64>, job: &Job) -> Res
     orbits.retain(FollowedOrbit::is_orbit);
     let (mut found, mut without) = (Vec::<MachineEventRow>::new(), Vec::new());
     let unit = own_reach(&family, start)?;
-    let extent = Extent::Parameter { unit, reach: task.reach.unwrap_or(unit) };
+    let extent = SearchReach::Parameter { unit, reach: task.reach.unwrap_or(unit) };
     job.monitor.begin(orbits.len() as u64, "orbits");
     for orbit in &orbits {
         let search = nearest(&source.patterns, task.event, orbit, start, extent, &options);

@@ -169,7 +169,7 @@ impl Distance {
     /// The price of the whole verdict on each input's period.
     fn verdicts(&self, ladder: &Ladder) -> SignPrice {
         let decide = |input: &NearZero| definition_and_rung(ladder, &input.point, input.quantity.period());
-        let (time, load) = self.time(&decide);
+        let (time, load) = self.time(decide);
         let found: Vec<(Existence, Rung)> = self.inputs.iter().map(decide).collect();
         let decided = found.iter().filter(|(existence, _)| *existence != Existence::Undecided);
         SignPrice {

@@ -111,7 +111,7 @@ impl ZeroFamily {
         let mut places: Vec<Approached> = Vec::new();
         while places.len() < count {
             monitor.advance(0)?;
-            let above = places.len() % 2 == 0;
+            let above = places.len().is_multiple_of(2);
             places.extend(self.place(&mut random).map(|(quantity, fixed, place, exact)| Approached {
                 family: self,
                 quantity,

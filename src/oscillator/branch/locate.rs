@@ -41,8 +41,9 @@ pub struct OneWay {
 
 /// How far a bifurcation is looked for, both ways.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Extent {
-    /// This far along the branch, in the norm of times, speeds and the parameter, and as far in the parameter.
+pub enum SearchReach {
+    /// This far along the branch, in the norm of times, speeds and the parameter, and as far in the
+    /// parameter.
     Length(f64),
     /// This far in the parameter, however long the branch is.
     Parameter {
@@ -53,11 +54,11 @@ pub enum Extent {
     },
 }
 
-impl Extent {
+impl SearchReach {
     /// How far.
     fn reach(self) -> f64 {
         match self {
-            Extent::Length(reach) | Extent::Parameter { reach, .. } => reach,
+            SearchReach::Length(reach) | SearchReach::Parameter { reach, .. } => reach,
         }
     }
 }
@@ -77,7 +78,7 @@ pub enum BranchSearch<O = Orbit> {
 pub struct Nothing {
     /// What was looked for.
     pub bifurcation: Bifurcation,
-    /// How far: see [`Extent`].
+    /// How far: see [`SearchReach`].
     pub reach: f64,
     /// Against the branch's direction, and along it: that of larger parameters at the start.
     pub sides: [OneWay; 2],
@@ -97,7 +98,7 @@ pub fn locate(
     reach: f64,
     options: &Options,
 ) -> Result<BranchSearch> {
-    nearest(family, bifurcation, orbit, parameter, Extent::Length(reach), options)
+    nearest(family, bifurcation, orbit, parameter, SearchReach::Length(reach), options)
 }
 
 /// The same for orbits of any kind, as far as `extent` says.
@@ -109,12 +110,12 @@ pub fn nearest<F: PatternFamily + ?Sized>(
     bifurcation: Bifurcation,
     orbit: &F::Orbit,
     parameter: f64,
-    extent: Extent,
+    extent: SearchReach,
     options: &Options,
 ) -> Result<BranchSearch<F::Orbit>> {
     let unit = match extent {
-        Extent::Length(_) => 1.0,
-        Extent::Parameter { unit, .. } => unit,
+        SearchReach::Length(_) => 1.0,
+        SearchReach::Parameter { unit, .. } => unit,
     };
     let orbits = PatternCurve::around(family, orbit.pattern().clone(), parameter, unit, extent.reach());
     let start = orbits.start_at(orbit, parameter, options)?;
@@ -139,12 +140,12 @@ fn one_way<F: PatternFamily + ?Sized>(
     orbits: &PatternCurve<'_, F>,
     start: CurvePoint,
     bifurcation: Bifurcation,
-    extent: Extent,
+    extent: SearchReach,
     options: &Options,
 ) -> Result<(OneWay, Option<Located<F::Orbit>>)> {
     let wanted = |step: &Step<F::Orbit>| step.event.map(Bifurcation::of) == Some(bifurcation);
     let stop = |step: &Step<F::Orbit>| match () {
-        () if matches!(extent, Extent::Length(reach) if step.length > reach) => Some(CurveEnd::Reach),
+        () if matches!(extent, SearchReach::Length(reach) if step.length > reach) => Some(CurveEnd::Reach),
         () if wanted(step) => Some(CurveEnd::Found),
         () => None,
     };

@@ -39,7 +39,7 @@ pub use branch::{Branch, BranchOrbit, BranchPoint, Direction, OrbitBranch, Orbit
 pub use criticality::{NormalForm, Sense};
 pub use curve::{Corrector, Curve, CurvePoint, Equations};
 pub use follow::{CurveEnd, Followed, Settled, Step, follow, follow_until};
-pub use locate::{BranchSearch, Extent, Located, Nothing, OneWay, locate, nearest};
+pub use locate::{BranchSearch, Located, Nothing, OneWay, SearchReach, locate, nearest};
 pub use one_degree::TwoParameterFamily;
 pub use options::Options;
 pub(crate) use options::with_options;
