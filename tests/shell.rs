@@ -215,8 +215,8 @@ fn every_output_is_tried_before_the_work_and_not_touched() {
         "cover 3..=256 --certificate",
         "intervals 3..=10000000 -o",
         "boundary 2..=100000 -o",
-        "fuzz --cases 1e18 --regressions",
-        "fuzz --cases 1e18 --resume",
+        "fuzz --cases 1e16 --regressions",
+        "fuzz --cases 1e16 --resume",
     ] {
         for (path, reason) in
             [("nowhere/x", "nowhere"), (".", "folder"), ("kept/x", "kept"), ("fixed", "read-only")]
@@ -301,7 +301,7 @@ fn a_state_has_one_user_who_is_named() {
     let folder = tempdir().unwrap();
     let folder = folder.path();
     for (kind, arguments) in
-        [("fuzz", "fuzz --cases 1e18 --resume state"), ("cover", "cover 100..=256 --resume journal")]
+        [("fuzz", "fuzz --cases 1e16 --resume state"), ("cover", "cover 100..=256 --resume journal")]
     {
         let state = arguments.split(' ').next_back().unwrap();
         let mut child = listening(arguments, folder);
@@ -324,8 +324,8 @@ fn an_interruption_is_said_in_json_too() {
     let folder = tempdir().unwrap();
     let folder = folder.path();
     for arguments in [
-        "fuzz --cases 1e18",
-        "fuzz --cases 1e18 --n 1..=4096",
+        "fuzz --cases 1e16",
+        "fuzz --cases 1e16 --n 1..=4096",
         "verify 3..=200000",
         "cover 100..=256",
         "intervals 3..=10000000",

@@ -8,7 +8,7 @@ use std::{
     path::Path,
     process::{Child, Command, Output, Stdio},
     thread,
-    time::Duration,
+    time::{Duration, Instant},
 };
 
 /// The command with these arguments, split at spaces, run in a folder.
@@ -65,9 +65,11 @@ pub fn listening(arguments: &str, folder: &Path) -> Child {
     child
 }
 
-/// Waits until something holds.
+/// Waits until something holds, and fails rather than wait for ever, as for a process that has ended.
 pub fn until(mut holds: impl FnMut() -> bool) {
+    let start = Instant::now();
     while !holds() {
+        assert!(start.elapsed() < Duration::from_secs(300), "waited for five minutes in vain");
         thread::sleep(Duration::from_millis(1));
     }
 }
