@@ -1,0 +1,336 @@
+//! The equation of motion as a list of operations on Taylor series: one for every smooth force.
+//!
+//! Each row is the series of one part of the force in x = (t′ − t)/h. Row by row, coefficient i follows from
+//! those of order up to i of rows before it (products, quotients, roots, and the functions whose derivative
+//! is a product of known series; A. Griewank and A. Walther, Evaluating Derivatives, chapter 13). The
+//! displacement's coefficient i + 2 is that of the whole, times h²/((i + 1)(i + 2)). The rows hold numbers of
+//! any kind: with [`Gradient`](super::scalar::Gradient) they carry derivatives by the start or a parameter.
+//! Sums are one operation, whatever their length, and multiples of t inside a sine are turned instead of
+//! convolved: a product is the only operation whose cost per coefficient grows with the order. Not here: how
+//! the list is made from a system (`build`).
+
+mod build;
+
+use super::scalar::{Primitive, Scalar};
+use crate::oscillator::system::{TIME, U};
+
+/// Rows before those of operations: q, u and t.
+const INPUTS: usize = 3;
+
+/// A constant and multiples of rows.
+#[derive(Debug, Clone, PartialEq)]
+struct Sum<S> {
+    constant: S,
+    terms: Vec<(S, usize)>,
+}
+
+/// What a row is made of.
+#[derive(Debug, Clone, PartialEq)]
+enum Op<S> {
+    Sum(Sum<S>),
+    Product(usize, usize),
+    Square(usize),
+    Quotient(usize, usize),
+    Inverse(usize),
+    Sqrt(usize),
+    Exp(usize),
+    Log(usize),
+    /// The sine of a row; the next row is its cosine.
+    Sin(usize),
+    /// The cosine of a row; the row before is its sine.
+    Cos(usize),
+    /// The sine of kt + phase; the next row is its cosine.
+    TurnSin(f64, S),
+    /// Its cosine; the row before is its sine.
+    TurnCos(f64, S),
+    /// The hyperbolic tangent of a row; the next row is 1 less its square.
+    Tanh(usize),
+    /// 1 less the square of the row before; that row's argument.
+    SquaredSech(usize),
+}
+
+impl<S> Op<S> {
+    /// The rows that it needs; its partner among them.
+    fn needs(&self, own: usize) -> Vec<usize> {
+        match self {
+            Op::Sum(sum) => sum.terms.iter().map(|term| term.1).collect(),
+            Op::Product(a, b) | Op::Quotient(a, b) => vec![*a, *b],
+            Op::Square(a) | Op::Inverse(a) | Op::Sqrt(a) | Op::Exp(a) | Op::Log(a) => vec![*a],
+            Op::Sin(a) | Op::Tanh(a) => vec![*a, own + 1],
+            Op::Cos(a) | Op::SquaredSech(a) => vec![*a, own - 1],
+            Op::TurnSin(..) => vec![own + 1],
+            Op::TurnCos(..) => vec![own - 1],
+        }
+    }
+
+    /// Whether it is a sine of the time.
+    fn turns(&self) -> bool {
+        matches!(self, Op::TurnSin(..) | Op::TurnCos(..))
+    }
+
+    /// The row in whose zero it is not smooth; whether negative values are as bad.
+    fn guard(&self) -> Option<(usize, bool)> {
+        match self {
+            Op::Quotient(_, row) | Op::Inverse(row) => Some((*row, false)),
+            Op::Sqrt(row) | Op::Log(row) => Some((*row, true)),
+            _ => None,
+        }
+    }
+}
+
+/// `cos` cos kt + `sin` sin kt.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Drive<S> {
+    pub k: f64,
+    pub cos: S,
+    pub sin: S,
+}
+
+/// q″ as a function of t, q and u.
+#[derive(Debug, Clone, PartialEq)]
+pub(in crate::oscillator) struct Program<S> {
+    ops: Vec<Op<S>>,
+    root: Sum<S>,
+    drive: Vec<Drive<S>>,
+    guards: Vec<(usize, bool)>,
+}
+
+impl<S: Scalar> Program<S> {
+    /// Whether the time enters.
+    pub fn is_driven(&self) -> bool {
+        !self.drive.is_empty()
+            || self.ops.iter().any(|op| op.needs(usize::MAX - 1).contains(&TIME) || op.turns())
+    }
+
+    /// Whether anything in it is smooth only in places.
+    pub fn has_poles(&self) -> bool {
+        !self.guards.is_empty()
+    }
+
+    /// The coefficients of x ↦ q(t + hx) and of every row, for a motion from (q, u); the first `count` of q.
+    pub fn solve(&self, [q, u]: [S; 2], t: S, h: f64, count: usize) -> Rows<S> {
+        let mut rows = self.rows(t, h, count);
+        rows.data[0] = q;
+        rows.data[1] = u.scaled(h);
+        for i in 0..count - 2 {
+            rows.data[count * U + i] = rows.data[i + 1].scaled((i + 1) as f64 / h);
+            let here = self.next(&mut rows, i, h);
+            rows.data[i + 2] = here.scaled(h * h / ((i + 1) * (i + 2)) as f64);
+        }
+        rows
+    }
+
+    /// The coefficients of the acceleration along a path whose own coefficients are given, as many as these.
+    pub fn along(&self, q: &[S], u: &[S], t: S, h: f64) -> Vec<S> {
+        let count = q.len();
+        let mut rows = self.rows(t, h, count + 2);
+        (0..count)
+            .map(|i| {
+                rows.data[i] = q[i];
+                rows.data[(count + 2) * U + i] = u[i];
+                self.next(&mut rows, i, h)
+            })
+            .collect()
+    }
+
+    /// The acceleration at a state.
+    pub fn at(&self, q: S, u: S, t: S) -> S {
+        self.along(&[q], &[u], t, 1.0)[0]
+    }
+
+    /// Room, with the time's own row and the harmonics' sum filled in.
+    fn rows(&self, t: S, h: f64, count: usize) -> Rows<S> {
+        let zero = S::constant(0.0);
+        let mut rows = Rows { count, data: vec![zero; count * (INPUTS + self.ops.len() + 1)] };
+        rows.data[count * TIME] = t;
+        if count > 1 {
+            rows.data[count * TIME + 1] = S::constant(h);
+        }
+        let start = count * (INPUTS + self.ops.len());
+        let driven = &mut rows.data[start..start + count.saturating_sub(2)];
+        for harmonic in &self.drive {
+            let angle = t.scaled(harmonic.k);
+            let (sin, cos) = (angle.call(Primitive::Sin), angle.call(Primitive::Cos));
+            let mut even = harmonic.cos * cos + harmonic.sin * sin;
+            let mut odd = harmonic.sin * cos - harmonic.cos * sin;
+            let mut power = 1.0;
+            for (i, coefficient) in driven.iter_mut().enumerate() {
+                *coefficient = *coefficient + even.scaled(power);
+                (even, odd) = (odd, -even);
+                power *= harmonic.k * h / (i + 1) as f64;
+            }
+        }
+        rows
+    }
+
+    /// Coefficient i of every row and of the whole, those of the inputs being there.
+    #[inline]
+    fn next(&self, rows: &mut Rows<S>, i: usize, h: f64) -> S {
+        let count = rows.count;
+        for (k, op) in self.ops.iter().enumerate() {
+            let (before, own) = rows.data.split_at_mut(count * (INPUTS + k));
+            let row = |a: usize| &before[count * a..count * a + i + 1];
+            let (own, partner) = own.split_at_mut(count);
+            own[i] = match op {
+                Op::Sum(sum) => sum.coefficient(before, count, i),
+                Op::Product(a, b) => convolve(row(*a), row(*b)),
+                Op::Square(a) => square(row(*a)),
+                Op::Quotient(a, b) => {
+                    let (a, b) = (row(*a), row(*b));
+                    (a[i] - convolve(&b[1..], &own[..i])).over(b[0])
+                }
+                Op::Inverse(a) => {
+                    let a = row(*a);
+                    if i == 0 {
+                        a[0].call(Primitive::Inverse)
+                    } else {
+                        -(convolve(&a[1..], &own[..i]) * own[0])
+                    }
+                }
+                Op::Sqrt(a) => {
+                    let a = row(*a);
+                    match i {
+                        0 => a[0].call(Primitive::Sqrt),
+                        1 => a[1].scaled(0.5).over(own[0]),
+                        _ => (a[i] - square(&own[1..i])).scaled(0.5).over(own[0]),
+                    }
+                }
+                Op::Exp(a) if i == 0 => row(*a)[0].call(Primitive::Exp),
+                Op::Exp(a) => weighted(row(*a), &own[..i], i),
+                Op::Log(a) => {
+                    let a = row(*a);
+                    match i {
+                        0 => a[0].call(Primitive::Log),
+                        1 => a[1].over(a[0]),
+                        // Σ j l_j a_{i−j} over 0 < j < i.
+                        _ => (a[i] - weighted(&own[..i], &a[1..], i)).over(a[0]),
+                    }
+                }
+                Op::Sin(a) if i == 0 => row(*a)[0].call(Primitive::Sin),
+                Op::Sin(a) => weighted(row(*a), &partner[..i], i),
+                Op::Cos(a) if i == 0 => row(*a)[0].call(Primitive::Cos),
+                Op::Cos(a) => {
+                    let sine = &before[before.len() - count..][..i];
+                    -weighted(row(*a), sine, i)
+                }
+                Op::TurnSin(k, phase) if i == 0 => {
+                    (before[count * TIME].scaled(*k) + *phase).call(Primitive::Sin)
+                }
+                Op::TurnSin(k, _) => partner[i - 1].scaled(k * h / i as f64),
+                Op::TurnCos(k, phase) if i == 0 => {
+                    (before[count * TIME].scaled(*k) + *phase).call(Primitive::Cos)
+                }
+                Op::TurnCos(k, _) => {
+                    let sine = before[before.len() - count + i - 1];
+                    sine.scaled(-k * h / i as f64)
+                }
+                Op::Tanh(a) if i == 0 => row(*a)[0].call(Primitive::Tanh),
+                Op::Tanh(a) => weighted(row(*a), &partner[..i], i),
+                Op::SquaredSech(a) if i == 0 => row(*a)[0].call(Primitive::SquaredSech),
+                Op::SquaredSech(_) => -square(&before[before.len() - count..][..i + 1]),
+            };
+        }
+        let driven = rows.data[count * (INPUTS + self.ops.len()) + i];
+        self.root.coefficient(&rows.data, count, i) + driven
+    }
+
+    /// How far x may go, at most `far`, with every divisor and every argument of a root or a logarithm
+    /// keeping its sign on [0, x], their series cut off; 0 where one has none to keep.
+    pub fn reach(&self, rows: &Rows<S>, far: f64) -> f64 {
+        let mut far = far;
+        for (row, negative) in &self.guards {
+            let row = rows.row(*row);
+            let first = row[0].part(0);
+            if first.is_nan() || first == 0.0 || (*negative && first < 0.0) {
+                return 0.0;
+            }
+            while far > 1e-12 && rest(row, far) > 0.9 * first.abs() {
+                far *= 0.75;
+            }
+        }
+        far
+    }
+
+    /// Whether some divisor, or argument of a root or a logarithm, is within 1000 times its change on [0, x]
+    /// of its zero.
+    pub fn is_near_pole(&self, rows: &Rows<S>, x: f64) -> bool {
+        self.guards.iter().any(|(row, _)| {
+            let row = rows.row(*row);
+            let near = row[0].part(0).abs() > 1e3 * rest(row, x);
+            !near
+        })
+    }
+}
+
+/// Σ |a_i| x^i over i ≥ 1.
+fn rest<S: Scalar>(row: &[S], x: f64) -> f64 {
+    row.iter().skip(1).rev().fold(0.0, |sum, a| (sum + a.part(0).abs()) * x)
+}
+
+/// The series of every part of a force; that of q first.
+#[derive(Debug, Clone)]
+pub(in crate::oscillator) struct Rows<S> {
+    count: usize,
+    data: Vec<S>,
+}
+
+impl<S: Scalar> Rows<S> {
+    fn row(&self, row: usize) -> &[S] {
+        &self.data[self.count * row..][..self.count.saturating_sub(2).max(1)]
+    }
+
+    /// The coefficients of q.
+    pub fn q(&self) -> &[S] {
+        &self.data[..self.count]
+    }
+}
+
+impl<S: Scalar> Sum<S> {
+    fn constant(constant: S) -> Self {
+        Sum { constant, terms: Vec::new() }
+    }
+
+    fn add(&mut self, factor: S, row: usize) {
+        match self.terms.iter_mut().find(|term| term.1 == row) {
+            Some(term) => term.0 = term.0 + factor,
+            None => self.terms.push((factor, row)),
+        }
+        self.terms.retain(|term| !term.0.is_zero());
+    }
+
+    fn times(mut self, factor: S) -> Self {
+        self.constant = self.constant * factor;
+        self.terms.iter_mut().for_each(|term| term.0 = term.0 * factor);
+        self.terms.retain(|term| !term.0.is_zero());
+        self
+    }
+
+    #[inline]
+    fn coefficient(&self, data: &[S], count: usize, i: usize) -> S {
+        let first = if i == 0 { self.constant } else { S::constant(0.0) };
+        self.terms.iter().fold(first, |sum, (factor, row)| sum + *factor * data[count * row + i])
+    }
+}
+
+/// Σ a_j b_{n−j}, n one less than the shorter length.
+#[inline]
+fn convolve<S: Scalar>(a: &[S], b: &[S]) -> S {
+    a.iter().zip(b.iter().rev()).fold(S::constant(0.0), |sum, (x, y)| sum + *x * *y)
+}
+
+/// Σ a_j a_{n−j}, n + 1 the length: each product once.
+#[inline]
+fn square<S: Scalar>(a: &[S]) -> S {
+    let half = a.len() / 2;
+    let sum = convolve(&a[..half], &a[a.len() - half..]).scaled(2.0);
+    if a.len().is_multiple_of(2) { sum } else { sum + a[half] * a[half] }
+}
+
+/// Σ j a_j b_{i−j} / i over 1 ≤ j, `b` holding i coefficients: those from 0 on, or from 1 on if `a` ends
+/// before i.
+#[inline]
+fn weighted<S: Scalar>(a: &[S], b: &[S], i: usize) -> S {
+    let last = a.len() - 1;
+    let sum = (1..=last).fold(S::constant(0.0), |sum, j| sum + (a[j] * b[last - j]).scaled(j as f64));
+    sum.scaled(1.0 / i as f64)
+}
