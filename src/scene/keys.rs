@@ -205,6 +205,14 @@ impl<'a> Entry<'a> {
         self.item.as_str().ok_or_else(|| self.fail("is not text \"…\""))
     }
 
+    /// A number or a text: what an expression is written as.
+    pub fn expression(&self) -> Result<String> {
+        let value = self.item.as_value().ok_or_else(|| self.fail("is not an expression"))?;
+        let text = self.scope.source.number_text(value);
+        text.map(|text| text.to_string())
+            .ok_or_else(|| self.fail("is not an expression: write a number, or \"…\""))
+    }
+
     /// One of some words.
     pub fn word<T: Copy>(&self, words: &[(&'static str, T)]) -> Result<T> {
         let text = self.text()?;
@@ -408,9 +416,7 @@ impl Value for Expression {
     }
 
     fn read(entry: &Entry) -> Result<Self> {
-        let value = entry.item.as_value().ok_or_else(|| entry.fail("is not an expression"))?;
-        let text = entry.scope.source.number_text(value);
-        let text = text.ok_or_else(|| entry.fail("is not an expression: write a number, or \"…\""))?;
+        let text = entry.expression()?;
         let parsed = Expression::parse(&text, entry.scope.names);
         let mut expression = parsed.map_err(|error| entry.fail(&error.to_string()))?;
         expression.key.clone_from(&entry.path);

@@ -31,9 +31,7 @@ impl Value for RestitutionKey {
     }
 
     fn read(entry: &Entry) -> Result<Self> {
-        let value = entry.item.as_value().ok_or_else(|| entry.fail("is not an expression"))?;
-        let text = entry.scope.source.number_text(value);
-        let text = text.ok_or_else(|| entry.fail("is not an expression: write a number, or \"…\""))?;
+        let text = entry.expression()?;
         read(&text, entry.scope.names, &entry.path).map_err(|error| entry.fail(&error.to_string()))
     }
 }
