@@ -15,7 +15,7 @@ use crate::{
     oscillator::Effect,
     output::{Column, TableCell, TableFormat, TableWriter, write_file},
     study::{
-        effects::{EffectCost, MachineEffectCost, PERIODS},
+        effects::{EffectCost, PERIODS},
         flow_accuracy::{FlowMeasured, LongRun},
     },
 };
@@ -76,17 +76,12 @@ pub fn long_runs_table(rows: &[LongRun], format: TableFormat, out: &mut dyn Writ
 ///
 /// # Errors
 /// An I/O error from `out`.
-pub fn effects_table(rows: &[EffectCost], format: TableFormat, out: &mut dyn Write) -> Result<()> {
-    let names: Vec<&str> =
-        ["effect", "time_ns", "impacts"].into_iter().chain(Effect::ALL.map(Effect::name)).collect();
-    let mut table = TableWriter::new(out, format, "grazing-effects 1", columns(&names))?;
-    for row in rows {
-        let per_period = |count: u64| format!("{}", count as f64 / PERIODS as f64);
-        let mut cells = vec![row.name.to_string(), row.time.as_nanos().to_string(), per_period(row.impacts)];
-        cells.extend(row.counts.map(per_period));
-        table.row(&cells.iter().map(|cell| TableCell::Text(cell)).collect::<Vec<_>>())?;
-    }
-    table.finish()
+pub fn effects_table(
+    rows: &[EffectCost<{ Effect::ALL.len() }>],
+    format: TableFormat,
+    out: &mut dyn Write,
+) -> Result<()> {
+    costs("grazing-effects 1", &Effect::ALL, rows, format, out)
 }
 
 /// The same of machines.
@@ -94,13 +89,25 @@ pub fn effects_table(rows: &[EffectCost], format: TableFormat, out: &mut dyn Wri
 /// # Errors
 /// An I/O error from `out`.
 pub fn machine_effects_table(
-    rows: &[MachineEffectCost],
+    rows: &[EffectCost<{ Effect::OF_MACHINES.len() }>],
     format: TableFormat,
     out: &mut dyn Write,
 ) -> Result<()> {
-    let names: Vec<&str> =
-        ["effect", "time_ns", "impacts"].into_iter().chain(Effect::OF_MACHINES.map(Effect::name)).collect();
-    let mut table = TableWriter::new(out, format, "grazing-machine-effects 1", columns(&names))?;
+    costs("grazing-machine-effects 1", &Effect::OF_MACHINES, rows, format, out)
+}
+
+fn costs<const N: usize>(
+    name: &'static str,
+    effects: &[Effect; N],
+    rows: &[EffectCost<N>],
+    format: TableFormat,
+    out: &mut dyn Write,
+) -> Result<()> {
+    let names: Vec<&str> = ["effect", "time_ns", "impacts"]
+        .into_iter()
+        .chain(effects.iter().map(|effect| effect.name()))
+        .collect();
+    let mut table = TableWriter::new(out, format, name, columns(&names))?;
     for row in rows {
         let per_period = |count: u64| format!("{}", count as f64 / PERIODS as f64);
         let mut cells = vec![row.name.to_string(), row.time.as_nanos().to_string(), per_period(row.impacts)];

@@ -30,17 +30,18 @@ pub struct WithEffect {
     pub needs: &'static [Effect],
 }
 
-/// What an oscillator costs.
+/// What an oscillator or a machine costs, with `N` kinds of evaluations.
 #[derive(Debug, Clone)]
-pub struct EffectCost {
+pub struct EffectCost<const N: usize> {
     /// What was added.
     pub name: &'static str,
     /// The mean time of a period at whose end the state is asked for.
     pub time: Duration,
     /// Impacts in the periods counted.
     pub impacts: u64,
-    /// Evaluations in these periods, in the order of [`Effect::ALL`].
-    pub counts: [u64; Effect::ALL.len()],
+    /// Evaluations in these periods, in the order of [`Effect::ALL`] or, for a machine,
+    /// [`Effect::OF_MACHINES`].
+    pub counts: [u64; N],
 }
 
 /// Periods over which evaluations are counted.
@@ -112,19 +113,6 @@ pub struct MachineWithEffect {
     pub needs: &'static [Effect],
 }
 
-/// What a machine costs.
-#[derive(Debug, Clone)]
-pub struct MachineEffectCost {
-    /// What was added.
-    pub name: &'static str,
-    /// The mean time of a period at whose end the state is asked for.
-    pub time: Duration,
-    /// Impacts and beginnings of contact in the periods counted.
-    pub impacts: u64,
-    /// Evaluations in these periods, in the order of [`Effect::OF_MACHINES`].
-    pub counts: [u64; Effect::OF_MACHINES.len()],
-}
-
 /// The oscillator of [`effects`] as a machine, and kinds of stops.
 pub fn machine_effects() -> Vec<MachineWithEffect> {
     use Effect::{Force, Gap, Piece, Search};
@@ -165,7 +153,7 @@ impl MachineWithEffect {
     ///
     /// # Errors
     /// None for [`machine_effects`].
-    pub fn measure(&self) -> Result<MachineEffectCost> {
+    pub fn measure(&self) -> Result<EffectCost<{ Effect::OF_MACHINES.len() }>> {
         let (counts, impacts) = self.count()?;
         let simulator = MachineSimulator::new(&self.machine, &MachineSettings::default())?;
         let mut least = Duration::MAX;
@@ -178,7 +166,7 @@ impl MachineWithEffect {
             }
             least = least.min(start.elapsed());
         }
-        Ok(MachineEffectCost { name: self.name, time: least / PERIODS as u32, impacts, counts })
+        Ok(EffectCost { name: self.name, time: least / PERIODS as u32, impacts, counts })
     }
 
     /// The evaluations in [`PERIODS`] periods, and the impacts.
@@ -246,7 +234,7 @@ impl WithEffect {
     ///
     /// # Errors
     /// None for [`effects`].
-    pub fn measure(&self) -> Result<EffectCost> {
+    pub fn measure(&self) -> Result<EffectCost<{ Effect::ALL.len() }>> {
         let (counts, impacts) = self.count()?;
         let counts = Effect::ALL.map(|effect| counts.of(effect));
         Ok(EffectCost { name: self.name, time: self.time()?, impacts, counts })
