@@ -202,7 +202,8 @@ impl ZeroFamily {
 
 impl Approached {
     /// The point at a relative distance 10^−`digits`, within a hundredth, from the place, or at the place
-    /// itself; `None` where it would lie outside the family's region, or the place is no fraction.
+    /// itself; `None` where it would lie outside the family's region or where u_n = 0, or the place is no
+    /// fraction.
     ///
     /// Along s or a₁; in [`ZeroFamily::RadiusToOne`] the distance is 1 − r.
     pub fn at(&self, digits: Option<u32>) -> Option<NearZero> {
@@ -229,7 +230,12 @@ impl Approached {
             | ZeroFamily::HugePeriod => polar(self.fixed.clone(), moved)?,
             _ => plane(moved, self.fixed.clone())?,
         };
-        Some(NearZero { point, quantity: self.quantity })
+        // A distance away from one place may be at another one, where u_n = 0 and there is no sign.
+        let singular = match &point {
+            Point::Polar(polar) => polar.is_singular(self.quantity.period()),
+            Point::Plane(plane) => plane.is_singular(self.quantity.period()),
+        };
+        (digits.is_none() || !singular).then_some(NearZero { point, quantity: self.quantity })
     }
 }
 
