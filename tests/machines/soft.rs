@@ -205,6 +205,10 @@ fn cases() -> Vec<Case> {
     mixed.stops[2] = stop(&[0.0, -1.0], -0.3, 0.6);
     let mut by_speed = mixed.clone();
     by_speed.stops[2].law = law(&[0.9, 0.1], &[1.0, 0.5, 0.05]);
+    // Both rigid: as long as it rests on neither, which the second integrator would not follow.
+    let mut two_laws = by_speed.clone();
+    two_laws.stops[1] = stop(&[1.0, 0.0], -0.2, 0.6);
+    two_laws.stops[1].law = law(&[0.9, 0.1], &[1.0, 0.5, 0.05]);
     let mut gyroscopic = pair.clone();
     gyroscopic.damping.extend([(0, 1, 0.6), (1, 0, -0.6)]);
     vec![
@@ -217,6 +221,7 @@ fn cases() -> Vec<Case> {
         ("a pair with three stops", pair, vec![0.0, 0.0], vec![0.2, 0.0]),
         ("soft and rigid stops", mixed, vec![0.0, 0.0], vec![0.2, 0.0]),
         ("restitution by the speed", by_speed, vec![0.0, 0.0], vec![0.2, 0.0]),
+        ("two rigid stops with laws", two_laws, vec![0.0, 0.0], vec![0.2, 0.0]),
         ("gyroscopic", gyroscopic, vec![0.0, 0.0], vec![0.2, 0.1]),
     ]
 }
