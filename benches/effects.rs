@@ -15,7 +15,7 @@ fn bench(c: &mut Criterion) {
     for effect in effects() {
         // A benchmark of an effect that is evaluated where it is not needed, or not where it is, measures
         // nothing.
-        let (counts, _) = effect.count().unwrap();
+        let (counts, _) = effect.count(PERIODS).unwrap();
         assert!(effect.needs.iter().all(|&needed| counts.of(needed) > 0), "{}", effect.name);
         let simulator = Simulator::new(&effect.system, &Settings::default()).unwrap();
         group.bench_function(effect.name, |b| {

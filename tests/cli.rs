@@ -446,3 +446,32 @@ fn existence_draws_graphs_and_orbits() {
     stdout(&format!("figure 3 -o {}", at("figure")));
     assert_eq!(fs::read_to_string(at("figure/figure3.csv")).unwrap().lines().count(), 1 + 3 * 16);
 }
+
+/// A part of `accuracy` that is whole and was measured by this program with these options is kept; one that
+/// was changed, lost, or measured otherwise is measured anew.
+#[test]
+fn what_was_measured_is_kept() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name);
+    let measure = |options: &str| {
+        let out = stdout(&format!("accuracy --of effects {options} -o {}", folder.path().display()));
+        out.starts_with("effects: kept as this program measured it before")
+    };
+    assert!(!measure("--quick"));
+    let (table, measured) = (fs::read(at("effects.csv")).unwrap(), fs::read(at("measured.csv")).unwrap());
+    assert!(measure("--quick"));
+    assert_eq!(fs::read(at("effects.csv")).unwrap(), table);
+    let text = String::from_utf8(measured.clone()).unwrap();
+    assert!(text.contains("effects,effects.csv,quick,\"grazing 0."), "{text}");
+    assert_eq!(text.lines().count(), 3);
+    for (file, bytes) in [
+        ("effects.csv", [&table[..], b"\n"].concat()),
+        ("measured.csv", text.replace("quick", "full").into_bytes()),
+        ("measured.csv", text.replacen("grazing 0.", "grazing 9.", 2).into_bytes()),
+    ] {
+        fs::write(at(file), bytes).unwrap();
+        assert!(!measure("--quick"), "{file}");
+    }
+    fs::remove_file(at("effects.csv")).unwrap();
+    assert!(!measure("--quick") && measure("--quick") && at("effects.csv").exists());
+}

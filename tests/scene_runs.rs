@@ -5,7 +5,7 @@ use std::{collections::HashMap, f64::consts::PI, fs, path::Path, process::Comman
 
 use grazing::{
     internals::{
-        effects::{effects, machine_effects},
+        effects::{PERIODS, effects, machine_effects},
         flow_accuracy::{long_runs, returning, tolerances},
     },
     oscillator::{
@@ -233,7 +233,7 @@ fn exponents_of_periodic_motions_are_their_multipliers() {
 #[test]
 fn absent_effects_are_never_evaluated() {
     for effect in effects() {
-        let (counts, impacts) = effect.count().unwrap();
+        let (counts, impacts) = effect.count(PERIODS).unwrap();
         for what in Effect::ALL {
             let needed = effect.needs.contains(&what);
             assert_eq!(counts.of(what) > 0, needed, "{}: {} {}", effect.name, what.name(), counts.of(what));
@@ -245,7 +245,7 @@ fn absent_effects_are_never_evaluated() {
 #[test]
 fn absent_effects_of_machines_are_never_evaluated() {
     for effect in machine_effects() {
-        let (counts, impacts) = effect.count().unwrap();
+        let (counts, impacts) = effect.count(PERIODS).unwrap();
         for (what, count) in Effect::OF_MACHINES.iter().zip(counts) {
             let needed = effect.needs.contains(what);
             assert_eq!(count > 0, needed, "{}: {} {count}", effect.name, what.name());

@@ -15,7 +15,7 @@ use crate::{
     oscillator::Effect,
     output::{Column, TableCell, TableFormat, TableWriter, write_file},
     study::{
-        effects::{EffectCost, PERIODS},
+        effects::EffectCost,
         flow_accuracy::{FlowMeasured, LongRun},
     },
 };
@@ -109,7 +109,7 @@ fn costs<const N: usize>(
         .collect();
     let mut table = TableWriter::new(out, format, name, columns(&names))?;
     for row in rows {
-        let per_period = |count: u64| format!("{}", count as f64 / PERIODS as f64);
+        let per_period = |count: u64| format!("{}", count as f64 / row.periods as f64);
         let mut cells = vec![row.name.to_string(), row.time.as_nanos().to_string(), per_period(row.impacts)];
         cells.extend(row.counts.map(per_period));
         table.row(&cells.iter().map(|cell| TableCell::Text(cell)).collect::<Vec<_>>())?;

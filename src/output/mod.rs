@@ -20,6 +20,8 @@ pub use destination::{Destination, OutputFile, say};
 pub use escape::latex;
 pub(crate) use file::remove_temporaries;
 pub use file::{LONGEST_INPUT, distinct, make_folder, probe, read_text, write_file};
+#[cfg(feature = "cli")]
+pub(crate) use hash::fnv64;
 pub(crate) use journal::torn;
 pub use journal::{Journal, SavedRun};
 pub use shard::{Shard, ShardFile, ShardWriter, ShardedTask};

@@ -39,12 +39,14 @@ pub struct EffectCost<const N: usize> {
     pub time: Duration,
     /// Impacts in the periods counted.
     pub impacts: u64,
+    /// How many periods.
+    pub periods: i64,
     /// Evaluations in these periods, in the order of [`Effect::ALL`] or, for a machine,
     /// [`Effect::OF_MACHINES`].
     pub counts: [u64; N],
 }
 
-/// Periods over which evaluations are counted.
+/// Periods over which a full study counts evaluations.
 pub const PERIODS: i64 = 1000;
 
 const SPEED: f64 = 1.0 / 1.1;
@@ -149,36 +151,36 @@ pub fn machine_effects() -> Vec<MachineWithEffect> {
 }
 
 impl MachineWithEffect {
-    /// Evaluations and time, as those of [`WithEffect`].
+    /// Evaluations in some periods, and the mean time of one, the least of `runs` runs.
     ///
     /// # Errors
     /// None for [`machine_effects`].
-    pub fn measure(&self) -> Result<EffectCost<{ Effect::OF_MACHINES.len() }>> {
-        let (counts, impacts) = self.count()?;
+    pub fn measure(&self, periods: i64, runs: u32) -> Result<EffectCost<{ Effect::OF_MACHINES.len() }>> {
+        let (counts, impacts) = self.count(periods)?;
         let simulator = MachineSimulator::new(&self.machine, &MachineSettings::default())?;
         let mut least = Duration::MAX;
-        for _ in 0..20 {
+        for _ in 0..runs {
             let mut run = simulator.start(Time::new(0, 0.0), &[0.0], &[SPEED])?;
             let start = Instant::now();
-            for period in 1..=PERIODS {
+            for period in 1..=periods {
                 std::hint::black_box(run.finish(Time::new(period, 0.0)));
                 std::hint::black_box(run.state());
             }
             least = least.min(start.elapsed());
         }
-        Ok(EffectCost { name: self.name, time: least / PERIODS as u32, impacts, counts })
+        Ok(EffectCost { name: self.name, time: least / periods as u32, impacts, periods, counts })
     }
 
-    /// The evaluations in [`PERIODS`] periods, and the impacts.
+    /// The evaluations in some periods, and the impacts.
     ///
     /// # Errors
     /// None for [`machine_effects`].
-    pub fn count(&self) -> Result<([u64; Effect::OF_MACHINES.len()], u64)> {
+    pub fn count(&self, periods: i64) -> Result<([u64; Effect::OF_MACHINES.len()], u64)> {
         let tally = Arc::new(EffectTally::default());
         let simulator =
             MachineSimulator::new(&self.machine, &MachineSettings::default())?.counting(tally.clone());
         let mut run = simulator.start(Time::new(0, 0.0), &[0.0], &[SPEED])?;
-        for period in 1..=PERIODS {
+        for period in 1..=periods {
             run.finish(Time::new(period, 0.0));
         }
         let impacts = run.impacts();
@@ -195,15 +197,15 @@ fn force(text: &str) -> Option<SmoothForce<f64>> {
 }
 
 impl WithEffect {
-    /// The evaluations in [`PERIODS`] periods from q = 0, u = 1/1.1, and the impacts.
+    /// The evaluations in some periods from q = 0, u = 1/1.1, and the impacts.
     ///
     /// # Errors
     /// None for [`effects`].
-    pub fn count(&self) -> Result<(Counts, u64)> {
+    pub fn count(&self, periods: i64) -> Result<(Counts, u64)> {
         let simulator = Simulator::new(&self.system, &Settings::default())?;
         let mut counts = Counts::default();
         let mut run = simulator.start_counting(Time::new(0, 0.0), 0.0, SPEED, &mut counts)?;
-        for period in 1..=PERIODS {
+        for period in 1..=periods {
             run.finish(Time::new(period, 0.0));
         }
         let impacts = run.impacts();
@@ -211,32 +213,32 @@ impl WithEffect {
         Ok((counts, impacts))
     }
 
-    /// The mean time of a period, the least of several runs.
+    /// The mean time of one of these periods, the least of `runs` runs.
     ///
     /// # Errors
     /// None for [`effects`].
-    pub fn time(&self) -> Result<Duration> {
+    pub fn time(&self, periods: i64, runs: u32) -> Result<Duration> {
         let simulator = Simulator::new(&self.system, &Settings::default())?;
         let mut least = Duration::MAX;
-        for _ in 0..20 {
+        for _ in 0..runs {
             let mut run = simulator.start(Time::new(0, 0.0), 0.0, SPEED)?;
             let start = Instant::now();
-            for period in 1..=PERIODS {
+            for period in 1..=periods {
                 std::hint::black_box(run.finish(Time::new(period, 0.0)));
                 std::hint::black_box(run.state());
             }
             least = least.min(start.elapsed());
         }
-        Ok(least / PERIODS as u32)
+        Ok(least / periods as u32)
     }
 
     /// Both.
     ///
     /// # Errors
     /// None for [`effects`].
-    pub fn measure(&self) -> Result<EffectCost<{ Effect::ALL.len() }>> {
-        let (counts, impacts) = self.count()?;
+    pub fn measure(&self, periods: i64, runs: u32) -> Result<EffectCost<{ Effect::ALL.len() }>> {
+        let (counts, impacts) = self.count(periods)?;
         let counts = Effect::ALL.map(|effect| counts.of(effect));
-        Ok(EffectCost { name: self.name, time: self.time()?, impacts, counts })
+        Ok(EffectCost { name: self.name, time: self.time(periods, runs)?, impacts, periods, counts })
     }
 }

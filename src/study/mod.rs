@@ -4,6 +4,7 @@
 //! Also the formulas as the paper prints them, in plain `f64`, to show what they lose. Nothing here is used
 //! elsewhere.
 
+pub mod computer;
 pub mod effects;
 mod families;
 pub mod flow_accuracy;

@@ -1,9 +1,10 @@
 //! The price of a sign: the time to decide it by each method, against the distance to where it changes.
 
-use std::{fs, hint::black_box, time::Duration};
+use std::{hint::black_box, time::Duration};
 
 use super::{
     ZeroFamily,
+    computer::load,
     measure::batches,
     naive::{naive_b, naive_c},
     zeros::NearZero,
@@ -219,11 +220,6 @@ fn quartiles(mut times: Vec<Duration>) -> [Duration; 3] {
     times.sort();
     let at = |share: usize| times.get((times.len() - 1) * share / 4).copied().unwrap_or_default();
     [at(2), at(1), at(3)]
-}
-
-/// The system's load over the last minute; `None` where it does not say.
-fn load() -> Option<f64> {
-    fs::read_to_string("/proc/loadavg").ok()?.split(' ').next()?.parse().ok()
 }
 
 #[cfg(test)]

@@ -1,0 +1,138 @@
+//! `grazing accuracy`: what accuracy costs, on this machine.
+//!
+//! A part measures one thing: it writes its tables into the folder, then its picture. A part that is there
+//! already, as [`kept`] knows, is not measured again.
+
+mod digits;
+mod effects;
+mod kept;
+mod signs;
+mod simulations;
+
+use std::path::PathBuf;
+
+use clap::{Parser, ValueEnum};
+
+use super::Outcome;
+use crate::{
+    cli::progress::Interrupt,
+    error::{Error, Result},
+    output::{Destination, make_folder},
+};
+use kept::Kept;
+
+/// Measure what accuracy costs in time, on this machine.
+///
+/// Of signs: the time to decide the sign of b_{n,k} or c_n by each method, from 1/10 to 10^-1000 away from
+/// where it changes and exactly there, and the share of signs that plain floats get wrong, as signs.csv and
+/// signs.svg. Of digits: the time, certain digits and decided signs of b_{n,k}, for each way to compute it
+/// and each family of inputs, as accuracy.csv and accuracy.svg. Of simulations: the time and error of the
+/// closed form and of the integrator at tolerances 1e-3 to 1e-13, as flow-accuracy.csv and .svg, and the
+/// distance from exact motions after 1 to 10^6 periods, as long-runs.csv. Of effects: what each adds to the
+/// time per period, with its evaluations counted, as effects.csv, and of machines as machine-effects.csv.
+/// The tables are also printed; of signs, what the ladder costs, which every command uses. Takes up to some
+/// minutes.
+///
+/// measured.csv says which program measured each file, with which options, on which machine and under which
+/// load. What this program has measured before with the same options, and nobody has changed, is kept: an
+/// interrupted command goes on when it is run again.
+///
+/// Exit code 0: done; 2: a file that cannot be written; 3: interrupted.
+#[derive(Debug, Parser)]
+#[command(after_help = "Examples:
+  grazing accuracy --of effects -o figures
+  grazing accuracy --of all --quick -o figures")]
+pub(super) struct Args {
+    /// What to measure.
+    #[arg(long, value_enum, default_value_t = Subject::Signs)]
+    of: Subject,
+    /// The folder for the files.
+    #[arg(short, long, value_name = "DIR", default_value = ".")]
+    output: PathBuf,
+    /// Fewer distances, inputs and repetitions: everything in about a minute.
+    #[arg(long)]
+    quick: bool,
+    /// Measure again what is there already.
+    #[arg(long)]
+    again: bool,
+    /// Of signs: also write every point with its sign, as exact fractions, for other programs to decide.
+    #[arg(long, value_name = "FILE")]
+    points: Option<PathBuf>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Subject {
+    /// The price of a sign, by its distance to zero.
+    Signs,
+    /// b_{n,k}, by its certain digits.
+    Digits,
+    /// Motions.
+    Simulations,
+    /// The effects of an oscillator.
+    Effects,
+    /// All of these.
+    All,
+}
+
+/// What is measured by itself.
+struct Part {
+    subject: Subject,
+    /// As the option has it.
+    name: &'static str,
+    /// The files that it writes.
+    files: &'static [&'static str],
+    /// Measures, prints, and writes tables and pictures.
+    measure: fn(&Args, &Interrupt) -> Result<()>,
+}
+
+/// In the order of `--of all`.
+const PARTS: [Part; 4] = [
+    Part {
+        subject: Subject::Signs,
+        name: "signs",
+        files: &["signs.csv", "signs.svg"],
+        measure: signs::measure,
+    },
+    Part {
+        subject: Subject::Digits,
+        name: "digits",
+        files: &["accuracy.csv", "accuracy.svg"],
+        measure: digits::measure,
+    },
+    Part {
+        subject: Subject::Simulations,
+        name: "simulations",
+        files: &["flow-accuracy.csv", "flow-accuracy.svg", "long-runs.csv"],
+        measure: simulations::measure,
+    },
+    Part {
+        subject: Subject::Effects,
+        name: "effects",
+        files: &["effects.csv", "machine-effects.csv"],
+        measure: effects::measure,
+    },
+];
+
+pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
+    if args.points.is_some() && !matches!(args.of, Subject::Signs | Subject::All) {
+        return Err(Error::input("--points is for --of signs or all: leave it out"));
+    }
+    // Before the measurement rather than after it.
+    make_folder(&args.output)?;
+    signs::write_points(args, interrupt)?;
+    let options = if args.quick { "quick" } else { "full" };
+    let mut kept = Kept::read(&args.output);
+    let folder = args.output.display();
+    interrupt.keeps(format!("the parts that are whole are in {folder}: the same command goes on from there"));
+    for part in PARTS.iter().filter(|part| matches!(args.of, Subject::All) || part.subject == args.of) {
+        if !args.again && kept.has(part, options) {
+            let line =
+                format!("{}: kept as this program measured it before; --again measures anew", part.name);
+            Destination::Stdout.write(|out| Ok(writeln!(out, "{line}")?))?;
+            continue;
+        }
+        (part.measure)(args, interrupt)?;
+        kept.keep(part, options)?;
+    }
+    Ok(Outcome::Done)
+}
