@@ -3,7 +3,7 @@
 //!
 //! Lengths grow to the right and downwards. Nothing here knows of axes ([`frame`](super::frame)) or of data.
 
-#[cfg(feature = "print")]
+#[cfg(any(test, feature = "print"))]
 mod face;
 #[cfg(feature = "print")]
 mod pdf;

@@ -6,6 +6,7 @@ use ttf_parser::{Face, GlyphId};
 pub(super) const FILE: &[u8] = include_bytes!("DejaVuSansCondensed.ttf");
 
 /// Italic letters are slanted by this, as the face's own are.
+#[cfg(feature = "print")]
 pub(super) const SLANT: f64 = 0.2;
 
 pub(super) fn face() -> Face<'static> {
