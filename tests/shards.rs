@@ -4,8 +4,14 @@ use std::{
     fs,
     path::Path,
     process::{Command, Output},
+    sync::atomic::{AtomicU64, Ordering},
 };
 
+use grazing::{
+    Monitor,
+    run::{Job, Surroundings, parts},
+    scene::Scene,
+};
 use serde_json::Value;
 use tempfile::{TempDir, tempdir};
 
@@ -67,6 +73,277 @@ fn certificates_are_those_of_one_run() {
         let (code, out, _) = run(folder.path(), "check 1");
         assert!(code == 1 && out.contains("grazing merge"), "{out}");
     }
+}
+
+#[test]
+fn tables_are_those_of_one_run() {
+    // In the second more parts than periods; the b-file's shards hold numbers.
+    for (command, of) in [
+        ("intervals 3..=40 --format csv --decimals 7", 4),
+        ("intervals 1..=3 --format json", 7),
+        ("intervals 1..=60 --format bfile", 3),
+        ("intervals 9 --format latex", 2),
+        ("intervals --two-impacts 3..=12 --format markdown", 3),
+        ("intervals --two-impacts 3..=12 --format bfile", 2),
+        ("boundary 2..=9", 3),
+        ("boundary 3..=6 --grid 3 --format json --digits 20", 2),
+        ("boundary 5..=6 --m 1 --format csv", 1),
+    ] {
+        let folder = tempdir().unwrap();
+        done(folder.path(), &format!("{command} -o whole"));
+        let files = shards(&folder, command, "-o", of);
+        done(folder.path(), &format!("merge {files} -o merged"));
+        let read = |name| fs::read_to_string(folder.path().join(name)).unwrap();
+        assert_eq!(read("merged"), read("whole"), "{command}");
+        let (code, out, _) = run(folder.path(), "check 1");
+        assert!(code == 1 && out.contains("grazing merge"), "{out}");
+        let (code, _, error) = run(folder.path(), &format!("merge {files} --format json"));
+        assert!(code == 2 && error.contains("--format is for reports"), "{error}");
+    }
+}
+
+const SCENE: &str = r#"
+format = "grazing-scene 1"
+title = "A driven mass and a stop"
+[parameters]
+F = 0.5
+[system]
+damping = "1/10"
+stiffness = "3/10"
+forcing = [{ cos = "F" }]
+[[walls]]
+side = "upper"
+offset = 1
+restitution = 0.8
+[[tasks]]
+name = "basins"
+kind = "basins"
+set = { F = 0.6 }
+q = { from = -1, to = 1.2, count = 9 }
+u = { from = -1, to = 1, count = 7 }
+transient = 60
+longest = 8
+[[tasks]]
+name = "over-F"
+kind = "diagram"
+parameter = "F"
+range = [0.6, 0.9]
+count = 13
+starts = [{ q = 0 }, { q = 0.5, u = 0.2 }]
+transient = 60
+points = 12
+longest = 4
+branches = [{ at = 0.65, orbit = { pattern = [1] } }]
+[[tasks]]
+name = "motion"
+kind = "simulate"
+start = { q = 0 }
+periods = 4
+"#;
+
+/// Two masses: their states have another form than an oscillator's.
+const MACHINE: &str = r#"
+format = "grazing-scene 2"
+title = "Two masses and a stop"
+[system]
+frequency = 0.2
+mass = [[1, 0], [0, 2]]
+damping = [[0.6, -0.2], [-0.2, 0.5]]
+stiffness = [[3, -1], [-1, 4]]
+forcing = [{ k = 1, cos = [0.9, 0] }]
+[[walls]]
+name = "stop"
+row = [1, 0]
+offset = -0.3
+restitution = 0.7
+[[tasks]]
+name = "basins"
+kind = "basins"
+plane = ["q1", "u1"]
+q = { from = -0.5, to = 0.5, count = 5 }
+u = { from = -0.5, to = 0.5, count = 4 }
+transient = 60
+longest = 4
+"#;
+
+/// The files in a folder, by name.
+fn contents(folder: &Path) -> Vec<(String, Vec<u8>)> {
+    let file = |entry: std::io::Result<fs::DirEntry>| {
+        let path = entry.unwrap().path();
+        (path.file_name().unwrap().to_str().unwrap().to_string(), fs::read(path).unwrap())
+    };
+    let mut all: Vec<_> = fs::read_dir(folder).unwrap().map(file).collect();
+    all.sort();
+    all
+}
+
+#[test]
+fn tasks_of_scenes_are_those_of_one_run() {
+    for (scene, task, of) in
+        [(SCENE, "basins", 3), (SCENE, "over-F", 4), (SCENE, "basins --set F=4/5", 9), (MACHINE, "basins", 2)]
+    {
+        let folder = tempdir().unwrap();
+        let path = |name: &str| folder.path().join(name);
+        fs::write(path("scene.toml"), scene).unwrap();
+        let command = format!("run scene.toml --only {task}");
+        let whole = done(folder.path(), &format!("{command} -o whole"));
+        let files = shards(&folder, &command, "-o", of);
+        // The shards hold all that is needed.
+        fs::remove_file(path("scene.toml")).unwrap();
+        let merged = done(folder.path(), &format!("merge {files} -o merged"));
+        assert_eq!(merged, whole, "{task}");
+        assert!(contents(&path("whole")).len() >= 2);
+        assert_eq!(contents(&path("merged")), contents(&path("whole")), "{task}");
+        let left: Vec<String> = contents_names(folder.path());
+        assert!(left.iter().all(|name| !name.contains("checkpoint")), "{left:?}");
+        let (code, out, _) = run(folder.path(), "check 1");
+        assert!(code == 1 && out.contains("grazing merge"), "{out}");
+    }
+}
+
+fn contents_names(folder: &Path) -> Vec<String> {
+    fs::read_dir(folder)
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .filter(|name| !name.starts_with('.'))
+        .collect()
+}
+
+#[test]
+fn scenes_are_told_apart_by_what_they_say() {
+    let folder = tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name);
+    fs::write(path("scene.toml"), SCENE).unwrap();
+    let part = |scene: &str, index: u64| {
+        done(folder.path(), &format!("run {scene} --only basins --shard {index}/3 -o {index}"))
+    };
+    (1..=3).for_each(|index| drop(part("scene.toml", index)));
+    let merge = |code: i32| {
+        let (found, out, error) = run(folder.path(), "merge 1 2 3 -o out");
+        assert_eq!(found, code, "{out}{error}");
+        error
+    };
+    merge(0);
+    // Another name and other ends of lines are the same scene.
+    fs::write(path("renamed.toml"), SCENE.replace('\n', "\r\n")).unwrap();
+    part("renamed.toml", 2);
+    merge(0);
+    // Another content under the same name is not, though the command is the same.
+    fs::write(path("scene.toml"), SCENE.replace("restitution = 0.8", "restitution = 0.7")).unwrap();
+    part("scene.toml", 2);
+    let error = merge(2);
+    assert!(error.contains("2: it is of another content of scene.toml"), "{error}");
+    assert!(error.contains("1 of 3 shards are missing: --array=2"), "{error}");
+    // Nor is another value of a parameter.
+    fs::write(path("scene.toml"), SCENE).unwrap();
+    done(folder.path(), "run scene.toml --only basins --set F=7/10 --shard 2/3 -o 2");
+    let error = merge(2);
+    assert!(
+        error.contains("--set F=7/10`, the others are of 3 of `grazing run SCENE --only basins`"),
+        "{error}"
+    );
+    // A copy as text has other ends of lines, and its checksum is no longer right.
+    part("scene.toml", 2);
+    let good = fs::read_to_string(path("2")).unwrap();
+    fs::write(path("2"), good.replace('\n', "\r\n")).unwrap();
+    assert!(merge(2).contains("2: its lines end with CR LF"));
+    // Records that no run comes to, with the right checksum.
+    let seal = |text: String| fs::write(path("2"), sealed(body(&text))).unwrap();
+    for (from, to) in [
+        ("\\\"Attractor\\\":0", "\\\"Attractor\\\":9"),
+        ("\"found\"", "\"lost\""),
+        ("\"piece\"", "\"peace\""),
+    ] {
+        assert!(good.contains(from), "{from}: {good}");
+        seal(good.replacen(from, to, 1));
+        assert!(merge(2).contains("has a record that is not one"), "{to}");
+    }
+}
+
+/// A monitor that wants an end after some units.
+struct After(AtomicU64);
+
+impl Monitor for After {
+    fn advance(&self, units: u64) -> grazing::Result<()> {
+        let left = self.0.fetch_update(Ordering::Relaxed, Ordering::Relaxed, |left| left.checked_sub(units));
+        left.map(drop).map_err(|_| grazing::Error::interrupted("enough"))
+    }
+}
+
+#[test]
+fn a_part_of_a_task_goes_on_from_where_it_was_ended() {
+    let folder = tempdir().unwrap();
+    let file = folder.path().join("checkpoint");
+    let scene = Scene::from_toml(SCENE, "scene.toml").unwrap();
+    for task in &scene.tasks[..2] {
+        let part = |monitor: &dyn Monitor, units| {
+            let job = Job::new(&scene, task, Surroundings { monitor, ..Surroundings::default() }).unwrap();
+            parts::part(&job, units, &file)
+        };
+        // What was counted on the way is of the last run alone; all else is the same.
+        let found = |records: Vec<String>| -> Vec<Value> {
+            records.iter().map(|text| serde_json::from_str::<Value>(text).unwrap()["found"].clone()).collect()
+        };
+        let whole = found(part(&(), 1..6).unwrap());
+        assert_eq!(whole.len(), 5);
+        fs::remove_file(&file).unwrap();
+        assert!(part(&After(3.into()), 1..6).unwrap_err().is_interrupted());
+        let kept = fs::read_to_string(&file).unwrap().lines().count();
+        assert!(kept > 1, "{kept} lines");
+        assert_eq!(found(part(&(), 1..6).unwrap()), whole);
+        // The checkpoint is of this part.
+        assert!(part(&(), 0..6).unwrap_err().is_input());
+        fs::remove_file(&file).unwrap();
+    }
+}
+
+#[test]
+fn two_processes_write_one_shard_and_a_full_disk_none() {
+    let folder = tempdir().unwrap();
+    fs::write(folder.path().join("scene.toml"), SCENE).unwrap();
+    let command = "verify 3..=60 --shard 1/2 --certificate part";
+    let start = || {
+        Command::new(env!("CARGO_BIN_EXE_grazing"))
+            .args(command.split(' '))
+            .current_dir(folder.path())
+            .output()
+            .map(|output| output.status.code())
+    };
+    let codes = std::thread::scope(|scope| {
+        [(); 4].map(|()| scope.spawn(start)).map(|thread| thread.join().unwrap().unwrap())
+    });
+    assert_eq!(codes, [Some(0); 4]);
+    let part = fs::read(folder.path().join("part")).unwrap();
+    done(folder.path(), command);
+    assert_eq!(fs::read(folder.path().join("part")).unwrap(), part);
+    assert!(contents(folder.path()).iter().all(|(name, _)| !name.starts_with('.')), "no temporary is left");
+    if cfg!(target_os = "linux") {
+        for command in [
+            "verify 3..=9 --shard 1/2 --certificate /dev/full",
+            "intervals 3..=9 --shard 1/2 -o /dev/full",
+            "boundary 3..=4 --shard 1/2 -o /dev/full",
+        ] {
+            let (code, _, error) = run(folder.path(), command);
+            assert!(code == 2 && error.contains("/dev/full"), "{command}: {code} {error}");
+        }
+    }
+}
+
+#[test]
+fn names_of_shards_can_come_from_a_list() {
+    let folder = tempdir().unwrap();
+    let files = shards(&folder, "intervals 3..=9 --format csv", "-o", 3);
+    let list: String = files.split_whitespace().map(|name| format!("{name}\n")).collect();
+    fs::write(folder.path().join("list"), list).unwrap();
+    done(folder.path(), "merge --files-from list -o merged");
+    // Given twice is a fault; an empty list is said.
+    let (code, _, error) = run(folder.path(), "merge 2 --files-from list -o again");
+    assert!(code == 2 && error.contains("it is shard 2/3 again"), "{error}");
+    fs::write(folder.path().join("list"), "\n").unwrap();
+    let (code, _, error) = run(folder.path(), "merge --files-from list -o again");
+    assert!(code == 2 && error.contains("it names no file"), "{error}");
+    let (code, _, error) = run(folder.path(), "merge --files-from absent -o again");
+    assert!(code == 2 && error.contains("absent"), "{error}");
 }
 
 #[test]
@@ -134,6 +411,13 @@ fn what_is_wrong_with_shards_is_said() {
     let error = merge(&files, 2);
     assert!(error.contains("6: it is damaged: item "), "{error}");
     done(folder.path(), "verify 3..=20 --shard 6/6 --certificate 6");
+    // A period whose block is empty: that all periods are there is part of what is proved.
+    let last = body(&good).lines().last().unwrap();
+    let without =
+        body(&good).replace(&format!("{last}\n"), &format!("{} \"\"\n", &last[..last.find(" \"").unwrap()]));
+    fs::write(path("5"), sealed(&without)).unwrap();
+    let (code, out, _) = run(folder.path(), &format!("merge {files} -o merged"));
+    assert!(code == 1 && out.contains("merged: rejected: line "), "{code} {out}");
     // A false line with a right checksum: the certificate is proved again, and is not.
     fs::write(path("5"), sealed(&body(&good).replacen(" + -", " - -", 1))).unwrap();
     let (code, out, _) = run(folder.path(), &format!("merge {files} -o merged"));
@@ -178,6 +462,7 @@ fn what_is_claimed_in_a_shard_is_looked_at() {
 #[test]
 fn wrong_use_is_named() {
     let folder = tempdir().unwrap();
+    fs::write(folder.path().join("scene.toml"), SCENE).unwrap();
     for (arguments, wanted) in [
         ("verify 3..=9 --shard 1/2", "--certificate"),
         ("fuzz --shard 1/2", "--output"),
@@ -186,6 +471,15 @@ fn wrong_use_is_named() {
         ("verify 3..=9 --method interval --shard 1/2 --certificate f", "exact"),
         ("fuzz --n 1..=3 --cases 1e19 --shard 1/2 -o f", "too many"),
         ("fuzz --n 1..=2 --shard 1/2 -o f", "largest period"),
+        ("verify 3..=9 --shard 3/2 --certificate f", "numbered from 1 to 2"),
+        ("intervals 3..=9 --shard 1/2", "--output"),
+        ("intervals --pattern 3,5 --shard 1/2 -o f", "--pattern"),
+        ("boundary 3..=9 --shard 1/2", "--output"),
+        ("boundary 3..=9 --format latex --cite c --shard 1/2 -o f", "--cite"),
+        ("run scene.toml --only basins --shard 1/2", "--output"),
+        ("run scene.toml --only basins --shard 1/2 -o .", "this is a folder"),
+        ("run scene.toml --only motion --shard 1/2 -o f", "of kind simulate, which has no parts"),
+        ("run scene.toml --shard 1/2 -o f", "--shard needs one task"),
         ("merge", "FILE"),
     ] {
         let (code, _, error) = run(folder.path(), arguments);

@@ -141,7 +141,7 @@ fn cells_are_balanced(what: &str, text: &str) {
 
 /// Outputs in JSON, at least one for each schema in docs/schemas; `@` begins the name of a file that a
 /// command of the list writes itself.
-const JSON: [&str; 29] = [
+const JSON: [&str; 30] = [
     "intervals 3..=5",
     "intervals 3..=5 --decimals 4",
     "intervals --pattern 3,5",
@@ -169,6 +169,7 @@ const JSON: [&str; 29] = [
     "fuzz --words --cases 20",
     "run {root}/tests/data/kinds.toml",
     "run {root}/tests/data/kinds-machine.toml",
+    "run {root}/tests/data/kinds.toml --only basins --shard 1/2 -o rows",
     "@branch.json",
     "@machine-branch.json",
 ];
@@ -438,6 +439,10 @@ const HOLES: &[(&str, &[&str])] = &[
     ("verify 3..=8 --certificate part --shard @", SHARD),
     ("cover 3..=4 --certificate part --shard @", SHARD),
     ("fuzz --cases 100 -o part --shard @", SHARD),
+    ("boundary 5 -o part --shard @", SHARD),
+    ("intervals 5 -o part --shard @", SHARD),
+    ("run tests/data/kinds.toml --only basins -o part --shard @", SHARD),
+    ("merge --files-from @ -o out", INPUT),
     ("fuzz --words --cases @", COUNT),
     ("figure @", CHOICE),
     ("figure intervals --n @ -o out", COUNT),

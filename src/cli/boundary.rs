@@ -1,8 +1,8 @@
 //! `grazing boundary`: the lower edges of the areas of Conjecture 1, and how far down they reach.
 
-use std::{io::Write, path::PathBuf};
+use std::{ops::RangeInclusive, path::PathBuf, str::FromStr};
 
-use clap::Parser;
+use clap::{Parser, ValueEnum};
 use num_bigint::BigInt;
 use num_rational::{BigRational, Ratio};
 use num_traits::{One, pow};
@@ -13,6 +13,7 @@ use super::{
     cite::{self, Basis},
     range::Periods,
     reported,
+    shards::{Merged, Part, RowSink, ShardRows, ShardSet, part_of, periods_of, task_of},
 };
 use crate::{
     certificate::cover,
@@ -22,8 +23,8 @@ use crate::{
     monitor::Monitor,
     number::parse_integer,
     output::{
-        Column, Destination, Print, Setting, TableCell, TableFormat, TableWriter, decimal_above,
-        decimal_below, decimal_near,
+        Column, Destination, OutputFile, Print, Setting, Shard, ShardedTask, TableCell, TableFormat,
+        TableWriter, decimal_above, decimal_below, decimal_near,
     },
 };
 
@@ -69,12 +70,15 @@ pub(super) struct Args {
     /// standard input. It is checked first. It proves that nothing but b_{n,k} bounds the areas.
     #[arg(long, value_name = "CERTIFICATE")]
     cite: Option<PathBuf>,
+    /// Enclose the I-th of N parts only, and write a shard of the table to -o, for `grazing merge`.
+    #[arg(long, value_name = "I/N", requires = "output", value_parser = Shard::from_str, conflicts_with = "cite")]
+    shard: Option<Shard>,
     /// Write to a file, which appears only when complete.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
 }
 
-pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
+fn check(args: &Args) -> Result<()> {
     args.periods.within(MAX_PERIOD, "boundary")?;
     if *args.periods.0.start() < 2 {
         return Err(Error::input("`grazing boundary` starts at period 2: period 1 has no b to forbid it"));
@@ -87,6 +91,35 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     }
     if args.cite.is_some() && args.format != TableFormat::Latex {
         return Err(Error::input("--cite does nothing here: only --format latex has a caption"));
+    }
+    Ok(())
+}
+
+/// What shards are parts of.
+fn task(args: &Args) -> ShardedTask {
+    let mut words = vec!["boundary".to_string(), format!("{:?}", args.periods.0)];
+    words.extend(args.m.iter().flat_map(|m| ["--m".to_string(), m.to_string()]));
+    words.extend(args.grid.iter().flat_map(|grid| ["--grid".to_string(), grid.to_string()]));
+    words.extend(["--digits".to_string(), args.digits.to_string()]);
+    let format = args.format.to_possible_value();
+    words.extend(format.into_iter().flat_map(|f| ["--format".to_string(), f.get_name().to_string()]));
+    task_of(words)
+}
+
+pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
+    check(args)?;
+    if let (Some(shard), Some(output)) = (args.shard, &args.output) {
+        let part = Part { task: task(args), shard, file: OutputFile::new("-o", output)? };
+        let periods = periods_of(&args.periods.0, 2, Some(shard));
+        let progress = Progress::new(interrupt, periods.clone().count() as u64, "periods");
+        let mut certain = true;
+        part.write(|out| {
+            let mut rows = Watched { rows: &mut ShardRows::new(out), at: watched(args), certain: true };
+            find(args, periods, &mut rows, &progress)?;
+            certain = rows.certain;
+            Ok(())
+        })?;
+        return Ok(if certain { Outcome::Done } else { Outcome::Undecided });
     }
     let destination = Destination::new(args.output.as_deref())?;
     let (name, about) = match args.grid {
@@ -101,15 +134,98 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     };
     let setting = Setting { caption: caption.as_ref(), ..Setting::at(&destination) };
     let progress = Progress::new(interrupt, args.periods.count(), "periods");
+    written(args, setting, &destination, |rows| find(args, args.periods.0.clone(), rows, &progress))
+}
+
+/// The table from its shards.
+pub(super) fn merge(args: &Args, set: &ShardSet, merged: &Merged, interrupt: &Interrupt) -> Result<Outcome> {
+    check(args)?;
+    set.expect(&task(args))?;
+    let destination = merged.table()?;
+    written(args, Setting::at(&destination), &destination, |rows| {
+        set.rows(
+            |shard| part_of(&args.periods.0, 2, shard),
+            columns(args).len(),
+            |cells| {
+                interrupt.check()?;
+                rows.row(cells)
+            },
+        )
+    })
+}
+
+/// Writes the table whose rows `find` gives; undecided if some value is not certified.
+fn written(
+    args: &Args,
+    setting: Setting<'_>,
+    destination: &Destination,
+    find: impl FnOnce(&mut dyn RowSink) -> Result<()>,
+) -> Result<Outcome> {
+    let name = if args.grid.is_some() { "grazing-boundary-grid 1" } else { "grazing-boundary 1" };
     let mut certain = true;
     let written = destination.write(|out| {
-        certain = match args.grid {
-            Some(grid) => edges(args, grid, setting, out, &progress)?,
-            None => lowest(args, setting, out, &progress)?,
-        };
-        Ok(())
+        let mut table = TableWriter::set(out, args.format, name, columns(args), setting)?;
+        let mut rows = Watched { rows: &mut table, at: watched(args), certain: true };
+        let found = find(&mut rows);
+        certain = rows.certain;
+        table.end(found)
     });
     reported(if certain { Outcome::Done } else { Outcome::Undecided }, written)
+}
+
+fn find(
+    args: &Args,
+    periods: RangeInclusive<u64>,
+    rows: &mut dyn RowSink,
+    progress: &Progress,
+) -> Result<()> {
+    match args.grid {
+        Some(grid) => edge_rows(args, periods, grid, rows, progress),
+        None => lowest_rows(args, periods, rows, progress),
+    }
+}
+
+/// Notices what was not certified: rows in which a cell is empty.
+struct Watched<'a> {
+    rows: &'a mut dyn RowSink,
+    /// The cell.
+    at: usize,
+    certain: bool,
+}
+
+impl RowSink for Watched<'_> {
+    fn row(&mut self, cells: &[TableCell]) -> Result<()> {
+        self.certain &= cells[self.at] != TableCell::Empty;
+        self.rows.row(cells)
+    }
+
+    fn done(&mut self, period: u64) -> Result<()> {
+        self.rows.done(period)
+    }
+}
+
+/// The column that is empty in rows without a certified value: the kind of a lowest point, or r ≥.
+fn watched(args: &Args) -> usize {
+    if args.grid.is_some() { 6 } else { 5 }
+}
+
+fn columns(args: &Args) -> Vec<Column> {
+    let width = args.periods.0.end().to_string().len();
+    let mut columns = area_columns(width);
+    if args.grid.is_some() {
+        columns.push(Column::new("s", "$s$", 2 * width + 4));
+        columns.extend(bound_columns(args.digits));
+        return columns;
+    }
+    columns.push(Column::new("lowest", "lowest", 8).print(Print::Left));
+    columns.extend(bound_columns(args.digits));
+    let s_width = args.digits as usize / 2 + 2;
+    columns.push(Column::new("s_lower", "$s \\ge$", s_width));
+    columns.push(Column::new("s_upper", "$s \\le$", s_width));
+    columns.push(Column::new("scaled", "$(1 - r)n^3$", 12).print(Print::Omitted));
+    columns.push(Column::new("law", "$G$", 12).print(Print::Omitted));
+    columns.push(Column::new("law_next", "$G + G_2/n^2$", 12).print(Print::Omitted));
+    columns
 }
 
 const TIPS: &str = "Bounds of the infimum of $r$ over each area in which there is an orbit with one impact in \
@@ -190,33 +306,15 @@ fn text(value: &str) -> TableCell<'_> {
     if value.is_empty() { TableCell::Empty } else { TableCell::Text(value) }
 }
 
-/// R(s) on a grid; whether everything was certified.
-fn edges(
-    args: &Args,
-    grid: u64,
-    setting: Setting<'_>,
-    out: &mut dyn Write,
-    progress: &Progress,
-) -> Result<bool> {
-    let width = args.periods.0.end().to_string().len();
-    let mut columns = area_columns(width);
-    columns.push(Column::new("s", "$s$", 2 * width + 4));
-    columns.extend(bound_columns(args.digits));
-    let mut table = TableWriter::set(out, args.format, "grazing-boundary-grid 1", columns, setting)?;
-    let mut certain = true;
-    let rows = edge_rows(args, grid, &mut table, progress, &mut certain);
-    table.end(rows)?;
-    Ok(certain)
-}
-
+/// R(s) on a grid.
 fn edge_rows(
     args: &Args,
+    periods: RangeInclusive<u64>,
     grid: u64,
-    table: &mut TableWriter,
+    table: &mut dyn RowSink,
     progress: &Progress,
-    certain: &mut bool,
 ) -> Result<()> {
-    for n in args.periods.0.clone() {
+    for n in periods {
         for area in areas(args, n)? {
             // In portions, so that Ctrl-C is heard and memory stays bounded.
             let places: Vec<u64> = (1..=grid).collect();
@@ -235,7 +333,6 @@ fn edge_rows(
                     })
                     .collect();
                 for (s, r) in values? {
-                    *certain &= r.is_some();
                     let bounds = bounds(r.as_ref(), args.digits);
                     let mut cells = area_cells(area.interval()).to_vec();
                     cells.push(TableCell::Fraction(&s));
@@ -245,6 +342,7 @@ fn edge_rows(
                 progress.advance(0)?;
             }
         }
+        table.done(n)?;
         progress.advance(1)?;
     }
     Ok(())
@@ -257,39 +355,20 @@ fn grid_point(interval: &Interval, i: u64, grid: u64) -> Ratio<u64> {
     Ratio::new(p * q2 * (grid + 1 - i) + p2 * q * i, q * q2 * (grid + 1))
 }
 
-/// The lowest points; whether all were certified.
-fn lowest(args: &Args, setting: Setting<'_>, out: &mut dyn Write, progress: &Progress) -> Result<bool> {
-    let width = args.periods.0.end().to_string().len();
-    let mut columns = area_columns(width);
-    columns.push(Column::new("lowest", "lowest", 8).print(Print::Left));
-    columns.extend(bound_columns(args.digits));
-    let s_width = args.digits as usize / 2 + 2;
-    columns.push(Column::new("s_lower", "$s \\ge$", s_width));
-    columns.push(Column::new("s_upper", "$s \\le$", s_width));
-    columns.push(Column::new("scaled", "$(1 - r)n^3$", 12).print(Print::Omitted));
-    columns.push(Column::new("law", "$G$", 12).print(Print::Omitted));
-    columns.push(Column::new("law_next", "$G + G_2/n^2$", 12).print(Print::Omitted));
-    let mut table = TableWriter::set(out, args.format, "grazing-boundary 1", columns, setting)?;
-    let mut certain = true;
-    let rows = lowest_rows(args, width, &mut table, progress, &mut certain);
-    table.end(rows)?;
-    Ok(certain)
-}
-
+/// The lowest points.
 fn lowest_rows(
     args: &Args,
-    width: usize,
-    table: &mut TableWriter,
+    periods: RangeInclusive<u64>,
+    table: &mut dyn RowSink,
     progress: &Progress,
-    certain: &mut bool,
 ) -> Result<()> {
-    for n in args.periods.0.clone() {
+    let width = args.periods.0.end().to_string().len();
+    for n in periods {
         for portion in areas(args, n)?.chunks(64) {
             // (1 − r) n³ is to have its six decimals, however few of r are printed.
             let digits = args.digits.max(8 + 3 * width as u32);
             let found: Vec<Option<Lowest>> = portion.par_iter().map(|area| area.lowest(digits)).collect();
             for (area, lowest) in portion.iter().zip(&found) {
-                *certain &= lowest.is_some();
                 let row = Row::new(area.interval(), lowest.as_ref(), args.digits);
                 let mut cells = area_cells(area.interval()).to_vec();
                 cells.push(text(row.kind));
@@ -298,6 +377,7 @@ fn lowest_rows(
             }
             progress.advance(0)?;
         }
+        table.done(n)?;
         progress.advance(1)?;
     }
     Ok(())

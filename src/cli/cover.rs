@@ -87,7 +87,7 @@ struct Row {
 pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     let all = args.periods.within(certificate::cover::MOST, "cover")?;
     let task = task_of(words(&options(args, all.clone())));
-    let range = periods_of(&all, args.shard);
+    let range = periods_of(&all, 2, args.shard);
     let options = options(args, range.clone());
     let files = [
         ("--certificate", args.certificate.as_deref()),
@@ -141,7 +141,7 @@ pub(super) fn merge(args: &Args, set: &ShardSet, merged: &Merged, interrupt: &In
     certify(merged, interrupt, |out| {
         let mut blocks = Vec::new();
         set.texts(
-            |shard| part_of(&range, shard),
+            |shard| part_of(&range, 2, shard),
             |block| {
                 blocks.push(block.to_string());
                 Ok(())

@@ -1,6 +1,6 @@
 //! `grazing intervals`: Theorem 2's intervals as tables.
 
-use std::{io::Write, path::PathBuf};
+use std::{io::Write, ops::RangeInclusive, path::PathBuf, str::FromStr};
 
 use clap::{Parser, ValueEnum};
 
@@ -8,6 +8,7 @@ use super::{
     Outcome,
     cite::{self, Basis},
     range::Periods,
+    shards::{Lines, Merged, Part, RowSink, ShardRows, ShardSet, part_of, periods_of, task_of},
     two_impacts,
 };
 use crate::{
@@ -17,7 +18,10 @@ use crate::{
     existence::{MAX_PERIOD, intervals},
     monitor::Monitor,
     number::parse_integer,
-    output::{Caption, Column, Destination, Setting, TableCell, TableFormat, TableWriter, decimal},
+    output::{
+        Caption, Column, Destination, OutputFile, Setting, Shard, ShardedTask, TableCell, TableFormat,
+        TableWriter, decimal,
+    },
     word,
 };
 
@@ -59,6 +63,10 @@ pub(super) struct Args {
     /// that proves the deciding k; the option may be given for each.
     #[arg(long, value_name = "CERTIFICATE", conflicts_with_all = ["pattern", "two_impacts"])]
     cite: Vec<PathBuf>,
+    /// List the I-th of N parts only, and write a shard of the table to -o, for `grazing merge`.
+    #[arg(long, value_name = "I/N", requires = "output", value_parser = Shard::from_str,
+          conflicts_with_all = ["pattern", "cite"])]
+    shard: Option<Shard>,
     /// Write to a file, which appears only when complete.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -80,11 +88,69 @@ pub(super) enum Format {
     Bfile,
 }
 
+/// What is listed, how it is written.
+struct List<'a> {
+    periods: RangeInclusive<u64>,
+    two_impacts: bool,
+    /// None for a b-file.
+    format: Option<TableFormat>,
+    decimals: Option<usize>,
+    caption: Option<&'a Caption>,
+}
+
 pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
+    if let Some((i, j)) = args.pattern {
+        let (format, decimals) = (checked(args)?, args.decimals);
+        let destination = Destination::new(args.output.as_deref())?;
+        let pattern = || Ok(word::two_impacts(i, j)?.into_iter());
+        two_impacts::run(i + j, pattern, format, decimals, &destination, interrupt)?;
+        return Ok(Outcome::Done);
+    }
+    let mut list = list(args)?;
+    if let (Some(shard), Some(output)) = (args.shard, &args.output) {
+        let part = Part { task: list.task(), shard, file: OutputFile::new("-o", output)? };
+        let periods = periods_of(&list.periods, list.exponent(), Some(shard));
+        let progress = Progress::new(interrupt, periods.clone().count() as u64, "periods");
+        part.write(|out| list.rows(periods, &mut ShardRows::new(out), &progress))?;
+        return Ok(Outcome::Done);
+    }
+    let destination = Destination::new(args.output.as_deref())?;
+    if !args.cite.is_empty() && list.format != Some(TableFormat::Latex) {
+        return Err(Error::input("--cite does nothing here: only --format latex has a caption"));
+    }
+    let about = ("intervals", CAPTION, BASES.as_slice());
+    let periods = Periods(list.periods.clone());
+    let caption = match cite::caption(&args.cite, about, &periods, args.output.as_deref(), interrupt)? {
+        Ok(caption) => caption,
+        Err(outcome) => return Ok(outcome),
+    };
+    list.caption = caption.as_ref();
+    let progress = Progress::new(interrupt, periods.count(), "periods");
+    destination.list(|out| list.write(out, |rows| list.rows(list.periods.clone(), rows, &progress)))?;
+    Ok(Outcome::Done)
+}
+
+/// The table from its shards.
+pub(super) fn merge(args: &Args, set: &ShardSet, merged: &Merged, interrupt: &Interrupt) -> Result<Outcome> {
+    let list = list(args)?;
+    set.expect(&list.task())?;
+    let items = |shard| part_of(&list.periods, list.exponent(), shard);
+    merged.table()?.list(|out| {
+        list.write(out, |rows| {
+            set.rows(items, list.columns().len(), |cells| {
+                interrupt.check()?;
+                rows.row(cells)
+            })
+        })
+    })?;
+    Ok(Outcome::Done)
+}
+
+/// The format of a table, none for a b-file; what else is asked of it can be done.
+fn checked(args: &Args) -> Result<Option<TableFormat>> {
     if let Some(digits) = args.decimals.filter(|&digits| digits > 1000) {
         return Err(Error::input(format!("--decimals {digits} is too many: at most 1000")));
     }
-    let destination = Destination::new(args.output.as_deref())?;
     let format = match args.format {
         Format::Table => Some(TableFormat::Table),
         Format::Csv => Some(TableFormat::Csv),
@@ -96,35 +162,83 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     if args.decimals.is_some() && format.is_none() {
         return Err(Error::input("--decimals does nothing with --format bfile, which has no ends"));
     }
-    if let Some((i, j)) = args.pattern {
-        let pattern = || Ok(word::two_impacts(i, j)?.into_iter());
-        two_impacts::run(&[i + j], |_| pattern(), format, args.decimals, &destination, interrupt)?;
-        return Ok(Outcome::Done);
-    }
-    if let Some(periods) = &args.two_impacts {
-        let all = two_impacts::periods(periods)?;
-        two_impacts::run(&all, word::two_impacts_of, format, args.decimals, &destination, interrupt)?;
-        return Ok(Outcome::Done);
-    }
-    let Some(periods) = &args.periods else { return Err(Error::input("give the periods: N, or A..=B")) };
-    periods.within(MAX_PERIOD, "intervals")?;
-    if !args.cite.is_empty() && format != Some(TableFormat::Latex) {
-        return Err(Error::input("--cite does nothing here: only --format latex has a caption"));
-    }
-    let about = ("intervals", CAPTION, BASES.as_slice());
-    let caption = match cite::caption(&args.cite, about, periods, args.output.as_deref(), interrupt)? {
-        Ok(caption) => caption,
-        Err(outcome) => return Ok(outcome),
+    Ok(format)
+}
+
+/// What is listed, but for a single pattern.
+fn list(args: &Args) -> Result<List<'static>> {
+    let (format, decimals) = (checked(args)?, args.decimals);
+    let (periods, two_impacts) = match (&args.two_impacts, &args.periods) {
+        (Some(periods), _) => (two_impacts::periods(periods)?, true),
+        (None, Some(periods)) => (periods.within(MAX_PERIOD, "intervals")?, false),
+        (None, None) => return Err(Error::input("give the periods: N, or A..=B")),
     };
-    let progress = Progress::new(interrupt, periods.count(), "periods");
-    match format {
-        None => destination.list(|out| bfile(periods, out, &progress))?,
-        Some(format) => {
-            let caption = caption.as_ref();
-            destination.list(|out| table(periods, args.decimals, (format, caption), out, &progress))?;
-        }
+    Ok(List { periods, two_impacts, format, decimals, caption: None })
+}
+
+impl List<'_> {
+    /// What shards are parts of.
+    fn task(&self) -> ShardedTask {
+        let mut words = vec!["intervals".to_string()];
+        words.extend(self.two_impacts.then(|| "--two-impacts".to_string()));
+        words.push(format!("{:?}", self.periods));
+        let format = match self.format {
+            Some(format) => format.to_possible_value(),
+            None => Format::Bfile.to_possible_value(),
+        };
+        words.extend(format.into_iter().flat_map(|f| ["--format".to_string(), f.get_name().to_string()]));
+        words.extend(self.decimals.iter().flat_map(|d| ["--decimals".to_string(), d.to_string()]));
+        task_of(words)
     }
-    Ok(Outcome::Done)
+
+    /// A period n costs about n to this power.
+    fn exponent(&self) -> u32 {
+        if self.two_impacts { 2 } else { 1 }
+    }
+
+    fn columns(&self) -> Vec<Column> {
+        if self.format.is_none() {
+            return vec![Column::new("n", "$n$", 0), Column::new("intervals", "intervals", 0)];
+        }
+        let digits = self.periods.end().to_string().len();
+        let mut columns = if self.two_impacts { two_impacts::columns(digits) } else { columns(digits) };
+        if let Some(decimals) = self.decimals {
+            columns.push(Column::new("left_rounded", "left (rounded)", decimals + 2));
+            columns.push(Column::new("right_rounded", "right (rounded)", decimals + 2));
+        }
+        columns
+    }
+
+    /// Writes the list; `rows` gives its rows.
+    fn write(&self, out: &mut dyn Write, rows: impl FnOnce(&mut dyn RowSink) -> Result<()>) -> Result<()> {
+        let Some(format) = self.format else { return rows(&mut Lines(out)) };
+        let setting = Setting { caption: self.caption, ..Setting::default() };
+        let name = if self.two_impacts { "grazing-pattern-intervals 1" } else { "grazing-intervals 1" };
+        let mut table = TableWriter::set(out, format, name, self.columns(), setting)?;
+        let rows = rows(&mut table);
+        table.end(rows)
+    }
+
+    fn rows(&self, periods: RangeInclusive<u64>, rows: &mut dyn RowSink, progress: &Progress) -> Result<()> {
+        for n in periods {
+            match (self.format, self.two_impacts) {
+                (None, false) => count(n, intervals(n)?.count(), rows)?,
+                (None, true) => count(n, word::two_impacts_of(n)?.count(), rows)?,
+                (Some(_), false) => period(n, self.decimals, rows, progress)?,
+                (Some(_), true) => {
+                    two_impacts::rows(word::two_impacts_of(n)?, self.decimals, rows, progress)?;
+                }
+            }
+            rows.done(n)?;
+            progress.advance(1)?;
+        }
+        Ok(())
+    }
+}
+
+/// How many there are, for a b-file.
+fn count(n: u64, count: usize, rows: &mut dyn RowSink) -> Result<()> {
+    rows.row(&[TableCell::Int(n as i64), TableCell::Int(count as i64)])
 }
 
 const CAPTION: &str = "The open intervals of $s$ on $r = 1$ where there is an orbit with one impact in $n$ \
@@ -141,23 +255,8 @@ $r_{\\max} < 1$ is proved",
     },
 ];
 
-fn bfile(periods: &Periods, out: &mut dyn Write, progress: &Progress) -> Result<()> {
-    for n in periods.0.clone() {
-        writeln!(out, "{n} {}", intervals(n)?.count())?;
-        progress.advance(1)?;
-    }
-    Ok(())
-}
-
-fn table(
-    periods: &Periods,
-    decimals: Option<usize>,
-    (format, caption): (TableFormat, Option<&Caption>),
-    out: &mut dyn Write,
-    progress: &Progress,
-) -> Result<()> {
-    let digits = periods.0.end().to_string().len();
-    let mut columns = vec![
+fn columns(digits: usize) -> Vec<Column> {
+    vec![
         Column::new("n", "$n$", digits),
         Column::new("m", "$m$", digits),
         Column::new("sign_emu", "$\\operatorname{sign} e\\mu$", 0),
@@ -165,55 +264,34 @@ fn table(
         Column::new("left", "left end", 2 * digits + 2),
         Column::new("right", "right end", 2 * digits + 2),
         Column::new("deciding", "deciding $k$", 0),
-    ];
-    if let Some(decimals) = decimals {
-        columns.push(Column::new("left_rounded", "left (rounded)", decimals + 2));
-        columns.push(Column::new("right_rounded", "right (rounded)", decimals + 2));
-    }
-    let mut table = TableWriter::set(
-        out,
-        format,
-        "grazing-intervals 1",
-        columns,
-        Setting { caption, ..Setting::default() },
-    )?;
-    let rows = rows(periods, decimals, &mut table, progress);
-    table.end(rows)
+    ]
 }
 
-fn rows(
-    periods: &Periods,
-    decimals: Option<usize>,
-    table: &mut TableWriter,
-    progress: &Progress,
-) -> Result<()> {
-    for n in periods.0.clone() {
-        // One period of ten million takes seconds: listen for Ctrl-C within it too.
-        for (index, interval) in intervals(n)?.enumerate() {
-            let rounded = decimals.map(|d| (decimal(&interval.left, d), decimal(&interval.right, d)));
-            let mut cells = [TableCell::Empty; 9];
-            cells[..7].copy_from_slice(&[
-                TableCell::Int(n as i64),
-                TableCell::Int(interval.m as i64),
-                TableCell::Int(interval.case.sign_emu().into()),
-                TableCell::Int(interval.case.sign_gamma().into()),
-                TableCell::Fraction(&interval.left),
-                TableCell::Fraction(&interval.right),
-                interval.deciding.map_or(TableCell::Empty, |k| TableCell::Int(k as i64)),
-            ]);
-            let width = match &rounded {
-                Some((left, right)) => {
-                    cells[7..].copy_from_slice(&[TableCell::Text(left), TableCell::Text(right)]);
-                    9
-                }
-                None => 7,
-            };
-            table.row(&cells[..width])?;
-            if index % 4096 == 4095 {
-                progress.advance(0)?;
+/// The rows of one period. One of ten million takes seconds: Ctrl-C is listened for within it too.
+fn period(n: u64, decimals: Option<usize>, rows: &mut dyn RowSink, progress: &Progress) -> Result<()> {
+    for (index, interval) in intervals(n)?.enumerate() {
+        let rounded = decimals.map(|d| (decimal(&interval.left, d), decimal(&interval.right, d)));
+        let mut cells = [TableCell::Empty; 9];
+        cells[..7].copy_from_slice(&[
+            TableCell::Int(n as i64),
+            TableCell::Int(interval.m as i64),
+            TableCell::Int(interval.case.sign_emu().into()),
+            TableCell::Int(interval.case.sign_gamma().into()),
+            TableCell::Fraction(&interval.left),
+            TableCell::Fraction(&interval.right),
+            interval.deciding.map_or(TableCell::Empty, |k| TableCell::Int(k as i64)),
+        ]);
+        let width = match &rounded {
+            Some((left, right)) => {
+                cells[7..].copy_from_slice(&[TableCell::Text(left), TableCell::Text(right)]);
+                9
             }
+            None => 7,
+        };
+        rows.row(&cells[..width])?;
+        if index % 4096 == 4095 {
+            progress.advance(0)?;
         }
-        progress.advance(1)?;
     }
     Ok(())
 }

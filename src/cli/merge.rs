@@ -1,11 +1,13 @@
 //! `grazing merge`: the shards of one task become what a single run would have written.
 
-use std::path::PathBuf;
+use std::{io::Read, path::PathBuf};
 
 use clap::Parser;
 
 use super::{
-    Outcome, ReportFormat, cover, fuzz,
+    Outcome, ReportFormat, boundary, cover, fuzz, intervals,
+    reader::Reader,
+    run,
     shards::{Merged, ShardSet},
     verify,
 };
@@ -15,15 +17,17 @@ use crate::{
     output::{Destination, distinct},
 };
 
-/// Put the shards of one task together. The certificate or report is the one that a single run would write,
-/// byte for byte, except for times.
+/// Put the shards of one task together. The certificate, report, table or picture is the one that a single
+/// run would write, byte for byte, except for times.
 ///
-/// Shards are what `verify`, `cover` and `fuzz` write with --shard I/N. They must be of one task and one
-/// version of the program, and all N of them must be there, each once and undamaged; otherwise every fault is
-/// named, and the missing ones are listed as for a job array (--array=3,17-19).
+/// Shards are what `verify`, `cover`, `fuzz`, `boundary`, `intervals` and `run` write with --shard I/N. They
+/// must be of one task and one version of the program, and all N of them must be there, each once and
+/// undamaged; otherwise every fault is named, and the missing ones are listed as for a job array
+/// (--array=3,17-19).
 ///
 /// Whoever computed a shard need not be trusted with a certificate: it is checked again as `grazing check`
-/// does. A disagreement in a shard of `fuzz` is decided again; that there was none is taken from the shard.
+/// does. A disagreement in a shard of `fuzz` is decided again; that there was none is taken from the shard, as
+/// are the rows of tables and what a task of a scene came to.
 ///
 /// Exit code 0: done, and proved if it is a certificate; 1: refuted; 2: shards are missing, damaged or of
 /// another task, wrong usage, a file that cannot be read or written; 3: undecided or interrupted.
@@ -34,9 +38,13 @@ use crate::{
   grazing merge part-1 part-2 -o theorem2.txt")]
 pub(super) struct Args {
     /// The shards, in any order.
-    #[arg(required = true, value_name = "FILE")]
+    #[arg(required_unless_present = "files_from", value_name = "FILE")]
     files: Vec<PathBuf>,
-    /// Write the certificate, or for `fuzz` the report, to a file, which appears only when complete.
+    /// Also those whose names are the lines of this file; - is standard input.
+    #[arg(long, value_name = "LIST")]
+    files_from: Option<PathBuf>,
+    /// Write the certificate, report or table to a file, which appears only when complete; of a scene's task,
+    /// the folder for its files.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
     /// How the report is written.
@@ -44,15 +52,37 @@ pub(super) struct Args {
     pub(super) format: ReportFormat,
 }
 
-pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
-    for file in &args.files {
-        if let Some(output) = &args.output {
-            distinct(&[("a shard", file.as_path()), ("-o", output.as_path())])?;
+/// The most bytes of a list of names: a million of more than two hundred bytes.
+const LONGEST_LIST: u64 = 256 << 20;
+
+/// The names of all shards.
+fn files(args: &Args, interrupt: &Interrupt) -> Result<Vec<PathBuf>> {
+    let mut files = args.files.clone();
+    if let Some(list) = &args.files_from {
+        let name = list.display();
+        let mut text = String::new();
+        let read =
+            Reader::open(list, interrupt).and_then(|list| list.take(LONGEST_LIST).read_to_string(&mut text));
+        interrupt.check()?;
+        read.map_err(|error| Error::io("read", list, error))?;
+        files.extend(text.lines().filter(|line| !line.is_empty()).map(PathBuf::from));
+        if files.is_empty() {
+            return Err(Error::input(format!("--files-from {name}: it names no file")));
         }
     }
-    // Tried before the shards are read, which may take long.
-    Destination::new(args.output.as_deref())?;
-    let set = ShardSet::read(&args.files, interrupt)?;
+    Ok(files)
+}
+
+pub(super) fn merge(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
+    let files = files(args, interrupt)?;
+    // Tried before the shards are read, which may take long. The files of a scene's task go into a folder.
+    if let Some(output) = args.output.as_deref().filter(|output| !output.is_dir()) {
+        for file in &files {
+            distinct(&[("a shard", file.as_path()), ("-o", output)])?;
+        }
+        Destination::new(Some(output))?;
+    }
+    let set = ShardSet::read(&files, interrupt)?;
     let merged = Merged { output: args.output.clone(), format: args.format };
     let words = set.words();
     let damaged = |error: clap::Error| {
@@ -70,9 +100,21 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
         Some("fuzz") => {
             fuzz::merge(&fuzz::Args::try_parse_from(words).map_err(damaged)?, &set, &merged, interrupt)
         }
-        _ => Err(Error::input(format!(
-            "the shards are of `grazing {}`, which has none: only verify, cover and fuzz have",
-            words.join(" ")
-        ))),
+        Some("boundary") => boundary::merge(
+            &boundary::Args::try_parse_from(words).map_err(damaged)?,
+            &set,
+            &merged,
+            interrupt,
+        ),
+        Some("intervals") => intervals::merge(
+            &intervals::Args::try_parse_from(words).map_err(damaged)?,
+            &set,
+            &merged,
+            interrupt,
+        ),
+        Some("run") => {
+            run::merge(&run::Args::try_parse_from(words).map_err(damaged)?, &set, &merged, interrupt)
+        }
+        _ => Err(Error::input(format!("the shards are of `grazing {}`, which has none", words.join(" ")))),
     }
 }

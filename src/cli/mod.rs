@@ -231,7 +231,7 @@ fn run(cli: Cli, interrupt: &Interrupt) -> Result<Outcome> {
     match cli.command {
         Command::Verify(args) => verify::run(&args, interrupt),
         Command::Check(args) => check::run(&args, interrupt),
-        Command::Merge(args) => merge::run(&args, interrupt),
+        Command::Merge(args) => merge::merge(&args, interrupt),
         Command::Cover(args) => cover::run(&args, interrupt),
         Command::Intervals(args) => intervals::run(&args, interrupt),
         Command::Classify(args) => classify::run(&args, interrupt),

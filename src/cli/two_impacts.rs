@@ -1,8 +1,10 @@
 //! `grazing intervals --pattern` and `--two-impacts`: where on r = 1 patterns of two impacts exist.
 
+use std::ops::RangeInclusive;
+
 use num_rational::Ratio;
 
-use super::range::Periods;
+use super::{range::Periods, shards::RowSink};
 use crate::{
     cli::progress::{Interrupt, Progress},
     error::{Error, Result},
@@ -29,69 +31,71 @@ pub(super) fn pattern(text: &str) -> Result<(u64, u64)> {
 }
 
 /// The periods of --two-impacts.
-pub(super) fn periods(range: &Periods) -> Result<Vec<u64>> {
+pub(super) fn periods(range: &Periods) -> Result<RangeInclusive<u64>> {
     let (first, last) = (*range.0.start(), *range.0.end());
     if first < 3 || last > LIMIT {
         return Err(Error::input(format!(
             "--two-impacts {first}..={last}: give sums of two different periods, from 3 to {LIMIT}"
         )));
     }
-    Ok(range.0.clone().collect())
+    Ok(range.0.clone())
 }
 
-/// Writes the intervals of each period as a table, or their number as a b-file where there is no table
-/// format.
+/// Writes the intervals of a pattern of period n as a table, or their number as a b-file where there is no
+/// table format.
 pub(super) fn run<I: Iterator<Item = PatternInterval>>(
-    periods: &[u64],
-    intervals: impl Fn(u64) -> Result<I>,
+    n: u64,
+    intervals: impl Fn() -> Result<I>,
     format: Option<TableFormat>,
     decimals: Option<usize>,
     destination: &Destination,
     interrupt: &Interrupt,
 ) -> Result<()> {
-    let progress = Progress::new(interrupt, periods.len() as u64, "periods");
+    let progress = Progress::new(interrupt, 1, "periods");
     let Some(format) = format else {
-        return destination.list(|out| {
-            for &n in periods {
-                writeln!(out, "{n} {}", intervals(n)?.count())?;
-                progress.advance(1)?;
-            }
-            Ok(())
-        });
+        return destination.list(|out| Ok(writeln!(out, "{n} {}", intervals()?.count())?));
     };
     destination.list(|out| {
-        let digits = periods.last().map_or(1, |n| n.to_string().len());
-        let mut columns = vec![
-            Column::new("i", "$i$", digits),
-            Column::new("j", "$j$", digits),
-            Column::new("sign_emu", "$\\operatorname{sign} e\\mu$", 0),
-            Column::new("sign_gamma", "$\\operatorname{sign}\\gamma$", 0),
-            Column::new("left", "left end", 2 * digits + 2),
-            Column::new("right", "right end", 2 * digits + 2),
-        ];
+        let mut columns = columns(n.to_string().len());
         if let Some(decimals) = decimals {
             columns.push(Column::new("left_rounded", "left (rounded)", decimals + 2));
             columns.push(Column::new("right_rounded", "right (rounded)", decimals + 2));
         }
         let mut table = TableWriter::new(out, format, "grazing-pattern-intervals 1", columns)?;
-        let mut write = || {
-            for &n in periods {
-                for (index, interval) in intervals(n)?.enumerate() {
-                    row(&interval, decimals, &mut table)?;
-                    if index % 4096 == 4095 {
-                        progress.advance(0)?;
-                    }
-                }
-                progress.advance(1)?;
-            }
-            Ok(())
-        };
-        let rows = write();
+        let rows = intervals().and_then(|intervals| rows(intervals, decimals, &mut table, &progress));
         table.end(rows)
     })
 }
 
-fn row(interval: &PatternInterval, decimals: Option<usize>, table: &mut TableWriter) -> Result<()> {
+/// The columns, but for rounded ends.
+pub(super) fn columns(digits: usize) -> Vec<Column> {
+    vec![
+        Column::new("i", "$i$", digits),
+        Column::new("j", "$j$", digits),
+        Column::new("sign_emu", "$\\operatorname{sign} e\\mu$", 0),
+        Column::new("sign_gamma", "$\\operatorname{sign}\\gamma$", 0),
+        Column::new("left", "left end", 2 * digits + 2),
+        Column::new("right", "right end", 2 * digits + 2),
+    ]
+}
+
+/// A row for each interval.
+pub(super) fn rows(
+    intervals: impl Iterator<Item = PatternInterval>,
+    decimals: Option<usize>,
+    rows: &mut dyn RowSink,
+    progress: &Progress,
+) -> Result<()> {
+    for (index, interval) in intervals.enumerate() {
+        row(&interval, decimals, rows)?;
+        if index % 4096 == 4095 {
+            progress.advance(0)?;
+        }
+    }
+    Ok(())
+}
+
+fn row(interval: &PatternInterval, decimals: Option<usize>, table: &mut dyn RowSink) -> Result<()> {
     let (left, right): (&Ratio<u64>, &Ratio<u64>) = (&interval.left, &interval.right);
     let rounded = decimals.map(|d| (decimal(left, d), decimal(right, d)));
     let mut cells = vec![

@@ -87,7 +87,7 @@ fn words(range: &RangeInclusive<u64>) -> [String; 2] {
 pub(super) fn merge(args: &Args, set: &ShardSet, merged: &Merged, interrupt: &Interrupt) -> Result<Outcome> {
     let range = args.periods.within(LIMIT, "verify")?;
     set.expect(&task_of(words(&range)))?;
-    let items = |shard| part_of(&range, shard);
+    let items = |shard| part_of(&range, 2, shard);
     certify(merged, interrupt, |out| {
         let mut lines = 0;
         set.texts(items, |block| {
@@ -108,7 +108,7 @@ fn verify(
     interrupt: &Interrupt,
 ) -> Result<Outcome> {
     let task = task_of(words(&range));
-    let range = periods_of(&range, args.shard);
+    let range = periods_of(&range, 2, args.shard);
     let passes = if args.certificate.is_some() { 2 } else { 1 };
     let progress = Progress::new(interrupt, passes * range.clone().count() as u64, "periods");
     let proof = prove_theorem2(range.clone(), args.method, &progress)?;

@@ -18,6 +18,11 @@ pub(crate) fn fnv128(bytes: &[u8]) -> u128 {
     })
 }
 
+/// A text in 32 hexadecimal digits.
+pub(crate) fn fingerprint(text: &str) -> String {
+    format!("{:032x}", fnv128(text.as_bytes()))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

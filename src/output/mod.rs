@@ -21,9 +21,9 @@ pub use escape::latex;
 pub(crate) use file::remove_temporaries;
 pub use file::{LONGEST_INPUT, distinct, make_folder, probe, read_text, write_file};
 #[cfg(feature = "cli")]
-pub(crate) use hash::fnv64;
+pub(crate) use hash::{fingerprint, fnv64};
 pub(crate) use journal::torn;
 pub use journal::{Journal, SavedRun};
-pub use shard::{Shard, ShardFile, ShardWriter, ShardedTask};
+pub use shard::{Shard, ShardFile, ShardWriter, ShardedTask, TaskInput};
 #[cfg(feature = "cli")]
 pub use table::{Caption, Column, Print, Setting, TableCell, TableFormat, TableWriter, decimal};

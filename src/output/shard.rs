@@ -14,6 +14,9 @@ use std::{
     str::FromStr,
 };
 
+use serde::{Deserialize, Serialize};
+use serde_json::json;
+
 use super::hash::{fnv64, fnv64_after};
 use crate::error::{Error, Result};
 
@@ -87,19 +90,42 @@ pub struct ShardedTask {
     pub words: Vec<String>,
     /// The version of the program.
     pub program: String,
+    /// What the command works on besides.
+    pub input: Option<TaskInput>,
+}
+
+/// A file that a command works on, in the shard so that its parts can be put together without it.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct TaskInput {
+    /// As it was named.
+    pub file: String,
+    /// A hash of all that the work depends on: the text, and what it names.
+    pub hash: String,
+    /// Its text.
+    pub text: String,
 }
 
 impl ShardedTask {
     /// A task of this program.
     pub fn new(words: Vec<String>) -> Self {
-        ShardedTask { words, program: env!("CARGO_PKG_VERSION").into() }
+        ShardedTask { words, program: env!("CARGO_PKG_VERSION").into(), input: None }
+    }
+
+    /// What tells tasks apart: what an input is called does not.
+    pub fn key(&self) -> (&str, &[String], Option<&str>) {
+        (&self.program, &self.words, self.input.as_ref().map(|input| input.hash.as_str()))
     }
 
     /// The first lines of a shard.
     fn head(&self, shard: Shard) -> String {
         let words = self.words.join(" ");
-        let task = fnv64(format!("{} {words}", self.program).as_bytes());
-        format!("{MAGIC}\ncommand {words}\nprogram {} task {task:016x}\nshard {shard}\n", self.program)
+        let (hash, line) = match &self.input {
+            Some(input) => (format!(" {}", input.hash), format!("input {}\n", json!(input))),
+            None => Default::default(),
+        };
+        let task = fnv64(format!("{} {words}{hash}", self.program).as_bytes());
+        let program = &self.program;
+        format!("{MAGIC}\ncommand {words}\nprogram {program} task {task:016x}\nshard {shard}\n{line}")
     }
 }
 
@@ -168,7 +194,13 @@ impl ShardFile {
         let (mut records, mut end) = (0, None);
         lines(path, |line| {
             if head.is_empty() && line != format!("{MAGIC}\n") {
-                return Err("it is not a shard: `--shard I/N` writes them".into());
+                return Err(match line.strip_suffix("\r\n") {
+                    Some(MAGIC) => {
+                        "its lines end with CR LF: it was changed on its way here; copy it as it is"
+                    }
+                    _ => "it is not a shard: `--shard I/N` writes them",
+                }
+                .into());
             }
             if end.is_some() {
                 return Err("it is damaged: lines follow its end".into());
@@ -178,7 +210,7 @@ impl ShardFile {
                 return Ok(());
             }
             hash = fnv64_after(hash, line.as_bytes());
-            if head.len() < 4 {
+            if head.len() < 4 || head.len() == 4 && records == 0 && line.starts_with("input ") {
                 head.push(line.trim_end_matches('\n').to_string());
             } else {
                 records += 1;
@@ -198,7 +230,12 @@ impl ShardFile {
         let read = || {
             let words = field(1, "command ")?.split(' ').map(str::to_string).collect();
             let program = field(2, "program ")?.split_once(" task ")?.0.to_string();
-            let task = ShardedTask { words, program };
+            let input = head.get(4).map(|_| field(4, "input ")).map(|text| serde_json::from_str(&text?).ok());
+            let input = match input {
+                Some(input) => Some(input?),
+                None => None,
+            };
+            let task = ShardedTask { words, program, input };
             let shard = field(3, "shard ")?.parse().ok()?;
             (task.head(shard) == head.iter().map(|line| format!("{line}\n")).collect::<String>())
                 .then_some((task, shard))

@@ -1,15 +1,21 @@
 //! Tasks of kind `basins`: which starts lead to which attractor.
 
+use std::{ops::Range, path::Path};
+
 use serde::Serialize;
 
-use super::{Finding, Job, Lines, Model, Status, row, small_motion};
+use super::{
+    Finding, Job, Lines, Model, Status,
+    parts::{foreign, record},
+    row, small_motion,
+};
 use crate::{
     error::Result,
     oscillator::{
         attractor::{
-            basins::{BasinCell, BasinGrid, Basins, basins as find_basins},
+            basins::{BasinCell, BasinGrid, Basins, basin_rows},
             detection::Detection,
-            dynamics::SectionState,
+            dynamics::{Dynamics, SectionState},
         },
         simulate::RunEnd,
     },
@@ -82,6 +88,98 @@ impl Finding for BasinsFindings {
 /// # Errors
 /// Those of the simulator; an unusable checkpoint; an interruption.
 pub fn basins(task: &BasinsTask, job: &Job) -> Result<BasinsFindings> {
+    let file = job.checkpoint();
+    over(task, job, Whole { rows: 0..task.u.count as usize, file: file.as_deref() })
+}
+
+/// Some rows of the grid, each as a line of JSON, resuming from the checkpoint `file`.
+pub(super) fn rows(task: &BasinsTask, job: &Job, rows: Range<u64>, file: &Path) -> Result<Vec<String>> {
+    over(task, job, Part { rows: rows.start as usize..rows.end as usize, file: Some(file) })
+}
+
+/// The findings from all rows, as [`rows`] writes them.
+pub(super) fn joined(task: &BasinsTask, job: &Job, rows: &[String]) -> Result<BasinsFindings> {
+    over(task, job, Joined(rows))
+}
+
+/// The task for systems of one kind.
+struct Setup<'a, D> {
+    job: &'a Job<'a>,
+    dynamics: &'a D,
+    grid: BasinGrid,
+    detection: Detection,
+    identity: String,
+    resume: bool,
+    /// Of a machine.
+    plane: Option<[String; 2]>,
+    minimum_depth: f64,
+    size: Option<f64>,
+}
+
+/// What to do with a task, whatever it is about.
+trait Work {
+    type Out;
+    fn of<D: Dynamics>(self, setup: Setup<D>) -> Result<Self::Out>;
+}
+
+struct Whole<'a> {
+    rows: Range<usize>,
+    file: Option<&'a Path>,
+}
+
+struct Part<'a> {
+    rows: Range<usize>,
+    file: Option<&'a Path>,
+}
+
+struct Joined<'a>(&'a [String]);
+
+impl Work for Whole<'_> {
+    type Out = BasinsFindings;
+
+    fn of<D: Dynamics>(self, setup: Setup<D>) -> Result<BasinsFindings> {
+        let rows = setup.find(self.rows, self.file)?;
+        Ok(gather(Basins::joined(rows), setup))
+    }
+}
+
+impl Work for Part<'_> {
+    type Out = Vec<String>;
+
+    fn of<D: Dynamics>(self, setup: Setup<D>) -> Result<Vec<String>> {
+        setup.find(self.rows, self.file)?.iter().map(record).collect()
+    }
+}
+
+impl Work for Joined<'_> {
+    type Out = BasinsFindings;
+
+    fn of<D: Dynamics>(self, setup: Setup<D>) -> Result<BasinsFindings> {
+        let read = |(number, text): (usize, &String)| {
+            let row: Basins<D::Point> =
+                serde_json::from_str(text).map_err(|error| foreign(number, &error))?;
+            match row.can_be_row(&setup.grid, &setup.detection) {
+                true => Ok(row),
+                false => Err(foreign(number, &"no run comes to it")),
+            }
+        };
+        let rows = self.0.iter().enumerate().map(read).collect::<Result<Vec<_>>>()?;
+        Ok(gather(Basins::joined(rows), setup))
+    }
+}
+
+impl<D: Dynamics> Setup<'_, D> {
+    fn find(&self, rows: Range<usize>, file: Option<&Path>) -> Result<Vec<Basins<D::Point>>> {
+        if let Some(file) = file.filter(|_| !self.resume) {
+            Journal::discard(file)?;
+        }
+        self.job.monitor.begin(rows.len() as u64, "rows");
+        let Setup { dynamics, grid, detection, identity, .. } = self;
+        basin_rows(*dynamics, grid, detection, rows, identity, file, self.job.monitor)
+    }
+}
+
+fn over<W: Work>(task: &BasinsTask, job: &Job, work: W) -> Result<W::Out> {
     let ends = |values: &Values| -> Result<[f64; 2]> {
         Ok([job.scene.number(&values.from)?, job.scene.number(&values.to)?])
     };
@@ -97,37 +195,31 @@ pub fn basins(task: &BasinsTask, job: &Job) -> Result<BasinsFindings> {
         longest: task.longest as usize,
         ..Detection::default()
     };
-    let file = job.checkpoint();
-    if let Some(file) = file.as_ref().filter(|_| !task.resume) {
-        Journal::discard(file)?;
-    }
-    job.monitor.begin(u64::from(task.u.count), "rows");
-    let (file, identity) = (file.as_deref(), job.identity()?);
+    let (identity, resume) = (job.identity()?, task.resume);
     match &job.model {
         Model::Oscillator(_) => {
-            let simulator = job.simulator()?;
-            let found = find_basins(&simulator, &grid, &detection, &identity, file, job.monitor)?;
-            Ok(gather(found, grid, job.scene.accuracy.minimum_depth))
+            let (dynamics, minimum_depth) = (&job.simulator()?, job.scene.accuracy.minimum_depth);
+            let (plane, size) = (None, None);
+            work.of(Setup { job, dynamics, grid, detection, identity, resume, plane, minimum_depth, size })
         }
         Model::Machine(machine) => {
             let rest = job.scene.rest(&task.start, machine)?;
             let axes = job.scene.plane(&task.plane, machine, "plane")?;
             let planar = job.planar(machine, &[], &task.plane)?;
-            let planar = planar.starting(machine, &axes, [&rest[0], &rest[1]])?;
+            let dynamics = &planar.starting(machine, &axes, [&rest[0], &rest[1]])?;
             let names = job.scene.plane_names(&task.plane);
-            let own = serde_json::to_string(&(&names, &rest, planar.simulator().settings()));
+            let own = serde_json::to_string(&(&names, &rest, dynamics.simulator().settings()));
             let identity = format!("{identity} {}", own.map_err(std::io::Error::other)?);
-            let found = find_basins(&planar, &grid, &detection, &identity, file, job.monitor)?;
-            let found = gather(found, grid, planar.simulator().settings().minimum_depth);
-            Ok(BasinsFindings { plane: Some(names), size: Some(planar.simulator().scale()), ..found })
+            let minimum_depth = dynamics.simulator().settings().minimum_depth;
+            let (plane, size) = (Some(names), Some(dynamics.simulator().scale()));
+            work.of(Setup { job, dynamics, grid, detection, identity, resume, plane, minimum_depth, size })
         }
     }
 }
 
-fn gather<P: SectionState>(
-    Basins { attractors, cells }: Basins<P>,
-    grid: BasinGrid,
-    minimum_depth: f64,
+fn gather<D: Dynamics>(
+    Basins { attractors, cells }: Basins<D::Point>,
+    Setup { grid, plane, minimum_depth, size, .. }: Setup<D>,
 ) -> BasinsFindings {
     let none = BasinRow { end: "", period: None, impacts: None, q: None, u: None, starts: 0 };
     let word = |end| BasinRow { end, ..none.clone() };
@@ -165,5 +257,5 @@ fn gather<P: SectionState>(
         basins.push(basin);
     }
     let cells = classes.into_iter().map(|class| index[class]).collect();
-    BasinsFindings { basins, grid, plane: None, cells, minimum_depth, size: None }
+    BasinsFindings { basins, grid, plane, cells, minimum_depth, size }
 }

@@ -1,9 +1,15 @@
 //! Tasks of kind `diagram`: what motions tend to over a parameter.
 
+use std::{ops::Range, path::Path};
+
 use num_rational::BigRational;
 use serde::Serialize;
 
-use super::{Finding, Job, Lines, Model, Status, row};
+use super::{
+    Finding, Job, Lines, Model, Status,
+    parts::{foreign, record},
+    row,
+};
 use crate::{
     error::Result,
     number::{Plain, Real},
@@ -89,16 +95,10 @@ fn value(range: &[BigRational], i: u32, count: u32) -> f64 {
     Plain::ratio(&(&range[0] + (&range[1] - &range[0]) * part), &()).0
 }
 
-/// Follows the motions of systems of one kind.
-fn follow<D: Dynamics<Start: Serialize>>(
-    task: &DiagramTask,
-    job: &Job,
-    starts: Vec<D::Start>,
-    plane: &str,
-    dynamics: impl Fn(f64) -> Result<D> + Sync,
-) -> Result<Vec<Slice>> {
-    let plan = DiagramPlan {
-        values: (0..task.count).map(|i| value(&task.range, i, task.count)).collect(),
+/// The values of the task with these numbers, from what starts, and how they are looked at.
+fn plan<S>(task: &DiagramTask, starts: Vec<S>, values: Range<u64>) -> DiagramPlan<S> {
+    DiagramPlan {
+        values: values.map(|i| value(&task.range, i as u32, task.count)).collect(),
         starts,
         look: Look {
             phase: phase(&task.phase),
@@ -107,14 +107,24 @@ fn follow<D: Dynamics<Start: Serialize>>(
             longest: task.longest,
         },
         every: task.every,
-    };
-    let file = job.checkpoint();
-    if let Some(file) = file.as_ref().filter(|_| !task.resume) {
+    }
+}
+
+/// Follows the motions of systems of one kind.
+fn follow<D: Dynamics<Start: Serialize>>(
+    task: &DiagramTask,
+    job: &Job,
+    plan: &DiagramPlan<D::Start>,
+    file: Option<&Path>,
+    plane: &str,
+    dynamics: impl Fn(f64) -> Result<D> + Sync,
+) -> Result<Vec<Slice>> {
+    if let Some(file) = file.filter(|_| !task.resume) {
         Journal::discard(file)?;
     }
-    job.monitor.begin(u64::from(task.count), "values");
+    job.monitor.begin(plan.values.len() as u64, "values");
     let identity = format!("{} {}{plane}", job.identity()?, task.parameter);
-    diagram::sweep(&plan, dynamics, &identity, file.as_deref(), job.monitor)
+    diagram::sweep(plan, dynamics, &identity, file, job.monitor)
 }
 
 /// Follows motions at every value, resuming from the checkpoint of an interrupted run if there is one.
@@ -122,11 +132,35 @@ fn follow<D: Dynamics<Start: Serialize>>(
 /// # Errors
 /// Those of the system at a value and of the simulator; an unusable checkpoint; an interruption.
 pub fn diagram(task: &DiagramTask, job: &Job) -> Result<DiagramFindings> {
-    let slices = match &job.model {
+    let slices = slices(task, job, 0..task.count.into(), job.checkpoint().as_deref())?;
+    Ok(gather(task, job, slices))
+}
+
+/// The slices at some values, each as a line of JSON, resuming from the checkpoint `file`.
+pub(super) fn values(task: &DiagramTask, job: &Job, values: Range<u64>, file: &Path) -> Result<Vec<String>> {
+    slices(task, job, values, Some(file))?.iter().map(record).collect()
+}
+
+/// The findings from the slices at all values, as [`values`] writes them.
+pub(super) fn joined(task: &DiagramTask, job: &Job, slices: &[String]) -> Result<DiagramFindings> {
+    // What the starts are does not matter, only how many.
+    let plan = plan(task, vec![(); task.starts.len()], 0..task.count.into());
+    let read = |(number, text): (usize, &String)| {
+        let slice: Slice = serde_json::from_str(text).map_err(|error| foreign(number, &error))?;
+        match plan.can_be(number, &slice) {
+            true => Ok(slice),
+            false => Err(foreign(number, &"no run comes to it")),
+        }
+    };
+    Ok(gather(task, job, slices.iter().enumerate().map(read).collect::<Result<_>>()?))
+}
+
+fn slices(task: &DiagramTask, job: &Job, values: Range<u64>, file: Option<&Path>) -> Result<Vec<Slice>> {
+    match &job.model {
         Model::Oscillator(_) => {
             let starts = task.starts.iter().map(|start| job.scene.state(start)).collect::<Result<_>>()?;
             let simulator = |value| job.simulator_of(&job.scene.plain(&[(&task.parameter, value)])?);
-            follow(task, job, starts, "", simulator)?
+            follow(task, job, &plan(task, starts, values), file, "", simulator)
         }
         Model::Machine(machine) => {
             let states = task.starts.iter().map(|start| job.scene.machine_state(start, machine, "starts"));
@@ -135,9 +169,12 @@ pub fn diagram(task: &DiagramTask, job: &Job) -> Result<DiagramFindings> {
             let names = job.scene.plane_names(&task.plane).join(", ");
             let planar =
                 |value| job.planar(&job.scene.machine(&[(&task.parameter, value)])?, &states, &task.plane);
-            follow(task, job, starts, &names, planar)?
+            follow(task, job, &plan(task, starts, values), file, &names, planar)
         }
-    };
+    }
+}
+
+fn gather(task: &DiagramTask, job: &Job, slices: Vec<Slice>) -> DiagramFindings {
     let windows = diagram::windows(&slices).into_iter().map(|window| WindowRow {
         from: window.from,
         to: window.to,
@@ -158,12 +195,12 @@ pub fn diagram(task: &DiagramTask, job: &Job) -> Result<DiagramFindings> {
         }));
     }
     let plane = matches!(job.model, Model::Machine(_)).then(|| job.scene.plane_names(&task.plane));
-    Ok(DiagramFindings {
+    DiagramFindings {
         plane,
         parameter: task.parameter.clone(),
         values: slices.len(),
         windows: windows.collect(),
         coexisting,
         slices,
-    })
+    }
 }

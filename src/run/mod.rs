@@ -38,6 +38,7 @@ mod machine_grazing;
 mod machine_orbit;
 mod machine_validate;
 mod orbit;
+pub mod parts;
 mod report;
 mod section;
 mod shift;
@@ -90,7 +91,7 @@ use crate::{
     machine::{Machine, MachineState, simulate::MachineEvent},
     monitor::Monitor,
     oscillator::{
-        EffectTally, System, Time,
+        Effect, EffectTally, System, Time,
         flow::State,
         simulate::{Event, Settings, Simulator},
     },
@@ -344,6 +345,14 @@ impl<'a> Job<'a> {
         Ok(Simulator::new(system, &self.settings())?.counting(self.tally.clone()))
     }
 
+    /// The effects that are counted for what it works on.
+    pub fn effects(&self) -> &'static [Effect] {
+        match self.model {
+            Model::Oscillator(_) => &Effect::ALL,
+            Model::Machine(_) => &Effect::OF_MACHINES,
+        }
+    }
+
     /// Asks whether to go on.
     ///
     /// # Errors
@@ -417,16 +426,22 @@ pub fn run(scene: &Scene, around: Surroundings, keeper: &mut dyn Keeper) -> Resu
 /// Runs one task and lets the keeper keep what it found. Never fails as a function: the report's status says
 /// how the task ended.
 pub fn run_task(job: &Job, keeper: &mut dyn Keeper) -> TaskReport {
-    let kept = |findings: Findings, keeper: &mut dyn Keeper| {
-        let files = keeper.keep(job, &findings)?;
+    let found = job.check().and_then(|()| answer(job, keeper));
+    let found = found.and_then(|findings| kept(job, findings, keeper)).and_then(|found| {
         // What is finished and kept needs none, and the next run may have other settings.
         job.checkpoint().map_or(Ok(()), |file| Journal::discard(&file))?;
-        Ok((findings, files))
-    };
-    match job.check().and_then(|()| answer(job, keeper)).and_then(|findings| kept(findings, keeper)) {
+        Ok(found)
+    });
+    match found {
         Ok((findings, files)) => TaskReport::of(job, findings, files),
         Err(error) => TaskReport::failed(job, &error),
     }
+}
+
+/// The findings and the files in which they are kept.
+fn kept(job: &Job, findings: Findings, keeper: &mut dyn Keeper) -> Result<(Findings, Vec<String>)> {
+    let files = keeper.keep(job, &findings)?;
+    Ok((findings, files))
 }
 
 fn answer(job: &Job, keeper: &mut dyn Keeper) -> Result<Findings> {

@@ -4,8 +4,8 @@ use std::fmt;
 
 use serde::{Serialize, Serializer, ser::SerializeMap};
 
-use super::{Findings, Job, Lines, Model, Place, Status};
-use crate::{error::Error, oscillator::Effect};
+use super::{Findings, Job, Lines, Place, Status};
+use crate::error::Error;
 
 /// A task's name, its status, what it found, what that cost, and where it is kept.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -48,11 +48,7 @@ fn as_map<K: Serialize, V: Serialize, S: Serializer>(
 impl TaskReport {
     fn new(job: &Job, status: Status) -> TaskReport {
         let parameters = job.scene.parameters.iter();
-        let kinds: &[Effect] = match job.model {
-            Model::Oscillator(_) => &Effect::ALL,
-            Model::Machine(_) => &Effect::OF_MACHINES,
-        };
-        let counted = kinds.iter().map(|&effect| (effect.name(), job.tally.of(effect)));
+        let counted = job.effects().iter().map(|&effect| (effect.name(), job.tally.of(effect)));
         TaskReport {
             task: job.task.name.clone(),
             kind: job.task.kind.word(),
@@ -74,6 +70,11 @@ impl TaskReport {
 
     pub(crate) fn failed(job: &Job, error: &Error) -> TaskReport {
         TaskReport::new(job, Status::of_error(error, job.place()))
+    }
+
+    /// Of a part, which is in a file for all parts to be put together.
+    pub(crate) fn part(job: &Job, file: String) -> TaskReport {
+        TaskReport { files: vec![file], ..TaskReport::new(job, Status::Done) }
     }
 
     pub(crate) fn pending(job: &Job) -> TaskReport {

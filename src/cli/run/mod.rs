@@ -9,6 +9,7 @@ mod diagram;
 mod machine;
 mod names;
 mod section;
+mod shard;
 mod simulate;
 mod validate;
 
@@ -16,6 +17,7 @@ use std::{
     io::Write,
     ops::Deref,
     path::{Path, PathBuf},
+    str::FromStr,
     sync::{Arc, Mutex, PoisonError},
 };
 
@@ -29,14 +31,15 @@ use crate::{
     error::{Error, Result},
     figure::{FigurePlace, PictureFormat},
     number::{parse_integer, parse_rational},
-    output::{Column, Destination, TableCell, TableFormat, TableWriter, make_folder, say, write_file},
+    output::{Column, Destination, Shard, TableCell, TableFormat, TableWriter, make_folder, say, write_file},
     run::{
         EventRows, Findings, GrazingFindings, Job as Task, Keeper, MachineGrazingFindings, Row, Status,
-        Surroundings, TaskReport, run_task,
+        Surroundings, TaskReport, parts, run_task,
     },
     scene::{Kind, Scene},
 };
 use bars::Bars;
+pub(super) use shard::merge;
 
 /// Run the tasks of a scene: simulate an impact oscillator, find its orbits, follow and prove them.
 ///
@@ -47,7 +50,7 @@ use bars::Bars;
 ///
 /// Exit code, the first that applies: 1: something was refuted; 2: wrong usage, a wrong scene, a task that
 /// failed or a file that cannot be written; 3: interrupted, undecided or nothing found; 0: all done.
-#[derive(Debug, Parser)]
+#[derive(Debug, Clone, Parser)]
 #[command(after_help = "Examples:
   grazing run examples/scenes/bouncing-ball.toml -o out
   grazing run examples/scenes/bouncing-ball.toml --only bounces --set a=1/2 -o out")]
@@ -61,6 +64,10 @@ pub(super) struct Args {
     /// Give a parameter this value, in every task; may be repeated.
     #[arg(long, value_name = "NAME=VALUE", value_parser = setting)]
     set: Vec<(String, BigRational)>,
+    /// Do the I-th of N parts of the one task asked for, of kind basins or diagram, and write a shard to the
+    /// file -o, for `grazing merge`.
+    #[arg(long, value_name = "I/N", requires = "output", value_parser = Shard::from_str)]
+    shard: Option<Shard>,
     /// The folder for the files.
     #[arg(short, long, value_name = "DIR", default_value = ".")]
     output: PathBuf,
@@ -115,6 +122,11 @@ impl Job<'_> {
         };
         debug_assert!(report.files.iter().all(|file| names::may_write(self.task, file)), "{report}");
         report
+    }
+
+    /// The report that one run would have given, and its files, from the records of all units.
+    fn whole(&self, records: &[String]) -> TaskReport {
+        parts::whole(self.job, records, &mut Files(self))
     }
 
     /// Writes rows as the task's CSV file with this ending, and returns the file's name.
@@ -190,6 +202,9 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
             return Err(Error::input(format!("--only {only}: {name} has the tasks {}", names.join(", "))));
         }
     }
+    if let Some(shard) = args.shard {
+        return shard::run(args, shard, &args.output, interrupt);
+    }
     // All tasks are checked, with the changed parameters, before the first runs.
     let bars = Bars::new(interrupt);
     let around = Surroundings { changes: &args.set, folder: Some(&args.output), monitor: &bars };
@@ -229,7 +244,7 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     }
     let parts = parts().clone();
     if args.format == ReportFormat::Json {
-        written = Destination::Stdout.write(|out| json(&scene.title, &parts, out));
+        written = Destination::Stdout.write(|out| json(&scene.title, &parts, None, out));
     }
     let any = |is: fn(&Status) -> bool| parts.iter().any(|part| is(&part.status));
     let outcome: Outcome = parts.iter().map(|part| part.status.outcome()).collect();
@@ -237,6 +252,27 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
         let failed = parts.iter().filter(|part| part.status.is_failed()).count();
         say(format_args!("error: {failed} of {} tasks failed", parts.len()));
     }
+    reported(outcome, written)
+}
+
+/// Writes the report of one task, or of a part of it.
+fn tell(scene: &str, report: TaskReport, shard: Option<Shard>, format: ReportFormat) -> Result<Outcome> {
+    let outcome = report.status.outcome();
+    if report.status.is_failed() {
+        say(format_args!("error: task {}: {}", report.task, report.status));
+    }
+    let written = Destination::Stdout.write(|out| match format {
+        ReportFormat::Text => {
+            write!(out, "{report}")?;
+            match (shard, report.status.is_done()) {
+                (Some(shard), true) => {
+                    Ok(writeln!(out, "Shard {shard} of the task; `grazing merge` puts the shards together.")?)
+                }
+                _ => Ok(()),
+            }
+        }
+        ReportFormat::Json => json(scene, std::slice::from_ref(&report), shard, out),
+    });
     reported(outcome, written)
 }
 
@@ -257,7 +293,7 @@ fn last_words(
             parts.push(TaskReport { status, ..report.clone() });
         }
         let mut text = Vec::new();
-        let written = json(&scene, &parts, &mut text);
+        let written = json(&scene, &parts, None, &mut text);
         let outcome = parts.iter().map(|part| part.status.outcome()).collect::<Outcome>();
         let text = written.ok().and_then(|()| String::from_utf8(text).ok()).unwrap_or_default();
         (text, outcome.and(Outcome::Interrupted))
@@ -265,14 +301,16 @@ fn last_words(
 }
 
 /// The reports as one object.
-fn json(scene: &str, tasks: &[TaskReport], out: &mut dyn Write) -> Result<()> {
+fn json(scene: &str, tasks: &[TaskReport], shard: Option<Shard>, out: &mut dyn Write) -> Result<()> {
     #[derive(Serialize)]
     struct All<'a> {
         format: &'static str,
         scene: &'a str,
+        shard: Option<String>,
         tasks: &'a [TaskReport],
     }
-    let text = serde_json::to_string_pretty(&All { format: "grazing-run 2", scene, tasks });
+    let shard = shard.map(|shard| shard.to_string());
+    let text = serde_json::to_string_pretty(&All { format: "grazing-run 2", scene, shard, tasks });
     Ok(writeln!(out, "{}", text.map_err(std::io::Error::other)?)?)
 }
 

@@ -1,6 +1,6 @@
 //! Basins of attraction on a grid of starts, in parallel.
 
-use std::path::Path;
+use std::{ops::Range, path::Path};
 
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -59,7 +59,7 @@ impl BasinGrid {
     }
 }
 
-/// Rows that run in parallel before what they lead to is sorted and kept.
+/// Rows that run in parallel before what they lead to is kept.
 const CHUNK: usize = 16;
 
 /// Detects the attractor of every start, on all cores; the result does not depend on their number. With a
@@ -76,60 +76,89 @@ pub fn basins<D: Dynamics>(
     file: Option<&Path>,
     monitor: &dyn Monitor,
 ) -> Result<Basins<D::Point>> {
+    let rows = basin_rows(dynamics, grid, detection, 0..grid.rows, identity, file, monitor)?;
+    Ok(Basins::joined(rows))
+}
+
+/// The same for some rows of the grid, each by itself: its attractors are in the order of its own starts.
+/// [`Basins::joined`] makes one of them.
+///
+/// # Errors
+/// Those of [`basins`].
+pub fn basin_rows<D: Dynamics>(
+    dynamics: &D,
+    grid: &BasinGrid,
+    detection: &Detection,
+    rows: Range<usize>,
+    identity: &str,
+    file: Option<&Path>,
+    monitor: &dyn Monitor,
+) -> Result<Vec<Basins<D::Point>>> {
     detection.check()?;
     let settled = Detection { transient: 0, ..detection.clone() };
     let row = |row: usize| {
-        let fates = (0..grid.columns)
-            .map(|column| {
-                monitor.advance(0)?;
-                let start = dynamics.in_plane(grid.start(column, row), detection.phase);
-                match dynamics.begin(&start) {
-                    Ok(mut run) => {
-                        let end = wait(&mut run, detection.phase, detection.transient, monitor)?;
-                        match end {
-                            RunEnd::Reached => settled.detect(&mut run).map(Some),
-                            end => Ok(Some(Fate::Ended(end))),
-                        }
-                    }
-                    Err(_) => Ok(None),
-                }
-            })
-            .collect::<Result<Vec<_>>>()?;
-        monitor.advance(1)?;
-        Ok(fates)
-    };
-    let job = serde_json::to_string(&(grid, detection)).map_err(std::io::Error::other)?;
-    // 64 bytes for each cell; the points of attractors, which are few.
-    let most = (1 << 30) + 64 * (grid.columns * grid.rows) as u64;
-    let (mut checkpoint, mut found): (_, Vec<Basins<D::Point>>) =
-        Checkpoint::open(file, "basins", &format!("{identity} {job}"), most, monitor)?;
-    let mut done = found.pop().unwrap_or_else(|| Basins { attractors: Vec::new(), cells: Vec::new() });
-    if !done.can_be(grid, detection) {
-        return Err(checkpoint.bad("its record is not of these basins"));
-    }
-    let first = done.cells.len() / grid.columns;
-    monitor.advance(first as u64)?;
-    for rows in (first..grid.rows).collect::<Vec<_>>().chunks(CHUNK) {
-        let fates: Result<Vec<_>> = rows.par_iter().map(|&i| row(i)).collect();
-        let fates = match fates {
-            Ok(fates) => fates,
-            Err(error) => {
-                checkpoint.replace_now(&done)?;
-                return Err(checkpoint.ended(error, done.cells.len() / grid.columns, grid.rows, "rows"));
-            }
-        };
-        for fate in fates.into_iter().flatten() {
-            let cell = done.cell(fate);
-            done.cells.push(cell);
+        let mut found = Basins { attractors: Vec::new(), cells: Vec::with_capacity(grid.columns) };
+        for column in 0..grid.columns {
+            monitor.advance(0)?;
+            let start = dynamics.in_plane(grid.start(column, row), detection.phase);
+            let fate = match dynamics.begin(&start) {
+                Ok(mut run) => match wait(&mut run, detection.phase, detection.transient, monitor)? {
+                    RunEnd::Reached => Some(settled.detect(&mut run)?),
+                    end => Some(Fate::Ended(end)),
+                },
+                Err(_) => None,
+            };
+            let cell = found.cell(fate);
+            found.cells.push(cell);
         }
-        checkpoint.replace(&done)?;
+        monitor.advance(1)?;
+        Ok(found)
+    };
+    let job = serde_json::to_string(&(grid, detection, &rows)).map_err(std::io::Error::other)?;
+    // 64 bytes for each cell; the points of attractors, of which a row has few.
+    let most = (1 << 30) + 64 * (grid.columns * rows.len()) as u64;
+    let (mut checkpoint, mut done): (_, Vec<Basins<D::Point>>) =
+        Checkpoint::open(file, "basins", &format!("{identity} {job}"), most, monitor)?;
+    if done.len() > rows.len() || !done.iter().all(|row| row.can_be_row(grid, detection)) {
+        return Err(checkpoint.bad("its records are not rows of these basins"));
+    }
+    monitor.advance(done.len() as u64)?;
+    for chunk in rows.clone().skip(done.len()).collect::<Vec<_>>().chunks(CHUNK) {
+        let found: Vec<Result<_>> = chunk.par_iter().map(|&i| row(i)).collect();
+        for row in found {
+            match row {
+                Ok(row) => {
+                    checkpoint.append(&row)?;
+                    done.push(row);
+                }
+                Err(error) => return Err(checkpoint.ended(error, done.len(), rows.len(), "rows")),
+            }
+        }
     }
     Ok(done)
 }
 
 impl<P: SectionState> Basins<P> {
-    /// Whether a run over the grid can have come to this.
-    fn can_be(&self, grid: &BasinGrid, detection: &Detection) -> bool {
+    /// The basins of all rows, in order. An attractor of a row is one that was met before if the first cycles
+    /// that led to them are the same ([`Cycle::is`]), so what comes out depends on the rows alone, not on who
+    /// found them.
+    ///
+    /// # Panics
+    /// If a cell of a row is of an attractor that the row does not have.
+    pub fn joined(rows: impl IntoIterator<Item = Basins<P>>) -> Basins<P> {
+        let mut all = Basins { attractors: Vec::new(), cells: Vec::new() };
+        for Basins { attractors, cells } in rows {
+            let places: Vec<usize> = attractors.into_iter().map(|cycle| all.attractor(cycle)).collect();
+            all.cells.extend(cells.into_iter().map(|cell| match cell {
+                BasinCell::Attractor(index) => BasinCell::Attractor(places[index]),
+                cell => cell,
+            }));
+        }
+        all
+    }
+
+    /// Whether a row of the grid can have come to this.
+    pub fn can_be_row(&self, grid: &BasinGrid, detection: &Detection) -> bool {
         let cycle = |cycle: &Cycle<P>| {
             (1..=detection.longest).contains(&cycle.points.len()) && cycle.points.iter().all(P::is_finite)
         };
@@ -137,10 +166,15 @@ impl<P: SectionState> Basins<P> {
             BasinCell::Attractor(index) => index < self.attractors.len(),
             _ => true,
         };
-        self.cells.len().is_multiple_of(grid.columns)
-            && self.cells.len() <= grid.columns * grid.rows
-            && self.cells.iter().all(cell)
-            && self.attractors.iter().all(cycle)
+        self.cells.len() == grid.columns && self.cells.iter().all(cell) && self.attractors.iter().all(cycle)
+    }
+
+    /// The index of an attractor, which is added if it was not met before.
+    fn attractor(&mut self, cycle: Cycle<P>) -> usize {
+        self.attractors.iter().position(|other| other.is(&cycle)).unwrap_or_else(|| {
+            self.attractors.push(cycle);
+            self.attractors.len() - 1
+        })
     }
 
     /// What is kept of a start; an attractor not met before is added.
@@ -149,13 +183,7 @@ impl<P: SectionState> Basins<P> {
             None => BasinCell::Behind,
             Some(Fate::Irregular) => BasinCell::Irregular,
             Some(Fate::Ended(end)) => BasinCell::Ended(end),
-            Some(Fate::Periodic(cycle)) => {
-                let known = self.attractors.iter().position(|other| other.is(&cycle));
-                BasinCell::Attractor(known.unwrap_or_else(|| {
-                    self.attractors.push(cycle);
-                    self.attractors.len() - 1
-                }))
-            }
+            Some(Fate::Periodic(cycle)) => BasinCell::Attractor(self.attractor(cycle)),
         }
     }
 }

@@ -1,9 +1,6 @@
 //! What an interrupted diagram or basin has done, kept as a saved state ([`Journal`]).
 
-use std::{
-    path::{Path, PathBuf},
-    time::{Duration, Instant},
-};
+use std::path::{Path, PathBuf};
 
 use serde::{Serialize, de::DeserializeOwned};
 
@@ -13,13 +10,9 @@ use crate::{
     output::{Journal, SavedRun, torn},
 };
 
-/// Less than this apart no whole state is written, but for the last.
-const PAUSE: Duration = Duration::from_secs(5);
-
 /// The checkpoint of one job; without a file nothing is kept.
 pub(super) struct Checkpoint {
     state: Option<(Journal, PathBuf)>,
-    last: Instant,
 }
 
 impl Checkpoint {
@@ -35,14 +28,13 @@ impl Checkpoint {
         most: u64,
         monitor: &dyn Monitor,
     ) -> Result<(Checkpoint, Vec<T>)> {
-        let last = Instant::now();
-        let Some(path) = path else { return Ok((Checkpoint { state: None, last }, Vec::new())) };
+        let Some(path) = path else { return Ok((Checkpoint { state: None }, Vec::new())) };
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         let (state, found) = Journal::open(path, &SavedRun::new(kind, name, canonical), most)?;
         if found.torn > 0 {
             monitor.note(&torn(path));
         }
-        let checkpoint = Checkpoint { state: Some((state, path.to_path_buf())), last };
+        let checkpoint = Checkpoint { state: Some((state, path.to_path_buf())) };
         let read = |record: &String| {
             serde_json::from_str(record).map_err(|error| checkpoint.bad(&error.to_string()))
         };
@@ -65,26 +57,6 @@ impl Checkpoint {
             Some((state, _)) => state.append(&text(part)?),
             None => Ok(()),
         }
-    }
-
-    /// Keeps all that is done, in place of what was kept, unless that was done a moment ago.
-    ///
-    /// # Errors
-    /// An I/O error.
-    pub fn replace(&mut self, done: &impl Serialize) -> Result<()> {
-        if self.last.elapsed() >= PAUSE { self.replace_now(done) } else { Ok(()) }
-    }
-
-    /// Keeps all that is done, in place of what was kept.
-    ///
-    /// # Errors
-    /// An I/O error.
-    pub fn replace_now(&mut self, done: &impl Serialize) -> Result<()> {
-        if let Some((state, _)) = &mut self.state {
-            state.replace(&text(done)?)?;
-            self.last = Instant::now();
-        }
-        Ok(())
     }
 
     /// What ended the job before it was done; an interruption says that the next run goes on.

@@ -116,7 +116,12 @@ impl EffectTally {
 
     /// One more.
     pub fn count(&self, effect: Effect) {
-        self.0[effect as usize].fetch_add(1, Ordering::Relaxed);
+        self.add(effect, 1);
+    }
+
+    /// That many more.
+    pub fn add(&self, effect: Effect, count: u64) {
+        self.0[effect as usize].fetch_add(count, Ordering::Relaxed);
     }
 }
 

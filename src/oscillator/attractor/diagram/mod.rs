@@ -132,7 +132,7 @@ impl<S> DiagramPlan<S> {
     }
 
     /// Whether a slice can be that of the value with this index.
-    fn can_be(&self, index: usize, slice: &Slice) -> bool {
+    pub fn can_be(&self, index: usize, slice: &Slice) -> bool {
         let Look { points, longest, .. } = self.look;
         let most = points.max(longest).max(self.every) as usize;
         let motion = |motion: &DiagramMotion| {

@@ -1,6 +1,8 @@
 //! Shards for every command that has them: writing one, and reading all of a task: whether they belong
 //! together, and what is missing.
 
+mod rows;
+
 use std::{
     collections::BTreeMap,
     io::Write,
@@ -13,22 +15,30 @@ use crate::{
     cli::progress::{Interrupt, Progress},
     error::{Error, Result},
     monitor::Monitor,
-    output::{OutputFile, Shard, ShardFile, ShardWriter, ShardedTask, say},
+    output::{
+        Destination, OutputFile, Shard, ShardFile, ShardWriter, ShardedTask, TableCell, TaskInput, say,
+    },
 };
+
+pub(super) use rows::{Lines, RowSink, ShardRows};
 
 /// The task that a command's words name, for its shards.
 pub(super) fn task_of(words: impl IntoIterator<Item = impl Into<String>>) -> ShardedTask {
     ShardedTask::new(words.into_iter().map(Into::into).collect())
 }
 
-/// The periods of a part of a range, each of which costs about n² operations.
-pub(super) fn part_of(range: &RangeInclusive<u64>, shard: Shard) -> Range<u64> {
-    shard.part(*range.start()..*range.end() + 1, 2)
+/// The periods of a part of a range, each of which costs about n to the power `exponent` operations.
+pub(super) fn part_of(range: &RangeInclusive<u64>, exponent: u32, shard: Shard) -> Range<u64> {
+    shard.part(*range.start()..*range.end() + 1, exponent)
 }
 
 /// The same as a range with both ends, which may be empty; all periods if there are no parts.
-pub(super) fn periods_of(range: &RangeInclusive<u64>, shard: Option<Shard>) -> RangeInclusive<u64> {
-    match shard.map(|shard| part_of(range, shard)) {
+pub(super) fn periods_of(
+    range: &RangeInclusive<u64>,
+    exponent: u32,
+    shard: Option<Shard>,
+) -> RangeInclusive<u64> {
+    match shard.map(|shard| part_of(range, exponent, shard)) {
         // A period is at least 1.
         Some(part) => part.start..=part.end - 1,
         None => range.clone(),
@@ -86,18 +96,23 @@ impl ShardSet {
         let mut found = Vec::new();
         for file in files {
             match ShardFile::open(file) {
-                Ok(shard) => found.push(shard),
+                Ok(mut shard) => {
+                    share(&mut shard, found.last());
+                    found.push(shard);
+                }
                 Err(error) => faults.push(error.to_string()),
             }
             progress.advance(1)?;
         }
         drop(progress);
         // The task of most files is the one that is meant.
-        let key = |shard: &ShardFile| (shard.task.program.clone(), shard.task.words.clone(), shard.shard.of);
         let mut votes = BTreeMap::new();
-        found.iter().for_each(|shard| *votes.entry(key(shard)).or_insert(0) += 1);
-        let meant = votes.into_iter().max_by_key(|(_, count)| *count).map(|(key, _)| key);
-        let Some((program, words, of)) = meant else {
+        for (index, shard) in found.iter().enumerate() {
+            votes.entry((shard.task.key(), shard.shard.of)).or_insert((0, index)).0 += 1;
+        }
+        let first = votes.into_values().max_by_key(|(count, _)| *count).map(|(_, index)| index);
+        let meant = first.map(|index| (found[index].task.clone(), found[index].shard.of));
+        let Some((task, of)) = meant else {
             faults.iter().for_each(|fault| say(format_args!("error: {fault}")));
             return Err(Error::input(
                 "none of the files is a whole shard: give those that --shard I/N wrote",
@@ -106,17 +121,24 @@ impl ShardSet {
         let mut shards: BTreeMap<u64, ShardFile> = BTreeMap::new();
         for shard in found {
             let path = shard.path.display();
-            if (&shard.task.words, shard.shard.of) != (&words, of) {
+            if (&shard.task.words, shard.shard.of) != (&task.words, of) {
                 faults.push(format!(
                     "{path}: it is shard {} of `grazing {}`, the others are of {of} of `grazing {}`",
                     shard.shard,
                     shard.task.words.join(" "),
-                    words.join(" ")
+                    task.words.join(" ")
                 ));
-            } else if shard.task.program != program {
+            } else if shard.task.program != task.program {
                 faults.push(format!(
-                    "{path}: it is by version {}, the others are by {program}",
-                    shard.task.program
+                    "{path}: it is by version {}, the others are by {}",
+                    shard.task.program, task.program
+                ));
+            } else if shard.task.key() != task.key() {
+                let name = |task: &ShardedTask| task.input.as_ref().map(|i| format!("{} {}", i.file, i.hash));
+                faults.push(format!(
+                    "{path}: it is of another content of {}, the others are of {}",
+                    name(&shard.task).unwrap_or_default(),
+                    name(&task).unwrap_or_default()
                 ));
             } else if let Some(other) = shards.get(&shard.shard.index) {
                 faults.push(format!(
@@ -142,14 +164,19 @@ impl ShardSet {
                 "all shards are there; leave out the files named above, which are not among them",
             ));
         }
-        if program != env!("CARGO_PKG_VERSION") {
+        if task.program != env!("CARGO_PKG_VERSION") {
             return Err(Error::input(format!(
-                "the shards are by version {program}, this is {}: merge with the version that wrote them",
+                "the shards are by version {}, this is {}: merge with the version that wrote them",
+                task.program,
                 env!("CARGO_PKG_VERSION")
             )));
         }
-        let shards = shards.into_values().collect();
-        Ok(ShardSet { task: ShardedTask { program, words }, shards })
+        Ok(ShardSet { task, shards: shards.into_values().collect() })
+    }
+
+    /// What the command works on besides.
+    pub fn input(&self) -> Option<&TaskInput> {
+        self.task.input.as_ref()
     }
 
     /// The command and its arguments.
@@ -163,7 +190,7 @@ impl ShardSet {
     /// # Errors
     /// An input error if not.
     pub fn expect(&self, task: &ShardedTask) -> Result<()> {
-        if self.task == *task {
+        if self.task.key() == task.key() {
             return Ok(());
         }
         let [found, wanted] = [&self.task, task].map(|task| task.words.join(" "));
@@ -186,6 +213,19 @@ impl ShardSet {
             .try_for_each(|file| file.records(items(file.shard), |_, record| each(file.shard, record)))
     }
 
+    /// The same for the rows of tables, each with so many cells, where each period is an item.
+    ///
+    /// # Errors
+    /// Those of [`records`](Self::records); an input error for what is no row.
+    pub fn rows(
+        &self,
+        items: impl Fn(Shard) -> Range<u64>,
+        columns: usize,
+        mut each: impl FnMut(&[TableCell]) -> Result<()>,
+    ) -> Result<()> {
+        self.records(items, |_, record| rows::rows(record, columns, &mut each))
+    }
+
     /// The same for records that are texts of several lines.
     ///
     /// # Errors
@@ -200,6 +240,15 @@ impl ShardSet {
                 .map_err(|error| Error::input(format!("an item is no text: {error}")))?;
             each(&text)
         })
+    }
+}
+
+/// Drops a shard's text of its input if the one before has the same: thousands may hold it, and the first of
+/// a task is enough.
+fn share(shard: &mut ShardFile, before: Option<&ShardFile>) {
+    let known = before.and_then(|before| before.task.input.as_ref()).map(|input| &input.hash);
+    if let Some(input) = shard.task.input.as_mut().filter(|input| Some(&input.hash) == known) {
+        input.text = String::new();
     }
 }
 
@@ -221,6 +270,21 @@ fn listed(numbers: &[u64]) -> String {
 pub(super) struct Merged {
     pub output: Option<PathBuf>,
     pub format: ReportFormat,
+}
+
+impl Merged {
+    /// Where a table goes, which is in the format that its shards name.
+    ///
+    /// # Errors
+    /// Those of [`Destination::new`]; an input error if another format was asked for.
+    pub fn table(&self) -> Result<Destination> {
+        if self.format != ReportFormat::Text {
+            return Err(Error::input(
+                "--format is for reports: a merged table is in the format with which its shards were made",
+            ));
+        }
+        Destination::new(self.output.as_deref())
+    }
 }
 
 /// Writes a merged certificate and checks it as `grazing check` does; the report.
