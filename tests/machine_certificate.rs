@@ -87,6 +87,8 @@ fn as_machine(case: &Case) -> (Machine<Bounds>, Vec<Side>) {
         shapes: Vec::new(),
         force: vec![exact(if system.force.is_zero() { &zero } else { &system.force })],
         forcing: system.forcing.iter().map(load).collect(),
+        smooth: Vec::new(),
+        record: None,
         stops,
     };
     (machine, sides)

@@ -1,6 +1,8 @@
 //! Grazing and periodic orbits of machines: against the one-degree code, against parts that do not know of
 //! each other, against the simulator.
 
+#[path = "machines/formula_orbits.rs"]
+mod formula_orbits;
 #[path = "machines/second.rs"]
 mod second;
 #[path = "machines/soft_orbits.rs"]
@@ -59,6 +61,8 @@ impl Parts {
             shapes: vec![],
             force: vec![],
             forcing: vec![Load { k: 1, cos: self.cos.clone(), sin: vec![] }],
+            smooth: vec![],
+            record: None,
             stops: vec![Stop { name: "stop".into(), row: self.row.clone(), wall, law: StopLaw::Newton }],
         }
     }

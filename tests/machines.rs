@@ -22,6 +22,10 @@ use grazing::{
 
 #[path = "machines/attractors.rs"]
 mod attractors;
+#[path = "machines/formulas.rs"]
+mod formulas;
+#[path = "machines/recorded.rs"]
+mod recorded;
 #[path = "machines/second.rs"]
 mod second;
 #[path = "machines/soft.rs"]
@@ -51,6 +55,8 @@ fn machine(mass: &[&[f64]], damping: &[&[f64]], stiffness: &[&[f64]]) -> Machine
         shapes: vec![],
         force: vec![],
         forcing: vec![],
+        smooth: vec![],
+        record: None,
         stops: vec![],
     }
 }

@@ -80,6 +80,7 @@ fn is_time(machine_size: usize, unknown: usize) -> bool {
 pub(super) struct Solved {
     pub flow: LinearFlow,
     pub contacts: Contacts,
+    /// The machine passing through rigid stops, where it is not one linear machine.
     soft: Option<MachineSimulator>,
 }
 
@@ -90,7 +91,7 @@ impl Solved {
         let flow = LinearFlow::new(machine.equations()?)?;
         let contacts = Contacts::new(flow.equations(), machine.contacts()?);
         check_stops(pattern, &contacts)?;
-        let soft = if contacts.all().iter().any(|contact| contact.soft.is_some()) {
+        let soft = if machine.is_smooth() || contacts.all().iter().any(|contact| contact.soft.is_some()) {
             let settings = MachineSettings { minimum_depth: depth, ..MachineSettings::default() };
             MachineSimulator::new(machine, &settings)?.through()?
         } else {

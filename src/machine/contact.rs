@@ -238,13 +238,8 @@ impl Contacts {
     /// # Errors
     /// Stops with dependent rows.
     pub(super) fn forces(&self, equations: &LinearEquations, stops: &[usize]) -> Result<Vec<Watch>> {
-        let inverse = self.among(stops).try_inverse();
-        let inverse = inverse.ok_or_else(|| Error::input("the stops rested on have dependent rows"))?;
         // λ = D⁻¹(W M⁻¹(K q + C q′ − f) + Q″).
-        let one = |i: usize| {
-            let own = self.mobility(stops[i]);
-            let weights: Vec<f64> = (0..stops.len()).map(|j| own * inverse[(i, j)]).collect();
-            let felt = self.change(stops, &weights);
+        let one = |(weights, felt): (Vec<f64>, RealVector)| {
             let mut parts = vec![(-1.0, equations.force.series(&felt)?)];
             for (weight, &stop) in weights.iter().zip(stops) {
                 parts.push((*weight, self.all[stop].position.derivative().derivative()));
@@ -256,7 +251,24 @@ impl Contacts {
                 given: Series::combination(&parts),
             })
         };
-        (0..stops.len()).map(one).collect()
+        self.felt(stops)?.into_iter().map(one).collect()
+    }
+
+    /// For each of the stops rested on, weights a and v = M⁻¹Σ a_j w_jᵀ: under a force f its own, as an
+    /// acceleration, is Σ a_j Q_j″ − v·f.
+    ///
+    /// # Errors
+    /// Stops with dependent rows.
+    pub(super) fn felt(&self, stops: &[usize]) -> Result<Vec<(Vec<f64>, RealVector)>> {
+        let inverse = self.among(stops).try_inverse();
+        let inverse = inverse.ok_or_else(|| Error::input("the stops rested on have dependent rows"))?;
+        let one = |i: usize| {
+            let own = self.mobility(stops[i]);
+            let weights: Vec<f64> = (0..stops.len()).map(|j| own * inverse[(i, j)]).collect();
+            let felt = self.change(stops, &weights);
+            (weights, felt)
+        };
+        Ok((0..stops.len()).map(one).collect())
     }
 }
 

@@ -1,7 +1,7 @@
 //! Machines: mechanical systems with any number of degrees of freedom and any number of stops, rigid or not.
 //!
-//! A [`Machine`] is M q″ + C q′ + K q = f₀ + Σ f_k(t) with stops w·q ≥ offset(t), rigid or giving way
-//! ([`StopLaw`]), in the units of its scene.
+//! A [`Machine`] is M q″ + C q′ + K q = f₀ + Σ f_k(t) + g(t, q, q′) with stops w·q ≥ offset(t), rigid or giving
+//! way ([`StopLaw`]), in the units of its scene; g is any smooth function, and most machines have none.
 //! It stands beside `oscillator`, which has one degree of freedom, two walls and a nonlinear spring, and
 //! which it leaves as it is: what they share (time as periods and phase, harmonic series, the minimum test on
 //! one polynomial) is taken from there.
@@ -19,6 +19,8 @@
 //!   homogeneous and falls apart into pairs of coordinates, by real modes where damping is classical, else by
 //!   complex modes; where their eigenvectors are too nearly dependent, it is one block with its matrix
 //!   exponential. [`LinearFlow::method`] and [`LinearFlow::condition`] say which and why.
+//! - **Formulas.** A machine on which forces are formulas moves by Taylor series of all coordinates at once
+//!   (`smooth`), and no table of it is made; [`LinearFlow`] then is that of the machine linearised at rest.
 //! - **Impacts.** Newton's law for all stops that are hit at one instant, as a complementarity problem in the
 //!   mass metric ([`contact`]).
 //! - **Simulation.** [`simulate`] promises what the one of `oscillator` does, with the same minimum test; far
@@ -62,6 +64,7 @@ mod response;
 pub mod section;
 pub mod simulate;
 mod slope;
+mod smooth;
 mod speed;
 pub mod validate;
 
@@ -69,6 +72,7 @@ pub use equations::{LinearEquations, Periodic};
 pub use flow::{FlowMethod, LinearFlow};
 pub use model::{Load, Machine, Stop, StopLaw};
 pub use slope::{MachineFamily, MachineSlope};
+pub use smooth::Record;
 pub(crate) use speed::MOST as MOST_POWERS;
 pub use speed::SpeedLaw;
 

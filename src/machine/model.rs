@@ -4,13 +4,16 @@ use std::f64::consts::TAU;
 
 use serde::Serialize;
 
-use super::{LinearEquations, Periodic, RealMatrix, RealVector, SpeedLaw, equations::check_symmetric};
+use super::{
+    LinearEquations, Periodic, RealMatrix, RealVector, Record, SpeedLaw, equations::check_symmetric,
+};
 use crate::{
     error::{Error, Result},
-    oscillator::{Series, Wall},
+    oscillator::{Series, SmoothForce, Wall},
 };
 
-/// M q″ + C q′ + K q = f₀ + Σ (f_k cos kΩt + g_k sin kΩt), Ω = 2π/T, in consistent units, with stops.
+/// M q″ + C q′ + K q = f₀ + Σ (f_k cos kΩt + g_k sin kΩt) + g(Ωt, q, q′), Ω = 2π/T, in consistent units, with
+/// stops; most machines have no g.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Machine<T> {
     /// Degrees of freedom n.
@@ -33,6 +36,13 @@ pub struct Machine<T> {
     pub force: Vec<T>,
     /// The harmonics of the force.
     pub forcing: Vec<Load<T>>,
+    /// On each coordinate q any smooth function of all of them, of their velocities and of the phase, or
+    /// none; empty where there is none at all.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub smooth: Vec<Option<SmoothForce<T>>>,
+    /// A force known at times, once and not periodic, and what a force of 1 is on each coordinate q.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub record: Option<(Record, Vec<T>)>,
     /// The stops.
     pub stops: Vec<Stop<T>>,
 }
@@ -140,12 +150,26 @@ impl<T> Machine<T> {
                 .iter()
                 .map(|one| load(one, convert))
                 .collect::<std::result::Result<_, E>>()?,
+            smooth: self
+                .smooth
+                .iter()
+                .map(|force| force.as_ref().map(|force| force.try_map(&mut *convert)).transpose())
+                .collect::<std::result::Result<_, E>>()?,
+            record: match &self.record {
+                Some((record, direction)) => Some((record.clone(), list(direction, convert)?)),
+                None => None,
+            },
             stops: self.stops.iter().map(|one| stop(one, convert)).collect::<std::result::Result<_, E>>()?,
         })
     }
 }
 
 impl<T> Machine<T> {
+    /// Whether a force on it is a formula: then its motion is no sum of modes.
+    pub fn is_smooth(&self) -> bool {
+        self.smooth.iter().any(Option::is_some)
+    }
+
     /// The number of coordinates q.
     pub fn points(&self) -> usize {
         if self.shapes.is_empty() { self.size } else { self.shapes.len() }
@@ -172,7 +196,7 @@ impl Machine<f64> {
         TAU / self.period
     }
 
-    /// The equations with the forcing's phase as time: MΩ², CΩ, K.
+    /// The equations with the forcing's phase as time: MΩ², CΩ, K; without the forces that are formulas.
     ///
     /// # Errors
     /// An input error for a period that is not positive, sizes that do not fit, coefficients that are not
@@ -202,6 +226,18 @@ impl Machine<f64> {
             );
         }
         LinearEquations::new(mass, damping, stiffness, force)
+    }
+
+    /// Refuses formulas that are no forces.
+    ///
+    /// # Errors
+    /// Formulas for another number of coordinates; coefficients that are not finite; a constant part that is
+    /// no number, as a root of a negative one.
+    pub fn check_forces(&self) -> Result<()> {
+        match super::smooth::Smooth::new(self)? {
+            Some(smooth) => smooth.flow(&self.equations()?, None).map(drop),
+            None => Ok(()),
+        }
     }
 
     /// w and the place of each stop.

@@ -58,9 +58,9 @@ pub struct MachineSimulationFindings {
     pub period: f64,
     /// How the motion is computed.
     pub method: &'static str,
-    /// The condition number of the modes; absent where they do not exist.
+    /// The condition number of the modes; absent where they do not exist or forces are formulas.
     pub condition: Option<f64>,
-    /// The slowest modes, at most ten.
+    /// The slowest modes, at most ten; where forces are formulas, of the machine linearised at rest.
     pub modes: Vec<ModeRow>,
     /// How many modes oscillate.
     pub oscillating: usize,
@@ -98,8 +98,13 @@ pub struct MeasuredEffect {
     pub harmonics: usize,
     /// The largest difference from a sample.
     pub residual: f64,
-    /// The largest difference from the record, taken as straight between samples, is no larger.
+    /// The largest difference from the record, taken as straight between samples, is no larger. Of a record
+    /// taken once an eighth of its largest second difference: what a smooth force may have been off that
+    /// between the samples.
     pub bound: f64,
+    /// How it is taken between samples: "linear" for a record taken once; absent for harmonics.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub interpolation: Option<&'static str>,
     /// By how much a force of that size could change the gap at the first impact.
     pub gap_change: Option<f64>,
     /// By how much of a period it could change its time, to first order; absent without an impact.
@@ -178,8 +183,13 @@ impl Finding for MachineSimulationFindings {
         }
         if let Some(measured) = &self.measured {
             lines.say("measured_force", measured.file.as_str());
-            lines.say("harmonics", measured.harmonics);
-            lines.say("residual", measured.residual);
+            match measured.interpolation {
+                Some(interpolation) => lines.say("interpolation", interpolation),
+                None => {
+                    lines.say("harmonics", measured.harmonics);
+                    lines.say("residual", measured.residual);
+                }
+            }
             lines.say("bound", measured.bound);
             if let (Some(gap), Some(time)) = (measured.gap_change, measured.time_change) {
                 lines.say("gap_change", gap);
@@ -290,8 +300,8 @@ pub fn simulate_machine(
     let mut found = MachineSimulationFindings {
         periods: task.periods,
         period: machine.period,
-        method: flow.method().name(),
-        condition: Some(flow.condition()).filter(|condition| condition.is_finite()),
+        method: if simulator.is_smooth() { "Taylor series" } else { flow.method().name() },
+        condition: Some(flow.condition()).filter(|condition| condition.is_finite() && !simulator.is_smooth()),
         modes: frequencies.iter().take(LISTED).map(mode).collect(),
         oscillating: frequencies.len(),
         stops: contacts.iter().map(stop).collect(),
@@ -368,7 +378,9 @@ pub fn simulate_machine(
         let direction: Vec<f64> =
             force.direction.iter().map(|one| job.scene.number(one)).collect::<Result<_>>()?;
         // After a transient it is not the first impact.
-        let change = first.filter(|_| task.transient == 0).map(|(stop, time, velocity)| {
+        // Where forces are formulas its effect is none of a linear machine.
+        let known = task.transient == 0 && !machine.is_smooth();
+        let change = first.filter(|_| known).map(|(stop, time, velocity)| {
             let since = time.since(Time::new(0, start.t));
             (force.bound * felt(&simulator, &direction, machine, stop, since), velocity.abs())
         });
@@ -380,6 +392,7 @@ pub fn simulate_machine(
             harmonics: force.harmonics.len(),
             residual: force.residual,
             bound: force.bound,
+            interpolation: force.once.as_ref().map(|_| "linear"),
             gap_change: change.map(|(gap, _)| gap),
             time_change: change.map(|(gap, speed)| gap / speed / std::f64::consts::TAU),
         });

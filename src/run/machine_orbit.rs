@@ -82,7 +82,7 @@ pub(super) fn orbits(
     let pattern = pattern(keys, machine)?;
     let rate = machine.rate();
     let soft = simulator.contacts().all().iter().any(|contact| contact.soft.is_some());
-    if soft && keys.pattern.is_empty() {
+    if (soft || simulator.is_smooth()) && keys.pattern.is_empty() {
         return through_soft_stops(keys, machine, simulator, job);
     }
     if !keys.start.is_empty() || keys.pattern.is_empty() {
@@ -116,7 +116,7 @@ pub(super) fn orbits(
     Ok(found)
 }
 
-/// Orbits without impacts on rigid stops: from the state at phase 0 of the keys, or those of a search, from
+/// Orbits without impacts on rigid stops, where there are soft ones or forces are formulas: from the state at phase 0 of the keys, or those of a search, from
 /// the motion that the forces alone bring about and from random states.
 fn through_soft_stops(
     keys: &OrbitKeys,

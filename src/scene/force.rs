@@ -1,4 +1,5 @@
-//! The key `force`: a constant, or a smooth function of displacement, velocity and time.
+//! The key `force`: a constant, or a smooth function of displacement, velocity and time; of a machine one for
+//! each coordinate, of all displacements and velocities.
 
 use std::sync::Arc;
 
@@ -15,8 +16,31 @@ use crate::{
     oscillator::{Q, SmoothForce, TIME, U},
 };
 
-/// What the variables of a force are called, by their places [`Q`], [`U`] and [`TIME`].
-const NAMES: [&str; 3] = ["q", "u", "t"];
+/// What the variables of a force are called, and the place of each.
+struct Variables {
+    names: Vec<(String, usize)>,
+    /// That of the time, which is the last.
+    time: usize,
+}
+
+impl Variables {
+    /// Of an oscillator: [`Q`], [`U`] and [`TIME`].
+    fn of_oscillator() -> Variables {
+        let names = [("q", Q), ("u", U), ("t", TIME)].map(|(name, place)| (name.to_string(), place));
+        Variables { names: names.to_vec(), time: TIME }
+    }
+
+    /// Of a machine with n coordinates: q1 to qn, u1 to un and t; of one, q and u, too.
+    fn of_machine(n: usize) -> Variables {
+        let named = |letter: &str, from: usize| -> Vec<(String, usize)> {
+            (0..n).map(|i| (format!("{letter}{}", i + 1), from + i)).collect()
+        };
+        let mut all = if n == 1 { Variables::of_oscillator().names } else { vec![("t".to_string(), 2 * n)] };
+        all.extend(named("q", 0));
+        all.extend(named("u", n));
+        Variables { names: all, time: 2 * n }
+    }
+}
 
 /// The highest multiple of t in a sine.
 const MOST: u32 = 1000;
@@ -47,32 +71,90 @@ impl Value for ForceKey {
 
     fn read(entry: &Entry) -> Result<Self> {
         let text = entry.expression()?;
-        read(&text, entry.scope.names, &entry.path).map_err(|error| entry.fail(&error.to_string()))
+        read(&text, entry.scope.names, &entry.path, &Variables::of_oscillator())
+            .map_err(|error| entry.fail(&error.to_string()))
     }
 }
 
-fn read(text: &str, parameters: &[String], key: &str) -> Result<ForceKey> {
+/// The forces on the coordinates of a machine, as they are written: how many there are is not known yet.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ForceList {
+    /// Each with its key.
+    texts: Vec<(String, String)>,
+}
+
+impl Value for ForceList {
+    fn shape() -> String {
+        "expression, or a list of them, also in q1, q2, …, u1, u2, … and t".to_string()
+    }
+
+    fn read(entry: &Entry) -> Result<Self> {
+        let one = |entry: &Entry| Ok((entry.expression()?, entry.path.clone()));
+        let texts = if entry.item.is_array() {
+            entry.elements()?.iter().map(one).collect::<Result<_>>()?
+        } else {
+            vec![one(entry)?]
+        };
+        Ok(ForceList { texts })
+    }
+}
+
+/// The constant forces, none for all zero, and the others, none if there are none.
+type Forces = (Vec<Expression>, Vec<Option<SmoothForce<Expression>>>);
+
+impl ForceList {
+    /// The forces on so many coordinates; `place` is the key of them all.
+    pub(super) fn fit(self, place: &Entry, points: usize) -> Result<Forces> {
+        let variables = Variables::of_machine(points);
+        let one = |(text, key): &(String, String)| {
+            read(text, place.scope.names, key, &variables)
+                .map_err(|error| place.at(key).fail(&error.to_string()))
+        };
+        let keys = self.texts.iter().map(one).collect::<Result<Vec<_>>>()?;
+        let zero = |key: &ForceKey| matches!(key, ForceKey::Constant(constant) if constant.is_zero());
+        if keys.len() <= 1 && keys.iter().all(zero) {
+            return Ok((Vec::new(), Vec::new()));
+        }
+        if keys.len() != points {
+            let (found, plural) = (keys.len(), if points == 1 { "" } else { "s" });
+            return Err(
+                place.fail(&format!("has {found} entries; the machine has {points} coordinate{plural}"))
+            );
+        }
+        let parts = keys.into_iter().map(ForceKey::parts).collect::<Result<Vec<_>>>()?;
+        let (constant, mut smooth): Forces = parts.into_iter().unzip();
+        if smooth.iter().all(Option::is_none) {
+            smooth.clear();
+        }
+        Ok((constant, smooth))
+    }
+}
+
+fn read(text: &str, parameters: &[String], key: &str, variables: &Variables) -> Result<ForceKey> {
     let count = parameters.len();
-    let names: Vec<String> = parameters.iter().cloned().chain(NAMES.map(String::from)).collect();
+    let own = variables.names.iter().map(|known| known.0.clone());
+    let names: Vec<String> = parameters.iter().cloned().chain(own).collect();
     let mut whole = Expression::parse(text, &names)?;
     whole.key = key.to_string();
     if !whole.mentions(&|place| place >= count) {
         return Ok(ForceKey::Constant(whole));
     }
     // A parameter of the same name hides the variable: then nobody knows which is meant.
-    let hidden = |place: usize| place < count && NAMES.contains(&parameters[place].as_str());
-    if let Some(name) = NAMES.iter().find(|name| parameters.iter().any(|known| known == *name))
+    let is_variable = |name: &str| variables.names.iter().any(|known| known.0 == name);
+    let hidden = |place: usize| place < count && is_variable(&parameters[place]);
+    if let Some(name) = parameters.iter().find(|name| is_variable(name))
         && whole.mentions(&hidden)
     {
         return Err(Error::input(format!(
             "{name} is a parameter of the scene, and the displacement, velocity or time of a force: rename the parameter"
         )));
     }
-    if let Some(left) = drift(&whole.root, count + TIME)
+    let time = variables.names.iter().position(|known| known.1 == variables.time).unwrap_or_default();
+    if let Some(left) = drift(&whole.root, count + time)
         && left.is_zero()
     {
         let mut coefficients = Vec::new();
-        let formula = split(&whole.root, count, &whole, &mut coefficients);
+        let formula = split(&whole.root, (count, variables), &whole, &mut coefficients);
         let text = text.split_whitespace().collect();
         return Ok(ForceKey::Smooth(SmoothForce { formula: Arc::new(formula), text, coefficients }));
     }
@@ -129,9 +211,14 @@ fn number(formula: &Formula) -> Option<BigRational> {
     Expression::of(formula, "", "").evaluate(&[], &()).ok()
 }
 
-/// The formula in q, u, t and coefficients: each of these is as large a part as has only parameters and
+/// The formula in variables and coefficients: each of these is as large a part as has only parameters and
 /// numbers in it, joined by + − · / and powers, so that its value is exact.
-fn split(formula: &Formula, count: usize, whole: &Expression, coefficients: &mut Vec<Expression>) -> Formula {
+fn split(
+    formula: &Formula,
+    (count, variables): (usize, &Variables),
+    whole: &Expression,
+    coefficients: &mut Vec<Expression>,
+) -> Formula {
     if formula.is_rational() && !formula.mentions(&|place| place >= count) {
         if let Formula::Number(_) = formula {
             return formula.clone();
@@ -141,11 +228,11 @@ fn split(formula: &Formula, count: usize, whole: &Expression, coefficients: &mut
             coefficients.push(Expression::of(formula, &whole.text, &whole.key));
             coefficients.len() - 1
         });
-        return Formula::Variable([Q, U, TIME].len() + place);
+        return Formula::Variable(variables.time + 1 + place);
     }
-    let mut inner = |part: &Formula| Box::new(split(part, count, whole, coefficients));
+    let mut inner = |part: &Formula| Box::new(split(part, (count, variables), whole, coefficients));
     match formula {
-        Formula::Variable(place) => Formula::Variable(place - count),
+        Formula::Variable(place) => Formula::Variable(variables.names[place - count].1),
         Formula::Negated(part) => Formula::Negated(inner(part)),
         Formula::Power(part, exponent) => Formula::Power(inner(part), *exponent),
         Formula::Call(function, part) => Formula::Call(*function, inner(part)),
@@ -162,7 +249,7 @@ mod tests {
     use super::*;
 
     fn force(text: &str) -> Result<ForceKey> {
-        read(text, &["a".to_string(), "w".to_string()], "system.force")
+        read(text, &["a".to_string(), "w".to_string()], "system.force", &Variables::of_oscillator())
     }
 
     #[test]
@@ -201,8 +288,9 @@ mod tests {
     #[test]
     fn a_parameter_that_hides_a_variable_is_refused() {
         let names = ["q".to_string()];
-        assert!(matches!(read("2*q", &names, ""), Ok(ForceKey::Constant(_))));
-        assert!(matches!(read("sin(u)", &names, ""), Ok(ForceKey::Smooth(_))));
-        assert!(read("q*u", &names, "").unwrap_err().to_string().contains("rename the parameter"));
+        let read = |text: &str| read(text, &names, "", &Variables::of_oscillator());
+        assert!(matches!(read("2*q"), Ok(ForceKey::Constant(_))));
+        assert!(matches!(read("sin(u)"), Ok(ForceKey::Smooth(_))));
+        assert!(read("q*u").unwrap_err().to_string().contains("rename the parameter"));
     }
 }

@@ -3,6 +3,7 @@
 
 use super::{
     expression::Expression,
+    force::ForceList,
     keys::{Entry, Key, Record, keys},
     matrix::{CoordinateList, MatrixValue},
     measured::{MeasuredForce, MeasuredKeys},
@@ -34,11 +35,14 @@ keys! {
         damping_ratio: Option<CoordinateList>,
         /// instead of matrices, the modes of the machine
         modes: Option<ModesKeys>,
-        /// the constant force on each coordinate; one 0 for none
-        force: CoordinateList = "0",
+        /// the force on each coordinate beside `forcing`, one 0 for none: a constant, or any smooth function of
+        /// the coordinates q1, q2, …, their velocities u1, u2, … per unit of time, and t, the angle of the
+        /// forcing, 2π in a period; with one coordinate q and u will do
+        force: ForceList = "0",
         /// the harmonics of the force
         forcing: Vec<LoadKeys> = "[]",
-        /// instead of `forcing`, a measured force: harmonics are fitted to it, its mean is added to `force`
+        /// instead of `forcing`, a measured force: harmonics are fitted to it, its mean is added to `force`; or
+        /// it is taken as it is, once
         measured: Option<MeasuredKeys>,
     }
 }
@@ -125,15 +129,22 @@ impl MachineScene {
         accuracy: &MachineAccuracy,
     ) -> Result<Self> {
         let at = |path: &str| file.at(path);
+        let once = match &keys.measured {
+            Some(measured) if measured.once => Some(MeasuredForce::once(file, measured)?),
+            _ => None,
+        };
         let period = match (keys.frequency, keys.period) {
             (Some(frequency), None) => derived(file, &frequency, |text| format!("1/({text})"))?,
             (None, Some(period)) => period,
             (Some(_), Some(_)) => {
                 return Err(at("system.period").fail("stands beside `frequency`: give one of them"));
             }
-            (None, None) => {
-                return Err(at("system").fail("has neither `frequency` nor `period`: give one of them"));
-            }
+            (None, None) => match once.as_ref().and_then(|force| force.once.as_ref()) {
+                Some(record) => Expression::parse(&format!("{:e}", record.length()), &[])?,
+                None => {
+                    return Err(at("system").fail("has neither `frequency` nor `period`: give one of them"));
+                }
+            },
         };
         let mut machine = Machine {
             size: 0,
@@ -145,6 +156,8 @@ impl MachineScene {
             shapes: Vec::new(),
             force: Vec::new(),
             forcing: Vec::new(),
+            smooth: Vec::new(),
+            record: None,
             stops: Vec::new(),
         };
         match (keys.mass, keys.modes) {
@@ -192,7 +205,7 @@ impl MachineScene {
             (None, None) => return Err(at("system").fail("has neither `mass` nor `modes`: give one of them")),
         }
         let points = machine.points();
-        machine.force = keys.force.fit(&at("system.force"), points)?;
+        (machine.force, machine.smooth) = keys.force.fit(&at("system.force"), points)?;
         for (i, load) in (1..).zip(keys.forcing) {
             let path = format!("system.forcing[{i}]");
             check_k(&at(&path), load.k, machine.forcing.iter().map(|known| known.k))?;
@@ -204,10 +217,17 @@ impl MachineScene {
             Some(_) if !machine.forcing.is_empty() => {
                 return Err(at("system.measured").fail("stands beside `forcing`: give one of them"));
             }
-            Some(keys) => Some(MeasuredForce::new(file, keys, &machine.period, points)?),
+            Some(keys) => Some(match once {
+                None => MeasuredForce::new(file, keys, &machine.period, points)?,
+                Some(force) => {
+                    let direction = MeasuredForce::directed(file, keys.direction, points)?;
+                    machine.record = force.once.clone().map(|record| (record, direction.clone()));
+                    MeasuredForce { direction, ..force }
+                }
+            }),
             None => None,
         };
-        if let Some(force) = &measured {
+        if let Some(force) = measured.as_ref().filter(|force| force.once.is_none()) {
             let (mean, loads) = force.loads(file.scope.names)?;
             machine.forcing = loads;
             machine.force = match &machine.force[..] {

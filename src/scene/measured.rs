@@ -1,12 +1,18 @@
-//! A measured force: a CSV file of times and forces, as harmonics of the forcing.
+//! A measured force: a CSV file of times and forces, as harmonics of the forcing, or as it is, once.
 //!
 //! The harmonics are fitted by least squares, each sample weighted by the time that it stands for in the
 //! period, all whole periods of the record on top of one another. So samples need not be even, and a record
 //! of several periods is averaged. What the fit leaves is bounded at the samples by the largest residual; and
 //! between them, with the record taken as straight from sample to sample, by that and an eighth of the
 //! longest step squared times a bound on the second derivative of the harmonics.
+//!
+//! A record that is taken once is straight between its samples, which must be even, and no force is left out.
+//! What a smooth force was between the samples differs from that by about an eighth of the second differences.
 
-use std::{f64::consts::TAU, path::Path};
+use std::{
+    f64::consts::TAU,
+    path::{Path, PathBuf},
+};
 
 use super::{
     expression::Expression,
@@ -15,7 +21,7 @@ use super::{
 };
 use crate::{
     error::Result,
-    machine::{Load, RealMatrix, RealVector},
+    machine::{Load, RealMatrix, RealVector, Record},
     number::Plain,
     output::read_text,
 };
@@ -26,8 +32,11 @@ keys! {
     pub struct MeasuredKeys {
         /// the file; its first line names the columns
         file: String,
-        /// how many harmonics, 1 to 100, are fitted to it besides the mean
-        harmonics: u32,
+        /// how many harmonics, 1 to 100, are fitted to it besides the mean; this or `once` must be given
+        harmonics: Option<u32>,
+        /// whether the force is the record itself, straight between its samples, for one run (`simulate` only)
+        /// that begins where it begins; without `frequency` and `period` its length is the period
+        once: bool = "false",
         /// the period of the record, if it is not that of the forcing: then the same force is taken faster or
         /// slower
         period: Option<Expression>,
@@ -53,8 +62,11 @@ pub struct MeasuredForce {
     pub harmonics: Vec<[f64; 2]>,
     /// The largest difference from a sample.
     pub residual: f64,
-    /// No difference from the record, taken as straight between samples, is larger.
+    /// No difference from the record, taken as straight between samples, is larger; of a record taken once,
+    /// an eighth of the largest second difference.
     pub bound: f64,
+    /// The record itself, if it is taken once, the step in the scene's unit of time.
+    pub once: Option<Record>,
     /// What a force of 1 is on each coordinate.
     pub direction: Vec<Expression>,
 }
@@ -71,13 +83,55 @@ type Sample = (usize, f64, f64);
 type Wrong = (usize, String);
 
 impl MeasuredForce {
+    /// Reads a record that is taken once.
+    pub(super) fn once(file: &Entry, keys: &MeasuredKeys) -> Result<Self> {
+        let at = |key: &str| file.at(&format!("system.measured.{key}"));
+        for (key, given) in [("harmonics", keys.harmonics.is_some()), ("period", keys.period.is_some())] {
+            if given {
+                return Err(
+                    at(key).fail("stands beside `once`: the record is taken as it is, and not periodic")
+                );
+            }
+        }
+        let (place, beside) = (at("file"), beside(file, &keys.file));
+        let text = read_text(&beside, LONGEST).map_err(|error| place.fail(&error.to_string()))?;
+        let wrong = |(line, message): Wrong| place.fail(&format!("{}:{line}: {message}", beside.display()));
+        let samples = record(&text).map_err(wrong)?;
+        let step = even(&samples).map_err(wrong)?;
+        let values: Vec<f64> = samples.iter().map(|sample| sample.2).collect();
+        let bend = values.windows(3).map(|three| (three[0] - 2.0 * three[1] + three[2]).abs());
+        Ok(MeasuredForce {
+            file: keys.file.clone(),
+            samples: values.len(),
+            left_out: 0,
+            periods: 0,
+            mean: 0.0,
+            harmonics: Vec::new(),
+            residual: 0.0,
+            bound: bend.fold(0.0, f64::max) / 8.0,
+            once: Some(Record::new(step, values)?),
+            direction: Vec::new(),
+        })
+    }
+
+    /// What a force of 1 is on each of so many coordinates.
+    pub(super) fn directed(file: &Entry, keys: CoordinateList, points: usize) -> Result<Vec<Expression>> {
+        let place = file.at("system.measured.direction");
+        let direction = keys.fit(&place, points)?;
+        if direction.is_empty() {
+            return Err(place.fail("is zero: the force would act on nothing"));
+        }
+        Ok(direction)
+    }
+
     /// Reads and fits a record; `period` is the forcing's, `points` the number of coordinates.
     pub(super) fn new(file: &Entry, keys: MeasuredKeys, period: &Expression, points: usize) -> Result<Self> {
         let at = |key: &str| file.at(&format!("system.measured.{key}"));
-        let direction = keys.direction.fit(&at("direction"), points)?;
-        if direction.is_empty() {
-            return Err(at("direction").fail("is zero: the force would act on nothing"));
-        }
+        let direction = MeasuredForce::directed(file, keys.direction, points)?;
+        let Some(harmonics) = keys.harmonics else {
+            let message = "has neither `harmonics` nor once = true: give one of them";
+            return Err(file.at("system.measured").fail(message));
+        };
         let given = keys.period.as_ref().unwrap_or(period);
         if given.mentions(&|_| true) {
             let place = if keys.period.is_some() { at("period") } else { at("file") };
@@ -90,15 +144,14 @@ impl MeasuredForce {
         if !(period > 0.0 && period.is_finite()) {
             return Err(at("period").fail("must be positive"));
         }
-        if !(1..=HARMONICS).contains(&keys.harmonics) {
+        if !(1..=HARMONICS).contains(&harmonics) {
             return Err(at("harmonics").fail(&format!("is outside 1 to {HARMONICS}")));
         }
-        let beside = Path::new(file.scope.source.name).parent().unwrap_or(Path::new("")).join(&keys.file);
-        let place = at("file");
+        let (place, beside) = (at("file"), beside(file, &keys.file));
         let text = read_text(&beside, LONGEST).map_err(|error| place.fail(&error.to_string()))?;
         let wrong = |(line, message): Wrong| place.fail(&format!("{}:{line}: {message}", beside.display()));
         let record = record(&text).map_err(wrong)?;
-        let fitted = fit(&record, period, keys.harmonics as usize).map_err(wrong)?;
+        let fitted = fit(&record, period, harmonics as usize).map_err(wrong)?;
         Ok(MeasuredForce { file: keys.file, direction, ..fitted })
     }
 
@@ -115,6 +168,32 @@ impl MeasuredForce {
         let load = |(k, [cos, sin]): (u32, &[f64; 2])| Ok(Load { k, cos: times(*cos)?, sin: times(*sin)? });
         Ok((times(self.mean)?, (1..).zip(&self.harmonics).map(load).collect::<Result<_>>()?))
     }
+}
+
+/// The file beside the scene.
+fn beside(scene: &Entry, name: &str) -> PathBuf {
+    Path::new(scene.scope.source.name).parent().unwrap_or(Path::new("")).join(name)
+}
+
+/// What steps of an even record may differ by, relative to a step.
+const EVEN: f64 = 1e-3;
+
+/// The step of an even record.
+fn even(record: &[Sample]) -> std::result::Result<f64, Wrong> {
+    let mut steps: Vec<f64> = record.windows(2).map(|pair| pair[1].1 - pair[0].1).collect();
+    steps.sort_by(f64::total_cmp);
+    let usual = steps[steps.len() / 2];
+    for pair in record.windows(2) {
+        let own = pair[1].1 - pair[0].1;
+        if (own - usual).abs() > EVEN * usual {
+            let message = format!(
+                "comes {own} after the sample before, where the record's step is {usual}: a record that is taken once has even \
+                 samples and no gap; resample it"
+            );
+            return Err((pair[1].0, message));
+        }
+    }
+    Ok((record[record.len() - 1].1 - record[0].1) / (record.len() - 1) as f64)
 }
 
 /// The samples of a file, by time.
@@ -262,6 +341,7 @@ fn fit(record: &[Sample], period: f64, count: usize) -> std::result::Result<Meas
         harmonics,
         residual,
         bound: residual + longest * longest / 8.0 * bend,
+        once: None,
         direction: Vec::new(),
     })
 }
@@ -330,6 +410,24 @@ mod tests {
             }
         }
         assert!(worst >= fitted.residual * (1.0 - 1e-9) && worst <= fitted.bound, "{worst} {fitted:?}");
+    }
+
+    #[test]
+    fn a_record_taken_once_is_even() {
+        let even_step = |steps: &[f64]| {
+            let mut t = 0.3;
+            let mut all = vec![(2, t, 0.0)];
+            for (i, step) in steps.iter().enumerate() {
+                t += step;
+                all.push((i + 3, t, 1.0));
+            }
+            even(&all)
+        };
+        assert!((even_step(&[0.1, 0.100_01, 0.099_99, 0.1]).unwrap() - 0.1).abs() < 1e-12);
+        for (steps, line) in [(&[0.1, 0.1, 0.2, 0.1], 5), (&[0.1, 0.1, 0.1, 0.1003], 6)] {
+            let (found, message) = even_step(steps).unwrap_err();
+            assert!(found == line && message.contains("resample it"), "{found}: {message}");
+        }
     }
 
     #[test]

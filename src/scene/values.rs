@@ -56,6 +56,10 @@ impl Scene {
                 .find(|key| text.starts_with(key));
             keyed(&key.map_or("system".to_string(), |key| format!("system.{key}")), &error)
         })?;
+        machine.check_forces().map_err(|error| {
+            let text = error.to_string();
+            keyed("system.force", &Error::input(text.strip_prefix("force: ").unwrap_or(&text)))
+        })?;
         for (i, stop) in (1..).zip(&machine.stops) {
             let alone = Machine { stops: vec![stop.clone()], ..machine.clone() };
             alone.contacts().map_err(|error| {

@@ -133,6 +133,8 @@ pub fn machine_effects() -> Vec<MachineWithEffect> {
             shapes: vec![],
             force: vec![],
             forcing: vec![],
+            smooth: vec![],
+            record: None,
             stops: stop.map(made).into_iter().collect(),
         };
         MachineWithEffect { name, machine, needs }

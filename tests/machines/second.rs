@@ -3,6 +3,9 @@
 
 use grazing::machine::{Machine, StopLaw};
 
+/// A force on all coordinates.
+pub type Load = fn(f64, &[f64], &[f64]) -> Vec<f64>;
+
 /// A motion under way.
 #[derive(Clone)]
 pub struct Motion<'a> {
@@ -13,6 +16,8 @@ pub struct Motion<'a> {
     pub u: Vec<f64>,
     resting: Vec<bool>,
     soft: Vec<Soft>,
+    /// The force beside the linear ones, by time, displacements and velocities.
+    pub load: Option<Load>,
     /// The beginnings and ends of contact with soft stops: stop, time, the gap's rate, whether it begins.
     pub contacts: Vec<(usize, f64, f64, bool)>,
 }
@@ -53,6 +58,7 @@ impl<'a> Motion<'a> {
         let inverse = mass.into_iter().map(|row| row[n..].to_vec()).collect();
         let mut motion = Motion {
             soft: vec![Soft::Not; machine.stops.len()],
+            load: None,
             contacts: vec![],
             machine,
             inverse,
@@ -136,6 +142,9 @@ impl<'a> Motion<'a> {
         }
         for &(i, j, k) in &self.machine.stiffness {
             force[i] -= k * q[j];
+        }
+        if let Some(load) = self.load {
+            force.iter_mut().zip(load(t, q, u)).for_each(|(force, more)| *force += more);
         }
         for stop in (0..self.soft.len()).filter(|&stop| self.soft[stop] == Soft::In) {
             let (push, _) = self.push_of(stop, t, q, u);

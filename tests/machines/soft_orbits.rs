@@ -34,6 +34,8 @@ fn machine(
         shapes: vec![],
         force: vec![],
         forcing: vec![Load { k: 1, cos: cos.to_vec(), sin: vec![0.0; n] }],
+        smooth: vec![],
+        record: None,
         stops,
     }
 }

@@ -1,12 +1,14 @@
 //! The motion without impacts: its gaps, their minima, and how fast those open with a parameter.
 
-use std::f64::consts::TAU;
+use std::{f64::consts::TAU, sync::Arc};
 
+use super::smooth;
 use crate::{
     error::Result,
     machine::{
-        LinearEquations, Machine, MachineSlope, Periodic, RealVector,
+        LinearEquations, Machine, MachineSlope, MachineState, Periodic, RealVector,
         contact::{Contacts, StopContact},
+        simulate::Stage,
     },
     oscillator::{Series, orbit::minimum_within},
 };
@@ -32,6 +34,8 @@ pub struct FreeMotion {
     pub(super) drift: Periodic,
     /// The gap of each stop, and its derivative in the parameter.
     pub(super) gaps: Vec<[Series; 2]>,
+    /// Where forces are formulas, what carries it.
+    pub(super) stage: Option<Arc<Stage>>,
 }
 
 impl FreeMotion {
@@ -39,19 +43,39 @@ impl FreeMotion {
     ///
     /// # Errors
     /// Those of [`Machine::equations`], [`Machine::contacts`], [`MachineSlope::new`] and
-    /// [`LinearEquations::response`].
+    /// [`LinearEquations::response`]; where forces are formulas, no periodic motion found by Newton's method.
     pub fn new(machine: &Machine<f64>, slope: &Machine<f64>) -> Result<FreeMotion> {
+        FreeMotion::near(machine, slope, None)
+    }
+
+    /// The same; of several motions, which there may be where forces are formulas, the one that Newton's method
+    /// finds from a state at phase 0.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn near(
+        machine: &Machine<f64>,
+        slope: &Machine<f64>,
+        near: Option<&MachineState>,
+    ) -> Result<FreeMotion> {
+        let found = if machine.is_smooth() { Some(smooth::find(machine, slope, near)?) } else { None };
         let (equations, slope) = (machine.equations()?, MachineSlope::new(machine, slope)?);
         let contacts = Contacts::new(&equations, machine.contacts()?);
-        let motion = equations.response()?;
-        let drift = equations.response_slope(&motion, &slope)?;
+        let (motion, drift, stage) = match found {
+            Some(found) => (found.motion, found.drift, Some(found.stage)),
+            None => {
+                let motion = equations.response()?;
+                let drift = equations.response_slope(&motion, &slope)?;
+                (motion, drift, None)
+            }
+        };
         let gap = |(contact, (row, place)): (&StopContact, &(RealVector, Series))| {
             let gap = Series::combination(&[(1.0, &motion.series(&contact.row)?), (-1.0, &contact.position)]);
             let parts = [(1.0, &motion.series(row)?), (1.0, &drift.series(&contact.row)?), (-1.0, place)];
             Ok([gap, Series::combination(&parts)])
         };
         let gaps = contacts.all().iter().zip(&slope.stops).map(gap).collect::<Result<_>>()?;
-        Ok(FreeMotion { equations, contacts, motion, drift, gaps })
+        Ok(FreeMotion { equations, contacts, motion, drift, gaps, stage })
     }
 
     /// The motion's displacements over a period.

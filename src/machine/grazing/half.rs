@@ -41,6 +41,10 @@ impl HalfPeriod {
     /// # Errors
     /// Those of [`MachineLocalMap::new`].
     pub(super) fn new(motion: &FreeMotion, at: &LeastGap, others: &[LeastGap]) -> Result<Option<HalfPeriod>> {
+        // Of formulas it is not known whether they are their own mirror image.
+        if motion.stage.is_some() {
+            return Ok(None);
+        }
         let ([other], Some(mirror)) = (others, mirror(motion, at.stop)) else { return Ok(None) };
         let apart = (other.phase - at.phase).abs();
         if other.stop != mirror || (apart - PI).abs() > NEAR {

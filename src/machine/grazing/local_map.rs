@@ -43,7 +43,8 @@ pub struct MachineLocalMap {
     pub eigenvalues: Vec<(f64, f64)>,
     /// What A is the flow over, 2π, or the mirror of the flow over, π.
     span: f64,
-    flow: LinearFlow,
+    /// None where forces are formulas.
+    flow: Option<LinearFlow>,
     /// Of B, C on the flow's own coordinates.
     own: [RealVector; 2],
 }
@@ -71,26 +72,41 @@ impl MachineLocalMap {
         let n = motion.equations.size();
         let [gap, slope] = &motion.gaps[at.stop];
         let (acceleration, [e, rate_drift, _]) = (gap.at(at.phase)[2], slope.at(at.phase));
-        let flow = LinearFlow::new(motion.equations.clone())?;
+        let state = motion.motion().state(at.phase);
+        let smooth = motion.stage.as_ref().and_then(|stage| stage.smooth.as_ref());
         // 2n is even: the mirror does not change the determinant.
-        let (a, determinant) = (flow.transition(span) * mirrors(span), motion.equations.determinant(span));
+        let (a, determinant, flow) = match smooth {
+            None => {
+                let flow = LinearFlow::new(motion.equations.clone())?;
+                (flow.transition(span) * mirrors(span), motion.equations.determinant(span), Some(flow))
+            }
+            Some(smooth) => {
+                let a = smooth.transition(&state, span) * mirrors(span);
+                let determinant = a.determinant();
+                (a, determinant, None)
+            }
+        };
         // A stop that gives way does not turn velocities at once: its map has no square root.
         let factor = if contact.soft.is_some() { 0.0 } else { 1.0 + contact.restitution };
         let kick = (2.0 * acceleration.max(0.0)).sqrt() * factor;
         let change = push * (kick / motion.contacts().mobility(at.stop));
         let zero = RealVector::zeros(n);
+        let (b, c) = (stacked(&zero, &change), stacked(&contact.row, &zero));
         Ok(MachineLocalMap {
-            b: stacked(&zero, &change),
-            c: stacked(&contact.row, &zero),
+            own: match &flow {
+                Some(flow) => [flow.kick(&change), flow.seen(&contact.row, &zero)],
+                None => [b.clone(), c.clone()],
+            },
+            b,
+            c,
             e,
             acceleration,
             restitution: contact.restitution,
             rate_drift,
-            state: motion.motion().state(at.phase),
+            state,
             drift: motion.drift.state(at.phase),
             determinant,
             eigenvalues: eigenvalues(&a, determinant)?,
-            own: [flow.kick(&change), flow.seen(&contact.row, &zero)],
             a,
             span,
             flow,
@@ -122,10 +138,14 @@ impl MachineLocalMap {
         let exact = |x: f64| BigRational::from_float(x).ok_or_else(|| Error::input("A is not finite"));
         let wide = |x: f64, radius: f64| Entry::between(exact(x - radius)?, exact(x + radius)?);
         let zero = || Entry::from(BigRational::from_integer(0.into()));
-        let (own, size) = (self.flow.matrix(self.span) * mirrors(self.span), self.flow.dimension());
-        let condition = if self.flow.condition().is_finite() { self.flow.condition() } else { 10.0 };
-        let pairs = self.flow.pairs();
-        let rates = self.flow.rates();
+        let size = self.b.len();
+        let (own, condition, pairs, rates) = match &self.flow {
+            Some(flow) => {
+                let condition = if flow.condition().is_finite() { flow.condition() } else { 10.0 };
+                (flow.matrix(self.span) * mirrors(self.span), condition, flow.pairs(), flow.rates())
+            }
+            None => (self.a.clone(), 10.0, None, Vec::new()),
+        };
         let entry = |i: usize, j: usize| match &pairs {
             Some(_) if i / 2 != j / 2 => Ok(zero()),
             Some(all) if i != j && matches!(all[i / 2], Pair::Two(_)) => Ok(zero()),
@@ -167,7 +187,7 @@ impl MachineLocalMap {
         for i in 0..m {
             let before = (i + m - 1) % m;
             let x = RealVector::from_iterator(2 * n, solution.x[before].iter().map(middle));
-            let mut arriving = self.flow.outward(&x);
+            let mut arriving = self.flow.as_ref().map_or_else(|| x.clone(), |flow| flow.outward(&x));
             for _ in 0..periods[before] {
                 arriving = &self.a * arriving;
             }

@@ -1,5 +1,7 @@
 //! The search along the parameter.
 
+use std::cell::RefCell;
+
 use super::{
     HalfPeriod,
     free::{FreeMotion, LeastGap},
@@ -8,7 +10,7 @@ use super::{
 use crate::{
     error::{Error, Result},
     machine::{
-        MachineFamily,
+        MachineFamily, MachineState,
         orbit::{StopPattern, StopStrike},
     },
     pattern::Report,
@@ -91,9 +93,11 @@ pub fn own_reach(family: &dyn MachineFamily, value: f64) -> Result<f64> {
 /// # Errors
 /// Where the family is not defined at `start`; no periodic motion there; det(I − A) = 0 at the grazing.
 pub fn locate(family: &dyn MachineFamily, start: f64, reach: f64) -> Result<MachineSearch> {
+    let last: RefCell<Option<MachineState>> = RefCell::default();
     let look = |parameter: f64| -> Result<(FreeMotion, LeastGap, f64)> {
         let (machine, slope) = family.at(parameter)?;
-        let motion = FreeMotion::new(&machine, &slope)?;
+        let motion = FreeMotion::near(&machine, &slope, last.borrow().as_ref())?;
+        last.replace(Some(motion.motion().state(0.0)));
         let least = motion.least().ok_or_else(|| Error::input("there is no stop that could be grazed"))?;
         let rate = motion.rate(&least);
         Ok((motion, least, rate))

@@ -19,6 +19,7 @@ mod free;
 mod half;
 mod local_map;
 mod locate;
+mod smooth;
 
 pub use free::{FreeMotion, LeastGap};
 pub use half::HalfPeriod;

@@ -11,12 +11,12 @@ use std::{
 
 use super::{StopContact, StopEquations, leg::LegPiece, turned};
 use crate::{
-    error::Result,
+    error::{Error, Result},
     machine::{
         MachineState, RealVector,
-        simulate::{MachineEvent, MachineSimulator, RunEnd},
+        simulate::{MachineEvent, MachineSimulator, RunEnd, Stage, seen},
     },
-    oscillator::{Series, Time, orbit::minimum_within},
+    oscillator::{Series, Time, orbit::minimum_within, simulate::search::Gap},
 };
 
 /// A local minimum of a gap between impacts.
@@ -201,11 +201,15 @@ impl StopEquations<'_> {
             };
             let mut begun = 0.0;
             for piece in self.between.pieces(&state, duration)?.0 {
-                self.minima(&piece, (leg, begun, duration), &mut |found| {
+                let mut each = |found: MachineMinimum| {
                     if least.is_none_or(|least| found.gap < least.gap) {
                         least = Some(found);
                     }
-                })?;
+                };
+                match &piece.stage {
+                    None => self.minima(&piece, (leg, begun, duration), &mut each)?,
+                    Some(stage) => self.minima_by_steps(stage, &piece, (leg, begun, duration), &mut each)?,
+                }
                 begun += piece.duration;
             }
             if m > 0 {
@@ -216,6 +220,48 @@ impl StopEquations<'_> {
             }
         }
         Ok(least)
+    }
+
+    /// Where forces are formulas: on each step of the motion z″ is taken to change sign once at most.
+    fn minima_by_steps(
+        &self,
+        stage: &Stage,
+        piece: &LegPiece,
+        (leg, before, whole): (usize, f64, f64),
+        each: &mut impl FnMut(MachineMinimum),
+    ) -> Result<()> {
+        let Some(smooth) = &stage.smooth else { return Ok(()) };
+        let rigid: Vec<(usize, &StopContact)> =
+            self.contacts.all().iter().enumerate().filter(|(_, contact)| contact.soft.is_none()).collect();
+        let impacts = !self.pattern.strikes().is_empty();
+        let mut ends: Vec<Option<[f64; 3]>> = vec![None; rigid.len()];
+        let (mut time, mut state, mut begun) = (Time::new(0, piece.start.t), piece.start.clone(), 0.0);
+        while begun < piece.duration {
+            let leap = smooth.leap(time, &state);
+            if leap.over().is_some() {
+                return Err(Error::input("a leg could not be followed to its end"));
+            }
+            let last = ((piece.duration - begun) / leap.h).min(1.0);
+            for ((stop, contact), end) in rigid.iter().zip(&mut ends) {
+                let (polynomial, _) = seen(&leap, &contact.gap_watch(1.0));
+                let gap = |x: f64| {
+                    let [z, slope, bend] = Gap::new(&polynomial, 0.0, false).at(x);
+                    [z, slope / leap.h, bend / (leap.h * leap.h)]
+                };
+                let b = gap(last);
+                let a = end.replace(b).unwrap_or_else(|| gap(0.0));
+                let width = last * leap.h;
+                let Some(x) = minimum_within(|x| gap(x / leap.h), a, b, width) else { continue };
+                let ([gap, _, acceleration], after) = (gap(x / leap.h), before + begun + x);
+                if !impacts || after.min(whole - after) > NEAR || gap.abs() > NEAR * NEAR * self.scale {
+                    let phase = turned(leap.start.phase + x);
+                    each(MachineMinimum { stop: *stop, leg, after, phase, gap, acceleration });
+                }
+            }
+            begun = if last < 1.0 { piece.duration } else { begun + leap.h };
+            (time, state) = (leap.time(1.0), leap.state(1.0));
+        }
+        Ok(())
     }
 
     fn minima(

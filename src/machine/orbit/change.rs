@@ -2,9 +2,16 @@
 
 use super::{Contacts, LinearFlow, MachineState, RealMatrix, RealVector, StopContact};
 use crate::{
-    error::Result,
-    machine::{LinearEquations, Machine, MachineSlope, Periodic, SpeedLaw, StopLaw, algebra::stacked},
-    oscillator::{Series, orbit::GAUSS},
+    error::{Error, Result},
+    machine::{
+        LinearEquations, Machine, MachineSlope, Periodic, SpeedLaw, StopLaw, algebra::stacked,
+        simulate::Stage, smooth::Smooth,
+    },
+    oscillator::{
+        Series,
+        flow::{Gradient, Scalar},
+        orbit::GAUSS,
+    },
 };
 
 /// What a parameter changes of a machine, ready for legs of motion.
@@ -28,6 +35,8 @@ pub struct MachineChange {
     slope: MachineSlope,
     /// Of each stop.
     stops: Vec<StopChange>,
+    /// The formulas of forces, and what they change by.
+    smooth: Option<(Smooth, Smooth)>,
 }
 
 /// How a stop changes.
@@ -84,7 +93,11 @@ impl MachineChange {
             }
         });
         let stops = stops.collect();
-        Ok(MachineChange { force, state, alone, slope: change, stops })
+        let smooth = Smooth::new(machine)?.map(|smooth| {
+            let own = smooth.slope(machine, slope);
+            (smooth, own)
+        });
+        Ok(MachineChange { force, state, alone, slope: change, stops, smooth })
     }
 
     /// The change while soft stops push, `flow` being that of the machine then.
@@ -97,7 +110,36 @@ impl MachineChange {
         }
         let slope = self.slope.pushed(contacts, pushing);
         let (force, state, alone) = moving(flow.equations(), &slope)?;
-        Ok(MachineChange { force, state, alone, slope, stops: self.stops.clone() })
+        let (stops, smooth) = (self.stops.clone(), self.smooth.clone());
+        Ok(MachineChange { force, state, alone, slope, stops, smooth })
+    }
+
+    /// As [`leg`](Self::leg) where forces are formulas: by the derivative of the Taylor series in the
+    /// parameter.
+    ///
+    /// # Errors
+    /// A motion that cannot be followed.
+    pub fn smooth_leg(
+        &self,
+        stage: &Stage,
+        contacts: &Contacts,
+        from: &MachineState,
+        duration: f64,
+    ) -> Result<RealVector> {
+        let n = from.q.len();
+        let (Some((formulas, own)), Some(smooth)) = (&self.smooth, &stage.smooth) else {
+            return Ok(RealVector::zeros(2 * n));
+        };
+        let slope = self.slope.pushed(contacts, &stage.soft.pushing);
+        let program = formulas.changing(&stage.equations, (&slope, own))?;
+        let start = from.q.iter().chain(from.u.iter()).map(|x| Gradient::constant(*x)).collect();
+        let end = smooth.flow.carried(&program, start, from.t, duration);
+        let slopes = RealVector::from_fn(2 * n, |i, _| end[i].0[1]);
+        if slopes.iter().all(|x| x.is_finite()) {
+            Ok(slopes)
+        } else {
+            Err(Error::input("how the motion changes with the parameter could not be followed"))
+        }
     }
 
     /// (q, q′) after `duration` from a state, as it changes with the parameter, the state being fixed. Cost:

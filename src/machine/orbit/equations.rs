@@ -8,7 +8,7 @@ use super::{
 };
 use crate::{
     error::{Error, Result},
-    machine::{algebra::stacked, orbit::leg::LegPassage},
+    machine::{algebra::stacked, orbit::leg::LegPassage, simulate::MachineSimulator},
     oscillator::orbit::Linearised,
 };
 
@@ -149,12 +149,22 @@ impl<'s> StopEquations<'s> {
         Ok(Linearised { residual, jacobian, slope })
     }
 
-    /// X of given times and speeds: the equations of periodicity are linear in it. Where they have no one
-    /// solution (a motion without stiffness or damping), the smallest of the best.
+    /// X of given times and speeds: the equations of periodicity are linear in it, unless there are soft stops;
+    /// where forces are formulas they are solved by a few of Newton's steps. Where they have no one solution (a
+    /// motion without stiffness or damping), the smallest of the best.
     pub fn complete(&self, impacts: &[f64]) -> Result<Vec<f64>> {
-        let n = self.size();
-        let mut z = vec![0.0; 2 * n];
+        let mut z = vec![0.0; 2 * self.size()];
         z.extend(impacts);
+        let smooth = self.between.soft.is_some_and(MachineSimulator::is_smooth);
+        for _ in 0..if smooth { COMPLETED } else { 1 } {
+            z = self.completed(z)?;
+        }
+        Ok(z)
+    }
+
+    /// One step of it.
+    fn completed(&self, mut z: Vec<f64>) -> Result<Vec<f64>> {
+        let n = self.size();
         let Linearised { residual, jacobian, .. } = self.linearise(&z, None)?;
         let rows = 2 * self.pattern.strikes().len();
         let matrix = RealMatrix::from_fn(2 * n, 2 * n, |i, j| jacobian[rows + i][j]);
@@ -168,7 +178,7 @@ impl<'s> StopEquations<'s> {
                 .solve(&right, 1e-10)
                 .map_err(|error| Error::input(format!("no state to start from: {error}")))?,
         };
-        z[..2 * n].copy_from_slice(found.as_slice());
+        z[..2 * n].iter_mut().zip(found.iter()).for_each(|(x, change)| *x += change);
         Ok(z)
     }
 
@@ -245,6 +255,9 @@ impl<'s> StopEquations<'s> {
         Ok(all)
     }
 }
+
+/// Newton's steps towards a state to start from.
+const COMPLETED: usize = 6;
 
 fn add_column(matrix: &mut RealMatrix, j: usize, factor: f64, column: &RealVector) {
     matrix.column_mut(j).axpy(factor, column, 1.0);

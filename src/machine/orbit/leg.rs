@@ -5,7 +5,10 @@
 //! of an orbit are smooth beyond them. Contact with a soft stop begins and ends without an unknown of its
 //! own. Where it ends, the motion's field is continuous, and nothing is to be done; where it begins the force
 //! jumps by cV, and a displacement δ becomes δq′ − c M⁻¹wᵀ δz, δz being by how much the gap is larger there.
-//! So a branch passes through a grazing of a soft stop.
+//! So a branch passes through a grazing of a soft stop. Where forces are formulas, pieces are not linear, and
+//! their derivatives are those of the flow along the motion.
+
+use std::sync::Arc;
 
 use super::{Contacts, LinearFlow, MachineChange, MachineState, RealMatrix, RealVector};
 use crate::{
@@ -13,7 +16,7 @@ use crate::{
     machine::{
         LinearEquations,
         algebra::stacked,
-        simulate::{MachineEvent, MachineSimulator, RunEnd, StopTouch},
+        simulate::{MachineEvent, MachineSimulator, RunEnd, Stage, StopTouch},
     },
     oscillator::Time,
 };
@@ -23,17 +26,19 @@ use crate::{
 pub struct Between<'s> {
     pub flow: &'s LinearFlow,
     pub contacts: &'s Contacts,
-    /// The machine with its rigid stops passed through, if it has soft ones.
+    /// The machine with its rigid stops passed through, if it has soft ones or its forces are formulas.
     pub soft: Option<&'s MachineSimulator>,
 }
 
-/// Linear motion.
+/// Motion without events.
 pub struct LegPiece {
     pub flow: LinearFlow,
     /// The soft stops that push.
     pub pushing: Vec<usize>,
     pub start: MachineState,
     pub duration: f64,
+    /// Where forces are formulas, how it moves.
+    pub stage: Option<Arc<Stage>>,
     /// Contact that begins at its end, with the state there.
     touch: Option<(StopTouch, MachineState)>,
 }
@@ -60,6 +65,10 @@ impl<'s> Between<'s> {
 
     /// (q′, q″) of a state.
     pub fn field(&self, state: &MachineState) -> RealVector {
+        if let Some(simulator) = self.soft.filter(|simulator| simulator.is_smooth()) {
+            let bend = simulator.acceleration(state);
+            return stacked(&state.u, &bend.unwrap_or_else(|_| state.u.map(|_| f64::NAN)));
+        }
         let equations = self.flow.equations();
         let bend = |equations: &LinearEquations| equations.acceleration(state.t, &state.q, &state.u);
         let bend = match self.soft {
@@ -82,7 +91,7 @@ impl<'s> Between<'s> {
     pub fn pieces(&self, state: &MachineState, duration: f64) -> Result<(Vec<LegPiece>, MachineState)> {
         let Some(simulator) = self.soft else {
             let (flow, start) = (self.flow.clone(), state.clone());
-            let whole = LegPiece { flow, pushing: Vec::new(), start, duration, touch: None };
+            let whole = LegPiece { flow, pushing: Vec::new(), start, duration, stage: None, touch: None };
             return Ok((vec![whole], self.flow.after(state, duration)));
         };
         let begin = Time::new(0, state.t);
@@ -90,6 +99,7 @@ impl<'s> Between<'s> {
         let mut run = simulator.start(begin, state.q.as_slice(), state.u.as_slice())?;
         let (mut pieces, mut now, mut start) = (Vec::new(), begin, state.clone());
         let (mut flow, mut pushing) = (run.flow(), run.pushing().to_vec());
+        let mut stage = run.stage();
         loop {
             let event = run.next(until);
             let touch = match &event {
@@ -100,12 +110,14 @@ impl<'s> Between<'s> {
             let (time, here) = (run.time(), MachineState { t: run.time().phase, ..run.state() });
             let touch = touch.filter(|touch| touch.jump > 0.0).map(|touch| (touch, here.clone()));
             let duration = time.since(now).max(0.0);
-            pieces.push(LegPiece { flow, pushing, start, duration, touch });
+            let own = stage.smooth.is_some().then_some(stage);
+            pieces.push(LegPiece { flow, pushing, start, duration, stage: own, touch });
             if let MachineEvent::End(end) = event {
                 followed(run.failure(), end)?;
                 return Ok((pieces, here));
             }
             (now, start, flow, pushing) = (time, here, run.flow(), run.pushing().to_vec());
+            stage = run.stage();
         }
     }
 
@@ -127,12 +139,17 @@ impl<'s> Between<'s> {
         let (pieces, end) = self.pieces(state, duration)?;
         let (mut phi, mut slope) = (RealMatrix::identity(2 * n, 2 * n), RealVector::zeros(2 * n));
         for piece in &pieces {
-            let own = piece.flow.transition(piece.duration);
+            let own = piece.transition()?;
             phi = &own * phi;
             slope = own * slope;
             if let Some(change) = change {
-                let pushed = change.pushed(&piece.flow, self.contacts, &piece.pushing)?;
-                slope += pushed.leg(&piece.flow, &piece.start, piece.duration);
+                slope += match &piece.stage {
+                    None => {
+                        let pushed = change.pushed(&piece.flow, self.contacts, &piece.pushing)?;
+                        pushed.leg(&piece.flow, &piece.start, piece.duration)
+                    }
+                    Some(stage) => change.smooth_leg(stage, self.contacts, &piece.start, piece.duration)?,
+                };
             }
             let Some((touch, at)) = &piece.touch else { continue };
             let stop = touch.stop;
@@ -153,7 +170,31 @@ impl<'s> Between<'s> {
             return Ok(self.flow.equations().determinant(duration));
         }
         let (pieces, _) = self.pieces(state, duration)?;
-        Ok(pieces.iter().map(|piece| piece.flow.equations().determinant(piece.duration)).product())
+        pieces.iter().map(LegPiece::determinant).product()
+    }
+}
+
+impl LegPiece {
+    /// ∂(q, q′) at its end by (q, q′) before.
+    fn transition(&self) -> Result<RealMatrix> {
+        let smooth = self.stage.as_ref().and_then(|stage| stage.smooth.as_ref());
+        let phi = match smooth {
+            None => return Ok(self.flow.transition(self.duration)),
+            Some(smooth) => smooth.transition(&self.start, self.duration),
+        };
+        if phi.iter().all(|x| x.is_finite()) {
+            Ok(phi)
+        } else {
+            Err(Error::input("the motion's derivative could not be followed"))
+        }
+    }
+
+    /// The determinant of [`transition`](Self::transition).
+    fn determinant(&self) -> Result<f64> {
+        match &self.stage {
+            None => Ok(self.flow.equations().determinant(self.duration)),
+            Some(_) => Ok(self.transition()?.determinant()),
+        }
     }
 }
 

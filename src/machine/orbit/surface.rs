@@ -98,8 +98,8 @@ impl StopEquations<'_> {
         let own = |i: usize| self.contact(i).law.is_some();
         if self.between.soft.is_some() || (0..m).any(own) {
             return Err(Error::input(
-                "the Poincaré map's derivatives are not followed through stops that give way, nor through impacts whose restitution \
-                 depends on the speed",
+                "the Poincaré map's derivatives are not followed through stops that give way or impacts whose restitution depends \
+                 on the speed, nor where forces are formulas",
             ));
         }
         if m == 0 || speeds.iter().any(|speed| speed.is_nan() || *speed <= 0.0) {

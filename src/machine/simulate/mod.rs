@@ -23,7 +23,9 @@
 //!   gap is, so that no pull beyond the minimum depth times that unit is passed over.
 //! - A run ends by an [`RunEnd`] that says why.
 //!
-//! The trajectory itself carries rounding errors only, amplified by the condition number of the modes.
+//! The trajectory itself carries rounding errors only, amplified by the condition number of the modes. Where
+//! forces are formulas it is followed by steps of Taylor series whose last terms are below 10⁻¹⁵ of the
+//! motion; the gap on a step is a polynomial then, too, and what is found on it is found by the same test.
 //!
 //! ```
 //! use grazing::machine::simulate::{MachineEvent, MachineSettings, MachineSimulator};
@@ -42,6 +44,8 @@
 //!     shapes: vec![],
 //!     force: vec![-16.0],
 //!     forcing: vec![],
+//!     smooth: vec![],
+//!     record: None,
 //!     stops: vec![Stop { name: "table".into(), row: vec![1.0], wall: table, law: StopLaw::Newton }],
 //! };
 //! let settings = MachineSettings { minimum_depth: 1e-12, ..MachineSettings::default() };
@@ -56,6 +60,7 @@
 
 mod engine;
 mod event;
+mod smooth;
 mod stage;
 mod tangent;
 
@@ -69,12 +74,15 @@ use serde::Serialize;
 
 pub use engine::MachineRun;
 pub use event::{MachineEvent, StopImpact, StopRelease, StopStick, StopTangency, StopTouch};
-use stage::{SoftStops, Stage};
+pub(in crate::machine) use smooth::seen;
+use stage::SoftStops;
+pub(in crate::machine) use stage::Stage;
 pub use tangent::MachineTangents;
 
 use super::{
     LinearEquations, LinearFlow, Machine, MachineState, RealVector,
     contact::{Contacts, StopContact},
+    smooth::Smooth,
 };
 pub use crate::oscillator::simulate::RunEnd;
 use crate::{
@@ -107,6 +115,7 @@ type Stages = BTreeMap<(Vec<usize>, SoftStops), Arc<Stage>>;
 pub struct MachineSimulator {
     equations: LinearEquations,
     contacts: Contacts,
+    smooth: Option<Smooth>,
     /// The free machine first of all; others as they come up.
     free: Arc<Stage>,
     stages: Mutex<Stages>,
@@ -133,7 +142,9 @@ impl MachineSimulator {
         }
         let equations = machine.equations()?;
         let contacts = Contacts::new(&equations, machine.contacts()?);
-        let free = Arc::new(Stage::new(&equations, &contacts, &[], &SoftStops::default(), false)?);
+        let smooth = Smooth::new(machine)?;
+        let soft = SoftStops::default();
+        let free = Arc::new(Stage::new(&equations, &contacts, &[], &soft, false, smooth.as_ref())?);
         for (stop, contact) in contacts.all().iter().enumerate() {
             if contacts.mobility(stop) <= 0.0 || contacts.mobility(stop).is_nan() {
                 let name = &contact.name;
@@ -149,6 +160,7 @@ impl MachineSimulator {
         Ok(MachineSimulator {
             equations,
             contacts,
+            smooth,
             free,
             stages,
             drags,
@@ -165,18 +177,21 @@ impl MachineSimulator {
         MachineSimulator { settings, ..self }
     }
 
-    /// The machine with its rigid stops passed through; none if it has no soft ones.
+    /// The machine with its rigid stops passed through; none if then it is one linear machine: it has no soft
+    /// stops, and no force is a formula.
     ///
     /// # Errors
     /// None in practice: those of [`MachineSimulator::new`].
     pub(in crate::machine) fn through(&self) -> Result<Option<MachineSimulator>> {
-        if self.contacts.all().iter().all(|contact| contact.soft.is_none()) {
+        if self.smooth.is_none() && self.contacts.all().iter().all(|contact| contact.soft.is_none()) {
             return Ok(None);
         }
-        let free = Stage::new(&self.equations, &self.contacts, &[], &SoftStops::default(), true)?;
+        let (soft, smooth) = (SoftStops::default(), self.smooth.as_ref());
+        let free = Stage::new(&self.equations, &self.contacts, &[], &soft, true, smooth)?;
         Ok(Some(MachineSimulator {
             equations: self.equations.clone(),
             contacts: self.contacts.clone(),
+            smooth: self.smooth.clone(),
             free: Arc::new(free),
             stages: Mutex::default(),
             drags: self.drags.clone(),
@@ -193,7 +208,26 @@ impl MachineSimulator {
         MachineSimulator { tally: Some(tally), ..self }
     }
 
-    /// The flow between impacts.
+    /// Whether forces are formulas.
+    pub fn is_smooth(&self) -> bool {
+        self.smooth.is_some()
+    }
+
+    /// (q″) of a state between impacts.
+    ///
+    /// # Errors
+    /// A stage that cannot be built.
+    pub(in crate::machine) fn acceleration(&self, state: &MachineState) -> Result<RealVector> {
+        let stage = self.stage(&[], &SoftStops::of(&self.contacts, state))?;
+        Ok(stage.acceleration(Time::new(0, state.t), state))
+    }
+
+    /// The machine away from all stops.
+    pub(in crate::machine) fn free(&self) -> Arc<Stage> {
+        self.free.clone()
+    }
+
+    /// The flow between impacts; where forces are formulas, that of the machine linearised at rest.
     pub fn flow(&self) -> &LinearFlow {
         &self.free.flow
     }
@@ -230,7 +264,13 @@ impl MachineSimulator {
             let place = contact.position.mean().abs() + contact.position.derivative_bound(0);
             most.fold(place.max(push), f64::max)
         };
-        self.contacts.all().iter().map(one).fold(0.0, f64::max)
+        // What the record's largest force does in a radian.
+        let record = self.smooth.as_ref().and_then(Smooth::record).map(|(record, direction)| {
+            let most = record.values.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+            self.equations.accelerate(direction) * most
+        });
+        let struck = |contact: &StopContact| record.as_ref().map_or(0.0, |bend| contact.row.dot(bend).abs());
+        self.contacts.all().iter().map(|contact| one(contact).max(struck(contact))).fold(0.0, f64::max)
     }
 
     /// A run from displacements q and velocities u, per radian of the forcing, at `time`.
@@ -275,8 +315,9 @@ impl MachineSimulator {
         if let Some(stage) = stages.get(&key) {
             return Ok(stage.clone());
         }
-        let stage =
-            Stage::new(&self.equations, &self.contacts, resting, soft, self.through).map_err(|error| {
+        let formulas = self.smooth.as_ref();
+        let stage = Stage::new(&self.equations, &self.contacts, resting, soft, self.through, formulas)
+            .map_err(|error| {
                 let names = |all: &[usize]| -> Vec<&str> {
                     all.iter().map(|&j| self.contacts.all()[j].name.as_str()).collect()
                 };

@@ -32,14 +32,16 @@
 
 use std::f64::consts::{PI, TAU};
 
+use super::smooth::SmoothStage;
 use crate::{
     error::{Error, Result},
     machine::{
         LinearEquations, LinearFlow, MachineState, RealMatrix, RealVector,
-        contact::{Contacts, Watch},
+        contact::{Contacts, StopContact, Watch},
+        smooth::Smooth,
     },
     oscillator::{
-        Series,
+        Series, Time,
         simulate::search::{Head, ROUNDING, head},
     },
 };
@@ -62,7 +64,7 @@ const LANES: usize = 4;
 
 /// What is watched.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum What {
+pub(in crate::machine) enum What {
     /// The gap to a stop.
     Gap(usize),
     /// The force of a stop that is rested on, as the acceleration that it prevents.
@@ -77,7 +79,7 @@ pub(super) enum What {
 
 /// Which soft stops are not open, each list ascending. A stop without damping is never behind.
 #[derive(Debug, Clone, Default, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) struct SoftStops {
+pub(in crate::machine) struct SoftStops {
     /// Those that push: z < 0 and the force is positive.
     pub pushing: Vec<usize>,
     /// Those let go of that are not open yet: z < 0, and they would pull.
@@ -122,19 +124,22 @@ impl SoftStops {
 
 /// Where the motion is at a soft stop.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum SoftPlace {
+pub(in crate::machine) enum SoftPlace {
     Open,
     Pushing,
     Behind,
 }
 
 #[derive(Debug)]
-pub(super) struct Stage {
+pub(in crate::machine) struct Stage {
     pub resting: Vec<usize>,
     pub soft: SoftStops,
     /// The equations with the forces of soft stops, not resting on any other.
     pub equations: LinearEquations,
+    /// Where forces are formulas, that of the machine linearised at rest.
     pub flow: LinearFlow,
+    /// Where forces are formulas, how it moves; then nothing is in tables.
+    pub smooth: Option<SmoothStage>,
     /// Z, the columns b_j, ZᵀM: [`Constrained`](crate::machine::equations::Constrained).
     reduced: Option<(RealMatrix, RealMatrix, RealMatrix)>,
     positions: Vec<Series>,
@@ -155,7 +160,7 @@ pub(super) struct Stage {
 
 /// Cells of one width.
 #[derive(Debug)]
-pub(super) struct Level {
+pub(in crate::machine) struct Level {
     pub half: f64,
     step: Step,
     /// For each thing watched, four functionals by fours of y: c₀, c₁, c₂ on y and the tail on |y|.
@@ -183,6 +188,7 @@ impl Stage {
         resting: &[usize],
         soft: &SoftStops,
         through: bool,
+        formulas: Option<&Smooth>,
     ) -> Result<Stage> {
         let all = contacts.all();
         let watched = |j: usize| !(resting.contains(&j) || through && all[j].soft.is_none());
@@ -200,12 +206,24 @@ impl Stage {
             }
         }
         let (mut reduced, mut positions) = (None, Vec::new());
+        let mut smooth = None;
+        let linearised = formulas.map(|formulas| formulas.linearised(equations));
         let flow = if resting.is_empty() {
-            LinearFlow::new(equations.clone())?
+            if let Some(formulas) = formulas {
+                smooth = Some(SmoothStage::new(formulas, equations, contacts, &watches, None)?);
+            }
+            LinearFlow::new(linearised.unwrap_or_else(|| equations.clone()))?
         } else {
             let forces = contacts.forces(equations, resting)?;
             watches.extend(resting.iter().zip(forces).map(|(j, watch)| (What::Force(*j), watch)));
-            let constrained = equations.constrained(&resting.iter().map(|&j| &all[j]).collect::<Vec<_>>())?;
+            let held = resting.iter().map(|&j| &all[j]).collect::<Vec<_>>();
+            let mut constrained = equations.constrained(&held)?;
+            if let (Some(formulas), Some(linearised)) = (formulas, linearised) {
+                let held = linearised.constrained(&held)?;
+                let both = Some((resting, &constrained));
+                smooth = Some(SmoothStage::new(formulas, equations, contacts, &watches, both)?);
+                constrained.equations = held.equations;
+            }
             positions = resting.iter().map(|&j| all[j].position.clone()).collect();
             reduced = Some((constrained.free, constrained.lift, constrained.down));
             LinearFlow::new(constrained.equations)?
@@ -216,6 +234,7 @@ impl Stage {
             equations: equations.clone(),
             padded: flow.dimension().next_multiple_of(LANES),
             flow,
+            smooth,
             reduced,
             positions,
             watched: watches.iter().map(|known| known.0).collect(),
@@ -225,6 +244,9 @@ impl Stage {
             drive: Vec::new(),
             tabled: 0,
         };
+        if stage.smooth.is_some() {
+            return Ok(stage);
+        }
         let watches = watches.iter().map(|(_, watch)| stage.reduce(watch)).collect::<Vec<_>>();
         stage.fill(&watches)?;
         stage.watches = watches;
@@ -515,14 +537,33 @@ impl Stage {
         self.raised(self.flow.join(t, y))
     }
 
-    /// The machine's own state after `duration` ≥ 0 of motion in this stage, over as many periods as that
-    /// takes.
-    pub fn after(&self, state: &MachineState, duration: f64) -> MachineState {
+    /// The machine's own state after `duration` ≥ 0 of motion in this stage from a state at `time`, over as
+    /// many periods as that takes.
+    pub fn after(&self, time: Time, state: &MachineState, duration: f64) -> MachineState {
+        if let Some(smooth) = &self.smooth {
+            return smooth.after(time, state, duration);
+        }
         self.raised(self.flow.after(&self.lowered(state), duration))
     }
 
+    /// A state without what rounding has moved it by off the stops that are rested on.
+    pub fn kept(&self, state: &MachineState) -> MachineState {
+        self.raised(self.lowered(state))
+    }
+
+    /// z″ of a gap without the forces of the stops that are rested on.
+    pub fn bend(&self, contact: &StopContact, time: Time, state: &MachineState) -> f64 {
+        match &self.smooth {
+            None => contact.acceleration(&self.equations, state),
+            Some(smooth) => contact.row.dot(&smooth.unheld(time, state)) - contact.position.at(state.t)[2],
+        }
+    }
+
     /// q″ of the machine in this stage.
-    pub fn acceleration(&self, state: &MachineState) -> RealVector {
+    pub fn acceleration(&self, time: Time, state: &MachineState) -> RealVector {
+        if let Some(smooth) = &self.smooth {
+            return smooth.acceleration(time, state);
+        }
         let own = self.lowered(state);
         let bend = self.flow.equations().acceleration(own.t, &own.q, &own.u);
         let Some((free, lift, _)) = &self.reduced else { return bend };

@@ -1,6 +1,7 @@
 //! A motion with vectors that its derivative carries along: what Lyapunov exponents of machines rest on.
 //!
-//! In flight, and at rest on stops, vectors move by the homogeneous flow. At an impact with incoming speed V
+//! In flight, and at rest on stops, vectors move by the homogeneous flow; where forces are formulas, by the
+//! derivative of the flow along the motion. At an impact with incoming speed V
 //! they take part in Newton's law, and a motion beside this one is hit later by δt = w·δq/V:
 //!
 //!   δq⁺ = δq + (q′⁻ − q′⁺) δt,  δq′⁺ = δq′ + (q″⁻ − q″⁺) δt + M⁻¹Wᵀ δΛ,
@@ -18,7 +19,7 @@ use std::sync::Arc;
 use super::{MachineEvent, MachineRun, MachineSimulator, StopImpact, StopTouch, stage::Stage};
 use crate::{
     error::Result,
-    machine::{MachineState, RealMatrix, RealVector},
+    machine::{MachineState, RealMatrix, RealVector, algebra::stacked},
     oscillator::{
         Time,
         attractor::dynamics::{Tangents, orthonormalise},
@@ -92,9 +93,18 @@ impl<'a> MachineTangents<'a> {
     /// Vectors and state on by `duration`, without events.
     fn advance(&mut self, duration: f64) {
         let stage = self.stage.clone();
-        self.mapped(|q, u| stage.carried(&q, &u, duration));
         let state = MachineState { t: self.now.phase, ..self.state.clone() };
-        (self.state, self.now) = (stage.after(&state, duration), self.now.after(duration));
+        match &stage.smooth {
+            None => self.mapped(|q, u| stage.carried(&q, &u, duration)),
+            Some(smooth) => {
+                let (n, phi) = (state.q.len(), smooth.transition(&state, duration));
+                self.mapped(|q, u| {
+                    let x = &phi * stacked(&q, &u);
+                    (x.rows(0, n).into_owned(), x.rows(n, n).into_owned())
+                });
+            }
+        }
+        (self.state, self.now) = (stage.after(self.now, &state, duration), self.now.after(duration));
         self.state.t = self.now.phase;
     }
 
@@ -119,7 +129,8 @@ impl<'a> MachineTangents<'a> {
         let Some(first) = first.filter(|&i| rates[i] < 0.0) else { return Ok(()) };
         let stops: Vec<usize> = acting.iter().map(|&i| all[i]).collect();
         let inner = contacts.among(&stops).lu();
-        let (bend, bent) = (self.stage.acceleration(&arrival), stage.acceleration(&after));
+        let now = Time::new(0, arrival.t);
+        let (bend, bent) = (self.stage.acceleration(now, &arrival), stage.acceleration(now, &after));
         let (row, speed) = (contacts.all()[all[first]].row.clone(), -rates[first]);
         let rows: Vec<_> = stops.iter().map(|&stop| contacts.all()[stop].clone()).collect();
         let bends: Vec<f64> =
@@ -163,6 +174,10 @@ impl<'a> MachineTangents<'a> {
         let decays = self.stage.flow.decays();
         let (most, slowest) = if count < 2 { (600.0, decays.first()) } else { (20.0, decays.get(count - 1)) };
         self.longest = slowest.filter(|decay| **decay > 0.0).map_or(f64::INFINITY, |decay| most / decay);
+        if self.stage.smooth.is_some() {
+            // How fast motions decay is known at rest only.
+            self.longest = self.longest.min(std::f64::consts::TAU);
+        }
     }
 
     /// Of vectors only what moves along the stops that are rested on.

@@ -11,10 +11,12 @@ mod scalar;
 mod taylor;
 
 pub use linear::Linear;
-pub(super) use program::Program;
-pub(super) use scalar::{Gradient, Primitive, Range, Scalar};
+pub(crate) use program::{Drive, Outline, Program};
+pub(crate) use scalar::{Gradient, Scalar};
+pub(super) use scalar::{Primitive, Range};
 pub use taylor::Taylor;
-pub(super) use taylor::{Expansion, Recurrence, SHORTEST, TERMS};
+pub(super) use taylor::{Expansion, Recurrence};
+pub(crate) use taylor::{SHORTEST, TERMS};
 
 use std::sync::Arc;
 

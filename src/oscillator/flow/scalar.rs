@@ -7,7 +7,7 @@ use std::{
 
 /// The functions of one number that forces are made of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(in crate::oscillator) enum Primitive {
+pub(crate) enum Primitive {
     Inverse,
     Sqrt,
     Exp,
@@ -77,7 +77,7 @@ fn squared_sech(x: f64) -> f64 {
 }
 
 /// Numbers with what they carry along.
-pub(in crate::oscillator) trait Scalar:
+pub(crate) trait Scalar:
     Copy
     + PartialEq
     + Debug
@@ -134,7 +134,7 @@ impl Scalar for f64 {
 
 /// A value, first, and its derivatives in N − 1 variables.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(in crate::oscillator) struct Gradient<const N: usize>(pub [f64; N]);
+pub(crate) struct Gradient<const N: usize>(pub [f64; N]);
 
 impl<const N: usize> Gradient<N> {
     /// The variable whose derivative stands at `place`.

@@ -14,10 +14,10 @@ use crate::{
 };
 
 /// Room for the coefficients of a piece.
-pub(in crate::oscillator) const TERMS: usize = 24;
+pub(crate) const TERMS: usize = 24;
 
 /// Steps this short end a motion that needs them: towards a pole or beyond all bounds.
-pub(in crate::oscillator) const SHORTEST: f64 = 1e-9 * std::f64::consts::TAU;
+pub(crate) const SHORTEST: f64 = 1e-9 * std::f64::consts::TAU;
 
 /// No step is longer than a quarter of the forcing period.
 const LONGEST: f64 = std::f64::consts::FRAC_PI_2;

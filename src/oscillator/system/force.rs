@@ -6,11 +6,13 @@ use serde::Serialize;
 
 use crate::number::Formula;
 
-/// An acceleration a(t, q, u), smooth but for poles, roots of negative numbers and the like, 2π-periodic in
-/// t: a formula with coefficients of any kind. Made by [`Scene`](crate::scene::Scene) from `force`.
+/// A force a(t, q, u), smooth but for poles, roots of negative numbers and the like, 2π-periodic in t: a
+/// formula with coefficients of any kind. Of an oscillator it is an acceleration; of a machine with n
+/// coordinates a(t, q₁, …, q_n, u₁, …, u_n). Made by [`Scene`](crate::scene::Scene) from `force`.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SmoothForce<T> {
-    /// Variables: [`Q`], [`U`], [`T`](TIME), then the coefficients.
+    /// Variables: [`Q`], [`U`], [`T`](TIME), of n coordinates q₁ to q_n, u₁ to u_n and the time; then the
+    /// coefficients.
     #[serde(skip)]
     pub(crate) formula: Arc<Formula>,
     /// As it was written, without spaces.
@@ -36,7 +38,7 @@ impl<T> SmoothForce<T> {
         &self.coefficients
     }
 
-    pub(super) fn try_map<U, E>(
+    pub(crate) fn try_map<U, E>(
         &self,
         convert: &mut impl FnMut(&T) -> Result<U, E>,
     ) -> Result<SmoothForce<U>, E> {

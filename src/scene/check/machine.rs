@@ -1,5 +1,7 @@
 //! What only a whole scene can tell of the tasks on a machine: stops that are there, planes, starts, orbits.
 
+use num_traits::Zero;
+
 use super::{check_basins, check_grazing, check_range, check_reach, check_values};
 use crate::{
     error::{Error, Result},
@@ -15,6 +17,9 @@ use crate::{
 
 /// The checks of one task on a machine; most kinds do not work on machines.
 pub(super) fn check_machine(kind: &Kind, scene: &Scene, machine: &Machine<f64>, path: &str) -> Result<()> {
+    if let Some((record, _)) = &machine.record {
+        check_once(kind, scene, record.length() / machine.period, path)?;
+    }
     match kind {
         Kind::SimulateTask(task) => {
             task.check_length(scene, path)?;
@@ -85,6 +90,12 @@ pub(super) fn check_machine(kind: &Kind, scene: &Scene, machine: &Machine<f64>, 
                 let key = if task.event.is_some() { "event" } else { "parameter" };
                 return fail(key, "of a machine, orbits are proved and no bifurcations: leave it out");
             }
+            if machine.is_smooth() {
+                return fail(
+                    "kind",
+                    "proves orbits of linear machines; a `force` of this one is a formula in its motion",
+                );
+            }
             if task.orbit.pattern.is_empty() {
                 return fail("orbit.pattern", "must have an impact to be validated");
             }
@@ -103,6 +114,28 @@ pub(super) fn check_machine(kind: &Kind, scene: &Scene, machine: &Machine<f64>, 
             Err(scene.fail(&format!("{path}.kind"), message))
         }
     }
+}
+
+/// A force that is recorded once: one run, from where it begins, no longer than it is.
+fn check_once(kind: &Kind, scene: &Scene, periods: f64, path: &str) -> Result<()> {
+    let fail = |key: &str, message: &str| Err(scene.fail(&format!("{path}.{key}"), message));
+    let Kind::SimulateTask(task) = kind else {
+        let message = "needs a periodic force; `measured` with once = true is a record of one run, for `simulate` alone: fit \
+                       `harmonics` to it instead";
+        return fail("kind", message);
+    };
+    if task.transient > 0 {
+        return fail("transient", "passes a part of a force that is recorded once: leave it out");
+    }
+    if !task.start.phase.is_zero() {
+        return fail("start.phase", "is not 0, where the record of the force begins: leave it out");
+    }
+    if f64::from(task.periods) > periods * (1.0 + 1e-9) {
+        let message =
+            format!("asks for {} periods; the record of the force ends after {periods:.6}", task.periods);
+        return fail("periods", &message);
+    }
+    Ok(())
 }
 
 fn check_machine_section(
@@ -200,7 +233,7 @@ fn check_machine_orbit(orbit: &OrbitKeys, scene: &Scene, machine: &Machine<f64>,
         );
         return fail(if orbit.stops.is_empty() { "pattern" } else { "stops" }, &message);
     }
-    let free = m == 0 && !machine.stops.iter().all(rigid);
+    let free = m == 0 && (machine.is_smooth() || !machine.stops.iter().all(rigid));
     let needed = if free { 2 * machine.points() } else { 2 * m };
     if !orbit.start.is_empty() && orbit.start.len() != needed {
         return fail("start", &format!("must hold {needed} numbers"));

@@ -129,12 +129,16 @@ impl MachineRun<'_> {
         let (time, simulator) = (self.time_at(x), self.simulator);
         let (depth, mut touched) = (simulator.settings.minimum_depth, vec![stop]);
         let after = (1.0 + x) * self.half();
-        let mut y = stage.vector(&self.y);
+        let mut y = if stage.smooth.is_some() { RealVector::zeros(0) } else { stage.vector(&self.y) };
         let alone = stage.resting.is_empty() && simulator.contacts.all().len() == 1;
         let mut known = None;
         if !alone {
-            stage.flow.advance(&mut y, after);
-            let state = stage.join(self.begin() + after, &y);
+            let state = if stage.smooth.is_some() {
+                self.state_at(x)
+            } else {
+                stage.flow.advance(&mut y, after);
+                stage.join(self.begin() + after, &y)
+            };
             for (other, contact) in simulator.contacts.all().iter().enumerate() {
                 let rigid = contact.soft.is_none();
                 if rigid
@@ -147,7 +151,8 @@ impl MachineRun<'_> {
             }
             known = Some(state);
         }
-        if touched.len() > 1 || !stage.resting.is_empty() || !stage.soft.is_empty() {
+        let tabled = stage.smooth.is_none();
+        if touched.len() > 1 || !stage.resting.is_empty() || !stage.soft.is_empty() || !tabled {
             let state = known.unwrap_or_else(|| self.state_at(x));
             let rate =
                 |&j: &usize| if j == stop { velocity } else { simulator.contacts.all()[j].gap(&state)[1] };
@@ -252,9 +257,9 @@ impl MachineRun<'_> {
         let (simulator, depth) = (self.simulator, self.simulator.settings.minimum_depth);
         let (contacts, now) = (simulator.contacts.all(), self.stage.clone());
         let bounce = |j: usize, state: &MachineState| contacts[j].gap(state)[1].max(0.0);
-        let held: Vec<usize> = self.held(&state, resting)?;
+        let held: Vec<usize> = self.held(time, &state, resting)?;
         // z″ of a stop with the forces of those that are held.
-        let free = |j: usize, state: &MachineState| contacts[j].acceleration(&now.equations, state);
+        let free = |j: usize, state: &MachineState| now.bend(&contacts[j], time, state);
         let accelerations: Vec<f64> = held.iter().map(|&j| free(j, &state)).collect();
         let forces = simulator.contacts.pressing(&held, &accelerations)?;
         let helped = simulator.contacts.change(&held, &forces);
@@ -286,7 +291,7 @@ impl MachineRun<'_> {
         }
         let stage = simulator.stage(&pressing, &now.soft)?;
         let longest = added.iter().map(|known| known.1).fold(0.0, f64::max);
-        if longest > 0.0 && !steady(&stage, &state, longest) {
+        if longest > 0.0 && !steady(&stage, time, &state, longest) {
             // The stop changes its mind before the bounces end: one by one, then.
             return Ok(false);
         }
@@ -304,12 +309,12 @@ impl MachineRun<'_> {
     }
 
     /// Those of the stops rested on that are not left by the velocities of `state`.
-    fn held(&self, state: &MachineState, resting: &[usize]) -> Result<Vec<usize>> {
+    fn held(&self, time: Time, state: &MachineState, resting: &[usize]) -> Result<Vec<usize>> {
         let simulator = self.simulator;
         let depth = simulator.settings.minimum_depth;
         let stays = |&&j: &&usize| {
             let contact = &simulator.contacts.all()[j];
-            let (v, a) = (contact.gap(state)[1], contact.acceleration(&self.stage.equations, state));
+            let (v, a) = (contact.gap(state)[1], self.stage.bend(contact, time, state));
             v <= 0.0 || v * v < 2.0 * a.abs() * depth
         };
         Ok(resting.iter().filter(stays).copied().collect())
@@ -317,7 +322,7 @@ impl MachineRun<'_> {
 
     /// Goes on resting on those of the stops that still press, after others were hit.
     fn rest_among(&mut self, time: Time, state: &MachineState, resting: &[usize]) -> Result<()> {
-        let held = self.held(state, resting)?;
+        let held = self.held(time, state, resting)?;
         for &stop in resting.iter().filter(|j| !held.contains(j)) {
             self.events.push(MachineEvent::Release(StopRelease { time, stop }));
         }
@@ -329,7 +334,7 @@ impl MachineRun<'_> {
         let simulator = self.simulator;
         let contacts = simulator.contacts.all();
         let accelerations: Vec<f64> =
-            stops.iter().map(|&j| contacts[j].acceleration(&self.stage.equations, state)).collect();
+            stops.iter().map(|&j| self.stage.bend(&contacts[j], time, state)).collect();
         let forces = simulator.contacts.pressing(stops, &accelerations)?;
         let mut pressing = Vec::new();
         for (&stop, force) in stops.iter().zip(forces) {
@@ -359,7 +364,14 @@ impl MachineRun<'_> {
 }
 
 /// Whether the forces of what is rested on are within a factor of their values at `state` for `duration`.
-fn steady(stage: &Stage, state: &MachineState, duration: f64) -> bool {
+fn steady(stage: &Stage, time: Time, state: &MachineState, duration: f64) -> bool {
+    let near = |now: &[f64], later: &[f64]| {
+        now.iter().zip(later).all(|(now, later)| (later / now - 1.0).abs() <= 0.5)
+    };
+    if let Some(smooth) = &stage.smooth {
+        let later = smooth.after(time, state, duration);
+        return near(&smooth.forces(time, state), &smooth.forces(time.after(duration), &later));
+    }
     let forces = |t: f64, y: &RealVector| -> Vec<f64> {
         let period = (t / TAU).floor() * TAU;
         stage.forces(t - period, y)
@@ -368,5 +380,5 @@ fn steady(stage: &Stage, state: &MachineState, duration: f64) -> bool {
     let now = forces(state.t, &y);
     stage.flow.advance(&mut y, duration);
     let later = forces(state.t + duration, &y);
-    now.iter().zip(later).all(|(now, later)| (later / now - 1.0).abs() <= 0.5)
+    near(&now, &later)
 }

@@ -2,6 +2,7 @@
 //! makes of the motion is in `contact`.
 
 mod contact;
+mod leap;
 
 use std::sync::Arc;
 
@@ -11,7 +12,7 @@ use super::{
 };
 use crate::{
     error::{Error, Result},
-    machine::{LinearFlow, MachineState},
+    machine::{LinearFlow, MachineState, smooth::Leap},
     oscillator::{
         Counter, Effect, Time,
         simulate::{
@@ -36,7 +37,9 @@ pub struct MachineRun<'a> {
     cell: usize,
     /// The homogeneous motion at the cell's beginning.
     y: Vec<f64>,
-    /// The place in the cell from which on it is to be looked at, in [−1, 1].
+    /// Where forces are formulas, the step in place of the cell.
+    leap: Option<Leap>,
+    /// The place in the cell from which on it is to be looked at, in [−1, 1]; in the step, in [0, 1].
     from: f64,
     /// The level to look at first.
     level: usize,
@@ -77,6 +80,7 @@ impl<'a> MachineRun<'a> {
             period: time.period,
             cell: 0,
             y: Vec::new(),
+            leap: None,
             from: -1.0,
             level: 0,
             open: gaps.iter().map(|[gap, _]| *gap > depth).collect(),
@@ -163,7 +167,7 @@ impl<'a> MachineRun<'a> {
     }
 
     /// The machine as it rests now.
-    pub(super) fn stage(&self) -> Arc<Stage> {
+    pub(in crate::machine) fn stage(&self) -> Arc<Stage> {
         self.stage.clone()
     }
 
@@ -227,8 +231,9 @@ impl<'a> MachineRun<'a> {
         clear(stage.head(level, watch, cell, &self.y), self.simulator.settings.minimum_depth)
     }
 
+    /// Radians in a unit of x.
     fn half(&self) -> f64 {
-        self.stage.finest().half
+        self.leap.as_ref().map_or_else(|| self.stage.finest().half, |leap| leap.h)
     }
 
     /// Where the cell begins.
@@ -237,10 +242,16 @@ impl<'a> MachineRun<'a> {
     }
 
     fn time_at(&self, x: f64) -> Time {
+        if let Some(leap) = &self.leap {
+            return leap.time(x);
+        }
         Time::new(self.period, (2 * self.cell + 1) as f64 * self.half() + x * self.half())
     }
 
     fn state_at(&self, x: f64) -> MachineState {
+        if let Some(leap) = &self.leap {
+            return leap.state(x);
+        }
         let mut y = self.stage.vector(&self.y);
         let after = (1.0 + x) * self.half();
         self.stage.flow.advance(&mut y, after);
@@ -250,6 +261,9 @@ impl<'a> MachineRun<'a> {
     /// Sets the cursor at a state of the machine.
     fn enter(&mut self, stage: Arc<Stage>, time: Time, state: &MachineState) {
         self.stage = stage;
+        if self.leap_from(time, state) {
+            return;
+        }
         let cell = ((time.phase / (2.0 * self.half())) as usize).min(self.stage.cells() - 1);
         (self.period, self.cell) = (time.period, cell);
         let after = (time.phase - self.begin()).max(0.0);
@@ -268,6 +282,9 @@ impl<'a> MachineRun<'a> {
     /// Looks on until something is to be told (false) or `until` is reached or the run ends (true).
     fn look(&mut self, until: Time) -> Result<bool> {
         let stage = self.stage.clone();
+        if stage.smooth.is_some() {
+            return self.look_by_steps(until);
+        }
         if stage.watched.is_empty() {
             self.fly(until);
             return Ok(true);

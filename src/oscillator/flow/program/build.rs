@@ -1,16 +1,43 @@
-//! From a system to the list of operations of its force: equal parts are there once, what is linear is one
+//! From a system, or from any number of formulas, to the list of operations of its force: equal parts are there once, what is linear is one
 //! sum, harmonics of the time are taken out; and back to coefficients where nothing else is left.
 
-use super::{Drive, INPUTS, Op, Program, Sum};
+use super::{Drive, INPUTS, Op, Output, Program, Sum};
 use crate::{
     error::{Error, Result},
     number::{Formula, Function, Operation},
     oscillator::{
-        System,
+        SmoothForce, System,
         flow::scalar::{Primitive, Scalar},
         system::{Q, TIME, U},
     },
 };
+
+/// An output to be: a constant, multiples of rows of the inputs and of formulas, harmonics of the time.
+#[derive(Debug, Clone)]
+pub(crate) struct Outline<S> {
+    pub constant: S,
+    pub inputs: Vec<(S, usize)>,
+    pub formulas: Vec<(S, usize)>,
+    pub drive: Vec<Drive<S>>,
+}
+
+impl<S: Scalar> Outline<S> {
+    /// 0.
+    pub fn zero() -> Self {
+        let constant = S::constant(0.0);
+        Outline { constant, inputs: Vec::new(), formulas: Vec::new(), drive: Vec::new() }
+    }
+
+    /// Adds a multiple of another.
+    pub fn add(&mut self, factor: S, other: &Outline<S>) {
+        self.constant = self.constant + factor * other.constant;
+        self.inputs.extend(other.inputs.iter().map(|(by, row)| (factor * *by, *row)));
+        self.formulas.extend(other.formulas.iter().map(|(by, formula)| (factor * *by, *formula)));
+        let driven =
+            |drive: &Drive<S>| Drive { k: drive.k, cos: factor * drive.cos, sin: factor * drive.sin };
+        self.drive.extend(other.drive.iter().map(driven));
+    }
+}
 
 /// What is left of a program that is linear, but for a cubic term, and driven by harmonics.
 pub(in crate::oscillator::flow) struct Plain {
@@ -22,65 +49,93 @@ pub(in crate::oscillator::flow) struct Plain {
 }
 
 impl<S: Scalar> Program<S> {
+    fn empty(size: usize) -> Program<S> {
+        Program { size, ops: Vec::new(), outputs: Vec::new(), guards: Vec::new() }
+    }
+
     /// The whole equation of motion of a system without its walls.
     ///
     /// # Errors
     /// A constant part of the force that is no number: a root of a negative one, a division by zero.
     pub fn new(system: &System<S>) -> Result<Program<S>> {
-        let mut made = Program {
-            ops: Vec::new(),
-            root: Sum { constant: system.force, terms: Vec::new() },
-            drive: Vec::new(),
-            guards: Vec::new(),
-        };
-        let mut root = made.root.clone();
+        let mut made = Program::empty(1);
+        let mut root = Sum { constant: system.force, terms: Vec::new() };
         root.add(-system.damping, U);
         root.add(-system.stiffness, Q);
         if !system.cubic.is_zero() {
             let cube = made.power(Q, 3);
             root.add(-system.cubic, cube);
         }
+        let mut drive = Vec::new();
         for harmonic in &system.forcing {
             let k = f64::from(harmonic.k);
-            made.drive.push(Drive { k, cos: harmonic.cos, sin: harmonic.sin });
+            drive.push(Drive { k, cos: harmonic.cos, sin: harmonic.sin });
         }
         if let Some(force) = &system.smooth {
-            let sum = made.lower(&force.formula, &force.coefficients)?;
+            let inputs = [Q, U, TIME].map(Sum::row);
+            let sum = made.lower(&force.formula, (&inputs, &force.coefficients))?;
             root.constant = root.constant + sum.constant;
             sum.terms.into_iter().for_each(|(factor, row)| root.add(factor, row));
         }
-        made.finish(root);
+        made.finish(vec![Output { sum: root, drive }]);
         Ok(made)
     }
 
-    /// Takes the harmonics out of the sum and drops rows that nothing needs.
-    fn finish(&mut self, mut root: Sum<S>) {
-        let ops = &self.ops;
-        let drive = &mut self.drive;
-        root.terms.retain(|(factor, row)| {
-            let Some(op) = row.checked_sub(INPUTS).map(|i| &ops[i]) else { return true };
-            // f sin(kt + c) = (f sin c) cos kt + (f cos c) sin kt, and a quarter on for the cosine.
-            let (k, cos, sin) = match op {
-                Op::TurnSin(k, phase) => (k, phase.call(Primitive::Sin), phase.call(Primitive::Cos)),
-                Op::TurnCos(k, phase) => (k, phase.call(Primitive::Cos), -phase.call(Primitive::Sin)),
-                _ => return true,
-            };
-            drive.push(Drive { k: *k, cos: *factor * cos, sin: *factor * sin });
-            false
-        });
-        for harmonic in drive.iter_mut().filter(|harmonic| harmonic.k < 0.0) {
-            (harmonic.k, harmonic.sin) = (-harmonic.k, -harmonic.sin);
+    /// The outlines as outputs, the accelerations of `size` coordinates first. The formulas' variables but for
+    /// the time, which comes last, are these multiples of inputs.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new), with the number of the formula, from 0.
+    pub fn assemble(
+        size: usize,
+        variables: &[Vec<(S, usize)>],
+        formulas: &[&SmoothForce<S>],
+        outlines: &[Outline<S>],
+    ) -> std::result::Result<Program<S>, (usize, Error)> {
+        let mut made = Program::empty(size);
+        let zero = || Sum::constant(S::constant(0.0));
+        let summed = |terms: &Vec<(S, usize)>| {
+            let mut sum = zero();
+            terms.iter().for_each(|(factor, row)| sum.add(*factor, *row));
+            sum
+        };
+        let mut inputs: Vec<Sum<S>> = variables.iter().map(summed).collect();
+        inputs.push(Sum::row(made.time()));
+        let mut lowered = Vec::new();
+        for (i, force) in formulas.iter().enumerate() {
+            lowered.push(made.lower(&force.formula, (&inputs, &force.coefficients)).map_err(|e| (i, e))?);
         }
-        drive.retain(|harmonic| !harmonic.cos.is_zero() || !harmonic.sin.is_zero());
+        let output = |outline: &Outline<S>| {
+            let mut sum = Sum::constant(outline.constant);
+            outline.inputs.iter().for_each(|(factor, row)| sum.add(*factor, *row));
+            for (factor, formula) in &outline.formulas {
+                let part = lowered[*formula].clone().times(*factor);
+                sum.constant = sum.constant + part.constant;
+                part.terms.into_iter().for_each(|(factor, row)| sum.add(factor, row));
+            }
+            Output { sum, drive: outline.drive.clone() }
+        };
+        let outputs = outlines.iter().map(output).collect();
+        made.finish(outputs);
+        Ok(made)
+    }
+
+    /// Takes the harmonics out of the sums and drops rows that nothing needs.
+    fn finish(&mut self, mut outputs: Vec<Output<S>>) {
+        let inputs = self.inputs();
+        for output in &mut outputs {
+            output.take_out(&self.ops, inputs);
+        }
         let mut live = vec![false; self.ops.len()];
-        let mut open: Vec<usize> = root.terms.iter().map(|term| term.1).collect();
+        let mut open: Vec<usize> =
+            outputs.iter().flat_map(|output| output.sum.terms.iter().map(|term| term.1)).collect();
         while let Some(row) = open.pop() {
-            if row >= INPUTS && !std::mem::replace(&mut live[row - INPUTS], true) {
-                open.extend(self.ops[row - INPUTS].needs(row));
+            if row >= inputs && !std::mem::replace(&mut live[row - inputs], true) {
+                open.extend(self.ops[row - inputs].needs(row));
             }
         }
-        let mut place: Vec<usize> = (0..INPUTS).collect();
-        let mut next = INPUTS;
+        let mut place: Vec<usize> = (0..inputs).collect();
+        let mut next = inputs;
         for alive in &live {
             place.push(next);
             next += usize::from(*alive);
@@ -105,17 +160,19 @@ impl<S: Scalar> Program<S> {
                 Op::TurnSin(..) | Op::TurnCos(..) => {}
             }
         }
-        root.terms.iter_mut().for_each(|term| moved(&mut term.1));
+        for output in &mut outputs {
+            output.sum.terms.iter_mut().for_each(|term| moved(&mut term.1));
+        }
         let mut alive = live.iter();
         self.ops.retain(|_| *alive.next().expect("one for each"));
         self.guards = self.ops.iter().filter_map(Op::guard).collect();
-        self.root = root;
+        self.outputs = outputs;
     }
 
     /// The row of an operation, there once for all that need it.
     fn row(&mut self, op: Op<S>) -> usize {
         let known = self.ops.iter().position(|known| *known == op);
-        INPUTS
+        self.inputs()
             + known.unwrap_or_else(|| {
                 self.ops.push(op);
                 self.ops.len() - 1
@@ -164,18 +221,20 @@ impl<S: Scalar> Program<S> {
         }
     }
 
-    /// A formula as a constant and multiples of rows.
-    fn lower(&mut self, formula: &Formula, coefficients: &[S]) -> Result<Sum<S>> {
-        let one = |row| Sum { constant: S::constant(0.0), terms: vec![(S::constant(1.0), row)] };
+    /// A formula as a constant and multiples of rows; `known` is what its variables are, and its coefficients.
+    fn lower(&mut self, formula: &Formula, known: (&[Sum<S>], &[S])) -> Result<Sum<S>> {
+        let (one, time) = (Sum::row, self.time());
         Ok(match formula {
             Formula::Number(value) => Sum::constant(S::constant(float(value))),
             Formula::Pi => Sum::constant(S::constant(std::f64::consts::PI)),
-            Formula::Variable(place @ (Q | U | TIME)) => one(*place),
-            Formula::Variable(place) => Sum::constant(coefficients[*place - INPUTS]),
-            Formula::Negated(inner) => self.lower(inner, coefficients)?.times(S::constant(-1.0)),
+            Formula::Variable(place) => match place.checked_sub(known.0.len()) {
+                None => known.0[*place].clone(),
+                Some(coefficient) => Sum::constant(known.1[coefficient]),
+            },
+            Formula::Negated(inner) => self.lower(inner, known)?.times(S::constant(-1.0)),
             Formula::Binary(operation, parts) => {
-                let left = self.lower(&parts[0], coefficients)?;
-                let mut right = self.lower(&parts[1], coefficients)?;
+                let left = self.lower(&parts[0], known)?;
+                let mut right = self.lower(&parts[1], known)?;
                 match operation {
                     Operation::Sum | Operation::Difference => {
                         if *operation == Operation::Difference {
@@ -211,7 +270,7 @@ impl<S: Scalar> Program<S> {
             }
             Formula::Power(_, 0) => Sum::constant(S::constant(1.0)),
             Formula::Power(base, exponent) => {
-                let base = self.lower(base, coefficients)?;
+                let base = self.lower(base, known)?;
                 let n = exponent.unsigned_abs();
                 let raised = |x: S| (1..n).fold(x, |power, _| power * x);
                 if base.terms.is_empty() {
@@ -230,7 +289,7 @@ impl<S: Scalar> Program<S> {
                 }
             }
             Formula::Call(function, inner) => {
-                let argument = self.lower(inner, coefficients)?;
+                let argument = self.lower(inner, known)?;
                 if argument.terms.is_empty() {
                     let (primitive, wrong) = match function {
                         Function::Sqrt => (Primitive::Sqrt, "takes the root of a negative number"),
@@ -245,7 +304,7 @@ impl<S: Scalar> Program<S> {
                     return Ok(Sum::constant(checked(argument.constant.call(primitive), wrong)?));
                 }
                 let turn = match &argument.terms[..] {
-                    [(k, TIME)] => Some(k.part(0)),
+                    [(k, row)] if *row == time => Some(k.part(0)),
                     _ => None,
                 };
                 let phase = argument.constant;
@@ -269,6 +328,28 @@ impl<S: Scalar> Program<S> {
     }
 }
 
+impl<S: Scalar> Output<S> {
+    /// Takes the harmonics out of the sum.
+    fn take_out(&mut self, ops: &[Op<S>], inputs: usize) {
+        let drive = &mut self.drive;
+        self.sum.terms.retain(|(factor, row)| {
+            let Some(op) = row.checked_sub(inputs).map(|i| &ops[i]) else { return true };
+            // f sin(kt + c) = (f sin c) cos kt + (f cos c) sin kt, and a quarter on for the cosine.
+            let (k, cos, sin) = match op {
+                Op::TurnSin(k, phase) => (k, phase.call(Primitive::Sin), phase.call(Primitive::Cos)),
+                Op::TurnCos(k, phase) => (k, phase.call(Primitive::Cos), -phase.call(Primitive::Sin)),
+                _ => return true,
+            };
+            drive.push(Drive { k: *k, cos: *factor * cos, sin: *factor * sin });
+            false
+        });
+        for harmonic in drive.iter_mut().filter(|harmonic| harmonic.k < 0.0) {
+            (harmonic.k, harmonic.sin) = (-harmonic.k, -harmonic.sin);
+        }
+        drive.retain(|harmonic| !harmonic.cos.is_zero() || !harmonic.sin.is_zero());
+    }
+}
+
 impl Program<f64> {
     /// The coefficients of an equation that needs no program.
     pub(in crate::oscillator::flow) fn plain(&self) -> Option<Plain> {
@@ -276,10 +357,10 @@ impl Program<f64> {
             damping: 0.0,
             stiffness: 0.0,
             cubic: 0.0,
-            force: self.root.constant,
-            drive: self.drive.clone(),
+            force: self.outputs[0].sum.constant,
+            drive: self.outputs[0].drive.clone(),
         };
-        for (factor, row) in &self.root.terms {
+        for (factor, row) in &self.outputs[0].sum.terms {
             match row.checked_sub(INPUTS).map(|i| &self.ops[i]) {
                 None if *row == Q => found.stiffness = -factor,
                 None if *row == U => found.damping = -factor,

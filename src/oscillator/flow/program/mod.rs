@@ -2,19 +2,21 @@
 //!
 //! Each row is the series of one part of the force in x = (t′ − t)/h. Row by row, coefficient i follows from
 //! those of order up to i of rows before it (products, quotients, roots, and the functions whose derivative
-//! is a product of known series; A. Griewank and A. Walther, Evaluating Derivatives, chapter 13). The
-//! displacement's coefficient i + 2 is that of the whole, times h²/((i + 1)(i + 2)). The rows hold numbers of
-//! any kind: with [`Gradient`](super::scalar::Gradient) they carry derivatives by the start or a parameter.
+//! is a product of known series; A. Griewank and A. Walther, Evaluating Derivatives, chapter 13). A
+//! displacement's coefficient i + 2 is that of its acceleration, times h²/((i + 1)(i + 2)). All coordinates
+//! share one list, so that what several forces have in common is there once. The rows hold numbers of any
+//! kind: with [`Gradient`](super::scalar::Gradient) they carry derivatives by the start or a parameter.
 //! Sums are one operation, whatever their length, and multiples of t inside a sine are turned instead of
 //! convolved: a product is the only operation whose cost per coefficient grows with the order. Not here: how
 //! the list is made from a system (`build`).
 
 mod build;
 
-use super::scalar::{Primitive, Scalar};
-use crate::oscillator::system::{TIME, U};
+pub(crate) use build::Outline;
 
-/// Rows before those of operations: q, u and t.
+use super::scalar::{Primitive, Scalar};
+
+/// Rows before those of operations, of one coordinate: q, u and t.
 const INPUTS: usize = 3;
 
 /// A constant and multiples of rows.
@@ -80,26 +82,52 @@ impl<S> Op<S> {
 
 /// `cos` cos kt + `sin` sin kt.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Drive<S> {
+pub(crate) struct Drive<S> {
     pub k: f64,
     pub cos: S,
     pub sin: S,
 }
 
-/// q″ as a function of t, q and u.
+/// The accelerations of n coordinates as functions of t, q₁, …, q_n and u₁, …, u_n, and whatever else is to
+/// be known along the motion. Rows 0 to n − 1 are the displacements, n to 2n − 1 the velocities, 2n the time.
 #[derive(Debug, Clone, PartialEq)]
-pub(in crate::oscillator) struct Program<S> {
+pub(crate) struct Program<S> {
+    size: usize,
     ops: Vec<Op<S>>,
-    root: Sum<S>,
-    drive: Vec<Drive<S>>,
+    /// The accelerations first.
+    outputs: Vec<Output<S>>,
     guards: Vec<(usize, bool)>,
 }
 
+/// A sum of rows and harmonics.
+#[derive(Debug, Clone, PartialEq)]
+struct Output<S> {
+    sum: Sum<S>,
+    drive: Vec<Drive<S>>,
+}
+
 impl<S: Scalar> Program<S> {
+    /// The row of the time.
+    fn time(&self) -> usize {
+        2 * self.size
+    }
+
+    /// Rows before those of operations.
+    fn inputs(&self) -> usize {
+        2 * self.size + 1
+    }
+
+    /// How many outputs there are.
+    pub fn outputs(&self) -> usize {
+        self.outputs.len()
+    }
+
     /// Whether the time enters.
     pub fn is_driven(&self) -> bool {
-        !self.drive.is_empty()
-            || self.ops.iter().any(|op| op.needs(usize::MAX - 1).contains(&TIME) || op.turns())
+        let time = self.time();
+        let summed = |output: &Output<S>| output.sum.terms.iter().any(|term| term.1 == time);
+        self.outputs.iter().any(|output| !output.drive.is_empty() || summed(output))
+            || self.ops.iter().any(|op| op.needs(usize::MAX - 1).contains(&time) || op.turns())
     }
 
     /// Whether anything in it is smooth only in places.
@@ -109,66 +137,104 @@ impl<S: Scalar> Program<S> {
 
     /// The coefficients of x ↦ q(t + hx) and of every row, for a motion from (q, u); the first `count` of q.
     pub fn solve(&self, [q, u]: [S; 2], t: S, h: f64, count: usize) -> Rows<S> {
+        self.solve_all(&[q, u], t, h, count, &[])
+    }
+
+    /// The same for n coordinates from (q₁, …, q_n, u₁, …, u_n); `given` is added to the outputs, a value and
+    /// a slope by x for each, or none at all.
+    pub fn solve_all(&self, from: &[S], t: S, h: f64, count: usize, given: &[[f64; 2]]) -> Rows<S> {
+        let n = self.size;
         let mut rows = self.rows(t, h, count);
-        rows.data[0] = q;
-        rows.data[1] = u.scaled(h);
+        let first = self.inputs() + self.ops.len();
+        for (k, straight) in given.iter().enumerate() {
+            for (i, part) in straight.iter().enumerate() {
+                let place = &mut rows.data[count * (first + k) + i];
+                *place = *place + S::constant(*part);
+            }
+        }
+        for j in 0..n {
+            rows.data[count * j] = from[j];
+            rows.data[count * j + 1] = from[n + j].scaled(h);
+        }
         for i in 0..count - 2 {
-            rows.data[count * U + i] = rows.data[i + 1].scaled((i + 1) as f64 / h);
-            let here = self.next(&mut rows, i, h);
-            rows.data[i + 2] = here.scaled(h * h / ((i + 1) * (i + 2)) as f64);
-        }
-        rows
-    }
-
-    /// The coefficients of the acceleration along a path whose own coefficients are given, as many as these.
-    pub fn along(&self, q: &[S], u: &[S], t: S, h: f64) -> Vec<S> {
-        let count = q.len();
-        let mut rows = self.rows(t, h, count + 2);
-        (0..count)
-            .map(|i| {
-                rows.data[i] = q[i];
-                rows.data[(count + 2) * U + i] = u[i];
-                self.next(&mut rows, i, h)
-            })
-            .collect()
-    }
-
-    /// The acceleration at a state.
-    pub fn at(&self, q: S, u: S, t: S) -> S {
-        self.along(&[q], &[u], t, 1.0)[0]
-    }
-
-    /// Room, with the time's own row and the harmonics' sum filled in.
-    fn rows(&self, t: S, h: f64, count: usize) -> Rows<S> {
-        let zero = S::constant(0.0);
-        let mut rows = Rows { count, data: vec![zero; count * (INPUTS + self.ops.len() + 1)] };
-        rows.data[count * TIME] = t;
-        if count > 1 {
-            rows.data[count * TIME + 1] = S::constant(h);
-        }
-        let start = count * (INPUTS + self.ops.len());
-        let driven = &mut rows.data[start..start + count.saturating_sub(2)];
-        for harmonic in &self.drive {
-            let angle = t.scaled(harmonic.k);
-            let (sin, cos) = (angle.call(Primitive::Sin), angle.call(Primitive::Cos));
-            let mut even = harmonic.cos * cos + harmonic.sin * sin;
-            let mut odd = harmonic.sin * cos - harmonic.cos * sin;
-            let mut power = 1.0;
-            for (i, coefficient) in driven.iter_mut().enumerate() {
-                *coefficient = *coefficient + even.scaled(power);
-                (even, odd) = (odd, -even);
-                power *= harmonic.k * h / (i + 1) as f64;
+            for j in 0..n {
+                rows.data[count * (n + j) + i] = rows.data[count * j + i + 1].scaled((i + 1) as f64 / h);
+            }
+            self.next(&mut rows, i, h);
+            for j in 0..n {
+                let here = rows.data[count * (first + j) + i];
+                rows.data[count * j + i + 2] = here.scaled(h * h / ((i + 1) * (i + 2)) as f64);
             }
         }
         rows
     }
 
-    /// Coefficient i of every row and of the whole, those of the inputs being there.
+    /// The coefficients of the acceleration along a path of one coordinate whose own coefficients are given,
+    /// as many as these.
+    pub fn along(&self, q: &[S], u: &[S], t: S, h: f64) -> Vec<S> {
+        let count = q.len();
+        let mut rows = self.rows(t, h, count + 2);
+        let output = (count + 2) * (self.inputs() + self.ops.len());
+        (0..count)
+            .map(|i| {
+                rows.data[i] = q[i];
+                rows.data[count + 2 + i] = u[i];
+                self.next(&mut rows, i, h);
+                rows.data[output + i]
+            })
+            .collect()
+    }
+
+    /// The acceleration of one coordinate at a state.
+    pub fn at(&self, q: S, u: S, t: S) -> S {
+        self.along(&[q], &[u], t, 1.0)[0]
+    }
+
+    /// All outputs at a state (q₁, …, q_n, u₁, …, u_n).
+    pub fn all_at(&self, state: &[S], t: S) -> Vec<S> {
+        let mut rows = self.rows(t, 1.0, 3);
+        for (row, value) in state.iter().enumerate() {
+            rows.data[3 * row] = *value;
+        }
+        self.next(&mut rows, 0, 1.0);
+        let first = self.inputs() + self.ops.len();
+        (0..self.outputs.len()).map(|k| rows.data[3 * (first + k)]).collect()
+    }
+
+    /// Room, with the time's own row and the harmonics' sums filled in.
+    fn rows(&self, t: S, h: f64, count: usize) -> Rows<S> {
+        let zero = S::constant(0.0);
+        let first = self.inputs() + self.ops.len();
+        let mut rows = Rows { count, first, data: vec![zero; count * (first + self.outputs.len())] };
+        rows.data[count * self.time()] = t;
+        if count > 1 {
+            rows.data[count * self.time() + 1] = S::constant(h);
+        }
+        for (k, output) in self.outputs.iter().enumerate() {
+            let start = count * (first + k);
+            let driven = &mut rows.data[start..start + count.saturating_sub(2)];
+            for harmonic in &output.drive {
+                let angle = t.scaled(harmonic.k);
+                let (sin, cos) = (angle.call(Primitive::Sin), angle.call(Primitive::Cos));
+                let mut even = harmonic.cos * cos + harmonic.sin * sin;
+                let mut odd = harmonic.sin * cos - harmonic.cos * sin;
+                let mut power = 1.0;
+                for (i, coefficient) in driven.iter_mut().enumerate() {
+                    *coefficient = *coefficient + even.scaled(power);
+                    (even, odd) = (odd, -even);
+                    power *= harmonic.k * h / (i + 1) as f64;
+                }
+            }
+        }
+        rows
+    }
+
+    /// Coefficient i of every row and of the outputs, those of the inputs being there.
     #[inline]
-    fn next(&self, rows: &mut Rows<S>, i: usize, h: f64) -> S {
-        let count = rows.count;
+    fn next(&self, rows: &mut Rows<S>, i: usize, h: f64) {
+        let (count, inputs, time) = (rows.count, self.inputs(), self.time());
         for (k, op) in self.ops.iter().enumerate() {
-            let (before, own) = rows.data.split_at_mut(count * (INPUTS + k));
+            let (before, own) = rows.data.split_at_mut(count * (inputs + k));
             let row = |a: usize| &before[count * a..count * a + i + 1];
             let (own, partner) = own.split_at_mut(count);
             own[i] = match op {
@@ -214,11 +280,11 @@ impl<S: Scalar> Program<S> {
                     -weighted(row(*a), sine, i)
                 }
                 Op::TurnSin(k, phase) if i == 0 => {
-                    (before[count * TIME].scaled(*k) + *phase).call(Primitive::Sin)
+                    (before[count * time].scaled(*k) + *phase).call(Primitive::Sin)
                 }
                 Op::TurnSin(k, _) => partner[i - 1].scaled(k * h / i as f64),
                 Op::TurnCos(k, phase) if i == 0 => {
-                    (before[count * TIME].scaled(*k) + *phase).call(Primitive::Cos)
+                    (before[count * time].scaled(*k) + *phase).call(Primitive::Cos)
                 }
                 Op::TurnCos(k, _) => {
                     let sine = before[before.len() - count + i - 1];
@@ -230,8 +296,11 @@ impl<S: Scalar> Program<S> {
                 Op::SquaredSech(_) => -square(&before[before.len() - count..][..i + 1]),
             };
         }
-        let driven = rows.data[count * (INPUTS + self.ops.len()) + i];
-        self.root.coefficient(&rows.data, count, i) + driven
+        for (k, output) in self.outputs.iter().enumerate() {
+            let place = count * (inputs + self.ops.len() + k) + i;
+            let driven = rows.data[place];
+            rows.data[place] = output.sum.coefficient(&rows.data, count, i) + driven;
+        }
     }
 
     /// How far x may go, at most `far`, with every divisor and every argument of a root or a logarithm
@@ -269,8 +338,10 @@ fn rest<S: Scalar>(row: &[S], x: f64) -> f64 {
 
 /// The series of every part of a force; that of q first.
 #[derive(Debug, Clone)]
-pub(in crate::oscillator) struct Rows<S> {
+pub(crate) struct Rows<S> {
     count: usize,
+    /// The row of the first output.
+    first: usize,
     data: Vec<S>,
 }
 
@@ -279,15 +350,29 @@ impl<S: Scalar> Rows<S> {
         &self.data[self.count * row..][..self.count.saturating_sub(2).max(1)]
     }
 
-    /// The coefficients of q.
+    /// The coefficients of q, of one coordinate.
     pub fn q(&self) -> &[S] {
-        &self.data[..self.count]
+        self.place(0)
+    }
+
+    /// Those of a coordinate.
+    pub fn place(&self, coordinate: usize) -> &[S] {
+        &self.data[self.count * coordinate..][..self.count]
+    }
+
+    /// Those of an output, two fewer.
+    pub fn output(&self, output: usize) -> &[S] {
+        &self.data[self.count * (self.first + output)..][..self.count - 2]
     }
 }
 
 impl<S: Scalar> Sum<S> {
     fn constant(constant: S) -> Self {
         Sum { constant, terms: Vec::new() }
+    }
+
+    fn row(row: usize) -> Self {
+        Sum { constant: S::constant(0.0), terms: vec![(S::constant(1.0), row)] }
     }
 
     fn add(&mut self, factor: S, row: usize) {
