@@ -1,10 +1,10 @@
 //! Machines: mechanical systems with any number of degrees of freedom and any number of stops, rigid or not.
 //!
-//! A [`Machine`] is M q″ + C q′ + K q = f₀ + Σ f_k(t) + g(t, q, q′) with stops w·q ≥ offset(t), rigid or giving
-//! way ([`StopLaw`]), in the units of its scene; g is any smooth function, and most machines have none.
-//! It stands beside `oscillator`, which has one degree of freedom, two walls and a nonlinear spring, and
-//! which it leaves as it is: what they share (time as periods and phase, harmonic series, the minimum test on
-//! one polynomial) is taken from there.
+//! A [`Machine`] is M q″ + C q′ + K q = f₀ + Σ f_k(t) + g(t, q, q′) with stops w·q ≥ offset(t), rigid or
+//! giving way ([`StopLaw`]), in the units of its scene; g is any smooth function, and most machines have
+//! none. It stands beside `oscillator`, which has one degree of freedom, two walls and a nonlinear spring,
+//! and which it leaves as it is: what they share (time as periods and phase, harmonic series, the minimum
+//! test on one polynomial) is taken from there.
 //!
 //! # Design
 //!

@@ -116,8 +116,9 @@ pub(super) fn orbits(
     Ok(found)
 }
 
-/// Orbits without impacts on rigid stops, where there are soft ones or forces are formulas: from the state at phase 0 of the keys, or those of a search, from
-/// the motion that the forces alone bring about and from random states.
+/// Orbits without impacts on rigid stops, where there are soft ones or forces are formulas: from the state at
+/// phase 0 of the keys, or those of a search, from the motion that the forces alone bring about and from
+/// random states.
 fn through_soft_stops(
     keys: &OrbitKeys,
     machine: &Machine<f64>,

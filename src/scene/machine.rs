@@ -35,14 +35,14 @@ keys! {
         damping_ratio: Option<CoordinateList>,
         /// instead of matrices, the modes of the machine
         modes: Option<ModesKeys>,
-        /// the force on each coordinate beside `forcing`, one 0 for none: a constant, or any smooth function of
-        /// the coordinates q1, q2, …, their velocities u1, u2, … per unit of time, and t, the angle of the
+        /// the force on each coordinate beside `forcing`, one 0 for none: a constant, or any smooth function
+        /// of the coordinates q1, q2, …, their velocities u1, u2, … per unit of time, and t, the angle of the
         /// forcing, 2π in a period; with one coordinate q and u will do
         force: ForceList = "0",
         /// the harmonics of the force
         forcing: Vec<LoadKeys> = "[]",
-        /// instead of `forcing`, a measured force: harmonics are fitted to it, its mean is added to `force`; or
-        /// it is taken as it is, once
+        /// instead of `forcing`, a measured force: harmonics are fitted to it, its mean is added to `force`;
+        /// or it is taken as it is, once
         measured: Option<MeasuredKeys>,
     }
 }

@@ -7,7 +7,8 @@
 //! longest step squared times a bound on the second derivative of the harmonics.
 //!
 //! A record that is taken once is straight between its samples, which must be even, and no force is left out.
-//! What a smooth force was between the samples differs from that by about an eighth of the second differences.
+//! What a smooth force was between the samples differs from that by about an eighth of the second
+//! differences.
 
 use std::{
     f64::consts::TAU,
@@ -34,8 +35,8 @@ keys! {
         file: String,
         /// how many harmonics, 1 to 100, are fitted to it besides the mean; this or `once` must be given
         harmonics: Option<u32>,
-        /// whether the force is the record itself, straight between its samples, for one run (`simulate` only)
-        /// that begins where it begins; without `frequency` and `period` its length is the period
+        /// whether the force is the record itself, straight between its samples, for one run (`simulate`
+        /// only) that begins where it begins; without `frequency` and `period` its length is the period
         once: bool = "false",
         /// the period of the record, if it is not that of the forcing: then the same force is taken faster or
         /// slower

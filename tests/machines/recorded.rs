@@ -82,8 +82,8 @@ fn a_run_under_a_record_moves_in_closed_form_from_sample_to_sample() {
     }
 }
 
-/// A record of a harmonic, fine enough, moves the machine as the harmonic does, to the error of straight lines;
-/// rest on a stop and formulas beside it.
+/// A record of a harmonic, fine enough, moves the machine as the harmonic does, to the error of straight
+/// lines; rest on a stop and formulas beside it.
 #[test]
 fn a_fine_record_of_a_harmonic_is_that_harmonic() {
     let folder_of = |n: u32| {

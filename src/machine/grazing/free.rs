@@ -48,8 +48,8 @@ impl FreeMotion {
         FreeMotion::near(machine, slope, None)
     }
 
-    /// The same; of several motions, which there may be where forces are formulas, the one that Newton's method
-    /// finds from a state at phase 0.
+    /// The same; of several motions, which there may be where forces are formulas, the one that Newton's
+    /// method finds from a state at phase 0.
     ///
     /// # Errors
     /// As [`new`](Self::new).

@@ -149,9 +149,9 @@ impl<'s> StopEquations<'s> {
         Ok(Linearised { residual, jacobian, slope })
     }
 
-    /// X of given times and speeds: the equations of periodicity are linear in it, unless there are soft stops;
-    /// where forces are formulas they are solved by a few of Newton's steps. Where they have no one solution (a
-    /// motion without stiffness or damping), the smallest of the best.
+    /// X of given times and speeds: the equations of periodicity are linear in it, unless there are soft
+    /// stops; where forces are formulas they are solved by a few of Newton's steps. Where they have no one
+    /// solution (a motion without stiffness or damping), the smallest of the best.
     pub fn complete(&self, impacts: &[f64]) -> Result<Vec<f64>> {
         let mut z = vec![0.0; 2 * self.size()];
         z.extend(impacts);

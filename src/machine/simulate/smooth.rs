@@ -20,8 +20,8 @@ use crate::{
 pub(in crate::machine) struct SmoothStage {
     pub flow: SmoothFlow,
     sights: Vec<Sight>,
-    /// The longest step on which known functions of time are polynomials, too: with 24 terms of a sine what is
-    /// left out is below 2²⁴/24! < 10⁻¹⁶ of the amplitude at 2 radians.
+    /// The longest step on which known functions of time are polynomials, too: with 24 terms of a sine what
+    /// is left out is below 2²⁴/24! < 10⁻¹⁶ of the amplitude at 2 radians.
     longest: f64,
     /// Which output the accelerations without any stop begin at.
     free: usize,

@@ -1,9 +1,9 @@
 //! Motions by a list of operations: steps of a Taylor series whose last terms are below rounding.
 //!
 //! The length of a step is told by norms in coordinates in which the mass is 1, so that displacements and
-//! rotations, and the derivatives that are carried along, each have one unit: with C_k the norm of coefficient
-//! k for a step h, the last two are at most 10⁻¹⁵ of the largest of C₀ h⁰, …, C₄ h⁴, and for the velocities
-//! without the first. Nothing but the motion itself sets the scale.
+//! rotations, and the derivatives that are carried along, each have one unit: with C_k the norm of
+//! coefficient k for a step h, the last two are at most 10⁻¹⁵ of the largest of C₀ h⁰, …, C₄ h⁴, and for the
+//! velocities without the first. Nothing but the motion itself sets the scale.
 
 use crate::{
     machine::{LinearEquations, MachineState, RealMatrix, RealVector},

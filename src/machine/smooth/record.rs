@@ -44,8 +44,8 @@ impl Record {
         Record { step: self.step * rate, values: self.values.clone() }
     }
 
-    /// Steps being radians: the force at a time, its slope from there on, and how long that stays; before its beginning and after
-    /// its end the force is 0.
+    /// Steps being radians: the force at a time, its slope from there on, and how long that stays; before its
+    /// beginning and after its end the force is 0.
     pub fn at(&self, time: Time) -> (f64, f64, f64) {
         let now = time.period as f64 * TAU + time.phase;
         let place = now / self.step + NEAR;

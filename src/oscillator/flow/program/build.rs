@@ -1,5 +1,6 @@
-//! From a system, or from any number of formulas, to the list of operations of its force: equal parts are there once, what is linear is one
-//! sum, harmonics of the time are taken out; and back to coefficients where nothing else is left.
+//! From a system, or from any number of formulas, to the list of operations of its force: equal parts are
+//! there once, what is linear is one sum, harmonics of the time are taken out; and back to coefficients where
+//! nothing else is left.
 
 use super::{Drive, INPUTS, Op, Output, Program, Sum};
 use crate::{
@@ -81,8 +82,8 @@ impl<S: Scalar> Program<S> {
         Ok(made)
     }
 
-    /// The outlines as outputs, the accelerations of `size` coordinates first. The formulas' variables but for
-    /// the time, which comes last, are these multiples of inputs.
+    /// The outlines as outputs, the accelerations of `size` coordinates first. The formulas' variables but
+    /// for the time, which comes last, are these multiples of inputs.
     ///
     /// # Errors
     /// As [`new`](Self::new), with the number of the formula, from 0.
@@ -221,7 +222,8 @@ impl<S: Scalar> Program<S> {
         }
     }
 
-    /// A formula as a constant and multiples of rows; `known` is what its variables are, and its coefficients.
+    /// A formula as a constant and multiples of rows; `known` is what its variables are, and its
+    /// coefficients.
     fn lower(&mut self, formula: &Formula, known: (&[Sum<S>], &[S])) -> Result<Sum<S>> {
         let (one, time) = (Sum::row, self.time());
         Ok(match formula {
