@@ -8,7 +8,7 @@ use super::{
     Outcome,
     cite::{self, Basis},
     range::Periods,
-    shards::{Lines, Merged, Part, RowSink, ShardRows, ShardSet, part_of, periods_of, task_of},
+    shards::{Merged, Part, PlainRows, RowSink, ShardRows, ShardSet, part_of, periods_of, task_of},
     two_impacts,
 };
 use crate::{
@@ -211,7 +211,7 @@ impl List<'_> {
 
     /// Writes the list; `rows` gives its rows.
     fn write(&self, out: &mut dyn Write, rows: impl FnOnce(&mut dyn RowSink) -> Result<()>) -> Result<()> {
-        let Some(format) = self.format else { return rows(&mut Lines(out)) };
+        let Some(format) = self.format else { return rows(&mut PlainRows(out)) };
         let setting = Setting { caption: self.caption, ..Setting::default() };
         let name = if self.two_impacts { "grazing-pattern-intervals 1" } else { "grazing-intervals 1" };
         let mut table = TableWriter::set(out, format, name, self.columns(), setting)?;

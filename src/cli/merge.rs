@@ -26,8 +26,8 @@ use crate::{
 /// (--array=3,17-19).
 ///
 /// Whoever computed a shard need not be trusted with a certificate: it is checked again as `grazing check`
-/// does. A disagreement in a shard of `fuzz` is decided again; that there was none is taken from the shard, as
-/// are the rows of tables and what a task of a scene came to.
+/// does. A disagreement in a shard of `fuzz` is decided again; that there was none is taken from the shard,
+/// as are the rows of tables and what a task of a scene came to.
 ///
 /// Exit code 0: done, and proved if it is a certificate; 1: refuted; 2: shards are missing, damaged or of
 /// another task, wrong usage, a file that cannot be read or written; 3: undecided or interrupted.

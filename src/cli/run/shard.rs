@@ -1,4 +1,5 @@
-//! A task of a scene in shards: some rows of basins or some values of a diagram; and the task from its shards.
+//! A task of a scene in shards, each some rows of basins or some values of a diagram; and the task from its
+//! shards.
 
 use std::{
     ops::Range,

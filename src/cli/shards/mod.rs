@@ -20,7 +20,7 @@ use crate::{
     },
 };
 
-pub(super) use rows::{Lines, RowSink, ShardRows};
+pub(super) use rows::{PlainRows, RowSink, ShardRows};
 
 /// The task that a command's words name, for its shards.
 pub(super) fn task_of(words: impl IntoIterator<Item = impl Into<String>>) -> ShardedTask {

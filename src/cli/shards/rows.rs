@@ -37,9 +37,9 @@ impl RowSink for TableWriter<'_> {
 }
 
 /// Rows as lines, their cells with a space between: a b-file.
-pub(crate) struct Lines<'a>(pub &'a mut dyn Write);
+pub(crate) struct PlainRows<'a>(pub &'a mut dyn Write);
 
-impl RowSink for Lines<'_> {
+impl RowSink for PlainRows<'_> {
     fn row(&mut self, cells: &[TableCell]) -> Result<()> {
         let text = |cell: &TableCell| match cell {
             TableCell::Int(value) => value.to_string(),
