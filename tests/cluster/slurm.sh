@@ -112,6 +112,7 @@ case "\$1 \$task" in
             kill -CONT \$! 2>/dev/null || break
             read -rt 0.003 <> <(:) || true
             kill -STOP \$! 2>/dev/null || break
+            grep -q '^State:.Z' /proc/\$!/status && break
         done
         touch "$work/marks/\$task"
         scancel --full --signal=KILL "\${SLURM_ARRAY_JOB_ID}_\$task"
