@@ -92,16 +92,17 @@ use lines::Lines;
 pub const FORMAT: &str = "grazing-certificate 1";
 
 /// The kinds of certificate. Nothing else in here names them all.
-const KINDS: [Kind; 10] = [
+const KINDS: [Kind; 11] = [
     Kind::first(theorem2::KIND, theorem2::STATEMENT, theorem2::check),
     Kind::first(cover::KIND, cover::STATEMENT, cover::check),
     Kind::first(orbit::KIND, orbit::STATEMENT, orbit::check::<orbit::Fraction>),
     Kind::first(event::KIND, event::STATEMENT, event::check::<event::Quotient>),
-    Kind::first(chaos::KIND, chaos::STATEMENT, chaos::check),
+    Kind::first(chaos::KIND, chaos::STATEMENT, chaos::check::<false>),
     Kind::first(word::KIND, word::STATEMENT, word::check),
     Kind::first(word::KIND_BY_THEOREM, word::STATEMENT_BY_THEOREM, word::check_by_theorem),
     Kind::first(orbit::KIND, orbit::STATEMENT_2, orbit::check::<orbit::Range>).second(),
     Kind::first(event::KIND, event::STATEMENT_2, event::check::<event::RangeQuotient>).second(),
+    Kind::first(chaos::KIND, chaos::STATEMENT_2, chaos::check::<true>).second(),
     Kind::first(machine::KIND, machine::STATEMENT, machine::check),
 ];
 

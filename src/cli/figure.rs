@@ -180,6 +180,7 @@ fn chaos(place: &FigurePlace, interrupt: &Interrupt) -> Result<()> {
     let task = task.ok_or_else(|| Error::input("the paper's scene of chaos has no task figure10"))?;
     let normal = task.normal(&scene)?;
     let problem = Problem {
+        mirrored: normal.mirrored,
         ranges: normal.ranges,
         behind: normal.behind,
         harmonics: normal.harmonics,

@@ -14,13 +14,13 @@ use crate::{
         Side,
         chaos::{LetterGraph, Normal, Problem, ShiftProof, born, prove},
     },
-    scene::chaos::{Alphabet, ChaosTask, LONGEST},
+    scene::chaos::{Alphabet, ChaosTask, LONGEST, Periods},
 };
 
 row! {
     /// A letter of the alphabet, with its boxes: velocities divided by ν, in units of the normal form.
     pub struct LetterRow {
-        /// n, the periods.
+        /// n, the periods; with two walls half periods.
         pub periods: u64,
         /// The letters that may follow, by their number from 1.
         pub next: Vec<u64>,
@@ -34,7 +34,7 @@ row! {
 row! {
     /// A graph for which no proof was found, and why.
     pub struct FailureRow {
-        /// The periods of its letters.
+        /// The periods of its letters, or half periods.
         pub alphabet: Vec<u64>,
         /// What failed in the last, finest attempt.
         pub reason: String,
@@ -46,6 +46,8 @@ row! {
 pub struct ChaosFindings {
     /// Whether it is.
     pub proved: bool,
+    /// Whether both of two walls are met; then periods, of letters and in `growth`, are counted in halves.
+    pub half: bool,
     /// The oscillator in its normal form.
     pub oscillator: String,
     /// For which parameters of the scene.
@@ -62,13 +64,15 @@ pub struct ChaosFindings {
     pub contraction: Option<f64>,
     /// Certain digits of the topological entropy per forcing period.
     pub entropy: Option<String>,
-    /// The growth rate per period that it is the logarithm of.
+    /// The growth rate per period that it is the logarithm of; with two walls the rate per half period, of
+    /// which the logarithm is half the entropy.
     pub growth: Option<String>,
-    /// q/ν stays below this on all these orbits; lengths in the units of the normal form.
+    /// q/ν, with two walls |q|/ν, stays below this on all these orbits; lengths in the units of the normal
+    /// form.
     pub reach: Option<f64>,
-    /// q/ν where a second wall is at its nearest.
+    /// q/ν where a second wall that is not met is at its nearest.
     pub ceiling: Option<f64>,
-    /// S: every motion that meets the wall at arbitrarily early and late times, and only near its top where
+    /// S: every motion that meets a wall at arbitrarily early and late times, and only near its top where
     /// its speed, in units of the normal form, is at most νS/2, is one of these; with damping and a spring so
     /// is every bounded motion that meets it only there. None if that is not proved.
     pub complete: Option<f64>,
@@ -88,8 +92,9 @@ impl Finding for ChaosFindings {
         }
         match self.failures.last() {
             Some(row) => Status::undecided(format!(
-                "no proof over the alphabet {:?}: {}. This does not rule out chaos",
-                row.alphabet, row.reason
+                "no proof over the alphabet {}: {}. This does not rule out chaos",
+                periods(&row.alphabet, self.half, ["[", "]"]),
+                row.reason
             )),
             None => Status::undecided(
                 "as far as floats can tell, no alphabet with two words is born at the grazing. This does not rule out chaos",
@@ -101,13 +106,13 @@ impl Finding for ChaosFindings {
         lines.say("oscillator", self.oscillator.clone());
         lines.say("for", self.range.clone());
         if self.proved {
-            let periods: Vec<String> = self.alphabet.iter().map(u64::to_string).collect();
             lines.say(
                 "proved",
                 format!(
-                    "every bi-infinite word over {{{}}}{} is exactly one orbit in the boxes, admissible",
-                    periods.join(", "),
-                    if self.full { "" } else { " that the graph allows" }
+                    "every bi-infinite word over {}{} is exactly one orbit in the boxes{}, admissible",
+                    periods(&self.alphabet, self.half, ["{", "}"]),
+                    if self.full { "" } else { " that the graph allows" },
+                    if self.half { " from either wall (periods of letters below are halves)" } else { "" }
                 ),
             );
             lines.table("letters", &self.letters);
@@ -123,7 +128,8 @@ impl Finding for ChaosFindings {
             lines.say(
                 "others",
                 self.complete.map_or("not excluded: there may be other orbits near".to_string(), |strength| {
-                    format!("none near: every motion that meets the wall at arbitrarily early and late times, and only in the window, at a speed of the wall of at most {strength} nu/2, is one of these")
+                    let wall = if self.half { "a wall" } else { "the wall" };
+                    format!("none near: every motion that meets {wall} at arbitrarily early and late times, and only in the window, at a speed of the wall of at most {strength} nu/2, is one of these")
                 }),
             );
         }
@@ -141,6 +147,7 @@ pub fn chaos(task: &ChaosTask, job: &Job) -> Result<ChaosFindings> {
     let normal = task.normal(&job.scene)?;
     let mut found = ChaosFindings {
         proved: false,
+        half: normal.mirrored,
         oscillator: oscillator(&normal),
         range: range(task, &normal),
         depth: normal.ranges[4].each_ref().map(|x| x.to_f64().unwrap_or(f64::NAN)),
@@ -159,15 +166,22 @@ pub fn chaos(task: &ChaosTask, job: &Job) -> Result<ChaosFindings> {
     };
     let problem = |graph: &LetterGraph| {
         let graph = match task.history[..] {
-            [of, depth] => graph.with_history(of, depth as usize),
+            [of, most] => {
+                graph.with_history(ChaosTask::counted(&normal, of), most.whole().unwrap_or(0) as usize)
+            }
             _ => graph.clone(),
         };
-        let Normal { ranges, behind, harmonics, .. } = normal.clone();
-        Problem { ranges, behind, harmonics, letters: graph.letters, next: graph.next }
+        let Normal { mirrored, ranges, behind, harmonics, .. } = normal.clone();
+        Problem { mirrored, ranges, behind, harmonics, letters: graph.letters, next: graph.next }
     };
     let mut graph = match &task.alphabet {
         Alphabet::Auto => born(&problem(&LetterGraph::full(&[1])), LONGEST.min(24)).richest(),
-        Alphabet::Periods(periods) => Some(given(periods, &task.follow)?),
+        Alphabet::Periods(periods) => {
+            let counted =
+                |list: &Vec<Periods>| list.iter().map(|&n| ChaosTask::counted(&normal, n)).collect();
+            let follow: Vec<Vec<u64>> = task.follow.iter().map(counted).collect();
+            Some(given(&counted(periods), &follow)?)
+        }
     };
     while let Some(tried) = graph.take() {
         if tried.growth().0 <= 1.0 + 1e-9 {
@@ -221,7 +235,7 @@ impl ChaosFindings {
         self.contraction = Some(proof.contraction);
         let growth = proof.certificate.growth;
         self.growth = Some(growth[0].to_string());
-        self.entropy = entropy(growth.map(float));
+        self.entropy = entropy(growth.map(float), self.half);
         self.reach = Some(reach(&proof));
         self.complete = proof.certificate.complete.map(|claim| float(claim.strength));
         let file = format!("{name}.certificate");
@@ -240,9 +254,16 @@ fn float(x: Decimal) -> f64 {
     x.digits as f64 / 10f64.powi(x.places as i32)
 }
 
-/// The digits of the logarithm that both ends share: an error of 1e-15, the library's, is allowed for.
-fn entropy([lo, hi]: [f64; 2]) -> Option<String> {
-    let ends = [lo.ln() - 1e-14, hi.ln() + 1e-14].map(BigRational::from_float);
+/// Numbers of periods, which may be counted in halves, between brackets.
+fn periods(counts: &[u64], half: bool, [open, close]: [&str; 2]) -> String {
+    let halves = |&n: &u64| Periods { halves: if half { n } else { 2 * n } }.to_string();
+    format!("{open}{}{close}", counts.iter().map(halves).collect::<Vec<_>>().join(", "))
+}
+
+/// The digits of the logarithm, twice the one of a rate per half period, that both ends share: an error of 1e-15, the library's, is allowed for.
+fn entropy([lo, hi]: [f64; 2], half: bool) -> Option<String> {
+    let times = if half { 2.0 } else { 1.0 };
+    let ends = [lo.ln() - 1e-14, hi.ln() + 1e-14].map(|end| BigRational::from_float(times * end));
     let [Some(lo), Some(hi)] = ends else { return None };
     certain_digits(&lo, &hi, 12)
 }
@@ -299,6 +320,13 @@ fn oscillator(normal: &Normal) -> String {
         }
     };
     let sign = if normal.behind { "" } else { "-" };
+    if normal.mirrored {
+        let values = values.iter().filter(|value| !value.starts_with("f ")).cloned().collect::<Vec<_>>();
+        return format!(
+            "q'' = -c q' - k q between w(t) = {sign}nu - 1 + {wall} and -w(t - pi); {}",
+            values.join(", ")
+        );
+    }
     let turned = if normal.side == Side::Upper { ", turned below by q -> -q" } else { "" };
     format!("q'' = -c q' - k q + f above {sign}nu - 1 + {wall}{turned}; {}", values.join(", "))
 }

@@ -1,6 +1,9 @@
 //! The keys of the task `chaos`.
 
+use std::fmt;
+
 use num_rational::BigRational;
+use num_traits::ToPrimitive;
 
 use super::keys::{Entry, Value, keys};
 use crate::{error::Result, oscillator::Side};
@@ -8,14 +11,16 @@ use crate::{error::Result, oscillator::Side};
 keys! {
     /// Proves, for every parameter in a range, that every bi-infinite word over an alphabet of periods is an
     /// orbit: exactly one in given boxes, and admissible. Writes a certificate. For linear oscillators with
-    /// one rigid wall that is met. See chaos.md.
+    /// one rigid wall that is met, or with two that are both met and each other's mirror images, half a
+    /// period apart. See chaos.md.
     pub struct ChaosTask {
-        /// the periods n between impacts; `"auto"` takes those born at the grazing, and leaves out the
+        /// the periods n between impacts; where both walls are met also halves, as in `["1/2", "3/2"]`,
+        /// after which the other wall is met; `"auto"` takes those born at the grazing, and leaves out the
         /// longest until the proof succeeds
         alphabet: Alphabet = "\"auto\"",
         /// for each period of the alphabet, in its order, the periods that may follow it; if empty, all of
         /// them
-        follow: Vec<Vec<u64>> = "[]",
+        follow: Vec<Vec<Periods>> = "[]",
         /// a parameter that varies: the proof is for all its values above `from`, up to `to`
         parameter: Option<String>,
         /// the end of its range that is not included
@@ -26,11 +31,11 @@ keys! {
         /// other parameters that vary, each with its least and greatest value, as in `{ d = [0.59, 0.61] }`;
         /// only damping, stiffness and restitution may depend on them
         cell: ParameterCell = "{}",
-        /// of two walls the one that is met; that the other is out of reach is proved too (no orbits that
-        /// meet both)
+        /// of two walls the one that is met; that the other is out of reach is proved too; if absent, both
+        /// are met
         side: Option<Side>,
         /// a period and a number: boxes are told apart by how many of that period follow, up to that number
-        history: Vec<u64> = "[]",
+        history: Vec<Periods> = "[]",
     }
 }
 
@@ -41,19 +46,57 @@ pub enum Alphabet {
     /// Those born at the grazing.
     Auto,
     /// These.
-    Periods(Vec<u64>),
+    Periods(Vec<Periods>),
 }
 
 impl Value for Alphabet {
     fn shape() -> String {
-        "`\"auto\"` or list of whole numbers".to_string()
+        format!("`\"auto\"` or {}", Vec::<Periods>::shape())
     }
 
     fn read(entry: &Entry) -> Result<Self> {
         if entry.item.as_str().is_some() {
             return entry.word(&[("auto", ())]).map(|()| Alphabet::Auto);
         }
-        Vec::<u64>::read(entry).map(Alphabet::Periods)
+        Vec::<Periods>::read(entry).map(Alphabet::Periods)
+    }
+}
+
+/// A whole or half number of periods.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Periods {
+    /// Twice that number.
+    pub halves: u64,
+}
+
+impl Periods {
+    /// How many periods, if that is a whole number.
+    pub fn whole(self) -> Option<u64> {
+        self.halves.is_multiple_of(2).then_some(self.halves / 2)
+    }
+}
+
+impl fmt::Display for Periods {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.whole() {
+            Some(whole) => whole.fmt(f),
+            None => write!(f, "{}/2", self.halves),
+        }
+    }
+}
+
+impl Value for Periods {
+    fn shape() -> String {
+        "whole or half number".to_string()
+    }
+
+    fn read(entry: &Entry) -> Result<Self> {
+        let twice = BigRational::read(entry)? * BigRational::from_integer(2.into());
+        let halves = twice.is_integer().then(|| twice.to_integer().to_u64()).flatten();
+        let halves = halves.filter(|halves| *halves <= 1 << 53);
+        halves
+            .map(|halves| Periods { halves })
+            .ok_or_else(|| entry.fail("is not a whole or half number of periods, as 2 or \"3/2\""))
     }
 }
 

@@ -5,7 +5,7 @@ use num_rational::BigRational;
 use num_traits::Zero;
 
 use super::{
-    chaos::{Alphabet, ChaosTask, LONGEST},
+    chaos::{Alphabet, ChaosTask, LONGEST, Periods},
     scene::Scene,
 };
 use crate::{
@@ -22,10 +22,11 @@ impl ChaosTask {
         let fail = |key: &str, message: &str| Err(scene.fail(&format!("{path}.{key}"), message));
         if let Alphabet::Periods(periods) = &self.alphabet {
             let increase = periods.windows(2).all(|pair| pair[0] < pair[1]);
-            if periods.is_empty() || !increase || periods[0] == 0 || periods[periods.len() - 1] > LONGEST {
+            let longest = periods.last().map_or(0, |last| last.halves);
+            if !increase || periods.is_empty() || periods[0].halves == 0 || longest > 2 * LONGEST {
                 return fail("alphabet", &format!("must be periods from 1 to {LONGEST}, increasing"));
             }
-            let known = |list: &Vec<u64>| {
+            let known = |list: &Vec<Periods>| {
                 !list.is_empty()
                     && list.windows(2).all(|pair| pair[0] < pair[1])
                     && list.iter().all(|n| periods.contains(n))
@@ -42,7 +43,7 @@ impl ChaosTask {
         }
         match &self.history[..] {
             [] => {}
-            [_, 0..=40] => {}
+            [_, most] if most.whole().is_some_and(|most| most <= 40) => {}
             _ => return fail("history", "must be a period and a number up to 40"),
         }
         match (&self.parameter, &self.from, &self.to) {
@@ -58,7 +59,23 @@ impl ChaosTask {
             }
             _ => return fail("parameter", "goes with from, and to where the range ends"),
         }
-        self.normal(scene).map(drop).map_err(|error| scene.fail(path, &error.to_string()))
+        let normal = self.normal(scene).map_err(|error| scene.fail(path, &error.to_string()))?;
+        if !normal.mirrored {
+            let whole = |list: &[Periods]| list.iter().all(|n| n.whole().is_some());
+            let message = "has half periods, after which another wall would be met; but one wall is";
+            if matches!(&self.alphabet, Alphabet::Periods(periods) if !whole(periods)) {
+                return fail("alphabet", message);
+            }
+            if !whole(&self.history) {
+                return fail("history", message);
+            }
+        }
+        Ok(())
+    }
+
+    /// A number of periods as letters count them: in halves where both walls are met.
+    pub(crate) fn counted(normal: &Normal, periods: Periods) -> u64 {
+        if normal.mirrored { periods.halves } else { periods.halves / 2 }
     }
 }
 
@@ -85,6 +102,14 @@ impl ChaosTask {
         let varied = system.try_map(|expression| expression.evaluate(&functions, &()))?;
         if cell.is_empty() {
             return Normal::of(&varied, None, self.side);
+        }
+        if let (None, Some(lower), Some(upper)) = (self.side, &system.lower, &system.upper) {
+            let (one, other) = (lower.restitution.to_string(), upper.restitution.to_string());
+            if one != other {
+                return Err(Error::input(format!(
+                    "kind \"chaos\": with a cell both walls' restitutions must be given by the same expression, not {one} and {other}, or side must say which wall is met"
+                )));
+            }
         }
         let ranged = |index: usize| in_cell(&scene.parameters[index].0).is_some();
         let walls = [&system.lower, &system.upper].into_iter().flatten();

@@ -1,33 +1,74 @@
-//! The condition H4: strictly between impacts the gap to the wall is positive.
+//! The condition H4: strictly between impacts the gap to the wall is positive; with two walls, to both.
 //!
 //! The gap is Z = q − w, and with q = ν q̂ it is Z = 1 − g(t) + ν (q̂ − σ), Z″ = −g″(t) + ν q̂″. A window is
 //! 2πk − W ≤ t ≤ 2πk + W. Where Z″ > 0 on the first window from the first impact on, Z = 0 < Z′ at that
 //! impact keeps Z > 0; likewise backwards from the last. Where Z″ ≥ m > 0 on a window between, Z ≥ Z(2πk) −
 //! Z′(2πk)²/2m on it, which is ν times q̂ − σ − ν q̂′²/2m. Between windows Z > 0 is shown outright.
+//!
+//! Between mirrored walls the windows are πk − W ≤ t ≤ πk + W, for even k those of the wall where the leg
+//! begins, for odd k of the other. The gap to the latter at the time πk + t is that of the former with
+//! (−1)ᵏ q̂(πk + t) for q̂, at the phase t: so each window is proved as with one wall. Between its windows k
+//! and k + 2 each wall's gap is shown to be positive outright, from the leg's beginning (which is in window
+//! 0) for the wall with k = −1, and to its end for the wall whose last window is that before the last.
 
 use super::{
     Fault,
     fixed::Interval,
-    legs::turn,
+    legs::Impact,
     work::{GoOn, Work},
 };
 
-/// Proves it for every letter of a cell, and that q̂ stays below the reach.
+/// Proves it for every letter of a cell, and that q̂ stays below the reach, and above its opposite where there
+/// are two walls.
 pub(super) fn open(work: &Work, pieces: u64, go_on: GoOn) -> Result<(), Fault> {
     (0..work.numbers.letters.len()).try_for_each(|n| {
         flight(work, n, pieces, go_on).map_err(|fault| fault.at(format!("letter {}", n + 1)))
     })
 }
 
-/// Of all legs of a letter, at a time since the middle of their first window.
+/// Of all legs of a letter, at a time since the middle of a window, as seen from that window's wall.
 struct Motion {
     place: Interval,
     velocity: Interval,
     acceleration: Interval,
 }
 
+/// All legs of a letter, from their first impacts.
+struct Legs<'a> {
+    work: &'a Work<'a>,
+    first: Impact,
+    after: Interval,
+}
+
+impl Legs<'_> {
+    /// At a time t since the middle of window k.
+    fn motion(&self, k: u64, t: Interval) -> Motion {
+        let cell = &self.work.cell;
+        let since = t - self.first.phase;
+        // E of the time since the impact, its first factor known.
+        let e = cell.flow.times(self.work.turns(k), cell.flow.exp(since));
+        let (fallen, speed) = cell.fall(cell.time(k) + since);
+        let (place, velocity) = cell.flow.apply(e, self.first.place, self.after);
+        let (place, velocity) = (place + fallen, velocity + speed);
+        Motion { place, velocity, acceleration: cell.acceleration(place, velocity) }
+    }
+
+    /// The place at a time t since the middle of the window before window 0, of the other wall.
+    fn before(&self, t: Interval) -> Interval {
+        -self.motion(0, t - self.work.cell.time(1)).place
+    }
+
+    fn is_within_reach(&self, place: Interval) -> bool {
+        let reach = self.work.numbers.reach;
+        place.is_below(reach) && (!self.work.cell.mirrored || (-place).is_below(reach))
+    }
+}
+
+fn wrong<T>(reason: String) -> Result<T, Fault> {
+    Err(Fault::False(format!("{reason} (H4)")))
+}
+
 fn flight(work: &Work, n: usize, pieces: u64, go_on: GoOn) -> Result<(), Fault> {
-    let wrong = |reason: String| Err(Fault::False(format!("{reason} (H4)")));
     let (cell, letter) = (&work.cell, &work.numbers.letters[n]);
     let all = |mut strengths: Vec<Interval>| {
         let first = strengths.pop()?;
@@ -43,57 +84,74 @@ fn flight(work: &Work, n: usize, pieces: u64, go_on: GoOn) -> Result<(), Fault> 
             wrong("an impact may be outside the window".into())
         };
     };
-    let motion = |k: u64, t: Interval| {
-        // E(2πk + t − t₁), the first factor known.
-        let e = cell.flow.times(work.turns(k), cell.flow.exp(t - first.phase));
-        let (fallen, speed) = cell.fall(turn(k) + t - first.phase);
-        let (place, velocity) = cell.flow.apply(e, first.place, letter.after.all);
-        let (place, velocity) = (place + fallen, velocity + speed);
-        Motion { place, velocity, acceleration: cell.acceleration(place, velocity) }
-    };
-    let bounded = |motion: &Motion| motion.place.is_below(work.numbers.reach);
-    let mut least = Vec::new();
+    let legs = Legs { work, first, after: letter.after.all };
     for k in 0..=letter.periods {
         let from = if k == 0 { first.phase } else { -cell.wall.window };
         let to = if k == letter.periods { last.phase } else { cell.wall.window };
-        let window = from.until(to);
-        let mut curvature: Option<Interval> = None;
-        for piece in 0..pieces {
-            go_on()?;
-            let t = window.part(piece, pieces);
-            let motion = motion(k, t);
-            let here = (cell.wall.at(t).bend + cell.depth * motion.acceleration).least();
-            if !here.is_positive() {
-                return wrong(format!("the gap may not be convex in window {k}"));
+        let least = window(&legs, k, from.until(to), pieces, go_on)?;
+        if 0 < k && k < letter.periods {
+            let motion = legs.motion(k, Interval::ZERO);
+            let dip = (cell.depth * motion.velocity.squared()).over(least + least);
+            if !(motion.place - cell.side - dip).is_positive() {
+                return wrong(format!("the wall may be met in window {k}"));
             }
-            if !bounded(&motion) {
-                return wrong(format!("the motion may go beyond its reach in window {k}"));
-            }
-            curvature = Some(curvature.map_or(here, |least| least.hull(here).least()));
         }
-        least.push(curvature.unwrap_or(Interval::WHOLE));
     }
-    let between = cell.wall.window.until(turn(1) - cell.wall.window);
+    // One of both walls has the windows k and k + 1, or k and k + 2.
+    let pi = Interval::PI;
+    let next = pi + pi - cell.wall.window;
     for k in 0..letter.periods {
-        for piece in 0..pieces {
-            go_on()?;
-            let t = between.part(piece, pieces);
-            let motion = motion(k, t);
-            let gap = cell.wall.at(t).drop + cell.depth * (motion.place - cell.side);
-            if !gap.is_positive() {
-                return wrong(format!("the gap may not be positive after window {k}"));
-            }
-            if !bounded(&motion) {
-                return wrong(format!("the motion may go beyond its reach after window {k}"));
-            }
-        }
+        let end = if cell.mirrored && k + 1 == letter.periods { pi + last.phase } else { next };
+        let time = cell.wall.window.until(end);
+        between(&legs, time, pieces, go_on, &format!("after window {k}"), |t| legs.motion(k, t).place)?;
     }
-    for k in 1..letter.periods {
-        let motion = motion(k, Interval::ZERO);
-        let bound = least[k as usize];
-        let dip = (cell.depth * motion.velocity.squared()).over(bound + bound);
-        if !(motion.place - cell.side - dip).is_positive() {
-            return wrong(format!("the wall may be met in window {k}"));
+    if cell.mirrored {
+        let time = (pi + first.phase).until(next);
+        between(&legs, time, pieces, go_on, "before window 1", |t| legs.before(t))?;
+    }
+    Ok(())
+}
+
+/// That the gap is convex in window k, in this part of it; the least of its second derivatives.
+fn window(legs: &Legs, k: u64, window: Interval, pieces: u64, go_on: GoOn) -> Result<Interval, Fault> {
+    let cell = &legs.work.cell;
+    let mut curvature: Option<Interval> = None;
+    for piece in 0..pieces {
+        go_on()?;
+        let t = window.part(piece, pieces);
+        let motion = legs.motion(k, t);
+        let here = (cell.wall.at(t).bend + cell.depth * motion.acceleration).least();
+        if !here.is_positive() {
+            return wrong(format!("the gap may not be convex in window {k}"));
+        }
+        if !legs.is_within_reach(motion.place) {
+            return wrong(format!("the motion may go beyond its reach in window {k}"));
+        }
+        curvature = Some(curvature.map_or(here, |least| least.hull(here).least()));
+    }
+    Ok(curvature.unwrap_or(Interval::WHOLE))
+}
+
+/// That a wall's gap is positive at all these times since the middle of one of its windows.
+fn between(
+    legs: &Legs,
+    time: Interval,
+    pieces: u64,
+    go_on: GoOn,
+    when: &str,
+    place: impl Fn(Interval) -> Interval,
+) -> Result<(), Fault> {
+    let cell = &legs.work.cell;
+    for piece in 0..pieces {
+        go_on()?;
+        let t = time.part(piece, pieces);
+        let place = place(t);
+        let gap = cell.wall.at(t).drop + cell.depth * (place - cell.side);
+        if !gap.is_positive() {
+            return wrong(format!("the gap may not be positive {when}"));
+        }
+        if !legs.is_within_reach(place) {
+            return wrong(format!("the motion may go beyond its reach {when}"));
         }
     }
     Ok(())

@@ -14,6 +14,10 @@
 //!
 //! since dq/dT = p′ and dp/dT = r at the leg's end, and the place of an impact moves with s/2, the wall's
 //! velocity.
+//!
+//! Between two mirrored walls n counts half periods, and an impact at the upper wall is described by its
+//! mirror image at the lower one: its place and velocities times −1, its time less half a period. Then a leg
+//! of n half periods lasts T = πn + t′ − t, and E = (−1)ⁿ E(T), while everything else stays as it is.
 
 use super::{
     fixed::Interval,
@@ -23,6 +27,8 @@ use super::{
 
 /// A box of parameters.
 pub(super) struct Cell<'a> {
+    /// Whether there is an upper wall too, the mirror image; then times are counted in half periods.
+    pub mirrored: bool,
     pub flow: Flow,
     /// f/ν.
     pub force: Interval,
@@ -55,8 +61,9 @@ pub(super) struct Leg {
 }
 
 impl<'a> Cell<'a> {
-    /// Of ranges of c, k, f, τ, ν, with σ and the wall.
+    /// Of ranges of c, k, f, τ, ν, with σ and the wall; f = 0 if there is a mirrored wall.
     pub fn new(
+        mirrored: bool,
         [damping, stiffness, force, restitution, depth]: [Interval; 5],
         side: Interval,
         wall: &'a Wall,
@@ -65,6 +72,7 @@ impl<'a> Cell<'a> {
         let two = Interval::ONE + Interval::ONE;
         let force = if force == Interval::ZERO { force } else { force.over(depth) };
         Cell {
+            mirrored,
             flow: Flow { damping, stiffness },
             force,
             depth,
@@ -72,6 +80,19 @@ impl<'a> Cell<'a> {
             shares: [two.over(sum), (two * restitution).over(sum)],
             wall,
         }
+    }
+
+    /// n periods, or half periods.
+    pub fn time(&self, n: u64) -> Interval {
+        let pi = Interval::PI;
+        let one = if self.mirrored { pi } else { pi + pi };
+        one * Interval::ratio(n.into(), 1)
+    }
+
+    /// E of that time, with the sign (−1)ⁿ that half periods bring.
+    pub fn turned(&self, n: u64) -> Matrix {
+        let e = self.flow.exp(self.time(n));
+        if self.mirrored && n % 2 == 1 { Matrix { a: -e.a, b: -e.b } } else { e }
     }
 
     /// s of an impact with these velocities after and before.
@@ -109,21 +130,21 @@ impl<'a> Cell<'a> {
         self.force - self.flow.damping * velocity - self.flow.stiffness * place
     }
 
-    /// E(T) for a leg, given E(2πn).
+    /// E for a leg, given that of its periods.
     fn matrix(&self, turns: Matrix, from: &Impact, to: &Impact) -> Matrix {
         self.flow.times(turns, self.flow.exp(to.phase - from.phase))
     }
 
     /// The velocities alone.
     fn ends(&self, e: Matrix, periods: u64, from: &Impact, to: &Impact) -> [Interval; 2] {
-        let time = turn(periods) + to.phase - from.phase;
+        let time = self.time(periods) + to.phase - from.phase;
         let (fallen, speed) = self.fall(time);
         let after = (to.place - e.a * from.place - fallen).over(e.b);
         let (_, before) = self.flow.apply(e, from.place, after);
         [after, before + speed]
     }
 
-    /// A leg of so many periods, `turns` being E(2πn), between impacts from these; `middles` lie among them.
+    /// A leg of so many periods, `turns` being their E, between impacts from these; `middles` lie among them.
     /// Enclosed by the mean-value form, twice, since the velocity p′ enters the derivatives. The impacts' s
     /// are independent of each other and of the parameters.
     pub fn leg(&self, turns: Matrix, periods: u64, [from, to]: [&Impact; 2], middles: [&Impact; 2]) -> Leg {
@@ -153,10 +174,4 @@ impl<'a> Cell<'a> {
         }
         leg
     }
-}
-
-/// 2πn.
-pub(super) fn turn(periods: u64) -> Interval {
-    let pi = Interval::PI;
-    (pi + pi) * Interval::ratio(periods.into(), 1)
 }

@@ -1,5 +1,5 @@
 //! Certificates of kind `chaos`: every bi-infinite word over an alphabet of periods is an orbit of a linear
-//! impact oscillator.
+//! impact oscillator with one wall, or with two that are each other's mirror images.
 //!
 //! The theorem with its proof is in `docs/chaos.md`, with how any linear oscillator with a rigid wall is
 //! brought to the form here; what is checked is its conditions H0 to H4, for every box of parameters
@@ -62,6 +62,15 @@
 //! 1/HI; or both over the predecessors. And either no letter has two successors of the same period, or none
 //! two predecessors. For `complete`, σ = 1, f = 0, the letters' periods are different, and C1 to C3 of `only`
 //! hold.
+//!
+//! # Version 2
+//!
+//! After `kind chaos 2` the same lines, with another statement, are of an oscillator between two walls, the
+//! upper one at −w(t − π) if the lower one is at w(t) = σν − 1 + g(t): under q(t) → −q(t − π) the two are
+//! exchanged. The force is 0/1 0/1. The periods of letters and of `complete` are half periods, and so are
+//! those by which `growth` counts. An odd letter goes from one wall to the other. In G an odd n has −E for E,
+//! and Tₙ = πn + t′ − t; H4 is of both gaps, |q|/ν < B; the other rules are the same. A window more per letter
+//! makes it (2n + 2) J evaluations.
 //!
 //! # Example
 //!
@@ -139,9 +148,27 @@ meets the wall at arbitrarily early and arbitrarily late times, and only within 
 where |g'| <= nu S/2, is one of these; if c and k are positive, so is every bounded motion for all time \
 that meets it only there.";
 
+/// What a certificate of version 2 proves: the same between two walls, one the mirror image of the other.
+pub const STATEMENT_2: &str = "For all c, k, tau and nu > 0 in the listed ranges, and for g(t) the sum of \
+the listed harmonics a cos jt + b sin jt, a and b in their ranges, all a together 1 and all j b together 0, \
+the oscillator q'' = -c q' - k q between the lower wall w(t) = sigma nu - 1 + g(t), sigma the listed side, \
+and the upper wall -w(t - pi), both with restitution tau: for every bi-infinite path of the listed graph of \
+letters and every integer m there is exactly one motion whose impacts, one between two letters, have times \
+within W of multiples of pi, at the lower wall of even and at the upper wall of odd multiples, as many half \
+periods pi apart as the letters say, the impact before letter 0 within W of m pi, and velocities, divided by \
+nu, with the other sign at the upper wall, after the first and before the last impact of each letter in its \
+ranges. It has no other impacts, all are at positive speed, between them the gaps to both walls are positive, \
+as at impacts is that to the other wall, and |q|/nu stays below the reach. Paths with different half periods \
+have different motions; on the set of all these motions, for all m, the map F of (q, q') at t = pi/2 to \
+(-q, -q') at t = 3 pi/2 has a topological entropy between the logarithms of the growth rates, and the map \
+from t = pi/2 to t = 5 pi/2 is F applied twice, of twice that entropy. If the line complete has a strength S, \
+every motion that meets the walls at arbitrarily early and arbitrarily late times, and only where the above \
+do and |w'|, or at the upper wall |w'| half a period before, is at most nu S/2, is one of these; if c and k \
+are positive, so is every bounded motion for all time that meets them only there.";
+
 /// Checks everything after the kind line.
-pub(super) fn check(lines: &mut Lines) -> Result<Proved, Rejection> {
-    let certificate = text::read(lines)?;
+pub(super) fn check<const MIRRORED: bool>(lines: &mut Lines) -> Result<Proved, Rejection> {
+    let certificate = text::read(lines, MIRRORED)?;
     graph::grows(&certificate).map_err(|reason| lines.false_claim(reason))?;
     proof::run(&certificate, lines)?;
     let periods = certificate.letters.iter().map(|letter| letter.periods);

@@ -30,7 +30,7 @@ pub(super) fn run(certificate: &Certificate, lines: &mut Lines) -> Result<(), Re
             *parameter = parameter.part(rest % parts, parts);
             rest /= parts;
         }
-        let work = Work::new(Cell::new(parameters, side, &wall), &numbers);
+        let work = Work::new(Cell::new(certificate.mirrored, parameters, side, &wall), &numbers);
         work.holds(certificate.pieces, &mut || lines.go_on())
             .map_err(|fault| lines.rejection(fault.at(format!("cell {} of {total}", index + 1))))?;
     }

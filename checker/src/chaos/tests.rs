@@ -138,7 +138,7 @@ fn what_is_said_of_others_is_what_is_proved() {
         let text = rest.join("\n").replace("complete no", "complete 2 4 2 7");
         let text =
             text.replace("damping 12/49 12/49", damping).replace("stiffness 100/2401 100/2401", stiffness);
-        let certificate = read(&mut Lines::after(0, &mut text.as_bytes(), &mut || false)).unwrap();
+        let certificate = read(&mut Lines::after(0, &mut text.as_bytes(), &mut || false), false).unwrap();
         let (_, others) = detail(&certificate).into_iter().find(|(name, _)| *name == "others").unwrap();
         others
     };

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::{CELLS, EVALUATIONS, Lines, Rejection, STATEMENT, Words, fixed::Interval};
+use super::{CELLS, EVALUATIONS, Lines, Rejection, STATEMENT, STATEMENT_2, Words, fixed::Interval};
 use crate::header::expect_statement;
 
 /// The longest numerator, denominator or decimal, in digits: below 2⁵⁰.
@@ -44,7 +44,7 @@ pub type Range<T> = [T; 2];
 /// A letter: a leg of an orbit from one impact to the next.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Letter {
-    /// The periods n ≥ 1 that it lasts.
+    /// The periods n ≥ 1 that it lasts; with mirrored walls, half periods.
     pub periods: u64,
     /// The velocity just after its first impact, divided by ν.
     pub after: Range<Decimal>,
@@ -85,6 +85,8 @@ pub struct Complete {
 /// All that a certificate of this kind holds.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Certificate {
+    /// Whether there are two walls, the upper one the mirror image of the lower: version 2 of the kind.
+    pub mirrored: bool,
     /// The ranges of c, k, f, τ, ν, in this order.
     pub ranges: [Range<Fraction>; 5],
     /// Into how many parts each range is cut.
@@ -101,9 +103,9 @@ pub struct Certificate {
     pub letters: Vec<Letter>,
     /// κ < 1.
     pub contraction: Decimal,
-    /// q/ν stays below this.
+    /// q/ν stays below this; with mirrored walls |q|/ν does.
     pub reach: Decimal,
-    /// The growth rate per period lies between these.
+    /// The growth rate per period, with mirrored walls per half period, lies between these.
     pub growth: Range<Decimal>,
     /// Whether it is proved that there are no other orbits near.
     pub complete: Option<Complete>,
@@ -139,7 +141,10 @@ impl Certificate {
                 previous * letter.next.len() as u64 * letter.parts * letter.parts
             })
             .sum();
-        let gaps: u64 = self.letters.iter().map(|letter| (2 * letter.periods + 1) * self.pieces).sum();
+        // The time before the other wall's first window is one more.
+        let both = u64::from(self.mirrored);
+        let gaps: u64 =
+            self.letters.iter().map(|letter| (2 * letter.periods + 1 + both) * self.pieces).sum();
         let others =
             self.complete.map_or(0, |claim| claim.rounds * claim.longest.pow(3) * claim.parts.pow(2));
         self.cells().saturating_mul(legs + gaps + others)
@@ -168,7 +173,8 @@ impl fmt::Display for Decimal {
 /// The text of the certificate, header included.
 impl fmt::Display for Certificate {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}\nkind {}\nstatement {STATEMENT}\n", crate::FORMAT, super::KIND)?;
+        let (version, statement) = if self.mirrored { (" 2", STATEMENT_2) } else { ("", STATEMENT) };
+        write!(f, "{}\nkind {}{version}\nstatement {statement}\n", crate::FORMAT, super::KIND)?;
         for (name, [lo, hi]) in RANGES.iter().zip(self.ranges) {
             writeln!(f, "{name} {lo} {hi}")?;
         }
@@ -354,9 +360,9 @@ fn successors(words: &mut Words, count: u64) -> Result<Vec<usize>, String> {
     Ok(all)
 }
 
-/// Reads everything after the kind line.
-pub(super) fn read(lines: &mut Lines) -> Result<Certificate, Rejection> {
-    expect_statement(lines, STATEMENT)?;
+/// Reads everything after the kind line of version 1, or of version 2, of mirrored walls.
+pub(super) fn read(lines: &mut Lines, mirrored: bool) -> Result<Certificate, Rejection> {
+    expect_statement(lines, if mirrored { STATEMENT_2 } else { STATEMENT })?;
     let mut ranges = [[Fraction { p: 0, q: 1 }; 2]; 5];
     for (i, name) in RANGES.into_iter().enumerate() {
         ranges[i] = line(lines, name, fractions)?;
@@ -365,6 +371,9 @@ pub(super) fn read(lines: &mut Lines) -> Result<Certificate, Rejection> {
         let problem = match name {
             "restitution" if lo.p <= 0 => Some("a restitution must be positive here"),
             "depth" if lo.p < 0 || hi.p <= 0 => Some("the depth must be at least 0, and somewhere positive"),
+            "force" if mirrored && [lo, hi] != [no, no] => {
+                Some("with mirrored walls the force is 0/1 0/1")
+            }
             "force" if [lo, hi] != [no, no] && !(free(ranges[0]) && free(ranges[1])) => {
                 Some("a force other than 0/1 needs damping and stiffness 0/1: else move the origin")
             }
@@ -435,6 +444,7 @@ pub(super) fn read(lines: &mut Lines) -> Result<Certificate, Rejection> {
         return Err(lines.malformed("completeness is for side 1 and force 0/1"));
     }
     let certificate = Certificate {
+        mirrored,
         ranges,
         behind,
         harmonics,

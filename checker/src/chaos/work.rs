@@ -5,7 +5,7 @@ use super::{
     Fault,
     fixed::Interval,
     flow::Matrix,
-    legs::{Cell, Impact, turn},
+    legs::{Cell, Impact},
     text::{Certificate, Complete, Decimal, Range},
 };
 
@@ -48,7 +48,7 @@ impl Box1 {
     }
 }
 
-/// A cell of parameters, with its turns E(2πn).
+/// A cell of parameters, with its E over n periods, or half periods.
 pub(super) struct Work<'a> {
     pub cell: Cell<'a>,
     pub numbers: &'a Numbers,
@@ -85,11 +85,11 @@ impl<'a> Work<'a> {
     pub fn new(cell: Cell<'a>, numbers: &'a Numbers) -> Self {
         let periods = numbers.letters.iter().map(|letter| letter.periods);
         let longest = periods.chain(numbers.complete.map(|claim| claim.longest)).max().unwrap_or(0);
-        let turns = (0..=longest).map(|n| cell.flow.exp(turn(n))).collect();
+        let turns = (0..=longest).map(|n| cell.turned(n)).collect();
         Work { cell, numbers, turns }
     }
 
-    /// E(2πn).
+    /// E over so many periods, or half periods.
     pub fn turns(&self, periods: u64) -> Matrix {
         self.turns[periods as usize]
     }

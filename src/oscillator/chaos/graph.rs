@@ -5,7 +5,7 @@ use std::collections::HashSet;
 
 use super::{
     Problem, float,
-    map::{Cell, turn},
+    map::Cell,
     span::Span,
 };
 use crate::certificate::chaos::Certificate;
@@ -161,17 +161,17 @@ impl LetterGraph {
 }
 
 /// The graph at the grazing, ν → 0, in the middle of the ranges: n is a letter if (33) holds strictly, n may
-/// follow m if (64) does. Up to `most` periods.
+/// follow m if (64) does. Up to `most` periods, with two walls half periods.
 pub fn born(problem: &Problem, most: u64) -> LetterGraph {
     let middle = problem.spans().map(|span| Span::point(span.middle()));
     let [damping, stiffness, force, restitution, _] = middle;
     let side = if problem.behind { 1.0 } else { -1.0 };
-    let cell =
-        Cell::new([damping, stiffness, force, restitution, Span::point(0.0)], side, &problem.profile());
+    let parameters = [damping, stiffness, force, restitution, Span::point(0.0)];
+    let cell = Cell::new(problem.mirrored, parameters, side, &problem.profile());
     let mut letters = Vec::new();
     for n in 1..=most {
         let entry = |k: u64| {
-            let flow = cell.flow(turn(k));
+            let flow = cell.turned(k);
             (flow.a.middle(), flow.b.middle())
         };
         let (a, b) = entry(n);

@@ -1,13 +1,19 @@
 //! The map of docs/chaos.md over a box of parameters, in spans: impacts by their strength s, legs with their
 //! derivatives, gaps.
 
-use std::rc::Rc;
+use std::{
+    f64::consts::{PI, TAU},
+    rc::Rc,
+};
 
 use super::{profile::Profile, span::Span};
 
 /// A box of the parameters c, k, f, τ, ν, with σ and the wall.
 #[derive(Debug, Clone)]
 pub(super) struct Cell {
+    /// Whether there are two walls; then periods are counted in halves, and what happens at the upper wall is
+    /// described by its mirror image.
+    mirrored: bool,
     damping: Span,
     stiffness: Span,
     /// f/ν.
@@ -46,6 +52,7 @@ pub(super) struct Leg {
 
 impl Cell {
     pub fn new(
+        mirrored: bool,
         [damping, stiffness, force, restitution, depth]: [Span; 5],
         side: f64,
         profile: &Rc<Profile>,
@@ -54,7 +61,21 @@ impl Cell {
         let sum = restitution + Span::point(1.0);
         let two = Span::point(2.0);
         let shares = [two.over(sum), two.over(sum) * restitution];
-        Cell { damping, stiffness, force, depth, side, shares, profile: Rc::clone(profile) }
+        Cell { mirrored, damping, stiffness, force, depth, side, shares, profile: Rc::clone(profile) }
+    }
+
+    /// n periods, or half periods.
+    fn time(&self, n: u64) -> Span {
+        Span::point(if self.mirrored { PI } else { TAU } * n as f64)
+    }
+
+    /// E over n periods, or (−1)ⁿ E over n half periods.
+    pub fn turned(&self, n: u64) -> Flow {
+        self.signed(n, self.flow(self.time(n)))
+    }
+
+    fn signed(&self, n: u64, e: Flow) -> Flow {
+        if self.mirrored && n % 2 == 1 { Flow { a: -e.a, b: -e.b } } else { e }
     }
 
     /// s of an impact with these velocities after and before.
@@ -77,9 +98,9 @@ impl Cell {
         (0..pieces).map(bend).fold(f64::INFINITY, f64::min)
     }
 
-    /// E₁₁ + E₂₂ and the determinant of E(2π).
+    /// E₁₁ + E₂₂ and the determinant of E over a period, or half a period.
     pub fn invariants(&self) -> [Span; 2] {
-        let e = self.flow(turn(1));
+        let e = self.turned(1);
         let velocity = self.velocity(e);
         [e.a + velocity, e.a * velocity + self.stiffness * e.b.squared()]
     }
@@ -154,9 +175,9 @@ impl Cell {
         [after, self.motion(e, time, from.place, after)[1]]
     }
 
-    /// A leg of so many periods, `turns` being E(2πn), between these impacts; `middles` lie among them.
+    /// A leg of so many periods, `turns` being their E, between these impacts; `middles` lie among them.
     pub fn leg(&self, turns: Flow, periods: u64, [from, to]: [&Impact; 2], middles: [&Impact; 2]) -> Leg {
-        let time = |from: &Impact, to: &Impact| turn(periods) + to.phase - from.phase;
+        let time = |from: &Impact, to: &Impact| self.time(periods) + to.phase - from.phase;
         let e = |from: &Impact, to: &Impact| self.product(turns, self.flow(to.phase - from.phase));
         let whole = e(from, to);
         let [mut after, mut before] = self.ends(whole, time(from, to), from, to);
@@ -183,7 +204,7 @@ impl Cell {
         Leg { after, before, after_slopes, before_slopes }
     }
 
-    /// The greatest q/ν on a leg of n periods from these impacts with these velocities, and why its gap may
+    /// The greatest q/ν, with two walls |q|/ν, on a leg of n periods from these impacts with these velocities, and why its gap may
     /// not be positive.
     pub fn gap(
         &self,
@@ -196,10 +217,14 @@ impl Cell {
         let mut reach = f64::NEG_INFINITY;
         let mut reason = None;
         let mut motion = |k: u64, t: Span| {
-            let since = turn(k) + t - from.phase;
-            let [place, velocity] = self.motion(self.flow(since), since, from.place, after);
-            reach = reach.max(place.hi);
+            let since = self.time(k) + t - from.phase;
+            let e = self.signed(k, self.flow(since));
+            let [place, velocity] = self.motion(e, since, from.place, after);
+            reach = reach.max(if self.mirrored { place.magnitude() } else { place.hi });
             (place, velocity, self.acceleration(place, velocity))
+        };
+        let gap = |t: Span, place: Span| {
+            self.profile.at(t).drop.lo + (self.depth * (place - Span::point(self.side))).lo
         };
         for k in 0..=periods {
             let lo = if k == 0 { from.phase.lo } else { -window };
@@ -220,21 +245,24 @@ impl Cell {
                     reason = reason.or(Some(format!("the wall may be met {k} periods after the impact")));
                 }
             }
-            let between = Span::new(window, std::f64::consts::TAU - window);
+            // To the next window of the same wall, or to the leg's end.
+            let ends = self.mirrored && k + 1 == periods;
+            let between = Span::new(window, if ends { PI + to.phase.hi } else { TAU - window });
             for piece in 0..if k < periods { pieces } else { 0 } {
                 let t = between.part(piece, pieces);
-                let (place, _, _) = motion(k, t);
-                let gap = self.profile.at(t).drop.lo + (self.depth * (place - Span::point(self.side))).lo;
-                if gap <= 0.0 {
-                    reason = reason.or(Some(format!("the gap may close between windows {k} and {}", k + 1)));
+                if gap(t, motion(k, t).0) <= 0.0 {
+                    reason = reason.or(Some(format!("the gap may close after window {k}")));
                 }
+            }
+        }
+        // The other wall, from the leg's beginning to its first window.
+        let before = Span::new(PI + from.phase.lo, TAU - window);
+        for piece in 0..if self.mirrored { pieces } else { 0 } {
+            let t = before.part(piece, pieces);
+            if gap(t, -motion(0, t - Span::point(PI)).0) <= 0.0 {
+                reason = reason.or(Some("the other wall may be met before its first window".into()));
             }
         }
         (reach, reason)
     }
-}
-
-/// 2πn.
-pub(super) fn turn(periods: u64) -> Span {
-    Span::point(std::f64::consts::TAU * periods as f64)
 }

@@ -1,5 +1,5 @@
 //! Chaos proved: every bi-infinite path of a graph of periods is an orbit of a linear oscillator with one
-//! wall.
+//! wall, or with two that are each other's mirror images.
 //!
 //! docs/chaos.md has the theorem. [`prove`] looks for boxes and weights (`search`, in plain floats: `span`,
 //! `map`), writes a certificate of kind `chaos` and has it checked; what is proved is what the checker
@@ -16,7 +16,7 @@
 //! let ranges = [at("12/49")?, at("100/2401")?, at("0")?, at("1")?, range("0", "1")?];
 //! let harmonics = vec![(1, [at("1")?, at("0")?])];
 //! let (letters, next) = (vec![1, 2], vec![vec![0, 1]; 2]);
-//! let problem = Problem { ranges, behind: true, harmonics, letters, next };
+//! let problem = Problem { mirrored: false, ranges, behind: true, harmonics, letters, next };
 //! let proof = prove(&problem, &())?.unwrap();
 //! assert!(proof.contraction < 1.0);
 //! assert!(certificate::check(&mut proof.text.as_bytes()).is_ok());
@@ -55,6 +55,9 @@ use crate::{
 /// What is to be proved: for all parameters in ranges, every path of a graph.
 #[derive(Debug, Clone)]
 pub struct Problem {
+    /// Whether there are two walls, the upper one at −w(t − π) if the lower one is at w(t). Then f = 0, and
+    /// periods are half periods.
+    pub mirrored: bool,
     /// The ranges of c, k, f, τ, ν.
     pub ranges: [[BigRational; 2]; 5],
     /// Whether σ = 1.
@@ -94,8 +97,9 @@ impl Problem {
     pub fn arrivals(&self, proof: &ShiftProof, letter: usize, after: &[f64]) -> Vec<(f64, [f64; 2])> {
         let mut parameters = self.spans().map(|span| Span::point(span.middle()));
         parameters[4] = Span::point(self.spans()[4].hi);
-        let cell = map::Cell::new(parameters, if self.behind { 1.0 } else { -1.0 }, &self.profile());
-        let turns = cell.flow(map::turn(self.letters[letter]));
+        let side = if self.behind { 1.0 } else { -1.0 };
+        let cell = map::Cell::new(self.mirrored, parameters, side, &self.profile());
+        let turns = cell.turned(self.letters[letter]);
         let previous = (0..self.letters.len()).filter(|&m| self.next[m].contains(&letter));
         let strengths = previous.map(|m| cell.strength(proof.boxes[letter][0], proof.boxes[m][1]));
         let Some(first) = strengths.reduce(Span::hull) else { return Vec::new() };
@@ -181,6 +185,7 @@ pub fn prove(
 pub fn holds(certificate: &Certificate) -> std::result::Result<(), String> {
     let number = |x: Fraction| BigRational::new(x.p.into(), x.q.into());
     let problem = Problem {
+        mirrored: certificate.mirrored,
         ranges: certificate.ranges.map(|range| range.map(number)),
         behind: certificate.behind,
         harmonics: certificate

@@ -3,7 +3,7 @@
 
 use super::{
     float,
-    map::{Cell, Flow, Impact, turn},
+    map::{Cell, Flow, Impact},
     search::{Attempt, Closed},
     span::Span,
 };
@@ -80,7 +80,7 @@ impl Attempt<'_> {
             if !cell.meets_once(&all) {
                 return Err("there may be two contacts in one window".into());
             }
-            let turns: Vec<Flow> = (0..=claim.longest).map(|n| cell.flow(turn(n))).collect();
+            let turns: Vec<Flow> = (0..=claim.longest).map(|n| cell.turned(n)).collect();
             let narrow =
                 Narrowing { cell, turns, strength: Span::new(-strength, strength), parts: claim.parts };
             most = most.max(self.rounds(&narrow, boxes, claim)?);

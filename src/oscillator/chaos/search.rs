@@ -9,7 +9,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use super::{
     Problem, float,
-    map::{Cell, Flow, Impact, turn},
+    map::{Cell, Flow, Impact},
     span::Span,
 };
 use crate::certificate::chaos::{Certificate, Complete, Decimal};
@@ -79,8 +79,8 @@ impl<'a> Attempt<'a> {
                 *parameter = parameter.part(rest % cuts, cuts);
                 rest /= cuts;
             }
-            let cell = Cell::new(parameters, side, &profile);
-            let turns = (0..=longest).map(|n| cell.flow(turn(n))).collect();
+            let cell = Cell::new(problem.mirrored, parameters, side, &profile);
+            let turns = (0..=longest).map(|n| cell.turned(n)).collect();
             (cell, turns)
         });
         Some(Attempt { problem, cuts, parts, cells: cells.collect(), previous })

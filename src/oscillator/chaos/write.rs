@@ -49,6 +49,7 @@ pub(super) fn certificate(problem: &Problem, closed: &Closed) -> Result<(Certifi
         .iter()
         .map(|(order, [a, b])| Ok(Harmonic { order: *order, parts: [fractions(a)?, fractions(b)?] }));
     let certificate = Certificate {
+        mirrored: problem.mirrored,
         ranges: ranges.try_into().map_err(|_| Error::input("five ranges"))?,
         behind: problem.behind,
         harmonics: harmonics.collect::<Result<_>>()?,
