@@ -24,6 +24,20 @@ STATEMENT = (
     "line complete has a strength S, every motion that meets the wall at arbitrarily early and arbitrarily late times, and only within W of "
     "multiples of 2 pi where |g'| <= nu S/2, is one of these; if c and k are positive, so is every bounded motion for all time that meets it "
     "only there.")
+STATEMENT_2 = (
+    "For all c, k, tau and nu > 0 in the listed ranges, and for g(t) the sum of the listed harmonics a cos jt + b sin jt, a and b in "
+    "their ranges, all a together 1 and all j b together 0, the oscillator q'' = -c q' - k q between the lower wall w(t) = sigma nu - 1 + "
+    "g(t), sigma the listed side, and the upper wall -w(t - pi), both with restitution tau: for every bi-infinite path of the listed "
+    "graph of letters and every integer m there is exactly one motion whose impacts, one between two letters, have times within W of "
+    "multiples of pi, at the lower wall of even and at the upper wall of odd multiples, as many half periods pi apart as the letters say, "
+    "the impact before letter 0 within W of m pi, and velocities, divided by nu, with the other sign at the upper wall, after the first "
+    "and before the last impact of each letter in its ranges. It has no other impacts, all are at positive speed, between them the gaps "
+    "to both walls are positive, as at impacts is that to the other wall, and |q|/nu stays below the reach. Paths with different half "
+    "periods have different motions; on the set of all these motions, for all m, the map F of (q, q') at t = pi/2 to (-q, -q') at t = 3 "
+    "pi/2 has a topological entropy between the logarithms of the growth rates, and the map from t = pi/2 to t = 5 pi/2 is F applied "
+    "twice, of twice that entropy. If the line complete has a strength S, every motion that meets the walls at arbitrarily early and "
+    "arbitrarily late times, and only where the above do and |w'|, or at the upper wall |w'| half a period before, is at most nu S/2, is "
+    "one of these; if c and k are positive, so is every bounded motion for all time that meets them only there.")
 
 
 def need(condition, reason):
@@ -178,10 +192,14 @@ def check(text):
         lo, hi = map(read, words)
         need(lo < hi or lo == hi and not strict, "ends must increase")
         return lo, hi
-    need(next(lines, "") == "grazing-certificate 1" and next(lines, "") == "kind chaos", "not a certificate of kind chaos")
-    need(next(lines, "") == "statement " + STATEMENT, "another statement")
+    need(next(lines, "") == "grazing-certificate 1", "not a certificate")
+    kind = next(lines, "")
+    need(kind in ("kind chaos", "kind chaos 2"), "not a certificate of kind chaos")
+    mirrored = kind == "kind chaos 2"  # two walls, periods in halves
+    need(next(lines, "") == "statement " + (STATEMENT_2 if mirrored else STATEMENT), "another statement")
     ranges = [spread(line(name, 2), fraction, False) for name in ("damping", "stiffness", "force", "restitution", "depth")]
     (c, k, f, tau, nu) = ranges
+    need(f == (0, 0) or not mirrored, "a force between two walls")
     need(tau[0] > 0 and nu[0] >= 0 and nu[1] > 0 and (f == (0, 0) or c == k == (0, 0) and nu[0] > 0), "ranges")
     (side,) = line("side", 1)
     need(side in ("1", "-1"), "a side")
@@ -221,17 +239,21 @@ def check(text):
                  for v, letter in enumerate(letters) for rate, sign in zip(rates, (1, -1))) for way in (follow, before)), "growth")
     wall = Wall(harmonics, window, pieces)
     for choice in product(*map(range, cells)):
-        cell([num(lo).hull(num(hi)).part(i, n) for (lo, hi), i, n in zip(ranges, choice, cells)], sigma, wall, pieces, letters, follow, before, kappa, reach, complete)
+        cell([num(lo).hull(num(hi)).part(i, n) for (lo, hi), i, n in zip(ranges, choice, cells)], mirrored, sigma, wall, pieces, letters, follow, before, kappa, reach, complete)
 
 
-def cell(box, sigma, wall, pieces, letters, follow, before, kappa, reach, complete):
+def cell(box, mirrored, sigma, wall, pieces, letters, follow, before, kappa, reach, complete):
     c, k, f, tau, nu = box
     f = f / nu if f.lo or f.hi else f
     window = wall.window
     after, last = ([num(x[i][0]).hull(num(x[i][1])) for x in letters] for i in (1, 2))
     share = TWO / (ONE + tau)
     longest = max([x[0] for x in letters] + ([] if complete == ["no"] else [complete[1]]))
-    turns = [exp(num(2 * n) * PI, c, k) for n in range(longest + 1)]
+
+    def elapsed(n): return num(n if mirrored else 2 * n) * PI
+    turns = [exp(elapsed(n), c, k) for n in range(longest + 1)]
+    if mirrored:  # what happens at the upper wall is seen in the mirror
+        turns = [(-a, -b) if n % 2 else (a, b) for n, (a, b) in enumerate(turns)]
 
     def strength(a, p): return share * (a + tau * p)
 
@@ -248,7 +270,7 @@ def cell(box, sigma, wall, pieces, letters, follow, before, kappa, reach, comple
     def move(e, time, q, u): return e[0] * q + e[1] * u + f * time.square().half(), (e[0] - c * e[1]) * u - k * (e[1] * q) + f * time
 
     def ends(n, x, y):
-        e, time = times(turns[n], exp(y[1] - x[1], c, k), c, k), num(2 * n) * PI + y[1] - x[1]
+        e, time = times(turns[n], exp(y[1] - x[1], c, k), c, k), elapsed(n) + y[1] - x[1]
         a = (y[3] - e[0] * x[3] - f * time.square().half()) / e[1]
         return e, a, move(e, time, x[3], a)[1]
 
@@ -283,22 +305,30 @@ def cell(box, sigma, wall, pieces, letters, follow, before, kappa, reach, comple
         x, y = (impact(I(min(s.lo for s in all), max(s.hi for s in all))) for all in (into, out))
 
         def motion(j, t):
-            q, u = move(times(turns[j], exp(t - x[1], c, k), c, k), num(2 * j) * PI + t - x[1], x[3], after[n])
-            need(q.hi < reach.lo, "the reach")
+            q, u = move(times(turns[j], exp(t - x[1], c, k), c, k), elapsed(j) + t - x[1], x[3], after[n])
+            need(q.hi < reach.lo and (not mirrored or -q.lo < reach.lo), "the reach")
             return q, u
+
+        def opened(t, q): need((wall.at(t)[0] + nu * (q - sigma)).lo > 0, "a gap may close (H4)")
         for j in range(periods + 1):
             least, left, right = None, x[1] if j == 0 else -window, y[1] if j == periods else window
+            # From here the same wall's gap stays open to its next window, or to the end of the leg at the other.
+            rest = window.hull(PI + y[1] if mirrored and j == periods - 1 else TWO * PI - window)
             for i in range(pieces):
                 t = left.hull(right).part(i, pieces)
                 q, u = motion(j, t)
                 here = (wall.at(t)[2] + nu * (f - c * u - k * q)).lo
                 need(here > 0, "a gap may not be convex (H4)")
                 least = here if least is None else min(least, here)
-                t = window.hull(TWO * PI - window).part(i, pieces)
-                need(j == periods or (wall.at(t)[0] + nu * (motion(j, t)[0] - sigma)).lo > 0, "a gap may close (H4)")
+                if j < periods:
+                    opened(rest.part(i, pieces), motion(j, rest.part(i, pieces))[0])
             if 0 < j < periods:
                 q, u = motion(j, ZERO)
                 need((q - sigma - nu * u.square() / I(2 * least, 2 * least)).lo > 0, "the wall may be met (H4)")
+
+        for i in range(pieces if mirrored else 0):  # the other wall's, to its first window
+            t = (PI + x[1]).hull(TWO * PI - window).part(i, pieces)
+            opened(t, -motion(0, t - PI)[0])
 
     for n, letter in enumerate(letters):
         periods, parts = letter[0], letter[6]

@@ -216,6 +216,7 @@ impl Cell {
     ) -> (f64, Option<String>) {
         let mut reach = f64::NEG_INFINITY;
         let mut reason = None;
+        let periods_of = if self.mirrored { "half periods" } else { "periods" };
         let mut motion = |k: u64, t: Span| {
             let since = self.time(k) + t - from.phase;
             let e = self.signed(k, self.flow(since));
@@ -236,13 +237,13 @@ impl Cell {
                 least = least.min(self.profile.at(t).bend.lo + (self.depth * acceleration).lo);
             }
             if least <= 0.0 {
-                reason = reason.or(Some(format!("the wall may press {k} periods after the impact")));
+                reason = reason.or(Some(format!("the wall may press {k} {periods_of} after the impact")));
             }
             if 0 < k && k < periods {
                 let (place, velocity, _) = motion(k, Span::point(0.0));
                 let dip = (self.depth * velocity.squared()).times(0.5 / least);
                 if (place - dip).lo <= self.side {
-                    reason = reason.or(Some(format!("the wall may be met {k} periods after the impact")));
+                    reason = reason.or(Some(format!("the wall may be met {k} {periods_of} after the impact")));
                 }
             }
             // To the next window of the same wall, or to the leg's end.

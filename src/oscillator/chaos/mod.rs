@@ -85,6 +85,15 @@ pub struct ShiftProof {
 }
 
 impl Problem {
+    /// A number of periods, where it may be counted in halves, in words.
+    fn periods(&self, n: u64) -> String {
+        match (self.mirrored, n % 2) {
+            (false, _) => n.to_string(),
+            (true, 0) => (n / 2).to_string(),
+            (true, _) => format!("{n}/2"),
+        }
+    }
+
     fn profile(&self) -> Rc<Profile> {
         Rc::new(Profile::new(&self.harmonics))
     }

@@ -189,7 +189,7 @@ impl<'a> Attempt<'a> {
         let still = cell.impact(Span::point(0.0)).ok_or("an impact of strength 0 is out of reach")?;
         let leg = |&n: &u64| {
             let leg = cell.leg(turns[n as usize], n, [&still, &still], [&still, &still]);
-            if leg.after.is_finite() { Ok([leg.after, leg.before]) } else { Err(singular(n)) }
+            if leg.after.is_finite() { Ok([leg.after, leg.before]) } else { Err(self.singular(n)) }
         };
         self.problem.letters.iter().map(leg).collect()
     }
@@ -232,7 +232,7 @@ impl<'a> Attempt<'a> {
                             if !(leg.after.is_finite() && leg.before.is_finite())
                                 || leg.after.magnitude().max(leg.before.magnitude()) > 1e4
                             {
-                                return Err(singular(periods));
+                                return Err(self.singular(periods));
                             }
                             let ([a, b], [c, d]) = (leg.after_slopes, leg.before_slopes);
                             if apart {
@@ -263,7 +263,14 @@ impl<'a> Attempt<'a> {
     }
 
     fn name(&self, n: usize) -> String {
-        self.problem.letters[n].to_string()
+        self.problem.periods(self.problem.letters[n])
+    }
+
+    fn singular(&self, periods: u64) -> String {
+        let periods = self.problem.periods(periods);
+        format!(
+            "letter {periods}: a leg of {periods} periods is near one that returns every velocity to one place (E12 = 0)"
+        )
     }
 
     /// Weights that make the contraction about as small as it can be, and that contraction.
@@ -351,7 +358,7 @@ impl<'a> Attempt<'a> {
             let (most, fails) = cell.gap(periods, [&first, &last], boxes[n][0], window, pieces);
             reach = reach.max(most);
             if let Some(fails) = fails {
-                return Err(format!("letter {periods}: {fails}"));
+                return Err(format!("letter {}: {fails}", self.name(n)));
             }
         }
         Ok((edge, reach))
@@ -360,12 +367,6 @@ impl<'a> Attempt<'a> {
 
 fn slow(contraction: f64) -> String {
     format!("the map does not contract: {contraction:.3} at best")
-}
-
-fn singular(periods: u64) -> String {
-    format!(
-        "letter {periods}: a leg of {periods} periods is near one that returns every velocity to one place (E12 = 0)"
-    )
 }
 
 /// The decimals that a box's ends are rounded to: two or three digits of its width.
