@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A second reader of certificates of kind chaos, for whoever would rather trust 400 lines of Python.
+"""A second reader of certificates of kinds chaos and chaos 2, for whoever would rather trust 430 lines of Python.
 
 usage: chaos.py FILE…     prints "FILE: proved" or "FILE: rejected: reason"; exit code 1 if one is rejected.
 

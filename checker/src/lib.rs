@@ -40,7 +40,7 @@
 //! | `word-by-theorem` | the signs that the word theorem asks for there, and so all periods | [`word`] |
 //! | `orbit`, `orbit 2` | that a periodic orbit of an oscillator exists, is unique in a box, admissible, stable or not; 2: for all coefficients in intervals | [`orbit`] |
 //! | `event`, `event 2` | that such an orbit bifurcates (saddle-node, flip) or grazes at a parameter in an interval; 2: for all coefficients in intervals | [`event`] |
-//! | `chaos` | that every bi-infinite word over an alphabet of periods is an orbit of an oscillator, over ranges of parameters | [`chaos`] |
+//! | `chaos`, `chaos 2` | that every bi-infinite word over an alphabet of periods is an orbit of an oscillator, over ranges of parameters; 2: between two walls, each the other's mirror image, both met | [`chaos`] |
 //! | `machine-orbit` | that a periodic orbit of a machine with any number of coordinates and stops exists, is unique in a box, admissible, stable or not | [`machine`] |
 //!
 //! # Use

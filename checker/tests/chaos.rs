@@ -4,7 +4,8 @@ mod common;
 
 use std::{fs, path::Path, process::Command};
 
-use common::{CHAOS_12, CHAOS_123, answer, rejected, with};
+use common::{CHAOS_12, CHAOS_123, CHAOS_MIRRORED, CHAOS_MIRRORED_BEFORE, answer, rejected, with};
+use grazing_check::chaos::{STATEMENT, STATEMENT_2};
 
 #[test]
 fn what_is_written_passes_and_is_named() {
@@ -85,6 +86,104 @@ fn what_is_not_complete_is_refused() {
     // Undamped and for ever: not for the place of rest before the wall.
     let before = with(&with(CHAOS_12, "side", "side -1"), "complete", "complete 2 4 2 7");
     assert!(rejected(&before).contains("side 1"));
+}
+
+/// The same lines as of the other version.
+fn version(text: &str, second: bool) -> String {
+    let (kind, statement) =
+        if second { ("kind chaos 2", STATEMENT_2) } else { ("kind chaos", STATEMENT) };
+    with(&with(text, "kind", kind), "statement", &format!("statement {statement}"))
+}
+
+/// For µ → 0, in a time that is so many times faster: the boxes with it.
+fn hurried(text: &str, [damping, stiffness]: [&str; 2], boxes: [&str; 2]) -> String {
+    let text = with(&with(text, "complete", "complete no"), "depth", "depth 0/1 1/1000000");
+    let text = with(&with(&text, "damping", damping), "stiffness", stiffness);
+    with(&with(&text, "letter 1", boxes[0]), "letter 2", boxes[1])
+}
+
+/// The paper's letters 1 and 2 for small µ, as 2 and 4 half periods between mirrored walls.
+fn small_twice() -> String {
+    let small = with(CHAOS_12, "depth", "depth 0/1 1/100");
+    let twice = small.replace("letter 2 ", "letter 4 ").replace("letter 1 ", "letter 2 ");
+    version(&with(&twice, "growth", "growth 1.2720196495 1.2720196496"), true)
+}
+
+#[test]
+fn orbits_between_mirrored_walls_pass_and_are_named() {
+    let checked = answer(CHAOS_MIRRORED).unwrap();
+    assert_eq!((checked.kind, checked.statement, checked.range.clone()), ("chaos", STATEMENT_2, 1..=3));
+    let text = checked.to_string();
+    assert!(text.contains("between the wall w(t) = nu - 1 + cos t and the wall -w(t - pi)"), "{text}");
+    assert!(text.contains("letters: 1/2, 1, 3/2; each may follow each"), "{text}");
+    assert!(text.contains("per half period between log 1.839286755204") && !text.contains("force"), "{text}");
+    assert!(text.contains("|q| < 4.1 nu") && text.contains("bounded motion that meets a wall only"), "{text}");
+    let text = answer(CHAOS_MIRRORED_BEFORE).unwrap().to_string();
+    assert!(text.contains("others: not excluded") && text.contains("-nu - 1 + cos t"), "{text}");
+}
+
+/// What would hold if a leg between walls had the wrong sign, or if the other wall were not there, is refused.
+#[test]
+fn signs_and_gaps_of_mirrored_walls_count() {
+    // Whole periods in place of halves.
+    assert!(rejected(&version(CHAOS_MIRRORED, false)).contains("(H1)"));
+    // In half the time, with half of c and a quarter of k, E over a period is E over half a period, but for
+    // the sign.
+    let letters = [
+        "letter 1 0.4073 0.4217 -0.13635 -0.12295 0.270998201 0.131271856 1 1",
+        "letter 2 0.87945 0.8892 -0.44845 -0.44275 0.290520967 0.116457833 1 1",
+    ];
+    let unsigned = hurried(CHAOS_MIRRORED, ["damping 1/16 1/16", "stiffness 25/64 25/64"], letters);
+    assert!(rejected(&version(&unsigned, false)).contains("letters 1, 1, 1: the first velocity"));
+    // And the other way round: here one wall is right.
+    let letters = [
+        "letter 1 0.178 0.488 -0.3164 -0.1224 0.264121084 0.082075454 1 1",
+        "letter 2 1.23 2.072 -0.734 -0.28 1 0.310435706 1 1",
+    ];
+    let signed = hurried(CHAOS_12, ["damping 24/49 24/49", "stiffness 400/2401 400/2401"], letters);
+    assert!(rejected(&version(&signed, true)).contains("letters 1, 1, 1: the first velocity"));
+    // Legs of whole periods between the walls have the boxes of one wall; only the gap to the other fails.
+    assert!(answer(&with(CHAOS_12, "depth", "depth 0/1 1/100")).is_ok());
+    let why = rejected(&small_twice());
+    assert!(why.contains("letter 1: the wall may be met in window 1 (H4)"), "{why}");
+}
+
+#[test]
+fn negative_controls_between_mirrored_walls_are_refused() {
+    for (text, start, line, reason) in [
+        // Walls closer to each other.
+        (CHAOS_MIRRORED, "depth", "depth 1/100 1/100", "(H1)"),
+        (CHAOS_MIRRORED_BEFORE, "depth", "depth 0/1 1/2", "(H1)"),
+        (CHAOS_MIRRORED_BEFORE, "side", "side 1", "(H1)"),
+        (CHAOS_MIRRORED, "stiffness", "stiffness 1/2 1/2", "(H1)"),
+        (CHAOS_MIRRORED, "reach", "reach 3", "reach in window 0"),
+        // Beyond the wall below the motion is as far as beyond the one above.
+        (CHAOS_MIRRORED_BEFORE, "reach", "reach 1.2", "reach in window 1"),
+        (CHAOS_MIRRORED, "window", "window 0.001", "outside the window"),
+        (CHAOS_MIRRORED, "window", "window 1.57", "convex in window 0"),
+        (CHAOS_MIRRORED, "window", "window 0.03", "may not be positive after window 0"),
+        (CHAOS_MIRRORED_BEFORE, "window", "window 0.3", "may not be positive before window 1"),
+        (CHAOS_MIRRORED_BEFORE, "window", "window 0.4", "may not be positive after window 1"),
+        // Rates count half periods.
+        (CHAOS_MIRRORED, "growth", "growth 3.382975 3.382976", "lower rate"),
+        (CHAOS_MIRRORED, "complete", "complete 60 5 2 4", "a leg of 4 periods (C)"),
+        (CHAOS_MIRRORED, "complete", "complete 4.73 3 2 4", "longer than 3 periods"),
+    ] {
+        let why = rejected(&with(text, start, line));
+        assert!(why.contains("false") && why.contains(reason), "{line}: {why}");
+    }
+    for (text, start, line, reason) in [
+        (CHAOS_MIRRORED, "force", "force 1/10 1/10", "force is 0/1"),
+        (CHAOS_MIRRORED_BEFORE, "complete", "complete 2 5 2 4", "side 1"),
+        (CHAOS_MIRRORED, "kind", "kind chaos", "statement"),
+        (CHAOS_MIRRORED, "kind", "kind chaos 3", "expected a line"),
+        (CHAOS_12, "kind", "kind chaos 2", "statement"),
+        (CHAOS_MIRRORED, "pieces", "pieces 1000
+pieces 1000", "letters"),
+    ] {
+        let why = rejected(&with(text, start, line));
+        assert!(why.contains("malformed") && why.contains(reason), "{line}: {why}");
+    }
 }
 
 /// The growth vector proves its rates along the edges or along the edges reversed, not some of each.
@@ -222,6 +321,20 @@ fn two_readers_agree() {
         (&few, ("complete", "complete 0 4 2 2".to_string(), false)),
         (&few, ("harmonic ", "harmonic 1 1/1 1/1 1/99 1/9".to_string(), false)),
         (&few, ("harmonic ", "harmonic 1 99999/100000 1/1 0/1 0/1".to_string(), true)),
+    ]);
+    let twice = small_twice();
+    let unsigned = version(CHAOS_MIRRORED, false);
+    let changes = changes.chain([
+        (CHAOS_MIRRORED, ("pieces", "pieces 12".to_string(), true)),
+        (CHAOS_MIRRORED, ("reach", "reach 3".to_string(), false)),
+        (CHAOS_MIRRORED, ("force", "force 1/10 1/10".to_string(), false)),
+        (CHAOS_MIRRORED, ("complete", "complete 4.73 3 2 4".to_string(), false)),
+        (CHAOS_MIRRORED_BEFORE, ("side", "side -1".to_string(), true)),
+        (CHAOS_MIRRORED_BEFORE, ("reach", "reach 1.2".to_string(), false)),
+        (CHAOS_MIRRORED_BEFORE, ("window", "window 0.3".to_string(), false)),
+        (CHAOS_MIRRORED_BEFORE, ("window", "window 0.4".to_string(), false)),
+        (&unsigned, ("side", "side 1".to_string(), false)),
+        (&twice, ("side", "side 1".to_string(), false)),
     ]);
     let changes: Vec<_> = changes.collect();
     let mut files = Vec::new();

@@ -17,7 +17,7 @@ use super::{
         self,
         damage::{damage, damaged},
     },
-    proved,
+    mirrored, proved,
 };
 
 /// The certificate as a plain reader of the format has it.
@@ -89,8 +89,10 @@ fn read(text: &str) -> Option<Certificate> {
 fn damage_is_detected() {
     let mut runner = proptest::test_runner::TestRunner::deterministic();
     let strategy = damage();
-    for task in [ALWAYS, FIGURE_10] {
-        let text = proved(task).text.unwrap().1;
+    let one = [ALWAYS, FIGURE_10].map(proved);
+    let two = ["touched", "before"].map(|name| mirrored::proved(mirrored::STOPS, name));
+    for found in one.into_iter().chain(two) {
+        let text = found.text.unwrap().1;
         assert_eq!(holds(&read(&text).unwrap()), Ok(()));
         let head = text.lines().position(|line| line.starts_with("damping")).unwrap();
         let (mut rejected, mut unchanged, mut still_true) = (0, 0, 0);

@@ -5,6 +5,7 @@ mod common;
 mod damage;
 mod edges;
 mod entropy;
+mod mirrored;
 mod walls;
 
 use std::f64::consts::TAU;
@@ -256,7 +257,7 @@ fn what_is_not_covered_is_said() {
             "stiffness = 2",
             &format!("{wall}[[walls]]\nside = \"upper\"\noffset = 1\nrestitution = 1\n"),
             "",
-            "side must say",
+            "side must say which wall is met",
         ),
         ("stiffness = 2", wall, "side = \"upper\"", "no wall on the side"),
         ("stiffness = 2", wall, "parameter = \"mu\"\nfrom = -0.1\nto = 0.1", "grazes"),

@@ -13,6 +13,8 @@ pub const GRAZING: &str = include_str!("../data/event-gr3.txt");
 pub const ORBIT_6: &str = include_str!("../data/orbit-6.txt");
 pub const CHAOS_12: &str = include_str!("../data/chaos-12.txt");
 pub const CHAOS_123: &str = include_str!("../data/chaos-123.txt");
+pub const CHAOS_MIRRORED: &str = include_str!("../data/chaos-mirrored.txt");
+pub const CHAOS_MIRRORED_BEFORE: &str = include_str!("../data/chaos-mirrored-before.txt");
 pub const WORD: &str = include_str!("../data/word.txt");
 pub const WORD_BY_THEOREM: &str = include_str!("../data/word-by-theorem.txt");
 
