@@ -90,8 +90,7 @@ fn what_is_not_complete_is_refused() {
 
 /// The same lines as of the other version.
 fn version(text: &str, second: bool) -> String {
-    let (kind, statement) =
-        if second { ("kind chaos 2", STATEMENT_2) } else { ("kind chaos", STATEMENT) };
+    let (kind, statement) = if second { ("kind chaos 2", STATEMENT_2) } else { ("kind chaos", STATEMENT) };
     with(&with(text, "kind", kind), "statement", &format!("statement {statement}"))
 }
 
@@ -117,7 +116,10 @@ fn orbits_between_mirrored_walls_pass_and_are_named() {
     assert!(text.contains("between the wall w(t) = nu - 1 + cos t and the wall -w(t - pi)"), "{text}");
     assert!(text.contains("letters: 1/2, 1, 3/2; each may follow each"), "{text}");
     assert!(text.contains("per half period between log 1.839286755204") && !text.contains("force"), "{text}");
-    assert!(text.contains("|q| < 4.1 nu") && text.contains("bounded motion that meets a wall only"), "{text}");
+    assert!(
+        text.contains("|q| < 4.1 nu") && text.contains("bounded motion that meets a wall only"),
+        "{text}"
+    );
     let text = answer(CHAOS_MIRRORED_BEFORE).unwrap().to_string();
     assert!(text.contains("others: not excluded") && text.contains("-nu - 1 + cos t"), "{text}");
 }
@@ -178,8 +180,13 @@ fn negative_controls_between_mirrored_walls_are_refused() {
         (CHAOS_MIRRORED, "kind", "kind chaos", "statement"),
         (CHAOS_MIRRORED, "kind", "kind chaos 3", "expected a line"),
         (CHAOS_12, "kind", "kind chaos 2", "statement"),
-        (CHAOS_MIRRORED, "pieces", "pieces 1000
-pieces 1000", "letters"),
+        (
+            CHAOS_MIRRORED,
+            "pieces",
+            "pieces 1000
+pieces 1000",
+            "letters",
+        ),
     ] {
         let why = rejected(&with(text, start, line));
         assert!(why.contains("malformed") && why.contains(reason), "{line}: {why}");

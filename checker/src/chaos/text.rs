@@ -143,8 +143,7 @@ impl Certificate {
             .sum();
         // The time before the other wall's first window is one more.
         let both = u64::from(self.mirrored);
-        let gaps: u64 =
-            self.letters.iter().map(|letter| (2 * letter.periods + 1 + both) * self.pieces).sum();
+        let gaps: u64 = self.letters.iter().map(|letter| (2 * letter.periods + 1 + both) * self.pieces).sum();
         let others =
             self.complete.map_or(0, |claim| claim.rounds * claim.longest.pow(3) * claim.parts.pow(2));
         self.cells().saturating_mul(legs + gaps + others)
@@ -371,9 +370,7 @@ pub(super) fn read(lines: &mut Lines, mirrored: bool) -> Result<Certificate, Rej
         let problem = match name {
             "restitution" if lo.p <= 0 => Some("a restitution must be positive here"),
             "depth" if lo.p < 0 || hi.p <= 0 => Some("the depth must be at least 0, and somewhere positive"),
-            "force" if mirrored && [lo, hi] != [no, no] => {
-                Some("with mirrored walls the force is 0/1 0/1")
-            }
+            "force" if mirrored && [lo, hi] != [no, no] => Some("with mirrored walls the force is 0/1 0/1"),
             "force" if [lo, hi] != [no, no] && !(free(ranges[0]) && free(ranges[1])) => {
                 Some("a force other than 0/1 needs damping and stiffness 0/1: else move the origin")
             }

@@ -36,7 +36,10 @@ pub(super) fn detail(certificate: &Certificate) -> Vec<(&'static str, String)> {
     let [lo, hi] = certificate.growth;
     if certificate.mirrored {
         all.push(("reach", format!("|q| < {} nu", certificate.reach)));
-        all.push(("entropy", format!("per half period between log {lo} and log {hi}, per period twice that")));
+        all.push((
+            "entropy",
+            format!("per half period between log {lo} and log {hi}, per period twice that"),
+        ));
     } else {
         all.push(("reach", format!("q < {} nu", certificate.reach)));
         all.push(("entropy", format!("per period between log {lo} and log {hi}")));
@@ -53,7 +56,9 @@ pub(super) fn detail(certificate: &Certificate) -> Vec<(&'static str, String)> {
                 };
                 let which = match damping.p > 0 && stiffness.p > 0 {
                     true => format!("bounded motion that meets {wall} only"),
-                    false => format!("motion that meets {wall} at arbitrarily early and late times, and only"),
+                    false => {
+                        format!("motion that meets {wall} at arbitrarily early and late times, and only")
+                    }
                 };
                 format!(
                     "none near: every {which} {window}, at |g'| <= nu {}/2, is one of these",

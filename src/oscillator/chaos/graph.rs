@@ -3,11 +3,7 @@
 
 use std::collections::HashSet;
 
-use super::{
-    Problem, float,
-    map::Cell,
-    span::Span,
-};
+use super::{Problem, float, map::Cell, span::Span};
 use crate::certificate::chaos::Certificate;
 
 /// Letters with their periods, and for each which may follow.

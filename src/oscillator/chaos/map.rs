@@ -243,7 +243,8 @@ impl Cell {
                 let (place, velocity, _) = motion(k, Span::point(0.0));
                 let dip = (self.depth * velocity.squared()).times(0.5 / least);
                 if (place - dip).lo <= self.side {
-                    reason = reason.or(Some(format!("the wall may be met {k} {periods_of} after the impact")));
+                    reason =
+                        reason.or(Some(format!("the wall may be met {k} {periods_of} after the impact")));
                 }
             }
             // To the next window of the same wall, or to the leg's end.

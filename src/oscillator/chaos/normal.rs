@@ -82,7 +82,10 @@ impl Normal {
         if middle.is_some() && !system.force.is_zero() {
             return asymmetric("a constant force that no spring balances presses towards one of them");
         }
-        if measured.is_none() && !falls && middle.is_none() && !matches!(stiffness.sign(), Some(Sign::Positive | Sign::Negative))
+        if measured.is_none()
+            && !falls
+            && middle.is_none()
+            && !matches!(stiffness.sign(), Some(Sign::Positive | Sign::Negative))
         {
             return fail(
                 "without a spring there may be no damping: the motion without the wall is not unique",
@@ -109,7 +112,11 @@ impl Normal {
         motion.iter_mut().for_each(|wave| wave.0 /= faster);
         if let Some(upper) = mirror {
             let offset = upper.offset.clone() - &rest;
-            is_mirror_image((&mean, &motion), (&offset, &minus(&waves(&upper.harmonics), &response)), faster)?;
+            is_mirror_image(
+                (&mean, &motion),
+                (&offset, &minus(&waves(&upper.harmonics), &response)),
+                faster,
+            )?;
             if !(wall.restitution.clone() - &upper.restitution).is_zero() {
                 return asymmetric("their restitutions differ");
             }
