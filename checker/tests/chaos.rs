@@ -124,7 +124,7 @@ fn orbits_between_mirrored_walls_pass_and_are_named() {
     assert!(text.contains("others: not excluded") && text.contains("-nu - 1 + cos t"), "{text}");
 }
 
-/// What would hold if a leg between walls had the wrong sign, or if the other wall were not there, is refused.
+/// What would hold if a leg between walls had the wrong sign, or without the other wall, is refused.
 #[test]
 fn signs_and_gaps_of_mirrored_walls_count() {
     // Whole periods in place of halves.
@@ -177,9 +177,9 @@ fn negative_controls_between_mirrored_walls_are_refused() {
     for (text, start, line, reason) in [
         (CHAOS_MIRRORED, "force", "force 1/10 1/10", "force is 0/1"),
         (CHAOS_MIRRORED_BEFORE, "complete", "complete 2 5 2 4", "side 1"),
-        (CHAOS_MIRRORED, "kind", "kind chaos", "statement"),
+        (CHAOS_MIRRORED, "kind", "kind chaos", "line 3"),
         (CHAOS_MIRRORED, "kind", "kind chaos 3", "expected a line"),
-        (CHAOS_12, "kind", "kind chaos 2", "statement"),
+        (CHAOS_12, "kind", "kind chaos 2", "line 3"),
         (
             CHAOS_MIRRORED,
             "pieces",

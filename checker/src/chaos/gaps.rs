@@ -18,8 +18,7 @@ use super::{
     work::{GoOn, Work},
 };
 
-/// Proves it for every letter of a cell, and that q̂ stays below the reach, and above its opposite where there
-/// are two walls.
+/// Proves it for every letter of a cell, and that q̂ stays below the reach; with two walls, |q̂|.
 pub(super) fn open(work: &Work, pieces: u64, go_on: GoOn) -> Result<(), Fault> {
     (0..work.numbers.letters.len()).try_for_each(|n| {
         flight(work, n, pieces, go_on).map_err(|fault| fault.at(format!("letter {}", n + 1)))

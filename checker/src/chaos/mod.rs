@@ -69,8 +69,8 @@
 //! upper one at −w(t − π) if the lower one is at w(t) = σν − 1 + g(t): under q(t) → −q(t − π) the two are
 //! exchanged. The force is 0/1 0/1. The periods of letters and of `complete` are half periods, and so are
 //! those by which `growth` counts. An odd letter goes from one wall to the other. In G an odd n has −E for E,
-//! and Tₙ = πn + t′ − t; H4 is of both gaps, |q|/ν < B; the other rules are the same. A window more per letter
-//! makes it (2n + 2) J evaluations.
+//! and T = πn + t′ − t; H4 is of both gaps, |q|/ν < B; the other rules are the same. The time before the
+//! other wall's first window makes it (2n + 2) J evaluations per letter.
 //!
 //! # Example
 //!

@@ -204,8 +204,8 @@ impl Cell {
         Leg { after, before, after_slopes, before_slopes }
     }
 
-    /// The greatest q/ν, with two walls |q|/ν, on a leg of n periods from these impacts with these velocities, and why its gap may
-    /// not be positive.
+    /// The greatest q/ν, with two walls |q|/ν, on a leg of n periods from these impacts with these
+    /// velocities, and why its gap may not be positive.
     pub fn gap(
         &self,
         periods: u64,
