@@ -260,7 +260,8 @@ fn periods(counts: &[u64], half: bool, [open, close]: [&str; 2]) -> String {
     format!("{open}{}{close}", counts.iter().map(halves).collect::<Vec<_>>().join(", "))
 }
 
-/// The digits of the logarithm, twice the one of a rate per half period, that both ends share: an error of 1e-15, the library's, is allowed for.
+/// The digits of the logarithm, twice the one of a rate per half period, that both ends share: an error of
+/// 1e-15, the library's, is allowed for.
 fn entropy([lo, hi]: [f64; 2], half: bool) -> Option<String> {
     let times = if half { 2.0 } else { 1.0 };
     let ends = [lo.ln() - 1e-14, hi.ln() + 1e-14].map(|end| BigRational::from_float(times * end));

@@ -286,8 +286,8 @@ fn walls_that_are_no_mirror_images_are_refused() {
         let error = outcome(&scene(system, [PAIR[0], &upper], task), "x").map(|_| ()).unwrap_err();
         assert!(error.contains(reason), "{reason}: {error}");
     }
-    // An odd harmonic more of the forcing leaves the symmetry; so does a wall that moves twice as fast, in its
-    // own time.
+    // An odd harmonic more of the forcing leaves the symmetry; so does a wall that moves twice as fast, in
+    // its own time.
     let found = proved(&scene(&odd, PAIR, task), "x");
     assert!(found.oscillator.contains("cos 3t"), "{}", found.oscillator);
     let fast = PAIR.map(|wall| wall.replace("{ cos", "{ k = 2, cos"));

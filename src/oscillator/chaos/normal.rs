@@ -46,8 +46,8 @@ impl Normal {
     ///
     /// # Errors
     /// An input error that says what the normal form does not cover: no wall, two that are not each other's
-    /// mirror images without `side`, a cubic spring, a motion without the wall that is not unique, a wall that does not move, a grazing within the
-    /// range, a dependence too intricate to bound.
+    /// mirror images without `side`, a cubic spring, a motion without the wall that is not unique, a wall
+    /// that does not move, a grazing within the range, a dependence too intricate to bound.
     pub fn of(
         system: &System<Function>,
         measured: Option<[[BigRational; 2]; 3]>,
