@@ -20,6 +20,8 @@ use grazing::{
     },
 };
 
+#[path = "simulation/batch.rs"]
+mod batch;
 #[path = "simulation/forces.rs"]
 mod forces;
 

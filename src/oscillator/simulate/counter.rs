@@ -135,6 +135,11 @@ impl Share {
     pub fn of(tally: &Arc<EffectTally>) -> Share {
         Share { counts: Counts::default(), tally: tally.clone() }
     }
+
+    /// That many more.
+    pub fn add(&mut self, effect: Effect, times: u64) {
+        self.counts.0[effect as usize] += times;
+    }
 }
 
 impl Counter for Share {

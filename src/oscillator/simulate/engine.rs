@@ -1,7 +1,7 @@
 //! The event loop, composed at compile time of the effects present.
 
 use super::{
-    Event, Impact, Release, RunEnd, Settings, Stick, Tangency,
+    Event, Impact, Release, RunEnd, Settings, Stick, Tangency, grid,
     pieces::{LOWER, Pieces, UPPER},
     search::{Gap, Hit, ROUNDING, clear, norm},
     wall::Walls,
@@ -20,6 +20,17 @@ pub(super) trait Engine: Send {
     fn time(&self) -> Time;
     fn state(&self) -> State;
     fn impacts(&self) -> u64;
+    /// The motion, if it is on a grid, in flight, and nothing is left to be told.
+    fn aloft(&self) -> Option<Aloft>;
+}
+
+/// A motion in flight on a grid.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Aloft {
+    pub cursor: grid::Cursor,
+    /// As [`Loop::open`].
+    pub open: [bool; 2],
+    pub impacts: u64,
 }
 
 /// A run through the pieces `P`, with a lower and an upper wall or not, told of to a counter or not.
@@ -99,6 +110,19 @@ impl<'a, P: Pieces, C: Counter, const HAS_LOWER: bool, const HAS_UPPER: bool>
             }
         }
         Ok(run)
+    }
+
+    /// The run of a motion that was in flight.
+    pub fn resume(
+        pieces: &'a P,
+        walls: &'a Walls,
+        settings: &'a Settings,
+        Aloft { cursor, open, impacts }: Aloft,
+        counter: C,
+    ) -> Self {
+        let cursor = pieces.join(cursor);
+        let (origin, rest, first, pending, ended) = (None, None, None, None, None);
+        Loop { pieces, walls, settings, origin, cursor, open, rest, first, pending, impacts, ended, counter }
     }
 
     /// Looks at the piece as far as `end`: the first hit, and on which wall.
@@ -288,5 +312,11 @@ impl<P: Pieces, C: Counter, const HAS_LOWER: bool, const HAS_UPPER: bool> Engine
 
     fn impacts(&self) -> u64 {
         self.impacts
+    }
+
+    fn aloft(&self) -> Option<Aloft> {
+        let told = self.rest.is_none() && self.first.is_none() && self.pending.is_none();
+        let cursor = (told && self.ended.is_none()).then(|| self.pieces.leave(&self.cursor)).flatten()?;
+        Some(Aloft { cursor, open: self.open, impacts: self.impacts })
     }
 }

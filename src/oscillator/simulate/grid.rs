@@ -28,12 +28,12 @@ use crate::{
 };
 
 /// Coefficients of a polynomial.
-const TERMS: usize = 16;
+pub(super) const TERMS: usize = 16;
 
 /// Finer grids than this are refused: a table of it fills 8 MB.
 const MOST_CELLS: usize = 1 << 16;
 
-type Polynomial = [f64; TERMS];
+pub(super) type Polynomial = [f64; TERMS];
 
 /// The tables. Without `DRIVEN` (no forcing, no moving wall) there is one row for all cells.
 #[derive(Debug, Clone)]
@@ -55,11 +55,45 @@ pub(super) struct Grid<const DRIVEN: bool> {
 
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Cursor {
-    period: i64,
-    cell: usize,
+    pub period: i64,
+    pub cell: usize,
     /// The homogeneous motion at the middle of the cell.
-    y: [f64; 2],
-    from: f64,
+    pub y: [f64; 2],
+    pub from: f64,
+}
+
+/// The tables of any grid, for those who follow many motions at once.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Tables<'a> {
+    pub driven: bool,
+    pub cells: usize,
+    pub half: f64,
+    pub basis: &'a [Polynomial; 2],
+    pub heads: &'a [Head; 2],
+    pub matrix: &'a Matrix2,
+    pub step: [f64; 2],
+    pub drive: [&'a [(Head, Polynomial)]; 2],
+}
+
+/// Where a phase lies on the grid, and how a motion that is there is read as a state.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Place {
+    pub cell: usize,
+    pub from: f64,
+    matrix: Matrix2,
+    /// p at the middle of the cell as the tables have it, there as the flow has it, and at the phase.
+    particular: [[f64; 2]; 3],
+}
+
+impl Place {
+    /// (q, u) of the homogeneous motion y about the middle of the cell: what [`Pieces::state`] says.
+    #[inline]
+    pub fn state(&self, y: [f64; 2]) -> [f64; 2] {
+        let [table, here, there] = self.particular;
+        let [q, u] = [y[0] + table[0], y[1] + table[1]];
+        let [q, u] = apply(&self.matrix, [q - here[0], u - here[1]]);
+        [q + there[0], u + there[1]]
+    }
 }
 
 impl<const DRIVEN: bool> Grid<DRIVEN> {
@@ -106,6 +140,26 @@ impl<const DRIVEN: bool> Grid<DRIVEN> {
             drive: [table(&contacts[0]), table(&contacts[1])],
             flow: flow.clone(),
         })
+    }
+
+    pub fn tables(&self) -> Tables<'_> {
+        Tables {
+            driven: DRIVEN,
+            cells: self.cells,
+            half: self.half,
+            basis: &self.basis,
+            heads: &self.heads,
+            matrix: &self.matrix,
+            step: self.step,
+            drive: [&self.drive[0], &self.drive[1]],
+        }
+    }
+
+    pub fn place(&self, phase: f64) -> Place {
+        let (_, cell, from) = self.target(Time { period: 0, phase });
+        let (t, duration) = (self.middle(cell), from * self.half);
+        let particular = [self.particular(cell), self.flow.particular(t), self.flow.particular(t + duration)];
+        Place { cell, from, matrix: self.flow.matrix(duration), particular }
     }
 
     /// How far the middle of the cell is from the start of its period.
@@ -229,6 +283,14 @@ impl<const DRIVEN: bool> Pieces for Grid<DRIVEN> {
     fn state(&self, cursor: &Cursor, x: f64) -> State {
         let (t, p) = (self.middle(cursor.cell), self.particular(cursor.cell));
         self.flow.advance(State { t, q: cursor.y[0] + p[0], u: cursor.y[1] + p[1] }, x * self.half)
+    }
+
+    fn leave(&self, cursor: &Cursor) -> Option<Cursor> {
+        Some(*cursor)
+    }
+
+    fn join(&self, cursor: Cursor) -> Cursor {
+        cursor
     }
 
     fn over(&self, cursor: &Cursor) -> Option<RunEnd> {

@@ -40,6 +40,7 @@
 //! # Ok::<(), grazing::Error>(())
 //! ```
 
+pub mod batch;
 mod counter;
 mod engine;
 mod event;
@@ -56,8 +57,8 @@ pub use event::{Event, Impact, Release, RunEnd, Stick, Tangency};
 
 use std::sync::Arc;
 
-use engine::{Engine, Loop};
-use grid::Grid;
+use engine::{Aloft, Engine, Loop};
+use grid::{Grid, Place, Tables};
 use pieces::Pieces;
 use serde::Serialize;
 use steps::Steps;
@@ -198,6 +199,54 @@ impl Simulator {
             Method::Driven(grid) => self.run(grid, time, [q, u], counter),
             Method::Steps(steps) => self.run(steps, time, [q, u], counter),
         }
+    }
+
+    /// The tables of a linear system with a wall.
+    fn tables(&self) -> Option<Tables<'_>> {
+        self.walls.contacts.iter().flatten().next()?;
+        match &self.method {
+            Method::Still(grid) => Some(grid.tables()),
+            Method::Driven(grid) => Some(grid.tables()),
+            Method::Steps(_) => None,
+        }
+    }
+
+    /// Where a phase lies on the grid of a linear system.
+    fn place(&self, phase: f64) -> Option<Place> {
+        match &self.method {
+            Method::Still(grid) => Some(grid.place(phase)),
+            Method::Driven(grid) => Some(grid.place(phase)),
+            Method::Steps(_) => None,
+        }
+    }
+
+    /// A run that goes on with a motion in flight, of a system with tables.
+    fn resume(&self, aloft: Aloft) -> Run<'_> {
+        match &self.tally {
+            None => self.resume_counting(aloft, ()),
+            Some(tally) => self.resume_counting(aloft, Share::of(tally)),
+        }
+    }
+
+    fn resume_counting<'a>(&'a self, aloft: Aloft, counter: impl Counter + 'a) -> Run<'a> {
+        match &self.method {
+            Method::Still(grid) => self.rejoin(grid, aloft, counter),
+            Method::Driven(grid) => self.rejoin(grid, aloft, counter),
+            Method::Steps(steps) => self.rejoin(steps, aloft, counter),
+        }
+    }
+
+    fn rejoin<'a>(&'a self, pieces: &'a impl Pieces, aloft: Aloft, counter: impl Counter + 'a) -> Run<'a> {
+        let (walls, settings) = (&self.walls, &self.settings);
+        Run(match walls.contacts {
+            [Some(_), Some(_)] => {
+                Box::new(Loop::<_, _, true, true>::resume(pieces, walls, settings, aloft, counter))
+            }
+            [Some(_), None] => {
+                Box::new(Loop::<_, _, true, false>::resume(pieces, walls, settings, aloft, counter))
+            }
+            [None, _] => Box::new(Loop::<_, _, false, true>::resume(pieces, walls, settings, aloft, counter)),
+        })
     }
 
     fn run<'a>(

@@ -1,7 +1,7 @@
 //! A flow cut into pieces on each of which the gap to every wall is a polynomial, and no wall's effect unless
 //! it is asked for.
 
-use super::{RunEnd, search::Head};
+use super::{RunEnd, grid, search::Head};
 use crate::oscillator::{Counter, Time, flow::State};
 
 /// The lower wall's place in arrays of two; the upper's is 1.
@@ -61,6 +61,12 @@ pub(super) trait Pieces: Send + Sync {
 
     /// The motion at a place; t is the phase.
     fn state(&self, cursor: &Self::Cursor, x: f64) -> State;
+
+    /// The motion on a grid, if this is one.
+    fn leave(&self, cursor: &Self::Cursor) -> Option<grid::Cursor>;
+
+    /// The motion that was on this grid, back.
+    fn join(&self, cursor: grid::Cursor) -> Self::Cursor;
 
     /// Why the motion cannot go on from the piece, if it cannot.
     fn over(&self, cursor: &Self::Cursor) -> Option<RunEnd>;

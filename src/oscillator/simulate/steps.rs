@@ -1,7 +1,7 @@
 //! Pieces of any flow: the steps of its Taylor series.
 
 use super::{
-    RunEnd,
+    RunEnd, grid,
     pieces::{LOWER, Pieces},
     search::{Head, head},
 };
@@ -133,6 +133,14 @@ impl Pieces for Steps {
         let [q, slope] =
             cursor.step.q.iter().rev().fold([0.0; 2], |[q, slope], c| [q * x + c, slope * x + q]);
         State { t: self.time(cursor, x).phase, q, u: slope / cursor.step.h }
+    }
+
+    fn leave(&self, _: &Cursor) -> Option<grid::Cursor> {
+        None
+    }
+
+    fn join(&self, _: grid::Cursor) -> Cursor {
+        unreachable!("only motions on a grid leave it")
     }
 
     fn over(&self, cursor: &Cursor) -> Option<RunEnd> {

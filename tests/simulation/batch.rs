@@ -1,0 +1,234 @@
+//! A batch tells every event of every motion as the scalar engine does, bit for bit.
+
+use std::sync::Arc;
+
+use grazing::oscillator::{
+    Effect, EffectTally, Harmonic, System, Time, Wall,
+    simulate::{Event, RunEnd, Settings, Simulator, batch::Batch},
+};
+
+/// The same choices on every machine: SplitMix64.
+struct Choices(u64);
+
+impl Choices {
+    fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+
+    /// A number in [low, high).
+    fn number(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * (self.next() >> 11) as f64 / (1u64 << 53) as f64
+    }
+
+    fn one_in(&mut self, n: u64) -> bool {
+        self.next().is_multiple_of(n)
+    }
+}
+
+fn wall(offset: f64, moving: f64, restitution: f64) -> Option<Wall<f64>> {
+    let harmonics = if moving == 0.0 { vec![] } else { vec![Harmonic { k: 1, cos: moving, sin: 0.0 }] };
+    Some(Wall { offset, harmonics, restitution })
+}
+
+fn system(damping: f64, stiffness: f64, force: f64, cos: f64) -> System<f64> {
+    let forcing = if cos == 0.0 { vec![] } else { vec![Harmonic { k: 1, cos, sin: 0.0 }] };
+    System { damping, stiffness, cubic: 0.0, force, forcing, smooth: None, lower: None, upper: None }
+}
+
+/// The paper's oscillator.
+fn paper(mu: f64, tau: f64) -> System<f64> {
+    System { lower: wall(-1.0, 1.0 + mu, tau), ..system(1.2 / 4.9, 1.0 / (4.9 * 4.9), 0.0, 0.0) }
+}
+
+/// Oscillators of every kind that a batch may meet: moving and resting walls below, above and on both sides,
+/// forced, falling on a table, sticking, beyond every bound, in and near resonance.
+fn systems(choices: &mut Choices) -> System<f64> {
+    let tau = if choices.one_in(3) { choices.number(0.0, 1.0) } else { 1.0 };
+    let mu = choices.number(-0.06, 0.06);
+    match choices.next() % 9 {
+        0 | 1 => paper(mu, tau),
+        2 => System { upper: wall(1.0, -1.0 - mu, tau), ..paper(mu, tau) }.without_lower(),
+        3 => System { upper: wall(choices.number(0.2, 1.5), 0.0, 0.9), ..paper(mu, tau) }
+            .with_offset(choices.number(-3.5, -2.5)),
+        4 => System { upper: wall(0.8, 0.0, tau), lower: wall(-0.9, 0.0, 0.7), ..system(0.1, 0.3, 0.0, 0.9) },
+        5 => System { lower: wall(0.0, 0.0, tau), ..system(0.0, 0.0, -1.0, 0.0) },
+        6 => System { lower: wall(0.0, 0.3, tau.min(0.6)), ..system(0.0, 0.0, -0.2, 0.0) },
+        7 => System { lower: wall(-1.0, 0.0, tau), ..system(-0.3, 1.1, 0.0, 0.2) },
+        _ => System { upper: wall(0.5, 0.0, 0.8), ..system(0.05, 9.0, 0.0, 1.5) },
+    }
+}
+
+trait Changed {
+    fn without_lower(self) -> Self;
+    fn with_offset(self, offset: f64) -> Self;
+}
+
+impl Changed for System<f64> {
+    fn without_lower(self) -> Self {
+        System { lower: None, ..self }
+    }
+
+    fn with_offset(mut self, offset: f64) -> Self {
+        self.lower.as_mut().unwrap().offset = offset;
+        self
+    }
+}
+
+/// Follows the motions both ways and compares everything; how many events there were.
+fn compare(simulators: &[Simulator], starts: &[(usize, Time, f64, f64)], phase: f64, periods: u32) -> u64 {
+    let begin = |&(which, time, q, u): &(usize, Time, f64, f64)| simulators[which].start(time, q, u).ok();
+    let run = |start| begin(start).map(|run| (&simulators[start.0], run));
+    let (motions, kept): (Vec<_>, Vec<_>) =
+        starts.iter().filter_map(|start| Some((run(start)?, start))).unzip();
+    let mut batch = Batch::new(phase, motions);
+    let mut scalar: Vec<_> = kept.iter().map(|start| begin(start).unwrap()).collect();
+    let mut goals: Vec<Time> = kept
+        .iter()
+        .map(|start| Time::new(start.1.period + i64::from(start.1.phase >= phase), phase))
+        .collect();
+    let mut count = 0;
+    for _ in 0..periods {
+        let mut told: Vec<Vec<Event>> = vec![Vec::new(); kept.len()];
+        batch.record(|motion, event| told[motion].push(event));
+        for (i, run) in scalar.iter_mut().enumerate() {
+            let mut events = Vec::new();
+            let end = run.record(goals[i], |event| events.push(event));
+            assert_eq!(told[i], events, "motion {i} from {:?}", kept[i]);
+            assert_eq!(batch.end(i), end, "motion {i} from {:?}", kept[i]);
+            assert_eq!(batch.impacts(i), run.impacts());
+            let state = run.state();
+            let ([q, u], same) = (batch.point(i), |a: f64, b: f64| a == b || a.is_nan() && b.is_nan());
+            assert!(same(q, state.q) && same(u, state.u), "motion {i}: {q} {u}, {state:?}");
+            goals[i].period += 1;
+            count += events.len() as u64;
+        }
+    }
+    count
+}
+
+/// Starts over the plane, a quarter of them on motions that only just graze the wall if nothing else happens.
+fn starts(choices: &mut Choices, simulators: &[Simulator], count: usize) -> Vec<(usize, Time, f64, f64)> {
+    let mut all = Vec::new();
+    for _ in 0..count {
+        let which = choices.next() as usize % simulators.len();
+        let t = choices.number(0.0, 6.2);
+        let contact = simulators[which].contacts().next();
+        if let (Some(contact), true) = (contact, choices.one_in(4)) {
+            let [place, speed, _] = contact.position.at(t);
+            let off = contact.side.sign() * 10f64.powf(choices.number(-14.0, -3.0));
+            let (q, u) = if choices.one_in(2) { (place + off, speed) } else { (place, speed + off) };
+            all.push((which, Time::new(0, t), q, u));
+        } else {
+            all.push((which, Time::new(0, t), choices.number(-1.0, 3.0), choices.number(-2.0, 2.0)));
+        }
+    }
+    all
+}
+
+fn some(seed: u64, systems_count: usize, motions: usize, periods: u32) -> u64 {
+    let mut choices = Choices(seed);
+    let depth = if seed.is_multiple_of(3) { 1e-6 } else { 1e-12 };
+    // A ball that bounces without loss may do so very often.
+    let settings = Settings { minimum_depth: depth, impact_limit: 2000, ..Settings::default() };
+    let simulators: Vec<Simulator> =
+        (0..systems_count).filter_map(|_| Simulator::new(&systems(&mut choices), &settings).ok()).collect();
+    let starts = starts(&mut choices, &simulators, motions);
+    let phase = if choices.one_in(2) { 0.0 } else { choices.number(0.0, 6.28) };
+    compare(&simulators, &starts, phase, periods)
+}
+
+#[test]
+fn every_event_is_the_scalar_engines() {
+    let mut events = 0;
+    for seed in 0..12 {
+        // One system, several, one for each motion; all counts around a vector's width.
+        let (systems, motions) = [(1, 16), (3, 37), (17, 17), (1, 1), (2, 8), (9, 9)][seed as usize % 6];
+        events += some(seed, systems, motions, 6);
+    }
+    assert!(events > 300, "{events} events were compared");
+}
+
+/// `GRAZING_MOTIONS=10000000 cargo test --release --test simulation -- --ignored every_event_of`.
+#[test]
+#[ignore = "hours; scaled by GRAZING_MOTIONS"]
+fn every_event_of_very_many_motions_is_the_scalar_engines() {
+    let motions: u64 = std::env::var("GRAZING_MOTIONS").map_or(10_000, |text| text.parse().unwrap());
+    let (mut done, mut events, mut seed) = (0, 0, 1000);
+    while done < motions {
+        let systems = [1, 5, 200][seed as usize % 3];
+        events += some(seed, systems, 500, 12);
+        (done, seed) = (done + 500, seed + 1);
+    }
+    println!("{done} motions, {events} events, all equal");
+    assert!(events > done / 4);
+}
+
+#[test]
+fn a_batch_may_be_empty_and_motions_end_one_by_one() {
+    let mut empty = Batch::new(0.0, Vec::new());
+    empty.pass();
+    // Beyond every bound, at rest, at the limit of impacts, and one that never meets the wall.
+    let limit = Settings { impact_limit: 3, ..Settings::default() };
+    let escaping = System { lower: wall(-1.0, 0.0, 1.0), ..system(-3.0, 0.1, 0.0, 0.0) };
+    let simulators = [
+        Simulator::new(&escaping, &Settings::default()).unwrap(),
+        Simulator::new(&System { lower: wall(0.0, 0.0, 0.5), ..system(0.0, 0.0, -1.0, 0.0) }, &limit)
+            .unwrap(),
+        Simulator::new(&System { lower: wall(-50.0, 0.0, 0.5), ..system(0.1, 1.3, 0.0, 0.3) }, &limit)
+            .unwrap(),
+        Simulator::new(&System { lower: wall(0.0, 0.0, 0.0), ..system(0.0, 0.0, -1.0, 0.0) }, &limit)
+            .unwrap(),
+    ];
+    let start = |which, q, u| (which, Time::new(0, 0.5), q, u);
+    let all =
+        [start(0, 0.3, 5.0), start(1, 0.5, 0.0), start(2, 0.4, 0.1), start(3, 0.0, 0.0), start(3, 0.7, 1e99)];
+    assert!(compare(&simulators, &all, 0.0, 80) > 0);
+    let mut batch =
+        Batch::new(0.0, vec![(&simulators[0], simulators[0].start(Time::new(0, 0.5), 0.3, 5.0).unwrap())]);
+    (0..80).for_each(|_| batch.pass());
+    assert_eq!(batch.end(0), RunEnd::Escaped);
+    batch.drop(0);
+    batch.pass();
+}
+
+#[test]
+fn numbers_beyond_all_measure_are_left_to_the_scalar_engine() {
+    let huge = System { lower: wall(-1e60, 1e59, 1.0), ..system(0.1, 0.2, 0.0, 1e150) };
+    let simulators = [
+        Simulator::new(&huge, &Settings::default()).unwrap(),
+        Simulator::new(&paper(0.003, 1.0), &Settings { integrate: true, ..Settings::default() }).unwrap(),
+    ];
+    let all = [(0, Time::new(0, 0.5), 0.3, 5.0), (1, Time::new(0, 1.0), 0.1, 0.0)];
+    compare(&simulators, &all, 0.0, 3);
+}
+
+#[test]
+fn the_work_is_counted_as_the_scalar_engine_counts_it() {
+    let mut choices = Choices(7);
+    for kind in 0..12 {
+        let system = systems(&mut choices);
+        let count = |vector: bool| {
+            let tally = Arc::new(EffectTally::default());
+            let simulator = Simulator::new(&system, &Settings::default()).unwrap().counting(tally.clone());
+            let run = |i: u32| simulator.start(Time::new(0, 0.5), 1.0 + f64::from(i) / 10.0, 0.0);
+            let runs: Vec<_> = (0..9).filter_map(|i| run(i).ok()).collect();
+            if vector {
+                let mut batch = Batch::new(0.0, runs.into_iter().map(|run| (&simulator, run)).collect());
+                (0..20).for_each(|_| batch.pass());
+                drop(batch);
+            } else {
+                // Period by period, as the batch goes.
+                for mut run in runs {
+                    (1..=20)
+                        .for_each(|period| assert!(run.finish(Time::new(period, 0.0)) != RunEnd::NotSmooth));
+                }
+            }
+            Effect::ALL.map(|effect| tally.of(effect))
+        };
+        assert_eq!(count(true), count(false), "system {kind}: {system:?}");
+    }
+}
