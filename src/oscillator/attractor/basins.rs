@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{
     checkpoint::Checkpoint,
-    detection::{Cycle, Detection, Fate, wait},
+    detection::{Cycle, Detection, Fate},
     dynamics::{Dynamics, SectionState},
 };
 use crate::{error::Result, monitor::Monitor, oscillator::simulate::RunEnd};
@@ -62,7 +62,11 @@ impl BasinGrid {
 /// Rows that run in parallel before what they lead to is kept.
 const CHUNK: usize = 16;
 
-/// Detects the attractor of every start, on all cores; the result does not depend on their number. With a
+/// One in this many starts of a row is followed first.
+const SCOUTS: usize = 24;
+
+/// Detects the attractor of every start, on all cores; the result does not depend on their number. Motions of
+/// oscillators are followed together, and no further than onto an attractor found in the same row. With a
 /// file, what is done is kept there, and what it holds of the same grid is not done again; `identity` is what
 /// else the result depends on. The monitor hears of each row.
 ///
@@ -95,19 +99,28 @@ pub fn basin_rows<D: Dynamics>(
     monitor: &dyn Monitor,
 ) -> Result<Vec<Basins<D::Point>>> {
     detection.check()?;
-    let settled = Detection { transient: 0, ..detection.clone() };
     let row = |row: usize| {
+        let fates = |columns: &[usize], known: &[Cycle<D::Point>]| {
+            let start = |&column: &usize| dynamics.in_plane(grid.start(column, row), detection.phase);
+            let starts: Vec<D::Start> = columns.iter().map(start).collect();
+            dynamics.fates(&starts, detection, known, monitor)
+        };
+        // Some spread over the row find its attractors; the others are followed no further than onto these.
+        let scouts = |column: &usize| column.is_multiple_of(SCOUTS);
+        let (first, rest): (Vec<usize>, Vec<usize>) = (0..grid.columns).partition(scouts);
+        let mut all = vec![None; grid.columns];
         let mut found = Basins { attractors: Vec::new(), cells: Vec::with_capacity(grid.columns) };
-        for column in 0..grid.columns {
-            monitor.advance(0)?;
-            let start = dynamics.in_plane(grid.start(column, row), detection.phase);
-            let fate = match dynamics.begin(&start) {
-                Ok(mut run) => match wait(&mut run, detection.phase, detection.transient, monitor)? {
-                    RunEnd::Reached => Some(settled.detect(&mut run)?),
-                    end => Some(Fate::Ended(end)),
-                },
-                Err(_) => None,
-            };
+        for columns in [first, rest] {
+            for (column, fate) in columns.iter().zip(fates(&columns, &found.attractors)?) {
+                if let Some(Fate::Periodic(cycle)) = &fate {
+                    found.attractor(cycle.clone());
+                }
+                all[*column] = fate;
+            }
+        }
+        // In the order of the starts.
+        found.attractors.clear();
+        for fate in all {
             let cell = found.cell(fate);
             found.cells.push(cell);
         }

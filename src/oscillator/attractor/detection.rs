@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{
     dynamics::{Motion, SectionState},
-    section::{SectionPoint, section, stops},
+    section::{section, stops},
 };
 use crate::{
     error::{Error, Result},
@@ -142,36 +142,64 @@ impl Detection {
         if end != RunEnd::Reached {
             return Ok(Fate::Ended(end));
         }
-        let mut points = vec![SectionPoint { period: 0, at: run.point(), impacts: 0 }];
-        let mut period = None;
-        let end = section(run, self.phase, (self.longest * (1 + self.confirm)) as u64, |point| {
-            let here = points.len();
-            let same = |n: usize| point.at.near(&points[here - n].at, self.tolerance);
-            let mut more = true;
-            match period {
-                None if same(here) => period = Some(here),
-                None => more = here < self.longest,
-                // A chance encounter: on with the search.
-                Some(n) if !same(n) || here > 2 * n && point.impacts != points[here - n].impacts => {
-                    period = None;
-                    more = here < self.longest;
-                }
-                Some(n) => more = here < n * (1 + self.confirm),
+        let mut seen = Recurrence::new(self, run.point());
+        let end = section(run, self.phase, self.most(), |point| seen.see(point.at, point.impacts))?;
+        Ok(if end == RunEnd::Reached { seen.fate() } else { Fate::Ended(end) })
+    }
+
+    /// The most points that recurrence is looked for in.
+    pub(super) fn most(&self) -> u64 {
+        (self.longest * (1 + self.confirm)) as u64
+    }
+}
+
+/// Points of a section as they come in: whether they recur.
+#[derive(Debug, Clone)]
+pub(super) struct Recurrence<'d, P> {
+    detection: &'d Detection,
+    /// Each with the impacts since the one before.
+    points: Vec<(P, u64)>,
+    period: Option<usize>,
+}
+
+impl<'d, P: SectionState> Recurrence<'d, P> {
+    /// The first point, after the transient.
+    pub fn new(detection: &'d Detection, first: P) -> Self {
+        Recurrence { detection, points: vec![(first, 0)], period: None }
+    }
+
+    /// The next point; whether another is asked for.
+    pub fn see(&mut self, at: P, impacts: u64) -> bool {
+        let Detection { longest, confirm, tolerance, .. } = *self.detection;
+        let points = &self.points;
+        let here = points.len();
+        let same = |n: usize| at.near(&points[here - n].0, tolerance);
+        let mut more = true;
+        match self.period {
+            None if same(here) => self.period = Some(here),
+            None => more = here < longest,
+            // A chance encounter: on with the search.
+            Some(n) if !same(n) || here > 2 * n && impacts != points[here - n].1 => {
+                self.period = None;
+                more = here < longest;
             }
-            points.push(point);
-            more
-        })?;
-        if end != RunEnd::Reached {
-            return Ok(Fate::Ended(end));
+            Some(n) => more = here < n * (1 + confirm),
         }
-        let Some(n) = period else { return Ok(Fate::Irregular) };
-        let impacts = points[1..=n].iter().map(|point| point.impacts).sum();
-        let mut points: Vec<_> = points[1..=n].iter().map(|point| point.at.clone()).collect();
+        self.points.push((at, impacts));
+        more && (here as u64) < self.detection.most()
+    }
+
+    /// What the points amount to once no other is asked for.
+    pub fn fate(&self) -> Fate<P> {
+        let Some(n) = self.period else { return Fate::Irregular };
+        let round = &self.points[1..=n];
+        let impacts = round.iter().map(|point| point.1).sum();
+        let mut points: Vec<_> = round.iter().map(|point| point.0.clone()).collect();
         let order = |&i: &usize, &j: &usize| {
             points[i].plane().partial_cmp(&points[j].plane()).unwrap_or(Ordering::Equal)
         };
         let least = (0..n).min_by(order).unwrap_or(0);
         points.rotate_left(least);
-        Ok(Fate::Periodic(Cycle { points, impacts }))
+        Fate::Periodic(Cycle { points, impacts })
     }
 }

@@ -6,8 +6,10 @@ use std::fmt::Debug;
 
 use serde::{Serialize, de::DeserializeOwned};
 
+use super::detection::{Cycle, Detection, Fate, wait};
 use crate::{
     error::{Error, Result},
+    monitor::Monitor,
     oscillator::{Time, simulate::RunEnd},
 };
 
@@ -98,6 +100,32 @@ pub trait Dynamics: Sync {
 
     /// The start with these two numbers in the plane that is drawn, at a phase in [0, 2π).
     fn in_plane(&self, at: [f64; 2], phase: f64) -> Self::Start;
+
+    /// What the motions from these starts lead to, as [`Detection::detect`] says it of each; `None` for a
+    /// start behind a stop, or not finite. A motion that stays within 1e-9 of a cycle `known` to attract, and
+    /// comes no farther from it, for two times round, may be taken to end on it before the transient is over.
+    ///
+    /// # Errors
+    /// Those of [`Motion::pass`]; the monitor's.
+    fn fates(
+        &self,
+        starts: &[Self::Start],
+        detection: &Detection,
+        known: &[Cycle<Self::Point>],
+        monitor: &dyn Monitor,
+    ) -> Result<Vec<Option<Fate<Self::Point>>>> {
+        let _ = known;
+        let settled = Detection { transient: 0, ..detection.clone() };
+        let fate = |start| {
+            monitor.advance(0)?;
+            let Ok(mut run) = self.begin(start) else { return Ok(None) };
+            match wait(&mut run, detection.phase, detection.transient, monitor)? {
+                RunEnd::Reached => settled.detect(&mut run).map(Some),
+                end => Ok(Some(Fate::Ended(end))),
+            }
+        };
+        starts.iter().map(fate).collect()
+    }
 
     /// Where a motion is, as a start.
     fn here(&self, motion: &Self::Motion<'_>) -> Self::Start;

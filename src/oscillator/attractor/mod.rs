@@ -2,7 +2,7 @@
 //! crises.
 //!
 //! [`detection`] tells periodic attractors by recurrence; [`attracting`] turns one into an exact orbit;
-//! [`basins`] and [`diagram`] do it for many starts and many parameter values; [`crisis`] finds where an
+//! [`basins`], [`diagram`] and [`map`] do it for many starts and for values of one or two parameters; [`crisis`] finds where an
 //! attractor meets the stable manifold of a saddle. All is numerical evidence. Not here: following orbits
 //! whether they attract or not (`branch`).
 //!
@@ -28,8 +28,10 @@ pub mod diagram;
 pub mod dynamics;
 pub mod lyapunov;
 pub mod manifold;
+pub mod map;
 mod one_degree;
 pub mod section;
+mod together;
 mod touching;
 
 pub use attracting::attracting;

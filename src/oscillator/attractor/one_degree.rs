@@ -1,9 +1,14 @@
 //! Oscillators of one degree of freedom as this chapter sees them: their motions, and vectors carried by the
 //! flow's derivative and by saltation matrices at impacts.
 
-use super::dynamics::{Dynamics, Motion, SectionState, Tangents, orthonormalise};
+use super::{
+    detection::{Cycle, Detection, Fate},
+    dynamics::{Dynamics, Motion, SectionState, Tangents, orthonormalise},
+    together::together,
+};
 use crate::{
     error::Result,
+    monitor::Monitor,
     oscillator::{
         Time,
         algebra::apply,
@@ -62,6 +67,16 @@ impl Dynamics for Simulator {
 
     fn in_plane(&self, [q, u]: [f64; 2], phase: f64) -> State {
         State { t: phase, q, u }
+    }
+
+    fn fates(
+        &self,
+        starts: &[State],
+        detection: &Detection,
+        known: &[Cycle],
+        monitor: &dyn Monitor,
+    ) -> Result<Vec<Option<Fate>>> {
+        together(self, starts, detection, known, monitor)
     }
 
     fn here(&self, run: &Run<'_>) -> State {

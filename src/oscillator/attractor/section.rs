@@ -39,7 +39,8 @@ pub(super) fn stops<M: Motion>(
     mut each: impl FnMut(&M, i64, u64) -> bool,
 ) -> Result<RunEnd> {
     let now = run.time();
-    let mut next = Time::new(now.period + i64::from(now.phase >= phase), phase);
+    // A run that stopped at the phase may be before it by rounding.
+    let mut next = Time::new(now.period + i64::from(now.phase >= phase - 1e-12), phase);
     for _ in 0..count {
         let before = run.impacts();
         let end = run.pass(next)?;

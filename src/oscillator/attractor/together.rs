@@ -1,0 +1,156 @@
+//! Many motions of one oscillator followed together to where they end.
+
+use super::{
+    detection::{Cycle, Detection, Fate, Recurrence, SAME},
+    dynamics::SectionState,
+};
+use crate::{
+    error::Result,
+    monitor::Monitor,
+    oscillator::{
+        Time,
+        flow::State,
+        simulate::{RunEnd, Simulator, batch::Batch},
+    },
+};
+
+/// A motion this close to an attractor found before may be on its way to it.
+const ARRIVED: f64 = 1e-9;
+
+/// Below this the distance is rounding.
+const ROUNDED: f64 = 1e-13;
+
+/// How many times round it must come no farther away.
+const ROUNDS: u32 = 2;
+
+/// Periods between two looks for who has arrived, and for whether to go on.
+const PAUSE: u64 = 8;
+
+/// What motions from these starts lead to: see [`Dynamics::fates`](super::dynamics::Dynamics::fates).
+///
+/// # Errors
+/// The monitor's.
+pub(super) fn together(
+    simulator: &Simulator,
+    starts: &[State],
+    detection: &Detection,
+    known: &[Cycle],
+    monitor: &dyn Monitor,
+) -> Result<Vec<Option<Fate>>> {
+    let mut fates = vec![None; starts.len()];
+    // Which start each motion of the batch has.
+    let (mut names, mut motions) = (Vec::new(), Vec::new());
+    for (name, start) in starts.iter().enumerate() {
+        if let Ok(run) = simulator.start(Time::new(0, start.t), start.q, start.u) {
+            names.push(name);
+            motions.push((simulator, run));
+        }
+    }
+    let mut batch = Batch::new(detection.phase, motions);
+    let mut under_way: Vec<usize> = (0..names.len()).collect();
+    let mut arrivals: Vec<Option<Arrival>> = vec![None; names.len()];
+    for passed in 0..=detection.transient {
+        batch.pass();
+        let look = passed % PAUSE == 0;
+        if look {
+            monitor.advance(0)?;
+        }
+        under_way.retain(|&motion| {
+            let fate = match batch.end(motion) {
+                RunEnd::Reached => {
+                    let due = arrivals[motion].as_ref().is_some_and(|arrival| arrival.due == passed);
+                    if !due && !(look && arrivals[motion].is_none()) {
+                        return true;
+                    }
+                    let (at, impacts) = (batch.point(motion), batch.impacts(motion));
+                    let arrival = arrivals[motion].take();
+                    let next = match arrival {
+                        Some(arrival) => arrival.again(known, at, impacts),
+                        None => Arrival::new(known, passed, at, impacts),
+                    };
+                    match next {
+                        Some(arrival) if arrival.rounds == ROUNDS => {
+                            Fate::Periodic(known[arrival.cycle].clone())
+                        }
+                        next => {
+                            arrivals[motion] = next;
+                            return true;
+                        }
+                    }
+                }
+                end => Fate::Ended(end),
+            };
+            fates[names[motion]] = Some(fate);
+            batch.drop(motion);
+            false
+        });
+        if under_way.is_empty() {
+            return Ok(fates);
+        }
+    }
+    let start = |motion| (motion, Recurrence::new(detection, batch.point(motion)), batch.impacts(motion));
+    let mut seen: Vec<_> = under_way.into_iter().map(start).collect();
+    while !seen.is_empty() {
+        batch.pass();
+        monitor.advance(0)?;
+        seen.retain_mut(|(motion, recurrence, before)| {
+            let fate = match batch.end(*motion) {
+                RunEnd::Reached => {
+                    let impacts = batch.impacts(*motion);
+                    if recurrence.see(batch.point(*motion), impacts - *before) {
+                        *before = impacts;
+                        return true;
+                    }
+                    recurrence.fate()
+                }
+                end => Fate::Ended(end),
+            };
+            fates[names[*motion]] = Some(fate);
+            batch.drop(*motion);
+            false
+        });
+    }
+    Ok(fates)
+}
+
+/// A motion that may have arrived at an attractor.
+#[derive(Debug, Clone)]
+struct Arrival {
+    cycle: usize,
+    point: usize,
+    distance: f64,
+    impacts: u64,
+    rounds: u32,
+    /// When it is looked at next.
+    due: u64,
+}
+
+impl Arrival {
+    fn new(known: &[Cycle], passed: u64, at: [f64; 2], impacts: u64) -> Option<Arrival> {
+        let places = known.iter().enumerate().flat_map(|(cycle, known)| {
+            known.points.iter().enumerate().map(move |(point, place)| (cycle, point, place))
+        });
+        let near = |(cycle, point, place): (usize, usize, &[f64; 2])| {
+            let distance = distance(&at, place);
+            (distance <= ARRIVED).then_some((cycle, point, distance))
+        };
+        let (cycle, point, distance) = places.filter_map(near).next()?;
+        let due = passed + known[cycle].period() as u64;
+        Some(Arrival { cycle, point, distance, impacts, rounds: 0, due })
+    }
+
+    /// Once round later; none if it has come farther away or had other impacts.
+    fn again(self, known: &[Cycle], at: [f64; 2], impacts: u64) -> Option<Arrival> {
+        let cycle = &known[self.cycle];
+        let distance = distance(&at, &cycle.points[self.point]);
+        let stays = distance <= self.distance.max(ROUNDED) && impacts - self.impacts == cycle.impacts;
+        let due = self.due + cycle.period() as u64;
+        stays.then_some(Arrival { distance, impacts, rounds: self.rounds + 1, due, ..self })
+    }
+}
+
+/// In the larger coordinate.
+fn distance(a: &[f64; 2], b: &[f64; 2]) -> f64 {
+    debug_assert!(ARRIVED < SAME && a.is_finite());
+    (a[0] - b[0]).abs().max((a[1] - b[1]).abs())
+}
