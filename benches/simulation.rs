@@ -11,7 +11,7 @@ use grazing::oscillator::{
     Harmonic, System, Time, Wall,
     attractor::section::section,
     flow::Linear,
-    simulate::{Event, RunEnd, Settings, Simulator},
+    simulate::{Event, RunEnd, Settings, Simulator, batch::Batch},
 };
 use rayon::prelude::*;
 
@@ -75,6 +75,49 @@ fn periods(criterion: &mut Criterion) {
     group.finish();
 }
 
+/// How many motions are followed together, and for how long.
+const MOTIONS: usize = 1024;
+const TOGETHER: u64 = 1000;
+
+/// Many motions together, of one system and of a system each; beside the scalar engine, motion by motion. The
+/// impacts of all are compared, or the bench fails.
+fn together(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("many motions");
+    group.throughput(Throughput::Elements(MOTIONS as u64 * TOGETHER)).sample_size(10);
+    let one = Simulator::new(&paper(0.003), &Settings::default()).unwrap();
+    let each: Vec<Simulator> = (0..256)
+        .map(|i| Simulator::new(&paper(0.002 + 1e-5 * f64::from(i)), &Settings::default()).unwrap())
+        .collect();
+    let q = |i: usize| 0.01 + 1e-4 * i as f64;
+    let shared: Vec<(&Simulator, f64)> = (0..MOTIONS).map(|i| (&one, q(i))).collect();
+    let own: Vec<(&Simulator, f64)> = (0..MOTIONS).map(|i| (&each[i % each.len()], 0.01)).collect();
+    let begin = |motions: &[(&Simulator, f64)]| -> u64 {
+        // What fits a core's cache.
+        let followed = motions.chunks(256).map(|motions| {
+            let runs = motions.iter().map(|&(simulator, q)| {
+                (simulator, simulator.start(Time::new(0, 1.0), black_box(q), 0.0).unwrap())
+            });
+            let mut batch = Batch::new(0.0, runs.collect());
+            (0..TOGETHER).for_each(|_| batch.pass());
+            (0..motions.len()).map(|i| batch.impacts(i)).sum::<u64>()
+        });
+        followed.sum()
+    };
+    let scalar = |motions: &[(&Simulator, f64)]| -> u64 {
+        motions.iter().map(|&(simulator, q)| start(simulator, q, TOGETHER)).sum()
+    };
+    for (name, motions) in [("of one system", &shared), ("of 256 systems", &own)] {
+        let impacts = scalar(motions);
+        group.bench_function(format!("one by one, {name}"), |bencher| {
+            bencher.iter(|| assert_eq!(scalar(motions), impacts))
+        });
+        group.bench_function(format!("together, {name}"), |bencher| {
+            bencher.iter(|| assert_eq!(begin(motions), impacts))
+        });
+    }
+    group.finish();
+}
+
 /// What 10⁶ periods lose: printed, not timed.
 fn long_runs(_: &mut Criterion) {
     let late = Time::new(PERIODS as i64, 0.0);
@@ -116,5 +159,5 @@ fn period_3(mu: f64) -> (f64, f64) {
     ((-(r * velocity)).atan2(1.0 + p * velocity).rem_euclid(TAU), velocity)
 }
 
-criterion_group!(benches, periods, long_runs);
+criterion_group!(benches, periods, together, long_runs);
 criterion_main!(benches);

@@ -1,4 +1,4 @@
-//! A plane whose points belong to a few classes: basins of attraction.
+//! A plane whose points belong to a few classes: basins of attraction, maps over two parameters.
 
 use super::{
     FigurePlace,
@@ -30,7 +30,27 @@ pub fn grid(grid: &Grid, axes: [&str; 2], place: &FigurePlace) -> Result<()> {
         vec![x.to_string(), y.to_string(), grid.names[class].clone()]
     };
     let rows: Vec<Vec<String>> = grid.cells.iter().enumerate().map(row).collect();
-    place.save(&draw(grid, axes), &["q", "u", "ends"], &rows)
+    let about = "Each start on a grid has the colour of the attractor that its motion ends on.";
+    place.save(&draw(grid, axes, ["Basins of attraction", about]), &["q", "u", "ends"], &rows)
+}
+
+/// The most points of a map that are drawn along each axis: every second, third, … beyond.
+const DRAWN: usize = 400;
+
+/// A plane of parameters whose points belong to a few classes.
+pub type ParameterMap = Grid;
+
+/// Writes the picture of a map; its data, a table of its own, is the caller's.
+///
+/// # Errors
+/// An I/O error.
+pub fn parameter_map(map: &ParameterMap, axes: [&str; 2], place: &FigurePlace) -> Result<()> {
+    let (columns, step) = (map.x.len(), map.x.len().max(map.y.len()).div_ceil(DRAWN));
+    let thin = |all: &[f64]| all.iter().copied().step_by(step).collect();
+    let cells = map.cells.chunks(columns).step_by(step).flat_map(|row| row.iter().copied().step_by(step));
+    let drawn = Grid { x: thin(&map.x), y: thin(&map.y), cells: cells.collect(), names: map.names.clone() };
+    let about = "Each point of a grid of parameters has the colour of the period of the motion there.";
+    place.draw(&draw(&drawn, axes, ["Attractors over two parameters", about]))
 }
 
 /// White, greys, then the palette; classes beyond it repeat.
@@ -43,7 +63,7 @@ fn colour(class: usize) -> Colour {
     }
 }
 
-fn draw(grid: &Grid, axes: [&str; 2]) -> Canvas {
+fn draw(grid: &Grid, axes: [&str; 2], [title, about]: [&str; 2]) -> Canvas {
     let mut legend = Legend::default();
     let shown: Vec<usize> = (0..grid.names.len()).filter(|class| grid.cells.contains(class)).collect();
     for &class in &shown {
@@ -54,12 +74,7 @@ fn draw(grid: &Grid, axes: [&str; 2]) -> Canvas {
         });
     }
     let high = legend.height(COLUMN - 8.0);
-    let mut canvas = Canvas::new(
-        COLUMN,
-        190.0 + high,
-        "Basins of attraction",
-        "Each start on a grid has the colour of the attractor that its motion ends on.",
-    );
+    let mut canvas = Canvas::new(COLUMN, 190.0 + high, title, about);
     let (columns, rows) = (grid.x.len(), grid.y.len());
     // A single row or column is as wide as one.
     let span = |all: &[f64]| {

@@ -30,7 +30,7 @@ pub use branches::{DrawnBranch, Scatter, branches};
 pub use cover::{FINEST, areas};
 pub use entropy::entropy;
 pub use flow_accuracy::{effects_table, flow_accuracy, flow_table, long_runs_table, machine_effects_table};
-pub use grid::{Grid, grid};
+pub use grid::{Grid, ParameterMap, grid, parameter_map};
 pub use intervals::intervals;
 pub use iterate::iterate_boundaries;
 pub use motion::{MotionPicture, motion};

@@ -90,7 +90,7 @@ impl Finding for DiagramFindings {
 }
 
 /// The i-th of `count` evenly spaced values, from exact ends: 0.84 is the float nearest to 0.84.
-fn value(range: &[BigRational], i: u32, count: u32) -> f64 {
+pub(super) fn value(range: &[BigRational], i: u32, count: u32) -> f64 {
     let part = BigRational::new(i.into(), (count - 1).into());
     Plain::ratio(&(&range[0] + (&range[1] - &range[0]) * part), &()).0
 }

@@ -37,6 +37,7 @@ mod machine_event;
 mod machine_grazing;
 mod machine_orbit;
 mod machine_validate;
+mod map;
 mod orbit;
 pub mod parts;
 mod report;
@@ -73,6 +74,8 @@ pub use machine_grazing::{MachineBornRow, MachineGrazingFindings, MachineGrazing
 pub(crate) use machine_orbit::stable as machine_stable;
 pub use machine_orbit::{MachineOrbitFindings, MachineOrbitRow, machine_orbit};
 pub use machine_validate::machine_validate;
+pub(crate) use map::word as map_word;
+pub use map::{MapFindings, MapRow, map};
 #[cfg(feature = "cli")]
 pub(crate) use orbit::stable;
 pub use orbit::{MissingRow, OrbitFindings, OrbitRow, orbit};
@@ -147,6 +150,8 @@ findings! {
     Basins(BasinsFindings),
     /// Attractors over a parameter.
     Diagram(DiagramFindings),
+    /// Attractors over two parameters.
+    Map(MapFindings),
     /// Periodic orbits.
     Orbit(OrbitFindings),
     /// Periodic orbits of a machine.
@@ -469,6 +474,7 @@ fn answer(job: &Job, keeper: &mut dyn Keeper) -> Result<Findings> {
         Kind::EventTask(task) => event(task, job)?.into(),
         Kind::GrazingTask(task) => grazing(task, job)?.into(),
         Kind::BranchTask(task) => branch(task, job)?.into(),
+        Kind::MapTask(task) => map(task, job)?.into(),
         Kind::CrisisTask(task) => crisis(task, job)?.into(),
         Kind::ValidateTask(task) => validate(task, job)?.into(),
         Kind::ChaosTask(task) => chaos(task, job)?.into(),

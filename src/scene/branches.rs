@@ -1,4 +1,4 @@
-//! The keys of the tasks over a parameter: `branch`, `diagram`; the options of continuation.
+//! The keys of the tasks over parameters: `branch`, `diagram`, `map`, `crisis`; the options of continuation.
 
 use num_rational::BigRational;
 
@@ -141,6 +141,37 @@ keys! {
         branches: Vec<BranchStart> = "[]",
         /// how these branches are followed
         options: Options = "{}",
+        /// whether to continue from the checkpoint that an interrupted run left in the folder
+        resume: bool = "true",
+    }
+}
+
+keys! {
+    /// Draws over two parameters what one motion tends to: period, impacts and largest Lyapunov exponent at
+    /// every point of a grid, many motions at once. An interrupted task resumes from its checkpoint.
+    pub struct MapTask {
+        /// the parameter that varies along the picture
+        parameter: String,
+        /// its bounds
+        range: Vec<BigRational>,
+        /// how many values, evenly spaced, both bounds among them
+        count: u32 = "200",
+        /// the parameter that varies upwards
+        second: String,
+        /// its bounds
+        second_range: Vec<BigRational>,
+        /// how many values of it
+        second_count: u32 = "200",
+        /// where the motion starts, at every point
+        start: Start,
+        /// when to look, as a fraction of the forcing period
+        phase: BigRational = "0",
+        /// how many periods pass first, unrecorded
+        transient: u64 = "1000",
+        /// how many periods are looked at, at least three times `longest`; the exponent is taken over them
+        points: u32 = "200",
+        /// the longest period that counts as periodic, in forcing periods
+        longest: u32 = "64",
         /// whether to continue from the checkpoint that an interrupted run left in the folder
         resume: bool = "true",
     }

@@ -6,7 +6,7 @@
 use num_rational::BigRational;
 
 use super::{
-    branches::{BranchTask, CrisisTask, DiagramTask},
+    branches::{BranchTask, CrisisTask, DiagramTask, MapTask},
     chaos::ChaosTask,
     keys::{Entry, Key, Record, Value, keys},
     orbits::{EventTask, GrazingTask, OrbitTask},
@@ -103,6 +103,7 @@ kinds! {
     "grazing" GrazingTask,
     "branch" BranchTask,
     "diagram" DiagramTask,
+    "map" MapTask,
     "crisis" CrisisTask,
     "validate" ValidateTask,
     "chaos" ChaosTask,

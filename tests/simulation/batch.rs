@@ -4,6 +4,14 @@ use std::sync::Arc;
 
 use grazing::oscillator::{
     Effect, EffectTally, Harmonic, System, Time, Wall,
+    attractor::{
+        basins::{BasinCell, BasinGrid, Basins, basins},
+        detection::{Cycle, Detection, Fate},
+        diagram::Look,
+        lyapunov::lyapunov,
+        map::{MapCell, MapEnd, MapPlan, map},
+    },
+    flow::State,
     simulate::{Event, RunEnd, Settings, Simulator, batch::Batch},
 };
 
@@ -231,4 +239,107 @@ fn the_work_is_counted_as_the_scalar_engine_counts_it() {
         };
         assert_eq!(count(true), count(false), "system {kind}: {system:?}");
     }
+}
+
+/// Basins by the scalar engine alone, start by start.
+fn one_by_one(simulator: &Simulator, grid: &BasinGrid, detection: &Detection) -> Basins {
+    let (mut attractors, mut cells): (Vec<Cycle>, Vec<BasinCell>) = (Vec::new(), Vec::new());
+    for place in 0..grid.rows * grid.columns {
+        let [q, u] = grid.start(place % grid.columns, place / grid.columns);
+        cells.push(match simulator.start(Time::new(0, detection.phase), q, u) {
+            Err(_) => BasinCell::Behind,
+            Ok(mut run) => {
+                // The transient, and then the first point.
+                let later = Time::new(detection.transient as i64, detection.phase);
+                let end = run.finish(later);
+                assert_eq!(end, RunEnd::Reached);
+                let settled = Detection { transient: 0, ..detection.clone() };
+                match settled.detect(&mut run).unwrap() {
+                    Fate::Periodic(cycle) => {
+                        let known = attractors.iter().position(|other| other.is(&cycle));
+                        BasinCell::Attractor(known.unwrap_or_else(|| {
+                            attractors.push(cycle);
+                            attractors.len() - 1
+                        }))
+                    }
+                    _ => BasinCell::Irregular,
+                }
+            }
+        });
+    }
+    Basins { attractors, cells }
+}
+
+#[test]
+fn basins_are_those_found_start_by_start() {
+    let grid = BasinGrid { q: [-0.2, 3.0], u: [-2.0, 2.0], columns: 23, rows: 21 };
+    // A resting motion and an orbit of period 4; one chaotic attractor.
+    for mu in [-0.05, 0.003] {
+        let simulator = Simulator::new(&paper(mu, 1.0), &Settings::default()).unwrap();
+        let detection = Detection { transient: 100, longest: 8, ..Detection::default() };
+        let found = basins(&simulator, &grid, &detection, "", None, &()).unwrap();
+        let expected = one_by_one(&simulator, &grid, &detection);
+        assert_eq!(found.cells, expected.cells, "{mu}");
+        assert!(found.cells.contains(&BasinCell::Behind));
+        for (one, other) in found.attractors.iter().zip(&expected.attractors) {
+            assert!(one.is(other), "{mu}");
+        }
+    }
+}
+
+#[test]
+fn a_map_is_that_of_its_points_one_by_one() {
+    let look = Look { phase: 0.0, transient: 200, points: 60, longest: 16 };
+    let plan = MapPlan {
+        columns: (0..7).map(|i| -0.06 + 0.012 * f64::from(i)).collect(),
+        rows: vec![0.3, 0.8, 1.0],
+        start: State { t: 1.0, q: 1.5, u: 0.0 },
+        look: look.clone(),
+    };
+    let settings = Settings::default();
+    let system = |mu: f64, tau: f64| Simulator::new(&paper(mu, tau), &settings);
+    let cells = map(&plan, system, "", None, &()).unwrap();
+    let mut periodic = 0;
+    for (i, cell) in cells.iter().enumerate() {
+        let simulator = system(plan.columns[i % 7], plan.rows[i / 7]).unwrap();
+        let mut run = simulator.start(Time::new(0, 1.0), 1.5, 0.0).unwrap();
+        assert_eq!(run.finish(Time::new(201, 0.0)), RunEnd::Reached);
+        let state = run.state();
+        let before = run.impacts();
+        let mut again = simulator.start(Time::new(0, 0.0), state.q, state.u).unwrap();
+        let exponent = lyapunov(&simulator, Time::new(0, 0.0), [state.q, state.u], 0, 60, &()).unwrap().rate
+            * std::f64::consts::TAU;
+        let detection = Detection { transient: 0, longest: 16, ..Detection::default() };
+        // Its first point is a period later: no matter on an attractor.
+        let expected = match detection.detect(&mut again).unwrap() {
+            Fate::Periodic(cycle) => {
+                periodic += 1;
+                (MapEnd::Periodic(cycle.period() as u32), cycle.impacts)
+            }
+            _ => {
+                run.finish(Time::new(261, 0.0));
+                (MapEnd::NotPeriodic, run.impacts() - before)
+            }
+        };
+        assert_eq!((cell.end, cell.impacts), expected, "point {i}");
+        // Started anew from the state the motion differs by rounding, which chaos enlarges within 60 periods.
+        let tolerance = if matches!(cell.end, MapEnd::Periodic(_)) { 1e-6 } else { 1e-3 };
+        match cell.exponent {
+            Some(found) => assert!((found - exponent).abs() < tolerance, "point {i}: {found} {exponent}"),
+            None => assert!(!exponent.is_finite(), "point {i}: {exponent}"),
+        }
+    }
+    assert!(periodic > 3, "{periodic} points are periodic");
+    // A start behind the wall, and a motion beyond every bound.
+    let behind = MapPlan { start: State { t: 0.0, q: -3.0, u: 0.0 }, ..plan.clone() };
+    let all = map(&behind, system, "", None, &()).unwrap();
+    assert!(all.iter().all(|cell| *cell == MapCell { end: MapEnd::BehindAWall, impacts: 0, exponent: None }));
+    let escaping = |_: f64, _: f64| {
+        Simulator::new(
+            &System { lower: wall(-1.0, 0.0, 1.0), ..self::system(-3.0, 0.1, 0.0, 0.0) },
+            &settings,
+        )
+    };
+    let all = map(&plan, escaping, "", None, &()).unwrap();
+    assert!(all.iter().all(|cell| cell.end == MapEnd::Ended(RunEnd::Escaped)));
 }

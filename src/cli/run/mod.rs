@@ -7,6 +7,7 @@ mod branch;
 mod chaos;
 mod diagram;
 mod machine;
+mod map;
 mod names;
 mod section;
 mod shard;
@@ -163,6 +164,7 @@ impl Keeper for Files<'_> {
         match (findings, &self.0.task.kind) {
             (Findings::Section(found), Kind::SectionTask(task)) => section::keep(found, task, self.0),
             (Findings::Basins(found), _) => basins::keep(found, self.0),
+            (Findings::Map(found), _) => map::keep(found, self.0),
             (Findings::Diagram(found), Kind::DiagramTask(task)) => diagram::keep(found, task, self.0),
             (Findings::Branch(found), Kind::BranchTask(task)) => branch::keep(found, task, self.0),
             (Findings::MachineBranch(found), Kind::BranchTask(task)) => {

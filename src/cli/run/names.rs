@@ -24,7 +24,7 @@ fn endings(kind: &Kind) -> &'static [Ending] {
     match kind {
         Kind::SimulateTask(_) => &[Pictures, Picture, Fixed(".csv"), Fixed("-events.csv")],
         Kind::SectionTask(_) => &[Picture, Fixed(".csv")],
-        Kind::BasinsTask(_) => &[Picture, Fixed(".csv"), Fixed(".checkpoint")],
+        Kind::BasinsTask(_) | Kind::MapTask(_) => &[Picture, Fixed(".csv"), Fixed(".checkpoint")],
         Kind::DiagramTask(_) => &[Picture, Fixed(".csv"), Fixed("-windows.csv"), Fixed(".checkpoint")],
         Kind::OrbitTask(_) | Kind::EventTask(_) | Kind::GrazingTask(_) => &[Fixed(".csv")],
         Kind::BranchTask(_) => {

@@ -8,7 +8,7 @@ use num_rational::BigRational;
 use machine::check_machine;
 
 use super::{
-    branches::{BranchStart, BranchTask, CrisisTask, DiagramTask},
+    branches::{BranchStart, BranchTask, CrisisTask, DiagramTask, MapTask},
     expression::Expression,
     orbits::{EventTask, GrazingTask, OrbitKeys, OrbitTask},
     scene::{Body, Scene},
@@ -134,6 +134,7 @@ fn check(kind: &Kind, scene: &Scene, system: &System<f64>, path: &str) -> Result
         Kind::GrazingTask(task) => task.check(scene, system, path),
         Kind::BranchTask(task) => task.check(scene, system, path),
         Kind::DiagramTask(task) => task.check(scene, system, path),
+        Kind::MapTask(task) => task.check(scene, system, path),
         Kind::CrisisTask(task) => task.check(scene, system, path),
         Kind::ValidateTask(task) => task.check(scene, system, path),
         Kind::ChaosTask(task) => task.check(scene, path),
@@ -327,6 +328,28 @@ impl DiagramTask {
         }
         if self.starts.is_empty() {
             return Err(scene.fail(&format!("{path}.starts"), "is empty; a motion must start somewhere"));
+        }
+        Ok(())
+    }
+}
+
+impl Check for MapTask {
+    fn check(&self, scene: &Scene, _: &System<f64>, path: &str) -> Result<()> {
+        check_range(scene, path, ("parameter", &self.parameter), ("range", &self.range))?;
+        check_range(scene, path, ("second", &self.second), ("second_range", &self.second_range))?;
+        if self.second == self.parameter {
+            return Err(scene.fail(&format!("{path}.second"), "must be another parameter"));
+        }
+        let values = [
+            (self.count, "count", 2, 4000),
+            (self.second_count, "second_count", 2, 4000),
+            (self.longest, "longest", 1, LONGEST),
+            (self.points, "points", 3 * self.longest.min(LONGEST), POINTS),
+        ];
+        for (value, key, least, most) in values {
+            if !(least..=most).contains(&value) {
+                return Err(scene.fail(&format!("{path}.{key}"), &format!("is outside {least} to {most}")));
+            }
         }
         Ok(())
     }

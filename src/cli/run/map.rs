@@ -1,0 +1,58 @@
+//! The files of tasks of kind `map`.
+
+use super::Job;
+use crate::{
+    error::Result,
+    figure::{self, ParameterMap},
+    oscillator::attractor::map::{MapCell, MapEnd},
+    output::{Column, TableCell, TableFormat, TableWriter, write_file},
+    run::{MapFindings, map_word},
+};
+
+/// Periods with a class of their own; all longer ones have one together.
+const APART: u32 = 6;
+
+/// Classes before those of periods.
+const OTHERS: [&str; 3] = ["behind a wall", "it left every bound", "not periodic"];
+
+pub(super) fn keep(found: &MapFindings, job: &Job) -> Result<Vec<String>> {
+    let mut names: Vec<String> = OTHERS.map(String::from).to_vec();
+    names.extend((1..=APART).map(|period| format!("period {period}")));
+    names.push(format!("period above {APART}"));
+    let [columns, rows] = &found.values;
+    let map = ParameterMap {
+        x: columns.clone(),
+        y: rows.clone(),
+        cells: found.cells.iter().map(class).collect(),
+        names,
+    };
+    figure::parameter_map(&map, [&found.parameters[0], &found.parameters[1]], &job.place())?;
+    // Row by row: there may be many.
+    write_file(&job.folder.join(format!("{}.csv", job.task.name)), |out| {
+        let names = ["first", "second", "end", "period", "impacts", "exponent"];
+        let columns_of = names.map(|name| Column::new(name, name, 0)).to_vec();
+        let mut table = TableWriter::new(out, TableFormat::Csv, "", columns_of)?;
+        for (i, cell) in found.cells.iter().enumerate() {
+            let period = match cell.end {
+                MapEnd::Periodic(period) => period.to_string(),
+                _ => String::new(),
+            };
+            let (first, second) =
+                (columns[i % columns.len()].to_string(), rows[i / columns.len()].to_string());
+            let exponent = cell.exponent.map_or(String::new(), |exponent| exponent.to_string());
+            let texts = [&first, &second, map_word(cell.end), &period, &cell.impacts.to_string(), &exponent];
+            table.row(&texts.map(TableCell::Text))?;
+        }
+        table.finish()
+    })?;
+    Ok(job.figure())
+}
+
+fn class(cell: &MapCell) -> usize {
+    match cell.end {
+        MapEnd::BehindAWall => 0,
+        MapEnd::Ended(_) => 1,
+        MapEnd::NotPeriodic => 2,
+        MapEnd::Periodic(period) => OTHERS.len() + period.min(APART + 1) as usize - 1,
+    }
+}
