@@ -68,7 +68,7 @@
 //! | [`scene`] | an oscillator and what to do with it, as a file |
 //! | [`run`] | the tasks of a scene run, each with a typed result |
 //! | [`search`] | what finds certificates and looks for counterexamples |
-//! | [`Error`], [`Outcome`], [`Monitor`] | what goes wrong; how work ends; how a long job reports and is ended |
+//! | [`Error`], [`Outcome`], [`Monitor`], [`Profile`] | what goes wrong; how work ends; how a long job reports and is ended; where its time goes |
 //!
 //! Not public, and below the table, for every part: `processor` (its time), `random` (the same choices on
 //! every machine), `output` (files that are whole or absent, saved states, tables), `source` (errors that
@@ -98,6 +98,7 @@ mod outcome;
 mod output;
 pub mod pattern;
 mod processor;
+mod profile;
 mod random;
 pub mod run;
 pub mod scene;
@@ -124,3 +125,4 @@ pub use num_bigint;
 /// The package of the exact fractions in this interface.
 pub use num_rational;
 pub use outcome::Outcome;
+pub use profile::{Profile, Spent};

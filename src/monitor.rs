@@ -1,6 +1,8 @@
 //! How a long job tells its caller how far it is, and hears that it should end.
 
-use crate::error::Result;
+use std::{fmt::Display, sync::Arc, time::Instant};
+
+use crate::{error::Result, profile::Profile};
 
 /// Told of progress by long jobs, between independent units of work and from any thread.
 pub trait Monitor: Sync {
@@ -9,6 +11,12 @@ pub trait Monitor: Sync {
 
     /// Something that the user should know happened, and the work goes on. By default nothing.
     fn note(&self, _what: &str) {}
+
+    /// Where to add up which method decided how much and how long it took; nothing is timed without one. By
+    /// default none.
+    fn profile(&self) -> Option<Arc<Profile>> {
+        None
+    }
 
     /// `units` more are done.
     ///
@@ -22,4 +30,13 @@ impl Monitor for () {
     fn advance(&self, _: u64) -> Result<()> {
         Ok(())
     }
+}
+
+/// Does one case, and adds its time to the monitor's profile, if there is one, as that of a method.
+pub(crate) fn timed<R>(monitor: &dyn Monitor, method: impl Display, work: impl FnOnce() -> R) -> R {
+    let Some(profile) = monitor.profile() else { return work() };
+    let start = Instant::now();
+    let found = work();
+    profile.since(start, method, 1);
+    found
 }

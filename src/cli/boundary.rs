@@ -20,7 +20,8 @@ use crate::{
     cli::progress::{Interrupt, Progress},
     error::{Error, Result},
     existence::{Boundary, Enclosure, Interval, Lowest, intervals, tip_correction, tip_law},
-    monitor::Monitor,
+    local::Rung,
+    monitor::{Monitor, timed},
     number::parse_integer,
     output::{
         Column, Destination, OutputFile, Print, Setting, Shard, ShardedTask, TableCell, TableFormat,
@@ -323,13 +324,9 @@ fn edge_rows(
                     .par_iter()
                     .map(|&i| {
                         let s = grid_point(area.interval(), i, grid);
-                        Ok((
-                            s,
-                            area.at(
-                                &BigRational::new((*s.numer()).into(), (*s.denom()).into()),
-                                args.digits,
-                            )?,
-                        ))
+                        let at = BigRational::new((*s.numer()).into(), (*s.denom()).into());
+                        let rung = Rung::Ball(area.bits(args.digits));
+                        Ok((s, timed(progress, rung, || area.at(&at, args.digits))?))
                     })
                     .collect();
                 for (s, r) in values? {
@@ -367,7 +364,9 @@ fn lowest_rows(
         for portion in areas(args, n)?.chunks(64) {
             // (1 − r) n³ is to have its six decimals, however few of r are printed.
             let digits = args.digits.max(8 + 3 * width as u32);
-            let found: Vec<Option<Lowest>> = portion.par_iter().map(|area| area.lowest(digits)).collect();
+            let lowest =
+                |area: &Boundary| timed(progress, Rung::Ball(area.bits(digits)), || area.lowest(digits));
+            let found: Vec<Option<Lowest>> = portion.par_iter().map(lowest).collect();
             for (area, lowest) in portion.iter().zip(&found) {
                 let row = Row::new(area.interval(), lowest.as_ref(), args.digits);
                 let mut cells = area_cells(area.interval()).to_vec();

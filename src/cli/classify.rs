@@ -12,6 +12,7 @@ use crate::{
     error::{Error, Result},
     existence::{Existence, by_definition, by_records, large_eigenvalue_sign},
     local::{Ladder, Plane, Point, Polar, Region},
+    monitor::Monitor,
     number::{parse_integer, parse_rational},
     output::{Column, Destination, Print, TableCell, TableFormat, TableWriter},
     word::{Extent, Word},
@@ -72,7 +73,7 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     }
     let (point, region, reversed) =
         normalised(args.a1.as_ref().zip(args.a2.as_ref()), args.r.as_ref().zip(args.s.as_ref()))?;
-    let ladder = Ladder::default();
+    let ladder = Ladder::default().with_profile(interrupt.profile());
     let decide = |n| interrupt.check().map(|()| by_definition(&ladder, &point, n));
     let found = match by_records(&ladder, &point, args.max_n) {
         Some(found) => found,

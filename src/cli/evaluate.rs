@@ -12,7 +12,7 @@ use crate::{
     cli::progress::Interrupt,
     error::{Error, Result},
     local::{Answer, Ladder, Plane, Point, Polar, Quantity, SignDecision},
-    number::{Ball, Precision, Sign, certain_digits, parse_integer, parse_rational},
+    number::{Precision, Sign, ball_digits, parse_integer, parse_rational},
     output::Destination,
 };
 
@@ -21,7 +21,8 @@ const LIST: u64 = 100_000;
 
 /// Evaluate b_{n,k} and c_n at one point: sign, what decided it, and certain digits.
 ///
-/// A printed number is off by less than one unit of its last digit. The sign comes from the first method that
+/// A printed number is off by less than one unit of its last digit, and near u_n = 0 and near zeros it has as
+/// many digits as elsewhere: longer balls are taken there, up to 16384 bits more. The sign comes from the first method that
 /// can tell: f64 intervals, balls of 128 to 16384 bits, or exact arithmetic. Where u_n = 0 both b_{n,k} and
 /// c_n are "singular", that is, not defined. Numbers may have up to 32768 bits in numerator and denominator.
 ///
@@ -50,7 +51,7 @@ pub(super) struct Args {
     /// The determinant, positive.
     #[arg(long, value_parser = parse_rational, allow_hyphen_values = true, requires = "a1", value_name = "Y")]
     a2: Option<BigRational>,
-    /// The working precision of the printed digits, 16 to 65536 bits.
+    /// The precision of the printed digits, 16 to 65536 bits.
     #[arg(long, default_value_t = 128, value_parser = whole(16..=65536))]
     bits: u32,
     /// How the result is written.
@@ -134,10 +135,7 @@ impl Row {
     }
 }
 
-/// Numbers beyond 2^±100000 are not written out.
-const WRITTEN: u64 = 100_000;
-
-/// The certain digits at the precision asked for; for numbers too large or small to write out, none.
+/// The certain digits at the precision asked for.
 fn digits(
     point: &Point,
     quantity: Quantity,
@@ -147,10 +145,5 @@ fn digits(
     if decision.answer == Answer::Sign(Sign::Zero) {
         return Some("0".into());
     }
-    let ball = point.evaluate::<Ball>(quantity, precision)?;
-    if ball.exponent().is_some_and(|exponent| exponent.unsigned_abs() > WRITTEN) {
-        return None;
-    }
-    let (lo, hi) = ball.exact_bounds()?;
-    certain_digits(&lo, &hi, precision.bits() * 3 / 10)
+    ball_digits(&point.evaluate_closely(quantity, precision)?, precision.bits() * 3 / 10)
 }

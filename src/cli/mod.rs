@@ -14,6 +14,7 @@ mod formula;
 mod fuzz;
 mod intervals;
 mod merge;
+mod profile;
 pub(crate) mod progress;
 mod range;
 mod reader;
@@ -28,6 +29,7 @@ use std::{
     io,
     num::NonZero,
     panic::{self, AssertUnwindSafe},
+    path::PathBuf,
     process::ExitCode,
     sync::mpsc::{self, Sender},
     thread,
@@ -60,6 +62,9 @@ struct Cli {
     /// Print at the end how long it took and what it used: seconds, processor seconds, peak memory.
     #[arg(short, long, global = true, conflicts_with = "quiet")]
     verbose: bool,
+    /// Write a table of how much each method decided, and how long it took, on all threads together.
+    #[arg(long, global = true, value_name = "FILE")]
+    profile: Option<PathBuf>,
 }
 
 const EXIT_CODES: &str = "\
@@ -181,10 +186,20 @@ fn command(interrupt: &Interrupt, events: &Sender<Event>) -> u8 {
     if cli.quiet {
         interrupt.without_bars();
     }
+    if cli.profile.is_some() && !cli.command.has_profile() {
+        say("error: --profile is for verify, cover, classify, fuzz, boundary and run: leave it out");
+        return Outcome::Failed.code();
+    }
+    let kept = cli.profile.clone().map(|file| (file, interrupt.keep_profile()));
     let (verbose, start) = (cli.verbose, Instant::now());
-    let code = match run(cli, interrupt) {
+    let outcome = match run(cli, interrupt) {
+        Ok(outcome) => outcome,
+        Err(error) => report(&error, json),
+    };
+    let written = kept.map_or(Ok(()), |(file, kept)| profile::write_profile(&file, &kept));
+    let code = match reported(outcome, written) {
         Ok(outcome) => outcome.code(),
-        Err(error) => report(&error, json).code(),
+        Err(error) => report(&error, None).code(),
     };
     if verbose {
         say(cost(start.elapsed()));
@@ -251,6 +266,12 @@ fn run(cli: Cli, interrupt: &Interrupt) -> Result<Outcome> {
 }
 
 impl Command {
+    /// Whether its methods are timed.
+    fn has_profile(&self) -> bool {
+        use Command::{Boundary, Classify, Cover, Fuzz, Run, Verify};
+        matches!(self, Verify(_) | Cover(_) | Classify(_) | Fuzz(_) | Boundary(_) | Run(_))
+    }
+
     /// The name of the report's format, if it is to be JSON.
     fn json(&self) -> Option<&'static str> {
         let report = |format: ReportFormat, name| (format == ReportFormat::Json).then_some(name);

@@ -4,7 +4,7 @@ use std::{
     fmt,
     io::IsTerminal,
     sync::{
-        Arc, Mutex, PoisonError,
+        Arc, Mutex, OnceLock, PoisonError,
         atomic::{AtomicBool, Ordering},
     },
     time::Duration,
@@ -17,6 +17,7 @@ use crate::{
     monitor::Monitor,
     outcome::Outcome,
     output::remove_temporaries,
+    profile::Profile,
 };
 
 /// Whether the user has pressed Ctrl-C (or the system has asked the process to end).
@@ -28,6 +29,7 @@ struct Inner {
     asked: AtomicBool,
     without_bars: AtomicBool,
     kept: Mutex<String>,
+    profile: OnceLock<Arc<Profile>>,
     last: Mutex<Option<LastWords>>,
 }
 
@@ -78,6 +80,11 @@ impl Interrupt {
         self.0.without_bars.store(true, Ordering::Relaxed);
     }
 
+    /// Has the time of each method added up from here on.
+    pub fn keep_profile(&self) -> Arc<Profile> {
+        self.0.profile.get_or_init(Arc::default).clone()
+    }
+
     /// Says what is kept of the work, and how to go on from it: an interruption ends with these words.
     pub fn keeps(&self, what: impl Into<String>) {
         *self.0.kept.lock().unwrap_or_else(PoisonError::into_inner) = what.into();
@@ -123,12 +130,20 @@ impl Progress {
 }
 
 impl Monitor for Interrupt {
+    fn profile(&self) -> Option<Arc<Profile>> {
+        self.0.profile.get().cloned()
+    }
+
     fn advance(&self, _: u64) -> Result<()> {
         self.check()
     }
 }
 
 impl Monitor for Progress {
+    fn profile(&self) -> Option<Arc<Profile>> {
+        self.interrupt.profile()
+    }
+
     fn advance(&self, units: u64) -> Result<()> {
         if units > 0 {
             self.bar.inc(units);

@@ -105,6 +105,13 @@ impl Boundary {
     }
 }
 
+impl Boundary {
+    /// The bits of the balls by which its points are found to so many digits.
+    pub fn bits(&self, digits: u32) -> u32 {
+        bits(self.interval.n, digits)
+    }
+}
+
 /// A fraction of machine integers as one of any size.
 fn big(x: &Ratio<u64>) -> BigRational {
     BigRational::new_raw((*x.numer()).into(), (*x.denom()).into())

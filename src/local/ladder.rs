@@ -1,58 +1,20 @@
 //! Signs by a ladder of rungs: climb as far as needed, no further, and never guess.
 
-use std::{fmt, sync::OnceLock};
+use std::{
+    fmt,
+    sync::{Arc, OnceLock},
+    time::Instant,
+};
 
 use serde::{Serialize, Serializer};
 
-use super::{Plane, Polar, zero_test};
+use super::{Point, Polar, Quantity, zero_test};
 use crate::{
     error::Result,
     monitor::Monitor,
     number::{Ball, Circular, FloatInterval, Plain, Precision, Real, Sign},
+    profile::Profile,
 };
-
-/// A point at which the local map is evaluated.
-#[derive(Debug, Clone)]
-pub enum Point {
-    /// By modulus and angle of complex eigenvalues.
-    Polar(Polar),
-    /// By trace and determinant.
-    Plane(Plane),
-}
-
-/// A quantity of the single-impact orbit of a period n.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Quantity {
-    /// b_{n,k}, 1 ≤ k < n.
-    B {
-        /// The period.
-        n: u64,
-        /// The index.
-        k: u64,
-    },
-    /// c_n.
-    C {
-        /// The period.
-        n: u64,
-    },
-}
-
-/// `b_{5,2}` or `c_5`.
-impl fmt::Display for Quantity {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Quantity::B { n, k } => write!(f, "b_{{{n},{k}}}"),
-            Quantity::C { n } => write!(f, "c_{n}"),
-        }
-    }
-}
-
-/// As text: `b_{5,2}` or `c_5`.
-impl Serialize for Quantity {
-    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
-        serializer.collect_str(self)
-    }
-}
 
 /// Where an answer came from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -129,14 +91,24 @@ pub struct SignDecision {
 /// The rungs up to a number of bits, with π computed at most once for each. Shared freely between threads.
 ///
 /// Order: exact where integers decide at once (a singular point; r = 1; c_n from (r, s)), intervals, balls of
-/// 128 bits, a cheap exact attempt, balls of 256, 512, … bits, a dear exact attempt.
+/// 128 bits, a cheap exact attempt, longer balls, a dear exact attempt. What 128 bits leave open lies within
+/// 10⁻³⁰ of a zero or so, where no short fraction happens to lie: the length of the point's own fractions says
+/// how near it may have been put on purpose, and the balls grow to that at once, by a factor of 8 at the most.
+/// So a rung tried in vain costs little beside the one that decides, and the longest is always tried.
 #[derive(Debug)]
 pub struct Ladder {
     balls: Vec<(u32, OnceLock<Precision>)>,
+    profile: Option<Arc<Profile>>,
 }
 
 /// Integers of the exact rung grow to at most this many bits: first try, last try.
 const EXACT_BITS: [u64; 2] = [1 << 15, 1 << 23];
+
+/// Balls of up to this many bits cost about the same: one rung among them is enough.
+const SHORT: u32 = 512;
+
+/// Bits beyond a point's own that a decision takes.
+const SLACK: u64 = 32;
 
 impl Default for Ladder {
     /// Up to 16384 bits.
@@ -152,12 +124,19 @@ impl Ladder {
     pub fn new(max_bits: u32) -> Ladder {
         let rungs = std::iter::successors(Some(128u32), |bits| bits.checked_mul(2))
             .take_while(|&bits| bits <= max_bits);
-        Ladder { balls: rungs.map(|bits| (bits, OnceLock::new())).collect() }
+        Ladder { balls: rungs.map(|bits| (bits, OnceLock::new())).collect(), profile: None }
+    }
+
+    /// The same ladder, which adds up the time and the number of its signs by the rung that decided, if there
+    /// is a profile.
+    #[must_use]
+    pub fn with_profile(self, profile: Option<Arc<Profile>>) -> Ladder {
+        Ladder { profile, ..self }
     }
 
     /// The precisions of the ball rungs, lowest first.
     pub fn precisions(&self) -> impl Iterator<Item = &Precision> {
-        self.balls.iter().map(|(bits, precision)| precision.get_or_init(|| Precision::new(*bits)))
+        (0..self.balls.len()).map(|index| self.precision(index))
     }
 
     /// The sign of a quantity at a point.
@@ -189,10 +168,19 @@ impl Ladder {
         monitor: &dyn Monitor,
     ) -> Result<SignDecision> {
         quantity.check();
+        let Some(profile) = &self.profile else { return self.decide(point, quantity, monitor) };
+        let start = Instant::now();
+        let decision = self.decide(point, quantity, monitor)?;
+        profile.since(start, decision.rung, 1);
+        Ok(decision)
+    }
+
+    fn decide(&self, point: &Point, quantity: Quantity, monitor: &dyn Monitor) -> Result<SignDecision> {
         if let Some(answer) = at_once(point, quantity) {
             return Ok(SignDecision { answer, rung: Rung::Exact });
         }
         self.climb(
+            point.length(),
             sign_on::<FloatInterval>(point, quantity, &()),
             |precision| monitor.advance(0).map(|()| sign_on::<Ball>(point, quantity, precision)),
             |attempt| monitor.advance(0).and_then(|()| exactly(point, quantity, attempt, monitor)),
@@ -217,6 +205,7 @@ impl Ladder {
         };
         let known = |sign: Option<Sign>| sign.map_or(Answer::Undecided, Answer::Sign);
         self.climb(
+            plane.length(),
             known(plane.u::<FloatInterval>(n, &()).sign()),
             |precision| Ok(known(plane.u::<Ball>(n, precision).sign())),
             |attempt| Ok(plane.exact_u(n, attempt, &())?.as_ref().map(Sign::from)),
@@ -232,12 +221,17 @@ impl Ladder {
     /// Unless n ≥ 1.
     pub fn signs(&self, point: &Point, n: u64) -> Vec<SignDecision> {
         Quantity::C { n }.check();
+        let start = self.profile.as_ref().map(|_| Instant::now());
         let first = match point {
             Point::Polar(polar) if !polar.on_circle() && !polar.is_singular(n) => {
                 direct_signs::<FloatInterval>(polar, n, &())
             }
             _ => return (1..n).map(|k| self.sign(point, Quantity::B { n, k })).collect(),
         };
+        if let Some((profile, start)) = self.profile.as_ref().zip(start) {
+            let decided = first.iter().filter(|&&answer| answer != Answer::Undecided).count();
+            profile.since(start, Rung::Interval, decided as u64);
+        }
         let decide = |(k, answer)| match answer {
             Answer::Undecided => self.sign(point, Quantity::B { n, k }),
             answer => SignDecision { answer, rung: Rung::Interval },
@@ -245,8 +239,10 @@ impl Ladder {
         (1..n).zip(first).map(decide).collect()
     }
 
+    /// Rung after rung for a point whose fractions have `length` bits.
     fn climb(
         &self,
+        length: u64,
         first: Answer,
         ball: impl Fn(&Precision) -> Result<Answer>,
         exact: impl Fn(u64) -> Result<Option<Sign>>,
@@ -255,22 +251,41 @@ impl Ladder {
             return Ok(SignDecision { answer: first, rung: Rung::Interval });
         }
         let mut rung = Rung::Interval;
-        for (index, precision) in self.precisions().enumerate() {
+        let mut next = 0;
+        let last = self.balls.len();
+        while next < last {
+            let precision = self.precision(next);
             rung = Rung::Ball(precision.bits());
             let answer = ball(precision)?;
             if answer != Answer::Undecided {
                 return Ok(SignDecision { answer, rung });
             }
-            if index == 0
+            if next == 0
                 && let Some(sign) = exact(EXACT_BITS[0])?
             {
                 return Ok(SignDecision { answer: Answer::Sign(sign), rung: Rung::Exact });
             }
+            next = if next + 1 < last { self.after(next, length).min(last - 1) } else { last };
         }
         Ok(match exact(EXACT_BITS[1])? {
             Some(sign) => SignDecision { answer: Answer::Sign(sign), rung: Rung::Exact },
             None => SignDecision { answer: Answer::Undecided, rung },
         })
+    }
+
+    /// The rung of balls to try after this one left a sign open; one beyond the last means the last.
+    fn after(&self, index: usize, length: u64) -> usize {
+        let bits = |index: usize| self.balls.get(index).map_or(u64::MAX, |rung| rung.0.into());
+        let enough = |index: &usize| bits(*index) >= length.saturating_add(SLACK);
+        let highest =
+            if bits(index) < SHORT.into() { bits(index).max(SHORT.into()) } else { 8 * bits(index) };
+        let reached = (index + 1..self.balls.len()).take_while(|&next| bits(next) <= highest);
+        reached.clone().find(enough).or(reached.last()).unwrap_or(index + 1)
+    }
+
+    fn precision(&self, index: usize) -> &Precision {
+        let (bits, precision) = &self.balls[index];
+        precision.get_or_init(|| Precision::new(*bits))
     }
 }
 
@@ -280,24 +295,6 @@ pub fn direct_signs<T: Circular>(polar: &Polar, n: u64, context: &T::Context) ->
     let sine = polar.u_sign(n);
     let answer = |numerator: T| numerator.sign().map_or(Answer::Undecided, |sign| Answer::Sign(sign * sine));
     polar.direct_numerators::<T>(n, context).into_iter().map(answer).collect()
-}
-
-impl Quantity {
-    /// The period n.
-    pub fn period(self) -> u64 {
-        match self {
-            Quantity::B { n, .. } | Quantity::C { n } => n,
-        }
-    }
-
-    fn check(self) {
-        match self {
-            Quantity::B { n, k } => {
-                assert!(1 <= k && k < n, "b_{{n,k}} needs 1 ≤ k < n, not n = {n}, k = {k}")
-            }
-            Quantity::C { n } => assert!(n >= 1, "c_n needs n ≥ 1"),
-        }
-    }
 }
 
 /// What integers decide with no search.
@@ -347,7 +344,7 @@ pub fn sign_on<T: Circular>(point: &Point, quantity: Quantity, context: &T::Cont
         }
         (Point::Polar(polar), _) if polar.is_singular(quantity.period()) => None,
         (Point::Polar(polar), Quantity::B { n, k }) if !polar.on_circle() => {
-            Some(polar.numerator::<T>(n, k, context).sign().map(|sign| sign * polar.u_sign(n)))
+            Some(polar.numerator_sign::<T>(n, k, context).map(|sign| sign * polar.u_sign(n)))
         }
         (Point::Polar(polar), Quantity::B { n, k }) => polar.b::<T>(n, k, context).map(|b| b.sign()),
         (Point::Polar(polar), Quantity::C { n }) => polar.c::<T>(n, context).map(|c| c.sign()),
@@ -372,21 +369,5 @@ pub fn sign_by(point: &Point, quantity: Quantity, rung: Rung) -> Answer {
                 EXACT_BITS.iter().find_map(exact).map(Answer::Sign)
             })
             .unwrap_or(Answer::Undecided),
-    }
-}
-
-impl Point {
-    /// The quantity on one rung; `None` where u_n = 0. Cost: as [`sign_on`].
-    ///
-    /// # Panics
-    /// As [`Ladder::sign`].
-    pub fn evaluate<T: Circular>(&self, quantity: Quantity, context: &T::Context) -> Option<T> {
-        quantity.check();
-        match (self, quantity) {
-            (Point::Polar(polar), Quantity::B { n, k }) => polar.b(n, k, context),
-            (Point::Polar(polar), Quantity::C { n }) => polar.c(n, context),
-            (Point::Plane(plane), Quantity::B { n, k }) => plane.b(n, k, context),
-            (Point::Plane(plane), Quantity::C { n }) => plane.c(n, context),
-        }
     }
 }

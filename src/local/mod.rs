@@ -15,9 +15,11 @@
 
 mod ladder;
 mod plane;
+mod point;
 mod polar;
 mod zero_test;
 
-pub use ladder::{Answer, Ladder, Point, Quantity, Rung, SignDecision, direct_signs, sign_by, sign_on};
+pub use ladder::{Answer, Ladder, Rung, SignDecision, direct_signs, sign_by, sign_on};
 pub use plane::{Plane, Region};
+pub use point::{Point, Quantity};
 pub use polar::Polar;

@@ -47,6 +47,13 @@ pub struct Plane {
     a2: BigRational,
     /// α² ≥ 4a₂.
     real: bool,
+    /// The t of a₁² = t a₂, if it is 0, 1, 2 or 3.
+    square: Option<u8>,
+    /// e = 1 − |a₁| + a₂. This and the next, not in lowest terms: a greatest common divisor of long integers
+    /// would cost more than a sign.
+    excess: BigRational,
+    /// D = α²/4 − a₂.
+    quarter: BigRational,
 }
 
 /// The regions of the paper's figure 2; its lines, where they are no part of a region, are `Line`.
@@ -88,7 +95,7 @@ impl Serialize for Region {
 }
 
 impl Plane {
-    /// The point (a₁, a₂).
+    /// The point (a₁, a₂). Cost: some products of integers of its size.
     ///
     /// # Errors
     /// An input error unless a₂ > 0.
@@ -96,8 +103,13 @@ impl Plane {
         if !a2.is_positive() {
             return Err(Error::input(format!("a2 = {a2} is outside a2 > 0")));
         }
-        let real = &a1 * &a1 >= &a2 * BigInt::from(4);
-        Ok(Plane { a1, a2, real })
+        let (p, q, x, y) = (a1.numer(), a1.denom(), a2.numer(), a2.denom());
+        // a₁² = t a₂ where p²y = t xq².
+        let (left, right) = (p * p * y, q * q * x);
+        let square = (0..4u8).find(|&t| left == &right * t);
+        let quarter = BigRational::new_raw(&left - &right * 4, q * q * y * 4);
+        let excess = BigRational::new_raw(q * y - p.abs() * y + x * q, q * y);
+        Ok(Plane { real: !quarter.is_negative(), square, excess, quarter, a1, a2 })
     }
 
     /// a₁.
@@ -113,7 +125,7 @@ impl Plane {
     /// The region of the point: exact.
     pub fn region(&self) -> Region {
         let negative = self.a1.is_negative();
-        match (Sign::of(&self.excess()), self.real) {
+        match (Sign::of(&self.excess), self.real) {
             (_, false) => Region::Three,
             (Sign::Zero, true) => Region::Line,
             (Sign::Negative, true) => {
@@ -136,15 +148,7 @@ impl Plane {
     /// Whether u_n = 0: by Niven's theorem, exactly where a₁² is 0, a₂, 2a₂ or 3a₂ and 2, 3, 4 or 6 divides
     /// n.
     pub fn is_singular(&self, n: u64) -> bool {
-        let square = &self.a1 * &self.a1;
-        [(0, 2), (1, 3), (2, 4), (3, 6)]
-            .iter()
-            .any(|&(times, period)| n.is_multiple_of(period) && square == &self.a2 * BigInt::from(times))
-    }
-
-    /// e = 1 − |a₁| + a₂.
-    fn excess(&self) -> BigRational {
-        BigRational::one() - self.a1.abs() + &self.a2
+        self.square.is_some_and(|t| n.is_multiple_of([2, 3, 4, 6][usize::from(t)]))
     }
 
     /// b_{n,k}, 1 ≤ k < n; `None` where u_n = 0.
@@ -185,10 +189,7 @@ impl Plane {
 
     /// A positive multiple of u_n as an integer; `None` beyond `limit` bits.
     pub(super) fn exact_u(&self, n: u64, limit: u64, monitor: &dyn Monitor) -> Result<Option<BigInt>> {
-        let (a, b, _, bits) = self.integers(n);
-        if bits > limit {
-            return Ok(None);
-        }
+        let Some((a, b, _)) = self.integers(n, limit) else { return Ok(None) };
         Ok(Some(lucas(&a, &b, n, BigInt::from, || monitor.advance(0))?.u))
     }
 
@@ -245,14 +246,24 @@ impl Plane {
         lucas
     }
 
-    /// The integers of the exact rung: A, B, D with a₁ = A/D, a₂ = B/D², and an estimate of the bits of u_n
-    /// D^{n−1}.
-    fn integers(&self, n: u64) -> (BigInt, BigInt, BigInt, u64) {
-        let d = self.a1.denom().lcm(self.a2.denom());
-        let a = (&self.a1 * &d).to_integer();
-        let b = (&self.a2 * (&d * &d)).to_integer();
-        let bits = n.saturating_mul(a.bits().max(b.bits().div_ceil(2)).max(d.bits()) + 1);
-        (a, b, d, bits)
+    /// The integers of the exact rung: A, B, D with a₁ = A/D, a₂ = B/D²; `None` if by estimate u_n D^{n−1} has
+    /// more than `limit` bits.
+    fn integers(&self, n: u64, limit: u64) -> Option<(BigInt, BigInt, BigInt)> {
+        let (p, q, x, y) = (self.a1.numer(), self.a1.denom(), self.a2.numer(), self.a2.denom());
+        let within = |size: u64| n.saturating_mul(size + 1) <= limit;
+        // D is no shorter than either: a common multiple of long integers costs more than the balls do.
+        if !within(q.bits().max(y.bits())) {
+            return None;
+        }
+        let d = q.lcm(y);
+        let (a, b) = (p * (&d / q), x * (&d / y) * &d);
+        within(a.bits().max(b.bits().div_ceil(2)).max(d.bits())).then_some((a, b, d))
+    }
+
+    /// Bits of the longest denominator or numerator.
+    pub(super) fn length(&self) -> u64 {
+        let bits = |x: &BigRational| x.numer().bits().max(x.denom().bits());
+        bits(&self.a1).max(bits(&self.a2))
     }
 
     /// D^{n+k−1}·N_{n,k} and D^{n+k−1}·u_n as integers, without a fraction anywhere; `None` beyond `limit`
@@ -270,10 +281,7 @@ impl Plane {
         limit: u64,
         monitor: &dyn Monitor,
     ) -> Result<Option<(BigInt, BigInt)>> {
-        let (a, b, d, bits) = self.integers(n);
-        if bits.saturating_mul(2) > limit {
-            return Ok(None);
-        }
+        let Some((a, b, d)) = self.integers(n, limit / 2) else { return Ok(None) };
         let w = |i| lucas(&a, &b, i, BigInt::from, || monitor.advance(0));
         let (wn, wk, wj) = (w(n)?, w(k)?, w(n - k)?);
         let denominator = power(&d, k, monitor)? * wn.u;
@@ -292,10 +300,7 @@ impl Plane {
         limit: u64,
         monitor: &dyn Monitor,
     ) -> Result<Option<(BigInt, BigInt)>> {
-        let (a, b, d, bits) = self.integers(n);
-        if bits.saturating_mul(2) > limit {
-            return Ok(None);
-        }
+        let Some((a, b, d)) = self.integers(n, limit / 2) else { return Ok(None) };
         let w = lucas(&a, &b, n, BigInt::from, || monitor.advance(0))?;
         let power = power(&d, n, monitor)?;
         Ok(Some((&power * &power - &power * w.v + w.power, w.u)))
@@ -381,7 +386,7 @@ struct Eigenvalues<T> {
 
 impl<T: Real> Eigenvalues<T> {
     fn new(point: &Plane, context: &T::Context) -> Self {
-        let half = point.a1.abs() / BigInt::from(2);
+        let half = BigRational::new_raw(point.a1.numer().abs(), point.a1.denom() * 2);
         let (one, a2, h) = (T::integer(1, context), T::ratio(&point.a2, context), T::ratio(&half, context));
         let terms = Terms {
             u: one.clone(),
@@ -394,9 +399,9 @@ impl<T: Real> Eigenvalues<T> {
         };
         Eigenvalues {
             negative: point.a1.is_negative(),
-            excess: T::ratio(&point.excess(), context),
+            excess: T::ratio(&point.excess, context),
             a2,
-            quarter: T::ratio(&(&half * &half - &point.a2), context),
+            quarter: T::ratio(&point.quarter, context),
             nothing: T::integer(0, context),
             unit: one,
             one: terms,

@@ -181,14 +181,33 @@ impl Polar {
 
     /// M: a positive multiple of u_n b_{n,k}. Needs r < 1.
     pub(super) fn numerator<T: Circular>(&self, n: u64, k: u64, context: &T::Context) -> T {
-        let j = n - k;
-        let power = [self.power::<T>(n, context), self.power(j, context), self.power(k, context)];
-        let direct =
-            direct([n, j, k].map(|i| T::sin(&self.full.times(i), context)).each_ref(), &power[0], &power[1]);
-        let sines = [n, j, k].map(|i| T::sin(&self.half.times(i), context));
-        let cosines = [n, j, k].map(|i| T::cos(&self.half.times(i), context));
-        let folded = folded(sines.each_ref(), cosines.each_ref(), &power[1], &power[2], context);
-        self.choose(folded, direct)
+        let power = self.three_powers::<T>(n, k, context);
+        let direct = self.direct_at(n, k, &power, context);
+        self.choose(self.folded_at(n, k, &power, context), direct)
+    }
+
+    /// The sign of M, of its direct form alone where that is enough: three sines in place of nine. Needs
+    /// r < 1.
+    pub(super) fn numerator_sign<T: Circular>(&self, n: u64, k: u64, context: &T::Context) -> Option<Sign> {
+        let power = self.three_powers::<T>(n, k, context);
+        let direct = self.direct_at(n, k, &power, context);
+        direct.sign().or_else(|| self.choose(self.folded_at(n, k, &power, context), direct).sign())
+    }
+
+    /// r^i and 1 − r^i for i = n, j, k.
+    fn three_powers<T: Real>(&self, n: u64, k: u64, context: &T::Context) -> [Power<T>; 3] {
+        [n, n - k, k].map(|i| self.power(i, context))
+    }
+
+    fn direct_at<T: Circular>(&self, n: u64, k: u64, power: &[Power<T>; 3], context: &T::Context) -> T {
+        let sines = [n, n - k, k].map(|i| T::sin(&self.full.times(i), context));
+        direct(sines.each_ref(), &power[0], &power[1])
+    }
+
+    fn folded_at<T: Circular>(&self, n: u64, k: u64, power: &[Power<T>; 3], context: &T::Context) -> T {
+        let sines = [n, n - k, k].map(|i| T::sin(&self.half.times(i), context));
+        let cosines = [n, n - k, k].map(|i| T::cos(&self.half.times(i), context));
+        folded(sines.each_ref(), cosines.each_ref(), &power[1], &power[2], context)
     }
 
     /// The direct form of M alone, for the first pass of a sign: three sines. Needs r < 1.

@@ -4,6 +4,12 @@
 //! polynomial f has f(ζ) = 0 iff f·Π (x^{q/ℓ} − 1), over the primes ℓ | q, vanishes modulo x^q − 1: the
 //! factors are zero at every q-th root of unity but the primitive ones. That product has at most 6·2^ω(q)
 //! terms, however large q is.
+//!
+//! Most q need none of this: in a vanishing sum of at most six roots of unity with rational coefficients, of
+//! which no part vanishes, the ratio of two roots is a 30th root of unity (H. B. Mann, Mathematika 12 (1965)
+//! 107–117: one whose order is a product of distinct primes up to the number of terms). So ζⁿ has such a ratio
+//! to one of ζ⁻ⁿ, ζ^±k, ζ^±j, and q divides 30 times one of 2n, j, n + k, k, n + j. Only completeness rests on
+//! it: what it rules out is left to enclosures.
 
 use std::collections::BTreeMap;
 
@@ -22,9 +28,21 @@ const PRIMES: usize = 12;
 
 /// Whether M = 0; `None` if q could not be factored within [`TRIAL`] or has more than [`PRIMES`] primes.
 ///
-/// Decides every n, k and r for such q. Cost: at most [`TRIAL`] divisions of q by a word, then O(6·2^ω(q))
-/// sums.
+/// Decides every n, k and r for such q. Cost: five remainders for all q but some below 2⁷⁰, where at most
+/// [`TRIAL`] divisions of q by a word and O(6·2^ω(q)) sums follow.
 pub(super) fn numerator_vanishes(point: &Polar, n: u64, k: u64) -> Option<bool> {
+    if is_ruled_out(point.s().denom().magnitude(), n, k) { Some(false) } else { by_division(point, n, k) }
+}
+
+/// Whether M ≠ 0 by Mann's theorem.
+fn is_ruled_out(q: &BigUint, n: u64, k: u64) -> bool {
+    let wide = u128::from;
+    let differences = [2 * wide(n), wide(n - k), wide(n) + wide(k), wide(k), wide(n) + wide(n - k)];
+    q.to_u128().is_none_or(|q| differences.iter().all(|d| !(30 * d).is_multiple_of(q)))
+}
+
+/// Whether M = 0, by division by the cyclotomic polynomial.
+fn by_division(point: &Polar, n: u64, k: u64) -> Option<bool> {
     let q = point.s().denom().magnitude();
     let p = point.s().numer().magnitude();
     let primes = prime_factors(q.clone())?;
@@ -114,8 +132,26 @@ mod tests {
         assert_eq!(vanishes("1/2", "1/4", 4, 2), Some(true));
         assert_eq!(vanishes("2/3", "5/12", 1_200_000_000, 12), Some(true));
         assert_eq!(vanishes("2/3", "5/12", 1_200_000_000, 13), Some(false));
-        // A denominator with two large primes, 1048583·1048589, is beyond the test.
-        assert_eq!(vanishes("1/2", "1/1099532599387", 5, 2), None);
+        // A denominator with two large primes, 1048583·1048589, is beyond the test where it divides k.
+        assert_eq!(vanishes("1/2", "1/1099532599387", 5, 2), Some(false));
+        assert_eq!(vanishes("1/2", "1/1099532599387", 1_099_532_599_394, 1_099_532_599_387), None);
+    }
+
+    /// Mann's theorem rules out no zero, and but for zeros and some others, everything.
+    #[test]
+    fn what_is_ruled_out_is_no_zero() {
+        let half = parse_rational("1/2").unwrap();
+        let (mut zeros, mut ruled_out) = (0, 0);
+        for (q, n) in (3..100u64).flat_map(|q| (2..14).map(move |n| (q, n))) {
+            let s = BigRational::new(1.into(), q.into());
+            for k in 1..n {
+                let zero = by_division(&Polar::new(half.clone(), s.clone()).unwrap(), n, k).unwrap();
+                let out = is_ruled_out(&q.into(), n, k);
+                assert!(!(zero && out), "q = {q}, n = {n}, k = {k}");
+                (zeros, ruled_out) = (zeros + u32::from(zero), ruled_out + u32::from(out));
+            }
+        }
+        assert!(zeros > 20 && ruled_out > 2000, "{zeros} {ruled_out}");
     }
 
     #[test]

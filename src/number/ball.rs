@@ -340,6 +340,19 @@ impl Ball {
         Ball::new(value.into(), 0, Radius::ZERO, bits)
     }
 
+    /// 10^e to `more` bits than this ball has, less one for every squaring.
+    pub(super) fn ten_to(&self, e: u64, more: u32) -> Ball {
+        let ten = Ball::integer_at(10, self.bits.saturating_add(more));
+        let mut power = Ball::integer_at(1, ten.bits);
+        for bit in (0..64 - e.leading_zeros()).rev() {
+            power = power.clone() * &power;
+            if e >> bit & 1 == 1 {
+                power = power * &ten;
+            }
+        }
+        power
+    }
+
     /// The midpoint's mantissa, in units of 2^[`unit_exponent`](Ball::unit_exponent).
     pub(super) fn mid(&self) -> &BigInt {
         &self.mid

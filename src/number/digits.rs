@@ -4,6 +4,14 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero, pow};
 
+use super::Ball;
+
+/// Numbers beyond 2^±this are not written out before they become digits.
+const WRITTEN: u64 = 100_000;
+
+/// log₁₀ 2 · 2⁶⁴, to nearest.
+const LOG10_2: i128 = 5_553_023_288_523_357_132;
+
 /// The number between `lo` and `hi` in decimal: the printed text is off by less than one unit of its last
 /// digit.
 ///
@@ -20,6 +28,43 @@ use num_traits::{One, Signed, ToPrimitive, Zero, pow};
 /// # Ok::<(), grazing::Error>(())
 /// ```
 pub fn certain_digits(lo: &BigRational, hi: &BigRational, most: u32) -> Option<String> {
+    digits_times(lo, hi, 0, most)
+}
+
+/// The number that a ball encloses in decimal, as [`certain_digits`] writes it, for a ball of any exponent:
+/// m·10^e beyond 2^±100000. `None` if not even one digit is certain.
+///
+/// Cost: for b bits a few products of integers of b bits, and for numbers m·2^e beyond 2^±100000 O(log |e|)
+/// products more.
+///
+/// ```
+/// use grazing::number::{Ball, Precision, Real, ball_digits, parse_rational};
+/// let context = Precision::new(64);
+/// let mut x = Ball::ratio(&parse_rational("2^-32768")?, &context);
+/// for _ in 0..10 {
+///     x = x.clone() * &x;
+/// }
+/// assert_eq!(ball_digits(&x, 12).unwrap(), "3.02365786578e-10100891");
+/// # Ok::<(), grazing::Error>(())
+/// ```
+pub fn ball_digits(ball: &Ball, most: u32) -> Option<String> {
+    let exponent = ball.exponent().filter(|exponent| exponent.unsigned_abs() > WRITTEN);
+    let Some(exponent) = exponent else {
+        let (lo, hi) = ball.exact_bounds()?;
+        return certain_digits(&lo, &hi, most);
+    };
+    // Right within one: |exponent| < 2⁶³ times an error of half a unit.
+    let tens = (i128::from(exponent) * LOG10_2) >> 64;
+    let tens = i64::try_from(tens).ok()?;
+    // Each of at most 63 squarings doubles the relative error: 96 bits more than the ball's are enough.
+    let power = ball.ten_to(tens.unsigned_abs(), 96);
+    let scaled = if tens < 0 { ball.clone() * &power } else { ball.clone() / &power };
+    let (lo, hi) = scaled.exact_bounds()?;
+    digits_times(&lo, &hi, tens, most)
+}
+
+/// [`certain_digits`] of a number times 10^tens.
+fn digits_times(lo: &BigRational, hi: &BigRational, tens: i64, most: u32) -> Option<String> {
     let half = BigRational::new(1.into(), 2.into());
     let (middle, radius) = ((lo + hi) * &half, (hi - lo) * &half);
     if middle.is_zero() {
@@ -46,7 +91,7 @@ pub fn certain_digits(lo: &BigRational, hi: &BigRational, most: u32) -> Option<S
         digits.truncate(digits.trim_end_matches('0').len().max(1));
     }
     let sign = if middle.is_negative() { "-" } else { "" };
-    Some(format!("{sign}{}", layout(&digits, exponent)))
+    Some(format!("{sign}{}", layout(&digits, exponent + tens)))
 }
 
 /// d.ddd·10^exponent as plain text where that is short, else with an exponent.

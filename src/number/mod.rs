@@ -54,7 +54,7 @@ mod text;
 
 pub use angle::Angle;
 pub use ball::{Ball, Precision};
-pub use digits::certain_digits;
+pub use digits::{ball_digits, certain_digits};
 pub use dual::Dual;
 pub use elementary::Elementary;
 pub use float_interval::FloatInterval;

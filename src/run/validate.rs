@@ -10,6 +10,8 @@ use serde::Serialize;
 use super::{Finding, Job, Judgement, Lines, Status, orbit::speeds, row};
 use crate::{
     error::{Error, Result},
+    local::Rung,
+    monitor::timed,
     number::{Ball, Precision, Real, certain_digits},
     oscillator::{
         branch::{Bifurcation, BranchSearch, locate},
@@ -193,7 +195,10 @@ fn orbits(task: &ValidateTask, job: &Job, found: &mut ValidateFindings) -> Resul
     let oscillator = Oscillator::new(job.system()?.clone(), job.scene.accuracy.tolerance)?;
     for orbit in starts(task, &oscillator, found) {
         job.check()?;
-        let verdict = validate::orbit(&system, &impacts(&orbit.itinerary, &orbit.z), &precision)?;
+        let guess = impacts(&orbit.itinerary, &orbit.z);
+        let verdict = timed(job.monitor, Rung::Ball(precision.bits()), || {
+            validate::orbit(&system, &guess, &precision)
+        })?;
         let mut row = ProofRow::of(&verdict, orbit.itinerary.to_string(), orbit.z.clone());
         if let Verdict::Proved(proof) = verdict {
             row.phases = Some(all(&proof.phases));
@@ -257,7 +262,9 @@ fn events(
             }
         };
         let solution = guess.iter().flat_map(|impact| [impact.phase, impact.velocity]).chain([parameter]);
-        let verdict = validate::event(exact, &guess, parameter, condition, &precision)?;
+        let verdict = timed(job.monitor, Rung::Ball(precision.bits()), || {
+            validate::event(exact, &guess, parameter, condition, &precision)
+        })?;
         let mut row = ProofRow::of(&verdict, orbit.itinerary.to_string(), solution.collect());
         if let Verdict::Proved(proof) = verdict {
             let Some((lo, hi)) = proof.parameter.exact_bounds() else {

@@ -12,7 +12,7 @@ use crate::{
     },
     error::Result,
     existence::{Decision, Enclosed, Piece, Reason, decide, decide_by_enclosure},
-    monitor::Monitor,
+    monitor::{Monitor, timed},
 };
 
 /// How the signs of b_{n,k} and c_n are decided.
@@ -26,6 +26,17 @@ pub enum ProofMethod {
     Interval,
     /// By both, which must agree; the pieces counted are those of the exact method.
     Both,
+}
+
+impl ProofMethod {
+    /// What it computes with, as a profile names it.
+    fn arithmetic(self) -> &'static str {
+        match self {
+            ProofMethod::Exact => "exact",
+            ProofMethod::Interval => "intervals of fractions",
+            ProofMethod::Both => "exact and intervals of fractions",
+        }
+    }
 }
 
 /// What deciding a range of periods amounted to.
@@ -144,7 +155,7 @@ pub fn prove_theorem2(
             if monitor.advance(0).is_err() {
                 return Ok(Proof { pending: 1, ..Proof::default() });
             }
-            let proof = Proof::by(method, n)?;
+            let proof = timed(monitor, method.arithmetic(), || Proof::by(method, n))?;
             // An interruption now is noticed before the next period.
             let _ = monitor.advance(1);
             Ok(proof)

@@ -346,6 +346,29 @@ mod tests {
     use super::*;
     use crate::local::{Answer, Ladder};
 
+    /// However near, all bits but 16; near poles given by (a₁, a₂) a ball of a fixed length loses them all.
+    #[test]
+    fn close_evaluations_lose_few_bits() {
+        let (short, long) = (Precision::new(128), Precision::new(4096));
+        let mut lost_otherwise = 0;
+        for family in ZERO_FAMILIES {
+            for place in family.places(2, &()).unwrap() {
+                for at in [1, 18, 60, 300].iter().filter_map(|&digits| place.at(Some(digits))) {
+                    let Some(ball) = at.point.evaluate_closely(at.quantity, &short) else { continue };
+                    assert!(
+                        ball.certain_bits().is_none_or(|bits| bits >= 112),
+                        "{family:?}: {ball:?} {at:?}"
+                    );
+                    let truth = at.point.evaluate::<Ball>(at.quantity, &long).unwrap();
+                    assert_eq!((truth - &ball).sign().filter(|&sign| sign != Sign::Zero), None, "{at:?}");
+                    let plain = at.point.evaluate::<Ball>(at.quantity, &short).unwrap();
+                    lost_otherwise += u32::from(plain.certain_bits().is_some_and(|bits| bits < 112));
+                }
+            }
+        }
+        assert!(lost_otherwise > 20, "{lost_otherwise}");
+    }
+
     /// Each place is what its family says: the sign changes there, or not, at every distance, and there it is
     /// zero or the quantity singular.
     #[test]

@@ -44,7 +44,7 @@ use crate::{
     error::{Error, Result},
     existence::Variant,
     local::{Ladder, Point, Polar},
-    monitor::Monitor,
+    monitor::{Monitor, timed},
     processor::thread_seconds,
 };
 use claim::Judge;
@@ -259,7 +259,7 @@ pub fn cover(
                 return Ok(None);
             }
             let (cover, start) = (&covers[at], thread_seconds());
-            let found = one_strip(options, cover, index);
+            let found = timed(monitor, "expansions in f64", || one_strip(options, cover, index));
             let seconds = thread_seconds() - start;
             if let Ok(trees) = &found {
                 record((cover.n, index), trees)?;

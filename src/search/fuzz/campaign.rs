@@ -1,7 +1,7 @@
 //! What every fuzzing has in common: units of cases, each drawn from the seed and its own number alone, so
 //! that a run is the same whatever the number of threads, can be ended after any unit and gone on with.
 
-use std::ops::Range;
+use std::{ops::Range, time::Instant};
 
 use rayon::prelude::*;
 use serde::{Serialize, de::DeserializeOwned};
@@ -10,6 +10,7 @@ use crate::{
     error::{Error, Result},
     local::Ladder,
     monitor::Monitor,
+    profile::Profile,
 };
 
 /// What a run has come to so far.
@@ -149,7 +150,10 @@ pub fn fuzz<C: Campaign>(
     mut checkpoint: impl FnMut(&C::Tally) -> Result<()>,
 ) -> Result<C::Tally> {
     campaign.check(&tally)?;
-    let (ladder, sweep) = (Ladder::default(), campaign.sweep());
+    let profile = monitor.profile();
+    let (ladder, sweep) = (Ladder::default().with_profile(profile.clone()), campaign.sweep());
+    let before_all = profile.as_ref().map(|profile| profile.total());
+    let whole = Profile::default();
     while range.start + tally.units() < range.end
         && tally.disagreements().is_empty()
         && tally.faults().is_empty()
@@ -160,7 +164,12 @@ pub fn fuzz<C: Campaign>(
             .into_par_iter()
             .map_with(sweep.clone(), |sweep, unit| {
                 monitor.advance(0).ok()?;
-                campaign.unit(&ladder, sweep, unit, monitor)
+                let start = profile.as_ref().map(|_| Instant::now());
+                let found = campaign.unit(&ladder, sweep, unit, monitor);
+                if let Some(start) = start {
+                    whole.since(start, "unit", found.as_ref().map_or(0, Tally::decided));
+                }
+                found
             })
             .collect();
         // Whole units in their order, up to the first that was given up.
@@ -170,6 +179,11 @@ pub fn fuzz<C: Campaign>(
         if monitor.advance(tally.decided() - before).is_err() || units.contains(&None) {
             break;
         }
+    }
+    if let Some((profile, before)) = profile.zip(before_all) {
+        // What the ladder's signs did not take: sweeps of whole cases, by far the most of it.
+        let (all, signs) = (whole.total(), profile.total().time - before.time);
+        profile.add("sweeps in f64", all.cases, all.time.saturating_sub(signs));
     }
     Ok(tally)
 }
