@@ -1,5 +1,8 @@
 //! Enclosures against exact fractions, against FLINT (tests/data/sines.csv), and against each other on a
-//! million points.
+//! million points; interval operations against ITF1788's cases.
+
+#[path = "enclosures/itf1788.rs"]
+mod itf1788;
 
 use grazing::local::{Answer, Ladder, Plane, Point, Polar, Quantity, Rung, sign_by, sign_on};
 use grazing::number::{Angle, Ball, Circular, FloatInterval, Precision, Real, parse_rational};
