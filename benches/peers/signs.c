@@ -5,7 +5,10 @@
  * with quantity b or c, coordinates rs or a1a2 and x, y exact fractions. From 64 bits on the precision doubles until the sign is
  * certain, as a user of Arb would do it, up to 16384 bits. One line per point: family,distance,sign,bits,ns, where the sign is + or -,
  * or ? if it is not certain, bits is the last precision and ns the fastest of three batches of the whole search. Formulas: (B1), (62)
- * and (60) from (r, s); powers of the eigenvalues, (59) and (60), from (a1, a2). */
+ * and (60) from (r, s); powers of the eigenvalues, (59) and (60), from (a1, a2).
+ *
+ * With the argument "widths" nothing is timed: one line per point and precision of 53 to 4096 bits, family,distance,bits,lost, where
+ * lost is how many of these bits the value's enclosure has not. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -110,8 +113,21 @@ static double now(void)
     return at.tv_sec * 1e9 + at.tv_nsec;
 }
 
-int main(void)
+static void widths(char *part[8], int polar, int c, ulong n, ulong k, const fmpq_t p, const fmpq_t q)
 {
+    static const slong bits[] = {53, 128, 256, 1024, 4096};
+    for (size_t i = 0; i < sizeof bits / sizeof *bits; i++) {
+        arb_zero(u);
+        sign_at(polar, c, n, k, p, q, bits[i]);
+        slong accuracy = arb_rel_accuracy_bits(u);
+        accuracy = accuracy < 0 ? 0 : accuracy > bits[i] ? bits[i] : accuracy;
+        printf("%s,%s,%ld,%ld\n", part[0], part[1], bits[i], bits[i] - accuracy);
+    }
+}
+
+int main(int argc, char **argv)
+{
+    int only_widths = argc > 1 && !strcmp(argv[1], "widths");
     arb_ptr all[] = {x, y, theta, root, one, two, u, v, w, t};
     for (size_t i = 0; i < sizeof all / sizeof *all; i++) arb_init(all[i]);
     char *line = NULL;
@@ -127,6 +143,10 @@ int main(void)
         }
         int c = part[2][0] == 'c', polar = part[5][0] == 'r', sign = 0;
         ulong n = strtoul(part[3], NULL, 10), k = strtoul(part[4], NULL, 10);
+        if (only_widths) {
+            widths(part, polar, c, n, k, p, q);
+            continue;
+        }
         slong bits = 64;
         double best = 1e300;
         long calls = 1;
