@@ -371,3 +371,39 @@ pub fn sign_by(point: &Point, quantity: Quantity, rung: Rung) -> Answer {
             .unwrap_or(Answer::Undecided),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The balls tried in vain, in order, for a point of this length.
+    fn tried(max_bits: u32, length: u64) -> Vec<u32> {
+        let seen = std::cell::RefCell::new(Vec::new());
+        let ball = |precision: &Precision| {
+            seen.borrow_mut().push(precision.bits());
+            Ok(Answer::Undecided)
+        };
+        let ladder = Ladder::new(max_bits);
+        let found = ladder.climb(length, Answer::Undecided, ball, |_| Ok(None)).unwrap();
+        let bits = seen.into_inner();
+        let highest = bits.last().map_or(Rung::Interval, |&bits| Rung::Ball(bits));
+        assert_eq!(found, SignDecision { answer: Answer::Undecided, rung: highest });
+        bits
+    }
+
+    /// The longest balls are always tried, and before them what a point of its length can need.
+    #[test]
+    fn balls_grow_to_the_point() {
+        assert_eq!(tried(16384, 3400), [128, 512, 4096, 8192, 16384]);
+        assert_eq!(tried(16384, 900), [128, 512, 1024, 2048, 4096, 8192, 16384]);
+        assert_eq!(tried(16384, 200), [128, 256, 512, 1024, 2048, 4096, 8192, 16384]);
+        assert_eq!(tried(16384, 1 << 20), [128, 512, 4096, 16384]);
+        assert_eq!(tried(64, 3400), []);
+        for bits in [128, 256, 512, 1024, 2048] {
+            for length in [0, 100, 300, 1000, 4000] {
+                let tried = tried(bits, length);
+                assert!(tried.windows(2).all(|pair| pair[0] < pair[1]) && tried.last() == Some(&bits));
+            }
+        }
+    }
+}
