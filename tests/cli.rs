@@ -323,6 +323,34 @@ fn fuzz_resumes_and_reports() {
     assert!(error("fuzz --definition-share 2").contains("a number from 0 to 1"));
 }
 
+/// Shares add up, the answers stay the same, and where nothing is timed the option is refused.
+#[test]
+fn profiles_say_where_time_went() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("profile.csv");
+    let commands = [
+        "classify --r 0.99 --s 21/100",
+        "classify --a1 5/4 --a2 9/10",
+        "verify 3..=9 --method both",
+        "boundary 5",
+        "cover 3 --jobs 1",
+        "fuzz --n 3..=20 --cases 3000 --seed 1",
+    ];
+    for arguments in commands {
+        let profiled = stdout(&format!("{arguments} --profile {}", file.display()));
+        // Of a fuzzing the speed is printed, too.
+        assert!(arguments.starts_with("fuzz") || profiled == stdout(arguments), "{arguments}");
+        let text = fs::read_to_string(&file).unwrap();
+        let mut lines = text.lines();
+        assert_eq!(lines.next(), Some("method,cases,time_ns,of_cases,of_time"), "{arguments}");
+        let rows: Vec<Vec<&str>> = lines.map(|line| line.split(',').collect()).collect();
+        let sum = |i: usize| rows.iter().map(|row| row[i].parse::<f64>().unwrap()).sum::<f64>();
+        assert!(sum(1) >= 1.0 && sum(2) >= 1.0, "{arguments}: {text}");
+        assert!([3, 4].iter().all(|&i| (sum(i) - 1.0).abs() < 1e-3), "{arguments}: {text}");
+    }
+    assert!(error("farey neighbours 1/3 --profile x").starts_with("--profile is for verify"));
+}
+
 #[test]
 fn evaluate_prints_certain_digits_and_the_rung() {
     let digits = "2.000000000000000000";
@@ -340,9 +368,20 @@ fn evaluate_prints_certain_digits_and_the_rung() {
         stdout("evaluate --n 3 --k 1 --a1 -1 --a2 9/10")
             .starts_with("b_{3,1}      0         exact        0\n")
     );
-    // Beside a double zero with r = 1 − 2⁻¹⁰⁰, 128 bits leave seven certain digits.
+    // Beside a double zero with r = 1 − 2⁻¹⁰⁰ balls of 128 bits have seven certain digits, longer ones all; the
+    // digits are mpmath's.
     let line = stdout("evaluate --n 6 --k 3 --s 1/3+2^-200 --r 1-2^-100");
-    assert_eq!(line.lines().next().unwrap(), "b_{6,3}      -         128 bits     -2.800357e-60");
+    let line = line.lines().next().unwrap();
+    assert!(
+        line.starts_with("b_{6,3}      -         128 bits     -2.800356875037513768214828824203"),
+        "{line}"
+    );
+    assert!(line.ends_with("e-60"), "{line}");
+    // 1 − 2^1000000; Python's integers have these digits, 301030 in all.
+    let line = stdout("evaluate --n 1000001 --k 1 --s 1/5 --r 1/2");
+    let line = line.lines().next().unwrap();
+    let digits = "-9.900656229295898250697923616301";
+    assert!(line.contains(digits) && line.ends_with("e301029"), "{line}");
     let json: serde_json::Value =
         serde_json::from_str(&stdout("evaluate --n 2 --s 1/3 --format json")).unwrap();
     assert_eq!(json["values"][0]["sign"], "+");

@@ -8,7 +8,8 @@ use std::{
 };
 
 /// Below the table: what every part may use.
-const BELOW: [&str; 7] = ["error", "outcome", "monitor", "processor", "random", "output", "number"];
+const BELOW: [&str; 8] =
+    ["error", "outcome", "profile", "monitor", "processor", "random", "output", "number"];
 /// Above it.
 const ABOVE: [&str; 3] = ["study", "figure", "cli"];
 

@@ -122,7 +122,7 @@ fn balls_keep_itf1788() {
         assert_eq!(tally.exact, tally.cases, "{name}");
     }
     let points: usize = tallies.iter().filter(|((_, points), _)| *points).map(|(_, tally)| tally.cases).sum();
-    assert!(points > 60 && tallies.len() >= 15, "{points}");
+    assert!(points >= 20 && tallies.len() >= 15, "{points}");
 }
 
 /// The tightest floats around two fractions.
@@ -152,7 +152,7 @@ fn below(x: &BigRational) -> f64 {
 /// fraction of a power of 2 nearby.
 fn ends() -> Vec<f64> {
     let positive =
-        [5e-324, f64::MIN_POSITIVE, 1e-271, 0.1, 1.0f64.next_down(), 3.0, 134_217_729.0, 1e272, f64::MAX];
+        [5e-324, f64::MIN_POSITIVE, 1e-250, 0.1, 1.0f64.next_down(), 3.0, 134_217_729.0, 1e250, f64::MAX];
     positive.iter().flat_map(|&x| [x, -x]).chain([0.0]).collect()
 }
 
@@ -191,10 +191,11 @@ fn intervals_of_floats_are_as_tight_as_exact_fractions_allow() {
                     found.lo() <= tightest.0 && tightest.1 <= found.hi(),
                     "{operation} {a:?} {b:?}: {found:?} lacks {tightest:?}"
                 );
-                // Products and quotients below 2⁻⁹⁰⁰ and above 2⁹⁰⁰ are a float wider.
+                // Where a number is below 2⁻⁹⁰⁰ or above 2⁹⁰⁰, products and quotients may be a float wider.
                 let inside = |x: &BigRational| x.is_zero() || (x.abs() >= least && x.abs() < largest);
+                let inside = [a.0, a.1, b.0, b.1].map(exact).iter().all(inside) && inside(lo) && inside(hi);
                 let (inner, outer) = tallies.entry(operation).or_default();
-                let tally = if inside(lo) && inside(hi) { inner } else { outer };
+                let tally = if inside { inner } else { outer };
                 tally.cases += 1;
                 tally.exact += usize::from((found.lo(), found.hi()) == tightest);
                 let near = |x: f64, y: f64| x == y || x.next_up() == y || x.next_down() == y;
@@ -206,12 +207,9 @@ fn intervals_of_floats_are_as_tight_as_exact_fractions_allow() {
         }
     }
     println!("own cases, (between 2^-880 and 2^880, outside): {tallies:?}");
-    for operation in ["add", "sub"] {
-        let (inner, outer) = tallies[operation];
-        assert!(inner.exact == inner.cases && inner.cases > 100 && outer.exact == outer.cases, "{operation}");
-    }
-    for operation in ["mul", "div"] {
-        let (inner, _) = tallies[operation];
-        assert!(10 * inner.exact >= 8 * inner.cases && inner.cases > 100, "{operation}: {inner:?}");
+    for (operation, (inner, outer)) in tallies {
+        assert!(inner.exact == inner.cases && inner.cases > 80, "{operation}: {inner:?}");
+        let sum = ["add", "sub"].contains(&operation);
+        assert!(outer.cases > 200 && (!sum || outer.exact == outer.cases), "{operation}: {outer:?}");
     }
 }

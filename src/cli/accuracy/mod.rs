@@ -6,6 +6,7 @@
 mod digits;
 mod effects;
 mod kept;
+mod proofs;
 mod signs;
 mod simulations;
 
@@ -28,7 +29,9 @@ use kept::Kept;
 /// signs.svg. Of digits: the time, certain digits and decided signs of b_{n,k}, for each way to compute it
 /// and each family of inputs, as accuracy.csv and accuracy.svg. Of simulations: the time and error of the
 /// closed form and of the integrator at tolerances 1e-3 to 1e-13, as flow-accuracy.csv and .svg, and the
-/// distance from exact motions after 1 to 10^6 periods, as long-runs.csv. Of effects: what each adds to the
+/// distance from exact motions after 1 to 10^6 periods, as long-runs.csv. Of proofs: bits and time to prove
+/// an orbit, from 1/10 to 10^-30 away from grazing and for periods up to 1000, and the size of certificates of
+/// every kind and the time to check them, as proofs.csv and proofs.svg. Of effects: what each adds to the
 /// time per period, with its evaluations counted, as effects.csv, and of machines as machine-effects.csv.
 /// The tables are also printed; of signs, what the ladder costs, which every command uses. Takes up to some
 /// minutes.
@@ -68,6 +71,8 @@ enum Subject {
     Digits,
     /// Motions.
     Simulations,
+    /// Proofs: orbits near grazing, and certificates of every kind.
+    Proofs,
     /// The effects of an oscillator.
     Effects,
     /// All of these.
@@ -86,7 +91,7 @@ struct Part {
 }
 
 /// In the order of `--of all`.
-const PARTS: [Part; 4] = [
+const PARTS: [Part; 5] = [
     Part {
         subject: Subject::Signs,
         name: "signs",
@@ -104,6 +109,12 @@ const PARTS: [Part; 4] = [
         name: "simulations",
         files: &["flow-accuracy.csv", "flow-accuracy.svg", "long-runs.csv"],
         measure: simulations::measure,
+    },
+    Part {
+        subject: Subject::Proofs,
+        name: "proofs",
+        files: &["proofs.csv", "proofs.svg"],
+        measure: proofs::measure,
     },
     Part {
         subject: Subject::Effects,

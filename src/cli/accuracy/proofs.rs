@@ -1,0 +1,19 @@
+//! What proofs cost.
+
+use super::Args;
+use crate::{
+    cli::progress::{Interrupt, Progress},
+    error::Result,
+    figure::{FigurePlace, PictureFormat, proof_figure, proof_table},
+    output::{Destination, TableFormat},
+    study::{ProofSizes, proof_costs},
+};
+
+pub(super) fn measure(args: &Args, interrupt: &Interrupt) -> Result<()> {
+    let sizes = if args.quick { ProofSizes::QUICK } else { ProofSizes::FULL };
+    let progress = Progress::new(interrupt, sizes.steps(), "proofs");
+    let costs = proof_costs(&sizes, &progress)?;
+    drop(progress);
+    Destination::Stdout.write(|out| proof_table(&costs, TableFormat::Table, out))?;
+    proof_figure(&costs, &FigurePlace { folder: &args.output, name: "proofs", format: PictureFormat::Svg })
+}
