@@ -117,7 +117,8 @@ static void widths(char *part[8], int polar, int c, ulong n, ulong k, const fmpq
 {
     static const slong bits[] = {53, 128, 256, 1024, 4096};
     for (size_t i = 0; i < sizeof bits / sizeof *bits; i++) {
-        arb_zero(u);
+        /* What stays so where the formula gives up: nothing is known. */
+        arb_zero_pm_inf(u);
         sign_at(polar, c, n, k, p, q, bits[i]);
         slong accuracy = arb_rel_accuracy_bits(u);
         accuracy = accuracy < 0 ? 0 : accuracy > bits[i] ? bits[i] : accuracy;

@@ -145,8 +145,13 @@ fn draw(rows: &[Shown]) -> Canvas {
     frame.draw(&mut canvas);
     let panels: [(&str, Pick, [f64; 4], bool); 3] = [
         ("time of that proof", |row| row.prove, [half + 4.0, 14.0, WIDTH - 4.0, HIGH], true),
-        ("bytes of a certificate", |row| row.bytes, [4.0, HIGH + 18.0, half - 6.0, 2.0 * HIGH + 4.0], false),
-        ("time to check it", |row| row.check, [half + 4.0, HIGH + 18.0, WIDTH - 4.0, 2.0 * HIGH + 4.0], true),
+        ("bytes of certificates", |row| row.bytes, [4.0, HIGH + 18.0, half - 6.0, 2.0 * HIGH + 4.0], false),
+        (
+            "time to check them",
+            |row| row.check,
+            [half + 4.0, HIGH + 18.0, WIDTH - 4.0, 2.0 * HIGH + 4.0],
+            true,
+        ),
     ];
     for (place, (title, up, corners, in_time)) in panels.into_iter().enumerate() {
         let by_distance = place == 0;
