@@ -1,12 +1,13 @@
 //! The progress bar of the task that is running.
 
-use std::sync::{PoisonError, RwLock};
+use std::sync::{Arc, PoisonError, RwLock};
 
 use crate::{
     cli::progress::{Interrupt, Progress},
     error::Result,
     monitor::Monitor,
     output::say,
+    profile::Profile,
 };
 
 /// A bar for the stretch of work that began last.
@@ -35,6 +36,10 @@ impl Monitor for Bars<'_> {
 
     fn note(&self, what: &str) {
         say(format_args!("note: {what}"));
+    }
+
+    fn profile(&self) -> Option<Arc<Profile>> {
+        self.interrupt.profile()
     }
 
     fn advance(&self, units: u64) -> Result<()> {
