@@ -15,7 +15,8 @@ shard() {
         --shard "$1/$SHARDS" --certificate "$PARTS/part-$1"
 }
 
-# Other campaigns. `--resume` lets a part that was killed go on from where it was.
+# Other campaigns. `--resume` lets a part that was killed go on from where it was. That of `fuzz` writes four
+# times a second: where hundreds of parts run at a time, keep its state on the node's own disk.
 #
 #   grazing fuzz --words --cases 1e12 --shard "$1/$SHARDS" --resume "$PARTS/state-$1" -o "$PARTS/part-$1"
 #   grazing cover 3..=64 --shard "$1/$SHARDS" --resume "$PARTS/state-$1" --certificate "$PARTS/part-$1"

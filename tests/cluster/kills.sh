@@ -20,19 +20,21 @@ cd "$work"
 mkdir parts
 # Part $3 of $2, killed with a probability of $4 % within about the time that a part takes.
 cat >part.sh <<'EOF'
-"$1" intervals "3..=$(($2 + 2))" --format csv --shard "$3/$2" -o "parts/part-$3" &
+# What the shell says of killed processes is not wanted; what the program says is kept.
+exec 2>/dev/null
+"$1" intervals "3..=$(($2 + 2))" --format csv --shard "$3/$2" -o "parts/part-$3" 2>>said &
 if [ $((RANDOM % 100)) -lt "$4" ]; then
     sleep "0.0$((RANDOM % 4))$((RANDOM % 10))"
-    kill -KILL $! 2>/dev/null && echo "$3" >>killed
+    kill -KILL $! && echo "$3" >>killed
 fi
-wait $! 2>/dev/null
+wait $!
 EOF
 touch killed
 todo=$(seq "$shards")
 rounds=0
 while [ -n "$todo" ]; do
     rounds=$((rounds + 1))
-    [ "$rounds" -le 50 ] || { echo "kills.sh: parts are missing after 50 rounds" >&2; exit 1; }
+    [ "$rounds" -le 50 ] || { echo "kills.sh: parts are missing after 50 rounds" >&2; tail said >&2; exit 1; }
     echo "$todo" | parallel --will-cite bash part.sh "$binary" "$shards" {} "$percent" || true
     begun=$EPOCHREALTIME
     if find parts -name 'part-*' | "$binary" merge --files-from - -o merged.csv 2>faults; then break; fi
