@@ -169,6 +169,8 @@ const JSON: [&str; 30] = [
     "fuzz --words --cases 20",
     "run {root}/tests/data/kinds.toml",
     "run {root}/tests/data/kinds-machine.toml",
+    "run {root}/tests/data/measured.toml",
+    "run {root}/tests/data/recorded.toml",
     "run {root}/tests/data/kinds.toml --only basins --shard 1/2 -o rows",
     "@branch.json",
     "@machine-branch.json",

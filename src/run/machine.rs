@@ -102,9 +102,9 @@ pub struct MeasuredEffect {
     /// taken once an eighth of its largest second difference: what a smooth force may have been off that
     /// between the samples.
     pub bound: f64,
-    /// How it is taken between samples: "linear" for a record taken once; absent for harmonics.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub interpolation: Option<&'static str>,
+    /// What stands for it: "harmonics", or "linear", straight lines between the samples of a record taken
+    /// once.
+    pub interpolation: &'static str,
     /// By how much a force of that size could change the gap at the first impact.
     pub gap_change: Option<f64>,
     /// By how much of a period it could change its time, to first order; absent without an impact.
@@ -183,12 +183,10 @@ impl Finding for MachineSimulationFindings {
         }
         if let Some(measured) = &self.measured {
             lines.say("measured_force", measured.file.as_str());
-            match measured.interpolation {
-                Some(interpolation) => lines.say("interpolation", interpolation),
-                None => {
-                    lines.say("harmonics", measured.harmonics);
-                    lines.say("residual", measured.residual);
-                }
+            lines.say("interpolation", measured.interpolation);
+            if measured.harmonics > 0 {
+                lines.say("harmonics", measured.harmonics);
+                lines.say("residual", measured.residual);
             }
             lines.say("bound", measured.bound);
             if let (Some(gap), Some(time)) = (measured.gap_change, measured.time_change) {
@@ -392,7 +390,7 @@ pub fn simulate_machine(
             harmonics: force.harmonics.len(),
             residual: force.residual,
             bound: force.bound,
-            interpolation: force.once.as_ref().map(|_| "linear"),
+            interpolation: if force.once.is_some() { "linear" } else { "harmonics" },
             gap_change: change.map(|(gap, _)| gap),
             time_change: change.map(|(gap, speed)| gap / speed / std::f64::consts::TAU),
         });

@@ -237,7 +237,9 @@ fn settled(simulator: &MachineSimulator, from: &MachineState, job: &Job) -> Resu
         ended(&mut run, end)?;
         job.check()?;
     }
-    let soft = simulator.contacts().all().iter().any(|contact| contact.soft.is_some());
+    // Where the state does not follow from times and speeds.
+    let soft =
+        simulator.is_smooth() || simulator.contacts().all().iter().any(|contact| contact.soft.is_some());
     let first = run.state();
     let mut struck = None;
     let size = simulator.scale().max(first.q.amax()).max(first.u.amax());

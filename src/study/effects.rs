@@ -117,7 +117,7 @@ pub struct MachineWithEffect {
 
 /// The oscillator of [`effects`] as a machine, and kinds of stops.
 pub fn machine_effects() -> Vec<MachineWithEffect> {
-    use Effect::{Force, Gap, Piece, Search};
+    use Effect::{Force, Gap, Piece, Search, Smooth};
     let with = |name, stop: Option<(f64, f64, StopLaw<f64>)>, needs| {
         let made = |(offset, restitution, law)| {
             let wall = Wall { offset, harmonics: vec![], restitution };
@@ -142,8 +142,11 @@ pub fn machine_effects() -> Vec<MachineWithEffect> {
     let soft = |damping| StopLaw::Soft { stiffness: 100.0, damping };
     // 1 at every speed, so that the motion goes on.
     let law = SpeedLaw { text: "(1+v)/(1+v)".into(), over: vec![1.0, 1.0], under: vec![1.0, 1.0] };
+    let mut duffing = with("machine, cubic stiffness as a formula", None, &[Smooth]);
+    duffing.machine.smooth = vec![force("-0.1*q^3 - 1e-30*q^2")];
     vec![
         with("machine, bare", None, &[]),
+        duffing,
         with("rigid stop, far away", Some((-20.0, 1.0, StopLaw::Newton)), &[Piece, Gap]),
         with("soft stop, far away", Some((-20.0, 0.0, soft(0.0))), &[Piece, Gap]),
         with("rigid stop, hit", Some((-0.5, 1.0, StopLaw::Newton)), &[Piece, Gap, Search]),

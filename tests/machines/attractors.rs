@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 
 use grazing::{
     machine::{
-        Load, Machine,
+        Load, Machine, Stop, StopLaw,
         orbit::{StopPattern, StopStrike, find},
         section::{MachineStart, PlanarMachine, PlaneAxis},
         simulate::MachineSettings,
@@ -238,6 +238,55 @@ fn the_largest_exponent_is_the_growth_that_a_second_integrator_sees() {
         assert!((all[0].second_half - seen).abs() < 0.03 * seen.abs(), "{name}: {all:?} {seen}");
         let finite = all.iter().filter(|one| one.rate.is_finite()).count();
         assert_eq!(finite, rank, "{name}: {all:?}");
+    }
+}
+
+/// Through contact with stops that give way, with damping: the force jumps where it begins. And all exponents
+/// add up to what dampers take, that of a stop for as long as it pushes.
+#[test]
+fn exponents_through_soft_stops_are_those_that_a_second_integrator_sees() {
+    let giving = |row: &[f64], offset: f64, stiffness: f64, damping: f64| Stop {
+        law: StopLaw::Soft { stiffness, damping },
+        ..stop(row, offset, 0.0)
+    };
+    let mut one = driven(machine(&[&[1.0]], &[&[0.1]], &[&[0.4]]), &[1.0]);
+    one.stops = vec![giving(&[1.0], -0.3, 9.0, 1.2)];
+    let mut pair = coupled(0.7);
+    pair.stops = vec![giving(&[0.3, -1.0], -0.4, 60.0, 1.5)];
+    for machine in [one, pair] {
+        let n = machine.size;
+        let planar = planar(&machine);
+        let (q, u) = (vec![0.1; n], vec![0.0; n]);
+        let all = exponents(&planar, &start(&q, &u), 2 * n, 6, 36, &()).unwrap();
+        let seen = growth(&machine, &q, &u, 6, 36);
+        println!("{n}: {all:?}, seen {seen}");
+        assert!((all[0].second_half - seen).abs() < 0.03 * seen.abs() + 2e-3, "{all:?} {seen}");
+        let mut motion = second::Motion::new(&machine, &q, &u);
+        motion.follow(TAU * 6.0);
+        let before = motion.contacts.len();
+        motion.follow(TAU * 42.0);
+        let mut pushed: f64 = 0.0;
+        let mut begun = if before % 2 == 1 { Some(TAU * 6.0) } else { None };
+        for (_, time, _, begins) in &motion.contacts[before..] {
+            match (begins, begun) {
+                (true, _) => begun = Some(*time),
+                (false, Some(from)) => (pushed, begun) = (pushed + time - from, None),
+                (false, None) => panic!("an end without beginning"),
+            }
+        }
+        pushed += begun.map_or(0.0, |from| TAU * 42.0 - from);
+        assert!(motion.contacts.len() > before + 20);
+        // tr M⁻¹C and w M⁻¹wᵀ of one mass, and of two with determinant 1.5 · 0.7 − 0.2².
+        let det = 1.5 * 0.7 - 0.2 * 0.2;
+        let (own, by_stop) = if n == 1 {
+            (0.1, 1.2)
+        } else {
+            let felt = (0.7 * 0.09 + 1.5 + 2.0 * 0.2 * 0.3) / det;
+            ((0.7 * 0.12 - 0.2 * -0.03 + 1.5 * 0.1 - 0.2 * -0.05) / det, 1.5 * felt)
+        };
+        let expected = -own - by_stop * pushed / (TAU * 36.0);
+        let sum: f64 = all.iter().map(|one| one.rate).sum();
+        assert!((sum - expected).abs() < 1e-7, "{sum} {expected}");
     }
 }
 

@@ -169,3 +169,46 @@ fn a_record_taken_once_is_for_one_run() {
         assert!(error.contains(wrong), "{system} {rest}: {error}");
     }
 }
+
+/// What the report says of the harmonics' effect on the first impact: the bound times the integral of the
+/// modulus of the impulse response, in closed form; and a force of that size that always pushes the gap the
+/// same way moves it by as much.
+#[test]
+fn what_truncation_may_do_to_the_first_impact_is_the_impulse_response_in_closed_form() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/measured.toml");
+    let scene = Scene::read(&path).unwrap();
+    let reports = grazing::run::run(&scene, grazing::run::Surroundings::default(), &mut ()).unwrap();
+    let report = serde_json::to_value(&reports[0]).unwrap();
+    let told = |key: &str| report["measured"][key].as_f64().unwrap();
+    let machine = scene.machine(&[]).unwrap();
+    let simulator = simulator(&machine);
+    let mut run = simulator.start(at(0.0), &[0.0], &[0.0]).unwrap();
+    let MachineEvent::Impact(hit) = run.next(Time::new(5, 0.0)) else { panic!("an impact") };
+    let (mass, omega, zeta): (f64, f64, f64) =
+        (1.2, (90_000.0f64 / 1.2).sqrt(), 30.0 / (2.0 * (1.2f64 * 90_000.0).sqrt()));
+    let (w, time) = (omega * (1.0 - zeta * zeta).sqrt(), hit.time.periods() * machine.period);
+    let response = |t: f64| (-zeta * omega * t).exp() * (w * t).sin() / (mass * w);
+    let steps = 1_000_000;
+    let felt: f64 =
+        (0..steps).map(|i| response((f64::from(i) + 0.5) * time / f64::from(steps)).abs()).sum::<f64>()
+            * time
+            / f64::from(steps);
+    let gap = told("bound") * felt;
+    println!("{gap:e} {:e}", told("gap_change"));
+    assert!((told("gap_change") / gap - 1.0).abs() < 2e-3, "{gap:e} {report}");
+    let late = gap / (hit.velocity.abs() * machine.rate()) / machine.period;
+    assert!((told("time_change") / late - 1.0).abs() < 2e-3, "{late:e} {report}");
+    // The force ±1, of the sign of the response, in pieces on which it is constant.
+    let (mut x, mut now) = ([0.0; 2], 0.0);
+    let half = PI / w;
+    while now < time {
+        // The response to come at the end of the run changes its sign when (time − t) is a multiple of π/w.
+        let left = time - now;
+        let turn = ((left / half * (1.0 + 1e-12)).ceil() - 1.0) * half;
+        let sign = response((left + turn) / 2.0).signum();
+        let step = left - turn.max(0.0);
+        x = straight([zeta, omega], [sign * told("bound") / mass, 0.0], x, step);
+        now += step.max(1e-12);
+    }
+    assert!((x[0] / gap - 1.0).abs() < 1e-5, "{} {gap}", x[0]);
+}

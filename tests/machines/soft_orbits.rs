@@ -297,3 +297,75 @@ fn the_equations_of_soft_orbits_change_with_a_parameter_as_differences_say() {
     run.record(Time::new(1, 0.0), |_| touched += 1);
     assert!(touched > 1, "{touched}");
 }
+
+/// The bilinear oscillator's branch grazes its second spring at F² = (1 − w²)² + 4ζ²w²: no label stands
+/// there, the branch goes on, and up to it multipliers are those of the linear oscillator. The labels beyond
+/// are those of contact: at a flip the second integrator's period map has a multiplier −1.
+#[test]
+fn a_branch_passes_the_grazing_of_a_soft_stop_without_a_label() {
+    let file = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/machines/bilinear.toml");
+    let text = std::fs::read_to_string(file).unwrap();
+    let head = text.split("[[tasks]]").next().unwrap();
+    let task = "[[tasks]]\nname = \"b\"\nkind = \"branch\"\nparameter = \"F\"\nrange = [0.3, 0.54]\n\
+                starts = [{ attractor = { q = 0 } }]\n";
+    let report = &reports(&format!("{head}{task}"))[0];
+    let (w, zeta) = (0.7f64, 0.075f64);
+    let grazing = ((1.0 - w * w).powi(2) + 4.0 * (zeta * w).powi(2)).sqrt();
+    let labels = report["labels"].as_array().unwrap();
+    let start = &report["starts"][0];
+    for end in ["backward", "forward"] {
+        assert_eq!(start[end], "a parameter is at its bound", "{report}");
+    }
+    assert!(!labels.is_empty(), "{report}");
+    for label in labels {
+        let at = label["parameters"][0].as_f64().unwrap();
+        assert!(label["label"].as_str().unwrap().starts_with("flip") && at > grazing + 1e-3, "{label}");
+    }
+    let flip = labels[0]["parameters"][0].as_f64().unwrap();
+    let scene = Scene::from_toml(&format!("{head}{task}"), "bilinear").unwrap();
+    let orbit = |force: f64| {
+        let machine = scene.machine(&[("F", force)]).unwrap();
+        let near = scene.machine(&[("F", force.min(grazing + 0.004))]).unwrap();
+        let settled = simulator(&near);
+        let mut run = settled.start(Time::new(0, 0.0), &[0.0], &[0.0]).unwrap();
+        run.finish(Time::new(300, 0.0));
+        let found =
+            find_from(&simulator(&machine), &StopPattern::free(1).unwrap(), &[], Some(&run.state())).unwrap();
+        (machine, found)
+    };
+    for force in [0.3, grazing - 1e-6] {
+        let (_, found) = orbit(force);
+        let size: f64 = found.multipliers.iter().map(|x| x.0.hypot(x.1)).product();
+        assert!((size - (-2.0 * zeta * TAU / w).exp()).abs() < 1e-12, "{force}: {size}");
+        let angle = found.multipliers[0].1.atan2(found.multipliers[0].0).cos();
+        assert!((angle - ((1.0 - zeta * zeta).sqrt() * TAU / w).cos()).abs() < 1e-10, "{force}: {angle}");
+    }
+    // The second integrator knows machines of period 2π: time is scaled by w.
+    let (machine, found) = orbit(flip);
+    let scaled = super::soft_orbits::machine(
+        1,
+        [&[w * w], &[2.0 * zeta * w], &[1.0]],
+        &[flip],
+        vec![soft(&[-1.0], -1.0, 4.0, 0.0)],
+    );
+    assert!((machine.period - TAU / w).abs() < 1e-12);
+    let map = |x: [f64; 2]| {
+        let mut motion = Motion::new(&scaled, &x[..1], &x[1..]);
+        motion.follow(TAU);
+        [motion.q[0], motion.u[0]]
+    };
+    let (x, h) = ([found.state.q[0], found.state.u[0]], 1e-5);
+    let column = |j: usize| {
+        let moved = |h: f64| {
+            let mut x = x;
+            x[j] += h;
+            map(x)
+        };
+        let (more, less) = (moved(h), moved(-h));
+        [0, 1].map(|i| (more[i] - less[i]) / (2.0 * h))
+    };
+    let (a, b) = (column(0), column(1));
+    let fold = 1.0 + a[0] + b[1] + a[0] * b[1] - a[1] * b[0];
+    println!("grazing at {grazing}, flip at {flip}: {fold:e}");
+    assert!(fold.abs() < 1e-5, "{fold:e}");
+}

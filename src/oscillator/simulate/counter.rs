@@ -47,8 +47,8 @@ impl Effect {
     ];
 
     /// Those of machines.
-    pub const OF_MACHINES: [Effect; 5] =
-        [Effect::Piece, Effect::Gap, Effect::Force, Effect::Search, Effect::Together];
+    pub const OF_MACHINES: [Effect; 6] =
+        [Effect::Piece, Effect::Smooth, Effect::Gap, Effect::Force, Effect::Search, Effect::Together];
 
     /// How many there are.
     const COUNT: usize = 11;

@@ -66,7 +66,9 @@ impl MachineRun<'_> {
         let mut first = None;
         let (depth, smooth) = (self.simulator.settings.minimum_depth, stage.smooth.as_ref()?);
         let leap = self.leap.take()?;
-        self.count(Effect::Piece);
+        if !stage.watched.is_empty() {
+            self.count(Effect::Piece);
+        }
         for (watch, what) in stage.watched.iter().enumerate() {
             let gap = matches!(what, What::Gap(_) | What::Rise(_));
             self.count(if gap { Effect::Gap } else { Effect::Force });
