@@ -141,7 +141,7 @@ fn cells_are_balanced(what: &str, text: &str) {
 
 /// Outputs in JSON, at least one for each schema in docs/schemas; `@` begins the name of a file that a
 /// command of the list writes itself.
-const JSON: [&str; 30] = [
+const JSON: [&str; 32] = [
     "intervals 3..=5",
     "intervals 3..=5 --decimals 4",
     "intervals --pattern 3,5",
