@@ -179,7 +179,8 @@ fn the_simulator_confirms_random_words_with_their_walls() {
             let expected = PI * word[i % 50] as f64 + off(to) - off(from);
             let elapsed = TAU * impact.time.period as f64 + impact.time.phase - phase;
             assert!((elapsed - expected).abs() < 1e-7, "leg {i} of {word:?}: {elapsed} {expected}");
-            assert_eq!((impact.side, from.side == to.side), (to.side, word[i % 50] % 2 == 0), "leg {i}");
+            let same = word[i % 50].is_multiple_of(2);
+            assert_eq!((impact.side, from.side == to.side), (to.side, same), "leg {i}");
             assert!((impact.velocity + to.speed).abs() < 1e-7);
             met.insert((from.side, word[i % 50]));
         }
