@@ -295,3 +295,28 @@ fn checked_in_figures_are_current() {
         );
     }
 }
+
+/// What the page on accuracy says of its tables: no enclosure without the value, no motion of ours with an
+/// impact too few, and the tables of other programs have the same columns.
+#[test]
+fn tables_of_accuracy_hold_what_the_page_says() {
+    let read = |name: &str| {
+        table(&fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("docs").join(name)).unwrap())
+    };
+    for row in read("digits.csv").iter().chain(&read("digits-peers.csv")) {
+        assert_eq!(row["outside"], "0", "{row:?}");
+        assert!(row["method"].starts_with("f64") || row["wrong"] == "0", "{row:?}");
+        assert!(number(row, "q25") <= number(row, "time_ns") && number(row, "time_ns") <= number(row, "q75"));
+    }
+    for row in read("simulations.csv") {
+        assert_eq!(row["missed"], "0", "{row:?}");
+    }
+    let columns = |row: &HashMap<String, String>| {
+        let mut names: Vec<String> = row.keys().cloned().collect();
+        names.sort();
+        names
+    };
+    assert_eq!(columns(&read("simulations.csv")[0]), columns(&read("simulations-peers.csv")[0]));
+    let ours = columns(&read("digits.csv")[0]);
+    assert!(columns(&read("digits-peers.csv")[0]).iter().all(|name| ours.contains(name)));
+}

@@ -5,10 +5,10 @@ use std::io::Write;
 
 use super::{
     FigurePlace,
-    accuracy::{duration, sample},
     canvas::{At, BLUE, COLUMN, Canvas, Colour, GREEN, GREY, ORANGE, RED, Stroke, Words, line},
     frame::{Axis, PlotFrame, power},
     legend::Legend,
+    panels::{duration, sample},
 };
 use crate::{
     error::Result,

@@ -4,10 +4,10 @@
 //! [`canvas`] with shapes, mostly inside [frames](frame) with axes; it reads no scene and runs no
 //! search.
 
-mod accuracy;
 mod branches;
 mod canvas;
 mod cover;
+mod digits;
 mod entropy;
 mod flow_accuracy;
 mod frame;
@@ -17,18 +17,20 @@ mod iterate;
 mod legend;
 mod motion;
 mod orbits;
+mod panels;
 mod proofs;
 mod records;
 mod regions;
 mod section;
 mod shift;
 mod sign_price;
+mod simulations;
 mod tips;
 mod words;
 
-pub use accuracy::{accuracy_figure, accuracy_table};
 pub use branches::{DrawnBranch, Scatter, branches};
 pub use cover::{FINEST, areas};
+pub use digits::{digits_figure, digits_table};
 pub use entropy::entropy;
 pub use flow_accuracy::{effects_table, flow_accuracy, flow_table, long_runs_table, machine_effects_table};
 pub use grid::{Grid, ParameterMap, grid, parameter_map};
@@ -42,6 +44,7 @@ pub use regions::regions;
 pub use section::{Mark, Points, section};
 pub use shift::shift;
 pub use sign_price::{sign_price_figure, sign_price_table};
+pub use simulations::{simulations_figure, simulations_table};
 pub use tips::tips;
 pub use words::words;
 
@@ -167,6 +170,18 @@ fn assert_shows_its_table<T>(
     let rows: Vec<T> =
         csv::Reader::from_path(place.data()).unwrap().records().map(|one| row(&one.unwrap())).collect();
     let canvas = draw(&rows);
+    if std::env::var_os("GRAZING_REDRAW").is_some() {
+        place.draw(&canvas).unwrap();
+    }
+    assert!(fs::read_to_string(place.picture()).unwrap() == canvas.svg(), "{name}");
+}
+
+/// The same of a table NAME.csv and, if it is there, NAME-peers.csv.
+#[cfg(test)]
+fn assert_shows_its_tables(name: &str, draw: impl Fn(&[panels::Row]) -> Canvas) {
+    let place = FigurePlace { folder: Path::new("docs"), name, format: PictureFormat::Svg };
+    let [table, beside] = ["", "-peers"].map(|end| format!("{name}{end}.csv"));
+    let canvas = draw(&panels::rows(place.folder, &table, &beside).unwrap());
     if std::env::var_os("GRAZING_REDRAW").is_some() {
         place.draw(&canvas).unwrap();
     }

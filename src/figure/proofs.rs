@@ -5,12 +5,12 @@ use std::io::Write;
 
 use super::{
     FigurePlace,
-    accuracy::duration,
     canvas::{
         Anchor, At, BLACK, BLUE, COLUMN, Canvas, Colour, GREEN, GREY, ORANGE, PINK, RED, SKY, Words, line,
     },
     frame::{Axis, PlotFrame},
     legend::Legend,
+    panels::duration,
 };
 use crate::{
     error::Result,

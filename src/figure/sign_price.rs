@@ -5,13 +5,13 @@ use std::io::Write;
 
 use super::{
     FigurePlace,
-    accuracy::duration,
     canvas::{
         Anchor, At, BLACK, BLUE, COLUMN, Canvas, Colour, GREEN, GREY, ORANGE, PINK, RED, SKY, Stroke, TYPE,
         Words, line,
     },
     frame::{Axis, PlotFrame},
     legend::Legend,
+    panels::duration,
 };
 use crate::{
     error::Result,

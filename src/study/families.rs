@@ -3,8 +3,9 @@
 use num_bigint::BigInt;
 use num_rational::BigRational;
 
+use super::{ZeroFamily, zeros::NearZero};
 use crate::{
-    local::{Plane, Point, Polar},
+    local::{Plane, Point, Polar, Quantity},
     random::Random,
 };
 
@@ -36,10 +37,12 @@ pub enum InputFamily {
     RadiusToZero,
     /// n about 10⁹, 1 − r = 2⁻³⁰.
     HugePeriod,
+    /// (a₁, a₂) with complex eigenvalues, a₁ within a relative 10⁻¹⁸ of a zero of u_n.
+    NearComplexPole,
 }
 
 /// All families, in the order of the table.
-pub const FAMILIES: [InputFamily; 7] = [
+pub const FAMILIES: [InputFamily; 8] = [
     InputFamily::Generic,
     InputFamily::NearPole,
     InputFamily::NearDoubleZero,
@@ -47,6 +50,7 @@ pub const FAMILIES: [InputFamily; 7] = [
     InputFamily::RadiusToOne,
     InputFamily::RadiusToZero,
     InputFamily::HugePeriod,
+    InputFamily::NearComplexPole,
 ];
 
 impl InputFamily {
@@ -60,11 +64,17 @@ impl InputFamily {
             InputFamily::RadiusToOne => "r -> 1",
             InputFamily::RadiusToZero => "r -> 0",
             InputFamily::HugePeriod => "huge n",
+            InputFamily::NearComplexPole => "near a complex pole",
         }
     }
 
     /// `count` inputs, none singular: the same list at every call, a shorter one the start of a longer one.
+    /// Those near a complex pole take a few dozen values in balls of 4096 bits each.
     pub fn inputs(self, count: usize) -> Vec<Input> {
+        if self == InputFamily::NearComplexPole {
+            let places = ZeroFamily::ComplexPole.places(count, &()).unwrap_or_default();
+            return places.iter().filter_map(|place| near(place.at(Some(18))?)).collect();
+        }
         let mut random = Random(self as u64 + 1);
         std::iter::repeat_with(|| self.input(&mut random)).flatten().take(count).collect()
     }
@@ -101,9 +111,17 @@ impl InputFamily {
                 let n = 1_000_000_000 - random.below(1000);
                 (one - ratio(1, 1 << 30), s, n, 1 + random.below(n - 1))
             }
+            InputFamily::NearComplexPole => return None,
         };
         let polar = Polar::new(r, s).ok().filter(|polar| !polar.is_singular(n))?;
         Some(Input { point: Point::Polar(polar), n, k })
+    }
+}
+
+fn near(NearZero { point, quantity }: NearZero) -> Option<Input> {
+    match quantity {
+        Quantity::B { n, k } => Some(Input { point, n, k }),
+        Quantity::C { .. } => None,
     }
 }
 

@@ -1,4 +1,4 @@
-//! One rung on one family: time per b_{n,k}, certain digits, signs decided and signs wrong.
+//! Timing, and what numbers say of accuracy: digits, widths, condition numbers.
 
 use std::{
     hint::black_box,
@@ -9,171 +9,10 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
-use super::{Input, InputFamily, naive::naive_b};
 use crate::{
-    local::{Answer, Ladder, Plane, Point, Polar, Quantity, Rung, sign_by, sign_on},
-    number::{Ball, Circular, FloatInterval, Plain, Precision, Real, Sign},
+    local::{Plane, Point, Polar, Quantity},
+    number::{Ball, Precision, Sign},
 };
-
-/// How b_{n,k} is evaluated.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Evaluation {
-    /// The paper's formulas in plain `f64`.
-    Naive,
-    /// This crate's forms on a rung.
-    Rung(Rung),
-}
-
-/// What one method does on one family.
-#[derive(Debug, Clone)]
-pub struct Measured {
-    /// The family.
-    pub family: InputFamily,
-    /// The method.
-    pub method: Evaluation,
-    /// Time for one b_{n,k}: value for rungs with values, sign for the exact one. Median over the inputs.
-    pub time: Duration,
-    /// Median of certain decimal digits (−log₁₀ of radius over |midpoint|, at least 0); for plain `f64`,
-    /// which is certain of nothing, digits that happen to be right; for the exact rung, nothing.
-    pub digits: Option<f64>,
-    /// Median width of the enclosure, as log₁₀; −∞ is not shown.
-    pub width: Option<f64>,
-    /// Bits of precision lost on the worst input, for balls.
-    pub lost: Option<u64>,
-    /// Inputs whose sign was decided.
-    pub decided: usize,
-    /// Inputs whose sign was decided wrongly.
-    pub wrong: usize,
-    /// Inputs.
-    pub inputs: usize,
-    /// log₁₀ of the median condition number of b_{n,k} in its two parameters.
-    pub condition: f64,
-}
-
-const INPUTS: usize = 24;
-const PRECISIONS: [u32; 5] = [128, 256, 1024, 4096, 16384];
-
-/// Measures every method on a family: naive and stable plain `f64`, intervals, balls of 128 to 16384 bits,
-/// exact.
-///
-/// Signs are compared with the ladder's, plain digits with balls of 1024 bits. Takes up to a few seconds.
-pub fn measure(family: InputFamily) -> Vec<Measured> {
-    let inputs = family.inputs(INPUTS);
-    let ladder = Ladder::default();
-    let quantity = |input: &Input| Quantity::B { n: input.n, k: input.k };
-    let truth: Vec<Answer> =
-        inputs.iter().map(|input| ladder.sign(&input.point, quantity(input)).answer).collect();
-    let reference = Precision::new(1024);
-    let condition = median(inputs.iter().map(|input| condition(&input.point, quantity(input)).log10()));
-    let row = |method, times: Vec<Duration>, signs: Vec<Answer>| {
-        let decided = signs.iter().filter(|&&sign| sign != Answer::Undecided).count();
-        let wrong = signs
-            .iter()
-            .zip(&truth)
-            .filter(|&(sign, truth)| *sign != Answer::Undecided && sign != truth)
-            .count();
-        let time = Duration::from_secs_f64(median(times.iter().map(Duration::as_secs_f64)));
-        Measured {
-            family,
-            method,
-            time,
-            digits: None,
-            width: None,
-            lost: None,
-            decided,
-            wrong,
-            inputs: INPUTS,
-            condition,
-        }
-    };
-    let plain_digits = |values: &[f64]| {
-        median(inputs.iter().zip(values).map(|(input, &value)| {
-            let exact = input
-                .point
-                .evaluate::<Ball>(quantity(input), &reference)
-                .and_then(|ball| ball.exact_bounds());
-            right_digits(value, exact)
-        }))
-    };
-    let mut rows = Vec::new();
-
-    let values: Vec<f64> = inputs.iter().map(naive).collect();
-    let signs =
-        values.iter().map(|&value| Plain(value).sign().map_or(Answer::Undecided, Answer::Sign)).collect();
-    let times = inputs.iter().map(|input| time(|| naive(black_box(input)))).collect();
-    rows.push(Measured { digits: Some(plain_digits(&values)), ..row(Evaluation::Naive, times, signs) });
-
-    let values: Vec<f64> = inputs
-        .iter()
-        .filter_map(|input| input.point.evaluate::<Plain>(quantity(input), &()))
-        .map(|x| x.0)
-        .collect();
-    let (times, signs) = run::<Plain>(&inputs, &());
-    rows.push(Measured {
-        digits: Some(plain_digits(&values)),
-        ..row(Evaluation::Rung(Rung::Plain), times, signs)
-    });
-
-    let (times, signs) = run::<FloatInterval>(&inputs, &());
-    let bounds: Vec<_> = inputs
-        .iter()
-        .map(|input| {
-            input.point.evaluate::<FloatInterval>(quantity(input), &()).and_then(|x| x.exact_bounds())
-        })
-        .collect();
-    rows.push(Measured {
-        digits: Some(median(bounds.iter().map(certain))),
-        width: Some(median(bounds.iter().map(width))),
-        ..row(Evaluation::Rung(Rung::Interval), times, signs)
-    });
-
-    for bits in PRECISIONS {
-        let precision = Precision::new(bits);
-        let (times, signs) = run::<Ball>(&inputs, &precision);
-        let balls: Vec<Ball> =
-            inputs.iter().filter_map(|input| input.point.evaluate(quantity(input), &precision)).collect();
-        let bounds: Vec<_> = balls.iter().map(Ball::exact_bounds).collect();
-        let lost =
-            balls.iter().filter_map(|ball| Some(u64::from(bits).saturating_sub(ball.certain_bits()?))).max();
-        rows.push(Measured {
-            digits: Some(median(bounds.iter().map(certain))),
-            width: Some(median(bounds.iter().map(width))),
-            lost,
-            ..row(Evaluation::Rung(Rung::Ball(bits)), times, signs)
-        });
-    }
-
-    let signs: Vec<Answer> =
-        inputs.iter().map(|input| sign_by(&input.point, quantity(input), Rung::Exact)).collect();
-    // Where it cannot decide, its time says nothing.
-    if signs.iter().any(|&sign| sign != Answer::Undecided) {
-        let times = inputs
-            .iter()
-            .map(|input| time(|| sign_by(black_box(&input.point), quantity(input), Rung::Exact)))
-            .collect();
-        rows.push(row(Evaluation::Rung(Rung::Exact), times, signs));
-    }
-    rows
-}
-
-fn naive(input: &Input) -> f64 {
-    naive_b(&input.point, input.n, input.k)
-}
-
-fn run<T: Circular>(inputs: &[Input], context: &T::Context) -> (Vec<Duration>, Vec<Answer>) {
-    let quantity = |input: &Input| Quantity::B { n: input.n, k: input.k };
-    let times = inputs
-        .iter()
-        .map(|input| time(|| black_box(&input.point).evaluate::<T>(quantity(input), context)))
-        .collect();
-    let signs = inputs.iter().map(|input| sign_on::<T>(&input.point, quantity(input), context)).collect();
-    (times, signs)
-}
-
-/// Time of one call: the least average of three batches of about a millisecond.
-fn time<R>(work: impl FnMut() -> R) -> Duration {
-    batches(Duration::from_millis(1), work).into_iter().min().unwrap_or_default()
-}
 
 /// The time of one call, as the averages of three batches of about this length, or of one call each.
 pub(super) fn batches<R>(length: Duration, mut work: impl FnMut() -> R) -> [Duration; 3] {
@@ -189,7 +28,15 @@ pub(super) fn batches<R>(length: Duration, mut work: impl FnMut() -> R) -> [Dura
     })
 }
 
-fn median(values: impl Iterator<Item = f64>) -> f64 {
+/// The median, the lower and the upper quartile.
+pub(super) fn quartiles(mut times: Vec<Duration>) -> [Duration; 3] {
+    times.sort();
+    let at = |share: usize| times.get((times.len().max(1) - 1) * share / 4).copied().unwrap_or_default();
+    [at(2), at(1), at(3)]
+}
+
+/// The upper median; not a number if there is none.
+pub(super) fn median(values: impl Iterator<Item = f64>) -> f64 {
     let mut values: Vec<f64> = values.collect();
     values.sort_by(f64::total_cmp);
     values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
@@ -206,21 +53,23 @@ fn log10(x: &BigRational) -> f64 {
     scaled.abs().to_f64().unwrap_or(1.0).log10() + shift as f64 * std::f64::consts::LOG10_2
 }
 
-type Bounds = Option<(BigRational, BigRational)>;
+/// The ends of an enclosure, exactly; `None` if it has none.
+pub(super) type Bounds = Option<(BigRational, BigRational)>;
 
-fn certain(bounds: &Bounds) -> f64 {
+/// Decimal digits that an enclosure makes certain: −log₁₀ of radius over |midpoint|, at least 0.
+pub(super) fn certain(bounds: &Bounds) -> f64 {
     bounds.as_ref().map_or(0.0, |(lo, hi)| (log10(&(hi + lo)) - log10(&(hi - lo))).max(0.0))
 }
 
-fn width(bounds: &Bounds) -> f64 {
+/// log₁₀ of its width.
+pub(super) fn width(bounds: &Bounds) -> f64 {
     bounds.as_ref().map_or(f64::INFINITY, |(lo, hi)| log10(&(hi - lo)))
 }
 
-fn right_digits(value: f64, exact: Bounds) -> f64 {
-    match (BigRational::from_float(value), exact) {
-        (Some(value), Some((exact, _))) => (log10(&exact) - log10(&(value - &exact))).clamp(0.0, 17.0),
-        _ => 0.0,
-    }
+/// Digits of a float that agree with a value that is not 0: 0 to 17.
+pub(super) fn right_digits(found: f64, value: &BigRational) -> f64 {
+    BigRational::from_float(found)
+        .map_or(0.0, |found| (log10(value) - log10(&(found - value))).clamp(0.0, 17.0))
 }
 
 /// The condition number of b_{n,k} or c_n: its relative change per relative change of each parameter, both
@@ -257,4 +106,18 @@ pub fn condition(at: &Point, quantity: Quantity) -> f64 {
         })
     };
     moved.into_iter().map(change).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn quartiles_are_quartiles() {
+        let of = |times: &[u64]| {
+            quartiles(times.iter().map(|&t| Duration::from_nanos(t)).collect()).map(|t| t.as_nanos())
+        };
+        assert_eq!(of(&[5, 1, 4, 2, 3]), [3, 2, 4]);
+        assert_eq!(of(&[7]), [7, 7, 7]);
+    }
 }

@@ -5,7 +5,7 @@ use std::{hint::black_box, time::Duration};
 use super::{
     ZeroFamily,
     computer::load,
-    measure::batches,
+    measure::{batches, quartiles},
     naive::{naive_b, naive_c},
     zeros::NearZero,
 };
@@ -215,13 +215,6 @@ fn height(rung: Rung) -> u64 {
     }
 }
 
-/// The median, the lower and the upper quartile.
-fn quartiles(mut times: Vec<Duration>) -> [Duration; 3] {
-    times.sort();
-    let at = |share: usize| times.get((times.len() - 1) * share / 4).copied().unwrap_or_default();
-    [at(2), at(1), at(3)]
-}
-
 #[cfg(test)]
 mod tests {
     use super::{super::ZERO_FAMILIES, *};
@@ -254,14 +247,5 @@ mod tests {
             }
         }
         assert!(careless > 8, "{careless}");
-    }
-
-    #[test]
-    fn quartiles_are_quartiles() {
-        let of = |times: &[u64]| {
-            quartiles(times.iter().map(|&t| Duration::from_nanos(t)).collect()).map(|t| t.as_nanos())
-        };
-        assert_eq!(of(&[5, 1, 4, 2, 3]), [3, 2, 4]);
-        assert_eq!(of(&[7]), [7, 7, 7]);
     }
 }

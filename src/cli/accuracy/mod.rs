@@ -10,7 +10,7 @@ mod proofs;
 mod signs;
 mod simulations;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::{Parser, ValueEnum};
 
@@ -18,7 +18,8 @@ use super::Outcome;
 use crate::{
     cli::progress::Interrupt,
     error::{Error, Result},
-    output::{Destination, make_folder},
+    figure::{digits_figure, simulations_figure},
+    output::{Destination, make_folder, write_file},
 };
 use kept::Kept;
 
@@ -26,12 +27,14 @@ use kept::Kept;
 ///
 /// Of signs: the time to decide the sign of b_{n,k} or c_n by each method, from 1/10 to 10^-1000 away from
 /// where it changes and exactly there, and the share of signs that plain floats get wrong, as signs.csv and
-/// signs.svg. Of digits: the time, certain digits and decided signs of b_{n,k}, for each way to compute it
-/// and each family of inputs, as accuracy.csv and accuracy.svg. Of simulations: the time and error of the
-/// closed form and of the integrator at tolerances 1e-3 to 1e-13, as flow-accuracy.csv and .svg, and the
-/// distance from exact motions after 1 to 10^6 periods, as long-runs.csv. Of proofs: bits and time to prove
-/// an orbit, from 1/10 to 10^-30 away from grazing and for periods up to 1000, and the size of certificates of
-/// every kind and the time to check them, as proofs.csv and proofs.svg. Of effects: what each adds to the
+/// signs.svg. Of digits: the time and correct digits of b_{n,k} for each way to compute it and each family of
+/// inputs, beside values by another program, as digits.csv and digits.svg. Of simulations: the time and error
+/// of the closed form and of the integrator at tolerances 1e-3 to 1e-13, on five motions beside ends by
+/// another program, as simulations.csv and .svg; on motions that return, as flow-accuracy.csv and .svg; after
+/// 1 to 10^6 periods, as long-runs.csv. Tables digits-peers.csv and simulations-peers.csv in the folder, of
+/// other programs, are drawn, too. Of proofs: bits and time to prove an orbit, from 1/10 to 10^-30 away from
+/// grazing and for periods up to 1000, and the size of certificates of every kind and the time to check them,
+/// as proofs.csv and proofs.svg. Of effects: what each adds to the
 /// time per period, with its evaluations counted, as effects.csv, and of machines as machine-effects.csv.
 /// The tables are also printed; of signs, what the ladder costs, which every command uses. Takes up to some
 /// minutes.
@@ -58,7 +61,8 @@ pub(super) struct Args {
     /// Measure again what is there already.
     #[arg(long)]
     again: bool,
-    /// Of signs: also write every point with its sign, as exact fractions, for other programs to decide.
+    /// Of signs or digits: also write every point as exact fractions, for other programs; of signs with the
+    /// sign.
     #[arg(long, value_name = "FILE")]
     points: Option<PathBuf>,
 }
@@ -84,10 +88,12 @@ struct Part {
     subject: Subject,
     /// As the option has it.
     name: &'static str,
-    /// The files that it writes.
+    /// The files that measuring writes.
     files: &'static [&'static str],
-    /// Measures, prints, and writes tables and pictures.
+    /// Measures, prints and writes.
     measure: fn(&Args, &Interrupt) -> Result<()>,
+    /// Draws its picture from the tables in a folder, ours and those of other programs beside them.
+    draw: Option<fn(&Path) -> Result<()>>,
 }
 
 /// In the order of `--of all`.
@@ -97,40 +103,50 @@ const PARTS: [Part; 5] = [
         name: "signs",
         files: &["signs.csv", "signs.svg"],
         measure: signs::measure,
+        draw: None,
     },
     Part {
         subject: Subject::Digits,
         name: "digits",
-        files: &["accuracy.csv", "accuracy.svg"],
+        files: &["digits.csv"],
         measure: digits::measure,
+        draw: Some(digits_figure),
     },
     Part {
         subject: Subject::Simulations,
         name: "simulations",
-        files: &["flow-accuracy.csv", "flow-accuracy.svg", "long-runs.csv"],
+        files: &["simulations.csv", "flow-accuracy.csv", "flow-accuracy.svg", "long-runs.csv"],
         measure: simulations::measure,
+        draw: Some(simulations_figure),
     },
     Part {
         subject: Subject::Proofs,
         name: "proofs",
         files: &["proofs.csv", "proofs.svg"],
         measure: proofs::measure,
+        draw: None,
     },
     Part {
         subject: Subject::Effects,
         name: "effects",
         files: &["effects.csv", "machine-effects.csv"],
         measure: effects::measure,
+        draw: None,
     },
 ];
 
 pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
-    if args.points.is_some() && !matches!(args.of, Subject::Signs | Subject::All) {
-        return Err(Error::input("--points is for --of signs or all: leave it out"));
+    if args.points.is_some() && !matches!(args.of, Subject::Signs | Subject::Digits) {
+        return Err(Error::input("--points is for --of signs or digits: leave it out"));
     }
     // Before the measurement rather than after it.
     make_folder(&args.output)?;
-    signs::write_points(args, interrupt)?;
+    if let Some(file) = &args.points {
+        write_file(file, |out| match args.of {
+            Subject::Digits => digits::write_points(out),
+            _ => signs::write_points(args, interrupt, out),
+        })?;
+    }
     let options = if args.quick { "quick" } else { "full" };
     let mut kept = Kept::read(&args.output);
     let folder = args.output.display();
@@ -140,10 +156,12 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
             let line =
                 format!("{}: kept as this program measured it before; --again measures anew", part.name);
             Destination::Stdout.write(|out| Ok(writeln!(out, "{line}")?))?;
-            continue;
+        } else {
+            (part.measure)(args, interrupt)?;
+            kept.keep(part, options)?;
         }
-        (part.measure)(args, interrupt)?;
-        kept.keep(part, options)?;
+        // Also where it is kept: another program may have written its table since.
+        part.draw.map_or(Ok(()), |draw| draw(&args.output))?;
     }
     Ok(Outcome::Done)
 }

@@ -11,7 +11,7 @@ use crate::{
     figure::{FigurePlace, PictureFormat, sign_price_figure, sign_price_table},
     local::{Ladder, Point, Quantity},
     monitor::Monitor,
-    output::{Column, Destination, TableCell, TableFormat, TableWriter, write_file},
+    output::{Column, Destination, TableCell, TableFormat, TableWriter},
     study::{DISTANCES, QUICK_DISTANCES, SignMethod, SignPrice, ZERO_FAMILIES, sign_prices},
 };
 
@@ -41,14 +41,8 @@ pub(super) fn measure(args: &Args, interrupt: &Interrupt) -> Result<()> {
 }
 
 /// Writes the points of the study, with their signs.
-pub(super) fn write_points(args: &Args, interrupt: &Interrupt) -> Result<()> {
-    let Some(file) = &args.points else { return Ok(()) };
+pub(super) fn write_points(args: &Args, monitor: &dyn Monitor, out: &mut dyn Write) -> Result<()> {
     let (distances, count) = extent(args);
-    write_file(file, |out| points(distances, count, interrupt, out))
-}
-
-/// The points of the study, with their signs.
-fn points(distances: &[u32], count: usize, monitor: &dyn Monitor, out: &mut dyn Write) -> Result<()> {
     let names = ["family", "distance", "quantity", "n", "k", "coordinates", "x", "y", "sign"];
     let columns = names.map(|name| Column::new(name, name, name.len()));
     let mut table = TableWriter::new(out, TableFormat::Csv, "grazing-sign-points 1", columns.to_vec())?;

@@ -1,0 +1,15 @@
+#!/usr/bin/env bash
+# Digits of b_{n,k} against time by Arb, on the inputs of `grazing accuracy --of digits`: writes DIR/digits-peers.csv, which that
+# command draws beside its own rows. Usage: digits.sh DIR. Needs gcc and Arb's headers (Debian: apt-get install libflint-dev
+# libflint-arb-dev). Fails if a ball does not hold the value that python-flint has found.
+set -eu
+folder=$(realpath "$1")
+cd "$(dirname "$0")/../.."
+build=$(mktemp -d)
+trap 'rm -rf "$build"' EXIT
+libraries="-lflint -lgmp"
+[ -e /usr/include/arb.h ] && libraries="-lflint-arb $libraries"
+gcc -O2 -o "$build/digits" benches/peers/digits.c $libraries
+tail -n +2 src/study/digits_reference.csv | "$build/digits" >"$build/rows.csv"
+python3 benches/peers/digits.py "$build/rows.csv" >"$build/peers.csv"
+mv "$build/peers.csv" "$folder/digits-peers.csv"
