@@ -99,6 +99,8 @@ pub fn motions() -> Vec<Motion> {
         shapes: vec![],
         force: vec![],
         forcing: vec![Load { k: 1, cos: halves.clone(), sin: vec![] }],
+        smooth: vec![],
+        record: None,
         stops: vec![Stop {
             name: "stop".into(),
             row: halves,
