@@ -160,7 +160,8 @@ fn every_event_is_the_scalar_engines() {
     assert!(events > 300, "{events} events were compared");
 }
 
-/// `GRAZING_MOTIONS=10000000 cargo test --release --test simulation -- --ignored every_event_of`.
+/// docs/speed.md has the figure for two million of them:
+/// `GRAZING_MOTIONS=2000000 cargo test --release --test simulation -- --ignored every_event_of`.
 #[test]
 #[ignore = "hours; scaled by GRAZING_MOTIONS"]
 fn every_event_of_very_many_motions_is_the_scalar_engines() {

@@ -102,7 +102,7 @@ pub trait Dynamics: Sync {
     fn in_plane(&self, at: [f64; 2], phase: f64) -> Self::Start;
 
     /// What the motions from these starts lead to, as [`Detection::detect`] says it of each; `None` for a
-    /// start behind a stop, or not finite. A motion that stays within 1e-9 of a cycle `known` to attract, and
+    /// start behind a stop, or not finite. A motion that stays within 1e-7 of a cycle `known` to attract, and
     /// comes no farther from it, for two times round, may be taken to end on it before the transient is over.
     ///
     /// # Errors

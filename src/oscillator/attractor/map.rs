@@ -187,14 +187,14 @@ fn cells_of(simulators: &[Simulator], plan: &MapPlan, monitor: &dyn Monitor) -> 
             }
         }
     }
-    for (motion, seen) in seen.iter().enumerate() {
+    for (motion, seen) in seen.iter_mut().enumerate() {
         let cell = &mut cells[names[motion]];
         let end = batch.end(motion);
         if end != RunEnd::Reached {
             *cell = MapCell { end: MapEnd::Ended(end), ..nothing };
             continue;
         }
-        cell.exponent = Some(seen.growth.sum / f64::from(points)).filter(|exponent| exponent.is_finite());
+        cell.exponent = Some(seen.growth.whole() / f64::from(points)).filter(|exponent| exponent.is_finite());
         (cell.end, cell.impacts) = match seen.recurrence.fate() {
             Fate::Periodic(cycle) => (MapEnd::Periodic(cycle.period() as u32), cycle.impacts),
             _ => (MapEnd::NotPeriodic, batch.impacts(motion) - seen.first),
@@ -220,6 +220,8 @@ struct Growth<'a> {
     vector: [f64; 2],
     /// Where the vector is in time: a state, as far as a flow needs it.
     state: State,
+    /// How much time has passed since `state`, where nothing else counts (a linear flow).
+    later: f64,
     /// Whether it has not been anywhere since the section.
     fresh: bool,
     /// The logarithm of its growth.
@@ -228,13 +230,13 @@ struct Growth<'a> {
 
 impl<'a> Growth<'a> {
     fn new(simulator: &'a Simulator, state: State) -> Self {
-        Growth { simulator, vector: [0.6, 0.8], state, fresh: true, sum: 0.0 }
+        Growth { simulator, vector: [0.6, 0.8], state, later: 0.0, fresh: true, sum: 0.0 }
     }
 
     /// On by a duration without impact.
     fn fly(&mut self, duration: f64) {
         let matrix = match self.simulator.flow() {
-            Free::Linear(flow) => flow.matrix(duration),
+            Free::Linear(flow) => flow.matrix(std::mem::take(&mut self.later) + duration),
             flow => flow.advance_linearised(self.state, duration).1,
         };
         self.vector = apply(&matrix, self.vector);
@@ -251,7 +253,7 @@ impl<'a> Growth<'a> {
                 let arrival = State { t, q, u };
                 self.vector = apply(&contact.saltation(self.simulator.flow(), arrival), self.vector);
                 (self.state, self.fresh) = (contact.bounce(arrival), false);
-                self.keep_measure();
+                self.measure();
             }
             Event::Stick(_) | Event::Release(_) => self.vector = [0.0; 2],
             _ => {}
@@ -260,12 +262,28 @@ impl<'a> Growth<'a> {
 
     /// At the section, a period after it was there last.
     fn reach(&mut self, state: State) {
-        self.fly(if self.fresh { TAU } else { (state.t - self.state.t).rem_euclid(TAU) });
+        let duration = if self.fresh { TAU } else { (state.t - self.state.t).rem_euclid(TAU) };
+        let waits = matches!(self.simulator.flow(), Free::Linear(_)) && self.later < 4.0 * TAU;
+        if waits {
+            self.later += duration;
+        } else {
+            self.fly(duration);
+            self.measure();
+        }
         (self.state, self.fresh) = (state, true);
-        self.keep_measure();
     }
 
-    fn keep_measure(&mut self) {
+    /// The logarithm of all its growth.
+    fn whole(&mut self) -> f64 {
+        if self.later > 0.0 {
+            self.fly(0.0);
+        }
+        self.measure();
+        self.sum
+    }
+
+    /// A unit vector again, the logarithm of its length taken.
+    fn measure(&mut self) {
         let size = self.vector[0].hypot(self.vector[1]);
         self.sum += size.ln();
         if size > 0.0 {

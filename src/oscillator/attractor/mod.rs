@@ -2,9 +2,9 @@
 //! crises.
 //!
 //! [`detection`] tells periodic attractors by recurrence; [`attracting`] turns one into an exact orbit;
-//! [`basins`], [`diagram`] and [`map`] do it for many starts and for values of one or two parameters; [`crisis`] finds where an
-//! attractor meets the stable manifold of a saddle. All is numerical evidence. Not here: following orbits
-//! whether they attract or not (`branch`).
+//! [`basins`], [`diagram`] and [`map`] do it for many starts and for values of one or two parameters;
+//! [`crisis`] finds where an attractor meets the stable manifold of a saddle. All is numerical evidence. Not
+//! here: following orbits whether they attract or not (`branch`).
 //!
 //! ```
 //! use grazing::oscillator::{Time, attractor::detection::{Detection, Fate}};

@@ -15,7 +15,7 @@ use crate::{
 };
 
 /// A motion this close to an attractor found before may be on its way to it.
-const ARRIVED: f64 = 1e-9;
+const ARRIVED: f64 = 1e-7;
 
 /// Below this the distance is rounding.
 const ROUNDED: f64 = 1e-13;

@@ -1,8 +1,9 @@
-//! Motions that keep step: of systems with as many cells in a period and the same walls, in arrays of numbers.
+//! Motions that keep step: of systems with as many cells in a period and the same walls, in arrays of
+//! numbers.
 //!
-//! A motion that cannot be told by the vector code (it rests, touches, presses, escapes, or bounces lower than
-//! counts) is handed to the scalar engine in the state before it was looked at, and comes back at the next
-//! point of the section if it is in flight there.
+//! A motion that cannot be told by the vector code (it rests, touches, presses, escapes, or bounces lower
+//! than counts) is handed to the scalar engine in the state before it was looked at, and comes back at the
+//! next point of the section if it is in flight there.
 
 use super::{
     super::{
@@ -15,7 +16,7 @@ use super::{
     queue::Queue,
     strike::Bounce,
     sweep::Span,
-    tables::{Block, Shared, far, moderate, same},
+    tables::{Blocks, Shared, far, moderate, same},
     vector::{Eight, LANES},
 };
 use crate::oscillator::{EffectTally, Time};
@@ -67,8 +68,7 @@ pub(super) struct Group<'a> {
     places: Vec<Place>,
     pub cell: usize,
     pub from: f64,
-    pub blocks: Vec<Block>,
-    pub block_of: Vec<u32>,
+    pub blocks: Blocks,
     pub shared: Option<Shared>,
     pub stops: [Option<Stops>; 2],
     /// The homogeneous motions about the middle of the cell.
@@ -146,7 +146,7 @@ impl<'a> Group<'a> {
             true => vec![place(&simulators[0]).expect("a kind has a grid"); 1],
             false => simulators.iter().filter_map(place).collect(),
         };
-        let (blocks, block_of) = Block::all(&simulators, &tables);
+        let one = same(&simulators);
         let stops = [0usize, 1].map(|wall| {
             kind.walls[wall].then(|| Stops {
                 sign: simulators[0].walls.side(wall).sign(),
@@ -162,9 +162,8 @@ impl<'a> Group<'a> {
             cell: places[0].cell,
             from: places[0].from,
             places,
-            blocks,
-            block_of,
-            shared: same(&simulators).then(|| Shared::new(&tables[0])),
+            blocks: Blocks::new(&tables, one),
+            shared: Shared::new(&tables, one),
             tables,
             stops,
             y: [vec![[0.0; LANES]; eights], vec![[0.0; LANES]; eights]],

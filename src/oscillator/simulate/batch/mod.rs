@@ -1,10 +1,10 @@
 //! Many motions at once: linear systems with rigid walls, eight motions in a vector.
 //!
 //! Motions that are looked at at one phase of the forcing pass the same cells of their grids at the same
-//! time. So a [`Batch`] takes all of them through a cell together. One pass over arrays of numbers tells who is far
-//! from every wall; the others are packed, and looked at in full vectors, case by case: falling gap, valley,
-//! hill, root, impact. The width of a vector is what the processor has (AVX-512, AVX2, SSE, NEON, or none),
-//! chosen at run time.
+//! time. So a [`Batch`] takes all of them through a cell together. One pass over arrays of numbers tells who
+//! is far from every wall; the others are packed, and looked at in full vectors, case by case: falling gap,
+//! valley, hill, root, impact. The width of a vector is what the processor has (AVX-512, AVX2, SSE, NEON, or
+//! none), chosen at run time.
 //!
 //! # What is promised
 //!
@@ -15,15 +15,21 @@
 //! scalar code throughout. Not here: what motions tend to (`attractor`).
 //!
 //! ```
-//! use grazing::oscillator::{Harmonic, System, Time, Wall, simulate::{Settings, Simulator, batch::Batch}};
+//! use grazing::oscillator::{Harmonic, System, Time, Wall};
+//! use grazing::oscillator::simulate::{Settings, Simulator, batch::Batch};
 //!
-//! let wall = Wall { offset: -1.0, harmonics: vec![Harmonic { k: 1, cos: 1.003, sin: 0.0 }], restitution: 1.0 };
+//! let harmonics = vec![Harmonic { k: 1, cos: 1.003, sin: 0.0 }];
+//! let wall = Wall { offset: -1.0, harmonics, restitution: 1.0 };
 //! let (damping, stiffness, cubic, force) = (0.245, 0.0416, 0.0, 0.0);
 //! let (lower, upper, forcing, smooth) = (Some(wall), None, vec![], None);
 //! let system = System { damping, stiffness, cubic, force, forcing, smooth, lower, upper };
 //! let simulator = Simulator::new(&system, &Settings::default())?;
 //! let start = |i: u32| simulator.start(Time::new(0, 1.0), f64::from(i) / 10.0, 0.0);
-//! let mut batch = Batch::new(0.0, (0..10).map(|i| Ok((&simulator, start(i)?))).collect::<Result<_, grazing::Error>>()?);
+//! let mut motions = Vec::new();
+//! for i in 0..10 {
+//!     motions.push((&simulator, start(i)?));
+//! }
+//! let mut batch = Batch::new(0.0, motions);
 //! (0..100).for_each(|_| batch.pass());
 //! let mut run = start(7)?;
 //! run.finish(Time::new(100, 0.0));

@@ -69,14 +69,21 @@ fn gaps<S: Simd>(s: S, group: &Group, span: Span, wall: usize, lanes: u64x8<S>, 
     let row = if group.kind.driven { span.cell } else { 0 };
     let sign = splat(s, if wall == LOWER { 1.0 } else { -1.0 });
     let [a, b] = [sign * y[0], sign * y[1]];
+    let mut gaps = [a; TERMS];
     match &group.shared {
-        Some(Shared { basis: [one, other], drive }) => {
+        Some(Shared { basis: [one, other], drive: Some(drive) }) => {
             let drive = &drive[wall][row];
-            let mut gaps = [a; TERMS];
             for (i, gap) in gaps.iter_mut().enumerate() {
                 *gap = load(s, &drive[i]) + (a * load(s, &one[i]) + b * load(s, &other[i]));
             }
-            Gaps(gaps)
+        }
+        Some(Shared { basis: [one, other], drive: None }) => {
+            let last = group.tables.len() - 1;
+            let rows = |lane: usize| &group.tables[(lanes[lane] as usize).min(last)].drive[wall][row].1;
+            gaps = turned(s, [rows(0), rows(1), rows(2), rows(3), rows(4), rows(5), rows(6), rows(7)]);
+            for (i, gap) in gaps.iter_mut().enumerate() {
+                *gap = *gap + (a * load(s, &one[i]) + b * load(s, &other[i]));
+            }
         }
         None => {
             let mut rows = [[0.0; TERMS]; LANES];
@@ -91,9 +98,10 @@ fn gaps<S: Simd>(s: S, group: &Group, span: Span, wall: usize, lanes: u64x8<S>, 
                 }
             }
             let [r0, r1, r2, r3, r4, r5, r6, r7] = &rows;
-            Gaps(turned(s, [r0, r1, r2, r3, r4, r5, r6, r7]))
+            gaps = turned(s, [r0, r1, r2, r3, r4, r5, r6, r7]);
         }
     }
+    Gaps(gaps)
 }
 
 /// Notes that the gaps of these motions were open.

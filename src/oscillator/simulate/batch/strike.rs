@@ -55,9 +55,10 @@ fn bounces<S: Simd>(s: S, group: &mut Group, cell: usize, wall: usize, hits: &Qu
     let stops = group.stops[wall].as_ref().expect("only walls that are there are met");
     let last = stops.restitution.len() - 1;
     let places: [usize; LANES] = std::array::from_fn(|lane| (lanes[lane] as usize).min(last));
-    let restitution = match &group.shared {
-        Some(_) => splat(s, stops.restitution[0]),
-        None => load(s, &places.map(|lane| stops.restitution[lane])),
+    let one = group.shared.as_ref().is_some_and(|shared| shared.drive.is_some());
+    let restitution = match one {
+        true => splat(s, stops.restitution[0]),
+        false => load(s, &places.map(|lane| stops.restitution[lane])),
     };
     let half = splat(s, group.kind.half);
     let velocity = (slope / half).min(splat(s, 0.0));
@@ -84,11 +85,12 @@ fn bounces<S: Simd>(s: S, group: &mut Group, cell: usize, wall: usize, hits: &Qu
     let energy = back * back;
     // Who is far from the walls on the rest of the cell.
     let mut apart = [None; 2];
-    if group.shared.is_some() {
+    if one {
         let (row, depth) = (if group.kind.driven { cell } else { 0 }, splat(s, group.kind.depth));
         for wall in [LOWER, UPPER] {
             if group.kind.walls[wall] {
-                apart[wall] = Some(sweep::far(s, &group.blocks[0], wall, row, c, d, depth).to_bitmask());
+                apart[wall] =
+                    Some(sweep::far(s, group.blocks.at([0, 0]), wall, row, [c, d], depth).to_bitmask());
             }
         }
     }

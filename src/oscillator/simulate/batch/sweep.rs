@@ -12,7 +12,7 @@ use super::{
     group::{Each, Group},
     search::search,
     strike::bounce,
-    tables::Block,
+    tables::{Drives, Freely},
     vector::{LANES, Mask, V, bits, load, splat},
 };
 
@@ -58,7 +58,7 @@ impl Group<'_> {
     /// Every motion into a cell; those that may meet a wall there are listed.
     #[inline(always)]
     fn pass<S: Simd>(&mut self, s: S, span: Span) {
-        let Group { kind, blocks, block_of, y: [first, second], open, aloft, work, .. } = self;
+        let Group { kind, blocks, y: [first, second], open, aloft, work, .. } = self;
         let driven = kind.driven;
         let row = if driven { span.cell } else { 0 };
         let depth = splat(s, kind.depth);
@@ -67,19 +67,19 @@ impl Group<'_> {
         let mut lanes: u64x8<S> = u64x8::from_fn(s, |i| i as u64);
         let (mut counted, mut lost) = (0, 0);
         let [lower, upper] = open;
-        let eights = first.iter_mut().zip(second).zip(block_of.iter().zip(aloft.iter()));
+        let eights = first.iter_mut().zip(second).zip(blocks.of.iter().zip(aloft.iter()));
         for (((a, b), (block, aloft)), (lower, upper)) in eights.zip(lower.iter_mut().zip(upper)) {
             let here = lanes;
             lanes = lanes + LANES as u64;
             if *aloft == 0 {
                 continue;
             }
-            let block = &blocks[*block as usize];
+            let (freely, drives) = blocks.at(*block);
             let (mut q, mut u) = (load(s, a), load(s, b));
             if span.turn {
-                (q, u) = turn(s, block, q, u);
+                (q, u) = turn(s, freely, q, u);
                 if steps {
-                    (q, u) = (q + load(s, &block.step[0]), u + load(s, &block.step[1]));
+                    (q, u) = (q + load(s, &freely.step[0]), u + load(s, &freely.step[1]));
                 }
                 q.store_array(a);
                 u.store_array(b);
@@ -93,7 +93,7 @@ impl Group<'_> {
                 if !kind.walls[wall] {
                     continue;
                 }
-                let far = far(s, block, wall, row, q, u, depth);
+                let far = far(s, (freely, drives), wall, row, [q, u], depth);
                 *open |= (far & there).to_bitmask() as u8;
                 let near = there & !far;
                 if near.to_bitmask() != 0 {
@@ -160,8 +160,8 @@ impl Group<'_> {
 
 /// To the next cell.
 #[inline(always)]
-fn turn<S: Simd>(s: S, block: &Block, a: V<S>, b: V<S>) -> (V<S>, V<S>) {
-    let m = |i: usize| load(s, &block.matrix[i]);
+fn turn<S: Simd>(s: S, freely: &Freely, a: V<S>, b: V<S>) -> (V<S>, V<S>) {
+    let m = |i: usize| load(s, &freely.matrix[i]);
     (m(0) * a + m(1) * b, m(2) * a + m(3) * b)
 }
 
@@ -171,14 +171,13 @@ fn turn<S: Simd>(s: S, block: &Block, a: V<S>, b: V<S>) -> (V<S>, V<S>) {
 #[inline(always)]
 pub(super) fn far<S: Simd>(
     s: S,
-    block: &Block,
+    (freely, drives): (&Freely, &Drives),
     wall: usize,
     row: usize,
-    a: V<S>,
-    b: V<S>,
+    [a, b]: [V<S>; 2],
     depth: V<S>,
 ) -> Mask<S> {
-    let ([one, other], drive) = (&block.heads, &block.drive[wall][row]);
+    let ([one, other], drive) = (&freely.heads, &drives[wall][row]);
     let term = |i: usize| {
         let sum = a * load(s, &one[i]) + b * load(s, &other[i]);
         // Times −1 is exact.

@@ -10,42 +10,64 @@ use super::{
     vector::{Eight, LANES},
 };
 
-/// What a sweep needs of the systems of eight motions.
-pub(super) struct Block {
+/// What a sweep needs of the free motion of eight systems.
+#[derive(PartialEq)]
+pub(super) struct Freely {
     /// From a cell to the next, by rows.
     pub matrix: [Eight; 4],
     pub step: [Eight; 2],
     /// Heads of both basis polynomials.
     pub heads: [[Eight; 4]; 2],
-    /// Per wall and row of the table: the head of ±(p − Q).
-    pub drive: [Vec<[Eight; 4]>; 2],
 }
 
-impl Block {
-    /// The block of up to eight systems, the last one repeated.
-    fn new(systems: &[Tables]) -> Block {
-        let eight = |number: &dyn Fn(&Tables) -> f64| -> Eight {
-            std::array::from_fn(|lane| number(&systems[lane.min(systems.len() - 1)]))
-        };
-        let head = |head: &dyn Fn(&Tables) -> Head| std::array::from_fn(|i| eight(&|t| head(t)[i]));
-        Block {
-            matrix: std::array::from_fn(|i| eight(&|t| t.matrix[i / 2][i % 2])),
-            step: std::array::from_fn(|i| eight(&|t| t.step[i])),
-            heads: [head(&|t| t.heads[0]), head(&|t| t.heads[1])],
-            drive: [LOWER, UPPER].map(|wall| {
-                (0..systems[0].drive[wall].len()).map(|row| head(&|t| t.drive[wall][row].0)).collect()
-            }),
+/// Per wall and row of the table: the heads of ±(p − Q) of eight systems.
+pub(super) type Drives = [Vec<[Eight; 4]>; 2];
+
+/// What a sweep needs of all systems, by eights; what neighbours have in common is there once.
+pub(super) struct Blocks {
+    freely: Vec<Freely>,
+    drives: Vec<Drives>,
+    /// Which of them each eight has.
+    pub of: Vec<[u32; 2]>,
+}
+
+/// A number of each of up to eight systems, that of the last one repeated.
+fn eight(systems: &[Tables], number: impl Fn(&Tables) -> f64) -> Eight {
+    std::array::from_fn(|lane| number(&systems[lane.min(systems.len() - 1)]))
+}
+
+fn heads(systems: &[Tables], head: impl Fn(&Tables) -> Head) -> [Eight; 4] {
+    std::array::from_fn(|i| eight(systems, |tables| head(tables)[i]))
+}
+
+impl Blocks {
+    /// The blocks of systems in order; `same` if there is one only.
+    pub fn new(systems: &[Tables], same: bool) -> Blocks {
+        let (mut freely, mut drives, mut of) = (Vec::new(), Vec::new(), Vec::new());
+        for (i, systems) in systems.chunks(LANES).enumerate() {
+            if i == 0 || !same {
+                let free = Freely {
+                    matrix: std::array::from_fn(|i| eight(systems, |t| t.matrix[i / 2][i % 2])),
+                    step: std::array::from_fn(|i| eight(systems, |t| t.step[i])),
+                    heads: [0, 1].map(|k| heads(systems, |t| t.heads[k])),
+                };
+                if freely.last() != Some(&free) {
+                    freely.push(free);
+                }
+                drives.push([LOWER, UPPER].map(|wall| {
+                    let rows = 0..systems[0].drive[wall].len();
+                    rows.map(|row| heads(systems, |t| t.drive[wall][row].0)).collect()
+                }));
+            }
+            of.push([freely.len() as u32 - 1, drives.len() as u32 - 1]);
         }
+        Blocks { freely, drives, of }
     }
 
-    /// The blocks of systems in order, and which one each eight of them have: one for all if there is one
-    /// system only.
-    pub fn all(simulators: &[&Simulator], systems: &[Tables]) -> (Vec<Block>, Vec<u32>) {
-        let count = systems.len().div_ceil(LANES);
-        if same(simulators) {
-            return (vec![Block::new(&systems[..1])], vec![0; count]);
-        }
-        (systems.chunks(LANES).map(Block::new).collect(), (0..count as u32).collect())
+    /// Those of one of the eights.
+    #[inline(always)]
+    pub fn at(&self, [freely, drives]: [u32; 2]) -> (&Freely, &Drives) {
+        (&self.freely[freely as usize], &self.drives[drives as usize])
     }
 }
 
@@ -54,19 +76,25 @@ pub(super) fn same(simulators: &[&Simulator]) -> bool {
     simulators.windows(2).all(|pair| std::ptr::eq(pair[0], pair[1]))
 }
 
-/// The polynomials of one system, each coefficient eight times.
+/// Polynomials that all systems have in common, each coefficient eight times.
 pub(super) struct Shared {
     pub basis: [[Eight; TERMS]; 2],
-    pub drive: [Vec<[Eight; TERMS]>; 2],
+    /// Of one system only.
+    pub drive: Option<[Vec<[Eight; TERMS]>; 2]>,
 }
 
 impl Shared {
-    pub fn new(tables: &Tables) -> Shared {
+    /// Those of systems that differ in their walls and forces only; `same` if there is one only.
+    pub fn new(systems: &[Tables], same: bool) -> Option<Shared> {
+        let tables = &systems[0];
         let wide = |polynomial: &Polynomial| polynomial.map(|c| [c; LANES]);
-        Shared {
+        let drive = || {
+            [LOWER, UPPER].map(|wall| tables.drive[wall].iter().map(|row| wide(&row.1)).collect::<Vec<_>>())
+        };
+        (same || systems.iter().all(|other| other.basis == tables.basis)).then(|| Shared {
             basis: [wide(&tables.basis[0]), wide(&tables.basis[1])],
-            drive: [LOWER, UPPER].map(|wall| tables.drive[wall].iter().map(|row| wide(&row.1)).collect()),
-        }
+            drive: same.then(drive),
+        })
     }
 }
 
