@@ -38,7 +38,7 @@ row! {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct MapFindings {
     /// The parameters, the first along the picture.
-    pub parameters: [String; 2],
+    pub varied: [String; 2],
     /// How many values each has.
     pub counts: [u32; 2],
     /// The kinds of ends: periodic ones by period and impacts, then the others.
@@ -60,7 +60,7 @@ impl Finding for MapFindings {
     }
 
     fn lines(&self, lines: &mut Lines) {
-        lines.say("map", format!("{} by {}", self.parameters[0], self.parameters[1]));
+        lines.say("map", format!("{} by {}", self.varied[0], self.varied[1]));
         lines.table("ends", &self.ends);
     }
 }
@@ -106,7 +106,7 @@ pub fn map(task: &MapTask, job: &Job) -> Result<MapFindings> {
     };
     let cells = find(&plan, system, &identity, file.as_deref(), job.monitor)?;
     Ok(MapFindings {
-        parameters: [task.parameter.clone(), task.second.clone()],
+        varied: [task.parameter.clone(), task.second.clone()],
         counts: [task.count, task.second_count],
         ends: gather(&cells),
         values: [plan.columns, plan.rows],

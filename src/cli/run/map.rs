@@ -26,7 +26,7 @@ pub(super) fn keep(found: &MapFindings, job: &Job) -> Result<Vec<String>> {
         cells: found.cells.iter().map(class).collect(),
         names,
     };
-    figure::parameter_map(&map, [&found.parameters[0], &found.parameters[1]], &job.place())?;
+    figure::parameter_map(&map, [&found.varied[0], &found.varied[1]], &job.place())?;
     // Row by row: there may be many.
     write_file(&job.folder.join(format!("{}.csv", job.task.name)), |out| {
         let names = ["first", "second", "end", "period", "impacts", "exponent"];
