@@ -8,8 +8,8 @@ use super::{
     frame::{Axis, PlotFrame},
     legend::Legend,
     panels::{
-        ACROSS, HIGH, Row, WIDTH, caption, caption_height, corner, cross, draw_caption, label, rows, sample,
-        short, time_range, values, whisker,
+        ACROSS, HIGH, PanelRow, WIDTH, caption, caption_height, corner, cross, draw_caption, label, rows,
+        sample, short, time_range, values, whisker,
     },
 };
 use crate::{
@@ -131,7 +131,7 @@ fn style(method: &str) -> usize {
 const NONE: f64 = -0.36;
 const BREAK: f64 = -0.14;
 
-fn draw(rows: &[Row]) -> Canvas {
+fn draw(rows: &[PanelRow]) -> Canvas {
     let families = values(rows, "family");
     let lines = caption(
         rows,
@@ -152,7 +152,7 @@ fn draw(rows: &[Row]) -> Canvas {
          marks for floats and intervals; a line across for exact fractions.",
     );
     for (place, &family) in families.iter().enumerate() {
-        let of: Vec<&Row> = rows.iter().filter(|row| row.text("family") == family).collect();
+        let of: Vec<&PanelRow> = rows.iter().filter(|row| row.text("family") == family).collect();
         panel(&mut canvas, &of, family, corner(place), rows);
     }
     canvas.text("correct decimal digits", (WIDTH / 2.0, panels + 3.0), Anchor::Middle);
@@ -166,8 +166,8 @@ fn draw(rows: &[Row]) -> Canvas {
     canvas
 }
 
-fn panel(canvas: &mut Canvas, rows: &[&Row], family: &str, (left, top): At, all: &[Row]) {
-    let digits = |row: &Row| row.number("digits");
+fn panel(canvas: &mut Canvas, rows: &[&PanelRow], family: &str, (left, top): At, all: &[PanelRow]) {
+    let digits = |row: &PanelRow| row.number("digits");
     let found = || all.iter().filter_map(digits);
     let least = found().fold(1e4, f64::min);
     let most = found().fold(10.0, f64::max).log10() + 0.12;
@@ -196,12 +196,12 @@ fn panel(canvas: &mut Canvas, rows: &[&Row], family: &str, (left, top): At, all:
         let gap = frame.path(ends.map(|t| (10f64.powf(BREAK), t)));
         canvas.line(gap, Stroke { dashes: Some([2.0, 2.0]), ..line(GREY, 0.4) });
     }
-    let x = |row: &Row| {
+    let x = |row: &PanelRow| {
         let digits = digits(row).unwrap_or(0.0);
         if digits < 1.0 { 10f64.powf(NONE) } else { digits }
     };
     for (index, (_, mark, ink)) in STYLES.into_iter().enumerate() {
-        let of: Vec<&&Row> = rows.iter().filter(|row| style(row.text("method")) == index).collect();
+        let of: Vec<&&PanelRow> = rows.iter().filter(|row| style(row.text("method")) == index).collect();
         let points: Vec<At> = of.iter().map(|row| frame.at((x(row), row.times()[0]))).collect();
         match mark {
             Mark::Across => {
@@ -228,14 +228,14 @@ fn panel(canvas: &mut Canvas, rows: &[&Row], family: &str, (left, top): At, all:
     }
     // The values that matter: an interval's time, and that of the longest balls here and there.
     let last = |index: usize| rows.iter().rfind(|row| style(row.text("method")) == index);
-    let at = |row: &Row| frame.at((x(row), row.times()[0]));
-    let name = |row: &Row| short(row.times()[0]);
+    let at = |row: &PanelRow| frame.at((x(row), row.times()[0]));
+    let name = |row: &PanelRow| short(row.times()[0]);
     if let Some(row) = last(4) {
         let (x, y) = at(row);
         label(canvas, &name(row), (x, y + 7.0), Anchor::Middle);
     }
     let (ours, theirs) = (last(3), last(1));
-    let slower = |a: Option<&&Row>, b: Option<&&Row>| {
+    let slower = |a: Option<&&PanelRow>, b: Option<&&PanelRow>| {
         a.is_some_and(|a| b.is_none_or(|b| a.times()[0] >= b.times()[0]))
     };
     for (row, above) in [(ours, slower(ours, theirs)), (theirs, !slower(ours, theirs))] {
@@ -247,7 +247,7 @@ fn panel(canvas: &mut Canvas, rows: &[&Row], family: &str, (left, top): At, all:
     frame.draw(canvas);
 }
 
-fn key(rows: &[Row]) -> Legend<'static> {
+fn key(rows: &[PanelRow]) -> Legend<'static> {
     let names = [
         "exact fraction: all digits",
         "Arb, 128 to 4096 bits",

@@ -178,7 +178,7 @@ fn assert_shows_its_table<T>(
 
 /// The same of a table NAME.csv and, if it is there, NAME-peers.csv.
 #[cfg(test)]
-fn assert_shows_its_tables(name: &str, draw: impl Fn(&[panels::Row]) -> Canvas) {
+fn assert_shows_its_tables(name: &str, draw: impl Fn(&[panels::PanelRow]) -> Canvas) {
     let place = FigurePlace { folder: Path::new("docs"), name, format: PictureFormat::Svg };
     let [table, beside] = ["", "-peers"].map(|end| format!("{name}{end}.csv"));
     let canvas = draw(&panels::rows(place.folder, &table, &beside).unwrap());

@@ -18,26 +18,26 @@ pub const HIGH: f64 = 128.0;
 pub const SMALL: f64 = 6.5;
 
 /// A row of a table, by the names of its columns.
-pub struct Row(HashMap<String, String>);
+pub struct PanelRow(HashMap<String, String>);
 
 /// The rows of a table of a folder and, if it is there, of another.
 ///
 /// # Errors
 /// An I/O error, or an input error if it is no CSV; both name the file.
-pub fn rows(folder: &Path, table: &str, beside: &str) -> Result<Vec<Row>> {
+pub fn rows(folder: &Path, table: &str, beside: &str) -> Result<Vec<PanelRow>> {
     let mut all = Vec::new();
     let files = [folder.join(table), folder.join(beside)];
     for file in files.iter().take(if files[1].exists() { 2 } else { 1 }) {
         let fail = |error: csv::Error| Error::input(format!("{}: {error}", file.display()));
         let mut reader = csv::Reader::from_path(file).map_err(fail)?;
         for row in reader.deserialize() {
-            all.push(Row(row.map_err(fail)?));
+            all.push(PanelRow(row.map_err(fail)?));
         }
     }
     Ok(all)
 }
 
-impl Row {
+impl PanelRow {
     /// A cell; empty if the table has no such column.
     pub fn text(&self, column: &str) -> &str {
         self.0.get(column).map_or("", String::as_str)
@@ -55,7 +55,7 @@ impl Row {
 }
 
 /// The values of a column, each once, in the order in which they come.
-pub fn values<'a>(rows: &'a [Row], column: &str) -> Vec<&'a str> {
+pub fn values<'a>(rows: &'a [PanelRow], column: &str) -> Vec<&'a str> {
     let mut seen = Vec::new();
     for value in rows.iter().map(|row| row.text(column)) {
         if !value.is_empty() && !seen.contains(&value) {
@@ -71,7 +71,7 @@ pub fn corner(place: usize) -> At {
 }
 
 /// What stands below the panels, in lines that fit: what was done, then programs, machine and load.
-pub fn caption(rows: &[Row], what: &str) -> Vec<Words> {
+pub fn caption(rows: &[PanelRow], what: &str) -> Vec<Words> {
     let loads = rows.iter().filter_map(|row| row.number("load"));
     let (low, high) = loads.fold((f64::INFINITY, 0.0f64), |(low, high), x| (low.min(x), high.max(x)));
     let load = if low <= high { format!(" Load {low:.1} to {high:.1}.") } else { String::new() };
@@ -107,7 +107,7 @@ pub fn draw_caption(canvas: &mut Canvas, lines: Vec<Words>, top: f64) {
 }
 
 /// The range of all times as logarithms, with some room, and marks at powers of ten inside.
-pub fn time_range(rows: &[Row]) -> ((f64, f64), Vec<(f64, Words)>) {
+pub fn time_range(rows: &[PanelRow]) -> ((f64, f64), Vec<(f64, Words)>) {
     let times = rows.iter().flat_map(|row| row.times()).map(f64::log10);
     let (low, top) = times.fold((9.0f64, 1.0f64), |(low, top), t| (low.min(t), top.max(t)));
     let (low, top) = (low - 0.4, top + 0.6);

@@ -9,8 +9,8 @@ use super::{
     frame::{Axis, PlotFrame, power},
     legend::Legend,
     panels::{
-        ACROSS, HIGH, Row, WIDTH, caption, caption_height, corner, cross, draw_caption, label, rows, sample,
-        short, time_range, values, whisker,
+        ACROSS, HIGH, PanelRow, WIDTH, caption, caption_height, corner, cross, draw_caption, label, rows,
+        sample, short, time_range, values, whisker,
     },
 };
 use crate::{
@@ -85,7 +85,7 @@ const OTHER: f64 = 2.4;
 const END: f64 = 3.4;
 const LEAST: f64 = -16.5;
 
-fn draw(rows: &[Row]) -> Canvas {
+fn draw(rows: &[PanelRow]) -> Canvas {
     let motions = values(rows, "motion");
     let lines = caption(
         rows,
@@ -102,7 +102,7 @@ fn draw(rows: &[Row]) -> Canvas {
          motions that missed impacts. Up: the time of a period, logarithmic. A line per method.",
     );
     for (place, &motion) in motions.iter().enumerate() {
-        let of: Vec<&Row> = rows.iter().filter(|row| row.text("motion") == motion).collect();
+        let of: Vec<&PanelRow> = rows.iter().filter(|row| row.text("motion") == motion).collect();
         panel(&mut canvas, &of, motion, corner(place), rows);
     }
     let (left, top) = corner(motions.len());
@@ -112,11 +112,11 @@ fn draw(rows: &[Row]) -> Canvas {
     canvas
 }
 
-fn missed(row: &Row) -> f64 {
+fn missed(row: &PanelRow) -> f64 {
     row.number("missed").unwrap_or(0.0)
 }
 
-fn panel(canvas: &mut Canvas, rows: &[&Row], motion: &str, (left, top): At, all: &[Row]) {
+fn panel(canvas: &mut Canvas, rows: &[&PanelRow], motion: &str, (left, top): At, all: &[PanelRow]) {
     let mut marks: Vec<(f64, Words)> = (-4..=0).map(|e: i32| (f64::from(4 * e), power(4 * e))).collect();
     marks.push((OTHER, "other".into()));
     let (times, time_marks) = time_range(all);
@@ -135,14 +135,14 @@ fn panel(canvas: &mut Canvas, rows: &[&Row], motion: &str, (left, top): At, all:
     let ends = [times.0, times.1].map(|t| (10f64.powf(BREAK), 10f64.powf(t)));
     canvas.line(frame.path(ends), Stroke { dashes: Some([2.0, 2.0]), ..line(GREY, 0.4) });
     // Other motions of one method below one another.
-    let place = |row: &Row| METHODS.iter().position(|(method, ..)| *method == row.text("method"));
-    let x = |row: &Row| match missed(row) {
+    let place = |row: &PanelRow| METHODS.iter().position(|(method, ..)| *method == row.text("method"));
+    let x = |row: &PanelRow| match missed(row) {
         0.0 => 10f64.powf(row.number("error").map_or(WORST, |e| e.log10().clamp(LEAST + 0.3, WORST))),
         _ => 10f64.powf(OTHER + 0.35 * (place(row).unwrap_or(0) as f64 - 1.0)),
     };
-    let at = |row: &Row| frame.at((x(row), row.times()[0]));
+    let at = |row: &PanelRow| frame.at((x(row), row.times()[0]));
     for (method, ink, _) in METHODS {
-        let of: Vec<&&Row> = rows.iter().filter(|row| row.text("method") == method).collect();
+        let of: Vec<&&PanelRow> = rows.iter().filter(|row| row.text("method") == method).collect();
         let same = || of.iter().filter(|row| missed(row) == 0.0);
         let points: Vec<At> = same().map(|row| at(row)).collect();
         canvas.line(points.clone(), line(ink, 0.8));
@@ -163,7 +163,7 @@ fn panel(canvas: &mut Canvas, rows: &[&Row], motion: &str, (left, top): At, all:
     frame.draw(canvas);
 }
 
-fn key(canvas: &mut Canvas, rows: &[Row], corner: At, width: f64) {
+fn key(canvas: &mut Canvas, rows: &[PanelRow], corner: At, width: f64) {
     let mut legend = Legend::default();
     for (method, ink, name) in
         METHODS.into_iter().filter(|(method, ..)| rows.iter().any(|row| row.text("method") == *method))

@@ -25,7 +25,7 @@ use crate::{
 
 /// A motion that starts at t = 0 at rest.
 #[derive(Debug, Clone)]
-pub struct Motion {
+pub struct KnownMotion {
     /// Its name in tables.
     pub name: &'static str,
     model: Model,
@@ -68,7 +68,7 @@ const SQUARES: [f64; 10] = [27.0, 45.0, 75.0, 126.0, 209.0, 349.0, 583.0, 972.0,
 const DAMPING: [f64; 10] = [7.0, 9.0, 11.0, 14.0, 19.0, 24.0, 31.0, 40.0, 52.0, 67.0];
 
 /// The five motions.
-pub fn motions() -> Vec<Motion> {
+pub fn motions() -> Vec<KnownMotion> {
     let wall = |offset, restitution, cos: f64| {
         let harmonics = if cos == 0.0 { vec![] } else { vec![Harmonic { k: 1, cos, sin: 0.0 }] };
         Wall { offset, harmonics, restitution }
@@ -86,7 +86,7 @@ pub fn motions() -> Vec<Motion> {
     let forced = |cos| vec![Harmonic { k: 1, cos, sin: 0.0 }];
     let eighth = || system(0.125, 0.25, wall(-0.5, 0.75, 0.0));
     let alone =
-        |name, system, start, slowest| Motion { name, model: Model::Oscillator(system), start, slowest };
+        |name, system, start, slowest| KnownMotion { name, model: Model::Oscillator(system), start, slowest };
     let halves: Vec<f64> = (0..10).map(|i| (-0.5f64).powi(i)).collect();
     let entries = |all: [f64; 10], unit: f64| all.iter().enumerate().map(|(i, x)| (i, i, x / unit)).collect();
     let machine = Machine {
@@ -113,11 +113,11 @@ pub fn motions() -> Vec<Motion> {
         alone("Duffing with wall", System { forcing: forced(0.5), cubic: 0.5, ..eighth() }, 1.0, 0.0),
         alone("near grazing", system(0.0, 1.0 - 1.0 / 64.0, wall(-1.0 + 1.0 / 2048.0, 1.0, 0.0)), 1.0, 0.0),
         alone("chatter", System { force: -1.0, ..system(0.125, 0.25, wall(0.0, 0.5, 2.0)) }, 3.0, 1.0 / 64.0),
-        Motion { name: "10 modes", model: Model::Machine(machine), start: 0.0, slowest: 0.0 },
+        KnownMotion { name: "10 modes", model: Model::Machine(machine), start: 0.0, slowest: 0.0 },
     ]
 }
 
-impl Motion {
+impl KnownMotion {
     /// The number of impacts and the state at the end, q before u.
     ///
     /// # Errors
