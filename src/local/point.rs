@@ -75,10 +75,10 @@ impl Quantity {
 }
 
 impl Point {
-    /// The quantity on one rung; `None` where u_n = 0. Cost: as [`sign_on`].
+    /// The quantity on one rung; `None` where u_n = 0. Cost: as [`sign_on`](super::sign_on).
     ///
     /// # Panics
-    /// As [`Ladder::sign`].
+    /// As [`Ladder::sign`](super::Ladder::sign).
     pub fn evaluate<T: Circular>(&self, quantity: Quantity, context: &T::Context) -> Option<T> {
         quantity.check();
         match (self, quantity) {
