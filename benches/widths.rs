@@ -1,8 +1,8 @@
 //! How many bits enclosures lose, at the points of a file: the other side of benches/peers/widths.sh.
 //!
-//! The file has lines family,distance,quantity,n,k,coordinates,x,y,sign. Printed: family,distance,bits,lost for f64
-//! intervals (53 bits) and balls, the same for a close evaluation to 256 bits (`closely`), and log₂ of the
-//! condition number (`condition`). Nothing is timed.
+//! The file has lines family,distance,quantity,n,k,coordinates,x,y,sign. Printed: family,distance,bits,lost
+//! for f64 intervals (53 bits) and balls, the same for a close evaluation to 256 bits (`closely`), and log₂
+//! of the condition number (`condition`). Nothing is timed.
 
 use std::{env, fs};
 

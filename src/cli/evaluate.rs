@@ -22,9 +22,10 @@ const LIST: u64 = 100_000;
 /// Evaluate b_{n,k} and c_n at one point: sign, what decided it, and certain digits.
 ///
 /// A printed number is off by less than one unit of its last digit, and near u_n = 0 and near zeros it has as
-/// many digits as elsewhere: longer balls are taken there, up to 16384 bits more. The sign comes from the first method that
-/// can tell: f64 intervals, balls of 128 to 16384 bits, or exact arithmetic. Where u_n = 0 both b_{n,k} and
-/// c_n are "singular", that is, not defined. Numbers may have up to 32768 bits in numerator and denominator.
+/// many digits as elsewhere: longer balls are taken there, up to 16384 bits more. The sign comes from the
+/// first method that can tell: f64 intervals, balls of 128 to 16384 bits, or exact arithmetic. Where u_n = 0
+/// both b_{n,k} and c_n are "singular", that is, not defined. Numbers may have up to 32768 bits in numerator
+/// and denominator.
 ///
 /// Exit code 0: done; 2: wrong usage; 3: a sign is undecided, or interrupted.
 #[derive(Debug, Parser)]

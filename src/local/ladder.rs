@@ -92,9 +92,9 @@ pub struct SignDecision {
 ///
 /// Order: exact where integers decide at once (a singular point; r = 1; c_n from (r, s)), intervals, balls of
 /// 128 bits, a cheap exact attempt, longer balls, a dear exact attempt. What 128 bits leave open lies within
-/// 10⁻³⁰ of a zero or so, where no short fraction happens to lie: the length of the point's own fractions says
-/// how near it may have been put on purpose, and the balls grow to that at once, by a factor of 8 at the most.
-/// So a rung tried in vain costs little beside the one that decides, and the longest is always tried.
+/// 10⁻³⁰ of a zero or so, where no short fraction happens to lie: the length of the point's own fractions
+/// says how near it may have been put on purpose, and the balls grow to that at once, by a factor of 8 at the
+/// most. So a rung tried in vain costs little beside the one that decides, and the longest is always tried.
 #[derive(Debug)]
 pub struct Ladder {
     balls: Vec<(u32, OnceLock<Precision>)>,

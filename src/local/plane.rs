@@ -246,8 +246,8 @@ impl Plane {
         lucas
     }
 
-    /// The integers of the exact rung: A, B, D with a₁ = A/D, a₂ = B/D²; `None` if by estimate u_n D^{n−1} has
-    /// more than `limit` bits.
+    /// The integers of the exact rung: A, B, D with a₁ = A/D, a₂ = B/D²; `None` if by estimate u_n D^{n−1}
+    /// has more than `limit` bits.
     fn integers(&self, n: u64, limit: u64) -> Option<(BigInt, BigInt, BigInt)> {
         let (p, q, x, y) = (self.a1.numer(), self.a1.denom(), self.a2.numer(), self.a2.denom());
         let within = |size: u64| n.saturating_mul(size + 1) <= limit;

@@ -91,9 +91,9 @@ impl Point {
 
     /// The quantity to at least the precision's bits less 16; `None` where u_n = 0.
     ///
-    /// Where balls of this precision lose more, as near u_n = 0 or a zero of the quantity they must (by as many
-    /// bits as the condition number has, if the point is rounded), longer ones are taken: the result may have
-    /// more bits. Up to 16384 bits more, and then the result is what these show. Cost: mostly one or two
+    /// Where balls of this precision lose more, as near u_n = 0 or a zero of the quantity they must (by as
+    /// many bits as the condition number has, if the point is rounded), longer ones are taken: the result may
+    /// have more bits. Up to 16384 bits more, and then the result is what these show. Cost: mostly one or two
     /// evaluations.
     ///
     /// # Panics

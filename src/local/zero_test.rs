@@ -7,9 +7,9 @@
 //!
 //! Most q need none of this: in a vanishing sum of at most six roots of unity with rational coefficients, of
 //! which no part vanishes, the ratio of two roots is a 30th root of unity (H. B. Mann, Mathematika 12 (1965)
-//! 107–117: one whose order is a product of distinct primes up to the number of terms). So ζⁿ has such a ratio
-//! to one of ζ⁻ⁿ, ζ^±k, ζ^±j, and q divides 30 times one of 2n, j, n + k, k, n + j. Only completeness rests on
-//! it: what it rules out is left to enclosures.
+//! 107–117: one whose order is a product of distinct primes up to the number of terms). So ζⁿ has such a
+//! ratio to one of ζ⁻ⁿ, ζ^±k, ζ^±j, and q divides 30 times one of 2n, j, n + k, k, n + j. Only completeness
+//! rests on it: what it rules out is left to enclosures.
 
 use std::collections::BTreeMap;
 

@@ -1,5 +1,5 @@
-//! What a proof costs: bits and time to prove an orbit against its distance to grazing and against its period;
-//! the size of certificates and the time to check them, for every kind.
+//! What a proof costs: bits and time to prove an orbit against its distance to grazing and against its
+//! period; the size of certificates and the time to check them, for every kind.
 
 use std::time::{Duration, Instant};
 

@@ -156,8 +156,8 @@ fn ends() -> Vec<f64> {
     positive.iter().flat_map(|&x| [x, -x]).chain([0.0]).collect()
 }
 
-/// Our own cases: all pairs of points from [`ends`], and of some intervals between neighbours of them, against
-/// the tightest floats around the exact range.
+/// Our own cases: all pairs of points from [`ends`], and of some intervals between neighbours of them,
+/// against the tightest floats around the exact range.
 #[test]
 fn intervals_of_floats_are_as_tight_as_exact_fractions_allow() {
     let mut ends = ends();
