@@ -145,7 +145,7 @@ fn some(seed: u64, systems_count: usize, motions: usize, periods: u32) -> u64 {
     let simulators: Vec<Simulator> =
         (0..systems_count).filter_map(|_| Simulator::new(&systems(&mut choices), &settings).ok()).collect();
     let starts = starts(&mut choices, &simulators, motions);
-    let phase = if choices.one_in(2) { 0.0 } else { choices.number(0.0, 6.28) };
+    let phase = if choices.one_in(2) { 0.0 } else { choices.number(0.0, 6.25) };
     compare(&simulators, &starts, phase, periods)
 }
 

@@ -59,7 +59,8 @@ pub(super) fn together(
             let fate = match batch.end(motion) {
                 RunEnd::Reached => {
                     let due = arrivals[motion].as_ref().is_some_and(|arrival| arrival.due == passed);
-                    if !due && !(look && arrivals[motion].is_none()) {
+                    let first = look && arrivals[motion].is_none();
+                    if !due && !first {
                         return true;
                     }
                     let (at, impacts) = (batch.point(motion), batch.impacts(motion));

@@ -13,6 +13,7 @@ use super::{
         grid::{Cursor, Place, Tables},
         pieces::{LOWER, UPPER},
     },
+    Numbered,
     queue::Queue,
     strike::Bounce,
     sweep::Span,
@@ -137,7 +138,7 @@ impl Work {
 
 impl<'a> Group<'a> {
     /// The group of motions of one kind; each is alone until it passes the section.
-    pub fn new(kind: Kind, phase: f64, motions: Vec<(usize, &'a Simulator, Run<'a>)>) -> Group<'a> {
+    pub fn new(kind: Kind, phase: f64, motions: Vec<Numbered<'a>>) -> Group<'a> {
         let count = motions.len();
         let simulators: Vec<&Simulator> = motions.iter().map(|motion| motion.1).collect();
         let tables: Vec<Tables> = simulators.iter().filter_map(|simulator| simulator.tables()).collect();
@@ -206,14 +207,21 @@ impl<'a> Group<'a> {
             });
             if let (Some(Aloft { cursor, open, impacts }), RunEnd::Reached) = (back, end) {
                 let (eight, bit) = (lane / LANES, lane % LANES);
-                for i in 0..2 {
-                    self.y[i][eight][bit] = cursor.y[i];
-                    set(&mut self.open[i][eight], bit, open[i]);
+                self.put(lane, cursor.y);
+                for (mask, open) in self.open.iter_mut().zip(open) {
+                    set(&mut mask[eight], bit, open);
                 }
                 self.impacts[lane] = impacts;
                 self.aloft[eight] |= 1 << bit;
                 self.alone[lane] = None;
             }
+        }
+    }
+
+    /// The state of a motion is this from now on.
+    pub fn put(&mut self, lane: usize, y: [f64; 2]) {
+        for (all, y) in self.y.iter_mut().zip(y) {
+            all[lane / LANES][lane % LANES] = y;
         }
     }
 

@@ -63,6 +63,9 @@ pub struct Batch<'a> {
     scalar: Vec<Option<Scalar<'a>>>,
 }
 
+/// A motion with its place in the batch and its simulator.
+type Numbered<'a> = (usize, &'a Simulator, Run<'a>);
+
 /// A motion of a system that the vector code does not know.
 struct Scalar<'a> {
     run: Run<'a>,
@@ -82,7 +85,7 @@ impl<'a> Batch<'a> {
     /// differ; those with tables of one size keep step. Cost: 2 kB for each motion, more with many cells.
     pub fn new(phase: f64, motions: Vec<(&'a Simulator, Run<'a>)>) -> Batch<'a> {
         let count = motions.len();
-        let mut sorted: Vec<(Kind, Vec<(usize, &Simulator, Run)>)> = Vec::new();
+        let mut sorted: Vec<(Kind, Vec<Numbered>)> = Vec::new();
         let mut scalar: Vec<Option<Scalar>> = (0..count).map(|_| None).collect();
         for (name, (simulator, run)) in motions.into_iter().enumerate() {
             let Some(kind) = Kind::of(simulator) else {
@@ -90,9 +93,8 @@ impl<'a> Batch<'a> {
                 scalar[name] = Some(Scalar { run, period, end: RunEnd::Reached });
                 continue;
             };
-            let alike = |(other, all): &&mut (Kind, Vec<(usize, &'a Simulator, Run<'a>)>)| {
-                *other == kind && same_tally(all[0].1, simulator)
-            };
+            let alike =
+                |(other, all): &&mut (Kind, Vec<Numbered>)| *other == kind && same_tally(all[0].1, simulator);
             match sorted.iter_mut().find(alike) {
                 Some((_, all)) => all.push((name, simulator, run)),
                 None => sorted.push((kind, vec![(name, simulator, run)])),

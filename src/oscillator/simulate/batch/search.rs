@@ -82,7 +82,7 @@ fn gaps<S: Simd>(s: S, group: &Group, span: Span, wall: usize, lanes: u64x8<S>, 
             let rows = |lane: usize| &group.tables[(lanes[lane] as usize).min(last)].drive[wall][row].1;
             gaps = turned(s, [rows(0), rows(1), rows(2), rows(3), rows(4), rows(5), rows(6), rows(7)]);
             for (i, gap) in gaps.iter_mut().enumerate() {
-                *gap = *gap + (a * load(s, &one[i]) + b * load(s, &other[i]));
+                *gap += a * load(s, &one[i]) + b * load(s, &other[i]);
             }
         }
         None => {
@@ -240,10 +240,10 @@ fn valley<S: Simd>(s: S, group: &mut Group, span: Span, wall: usize, valleys: &Q
         l = falls.select(x, l);
         r = falls.select(r, x);
         let step = slope / bend;
-        x = x - step;
+        x -= step;
         let narrow = step.abs().simd_lt(splat(s, 1e-8)) | (r - l).simd_lt(splat(s, 1e-15));
         leave(group, lanes, there & narrow, [a, b], start);
-        there = there & !narrow;
+        there &= !narrow;
         if there.to_bitmask() == 0 {
             return;
         }
@@ -270,7 +270,7 @@ fn top<S: Simd>(s: S, group: &mut Group, span: Span, wall: usize, tops: &Queue<7
         let step = slope / bend;
         x = left.select(here - step, x);
         let done = step.abs().simd_lt(splat(s, 1e-8)) | (r - l).simd_lt(splat(s, 1e-15));
-        left = left & !done;
+        left &= !done;
         if left.to_bitmask() == 0 {
             break;
         }
@@ -323,7 +323,7 @@ fn root<S: Simd>(s: S, group: &mut Group, span: Span, wall: usize, roots: &Queue
         x = left.select(here - step, x);
         let done = (step * step * bend.abs()).simd_le(splat(s, 1e-17) * slope.abs())
             | (r - l).simd_le(splat(s, 2e-16));
-        left = left & !done;
+        left &= !done;
     }
     let x = falls.select(within(x, l, r), start);
     let [z, slope, bend] = gap.at(s, x);

@@ -141,9 +141,7 @@ impl Bounce {
         }
         group.impacts[lane] += 1;
         set(&mut group.open[wall][eight], bit, false);
-        for i in 0..2 {
-            group.y[i][eight][bit] = y[i];
-        }
+        group.put(lane, y);
         group.looks += 1;
         let row = if group.kind.driven { span.cell } else { 0 };
         for wall in [LOWER, UPPER] {

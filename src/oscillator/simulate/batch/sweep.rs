@@ -70,7 +70,7 @@ impl Group<'_> {
         let eights = first.iter_mut().zip(second).zip(blocks.of.iter().zip(aloft.iter()));
         for (((a, b), (block, aloft)), (lower, upper)) in eights.zip(lower.iter_mut().zip(upper)) {
             let here = lanes;
-            lanes = lanes + LANES as u64;
+            lanes += LANES as u64;
             if *aloft == 0 {
                 continue;
             }

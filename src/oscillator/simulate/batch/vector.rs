@@ -57,7 +57,7 @@ impl<S: Simd> Gaps<S> {
     pub fn rounding(&self, s: S) -> V<S> {
         let mut norm = self.0[0].abs();
         for c in &self.0[1..] {
-            norm = norm + c.abs();
+            norm += c.abs();
         }
         splat(s, ROUNDING) * norm
     }
@@ -67,7 +67,7 @@ impl<S: Simd> Gaps<S> {
     pub fn third(&self, s: S) -> V<S> {
         let mut third = splat(s, 6.0) * self.0[3].abs();
         for i in 4..TERMS {
-            third = third + splat(s, (i * (i - 1) * (i - 2)) as f64) * self.0[i].abs();
+            third += splat(s, (i * (i - 1) * (i - 2)) as f64) * self.0[i].abs();
         }
         third
     }
@@ -85,8 +85,8 @@ impl<S: Simd> Gaps<S> {
         let (mut p, mut first) = ([zero; 2], [zero; 2]);
         for k in (0..TERMS / 2).rev() {
             for i in 0..2 {
-                first[i] = first[i] + p[i];
-                p[i] = p[i] + self.0[2 * k + i];
+                first[i] += p[i];
+                p[i] += self.0[2 * k + i];
             }
         }
         let ([e, o], [e1, o1]) = (p, first);
