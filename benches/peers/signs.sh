@@ -9,10 +9,13 @@ trap 'rm -rf "$build"' EXIT
 libraries="-lflint -lgmp"
 [ -e /usr/include/arb.h ] && libraries="-lflint-arb $libraries"
 gcc -O2 -o "$build/signs" benches/peers/signs.c $libraries
-cargo build --quiet --release
+if [ -z "${GRAZING:-}" ]; then
+    cargo build --quiet --release
+    GRAZING="${CARGO_TARGET_DIR:-target}/release/grazing"
+fi
 quick=--quick
 [ -z "${FULL:-}" ] || quick=
-"${CARGO_TARGET_DIR:-target}/release/grazing" accuracy --of signs $quick --points "$build/points.csv" -o "$build" >"$build/table"
+"$GRAZING" accuracy --of signs $quick --points "$build/points.csv" -o "$build" >"$build/table"
 tail -n +2 "$build/points.csv" | "$build/signs" >"$build/arb.csv"
 python3 - "$build" <<'PY'
 import collections, csv, statistics, sys

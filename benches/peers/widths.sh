@@ -10,10 +10,13 @@ trap 'rm -rf "$build"' EXIT
 libraries="-lflint -lgmp"
 [ -e /usr/include/arb.h ] && libraries="-lflint-arb $libraries"
 gcc -O2 -o "$build/signs" benches/peers/signs.c $libraries
-cargo build --quiet --release
+if [ -z "${GRAZING:-}" ]; then
+    cargo build --quiet --release
+    GRAZING="${CARGO_TARGET_DIR:-target}/release/grazing"
+fi
 quick=--quick
 [ -z "${FULL:-}" ] || quick=
-"${CARGO_TARGET_DIR:-target}/release/grazing" accuracy --of signs $quick --points "$build/points.csv" -o "$build" >/dev/null
+"$GRAZING" accuracy --of signs $quick --points "$build/points.csv" -o "$build" >/dev/null
 # A zero itself has no bits to lose.
 grep -v ',singular$' "$build/points.csv" | grep -v ',0,[bc],' | tail -n +2 >"$build/points"
 "$build/signs" widths <"$build/points" >"$build/arb.csv"

@@ -192,13 +192,13 @@ fn distances(digits: &[u32], monitor: &dyn Monitor) -> Result<Vec<ProofCost>> {
     };
     // Scaled from where a search in floats finds it.
     let base = 3;
-    let (_, start) = near(&at(base)?, 3, 0.1)?;
+    let start = near(&at(base)?, 3, 0.1)?;
     let mut costs = Vec::new();
     for &digits in digits {
         let scale = 10f64.powi(base as i32 - digits as i32);
         // A larger µ moves the orbit by more than its scale.
         let guess = match near(&at(digits)?, 3, 2.0 * start[1] * scale) {
-            Ok((_, found)) if digits < 8 => found,
+            Ok(found) if digits < 8 => found,
             _ => start.map(|x| x * scale),
         };
         costs.push(prove(ProofStudy::Distance, &at(digits)?, (Some(digits), 3), guess)?);
@@ -213,7 +213,7 @@ fn periods(periods: &[u32], monitor: &dyn Monitor) -> Result<Vec<ProofCost>> {
     let mut costs = Vec::new();
     for &n in periods {
         costs.push(match near(&system, n, 0.05) {
-            Ok((_, guess)) => prove(ProofStudy::Period, &system, (None, n), guess)?,
+            Ok(guess) => prove(ProofStudy::Period, &system, (None, n), guess)?,
             Err(error) if error.is_interrupted() => return Err(error),
             Err(error) => ProofCost {
                 reason: Some(error.to_string()),
@@ -227,7 +227,7 @@ fn periods(periods: &[u32], monitor: &dyn Monitor) -> Result<Vec<ProofCost>> {
 
 /// The slowest admissible orbit with one impact in n periods that a search in floats finds: its residual's
 /// place, phase and speed.
-fn near(system: &System<BigRational>, n: u32, speed: f64) -> Result<(Oscillator, [f64; 2])> {
+fn near(system: &System<BigRational>, n: u32, speed: f64) -> Result<[f64; 2]> {
     let oscillator = Oscillator::new(system.rounded(), 1e-13)?;
     let orbits = search(&oscillator, &Itinerary::at(Side::Lower, &[n])?, 200, speed);
     let found = orbits.iter().find(|orbit| orbit.admissibility.is_admissible());
@@ -235,7 +235,7 @@ fn near(system: &System<BigRational>, n: u32, speed: f64) -> Result<(Oscillator,
     let z = z.ok_or_else(|| Error::input(format!("a search in floats finds no orbit of period {n}")))?;
     // The phase nearest to 0, as the guess is scaled.
     let turn = std::f64::consts::TAU;
-    Ok((oscillator, [z[0] - turn * (z[0] / turn).round(), z[1]]))
+    Ok([z[0] - turn * (z[0] / turn).round(), z[1]])
 }
 
 /// Proves an orbit with as few bits as will do, and checks its certificate.
