@@ -191,7 +191,8 @@ impl Polar {
     pub(super) fn numerator_sign<T: Circular>(&self, n: u64, k: u64, context: &T::Context) -> Option<Sign> {
         let power = self.three_powers::<T>(n, k, context);
         let direct = self.direct_at(n, k, &power, context);
-        direct.sign().or_else(|| self.choose(self.folded_at(n, k, &power, context), direct).sign())
+        let sign = if T::CERTAIN { direct.sign() } else { None };
+        sign.or_else(|| self.choose(self.folded_at(n, k, &power, context), direct).sign())
     }
 
     /// r^i and 1 − r^i for i = n, j, k.

@@ -40,8 +40,8 @@ pub fn certain_digits(lo: &BigRational, hi: &BigRational, most: u32) -> Option<S
 /// ```
 /// use grazing::number::{Ball, Precision, Real, ball_digits, parse_rational};
 /// let context = Precision::new(64);
-/// let mut x = Ball::ratio(&parse_rational("2^-32768")?, &context);
-/// for _ in 0..10 {
+/// let mut x = Ball::ratio(&parse_rational("2^-16384")?, &context);
+/// for _ in 0..11 {
 ///     x = x.clone() * &x;
 /// }
 /// assert_eq!(ball_digits(&x, 12).unwrap(), "3.02365786578e-10100891");

@@ -56,6 +56,8 @@ impl Real for Plain {
 }
 
 impl Circular for Plain {
+    const CERTAIN: bool = false;
+
     fn sin(angle: &Angle, (): &()) -> Plain {
         let octant = angle.octant();
         let t = match &octant.t {

@@ -34,6 +34,9 @@ pub trait Real:
 
 /// A rung with sines and cosines of exact rational multiples of π.
 pub trait Circular: Real {
+    /// Whether a sign that it tells is certain. Where it is not, the form that loses least is to be taken.
+    const CERTAIN: bool = true;
+
     /// sin πx for the angle πx.
     fn sin(angle: &Angle, context: &Self::Context) -> Self;
 
