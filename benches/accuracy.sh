@@ -6,10 +6,8 @@
 set -eu
 folder=$(realpath "${1:-docs}")
 cd "$(dirname "$0")/.."
-if [ -z "${GRAZING:-}" ]; then
-    cargo build --quiet --release
-    GRAZING="${CARGO_TARGET_DIR:-target}/release/grazing"
-fi
+. benches/common.sh
+find_grazing
 "$GRAZING" accuracy --of all --again -o "$folder" >/dev/null
 benches/peers/digits.sh "$folder"
 benches/peers/motions.sh "$folder"

@@ -5,12 +5,10 @@
 # basins too. Some minutes.
 set -eu
 cd "$(dirname "$0")/.."
+. benches/common.sh
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
-if [ -z "${GRAZING:-}" ]; then
-    cargo build --quiet --release
-    GRAZING="${CARGO_TARGET_DIR:-target}/release/grazing"
-fi
+find_grazing
 size=${SIZE:-400} map=${MAP:-1000}
 sed '/^\[\[tasks\]\]/,$d' examples/scenes/nordmark-2001.toml >"$folder/basins.toml"
 cp "$folder/basins.toml" "$folder/map.toml"

@@ -3,12 +3,10 @@
 # by default the release build.
 set -eu
 cd "$(dirname "$0")/.."
+. benches/common.sh
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
-if [ -z "${GRAZING:-}" ]; then
-    cargo build --quiet --release
-    GRAZING="${CARGO_TARGET_DIR:-target}/release/grazing"
-fi
+find_grazing
 echo "| command | method | cases | of the cases | of the time |"
 echo "| --- | --- | ---: | ---: | ---: |"
 while read -r arguments; do

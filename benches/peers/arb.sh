@@ -4,17 +4,16 @@
 # values are compared here at a point with python-flint, and by each bench with the crate's own balls.
 set -eu
 cd "$(dirname "$0")/../.."
+. benches/common.sh
 build=$(mktemp -d)
 trap 'rm -rf "$build"' EXIT
-libraries="-lflint -lgmp"
-[ -e /usr/include/arb.h ] && libraries="-lflint-arb $libraries"
-gcc -O2 -o "$build/arb" benches/peers/arb.c $libraries
+compile_with_arb "$build/arb" benches/peers/arb.c
 python3 -m venv "$build/venv"
 "$build/venv/bin/pip" install --quiet python-flint==0.9.0
 cargo bench --quiet --bench enclosures -- 'b|signs' --warm-up-time 0.5 --measurement-time 1.5 | grep '^signs:' || true
 "$build/arb" >"$build/times"
-cargo build --quiet --release
-"${CARGO_TARGET_DIR:-target}/release/grazing" evaluate --n 100 --k 37 --s 12345/67891 --bits 256 >"$build/here"
+find_grazing
+"$GRAZING" evaluate --n 100 --k 37 --s 12345/67891 --bits 256 >"$build/here"
 "$build/venv/bin/python" - "$build" "${CARGO_TARGET_DIR:-target}" <<'PY'
 import glob, json, sys
 from flint import arb, ctx, fmpq

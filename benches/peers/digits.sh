@@ -5,11 +5,10 @@
 set -eu
 folder=$(realpath "$1")
 cd "$(dirname "$0")/../.."
+. benches/common.sh
 build=$(mktemp -d)
 trap 'rm -rf "$build"' EXIT
-libraries="-lflint -lgmp"
-[ -e /usr/include/arb.h ] && libraries="-lflint-arb $libraries"
-gcc -O2 -o "$build/digits" benches/peers/digits.c $libraries
+compile_with_arb "$build/digits" benches/peers/digits.c
 tail -n +2 src/study/digits_reference.csv | "$build/digits" >"$build/rows.csv"
 python3 benches/peers/digits.py "$build/rows.csv" >"$build/peers.csv"
 mv "$build/peers.csv" "$folder/digits-peers.csv"

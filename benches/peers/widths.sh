@@ -5,15 +5,11 @@
 # where it must, and log2 of the condition number. FULL=1: all distances, not the quick ones.
 set -eu
 cd "$(dirname "$0")/../.."
+. benches/common.sh
 build=$(mktemp -d)
 trap 'rm -rf "$build"' EXIT
-libraries="-lflint -lgmp"
-[ -e /usr/include/arb.h ] && libraries="-lflint-arb $libraries"
-gcc -O2 -o "$build/signs" benches/peers/signs.c $libraries
-if [ -z "${GRAZING:-}" ]; then
-    cargo build --quiet --release
-    GRAZING="${CARGO_TARGET_DIR:-target}/release/grazing"
-fi
+compile_with_arb "$build/signs" benches/peers/signs.c
+find_grazing
 quick=--quick
 [ -z "${FULL:-}" ] || quick=
 "$GRAZING" accuracy --of signs $quick --points "$build/points.csv" -o "$build" >/dev/null

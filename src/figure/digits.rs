@@ -8,17 +8,14 @@ use super::{
     frame::{Axis, PlotFrame},
     legend::Legend,
     panels::{
-        ACROSS, HIGH, PanelRow, WIDTH, caption, caption_height, corner, cross, draw_caption, label, rows,
-        sample, short, time_range, values, whisker,
+        ACROSS, HIGH, PanelRow, PriceTable, WIDTH, caption, caption_height, corner, cross, draw_caption,
+        label, rows, sample, short, time_range, values, whisker,
     },
 };
 use crate::{
     error::Result,
-    output::{Column, TableCell, TableFormat, TableWriter},
-    study::{
-        DigitsPrice,
-        computer::{PROGRAM, machine},
-    },
+    output::{TableCell, TableFormat},
+    study::DigitsPrice,
 };
 
 /// Draws `digits.svg` from `digits.csv` and, if it is there, `digits-peers.csv`.
@@ -52,12 +49,7 @@ pub fn digits_table(prices: &[DigitsPrice], format: TableFormat, out: &mut dyn W
         "inputs",
         "load",
     ];
-    let mut columns = names.map(|name| Column::new(name, name, name.len())).to_vec();
-    // For readers of the file alone: on a terminal they only fill it.
-    let whole = format == TableFormat::Csv;
-    columns.extend(["by", "machine"].into_iter().filter(|_| whole).map(|name| Column::new(name, name, 0)));
-    let mut table = TableWriter::new(out, format, "grazing-digits 1", columns)?;
-    let machine = machine();
+    let mut table = PriceTable::new(out, format, "grazing-digits 1", &names)?;
     for price in prices {
         let number =
             |x: Option<f64>| x.filter(|x| x.is_finite()).map_or(String::new(), |x| format!("{x:.1}"));
@@ -67,7 +59,7 @@ pub fn digits_table(prices: &[DigitsPrice], format: TableFormat, out: &mut dyn W
         let [time, q25, q75] = price.time.map(|time| TableCell::Int(time.as_nanos() as i64));
         let count = |x: usize| TableCell::Int(x as i64);
         let method = price.method.name();
-        let mut cells = vec![
+        table.row(&[
             TableCell::Text(price.family.name()),
             TableCell::Text(&method),
             time,
@@ -83,11 +75,7 @@ pub fn digits_table(prices: &[DigitsPrice], format: TableFormat, out: &mut dyn W
             count(price.outside),
             count(price.inputs),
             TableCell::Text(&load),
-        ];
-        if whole {
-            cells.extend([TableCell::Text(PROGRAM), TableCell::Text(&machine)]);
-        }
-        table.row(&cells)?;
+        ])?;
     }
     table.finish()
 }

@@ -1,13 +1,17 @@
 //! Pictures of time against accuracy in panels, drawn from the tables that a folder has: ours, and beside it
 //! that of other programs.
 
-use std::{collections::HashMap, path::Path};
+use std::{collections::HashMap, io::Write, path::Path};
 
 use super::{
     canvas::{Anchor, At, COLUMN, Canvas, Colour, TYPE, Words, line},
     frame::PlotFrame,
 };
-use crate::error::{Error, Result};
+use crate::{
+    error::{Error, Result},
+    output::{Column, TableCell, TableFormat, TableWriter},
+    study::computer::{PROGRAM, machine},
+};
 
 /// The width of a picture: one and a half of a journal's columns, still legible on a phone.
 pub const WIDTH: f64 = 1.5 * COLUMN;
@@ -51,6 +55,42 @@ impl PanelRow {
     /// `time_ns` with its quartiles; 1 where there is none.
     pub fn times(&self) -> [f64; 3] {
         ["time_ns", "q25", "q75"].map(|column| self.number(column).unwrap_or(1.0).max(1.0))
+    }
+}
+
+/// Writes such a table. As CSV its rows end with the program and the machine; on a terminal these would only
+/// fill it.
+pub struct PriceTable<'a> {
+    table: TableWriter<'a>,
+    machine: Option<String>,
+}
+
+impl<'a> PriceTable<'a> {
+    /// Errors: an I/O error from `out`.
+    pub fn new(
+        out: &'a mut dyn Write,
+        format: TableFormat,
+        schema: &str,
+        names: &[&'static str],
+    ) -> Result<PriceTable<'a>> {
+        let machine = (format == TableFormat::Csv).then(machine);
+        let mut columns: Vec<Column> =
+            names.iter().map(|&name| Column::new(name, name, name.len())).collect();
+        if machine.is_some() {
+            columns.extend(["by", "machine"].map(|name| Column::new(name, name, 0)));
+        }
+        Ok(PriceTable { table: TableWriter::new(out, format, schema, columns)?, machine })
+    }
+
+    /// Errors: an I/O error from `out`.
+    pub fn row(&mut self, cells: &[TableCell]) -> Result<()> {
+        let Some(machine) = &self.machine else { return self.table.row(cells) };
+        self.table.row(&[cells, &[TableCell::Text(PROGRAM), TableCell::Text(machine)]].concat())
+    }
+
+    /// Errors: an I/O error from `out`.
+    pub fn finish(self) -> Result<()> {
+        self.table.finish()
     }
 }
 

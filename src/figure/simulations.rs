@@ -9,17 +9,14 @@ use super::{
     frame::{Axis, PlotFrame, power},
     legend::Legend,
     panels::{
-        ACROSS, HIGH, PanelRow, WIDTH, caption, caption_height, corner, cross, draw_caption, label, rows,
-        sample, short, time_range, values, whisker,
+        ACROSS, HIGH, PanelRow, PriceTable, WIDTH, caption, caption_height, corner, cross, draw_caption,
+        label, rows, sample, short, time_range, values, whisker,
     },
 };
 use crate::{
     error::Result,
-    output::{Column, TableCell, TableFormat, TableWriter},
-    study::{
-        computer::{PROGRAM, machine},
-        simulations::SimulationPrice,
-    },
+    output::{TableCell, TableFormat},
+    study::simulations::SimulationPrice,
 };
 
 /// Draws `simulations.svg` from `simulations.csv` and, if it is there, `simulations-peers.csv`.
@@ -38,18 +35,13 @@ pub fn simulations_figure(folder: &Path) -> Result<()> {
 pub fn simulations_table(prices: &[SimulationPrice], format: TableFormat, out: &mut dyn Write) -> Result<()> {
     let names =
         ["motion", "method", "setting", "error", "impacts", "missed", "time_ns", "q25", "q75", "load"];
-    let mut columns = names.map(|name| Column::new(name, name, name.len())).to_vec();
-    // For readers of the file alone: on a terminal they only fill it.
-    let whole = format == TableFormat::Csv;
-    columns.extend(["by", "machine"].into_iter().filter(|_| whole).map(|name| Column::new(name, name, 0)));
-    let mut table = TableWriter::new(out, format, "grazing-simulations 1", columns)?;
-    let machine = machine();
+    let mut table = PriceTable::new(out, format, "grazing-simulations 1", &names)?;
     for price in prices {
         let setting = price.tolerance.map_or(String::new(), |tolerance| format!("{tolerance:.0e}"));
         let load = price.load.map_or(String::new(), |load| format!("{load:.2}"));
         let error = format!("{:.1e}", price.error);
         let [time, q25, q75] = price.time.map(|time| TableCell::Int(time.as_nanos() as i64));
-        let mut cells = vec![
+        table.row(&[
             TableCell::Text(price.name),
             TableCell::Text(if price.tolerance.is_some() { "integrator" } else { "closed form" }),
             TableCell::Text(&setting),
@@ -60,11 +52,7 @@ pub fn simulations_table(prices: &[SimulationPrice], format: TableFormat, out: &
             q25,
             q75,
             TableCell::Text(&load),
-        ];
-        if whole {
-            cells.extend([TableCell::Text(PROGRAM), TableCell::Text(&machine)]);
-        }
-        table.row(&cells)?;
+        ])?;
     }
     table.finish()
 }

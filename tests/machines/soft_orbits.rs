@@ -12,6 +12,19 @@ fn entries(n: usize, rows: &[f64]) -> Vec<(usize, usize, f64)> {
     rows.iter().enumerate().map(|(k, x)| (k / n, k % n, *x)).collect()
 }
 
+/// The columns of a map's Jacobian at a point, by central differences.
+fn columns(map: impl Fn([f64; 2]) -> [f64; 2], x: [f64; 2], h: f64) -> [[f64; 2]; 2] {
+    [0, 1].map(|j| {
+        let moved = |h: f64| {
+            let mut x = x;
+            x[j] += h;
+            map(x)
+        };
+        let (more, less) = (moved(h), moved(-h));
+        [0, 1].map(|i| (more[i] - less[i]) / (2.0 * h))
+    })
+}
+
 fn soft(row: &[f64], offset: f64, stiffness: f64, damping: f64) -> Stop<f64> {
     let wall = Wall { offset, harmonics: vec![], restitution: 0.0 };
     let law = StopLaw::Soft { stiffness, damping };
@@ -205,17 +218,7 @@ fn multipliers_know_how_restitution_changes_with_the_speed() {
             motion.follow(TAU * period as f64);
             [motion.q[0], motion.u[0]]
         };
-        let (x, h) = ([before.q[0], before.u[0]], 1e-5);
-        let column = |j: usize| {
-            let moved = |h: f64| {
-                let mut x = x;
-                x[j] += h;
-                map(x)
-            };
-            let (more, less) = (moved(h), moved(-h));
-            [0, 1].map(|i| (more[i] - less[i]) / (2.0 * h))
-        };
-        let (a, b) = (column(0), column(1));
+        let [a, b] = columns(map, [before.q[0], before.u[0]], 1e-5);
         let (trace, determinant) = (a[0] + b[1], a[0] * b[1] - a[1] * b[0]);
         let [first, second] = [orbit.multipliers[0], orbit.multipliers[1]];
         println!("period {period}, {} impacts: {:?}, {trace} {determinant}", hits.len(), orbit.multipliers);
@@ -354,17 +357,7 @@ fn a_branch_passes_the_grazing_of_a_soft_stop_without_a_label() {
         motion.follow(TAU);
         [motion.q[0], motion.u[0]]
     };
-    let (x, h) = ([found.state.q[0], found.state.u[0]], 1e-5);
-    let column = |j: usize| {
-        let moved = |h: f64| {
-            let mut x = x;
-            x[j] += h;
-            map(x)
-        };
-        let (more, less) = (moved(h), moved(-h));
-        [0, 1].map(|i| (more[i] - less[i]) / (2.0 * h))
-    };
-    let (a, b) = (column(0), column(1));
+    let [a, b] = columns(map, [found.state.q[0], found.state.u[0]], 1e-5);
     let fold = 1.0 + a[0] + b[1] + a[0] * b[1] - a[1] * b[0];
     println!("grazing at {grazing}, flip at {flip}: {fold:e}");
     assert!(fold.abs() < 1e-5, "{fold:e}");

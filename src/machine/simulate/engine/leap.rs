@@ -11,7 +11,7 @@ use crate::{
     },
     oscillator::{
         Effect, Time,
-        simulate::search::{Gap, ROUNDING, clear, head},
+        simulate::search::{clear, head},
     },
 };
 
@@ -80,19 +80,9 @@ impl MachineRun<'_> {
                 continue;
             }
             self.count(Effect::Search);
-            let rounding = ROUNDING * size;
-            let open = match what {
-                What::Gap(stop) => self.open[*stop],
-                _ => false,
-            };
-            let mut gap = Gap::new(&polynomial, depth.max(rounding), open);
-            let hit = gap.first(self.from, end);
-            if let What::Gap(stop) = what {
-                self.open[*stop] = gap.open;
-            }
-            if let Some(hit) = hit {
-                end = hit.place();
-                first = Some(Found { watch, hit, z: gap.at(end), rounding });
+            if let Some(found) = self.first_of((watch, what), &polynomial, size, end) {
+                end = found.hit.place();
+                first = Some(found);
             }
         }
         self.leap = Some(leap);

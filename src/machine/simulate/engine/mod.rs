@@ -413,7 +413,7 @@ impl<'a> MachineRun<'a> {
     /// The first hit on the cell up to `end`.
     fn first(&mut self, stage: &Stage, mut end: f64) -> Option<Found> {
         let mut first = None;
-        let (depth, finest) = (self.simulator.settings.minimum_depth, stage.levels.len() - 1);
+        let finest = stage.levels.len() - 1;
         self.count(Effect::Piece);
         for (watch, what) in stage.watched.iter().enumerate() {
             if self.clear(stage, finest, watch, self.cell) {
@@ -424,21 +424,33 @@ impl<'a> MachineRun<'a> {
             }
             self.count(Effect::Search);
             let (polynomial, size) = stage.polynomial(watch, self.cell, &self.y);
-            let rounding = ROUNDING * size;
-            let open = match what {
-                What::Gap(stop) => self.open[*stop],
-                _ => false,
-            };
-            let mut gap = Gap::new(&polynomial, depth.max(rounding), open);
-            let hit = gap.first(self.from, end);
-            if let What::Gap(stop) = what {
-                self.open[*stop] = gap.open;
-            }
-            if let Some(hit) = hit {
-                end = hit.place();
-                first = Some(Found { watch, hit, z: gap.at(end), rounding });
+            if let Some(found) = self.first_of((watch, what), &polynomial, size, end) {
+                end = found.hit.place();
+                first = Some(found);
             }
         }
         first
+    }
+
+    /// The first hit up to `end` of what is watched, given as a polynomial of a size.
+    fn first_of(
+        &mut self,
+        (watch, what): (usize, &What),
+        polynomial: &[f64],
+        size: f64,
+        end: f64,
+    ) -> Option<Found> {
+        let rounding = ROUNDING * size;
+        let open = match what {
+            What::Gap(stop) => self.open[*stop],
+            _ => false,
+        };
+        let depth = self.simulator.settings.minimum_depth;
+        let mut gap = Gap::new(polynomial, depth.max(rounding), open);
+        let hit = gap.first(self.from, end);
+        if let What::Gap(stop) = what {
+            self.open[*stop] = gap.open;
+        }
+        hit.map(|hit| Found { watch, hit, z: gap.at(hit.place()), rounding })
     }
 }
