@@ -18,6 +18,23 @@ struct Inner {
     kind: Kind,
     message: String,
     source: Option<io::Error>,
+    spot: Option<Box<Spot>>,
+}
+
+/// What of a file is at fault. The message of the error says all of it in words.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Spot {
+    /// The file, as it was named.
+    pub file: String,
+    /// The line, counted from 1, where it is known.
+    pub line: Option<usize>,
+    /// The key, where one is at fault.
+    pub key: Option<String>,
+    /// Its value as it stands in the file, cut short if it is long.
+    pub value: Option<String>,
+    /// What is wrong, and the fix: the end of the message.
+    pub problem: String,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -41,8 +58,9 @@ impl Error {
 
     /// The system refused `action` (as in "write", "open") on `path`.
     pub fn io(action: &str, path: &Path, source: io::Error) -> Self {
-        let message = format!("cannot {action} {}: {source}", path.display());
-        Self::new(Kind::Io, message, Some(source))
+        let problem = format!("cannot {action} {}: {source}", path.display());
+        let spot = Spot { file: path.display().to_string(), problem: problem.clone(), ..Spot::default() };
+        Self::new(Kind::Io, problem, Some(source)).at(spot)
     }
 
     /// The user asked for an end (Ctrl-C) before the work was done.
@@ -51,7 +69,18 @@ impl Error {
     }
 
     fn new(kind: Kind, message: String, source: Option<io::Error>) -> Self {
-        Error(Box::new(Inner { kind, message, source }))
+        Error(Box::new(Inner { kind, message, source, spot: None }))
+    }
+
+    /// The same error, with what of a file is at fault.
+    pub(crate) fn at(mut self, spot: Spot) -> Self {
+        self.0.spot = Some(Box::new(spot));
+        self
+    }
+
+    /// What of a file is at fault, for errors of files and of what stands in them.
+    pub fn spot(&self) -> Option<&Spot> {
+        self.0.spot.as_deref()
     }
 
     /// The same error, its message led by where it happened: `"context: message"`.

@@ -117,7 +117,7 @@ pub mod internals {
     pub use crate::study::{condition, effects, flow_accuracy};
 }
 
-pub use error::{Error, Result};
+pub use error::{Error, Result, Spot};
 pub use grazing_check as certificate;
 pub use monitor::Monitor;
 /// The package of the integers in this interface.

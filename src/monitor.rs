@@ -1,8 +1,8 @@
 //! How a long job tells its caller how far it is, and hears that it should end.
 
-use std::{fmt::Display, sync::Arc, time::Instant};
+use std::{fmt::Display, sync::Arc};
 
-use crate::{error::Result, profile::Profile};
+use crate::{error::Result, processor::Stopwatch, profile::Profile};
 
 /// Told of progress by long jobs, between independent units of work and from any thread.
 pub trait Monitor: Sync {
@@ -35,7 +35,7 @@ impl Monitor for () {
 /// Does one case, and adds its time to the monitor's profile, if there is one, as that of a method.
 pub(crate) fn timed<R>(monitor: &dyn Monitor, method: impl Display, work: impl FnOnce() -> R) -> R {
     let Some(profile) = monitor.profile() else { return work() };
-    let start = Instant::now();
+    let start = Stopwatch::start();
     let found = work();
     profile.since(start, method, 1);
     found

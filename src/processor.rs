@@ -1,4 +1,23 @@
-//! How long a processor was kept busy, and how much memory that took.
+//! How long things took, how long a processor was kept busy, and how much memory that took.
+
+use std::time::{Duration, Instant};
+
+/// Measures time on the clock of the wall. The library asks no clock but here: where the system has none, as
+/// in a browser's WebAssembly, `Instant::now` panics, and a stopwatch stands at 0.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Stopwatch(Option<Instant>);
+
+impl Stopwatch {
+    /// One that starts now.
+    pub fn start() -> Stopwatch {
+        Stopwatch((!cfg!(target_family = "wasm")).then(Instant::now))
+    }
+
+    /// The time since its start; 0 without a clock.
+    pub fn elapsed(self) -> Duration {
+        self.0.map_or(Duration::ZERO, |start| start.elapsed())
+    }
+}
 
 /// Processor seconds that this thread has used. Time in which other threads or processes had the processor
 /// does not count. 0 where the system does not tell.
@@ -32,9 +51,21 @@ pub(crate) fn most_memory() -> Option<u64> {
     line.split_whitespace().next()?.parse().ok()
 }
 
-#[cfg(all(test, unix))]
+#[cfg(test)]
 mod tests {
+    use std::time::Duration;
+
+    use super::Stopwatch;
+
+    #[test]
+    fn a_stopwatch_goes_on_where_there_is_a_clock_and_stands_where_there_is_none() {
+        let running = Stopwatch::start();
+        while running.elapsed() == Duration::ZERO {}
+        assert_eq!(Stopwatch(None).elapsed(), Duration::ZERO);
+    }
+
     /// A thread that sleeps uses none.
+    #[cfg(unix)]
     #[test]
     fn sleep_is_not_work() {
         let start = super::thread_seconds();

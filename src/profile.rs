@@ -4,8 +4,10 @@ use std::{
     collections::BTreeMap,
     fmt::Display,
     sync::{Mutex, PoisonError},
-    time::{Duration, Instant},
+    time::Duration,
 };
+
+use crate::processor::Stopwatch;
 
 /// Cases and time by method, added up from any thread.
 #[derive(Debug, Default)]
@@ -23,7 +25,7 @@ pub struct Spent {
 
 impl Profile {
     /// Adds what a method decided since `start`.
-    pub fn since(&self, start: Instant, method: impl Display, cases: u64) {
+    pub(crate) fn since(&self, start: Stopwatch, method: impl Display, cases: u64) {
         self.add(method, cases, start.elapsed());
     }
 

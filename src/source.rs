@@ -6,7 +6,7 @@ use num_rational::BigRational;
 use toml_edit::{Document, Value};
 
 use crate::{
-    error::{Error, Result},
+    error::{Error, Result, Spot},
     number::{LIMIT_BITS, parse_rational_within},
 };
 
@@ -37,10 +37,7 @@ impl Source<'_> {
 
     /// `name:line: message`.
     pub fn fail(&self, span: Option<Range<usize>>, message: &str) -> Error {
-        Error::input(match span.map(|span| self.line(&span)) {
-            Some(line) => format!("{}:{line}: {message}", self.name),
-            None => format!("{}: {message}", self.name),
-        })
+        self.error(span, None, message)
     }
 
     /// `name:line: key = value: message`, a long value cut short.
@@ -50,7 +47,16 @@ impl Source<'_> {
         if short.chars().count() > 60 {
             short = short.chars().take(57).chain(['…']).collect();
         }
-        self.fail(span, &format!("{key} = {short}: {message}"))
+        self.error(span, Some((key.to_string(), short)), message)
+    }
+
+    fn error(&self, span: Option<Range<usize>>, entry: Option<(String, String)>, message: &str) -> Error {
+        let line = span.map(|span| self.line(&span));
+        let place = line.map_or(self.name.to_string(), |line| format!("{}:{line}", self.name));
+        let entered = entry.as_ref().map_or(String::new(), |(key, value)| format!("{key} = {value}: "));
+        let (key, value) = entry.unzip();
+        let spot = Spot { file: self.name.into(), line, key, value, problem: message.into() };
+        Error::input(format!("{place}: {entered}{message}")).at(spot)
     }
 
     /// The characters of a number: those of a string, or the source text of a TOML number and not the float

@@ -175,6 +175,54 @@ fn table_formats_hold_the_same_rows() {
     assert_eq!(counts, "1 2\n2 2\n3 3\n4 3\n5 5\n6 3\n7 7\n8 5\n");
 }
 
+/// Several waves of batches, and a period that many batches share: the bytes are those of the rows one after
+/// the other, formatted by the standard library, from the Farey tree.
+#[test]
+fn rows_set_in_parallel_are_in_order_and_to_the_byte() {
+    use grazing::existence::{Interval, intervals, tree_intervals};
+    let mut all: Vec<Interval> = tree_intervals(500).unwrap().collect();
+    all.sort_by_key(|interval| (interval.n, interval.left));
+    let long: Vec<Interval> = intervals(99_991).unwrap().collect();
+    for (periods, digits, rows) in [("3..=500", 3, all), ("99991", 5, long)] {
+        let names = ["n", "m", "sign_emu", "sign_gamma", "left", "right", "deciding"];
+        let texts: Vec<[String; 7]> = rows
+            .iter()
+            .map(|Interval { n, m, case, left, right, deciding }| {
+                let end = |x: &grazing::num_rational::Ratio<u64>| format!("{}/{}", x.numer(), x.denom());
+                let signs = [case.sign_emu(), case.sign_gamma()].map(|sign| sign.to_string());
+                let [emu, gamma] = signs;
+                let k = deciding.map_or(String::new(), |k| k.to_string());
+                [n.to_string(), m.to_string(), emu, gamma, end(left), end(right), k]
+            })
+            .collect();
+        let written = |format: &str| stdout(&format!("intervals {periods} --format {format}"));
+        // Not by assert_eq!, which would print megabytes.
+        let csv: String = texts.iter().map(|row| row.join(",") + "\n").collect();
+        assert!(written("csv") == names.join(",") + "\n" + &csv, "{periods}");
+        let json: Vec<String> = texts
+            .iter()
+            .map(|row| {
+                let cell = |(name, text): (&&str, &String)| match text.as_str() {
+                    "" => format!("\"{name}\":null"),
+                    text if text.contains('/') => format!("\"{name}\":\"{text}\""),
+                    text => format!("\"{name}\":{text}"),
+                };
+                format!("{{{}}}", names.iter().zip(row).map(cell).collect::<Vec<_>>().join(","))
+            })
+            .collect();
+        let json = format!("{{\"format\":\"grazing-intervals 1\",\"rows\":[\n{}\n]}}\n", json.join(",\n"));
+        assert!(written("json") == json, "{periods}");
+        let ends = 2 * digits + 2;
+        let widths = [digits, digits, 8, 10, ends, ends, 8];
+        let line = |cells: Vec<&str>| {
+            let cells = cells.iter().zip(widths).map(|(cell, width)| format!("{cell:>width$}"));
+            cells.collect::<Vec<_>>().join("  ").trim_end().to_string() + "\n"
+        };
+        let table: String = texts.iter().map(|row| line(row.iter().map(String::as_str).collect())).collect();
+        assert!(written("table") == line(names.to_vec()) + &table, "{periods}");
+    }
+}
+
 #[test]
 fn farey_answers() {
     assert_eq!(stdout("farey neighbours 3/8"), "1/3 < 3/8 < 2/5\n");

@@ -493,25 +493,32 @@ fn damage_is_detected() {
 fn the_remainder_is_needed() {
     let n = 12;
     let context = Precision::new(128);
-    let mut caught = 0;
+    let (mut caught, mut at_once) = (0, 0);
     // High and narrow boxes: r^p is far from its parabola.
     for s in (1..1 << 12).map(|i| (1u64 << 63) / (1 << 12) * i) {
         let powers = Powers::new(n, [0, ONE / 2]).unwrap();
         let waves = Waves::new(n, [s, s + (1 << 30)], Form::Sine).unwrap();
         let patch = Patch::new(&powers, &waves);
-        for (k, expansion) in (1..n).zip(patch.expansions()) {
+        for (k, term) in (1..n).zip(patch.terms()) {
+            let expansion = term.expansion();
             let cut = Expansion { d: [0; 4], ..expansion };
             let at = |bits| BigRational::new(s.into(), BigInt::from(1) << bits);
             let top = value(n, k, &BigRational::new(1.into(), 2.into()), &at(64), Form::Sine, &context);
             for (t, wrong) in [(1, Sign::Negative), (-1, Sign::Positive)] {
-                if top.sign() == Some(wrong) && cut.shows(t, patch.slack) {
-                    assert!(!expansion.shows(t, patch.slack));
-                    caught += 1;
+                if top.sign() == Some(wrong) {
+                    assert!(!expansion.shows(t, patch.slack) && !term.shows(t));
+                    caught += u32::from(cut.shows(t, patch.slack));
+                    // Nor by the constant alone, or the linear polynomial.
+                    let [constant, across, up, ..] = cut.c.map(|c| t * c);
+                    at_once += u32::from(constant > across.abs() + up.abs());
                 }
             }
         }
     }
-    assert!(caught > 0, "no false sign is shown without the remainder: the test shows nothing");
+    assert!(
+        caught > 0 && at_once > 0,
+        "no false sign is shown without the remainder: the test shows nothing"
+    );
 }
 
 /// With w < 0 allowed, T_d > 0 would "decide" T_k where it does not.
@@ -525,7 +532,7 @@ fn a_negative_w_is_refused() {
             let s = [(1u64 << 63) / 50 * (j + 5), (1u64 << 63) / 50 * (j + 5) + (1 << 63) / 200];
             let (Ok(powers), Ok(waves)) = (Powers::new(n, r), Waves::new(n, s, Form::Sine)) else { continue };
             let patch = Patch::new(&powers, &waves);
-            let all: Vec<Expansion> = patch.expansions().collect();
+            let all: Vec<Expansion> = patch.terms().map(|term| term.expansion()).collect();
             for (k, d) in (0..7).flat_map(|k| (0..7).map(move |d| (k, d))).filter(|(k, d)| k != d) {
                 let (one_k, one_d) = (&all[k], &all[d]);
                 // T_k + v T_d > 0 for some v > 0, though T_k < 0 < T_d at the centre.
@@ -734,7 +741,7 @@ proptest! {
         let waves = Waves::new(n, [s0, s0 + s_width], form).unwrap();
         let patch = Patch::new(&powers, &waves);
         let expansion = patch.expansion(k);
-        let from_all = patch.expansions().nth(k as usize - 1).unwrap();
+        let from_all = patch.terms().nth(k as usize - 1).unwrap().expansion();
 
         let at = |lo: i128, width: i128, i: i64, bits: u32| {
             BigRational::new(BigInt::from(lo * 16 + width * i128::from(i)), BigInt::from(16) << bits)
@@ -756,7 +763,7 @@ proptest! {
             let (lo, hi) = scaled(&value, 0);
             prop_assert!(lo >= &polynomial - &bound && hi <= &polynomial + &bound, "{expansion:?}, {:?}", (lo, polynomial));
             for t in [-1, 1] {
-                if expansion.shows(t, patch.slack) {
+                if expansion.shows(t, patch.slack) || patch.shows(k, t) {
                     prop_assert_eq!(value.sign(), Some(if t > 0 { Sign::Positive } else { Sign::Negative }));
                 }
             }

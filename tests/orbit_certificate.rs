@@ -197,7 +197,7 @@ fn rejections_name_the_line_and_the_reason() {
         (with(&text, "flight", "flight 0"), "malformed: a flight has at least one piece"),
         (with(&text, ends[3], ends[1]), "false: the pieces of flight 1 do not follow one another"),
         (with(&text, last, "until 25.1327"), "false: the pieces of flight 1 stop before its end"),
-        (with(&text, last, "until 27"), "the gap on piece 64 of flight 1 is not certainly positive"),
+        (with(&text, last, "until 28"), "the gap on piece 64 of flight 1 is not certainly positive"),
         (text.clone() + "\n", "malformed: the file goes on after the last flight"),
         (text.replace(&format!("{last}\n"), ""), "the file ends where a line \"until …\" should stand"),
     ];

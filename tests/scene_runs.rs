@@ -1,7 +1,13 @@
 //! `grazing run` on every example; figures 8 to 10 against exact orbits; absent effects; the studies of cost
 //! and accuracy.
 
-use std::{collections::HashMap, f64::consts::PI, fs, path::Path, process::Command};
+use std::{
+    collections::{HashMap, HashSet},
+    f64::consts::PI,
+    fs,
+    path::Path,
+    process::Command,
+};
 
 use grazing::{
     internals::{
@@ -9,8 +15,10 @@ use grazing::{
         flow_accuracy::{long_runs, returning, tolerances},
     },
     oscillator::{
-        Effect, Side,
+        Effect, Side, Time,
+        attractor::detection::{Detection, Fate},
         orbit::{Itinerary, Oscillator, SingleImpact, find},
+        simulate::{Settings, Simulator},
     },
     scene::Scene,
 };
@@ -214,6 +222,44 @@ fn figures_8_to_10_show_what_the_captions_say() {
         let distance = |x: &[f64; 2]| (x[0] - point[0]).hypot(x[1] - point[1]);
         assert!(attractor.iter().map(distance).fold(9.0, f64::min) < 0.03);
     }
+}
+
+#[test]
+fn basins_over_phases_are_those_of_their_starts() {
+    let folder = tempfile::tempdir().unwrap();
+    let paper = fs::read_to_string(Path::new(SCENES).join("nordmark-2001.toml")).unwrap();
+    let head = &paper[..paper.find("[[tasks]]").unwrap()];
+    let task = "[[tasks]]\nname = \"phases\"\nkind = \"basins\"\nset = { mu = -0.05 }\nplane = [\"phase\", \"q\"]\n\
+                start = { q = 0, u = 0.3 }\nq = { from = -0.5, to = 0.75, count = 11 }\n\
+                u = { from = -2.5, to = 3, count = 12 }\nphase = 0.25\ntransient = 200\nlongest = 8\n";
+    let file = folder.path().join("phases.toml");
+    fs::write(&file, format!("{head}{task}")).unwrap();
+    let (code, out, error, written) = grazing(&["run", file.to_str().unwrap(), "--format", "json"]);
+    assert_eq!((code, error.as_str()), (0, ""));
+    let report: serde_json::Value = serde_json::from_str(&out).unwrap();
+    assert_eq!(report["tasks"][0]["plane"], serde_json::json!(["phase", "q"]));
+    let simulator =
+        Simulator::new(&self::paper(-0.05).exact(&[]).unwrap().rounded(), &Settings::default()).unwrap();
+    let detection = Detection { phase: PI / 2.0, transient: 200, longest: 8, ..Detection::default() };
+    let (mut seen, mut count) = (HashSet::new(), 0);
+    for row in rows(&read(&written, "phases.csv")) {
+        let [phase, q] = ["q", "u"].map(|column| row[column].parse::<f64>().unwrap());
+        let expected = match simulator.start(Time::new(0, 2.0 * PI * phase.rem_euclid(1.0)), q, 0.3) {
+            Err(_) => "behind a wall".to_string(),
+            Ok(mut run) => match detection.detect(&mut run).unwrap() {
+                Fate::Periodic(cycle) => {
+                    let plural = if cycle.impacts == 1 { "" } else { "s" };
+                    format!("period {}, {} impact{plural}", cycle.period(), cycle.impacts)
+                }
+                Fate::Irregular => "not periodic".to_string(),
+                other => panic!("{other:?}"),
+            },
+        };
+        assert_eq!(row["ends"], expected, "phase {phase}, q {q}");
+        seen.insert(expected);
+        count += 1;
+    }
+    assert!(count == 132 && seen.len() >= 3, "{count} {seen:?}");
 }
 
 #[test]

@@ -47,8 +47,29 @@ fn rational(text: &str) -> BigRational {
 fn read(text: &str) -> Result<Scene, String> {
     Scene::from_toml(text, "s.toml").map_err(|error| {
         assert!(error.is_input() && error.to_string().lines().count() == 1, "{error}");
+        // The parts that programs read are those of the line.
+        if let Some(spot) = error.spot() {
+            let line = spot.line.map_or(String::new(), |line| format!(":{line}"));
+            let key = spot.key.as_ref().zip(spot.value.as_ref());
+            let key = key.map_or(String::new(), |(key, value)| format!("{key} = {value}: "));
+            let told = format!("{}{line}: {key}{}", spot.file, spot.problem);
+            assert!(error.to_string().ends_with(&told), "{error} is not {told}");
+        }
         error.to_string()
     })
+}
+
+#[test]
+fn an_error_has_its_place_for_programs() {
+    let text = GOOD.replace("\"1/w^2\"", "\"1/w^\"");
+    let error = Scene::from_toml(&text, "s.toml").unwrap_err();
+    let spot = error.spot().unwrap();
+    let key = (spot.key.as_deref(), spot.value.as_deref());
+    assert_eq!(
+        (spot.file.as_str(), spot.line, key),
+        ("s.toml", Some(8), (Some("system.stiffness"), Some("\"1/w^\"")))
+    );
+    assert_eq!(Scene::read("no/such.toml").unwrap_err().spot().unwrap().file, "no/such.toml");
 }
 
 #[test]
@@ -251,6 +272,26 @@ fn every_failure_names_file_line_key_value_and_fix() {
             "set = { w = 5 }",
             "[[tasks]]\nname = \"m\"\nkind = \"simulate\"\nstart = { q = 0 }",
             "s.toml:26: tasks[2].name = \"m\": is the name of an earlier task too; its files would be overwritten",
+        ),
+        (
+            "set = { w = 5 }",
+            "[[tasks]]\nname = \"b\"\nkind = \"basins\"\nq = { from = 0, to = 1 }\nu = { from = 0, to = 1 }\nplane = [\"q\", \"q2\"]",
+            "s.toml:30: tasks[2].plane = [\"q\", \"q2\"]: \"q2\" is neither \"q\" nor \"u\" nor \"phase\"",
+        ),
+        (
+            "set = { w = 5 }",
+            "[[tasks]]\nname = \"b\"\nkind = \"basins\"\nq = { from = 0, to = 1 }\nu = { from = 0, to = 1 }\nplane = [\"u\", \"u\"]",
+            "s.toml:30: tasks[2].plane = [\"u\", \"u\"]: must name two different axes, as in [\"q\", \"phase\"]",
+        ),
+        (
+            "set = { w = 5 }",
+            "[[tasks]]\nname = \"b\"\nkind = \"basins\"\nq = { from = 0, to = 1 }\nu = { from = 0, to = 1 }\nstart = { q = 1 }",
+            "s.toml:30: tasks[2].start = { q = 1 }: goes with a plane: here q and u say all, leave it out",
+        ),
+        (
+            "set = { w = 5 }",
+            "[[tasks]]\nname = \"b\"\nkind = \"basins\"\nq = { from = 0, to = 1 }\nu = { from = 0, to = 1 }\nplane = [\"q\", \"phase\"]\nstart = { q = 1, phase = \"1/2\" }",
+            "s.toml:31: tasks[2].start.phase = \"1/2\": is given by the task's own phase, when all motions start",
         ),
     ] {
         assert!(GOOD.contains(from), "{from}");

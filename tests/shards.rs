@@ -107,10 +107,11 @@ format = "grazing-scene 1"
 title = "A driven mass and a stop"
 [parameters]
 F = 0.5
+F2 = 0
 [system]
 damping = "1/10"
 stiffness = "3/10"
-forcing = [{ cos = "F" }]
+forcing = [{ cos = "F" }, { k = 2, sin = "F2" }]
 [[walls]]
 side = "upper"
 offset = 1
@@ -134,6 +135,28 @@ transient = 60
 points = 12
 longest = 4
 branches = [{ at = 0.65, orbit = { pattern = [1] } }]
+[[tasks]]
+name = "plane"
+kind = "basins"
+plane = ["phase", "u"]
+start = { q = 0.4 }
+q = { from = 0, to = 1, count = 6 }
+u = { from = -1, to = 1, count = 5 }
+transient = 60
+longest = 8
+[[tasks]]
+name = "map"
+kind = "map"
+parameter = "F"
+range = [0.5, 0.9]
+count = 5
+second = "F2"
+second_range = [0, 0.1]
+second_count = 7
+start = { q = 0 }
+transient = 60
+points = 24
+longest = 8
 [[tasks]]
 name = "motion"
 kind = "simulate"
@@ -179,9 +202,14 @@ fn contents(folder: &Path) -> Vec<(String, Vec<u8>)> {
 
 #[test]
 fn tasks_of_scenes_are_those_of_one_run() {
-    for (scene, task, of) in
-        [(SCENE, "basins", 3), (SCENE, "over-F", 4), (SCENE, "basins --set F=4/5", 9), (MACHINE, "basins", 2)]
-    {
+    for (scene, task, of) in [
+        (SCENE, "basins", 3),
+        (SCENE, "over-F", 4),
+        (SCENE, "plane", 2),
+        (SCENE, "map", 3),
+        (SCENE, "basins --set F=4/5", 9),
+        (MACHINE, "basins", 2),
+    ] {
         let folder = tempdir().unwrap();
         let path = |name: &str| folder.path().join(name);
         fs::write(path("scene.toml"), scene).unwrap();
@@ -376,6 +404,15 @@ fn what_is_wrong_with_shards_is_said() {
         error
     };
     assert!(merge("1 4 6", 2).contains("3 of 6 shards are missing: --array=2-3,5"));
+    // The same for programs.
+    let (code, out, _) = run(folder.path(), "merge 1 4 6 absent -o merged --format json");
+    let told: Value = serde_json::from_str(&out).unwrap();
+    assert_eq!((code, &told["format"]), (2, &Value::from("grazing-merge 1")));
+    assert_eq!((&told["missing"], &told["array"]), (&Value::from(vec![2, 3, 5]), &Value::from("2-3,5")));
+    assert_eq!(told["of"], 6);
+    assert!(
+        told["faults"].as_array().unwrap().len() == 1 && told["faults"][0].to_string().contains("absent")
+    );
     let error = merge(&format!("{files} absent"), 2);
     assert!(error.contains("absent") && error.contains("leave out the files named above"), "{error}");
     fs::copy(path("2"), path("again")).unwrap();

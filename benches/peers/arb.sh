@@ -1,20 +1,25 @@
 #!/usr/bin/env bash
 # b_{n,k} on r = 1 here and by Arb, side by side, with ratios. Needs gcc and Arb's headers (Debian: apt-get install
-# libflint-dev libflint-arb-dev). Both sides: the fastest of several batches, in nanoseconds. Fails if the answers differ: the
-# values are compared here at a point with python-flint, and by each bench with the crate's own balls.
+# libflint-dev libflint-arb-dev), and python3 (or $PYTHON), for which python-flint is installed if it is missing. Both sides: the
+# fastest of several batches, in nanoseconds. Fails if the answers differ: the values are compared here at a point with python-flint,
+# and by each bench with the crate's own balls.
 set -eu
 cd "$(dirname "$0")/../.."
 . benches/common.sh
 build=$(mktemp -d)
 trap 'rm -rf "$build"' EXIT
 compile_with_arb "$build/arb" benches/peers/arb.c
-python3 -m venv "$build/venv"
-"$build/venv/bin/pip" install --quiet python-flint==0.9.0
+python=${PYTHON:-python3}
+if ! "$python" -c "import flint" 2>/dev/null; then
+    "$python" -m venv "$build/venv"
+    python=$build/venv/bin/python
+    "$python" -m pip install --quiet python-flint==0.9.0
+fi
 cargo bench --quiet --bench enclosures -- 'b|signs' --warm-up-time 0.5 --measurement-time 1.5 | grep '^signs:' || true
 "$build/arb" >"$build/times"
 find_grazing
 "$GRAZING" evaluate --n 100 --k 37 --s 12345/67891 --bits 256 >"$build/here"
-"$build/venv/bin/python" - "$build" "${CARGO_TARGET_DIR:-target}" <<'PY'
+"$python" - "$build" "${CARGO_TARGET_DIR:-target}" <<'PY'
 import glob, json, sys
 from flint import arb, ctx, fmpq
 build, target = sys.argv[1:]

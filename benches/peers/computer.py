@@ -29,6 +29,16 @@ def gcc():
     return "gcc " + subprocess.run(["gcc", "-dumpfullversion"], capture_output=True, text=True).stdout.strip()
 
 
+def arb():
+    """Arb's version, by its header; from FLINT 3 on, FLINT's, of which it is a part."""
+    for header, name, macro in [("arb.h", "Arb", "__ARB_VERSION"), ("flint/flint.h", "FLINT", "__FLINT_VERSION")]:
+        source = f"#include <{header}>\n" + " ".join(macro + part for part in ("", "_MINOR", "_PATCHLEVEL"))
+        done = subprocess.run(["gcc", "-E", "-P", "-"], input=source, capture_output=True, text=True)
+        if done.returncode == 0:
+            return name + " " + ".".join(done.stdout.split()[-3:])
+    return "Arb"
+
+
 def quartiles(times):
     """Median, lower and upper quartile, as grazing has them."""
     times = sorted(times)

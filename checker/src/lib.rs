@@ -84,7 +84,7 @@ use std::{fmt, io::BufRead, ops::RangeInclusive};
 
 pub use arithmetic::Fraction;
 pub use rejection::Rejection;
-pub use sha256::Sha256;
+pub use sha256::{Hashed, Sha256};
 
 use lines::Lines;
 
@@ -105,6 +105,11 @@ const KINDS: [Kind; 11] = [
     Kind::first(chaos::KIND, chaos::STATEMENT_2, chaos::check::<true>).second(),
     Kind::first(machine::KIND, machine::STATEMENT, machine::check),
 ];
+
+/// The kinds that this version proves, as after the word `kind` in a header: `orbit`, `orbit 2`, …
+pub fn kinds() -> impl Iterator<Item = String> {
+    KINDS.iter().map(|kind| format!("{}{}", kind.name, kind.version))
+}
 
 /// A kind of certificate, in one of its versions.
 struct Kind {

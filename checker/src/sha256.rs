@@ -1,5 +1,7 @@
 //! SHA-256 (FIPS 180-4), for the digest that names a system and for the one that names a file.
 
+use std::io::{self, Read};
+
 /// SHA-256 of bytes that come in portions. Memory: a few hundred bytes; time: linear in the bytes.
 ///
 /// ```
@@ -81,6 +83,33 @@ impl Sha256 {
     }
 }
 
+/// A stream, and the digest of what was read from it. Behind a reader of a whole certificate it is the digest
+/// of the bytes that were checked, even if the file changes meanwhile.
+pub struct Hashed<'a> {
+    stream: &'a mut dyn Read,
+    hash: Sha256,
+}
+
+impl<'a> Hashed<'a> {
+    /// Of which nothing is read yet.
+    pub fn new(stream: &'a mut dyn Read) -> Hashed<'a> {
+        Hashed { stream, hash: Sha256::default() }
+    }
+
+    /// The digest of the bytes that were read, in hexadecimal, lower case.
+    pub fn finish(self) -> String {
+        self.hash.finish()
+    }
+}
+
+impl Read for Hashed<'_> {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        let count = self.stream.read(buffer)?;
+        self.hash.update(&buffer[..count]);
+        Ok(count)
+    }
+}
+
 /// The digest of a message in hexadecimal.
 pub(crate) fn sha256(message: &[u8]) -> String {
     let mut hash = Sha256::default();
@@ -123,6 +152,11 @@ mod tests {
                 assert_eq!(hash.finish(), sha256(&message[..length]), "{length} bytes by {portion}");
             }
         }
+        // As a stream, too, of which half is read.
+        let mut stream = &message[..];
+        let mut hashed = Hashed::new(&mut stream);
+        hashed.read_exact(&mut [0; 150]).unwrap();
+        assert_eq!(hashed.finish(), sha256(&message[..150]));
         // From Python's hashlib.
         assert_eq!(sha256(&message), "9a76b8af8f16f19d60de2b3999c22f9d10be4395c90ea3bfc5eb6cd6254243af");
     }

@@ -1,7 +1,7 @@
 //! `grazing check`: prove certificates again.
 
 use std::{
-    io::{self, BufReader, Read, Write},
+    io::{BufReader, Write},
     path::{Path, PathBuf},
 };
 
@@ -10,7 +10,7 @@ use serde_json::json;
 
 use super::{Outcome, ReportFormat, progress::Interrupt, reader::Reader, reported};
 use crate::{
-    certificate::{Checked, Rejection, Sha256, check_until},
+    certificate::{Checked, Hashed, Rejection, check_until},
     error::Result,
     output::{Destination, distinct, say},
 };
@@ -88,20 +88,6 @@ fn check(path: &Path, interrupt: &Interrupt) -> Answer {
     hashed(path, interrupt).map(|(checked, _)| checked)
 }
 
-/// A stream, and the hash of what was read from it.
-struct Hashed<R> {
-    stream: R,
-    hash: Sha256,
-}
-
-impl<R: Read> Read for Hashed<R> {
-    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-        let count = self.stream.read(buffer)?;
-        self.hash.update(&buffer[..count]);
-        Ok(count)
-    }
-}
-
 /// What a certificate proves, and the SHA-256 of the bytes that were checked: the file's, since the checker
 /// reads to its end. A file that changes meanwhile is not cited by the wrong name.
 pub(super) fn hashed(
@@ -113,10 +99,10 @@ pub(super) fn hashed(
         return Err(Rejection::Interrupted { line: 1 });
     }
     match Reader::open(path, interrupt) {
-        Ok(stream) => {
-            let mut hashed = Hashed { stream, hash: Sha256::default() };
+        Ok(mut stream) => {
+            let mut hashed = Hashed::new(&mut stream);
             let checked = check_until(&mut BufReader::with_capacity(1 << 16, &mut hashed), &mut stop)?;
-            Ok((checked, hashed.hash.finish()))
+            Ok((checked, hashed.finish()))
         }
         Err(_) if stop() => Err(Rejection::Interrupted { line: 1 }),
         Err(source) => Err(Rejection::Unreadable { line: 0, source }),

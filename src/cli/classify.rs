@@ -4,14 +4,13 @@ use std::{io::Write, path::PathBuf};
 
 use clap::Parser;
 use num_rational::BigRational;
-use num_traits::{One, Signed};
 
 use super::{Outcome, reported};
 use crate::{
     cli::progress::Interrupt,
     error::{Error, Result},
-    existence::{Existence, by_definition, by_records, large_eigenvalue_sign},
-    local::{Ladder, Plane, Point, Polar, Region},
+    existence::{Existence, large_eigenvalue_sign, up_to},
+    local::{Forward, Ladder, Point, Region},
     monitor::Monitor,
     number::{parse_integer, parse_rational},
     output::{Column, Destination, Print, TableCell, TableFormat, TableWriter},
@@ -71,54 +70,30 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     if !(1..=LIMIT).contains(&args.max_n) {
         return Err(Error::input(format!("--max-n {}: a whole number from 1 to {LIMIT}", args.max_n)));
     }
-    let (point, region, reversed) =
-        normalised(args.a1.as_ref().zip(args.a2.as_ref()), args.r.as_ref().zip(args.s.as_ref()))?;
+    let place = forward(args.a1.as_ref().zip(args.a2.as_ref()), args.r.as_ref().zip(args.s.as_ref()))?;
     let ladder = Ladder::default().with_profile(interrupt.profile());
-    let decide = |n| interrupt.check().map(|()| by_definition(&ladder, &point, n));
-    let found = match by_records(&ladder, &point, args.max_n) {
-        Some(found) => found,
-        None => (1..=args.max_n).map(decide).collect::<Result<_>>()?,
-    };
+    let found = up_to(&ladder, &place.point, args.max_n, || interrupt.check())?;
     interrupt.check()?;
     let written = destination.write(|out| {
         if args.format == TableFormat::Table && destination == Destination::Stdout {
-            let time = if reversed { ", after reversing time (a2 > 1)" } else { "" };
-            writeln!(out, "{}{time}", describe(region))?;
-            words(&point, out)?;
+            let time = if place.reversed { ", after reversing time (a2 > 1)" } else { "" };
+            writeln!(out, "{}{time}", describe(place.region))?;
+            words(&place.point, out)?;
         }
-        write(args.format, region, reversed, &found, out)
+        write(args.format, &place, &found, out)
     });
     let undecided = found.contains(&Existence::Undecided);
     reported(if undecided { Outcome::Undecided } else { Outcome::Done }, written)
 }
 
-/// The point given by (a₁, a₂) or by (r, s), with a₂ ≤ 1, its region, and whether time was reversed to get
-/// there.
-pub(super) fn normalised(
+/// The point given by (a₁, a₂) or by (r, s), with a₂ ≤ 1.
+pub(super) fn forward(
     plane: Option<(&BigRational, &BigRational)>,
     polar: Option<(&BigRational, &BigRational)>,
-) -> Result<(Point, Region, bool)> {
+) -> Result<Forward> {
     match (plane, polar) {
-        (Some((a1, a2)), _) => {
-            if !a2.is_positive() {
-                return Err(Error::input(format!(
-                    "--a2 {a2}: the determinant of the map of a flow is above 0"
-                )));
-            }
-            let reversed = a2 > &BigRational::one();
-            let plane =
-                if reversed { Plane::new(a1 / a2, a2.recip())? } else { Plane::new(a1.clone(), a2.clone())? };
-            let region = plane.region();
-            Ok((Point::Plane(plane), region, reversed))
-        }
-        (_, Some((r, s))) => {
-            if !r.is_positive() {
-                return Err(Error::input(format!("--r {r}: the modulus is above 0")));
-            }
-            let reversed = r > &BigRational::one();
-            let polar = Polar::new(if reversed { r.recip() } else { r.clone() }, s.clone())?;
-            Ok((Point::Polar(polar), Region::Three, reversed))
-        }
+        (Some((a1, a2)), _) => Forward::plane(a1.clone(), a2.clone()),
+        (_, Some((r, s))) => Forward::polar(r.clone(), s.clone()),
         _ => Err(Error::input("give a point by --a1 and --a2, or by --r and --s")),
     }
 }
@@ -157,13 +132,7 @@ pub(super) fn describe(region: Region) -> &'static str {
     }
 }
 
-fn write(
-    format: TableFormat,
-    region: Region,
-    reversed: bool,
-    found: &[Existence],
-    out: &mut dyn Write,
-) -> Result<()> {
+fn write(format: TableFormat, place: &Forward, found: &[Existence], out: &mut dyn Write) -> Result<()> {
     let columns = [
         Column::new("n", "$n$", 6),
         Column::new("existence", "existence", 17).print(Print::Left),
@@ -176,30 +145,17 @@ fn write(
     ];
     let mut table = TableWriter::new(out, format, "grazing-classify 1", columns.to_vec())?;
     for (n, &existence) in (1u64..).zip(found) {
-        // Reversing time turns b_{n,k} into b_{n,n−k} and keeps every sign.
-        let index = |k: u64| TableCell::Int((if reversed { n - k } else { k }) as i64);
         let mut cells = [TableCell::Empty; 8];
         cells[0] = TableCell::Int(n as i64);
-        cells[1] = TableCell::Text(match existence {
-            Existence::Orbit(_) => "orbit",
-            Existence::None { .. } => "none",
-            Existence::Singular => "singular boundary",
-            Existence::Iterate(_) => "iterate boundary",
-            Existence::SignBoundary => "sign boundary",
-            Existence::Undecided => "undecided",
-        });
-        match existence {
-            Existence::None { positive, negative } => {
-                (cells[5], cells[6]) = (index(positive), index(negative))
-            }
-            Existence::Iterate(k) => cells[7] = index(k),
-            _ => {}
+        cells[1] = TableCell::Text(existence.name());
+        for (cell, k) in cells[5..].iter_mut().zip(existence.indices()) {
+            *cell = k.map_or(TableCell::Empty, |k| TableCell::Int(place.index(n, k) as i64));
         }
         let cases = existence.cases(n);
         for case in &cases {
             cells[2] = TableCell::Int(case.sign_emu().into());
             cells[3] = TableCell::Int(case.sign_gamma().into());
-            cells[4] = TableCell::Int(large_eigenvalue_sign(region, n, *case).into());
+            cells[4] = TableCell::Int(large_eigenvalue_sign(place.region, n, *case).into());
             table.row(&cells)?;
         }
         if cases.is_empty() {

@@ -3,12 +3,13 @@
 use std::{io::Read, path::PathBuf};
 
 use clap::Parser;
+use serde::Serialize;
 
 use super::{
     Outcome, ReportFormat, boundary, cover, fuzz, intervals,
     reader::Reader,
     run,
-    shards::{Merged, ShardSet},
+    shards::{Faults, Merged, ShardSet},
     verify,
 };
 use crate::{
@@ -82,7 +83,20 @@ pub(super) fn merge(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
         }
         Destination::new(Some(output))?;
     }
-    let set = ShardSet::read(&files, interrupt)?;
+    let set = ShardSet::read(&files, interrupt, |faults| {
+        if args.format != ReportFormat::Json {
+            return Ok(());
+        }
+        #[derive(Serialize)]
+        struct Report<'a> {
+            format: &'static str,
+            #[serde(flatten)]
+            faults: &'a Faults,
+        }
+        let report = Report { format: "grazing-merge 1", faults };
+        let text = serde_json::to_string_pretty(&report).map_err(std::io::Error::other)?;
+        Destination::Stdout.write(|out| Ok(writeln!(out, "{text}")?))
+    })?;
     let merged = Merged { output: args.output.clone(), format: args.format };
     let words = set.words();
     let damaged = |error: clap::Error| {

@@ -12,14 +12,14 @@ use serde_json::{Value as Json, json};
 
 use super::{
     Outcome,
-    classify::{describe, normalised},
+    classify::{describe, forward},
     range::Span,
     reported,
 };
 use crate::{
     cli::progress::{Interrupt, Progress},
     error::{Error, Result},
-    local::{Ladder, Point},
+    local::{Forward, Ladder, Point},
     number::{certain_digits, parse_integer, parse_rational},
     output::{Destination, OutputFile, distinct, say},
     search::{Certified, WordCertificate, WordPlace, certify_word},
@@ -205,8 +205,8 @@ impl Given {
         }
         let point = |span: &Option<Span>| span.as_ref().map(|span| span.0[0].clone());
         let (a1, a2) = (point(&args.a1), point(&args.a2));
-        let (point, region, reversed) =
-            normalised(a1.as_ref().zip(a2.as_ref()), args.r.as_ref().zip(args.s.as_ref()))?;
+        let Forward { point, region, reversed } =
+            forward(a1.as_ref().zip(a2.as_ref()), args.r.as_ref().zip(args.s.as_ref()))?;
         let time = if reversed { ", after reversing time (a2 > 1): patterns are read backwards" } else { "" };
         let heading = format!("{}{time}", describe(region));
         Ok(Given { place: At::Point(Box::new(point)), reversed, heading, bounds: None })

@@ -21,7 +21,7 @@ use num_traits::{One, Signed, ToPrimitive, Zero, pow};
 use super::{Case, Interval};
 use crate::{
     error::{Error, Result},
-    number::{Angle, Ball, Circular, Plain, Precision, Real, Sign},
+    number::{Angle, Ball, Circular, FloatInterval, Plain, Precision, Real, Sign},
 };
 
 /// A closed interval of fractions that certainly contains a number.
@@ -102,6 +102,31 @@ impl Boundary {
         let Some(j) = self.j() else { return Ok(Some(Enclosure::zero())) };
         let e = (s * BigInt::from(*n) - BigRational::from_integer((*m).into())).abs();
         Ok(Section::new(*n, j, &e).root(digits, &Precision::new(bits(*n, digits))))
+    }
+
+    /// R(s), no wider than 2·`within`, for pictures: by `f64` intervals where these can tell, else as
+    /// [`at`](Boundary::at).
+    ///
+    /// Cost: some microseconds for the intervals; they can tell for most s if `within` is above 2⁻⁴⁰.
+    ///
+    /// # Errors
+    /// An input error unless s lies inside the interval and `within` is positive.
+    pub fn near(&self, s: &BigRational, within: &BigRational) -> Result<Option<Enclosure>> {
+        if !within.is_positive() {
+            return Err(Error::input(format!("an enclosure within {within}: it must be above 0")));
+        }
+        let Interval { n, m, left, right, .. } = &self.interval;
+        let inside = *s > big(left) && *s < big(right);
+        if let (true, Some(j)) = (inside, self.j()) {
+            let e = (s * BigInt::from(*n) - BigRational::from_integer((*m).into())).abs();
+            if let Some(found) = Section::new(*n, j, &e).root_by_intervals(within) {
+                return Ok(Some(found));
+            }
+        }
+        // 10^−(digits + 2) ≤ 2^−exponent < within.
+        let exponent = (within.denom().bits() + 1).saturating_sub(within.numer().bits());
+        let digits = u32::try_from(exponent * 302 / 1000).unwrap_or(u32::MAX);
+        self.at(s, digits.clamp(1, 1 << 24))
     }
 }
 
@@ -212,6 +237,23 @@ impl Section {
         middle(&(factor * &Ball::ratio(r, precision)))
     }
 
+    /// The zero of h within `within` on either side, certified by `f64` intervals; `None` where they cannot.
+    fn root_by_intervals(&self, within: &BigRational) -> Option<Enclosure> {
+        if !self.increases() {
+            return None;
+        }
+        if self.angles[2].sin_sign() != Sign::Positive {
+            return Some(Enclosure::zero());
+        }
+        let sines = self.sines::<FloatInterval>(&());
+        let guess = self.guess();
+        let lower = (&guess - within).max(BigRational::zero());
+        let upper = (&guess + within).min(BigRational::one());
+        let sign = |r: &BigRational| self.value(&sines, r, &()).sign();
+        let certain = sign(&lower) == Some(Sign::Negative) && sign(&upper) == Some(Sign::Positive);
+        certain.then_some(Enclosure { lower, upper })
+    }
+
     /// The zero of h within 10^−(`digits` + 2) on either side; `None` if that could not be made certain.
     pub fn root(&self, digits: u32, precision: &Precision) -> Option<Enclosure> {
         if !self.increases() {
@@ -246,6 +288,36 @@ pub(super) fn float(x: &BigRational) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::existence::intervals;
+
+    /// Both routes enclose one number, for wide and for narrow wishes.
+    #[test]
+    fn intervals_and_balls_enclose_the_same_edge() {
+        let mut quick = 0;
+        for interval in [3, 7, 12, 101].into_iter().flat_map(|n| intervals(n).unwrap()) {
+            let boundary = Boundary::new(interval);
+            let [left, right] = [&boundary.interval.left, &boundary.interval.right].map(big);
+            for (i, exponent) in (1..8).zip([3u32, 10, 20, 30, 38, 60, 200]) {
+                let s = &left + (&right - &left) * BigRational::new(i.into(), 8.into());
+                let within = BigRational::new(BigInt::one(), BigInt::one() << exponent);
+                let near = boundary.near(&s, &within).unwrap().unwrap();
+                let at = boundary.at(&s, 70).unwrap().unwrap();
+                assert!(&near.upper - &near.lower <= &within * BigInt::from(2), "{} {s}", boundary.interval);
+                assert!(near.lower <= at.upper && at.lower <= near.upper, "{} {s}", boundary.interval);
+                if let Some(j) = boundary.j() {
+                    let e = (&s * BigInt::from(boundary.interval.n)
+                        - BigRational::from_integer(boundary.interval.m.into()))
+                    .abs();
+                    let found = Section::new(boundary.interval.n, j, &e).root_by_intervals(&within);
+                    quick += usize::from(found.is_some());
+                }
+            }
+        }
+        assert!(quick > 300, "{quick}");
+        let boundary = Boundary::new(intervals(5).unwrap().nth(1).unwrap());
+        assert!(boundary.near(&big(&boundary.interval.left), &unit(3)).is_err());
+        assert!(boundary.near(&BigRational::new(3.into(), 20.into()), &BigRational::zero()).is_err());
+    }
 
     /// Beyond je = 1 the coefficient of rⁿ is negative: the check says so, and nothing is enclosed.
     #[test]

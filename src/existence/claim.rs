@@ -8,7 +8,7 @@ use num_integer::Integer;
 use num_rational::{BigRational, Ratio};
 use num_traits::{One, ToPrimitive};
 
-use super::Case;
+use super::{Case, fixed_point};
 use crate::{
     farey,
     local::{Answer, Ladder, Plane, Point, Polar, Quantity, Region},
@@ -40,7 +40,7 @@ pub enum Variant {
 }
 
 /// What is claimed for period n ≥ 1 at `point`, whose determinant must be at most 1. Cost: one sign, and for
-/// (a₁, a₂) in region 3 the integers u_1, …, u_n.
+/// (a₁, a₂) in region 3 the signs of u_1, …, u_n.
 pub fn claimed(ladder: &Ladder, point: &Point, n: u64, variant: Variant) -> Claim {
     claimed_with(&|point, quantity| ladder.sign(point, quantity).answer, point, n, variant)
 }
@@ -125,8 +125,12 @@ fn polar_half_turns(polar: &Polar, n: u64) -> Option<u64> {
 }
 
 /// sin 2πks passes each multiple of π once as k grows, since 2s < 1: the sign changes of u_1, …, u_n count
-/// them.
+/// them. Where 128 bits with a fixed point leave the sign of one open, they are counted in integers.
 fn plane_half_turns(plane: &Plane, n: u64) -> Option<u64> {
+    fixed_point::sign_changes(plane, n).or_else(|| half_turns_exactly(plane, n))
+}
+
+fn half_turns_exactly(plane: &Plane, n: u64) -> Option<u64> {
     let d = plane.a1().denom().lcm(plane.a2().denom());
     let a = (plane.a1() * &d).to_integer();
     let b = (plane.a2() * (&d * &d)).to_integer();

@@ -1,12 +1,14 @@
 //! Theorem 2's intervals of s, by two independent routes.
 
-use std::fmt;
+use std::{fmt, ops::Range};
 
-use num_integer::Integer;
 use num_rational::Ratio;
 use serde::Serialize;
 
-use super::Case;
+use super::{
+    Case,
+    units::{Unit, Units},
+};
 use crate::{
     error::{Error, Result},
     farey::Gap,
@@ -47,7 +49,8 @@ impl fmt::Display for Interval {
 /// All of Theorem 2's intervals for period `n`, from left to right, by modular inverses.
 ///
 /// There are φ(n) + 1 for n ≥ 2. Period 1 exists everywhere, in (+,−) and (−,+); period 2 follows the general
-/// pattern with m = 1 at s = ½. O(1) memory; O(log n) operations for each m ≤ n/2.
+/// pattern with m = 1 at s = ½. O(1) memory; O(√n) operations, then O(1) for each m ≤ n/2, where those of 512
+/// values of m are made together.
 ///
 /// # Errors
 /// An input error unless 1 ≤ n ≤ [`MAX_PERIOD`].
@@ -60,16 +63,23 @@ impl fmt::Display for Interval {
 /// ```
 pub fn intervals(n: u64) -> Result<impl Iterator<Item = Interval> + Send> {
     check_period(n)?;
-    let first = around_zero(n);
-    let second = (n == 1).then(|| Interval { case: Case::MinusPlus, ..first.clone() });
-    let rest = (1..=n / 2).filter(move |m| n > 1 && m.gcd(&n) == 1).flat_map(move |m| {
+    Ok(intervals_between(n, 0..n / 2 + 1))
+}
+
+/// Those of [`intervals`] with m in a range, for a period that it takes. Cost: O(√n) operations, then O(1)
+/// for each of these m.
+pub(crate) fn intervals_between(n: u64, range: Range<u64>) -> impl Iterator<Item = Interval> + Send {
+    let first = (range.start == 0 && range.end > 0).then(|| around_zero(n));
+    let second =
+        first.as_ref().filter(|_| n == 1).map(|first| Interval { case: Case::MinusPlus, ..first.clone() });
+    // Period 1 has no m but 0.
+    let units = (n > 1).then(|| Units::new(n, range.start.max(1)..range.end.min(n / 2 + 1)));
+    let rest = units.into_iter().flatten().flat_map(move |unit| {
         // m n₊ ≡ 1 mod n; n₊ + n₋ = n. For n = 2, n₊ = 1.
-        let n_plus = inverse(m, n);
-        let left = Ratio::new_raw((m * n_plus - 1) / n, n_plus);
-        let right = Ratio::new_raw(m - left.numer(), n - n_plus);
-        around(n, m, left, right)
+        let Unit { m, inverse: n_plus, quotient } = unit;
+        around(n, m, Ratio::new_raw(quotient, n_plus), Ratio::new_raw(m - quotient, n - n_plus))
     });
-    Ok([Some(first), second].into_iter().flatten().chain(rest))
+    [first, second].into_iter().flatten().chain(rest)
 }
 
 /// All of Theorem 2's intervals for every period from 3 to `order`, in increasing order of m/n, by Farey
@@ -121,17 +131,4 @@ fn around(n: u64, m: u64, left: Ratio<u64>, right: Ratio<u64>) -> impl Iterator<
     let after =
         (n > 2).then_some(Interval { n, m, case: Case::PlusMinus, left: at, right, deciding: Some(n_plus) });
     [before].into_iter().chain(after)
-}
-
-/// The inverse of m modulo n in 1..=n−1 (1 if n = 2), for coprime m < n.
-fn inverse(m: u64, n: u64) -> u64 {
-    // Bézout coefficients of m stay below n in absolute value.
-    let (mut a, mut b) = (n as i64, m as i64);
-    let (mut x, mut y) = (0i64, 1i64);
-    while b != 0 {
-        let quotient = a / b;
-        (a, b) = (b, a - quotient * b);
-        (x, y) = (y, x - quotient * y);
-    }
-    x.rem_euclid(n as i64) as u64
 }

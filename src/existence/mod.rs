@@ -26,25 +26,31 @@
 //! ```
 
 mod boundary;
+mod brief;
 mod by_enclosure;
 mod case;
 mod claim;
 mod decide;
 mod eigenvalue;
+pub(crate) mod fixed_point;
 mod intervals;
 mod signs;
 mod single;
 mod tip;
+mod units;
 
 pub use boundary::{Boundary, Enclosure};
+pub(crate) use brief::Brief;
 pub use by_enclosure::{Enclosed, decide_by_enclosure};
 pub use case::Case;
 pub(crate) use claim::claimed_with;
 pub use claim::{Claim, Variant, claimed};
 pub use decide::{Decision, Piece, Reason, decide};
 pub use eigenvalue::large_eigenvalue_sign;
+#[cfg(feature = "cli")]
+pub(crate) use intervals::intervals_between;
 pub use intervals::{Interval, MAX_PERIOD, intervals, tree_intervals};
 pub use signs::{Approach, Signs};
 pub(crate) use single::definition_and_rung;
-pub use single::{Existence, by_definition, by_records};
+pub use single::{Existence, by_definition, by_records, up_to};
 pub use tip::{Lowest, Tip, tip_correction, tip_law};

@@ -10,9 +10,9 @@
 //!
 //! and 2 − v_j > 0 in regions 2, 3 and 4, so b_{n,k} u_n has the sign of f_n − f_k and c_n the sign of −f_n:
 //! an orbit exists iff f_n ≠ 0 is a strict record of f_1, …, f_n. One pass with the latest maximum and
-//! minimum decides every n ≤ N.
+//! minimum decides every n ≤ N. Two f are compared by their enclosures, or else by the sign of b_{n,k}.
 
-use std::fmt;
+use std::{fmt, time::Duration};
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -21,8 +21,10 @@ use serde::Serialize;
 
 use super::Case;
 use crate::{
+    error::Result,
     local::{Answer, Ladder, Plane, Point, Quantity, Region, Rung},
-    number::Sign,
+    number::{FloatInterval, Real, Sign},
+    processor::Stopwatch,
 };
 
 /// What is known of the single-impact orbits of one period at one point.
@@ -74,6 +76,28 @@ impl Existence {
             _ => Vec::new(),
         }
     }
+
+    /// The word that tables have for it: `orbit`, `none`, `singular boundary`, `iterate boundary`, `sign
+    /// boundary` or `undecided`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Existence::Orbit(_) => "orbit",
+            Existence::None { .. } => "none",
+            Existence::Singular => "singular boundary",
+            Existence::Iterate(_) => "iterate boundary",
+            Existence::SignBoundary => "sign boundary",
+            Existence::Undecided => "undecided",
+        }
+    }
+
+    /// The k that it names with b_{n,k} > 0, with b_{n,k} < 0 and with b_{n,k} = 0.
+    pub fn indices(self) -> [Option<u64>; 3] {
+        match self {
+            Existence::None { positive, negative } => [Some(positive), Some(negative), None],
+            Existence::Iterate(k) => [None, None, Some(k)],
+            _ => [None; 3],
+        }
+    }
 }
 
 /// Existence for period `n` at `point`, by the signs of c_n and of every b_{n,k}. Cost: n signs.
@@ -82,6 +106,23 @@ impl Existence {
 /// Unless n ≥ 1.
 pub fn by_definition(ladder: &Ladder, point: &Point, n: u64) -> Existence {
     definition_and_rung(ladder, point, n).0
+}
+
+/// Existence for every period 1, …, `last`: by the record form where it serves, or else by the definition,
+/// one period after the other. Cost: as [`by_records`], or `last`² signs.
+///
+/// # Errors
+/// That of `check`, which is asked before every period that takes the definition.
+pub fn up_to(
+    ladder: &Ladder,
+    point: &Point,
+    last: u64,
+    mut check: impl FnMut() -> Result<()>,
+) -> Result<Vec<Existence>> {
+    match by_records(ladder, point, last) {
+        Some(found) => Ok(found),
+        None => (1..=last).map(|n| check().map(|()| by_definition(ladder, point, n))).collect(),
+    }
 }
 
 /// [`by_definition`], and the highest rung it took: intervals, then balls by their bits, then integers.
@@ -93,10 +134,17 @@ pub(crate) fn definition_and_rung(ladder: &Ladder, point: &Point, n: u64) -> (Ex
         Answer::Sign(sign) => Some(sign),
         Answer::Undecided => None,
     };
+    let decisions = ladder.signs(point, n);
+    rung = decisions.iter().fold(rung, |rung, decision| rung.higher(decision.rung));
+    (verdict(decisions.iter().map(|decision| decision.answer), || c), rung)
+}
+
+/// What the signs of b_{n,1}, b_{n,2}, … and, unless two of them are opposite, that of c_n say; `None` for a
+/// c_n that is undecided. Needs u_n ≠ 0.
+pub(super) fn verdict(answers: impl Iterator<Item = Answer>, c: impl FnOnce() -> Option<Sign>) -> Existence {
     let (mut positive, mut negative, mut zero, mut undecided) = (None, None, None, false);
-    for (k, decision) in (1..).zip(ladder.signs(point, n)) {
-        rung = higher(rung, decision.rung);
-        let place = match decision.answer {
+    for (k, answer) in (1..).zip(answers) {
+        let place = match answer {
             Answer::Sign(Sign::Positive) => &mut positive,
             Answer::Sign(Sign::Negative) => &mut negative,
             Answer::Sign(Sign::Zero) => &mut zero,
@@ -107,35 +155,24 @@ pub(crate) fn definition_and_rung(ladder: &Ladder, point: &Point, n: u64) -> (Ex
         };
         place.get_or_insert(k);
     }
-    let found = match (positive, negative, zero) {
+    match (positive, negative, zero) {
         (Some(positive), Some(negative), _) => Existence::None { positive, negative },
         _ if undecided => Existence::Undecided,
         (_, _, Some(k)) => Existence::Iterate(k),
-        _ => match c {
+        _ => match c() {
             None => Existence::Undecided,
             Some(Sign::Zero) => Existence::SignBoundary,
             // For n = 1 there is no b: of the two cases, the one with eµ > 0 stands for both.
             Some(c) => Existence::Orbit(Case::from_signs(negative.is_none(), c == Sign::Positive)),
         },
-    };
-    (found, rung)
-}
-
-/// The higher of two rungs; c_n from (r, s) is always exact, so integers count as the lowest unless they
-/// stand alone.
-fn higher(a: Rung, b: Rung) -> Rung {
-    let height = |rung| match rung {
-        Rung::Exact => 0,
-        Rung::Plain | Rung::Interval => 1,
-        Rung::Ball(bits) => bits,
-    };
-    if height(b) > height(a) { b } else { a }
+    }
 }
 
 /// Existence for every period 1, …, `last` at a point of region 2, 3 or 4 with a₂ ≤ 1, by the record form;
 /// `None` elsewhere.
 ///
-/// Cost: two signs of a b for each n, and for a point (a₁, a₂) of region 3 the integers u_1, …, u_last.
+/// Cost: O(1) interval operations for each n; where these leave a comparison open, the sign of a b, and where
+/// they leave that of a u open, for a point (a₁, a₂) of region 3 the integers u_1, …, u_last.
 ///
 /// ```
 /// use grazing::existence::{Existence, by_definition, by_records};
@@ -149,9 +186,24 @@ fn higher(a: Rung, b: Rung) -> Rung {
 /// # Ok::<(), grazing::Error>(())
 /// ```
 pub fn by_records(ladder: &Ladder, point: &Point, last: u64) -> Option<Vec<Existence>> {
-    let signs = u_signs(point, last)?;
-    let mut records = Records { ladder, point, signs: &signs, highest: 1, lowest: 1, lost: false };
-    Some((1..=last).map(|n| records.next(n)).collect())
+    let start = ladder.profile().map(|_| Stopwatch::start());
+    let (signs, quotients) = (u_signs(point, last)?, quotients(point, last));
+    let spent = start.map_or(Duration::ZERO, |start| start.elapsed());
+    let mut records = Records {
+        ladder,
+        point,
+        signs: &signs,
+        quotients: &quotients,
+        highest: 1,
+        lowest: 1,
+        lost: false,
+        compared: 0,
+    };
+    let found = (1..=last).map(|n| records.next(n)).collect();
+    if let (Some(profile), 1..) = (ladder.profile(), records.compared) {
+        profile.add(Rung::Interval, records.compared, spent);
+    }
+    Some(found)
 }
 
 /// The sign of u_n for n = 1, …, last, exact; `None` unless the point is in region 2, 3 or 4.
@@ -164,9 +216,26 @@ fn u_signs(point: &Point, last: u64) -> Option<Vec<Sign>> {
         _ if plane.a2() > &BigRational::one() => None,
         Region::Two => Some(vec![Sign::Positive; last as usize]),
         Region::Four => Some((1..=last).map(|n| Sign::Positive.negated_if(n % 2 == 0)).collect()),
-        Region::Three => Some(u_signs_exactly(plane, last)),
+        Region::Three => {
+            let certain = (1..).zip(plane.terms::<FloatInterval>(last, &())).map(|(n, (u, _))| {
+                // u is zero nowhere else.
+                if plane.is_singular(n) { Some(Sign::Zero) } else { u.sign() }
+            });
+            Some(certain.collect::<Option<_>>().unwrap_or_else(|| u_signs_exactly(plane, last)))
+        }
         Region::One | Region::Five | Region::Line => None,
     }
+}
+
+/// Enclosures of f_1, …, f_last, all times the same positive number; none on r = 1, where integers tell more.
+fn quotients(point: &Point, last: u64) -> Vec<FloatInterval> {
+    let terms = match point {
+        Point::Polar(polar) if polar.on_circle() => Vec::new(),
+        Point::Polar(polar) => polar.terms::<FloatInterval>(last, &()),
+        Point::Plane(plane) => plane.terms::<FloatInterval>(last, &()),
+    };
+    // The whole line where 2 − v_j is not certain to be positive.
+    terms.into_iter().map(|(u, rest)| u / &rest).collect()
 }
 
 /// W_k = D^{k−1} u_k by its recurrence in integers, a₁ = A/D, a₂ = B/D².
@@ -189,19 +258,28 @@ struct Records<'a> {
     ladder: &'a Ladder,
     point: &'a Point,
     signs: &'a [Sign],
+    /// Enclosures of f_1, f_2, …, if there are any.
+    quotients: &'a [FloatInterval],
     /// The first index with the greatest f so far, and with the least.
     highest: u64,
     lowest: u64,
     /// A comparison could not be decided, so that the two indices above mean nothing any more.
     lost: bool,
+    /// The number of comparisons that enclosures decided.
+    compared: u64,
 }
 
 impl Records<'_> {
     /// The sign of f_n − f_k, k < n: that of u_n b_{n,k}; where u_n = 0 and so f_n = 0, the sign of −f_k.
-    fn compare(&self, n: u64, k: u64) -> Option<Sign> {
+    fn compare(&mut self, n: u64, k: u64) -> Option<Sign> {
         let u = self.signs[n as usize - 1];
         if u == Sign::Zero {
             return Some(-self.signs[k as usize - 1]);
+        }
+        let at = |j: u64| self.quotients.get(j as usize - 1).copied();
+        if let Some(sign) = at(n).zip(at(k)).and_then(|(here, there)| (here - &there).sign()) {
+            self.compared += 1;
+            return Some(sign);
         }
         match self.ladder.sign(self.point, Quantity::B { n, k }).answer {
             Answer::Sign(b) => Some(b * u),

@@ -150,7 +150,7 @@ pub fn draw_caption(canvas: &mut Canvas, lines: Vec<Words>, top: f64) {
 pub fn time_range(rows: &[PanelRow]) -> ((f64, f64), Vec<(f64, Words)>) {
     let times = rows.iter().flat_map(|row| row.times()).map(f64::log10);
     let (low, top) = times.fold((9.0f64, 1.0f64), |(low, top), t| (low.min(t), top.max(t)));
-    let (low, top) = (low - 0.4, top + 0.6);
+    let (low, top) = (low - 0.9, top + 0.9);
     let inside = low.ceil() as i32..=top.floor() as i32;
     let step = if inside.clone().count() > 6 { 2 } else { 1 };
     let marks = inside.step_by(step).map(|e| (f64::from(e), Words::plain(&duration(e)))).collect();

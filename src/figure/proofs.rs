@@ -6,7 +6,8 @@ use std::io::Write;
 use super::{
     FigurePlace,
     canvas::{
-        Anchor, At, BLACK, BLUE, COLUMN, Canvas, Colour, GREEN, GREY, ORANGE, PINK, RED, SKY, Words, line,
+        Anchor, At, BLACK, BLUE, COLUMN, Canvas, Colour, GREEN, GREY, ORANGE, PINK, RED, SKY, Stroke, Words,
+        line,
     },
     frame::{Axis, PlotFrame},
     legend::Legend,
@@ -102,15 +103,19 @@ fn draw(rows: &[Shown]) -> Canvas {
             kinds.push(&row.kind);
         }
     }
+    // A second version has the colour of the first, and dashes.
+    let first = |kind: &str| kind.trim_end_matches(" 2").to_string();
     let colour = |kind: &str| {
-        let place = kinds.iter().position(|other| *other == kind).unwrap_or(0);
-        COLOURS[place % COLOURS.len()]
+        let mut firsts = kinds.iter().filter(|other| !other.ends_with(" 2"));
+        COLOURS[firsts.position(|other| *other == first(kind)).unwrap_or(0) % COLOURS.len()]
     };
+    let stroke =
+        |kind: &str| Stroke { dashes: kind.ends_with(" 2").then_some([2.4, 1.6]), ..line(colour(kind), 0.9) };
     let mut legend = Legend::default();
     for kind in &kinds {
-        let ink = colour(kind);
+        let (ink, stroke) = (colour(kind), stroke(kind));
         legend.add(Words::plain(kind), move |canvas: &mut Canvas, (x, y): At| {
-            canvas.line(vec![(x - 8.0, y), (x + 8.0, y)], line(ink, 0.9));
+            canvas.line(vec![(x - 8.0, y), (x + 8.0, y)], stroke);
             canvas.disc((x, y), 1.4, ink);
         });
     }
@@ -178,7 +183,7 @@ fn draw(rows: &[Shown]) -> Canvas {
             let at =
                 |row: &&Shown| Some(frame.at((if by_distance { across(row)? } else { row.n }, up(row)?)));
             let points: Vec<At> = of.iter().filter(|row| row.kind == kind).filter_map(at).collect();
-            canvas.line(points.clone(), line(colour(kind), 0.9));
+            canvas.line(points.clone(), stroke(kind));
             canvas.discs(points, 1.4, colour(kind));
         }
         frame.draw(&mut canvas);

@@ -1,32 +1,31 @@
 //! The price of a sign: the time of a decision against the distance to where the sign changes, a panel per
 //! family of places, a line per method.
 
-use std::io::Write;
+use std::{io::Write, path::Path};
 
 use super::{
-    FigurePlace,
+    FigurePlace, PictureFormat,
     canvas::{
         Anchor, At, BLACK, BLUE, COLUMN, Canvas, Colour, GREEN, GREY, ORANGE, PINK, RED, SKY, Stroke, TYPE,
         Words, line,
     },
     frame::{Axis, PlotFrame},
     legend::Legend,
-    panels::duration,
+    panels::{PanelRow, duration, rows, values},
 };
 use crate::{
     error::Result,
-    output::{Column, TableCell, TableFormat, TableWriter, write_file},
+    output::{Column, TableCell, TableFormat, TableWriter},
     study::SignPrice,
 };
 
-/// Writes the picture and its data.
+/// Draws `signs.svg` from `signs.csv` and, if it is there, `signs-peers.csv`.
 ///
 /// # Errors
-/// An I/O error.
-pub fn sign_price_figure(prices: &[SignPrice], place: &FigurePlace) -> Result<()> {
-    let shown: Vec<Shown> = prices.iter().map(Shown::from).collect();
-    place.draw(&draw(&shown))?;
-    write_file(&place.data(), |out| sign_price_table(prices, TableFormat::Csv, out))
+/// An I/O error; an input error if a table is none.
+pub fn sign_price_figure(folder: &Path) -> Result<()> {
+    let rows = rows(folder, "signs.csv", "signs-peers.csv")?;
+    FigurePlace { folder, name: "signs", format: PictureFormat::Svg }.draw(&draw(&rows))
 }
 
 /// Writes the table behind the figure.
@@ -74,29 +73,30 @@ struct Shown {
     time: f64,
 }
 
-impl From<&SignPrice> for Shown {
-    fn from(price: &SignPrice) -> Shown {
+impl From<&PanelRow> for Shown {
+    fn from(row: &PanelRow) -> Shown {
         Shown {
-            family: price.family.name().into(),
-            method: price.method.name(),
-            digits: price.digits.map(f64::from),
-            rung: price.rung.map_or(String::new(), |rung| rung.to_string()),
-            decided: price.decided == price.inputs,
-            wrong: price.wrong as f64 / price.inputs.max(1) as f64,
-            time: price.time[0].as_nanos() as f64,
+            family: row.text("family").into(),
+            method: row.text("method").into(),
+            digits: row.text("distance").strip_prefix("1e-").and_then(|digits| digits.parse().ok()),
+            rung: row.text("rung").into(),
+            decided: row.text("decided") == row.text("inputs"),
+            wrong: row.number("wrong").unwrap_or(0.0) / row.number("inputs").unwrap_or(1.0).max(1.0),
+            time: row.times()[0],
         }
     }
 }
 
-/// Methods whose lines are drawn, with their colours and widths.
-const LINES: [(&str, Colour, f64); 7] = [
-    ("f64 interval", BLACK, 0.8),
-    ("128 bits", SKY, 0.8),
-    ("512 bits", SKY, 0.8),
-    ("4096 bits", BLUE, 0.8),
-    ("exact", ORANGE, 0.8),
-    ("verdict", GREEN, 0.8),
-    ("ladder", RED, 1.4),
+/// Methods whose lines are drawn, with their colours, widths and dashes.
+const LINES: [(&str, Colour, f64, Option<[f64; 2]>); 8] = [
+    ("f64 interval", BLACK, 0.8, None),
+    ("128 bits", SKY, 0.8, None),
+    ("512 bits", SKY, 0.8, None),
+    ("4096 bits", BLUE, 0.8, None),
+    ("exact", ORANGE, 0.8, None),
+    ("verdict", BLACK, 0.8, Some([2.0, 1.6])),
+    ("Arb", GREEN, 0.8, None),
+    ("ladder", RED, 1.4, None),
 ];
 /// Methods that promise nothing, with the colour of their wrong signs.
 const CARELESS: [(&str, Colour); 2] = [("f64, naive", PINK), ("plain f64", GREY)];
@@ -111,9 +111,9 @@ const HIGH: f64 = 118.0;
 /// The height of the strip under a panel that has the shares of wrong signs.
 const STRIP: f64 = 14.0;
 
-fn draw(rows: &[Shown]) -> Canvas {
-    let mut families: Vec<&str> = rows.iter().map(|row| row.family.as_str()).collect();
-    families.dedup();
+fn draw(table: &[PanelRow]) -> Canvas {
+    let families = values(table, "family");
+    let rows: Vec<Shown> = table.iter().map(Shown::from).collect();
     let wide = WIDTH / ACROSS as f64;
     let down = (families.len() + 1).div_ceil(ACROSS);
     let mut canvas = Canvas::new(
@@ -166,13 +166,13 @@ fn panel(canvas: &mut Canvas, rows: &[&Shown], (left, top): At, (least, most): (
             canvas.rectangle([x, bottom - row.wrong * STRIP, x + 2.8, bottom], ink);
         }
     }
-    for (method, ink, width) in LINES {
+    for (method, ink, width, dashes) in LINES {
         let of = rows.iter().filter(|row| row.method == method && row.decided);
         let points: Vec<(&Shown, At)> =
             of.map(|row| (*row, frame.at((row.digits.unwrap_or(ZERO), row.time)))).collect();
         // The line ends before the break: 0 is no small distance.
         let before = points.iter().filter(|(row, _)| row.digits.is_some()).map(|(_, at)| *at);
-        canvas.line(before.collect(), line(ink, width));
+        canvas.line(before.collect(), Stroke { dashes, ..line(ink, width) });
         for (row, at) in &points {
             let ink = if method == "ladder" { rung_colour(&row.rung) } else { ink };
             canvas.disc(*at, if method == "ladder" { 2.0 } else { 1.1 }, ink);
@@ -192,17 +192,21 @@ fn rung_colour(rung: &str) -> Colour {
 
 fn key(canvas: &mut Canvas, corner: At, width: f64) {
     let mut legend = Legend::default();
-    let stroke = |ink: Colour, width: f64| {
-        move |canvas: &mut Canvas, (x, y): At| {
-            canvas.line(vec![(x - 8.0, y), (x + 8.0, y)], line(ink, width));
-            canvas.disc((x, y), 1.1, ink);
+    for (name, method) in [
+        ("f64 intervals", "f64 interval"),
+        ("balls of 128 and 512 bits", "128 bits"),
+        ("balls of 4096 bits", "4096 bits"),
+        ("integers", "exact"),
+        ("Arb, precision doubled", "Arb"),
+        ("whole verdict of the period", "verdict"),
+    ] {
+        for (_, ink, width, dashes) in LINES.into_iter().filter(|(known, ..)| *known == method) {
+            legend.add(Words::plain(name), move |canvas: &mut Canvas, (x, y): At| {
+                canvas.line(vec![(x - 8.0, y), (x + 8.0, y)], Stroke { dashes, ..line(ink, width) });
+                canvas.disc((x, y), 1.1, ink);
+            });
         }
-    };
-    legend.add(Words::plain("f64 intervals"), stroke(BLACK, 0.8));
-    legend.add("balls of 128 and 512 bits", stroke(SKY, 0.8));
-    legend.add("balls of 4096 bits", stroke(BLUE, 0.8));
-    legend.add("integers", stroke(ORANGE, 0.8));
-    legend.add("whole verdict of the period", stroke(GREEN, 0.8));
+    }
     legend.add("ladder; dots: decided by", |canvas: &mut Canvas, (x, y): At| {
         canvas.line(vec![(x - 8.0, y), (x + 8.0, y)], line(RED, 1.4));
     });
@@ -219,22 +223,10 @@ fn key(canvas: &mut Canvas, corner: At, width: f64) {
 
 #[cfg(test)]
 mod tests {
-    use super::{super::assert_shows_its_table, Shown, draw};
+    use super::{super::assert_shows_its_tables, draw};
 
     #[test]
-    fn the_checked_in_picture_shows_the_checked_in_table() {
-        let row = |row: &csv::StringRecord| {
-            let count = |i: usize| row[i].parse::<f64>().unwrap();
-            Shown {
-                family: row[0].into(),
-                method: row[1].into(),
-                digits: row[2].strip_prefix("1e-").map(|digits| digits.parse().unwrap()),
-                rung: row[3].into(),
-                decided: row[4] == row[5],
-                wrong: count(6) / count(4).max(1.0),
-                time: count(7),
-            }
-        };
-        assert_shows_its_table("signs", row, draw);
+    fn the_checked_in_picture_shows_the_checked_in_tables() {
+        assert_shows_its_tables("signs", draw);
     }
 }

@@ -3,16 +3,16 @@
 use std::{
     fmt,
     sync::{Arc, OnceLock},
-    time::Instant,
 };
 
 use serde::{Serialize, Serializer};
 
-use super::{Point, Polar, Quantity, zero_test};
+use super::{Point, Polar, Quantity, quick, zero_test};
 use crate::{
     error::Result,
     monitor::Monitor,
     number::{Ball, Circular, FloatInterval, Plain, Precision, Real, Sign},
+    processor::Stopwatch,
     profile::Profile,
 };
 
@@ -28,6 +28,18 @@ pub enum Rung {
     Ball(u32),
     /// Integers.
     Exact,
+}
+
+impl Rung {
+    /// The higher of two; integers, which often decide before anything else is tried, count as the lowest.
+    pub(crate) fn higher(self, other: Rung) -> Rung {
+        let height = |rung| match rung {
+            Rung::Exact => 0,
+            Rung::Plain | Rung::Interval => 1,
+            Rung::Ball(bits) => bits,
+        };
+        if height(other) > height(self) { other } else { self }
+    }
 }
 
 /// `plain f64`, `f64 interval`, `256 bits` or `exact`.
@@ -107,6 +119,9 @@ const EXACT_BITS: [u64; 2] = [1 << 15, 1 << 23];
 /// Balls of up to this many bits cost about the same: one rung among them is enough.
 const SHORT: u32 = 512;
 
+/// Up to so many signs that plain `f64` leaves open are decided one by one, with no pass over all k.
+const FEW: usize = 2;
+
 /// Bits beyond a point's own that a decision takes.
 const SLACK: u64 = 32;
 
@@ -169,10 +184,15 @@ impl Ladder {
     ) -> Result<SignDecision> {
         quantity.check();
         let Some(profile) = &self.profile else { return self.decide(point, quantity, monitor) };
-        let start = Instant::now();
+        let start = Stopwatch::start();
         let decision = self.decide(point, quantity, monitor)?;
         profile.since(start, decision.rung, 1);
         Ok(decision)
+    }
+
+    /// Where time is added up, if anywhere.
+    pub(crate) fn profile(&self) -> Option<&Profile> {
+        self.profile.as_deref()
     }
 
     fn decide(&self, point: &Point, quantity: Quantity, monitor: &dyn Monitor) -> Result<SignDecision> {
@@ -213,20 +233,17 @@ impl Ladder {
         .expect("nothing interrupts")
     }
 
-    /// The signs of b_{n,1}, …, b_{n,n−1}, most of them from one pass of intervals over all k. Cost: from (r,
-    /// s) with r < 1, O(n) interval operations, and a [`sign`](Ladder::sign) for each k that they leave open;
-    /// else n − 1 signs. Memory: O(n).
+    /// The signs of b_{n,1}, …, b_{n,n−1}, most of them from a pass of intervals over all k, or two. Cost:
+    /// O(n) interval operations, and a [`sign`](Ladder::sign) for each k that they leave open; on r = 1 n − 1
+    /// signs. Memory: O(n).
     ///
     /// # Panics
     /// Unless n ≥ 1.
     pub fn signs(&self, point: &Point, n: u64) -> Vec<SignDecision> {
         Quantity::C { n }.check();
-        let start = self.profile.as_ref().map(|_| Instant::now());
-        let first = match point {
-            Point::Polar(polar) if !polar.on_circle() && !polar.is_singular(n) => {
-                direct_signs::<FloatInterval>(polar, n, &())
-            }
-            _ => return (1..n).map(|k| self.sign(point, Quantity::B { n, k })).collect(),
+        let start = self.profile.as_ref().map(|_| Stopwatch::start());
+        let Some(first) = signs_by_intervals(point, n, |_| false) else {
+            return (1..n).map(|k| self.sign(point, Quantity::B { n, k })).collect();
         };
         if let Some((profile, start)) = self.profile.as_ref().zip(start) {
             let decided = first.iter().filter(|&&answer| answer != Answer::Undecided).count();
@@ -237,6 +254,70 @@ impl Ladder {
             answer => SignDecision { answer, rung: Rung::Interval },
         };
         (1..n).zip(first).map(decide).collect()
+    }
+
+    /// The signs of b_{n,1}, …, b_{n,n−1} as far as it takes to know both a positive one and a negative one,
+    /// or all of them, and the highest rung it took (`Exact` counts as the lowest; plain `f64` with proved
+    /// bounds, which comes first, counts as intervals). What intervals leave open is decided, in order of k,
+    /// only where they do not show both. Needs u_n ≠ 0. Cost: as [`signs`](Ladder::signs) at most.
+    ///
+    /// # Panics
+    /// Unless n ≥ 1.
+    pub(crate) fn signs_until_both(&self, point: &Point, n: u64) -> (Vec<Answer>, Rung) {
+        Quantity::C { n }.check();
+        let start = self.profile.as_ref().map(|_| Stopwatch::start());
+        let quick = match point {
+            Point::Polar(polar) if polar.on_circle() || polar.is_singular(n) => None,
+            Point::Polar(polar) => quick::polar_signs(polar, n),
+            Point::Plane(plane) => quick::plane_signs(plane, n),
+        };
+        let mut answers: Vec<Answer> = match &quick {
+            Some(signs) => signs.iter().map(|sign| sign.map_or(Answer::Undecided, Answer::Sign)).collect(),
+            None => vec![Answer::Undecided; n as usize - 1],
+        };
+        let mut rung = if quick.is_some() { Rung::Interval } else { Rung::Exact };
+        // A few signs are decided one by one.
+        let open = answers.iter().filter(|&&answer| answer == Answer::Undecided).count();
+        if open > FEW
+            && !both(&answers)
+            && let Some(signs) = signs_by_intervals(point, n, both)
+        {
+            rung = Rung::Interval;
+            for (answer, sign) in answers.iter_mut().zip(signs) {
+                *answer = if *answer == Answer::Undecided { sign } else { *answer };
+            }
+        }
+        if let Some((profile, start)) = self.profile.as_ref().zip(start)
+            && rung == Rung::Interval
+        {
+            let decided = answers.iter().filter(|&&answer| answer != Answer::Undecided).count();
+            profile.since(start, Rung::Interval, decided as u64);
+        }
+        if let Point::Plane(plane) = point
+            && answers.iter().filter(|&&answer| answer == Answer::Undecided).count() > FEW
+            && !both(&answers)
+            && let Some(precision) = self.precisions().next()
+            && let Some((numerators, u)) = plane.numerators::<Ball>(n, precision)
+        {
+            rung = Rung::Ball(precision.bits());
+            let u = u.sign();
+            for (answer, numerator) in answers.iter_mut().zip(numerators) {
+                if let (Answer::Undecided, Some(sign), Some(u)) = (&answer, numerator.sign(), u) {
+                    *answer = Answer::Sign(sign * u);
+                }
+            }
+        }
+        let mut enough = both(&answers);
+        for k in 1..n {
+            let place = k as usize - 1;
+            if !enough && answers[place] == Answer::Undecided {
+                let decision = self.sign(point, Quantity::B { n, k });
+                answers[place] = decision.answer;
+                enough = both(&answers);
+                rung = rung.higher(decision.rung);
+            }
+        }
+        (answers, rung)
     }
 
     /// Rung after rung for a point whose fractions have `length` bits.
@@ -297,6 +378,45 @@ pub fn direct_signs<T: Circular>(polar: &Polar, n: u64, context: &T::Context) ->
     polar.direct_numerators::<T>(n, context).into_iter().map(answer).collect()
 }
 
+/// The signs of b_{n,1}, …, b_{n,n−1} as far as passes of intervals over all k tell them; `None` where
+/// integers decide, on r = 1 and where u_n = 0. From (r, s) the folded form has what the direct one leaves
+/// open, near r = 1 and near poles, unless that is `enough`.
+fn signs_by_intervals(point: &Point, n: u64, enough: fn(&[Answer]) -> bool) -> Option<Vec<Answer>> {
+    let known = |sign: Option<Sign>| sign.map_or(Answer::Undecided, Answer::Sign);
+    match point {
+        Point::Polar(polar) if polar.on_circle() || polar.is_singular(n) => None,
+        Point::Polar(polar) => {
+            let mut answers = direct_signs::<FloatInterval>(polar, n, &());
+            if answers.contains(&Answer::Undecided) && !enough(&answers) {
+                let sine = polar.u_sign(n);
+                for (answer, folded) in
+                    answers.iter_mut().zip(polar.folded_numerators::<FloatInterval>(n, &()))
+                {
+                    if *answer == Answer::Undecided {
+                        *answer = known(folded.sign().map(|sign| sign * sine));
+                    }
+                }
+            }
+            Some(answers)
+        }
+        Point::Plane(plane) => {
+            let (numerators, u) = plane.numerators::<FloatInterval>(n, &())?;
+            let u = u.sign();
+            Some(
+                numerators
+                    .iter()
+                    .map(|numerator| known(numerator.sign().zip(u).map(|(a, b)| a * b)))
+                    .collect(),
+            )
+        }
+    }
+}
+
+/// Whether a positive and a negative sign are among the answers.
+fn both(answers: &[Answer]) -> bool {
+    [Sign::Positive, Sign::Negative].iter().all(|&sign| answers.contains(&Answer::Sign(sign)))
+}
+
 /// What integers decide with no search.
 fn at_once(point: &Point, quantity: Quantity) -> Option<Answer> {
     match (point, quantity) {
@@ -335,12 +455,10 @@ fn exactly(point: &Point, quantity: Quantity, limit: u64, monitor: &dyn Monitor)
 pub fn sign_on<T: Circular>(point: &Point, quantity: Quantity, context: &T::Context) -> Answer {
     quantity.check();
     let value = match (point, quantity) {
-        (Point::Plane(plane), _) => {
-            let parts = match quantity {
-                Quantity::B { n, k } => plane.numerator::<T>(n, k, context),
-                Quantity::C { n } => plane.c_parts::<T>(n, context).map(|(factor, u)| (-factor, u)),
-            };
-            parts.map(|(numerator, u)| numerator.sign().zip(u.sign()).map(|(a, b)| a * b))
+        (Point::Plane(plane), Quantity::B { n, k }) => plane.b_sign::<T>(n, k, context),
+        (Point::Plane(plane), Quantity::C { n }) => {
+            let parts = plane.c_parts::<T>(n, context);
+            parts.map(|(factor, u)| factor.sign().zip(u.sign()).map(|(a, b)| -(a * b)))
         }
         (Point::Polar(polar), _) if polar.is_singular(quantity.period()) => None,
         (Point::Polar(polar), Quantity::B { n, k }) if !polar.on_circle() => {

@@ -13,12 +13,17 @@
 //! can. Where u_n = 0 nothing is defined: that is [`Singular`](Answer::Singular), an answer of its own.
 //! Not here: what the signs mean for existence (`existence`).
 
+#[cfg(test)]
+mod both_ways;
+mod forward;
 mod ladder;
 mod plane;
 mod point;
 mod polar;
+mod quick;
 mod zero_test;
 
+pub use forward::Forward;
 pub use ladder::{Answer, Ladder, Rung, SignDecision, direct_signs, sign_by, sign_on};
 pub use plane::{Plane, Region};
 pub use point::{Point, Quantity};

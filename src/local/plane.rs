@@ -155,10 +155,37 @@ impl Plane {
     ///
     /// O(log n) operations on O(1) numbers. Real eigenvalues: log₂ n bits lost and a few, but where n is odd
     /// and a₁ < 0, as many as the condition number of b_{n,k} says. Complex ones: 2 log₂ n bits lost and
-    /// those of the condition number.
+    /// those of the condition number. A ball loses none of these where differences of duplicated u_k by twice
+    /// its length keep their digits.
     pub fn b<T: Real>(&self, n: u64, k: u64, context: &T::Context) -> Option<T> {
+        if !self.is_singular(n)
+            && let Some(quotient) = T::plane_quotient(self.doubling(), [n, k], context)
+        {
+            return Some(quotient);
+        }
         let (numerator, u) = self.numerator::<T>(n, k, context)?;
         Some(numerator / &u)
+    }
+
+    /// What the numbers of 2i and i + 1 are made of, beside those of i: a₁, D and a₂.
+    pub(super) fn doubling(&self) -> [&BigRational; 3] {
+        [&self.a1, &self.quarter, &self.a2]
+    }
+
+    /// The sign of b_{n,k} where it is certain; `None` where u_n = 0.
+    ///
+    /// From real eigenvalues the numerator is a sum of terms of one sign, or e times one, unless n is odd and
+    /// a₁ < 0.
+    pub(super) fn b_sign<T: Real>(&self, n: u64, k: u64, context: &T::Context) -> Option<Option<Sign>> {
+        let cancels = !self.real || (self.a1.is_negative() && n.is_odd());
+        if !self.is_singular(n)
+            && cancels
+            && let Some(sign) = T::plane_sign(self.doubling(), [n, k], context)
+        {
+            return Some(sign);
+        }
+        let (numerator, u) = self.numerator::<T>(n, k, context)?;
+        Some(numerator.sign().zip(u.sign()).map(|(a, b)| a * b))
     }
 
     /// N_{n,k} = u_n b_{n,k} and u_n; `None` where u_n = 0.
@@ -176,6 +203,37 @@ impl Plane {
         }
         let [un, uk, uj] = [n, k, n - k].map(|i| self.lucas::<T>(i, context));
         Some((un.u.clone() - &uk.u - &(uk.power * &uj.u), un.u))
+    }
+
+    /// N_{n,1}, …, N_{n,n−1} and u_n; `None` where u_n = 0. Cost: O(n) operations and numbers. From real
+    /// eigenvalues some more digits are lost than by [`numerator`](Self::numerator), O(n) bounds being added
+    /// up.
+    pub(super) fn numerators<T: Real>(&self, n: u64, context: &T::Context) -> Option<(Vec<T>, T)> {
+        if self.is_singular(n) {
+            return None;
+        }
+        if self.real {
+            let real = Eigenvalues::<T>::new(self, context);
+            let all = real.all(n);
+            let un = &all[n as usize].u;
+            let one = |k: usize| {
+                let j = n as usize - k;
+                real.numerator((n, k as u64), un, &all[k], &all[j - 1], &all[j])
+            };
+            return Some(((1..n as usize).map(one).collect(), real.signed(un.clone(), n)));
+        }
+        let all = self.lucas_up_to::<T>(n, context);
+        let un = &all[n as usize].u;
+        let one = |k: usize| un.clone() - &all[k].u - &(all[k].power.clone() * &all[n as usize - k].u);
+        Some(((1..n as usize).map(one).collect(), un.clone()))
+    }
+
+    /// u_1, …, u_n and 2 − v_1, …, 2 − v_n. Cost: O(n) operations and numbers; each loses O(log n) digits,
+    /// and those of its condition number.
+    pub(crate) fn terms<T: Real>(&self, n: u64, context: &T::Context) -> Vec<(T, T)> {
+        let two = T::integer(2, context);
+        let all = self.lucas_up_to::<T>(n, context);
+        all.into_iter().skip(1).map(|term| (term.u, two.clone() - &term.v)).collect()
     }
 
     /// u_n. Cost: O(log n) operations.
@@ -201,9 +259,7 @@ impl Plane {
         }
         if self.real {
             let real = Eigenvalues::<T>::new(self, context);
-            let step = |last: &Terms<T>| Some(real.add(last, &real.one));
-            let all: Vec<Terms<T>> =
-                std::iter::successors(Some(real.zero()), step).take(n as usize + 1).collect();
+            let all = real.all(n);
             let un = &all[n as usize].u;
             let one = |k: u64| {
                 let [k_, j] = [k as usize, (n - k) as usize];
@@ -244,6 +300,29 @@ impl Plane {
         let (a1, a2) = (T::ratio(&self.a1, context), T::ratio(&self.a2, context));
         let Ok(lucas) = lucas(&a1, &a2, k, |i| T::integer(i, context), || Ok::<(), Infallible>(()));
         lucas
+    }
+
+    /// u_k, v_k, a₂^k for k = 0, …, n, each by duplication from those of half its index: O(n) operations.
+    fn lucas_up_to<T: Real>(&self, n: u64, context: &T::Context) -> Vec<Lucas<T>> {
+        let (a1, a2) = (T::ratio(&self.a1, context), T::ratio(&self.a2, context));
+        let integer = |i| T::integer(i, context);
+        let mut all = Vec::with_capacity(n as usize + 1);
+        all.push(Lucas { u: integer(0), v: integer(2), power: integer(1) });
+        all.push(Lucas { u: integer(1), v: a1.clone(), power: a2.clone() });
+        for k in 2..=n as usize {
+            // For odd k ≥ 3, k/2 + 1 < k.
+            let (half, next): (&Lucas<T>, &Lucas<T>) = (&all[k / 2], &all[k / 2 + k % 2]);
+            let square = half.power.clone() * &half.power;
+            all.push(if k.is_multiple_of(2) {
+                let v = half.v.clone() * &half.v - &half.power - &half.power;
+                Lucas { u: half.u.clone() * &half.v, v, power: square }
+            } else {
+                let u = next.u.clone() * &half.v - &half.power;
+                let v = half.v.clone() * &next.v - &(a1.clone() * &half.power);
+                Lucas { u, v, power: square * &a2 }
+            });
+        }
+        all
     }
 
     /// The integers of the exact rung: A, B, D with a₁ = A/D, a₂ = B/D²; `None` if by estimate u_n D^{n−1}
@@ -412,6 +491,12 @@ impl<T: Real> Eigenvalues<T> {
     fn zero(&self) -> Terms<T> {
         let [u, sum_u, sum_h, weighted_u, weighted_h] = [(); 5].map(|()| self.nothing.clone());
         Terms { u, h: self.unit.clone(), sum_u, sum_h, weighted_u, weighted_h, power: self.unit.clone() }
+    }
+
+    /// The terms for 0, 1, …, n, one step at a time.
+    fn all(&self, n: u64) -> Vec<Terms<T>> {
+        let step = |last: &Terms<T>| Some(self.add(last, &self.one));
+        std::iter::successors(Some(self.zero()), step).take(n as usize + 1).collect()
     }
 
     /// ũ_{i+j}.

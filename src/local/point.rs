@@ -102,7 +102,7 @@ impl Point {
     /// ```
     /// use grazing::{local::{Plane, Point, Quantity}, number::{Ball, Precision, parse_rational}};
     /// // a₁² = 2a₂ would be singular.
-    /// let plane = Plane::new(parse_rational("1+1e-40")?, parse_rational("1/2")?)?;
+    /// let plane = Plane::new(parse_rational("1+1e-400")?, parse_rational("1/2")?)?;
     /// let (point, bits) = (Point::Plane(plane), Precision::new(128));
     /// let b = Quantity::B { n: 4, k: 1 };
     /// assert!(point.evaluate::<Ball>(b, &bits).unwrap().certain_bits() < Some(16));

@@ -31,6 +31,8 @@ pub struct Polar {
     /// r ≥ ½.
     large: bool,
     circle: bool,
+    /// 1 − r < 2⁻⁸.
+    near_circle: bool,
     /// πs and 2πs.
     half: Angle,
     full: Angle,
@@ -61,7 +63,8 @@ impl Polar {
         let rest = BigRational::one() - &r;
         let large = rest <= r;
         let circle = r.is_one();
-        Ok(Polar { r, s, rest, large, circle, half, full })
+        let near_circle = rest.numer() * BigInt::from(256) < *rest.denom();
+        Ok(Polar { r, s, rest, large, circle, near_circle, half, full })
     }
 
     /// r.
@@ -104,22 +107,31 @@ impl Polar {
     ///
     /// Digits lost: O(log n) beyond those of rⁿ itself, |n ln r| u, and two where terms of both signs meet:
     /// at a zero of b_{n,k} off its double zeros, as many as its condition number says, and within ε of a
-    /// double zero s = m/g for ε ≪ 1 − r, log₂ 1/(n(1 − r)). Cost: up to six sines and O(log n) products; on
-    /// r = 1 three sines.
+    /// double zero s = m/g for ε ≪ 1 − r, log₂ 1/(n(1 − r)). A ball loses none of these where the direct form
+    /// by twice its length keeps its digits. Cost: up to six sines and O(log n) products, for a ball mostly
+    /// three; on r = 1 three sines, or two.
     pub fn b<T: Circular>(&self, n: u64, k: u64, context: &T::Context) -> Option<T> {
         let j = n - k;
         let at_n = self.half.times(n);
         if at_n.is_on_axis() {
             return None;
         }
-        let cosine = T::cos(&at_n, context);
         if self.on_circle() {
-            let product = T::sin(&self.half.times(j), context) * &T::sin(&self.half.times(k), context);
-            return Some(-(product.clone() + &product) / &cosine);
+            let angles = [&self.half.times(j), &self.half.times(k)];
+            return Some(T::sines_over_cosine(angles, &at_n, context));
         }
-        let sine = T::sin(&at_n, context);
-        let denominator = T::integer(2, context) * &sine * &cosine * &self.power(j, context).power;
-        Some(self.numerator::<T>(n, k, context) / &denominator)
+        Some(
+            T::polar_quotient((&self.r, &self.s), [n, k], context)
+                .unwrap_or_else(|| self.quotient(n, k, context)),
+        )
+    }
+
+    /// b_{n,k} for r < 1 and u_n ≠ 0, by the forms that cancel least.
+    pub(super) fn quotient<T: Circular>(&self, n: u64, k: u64, context: &T::Context) -> T {
+        let at_n = self.half.times(n);
+        let (sine, cosine) = (T::sin(&at_n, context), T::cos(&at_n, context));
+        let denominator = T::integer(2, context) * &sine * &cosine * &self.power(n - k, context).power;
+        self.numerator::<T>(n, k, context) / &denominator
     }
 
     /// c_n, n ≥ 1; `None` where u_n = 0. Digits lost: O(log n) beyond those of rⁿ. Cost: three sines and
@@ -186,9 +198,18 @@ impl Polar {
         self.choose(self.folded_at(n, k, &power, context), direct)
     }
 
-    /// The sign of M, of its direct form alone where that is enough: three sines in place of nine. Needs
-    /// r < 1.
+    /// The sign of M, of its direct form alone where that is enough: three sines in place of nine. Needs r <
+    /// 1.
+    ///
+    /// The folded form tells more only near r = 1: where n(1 − r) is not small, the direct one loses no bits
+    /// but those of the condition number and a few. The rung that has its own way to the direct form has 32
+    /// bits more for these.
     pub(super) fn numerator_sign<T: Circular>(&self, n: u64, k: u64, context: &T::Context) -> Option<Sign> {
+        match T::polar_sign((&self.r, &self.s), [n, k], context) {
+            Some(None) if !self.near_circle => return None,
+            Some(sign @ Some(_)) => return sign,
+            _ => {}
+        }
         let power = self.three_powers::<T>(n, k, context);
         let direct = self.direct_at(n, k, &power, context);
         let sign = if T::CERTAIN { direct.sign() } else { None };
@@ -219,6 +240,34 @@ impl Polar {
         (1..n)
             .map(|k| direct([at(n), at(n - k), at(k)], &powers[n as usize], &powers[(n - k) as usize]))
             .collect()
+    }
+
+    /// The folded form of M alone, for the second pass of a sign: two sines for each k. Needs r < 1.
+    pub(super) fn folded_numerators<T: Circular>(&self, n: u64, context: &T::Context) -> Vec<T> {
+        let (sines, cosines) = (T::sines(&self.half, n, context), T::cosines(&self.half, n, context));
+        let powers = self.powers::<T>(n, context);
+        let [sine, cosine] = [&sines, &cosines].map(|all| |i: u64| &all[i as usize]);
+        (1..n)
+            .map(|k| {
+                let at = [n, n - k, k];
+                let powers = [at[1], at[2]].map(|i| &powers[i as usize]);
+                folded(at.map(sine), at.map(cosine), powers[0], powers[1], context)
+            })
+            .collect()
+    }
+
+    /// Im λ^j and 1 − Re λ^j over 2, for j = 1, …, n, as r^j σ_j κ_j and h_j/2 + r^j σ_j²: sums of positive
+    /// terms. Cost: O(n) products, two sines for each j.
+    pub(crate) fn terms<T: Circular>(&self, n: u64, context: &T::Context) -> Vec<(T, T)> {
+        let (sines, cosines) = (T::sines(&self.half, n, context), T::cosines(&self.half, n, context));
+        let half = T::integer(1, context) / &T::integer(2, context);
+        let powers = self.powers::<T>(n, context);
+        let all = powers.iter().zip(sines.iter().zip(&cosines)).skip(1);
+        all.map(|(at, (sine, cosine))| {
+            let swing = at.power.clone() * sine;
+            (swing.clone() * cosine, at.rest.clone() * &half + &(swing * sine))
+        })
+        .collect()
     }
 
     /// The better of the two forms: the narrower enclosure, or, where there is none, the folded one for r ≥

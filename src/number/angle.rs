@@ -66,6 +66,22 @@ impl Angle {
         })
     }
 
+    /// The difference of two multiples of one angle, exactly.
+    #[must_use]
+    pub(crate) fn minus(&self, other: &Angle) -> Angle {
+        match (&self.0, &other.0) {
+            (&Turn::Small { p, q }, &Turn::Small { p: less, q: same }) if q == same => {
+                Angle(Turn::Small { p: if p >= less { p - less } else { p + 2 * q - less }, q })
+            }
+            (one, other) => {
+                // p/q − p′/q′ + 2, over qq′.
+                let ((p, q), (less, other)) = (one.large(), other.large());
+                let whole = &q * &other;
+                Angle(Turn::Large { p: (p * &other + &whole * 2u32 - less * &q) % (&whole * 2u32), q: whole })
+            }
+        }
+    }
+
     /// π/2 minus the angle, so that its sine is this one's cosine.
     #[must_use]
     #[inline]

@@ -13,7 +13,7 @@ use num_traits::{One, Signed, Zero};
 
 use super::exponent::{Exponent, Misfit};
 use super::radius::Radius;
-use super::{Real, Sign, ball_sine};
+use super::{Real, Sign, ball_forms, ball_sine};
 
 /// Bounds with more bits than this are not written out.
 const WRITTEN: i128 = 1 << 17;
@@ -297,6 +297,15 @@ impl Real for Ball {
 
     fn integer(value: i32, context: &Precision) -> Ball {
         Ball::new(value.into(), 0, Radius::ZERO, context.bits)
+    }
+
+    fn plane_quotient(parts: [&BigRational; 3], at: [u64; 2], context: &Precision) -> Option<Ball> {
+        let [numerator, denominator] = ball_forms::plane_parts(parts, at, context)?;
+        Some((numerator / &denominator).cut(context.bits))
+    }
+
+    fn plane_sign(parts: [&BigRational; 3], at: [u64; 2], context: &Precision) -> Option<Option<Sign>> {
+        ball_forms::plane_sign(parts, at, context)
     }
 
     fn sign(&self) -> Option<Sign> {

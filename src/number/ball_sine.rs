@@ -4,29 +4,35 @@
 
 use num_bigint::{BigInt, BigUint, Sign};
 use num_integer::Roots;
+use num_rational::BigRational;
 use num_traits::{One, Zero};
 
 use super::angle::{Angle, Fraction, Octant};
 use super::ball::{Ball, Precision};
+use super::ball_forms;
 use super::fixed::{self, Signed};
 use super::radius::Radius;
+use super::short_sine::{SHORT_ERROR, short_sine};
 use super::{Circular, Real};
 
 /// Least bits beyond the working precision in a recurrence.
 const GUARD: u32 = 64;
 
 /// Least bits of a single sine beyond the working precision.
-const SINE_GUARD: u32 = 32;
+pub(super) const SINE_GUARD: u32 = 32;
 
 /// The error bound of a fixed-point sine or cosine, in its last place.
-const ERROR: u64 = 32;
+pub(super) const ERROR: u64 = 32;
 
 /// The error bound of [`series`], in its last place.
 pub(super) const SERIES_ERROR: u64 = 16;
 
-/// The bits of π that sines to `bits` bits need.
+/// Bits of π beyond what sines to the working precision need, for numerators that lose some.
+const PI_SPARE: u32 = 128;
+
+/// The bits of π that sines to `bits` bits need, and some more.
 pub(super) fn pi_bits(bits: u32) -> u32 {
-    64 * limbs_for(bits + GUARD) as u32
+    64 * limbs_for(bits + GUARD + PI_SPARE) as u32
 }
 
 /// π·2^w within 2, by Machin: π = 16 arctan 1/5 − 4 arctan 1/239. Cost: O(w) divisions of w bits by a word.
@@ -100,9 +106,33 @@ pub(super) fn series(y: &BigInt, length: usize, first: u64) -> BigInt {
     fixed::integer(&sum).into()
 }
 
-/// sin or cos of πt, 0 < t ≤ ¼, as value·2^exp ± radius, relative error below 2^(5−w).
-/// w = 64·`length`.
+/// sin or cos of πt, 0 < t ≤ ¼, as value·2^exp ± radius, relative error below 2^(13−w), w = 64·`length`.
 fn kernel(cosine: bool, t: &Fraction, precision: &Precision, length: usize) -> (BigInt, i128, Radius) {
+    match short_limbs(cosine, t, length) {
+        // At least sin π/512 > 2^−7.4.
+        Some(limbs) => {
+            let exp = -64 * limbs.len() as i128;
+            (fixed::integer(&limbs).into(), exp, Radius::new(SHORT_ERROR, exp))
+        }
+        None => series_kernel(cosine, t, precision, length),
+    }
+}
+
+/// The short series where it serves, by `length` limbs or more.
+fn short_limbs(cosine: bool, t: &Fraction, length: usize) -> Option<Vec<u64>> {
+    match t {
+        &Fraction::Small(p, q) => short_sine(cosine, p, q, length),
+        Fraction::Large(..) => None,
+    }
+}
+
+/// As [`kernel`] by the long series, relative error below 2^(5−w).
+pub(super) fn series_kernel(
+    cosine: bool,
+    t: &Fraction,
+    precision: &Precision,
+    length: usize,
+) -> (BigInt, i128, Radius) {
     let w = 64 * length as u32;
     let pi = &precision.pi >> (precision.pi_bits() - w);
     // t ≥ 2^(−shift−1), so that πt·2^(w+shift) has at least w bits, whatever the size of t.
@@ -129,6 +159,33 @@ fn kernel(cosine: bool, t: &Fraction, precision: &Precision, length: usize) -> (
     (x * series(&y, length, 1), exp - fixed, radius)
 }
 
+/// sin or cos of πt within [`ERROR`] of the last of L limbs, for 1/512 ≤ t ≤ ¼ on L + 1 limbs, of which the
+/// lowest may be off by 2⁵⁰.
+///
+/// πt is off by 2·¼ of π, 1 of a cut and 2^−12 of t, its square, at most 0.617, by less than 2·0.79·1.51 + 1
+/// < 4. sin πt = πt · sinc: by 1.51 of the first, 0.79·16 of the series and a cut.
+pub(super) fn limbs_sine(cosine: bool, t: &[u64], precision: &Precision) -> Vec<u64> {
+    let length = t.len() - 1;
+    let w = 64 * length as u32;
+    let pi: BigInt = &precision.pi >> (precision.pi_bits() - w);
+    let x = (pi * BigInt::from(fixed::integer(t))) >> (w + 64);
+    let y = (&x * &x) >> w;
+    let value = if cosine { series(&y, length, 0) } else { (x * series(&y, length, 1)) >> w };
+    fixed::limbs(value.magnitude(), length)
+}
+
+/// The sine of an exact angle as value·2^exp ± radius, relative error below 2^(13−w), for w = 64·`length` or
+/// as many bits as π has.
+pub(super) fn exact_sine(angle: &Angle, precision: &Precision, length: usize) -> (BigInt, i128, Radius) {
+    let octant = angle.octant();
+    let length = length.min(precision.pi_bits() as usize / 64);
+    let (value, exp, radius) = match octant.halves() {
+        Some(halves) => (halves.into(), -1, Radius::ZERO),
+        None => kernel(octant.cosine, &octant.t, precision, length),
+    };
+    (if octant.negative { -value } else { value }, exp, radius)
+}
+
 impl Octant {
     /// The value where it is rational: 0, ½ or 1 (Niven), in halves.
     pub(super) fn halves(&self) -> Option<u32> {
@@ -151,7 +208,12 @@ fn fixed_sine(angle: &Angle, precision: &Precision, length: usize) -> Signed {
     let magnitude = match octant.halves() {
         Some(halves) => BigUint::from(halves) << (w - 1),
         None => {
-            let (value, exp, _) = kernel(octant.cosine, &octant.t, precision, length);
+            if let Some(limbs) = short_limbs(octant.cosine, &octant.t, length) {
+                let mut limbs = limbs[limbs.len() - length..].to_vec();
+                limbs.push(0);
+                return Signed { negative: octant.negative, limbs };
+            }
+            let (value, exp, _) = series_kernel(octant.cosine, &octant.t, precision, length);
             value.magnitude() >> -(exp + w)
         }
     };
@@ -219,6 +281,27 @@ impl Circular for Ball {
         if octant.negative { -magnitude } else { magnitude }
     }
 
+    /// By 1 − cos(α − β)/cos(α + β) where this loses no more bits than are to spare: two cosines in place of
+    /// three sines.
+    fn sines_over_cosine([first, second]: [&Angle; 2], sum: &Angle, precision: &Precision) -> Ball {
+        let bits = precision.bits();
+        let length = limbs_for(bits + SINE_GUARD);
+        let exp = -64 * length as i128;
+        let [above, below] = [first.minus(second), sum.clone()].map(|angle| angle.complement());
+        if [&above, &below].iter().all(|angle| angle.octant().halves().is_none()) {
+            let [above, below] = [above, below].map(|angle| fixed_sine(&angle, precision, length).integer());
+            let difference = &below - above;
+            // The errors, of at most 2·ERROR = 64, then are below a quarter of the last bit that is kept.
+            let enough = |x: &BigInt| x.bits() >= u64::from(bits) + 9;
+            if enough(&difference) && enough(&below) {
+                return Ball::new(difference, exp, Radius::new(2 * ERROR, exp), bits)
+                    / &Ball::new(below, exp, Radius::new(ERROR, exp), bits);
+            }
+        }
+        let product = Ball::sin(first, precision) * &Ball::sin(second, precision);
+        -(product.clone() + &product) / &Ball::cos(sum, precision)
+    }
+
     /// Cost for b bits: n products of b bits, by the recurrence in k.
     fn sines(angle: &Angle, n: u64, precision: &Precision) -> Vec<Ball> {
         multiples(angle, n, precision, [&angle.times(0), angle], |angle| Ball::sin(angle, precision))
@@ -228,6 +311,23 @@ impl Circular for Ball {
     fn cosines(angle: &Angle, n: u64, precision: &Precision) -> Vec<Ball> {
         let first = [&angle.times(0).complement(), &angle.complement()];
         multiples(angle, n, precision, first, |angle| Ball::cos(angle, precision))
+    }
+
+    fn polar_quotient(
+        point: (&BigRational, &BigRational),
+        at: [u64; 2],
+        precision: &Precision,
+    ) -> Option<Ball> {
+        let [numerator, denominator] = ball_forms::polar_parts(point, at, precision)?;
+        Some((numerator / &denominator).cut(precision.bits()))
+    }
+
+    fn polar_sign(
+        point: (&BigRational, &BigRational),
+        at: [u64; 2],
+        precision: &Precision,
+    ) -> Option<Option<super::Sign>> {
+        ball_forms::polar_sign(point, at, precision)
     }
 
     fn tighter(self, other: Ball) -> Ball {
@@ -242,7 +342,6 @@ impl Circular for Ball {
 
 #[cfg(test)]
 mod tests {
-    use num_rational::BigRational;
     use num_traits::{Signed, ToPrimitive};
 
     use super::*;
@@ -280,7 +379,7 @@ mod tests {
                 [(false, Ball::sin(&angle, &precision)), (true, Ball::cos(&angle, &precision))]
             {
                 let octant = angle.octant();
-                let (value, exp, radius) = kernel(cosine, &octant.t, &precision, 2);
+                let (value, exp, radius) = series_kernel(cosine, &octant.t, &precision, 2);
                 let error = Ball::new(value, exp, Radius::ZERO, 400) - &true_value;
                 let (low, high) = error.exact_bounds().unwrap();
                 let (bound, _) = Ball::zero(64).widened(radius).exact_bounds().unwrap();

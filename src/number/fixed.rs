@@ -3,7 +3,7 @@
 //! A fraction is L limbs, least significant first, in units of 2^(−64L). Sizes are the caller's duty; nothing
 //! allocates but results.
 
-use num_bigint::BigUint;
+use num_bigint::{BigInt, BigUint, Sign};
 
 /// ⌊a·b / 2^(64L)⌋ for L = b.len() ≥ 2, or one or two less: a.len() limbs.
 ///
@@ -71,6 +71,11 @@ pub(super) struct Signed {
 }
 
 impl Signed {
+    /// In units of the last place.
+    pub fn integer(&self) -> BigInt {
+        BigInt::from_biguint(if self.negative { Sign::Minus } else { Sign::Plus }, integer(&self.limbs))
+    }
+
     /// self·b − previous, for 0 ≤ b < 4 given as b/4, L = quarter.len(): off by less than 9.
     pub fn step(&self, quarter: &[u64], negative: bool, previous: &Signed) -> Signed {
         let mut limbs = product(&self.limbs, quarter);

@@ -32,7 +32,9 @@
 //! ```
 
 mod angle;
+mod approximation;
 mod ball;
+mod ball_forms;
 mod ball_sine;
 mod digits;
 mod dual;
@@ -49,6 +51,7 @@ mod parse;
 mod plain;
 mod radius;
 mod real;
+mod short_sine;
 mod sign;
 mod text;
 

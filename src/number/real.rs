@@ -30,6 +30,24 @@ pub trait Real:
 
     /// The sign if it is certain.
     fn sign(&self) -> Option<Sign>;
+
+    /// 1 − (u_k + a₂^k u_{n−k})/u_n for (a₁, a₁²/4 − a₂, a₂) and (n, k), where this rung has a short way to
+    /// it that keeps all its digits.
+    #[must_use]
+    fn plane_quotient(_point: [&BigRational; 3], _at: [u64; 2], _context: &Self::Context) -> Option<Self> {
+        None
+    }
+
+    /// The sign of [`plane_quotient`](Real::plane_quotient), as far as it is certain, where this rung has a
+    /// short way to it, which then tells no less than any other.
+    #[must_use]
+    fn plane_sign(
+        _point: [&BigRational; 3],
+        _at: [u64; 2],
+        _context: &Self::Context,
+    ) -> Option<Option<Sign>> {
+        None
+    }
 }
 
 /// A rung with sines and cosines of exact rational multiples of π.
@@ -43,6 +61,34 @@ pub trait Circular: Real {
     /// cos πx for the angle πx.
     fn cos(angle: &Angle, context: &Self::Context) -> Self {
         Self::sin(&angle.complement(), context)
+    }
+
+    /// −2 sin α sin β / cos(α + β) for two angles and their sum.
+    fn sines_over_cosine([first, second]: [&Angle; 2], sum: &Angle, context: &Self::Context) -> Self {
+        let product = Self::sin(first, context) * &Self::sin(second, context);
+        -(product.clone() + &product) / &Self::cos(sum, context)
+    }
+
+    /// 1 − (sin 2πks + rⁿ sin 2π(n − k)s)/(r^(n−k) sin 2πns) for (r, s) with r < 1 and (n, k), where this
+    /// rung has a short way to it that keeps all its digits.
+    #[must_use]
+    fn polar_quotient(
+        _point: (&BigRational, &BigRational),
+        _at: [u64; 2],
+        _context: &Self::Context,
+    ) -> Option<Self> {
+        None
+    }
+
+    /// The sign of r^(n−k) sin 2πns − sin 2πks − rⁿ sin 2π(n − k)s, as far as it is certain, where this rung
+    /// has a short way to it, which tells no less than any other unless r is near 1.
+    #[must_use]
+    fn polar_sign(
+        _point: (&BigRational, &BigRational),
+        _at: [u64; 2],
+        _context: &Self::Context,
+    ) -> Option<Option<Sign>> {
+        None
     }
 
     /// sin(kπx) for k = 0, 1, …, n.

@@ -11,8 +11,10 @@ use std::{
     io::{self, BufWriter, ErrorKind, Read, Write},
     path::{Path, PathBuf},
     sync::{Mutex, PoisonError},
+    thread,
 };
 
+use super::early::Early;
 use crate::error::{Error, Result};
 
 /// Writes a file whole, or not at all: an error or an interruption leaves neither a new file nor a changed
@@ -36,9 +38,12 @@ pub fn write_file(path: &Path, write: impl FnOnce(&mut dyn Write) -> Result<()>)
         }
         Target::File(target) => {
             let mut temporary = Temporary::beside(&target).map_err(name)?;
-            let mut out = BufWriter::with_capacity(1 << 16, &temporary.file);
-            let result = write(&mut out).and_then(|()| Ok(out.flush()?));
-            let _ = out.into_parts();
+            let result = thread::scope(|scope| {
+                let mut out = BufWriter::with_capacity(1 << 16, Early::new(scope, &temporary.file));
+                let result = write(&mut out).and_then(|()| Ok(out.flush()?));
+                let (mut early, _) = out.into_parts();
+                result.and_then(|()| Ok(early.wait()?))
+            });
             result.and_then(|()| temporary.rename(&target)).map_err(name)
         }
     }
@@ -243,16 +248,15 @@ impl Temporary {
             for _ in 0..2 {
                 match OpenOptions::new().write(true).create_new(true).open(&place) {
                     Ok(file) => {
-                        let mut all = OPEN.lock().unwrap_or_else(PoisonError::into_inner);
-                        all.push(place.clone());
-                        drop(all);
-                        let temporary = Temporary { path: place.clone(), file, renamed: false };
                         // Where there are no locks, nothing that was left is recognised, and all else works.
-                        let taken = matches!(temporary.file.try_lock(), Err(TryLockError::WouldBlock));
-                        if taken || !linked(&temporary.file) {
-                            // Another process took it for left, between the last two steps.
+                        let taken = matches!(file.try_lock(), Err(TryLockError::WouldBlock));
+                        if taken || !linked(&file) {
+                            // Another process took it for left, between the last two steps, and removes it
+                            // itself: by now the name may be that of a third one's file.
                             continue;
                         }
+                        OPEN.lock().unwrap_or_else(PoisonError::into_inner).push(place.clone());
+                        let temporary = Temporary { path: place, file, renamed: false };
                         for slot in slot + 1..SLOTS {
                             remove_left(&path(slot));
                         }
@@ -300,12 +304,27 @@ impl Drop for Temporary {
 
 /// Removes a temporary file that nobody holds; whether it did.
 fn remove_left(path: &Path) -> bool {
-    // Only who holds the lock of a file that still has its name may remove it.
+    // Only who holds the lock of a file that still has this name may remove it. Its owner may have renamed
+    // it between the first two steps, and another have come by the name.
     path.is_file()
         && OpenOptions::new()
             .write(true)
             .open(path)
-            .is_ok_and(|file| file.try_lock().is_ok() && linked(&file) && fs::remove_file(path).is_ok())
+            .is_ok_and(|file| file.try_lock().is_ok() && named(&file, path) && fs::remove_file(path).is_ok())
+}
+
+/// Whether an open file has this name, which is no link.
+fn named(file: &File, path: &Path) -> bool {
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::MetadataExt;
+        let known = |found: &fs::Metadata| (found.dev(), found.ino());
+        matches!((file.metadata(), fs::symlink_metadata(path)), (Ok(a), Ok(b)) if known(&a) == known(&b))
+    }
+    #[cfg(not(unix))]
+    {
+        file.metadata().is_ok() && path.is_file()
+    }
 }
 
 /// Whether an open file still has a name.
@@ -318,5 +337,28 @@ pub(super) fn linked(file: &File) -> bool {
     #[cfg(not(unix))]
     {
         file.metadata().is_ok()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn many_write_one_file_at_once() {
+        let folder = tempfile::tempdir().unwrap();
+        let target = folder.path().join("part");
+        std::thread::scope(|scope| {
+            for writer in 0..SLOTS / 2 {
+                let target = &target;
+                scope.spawn(move || {
+                    for _ in 0..200 {
+                        write_file(target, |out| Ok(writeln!(out, "{writer}")?)).unwrap();
+                    }
+                });
+            }
+        });
+        assert_eq!(fs::read(&target).unwrap().len(), 2);
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1, "no temporary is left");
     }
 }

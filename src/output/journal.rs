@@ -12,7 +12,7 @@ use std::{
     fs::{self, File, OpenOptions},
     io::{ErrorKind, Read, Write},
     path::{Path, PathBuf},
-    time::{Duration, Instant},
+    time::Duration,
 };
 
 use super::{
@@ -20,7 +20,10 @@ use super::{
     hash::{fnv64, fnv64_after, fnv128},
     lock::Lock,
 };
-use crate::error::{Error, Result};
+use crate::{
+    error::{Error, Result},
+    processor::Stopwatch,
+};
 
 /// What a saved state is of.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -60,7 +63,7 @@ pub struct Journal {
     chain: u64,
     /// The bytes of the whole lines.
     whole: u64,
-    synced: Instant,
+    synced: Stopwatch,
     _lock: Lock,
 }
 
@@ -110,7 +113,8 @@ impl Journal {
         }
         let header = run.to_string();
         let Lines { records, whole, chain } = read(&text, &header).map_err(bad)?;
-        let mut journal = Journal { target, header, file, chain, whole, synced: Instant::now(), _lock: lock };
+        let mut journal =
+            Journal { target, header, file, chain, whole, synced: Stopwatch::start(), _lock: lock };
         if whole < text.len() as u64 {
             journal.file.set_len(whole).map_err(|error| fail("write", error))?;
         }
@@ -139,7 +143,7 @@ impl Journal {
             (self.chain, self.whole) = (chain, self.whole + line.len() as u64);
             if self.synced.elapsed() > SYNC {
                 written = self.file.sync_data();
-                self.synced = Instant::now();
+                self.synced = Stopwatch::start();
             }
         }
         written.map_err(|error| Error::io("write", &self.target, error))

@@ -3,12 +3,15 @@
 
 mod bounds;
 mod destination;
+mod early;
 #[cfg(feature = "cli")]
 mod escape;
 mod file;
 mod hash;
 mod journal;
 mod lock;
+#[cfg(feature = "cli")]
+mod row;
 mod shard;
 #[cfg(feature = "cli")]
 mod table;
@@ -24,6 +27,8 @@ pub use file::{LONGEST_INPUT, distinct, make_folder, probe, read_text, write_fil
 pub(crate) use hash::{fingerprint, fnv64};
 pub(crate) use journal::torn;
 pub use journal::{Journal, SavedRun};
+#[cfg(feature = "cli")]
+pub use row::RowSetter;
 pub use shard::{Shard, ShardFile, ShardWriter, ShardedTask, TaskInput};
 #[cfg(feature = "cli")]
 pub use table::{Caption, Column, Print, Setting, TableCell, TableFormat, TableWriter, decimal};

@@ -1,12 +1,16 @@
-//! Tables of any length, written row by row in constant memory.
+//! Tables of any length, written row by row in constant memory: what they consist of, their heads and ends.
 
-use std::io::{self, Write};
+use std::io::Write;
 
 use clap::ValueEnum;
 use num_rational::Ratio;
 
-use super::{Destination, escape, say};
-use crate::error::{Error, Result};
+use super::{
+    Destination,
+    row::{RowSetter, csv_header, json_string},
+    say,
+};
+use crate::error::Result;
 
 /// How a table is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -102,18 +106,11 @@ pub enum TableCell<'a> {
 
 /// Writes the rows of one table.
 pub struct TableWriter<'a> {
-    sink: Sink<'a>,
-    format: TableFormat,
-    columns: Vec<Column>,
-    /// Whether a plain table leaves out what print does.
-    narrow: bool,
-    rows: u64,
-    text: String,
-}
-
-enum Sink<'a> {
-    Csv(Box<csv::Writer<&'a mut dyn Write>>),
-    Text(&'a mut dyn Write),
+    out: &'a mut dyn Write,
+    setter: RowSetter,
+    /// Whether there are rows.
+    begun: bool,
+    text: Vec<u8>,
 }
 
 impl<'a> TableWriter<'a> {
@@ -160,16 +157,9 @@ impl<'a> TableWriter<'a> {
                 writeln!(out, "{}", heads.collect::<Vec<_>>().join("  "))?;
             }
             TableFormat::Csv => {
-                let mut writer = csv::Writer::from_writer(out);
-                writer.write_record(names).map_err(csv_error)?;
-                return Ok(TableWriter {
-                    sink: Sink::Csv(Box::new(writer)),
-                    format,
-                    columns,
-                    narrow,
-                    rows: 0,
-                    text: String::new(),
-                });
+                let mut header = Vec::new();
+                csv_header(&mut header, &names);
+                out.write_all(&header)?;
             }
             TableFormat::Json => writeln!(out, "{{\"format\":{},\"rows\":[", json_string(name))?,
             TableFormat::Latex => {
@@ -212,7 +202,8 @@ impl<'a> TableWriter<'a> {
                 writeln!(out, "|{}", " ---: |".repeat(columns.len()))?;
             }
         }
-        Ok(TableWriter { sink: Sink::Text(out), format, columns, narrow, rows: 0, text: String::new() })
+        let setter = RowSetter { format, columns, narrow };
+        Ok(TableWriter { out, setter, begun: false, text: Vec::new() })
     }
 
     /// Writes a row, one cell for each column.
@@ -220,84 +211,32 @@ impl<'a> TableWriter<'a> {
     /// # Errors
     /// An I/O error from the stream.
     pub fn row(&mut self, cells: &[TableCell]) -> Result<()> {
-        use std::fmt::Write;
-        debug_assert_eq!(cells.len(), self.columns.len());
-        self.text.clear();
-        let text = &mut self.text;
-        let out = match &mut self.sink {
-            Sink::Csv(writer) => {
-                for cell in cells {
-                    text.clear();
-                    plain(text, cell);
-                    writer.write_field(&*text).map_err(csv_error)?;
-                }
-                return writer.write_record(None::<&[u8]>).map_err(csv_error);
-            }
-            Sink::Text(out) => out,
-        };
-        match self.format {
-            TableFormat::Table => {
-                let shown = cells
-                    .iter()
-                    .zip(&self.columns)
-                    .filter(|(_, column)| !(self.narrow && column.print == Print::Omitted));
-                for (index, (cell, column)) in shown.enumerate() {
-                    let start = text.len();
-                    plain(text, cell);
-                    let padding =
-                        column.width.saturating_sub(text.len() - start) + if index > 0 { 2 } else { 0 };
-                    text.extend(std::iter::repeat_n(' ', padding));
-                    // Right-aligned: the padding goes before the cell.
-                    let cell = text.split_off(start);
-                    let (entry, spaces) = cell.split_at(cell.len() - padding);
-                    text.push_str(spaces);
-                    text.push_str(entry);
-                }
-                text.truncate(text.trim_end().len());
-                text.push('\n');
-            }
-            TableFormat::Json => {
-                text.push_str(if self.rows > 0 { ",\n{" } else { "{" });
-                for (index, (cell, column)) in cells.iter().zip(&self.columns).enumerate() {
-                    let comma = if index > 0 { "," } else { "" };
-                    let _ = write!(text, "{comma}\"{}\":", column.name);
-                    match cell {
-                        TableCell::Int(value) => drop(write!(text, "{value}")),
-                        TableCell::Fraction(x) => drop(write!(text, "\"{}/{}\"", x.numer(), x.denom())),
-                        TableCell::Text(value) => text.push_str(&json_string(value)),
-                        TableCell::Empty => text.push_str("null"),
-                    }
-                }
-                text.push('}');
-            }
-            TableFormat::Latex => {
-                let printed =
-                    cells.iter().zip(&self.columns).filter(|(_, column)| column.print != Print::Omitted);
-                for (index, (cell, _)) in printed.enumerate() {
-                    text.push_str(if index > 0 { " & " } else { "" });
-                    match cell {
-                        TableCell::Int(value) => drop(write!(text, "${value}$")),
-                        TableCell::Fraction(x) => drop(write!(text, "${}/{}$", x.numer(), x.denom())),
-                        TableCell::Text(value) => text.push_str(&escape::latex_cell(value)),
-                        TableCell::Empty => {}
-                    }
-                }
-                text.push_str(" \\\\\n");
-            }
-            TableFormat::Csv | TableFormat::Markdown => {
-                for cell in cells {
-                    text.push_str("| ");
-                    match cell {
-                        TableCell::Text(value) => text.push_str(&escape::markdown(value)),
-                        other => plain(text, other),
-                    }
-                    text.push(' ');
-                }
-                text.push_str("|\n");
-            }
+        let mut text = std::mem::take(&mut self.text);
+        text.clear();
+        self.setter.set(&mut text, cells);
+        let written = self.rows_set(&text);
+        self.text = text;
+        written
+    }
+
+    /// What sets rows for [`rows_set`](Self::rows_set), in any thread.
+    pub fn setter(&self) -> RowSetter {
+        self.setter.clone()
+    }
+
+    /// Writes rows as [`setter`](Self::setter) has set them, from an empty buffer on.
+    ///
+    /// # Errors
+    /// An I/O error from the stream.
+    pub fn rows_set(&mut self, rows: &[u8]) -> Result<()> {
+        if rows.is_empty() {
+            return Ok(());
         }
-        self.rows += 1;
-        Ok(out.write_all(text.as_bytes())?)
+        if self.begun && self.setter.format == TableFormat::Json {
+            self.out.write_all(b",\n")?;
+        }
+        self.begun = true;
+        Ok(self.out.write_all(rows)?)
     }
 
     /// Ends the table after its rows, or after those there are if an interruption ended them: JSON is closed
@@ -305,20 +244,17 @@ impl<'a> TableWriter<'a> {
     ///
     /// # Errors
     /// That of the rows; an I/O error from the stream.
-    pub fn end(mut self, rows: Result<()>) -> Result<()> {
+    pub fn end(self, rows: Result<()>) -> Result<()> {
         match rows {
             Ok(()) => self.finish(),
             Err(error) => {
                 if error.is_interrupted() {
-                    match &mut self.sink {
-                        Sink::Text(out) if self.format == TableFormat::Json => {
-                            writeln!(out, "\n],\"verdict\":\"interrupted\"}}")?;
+                    match self.setter.format {
+                        TableFormat::Json => writeln!(self.out, "\n],\"verdict\":\"interrupted\"}}")?,
+                        TableFormat::Latex => {
+                            writeln!(self.out, "\\end{{longtable}}}}\n% interrupted: rows are missing")?;
                         }
-                        Sink::Csv(writer) => writer.flush()?,
-                        Sink::Text(out) if self.format == TableFormat::Latex => {
-                            writeln!(out, "\\end{{longtable}}}}\n% interrupted: rows are missing")?;
-                        }
-                        Sink::Text(_) => {}
+                        TableFormat::Table | TableFormat::Csv | TableFormat::Markdown => {}
                     }
                 }
                 Err(error)
@@ -331,38 +267,13 @@ impl<'a> TableWriter<'a> {
     /// # Errors
     /// An I/O error from the stream.
     pub fn finish(self) -> Result<()> {
-        let out = match self.sink {
-            Sink::Csv(mut writer) => return Ok(writer.flush()?),
-            Sink::Text(out) => out,
-        };
-        match self.format {
-            TableFormat::Json => writeln!(out, "\n]}}")?,
-            TableFormat::Latex => writeln!(out, "\\end{{longtable}}}}")?,
+        match self.setter.format {
+            TableFormat::Json => writeln!(self.out, "\n]}}")?,
+            TableFormat::Latex => writeln!(self.out, "\\end{{longtable}}}}")?,
             TableFormat::Table | TableFormat::Csv | TableFormat::Markdown => {}
         }
         Ok(())
     }
-}
-
-fn csv_error(error: csv::Error) -> Error {
-    match error.into_kind() {
-        csv::ErrorKind::Io(source) => source.into(),
-        other => io::Error::other(format!("{other:?}")).into(),
-    }
-}
-
-fn plain(text: &mut String, cell: &TableCell) {
-    use std::fmt::Write;
-    match cell {
-        TableCell::Int(value) => drop(write!(text, "{value}")),
-        TableCell::Fraction(x) => drop(write!(text, "{}/{}", x.numer(), x.denom())),
-        TableCell::Text(value) => text.push_str(value),
-        TableCell::Empty => {}
-    }
-}
-
-fn json_string(text: &str) -> String {
-    serde_json::Value::from(text).to_string()
 }
 
 /// `x` rounded to `digits` decimals, a tie to the even digit. The result is a rounded value, not an

@@ -1,6 +1,6 @@
 //! Tasks of kind `basins`: which starts lead to which attractor.
 
-use std::{ops::Range, path::Path};
+use std::{f64::consts::TAU, ops::Range, path::Path};
 
 use serde::Serialize;
 
@@ -17,10 +17,11 @@ use crate::{
             detection::Detection,
             dynamics::{Dynamics, SectionState},
         },
+        flow::State,
         simulate::RunEnd,
     },
     output::Journal,
-    scene::{BasinsTask, Values, phase},
+    scene::{BasinsTask, StartAxis, Values, phase},
 };
 
 row! {
@@ -48,7 +49,7 @@ pub struct BasinsFindings {
     pub basins: Vec<BasinRow>,
     /// The grid of starts.
     pub grid: BasinGrid,
-    /// Of a machine, what q and u stand for in rows and grid, as in the scene.
+    /// What q and u stand for in the grid, and of a machine in rows, if the scene names it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub plane: Option<[String; 2]>,
     /// For each start, q fastest, the index of its end in `basins`. Not in JSON: it is the task's CSV file.
@@ -57,9 +58,9 @@ pub struct BasinsFindings {
     /// What counts as contact without impact.
     #[serde(skip)]
     minimum_depth: f64,
-    /// Of a machine, the size of the gaps' motion.
+    /// How large motions are, as far as the grid or the machine tells; infinite where they do not.
     #[serde(skip)]
-    size: Option<f64>,
+    size: f64,
 }
 
 impl Finding for BasinsFindings {
@@ -71,8 +72,7 @@ impl Finding for BasinsFindings {
     }
 
     fn warnings(&self) -> Vec<String> {
-        let extent = self.size.unwrap_or(self.grid.q[1] - self.grid.q[0]);
-        small_motion(extent, self.minimum_depth).into_iter().collect()
+        small_motion(self.size, self.minimum_depth).into_iter().collect()
     }
 
     fn lines(&self, lines: &mut Lines) {
@@ -102,18 +102,25 @@ pub(super) fn joined(task: &BasinsTask, job: &Job, rows: &[String]) -> Result<Ba
     over(task, job, Joined(rows))
 }
 
-/// The task for systems of one kind.
-struct Setup<'a, D> {
+/// What is looked for, whatever the system is.
+struct Search<'a> {
     job: &'a Job<'a>,
-    dynamics: &'a D,
     grid: BasinGrid,
     detection: Detection,
     identity: String,
     resume: bool,
-    /// Of a machine.
+}
+
+/// The task for systems of one kind.
+struct Setup<'a, D: Dynamics> {
+    search: Search<'a>,
+    dynamics: &'a D,
+    /// The start with two numbers in the plane.
+    place: &'a (dyn Fn([f64; 2]) -> D::Start + Sync),
+    /// If the scene names it.
     plane: Option<[String; 2]>,
     minimum_depth: f64,
-    size: Option<f64>,
+    size: f64,
 }
 
 /// What to do with a task, whatever it is about.
@@ -158,7 +165,7 @@ impl Work for Joined<'_> {
         let read = |(number, text): (usize, &String)| {
             let row: Basins<D::Point> =
                 serde_json::from_str(text).map_err(|error| foreign(number, &error))?;
-            match row.can_be_row(&setup.grid, &setup.detection) {
+            match row.can_be_row(&setup.search.grid, &setup.search.detection) {
                 true => Ok(row),
                 false => Err(foreign(number, &"no run comes to it")),
             }
@@ -170,12 +177,12 @@ impl Work for Joined<'_> {
 
 impl<D: Dynamics> Setup<'_, D> {
     fn find(&self, rows: Range<usize>, file: Option<&Path>) -> Result<Vec<Basins<D::Point>>> {
-        if let Some(file) = file.filter(|_| !self.resume) {
+        let Search { job, grid, detection, identity, resume } = &self.search;
+        if let Some(file) = file.filter(|_| !resume) {
             Journal::discard(file)?;
         }
-        self.job.monitor.begin(rows.len() as u64, "rows");
-        let Setup { dynamics, grid, detection, identity, .. } = self;
-        basin_rows(*dynamics, grid, detection, rows, identity, file, self.job.monitor)
+        job.monitor.begin(rows.len() as u64, "rows");
+        basin_rows((self.dynamics, self.place), grid, detection, rows, identity, file, job.monitor)
     }
 }
 
@@ -195,12 +202,44 @@ fn over<W: Work>(task: &BasinsTask, job: &Job, work: W) -> Result<W::Out> {
         longest: task.longest as usize,
         ..Detection::default()
     };
-    let (identity, resume) = (job.identity()?, task.resume);
+    let mut search = Search { job, grid, detection, identity: job.identity()?, resume: task.resume };
     match &job.model {
         Model::Oscillator(_) => {
             let (dynamics, minimum_depth) = (&job.simulator()?, job.scene.accuracy.minimum_depth);
-            let (plane, size) = (None, None);
-            work.of(Setup { job, dynamics, grid, detection, identity, resume, plane, minimum_depth, size })
+            let axes = job.scene.start_plane(&task.plane, "plane")?;
+            let at = State { t: search.detection.phase, q: 0.0, u: 0.0 };
+            let base = match &task.start {
+                Some(start) => State { t: at.t, ..job.scene.state(start)? },
+                None => at,
+            };
+            let place = &move |numbers: [f64; 2]| {
+                let mut start = base;
+                for (axis, x) in axes.into_iter().zip(numbers) {
+                    match axis {
+                        StartAxis::Place => start.q = x,
+                        StartAxis::Speed => start.u = x,
+                        StartAxis::Phase => start.t = TAU * (x - x.floor()),
+                    }
+                }
+                start
+            };
+            // How large the motions are, as far as the grid tells.
+            let extent =
+                |(axis, [low, high]): (StartAxis, [f64; 2])| (axis == StartAxis::Place).then_some(high - low);
+            let size = axes
+                .into_iter()
+                .zip([search.grid.q, search.grid.u])
+                .find_map(extent)
+                .unwrap_or(f64::INFINITY);
+            let plane = match &task.plane[..] {
+                [first, second] => Some([first.clone(), second.clone()]),
+                _ => None,
+            };
+            if let Some(names) = &plane {
+                let own = serde_json::to_string(&(names, base)).map_err(std::io::Error::other)?;
+                search.identity = format!("{} {own}", search.identity);
+            }
+            work.of(Setup { search, dynamics, place, plane, minimum_depth, size })
         }
         Model::Machine(machine) => {
             let rest = job.scene.rest(&task.start, machine)?;
@@ -209,17 +248,19 @@ fn over<W: Work>(task: &BasinsTask, job: &Job, work: W) -> Result<W::Out> {
             let dynamics = &planar.starting(machine, &axes, [&rest[0], &rest[1]])?;
             let names = job.scene.plane_names(&task.plane);
             let own = serde_json::to_string(&(&names, &rest, dynamics.simulator().settings()));
-            let identity = format!("{identity} {}", own.map_err(std::io::Error::other)?);
+            search.identity = format!("{} {}", search.identity, own.map_err(std::io::Error::other)?);
             let minimum_depth = dynamics.simulator().settings().minimum_depth;
-            let (plane, size) = (Some(names), Some(dynamics.simulator().scale()));
-            work.of(Setup { job, dynamics, grid, detection, identity, resume, plane, minimum_depth, size })
+            let (plane, size) = (Some(names), dynamics.simulator().scale());
+            let start = search.detection.phase;
+            let place = &|at| dynamics.in_plane(at, start);
+            work.of(Setup { search, dynamics, place, plane, minimum_depth, size })
         }
     }
 }
 
 fn gather<D: Dynamics>(
     Basins { attractors, cells }: Basins<D::Point>,
-    Setup { grid, plane, minimum_depth, size, .. }: Setup<D>,
+    Setup { search, plane, minimum_depth, size, .. }: Setup<D>,
 ) -> BasinsFindings {
     let none = BasinRow { end: "", period: None, impacts: None, q: None, u: None, starts: 0 };
     let word = |end| BasinRow { end, ..none.clone() };
@@ -257,5 +298,5 @@ fn gather<D: Dynamics>(
         basins.push(basin);
     }
     let cells = classes.into_iter().map(|class| index[class]).collect();
-    BasinsFindings { basins, grid, plane, cells, minimum_depth, size }
+    BasinsFindings { basins, grid: search.grid, plane, cells, minimum_depth, size }
 }

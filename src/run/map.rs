@@ -1,14 +1,21 @@
 //! Tasks of kind `map`: what a motion tends to over two parameters.
 
+use std::{ops::Range, path::Path};
+
 use serde::Serialize;
 
-use super::{Finding, Job, Lines, Status, diagram::value, row};
+use super::{
+    Finding, Job, Lines, Status,
+    diagram::value,
+    parts::{foreign, record},
+    row,
+};
 use crate::{
     error::Result,
     oscillator::{
         attractor::{
             diagram::Look,
-            map::{MapCell, MapEnd, MapPlan, map as find},
+            map::{MapCell, MapEnd, MapPlan, map_rows},
         },
         simulate::RunEnd,
     },
@@ -82,9 +89,35 @@ pub(crate) fn word(end: MapEnd) -> &'static str {
 /// # Errors
 /// Those of the system at a point and of the simulator; an unusable checkpoint; an interruption.
 pub fn map(task: &MapTask, job: &Job) -> Result<MapFindings> {
+    let plan = plan(task, job)?;
+    let rows = find(task, job, &plan, 0..plan.rows.len(), job.checkpoint().as_deref())?;
+    Ok(findings(task, plan, rows.concat()))
+}
+
+/// Some rows of the map, each as a line of JSON, resuming from the checkpoint `file`.
+pub(super) fn rows(task: &MapTask, job: &Job, rows: Range<u64>, file: &Path) -> Result<Vec<String>> {
+    let rows = rows.start as usize..rows.end as usize;
+    find(task, job, &plan(task, job)?, rows, Some(file))?.iter().map(record).collect()
+}
+
+/// The findings from all rows, as [`rows`] writes them.
+pub(super) fn joined(task: &MapTask, job: &Job, rows: &[String]) -> Result<MapFindings> {
+    let plan = plan(task, job)?;
+    let mut cells = Vec::new();
+    for (number, text) in rows.iter().enumerate() {
+        let row: Vec<MapCell> = serde_json::from_str(text).map_err(|error| foreign(number, &error))?;
+        if !plan.can_be_row(&row) {
+            return Err(foreign(number, &"no run comes to it"));
+        }
+        cells.extend(row);
+    }
+    Ok(findings(task, plan, cells))
+}
+
+fn plan(task: &MapTask, job: &Job) -> Result<MapPlan> {
     let columns: Vec<f64> = (0..task.count).map(|i| value(&task.range, i, task.count)).collect();
     let upwards = (0..task.second_count).map(|i| value(&task.second_range, i, task.second_count));
-    let plan = MapPlan {
+    Ok(MapPlan {
         columns,
         rows: upwards.collect(),
         start: job.scene.state(&task.start)?,
@@ -94,24 +127,35 @@ pub fn map(task: &MapTask, job: &Job) -> Result<MapFindings> {
             points: task.points,
             longest: task.longest,
         },
-    };
-    let file = job.checkpoint();
-    if let Some(file) = file.as_ref().filter(|_| !task.resume) {
+    })
+}
+
+fn find(
+    task: &MapTask,
+    job: &Job,
+    plan: &MapPlan,
+    rows: Range<usize>,
+    file: Option<&Path>,
+) -> Result<Vec<Vec<MapCell>>> {
+    if let Some(file) = file.filter(|_| !task.resume) {
         Journal::discard(file)?;
     }
-    job.monitor.begin(u64::from(task.second_count), "rows");
+    job.monitor.begin(rows.len() as u64, "rows");
     let identity = format!("{} {} {}", job.identity()?, task.parameter, task.second);
     let system = |first, second| {
         job.simulator_of(&job.scene.plain(&[(&task.parameter, first), (&task.second, second)])?)
     };
-    let cells = find(&plan, system, &identity, file.as_deref(), job.monitor)?;
-    Ok(MapFindings {
+    map_rows(plan, system, rows, &identity, file, job.monitor)
+}
+
+fn findings(task: &MapTask, plan: MapPlan, cells: Vec<MapCell>) -> MapFindings {
+    MapFindings {
         varied: [task.parameter.clone(), task.second.clone()],
         counts: [task.count, task.second_count],
         ends: gather(&cells),
         values: [plan.columns, plan.rows],
         cells,
-    })
+    }
 }
 
 fn gather(cells: &[MapCell]) -> Vec<MapRow> {

@@ -74,19 +74,19 @@ pub use machine_grazing::{MachineBornRow, MachineGrazingFindings, MachineGrazing
 pub(crate) use machine_orbit::stable as machine_stable;
 pub use machine_orbit::{MachineOrbitFindings, MachineOrbitRow, machine_orbit};
 pub use machine_validate::machine_validate;
+#[cfg(feature = "cli")]
 pub(crate) use map::word as map_word;
 pub use map::{MapFindings, MapRow, map};
 #[cfg(feature = "cli")]
 pub(crate) use orbit::stable;
 pub use orbit::{MissingRow, OrbitFindings, OrbitRow, orbit};
-pub use report::TaskReport;
+pub use report::{RunReport, TaskReport};
 pub use section::{AttractorRow, ExponentRow, SectionFindings, SectionOrbitRow, SectionSet, section};
 pub use shift::{ChaosFindings, FailureRow, LetterRow, chaos};
 pub use simulate::{SimulationFindings, simulate};
 pub use status::{Place, Status};
 pub(crate) use table::row;
 pub use table::{Complex, Judgement, Lines, Row, Shown};
-
 pub use validate::{ProofRow, UnprovedRow, ValidateFindings, validate};
 
 use crate::{

@@ -1,5 +1,5 @@
-//! A task in parts: rows of basins and values of a diagram are done apart, in processes of their own, and put
-//! together.
+//! A task in parts: rows of basins and of a map, and values of a diagram, are done apart, in processes of
+//! their own, and put together.
 //!
 //! A record is what one of these units came to, a line of JSON. The findings come from the records of all
 //! units in order by the same steps as in one run, so they are equal to the bit. Records are read with care
@@ -9,7 +9,7 @@ use std::{collections::BTreeMap, fmt, ops::Range, path::Path};
 
 use serde::{Deserialize, Serialize};
 
-use super::{Findings, Job, Keeper, TaskReport, basins, diagram, kept};
+use super::{Findings, Job, Keeper, TaskReport, basins, diagram, kept, map};
 use crate::{
     error::{Error, Result},
     oscillator::Effect,
@@ -21,6 +21,7 @@ pub fn units(task: &Task) -> Option<(u64, &'static str)> {
     match &task.kind {
         Kind::BasinsTask(task) => Some((task.u.count.into(), "rows")),
         Kind::DiagramTask(task) => Some((task.count.into(), "values")),
+        Kind::MapTask(task) => Some((task.second_count.into(), "rows")),
         _ => None,
     }
 }
@@ -44,6 +45,7 @@ pub fn part(job: &Job, units: Range<u64>, file: &Path) -> Result<Vec<String>> {
     let records = match &job.task.kind {
         Kind::BasinsTask(task) => basins::rows(task, job, units, file),
         Kind::DiagramTask(task) => diagram::values(task, job, units, file),
+        Kind::MapTask(task) => map::rows(task, job, units, file),
         kind => Err(no_parts(kind.word())),
     }?;
     let mut effects: BTreeMap<String, u64> =
@@ -75,6 +77,7 @@ fn joined(job: &Job, records: &[String]) -> Result<Findings> {
     Ok(match &job.task.kind {
         Kind::BasinsTask(task) => basins::joined(task, job, &found)?.into(),
         Kind::DiagramTask(task) => diagram::joined(task, job, &found)?.into(),
+        Kind::MapTask(task) => map::joined(task, job, &found)?.into(),
         kind => return Err(no_parts(kind.word())),
     })
 }
@@ -85,7 +88,7 @@ fn counted(job: &Job) -> impl Iterator<Item = Effect> {
 
 fn no_parts(kind: &str) -> Error {
     Error::input(format!(
-        "a task of kind {kind} cannot be done in parts; those of kind basins and diagram can"
+        "a task of kind {kind} cannot be done in parts; those of kind basins, diagram and map can"
     ))
 }
 

@@ -5,7 +5,7 @@ use std::fmt;
 use serde::{Serialize, Serializer, ser::SerializeMap};
 
 use super::{Findings, Job, Lines, Place, Status};
-use crate::error::Error;
+use crate::error::{Error, Result};
 
 /// A task's name, its status, what it found, what that cost, and where it is kept.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -37,7 +37,7 @@ pub struct TaskReport {
 fn as_map<K: Serialize, V: Serialize, S: Serializer>(
     all: &[(K, V)],
     serializer: S,
-) -> Result<S::Ok, S::Error> {
+) -> std::result::Result<S::Ok, S::Error> {
     let mut map = serializer.serialize_map(Some(all.len()))?;
     for (key, value) in all {
         map.serialize_entry(key, value)?;
@@ -73,12 +73,37 @@ impl TaskReport {
     }
 
     /// Of a part, which is in a file for all parts to be put together.
+    #[cfg(feature = "cli")]
     pub(crate) fn part(job: &Job, file: String) -> TaskReport {
         TaskReport { files: vec![file], ..TaskReport::new(job, Status::Done) }
     }
 
     pub(crate) fn pending(job: &Job) -> TaskReport {
         TaskReport::new(job, Status::Pending)
+    }
+}
+
+/// The reports of a run as one JSON object: what `grazing run --format json` prints (docs/formats.md).
+#[derive(Debug, Clone, Serialize)]
+pub struct RunReport<'a> {
+    format: &'static str,
+    scene: &'a str,
+    shard: Option<String>,
+    tasks: &'a [TaskReport],
+}
+
+impl<'a> RunReport<'a> {
+    /// The reports of tasks of the scene with this title; of a part of one task, which part, as in "1/4".
+    pub fn new(scene: &'a str, shard: Option<String>, tasks: &'a [TaskReport]) -> RunReport<'a> {
+        RunReport { format: "grazing-run 2", scene, shard, tasks }
+    }
+
+    /// The text of the object, indented.
+    ///
+    /// # Errors
+    /// None in practice: of the writer.
+    pub fn to_json(&self) -> Result<String> {
+        Ok(serde_json::to_string_pretty(self).map_err(std::io::Error::other)?)
     }
 }
 

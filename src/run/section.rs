@@ -12,10 +12,11 @@ use crate::{
     oscillator::{
         Contact,
         attractor::{
-            detection::{Cycle, Detection, Fate, wait},
+            detection::Cycle,
             dynamics::{Dynamics, SectionState},
-            lyapunov::exponents,
+            lyapunov::{Exponent, exponents},
             manifold::{ManifoldPlan, reversed, reversed_phase, unstable_manifold},
+            observe::{Observation, ObservedMotion},
             section::section as follow,
             touching,
         },
@@ -150,17 +151,6 @@ impl Finding for SectionFindings {
     }
 }
 
-/// What a motion came to after the transient.
-struct Seen<P> {
-    fate: Fate<P>,
-    /// Its points, for a periodic motion once round.
-    points: Vec<[f64; 2]>,
-    /// Impacts in a forcing period.
-    impacts: f64,
-    /// The Lyapunov exponents and their errors, in a forcing period.
-    exponents: Vec<[f64; 2]>,
-}
-
 /// Follows the motions, in parallel, and finds the orbits.
 ///
 /// # Errors
@@ -182,8 +172,16 @@ fn attractors<D: Dynamics>(
     starts: Vec<D::Start>,
 ) -> Result<(SectionFindings, Vec<(usize, Cycle<D::Point>)>)> {
     job.monitor.begin(starts.len() as u64, "motions");
-    let seen: Vec<Seen<D::Point>> =
-        starts.into_par_iter().map(|start| look(task, job, dynamics, &start)).collect::<Result<_>>()?;
+    let together = starts.len().div_ceil(rayon::current_num_threads()).clamp(1, D::TOGETHER);
+    let observed: Vec<Vec<ObservedMotion<D::Start, D::Point>>> = starts
+        .par_chunks(together)
+        .map(|starts| {
+            let runs = starts.iter().map(|start| Ok((dynamics, dynamics.begin(start)?)));
+            let outcomes = D::observe(runs.collect::<Result<_>>()?, &observation(task), job.monitor)?;
+            job.monitor.advance(starts.len() as u64)?;
+            Ok(outcomes)
+        })
+        .collect::<Result<_>>()?;
     let mut found = SectionFindings {
         attractors: Vec::new(),
         exponents: Vec::new(),
@@ -198,43 +196,69 @@ fn attractors<D: Dynamics>(
         size: None,
     };
     let mut cycles: Vec<(usize, Cycle<D::Point>)> = Vec::new();
-    for one in seen {
-        let cycle = match one.fate {
-            Fate::Ended(end) => {
+    // Where the exponents of each attractor are followed from.
+    let mut settled: Vec<D::Start> = Vec::new();
+    for outcome in observed.into_iter().flatten() {
+        let one = match outcome {
+            Ok(one) => one,
+            Err(end) => {
                 found.ended.push(end);
                 continue;
             }
-            Fate::Periodic(cycle) => Some(cycle),
-            Fate::Irregular => None,
         };
         let known =
-            |(_, known): &&(usize, Cycle<D::Point>)| cycle.as_ref().is_some_and(|cycle| known.is(cycle));
+            |(_, known): &&(usize, Cycle<D::Point>)| one.cycle.as_ref().is_some_and(|cycle| known.is(cycle));
         if let Some((known, _)) = cycles.iter().find(known) {
             found.attractors[*known].starts += 1;
             continue;
         }
         let index = found.attractors.len();
-        let finite = |x: f64| x.is_finite().then_some(x);
-        let [exponent, error] = one.exponents.first().copied().unwrap_or([f64::NAN; 2]);
-        found.attractors.push(AttractorRow {
-            periodic: cycle.is_some(),
-            period: cycle.as_ref().map(Cycle::period),
-            impacts: cycle.as_ref().map(|cycle| cycle.impacts),
-            impacts_per_period: one.impacts,
-            lyapunov_per_period: finite(exponent),
-            standard_error: finite(error),
+        let row = AttractorRow {
+            periodic: one.cycle.is_some(),
+            period: one.cycle.as_ref().map(Cycle::period),
+            impacts: one.cycle.as_ref().map(|cycle| cycle.impacts),
+            impacts_per_period: 0.0,
+            lyapunov_per_period: None,
+            standard_error: None,
             starts: 1,
-        });
+        };
+        found.attractors.push(row);
+        let points = match &one.cycle {
+            Some(cycle) => cycle.points.iter().map(SectionState::plane).collect(),
+            None => one.points,
+        };
+        found.points.push((SectionSet::Attractor(index), points));
+        cycles.extend(one.cycle.map(|cycle| (index, cycle)));
+        settled.push(one.settled);
+    }
+    job.monitor.begin(settled.len() as u64, "exponents");
+    let count = (task.exponents as usize).min(dynamics.dimension());
+    let all: Vec<Vec<Exponent>> = settled
+        .par_iter()
+        .map(|start| {
+            let all = exponents(dynamics, start, count, 0, task.points.into(), job.monitor)?;
+            job.monitor.advance(1)?;
+            Ok(all)
+        })
+        .collect::<Result<_>>()?;
+    let finite = |x: f64| Some(TAU * x).filter(|x| x.is_finite());
+    for ((index, row), all) in (1..).zip(&mut found.attractors).zip(all) {
+        row.impacts_per_period = match (row.period, row.impacts) {
+            (Some(period), Some(impacts)) => impacts as f64 / period as f64,
+            _ => all.first().map_or(0.0, |first| first.impacts as f64 / f64::from(task.points)),
+        };
+        if let Some(first) = all.first() {
+            row.lyapunov_per_period = finite(first.rate);
+            row.standard_error = finite(first.standard_error);
+        }
         if task.exponents > 1 {
-            found.exponents.extend((1..).zip(&one.exponents).map(|(k, [exponent, error])| ExponentRow {
-                attractor: index + 1,
-                exponent: k,
-                per_period: finite(*exponent),
-                standard_error: finite(*error),
+            found.exponents.extend((1..).zip(&all).map(|(exponent, one)| ExponentRow {
+                attractor: index,
+                exponent,
+                per_period: finite(one.rate),
+                standard_error: finite(one.standard_error),
             }));
         }
-        cycles.extend(cycle.map(|cycle| (index, cycle)));
-        found.points.push((SectionSet::Attractor(index), one.points));
     }
     Ok((found, cycles))
 }
@@ -354,46 +378,14 @@ fn manifolds(
     Ok(())
 }
 
-/// Follows one motion.
-fn look<D: Dynamics>(
-    task: &SectionTask,
-    job: &Job,
-    dynamics: &D,
-    start: &D::Start,
-) -> Result<Seen<D::Point>> {
-    let phase = phase(&task.phase);
-    let mut run = dynamics.begin(start)?;
-    let over = |end| Seen { fate: Fate::Ended(end), points: Vec::new(), impacts: 0.0, exponents: Vec::new() };
-    let end = wait(&mut run, phase, task.transient + 1, job.monitor)?;
-    if end != RunEnd::Reached {
-        return Ok(over(end));
+/// What is looked at of each motion.
+fn observation(task: &SectionTask) -> Observation {
+    Observation {
+        phase: phase(&task.phase),
+        transient: task.transient + 1,
+        longest: task.longest,
+        points: task.points,
+        round: None,
+        every: 1,
     }
-    let settled = dynamics.here(&run);
-    let detection = Detection { phase, transient: 0, longest: task.longest as usize, ..Detection::default() };
-    let fate = detection.detect(&mut run)?;
-    job.check()?;
-    let mut points = Vec::new();
-    let end = match &fate {
-        Fate::Periodic(cycle) => {
-            points.extend(cycle.points.iter().map(SectionState::plane));
-            RunEnd::Reached
-        }
-        Fate::Irregular => follow(&mut run, phase, task.points.into(), |point| {
-            points.push(point.at.plane());
-            true
-        })?,
-        Fate::Ended(end) => *end,
-    };
-    if end != RunEnd::Reached {
-        return Ok(over(end));
-    }
-    let count = (task.exponents as usize).min(dynamics.dimension());
-    let all = exponents(dynamics, &settled, count, 0, task.points.into(), job.monitor)?;
-    let impacts = match &fate {
-        Fate::Periodic(cycle) => cycle.impacts as f64 / cycle.period() as f64,
-        _ => all.first().map_or(0.0, |first| first.impacts as f64 / f64::from(task.points)),
-    };
-    job.monitor.advance(1)?;
-    let exponents = all.iter().map(|one| [TAU * one.rate, TAU * one.standard_error]).collect();
-    Ok(Seen { fate, points, impacts, exponents })
 }

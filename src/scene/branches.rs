@@ -111,8 +111,9 @@ keys! {
 
 keys! {
     /// Draws what motions tend to over a parameter (a bifurcation diagram), from several starts at each
-    /// value, in parallel. Lists windows of periodic motion and values where attractors coexist. An
-    /// interrupted task resumes from its checkpoint.
+    /// value, in parallel. Every motion begins at one of these starts: none goes on from the attractor of the
+    /// value before. Lists windows of periodic motion and values where attractors coexist. An interrupted
+    /// task resumes from its checkpoint.
     pub struct DiagramTask {
         /// the parameter that varies
         parameter: String,

@@ -43,6 +43,6 @@ pub use measured::MeasuredForce;
 pub use reference::reference;
 pub(crate) use scene::phase;
 pub use scene::{Body, Scene};
-pub use sections::{BasinsTask, Frame, SectionTask, Values};
+pub use sections::{BasinsTask, Frame, SectionTask, StartAxis, Values};
 pub use system::Accuracy;
 pub use task::{Kind, Task};

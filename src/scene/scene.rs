@@ -10,6 +10,7 @@ use super::{
     expression::{self, Coefficient, Expression},
     machine::MachineScene,
     matrix::CoordinateList,
+    sections::StartAxis,
     simulate::Start,
     system::Accuracy,
     task::Task,
@@ -181,6 +182,32 @@ impl Scene {
             }
         };
         Ok(State { t: phase(&start.phase), q: one(&start.q)?, u: one(&start.u)? })
+    }
+
+    /// What the axes of an oscillator's plane of starts are: two of `q`, `u` and `phase`; without names the
+    /// first two.
+    ///
+    /// # Errors
+    /// An input error at `path` for anything else.
+    pub fn start_plane(&self, names: &[String], path: &str) -> Result<[StartAxis; 2]> {
+        let axis = |name: &String| {
+            match name.as_str() {
+            "q" => Ok(StartAxis::Place),
+            "u" => Ok(StartAxis::Speed),
+            "phase" => Ok(StartAxis::Phase),
+            _ => Err(self.fail(
+                path,
+                &format!(
+                    "{name:?} is neither \"q\" nor \"u\" nor \"phase\", which are what a start of an oscillator has"
+                ),
+            )),
+        }
+        };
+        match names {
+            [] => Ok([StartAxis::Place, StartAxis::Speed]),
+            [first, second] if first != second => Ok([axis(first)?, axis(second)?]),
+            _ => Err(self.fail(path, "must name two different axes, as in [\"q\", \"phase\"]")),
+        }
     }
 
     /// A coefficient's value, within the range of floats; an error names where it stands.

@@ -45,16 +45,17 @@ keys! {
 keys! {
     /// Finds which starts lead to which attractor, on a grid.
     pub struct BasinsTask {
-        /// displacements of the starts; of a machine, values of the first axis of `plane`
+        /// displacements of the starts; with `plane`, values of its first axis
         q: Values,
-        /// velocities of the starts; of a machine, values of the second
+        /// velocities of the starts; with `plane`, values of its second
         u: Values,
-        /// of a machine, which two displacements or velocities are varied: `q2` and `u2` are those of a
+        /// which two numbers of a start are varied: `q`, `u` or `phase`, the time of the start as a fraction
+        /// of the forcing period; of a machine, two displacements or velocities: `q2` and `u2` are those of a
         /// coordinate
         plane: Vec<String> = "[]",
-        /// of a machine, the other displacements and velocities of every start; without it 0
+        /// with `plane`, the other displacements and velocities of every start; without it 0
         start: Option<Start>,
-        /// when motions start and are looked at, as a fraction of the forcing period
+        /// when motions start, unless that is varied, and are looked at, as a fraction of the forcing period
         phase: BigRational = "0",
         /// how many periods pass first, unrecorded
         transient: u64 = "300",
@@ -87,6 +88,18 @@ words! {
         /// From the upper wall's motion about its mean.
         Upper = "upper",
     }
+}
+
+/// What of an oscillator's start is varied along an axis.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum StartAxis {
+    /// The displacement.
+    Place,
+    /// The velocity.
+    Speed,
+    /// The time, as a fraction of the forcing period.
+    Phase,
 }
 
 impl Frame {

@@ -1,14 +1,13 @@
 //! One case of the conjecture decided by its definition, by the record form and by the claim.
 //!
-//! The definition and the record form take their signs from the ladder, the claim from
-//! [`apart`](super::apart): a wrong sign on one side shows as a difference. Where the ladder does not confirm
+//! The definition takes its signs from the ladder, as many as it takes to see two opposite ones; the record
+//! form from enclosures of f_1, …, f_n, and from the definition where these overlap; the claim has
+//! [`apart`](super::apart). A wrong sign on one side shows as a difference. Where the ladder does not confirm
 //! a difference, the error is this program's.
 
-use super::{Instance, apart};
+use super::{Instance, apart, fuzz::quotients};
 use crate::{
-    existence::{
-        Claim, Existence, Variant, by_definition, by_records, claimed, claimed_with, definition_and_rung,
-    },
+    existence::{Brief, Claim, Existence, Variant, claimed, claimed_with},
     local::{Answer, Ladder, Plane, Point, Quantity, Region, Rung},
 };
 
@@ -29,7 +28,8 @@ pub(super) enum Comparison {
 
 pub(super) fn compare(ladder: &Ladder, case: &Instance, variant: Variant) -> Comparison {
     let Instance { n, point } = case;
-    let (found, rung) = definition_and_rung(ladder, point, *n);
+    let definition = Brief::new(ladder, point, *n);
+    let (found, rung) = (definition.existence, definition.rung);
     let cases = found.cases(*n);
     let apart = |point: &Point, quantity: Quantity| match quantity {
         Quantity::B { n, k } => match apart::sign(ladder, point, n, k) {
@@ -49,15 +49,18 @@ pub(super) fn compare(ladder: &Ladder, case: &Instance, variant: Variant) -> Com
             Comparison::Fault("two routes to the sign that decides the claim differ")
         };
     }
+    let quotients = match point {
+        Point::Polar(polar) if *n <= RECORDED => quotients(polar, *n),
+        _ => None,
+    };
     if *n <= RECORDED
-        && let Some(records) = by_records(ladder, point, *n)
-        && let Some(record) = records.last()
+        && let Some(record) = definition.record(ladder, point, *n, quotients.as_deref())
     {
-        let decided = *record != Existence::Undecided && found != Existence::Undecided;
+        let decided = record != Existence::Undecided && found != Existence::Undecided;
         if decided && record.cases(*n) != cases {
             return Comparison::Fault("the definition and the record form differ");
         }
-        let by_record = against(record, claim, case, rung);
+        let by_record = against(&record, claim, case, rung);
         if by_record == Comparison::Differ && comparison != Comparison::Undecided {
             return Comparison::Fault("the record form and the claim differ");
         }
@@ -68,7 +71,7 @@ pub(super) fn compare(ladder: &Ladder, case: &Instance, variant: Variant) -> Com
         && matches!(comparison, Comparison::Agree(_) | Comparison::Undecided)
         && let Ok(reversed) = Plane::new(plane.a1() / plane.a2(), plane.a2().recip())
     {
-        let other = by_definition(ladder, &Point::Plane(reversed), *n);
+        let other = Brief::new(ladder, &Point::Plane(reversed), *n).existence;
         if other != Existence::Undecided && other.cases(*n) != cases {
             return Comparison::Differ;
         }

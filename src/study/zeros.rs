@@ -346,7 +346,8 @@ mod tests {
     use super::*;
     use crate::local::{Answer, Ladder};
 
-    /// However near, all bits but 16; near poles given by (a₁, a₂) a ball of a fixed length loses them all.
+    /// However near, all bits but 16; a ball of a fixed length loses them all where more than twice its
+    /// length would be needed.
     #[test]
     fn close_evaluations_lose_few_bits() {
         let (short, long) = (Precision::new(128), Precision::new(4096));
@@ -366,7 +367,7 @@ mod tests {
                 }
             }
         }
-        assert!(lost_otherwise > 20, "{lost_otherwise}");
+        assert!(lost_otherwise > 10, "{lost_otherwise}");
     }
 
     /// Each place is what its family says: the sign changes there, or not, at every distance, and there it is

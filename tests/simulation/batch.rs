@@ -7,13 +7,16 @@ use grazing::oscillator::{
     attractor::{
         basins::{BasinCell, BasinGrid, Basins, basins},
         detection::{Cycle, Detection, Fate},
-        diagram::Look,
+        diagram::{DiagramPlan, Look, sweep},
+        dynamics::Dynamics,
         lyapunov::lyapunov,
         map::{MapCell, MapEnd, MapPlan, map},
+        observe::Observation,
     },
     flow::State,
     simulate::{Event, RunEnd, Settings, Simulator, batch::Batch},
 };
+use rayon::prelude::*;
 
 /// The same choices on every machine: SplitMix64.
 struct Choices(u64);
@@ -160,20 +163,53 @@ fn every_event_is_the_scalar_engines() {
     assert!(events > 300, "{events} events were compared");
 }
 
-/// docs/speed.md has the figure for two million of them:
-/// `GRAZING_MOTIONS=2000000 cargo test --release --test simulation -- --ignored every_event_of`.
+/// On all cores. docs/speed.md has the figure for millions of them:
+/// `GRAZING_MOTIONS=2000000 cargo test --release --test simulation -- --ignored every_event_of --nocapture`.
 #[test]
-#[ignore = "hours; scaled by GRAZING_MOTIONS"]
+#[ignore = "minutes; scaled by GRAZING_MOTIONS"]
 fn every_event_of_very_many_motions_is_the_scalar_engines() {
     let motions: u64 = std::env::var("GRAZING_MOTIONS").map_or(10_000, |text| text.parse().unwrap());
-    let (mut done, mut events, mut seed) = (0, 0, 1000);
-    while done < motions {
-        let systems = [1, 5, 200][seed as usize % 3];
-        events += some(seed, systems, 500, 12);
-        (done, seed) = (done + 500, seed + 1);
+    let rounds = motions.div_ceil(500);
+    let round = |seed: u64| some(seed, [1, 5, 200][seed as usize % 3], 500, 12);
+    let events: u64 = (1000..1000 + rounds).into_par_iter().map(round).sum();
+    println!("{} motions, {events} events, all equal", 500 * rounds);
+    assert!(events > 500 * rounds / 4);
+}
+
+/// What decays to nothing becomes nothing, the same bits in both engines: numbers too small to count would
+/// slow them down.
+#[test]
+fn motions_that_decay_come_to_rest_at_zero() {
+    let systems = [
+        System { lower: wall(-1.0, 0.0, 0.9), ..system(2.0, 1.5, 0.0, 0.0) },
+        System { lower: wall(-1.0, 0.0, 0.9), ..system(2.0, 1.5, 0.0, 0.1) },
+        System { lower: wall(-2.0, 0.3, 0.9), upper: wall(2.0, 0.0, 0.9), ..system(1.0, 0.25, 0.0, 0.0) },
+    ];
+    for (i, system) in systems.iter().enumerate() {
+        let simulator = Simulator::new(system, &Settings::default()).unwrap();
+        let start = |j: u32| simulator.start(Time::new(0, 0.3), 0.1 * f64::from(j), 0.5).unwrap();
+        let mut batch = Batch::new(0.0, (0..9).map(|j| (&simulator, start(j))).collect());
+        let mut runs: Vec<_> = (0..9).map(start).collect();
+        let mut sizes = Vec::new();
+        for period in 1..=600 {
+            batch.pass();
+            for (j, run) in runs.iter_mut().enumerate() {
+                run.finish(Time::new(period, 0.0));
+                let (state, point) = (run.state(), batch.point(j));
+                assert_eq!([state.q, state.u], point, "system {i}, motion {j}, period {period}");
+            }
+            let [q, u] = batch.point(0);
+            sizes.push(q.abs() + u.abs());
+        }
+        // The second is forced, and comes to rest nowhere.
+        if i != 1 {
+            // Not before it is far below everything that counts.
+            let last = sizes.iter().rposition(|&size| size > 0.0).unwrap();
+            assert!(sizes[599] == 0.0 && (1e-160..1e-140).contains(&sizes[last]), "{i}: {:e}", sizes[last]);
+        }
+        // Then all are on one motion, to the last bit.
+        assert!((1..9).all(|j| batch.point(j) == batch.point(0)), "{i}");
     }
-    println!("{done} motions, {events} events, all equal");
-    assert!(events > done / 4);
 }
 
 #[test]
@@ -240,6 +276,77 @@ fn the_work_is_counted_as_the_scalar_engine_counts_it() {
         };
         assert_eq!(count(true), count(false), "system {kind}: {system:?}");
     }
+}
+
+#[test]
+fn what_is_observed_of_motions_is_the_same_together_and_one_by_one() {
+    let mut choices = Choices(21);
+    let (mut periodic, mut others, mut ended, mut shown) = (0, 0, 0, 0);
+    for round in 0..9 {
+        let settings = Settings { impact_limit: 300, integrate: round == 8, ..Settings::default() };
+        let count = [1, 5, 30][round % 3];
+        let simulators: Vec<Simulator> =
+            (0..count).filter_map(|_| Simulator::new(&systems(&mut choices), &settings).ok()).collect();
+        let phase = if choices.one_in(2) { 0.0 } else { choices.number(0.0, 6.25) };
+        let observation = Observation {
+            phase,
+            transient: [0, 30][round % 2],
+            longest: 6,
+            points: [25, 0, 7][round / 3],
+            round: [None, Some(3), Some(20)][round / 3],
+            every: 1 + round as u32 % 3,
+        };
+        let starts = starts(&mut choices, &simulators, 30);
+        let begin = |&(which, time, q, u): &(usize, Time, f64, f64)| {
+            let simulator = &simulators[which];
+            simulator.start(time, q, u).ok().map(|run| (simulator, run))
+        };
+        let together = Simulator::observe(starts.iter().filter_map(begin).collect(), &observation, &());
+        for (i, (motion, found)) in starts.iter().filter_map(begin).zip(together.unwrap()).enumerate() {
+            let alone = Simulator::observe(vec![motion], &observation, &()).unwrap().remove(0);
+            // As text, which tells every bit, and is equal where there is no number.
+            assert_eq!(format!("{found:?}"), format!("{alone:?}"), "round {round}, motion {i}");
+            match found {
+                Ok(observed) => {
+                    *(if observed.cycle.is_some() { &mut periodic } else { &mut others }) += 1;
+                    shown += observed.points.len();
+                }
+                Err(_) => ended += 1,
+            }
+        }
+    }
+    assert!(periodic > 10 && others > 50 && ended > 2 && shown > 500, "{periodic} {others} {ended} {shown}");
+}
+
+#[test]
+fn a_diagram_is_that_of_its_values_and_starts_one_by_one() {
+    let start = |q, u| State { t: 1.0, q, u };
+    let plan = DiagramPlan {
+        values: (0..9).map(|i| -0.05 + 0.01 * f64::from(i)).collect(),
+        starts: vec![start(1.5, 0.0), start(0.3, 0.4), start(-3.0, 0.0), start(2.6, 0.3)],
+        look: Look { phase: 2.0, transient: 60, points: 30, longest: 8 },
+        every: 2,
+    };
+    let system = |mu| Simulator::new(&paper(mu, 1.0), &Settings::default());
+    // On one thread the motions of all values are followed together.
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
+    let slices = pool.install(|| sweep(&plan, system, "", None, &()).unwrap());
+    let mut several = 0;
+    for slice in &slices {
+        let mut motions = Vec::new();
+        for start in &plan.starts {
+            let one = DiagramPlan { values: vec![slice.value], starts: vec![*start], ..plan.clone() };
+            let alone = sweep(&one, system, "", None, &()).unwrap().remove(0);
+            motions.extend(alone.motions);
+        }
+        assert_eq!(slice.lost, 1);
+        // An attractor is kept as the first motion that leads to it has it.
+        let mut next = motions.iter();
+        assert_eq!(slice.motions[0], motions[0]);
+        assert!(slice.motions.iter().all(|motion| next.any(|other| other == motion)), "{slice:?}");
+        several += usize::from(slice.motions.len() > 1);
+    }
+    assert!(several > 1, "at {several} of 9 values attractors coexist");
 }
 
 /// Basins by the scalar engine alone, start by start.

@@ -24,6 +24,15 @@
 //! c_02) > |c_10| + |c_01| + |c_11| + Σ d_ij: x² and y² are between 0 and 1. Likewise for β T_k − α T_d, α, β
 //! ≥ 0, whose c are the same combination and whose d are at most β d(k) + α d(d).
 //!
+//! **Less is enough for most.** Taylor's formula of order m < 3 has Σ_{i+j=m} C_ij x^i y^j for its rest, so
+//! |T_k − Σ_{i+j<m} c_ij x^i y^j| ≤ Σ_{i+j=m} d_ij. Since G_j(q) grows with q, that is at most
+//!
+//! ```text
+//! D_m = Σ_{i+j=m} (Ā_i + A_i(n; r₁)) G_j(n) + G_m(n),    Ā_i the largest A_i(p; r₁), p ≤ n,
+//! ```
+//!
+//! the same for all k. So t c_00 > D_1 shows the sign t, and so does t c_00 > |c_10| + |c_01| + D_2.
+//!
 //! **A derivative.** h ∂_r T = ∂_x T = c_10 + 2 c_20 x + c_11 y + ρ_x, where ρ_x, the second-order remainder
 //! of ∂_x T, is Σ over the second derivatives of ∂_x T: |ρ_x| ≤ 3 d_30 + 2 d_21 + d_12. Likewise for y.
 //!
@@ -34,7 +43,9 @@
 //! nη ≤ 1.6, |F_0|, G_0 ≤ 1, |F_1|, G_1 ≤ 1.6, |F_2|, G_2 ≤ 1.28, G_3 ≤ 0.69, each off by less than 24 (see
 //! `Wave`). The 20 products in the c and d of one k, each rounded by 1, and the 4 single terms are together
 //! off by less than 2(1 + 1.6 + 1.28 + 0.69) n + 2(1 + 1.6 + 1.28) 2nH + 2(1 + 1.6)(3nH²/2 + 1) +
-//! 2(6nH³/5 + 1) + 20·(24 + 1) + 4·24 < 35 nH³ + 620. No value reaches 8, where an `i64` ends: |c_ij| and
+//! 2(6nH³/5 + 1) + 20·(24 + 1) + 4·24 < 35 nH³ + 620. Where D_1 or D_2 is enough, the error is
+//! smaller: D_m has an A_i G_j where c_ij has an A_i F_j, with the same bounds, and products of larger i + j
+//! are missing. No value reaches 8, where an `i64` ends: |c_ij| and
 //! d_ij are at most 3·1.6.
 //!
 //! With H = 1 (all boxes but those with r < 1 − 1/n or so) this is 4·10⁻¹⁵ for n = 128. The claims get finer
@@ -98,6 +109,8 @@ pub struct Expansion {
 /// What boxes with the same bounds of r have in common: the powers of every p ≤ n.
 pub struct Powers {
     all: Vec<Power>,
+    /// The largest A_0, A_1, A_2 of all p ≤ n at r₁.
+    most: [i64; 3],
     /// The bound of all rounding in the coefficients of one k.
     slack: i64,
 }
@@ -121,6 +134,16 @@ pub struct Patch<'a> {
     waves: &'a Waves,
     /// The bound of all rounding in the coefficients of one k.
     pub slack: i64,
+    /// D_1 and D_2, with that bound.
+    rest: [i128; 2],
+}
+
+/// What T_k on a box is made of, for one k.
+pub struct Term<'a> {
+    patch: &'a Patch<'a>,
+    power_a: &'a Power,
+    wave_a: &'a Wave,
+    wave_k: &'a Wave,
 }
 
 impl Powers {
@@ -135,9 +158,12 @@ impl Powers {
             return Err(TOO_WIDE.into());
         }
         let steep = ((i128::from(h) * i128::from(n)) >> 60) as i64 + 1;
-        let chains = chain(centre, h).zip(chain(high, h)).take(n as usize + 1);
-        let all = chains.map(|([a0, a1, a2, _], bound)| Power { at: [a0, a1, a2], bound }).collect();
-        Ok(Powers { all, slack: 35 * n as i64 * steep.pow(3) + 620 })
+        let (mut all, mut most) = (Vec::with_capacity(n as usize + 1), [0; 3]);
+        for ([a0, a1, a2, _], bound) in chain(centre, h).zip(chain(high, h)).take(n as usize + 1) {
+            all.push(Power { at: [a0, a1, a2], bound });
+            most = [0, 1, 2].map(|i| bound[i].max(most[i]));
+        }
+        Ok(Powers { all, most, slack: 35 * n as i64 * steep.pow(3) + 620 })
     }
 }
 
@@ -175,7 +201,9 @@ impl Waves {
         let &Waves { n, turns, eta, .. } = self;
         self.all.get_or_init(|| match self.form {
             Form::Sine => {
-                (0..).zip(fixed::sines_cosines(turns, n)).map(|(q, at)| sine_wave(q, at, eta)).collect()
+                let mut all = Vec::with_capacity(n as usize + 1);
+                all.extend((0..).zip(fixed::sines_cosines(turns, n)).map(|(q, at)| sine_wave(q, at, eta)));
+                all
             }
             Form::Quotient => quotients(n, turns, eta),
         })
@@ -199,7 +227,12 @@ impl Waves {
 impl<'a> Patch<'a> {
     /// The box of two sides, which are of the same period.
     pub fn new(powers: &'a Powers, waves: &'a Waves) -> Patch<'a> {
-        Patch { powers, waves, slack: powers.slack }
+        let (power_n, g) = (&powers.all[waves.n as usize], &waves.wave_n.bound);
+        let rest = [1, 2].map(|m| {
+            let products = (0..=m).map(|i| i128::from(product(powers.most[i] + power_n.bound[i], g[m - i])));
+            products.sum::<i128>() + i128::from(g[m]) + i128::from(powers.slack)
+        });
+        Patch { powers, waves, slack: powers.slack, rest }
     }
 
     /// The period.
@@ -210,33 +243,66 @@ impl<'a> Patch<'a> {
     /// The expansion of one T_k. Cost: O(1) products.
     pub fn expansion(&self, k: u64) -> Expansion {
         let [wave_k, wave_a] = self.waves.pair(k);
-        self.combine((self.n() - k) as usize, &wave_a, &wave_k)
+        self.term((self.n() - k) as usize, &wave_a, &wave_k).expansion()
     }
 
-    /// The expansions of T_1, …, T_{n−1}. Cost: O(n) products.
-    pub fn expansions(&self) -> impl Iterator<Item = Expansion> {
+    /// Whether t T_k > 0 on the box is shown. Cost: O(1) products.
+    pub fn shows(&self, k: u64, t: i64) -> bool {
+        let [wave_k, wave_a] = self.waves.pair(k);
+        self.term((self.n() - k) as usize, &wave_a, &wave_k).shows(t)
+    }
+
+    /// T_1, …, T_{n−1} on the box. Cost: O(n) products the first time.
+    pub fn terms(&self) -> impl Iterator<Item = Term<'_>> {
         let (n, waves) = (self.n() as usize, self.waves.all());
-        (1..n).map(move |k| self.combine(n - k, &waves[n - k], &waves[k]))
+        (1..n).map(move |k| self.term(n - k, &waves[n - k], &waves[k]))
     }
 
     #[inline]
-    fn combine(&self, a: usize, wave_a: &Wave, wave_k: &Wave) -> Expansion {
-        let (power_a, power_n, wave_n) =
-            (&self.powers.all[a], &self.powers.all[self.n() as usize], &self.waves.wave_n);
-        let c = |i: usize, j: usize| {
-            product(power_a.at[i], wave_n.at[j])
-                - product(power_n.at[i], wave_a.at[j])
-                - if i == 0 { wave_k.at[j] } else { 0 }
-        };
-        let d = |i: usize, j: usize| {
-            product(power_a.bound[i], wave_n.bound[j])
-                + product(power_n.bound[i], wave_a.bound[j])
-                + if i == 0 { wave_k.bound[j] } else { 0 }
-        };
+    fn term<'t>(&'t self, a: usize, wave_a: &'t Wave, wave_k: &'t Wave) -> Term<'t> {
+        Term { patch: self, power_a: &self.powers.all[a], wave_a, wave_k }
+    }
+}
+
+impl Term<'_> {
+    /// c_ij.
+    #[inline]
+    fn c(&self, i: usize, j: usize) -> i64 {
+        let Patch { powers, waves, .. } = self.patch;
+        product(self.power_a.at[i], waves.wave_n.at[j])
+            - product(powers.all[waves.n as usize].at[i], self.wave_a.at[j])
+            - if i == 0 { self.wave_k.at[j] } else { 0 }
+    }
+
+    /// d_ij.
+    #[inline]
+    fn d(&self, i: usize, j: usize) -> i64 {
+        let Patch { powers, waves, .. } = self.patch;
+        product(self.power_a.bound[i], waves.wave_n.bound[j])
+            + product(powers.all[waves.n as usize].bound[i], self.wave_a.bound[j])
+            + if i == 0 { self.wave_k.bound[j] } else { 0 }
+    }
+
+    /// The expansion. Cost: 20 products.
+    pub fn expansion(&self) -> Expansion {
+        let (c, d) = (|i, j| self.c(i, j), |i, j| self.d(i, j));
         Expansion {
             c: [c(0, 0), c(1, 0), c(0, 1), c(2, 0), c(1, 1), c(0, 2)],
             d: [d(3, 0), d(2, 1), d(1, 2), d(0, 3)],
         }
+    }
+
+    /// Whether t T_k > 0 on the box is shown: by a constant, by a linear polynomial, or by the expansion.
+    /// Cost: 2, 6 or 26 products.
+    #[inline]
+    pub fn shows(&self, t: i64) -> bool {
+        let [d1, d2] = self.patch.rest;
+        let constant = i128::from(t * self.c(0, 0));
+        if constant <= 0 || constant > d1 {
+            return constant > 0;
+        }
+        let linear = i128::from(self.c(1, 0).abs()) + i128::from(self.c(0, 1).abs());
+        constant > linear + d2 || self.expansion().shows(t, self.patch.slack)
     }
 }
 
@@ -257,7 +323,8 @@ fn quotients(n: u64, turns: u64, eta: i64) -> Vec<Wave> {
     let scales = [1, 2, 3, 4].map(|j| i128::from(n).pow(j));
     // Σ cos, −Σ m sin, −Σ m² cos and Σ|m|^j for the two latest q.
     let mut sums = [([0i128; 3], [0i128; 4]); 2];
-    let mut waves = vec![Wave::default()];
+    let mut waves = Vec::with_capacity(n as usize + 1);
+    waves.push(Wave::default());
     for (m, (sine, cosine)) in (0..).zip(fixed::sines_cosines(turns, n - 1)) {
         let (sine, cosine) = (i128::from(sine), i128::from(cosine));
         let (mut at, mut bound) = sums[0];
@@ -298,11 +365,15 @@ impl Expansion {
                 return false;
             }
             // Rounded down: any weights ≥ 0 are sound.
-            let one = i128::from(ONE);
-            let (beta, alpha) = if c.abs() <= d.abs() { (one, (c << 60) / d) } else { ((d << 60) / c, one) };
-            let mixed = |i: usize| beta * i128::from(self.c[i]) - alpha * i128::from(decider.c[i]);
-            let rest = |i: usize| beta * i128::from(self.d[i]) + alpha * i128::from(decider.d[i]);
-            beta > 0 && lower(mixed, t) > (0..4).map(rest).sum::<i128>() + (beta + alpha) * i128::from(slack)
+            let (beta, alpha) = if c.abs() <= d.abs() {
+                (ONE, ((c << 60) / d) as i64)
+            } else {
+                (((d << 60) / c) as i64, ONE)
+            };
+            let times = |x: i64, y: i64| i128::from(x) * i128::from(y);
+            let mixed = |i: usize| times(beta, self.c[i]) - times(alpha, decider.c[i]);
+            let rest = |i: usize| times(beta, self.d[i]) + times(alpha, decider.d[i]);
+            beta > 0 && lower(mixed, t) > (0..4).map(rest).sum::<i128>() + times(beta + alpha, slack)
         })
     }
 

@@ -124,7 +124,7 @@ impl Leaf {
             Leaf::Open => Ok(()),
             Leaf::None { positive, negative } => {
                 for (k, t, relation) in [(positive, 1, '>'), (negative, -1, '<')] {
-                    if !patch.expansion(k).shows(t, slack) {
+                    if !patch.shows(k, t) {
                         return Err(format!("N_{{{n},{k}}} {relation} 0 is not shown"));
                     }
                 }
@@ -132,7 +132,7 @@ impl Leaf {
             }
             Leaf::Orbit { positive } => {
                 let t = sign(positive);
-                match patch.expansions().position(|expansion| !expansion.shows(t, slack)) {
+                match patch.terms().position(|term| !term.shows(t)) {
                     Some(at) => Err(format!("the sign of N_{{{n},{}}} is not shown", at + 1)),
                     None => Ok(()),
                 }
@@ -141,10 +141,10 @@ impl Leaf {
                 let t = sign(positive);
                 let decider = patch.expansion(deciding);
                 let mut alone = false;
-                for (k, expansion) in (1..n).zip(patch.expansions()).filter(|&(k, _)| k != deciding) {
-                    if expansion.shows(t, slack) {
+                for (k, term) in (1..n).zip(patch.terms()).filter(|&(k, _)| k != deciding) {
+                    if term.shows(t) {
                         alone = true;
-                    } else if !expansion.shows_beyond(&decider, t, slack) {
+                    } else if !term.expansion().shows_beyond(&decider, t, slack) {
                         return Err(format!(
                             "that N_{{{n},{deciding}}} decides over N_{{{n},{k}}} is not shown"
                         ));

@@ -139,7 +139,7 @@ mod tree;
 
 use std::{
     collections::{HashMap, hash_map::Entry},
-    hash::Hash,
+    hash::{BuildHasherDefault, Hash, Hasher},
     ops::RangeInclusive,
 };
 
@@ -291,7 +291,7 @@ fn block(lines: &mut Lines, n: u64, open: &mut Open) -> Result<Fraction, Rejecti
         }
     }
     let rows = strips::rows(r_max);
-    let mut powers = Known(HashMap::new());
+    let mut powers = Known(HashMap::default());
     let mut found = 0;
     for strip in strips::strips(n).map_err(|reason| lines.false_claim(reason))? {
         if lines.expect("a strip")? != format!("strip {} {}", strip.left, strip.right) {
@@ -309,7 +309,24 @@ fn block(lines: &mut Lines, n: u64, open: &mut Open) -> Result<Fraction, Rejecti
 }
 
 /// What is computed once for many boxes, by their bounds of r or of s: they have most of them in common.
-struct Known<K, V>(HashMap<K, V>);
+struct Known<K, V>(HashMap<K, V, BuildHasherDefault<Mixed>>);
+
+/// A quick hash of a pair of bounds. Where it is poor, only time is lost.
+#[derive(Default)]
+struct Mixed(u64);
+
+impl Hasher for Mixed {
+    fn write(&mut self, bytes: &[u8]) {
+        for word in bytes.chunks_exact(8) {
+            let word = u64::from_le_bytes(word.try_into().expect("8 bytes"));
+            self.0 = (self.0.rotate_left(29) ^ word).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+        }
+    }
+
+    fn finish(&self) -> u64 {
+        self.0 ^ (self.0 >> 32)
+    }
+}
 
 /// How much of it is held at most.
 const HELD: usize = 1 << 10;
@@ -355,7 +372,7 @@ fn check_strip(
 ) -> Result<u64, Fault> {
     let form = if strip.outermost { Form::Quotient } else { Form::Sine };
     let mut top = Top::new(rows.last().expect("there is a row")[1]);
-    let mut waves = Known(HashMap::new());
+    let mut waves = Known(HashMap::default());
     let (mut leaves, mut complete) = (0, true);
     tree::walk(text, n, strip.units, rows, |leaf, cell| {
         lines.go_on()?;

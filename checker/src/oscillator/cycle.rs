@@ -112,10 +112,12 @@ impl<'a, N: Number> Cycle<'a, N> {
 
     /// Trace and determinant of the linearised map once round. It is a product of flights exp(τA) and of
     /// impacts [[−τ, 0], [−(τ z₋″ + z₊″)/V, −τ]], since an orbit δz farther from the wall meets it δz/V
-    /// later.
+    /// later. The determinant is that of the factors, Π τ² det exp(tA): near grazing the entries grow like
+    /// 1/V, and their products would cancel.
     pub fn multipliers(&self, x: &[N], go_on: GoOn) -> Result<[N; 2], Fault> {
         let (m, ring) = (self.impacts(), self.ring());
         let mut columns = [[N::ONE, N::ZERO], [N::ZERO, N::ONE]];
+        let mut determinant = N::ONE;
         for i in 0..m {
             go_on()?;
             let leg = self.leg(x, i);
@@ -123,10 +125,11 @@ impl<'a, N: Number> Cycle<'a, N> {
             let (before, after) = self.bends(i, x);
             let kick = (tau * before + after).over(x[m + i]);
             let flow = ring.exp(leg.duration);
+            determinant = determinant * tau.squared() * ring.determinant(flow);
             columns = columns.map(|[z, w]| ring.apply(flow, [-(tau * z), -(kick * z) - tau * w]));
         }
-        let [[a, c], [b, d]] = columns;
-        Ok([a + d, a * d - b * c])
+        let [[a, _], [_, d]] = columns;
+        Ok([a + d, determinant])
     }
 }
 
@@ -193,8 +196,8 @@ impl Cycle<'_, Interval> {
 
     /// With r half the length and m the middle, z lies in z(m) + z′(m)[−r, r] + z″[0, r²/2] and z′ in z′(m) +
     /// z″[−r, r]. Enough is z > 0; for the wall just left, where z = 0 ≤ z′, on the first piece z′ > 0 or
-    /// z″ > 0; for the wall met next, where z = 0, on the last piece z′ < 0; for a wall that is touched
-    /// during the piece, where z = z′ = 0 at one time, z″ > 0.
+    /// z″ > 0; for the wall met next, where z = 0 > z′, on the last piece z′ < 0 or z″ > 0 (then z′ < 0
+    /// before); for a wall that is touched during the piece, where z = z′ = 0 at one time, z″ > 0.
     fn piece(
         &self,
         leg: &Leg<Interval>,
@@ -212,7 +215,7 @@ impl Cycle<'_, Interval> {
         let gap = gap + slope * away + curvature * away.squared().shifted_down(1);
         gap.is_positive()
             || (first && side == leg.from && (over.is_positive() || curvature.is_positive()))
-            || (last && side == leg.to && (-over).is_positive())
+            || (last && side == leg.to && ((-over).is_positive() || curvature.is_positive()))
             || (touched && curvature.is_positive())
     }
 }

@@ -67,6 +67,11 @@ impl<N: Number> Ring<N> {
         (0..halvings).fold(sum, |x, _| self.times(x, x))
     }
 
+    /// The determinant of a + bA, which is a² − cab + kb².
+    pub fn determinant(self, e: Element<N>) -> N {
+        e.a.squared() - self.damping * e.a * e.b + self.stiffness * e.b.squared()
+    }
+
     /// exp(tA) applied to (x, y).
     pub fn apply(self, e: Element<N>, [x, y]: [N; 2]) -> [N; 2] {
         [e.a * x + e.b * y, (e.a - self.damping * e.b) * y - self.stiffness * e.b * x]

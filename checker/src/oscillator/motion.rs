@@ -138,11 +138,10 @@ impl<N: Number> Oscillator<N> {
 
     /// Whether no other motion without impacts comes back after 2π: 1 is no multiplier of it.
     pub fn is_alone(&self) -> bool {
-        let Element { a, b } = self.ring.exp(N::constant(Interval::PI + Interval::PI));
-        let (damping, stiffness) = (self.ring.damping, self.ring.stiffness);
-        // Of exp(tA) = a + bA the trace is 2a − cb, the determinant a² − cab + kb².
-        let trace = a + a - damping * b;
-        let determinant = a * a - damping * a * b + stiffness * b * b;
+        let turn = self.ring.exp(N::constant(Interval::PI + Interval::PI));
+        // Of exp(tA) = a + bA the trace is 2a − cb.
+        let trace = turn.a + turn.a - self.ring.damping * turn.b;
+        let determinant = self.ring.determinant(turn);
         let value = (N::ONE - trace + determinant).value();
         value.is_positive() || (-value).is_positive()
     }

@@ -18,7 +18,7 @@ use super::Outcome;
 use crate::{
     cli::progress::Interrupt,
     error::{Error, Result},
-    figure::{digits_figure, simulations_figure},
+    figure::{digits_figure, sign_price_figure, simulations_figure},
     output::{Destination, make_folder, write_file},
 };
 use kept::Kept;
@@ -31,13 +31,12 @@ use kept::Kept;
 /// inputs, beside values by another program, as digits.csv and digits.svg. Of simulations: the time and error
 /// of the closed form and of the integrator at tolerances 1e-3 to 1e-13, on five motions beside ends by
 /// another program, as simulations.csv and .svg; on motions that return, as flow-accuracy.csv and .svg; after
-/// 1 to 10^6 periods, as long-runs.csv. Tables digits-peers.csv and simulations-peers.csv in the folder, of
-/// other programs, are drawn, too. Of proofs: bits and time to prove an orbit, from 1/10 to 10^-30 away from
-/// grazing and for periods up to 1000, and the size of certificates of every kind and the time to check them,
-/// as proofs.csv and proofs.svg. Of effects: what each adds to the
-/// time per period, with its evaluations counted, as effects.csv, and of machines as machine-effects.csv.
-/// The tables are also printed; of signs, what the ladder costs, which every command uses. Takes up to some
-/// minutes.
+/// 1 to 10^6 periods, as long-runs.csv. Tables signs-peers.csv, digits-peers.csv and simulations-peers.csv in
+/// the folder, of other programs, are drawn, too. Of proofs: bits and time to prove an orbit, from 1/10 to
+/// 10^-30 away from grazing and for periods up to 1000, and the size of certificates of every kind and the
+/// time to check them, as proofs.csv and proofs.svg. Of effects: what each adds to the time per period, with
+/// its evaluations counted, as effects.csv, and of machines as machine-effects.csv. The tables are also
+/// printed; of signs, what the ladder costs, which every command uses. Takes up to some minutes.
 ///
 /// measured.csv says which program measured each file, with which options, on which machine and under which
 /// load. What this program has measured before with the same options, and nobody has changed, is kept: an
@@ -101,9 +100,9 @@ const PARTS: [Part; 5] = [
     Part {
         subject: Subject::Signs,
         name: "signs",
-        files: &["signs.csv", "signs.svg"],
+        files: &["signs.csv"],
         measure: signs::measure,
-        draw: None,
+        draw: Some(sign_price_figure),
     },
     Part {
         subject: Subject::Digits,

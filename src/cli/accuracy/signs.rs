@@ -8,10 +8,10 @@ use super::Args;
 use crate::{
     cli::progress::{Interrupt, Progress},
     error::Result,
-    figure::{FigurePlace, PictureFormat, sign_price_figure, sign_price_table},
+    figure::sign_price_table,
     local::{Ladder, Point, Quantity},
     monitor::Monitor,
-    output::{Column, Destination, TableCell, TableFormat, TableWriter},
+    output::{Column, Destination, TableCell, TableFormat, TableWriter, write_file},
     study::{DISTANCES, QUICK_DISTANCES, SignMethod, SignPrice, ZERO_FAMILIES, sign_prices},
 };
 
@@ -34,10 +34,7 @@ pub(super) fn measure(args: &Args, interrupt: &Interrupt) -> Result<()> {
     let shown: Vec<SignPrice> =
         prices.iter().filter(|price| price.method == SignMethod::Ladder).cloned().collect();
     Destination::Stdout.write(|out| sign_price_table(&shown, TableFormat::Table, out))?;
-    sign_price_figure(
-        &prices,
-        &FigurePlace { folder: &args.output, name: "signs", format: PictureFormat::Svg },
-    )
+    write_file(&args.output.join("signs.csv"), |out| sign_price_table(&prices, TableFormat::Csv, out))
 }
 
 /// Writes the points of the study, with their signs.

@@ -3,7 +3,7 @@
 use super::Job;
 use crate::{
     error::Result,
-    figure::{self, ParameterMap},
+    figure::{self, Grid, ParameterMap},
     oscillator::attractor::map::{MapCell, MapEnd},
     output::{Column, TableCell, TableFormat, TableWriter, write_file},
     run::{MapFindings, map_word},
@@ -20,11 +20,10 @@ pub(super) fn keep(found: &MapFindings, job: &Job) -> Result<Vec<String>> {
     names.extend((1..=APART).map(|period| format!("period {period}")));
     names.push(format!("period above {APART}"));
     let [columns, rows] = &found.values;
+    let (x, y) = (columns.clone(), rows.clone());
     let map = ParameterMap {
-        x: columns.clone(),
-        y: rows.clone(),
-        cells: found.cells.iter().map(class).collect(),
-        names,
+        ends: Grid { x, y, cells: found.cells.iter().map(class).collect(), names },
+        exponents: found.cells.iter().map(|cell| cell.exponent).collect(),
     };
     figure::parameter_map(&map, [&found.varied[0], &found.varied[1]], &job.place())?;
     // Row by row: there may be many.

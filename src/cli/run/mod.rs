@@ -24,7 +24,6 @@ use std::{
 
 use clap::Parser;
 use num_rational::BigRational;
-use serde::Serialize;
 
 use super::{Outcome, ReportFormat, in_pool, reported};
 use crate::{
@@ -34,8 +33,8 @@ use crate::{
     number::{parse_integer, parse_rational},
     output::{Column, Destination, Shard, TableCell, TableFormat, TableWriter, make_folder, say, write_file},
     run::{
-        EventRows, Findings, GrazingFindings, Job as Task, Keeper, MachineGrazingFindings, Row, Status,
-        Surroundings, TaskReport, parts, run_task,
+        EventRows, Findings, GrazingFindings, Job as Task, Keeper, MachineGrazingFindings, Row, RunReport,
+        Status, Surroundings, TaskReport, parts, run_task,
     },
     scene::{Kind, Scene},
 };
@@ -304,16 +303,8 @@ fn last_words(
 
 /// The reports as one object.
 fn json(scene: &str, tasks: &[TaskReport], shard: Option<Shard>, out: &mut dyn Write) -> Result<()> {
-    #[derive(Serialize)]
-    struct All<'a> {
-        format: &'static str,
-        scene: &'a str,
-        shard: Option<String>,
-        tasks: &'a [TaskReport],
-    }
-    let shard = shard.map(|shard| shard.to_string());
-    let text = serde_json::to_string_pretty(&All { format: "grazing-run 2", scene, shard, tasks });
-    Ok(writeln!(out, "{}", text.map_err(std::io::Error::other)?)?)
+    let report = RunReport::new(scene, shard.map(|shard| shard.to_string()), tasks);
+    Ok(writeln!(out, "{}", report.to_json()?)?)
 }
 
 /// Runs a task of the paper's own scene, without a report.

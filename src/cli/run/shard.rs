@@ -1,5 +1,5 @@
-//! A task of a scene in shards, each some rows of basins or some values of a diagram; and the task from its
-//! shards.
+//! A task of a scene in shards, each some rows of basins or of a map or some values of a diagram; and the
+//! task from its shards.
 
 use std::{
     ops::Range,
@@ -60,7 +60,7 @@ pub(super) fn run(args: &Args, shard: Shard, output: &Path, interrupt: &Interrup
     };
     let Some((count, _)) = parts::units(task) else {
         return Err(Error::input(format!(
-            "{name}: the task {} is of kind {}, which has no parts; tasks of kind basins and diagram have",
+            "{name}: the task {} is of kind {}, which has no parts; tasks of kind basins, diagram and map have",
             task.name,
             task.kind.word()
         )));

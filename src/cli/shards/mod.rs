@@ -10,6 +10,8 @@ use std::{
     path::{Path, PathBuf},
 };
 
+use serde::Serialize;
+
 use super::{Outcome, ReportFormat, check};
 use crate::{
     cli::progress::{Interrupt, Progress},
@@ -77,6 +79,21 @@ impl Part {
     }
 }
 
+/// What keeps shards from being put together.
+#[derive(Debug, Default, Serialize)]
+pub(super) struct Faults {
+    /// The task that most of them are of: the command's words. None if no file is a whole shard.
+    task: Option<String>,
+    /// Into how many parts it is divided.
+    of: Option<u64>,
+    /// The numbers of those that are not there.
+    missing: Vec<u64>,
+    /// The same as a job array is given them.
+    array: String,
+    /// What is wrong with other files, one text for each.
+    faults: Vec<String>,
+}
+
 /// The shards of one task, each once, none missing.
 pub(super) struct ShardSet {
     task: ShardedTask,
@@ -85,12 +102,16 @@ pub(super) struct ShardSet {
 }
 
 impl ShardSet {
-    /// Reads shards through.
+    /// Reads shards through. `tell` hears of what is wrong with the set, if anything is, before the error.
     ///
     /// # Errors
     /// An input error once every fault was said: a shard that is damaged, of another task or there twice, and
-    /// those missing; an interruption.
-    pub fn read(files: &[PathBuf], interrupt: &Interrupt) -> Result<ShardSet> {
+    /// those missing; an interruption; whatever `tell` returns.
+    pub fn read(
+        files: &[PathBuf],
+        interrupt: &Interrupt,
+        tell: impl FnOnce(&Faults) -> Result<()>,
+    ) -> Result<ShardSet> {
         let progress = Progress::new(interrupt, files.len() as u64, "shards read");
         let mut faults = Vec::new();
         let mut found = Vec::new();
@@ -114,6 +135,7 @@ impl ShardSet {
         let meant = first.map(|index| (found[index].task.clone(), found[index].shard.of));
         let Some((task, of)) = meant else {
             faults.iter().for_each(|fault| say(format_args!("error: {fault}")));
+            tell(&Faults { faults, ..Faults::default() })?;
             return Err(Error::input(
                 "none of the files is a whole shard: give those that --shard I/N wrote",
             ));
@@ -152,14 +174,15 @@ impl ShardSet {
         }
         faults.iter().for_each(|fault| say(format_args!("error: {fault}")));
         let missing: Vec<u64> = (1..=of).filter(|index| !shards.contains_key(index)).collect();
-        if !missing.is_empty() {
-            return Err(Error::input(format!(
-                "{} of {of} shards are missing: --array={}",
-                missing.len(),
-                listed(&missing)
-            )));
+        let (lack, array) = (missing.len(), listed(&missing));
+        let (wrong, words) = (!faults.is_empty(), Some(task.words.join(" ")));
+        if wrong || lack > 0 {
+            tell(&Faults { task: words, of: Some(of), missing, array: array.clone(), faults })?;
         }
-        if !faults.is_empty() {
+        if lack > 0 {
+            return Err(Error::input(format!("{lack} of {of} shards are missing: --array={array}")));
+        }
+        if wrong {
             return Err(Error::input(
                 "all shards are there; leave out the files named above, which are not among them",
             ));

@@ -12,17 +12,17 @@ use super::{
 };
 use crate::{error::Result, monitor::Monitor, oscillator::simulate::RunEnd};
 
-/// A grid of starts at the phase of the detection's section: `columns` values of q by `rows` of u, ends
-/// included.
+/// A grid of starts in a plane, that of (q, u) if no other is named: `columns` values of its first number by
+/// `rows` of its second, ends included.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct BasinGrid {
-    /// The least and the greatest q.
+    /// The ends of the first number.
     pub q: [f64; 2],
-    /// The least and the greatest u.
+    /// The ends of the second.
     pub u: [f64; 2],
-    /// How many q.
+    /// How many of the first.
     pub columns: usize,
-    /// How many u.
+    /// How many of the second.
     pub rows: usize,
 }
 
@@ -50,7 +50,7 @@ pub struct Basins<P = [f64; 2]> {
 }
 
 impl BasinGrid {
-    /// The start of a cell.
+    /// The two numbers of a cell's start.
     pub fn start(&self, column: usize, row: usize) -> [f64; 2] {
         let place = |[low, high]: [f64; 2], i: usize, count: usize| {
             if count < 2 { low } else { low + (high - low) * i as f64 / (count - 1) as f64 }
@@ -61,6 +61,9 @@ impl BasinGrid {
 
 /// Rows that run in parallel before what they lead to is kept.
 const CHUNK: usize = 16;
+
+/// The most starts of several rows that are followed together.
+const TOGETHER: usize = 256;
 
 /// One in this many starts of a row is followed first.
 const SCOUTS: usize = 24;
@@ -80,17 +83,19 @@ pub fn basins<D: Dynamics>(
     file: Option<&Path>,
     monitor: &dyn Monitor,
 ) -> Result<Basins<D::Point>> {
-    let rows = basin_rows(dynamics, grid, detection, 0..grid.rows, identity, file, monitor)?;
+    let start = |at| dynamics.in_plane(at, detection.phase);
+    let rows = basin_rows((dynamics, &start), grid, detection, 0..grid.rows, identity, file, monitor)?;
     Ok(Basins::joined(rows))
 }
 
 /// The same for some rows of the grid, each by itself: its attractors are in the order of its own starts.
-/// [`Basins::joined`] makes one of them.
+/// [`Basins::joined`] makes one of them. The function says which start has these two numbers; it may be at
+/// any phase.
 ///
 /// # Errors
 /// Those of [`basins`].
 pub fn basin_rows<D: Dynamics>(
-    dynamics: &D,
+    (dynamics, place): (&D, &(dyn Fn([f64; 2]) -> D::Start + Sync)),
     grid: &BasinGrid,
     detection: &Detection,
     rows: Range<usize>,
@@ -99,24 +104,26 @@ pub fn basin_rows<D: Dynamics>(
     monitor: &dyn Monitor,
 ) -> Result<Vec<Basins<D::Point>>> {
     detection.check()?;
-    let row = |row: usize| {
-        let fates = |columns: &[usize], known: &[Cycle<D::Point>]| {
-            let start = |&column: &usize| dynamics.in_plane(grid.start(column, row), detection.phase);
-            let starts: Vec<D::Start> = columns.iter().map(start).collect();
-            dynamics.fates(&starts, detection, known, monitor)
-        };
-        // Some spread over the row find its attractors; the others are followed no further than onto these.
-        let scouts = |column: &usize| column.is_multiple_of(SCOUTS);
-        let (first, rest): (Vec<usize>, Vec<usize>) = (0..grid.columns).partition(scouts);
+    // Some spread over a row find its attractors; the others are followed no further than onto these.
+    let (scouts, others): (Vec<usize>, Vec<usize>) =
+        (0..grid.columns).partition(|column| column.is_multiple_of(SCOUTS));
+    let fates = |places: &[(usize, usize)], known: &[Cycle<D::Point>]| {
+        let start = |&(column, row): &(usize, usize)| place(grid.start(column, row));
+        let starts: Vec<D::Start> = places.iter().map(start).collect();
+        dynamics.fates(&starts, detection, known, monitor)
+    };
+    let row = |(row, first): (usize, &[Option<Fate<D::Point>>])| {
         let mut all = vec![None; grid.columns];
         let mut found = Basins { attractors: Vec::new(), cells: Vec::with_capacity(grid.columns) };
-        for columns in [first, rest] {
-            for (column, fate) in columns.iter().zip(fates(&columns, &found.attractors)?) {
-                if let Some(Fate::Periodic(cycle)) = &fate {
-                    found.attractor(cycle.clone());
-                }
-                all[*column] = fate;
+        for (&column, fate) in scouts.iter().zip(first) {
+            if let Some(Fate::Periodic(cycle)) = fate {
+                found.attractor(cycle.clone());
             }
+            all[column] = fate.clone();
+        }
+        let places: Vec<(usize, usize)> = others.iter().map(|&column| (column, row)).collect();
+        for (&column, fate) in others.iter().zip(fates(&places, &found.attractors)?) {
+            all[column] = fate;
         }
         // In the order of the starts.
         found.attractors.clear();
@@ -136,8 +143,18 @@ pub fn basin_rows<D: Dynamics>(
         return Err(checkpoint.bad("its records are not rows of these basins"));
     }
     monitor.advance(done.len() as u64)?;
-    for chunk in rows.clone().skip(done.len()).collect::<Vec<_>>().chunks(CHUNK) {
-        let found: Vec<Result<_>> = chunk.par_iter().map(|&i| row(i)).collect();
+    for chunk in rows.clone().skip(done.len()).collect::<Vec<usize>>().chunks(CHUNK) {
+        // The scouts of all these rows are followed together, as those of one would leave vectors empty.
+        let places: Vec<(usize, usize)> =
+            chunk.iter().flat_map(|&row| scouts.iter().map(move |&column| (column, row))).collect();
+        let most = places.len().div_ceil(rayon::current_num_threads()).clamp(1, TOGETHER.max(scouts.len()));
+        let first: Result<Vec<_>> = places.par_chunks(most).map(|places| fates(places, &[])).collect();
+        let first = match first {
+            Ok(first) => first.concat(),
+            Err(error) => return Err(checkpoint.ended(error, done.len(), rows.len(), "rows")),
+        };
+        let of_row = |i: usize| (chunk[i], &first[i * scouts.len()..(i + 1) * scouts.len()]);
+        let found: Vec<Result<_>> = (0..chunk.len()).into_par_iter().map(|i| row(of_row(i))).collect();
         for row in found {
             match row {
                 Ok(row) => {

@@ -6,7 +6,10 @@ use std::fmt::Debug;
 
 use serde::{Serialize, de::DeserializeOwned};
 
-use super::detection::{Cycle, Detection, Fate, wait};
+use super::{
+    detection::{Cycle, Detection, Fate, wait},
+    observe::{self, Observation, ObservedMotion},
+};
 use crate::{
     error::{Error, Result},
     monitor::Monitor,
@@ -75,7 +78,10 @@ pub trait Tangents {
 }
 
 /// A system whose motions can be followed.
-pub trait Dynamics: Sync {
+pub trait Dynamics: Sync + Sized {
+    /// The most motions that are worth following at once.
+    const TOGETHER: usize = 1;
+
     /// A state with its phase, from which a motion can start.
     type Start: Clone + Send + Sync;
     /// A state on a section.
@@ -125,6 +131,19 @@ pub trait Dynamics: Sync {
             }
         };
         starts.iter().map(fate).collect()
+    }
+
+    /// What is seen of each of these motions, each with its system: the same whether they are followed one by
+    /// one or together.
+    ///
+    /// # Errors
+    /// Those of [`Detection::check`] and of [`Motion::pass`]; the monitor's.
+    fn observe<'a>(
+        motions: Vec<(&'a Self, Self::Motion<'a>)>,
+        observation: &Observation,
+        monitor: &dyn Monitor,
+    ) -> Result<Vec<ObservedMotion<Self::Start, Self::Point>>> {
+        observe::one_by_one(motions, observation, monitor)
     }
 
     /// Where a motion is, as a start.

@@ -4,7 +4,7 @@
 //! Found by following motions, many at once, so nothing is proved: a long transient can look like an
 //! attractor. Systems that are not linear are followed one by one.
 
-use std::{f64::consts::TAU, path::Path};
+use std::{f64::consts::TAU, ops::Range, path::Path};
 
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -74,12 +74,10 @@ const CHUNK: usize = 8;
 /// Periods between two looks at whether to go on.
 const PAUSE: u64 = 16;
 
-/// The cells of a map, row by row. With a file, rows that are done are kept there, and those that it holds of
-/// the same plan are not done again; `identity` is what else the result depends on. Tells `monitor` of each
-/// row. Cost: `transient` + `points` periods for each cell.
+/// The cells of a map, row by row: those of [`map_rows`] for all of them.
 ///
 /// # Errors
-/// Those of a system; an unusable checkpoint; an interruption, after what was done is kept.
+/// Those of [`map_rows`].
 pub fn map(
     plan: &MapPlan,
     system: impl Fn(f64, f64) -> Result<Simulator> + Sync,
@@ -87,18 +85,34 @@ pub fn map(
     file: Option<&Path>,
     monitor: &dyn Monitor,
 ) -> Result<Vec<MapCell>> {
-    let text = serde_json::to_string(plan).map_err(std::io::Error::other)?;
-    let (columns, rows) = (plan.columns.len(), plan.rows.len());
+    Ok(map_rows(plan, system, 0..plan.rows.len(), identity, file, monitor)?.concat())
+}
+
+/// Some rows of a map, each by itself. With a file, rows that are done are kept there, and those that it
+/// holds of the same plan and rows are not done again; `identity` is what else the result depends on. Tells
+/// `monitor` of each row. Cost: `transient` + `points` periods for each cell.
+///
+/// # Errors
+/// Those of a system; an unusable checkpoint; an interruption, after what was done is kept.
+pub fn map_rows(
+    plan: &MapPlan,
+    system: impl Fn(f64, f64) -> Result<Simulator> + Sync,
+    rows: Range<usize>,
+    identity: &str,
+    file: Option<&Path>,
+    monitor: &dyn Monitor,
+) -> Result<Vec<Vec<MapCell>>> {
+    let text = serde_json::to_string(&(plan, &rows)).map_err(std::io::Error::other)?;
+    let columns = plan.columns.len();
     // 128 bytes for each cell.
-    let most = 4096 + 128 * (columns as u64 + 1) * (rows as u64 + 1);
-    let (mut checkpoint, done): (_, Vec<Vec<MapCell>>) =
+    let most = 4096 + 128 * (columns as u64 + 1) * (rows.len() as u64 + 1);
+    let (mut checkpoint, mut done): (_, Vec<Vec<MapCell>>) =
         Checkpoint::open(file, "map", &format!("{identity} {text}"), most, monitor)?;
-    if done.len() > rows || done.iter().any(|row| !plan.can_be(row)) {
+    if done.len() > rows.len() || done.iter().any(|row| !plan.can_be_row(row)) {
         return Err(checkpoint.bad("a record is not of this map"));
     }
     monitor.advance(done.len() as u64)?;
-    let (first, mut cells) = (done.len(), done.concat());
-    for chunk in (first..rows).collect::<Vec<_>>().chunks(CHUNK) {
+    for chunk in rows.clone().skip(done.len()).collect::<Vec<_>>().chunks(CHUNK) {
         let parts: Vec<(usize, usize)> = chunk
             .iter()
             .flat_map(|&row| (0..columns).step_by(TOGETHER).map(move |column| (row, column)))
@@ -113,19 +127,19 @@ pub fn map(
         let found: Result<Vec<Vec<MapCell>>> = parts.par_iter().map(part).collect();
         let found = match found {
             Ok(found) => found.concat(),
-            Err(error) => return Err(checkpoint.ended(error, cells.len() / columns, rows, "rows")),
+            Err(error) => return Err(checkpoint.ended(error, done.len(), rows.len(), "rows")),
         };
         for row in found.chunks(columns) {
             checkpoint.append(&row)?;
+            done.push(row.to_vec());
         }
-        cells.extend(found);
     }
-    Ok(cells)
+    Ok(done)
 }
 
 impl MapPlan {
     /// Whether these can be the cells of a row.
-    fn can_be(&self, row: &[MapCell]) -> bool {
+    pub fn can_be_row(&self, row: &[MapCell]) -> bool {
         let cell = |cell: &MapCell| match cell.end {
             MapEnd::Periodic(period) => (1..=self.look.longest).contains(&period),
             _ => true,

@@ -29,6 +29,7 @@ pub mod dynamics;
 pub mod lyapunov;
 pub mod manifold;
 pub mod map;
+pub mod observe;
 mod one_degree;
 pub mod section;
 mod together;

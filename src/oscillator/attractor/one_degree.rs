@@ -4,6 +4,7 @@
 use super::{
     detection::{Cycle, Detection, Fate},
     dynamics::{Dynamics, Motion, SectionState, Tangents, orthonormalise},
+    observe::{self, Observation, ObservedMotion},
     together::together,
 };
 use crate::{
@@ -52,6 +53,8 @@ impl Motion for Run<'_> {
 }
 
 impl Dynamics for Simulator {
+    const TOGETHER: usize = 64;
+
     type Start = State;
     type Point = [f64; 2];
     type Motion<'a> = Run<'a>;
@@ -77,6 +80,14 @@ impl Dynamics for Simulator {
         monitor: &dyn Monitor,
     ) -> Result<Vec<Option<Fate>>> {
         together(self, starts, detection, known, monitor)
+    }
+
+    fn observe<'a>(
+        motions: Vec<(&'a Self, Run<'a>)>,
+        observation: &Observation,
+        monitor: &dyn Monitor,
+    ) -> Result<Vec<ObservedMotion<State, [f64; 2]>>> {
+        observe::together(motions, observation, monitor)
     }
 
     fn here(&self, run: &Run<'_>) -> State {

@@ -49,18 +49,24 @@ pub(super) fn together(
     let mut batch = Batch::new(detection.phase, motions);
     let mut under_way: Vec<usize> = (0..names.len()).collect();
     let mut arrivals: Vec<Option<Arrival>> = vec![None; names.len()];
+    // When a motion is looked at again, if not before.
+    let mut due = u64::MAX;
     for passed in 0..=detection.transient {
         batch.pass();
         let look = passed % PAUSE == 0;
         if look {
             monitor.advance(0)?;
         }
+        if !look && passed < due && passed < detection.transient {
+            continue;
+        }
+        due = u64::MAX;
         under_way.retain(|&motion| {
             let fate = match batch.end(motion) {
                 RunEnd::Reached => {
-                    let due = arrivals[motion].as_ref().is_some_and(|arrival| arrival.due == passed);
-                    let first = look && arrivals[motion].is_none();
-                    if !due && !first {
+                    let arrives = arrivals[motion].as_ref().map(|arrival| arrival.due);
+                    if arrives.map_or(!look, |then| then != passed) {
+                        due = due.min(arrives.unwrap_or(u64::MAX));
                         return true;
                     }
                     let (at, impacts) = (batch.point(motion), batch.impacts(motion));
@@ -74,6 +80,7 @@ pub(super) fn together(
                             Fate::Periodic(known[arrival.cycle].clone())
                         }
                         next => {
+                            due = due.min(next.as_ref().map_or(u64::MAX, |arrival| arrival.due));
                             arrivals[motion] = next;
                             return true;
                         }

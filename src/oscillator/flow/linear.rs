@@ -84,11 +84,16 @@ impl Flow for Linear {
 
     fn advance_linearised(&self, from: State, duration: f64) -> (State, Matrix2) {
         let matrix = self.matrix(duration);
-        let t = from.t + duration;
-        let (here, there) = (self.particular(from.t), self.particular(t));
-        let [q, u] = apply(&matrix, [from.q - here[0], from.u - here[1]]);
-        (State { t, q: q + there[0], u: u + there[1] }, matrix)
+        let (t, here) = (from.t + duration, self.particular(from.t));
+        (carried(&matrix, from, here, t, self.particular(t)), matrix)
     }
+}
+
+/// The state at t, `here` and `there` being the particular solution where the motion starts and at t, and
+/// `matrix` that of the time between.
+pub(super) fn carried(matrix: &Matrix2, from: State, here: [f64; 2], t: f64, there: [f64; 2]) -> State {
+    let [q, u] = apply(matrix, [from.q - here[0], from.u - here[1]]);
+    State { t, q: q + there[0], u: u + there[1] }
 }
 
 /// t ↦ exp(t [[0, 1], [−s, −c]]).

@@ -23,6 +23,8 @@ pub struct Oscillator {
     slope: Option<Slope>,
     /// The highest harmonic, at least 1.
     order: u32,
+    /// The fastest rate, if it does not depend on the state.
+    rate: Option<f64>,
 }
 
 /// The derivatives of a system's coefficients in a parameter.
@@ -48,7 +50,11 @@ impl Oscillator {
         let (flow, walls) = (Free::new(&system, tolerance)?, Contact::of(&system)?);
         let order = flow.equation().forcing.order();
         let order = walls.iter().fold(order, |order, wall| order.max(wall.position.order()));
-        Ok(Oscillator { system, flow, walls, slope: None, order: order.max(1) })
+        let mut oscillator = Oscillator { system, flow, walls, slope: None, order: order.max(1), rate: None };
+        if oscillator.flow.equation().is_linear() {
+            oscillator.rate = Some(oscillator.rate_at(&State { t: 0.0, q: 0.0, u: 0.0 }));
+        }
+        Ok(oscillator)
     }
 
     /// The oscillator of a system whose coefficients change at the rates `slope`.
@@ -153,6 +159,10 @@ impl Oscillator {
     /// stiffness is taken where the oscillator is and as far as its velocity would carry it on the cubic
     /// spring alone. With any other force, of the Taylor series there: a step is about 1.5 over its rate.
     pub(super) fn rate(&self, from: &State) -> f64 {
+        self.rate.unwrap_or_else(|| self.rate_at(from))
+    }
+
+    fn rate_at(&self, from: &State) -> f64 {
         let equation = self.flow.equation();
         if let Some(taylor) = self.flow.by_program() {
             return 1.5 / taylor.expand(*from, true, f64::INFINITY).h;
@@ -227,3 +237,28 @@ pub(crate) const GAUSS: [(f64, f64); 8] = {
     }
     rule
 };
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::oscillator::Harmonic;
+
+    /// A linear system's rate is kept, the others' is that of the state.
+    #[test]
+    fn a_rate_that_is_kept_is_that_of_every_state() {
+        let forcing = vec![Harmonic { k: 3, cos: 0.5, sin: 0.1 }];
+        for (damping, stiffness, cubic) in
+            [(0.2, 0.04, 0.0), (0.0, 40.0, 0.0), (-7.5, -1e-3, 0.0), (0.1, 1.0, 0.7), (0.0, 0.0, -0.2)]
+        {
+            let forcing = forcing.clone();
+            let (force, smooth, lower, upper) = (0.3, None, None, None);
+            let system = System { damping, stiffness, cubic, force, forcing, smooth, lower, upper };
+            let oscillator = Oscillator::new(system, 1e-12).unwrap();
+            assert_eq!(oscillator.rate.is_some(), cubic == 0.0);
+            for (q, u) in [(0.0, 0.0), (1.0, -2.0), (-1e3, 1e6), (1e-9, 0.5)] {
+                let at = State { t: 1.0, q, u };
+                assert_eq!(oscillator.rate(&at).to_bits(), oscillator.rate_at(&at).to_bits());
+            }
+        }
+    }
+}

@@ -80,6 +80,12 @@ impl Contact {
         self.side.sign() * (flow.acceleration(at) - self.position.at(at.t)[2])
     }
 
+    /// z, z′ and z″, as [`gap`](Self::gap) and [`acceleration`](Self::acceleration) give them.
+    pub fn motion(&self, flow: &impl Flow, at: State) -> [f64; 3] {
+        let ([place, speed, bend], sign) = (self.position.at(at.t), self.side.sign());
+        [sign * (at.q - place), sign * (at.u - speed), sign * (flow.acceleration(at) - bend)]
+    }
+
     /// The state after an impact (67): q kept, z′ turned into −τ z′.
     pub fn bounce(&self, at: State) -> State {
         let speed = self.position.at(at.t)[1];

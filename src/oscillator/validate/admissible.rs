@@ -4,7 +4,8 @@
 //! On a piece of half-width r about m, z lies in z(m) + z′(m)[−r, r] + z″[0, r²/2] and z′ in z′(m) + z″[−r,
 //! r], z″ enclosed over the whole piece. It passes if z > 0 there; or, for the gap that the flight starts
 //! from, if it is the first and z′ > 0 or z″ > 0 (z = 0 ≤ z′ at its start); or, for the gap that it ends at,
-//! if it is the last and z′ < 0; or, about a known tangency, if z″ > 0. Pieces are at most 1/2 long, so that
+//! if it is the last and z′ < 0, or z″ > 0 (z = 0 > z′ at its end, so that z′ < 0 before); or, about a known
+//! tangency, if z″ > 0. Pieces are at most 1/2 long, so that
 //! cruder enclosures than these pass them too.
 
 use num_bigint::BigInt;
@@ -31,8 +32,14 @@ pub(super) struct Touch {
     pub phase: Jet,
 }
 
-/// No piece is cut below this many decimals of time.
-const FINEST: u32 = 12;
+/// Decimals of a flight's end.
+const END: u32 = 12;
+
+/// No piece is cut below this many decimals of time. A gap that is told from 0 by `bits` bits has its least
+/// value for a time of half as many, as it bends; a certificate holds 30 decimals.
+fn finest(bits: u32) -> u32 {
+    (bits * 3 / 20).clamp(END, 30)
+}
 
 /// For each flight, the ends of pieces that prove it; the last is at or after the flight's end.
 pub(super) type Pieces = Vec<Vec<BigRational>>;
@@ -77,7 +84,8 @@ fn pieces(equations: &Equations, leg: &Leg, touch: Option<&Touch>) -> Result<Ver
         }
     }
     let tenths = |places: u32| BigRational::new(1.into(), pow(BigInt::from(10), places as usize));
-    let end = rounded(&(latest + tenths(FINEST)), FINEST);
+    let end = rounded(&(latest + tenths(END)), END);
+    let finest = finest(equations.linear.precision.bits());
     let two = BigRational::from_integer(2.into());
     let mut ends = Vec::new();
     let mut left = vec![(BigRational::zero(), end.clone())];
@@ -96,11 +104,11 @@ fn pieces(equations: &Equations, leg: &Leg, touch: Option<&Touch>) -> Result<Ver
                 side.name()
             )));
         }
-        if length < tenths(FINEST - 3) {
+        if length < tenths(finest - 3) {
             return Ok(Verdict::Undecided(format!("a gap cannot be told from 0 {time:.6}")));
         }
         // Few decimals, near the middle.
-        let places = (1..FINEST).find(|&places| length > tenths(places) * BigInt::from(8)).unwrap_or(FINEST);
+        let places = (1..finest).find(|&places| length > tenths(places) * BigInt::from(8)).unwrap_or(finest);
         let middle = rounded(&middle, places);
         left.push((middle.clone(), to));
         left.push((from, middle));
@@ -155,7 +163,7 @@ impl Piece<'_> {
                 && self.from.is_zero()
                 && side == leg.from
                 && (positive(&over) || positive(&curvature));
-            let last = !leg.free && self.last && side == leg.to && positive(&-over);
+            let last = !leg.free && self.last && side == leg.to && (positive(&-over) || positive(&curvature));
             let touching = touches && touch.is_some_and(|touch| touch.side == side) && positive(&curvature);
             if !(positive(&gap) || first || last || touching) {
                 return Ok(false);

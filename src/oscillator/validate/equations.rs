@@ -80,10 +80,12 @@ impl Equations<'_> {
     ///
     /// It is the product of flights E(τ_i) and of impacts [[−τ, 0], [−(τ z₋″ + z₊″)/V, −τ]], in the
     /// displacement and velocity away from the wall, z the gap just before and after: a perturbed orbit meets
-    /// the wall δz/V later.
+    /// the wall δz/V later. The determinant is that of the factors, Π τ² det E: near grazing the entries grow
+    /// like 1/V, and their products would cancel.
     pub fn multipliers(&self, unknowns: &[Jet]) -> Result<(Jet, Jet)> {
         let (linear, m) = (self.linear, self.impacts.len());
         let mut product = [[1, 0], [0, 1]].map(|row| row.map(|x| Jet::integer(x, linear.precision)));
+        let mut determinant = Jet::integer(1, linear.precision);
         for (i, leg) in self.legs(unknowns)?.iter().enumerate() {
             let (phase, velocity) = (&unknowns[i], &unknowns[m + i]);
             let restitution = &linear.wall(leg.from)?.restitution;
@@ -97,10 +99,14 @@ impl Equations<'_> {
             let kick = -(restitution.clone() * &before + &after) / velocity;
             let zero = Jet::integer(0, linear.precision);
             let impact = [[-restitution.clone(), zero], [kick, -restitution.clone()]];
-            product = times(&times(&linear.propagator(&leg.duration), &impact), &product);
+            let flow = linear.propagator(&leg.duration);
+            let [[a, b], [c, d]] = &flow;
+            let area = a.clone() * d - &(b.clone() * c);
+            determinant = determinant * restitution * restitution * &area;
+            product = times(&times(&flow, &impact), &product);
         }
-        let [[a, b], [c, d]] = product;
-        Ok((a.clone() + &d, a * &d - &(b * &c)))
+        let [[a, _], [_, d]] = product;
+        Ok((a + &d, determinant))
     }
 }
 

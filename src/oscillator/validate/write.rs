@@ -11,11 +11,17 @@ use crate::{
         orbit::{Certificate, Claim, Decimal, Fraction, Harmonic, Impact, Range, Side, System, Wall},
     },
     error::{Error, Result},
+    number::Ball,
     oscillator,
 };
 
 /// The most digits of a number in a certificate.
 const DIGITS: usize = 34;
+
+/// Decimals of the box within which the checker encloses a solution: as a rule, and at the most, since its
+/// numbers are multiples of 2^−96.
+const NEAR: u32 = 18;
+const FARTHEST: u32 = 26;
 
 /// The text of a certificate of kind `orbit`. The checker's intervals differ from the proof's: where it does
 /// not accept the box, smaller ones are tried, so that what is returned has passed the check.
@@ -33,7 +39,20 @@ pub fn certificate(system: &oscillator::System<BigRational>, orbit: &ProvedOrbit
 }
 
 /// The first box that the checker accepts.
+///
+/// The smaller box is narrower than the slowest impact by 10⁴, and its middle has six decimals more.
 fn accepted<C: certificate::orbit::Version>(system: System<C>, orbit: &ProvedOrbit) -> Result<String> {
+    // |V| ≥ 2^(e−1), e ≤ 0.
+    let slowest = orbit.velocities.iter().filter_map(Ball::least_exponent).min().unwrap_or(0).min(0);
+    let decimals = ((1 - slowest) as f64 * std::f64::consts::LOG10_2).ceil() as u32 + 4;
+    let (centre, within) = if decimals <= NEAR {
+        (orbit.centre.clone(), krawczyk::near())
+    } else {
+        let decimals = decimals.min(FARTHEST);
+        let found = orbit.phases.iter().chain(&orbit.velocities).filter_map(krawczyk::middle);
+        let tenth = BigRational::new(1.into(), num_traits::pow(BigInt::from(10), decimals as usize));
+        (found.map(|x| krawczyk::rounded(&x, decimals + 6)).collect(), tenth)
+    };
     let mut certificate = Certificate {
         system,
         claim: match orbit.stability {
@@ -41,9 +60,9 @@ fn accepted<C: certificate::orbit::Version>(system: System<C>, orbit: &ProvedOrb
             Some(Stability::Unstable) => Claim::Unstable,
             None => Claim::Open,
         },
-        impacts: impacts(&orbit.impacts, &orbit.centre)?,
+        impacts: impacts(&orbit.impacts, &centre)?,
         radius: decimal(&orbit.radius)?,
-        within: decimal(&krawczyk::near())?,
+        within: decimal(&within)?,
         inverse: lists(&orbit.inverse)?,
         flights: lists(&orbit.pieces)?,
     };

@@ -4,6 +4,7 @@
 mod machine;
 
 use num_rational::BigRational;
+use num_traits::Zero;
 
 use machine::check_machine;
 
@@ -217,16 +218,23 @@ impl Check for SectionTask {
 
 impl Check for BasinsTask {
     fn check(&self, scene: &Scene, _: &System<f64>, path: &str) -> Result<()> {
-        check_no_plane(&self.plane, scene, path)?;
-        if self.start.is_some() {
-            let message = "is for machines, format \"grazing-scene 2\": here q and u say all, leave it out";
-            return Err(scene.fail(&format!("{path}.start"), message));
+        scene.start_plane(&self.plane, &format!("{path}.plane"))?;
+        if let Some(start) = &self.start {
+            if self.plane.is_empty() {
+                let message = "goes with a plane: here q and u say all, leave it out";
+                return Err(scene.fail(&format!("{path}.start"), message));
+            }
+            scene.state(start)?;
         }
         check_basins(self, scene, path)
     }
 }
 
 fn check_basins(task: &BasinsTask, scene: &Scene, path: &str) -> Result<()> {
+    if task.start.as_ref().is_some_and(|start| !start.phase.is_zero()) {
+        let message = "is given by the task's own phase, when all motions start: leave it out here";
+        return Err(scene.fail(&format!("{path}.start.phase"), message));
+    }
     for (range, name) in [(&task.q, "q"), (&task.u, "u")] {
         if !(2..=4000).contains(&range.count) {
             return Err(scene.fail(&format!("{path}.{name}.count"), "is outside 2 to 4000"));

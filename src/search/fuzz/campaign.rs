@@ -1,7 +1,7 @@
 //! What every fuzzing has in common: units of cases, each drawn from the seed and its own number alone, so
 //! that a run is the same whatever the number of threads, can be ended after any unit and gone on with.
 
-use std::{ops::Range, time::Instant};
+use std::ops::Range;
 
 use rayon::prelude::*;
 use serde::{Serialize, de::DeserializeOwned};
@@ -10,6 +10,7 @@ use crate::{
     error::{Error, Result},
     local::Ladder,
     monitor::Monitor,
+    processor::Stopwatch,
     profile::Profile,
 };
 
@@ -164,7 +165,7 @@ pub fn fuzz<C: Campaign>(
             .into_par_iter()
             .map_with(sweep.clone(), |sweep, unit| {
                 monitor.advance(0).ok()?;
-                let start = profile.as_ref().map(|_| Instant::now());
+                let start = profile.as_ref().map(|_| Stopwatch::start());
                 let found = campaign.unit(&ladder, sweep, unit, monitor);
                 if let Some(start) = start {
                     whole.since(start, "unit", found.as_ref().map_or(0, Tally::decided));

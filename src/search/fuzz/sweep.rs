@@ -11,7 +11,8 @@
 
 use crate::{
     existence::Case,
-    number::{Angle, Circular, FloatInterval},
+    local::Polar,
+    number::{Angle, Circular, FloatInterval, Real},
 };
 use num_rational::BigRational;
 
@@ -160,6 +161,34 @@ impl Sweep {
     }
 }
 
+/// Enclosures of f_1, …, f_n, all times one positive number, as a sweep has them; `None` where its bounds do
+/// not hold. Needs n ≤ [`LONGEST`]. Cost: two sines and O(n) operations.
+///
+/// r is no float here, but within 2u of one, relatively: |λ̃ − λ| ≤ (2u + 2√2 u + u/2) r < 2⁻⁵⁰·⁵ r, and E_j
+/// grows by 2⁻⁵⁰·⁵ + 2⁻⁵¹ < 2⁻⁴⁹ a step, as before.
+pub(in crate::search) fn quotients(polar: &Polar, n: u64) -> Option<Vec<FloatInterval>> {
+    const UNIT: f64 = 1.0 / (1u64 << 53) as f64;
+    let angle = Angle::new(&(polar.s() + polar.s()));
+    let float = |x: FloatInterval| (x.hi() - x.lo() <= 2.0 * UNIT).then(|| x.lo());
+    let (cosine, sine) = (float(FloatInterval::cos(&angle, &()))?, float(FloatInterval::sin(&angle, &()))?);
+    let radius = FloatInterval::ratio(polar.r(), &());
+    if radius.hi() - radius.lo() > 2.0 * UNIT * radius.lo() {
+        return None;
+    }
+    let (a, b) = (radius.lo() * cosine, radius.lo() * sine);
+    let growth = radius.hi() * (1.0 + 4.0 * UNIT);
+    let (mut x, mut y, mut rho) = (a, b, growth);
+    let all = (1..=n as usize)
+        .map(|j| {
+            let (low, high) = ratio(x, y, j, rho);
+            (x, y) = (x * a - y * b, x * b + y * a);
+            rho *= growth;
+            FloatInterval::from_bounds(low, high)
+        })
+        .collect();
+    (rho > SMALLEST).then_some(all)
+}
+
 enum Record {
     High,
     Low,
@@ -189,7 +218,7 @@ mod tests {
 
     use super::*;
     use crate::{
-        local::{Ladder, Point, Polar, Quantity},
+        local::{Ladder, Point, Quantity},
         number::{Ball, Precision},
         random::Random,
     };
@@ -243,6 +272,10 @@ mod tests {
                         low == f64::NEG_INFINITY || exact(low) <= true_value && true_value <= exact(high)
                     );
                 }
+            }
+            let polar = Polar::new(fraction(r, 53), fraction(s, 54)).unwrap();
+            for (power, found) in powers[1..].iter().zip(quotients(&polar, LAST as u64).unwrap()) {
+                assert!(found.contains(&(&power[1] / (BigRational::one() - &power[0]))));
             }
             for n in 3..=LAST {
                 for k in [1, n / 2, n - 1] {

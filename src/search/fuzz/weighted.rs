@@ -12,7 +12,7 @@ use super::Instance;
 use crate::{
     existence::intervals,
     local::{Answer, Ladder, Plane, Point, Polar, Quantity},
-    number::Sign,
+    number::{Angle, Circular, FloatInterval, Real, Sign},
     random::Random,
 };
 
@@ -141,18 +141,63 @@ fn near_boundary(random: &mut Random, ladder: &Ladder, n: u64) -> Option<Instanc
     );
     let place = ratio(random.within(1, 999), 1000);
     let s = &left + (right - &left) * place;
-    let (mut low, mut high) = (BigRational::zero(), BigRational::one());
+    let k = interval.deciding?;
+    let curve = Curve::new(&s, n, k);
+    // r is between low/2^bits and high/2^bits.
+    let (mut low, mut high, mut bits) = (0u64, 1u64, 0u32);
+    let dyadic = |numerator: u64, bits: u32| BigRational::new(numerator.into(), (1u64 << bits).into());
     for _ in 0..random.within(1, 40) {
-        let middle = (&low + &high) / BigInt::from(2);
-        let point = Point::Polar(Polar::new(middle.clone(), s.clone()).ok()?);
-        match ladder.sign(&point, Quantity::B { n, k: interval.deciding? }).answer {
+        (low, high, bits) = (2 * low, 2 * high, bits + 1);
+        let middle = low + 1;
+        let sign = curve.sign(middle as f64 / (1u64 << bits) as f64).map_or_else(
+            || {
+                let point = Point::Polar(Polar::new(dyadic(middle, bits), s.clone()).ok()?);
+                Some(ladder.sign(&point, Quantity::B { n, k }).answer)
+            },
+            |sign| Some(Answer::Sign(sign)),
+        );
+        match sign? {
             Answer::Sign(Sign::Positive) => high = middle,
             Answer::Sign(Sign::Negative) => low = middle,
             _ => break,
         }
     }
-    let r = if random.coin() { high } else { low };
+    let r = dyadic(if random.coin() { high } else { low }, bits);
     if r.is_positive() { polar(n, r, s) } else { None }
+}
+
+/// The sign of b_{n,k} as a function of r, for one s.
+struct Curve {
+    n: u64,
+    k: u64,
+    u: Sign,
+    /// sin 2πjs for j = n, n − k, k.
+    sines: [FloatInterval; 3],
+}
+
+impl Curve {
+    fn new(s: &BigRational, n: u64, k: u64) -> Curve {
+        let angle = Angle::new(&(s + s));
+        let sine = |j| FloatInterval::sin(&angle.times(j), &());
+        Curve { n, k, u: angle.times(n).sin_sign(), sines: [n, n - k, k].map(sine) }
+    }
+
+    /// The sign at 0 < r < 1, if intervals tell it and it is not zero.
+    fn sign(&self, r: f64) -> Option<Sign> {
+        let r = FloatInterval::from_bounds(r, r);
+        let one = FloatInterval::from_bounds(1.0, 1.0);
+        let power = |base: FloatInterval, e: u64| {
+            (0..64 - e.leading_zeros()).rev().fold(one, |power, bit| {
+                let square = power * &power;
+                if e >> bit & 1 == 1 { square * &base } else { square }
+            })
+        };
+        let at_j = power(r, self.n - self.k);
+        let at_n = at_j * &power(r, self.k);
+        let numerator = at_j * &self.sines[0] - &self.sines[2] - &(at_n * &self.sines[1]);
+        let sign = numerator.sign()? * self.u;
+        (sign != Sign::Zero).then_some(sign)
+    }
 }
 
 /// A catalogue of small cases, the simplest first: n ≤ 8, s with a denominator up to 24, a few r.

@@ -1,9 +1,10 @@
 //! Attractors over a parameter: what motions from several starts tend to at each of many values; windows and
 //! coexistence.
 //!
-//! Found by following motions, so nothing is proved: a long transient can look like an attractor. Values are
-//! independent of each other, run in parallel, and what is done is kept in a checkpoint; a resumed diagram is
-//! bit for bit the uninterrupted one.
+//! Found by following motions, so nothing is proved: a long transient can look like an attractor. Motions
+//! start from the same places at every value: none goes on from the attractor of the value before. So values
+//! are independent of each other, run in parallel, those of an oscillator many at once, and what is done is
+//! kept in a checkpoint; a resumed diagram is bit for bit the uninterrupted one.
 
 mod windows;
 
@@ -16,15 +17,11 @@ use serde::{Deserialize, Serialize};
 
 use super::{
     checkpoint::Checkpoint,
-    detection::{Detection, Fate, wait},
-    dynamics::{Dynamics, Motion, SectionState},
-    section::section,
+    detection::Cycle,
+    dynamics::{Dynamics, SectionState},
+    observe::{Observation, Observed},
 };
-use crate::{
-    Monitor,
-    error::Result,
-    oscillator::{flow::State, simulate::RunEnd},
-};
+use crate::{Monitor, error::Result, oscillator::flow::State};
 
 /// When and for how long to look.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -75,7 +72,7 @@ pub struct Slice {
     pub lost: u32,
 }
 
-/// Values between two checkpoints.
+/// Values between two checkpoints, at the least.
 const CHUNK: usize = 64;
 
 /// The slices of a plan, in its order. With a file, what is done is kept there as it is done, and what it
@@ -100,16 +97,14 @@ pub fn sweep<D: Dynamics<Start: Serialize>>(
     }
     let rest = plan.values.get(done.len()..).unwrap_or_default();
     monitor.advance(done.len() as u64)?;
-    for chunk in rest.chunks(CHUNK) {
-        let slices: Vec<Result<Slice>> = chunk
-            .par_iter()
-            .map(|&value| {
-                let slice = slice(plan, value, &dynamics(value)?, monitor)?;
-                monitor.advance(1)?;
-                Ok(slice)
-            })
-            .collect();
-        for slice in slices {
+    // Values whose motions are followed together: two parts for each thread, so that none waits for long.
+    let threads = 2 * rayon::current_num_threads();
+    let most = (D::TOGETHER / plan.starts.len().max(1)).max(1);
+    let together = rest.len().div_ceil(threads).clamp(1, most);
+    for chunk in rest.chunks(CHUNK.max(threads * together)) {
+        let slices: Vec<Vec<Result<Slice>>> =
+            chunk.par_chunks(together).map(|values| slices(plan, values, &dynamics, monitor)).collect();
+        for slice in slices.into_iter().flatten() {
             match slice {
                 Ok(slice) => {
                     checkpoint.append(&slice)?;
@@ -123,6 +118,29 @@ pub fn sweep<D: Dynamics<Start: Serialize>>(
 }
 
 impl<S> DiagramPlan<S> {
+    fn observation(&self) -> Observation {
+        let Look { phase, transient, points, longest } = self.look;
+        Observation { phase, transient, longest, points, round: Some(self.every), every: self.every }
+    }
+
+    /// What motions that go on amount to at a value.
+    fn slice<P: SectionState>(&self, value: f64, all: Vec<Observed<S, P>>) -> Slice {
+        let (mut cycles, mut motions) = (Vec::<Option<Cycle<P>>>::new(), Vec::new());
+        let lost = (self.starts.len() - all.len()) as u32;
+        for Observed { cycle, points, impacts, .. } in all {
+            let known = |old: &Option<Cycle<P>>| match (old, &cycle) {
+                (Some(old), Some(cycle)) => old.is(cycle),
+                (old, cycle) => old.is_none() && cycle.is_none(),
+            };
+            if !cycles.iter().any(known) {
+                let period = cycle.as_ref().map(|cycle| cycle.period() as u32);
+                motions.push(DiagramMotion { points, period, impacts });
+                cycles.push(cycle);
+            }
+        }
+        Slice { value, motions, lost }
+    }
+
     /// More bytes than any state of this plan has: 64 for a point or what else a motion has, 128 for what
     /// else a slice and its line have.
     fn most_bytes(&self) -> u64 {
@@ -146,59 +164,35 @@ impl<S> DiagramPlan<S> {
     }
 }
 
-fn slice<D: Dynamics>(
+/// The slices at some values: the motions of all of them are followed together.
+fn slices<D: Dynamics>(
     plan: &DiagramPlan<D::Start>,
-    value: f64,
-    dynamics: &D,
+    values: &[f64],
+    dynamics: &(impl Fn(f64) -> Result<D> + Sync),
     monitor: &dyn Monitor,
-) -> Result<Slice> {
-    let (mut found, mut lost) = (Vec::new(), 0u32);
-    for start in &plan.starts {
-        let Some((motion, fate)) = motion(plan, dynamics, start, monitor)? else {
-            lost += 1;
-            continue;
-        };
-        let known = |(_, old): &(DiagramMotion, Fate<D::Point>)| old.is(&fate);
-        if !found.iter().any(known) {
-            found.push((motion, fate));
+) -> Vec<Result<Slice>> {
+    let systems: Vec<Result<D>> = values.iter().map(|&value| dynamics(value)).collect();
+    // Which value each motion has.
+    let (mut places, mut motions) = (Vec::new(), Vec::new());
+    for (place, system) in systems.iter().enumerate() {
+        let Ok(system) = system else { continue };
+        for run in plan.starts.iter().filter_map(|start| system.begin(start).ok()) {
+            places.push(place);
+            motions.push((system, run));
         }
     }
-    Ok(Slice { value, motions: found.into_iter().map(|(motion, _)| motion).collect(), lost })
-}
-
-/// What a start's motion tends to; `None` if it left every bound, or cannot start.
-fn motion<D: Dynamics>(
-    plan: &DiagramPlan<D::Start>,
-    dynamics: &D,
-    start: &D::Start,
-    monitor: &dyn Monitor,
-) -> Result<Option<(DiagramMotion, Fate<D::Point>)>> {
-    let Look { phase, transient, points: count, longest } = plan.look;
-    let Ok(mut run) = dynamics.begin(start) else { return Ok(None) };
-    if wait(&mut run, phase, transient, monitor)? != RunEnd::Reached {
-        return Ok(None);
-    }
-    let detection = Detection { phase, transient: 0, longest: longest as usize, ..Detection::default() };
-    let fate = detection.detect(&mut run)?;
-    let (period, round, look_at) = match &fate {
-        Fate::Ended(_) => return Ok(None),
-        Fate::Periodic(cycle) => {
-            (Some(cycle.period() as u32), Some(cycle.impacts), (cycle.period() as u32).max(plan.every))
-        }
-        Fate::Irregular => (None, None, count),
+    let outcomes = match D::observe(motions, &plan.observation(), monitor) {
+        Ok(outcomes) => outcomes,
+        Err(error) => return vec![Err(error)],
     };
-    // The same component at every value: counted from the end of the transient.
-    let shown = |at: i64| (at - 1 - transient as i64).rem_euclid(plan.every.into()) == 0;
-    let (mut points, before) = (Vec::new(), run.impacts());
-    let end = section(&mut run, phase, look_at.into(), |point| {
-        if shown(point.period) {
-            points.push(point.at.plane());
-        }
-        true
-    })?;
-    if end != RunEnd::Reached {
-        return Ok(None);
+    let mut found: Vec<Vec<Observed<D::Start, D::Point>>> = systems.iter().map(|_| Vec::new()).collect();
+    for (place, observed) in places.into_iter().zip(outcomes) {
+        found[place].extend(observed);
     }
-    let impacts = round.unwrap_or_else(|| run.impacts() - before);
-    Ok(Some((DiagramMotion { points, period, impacts }, fate)))
+    let slice = |(system, (&value, found)): (Result<D>, (&f64, Vec<_>))| {
+        system?;
+        monitor.advance(1)?;
+        Ok(plan.slice(value, found))
+    };
+    systems.into_iter().zip(values.iter().zip(found)).map(slice).collect()
 }

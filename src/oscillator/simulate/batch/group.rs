@@ -20,7 +20,7 @@ use super::{
     tables::{Blocks, Shared, far, moderate, same},
     vector::{Eight, LANES},
 };
-use crate::oscillator::{EffectTally, Time};
+use crate::oscillator::{EffectTally, Time, flow::State};
 use std::sync::Arc;
 
 /// What the motions of a group have in common.
@@ -257,6 +257,16 @@ impl<'a> Group<'a> {
         }
         let place = &self.places[if self.places.len() == 1 { 0 } else { lane }];
         place.state([0, 1].map(|i| self.y[i][lane / LANES][lane % LANES]))
+    }
+
+    /// The same with the time there, as the scalar engine has it.
+    pub fn state(&self, lane: usize) -> State {
+        if let Some(run) = &self.alone[lane] {
+            return State { t: run.time().phase, ..run.state() };
+        }
+        let ([q, u], middle) = (self.point(lane), (2 * self.cell + 1) as f64 * self.kind.half);
+        let t = Time::new(self.periods[lane], middle + self.from * self.kind.half).phase;
+        State { t, q, u }
     }
 
     /// No longer followed.

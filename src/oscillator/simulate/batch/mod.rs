@@ -50,7 +50,7 @@ use std::sync::Arc;
 use fearless_simd::{Level, dispatch};
 
 use super::{Event, Run, RunEnd, Simulator};
-use crate::oscillator::Time;
+use crate::oscillator::{Time, flow::State};
 use group::{Each, Group, Kind};
 
 /// Motions that are taken from one point of a stroboscopic section to the next together.
@@ -147,6 +147,23 @@ impl<'a> Batch<'a> {
             (Some((group, at)), _) => self.groups[group].point(at),
             (None, Some(Scalar { run, .. })) => [run.state().q, run.state().u],
             (None, None) => [f64::NAN; 2],
+        }
+    }
+
+    /// The forcing period in which it is at the section, or was when it last passed it.
+    pub fn period(&self, motion: usize) -> i64 {
+        match (self.places[motion], &self.scalar[motion]) {
+            (Some((group, at)), _) => self.groups[group].periods[at],
+            (None, scalar) => scalar.as_ref().map_or(0, |scalar| scalar.period),
+        }
+    }
+
+    /// The same as [`point`](Self::point), with the phase that rounding makes of the section's.
+    pub fn state(&self, motion: usize) -> State {
+        match (self.places[motion], &self.scalar[motion]) {
+            (Some((group, at)), _) => self.groups[group].state(at),
+            (None, Some(Scalar { run, .. })) => State { t: run.time().phase, ..run.state() },
+            (None, None) => State { t: f64::NAN, q: f64::NAN, u: f64::NAN },
         }
     }
 

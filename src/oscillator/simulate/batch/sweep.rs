@@ -5,6 +5,7 @@ use fearless_simd::{Simd, prelude::*, u64x8};
 
 use super::{
     super::{
+        grid::NOTHING,
         pieces::{LOWER, UPPER},
         search::ROUNDING,
         unbounded,
@@ -80,6 +81,10 @@ impl Group<'_> {
                 (q, u) = turn(s, freely, q, u);
                 if steps {
                     (q, u) = (q + load(s, &freely.step[0]), u + load(s, &freely.step[1]));
+                }
+                if span.cell == 0 {
+                    let nothing = (q.abs() + u.abs()).simd_lt(splat(s, NOTHING));
+                    (q, u) = (nothing.select(splat(s, 0.0), q), nothing.select(splat(s, 0.0), u));
                 }
                 q.store_array(a);
                 u.store_array(b);

@@ -1,5 +1,7 @@
 //! `grazing intervals`: Theorem 2's intervals as tables.
 
+mod rows;
+
 use std::{io::Write, ops::RangeInclusive, path::PathBuf, str::FromStr};
 
 use clap::{Parser, ValueEnum};
@@ -20,7 +22,7 @@ use crate::{
     number::parse_integer,
     output::{
         Caption, Column, Destination, OutputFile, Setting, Shard, ShardedTask, TableCell, TableFormat,
-        TableWriter, decimal,
+        TableWriter,
     },
     word,
 };
@@ -126,7 +128,7 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     };
     list.caption = caption.as_ref();
     let progress = Progress::new(interrupt, periods.count(), "periods");
-    destination.list(|out| list.write(out, |rows| list.rows(list.periods.clone(), rows, &progress)))?;
+    destination.list(|out| list.whole(out, &progress))?;
     Ok(Outcome::Done)
 }
 
@@ -212,11 +214,28 @@ impl List<'_> {
     /// Writes the list; `rows` gives its rows.
     fn write(&self, out: &mut dyn Write, rows: impl FnOnce(&mut dyn RowSink) -> Result<()>) -> Result<()> {
         let Some(format) = self.format else { return rows(&mut PlainRows(out)) };
-        let setting = Setting { caption: self.caption, ..Setting::default() };
-        let name = if self.two_impacts { "grazing-pattern-intervals 1" } else { "grazing-intervals 1" };
-        let mut table = TableWriter::set(out, format, name, self.columns(), setting)?;
+        let mut table = self.table(out, format)?;
         let rows = rows(&mut table);
         table.end(rows)
+    }
+
+    fn table<'a>(&self, out: &'a mut dyn Write, format: TableFormat) -> Result<TableWriter<'a>> {
+        let setting = Setting { caption: self.caption, ..Setting::default() };
+        let name = if self.two_impacts { "grazing-pattern-intervals 1" } else { "grazing-intervals 1" };
+        TableWriter::set(out, format, name, self.columns(), setting)
+    }
+
+    /// Writes the list with all its rows.
+    fn whole(&self, out: &mut dyn Write, progress: &Progress) -> Result<()> {
+        let periods = self.periods.clone();
+        match self.format {
+            Some(format) if !self.two_impacts => {
+                let mut table = self.table(out, format)?;
+                let rows = rows::in_parallel(periods, self.decimals, &mut table, progress);
+                table.end(rows)
+            }
+            _ => self.write(out, |rows| self.rows(periods, rows, progress)),
+        }
     }
 
     fn rows(&self, periods: RangeInclusive<u64>, rows: &mut dyn RowSink, progress: &Progress) -> Result<()> {
@@ -224,7 +243,7 @@ impl List<'_> {
             match (self.format, self.two_impacts) {
                 (None, false) => count(n, intervals(n)?.count(), rows)?,
                 (None, true) => count(n, word::two_impacts_of(n)?.count(), rows)?,
-                (Some(_), false) => period(n, self.decimals, rows, progress)?,
+                (Some(_), false) => rows::of_period(n, self.decimals, rows, progress)?,
                 (Some(_), true) => {
                     two_impacts::rows(word::two_impacts_of(n)?, self.decimals, rows, progress)?;
                 }
@@ -265,33 +284,4 @@ fn columns(digits: usize) -> Vec<Column> {
         Column::new("right", "right end", 2 * digits + 2),
         Column::new("deciding", "deciding $k$", 0),
     ]
-}
-
-/// The rows of one period. One of ten million takes seconds: Ctrl-C is listened for within it too.
-fn period(n: u64, decimals: Option<usize>, rows: &mut dyn RowSink, progress: &Progress) -> Result<()> {
-    for (index, interval) in intervals(n)?.enumerate() {
-        let rounded = decimals.map(|d| (decimal(&interval.left, d), decimal(&interval.right, d)));
-        let mut cells = [TableCell::Empty; 9];
-        cells[..7].copy_from_slice(&[
-            TableCell::Int(n as i64),
-            TableCell::Int(interval.m as i64),
-            TableCell::Int(interval.case.sign_emu().into()),
-            TableCell::Int(interval.case.sign_gamma().into()),
-            TableCell::Fraction(&interval.left),
-            TableCell::Fraction(&interval.right),
-            interval.deciding.map_or(TableCell::Empty, |k| TableCell::Int(k as i64)),
-        ]);
-        let width = match &rounded {
-            Some((left, right)) => {
-                cells[7..].copy_from_slice(&[TableCell::Text(left), TableCell::Text(right)]);
-                9
-            }
-            None => 7,
-        };
-        rows.row(&cells[..width])?;
-        if index % 4096 == 4095 {
-            progress.advance(0)?;
-        }
-    }
-    Ok(())
 }
