@@ -1,0 +1,272 @@
+// The Check panel: certificates of any kind, dropped, chosen or pasted, and proved again by the trusted checker.
+
+import { Lane } from "./compute";
+import { EXAMPLES } from "./examples";
+import { listing } from "./listing";
+import { type Context, element, Failure, type Panel } from "./panel";
+
+/** What the program says of a file (`src/check.rs`). */
+interface Found {
+  verdict: "proved" | "false" | "malformed" | "undecided" | "interrupted";
+  kind: string | null;
+  range?: [number, number];
+  detail?: [string, string][];
+  lines?: number;
+  statement?: string;
+  line?: number;
+  reason?: string;
+  what?: "shard" | "format" | "version" | "unknown" | null;
+  known?: string[];
+  bytes: number;
+  sha256: string;
+}
+
+/** Long work, which is ended by ending its worker: it has one of its own. */
+const lane = new Lane();
+const CANCELLED = "The check was cancelled: there is no verdict.";
+const encoder = new TextEncoder();
+const number = new Intl.NumberFormat("en");
+
+const periods = ([first, last]: [number, number]): string =>
+  first === last ? `period n = ${first}` : `every period n from ${first} to ${last}`;
+const several = (count: number): string => (count === 1 ? "1 period" : `${count} periods`);
+
+/** What each kind proves, in a sentence. */
+const SENTENCES: Record<string, (range: [number, number], detail: Map<string, string>) => string> = {
+  theorem2: (range) =>
+    `Theorem 2 holds for ${periods(range)}: on r = 1, orbits with one impact exist exactly on the intervals listed.`,
+  cover: (range, detail) =>
+    `Conjecture 1 holds for ${periods(range)} and all r up to r_max = ${detail.get("r_max") ?? "the one listed"}.`,
+  word: (_, detail) =>
+    `At ${detail.get("point") ?? detail.get("box") ?? "the place listed"} it is decided which periods occur between impacts.`,
+  "word-by-theorem": (_, detail) =>
+    `At ${detail.get("point") ?? detail.get("box") ?? "the place listed"} the signs hold that decide every period.`,
+  orbit: ([n], detail) => `The oscillator has a periodic orbit of ${several(n)}, ${stability(detail)}.`,
+  event: ([n], detail) =>
+    `A periodic orbit of ${several(n)} has an event: ${detail.get("event") ?? "the one listed"} (${detail.get("parameter") ?? ""}).`,
+  chaos: (_, detail) =>
+    `The oscillator is chaotic: every path over the letters ${detail.get("letters") ?? ""} is a motion of it.`,
+  "machine-orbit": ([n], detail) => `The machine has a periodic orbit of ${several(n)}, ${stability(detail)}.`,
+};
+
+function stability(detail: Map<string, string>): string {
+  const word = detail.get("stability") ?? "";
+  return word === "stable" || word === "unstable"
+    ? `the only one in its box, and it is ${word}`
+    : "the only one in its box; its stability is left open";
+}
+
+/** The verdict as a heading, and what it means. */
+function verdict(found: Found): { good: boolean | undefined; heading: string; text: string } {
+  if (found.verdict === "proved") {
+    const sentence = SENTENCES[found.kind ?? ""];
+    const detail = new Map(found.detail ?? []);
+    const text = sentence && found.range ? sentence(found.range, detail) : "The statement below holds.";
+    return { good: true, heading: "Proved", text };
+  }
+  const at = `line ${number.format(found.line ?? 0)}`;
+  switch (found.verdict) {
+    case "false":
+      return {
+        good: false,
+        heading: `Rejected: ${at} is false`,
+        text: `${found.reason}. The file proves nothing; whether its statement holds is another question.`,
+      };
+    case "undecided":
+      return { good: undefined, heading: "Undecided", text: `Every claim is proved, but at ${at}: ${found.reason}.` };
+    case "interrupted":
+      return { good: undefined, heading: "No verdict", text: `${found.reason}.` };
+  }
+  switch (found.what) {
+    case "shard":
+      return {
+        good: false,
+        heading: "Not a certificate: a shard",
+        text: "It holds one machine's part of a job. “grazing merge” puts the parts together.",
+      };
+    case "format":
+      return {
+        good: false,
+        heading: "A certificate of another format",
+        text: `This page reads format 1 only; ${at}: ${found.reason}.`,
+      };
+    case "version":
+      return {
+        good: false,
+        heading: `Another version: “${found.kind}”`,
+        text: `This page does not know this version of the kind. It knows ${found.known?.join(", ")}.`,
+      };
+    case "unknown":
+      return {
+        good: false,
+        heading: `A kind that this page does not know: “${found.kind}”`,
+        text: `It knows ${found.known?.join(", ")}.`,
+      };
+  }
+  return { good: false, heading: `Malformed: ${at}`, text: `${found.reason}. The text is not of its documented form.` };
+}
+
+function pairs(rows: [string, string][]): HTMLElement {
+  const body = element("tbody");
+  for (const [name, value] of rows) {
+    body.append(element("tr", {}, element("th", { scope: "row" }, name), element("td", {}, value)));
+  }
+  return element("div", { class: "scroll" }, element("table", { class: "facts" }, body));
+}
+
+/** All that is shown of one file. */
+function report(name: string, bytes: Uint8Array, found: Found, seconds: number): HTMLElement {
+  const { good, heading, text } = verdict(found);
+  const mark = good === undefined ? "?" : good ? "✓" : "✗";
+  const notice = element(
+    "div",
+    { class: `notice ${good === undefined ? "" : good ? "good" : "bad"}` },
+    element("h2", {}, element("span", { "aria-hidden": true }, `${mark} `), heading),
+    element("p", {}, text),
+  );
+  const made = element("article", { "aria-label": name, "data-verdict": found.verdict }, notice);
+  if (found.statement) {
+    made.append(element("h3", {}, "Statement"), element("p", { class: "statement" }, found.statement));
+  }
+  if (found.detail?.length) made.append(element("h3", {}, "What it leaves to the certificate"), pairs(found.detail));
+  const speed = found.bytes / 1e6 / seconds;
+  made.append(
+    element("h3", {}, "File"),
+    pairs([
+      ["name", name],
+      ["kind", found.kind ?? "none"],
+      ["size", `${number.format(found.bytes)} bytes${found.lines ? `, ${number.format(found.lines)} lines` : ""}`],
+      ["checked in", `${seconds.toFixed(3)} s${found.bytes > 1e6 ? ` (${speed.toFixed(1)} MB/s)` : ""}`],
+      ["SHA-256", found.sha256],
+    ]),
+  );
+  const fault = found.verdict === "proved" ? undefined : { line: found.line ?? 1, reason: found.reason ?? "" };
+  made.append(element("h3", {}, "Lines"), listing(bytes, fault));
+  return made;
+}
+
+let begin: (files: { name: string; bytes: Uint8Array }[]) => void = () => {};
+let showExample: (id: string) => void = () => {};
+
+/** Checks a certificate, once the panel is mounted. */
+export function openCheck(certificate: string): void {
+  begin([{ name: "from this page", bytes: encoder.encode(certificate) }]);
+}
+
+export const check: Panel = {
+  id: "check",
+  title: "Check",
+  mount(root: HTMLElement, context: Context): void {
+    const choose = element("input", { type: "file", multiple: true, id: "check-files" });
+    const pasted = element("textarea", { rows: 6, id: "check-text", spellcheck: "false", "aria-label": "Certificate" });
+    const go = element("button", { type: "button", class: "first" }, "Check the text");
+    const examples = element("select", { id: "check-example" }, element("option", { value: "" }, "choose one"));
+    for (const { id, title } of EXAMPLES) examples.append(element("option", { value: id }, title));
+    const progress = element("progress", { max: 1, value: 0, "aria-label": "Share of the file that is checked" });
+    const cancel = element("button", { type: "button" }, "Cancel");
+    const state = element("span", { class: "muted" });
+    const working = element("div", { class: "row", hidden: true }, progress, cancel, state);
+    const results = element("div", { id: "check-results" });
+    const drop = element(
+      "div",
+      { class: "drop" },
+      element(
+        "p",
+        {},
+        "Drop certificates here, choose or paste them. They are proved again in this page, line by line, by the same " +
+          "trusted checker as on the command line; no file leaves your computer.",
+      ),
+      element(
+        "div",
+        { class: "row" },
+        element("label", {}, "Files ", choose),
+        element("label", {}, "Examples ", examples),
+      ),
+      element("details", {}, element("summary", {}, "Paste a certificate"), pasted, element("div", { class: "row" }, go)),
+    );
+    root.append(drop, working, results);
+
+    /** Counts beginnings: what belongs to an earlier one is not shown. */
+    let turn = 0;
+    begin = async (files) => {
+      const mine = ++turn;
+      lane.cancel(CANCELLED);
+      results.replaceChildren();
+      working.hidden = false;
+      for (const { name, bytes } of files) {
+        state.textContent = `${name}: ${number.format(bytes.length)} bytes`;
+        progress.value = 0;
+        let shown: HTMLElement;
+        try {
+          const found: Found = await lane.call("check", [bytes], (share) => {
+            progress.value = share;
+          });
+          if (mine !== turn) return;
+          shown = report(name, bytes, found, lane.seconds);
+          context.announce(`${name}: ${verdict(found).heading}`);
+        } catch (thrown) {
+          if (mine !== turn) return;
+          const message = thrown instanceof Failure ? thrown.message : String(thrown);
+          shown = element("div", { class: "notice", "data-verdict": "none" }, `${name}: ${message}`);
+          context.announce(message);
+        }
+        results.append(shown);
+      }
+      working.hidden = true;
+    };
+    const cancelled = (): void => {
+      if (working.hidden) return;
+      lane.cancel(CANCELLED);
+    };
+    cancel.addEventListener("click", cancelled);
+    root.addEventListener("keydown", (event) => {
+      if (event.key === "Escape") cancelled();
+    });
+
+    const take = async (files: Iterable<File>): Promise<void> => {
+      const read = [...files].map(async (file) => ({
+        name: file.name,
+        bytes: new Uint8Array(await file.arrayBuffer()),
+      }));
+      try {
+        const all = await Promise.all(read);
+        if (all.length) begin(all);
+      } catch (thrown) {
+        results.replaceChildren(element("div", { class: "notice bad" }, `The file cannot be read: ${String(thrown)}`));
+      }
+      context.permalink({});
+    };
+    choose.addEventListener("change", () => {
+      void take(choose.files ?? []);
+      examples.value = "";
+    });
+    go.addEventListener("click", () => {
+      begin([{ name: "pasted text", bytes: encoder.encode(pasted.value) }]);
+      examples.value = "";
+      context.permalink({});
+    });
+    showExample = (id) => {
+      const example = EXAMPLES.find((example) => example.id === id);
+      if (!example) return;
+      examples.value = id;
+      pasted.value = example.text;
+      choose.value = "";
+      context.permalink({ example: id });
+      begin([{ name: example.title, bytes: encoder.encode(example.text) }]);
+    };
+    examples.addEventListener("change", () => showExample(examples.value));
+    root.addEventListener("dragover", (event) => {
+      event.preventDefault();
+      drop.classList.add("over");
+    });
+    root.addEventListener("dragleave", () => drop.classList.remove("over"));
+    root.addEventListener("drop", (event) => {
+      event.preventDefault();
+      drop.classList.remove("over");
+      void take(event.dataTransfer?.files ?? []);
+    });
+  },
+  restore(state: URLSearchParams): void {
+    showExample(state.get("example") ?? "");
+  },
+};

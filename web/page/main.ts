@@ -1,0 +1,176 @@
+// The frame: tabs, theme, links, and what panels share.
+
+import { check, openCheck } from "./check";
+import { Lane } from "./compute";
+import { motion } from "./motion";
+import { COLOURS, type Context, element, type Panel } from "./panel";
+import { plane } from "./plane";
+import { theory } from "./theory";
+
+const panels: Panel[] = [plane, motion, theory, check];
+
+/** What is shared by all panels but for long work, which takes a lane of its own. */
+const lane = new Lane();
+
+const find = <T extends HTMLElement>(id: string): T => document.getElementById(id) as T;
+const live = find("live");
+
+function announce(text: string): void {
+  // The same text twice is heard twice.
+  live.textContent = live.textContent === text ? `${text}\u00a0` : text;
+}
+
+function save(name: string, mime: string, data: string | Uint8Array): void {
+  const url = URL.createObjectURL(new Blob([data as BlobPart], { type: mime }));
+  const anchor = element("a", { href: url, download: name });
+  document.body.append(anchor);
+  anchor.click();
+  anchor.remove();
+  setTimeout(() => URL.revokeObjectURL(url), 10_000);
+}
+
+interface Shown {
+  panel: Panel;
+  tab: HTMLButtonElement;
+  root: HTMLElement;
+  mounted: boolean;
+  /** The fragment that leads to its present state. */
+  link: string;
+}
+
+const shown: Shown[] = panels.map((panel) => {
+  const tab = element(
+    "button",
+    { type: "button", role: "tab", id: `tab-${panel.id}`, "aria-controls": `panel-${panel.id}` },
+    panel.title,
+  );
+  const root = element("section", {
+    role: "tabpanel",
+    id: `panel-${panel.id}`,
+    "aria-labelledby": `tab-${panel.id}`,
+    hidden: true,
+  });
+  find("tabs").append(tab);
+  find("panels").append(root);
+  return { panel, tab, root, mounted: false, link: `#${panel.id}` };
+});
+
+const setFragment = (fragment: string): void => history.replaceState(null, "", fragment);
+
+function contextOf(entry: Shown): Context {
+  return {
+    compute: (name, ...args) => lane.call(name, args),
+    latest: (name, ...args) => lane.latest(name, args),
+    permalink(state) {
+      const query = new URLSearchParams(state).toString();
+      entry.link = `#${entry.panel.id}${query ? `?${query}` : ""}`;
+      if (!entry.root.hidden) setFragment(entry.link);
+    },
+    announce,
+    save,
+    openCheck(certificate) {
+      const target = shown.find(({ panel }) => panel === check);
+      if (target) show(target);
+      openCheck(certificate);
+    },
+  };
+}
+
+/** Shows one panel and hides the others. */
+function show(entry: Shown): void {
+  for (const other of shown) {
+    const here = other === entry;
+    other.root.hidden = !here;
+    other.tab.setAttribute("aria-selected", String(here));
+    other.tab.tabIndex = here ? 0 : -1;
+  }
+  document.title = `${entry.panel.title} – grazing`;
+  if (!entry.mounted) {
+    entry.mounted = true;
+    entry.panel.mount(entry.root, contextOf(entry));
+  }
+  setFragment(entry.link);
+}
+
+/** Takes over what the address says. */
+function follow(): void {
+  const fragment = location.hash;
+  const [id, query = ""] = fragment.slice(1).split(/\?(.*)/s);
+  const entry = shown.find(({ panel }) => panel.id === id) ?? shown[0];
+  if (!entry) return;
+  if (entry.panel.id === id) entry.link = fragment;
+  show(entry);
+  if (query) entry.panel.restore(new URLSearchParams(query));
+}
+
+for (const [index, entry] of shown.entries()) {
+  entry.tab.addEventListener("click", () => show(entry));
+  entry.tab.addEventListener("keydown", (event) => {
+    const count = shown.length;
+    const to = new Map([
+      ["ArrowRight", (index + 1) % count],
+      ["ArrowLeft", (index + count - 1) % count],
+      ["Home", 0],
+      ["End", count - 1],
+    ]).get(event.key);
+    const target = to === undefined ? undefined : shown[to];
+    if (!target) return;
+    event.preventDefault();
+    show(target);
+    target.tab.focus();
+  });
+}
+
+const themes = ["system", "light", "dark"] as const;
+const THEME = "grazing-theme";
+const systemIsDark = matchMedia("(prefers-color-scheme: dark)");
+
+function remembered(): string | null {
+  // A page from a file may have no storage.
+  try {
+    return localStorage.getItem(THEME);
+  } catch {
+    return null;
+  }
+}
+
+let theme = themes.find((theme) => theme === remembered()) ?? "system";
+
+/** Shows the colours of the theme, of which the style sheet knows light and dark. */
+function showTheme(): void {
+  const look = theme === "system" ? (systemIsDark.matches ? "dark" : "light") : theme;
+  document.documentElement.dataset.theme = look;
+  find("theme").textContent = `Theme: ${theme}`;
+  document.dispatchEvent(new Event(COLOURS));
+}
+
+showTheme();
+systemIsDark.addEventListener("change", showTheme);
+find("theme").addEventListener("click", () => {
+  theme = themes[(themes.indexOf(theme) + 1) % themes.length] ?? "system";
+  try {
+    localStorage.setItem(THEME, theme);
+  } catch {
+    // It lasts as long as the page.
+  }
+  showTheme();
+  announce(`Theme: ${theme}`);
+});
+
+find("link").addEventListener("click", async () => {
+  try {
+    await navigator.clipboard.writeText(location.href);
+    announce("Link copied");
+  } catch {
+    prompt("The link to this view:", location.href);
+  }
+});
+
+// A file that misses its place would replace the page.
+for (const kind of ["dragover", "drop"]) document.addEventListener(kind, (event) => event.preventDefault());
+
+/** For scripts and for the browser's console: `await grazing.compute("evaluate", "polar", "1", "1/7", 5, 0, 128)`. */
+Object.assign(globalThis, { grazing: { compute: (name: string, ...args: unknown[]) => lane.call(name, args) } });
+
+addEventListener("hashchange", follow);
+follow();

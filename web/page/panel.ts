@@ -1,0 +1,81 @@
+// What a panel is, and what the page gives it.
+
+/** One tab of the page. */
+export interface Panel {
+  /** Its name in links: `#id?key=value`. Letters only. */
+  readonly id: string;
+  /** The text of its tab. */
+  readonly title: string;
+  /** Fills its root, once, when the panel is first shown. The root is shown then, so it has its size. */
+  mount(root: HTMLElement, context: Context): void;
+  /** Takes over what a link says, after `mount`; keys that it does not know are left alone. */
+  restore(state: URLSearchParams): void;
+}
+
+/** What the page gives a panel. */
+export interface Context {
+  /**
+   * Calls an exported function of the WebAssembly in the worker: JSON comes back parsed, a typed array as it is.
+   * Calls run one after the other, in order. It fails with a `Failure`.
+   */
+  compute(name: string, ...args: unknown[]): Promise<any>;
+  /**
+   * The same where only the newest answer is wanted, as while something is dragged: a call that still waits
+   * when the next one of this name comes is dropped, and gives null.
+   */
+  latest(name: string, ...args: unknown[]): Promise<any>;
+  /** Puts the panel's state into the address, so that a link leads back to it. */
+  permalink(state: Record<string, string>): void;
+  /** Says a text to who listens to the page. */
+  announce(text: string): void;
+  /** Offers a file for download. */
+  save(name: string, mime: string, data: string | Uint8Array): void;
+  /** Shows the Check panel and checks a certificate there. */
+  openCheck(certificate: string): void;
+}
+
+/** Why a computation failed, in words for the user, and where in its input. */
+export class Failure extends Error {
+  override readonly name = "Failure";
+  /** The line of the input, from 1. */
+  readonly line: number | undefined;
+  /** The key or the argument. */
+  readonly key: string | undefined;
+
+  constructor(message: string, line?: number, key?: string) {
+    super(message);
+    this.line = line;
+    this.key = key;
+  }
+}
+
+/** The page's event for a change of colours: who draws on a canvas draws again. */
+export const COLOURS = "grazing-colours";
+
+/**
+ * A colour of the style sheet as it is now, such as `colour("text")`: `background`, `surface`, `text`, `muted`,
+ * `line`, `accent`, `good`, `bad`, and `c0` to `c7`, which differ for every kind of sight.
+ */
+export function colour(name: string): string {
+  return getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
+}
+
+/** Rows as CSV: a cell with a comma, a quote or the end of a line stands in quotes. */
+export function csv(rows: unknown[][]): string {
+  const quoted = (text: string) => (/[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
+  return rows.map((row) => `${row.map((cell) => quoted(String(cell))).join(",")}\n`).join("");
+}
+
+/** An element with attributes and children; an attribute whose value is `false` is left out. */
+export function element<K extends keyof HTMLElementTagNameMap>(
+  tag: K,
+  attributes: Record<string, string | number | boolean> = {},
+  ...children: (Node | string)[]
+): HTMLElementTagNameMap[K] {
+  const made = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) {
+    if (value !== false) made.setAttribute(name, value === true ? "" : String(value));
+  }
+  made.append(...children);
+  return made;
+}

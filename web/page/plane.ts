@@ -1,0 +1,557 @@
+// The Plane panel: which orbits a grazing bifurcation gives birth to, over (a₁, a₂), over λ, or over (s, r).
+//
+// Everything decided comes from the program (web/src/plane.rs); here it is asked for, drawn and worded.
+
+import { Exact } from "./exact";
+import { COLOURS, colour, type Context, element, type Panel } from "./panel";
+import { CASES, mix, MOST, onScale, spread } from "./plane-colours";
+import { minus, type Place, type PointFacts, REGIONS, said } from "./plane-words";
+import { type Layer, type Options, type Origin, Plot, type View } from "./plot";
+
+type Chart = "plane" | "disc" | "strip";
+type Colouring = "case" | "word" | "entropy";
+
+/** One item of the answer of `plane_view`. */
+interface Area {
+  kind: "area" | "more" | "undecided";
+  n: number;
+  m: number;
+  case: string;
+  shape: number[];
+  edges: number[][];
+  letters?: string;
+  periods?: number[];
+  entropy?: number | "none";
+}
+
+interface Areas {
+  origin: { x: string; y: string };
+  areas: Area[];
+  finer: number;
+  cut: number;
+  open: number;
+}
+
+const CHARTS: Record<Chart, { name: string; options: Options }> = {
+  plane: {
+    name: "(a₁, a₂): trace and determinant",
+    options: { xLabel: "a₁", yLabel: "a₂", home: home("0", "1/2", 4.4, 1.1) },
+  },
+  disc: {
+    name: "λ: the upper half of the disc",
+    options: { xLabel: "re λ", yLabel: "im λ", equal: true, home: home("0", "1/2", 2.1, 1.08) },
+  },
+  strip: {
+    name: "(s, r): angle and modulus",
+    options: { xLabel: "s", yLabel: "r", home: home("1/4", "1/2", 0.52, 1.06) },
+  },
+};
+
+/** The most areas while the view moves, and once it rests. */
+const FEW = 100;
+const ALL = 1200;
+
+function home(x: string, y: string, width: number, height: number): View {
+  return { x: Exact.parse(x), y: Exact.parse(y), width, height };
+}
+
+class PlanePanel implements Panel {
+  readonly id = "plane";
+  readonly title = "Plane";
+  private context!: Context;
+  private plot!: Plot;
+  private chart: Chart = "plane";
+  private colouring: Colouring = "case";
+  private place: Place | null = null;
+  private answer: Areas | null = null;
+  /** The view that the picture was made for. */
+  private shown: View | null = null;
+  private asked = 0;
+  private pause: ReturnType<typeof setTimeout> | undefined;
+  private fields!: {
+    chart: HTMLSelectElement;
+    colouring: HTMLSelectElement;
+    sign: HTMLSelectElement;
+    gamma: HTMLSelectElement;
+    last: HTMLInputElement;
+    only: HTMLInputElement;
+    kind: HTMLSelectElement;
+    first: HTMLInputElement;
+    second: HTMLInputElement;
+    width: HTMLInputElement;
+  };
+  private labels!: { first: HTMLSpanElement; second: HTMLSpanElement };
+  private status!: HTMLElement;
+  private problem!: HTMLElement;
+  private legend!: HTMLElement;
+  private facts!: HTMLElement;
+  private chosen!: HTMLElement;
+
+  mount(root: HTMLElement, context: Context): void {
+    this.context = context;
+    const select = (options: Record<string, string>, name: string) => {
+      const made = element("select", { "aria-label": name });
+      for (const [value, text] of Object.entries(options)) made.append(element("option", { value }, text));
+      return made;
+    };
+    const input = (value: string, size: number, mode = "text") =>
+      element("input", { value, size, type: "text", inputmode: mode, spellcheck: false, autocomplete: "off" });
+    const names = Object.fromEntries(Object.entries(CHARTS).map(([id, { name }]) => [id, name]));
+    this.fields = {
+      chart: select(names, "Chart"),
+      colouring: select({ case: "case", word: "word", entropy: "entropy" }, "Colour by"),
+      sign: select({ "+": "eµ > 0", "-": "eµ < 0" }, "Sign of eµ"),
+      gamma: select({ "+": "γ > 0", "-": "γ < 0" }, "Sign of γ"),
+      last: input("20", 7, "numeric"),
+      only: element("input", { type: "checkbox" }),
+      kind: select({ plane: "a₁, a₂", polar: "r, s" }, "Coordinates"),
+      first: input("", 18),
+      second: input("", 18),
+      width: input("", 8),
+    };
+    this.labels = { first: element("span", {}, "a₁"), second: element("span", {}, "a₂") };
+    const { fields, labels } = this;
+    const button = (text: string, act: () => void, attributes = {}) => {
+      const made = element("button", { type: "button", ...attributes }, text);
+      made.addEventListener("click", act);
+      return made;
+    };
+    const row = (...children: (Node | string)[]) => element("div", { class: "row" }, ...children);
+    const view = row(
+      element("label", {}, "Chart", fields.chart),
+      element("label", {}, "Periods up to N =", fields.last),
+      element("label", {}, fields.only, "period N alone"),
+      fields.sign,
+      element("label", {}, "Colour by", fields.colouring),
+      fields.gamma,
+    );
+    const form = element(
+      "form",
+      { class: "row" },
+      element("label", {}, "Point", fields.kind),
+      element("label", {}, labels.first, fields.first),
+      element("label", {}, labels.second, fields.second),
+      element("label", {}, "width of the view", fields.width),
+      element("button", { type: "submit", class: "first" }, "Go"),
+    );
+    form.addEventListener("submit", (event) => {
+      event.preventDefault();
+      void this.go();
+    });
+    const canvas = element("canvas", { id: "plane-canvas", class: "plot" });
+    this.status = element("p", { class: "muted", id: "plane-status" });
+    this.problem = element("p", { class: "notice bad", role: "alert", hidden: true });
+    this.legend = element("div", { class: "row", id: "plane-legend" });
+    this.facts = element("div", { id: "plane-facts" });
+    this.chosen = element("div", { id: "plane-chosen" });
+    const tools = row(
+      button("Zoom in", () => this.plot.zoom(0.5)),
+      button("Zoom out", () => this.plot.zoom(2)),
+      button("Show all", () => this.plot.reset()),
+      button("Save SVG", () => context.save(this.file("svg"), "image/svg+xml", this.plot.toSVG())),
+      button("Save PDF", () => context.save(this.file("pdf"), "application/pdf", this.plot.toPDF())),
+      button("Save data", () => context.save(this.file("csv"), "text/csv", this.plot.toCSV())),
+    );
+    root.append(
+      view,
+      form,
+      this.problem,
+      element("div", { class: "split" }, element("div", {}, canvas, this.legend, this.status, tools), element("div", {}, this.chosen, this.facts)),
+    );
+    this.plot = new Plot(canvas, { ...CHARTS[this.chart].options, description: this.described() });
+    this.plot.onView(() => this.refresh());
+    this.plot.onHover((point) => {
+      if (point === null || this.place !== null) return;
+      void this.explain(this.placeAt(point), false);
+    });
+    this.plot.onClick((point) => this.choose(this.placeAt(point)));
+    new ResizeObserver(() => this.refresh()).observe(canvas);
+    document.addEventListener(COLOURS, () => this.paint());
+    const changed = (what: () => void) => () => {
+      what();
+      this.refresh();
+    };
+    fields.chart.addEventListener("change", () => void this.setChart(fields.chart.value as Chart));
+    fields.colouring.addEventListener("change", changed(() => (this.colouring = fields.colouring.value as Colouring)));
+    for (const field of [fields.sign, fields.gamma, fields.last, fields.only]) {
+      field.addEventListener("change", changed(() => {}));
+    }
+    fields.kind.addEventListener("change", () => this.nameCoordinates());
+    this.choose(null);
+    this.refresh();
+  }
+
+  restore(state: URLSearchParams): void {
+    const { fields } = this;
+    const chart = state.get("chart");
+    const take = (field: HTMLSelectElement, key: string) => {
+      const value = state.get(key);
+      if (value !== null && [...field.options].some((option) => option.value === value)) field.value = value;
+    };
+    take(fields.colouring, "colour");
+    take(fields.sign, "sign");
+    take(fields.gamma, "gamma");
+    this.colouring = fields.colouring.value as Colouring;
+    if (state.has("n")) fields.last.value = state.get("n")!;
+    fields.only.checked = state.get("only") === "1";
+    if (chart !== null && chart in CHARTS && chart !== this.chart) this.useChart(chart as Chart);
+    void this.restorePlace(state).catch((error: unknown) => this.complain(error));
+  }
+
+  /** An exact number as the command line reads it. */
+  private async number(text: string): Promise<Exact> {
+    return Exact.parse((await this.context.compute("number", text.replaceAll("−", "-"))).exact);
+  }
+
+  private async restorePlace(state: URLSearchParams): Promise<void> {
+    const exact = (key: string) => this.number(state.get(key) ?? "");
+    if (state.has("x") && state.has("y")) {
+      const size = (key: string, other: number) => {
+        const value = Number(state.get(key));
+        return value > 0 && Number.isFinite(value) ? value : other;
+      };
+      const { width, height } = this.plot.view;
+      const centre = { x: await exact("x"), y: await exact("y") };
+      this.plot.setView({ ...centre, width: size("w", width), height: size("h", height) });
+    }
+    const place = state.has("a1")
+      ? { a1: await exact("a1"), a2: await exact("a2") }
+      : state.has("r")
+        ? { r: await exact("r"), s: await exact("s") }
+        : null;
+    if (place) await this.choosePlace(place, state.has("x") ? "mark" : "show");
+    this.refresh();
+  }
+
+  private file(ending: string): string {
+    return `grazing-${this.chart}.${ending}`;
+  }
+
+  private described(): string {
+    const signs = this.fields.sign.value === "+" ? "e mu > 0" : "e mu < 0";
+    return `Areas in which orbits of each period exist, ${signs}, in the chart ${CHARTS[this.chart].name}`;
+  }
+
+  private complain(error: unknown): void {
+    this.problem.hidden = error === null;
+    this.problem.textContent = error === null ? "" : minus(error instanceof Error ? error.message : String(error));
+  }
+
+  private useChart(chart: Chart): void {
+    this.chart = chart;
+    this.fields.chart.value = chart;
+    this.answer = null;
+    this.shown = null;
+    this.plot.anchor = null;
+    this.plot.setMarks([]);
+    this.plot.setOptions({ ...CHARTS[chart].options, description: this.described() });
+    this.plot.reset();
+  }
+
+  private async setChart(chart: Chart): Promise<void> {
+    this.useChart(chart);
+    if (this.place) await this.mark(this.place, "mark");
+    this.refresh();
+  }
+
+  private nameCoordinates(): void {
+    const polar = this.fields.kind.value === "polar";
+    this.labels.first.textContent = polar ? "r" : "a₁";
+    this.labels.second.textContent = polar ? "s" : "a₂";
+  }
+
+  /** The exact point at a place of the chart. */
+  private placeAt({ x, y }: Origin): Place {
+    if (this.chart === "strip") return { r: y, s: x };
+    if (this.chart === "plane") return { a1: x, a2: y };
+    return { a1: x.add(x), a2: x.mul(x).add(y.mul(y)) };
+  }
+
+  private request(place: Place): Record<string, string> {
+    return Object.fromEntries(Object.entries(place).map(([key, value]) => [key, value.toString()]));
+  }
+
+  /** Goes to the point of the text fields. */
+  private async go(): Promise<void> {
+    const { fields } = this;
+    try {
+      const [first, second] = [await this.number(fields.first.value), await this.number(fields.second.value)];
+      const place = fields.kind.value === "polar" ? { r: first, s: second } : { a1: first, a2: second };
+      let width: number | undefined;
+      if (fields.width.value.trim() !== "") {
+        width = (await this.number(fields.width.value)).toNumber();
+        if (!(width > 0)) throw new RangeError("the width of the view is above 0");
+      }
+      this.complain(null);
+      await this.choosePlace(place, "go", width);
+    } catch (error) {
+      this.complain(error);
+    }
+  }
+
+  private choose(place: Place | null, how: "mark" | "show" = "mark"): void {
+    void this.choosePlace(place, how).catch((error: unknown) => this.complain(error));
+  }
+
+  /** Chooses a point, or none: it is marked and explained, and the link leads to it. */
+  private async choosePlace(place: Place | null, how: "mark" | "show" | "go", width?: number): Promise<void> {
+    this.place = place;
+    this.chosen.replaceChildren();
+    if (place === null) {
+      this.plot.setMarks([]);
+      this.plot.anchor = null;
+      this.facts.replaceChildren(
+        element("p", { class: "muted" }, "Point at a place to see which orbits exist there and why; click to keep it."),
+      );
+      this.link();
+      return;
+    }
+    const polar = "r" in place;
+    const [first, second] = polar ? [place.r, place.s] : [place.a1, place.a2];
+    this.fields.kind.value = polar ? "polar" : "plane";
+    this.nameCoordinates();
+    this.fields.first.value = first.toString();
+    this.fields.second.value = second.toString();
+    const make = element("button", { type: "button", class: "first" }, "Certificate, made and checked");
+    make.addEventListener("click", () => void this.certify(place, make));
+    const let_go = element("button", { type: "button" }, "Let go");
+    let_go.addEventListener("click", () => this.choose(null));
+    this.link();
+    this.chosen.append(element("div", { class: "row" }, make, let_go));
+    await this.explain(place, true);
+    await this.mark(place, how, width);
+    this.link();
+  }
+
+  /** Marks a point in the chart; moves there if it is out of sight, or if that is asked for. */
+  private async mark(place: Place, how: "mark" | "show" | "go", width?: number): Promise<void> {
+    const seen = this.plot.visible();
+    const depth = Math.max(0, -Math.log2(Math.min(seen.width, seen.height, width ?? 1)));
+    const request = { ...this.request(place), chart: this.chart, bits: Math.ceil(depth) + 300 };
+    let found: { x: string; y: string; exact: boolean };
+    try {
+      found = await this.context.compute("plane_place", JSON.stringify(request));
+    } catch (error) {
+      this.plot.setMarks([]);
+      this.plot.anchor = null;
+      if (how === "go") throw error;
+      return;
+    }
+    const at = { x: Exact.parse(found.x), y: Exact.parse(found.y) };
+    this.plot.setMarks([{ at, colour: "var(--text)" }]);
+    this.plot.anchor = at;
+    const away = (a: Exact, b: Exact, size: number) => Math.abs(a.sub(b).toNumber()) > size / 2;
+    const out = away(at.x, seen.x, seen.width) || away(at.y, seen.y, seen.height);
+    if (how === "go" || (how === "show" && out)) {
+      const factor = width === undefined ? 1 : width / seen.width;
+      this.plot.setView({ ...at, width: seen.width * factor, height: seen.height * factor });
+    }
+  }
+
+  private async certify(place: Place, button: HTMLButtonElement): Promise<void> {
+    button.disabled = true;
+    this.complain(null);
+    this.context.announce("Making the certificate");
+    try {
+      const made = await this.context.compute("plane_certificate", JSON.stringify(this.request(place)));
+      if (typeof made.certificate === "string") this.context.openCheck(made.certificate);
+      else this.complain(new Error(`Undecided: no certificate was found. ${made.undecided}`));
+    } catch (error) {
+      this.complain(error);
+    } finally {
+      button.disabled = false;
+    }
+  }
+
+  private link(): void {
+    const { fields, plot } = this;
+    const { x, y, width, height } = plot.view;
+    const state: Record<string, string> = {
+      chart: this.chart,
+      n: fields.last.value,
+      sign: fields.sign.value,
+      colour: fields.colouring.value,
+      x: x.toString(),
+      y: y.toString(),
+      w: String(width),
+      h: String(height),
+    };
+    if (this.colouring === "entropy") state.gamma = fields.gamma.value;
+    if (fields.only.checked) state.only = "1";
+    if (this.place) Object.assign(state, this.request(this.place));
+    this.context.permalink(state);
+  }
+
+  /** Asks for what the view shows: little while it moves, all of it once it rests. */
+  private refresh(): void {
+    this.fields.gamma.hidden = this.colouring !== "entropy";
+    this.status.dataset.full = "false";
+    // A picture made for a view much wider says nothing true of a narrow one: better none until there is a new one.
+    const seen = this.plot.visible();
+    if (this.shown !== null && (this.shown.width > 8 * seen.width || this.shown.height > 8 * seen.height)) {
+      this.shown = null;
+      this.plot.setLayers([]);
+    }
+    void this.ask(FEW);
+    clearTimeout(this.pause);
+    this.pause = setTimeout(() => {
+      void this.ask(ALL);
+      this.link();
+    }, 200);
+  }
+
+  private async ask(limit: number): Promise<void> {
+    const { fields, plot } = this;
+    const canvas = document.getElementById("plane-canvas")!;
+    if (canvas.clientWidth === 0) return;
+    const last = Number(fields.last.value);
+    if (!Number.isInteger(last) || last < 1 || last > 10_000_000) {
+      this.complain(new Error(`N = ${fields.last.value}: a whole number from 1 to 10000000`));
+      return;
+    }
+    const seen = plot.visible();
+    const margin = 1.3;
+    const request = {
+      chart: this.chart,
+      x: seen.x.toString(),
+      y: seen.y.toString(),
+      width: seen.width * margin,
+      height: seen.height * margin,
+      pixels_x: canvas.clientWidth * margin,
+      pixels_y: canvas.clientHeight * margin,
+      max_n: last,
+      only: fields.only.checked ? last : null,
+      sign: fields.sign.value,
+      gamma: fields.gamma.value,
+      words: this.colouring !== "case",
+      limit,
+    };
+    const asked = ++this.asked;
+    const chart = this.chart;
+    canvas.setAttribute("aria-busy", "true");
+    try {
+      const answer: Areas | null = await this.context.latest("plane_view", JSON.stringify(request));
+      if (answer === null || chart !== this.chart) return;
+      this.answer = answer;
+      this.shown = seen;
+      this.complain(null);
+      this.paint();
+      this.report(answer, seen);
+      this.status.dataset.full = String(limit === ALL && asked === this.asked);
+    } catch (error) {
+      this.complain(error);
+    } finally {
+      if (asked === this.asked) {
+        canvas.removeAttribute("aria-busy");
+        if (!this.problem.hidden && limit === ALL) this.status.dataset.full = "true";
+      }
+    }
+  }
+
+  private report({ areas, finer, cut, open }: Areas, seen: View): void {
+    const count = (kind: string) => areas.filter((area) => area.kind === kind).length;
+    const parts = [`${count("area")} areas drawn`, `view ${Number(seen.width.toPrecision(2))} wide`];
+    if (finer > 0) parts.push(`${finer} smaller than a pixel left out`);
+    if (cut > 0) parts.push(`${cut} left hatched: zoom in`);
+    if (open > 0) parts.push(`${open} undecided`);
+    this.status.textContent = `${minus(parts.join("; "))}.`;
+  }
+
+  /** The fill of an area, or null where nothing is claimed. */
+  private fill(area: Area): string | null {
+    const paper = colour("background");
+    if (area.kind !== "area") return null;
+    if (this.colouring === "case") return mix(paper, colour(CASES[area.case] ?? "c7"), 0.42);
+    if (this.fields.only.checked) return mix(paper, colour(CASES[area.case] ?? "c7"), 0.42);
+    if (area.letters === undefined) return area.n === 1 ? paper : null;
+    if (this.colouring === "word") return mix(paper, onScale(spread(area.letters)), 0.75);
+    if (area.entropy === undefined) return null;
+    if (area.entropy === "none") return paper;
+    return onScale(area.entropy / MOST);
+  }
+
+  /** Draws the last answer in the present colours. */
+  private paint(): void {
+    if (!this.answer || !this.shown) return;
+    const { origin, areas } = this.answer;
+    const [paper, muted, bad] = [colour("background"), colour("muted"), colour("bad")];
+    const layers: Layer[] = [];
+    const edges = new Map<string, number[]>();
+    for (const area of areas) {
+      const xy = Float64Array.from(area.shape);
+      const fill = this.fill(area);
+      const name = area.letters ?? `${area.n}`;
+      const label = `${area.kind} n=${area.n} m=${area.m} ${area.case} ${name}`;
+      layers.push({ kind: "polygon", xy, colour: fill ?? paper, label });
+      if (fill === null) {
+        layers.push({ kind: "polygon", xy, colour: area.kind === "undecided" ? bad : muted, hatch: true, opacity: 0.8, label });
+      }
+      const ink = this.colouring === "case" ? (CASES[area.case] ?? "c7") : "text";
+      const line = edges.get(ink) ?? [];
+      for (const edge of area.edges) line.push(...edge, NaN, NaN);
+      edges.set(ink, line);
+    }
+    for (const [ink, line] of edges) {
+      layers.push({ kind: "curve", xy: Float64Array.from(line), colour: colour(ink), width: 0.8, label: `edges ${ink}` });
+    }
+    this.plot.setLayers(layers, { x: Exact.parse(origin.x), y: Exact.parse(origin.y) });
+    this.explainColours(areas);
+  }
+
+  private explainColours(areas: Area[]): void {
+    const sample = (background: string, text: string, hatched = false) => {
+      const box = element("span", { class: "sample" });
+      box.style.background = hatched
+        ? `repeating-linear-gradient(135deg, ${background} 0 1px, transparent 1px 4px)`
+        : background;
+      return element("span", { class: "key" }, box, text);
+    };
+    const paper = colour("background");
+    const keys: HTMLElement[] = [];
+    if (this.colouring === "case" || this.fields.only.checked) {
+      const one = this.fields.only.checked;
+      for (const [name, ink] of Object.entries(CASES)) {
+        if (areas.some((area) => area.kind === "area" && area.case === name)) {
+          const text = one ? `orbit in case ${minus(name)}` : `innermost area: case ${minus(name)}`;
+          keys.push(sample(mix(paper, colour(ink), 0.42), text));
+        }
+      }
+      if (one) keys.push(sample(paper, "no orbit of this period"));
+    } else if (this.colouring === "entropy") {
+      keys.push(sample(paper, "no pattern"));
+      for (const share of [0, 0.25, 0.5, 0.75, 1]) {
+        keys.push(sample(onScale(share), `entropy ${(share * MOST).toFixed(2)}`));
+      }
+    } else {
+      keys.push(element("span", {}, "one colour for each word"));
+    }
+    if (areas.some((area) => this.fill(area) === null && area.kind !== "undecided")) {
+      keys.push(sample(colour("muted"), "more periods occur: beyond N, or not drawn", true));
+    }
+    if (areas.some((area) => area.kind === "undecided")) keys.push(sample(colour("bad"), "undecided", true));
+    this.legend.replaceChildren(...keys);
+  }
+
+  /** Says what is true at a point. */
+  private async explain(place: Place, aloud: boolean): Promise<void> {
+    const request = JSON.stringify({ ...this.request(place), max_n: 12 });
+    let facts: PointFacts | null;
+    try {
+      facts = aloud
+        ? await this.context.compute("plane_point", request)
+        : await this.context.latest("plane_point", request);
+    } catch (error) {
+      this.facts.replaceChildren(element("p", { class: "muted" }, minus(error instanceof Error ? error.message : String(error))));
+      return;
+    }
+    // Dropped for a later one, or a point was chosen in the meantime.
+    if (facts === null || (!aloud && this.place !== null)) return;
+    this.facts.replaceChildren(...said(place, facts));
+    if (aloud) {
+      const words = facts.words.map((word) => `e mu ${word.sign_emu > 0 ? "> 0" : "< 0"}: periods ${word.periods.join(", ")}`);
+      this.context.announce(`${REGIONS[facts.region] ?? ""}. ${words.join(". ")}`);
+    }
+  }
+}
+
+export const plane: Panel = new PlanePanel();
