@@ -1,0 +1,57 @@
+"""Proofs and computations for periodic orbits in grazing bifurcations of impact oscillators.
+
+The functions are those of the command line ``grazing``: :func:`check`, :func:`verify`, :func:`intervals`,
+:func:`classify` (:func:`classify_many` for arrays), :func:`word`, :func:`evaluate`, :func:`boundary`,
+:func:`existence`, :func:`fuzz`; and :class:`Scene` for oscillators and machines. Numbers are exact: ``int``,
+``Fraction``, ``Decimal``, or text such as ``"3/8+2^-200"``. Work that ends in a proof, or not, gives an
+:class:`Outcome`, which is never a bool.
+
+>>> import grazing
+>>> [str(i.left) for i in grazing.intervals(5)]
+['0', '1/10', '1/5', '1/3', '2/5']
+>>> grazing.classify(r="0.95", s="3/8")[4].verdict
+'orbit'
+"""
+
+from pathlib import Path as _Path
+
+from ._errors import (
+    Error,
+    FileError,
+    GrazingWarning,
+    InputError,
+    InternalError,
+    InterruptedWork,
+    MissingPackageError,
+    NumberOverflowError,
+)
+from ._grazing import __version__
+from ._outcomes import Done, Failed, NothingFound, Outcome, Pending, Proved, Record, Refuted, Undecided
+from ._places import (
+    Case,
+    Classification,
+    Existence,
+    Value,
+    Word,
+    WordCase,
+    WordReport,
+    classify,
+    classify_many,
+    evaluate,
+    word,
+)
+from ._proofs import Edge, Interval, Intervals, boundary, check, intervals, verify
+from ._scene import EVENT_KINDS, End, Motions, Run, Scene, Task, TaskReport
+from ._theory import FuzzReport, PatternReport, existence, fuzz
+
+#: The style of the project's figures: ``matplotlib.pyplot.style.use(grazing.STYLE)``.
+STYLE = str(_Path(__file__).with_name("grazing.mplstyle"))
+
+__all__ = [
+    "Case", "Classification", "Done", "EVENT_KINDS", "Edge", "End", "Error", "Existence", "Failed", "FileError",
+    "FuzzReport", "GrazingWarning", "InputError", "InternalError", "InterruptedWork", "Interval", "Intervals",
+    "MissingPackageError", "Motions", "NothingFound", "NumberOverflowError", "Outcome", "PatternReport",
+    "Pending", "Proved", "Record", "Refuted", "Run", "STYLE", "Scene", "Task", "TaskReport", "Undecided",
+    "Value", "Word", "WordCase", "WordReport", "__version__", "boundary", "check", "classify", "classify_many",
+    "evaluate", "existence", "fuzz", "intervals", "verify", "word",
+]

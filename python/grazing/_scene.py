@@ -1,0 +1,357 @@
+"""Scenes: an oscillator or a machine, what to do with it, and what came of it."""
+
+from __future__ import annotations
+
+import enum
+import json
+import os
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from fractions import Fraction
+from typing import Any, overload
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _grazing
+from ._arguments import Exact, natural, toml_source
+from ._errors import FileError, InputError, refused
+from ._frames import frame
+from ._outcomes import Done, Failed, NothingFound, Outcome, Pending, Proved, Record, Refuted, Undecided
+from ._progress import Progress, shown
+
+#: What the numbers of ``data.event_kind`` mean.
+EVENT_KINDS = ("impact", "tangency", "stick", "release", "touch")
+
+
+@dataclass(frozen=True)
+class Task:
+    """A task of a scene."""
+
+    name: str
+    #: What it does: ``"simulate"``, ``"section"``, ``"grazing"``, …: see docs/scenes.md.
+    kind: str
+    #: The name it shares with others, for ``only``.
+    group: str | None
+    #: The parameter values that it has in place of the scene's.
+    set: Mapping[str, Fraction]
+
+
+@dataclass(frozen=True)
+class TaskReport:
+    """What a task came to. ``print(report)`` shows what the command line prints."""
+
+    task: str
+    kind: str
+    #: Never a bool. :class:`Done` is floating point; only tasks of kind ``validate`` and ``chaos`` prove.
+    outcome: Outcome
+    #: The parameters' values, exactly.
+    parameters: Mapping[str, Fraction]
+    #: Named numbers and tables, as in the command line's JSON (docs/formats.md).
+    findings: Record = field(repr=False)
+    #: Arrays, by kind of task; times are in forcing periods. simulate: ``time``, ``q``, ``u`` (T,), of machines
+    #: ``q``, ``u`` (T, N); ``event_time``, ``event_kind`` (see EVENT_KINDS), ``event_place`` (0 the lower wall,
+    #: 1 the upper; the stop's number), ``event_value`` (velocity before the impact; gap; time left out).
+    #: section: ``points`` (P, 2), ``attractor`` (P,), from 0; of orbits −1, −2, …. basins: ``q``, ``u``,
+    #: ``cells`` (rows, columns), places in ``findings.basins``. diagram: ``value``, ``points`` (P, 2),
+    #: ``motion``, ``period`` (0: not periodic). map: ``first``, ``second``, ``period`` (0: not periodic, −1:
+    #: ended), ``impacts``, ``exponent`` (NaN: none), each (rows, columns).
+    data: Record = field(repr=False)
+    #: Certificates by file name: ``grazing.check(text)`` proves them again.
+    certificates: Mapping[str, str] = field(repr=False)
+    #: All points of branches, of tasks of kind branch.
+    rows: Sequence[Record] = field(repr=False)
+    #: What a reader should know before trusting the numbers.
+    warnings: tuple[str, ...]
+    #: How often what was computed: docs/effects.md.
+    effects: Mapping[str, int] = field(repr=False)
+    #: The report as text.
+    text: str = field(repr=False)
+
+    def __str__(self) -> str:
+        return self.text.rstrip("\n")
+
+    def frame(self, name: str | None = None) -> Any:
+        """A pandas frame of a table of the findings, as ``report.frame("orbits")``; of all points of branches
+        without a name."""
+        if name is None:
+            return frame(self.rows)
+        tables = [key for key, value in self.findings.items() if isinstance(value, list)]
+        if name not in tables:
+            raise InputError(f"task {self.task} has no table {name!r}; there is {', '.join(tables) or 'none'}")
+        return frame(self.findings[name])
+
+
+class Run(Sequence[TaskReport]):
+    """The reports of a scene's tasks, by place and by name."""
+
+    def __init__(self, reports: Iterable[TaskReport]) -> None:
+        self._reports = tuple(reports)
+
+    def __len__(self) -> int:
+        return len(self._reports)
+
+    @overload
+    def __getitem__(self, index: int | str) -> TaskReport: ...
+    @overload
+    def __getitem__(self, index: slice) -> tuple[TaskReport, ...]: ...
+    def __getitem__(self, index: int | str | slice) -> TaskReport | tuple[TaskReport, ...]:
+        if not isinstance(index, str):
+            return self._reports[index]
+        for report in self._reports:
+            if report.task == index:
+                return report
+        raise KeyError(f"{index!r}; there is {', '.join(report.task for report in self._reports)}")
+
+    def __repr__(self) -> str:
+        lines = [f"  {r.task} ({r.kind}): {type(r.outcome).__name__}" for r in self._reports]
+        return "\n".join([f"<Run: {len(self)} tasks>", *lines])
+
+    def __str__(self) -> str:
+        return "\n".join(map(str, self._reports))
+
+    @property
+    def outcome(self) -> Outcome:
+        """The worst of all: refuted, failed, pending, undecided, nothing found, done, proved."""
+        order = (Refuted, Failed, Pending, Undecided, NothingFound, Done, Proved)
+        outcomes = [report.outcome for report in self._reports]
+        return min(outcomes, key=lambda outcome: order.index(type(outcome)), default=Done("no task"))
+
+
+class End(enum.IntEnum):
+    """How a motion of :meth:`Scene.simulate` ended."""
+
+    #: It was followed to the end.
+    REACHED = 0
+    IMPACT_LIMIT = 1
+    #: It left every bound.
+    ESCAPED = 2
+    #: Its force is not smooth there.
+    NOT_SMOOTH = 3
+    #: Its start is behind a wall, so that it has no motion.
+    BEHIND_A_WALL = 4
+
+
+@dataclass(frozen=True)
+class Motions:
+    """Many motions on a stroboscopic section."""
+
+    #: (q, u) of motion i at record j: float64 of shape (N, records, 2), NaN where a motion did not come.
+    points: npt.NDArray[np.float64] = field(repr=False)
+    #: Impacts of each after the transient: uint64 of shape (N,).
+    impacts: npt.NDArray[np.uint64] = field(repr=False)
+    #: How each ended, as :class:`End`: uint8 of shape (N,).
+    ends: npt.NDArray[np.uint8] = field(repr=False)
+    #: The forcing periods of the records, counted from the start: int64 of shape (records,).
+    periods: npt.NDArray[np.int64] = field(repr=False)
+
+    def __repr__(self) -> str:
+        ended = {End(code).name: int(count) for code, count in zip(*np.unique(self.ends, return_counts=True))}
+        return f"<Motions: {len(self.ends)} motions, {len(self.periods)} records, ends {ended}>"
+
+
+class Scene:
+    """An oscillator or a machine, and tasks.
+
+    ``Scene(source)`` takes a path to a TOML file, TOML text (with a line feed in it), or a dict of the same
+    keys (docs/scenes.md, docs/machines.md). In a dict a float means its shortest decimal, as in a file: 0.8 is
+    exactly 4/5; Fractions and Decimals are exact too. Where the dict has no ``format`` or ``title``, they are
+    ``"grazing-scene 1"`` and ``"a scene"``.
+
+    :raises InputError: with ``file``, ``line``, ``key``, ``value`` and the fix. Of a dict the line is that of
+        :attr:`text`, the TOML it stands for.
+    """
+
+    def __init__(self, source: str | os.PathLike[str] | Mapping[str, Any]) -> None:
+        text, name = toml_source(source, {"format": "grazing-scene 1", "title": "a scene"})
+        self._scene = _grazing.Scene.from_toml(text, name)
+
+    @classmethod
+    def _of(cls, scene: _grazing.Scene) -> Scene:
+        self = cls.__new__(cls)
+        self._scene = scene
+        return self
+
+    @property
+    def title(self) -> str:
+        return self._scene.title
+
+    @property
+    def text(self) -> str:
+        """The TOML text that it was read from."""
+        return self._scene.text
+
+    @property
+    def parameters(self) -> dict[str, Fraction]:
+        """The parameters' values, exactly."""
+        return dict(self._scene.parameters)
+
+    @property
+    def tasks(self) -> tuple[Task, ...]:
+        return tuple(Task(name, kind, group, dict(set_)) for name, group, kind, set_ in self._scene.tasks)
+
+    def __repr__(self) -> str:
+        kind = "machine" if self._scene.is_machine else "oscillator"
+        values = ", ".join(f"{name} = {value}" for name, value in self.parameters.items())
+        tasks = ", ".join(task.name for task in self.tasks)
+        return f"<Scene {self.title!r}: {kind}; {values or 'no parameters'}; tasks: {tasks or 'none'}>"
+
+    def with_parameters(self, **values: Exact) -> Scene:
+        """The same scene with other values of some parameters, as exact numbers."""
+        return Scene._of(self._scene.with_parameters(list(values.items())))
+
+    def run(
+        self, only: str | Iterable[str] | None = None, *, set: Mapping[str, Exact] | None = None,
+        folder: str | os.PathLike[str] | None = None, progress: Progress = None,
+    ) -> Run:
+        """Run the tasks, all or those named (or of a group that is named), in their order.
+
+        All are checked before the first begins. A task that fails does not end the rest: see its outcome. What
+        ``set`` gives is the parameters' values in every task. In ``folder`` long tasks keep checkpoints, from
+        which the same call goes on after an interruption; nothing else is written.
+
+        :raises KeyboardInterrupt: on Ctrl-C, within a second; its attribute ``reports`` has the reports of
+            the tasks that were done.
+        """
+        done: list[TaskReport] = []
+        try:
+            for report in self.each(only, set=set, folder=folder, progress=progress):
+                done.append(report)
+        except KeyboardInterrupt as interrupt:
+            interrupt.reports = tuple(done)  # type: ignore[attr-defined]
+            raise
+        return Run(done)
+
+    def each(
+        self, only: str | Iterable[str] | None = None, *, set: Mapping[str, Exact] | None = None,
+        folder: str | os.PathLike[str] | None = None, progress: Progress = None,
+    ) -> Iterator[TaskReport]:
+        """As :meth:`run`, each report as soon as its task is done."""
+        chosen = self._chosen(only)
+        changes = list((set or {}).items())
+        where = None if folder is None else os.fspath(folder)
+        if where is not None:
+            try:
+                os.makedirs(where, exist_ok=True)
+            except OSError as error:
+                raise refused("make the folder", where, error) from error
+        for index in chosen:
+            self._scene.check(index, changes)
+        for index in chosen:
+            with shown(progress) as bar:
+                answer = self._scene.run(index, changes, where, bar)
+            yield _report(*answer)
+
+    def _chosen(self, only: str | Iterable[str] | None) -> list[int]:
+        tasks = self.tasks
+        if not tasks:
+            raise InputError(f"{self._scene.name} has no [[tasks]]: nothing to do")
+        if only is None:
+            return list(range(len(tasks)))
+        names = [only] if isinstance(only, str) else list(only)
+        for name in names:
+            if not any(name in (task.name, task.group) for task in tasks):
+                known = ", ".join(task.name for task in tasks)
+                raise InputError(f"only = {name!r}: {self._scene.name} has the tasks {known}")
+        return [i for i, task in enumerate(tasks) if task.name in names or task.group in names]
+
+    def simulate(
+        self, starts: npt.ArrayLike, periods: int, *, transient: int = 0, every: int = 1, phase: float = 0.0,
+        parameters: Mapping[str, npt.ArrayLike] | None = None, progress: Progress = None,
+    ) -> Motions:
+        """Follow many motions of an oscillator at once, on all cores, eight in a vector where it is linear.
+
+        :param starts: (q, u) of each: an array of shape (N, 2), read where it is if it is contiguous float64;
+            one pair is followed from for every value of ``parameters``.
+        :param periods: forcing periods that are recorded, after the transient: the points of periods 0,
+            ``every``, 2 ``every``, … are kept.
+        :param transient: forcing periods before the first record.
+        :param phase: where motions start and are looked at, as a fraction of the forcing period.
+        :param parameters: for some parameters an array of N values (or one value for all): each motion then has a
+            system of its own. These are floats; the scene's others stay exact until they are rounded.
+
+        Each motion is, to the bit, that of the command line's simulation of one, and is floating point: no
+        proof.
+        """
+        every, transient = natural("every", every), natural("transient", transient)
+        if every == 0:
+            raise InputError("every = 0: from 1 up")
+        if not np.isfinite(phase):
+            raise InputError(f"phase = {phase}: a fraction of the forcing period")
+        first = np.ascontiguousarray(starts, dtype=np.float64)
+        if first.ndim == 1:
+            first = first.reshape(1, -1)
+        if first.ndim != 2 or first.shape[1] != 2:
+            raise InputError(f"starts have the shape {np.shape(starts)}: (N, 2), q and u of each motion")
+        names = list(parameters or {})
+        columns = [np.atleast_1d(np.asarray(value, np.float64)) for value in (parameters or {}).values()]
+        lengths = [len(first), *map(len, columns)]
+        count = max(lengths) if max(lengths) > 1 else min(lengths)
+        for name, column in zip(["starts", *names], [first, *columns]):
+            if len(column) not in (1, count) or (name != "starts" and column.ndim != 1):
+                raise InputError(f"{name} has the shape {column.shape}: one entry, or {count} as the longest has")
+            if name != "starts" and not np.isfinite(column).all():
+                raise InputError(f"{name} has values that are not finite")
+        if len(first) != count:
+            first = np.repeat(first, count, axis=0)
+        values = np.empty((count, len(names)))
+        for at, column in enumerate(columns):
+            values[:, at] = column
+        records = natural("periods", periods) // every + 1
+        points = np.empty((count, records, 2))
+        impacts, ends = np.empty(count, np.uint64), np.empty(count, np.uint8)
+        with shown(progress) as bar:
+            self._scene.simulate(
+                first, names, values, float(phase), transient, every, points, impacts, ends, bar
+            )
+        return Motions(points, impacts, ends, transient + every * np.arange(records))
+
+
+#: In a report's JSON, what does not belong to the findings.
+_COMMON = ("task", "kind", "status", "reason", "io", "place", "parameters", "warnings", "effects", "files")
+
+_PROOFS = ("validate", "chaos")
+
+
+def _report(
+    text: str,
+    shown: str,
+    arrays: dict[str, Any],
+    rows: str | None,
+    certificates: list[tuple[str, str]],
+    failed: tuple[str, int | None, bool] | None,
+) -> TaskReport:
+    report = json.loads(text)
+    findings = Record({name: value for name, value in report.items() if name not in _COMMON})
+    return TaskReport(
+        task=report["task"],
+        kind=report["kind"],
+        outcome=_outcome(report, failed),
+        parameters={name: Fraction(value) for name, value in report["parameters"].items()},
+        findings=findings,
+        data=Record(arrays),
+        certificates=dict(certificates),
+        rows=tuple(map(Record, json.loads(rows))) if rows else (),
+        warnings=tuple(report["warnings"]),
+        effects=report["effects"],
+        text=shown,
+    )
+
+
+def _outcome(report: dict[str, Any], failed: tuple[str, int | None, bool] | None) -> Outcome:
+    statement = f"task {report['task']} of kind {report['kind']}"
+    reason = report.get("reason") or ""
+    status = report["status"]
+    if failed is not None:
+        message, line, io = failed
+        kind = FileError if io else InputError
+        return Failed(statement, error=kind(message, file=report["place"]["file"], line=line))
+    if status == "done":
+        return Proved(statement) if report["kind"] in _PROOFS else Done(statement)
+    if status == "nothing-found":
+        return NothingFound(statement, reason=reason)
+    if status == "refuted":
+        return Refuted(statement, witness=reason)
+    if status == "undecided":
+        return Undecided(statement, budget=reason)
+    return Pending(statement, left=reason)

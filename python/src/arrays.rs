@@ -1,0 +1,235 @@
+//! What the findings of a task leave out of JSON, as NumPy arrays that take over the library's memory.
+
+use std::collections::BTreeMap;
+
+use grazing::{
+    Result,
+    machine::{MachineState, simulate::MachineEvent},
+    oscillator::{
+        Side, Time,
+        attractor::map::{MapCell, MapEnd},
+        flow::State,
+        simulate::Event,
+    },
+    run::{BasinsFindings, DiagramFindings, Findings, Job, Keeper, MapFindings, SectionFindings, SectionSet},
+};
+use numpy::{IntoPyArray, PyArrayMethods};
+use pyo3::{prelude::*, types::PyDict};
+
+/// An array of a result: its numbers row by row, and the lengths of its axes.
+pub enum Array {
+    Floats(Vec<f64>, Vec<usize>),
+    Whole(Vec<i64>, Vec<usize>),
+}
+
+/// All that is kept of a task beside its report: arrays and texts by name.
+#[derive(Default)]
+pub struct Data {
+    pub arrays: BTreeMap<&'static str, Array>,
+    /// Certificates: file and text.
+    pub certificates: Vec<(String, String)>,
+    /// Rows of a table, as JSON.
+    pub rows: Option<String>,
+}
+
+impl Data {
+    fn floats(&mut self, name: &'static str, numbers: Vec<f64>) {
+        let shape = vec![numbers.len()];
+        self.arrays.insert(name, Array::Floats(numbers, shape));
+    }
+
+    fn whole(&mut self, name: &'static str, numbers: Vec<i64>) {
+        let shape = vec![numbers.len()];
+        self.arrays.insert(name, Array::Whole(numbers, shape));
+    }
+
+    fn table(&mut self, name: &'static str, numbers: Vec<f64>, columns: usize) {
+        let rows = numbers.len().checked_div(columns).unwrap_or(0);
+        self.arrays.insert(name, Array::Floats(numbers, vec![rows, columns]));
+    }
+
+    /// As a dict: no number is copied.
+    pub fn into_dict<'py>(self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let dict = PyDict::new(py);
+        for (name, array) in self.arrays {
+            match array {
+                Array::Floats(numbers, shape) => {
+                    dict.set_item(name, numbers.into_pyarray(py).reshape(shape)?)?;
+                }
+                Array::Whole(numbers, shape) => {
+                    dict.set_item(name, numbers.into_pyarray(py).reshape(shape)?)?;
+                }
+            }
+        }
+        Ok(dict)
+    }
+}
+
+/// Collects a task's series, events and findings.
+#[derive(Default)]
+pub struct Collector {
+    pub data: Data,
+    time: Vec<f64>,
+    q: Vec<f64>,
+    u: Vec<f64>,
+    coordinates: usize,
+    event_time: Vec<f64>,
+    event_kind: Vec<i64>,
+    event_place: Vec<i64>,
+    event_value: Vec<f64>,
+}
+
+impl Collector {
+    fn happened(&mut self, time: Option<Time>, kind: i64, place: i64, value: f64) {
+        let Some(time) = time else { return };
+        self.event_time.push(time.periods());
+        self.event_kind.push(kind);
+        self.event_place.push(place);
+        self.event_value.push(value);
+    }
+
+    fn series(&mut self) {
+        let take = std::mem::take::<Vec<f64>>;
+        let width = self.coordinates;
+        let (time, q, u) = (take(&mut self.time), take(&mut self.q), take(&mut self.u));
+        self.data.floats("time", time);
+        if width == 0 {
+            self.data.floats("q", q);
+            self.data.floats("u", u);
+        } else {
+            self.data.table("q", q, width);
+            self.data.table("u", u, width);
+        }
+        let times = take(&mut self.event_time);
+        self.data.floats("event_time", times);
+        let values = take(&mut self.event_value);
+        self.data.floats("event_value", values);
+        let kinds = std::mem::take(&mut self.event_kind);
+        self.data.whole("event_kind", kinds);
+        let places = std::mem::take(&mut self.event_place);
+        self.data.whole("event_place", places);
+    }
+}
+
+impl Keeper for Collector {
+    fn sample(&mut self, time: Time, state: State) -> Result<()> {
+        self.time.push(time.periods());
+        self.q.push(state.q);
+        self.u.push(state.u);
+        Ok(())
+    }
+
+    fn event(&mut self, event: &Event) -> Result<()> {
+        let place = event.side().map_or(-1, |side| if side == Side::Lower { 0 } else { 1 });
+        let (kind, value) = match event {
+            Event::Impact(impact) => (0, impact.velocity),
+            Event::Tangency(tangency) => (1, tangency.gap),
+            Event::Stick(stick) => (2, stick.rest),
+            Event::Release(_) => (3, 0.0),
+            _ => return Ok(()),
+        };
+        self.happened(event.time(), kind, place, value);
+        Ok(())
+    }
+
+    fn machine_sample(&mut self, time: Time, state: &MachineState) -> Result<()> {
+        self.coordinates = state.q.len();
+        self.time.push(time.periods());
+        self.q.extend(state.q.iter());
+        self.u.extend(state.u.iter());
+        Ok(())
+    }
+
+    fn machine_event(&mut self, event: &MachineEvent) -> Result<()> {
+        let place = event.stop().map_or(-1, |stop| stop as i64);
+        let (kind, value) = match event {
+            MachineEvent::Impact(impact) => (0, impact.velocity),
+            MachineEvent::Tangency(tangency) => (1, tangency.gap),
+            MachineEvent::Stick(stick) => (2, stick.rest),
+            MachineEvent::Release(_) => (3, 0.0),
+            MachineEvent::Touch(touch) => (4, touch.velocity),
+            _ => return Ok(()),
+        };
+        self.happened(event.time(), kind, place, value);
+        Ok(())
+    }
+
+    fn keep(&mut self, _: &Job, findings: &Findings) -> Result<Vec<String>> {
+        let text = |rows: serde_json::Result<String>| rows.map_err(std::io::Error::other);
+        match findings {
+            Findings::Simulation(_) | Findings::MachineSimulation(_) => self.series(),
+            Findings::Section(found) => section(found, &mut self.data),
+            Findings::Basins(found) => basins(found, &mut self.data),
+            Findings::Diagram(found) => diagram(found, &mut self.data),
+            Findings::Map(found) => map(found, &mut self.data),
+            Findings::Branch(found) => self.data.rows = Some(text(serde_json::to_string(&found.rows))?),
+            Findings::MachineBranch(found) => {
+                self.data.rows = Some(text(serde_json::to_string(&found.rows))?);
+            }
+            Findings::Validate(found) => self.data.certificates.clone_from(&found.certificates),
+            Findings::Chaos(found) => self.data.certificates.extend(found.text.clone()),
+            _ => {}
+        }
+        Ok(Vec::new())
+    }
+}
+
+fn section(found: &SectionFindings, data: &mut Data) {
+    let (mut points, mut attractor) = (Vec::new(), Vec::new());
+    for (set, all) in &found.points {
+        // Orbits count on below 0: the first is −1.
+        let number = match set {
+            SectionSet::Attractor(place) => *place as i64,
+            SectionSet::Orbit(place) => -1 - *place as i64,
+            _ => i64::MIN,
+        };
+        points.extend(all.iter().flatten());
+        attractor.extend(all.iter().map(|_| number));
+    }
+    data.table("points", points, 2);
+    data.whole("attractor", attractor);
+}
+
+fn basins(found: &BasinsFindings, data: &mut Data) {
+    let grid = &found.grid;
+    data.floats("q", (0..grid.columns).map(|column| grid.start(column, 0)[0]).collect());
+    data.floats("u", (0..grid.rows).map(|row| grid.start(0, row)[1]).collect());
+    let cells: Vec<i64> = found.cells.iter().map(|&cell| cell as i64).collect();
+    data.arrays.insert("cells", Array::Whole(cells, vec![grid.rows, grid.columns]));
+}
+
+fn diagram(found: &DiagramFindings, data: &mut Data) {
+    let (mut value, mut points, mut motion, mut period) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+    for slice in &found.slices {
+        for (number, one) in slice.motions.iter().enumerate() {
+            for point in &one.points {
+                value.push(slice.value);
+                points.extend(point);
+                motion.push(number as i64);
+                period.push(one.period.map_or(0, i64::from));
+            }
+        }
+    }
+    data.floats("value", value);
+    data.table("points", points, 2);
+    data.whole("motion", motion);
+    data.whole("period", period);
+}
+
+fn map(found: &MapFindings, data: &mut Data) {
+    let [columns, rows] = &found.values;
+    let shape = vec![rows.len(), columns.len()];
+    data.floats("first", columns.clone());
+    data.floats("second", rows.clone());
+    let period = |cell: &MapCell| match cell.end {
+        MapEnd::Periodic(period) => i64::from(period),
+        MapEnd::NotPeriodic => 0,
+        _ => -1,
+    };
+    let cells = &found.cells;
+    data.arrays.insert("period", Array::Whole(cells.iter().map(period).collect(), shape.clone()));
+    let impacts = cells.iter().map(|cell| cell.impacts as i64).collect();
+    data.arrays.insert("impacts", Array::Whole(impacts, shape.clone()));
+    let exponents = cells.iter().map(|cell| cell.exponent.unwrap_or(f64::NAN)).collect();
+    data.arrays.insert("exponent", Array::Floats(exponents, shape));
+}

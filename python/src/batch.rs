@@ -1,0 +1,159 @@
+//! Many motions at once, from arrays into arrays.
+
+use std::f64::consts::TAU;
+
+use grazing::{
+    Error, Monitor, Result,
+    oscillator::{
+        Time,
+        simulate::{RunEnd, Settings, Simulator, batch::Batch},
+    },
+    scene::{Accuracy, Scene},
+};
+use rayon::prelude::*;
+
+use crate::watch::Watch;
+
+/// Motions that are followed together: their tables fit a core's cache.
+const TOGETHER: usize = 256;
+
+/// What to follow. A start is (q, u), and each motion has a value of each varied parameter.
+pub struct Plan<'a> {
+    pub scene: &'a Scene,
+    pub starts: &'a [f64],
+    pub varied: &'a [String],
+    pub values: &'a [f64],
+    /// Of the forcing, as a fraction of its period: where motions start and are looked at.
+    pub phase: f64,
+    pub transient: u64,
+    /// Periods from one record to the next.
+    pub every: u64,
+    pub records: usize,
+}
+
+/// How a motion ended, as `grazing.End`.
+const REACHED: u8 = 0;
+const IMPACT_LIMIT: u8 = 1;
+const ESCAPED: u8 = 2;
+const NOT_SMOOTH: u8 = 3;
+const BEHIND_A_WALL: u8 = 4;
+
+fn code(end: RunEnd) -> u8 {
+    match end {
+        RunEnd::Reached => REACHED,
+        RunEnd::ImpactLimit => IMPACT_LIMIT,
+        RunEnd::NotSmooth => NOT_SMOOTH,
+        _ => ESCAPED,
+    }
+}
+
+/// Follows all motions, on all cores: the first record is after the transient, the others `every` periods
+/// apart. What a motion does not reach is NaN; its impacts are those after the transient.
+pub fn follow(
+    plan: &Plan,
+    points: &mut [f64],
+    impacts: &mut [u64],
+    ends: &mut [u8],
+    watch: &Watch,
+) -> Result<()> {
+    for name in plan.varied {
+        plan.scene.parameter(name)?;
+    }
+    let Accuracy { tolerance, minimum_depth } = plan.scene.accuracy;
+    let settings = Settings { tolerance, minimum_depth, ..Settings::default() };
+    let shared = match plan.varied {
+        [] => Some(Simulator::new(&plan.scene.exact(&[])?.rounded(), &settings)?),
+        _ => None,
+    };
+    watch.begin(ends.len() as u64, "motions");
+    if ends.is_empty() || plan.records == 0 {
+        return Ok(());
+    }
+    let width = plan.records * 2;
+    let lots = points.par_chunks_mut(TOGETHER * width);
+    let lots = lots.zip(impacts.par_chunks_mut(TOGETHER)).zip(ends.par_chunks_mut(TOGETHER)).enumerate();
+    lots.try_for_each(|(lot, ((points, impacts), ends))| {
+        let first = lot * TOGETHER;
+        let own = match shared {
+            Some(_) => Vec::new(),
+            None => (first..first + ends.len())
+                .map(|motion| simulator(plan, motion, &settings))
+                .collect::<Result<Vec<_>>>()?,
+        };
+        let at = |index: usize| shared.as_ref().unwrap_or_else(|| &own[index]);
+        lot_of(plan, first, &at, points, impacts, ends, watch)?;
+        watch.advance(ends.len() as u64)
+    })
+}
+
+/// The simulator of a motion with parameters of its own.
+fn simulator(plan: &Plan, motion: usize, settings: &Settings) -> Result<Simulator> {
+    let width = plan.varied.len();
+    let values = &plan.values[motion * width..][..width];
+    let changes: Vec<(&str, f64)> =
+        plan.varied.iter().map(String::as_str).zip(values.iter().copied()).collect();
+    let system = plan.scene.plain(&changes);
+    system
+        .and_then(|system| Simulator::new(&system, settings))
+        .map_err(|error| error.context(format!("motion {motion}")))
+}
+
+fn lot_of<'a>(
+    plan: &Plan,
+    first: usize,
+    simulator: &impl Fn(usize) -> &'a Simulator,
+    points: &mut [f64],
+    impacts: &mut [u64],
+    ends: &mut [u8],
+    watch: &Watch,
+) -> Result<()> {
+    let width = plan.records * 2;
+    let phase = TAU * (plan.phase - plan.phase.floor());
+    points.fill(f64::NAN);
+    impacts.fill(0);
+    let (mut runs, mut places) = (Vec::new(), Vec::new());
+    for (index, end) in ends.iter_mut().enumerate() {
+        let [q, u] = [0, 1].map(|part| plan.starts[2 * (first + index) + part]);
+        if !q.is_finite() || !u.is_finite() {
+            return Err(Error::input(format!(
+                "motion {}: the start ({q}, {u}) is not finite",
+                first + index
+            )));
+        }
+        // A start that is finite is refused for one reason alone.
+        match simulator(index).start(Time::new(0, phase), q, u) {
+            Ok(run) => {
+                runs.push((simulator(index), run));
+                places.push(index);
+                *end = REACHED;
+            }
+            Err(_) => *end = BEHIND_A_WALL,
+        }
+    }
+    let mut batch = Batch::new(phase, runs);
+    for _ in 0..plan.transient {
+        batch.pass();
+        watch.advance(0)?;
+    }
+    let before: Vec<u64> = (0..places.len()).map(|motion| batch.impacts(motion)).collect();
+    for record in 0..plan.records {
+        if record > 0 {
+            for _ in 0..plan.every {
+                batch.pass();
+                watch.advance(0)?;
+            }
+        }
+        for (motion, &index) in places.iter().enumerate() {
+            if batch.end(motion) == RunEnd::Reached {
+                let [q, u] = batch.point(motion);
+                points[index * width + 2 * record] = q;
+                points[index * width + 2 * record + 1] = u;
+            }
+        }
+    }
+    for (motion, &index) in places.iter().enumerate() {
+        impacts[index] = batch.impacts(motion) - before[motion];
+        ends[index] = code(batch.end(motion));
+    }
+    Ok(())
+}

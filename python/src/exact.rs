@@ -1,0 +1,75 @@
+//! Exact numbers from Python: whole numbers, fractions, decimals and the texts of the command line.
+//!
+//! A float is refused: 0.2 is not 1/5, and on a boundary the difference decides the answer. The error says
+//! how to write either.
+
+use grazing::num_bigint::BigInt;
+use grazing::num_rational::BigRational;
+use grazing::number::{LIMIT_BITS, parse_rational};
+use pyo3::{
+    exceptions::{PyTypeError, PyZeroDivisionError},
+    prelude::*,
+    types::{PyBool, PyFloat, PyString},
+};
+
+use crate::failure::input;
+
+/// An exact number.
+pub struct Exact(pub BigRational);
+
+impl<'a, 'py> FromPyObject<'a, 'py> for Exact {
+    type Error = PyErr;
+
+    fn extract(object: Borrowed<'a, 'py, PyAny>) -> PyResult<Exact> {
+        let py = object.py();
+        if let Ok(text) = object.cast::<PyString>() {
+            let text = text.to_string();
+            return parse_rational(&text).map(Exact).map_err(|error| crate::failure::raise(py, &error));
+        }
+        let shown = || object.repr().map(|text| text.to_string());
+        if object.cast::<PyBool>().is_ok() {
+            return Err(PyTypeError::new_err(format!("{} is not a number", shown()?)));
+        }
+        // NumPy's float64 is one, its other floats are numbers with a dtype.
+        if object.cast::<PyFloat>().is_ok() || object.hasattr("dtype")? && !object.hasattr("__index__")? {
+            let decimal = object.str()?;
+            let float = object.call_method0("__float__").and_then(|float| float.repr()?.extract::<String>());
+            return Err(PyTypeError::new_err(format!(
+                "{decimal} is a float, and this number must be exact: write \"{decimal}\" for the decimal, or \
+                 Fraction({}) for the binary fraction that the float is",
+                float.unwrap_or_else(|_| decimal.to_string())
+            )));
+        }
+        let (numerator, denominator) = if object.hasattr("__index__")? {
+            (object.call_method0("__index__")?.extract::<BigInt>()?, BigInt::from(1))
+        } else if object.hasattr("numerator")? && object.hasattr("denominator")? {
+            let part = |name| object.getattr(name)?.call_method0("__index__")?.extract::<BigInt>();
+            (part("numerator")?, part("denominator")?)
+        } else if object.hasattr("as_integer_ratio")? {
+            // 10^1000000000 would be made before it is refused.
+            if let Ok(exponent) = object.call_method0("as_tuple").and_then(|parts| parts.getattr("exponent"))
+                && exponent.extract::<i64>().is_ok_and(|exponent| exponent.unsigned_abs() > LIMIT_BITS.into())
+            {
+                return Err(too_long(py));
+            }
+            object.call_method0("as_integer_ratio")?.extract::<(BigInt, BigInt)>()?
+        } else {
+            let kind = object.get_type().name()?;
+            return Err(PyTypeError::new_err(format!(
+                "{} is of type {kind}; an exact number is an int, a Fraction, a Decimal, or text as \"3/8+2^-200\"",
+                shown()?
+            )));
+        };
+        if denominator == BigInt::ZERO {
+            return Err(PyZeroDivisionError::new_err("a fraction with the denominator 0"));
+        }
+        if numerator.bits().max(denominator.bits()) > LIMIT_BITS.into() {
+            return Err(too_long(py));
+        }
+        Ok(Exact(BigRational::new(numerator, denominator)))
+    }
+}
+
+fn too_long(py: Python<'_>) -> PyErr {
+    input(py, &format!("a number of more than {LIMIT_BITS} bits: give a shorter one"))
+}

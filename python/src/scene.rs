@@ -1,0 +1,168 @@
+//! Scenes: read, changed, run.
+
+use std::{path::PathBuf, sync::Arc};
+
+use grazing::{
+    Error, Result,
+    num_rational::BigRational,
+    run::{Job, Surroundings, TaskReport, run_task},
+    scene::{Body, Scene as Inner, Task},
+};
+use numpy::{PyReadonlyArray2, PyReadwriteArray1, PyReadwriteArray3, PyUntypedArrayMethods};
+use pyo3::{prelude::*, types::PyDict};
+
+use crate::{
+    arrays::{Collector, Data},
+    batch::{Plan, follow},
+    exact::Exact,
+    failure::raise,
+    watch::{watched, watched_here},
+};
+
+/// A scene as the library holds it. Users have `grazing.Scene`.
+#[pyclass(frozen, module = "grazing._grazing", name = "Scene")]
+pub struct Scene {
+    inner: Arc<Inner>,
+    text: String,
+    name: String,
+}
+
+/// The report as JSON and as text, what is kept beside it, rows of a table as JSON, certificates, a failure.
+type Answer<'py> =
+    (String, String, Bound<'py, PyDict>, Option<String>, Vec<(String, String)>, Option<Failure>);
+
+/// Of a failed task: the message, the line of its scene, and whether a file or stream was at fault.
+type Failure = (String, Option<usize>, bool);
+
+#[pymethods]
+impl Scene {
+    /// From TOML text; `name` leads every error message.
+    #[staticmethod]
+    fn from_toml(py: Python<'_>, text: String, name: String) -> PyResult<Scene> {
+        watched(py, None, move |_| Ok(Scene { inner: Arc::new(Inner::from_toml(&text, &name)?), text, name }))
+    }
+
+    #[getter]
+    fn title(&self) -> &str {
+        &self.inner.title
+    }
+
+    #[getter]
+    fn text(&self) -> &str {
+        &self.text
+    }
+
+    #[getter]
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    #[getter]
+    fn is_machine(&self) -> bool {
+        !matches!(self.inner.body, Body::Oscillator(_))
+    }
+
+    #[getter]
+    fn parameters(&self) -> Vec<(String, BigRational)> {
+        self.inner.parameters.clone()
+    }
+
+    /// Name, group, kind, and the parameters that it sets.
+    #[getter]
+    #[allow(clippy::type_complexity)]
+    fn tasks(&self) -> Vec<(String, Option<String>, &'static str, Vec<(String, BigRational)>)> {
+        let one = |task: &Task| (task.name.clone(), task.group.clone(), task.kind.word(), task.set.clone());
+        self.inner.tasks.iter().map(one).collect()
+    }
+
+    /// The same with other values of some parameters.
+    fn with_parameters(&self, py: Python<'_>, changes: Vec<(String, Exact)>) -> PyResult<Scene> {
+        let changes = exact(changes);
+        let inner = self.inner.with(&changes).map_err(|error| raise(py, &error))?;
+        Ok(Scene { inner: Arc::new(inner), text: self.text.clone(), name: self.name.clone() })
+    }
+
+    /// Runs one task. What fails in it is in the report.
+    #[pyo3(signature = (task, changes, folder, progress))]
+    fn run<'py>(
+        &self,
+        py: Python<'py>,
+        task: usize,
+        changes: Vec<(String, Exact)>,
+        folder: Option<PathBuf>,
+        progress: Option<Bound<'py, PyAny>>,
+    ) -> PyResult<Answer<'py>> {
+        let changes = exact(changes);
+        let scene = self.inner.clone();
+        let (report, data) = watched(py, progress.as_ref(), move |watch| {
+            let around = Surroundings { changes: &changes, folder: folder.as_deref(), monitor: watch };
+            let job = Job::new(&scene, task_of(&scene, task)?, around)?;
+            let mut collector = Collector::default();
+            let report = run_task(&job, &mut collector);
+            Ok((report, collector.data))
+        })?;
+        answer(py, &report, data)
+    }
+
+    /// Checks all that can be checked of a task before it runs.
+    fn check(&self, py: Python<'_>, task: usize, changes: Vec<(String, Exact)>) -> PyResult<()> {
+        let changes = exact(changes);
+        let scene = self.inner.clone();
+        watched(py, None, move |_| {
+            let around = Surroundings { changes: &changes, ..Surroundings::default() };
+            Job::new(&scene, task_of(&scene, task)?, around).map(drop)
+        })
+    }
+
+    /// Follows many motions: see `grazing.Scene.simulate`. Writes `points[i, record]`, `impacts[i]`,
+    /// `ends[i]`.
+    #[allow(clippy::too_many_arguments)]
+    fn simulate<'py>(
+        &self,
+        py: Python<'py>,
+        starts: PyReadonlyArray2<'py, f64>,
+        varied: Vec<String>,
+        values: PyReadonlyArray2<'py, f64>,
+        phase: f64,
+        transient: u64,
+        every: u64,
+        mut points: PyReadwriteArray3<'py, f64>,
+        mut impacts: PyReadwriteArray1<'py, u64>,
+        mut ends: PyReadwriteArray1<'py, u8>,
+        progress: Option<Bound<'py, PyAny>>,
+    ) -> PyResult<()> {
+        let records = points.shape()[1];
+        let plan = Plan {
+            scene: &self.inner,
+            starts: starts.as_slice()?,
+            varied: &varied,
+            values: values.as_slice()?,
+            phase,
+            transient,
+            every,
+            records,
+        };
+        let (points, impacts) = (points.as_slice_mut()?, impacts.as_slice_mut()?);
+        let ends = ends.as_slice_mut()?;
+        watched_here(py, progress.as_ref(), |watch| follow(&plan, points, impacts, ends, watch))
+    }
+}
+
+fn task_of(scene: &Inner, index: usize) -> Result<&Task> {
+    scene.tasks.get(index).ok_or_else(|| Error::input(format!("there is no task {index}")))
+}
+
+fn exact(changes: Vec<(String, Exact)>) -> Vec<(String, BigRational)> {
+    changes.into_iter().map(|(name, value)| (name, value.0)).collect()
+}
+
+fn answer<'py>(py: Python<'py>, report: &TaskReport, mut data: Data) -> PyResult<Answer<'py>> {
+    let text = serde_json::to_string(report);
+    let text = text.map_err(|error| raise(py, &std::io::Error::other(error).into()))?;
+    let (rows, certificates) = (data.rows.take(), std::mem::take(&mut data.certificates));
+    let failed = match &report.status {
+        grazing::run::Status::Failed { reason, at, io } => Some((reason.clone(), at.line, *io)),
+        _ => None,
+    };
+    Ok((text, report.to_string(), data.into_dict(py)?, rows, certificates, failed))
+}

@@ -1,0 +1,85 @@
+"""The package: stubs, docstrings, optional packages."""
+
+import doctest
+import importlib.resources
+import inspect
+import re
+import sys
+
+import pytest
+
+import grazing
+from grazing import _grazing
+
+
+def test_every_public_name_is_documented():
+    for name in grazing.__all__:
+        thing = getattr(grazing, name)
+        if inspect.isclass(thing) or callable(thing):
+            assert inspect.getdoc(thing), name
+    for cls in (grazing.Scene, grazing.Run, grazing.TaskReport, grazing.Intervals):
+        for name, member in inspect.getmembers(cls, inspect.isfunction):
+            if not name.startswith("_"):
+                assert inspect.getdoc(member), f"{cls.__name__}.{name}"
+
+
+def test_the_stubs_have_the_signatures_of_the_compiled_part():
+    text = importlib.resources.files("grazing").joinpath("_grazing.pyi").read_text()
+    stubs = {}
+    for name, arguments in re.findall(r"^(?:    )?def (\w+)\(\s*(.*?),?\s*\) ->", text, re.S | re.M):
+        parts = re.split(r",\s*(?![^\[\]]*\])", arguments)
+        stubs[name] = [part.split(":")[0].strip() for part in parts if part.strip()]
+    seen = set()
+    for scope in (_grazing, _grazing.Scene):
+        for name in dir(scope):
+            member = inspect.getattr_static(scope, name)
+            if name.startswith("_") or inspect.isclass(getattr(scope, name)):
+                continue
+            assert name in stubs, f"{name} has no stub"
+            seen.add(name)
+            if inspect.isgetsetdescriptor(member):
+                continue
+            assert stubs[name] == list(inspect.signature(getattr(scope, name)).parameters), name
+    assert seen == set(stubs)
+
+
+def test_the_package_is_typed_and_has_its_style():
+    files = importlib.resources.files("grazing")
+    assert files.joinpath("py.typed").is_file()
+    assert "axes.prop_cycle" in open(grazing.STYLE).read()
+    matplotlib = pytest.importorskip("matplotlib")
+    assert matplotlib.rc_params_from_file(grazing.STYLE, use_default_template=False)["image.origin"] == "lower"
+
+
+def test_examples_of_docstrings():
+    assert doctest.testmod(grazing).failed == 0
+    assert doctest.testmod(grazing).attempted > 0
+
+
+def test_without_pandas_a_frame_says_how_to_get_it(monkeypatch):
+    monkeypatch.setitem(sys.modules, "pandas", None)
+    with pytest.raises(grazing.MissingPackageError, match="pip install"):
+        grazing.intervals(5).to_frame()
+    assert issubclass(grazing.MissingPackageError, ImportError)
+
+
+def test_frames_have_exact_numbers():
+    pandas = pytest.importorskip("pandas")
+    table = grazing.intervals("3..=5").to_frame()
+    assert isinstance(table, pandas.DataFrame)
+    assert list(table.columns) == ["n", "m", "sign_emu", "sign_gamma", "left", "right", "deciding"]
+    assert table.left.iloc[1] == grazing.intervals("3..=5")[1].left
+    assert len(grazing.classify(r=1, s="1/5").to_frame()) == 15
+
+
+def test_a_record_is_read_by_name():
+    record = grazing.Record({"a": 1, "b": {"c": [1, {"d": 2}]}})
+    assert record.b.c[1].d == 2 and record["a"] == 1 and list(record) == ["a", "b"]
+    with pytest.raises(AttributeError, match="there is a, b"):
+        record.x
+    with pytest.raises(AttributeError):
+        record.a = 2
+
+
+def test_version():
+    assert re.fullmatch(r"\d+\.\d+\.\d+", grazing.__version__)
