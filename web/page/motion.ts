@@ -422,11 +422,12 @@ class MotionPanel implements Panel {
     return plane !== null && plane[0] === this.parts.seen.value ? plane : null;
   }
 
-  /** An answer, or null, what went wrong being shown. */
-  private async asked<T>(answer: Promise<T>): Promise<T | null> {
+  /** An answer, or null, what went wrong being shown: unless it was asked for at a change that is no more the last. */
+  private async asked<T>(answer: Promise<T>, change?: number): Promise<T | null> {
     try {
       return await answer;
     } catch (failed) {
+      if (change !== undefined && change !== this.change) return null;
       this.problem(failed instanceof Failure ? failed : new Failure(String(failed)));
       return null;
     }
@@ -566,7 +567,7 @@ class MotionPanel implements Panel {
   private async drawMotion(mine: number): Promise<void> {
     const { scene } = this;
     const periods = Number(this.parts.periods.value);
-    const found: SeriesAnswer | null = await this.asked(this.context.latest("motion_series", this.request({ periods, samples: 128 })));
+    const found: SeriesAnswer | null = await this.asked(this.context.latest("motion_series", this.request({ periods, samples: 128 })), mine);
     if (!found || !scene || mine !== this.change) return;
     this.draw(this.view === "time" ? overTime(found, scene.machine ? ["the stop"] : scene.walls.map((wall) => `${wall} wall`), this.axes().yLabel) : phasePlane(found));
     const { report } = found;
@@ -588,7 +589,7 @@ class MotionPanel implements Panel {
     for (let first = 0; first < count; first += PIECE) {
       const last = Math.min(first + PIECE, count) - 1;
       const more = { from: parts.from.value, to: parts.to.value, count, first, last, points: 160 };
-      const found = await this.asked(this.long.call("motion_attractor", [this.request(more)]));
+      const found = await this.asked(this.long.call("motion_attractor", [this.request(more)]), mine);
       if (mine !== this.change) return;
       if (!found) break;
       slices.push(...(found.slices as Slice[]));
@@ -604,7 +605,7 @@ class MotionPanel implements Panel {
     const { parts } = this;
     const curve = this.scene?.machine ? {} : { grazing_curve: this.view === "section" };
     const answer = this.context.latest("motion_section", this.request({ points: 1000, ...curve }));
-    const found: SectionAnswer | null = await this.asked(answer);
+    const found: SectionAnswer | null = await this.asked(answer, mine);
     if (!found || mine !== this.change) return;
     if (this.view === "section") {
       const layers = section(found);

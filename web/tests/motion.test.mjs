@@ -103,6 +103,13 @@ test("the paper's oscillator: sliders by keyboard, numbers, theory", async () =>
   await root.getByRole("alert").filter({ hasText: "parameter mu" }).waitFor();
   await type(root, "mu", "-0.05");
   await root.getByRole("alert").waitFor({ state: "hidden" });
+  // The refusal of a value that is no more there is not shown over the answers for the one that is.
+  await type(root, "mu", "3/1000");
+  await number(root, "period found", /^none/);
+  await type(root, "mu", "much");
+  await type(root, "mu", "-0.05");
+  await number(root, "period found", /^4 forcing periods$/);
+  assert.ok(await root.getByRole("alert").isHidden());
   assert.deepEqual(errors, []);
 });
 
