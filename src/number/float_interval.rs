@@ -240,6 +240,10 @@ impl Circular for FloatInterval {
         float_sine::sin(angle)
     }
 
+    fn sines_over_cosine(angles: [&Angle; 2], sum: &Angle, (): &()) -> Self {
+        float_sine::sines_over_cosine(angles, sum)
+    }
+
     fn tighter(self, other: Self) -> Self {
         let (lo, hi) = (self.lo.max(other.lo), self.hi.min(other.hi));
         assert!(lo <= hi, "two enclosures of one number are disjoint");

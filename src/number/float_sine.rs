@@ -38,7 +38,7 @@ const COS: [u64; 9] = [
 ];
 
 /// The error bound of both kernels in units of the mantissa. See [`sin_mantissa`] and [`cos_mantissa`].
-const ERROR: u64 = 40;
+const ERROR: u64 = 24;
 
 fn high(a: u64, b: u64) -> u64 {
     ((u128::from(a) * u128::from(b)) >> 64) as u64
@@ -103,68 +103,130 @@ fn float(m: u64, e: i64, up: bool) -> f64 {
     }
 }
 
-/// sin of the angle: width at most 2 ulp, and 0 where the sine is rational. Cost: a division and about 12
-/// products of 64 bits for angles in machine integers.
+/// (m ± error)·2^e: a magnitude before it is rounded. m = 0 is zero itself; else m > 2⁶¹. Of a sine, error ≤
+/// [`ERROR`].
+#[derive(Clone, Copy)]
+struct Magnitude {
+    m: u64,
+    error: u64,
+    e: i64,
+}
+
+impl Magnitude {
+    const ZERO: Magnitude = Magnitude { m: 0, error: 0, e: 0 };
+    const HALF: Magnitude = Magnitude { m: 1 << 63, error: 0, e: -64 };
+    const ONE: Magnitude = Magnitude { m: 1 << 63, error: 0, e: -63 };
+
+    /// The enclosure from 4t = m·2^{−64−shift}, m cut down by less than 1.
+    fn kernel(cosine: bool, m: u64, shift: i64) -> Magnitude {
+        let w = match shift {
+            0 => m,
+            1..=63 => m >> shift,
+            64.. => 0,
+            _ => m.saturating_mul(2), // 4t = 1 at the most
+        };
+        let (m, e) = if cosine { (cos_mantissa(w), -64) } else { (sin_mantissa(m, w), -64 - shift) };
+        Magnitude { m, error: ERROR, e }
+    }
+
+    /// The same with m ≥ 2⁶³, unless it is zero: the error grows by a factor of 4 at the most.
+    fn normal(self) -> Magnitude {
+        let zeros = self.m.leading_zeros() & 63;
+        Magnitude { m: self.m << zeros, error: self.error << zeros, e: self.e - i64::from(zeros) }
+    }
+}
+
+/// Whether the sine of the angle is negative, and its magnitude.
 #[inline]
-pub(super) fn sin(angle: &Angle) -> FloatInterval {
+fn magnitude(angle: &Angle) -> (bool, Magnitude) {
     let Some((negative, cosine, numerator, denominator)) = angle.small_octant() else { return large(angle) };
     let magnitude = if numerator == 0 {
-        point(f64::from(u8::from(cosine)))
+        if cosine { Magnitude::ONE } else { Magnitude::ZERO }
     } else if denominator >> 32 == 0 && 16 * numerator >= denominator {
         if !cosine && 6 * numerator == denominator {
-            point(0.5)
+            Magnitude::HALF
         } else {
             // ¼ ≤ 4t: two short divisions are quicker than a long one, and lose nothing.
             let high = (numerator << 34) / denominator;
             let rest = (numerator << 34) % denominator;
             let m = if high >> 32 == 0 { (high << 32) + (rest << 32) / denominator } else { u64::MAX };
-            kernel(cosine, m, 0)
+            Magnitude::kernel(cosine, m, 0)
         }
     } else if !cosine && numerator.checked_mul(6) == Some(denominator) {
-        point(0.5)
+        Magnitude::HALF
     } else {
         // 4t = m·2^{−shift−64}, 2⁶² < m < 2⁶⁴ cut down.
         let (n, d) = (numerator.leading_zeros(), denominator.leading_zeros());
         let m = (u128::from(numerator << n) << 63) / u128::from(denominator << d);
-        kernel(cosine, m as u64, i64::from(n) - i64::from(d) - 3)
+        Magnitude::kernel(cosine, m as u64, i64::from(n) - i64::from(d) - 3)
     };
+    (negative, magnitude)
+}
+
+#[cold]
+fn large(angle: &Angle) -> (bool, Magnitude) {
+    let octant = angle.octant();
+    let magnitude = match (octant.halves(), &octant.t) {
+        (Some(0), _) => Magnitude::ZERO,
+        (Some(1), _) => Magnitude::HALF,
+        (Some(_), _) => Magnitude::ONE,
+        (None, Fraction::Large(numerator, denominator)) => {
+            let shift = denominator.bits() - numerator.bits() + 63;
+            let m = ((numerator << shift) / denominator).to_u64().unwrap_or(u64::MAX);
+            Magnitude::kernel(octant.cosine, m, shift as i64 - 66)
+        }
+        (None, Fraction::Small(..)) => unreachable!("machine integers take the other path"),
+    };
+    (octant.negative, magnitude)
+}
+
+/// sin of the angle: width at most 2 ulp, and 0 where the sine is rational. Cost: a division and about 12
+/// products of 64 bits for angles in machine integers.
+#[inline]
+pub(super) fn sin(angle: &Angle) -> FloatInterval {
+    let (negative, Magnitude { m, error, e }) = magnitude(angle);
+    if m == 0 {
+        return point(0.0);
+    }
+    let wide = enclose(m, error, e);
+    // No sine exceeds 1.
+    let magnitude = FloatInterval::from_bounds(wide.lo(), wide.hi().min(1.0));
     if negative { -magnitude } else { magnitude }
+}
+
+/// ab/c for magnitudes that are not zero.
+///
+/// With A, B, C ≥ 2⁶³, off by α, β, γ ≤ 4·[`ERROR`], AB/2⁶⁴ is off by δ = α + β + 2: (αB + βA + αβ)/2⁶⁴ is
+/// below α + β + 1, and the cut below 1. Then 2⁶³P/C is off by 2⁶³(δ + γP/C)/(C − γ) ≤ (δ + 2γ)(1 + 2⁻⁵⁰) < δ
+/// + 2γ + 1, and 1 for the cut. P lies between 2⁶² and 2⁶⁴, so the quotient does between 2⁶¹ and 2⁶⁴.
+fn product_over(a: Magnitude, b: Magnitude, c: Magnitude) -> Magnitude {
+    let [a, b, c] = [a, b, c].map(Magnitude::normal);
+    let product = u128::from(a.m) * u128::from(b.m);
+    let (dividend, divisor) = (product >> 64 << 63, u128::from(c.m));
+    let errors = a.error + b.error + 2 * c.error;
+    let exact = errors == 0 && product as u64 == 0 && dividend % divisor == 0;
+    let error = if exact { 0 } else { errors + 4 };
+    Magnitude { m: (dividend / divisor) as u64, error, e: a.e + b.e - c.e + 1 }
+}
+
+/// −2 sin α sin β / cos(α + β) for two angles and their sum, rounded once: the whole line where the cosine is
+/// 0. Width: mostly one ulp, three at the most. Cost: three sines, a product and a division.
+pub(super) fn sines_over_cosine([first, second]: [&Angle; 2], sum: &Angle) -> FloatInterval {
+    let [(minus_a, a), (minus_b, b), (minus_c, c)] =
+        [magnitude(first), magnitude(second), magnitude(&sum.complement())];
+    if c.m == 0 {
+        return FloatInterval::WHOLE;
+    }
+    if a.m == 0 || b.m == 0 {
+        return point(0.0);
+    }
+    let Magnitude { m, error, e } = product_over(a, b, c);
+    let quotient = enclose(m, error, e + 1);
+    if minus_a ^ minus_b ^ minus_c { quotient } else { -quotient }
 }
 
 fn point(value: f64) -> FloatInterval {
     FloatInterval::from_bounds(value, value)
-}
-
-#[cold]
-fn large(angle: &Angle) -> FloatInterval {
-    let octant = angle.octant();
-    let magnitude = match (octant.halves(), &octant.t) {
-        (Some(halves), _) => point(f64::from(halves) / 2.0),
-        (None, Fraction::Large(numerator, denominator)) => {
-            let shift = denominator.bits() - numerator.bits() + 63;
-            let m = ((numerator << shift) / denominator).to_u64().unwrap_or(u64::MAX);
-            kernel(octant.cosine, m, shift as i64 - 66)
-        }
-        (None, Fraction::Small(..)) => unreachable!("machine integers take the other path"),
-    };
-    if octant.negative { -magnitude } else { magnitude }
-}
-
-/// The enclosure from 4t = m·2^{−64−shift}, m cut down by less than 1.
-fn kernel(cosine: bool, m: u64, shift: i64) -> FloatInterval {
-    let w = match shift {
-        0 => m,
-        1..=63 => m >> shift,
-        64.. => 0,
-        _ => m.saturating_mul(2), // 4t = 1 at the most
-    };
-    if cosine { enclose_cosine(cos_mantissa(w)) } else { enclose(sin_mantissa(m, w), ERROR, -64 - shift) }
-}
-
-/// A cosine never exceeds 1.
-fn enclose_cosine(m: u64) -> FloatInterval {
-    let wide = enclose(m, ERROR, -64);
-    FloatInterval::from_bounds(wide.lo(), wide.hi().min(1.0))
 }
 
 #[cfg(test)]
@@ -235,6 +297,78 @@ mod tests {
             }
         }
         assert!(worst > exact(1), "the bound is no formality: {}", worst.to_f64().unwrap());
+    }
+
+    /// Products over magnitudes, off by as much as they may be: within the error, which is no formality.
+    #[test]
+    fn products_over_stay_within_their_error() {
+        let ends = |Magnitude { m, error, e }: Magnitude| {
+            let scaled = |m: BigRational| m * two_to((e + 200) as usize) / two_to(200);
+            [scaled(exact(m) - exact(error)), scaled(exact(m) + exact(error))]
+        };
+        let mut random = crate::random::Random::of_unit(5, 0);
+        let mut mantissas = vec![1 << 63, (1 << 63) + 1, u64::MAX, u64::MAX - 1, (1 << 61) + 1, 3 << 61];
+        mantissas.extend((0..12).map(|_| random.next() >> random.below(3) | 1 << 61));
+        let (mut worst, mut exactly) = (BigRational::from_integer(0.into()), 0);
+        for (&a, &b, &c) in mantissas.iter().flat_map(|a| {
+            let pairs = mantissas.iter().flat_map(|b| mantissas.iter().map(move |c| (b, c)));
+            pairs.map(move |(b, c)| (a, b, c))
+        }) {
+            for error in [0, 1, ERROR] {
+                let of = |m: u64| Magnitude { m, error, e: -64 };
+                let [a, b, c] = [of(a), of(b), of(c)];
+                let found = product_over(a, b, c);
+                assert!(found.m > 1 << 60 && found.error <= 16 * ERROR + 4);
+                let ([low, high], [a, b, c]) = (ends(found), [a, b, c].map(ends));
+                let (least, most) = (&a[0] * &b[0] / &c[1], &a[1] * &b[1] / &c[0]);
+                assert!(low <= least && most <= high, "{a:?} {b:?} {c:?}");
+                if found.error == 0 {
+                    exactly += 1;
+                } else if error > 0 {
+                    worst = worst.max((most - least) / (high - low));
+                }
+            }
+        }
+        assert!(exactly > 0 && worst > exact(1) / exact(2), "{exactly} {worst}");
+    }
+
+    /// Quotients of sines against balls, from poles and zeros at 10⁻³⁰⁰ to the middle, and rational ones.
+    #[test]
+    fn quotients_of_sines_are_enclosed_within_three_ulp() {
+        let precision = Precision::new(256);
+        let ratio = |p: u64, q: u64| BigRational::new(p.into(), q.into());
+        let tiny = |e: u32| BigRational::new(1.into(), BigInt::from(10).pow(e));
+        let mut points: Vec<BigRational> = (1..200).map(|i| ratio(i * 7919, 2 * 199 * 7907)).collect();
+        for (base, e) in [(0, 300), (0, 20), (3, 18), (3, 150), (4, 9), (4, 60), (6, 12), (6, 200), (1, 30)] {
+            points.extend([ratio(base, 12) + tiny(e), ratio(base, 12) - tiny(e)]);
+        }
+        let mut exact = 0;
+        for s in points.into_iter().chain((1..24).map(|i| ratio(i, 24))) {
+            let angle = Angle::new(&s);
+            for (j, k) in [(1, 1), (1, 2), (2, 1), (2, 3), (5, 7), (37, 63)] {
+                let sum = angle.times(j + k);
+                let pair = [&angle.times(j), &angle.times(k)];
+                let found = sines_over_cosine(pair, &sum);
+                if sum.complement().sin_sign() == crate::number::Sign::Zero {
+                    assert_eq!(found, FloatInterval::WHOLE);
+                    continue;
+                }
+                let ball = Ball::sines_over_cosine(pair, &sum, &precision);
+                let (low, high) = ball.exact_bounds().unwrap();
+                let (lo, hi) = found.exact_bounds().unwrap();
+                assert!(lo <= high && low <= hi, "s = {s}, {j}, {k}: {found:?}, {ball:?}");
+                if lo == hi {
+                    exact += 1;
+                } else {
+                    assert!(lo <= low && high <= hi, "s = {s}, {j}, {k}: {found:?}, {ball:?}");
+                    // Below the floats an end is 0.
+                    let ulp = found.hi().abs().next_up() - found.hi().abs();
+                    let near = found.hi() - found.lo() <= 3.0 * ulp;
+                    assert!(near || high.abs() < two_to(1) / two_to(1023), "s = {s}, {j}, {k}: {found:?}");
+                }
+            }
+        }
+        assert!(exact > 10, "rational quotients are points: {exact}");
     }
 
     /// m ± error across 2⁶⁴, where the upper end is halved, and across 2¹⁰²⁴, where it is infinite.
