@@ -9,6 +9,7 @@ use super::{
         flow::{Flow, State},
     },
     Itinerary, Oscillator,
+    gap::LinearGap,
     passage::Unknowns,
 };
 
@@ -103,20 +104,40 @@ pub(in crate::oscillator) fn minima(
     let mut found = Vec::new();
     for wall in oscillator.walls() {
         let side = wall.side;
+        let mut keep = |after: f64, gap: f64| {
+            // A leg that begins or ends without speed has a minimum there, which rounding may bring inside.
+            if after.min(time - after) > ROUNDING || gap.abs() > ROUNDING * ROUNDING {
+                found.push(Minimum { side, leg, after, gap });
+            }
+        };
+        let width = |at: &State| (PI / 8.0 / oscillator.rate(at)).max(1e-6 * time);
+        if let Some(gap) = LinearGap::new(flow, wall) {
+            let width = width(&from);
+            let mut cells = gap.cells(gap.homogeneous(from), from.t, width);
+            let mut a = wall.motion(flow, from);
+            while cells.begun < time {
+                let (x, t, begun) = (cells.x, cells.time(), cells.begun);
+                let at = |after: f64| gap.after(x, t, after);
+                cells.step();
+                // The last cell ends with the leg.
+                let left = time - begun;
+                let (width, b) = if width < left { (width, cells.gap()) } else { (left, at(left)) };
+                if let Some(root) = minimum_within(at, a, b, width) {
+                    keep(begun + root, at(root)[0]);
+                }
+                a = b;
+            }
+            continue;
+        }
         let gap = |state: State| wall.motion(flow, state);
         let (mut start, mut a, mut begun, mut kept) = (from, gap(from), 0.0, None);
         while begun < time {
-            let width = (PI / 8.0 / oscillator.rate(&start)).max(1e-6 * time).min(time - begun);
+            let width = width(&start).min(time - begun);
             let end = flow.step(start, width, &mut kept);
             let b = gap(end);
             let at = |after: f64| gap(flow.advance(start, after));
             if let Some(root) = minimum_within(at, a, b, width) {
-                let (after, least) = (begun + root, at(root)[0]);
-                // A leg that begins or ends without speed has a minimum there, which rounding may bring
-                // inside.
-                if after.min(time - after) > ROUNDING || least.abs() > ROUNDING * ROUNDING {
-                    found.push(Minimum { side, leg, after, gap: least });
-                }
+                keep(begun + root, at(root)[0]);
             }
             (start, a, begun) = (end, b, begun + width);
         }
@@ -133,9 +154,10 @@ pub(crate) fn minimum_within(
     b: [f64; 3],
     width: f64,
 ) -> Option<f64> {
-    // The stretch on which z′ rises through zero, if there is one, with z′ at its ends.
+    // The stretch on which z′ rises through zero, if there is one, with z′ and z″ at its ends.
+    let (begin, end) = ((0.0, [a[1], a[2]]), (width, [b[1], b[2]]));
     let (lo, hi) = if a[1] < 0.0 && b[1] >= 0.0 {
-        ((0.0, a[1]), (width, b[1]))
+        (begin, end)
     } else if a[2] * b[2] < 0.0 && (a[1] < 0.0) == (b[1] < 0.0) && (a[1] < 0.0) == (a[2] > 0.0) {
         let sign = b[2].signum();
         // The third derivative is not at hand: the slope of the last chord stands for it.
@@ -146,10 +168,12 @@ pub(crate) fn minimum_within(
             last = here;
             (here.1, slope)
         };
-        let turn = rising(bend, (0.0, a[2] * sign), (width, b[2] * sign));
-        match (a[1] < 0.0, at(turn)[1]) {
-            (true, middle) if middle >= 0.0 => ((0.0, a[1]), (turn, middle)),
-            (false, middle) if middle < 0.0 => ((turn, middle), (width, b[1])),
+        let ends = ((0.0, a[2] * sign), (width, b[2] * sign));
+        let turn = rising(bend, ends.0, ends.1, chord(ends.0, ends.1));
+        let [_, middle, bend] = at(turn);
+        match a[1] < 0.0 {
+            true if middle >= 0.0 => (begin, (turn, [middle, bend])),
+            false if middle < 0.0 => ((turn, [middle, bend]), end),
             _ => return None,
         }
     } else {
@@ -159,22 +183,46 @@ pub(crate) fn minimum_within(
         let [_, z1, z2] = at(t);
         (z1, z2)
     };
-    Some(rising(slope, lo, hi))
+    Some(rising(slope, (lo.0, lo.1[0]), (hi.0, hi.1[0]), cubic(lo, hi)))
+}
+
+/// Where the chord between two points passes through 0.
+fn chord(lo: (f64, f64), hi: (f64, f64)) -> f64 {
+    lo.0 + (hi.0 - lo.0) * (lo.1 / (lo.1 - hi.1))
+}
+
+/// About where the cubic passes through 0 that has these values and slopes at two points.
+fn cubic(lo: (f64, [f64; 2]), hi: (f64, [f64; 2])) -> f64 {
+    let width = hi.0 - lo.0;
+    let (from, to, rise) = (lo.1[1] * width, hi.1[1] * width, hi.1[0] - lo.1[0]);
+    let (second, third) = (3.0 * rise - 2.0 * from - to, from + to - 2.0 * rise);
+    let mut s = lo.1[0] / (lo.1[0] - hi.1[0]);
+    for _ in 0..3 {
+        let value = lo.1[0] + s * (from + s * (second + s * third));
+        s -= value / (from + s * (2.0 * second + 3.0 * s * third));
+    }
+    lo.0 + width * s
 }
 
 /// A step this short against the bracket is the last one of Newton's method, whose error then is of the order
 /// of the step's square, or of rounding.
 const LAST_STEP: f64 = 1e-13;
 
+/// The step after two steps of Newton's method is about the second times the square of its ratio to the
+/// first. This short against the bracket, it is rounding's and not taken.
+const NEXT_STEP: f64 = 1e-16;
+
 /// Where f passes through 0 between `lo` and `hi`, each with its value, f(lo) < 0 ≤ f(hi): Newton's method
-/// with the slope that f gives beside its value, from the zero of the chord. A step that leaves the bracket,
-/// or is more than half as long as the one before, is a bisection instead. So it ends, whatever the slopes
-/// are; in some 5 evaluations where they are good.
-fn rising(mut f: impl FnMut(f64) -> (f64, f64), lo: (f64, f64), hi: (f64, f64)) -> f64 {
-    let width = hi.0 - lo.0;
-    let chord = lo.0 + width * (lo.1 / (lo.1 - hi.1));
+/// with the slope that f gives beside its value, from `guess` if that is between them, else from the zero of
+/// the chord. A step that leaves the bracket, or is more than half as long as the one before, is a bisection
+/// instead. So it ends, whatever the slopes are; in some 5 evaluations where they are good, in 2 or 3 where
+/// the guess is, too.
+fn rising(mut f: impl FnMut(f64) -> (f64, f64), lo: (f64, f64), hi: (f64, f64), guess: f64) -> f64 {
+    let (width, chord) = (hi.0 - lo.0, chord(lo, hi));
     let (mut lo, mut hi) = (lo.0, hi.0);
-    let (mut t, mut last) = (if chord > lo && chord < hi { chord } else { lo + width / 2.0 }, width);
+    let inside = |t: &f64| *t > lo && *t < hi;
+    let mut t = [guess, chord].into_iter().find(inside).unwrap_or(lo + width / 2.0);
+    let (mut last, mut quick_before) = (width, false);
     // Of two steps one at least halves the bracket or the step: down to 10⁻¹³ in 90.
     for _ in 0..100 {
         let (value, slope) = f(t);
@@ -185,11 +233,13 @@ fn rising(mut f: impl FnMut(f64) -> (f64, f64), lo: (f64, f64), hi: (f64, f64)) 
         let newton = t - value / slope;
         let quick = (lo..=hi).contains(&newton) && (newton - t).abs() <= last / 2.0;
         let next = if quick { newton } else { lo + (hi - lo) / 2.0 };
-        last = (next - t).abs();
+        let step = (next - t).abs();
         t = next;
-        if last <= LAST_STEP * width {
+        let converged = quick && quick_before && step * (step / last).powi(2) <= NEXT_STEP * width;
+        if converged || step <= LAST_STEP * width {
             break;
         }
+        (last, quick_before) = (step, quick);
     }
     t
 }
@@ -230,6 +280,7 @@ mod tests {
                 },
                 (0.0, f(0.0)),
                 (1.0, f(1.0)),
+                f64::NAN,
             );
             let expected = bisected(f, 0.0, 1.0);
             assert!((found - expected).abs() < 1e-12, "{index}: {found} {expected}");

@@ -22,6 +22,7 @@ mod admissible;
 mod cubic;
 mod equations;
 mod family;
+mod gap;
 mod itinerary;
 mod leg;
 mod multipliers;
