@@ -7,13 +7,10 @@ use num_traits::ToPrimitive;
 use super::scene::Scene;
 
 use crate::{
-    error::Result,
+    error::{Error, Result},
     machine::{Machine, MachineFamily},
     number::Dual,
-    oscillator::{
-        System,
-        orbit::{Family, Oscillator},
-    },
+    oscillator::orbit::{Family, Oscillator},
 };
 
 /// A scene with one parameter free, the others at their values.
@@ -22,7 +19,8 @@ pub struct SceneFamily<'s> {
     scene: &'s Scene,
     values: Vec<f64>,
     free: usize,
-    /// The system's coefficients that the parameter does not stand in, in the order of [`System::try_map`].
+    /// The system's coefficients that the parameter does not stand in, in the order of
+    /// [`System::try_map`](crate::oscillator::System::try_map).
     fixed: Vec<Option<Dual>>,
 }
 
@@ -67,12 +65,18 @@ impl Family for SceneFamily<'_> {
         let values = self.duals(parameter);
         let point = || self.scene.point(&values.iter().map(|value| value.value).collect::<Vec<_>>());
         let mut fixed = self.fixed.iter();
-        let dual = self.scene.system()?.try_map(|expression| match fixed.next() {
-            Some(Some(value)) => Ok(*value),
-            _ => self.scene.value(expression, &values, |x| x.value, &point),
+        let mut slopes = Vec::with_capacity(self.fixed.len());
+        let system = self.scene.system()?.try_map(|expression| {
+            let Dual { value, slope } = match fixed.next() {
+                Some(Some(value)) => *value,
+                _ => self.scene.value(expression, &values, |x| x.value, &point)?,
+            };
+            slopes.push(slope);
+            Ok::<_, Error>(value)
         })?;
-        let part = |part: fn(&Dual) -> f64| -> Result<System<f64>> { dual.try_map(|x| Ok(part(x))) };
-        Oscillator::with_slope(part(|x| x.value)?, &part(|x| x.slope)?, self.scene.accuracy.tolerance)
+        let mut slopes = slopes.into_iter();
+        let slope = system.try_map(|_| Ok::<_, Error>(slopes.next().unwrap_or(0.0)))?;
+        Oscillator::with_slope(system, &slope, self.scene.accuracy.tolerance)
     }
 }
 

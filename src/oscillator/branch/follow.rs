@@ -1,7 +1,10 @@
 //! Following a curve: step control, events between points, and why it ended.
 
+use std::cell::RefCell;
+
 use super::{
     Options,
+    between::{cubic, root},
     curve::{Corrector, Curve, CurvePoint, difference, dot, norm},
 };
 use crate::error::{Error, Result};
@@ -20,6 +23,14 @@ pub trait Followed: Curve {
     /// Functions along the curve, as many at every point: where one changes sign is an event. `None` where
     /// one is not defined.
     fn monitors(&self, place: &CurvePoint, view: &Self::View) -> Vec<Option<f64>>;
+
+    /// One of them. A curve that has it without the view does not look at the point.
+    ///
+    /// # Errors
+    /// As [`view`](Self::view).
+    fn monitor(&self, which: usize, place: &CurvePoint) -> Result<Option<f64>> {
+        Ok(self.monitors(place, &self.view(place)?)[which])
+    }
 
     /// Whether the point is what the curve is followed for. Where that changes, a monitor changes sign.
     fn holds(&self, view: &Self::View) -> bool;
@@ -236,7 +247,8 @@ impl<C: Followed> Walk<'_, C> {
             }
             // What holds after the event is asked halfway to the next.
             let beyond = events.get(index + 1).map_or(reach, |next| next.0);
-            let middle = self.between(&here.place, &foot_end, reach, at + (beyond - at) / 2.0)?;
+            let part = (at + (beyond - at) / 2.0) / reach;
+            let middle = self.between(&here.place, &foot_end, &here.place.tangent, part)?;
             if !self.options.beyond && !self.curve.holds(&self.curve.view(&middle)?) {
                 return Ok((steps, h, Some(CurveEnd::Fails)));
             }
@@ -256,10 +268,10 @@ impl<C: Followed> Walk<'_, C> {
         Ok((steps, next, end))
     }
 
-    /// The point at h of a step that led from a to b, guessed so near that Newton's method keeps to this
-    /// curve where another crosses.
-    fn between(&self, a: &CurvePoint, b: &CurvePoint, reach: f64, h: f64) -> Result<CurvePoint> {
-        self.corrector.correct(self.curve, &cubic(a, b, h / reach), &a.tangent)
+    /// The point at the fraction s of the way from a to b, along `normal`, guessed so near that Newton's
+    /// method keeps to this curve where another crosses.
+    fn between(&self, a: &CurvePoint, b: &CurvePoint, normal: &[f64], s: f64) -> Result<CurvePoint> {
+        self.corrector.correct(self.curve, &cubic(a, b, normal, s), normal)
     }
 
     /// The zero of a function close to h, where the equations are so nearly singular that no point can be
@@ -275,7 +287,7 @@ impl<C: Followed> Walk<'_, C> {
             return Err(Error::input("an event where it is not defined"));
         };
         let part = x / (x - y);
-        let u = cubic(&a, &b, part);
+        let u = cubic(&a, &b, &a.tangent, part);
         let mut tangent: Vec<f64> =
             a.tangent.iter().zip(&b.tangent).map(|(a, b)| a + part * (b - a)).collect();
         let length = norm(&tangent);
@@ -293,10 +305,17 @@ impl<C: Followed> Walk<'_, C> {
         reach: f64,
     ) -> Result<Vec<(f64, usize, CurvePoint)>> {
         let after = self.curve.monitors(place, view);
+        // The points of the step that are known, in order: the nearest two are guessed from.
+        let known = RefCell::new(vec![(0.0, here.place.clone()), (reach, place.clone())]);
         let at = |which: usize, h: f64| -> Result<(Option<f64>, CurvePoint)> {
-            let place = self.between(&here.place, place, reach, h)?;
-            let view = self.curve.view(&place)?;
-            Ok((self.curve.monitors(&place, &view)[which], place))
+            let mut known = known.borrow_mut();
+            let next = known.partition_point(|known| known.0 < h).clamp(1, known.len() - 1);
+            let (a, b) = (&known[next - 1], &known[next]);
+            let place = self.between(&a.1, &b.1, &here.place.tangent, (h - a.0) / (b.0 - a.0))?;
+            if a.0 < h && h < b.0 {
+                known.insert(next, (h, place.clone()));
+            }
+            Ok((self.curve.monitor(which, &place)?, place))
         };
         // A start may be an event itself, or where curves meet: then it is looked at from a little further
         // on, where the signs of what vanishes there are certain.
@@ -305,7 +324,7 @@ impl<C: Followed> Walk<'_, C> {
         let mut first = 0.0;
         if here.length == 0.0 && before.iter().any(vanishes) {
             first = 1e-2 * reach;
-            let place = self.between(&here.place, place, reach, first)?;
+            let place = self.between(&here.place, place, &here.place.tangent, first / reach)?;
             before = self.curve.monitors(&place, &self.curve.view(&place)?);
         }
         let mut found: Vec<(f64, usize, CurvePoint)> = Vec::new();
@@ -354,50 +373,6 @@ impl<C: Followed> Walk<'_, C> {
 /// Whether two steps are the same event at the same point.
 fn same<V>(a: &Step<V>, b: &Step<V>) -> bool {
     a.event == b.event && norm(&difference(&a.place.u, &b.place.u)) <= 1e-6 * (1.0 + norm(&a.place.u))
-}
-
-/// The cubic through two points of a curve with their tangents, at the fraction s of the way.
-fn cubic(a: &CurvePoint, b: &CurvePoint, s: f64) -> Vec<f64> {
-    let reach = dot(&difference(&b.u, &a.u), &a.tangent);
-    let slope = reach / dot(&a.tangent, &b.tangent);
-    let at = |i: usize| {
-        let (chord, from, to) = (b.u[i] - a.u[i], reach * a.tangent[i], slope * b.tangent[i]);
-        a.u[i] + s * (from + s * (3.0 * chord - 2.0 * from - to + s * (from + to - 2.0 * chord)))
-    };
-    (0..a.u.len()).map(at).collect()
-}
-
-/// Where a function changes sign, by the Illinois rule with bisections: to a few units in the last place,
-/// with its argument's point; no point if the function fails there.
-fn root(
-    function: impl Fn(f64) -> Result<(Option<f64>, CurvePoint)>,
-    mut a: (f64, f64),
-    mut b: (f64, f64),
-) -> (f64, Option<CurvePoint>) {
-    let width = b.0 - a.0;
-    let mut kept = None;
-    let mut best: (f64, f64, Option<CurvePoint>) = (a.0, f64::INFINITY, None);
-    for round in 0..100 {
-        let secant = b.0 - b.1 * (b.0 - a.0) / (b.1 - a.1);
-        let inside = round % 8 < 7 && secant > a.0 && secant < b.0;
-        let middle = if inside { secant } else { (a.0 + b.0) / 2.0 };
-        let Ok((Some(value), place)) = function(middle) else { return (middle, None) };
-        if value.abs() <= best.1 {
-            best = (middle, value.abs(), Some(place));
-        }
-        if value == 0.0 || b.0 - a.0 <= 1e-15 * width || middle == a.0 || middle == b.0 {
-            break;
-        }
-        // The end that stays twice counts half.
-        let upper = (value < 0.0) == (b.1 < 0.0);
-        let other = if upper { &mut a } else { &mut b };
-        if kept == Some(upper) {
-            other.1 /= 2.0;
-        }
-        kept = Some(upper);
-        *(if upper { &mut b } else { &mut a }) = (middle, value);
-    }
-    (best.0, best.2)
 }
 
 impl std::fmt::Display for CurveEnd {

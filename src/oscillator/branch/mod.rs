@@ -19,6 +19,7 @@
 //! # Ok::<(), grazing::Error>(())
 //! ```
 
+mod between;
 mod bifurcation;
 #[expect(clippy::module_inception)]
 mod branch;

@@ -103,6 +103,14 @@ impl<F: PatternFamily + ?Sized> Followed for PatternCurve<'_, F> {
         monitors(orbit, place.tangent.last().copied())
     }
 
+    /// Where the branch turns back the tangent alone tells.
+    fn monitor(&self, which: usize, place: &CurvePoint) -> Result<Option<f64>> {
+        if which == Bifurcation::SaddleNode as usize {
+            return Ok(place.tangent.last().copied());
+        }
+        Ok(self.monitors(place, &self.view(place)?)[which])
+    }
+
     fn holds(&self, orbit: &F::Orbit) -> bool {
         orbit.is_orbit()
     }

@@ -43,11 +43,15 @@ pub fn linearise(oscillator: &Oscillator, itinerary: &Itinerary, z: &[f64]) -> R
     if m == 0 {
         return Ok(free(oscillator, itinerary, z));
     }
-    let mut found = Linearised {
-        residual: vec![0.0; 2 * m],
-        jacobian: vec![vec![0.0; 2 * m]; 2 * m],
-        slope: vec![0.0; 2 * m],
+    // With room for one unknown and one equation more: those of a branch.
+    let zeros = || {
+        let mut zeros = Vec::with_capacity(2 * m + 1);
+        zeros.resize(2 * m, 0.0);
+        zeros
     };
+    let mut jacobian = Vec::with_capacity(2 * m + 1);
+    jacobian.extend((0..2 * m).map(|_| zeros()));
+    let mut found = Linearised { residual: zeros(), jacobian, slope: vec![0.0; 2 * m] };
     for passage in unknowns.passages(oscillator) {
         let passage = passage?;
         let Passage { index, next, duration, .. } = passage;

@@ -104,7 +104,9 @@ impl<'a> Unknowns<'a> {
             let [strike, target] = [index, next].map(|i| unknowns.itinerary.strikes()[i]);
             let (t, speed) = (unknowns.phase(index), unknowns.speed(index));
             let here = oscillator.touch(strike.side, t)?;
-            let there = oscillator.touch(target.side, unknowns.phase(next))?;
+            // A single impact follows itself.
+            let there =
+                if next == index { here } else { oscillator.touch(target.side, unknowns.phase(next))? };
             let from = here.leaving(t, here.wall.restitution * speed);
             let arrival =
                 OrbitImpact { side: target.side, phase: unknowns.phase(next), speed: unknowns.speed(next) };
