@@ -247,6 +247,7 @@ fn rising(mut f: impl FnMut(f64) -> (f64, f64), lo: (f64, f64), hi: (f64, f64), 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::oscillator::{Harmonic, System, Wall};
 
     /// By bisection to the last digit, another way.
     fn bisected(f: impl Fn(f64) -> f64, mut lo: f64, mut hi: f64) -> f64 {
@@ -306,5 +307,43 @@ mod tests {
         }
         let none = |t: f64| [0.0, -1e-9 - (t - 0.4).powi(2), -2.0 * (t - 0.4)];
         assert_eq!(minimum_within(none, none(0.0), none(1.0), 1.0), None);
+    }
+
+    /// The cells of the closed form and those of the integrator show the same minima, with and without
+    /// forcing, at both walls, on legs of many periods.
+    #[test]
+    fn minima_are_those_of_the_integrator() {
+        let h = |k, cos, sin| Harmonic { k, cos, sin };
+        let wall =
+            |offset| Some(Wall { offset, harmonics: vec![h(1, 0.9, 0.1), h(3, 0.0, 0.2)], restitution: 0.8 });
+        let mut count = 0;
+        for (damping, stiffness) in [(0.245, 0.042), (0.05, 7.3), (0.0, 0.5), (2.5, 0.3)] {
+            for forcing in [vec![], vec![h(1, 0.5, 0.25), h(2, -0.7, 0.4)]] {
+                let system = System {
+                    damping,
+                    stiffness,
+                    cubic: 0.0,
+                    force: 0.1,
+                    forcing,
+                    smooth: None,
+                    lower: wall(-1.0),
+                    upper: wall(2.0),
+                };
+                // Too weak to move anything: it only leads to the integrator.
+                let bent = System { cubic: 1e-300, ..system.clone() };
+                let [closed, stepped] = [system, bent].map(|system| {
+                    let oscillator = Oscillator::new(system, 1e-15).unwrap();
+                    minima(&oscillator, 0, State { t: 0.7, q: 0.4, u: -0.3 }, 31.0)
+                });
+                assert_eq!(closed.len(), stepped.len(), "{damping} {stiffness}: {closed:?} {stepped:?}");
+                for (one, other) in closed.iter().zip(&stepped) {
+                    assert_eq!((one.side, one.leg), (other.side, other.leg));
+                    assert!((one.gap - other.gap).abs() < 1e-11, "{one:?} {other:?}");
+                    assert!((one.after - other.after).abs() < 1e-9, "{one:?} {other:?}");
+                }
+                count += closed.len();
+            }
+        }
+        assert!(count > 80, "{count}");
     }
 }
