@@ -347,6 +347,27 @@ fn the_papers_bifurcations_go_the_way_the_paper_says() {
     assert_eq!(pair[1], 0.0);
 }
 
+/// The published flip and the closed form's saddle-node of section 4, whatever form the damping has.
+#[test]
+fn damping_in_a_formula_is_in_the_bifurcations() {
+    let folder = tempfile::tempdir().unwrap();
+    let event = |event: &str, mu: &str, n: u32| {
+        let keys = format!(
+            "event = \"{event}\"\nparameter = \"mu\"\nset = {{ mu = {mu} }}\norbit = {{ pattern = [{n}] }}"
+        );
+        task(event, "event", &keys)
+    };
+    let tasks = [event("flip", "0.005", 3), event("saddle-node", "-0.08", 4)];
+    for force in ["-2*d/w*u", "-2*d/w*u + 0*exp(q)*u + 0*sin(u)"] {
+        let scene = NORDMARK.replace("damping = \"2*d/w\"", &format!("force = \"{force}\""));
+        let (report, code, _) = run(&scene, &tasks, folder.path());
+        assert_eq!(code, 0, "{force}: {report}");
+        let at = |i: usize| number(&found(&report, i)[0]["parameter"]);
+        near(at(0), 0.005_479_046_22, 1e-11);
+        near(at(1), -0.084_338_470_089_589_2, 1e-11);
+    }
+}
+
 #[test]
 fn both_walls_grazed_at_once_are_the_half_periods_map_or_open() {
     let folder = tempfile::tempdir().unwrap();

@@ -204,3 +204,62 @@ fn the_large_eigenvalue_s_coefficient_is_that_of_the_formula() {
         assert!((found / expected - 1.0).abs() < 1e-10, "{n}: {found} {expected}");
     }
 }
+
+/// An oscillator with two stops that mirror each other, or one, its force given as keys or as a formula.
+fn stopped(system: &str, both: bool) -> Scene {
+    let wall =
+        |side: &str, at: i32| format!("[[walls]]\nside = \"{side}\"\noffset = {at}\nrestitution = 0.8\n");
+    let lower = if both { wall("lower", -1) } else { String::new() };
+    let text = format!(
+        "format = \"grazing-scene 1\"\ntitle = \"t\"\n[parameters]\nF = 0.6\n[system]\n{system}\n{}{lower}",
+        wall("upper", 1)
+    );
+    Scene::from_toml(&text, "test").unwrap()
+}
+
+/// One equation in two forms has one local map, whose a₂ is e^{−0.1·2π}; half a period's is e^{−0.1·π}.
+#[test]
+fn damping_in_a_formula_is_in_the_local_map() {
+    let forms = [
+        "damping = \"1/10\"\nstiffness = \"3/10\"\nforcing = [{ cos = \"F\" }]",
+        "force = \"-u/10 - 3/10*q + F*cos(t)\"",
+        // No longer linear as far as its form tells.
+        "force = \"-u/10 - 3/10*q + F*cos(t) + 0*exp(q)*u + 0*sin(u)\"",
+    ];
+    for both in [false, true] {
+        let maps = forms.map(|form| {
+            let scene = stopped(form, both);
+            let family = SceneFamily::new(&scene, "F").unwrap();
+            let grazing = at_rest(&family, 0.6);
+            let half = grazing.half_map(&family.at(grazing.parameter).unwrap());
+            assert_eq!(half.is_some(), both, "{form}");
+            (grazing, half)
+        });
+        for (grazing, half) in &maps {
+            let (known, other) = (&maps[0].0, &grazing.map);
+            assert!((other.multipliers.determinant - (-0.1 * TAU).exp()).abs() < 1e-13, "{other:?}");
+            assert!((other.multipliers.trace - known.map.multipliers.trace).abs() < 1e-12);
+            assert!((grazing.parameter - known.parameter).abs() < 1e-12);
+            assert_eq!(other.region(), known.map.region());
+            if let Some(half) = half {
+                assert!((half.multipliers.determinant - (-0.05 * TAU).exp()).abs() < 1e-13, "{half:?}");
+            }
+        }
+    }
+}
+
+/// q = −cos t touches both stops at F = 0.7; what is added vanishes on it, and is the same on both sides.
+#[test]
+fn a_force_that_is_not_its_mirror_image_has_no_map_of_half_a_period() {
+    for (added, symmetric) in
+        [("", true), ("*q", true), ("*cos(2*t)*u", true), ("*1", false), ("*cos(t)*q", false)]
+    {
+        let extra = if added.is_empty() { String::new() } else { format!("+ 0.1*(q^2 + u^2 - 1){added}") };
+        let scene = stopped(&format!("force = \"-0.3*q + F*cos(t) {extra}\""), true);
+        let family = SceneFamily::new(&scene, "F").unwrap();
+        let grazing = graze(&family, &Itinerary::free(1).unwrap(), &[-1.0, 0.0], 0.7);
+        assert!((grazing.parameter - 0.7).abs() < 1e-10, "{added}: {}", grazing.parameter);
+        let half = grazing.half_map(&family.at(grazing.parameter).unwrap());
+        assert_eq!(half.is_some(), symmetric, "{added}");
+    }
+}

@@ -98,6 +98,22 @@ impl Formula {
         }
     }
 
+    /// The same with a formula in place of each variable.
+    pub fn substituted(&self, variables: &dyn Fn(usize) -> Formula) -> Formula {
+        let inside = |inner: &Formula| Box::new(inner.substituted(variables));
+        match self {
+            Formula::Number(_) | Formula::Pi => self.clone(),
+            Formula::Variable(index) => variables(*index),
+            Formula::Negated(inner) => Formula::Negated(inside(inner)),
+            Formula::Power(inner, exponent) => Formula::Power(inside(inner), *exponent),
+            Formula::Call(function, inner) => Formula::Call(*function, inside(inner)),
+            Formula::Binary(operation, parts) => {
+                let parts = parts.each_ref().map(|part| part.substituted(variables));
+                Formula::Binary(*operation, Box::new(parts))
+            }
+        }
+    }
+
     /// Whether a variable of these stands in it.
     pub fn mentions(&self, which: &dyn Fn(usize) -> bool) -> bool {
         match self {

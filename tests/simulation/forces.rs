@@ -6,9 +6,13 @@ use std::f64::consts::TAU;
 use grazing::{
     oscillator::{
         Counts, Effect, System, Time,
-        attractor::lyapunov::lyapunov,
+        attractor::{
+            lyapunov::{exponents, lyapunov},
+            manifold::reversed,
+        },
+        branch::{Bifurcation, NormalForm, Sense},
         flow::{Flow, Free, State},
-        orbit::{Family, Itinerary, Oscillator, find, return_map},
+        orbit::{Criticality, Family, Itinerary, Oscillator, find, monodromy, return_map},
         simulate::{Event, RunEnd, Settings, Simulator},
     },
     scene::{Scene, SceneFamily},
@@ -356,6 +360,85 @@ fn the_return_map_of_a_cubic_oscillator_moved_aside_is_the_same() {
 }
 
 /// How far a pole, a root or a logarithm lets a motion go, and why it ends there.
+/// Their product is the determinant of the monodromy matrix, which is made of other numbers.
+#[test]
+fn the_multipliers_of_a_formula_have_the_product_that_areas_shrink_by() {
+    let wall = "[[walls]]\nside = \"lower\"\noffset = -0.5\nrestitution = 0.9";
+    for (force, impacts) in [
+        ("-0.2*u - q + 0.3*cos(2*t) - 0.4*u^3", false),
+        ("-0.2*u*exp(-q) - sin(q) + 0.3*cos(t)", false),
+        ("-0.1*u*(2 + cos(t)) - q - 0.5*u^3 + cos(t)", true),
+    ] {
+        let scene = scene(&format!("force = \"{force}\""), if impacts { wall } else { "" });
+        let oscillator = Oscillator::new(scene.plain(&[]).unwrap(), 1e-15).unwrap();
+        let itinerary = match impacts {
+            true => Itinerary::at(grazing::oscillator::Side::Lower, &[1]).unwrap(),
+            false => Itinerary::free(1).unwrap(),
+        };
+        let start = if impacts { vec![3.0, 0.5] } else { vec![0.0, 0.0] };
+        let orbit = find(&oscillator, &itinerary, start).unwrap();
+        let m = monodromy(&oscillator, &itinerary, &orbit.z).unwrap();
+        let product = m[0][0] * m[1][1] - m[0][1] * m[1][0];
+        let found = orbit.multipliers.determinant;
+        assert!((found - product).abs() < 1e-12 && found < 0.9, "{force}: {found} {product}");
+    }
+}
+
+/// q″ = ∓q²q′ − w²q about rest: by averaging the amplitude a of q obeys a′ = ∓a³/8, so that with |ζ| = a
+/// √(1+w²)/2 a period of 2π has Re d = ∓π/(1 + w²).
+#[test]
+fn with_nonlinear_damping_a_neimark_sacker_point_has_a_direction() {
+    for (sign, sense) in [("-", Criticality::Supercritical), ("+", Criticality::Subcritical)] {
+        for w in [0.7_f64, 1.3, 2.2] {
+            let system = formula(&format!("{sign}q^2*u - {}*q + 0*cos(t)", w * w));
+            let oscillator = Oscillator::new(system, 1e-15).unwrap();
+            let orbit = find(&oscillator, &Itinerary::free(1).unwrap(), vec![0.0, 0.0]).unwrap();
+            let form = NormalForm::at(&oscillator, &orbit, Bifurcation::Torus).unwrap();
+            let expected = std::f64::consts::PI / (1.0 + w * w) * if sign == "-" { -1.0 } else { 1.0 };
+            assert!((form.coefficient - expected).abs() < 1e-9, "{w}: {form:?}, {expected}");
+            assert_eq!(form.kind, Sense::Born(sense));
+        }
+    }
+    // Areas shrink alike along all motions: Re d is zero, and that is said.
+    let oscillator = Oscillator::new(formula("0.3*q^3 - 0.49*q - sin(q)"), 1e-15).unwrap();
+    let orbit = find(&oscillator, &Itinerary::free(1).unwrap(), vec![0.0, 0.0]).unwrap();
+    assert_eq!(NormalForm::at(&oscillator, &orbit, Bifurcation::Torus).unwrap().kind, Sense::Degenerate);
+}
+
+/// The sum of both exponents is the mean of ∂q″/∂q′, however fast areas shrink.
+#[test]
+fn exponents_of_strongly_damped_motions_have_the_sum_that_areas_shrink_by() {
+    for (force, sum) in [("-200*u - 30*sin(q) + 40*cos(t)", -200.0), ("-3*u - sin(q) + cos(t)", -3.0)] {
+        let simulator = Simulator::new(&formula(force), &Settings::default()).unwrap();
+        let start = State { t: 0.0, q: 0.3, u: 0.0 };
+        let all = exponents(&simulator, &start, 2, 2, 5, &()).unwrap();
+        let found = all[0].rate + all[1].rate;
+        assert!((found - sum).abs() < 1e-7 * -sum, "{force}: {found}");
+    }
+}
+
+/// The motion of the reversed system leads back; a formula's velocity and time are turned round as well.
+#[test]
+fn a_formula_is_run_backwards() {
+    let wall = "[[walls]]\nside = \"lower\"\noffset = -0.6\nrestitution = 0.8\nharmonics = [{ sin = 0.1 }]";
+    for force in ["-sin(q) + 0.9*sin(t)", "-q - 0.1*u^3 + u*cos(t)/4 + sin(t + 1)", "tanh(q + u/3) - q^3 - q"]
+    {
+        let system = scene(&format!("damping = 0.1\nforcing = [{{ sin = 0.4 }}]\nforce = \"{force}\""), wall);
+        let system = system.plain(&[]).unwrap();
+        let run = |system: &System<f64>, from: f64, [q, u]: [f64; 2]| {
+            let simulator = Simulator::new(system, &Settings::default()).unwrap();
+            let mut run = simulator.start(at(from), q, u).unwrap();
+            assert_eq!(run.finish(at(from + 9.0)), RunEnd::Reached);
+            let state = run.state();
+            assert!(run.impacts() > 0, "{force}");
+            [state.q, state.u]
+        };
+        let there = run(&system, 1.0, [0.3, -0.8]);
+        let back = run(&reversed(&system).unwrap(), -10.0, [there[0], -there[1]]);
+        assert!((back[0] - 0.3).abs().max((back[1] - 0.8).abs()) < 1e-7, "{force}: {back:?}");
+    }
+}
+
 #[test]
 fn a_motion_ends_where_its_force_is_not_smooth() {
     let cases: [(&str, f64, f64, f64); 6] = [

@@ -82,8 +82,7 @@ impl MachineLocalMap {
             }
             Some(smooth) => {
                 let a = smooth.transition(&state, span) * mirrors(span);
-                let determinant = a.determinant();
-                (a, determinant, None)
+                (a, smooth.determinant(&state, span), None)
             }
         };
         // A stop that gives way does not turn velocities at once: its map has no square root.

@@ -9,8 +9,8 @@ use crate::{
     },
     oscillator::{
         Series,
+        flow::GAUSS,
         flow::{Gradient, Scalar},
-        orbit::GAUSS,
     },
 };
 

@@ -182,21 +182,21 @@ impl LegPiece {
             None => return Ok(self.flow.transition(self.duration)),
             Some(smooth) => smooth.transition(&self.start, self.duration),
         };
-        if phi.iter().all(|x| x.is_finite()) {
-            Ok(phi)
-        } else {
-            Err(Error::input("the motion's derivative could not be followed"))
-        }
+        if phi.iter().all(|x| x.is_finite()) { Ok(phi) } else { Err(Error::input(LOST)) }
     }
 
     /// The determinant of [`transition`](Self::transition).
     fn determinant(&self) -> Result<f64> {
-        match &self.stage {
-            None => Ok(self.flow.equations().determinant(self.duration)),
-            Some(_) => Ok(self.transition()?.determinant()),
-        }
+        let smooth = self.stage.as_ref().and_then(|stage| stage.smooth.as_ref());
+        let found = match smooth {
+            None => self.flow.equations().determinant(self.duration),
+            Some(smooth) => smooth.determinant(&self.start, self.duration),
+        };
+        found.is_finite().then_some(found).ok_or_else(|| Error::input(LOST))
     }
 }
+
+const LOST: &str = "the motion's derivative could not be followed";
 
 fn none() -> RealVector {
     RealVector::zeros(0)

@@ -12,7 +12,10 @@ use crate::{
         equations::Constrained,
         smooth::{Held, Leap, Record, Smooth, SmoothFlow},
     },
-    oscillator::{Series, Time, flow::TERMS},
+    oscillator::{
+        Series, Time,
+        flow::{GAUSS, TERMS},
+    },
 };
 
 /// How a machine with smooth forces moves in a stage.
@@ -142,6 +145,33 @@ impl SmoothStage {
     /// ∂(q, q′) after a duration by (q, q′) before.
     pub fn transition(&self, state: &MachineState, duration: f64) -> RealMatrix {
         self.flow.transition(state, duration)
+    }
+
+    /// The same over one step, no longer than `longest`, and how far that goes.
+    pub fn step_transition(&self, state: &MachineState, longest: f64) -> (RealMatrix, f64) {
+        self.flow.step_transition(state, longest)
+    }
+
+    /// The determinant of [`transition`](Self::transition), by Liouville: exp ∫ tr ∂q″/∂q′ dt by Gauss's rule
+    /// on each step; NaN where the motion cannot be followed.
+    pub fn determinant(&self, state: &MachineState, duration: f64) -> f64 {
+        let (mut now, mut here, mut left, mut sum) = (Time::new(0, state.t), state.clone(), duration, 0.0);
+        loop {
+            let leap = self.leap(now, &here);
+            let part = (left / leap.h).min(1.0);
+            for (x, weight) in GAUSS {
+                let MachineState { t, q, u } = leap.state(part * x);
+                let Some([_, by_rate]) = self.flow.jacobian(t, &q, &u) else { return f64::NAN };
+                sum += part * leap.h * weight * by_rate.trace();
+            }
+            if left <= leap.h {
+                return sum.exp();
+            }
+            if leap.over().is_some() {
+                return f64::NAN;
+            }
+            (now, here, left) = (leap.time(1.0), leap.state(1.0), left - leap.h);
+        }
     }
 
     /// What is watched on a step, as a polynomial, and the sum of the moduli of what its value at x = 0 was

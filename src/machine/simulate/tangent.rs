@@ -23,6 +23,7 @@ use crate::{
     oscillator::{
         Time,
         attractor::dynamics::{Tangents, orthonormalise},
+        flow::SHORTEST,
         simulate::RunEnd,
     },
     random::Random,
@@ -90,30 +91,41 @@ impl<'a> MachineTangents<'a> {
         self.frame = frame;
     }
 
-    /// Vectors and state on by `duration`, without events.
-    fn advance(&mut self, duration: f64) {
+    /// Vectors and state on by `longest` or less, without events; how far.
+    fn advance(&mut self, longest: f64) -> f64 {
         let stage = self.stage.clone();
         let state = MachineState { t: self.now.phase, ..self.state.clone() };
-        match &stage.smooth {
-            None => self.mapped(|q, u| stage.carried(&q, &u, duration)),
+        let gone = match &stage.smooth {
+            None => {
+                self.mapped(|q, u| stage.carried(&q, &u, longest));
+                longest
+            }
+            // How fast motions decay is not known beforehand; over a step of the flow they cannot by much.
             Some(smooth) => {
-                let (n, phi) = (state.q.len(), smooth.transition(&state, duration));
+                let (phi, gone) = smooth.step_transition(&state, longest);
+                let n = state.q.len();
                 self.mapped(|q, u| {
                     let x = &phi * stacked(&q, &u);
                     (x.rows(0, n).into_owned(), x.rows(n, n).into_owned())
                 });
+                gone
             }
-        }
-        (self.state, self.now) = (stage.after(self.now, &state, duration), self.now.after(duration));
+        };
+        (self.state, self.now) = (stage.after(self.now, &state, gone), self.now.after(gone));
         self.state.t = self.now.phase;
+        gone
     }
 
     fn fly(&mut self, then: Time, growth: &mut [f64]) {
-        while then.since(self.now) > self.longest {
-            self.advance(self.longest);
+        loop {
+            let left = then.since(self.now);
+            let gone = self.advance(left.min(self.longest));
+            // Where it cannot be followed the run ends, too.
+            if gone >= left || gone.is_nan() || gone <= SHORTEST {
+                return;
+            }
             orthonormalise(&mut self.frame, growth, FLOOR);
         }
-        self.advance(then.since(self.now));
     }
 
     /// The impacts at one instant, of which these were told; the state before is known, that after is the
@@ -168,16 +180,17 @@ impl<'a> MachineTangents<'a> {
         });
     }
 
-    /// The longest stretch on which vectors neither vanish in floats nor fall together.
+    /// The longest stretch on which vectors neither vanish in floats nor fall together; no bound where forces
+    /// are formulas.
     fn bound(&mut self) {
+        if self.stage.smooth.is_some() {
+            self.longest = f64::INFINITY;
+            return;
+        }
         let count = self.frame.len();
         let decays = self.stage.flow.decays();
         let (most, slowest) = if count < 2 { (600.0, decays.first()) } else { (20.0, decays.get(count - 1)) };
         self.longest = slowest.filter(|decay| **decay > 0.0).map_or(f64::INFINITY, |decay| most / decay);
-        if self.stage.smooth.is_some() {
-            // How fast motions decay is known at rest only.
-            self.longest = self.longest.min(std::f64::consts::TAU);
-        }
     }
 
     /// Of vectors only what moves along the stops that are rested on.

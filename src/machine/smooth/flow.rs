@@ -136,6 +136,31 @@ impl SmoothFlow {
         all
     }
 
+    /// The same over one step, no longer than `longest`, and how far that goes: as far as the derivatives in
+    /// all directions allow.
+    pub fn step_transition(&self, state: &MachineState, longest: f64) -> (RealMatrix, f64) {
+        let n = self.size;
+        let from: Vec<f64> = state.q.iter().chain(state.u.iter()).copied().collect();
+        let (mut all, mut h) = (RealMatrix::zeros(2 * n, 2 * n), longest);
+        let mut firsts = (0..2 * n).step_by(WIDTH);
+        while let Some(first) = firsts.next() {
+            let step = step(&self.varied, &self.metric, &seeded(&from, first), state.t, h, &[]);
+            if step.h < h && first > 0 {
+                // Those before went farther.
+                firsts = (0..2 * n).step_by(WIDTH);
+            }
+            h = step.h;
+            for i in 0..n {
+                let end = step.end(i);
+                for j in first..(first + WIDTH).min(2 * n) {
+                    all[(i, j)] = end[0].part(1 + j - first);
+                    all[(n + i, j)] = end[1].part(1 + j - first);
+                }
+            }
+        }
+        (all, h)
+    }
+
     /// A motion whose numbers carry what they carry, by a program of the same machine.
     pub fn carried<S: Scalar>(&self, program: &Program<S>, from: Vec<S>, t: f64, duration: f64) -> Vec<S> {
         carry(program, &self.metric, from, t, duration)
@@ -227,14 +252,21 @@ fn carry<S: Scalar>(
             return vec![S::constant(f64::NAN); 2 * n];
         }
         for j in 0..n {
-            let zero = S::constant(0.0);
-            let end = step.rows[j].iter().rev().fold([zero; 2], |[p, slope], c| [p + *c, slope + p]);
-            (from[j], from[n + j]) = (end[0], end[1].scaled(1.0 / step.h));
+            [from[j], from[n + j]] = step.end(j);
         }
         left = if step.h < left { left - step.h } else { 0.0 };
         t = begin + duration - left;
     }
     from
+}
+
+impl<S: Scalar> Step<S> {
+    /// A coordinate and its velocity at the end.
+    fn end(&self, coordinate: usize) -> [S; 2] {
+        let (zero, row) = (S::constant(0.0), &self.rows[coordinate]);
+        let [q, slope] = row.iter().rev().fold([zero; 2], |[p, slope], c| [p + *c, slope + p]);
+        [q, slope.scaled(1.0 / self.h)]
+    }
 }
 
 impl Leap {

@@ -3,9 +3,9 @@
 //! The unstable manifold of a saddle S with multiplier Λ is what becomes of a short segment [ε v, Λ ε v] on
 //! its unstable direction v, both ways, under the map from period to period of S. The stable manifold is the
 //! unstable one of the motion run backwards, which is that of an impact oscillator, too: damping, odd
-//! harmonics and velocities change sign, and a restitution τ becomes 1/τ. Impacts cut the curves: where
-//! neighbouring points come to lie far apart, one of them beyond a grazing, the curve is broken and not
-//! bridged. Not here: where manifolds cross (`crisis`).
+//! harmonics and velocities change sign, in a formula velocity and time, and a restitution τ becomes 1/τ.
+//! Impacts cut the curves: where neighbouring points come to lie far apart, one of them beyond a grazing, the
+//! curve is broken and not bridged. Not here: where manifolds cross (`crisis`).
 
 use std::f64::consts::TAU;
 
@@ -17,6 +17,7 @@ use crate::{
         algebra::{IDENTITY, Matrix2, product, trace},
         flow::Flow,
         simulate::{Event, RunEnd, Simulator},
+        system::{TIME, U},
     },
 };
 
@@ -173,8 +174,11 @@ pub fn reversed(system: &System<f64>) -> Result<System<f64>> {
         let harmonics = turned(&wall.harmonics);
         Ok(Wall { offset: wall.offset, harmonics, restitution: 1.0 / wall.restitution })
     };
+    let back = |place: usize| place == U || place == TIME;
+    let smooth = system.smooth.as_ref().map(|force| force.turned(&back));
     Ok(System {
         damping: -system.damping,
+        smooth,
         forcing: turned(&system.forcing),
         lower: system.lower.as_ref().map(wall).transpose()?,
         upper: system.upper.as_ref().map(wall).transpose()?,

@@ -13,7 +13,7 @@ use crate::{
     oscillator::{
         Time,
         algebra::apply,
-        flow::{Flow, State},
+        flow::{Flow, SHORTEST, State},
         simulate::{Event, Run, RunEnd, Simulator},
     },
 };
@@ -106,7 +106,8 @@ pub struct Carried<'a> {
     frame: Vec<[f64; 2]>,
     state: State,
     now: Time,
-    /// The longest stretch on which the vectors neither vanish in floats nor fall together.
+    /// The longest stretch on which the vectors neither vanish in floats nor fall together, if that is the
+    /// same everywhere; else no stretch is longer than a step of the flow.
     longest: f64,
 }
 
@@ -116,26 +117,26 @@ impl<'a> Carried<'a> {
         let frame = [[0.6, 0.8], [-0.8, 0.6]][..count.min(2)].to_vec();
         let (state, now) = (run.state(), run.time());
         let most = if count < 2 { 600.0 } else { 20.0 };
-        let equation = simulator.flow().equation();
-        let longest = most / equation.damping.abs();
-        // Any other force may contract faster than its damping says.
-        let longest = if equation.smooth.is_some() { longest.min(0.5) } else { longest };
+        let rate = simulator.flow().equation().constant_divergence();
+        let longest = rate.map_or(f64::INFINITY, |rate| most / rate.abs());
         Carried { simulator, run, frame, state, now, longest }
     }
 
     /// The vectors on to `then`, and the state there: without impact.
     fn fly(&mut self, then: Time, growth: &mut [f64]) -> State {
         let flow = self.simulator.flow();
-        while then.since(self.now) > self.longest {
-            let (state, matrix) = flow.advance_linearised(self.state, self.longest);
-            self.now = self.now.after(self.longest);
-            self.state = State { t: self.now.phase, ..state };
+        loop {
+            let left = then.since(self.now);
+            let (state, matrix, gone) = flow.step_linearised(self.state, left.min(self.longest));
             self.frame.iter_mut().for_each(|v| *v = apply(&matrix, *v));
+            // Where it cannot be followed the run ends, too.
+            if gone >= left || gone.is_nan() || gone <= SHORTEST {
+                return state;
+            }
+            self.now = self.now.after(gone);
+            self.state = State { t: self.now.phase, ..state };
             orthonormalise(&mut self.frame, growth, 0.0);
         }
-        let (arrival, matrix) = flow.advance_linearised(self.state, then.since(self.now));
-        self.frame.iter_mut().for_each(|v| *v = apply(&matrix, *v));
-        arrival
     }
 }
 

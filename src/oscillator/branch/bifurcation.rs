@@ -63,8 +63,8 @@ impl Bifurcation {
 
 /// A point of codimension two on a curve of bifurcations in two parameters.
 ///
-/// With one degree of freedom a curve of Neimark–Sacker points has no Chenciner points: Re d is zero all
-/// along, see [`NormalForm`](super::NormalForm).
+/// With one degree of freedom and linear damping a curve of Neimark–Sacker points has no Chenciner points: Re
+/// d is zero all along, see [`NormalForm`](super::NormalForm).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
 pub enum Degeneracy {

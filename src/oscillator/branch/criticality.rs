@@ -9,12 +9,14 @@ use crate::oscillator::{
 
 /// The normal form of a bifurcation: see [`Derivatives`] for what the coefficient is.
 ///
-/// At a Neimark–Sacker point Re d = 0, always. Between impacts the area dq du shrinks by e^{−ct}, c the
-/// damping, whatever the stiffness and the forcing; an impact with restitution τ at a wall multiplies V dt dV
-/// by τ². Hence the Poincaré map, its time counted from one passage of the orbit to the next, multiplies the
-/// form e^{ct} V dt dV by the orbit's own determinant Π τ² e^{−cT}. Where that is 1, which only damping and
-/// restitution can bring about, the map keeps an area, and its normal form is a rotation to every order: no
-/// closed curve is born, motions wind in or out at all amplitudes alike.
+/// With linear damping Re d = 0 at every Neimark–Sacker point. Between impacts the area dq du then shrinks by
+/// e^{−ct}, c the damping, whatever the stiffness and the forcing; an impact with restitution τ at a wall
+/// multiplies V dt dV by τ². Hence the Poincaré map, its time counted from one passage of the orbit to the
+/// next, multiplies the form e^{ct} V dt dV by the orbit's own determinant Π τ² e^{−cT}. Where that is 1,
+/// which only damping and restitution can bring about, the map keeps an area, and its normal form is a
+/// rotation to every order: no closed curve is born, motions wind in or out at all amplitudes alike. With any
+/// other damping, written as a formula, areas shrink along one motion and not along its neighbour, and Re d
+/// is a number like the others.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NormalForm {
     /// a (saddle-node), c (crossing with a = 0: a pitchfork), a (any other crossing), b (flip), Re d
@@ -93,8 +95,12 @@ impl NormalForm {
                 born(b, b > 0.0)
             }
             _ => {
-                // Zero but for rounding.
-                NormalForm { coefficient: derivatives.torus()?, kind: Sense::Degenerate }
+                let d = derivatives.torus()?;
+                match oscillator.flow().equation().constant_divergence() {
+                    // Zero but for rounding.
+                    Some(_) => NormalForm { coefficient: d, kind: Sense::Degenerate },
+                    None => born(d, d < 0.0),
+                }
             }
         })
     }

@@ -170,7 +170,7 @@ impl PatternPlane for dyn TwoParameterFamily + '_ {
         let scale: f64 = speeds().product();
         let multipliers = || {
             let matrix = monodromy(&oscillator, pattern, z)?;
-            Ok::<_, Error>(Multipliers::new(&matrix, &oscillator, pattern))
+            Multipliers::new(&matrix, &oscillator, pattern, z)
         };
         values.push(match event {
             Bifurcation::SaddleNode | Bifurcation::Crossing => multipliers()?.fold() * scale,
@@ -214,6 +214,10 @@ impl PatternPlane for dyn TwoParameterFamily + '_ {
                 set(Degeneracy::Resonance2, Some(det - 1.0));
             }
             Bifurcation::Torus => {
+                let varies = |it: &Oscillator| it.flow().equation().constant_divergence().is_none();
+                if oscillator().is_some_and(|oscillator| varies(&oscillator)) {
+                    set(Degeneracy::Chenciner, expansion().and_then(|map| map.torus()));
+                }
                 set(Degeneracy::Resonance1, Some(trace - 2.0));
                 set(Degeneracy::Resonance2, Some(trace + 2.0));
                 set(Degeneracy::Resonance3, Some(trace + 1.0));
@@ -263,12 +267,7 @@ fn symmetric(oscillator: &Oscillator, pattern: &Itinerary, z: &[f64], values: &m
         [(late - lag + PI).rem_euclid(TAU) - PI, faster]
     };
     let symmetric = (0..half).all(|i| off(i).iter().all(|x| x.abs() < 1e-3));
-    if half == 0
-        || first.len() != second.len()
-        || !opposite
-        || !symmetric
-        || !is_mirrored(oscillator.system())
-    {
+    if half == 0 || first.len() != second.len() || !opposite || !symmetric || !is_mirrored(oscillator) {
         return Err(Error::input(
             "crossings are followed in two parameters only as pitchforks of orbits that are their own mirror image half a period \
              later, with impacts; this one is not",

@@ -22,6 +22,25 @@ pub(crate) const SHORTEST: f64 = 1e-9 * std::f64::consts::TAU;
 /// No step is longer than a quarter of the forcing period.
 const LONGEST: f64 = std::f64::consts::FRAC_PI_2;
 
+/// Gauss–Legendre with 8 points on [0, 1]: (node, weight).
+pub(crate) const GAUSS: [(f64, f64); 8] = {
+    let half = [
+        (0.183_434_642_495_649_8, 0.362_683_783_378_362),
+        (0.525_532_409_916_329, 0.313_706_645_877_887_27),
+        (0.796_666_477_413_626_7, 0.222_381_034_453_374_48),
+        (0.960_289_856_497_536_2, 0.101_228_536_290_376_26),
+    ];
+    let mut rule = [(0.0, 0.0); 8];
+    let mut i = 0;
+    while i < 4 {
+        let (node, weight) = half[i];
+        rule[4 + i] = (0.5 + node / 2.0, weight / 2.0);
+        rule[3 - i] = (0.5 - node / 2.0, weight / 2.0);
+        i += 1;
+    }
+    rule
+};
+
 /// Adaptive Taylor series: order N from the tolerance, step such that the last two terms of q and of q′ stay
 /// under it.
 #[derive(Debug, Clone)]
@@ -130,6 +149,15 @@ impl Taylor {
         Step { h: trial * factor, q: rows.q().iter().map(scaled).collect(), smooth }
     }
 
+    /// A step by a formula's program, no longer than `longest`, with its derivative and its length.
+    pub(super) fn step_linearised(&self, from: State, longest: f64) -> Option<(State, Matrix2, f64)> {
+        let smooth = self.equation().smooth.as_ref()?;
+        let start = [Gradient::variable(from.q, 1), Gradient::variable(from.u, 2)];
+        let step = self.step(&smooth.varied, start, from.t, true, longest);
+        let (end, matrix) = linearised(step.end(), from.t + step.h);
+        Some((end, matrix, step.h))
+    }
+
     /// A motion by a program, the numbers carrying what they carry; NaN where it cannot be followed.
     pub(in crate::oscillator) fn carry<S: Scalar>(
         &self,
@@ -144,13 +172,24 @@ impl Taylor {
             if is_stuck(step.h, left) {
                 return [S::constant(f64::NAN); 2];
             }
-            let zero = S::constant(0.0);
-            let end = step.q.iter().rev().fold([zero; 2], |[p, slope], c| [p + *c, slope + p]);
-            (q, u) = (end[0], end[1].scaled(1.0 / step.h));
+            [q, u] = step.end();
             left = if step.h.abs() < left.abs() { left - step.h } else { 0.0 };
             t = from + duration - left;
         }
         [q, u]
+    }
+
+    /// ∫ ∂q″/∂q′ dt along a motion, by Gauss's rule on each step; NaN where it cannot be followed.
+    pub(super) fn divergence(&self, from: State, duration: f64) -> f64 {
+        let mut sum = 0.0;
+        let end = self.steps(from, duration, |from, step| {
+            for (x, weight) in GAUSS {
+                let [q, slope] = value(&step.q, x);
+                let at = State { t: from.t + step.h * x, q, u: slope / step.h };
+                sum += step.h * weight * self.equation().divergence(at);
+            }
+        });
+        sum + 0.0 * end.q
     }
 
     fn steps(&self, mut from: State, duration: f64, mut each: impl FnMut(State, &Expansion)) -> State {
@@ -182,9 +221,7 @@ impl Flow for Taylor {
     fn advance_linearised(&self, from: State, duration: f64) -> (State, Matrix2) {
         if let Some(smooth) = &self.equation().smooth {
             let start = [Gradient::variable(from.q, 1), Gradient::variable(from.u, 2)];
-            let [q, u] = self.carry(&smooth.varied, start, from.t, duration);
-            let end = State { t: from.t + duration, q: q.0[0], u: u.0[0] };
-            return (end, [[q.0[1], q.0[2]], [u.0[1], u.0[2]]]);
+            return linearised(self.carry(&smooth.varied, start, from.t, duration), from.t + duration);
         }
         let mut total = [[1.0, 0.0], [0.0, 1.0]];
         let n = self.order;
@@ -205,6 +242,20 @@ struct Step<S> {
     h: f64,
     q: Vec<S>,
     smooth: bool,
+}
+
+impl<S: Scalar> Step<S> {
+    /// q and u at its end.
+    fn end(&self) -> [S; 2] {
+        let zero = S::constant(0.0);
+        let [q, slope] = self.q.iter().rev().fold([zero; 2], |[p, slope], c| [p + *c, slope + p]);
+        [q, slope.scaled(1.0 / self.h)]
+    }
+}
+
+/// A state and its derivative by the state that it came from.
+fn linearised([q, u]: [Gradient<3>; 2], t: f64) -> (State, Matrix2) {
+    (State { t, q: q.0[0], u: u.0[0] }, [[q.0[1], q.0[2]], [u.0[1], u.0[2]]])
 }
 
 /// Whether a step is too short to reach the end, and not the last one.

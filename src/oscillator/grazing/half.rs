@@ -14,17 +14,17 @@ use crate::{
     error::{Error, Result},
     oscillator::{
         Side, System, Wall,
-        algebra::{apply, trace},
+        algebra::apply,
         flow::Flow,
         orbit::{Itinerary, Multipliers, Oscillator, Strike},
     },
     pattern::{Report, Value},
 };
 
-/// Whether S takes the system to itself: no mean force, odd harmonics only, walls that mirror each other.
-pub fn is_mirrored(system: &System<f64>) -> bool {
-    let odd = system.forcing.iter().all(|h| h.k % 2 == 1 || (h.cos == 0.0 && h.sin == 0.0));
-    let (Some(lower), Some(upper)) = (&system.lower, &system.upper) else { return false };
+/// Whether S takes the system to itself: the force does, as far as its form tells, and the walls mirror each
+/// other.
+pub fn is_mirrored(oscillator: &Oscillator) -> bool {
+    let System { lower: Some(lower), upper: Some(upper), .. } = oscillator.system() else { return false };
     // Q₂(t + π) = −Q₁(t).
     let amplitude = |wall: &Wall<f64>, k: u32| {
         let all = wall.harmonics.iter().filter(|h| h.k == k);
@@ -34,8 +34,7 @@ pub fn is_mirrored(system: &System<f64>) -> bool {
         let sign = if k % 2 == 1 { 1.0 } else { -1.0 };
         amplitude(upper, k) == amplitude(lower, k).map(|x| sign * x)
     };
-    system.force == 0.0
-        && odd
+    oscillator.flow().equation().is_mirrored()
         && lower.offset == -upper.offset
         && lower.restitution == upper.restitution
         && lower.harmonics.iter().chain(&upper.harmonics).all(|h| mirrored(h.k))
@@ -47,12 +46,13 @@ impl Grazing {
         let periods = self.itinerary.periods();
         let alone = self.itinerary.strikes().len() == 1 && periods % 2 == 1;
         let opposite = self.second.is_some_and(|second| second.side != self.side());
-        if !(alone && opposite && is_mirrored(oscillator.system())) {
+        if !(alone && opposite && is_mirrored(oscillator)) {
             return None;
         }
         let half = PI * f64::from(periods);
         let touch = oscillator.touch(self.side(), self.z[0]).ok()?;
-        let (end, matrix) = oscillator.flow().advance_linearised(touch.leaving(self.z[0], 0.0), half);
+        let start = touch.leaving(self.z[0], 0.0);
+        let (end, matrix) = oscillator.flow().advance_linearised(start, half);
         // The motion itself must be symmetric, not just the system.
         let there = oscillator.touch(self.second?.side, self.z[0] + half).ok()?;
         let off = (end.q - there.motion[0]).abs().max((end.u - there.motion[1]).abs());
@@ -60,8 +60,8 @@ impl Grazing {
             return None;
         }
         let a = matrix.map(|row| row.map(|x| -x));
-        let determinant = (-oscillator.system().damping * half).exp();
-        Some(LocalMap { a, multipliers: Multipliers { trace: trace(&a), determinant }, ..self.map })
+        let flow = oscillator.flow().determinant(start, half);
+        Some(LocalMap { a, multipliers: Multipliers::with(&a, flow, oscillator, &[]), ..self.map })
     }
 
     /// The start for Newton's method on the true system for a pattern of the half-period map: as

@@ -8,7 +8,7 @@ use crate::{
     oscillator::{
         algebra::{Matrix2, apply, product, resolve},
         flow::Flow,
-        orbit::{Itinerary, Leg, Multipliers, Oscillator, Unknowns},
+        orbit::{Itinerary, Leg, Multipliers, Oscillator, Unknowns, flow_determinant},
     },
     pattern::{Entry, Map},
 };
@@ -54,10 +54,10 @@ impl LocalMap {
         let moved =
             resolve(&a, shift).ok_or_else(|| Error::input("det(I − A) = 0 at the grazing orbit (23)"))?;
         // The grazing impact itself does nothing: its factor τ² is left out.
-        let others = Itinerary::cyclic(&strikes[1..], itinerary.periods());
+        let flow = flow_determinant(oscillator, itinerary, z)?;
         Ok(LocalMap {
             a,
-            multipliers: Multipliers::new(&a, oscillator, &others),
+            multipliers: Multipliers::with(&a, flow, oscillator, &strikes[1..]),
             acceleration: sign * (oscillator.flow().acceleration(graze) - touch.motion[2]),
             restitution: touch.wall.restitution,
             drift: [0, 1].map(|i| sign * (moved[i] - touch.slope[i])),

@@ -47,11 +47,6 @@ impl Itinerary {
         Self::new(periods.iter().map(|&periods| Strike { side, periods }).collect())
     }
 
-    /// These impacts within a period that is given, as if the first were as far after the last as is needed.
-    pub(in super::super) fn cyclic(strikes: &[Strike], periods: u32) -> Itinerary {
-        Itinerary { strikes: strikes.to_vec(), periods }
-    }
-
     fn checked(strikes: Vec<Strike>, periods: u32) -> Result<Itinerary> {
         if periods == 0 {
             return Err(Error::input("the pattern of an orbit must have a period of at least 1"));

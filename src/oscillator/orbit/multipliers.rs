@@ -3,9 +3,13 @@
 use std::f64::consts::TAU;
 
 use super::{
-    super::algebra::{Matrix2, trace},
-    Itinerary, Oscillator,
+    super::{
+        algebra::{Matrix2, trace},
+        flow::State,
+    },
+    Itinerary, Oscillator, Strike, Unknowns,
 };
+use crate::error::Result;
 
 /// The two multipliers, by their sum and product.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -17,12 +21,30 @@ pub struct Multipliers {
 }
 
 impl Multipliers {
-    /// Those of the monodromy matrix of an orbit. The determinant is exp(−damping · period) Π τ², which is
-    /// exact where that of the matrix is lost by cancellation.
-    pub fn new(matrix: &Matrix2, oscillator: &Oscillator, itinerary: &Itinerary) -> Multipliers {
-        let decay = (-oscillator.system().damping * TAU * f64::from(itinerary.periods())).exp();
-        let impacts = itinerary.strikes().iter().map(|strike| oscillator.restitution(strike.side).powi(2));
-        Multipliers { trace: trace(matrix), determinant: decay * impacts.product::<f64>() }
+    /// Those of the monodromy matrix of the orbit z. The determinant is Π τ² exp ∫ ∂q″/∂q′ dt once round it,
+    /// with as many digits where those of the matrix are lost by cancellation.
+    ///
+    /// # Errors
+    /// Those of [`flow_determinant`].
+    pub fn new(
+        matrix: &Matrix2,
+        oscillator: &Oscillator,
+        itinerary: &Itinerary,
+        z: &[f64],
+    ) -> Result<Multipliers> {
+        let flow = flow_determinant(oscillator, itinerary, z)?;
+        Ok(Multipliers::with(matrix, flow, oscillator, itinerary.strikes()))
+    }
+
+    /// The same with the determinant of all motion between impacts, and of these impacts only.
+    pub(in super::super) fn with(
+        matrix: &Matrix2,
+        flow: f64,
+        oscillator: &Oscillator,
+        impacts: &[Strike],
+    ) -> Multipliers {
+        let kept = impacts.iter().map(|strike| oscillator.restitution(strike.side).powi(2));
+        Multipliers { trace: trace(matrix), determinant: flow * kept.product::<f64>() }
     }
 
     /// λ₁ and λ₂ as (real, imaginary) parts, the larger modulus or the positive imaginary part first.
@@ -53,4 +75,20 @@ impl Multipliers {
     pub fn flip(&self) -> f64 {
         1.0 + self.trace + self.determinant
     }
+}
+
+/// How much the motion between impacts shrinks areas once round the orbit z: exp ∫ ∂q″/∂q′ dt.
+///
+/// # Errors
+/// An input error if a wall is missing or z has the wrong length.
+pub fn flow_determinant(oscillator: &Oscillator, itinerary: &Itinerary, z: &[f64]) -> Result<f64> {
+    let (flow, period) = (oscillator.flow(), TAU * f64::from(itinerary.periods()));
+    if let Some(rate) = flow.equation().constant_divergence() {
+        return Ok((rate * period).exp());
+    }
+    if itinerary.strikes().is_empty() {
+        return Ok(flow.determinant(State { t: 0.0, q: z[0], u: z[1] }, period));
+    }
+    let passages = Unknowns::new(itinerary, z)?.passages(oscillator);
+    passages.map(|passage| passage.map(|one| flow.determinant(one.from, one.duration))).product()
 }

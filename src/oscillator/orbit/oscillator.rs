@@ -8,7 +8,7 @@ use super::{
     super::{
         Contact, Series, Side, System, Wall,
         algebra::{IDENTITY, Matrix2, apply, product},
-        flow::{Flow, Free, Gradient, Program, Scalar, State},
+        flow::{Flow, Free, GAUSS, Gradient, Program, Scalar, State},
     },
     Leg, Touch,
 };
@@ -218,25 +218,6 @@ fn varied(system: &System<f64>, slope: &System<f64>) -> Result<Program<Gradient<
     })?;
     Program::new(&both)
 }
-
-/// Gauss–Legendre with 8 points on [0, 1]: (node, weight).
-pub(crate) const GAUSS: [(f64, f64); 8] = {
-    let half = [
-        (0.183_434_642_495_649_8, 0.362_683_783_378_362),
-        (0.525_532_409_916_329, 0.313_706_645_877_887_27),
-        (0.796_666_477_413_626_7, 0.222_381_034_453_374_48),
-        (0.960_289_856_497_536_2, 0.101_228_536_290_376_26),
-    ];
-    let mut rule = [(0.0, 0.0); 8];
-    let mut i = 0;
-    while i < 4 {
-        let (node, weight) = half[i];
-        rule[4 + i] = (0.5 + node / 2.0, weight / 2.0);
-        rule[3 - i] = (0.5 - node / 2.0, weight / 2.0);
-        i += 1;
-    }
-    rule
-};
 
 #[cfg(test)]
 mod tests {

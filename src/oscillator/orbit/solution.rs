@@ -61,7 +61,7 @@ pub fn find(oscillator: &Oscillator, itinerary: &Itinerary, start: Vec<f64>) -> 
 /// As [`linearise`].
 pub fn describe(oscillator: &Oscillator, itinerary: &Itinerary, root: Root) -> Result<Orbit> {
     let Root { z, residual, steps } = root;
-    let multipliers = Multipliers::new(&monodromy(oscillator, itinerary, &z)?, oscillator, itinerary);
+    let multipliers = Multipliers::new(&monodromy(oscillator, itinerary, &z)?, oscillator, itinerary, &z)?;
     let Check { admissibility, least } = check(oscillator, itinerary, &z);
     Ok(Orbit { itinerary: itinerary.clone(), multipliers, admissibility, least, residual, steps, z })
 }

@@ -38,6 +38,18 @@ impl<T> SmoothForce<T> {
         &self.coefficients
     }
 
+    /// The same force with these variables' signs turned.
+    pub(crate) fn turned(&self, which: &dyn Fn(usize) -> bool) -> SmoothForce<T>
+    where
+        T: Clone,
+    {
+        let variables = |place: usize| {
+            let variable = Formula::Variable(place);
+            if which(place) { Formula::Negated(Box::new(variable)) } else { variable }
+        };
+        SmoothForce { formula: Arc::new(self.formula.substituted(&variables)), ..self.clone() }
+    }
+
     pub(crate) fn try_map<U, E>(
         &self,
         convert: &mut impl FnMut(&T) -> Result<U, E>,

@@ -130,6 +130,40 @@ impl<S: Scalar> Program<S> {
             || self.ops.iter().any(|op| op.needs(usize::MAX - 1).contains(&time) || op.turns())
     }
 
+    /// The factor of the velocity in the acceleration of one coordinate, if it stands nowhere else.
+    pub fn rate_factor(&self) -> Option<S> {
+        let rate = self.size;
+        if self.ops.iter().any(|op| op.needs(usize::MAX - 1).contains(&rate)) {
+            return None;
+        }
+        let known = self.outputs[0].sum.terms.iter().find(|term| term.1 == rate);
+        Some(known.map_or(S::constant(0.0), |term| term.0))
+    }
+
+    /// Whether every output changes its sign under (q, q′, t) ↦ (−q, −q′, t + π), as far as the parity of its
+    /// parts tells.
+    pub fn is_mirrored(&self) -> bool {
+        let mut parities = vec![Parity::Odd; self.inputs()];
+        parities[self.time()] = Parity::None;
+        for op in &self.ops {
+            let of = |row: &usize| parities[*row];
+            parities.push(match op {
+                Op::Sum(sum) => sum.parity(&parities),
+                Op::Product(a, b) | Op::Quotient(a, b) => of(a).times(of(b)),
+                Op::Square(a) => of(a).times(of(a)),
+                Op::Inverse(a) | Op::Sin(a) | Op::Tanh(a) => of(a),
+                Op::Sqrt(a) | Op::Exp(a) | Op::Log(a) => of(a).even_only(),
+                Op::Cos(a) | Op::SquaredSech(a) => of(a).times(of(a)),
+                Op::TurnSin(k, _) | Op::TurnCos(k, _) => Parity::of_harmonic(*k),
+            });
+        }
+        self.outputs.iter().all(|output| {
+            let driven = output.drive.iter().all(|drive| Parity::of_harmonic(drive.k) == Parity::Odd);
+            let still = output.sum.terms.is_empty() && output.sum.constant.is_zero();
+            driven && (still || output.sum.parity(&parities) == Parity::Odd)
+        })
+    }
+
     /// Whether anything in it is smooth only in places.
     pub fn has_poles(&self) -> bool {
         !self.guards.is_empty()
@@ -366,7 +400,45 @@ impl<S: Scalar> Rows<S> {
     }
 }
 
+/// What a mirror half a period later does to a row.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Parity {
+    Even,
+    Odd,
+    /// Neither, or not known.
+    None,
+}
+
+impl Parity {
+    fn times(self, other: Parity) -> Parity {
+        match (self, other) {
+            (Parity::None, _) | (_, Parity::None) => Parity::None,
+            (one, other) if one == other => Parity::Even,
+            _ => Parity::Odd,
+        }
+    }
+
+    fn even_only(self) -> Parity {
+        if self == Parity::Even { Parity::Even } else { Parity::None }
+    }
+
+    fn of_harmonic(k: f64) -> Parity {
+        match k.rem_euclid(2.0) {
+            0.0 => Parity::Even,
+            1.0 => Parity::Odd,
+            _ => Parity::None,
+        }
+    }
+}
+
 impl<S: Scalar> Sum<S> {
+    fn parity(&self, of: &[Parity]) -> Parity {
+        let constant = (!self.constant.is_zero()).then_some(Parity::Even);
+        let mut all = constant.into_iter().chain(self.terms.iter().map(|term| of[term.1]));
+        let first = all.next().unwrap_or(Parity::Even);
+        if all.all(|parity| parity == first) { first } else { Parity::None }
+    }
+
     fn constant(constant: S) -> Self {
         Sum { constant, terms: Vec::new() }
     }
