@@ -45,8 +45,8 @@
 //! Use it to attach a checked proof to a statement about these orbits, to ask which orbits a grazing
 //! bifurcation gives birth to, to simulate an oscillator with impacts, or for exact Farey arithmetic. Do not
 //! use it for maps with more than one square-root direction. Nordmark's Theorem 1, which turns signs into
-//! orbits, is proved for maps in `proofs/`; that an oscillator near grazing has such a map is taken from the
-//! paper.
+//! orbits, is proved for maps in `proofs/`, and its conclusion for linear oscillators from their differential
+//! equation. That a nonlinear oscillator near grazing has such a map is the paper's section 3.1, not proved.
 //!
 //! # Map
 //!

@@ -4,6 +4,8 @@
 
 From Coq Require Import Reals Lra Lia.
 From Grazing Require Import StatementChaos.
+From Grazing Require Export Derivatives.
+From Grazing Require StatementOscillator Flow.
 Open Scope R_scope.
 
 Definition E11 T := exp (- (6 / 49) * T) * (cos (8 / 49 * T) + 3 / 4 * sin (8 / 49 * T)).
@@ -12,35 +14,6 @@ Definition E21 T := - (100 / 2401) * E12 T.
 Definition E22 T := exp (- (6 / 49) * T) * (cos (8 / 49 * T) - 3 / 4 * sin (8 / 49 * T)).
 
 (** ** Derivatives along a curve of times *)
-
-Lemma D_ext f f' x l l' : derivable_pt_lim f x l -> (forall y, f y = f' y) -> l = l' ->
-  derivable_pt_lim f' x l'.
-Proof.
-  intros H E <- eps Heps; destruct (H eps Heps) as [d Hd]; exists d; intros h H0 Hh.
-  rewrite <- !E; auto.
-Qed.
-
-Lemma D_scale f x l k : derivable_pt_lim f x l -> derivable_pt_lim (fun y => k * f y) x (k * l).
-Proof. apply derivable_pt_lim_scal. Qed.
-Lemma D_plus f g x l m : derivable_pt_lim f x l -> derivable_pt_lim g x m ->
-  derivable_pt_lim (fun y => f y + g y) x (l + m).
-Proof. apply derivable_pt_lim_plus. Qed.
-Lemma D_minus f g x l m : derivable_pt_lim f x l -> derivable_pt_lim g x m ->
-  derivable_pt_lim (fun y => f y - g y) x (l - m).
-Proof. apply derivable_pt_lim_minus. Qed.
-Lemma D_times f g x l m : derivable_pt_lim f x l -> derivable_pt_lim g x m ->
-  derivable_pt_lim (fun y => f y * g y) x (l * g x + f x * m).
-Proof. apply derivable_pt_lim_mult. Qed.
-Lemma D_over f g x l m : g x <> 0 -> derivable_pt_lim f x l -> derivable_pt_lim g x m ->
-  derivable_pt_lim (fun y => f y / g y) x ((l * g x - m * f x) / (g x * g x)).
-Proof. intros H Hf Hg; apply (derivable_pt_lim_div f g x l m Hf Hg H). Qed.
-Lemma D_of f g x l m : derivable_pt_lim f x l -> derivable_pt_lim g (f x) m ->
-  derivable_pt_lim (fun y => g (f y)) x (m * l).
-Proof. intros Hf Hg; exact (derivable_pt_lim_comp f g x l m Hf Hg). Qed.
-Lemma D_const c x : derivable_pt_lim (fun _ => c) x 0.
-Proof. apply derivable_pt_lim_const. Qed.
-Lemma D_id x : derivable_pt_lim (fun y => y) x 1.
-Proof. apply derivable_pt_lim_id. Qed.
 
 Section Curve.
 Variables (T : R -> R) (x l : R).
@@ -92,48 +65,31 @@ Qed.
 Definition moved t0 x u t := E11 (t - t0) * x + E12 (t - t0) * u.
 Definition moving t0 x u t := E21 (t - t0) * x + E22 (t - t0) * u.
 
-Lemma D_shift t0 t : derivable_pt_lim (fun t => t - t0) t 1.
-Proof. eapply D_ext; [apply D_minus; [apply D_id | apply (D_const t0)] | reflexivity | ring]. Qed.
+Lemma E_flow : Flow.flow (12 / 49) (100 / 2401) E12 E22.
+Proof.
+  destruct E_0 as (_ & Z2 & _ & Z4); constructor; trivial; intros t; split.
+  - apply (D_value _ _ _ _ (D_E12 _ _ _ (D_id t))); ring.
+  - apply (D_value _ _ _ _ (D_E22 _ _ _ (D_id t))); unfold E21; ring.
+Qed.
+
+Lemma moved_flow t0 x u t : moved t0 x u t = Flow.moved (12 / 49) E12 E22 t0 x u t /\
+  moving t0 x u t = Flow.moving (100 / 2401) E12 E22 t0 x u t.
+Proof. unfold moved, moving, Flow.moved, Flow.moving, Flow.e11, Flow.e21; rewrite E22_E11; split; unfold E21; ring. Qed.
 
 Lemma moved_free t0 x u : free (moved t0 x u) (moving t0 x u).
 Proof.
-  intros t; pose proof (D_shift t0 t) as HT; unfold moved, moving; split.
-  - eapply D_ext; [apply D_plus; (eapply D_times; [|apply D_const]); [apply D_E11 | apply D_E12]; exact HT
-      | reflexivity | cbn beta; ring].
-  - eapply D_ext; [apply D_plus; (eapply D_times; [|apply D_const]); [apply D_E21 | apply D_E22]; exact HT
-      | reflexivity | cbn beta; unfold E21; rewrite E22_E11; ring].
+  intros t; destruct (Flow.moved_free _ _ _ _ E_flow t0 x u t) as [A B]; split.
+  - eapply D_ext; [exact A | intros; symmetry; apply moved_flow | symmetry; apply moved_flow].
+  - eapply D_ext; [exact B | intros; symmetry; apply moved_flow|].
+    rewrite (proj1 (moved_flow t0 x u t)), (proj2 (moved_flow t0 x u t)); reflexivity.
 Qed.
 
 Lemma moved_start t0 x u : moved t0 x u t0 = x /\ moving t0 x u t0 = u.
-Proof.
-  unfold moved, moving; replace (t0 - t0) with 0 by ring; destruct E_0 as (-> & -> & -> & ->); lra.
-Qed.
-
-Lemma constant_function f a b : (forall x, derivable_pt_lim f x 0) -> f a = f b.
-Proof.
-  intros H; destruct (Rtotal_order a b) as [L|[->|L]]; [|reflexivity|].
-  - destruct (MVT_cor2 f (fun _ => 0) a b L) as (c & E & _); [auto|lra].
-  - destruct (MVT_cor2 f (fun _ => 0) b a L) as (c & E & _); [auto|lra].
-Qed.
+Proof. destruct (moved_flow t0 x u t0) as [-> ->]; apply (Flow.moved_start _ _ _ _ E_flow). Qed.
 
 Lemma free_moved q v t0 t : free q v -> q t = moved t0 (q t0) (v t0) t /\ v t = moving t0 (q t0) (v t0) t.
 Proof.
-  intros H.
-  assert (D : forall y, derivable_pt_lim (fun y => t - y) y (-1)).
-  { intros y; eapply D_ext; [apply D_minus; [apply (D_const t) | apply D_id] | reflexivity | ring]. }
-  destruct E_0 as (Z1 & Z2 & Z3 & Z4).
-  assert (A : E11 (t - t0) * q t0 + E12 (t - t0) * v t0 = E11 (t - t) * q t + E12 (t - t) * v t).
-  { apply (constant_function (fun y => E11 (t - y) * q y + E12 (t - y) * v y)); intros y;
-    destruct (H y) as [Hq Hv].
-    eapply D_ext; [apply D_plus; eapply D_times; [apply D_E11, D | exact Hq | apply D_E12, D | exact Hv]
-      | reflexivity | cbn beta; unfold E21; rewrite E22_E11; ring]. }
-  assert (B : E21 (t - t0) * q t0 + E22 (t - t0) * v t0 = E21 (t - t) * q t + E22 (t - t) * v t).
-  { apply (constant_function (fun y => E21 (t - y) * q y + E22 (t - y) * v y)); intros y;
-    destruct (H y) as [Hq Hv].
-    eapply D_ext; [apply D_plus; eapply D_times; [apply D_E21, D | exact Hq | apply D_E22, D | exact Hv]
-      | reflexivity | cbn beta; unfold E21; rewrite E22_E11; ring]. }
-  replace (t - t) with 0 in A, B by ring; rewrite Z1, Z2 in A; rewrite Z3, Z4 in B.
-  unfold moved, moving; lra.
+  intros H; destruct (moved_flow t0 (q t0) (v t0) t) as [-> ->]; apply (Flow.free_moved _ _ _ _ E_flow _ _ _ _ H).
 Qed.
 
 (** ** Legs, in units of mu: nu = mu/(1 + mu), phases t and t' of the impacts, n periods between *)
