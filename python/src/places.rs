@@ -196,6 +196,7 @@ fn side(word: &Word, reversed: bool, last: u64) -> Result<Json> {
         Extent::Undecided { next, .. } => ("undecided", Some(next)),
         Extent::Straddled { next } => ("straddled", Some(next)),
         Extent::Cut => ("cut", None),
+        Extent::Odd => ("odd", None),
         _ => ("line", None),
     };
     let cases = [true, false].map(|gamma| case(word, gamma, reversed, last));
@@ -216,7 +217,7 @@ fn case(word: &Word, gamma: bool, reversed: bool, last: u64) -> Result<Json> {
     let counted = ClosedWalks::new(&Relation::new(word, gamma, reversed, last)?).count(last);
     let (entropy, at_least) = Entropy::of(word, gamma, 64)?;
     // Over all periods the relation is shown on those counted.
-    let shown = if word.extent() == Extent::All { last } else { u64::MAX };
+    let shown = if word.is_endless() { last } else { u64::MAX };
     let relation = Relation::new(word, gamma, reversed, shown)?;
     let pairs = |wanted: Edge| {
         let rows = relation.edges().iter().zip(relation.periods());

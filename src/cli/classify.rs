@@ -108,6 +108,9 @@ fn words(point: &Point, out: &mut dyn Write) -> Result<()> {
         match word.extent() {
             Extent::Line => {}
             Extent::All => writeln!(out, "e*mu {sign} 0: every period can occur between impacts")?,
+            Extent::Odd => {
+                writeln!(out, "e*mu {sign} 0: every odd period can occur between impacts, and 2")?;
+            }
             _ => {
                 let more = if word.is_whole() { "" } else { ", ..." };
                 let (letters, periods) = (word.letters(), periods.join(", "));

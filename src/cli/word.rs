@@ -42,9 +42,9 @@ const BITS: u32 = 64;
 /// period, which is above 0 exactly where two single-impact periods coexist. An impact pattern exists where
 /// every period in it may follow the one before it, cyclically.
 ///
-/// With intervals, as in --a1 0.3..=0.301 --a2 1/2, the answer holds for all points of the box. What is not
-/// the same for all of them, or cannot be shown to be, is open. --certificate writes down why the answer is
-/// right.
+/// With intervals, as in --a1 0.3..=0.301 --a2 1/2, the answer holds for all points of the box, which may
+/// meet several regions. What is not the same for all of them, or cannot be shown to be, is open; the letter
+/// ? stands for a c_n that is 0 or has not one sign. --certificate writes down why the answer is right.
 ///
 /// Exit code 0: everything is decided; 2: wrong usage, or a file that cannot be written; 3: a sign is zero or
 /// undecided, the word has more letters than were asked for, what was found could not be certified, or
@@ -195,7 +195,7 @@ impl Given {
         {
             let bounds = [a1, a2].map(|span| span.0.each_ref().map(ToString::to_string));
             let rectangle = Rectangle::new(a1.0.clone(), a2.0.clone())?;
-            let region = rectangle.region().map_or("in no single region", describe);
+            let region = rectangle.region().map_or("The box meets a line between regions", describe);
             let heading = format!(
                 "All points with {} <= a1 <= {}, {} <= a2 <= {}. {region}",
                 bounds[0][0], bounds[0][1], bounds[1][0], bounds[1][1]
@@ -228,7 +228,7 @@ fn case(word: &Word, gamma: bool, reversed: bool, last: u64) -> Result<Case> {
     let counted = ClosedWalks::new(&Relation::new(word, gamma, reversed, last)?).count(last);
     let (entropy, at_least) = Entropy::of(word, gamma, BITS)?;
     // Over all periods the relation is shown on those counted.
-    let shown = if word.extent() == Extent::All { last } else { u64::MAX };
+    let shown = if word.is_endless() { last } else { u64::MAX };
     Ok(Case {
         relation: Relation::new(word, gamma, reversed, shown)?,
         counts: counted.iter().map(|row| (row.all.to_string(), row.primitive.to_string())).collect(),
@@ -262,14 +262,16 @@ fn end(extent: Extent) -> String {
                 "undecided: whether period {next} occurs (highest precision tried: {rung}); there may be more"
             )
         }
-        Extent::Straddled { next: 1 } => {
-            "undecided: the box meets a line between two regions, whose words are of different kinds".into()
-        }
         Extent::Straddled { next } => format!(
             "undecided: whether period {next} occurs may differ between points of the box; there may be more"
         ),
         Extent::Cut => "the limit on letters is reached: there may be more".into(),
-        Extent::Line => "on this line some c_n or b_{n,k} is zero: Theorem 1 is silent".into(),
+        Extent::Odd => {
+            "every odd period occurs, with the letter D, and so does 2; every other even period has a \
+                        b_{n,k} = 0, where Theorem 1 is silent"
+                .into()
+        }
+        Extent::Line => "on this line every c_n and every b_{n,k} is zero: Theorem 1 is silent".into(),
     }
 }
 
@@ -285,10 +287,12 @@ fn text(heading: &str, sides: &[Side], certificate: Option<&Path>) -> String {
         let positive = side.word.is_positive();
         let _ = writeln!(text, "\ne*mu {} 0: word {}", sign(positive), side.word.letters());
         for vertex in side.word.vertices() {
-            let letter = if vertex.letter == Letter::U { "U" } else { "D" };
-            let place = vertex.fraction();
-            let _ =
-                writeln!(text, "  {letter} period {} at {}/{}", vertex.period, place.numer(), place.denom());
+            let (n, place) = (vertex.period, vertex.fraction());
+            let _ = write!(text, "  {} period {n} at {}/{}", vertex.letter, place.numer(), place.denom());
+            if vertex.letter == Letter::Either {
+                let _ = write!(text, ": c_{n} is 0, or has not one sign");
+            }
+            text += "\n";
         }
         let _ = writeln!(text, "  {}", end(side.word.extent()));
         for case in &side.cases {
@@ -365,6 +369,7 @@ fn json_report(given: &Given, sides: &[Side], certificate: Option<&Path>, out: &
                 Extent::Undecided { next, .. } => ("undecided", Some(next)),
                 Extent::Straddled { next } => ("straddled", Some(next)),
                 Extent::Cut => ("cut", None),
+                Extent::Odd => ("odd", None),
                 Extent::Line => ("line", None),
             };
             json!({

@@ -10,7 +10,7 @@ use crate::{
     error::{Error, Result},
     local::{Answer, Ladder, Point, Quantity, Region},
     number::Sign,
-    word::{Edge, Extent, Letter, Rectangle, Word},
+    word::{Edge, Extent, Letter, Realm, Rectangle, Word},
 };
 
 /// What a certificate speaks of.
@@ -76,13 +76,10 @@ pub fn certify_word(
     stop: &mut dyn FnMut() -> bool,
 ) -> Result<Certified> {
     let (at, region) = head(place)?;
-    if words.iter().any(|word| word.extent() == Extent::Line) {
+    if words.iter().any(|word| matches!(word.extent(), Extent::Line | Extent::Odd)) {
         return Err(Error::input(
-            "on a line |a1| = a2 + 1 Theorem 1 is silent, and there is nothing to certify",
+            "on a line |a1| = a2 + 1, where some c_n is 0, a certificate holds nothing beyond period 1",
         ));
-    }
-    if words.iter().any(|word| word.vertices().is_empty()) {
-        return Ok(Certified::Undecided("the box meets a line between two regions".into()));
     }
     let mut body = String::new();
     for word in words {
@@ -98,7 +95,7 @@ pub fn certify_word(
     let (name, statement, region) = match kind {
         WordCertificate::BySigns { .. } => (form::KIND, form::STATEMENT, String::new()),
         WordCertificate::ByTheorem => {
-            (form::KIND_BY_THEOREM, form::STATEMENT_BY_THEOREM, format!("region {}\n", number(region)))
+            (form::KIND_BY_THEOREM, form::STATEMENT_BY_THEOREM, format!("region {}\n", region.number()))
         }
     };
     let mut reason = String::new();
@@ -116,8 +113,32 @@ pub fn certify_word(
     Ok(Certified::Undecided(format!("with 4096 bits the checker says {reason}")))
 }
 
-/// The line of the set, and its region.
-fn head(place: WordPlace) -> Result<(String, Region)> {
+/// Where a set lies, as a certificate by the theorem has it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Place {
+    /// In one region.
+    Region(Region),
+    /// In regions 3 and 4, or 2 and 3, between the lines |a₁| = a₂ + 1.
+    Inside,
+    /// On or across such a line.
+    Across,
+}
+
+impl Place {
+    fn number(self) -> u64 {
+        match self {
+            Place::Region(Region::One) => 1,
+            Place::Region(Region::Two) => 2,
+            Place::Region(Region::Three) => 3,
+            Place::Region(Region::Four) => 4,
+            Place::Region(Region::Five) => 5,
+            Place::Inside | Place::Across | Place::Region(Region::Line) => form::BETWEEN,
+        }
+    }
+}
+
+/// The line of the set, and where it lies.
+fn head(place: WordPlace) -> Result<(String, Place)> {
     let short = |numbers: &[&BigRational]| -> Result<String> {
         for x in numbers {
             if [x.numer(), x.denom()].iter().any(|part| part.magnitude().to_string().len() > 100) {
@@ -130,31 +151,21 @@ fn head(place: WordPlace) -> Result<(String, Region)> {
     };
     Ok(match place {
         WordPlace::Point(Point::Plane(plane)) => {
-            (format!("at plane {}", short(&[plane.a1(), plane.a2()])?), plane.region())
+            (format!("at plane {}", short(&[plane.a1(), plane.a2()])?), Place::Region(plane.region()))
         }
         WordPlace::Point(Point::Polar(polar)) => {
-            (format!("at polar {}", short(&[polar.r(), polar.s()])?), Region::Three)
+            (format!("at polar {}", short(&[polar.r(), polar.s()])?), Place::Region(Region::Three))
         }
         WordPlace::Rectangle(rectangle) => {
             let ([a, b], [c, d]) = (rectangle.a1(), rectangle.a2());
-            let region = rectangle.region().unwrap_or(Region::Line);
+            let region = match (rectangle.region(), rectangle.realm()) {
+                (Some(region), _) => Place::Region(region),
+                (None, Realm::Inside) => Place::Inside,
+                (None, _) => Place::Across,
+            };
             (format!("at box {}", short(&[a, b, c, d])?), region)
         }
     })
-}
-
-fn number(region: Region) -> u64 {
-    match region {
-        Region::One => 1,
-        Region::Two => 2,
-        Region::Three | Region::Line => 3,
-        Region::Four => 4,
-        Region::Five => 5,
-    }
-}
-
-fn letter(letter: Letter) -> char {
-    if letter == Letter::U { 'U' } else { 'D' }
 }
 
 fn b(place: WordPlace, ladder: &Ladder, n: u64, k: u64) -> Option<Sign> {
@@ -185,7 +196,7 @@ fn by_signs(place: WordPlace, word: &Word, last: u64, body: &mut String) -> std:
         Extent::Complete { next: None } => last,
         // Whether it occurs is not known, or it lies on a boundary; the periods before it are.
         Extent::Boundary { next, .. } | Extent::Undecided { next, .. } | Extent::Straddled { next } => next,
-        Extent::Cut | Extent::Line => longest,
+        Extent::Cut | Extent::Odd | Extent::Line => longest,
     };
     let ladder = Ladder::default();
     let against = if word.is_positive() { Sign::Negative } else { Sign::Positive };
@@ -194,7 +205,8 @@ fn by_signs(place: WordPlace, word: &Word, last: u64, body: &mut String) -> std:
         let vertex = vertices.iter().find(|vertex| vertex.period == n);
         let line = match vertex {
             // On a rectangle a later b may be open where the deciding one is not.
-            Some(vertex) => told(place, n).then(|| format!("occurs {n} {}", letter(vertex.letter))),
+            Some(vertex) => (vertex.letter != Letter::Either && told(place, n))
+                .then(|| format!("occurs {n} {}", vertex.letter)),
             None if vanishes(place, &ladder, n) => Some(format!("singular {n}")),
             None => {
                 let k = (1..n).find(|&k| b(place, &ladder, n, k) == Some(against));
@@ -218,7 +230,7 @@ fn by_signs(place: WordPlace, word: &Word, last: u64, body: &mut String) -> std:
         vertices.iter().enumerate().map(|(place, vertex)| (vertex.period, place)).collect();
     places.retain(|&(n, _)| n <= lines.len() as u64);
     places.sort_unstable();
-    let all = word.extent() == Extent::All;
+    let all = word.is_endless();
     for &(i, from) in &places {
         let mark = |&(j, to): &(u64, usize)| {
             let edge = if all { word.edge(0, 0, true) } else { word.edge(from, to, true) };
@@ -248,24 +260,28 @@ fn told(place: WordPlace, n: u64) -> bool {
 /// The body of a word in kind `word-by-theorem`; or why there is none.
 fn by_theorem(
     place: WordPlace,
-    region: Region,
+    region: Place,
     word: &Word,
     body: &mut String,
 ) -> std::result::Result<(), String> {
     let all = word.vertices();
-    if !(word.is_positive() && matches!(region, Region::Three | Region::Four)) {
-        let line = match (word.extent(), region) {
-            (Extent::All, _) => format!("all {}", letter(all[0].letter)),
-            (Extent::Complete { .. }, Region::Three) if all.len() as u64 <= form::LETTERS => {
+    if region == Place::Across {
+        return Err("the box meets a line |a1| = a2 + 1, and the word theorem speaks of either side".into());
+    }
+    let counted = matches!(region, Place::Region(Region::Three) | Place::Inside);
+    if !(word.is_positive() && (counted || region == Place::Region(Region::Four))) {
+        let line = match (word.extent(), counted) {
+            (Extent::All, _) => format!("all {}", all[0].letter),
+            (Extent::Complete { .. }, true) if all.len() as u64 <= form::LETTERS => {
                 format!("below {}", all.len())
             }
-            (_, Region::Three) => {
+            (_, true) => {
                 return Err(format!(
                     "the word for e*mu < 0 is not whole, or has more than {} letters",
                     form::LETTERS
                 ));
             }
-            _ => format!("one {}", letter(all[0].letter)),
+            _ => format!("one {}", all[0].letter),
         };
         let _ = writeln!(body, "{line}");
         return Ok(());
@@ -278,11 +294,11 @@ fn by_theorem(
             form::LONGEST
         ));
     }
-    if region == Region::Three {
+    if counted {
         let _ = writeln!(body, "first {}", all[1].period);
     }
     for vertex in &all[2..kept] {
-        let _ = writeln!(body, "step {} {}", vertex.period, letter(vertex.letter));
+        let _ = writeln!(body, "step {} {}", vertex.period, vertex.letter);
     }
     let end = match word.extent() {
         Extent::Complete { next: Some(next) } | Extent::Boundary { next, deciding: None }

@@ -5,7 +5,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::One;
 
-use super::{ClosedWalks, Extent, Letter, Relation, Word};
+use super::{ClosedWalks, Edge, Extent, Relation, Word, alike};
 use crate::error::Result;
 use crate::number::{Ball, FloatInterval, Precision, Real, Sign};
 
@@ -151,16 +151,25 @@ fn logarithm(w: &Ball, bits: u32) -> Ball {
 
 impl Entropy {
     /// The entropy of a word's case, for a sign of γ, and whether it is only a lower bound: where the word
-    /// may go on, or an edge is open. Over all periods it is log 2 or nothing. Cost: as
+    /// may go on, or an edge is open. Over all periods it is log 2 or nothing; on a₁ = −(a₂ + 1), over the
+    /// odd ones and 2, log 1.839286… or nothing, as a lower bound. Cost: as
     /// [`ClosedWalks::entropy`], and V² edges.
     ///
     /// # Errors
     /// An input error for words of more than [`MAX_RELATION`](super::MAX_RELATION) letters.
     pub fn of(word: &Word, gamma_positive: bool, bits: u32) -> Result<(Entropy, bool)> {
-        if word.extent() == Extent::All {
+        if word.is_endless() {
             let sigma = word.is_positive() == gamma_positive;
-            if (word.vertices()[0].letter == Letter::U) != sigma {
-                return Ok((Entropy::Empty, false));
+            // On the line even periods may add to it.
+            let at_least = word.extent() == Extent::Odd;
+            if alike(word.vertices()[0].letter, sigma) != Edge::Yes {
+                return Ok((Entropy::Empty, at_least));
+            }
+            if at_least {
+                // With S = z/(1 − z²) for the odd periods, and 2 between them: S(1 + z²) = 1, which is z + z²
+                // + z³ = 1.
+                let same = ClosedWalks::from_edges(&[1, 2, 3], &vec![vec![true; 3]; 3]);
+                return Ok((same.entropy(bits), at_least));
             }
             // Σ zⁿ = 1 over all n ≥ 1: z = ½.
             let half = BigRational::new(1.into(), 2.into());

@@ -13,7 +13,8 @@
 //! that [`Word`] alone: see [`Word::edge`]. `proofs/words.md` has the proof.
 //!
 //! [`Word::at`] walks the path and decides one sign per step on the ladder; an answer is certain or says that
-//! it is open. [`Word::in_rectangle`] does the same for all points of a [`Rectangle`] at once.
+//! it is open. [`Word::in_rectangle`] does the same for all points of a [`Rectangle`] at once, which may meet
+//! several regions.
 //! [`ClosedWalks`] counts the patterns of a relation by period and encloses its topological entropy.
 //! [`two_impacts`] lists the Farey intervals on r = 1 where patterns of two impacts exist.
 //!
@@ -51,7 +52,8 @@ mod two_impacts;
 
 pub use count::{ClosedWalks, PatternCount};
 pub use entropy::Entropy;
-pub(crate) use path::{At, Signs};
+use path::alike;
+pub(crate) use path::{At, Realm, Signs};
 pub use path::{Extent, Letter, MAX_LETTERS, Vertex, Word};
 pub use rectangle::Rectangle;
 pub use relation::{Edge, MAX_RELATION, Relation};

@@ -5,13 +5,13 @@ use std::fmt;
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::{BigRational, Ratio};
-use num_traits::{One, ToPrimitive};
+use num_traits::{One, Signed, ToPrimitive};
 use serde::Serialize;
 
 use super::{Edge, Rectangle};
 use crate::{
     error::{Error, Result},
-    local::{Answer, Ladder, Point, Polar, Quantity, Region, Rung, SignDecision},
+    local::{Answer, Ladder, Plane, Point, Polar, Quantity, Region, Rung, SignDecision},
     monitor::Monitor,
     number::Sign,
 };
@@ -26,14 +26,17 @@ pub enum Letter {
     U,
     /// c_n < 0. In regions 2, 3 and 4 its fraction m/n lies at or below s, and u_n > 0.
     D,
+    /// Neither is true of all points: c_n is 0, on a line |a₁| = a₂ + 1, or has both signs on a rectangle.
+    Either,
 }
 
-/// `U` or `D`.
+/// `U`, `D` or `?`.
 impl fmt::Display for Letter {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(match self {
             Letter::U => "U",
             Letter::D => "D",
+            Letter::Either => "?",
         })
     }
 }
@@ -80,15 +83,19 @@ pub enum Extent {
         /// The highest rung tried.
         rung: Rung,
     },
-    /// The sign that decides about the next period on the path is not the same on all of the rectangle, or
-    /// not certain; the word may go on.
+    /// Whether this period occurs is not the same on all of the rectangle, or not certain. So is what comes
+    /// after it.
     Straddled {
-        /// The period that was not decided.
+        /// The first period that was not decided.
         next: u64,
     },
     /// The limit on letters was reached; the word may go on.
     Cut,
-    /// On a line |a₁| = a₂ + 1, where some c_n or b_{n,k} is zero: nothing is said.
+    /// On a₁ = −(a₂ + 1), for eµ > 0. Every odd period occurs, with the letter D. So does 2, but c_2 = 0.
+    /// Every other even period has a b_{n,k} = 0, where Theorem 1 is silent.
+    Odd,
+    /// On a₁ = a₂ + 1, where every c_n and every b_{n,k} is zero. Period 1 occurs, and Theorem 1 is silent
+    /// about everything else.
     Line,
 }
 
@@ -133,19 +140,20 @@ impl Word {
         monitor: &dyn Monitor,
     ) -> Result<Word> {
         limited(limit)?;
-        let region = match point {
-            Point::Polar(_) => Region::Three,
+        let realm = match point {
+            Point::Polar(_) => Realm::Inside,
             Point::Plane(plane) if plane.a2() > &BigRational::one() => {
                 return Err(Error::input(format!("a2 = {} is above 1: reverse time first", plane.a2())));
             }
-            Point::Plane(plane) => plane.region(),
+            Point::Plane(plane) => Realm::of(plane),
         };
-        Walk { signs, limit, monitor, word: Word::empty(positive) }.run(region)
+        Walk { signs, limit, monitor, word: Word::empty(positive) }.run(realm)
     }
 
     /// The word that all points of a rectangle have in common, of at most `limit` letters;
-    /// [`Extent::Straddled`] where they may differ. It has no letter if the rectangle meets a line between
-    /// regions.
+    /// [`Extent::Straddled`] where they may differ. The rectangle may meet lines between regions: every
+    /// period listed occurs at all of its points, with this letter unless it is [`Letter::Either`], and every
+    /// edge that is not open holds at all of them.
     ///
     /// Cost: O(1) for each sign, of which there are two for each letter.
     ///
@@ -158,12 +166,7 @@ impl Word {
         monitor: &dyn Monitor,
     ) -> Result<Word> {
         limited(limit)?;
-        let mut word = Word::empty(positive);
-        let Some(region) = rectangle.region() else {
-            word.extent = Extent::Straddled { next: 1 };
-            return Ok(word);
-        };
-        Walk { signs: rectangle, limit, monitor, word }.run(region)
+        Walk { signs: rectangle, limit, monitor, word: Word::empty(positive) }.run(rectangle.realm())
     }
 
     /// The word for eµ > 0 in the part of region 3 where period n = `period`, m = `numerator`, occurs on the
@@ -175,7 +178,14 @@ impl Word {
     pub fn of_area(period: u64, numerator: u64, letter: Letter, first: u64) -> Option<Word> {
         let (n, m) = (period, numerator);
         let end = (n, m) == (2, 1) && letter == Letter::U;
-        if m == 0 || m.gcd(&n) != 1 || m > n / 2 || (2 * m == n && !end) || first < 2 || first > n {
+        if letter == Letter::Either
+            || m == 0
+            || m.gcd(&n) != 1
+            || m > n / 2
+            || (2 * m == n && !end)
+            || first < 2
+            || first > n
+        {
             return None;
         }
         let mut word = Word::empty(true);
@@ -198,10 +208,7 @@ impl Word {
             if occurs {
                 word.push(next.0, next.1, side);
             }
-            match side {
-                Letter::U => upper = (next.0, next.1, index),
-                Letter::D => lower = (next.0, next.1, index),
-            }
+            *(if side == Letter::U { &mut upper } else { &mut lower }) = (next.0, next.1, index);
         }
         word.extent = Extent::Complete { next: Some(lower.1 + upper.1) };
         word.last = lower.2.zip(upper.2);
@@ -234,15 +241,26 @@ impl Word {
         self.positive
     }
 
-    /// The periods, in path order; for [`Extent::All`] only n = 1, whose letter is everyone's.
+    /// The periods, in path order; of [`Extent::All`] only n = 1, whose letter is everyone's, and of
+    /// [`Extent::Odd`] only 1 and 2.
     pub fn vertices(&self) -> &[Vertex] {
         &self.vertices
     }
 
-    /// The periods up to `last`, in path order. Memory: O(`last`) for [`Extent::All`].
+    /// Whether the word has no end: [`Extent::All`] or [`Extent::Odd`].
+    pub fn is_endless(&self) -> bool {
+        matches!(self.extent, Extent::All | Extent::Odd)
+    }
+
+    /// The periods up to `last`, in path order. Memory: O(`last`) for a word without end.
     pub fn up_to(&self, last: u64) -> Vec<Vertex> {
         match (self.extent, self.vertices.first()) {
             (Extent::All, Some(first)) => (1..=last).map(|period| Vertex { period, ..*first }).collect(),
+            (Extent::Odd, _) => {
+                let letter = |n: u64| if n == 2 { Letter::Either } else { Letter::D };
+                let place = |period| Vertex { period, numerator: period / 2, letter: letter(period) };
+                (1..=last).filter(|n| *n == 2 || n % 2 == 1).map(place).collect()
+            }
             _ => self.vertices.iter().copied().filter(|vertex| vertex.period <= last).collect(),
         }
     }
@@ -270,17 +288,23 @@ impl Word {
     /// | i D and j U, not neighbours, the later in the word is D | both ways |
     /// | the same, the later is U | neither way |
     ///
-    /// For σ < 0 every answer is the opposite one. Open where a quantity is zero or was not decided.
+    /// For σ < 0 every answer is the opposite one. Open where a quantity is zero or was not decided; with
+    /// [`Letter::Either`], where the answers for U and for D differ.
     ///
     /// # Panics
     /// Unless both are indices of vertices.
     pub fn edge(&self, from: usize, to: usize, sigma: bool) -> Edge {
-        let (a, b) = (&self.vertices[from], &self.vertices[to]);
-        let edge = match (a.letter, b.letter) {
-            (Letter::U, Letter::U) => Edge::Yes,
-            (Letter::D, Letter::D) => Edge::No,
+        let by = |from_letter: Letter, to_letter: Letter| match (from_letter, to_letter) {
             (Letter::D, Letter::U) => self.between(from, to).0,
             (Letter::U, Letter::D) => self.between(to, from).1,
+            (letter, _) => alike(letter, true),
+        };
+        let (a, b) = (self.vertices[from].letter, self.vertices[to].letter);
+        let edge = match (a, b) {
+            (Letter::Either, Letter::Either) => Edge::Open,
+            (Letter::Either, _) => by(Letter::U, b).and(by(Letter::D, b)),
+            (_, Letter::Either) => by(a, Letter::U).and(by(a, Letter::D)),
+            _ => by(a, b),
         };
         if sigma { edge } else { edge.opposite() }
     }
@@ -312,8 +336,16 @@ impl Word {
 
     /// The letters, for reading.
     pub fn letters(&self) -> String {
-        let letter = |vertex: &Vertex| if vertex.letter == Letter::U { 'U' } else { 'D' };
-        self.vertices.iter().map(letter).collect()
+        self.vertices.iter().map(|vertex| vertex.letter.to_string()).collect()
+    }
+}
+
+/// Whether a period may follow another with the same letter.
+pub(super) fn alike(letter: Letter, sigma: bool) -> Edge {
+    match (letter, sigma) {
+        (Letter::U, true) | (Letter::D, false) => Edge::Yes,
+        (Letter::D, true) | (Letter::U, false) => Edge::No,
+        (Letter::Either, _) => Edge::Open,
     }
 }
 
@@ -398,6 +430,41 @@ impl Signs for Rectangle {
     }
 }
 
+/// Where in the plane a walk is: in a region or on a line, or on a set that meets several.
+///
+/// `proofs/words.md`, sections 4 and 10, treats regions 3 and 4 as one, and section 12 the others.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Realm {
+    One,
+    Two,
+    /// |a₁| < a₂ + 1: region 3, or more than one of 2, 3 and 4.
+    Inside,
+    Four,
+    Five,
+    /// a₁ = a₂ + 1.
+    LineAbove,
+    /// a₁ = −(a₂ + 1).
+    LineBelow,
+    /// Part of that line, or both sides of it.
+    AcrossAbove,
+    /// The same, and a₁ < a₂ + 1.
+    AcrossBelow,
+}
+
+impl Realm {
+    fn of(plane: &Plane) -> Realm {
+        match plane.region() {
+            Region::One => Realm::One,
+            Region::Two => Realm::Two,
+            Region::Three => Realm::Inside,
+            Region::Four => Realm::Four,
+            Region::Five => Realm::Five,
+            Region::Line if plane.a1().is_negative() => Realm::LineBelow,
+            Region::Line => Realm::LineAbove,
+        }
+    }
+}
+
 /// A walk down the tree, with the word found so far.
 struct Walk<'a> {
     signs: &'a dyn Signs,
@@ -415,22 +482,45 @@ struct End {
 }
 
 impl Walk<'_> {
-    fn run(mut self, region: Region) -> Result<Word> {
-        match (region, self.word.positive) {
-            (Region::Line, _) => self.word.extent = Extent::Line,
-            (Region::One, true) => self.word.fill(Letter::U),
-            (Region::Two, false) | (Region::Five, true) => self.word.fill(Letter::D),
+    fn run(mut self, realm: Realm) -> Result<Word> {
+        match (realm, self.word.positive) {
+            (Realm::One, true) => self.word.fill(Letter::U),
+            (Realm::Two, false) | (Realm::Five, true) => self.word.fill(Letter::D),
             // Period 1 alone: c_1 > 0 in region 1 only.
-            (Region::One, false) => self.word.push(0, 1, Letter::U),
-            (Region::Two, true) | (Region::Four | Region::Five, false) => self.word.push(0, 1, Letter::D),
-            (Region::Three, false) => self.below_half_a_turn()?,
-            (Region::Three, true) => self.down_to_angle()?,
-            (Region::Four, true) => self.down_to_half()?,
+            (Realm::One, false) => self.word.push(0, 1, Letter::U),
+            (Realm::Two, true) | (Realm::Four | Realm::Five | Realm::LineBelow, false) => {
+                self.word.push(0, 1, Letter::D);
+            }
+            (Realm::Inside | Realm::AcrossBelow, false) => self.below_half_a_turn()?,
+            (Realm::Inside, true) => self.down_to_angle()?,
+            (Realm::Four, true) => self.down_to_half(Letter::U, |_, _| Ok(Sign::Positive))?,
+            // In region 5 the letter of 2 is D, and all that is said of odd periods is true there.
+            (Realm::AcrossBelow, true) if self.signs.side(2) == Ok(Sign::Negative) => {
+                self.down_to_half(Letter::Either, |walk, n| walk.signs.side(n))?;
+            }
+            (Realm::AcrossBelow, true) => {
+                self.word.push(0, 1, Letter::D);
+                self.word.extent = Extent::Straddled { next: 2 };
+            }
+            (Realm::AcrossAbove, _) => {
+                self.word.push(0, 1, Letter::Either);
+                self.word.extent = Extent::Straddled { next: 2 };
+            }
+            (Realm::LineAbove, _) => {
+                self.word.push(0, 1, Letter::Either);
+                self.word.extent = Extent::Line;
+            }
+            (Realm::LineBelow, true) => {
+                self.word.push(0, 1, Letter::D);
+                self.word.push(1, 2, Letter::Either);
+                self.word.extent = Extent::Odd;
+            }
         }
         Ok(self.word)
     }
 
-    /// Region 3, eµ < 0: the n with 2ns < 1, all D.
+    /// eµ < 0 and a₁ < a₂ + 1: in region 3 the n with 2ns < 1, all D; in region 2 every n, and beyond region
+    /// 3 on the left 1 alone. So a period occurs wherever u_1, …, u_n > 0.
     fn below_half_a_turn(&mut self) -> Result<()> {
         // Where the end is open, the periods before it are certain all the same.
         let last = match self.first_above_half_a_turn()? {
@@ -448,7 +538,8 @@ impl Walk<'_> {
         Ok(())
     }
 
-    /// Region 3, eµ > 0: the path to s.
+    /// Regions 3 and 4, eµ > 0: the path to s, ½ in region 4. In region 2 only its first period occurs, and
+    /// u_n is nowhere negative.
     fn down_to_angle(&mut self) -> Result<()> {
         self.word.push(0, 1, Letter::D);
         let Ok(HalfTurn { above, .. }) = self.first_above_half_a_turn()? else { return Ok(()) };
@@ -463,17 +554,22 @@ impl Walk<'_> {
         self.descend(lower, upper, |walk, n| walk.signs.side(n))
     }
 
-    /// Region 4, eµ > 0: the path to ½, which has every m/n = k/(2k + 1) below it.
-    fn down_to_half(&mut self) -> Result<()> {
+    /// Region 4 and beside it, eµ > 0: the path to ½, which has every m/n = k/(2k + 1) below it; 2 has this
+    /// letter.
+    fn down_to_half(
+        &mut self,
+        two: Letter,
+        side: impl Fn(&Self, u64) -> std::result::Result<Sign, Rung>,
+    ) -> Result<()> {
         self.word.push(0, 1, Letter::D);
         if self.limit == 1 {
             self.word.extent = Extent::Cut;
             return Ok(());
         }
-        self.word.push(1, 2, Letter::U);
+        self.word.push(1, 2, two);
         let lower = End { numerator: 0, period: 1, index: Some(0) };
         let upper = End { numerator: 1, period: 2, index: Some(1) };
-        self.descend(lower, upper, |_, _| Ok(Sign::Positive))
+        self.descend(lower, upper, side)
     }
 
     /// Follows the path below a gap whose ends are in the word, as long as the periods occur. `side` is the
@@ -519,10 +615,7 @@ impl Walk<'_> {
                 Answer::Sign(Sign::Positive) => {
                     let end = End { numerator: m, period: n, index: Some(self.word.vertices.len()) };
                     self.word.push(m, n, letter);
-                    match letter {
-                        Letter::U => upper = end,
-                        Letter::D => lower = end,
-                    }
+                    *(if letter == Letter::U { &mut upper } else { &mut lower }) = end;
                     continue;
                 }
                 Answer::Sign(Sign::Negative) => Extent::Complete { next: Some(n) },

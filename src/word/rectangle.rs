@@ -10,6 +10,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, pow};
 
+use super::Realm;
 use crate::{
     error::{Error, Result},
     local::{Plane, Region},
@@ -98,9 +99,37 @@ impl Rectangle {
         (same && region != Region::Line).then_some(region)
     }
 
+    /// What a walk down the path finds here.
+    pub(crate) fn realm(&self) -> Realm {
+        let one = BigRational::one();
+        // a₁ − (a₂ + 1) and a₁ + (a₂ + 1) are largest and least at corners.
+        let above = |i: usize, j: usize| &self.a1[i] - &self.a2[j] - &one;
+        let below = |i: usize| &self.a1[i] + &self.a2[i] + &one;
+        if above(0, 1).is_positive() {
+            Realm::One
+        } else if !above(1, 0).is_negative() {
+            Realm::AcrossAbove
+        } else if below(1).is_negative() {
+            Realm::Five
+        } else if !below(0).is_positive() {
+            Realm::AcrossBelow
+        } else {
+            match self.region() {
+                Some(Region::Two) => Realm::Two,
+                Some(Region::Four) => Realm::Four,
+                _ => Realm::Inside,
+            }
+        }
+    }
+
     /// The sign of u_n at every point, if it is certain and not 0. Cost: O(1) products of balls, and ρⁿ as a
     /// fraction, where |a₁| may exceed 1 + a₂.
     pub fn u(&self, n: u64) -> Option<Sign> {
+        if n == 2 {
+            // u_2 = a₁.
+            let [lower, upper] = self.a1.each_ref().map(Sign::of);
+            return (lower == upper && lower != Sign::Zero).then_some(lower);
+        }
         let i = usize::try_from(n).ok().filter(|&i| i < self.u.len())?;
         self.certain(n, self.u[i].clone(), [self.slope[i].clone(), -self.slope[i - 1].clone()])
     }

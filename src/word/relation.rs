@@ -4,7 +4,7 @@ use std::fmt;
 
 use serde::Serialize;
 
-use super::{Extent, Letter, Word};
+use super::{Letter, Word, alike};
 use crate::{
     error::{Error, Result},
     existence::Case,
@@ -37,6 +37,11 @@ impl fmt::Display for Edge {
 }
 
 impl Edge {
+    /// What both say; open where they differ.
+    pub(super) fn and(self, other: Edge) -> Edge {
+        if self == other { self } else { Edge::Open }
+    }
+
     pub(super) fn opposite(self) -> Edge {
         match self {
             Edge::Yes => Edge::No,
@@ -65,9 +70,10 @@ impl Relation {
     /// # Errors
     /// An input error for more than [`MAX_RELATION`] periods.
     pub fn new(word: &Word, gamma_positive: bool, reversed: bool, last: u64) -> Result<Relation> {
-        let count = match word.extent() {
-            Extent::All => usize::try_from(last).unwrap_or(usize::MAX),
-            _ => word.vertices().iter().filter(|vertex| vertex.period <= last).count(),
+        let endless = word.is_endless();
+        let count = match endless {
+            true => usize::try_from(last).unwrap_or(usize::MAX),
+            false => word.vertices().iter().filter(|vertex| vertex.period <= last).count(),
         };
         if count > MAX_RELATION {
             return Err(Error::input(format!(
@@ -82,21 +88,21 @@ impl Relation {
             (false, false) => Case::MinusMinus,
         };
         let sigma = word.is_positive() == gamma_positive;
-        let all = word.extent() == Extent::All;
         // The vertices kept keep their place in the word.
         let places: Vec<usize> = (0..word.vertices().len())
-            .filter(|&index| !all && word.vertices()[index].period <= last)
+            .filter(|&index| !endless && word.vertices()[index].period <= last)
             .collect();
-        let edge = |from: usize, to: usize| match all {
-            true if (vertices[from].letter == Letter::U) == sigma => Edge::Yes,
-            true => Edge::No,
-            false => word.edge(places[from], places[to], sigma),
+        // In a word without end all letters that are known are the same.
+        let edge = |from: usize, to: usize| match (endless, vertices[from].letter) {
+            (false, _) => word.edge(places[from], places[to], sigma),
+            (true, Letter::Either) => alike(vertices[to].letter, sigma),
+            (true, letter) => alike(letter, sigma),
         };
         let size = vertices.len();
         let edges = (0..size)
             .map(|i| (0..size).map(|j| if reversed { edge(j, i) } else { edge(i, j) }).collect())
             .collect();
-        let whole = word.is_whole() && !all && word.vertices().iter().all(|vertex| vertex.period <= last);
+        let whole = word.is_whole() && !endless && word.vertices().iter().all(|vertex| vertex.period <= last);
         Ok(Relation { case, periods: vertices.iter().map(|vertex| vertex.period).collect(), edges, whole })
     }
 

@@ -41,10 +41,21 @@ fn words_are_written_certified_and_checked() {
             fs::remove_file(folder.path().join("w.txt")).unwrap();
         }
     }
-    // Between two regions nothing is certified, and no file is left.
+    // Across regions 3 and 4 both kinds hold; across the line of period 1 nothing does, and no file is left.
+    for kind in ["", " --by-theorem"] {
+        let across = "word --a1 -1.415..=-1.414 --a2 0.5..=0.5001 --certificate w.txt";
+        let (code, out, error) = run(&format!("{across}{kind}"));
+        assert_eq!(code, 0, "{error}");
+        assert!(out.contains("e*mu > 0: word DUD\n"), "{out}");
+        assert_eq!(run("check w.txt").0, 0);
+        fs::remove_file(folder.path().join("w.txt")).unwrap();
+    }
     let (code, _, error) = run("word --a1 1..=1.5 --a2 1/4 --certificate w.txt");
     assert_eq!((code, folder.path().join("w.txt").exists()), (3, false));
-    assert!(error.contains("no certificate: the box meets a line between two regions"), "{error}");
+    assert!(
+        error.contains("no certificate: the letter of period 1 is not certain on all of the box"),
+        "{error}"
+    );
     for (arguments, expected) in [
         ("word --a1 1 --a2 4 --certificate w.txt", "certify the time-reversed system"),
         ("word --a1 2..=1 --a2 1/2", "the interval is reversed: write 1..=2"),
@@ -79,9 +90,21 @@ fn a_box_says_what_all_its_points_have_in_common() {
     assert_eq!(report["words"][0]["periods"], Value::from(vec![1, 2]));
     assert_eq!(report["words"][0]["end"]["next"], Value::from(3));
     assert_eq!(report["words"][0]["cases"][0]["entropy"]["lower_bound"], Value::from(true));
-    // A line between regions in it: not a letter.
+    // The line a₁ = a₂ + 1 in it: period 1 alone is certain, and not its letter.
     let (code, report) = json("--a1 1..=3/2 --a2 1/4");
-    assert_eq!((code, report["words"][0]["letters"].as_str()), (3, Some("")));
+    assert_eq!((code, report["words"][0]["letters"].as_str()), (3, Some("?")));
+    assert_eq!(report["words"][0]["end"]["next"], Value::from(2));
+    // Across regions 2 and 3 what holds for all: 2ns < 1 in region 3, at most up to n = 22 at a₁ = 0.99.
+    let (code, report) = json("--a1 0.99..=1.01 --a2 1/4");
+    assert_eq!((code, report["words"][0]["letters"].as_str()), (3, Some("D")));
+    let letters = report["words"][1]["letters"].as_str().unwrap();
+    assert!(letters.chars().all(|letter| letter == 'D') && (4..=22).contains(&letters.len()), "{letters}");
+    assert_eq!(report["words"][1]["cases"][0]["entropy"]["lower_bound"], Value::from(true));
+    // On a₁ = −(a₂ + 1): all odd periods, and 2.
+    let (code, report) = json("--a1 -3/2 --a2 1/2 --max-period 8");
+    assert_eq!((code, &report["words"][0]["end"]["kind"]), (3, &Value::from("odd")));
+    assert_eq!(report["words"][0]["cases"][1]["loops"], Value::from(vec![1, 3, 5, 7]));
+    assert_eq!(report["words"][1]["end"]["kind"], Value::from("complete"));
     // One point is no box.
     let (code, report) = json("--a1 -1/4 --a2 1/2..=1/2");
     assert_eq!((code, &report["box"]), (0, &Value::Null));
@@ -122,9 +145,13 @@ fn fuzzing_words_resumes_and_reports() {
 #[test]
 fn no_chaos_is_said_only_where_the_words_end() {
     let run = |arguments: &str| run(std::path::Path::new("."), arguments);
-    let (code, out, _) = run("word --a1 -1807/1000 --a2 807/1000");
+    let (code, out, _) = run("word --a1 1807/1000 --a2 807/1000");
     assert_eq!(code, 3);
     assert!(out.contains("Whether chaos is born is not decided"), "{out}");
+    // On the other line it is born by odd periods and 2.
+    let (code, out, _) = run("word --a1 -1807/1000 --a2 807/1000");
+    assert_eq!(code, 3);
+    assert!(out.contains("(+,-) with entropy at least 0.609377863436006"), "{out}");
     let (code, out, _) = run("word --r 1/10 --s 2/5");
     assert_eq!(code, 0);
     assert!(out.contains("Chaos is born in none of the four cases"), "{out}");

@@ -17,7 +17,7 @@ use super::q;
 const PERIOD: u64 = 12;
 
 /// A map with this trace and determinant and this sign of γ = C A B.
-fn map(a1: &BigRational, a2: &BigRational, gamma: bool) -> Map {
+pub fn map(a1: &BigRational, a2: &BigRational, gamma: bool) -> Map {
     let sign = |negative: bool| if negative { "-" } else { "" };
     let text = format!(
         "format = \"grazing-map 1\"\nA = [[\"{a1}\", \"{}1\"], [\"{}{a2}\", \"0\"]]\nB = [0, 1]\nC = [1, 0]\ne = 1\n",

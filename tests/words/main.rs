@@ -6,6 +6,7 @@ mod command;
 #[path = "../common/mod.rs"]
 mod common;
 mod exhaustive;
+mod forms;
 
 use common::{Fraction, config, middle, sign_b, sign_sin, singular};
 use grazing::existence::{Boundary, Case, intervals};
@@ -62,9 +63,8 @@ fn compare(a1: &Q, a2: &Q) {
     let u = u(a1, a2, LAST as usize + 2);
     for positive in [true, false] {
         let word = Word::at(&ladder, &point, positive, 100, &()).unwrap();
-        if word.extent() == Extent::Line {
+        if matches!(word.extent(), Extent::Line | Extent::Odd) {
             assert_eq!(a1.abs(), a2 + Q::one());
-            continue;
         }
         assert!(!matches!(word.extent(), Extent::Undecided { .. }), "{a1} {a2}: {:?}", word.extent());
         let mut found: Vec<u64> = word.up_to(LAST).iter().map(|vertex| vertex.period).collect();

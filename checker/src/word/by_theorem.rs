@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 
 use super::{
     super::{Proved, header, lines::Lines},
-    LETTERS, LONGEST, Rejection, STATEMENT_BY_THEOREM,
+    BETWEEN, LETTERS, LONGEST, Rejection, STATEMENT_BY_THEOREM,
     number::Rational,
     text::{self, Desk, Word},
 };
@@ -14,15 +14,22 @@ use super::{
 pub(in super::super) fn check(lines: &mut Lines) -> Result<Proved, Rejection> {
     header::expect_statement(lines, STATEMENT_BY_THEOREM)?;
     let mut desk = Desk::read(lines)?;
-    let region = text::value(desk.lines, "region", 5)?;
-    if desk.signs.place().region() != Some(region) {
-        return Err(desk.lines.false_claim(format!("not all of the set lies in region {region}")));
+    let region = text::value(desk.lines, "region", BETWEEN)?;
+    let inside = match region {
+        BETWEEN => desk.signs.place().is_in_three_or_four(),
+        _ => desk.signs.place().region() == Some(region),
+    };
+    if !inside {
+        return Err(desk.lines.false_claim(match region {
+            BETWEEN => "not all of the set lies in regions 3 and 4".to_string(),
+            _ => format!("not all of the set lies in region {region}"),
+        }));
     }
     let mut words: Vec<Word> = Vec::new();
     while let Some(positive) = text::next_word(desk.lines, &words)? {
         words.push(match (region, positive) {
-            (3, true) | (4, true) => path(&mut desk, region)?,
-            (3, false) => below(&mut desk)?,
+            (3 | 4 | BETWEEN, true) => path(&mut desk, region)?,
+            (3 | BETWEEN, false) => below(&mut desk)?,
             _ => one_letter(&mut desk, region, positive)?,
         });
     }
@@ -47,7 +54,7 @@ fn one_letter(desk: &mut Desk, region: u64, positive: bool) -> Result<Word, Reje
     Ok(Word { positive, letters: vec![(1, upper)], last: 1, rest: rest.into() })
 }
 
-/// Region 3, eµ < 0: the n with 2ns < 1.
+/// Region 3, eµ < 0: the n with 2ns < 1. In region 4 u_2 < 0, and period 1 is the only one.
 fn below(desk: &mut Desk) -> Result<Word, Rejection> {
     let last = text::value(desk.lines, "below", LETTERS)?;
     if last == 0 {
@@ -165,8 +172,8 @@ fn path(desk: &mut Desk, region: u64) -> Result<Word, Rejection> {
     Ok(Word { positive: true, letters, last, rest })
 }
 
-/// Region 3: the least K with 2Ks > 1, that is the first with u_K < 0. As s < ½, 2ns passes 1 before it
-/// reaches 2, so that u_n ≤ 0 at the first n with 2ns ≥ 1.
+/// The first K with u_K < 0: 2 in region 4, and in region 3 the least with 2Ks > 1. As s < ½, 2ns passes 1
+/// before it reaches 2, so that u_n ≤ 0 at the first n with 2ns ≥ 1.
 fn first(desk: &mut Desk) -> Result<u64, Rejection> {
     let first = text::value(desk.lines, "first", LONGEST)?;
     if first < 2 {

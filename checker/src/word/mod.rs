@@ -41,7 +41,8 @@
 //! ```
 //!
 //! In kind `word-by-theorem` a line `region R` comes after `bits P`, the paper's region, 1 to 5, that the set
-//! lies in; then for each word
+//! lies in, or 34 for regions 3 and 4 together: −(a₂+1) < a₁ < 2√a₂. There the lines are those of region 3,
+//! since the theorem makes no difference between the two. Then for each word
 //!
 //! ```text
 //! all L                           regions 1 and 5 for +, 2 for -: every period occurs, with this letter (U
@@ -136,6 +137,9 @@ pub const MOST: u64 = 256;
 
 /// The largest period that one of kind `word-by-theorem` comes to.
 pub const LONGEST: u64 = 4096;
+
+/// The number that stands for regions 3 and 4 together.
+pub const BETWEEN: u64 = 34;
 
 /// The most letters of one of kind `word-by-theorem`.
 pub const LETTERS: u64 = 512;

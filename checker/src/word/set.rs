@@ -88,6 +88,20 @@ impl Place {
     }
 }
 
+impl Place {
+    /// Whether −(a₂+1) < a₁ < 2√a₂ certainly holds on all of the set.
+    pub fn is_in_three_or_four(&self) -> bool {
+        let Some([lower, upper]) = self.a1() else { return true };
+        let [below, _] = self.a2();
+        let less = Ordering::Less;
+        let right = lower.negated().compared(&below.plus(&Rational::whole(1))) == less;
+        // a₂ > 0, so that a₁ = 0 is to the left of 2√a₂.
+        let left =
+            upper.p.sign() == less || upper.times(upper).compared(&Rational::whole(4).times(&below)) == less;
+        right && left
+    }
+}
+
 /// What is known of u_n and N_{n,k} on a set, in units of 2^−P.
 pub(super) struct Signs {
     place: Place,
@@ -340,5 +354,18 @@ mod tests {
         assert_eq!(of("-11/10 -1/1 1/8 1/4"), Some(4));
         assert_eq!(of("-11/10 -1/1 1/10 1/4"), None);
         assert_eq!(of("-3/2 -11/8 1/4 1/3"), Some(5));
+        // Regions 3 and 4 together: across a₁ = −2√a₂, but neither across 2√a₂ nor to a₁ = −(a₂ + 1).
+        let together = |text: &str| {
+            let ends: Vec<Rational> = text.split(' ').map(rational).collect();
+            Place::Box(ends.try_into().unwrap()).is_in_three_or_four()
+        };
+        for inside in
+            ["-21/20 -1/1 1/10 1/4", "-11/10 -9/10 1/4 1/4", "-11/10 9/10 1/4 1/4", "0/1 0/1 1/9 1/9"]
+        {
+            assert!(together(inside), "{inside}");
+        }
+        for outside in ["-11/10 1/1 1/4 1/4", "-5/4 -1/1 1/4 1/4", "-3/2 -11/8 1/4 1/3", "1/1 1/1 1/4 1/3"] {
+            assert!(!together(outside), "{outside}");
+        }
     }
 }

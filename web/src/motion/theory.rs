@@ -144,7 +144,7 @@ fn letters([a1, a2]: [f64; 2], positive: bool) -> Option<String> {
     let word = Word::at(&Ladder::new(1024), &Point::Plane(plane), positive, SHOWN, &()).ok()?;
     let letters = word.letters();
     match word.extent() {
-        Extent::All | Extent::Line => None,
+        Extent::All | Extent::Odd | Extent::Line => None,
         _ if letters.is_empty() => None,
         _ => Some(if word.is_whole() { letters } else { format!("{letters}…") }),
     }

@@ -88,7 +88,13 @@ fn end(word: &Word) -> (&'static str, String) {
             format!("undecided: whether period {next} occurs (highest precision tried: {rung})"),
         ),
         Extent::Cut => ("cut", "the word goes on: more letters than are listed".into()),
-        Extent::Line => ("line", "on this line some c or b is 0, and Theorem 1 is silent".into()),
+        Extent::Odd => (
+            "odd",
+            "every odd period occurs, with the letter D, and 2, whose c is 0; Theorem 1 is silent about the \
+             other even ones"
+                .into(),
+        ),
+        Extent::Line => ("line", "on this line every c and b is 0, and Theorem 1 is silent".into()),
         other => ("undecided", format!("undecided: {other:?}")),
     }
 }

@@ -92,7 +92,7 @@ pub(super) fn compare(ladder: &Ladder, case: &Instance, statement: WordStatement
         let beyond = matches!(word.extent(), Extent::Undecided { next, .. } if next > *last);
         match word.extent() {
             _ if beyond => {}
-            Extent::Line => return Comparison::Boundary,
+            Extent::Line | Extent::Odd => return Comparison::Boundary,
             Extent::Undecided { .. } | Extent::Straddled { .. } => return Comparison::Undecided,
             Extent::Boundary { .. } => worst = Comparison::Boundary,
             Extent::All | Extent::Complete { .. } | Extent::Cut => {}
