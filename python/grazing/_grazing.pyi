@@ -16,6 +16,7 @@ __all__ = [
     "check_file",
     "check_text",
     "classify",
+    "classify_exactly",
     "classify_many",
     "evaluate",
     "existence",
@@ -49,6 +50,13 @@ def classify(
 def classify_many(
     first: npt.NDArray[np.float64],
     second: npt.NDArray[np.float64],
+    polar: bool,
+    found: npt.NDArray[np.uint8],
+    progress: _Progress,
+) -> None: ...
+def classify_exactly(
+    first: list[_Exact],
+    second: list[_Exact],
     polar: bool,
     found: npt.NDArray[np.uint8],
     progress: _Progress,

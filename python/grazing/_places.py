@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import enum
 import json
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
@@ -123,21 +124,66 @@ def classify_many(
 
     The arrays are broadcast against each other to one shape S; contiguous float64 arrays of that shape are read
     where they are. Each float is taken as the binary fraction that it is: a grid of floats has no other
-    meaning, and it may miss a boundary that passes through the decimal (s = 0.2 lies beside 1/5).
+    meaning, and it may miss a boundary that passes through the decimal (s = 0.2 lies beside 1/5). Nothing is
+    rounded: fractions, decimals, integers of any size and exact text are taken as they are, alone or among
+    floats.
 
     :return: uint8 of shape S + (max_n,); entry ``[..., n - 1]`` is 0 where no orbit of period n exists.
     :raises InputError: for a point outside the theory, named by its place in the flattened arrays.
+    :raises TypeError: for what is no number, and for floats of more than 64 bits.
     """
     first, second, polar = point(a1, a2, r, s)
     last = natural("max_n", max_n)
     if not 1 <= last <= 100_000:  # The array would be made before the compiled part looks.
         raise InputError(f"max_n = {last}: a whole number from 1 to 100000")
-    one, two = np.broadcast_arrays(np.asarray(first, np.float64), np.asarray(second, np.float64))
+    one, two = np.broadcast_arrays(_numbers(first), _numbers(second))
     found = np.zeros((one.size, last), np.uint8)
-    flat = (np.ascontiguousarray(one).reshape(-1), np.ascontiguousarray(two).reshape(-1))
     with shown(progress) as bar:
-        _grazing.classify_many(*flat, polar, found, bar)
+        if one.dtype == two.dtype == np.float64:
+            flat = (np.ascontiguousarray(one).reshape(-1), np.ascontiguousarray(two).reshape(-1))
+            _grazing.classify_many(*flat, polar, found, bar)
+        else:
+            _grazing.classify_exactly(_exactly(one), _exactly(two), polar, found, bar)
     return found.reshape(one.shape + (last,))
+
+
+def _numbers(values: npt.ArrayLike) -> npt.NDArray[Any]:
+    """A float64 array of the same numbers, or an array of objects if floats do not hold them all."""
+    # NumPy would make floats of a list of integers and floats.
+    array = np.asarray(values) if hasattr(values, "__array__") else np.array(values, dtype=object)
+    if array.dtype.kind == "f" and array.dtype.itemsize <= 8:
+        return array.astype(np.float64, copy=False)
+    if array.dtype.kind == "f":
+        raise TypeError(f"an array of {array.dtype}: give float64, or exact numbers")
+    if array.dtype.kind not in "iuUO":
+        raise TypeError(f"an array of {array.dtype} holds no real numbers")
+    held = array.astype(object)
+    if all(_is_held(x) for x in held.flat):
+        return held.astype(np.float64)
+    return held
+
+
+def _is_held(x: object) -> bool:
+    """Whether this is a float of at most 64 bits, or an integer that one holds."""
+    if isinstance(x, (bool, np.bool_)):
+        return False
+    if isinstance(x, (int, np.integer)):
+        return abs(int(x)) <= 2**53
+    return isinstance(x, float) or isinstance(x, np.floating) and x.itemsize <= 8
+
+
+def _exactly(array: npt.NDArray[Any]) -> list[Exact]:
+    """The numbers, floats as the fractions that they are."""
+    def exact(place: int, x: Any) -> Exact:
+        if isinstance(x, np.floating) and x.itemsize > 8:
+            raise TypeError(f"point {place}: {x!r} has more than 64 bits: give an exact number")
+        if not isinstance(x, (float, np.floating)):
+            return x  # type: ignore[no-any-return]
+        if not math.isfinite(x):
+            raise InputError(f"point {place}: {x} is not finite")
+        return Fraction(float(x))
+
+    return [exact(place, x) for place, x in enumerate(array.flat)]
 
 
 # Values.
@@ -222,7 +268,8 @@ class Word:
     #: Their places m/n on the Stern–Brocot path to s.
     fractions: tuple[Fraction, ...] = field(repr=False)
     #: Why the word ends: ``"all"`` (every period occurs), ``"complete"``, ``"boundary"``, ``"singular"``,
-    #: ``"undecided"``, ``"cut"`` (the limit on letters) or ``"line"``.
+    #: ``"undecided"``, ``"cut"`` (the limit on letters), ``"odd"`` (on a₁ = −(a₂ + 1): every odd period, and 2)
+    #: or ``"line"`` (on a₁ = a₂ + 1: period 1, without a letter).
     end: str
     #: The first period on the path that does not occur, or is not decided.
     next: int | None

@@ -25,6 +25,7 @@ use crate::{
 pub fn add(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(classify, module)?)?;
     module.add_function(wrap_pyfunction!(classify_many, module)?)?;
+    module.add_function(wrap_pyfunction!(classify_exactly, module)?)?;
     module.add_function(wrap_pyfunction!(word, module)?)?;
     module.add_function(wrap_pyfunction!(evaluate, module)?)
 }
@@ -106,22 +107,50 @@ fn classify_many<'py>(
     mut found: PyReadwriteArray2<'py, u8>,
     progress: Option<Bound<'py, PyAny>>,
 ) -> PyResult<()> {
-    let last = found.shape()[1];
-    let (first, second, found) = (first.as_slice()?, second.as_slice()?, found.as_slice_mut()?);
+    let (first, second) = (first.as_slice()?, second.as_slice()?);
+    let at = |i: usize| {
+        let (x, y) = (first[i], second[i]);
+        let (x_exact, y_exact) = (BigRational::from_float(x), BigRational::from_float(y));
+        x_exact.zip(y_exact).ok_or_else(|| Error::input(format!("({x}, {y}) is not finite")))
+    };
+    classify_each(py, at, polar, &mut found, progress)
+}
+
+/// The same at points that are given exactly, which must be as many as `found` has rows.
+#[pyfunction]
+fn classify_exactly<'py>(
+    py: Python<'py>,
+    first: Vec<Exact>,
+    second: Vec<Exact>,
+    polar: bool,
+    mut found: PyReadwriteArray2<'py, u8>,
+    progress: Option<Bound<'py, PyAny>>,
+) -> PyResult<()> {
+    let at = |i: usize| match (first.get(i), second.get(i)) {
+        (Some(x), Some(y)) => Ok((x.0.clone(), y.0.clone())),
+        _ => Err(Error::input("there are more rows than points")),
+    };
+    classify_each(py, at, polar, &mut found, progress)
+}
+
+/// A row for each point, which `at` tells by its number.
+fn classify_each<'py>(
+    py: Python<'py>,
+    at: impl Fn(usize) -> Result<(BigRational, BigRational)> + Send + Sync,
+    polar: bool,
+    found: &mut PyReadwriteArray2<'py, u8>,
+    progress: Option<Bound<'py, PyAny>>,
+) -> PyResult<()> {
+    let [points, last] = [found.shape()[0], found.shape()[1]];
+    let found = found.as_slice_mut()?;
     watched_here(py, progress.as_ref(), move |watch| {
         check_last(last as u64)?;
-        watch.begin(first.len() as u64, "points");
+        watch.begin(points as u64, "points");
         let portions = found.par_chunks_mut(PORTION * last).enumerate();
         portions.try_for_each(|(portion, rows)| {
-            let from = portion * PORTION;
-            for (offset, row) in rows.chunks_mut(last).enumerate() {
-                let (x, y) = (first[from + offset], second[from + offset]);
-                let exact = |x| BigRational::from_float(x);
-                let (Some(a), Some(b)) = (exact(x), exact(y)) else {
-                    return Err(Error::input(format!("point {}: ({x}, {y}) is not finite", from + offset)));
-                };
-                let place = place(a, b, polar);
-                let place = place.map_err(|error| error.context(format!("point {}", from + offset)))?;
+            for (i, row) in (portion * PORTION..).zip(rows.chunks_mut(last)) {
+                let place = at(i).and_then(|(x, y)| place(x, y, polar));
+                let place = place.map_err(|error| error.context(format!("point {i}")))?;
                 let kinds = up_to(ladder(), &place.point, last as u64, || watch.advance(0))?;
                 for (n, (cell, kind)) in (1..).zip(row.iter_mut().zip(kinds)) {
                     *cell = bits(kind, n);
