@@ -6,6 +6,8 @@
 
 use std::{error, fmt, io, path::Path};
 
+use crate::printable::Printable;
+
 /// What went wrong, on one line, with the cause where the system gave one.
 #[derive(Debug)]
 pub struct Error(Box<Inner>);
@@ -73,7 +75,11 @@ impl Error {
     }
 
     /// The same error, with what of a file is at fault.
-    pub(crate) fn at(mut self, spot: Spot) -> Self {
+    pub(crate) fn at(mut self, mut spot: Spot) -> Self {
+        // As in the message; the file's name is one to open.
+        for text in [spot.key.as_mut(), spot.value.as_mut(), Some(&mut spot.problem)].into_iter().flatten() {
+            *text = Printable(text).to_string();
+        }
         self.0.spot = Some(Box::new(spot));
         self
     }
@@ -125,7 +131,7 @@ impl From<io::Error> for Error {
 
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.0.message)
+        Printable(&self.0.message).fmt(f)
     }
 }
 

@@ -70,12 +70,12 @@
 //! | [`search`] | what finds certificates and looks for counterexamples |
 //! | [`Error`], [`Outcome`], [`Monitor`], [`Profile`] | what goes wrong; how work ends; how a long job reports and is ended; where its time goes |
 //!
-//! Not public, and below the table, for every part: `processor` (its time), `random` (the same choices on
-//! every machine), `output` (files that are whole or absent, saved states, tables), `source` (errors that
-//! name file, line and key). Above it: `study` (what accuracy costs), and with the feature `cli`, which is on
-//! by default, `figure` (pictures, the data of each beside it) and `cli` (the command line). Without it,
-//! `default-features = false`, none of their packages is compiled. `tests/structure.rs` holds the sources to
-//! this order.
+//! Not public, and below the table, for every part: `printable` (text of others on its way out), `processor`
+//! (its time, its threads), `random` (the same choices on every machine), `output` (files that are whole or
+//! absent, saved states, tables), `source` (errors that name file, line and key). Above it: `study` (what
+//! accuracy costs), and with the feature `cli`, which is on by default, `figure` (pictures, the data of each
+//! beside it) and `cli` (the command line). Without it, `default-features = false`, none of their packages is
+//! compiled. `tests/structure.rs` holds the sources to this order.
 
 // They panic once nobody reads; `output` has what does not.
 #![deny(clippy::print_stdout, clippy::print_stderr)]
@@ -97,6 +97,7 @@ mod outcome;
 #[cfg_attr(not(feature = "cli"), allow(dead_code, unused_imports))]
 mod output;
 pub mod pattern;
+mod printable;
 mod processor;
 mod profile;
 mod random;
@@ -114,7 +115,10 @@ pub mod word;
 pub mod internals {
     #[cfg(feature = "cli")]
     pub use crate::cli::main;
-    pub use crate::study::{condition, effects, flow_accuracy};
+    pub use crate::{
+        processor::threads,
+        study::{condition, effects, flow_accuracy},
+    };
 }
 
 pub use error::{Error, Result, Spot};

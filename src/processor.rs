@@ -1,6 +1,36 @@
 //! How long things took, how long a processor was kept busy, and how much memory that took.
 
-use std::time::{Duration, Instant};
+use std::{
+    env,
+    num::NonZero,
+    thread,
+    time::{Duration, Instant},
+};
+
+use crate::error::{Error, Result};
+
+/// Most threads per core, whatever asks for more: they only stand in each other's way, and hundreds of
+/// thousands stall a computer.
+const MOST_PER_CORE: usize = 4;
+
+/// How many threads to work on: `asked`, or where that is 0 what `RAYON_NUM_THREADS` says, or one for each
+/// core.
+///
+/// # Errors
+/// An input error if that is more than four for each core.
+pub fn threads(asked: usize) -> Result<usize> {
+    let cores = thread::available_parallelism().map_or(1, NonZero::get);
+    let variable = |name: &'static str| Some((name, env::var(name).ok()?.parse().ok().filter(|&n| n > 0)?));
+    let (who, count) = match asked {
+        0 => variable("RAYON_NUM_THREADS").or_else(|| variable("RAYON_RS_NUM_CPUS")).unwrap_or(("", cores)),
+        asked => ("--jobs", asked),
+    };
+    if count > MOST_PER_CORE * cores {
+        let most = MOST_PER_CORE * cores;
+        return Err(Error::input(format!("{who} {count}: at most {most}, four times the number of cores")));
+    }
+    Ok(count)
+}
 
 /// Measures time on the clock of the wall. The library asks no clock but here: where the system has none, as
 /// in a browser's WebAssembly, `Instant::now` panics, and a stopwatch stands at 0.

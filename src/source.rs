@@ -8,7 +8,11 @@ use toml_edit::{Document, Value};
 use crate::{
     error::{Error, Result, Spot},
     number::{LIMIT_BITS, parse_rational_within},
+    output::LONGEST_SCENE,
 };
+
+/// The most values of a file, counted by the signs before them.
+const MOST_VALUES: usize = 200_000;
 
 /// The text of a TOML file, and the name that leads its error messages.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,6 +24,18 @@ pub(crate) struct Source<'a> {
 impl Source<'_> {
     /// The text as TOML.
     pub fn document(&self) -> Result<Document<&str>> {
+        if self.text.len() as u64 > LONGEST_SCENE {
+            return Err(self.fail(None, &format!("has more than {LONGEST_SCENE} bytes")));
+        }
+        // Each value takes hundreds of bytes while a file is read, whatever it takes in the file.
+        let marks = self.text.bytes().filter(|byte| matches!(byte, b',' | b'=' | b'[' | b'{')).count();
+        if marks > MOST_VALUES {
+            let message = format!(
+                "has {marks} commas, equals signs and opening brackets: at most {MOST_VALUES}; large matrices go into \
+                 files of their own"
+            );
+            return Err(self.fail(None, &message));
+        }
         Document::parse(self.text).map_err(|error| {
             let hint = if error.message().contains("integer") || error.message().contains("float") {
                 " (a number TOML cannot hold can be written as a string)"
@@ -32,7 +48,8 @@ impl Source<'_> {
 
     /// The line on which something stands, counted from 1.
     pub fn line(&self, span: &Range<usize>) -> usize {
-        self.text.get(..span.start).map_or(0, |text| text.matches('\n').count()) + 1
+        let before = &self.text.as_bytes()[..span.start.min(self.text.len())];
+        before.iter().filter(|&&byte| byte == b'\n').count() + 1
     }
 
     /// `name:line: message`.

@@ -124,6 +124,69 @@ fn whole(job: &Job, arguments: &str) -> String {
     (job.result)(&out, folder.path())
 }
 
+/// Budgets: what is too large is refused before much memory is taken, and what is large but allowed takes
+/// little. The limit is on addresses, of which a process takes several times the memory that it uses.
+#[test]
+fn what_is_too_much_is_refused_before_it_is_in_memory() {
+    let folder = tempdir().unwrap();
+    let folder = folder.path();
+    let limited = |megabytes: u64, arguments: &str| {
+        let program = env!("CARGO_BIN_EXE_grazing");
+        let line = format!("ulimit -v {}; exec {program} {arguments}", megabytes << 10);
+        let mut command = std::process::Command::new("sh");
+        let output = command.arg("-c").arg(line).current_dir(folder).output().unwrap();
+        let said = String::from_utf8(output.stderr).unwrap();
+        (output.status.code(), String::from_utf8(output.stdout).unwrap(), said)
+    };
+    let head = "format = \"grazing-scene 1\"\ntitle = \"t\"\n";
+    let task = |i: usize| {
+        format!(
+            "[[tasks]]\nname = \"t{i}\"\nkind = \"simulate\"\nstart = {{ q = 1 }}\nperiods = 1 # {}\n",
+            "x".repeat(900)
+        )
+    };
+    let wall = "[system]\nforce = -1\n[[walls]]\nside = \"lower\"\noffset = 0\nrestitution = 0.5\n";
+    let tasks = |count| (0..count).map(task).collect::<String>();
+    for (name, text, wanted) in [
+        ("brackets.toml", format!("{head}x = [{}]\n", "[],".repeat(1_000_000)), "at most 200000"),
+        ("long.toml", format!("{head}{}", "# \n".repeat(3_000_000)), "has more than 4194304 bytes"),
+        (
+            "names.toml",
+            format!(
+                "{head}[parameters]\n{}{wall}",
+                (0..1001).map(|i| format!("p{i} = 1\n")).collect::<String>()
+            ),
+            "1001 of them: at most 1000",
+        ),
+        ("tasks.toml", format!("{head}{wall}{}", tasks(2000)), ""),
+    ] {
+        fs::write(folder.join(name), text).unwrap();
+        let (code, out, said) = limited(500, &format!("run {name} --dry-run"));
+        let files = if wanted.is_empty() { 1 + 4 * 2000 } else { 0 };
+        assert_eq!(
+            (code, out.lines().count()),
+            (Some(if files > 0 { 0 } else { 2 }), files),
+            "{name}: {said}"
+        );
+        assert!(said.contains(wanted), "{name}: {said}");
+    }
+    fs::write(folder.join("map.toml"), format!("x = [{}]\n", "[],".repeat(1_000_000))).unwrap();
+    let (code, _, said) = limited(500, "existence map.toml");
+    assert!(code == Some(2) && said.contains("at most 200000"), "{said}");
+    let (code, _, said) = limited(500, "merge --files-from /dev/zero");
+    assert!(
+        code == Some(2) && said.contains("--files-from /dev/zero has more than 67108864 bytes"),
+        "{said}"
+    );
+    for variable in ["RAYON_NUM_THREADS", "RAYON_RS_NUM_CPUS"] {
+        for arguments in ["verify 8", "existence map.toml", "figure intervals"] {
+            let mut command = grazing(arguments, folder);
+            let (code, _, said) = ended(command.env(variable, "100000").output().unwrap());
+            assert!(code == 2 && said.contains(&format!("{variable} 100000: at most ")), "{said}");
+        }
+    }
+}
+
 #[test]
 fn kills_change_no_result() {
     let mut numbers = Numbers(0x1234_5678_9abc_def1);

@@ -41,8 +41,12 @@ fn shards(folder: &TempDir, command: &str, file: &str, of: u64) -> String {
 
 /// FNV-1a of 64 bits, by its definition.
 fn hash(text: &str) -> u64 {
-    text.bytes()
-        .fold(0xcbf2_9ce4_8422_2325u64, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3))
+    hash_of(text.as_bytes())
+}
+
+fn hash_of(bytes: &[u8]) -> u64 {
+    let step = |hash: u64, byte: &u8| (hash ^ u64::from(*byte)).wrapping_mul(0x100_0000_01b3);
+    bytes.iter().fold(0xcbf2_9ce4_8422_2325, step)
 }
 
 /// A shard with its last line: the number of items and a hash of all before it.
@@ -50,6 +54,12 @@ fn sealed(body: &str) -> String {
     let hash = hash(body);
     let records = body.lines().filter(|line| line.starts_with("item ")).count();
     format!("{body}end {records} {hash:016x}\n")
+}
+
+/// The program that a shard names.
+fn program(shard: &str) -> String {
+    let line = shard.lines().find_map(|line| line.strip_prefix("program ")).unwrap();
+    line.split(' ').next().unwrap().to_string()
 }
 
 fn body(shard: &str) -> &str {
@@ -392,6 +402,35 @@ fn campaigns_count_what_one_run_counts() {
     }
 }
 
+/// The hash of sources in a shard, from the files by its definition: their names, lengths and bytes.
+#[test]
+fn shards_name_the_sources_of_their_program() {
+    fn files(folder: &Path, name: &str, all: &mut Vec<String>) {
+        for entry in fs::read_dir(folder.join(name)).unwrap() {
+            let entry = entry.unwrap();
+            let inner = format!("{name}/{}", entry.file_name().to_str().unwrap());
+            if entry.path().is_dir() { files(folder, &inner, all) } else { all.push(inner) }
+        }
+    }
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut names = vec!["Cargo.lock".to_string()];
+    files(root, "src", &mut names);
+    files(root, "checker/src", &mut names);
+    names.retain(|name| !name.contains("/."));
+    names.sort();
+    let mut bytes = Vec::new();
+    for name in names {
+        let text = fs::read(root.join(&name)).unwrap();
+        let text: Vec<u8> = text.into_iter().filter(|&byte| byte != b'\r').collect();
+        bytes.extend(format!("{name} {}\n", text.len()).into_bytes());
+        bytes.extend(text);
+    }
+    let folder = tempdir().unwrap();
+    done(folder.path(), "verify 3 --shard 1/1 --certificate 1");
+    let shard = fs::read_to_string(folder.path().join("1")).unwrap();
+    assert_eq!(program(&shard), format!("{}+{:016x}", env!("CARGO_PKG_VERSION"), hash_of(&bytes)));
+}
+
 #[test]
 fn what_is_wrong_with_shards_is_said() {
     let folder = tempdir().unwrap();
@@ -400,7 +439,7 @@ fn what_is_wrong_with_shards_is_said() {
     let merge = |files: &str, code: i32| -> String {
         let (found, _, error) = run(folder.path(), &format!("merge {files} -o merged"));
         assert_eq!(found, code, "{files}: {error}");
-        assert!(code == 1 || !path("merged").exists(), "nothing is written");
+        assert!(!path("merged").exists(), "nothing is written");
         error
     };
     assert!(merge("1 4 6", 2).contains("3 of 6 shards are missing: --array=2-3,5"));
@@ -427,13 +466,21 @@ fn what_is_wrong_with_shards_is_said() {
     fs::write(path("5"), &good[..good.len() / 2]).unwrap();
     assert!(merge(&files, 2).contains("5: it is cut off"));
     // One of another version, of another task, of another cut.
-    let foreign = body(&good).replace(&format!("program {}", env!("CARGO_PKG_VERSION")), "program 0.0.0");
+    let program = program(&good);
+    let foreign = body(&good).replace(&format!("program {program}"), "program 0.0.0");
     fs::write(path("5"), sealed(&foreign)).unwrap();
     assert!(merge(&files, 2).contains("5: its first lines are not those of a shard"), "another hash");
     let task = |program: &str| format!("task {:016x}", hash(&format!("{program} verify 3..=20")));
-    let foreign = foreign.replace(&task(env!("CARGO_PKG_VERSION")), &task("0.0.0"));
+    let foreign = foreign.replace(&task(&program), &task("0.0.0"));
     fs::write(path("5"), sealed(&foreign)).unwrap();
     assert!(merge(&files, 2).contains("5: it is by version 0.0.0, the others are by"));
+    // The same version, from other sources.
+    let (version, sources) = program.split_once('+').unwrap();
+    assert!(version == env!("CARGO_PKG_VERSION") && sources.len() == 16, "{program}");
+    let other = format!("{version}+{}", "0".repeat(16));
+    let foreign = body(&good).replace(&format!("program {program}"), &format!("program {other}"));
+    fs::write(path("5"), sealed(&foreign.replace(&task(&program), &task(&other)))).unwrap();
+    assert!(merge(&files, 2).contains(&format!("5: it is by version {other}, the others are by {program}")));
     done(folder.path(), "verify 3..=21 --shard 5/6 --certificate 5");
     assert!(
         merge(&files, 2)
@@ -448,17 +495,76 @@ fn what_is_wrong_with_shards_is_said() {
     let error = merge(&files, 2);
     assert!(error.contains("6: it is damaged: item "), "{error}");
     done(folder.path(), "verify 3..=20 --shard 6/6 --certificate 6");
+    // What stands there stays unless the new one is proved.
+    fs::write(path("merged"), "what stood there").unwrap();
+    let untrue = |text: String, wanted: &str| {
+        fs::write(path("5"), sealed(&text)).unwrap();
+        let (code, out, error) = run(folder.path(), &format!("merge {files} -o merged"));
+        assert!(code == 1 && out.contains("merged: rejected: line "), "{code} {out} {error}");
+        assert!(error.contains(wanted), "{error}");
+        assert!(error.contains("error: 1 of 6 shards are false: --array=5\n"), "{error}");
+        assert_eq!(fs::read_to_string(path("merged")).unwrap(), "what stood there");
+        let (_, out, _) = run(folder.path(), &format!("merge {files} -o merged --format json"));
+        let told: Value = serde_json::from_str(&out).unwrap();
+        assert_eq!((&told["missing"], &told["array"]), (&Value::from(vec![5]), &Value::from("5")));
+        assert!(told["faults"][0].as_str().unwrap().contains(wanted), "{told}");
+    };
     // A period whose block is empty: that all periods are there is part of what is proved.
     let last = body(&good).lines().last().unwrap();
     let without =
         body(&good).replace(&format!("{last}\n"), &format!("{} \"\"\n", &last[..last.find(" \"").unwrap()]));
-    fs::write(path("5"), sealed(&without)).unwrap();
-    let (code, out, _) = run(folder.path(), &format!("merge {files} -o merged"));
-    assert!(code == 1 && out.contains("merged: rejected: line "), "{code} {out}");
+    untrue(without, "5: rejected: line ");
     // A false line with a right checksum: the certificate is proved again, and is not.
-    fs::write(path("5"), sealed(&body(&good).replacen(" + -", " - -", 1))).unwrap();
-    let (code, out, _) = run(folder.path(), &format!("merge {files} -o merged"));
-    assert!(code == 1 && out.contains("merged: rejected: line "), "{code} {out}");
+    untrue(body(&good).replacen(" + -", " - -", 1), "5: rejected: line ");
+    // A pipe is given nothing that is not proved.
+    let (code, out, _) = run(folder.path(), &format!("merge {files} -o /dev/null"));
+    assert!(code == 1 && out.contains("/dev/null: rejected: "), "{out}");
+    fs::write(path("5"), good).unwrap();
+    let (code, out, error) = run(folder.path(), &format!("merge {files} -o merged"));
+    assert!(code == 0 && out.contains("merged: proved, "), "{code} {out} {error}");
+}
+
+/// The scripts of a cluster, on a computer that stands for one: `sbatch` does at once what it is sent.
+#[test]
+fn scripts_send_again_what_is_missing_and_what_is_false() {
+    let folder = tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name);
+    let scripts = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/cluster");
+    for name in ["campaign.sh", "array.sbatch", "merge.sbatch"] {
+        let text = fs::read_to_string(scripts.join(name)).unwrap();
+        let small = text.replace("SHARDS=16", "SHARDS=4").replace("3..=500", "3..=20");
+        fs::write(path(name), small).unwrap();
+    }
+    let sbatch = r#"#!/bin/sh
+for word; do
+    case "$word" in
+    --array=*) array=$(echo "${word#--array=}" | tr , ' ') ;;
+    *.sbatch) script=$word ;;
+    esac
+done
+echo "$script $array" >>sent
+[ "$script" = merge.sbatch ] && { sh merge.sbatch >merge.log 2>&1; exit 0; }
+for task in $array; do SLURM_ARRAY_TASK_ID=$task sh "$script" || exit; done
+echo 1
+"#;
+    fs::create_dir(path("bin")).unwrap();
+    fs::create_dir(path("parts")).unwrap();
+    fs::write(path("bin/sbatch"), sbatch).unwrap();
+    std::os::unix::fs::symlink(env!("CARGO_BIN_EXE_grazing"), path("bin/grazing")).unwrap();
+    assert!(Command::new("chmod").arg("+x").arg(path("bin/sbatch")).status().unwrap().success());
+    for index in [1, 2, 4] {
+        done(folder.path(), &format!("verify 3..=20 --shard {index}/4 --certificate parts/part-{index}"));
+    }
+    let good = fs::read_to_string(path("parts/part-2")).unwrap();
+    fs::write(path("parts/part-2"), sealed(&body(&good).replacen(" + -", " - -", 1))).unwrap();
+    let bin = format!("{}:{}", path("bin").display(), std::env::var("PATH").unwrap());
+    let merge = Command::new("sh").arg("merge.sbatch").env("PATH", bin).current_dir(folder.path()).output();
+    assert_eq!(merge.unwrap().status.code(), Some(2));
+    // First the one that is missing, then the one that is false.
+    let sent = fs::read_to_string(path("sent")).unwrap();
+    assert_eq!(sent, "array.sbatch 3\nmerge.sbatch \narray.sbatch 2\nmerge.sbatch \n");
+    done(folder.path(), "verify 3..=20 --certificate whole");
+    assert_eq!(fs::read(path("theorem2.txt")).unwrap(), fs::read(path("whole")).unwrap());
 }
 
 /// A tally that is none of its part, and tasks that this program gives nobody a part of.
@@ -483,7 +589,7 @@ fn what_is_claimed_in_a_shard_is_looked_at() {
     let head: Vec<&str> = good.lines().take(4).collect();
     merge(format!("{}\n{record}\n", head.join("\n")), "a tally of 1 blocks, where the part has ");
     // Whole, and alone of its task: but no shard is given these arguments.
-    let program = env!("CARGO_PKG_VERSION");
+    let program = program(&good);
     for words in ["fuzz --n 1..=2 --cases 9", "fuzz --regressions x", "verify 3..=9 --certificate x", "run x"]
     {
         let task = hash(&format!("{program} {words}"));

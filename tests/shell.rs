@@ -153,7 +153,7 @@ fn limits_are_said() {
     );
     // Inputs and states without an end, or that are no files.
     for arguments in ["run /dev/zero", "existence /dev/zero"] {
-        assert!(refused(arguments).contains("/dev/zero has more than 16777216 bytes"), "{arguments}");
+        assert!(refused(arguments).contains("/dev/zero has more than 4194304 bytes"), "{arguments}");
     }
     for device in ["/dev/full", "/dev/zero", "/dev/null"] {
         for command in ["fuzz --cases 1", "cover 8"] {
@@ -199,6 +199,210 @@ fn one_file_has_one_name() {
     assert_eq!(fs::read(folder.join("map.toml")).unwrap(), fs::read(FOCUS).unwrap());
     // Devices are no files to be lost.
     assert_eq!(run("verify 8 -o /dev/null --certificate /dev/null", folder).0, 0);
+}
+
+/// A scene of a ball with a motion, and of a mass under a measured force with the task `name`; its record and
+/// its stiffness are in files of their own.
+fn scenes(folder: &Path, name: &str) {
+    let ball = "format = \"grazing-scene 1\"\ntitle = \"a ball\"\n[system]\nforce = -1\n[[walls]]\nside = \"lower\"\n\
+                offset = 0\nrestitution = 0.5\n[[tasks]]\nname = \"drop\"\nkind = \"simulate\"\nstart = { q = 0.5 }\nperiods = 1\n";
+    fs::write(folder.join("ball.toml"), ball).unwrap();
+    let mass = format!(
+        "format = \"grazing-scene 2\"\ntitle = \"a mass\"\n[system]\nfrequency = 1\nmass = 1\ndamping = 0.5\n\
+         stiffness = {{ file = \"stiff.csv\" }}\nmeasured = {{ file = \"record.csv\", harmonics = 1 }}\n[[tasks]]\n\
+         name = \"{name}\"\nkind = \"simulate\"\nstart = {{ q = 0 }}\nperiods = 1\n"
+    );
+    fs::write(folder.join("mass.toml"), mass).unwrap();
+    fs::write(folder.join("stiff.csv"), "4\n").unwrap();
+    let record: String = (0..=40).map(|i| format!("{},{}\n", f64::from(i) / 20.0, i % 20)).collect();
+    fs::write(folder.join("record.csv"), format!("time,force\n{record}")).unwrap();
+}
+
+/// Nothing that a command reads is written by it, and nothing is written twice, whatever the files are
+/// called.
+#[test]
+fn no_file_is_lost_to_another_of_the_same_command() {
+    let folder = tempdir().unwrap();
+    let folder = folder.path();
+    scenes(folder, "record");
+    assert_eq!(run("verify 8 --certificate cert", folder).0, 0);
+    assert_eq!(run("fuzz --n 12 --cases 1 --resume state", folder).0, 0);
+    assert_eq!(run("verify 3..=4 --shard 1/1 --certificate part", folder).0, 0);
+    fs::write(folder.join("list"), "part\n").unwrap();
+    symlink("cert", folder.join("link")).unwrap();
+    symlink("stiff.csv", folder.join("stiffer.csv")).unwrap();
+    fs::hard_link(folder.join("ball.toml"), folder.join("hard.toml")).unwrap();
+    let restart = "format = \"grazing-scene 1\"\ntitle = \"t\"\n[parameters]\na = 1\n[system]\nforce = -1\n[[walls]]\nside = \"lower\"\n\
+                   offset = 0\nharmonics = [{ sin = \"a\" }]\nrestitution = 0.5\n[[tasks]]\nname = \"br\"\nkind = \"branch\"\n\
+                   parameter = \"a\"\nrange = [0, 1]\nstarts = [{ restart = { file = \"br-2.json\", label = \"flip 1\" } }]\n";
+    fs::write(folder.join("branch.toml"), restart).unwrap();
+    fs::write(folder.join("br-2.json"), "{}").unwrap();
+    let before: Vec<(String, Vec<u8>)> =
+        names(folder).into_iter().map(|name| (name.clone(), fs::read(folder.join(&name)).unwrap())).collect();
+    let scene = fs::read_to_string(folder.join("mass.toml")).unwrap();
+    for (arguments, wanted) in [
+        ("verify 8 --certificate new --profile new", "are the same file"),
+        ("verify 8 -o new --profile ./new", "are the same file"),
+        ("verify 8 --certificate link --profile cert", "are the same file"),
+        ("cover 8 --resume new --profile new", "are the same file"),
+        ("fuzz --n 12 --cases 1 --resume state --profile state", "are the same file"),
+        ("run ball.toml --profile hard.toml", "are the same file"),
+        (
+            "run ball.toml --profile drop.csv",
+            "this task would write drop.csv, which is --profile drop.csv: rename",
+        ),
+        ("run ball.toml --profile DROP-events.csv", "would write drop-events.csv"),
+        ("run mass.toml", "would write record.csv, which is the scene's file record.csv: rename"),
+        ("run mass.toml --profile stiffer.csv", "are the same file"),
+        ("run mass.toml --shard 1/1 -o mass.toml", "no parts"),
+        ("run branch.toml", "this task would write br-N.json, which is the restart of br ./br-2.json"),
+        ("merge --files-from list -o list", "are the same file"),
+        ("merge part -o part", "are the same file"),
+        ("check cert -o link", "are the same file"),
+        ("intervals 8 --format latex --cite cert -o link", "are the same file"),
+        ("verify 8 --profile -", "--profile -: standard output has the report"),
+    ] {
+        let (code, out, said) = run(arguments, folder);
+        assert_eq!((code, out.as_str()), (2, ""), "{arguments}: {said}");
+        assert!(said.contains(wanted), "{arguments}: {said}");
+        assert_eq!(names(folder).len(), before.len(), "{arguments}");
+        for (name, bytes) in &before {
+            assert!(fs::read(folder.join(name)).unwrap() == *bytes, "{arguments} changed {name}");
+        }
+    }
+    // The matrix, by a link that the task would write through.
+    fs::write(folder.join("mass.toml"), scene.replace("\"record\"", "\"stiffer\"")).unwrap();
+    let (code, _, said) = run("run mass.toml", folder);
+    assert!(code == 2 && said.contains("which is the scene's file stiff.csv"), "{said}");
+    // Standard streams are files too.
+    let shell = |line: &str| {
+        let line = line.replace("grazing", env!("CARGO_BIN_EXE_grazing"));
+        ended(Command::new("sh").arg("-c").arg(line).current_dir(folder).output().unwrap())
+    };
+    for line in [
+        "grazing verify 8 --certificate /dev/stdout >new",
+        "grazing verify 8 --certificate new >>new",
+        "grazing verify 8 --certificate new 2>new; grep -q 'standard error' new && exit 2",
+        "grazing run ball.toml >drop.csv",
+        "grazing check - -o cert <cert",
+    ] {
+        let (code, _, said) = shell(line);
+        assert_eq!(code, 2, "{line}: {said}");
+        for name in ["new", "drop.csv"] {
+            let _ = fs::remove_file(folder.join(name));
+        }
+    }
+    assert_eq!(
+        fs::read(folder.join("cert")).unwrap(),
+        before.iter().find(|(name, _)| name == "cert").unwrap().1
+    );
+    let both = shell("grazing verify 8 --certificate new -o /dev/stdout >out 2>&1");
+    assert_eq!((both.0, names(folder).contains(&"new".to_string())), (0, true), "{}", both.2);
+}
+
+#[test]
+fn a_dry_run_lists_the_files_and_touches_none() {
+    let folder = tempdir().unwrap();
+    let folder = folder.path();
+    scenes(folder, "swing");
+    let before = names(folder);
+    let (code, out, _) = run("run mass.toml --dry-run -o out/deep --profile p", folder);
+    let wanted = "reads  mass.toml (the scene)\nreads  stiff.csv (the scene's file)\nreads  record.csv (the scene's file)\n\
+                  writes p (--profile)\nwrites out/deep/swing-N.svg (the task swing)\nwrites out/deep/swing.svg (the task swing)\n\
+                  writes out/deep/swing.csv (the task swing)\nwrites out/deep/swing-events.csv (the task swing)\n";
+    assert_eq!((code, out.as_str()), (0, wanted));
+    assert_eq!(names(folder), before);
+    let (code, out, _) = run("run ball.toml --dry-run --format json", folder);
+    let told: serde_json::Value = serde_json::from_str(&out).unwrap();
+    assert_eq!((code, &told["format"]), (0, &"grazing-files 1".into()));
+    assert_eq!(told["reads"], serde_json::json!([{ "file": "ball.toml", "as": "the scene" }]));
+    let written: Vec<&str> =
+        told["writes"].as_array().unwrap().iter().map(|file| file["file"].as_str().unwrap()).collect();
+    // What is listed is what is written, of a series some.
+    assert_eq!(run("run ball.toml", folder).0, 0);
+    let new: Vec<String> = names(folder).into_iter().filter(|name| !before.contains(name)).collect();
+    assert!(
+        !new.is_empty() && new.iter().all(|name| written.contains(&format!("./{name}").as_str())),
+        "{new:?}"
+    );
+}
+
+/// A pipe is opened once: its reader sees all that is written, and goes when that is over.
+#[test]
+fn a_pipe_is_opened_once() {
+    let folder = tempdir().unwrap();
+    let folder = folder.path();
+    assert!(Command::new("mkfifo").arg(folder.join("pipe")).status().unwrap().success());
+    let wanted = run("intervals 8", folder).1;
+    for command in ["intervals 8 -o pipe", "verify 3..=200 --certificate pipe"] {
+        let line = format!(
+            "cat pipe >got & timeout 120 {} {command}; code=$?; wait; exit $code",
+            env!("CARGO_BIN_EXE_grazing")
+        );
+        let (code, _, said) =
+            ended(Command::new("sh").arg("-c").arg(line).current_dir(folder).output().unwrap());
+        assert_eq!(code, 0, "{command}: {said}");
+        let got = fs::read_to_string(folder.join("got")).unwrap();
+        assert!(got == wanted || got.starts_with("grazing-certificate "), "{command}: {got}");
+    }
+    let said = run("fuzz --n 12 --cases 1 --resume pipe", folder).2;
+    assert!(said.contains("--resume pipe: it is a pipe"), "{said}");
+}
+
+/// What others have written, names of files and of stops, headers and keys, neither moves the cursor nor
+/// turns a line nor is a formula.
+#[test]
+fn text_of_others_is_printable_and_no_formula() {
+    let folder = tempdir().unwrap();
+    let folder = folder.path();
+    let hostile = |text: &str| {
+        text.chars().any(|c| c.is_control() && c != '\n' || ('\u{202a}'..='\u{202e}').contains(&c))
+    };
+    let name = "a\u{1b}[31m\u{202e}b\nc";
+    fs::write(folder.join(name), "no certificate").unwrap();
+    let told = |arguments: &[&str]| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_grazing"));
+        ended(command.args(arguments).current_dir(folder).output().unwrap())
+    };
+    for arguments in [
+        vec!["check", name],
+        vec!["run", name],
+        vec!["merge", name],
+        vec!["existence", name],
+        vec!["verify", "8", "--certificate", name],
+    ] {
+        let (_, out, said) = told(&arguments);
+        assert!(!hostile(&out) && !hostile(&said), "{arguments:?}: {out:?} {said:?}");
+        assert!((out + &said).contains("a\\u{1b}[31m\\u{202e}b\\nc"), "{arguments:?}");
+    }
+    // A key, a number and a header.
+    let stop = "=HYPERLINK(1)\\u001b</text>\\\\input{x}, \\u202e\\\"q\\\"";
+    let scene = |rest: &str| {
+        format!(
+            "format = \"grazing-scene 2\"\ntitle = \"</title>\\u001b[2J\"\n[system]\nfrequency = 0.2\nmass = 1\nstiffness = 1\n{rest}\n\
+             forcing = [{{ cos = [1] }}]\n[[walls]]\nname = \"{stop}\"\nrow = [1]\noffset = 0\nrestitution = 0.5\n\
+             [[tasks]]\nname = \"m\"\nkind = \"simulate\"\nstart = {{ q = 0.5 }}\nperiods = 2\n"
+        )
+    };
+    for rest in
+        ["\"a\\u001b[31m\" = 1", "damping = \"\\u001b[31m\"", "measured = { file = \"r.csv\", once = true }"]
+    {
+        fs::write(folder.join("s.toml"), scene(rest)).unwrap();
+        fs::write(folder.join("r.csv"), "time,\u{1b}[31mforce\n").unwrap();
+        let (code, out, said) = told(&["run", "s.toml"]);
+        assert!(code == 2 && !hostile(&out) && !hostile(&said), "{rest}: {said:?}");
+    }
+    fs::write(folder.join("s.toml"), scene("")).unwrap();
+    let (code, out, said) = told(&["run", "s.toml"]);
+    assert!(code == 0 && !hostile(&out) && !hostile(&said), "{out:?} {said:?}");
+    let events = fs::read_to_string(folder.join("m-events.csv")).unwrap();
+    let written = "\"'=HYPERLINK(1)\\u{1b}</text>\\input{x}, \\u{202e}\"\"q\"\"\"";
+    assert!(!hostile(&events) && events.contains(written), "{events:?}");
+    // A spreadsheet reads numbers as numbers.
+    assert!(events.lines().nth(1).unwrap().split(',').nth(1).unwrap().parse::<f64>().is_ok(), "{events}");
+    let picture = fs::read_to_string(folder.join("m.svg")).unwrap();
+    assert!(!hostile(&picture) && picture.matches("</title>").count() == 1, "{picture}");
+    assert!(!picture.contains("</text>\\input"));
 }
 
 #[test]

@@ -8,8 +8,8 @@ use std::{
 };
 
 /// Below the table: what every part may use.
-const BELOW: [&str; 8] =
-    ["error", "outcome", "processor", "profile", "monitor", "random", "output", "number"];
+const BELOW: [&str; 9] =
+    ["printable", "error", "outcome", "processor", "profile", "monitor", "random", "output", "number"];
 /// Above it.
 const ABOVE: [&str; 3] = ["study", "figure", "cli"];
 
@@ -223,6 +223,16 @@ fn prose<'t>(lines: impl Iterator<Item = (usize, &'t str)>) -> Vec<(usize, &'t s
         blank = start.is_empty();
     }
     all
+}
+
+/// Commands write no file but those that they have named in the registry, so that none is lost to another.
+#[test]
+fn commands_write_what_they_have_named() {
+    for (path, text) in files().iter().filter(|(path, _)| path.first().is_some_and(|first| first == "cli")) {
+        for way in ["write_file(", "fs::write(", "File::create", "fs::rename", "fs::copy"] {
+            assert!(!text.contains(way), "{}: {way} goes round the registry of files", path.join("/"));
+        }
+    }
 }
 
 #[test]

@@ -141,7 +141,7 @@ fn cells_are_balanced(what: &str, text: &str) {
 
 /// Outputs in JSON, at least one for each schema in docs/schemas; `@` begins the name of a file that a
 /// command of the list writes itself.
-const JSON: [&str; 36] = [
+const JSON: [&str; 37] = [
     "intervals 3..=5",
     "intervals 3..=5 --decimals 4",
     "intervals --pattern 3,5",
@@ -173,6 +173,7 @@ const JSON: [&str; 36] = [
     "run {root}/tests/data/recorded.toml",
     "run {root}/tests/data/kinds.toml --only basins --shard 1/2 -o rows",
     "run {root}/tests/data/kinds.toml --only map --shard 2/2 -o map-rows",
+    "run {root}/tests/data/kinds.toml --dry-run",
     "merge part theorem2 -o merged",
     "merge part part -o merged",
     "merge theorem2 -o merged",

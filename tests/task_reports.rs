@@ -212,7 +212,7 @@ fn tasks_that_would_write_one_file_are_refused() {
     let cases = [
         (("drop", "simulate", start), ("drop-events", orbit, pattern), "drop-events.csv"),
         (("drop-events", orbit, pattern), ("drop", "simulate", start), "drop-events.csv"),
-        (("Drop", "simulate", start), ("drop", orbit, pattern), "Drop.csv"),
+        (("Drop", "simulate", start), ("drop", orbit, pattern), "drop.csv"),
         (("br-2", "branch", branch), ("br", "branch", branch), "br-2.json"),
         (("br", "branch", branch), ("br-points", "validate", pattern), "br-points.csv"),
     ];

@@ -24,7 +24,7 @@ use crate::{
     monitor::{Monitor, timed},
     number::parse_integer,
     output::{
-        Column, Destination, OutputFile, Print, Setting, Shard, ShardedTask, TableCell, TableFormat,
+        Column, Destination, FileRegistry, Print, Setting, Shard, ShardedTask, TableCell, TableFormat,
         TableWriter, decimal_above, decimal_below, decimal_near,
     },
 };
@@ -107,10 +107,10 @@ fn task(args: &Args) -> ShardedTask {
     task_of(words)
 }
 
-pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
+pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> Result<Outcome> {
     check(args)?;
     if let (Some(shard), Some(output)) = (args.shard, &args.output) {
-        let part = Part { task: task(args), shard, file: OutputFile::new("-o", output)? };
+        let part = Part { task: task(args), shard, file: files.write("-o", output)? };
         let periods = periods_of(&args.periods.0, 2, Some(shard));
         let progress = Progress::new(interrupt, periods.clone().count() as u64, "periods");
         let mut certain = true;
@@ -122,14 +122,15 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
         })?;
         return Ok(if certain { Outcome::Done } else { Outcome::Undecided });
     }
-    let destination = Destination::new(args.output.as_deref())?;
     let (name, about) = match args.grid {
         Some(_) => ("boundary-grid", EDGES),
         None => ("boundary", TIPS),
     };
     let about = (name, about, BASES.as_slice());
-    let files = args.cite.as_slice();
-    let caption = match cite::caption(files, about, &args.periods, args.output.as_deref(), interrupt)? {
+    let cited = args.cite.as_slice();
+    cite::named(cited, files)?;
+    let destination = files.destination(args.output.as_deref())?;
+    let caption = match cite::caption(cited, about, &args.periods, interrupt)? {
         Ok(caption) => caption,
         Err(outcome) => return Ok(outcome),
     };

@@ -12,7 +12,7 @@ use super::{Outcome, ReportFormat, progress::Interrupt, reader::Reader, reported
 use crate::{
     certificate::{Checked, Hashed, Rejection, check_until},
     error::Result,
-    output::{Destination, distinct, say},
+    output::{Destination, FileRegistry, say, say_to},
 };
 
 /// Prove certificates again, without search, by the trusted checker.
@@ -38,25 +38,25 @@ pub(super) struct Args {
 }
 
 /// The checker's answer for a file.
-type Answer = std::result::Result<Checked, Rejection>;
+pub(super) type Answer = std::result::Result<Checked, Rejection>;
 
-impl Args {
-    /// To check one file and report to standard output.
-    pub(super) fn of(file: &Path, format: ReportFormat) -> Args {
-        Args { files: vec![file.to_path_buf()], format, output: None }
-    }
-}
-
-pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
-    let destination = Destination::new(args.output.as_deref())?;
+pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> Result<Outcome> {
     for file in &args.files {
-        if let Some(output) = &args.output {
-            distinct(&[("the certificate", file.as_path()), ("-o", output.as_path())])?;
-        }
+        files.read("the certificate", file)?;
     }
+    let destination = files.destination(args.output.as_deref())?;
     let answers: Vec<(&Path, Answer)> =
         args.files.iter().map(|path| (path.as_path(), check(path, interrupt))).collect();
-    let written = destination.write(|out| match args.format {
+    tell(&answers, args.format, &destination)
+}
+
+/// Reports answers.
+pub(super) fn tell(
+    answers: &[(&Path, Answer)],
+    format: ReportFormat,
+    destination: &Destination,
+) -> Result<Outcome> {
+    let written = destination.write(|out| match format {
         ReportFormat::Text => answers.iter().try_for_each(|(path, answer)| text(out, path, answer)),
         ReportFormat::Json => {
             let files: Vec<_> = answers.iter().map(|(path, answer)| json_report(path, answer)).collect();
@@ -84,7 +84,7 @@ pub(super) fn outcome(path: &Path, rejection: &Rejection) -> Outcome {
     }
 }
 
-fn check(path: &Path, interrupt: &Interrupt) -> Answer {
+pub(super) fn check(path: &Path, interrupt: &Interrupt) -> Answer {
     hashed(path, interrupt).map(|(checked, _)| checked)
 }
 
@@ -111,10 +111,11 @@ pub(super) fn hashed(
 
 fn text(out: &mut dyn Write, path: &Path, answer: &Answer) -> Result<()> {
     match answer {
-        Ok(checked) => writeln!(out, "{}: {checked}", path.display())?,
-        Err(rejection) => writeln!(out, "{}: {}: {rejection}", path.display(), rejection.verdict())?,
+        Ok(checked) => say_to(out, format_args!("{}: {checked}", path.display())),
+        Err(rejection) => {
+            say_to(out, format_args!("{}: {}: {rejection}", path.display(), rejection.verdict()))
+        }
     }
-    Ok(())
 }
 
 fn json_report(path: &Path, answer: &Answer) -> serde_json::Value {

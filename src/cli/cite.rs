@@ -1,6 +1,6 @@
 //! Certificates in the caption of a LaTeX table: checked first, then named by their SHA-256.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use super::{
     Outcome,
@@ -11,7 +11,7 @@ use super::{
 use crate::{
     certificate::Rejection,
     error::{Error, Result},
-    output::{Caption, distinct, latex, say},
+    output::{Caption, FileRegistry, latex, say},
 };
 
 /// A kind of certificate that a table can rest on.
@@ -24,17 +24,24 @@ pub(super) struct Basis {
     pub command: &'static str,
 }
 
+/// Names the certificates among the command's files.
+///
+/// # Errors
+/// An input error if one is an output too.
+pub(super) fn named(files: &[PathBuf], registry: &FileRegistry) -> Result<()> {
+    files.iter().try_for_each(|file| registry.read("--cite", file))
+}
+
 /// The caption of a table of `periods` that cites `files`, or what keeps one of them from being cited, which
 /// is said. None of them: no caption. `about` says what the table shows, in LaTeX; `bases` what it can rest
 /// on. Cost: that of checking the files.
 ///
 /// # Errors
-/// A certificate of another kind, one that leaves out some of the periods, or one that is the output too.
+/// A certificate of another kind, or one that leaves out some of the periods.
 pub(super) fn caption(
     files: &[PathBuf],
     (name, about, bases): (&str, &str, &[Basis]),
     periods: &Periods,
-    output: Option<&Path>,
     interrupt: &Interrupt,
 ) -> Result<std::result::Result<Option<Caption>, Outcome>> {
     if files.is_empty() {
@@ -44,9 +51,6 @@ pub(super) fn caption(
     let mut text = about.to_owned();
     let mut cited: Vec<&str> = Vec::new();
     for path in files {
-        if let Some(output) = output {
-            distinct(&[("--cite", path), ("-o", output)])?;
-        }
         let shown = path.display();
         let (checked, sha256) = match hashed(path, interrupt) {
             Ok(found) => found,

@@ -13,7 +13,7 @@ use crate::{
     local::{Forward, Ladder, Point, Region},
     monitor::Monitor,
     number::{parse_integer, parse_rational},
-    output::{Column, Destination, Print, TableCell, TableFormat, TableWriter},
+    output::{Column, Destination, FileRegistry, Print, TableCell, TableFormat, TableWriter},
     word::{Extent, Word},
 };
 
@@ -62,8 +62,8 @@ pub(super) struct Args {
     output: Option<PathBuf>,
 }
 
-pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
-    let destination = Destination::new(args.output.as_deref())?;
+pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> Result<Outcome> {
+    let destination = files.destination(args.output.as_deref())?;
     if args.summary {
         return summary(args, &destination);
     }
@@ -75,7 +75,7 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     let found = up_to(&ladder, &place.point, args.max_n, || interrupt.check())?;
     interrupt.check()?;
     let written = destination.write(|out| {
-        if args.format == TableFormat::Table && destination == Destination::Stdout {
+        if args.format == TableFormat::Table && destination.is_stdout() {
             let time = if place.reversed { ", after reversing time (a2 > 1)" } else { "" };
             writeln!(out, "{}{time}", describe(place.region))?;
             words(&place.point, out)?;

@@ -2,7 +2,8 @@
 
 use std::{
     collections::{HashMap, HashSet},
-    ops::RangeInclusive,
+    io::Write,
+    ops::{Range, RangeInclusive},
     path::{Path, PathBuf},
     str::FromStr,
     sync::Mutex,
@@ -18,7 +19,7 @@ use super::{
     Outcome, ReportFormat, in_pool,
     range::{Periods, whole},
     reported,
-    shards::{Merged, Part, ShardSet, certificate_line, certify, part_of, periods_of, task_of},
+    shards::{Certified, Merged, Part, ShardSet, certificate_line, certify, part_of, periods_of, task_of},
 };
 use crate::{
     certificate::{self, Rejection},
@@ -26,9 +27,7 @@ use crate::{
     error::{Error, Result},
     monitor::Monitor,
     number::{parse_integer, parse_rational},
-    output::{
-        Destination, Journal, OutputFile, SavedRun, Shard, decimal_above, decimal_below, distinct, say, torn,
-    },
+    output::{FileRegistry, Journal, SavedRun, Shard, decimal_above, decimal_below, say, torn},
     search::cover::{Cover, CoverOptions, CoverTally, Unit, certificate as assemble, cover, units},
 };
 
@@ -84,20 +83,15 @@ struct Row {
     check_seconds: f64,
 }
 
-pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
+pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> Result<Outcome> {
     let all = args.periods.within(certificate::cover::MOST, "cover")?;
     let task = task_of(words(&options(args, all.clone())));
     let range = periods_of(&all, 2, args.shard);
     let options = options(args, range.clone());
-    let files = [
-        ("--certificate", args.certificate.as_deref()),
-        ("--resume", args.resume.as_deref()),
-        ("-o", args.output.as_deref()),
-    ];
-    distinct(&files.into_iter().filter_map(|(option, file)| Some((option, file?))).collect::<Vec<_>>())?;
     let certificate =
-        args.certificate.as_deref().map(|path| OutputFile::new("--certificate", path)).transpose()?;
-    let destination = Destination::new(args.output.as_deref())?;
+        args.certificate.as_deref().map(|path| files.write("--certificate", path)).transpose()?;
+    args.resume.as_deref().map(|path| files.go_on("--resume", path)).transpose()?;
+    let destination = files.destination(args.output.as_deref())?;
     let (rows, clock) = in_pool(args.jobs, || prove(&options, args.resume.as_deref(), interrupt))?;
     let outcome = outcome(&rows);
     if let (Some(file), Outcome::Done) = (certificate, outcome) {
@@ -138,17 +132,28 @@ fn words(options: &CoverOptions) -> Vec<String> {
 pub(super) fn merge(args: &Args, set: &ShardSet, merged: &Merged, interrupt: &Interrupt) -> Result<Outcome> {
     let range = args.periods.within(certificate::cover::MOST, "cover")?;
     set.expect(&task_of(words(&options(args, range.clone()))))?;
-    certify(merged, interrupt, |out| {
+    certify(merged, set, *range.start()..*range.end() + 1, &Blocks(&range), interrupt)
+}
+
+/// The periods of a campaign.
+struct Blocks<'a>(&'a RangeInclusive<u64>);
+
+impl Certified for Blocks<'_> {
+    fn items(&self, shard: Shard) -> Range<u64> {
+        part_of(self.0, 2, shard)
+    }
+
+    fn write(&self, items: Range<u64>, set: &ShardSet, out: &mut dyn Write) -> Result<()> {
         let mut blocks = Vec::new();
         set.texts(
-            |shard| part_of(&range, 2, shard),
+            |shard| self.items(shard),
             |block| {
                 blocks.push(block.to_string());
                 Ok(())
             },
         )?;
-        Ok(out.write_all(assemble(&range, &blocks).as_bytes())?)
-    })
+        Ok(out.write_all(assemble(&(items.start..=items.end - 1), &blocks).as_bytes())?)
+    }
 }
 
 /// Searches, then checks; the rows, and how long that took in words.

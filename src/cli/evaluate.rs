@@ -13,7 +13,7 @@ use crate::{
     error::{Error, Result},
     local::{Answer, Ladder, Plane, Point, Polar, Quantity, SignDecision},
     number::{Precision, Sign, ball_digits, parse_integer, parse_rational},
-    output::Destination,
+    output::FileRegistry,
 };
 
 /// The largest period for which all b_{n,k} are listed; with --k any period will do.
@@ -63,9 +63,9 @@ pub(super) struct Args {
     output: Option<PathBuf>,
 }
 
-pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
+pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> Result<Outcome> {
     let point = args.point()?;
-    let destination = Destination::new(args.output.as_deref())?;
+    let destination = files.destination(args.output.as_deref())?;
     let n = args.n;
     if n == 0 {
         return Err(Error::input("--n 0: a period is at least 1"));

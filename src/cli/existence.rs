@@ -14,8 +14,8 @@ use crate::{
     figure,
     number::{Sign, certain_digits, parse_integer},
     output::{
-        Column, Destination, LONGEST_INPUT, OutputFile, Print, Setting, TableCell, TableFormat, TableWriter,
-        distinct, make_folder, read_text, say,
+        Column, FileRegistry, FileUse, LONGEST_SCENE, Print, Setting, TableCell, TableFormat, TableWriter,
+        make_folder, read_text, say,
     },
     pattern::{
         Analysis, Graph, MAX_GRAPH_PERIOD, Map, Numbers, Pattern, PatternExistence, Patterns, Report, Value,
@@ -151,7 +151,7 @@ impl Engine<'_> {
     }
 }
 
-pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
+pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> Result<Outcome> {
     if !(1..=LIMIT).contains(&args.max_period) {
         return Err(Error::input(format!(
             "--max-period {}: at least 1 and at most {LIMIT}",
@@ -159,21 +159,16 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
         )));
     }
     let name = args.map.display().to_string();
-    let pictures =
-        args.orbit.iter().flat_map(|folder| ["orbit.csv", "orbit.svg"].map(|name| folder.join(name)));
-    let pictures: Vec<PathBuf> = pictures.collect();
-    let mut files = vec![("MAP", args.map.as_path())];
-    files.extend(
-        [("--dot", &args.dot), ("-o", &args.output)]
-            .into_iter()
-            .filter_map(|(o, f)| Some((o, f.as_deref()?))),
-    );
-    files.extend(pictures.iter().map(|file| ("--orbit", file.as_path())));
-    distinct(&files)?;
-    let destination = Destination::new(args.output.as_deref())?;
-    let dot = args.dot.as_deref().map(|path| OutputFile::new("--dot", path)).transpose()?;
+    files.read("MAP", &args.map)?;
+    for picture in
+        args.orbit.iter().flat_map(|folder| ["orbit.csv", "orbit.svg"].map(|name| folder.join(name)))
+    {
+        files.claim("--orbit", &picture, FileUse::Write)?;
+    }
+    let destination = files.destination(args.output.as_deref())?;
+    let dot = args.dot.as_deref().map(|path| files.write("--dot", path)).transpose()?;
     args.orbit.as_deref().map(make_folder).transpose()?;
-    let text = read_text(&args.map, LONGEST_INPUT)?;
+    let text = read_text(&args.map, LONGEST_SCENE)?;
     let map = Map::from_toml(&text, &name)?;
     for note in map.notes() {
         say(format_args!("note: {name}: {note}"));

@@ -14,7 +14,7 @@ use crate::{
     error::{Error, Result},
     farey::{Ranker, Sequence, Walk, neighbours},
     number::{parse_integer, parse_rational},
-    output::{Destination, say},
+    output::{FileRegistry, say},
 };
 
 /// Farey fractions: neighbours, rank, k-th term, walks.
@@ -78,10 +78,10 @@ enum Command {
     },
 }
 
-pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
+pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> Result<Outcome> {
     let json = args.format == ReportFormat::Json;
     let mut outcome = Outcome::Done;
-    Destination::new(args.output.as_deref())?.list(|out| {
+    files.destination(args.output.as_deref())?.list(|out| {
         let line = match &args.command {
             Command::Neighbours { x } => {
                 let found = neighbours(x)?;

@@ -22,7 +22,7 @@ use crate::{
         chaos::{Problem, prove},
         simulate::{Event, Settings, Simulator},
     },
-    output::{Destination, make_folder},
+    output::{Destination, FileRegistry, FileUse, make_folder, say_to},
     scene::{Kind, Scene},
     search::cover::{Cover, CoverOptions, certificate as assemble, cover},
 };
@@ -208,7 +208,7 @@ fn chaos(place: &FigurePlace, interrupt: &Interrupt) -> Result<()> {
     figure::shift(&problem, &proof, &impacts, place)
 }
 
-pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
+pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> Result<Outcome> {
     if args.figure != Figure::Records && (args.r.is_some() || args.s.is_some()) {
         return Err(Error::input("--r and --s belong to `grazing figure records`"));
     }
@@ -217,6 +217,10 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     }
     let file = args.figure.file();
     let place = args.place(&file)?;
+    if !args.figure.is_of_a_scene() {
+        files.claim("the picture", &place.picture(), FileUse::Write)?;
+        files.claim("the picture's data", &place.data(), FileUse::Write)?;
+    }
     make_folder(place.folder)?;
     let number =
         |given: &Option<BigRational>, default| given.clone().map_or_else(|| parse_rational(default), Ok);
@@ -240,11 +244,11 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
         Figure::Words => figure::words(n, &place, &Progress::new(interrupt, n.saturating_sub(2), "periods"))?,
         Figure::Entropy => figure::entropy(n, &place, &Progress::new(interrupt, 0, "intervals"))?,
         Figure::Tips => figure::tips(n, &place, &Progress::new(interrupt, n.saturating_sub(3), "periods"))?,
-        Figure::Branches => paper("figure6", place.folder, place.format, interrupt)?,
-        Figure::Diagram => paper("figure7", place.folder, place.format, interrupt)?,
-        Figure::Before => paper("figure8", place.folder, place.format, interrupt)?,
-        Figure::Near => paper("figure9", place.folder, place.format, interrupt)?,
-        Figure::After => paper("figure10", place.folder, place.format, interrupt)?,
+        Figure::Branches => paper("figure6", (place.folder, place.format), files, interrupt)?,
+        Figure::Diagram => paper("figure7", (place.folder, place.format), files, interrupt)?,
+        Figure::Before => paper("figure8", (place.folder, place.format), files, interrupt)?,
+        Figure::Near => paper("figure9", (place.folder, place.format), files, interrupt)?,
+        Figure::After => paper("figure10", (place.folder, place.format), files, interrupt)?,
         Figure::Chaos => chaos(&place, interrupt)?,
         Figure::Orbits => figure::orbits(&place)?,
     }
@@ -252,7 +256,7 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     if !args.figure.is_of_a_scene() {
         let (picture, data) = (place.picture(), place.data());
         Destination::Stdout
-            .write(|out| Ok(writeln!(out, "wrote {} and {}", picture.display(), data.display())?))?;
+            .write(|out| say_to(out, format_args!("wrote {} and {}", picture.display(), data.display())))?;
     }
     Ok(Outcome::Done)
 }

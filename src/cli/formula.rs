@@ -8,7 +8,7 @@ use super::Outcome;
 use crate::{
     error::{Error, Result},
     number::parse_integer,
-    output::Destination,
+    output::FileRegistry,
     symbol::{Area, Format, Sentence, period_formulas, write_formulas},
 };
 
@@ -48,7 +48,7 @@ pub(super) struct Args {
     output: Option<PathBuf>,
 }
 
-pub(super) fn run(args: &Args) -> Result<Outcome> {
+pub(super) fn run(args: &Args, files: &FileRegistry) -> Result<Outcome> {
     let text = match args.k {
         Some(k) => write_formulas(&period_formulas(args.n, k)?, args.format),
         None if args.sentence => {
@@ -56,6 +56,6 @@ pub(super) fn run(args: &Args) -> Result<Outcome> {
         }
         None => return Err(Error::input("give K, or --sentence")),
     };
-    Destination::new(args.output.as_deref())?.write(|out| Ok(out.write_all(text.as_bytes())?))?;
+    files.destination(args.output.as_deref())?.write(|out| Ok(out.write_all(text.as_bytes())?))?;
     Ok(Outcome::Done)
 }

@@ -2,21 +2,19 @@
 
 use std::{io::Read, path::PathBuf};
 
-use clap::Parser;
-use serde::Serialize;
-
 use super::{
     Outcome, ReportFormat, boundary, cover, fuzz, intervals,
     reader::Reader,
     run,
-    shards::{Faults, Merged, ShardSet},
+    shards::{Merged, ShardSet},
     verify,
 };
 use crate::{
     cli::progress::Interrupt,
     error::{Error, Result},
-    output::{Destination, distinct},
+    output::FileRegistry,
 };
+use clap::Parser;
 
 /// Put the shards of one task together. The certificate, report, table or picture is the one that a single
 /// run would write, byte for byte, except for times.
@@ -27,8 +25,9 @@ use crate::{
 /// (--array=3,17-19).
 ///
 /// Whoever computed a shard need not be trusted with a certificate: it is checked again as `grazing check`
-/// does. A disagreement in a shard of `fuzz` is decided again; that there was none is taken from the shard,
-/// as are the rows of tables and what a task of a scene came to.
+/// does. If it is not proved, each shard is checked by itself, those that are false are named and listed, and
+/// what stood at -o stays. A disagreement in a shard of `fuzz` is decided again; that there was none is taken
+/// from the shard, as are the rows of tables and what a task of a scene came to.
 ///
 /// Exit code 0: done, and proved if it is a certificate; 1: refuted; 2: shards are missing, damaged or of
 /// another task, wrong usage, a file that cannot be read or written; 3: undecided or interrupted.
@@ -53,19 +52,23 @@ pub(super) struct Args {
     pub(super) format: ReportFormat,
 }
 
-/// The most bytes of a list of names: a million of more than two hundred bytes.
-const LONGEST_LIST: u64 = 256 << 20;
+/// The most bytes of a list of names: a million of more than sixty bytes.
+const LONGEST_LIST: u64 = 64 << 20;
 
 /// The names of all shards.
-fn files(args: &Args, interrupt: &Interrupt) -> Result<Vec<PathBuf>> {
+fn files(args: &Args, registry: &FileRegistry, interrupt: &Interrupt) -> Result<Vec<PathBuf>> {
     let mut files = args.files.clone();
     if let Some(list) = &args.files_from {
+        registry.read("--files-from", list)?;
         let name = list.display();
         let mut text = String::new();
-        let read =
-            Reader::open(list, interrupt).and_then(|list| list.take(LONGEST_LIST).read_to_string(&mut text));
+        let read = Reader::open(list, interrupt)
+            .and_then(|list| list.take(LONGEST_LIST + 1).read_to_string(&mut text));
         interrupt.check()?;
         read.map_err(|error| Error::io("read", list, error))?;
+        if text.len() as u64 > LONGEST_LIST {
+            return Err(Error::input(format!("--files-from {name} has more than {LONGEST_LIST} bytes")));
+        }
         files.extend(text.lines().filter(|line| !line.is_empty()).map(PathBuf::from));
         if files.is_empty() {
             return Err(Error::input(format!("--files-from {name}: it names no file")));
@@ -74,30 +77,16 @@ fn files(args: &Args, interrupt: &Interrupt) -> Result<Vec<PathBuf>> {
     Ok(files)
 }
 
-pub(super) fn merge(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
-    let files = files(args, interrupt)?;
+pub(super) fn merge(args: &Args, registry: &FileRegistry, interrupt: &Interrupt) -> Result<Outcome> {
+    let files = files(args, registry, interrupt)?;
     // Tried before the shards are read, which may take long. The files of a scene's task go into a folder.
-    if let Some(output) = args.output.as_deref().filter(|output| !output.is_dir()) {
-        for file in &files {
-            distinct(&[("a shard", file.as_path()), ("-o", output)])?;
-        }
-        Destination::new(Some(output))?;
-    }
-    let set = ShardSet::read(&files, interrupt, |faults| {
-        if args.format != ReportFormat::Json {
-            return Ok(());
-        }
-        #[derive(Serialize)]
-        struct Report<'a> {
-            format: &'static str,
-            #[serde(flatten)]
-            faults: &'a Faults,
-        }
-        let report = Report { format: "grazing-merge 1", faults };
-        let text = serde_json::to_string_pretty(&report).map_err(std::io::Error::other)?;
-        Destination::Stdout.write(|out| Ok(writeln!(out, "{text}")?))
-    })?;
-    let merged = Merged { output: args.output.clone(), format: args.format };
+    files.iter().try_for_each(|file| registry.read("the shard", file))?;
+    let destination = match args.output.as_deref() {
+        Some(output) if output.is_dir() => None,
+        output => Some(registry.destination(output)?),
+    };
+    let set = ShardSet::read(&files, interrupt, args.format)?;
+    let merged = Merged { output: args.output.as_deref(), destination, format: args.format, files: registry };
     let words = set.words();
     let damaged = |error: clap::Error| {
         let reason = error.to_string();

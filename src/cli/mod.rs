@@ -27,7 +27,6 @@ mod word;
 
 use std::{
     io,
-    num::NonZero,
     panic::{self, AssertUnwindSafe},
     path::PathBuf,
     process::ExitCode,
@@ -43,8 +42,8 @@ use crate::{
     cli::progress::Interrupt,
     error::{Error, Result},
     outcome::Outcome,
-    output::{Destination, TableFormat, remove_temporaries, say, stdout_is_untouched},
-    processor::{most_memory, process_seconds},
+    output::{Destination, FileRegistry, TableFormat, remove_temporaries, say, stdout_is_untouched},
+    processor::{most_memory, process_seconds, threads},
 };
 
 /// Proofs and computations for periodic orbits in grazing bifurcations of impact oscillators.
@@ -190,12 +189,21 @@ fn command(interrupt: &Interrupt, events: &Sender<Event>) -> u8 {
         say("error: --profile is for verify, cover, classify, fuzz, boundary and run: leave it out");
         return Outcome::Failed.code();
     }
-    let kept = cli.profile.clone().map(|file| (file, interrupt.keep_profile()));
+    // Before anything asks rayon for threads, which would take the environment at its word.
+    if let Err(error) = threads(0) {
+        return report(&error, json).code();
+    }
+    let files = FileRegistry::new();
+    let kept = match cli.profile.as_deref().map(|file| files.write("--profile", file)).transpose() {
+        Ok(file) => file.map(|file| (file, interrupt.keep_profile())),
+        Err(error) => return report(&error, json).code(),
+    };
     let (verbose, start) = (cli.verbose, Instant::now());
-    let outcome = match run(cli, interrupt) {
+    let outcome = match run(cli, &files, interrupt) {
         Ok(outcome) => outcome,
         Err(error) => report(&error, json),
     };
+    let kept = kept.filter(|_| !files.refused());
     let written = kept.map_or(Ok(()), |(file, kept)| profile::write_profile(&file, &kept));
     let code = match reported(outcome, written) {
         Ok(outcome) => outcome.code(),
@@ -242,26 +250,26 @@ fn reported(outcome: Outcome, written: Result<()>) -> Result<Outcome> {
     }
 }
 
-fn run(cli: Cli, interrupt: &Interrupt) -> Result<Outcome> {
+fn run(cli: Cli, files: &FileRegistry, interrupt: &Interrupt) -> Result<Outcome> {
     match cli.command {
-        Command::Verify(args) => verify::run(&args, interrupt),
-        Command::Check(args) => check::run(&args, interrupt),
-        Command::Merge(args) => merge::merge(&args, interrupt),
-        Command::Cover(args) => cover::run(&args, interrupt),
-        Command::Intervals(args) => intervals::run(&args, interrupt),
-        Command::Classify(args) => classify::run(&args, interrupt),
-        Command::Word(args) => word::run(&args, interrupt),
-        Command::Existence(args) => existence::run(&args, interrupt),
-        Command::Fuzz(args) => fuzz::run(&args, interrupt),
-        Command::Farey(args) => farey::run(&args, interrupt),
-        Command::Boundary(args) => boundary::run(&args, interrupt),
-        Command::Figure(args) => figure::run(&args, interrupt),
-        Command::Formula(args) => formula::run(&args),
-        Command::Evaluate(args) => evaluate::run(&args, interrupt),
-        Command::Accuracy(args) => accuracy::run(&args, interrupt),
-        Command::Run(args) => run::run(&args, interrupt),
-        Command::Completions(args) => shell::completions(&args, Cli::command()),
-        Command::Man(args) => shell::man(&args, Cli::command()),
+        Command::Verify(args) => verify::run(&args, files, interrupt),
+        Command::Check(args) => check::run(&args, files, interrupt),
+        Command::Merge(args) => merge::merge(&args, files, interrupt),
+        Command::Cover(args) => cover::run(&args, files, interrupt),
+        Command::Intervals(args) => intervals::run(&args, files, interrupt),
+        Command::Classify(args) => classify::run(&args, files, interrupt),
+        Command::Word(args) => word::run(&args, files, interrupt),
+        Command::Existence(args) => existence::run(&args, files, interrupt),
+        Command::Fuzz(args) => fuzz::run(&args, files, interrupt),
+        Command::Farey(args) => farey::run(&args, files, interrupt),
+        Command::Boundary(args) => boundary::run(&args, files, interrupt),
+        Command::Figure(args) => figure::run(&args, files, interrupt),
+        Command::Formula(args) => formula::run(&args, files),
+        Command::Evaluate(args) => evaluate::run(&args, files, interrupt),
+        Command::Accuracy(args) => accuracy::run(&args, files, interrupt),
+        Command::Run(args) => run::run(&args, files, interrupt),
+        Command::Completions(args) => shell::completions(&args, files, Cli::command()),
+        Command::Man(args) => shell::man(&args, files, Cli::command()),
     }
 }
 
@@ -304,13 +312,7 @@ impl Command {
 
 /// Runs `work` on `jobs` threads, 0 for one per core.
 fn in_pool<T: Send>(jobs: usize, work: impl FnOnce() -> Result<T> + Send) -> Result<T> {
-    let cores = thread::available_parallelism().map_or(1, NonZero::get);
-    if jobs > 4 * cores {
-        return Err(Error::input(format!(
-            "--jobs {jobs}: at most {}, four times the number of cores",
-            4 * cores
-        )));
-    }
+    let jobs = threads(jobs)?;
     let pool = rayon::ThreadPoolBuilder::new().num_threads(jobs).build();
     pool.map_err(|error| Error::input(format!("--jobs {jobs}: {error}")))?.install(work)
 }

@@ -1,10 +1,8 @@
 //! `--profile`: where a command's time went, as a table.
 
-use std::path::Path;
-
 use crate::{
     error::Result,
-    output::{Column, TableCell, TableFormat, TableWriter, write_file},
+    output::{Column, OutputFile, TableCell, TableFormat, TableWriter},
     profile::Profile,
 };
 
@@ -12,12 +10,12 @@ use crate::{
 ///
 /// # Errors
 /// An I/O error.
-pub(super) fn write_profile(file: &Path, profile: &Profile) -> Result<()> {
+pub(super) fn write_profile(file: &OutputFile, profile: &Profile) -> Result<()> {
     let (total, mut rows) = (profile.total(), profile.rows());
     rows.sort_by_key(|(_, spent)| std::cmp::Reverse(spent.time));
     let columns = ["method", "cases", "time_ns", "of_cases", "of_time"];
     let columns = columns.map(|name| Column::new(name, name, name.len())).to_vec();
-    write_file(file, |out| {
+    file.write(|out| {
         let mut table = TableWriter::new(out, TableFormat::Csv, "grazing-profile 1", columns)?;
         for (method, spent) in &rows {
             let share = |part: f64, all: f64| format!("{:.4}", if all > 0.0 { part / all } else { 0.0 });

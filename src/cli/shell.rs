@@ -9,7 +9,7 @@ use clap_complete::Shell;
 use super::Outcome;
 use crate::{
     error::Result,
-    output::{Destination, make_folder, write_file},
+    output::{Destination, FileRegistry, make_folder, say_to},
 };
 
 /// Write the completions of a shell to standard output.
@@ -31,10 +31,10 @@ pub(super) struct CompletionsArgs {
     output: Option<PathBuf>,
 }
 
-pub(super) fn completions(args: &CompletionsArgs, mut cli: Command) -> Result<Outcome> {
+pub(super) fn completions(args: &CompletionsArgs, files: &FileRegistry, mut cli: Command) -> Result<Outcome> {
     let mut script = Vec::new();
     clap_complete::generate(args.shell, &mut cli, "grazing", &mut script);
-    Destination::new(args.output.as_deref())?.write(|out| Ok(out.write_all(&script)?))?;
+    files.destination(args.output.as_deref())?.write(|out| Ok(out.write_all(&script)?))?;
     Ok(Outcome::Done)
 }
 
@@ -52,7 +52,7 @@ pub(super) struct ManArgs {
     output: PathBuf,
 }
 
-pub(super) fn man(args: &ManArgs, cli: Command) -> Result<Outcome> {
+pub(super) fn man(args: &ManArgs, files: &FileRegistry, cli: Command) -> Result<Outcome> {
     make_folder(&args.output)?;
     let mut pages = 0;
     let mut rest = vec![cli];
@@ -64,10 +64,11 @@ pub(super) fn man(args: &ManArgs, cli: Command) -> Result<Outcome> {
         }
         let mut page = Vec::new();
         clap_mangen::Man::new(command.disable_help_subcommand(true)).render(&mut page)?;
-        write_file(&args.output.join(format!("{name}.1")), |out| Ok(out.write_all(&page)?))?;
+        let file = files.write("-o", &args.output.join(format!("{name}.1")))?;
+        file.write(|out| Ok(out.write_all(&page)?))?;
         pages += 1;
     }
     let folder = args.output.display();
-    Destination::Stdout.write(|out| Ok(writeln!(out, "wrote {pages} pages into {folder}")?))?;
+    Destination::Stdout.write(|out| say_to(out, format_args!("wrote {pages} pages into {folder}")))?;
     Ok(Outcome::Done)
 }

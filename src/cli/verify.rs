@@ -1,6 +1,11 @@
 //! `grazing verify`: prove Theorem 2 for given periods.
 
-use std::{ops::RangeInclusive, path::PathBuf, str::FromStr};
+use std::{
+    io::Write,
+    ops::{Range, RangeInclusive},
+    path::PathBuf,
+    str::FromStr,
+};
 
 use clap::{Parser, ValueEnum};
 use serde_json::json;
@@ -9,14 +14,14 @@ use super::{
     Outcome, ReportFormat, in_pool,
     range::Periods,
     reported,
-    shards::{Merged, Part, ShardSet, certificate_line, certify, part_of, periods_of, task_of},
+    shards::{Certified, Merged, Part, ShardSet, certificate_line, certify, part_of, periods_of, task_of},
 };
 use crate::{
     cli::progress::{Interrupt, Progress},
     error::{Error, Result},
     existence::Decision,
     number::parse_integer,
-    output::{Destination, OutputFile, Shard, distinct},
+    output::{Destination, FileRegistry, OutputFile, Shard},
     search::{Proof, ProofMethod, assemble_theorem2, prove_theorem2, theorem2_blocks, write_theorem2},
 };
 
@@ -63,18 +68,16 @@ pub(super) struct Args {
     output: Option<PathBuf>,
 }
 
-pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
+pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> Result<Outcome> {
     let range = args.periods.within(LIMIT, "verify")?;
     if args.method == ProofMethod::Interval && args.certificate.is_some() {
         return Err(Error::input(
             "a certificate holds what the exact method found: use --method exact or both",
         ));
     }
-    let files = [("--certificate", args.certificate.as_deref()), ("-o", args.output.as_deref())];
-    distinct(&files.into_iter().filter_map(|(option, file)| Some((option, file?))).collect::<Vec<_>>())?;
     let certificate =
-        args.certificate.as_deref().map(|path| OutputFile::new("--certificate", path)).transpose()?;
-    let output = Destination::new(args.output.as_deref())?;
+        args.certificate.as_deref().map(|path| files.write("--certificate", path)).transpose()?;
+    let output = files.destination(args.output.as_deref())?;
     in_pool(args.jobs, || verify(range, args, certificate, &output, interrupt))
 }
 
@@ -87,17 +90,34 @@ fn words(range: &RangeInclusive<u64>) -> [String; 2] {
 pub(super) fn merge(args: &Args, set: &ShardSet, merged: &Merged, interrupt: &Interrupt) -> Result<Outcome> {
     let range = args.periods.within(LIMIT, "verify")?;
     set.expect(&task_of(words(&range)))?;
-    let items = |shard| part_of(&range, 2, shard);
-    certify(merged, interrupt, |out| {
+    let all = *range.start()..*range.end() + 1;
+    certify(merged, set, all, &Blocks { range: &range, interrupt }, interrupt)
+}
+
+/// The periods of a campaign.
+struct Blocks<'a> {
+    range: &'a RangeInclusive<u64>,
+    interrupt: &'a Interrupt,
+}
+
+impl Certified for Blocks<'_> {
+    fn items(&self, shard: Shard) -> Range<u64> {
+        part_of(self.range, 2, shard)
+    }
+
+    fn write(&self, items: Range<u64>, set: &ShardSet, out: &mut dyn Write) -> Result<()> {
         let mut lines = 0;
-        set.texts(items, |block| {
-            lines += block.lines().count() as u64;
-            interrupt.check()
-        })?;
-        assemble_theorem2(&range, lines, out, |out| {
-            set.texts(items, |block| Ok(out.write_all(block.as_bytes())?))
+        set.texts(
+            |shard| self.items(shard),
+            |block| {
+                lines += block.lines().count() as u64;
+                self.interrupt.check()
+            },
+        )?;
+        assemble_theorem2(&(items.start..=items.end - 1), lines, out, |out| {
+            set.texts(|shard| self.items(shard), |block| Ok(out.write_all(block.as_bytes())?))
         })
-    })
+    }
 }
 
 fn verify(

@@ -21,7 +21,8 @@ use crate::{
     error::{Error, Result},
     local::{Forward, Ladder, Point},
     number::{certain_digits, parse_integer, parse_rational},
-    output::{Destination, OutputFile, distinct, say},
+    output::{FileRegistry, say},
+    printable::Printable,
     search::{Certified, WordCertificate, WordPlace, certify_word},
     word::{ClosedWalks, Edge, Entropy, Extent, Letter, Rectangle, Relation, Word},
 };
@@ -112,17 +113,15 @@ struct Side {
     cases: Vec<Case>,
 }
 
-pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
+pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> Result<Outcome> {
     if !(1..=LIMIT).contains(&args.max_period) {
         return Err(Error::input(format!("--max-period {}: from 1 to {LIMIT}", args.max_period)));
     }
     if !(1..=LETTERS).contains(&args.letters) {
         return Err(Error::input(format!("--letters {}: from 1 to {LETTERS}", args.letters)));
     }
-    let files = [("--certificate", args.certificate.as_deref()), ("-o", args.output.as_deref())];
-    distinct(&files.into_iter().filter_map(|(option, file)| Some((option, file?))).collect::<Vec<_>>())?;
-    let destination = Destination::new(args.output.as_deref())?;
-    let file = args.certificate.as_deref().map(|path| OutputFile::new("--certificate", path)).transpose()?;
+    let destination = files.destination(args.output.as_deref())?;
+    let file = args.certificate.as_deref().map(|path| files.write("--certificate", path)).transpose()?;
     let given = Given::new(args)?;
     if given.reversed && file.is_some() {
         return Err(Error::input(
@@ -338,7 +337,7 @@ fn text(heading: &str, sides: &[Side], certificate: Option<&Path>) -> String {
     };
     let _ = writeln!(text, "\n{sentence}");
     if let Some(path) = certificate {
-        let _ = writeln!(text, "Certificate: {}", path.display());
+        let _ = writeln!(text, "Certificate: {}", Printable(&path.display().to_string()));
     }
     text
 }

@@ -3,46 +3,78 @@
 
 use std::{
     fmt,
+    fs::File,
     io::{self, BufWriter, ErrorKind, Write},
     path::{Path, PathBuf},
-    sync::atomic::{AtomicBool, Ordering},
+    sync::{
+        Arc, Mutex, PoisonError,
+        atomic::{AtomicBool, Ordering},
+    },
 };
 
-use super::file::{probe, write_file};
-use crate::error::{Error, Result};
+use super::file::{probe, write_proved};
+use crate::{
+    error::{Error, Result},
+    printable::Printable,
+};
 
-/// A file to be written whole. It was tried when this was made, and is not touched before
-/// [`write`](Self::write).
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct OutputFile(PathBuf);
+/// A file to be written whole. It was named in a [`FileRegistry`](super::FileRegistry) and tried when this
+/// was made, and is not touched before [`write`](Self::write).
+#[derive(Debug, Clone)]
+pub struct OutputFile {
+    path: PathBuf,
+    /// A pipe or a device, which is opened once.
+    stream: Arc<Mutex<Option<File>>>,
+    /// Whether the command writes nothing, as when some file was named twice.
+    refused: Arc<AtomicBool>,
+}
 
 impl OutputFile {
-    /// Tries the file that `option` (as in "--certificate") names.
+    /// Tries a file.
     ///
     /// # Errors
-    /// An input or I/O error if it cannot be written; an input error for `-`, since standard output has the
-    /// report.
-    pub fn new(option: &str, path: &Path) -> Result<Self> {
-        if path == Path::new("-") {
-            return Err(Error::input(format!(
-                "{option} -: standard output has the report; write ./- for a file of that name"
-            )));
-        }
-        probe(path)?;
-        Ok(OutputFile(path.to_path_buf()))
+    /// An input or I/O error if it cannot be written.
+    pub(super) fn new(path: &Path, refused: Arc<AtomicBool>) -> Result<Self> {
+        let stream = probe(path)?;
+        Ok(OutputFile { path: path.to_path_buf(), stream: Arc::new(Mutex::new(stream)), refused })
     }
 
-    /// Writes it, as [`write_file`] does.
+    /// Writes it, as [`write_file`](super::write_file) does.
     ///
     /// # Errors
-    /// Those of [`write_file`].
+    /// Those of [`write_file`](super::write_file).
     pub fn write(&self, write: impl FnOnce(&mut dyn Write) -> Result<()>) -> Result<()> {
-        write_file(&self.0, write)
+        self.write_proved(write, |_| Ok(Some(()))).map(drop)
+    }
+
+    /// Writes it if it is worth that: `judge` is given the file that holds what was written. Where it gives
+    /// nothing, what stood there stays. A pipe or a device is given what was judged in a file of its own.
+    ///
+    /// # Errors
+    /// Those of [`write`](Self::write); whatever `judge` returns.
+    pub fn write_proved<T>(
+        &self,
+        write: impl FnOnce(&mut dyn Write) -> Result<()>,
+        judge: impl FnOnce(&Path) -> Result<Option<T>>,
+    ) -> Result<Option<T>> {
+        if self.refused.load(Ordering::Relaxed) {
+            return Err(Error::input(format!(
+                "{} is not written: this command writes nothing",
+                self.path.display()
+            )));
+        }
+        let stream = self.stream.lock().unwrap_or_else(PoisonError::into_inner).take();
+        write_proved(&self.path, stream, write, judge)
+    }
+
+    /// Whether it is a pipe or a device.
+    pub fn is_stream(&self) -> bool {
+        self.stream.lock().unwrap_or_else(PoisonError::into_inner).is_some()
     }
 }
 
 /// Standard output, or a file.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone)]
 pub enum Destination {
     /// Standard output.
     Stdout,
@@ -51,23 +83,16 @@ pub enum Destination {
 }
 
 impl Destination {
-    /// What `-o` names: the file, tried; standard output for `-`, its other names, or nothing.
-    ///
-    /// # Errors
-    /// Those of [`OutputFile::new`].
-    pub fn new(file: Option<&Path>) -> Result<Self> {
-        let stdout = ["-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"].map(Path::new);
-        match file {
-            Some(path) if !stdout.contains(&path) => Ok(Destination::File(OutputFile::new("-o", path)?)),
-            _ => Ok(Destination::Stdout),
-        }
+    /// Whether it is standard output.
+    pub fn is_stdout(&self) -> bool {
+        matches!(self, Destination::Stdout)
     }
 
     /// The columns of the terminal that this is; none if it is none, or does not tell its size.
     #[cfg(feature = "cli")]
     pub fn columns(&self) -> Option<usize> {
         #[cfg(unix)]
-        if *self == Destination::Stdout {
+        if self.is_stdout() {
             // Fails where it is no terminal; a terminal that does not tell says 0.
             let size = rustix::termios::tcgetwinsize(io::stdout()).ok()?;
             return Some(usize::from(size.ws_col)).filter(|&columns| columns > 0);
@@ -162,7 +187,16 @@ impl Write for Stdout<'_> {
     }
 }
 
-/// Says a line on standard error. Who does not listen there misses it; nothing else changes.
+/// Writes a line of a report, its text printable.
+///
+/// # Errors
+/// An I/O error.
+pub fn say_to(out: &mut dyn Write, line: impl fmt::Display) -> Result<()> {
+    Ok(writeln!(out, "{}", Printable(&line.to_string()))?)
+}
+
+/// Says a line on standard error, its text printable. Who does not listen there misses it; nothing else
+/// changes.
 pub fn say(line: impl fmt::Display) {
-    let _ = io::stderr().write_all(format!("{line}\n").as_bytes());
+    let _ = io::stderr().write_all(format!("{}\n", Printable(&line.to_string())).as_bytes());
 }

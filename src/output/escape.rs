@@ -1,6 +1,8 @@
 //! Text as LaTeX and Markdown need it. What is mathematics already (headings such as `$b_{n,k}$`) does not
 //! come here.
 
+use crate::printable::Printable;
+
 /// `text` so that LaTeX sets it as it reads, in text mode: the ten special characters escaped, the Greek
 /// letters, signs and small digits of this project in maths mode. A character that pdflatex does not know by
 /// these is written as its code point, `U+1F600`. Cost: linear in the length of `text`.
@@ -38,9 +40,19 @@ pub fn latex_cell(text: &str) -> String {
     }
 }
 
-/// `text` as one cell of a Markdown table: bars escaped, line ends as spaces.
+/// `text` as one cell of a Markdown table: bars and what would begin HTML escaped, line ends as spaces.
 pub fn markdown(text: &str) -> String {
-    text.replace('\\', "\\\\").replace('|', "\\|").replace(['\n', '\r'], " ")
+    let text = Printable(&text.replace(['\n', '\r'], " ")).to_string();
+    let mut all = String::with_capacity(text.len());
+    for (at, c) in text.char_indices() {
+        let begins = |next: char| next.is_ascii_alphabetic() || "/!?".contains(next);
+        match c {
+            '\\' | '|' => all.extend(['\\', c]),
+            '<' if text[at + 1..].starts_with(begins) => all.push_str("&lt;"),
+            c => all.push(c),
+        }
+    }
+    all
 }
 
 fn symbol(c: char) -> Option<&'static str> {
@@ -145,5 +157,6 @@ mod tests {
     #[test]
     fn a_bar_ends_no_cell() {
         assert_eq!(markdown("|a1| < \\ 2\n"), "\\|a1\\| < \\\\ 2 ");
+        assert_eq!(markdown("<b>\u{1b}</b> n<3"), "&lt;b>\\\\u{1b}&lt;/b> n<3");
     }
 }

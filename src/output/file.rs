@@ -6,7 +6,6 @@
 //! it; one whose owner still writes stays.
 
 use std::{
-    collections::{HashMap, hash_map::Entry},
     fs::{self, File, OpenOptions, TryLockError},
     io::{self, BufWriter, ErrorKind, Read, Write},
     path::{Path, PathBuf},
@@ -24,17 +23,32 @@ use crate::error::{Error, Result};
 /// # Errors
 /// Whatever `write` returns; an input error if there is no such folder; an I/O error that names `path`.
 pub fn write_file(path: &Path, write: impl FnOnce(&mut dyn Write) -> Result<()>) -> Result<()> {
+    write_proved(path, None, write, |_| Ok(Some(()))).map(drop)
+}
+
+/// The same, if what was written is worth it: `judge` is given the file that holds it, and where it gives
+/// nothing, what stood at `path` stays. `stream` is the pipe or device there, if it is open already.
+///
+/// # Errors
+/// Those of [`write_file`]; whatever `judge` returns.
+pub(super) fn write_proved<T>(
+    path: &Path,
+    stream: Option<File>,
+    write: impl FnOnce(&mut dyn Write) -> Result<()>,
+    judge: impl FnOnce(&Path) -> Result<Option<T>>,
+) -> Result<Option<T>> {
     let name = |error: Error| {
         if error.is_io() { error.context(format_args!("cannot write {}", path.display())) } else { error }
     };
     match Target::of(path)? {
         Target::Stream => {
-            let out = OpenOptions::new().write(true).open(path).map_err(|error| name(error.into()))?;
+            let out = stream.map_or_else(|| open_stream(path), Ok)?;
             let mut out = BufWriter::new(out);
             let result = write(&mut out).and_then(|()| Ok(out.flush()?));
             // What could not be written is not tried again when the buffer is dropped.
             let _ = out.into_parts();
-            result.map_err(name)
+            result.map_err(name)?;
+            judge(path)
         }
         Target::File(target) => {
             let mut temporary = Temporary::beside(&target).map_err(name)?;
@@ -44,25 +58,35 @@ pub fn write_file(path: &Path, write: impl FnOnce(&mut dyn Write) -> Result<()>)
                 let (mut early, _) = out.into_parts();
                 result.and_then(|()| Ok(early.wait()?))
             });
-            result.and_then(|()| temporary.rename(&target)).map_err(name)
+            result.map_err(name)?;
+            let found = judge(&temporary.path)?;
+            if found.is_some() {
+                temporary.rename(&target).map_err(name)?;
+            }
+            Ok(found)
         }
     }
 }
 
-/// Whether a file can be written, tried without touching what is there.
+/// Opens a pipe or a device to write to; of a pipe it waits for a reader.
+fn open_stream(path: &Path) -> Result<File> {
+    OpenOptions::new().write(true).open(path).map_err(|error| Error::io("write", path, error))
+}
+
+/// Whether a file can be written, tried without touching what is there. A pipe or a device is opened; it is
+/// to be written as it is, since the reader of a pipe goes when it is closed.
 ///
 /// # Errors
 /// Why not: a missing folder, a folder in the file's place, a file or folder that may not be written.
-pub fn probe(path: &Path) -> Result<()> {
-    let fail = |error: io::Error| Error::io("write", path, error);
+pub fn probe(path: &Path) -> Result<Option<File>> {
     match Target::of(path)? {
-        Target::Stream => OpenOptions::new().write(true).open(path).map(drop).map_err(fail),
+        Target::Stream => open_stream(path).map(Some),
         Target::File(target) => {
             if fs::metadata(&target).is_ok_and(|found| found.permissions().readonly()) {
                 return Err(Error::input(format!("cannot write {}: it is read-only", path.display())));
             }
             Temporary::beside(&target)
-                .map(drop)
+                .map(|_| None)
                 .map_err(|error| error.context(format_args!("cannot write {}", path.display())))
         }
     }
@@ -80,32 +104,6 @@ pub fn make_folder(folder: &Path) -> Result<()> {
     Temporary::beside(&folder.join("probe"))
         .map(drop)
         .map_err(|error| error.context(format_args!("cannot write into {}", folder.display())))
-}
-
-/// Refuses files named twice: `named` holds each with the option that names it. Links to one file count as
-/// that file.
-///
-/// # Errors
-/// An input error that names both.
-pub fn distinct(named: &[(&str, &Path)]) -> Result<()> {
-    let mut seen: HashMap<Identity, (&str, &Path)> = HashMap::new();
-    for &(option, path) in named {
-        match identity(path) {
-            None => {}
-            Some(identity) => match seen.entry(identity) {
-                Entry::Vacant(place) => drop(place.insert((option, path))),
-                Entry::Occupied(known) => {
-                    let (other, first) = known.get();
-                    return Err(Error::input(format!(
-                        "{other} {} and {option} {} are the same file",
-                        first.display(),
-                        path.display()
-                    )));
-                }
-            },
-        }
-    }
-    Ok(())
 }
 
 /// The text of a file, or of standard input for `-`, of at most `most` bytes; a pipe or a device without end
@@ -129,6 +127,9 @@ pub fn read_text(path: &Path, most: u64) -> Result<String> {
 }
 
 /// The most bytes of a scene or a map.
+pub const LONGEST_SCENE: u64 = 4 << 20;
+
+/// The most bytes of a branch's file.
 pub const LONGEST_INPUT: u64 = 16 << 20;
 
 /// What a path leads to.
@@ -190,28 +191,6 @@ fn follow(path: &Path) -> PathBuf {
 
 fn folder(path: &Path) -> &Path {
     path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
-}
-
-/// What tells files apart.
-#[derive(PartialEq, Eq, Hash)]
-enum Identity {
-    #[cfg(unix)]
-    Inode(u64, u64),
-    Path(PathBuf),
-}
-
-/// None for devices and pipes, which any number may name, and for what cannot be reached.
-fn identity(path: &Path) -> Option<Identity> {
-    match fs::metadata(path) {
-        Ok(found) if found.is_dir() => fs::canonicalize(path).ok().map(Identity::Path),
-        Ok(found) if !found.is_file() => None,
-        #[cfg(unix)]
-        Ok(found) => {
-            use std::os::unix::fs::MetadataExt;
-            Some(Identity::Inode(found.dev(), found.ino()))
-        }
-        _ => resolve(path).ok().map(Identity::Path),
-    }
 }
 
 /// At most so many processes write one target at a time.

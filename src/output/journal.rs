@@ -2,8 +2,8 @@
 //! keep theirs in this one format.
 //!
 //! One record per line, led by a checksum of it and of all before it, so that a line changed, lost, doubled
-//! or moved is noticed. The first line says what the run is: format, program version, a description, and a
-//! hash of everything that the records depend on. A process killed while it writes leaves at most a torn last
+//! or moved is noticed. The first line says what the run is: format, program, a description, and a hash of
+//! everything that the records depend on. A process killed while it writes leaves at most a torn last
 //! line, which is dropped; damage anywhere else is an error. While a state is in use it is locked against
 //! other processes. Whether records make sense is for their reader to check.
 
@@ -16,6 +16,7 @@ use std::{
 };
 
 use super::{
+    PROGRAM,
     file::{resolve, sync_folder, write_file},
     hash::{fnv64, fnv64_after, fnv128},
     lock::Lock,
@@ -31,25 +32,45 @@ pub struct SavedRun {
     kind: &'static str,
     words: String,
     identity: u128,
+    anew: &'static str,
 }
 
 impl SavedRun {
     /// A run of `grazing KIND`, with a description on one line, and in `canonical` everything that the
     /// records depend on, written so that equal runs give equal texts.
     pub fn new(kind: &'static str, words: impl Into<String>, canonical: &str) -> SavedRun {
-        SavedRun { kind, words: words.into().replace('\n', " "), identity: fnv128(canonical.as_bytes()) }
+        let words = words.into().replace('\n', " ");
+        let anew = "remove it, or name another file, to start anew";
+        SavedRun { kind, words, identity: fnv128(canonical.as_bytes()), anew }
+    }
+
+    /// The same, with what a user can do where a state cannot be gone on from.
+    pub fn anew(self, anew: &'static str) -> SavedRun {
+        SavedRun { anew, ..self }
+    }
+
+    /// Why a state that begins with `found` is not this run's.
+    fn differs(&self, found: &str) -> String {
+        let (wanted, anew) = (self.to_string(), self.anew);
+        let parts = |header: &str| {
+            let (head, rest) = header.split_once(": ")?;
+            let (kind, program) = head.split_once(" by ")?;
+            Some((program.to_string(), format!("{kind}: {rest}")))
+        };
+        match (parts(found), parts(&wanted)) {
+            (Some((program, found)), Some((_, wanted))) if found == wanted => {
+                format!("it was written by version {program}, and this is {PROGRAM}; {anew}")
+            }
+            _ => format!("it belongs to another run, {found:?}; this one is {wanted:?}; {anew}"),
+        }
     }
 }
 
 /// The first line of a state.
 impl fmt::Display for SavedRun {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let SavedRun { kind, words, identity } = self;
-        write!(
-            f,
-            "grazing-state 2 {kind} by {}: {words}; identity {identity:032x}",
-            env!("CARGO_PKG_VERSION")
-        )
+        let SavedRun { kind, words, identity, .. } = self;
+        write!(f, "grazing-state 2 {kind} by {PROGRAM}: {words}; identity {identity:032x}")
     }
 }
 
@@ -112,7 +133,7 @@ impl Journal {
             return Err(bad(format!("it has more than {most} bytes, the most that this run can write")));
         }
         let header = run.to_string();
-        let Lines { records, whole, chain } = read(&text, &header).map_err(bad)?;
+        let Lines { records, whole, chain } = read(&text, run).map_err(bad)?;
         let mut journal =
             Journal { target, header, file, chain, whole, synced: Stopwatch::start(), _lock: lock };
         if whole < text.len() as u64 {
@@ -210,7 +231,8 @@ struct Lines {
 }
 
 /// The records after the header, the bytes up to the last whole one, and its checksum; or what is wrong.
-fn read(text: &[u8], header: &str) -> std::result::Result<Lines, String> {
+fn read(text: &[u8], run: &SavedRun) -> std::result::Result<Lines, String> {
+    let header = run.to_string();
     let mut found = Lines { records: Vec::new(), whole: 0, chain: START };
     let mut end = 0;
     for (index, part) in text.split_inclusive(|&byte| byte == b'\n').enumerate() {
@@ -220,16 +242,17 @@ fn read(text: &[u8], header: &str) -> std::result::Result<Lines, String> {
                 if index > 0 {
                     found.records.push(record.to_string());
                 } else if record != header {
-                    return Err(format!("it belongs to another run, {record:?}; this one is {header:?}"));
+                    return Err(run.differs(record));
                 }
                 (found.whole, found.chain) = (end as u64, chain);
             }
             // Begun, and ended at once.
-            None if index == 0 && end == text.len() && line(START, header).0.as_bytes().starts_with(part) => {
-            }
+            None if index == 0
+                && end == text.len()
+                && line(START, &header).0.as_bytes().starts_with(part) => {}
             None if index == 0 => return Err("it is not a saved state".into()),
             None if end == text.len() => {}
-            None => return Err(format!("line {} is damaged", index + 1)),
+            None => return Err(format!("line {} is damaged; {}", index + 1, run.anew)),
         }
     }
     Ok(found)
@@ -305,6 +328,12 @@ mod tests {
         let error = Journal::open(&path, &run("another"), MOST).unwrap_err().to_string();
         assert!(error.contains("it belongs to another run, \"grazing-state 2 test by "), "{error}");
         assert!(error.contains(": a run; identity ") && error.contains(": another; identity "), "{error}");
+        // The same run, by a program from other sources: what to do is said.
+        let header = run("a run").to_string().replace(PROGRAM, "0.0.0+0");
+        fs::write(&path, line(START, &header).0).unwrap();
+        let error = open(&path).unwrap_err().to_string();
+        let wanted = format!("it was written by version 0.0.0+0, and this is {PROGRAM}; remove it, or ");
+        assert!(error.contains(&wanted), "{error}");
         fs::write(&path, "notes").unwrap();
         assert!(open(&path).unwrap_err().to_string().contains("it is not a saved state"));
         assert_eq!(fs::read(&path).unwrap(), b"notes");

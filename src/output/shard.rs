@@ -8,7 +8,7 @@
 use std::{
     fmt,
     fs::File,
-    io::{BufRead, BufReader, Write},
+    io::{BufRead, BufReader, Read, Write},
     ops::Range,
     path::{Path, PathBuf},
     str::FromStr,
@@ -17,11 +17,17 @@ use std::{
 use serde::{Deserialize, Serialize};
 use serde_json::json;
 
-use super::hash::{fnv64, fnv64_after};
+use super::{
+    PROGRAM,
+    hash::{fnv64, fnv64_after},
+};
 use crate::error::{Error, Result};
 
 /// The first words of every shard.
 const MAGIC: &str = "grazing-shard 1";
+
+/// The most bytes of a line: the block of a period in a certificate is far shorter.
+const LONGEST_LINE: u64 = 256 << 20;
 
 /// The most shards that work is cut into.
 const MOST: u64 = 1_000_000;
@@ -88,7 +94,7 @@ impl Shard {
 pub struct ShardedTask {
     /// The command and its arguments, without those that name files or the shard.
     pub words: Vec<String>,
-    /// The version of the program.
+    /// The program, as [`PROGRAM`] has it.
     pub program: String,
     /// What the command works on besides.
     pub input: Option<TaskInput>,
@@ -108,7 +114,7 @@ pub struct TaskInput {
 impl ShardedTask {
     /// A task of this program.
     pub fn new(words: Vec<String>) -> Self {
-        ShardedTask { words, program: env!("CARGO_PKG_VERSION").into(), input: None }
+        ShardedTask { words, program: PROGRAM.into(), input: None }
     }
 
     /// What tells tasks apart: what an input is called does not.
@@ -288,8 +294,12 @@ fn lines(path: &Path, mut each: impl FnMut(&str) -> std::result::Result<(), Stri
     let mut line = Vec::new();
     loop {
         line.clear();
-        if reader.read_until(b'\n', &mut line).map_err(fail)? == 0 {
+        if (&mut reader).take(LONGEST_LINE + 1).read_until(b'\n', &mut line).map_err(fail)? == 0 {
             return Ok(());
+        }
+        if line.len() as u64 > LONGEST_LINE {
+            let path = path.display();
+            return Err(Error::input(format!("{path}: it has a line of more than {LONGEST_LINE} bytes")));
         }
         let text = std::str::from_utf8(&line).map_err(|_| "it is damaged: it is not text".to_string());
         text.and_then(&mut each).map_err(|reason| Error::input(format!("{}: {reason}", path.display())))?;

@@ -4,6 +4,8 @@ use std::fmt::Write;
 
 use serde::{Serialize, Serializer};
 
+use crate::printable::Printable;
+
 /// A value as it stands in a report and in a CSV file.
 pub trait Shown {
     /// Its text; empty for what is absent.
@@ -141,7 +143,7 @@ pub struct Lines(String);
 impl Lines {
     /// A line.
     pub fn say(&mut self, name: &str, value: impl Shown) {
-        let _ = writeln!(self.0, "  {name:<16} {}", value.shown());
+        let _ = writeln!(self.0, "  {name:<16} {}", Printable(&value.shown()));
     }
 
     /// A table, columns aligned to the right; "none" if it is empty.
@@ -150,7 +152,9 @@ impl Lines {
             return self.say(name, "none");
         }
         let _ = writeln!(self.0, "  {name}");
-        let cells: Vec<Vec<String>> = rows.iter().map(R::cells).collect();
+        let shown = |cell: String| Printable(&cell).to_string();
+        let cells: Vec<Vec<String>> =
+            rows.iter().map(|row| row.cells().into_iter().map(shown).collect()).collect();
         let heads = R::COLUMNS.iter().map(|name| (*name).to_string()).collect();
         let widths: Vec<usize> = (0..R::COLUMNS.len())
             .map(|i| {

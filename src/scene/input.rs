@@ -1,13 +1,13 @@
 //! A scene from TOML text.
 
-use std::{cell::RefCell, path::Path};
+use std::{collections::HashSet, path::Path, sync::Arc};
 
 use num_rational::BigRational;
 use toml_edit::Item;
 
 use super::{
     expression::is_name,
-    keys::{Entry, Key, Record, Scope, Value, keys},
+    keys::{Entry, Key, Record, Scope, Seen, Value, keys},
     machine::{MachineAccuracy, MachineKeys, MachineScene, StopKeys},
     scene::{Body, Scene},
     system::{Accuracy, HarmonicKeys, SystemKeys, WallKeys, system},
@@ -15,9 +15,13 @@ use super::{
 };
 use crate::{
     error::Result,
-    output::{LONGEST_INPUT, read_text},
+    output::{LONGEST_SCENE, read_text},
     source::Source,
 };
+
+/// The most parameters and tasks of a scene: each task takes the parameters along, and is checked with them.
+const MOST_PARAMETERS: usize = 1000;
+const MOST_TASKS: usize = 10_000;
 
 const FORMAT: &str = "grazing-scene 1";
 const MACHINES: &str = "grazing-scene 2";
@@ -103,11 +107,11 @@ impl Scene {
     /// ```
     ///
     /// # Errors
-    /// If the file cannot be read, is longer than 16 MiB or is not UTF-8; else as
+    /// If the file cannot be read, is longer than 4 MiB or is not UTF-8; else as
     /// [`from_toml`](Self::from_toml).
     pub fn read(path: impl AsRef<Path>) -> Result<Scene> {
         let path = path.as_ref();
-        Self::from_toml(&read_text(path, LONGEST_INPUT)?, &path.display().to_string())
+        Self::from_toml(&read_text(path, LONGEST_SCENE)?, &path.display().to_string())
     }
 
     /// Reads a scene from the text of a TOML file; `name` leads every error message. The format is in
@@ -136,8 +140,8 @@ impl Scene {
     pub fn from_toml(text: &str, name: &str) -> Result<Scene> {
         let source = Source { text, name };
         let document = source.document()?;
-        let (places, root) = (RefCell::default(), Item::Table(document.as_table().clone()));
-        let scope = |names| Scope { source: source.clone(), names, places: &places };
+        let (seen, root) = (Seen::default(), Item::Table(document.as_table().clone()));
+        let scope = |names| Scope { source: source.clone(), names, seen: &seen };
         let nameless = scope(&[]);
         let file = Entry { scope: &nameless, path: String::new(), span: None, item: root.clone() };
         file.only(&File::KEYS.iter().map(|key| key.name).collect::<Vec<_>>())?;
@@ -161,11 +165,11 @@ impl Scene {
         let (title, tasks, accuracy, body) = if machines {
             let read = MachineFile::fields(&file, &[])?;
             let machine = MachineScene::new(&file, read.system, read.walls, &read.accuracy)?;
-            (read.title, read.tasks, Accuracy::default(), Body::Machine(Box::new(machine)))
+            (read.title, read.tasks, Accuracy::default(), Body::Machine(Arc::new(machine)))
         } else {
             let read = File::fields(&file, &[])?;
             let system = system(&file, read.system, read.walls)?;
-            (read.title, read.tasks, read.accuracy, Body::Oscillator(Box::new(system)))
+            (read.title, read.tasks, read.accuracy, Body::Oscillator(Arc::new(system)))
         };
         let tasks: Vec<Task> = tasks.into_iter().map(|task| task.0).collect();
         let scene = Scene {
@@ -174,8 +178,9 @@ impl Scene {
             body,
             accuracy,
             tasks,
-            file: (name.to_string(), text.to_string()),
-            places: places.take(),
+            file: Arc::new((name.to_string(), text.to_string())),
+            places: Arc::new(seen.places.take()),
+            files: Arc::new(seen.files.take()),
         };
         for (accuracy, least, key) in [
             (scene.accuracy.tolerance, 1e-15, "tolerance"),
@@ -189,8 +194,17 @@ impl Scene {
             Body::Oscillator(_) => scene.exact(&[]).map(|_| ())?,
             Body::Machine(_) => scene.machine(&[]).map(|_| ())?,
         }
-        for (index, task) in scene.tasks.iter().enumerate() {
-            if scene.tasks[..index].iter().any(|other| other.name == task.name) {
+        for (count, most, key) in [
+            (scene.parameters.len(), MOST_PARAMETERS, "parameters"),
+            (scene.tasks.len(), MOST_TASKS, "tasks"),
+        ] {
+            if count > most {
+                return Err(scene.fail(key, &format!("{count} of them: at most {most}")));
+            }
+        }
+        let mut names = HashSet::new();
+        for task in &scene.tasks {
+            if !names.insert(&task.name) {
                 let key = format!("{}.name", task.path);
                 return Err(
                     scene.fail(&key, "is the name of an earlier task too; its files would be overwritten")

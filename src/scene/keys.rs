@@ -4,7 +4,12 @@
 //! `keys!` declares a table of the file as a struct. A field's type says what may stand there ([`Value`]); a
 //! default is TOML text, read as if it stood in the file; without one the key is required, but for `Option`.
 
-use std::{cell::RefCell, collections::BTreeMap, ops::Range};
+use std::{
+    cell::RefCell,
+    collections::BTreeMap,
+    ops::Range,
+    path::{Path, PathBuf},
+};
 
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
@@ -13,6 +18,7 @@ use toml_edit::{Item, TableLike};
 use super::expression::{Expression, LIMIT_BITS};
 use crate::{
     error::{Error, Result},
+    output::read_text,
     source::{Source, nearest, unknown},
 };
 
@@ -104,15 +110,24 @@ pub(super) struct Scope<'a> {
     pub source: Source<'a>,
     /// The names of the parameters.
     pub names: &'a [String],
-    /// Where every value stands that has been read.
-    pub places: &'a RefCell<BTreeMap<String, Range<usize>>>,
+    /// What has been read.
+    pub seen: &'a Seen,
+}
+
+/// What of a scene has been read.
+#[derive(Debug, Default)]
+pub(super) struct Seen {
+    /// Where every value stands.
+    pub places: RefCell<BTreeMap<String, Range<usize>>>,
+    /// The files beside the scene.
+    pub files: RefCell<Vec<PathBuf>>,
 }
 
 impl<'a> Entry<'a> {
     pub fn new(scope: &'a Scope<'a>, path: String, span: Option<Range<usize>>, item: Item) -> Self {
         let span = item.span().or(span);
         if let Some(span) = &span {
-            scope.places.borrow_mut().insert(path.clone(), span.clone());
+            scope.seen.places.borrow_mut().insert(path.clone(), span.clone());
         }
         Entry { scope, path, span, item }
     }
@@ -138,9 +153,17 @@ impl<'a> Entry<'a> {
         }))
     }
 
+    /// The text of a file of at most so many bytes that is named from the scene's folder, and its path.
+    pub fn beside(&self, name: &str, most: u64) -> Result<(PathBuf, String)> {
+        let file = Path::new(self.scope.source.name).parent().unwrap_or(Path::new("")).join(name);
+        self.scope.seen.files.borrow_mut().push(file.clone());
+        let text = read_text(&file, most).map_err(|error| self.fail(&error.to_string()))?;
+        Ok((file, text))
+    }
+
     /// The place of another value of the file, by its path, for errors.
     pub fn at(&self, path: &str) -> Entry<'a> {
-        let span = self.scope.places.borrow().get(path).cloned();
+        let span = self.scope.seen.places.borrow().get(path).cloned();
         Entry { scope: self.scope, path: path.to_string(), span, item: Item::None }
     }
 
@@ -169,10 +192,10 @@ impl<'a> Entry<'a> {
         }
         if let Some(default) = key.default {
             let text = format!("x = {}", default());
-            let (source, places) = (Source { text: &text, name: "default" }, RefCell::default());
+            let (source, seen) = (Source { text: &text, name: "default" }, Seen::default());
             let document = source.document()?;
             let item = document.as_table()["x"].clone();
-            let scope = Scope { source: source.clone(), names: &[], places: &places };
+            let scope = Scope { source: source.clone(), names: &[], seen: &seen };
             let path = self.below(key.name);
             return T::read(&Entry::new(&scope, path, None, item))
                 .map_err(|error| self.fail(&error.to_string()));

@@ -1,12 +1,10 @@
 //! Matrices and vectors of a scene: written out, or read from CSV and MatrixMarket files.
 
-use std::path::Path;
-
 use super::{
     expression::Expression,
     keys::{Entry, Value},
 };
-use crate::{error::Result, output::read_text};
+use crate::error::Result;
 
 /// The nonzero entries of a matrix.
 #[derive(Debug, Clone, PartialEq)]
@@ -99,8 +97,7 @@ impl MatrixValue {
     /// A file beside the scene: MatrixMarket if it begins with `%%MatrixMarket`, else CSV.
     fn file(entry: &Entry) -> Result<Self> {
         let name = entry.text()?;
-        let beside = Path::new(entry.scope.source.name).parent().unwrap_or(Path::new("")).join(name);
-        let text = read_text(&beside, LONGEST).map_err(|error| entry.fail(&error.to_string()))?;
+        let (beside, text) = entry.beside(&name, LONGEST)?;
         let read = if text.starts_with("%%MatrixMarket") { market(&text) } else { table(&text) };
         let matrix =
             read.map_err(|(line, message)| entry.fail(&format!("{}:{line}: {message}", beside.display())))?;

@@ -10,10 +10,7 @@
 //! What a smooth force was between the samples differs from that by about an eighth of the second
 //! differences.
 
-use std::{
-    f64::consts::TAU,
-    path::{Path, PathBuf},
-};
+use std::f64::consts::TAU;
 
 use super::{
     expression::Expression,
@@ -24,7 +21,6 @@ use crate::{
     error::Result,
     machine::{Load, RealMatrix, RealVector, Record},
     number::Plain,
-    output::read_text,
 };
 
 keys! {
@@ -94,8 +90,8 @@ impl MeasuredForce {
                 );
             }
         }
-        let (place, beside) = (at("file"), beside(file, &keys.file));
-        let text = read_text(&beside, LONGEST).map_err(|error| place.fail(&error.to_string()))?;
+        let place = at("file");
+        let (beside, text) = place.beside(&keys.file, LONGEST)?;
         let wrong = |(line, message): Wrong| place.fail(&format!("{}:{line}: {message}", beside.display()));
         let samples = record(&text).map_err(wrong)?;
         let step = even(&samples).map_err(wrong)?;
@@ -148,8 +144,8 @@ impl MeasuredForce {
         if !(1..=HARMONICS).contains(&harmonics) {
             return Err(at("harmonics").fail(&format!("is outside 1 to {HARMONICS}")));
         }
-        let (place, beside) = (at("file"), beside(file, &keys.file));
-        let text = read_text(&beside, LONGEST).map_err(|error| place.fail(&error.to_string()))?;
+        let place = at("file");
+        let (beside, text) = place.beside(&keys.file, LONGEST)?;
         let wrong = |(line, message): Wrong| place.fail(&format!("{}:{line}: {message}", beside.display()));
         let record = record(&text).map_err(wrong)?;
         let fitted = fit(&record, period, harmonics as usize).map_err(wrong)?;
@@ -169,11 +165,6 @@ impl MeasuredForce {
         let load = |(k, [cos, sin]): (u32, &[f64; 2])| Ok(Load { k, cos: times(*cos)?, sin: times(*sin)? });
         Ok((times(self.mean)?, (1..).zip(&self.harmonics).map(load).collect::<Result<_>>()?))
     }
-}
-
-/// The file beside the scene.
-fn beside(scene: &Entry, name: &str) -> PathBuf {
-    Path::new(scene.scope.source.name).parent().unwrap_or(Path::new("")).join(name)
 }
 
 /// What steps of an even record may differ by, relative to a step.

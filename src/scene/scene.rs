@@ -1,7 +1,7 @@
 //! A scene and its values: the oscillator at the parameters' values, a state to start from, where each stands
 //! in the file.
 
-use std::{collections::BTreeMap, f64::consts::TAU, ops::Range};
+use std::{collections::BTreeMap, f64::consts::TAU, ops::Range, path::PathBuf, sync::Arc};
 
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
@@ -39,8 +39,10 @@ pub struct Scene {
     /// What to do.
     pub tasks: Vec<Task>,
     /// The file's name and text, and where in it each key's value stands.
-    pub(super) file: (String, String),
-    pub(super) places: BTreeMap<String, Range<usize>>,
+    pub(super) file: Arc<(String, String)>,
+    pub(super) places: Arc<BTreeMap<String, Range<usize>>>,
+    /// The files beside it that it was read from.
+    pub(super) files: Arc<Vec<PathBuf>>,
 }
 
 /// What a scene is about, by its format.
@@ -48,9 +50,9 @@ pub struct Scene {
 #[non_exhaustive]
 pub enum Body {
     /// Format 1: the equation of motion and the walls of an oscillator with one degree of freedom.
-    Oscillator(Box<System<Expression>>),
+    Oscillator(Arc<System<Expression>>),
     /// Format 2: a machine.
-    Machine(Box<MachineScene>),
+    Machine(Arc<MachineScene>),
 }
 
 impl Scene {
@@ -74,12 +76,32 @@ impl Scene {
     /// # Errors
     /// An input error for a parameter that the scene does not have, or a value of more than 4096 bits.
     pub fn with(&self, values: &[(String, BigRational)]) -> Result<Scene> {
-        let mut scene = self.clone();
+        self.clone().set(values)
+    }
+
+    /// The same scene with other values of some parameters, and without its tasks, which may be many.
+    pub(super) fn alone(&self, values: &[(String, BigRational)]) -> Result<Scene> {
+        let Scene { title, parameters, body, accuracy, file, places, files, .. } = self;
+        Scene {
+            title: title.clone(),
+            parameters: parameters.clone(),
+            body: body.clone(),
+            accuracy: accuracy.clone(),
+            tasks: Vec::new(),
+            file: file.clone(),
+            places: places.clone(),
+            files: files.clone(),
+        }
+        .set(values)
+    }
+
+    fn set(mut self, values: &[(String, BigRational)]) -> Result<Scene> {
         for (name, value) in values {
-            scene.parameters[self.parameter(name)?].1 = expression::checked(value.clone())
+            let place = self.parameter(name)?;
+            self.parameters[place].1 = expression::checked(value.clone())
                 .map_err(|error| error.context(format_args!("parameter {name}")))?;
         }
-        Ok(scene)
+        Ok(self)
     }
 
     /// A text of the oscillator: its parameters with their values, and its equation and walls as expressions
@@ -89,7 +111,7 @@ impl Scene {
         let parameters: Vec<(&str, String)> =
             self.parameters.iter().map(|(name, value)| (name.as_str(), value.to_string())).collect();
         Ok(match &self.body {
-            Body::Oscillator(system) => serde_json::to_string(&(parameters, system)),
+            Body::Oscillator(system) => serde_json::to_string(&(parameters, system.as_ref())),
             Body::Machine(scene) => serde_json::to_string(&(parameters, &scene.machine, scene.minimum_depth)),
         }
         .map_err(std::io::Error::other)?)
@@ -243,6 +265,11 @@ impl Scene {
             return Err(self.fail(&wall.offset.key, &message));
         }
         Ok(())
+    }
+
+    /// The files beside the scene's that it was read from: matrices and records of forces.
+    pub fn files(&self) -> &[PathBuf] {
+        &self.files
     }
 
     /// Where a task stands in the file.

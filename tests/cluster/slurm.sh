@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The scripts of examples/cluster under a real SLURM on this machine: an array of 16 shards, of which three
-# are killed, one is damaged and one is of another version; each fault is named, what is missing is sent
-# again, and the result is that of one run.
+# are killed, one is damaged, one is of another version and one is false; each fault is named, what is
+# missing or false is sent again, and the result is that of one run.
 #
 #     tests/cluster/slurm.sh target/release/grazing
 #
@@ -165,11 +165,27 @@ for wanted in "part-5: it is damaged: its checksum does not match" "part-11: it 
     grep -qF -- "$wanted" faults || fail "merge does not say: $wanted; it says: $(cat faults)"
 done
 
+# One lies, with the checksum that such a file has.
+python3 - parts/part-14 <<'EOF'
+import sys
+
+path = sys.argv[1]
+text = open(path).read()
+body = text[: text.rindex("end ")]
+assert " + -" in body
+body = body.replace(" + -", " - -", 1)
+value = 0xCBF29CE484222325
+for byte in body.encode():
+    value = (value ^ byte) * 0x100000001B3 % 2**64
+open(path, "w").write(f"{body}end {body.count(chr(10) + 'item ')} {value:016x}\n")
+EOF
+
 # The merge job finds the same, sends them again and, after them, itself.
 sbatch merge.sbatch >/dev/null
 settled
-[ -f theorem2.txt ] || fail "the second merge wrote nothing"
+[ -f theorem2.txt ] || fail "the last merge wrote nothing"
+grep -qs "part-14: rejected: " parts/merge-* || fail "no merge names the part that lies"
 grazing verify 3..=500 --certificate one-run.txt --quiet >/dev/null
 cmp theorem2.txt one-run.txt || fail "the merged certificate is not that of one run"
 [ "$(find parts -name '.grazing-*' | wc -l)" = 0 ] || fail "temporary files of killed parts are left: $(ls -A parts)"
-echo "16 shards, 3 killed, 1 damaged, 1 of another version: named, sent again, and the result is that of one run ($SECONDS s)"
+echo "16 shards, 3 killed, 1 damaged, 1 of another version, 1 false: named, sent again, and the result is that of one run ($SECONDS s)"

@@ -10,11 +10,11 @@ use crate::{
     error::Result,
     figure::digits_table,
     local::Point,
-    output::{Column, Destination, TableCell, TableFormat, TableWriter, write_file},
+    output::{Column, Destination, FileRegistry, TableCell, TableFormat, TableWriter},
     study::{FAMILIES, INPUTS, METHODS, digits_prices},
 };
 
-pub(super) fn measure(args: &Args, interrupt: &Interrupt) -> Result<()> {
+pub(super) fn measure(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> Result<()> {
     let (count, bits, batch) = if args.quick {
         (3, 1024, Duration::from_micros(200))
     } else {
@@ -27,7 +27,7 @@ pub(super) fn measure(args: &Args, interrupt: &Interrupt) -> Result<()> {
     }
     drop(progress);
     Destination::Stdout.write(|out| digits_table(&prices, TableFormat::Table, out))?;
-    write_file(&args.output.join("digits.csv"), |out| digits_table(&prices, TableFormat::Csv, out))
+    files.named(&args.output.join("digits.csv"))?.write(|out| digits_table(&prices, TableFormat::Csv, out))
 }
 
 /// Writes the inputs, for another program to find their values.

@@ -6,11 +6,11 @@ use crate::{
     error::Result,
     figure::{effects_table, machine_effects_table},
     monitor::Monitor,
-    output::{Destination, TableFormat, write_file},
+    output::{Destination, FileRegistry, TableFormat},
     study::effects::{PERIODS, effects, machine_effects},
 };
 
-pub(super) fn measure(args: &Args, interrupt: &Interrupt) -> Result<()> {
+pub(super) fn measure(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> Result<()> {
     let (periods, runs) = if args.quick { (50, 2) } else { (PERIODS, 20) };
     let all = effects().len() + machine_effects().len();
     let progress = Progress::new(interrupt, all as u64, "effects");
@@ -20,7 +20,9 @@ pub(super) fn measure(args: &Args, interrupt: &Interrupt) -> Result<()> {
         progress.advance(1)?;
     }
     Destination::Stdout.write(|out| effects_table(&rows, TableFormat::Table, out))?;
-    write_file(&args.output.join("effects.csv"), |out| effects_table(&rows, TableFormat::Csv, out))?;
+    files
+        .named(&args.output.join("effects.csv"))?
+        .write(|out| effects_table(&rows, TableFormat::Csv, out))?;
     let mut rows = Vec::new();
     for effect in machine_effects() {
         rows.push(effect.measure(periods, runs)?);
@@ -28,7 +30,7 @@ pub(super) fn measure(args: &Args, interrupt: &Interrupt) -> Result<()> {
     }
     drop(progress);
     Destination::Stdout.write(|out| machine_effects_table(&rows, TableFormat::Table, out))?;
-    write_file(&args.output.join("machine-effects.csv"), |out| {
-        machine_effects_table(&rows, TableFormat::Csv, out)
-    })
+    files
+        .named(&args.output.join("machine-effects.csv"))?
+        .write(|out| machine_effects_table(&rows, TableFormat::Csv, out))
 }

@@ -10,12 +10,12 @@ use std::{
 use super::Part;
 use crate::{
     error::Result,
-    output::{Column, TableCell, TableFormat, TableWriter, fnv64, write_file},
+    output::{Column, FileRegistry, TableCell, TableFormat, TableWriter, fnv64},
     study::computer::{PROGRAM, load, machine},
 };
 
 /// The name of the file.
-const NAME: &str = "measured.csv";
+pub(super) const NAME: &str = "measured.csv";
 const COLUMNS: [&str; 8] = ["part", "file", "options", "program", "build", "machine", "load", "hash"];
 
 /// A row for each file, in the order of [`COLUMNS`].
@@ -54,7 +54,7 @@ impl Kept {
     ///
     /// # Errors
     /// An I/O error.
-    pub(super) fn keep(&mut self, part: &Part, options: &str) -> Result<()> {
+    pub(super) fn keep(&mut self, part: &Part, options: &str, files: &FileRegistry) -> Result<()> {
         self.rows.retain(|row| row[0] != part.name);
         let load = load().map_or(String::new(), |load| format!("{load:.2}"));
         for &name in part.files {
@@ -62,7 +62,7 @@ impl Kept {
             let row = [part.name, name, options, PROGRAM, build(), &machine(), &load, &hash];
             self.rows.push(row.map(String::from));
         }
-        write_file(&self.file, |out| {
+        files.named(&self.file)?.write(|out| {
             let columns = COLUMNS.map(|name| Column::new(name, name, 0)).to_vec();
             let mut table = TableWriter::new(out, TableFormat::Csv, "", columns)?;
             for row in &self.rows {

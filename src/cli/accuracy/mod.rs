@@ -19,7 +19,7 @@ use crate::{
     cli::progress::Interrupt,
     error::{Error, Result},
     figure::{digits_figure, sign_price_figure, simulations_figure},
-    output::{Destination, make_folder, write_file},
+    output::{Destination, FileRegistry, FileUse, make_folder},
 };
 use kept::Kept;
 
@@ -90,7 +90,7 @@ struct Part {
     /// The files that measuring writes.
     files: &'static [&'static str],
     /// Measures, prints and writes.
-    measure: fn(&Args, &Interrupt) -> Result<()>,
+    measure: fn(&Args, &FileRegistry, &Interrupt) -> Result<()>,
     /// Draws its picture from the tables in a folder, ours and those of other programs beside them.
     draw: Option<fn(&Path) -> Result<()>>,
 }
@@ -134,14 +134,39 @@ const PARTS: [Part; 5] = [
     },
 ];
 
-pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
+/// The parts that are asked for.
+fn chosen(args: &Args) -> impl Iterator<Item = &'static Part> {
+    const ALL: &[Part] = &PARTS;
+    let of = args.of;
+    ALL.iter().filter(move |part| of == Subject::All || part.subject == of)
+}
+
+/// Names the files in the folder: those of the parts, tables of other programs, and what was measured before.
+fn name(args: &Args, files: &FileRegistry) -> Result<()> {
+    let claim = |name: &str, how| files.claim("-o", &args.output.join(name), how);
+    claim(kept::NAME, FileUse::Continue)?;
+    for part in chosen(args) {
+        part.files.iter().try_for_each(|name| claim(name, FileUse::Write))?;
+        if part.draw.is_some() {
+            claim(&format!("{}.svg", part.name), FileUse::Write)?;
+            claim(&format!("{}-peers.csv", part.name), FileUse::Read)?;
+        }
+    }
+    Ok(())
+}
+
+pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> Result<Outcome> {
     if args.points.is_some() && !matches!(args.of, Subject::Signs | Subject::Digits) {
         return Err(Error::input("--points is for --of signs or digits: leave it out"));
     }
+    name(args, files)?;
+    let points =
+        args.points.as_deref().map(|file| files.claim("--points", file, FileUse::Write).map(|()| file));
+    let points = points.transpose()?;
     // Before the measurement rather than after it.
     make_folder(&args.output)?;
-    if let Some(file) = &args.points {
-        write_file(file, |out| match args.of {
+    if let Some(file) = points {
+        files.named(file)?.write(|out| match args.of {
             Subject::Digits => digits::write_points(out),
             _ => signs::write_points(args, interrupt, out),
         })?;
@@ -150,14 +175,14 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     let mut kept = Kept::read(&args.output);
     let folder = args.output.display();
     interrupt.keeps(format!("the parts that are whole are in {folder}: the same command goes on from there"));
-    for part in PARTS.iter().filter(|part| matches!(args.of, Subject::All) || part.subject == args.of) {
+    for part in chosen(args) {
         if !args.again && kept.has(part, options) {
             let line =
                 format!("{}: kept as this program measured it before; --again measures anew", part.name);
             Destination::Stdout.write(|out| Ok(writeln!(out, "{line}")?))?;
         } else {
-            (part.measure)(args, interrupt)?;
-            kept.keep(part, options)?;
+            (part.measure)(args, files, interrupt)?;
+            kept.keep(part, options, files)?;
         }
         // Also where it is kept: another program may have written its table since.
         part.draw.map_or(Ok(()), |draw| draw(&args.output))?;

@@ -5,11 +5,11 @@ use crate::{
     cli::progress::{Interrupt, Progress},
     error::Result,
     figure::{FigurePlace, PictureFormat, proof_figure, proof_table},
-    output::{Destination, TableFormat},
+    output::{Destination, FileRegistry, TableFormat},
     study::{ProofSizes, proof_costs},
 };
 
-pub(super) fn measure(args: &Args, interrupt: &Interrupt) -> Result<()> {
+pub(super) fn measure(args: &Args, _: &FileRegistry, interrupt: &Interrupt) -> Result<()> {
     let sizes = if args.quick { ProofSizes::QUICK } else { ProofSizes::FULL };
     let progress = Progress::new(interrupt, sizes.steps(), "proofs");
     let costs = proof_costs(&sizes, &progress)?;

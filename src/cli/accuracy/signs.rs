@@ -11,7 +11,7 @@ use crate::{
     figure::sign_price_table,
     local::{Ladder, Point, Quantity},
     monitor::Monitor,
-    output::{Column, Destination, TableCell, TableFormat, TableWriter, write_file},
+    output::{Column, Destination, FileRegistry, TableCell, TableFormat, TableWriter},
     study::{DISTANCES, QUICK_DISTANCES, SignMethod, SignPrice, ZERO_FAMILIES, sign_prices},
 };
 
@@ -20,7 +20,7 @@ fn extent(args: &Args) -> (&'static [u32], usize) {
     if args.quick { (&QUICK_DISTANCES, 4) } else { (&DISTANCES, 8) }
 }
 
-pub(super) fn measure(args: &Args, interrupt: &Interrupt) -> Result<()> {
+pub(super) fn measure(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> Result<()> {
     let (distances, count) = extent(args);
     let batch = Duration::from_micros(if args.quick { 200 } else { 1000 });
     // Twelve methods at each distance and at 0.
@@ -34,7 +34,7 @@ pub(super) fn measure(args: &Args, interrupt: &Interrupt) -> Result<()> {
     let shown: Vec<SignPrice> =
         prices.iter().filter(|price| price.method == SignMethod::Ladder).cloned().collect();
     Destination::Stdout.write(|out| sign_price_table(&shown, TableFormat::Table, out))?;
-    write_file(&args.output.join("signs.csv"), |out| sign_price_table(&prices, TableFormat::Csv, out))
+    files.named(&args.output.join("signs.csv"))?.write(|out| sign_price_table(&prices, TableFormat::Csv, out))
 }
 
 /// Writes the points of the study, with their signs.

@@ -8,20 +8,20 @@ use crate::{
     error::Result,
     figure::{FigurePlace, PictureFormat, flow_accuracy, flow_table, long_runs_table, simulations_table},
     monitor::Monitor,
-    output::{Destination, TableFormat, write_file},
+    output::{Destination, FileRegistry, TableFormat},
     study::{
         flow_accuracy::{long_runs, returning, tolerances},
         simulations::motions,
     },
 };
 
-pub(super) fn measure(args: &Args, interrupt: &Interrupt) -> Result<()> {
-    against_another_program(args, interrupt)?;
-    against_exact_motions(args, interrupt)
+pub(super) fn measure(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> Result<()> {
+    against_another_program(args, files, interrupt)?;
+    against_exact_motions(args, files, interrupt)
 }
 
 /// The five motions whose ends another program knows.
-fn against_another_program(args: &Args, interrupt: &Interrupt) -> Result<()> {
+fn against_another_program(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> Result<()> {
     let (repeats, batch) =
         if args.quick { (2, Duration::from_micros(200)) } else { (8, Duration::from_millis(5)) };
     let every = if args.quick { 5 } else { 1 };
@@ -38,11 +38,13 @@ fn against_another_program(args: &Args, interrupt: &Interrupt) -> Result<()> {
     }
     drop(progress);
     Destination::Stdout.write(|out| simulations_table(&prices, TableFormat::Table, out))?;
-    write_file(&args.output.join("simulations.csv"), |out| simulations_table(&prices, TableFormat::Csv, out))
+    files
+        .named(&args.output.join("simulations.csv"))?
+        .write(|out| simulations_table(&prices, TableFormat::Csv, out))
 }
 
 /// Motions that return to their start.
-fn against_exact_motions(args: &Args, interrupt: &Interrupt) -> Result<()> {
+fn against_exact_motions(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> Result<()> {
     let mut rows = Vec::new();
     let tolerances: Vec<_> = [None].into_iter().chain(tolerances().into_iter().map(Some)).collect();
     let progress = Progress::new(interrupt, (returning().len() * tolerances.len()) as u64, "measurements");
@@ -60,5 +62,7 @@ fn against_exact_motions(args: &Args, interrupt: &Interrupt) -> Result<()> {
     )?;
     let rows = long_runs(if args.quick { 3 } else { 6 })?;
     Destination::Stdout.write(|out| long_runs_table(&rows, TableFormat::Table, out))?;
-    write_file(&args.output.join("long-runs.csv"), |out| long_runs_table(&rows, TableFormat::Csv, out))
+    files
+        .named(&args.output.join("long-runs.csv"))?
+        .write(|out| long_runs_table(&rows, TableFormat::Csv, out))
 }

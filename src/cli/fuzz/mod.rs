@@ -25,7 +25,7 @@ use crate::{
     cli::progress::{Interrupt, Progress},
     error::{Error, Result},
     number::parse_integer,
-    output::{Destination, Journal, OutputFile, SavedRun, Shard, distinct, probe, say, torn},
+    output::{Destination, FileRegistry, Journal, SavedRun, Shard, say, say_to, torn},
     search::fuzz::{Campaign, FuzzOptions, Tally, fuzz, words::WordOptions},
 };
 
@@ -115,10 +115,10 @@ trait Told: Campaign {
     fn shown_by(&self, line: &str) -> Result<String>;
 }
 
-pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
+pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> Result<Outcome> {
     match options(args)? {
-        Options::Conjecture(options) => campaign(args, &options, interrupt),
-        Options::Words(options) => campaign(args, &options, interrupt),
+        Options::Conjecture(options) => campaign(args, &options, files, interrupt),
+        Options::Words(options) => campaign(args, &options, files, interrupt),
     }
 }
 
@@ -172,24 +172,24 @@ fn record_of(units: &Range<u64>) -> Range<u64> {
 }
 
 /// Runs a campaign, or a part, from its saved state on, and reports.
-fn campaign<C: Told>(args: &Args, options: &C, interrupt: &Interrupt) -> Result<Outcome> {
-    let files = [
-        ("--regressions", Some(args.regressions.as_path())),
-        ("--resume", args.resume.as_deref()),
-        ("-o", args.output.as_deref()),
-    ];
-    distinct(&files.into_iter().filter_map(|(option, file)| Some((option, file?))).collect::<Vec<_>>())?;
-    probe(&args.regressions)?;
+fn campaign<C: Told>(
+    args: &Args,
+    options: &C,
+    files: &FileRegistry,
+    interrupt: &Interrupt,
+) -> Result<Outcome> {
+    files.go_on("--regressions", &args.regressions)?;
+    args.resume.as_deref().map(|path| files.go_on("--resume", path)).transpose()?;
     options.check_range()?;
     let part = match (args.shard, &args.output) {
         (Some(shard), Some(file)) => {
-            Some(Part { task: task_of(words(options)), shard, file: OutputFile::new("-o", file)? })
+            Some(Part { task: task_of(words(options)), shard, file: files.write("-o", file)? })
         }
         _ => None,
     };
     let destination = match part {
         Some(_) => Destination::Stdout,
-        None => Destination::new(args.output.as_deref())?,
+        None => files.destination(args.output.as_deref())?,
     };
     let units = units(options, args.shard);
     let (mut state, start) = match &args.resume {
@@ -244,6 +244,7 @@ fn merged_campaign<C: Told>(
     interrupt: &Interrupt,
 ) -> Result<Outcome> {
     options.check_range()?;
+    merged.files.go_on("--regressions", &args.regressions)?;
     set.expect(&task_of(words(options)))?;
     let mut all = C::Tally::default();
     let part = |shard| units(options, Some(shard));
@@ -265,7 +266,7 @@ fn merged_campaign<C: Told>(
         },
     )?;
     let outcome = outcome(&all, &(0..options.units()));
-    tell(args, options, (&all, outcome), merged.format, &Destination::new(merged.output.as_deref())?)
+    tell(args, options, (&all, outcome), merged.format, &merged.report()?)
 }
 
 /// What a tally amounts to.
@@ -342,7 +343,7 @@ fn open<C: Told>(path: &Path, options: &C, shard: Option<Shard>) -> Result<(Jour
 
 /// Appends the lines that are not there yet: a run that goes on from its state may have appended them before.
 fn append(path: &Path, lines: &[String]) -> Result<()> {
-    let known = fs::read_to_string(path).unwrap_or_default();
+    let known = if path.is_file() { fs::read_to_string(path).unwrap_or_default() } else { String::new() };
     let lines = lines.iter().filter(|line| !known.lines().any(|old| old == *line));
     let mut file = OpenOptions::new().create(true).append(true).open(path);
     for line in lines {
@@ -391,7 +392,7 @@ fn text<C: Told>(
         writeln!(out, "{line}\n  shown by: {}", options.shown_by(line)?)?;
     }
     if !tally.disagreements().is_empty() {
-        writeln!(out, "appended to {}", args.regressions.display())?;
+        say_to(out, format_args!("appended to {}", args.regressions.display()))?;
     }
     Ok(())
 }

@@ -21,8 +21,7 @@ use crate::{
     monitor::Monitor,
     number::parse_integer,
     output::{
-        Caption, Column, Destination, OutputFile, Setting, Shard, ShardedTask, TableCell, TableFormat,
-        TableWriter,
+        Caption, Column, FileRegistry, Setting, Shard, ShardedTask, TableCell, TableFormat, TableWriter,
     },
     word,
 };
@@ -100,29 +99,30 @@ struct List<'a> {
     caption: Option<&'a Caption>,
 }
 
-pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
+pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> Result<Outcome> {
     if let Some((i, j)) = args.pattern {
         let (format, decimals) = (checked(args)?, args.decimals);
-        let destination = Destination::new(args.output.as_deref())?;
+        let destination = files.destination(args.output.as_deref())?;
         let pattern = || Ok(word::two_impacts(i, j)?.into_iter());
         two_impacts::run(i + j, pattern, format, decimals, &destination, interrupt)?;
         return Ok(Outcome::Done);
     }
     let mut list = list(args)?;
     if let (Some(shard), Some(output)) = (args.shard, &args.output) {
-        let part = Part { task: list.task(), shard, file: OutputFile::new("-o", output)? };
+        let part = Part { task: list.task(), shard, file: files.write("-o", output)? };
         let periods = periods_of(&list.periods, list.exponent(), Some(shard));
         let progress = Progress::new(interrupt, periods.clone().count() as u64, "periods");
         part.write(|out| list.rows(periods, &mut ShardRows::new(out), &progress))?;
         return Ok(Outcome::Done);
     }
-    let destination = Destination::new(args.output.as_deref())?;
+    cite::named(&args.cite, files)?;
+    let destination = files.destination(args.output.as_deref())?;
     if !args.cite.is_empty() && list.format != Some(TableFormat::Latex) {
         return Err(Error::input("--cite does nothing here: only --format latex has a caption"));
     }
     let about = ("intervals", CAPTION, BASES.as_slice());
     let periods = Periods(list.periods.clone());
-    let caption = match cite::caption(&args.cite, about, &periods, args.output.as_deref(), interrupt)? {
+    let caption = match cite::caption(&args.cite, about, &periods, interrupt)? {
         Ok(caption) => caption,
         Err(outcome) => return Ok(outcome),
     };

@@ -14,7 +14,6 @@ use crate::{
         branch::{Branch, BranchPoint, FollowedOrbit, OrbitBranch, record, record_as},
         orbit::{Family, Orbit, Oscillator},
     },
-    output::write_file,
     run::{BranchFindings, BranchList, Judgement, MachineBranchFindings, Row, form, machine_stable, stable},
     scene::{Frame, MachineSceneFamily, SceneFamily, branches::BranchTask, phase},
 };
@@ -80,7 +79,7 @@ fn write<R: Row, O: FollowedOrbit>(
             format!("{}-{i}.json", job.task.name)
         };
         let text = serde_json::to_string_pretty(&record(branch, &names)).map_err(std::io::Error::other)?;
-        write_file(&job.folder.join(&file), |out| Ok(writeln!(out, "{text}")?))?;
+        job.write(&file, |out| Ok(writeln!(out, "{text}")?))?;
         files.push(file);
     }
     let (curves, axes) = match &task.second {

@@ -1,13 +1,13 @@
 //! The files of tasks of kind `chaos`.
 
 use super::Job;
-use crate::{error::Result, output::write_file, run::ChaosFindings};
+use crate::{error::Result, run::ChaosFindings};
 
 /// The certificate, if there is one, and a table of the letters.
 pub(super) fn keep(found: &ChaosFindings, job: &Job) -> Result<Vec<String>> {
     let mut files = Vec::new();
     if let Some((file, text)) = &found.text {
-        write_file(&job.folder.join(file), |out| Ok(out.write_all(text.as_bytes())?))?;
+        job.write(file, |out| Ok(out.write_all(text.as_bytes())?))?;
         files.push(file.clone());
     }
     files.push(job.csv(&found.letters, ".csv")?);

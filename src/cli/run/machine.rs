@@ -8,6 +8,7 @@ use crate::{
     figure::{self, FigurePlace, MotionPicture},
     machine::{Machine, MachineState, contact::StopContact, simulate::MachineEvent},
     oscillator::Time,
+    printable::csv_field,
     run::{Findings, Keeper},
     scene::simulate::SimulateTask,
 };
@@ -97,11 +98,7 @@ impl Keeper for MachineSeries<'_> {
         }
         let (period, phase) = (time.period, time.phase / std::f64::consts::TAU);
         let name = &self.contacts[stop].name;
-        let name = if name.contains([',', '"', '\n']) {
-            format!("\"{}\"", name.replace('"', "\"\""))
-        } else {
-            name.clone()
-        };
+        let name = csv_field(name);
         let head = |word: &str| format!("{word},{},{period},{phase},{name}", periods * self.machine.period);
         let out = &mut self.events;
         match event {

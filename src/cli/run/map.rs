@@ -5,7 +5,7 @@ use crate::{
     error::Result,
     figure::{self, Grid, ParameterMap},
     oscillator::attractor::map::{MapCell, MapEnd},
-    output::{Column, TableCell, TableFormat, TableWriter, write_file},
+    output::{Column, TableCell, TableFormat, TableWriter},
     run::{MapFindings, map_word},
 };
 
@@ -27,7 +27,7 @@ pub(super) fn keep(found: &MapFindings, job: &Job) -> Result<Vec<String>> {
     };
     figure::parameter_map(&map, [&found.varied[0], &found.varied[1]], &job.place())?;
     // Row by row: there may be many.
-    write_file(&job.folder.join(format!("{}.csv", job.task.name)), |out| {
+    job.write(&format!("{}.csv", job.task.name), |out| {
         let names = ["first", "second", "end", "period", "impacts", "exponent"];
         let columns_of = names.map(|name| Column::new(name, name, 0)).to_vec();
         let mut table = TableWriter::new(out, TableFormat::Csv, "", columns_of)?;

@@ -24,6 +24,7 @@ use std::{
 
 use clap::Parser;
 use num_rational::BigRational;
+use serde_json::json;
 
 use super::{Outcome, ReportFormat, in_pool, reported};
 use crate::{
@@ -31,7 +32,10 @@ use crate::{
     error::{Error, Result},
     figure::{FigurePlace, PictureFormat},
     number::{parse_integer, parse_rational},
-    output::{Column, Destination, Shard, TableCell, TableFormat, TableWriter, make_folder, say, write_file},
+    output::{
+        Column, Destination, FileRegistry, FileUse, LONGEST_SCENE, NamedFile, Shard, TableCell, TableFormat,
+        TableWriter, make_folder, read_text, say, say_to,
+    },
     run::{
         EventRows, Findings, GrazingFindings, Job as Task, Keeper, MachineGrazingFindings, Row, RunReport,
         Status, Surroundings, TaskReport, parts, run_task,
@@ -68,6 +72,9 @@ pub(super) struct Args {
     /// file -o, for `grazing merge`.
     #[arg(long, value_name = "I/N", requires = "output", value_parser = Shard::from_str)]
     shard: Option<Shard>,
+    /// Check the scene and list the files that would be read and written, and do no more.
+    #[arg(long)]
+    dry_run: bool,
     /// The folder for the files.
     #[arg(short, long, value_name = "DIR", default_value = ".")]
     output: PathBuf,
@@ -102,6 +109,8 @@ fn called(task: &crate::scene::Task, name: &str) -> bool {
 struct Job<'a> {
     job: &'a Task<'a>,
     folder: &'a Path,
+    /// Where they were named.
+    named: &'a FileRegistry,
     /// What pictures are written as.
     format: PictureFormat,
 }
@@ -120,7 +129,8 @@ impl Job<'_> {
             Kind::SimulateTask(task) => simulate::run(task, self),
             _ => run_task(self.job, &mut Files(self)),
         };
-        debug_assert!(report.files.iter().all(|file| names::may_write(self.task, file)), "{report}");
+        let named = |file: &String| self.named.is_written(&self.folder.join(file));
+        debug_assert!(report.files.iter().all(named), "{report}");
         report
     }
 
@@ -129,10 +139,15 @@ impl Job<'_> {
         parts::whole(self.job, records, &mut Files(self))
     }
 
+    /// Writes one of the task's files.
+    fn write(&self, file: &str, write: impl FnOnce(&mut dyn Write) -> Result<()>) -> Result<()> {
+        self.named.named(&self.folder.join(file))?.write(write)
+    }
+
     /// Writes rows as the task's CSV file with this ending, and returns the file's name.
     fn csv<R: Row>(&self, rows: &[R], end: &str) -> Result<String> {
         let file = format!("{}{end}", self.task.name);
-        write_file(&self.folder.join(&file), |out| {
+        self.write(&file, |out| {
             let columns = R::COLUMNS.iter().map(|name| Column::new(name, name, 0)).collect();
             let mut table = TableWriter::new(out, TableFormat::Csv, "", columns)?;
             for row in rows {
@@ -194,9 +209,12 @@ impl Keeper for Files<'_> {
     }
 }
 
-pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
-    let scene = Scene::read(&args.scene)?;
+pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> Result<Outcome> {
+    // Once: it may be a pipe.
+    let text = shard::plain(&read_text(&args.scene, LONGEST_SCENE)?);
     let name = args.scene.display().to_string();
+    let scene = Scene::from_toml(&text, &name)?;
+    names::read(&scene, &args.scene, files)?;
     for only in &args.only {
         if !scene.tasks.iter().any(|task| called(task, only)) {
             let names: Vec<&str> = scene.tasks.iter().map(|task| task.name.as_str()).collect();
@@ -204,7 +222,7 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
         }
     }
     if let Some(shard) = args.shard {
-        return shard::run(args, shard, &args.output, interrupt);
+        return shard::run(args, &scene, &text, shard, files, interrupt);
     }
     // All tasks are checked, with the changed parameters, before the first runs.
     let bars = Bars::new(interrupt);
@@ -217,7 +235,12 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     if jobs.is_empty() {
         return Err(Error::input(format!("{name} has no [[tasks]]: nothing to do")));
     }
-    names::distinct(&scene, &jobs.iter().map(|job| job.task).collect::<Vec<_>>())?;
+    for job in &jobs {
+        names::task(&scene, job.task, &args.output, args.pictures, files)?;
+    }
+    if args.dry_run {
+        return list(args.format, files);
+    }
     make_folder(&args.output)?;
     // What cannot be written ends neither the tasks nor what they refute.
     let mut written = Ok(());
@@ -229,7 +252,7 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
         let part = if over {
             TaskReport::pending(job)
         } else {
-            let job = Job { job, folder: &args.output, format: args.pictures };
+            let job = Job { job, folder: &args.output, named: files, format: args.pictures };
             in_pool(args.jobs, || Ok(job.run()))?
         };
         bars.clear();
@@ -245,7 +268,7 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
     }
     let parts = parts().clone();
     if args.format == ReportFormat::Json {
-        written = Destination::Stdout.write(|out| json(&scene.title, &parts, None, out));
+        written = Destination::Stdout.write(|out| write_json(&scene.title, &parts, None, out));
     }
     let any = |is: fn(&Status) -> bool| parts.iter().any(|part| is(&part.status));
     let outcome: Outcome = parts.iter().map(|part| part.status.outcome()).collect();
@@ -254,6 +277,29 @@ pub(super) fn run(args: &Args, interrupt: &Interrupt) -> Result<Outcome> {
         say(format_args!("error: {failed} of {} tasks failed", parts.len()));
     }
     reported(outcome, written)
+}
+
+/// Lists the files of this command.
+fn list(format: ReportFormat, files: &FileRegistry) -> Result<Outcome> {
+    files.stop();
+    let files = files.files();
+    let with = |wanted: fn(FileUse) -> bool| files.iter().filter(move |file| wanted(file.how));
+    let (reads, writes) = (with(|how| how != FileUse::Write), with(|how| how != FileUse::Read));
+    Destination::Stdout.write(|out| match format {
+        ReportFormat::Text => {
+            reads.map(|file| ("reads", file)).chain(writes.map(|file| ("writes", file))).try_for_each(
+                |(how, file)| say_to(out, format_args!("{how:6} {} ({})", file.path.display(), file.role)),
+            )
+        }
+        ReportFormat::Json => {
+            let shown =
+                |file: &NamedFile| json!({ "file": file.path.display().to_string(), "as": file.role });
+            let (reads, writes): (Vec<_>, Vec<_>) = (reads.map(shown).collect(), writes.map(shown).collect());
+            let report = json!({ "format": "grazing-files 1", "reads": reads, "writes": writes });
+            Ok(writeln!(out, "{report}")?)
+        }
+    })?;
+    Ok(Outcome::Done)
 }
 
 /// Writes the report of one task, or of a part of it.
@@ -272,7 +318,7 @@ fn tell(scene: &str, report: TaskReport, shard: Option<Shard>, format: ReportFor
                 _ => Ok(()),
             }
         }
-        ReportFormat::Json => json(scene, std::slice::from_ref(&report), shard, out),
+        ReportFormat::Json => write_json(scene, std::slice::from_ref(&report), shard, out),
     });
     reported(outcome, written)
 }
@@ -294,7 +340,7 @@ fn last_words(
             parts.push(TaskReport { status, ..report.clone() });
         }
         let mut text = Vec::new();
-        let written = json(&scene, &parts, None, &mut text);
+        let written = write_json(&scene, &parts, None, &mut text);
         let outcome = parts.iter().map(|part| part.status.outcome()).collect::<Outcome>();
         let text = written.ok().and_then(|()| String::from_utf8(text).ok()).unwrap_or_default();
         (text, outcome.and(Outcome::Interrupted))
@@ -302,13 +348,18 @@ fn last_words(
 }
 
 /// The reports as one object.
-fn json(scene: &str, tasks: &[TaskReport], shard: Option<Shard>, out: &mut dyn Write) -> Result<()> {
+fn write_json(scene: &str, tasks: &[TaskReport], shard: Option<Shard>, out: &mut dyn Write) -> Result<()> {
     let report = RunReport::new(scene, shard.map(|shard| shard.to_string()), tasks);
     Ok(writeln!(out, "{}", report.to_json()?)?)
 }
 
 /// Runs a task of the paper's own scene, without a report.
-pub(super) fn paper(task: &str, folder: &Path, format: PictureFormat, interrupt: &Interrupt) -> Result<()> {
+pub(super) fn paper(
+    task: &str,
+    (folder, format): (&Path, PictureFormat),
+    files: &FileRegistry,
+    interrupt: &Interrupt,
+) -> Result<()> {
     let text = include_str!("../../../examples/scenes/nordmark-2001.toml");
     let scene = Scene::from_toml(text, "nordmark-2001.toml")?;
     let task = scene.tasks.iter().find(|known| known.name == task);
@@ -316,7 +367,8 @@ pub(super) fn paper(task: &str, folder: &Path, format: PictureFormat, interrupt:
     make_folder(folder)?;
     let bars = Bars::new(interrupt);
     let around = Surroundings { changes: &[], folder: Some(folder), monitor: &bars };
-    let report = Job { job: &Task::new(&scene, task, around)?, folder, format }.run();
+    names::task(&scene, task, folder, format, files)?;
+    let report = Job { job: &Task::new(&scene, task, around)?, folder, named: files, format }.run();
     match report.status {
         Status::Failed { reason, .. } => Err(Error::input(reason)),
         Status::Interrupted { reason } => Err(Error::interrupted(reason)),

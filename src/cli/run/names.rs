@@ -1,8 +1,12 @@
-//! The files that tasks may write, known before they run: no two tasks of a run may name the same.
+//! The files that tasks read and may write, known before they run: none is named twice.
+
+use std::path::Path;
 
 use crate::{
-    error::Result,
-    scene::{Kind, Scene, Task},
+    error::{Error, Result},
+    figure::PictureFormat,
+    output::{Clash, FileRegistry, FileUse, MADE},
+    scene::{Kind, Scene, Task, branches::BranchOrigin},
 };
 
 /// What may follow a task's name in the name of a file.
@@ -16,16 +20,18 @@ enum Ending {
     Picture,
     /// A minus, a number and that.
     Pictures,
+    /// This, for a file from which an interrupted task goes on.
+    State(&'static str),
 }
 
 /// The endings of all files that a task of a kind may write.
 fn endings(kind: &Kind) -> &'static [Ending] {
-    use Ending::{Fixed, Numbered, Picture, Pictures};
+    use Ending::{Fixed, Numbered, Picture, Pictures, State};
     match kind {
         Kind::SimulateTask(_) => &[Pictures, Picture, Fixed(".csv"), Fixed("-events.csv")],
         Kind::SectionTask(_) => &[Picture, Fixed(".csv")],
-        Kind::BasinsTask(_) | Kind::MapTask(_) => &[Picture, Fixed(".csv"), Fixed(".checkpoint")],
-        Kind::DiagramTask(_) => &[Picture, Fixed(".csv"), Fixed("-windows.csv"), Fixed(".checkpoint")],
+        Kind::BasinsTask(_) | Kind::MapTask(_) => &[Picture, Fixed(".csv"), State(".checkpoint")],
+        Kind::DiagramTask(_) => &[Picture, Fixed(".csv"), Fixed("-windows.csv"), State(".checkpoint")],
         Kind::OrbitTask(_) | Kind::EventTask(_) | Kind::GrazingTask(_) => &[Fixed(".csv")],
         Kind::BranchTask(_) => {
             &[Fixed(".json"), Numbered(".json"), Picture, Fixed(".csv"), Fixed("-points.csv")]
@@ -36,50 +42,70 @@ fn endings(kind: &Kind) -> &'static [Ending] {
     }
 }
 
-/// Whether a task may write a file of this name; names that differ in case only are one on some systems.
-pub(super) fn may_write(task: &Task, file: &str) -> bool {
-    let (name, file) = (task.name.to_ascii_lowercase(), file.to_ascii_lowercase());
-    let Some(rest) = file.strip_prefix(&name) else { return false };
-    let numbered = |end: &str| {
-        rest.strip_suffix(end)
-            .and_then(|rest| rest.strip_prefix('-'))
-            .is_some_and(|number| !number.is_empty() && number.bytes().all(|byte| byte.is_ascii_digit()))
-    };
-    const PICTURES: [&str; 3] = [".svg", ".pdf", ".png"];
-    endings(&task.kind).iter().any(|ending| match *ending {
-        Ending::Fixed(end) => rest == end,
-        Ending::Numbered(end) => numbered(end),
-        Ending::Picture => PICTURES.contains(&rest),
-        Ending::Pictures => PICTURES.into_iter().any(numbered),
-    })
-}
-
-/// A file that both tasks may write, one of them under a name without a number: two numbered names agree only
-/// where the names of their tasks do, which a scene does not allow.
-fn shared(one: &Task, other: &Task) -> Option<String> {
-    endings(&one.kind).iter().find_map(|ending| match ending {
-        Ending::Fixed(end) => Some(format!("{}{end}", one.name)).filter(|file| may_write(other, file)),
-        // The same whatever it is written as.
-        Ending::Picture => Some(format!("{}.svg", one.name)).filter(|file| may_write(other, file)),
-        Ending::Numbered(_) | Ending::Pictures => None,
-    })
-}
-
-/// Refuses tasks that would write the same file.
+/// Names the files that a scene is read from.
 ///
 /// # Errors
-/// An input error at the second task's name.
-pub(super) fn distinct(scene: &Scene, tasks: &[&Task]) -> Result<()> {
-    for (i, second) in tasks.iter().enumerate() {
-        for first in &tasks[..i] {
-            if let Some(file) = shared(first, second).or_else(|| shared(second, first)) {
-                let message = format!(
-                    "this task and the task {} would both write {file}: rename one, or choose one with --only",
-                    first.name
-                );
-                return Err(scene.fail(&format!("{}.name", second.path), &message));
-            }
+/// An input error if one is written.
+pub(super) fn read(scene: &Scene, path: &Path, files: &FileRegistry) -> Result<()> {
+    files.read("the scene", path)?;
+    scene.files().iter().try_for_each(|file| files.read("the scene's file", file))
+}
+
+/// Names the files that a task may write into a folder, and those there that it begins with. They are tried
+/// when they are written.
+///
+/// # Errors
+/// An input error at the task's name if one of them is another file of this command.
+pub(super) fn task(
+    scene: &Scene,
+    task: &Task,
+    folder: &Path,
+    format: PictureFormat,
+    files: &FileRegistry,
+) -> Result<()> {
+    let clashes = |clash| told(scene, task, clash);
+    let origins = match &task.kind {
+        Kind::BranchTask(branch) => branch.starts.as_slice(),
+        Kind::DiagramTask(diagram) => diagram.branches.as_slice(),
+        _ => &[],
+    };
+    for origin in origins {
+        if let Ok(BranchOrigin::Restart(restart)) = origin.origin() {
+            let role = format!("{MADE}{}", task.name);
+            files.claim(role, &folder.join(&restart.file), FileUse::Read).map_err(clashes)?;
         }
     }
+    let role = format!("the task {}", task.name);
+    let picture = format!(".{}", format.ending());
+    let one = |end: &str, how| files.claim(&role, &folder.join(format!("{}{end}", task.name)), how);
+    for ending in endings(&task.kind) {
+        match *ending {
+            Ending::Fixed(end) => one(end, FileUse::Write),
+            Ending::State(end) => one(end, FileUse::Continue),
+            Ending::Picture => one(&picture, FileUse::Write),
+            Ending::Numbered(end) => files.claim_series(&role, folder, &task.name, end),
+            Ending::Pictures => files.claim_series(&role, folder, &task.name, &picture),
+        }
+        .map_err(clashes)?;
+    }
     Ok(())
+}
+
+/// What is said at a task whose file is another's too.
+fn told(scene: &Scene, task: &Task, Clash { first, second }: Clash) -> Error {
+    let name = |path: &Path| path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    // Of a series and one of its files, the file.
+    let series = second.path.to_string_lossy().contains("-N.") && first.how != FileUse::Read;
+    let file = name(if series { &first.path } else { &second.path });
+    let message = match (first.role.starts_with("the task "), second.how) {
+        (true, FileUse::Write | FileUse::Continue) => format!(
+            "this task and {} would both write {file}: rename one, or choose one with --only",
+            first.role
+        ),
+        (_, FileUse::Read) => format!("this task begins with {file}, which {} writes", first.role),
+        _ => format!(
+            "this task would write {file}, which is {first}: rename the task, or write elsewhere with -o"
+        ),
+    };
+    scene.fail(&format!("{}.name", task.path), &message)
 }

@@ -6,7 +6,7 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use super::{Args, Bars, Job, called, tell};
+use super::{Args, Bars, Job, called, list, names, tell};
 use crate::{
     cli::{
         Outcome, in_pool,
@@ -15,10 +15,7 @@ use crate::{
     },
     error::{Error, Result},
     figure::PictureFormat,
-    output::{
-        Journal, LONGEST_INPUT, OutputFile, Shard, ShardedTask, TaskInput, fingerprint, make_folder,
-        read_text,
-    },
+    output::{FileRegistry, FileUse, Journal, Shard, ShardedTask, TaskInput, fingerprint, make_folder},
     run::{Job as Task, Surroundings, TaskReport, parts},
     scene::Scene,
 };
@@ -42,15 +39,20 @@ fn sharded(args: &Args, job: &Task, text: &str) -> Result<ShardedTask> {
 }
 
 /// The lines of a scene end alike on all systems.
-fn plain(text: &str) -> String {
+pub(super) fn plain(text: &str) -> String {
     text.replace("\r\n", "\n")
 }
 
 /// Does a part of the one task that is asked for.
-pub(super) fn run(args: &Args, shard: Shard, output: &Path, interrupt: &Interrupt) -> Result<Outcome> {
-    let text = plain(&read_text(&args.scene, LONGEST_INPUT)?);
-    let name = args.scene.display().to_string();
-    let scene = Scene::from_toml(&text, &name)?;
+pub(super) fn run(
+    args: &Args,
+    scene: &Scene,
+    text: &str,
+    shard: Shard,
+    files: &FileRegistry,
+    interrupt: &Interrupt,
+) -> Result<Outcome> {
+    let (output, name) = (args.output.as_path(), args.scene.display());
     let mut chosen = scene.tasks.iter().filter(|task| {
         let wanted = |only: &String| called(task, only);
         args.only.is_empty() || args.only.iter().any(wanted)
@@ -73,9 +75,14 @@ pub(super) fn run(args: &Args, shard: Shard, output: &Path, interrupt: &Interrup
     }
     let bars = Bars::new(interrupt);
     let around = Surroundings { changes: &args.set, folder: None, monitor: &bars };
-    let job = Task::new(&scene, task, around)?;
-    let part = Part { task: sharded(args, &job, &text)?, shard, file: OutputFile::new("-o", output)? };
+    let job = Task::new(scene, task, around)?;
     let checkpoint = beside(output);
+    files.claim("-o", output, FileUse::Write)?;
+    files.claim("the checkpoint", &checkpoint, FileUse::Continue)?;
+    if args.dry_run {
+        return list(args.format, files);
+    }
+    let part = Part { task: sharded(args, &job, text)?, shard, file: files.named(output)? };
     let units = units(count, shard);
     let found = in_pool(args.jobs, || parts::part(&job, units.clone(), &checkpoint));
     let written = found.and_then(|records| {
@@ -118,7 +125,7 @@ pub(in crate::cli) fn merge(
     let [only] = &args.only[..] else {
         return Err(Error::input("the shards are not of one task: they were changed"));
     };
-    let folder = merged.output.as_deref().unwrap_or(Path::new("."));
+    let folder = merged.output.unwrap_or(Path::new("."));
     let args = Args { scene: PathBuf::from(&input.file), ..args.clone() };
     let scene = Scene::from_toml(&input.text, &input.file)?;
     let task = scene.tasks.iter().find(|task| task.name == *only);
@@ -130,6 +137,10 @@ pub(in crate::cli) fn merge(
     let job =
         Task::new(&scene, task, Surroundings { changes: &args.set, folder: Some(folder), monitor: &bars })?;
     set.expect(&sharded(&args, &job, &input.text)?)?;
+    for file in scene.files() {
+        merged.files.read("the scene's file", file)?;
+    }
+    names::task(&scene, task, folder, args.pictures, merged.files)?;
     let mut records = Vec::new();
     set.records(
         |shard| units(count, shard),
@@ -139,7 +150,7 @@ pub(in crate::cli) fn merge(
         },
     )?;
     make_folder(folder)?;
-    let job = Job { job: &job, folder, format: args.pictures };
+    let job = Job { job: &job, folder, named: merged.files, format: args.pictures };
     let report = in_pool(args.jobs, || Ok(job.whole(&records)))?;
     bars.clear();
     tell(&scene.title, report, None, merged.format)

@@ -8,17 +8,16 @@ use crate::{
     error::{Error, Result},
     figure::{self, MotionPicture},
     oscillator::{Contact, Time, flow::State, simulate::Event},
-    output::write_file,
     run::{Findings, Keeper, Model, TaskReport, run_task},
     scene::simulate::SimulateTask,
 };
 
 pub(super) fn run(task: &SimulateTask, job: &Job) -> TaskReport {
     let mut report = None;
-    let name = |end: &str| job.folder.join(format!("{}{end}", job.task.name));
+    let name = |end: &str| format!("{}{end}", job.task.name);
     // What fails or is interrupted leaves no files: they are whole or absent.
-    let written = write_file(&name(".csv"), |series| {
-        write_file(&name("-events.csv"), |events| {
+    let written = job.write(&name(".csv"), |series| {
+        job.write(&name("-events.csv"), |events| {
             let found = match &job.model {
                 Model::Oscillator(_) => run_task(job.job, &mut Series::new(task, job, series, events)?),
                 Model::Machine(machine) => {

@@ -12,14 +12,17 @@ use std::{
 
 use serde::Serialize;
 
-use super::{Outcome, ReportFormat, check};
+use super::{Outcome, ReportFormat, check, reported};
 use crate::{
+    certificate::check_until,
     cli::progress::{Interrupt, Progress},
     error::{Error, Result},
     monitor::Monitor,
     output::{
-        Destination, OutputFile, Shard, ShardFile, ShardWriter, ShardedTask, TableCell, TaskInput, say,
+        Destination, FileRegistry, OutputFile, PROGRAM, Shard, ShardFile, ShardWriter, ShardedTask,
+        TableCell, TaskInput, say,
     },
+    printable::Printable,
 };
 
 pub(super) use rows::{PlainRows, RowSink, ShardRows};
@@ -49,7 +52,8 @@ pub(super) fn periods_of(
 
 /// What a report says at its end of the certificate that was written, or of the shard of one.
 pub(super) fn certificate_line(path: &Path, shard: Option<Shard>) -> String {
-    let path = path.display();
+    let path = path.display().to_string();
+    let path = Printable(&path);
     match shard {
         None => format!("Certificate: {path}; `grazing check {path}` proves it again.\n"),
         Some(shard) => {
@@ -79,19 +83,34 @@ impl Part {
     }
 }
 
+/// The format of a report of faults.
+const FAULTS: &str = "grazing-merge 1";
+
 /// What keeps shards from being put together.
 #[derive(Debug, Default, Serialize)]
-pub(super) struct Faults {
+struct Faults {
+    format: &'static str,
     /// The task that most of them are of: the command's words. None if no file is a whole shard.
     task: Option<String>,
     /// Into how many parts it is divided.
     of: Option<u64>,
-    /// The numbers of those that are not there.
+    /// The numbers of those that are not there, or are not what they should be.
     missing: Vec<u64>,
     /// The same as a job array is given them.
     array: String,
     /// What is wrong with other files, one text for each.
     faults: Vec<String>,
+}
+
+impl Faults {
+    /// Reports them, if that is to be JSON; in words they are said as they are found.
+    fn tell(&self, format: ReportFormat) -> Result<()> {
+        if format != ReportFormat::Json {
+            return Ok(());
+        }
+        let text = serde_json::to_string_pretty(self).map_err(std::io::Error::other)?;
+        Destination::Stdout.write(|out| Ok(writeln!(out, "{text}")?))
+    }
 }
 
 /// The shards of one task, each once, none missing.
@@ -102,16 +121,12 @@ pub(super) struct ShardSet {
 }
 
 impl ShardSet {
-    /// Reads shards through. `tell` hears of what is wrong with the set, if anything is, before the error.
+    /// Reads shards through. What is wrong with the set, if anything is, is reported before the error.
     ///
     /// # Errors
     /// An input error once every fault was said: a shard that is damaged, of another task or there twice, and
-    /// those missing; an interruption; whatever `tell` returns.
-    pub fn read(
-        files: &[PathBuf],
-        interrupt: &Interrupt,
-        tell: impl FnOnce(&Faults) -> Result<()>,
-    ) -> Result<ShardSet> {
+    /// those missing; an interruption.
+    pub fn read(files: &[PathBuf], interrupt: &Interrupt, format: ReportFormat) -> Result<ShardSet> {
         let progress = Progress::new(interrupt, files.len() as u64, "shards read");
         let mut faults = Vec::new();
         let mut found = Vec::new();
@@ -135,7 +150,7 @@ impl ShardSet {
         let meant = first.map(|index| (found[index].task.clone(), found[index].shard.of));
         let Some((task, of)) = meant else {
             faults.iter().for_each(|fault| say(format_args!("error: {fault}")));
-            tell(&Faults { faults, ..Faults::default() })?;
+            Faults { format: FAULTS, faults, ..Faults::default() }.tell(format)?;
             return Err(Error::input(
                 "none of the files is a whole shard: give those that --shard I/N wrote",
             ));
@@ -177,7 +192,8 @@ impl ShardSet {
         let (lack, array) = (missing.len(), listed(&missing));
         let (wrong, words) = (!faults.is_empty(), Some(task.words.join(" ")));
         if wrong || lack > 0 {
-            tell(&Faults { task: words, of: Some(of), missing, array: array.clone(), faults })?;
+            let array = array.clone();
+            Faults { format: FAULTS, task: words, of: Some(of), missing, array, faults }.tell(format)?;
         }
         if lack > 0 {
             return Err(Error::input(format!("{lack} of {of} shards are missing: --array={array}")));
@@ -187,11 +203,10 @@ impl ShardSet {
                 "all shards are there; leave out the files named above, which are not among them",
             ));
         }
-        if task.program != env!("CARGO_PKG_VERSION") {
+        if task.program != PROGRAM {
             return Err(Error::input(format!(
-                "the shards are by version {}, this is {}: merge with the version that wrote them",
-                task.program,
-                env!("CARGO_PKG_VERSION")
+                "the shards are by version {}, this is {PROGRAM}: merge with the version that wrote them",
+                task.program
             )));
         }
         Ok(ShardSet { task, shards: shards.into_values().collect() })
@@ -231,9 +246,38 @@ impl ShardSet {
         items: impl Fn(Shard) -> Range<u64>,
         mut each: impl FnMut(Shard, &str) -> Result<()>,
     ) -> Result<()> {
-        self.shards
-            .iter()
-            .try_for_each(|file| file.records(items(file.shard), |_, record| each(file.shard, record)))
+        self.shards.iter().try_for_each(|file| {
+            let done = file.records(items(file.shard), |_, record| each(file.shard, record));
+            done.map_err(|error| {
+                if !error.is_input() {
+                    return error;
+                }
+                say(format_args!("error: {error}"));
+                Error::input(are_false(1, self.shards.len(), &file.shard.index.to_string()))
+            })
+        })
+    }
+
+    /// The shards whose own certificate is not proved. Cost: that of checking all.
+    fn untrue(&self, form: &impl Certified, interrupt: &Interrupt) -> Result<Faults> {
+        let (mut missing, mut faults) = (Vec::new(), Vec::new());
+        for file in &self.shards {
+            let items = form.items(file.shard);
+            if items.is_empty() {
+                continue;
+            }
+            let alone = ShardSet { task: self.task.clone(), shards: vec![file.clone()] };
+            let mut text = Vec::new();
+            form.write(items, &alone, &mut text)?;
+            let mut stop = || interrupt.check().is_err();
+            if let Err(rejection) = check_until(&mut text.as_slice(), &mut stop) {
+                interrupt.check()?;
+                faults.push(format!("{}: {}: {rejection}", file.path.display(), rejection.verdict()));
+                missing.push(file.shard.index);
+            }
+        }
+        let (task, of) = (Some(self.task.words.join(" ")), Some(self.shards.len() as u64));
+        Ok(Faults { format: FAULTS, task, of, array: listed(&missing), missing, faults })
     }
 
     /// The same for the rows of tables, each with so many cells, where each period is an item.
@@ -290,37 +334,107 @@ fn listed(numbers: &[u64]) -> String {
 }
 
 /// Where what is merged goes, and how it is told.
-pub(super) struct Merged {
-    pub output: Option<PathBuf>,
+pub(super) struct Merged<'a> {
+    /// As `-o` has it.
+    pub output: Option<&'a Path>,
+    /// What that is, if it is no folder.
+    pub destination: Option<Destination>,
+    /// How the report is written.
     pub format: ReportFormat,
+    /// The files of the command.
+    pub files: &'a FileRegistry,
 }
 
-impl Merged {
+impl Merged<'_> {
     /// Where a table goes, which is in the format that its shards name.
     ///
     /// # Errors
-    /// Those of [`Destination::new`]; an input error if another format was asked for.
+    /// Those of [`report`](Self::report); an input error if another format was asked for.
     pub fn table(&self) -> Result<Destination> {
         if self.format != ReportFormat::Text {
             return Err(Error::input(
                 "--format is for reports: a merged table is in the format with which its shards were made",
             ));
         }
-        Destination::new(self.output.as_deref())
+        self.report()
+    }
+
+    /// Where a report goes.
+    ///
+    /// # Errors
+    /// An input error if that is a folder.
+    pub fn report(&self) -> Result<Destination> {
+        match &self.destination {
+            Some(destination) => Ok(destination.clone()),
+            None => self.files.destination(self.output),
+        }
     }
 }
 
-/// Writes a merged certificate and checks it as `grazing check` does; the report.
+/// How the blocks of some shards become a certificate.
+pub(super) trait Certified {
+    /// The items of a shard.
+    fn items(&self, shard: Shard) -> Range<u64>;
+
+    /// Writes the certificate of the items in a range, whose blocks `set` has.
+    ///
+    /// # Errors
+    /// An input error if the shards are not as they should be; an I/O error.
+    fn write(&self, items: Range<u64>, set: &ShardSet, out: &mut dyn Write) -> Result<()>;
+}
+
+/// Writes a merged certificate if it is proved, as `grazing check` does; the report. If it is not, what stood
+/// there stays, and the shards that are not proved by themselves are named.
 pub(super) fn certify(
     merged: &Merged,
+    set: &ShardSet,
+    all: Range<u64>,
+    form: &impl Certified,
     interrupt: &Interrupt,
-    write: impl FnOnce(&mut dyn Write) -> Result<()>,
 ) -> Result<Outcome> {
-    let Some(path) = merged.output.as_deref().filter(|path| *path != Path::new("-")) else {
+    let (Some(Destination::File(file)), Some(path)) = (&merged.destination, merged.output) else {
         return Err(Error::input("these are shards of a certificate: name its file with -o"));
     };
-    OutputFile::new("-o", path)?.write(write)?;
-    check::run(&check::Args::of(path, merged.format), interrupt)
+    let mut answer = None;
+    let mut judge = |written: &Path| {
+        let found = check::check(written, interrupt);
+        let kept = found.is_ok().then_some(());
+        answer = Some(found);
+        Ok(kept)
+    };
+    if file.is_stream() {
+        // What is given to a pipe cannot be taken back: it is proved in a file of its own.
+        let mut own = tempfile::NamedTempFile::new()?;
+        form.write(all, set, &mut own)?;
+        if judge(own.path())?.is_some() {
+            let mut own = own.reopen()?;
+            file.write(|out| Ok(std::io::copy(&mut own, out).map(drop)?))?;
+        }
+    } else {
+        file.write_proved(|out| form.write(all, set, out), judge)?;
+    }
+    let Some(answer) = answer else { return Err(Error::input("the certificate was not checked")) };
+    let Err(rejection) = &answer else {
+        return check::tell(&[(path, answer)], merged.format, &Destination::Stdout);
+    };
+    let outcome = check::outcome(path, rejection);
+    if matches!(outcome, Outcome::Refuted | Outcome::Undecided) {
+        let faults = set.untrue(form, interrupt)?;
+        faults.faults.iter().for_each(|fault| say(format_args!("error: {fault}")));
+        if !faults.missing.is_empty() {
+            say(format_args!("error: {}", are_false(faults.missing.len(), set.shards.len(), &faults.array)));
+        }
+        say(format_args!("note: {} is as it was: what is not proved is not kept", path.display()));
+        if merged.format == ReportFormat::Json && !faults.missing.is_empty() {
+            return reported(outcome, faults.tell(merged.format));
+        }
+    }
+    check::tell(&[(path, answer)], merged.format, &Destination::Stdout)
+}
+
+/// What a script of a cluster looks for.
+fn are_false(false_ones: usize, of: usize, array: &str) -> String {
+    format!("{false_ones} of {of} shards are false: --array={array}")
 }
 
 #[cfg(test)]

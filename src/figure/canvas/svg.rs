@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use super::{Anchor, At, Canvas, Colour, Paint, Shape, Stroke, Words, words::Level};
+use crate::printable::is_printable;
 
 /// Pixels per point where a page does not set the width.
 const ZOOM: f64 = 3.0;
@@ -153,9 +154,9 @@ fn escaped(text: &str) -> String {
             '<' => all.push_str("&lt;"),
             '>' => all.push_str("&gt;"),
             '"' => all.push_str("&quot;"),
-            // XML has no others.
+            // XML has not all of the others, and no reader of a picture shows them.
             '\t' | '\n' | '\r' => all.push(' '),
-            c if c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}') => all.push('\u{fffd}'),
+            c if !is_printable(c) => all.push('\u{fffd}'),
             c => all.push(c),
         }
     }

@@ -1,5 +1,7 @@
 //! Text with mathematics in it: which letters are italic, raised or lowered, and how wide it is.
 
+use crate::printable::is_printable;
+
 /// Where a run of letters stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Level {
@@ -71,9 +73,10 @@ fn is_greek(c: char) -> bool {
 }
 
 impl Words {
-    /// Text as it is.
+    /// Text as it is, but for what is no letter.
     pub fn plain(text: &str) -> Words {
-        Words(vec![LetterRun { text: text.into(), level: Level::Base, italic: false }])
+        let shown = |c| if is_printable(c) { c } else { '\u{fffd}' };
+        Words(vec![LetterRun { text: text.chars().map(shown).collect(), level: Level::Base, italic: false }])
     }
 
     fn maths(text: &str) -> Words {

@@ -10,6 +10,9 @@ use crate::{
     output::{Journal, SavedRun, torn},
 };
 
+/// What a user can do about a checkpoint that is not the job's.
+const ANEW: &str = "remove it, or set resume = false in the task, to start anew";
+
 /// The checkpoint of one job; without a file nothing is kept.
 pub(super) struct Checkpoint {
     state: Option<(Journal, PathBuf)>,
@@ -30,7 +33,7 @@ impl Checkpoint {
     ) -> Result<(Checkpoint, Vec<T>)> {
         let Some(path) = path else { return Ok((Checkpoint { state: None }, Vec::new())) };
         let name = path.file_name().unwrap_or_default().to_string_lossy();
-        let (state, found) = Journal::open(path, &SavedRun::new(kind, name, canonical), most)?;
+        let (state, found) = Journal::open(path, &SavedRun::new(kind, name, canonical).anew(ANEW), most)?;
         if found.torn > 0 {
             monitor.note(&torn(path));
         }
@@ -45,7 +48,7 @@ impl Checkpoint {
     /// The error for records that no run of the job comes to.
     pub fn bad(&self, what: &str) -> Error {
         let path = self.state.as_ref().map(|(_, path)| path.display().to_string()).unwrap_or_default();
-        Error::input(format!("cannot resume from {path}: {what}; remove it to start anew"))
+        Error::input(format!("cannot resume from {path}: {what}; {ANEW}"))
     }
 
     /// Keeps one more part.

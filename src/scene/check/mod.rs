@@ -41,7 +41,7 @@ impl Scene {
     /// # Errors
     /// As [`Scene::exact`]; an input error for what the task's kind forbids.
     pub fn for_task(&self, task: &Task, changes: &[(String, BigRational)]) -> Result<Scene> {
-        let scene = self.with(&task.set)?.with(changes)?;
+        let scene = self.alone(&task.set)?.with(changes)?;
         match scene.body {
             Body::Oscillator(_) => check(&task.kind, &scene, &scene.exact(&[])?.rounded(), &task.path)?,
             Body::Machine(_) => check_machine(&task.kind, &scene, &scene.machine(&[])?, &task.path)?,
