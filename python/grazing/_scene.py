@@ -130,6 +130,8 @@ class End(enum.IntEnum):
     NOT_SMOOTH = 3
     #: Its start is behind a wall, so that it has no motion.
     BEHIND_A_WALL = 4
+    #: Its force is too steep there: it changes in less than the shortest step.
+    TOO_STEEP = 5
 
 
 @dataclass(frozen=True)

@@ -37,12 +37,14 @@ const IMPACT_LIMIT: u8 = 1;
 const ESCAPED: u8 = 2;
 const NOT_SMOOTH: u8 = 3;
 const BEHIND_A_WALL: u8 = 4;
+const TOO_STEEP: u8 = 5;
 
 fn code(end: RunEnd) -> u8 {
     match end {
         RunEnd::Reached => REACHED,
         RunEnd::ImpactLimit => IMPACT_LIMIT,
         RunEnd::NotSmooth => NOT_SMOOTH,
+        RunEnd::TooSteep => TOO_STEEP,
         _ => ESCAPED,
     }
 }

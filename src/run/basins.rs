@@ -27,7 +27,8 @@ use crate::{
 row! {
     /// One end and how many starts lead to it.
     pub struct BasinRow {
-        /// "periodic", "not-periodic", "behind-a-wall", "escaped", "impact-limit" or "not-smooth".
+        /// "periodic", "not-periodic", "behind-a-wall", "escaped", "impact-limit", "not-smooth" or
+        /// "too-steep".
         pub end: &'static str,
         /// The period of a periodic attractor, in forcing periods.
         pub period: Option<usize>,
@@ -270,6 +271,7 @@ fn gather<D: Dynamics>(
         word("impact-limit"),
         word("not-periodic"),
         word("not-smooth"),
+        word("too-steep"),
     ];
     let others = all.len();
     all.extend(attractors.iter().map(|cycle| BasinRow {
@@ -284,6 +286,7 @@ fn gather<D: Dynamics>(
         BasinCell::Behind => 0,
         BasinCell::Ended(RunEnd::ImpactLimit) => 2,
         BasinCell::Ended(RunEnd::NotSmooth) => 4,
+        BasinCell::Ended(RunEnd::TooSteep) => 5,
         BasinCell::Ended(_) => 1,
         BasinCell::Irregular => 3,
         BasinCell::Attractor(index) => others + index,

@@ -76,6 +76,9 @@ pub struct MachineSimulationFindings {
     pub q: Vec<f64>,
     /// The velocities at the end.
     pub u: Vec<f64>,
+    /// The accelerations there.
+    #[serde(skip)]
+    pub acceleration: Vec<f64>,
     /// What counts as contact without impact.
     pub minimum_depth: f64,
     /// What the harmonics of a measured force leave out, if there is one.
@@ -141,7 +144,7 @@ fn felt(
 
 impl Finding for MachineSimulationFindings {
     fn status(&self) -> Status {
-        Status::of_motion(self.end, self.ended_at)
+        Status::of_motion(self.end, self.ended_at, [&self.q, &self.u, &self.acceleration])
     }
 
     fn warnings(&self) -> Vec<String> {
@@ -308,6 +311,7 @@ pub fn simulate_machine(
         ended_at: 0.0,
         q: Vec::new(),
         u: Vec::new(),
+        acceleration: Vec::new(),
         minimum_depth: simulator.settings().minimum_depth,
         measured: None,
     };
@@ -371,6 +375,8 @@ pub fn simulate_machine(
     let state = run.state();
     found.q = machine.seen(&state.q).iter().copied().collect();
     found.u = machine.seen(&state.u).iter().map(|u| u * rate).collect();
+    let bend = simulator.acceleration(&state)?;
+    found.acceleration = machine.seen(&bend).iter().map(|a| a * rate * rate).collect();
     found.ended_at = run.time().periods();
     if let Some(force) = &job.scene.machine_scene()?.measured {
         let direction: Vec<f64> =

@@ -26,7 +26,8 @@ use crate::{
 row! {
     /// One kind of end and how many points of the map have it.
     pub struct MapRow {
-        /// "periodic", "not-periodic", "behind-a-wall", "escaped", "impact-limit" or "not-smooth".
+        /// "periodic", "not-periodic", "behind-a-wall", "escaped", "impact-limit", "not-smooth" or
+        /// "too-steep".
         pub end: &'static str,
         /// The period of a periodic motion, in forcing periods.
         pub period: Option<u32>,
@@ -80,6 +81,7 @@ pub(crate) fn word(end: MapEnd) -> &'static str {
         MapEnd::BehindAWall => "behind-a-wall",
         MapEnd::Ended(RunEnd::ImpactLimit) => "impact-limit",
         MapEnd::Ended(RunEnd::NotSmooth) => "not-smooth",
+        MapEnd::Ended(RunEnd::TooSteep) => "too-steep",
         MapEnd::Ended(_) => "escaped",
     }
 }

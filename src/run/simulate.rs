@@ -9,6 +9,7 @@ use crate::{
     error::Result,
     oscillator::{
         Time,
+        flow::Flow,
         simulate::{Event, RunEnd},
     },
     scene::simulate::SimulateTask,
@@ -33,6 +34,9 @@ pub struct SimulationFindings {
     pub q: f64,
     /// The velocity at the end.
     pub u: f64,
+    /// The acceleration there, without any wall.
+    #[serde(skip)]
+    pub acceleration: f64,
     /// The least and the greatest displacement at points of the series and at impacts.
     pub extent: [f64; 2],
     /// What counts as contact without impact.
@@ -41,7 +45,7 @@ pub struct SimulationFindings {
 
 impl Finding for SimulationFindings {
     fn status(&self) -> Status {
-        Status::of_motion(self.end, self.ended_at)
+        Status::of_motion(self.end, self.ended_at, [&[self.q], &[self.u], &[self.acceleration]])
     }
 
     fn warnings(&self) -> Vec<String> {
@@ -92,6 +96,7 @@ pub fn simulate(task: &SimulateTask, job: &Job, keeper: &mut dyn Keeper) -> Resu
         ended_at: 0.0,
         q: 0.0,
         u: 0.0,
+        acceleration: 0.0,
         extent: [f64::INFINITY, f64::NEG_INFINITY],
         minimum_depth: job.scene.accuracy.minimum_depth,
     };
@@ -134,6 +139,7 @@ pub fn simulate(task: &SimulateTask, job: &Job, keeper: &mut dyn Keeper) -> Resu
     }
     let state = run.state();
     (found.q, found.u, found.ended_at) = (state.q, state.u, run.time().periods());
+    found.acceleration = simulator.flow().acceleration(state);
     found.extent = widen(found.extent, state.q);
     Ok(found)
 }

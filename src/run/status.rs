@@ -78,14 +78,25 @@ impl Status {
         }
     }
 
-    /// How a motion ended after so many forcing periods.
-    pub(super) fn of_motion(end: RunEnd, periods: f64) -> Status {
+    /// How a motion ended after so many forcing periods, in this state and with this acceleration.
+    pub(super) fn of_motion(end: RunEnd, periods: f64, [q, u, bend]: [&[f64]; 3]) -> Status {
         match end {
             RunEnd::Reached => Status::Done,
-            end => Status::undecided(format!(
-                "the motion ended after {periods:.6} of the periods asked for, {}",
-                end.why()
-            )),
+            end => {
+                let of = |all: &[f64]| match all {
+                    [one] => format!("{one}"),
+                    // A list of dozens is no place; the report has them all.
+                    all if all.len() > 10 => format!("of largest entry {}", largest(all)),
+                    all => format!("{all:?}"),
+                };
+                Status::undecided(format!(
+                    "the motion ended after {periods:.6} of the periods asked for, {}: at q = {}, u = {} with the acceleration {}",
+                    end.why(),
+                    of(q),
+                    of(u),
+                    of(bend)
+                ))
+            }
         }
     }
 
@@ -170,4 +181,9 @@ impl fmt::Display for Status {
             _ => Ok(()),
         }
     }
+}
+
+/// The entry of largest modulus.
+fn largest(all: &[f64]) -> f64 {
+    all.iter().copied().max_by(|a, b| a.abs().total_cmp(&b.abs())).unwrap_or(f64::NAN)
 }

@@ -164,7 +164,7 @@ fn stiff_stops_tend_to_rigid_ones() {
             (run.state().q[0], run.state().u[0], hits)
         };
         let rigid = end(stop(&[1.0], -0.5, restitution(ratio)));
-        let off: Vec<f64> = [1e2f64, 1e4, 1e6, 1e8]
+        let off: Vec<f64> = [1e2f64, 1e4, 1e6, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13]
             .iter()
             .map(|k| {
                 let soft = end(soft(&[1.0], -0.5, *k, 2.0 * ratio * k.sqrt()));
@@ -174,7 +174,32 @@ fn stiff_stops_tend_to_rigid_ones() {
             .collect();
         println!("ratio {ratio}: off by {off:?} after {} contacts", rigid.2);
         assert!(rigid.2 > 0 && off[0] < 1.0 && off[3] < 2e-3, "{off:?}");
-        assert!(off.windows(2).skip(1).all(|two| (7.0..14.0).contains(&(two[0] / two[1]))), "{off:?}");
+        let falls = |two: &[f64], by: f64| (0.7 * by..1.4 * by).contains(&(two[0] / two[1]));
+        assert!(off[..4].windows(2).skip(1).all(|two| falls(two, 10.0)), "{off:?}");
+        assert!(off[3..].windows(2).all(|two| falls(two, 10f64.sqrt())), "{off:?}");
+    }
+}
+
+/// At ordinary stiffness the minimum depth moves a motion by about as much as itself, not by the force of a
+/// stop that is that deep.
+#[test]
+fn the_minimum_depth_of_soft_stops_is_a_depth_and_no_force() {
+    let mut oscillator = machine(&[&[1.0]], &[&[0.29]], &[&[5.69]]);
+    oscillator.forcing = vec![Load { k: 1, cos: vec![1.0], sin: vec![0.0] }];
+    oscillator.stops = vec![soft(&[1.0], -0.11, 4e4, 90.0), soft(&[-1.0], -0.1375, 4e4, 60.0)];
+    let end = |minimum_depth: f64| {
+        let settings = MachineSettings { minimum_depth, ..MachineSettings::default() };
+        let simulator = MachineSimulator::new(&oscillator, &settings).unwrap();
+        let mut run = simulator.start(at(0.0), &[0.0], &[0.0]).unwrap();
+        run.finish(at(2.0 * TAU));
+        [run.state().q[0], run.state().u[0]]
+    };
+    let fine = end(1e-13);
+    for depth in [1e-11, 1e-10, 1e-9, 1e-8] {
+        let found = end(depth);
+        let off = (found[0] - fine[0]).hypot(found[1] - fine[1]);
+        println!("minimum depth {depth:e}: off by {off:e}");
+        assert!(off < 30.0 * depth, "{depth:e}: {off:e}");
     }
 }
 

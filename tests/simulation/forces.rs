@@ -4,6 +4,7 @@
 use std::f64::consts::TAU;
 
 use grazing::{
+    machine::simulate::{MachineSettings, MachineSimulator},
     oscillator::{
         Counts, Effect, System, Time,
         attractor::{
@@ -17,6 +18,8 @@ use grazing::{
     },
     scene::{Scene, SceneFamily},
 };
+
+use proptest::prelude::{ProptestConfig, proptest};
 
 use super::{at, bare, events, impacts, wall};
 
@@ -436,6 +439,191 @@ fn a_formula_is_run_backwards() {
         let there = run(&system, 1.0, [0.3, -0.8]);
         let back = run(&reversed(&system).unwrap(), -10.0, [there[0], -there[1]]);
         assert!((back[0] - 0.3).abs().max((back[1] - 0.8).abs()) < 1e-7, "{force}: {back:?}");
+    }
+}
+
+/// Forces that change over a width w about s = c, s being the displacement, the velocity or the time.
+#[derive(Debug, Clone, Copy)]
+struct Steep {
+    kind: usize,
+    width: f64,
+    centre: f64,
+    strength: f64,
+}
+
+impl Steep {
+    fn text(&self) -> String {
+        let Steep { kind, width: w, centre: c, strength: a } = self;
+        let part = match kind {
+            0 => format!("-{a}*tanh(u/{w})"),
+            1 => format!("{a}*tanh((q - {c})/{w})"),
+            2 => format!("{a}*exp(-((q - {c})/{w})^2)"),
+            3 => format!("{a}/(1 + ((q - {c})/{w})^2)"),
+            4 => format!("{a}*exp(-((u - {c})/{w})^2)"),
+            5 => format!("{a}*tanh(3*exp(-((q - {c})/{w})^2))"),
+            6 => format!("{a}*tanh(sin(q - {c})/{w})*(1 + cos(t)/2)"),
+            7 => format!("{a}*sqrt({w}^2 + (q - {c})^2)"),
+            8 => format!("{a}/5*log({w}^2 + (q - {c})^2)"),
+            9 => format!("{a}*exp((cos(t - {c} - 1) - 1)/{w}^2)"),
+            _ => format!("{a}*u/sqrt({w}^2 + u^2)*exp(-q^2)"),
+        };
+        format!("-q - 0.05*u + cos(2*t) + {part}")
+    }
+
+    fn acceleration(&self, t: f64, q: f64, u: f64) -> f64 {
+        let Steep { kind, width: w, centre: c, strength: a } = *self;
+        let z = (q - c) / w;
+        let part = match kind {
+            0 => -a * (u / w).tanh(),
+            1 => a * z.tanh(),
+            2 => a * (-z * z).exp(),
+            3 => a / (1.0 + z * z),
+            4 => a * (-((u - c) / w).powi(2)).exp(),
+            5 => a * (3.0 * (-z * z).exp()).tanh(),
+            6 => a * ((q - c).sin() / w).tanh() * (1.0 + t.cos() / 2.0),
+            7 => a * (w * w + (q - c) * (q - c)).sqrt(),
+            8 => a / 5.0 * (w * w + (q - c) * (q - c)).ln(),
+            9 => a * (((t - c - 1.0).cos() - 1.0) / (w * w)).exp(),
+            _ => a * u / (w * w + u * u).sqrt() * (-q * q).exp(),
+        };
+        -q - 0.05 * u + (2.0 * t).cos() + part
+    }
+
+    /// How far s is from its centre.
+    fn distance(&self, t: f64, [q, u]: [f64; 2]) -> f64 {
+        match self.kind {
+            0 | 10 => u.abs(),
+            4 => (u - self.centre).abs(),
+            9 => ((t - self.centre - 1.0 + TAU / 2.0).rem_euclid(TAU) - TAU / 2.0).abs(),
+            _ => (q - self.centre).abs(),
+        }
+    }
+
+    /// By the second integrator, on steps that are short beside the layer and beside the way to it: no speed
+    /// is above 4.
+    fn second(&self, start: [f64; 2], until: f64) -> [f64; 2] {
+        let acceleration = |t: f64, q: f64, u: f64| self.acceleration(t, q, u);
+        let mut second = Second { acceleration: &acceleration, walls: &[], t: 0.0, x: start };
+        while second.t < until {
+            let room = (self.distance(second.t, second.x) + self.width) / 16.0;
+            let h = room.min(0.04).min(until - second.t);
+            second.x = second.after(h);
+            second.t += h;
+        }
+        second.x
+    }
+}
+
+/// Motions through steep forces, as oscillators and as machines, against the second integrator.
+fn steep_motions_agree(case: Steep, start: [f64; 2]) {
+    const UNTIL: f64 = 4.0;
+    let expected = case.second(start, UNTIL);
+    // How much a difference at the start has become.
+    let beside = case.second([start[0] + 1e-7, start[1] - 1e-7], UNTIL);
+    let grown = 1.0 + (beside[0] - expected[0]).hypot(beside[1] - expected[1]) / 1.4e-7;
+    let text = case.text();
+    let simulator = Simulator::new(&formula(&text), &Settings::default()).unwrap();
+    let mut run = simulator.start(at(0.0), start[0], start[1]).unwrap();
+    assert_eq!(run.finish(at(UNTIL)), RunEnd::Reached, "{text}");
+    let state = run.state();
+    let off = (state.q - expected[0]).hypot(state.u - expected[1]);
+    assert!(off < 2e-9 * grown, "{text} from {start:?}: off by {off:e}, grown {grown:.1}");
+    let scene = format!(
+        "format = \"grazing-scene 2\"\ntitle = \"steep\"\n[system]\nperiod = \"2*pi\"\nmass = [[1]]\nforce = \"{text}\"\n"
+    );
+    let machine = Scene::from_toml(&scene, "steep.toml").unwrap().machine(&[]).unwrap();
+    let simulator = MachineSimulator::new(&machine, &MachineSettings::default()).unwrap();
+    let mut run = simulator.start(at(0.0), &[start[0]], &[start[1]]).unwrap();
+    assert_eq!(run.finish(at(UNTIL)), RunEnd::Reached, "{text}");
+    let state = run.state();
+    let off = (state.q[0] - expected[0]).hypot(state.u[0] - expected[1]);
+    assert!(off < 2e-9 * grown, "{text} as a machine, from {start:?}: off by {off:e}, grown {grown:.1}");
+    if case.width >= 0.01 {
+        let flow = Free::new(&formula(&text), 1e-13).unwrap();
+        let (_, m) = flow.advance_linearised(State { t: 0.0, q: start[0], u: start[1] }, UNTIL);
+        for (j, d) in [[1e-6, 0.0], [0.0, 1e-6]].into_iter().enumerate() {
+            let [up, down] =
+                [1.0, -1.0].map(|sign| case.second([start[0] + sign * d[0], start[1] + sign * d[1]], UNTIL));
+            for i in 0..2 {
+                let slope = (up[i] - down[i]) / 2e-6;
+                let size = grown + slope.abs();
+                assert!((m[i][j] - slope).abs() < 1e-5 * size, "{text}: {i}{j} {m:?}, {slope}");
+            }
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(48))]
+    #[test]
+    fn no_step_leaps_over_a_steep_force(
+        kind in 0usize..11,
+        width in 1.0..4.0f64,
+        centre in -0.4..0.4f64,
+        strength in 0.05..0.6f64,
+        q in -0.8..0.8f64,
+        u in -0.8..0.8f64,
+    ) {
+        let width = 10f64.powf(-width);
+        // Where a force holds a motion in its layer the second integrator takes the layer's time for steps.
+        let width = if kind == 0 { width.max(1e-3) } else { width };
+        steep_motions_agree(Steep { kind, width, centre, strength }, [q, u]);
+    }
+}
+
+/// Known from other programs in more digits.
+#[test]
+fn dry_friction_made_smooth_has_its_known_motion() {
+    let force = "-q - 0.05*u - 0.2*tanh(u/0.02) + cos(2*t)";
+    let (q, u) = (-0.246_915_145_464_25, 0.174_852_072_576_77);
+    let simulator = Simulator::new(&formula(force), &Settings::default()).unwrap();
+    let mut run = simulator.start(at(0.0), 0.3, 0.0).unwrap();
+    assert_eq!(run.finish(Time::new(3, 0.0)), RunEnd::Reached);
+    let state = run.state();
+    assert!((state.q - q).abs().max((state.u - u).abs()) < 1e-11, "{state:?}");
+    let scene = format!(
+        "format = \"grazing-scene 2\"\ntitle = \"steep\"\n[system]\nperiod = \"2*pi\"\nmass = [[1]]\nforce = \"{force}\"\n"
+    );
+    let machine = Scene::from_toml(&scene, "steep.toml").unwrap().machine(&[]).unwrap();
+    let simulator = MachineSimulator::new(&machine, &MachineSettings::default()).unwrap();
+    let mut run = simulator.start(at(0.0), &[0.3], &[0.0]).unwrap();
+    assert_eq!(run.finish(Time::new(3, 0.0)), RunEnd::Reached);
+    let state = run.state();
+    assert!((state.q[0] - q).abs().max((state.u[0] - u).abs()) < 1e-11, "{state:?}");
+}
+
+/// A cubic spring felt only far away: of its series from rest, orders 2, 8, 14, … only are not zero.
+#[test]
+fn a_step_does_not_leap_over_a_cubic_spring() {
+    let system = System { cubic: 1000.0, force: 1.0, ..bare(0.0, 0.0) };
+    for tolerance in [1e-9, 1e-12, 1e-13] {
+        let settings = Settings { tolerance, ..Settings::default() };
+        let simulator = Simulator::new(&system, &settings).unwrap();
+        let mut run = simulator.start(at(0.0), 0.0, 0.0).unwrap();
+        for i in 1..40 {
+            run.finish(at(0.1 * f64::from(i)));
+            let State { q, u, .. } = run.state();
+            // u²/2 + 250 q⁴ − q = 0.
+            let energy = u * u / 2.0 + 250.0 * q.powi(4) - q;
+            assert!(energy.abs() < 100.0 * tolerance, "{tolerance:e} {i}: {energy:e}");
+        }
+    }
+}
+
+/// Where a force changes in less than the shortest step the motion ends, and its place is that.
+#[test]
+fn a_motion_ends_where_its_force_is_too_steep() {
+    for (force, q, u) in [
+        ("-q - 0.2*tanh(u/1e-13) + cos(2*t)", f64::NAN, 0.0),
+        ("-q + tanh((q - 0.1)/1e-11)", 0.1, f64::NAN),
+        ("-q + exp(-((q - 0.1)/1e-11)^2)", 0.1, f64::NAN),
+    ] {
+        let simulator = Simulator::new(&formula(force), &Settings::default()).unwrap();
+        let mut run = simulator.start(at(0.0), 0.3, -1.0).unwrap();
+        assert_eq!(run.finish(Time::new(3, 0.0)), RunEnd::TooSteep, "{force}");
+        let state = run.state();
+        let off = if q.is_nan() { state.u - u } else { state.q - q };
+        assert!(off.abs() < 1e-7, "{force}: {state:?}");
     }
 }
 

@@ -20,12 +20,15 @@
 //!   [`StopRelease`]), and again if it would push before the gap is open. In contact the machine is another
 //!   linear one. *Proof* of what is found: where contact begins is the minimum of a gap, as above; where it
 //!   ends, and may begin again, the force over its [unit](super::contact::SoftContact::unit) is watched as a
-//!   gap is, so that no pull beyond the minimum depth times that unit is passed over.
+//!   gap is. There the depth is smaller than the minimum depth by the acceleration of the gap that the unit
+//!   causes, if that is above 1: no push or pull is passed over that accelerates the gap by more than the
+//!   minimum depth per radian².
 //! - A run ends by an [`RunEnd`] that says why.
 //!
 //! The trajectory itself carries rounding errors only, amplified by the condition number of the modes. Where
 //! forces are formulas it is followed by steps of Taylor series whose last terms are below 10⁻¹⁵ of the
-//! motion; the gap on a step is a polynomial then, too, and what is found on it is found by the same test.
+//! motion, and on which the forces are near their series all along; the gap on a step is a polynomial then,
+//! too, and what is found on it is found by the same test.
 //!
 //! ```
 //! use grazing::machine::simulate::{MachineEvent, MachineSettings, MachineSimulator};
@@ -75,8 +78,8 @@ use serde::Serialize;
 pub use engine::MachineRun;
 pub use event::{MachineEvent, StopImpact, StopRelease, StopStick, StopTangency, StopTouch};
 pub(in crate::machine) use smooth::seen;
-use stage::SoftStops;
 pub(in crate::machine) use stage::Stage;
+use stage::{SoftStops, What};
 pub use tangent::MachineTangents;
 
 use super::{
@@ -171,6 +174,17 @@ impl MachineSimulator {
         })
     }
 
+    /// Within how much of 0 what is watched of a stop has no sign. At a soft stop no force is passed over
+    /// that would accelerate the gap by more than the minimum depth per radian²: a depth by itself is a force
+    /// that grows with the stiffness, and a stop as stiff as 10¹² would hold on to a mass.
+    fn depth(&self, what: &What) -> f64 {
+        let (What::Gap(stop) | What::Push(stop) | What::Pull(stop) | What::Rise(stop) | What::Force(stop)) =
+            *what;
+        let soft = self.contacts.all()[stop].soft;
+        let felt = soft.map_or(1.0, |soft| soft.unit() * self.contacts.mobility(stop));
+        self.settings.minimum_depth / felt.max(1.0)
+    }
+
     /// The same machine simulated otherwise.
     #[must_use]
     pub fn with(self, settings: MachineSettings) -> MachineSimulator {
@@ -217,7 +231,7 @@ impl MachineSimulator {
     ///
     /// # Errors
     /// A stage that cannot be built.
-    pub(in crate::machine) fn acceleration(&self, state: &MachineState) -> Result<RealVector> {
+    pub(crate) fn acceleration(&self, state: &MachineState) -> Result<RealVector> {
         let stage = self.stage(&[], &SoftStops::of(&self.contacts, state))?;
         Ok(stage.acceleration(Time::new(0, state.t), state))
     }

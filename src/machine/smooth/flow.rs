@@ -3,13 +3,14 @@
 //! The length of a step is told by norms in coordinates in which the mass is 1, so that displacements and
 //! rotations, and the derivatives that are carried along, each have one unit: with C_k the norm of
 //! coefficient k for a step h, the last two are at most 10⁻¹⁵ of the largest of C₀ h⁰, …, C₄ h⁴, and for the
-//! velocities without the first. Nothing but the motion itself sets the scale.
+//! velocities without the first. Nothing but the motion itself sets the scale. That the forces along the
+//! whole step are near their series is bounded as for one coordinate ([`Program::suited`]).
 
 use crate::{
     machine::{LinearEquations, MachineState, RealMatrix, RealVector},
     oscillator::{
         Time,
-        flow::{Gradient, Program, SHORTEST, Scalar, TERMS},
+        flow::{Gradient, LEAST, Obstacle, Program, Rows, SHORTEST, Scalar, TERMS, defect},
         simulate::RunEnd,
     },
 };
@@ -45,8 +46,8 @@ pub(in crate::machine) struct Leap {
     pub q: Vec<[f64; TERMS]>,
     /// Those of the outputs, two fewer.
     pub outputs: Vec<[f64; TERMS]>,
-    /// Whether the force is smooth as far as can be told.
-    pub smooth: bool,
+    /// What a step means that is too short to go on by.
+    pub obstacle: Obstacle,
 }
 
 /// A step in numbers of any kind.
@@ -54,7 +55,7 @@ struct Step<S> {
     h: f64,
     rows: Vec<Vec<S>>,
     outputs: Vec<Vec<S>>,
-    smooth: bool,
+    obstacle: Obstacle,
 }
 
 impl SmoothFlow {
@@ -90,11 +91,17 @@ impl SmoothFlow {
                 h: SHORTEST,
                 q,
                 outputs: vec![[0.0; TERMS]; step.outputs.len()],
-                smooth: step.smooth,
+                obstacle: step.obstacle,
             };
         }
         let q = step.rows.iter().map(padded).collect();
-        Leap { start, h: step.h, q, outputs: step.outputs.iter().map(padded).collect(), smooth: step.smooth }
+        Leap {
+            start,
+            h: step.h,
+            q,
+            outputs: step.outputs.iter().map(padded).collect(),
+            obstacle: step.obstacle,
+        }
     }
 
     /// All outputs at a state.
@@ -215,12 +222,9 @@ fn step<S: Scalar>(
             }
         }
     }
-    let mut smooth = true;
-    if program.has_poles() {
-        factor = program.reach(&rows, factor);
-        let short = trial * factor <= SHORTEST;
-        smooth = factor > 0.0 && !(short && program.is_near_pole(&rows, factor));
-    }
+    let factor = suited(program, metric, &rows, factor);
+    let short = trial * factor <= SHORTEST;
+    let obstacle = if short { program.obstacle(&rows, factor) } else { Obstacle::Escape };
     let scaled = |row: &[S]| {
         let mut power = 1.0;
         let mut one = |coefficient: &S| {
@@ -234,8 +238,36 @@ fn step<S: Scalar>(
         h: trial * factor,
         rows: (0..n).map(|j| scaled(rows.place(j))).collect(),
         outputs: (0..program.outputs()).map(|k| scaled(rows.output(k))).collect(),
-        smooth,
+        obstacle,
     }
+}
+
+/// The part of the trial step, at most `far`, on which all outputs along the step's polynomials are near
+/// their series: for the accelerations the defect of the velocities is small beside the velocities that the
+/// first terms make, for the forces of stops it is beside what they are added up from.
+fn suited<S: Scalar>(program: &Program<S>, metric: &RealMatrix, rows: &Rows<S>, far: f64) -> f64 {
+    let (n, trial) = (metric.nrows(), rows.trial());
+    let norm = |k: usize| (metric * RealVector::from_fn(n, |j, _| rows.place(j)[k].part(0))).amax();
+    let allowed = defect(ORDER, TOLERANCE);
+    let mut known: Vec<(usize, f64)> = (1..=4).map(|k| (k, norm(k))).collect();
+    if known.iter().all(|term| term.1 == 0.0) {
+        known.extend((5..ORDER - 4).map(|k| (k, norm(k))));
+    }
+    let sizes: Vec<f64> = (n..program.outputs()).map(|k| program.size(rows, k)).collect();
+    let fits = |all: &[f64]| {
+        // |Lᵀ K| entry by entry.
+        let bent = (0..n).map(|i| (0..n).map(|j| metric[(i, j)].abs() * all[j]).sum::<f64>());
+        let bent = bent.fold(0.0, f64::max) * trial * trial;
+        // x² K x^{n−1} ≤ allowed k C_k x^k for some k; nothing at all moves but for what is below all floats.
+        let one = |&(k, own): &(usize, f64)| {
+            (allowed * (k as f64 * own).max(f64::MIN_POSITIVE) / bent).powf(1.0 / (ORDER + 1 - k) as f64)
+        };
+        let forces = all[n..].iter().zip(&sizes).map(|(defect, size)| {
+            (allowed * size.max(f64::MIN_POSITIVE) / defect).powf(1.0 / (ORDER - 1) as f64)
+        });
+        forces.fold(known.iter().map(one).fold(0.0, f64::max), f64::min)
+    };
+    program.suited(rows, far, LEAST / trial, fits)
 }
 
 fn carry<S: Scalar>(
@@ -292,6 +324,6 @@ impl Leap {
     pub fn over(&self) -> Option<RunEnd> {
         let size: f64 = self.q.iter().map(|row| row[0].abs()).sum();
         let over = size.is_nan() || size > 1e100 || self.h <= SHORTEST;
-        over.then_some(if self.smooth { RunEnd::Escaped } else { RunEnd::NotSmooth })
+        over.then_some(if self.h <= SHORTEST { self.obstacle.into() } else { RunEnd::Escaped })
     }
 }

@@ -13,7 +13,7 @@ use crate::{
     oscillator::{
         Time,
         algebra::apply,
-        flow::{Flow, SHORTEST, State},
+        flow::{SHORTEST, State},
         simulate::{Event, Run, RunEnd, Simulator},
     },
 };

@@ -12,12 +12,12 @@ mod taylor;
 
 pub use linear::Linear;
 use linear::carried;
-pub(crate) use program::{Drive, Outline, Program};
+pub(crate) use program::{Drive, Obstacle, Outline, Program, Rows};
 pub(crate) use scalar::{Gradient, Scalar};
 pub(super) use scalar::{Primitive, Range};
 pub use taylor::Taylor;
 pub(super) use taylor::{Expansion, Recurrence};
-pub(crate) use taylor::{GAUSS, SHORTEST, TERMS};
+pub(crate) use taylor::{GAUSS, LEAST, SHORTEST, TERMS, defect};
 
 use std::sync::Arc;
 

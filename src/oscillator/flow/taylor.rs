@@ -7,10 +7,13 @@
 //! impacts can bound from below on whole intervals; the interpolants of Runge–Kutta codes are of lower order
 //! than their steps and have no such bound. Hence no integrator crate here.
 
-use super::{Equation, Flow, Gradient, Matrix2, Program, Scalar, State, product};
+use super::{
+    Equation, Flow, Gradient, Matrix2, Obstacle, Program, Scalar, State, product,
+    program::{harmonic, linear, radii, suited},
+};
 use crate::{
     error::{Error, Result},
-    oscillator::System,
+    oscillator::{Harmonic, System},
 };
 
 /// Room for the coefficients of a piece.
@@ -41,13 +44,24 @@ pub(crate) const GAUSS: [(f64, f64); 8] = {
     rule
 };
 
+/// Steps shorter than this are given as 0.
+pub(crate) const LEAST: f64 = 1e-12;
+
+/// The part of a tolerance that may bound the defect of a step times its length, by an estimate that is far
+/// from sharp.
+pub(crate) fn defect(order: usize, tolerance: f64) -> f64 {
+    order as f64 * tolerance.powf(0.75)
+}
+
 /// Adaptive Taylor series: order N from the tolerance, step such that the last two terms of q and of q′ stay
-/// under it.
+/// under it, and such that the force along the whole step is near its series.
 #[derive(Debug, Clone)]
 pub struct Taylor {
     recurrence: Recurrence,
     tolerance: f64,
     order: usize,
+    /// How much larger than the tolerance the bound of the defect may be.
+    looser: f64,
 }
 
 /// A step: q(t + hx) and its derivatives by initial q and u, x ∈ [0, 1].
@@ -55,9 +69,8 @@ pub struct Taylor {
 pub(in crate::oscillator) struct Expansion {
     pub h: f64,
     pub q: [f64; TERMS],
-    /// Whether the force is smooth as far as can be told: no pole, root or logarithm of 0 is within some
-    /// 1000 steps too short to go on by.
-    pub smooth: bool,
+    /// What a step means that is too short to go on by.
+    pub obstacle: Obstacle,
 }
 
 impl Taylor {
@@ -78,7 +91,8 @@ impl Taylor {
         }
         let order = (3.0 - tolerance.ln() / 2.0).ceil() as usize;
         let recurrence = Recurrence(equation);
-        Ok(Taylor { recurrence, tolerance, order: order.min(TERMS - 1) })
+        let order = order.min(TERMS - 1);
+        Ok(Taylor { recurrence, tolerance, order, looser: defect(order, tolerance) / tolerance })
     }
 
     pub(in crate::oscillator) fn equation(&self) -> &Equation {
@@ -91,7 +105,7 @@ impl Taylor {
             let step = self.step(&smooth.program, [from.q, from.u], from.t, forward, longest);
             let mut q = [0.0; TERMS];
             q[..=self.order].copy_from_slice(&step.q);
-            return Expansion { h: step.h, q, smooth: step.smooth };
+            return Expansion { h: step.h, q, obstacle: step.obstacle };
         }
         let trial = if forward { 0.25 } else { -0.25 };
         let mut q = [0.0; TERMS];
@@ -104,17 +118,41 @@ impl Taylor {
             let size = q[i].abs() * (i as f64 / trial.abs()).max(1.0);
             (goal / size).powf(1.0 / i as f64)
         };
-        let factor = reach(n).min(reach(n - 1)).min(longest.min(LONGEST) / trial.abs());
+        let far = reach(n).min(reach(n - 1)).min(longest.min(LONGEST) / trial.abs());
+        let factor = self.suited(&q[..=n], trial.abs(), far, goal);
         let mut power = 1.0;
         for coefficient in &mut q[..=n] {
             *coefficient *= power;
             power *= factor;
         }
-        Expansion { h: trial * factor, q, smooth: true }
+        Expansion { h: trial * factor, q, obstacle: Obstacle::Escape }
     }
 
-    /// The same by a program, in numbers of any kind; a step suits all their parts. On it every divisor keeps
-    /// its sign, and every argument of a root or a logarithm.
+    /// The part of the trial step, at most `far`, on which the cubic force along a polynomial is near its
+    /// series.
+    fn suited(&self, q: &[f64], trial: f64, far: f64, goal: f64) -> f64 {
+        let Equation { damping, stiffness, cubic, ref forcing, .. } = *self.equation();
+        let n = self.order;
+        let far = far.min(n as f64 / (2.0 * trial * f64::from(forcing.order())));
+        let [place, rate] = linear([q[n - 1], q[n]], far, trial, n);
+        let driven = |h: &Harmonic<f64>| harmonic(h.cos.hypot(h.sin), f64::from(h.k) * trial, n);
+        let known = stiffness.abs() * place
+            + damping.abs() * rate
+            + forcing.harmonics().iter().map(driven).sum::<f64>();
+        let bounds = |radius: f64, all: &mut [f64]| {
+            let ([r, _], a) = (radii(q.iter().copied(), radius), q[0].abs());
+            all[0] = cubic.abs() * r * (3.0 * a * (a + r) + r * r);
+        };
+        suited(n, [far, LEAST / trial], &[known], bounds, |all| self.fits(goal, trial * all[0]))
+    }
+
+    /// The longest step x with x^n `defect` ≤ n tolerance^{3/4} (1 + |q| + |u|), `goal` being the same but
+    /// for n and the power of the tolerance.
+    fn fits(&self, goal: f64, defect: f64) -> f64 {
+        (self.looser * goal / defect).powf(1.0 / self.order as f64)
+    }
+
+    /// The same by a program, in numbers of any kind; a step suits all their parts.
     fn step<S: Scalar>(
         &self,
         program: &Program<S>,
@@ -134,19 +172,18 @@ impl Taylor {
                 factor = factor.min((goal / size).powf(1.0 / i as f64));
             }
         }
-        let mut smooth = true;
-        if program.has_poles() {
-            factor = program.reach(&rows, factor);
-            let short = trial.abs() * factor <= SHORTEST;
-            smooth = factor > 0.0 && !(short && program.is_near_pole(&rows, factor));
-        }
+        let goal = self.tolerance * (1.0 + from[0].part(0).abs() + from[1].part(0).abs());
+        let fits = |defect: &[f64]| self.fits(goal, trial.abs() * defect[0]);
+        let factor = program.suited(&rows, factor, LEAST / trial.abs(), fits);
+        let short = trial.abs() * factor <= SHORTEST;
+        let obstacle = if short { program.obstacle(&rows, factor) } else { Obstacle::Escape };
         let mut power = 1.0;
         let scaled = |coefficient: &S| {
             let scaled = coefficient.scaled(power);
             power *= factor;
             scaled
         };
-        Step { h: trial * factor, q: rows.q().iter().map(scaled).collect(), smooth }
+        Step { h: trial * factor, q: rows.q().iter().map(scaled).collect(), obstacle }
     }
 
     /// A step by a formula's program, no longer than `longest`, with its derivative and its length.
@@ -241,7 +278,7 @@ impl Flow for Taylor {
 struct Step<S> {
     h: f64,
     q: Vec<S>,
-    smooth: bool,
+    obstacle: Obstacle,
 }
 
 impl<S: Scalar> Step<S> {

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::oscillator::{Side, Time};
+use crate::oscillator::{Side, Time, flow::Obstacle};
 
 /// The next thing that happens.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -79,6 +79,18 @@ pub enum RunEnd {
     Escaped,
     /// The force has a pole here, or a root or a logarithm of 0; the run stays where it is.
     NotSmooth,
+    /// The force is too steep here: it changes in less than the shortest step; the run stays where it is.
+    TooSteep,
+}
+
+impl From<Obstacle> for RunEnd {
+    fn from(obstacle: Obstacle) -> RunEnd {
+        match obstacle {
+            Obstacle::Escape => RunEnd::Escaped,
+            Obstacle::Pole => RunEnd::NotSmooth,
+            Obstacle::Steep => RunEnd::TooSteep,
+        }
+    }
 }
 
 impl Event {
@@ -113,6 +125,7 @@ impl RunEnd {
             RunEnd::ImpactLimit => "at the limit of impacts",
             RunEnd::Escaped => "when it left every bound",
             RunEnd::NotSmooth => "where its force is not smooth",
+            RunEnd::TooSteep => "where its force is too steep",
         }
     }
 }

@@ -18,7 +18,8 @@
 //! - A run ends by an [`RunEnd`] that says why.
 //!
 //! For linear systems the trajectory itself carries rounding errors only. For others the error is that of
-//! [`Taylor`], an estimate: there the promises hold for the polynomials that are computed.
+//! [`Taylor`], an estimate: there the promises hold for the polynomials that are computed. No step leaps over
+//! what a force does on the way; a force that changes in less than the shortest step ends the run.
 //!
 //! ```
 //! use grazing::oscillator::{System, Time, Wall, simulate::{Event, Settings, Simulator}};

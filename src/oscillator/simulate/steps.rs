@@ -145,6 +145,6 @@ impl Pieces for Steps {
 
     fn over(&self, cursor: &Cursor) -> Option<RunEnd> {
         let over = super::unbounded(cursor.step.q[0].abs()) || cursor.step.h <= SHORTEST;
-        over.then_some(if cursor.step.smooth { RunEnd::Escaped } else { RunEnd::NotSmooth })
+        over.then_some(if cursor.step.h <= SHORTEST { cursor.step.obstacle.into() } else { RunEnd::Escaped })
     }
 }

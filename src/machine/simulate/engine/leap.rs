@@ -64,7 +64,7 @@ impl MachineRun<'_> {
     /// The first hit on the step up to `end`.
     fn first_by_step(&mut self, stage: &Stage, mut end: f64) -> Option<Found> {
         let mut first = None;
-        let (depth, smooth) = (self.simulator.settings.minimum_depth, stage.smooth.as_ref()?);
+        let smooth = stage.smooth.as_ref()?;
         let leap = self.leap.take()?;
         if !stage.watched.is_empty() {
             self.count(Effect::Piece);
@@ -73,7 +73,7 @@ impl MachineRun<'_> {
             let gap = matches!(what, What::Gap(_) | What::Rise(_));
             self.count(if gap { Effect::Gap } else { Effect::Force });
             let (polynomial, size) = smooth.polynomial(&leap, watch);
-            if clear(head(&polynomial), depth) {
+            if clear(head(&polynomial), self.simulator.depth(what)) {
                 if let What::Gap(stop) = what {
                     self.open[*stop] = true;
                 }

@@ -228,7 +228,7 @@ impl<'a> MachineRun<'a> {
     fn clear(&mut self, stage: &Stage, level: usize, watch: usize, cell: usize) -> bool {
         let what = stage.watched[watch];
         self.count(if matches!(what, What::Gap(_) | What::Rise(_)) { Effect::Gap } else { Effect::Force });
-        clear(stage.head(level, watch, cell, &self.y), self.simulator.settings.minimum_depth)
+        clear(stage.head(level, watch, cell, &self.y), self.simulator.depth(&what))
     }
 
     /// Radians in a unit of x.
@@ -445,7 +445,7 @@ impl<'a> MachineRun<'a> {
             What::Gap(stop) => self.open[*stop],
             _ => false,
         };
-        let depth = self.simulator.settings.minimum_depth;
+        let depth = self.simulator.depth(what);
         let mut gap = Gap::new(polynomial, depth.max(rounding), open);
         let hit = gap.first(self.from, end);
         if let What::Gap(stop) = what {

@@ -11,10 +11,15 @@
 //! the list is made from a system (`build`).
 
 mod build;
+mod tail;
 
 pub(crate) use build::Outline;
+pub(super) use tail::{harmonic, linear, radii, suited};
 
-use super::scalar::{Primitive, Scalar};
+use super::{
+    SHORTEST,
+    scalar::{Primitive, Scalar},
+};
 
 /// Rows before those of operations, of one coordinate: q, u and t.
 const INPUTS: usize = 3;
@@ -164,11 +169,6 @@ impl<S: Scalar> Program<S> {
         })
     }
 
-    /// Whether anything in it is smooth only in places.
-    pub fn has_poles(&self) -> bool {
-        !self.guards.is_empty()
-    }
-
     /// The coefficients of x ↦ q(t + hx) and of every row, for a motion from (q, u); the first `count` of q.
     pub fn solve(&self, [q, u]: [S; 2], t: S, h: f64, count: usize) -> Rows<S> {
         self.solve_all(&[q, u], t, h, count, &[])
@@ -239,7 +239,8 @@ impl<S: Scalar> Program<S> {
     fn rows(&self, t: S, h: f64, count: usize) -> Rows<S> {
         let zero = S::constant(0.0);
         let first = self.inputs() + self.ops.len();
-        let mut rows = Rows { count, first, data: vec![zero; count * (first + self.outputs.len())] };
+        let mut rows =
+            Rows { count, first, trial: h, data: vec![zero; count * (first + self.outputs.len())] };
         rows.data[count * self.time()] = t;
         if count > 1 {
             rows.data[count * self.time() + 1] = S::constant(h);
@@ -337,31 +338,52 @@ impl<S: Scalar> Program<S> {
         }
     }
 
-    /// How far x may go, at most `far`, with every divisor and every argument of a root or a logarithm
-    /// keeping its sign on [0, x], their series cut off; 0 where one has none to keep.
-    pub fn reach(&self, rows: &Rows<S>, far: f64) -> f64 {
-        let mut far = far;
-        for (row, negative) in &self.guards {
+    /// Whether some divisor, or argument of a root or a logarithm, is within 1000 times its change on [0, x]
+    /// of its zero, or has no value that could be used at 0.
+    pub fn is_near_pole(&self, rows: &Rows<S>, x: f64) -> bool {
+        self.guards.iter().any(|(row, negative)| {
             let row = rows.row(*row);
-            let first = row[0].part(0);
-            if first.is_nan() || first == 0.0 || (*negative && first < 0.0) {
-                return 0.0;
-            }
-            while far > 1e-12 && rest(row, far) > 0.9 * first.abs() {
-                far *= 0.75;
-            }
-        }
-        far
+            let (first, change) = (row[0].part(0), rest(row, x));
+            let far = first.abs() > 1e3 * change && !(*negative && first < 0.0);
+            !far
+        })
     }
 
-    /// Whether some divisor, or argument of a root or a logarithm, is within 1000 times its change on [0, x]
-    /// of its zero.
-    pub fn is_near_pole(&self, rows: &Rows<S>, x: f64) -> bool {
-        self.guards.iter().any(|(row, _)| {
-            let row = rows.row(*row);
-            let near = row[0].part(0).abs() > 1e3 * rest(row, x);
-            !near
-        })
+    /// What keeps a motion from going on where a step of x is too short to go on by.
+    pub fn obstacle(&self, rows: &Rows<S>, x: f64) -> Obstacle {
+        if self.is_near_pole(rows, x) {
+            return Obstacle::Pole;
+        }
+        let (mut place, mut speed, mut bend, mut along) = (0.0, 0.0, 0.0, 0.0);
+        for j in 0..self.size {
+            let row = rows.place(j);
+            let [q, u, a] =
+                [row[0].part(0), row[1].part(0) / rows.trial, 2.0 * row[2].part(0) / rows.trial.powi(2)];
+            (place, speed, bend, along) = (place + q.abs(), speed + u.abs(), bend + a.abs(), along + u * a);
+        }
+        Obstacle::of_growth(place, speed, bend, along * rows.trial)
+    }
+}
+
+/// What keeps a motion from going on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Obstacle {
+    /// It leaves every bound.
+    Escape,
+    /// A pole, or a root or a logarithm of 0.
+    Pole,
+    /// The force changes too fast.
+    Steep,
+}
+
+impl Obstacle {
+    /// What it is where no pole is near, by the sizes of displacement, velocity and acceleration and by
+    /// whether the speed grows. A motion that escapes within the time of the shortest step has a speed that
+    /// grows by a good part of itself in it, and goes a good part of its way; a force that is merely steep
+    /// changes neither by much.
+    pub fn of_growth(place: f64, speed: f64, bend: f64, growth: f64) -> Obstacle {
+        let grows = growth > 0.0 && bend * SHORTEST > 1e-3 * speed && speed * SHORTEST > 1e-5 * place;
+        if grows || !bend.is_finite() { Obstacle::Escape } else { Obstacle::Steep }
     }
 }
 
@@ -376,12 +398,19 @@ pub(crate) struct Rows<S> {
     count: usize,
     /// The row of the first output.
     first: usize,
+    /// The trial step, whose part x is.
+    trial: f64,
     data: Vec<S>,
 }
 
 impl<S: Scalar> Rows<S> {
     fn row(&self, row: usize) -> &[S] {
         &self.data[self.count * row..][..self.count.saturating_sub(2).max(1)]
+    }
+
+    /// The trial step.
+    pub fn trial(&self) -> f64 {
+        self.trial
     }
 
     /// The coefficients of q, of one coordinate.
