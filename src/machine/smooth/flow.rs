@@ -254,18 +254,31 @@ fn suited<S: Scalar>(program: &Program<S>, metric: &RealMatrix, rows: &Rows<S>, 
         known.extend((5..ORDER - 4).map(|k| (k, norm(k))));
     }
     let sizes: Vec<f64> = (n..program.outputs()).map(|k| program.size(rows, k)).collect();
-    let fits = |all: &[f64]| {
+    // What x^{order} of a defect may be, at least what is below all floats.
+    let goals =
+        known.iter().map(|&(k, own)| (ORDER + 1 - k, allowed * (k as f64 * own).max(f64::MIN_POSITIVE)));
+    let goals: Vec<(usize, f64)> = goals.collect();
+    let longest = |order: usize, goal: f64, defect: f64, most: f64| {
+        let whole = most.powi(order as i32) * defect <= goal;
+        if whole { most } else { (goal / defect).powf(1.0 / order as f64).min(most) }
+    };
+    let fits = |all: &[f64], most: f64| {
         // |Lᵀ K| entry by entry.
         let bent = (0..n).map(|i| (0..n).map(|j| metric[(i, j)].abs() * all[j]).sum::<f64>());
         let bent = bent.fold(0.0, f64::max) * trial * trial;
-        // x² K x^{n−1} ≤ allowed k C_k x^k for some k; nothing at all moves but for what is below all floats.
-        let one = |&(k, own): &(usize, f64)| {
-            (allowed * (k as f64 * own).max(f64::MIN_POSITIVE) / bent).powf(1.0 / (ORDER + 1 - k) as f64)
-        };
-        let forces = all[n..].iter().zip(&sizes).map(|(defect, size)| {
-            (allowed * size.max(f64::MIN_POSITIVE) / defect).powf(1.0 / (ORDER - 1) as f64)
-        });
-        forces.fold(known.iter().map(one).fold(0.0, f64::max), f64::min)
+        // x² K x^{n−1} ≤ allowed k C_k x^k for some k.
+        let mut best = 0.0f64;
+        for &(order, goal) in &goals {
+            best = best.max(longest(order, goal, bent, most));
+            if best >= most {
+                break;
+            }
+        }
+        let forces = all[n..]
+            .iter()
+            .zip(&sizes)
+            .map(|(defect, size)| longest(ORDER - 1, allowed * size.max(f64::MIN_POSITIVE), *defect, most));
+        forces.fold(best, f64::min)
     };
     program.suited(rows, far, LEAST / trial, fits)
 }

@@ -143,13 +143,17 @@ impl Taylor {
             let ([r, _], a) = (radii(q.iter().copied(), radius), q[0].abs());
             all[0] = cubic.abs() * r * (3.0 * a * (a + r) + r * r);
         };
-        suited(n, [far, LEAST / trial], &[known], bounds, |all| self.fits(goal, trial * all[0]))
+        suited(n, [far, LEAST / trial], &[known], bounds, |all, most| self.fits(goal, trial * all[0], most))
     }
 
-    /// The longest step x with x^n `defect` ≤ n tolerance^{3/4} (1 + |q| + |u|), `goal` being the same but
-    /// for n and the power of the tolerance.
-    fn fits(&self, goal: f64, defect: f64) -> f64 {
-        (self.looser * goal / defect).powf(1.0 / self.order as f64)
+    /// The longest step x of at most `most` with x^n `defect` ≤ n tolerance^{3/4} (1 + |q| + |u|), `goal`
+    /// being the same but for n and the power of the tolerance.
+    fn fits(&self, goal: f64, defect: f64, most: f64) -> f64 {
+        let goal = self.looser * goal;
+        if most.powi(self.order as i32) * defect <= goal {
+            return most;
+        }
+        (goal / defect).powf(1.0 / self.order as f64).min(most)
     }
 
     /// The same by a program, in numbers of any kind; a step suits all their parts.
@@ -173,7 +177,7 @@ impl Taylor {
             }
         }
         let goal = self.tolerance * (1.0 + from[0].part(0).abs() + from[1].part(0).abs());
-        let fits = |defect: &[f64]| self.fits(goal, trial.abs() * defect[0]);
+        let fits = |defect: &[f64], most: f64| self.fits(goal, trial.abs() * defect[0], most);
         let factor = program.suited(&rows, factor, LEAST / trial.abs(), fits);
         let short = trial.abs() * factor <= SHORTEST;
         let obstacle = if short { program.obstacle(&rows, factor) } else { Obstacle::Escape };

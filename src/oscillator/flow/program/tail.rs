@@ -19,7 +19,7 @@
 //! Bounds are computed in floats and not rounded outwards. Derivatives that numbers carry along are not
 //! bounded: the length of their steps is told by their last terms and by the values.
 
-use super::{Op, Output, Program, Rows, Scalar, Sum};
+use super::{super::TERMS, Op, Output, Program, Rows, Scalar, Sum};
 
 /// ρ over the longest step that it allows, at least.
 const LEAST: f64 = 3.2;
@@ -31,14 +31,14 @@ const FIRST: [f64; 3] = [5.0, LEAST, 8.0];
 const NEXT: f64 = 0.7;
 
 /// The longest step of at most `far` for a polynomial of order `order` in units of a trial step: `bounds`
-/// tells M for a radius, `known` is L, and `fits` finds the longest step on which a defect of y^{n−1} K is
-/// small enough. Steps below `least` count as 0.
+/// tells M for a radius, `known` is L, and `fits` finds the longest step of at most another length on which a
+/// defect of y^{n−1} K is small enough. Steps below `least` count as 0.
 pub(in crate::oscillator::flow) fn suited(
     order: usize,
     [far, least]: [f64; 2],
     known: &[f64],
     mut bounds: impl FnMut(f64, &mut [f64]),
-    fits: impl Fn(&[f64]) -> f64,
+    fits: impl Fn(&[f64], f64) -> f64,
 ) -> f64 {
     let (mut best, mut all) = (0.0f64, known.to_vec());
     let power = 1 - order as i32;
@@ -49,7 +49,7 @@ pub(in crate::oscillator::flow) fn suited(
             let sum = *bound * factor + known;
             *bound = if sum.is_nan() { f64::INFINITY } else { sum };
         }
-        fits(&all).min(radius / LEAST).min(far)
+        fits(&all, far.min(radius / LEAST))
     };
     for radius in FIRST {
         best = best.max(allowed(radius * far));
@@ -90,10 +90,20 @@ pub(in crate::oscillator::flow) fn radii(
     [place, slope]
 }
 
+/// 1/k!.
+const INVERSE_FACTORIALS: [f64; TERMS] = {
+    let (mut all, mut k) = ([1.0; TERMS], 1);
+    while k < TERMS {
+        all[k] = all[k - 1] / k as f64;
+        k += 1;
+    }
+    all
+};
+
 /// The rest of an amplitude's series from order n − 1 on, over x^{n−1}: a harmonic that turns by `angle` in
 /// the trial step and by at most n/2 in x.
 pub(in crate::oscillator::flow) fn harmonic(amplitude: f64, angle: f64, order: usize) -> f64 {
-    (1..order).fold(2.0 * amplitude.abs(), |term, k| term * angle / k as f64)
+    2.0 * amplitude.abs() * angle.powi(order as i32 - 1) * INVERSE_FACTORIALS[order - 1]
 }
 
 /// The rest of a linear force, over x^{n−1}, by q and by q′, for steps of at most `far`.
@@ -104,9 +114,10 @@ pub(in crate::oscillator::flow) fn linear(last: [f64; 2], far: f64, trial: f64, 
 impl<S: Scalar> Program<S> {
     /// The longest step of at most `far`, in units of the trial step of `rows`, on which the outputs along
     /// the step's polynomial are near their series all along: `fits` is told K with |defect| ≤ K x^{n−1} for
-    /// each output and finds the longest step that suits it, n being the order of the polynomial. Steps of
-    /// less than `least` are given as 0. Cost: O(operations) for each radius that is tried, mostly one.
-    pub fn suited(&self, rows: &Rows<S>, far: f64, least: f64, fits: impl Fn(&[f64]) -> f64) -> f64 {
+    /// each output and finds the longest step, of at most another length, that suits it, n being the order of
+    /// the polynomial. Steps of less than `least` are given as 0. Cost: O(operations) for each radius that is
+    /// tried, mostly one.
+    pub fn suited(&self, rows: &Rows<S>, far: f64, least: f64, fits: impl Fn(&[f64], f64) -> f64) -> f64 {
         let (order, trial) = (rows.count - 1, rows.trial.abs());
         let drives = self.outputs.iter().flat_map(|output| &output.drive);
         let fastest = drives.fold(0.0, |most: f64, drive| most.max(drive.k * trial));
