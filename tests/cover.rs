@@ -56,7 +56,7 @@ fn nothing_is_open_and_the_checker_agrees() {
     let blocks: Vec<String> = covers.iter().map(|cover| cover.block().unwrap()).collect();
     let text = certificate(&options.periods, &blocks);
     let checked = certificate::check(&mut text.as_bytes()).unwrap();
-    assert_eq!((checked.kind, checked.range), ("cover", 3..=16));
+    assert_eq!((checked.kind, checked.range), ("cover", Some(3..=16)));
     for cover in &covers {
         let tally = cover.tally();
         assert!(tally.open.is_empty() && cover.refuted.is_none());

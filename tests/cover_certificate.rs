@@ -60,7 +60,7 @@ fn blocks(text: &str) -> Vec<(u64, u64, String)> {
 fn what_is_written_passes_whole_and_by_blocks() {
     let text = written("3..=20", None);
     let checked = check(&text).unwrap();
-    assert_eq!((checked.kind, checked.range), ("cover", 3..=20));
+    assert_eq!((checked.kind, checked.range), ("cover", Some(3..=20)));
     assert_eq!(checked.lines, text.lines().count() as u64);
     for (n, before, block) in blocks(&text) {
         check_block(n, block.as_bytes(), before).unwrap();

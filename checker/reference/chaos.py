@@ -1,43 +1,55 @@
 #!/usr/bin/env python3
-"""A second reader of certificates of kinds chaos and chaos 2, for whoever would rather trust 430 lines of Python.
+"""A second reader of certificates of kinds chaos 3 and chaos 4, for whoever would rather trust Python.
 
-usage: chaos.py FILE…     prints "FILE: proved" or "FILE: rejected: reason"; exit code 1 if one is rejected.
+usage: chaos.py FILE…     prints "FILE: proved, chaos", "FILE: proved, orbits" or "FILE: rejected: reason";
+                          exit code 1 if one is rejected.
 
-Written from the format text (checker/src/chaos/mod.rs) and docs/chaos.md, on Python's whole numbers in units of 2^-64, every operation rounded
-outwards. Slow: an evaluation of a leg takes about a millisecond.
+Written from the form (the head of checker/src/chaos/mod.rs) and from docs/chaos.md alone. Numbers are Python's
+whole numbers in units of 2^-72, every operation rounded outwards. The free motion is in closed form, by the
+functions cos √x and sin √x/√x, which are entire, so that no damping is a case of its own; phases of impacts are
+bracketed by signs of the wall's slope. Slow: a leg takes about a millisecond.
 """
 import re
 import sys
-from fractions import Fraction as F
+from fractions import Fraction
 from itertools import product
-from math import gcd
+from math import cos, gcd, isqrt, lcm, sin
 
-UNIT = 1 << 64
-STATEMENT = (
-    "For all c, k, f, tau and nu > 0 in the listed ranges, and for g(t) the sum of the listed harmonics a cos jt + b sin jt, a and b in "
-    "their ranges, all a together 1 and all j b together 0, the oscillator q'' = -c q' - k q + f above the wall sigma nu - 1 + g(t), sigma "
-    "the listed side, with restitution tau: for every bi-infinite path of the listed graph of letters there is exactly one motion whose "
-    "impacts, one between two letters, have phases within W of multiples of 2 pi, as many periods apart as the letters say, and velocities, "
-    "divided by nu, after the first and before the last impact of each letter in its ranges. It has no other impacts, all are at positive "
-    "speed, between them the gap is positive, and q/nu stays below the reach. Paths with different periods have different motions; on the "
-    "set of all these motions the map from t = pi to t = 3 pi has a topological entropy between the logarithms of the growth rates. If the "
-    "line complete has a strength S, every motion that meets the wall at arbitrarily early and arbitrarily late times, and only within W of "
-    "multiples of 2 pi where |g'| <= nu S/2, is one of these; if c and k are positive, so is every bounded motion for all time that meets it "
-    "only there.")
-STATEMENT_2 = (
-    "For all c, k, tau and nu > 0 in the listed ranges, and for g(t) the sum of the listed harmonics a cos jt + b sin jt, a and b in "
-    "their ranges, all a together 1 and all j b together 0, the oscillator q'' = -c q' - k q between the lower wall w(t) = sigma nu - 1 + "
-    "g(t), sigma the listed side, and the upper wall -w(t - pi), both with restitution tau: for every bi-infinite path of the listed "
-    "graph of letters and every integer m there is exactly one motion whose impacts, one between two letters, have times within W of "
-    "multiples of pi, at the lower wall of even and at the upper wall of odd multiples, as many half periods pi apart as the letters say, "
-    "the impact before letter 0 within W of m pi, and velocities, divided by nu, with the other sign at the upper wall, after the first "
-    "and before the last impact of each letter in its ranges. It has no other impacts, all are at positive speed, between them the gaps "
-    "to both walls are positive, as at impacts is that to the other wall, and |q|/nu stays below the reach. Paths with different half "
-    "periods have different motions; on the set of all these motions, for all m, the map F of (q, q') at t = pi/2 to (-q, -q') at t = 3 "
-    "pi/2 has a topological entropy between the logarithms of the growth rates, and the map from t = pi/2 to t = 5 pi/2 is F applied "
-    "twice, of twice that entropy. If the line complete has a strength S, every motion that meets the walls at arbitrarily early and "
-    "arbitrarily late times, and only where the above do and |w'|, or at the upper wall |w'| half a period before, is at most nu S/2, is "
-    "one of these; if c and k are positive, so is every bounded motion for all time that meets them only there.")
+BITS = 72
+UNIT = 1 << BITS
+FAR = 1 << BITS + 60
+
+HEAD = (
+    "For all c, k, {0}tau and nu > 0 in the listed ranges, and for g(t) the sum of the listed harmonics a cos jt + "
+    "b sin jt, a and b in their ranges, all a together 1 and all j b together 0, the oscillator q'' = -c q' - k q "
+)
+STATEMENT_3 = HEAD.format("f, ") + (
+    "+ f above the wall sigma nu - 1 + g(t), sigma the listed side, with restitution tau: for every bi-infinite path "
+    "of the listed graph of letters and every integer m there is exactly one motion whose impacts, one between two "
+    "letters, have times within W of multiples of 2 pi, as many periods 2 pi apart as the letters say, the impact "
+    "before letter 0 within W of 2 pi m, and velocities, divided by nu, after the first and before the last impact of "
+    "each letter in its ranges. It has no other impacts, all are at positive speed, between them the gap is positive, "
+    "and q/nu stays below the reach. With the same m, paths whose periods differ somewhere have different motions; on "
+    "the set of the states (q, q') at t = pi of all these motions, for all m, the map to t = 3 pi has a topological "
+    "entropy between the logarithms of the growth rates. If the line complete has a strength S, every motion that "
+    "meets the wall at arbitrarily early and arbitrarily late times, and only within W of multiples of 2 pi where |g'| "
+    "<= nu S/2, is one of these; if c and k are positive, so is every bounded motion for all time that meets it only "
+    "there.")
+STATEMENT_4 = HEAD.format("") + (
+    "between the lower wall w(t) = sigma nu - 1 + g(t), sigma the listed side, and the upper wall -w(t - pi), both "
+    "with restitution tau: for every bi-infinite path of the listed graph of letters and every integer m there is "
+    "exactly one motion whose impacts, one between two letters, have times within W of multiples of pi, at the lower "
+    "wall of even and at the upper wall of odd multiples, as many half periods pi apart as the letters say, the impact "
+    "before letter 0 within W of m pi, and velocities, divided by nu, with the other sign at the upper wall, after the "
+    "first and before the last impact of each letter in its ranges. It has no other impacts, all are at positive "
+    "speed, between them the gaps to both walls are positive, as at impacts is that to the other wall, and |q|/nu "
+    "stays below the reach. With the same m, paths whose half periods differ somewhere have different motions; on the "
+    "set of the states (q, q') at t = pi/2 of all these motions, for all m, the map F to (-q, -q') at t = 3 pi/2 has a "
+    "topological entropy between the logarithms of the growth rates, and the map to t = 5 pi/2 is F applied twice, of "
+    "twice that entropy. If the line complete has a strength S, every motion that meets the walls at arbitrarily early "
+    "and arbitrarily late times, and only where the above do and |w'|, or at the upper wall |w'| half a period before, "
+    "is at most nu S/2, is one of these; if c and k are positive, so is every bounded motion for all time that meets "
+    "them only there.")
 
 
 def need(condition, reason):
@@ -45,385 +57,617 @@ def need(condition, reason):
         raise ValueError(reason)
 
 
-class I:
-    """The numbers from lo to hi, in units of 2^-64."""
-    def __init__(self, lo, hi): self.lo, self.hi = lo, hi
-    def __add__(x, y): return I(x.lo + y.lo, x.hi + y.hi)
-    def __neg__(x): return I(-x.hi, -x.lo)
-    def __sub__(x, y): return x + -y
-    def __mul__(x, y):
-        p = x.lo * y.lo, x.lo * y.hi, x.hi * y.lo, x.hi * y.hi
-        return I(min(p) >> 64, -(-max(p) >> 64))
-    def __truediv__(x, y):
-        need(y.lo > 0 or y.hi < 0, "a divisor may be zero (H0)")
-        if y.hi < 0:
-            return -x / -y
-        return I(min((x.lo << 64) // d for d in (y.lo, y.hi)), -min((-x.hi << 64) // d for d in (y.lo, y.hi)))
-    def square(x):
-        p = x * x
-        return I(max(p.lo, 0), p.hi)
-    def middle(x): return I((x.lo + x.hi) // 2, (x.lo + x.hi) // 2)
-    def hull(x, y): return I(min(x.lo, y.lo), max(x.hi, y.hi))
-    def meet(x, y): return I(max(x.lo, y.lo), min(x.hi, y.hi))
-    def within(x, y): return y.lo <= x.lo and x.hi <= y.hi
-    def size(x): return I(max(-x.lo, x.hi), max(-x.lo, x.hi))
-    def part(x, i, n): return I(x.lo + (x.hi - x.lo) * i // n, x.lo - (-(x.hi - x.lo) * (i + 1)) // n)
-    def over(x, n): return I(x.lo // n, -(-x.hi // n))
-    def half(x): return x.over(2)
+def up(x, y):
+    return -(-x // y)
 
 
-def num(x):
-    x = F(x)
-    return I((x.numerator << 64) // x.denominator, -((-x.numerator << 64) // x.denominator))
+class Range:
+    """All numbers from lo to hi, in units."""
+    __slots__ = ("lo", "hi")
+
+    def __init__(self, lo, hi=None):
+        self.lo, self.hi = lo, lo if hi is None else hi
+
+    def __add__(self, other): return Range(self.lo + other.lo, self.hi + other.hi)
+    def __sub__(self, other): return Range(self.lo - other.hi, self.hi - other.lo)
+    def __neg__(self): return Range(-self.hi, -self.lo)
+
+    def __mul__(self, other):
+        ends = [x * y for x in (self.lo, self.hi) for y in (other.lo, other.hi)]
+        return Range(min(ends) >> BITS, up(max(ends), UNIT))
+
+    def __truediv__(self, other):
+        need(other.lo > 0 or other.hi < 0, "a divisor may be zero (H0)")
+        pairs = [(x << BITS, y) for x in (self.lo, self.hi) for y in (other.lo, other.hi)]
+        return Range(min(x // y for x, y in pairs), max(up(x, y) for x, y in pairs))
+
+    def square(self):
+        low = 0 if self.lo <= 0 <= self.hi else min(abs(self.lo), abs(self.hi))
+        return Range(low * low >> BITS, up(self.size() ** 2, UNIT))
+
+    def times(self, p, q=1):
+        """Times p/q, for whole numbers p and q > 0."""
+        ends = sorted((self.lo * p, self.hi * p))
+        return Range(ends[0] // q, up(ends[1], q))
+
+    def size(self): return max(-self.lo, self.hi)
+    def middle(self): return Range((self.lo + self.hi) // 2)
+    def both(self, other): return Range(max(self.lo, other.lo), min(self.hi, other.hi))
+    def hull(self, other): return Range(min(self.lo, other.lo), max(self.hi, other.hi))
+    def empty(self): return self.lo > self.hi
+    def inside(self, low, high): return low.hi <= self.lo and self.hi <= high.lo
+    def wide(self, error): return Range(self.lo - error, self.hi + error)
+
+    def cut(self, parts):
+        width = self.hi - self.lo
+        return [Range(self.lo + width * i // parts, self.lo + up(width * (i + 1), parts)) for i in range(parts)]
 
 
-ZERO, ONE, TWO = num(0), num(1), num(2)
-PI = I(0x3243F6A8885A308D3, 0x3243F6A8885A308D4)  # times 2^64: 3.243F6A88 85A308D3 13…
+def number(x, y=None):
+    """The range from one fraction to another."""
+    low, high = Fraction(x), Fraction(x if y is None else y)
+    return Range((low.numerator << BITS) // low.denominator, up(high.numerator << BITS, high.denominator))
 
 
-def series(t, c, k):
-    """exp(tA) = a + bA, A^2 = -cA - k, by halving and squaring."""
-    halvings = 0
-    while (t.size().hi * max(UNIT, c.size().hi + k.size().hi)) >> (62 + halvings) > UNIT:
-        halvings += 1
-    t, a, b = t.over(1 << halvings), ONE, ZERO
-    for n in range(17, 0, -1):
-        f = t.over(n)
-        a, b = ONE - f * k * b, f * (a - c * b)
-    a, b = I(a.lo - 1, a.hi + 1), I(b.lo - 1, b.hi + 1)  # the rest is below 2·4^-18/18! < 2^-64
-    for _ in range(halvings):
-        a, b = a.square() - k * b.square(), TWO * (a * b) - c * b.square()
-    return a, b
+ZERO, ONE, TWO = number(0), number(1), number(2)
+EVERYTHING = Range(-FAR, FAR)
 
 
-def times(x, y, c, k):
-    return x[0] * y[0] - k * (x[1] * y[1]), x[0] * y[1] + x[1] * y[0] - c * (x[1] * y[1])
+def machin(scale):
+    """π·scale by π = 16 arctan 1/5 − 4 arctan 1/239, within 1 unit of scale if that is large."""
+    def arctan(inverse):
+        power, total, n = (scale << 40) // inverse, 0, 1
+        while power:
+            total += power // n if n % 4 == 1 else -(power // n)
+            power, n = power // inverse**2, n + 2
+        return total
+    return (16 * arctan(5) - 4 * arctan(239)) >> 40
 
 
-def exp(t, c, k):
-    return times(series(t.middle(), c, k), series(t - t.middle(), c, k), c, k)
+PI = Range(machin(UNIT) - 1, machin(UNIT) + 1)
 
 
-def circle(t): return exp(t, ZERO, ONE)
+def roots(x):
+    """cos √x and sin √x/√x: their Taylor polynomials of degree 1 about the middle m, and bounds of f″."""
+    middle = (x.lo + x.hi) // 2
+    apart = max(x.hi - middle, middle - x.lo)
+    need(abs(middle) + apart < 10**6 * UNIT, "a time is too long for this reader")
+    # The terms |m|^j/(2j)! are at most exp √|m|, and of either sign if m > 0.
+    guard = 2 * isqrt((abs(middle) >> BITS) + 1) + 30
+    one, size, sign = UNIT << guard, abs(middle) << guard, -1 if middle > 0 else 1
+    low = high = one
+    j, way = 0, 1
+    sums = [[0, 0] for _ in range(3)]  # Σ (−m)^j/(2j)!, Σ (−m)^j/(2j+1)!, and the derivative of the latter
+    while True:
+        for total, factor, divisor, turn in ((sums[0], 1, 1, way), (sums[1], 1, 2 * j + 1, way),
+                                             (sums[2], j + 1, (2 * j + 1) * (2 * j + 2) * (2 * j + 3), -way)):
+            ends = low * factor // divisor, up(high * factor, divisor)
+            total[0] += ends[0] if turn > 0 else -ends[1]
+            total[1] += ends[1] if turn > 0 else -ends[0]
+        j, way = j + 1, way * sign
+        scale = (2 * j - 1) * 2 * j * one
+        low, high = low * size // scale, up(high * size, scale)
+        if high <= 2 and (2 * j + 1) * (2 * j + 2) * one > 2 * size:
+            break
+    c, s, slope = (Range((lo - 8) >> guard, up(hi + 8, 1 << guard)) for lo, hi in sums)
+    # |f″| for x ≥ 0 is largest at 0, where it is 1/12 and 1/60; below, at most so many times cosh √|x|.
+    n = isqrt((max(-x.lo, 0) >> BITS) + 1) + 1 if x.lo < 0 else 0
+    bend = up(apart * apart * 2719**n, UNIT * 1000**n)
+    d = x - Range(middle)
+    return (c - s * d.times(1, 2)).wide(up(bend, 24)), (s + slope * d).wide(up(bend, 120))
+
+
+def exponential(x):
+    """exp x at both ends."""
+    def point(v):
+        halvings = max((abs(v) >> BITS).bit_length(), 0) + 1
+        need(halvings < 20, "an exponential is out of range")
+        guard = 40 + 2 * halvings + 2 * (abs(v) >> BITS)
+        one = UNIT << guard
+        v = Range(*((abs(v) << guard) // 2**halvings + i for i in (0, 1)))
+        low = high = total = most = one
+        n = 0
+        while high > 2:
+            n += 1
+            low, high = low * v.lo // (n * one), up(high * v.hi, n * one)
+            total, most = total + low, most + high
+        most += 4
+        for _ in range(halvings):
+            total, most = total * total // one, up(most * most, one)
+        return total, most, one, guard
+    ends = []
+    for v in (x.lo, x.hi):
+        low, high, one, guard = point(v)
+        low, high = (low, high) if v >= 0 else (one * one // high, up(one * one, low))
+        ends.append((low >> guard, up(high, 1 << guard)))
+    return Range(ends[0][0], ends[1][1])
+
+
+class Flow:
+    """q″ = −c q′ − k q. E(t) is given by E₁₁ and E₁₂; E₂₁ = −k E₁₂ and E₂₂ = E₁₁ − c E₁₂."""
+    def __init__(self, c, k):
+        self.c, self.k, self.half = c, k, c.times(1, 2)
+        self.discriminant = k - self.half.square()
+        self.norm = max(UNIT, c.size() + k.size())
+
+    def closed(self, t):
+        wave, sine = roots(self.discriminant * t.square())
+        decay = exponential(-(self.half * t)) if self.c.size() else ONE
+        return decay * (wave + self.half * t * sine), decay * t * sine
+
+    def product(self, x, y):
+        b = x[1] * y[1]
+        return x[0] * y[0] - self.k * b, x[0] * y[1] + x[1] * y[0] - self.c * b
+
+    def near(self, t):
+        """E near time 0, by Taylor's series of q″ = −c q′ − k q, whose first terms are exact."""
+        size = up(self.norm * t.size(), UNIT)
+        if size > UNIT // 4:
+            a, b = self.near(t.times(1, 2))
+            return a.square() - self.k * b.square(), (a * b).times(2) - self.c * b.square()
+        entries = []
+        for terms in ([ONE, ZERO], [ZERO, ONE]):
+            for n in range(14):
+                next = self.c.times(n + 1) * terms[-1] + self.k * terms[-2]
+                terms.append(next.times(-1, (n + 1) * (n + 2)))
+            total = terms[-1]
+            for term in reversed(terms[:-1]):
+                total = total * t + term
+            entries.append(total.wide(4))  # what is left out is below 2·4^-16/16! < 2^-74
+        return tuple(entries)
+
+    def exp(self, t):
+        start = self.closed(t.middle())
+        return start if t.lo == t.hi else self.product(start, self.near(t - t.middle()))
+
+    def last(self, e): return e[0] - self.c * e[1]
+    def move(self, e, q, u): return e[0] * q + e[1] * u, self.last(e) * u - self.k * (e[1] * q)
+
+
+CIRCLE = Flow(ZERO, ONE)
 
 
 class Wall:
-    """g(t), the sum of a cos jt + b sin jt with Σ a = 1 and Σ j b = 0, and the window ±W on which it is convex."""
+    """g, by its harmonics, on the window ±W."""
     def __init__(self, harmonics, window, pieces):
         self.harmonics, self.window = harmonics, window
-        self.plain = [(j, a.lo, a.hi, b.lo, b.hi) for j, a, b in harmonics] == [(1, UNIT, UNIT, 0, 0)]
-        need(2 * window.hi < PI.lo, "the window is not below pi/2")
-        least = min(self.at((-window).hull(window).part(i, pieces))[2].lo for i in range(pieces))
-        need(least > 0, "the wall may not be convex on the window")
-        self.bend, self.ends = I(least, least), (self.at(-window)[1], self.at(window)[1])
+        self.plain = [(j, *a, *b) for j, a, b in harmonics] == [(1, 1, 1, 0, 0)]
+        self.terms = [(j, number(*a), number(*b)) for j, a, b in harmonics]
+        self.floats = [(j, float(sum(a)) / 2, float(sum(b)) / 2) for j, a, b in harmonics]
+        need(window.times(2).hi < PI.lo, "the window is not below pi/2")
+        whole = (-window).hull(window)
+        self.least = min(self.shape(part)[2].lo for part in whole.cut(pieces))
+        need(self.least > 0, "the wall may not be convex on the window")
+        self.ends = self.shape(-window)[1].hi, self.shape(window)[1].lo
 
-    def at(self, t):
-        """1 - g, -g' and -g''."""
-        drop, slope, bend = ZERO, ZERO, ZERO
-        for j, a, b in self.harmonics:
-            n = num(j)
-            cos, sin = circle(n * t)
-            drop = drop + a * (ONE - cos) - b * sin
-            slope = slope + n * (a * sin + b * (ONE - cos))
-            bend = bend + n * n * (a * cos + b * sin)
+    def shape(self, t):
+        """1 − g, −g′, −g″ with Σ a = 1 and Σ j b = 0 put in."""
+        drop = slope = bend = ZERO
+        for j, a, b in self.terms:
+            wave, sine = CIRCLE.exp(t.times(j))
+            drop += a * (ONE - wave) - b * sine
+            slope += (a * sine + b * (ONE - wave)).times(j)
+            bend += (a * wave + b * sine).times(j * j)
         return drop, slope, bend
 
+    def bracket(self, y, way):
+        """A time in the window where −g′, which increases, is certainly at most y (way −1), at least y (1)."""
+        edge, goal, t = self.window.lo / UNIT, y / UNIT, 0.0
+        for _ in range(40):
+            slope = sum(j * (a * sin(j * t) + b * (1 - cos(j * t))) for j, a, b in self.floats)
+            bend = sum(j * j * (a * cos(j * t) + b * sin(j * t)) for j, a, b in self.floats)
+            t = min(max(t + (goal - slope) / max(bend, self.least / UNIT / 2), -edge), edge)
+        start, step = int(t * UNIT), UNIT >> 46
+
+        def passed(u):
+            slope = self.shape(Range(u))[1]
+            return slope.hi <= y if way < 0 else slope.lo >= y
+        while True:
+            if abs(start + way * step) >= self.window.lo:
+                return self.window.hi * way  # y is taken within the window
+            if passed(start + way * step):
+                break
+            step *= 2
+        good, bad = step, 0 if step == UNIT >> 46 else step // 2
+        for _ in range(5):
+            half = (good + bad) // 2
+            good, bad = (half, bad) if passed(start + way * half) else (good, half)
+        return start + way * good
+
     def phase(self, y):
-        """Where -g' is y: by Newton's method; the error is at most |y + g'(t)| / min -g''."""
-        need(self.ends[0].hi < y.lo and y.hi < self.ends[1].lo, "an impact outside the window (H0)")
-        ends = []
-        for y in (I(y.lo, y.lo), I(y.hi, y.hi)):
-            t = ZERO
-            for _ in range(7):
-                _, slope, bend = self.at(t)
-                t = (t + (y - slope) / bend).middle()
-                t = I(*[min(max(t.lo, -self.window.lo), self.window.lo)] * 2)
-            miss, around = y - self.at(t)[1], I(-UNIT, UNIT)
-            for bend in (self.bend, None) if not self.plain else (self.bend,):
-                bend = bend or self.at(around)[2]
-                error = (miss / I(max(bend.lo, self.bend.lo), bend.hi)).size().hi
-                around = I(t.lo - error, t.hi + error)
-            ends.append(around)
-        return ends[0].hull(ends[1])
+        need(self.ends[0] < y.lo and y.hi < self.ends[1], "an impact may be outside the window (H0)")
+        return Range(self.bracket(y.lo, -1), self.bracket(y.hi, 1))
 
     def bends(self, t):
-        """-g'', and (1 - g)/g'^2 = 1/(-2 g'') somewhere between t and 0; 1/(1 + cos t) for the cosine."""
+        """−g″, and (1 − g)/g′²: 1/(1 + cos t) of the cosine, else 1/−2g″ somewhere between 0 and t."""
         if self.plain:
-            cos = circle(t)[0].meet(I(-UNIT, UNIT))
-            return cos, ONE / (ONE + cos)
-        low = self.bend.lo
-        here, all = self.at(t)[2], self.at(t.hull(ZERO))[2]
-        return I(max(here.lo, low), here.hi), ONE / (TWO * I(max(all.lo, low), all.hi))
+            wave = CIRCLE.exp(t)[0].both(Range(-UNIT, UNIT))
+            return wave, ONE / (ONE + wave)
+        here, between = self.shape(t)[2], self.shape(t.hull(ZERO))[2]
+        between.lo = max(between.lo, self.least)
+        return Range(max(here.lo, self.least), here.hi), ONE / between.times(2)
 
 
-def integer(word, most):
-    need(re.fullmatch(r"0|[1-9][0-9]{0,18}", word, re.ASCII) and int(word) <= most, f"a number up to {most}: {word}")
+class Cell:
+    """All conditions for a box of parameters."""
+    def __init__(self, file, box):
+        self.file, self.mirrored, self.wall = file, file.mirrored, file.wall
+        c, k, f, self.tau, self.nu = box
+        self.flow, self.sigma = Flow(c, k), ONE if file.side == 1 else -ONE
+        self.force = f / self.nu if f.size() else ZERO
+        self.boxes = [(number(*x.after), number(*x.before)) for x in file.letters]
+        self.turns = [self.turn(n) for n in range(file.longest() + 1)]
+
+    def time(self, n): return PI.times(n if self.mirrored else 2 * n)
+
+    def turn(self, n):
+        """E over n periods, or half periods: at the upper wall all is seen in a mirror."""
+        a, b = self.flow.closed(self.time(n))
+        return (-a, -b) if self.mirrored and n % 2 else (a, b)
+
+    def strength(self, a, p): return (a + self.tau * p).times(2) / (ONE + self.tau)
+
+    def impact(self, s):
+        t = self.wall.phase((self.nu * s).times(-1, 2))
+        bend, ratio = self.wall.bends(t)
+        drop = (self.nu * s.square() * ratio).times(1, 4)
+        if self.nu.lo > 0:
+            other = self.wall.shape(t)[0] / self.nu
+            drop = drop if drop.both(other).empty() else drop.both(other)
+        return s, t, bend, self.sigma - drop
+
+    def impacts(self, s, parts): return [(self.impact(x), self.impact(x.middle())) for x in s.cut(parts)]
+
+    def fall(self, time): return (self.force * time.square()).times(1, 2), self.force * time
+    def acceleration(self, q, u): return self.force - self.flow.c * u - self.flow.k * q
+
+    def ends(self, n, first, last):
+        """E of a leg of n periods, and its first and last velocity."""
+        e = self.flow.product(self.turns[n], self.flow.exp(last[1] - first[1]))
+        fallen, speed = self.fall(self.time(n) + last[1] - first[1])
+        a = (last[3] - e[0] * first[3] - fallen) / e[1]
+        return e, a, self.flow.move(e, first[3], a)[1] + speed
+
+    def leg(self, n, first, last):
+        """Its velocities a, p and their derivatives by s and s′, from Q′ = q(T) by differentiation:
+        E₁₁ Q_s + E₁₂ a_s − p t_s = 0 with Q_s = t_s s/2 and t_s = −ν/(−2g″), and so on."""
+        (x, x_mid), (y, y_mid) = first, last
+        e, a, p = self.ends(n, x, y)
+        _, a_mid, p_mid = self.ends(n, x_mid, y_mid)
+        t_x, t_y = ((self.nu / z[2]).times(-1, 2) for z in (x, y))
+        half_x, half_y = x[0].times(1, 2), y[0].times(1, 2)
+        dx, dy = x[0] - x_mid[0], y[0] - y_mid[0]
+        final = self.flow.last(e)
+        for _ in range(3):
+            r = self.acceleration(y[3], p)
+            one, other = (p - e[0] * half_x) / e[1], (half_y - p) / e[1]
+            slopes_a = t_x * one, t_y * other
+            slopes_p = t_x * (final * one - self.flow.k * (e[1] * half_x) - r), t_y * (final * other + r)
+            a = a.both(a_mid + slopes_a[0] * dx + slopes_a[1] * dy)
+            p = p.both(p_mid + slopes_p[0] * dx + slopes_p[1] * dy)
+        return a, p, slopes_a, slopes_p
+
+    def fits(self, v, a, p):
+        letter = self.file.letters[v]
+        return a.inside(*map(number, letter.after)) and p.inside(*map(number, letter.before))
+
+    def holds(self):
+        letters = self.file.letters
+        for v, letter in enumerate(letters):
+            (after, before) = self.boxes[v]
+            into = {u: self.strength(after, self.boxes[u][1]) for u in letter.previous}
+            out = {x: self.strength(self.boxes[x][0], before) for x in letter.next}
+            starts = {u: self.impacts(s, letter.parts) for u, s in into.items()}
+            stops = {x: self.impacts(s, letter.parts) for x, s in out.items()}
+            for u, x in product(into, out):
+                need(self.boxes[u][1].hi < after.lo, "a speed may be 0 (H3)")
+                for first, last in product(starts[u], stops[x]):
+                    self.contracts(letters[u], v, letters[x], first, last)
+            self.gaps(v, *(Range(min(s.lo for s in all.values()), max(s.hi for s in all.values()))
+                           for all in (into, out)))
+        if self.file.complete:
+            Others(self).none()
+
+    def contracts(self, previous, v, following, first, last):
+        """H1 and H2."""
+        letter = self.file.letters[v]
+        a, p, slopes_a, slopes_p = self.leg(letter.periods, first, last)
+        need(self.fits(v, a, p), "a box may be left (H1)")
+        early = number(letter.alpha) + self.tau * number(previous.beta)
+        late = number(following.alpha) + self.tau * number(letter.beta)
+        for (d, e), weight in ((slopes_a, letter.alpha), (slopes_p, letter.beta)):
+            sum = Range(d.size()) * early + Range(e.size()) * late
+            most = self.file.contraction * (ONE + self.tau) * number(weight / 2)
+            need(sum.hi <= most.lo, "the map may not contract (H2)")
+
+    def gaps(self, v, into, out):
+        """H4."""
+        letter, wall, window = self.file.letters[v], self.wall, self.file.window
+        n, pieces = letter.periods, self.file.pieces
+        start, stop = self.impact(into), self.impact(out)
+
+        def motion(k, t):
+            since = t - start[1]
+            e = self.flow.product(self.turns[k], self.flow.exp(since))
+            q, u = self.flow.move(e, start[3], self.boxes[v][0])
+            fallen, speed = self.fall(self.time(k) + since)
+            q, u = q + fallen, u + speed
+            need(max(q.hi, -q.lo if self.mirrored else q.hi) < self.file.reach.lo, "the reach may be passed")
+            return q, u
+
+        def open(span, place):
+            for t in span.cut(pieces):
+                gap = wall.shape(t)[0] + self.nu * (place(t) - self.sigma)
+                need(gap.lo > 0, "a gap between windows may not be positive (H4)")
+
+        for k in range(n + 1):
+            span = (start[1] if k == 0 else -window).hull(stop[1] if k == n else window)
+            least = None
+            for t in span.cut(pieces):
+                curvature = (wall.shape(t)[2] + self.nu * self.acceleration(*motion(k, t))).lo
+                need(curvature > 0, "a gap may not be convex (H4)")
+                least = curvature if least is None else min(least, curvature)
+            if 0 < k < n:
+                q, u = motion(k, ZERO)
+                dip = self.nu * u.square() / Range(2 * least)
+                need((q - self.sigma - dip).lo > 0, "the wall may be met between impacts (H4)")
+        full = TWO * PI - window
+        for k in range(n):
+            end = PI + stop[1] if self.mirrored and k == n - 1 else full
+            open(window.hull(end), lambda t: motion(k, t)[0])
+        if self.mirrored:
+            open((PI + start[1]).hull(full), lambda t: -motion(0, t - PI)[0])
+
+
+class Others:
+    """C1 to C3: that there are no other motions near."""
+    def __init__(self, cell):
+        self.cell, file = cell, cell.file
+        self.bound, self.longest, self.parts, self.rounds = file.complete
+        self.strengths = number(-self.bound, self.bound)
+        self.place = {letter.periods: v for v, letter in enumerate(file.letters)}
+
+    def none(self):
+        cell, flow = self.cell, self.cell.flow
+        _, t, bend, place = cell.impact(self.strengths)
+        # C1
+        width, deep = Range(2 * t.size()), Range(place.size())
+        c, k = Range(flow.c.size()), Range(flow.k.size())
+        room = ONE - width * (c + k * width)
+        need(room.lo > 0, "there may be two contacts in a window (C1)")
+        most = (number(self.bound / 2) + width * k * deep) / room
+        acceleration = c * most + k * (deep + width * most)
+        need(bend.lo > (cell.nu * acceleration).hi, "there may be two contacts in a window (C1)")
+        # C2: the ratios' upper bounds r_1, r_2, …
+        e = cell.turns[1]
+        final = flow.last(e)
+        trace, determinant = (e[0] + final).hi, (e[0] * final + flow.k * e[1].square()).lo
+        need(place.lo > 0 and determinant > 0, "a leg may be longer (C2)")
+        ratio, j = trace, 1
+        while ratio > 0 and j < self.longest:
+            ratio = (Range(trace) - Range(determinant) / Range(ratio)).hi
+            j += 1
+        need(ratio <= 0 and j < self.longest, "a leg may be longer (C2)")
+        # C3
+        known = {n: (EVERYTHING, EVERYTHING) for n in range(1, self.longest + 1)}
+        for turn in range(self.rounds):
+            known = self.narrowed(known, turn == 0)
+            if self.done(known):
+                return
+        need(False, "there may be other legs (C3)")
+
+    def between(self, known, m, n):
+        """The strengths of impacts after a leg of m periods and before one of n; None if there can be none."""
+        (a, _), (_, p) = known[n], known[m]
+        if a.hi < p.lo:
+            return None
+        s = self.cell.strength(a, p).both(self.strengths)
+        return None if s.empty() else s
+
+    def narrowed(self, known, first):
+        cell, impacts, found = self.cell, {}, {}
+        for m, n in product(known, repeat=2):
+            s = self.between(known, m, n)
+            if s:
+                impacts[m, n] = cell.impacts(s, self.parts)
+        others = [1] if first else list(known)  # at first all are alike
+        for n, m, x in product(known, others, others):
+            for start, stop in product(impacts.get((m, n), ()), impacts.get((n, x), ())):
+                one = self.possible(known, m, n, x, start, stop)
+                if one:
+                    found[n] = tuple(y.hull(z) for y, z in zip(one, found.get(n, one)))
+        return found
+
+    def possible(self, known, m, n, x, start, stop):
+        cell, tau = self.cell, self.cell.tau
+        a, p, _, _ = cell.leg(n, start, stop)
+        (s, t, _, place), (s_last, *_) = start[0], stop[0]
+        a, p = a.both(known[n][0]), p.both(known[n][1])
+        a, p = a.both(Range(s.times(1, 2).lo, FAR)), p.both(Range(-FAR, s_last.times(1, 2).hi))
+        # s = 2(a + τp)/(1 + τ) with the neighbours' velocities.
+        a = a.both((s * (ONE + tau)).times(1, 2) - tau * known[m][1])
+        p = p.both(((s_last * (ONE + tau)).times(1, 2) - known[x][0]) / tau)
+        if a.empty() or p.empty():
+            return None
+        back = cell.flow.exp(-t)
+        for k in range(1, n):
+            q, _ = cell.flow.move(cell.flow.product(cell.turns[k], back), place, a)
+            if q.hi < cell.sigma.lo:
+                return None
+        return a, p
+
+    def done(self, known):
+        if not all(n in self.place and self.cell.fits(self.place[n], *known[n]) for n in known):
+            return False
+        letters = self.cell.file.letters
+        return all(self.place[n] in letters[self.place[m]].next or self.between(known, m, n) is None
+                   for m, n in product(known, repeat=2))
+
+
+class Letter:
+    """A line letter, with the letters that may follow and precede it, from 0."""
+
+
+class File:
+    """A certificate, read and held to its form."""
+    def __init__(self, text):
+        self.lines = text.removesuffix("\n").split("\n")
+        self.lines = [line.removesuffix("\r") for line in self.lines]
+        need(self.take() == "grazing-certificate 1", "not a certificate")
+        kind = self.take()
+        need(kind in ("kind chaos 3", "kind chaos 4"), "not of kind chaos 3 or 4")
+        self.mirrored = kind == "kind chaos 4"
+        need(self.take() == "statement " + (STATEMENT_4 if self.mirrored else STATEMENT_3), "another statement")
+        need(all(len(line.encode()) <= 2000 for line in self.lines), "a line is too long")
+        names = ("damping", "stiffness", "force", "restitution", "depth")
+        self.ranges = [self.ordered(self.words(name, 2), fraction) for name in names]
+        c, k, f, tau, nu = self.ranges
+        need(tau[0] > 0 and nu[0] >= 0 and nu[1] > 0, "restitution and depth must be positive")
+        need(f == (0, 0) or (c == k == (0, 0) and nu[0] > 0 and not self.mirrored), "this force is not allowed")
+        self.side = {"1": 1, "-1": -1}.get(self.words("side", 1)[0])
+        need(self.side, "a side is 1 or -1")
+        self.read_wall()
+        self.cells = [whole(word, 0, 10000) for word in self.words("cells", 5)]
+        total = 1
+        for cells in self.cells:
+            total *= cells
+        need(1 <= total <= 10000, "1 to 10000 cells")
+        self.window = number(decimal(self.words("window", 1)[0], True))
+        self.pieces = whole(self.words("pieces", 1)[0], 1, 1000)
+        self.read_letters()
+        contraction = decimal(self.words("contraction", 1)[0], True)
+        need(contraction < 1, "the contraction must be below 1")
+        self.contraction, self.reach = number(contraction), number(decimal(self.words("reach", 1)[0], True))
+        self.rates = self.increasing(self.words("growth", 2))
+        need(self.rates[0] >= 1, "a growth rate is at least 1")
+        self.read_complete()
+        need(not self.lines, "the file goes on")
+        need(self.cost(total) <= 6_000_000, "the check would cost too much")
+
+    def take(self): return self.lines.pop(0) if self.lines else ""
+
+    def words(self, name, count=None):
+        head, *rest = self.take().split(" ")
+        need(head == name and count in (None, len(rest)), f"a line {name} is missing")
+        return rest
+
+    def ordered(self, words, read):
+        low, high = map(read, words)
+        need(low <= high, "a range's ends must not decrease")
+        return low, high
+
+    def increasing(self, words):
+        low, high = map(decimal, words)
+        need(low < high, "a range's ends must increase")
+        return low, high
+
+    def read_wall(self):
+        self.harmonics = []
+        for _ in range(whole(self.words("harmonics", 1)[0], 0, 100)):
+            order, *ends = self.words("harmonic", 5)
+            order = whole(order, 1, 100)
+            need(not self.harmonics or self.harmonics[-1][0] < order, "orders increase")
+            self.harmonics.append((order, self.ordered(ends[:2], fraction), self.ordered(ends[2:], fraction)))
+        ends = [[(x[1][i], 1) for x in self.harmonics] for i in (0, 1)]
+        ends += [[(x[2][i], x[0]) for x in self.harmonics] for i in (0, 1)]
+        for terms in ends:
+            need(lcm(*(x.denominator for x, _ in terms)) <= 10**30, "no common denominator")
+        sums = [sum(x * j for x, j in terms) for terms in ends]
+        need(sums[0] <= 1 <= sums[1] and sums[2] <= 0 <= sums[3], "the top of the wall is not at 0")
+
+    def read_letters(self):
+        self.letters = []
+        count = whole(self.words("letters", 1)[0], 1, 400)
+        for _ in range(count):
+            periods, a, b, p, q, alpha, beta, gamma, parts = self.words("letter", 9)
+            letter = Letter()
+            letter.periods, letter.parts = whole(periods, 1, 1000), whole(parts, 1, 64)
+            letter.after, letter.before = self.increasing((a, b)), self.increasing((p, q))
+            letter.alpha, letter.beta, letter.gamma = (decimal(x, True) for x in (alpha, beta, gamma))
+            self.letters.append(letter)
+        for letter in self.letters:
+            letter.next = [whole(word, 1, count) - 1 for word in self.words("next")]
+            need(letter.next, "a letter has a successor")
+            need(letter.next == sorted(set(letter.next)), "the numbers of letters increase")
+        for v, letter in enumerate(self.letters):
+            letter.previous = [u for u, other in enumerate(self.letters) if v in other.next]
+            need(letter.previous, "a letter has a predecessor")
+
+    def read_complete(self):
+        words = self.words("complete")
+        self.complete = None
+        if words != ["no"]:
+            need(len(words) == 4, "complete no, or four numbers")
+            self.complete = (decimal(words[0], True), *(whole(x, 1, m) for x, m in zip(words[1:], (1000, 64, 100))))
+            need(self.side == 1 and self.ranges[2] == (0, 0), "completeness is for side 1 and no force")
+
+    def longest(self):
+        return max([x.periods for x in self.letters] + ([self.complete[1]] if self.complete else []))
+
+    def cost(self, cells):
+        """In exponentials, as the form says."""
+        h, j = len(self.harmonics), self.pieces
+        cell = self.longest() + 1
+        for x in self.letters:
+            p, f = len(x.previous), len(x.next)
+            cell += (p + f) * x.parts * 36 * h + 4 * p * f * x.parts**2
+            cell += 46 * h + (2 * x.periods + 1 + self.mirrored) * j * (1 + h) + x.periods
+        if self.complete:
+            _, m, k, r = self.complete
+            cell += 23 * h + r * m**2 * k * 36 * h + (m + (r - 1) * m**3) * k**2 * (5 + m)
+        return (j + 2) * h + cells * cell
+
+    def check(self):
+        """Proves everything; "chaos", or "orbits" where no growth above 1 is claimed."""
+        letters = self.letters
+        ways = [[x.next for x in letters], [x.previous for x in letters]]
+        told = (all(len({letters[w].periods for w in list}) == len(list) for list in way) for way in ways)
+        need(any(told), "paths are not told apart by their periods")
+        need(any(self.grows(way) for way in ways), "the growth vector does not prove the rates")
+        if self.complete:
+            need(len({x.periods for x in letters}) == len(letters), "completeness needs different periods")
+        self.wall = Wall(self.harmonics, self.window, self.pieces)
+        cuts = [number(*ends).cut(parts) for ends, parts in zip(self.ranges, self.cells)]
+        for box in product(*cuts):
+            Cell(self, box).holds()
+        return "chaos" if self.rates[0] > 1 else "orbits"
+
+    def grows(self, way):
+        """Exactly, in fractions."""
+        for rate, sign in zip(self.rates, (1, -1)):
+            terms = [x.gamma / rate**x.periods for x in self.letters]
+            if any(sign * (sum(terms[w] for w in list) - x.gamma) < 0 for x, list in zip(self.letters, way)):
+                return False
+        return True
+
+
+def whole(word, least, most):
+    need(re.fullmatch("0|[1-9][0-9]{0,9}", word, re.ASCII), f"not a number: {word}")
+    need(least <= int(word) <= most, f"a number from {least} to {most}: {word}")
     return int(word)
 
 
 def decimal(word, positive=False):
-    need(re.fullmatch(r"-?(0|[1-9][0-9]*)(\.[0-9]*[1-9])?", word, re.ASCII) and word != "-0", f"a decimal: {word}")
-    need(sum(map(str.isdigit, word)) <= 15 and abs(F(word)) < 2**15 and (F(word) > 0 or not positive), f"a decimal in range: {word}")
-    return F(word)
+    need(re.fullmatch(r"-?(0|[1-9][0-9]*)(\.[0-9]*[1-9])?", word, re.ASCII) and word != "-0", f"not a decimal: {word}")
+    need(sum(map(str.isdigit, word)) <= 15, f"too many digits: {word}")
+    value = Fraction(word)
+    need(abs(value) < 2**15 and (value > 0 or not positive), f"out of range: {word}")
+    return value
 
 
 def fraction(word):
-    p, slash, q = word.partition("/")
-    need(slash and "." not in word, f"a fraction: {word}")
-    p, q = whole(p), whole(q)
-    need(q > 0 and gcd(p, q) == 1 and abs(F(p, q)) < 2**15, f"a fraction in lowest terms: {word}")
-    return F(p, q)
-
-
-def whole(word):
-    need(re.fullmatch(r"-?(0|[1-9][0-9]{0,14})", word, re.ASCII) and word != "-0", f"a whole number: {word}")
-    return int(word)
-
-
-def check(text):
-    lines = iter(line.removesuffix("\r") for line in text.removesuffix("\n").split("\n"))
-
-    def line(name, count=None):
-        words = next(lines, "").split(" ")
-        need(words[0] == name and count in (None, len(words) - 1), f"expected a line {name}")
-        return words[1:]
-
-    def spread(words, read=decimal, strict=True):
-        lo, hi = map(read, words)
-        need(lo < hi or lo == hi and not strict, "ends must increase")
-        return lo, hi
-    need(next(lines, "") == "grazing-certificate 1", "not a certificate")
-    kind = next(lines, "")
-    need(kind in ("kind chaos", "kind chaos 2"), "not a certificate of kind chaos")
-    mirrored = kind == "kind chaos 2"  # two walls, periods in halves
-    need(next(lines, "") == "statement " + (STATEMENT_2 if mirrored else STATEMENT), "another statement")
-    ranges = [spread(line(name, 2), fraction, False) for name in ("damping", "stiffness", "force", "restitution", "depth")]
-    (c, k, f, tau, nu) = ranges
-    need(f == (0, 0) or not mirrored, "a force between two walls")
-    need(tau[0] > 0 and nu[0] >= 0 and nu[1] > 0 and (f == (0, 0) or c == k == (0, 0) and nu[0] > 0), "ranges")
-    (side,) = line("side", 1)
-    need(side in ("1", "-1"), "a side")
-    sigma = num(int(side))
-    harmonics = []
-    for _ in range(integer(line("harmonics", 1)[0], 100)):
-        order, *rest = line("harmonic", 5)
-        one, other = spread(rest[:2], fraction, False), spread(rest[2:], fraction, False)
-        harmonics.append((integer(order, 100), *(num(lo).hull(num(hi)) for lo, hi in (one, other))))
-        need(harmonics[-1][0] > max([0] + [before[0] for before in harmonics[:-1]]), "orders increase from 1")
-    total = [sum((x[1] for x in harmonics), -ONE), sum((num(x[0]) * x[2] for x in harmonics), ZERO)]
-    need(all(x.lo <= 0 <= x.hi for x in total), "the harmonics have not their top at 0")
-    cells = [integer(word, 10000) for word in line("cells", 5)]
-    window, pieces = num(decimal(line("window", 1)[0], True)), integer(line("pieces", 1)[0], 1000)
-    letters = []
-    for _ in range(integer(line("letters", 1)[0], 400)):
-        n, a, b, p, q, alpha, beta, growth, parts = line("letter", 9)
-        letters.append((integer(n, 1000), spread((a, b)), spread((p, q)), *(decimal(x, True) for x in (alpha, beta, growth)), integer(parts, 64)))
-        need(letters[-1][0] > 0 and letters[-1][6] > 0, "periods and parts")
-    follow = []
-    for _ in letters:
-        follow.append([integer(word, len(letters)) - 1 for word in line("next")])
-        need(follow[-1] and follow[-1][0] >= 0 and all(x < y for x, y in zip(follow[-1], follow[-1][1:])), "successors")
-    kappa, reach = num(decimal(line("contraction", 1)[0], True)), num(decimal(line("reach", 1)[0], True))
-    rates = spread(line("growth", 2))
-    complete = line("complete")
-    if complete != ["no"]:
-        need(len(complete) == 4 and side == "1" and f == (0, 0), "completeness")
-        complete = decimal(complete[0], True), *(integer(x, most) for x, most in zip(complete[1:], (1000, 64, 100)))
-        need(all(complete) and len({x[0] for x in letters}) == len(letters), "completeness needs letters of different periods")
-    need(next(lines, None) is None, "the file goes on")
-    need(kappa.hi < UNIT and rates[0] > 0 and letters and pieces > 0 and all(cells), "numbers must be positive, the contraction below 1")
-    before = [[m for m in range(len(letters)) if n in follow[m]] for n in range(len(letters))]
-    told = [all(len({letters[w][0] for w in one}) == len(one) for one in way) for way in (follow, before)]
-    need(any(told), "paths are not told by their periods")
-    need(any(all(sign * (sum(letters[w][5] / rate**letters[w][0] for w in way[v]) - letter[5]) >= 0
-                 for v, letter in enumerate(letters) for rate, sign in zip(rates, (1, -1))) for way in (follow, before)), "growth")
-    wall = Wall(harmonics, window, pieces)
-    for choice in product(*map(range, cells)):
-        cell([num(lo).hull(num(hi)).part(i, n) for (lo, hi), i, n in zip(ranges, choice, cells)], mirrored, sigma, wall, pieces, letters, follow, before, kappa, reach, complete)
-
-
-def cell(box, mirrored, sigma, wall, pieces, letters, follow, before, kappa, reach, complete):
-    c, k, f, tau, nu = box
-    f = f / nu if f.lo or f.hi else f
-    window = wall.window
-    after, last = ([num(x[i][0]).hull(num(x[i][1])) for x in letters] for i in (1, 2))
-    share = TWO / (ONE + tau)
-    longest = max([x[0] for x in letters] + ([] if complete == ["no"] else [complete[1]]))
-
-    def elapsed(n): return num(n if mirrored else 2 * n) * PI
-    turns = [exp(elapsed(n), c, k) for n in range(longest + 1)]
-    if mirrored:  # what happens at the upper wall is seen in the mirror
-        turns = [(-a, -b) if n % 2 else (a, b) for n, (a, b) in enumerate(turns)]
-
-    def strength(a, p): return share * (a + tau * p)
-
-    def impact(s):
-        t = wall.phase(-(nu * s).half())
-        bend, ratio = wall.bends(t)
-        drop = (nu * s.square() * ratio).over(4)
-        if nu.lo > 0 and not wall.plain:
-            drop = drop.meet(wall.at(t)[0] / nu)
-        return s, t, bend, sigma - drop
-
-    def both(s, i, n): return impact(s.part(i, n)), impact(s.part(i, n).middle())
-
-    def move(e, time, q, u): return e[0] * q + e[1] * u + f * time.square().half(), (e[0] - c * e[1]) * u - k * (e[1] * q) + f * time
-
-    def ends(n, x, y):
-        e, time = times(turns[n], exp(y[1] - x[1], c, k), c, k), elapsed(n) + y[1] - x[1]
-        a = (y[3] - e[0] * x[3] - f * time.square().half()) / e[1]
-        return e, a, move(e, time, x[3], a)[1]
-
-    def leg(periods, x, y):
-        """The velocities of a leg and their derivatives."""
-        (x, x0), (y, y0) = x, y
-        (e, a, p), (_, a_mid, p_mid) = ends(periods, x, y), ends(periods, x0, y0)
-        slopes = [-(nu / u[2]).half() for u in (x, y)]
-        for _ in range(3):
-            r = f - c * p - k * y[3]
-            first, final = (p - e[0] * x[0].half()) / e[1], (y[0].half() - p) / e[1]
-            da = slopes[0] * first, slopes[1] * final
-            dp = slopes[0] * ((e[0] - c * e[1]) * first - k * (e[1] * x[0].half()) - r), slopes[1] * ((e[0] - c * e[1]) * final + r)
-            a = a.meet(a_mid + da[0] * (x[0] - x0[0]) + da[1] * (y[0] - y0[0]))
-            p = p.meet(p_mid + dp[0] * (x[0] - x0[0]) + dp[1] * (y[0] - y0[0]))
-        return a, p, da, dp
-
-    def fits(n, a, p):
-        (a0, a1), (p0, p1) = letters[n][1:3]
-        return num(a0).hi <= a.lo and a.hi <= num(a1).lo and num(p0).hi <= p.lo and p.hi <= num(p1).lo
-
-    def contracts(m, n, z, x, y):
-        a, p, da, dp = leg(letters[n][0], x, y)
-        alpha, beta = letters[n][3:5]
-        need(fits(n, a, p), "a box is left (H1)")
-        u, v = strength(num(alpha), num(letters[m][4])), strength(num(letters[z][3]), num(beta))
-        for d, weight in ((da, alpha), (dp, beta)):
-            need((d[0].size() * u + d[1].size() * v).hi <= (kappa * num(weight)).lo, "no contraction (H2)")
-
-    def gaps(n, periods, into, out):
-        """H4 for a letter, between impacts of all strengths that it can have."""
-        x, y = (impact(I(min(s.lo for s in all), max(s.hi for s in all))) for all in (into, out))
-
-        def motion(j, t):
-            q, u = move(times(turns[j], exp(t - x[1], c, k), c, k), elapsed(j) + t - x[1], x[3], after[n])
-            need(q.hi < reach.lo and (not mirrored or -q.lo < reach.lo), "the reach")
-            return q, u
-
-        def opened(t, q): need((wall.at(t)[0] + nu * (q - sigma)).lo > 0, "a gap may close (H4)")
-        for j in range(periods + 1):
-            least, left, right = None, x[1] if j == 0 else -window, y[1] if j == periods else window
-            # From here the same wall's gap stays open to its next window, or to the end of the leg at the other.
-            rest = window.hull(PI + y[1] if mirrored and j == periods - 1 else TWO * PI - window)
-            for i in range(pieces):
-                t = left.hull(right).part(i, pieces)
-                q, u = motion(j, t)
-                here = (wall.at(t)[2] + nu * (f - c * u - k * q)).lo
-                need(here > 0, "a gap may not be convex (H4)")
-                least = here if least is None else min(least, here)
-                if j < periods:
-                    opened(rest.part(i, pieces), motion(j, rest.part(i, pieces))[0])
-            if 0 < j < periods:
-                q, u = motion(j, ZERO)
-                need((q - sigma - nu * u.square() / I(2 * least, 2 * least)).lo > 0, "the wall may be met (H4)")
-
-        for i in range(pieces if mirrored else 0):  # the other wall's, to its first window
-            t = (PI + x[1]).hull(TWO * PI - window).part(i, pieces)
-            opened(t, -motion(0, t - PI)[0])
-
-    for n, letter in enumerate(letters):
-        periods, parts = letter[0], letter[6]
-        into, out = [strength(after[n], last[m]) for m in before[n]], [strength(after[z], last[n]) for z in follow[n]]
-        for m, s in zip(before[n], into):
-            need((after[n] - last[m]).lo > 0, "a speed may be 0 (H3)")
-            for z, t in zip(follow[n], out):
-                for i, j in product(range(parts), repeat=2):
-                    contracts(m, n, z, both(s, i, parts), both(t, j, parts))
-        if before[n]:
-            gaps(n, periods, into, out)
-    if complete == ["no"]:
-        return
-    bound, longest, parts, rounds = complete
-    bound = num(bound)
-
-    def once(x):
-        """At most one contact in a window: |q'| <= most, |q''| <= bend."""
-        width = x[1].size() + x[1].size()
-        room = ONE - width * (c.size() + k.size() * width)
-        need(room.lo > 0, "two contacts in a window (C)")
-        most = (x[0].size().half() + width * (k.size() * x[3].size())) / room
-        need((x[2] - nu * (c.size() * most + k.size() * (x[3].size() + width * most))).lo > 0, "two contacts in a window (C)")
-
-    def short():
-        """No leg of more than so many periods: the ratios of q a period apart do not stay positive."""
-        e = turns[1]
-        det = (e[0] * (e[0] - c * e[1]) + k * e[1].square()).lo
-        trace = (e[0] + e[0] - c * e[1]).hi
-        ratio = trace
-        for _ in range(longest - 2):
-            if ratio <= 0:
-                break
-            ratio = (I(trace, trace) - I(det, det) / I(ratio, ratio)).hi
-        need(det > 0 and longest > 1 and ratio <= 0, "a leg may be longer (C)")
-
-    everything = impact((-bound).hull(bound))
-    once(everything)
-    need(everything[3].lo > 0, "an impact may be below rest (C)")
-    short()
-    # The velocities of legs of each length; None where nothing is known; left out if there is no such leg.
-    known = {n: None for n in range(1, longest + 1)}
-
-    def between(m, n):
-        if known[m] is None or known[n] is None:
-            return (-bound).hull(bound)
-        (a, _), (_, p) = known[n], known[m]
-        s = strength(a, p)
-        return s.meet((-bound).hull(bound)) if a.hi >= p.lo and s.hi >= -bound.hi and s.lo <= bound.hi else None
-
-    def possible(m, n, z, x, y):
-        """The velocities of such a leg between legs of m and z periods; None if there is none."""
-        a, p, _, _ = leg(n, x, y)
-        x, y = x[0], y[0]
-        a, p = I(max(a.lo, x[0].half().lo), a.hi), I(p.lo, min(p.hi, y[0].half().hi))
-        if known[n]:
-            a, p = a.meet(known[n][0]), p.meet(known[n][1])
-        if known[m]:
-            a = a.meet(x[0] / share - tau * known[m][1])
-        if known[z]:
-            p = p.meet((y[0] / share - known[z][0]) / tau)
-        fine = a.lo <= a.hi and p.lo <= p.hi
-        for j in range(1, n):
-            e = times(turns[j], exp(-x[1], c, k), c, k)
-            fine = fine and (e[0] * x[3] + e[1] * a - sigma).hi >= 0
-        return (a, p) if fine else None
-
-    def done():
-        place = {letter[0]: n for n, letter in enumerate(letters)}
-        return all(n in place and known[n] and fits(place[n], *known[n]) for n in known) and all(
-            place[n] in follow[place[m]] or between(m, n) is None for m, n in product(known, repeat=2))
-
-    for turn in range(rounds):
-        strengths = {pair: between(*pair) for pair in product(known, repeat=2)}
-        impacts = {pair: [both(s, i, parts) for i in range(parts)] for pair, s in strengths.items() if s}
-        found = {}
-        for n in known:
-            others = list(known)[:1] if turn == 0 else known
-            for m, z in product(others, repeat=2):
-                for x, y in product(impacts.get((m, n), []), impacts.get((n, z), [])):
-                    one = possible(m, n, z, x, y)
-                    if one:
-                        found[n] = tuple(u.hull(v) for u, v in zip(found[n], one)) if n in found else one
-        known = found
-        if done():
-            return
-    need(False, "there may be other orbits near (C)")
+    need(re.fullmatch("-?(0|[1-9][0-9]{0,14})/[1-9][0-9]{0,14}", word, re.ASCII), f"not a fraction: {word}")
+    p, q = map(int, word.split("/"))
+    need(gcd(p, q) == 1 and not word.startswith("-0") and abs(p) < 2**15 * q, f"not in lowest terms: {word}")
+    return Fraction(p, q)
 
 
 if __name__ == "__main__":
     good = True
     for name in sys.argv[1:]:
         try:
-            check(open(name, encoding="utf-8", newline="").read())
-            print(f"{name}: proved")
+            with open(name, encoding="utf-8", newline="") as stream:
+                print(f"{name}: proved, {File(stream.read()).check()}")
         except ValueError as reason:
             good = False
             print(f"{name}: rejected: {reason}")

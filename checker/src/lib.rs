@@ -40,7 +40,7 @@
 //! | `word-by-theorem` | the signs that the word theorem asks for there, and so all periods | [`word`] |
 //! | `orbit`, `orbit 2` | that a periodic orbit of an oscillator exists, is unique in a box, admissible, stable or not; 2: for all coefficients in intervals | [`orbit`] |
 //! | `event`, `event 2` | that such an orbit bifurcates (saddle-node, flip) or grazes at a parameter in an interval; 2: for all coefficients in intervals | [`event`] |
-//! | `chaos`, `chaos 2` | that every bi-infinite word over an alphabet of periods is an orbit of an oscillator, over ranges of parameters; 2: between two walls, each the other's mirror image, both met | [`chaos`] |
+//! | `chaos 3`, `chaos 4` | that every bi-infinite path of a graph of letters, each of so many periods, is an orbit of an oscillator, over ranges of parameters; 4: between two walls, each the other's mirror image, both met | [`chaos`] |
 //! | `machine-orbit` | that a periodic orbit of a machine with any number of coordinates and stops exists, is unique in a box, admissible, stable or not | [`machine`] |
 //!
 //! # Use
@@ -51,7 +51,7 @@
 //! let lines = "n 2 3\norbit 0/1 1/4 - +\npoint 1/4 singular\norbit 1/4 1/2 + +\n";
 //! let head = format!("{FORMAT}\nkind theorem2\nrange 2 2\nlines 4\nstatement {}\n", theorem2::STATEMENT);
 //! let checked = check(&mut (head.clone() + lines).as_bytes()).unwrap();
-//! assert_eq!((checked.kind, checked.range), ("theorem2", 2..=2));
+//! assert_eq!((checked.kind, checked.range), ("theorem2", Some(2..=2)));
 //! // With one sign changed it is rejected, with the line and the reason.
 //! let rejection = check(&mut (head + &lines.replace("- +", "+ +")).as_bytes()).unwrap_err();
 //! assert!(rejection.to_string().starts_with("line 7: false"));
@@ -62,9 +62,12 @@
 //! A kind is a folder: `mod.rs` with the form, the rules, the limits and the cost in its head, the constants
 //! `KIND` and `STATEMENT`, and `check`, which reads and proves everything after the kind line and returns the
 //! range of periods and what else to print. It gets a line in the table `KINDS` below, which is the only
-//! place that names all kinds, a row in the table above, and samples in `tests/data`. It asks `Lines::go_on`
-//! at least every few milliseconds, refuses work beyond a stated limit before it begins it, and holds no more
-//! than it says. What finds certificates lives elsewhere.
+//! place that names all kinds, a row in the table above, samples in `tests/data`, and rows in
+//! `tests/details.rs`, which changes every word of the samples: whatever is printed must be part of what is
+//! checked. It asks `Lines::go_on` at least every few milliseconds, refuses work beyond a stated limit before
+//! it begins it, and holds no more than it says. A statement that turns out not to be true as it stands is
+//! never mended in place: it gets a new version, and the old one a row in `WITHDRAWN`. What finds
+//! certificates lives elsewhere.
 
 mod arithmetic;
 pub mod chaos;
@@ -97,14 +100,17 @@ const KINDS: [Kind; 11] = [
     Kind::first(cover::KIND, cover::STATEMENT, cover::check),
     Kind::first(orbit::KIND, orbit::STATEMENT, orbit::check::<orbit::Fraction>),
     Kind::first(event::KIND, event::STATEMENT, event::check::<event::Quotient>),
-    Kind::first(chaos::KIND, chaos::STATEMENT, chaos::check::<false>),
     Kind::first(word::KIND, word::STATEMENT, word::check),
     Kind::first(word::KIND_BY_THEOREM, word::STATEMENT_BY_THEOREM, word::check_by_theorem),
-    Kind::first(orbit::KIND, orbit::STATEMENT_2, orbit::check::<orbit::Range>).second(),
-    Kind::first(event::KIND, event::STATEMENT_2, event::check::<event::RangeQuotient>).second(),
-    Kind::first(chaos::KIND, chaos::STATEMENT_2, chaos::check::<true>).second(),
+    Kind::first(orbit::KIND, orbit::STATEMENT_2, orbit::check::<orbit::Range>).version(" 2"),
+    Kind::first(event::KIND, event::STATEMENT_2, event::check::<event::RangeQuotient>).version(" 2"),
+    Kind::first(chaos::KIND, chaos::STATEMENT_3, chaos::check::<false>).version(" 3"),
+    Kind::first(chaos::KIND, chaos::STATEMENT_4, chaos::check::<true>).version(" 4"),
     Kind::first(machine::KIND, machine::STATEMENT, machine::check),
 ];
+
+/// The kind lines that were proved once and are refused now, with the reason.
+const WITHDRAWN: [(&str, &str); 2] = [("kind chaos", chaos::WITHDRAWN), ("kind chaos 2", chaos::WITHDRAWN)];
 
 /// The kinds that this version proves, as after the word `kind` in a header: `orbit`, `orbit 2`, …
 pub fn kinds() -> impl Iterator<Item = String> {
@@ -133,9 +139,9 @@ impl Kind {
         Kind { name, version: "", statement, check }
     }
 
-    /// The same as version 2.
-    const fn second(self) -> Kind {
-        Kind { version: " 2", ..self }
+    /// The same as another version.
+    const fn version(self, version: &'static str) -> Kind {
+        Kind { version, ..self }
     }
 
     fn line(&self) -> String {
@@ -145,7 +151,10 @@ impl Kind {
 
 /// What the checker of a kind found, everything being proved.
 struct Proved {
-    range: RangeInclusive<u64>,
+    /// What the headline has in place of the kind, if that would say more than is proved.
+    title: Option<&'static str>,
+    /// The periods n that it is proved for, if that is all of a range.
+    range: Option<RangeInclusive<u64>>,
     detail: Vec<(&'static str, String)>,
 }
 
@@ -154,20 +163,25 @@ struct Proved {
 pub struct Checked {
     /// The kind of certificate, as in its header.
     pub kind: &'static str,
+    /// What is proved, in a word: the kind, but `orbits` for one of kind `chaos` that proves no chaos.
+    pub title: &'static str,
     /// The statement, as in the header.
     pub statement: &'static str,
-    /// The periods n for which it is proved.
-    pub range: RangeInclusive<u64>,
+    /// The periods n for which it is proved; `None` of kind `chaos`, whose letters need not be a range.
+    pub range: Option<RangeInclusive<u64>>,
     /// What the statement leaves to the certificate, in words: names and values.
     pub detail: Vec<(&'static str, String)>,
     /// The number of lines read, header included.
     pub lines: u64,
 }
 
-/// `proved, KIND for n = A..=B`, and a line for each detail.
+/// `proved, TITLE for n = A..=B`, or without the range, and a line for each detail.
 impl fmt::Display for Checked {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "proved, {} for n = {}..={}", self.kind, self.range.start(), self.range.end())?;
+        write!(f, "proved, {}", self.title)?;
+        if let Some(range) = &self.range {
+            write!(f, " for n = {}..={}", range.start(), range.end())?;
+        }
         self.detail.iter().try_for_each(|(name, value)| write!(f, "\n  {name}: {value}"))
     }
 }
@@ -199,11 +213,15 @@ pub fn check_until(input: &mut dyn BufRead, stop: &mut dyn FnMut() -> bool) -> R
     }
     let line = lines.expect("the kind")?;
     let Some(kind) = KINDS.iter().find(|kind| line == kind.line()) else {
+        if let Some((line, reason)) = WITHDRAWN.iter().find(|(withdrawn, _)| line == *withdrawn) {
+            return Err(lines.malformed(format!("{line:?} is of an earlier version: {reason}")));
+        }
         let names = KINDS.map(|kind| format!("{:?}", kind.line()));
         return Err(lines.malformed(format!("expected a line {}", names.join(" or "))));
     };
-    let Proved { range, detail } = (kind.check)(&mut lines)?;
-    Ok(Checked { kind: kind.name, statement: kind.statement, range, detail, lines: lines.number() })
+    let Proved { title, range, detail } = (kind.check)(&mut lines)?;
+    let (kind, statement, lines) = (kind.name, kind.statement, lines.number());
+    Ok(Checked { kind, title: title.unwrap_or(kind), statement, range, detail, lines })
 }
 
 /// The largest `u64` and 1 more: a panic, if this crate was built to notice overflows, as the workspace's

@@ -5,18 +5,31 @@ mod common;
 use std::{fs, path::Path, process::Command};
 
 use common::{CHAOS_12, CHAOS_123, CHAOS_MIRRORED, CHAOS_MIRRORED_BEFORE, answer, rejected, with};
-use grazing_check::chaos::{STATEMENT, STATEMENT_2};
+use grazing_check::chaos::{STATEMENT_3, STATEMENT_4};
 
 #[test]
 fn what_is_written_passes_and_is_named() {
     let checked = answer(CHAOS_12).unwrap();
-    assert_eq!((checked.kind, checked.range.clone()), ("chaos", 1..=2));
-    let text = checked.to_string();
-    assert!(text.contains("depth: every nu with 0 < nu <= 1\n"), "{text}");
-    assert!(text.contains("letters: 1, 2; each may follow each"), "{text}");
-    assert!(text.contains("others: not excluded"), "{text}");
+    assert_eq!((checked.kind, checked.range.clone()), ("chaos", None));
+    assert_eq!(
+        checked.to_string(),
+        "proved, chaos
+  claim: chaos: paths branch, and the entropy is positive
+  motion: q'' = -c q' - k q + f above the wall nu - 1 + cos t, restitution tau
+  damping: 12/49
+  stiffness: 100/2401
+  force: 0
+  restitution: 1
+  depth: every nu with 0 < nu <= 1
+  letters: 1: 1 period, velocity/nu 0.089 to 0.244 first, -0.1582 to -0.0612 last, then 1 or 2; \
+2: 2 periods, velocity/nu 0.615 to 1.036 first, -0.367 to -0.14 last, then 1 or 2
+  window: impacts within 1.2 of multiples of 2 pi
+  contraction: at most 0.875
+  reach: q < 4.3 nu
+  entropy: per period between log 1.61803398874 and log 1.61803398876
+  others: not excluded: there may be other orbits near"
+    );
     let checked = answer(CHAOS_123).unwrap();
-    assert_eq!(checked.range, 1..=3);
     assert!(checked.to_string().contains("others: none near"), "{checked}");
 }
 
@@ -89,8 +102,9 @@ fn what_is_not_complete_is_refused() {
 }
 
 /// The same lines as of the other version.
-fn version(text: &str, second: bool) -> String {
-    let (kind, statement) = if second { ("kind chaos 2", STATEMENT_2) } else { ("kind chaos", STATEMENT) };
+fn version(text: &str, mirrored: bool) -> String {
+    let (kind, statement) =
+        if mirrored { ("kind chaos 4", STATEMENT_4) } else { ("kind chaos 3", STATEMENT_3) };
     with(&with(text, "kind", kind), "statement", &format!("statement {statement}"))
 }
 
@@ -111,10 +125,12 @@ fn small_twice() -> String {
 #[test]
 fn orbits_between_mirrored_walls_pass_and_are_named() {
     let checked = answer(CHAOS_MIRRORED).unwrap();
-    assert_eq!((checked.kind, checked.statement, checked.range.clone()), ("chaos", STATEMENT_2, 1..=3));
+    assert_eq!((checked.kind, checked.statement, checked.range.clone()), ("chaos", STATEMENT_4, None));
     let text = checked.to_string();
     assert!(text.contains("between the wall w(t) = nu - 1 + cos t and the wall -w(t - pi)"), "{text}");
-    assert!(text.contains("letters: 1/2, 1, 3/2; each may follow each"), "{text}");
+    for letter in ["1: 1/2 periods, vel", "2: 1 period, vel", "3: 3/2 periods, vel", ", then 1 or 2 or 3"] {
+        assert!(text.contains(letter), "{text}");
+    }
     assert!(text.contains("per half period between log 1.839286755204") && !text.contains("force"), "{text}");
     assert!(
         text.contains("|q| < 4.1 nu") && text.contains("bounded motion that meets a wall only"),
@@ -177,9 +193,9 @@ fn negative_controls_between_mirrored_walls_are_refused() {
     for (text, start, line, reason) in [
         (CHAOS_MIRRORED, "force", "force 1/10 1/10", "force is 0/1"),
         (CHAOS_MIRRORED_BEFORE, "complete", "complete 2 5 2 4", "side 1"),
-        (CHAOS_MIRRORED, "kind", "kind chaos", "line 3"),
-        (CHAOS_MIRRORED, "kind", "kind chaos 3", "expected a line"),
-        (CHAOS_12, "kind", "kind chaos 2", "line 3"),
+        (CHAOS_MIRRORED, "kind", "kind chaos 3", "line 3"),
+        (CHAOS_MIRRORED, "kind", "kind chaos 5", "expected a line"),
+        (CHAOS_12, "kind", "kind chaos 4", "line 3"),
         (
             CHAOS_MIRRORED,
             "pieces",
@@ -270,18 +286,194 @@ fn numbers_have_one_form_and_limits() {
         ("complete", "complete", "decimal"),
         ("complete", "complete 2 4 2 0", "at least 1"),
         ("complete", "complete 2 4 2 101", "from 0 to 100"),
-        ("complete", "complete 2 400 2 7", "evaluations"),
+        ("complete", "complete 2 400 2 7", "exponentials"),
         ("side", "side -1\ncomplete 2 4 2 7", "harmonics"),
         ("harmonics", "harmonics 0", "sum to 1"),
         ("harmonic ", "harmonic 1 1/2 2/3 0/1 0/1", "sum to 1"),
         ("harmonic ", "harmonic 1 1/1 1/1 1/9 1/9", "sum to 1"),
         ("harmonic ", "harmonic 0 1/1 1/1 0/1 0/1", "at least 1"),
         ("harmonic ", "harmonic 1 1/1 1/1 0/1", "fraction"),
-        ("cells", "cells 1 1 1 1 10000", "evaluations"),
+        ("cells", "cells 1 1 1 1 10000", "exponentials"),
     ] {
         let why = rejected(&with(CHAOS_12, start, line));
         assert!(why.contains("malformed") && why.contains(reason), "{line}: {why}");
     }
+}
+
+/// Lines of a certificate put in place of others: the first that begins so, or several.
+fn forged(changes: &[(&str, &str)]) -> String {
+    changes.iter().fold(CHAOS_12.to_string(), |text, (start, lines)| with(&text, start, lines))
+}
+
+/// The letters 1 and 2 at a depth where both close with room.
+const SHALLOW: (&str, &str) = ("depth", "depth 0/1 1/100");
+
+/// Certificates that put false words around true claims, or true words around nothing: what they say beyond
+/// the form, and why they are refused. The letters' boxes are those of the paper's oscillator.
+fn forgeries() -> Vec<(&'static str, String, &'static str)> {
+    let (one, two) = (line("letter 1"), line("letter 2"));
+    let unit = |letter: &str| {
+        let mut words: Vec<&str> = letter.split(' ').collect();
+        words[8] = "1";
+        words.join(" ")
+    };
+    let all = |changes: &[(&str, &str)]| forged(&[&[SHALLOW], changes].concat());
+    // What nothing precedes was not checked at all.
+    let orphan = |letter: &str, next: &str| {
+        let letters = format!("{two}\n{letter}");
+        all(&[("letters", "letters 3"), ("letter 2", &letters), ("contraction", next)])
+    };
+    let (steady, high) = (unit(&one), "letter 777 1 2 -2 -1 1 1 1 1");
+    let alone = |growth: &str| {
+        let lines = [("letters", "letters 1"), ("letter 2", ""), ("letter 1", &steady)];
+        let lines = [&lines[..], &[("next", ""), ("next", "next 1"), ("growth", growth)]].concat();
+        all(&lines)
+    };
+    vec![
+        ("a periodic orbit grows", alone("growth 1.00000000001 1.1"), "lower rate at letter 1"),
+        ("a periodic orbit grows by half", alone("growth 1.5 1.6"), "lower rate"),
+        ("a rate below 1", alone("growth 0.5 3"), "a growth rate is at least 1"),
+        ("a rate of 0", alone("growth 0 3"), "a growth rate is at least 1"),
+        ("a negative rate", alone("growth -1 3"), "a growth rate is at least 1"),
+        ("rates the wrong way round", alone("growth 1.1 1"), "ends must increase"),
+        (
+            "a letter that nothing precedes",
+            orphan(high, "next 1 2\ncontraction 0.875"),
+            "letter 3 follows no letter",
+        ),
+        ("a letter that only itself precedes", orphan(high, "next 3\ncontraction 0.875"), "growth vector"),
+        (
+            "the same with a growth vector",
+            orphan(high, "next 1 2 3\ncontraction 0.875").replace("growth 1.61803398874", "growth 1"),
+            "(H",
+        ),
+        ("a letter that nothing follows", all(&[("next", "next")]), "number of a letter"),
+        (
+            "a letter left out by all others",
+            all(&[("next", "next 1"), ("next 1 2", "next 1")]),
+            "letter 2 follows no letter",
+        ),
+        ("a letter that follows a letter not there", all(&[("next", "next 1 3")]), "from 0 to 2"),
+        ("a letter 0", all(&[("next", "next 0 1")]), "begin at 1"),
+        ("a letter twice", all(&[("next", "next 1 1")]), "increase"),
+        (
+            "one letter under two numbers",
+            orphan(&two, "next 1 2 3\ncontraction 0.875").replace("next 1 2\n", "next 1 2 3\n"),
+            "two successors of the same period",
+        ),
+        (
+            "a letter's periods",
+            all(&[("letter 2", &two.replacen("letter 2", "letter 3", 1))]),
+            "lower rate at letter 1",
+        ),
+        (
+            "a number of two forms",
+            all(&[("letter 2", &two.replace("0.310435706", "0.3104357060"))]),
+            "expected a decimal",
+        ),
+        ("boxes that other orbits leave", all(&[("letter 2", &two.replace("0.615", "0.95"))]), "(H1)"),
+        (
+            "walls that there are not: the cosines sum to almost 1",
+            all(&[
+                (
+                    "harmonic 1",
+                    "harmonic 1 1/2 1/2 0/1 0/1\nharmonic 2 499999999999999/999999999999999 \
+                 499999999999999/999999999999999 0/1 0/1",
+                ),
+                ("harmonics", "harmonics 2"),
+            ]),
+            "sum to 1",
+        ),
+        (
+            "walls that there are not: a range just below 1",
+            all(&[("harmonic 1", "harmonic 1 1/2 999999999999998/999999999999999 0/1 0/1")]),
+            "sum to 1",
+        ),
+        (
+            "a slope at the top",
+            all(&[("harmonic 1", "harmonic 1 1/1 1/1 1/999999999999999 1/99")]),
+            "sum to 1",
+        ),
+        (
+            "sums that nobody can follow",
+            all(&[
+                ("harmonics", "harmonics 4"),
+                (
+                    "harmonic 1",
+                    "harmonic 1 999999999999989/999999999999999 1/1 0/1 0/1\n\
+                 harmonic 2 1/999999999999998 1/999999999999997 0/1 0/1\n\
+                 harmonic 3 1/999999999999995 1/999999999999993 0/1 0/1\n\
+                 harmonic 4 1/999999999999991 1/999999999999989 0/1 0/1",
+                ),
+            ]),
+            "no common denominator",
+        ),
+        ("a smaller contraction", all(&[("contraction", "contraction 0.001")]), "(H2)"),
+        ("a lower reach", all(&[("reach", "reach 1")]), "reach"),
+        ("a narrower window", all(&[("window", "window 0.001")]), "outside the window"),
+        ("no others, with legs of 3 periods", all(&[("complete", "complete 36 4 2 7")]), "(C)"),
+        (
+            "no others, of an oscillator that may stay free",
+            all(&[("side", "side -1"), ("complete", "complete 2 4 2 7")]),
+            "side 1",
+        ),
+        (
+            "another statement",
+            with(CHAOS_12, "statement", "statement This oscillator is chaotic."),
+            "word for word",
+        ),
+        (
+            "the statement between two walls",
+            with(CHAOS_12, "statement", &format!("statement {STATEMENT_4}")),
+            "line 3: malformed",
+        ),
+        ("two walls", version(CHAOS_12, true), "(H"),
+        ("version 1", with(CHAOS_12, "kind", "kind chaos"), "leaves out which impact is the first"),
+        ("version 2", with(CHAOS_MIRRORED, "kind", "kind chaos 2"), "writes it anew"),
+    ]
+}
+
+fn line(start: &str) -> String {
+    CHAOS_12.lines().find(|line| line.starts_with(start)).unwrap().to_string()
+}
+
+#[test]
+fn forgeries_are_refused() {
+    let all = forgeries();
+    assert!(all.len() >= 30);
+    for (what, text, reason) in all {
+        let why = answer(&text).map_or_else(|why| why.to_string(), |checked| panic!("{what}: {checked}"));
+        assert!(why.contains(reason), "{what}: {why}");
+    }
+}
+
+/// One periodic orbit is proved as that; letters of 1 and 3 periods are not "n = 1..=3".
+#[test]
+fn what_is_proved_is_called_by_its_name() {
+    let single = |text: &str| {
+        let one = line("letter 1").replace("0.082075454", "1");
+        let text = with(&with(&with(text, "letters", "letters 1"), "letter 2", ""), "letter 1", &one);
+        with(&with(&text, "next", ""), "next", "next 1")
+    };
+    let checked = answer(&with(&single(CHAOS_12), "growth", "growth 1 1.00000000001")).unwrap();
+    let text = checked.to_string();
+    assert_eq!((checked.kind, checked.title, checked.range.clone()), ("chaos", "orbits", None));
+    assert!(text.starts_with("proved, orbits\n  claim: orbits:") && !text.contains("chaos"), "{text}");
+    // 1 and 3 of figure 10: z + z³ = 1.
+    let letters: Vec<&str> = CHAOS_123.lines().filter(|line| line.starts_with("letter ")).collect();
+    let with_growth = |letter: &str, entry: &str| {
+        let mut words: Vec<&str> = letter.split(' ').collect();
+        words[8] = entry;
+        words.join(" ")
+    };
+    let text = with(&with(CHAOS_123, "letters", "letters 2"), letters[1], "");
+    let text = with(&text, letters[2], &with_growth(letters[2], "1"));
+    let text = with(&text, letters[0], &with_growth(letters[0], "1"));
+    let text = text.replace("next 1 2 3\nnext 1 2 3\nnext 1 2 3\n", "next 1 2\nnext 1 2\n");
+    let text = with(&with(&text, "growth", "growth 1.465571 1.465572"), "complete", "complete no");
+    let said = answer(&text).unwrap().to_string();
+    assert!(said.starts_with("proved, chaos\n") && !said.contains("2 periods"), "{said}");
+    assert!(said.contains("1: 1 period, ") && said.contains("2: 3 periods, "), "{said}");
 }
 
 /// The reader in Python, written from the form and the theorem alone, gives the same verdicts.
@@ -343,22 +535,24 @@ fn two_readers_agree() {
         (&unsigned, ("side", "side 1".to_string(), false)),
         (&twice, ("side", "side 1".to_string(), false)),
     ]);
-    let changes: Vec<_> = changes.collect();
+    let changed = changes.map(|(text, (start, line, right))| (line.clone(), with(text, start, &line), right));
+    let forged = forgeries().into_iter().map(|(what, text, _)| (what.to_string(), text, false));
+    let all: Vec<_> = changed.chain(forged).collect();
     let mut files = Vec::new();
-    for (i, (text, (start, line, _))) in changes.iter().enumerate() {
-        let path = folder.join(i.to_string());
-        let text = with(text, start, line);
-        fs::write(&path, &text).unwrap();
-        files.push((path, text));
+    for (i, (_, text, _)) in all.iter().enumerate() {
+        files.push(folder.join(i.to_string()));
+        fs::write(&files[i], text).unwrap();
     }
     let script = concat!(env!("CARGO_MANIFEST_DIR"), "/reference/chaos.py");
-    let output =
-        Command::new("python3").arg(script).args(files.iter().map(|(path, _)| path)).output().unwrap();
+    let output = Command::new("python3").arg(script).args(&files).output().unwrap();
     let verdicts = String::from_utf8(output.stdout).unwrap();
     assert_eq!(verdicts.lines().count(), files.len(), "{}", String::from_utf8_lossy(&output.stderr));
-    for (((_, text), line), (_, (start, new, expected))) in files.iter().zip(verdicts.lines()).zip(&changes) {
-        let (ours, theirs) = (answer(text), line.ends_with(": proved"));
-        assert_eq!((ours.is_ok(), theirs), (*expected, *expected), "{start}: {new}: {ours:?}, {line}");
+    for ((what, text, right), line) in all.iter().zip(verdicts.lines()) {
+        let (ours, theirs) = (answer(text), line.contains(": proved, "));
+        assert_eq!((ours.is_ok(), theirs), (*right, *right), "{what}: {ours:?}, {line}");
+        if let Ok(checked) = ours {
+            assert!(line.ends_with(&format!(": proved, {}", checked.title)), "{line}");
+        }
     }
     fs::remove_dir_all(folder).unwrap();
 }

@@ -8,7 +8,7 @@ use grazing_check::{Rejection, cover};
 #[test]
 fn what_is_written_passes_and_names_r_max() {
     let checked = answer(COVER).unwrap();
-    assert_eq!((checked.kind, checked.range), ("cover", 3..=8));
+    assert_eq!((checked.kind, checked.range), ("cover", Some(3..=8)));
     let shown = checked.detail.iter().map(|(name, value)| format!("{name}: {value}")).collect::<Vec<_>>();
     assert_eq!(shown, ["r_max: 1 - 1/n^3, from 26/27 (n = 3) to 511/512 (n = 8)"]);
 }

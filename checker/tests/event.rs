@@ -7,7 +7,7 @@ use common::{FLIP, GRAZING, SADDLE_NODE, answer, rejected, resealed, with};
 #[test]
 fn what_is_written_passes_and_is_named() {
     let checked = answer(SADDLE_NODE).unwrap();
-    assert_eq!((checked.kind, checked.range.clone()), ("event", 4..=4));
+    assert_eq!((checked.kind, checked.range.clone()), ("event", Some(4..=4)));
     let expected = "\
 proved, event for n = 4..=4
   event: saddle-node: a multiplier is 1, and mu turns, nondegenerate

@@ -66,7 +66,8 @@ pub(super) fn caption(
                 return Ok(Err(outcome));
             }
         };
-        let Some(basis) = bases.iter().find(|basis| basis.kind == checked.kind) else {
+        let basis = bases.iter().find(|basis| basis.kind == checked.kind);
+        let (Some(basis), Some(range)) = (basis, checked.range) else {
             let kinds: Vec<&str> = bases.iter().map(|basis| basis.kind).collect();
             return Err(Error::input(format!(
                 "{shown} is of kind {}, which proves nothing of this table: cite one of kind {}",
@@ -78,7 +79,7 @@ pub(super) fn caption(
             return Err(Error::input(format!("{shown} is the second of kind {}: cite one", basis.kind)));
         }
         cited.push(basis.kind);
-        let (from, to) = (*checked.range.start(), *checked.range.end());
+        let (from, to) = range.into_inner();
         if first < from || last > to {
             return Err(Error::input(format!(
                 "{shown} proves n = {from}..={to}, and the table has {first}..={last}: list {}..={}, or cite what \

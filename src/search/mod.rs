@@ -8,7 +8,7 @@
 //! assert!(proof.refuted.is_none() && proof.pending == 0);
 //! let mut text = Vec::new();
 //! write_theorem2(3..=8, &proof, &mut text, &())?;
-//! assert_eq!(certificate::check(&mut &text[..])?.range, 3..=8);
+//! assert_eq!(certificate::check(&mut &text[..])?.range, Some(3..=8));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 

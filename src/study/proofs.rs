@@ -152,8 +152,8 @@ const SCENES: [(&str, u64, &str, &str); 8] = [
     ("event 2", 3, PAPER, "proved-mu_pd"),
     ("event 2", 4, PAPER, "proved-mu_sn"),
     ("event 2", 6, PAPER, "proved-mu_gr3"),
-    ("chaos", 2, CHAOS, "few"),
-    ("chaos", 3, CHAOS, "figure10"),
+    ("chaos 3", 2, CHAOS, "few"),
+    ("chaos 3", 3, CHAOS, "figure10"),
 ];
 
 /// A scene with the stop's amplitude changed in the 40th decimal, which version 1 of a certificate cannot

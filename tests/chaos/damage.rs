@@ -62,7 +62,7 @@ fn read(text: &str) -> Option<Certificate> {
     };
     let cells: Vec<u64> = one("cells")?.iter().filter_map(|w| whole(w)).collect();
     Some(Certificate {
-        mirrored: one("kind")? == ["chaos", "2"],
+        mirrored: one("kind")? == ["chaos", "4"],
         ranges: [
             range("damping")?,
             range("stiffness")?,

@@ -43,6 +43,8 @@ impl Flow {
 
     /// E(t) for every enclosed t, its middle apart, so that an interval of t is no wider than it must be.
     pub fn exp(self, t: Interval) -> Matrix {
+        #[cfg(test)]
+        EXPONENTIALS.set(EXPONENTIALS.get() + 1);
         let middle = t.middle();
         let rest = t - middle;
         if rest == Interval::ZERO {
@@ -97,4 +99,10 @@ impl Flow {
 pub(super) fn circle(t: Interval) -> (Interval, Interval) {
     let e = CIRCLE.exp(t);
     (e.a, e.b)
+}
+
+#[cfg(test)]
+thread_local! {
+    /// How many exponentials were taken on this thread.
+    pub static EXPONENTIALS: std::cell::Cell<u64> = const { std::cell::Cell::new(0) };
 }

@@ -75,13 +75,8 @@ fn flight(work: &Work, n: usize, pieces: u64, go_on: GoOn) -> Result<(), Fault> 
     };
     let first = all(letter.previous.iter().map(|&m| work.strength(m, n)).collect());
     let last = all(letter.next.iter().map(|&k| work.strength(n, k)).collect());
-    // A letter that nothing precedes is on no path.
     let (Some(first), Some(last)) = (first, last) else {
-        return if letter.previous.is_empty() {
-            Ok(())
-        } else {
-            wrong("an impact may be outside the window".into())
-        };
+        return wrong("an impact may be outside the window".into());
     };
     let legs = Legs { work, first, after: letter.after.all };
     for k in 0..=letter.periods {

@@ -18,8 +18,7 @@ pub(super) fn grows(certificate: &Certificate) -> Result<(), String> {
         periods.len() == count
     };
     let next: Vec<Vec<usize>> = letters.iter().map(|letter| letter.next.clone()).collect();
-    let previous: Vec<Vec<usize>> =
-        (0..letters.len()).map(|v| (0..letters.len()).filter(|&m| next[m].contains(&v)).collect()).collect();
+    let previous = certificate.previous();
     let told = |way: &[Vec<usize>]| {
         way.iter().all(|list| distinct(list.iter().map(|&v| letters[v].periods).collect()))
     };
@@ -36,17 +35,17 @@ pub(super) fn grows(certificate: &Certificate) -> Result<(), String> {
 fn bounds(certificate: &Certificate, edges: &[Vec<usize>]) -> Result<(), String> {
     let letters = &certificate.letters;
     let [least, most] = certificate.growth.map(|growth| Interval::ONE.over(growth.enclosed()));
+    let terms = |z: Interval| -> Vec<Interval> {
+        letters.iter().map(|letter| power(z, letter.periods) * letter.growth.enclosed()).collect()
+    };
+    let (least, most) = (terms(least), terms(most));
     for (v, letter) in letters.iter().enumerate() {
-        let sum = |z: Interval| {
-            edges[v].iter().fold(Interval::ZERO, |sum, &w| {
-                sum + power(z, letters[w].periods) * letters[w].growth.enclosed()
-            })
-        };
+        let sum = |terms: &[Interval]| edges[v].iter().fold(Interval::ZERO, |sum, &w| sum + terms[w]);
         let own = letter.growth.enclosed();
-        if !own.is_up_to(sum(least)) {
+        if !own.is_up_to(sum(&least)) {
             return Err(format!("the growth vector does not prove the lower rate at letter {}", v + 1));
         }
-        if !sum(most).is_up_to(own) {
+        if !sum(&most).is_up_to(own) {
             return Err(format!("the growth vector does not prove the upper rate at letter {}", v + 1));
         }
     }

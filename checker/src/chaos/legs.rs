@@ -20,9 +20,11 @@
 //! of n half periods lasts T = πn + t′ − t, and E = (−1)ⁿ E(T), while everything else stays as it is.
 
 use super::{
+    Fault,
     fixed::Interval,
     flow::{Flow, Matrix},
     wall::Wall,
+    work::GoOn,
 };
 
 /// A box of parameters.
@@ -51,6 +53,9 @@ pub(super) struct Impact {
     /// Q.
     pub place: Interval,
 }
+
+/// Impacts cut into parts, each part with its middle.
+pub(super) type Parts = Vec<[Impact; 2]>;
 
 /// A leg's first and last velocity, with bounds of their derivatives with respect to s and s′.
 pub(super) struct Leg {
@@ -111,11 +116,12 @@ impl<'a> Cell<'a> {
         Some(Impact { s, phase, bend, place: self.side - drop })
     }
 
-    /// The impacts with these s cut into parts, each part with its middle.
-    pub fn parts(&self, s: Interval, parts: u64) -> Option<Vec<[Impact; 2]>> {
+    /// The impacts with these s cut into parts; none if one may be outside the window.
+    pub fn parts(&self, s: Interval, parts: u64, go_on: GoOn) -> Result<Option<Parts>, Fault> {
         let both = |part| {
+            go_on()?;
             let s = s.part(part, parts);
-            Some([self.impact(s)?, self.impact(s.middle())?])
+            Ok(self.impact(s).zip(self.impact(s.middle())).map(|(all, middle)| [all, middle]))
         };
         (0..parts).map(both).collect()
     }

@@ -113,7 +113,7 @@ fn narrowed(
     for (m, n) in (0..count).flat_map(|m| (0..count).map(move |n| (m, n))) {
         go_on()?;
         if let Some(s) = between(work, known, strengths, m, n) {
-            let Some(cut) = work.cell.parts(s, parts) else { return outside() };
+            let Some(cut) = work.cell.parts(s, parts, go_on)? else { return outside() };
             impacts[m * count + n] = Some(cut);
         }
     }
@@ -153,8 +153,9 @@ fn leg(
     let a = a.common((from[0].s - other * before).over(one))?;
     let p = p.common((to[0].s - one * after).over(other))?;
     // The gap at the middle of each window between.
+    let back = cell.flow.exp(-from[0].phase);
     for turns in 1..periods {
-        let e = cell.flow.times(work.turns(turns), cell.flow.exp(-from[0].phase));
+        let e = cell.flow.times(work.turns(turns), back);
         cell.flow.apply(e, from[0].place, a).0.at_least(cell.side)?;
     }
     Some([a, p])

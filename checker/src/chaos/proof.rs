@@ -18,8 +18,9 @@ pub(super) fn run(certificate: &Certificate, lines: &mut Lines) -> Result<(), Re
     let harmonics = certificate.harmonics.iter();
     let harmonics =
         harmonics.map(|one| (one.order, one.parts.map(|[lo, hi]| lo.enclosed().hull(hi.enclosed()))));
-    let wall = Wall::new(harmonics.collect(), certificate.window.enclosed(), certificate.pieces)
-        .map_err(|reason| lines.false_claim(reason))?;
+    let (window, pieces) = (certificate.window.enclosed(), certificate.pieces);
+    let wall = Wall::new(harmonics.collect(), window, pieces, &mut || lines.go_on())
+        .map_err(|fault| lines.rejection(fault))?;
     let ranges = certificate.ranges.map(|[lo, hi]| lo.enclosed().hull(hi.enclosed()));
     let side = if certificate.behind { Interval::ONE } else { -Interval::ONE };
     let total: u64 = certificate.cells.iter().product();
@@ -31,7 +32,7 @@ pub(super) fn run(certificate: &Certificate, lines: &mut Lines) -> Result<(), Re
             rest /= parts;
         }
         let work = Work::new(Cell::new(certificate.mirrored, parameters, side, &wall), &numbers);
-        work.holds(certificate.pieces, &mut || lines.go_on())
+        work.holds(pieces, &mut || lines.go_on())
             .map_err(|fault| lines.rejection(fault.at(format!("cell {} of {total}", index + 1))))?;
     }
     Ok(())
@@ -53,11 +54,13 @@ impl Work<'_> {
         let wrong = |reason: String| Err(Fault::False(reason));
         for n in 0..self.numbers.letters.len() {
             let letter = &self.numbers.letters[n];
-            let impacts = |m, n| self.parts(m, n, letter.parts);
-            let last: Option<Vec<_>> = letter.next.iter().map(|&k| impacts(n, k)).collect();
-            let Some(last) = last else {
-                return wrong(format!("an impact after letter {} may be outside the window", n + 1));
-            };
+            let mut last = Vec::new();
+            for &k in &letter.next {
+                let Some(parts) = self.parts(n, k, letter.parts, go_on)? else {
+                    return wrong(format!("an impact after letter {} may be outside the window", n + 1));
+                };
+                last.push(parts);
+            }
             for &m in &letter.previous {
                 let previous = &self.numbers.letters[m];
                 if !(letter.after.all - previous.before.all).is_positive() {
@@ -67,7 +70,7 @@ impl Work<'_> {
                         n + 1
                     ));
                 }
-                let Some(first) = impacts(m, n) else {
+                let Some(first) = self.parts(m, n, letter.parts, go_on)? else {
                     return wrong(format!("an impact before letter {} may be outside the window", n + 1));
                 };
                 for (&k, last) in letter.next.iter().zip(&last) {

@@ -2,9 +2,10 @@
 
 use super::{
     fixed::Interval,
-    flow::{Flow, circle},
+    flow::{EXPONENTIALS, Flow, circle},
     only::ends,
-    text::read,
+    proof,
+    text::{Certificate, read},
     wall::Wall,
     words::detail,
 };
@@ -65,8 +66,8 @@ fn parts_leave_nothing_out() {
 fn elementary_functions_have_known_digits() {
     let (cos, sin) = circle(Interval::ONE);
     assert!(is(cos, 540_302_305_868_140, 4000) && is(sin, 841_470_984_807_897, 4000));
-    let wall = Wall::new(vec![(1, [Interval::ONE, Interval::ZERO])], ratio(6, 5), 16)
-        .unwrap_or_else(|why| panic!("{why}"));
+    let wall = Wall::new(vec![(1, [Interval::ONE, Interval::ZERO])], ratio(6, 5), 16, &mut || Ok(()))
+        .unwrap_or_else(|why| panic!("{why:?}"));
     for (p, q, digits) in [
         (1, 2, 523_598_775_598_299),
         (-9, 10, -1_119_769_514_998_634),
@@ -91,10 +92,10 @@ fn elementary_functions_have_known_digits() {
 fn walls_of_two_harmonics_have_their_slope_and_bend() {
     let wall = |p: i128, q: i128, b: i128| {
         let harmonics = vec![(1, [ratio(p, q), ratio(2 * b, 10)]), (2, [ratio(q - p, q), ratio(-b, 10)])];
-        Wall::new(harmonics, ratio(1, 2), 16)
+        Wall::new(harmonics, ratio(1, 2), 16, &mut || Ok(()))
     };
     assert!(wall(4, 3, 1).is_err());
-    let wall = wall(7, 6, 1).unwrap_or_else(|why| panic!("{why}"));
+    let wall = wall(7, 6, 1).unwrap_or_else(|why| panic!("{why:?}"));
     for y in [1, -1, 3] {
         let y = ratio(y, 100);
         let phase = wall.phase(y).unwrap_or_else(|| panic!("a phase"));
@@ -129,16 +130,57 @@ fn only_a_bounded_ratio_ends_a_leg() {
     }
 }
 
+/// The lines after the kind line, with others in place of the first that begin so; what there may be of them.
+fn certificate(text: &str, mirrored: bool, changes: &[(&str, &str)]) -> Certificate {
+    let lines = text.lines().skip(2).map(|line| {
+        let change = changes.iter().find(|(start, _)| line.starts_with(start));
+        change.map_or(line, |(_, lines)| lines)
+    });
+    let text = lines.collect::<Vec<_>>().join("\n");
+    read(&mut Lines::after(0, &mut text.as_bytes(), &mut || false), mirrored)
+        .unwrap_or_else(|why| panic!("{changes:?}: {why}"))
+}
+
+const CHAOS_12: &str = include_str!("../../tests/data/chaos-12.txt");
+const CHAOS_123: &str = include_str!("../../tests/data/chaos-123.txt");
+const MIRRORED: &str = include_str!("../../tests/data/chaos-mirrored.txt");
+
+/// No check takes more exponentials than its cost, and what has no share to spare takes a third of it or
+/// more; the legs of `complete` and impacts of few steps take less.
+#[test]
+fn the_cost_bounds_the_exponentials() {
+    // Of many harmonics, so that each phase takes all that it may.
+    let many: Vec<String> = (2..=40).map(|j| format!("harmonic {j} 0/1 0/1 0/1 0/1")).collect();
+    let many = format!("harmonic 1 1/1 1/1 0/1 0/1\n{}", many.join("\n"));
+    let shallow = ("depth", "depth 0/1 1/100");
+    type Changes<'a> = &'a [(&'a str, &'a str)];
+    let cases: [(&str, bool, Changes, u64); 9] = [
+        (CHAOS_12, false, &[], 5),
+        (CHAOS_12, false, &[("pieces", "pieces 1000")], 2),
+        (CHAOS_12, false, &[("cells", "cells 1 1 1 1 7")], 5),
+        (CHAOS_12, false, &[shallow, ("harmonics", "harmonics 40"), ("harmonic ", &many)], 3),
+        (CHAOS_123, false, &[], 12),
+        (CHAOS_123, false, &[("complete", "complete 48.3 4 5 9")], 25),
+        (CHAOS_123, false, &[("complete", "complete 48.3 4 2 1")], 12),
+        (CHAOS_123, false, &[("complete", "complete no")], 12),
+        (MIRRORED, true, &[], 15),
+    ];
+    for (text, mirrored, changes, share) in cases {
+        let certificate = certificate(text, mirrored, changes);
+        EXPONENTIALS.set(0);
+        // What fails has taken less.
+        let proved = proof::run(&certificate, &mut Lines::after(0, &mut &b""[..], &mut || false)).is_ok();
+        let (taken, cost) = (EXPONENTIALS.get(), certificate.cost());
+        assert!(taken <= cost && (!proved || taken * share >= cost), "{changes:?}: {taken} of {cost}");
+    }
+}
+
 /// Without damping or without a spring a bounded motion may be free for ever: of those nothing is said.
 #[test]
 fn what_is_said_of_others_is_what_is_proved() {
-    let text = include_str!("../../tests/data/chaos-12.txt");
     let said = |damping: &str, stiffness: &str| {
-        let rest: Vec<&str> = text.lines().skip_while(|line| !line.starts_with("statement")).collect();
-        let text = rest.join("\n").replace("complete no", "complete 2 4 2 7");
-        let text =
-            text.replace("damping 12/49 12/49", damping).replace("stiffness 100/2401 100/2401", stiffness);
-        let certificate = read(&mut Lines::after(0, &mut text.as_bytes(), &mut || false), false).unwrap();
+        let changes = [("complete", "complete 2 4 2 7"), ("damping", damping), ("stiffness", stiffness)];
+        let certificate = certificate(CHAOS_12, false, &changes);
         let (_, others) = detail(&certificate).into_iter().find(|(name, _)| *name == "others").unwrap();
         others
     };

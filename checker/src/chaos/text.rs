@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::{CELLS, EVALUATIONS, Lines, Rejection, STATEMENT, STATEMENT_2, Words, fixed::Interval};
+use super::{CELLS, COST, Lines, Rejection, STATEMENT_3, STATEMENT_4, Words, fixed::Interval};
 use crate::header::expect_statement;
 
 /// The longest numerator, denominator or decimal, in digits: below 2⁵⁰.
@@ -15,6 +15,8 @@ const PERIODS: u64 = 1000;
 const PARTS: u64 = 64;
 /// The most harmonics of a wall, and the highest.
 const HARMONICS: u64 = 100;
+/// The greatest common denominator of the ends of harmonics' ranges.
+const DENOMINATOR: i128 = 10i128.pow(30);
 /// The most rounds of narrowing.
 const ROUNDS: u64 = 100;
 /// The most pieces of a time between windows.
@@ -85,7 +87,7 @@ pub struct Complete {
 /// All that a certificate of this kind holds.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Certificate {
-    /// Whether there are two walls, the upper one the mirror image of the lower: version 2 of the kind.
+    /// Whether there are two walls, the upper one the mirror image of the lower: version 4 of the kind.
     pub mirrored: bool,
     /// The ranges of c, k, f, τ, ν, in this order.
     pub ranges: [Range<Fraction>; 5],
@@ -127,26 +129,18 @@ impl Decimal {
 }
 
 impl Certificate {
-    /// The number of boxes of parameters.
-    fn cells(&self) -> u64 {
-        self.cells.iter().product()
+    /// Whether the growth rate that is claimed is certainly above 1, so that paths branch.
+    pub(super) fn is_chaos(&self) -> bool {
+        scaled(self.growth[0]) > ONE
     }
 
-    /// The number of evaluations of a leg or of a gap's piece that the check takes.
-    fn evaluations(&self) -> u64 {
-        let legs: u64 = (0..self.letters.len())
-            .map(|n| {
-                let letter = &self.letters[n];
-                let previous = self.letters.iter().filter(|before| before.next.contains(&n)).count() as u64;
-                previous * letter.next.len() as u64 * letter.parts * letter.parts
-            })
-            .sum();
-        // The time before the other wall's first window is one more.
-        let both = u64::from(self.mirrored);
-        let gaps: u64 = self.letters.iter().map(|letter| (2 * letter.periods + 1 + both) * self.pieces).sum();
-        let others =
-            self.complete.map_or(0, |claim| claim.rounds * claim.longest.pow(3) * claim.parts.pow(2));
-        self.cells().saturating_mul(legs + gaps + others)
+    /// For each letter the letters that may precede it, from 0, increasing.
+    pub(super) fn previous(&self) -> Vec<Vec<usize>> {
+        let mut all = vec![Vec::new(); self.letters.len()];
+        for (m, letter) in self.letters.iter().enumerate() {
+            letter.next.iter().for_each(|&n| all[n].push(m));
+        }
+        all
     }
 }
 
@@ -172,8 +166,8 @@ impl fmt::Display for Decimal {
 /// The text of the certificate, header included.
 impl fmt::Display for Certificate {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (version, statement) = if self.mirrored { (" 2", STATEMENT_2) } else { ("", STATEMENT) };
-        write!(f, "{}\nkind {}{version}\nstatement {statement}\n", crate::FORMAT, super::KIND)?;
+        let (version, statement) = if self.mirrored { (4, STATEMENT_4) } else { (3, STATEMENT_3) };
+        write!(f, "{}\nkind {} {version}\nstatement {statement}\n", crate::FORMAT, super::KIND)?;
         for (name, [lo, hi]) in RANGES.iter().zip(self.ranges) {
             writeln!(f, "{name} {lo} {hi}")?;
         }
@@ -262,23 +256,27 @@ fn decimals(words: &mut Words) -> Result<Range<Decimal>, String> {
     if scaled(lo) < scaled(hi) { Ok([lo, hi]) } else { Err("a range's ends must increase".into()) }
 }
 
+/// 1 in units of 10⁻¹⁵.
+const ONE: i128 = 10i128.pow(DIGITS as u32);
+
 /// A decimal in units of 10⁻¹⁵, of at most 30 digits.
 fn scaled(x: Decimal) -> i128 {
     i128::from(x.digits) * 10i128.pow(DIGITS as u32 - x.places)
 }
 
+fn gcd(mut a: u128, mut b: u128) -> u128 {
+    while b != 0 {
+        (a, b) = (b, a % b);
+    }
+    a
+}
+
 fn fraction(words: &mut Words) -> Result<Fraction, String> {
-    let gcd = |mut a: u64, mut b: u64| {
-        while b != 0 {
-            (a, b) = (b, a % b);
-        }
-        a
-    };
     let read = |word: &str| {
         let (p, q) = word.split_once('/')?;
         let whole = |word| canonical(word).filter(|number| number.places == 0).map(|number| number.digits);
         let (p, q) = (whole(p)?, whole(q)?);
-        (q > 0 && gcd(p.unsigned_abs(), q.unsigned_abs()) == 1).then_some(Fraction { p, q })
+        (q > 0 && gcd(p.unsigned_abs().into(), q.unsigned_abs().into()) == 1).then_some(Fraction { p, q })
     };
     let value = read(words.word("a fraction p/q")?).filter(|x| x.enclosed().bits().is_some());
     value.ok_or_else(|| {
@@ -315,20 +313,29 @@ fn harmonic(words: &mut Words) -> Result<Harmonic, String> {
     Ok(Harmonic { order, parts: [fractions(words)?, fractions(words)?] })
 }
 
-/// Σ a = 1 and Σ j b = 0 for some numbers of the ranges.
-fn is_wall(harmonics: &[Harmonic]) -> bool {
-    let sum = |term: &dyn Fn(&Harmonic) -> Interval| {
-        harmonics.iter().map(term).fold(Interval::ZERO, |sum, term| sum + term)
+/// Whether Σ a = 1 and Σ j b = 0 for some numbers of the ranges.
+fn is_wall(harmonics: &[Harmonic]) -> Result<(), String> {
+    // The sum p/q of the least numbers, or of the greatest, of all a (part 0) or all j b (part 1), less
+    // `goal`; |p| is at most 2¹⁵·100·100 q.
+    let sum = |part: usize, end: usize, goal: i128| {
+        harmonics.iter().try_fold((-goal, 1i128), |(p, q), one| {
+            let order = if part == 1 { i128::from(one.order) } else { 1 };
+            let Fraction { p: r, q: s } = one.parts[part][end];
+            let (r, s) = (i128::from(r), i128::from(s));
+            let own = s / gcd(q.unsigned_abs(), s.unsigned_abs()) as i128;
+            let common = q.checked_mul(own).filter(|&common| common <= DENOMINATOR)?;
+            Some((p * own + r * (common / s) * order, common))
+        })
     };
-    let part = |i: usize| {
-        move |one: &Harmonic| {
-            let [lo, hi] = one.parts[i].map(Fraction::enclosed);
-            lo.hull(hi)
+    for (part, goal) in [(0, 1), (1, 0)] {
+        let (Some((least, _)), Some((greatest, _))) = (sum(part, 0, goal), sum(part, 1, goal)) else {
+            return Err("the harmonics' fractions have no common denominator up to 10^30".into());
+        };
+        if least > 0 || greatest < 0 {
+            return Err("the harmonics' cosines must sum to 1, their sines times their orders to 0".into());
         }
-    };
-    let height = sum(&part(0)) - Interval::ONE;
-    let slope = sum(&|one: &Harmonic| Interval::ratio(one.order.into(), 1) * part(1)(one));
-    [height, slope].iter().all(|sum| sum.common(Interval::ZERO).is_some())
+    }
+    Ok(())
 }
 
 fn complete(words: &mut Words) -> Result<Option<Complete>, String> {
@@ -359,9 +366,9 @@ fn successors(words: &mut Words, count: u64) -> Result<Vec<usize>, String> {
     Ok(all)
 }
 
-/// Reads everything after the kind line of version 1, or of version 2, of mirrored walls.
+/// Reads everything after the kind line of version 3, or of version 4, of mirrored walls.
 pub(super) fn read(lines: &mut Lines, mirrored: bool) -> Result<Certificate, Rejection> {
-    expect_statement(lines, if mirrored { STATEMENT_2 } else { STATEMENT })?;
+    expect_statement(lines, if mirrored { STATEMENT_4 } else { STATEMENT_3 })?;
     let mut ranges = [[Fraction { p: 0, q: 1 }; 2]; 5];
     for (i, name) in RANGES.into_iter().enumerate() {
         ranges[i] = line(lines, name, fractions)?;
@@ -395,11 +402,7 @@ pub(super) fn read(lines: &mut Lines, mirrored: bool) -> Result<Certificate, Rej
         }
         harmonics.push(next);
     }
-    if !is_wall(&harmonics) {
-        return Err(
-            lines.malformed("the harmonics' cosines must sum to 1, their sines times their orders to 0")
-        );
-    }
+    is_wall(&harmonics).map_err(|reason| lines.malformed(reason))?;
     let cells = line(lines, "cells", |words| {
         let mut cells = [0; 5];
         for cell in &mut cells {
@@ -427,14 +430,19 @@ pub(super) fn read(lines: &mut Lines, mirrored: bool) -> Result<Certificate, Rej
     for letter in &mut letters {
         letter.next = line(lines, "next", |words| successors(words, count))?;
     }
+    let mut followed = vec![false; letters.len()];
+    letters.iter().flat_map(|letter| &letter.next).for_each(|&n| followed[n] = true);
+    if let Some(n) = followed.iter().position(|followed| !followed) {
+        return Err(lines.malformed(format!("letter {} follows no letter, so that it is on no path", n + 1)));
+    }
     let contraction = line(lines, "contraction", |words| positive(words, "a contraction"))?;
-    if scaled(contraction) >= 10i128.pow(DIGITS as u32) {
+    if scaled(contraction) >= ONE {
         return Err(lines.malformed("a contraction must be below 1"));
     }
     let reach = line(lines, "reach", |words| positive(words, "the reach"))?;
     let growth = line(lines, "growth", decimals)?;
-    if growth[0].digits <= 0 {
-        return Err(lines.malformed("a growth rate must be positive"));
+    if scaled(growth[0]) < ONE {
+        return Err(lines.malformed("a growth rate is at least 1"));
     }
     let complete = line(lines, "complete", complete)?;
     if complete.is_some() && !(behind && ranges[2].iter().all(|force| force.p == 0)) {
@@ -454,10 +462,10 @@ pub(super) fn read(lines: &mut Lines, mirrored: bool) -> Result<Certificate, Rej
         growth,
         complete,
     };
-    let work = certificate.evaluations();
-    if work > EVALUATIONS {
+    let cost = certificate.cost();
+    if cost > COST {
         return Err(lines.malformed(format!(
-            "the check would take {work} evaluations, more than {EVALUATIONS}: fewer cells, parts, pieces or letters"
+            "the check would cost {cost} exponentials, more than {COST}: fewer cells, parts, pieces, letters, harmonics or rounds"
         )));
     }
     if lines.next()?.is_some() {

@@ -10,7 +10,7 @@
 //! 1 − g = Σ aⱼ (1 − cos jt) − bⱼ sin jt
 //! ```
 
-use super::{fixed::Interval, flow::circle};
+use super::{Fault, fixed::Interval, flow::circle, work::GoOn};
 
 /// g by its harmonics, with what is known of it on the window ±W.
 pub(super) struct Wall {
@@ -41,18 +41,23 @@ impl Wall {
         harmonics: Vec<(u64, [Interval; 2])>,
         window: Interval,
         pieces: u64,
-    ) -> Result<Wall, &'static str> {
+        go_on: GoOn,
+    ) -> Result<Wall, Fault> {
+        let wrong = |reason: &str| Err(Fault::False(reason.into()));
         if !(window + window).is_below(Interval::PI) {
-            return Err("the window is not below pi/2");
+            return wrong("the window is not below pi/2");
         }
         let plain = matches!(harmonics[..], [(1, [Interval::ONE, Interval::ZERO])]);
         let (bend, ends) = (Interval::ONE, [Interval::ZERO; 2]);
         let mut wall = Wall { harmonics, plain, window, bend, ends };
         let whole = (-window).hull(window);
-        let bends = (0..pieces).map(|piece| wall.at(whole.part(piece, pieces)).bend);
-        wall.bend = bends.reduce(Interval::hull).unwrap_or(Interval::WHOLE).least();
-        if !wall.bend.is_positive() {
-            return Err("the wall may not be convex on the window");
+        for piece in 0..pieces {
+            go_on()?;
+            let bend = wall.at(whole.part(piece, pieces)).bend.least();
+            if !bend.is_positive() {
+                return wrong("the wall may not be convex on the window");
+            }
+            wall.bend = if piece == 0 { bend } else { wall.bend.hull(bend).least() };
         }
         wall.ends = [wall.at(-window).slope, wall.at(window).slope];
         Ok(wall)

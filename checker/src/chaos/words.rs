@@ -1,8 +1,9 @@
-//! What a certificate speaks of, in words.
+//! What a certificate speaks of, in words: all that its statement leaves to its lines.
 
-use super::text::{Certificate, Fraction, RANGES};
+use super::text::{Certificate, Fraction, Letter, RANGES};
 
-/// Names and values: the oscillator, the ranges, the letters with what may follow, the rate of growth.
+/// Names and values: what is proved in a word, the oscillator, the ranges, the letters with their boxes and
+/// what may follow, the rate of growth, and which other motions there cannot be.
 pub(super) fn detail(certificate: &Certificate) -> Vec<(&'static str, String)> {
     let (sign, wall) = (if certificate.behind { "" } else { "-" }, wall(certificate));
     let motion = match certificate.mirrored {
@@ -11,7 +12,11 @@ pub(super) fn detail(certificate: &Certificate) -> Vec<(&'static str, String)> {
             "q'' = -c q' - k q between the wall w(t) = {sign}nu - 1 + {wall} and the wall -w(t - pi), restitution tau"
         ),
     };
-    let mut all = vec![("motion", motion)];
+    let claim = match certificate.is_chaos() {
+        true => "chaos: paths branch, and the entropy is positive",
+        false => "orbits: that there is more than one path is not claimed, nor that the entropy is positive",
+    };
+    let mut all = vec![("claim", claim.to_string()), ("motion", motion)];
     for (name, [lo, hi]) in RANGES.iter().zip(certificate.ranges) {
         if certificate.mirrored && *name == "force" {
             continue;
@@ -24,15 +29,14 @@ pub(super) fn detail(certificate: &Certificate) -> Vec<(&'static str, String)> {
         };
         all.push((name, value));
     }
-    let full = certificate.letters.iter().all(|letter| letter.next.len() == certificate.letters.len());
-    let letters = certificate.letters.iter().map(|letter| match (certificate.mirrored, letter.periods % 2) {
-        (false, _) => letter.periods.to_string(),
-        (true, 0) => (letter.periods / 2).to_string(),
-        (true, _) => format!("{}/2", letter.periods),
-    });
-    let graph = if full { "each may follow each" } else { "as the lines next say" };
-    all.push(("letters", format!("{}; {graph}", letters.collect::<Vec<_>>().join(", "))));
-    all.push(("contraction", certificate.contraction.to_string()));
+    let letters = (1..).zip(&certificate.letters);
+    let letters = letters.map(|(number, letter)| said(number, letter, certificate.mirrored));
+    all.push(("letters", letters.collect::<Vec<_>>().join("; ")));
+    all.push((
+        "window",
+        format!("impacts within {} of multiples of {}", certificate.window, multiple(certificate)),
+    ));
+    all.push(("contraction", format!("at most {}", certificate.contraction)));
     let [lo, hi] = certificate.growth;
     if certificate.mirrored {
         all.push(("reach", format!("|q| < {} nu", certificate.reach)));
@@ -68,6 +72,26 @@ pub(super) fn detail(certificate: &Certificate) -> Vec<(&'static str, String)> {
         },
     ));
     all
+}
+
+/// What times of impacts are close to multiples of.
+fn multiple(certificate: &Certificate) -> &'static str {
+    if certificate.mirrored { "pi" } else { "2 pi" }
+}
+
+/// A letter: its periods, its box and the letters that may follow.
+fn said(number: u64, letter: &Letter, mirrored: bool) -> String {
+    let n = letter.periods;
+    let periods = match (mirrored, n % 2) {
+        (true, 1) => format!("{n}/2 periods"),
+        (true, _) if n == 2 => "1 period".into(),
+        (true, _) => format!("{} periods", n / 2),
+        (false, _) if n == 1 => "1 period".into(),
+        (false, _) => format!("{n} periods"),
+    };
+    let ([a, b], [p, q]) = (letter.after, letter.before);
+    let next: Vec<String> = letter.next.iter().map(|next| (next + 1).to_string()).collect();
+    format!("{number}: {periods}, velocity/nu {a} to {b} first, {p} to {q} last, then {}", next.join(" or "))
 }
 
 /// g(t), or its name where its harmonics are not those of a cosine.

@@ -5,7 +5,7 @@ use super::{
     Fault,
     fixed::Interval,
     flow::Matrix,
-    legs::{Cell, Impact},
+    legs::{Cell, Parts},
     text::{Certificate, Complete, Decimal, Range},
 };
 
@@ -57,7 +57,8 @@ pub(super) struct Work<'a> {
 
 impl Numbers {
     pub fn new(certificate: &Certificate) -> Numbers {
-        let letters = certificate.letters.iter().enumerate().map(|(n, letter)| Numbered {
+        let letters = certificate.letters.iter().zip(certificate.previous());
+        let letters = letters.map(|(letter, previous)| Numbered {
             periods: letter.periods,
             after: Box1::new(letter.after),
             before: Box1::new(letter.before),
@@ -65,9 +66,7 @@ impl Numbers {
             beta: letter.weights[1].enclosed(),
             parts: letter.parts,
             next: letter.next.clone(),
-            previous: (0..certificate.letters.len())
-                .filter(|&m| certificate.letters[m].next.contains(&n))
-                .collect(),
+            previous,
         });
         Numbers {
             letters: letters.collect(),
@@ -101,7 +100,7 @@ impl<'a> Work<'a> {
     }
 
     /// The impacts between two letters, their s cut into parts.
-    pub fn parts(&self, m: usize, n: usize, parts: u64) -> Option<Vec<[Impact; 2]>> {
-        self.cell.parts(self.strength(m, n), parts)
+    pub fn parts(&self, m: usize, n: usize, parts: u64, go_on: GoOn) -> Result<Option<Parts>, Fault> {
+        self.cell.parts(self.strength(m, n), parts, go_on)
     }
 }

@@ -5,8 +5,8 @@ use super::{
     Certificate, Contact, Event, Version,
 };
 
-/// Names and values: the event, the parameter's interval, the pattern, the impacts, the contact, the box, the
-/// oscillator, its walls and its digest.
+/// Names and values: the event, the parameter's interval, the pattern, the impacts if there are any, the
+/// contact, the box, the oscillator, its walls and its digest.
 pub(super) fn detail<C: Version>(certificate: &Certificate<C>) -> Vec<(&'static str, String)> {
     let (impacts, name) = (&certificate.impacts, &certificate.name);
     let event = match &certificate.event {
@@ -24,9 +24,11 @@ pub(super) fn detail<C: Version>(certificate: &Certificate<C>) -> Vec<(&'static 
         ("event", event),
         ("parameter", format!("{name}, from {from} to {to}")),
         ("pattern", if impacts.is_empty() { "no impact, period 1".into() } else { pattern(impacts) }),
-        ("phases", list(impacts, ", ", |impact| impact.phase.to_string())),
-        ("speeds", list(impacts, ", ", |impact| impact.velocity.to_string())),
     ];
+    if !impacts.is_empty() {
+        all.push(("phases", list(impacts, ", ", |impact| impact.phase.to_string())));
+        all.push(("speeds", list(impacts, ", ", |impact| impact.velocity.to_string())));
+    }
     if let Event::Grazing(Contact { after, side, time }) = &certificate.event {
         let when = match impacts.len() {
             0 => format!("at phase {time}"),

@@ -113,5 +113,5 @@ pub(super) fn check(lines: &mut Lines) -> Result<Proved, Rejection> {
     proof::Proof::new(&certificate, go_on)
         .and_then(|proof| proof.run(go_on))
         .map_err(|fault| lines.rejection(fault))?;
-    Ok(Proved { range: periods..=periods, detail: words::detail(&certificate) })
+    Ok(Proved { title: None, range: Some(periods..=periods), detail: words::detail(&certificate) })
 }

@@ -35,7 +35,7 @@ pub(in super::super) fn check(lines: &mut Lines) -> Result<Proved, Rejection> {
     }
     let last = words.iter().map(|word| word.last).min().unwrap_or(1);
     let detail = [desk.shown].into_iter().chain(words.iter().map(Word::detail)).collect();
-    Ok(Proved { range: 1..=last, detail })
+    Ok(Proved { title: None, range: Some(1..=last), detail })
 }
 
 /// Regions 1, 2 and 5, and eµ < 0 in region 4: every period with one letter, or 1 alone.

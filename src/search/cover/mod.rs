@@ -19,7 +19,7 @@
 //! assert!(covers.iter().all(Cover::is_complete));
 //! let blocks: Vec<String> = covers.iter().filter_map(Cover::block).collect();
 //! let checked = certificate::check(&mut text(&options.periods, &blocks).as_bytes())?;
-//! assert_eq!((checked.kind, checked.range), ("cover", 3..=4));
+//! assert_eq!((checked.kind, checked.range), ("cover", Some(3..=4)));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 

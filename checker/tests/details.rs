@@ -1,0 +1,344 @@
+//! Whatever is printed of a certificate is part of what is checked. Every word of a sample of every kind is
+//! changed, in several ways, also with a digest that fits; whatever is still accepted must be called by the
+//! same name, and
+//!
+//! - a word whose change is seen in what is printed must be one that is checked: another change of the same
+//!   word is refused as false, or as not going with other lines;
+//! - what is printed then must be true still: the orbit, or the word, that the sample is of has not gone.
+//!
+//! So nothing is printed that a forger is free to choose, but a parameter's name.
+
+mod common;
+
+use std::{
+    collections::BTreeMap,
+    f64::consts::{PI, TAU},
+};
+
+use common::{
+    CHAOS_12, CHAOS_MIRRORED_BEFORE, COVER, GRAZING, ORBIT_4, SADDLE_NODE, THEOREM2, WORD, WORD_BY_THEOREM,
+    answer, resealed, with,
+};
+use grazing_check::{Checked, Rejection, kinds};
+
+const RESPONSE: &str = include_str!("data/event-response.txt");
+const RANGES: &str = include_str!("data/orbit-4-range.txt");
+const BALL: &str = include_str!("data/machine-ball.txt");
+
+/// Of every kind a sample: proofs about periods, about one orbit, about all paths of a graph.
+fn samples() -> [Vec<String>; 3] {
+    let few = with(CHAOS_12, "depth", "depth 0/1 3/1003");
+    let owned = |texts: &[&str]| texts.iter().map(|text| text.to_string()).collect::<Vec<_>>();
+    // One of the ball's multipliers is outside the unit circle, as `machine.rs` has it.
+    let ball = with(BALL, "orbit", "orbit 1 unstable");
+    [
+        owned(&[THEOREM2, COVER, WORD, WORD_BY_THEOREM]),
+        owned(&[ORBIT_4, RANGES, SADDLE_NODE, GRAZING, RESPONSE, &ball]),
+        owned(&[CHAOS_12, CHAOS_MIRRORED_BEFORE, &with(&few, "complete", "complete 2 4 2 3")]),
+    ]
+}
+
+/// Other words in place of this one.
+fn others(word: &str) -> Vec<String> {
+    let mut all: Vec<String> = match word {
+        "+" => vec!["-".into()],
+        "-" => vec!["+".into()],
+        "U" => vec!["D".into()],
+        "D" => vec!["U".into()],
+        "lower" => vec!["upper".into()],
+        "stable" | "unstable" | "open" => ["stable", "unstable", "open"].map(String::from).into(),
+        "saddle-node" | "flip" | "grazing" => ["saddle-node", "flip", "grazing"].map(String::from).into(),
+        "singular" => vec!["boundary".into()],
+        _ => Vec::new(),
+    };
+    if !word.bytes().any(|byte| byte.is_ascii_digit()) {
+        all.push(format!("{word}x"));
+        return all;
+    }
+    // One more in each of the first digits, and in the last; with another sign, and far off.
+    let digits: Vec<_> = word.bytes().enumerate().filter(|(_, byte)| byte.is_ascii_digit()).collect();
+    for &(at, byte) in digits.iter().take(3).chain(digits[3.min(digits.len())..].last()) {
+        let next = char::from(b'0' + (byte - b'0' + 1) % 10).to_string();
+        all.push(format!("{}{next}{}", &word[..at], &word[at + 1..]));
+    }
+    all.push(match word.strip_prefix('-') {
+        Some(rest) => rest.to_string(),
+        None => format!("-{word}"),
+    });
+    // A fraction nearer to 1.
+    if let Some((p, q)) =
+        word.split_once('/').and_then(|(p, q)| p.parse::<u64>().ok().zip(q.parse::<u64>().ok()))
+    {
+        all.push(format!("{}/{}", p + 3 * q, 4 * q));
+    }
+    all.extend([format!("9{word}"), format!("{word}7"), word[..word.len() - 1].to_string()]);
+    all.extend(["0", "1", "77", "0/1", "1/3", "0.5", "1.00000000001"].map(String::from));
+    all
+}
+
+fn detail<'a>(checked: &'a Checked, name: &str) -> &'a str {
+    checked.detail.iter().find(|(known, _)| *known == name).map_or("", |(_, value)| value)
+}
+
+/// All decimals of a text.
+fn numbers(text: &str) -> Vec<f64> {
+    let parts = text.split(|c: char| !(c.is_ascii_digit() || c == '.' || c == '-'));
+    parts.filter_map(|part| part.trim_end_matches('.').parse().ok()).collect()
+}
+
+/// A box printed is about the listed numbers, and the true ones are those of the sample: in its box, or
+/// beside it by rounding, as a list that is nearer to them than it says may be wrong by that.
+fn keeps_the_orbit(sample: &Checked, changed: &Checked) -> bool {
+    let within = |checked: &Checked| {
+        let [.., radius] = numbers(detail(checked, "box"))[..] else { panic!("{checked}") };
+        radius
+    };
+    let slack = within(sample) + within(changed) * 1.000001 + 1e-12;
+    ["phases", "speeds", "displacements", "velocities", "parameter", "contact"].iter().all(|name| {
+        let (old, new) = (numbers(detail(sample, name)), numbers(detail(changed, name)));
+        // Phases are modulo the period; of a contact, too, where no impact comes before it.
+        let phase = *name == "phases" || detail(sample, name).contains("at phase");
+        let apart = |old: f64, new: f64| match phase {
+            true => (old - new + PI).rem_euclid(TAU) - PI,
+            false => old - new,
+        };
+        old.len() == new.len() && old.iter().zip(&new).all(|(old, new)| apart(*old, *new).abs() <= slack)
+    })
+}
+
+/// The periods and letters of the word at a₁, a₂, from the definitions, in floats.
+fn word_there(a1: f64, a2: f64, positive: bool, last: usize) -> (Vec<usize>, String) {
+    let mut u = vec![0.0, 1.0];
+    for k in 1..=last {
+        u.push(a1 * u[k] - a2 * u[k - 1]);
+    }
+    let b = |n: usize, k: usize| (u[n] - u[k] - a2.powi(k as i32) * u[n - k]) / u[n];
+    let occurs = |&n: &usize| (1..n).all(|k| (b(n, k) > 0.0) == positive);
+    let periods: Vec<usize> = (1..=last).filter(occurs).collect();
+    let letter = |&n: &usize| {
+        let (p, q) = ((u[n + 1] - 1.0) / u[n], (a2.powi(n as i32) + a2 * u[n - 1]) / u[n]);
+        if p > q { 'U' } else { 'D' }
+    };
+    let word = periods.iter().map(letter).collect();
+    (periods, word)
+}
+
+fn fraction(text: &str) -> f64 {
+    let (p, q) = text.split_once('/').unwrap_or((text, "1"));
+    p.parse::<f64>().unwrap() / q.parse::<f64>().unwrap()
+}
+
+/// Whether the word printed for either sign is that of the place printed.
+fn is_the_word(checked: &Checked) -> bool {
+    let place: Vec<f64> = detail(checked, "point")
+        .split(", ")
+        .map(|part| fraction(part.split_once(" = ").unwrap().1))
+        .collect();
+    let (a1, a2) = match detail(checked, "point").starts_with('r') {
+        // r e^{±2πis}: the sum of the eigenvalues and their product.
+        true => (2.0 * place[0] * (TAU * place[1]).cos(), place[0] * place[0]),
+        false => (place[0], place[1]),
+    };
+    checked.detail.iter().filter(|(name, _)| name.starts_with("e mu")).all(|(name, said)| {
+        let (periods, word) = word_there(a1, a2, name.ends_with("> 0"), 12);
+        // What is decided, of the twelve.
+        let decided = said.split_once("decided for 1 to ").map_or(12, |(_, rest)| numbers(rest)[0] as usize);
+        let (listed, letters): (Vec<String>, String) = periods
+            .iter()
+            .zip(word.chars())
+            .filter(|(n, _)| **n <= decided)
+            .map(|(n, letter)| (n.to_string(), letter))
+            .unzip();
+        said.starts_with(&format!("word {letters}, periods {};", listed.join(", ")))
+    })
+}
+
+/// The paper's oscillator for ν → 0, where the velocities of a leg of T are a = (1 − E₁₁)/E₁₂ and E₂₁ + E₂₂
+/// a: those of letters, the place that is passed on the way, the rate of {1, 2}, and the letters' boxes.
+fn is_the_horseshoe(checked: &Checked) -> bool {
+    let (c, k) = (12.0 / 49.0, 100.0 / 2401.0f64);
+    let omega = (k - c * c / 4.0f64).sqrt();
+    let flow = |t: f64| {
+        let decay = (-c * t / 2.0).exp();
+        let b = decay * (omega * t).sin() / omega;
+        let a = decay * (omega * t).cos() + c / 2.0 * b;
+        [a, b, -k * b, a - c * b]
+    };
+    let mut highest: f64 = 0.0;
+    let letters: Vec<&str> = detail(checked, "letters").split("; ").collect();
+    let boxes = (1..).zip(&letters).all(|(n, letter)| {
+        let time = f64::from(n) * TAU;
+        let e = flow(time);
+        let a = (1.0 - e[0]) / e[1];
+        let p = e[2] + e[3] * a;
+        for i in 0..1000 {
+            let e = flow(time * f64::from(i) / 1000.0);
+            highest = highest.max(e[0] + e[1] * a);
+        }
+        let said = numbers(letter.split_once("velocity/nu").unwrap().1);
+        said[0] < a && a < said[1] && said[2] < p && p < said[3]
+    });
+    let rates = numbers(detail(checked, "entropy"));
+    let golden = (1.0 + 5f64.sqrt()) / 2.0;
+    let of_two = letters.len() == 2 && letters.iter().all(|letter| letter.ends_with("then 1 or 2"));
+    let reach = numbers(detail(checked, "reach"))[0];
+    let contraction = numbers(detail(checked, "contraction"))[0];
+    boxes && of_two && rates[0] <= golden && golden <= rates[1] && reach > highest && contraction < 1.0
+}
+
+/// Whether what is printed after a change follows from what the sample is known to be.
+fn follows(sample: &Checked, changed: &Checked, mirrored: bool) -> bool {
+    match sample.kind {
+        "theorem2" => changed.detail.is_empty() && changed.range == sample.range,
+        // Least and most; what is covered up to there is covered up to less.
+        "cover" => {
+            let ends = |checked| {
+                let parts = detail(checked, "r_max").split(' ').filter(|word| word.contains('/'));
+                let last = |part: &str| part.starts_with(|c: char| c.is_ascii_digit());
+                parts.filter(|part| last(part) && !part.contains('n')).map(fraction).collect::<Vec<f64>>()
+            };
+            let (new, old) = (ends(changed), ends(sample));
+            old.len() == 2 && new.len() == 2 && new.iter().zip(&old).all(|(new, old)| new <= old)
+        }
+        "word" | "word-by-theorem" => is_the_word(changed),
+        "orbit" | "machine-orbit" => {
+            let stability = detail(changed, "stability");
+            let known = stability == detail(sample, "stability") || stability.starts_with("open");
+            known
+                && detail(changed, "pattern") == detail(sample, "pattern")
+                && keeps_the_orbit(sample, changed)
+        }
+        "event" => {
+            let word = |checked| detail(checked, "event").split(':').next().unwrap_or_default().to_string();
+            let same =
+                word(changed) == word(sample) && detail(changed, "pattern") == detail(sample, "pattern");
+            same && keeps_the_orbit(sample, changed)
+        }
+        "chaos" => {
+            let branches = numbers(detail(changed, "entropy"))[0] > 1.0;
+            let title = if branches { "chaos" } else { "orbits" };
+            let others = |checked| detail(checked, "others").starts_with("none near");
+            // Between walls the damage tests hold the rest against floats.
+            let right = mirrored || is_the_horseshoe(changed);
+            changed.title == title && right && others(changed) <= others(sample)
+        }
+        kind => panic!("a kind without a rule here: {kind}"),
+    }
+}
+
+/// What became of a word.
+#[derive(Default)]
+struct Fate {
+    /// A change that is printed, if one is accepted.
+    printed: Option<String>,
+    /// Whether a change was refused as false, or as not going with other lines.
+    refused: bool,
+}
+
+/// Changes every word of the sample; what is accepted follows.
+fn fates(text: &str) -> BTreeMap<(usize, usize), Fate> {
+    let sample = answer(text).unwrap_or_else(|why| panic!("{why}"));
+    let lines: Vec<&str> = text.lines().collect();
+    let mut all: BTreeMap<(usize, usize), Fate> = BTreeMap::new();
+    let mut alike: BTreeMap<&str, usize> = BTreeMap::new();
+    for (i, line) in lines.iter().enumerate() {
+        // Of many lines of one name the first few do, and then one in nine.
+        let name = line.split(' ').next().unwrap();
+        let count = alike.entry(name).or_default();
+        *count += 1;
+        if (*count > 3 && *count % 9 != 0) || name == "statement" || name == "digest" {
+            continue;
+        }
+        let words: Vec<&str> = line.split(' ').collect();
+        for (j, word) in words.iter().enumerate() {
+            let fate = all.entry((i, j)).or_default();
+            // Nine tenths of the way to the number before and after: of a range, almost all of it is gone.
+            let nearer = |beside: Option<&&str>| -> Option<String> {
+                let (own, beside): (f64, f64) = (word.parse().ok()?, beside?.parse().ok()?);
+                let text = format!("{:.12}", beside + 0.1 * (own - beside));
+                word.contains('.').then(|| text.trim_end_matches('0').trim_end_matches('.').to_string())
+            };
+            let near = [j.checked_sub(1).and_then(|j| nearer(words.get(j))), nearer(words.get(j + 1))];
+            let changes = others(word).into_iter().chain(near.into_iter().flatten());
+            for other in changes.filter(|other| other != word) {
+                let mut changed = words.clone();
+                changed[j] = &other;
+                let changed = changed.join(" ");
+                let mut lines = lines.clone();
+                lines[i] = &changed;
+                let forged = lines.join("\n") + "\n";
+                let sealed = resealed(&forged);
+                // Another system than that of the digest is refused, though some coefficients decide nothing.
+                fate.refused |= sealed != forged;
+                match answer(&sealed) {
+                    Err(Rejection::False { .. }) => fate.refused = true,
+                    // The word itself is well formed, and other lines do not go with it.
+                    Err(Rejection::Malformed { line, .. }) if line != i as u64 + 1 => fate.refused = true,
+                    Err(_) => {}
+                    Ok(checked) if checked == sample => {}
+                    Ok(checked) => {
+                        let mirrored = text.contains("\nkind chaos 4\n");
+                        assert!(follows(&sample, &checked, mirrored), "{line} -> {changed}: {checked}");
+                        if (&checked.title, &checked.range, &checked.detail)
+                            != (&sample.title, &sample.range, &sample.detail)
+                        {
+                            fate.printed = Some(changed);
+                        }
+                    }
+                }
+            }
+        }
+    }
+    all
+}
+
+/// Whatever is printed of these is checked.
+fn printed_is_checked(samples: &[String]) {
+    for text in samples {
+        let lines: Vec<&str> = text.lines().collect();
+        let (mut printed, mut checked) = (0, 0);
+        for ((i, j), fate) in fates(text) {
+            checked += usize::from(fate.refused);
+            let Some(change) = fate.printed else { continue };
+            printed += 1;
+            // What a parameter is called is not checked, and need not be. All depths above 0 are the most
+            // that there are. An unknown that equations are linear in is unique at any scale.
+            let line = lines[i];
+            let named = (line.starts_with("parameter ") || line.starts_with("depth 0/1 ")) && j == 1;
+            let free = named || line.starts_with("scales ");
+            assert!(fate.refused || free, "{}: free to choose: {line} -> {change}", lines[1]);
+        }
+        println!("{}: {checked} words are checked, {printed} of them may be said otherwise", lines[1]);
+        assert!(checked > 4, "{}: only {checked} words are checked", lines[1]);
+    }
+}
+
+#[test]
+fn what_is_printed_of_periods_is_checked() {
+    printed_is_checked(&samples()[0]);
+}
+
+#[test]
+fn what_is_printed_of_an_orbit_is_checked() {
+    printed_is_checked(&samples()[1]);
+}
+
+#[test]
+fn what_is_printed_of_chaos_is_checked() {
+    printed_is_checked(&samples()[2]);
+}
+
+/// Each kind is tried, and nothing is printed without a value.
+#[test]
+fn every_kind_is_tried_and_no_line_is_empty() {
+    let samples = samples().concat();
+    for kind in kinds() {
+        let line = format!("\nkind {kind}\n");
+        assert!(samples.iter().any(|text| text.contains(&line)), "kind {kind} has no sample here");
+    }
+    for text in samples {
+        for (name, value) in answer(&text).unwrap().detail {
+            assert!(!name.is_empty() && !value.trim().is_empty(), "{name:?}: {value:?}");
+        }
+    }
+}
