@@ -26,7 +26,7 @@ from ._errors import (
     NumberOverflowError,
 )
 from ._grazing import __version__
-from ._outcomes import Done, Failed, NothingFound, Outcome, Pending, Proved, Record, Refuted, Undecided
+from ._outcomes import Done, Failed, NothingFound, Outcome, Pending, Proved, Record, Refuted, Rejected, Undecided
 from ._places import (
     Case,
     Classification,
@@ -51,7 +51,7 @@ __all__ = [
     "Case", "Classification", "Done", "EVENT_KINDS", "Edge", "End", "Error", "Existence", "Failed", "FileError",
     "FuzzReport", "GrazingWarning", "InputError", "InternalError", "InterruptedWork", "Interval", "Intervals",
     "MissingPackageError", "Motions", "NothingFound", "NumberOverflowError", "Outcome", "PatternReport",
-    "Pending", "Proved", "Record", "Refuted", "Run", "STYLE", "Scene", "Task", "TaskReport", "Undecided",
+    "Pending", "Proved", "Record", "Refuted", "Rejected", "Run", "STYLE", "Scene", "Task", "TaskReport", "Undecided",
     "Value", "Word", "WordCase", "WordReport", "__version__", "boundary", "check", "classify", "classify_many",
     "evaluate", "existence", "fuzz", "intervals", "verify", "word",
 ]

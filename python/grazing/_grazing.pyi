@@ -31,7 +31,7 @@ __version__: str
 _Exact = int | Fraction | Decimal | str
 _Progress = Callable[[int, int, str], Any] | None
 _Bounds = tuple[Fraction, Fraction]
-_Proved = tuple[str, str, tuple[int, int], list[tuple[str, str]], int]
+_Proved = tuple[str, str, str, tuple[int, int] | None, list[tuple[str, str]], int]
 _Verdict = tuple[str, _Proved | None, str | None, int | None, str | None]
 
 def check_file(path: str | os.PathLike[str]) -> _Verdict: ...

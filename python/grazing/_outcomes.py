@@ -88,9 +88,17 @@ class Proved(Outcome):
 
 @dataclass(frozen=True)
 class Refuted(Outcome):
-    """Certainly false; ``witness`` says where it fails. Of a certificate: it is malformed, or a claim in it fails."""
+    """Certainly false; ``witness`` says where it fails."""
 
     witness: str = ""
+
+
+@dataclass(frozen=True)
+class Rejected(Outcome):
+    """A certificate that proves nothing, as it is malformed or a claim in it fails; ``reason`` says where. Whether
+    its statement holds is another question."""
+
+    reason: str = ""
 
 
 @dataclass(frozen=True)

@@ -14,7 +14,7 @@ import numpy.typing as npt
 from . import _grazing
 from ._arguments import Exact, Periods, as_periods, natural, whole_file
 from ._frames import frame
-from ._outcomes import Outcome, Proved, Record, Refuted, Undecided
+from ._outcomes import Outcome, Proved, Record, Refuted, Rejected, Undecided
 from ._progress import Progress, shown
 
 
@@ -23,9 +23,11 @@ def check(certificate: str | bytes | os.PathLike[str]) -> Outcome:
 
     ``certificate`` is a path, or its text: a ``str`` with a line feed in it, or ``bytes``.
 
-    :return: :class:`Proved` with ``details.kind``, ``.range`` (the periods), ``.detail``, ``.lines`` and
-        ``.sha256``; :class:`Refuted`, its ``witness`` the line and the reason, if it is malformed or false;
-        :class:`Undecided` if it leaves something open.
+    :return: :class:`Proved` with ``details.kind``, ``.title`` (what is proved, in a word: the kind, or ``orbits``
+        of a certificate of kind ``chaos`` that proves no chaos), ``.range`` (the periods; ``None`` of kind
+        ``chaos``, whose letters are in ``.detail``), ``.detail``, ``.lines`` and ``.sha256``; :class:`Rejected`,
+        its ``reason`` with the line, if it is malformed or a claim in it is false: then it proves nothing, and
+        its statement may hold or not; :class:`Undecided` if it leaves something open.
     :raises FileError: if the file cannot be read.
 
     Cost: one reading. The interpreter's lock is released, and Ctrl-C is heard between the lines.
@@ -38,13 +40,14 @@ def check(certificate: str | bytes | os.PathLike[str]) -> Outcome:
         verdict = _grazing.check_file(os.fspath(certificate))
     word, proved, sha256, line, reason = verdict
     if proved is not None:
-        kind, statement, (first, last), detail, lines = proved
-        details = {"kind": kind, "range": range(first, last + 1), "detail": dict(detail), "lines": lines}
+        kind, title, statement, ends, detail, lines = proved
+        periods = None if ends is None else range(ends[0], ends[1] + 1)
+        details = {"kind": kind, "title": title, "range": periods, "detail": dict(detail), "lines": lines}
         return Proved(statement, details=Record({**details, "sha256": sha256}))
     details = {"verdict": word, "line": line}
     if word == "undecided":
         return Undecided("the certificate's statement", budget=f"line {line}: {reason}", details=Record(details))
-    return Refuted("the certificate's statement", witness=f"line {line}: {word}: {reason}", details=Record(details))
+    return Rejected("the certificate's statement", reason=f"line {line}: {word}: {reason}", details=Record(details))
 
 
 def verify(

@@ -39,16 +39,18 @@ pub fn add(module: &Bound<'_, PyModule>) -> PyResult<()> {
 /// What a checker found: (verdict, what is proved, SHA-256 of what was read, line, reason).
 type Verdict = (&'static str, Option<Proved>, Option<String>, Option<u64>, Option<String>);
 
-/// (kind, statement, first and last period, details, lines).
-type Proved = (&'static str, &'static str, (u64, u64), Vec<(&'static str, String)>, u64);
+/// (kind, title, statement, first and last period if these are a range, details, lines).
+type Proved =
+    (&'static str, &'static str, &'static str, Option<(u64, u64)>, Vec<(&'static str, String)>, u64);
 
 fn checked(watch: &Watch, mut stream: impl Read, name: &str) -> Result<Verdict> {
     let mut hashed = Hashed::new(&mut stream);
     let answer = check_until(&mut BufReader::with_capacity(1 << 16, &mut hashed), &mut || watch.is_over());
     let hash = Some(hashed.finish());
     Ok(match answer {
-        Ok(Checked { kind, statement, range, detail, lines }) => {
-            let proved = (kind, statement, (*range.start(), *range.end()), detail, lines);
+        Ok(Checked { kind, title, statement, range, detail, lines }) => {
+            let range = range.map(|range| range.into_inner());
+            let proved = (kind, title, statement, range, detail, lines);
             ("proved", Some(proved), hash, None, None)
         }
         Err(Rejection::Malformed { line, reason }) => ("malformed", None, None, Some(line), Some(reason)),

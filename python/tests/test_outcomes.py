@@ -22,7 +22,7 @@ def certificate(tmp_path):
 def test_no_outcome_is_a_bool(certificate):
     with pytest.raises(TypeError, match="Proved"):
         bool(grazing.check(certificate))
-    for kind in [grazing.Refuted, grazing.Undecided, grazing.Pending, grazing.Done, grazing.NothingFound]:
+    for kind in [grazing.Refuted, grazing.Rejected, grazing.Undecided, grazing.Pending, grazing.Done, grazing.NothingFound]:
         with pytest.raises(TypeError, match=kind.__name__):
             if kind("something"):
                 pass
@@ -45,11 +45,24 @@ def test_a_false_line_is_named(certificate):
     good = "orbit 1/16 1/8 + +"
     line = 1 + text[: text.index(good)].count("\n")
     outcome = grazing.check(text.replace(good, "orbit 1/16 1/8 + -"))
-    assert isinstance(outcome, grazing.Refuted)
-    assert outcome.witness.startswith(f"line {line}: false")
+    assert isinstance(outcome, grazing.Rejected)
+    assert outcome.reason.startswith(f"line {line}: false")
+    # A damaged file says nothing about the theorem: it is not refuted.
+    assert not isinstance(outcome, grazing.Refuted)
     # Cut anywhere it is malformed or false, and never proved.
     for at in range(0, len(text), 97):
-        assert isinstance(grazing.check(text[:at].encode()), grazing.Refuted)
+        assert isinstance(grazing.check(text[:at].encode()), grazing.Rejected)
+
+
+def test_chaos_has_letters_and_no_range(root):
+    text = (root / "checker/tests/data/chaos-123.txt").read_text()
+    details = grazing.check(text).details
+    assert (details.kind, details.title, details.range) == ("chaos", "chaos", None)
+    assert "3: 3 periods, " in details.detail.letters
+    # A version that was withdrawn says so, with what writes it anew.
+    outcome = grazing.check(text.replace("kind chaos 3", "kind chaos"))
+    assert isinstance(outcome, grazing.Rejected)
+    assert "earlier version" in outcome.reason and "grazing run" in outcome.reason
 
 
 def test_the_checker_notices_overflows():
