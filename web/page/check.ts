@@ -9,7 +9,8 @@ import { type Context, element, Failure, type Panel } from "./panel";
 interface Found {
   verdict: "proved" | "false" | "malformed" | "undecided" | "interrupted";
   kind: string | null;
-  range?: [number, number];
+  title?: string;
+  range?: [number, number] | null;
   detail?: [string, string][];
   lines?: number;
   statement?: string;
@@ -32,7 +33,7 @@ const periods = ([first, last]: [number, number]): string =>
 const several = (count: number): string => (count === 1 ? "1 period" : `${count} periods`);
 
 /** What each kind proves, in a sentence. */
-const SENTENCES: Record<string, (range: [number, number], detail: Map<string, string>) => string> = {
+const SENTENCES: Record<string, (range: [number, number], detail: Map<string, string>, title: string) => string> = {
   theorem2: (range) =>
     `Theorem 2 holds for ${periods(range)}: on r = 1, orbits with one impact exist exactly on the intervals listed.`,
   cover: (range, detail) =>
@@ -44,8 +45,10 @@ const SENTENCES: Record<string, (range: [number, number], detail: Map<string, st
   orbit: ([n], detail) => `The oscillator has a periodic orbit of ${several(n)}, ${stability(detail)}.`,
   event: ([n], detail) =>
     `A periodic orbit of ${several(n)} has an event: ${detail.get("event") ?? "the one listed"} (${detail.get("parameter") ?? ""}).`,
-  chaos: (_, detail) =>
-    `The oscillator is chaotic: every path over the letters ${detail.get("letters") ?? ""} is a motion of it.`,
+  chaos: (_, detail, title) => {
+    const each = `Every path of its letters is a motion of the oscillator: ${detail.get("letters") ?? ""}.`;
+    return title === "chaos" ? `The oscillator is chaotic. ${each}` : `${each} That it is chaotic is not proved.`;
+  },
   "machine-orbit": ([n], detail) => `The machine has a periodic orbit of ${several(n)}, ${stability(detail)}.`,
 };
 
@@ -61,7 +64,9 @@ function verdict(found: Found): { good: boolean | undefined; heading: string; te
   if (found.verdict === "proved") {
     const sentence = SENTENCES[found.kind ?? ""];
     const detail = new Map(found.detail ?? []);
-    const text = sentence && found.range ? sentence(found.range, detail) : "The statement below holds.";
+    const text = sentence
+      ? sentence(found.range ?? [0, 0], detail, found.title ?? "")
+      : "The statement below holds.";
     return { good: true, heading: "Proved", text };
   }
   const at = `line ${number.format(found.line ?? 0)}`;
@@ -94,7 +99,7 @@ function verdict(found: Found): { good: boolean | undefined; heading: string; te
       return {
         good: false,
         heading: `Another version: “${found.kind}”`,
-        text: `This page does not know this version of the kind. It knows ${found.known?.join(", ")}.`,
+        text: `${found.reason}. This page knows ${found.known?.join(", ")}.`,
       };
     case "unknown":
       return {
@@ -103,7 +108,7 @@ function verdict(found: Found): { good: boolean | undefined; heading: string; te
         text: `It knows ${found.known?.join(", ")}.`,
       };
   }
-  return { good: false, heading: `Malformed: ${at}`, text: `${found.reason}. The text is not of its documented form.` };
+  return { good: false, heading: `Malformed: ${at}`, text: `${found.reason}. The text is not of its documented form, and proves nothing.` };
 }
 
 function pairs(rows: [string, string][]): HTMLElement {

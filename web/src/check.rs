@@ -34,8 +34,9 @@ impl BufRead for Told<'_> {
 /// Checks a certificate of any kind; `progress` is told the bytes read and their number, after every line.
 ///
 /// `verdict` is `proved`, `false`, `malformed` or `undecided`; `what` says what a malformed file is: a
-/// `shard`, a certificate of another `format`, of another `version` of its kind or of an `unknown` kind;
-/// none of these. `known` lists the kinds. `line` (from 1) and `reason` say where and why it was rejected.
+/// `shard`, a certificate of another `format`, of another `version` of its kind or of an `unknown` kind; none
+/// of these. `known` lists the kinds. `title` is what is proved, in a word. `line` (from 1) and `reason` say
+/// where and why it was rejected.
 pub fn check(bytes: &[u8], progress: &mut dyn FnMut(usize, usize)) -> String {
     let mut hash = Sha256::default();
     hash.update(bytes);
@@ -45,7 +46,8 @@ pub fn check(bytes: &[u8], progress: &mut dyn FnMut(usize, usize)) -> String {
         Ok(checked) => json!({
             "verdict": "proved",
             "kind": checked.kind,
-            "range": [checked.range.start(), checked.range.end()],
+            "title": checked.title,
+            "range": checked.range.as_ref().map(|range| [range.start(), range.end()]),
             "detail": checked.detail,
             "lines": checked.lines,
             "statement": checked.statement,

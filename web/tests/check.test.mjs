@@ -37,7 +37,7 @@ test("certificates of every kind that has a sample are proved, and said in words
   const names = readdirSync(data).filter((name) => name.endsWith(".txt") && name !== "machine-ball-twice.txt");
   const kinds = new Set(names.map((name) => read(name).match(/^kind (.*)$/m)?.[1].trim()));
   const { known } = await page.evaluate(() => grazing.compute("check", new TextEncoder().encode("none")));
-  assert.deepEqual(known.filter((kind) => !kinds.has(kind)), ["orbit 2", "event 2"]);
+  assert.deepEqual(known.filter((kind) => !kinds.has(kind)), []);
   const shown = await checked(page, Object.fromEntries(names.map((name) => [name, read(name)])));
   for (const [index, one] of shown.entries()) {
     assert.equal(one.verdict, "proved", `${names[index]}: ${one.text}`);
@@ -45,6 +45,24 @@ test("certificates of every kind that has a sample are proved, and said in words
     assert.ok(one.ticks > 0);
     assert.deepEqual(one.fault, []);
   }
+  assert.deepEqual(errors, []);
+});
+
+test("chaos is said only where it is proved, with the letters", async () => {
+  const { page, errors } = await open(chromium, "#check");
+  const chaos = read("chaos-12.txt");
+  // One letter, which follows itself, is one periodic orbit.
+  const lines = chaos.split("\n").filter((line) => !line.startsWith("letter 2") && line !== "next 1 2");
+  const one = lines
+    .map((line) => (line === "letters 2" ? "letters 1" : line))
+    .map((line) => (line.startsWith("contraction") ? `next 1\n${line}` : line))
+    .map((line) => (line.startsWith("growth") ? "growth 1 1.00000000001" : line))
+    .join("\n")
+    .replace("0.082075454", "1");
+  const [many, single] = await checked(page, { "chaos.txt": chaos, "orbits.txt": one });
+  assert.ok(many.text.includes("is chaotic.") && many.text.includes("2: 2 periods"), many.text);
+  assert.equal(single.verdict, "proved", single.text);
+  assert.ok(!single.text.includes("is chaotic.") && single.text.includes("not proved"), single.text);
   assert.deepEqual(errors, []);
 });
 
@@ -97,6 +115,10 @@ test("shards, other formats, versions and kinds are named as such", async () => 
   });
   const words = ["a shard", "another format", "Another version: “cover 3”", "does not know: “coverage”"];
   for (const [index, word] of words.entries()) assert.ok(shown[index].heading.includes(word), shown[index].heading);
+  // One that was withdrawn says why, and what writes it anew.
+  const [old] = await checked(page, { "old.txt": read("chaos-12.txt").replace("kind chaos 3", "kind chaos") });
+  assert.ok(old.heading.includes("Another version: “chaos”") && old.text.includes("grazing run"), old.text);
+  assert.equal(old.verdict, "malformed");
   assert.deepEqual(errors, []);
 });
 
