@@ -97,7 +97,7 @@ impl MatrixValue {
     /// A file beside the scene: MatrixMarket if it begins with `%%MatrixMarket`, else CSV.
     fn file(entry: &Entry) -> Result<Self> {
         let name = entry.text()?;
-        let (beside, text) = entry.beside(&name, LONGEST)?;
+        let (beside, text) = entry.beside(name, LONGEST)?;
         let read = if text.starts_with("%%MatrixMarket") { market(&text) } else { table(&text) };
         let matrix =
             read.map_err(|(line, message)| entry.fail(&format!("{}:{line}: {message}", beside.display())))?;

@@ -35,8 +35,8 @@ const LONGEST: u32 = 10_000;
 const POINTS: u32 = 1_000_000;
 
 impl Scene {
-    /// A task's scene, with the values it sets and then `changes`; checks all that can be checked before
-    /// running.
+    /// A task's scene, with the values it sets and then `changes`, and without the list of tasks, which may
+    /// be long; checks all that can be checked before running.
     ///
     /// # Errors
     /// As [`Scene::exact`]; an input error for what the task's kind forbids.
