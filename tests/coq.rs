@@ -9,6 +9,7 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+use std::sync::OnceLock;
 use std::{env, fs, thread};
 
 #[test]
@@ -28,16 +29,19 @@ fn the_development_is_what_is_pinned() {
     fs::write(&stamp, digest).unwrap();
 }
 
-#[test]
-fn grazing_prints_what_is_proved() {
+/// The folder with the extracted functions, compiled; `None` without Coq or an OCaml compiler.
+fn oracle() -> Option<PathBuf> {
+    static BUILT: OnceLock<Option<PathBuf>> = OnceLock::new();
+    BUILT.get_or_init(build_oracle).clone()
+}
+
+fn build_oracle() -> Option<PathBuf> {
     let notice = "GRAZING NOT COMPARED WITH THE PROVED FUNCTIONS";
-    if version("coqc", notice, "coq").is_none() {
-        return;
-    }
+    version("coqc", notice, "coq")?;
     let found = ["ocamlopt", "ocamlc"].into_iter().find(|compiler| runs(compiler));
     let Some(compiler) = found else {
         missing("ocamlopt or ocamlc", notice, "ocaml-nox");
-        return;
+        return None;
     };
     let build = folder("oracle");
     let needed = ["Defs.v", "StatementZ.v", "Oracle.v", "oracle.ml"];
@@ -47,7 +51,12 @@ fn grazing_prints_what_is_proved() {
         run(&build, "coqc", &["-Q", ".", "Grazing", file]);
     }
     run(&build, compiler, &["-w", "-a", "decide.mli", "decide.ml", "oracle.ml", "-o", "oracle"]);
+    Some(build)
+}
 
+#[test]
+fn grazing_prints_what_is_proved() {
+    let Some(build) = oracle() else { return };
     let points = points();
     let classified = points.iter().flat_map(|point| (1..=point.largest).map(move |n| (point.clone(), n)));
     let evaluated = points.iter().enumerate().map(|(i, point)| {
@@ -82,6 +91,165 @@ fn grazing_prints_what_is_proved() {
     }
     assert!(compared >= 2000, "only {compared} signs compared");
     println!("{compared} signs and {} verdicts compared: {kinds:?}", kinds.values().sum::<usize>());
+}
+
+/// Words: which periods occur, which may follow which, which patterns exist, against the functions proved in
+/// `StatementWordsZ.v`, at the points with short numbers.
+#[test]
+fn grazing_prints_the_proved_words() {
+    let Some(build) = oracle() else { return };
+    let points: Vec<_> = points().into_iter().filter(|point| point.largest == 16).collect();
+    let word = |point: &Rational| format!("word {} {} {} {LONGEST}", point.p, point.s, point.q);
+    let proved = answers(&build, &points.iter().map(word).collect::<Vec<_>>());
+    let patterns: Vec<Vec<usize>> = (1..=TURNS).flat_map(necklaces).collect();
+    let pattern = |point: &Rational, pattern: &[usize]| {
+        let periods: Vec<_> = pattern.iter().map(usize::to_string).collect();
+        format!("pattern {} {} {} {}", point.p, point.s, point.q, periods.join(","))
+    };
+    let questions = points.iter().flat_map(|point| patterns.iter().map(|l| pattern(point, l)));
+    let exist = answers(&build, &questions.collect::<Vec<_>>());
+
+    let mut seen = WordsSeen::default();
+    for ((point, words), exist) in points.iter().zip(&proved).zip(exist.chunks(patterns.len())) {
+        let text = grazing_word(point);
+        let Some(report) = text else { continue };
+        seen.points += 1;
+        for word in report["words"].as_array().unwrap() {
+            let sign = word["sign_emu"].as_i64().unwrap() as i8;
+            let members = &words[usize::from(sign < 0)];
+            let last = compare_members(point, word, members, &mut seen);
+            // Where every period occurs, the edges are listed up to `--max-period`.
+            let edges = if word["end"]["kind"] == "all" { TURNS } else { last };
+            for case in word["cases"].as_array().unwrap() {
+                let signs = (sign, case["sign_gamma"].as_i64().unwrap() as i8);
+                compare_edges(point, case, signs, edges, (&words[2..], members), &mut seen);
+                if last == LONGEST {
+                    compare_patterns(point, case, signs, &patterns, exist, &mut seen);
+                }
+            }
+        }
+    }
+    println!("{seen:?}");
+    let WordsSeen { points, members, absent, edges, no_edges, open, patterns } = seen;
+    assert!(points >= 150 && members >= 1000 && absent >= 1000, "{points} {members} {absent}");
+    assert!(edges >= 3000 && no_edges >= 3000 && open >= 10 && patterns >= 2000);
+}
+
+/// How many of each answer was compared.
+#[derive(Default, Debug)]
+struct WordsSeen {
+    points: usize,
+    members: usize,
+    absent: usize,
+    edges: usize,
+    no_edges: usize,
+    open: usize,
+    patterns: usize,
+}
+
+/// Periods up to this one are held against the proved ones; patterns up to `TURNS` periods of the drive.
+const LONGEST: usize = 10;
+const TURNS: usize = 6;
+
+/// The compositions of a number, one of each set that differ by a rotation.
+fn necklaces(total: usize) -> Vec<Vec<usize>> {
+    fn compositions(total: usize) -> Vec<Vec<usize>> {
+        if total == 0 {
+            return vec![Vec::new()];
+        }
+        let first = |n: usize| compositions(total - n).into_iter().map(move |rest| [vec![n], rest].concat());
+        (1..=total).flat_map(first).collect()
+    }
+    let least = |l: &Vec<usize>| (0..l.len()).all(|k| *l <= [&l[k..], &l[..k]].concat());
+    compositions(total).into_iter().filter(least).collect()
+}
+
+/// The report of `grazing word`; `None` where it has no word to report (on the two lines).
+fn grazing_word(point: &Rational) -> Option<serde_json::Value> {
+    let Rational { p, s, q, .. } = point;
+    let output = Command::new(env!("CARGO_BIN_EXE_grazing"))
+        .args(["word", "--format", "json", "--letters", "40", "--max-period", &TURNS.to_string()])
+        .args([format!("--a1={p}/{q}"), format!("--a2={s}/{q}")])
+        .output()
+        .unwrap();
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert!(matches!(output.status.code(), Some(0 | 3)), "{point:?}: {message}");
+    serde_json::from_slice(&output.stdout).ok()
+}
+
+fn numbers(value: &serde_json::Value) -> Vec<usize> {
+    value.as_array().unwrap().iter().map(|n| n.as_u64().unwrap() as usize).collect()
+}
+
+/// The periods of a word up to `LONGEST` are the proved members. Up to where the word tells them: 0 on the
+/// two lines, where it has none.
+fn compare_members(point: &Rational, word: &serde_json::Value, proved: &str, seen: &mut WordsSeen) -> usize {
+    let periods = numbers(&word["periods"]);
+    let kind = word["end"]["kind"].as_str().unwrap();
+    let last = match kind {
+        "complete" | "boundary" | "singular" | "all" => LONGEST,
+        _ => periods.iter().copied().max().unwrap_or(0).min(LONGEST),
+    };
+    for (n, bit) in (1..=last).zip(proved.chars()) {
+        let found = kind == "all" || periods.contains(&n);
+        assert_eq!(found, bit == '1', "n = {n} of {word} at {point:?}");
+        *(if found { &mut seen.members } else { &mut seen.absent }) += 1;
+    }
+    last
+}
+
+/// The edges between members up to `last` are the proved ones, and what is open is zero.
+fn compare_edges(
+    point: &Rational,
+    case: &serde_json::Value,
+    (emu, gamma): (i8, i8),
+    last: usize,
+    (signs, members): (&[String], &str),
+    seen: &mut WordsSeen,
+) {
+    let pairs = |key: &str| -> BTreeSet<(usize, usize)> {
+        let pair = |edge: &serde_json::Value| (numbers(edge)[0], numbers(edge)[1]);
+        case[key].as_array().unwrap().iter().map(pair).collect()
+    };
+    let (edges, open) = (pairs("edges"), pairs("open"));
+    let member = |n: usize| members.as_bytes()[n - 1] == b'1';
+    let letters = (1..=last).filter(|&n| member(n)).collect::<Vec<_>>();
+    for (&i, &j) in letters.iter().flat_map(|i| letters.iter().map(move |j| (i, j))) {
+        let sign = match signs[i - 1].as_bytes()[j - 1] {
+            b'+' => 1,
+            b'-' => -1,
+            _ => 0,
+        };
+        let at = || format!("{i} -> {j}, case ({emu}, {gamma}), at {point:?}: {case}");
+        assert_eq!(edges.contains(&(i, j)), sign * emu * gamma > 0, "{}", at());
+        assert_eq!(open.contains(&(i, j)), sign == 0, "{}", at());
+        match sign * emu * gamma {
+            1 => seen.edges += 1,
+            0 => seen.open += 1,
+            _ => seen.no_edges += 1,
+        }
+    }
+}
+
+/// The numbers of patterns of each period are those of the proved ones.
+fn compare_patterns(
+    point: &Rational,
+    case: &serde_json::Value,
+    signs: (i8, i8),
+    patterns: &[Vec<usize>],
+    exist: &[Vec<String>],
+    seen: &mut WordsSeen,
+) {
+    let place = CASES.iter().position(|&case| case == signs).unwrap();
+    for row in case["patterns"].as_array().unwrap() {
+        let period = row["period"].as_u64().unwrap() as usize;
+        let held = |(l, bits): &(&Vec<usize>, &Vec<String>)| {
+            l.iter().sum::<usize>() == period && bits[0].as_bytes()[place] == b'1'
+        };
+        let proved = patterns.iter().zip(exist).filter(held).count();
+        assert_eq!(row["all"].as_str().unwrap(), proved.to_string(), "{period} at {point:?}, {case}");
+        seen.patterns += proved;
+    }
 }
 
 /// Coq's theorem on chaos is about the oscillator and the boxes of the certificate, whose checker shares
@@ -297,28 +465,37 @@ fn grazing(arguments: &[&str], point: &Rational) -> String {
     String::from_utf8(output.stdout).unwrap()
 }
 
-/// The answers of the extracted functions, in order.
-fn ask(build: &Path, questions: Vec<(Rational, usize)>) -> Vec<Proved> {
+/// The cases (sign eµ, sign γ) in the order of the extracted functions' answers.
+const CASES: [(i8, i8); 4] = [(1, 1), (1, -1), (-1, 1), (-1, -1)];
+
+/// What the extracted functions answer to each question, in order: the words after it.
+fn answers(build: &Path, questions: &[String]) -> Vec<Vec<String>> {
     let mut child =
         Command::new(build.join("oracle")).stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().unwrap();
     let mut input = child.stdin.take().unwrap();
-    let lines: Vec<_> =
-        questions.iter().map(|(Rational { p, s, q, .. }, n)| format!("{p} {s} {q} {n}\n")).collect();
-    let writer = thread::spawn(move || lines.iter().try_for_each(|line| input.write_all(line.as_bytes())));
+    let text = questions.join("\n") + "\n";
+    let writer = thread::spawn(move || input.write_all(text.as_bytes()));
     let output = child.wait_with_output().unwrap();
     writer.join().unwrap().unwrap();
     assert!(output.status.success());
     let text = String::from_utf8(output.stdout).unwrap();
-    let answers: Vec<_> = text.lines().map(|line| line.split(' ').collect::<Vec<_>>()).collect();
-    assert_eq!(answers.len(), questions.len());
-    let order = [(1, 1), (1, -1), (-1, 1), (-1, -1)];
-    (questions.into_iter().zip(answers))
+    assert_eq!(text.lines().count(), questions.len());
+    (text.lines().zip(questions))
+        .map(|(line, question)| {
+            let words = line.strip_prefix(question.as_str()).unwrap();
+            words.split_whitespace().map(str::to_owned).collect()
+        })
+        .collect()
+}
+
+/// What is proved about one impact per period, in the order of the questions.
+fn ask(build: &Path, questions: Vec<(Rational, usize)>) -> Vec<Proved> {
+    let lines: Vec<_> =
+        questions.iter().map(|(Rational { p, s, q, .. }, n)| format!("{p} {s} {q} {n}")).collect();
+    (questions.into_iter().zip(answers(build, &lines)))
         .map(|((point, n), words)| {
-            let [p, s, q, period, singular, b, c, d, cases, no_orbit] = words[..] else {
-                panic!("{words:?}")
-            };
-            assert_eq!([p, s, q, period], [&*point.p, &point.s, &point.q, &n.to_string()]);
-            let held = cases.chars().zip(order).filter(|(bit, _)| *bit == '1').map(|(_, case)| case);
+            let [singular, b, c, d, cases, no_orbit] = &words[..] else { panic!("{words:?}") };
+            let held = cases.chars().zip(CASES).filter(|(bit, _)| *bit == '1').map(|(_, case)| case);
             let letter = |word: &str| word.chars().next().unwrap();
             let b = b.chars().filter(|&letter| letter != '.').collect();
             let (singular, no_orbit) = (singular == "1", no_orbit == "1");

@@ -221,11 +221,11 @@ Proof.
   split; [lra|split; [rewrite u_mirror; destruct (sign_pow n) as [-> | ->]; lra|]].
   split; [|split; [|intros He; split]].
   - rewrite c_detIA, detIA_line; unfold Rdiv; ring.
-  - intros k Hk; unfold b; rewrite b_line by assumption; unfold Rdiv; ring.
+  - intros k Hk'; assert (Hk : (k <= n)%nat) by lia; unfold b; rewrite b_line by assumption; unfold Rdiv; ring.
   - pose proof (detIA_line a2 n) as H; unfold detIA in H.
     rewrite c_detIA, detIA_mirror, sign_pow_even, Rmult_1_l, H by assumption.
     unfold Rdiv; ring.
-  - intros k Hk Hke; unfold b; rewrite !u_mirror.
+  - intros k Hk' Hke; assert (Hk : (k <= n)%nat) by lia; unfold b; rewrite !u_mirror.
     assert (Hme : Nat.Even (n - k)).
     { destruct He as [h Hh], Hke as [l Hl]; exists (h - l)%nat; lia. }
     rewrite !sign_pow_even by assumption.

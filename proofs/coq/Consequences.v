@@ -5,7 +5,7 @@
     themselves at one point of each region. *)
 
 From Coq Require Import Reals List Arith ZArith Lra Lia.
-From Grazing Require Import Defs Statement StatementConjecture StatementPlane StatementB Farey Eight
+From Grazing Require Import Defs Statement StatementConjecture StatementPlane StatementB StatementExamples Farey Eight
   StatementZ OrbitZ.
 Open Scope R_scope.
 

@@ -7,10 +7,6 @@ From Coq Require Import Reals Arith Lra Lia.
 From Grazing Require Import Defs Statement Farey Disc Sine Radius Count Graph Above.
 Open Scope R_scope.
 
-Definition Depth_statement : Prop := forall n k g lo hi Rad, (3 <= n)%nat ->
-  side n k g lo hi -> above n k g lo hi Rad ->
-  exists s, lo < s < hi /\ Rad s < 1 - 4 / (PI * INR n ^ 3).
-
 Lemma Bernoulli r k : 0 <= r <= 1 -> 1 - INR k * (1 - r) <= r ^ k.
 Proof.
   intros Hr; induction k as [|k IH]; [simpl; lra|].

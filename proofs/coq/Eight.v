@@ -1,19 +1,8 @@
 (** * Theorem 2 gives n = 8 the five intervals of the paper's figure 5 *)
 
 From Coq Require Import Reals Arith Lra Lia.
-From Grazing Require Import Defs Statement Farey.
+From Grazing Require Import Defs Statement StatementExamples Farey.
 Open Scope R_scope.
-
-Definition period_8_interval (e g : sign) (s : R) : Prop :=
-  match e, g with
-  | Minus, Plus => 0 < s < 1 / 16
-  | Plus, Plus => 1 / 16 < s < 1 / 8 \/ 1 / 3 < s < 3 / 8
-  | Plus, Minus => 1 / 8 < s < 1 / 7 \/ 3 / 8 < s < 2 / 5
-  | Minus, Minus => False
-  end.
-
-Definition Period_8_statement : Prop := forall s e g, 0 < s < 1 / 2 ->
-  (orbit_at 1 s 8 e g <-> period_8_interval e g s).
 
 Lemma neighbours_1_8 : neighbours 1 8 0 1 1 7.
 Proof. unfold neighbours; lia. Qed.

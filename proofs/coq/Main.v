@@ -1,6 +1,6 @@
 (** * The main theorems about region 3 and Conjecture 1, by name *)
 
-From Grazing Require Import Defs Statement StatementConjecture Cases Farey Disc Radius Count Above
+From Grazing Require Import Defs Statement StatementExamples StatementConjecture Cases Farey Disc Radius Count Above
   Sections Eight Conjecture1 Depth.
 
 Theorem One_case : One_case_statement. Proof. exact Cases.One_case. Qed.

@@ -13,9 +13,11 @@ Theorem S1_to_S5_for_oscillators : S1_S3_oscillator_statement /\ Theorem2_oscill
 Proof. exact (conj S1_S3_oscillator (conj Theorem2_oscillator Conjecture1_oscillator)). Qed.
 Theorem Summary_and_record_for_oscillators : Summary_oscillator_statement /\ Record_oscillator_statement.
 Proof. exact (conj Summary_oscillator Record_oscillator). Qed.
-Theorem Words_for_oscillators : Patterns_oscillator_statement /\ Shift_oscillator_statement /\
-  Graph_oscillator_statement.
-Proof. exact (conj Patterns_oscillator (conj Shift_oscillator Graph_oscillator)). Qed.
+Theorem Words_for_oscillators : Patterns_oscillator_statement /\ All_patterns_oscillator_statement /\
+  Shift_oscillator_statement /\ Graph_oscillator_statement.
+Proof.
+  exact (conj Patterns_oscillator (conj All_patterns_oscillator (conj Shift_oscillator Graph_oscillator))).
+Qed.
 
 Theorem Oscillators_exist : Nordmark_statement /\ Harmonics_statement.
 Proof. exact (conj Nordmark_oscillator Harmonics). Qed.

@@ -89,6 +89,14 @@ Proof.
   exact (cyclic_nth _ l j Hc).
 Qed.
 
+Theorem All_patterns_oscillator : All_patterns_oscillator_statement.
+Proof.
+  intros O m a1 a2 gamma K HO HK H2; destruct (V_bounded a1 a2 K HK H2) as [L HL].
+  destruct (Patterns_oscillator O m a1 a2 gamma HO L) as (d & mu0 & Hd & Hm & H); exists d, mu0; split; [exact Hd|].
+  split; [exact Hm|]; intros l N g mu Hl HN Hg Hmu Hp.
+  apply (H l N Plus g mu Hl (pattern_letters a1 a2 Plus g l L HL Hp) HN Hg); [cbn [sgn]; lra | exact Hp].
+Qed.
+
 Theorem Shift_oscillator : Shift_oscillator_statement.
 Proof.
   intros O m a1 a2 gamma HO H2 n_max; destruct (Word_oscillator O m a1 a2 gamma HO n_max)

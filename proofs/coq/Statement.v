@@ -177,3 +177,9 @@ Definition S5_section_statement : Prop := forall a2 n, 0 < a2 < 1 ->
   forall a1, - (a2 + 1) < a1 < trace (sqrt a2) ((1 - 1 / INR n) / 2) ->
   u a1 a2 n <> 0 /\ decides a1 a2 n (n - 2) Minus /\
   (a1 < a1s <-> b a1 a2 n (n - 2) > 0) /\ (a1 = a1s <-> b a1 a2 n (n - 2) = 0).
+
+(** ** Depth (not in the paper): how far down each area reaches at least *)
+
+Definition Depth_statement : Prop := forall n k g lo hi Rad, (3 <= n)%nat ->
+  side n k g lo hi -> above n k g lo hi Rad ->
+  exists s, lo < s < hi /\ Rad s < 1 - 4 / (PI * INR n ^ 3).

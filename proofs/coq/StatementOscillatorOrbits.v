@@ -46,6 +46,12 @@ Definition Patterns_oscillator_statement : Prop := forall O m a1 a2 gamma, grazi
   (forall i, N (i + 1)%Z = (N i + Z.of_nat (cyclic_letter l i))%Z) ->
   sgn g * gamma > 0 -> 0 < sgn s * mu < mu0 -> pattern a1 a2 s g l -> one_motion O m mu d N.
 
+(** Regions 3 and 4 with damping, mu > 0: one mu0 for all patterns. *)
+Definition All_patterns_oscillator_statement : Prop := forall O m a1 a2 gamma K, grazing O m a1 a2 gamma ->
+  first_upper a1 a2 K -> a2 < 1 -> exists d mu0, d > 0 /\ mu0 > 0 /\ forall (l : list nat) (N : Z -> Z) g mu,
+  l <> [] -> (forall i, N (i + 1)%Z = (N i + Z.of_nat (cyclic_letter l i))%Z) ->
+  sgn g * gamma > 0 -> 0 < mu < mu0 -> pattern a1 a2 Plus g l -> one_motion O m mu d N.
+
 (** Every region: all sequences of periods up to n_max that have a motion in one case. *)
 Definition Shift_oscillator_statement : Prop := forall O m a1 a2 gamma, grazing O m a1 a2 gamma -> 0 < a2 ->
   forall n_max, exists d mu0, d > 0 /\ mu0 > 0 /\ forall (N : Z -> Z) (n : Z -> nat) s g mu,

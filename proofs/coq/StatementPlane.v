@@ -36,9 +36,9 @@ Definition Region5_statement : Prop := forall a1 a2 n, 0 < a2 -> (1 <= n)%nat ->
 (** Elsewhere on the two lines Theorem 1 is silent: some b and c vanish. *)
 Definition Lines_statement : Prop := forall a2 n, 0 < a2 -> (1 <= n)%nat ->
   u (a2 + 1) a2 n <> 0 /\ u (- (a2 + 1)) a2 n <> 0 /\
-  c (a2 + 1) a2 n = 0 /\ (forall k, (k <= n)%nat -> b (a2 + 1) a2 n k = 0) /\
+  c (a2 + 1) a2 n = 0 /\ (forall k, (1 <= k <= n - 1)%nat -> b (a2 + 1) a2 n k = 0) /\
   (Nat.Even n -> c (- (a2 + 1)) a2 n = 0 /\
-   forall k, (k <= n)%nat -> Nat.Even k -> b (- (a2 + 1)) a2 n k = 0).
+   forall k, (1 <= k <= n - 1)%nat -> Nat.Even k -> b (- (a2 + 1)) a2 n k = 0).
 
 (** ** Region 3 has coordinates: one (r, s) for each (a1, a2) with a1^2 < 4 a2 *)
 

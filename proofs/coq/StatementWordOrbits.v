@@ -4,7 +4,7 @@
     map of the plane. J is Z for bi-infinite sequences of flights, cyclic for patterns. *)
 
 From Coq Require Import Reals List.
-From Grazing Require Import Defs Statement StatementOrbits StatementOrbitsPlane StatementWords.
+From Grazing Require Import Defs Statement StatementOrbits StatementOrbitsPlane StatementOrbitsPatterns StatementWords.
 Import ListNotations. Open Scope R_scope.
 
 (** With damping every word ends. *)
@@ -53,3 +53,11 @@ Definition Word_orbits_statement : Prop := forall M a1 a2 gamma e w0, planar M a
    one_orbit M J next (fun j => fst (n j)) mu d) /\
   forall j, (if arrow K w (n j) (n (next j)) then Plus else Minus) <> g ->
   forall x, ~ orbit_near M J next (fun j => fst (n j)) mu d x.
+
+(** With damping V is finite for e mu > 0, and one mu0 serves all patterns over it: the caveat that ends the paper's
+    section 2.5 falls there. *)
+Definition V_finite_statement : Prop := forall a1 a2 K, first_upper a1 a2 K -> a2 < 1 ->
+  (exists L, forall n, member a1 a2 Plus n -> (n <= L)%nat) /\
+  forall M gamma e w0, planar M a1 a2 gamma e w0 -> exists d mu0, d > 0 /\ mu0 > 0 /\
+  forall l g mu, sgn g * gamma > 0 -> 0 < e * mu < mu0 -> pattern a1 a2 Plus g l ->
+  one_orbit M (place l) (next_place l) (steps l) mu d.

@@ -36,6 +36,21 @@ Definition no_orbitZ (p s q : Z) (n : nat) : bool :=
   existsb (fun k => signB p s q n k <? 0) (seq 1 (n - 1)) &&
   existsb (fun k => 0 <? signB p s q n k) (seq 1 (n - 1)).
 
+(** The sign of p_j - q_i, by which j may follow i, (64); membership, edges and patterns of [StatementWords]. *)
+Definition signE (p s q : Z) (i j : nat) : Z := Z.sgn (uZ p s q i) * (Z.sgn (uZ p s q j) *
+  Z.sgn (uZ p s q (i + j) - q ^ Z.of_nat j * uZ p s q i - s ^ Z.of_nat i * uZ p s q j)).
+
+Definition memberZ (p s q : Z) (e : sign) (n : nat) : bool :=
+  negb (uZ p s q n =? 0) && forallb (fun k => 0 <? sgnZ e * signB p s q n k) (seq 1 (n - 1)).
+
+Definition edgeZ (p s q : Z) (e g : sign) (i j : nat) : bool := 0 <? sgnZ e * sgnZ g * signE p s q i j.
+
+Fixpoint walkZ (E : nat -> nat -> bool) (x : nat) (l : list nat) (y : nat) : bool :=
+  match l with nil => E x y | cons z l => E x z && walkZ E z l y end.
+
+Definition patternZ (p s q : Z) (e g : sign) (l : list nat) : bool := match l with nil => false
+  | cons x l' => forallb (memberZ p s q e) l && walkZ (edgeZ p s q e g) x l' x end.
+
 Open Scope R_scope.
 
 (** z < 0, z = 0, z > 0 as x. *)

@@ -2,7 +2,8 @@
 
 From Coq Require Import Reals List Arith Lra Lia.
 From Grazing Require Import Defs StatementOrbits StatementOrbitsPlane StatementWords
-  StatementWordOrbits PlaneOrbits WordAlgebra WordPath WordGraph WordPatterns WordPlane.
+  StatementWordOrbits StatementOrbitsPatterns PlaneOrbits PatternOrbits WordAlgebra WordPath WordGraph
+  WordPatterns WordPlane WordFinite.
 Import ListNotations. Open Scope R_scope.
 
 Theorem Shift_orbits : Shift_orbits_statement.
@@ -48,4 +49,26 @@ Proof.
     specialize (HE k); rewrite Hwalk in HE; exact HE.
   - intros k Hne; apply (Hno k); right; specialize (HE k); unfold edge in HE; unfold follows.
     unfold p, q in HE; destruct (arrow K w (n k) (n (next k))), g; cbn [sgn] in *; tauto || lra.
+Qed.
+
+(** A pattern over V is one over {n <= L : u_n <> 0}. *)
+Lemma pattern_letters a1 a2 s g l L : (forall n, member a1 a2 s n -> (n <= L)%nat) -> pattern a1 a2 s g l ->
+  Forall (fun n => (1 <= n <= L)%nat /\ u a1 a2 n <> 0) l.
+Proof.
+  intros HL [Hv _]; revert Hv; apply Forall_impl; intros n Hn; destruct (Hn) as [Hu _].
+  pose proof (u_nonzero_pos _ _ _ Hu); specialize (HL n Hn); tauto.
+Qed.
+
+Lemma V_bounded a1 a2 K : first_upper a1 a2 K -> a2 < 1 -> exists L, forall n, member a1 a2 Plus n -> (n <= L)%nat.
+Proof.
+  intros HK H2; destruct (WordFinite.V_finite a1 a2 K HK H2) as [L HL]; exists L; intros n Hn.
+  destruct (le_lt_dec n L) as [H|H]; [exact H | exfalso; apply (HL n); [lia | exact Hn]].
+Qed.
+
+Theorem V_finite : V_finite_statement.
+Proof.
+  intros a1 a2 K HK H2; destruct (V_bounded a1 a2 K HK H2) as [L HL]; split; [exists L; exact HL|].
+  intros M gamma e w0 HM; destruct (Patterns_orbits M a1 a2 gamma e w0 HM L) as (d & mu0 & Hd & Hm & H).
+  exists d, mu0; split; [exact Hd|]; split; [exact Hm|]; intros l g mu Hg Hmu Hp.
+  apply (H l Plus g mu Hg ltac:(cbn [sgn]; lra) (pattern_letters a1 a2 Plus g l L HL Hp)), Hp.
 Qed.

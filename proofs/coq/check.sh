@@ -1,18 +1,19 @@
 #!/bin/sh
 # Checks what the development says and what it rests on, the cheap first:
-#   1. the sources: every file listed, nothing assumed or left open, no check of the kernel turned off;
+#   1. the sources: every file listed, no folders, no options; nothing assumed or left open, no check of the kernel
+#      turned off; the statement files hold definitions alone and require only Coq and each other;
 #   2. every definition of the statement files, printed in full, is as pinned in statements.txt,
-#      and the numbers of Consequences.v follow from the statements;
+#      and the numbers of Consequences*.v follow from the statements;
 #   3. everything compiles;
-#   4. each statement has a theorem in a file Main*.v, and these theorems rest on the axioms pinned
-#      in assumptions.txt, which names them before each list;
+#   4. each statement, by its full name, has a theorem in a file Main*.v, and these theorems rest on the axioms
+#      pinned in assumptions.txt, which names them before each list;
 #   5. the kernel checks every compiled file again (coqchk), and its summary is as pinned in coqchk.txt.
 # --pin writes the three files instead of comparing them. Needs coq alone. mutants.sh tests this script.
 set -eu
 cd "$(dirname "$0")"
 export LC_ALL=C
+unset COQPATH COQLIB COQEXTRAFLAGS COQFLAGS COQLIBS COQCHKEXTRAFLAGS OTHERFLAGS MAKEFLAGS MAKEFILES || true
 pin=; [ "${1-}" = --pin ] && pin=yes
-sources=$(grep '\.v$' _CoqProject)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 refuse() { echo "check.sh: $*" >&2; exit 1; }
@@ -22,6 +23,15 @@ compare() { # pinned found
 }
 
 # 1. The sources. Oracle.v extracts a program and is no part of the development.
+[ "$(head -n 1 _CoqProject)" = "-Q . Grazing" ] || refuse "_CoqProject must begin with -Q . Grazing"
+if sed 1d _CoqProject | grep -vE '^[A-Za-z0-9]+\.v$' >&2; then refuse "_CoqProject: not the name of a file: above"; fi
+if sed 1d _CoqProject | sort | uniq -d | grep . >&2; then refuse "_CoqProject: listed twice: above"; fi
+sources=$(sed 1d _CoqProject)
+for entry in * .[!.]*; do
+  if [ -L "$entry" ]; then refuse "$entry is a link"; fi
+  if [ -d "$entry" ]; then refuse "$entry is a folder"; fi
+  case "$entry" in *.local | *.mllib | *.ml4 | *.mlg | *.cmxs) refuse "$entry has no place here" ;; esac
+done
 for file in *.v; do
   case " $(echo $sources) Oracle.v " in *" $file "*) ;; *) refuse "$file is not listed in _CoqProject" ;; esac
 done
@@ -45,24 +55,50 @@ if grep -oE "^[A-Za-z0-9]+\.v|.{0,40}(^|[^A-Za-z0-9_'])$word([^A-Za-z0-9_'].{0,2
     "$work/plain" | awk '/^[A-Za-z0-9]+\.v$/ { file = $0; next } { print file ":" $0; bad = 1 } END { exit !bad }' >&2; then
   refuse "assumed, unproved or unchecked: above"
 fi
-statement_files=$(grep -lE '^Definition [A-Za-z0-9_]+_statement|^\(\*\* \* Definitions:' $sources)
-for file in $(echo "$statement_files" | grep -E '^(Defs|Statement)'); do
-  if grep "^$file: " "$work/plain" | grep -qE "(^|[ .])(Notation|Infix|Coercion|Canonical|Arguments[^.]*:)[ ]"; then
-    refuse "$file: a statement must not depend on notations or coercions of its own"
+statement_files=$(echo "$sources" | grep -E '^(Defs|Statement[A-Za-z0-9]*)\.v$')
+# One sentence a line; what a statement file may hold. Numbers and names have no dot before a blank.
+sentences() { grep "^$1: " "$work/plain" | sed -e "s/^$1: //" | sed -E 's/\.([[:space:]]|$)/.\n/g' | sed -E 's/^[[:space:]]+//' | grep . || true; }
+for file in $statement_files; do
+  if sentences "$file" | grep -vE '^(From Coq Require Import|From Grazing Require Import|Open Scope|Definition|Fixpoint|Inductive|Record|Module|Section|Variables|End)[[:space:]]+[^"]*\.$|^Import (ListNotations|Map)\.$|^Arguments [a-z_]+ [{}a-z ]+\.$' >&2; then
+    refuse "$file: a statement file holds definitions alone; not this: above"
   fi
+  for name in $(sentences "$file" | sed -nE 's/^From Grazing Require Import[[:space:]]+(.*)\.$/\1/p'); do
+    echo "$statement_files" | grep -qx "$name.v" || refuse "$file requires $name, which is no statement file"
+  done
+done
+for file in $sources; do
+  if echo "$statement_files" | grep -qx "$file"; then continue; fi
+  if grep "^$file: " "$work/plain" | grep -qE "(Definition|Fixpoint|Inductive|Record|Notation|Let)[[:space:]]+\"?[A-Za-z0-9_]*_statement"; then
+    refuse "$file states what belongs into a file Statement*.v"
+  fi
+done
+# What Oracle.v extracts is what statements are about, and nothing else is in it.
+extracted=$(tr '\n' ' ' <Oracle.v | sed -nE 's/.*Extraction "decide\.ml"([^.]*( Z\.(add|mul|opp))*)\.[[:space:]]*$/\1/p')
+[ "$extracted" ] || refuse "Oracle.v must end with its one Extraction"
+if grep -E '(Definition|Fixpoint|Let|Notation|Extract|Axiom)[[:space:]]' Oracle.v >&2; then refuse "Oracle.v defines or replaces: above"; fi
+for name in $extracted; do
+  case "$name" in Z.add | Z.mul | Z.opp) continue ;; esac
+  { sentences StatementZ.v; sentences StatementWordsZ.v; } | grep -E '^Definition [A-Za-z0-9_]*_statement ' | grep -qw "$name" ||
+    refuse "Oracle.v extracts $name, which no statement is about"
 done
 
 # 2. The statements in full.
+# Names as defined; those in a module after its name.
+defined() {
+  sentences "$1" | awk '
+    $1 == "Module" { module = $2; sub(/\.$/, "", module); module = module "."; next }
+    $1 == "End" { module = ""; next }
+    $1 == "Definition" || $1 == "Fixpoint" || $1 == "Inductive" || $1 == "Record" { print module $2 }'
+}
 coq_makefile -f _CoqProject -o Makefile.coq
 jobs=$(nproc 2>/dev/null || echo 1)
-make --no-print-directory -f Makefile.coq -j "$jobs" $(for f in $statement_files; do echo "${f}o"; done) Consequences.vo
+make --no-print-directory -f Makefile.coq -j "$jobs" $(for f in $statement_files $(echo "$sources" | grep '^Consequences'); do echo "${f}o"; done)
 {
   echo "From Coq Require Import Reals List. Open Scope R_scope. Set Printing Width 110."
   for file in $statement_files; do
     module=${file%.v}
     echo "From Grazing Require $module."
-    sed -nE -e 's/^(Definition|Fixpoint|Inductive|Record|CoInductive) ([A-Za-z0-9_]+).*/\2/p' \
-      -e 's/^Module ([A-Za-z0-9_]+)\. (Definition|Record) ([A-Za-z0-9_]+).*/\1.\3/p' "$file" |
+    defined "$file" |
       while read -r name; do echo "Print Grazing.$module.$name."; done
   done
 } >"$work/Statements.v"
@@ -88,8 +124,10 @@ mains=$(echo "$sources" | grep '^Main')
 } >"$work/Theorems.v"
 coqc -q -Q . Grazing "$work/Theorems.v" >"$work/assumptions"
 compare assumptions.txt "$work/assumptions"
-for name in $(cat $statement_files | sed -nE 's/^Definition ([A-Za-z0-9_]*_statement[A-Za-z0-9_]*).*/\1/p'); do
-  grep -qwE "$name" "$work/assumptions" || refuse "$name has no theorem in $(echo $mains)"
+for file in $statement_files; do
+  for name in $(defined "$file" | grep -E '_statement'); do
+    grep -qE "(^|[ (])${file%.v}\.$name([ )]|$)" "$work/assumptions" || refuse "$name of $file has no theorem in" $mains
+  done
 done
 
 # 5. The kernel once more, on every file.

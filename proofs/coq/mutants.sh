@@ -18,12 +18,13 @@ mutant() {
   rm -rf "$work/mutant"
   cp -a "$work/original" "$work/mutant"
   cd "$work/mutant"
+  mkdir -p "$(dirname "$file")"
   case "$edit" in
     append*) printf '%s\n' "$edit" | sed 1d >>"$file" ;;
     new*) printf '%s\n' "$edit" | sed 1d >"$file" ;;
     *) sed -i "$edit" "$file" ;;
   esac
-  if cmp -s "$file" "$work/original/$file"; then echo "mutants.sh: $name changes nothing" >&2; exit 1; fi
+  if [ -e "$work/original/$file" ] && cmp -s "$file" "$work/original/$file"; then echo "mutants.sh: $name changes nothing" >&2; exit 1; fi
   if sh check.sh $option >"$work/output" 2>&1; then
     survived="$survived $name"; echo "$name: ACCEPTED"
   elif ! grep -qE "$reason" "$work/output"; then
@@ -73,7 +74,7 @@ From Coq Require ClassicalEpsilon.
 E
 
 # What is stated. With --pin the texts are taken as they are: the hand-worked numbers must notice.
-mutant notation-of-its-own 'must not depend on notations' --pin Statement.v <<'E'
+mutant notation-of-its-own 'definitions alone' --pin Statement.v <<'E'
 s/^Open Scope R_scope\.$/&\nLocal Notation "x > y" := (x >= y) (at level 70, only parsing) : R_scope./
 E
 mutant sections-weakened 'statements.txt and what was found differ' '' Statement.v <<'E'
@@ -102,6 +103,92 @@ mutant theorem-dropped 'assumptions.txt and what was found differ' '' Main.v <<'
 E
 mutant theorem-dropped-and-pinned 'S4_statement has no theorem' --pin Main.v <<'E'
 /^Theorem S4 :/d
+E
+
+# Where Coq and this script look for files.
+mutant statement-in-a-folder 'is a folder' '' evil/StatementChaos.v <<'E'
+new
+Definition Chaos_oscillator_statement : Prop := True.
+E
+mutant folder-listed 'not the name of a file' '' _CoqProject <<'E'
+append
+evil/StatementChaos.v
+E
+mutant option-in-the-project 'not the name of a file' '' _CoqProject <<'E'
+append
+-arg -type-in-type
+E
+mutant another-root 'must begin with' '' _CoqProject <<'E'
+1s/.*/-Q . Evil/
+E
+mutant blank-after-a-name 'not the name of a file' '' _CoqProject <<'E'
+s/^StatementChaos\.v$/& /
+E
+mutant listed-twice 'listed twice' '' _CoqProject <<'E'
+append
+Sine.v
+E
+mutant options-for-make 'has no place' '' Makefile.coq.local <<'E'
+new
+COQEXTRAFLAGS = -type-in-type
+E
+mutant universes-off 'assumed, unproved' '' Reverse.v <<'E'
+append
+Unset Universe Checking.
+E
+mutant universes-bypassed 'assumed, unproved' '' Reverse.v <<'E'
+append
+#[bypass_check(universes)] Definition large : Prop := True.
+E
+mutant obligations-admitted 'assumed, unproved' '' Reverse.v <<'E'
+append
+Admit  Obligations.
+E
+
+# Statements that are not what they seem.
+mutant blank-before-a-definition 'statements.txt and what was found differ' '' StatementChaos.v <<'E'
+s/^Definition Chaos_distinct_statement : Prop := /  Definition Chaos_distinct_statement : Prop := True \\\/ /
+E
+mutant definition-on-two-lines 'statements.txt and what was found differ' '' StatementChaos.v <<'E'
+s/^Definition Chaos_distinct_statement : Prop := /Definition\nChaos_distinct_statement : Prop := True \\\/ /
+E
+mutant stated-in-a-proof-file 'belongs into a file Statement' '' ChaosContinuous.v <<'E'
+append
+Definition Chaos_continuous_statement : Prop := True.
+E
+mutant stated-by-a-notation 'belongs into a file Statement' '' ChaosContinuous.v <<'E'
+append
+Notation Chaos_continuous_statement := True.
+E
+mutant statement-after-a-proof 'no statement file' '' StatementChaos.v <<'E'
+s/^Open Scope R_scope\.$/From Grazing Require Import Algebra.\n&/
+E
+mutant statement-with-a-coercion 'definitions alone' '' StatementChaos.v <<'E'
+s/^Open Scope R_scope\.$/&\nCoercion INR : nat >-> R./
+E
+mutant statement-with-a-lemma 'definitions alone' '' StatementChaos.v <<'E'
+append
+Lemma small : True. Proof. exact I. Qed.
+E
+
+# Statements weakened, the texts taken as they are.
+mutant only-with-a-bounce 'ConsequencesOscillators.v' --pin StatementOscillator.v <<'E'
+s/is_restitution : 0 <= Oscillator.tau O/is_restitution : 0 < Oscillator.tau O/
+E
+mutant not-the-only-motion 'ConsequencesOscillators.v' --pin StatementOscillator.v <<'E'
+s/^  forall i x, t' i = t i .*/  forall i x : R, True./
+E
+mutant one-stop-only 'ConsequencesOscillators.v' --pin StatementOscillator.v <<'E'
+s/(forall a1 a2, 0 < a2 -> a1 <= - 2 \* sqrt a2 ->/(forall a1 a2, 0 < a2 -> a1 <= - 2 -> a1 <= - 2 * sqrt a2 ->/
+E
+mutant words-without-2 'ConsequencesOscillators.v' --pin StatementOscillator.v <<'E'
+/^Definition Word_oscillator_statement/,/^$/ s/(1 <= n i <= n_max)/(1 <= n i <= 1)/
+E
+mutant wall-of-another-shape 'ConsequencesOscillators.v' --pin StatementOscillatorOrbits.v <<'E'
+s/q i (t i) = (1 + mu) \* cos (t i) - 1/q i (t i) = (1 + mu) * cos (t j) - 1/
+E
+mutant theorem-of-reach-dropped 'Reach_statement of StatementOscillator.v has no theorem' --pin MainOscillators.v <<'E'
+/^Theorem Reach :/d
 E
 
 if [ "$survived" ]; then echo "mutants.sh: not refused:$survived" >&2; exit 1; fi
