@@ -1,10 +1,10 @@
 //! Branches of periodic orbits over a parameter, with attractors behind them: stable solid, unstable broken.
 
-use std::collections::HashSet;
+use std::{collections::HashSet, f64::consts::TAU};
 
 use super::{
     FigurePlace,
-    canvas::{Anchor, At, BLACK, BLUE, COLUMN, Canvas, Stroke, TYPE, Words, line},
+    canvas::{Anchor, At, BLACK, BLUE, COLUMN, Canvas, GREY, Stroke, TYPE, Words, line},
     frame::{Axis, PlotFrame, padded, symbol},
     legend::Legend,
 };
@@ -84,8 +84,14 @@ impl DrawnBranch {
 /// Lengths of a dash and of the gap after it.
 const DASHES: [f64; 2] = [4.0, 2.4];
 
-fn stroke(solid: bool) -> Stroke {
-    Stroke { dashes: (!solid).then_some(DASHES), ..line(BLACK, 0.8) }
+/// The stroke of a stretch of this length: one that is not solid shows gaps, however short it is.
+fn stroke(solid: bool, length: f64) -> Stroke {
+    let part = (length / (3.0 * (DASHES[0] + DASHES[1]))).min(1.0);
+    Stroke { dashes: (!solid).then_some(DASHES.map(|dash| dash * part)), ..line(BLACK, 0.8) }
+}
+
+fn length(path: &[At]) -> f64 {
+    path.windows(2).map(|pair| (pair[1].0 - pair[0].0).hypot(pair[1].1 - pair[0].1)).sum()
 }
 
 fn draw(curves: &[DrawnBranch], scatter: &[Scatter], axes: [&str; 2]) -> Canvas {
@@ -96,7 +102,7 @@ fn draw(curves: &[DrawnBranch], scatter: &[Scatter], axes: [&str; 2]) -> Canvas 
         // All of one kind of line needs no name in a plane of two parameters.
         if any(wanted) && (any(!wanted) || !scatter.is_empty()) {
             legend.add(name, move |canvas: &mut Canvas, (x, y): At| {
-                canvas.line(vec![(x - 9.0, y), (x + 9.0, y)], stroke(wanted));
+                canvas.line(vec![(x - 9.0, y), (x + 9.0, y)], stroke(wanted, f64::INFINITY));
             });
         }
     }
@@ -138,31 +144,30 @@ fn draw(curves: &[DrawnBranch], scatter: &[Scatter], axes: [&str; 2]) -> Canvas 
     let smooth: Vec<Smooth> = paths.iter().map(|path| Smooth(path)).collect();
     let lines: Vec<Vec<At>> = smooth.iter().map(|curve| curve.points(0, usize::MAX)).collect();
     let mut labels = Labels::new(&lines, frame.inside());
-    let mut marked: Vec<At> = Vec::new();
+    let mut marked: Vec<Label> = Vec::new();
     for ((curve, path), solid) in curves.iter().zip(&smooth).zip(&solid) {
         let mut start = 0;
         for stretch in solid.chunk_by(|a, b| a == b) {
             let end = start + stretch.len();
-            canvas.line(path.points(start, end), stroke(stretch[0]));
+            let points = path.points(start, end);
+            let drawn = stroke(stretch[0], length(&points));
+            canvas.line(points, drawn);
             start = end;
         }
-        for (x, y, text) in &curve.labels {
-            let at = frame.at((*x, *y));
-            // Where branches meet, the first to be drawn says it for all.
-            if marked.iter().any(|other| (other.0 - at.0).abs() + (other.1 - at.1).abs() < 7.0) {
-                continue;
-            }
-            marked.push(at);
-            labels.wanted.push((at, text.clone()));
-        }
+        marked.extend(curve.labels.iter().map(|(x, y, text)| (frame.at((*x, *y)), text.clone())));
     }
-    canvas.discs(marked, 1.6, BLACK);
+    labels.dots = marked.iter().map(|(at, _)| *at).collect();
+    canvas.discs(labels.dots.clone(), DOT, BLACK);
+    labels.wanted = together(&marked);
     let (ends, beside) = names(curves, &paths);
     labels.wanted.extend(beside);
     for ((_, y), text) in ends {
         canvas.sized(Words::plain(&text), (frame.right + 3.0, y), Anchor::Start, SMALL);
     }
-    for (text, at) in labels.placed() {
+    for Placed { text, at, leader } in labels.placed() {
+        if let Some(leader) = leader {
+            canvas.line(leader.to_vec(), line(GREY, 0.4));
+        }
         canvas.sized(Words::plain(&text), at, Anchor::Start, SMALL);
     }
     frame.draw(&mut canvas);
@@ -175,6 +180,30 @@ const SMALL: f64 = TYPE - 1.0;
 
 /// A text and its place.
 type Label = (At, String);
+
+/// The radius of an event's dot.
+const DOT: f64 = 1.6;
+
+/// Events whose dots are one on paper under one text: each kind once, with how many there are.
+fn together(events: &[Label]) -> Vec<Label> {
+    let mut groups: Vec<(At, Vec<(&str, usize)>)> = Vec::new();
+    for (at, kind) in events {
+        let near = |group: &&mut (At, Vec<(&str, usize)>)| (group.0.0 - at.0).hypot(group.0.1 - at.1) < DOT;
+        match groups.iter_mut().find(near) {
+            None => groups.push((*at, vec![(kind, 1)])),
+            Some((_, kinds)) => match kinds.iter_mut().find(|known| known.0 == kind) {
+                Some((_, count)) => *count += 1,
+                None => kinds.push((kind, 1)),
+            },
+        }
+    }
+    let named = |(kind, count): (&str, usize)| match count {
+        1 => kind.to_string(),
+        many => format!("{kind} ×{many}"),
+    };
+    let text = |kinds: Vec<(&str, usize)>| kinds.into_iter().map(named).collect::<Vec<_>>().join(", ");
+    groups.into_iter().map(|(at, kinds)| (at, text(kinds))).collect()
+}
 
 /// The names of curves. Those of curves that go on to the right stand at their ends, one for ends that are
 /// close; the others beside the curve.
@@ -194,6 +223,9 @@ fn names(curves: &[DrawnBranch], paths: &[Vec<At>]) -> (Vec<Label>, Vec<Label>) 
     }
     (ends, beside)
 }
+
+/// A pattern of more characters than this is named by how many impacts it has.
+const LONGEST_NAME: usize = 30;
 
 /// A curve through points without corners: a centripetal Catmull–Rom spline, which makes no loops.
 struct Smooth<'a>(&'a [At]);
@@ -250,17 +282,29 @@ fn short(name: &str) -> Option<String> {
         return Some(kind.into());
     }
     let pattern = name.strip_suffix(')')?.rsplit_once('(')?.1;
+    if pattern.len() > LONGEST_NAME {
+        return Some(format!("{} impacts", pattern.split(',').count()));
+    }
     Some(if pattern.starts_with("free") { "no impact".into() } else { format!("({pattern})") })
 }
 
-/// Texts beside points, placed where they cover no curve and no other text, as far as there is room.
+/// Texts beside points, placed where they cover no curve, no dot and no other text, as far as there is room.
 struct Labels {
     /// Points of all curves, close together.
     points: Vec<At>,
+    /// The events.
+    dots: Vec<At>,
     /// The panel: left, top, right, bottom.
     panel: [f64; 4],
     /// Point and text.
-    wanted: Vec<(At, String)>,
+    wanted: Vec<Label>,
+}
+
+/// A text with its left end, half-way up, and the line from its point where it stands apart.
+struct Placed {
+    text: String,
+    at: At,
+    leader: Option<[At; 2]>,
 }
 
 impl Labels {
@@ -272,47 +316,90 @@ impl Labels {
             (0..=steps).map(move |i| (x0 + (x1 - x0) * part(i), y0 + (y1 - y0) * part(i)))
         };
         let points = paths.iter().flat_map(|path| path.windows(2).flat_map(between)).collect();
-        Labels { points, panel, wanted: Vec::new() }
+        Labels { points, dots: Vec::new(), panel, wanted: Vec::new() }
     }
 
-    /// Each text with its left end, half-way up.
-    fn placed(&self) -> Vec<(String, At)> {
+    fn placed(&self) -> Vec<Placed> {
         let mut boxes: Vec<[f64; 4]> = Vec::new();
+        let mut leaders: Vec<[At; 2]> = Vec::new();
         let mut placed = Vec::new();
-        for ((x, y), text) in &self.wanted {
+        for (point, text) in &self.wanted {
+            let (x, y) = *point;
             let (wide, half) = (Words::plain(text).width(SMALL) + 1.0, 0.55 * SMALL);
-            // Beside, above and below the point, ever farther away.
-            let far = |d: f64| {
-                let (right, left, middle) = (3.5, -3.5 - wide, -wide / 2.0);
-                [(right, -d), (right, d), (left, -d), (left, d), (middle, -d - 2.4), (middle, d + 2.4)]
+            // All round the point, ever farther away.
+            let ring = |step: u32| {
+                let (r, around) = (4.0 + 4.0 * f64::from(step), 16);
+                (0..around).map(move |i| {
+                    let (sin, cos) = (f64::from(i) * TAU / f64::from(around)).sin_cos();
+                    let left = x + r * cos - wide * (1.0 - 1.5 * cos).clamp(0.0, 2.0) / 2.0;
+                    let middle = y + r * sin + half * (1.5 * sin).clamp(-1.0, 1.0);
+                    (r, [left, left + wide, middle - half, middle + half])
+                })
             };
-            let around = [(4.4, 0.0), (-4.4 - wide, 0.0)];
-            let spot = |(dx, dy): (f64, f64)| [x + dx, x + dx + wide, y + dy - half, y + dy + half];
-            let cost = |spot: &[f64; 4]| {
-                let [left, right, top, bottom] = *spot;
-                let edge = 1.0;
-                let outside = left < self.panel[0] + edge
-                    || right > self.panel[2] - edge
-                    || top < self.panel[1] + edge
-                    || bottom > self.panel[3] - edge;
-                let inside = |&&(x, y): &&At| (left..=right).contains(&x) && (top..=bottom).contains(&y);
-                let meets = |other: &&[f64; 4]| {
-                    left < other[1] && other[0] < right && top < other[3] && other[2] < bottom
-                };
-                2000 * usize::from(outside)
-                    + self.points.iter().filter(inside).count()
-                    + 300 * boxes.iter().filter(meets).count()
+            let cost = |(r, spot): &(f64, [f64; 4])| {
+                let crossed = self.leader(*point, spot).map_or(0, |own| {
+                    let meets = |other: &&[f64; 4]| passes(&own, other);
+                    100 * boxes.iter().filter(meets).count()
+                        + 50 * leaders.iter().filter(|other| cross(&own, other)).count()
+                });
+                let under = 100 * leaders.iter().filter(|one| passes(one, spot)).count();
+                *r as usize / 2 + self.cost(spot, &boxes) + crossed + under
             };
-            let farther = [11.0, 17.0, 23.0, 29.0].into_iter().flat_map(far);
-            let Some(best) = far(5.4).into_iter().chain(around).chain(farther).map(spot).min_by_key(cost)
-            else {
-                continue;
-            };
-            placed.push((text.clone(), (best[0], (best[2] + best[3]) / 2.0)));
+            let best = (0..20).flat_map(ring).min_by_key(cost).map(|(_, best)| best);
+            let Some(best) = best else { continue };
+            let leader = self.leader(*point, &best);
+            leaders.extend(leader);
+            placed.push(Placed { text: text.clone(), at: (best[0], (best[2] + best[3]) / 2.0), leader });
             boxes.push(best);
         }
         placed
     }
+
+    /// The line from a point to a text that stands apart from it, or nearer to another event than to its own.
+    fn leader(&self, point: At, [left, right, top, bottom]: &[f64; 4]) -> Option<[At; 2]> {
+        let end = (point.0.clamp(*left, *right), point.1.clamp(top + 2.0, bottom - 2.0));
+        let apart = |dot: At| (dot.0 - dot.0.clamp(*left, *right)).hypot(dot.1 - dot.1.clamp(*top, *bottom));
+        let own = apart(point);
+        let other = |dot: &&At| (dot.0 - point.0).hypot(dot.1 - point.1) >= DOT && apart(**dot) <= own + 2.0;
+        let event = self.dots.iter().any(|dot| (dot.0 - point.0).hypot(dot.1 - point.1) < DOT);
+        (event && (own > 6.0 || self.dots.iter().any(|dot| other(&dot)))).then_some([point, end])
+    }
+
+    fn cost(&self, spot: &[f64; 4], boxes: &[[f64; 4]]) -> usize {
+        let [left, right, top, bottom] = *spot;
+        let edge = 1.0;
+        let outside = left < self.panel[0] + edge
+            || right > self.panel[2] - edge
+            || top < self.panel[1] + edge
+            || bottom > self.panel[3] - edge;
+        let inside = |&&(x, y): &&At| (left..=right).contains(&x) && (top..=bottom).contains(&y);
+        let covers = |&&(x, y): &&At| {
+            (left - DOT..=right + DOT).contains(&x) && (top - DOT..=bottom + DOT).contains(&y)
+        };
+        let meets =
+            |other: &&[f64; 4]| left < other[1] && other[0] < right && top < other[3] && other[2] < bottom;
+        2000 * usize::from(outside)
+            + 2 * self.points.iter().filter(inside).count()
+            + 100 * self.dots.iter().filter(covers).count()
+            + 300 * boxes.iter().filter(meets).count()
+    }
+}
+
+/// Whether a line passes through a box.
+fn passes([from, to]: &[At; 2], [left, right, top, bottom]: &[f64; 4]) -> bool {
+    (1..20).map(|i| f64::from(i) / 20.0).any(|part| {
+        let (x, y) = (from.0 + part * (to.0 - from.0), from.1 + part * (to.1 - from.1));
+        (left..=right).contains(&&x) && (top..=bottom).contains(&&y)
+    })
+}
+
+/// Whether two lines cross.
+fn cross(one: &[At; 2], other: &[At; 2]) -> bool {
+    let side = |line: &[At; 2], at: At| {
+        let [a, b] = line;
+        (b.0 - a.0) * (at.1 - a.1) - (b.1 - a.1) * (at.0 - a.0)
+    };
+    side(one, other[0]) * side(one, other[1]) < 0.0 && side(other, one[0]) * side(other, one[1]) < 0.0
 }
 
 #[cfg(test)]

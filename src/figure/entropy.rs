@@ -6,7 +6,7 @@ use num_traits::ToPrimitive;
 
 use super::{
     FigurePlace,
-    canvas::{Anchor, COLUMN, Canvas, GREY, TYPE, WHITE, Words, line},
+    canvas::{Anchor, COLUMN, Canvas, Colour, GREY, TYPE, WHITE, Words, line},
     colour,
     frame::{Axis, PlotFrame},
     label,
@@ -34,6 +34,15 @@ struct Step {
     letters: String,
     /// Of the patterns over these periods; `None` if none exists.
     entropy: Option<f64>,
+    /// Whether longer periods occur, too: then the entropy over all periods is at least this one.
+    cut: bool,
+}
+
+impl Step {
+    /// Whether the periods up to the last say nothing: what there is, if anything, has longer ones.
+    fn is_open(&self) -> bool {
+        self.cut && self.entropy.is_none_or(|rate| rate == 0.0)
+    }
 }
 
 /// Writes the picture and its data: for r = 1 and the three cases in which patterns are
@@ -61,10 +70,11 @@ pub fn entropy(last: u64, place: &FigurePlace, monitor: &dyn Monitor) -> Result<
                 step.letters.clone(),
                 periods.join(" "),
                 step.entropy.map_or(String::new(), |rate| format!("{rate:.10}")),
+                if step.cut { "yes" } else { "no" }.to_string(),
             ]
         })
         .collect();
-    let columns = ["sign_emu", "sign_gamma", "left", "right", "word", "periods", "entropy"];
+    let columns = ["sign_emu", "sign_gamma", "left", "right", "word", "periods", "entropy", "cut"];
     place.save(&draw(last, &steps), &columns, &rows)
 }
 
@@ -81,11 +91,21 @@ fn steps(last: u64, monitor: &dyn Monitor) -> Result<Vec<Step>> {
         monitor.advance(1)?;
         let (left, right) = (pair[0], pair[1]);
         // Any s between them does; u_n = 0 at its own denominator only, beyond N.
-        let s =
-            BigRational::new((left.numer() + right.numer()).into(), (left.denom() + right.denom()).into());
-        let point = Point::Polar(Polar::new(BigRational::from_integer(1.into()), s)?);
+        let between = |[a, b]: [u64; 2]| {
+            let s = BigRational::new(
+                (a * left.numer() + b * right.numer()).into(),
+                (a * left.denom() + b * right.denom()).into(),
+            );
+            Ok::<_, Error>(Point::Polar(Polar::new(BigRational::from_integer(1.into()), s)?))
+        };
         for case in [Case::PlusPlus, Case::PlusMinus, Case::MinusPlus] {
-            let word = Word::at(&ladder, &point, case.sign_emu() > 0, LETTERS, &())?;
+            let word_at = |weights| Word::at(&ladder, &between(weights)?, case.sign_emu() > 0, LETTERS, &());
+            let word = word_at([1, 1])?;
+            // The word of the mediant ends there; those on both sides go on, if longer periods occur.
+            let mut cut = false;
+            for weights in [[2, 1], [1, 2]] {
+                cut |= word_at(weights)?.vertices().iter().any(|vertex| vertex.period > last);
+            }
             let relation = Relation::new(&word, case.sign_gamma() > 0, false, last)?;
             let bounds = ClosedWalks::new(&relation).entropy(BITS).bounds();
             let shown = word.up_to(last);
@@ -96,6 +116,7 @@ fn steps(last: u64, monitor: &dyn Monitor) -> Result<Vec<Step>> {
                 periods: shown.iter().map(|vertex| vertex.period).collect(),
                 letters: word.letters().chars().take(shown.len()).collect(),
                 entropy: bounds.and_then(|(low, _)| low.to_f64()),
+                cut,
             });
         }
     }
@@ -107,15 +128,23 @@ const MARKED: [(u64, u64); 6] = [(1, 6), (1, 5), (1, 4), (1, 3), (2, 5), (1, 2)]
 /// The height of a panel.
 const PANEL: f64 = 116.0;
 
+/// Where the periods shown decide nothing.
+const OPEN: Colour = Colour(222, 222, 222);
+
+/// Both ends of a step.
+fn ends(step: &Step) -> [f64; 2] {
+    [step.left, step.right].map(|x| *x.numer() as f64 / *x.denom() as f64)
+}
+
 fn draw(last: u64, steps: &[Step]) -> Canvas {
     let mut canvas = Canvas::new(
         COLUMN,
         26.0 + 3.0 * PANEL,
         &format!("Entropy of the patterns born without damping, periods up to {last}"),
         "Three panels, one per case: the entropy per forcing period at r = 1 over s, a step function between \
-         fractions. It is 0 where no chaos is born.",
+         fractions. It is 0 where no chaos is born. Grey: only longer periods could make chaos there.",
     );
-    let title = format!("entropy per forcing period at r = 1; periods ≤ {last}");
+    let title = format!("entropy per period at r = 1; periods ≤ {last}; grey: cut there");
     canvas.text(title, (COLUMN / 2.0, 7.0), Anchor::Middle);
     let cases = [Case::PlusPlus, Case::PlusMinus, Case::MinusPlus];
     for (case, top) in cases.into_iter().zip((0..).map(|i| 22.0 + PANEL * f64::from(i))) {
@@ -128,12 +157,16 @@ fn draw(last: u64, steps: &[Step]) -> Canvas {
             Axis::linear("", (0.0, high), 4),
         )
         .with_left(22.0);
+        for step in steps.iter().filter(|step| step.case == case && step.is_open()) {
+            let [left, right] = ends(step);
+            let corners = [(left, 0.0), (left, high), (right, high), (right, 0.0)];
+            canvas.inside(frame.inside(), |canvas| canvas.polygon(frame.path(corners), OPEN));
+        }
         // One outline of all steps, so that nothing shines through between them.
         let mut outline = vec![(0.0, 0.0)];
         for step in steps.iter().filter(|step| step.case == case) {
             let height = step.entropy.unwrap_or(0.0);
-            let ends = [step.left, step.right].map(|x| *x.numer() as f64 / *x.denom() as f64);
-            outline.extend(ends.map(|s| (s, height)));
+            outline.extend(ends(step).map(|s| (s, height)));
         }
         outline.push((0.5, 0.0));
         outline.dedup();
@@ -175,5 +208,12 @@ mod tests {
         };
         assert!(steps.iter().filter(inside).all(|step| (step.entropy.unwrap() - golden).abs() < 1e-9));
         assert!(steps.iter().any(|step| inside(&step)));
+        // With periods up to 6 only, those that go on with longer ones have no entropy at both ends in case
+        // (+,+); where 2s > 1/2 no period but 1 occurs for eµ < 0: there it is 0 and nothing is cut.
+        let open = |case| steps.iter().filter(move |step| step.case == case && step.is_open());
+        let half = Ratio::new(1, 2);
+        assert!(open(Case::PlusPlus).any(|step| step.left == Ratio::new(0, 1)));
+        assert!(open(Case::PlusPlus).any(|step| step.right == half));
+        assert_eq!(open(Case::MinusPlus).count(), 0);
     }
 }
