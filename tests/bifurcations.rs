@@ -1,6 +1,8 @@
 //! Bifurcations as a user meets them: scenes written to a file and run by the command, against values from
 //! closed formulas.
 
+#[path = "tasks/branches.rs"]
+mod branches;
 mod tasks;
 
 use std::{fs, path::Path};

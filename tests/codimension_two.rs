@@ -12,7 +12,8 @@ use grazing::{
     oscillator::{
         Side, Time,
         branch::{
-            Bifurcation, Branch, CurveEnd, Degeneracy, Direction, Events, NormalForm, Options, Orbits, Sense,
+            Bifurcation, Branch, CurveEnd, DOUBLE, Degeneracy, Direction, Events, NormalForm, Options,
+            Orbits, Sense,
         },
         orbit::{Criticality, Family, Itinerary, Orbit, Oscillator, Root, Strike, describe, find},
         simulate::{Event, Settings, Simulator},
@@ -365,7 +366,7 @@ fn at_a_double_multiplier_there_is_no_coefficient() {
     let family = SceneFamily::new(&scene, "a").unwrap();
     let orbit = find(&family.at(1.0).unwrap(), &one_impact(1), vec![PI / 2.0, PI]).unwrap();
     assert!(Bifurcation::Flip.is_at(&orbit));
-    assert_eq!(NormalForm::at(&family.at(1.0).unwrap(), &orbit, Bifurcation::Flip), None);
+    assert_eq!(NormalForm::at(&family.at(1.0).unwrap(), &orbit, Bifurcation::Flip), Err(DOUBLE));
 }
 
 /// Two walls that mirror each other: the pitchfork of the symmetric orbit in the damping. The places were

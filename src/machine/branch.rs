@@ -2,19 +2,20 @@
 //! parameter and over two.
 //!
 //! With 2n multipliers the functions whose zeros are bifurcations are Π (1 − λ), Π (1 + λ) and, for
-//! Neimark–Sacker points, the least 1 − λ_iλ_j over pairs of conjugates and of real multipliers, with the
-//! sign of the product of them all, which no pair that turns from complex to real changes. Which way a
-//! bifurcation goes is in `normal_form`.
+//! Neimark–Sacker points, every second modulus in descending order, less 1 ([`FollowedOrbit::circles`]). Over
+//! two parameters a curve of Neimark–Sacker points is one of zeros of the least 1 − λ_iλ_j over pairs of
+//! conjugates and of real multipliers, so that it goes on where a pair turns real. Which way a bifurcation
+//! goes is in `normal_form`.
 
 use std::f64::consts::TAU;
 
 use super::{
     LinearFlow, Machine, MachineFamily, MachineState,
     contact::Contacts,
-    normal_form::{Coefficient, Local},
+    normal_form::Local,
     orbit::{
-        Between, MachineAdmissibility, MachineChange, MachineOrbit, StopEquations, StopPattern, check_stops,
-        describe, multipliers,
+        Between, MachineAdmissibility, MachineChange, MachineOrbit, StopEquations, StopPattern, StopStrike,
+        check_stops, describe, multipliers,
     },
     simulate::{MachineSettings, MachineSimulator},
 };
@@ -23,7 +24,7 @@ use crate::{
     oscillator::{
         branch::{
             Bifurcation, Degeneracy, EventCurve, FollowedOrbit, ImpactPattern, OrbitBranch, PatternCurve,
-            PatternFamily, PatternPlane,
+            PatternFamily, PatternPlane, halved,
         },
         orbit::{Linearised, Root},
     },
@@ -172,6 +173,26 @@ impl PatternFamily for MachinePatterns<'_> {
         [state, impacts, impacts].concat()
     }
 
+    fn once(&self, pattern: &StopPattern, z: &[f64]) -> Option<(StopPattern, Vec<f64>)> {
+        let (first, second) = pattern.strikes().split_at(pattern.strikes().len() / 2);
+        if first.is_empty() && second.is_empty() {
+            let half = StopPattern::free(pattern.periods() / 2).ok()?;
+            return (half.repeated(2) == *pattern).then(|| (half, z.to_vec()));
+        }
+        if first.len() != second.len() || first.iter().zip(second).any(|(a, b)| a.stop != b.stop) {
+            return None;
+        }
+        let (impacts, state) = (&z[2 * self.size..], 2 * self.size);
+        let periods: Vec<u32> = first.iter().map(|strike| strike.periods).collect();
+        let periods = halved(&periods, pattern.periods(), impacts[first.len() * 2] - impacts[0])?;
+        let strikes = first.iter().zip(periods).map(|(strike, periods)| StopStrike { periods, ..*strike });
+        Some((StopPattern::new(strikes.collect()).ok()?, z[..state + impacts.len() / 2].to_vec()))
+    }
+
+    fn is_time(&self, _: &StopPattern, unknown: usize) -> bool {
+        is_time(self.size, unknown)
+    }
+
     fn unit(&self, _: &StopPattern, unknown: usize) -> f64 {
         self.common.unit(self.size, unknown)
     }
@@ -186,6 +207,10 @@ impl FollowedOrbit for MachineOrbit {
 
     fn unknowns(&self) -> &[f64] {
         &self.z
+    }
+
+    fn moved(&self, unknowns: &[f64]) -> MachineOrbit {
+        MachineOrbit { z: unknowns.to_vec(), ..self.clone() }
     }
 
     fn is_time(&self, unknown: usize) -> bool {
@@ -238,10 +263,6 @@ impl FollowedOrbit for MachineOrbit {
         product(&self.multipliers, 1.0)
     }
 
-    fn torus(&self) -> Option<f64> {
-        torus(&self.multipliers)
-    }
-
     fn rotates(&self) -> bool {
         nearest_pair(&self.multipliers).is_some_and(|pair| pair.sum.abs() <= 2.0 * (1.0 + 1e-7))
     }
@@ -257,9 +278,8 @@ impl FollowedOrbit for MachineOrbit {
             Bifurcation::SaddleNode | Bifurcation::Crossing => moving && nearest(1.0) <= 1e-4,
             Bifurcation::Flip => moving && nearest(-1.0) <= 1e-6,
             Bifurcation::Torus => {
-                moving
-                    && nearest_pair(&self.multipliers)
-                        .is_some_and(|pair| pair.complex && pair.off.abs() <= 1e-8)
+                let mut pairs = pairs(&self.multipliers);
+                moving && pairs.any(|pair| pair.complex && pair.off.abs() <= 1e-8)
             }
             Bifurcation::Grazing => {
                 moving && FollowedOrbit::least_gap(self).is_some_and(|gap| gap.abs() <= 1e-9)
@@ -334,19 +354,6 @@ fn nearest_pair(multipliers: &[(f64, f64)]) -> Option<MultiplierPair> {
     pairs(multipliers).min_by(|a, b| a.off.abs().total_cmp(&b.off.abs()))
 }
 
-/// Closer to 0 than this, rounding decides what 1 − λ_iλ_j is: motions without any loss have it everywhere.
-const NEUTRAL: f64 = 1e-12;
-
-/// The least 1 − λ_iλ_j, with the sign of the product of them all; 0 where rounding decides.
-fn torus(multipliers: &[(f64, f64)]) -> Option<f64> {
-    let (mut least, mut sign) = (f64::INFINITY, 1.0);
-    for pair in pairs(multipliers) {
-        least = least.min(pair.off.abs());
-        sign *= pair.off.signum();
-    }
-    (least < f64::INFINITY).then_some(if least <= NEUTRAL { 0.0 } else { sign * least })
-}
-
 /// A machine at both of two values.
 type AtBoth<'a> = dyn Fn([f64; 2]) -> Result<Machine<f64>> + 'a;
 
@@ -373,6 +380,10 @@ impl PatternPlane for MachinePlane<'_> {
 
     fn count(&self, pattern: &StopPattern) -> usize {
         Common::count(self.size, pattern)
+    }
+
+    fn is_time(&self, _: &StopPattern, unknown: usize) -> bool {
+        is_time(self.size, unknown)
     }
 
     fn unit(&self, _: &StopPattern, unknown: usize) -> f64 {
@@ -416,8 +427,7 @@ impl PatternPlane for MachinePlane<'_> {
         self.common.orbit(&(self.at)(parameters)?, pattern, root)
     }
 
-    /// Coefficients of normal forms as parts of what they were added up from, so that no unit enters;
-    /// resonant grazings are those of one degree of freedom.
+    /// Resonant grazings are those of one degree of freedom.
     fn degeneracies(
         &self,
         event: Bifurcation,
@@ -427,28 +437,30 @@ impl PatternPlane for MachinePlane<'_> {
     ) -> Vec<Option<f64>> {
         let mut all = vec![None; Degeneracy::ALL.len()];
         let multipliers = &orbit.multipliers;
-        let part = |of: &dyn Fn(&Local) -> Option<Coefficient>| {
+        let coefficient = |of: &dyn Fn(&Local) -> Option<f64>| {
             let machine = (self.at)(parameters).ok()?;
             let solved = Solved::new(&machine, &orbit.pattern, self.common.depth).ok()?;
             let equations = solved.equations(&orbit.pattern, orbit.scale);
-            Some(of(&Local::new(equations, &orbit.z).ok()?)?.part())
+            of(&Local::new(equations, &orbit.z).ok()?)
         };
         let mut set =
             |what: Degeneracy, value: f64| all[what as usize] = Some(value).filter(|x| x.is_finite());
         match event {
             Bifurcation::SaddleNode => {
-                set(Degeneracy::Cusp, part(&|local| local.fold_along(tangent)).unwrap_or(f64::NAN));
+                let a = coefficient(&|local| local.fold_along(tangent));
+                set(Degeneracy::Cusp, a.unwrap_or(f64::NAN));
                 set(Degeneracy::Resonance1, product_of_others(multipliers, -1.0));
                 set(Degeneracy::FoldFlip, product(multipliers, 1.0));
             }
             Bifurcation::Flip => {
-                set(Degeneracy::GeneralisedFlip, part(&|local| local.cubic(-1.0)).unwrap_or(f64::NAN));
+                let b = coefficient(&|local| local.cubic(-1.0));
+                set(Degeneracy::GeneralisedFlip, b.unwrap_or(f64::NAN));
                 set(Degeneracy::Resonance2, product_of_others(multipliers, 1.0));
                 set(Degeneracy::FoldFlip, product(multipliers, -1.0));
             }
             Bifurcation::Torus => {
                 if let Some(pair) = nearest_pair(multipliers) {
-                    let d = part(&|local| local.torus(multipliers));
+                    let d = coefficient(&|local| local.torus(multipliers));
                     set(Degeneracy::Chenciner, d.unwrap_or(f64::NAN));
                     set(Degeneracy::Resonance1, pair.sum - 2.0);
                     set(Degeneracy::Resonance2, pair.sum + 2.0);

@@ -21,61 +21,52 @@ use super::{
     orbit::{Image, MachineChange, MachineOrbit, StopEquations, Surface},
 };
 use crate::{
-    error::Result,
+    error::Error,
     oscillator::{
-        branch::{Bifurcation, NormalForm, Sense},
-        orbit::{Criticality, Cubic},
+        branch::{
+            Bifurcation, DOUBLE, Estimate, FollowedOrbit, NOT_SMOOTH, NoForm, NormalForm, Sense, UNKNOWN,
+        },
+        orbit::Cubic,
     },
 };
 
 type ComplexVector = DVector<Complex<f64>>;
 type ComplexMatrix = DMatrix<Complex<f64>>;
 
-/// A coefficient smaller than this part of what it was added up from is rounding's.
-const ROUNDING: f64 = 1e-11;
-
 /// Left and right eigenvectors as nearly orthogonal as this are those of a double multiplier: the critical
 /// direction is no direction of its own, and the coefficients have no meaning.
-const DOUBLE: f64 = 1e-7;
+const PARALLEL: f64 = 1e-7;
 
 /// Multipliers as close as this to the critical one are one with it: along a branch the parameter is exact to
 /// rounding where the branch turns back, a multiplier to its square root.
 const BESIDE: f64 = 1e-4;
 
-/// A coefficient, and the sum of the moduli of what it was added up from.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Coefficient {
-    pub value: f64,
-    size: f64,
-}
-
-impl Coefficient {
-    /// The part that is left of what was added up; 0 where rounding decides.
-    pub fn part(&self) -> f64 {
-        if self.is_zero() { 0.0 } else { self.value / self.size }
-    }
-
-    fn is_zero(&self) -> bool {
-        self.value.abs() <= ROUNDING * self.size
-    }
-}
-
 /// The normal form of a bifurcation of an orbit of a machine, whose coefficients change with the parameter at
-/// the rates `slope`; none for grazing and fading, where the Poincaré map is not smooth, for orbits without
-/// impacts, where it is linear, for machines with stops that give way or a restitution that depends on the
-/// speed, and where the coefficient cannot be computed, as at a double multiplier. Cost: O(n³).
+/// the rates `slope`. Cost: O(n³).
+///
+/// # Errors
+/// Why there is none: at grazing and fading the Poincaré map is not smooth, without impacts it is linear, at
+/// a double multiplier the critical direction is no direction of its own, and the map's derivatives are not
+/// followed through stops that give way, forces that are formulas or a restitution that depends on the speed.
 pub fn normal_form(
     machine: &Machine<f64>,
     slope: &Machine<f64>,
     orbit: &MachineOrbit,
     bifurcation: Bifurcation,
-) -> Option<NormalForm> {
-    if matches!(bifurcation, Bifurcation::Grazing | Bifurcation::Fade) || orbit.impacts.is_empty() {
-        return None;
+) -> Result<NormalForm, NoForm> {
+    if matches!(bifurcation, Bifurcation::Grazing | Bifurcation::Fade) {
+        return Err(NOT_SMOOTH);
     }
-    let solved = Solved::new(machine, &orbit.pattern, RELATIVE_DEPTH * orbit.scale).ok()?;
+    let unknown = |_: Error| UNKNOWN;
+    let solved = Solved::new(machine, &orbit.pattern, RELATIVE_DEPTH * orbit.scale).map_err(unknown)?;
     let equations = solved.equations(&orbit.pattern, orbit.scale);
-    let local = Local::new(equations, &orbit.z).ok()?;
+    let own = |i: usize| equations.contact(i).law.is_some();
+    if equations.between.soft.is_some() || (0..orbit.impacts.len()).any(own) {
+        return Err("none: through soft stops, formulas or a law of restitution");
+    }
+    if orbit.impacts.is_empty() {
+        return Err("none: without impacts the map is linear");
+    }
     let to = match bifurcation {
         Bifurcation::Flip => Some(-1.0),
         Bifurcation::SaddleNode | Bifurcation::Crossing => Some(1.0),
@@ -83,46 +74,31 @@ pub fn normal_form(
     };
     let near = |to: f64| orbit.multipliers.iter().filter(|(re, im)| (re - to).hypot(*im) <= BESIDE).count();
     if to.is_some_and(|to| near(to) > 1) {
-        return None;
+        return Err(DOUBLE);
     }
-    let born = |c: Coefficient, stable: bool| {
-        let criticality = if stable { Criticality::Supercritical } else { Criticality::Subcritical };
-        let kind = if c.is_zero() { Sense::Degenerate } else { Sense::Born(criticality) };
-        NormalForm { coefficient: c.value, kind }
+    let estimate = |number: &dyn Fn(&Local) -> Option<f64>| {
+        let at = |z: &[f64]| number(&Local::new(equations, z).ok()?);
+        Estimate::of(&orbit.z, |unknown| orbit.is_time(unknown), at).ok_or(UNKNOWN)
     };
-    Some(match bifurcation {
+    Ok(match bifurcation {
         Bifurcation::SaddleNode => {
-            let (a, p) = local.fold()?;
-            let change = MachineChange::new(machine, slope, &solved.flow, &solved.contacts).ok()?;
-            let shift = local.equations.drift(&orbit.z, &change).ok()?;
-            let drift = p.dot(&shift);
-            // ξ ↦ ξ + drift (µ − µ_sn) + a ξ²: fixed points where both terms can cancel.
-            let kind = if a.is_zero() || drift.abs() <= ROUNDING * p.norm() * shift.norm() {
-                Sense::Degenerate
-            } else if (drift < 0.0) == (a.value > 0.0) {
-                Sense::Above
-            } else {
-                Sense::Below
-            };
-            NormalForm { coefficient: a.value, kind }
+            let change =
+                MachineChange::new(machine, slope, &solved.flow, &solved.contacts).map_err(unknown)?;
+            let turn = estimate(&|local| {
+                let (a, p) = local.fold()?;
+                Some(a * p.dot(&local.equations.drift(&local.z, &change).ok()?))
+            })?;
+            estimate(&|local| Some(local.fold()?.0))?.fold(turn)
         }
         Bifurcation::Crossing => {
-            let (a, _) = local.fold()?;
-            // The point is exact to rounding, the multiplier to its square root.
-            if a.value.abs() > 1e-7 * a.size {
-                return Some(NormalForm { coefficient: a.value, kind: Sense::Transcritical });
+            let a = estimate(&|local| Some(local.fold()?.0))?;
+            if !a.is_zero() {
+                return Ok(NormalForm { coefficient: a.value, kind: Sense::Transcritical });
             }
-            let c = local.cubic(1.0)?;
-            born(c, c.value < 0.0)
+            estimate(&|local| local.cubic(1.0))?.born(|c| c < 0.0)
         }
-        Bifurcation::Flip => {
-            let b = local.cubic(-1.0)?;
-            born(b, b.value > 0.0)
-        }
-        _ => {
-            let d = local.torus(&orbit.multipliers)?;
-            born(d, d.value < 0.0)
-        }
+        Bifurcation::Flip => estimate(&|local| local.cubic(-1.0))?.born(|b| b > 0.0),
+        _ => estimate(&|local| local.torus(&orbit.multipliers))?.born(|d| d < 0.0),
     })
 }
 
@@ -137,33 +113,32 @@ pub(super) struct Local<'s> {
 impl<'s> Local<'s> {
     /// # Errors
     /// Those of [`StopEquations::monodromy`].
-    pub fn new(equations: StopEquations<'s>, z: &[f64]) -> Result<Local<'s>> {
+    pub fn new(equations: StopEquations<'s>, z: &[f64]) -> Result<Local<'s>, Error> {
         let linear = equations.between.flow.reduced(&equations.monodromy(z)?);
         Ok(Local { equations, z: z.to_vec(), linear })
     }
 
     /// a at a multiplier 1, and p.
-    fn fold(&self) -> Option<(Coefficient, RealVector)> {
+    fn fold(&self) -> Option<(f64, RealVector)> {
         let (q, p) = self.eigenvectors(1.0)?;
         Some((self.square(&q, &p)?, p))
     }
 
     /// a at a multiplier 1, with ξ growing along a curve on which the unknowns change like this.
-    pub fn fold_along(&self, change: &[f64]) -> Option<Coefficient> {
+    pub fn fold_along(&self, change: &[f64]) -> Option<f64> {
         let (q, p) = self.eigenvectors(1.0)?;
         let along = q.dot(&self.equations.displacement(&self.z, change));
-        let a = self.square(&q, &p)?;
-        Some(Coefficient { value: a.value * along.signum(), ..a })
+        Some(self.square(&q, &p)? * along.signum())
     }
 
-    fn square(&self, q: &RealVector, p: &RealVector) -> Option<Coefficient> {
+    fn square(&self, q: &RealVector, p: &RealVector) -> Option<f64> {
         let none = RealVector::zeros(q.len());
         let image = self.image(&Surface::plane(q, &none))?;
-        coefficient(p.dot(&image.surface.0.column(2)), p.norm() * image.size[2])
+        Some(p.dot(&image.surface.0.column(2))).filter(|a| a.is_finite())
     }
 
     /// c at a multiplier 1 where a = 0, b at a multiplier −1.
-    pub fn cubic(&self, multiplier: f64) -> Option<Coefficient> {
+    pub fn cubic(&self, multiplier: f64) -> Option<f64> {
         let (q, p) = self.eigenvectors(multiplier)?;
         let none = RealVector::zeros(q.len());
         let line = Surface::plane(&q, &none);
@@ -177,11 +152,11 @@ impl<'s> Local<'s> {
         }
         let h = resolved.lu().solve(&bent)?;
         let image = self.image(&line.bent(&(h / 2.0), &none, &none))?;
-        coefficient(p.dot(&image.surface.0.column(5)), p.norm() * image.size[3])
+        Some(p.dot(&image.surface.0.column(5))).filter(|c| c.is_finite())
     }
 
     /// Re d at the pair of complex multipliers nearest to the unit circle.
-    pub fn torus(&self, multipliers: &[(f64, f64)]) -> Option<Coefficient> {
+    pub fn torus(&self, multipliers: &[(f64, f64)]) -> Option<f64> {
         let pairs = multipliers.iter().filter(|(_, im)| *im > 0.0);
         let off = |x: &(f64, f64)| (x.0.hypot(x.1) - 1.0).abs();
         let &(re, im) = pairs.min_by(|a, b| off(a).total_cmp(&off(b)))?;
@@ -213,7 +188,7 @@ impl<'s> Local<'s> {
                 along * Complex::new(*re, *im)
             })
             .sum();
-        coefficient((sum / lambda).re, p.map(|z| z.norm()).norm() * image.size[3])
+        Some((sum / lambda).re).filter(|d| d.is_finite())
     }
 
     fn image(&self, surface: &Surface) -> Option<Image> {
@@ -231,7 +206,7 @@ impl<'s> Local<'s> {
         let a = self.linear.map(|x| Complex::new(x, 0.0));
         let mut q = eigenvector(&a, eigenvalue)?;
         let mut p = eigenvector(&a.transpose(), eigenvalue)?;
-        if p.dot(&q).norm() <= DOUBLE {
+        if p.dot(&q).norm() <= PARALLEL {
             return None;
         }
         let plane = Surface::plane(&q.map(|z| z.re), &q.map(|z| z.im));
@@ -252,10 +227,6 @@ impl<'s> Local<'s> {
         p /= along;
         Some((q, p))
     }
-}
-
-fn coefficient(value: f64, size: f64) -> Option<Coefficient> {
-    (value.is_finite() && size.is_finite() && size > 0.0).then_some(Coefficient { value, size })
 }
 
 /// The eigenvector of length 1 whose eigenvalue is nearest to this, by inverse iteration.

@@ -14,9 +14,9 @@ use crate::{
     oscillator::{
         attractor::{attracting, detection::Detection},
         branch::{
-            Bifurcation, BranchOrbit, CurveEnd, Direction, EventCurve, FollowedOrbit, Label, NormalForm,
-            Options, OrbitBranch, PatternCurve, PatternFamily, PatternOf, PatternPlane, TwoParameterFamily,
-            read_label,
+            Bifurcation, BranchOrbit, CODIMENSION_TWO, CurveEnd, Direction, EventCurve, FollowedOrbit, Label,
+            NoForm, NormalForm, Options, OrbitBranch, PatternCurve, PatternFamily, PatternOf, PatternPlane,
+            TwoParameterFamily, read_label,
         },
         orbit::{Family, Itinerary, Orbit, Oscillator},
     },
@@ -38,7 +38,7 @@ row! {
         pub parameters: Vec<f64>,
         /// The impact pattern.
         pub pattern: String,
-        /// The phases of its impacts, in [0, 2π).
+        /// The times of its impacts, as its pattern counts them, the first in [0, 2π).
         pub phases: Vec<f64>,
         /// Their incoming relative speeds.
         pub speeds: Vec<f64>,
@@ -54,7 +54,8 @@ row! {
         pub reason: Option<String>,
         /// The normal form's coefficient at a label.
         pub coefficient: Option<f64>,
-        /// Its meaning: "supercritical", "subcritical", "above", "below", "transcritical".
+        /// Its meaning: "supercritical", "subcritical", "above", "below", "transcritical", "degenerate"; or
+        /// why there is none.
         pub criticality: Option<&'static str>,
         /// The least minimum of a gap away from the impacts.
         pub least_gap: Option<f64>,
@@ -186,8 +187,10 @@ pub fn branch(task: &BranchTask, job: &Job) -> Result<BranchFindings> {
     for (branch, i) in branches.iter().zip(1..) {
         for point in &branch.points {
             let form = match (point.event, point.parameters.as_slice()) {
-                (Some(event), &[parameter]) => NormalForm::at(&family.at(parameter)?, &point.orbit, event),
-                _ => None,
+                (Some(event), &[parameter]) => {
+                    Some(NormalForm::at(&family.at(parameter)?, &point.orbit, event))
+                }
+                _ => point.kind().map(|_| Err(CODIMENSION_TWO)),
             };
             rows.push(BranchRow::of(i, point, form));
         }
@@ -214,7 +217,11 @@ fn direction(way: Way) -> Direction {
 }
 
 impl BranchRow {
-    fn of(branch: usize, point: &BranchOrbit, form: Option<NormalForm>) -> BranchRow {
+    fn of(
+        branch: usize,
+        point: &BranchOrbit,
+        form: Option<std::result::Result<NormalForm, NoForm>>,
+    ) -> BranchRow {
         let orbit = &point.orbit;
         let [lambda1, lambda2] = orbit.multipliers.values().map(Complex::from);
         BranchRow {
@@ -229,8 +236,8 @@ impl BranchRow {
             stable: stable(orbit, point.event),
             admissible: admissible(orbit, point.event),
             reason: obstacle(orbit),
-            coefficient: form.map(|form| form.coefficient),
-            criticality: form.map(|form| form.name()),
+            coefficient: form.and_then(|form| Some(form.ok()?.coefficient)),
+            criticality: form.map(|form| form.map_or_else(|why| why, |form| form.name())),
             least_gap: orbit.least.map(|least| least.gap),
             residual: orbit.residual,
             newton_steps: orbit.steps,

@@ -24,7 +24,7 @@ row! {
         pub parameter: f64,
         /// The impact pattern.
         pub pattern: String,
-        /// The phases of its impacts, in [0, 2π).
+        /// The times of its impacts, as its pattern counts them, the first in [0, 2π).
         pub phases: Vec<f64>,
         /// Their incoming relative speeds.
         pub speeds: Vec<f64>,
@@ -241,8 +241,8 @@ impl EventRow {
             lambda2,
             stable: stable(orbit, Some(*bifurcation)),
             admissible: admissible(orbit, Some(*bifurcation)),
-            coefficient: form.map(|form| form.coefficient),
-            criticality: form.map(|form| form.name()),
+            coefficient: form.ok().map(|form| form.coefficient),
+            criticality: Some(form.map_or_else(|why| why, |form| form.name())),
             length: *length,
             residual: orbit.residual,
         })

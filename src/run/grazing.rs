@@ -26,7 +26,7 @@ row! {
         pub coefficient: Option<f64>,
         /// The parameter at which the orbit was found.
         pub found_at: Option<f64>,
-        /// The phases of its impacts, in [0, 2π).
+        /// The times of its impacts, as its pattern counts them, the first in [0, 2π).
         pub phases: Option<Vec<f64>>,
         /// Their incoming relative speeds.
         pub speeds: Option<Vec<f64>>,

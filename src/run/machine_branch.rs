@@ -23,7 +23,10 @@ use crate::{
     },
     oscillator::{
         Time,
-        branch::{BranchPoint, FollowedOrbit, Label, NormalForm, RecordForm, read_label_as},
+        branch::{
+            BranchPoint, CODIMENSION_TWO, FollowedOrbit, Label, NoForm, NormalForm, RecordForm, read_label_as,
+        },
+        orbit::natural,
     },
     scene::{
         MachineSceneFamily,
@@ -56,7 +59,8 @@ row! {
         pub reason: Option<String>,
         /// The normal form's coefficient at a label.
         pub coefficient: Option<f64>,
-        /// Its meaning: "supercritical", "subcritical", "above", "below", "transcritical", "degenerate".
+        /// Its meaning: "supercritical", "subcritical", "above", "below", "transcritical", "degenerate"; or
+        /// why there is none.
         pub criticality: Option<&'static str>,
         /// The stop with the least minimum of its gap away from the impacts.
         pub nearest_stop: Option<String>,
@@ -111,11 +115,12 @@ pub fn machine_branch(task: &BranchTask, machine: &Machine<f64>, job: &Job) -> R
         for point in &branch.points {
             let (rate, form) = match (&task.second, point.parameters.as_slice()) {
                 (Some(second), &[first, other]) => {
-                    (job.scene.machine(&[(&task.parameter, first), (second, other)])?.rate(), None)
+                    let rate = job.scene.machine(&[(&task.parameter, first), (second, other)])?.rate();
+                    (rate, point.kind().map(|_| Err(CODIMENSION_TWO)))
                 }
                 (_, places) => {
                     let (here, slope) = family.at(places[0])?;
-                    let form = point.event.and_then(|event| normal_form(&here, &slope, &point.orbit, event));
+                    let form = point.event.map(|event| normal_form(&here, &slope, &point.orbit, event));
                     (here.rate(), form)
                 }
             };
@@ -131,7 +136,7 @@ impl MachineBranchRow {
         point: &BranchPoint<MachineOrbit>,
         source: &MachineSource,
         rate: f64,
-        form: Option<NormalForm>,
+        form: Option<std::result::Result<NormalForm, NoForm>>,
     ) -> MachineBranchRow {
         let orbit = &point.orbit;
         let (admissible, reason) = admissible_at(orbit, point.event);
@@ -146,8 +151,8 @@ impl MachineBranchRow {
             stable: stable(orbit, point.event),
             admissible,
             reason,
-            coefficient: form.map(|form| form.coefficient),
-            criticality: form.map(|form| form.name()),
+            coefficient: form.and_then(|form| Some(form.ok()?.coefficient)),
+            criticality: form.map(|form| form.map_or_else(|why| why, |form| form.name())),
             nearest_stop: orbit.least.map(|least| source.machine.stops[least.stop].name.clone()),
             least_gap: orbit.least.map(|least| least.gap),
             residual: orbit.residual,
@@ -275,10 +280,9 @@ fn settled(simulator: &MachineSimulator, from: &MachineState, job: &Job) -> Resu
             (time.period + turns as i64, time.phase - turns * TAU)
         };
         let times: Vec<(i64, f64)> = impacts.iter().map(|(_, time, _)| turned(time)).collect();
-        let strikes = (0..impacts.len()).map(|i| {
-            let next = times.get(i + 1).map_or(times[0].0 + i64::from(period), |next| next.0);
-            StopStrike { stop: impacts[i].0, periods: (next - times[i].0) as u32 }
-        });
+        let counted = natural(&times, period);
+        let strikes =
+            impacts.iter().zip(&counted).map(|(hit, &(periods, _))| StopStrike { stop: hit.0, periods });
         let strikes: Vec<StopStrike> = strikes.collect();
         if soft && strikes.is_empty() {
             let end = run.finish(Time::new(i64::from(TRANSIENT + period) + 1, 0.0));
@@ -287,7 +291,7 @@ fn settled(simulator: &MachineSimulator, from: &MachineState, job: &Job) -> Resu
         }
         let pattern = if strikes.is_empty() { StopPattern::free(1)? } else { StopPattern::new(strikes)? };
         let start: Vec<f64> =
-            times.iter().zip(&impacts).flat_map(|((_, phase), (_, _, speed))| [*phase, *speed]).collect();
+            counted.iter().zip(&impacts).flat_map(|((_, time), (_, _, speed))| [*time, *speed]).collect();
         return find_from(simulator, &pattern, &start, struck.as_ref());
     }
     Err(Error::input(format!(

@@ -14,8 +14,11 @@ use crate::{
         orbit::{MachineAdmissibility, MachineOrbit, StopPattern, StopStrike, find, find_from},
         simulate::{MachineSimulator, RunEnd},
     },
-    oscillator::Time,
-    oscillator::branch::{Bifurcation, FollowedOrbit},
+    oscillator::{
+        Time,
+        branch::{Bifurcation, FollowedOrbit},
+        orbit::counted,
+    },
     random::Random,
     scene::orbits::{OrbitKeys, OrbitTask},
 };
@@ -237,11 +240,8 @@ pub(super) fn multipliers(all: &[(f64, f64)]) -> Vec<Complex> {
 }
 
 pub(super) fn phases(orbit: &MachineOrbit) -> Vec<f64> {
-    let fraction = |time: f64| {
-        let turned = time.rem_euclid(TAU) / TAU;
-        if turned < 1.0 { turned } else { 0.0 }
-    };
-    orbit.impacts.iter().map(|impact| fraction(impact.time)).collect()
+    let times: Vec<f64> = orbit.impacts.iter().map(|impact| impact.time).collect();
+    counted(&times).into_iter().map(|time| time / TAU).collect()
 }
 
 /// In the scene's units, of which `rate` is Ω.

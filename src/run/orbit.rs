@@ -20,7 +20,8 @@ row! {
         pub value: Option<f64>,
         /// The impact pattern.
         pub pattern: String,
-        /// The phases of its impacts, in [0, 2π).
+        /// The times t_i of its impacts, as its pattern counts them: t_1 in [0, 2π), and impact i + 1 is 2π
+        /// n_i + t_{i+1} − t_i after impact i.
         pub phases: Vec<f64>,
         /// Their incoming relative speeds.
         pub speeds: Vec<f64>,
@@ -168,7 +169,7 @@ impl OrbitRow {
 }
 
 pub(super) fn phases(orbit: &Orbit) -> Vec<f64> {
-    orbit.impacts().map(|impact| impact.phase).collect()
+    orbit.times()
 }
 
 pub(super) fn speeds(orbit: &Orbit) -> Vec<f64> {

@@ -38,8 +38,6 @@ pub struct Image {
     pub surface: Surface,
     /// The impacts on the way, by their number in the pattern: the first is the last to come.
     pub impacts: Vec<Beside>,
-    /// The sum of the moduli of what the coefficients of each degree were added up from.
-    pub size: [f64; 4],
 }
 
 impl Surface {
@@ -105,7 +103,7 @@ impl StopEquations<'_> {
         if m == 0 || speeds.iter().any(|speed| speed.is_nan() || *speed <= 0.0) {
             return Err(Error::input("the Poincaré map is not smooth: an impact does not come in"));
         }
-        let (mut surface, mut size) = (surface.clone(), [0.0; 4]);
+        let mut surface = surface.clone();
         let none = Beside { delay: Cubic::constant(0.0), speed: Cubic::constant(0.0) };
         let mut impacts = vec![none; m];
         for i in 0..m {
@@ -127,19 +125,13 @@ impl StopEquations<'_> {
             let (mut power, mut kick) = (beside.speed, flow.kick(&self.kick(next, speeds[next])));
             for k in 0..4 {
                 surface.add(power, &kick);
-                for (j, coefficient) in power.coefficients().iter().enumerate().skip(1) {
-                    size[degree(j)] += coefficient.abs() * kick.norm();
-                }
                 power = power * -beside.delay;
                 kick = flow.generate(&kick) / f64::from(k + 1);
             }
             end.u.axpy(speeds[next], &self.kick(next, speeds[next]), 1.0);
             state = end;
         }
-        for (j, column) in surface.0.column_iter().enumerate() {
-            size[degree(j + 1)] += column.norm();
-        }
-        Ok(Image { surface, impacts, size })
+        Ok(Image { surface, impacts })
     }
 
     /// The displacement, in the coordinates of a [`Surface`], that a change of the parameter brings about in
@@ -225,9 +217,4 @@ fn arrive(approach: &Approach, surface: &Surface) -> Beside {
     }
     let slope: Vec<Cubic> = (1..ORDERS).map(|k| gap[k].scaled(-(k as f64))).collect();
     Beside { delay, speed: polynomial(&slope, delay) }
-}
-
-/// The degree of the monomial at a place in [`Cubic::of`].
-fn degree(place: usize) -> usize {
-    [0, 1, 1, 2, 2, 2, 3, 3, 3, 3][place]
 }

@@ -7,7 +7,7 @@ use crate::{
     oscillator::{
         Time,
         flow::{Flow, State},
-        orbit::{Itinerary, Orbit, Oscillator, Strike, find},
+        orbit::{Itinerary, Orbit, Oscillator, Strike, find, natural},
         simulate::{Event, Settings, Simulator},
     },
 };
@@ -29,12 +29,12 @@ pub fn attracting(
     };
     let (period, phase, [q, u]) = (cycle.period() as i64, detection.phase, cycle.points[0]);
     let mut run = simulator.start(Time::new(0, phase), q, u)?;
-    let (mut times, mut sides, mut z, mut rests) = (Vec::new(), Vec::new(), Vec::new(), false);
+    let (mut times, mut sides, mut speeds, mut rests) = (Vec::new(), Vec::new(), Vec::new(), false);
     run.record(Time::new(period, phase), |event| match event {
         Event::Impact(impact) => {
-            times.push(impact.time.period);
+            times.push((impact.time.period, impact.time.phase));
             sides.push(impact.side);
-            z.extend([impact.time.phase, impact.velocity.abs()]);
+            speeds.push(impact.velocity.abs());
         }
         Event::Stick(_) => rests = true,
         _ => {}
@@ -46,10 +46,8 @@ pub fn attracting(
         let at_zero = oscillator.flow().advance(State { t: phase, q, u }, std::f64::consts::TAU - phase);
         return find(oscillator, &Itinerary::free(period as u32)?, vec![at_zero.q, at_zero.u]);
     }
-    let next = times.iter().skip(1).copied().chain([times[0] + period]);
-    let strikes = sides
-        .into_iter()
-        .zip(times.iter().zip(next))
-        .map(|(side, (this, next))| Strike { side, periods: (next - this) as u32 });
+    let counted = natural(&times, period as u32);
+    let strikes = sides.into_iter().zip(&counted).map(|(side, &(periods, _))| Strike { side, periods });
+    let z = counted.iter().zip(speeds).flat_map(|((_, time), speed)| [*time, speed]).collect();
     find(oscillator, &Itinerary::new(strikes.collect())?, z)
 }

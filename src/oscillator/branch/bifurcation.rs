@@ -48,9 +48,15 @@ impl Bifurcation {
         Bifurcation::ALL.into_iter().find(|known| known.name() == name)
     }
 
-    /// The one that a monitor's number means: from `Fade` on each is an impact's speed.
-    pub(super) fn of(monitor: usize) -> Bifurcation {
-        Bifurcation::ALL[monitor.min(Bifurcation::Fade as usize)]
+    /// The one that a monitor's number means for orbits with so many impacts: after those in order, of which
+    /// `Torus` is the first of [`FollowedOrbit::circles`], come the impacts' speeds, then the other circles.
+    pub(super) fn of(monitor: usize, impacts: usize) -> Bifurcation {
+        let fade = Bifurcation::Fade as usize;
+        match monitor {
+            _ if monitor < fade => Bifurcation::ALL[monitor],
+            _ if monitor < fade + impacts => Bifurcation::Fade,
+            _ => Bifurcation::Torus,
+        }
     }
 
     /// Whether an orbit is at it: its multipliers are the bifurcation's, and no speed is zero where

@@ -76,8 +76,8 @@ pub trait OrbitCurve: Followed<View: FollowedOrbit> {
     /// The parameters' units of length along the curve.
     fn units(&self) -> Vec<f64>;
 
-    /// What a monitor's zero is.
-    fn singularity(&self, monitor: usize) -> Singularity;
+    /// What an event is.
+    fn singularity(&self, event: usize) -> Singularity;
 
     /// The bifurcation that is followed, if it is a curve of them.
     fn subject(&self) -> Option<Bifurcation>;
@@ -96,8 +96,8 @@ impl<F: PatternFamily + ?Sized> OrbitCurve for PatternCurve<'_, F> {
         vec![self.unit()]
     }
 
-    fn singularity(&self, monitor: usize) -> Singularity {
-        Singularity::Bifurcation(Bifurcation::of(monitor))
+    fn singularity(&self, event: usize) -> Singularity {
+        Singularity::Bifurcation(Bifurcation::ALL[event])
     }
 
     fn subject(&self) -> Option<Bifurcation> {
@@ -299,8 +299,14 @@ impl<F: PatternFamily + ?Sized> PatternCurve<'_, F> {
                     self.family.twice(&self.itinerary, z).into_iter().chain([last[0]]).collect::<Vec<f64>>()
                 };
                 let born = self.with(self.itinerary.repeated(2));
-                let (u, old) = (twice(&at.u), twice(&at.tangent));
-                let tangent = crossing::kernel(&born.equations(&u)?.jacobian, &old)
+                // The born orbit and the same a period later are two at one parameter, one on each side of
+                // the flip: there the parameter does not change. That the tangent is normal to the old branch
+                // holds only where both halves of the unknowns are swapped by the shift, not where they are a
+                // state.
+                let u = twice(&at.u);
+                let mut parameter = vec![0.0; u.len()];
+                parameter[u.len() - 1] = 1.0;
+                let tangent = crossing::kernel(&born.equations(&u)?.jacobian, &parameter)
                     .ok_or_else(|| Error::input("no second tangent here"))?;
                 Ok((born, CurvePoint { u, tangent, residual: at.residual, steps: at.steps }))
             }

@@ -1,7 +1,7 @@
 //! Which way a bifurcation on a branch goes: the coefficient of its normal form, by derivatives of the
 //! Poincaré map.
 
-use super::Bifurcation;
+use super::{Bifurcation, FollowedOrbit};
 use crate::oscillator::{
     algebra::{Matrix2, apply, determinant, product},
     orbit::{Criticality, Derivatives, Orbit, Oscillator, Unknowns, return_map},
@@ -37,71 +37,127 @@ pub enum Sense {
     Below,
     /// Two branches that go on on both sides and exchange their stability.
     Transcritical,
-    /// The coefficient is zero to rounding: the bifurcation is of higher codimension.
+    /// The coefficient is zero as far as can be told: the bifurcation is of higher codimension.
     Degenerate,
 }
 
-/// Relative to the derivatives that it is made of, a coefficient smaller than this is rounding's.
-const ROUNDING: f64 = 1e-12;
+/// Why a point of a branch has no normal form, in a few words.
+pub type NoForm = &'static str;
+
+/// A number that is computed from an orbit, and how far it may be off.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Estimate {
+    /// The number.
+    pub value: f64,
+    /// By how much more than this it is not off, as far as can be told.
+    pub error: f64,
+}
+
+/// How well an orbit at a bifurcation is located: times in radians, other unknowns as parts of themselves.
+const LOCATED: f64 = 1e-9;
+
+impl Estimate {
+    /// A number computed from the unknowns of an orbit, with the error that comes from their own: they are
+    /// moved in four ways by as much as they may be off, and the number's largest change counts twice.
+    /// Rounding on the way, which acts as smaller changes of the same unknowns do, is covered; no unit
+    /// enters. `None` if it cannot be computed. Cost: five times its own.
+    pub fn of(
+        z: &[f64],
+        is_time: impl Fn(usize) -> bool,
+        number: impl Fn(&[f64]) -> Option<f64>,
+    ) -> Option<Estimate> {
+        let value = number(z)?;
+        let moved = |way: usize| {
+            let by = |(i, z): (usize, &f64)| {
+                // Signs that no symmetry of the orbit shares.
+                let sign = if (i * (2 * way + 3) + (i * i + way) / 3).is_multiple_of(2) { 1.0 } else { -1.0 };
+                z + sign * LOCATED * if is_time(i) { 1.0 } else { z.abs() }
+            };
+            let there: Vec<f64> = z.iter().enumerate().map(by).collect();
+            Some((number(&there)? - value).abs())
+        };
+        let most = (0..4).map(moved).try_fold(0.0, |most: f64, apart| Some(most.max(apart?)))?;
+        most.is_finite().then_some(Estimate { value, error: 2.0 * most })
+    }
+
+    /// Whether it may be zero.
+    pub fn is_zero(&self) -> bool {
+        self.value.abs() <= self.error
+    }
+
+    /// What is born at a bifurcation with this coefficient, `stable` saying for which sign that is stable.
+    pub fn born(self, stable: impl Fn(f64) -> bool) -> NormalForm {
+        let criticality =
+            if stable(self.value) { Criticality::Supercritical } else { Criticality::Subcritical };
+        let kind = if self.is_zero() { Sense::Degenerate } else { Sense::Born(criticality) };
+        NormalForm { coefficient: self.value, kind }
+    }
+
+    /// A saddle-node ξ ↦ ξ + d (µ − µ_sn) + a ξ², this being a: fixed points where both terms can cancel.
+    /// `turn` is da, which no unit and no sign of ξ changes.
+    pub fn fold(self, turn: Estimate) -> NormalForm {
+        let kind = match () {
+            () if self.is_zero() || turn.is_zero() => Sense::Degenerate,
+            () if turn.value < 0.0 => Sense::Above,
+            () => Sense::Below,
+        };
+        NormalForm { coefficient: self.value, kind }
+    }
+}
+
+/// A bifurcation at which the map is not smooth.
+pub const NOT_SMOOTH: NoForm = "none: the map is not smooth here";
+/// A bifurcation at which a multiplier is double.
+pub const DOUBLE: NoForm = "none: a double multiplier";
+/// A bifurcation at which the derivatives are not found.
+pub const UNKNOWN: NoForm = "none: the derivatives of the map are not found";
+/// A point of codimension two, or a curve's in two parameters.
+pub const CODIMENSION_TWO: NoForm = "none: of codimension two";
 
 impl NormalForm {
-    /// The normal form of a bifurcation of an orbit; none for grazing and fading, where the Poincaré map is
-    /// not smooth, and where it cannot be computed, as at a double multiplier. The oscillator needs slopes
-    /// for a saddle-node's side. Cost: that of [`return_map`].
-    pub fn at(oscillator: &Oscillator, orbit: &Orbit, bifurcation: Bifurcation) -> Option<NormalForm> {
+    /// The normal form of a bifurcation of an orbit; the oscillator needs slopes for a saddle-node's side.
+    /// Cost: five times that of [`return_map`].
+    ///
+    /// # Errors
+    /// Why there is none: at grazing and fading the Poincaré map is not smooth, at a double multiplier the
+    /// critical direction is no direction of its own.
+    pub fn at(
+        oscillator: &Oscillator,
+        orbit: &Orbit,
+        bifurcation: Bifurcation,
+    ) -> Result<NormalForm, NoForm> {
         if matches!(bifurcation, Bifurcation::Grazing | Bifurcation::Fade) {
-            return None;
+            return Err(NOT_SMOOTH);
         }
-        let map = return_map(oscillator, &orbit.itinerary, &orbit.z).ok()?;
-        let derivatives = Derivatives::of(&map);
-        // At a double multiplier the critical direction is no direction of its own, and the coefficients have
-        // no meaning.
         let double = (orbit.multipliers.determinant - 1.0).abs() <= 1e-9;
-        let one = !matches!(bifurcation, Bifurcation::Torus);
-        if one && double {
-            return None;
+        if double && bifurcation != Bifurcation::Torus {
+            return Err(DOUBLE);
         }
-        let size = map[0].size().max(map[1].size()).max(1.0);
-        let small = |x: f64| x.abs() <= ROUNDING * size * size;
-        let born = |coefficient: f64, stable: bool| {
-            let criticality = if stable { Criticality::Supercritical } else { Criticality::Subcritical };
-            let kind = if small(coefficient) { Sense::Degenerate } else { Sense::Born(criticality) };
-            NormalForm { coefficient, kind }
+        let estimate = |number: &dyn Fn(&Derivatives, &Orbit) -> Option<f64>| {
+            let at = |z: &[f64]| {
+                let map = return_map(oscillator, &orbit.itinerary, z).ok()?;
+                number(&Derivatives::of(&map), &orbit.moved(z))
+            };
+            Estimate::of(&orbit.z, |unknown| orbit.is_time(unknown), at).ok_or(UNKNOWN)
         };
-        Some(match bifurcation {
+        Ok(match bifurcation {
             Bifurcation::SaddleNode => {
-                let a = derivatives.fold()?;
-                let [p, shift] = [derivatives.fold_normal()?, parameter_shift(oscillator, orbit)?];
-                let drift = p[0] * shift[0] + p[1] * shift[1];
-                // ξ ↦ ξ + drift (µ − µ_sn) + a ξ²: fixed points where both terms can cancel.
-                let kind = match () {
-                    () if small(a) || drift == 0.0 => Sense::Degenerate,
-                    () if (drift < 0.0) == (a > 0.0) => Sense::Above,
-                    () => Sense::Below,
-                };
-                NormalForm { coefficient: a, kind }
+                let turn = estimate(&|map, orbit| {
+                    let [p, shift] = [map.fold_normal()?, parameter_shift(oscillator, orbit)?];
+                    Some(map.fold()? * (p[0] * shift[0] + p[1] * shift[1]))
+                })?;
+                estimate(&|map, _| map.fold())?.fold(turn)
             }
             Bifurcation::Crossing => {
-                let a = derivatives.fold()?;
-                // The point is exact to rounding, the multiplier to its square root.
-                if a.abs() > 1e-8 * size * size {
-                    return Some(NormalForm { coefficient: a, kind: Sense::Transcritical });
+                let a = estimate(&|map, _| map.fold())?;
+                if !a.is_zero() {
+                    return Ok(NormalForm { coefficient: a.value, kind: Sense::Transcritical });
                 }
-                let c = derivatives.pitchfork()?;
-                born(c, c < 0.0)
+                estimate(&|map, _| map.pitchfork())?.born(|c| c < 0.0)
             }
-            Bifurcation::Flip => {
-                let b = derivatives.flip()?;
-                born(b, b > 0.0)
-            }
-            _ => {
-                let d = derivatives.torus()?;
-                match oscillator.flow().equation().constant_divergence() {
-                    // Zero but for rounding.
-                    Some(_) => NormalForm { coefficient: d, kind: Sense::Degenerate },
-                    None => born(d, d < 0.0),
-                }
-            }
+            Bifurcation::Flip => estimate(&|map, _| map.flip())?.born(|b| b > 0.0),
+            // With linear damping zero, as far as can be told.
+            _ => estimate(&|map, _| map.torus())?.born(|d| d < 0.0),
         })
     }
 

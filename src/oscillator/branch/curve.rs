@@ -47,9 +47,17 @@ pub struct Corrector {
     pub steps: u32,
 }
 
-/// Residuals of at most this many units in the last place are rounding's: beside a point where curves cross,
-/// where the equations are nearly singular, steps made from them would not end.
+/// Residuals of at most this part of what rounding the unknowns changes are rounding's: beside a point where
+/// curves cross, where the equations are nearly singular, steps made from them would not end.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
+
+/// Whether a residual is no larger than what rounding of the unknowns makes of it: |F_i| against Σ |∂F_i/∂u_j
+/// u_j|, which grows with the equations' own stiffness.
+fn is_rounding(here: &Equations, u: &[f64]) -> bool {
+    let size = 1.0 + largest(u);
+    let moved = |row: &[f64]| row.iter().zip(u).map(|(slope, u)| (slope * u).abs()).sum::<f64>();
+    here.residual.iter().zip(&here.jacobian).all(|(f, row)| f.abs() <= ROUNDING * size.max(moved(row)))
+}
 
 impl Corrector {
     /// The point of the curve near `guess` in the hyperplane through it that is normal to `normal`, the
@@ -61,9 +69,10 @@ impl Corrector {
         let (mut u, mut last) = (guess.to_vec(), f64::INFINITY);
         for steps in 1..=self.steps {
             let here = curve.equations(&u)?;
+            let off = dot(normal, &u) - dot(normal, guess);
+            let solved = is_rounding(&here, &u) && off.abs() <= ROUNDING * (1.0 + largest(&u));
             let mut right = here.residual;
-            right.push(dot(normal, &u) - dot(normal, guess));
-            let solved = largest(&right) <= ROUNDING * (1.0 + largest(&u));
+            right.push(off);
             let step = bordered(here.jacobian, normal, right)?;
             u.iter_mut().zip(&step).for_each(|(u, step)| *u -= step);
             let length = norm(&step);

@@ -1,6 +1,6 @@
 //! Following a curve: step control, events between points, and why it ended.
 
-use std::cell::RefCell;
+use std::{cell::RefCell, f64::consts::TAU};
 
 use super::{
     Options,
@@ -44,6 +44,18 @@ pub trait Followed: Curve {
     /// The unknowns that have bounds, with them.
     fn bounds(&self) -> Vec<(usize, f64, f64)>;
 
+    /// Whether an unknown is a time in radians of the forcing: all of them moved by one number of whole
+    /// periods are the same point.
+    fn is_time(&self, _unknown: usize) -> bool {
+        false
+    }
+
+    /// Whether what the curve is followed for comes again beyond an event, in opposite order; `beside` are
+    /// points before and after it.
+    fn repeats(&self, _event: &CurvePoint, _beside: [&CurvePoint; 2]) -> bool {
+        false
+    }
+
     /// The event that a monitor's zero is, its point as exactly as it can be had; none if it is a pole or
     /// nothing happens there.
     ///
@@ -80,6 +92,9 @@ pub enum CurveEnd {
     Fails,
     /// It is back where it started.
     Closed,
+    /// Beyond it the same orbits come again, each a number of periods later: the end of a doubled branch at
+    /// its flip.
+    Repeats,
     /// As many points as were allowed.
     Points,
     /// It starts there.
@@ -144,13 +159,14 @@ pub fn follow_until<C: Followed>(
             && points > 2
         {
             let from = &here.place;
-            let back = difference(&origin.u, &from.u);
-            let ahead = dot(&back, &from.tangent);
-            if ahead > 0.0 && dot(&difference(&to.u, &origin.u), &from.tangent) >= 0.0 {
-                let there = walk.corrector.step(curve, from, ahead)?;
-                if norm(&difference(&there.u, &origin.u)) < 1e-6 * (1.0 + norm(&origin.u)) {
-                    return Ok((steps, CurveEnd::Closed));
-                }
+            let origin = beside(curve, &origin.u, &from.u);
+            let ahead = dot(&difference(&origin, &from.u), &from.tangent);
+            if ahead > 0.0
+                && dot(&difference(&to.u, &origin), &from.tangent) >= 0.0
+                && let Ok(there) = walk.corrector.step(curve, from, ahead)
+                && norm(&difference(&there.u, &origin)) < 1e-6 * (1.0 + norm(&origin))
+            {
+                return Ok((steps, CurveEnd::Closed));
             }
         }
         for step in new {
@@ -166,6 +182,15 @@ pub fn follow_until<C: Followed>(
         }
         h = next;
     }
+}
+
+/// The point u with its times moved by the number of whole periods that brings it nearest to another.
+fn beside(curve: &impl Followed, u: &[f64], other: &[f64]) -> Vec<f64> {
+    let apart: Vec<f64> =
+        (0..u.len()).filter(|i| curve.is_time(*i)).map(|i| (other[i] - u[i]) / TAU).collect();
+    let turns = (apart.iter().sum::<f64>() / apart.len().max(1) as f64).round();
+    let moved = |(i, u): (usize, &f64)| if curve.is_time(i) { u + TAU * turns } else { *u };
+    u.iter().enumerate().map(moved).collect()
 }
 
 /// Lengths to try for a first step. Where the start is a point at which curves cross, a shorter step comes
@@ -200,32 +225,34 @@ type Advance<V> = (Vec<Step<V>>, f64, Option<CurveEnd>);
 
 impl<C: Followed> Walk<'_, C> {
     fn advance(&mut self, here: &Step<C::View>, h: f64) -> Result<Advance<C::View>> {
-        let mut place = self.corrector.step(self.curve, &here.place, h)?;
+        let ahead: Vec<f64> = here.place.u.iter().zip(&here.place.tangent).map(|(u, t)| u + h * t).collect();
+        let bounds = self.curve.bounds();
+        let leads_out = |u: &[f64]| {
+            let beyond = |&(unknown, low, high): &(usize, f64, f64)| {
+                let (before, after) = (here.place.u[unknown], u[unknown]);
+                (before <= low && after < before) || (before >= high && after > before)
+            };
+            bounds.iter().any(beyond)
+        };
+        if leads_out(&ahead) {
+            // It starts at the bound.
+            return Ok((vec![], h, Some(CurveEnd::Bound)));
+        }
+        let (reach, place, end) = match self.corrector.step(self.curve, &here.place, h) {
+            Ok(place) if leads_out(&place.u) => return Ok((vec![], h, Some(CurveEnd::Bound))),
+            Ok(place) => match self.at_bound(here, &place.u)? {
+                Some((reach, place)) => (reach, place, Some(CurveEnd::Bound)),
+                None => (h, place, None),
+            },
+            // Beyond a bound there may be no equations: its point is found in it, from the tangent.
+            Err(error) => match self.at_bound(here, &ahead)? {
+                Some((reach, place)) => (reach, place, Some(CurveEnd::Bound)),
+                None => return Err(error),
+            },
+        };
         let turned = dot(&place.tangent, &here.place.tangent).clamp(-1.0, 1.0).acos();
         if turned > self.options.turn {
             return Err(Error::input(format!("the curve turns by {turned:.2} within the shortest step")));
-        }
-        let (mut reach, mut end) = (h, None);
-        for (unknown, low, high) in self.curve.bounds() {
-            let (before, after) = (here.place.u[unknown], place.u[unknown]);
-            let bound = if after < low && low < before {
-                low
-            } else if after > high && high > before {
-                high
-            } else if (before <= low && after < before) || (before >= high && after > before) {
-                // It starts at the bound and leads out.
-                return Ok((vec![], h, Some(CurveEnd::Bound)));
-            } else {
-                continue;
-            };
-            let past = |h: f64| {
-                let place = self.corrector.step(self.curve, &here.place, h)?;
-                Ok((Some(place.u[unknown] - bound), place))
-            };
-            let (at, found) = root(past, (0.0, before - bound), (reach, after - bound));
-            let mut found = found.ok_or_else(|| Error::input("no point at the bound"))?;
-            found.u[unknown] = bound;
-            (reach, place, end) = (at, found, Some(CurveEnd::Bound));
         }
         let view = self.curve.view(&place)?;
         if self.curve.leaps(&here.view, &view) && h / 2.0 >= self.options.least_step {
@@ -239,10 +266,14 @@ impl<C: Followed> Walk<'_, C> {
             let (at, event, place) = events[index].clone();
             let view = self.curve.view(&place)?;
             if let Some((event, place, view)) = self.curve.settle(event, place, view)? {
+                let ends = self.curve.repeats(&place, [&here.place, &foot_end]);
                 let step = Step { length: length(&place), place, view, event: Some(event) };
                 // Two monitors may vanish together at one event.
                 if !steps.iter().any(|known: &Step<C::View>| same(known, &step)) {
                     steps.push(step);
+                }
+                if ends {
+                    return Ok((steps, h, Some(CurveEnd::Repeats)));
                 }
             }
             // What holds after the event is asked halfway to the next.
@@ -266,6 +297,39 @@ impl<C: Followed> Walk<'_, C> {
             (h * wanted.min(straight).clamp(0.3, 2.0)).clamp(self.options.least_step, self.options.most_step);
         steps.push(Step { length: length(&place), place, view, event: None });
         Ok((steps, next, end))
+    }
+
+    /// The point of the curve at the first bound between a point inside and `ahead`, and how far along the
+    /// tangent it is; none if there is no bound between.
+    fn at_bound(&self, here: &Step<C::View>, ahead: &[f64]) -> Result<Option<(f64, CurvePoint)>> {
+        let from = &here.place;
+        let crossed = self.curve.bounds().into_iter().filter_map(|(unknown, low, high)| {
+            let (before, after) = (from.u[unknown], ahead[unknown]);
+            let bound = match () {
+                () if after < low && low < before => low,
+                () if after > high && high > before => high,
+                () => return None,
+            };
+            Some(((bound - before) / (after - before), unknown, bound))
+        });
+        let Some((part, unknown, bound)) = crossed.min_by(|a, b| a.0.total_cmp(&b.0)) else {
+            return Ok(None);
+        };
+        let mut guess: Vec<f64> = from.u.iter().zip(ahead).map(|(u, v)| u + part * (v - u)).collect();
+        guess[unknown] = bound;
+        let mut normal = vec![0.0; guess.len()];
+        normal[unknown] = 1.0;
+        let mut place = self.corrector.correct(self.curve, &guess, &normal)?;
+        place.u[unknown] = bound;
+        if dot(&place.tangent, &from.tangent) < 0.0 {
+            place = place.reversed();
+        }
+        let reach = dot(&difference(&place.u, &from.u), &from.tangent);
+        let whole = dot(&difference(ahead, &from.u), &from.tangent);
+        if !(reach > 0.0 && reach <= 2.0 * whole) {
+            return Err(Error::input("no point at the bound"));
+        }
+        Ok(Some((reach, place)))
     }
 
     /// The point at the fraction s of the way from a to b, along `normal`, guessed so near that Newton's
@@ -309,10 +373,9 @@ impl<C: Followed> Walk<'_, C> {
         let known = RefCell::new(vec![(0.0, here.place.clone()), (reach, place.clone())]);
         let at = |which: usize, h: f64| -> Result<(Option<f64>, CurvePoint)> {
             let mut known = known.borrow_mut();
-            let next = known.partition_point(|known| known.0 < h).clamp(1, known.len() - 1);
-            let (a, b) = (&known[next - 1], &known[next]);
-            let place = self.between(&a.1, &b.1, &here.place.tangent, (h - a.0) / (b.0 - a.0))?;
-            if a.0 < h && h < b.0 {
+            let place = self.near(&known, &here.place.tangent, h)?;
+            let next = known.partition_point(|known| known.0 < h);
+            if known.get(next).is_some_and(|known| known.0 > h) && next > 0 {
                 known.insert(next, (h, place.clone()));
             }
             Ok((self.curve.monitor(which, &place)?, place))
@@ -328,47 +391,57 @@ impl<C: Followed> Walk<'_, C> {
             before = self.curve.monitors(&place, &self.curve.view(&place)?);
         }
         let mut found: Vec<(f64, usize, CurvePoint)> = Vec::new();
-        let mut search = |which: usize, a: (f64, f64), b: (f64, f64)| -> Result<Option<f64>> {
-            if !(a.1 * b.1 < 0.0 || b.1 == 0.0 && a.1 != 0.0) {
+        let search = |which: usize, a: (f64, Option<f64>), b: (f64, Option<f64>)| -> Result<Option<_>> {
+            let ((low, Some(x)), (high, Some(y))) = (a, b) else { return Ok(None) };
+            if !(x * y < 0.0 || y == 0.0 && x != 0.0) {
                 return Ok(None);
             }
-            let (h, place) = match root(|h| at(which, h), a, b) {
-                (h, Some(place)) => (h, place),
-                (h, None) => self.across(|h| at(which, h), h, reach)?,
-            };
-            found.push((h, which, place));
-            Ok(Some(h))
+            Ok(Some(match root(|h| at(which, h), (low, x), (high, y)) {
+                (h, Some(place)) => (h, which, place),
+                (h, None) => {
+                    let (h, place) = self.across(|h| at(which, h), h, reach)?;
+                    (h, which, place)
+                }
+            }))
         };
-        let mut limits: Option<(f64, f64)> = None;
-        for (which, ends) in before.iter().zip(&after).enumerate() {
-            if let (Some(a), Some(b)) = ends
-                && let Some(h) = search(which, (first, *a), (reach, *b))?
-            {
-                limits = Some(limits.map_or((h, h), |(low, high)| (h.min(low), h.max(high))));
+        for which in 0..after.len() {
+            found.extend(search(which, (first, before[which]), (reach, after[which]))?);
+        }
+        let seen: Vec<bool> =
+            (0..after.len()).map(|which| found.iter().any(|event| event.1 == which)).collect();
+        // What is defined at one end only, or has one sign at both, is looked at beside these events, too: an
+        // event may end it, and a multiplier that comes back by one event may hide that it left by another.
+        let mut places: Vec<f64> = found.iter().map(|event| event.0).collect();
+        places.sort_by(f64::total_cmp);
+        let mut parts = vec![(first, before)];
+        for cluster in places.chunk_by(|a, b| b - a <= 4.0 * BESIDE * reach) {
+            let (low, high) = (cluster[0], cluster[cluster.len() - 1]);
+            for h in [low - BESIDE * (low - first), high + BESIDE * (reach - high)] {
+                let place = self.near(&known.borrow(), &here.place.tangent, h);
+                let values =
+                    place.and_then(|place| Ok(self.curve.monitors(&place, &self.curve.view(&place)?)));
+                parts.push((h, values.unwrap_or_else(|_| vec![None; after.len()])));
             }
         }
-        // A monitor that is defined at one end only is followed up to the event that ends it.
-        let Some((low, high)) = limits else { return Ok(found) };
-        for (which, ends) in before.iter().zip(&after).enumerate() {
-            match ends {
-                (Some(a), None) => {
-                    let h = low * (1.0 - 1e-6);
-                    if let Some(b) = at(which, h)?.0 {
-                        search(which, (first, *a), (h, b))?;
-                    }
-                }
-                (None, Some(b)) => {
-                    let h = high + 1e-6 * (reach - high);
-                    if let Some(a) = at(which, h)?.0 {
-                        search(which, (h, a), (reach, *b))?;
-                    }
-                }
-                _ => {}
+        parts.push((reach, after));
+        for which in (0..seen.len()).filter(|which| !seen[*which]) {
+            for [a, b] in parts.as_chunks::<2>().0 {
+                found.extend(search(which, (a.0, a.1[which]), (b.0, b.1[which]))?);
             }
         }
         Ok(found)
     }
+
+    /// The point h along `normal` from the first of some points of a step, guessed from the nearest two.
+    fn near(&self, known: &[(f64, CurvePoint)], normal: &[f64], h: f64) -> Result<CurvePoint> {
+        let next = known.partition_point(|known| known.0 < h).clamp(1, known.len() - 1);
+        let (a, b) = (&known[next - 1], &known[next]);
+        self.between(&a.1, &b.1, normal, (h - a.0) / (b.0 - a.0))
+    }
 }
+
+/// So close to an event, as a part of the way to the end of its step, other functions are looked at.
+const BESIDE: f64 = 1e-6;
 
 /// Whether two steps are the same event at the same point.
 fn same<V>(a: &Step<V>, b: &Step<V>) -> bool {
@@ -381,6 +454,7 @@ impl std::fmt::Display for CurveEnd {
             CurveEnd::Bound => "a parameter is at its bound",
             CurveEnd::Fails => "no such orbit from here on",
             CurveEnd::Closed => "the branch is closed",
+            CurveEnd::Repeats => "a flip of the orbit of half the period: the same orbits follow, later",
             CurveEnd::Points => "as many points as were allowed",
             CurveEnd::Start => "the start",
             CurveEnd::Found => "what was looked for",

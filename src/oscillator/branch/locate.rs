@@ -143,7 +143,7 @@ fn one_way<F: PatternFamily + ?Sized>(
     extent: SearchReach,
     options: &Options,
 ) -> Result<(OneWay, Option<Located<F::Orbit>>)> {
-    let wanted = |step: &Step<F::Orbit>| step.event.map(Bifurcation::of) == Some(bifurcation);
+    let wanted = |step: &Step<F::Orbit>| step.event.map(|event| Bifurcation::ALL[event]) == Some(bifurcation);
     let stop = |step: &Step<F::Orbit>| match () {
         () if matches!(extent, SearchReach::Length(reach) if step.length > reach) => Some(CurveEnd::Reach),
         () if wanted(step) => Some(CurveEnd::Found),
@@ -156,8 +156,9 @@ fn one_way<F: PatternFamily + ?Sized>(
         start
     };
     let (steps, end) = follow_until(orbits, start, options, stop)?;
-    let passed =
-        steps.iter().filter_map(|step| Some((Bifurcation::of(step.event?), orbits.parameter(&step.place.u))));
+    let passed = steps
+        .iter()
+        .filter_map(|step| Some((Bifurcation::ALL[step.event?], orbits.parameter(&step.place.u))));
     let last = steps.last().unwrap_or_else(|| unreachable!("the start is there"));
     let (parameter, length) = (orbits.parameter(&last.place.u), last.length);
     // At the parameter's bound it has gone as far as was asked for too.

@@ -37,7 +37,7 @@ mod record;
 
 pub use bifurcation::{Bifurcation, Degeneracy, Singularity};
 pub use branch::{Branch, BranchOrbit, BranchPoint, Direction, OrbitBranch, OrbitCurve};
-pub use criticality::{NormalForm, Sense};
+pub use criticality::{CODIMENSION_TWO, DOUBLE, Estimate, NOT_SMOOTH, NoForm, NormalForm, Sense, UNKNOWN};
 pub use curve::{Corrector, Curve, CurvePoint, Equations};
 pub use follow::{CurveEnd, Followed, Settled, Step, follow, follow_until};
 pub use locate::{BranchSearch, Located, Nothing, OneWay, SearchReach, locate, nearest};
@@ -46,5 +46,6 @@ pub use options::Options;
 pub(crate) use options::with_options;
 pub use orbits::{Orbits, PatternCurve};
 pub use plane::{EventCurve, Events};
+pub(crate) use problem::halved;
 pub use problem::{FollowedOrbit, ImpactPattern, PatternFamily, PatternOf, PatternPlane};
 pub use record::{Label, RecordForm, read_label, read_label_as, record, record_as};

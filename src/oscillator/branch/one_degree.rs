@@ -5,15 +5,15 @@ use std::f64::consts::{PI, TAU};
 
 use super::{
     Bifurcation, Degeneracy,
-    problem::{FollowedOrbit, ImpactPattern, PatternFamily, PatternPlane},
+    problem::{FollowedOrbit, ImpactPattern, PatternFamily, PatternPlane, halved},
 };
 use crate::{
     error::{Error, Result},
     oscillator::{
         grazing::{LocalMap, is_mirrored},
         orbit::{
-            Derivatives, Family, Itinerary, Linearised, Multipliers, Orbit, Oscillator, Root, Unknowns,
-            check, describe, linearise, monodromy, return_map,
+            Derivatives, Family, Itinerary, Linearised, Multipliers, Orbit, Oscillator, Root, Strike,
+            Unknowns, check, describe, linearise, monodromy, return_map,
         },
     },
 };
@@ -46,6 +46,10 @@ impl ImpactPattern for Itinerary {
 /// Slower than this, an impact's speed is rounding's.
 const STILL: f64 = 1e-10;
 
+fn is_time(pattern: &Itinerary, unknown: usize) -> bool {
+    unknown.is_multiple_of(2) && !pattern.strikes().is_empty()
+}
+
 impl FollowedOrbit for Orbit {
     type Pattern = Itinerary;
 
@@ -57,8 +61,12 @@ impl FollowedOrbit for Orbit {
         &self.z
     }
 
+    fn moved(&self, unknowns: &[f64]) -> Orbit {
+        Orbit { z: unknowns.to_vec(), ..self.clone() }
+    }
+
     fn is_time(&self, unknown: usize) -> bool {
-        unknown.is_multiple_of(2) && !self.itinerary.strikes().is_empty()
+        is_time(&self.itinerary, unknown)
     }
 
     fn speeds(&self) -> Vec<f64> {
@@ -95,11 +103,6 @@ impl FollowedOrbit for Orbit {
 
     fn flip(&self) -> f64 {
         self.multipliers.flip()
-    }
-
-    fn torus(&self) -> Option<f64> {
-        let Multipliers { trace, determinant } = self.multipliers;
-        (trace.abs() < 1.0 + determinant).then_some(determinant - 1.0)
     }
 
     fn rotates(&self) -> bool {
@@ -144,6 +147,25 @@ impl PatternFamily for dyn Family + '_ {
     fn twice(&self, pattern: &Itinerary, z: &[f64]) -> Vec<f64> {
         z.repeat(if pattern.strikes().is_empty() { 1 } else { 2 })
     }
+
+    fn once(&self, pattern: &Itinerary, z: &[f64]) -> Option<(Itinerary, Vec<f64>)> {
+        if pattern.strikes().is_empty() {
+            let half = Itinerary::free(pattern.periods() / 2).ok()?;
+            return (half.repeated(2) == *pattern).then(|| (half, z.to_vec()));
+        }
+        let (first, second) = pattern.strikes().split_at(pattern.strikes().len() / 2);
+        if first.len() != second.len() || first.iter().zip(second).any(|(a, b)| a.side != b.side) {
+            return None;
+        }
+        let periods: Vec<u32> = first.iter().map(|strike| strike.periods).collect();
+        let periods = halved(&periods, pattern.periods(), z[first.len() * 2] - z[0])?;
+        let strikes = first.iter().zip(periods).map(|(strike, periods)| Strike { periods, ..*strike });
+        Some((Itinerary::new(strikes.collect()).ok()?, z[..z.len() / 2].to_vec()))
+    }
+
+    fn is_time(&self, pattern: &Itinerary, unknown: usize) -> bool {
+        is_time(pattern, unknown)
+    }
 }
 
 impl PatternPlane for dyn TwoParameterFamily + '_ {
@@ -151,6 +173,10 @@ impl PatternPlane for dyn TwoParameterFamily + '_ {
 
     fn count(&self, pattern: &Itinerary) -> usize {
         Unknowns::count(pattern)
+    }
+
+    fn is_time(&self, pattern: &Itinerary, unknown: usize) -> bool {
+        is_time(pattern, unknown)
     }
 
     fn values(
@@ -236,7 +262,9 @@ impl PatternPlane for dyn TwoParameterFamily + '_ {
                 set(Degeneracy::Resonant5, Some(square * square - 3.0 * square * det + det * det));
                 set(Degeneracy::Resonant6, Some(square - 3.0 * det));
             }
-            Bifurcation::Crossing | Bifurcation::Fade => {}
+            // One multiplier is 1 all along, the other is their product.
+            Bifurcation::Crossing => set(Degeneracy::Resonance1, Some(det - 1.0)),
+            Bifurcation::Fade => {}
         }
         all
     }

@@ -2,12 +2,12 @@
 
 use super::{
     Bifurcation, crossing,
-    curve::{Curve, CurvePoint, Equations},
+    curve::{Corrector, Curve, CurvePoint, Equations, difference, dot, largest},
     follow::{Followed, Settled},
-    problem::{FollowedOrbit, PatternFamily, PatternOf, monitors},
+    problem::{FollowedOrbit, ImpactPattern, PatternFamily, PatternOf, monitors},
 };
 use crate::{
-    error::Result,
+    error::{Error, Result},
     oscillator::orbit::{Family, Root},
 };
 
@@ -119,26 +119,103 @@ impl<F: PatternFamily + ?Sized> Followed for PatternCurve<'_, F> {
         vec![(self.family.count(&self.itinerary), self.bounds.0, self.bounds.1)]
     }
 
-    /// Where branches cross both monitors of a multiplier 1 may vanish: the Jacobian's rank tells.
+    fn is_time(&self, unknown: usize) -> bool {
+        unknown < self.family.count(&self.itinerary) && self.family.is_time(&self.itinerary, unknown)
+    }
+
+    /// A branch of doubled orbits comes to the flip of the orbit that they are born from: the orbit there
+    /// repeats after half its period, those before and after it do not, and a turn round the point is a shift
+    /// by half the period.
+    fn repeats(&self, event: &CurvePoint, beside: [&CurvePoint; 2]) -> bool {
+        let Some(here) = self.asymmetry(&event.u) else { return false };
+        let there = beside.map(|place| self.asymmetry(&place.u).unwrap_or(0.0));
+        let most = there[0].max(there[1]);
+        most > SAME && here <= 1e-4 * most
+    }
+
+    /// Where branches cross both monitors of a multiplier 1 may vanish: where one of them crosses another and
+    /// turns back there is one event, the crossing.
     fn settle(
         &self,
         monitor: usize,
         mut place: CurvePoint,
         mut orbit: F::Orbit,
     ) -> Result<Settled<F::Orbit>> {
-        let mut what = Bifurcation::of(monitor);
+        let impacts = self.itinerary.impacts();
+        let mut what = Bifurcation::of(monitor, impacts);
         if matches!(what, Bifurcation::SaddleNode | Bifurcation::Crossing) {
-            let crosses = crossing::is_near(self, &place)?;
-            if crosses {
-                what = Bifurcation::Crossing;
-                if let Ok(found) = crossing::locate(self, &place) {
+            match crossing::locate(self, &place) {
+                Ok(found) if what == Bifurcation::Crossing || self.turns_at(&found.place, &place) => {
+                    what = Bifurcation::Crossing;
                     place = found.place;
                     orbit = self.view(&place)?;
                 }
-            } else if what == Bifurcation::Crossing {
+                Ok(_) => {}
+                Err(_) if crossing::is_near(self, &place)? => what = Bifurcation::Crossing,
+                Err(_) if what == Bifurcation::Crossing => return Ok(None),
+                Err(_) => {}
+            }
+        }
+        if !what.is_at(&orbit) {
+            return Ok(None);
+        }
+        if what == Bifurcation::Torus {
+            let circle = (monitor + 1).saturating_sub(Bifurcation::Fade as usize + impacts);
+            let circle = if monitor == what as usize { 0 } else { circle };
+            let beyond = |place: &CurvePoint| self.view(place).ok()?.circles().get(circle).copied();
+            if !changes_sign(self, &place, beyond) {
                 return Ok(None);
             }
         }
-        Ok(what.is_at(&orbit).then_some((what as usize, place, orbit)))
+        Ok(Some((what as usize, place, orbit)))
     }
+}
+
+impl<F: PatternFamily + ?Sized> PatternCurve<'_, F> {
+    /// Whether a curve that turns back in the parameter does so where it crosses another, and not beside:
+    /// near the crossing the equations are nearly singular, and where exactly the tangent's component
+    /// vanishes is lost. It is linear there: points on both sides, so far away that the tangents are certain,
+    /// tell.
+    fn turns_at(&self, crossing: &CurvePoint, turn: &CurvePoint) -> bool {
+        let off = dot(&difference(&turn.u, &crossing.u), &crossing.tangent);
+        let aside = APART.max(2.0 * off.abs());
+        let slope = |by: f64| {
+            let place = CERTAIN.step(self, crossing, by)?;
+            Ok::<_, Error>(place.tangent.last().copied().unwrap_or(f64::NAN))
+        };
+        let (Ok(ahead), Ok(behind)) = (slope(aside), slope(-aside)) else { return true };
+        let zero = aside * (ahead + behind) / (behind - ahead);
+        zero.abs() <= off.abs() / 2.0 || off.abs() <= SAME
+    }
+
+    /// What is left of the equations of half the pattern, of the first half of the impacts, as a part of what
+    /// they are added up from; `None` if the pattern is not twice another.
+    fn asymmetry(&self, u: &[f64]) -> Option<f64> {
+        let (half, z) = self.family.once(&self.itinerary, &u[..u.len() - 1])?;
+        let found = self.family.equations(self.parameter(u), &half, &z).ok()?;
+        let size = |row: &[f64]| row.iter().zip(&z).map(|(slope, z)| (slope * z).abs()).sum::<f64>();
+        let parts = found.residual.iter().zip(&found.jacobian).map(|(f, row)| f / size(row));
+        Some(largest(&parts.collect::<Vec<_>>()))
+    }
+}
+
+/// So far from a crossing, along the curve, tangents are certain: they are known to rounding over this.
+const APART: f64 = 1e-4;
+
+/// Points of a curve that are closer than this are one: Newton's method tells them apart no better.
+const SAME: f64 = 1e-9;
+
+/// Newton's method beside events.
+const CERTAIN: Corrector = Corrector { tolerance: 1e-11, steps: 20 };
+
+/// Whether a function has opposite signs a little before and after a point, however close one has to go.
+pub(super) fn changes_sign(
+    curve: &impl Curve,
+    place: &CurvePoint,
+    function: impl Fn(&CurvePoint) -> Option<f64>,
+) -> bool {
+    [1e-3, 1e-4, 1e-5, 1e-6].into_iter().any(|by| {
+        let at = |by: f64| function(&CERTAIN.step(curve, place, by).ok()?);
+        matches!((at(-by), at(by)), (Some(a), Some(b)) if a * b < 0.0)
+    })
 }

@@ -3,9 +3,11 @@
 
 use super::{
     Bifurcation, Degeneracy, OrbitCurve, Singularity, TwoParameterFamily,
+    criticality::Estimate,
     curve::{Curve, CurvePoint, Equations},
     follow::{Followed, Settled},
-    problem::{FollowedOrbit, PatternOf, PatternPlane, monitors},
+    orbits::changes_sign,
+    problem::{FollowedOrbit, ImpactPattern, PatternOf, PatternPlane, monitors},
 };
 use crate::{
     error::{Error, Result},
@@ -119,19 +121,21 @@ impl<P: PatternPlane + ?Sized> Followed for EventCurve<'_, P> {
             Bifurcation::Fade => others.truncate(Bifurcation::Fade as usize),
             event => others[event as usize] = None,
         }
-        if self.event == Bifurcation::Crossing {
-            others[Bifurcation::SaddleNode as usize] = None;
-        }
-        // Where two of these meet is a resonance, or a fold-flip point, which have names of their own.
-        if matches!(self.event, Bifurcation::SaddleNode | Bifurcation::Flip) {
-            others[Bifurcation::SaddleNode as usize] = None;
-            others[Bifurcation::Flip as usize] = None;
-            others[Bifurcation::Torus as usize] = None;
-        }
-        if self.event == Bifurcation::Torus {
-            others[Bifurcation::SaddleNode as usize] = None;
-            others[Bifurcation::Flip as usize] = None;
-        }
+        // Where a multiplier is on the circle all along, these are zero but for rounding; where two of these
+        // meet is a resonance, or a fold-flip point, which have names of their own.
+        let of = |monitor: usize| Bifurcation::of(monitor, self.itinerary.impacts());
+        let mute: &[Bifurcation] = match self.event {
+            Bifurcation::SaddleNode | Bifurcation::Flip | Bifurcation::Torus => {
+                &[Bifurcation::SaddleNode, Bifurcation::Flip, Bifurcation::Torus]
+            }
+            Bifurcation::Crossing => &[Bifurcation::SaddleNode, Bifurcation::Torus],
+            Bifurcation::Grazing | Bifurcation::Fade => &[],
+        };
+        others
+            .iter_mut()
+            .enumerate()
+            .filter(|(i, _)| mute.contains(&of(*i)))
+            .for_each(|(_, one)| *one = None);
         all.extend(others);
         all
     }
@@ -140,17 +144,20 @@ impl<P: PatternPlane + ?Sized> Followed for EventCurve<'_, P> {
         self.plane.leaps(self.event, before, after)
     }
 
-    /// A degeneracy's function is zero at its zeros, and not just of two signs beside them.
+    /// A degeneracy's function changes sign at its zeros, and is certain beside them: where a direction of
+    /// the normal form has no meaning, as at the ends of a curve, it is neither.
     fn settle(&self, monitor: usize, place: CurvePoint, orbit: P::Orbit) -> Result<Settled<P::Orbit>> {
-        let genuine = match self.singularity(monitor) {
-            Singularity::Degeneracy(what) => {
-                self.degeneracies(&place, &orbit)[what as usize].is_some_and(|value| value.abs() <= 1e-6)
-            }
-            Singularity::Bifurcation(what) => {
-                self.event == Bifurcation::Fade || what == Bifurcation::Fade || what.is_at(&orbit)
-            }
+        let Some(which) = monitor.checked_sub(Degeneracy::ALL.len()) else {
+            let genuine = changes_sign(self, &place, |place| self.certain(monitor, place));
+            return Ok(genuine.then_some((monitor, place, orbit)));
         };
-        Ok(genuine.then_some((monitor, place, orbit)))
+        let what = Bifurcation::of(which, self.itinerary.impacts());
+        let genuine = self.event == Bifurcation::Fade || what == Bifurcation::Fade || what.is_at(&orbit);
+        Ok(genuine.then_some((Degeneracy::ALL.len() + what as usize, place, orbit)))
+    }
+
+    fn is_time(&self, unknown: usize) -> bool {
+        unknown < self.plane.count(&self.itinerary) && self.plane.is_time(&self.itinerary, unknown)
     }
 
     /// At an event that ends a branch the orbit is just no orbit any more: here that does not count.
@@ -176,6 +183,17 @@ impl<P: PatternPlane + ?Sized> EventCurve<'_, P> {
         self.plane.values(self.event, parameters, &self.itinerary, z)
     }
 
+    /// The function of a degeneracy at a point, if its sign is certain there.
+    fn certain(&self, degeneracy: usize, place: &CurvePoint) -> Option<f64> {
+        let orbit = self.view(place).ok()?;
+        let (z, parameters) = self.split(&place.u);
+        let value = |z: &[f64]| {
+            self.plane.degeneracies(self.event, parameters, &place.tangent, &orbit.moved(z))[degeneracy]
+        };
+        let found = Estimate::of(z, |unknown| orbit.is_time(unknown), value)?;
+        (!found.is_zero()).then_some(found.value)
+    }
+
     fn degeneracies(&self, place: &CurvePoint, orbit: &P::Orbit) -> Vec<Option<f64>> {
         self.plane.degeneracies(self.event, self.split(&place.u).1, &place.tangent, orbit)
     }
@@ -197,7 +215,7 @@ impl<P: PatternPlane + ?Sized> OrbitCurve for EventCurve<'_, P> {
     fn singularity(&self, monitor: usize) -> Singularity {
         match Degeneracy::ALL.get(monitor) {
             Some(what) => Singularity::Degeneracy(*what),
-            None => Singularity::Bifurcation(Bifurcation::of(monitor - Degeneracy::ALL.len())),
+            None => Singularity::Bifurcation(Bifurcation::ALL[monitor - Degeneracy::ALL.len()]),
         }
     }
 

@@ -5,7 +5,7 @@
 //! [`PatternPlane`] the functions whose zeros are bifurcations over two; a [`FollowedOrbit`] is what is known
 //! of a solution. Not here: how a curve is followed (`curve`, `follow`).
 
-use std::fmt::Debug;
+use std::{f64::consts::TAU, fmt::Debug};
 
 use super::Bifurcation;
 use crate::{
@@ -33,6 +33,11 @@ pub trait FollowedOrbit: Clone {
 
     /// The unknowns.
     fn unknowns(&self) -> &[f64];
+
+    /// The same with other unknowns, all else as it was: what follows from the unknowns alone may be asked of
+    /// it.
+    #[must_use]
+    fn moved(&self, unknowns: &[f64]) -> Self;
 
     /// Whether an unknown is an impact time, in radians: whole periods make no difference.
     fn is_time(&self, unknown: usize) -> bool;
@@ -74,9 +79,17 @@ pub trait FollowedOrbit: Clone {
     /// Π (1 + λ), zero where a multiplier is −1.
     fn flip(&self) -> f64;
 
-    /// A function that is zero where two complex multipliers have modulus 1; `None` where there are none that
-    /// could.
-    fn torus(&self) -> Option<f64>;
+    /// One function for each two multipliers: where two complex ones pass the unit circle exactly one of
+    /// these changes sign. They are |λ_2| − 1, |λ_4| − 1, …, the moduli in descending order: continuous,
+    /// whichever multipliers meet and become real or complex on the way; a single real multiplier that passes
+    /// 1 or −1 may change the sign of one, too. 0 where rounding decides: motions without any loss have that
+    /// everywhere.
+    fn circles(&self) -> Vec<f64> {
+        let moduli: Vec<f64> = self.multipliers().iter().map(|(re, im)| re.hypot(*im)).collect();
+        let rounding = NEUTRAL * moduli.first().map_or(1.0, |most| most.max(1.0));
+        let beyond = |modulus: &f64| if (modulus - 1.0).abs() <= rounding { 0.0 } else { modulus - 1.0 };
+        moduli.iter().skip(1).step_by(2).map(beyond).collect()
+    }
 
     /// Whether the two multipliers whose product is nearest to 1 are complex, or equal to rounding: beyond a
     /// double multiplier λ and 1/λ are real, a saddle that keeps areas and no bifurcation.
@@ -86,6 +99,9 @@ pub trait FollowedOrbit: Clone {
     /// multipliers are asked for.
     fn is_at(&self, bifurcation: Bifurcation) -> bool;
 }
+
+/// Closer to the unit circle than this part of the largest multiplier, rounding decides on which side one is.
+const NEUTRAL: f64 = 1e-12;
 
 /// The pattern of the orbits of a family.
 pub type PatternOf<O> = <O as FollowedOrbit>::Pattern;
@@ -113,6 +129,15 @@ pub trait PatternFamily {
     /// The unknowns of an orbit gone round twice, or what a change of them becomes.
     fn twice(&self, pattern: &PatternOf<Self::Orbit>, z: &[f64]) -> Vec<f64>;
 
+    /// The pattern and the unknowns of an orbit gone round once, if these are those of one gone round twice;
+    /// of any other, of its first half, which then is no solution. `None` if the pattern is not twice
+    /// another.
+    fn once(&self, pattern: &PatternOf<Self::Orbit>, z: &[f64])
+    -> Option<(PatternOf<Self::Orbit>, Vec<f64>)>;
+
+    /// Whether an unknown is an impact time, as [`FollowedOrbit::is_time`].
+    fn is_time(&self, pattern: &PatternOf<Self::Orbit>, unknown: usize) -> bool;
+
     /// What an unknown of 1 is, as [`FollowedOrbit::unit`].
     fn unit(&self, _pattern: &PatternOf<Self::Orbit>, _unknown: usize) -> f64 {
         1.0
@@ -126,6 +151,9 @@ pub trait PatternPlane {
 
     /// How many unknowns a pattern has.
     fn count(&self, pattern: &PatternOf<Self::Orbit>) -> usize;
+
+    /// Whether an unknown is an impact time, as [`FollowedOrbit::is_time`].
+    fn is_time(&self, pattern: &PatternOf<Self::Orbit>, unknown: usize) -> bool;
 
     /// What an unknown of 1 is, as [`FollowedOrbit::unit`].
     fn unit(&self, _pattern: &PatternOf<Self::Orbit>, _unknown: usize) -> f64 {
@@ -174,10 +202,10 @@ pub trait PatternPlane {
     }
 }
 
-/// The functions whose zeros are events, in their order, the speeds last; `turn` is the tangent's parameter
-/// component, if there is one parameter. Multipliers grow like 1/V at an impact of small speed V: the product
-/// of the speeds takes the poles away. Π (1 − λ) vanishes with `turn` at a saddle-node, and alone where
-/// branches cross.
+/// The functions whose zeros are events, in their order ([`Bifurcation::of`] says which is which); `turn` is
+/// the tangent's parameter component, if there is one parameter. Multipliers grow like 1/V at an impact of
+/// small speed V: the product of the speeds takes the poles away. Π (1 − λ) vanishes with `turn` at a
+/// saddle-node, and alone where branches cross.
 pub(super) fn monitors(orbit: &impl FollowedOrbit, turn: Option<f64>) -> Vec<Option<f64>> {
     let finite = |x: f64| Some(x).filter(|x| x.is_finite());
     let speeds = orbit.speeds();
@@ -187,9 +215,22 @@ pub(super) fn monitors(orbit: &impl FollowedOrbit, turn: Option<f64>) -> Vec<Opt
         turn.or_else(|| finite(orbit.fold() * scale)),
         turn.and_then(|turn| finite(orbit.fold() * scale / turn)),
         finite(orbit.flip() * scale),
-        orbit.torus(),
+        None,
         orbit.least_gap().filter(|_| incoming),
     ];
     all.extend(speeds.into_iter().map(Some));
+    let mut circles = orbit.circles().into_iter().map(finite);
+    all[Bifurcation::Torus as usize] = circles.next().flatten();
+    all.extend(circles);
     all
+}
+
+/// The periods between the impacts of an orbit gone round once, from the first half of those of one gone
+/// round twice: t_1 is `later` in its second half, and the last impact of the first half closes the circle.
+pub fn halved(first: &[u32], period: u32, later: f64) -> Option<Vec<u32>> {
+    let mut periods = first.to_vec();
+    let last = periods.last_mut()?;
+    *last = u32::try_from(i64::from(*last) + (later / TAU).round() as i64).ok()?;
+    let sum = periods.iter().try_fold(0u32, |sum, periods| sum.checked_add(*periods))?;
+    (sum.checked_mul(2) == Some(period)).then_some(periods)
 }

@@ -41,7 +41,7 @@ pub use admissible::{Admissibility, Check, Minimum, check};
 pub use cubic::{Cubic, polynomial};
 pub use equations::{Linearised, linearise};
 pub use family::Family;
-pub use itinerary::{Itinerary, Strike};
+pub use itinerary::{Itinerary, Strike, counted, natural};
 pub use leg::{Leg, Touch};
 pub use multipliers::{Multipliers, flow_determinant};
 pub use newton::{Root, newton};

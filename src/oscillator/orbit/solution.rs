@@ -11,6 +11,7 @@ use super::{
     Admissibility, Check, Itinerary, Minimum, Multipliers, Oscillator,
     admissible::check,
     equations::linearise,
+    itinerary::counted,
     newton::{Root, newton},
     passage::Unknowns,
 };
@@ -92,6 +93,13 @@ impl Orbit {
             phase: z[0].rem_euclid(2.0 * PI),
             speed: z[1],
         })
+    }
+
+    /// The times t_1, t_2, … of its impacts, in radians, as its pattern counts them: t_1 in [0, 2π), and
+    /// impact i + 1 is 2π n_i + t_{i+1} − t_i after impact i.
+    pub fn times(&self) -> Vec<f64> {
+        let times = self.itinerary.strikes().iter().zip(self.z.chunks(2)).map(|(_, z)| z[0]);
+        counted(&times.collect::<Vec<_>>())
     }
 
     /// Its state at time t: just after the first impact, if `t` is that impact's time; t counts from the
