@@ -182,7 +182,7 @@ mutant one-stop-only 'ConsequencesOscillators.v' --pin StatementOscillator.v <<'
 s/(forall a1 a2, 0 < a2 -> a1 <= - 2 \* sqrt a2 ->/(forall a1 a2, 0 < a2 -> a1 <= - 2 -> a1 <= - 2 * sqrt a2 ->/
 E
 mutant words-without-2 'ConsequencesOscillators.v' --pin StatementOscillator.v <<'E'
-/^Definition Word_oscillator_statement/,/^$/ s/(1 <= n i <= n_max)/(1 <= n i <= 1)/
+/^Definition Word_oscillator_statement/,/^$/ s/(1 <= n i <= n_max)%nat/(n i <= 1)%nat \/\\ &/
 E
 mutant wall-of-another-shape 'ConsequencesOscillators.v' --pin StatementOscillatorOrbits.v <<'E'
 s/q i (t i) = (1 + mu) \* cos (t i) - 1/q i (t i) = (1 + mu) * cos (t j) - 1/
