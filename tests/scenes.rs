@@ -12,6 +12,7 @@ use num_traits::{ToPrimitive, Zero};
 use proptest::{prelude::*, strategy::ValueTree, test_runner::TestRunner};
 
 mod common;
+mod forms;
 
 const GOOD: &str = r#"format = "grazing-scene 1"
 title = "t"

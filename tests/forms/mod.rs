@@ -1,0 +1,406 @@
+//! Every form of a question: one scene in all its equivalent forms, and every column of every report of one
+//! against the other.
+//!
+//! A form is the same mathematical question asked in other keys, units, frames, formats or orders
+//! ([`form`]). Scenes are drawn ([`draw`]) and those of `examples`. [`report`] reads a form's report in the
+//! frame of the scene, and [`compare`] says what differs. `GRAZING_FORMS=all` takes all 200 drawn scenes and
+//! the examples; `7-9` takes the scenes drawn with these seeds; without it a sample is taken.
+
+mod apart;
+mod compare;
+mod draw;
+mod form;
+mod report;
+mod scene;
+
+use std::{collections::BTreeMap, fmt::Write as _};
+
+use grazing::run::Surroundings;
+use rayon::prelude::*;
+use toml::Table;
+
+use compare::{Condition, Count, Difference, sizes};
+use form::{Form, Level};
+use report::{Answer, Cell, Reported, Reports, Texts, answer, reports};
+
+/// Scenes drawn for the whole test, and the seeds of the sample: oscillators with one wall and with two, at
+/// rest and moving, and a machine whose restitution depends on the speed. Those whose motions are integrated
+/// take a hundred times as long: of them the sample has none.
+const DRAWN: u64 = 200;
+const SAMPLE: [u64; 7] = [3, 8, 11, 13, 19, 24, 25];
+/// The first seed.
+const FIRST: u64 = 1;
+
+/// How much a coefficient is changed to see how a number depends on it: for rounding, some hundred roundings
+/// of a float, and what the steps of an integrator with a tolerance of 10⁻¹² leave of a motion.
+const ROUNDING: f64 = 1.0 / (1u64 << 42) as f64;
+const INTEGRATOR: f64 = 1.0 / (1u64 << 32) as f64;
+/// How many changes are tried of each size.
+const CHANGES: u64 = 3;
+
+/// How many columns of a task are printed that differ in a form.
+const COLUMNS: usize = 3;
+
+/// A difference that is known: part of the form's name and of the task with its column, and the cause.
+struct Known {
+    form: &'static str,
+    column: &'static str,
+    cause: &'static str,
+}
+
+/// What forms are known to differ in. An entry that nothing meets any more is to be taken off: the whole test
+/// fails on it.
+const KNOWN: [Known; 5] = [
+    Known {
+        form: "further coordinate",
+        column: "sec attractors",
+        cause: "exponents of periodic motions are means of samples, which depend on coordinates",
+    },
+    Known {
+        form: "further coordinate",
+        column: "sec exponents",
+        cause: "exponents of periodic motions are means of samples, which depend on coordinates",
+    },
+    Known {
+        form: "not recognised",
+        column: "free ",
+        cause: "a machine of formulas does not list free motions that stops are in the way of, a linear one does",
+    },
+    Known {
+        form: "never met",
+        column: "",
+        cause: "tolerances of machines are relative to the gap of the farthest stop",
+    },
+    Known {
+        form: "",
+        column: ".reason",
+        cause: "of an oscillator rounding says whether an impact of speed 0 comes in, and a gap of 0 is open",
+    },
+];
+
+impl Known {
+    fn is(&self, (_, form, difference): &(String, &str, Difference)) -> bool {
+        let column = format!("{} {}", difference.task, difference.column);
+        form.contains(self.form) && column.contains(self.column)
+    }
+}
+
+/// What came of a scene's forms.
+#[derive(Default)]
+struct Outcome {
+    differences: Vec<(String, &'static str, Difference)>,
+    counts: BTreeMap<&'static str, (usize, Count)>,
+    /// Whether there is an orbit with impacts, an event and a grazing.
+    holds: [bool; 3],
+}
+
+impl Outcome {
+    fn add(&mut self, other: Outcome) {
+        self.differences.extend(other.differences);
+        for (name, (pairs, count)) in other.counts {
+            let (all, sum) = self.counts.entry(name).or_default();
+            *all += pairs;
+            sum.add(count);
+        }
+    }
+}
+
+fn run(scene: &Table) -> Result<Reports, String> {
+    reports(&toml::to_string(scene).expect("a table"), Surroundings::default())
+}
+
+/// The scene with orbits of one impact per period from where a search finds one at F = 1: what a search
+/// from random starts finds is no column, but all that begins there is.
+fn prepared(mut scene: Table) -> Table {
+    let is_one = |orbit: &toml::Value| {
+        orbit
+            .get("pattern")
+            .and_then(|all| all.as_array())
+            .is_some_and(|all| all[..] == [toml::Value::Integer(1)])
+    };
+    let one =
+        |task: &&toml::Value| task.get("orbit").is_some_and(is_one) && task["name"].as_str() == Some("one");
+    let Some(task) = scene["tasks"].as_array().and_then(|all| all.iter().find(one)).cloned() else {
+        return scene;
+    };
+    let mut search = scene.clone();
+    search.insert("tasks".into(), vec![task].into());
+    let Ok(found) = run(&search) else { return scene };
+    let report = serde_json::to_value(&found.0[0].report).expect("a report");
+    let rows: Vec<&serde_json::Value> = report["orbits"].as_array().into_iter().flatten().collect();
+    let at_one = |row: &&&serde_json::Value| row["value"].as_f64() == Some(1.0);
+    let good = rows.iter().filter(at_one).find(|row| row["admissible"] == true);
+    let Some(row) = good.or(rows.iter().find(at_one)) else { return scene };
+    let start =
+        [&row["phases"][0], &row["speeds"][0]].map(|x| toml::Value::Float(x.as_f64().expect("a number")));
+    let fill = |holder: &mut Table| {
+        if let Some(orbit) = holder.get_mut("orbit").filter(|orbit| is_one(orbit)) {
+            orbit.as_table_mut().expect("a table").insert("start".into(), start.to_vec().into());
+        }
+    };
+    for task in scene::list(&mut scene, "tasks") {
+        fill(task);
+        scene::list(task, "starts").for_each(fill);
+    }
+    scene
+}
+
+/// The answers of a scene's tasks by their names.
+fn answers(reports: &Reports, view: &report::View, texts: Texts) -> BTreeMap<String, Answer> {
+    reports.0.iter().map(|one| (one.report.task.clone(), answer(one, view, texts))).collect()
+}
+
+/// Without the columns and tables that mean something else in a form.
+fn without(answer: &Answer, other: &[&str]) -> Answer {
+    let left = |table: &str, name: &str| {
+        let is = |known: &&str| match known.split_once('.') {
+            Some((only, column)) => (only, column) == (table, name),
+            None => name == *known || name.starts_with(&format!("{known} ")),
+        };
+        !other.iter().any(is)
+    };
+    let mut tables = Answer::new();
+    for (table, rows) in answer.iter().filter(|(table, _)| left("", table)) {
+        let kept = |row: &report::Row| {
+            let cells = row.iter().filter(|(name, _)| left(table, name));
+            cells.map(|(name, cell)| (name.clone(), cell.clone())).collect()
+        };
+        tables.insert(table.clone(), rows.iter().map(kept).collect());
+    }
+    tables
+}
+
+/// A scene against all its forms.
+fn compared(name: &str, scene: &Table) -> Outcome {
+    let base = form::base(scene);
+    let mut outcome = Outcome::default();
+    let own = match run(&base) {
+        Ok(own) => own,
+        Err(refusal) => panic!("{name}: {refusal}"),
+    };
+    let view = report::View::of(&base);
+    let changed = |delta: f64| -> Vec<Reports> {
+        let changed =
+            |i| run(&form::changed(&base, delta, i)).unwrap_or_else(|refusal| panic!("{name}: {refusal}"));
+        (1..=CHANGES).map(changed).collect()
+    };
+    let forms = form::forms(&base);
+    let rounding = changed(ROUNDING);
+    let integrator = if forms.iter().any(|form| form.level == Level::Integrator) {
+        changed(INTEGRATOR)
+    } else {
+        Vec::new()
+    };
+    for form in forms {
+        let changes: Changes = (&rounding, &integrator);
+        let mut count = Count::default();
+        let mut say = |difference| outcome.differences.push((name.to_string(), form.name, difference));
+        match run(&form.scene) {
+            Err(refusal) => say(Difference {
+                task: String::new(),
+                column: "the scene".into(),
+                what: format!("refused: {refusal}"),
+            }),
+            Ok(other) if form.level == Level::Same => {
+                for one in &other.0 {
+                    let same =
+                        own.0.iter().find(|known| known.report.task == one.report.task).map(Reported::whole);
+                    count.compared += 1;
+                    if same.as_ref() != Some(&one.whole()) {
+                        let what = format!("{:?} for {same:?}", one.whole());
+                        say(Difference { task: one.report.task.clone(), column: "all".into(), what });
+                    }
+                }
+            }
+            Ok(other) => {
+                let all = against((&own, &view), changes, &form, &other, &mut count);
+                all.into_iter().for_each(say);
+            }
+        }
+        let (pairs, sum) = outcome.counts.entry(form.name).or_default();
+        *pairs += 1;
+        sum.add(count);
+    }
+    let (all, compared) = apart::differences(&base);
+    const APART: &str = "threads, shards, resumed";
+    outcome.differences.extend(all.into_iter().map(|one| (name.to_string(), APART, one)));
+    outcome.counts.insert(APART, (1, Count { compared, undecided: 0 }));
+    let own = answers(&own, &view, Texts::Words);
+    outcome.holds = holds(&own);
+    let contradicting = contradictions(&own);
+    outcome
+        .differences
+        .extend(contradicting.into_iter().map(|one| (name.to_string(), "rows by themselves", one)));
+    outcome
+}
+
+/// The scene's reports with its coefficients changed as by rounding, and as by an integrator.
+type Changes<'a> = (&'a [Reports], &'a [Reports]);
+
+fn against(
+    (own, view): (&Reports, &report::View),
+    (rounding, integrator): Changes,
+    form: &Form,
+    other: &Reports,
+    count: &mut Count,
+) -> Vec<Difference> {
+    let read = |reports: &Reports, view: &report::View| -> BTreeMap<String, Answer> {
+        let all = answers(reports, view, form.texts);
+        all.into_iter().map(|(task, answer)| (task, without(&answer, &form.other))).collect()
+    };
+    // The reach is a length of the branch, in format 1 in the form's own units, of machines in the parameter.
+    let beyond: Vec<String> = own.0.iter().chain(&other.0).filter_map(Reported::beyond_reach).collect();
+    let kinds: BTreeMap<&str, &str> = own.0.iter().map(|one| (&*one.report.task, one.report.kind)).collect();
+    let (own, other) = (read(own, view), read(other, &form.view));
+    let [rounding, integrator] =
+        [rounding, integrator].map(|all| all.iter().map(|reports| read(reports, view)).collect::<Vec<_>>());
+    let sizes = sizes(own.values());
+    let mut all = Vec::new();
+    for (task, answer) in &own {
+        // Tasks that the form does not have are in its table.
+        let Some(other) = other.get(task) else { continue };
+        if form.texts == Texts::Presence && beyond.contains(task) {
+            count.undecided += 1;
+            continue;
+        }
+        let (delta, changed) = match form.level {
+            Level::Exact if form.rounded.contains(&kinds[&**task]) => (ROUNDING, &rounding[..]),
+            Level::Same | Level::Exact => (0.0, &[][..]),
+            Level::Rounding => (ROUNDING, &rounding[..]),
+            Level::Integrator => (INTEGRATOR, &integrator[..]),
+        };
+        let changed = changed.iter().filter_map(|answers| answers.get(task)).collect();
+        let condition = Condition { answer, changed, delta, common: form.common, sizes: &sizes };
+        all.extend(condition.differences(task, other, count));
+    }
+    all
+}
+
+/// Rows whose pattern does not fit their phases: a flight that ends before it begins, or a sum of flights
+/// that is no whole number of periods.
+fn contradictions(answers: &BTreeMap<String, Answer>) -> Vec<Difference> {
+    let mut all = Vec::new();
+    for (task, answer) in answers {
+        for (table, rows) in answer {
+            for (i, row) in rows.iter().enumerate() {
+                let Some(Cell::Impacts(impacts)) = row.get("impacts") else { continue };
+                let sum: f64 = impacts.iter().map(|impact| impact.flight).sum();
+                let whole = (sum - sum.round()).abs() <= 1e-12 * sum.abs();
+                if !whole || impacts.iter().any(|impact| impact.flight < -1e-12) {
+                    let column = format!("{table}[{i}].impacts");
+                    all.push(Difference { task: task.clone(), column, what: format!("{impacts:?}") });
+                }
+            }
+        }
+    }
+    all
+}
+
+/// Whether a scene has an orbit with impacts, an event and a grazing.
+fn holds(answers: &BTreeMap<String, Answer>) -> [bool; 3] {
+    let rows = |tables: &[&str]| {
+        let tables: Vec<String> = tables.iter().map(ToString::to_string).collect();
+        answers.values().flat_map(move |answer| {
+            tables.clone().into_iter().filter_map(|table| answer.get(&table)).flatten().collect::<Vec<_>>()
+        })
+    };
+    let impacting = rows(&["orbits"])
+        .any(|row| matches!(row.get("impacts"), Some(Cell::Impacts(all)) if !all.is_empty()))
+        || rows(&["attractors"]).any(
+            |row| !matches!(row.get("impacts"), Some(Cell::Word(word)) if word == "0" || word == "null"),
+        );
+    let event = rows(&["found", "labels"]).next().is_some();
+    let grazing = answers.values().any(|answer| answer[""][0].contains_key("acceleration"));
+    [impacting, event, grazing]
+}
+
+/// The scenes that are taken.
+fn wanted() -> Vec<(u64, draw::Drawn)> {
+    let all = (FIRST..FIRST + DRAWN).map(|seed| (seed, draw::drawn(seed)));
+    match std::env::var("GRAZING_FORMS").as_deref() {
+        Ok("all") => all.collect(),
+        Ok(seeds) => {
+            let (from, to) = seeds.split_once('-').unwrap_or((seeds, seeds));
+            let [from, to] =
+                [from, to].map(|seed| seed.parse::<u64>().expect("GRAZING_FORMS is all, 7 or 7-9"));
+            (from..=to).map(|seed| (seed, draw::drawn(seed))).collect()
+        }
+        Err(_) => all.filter(|(seed, _)| SAMPLE.contains(seed)).collect(),
+    }
+}
+
+fn told(outcome: &Outcome) -> String {
+    let mut text = String::new();
+    let _ = writeln!(
+        text,
+        "{:44} {:>6} {:>9} {:>10} {:>9}",
+        "form", "pairs", "compared", "undecided", "differing"
+    );
+    for (name, (pairs, count)) in &outcome.counts {
+        let differing = |difference: &&(String, &str, Difference)| difference.1 == *name;
+        let mut scenes: Vec<&String> =
+            outcome.differences.iter().filter(differing).map(|all| &all.0).collect();
+        scenes.dedup();
+        let _ = writeln!(
+            text,
+            "{name:44} {pairs:>6} {:>9} {:>10} {:>9}",
+            count.compared,
+            count.undecided,
+            scenes.len()
+        );
+    }
+    text
+}
+
+#[test]
+#[ignore = "differences are left: .ci/full runs it and lists them"]
+fn every_form_of_a_drawn_scene_has_one_answer() {
+    let wanted = wanted();
+    let count = wanted.len() as u64;
+    println!("seeds {:?}", wanted.iter().map(|(seed, _)| seed).collect::<Vec<_>>());
+    for (forms, what, why) in form::BY_DESIGN {
+        println!("not compared ({forms}): {what}: {why}");
+    }
+    for (column, why) in report::NOT_COMPARED {
+        println!("column not compared: {column}: {why}");
+    }
+    let all: Vec<Outcome> = wanted
+        .into_par_iter()
+        .map(|(seed, drawn)| {
+            let scene: Table =
+                toml::from_str(&drawn.text).unwrap_or_else(|error| panic!("{error}\n{}", drawn.text));
+            compared(&format!("seed {seed}, {:?}", drawn.system), &prepared(scene))
+        })
+        .collect();
+    let mut holds = [0; 3];
+    let mut whole = Outcome::default();
+    for outcome in all {
+        holds.iter_mut().zip(outcome.holds).for_each(|(count, has)| *count += u64::from(has));
+        whole.add(outcome);
+    }
+    println!("{}", told(&whole));
+    println!("with impacts, an event, a grazing: {holds:?} of {count}");
+    // Of a task that differs as a whole the first columns tell enough.
+    let mut told: BTreeMap<(&str, &str, &str), usize> = BTreeMap::new();
+    for (scene, form, Difference { task, column, what }) in &whole.differences {
+        let count = told.entry((scene, form, task)).or_default();
+        *count += 1;
+        if *count <= COLUMNS {
+            println!("{scene}: {form}: {task} {column}: {what}");
+        }
+    }
+    assert!(
+        holds.iter().all(|has| 2 * has >= count),
+        "{holds:?} of {count} scenes have something to compare"
+    );
+    for Known { form, column, cause } in &KNOWN {
+        println!("known to differ ({form}, {column}): {cause}");
+    }
+    let new: Vec<_> =
+        whole.differences.iter().filter(|one| !KNOWN.iter().any(|known| known.is(one))).collect();
+    assert!(new.is_empty(), "{} columns differ, the first: {:?}", new.len(), new[0]);
+    if std::env::var("GRAZING_FORMS").is_ok_and(|which| which == "all") {
+        let gone = KNOWN.iter().find(|known| !whole.differences.iter().any(|one| known.is(one)));
+        assert!(gone.is_none_or(|known| panic!("no longer differs: {}", known.cause)));
+    }
+}

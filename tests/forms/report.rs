@@ -1,0 +1,743 @@
+//! What a run reports, every column of it, in one frame: the units, phases, sides and names of the scene that
+//! a form was made from.
+
+use std::{collections::BTreeMap, f64::consts::TAU};
+
+use grazing::{
+    Result,
+    machine::{MachineState, simulate::MachineEvent},
+    oscillator::{Time, flow::State, simulate::Event},
+    run::{Findings, Job, Keeper, SectionSet, Surroundings, TaskReport, run_task},
+    scene::Scene,
+};
+use serde_json::Value;
+use toml::Table;
+
+use super::scene::{LENGTH, ONE, SPEED, Unit, coordinates, is_machine};
+
+/// Columns that are not compared, and why.
+pub const NOT_COMPARED: [(&str, &str); 19] = [
+    ("task", "it is what rows are put together by"),
+    ("kind", "it is in the scene"),
+    ("place", "a line of the file"),
+    ("parameters", "as they stand in the scene"),
+    ("effects", "work, not results: compared where the work is the same"),
+    ("files", "nothing is kept"),
+    ("residual", "what rounding left"),
+    ("newton_steps", "work"),
+    ("length", "of a curve whose metric is that of the form's unknowns"),
+    ("points", "of such a curve"),
+    ("minimum_depth", "a setting"),
+    ("method", "work: the eigenvectors of one form or another"),
+    ("condition", "of these eigenvectors"),
+    ("oscillating", "of these modes"),
+    ("grid", "as it stands in the scene"),
+    ("plane", "as it stands in the scene"),
+    ("varied", "as it stands in the scene"),
+    ("width", "of an enclosure: `parameter` has its certain digits"),
+    ("only_within", "the size of a box that the search chose"),
+];
+
+/// Of proofs: texts of a file, and ends of enclosures that need not be the same to be true.
+const OF_CERTIFICATES: [&str; 4] = ["certificate", "no_certificate", "lower", "upper"];
+
+/// How a form's report is read in the frame of the scene that it was made from.
+#[derive(Debug, Clone)]
+pub struct View {
+    /// What a length, a time and a mass are in the form, if they are 1 in the scene.
+    pub length: f64,
+    pub time: f64,
+    pub mass: f64,
+    /// Whether displacements have the other sign.
+    pub mirrored: bool,
+    /// The time in the scene at which the form's is 0, as a fraction of the period.
+    pub shift: f64,
+    /// Periods of the scene in one of the form.
+    pub rounds: f64,
+    /// The form's names for the walls of the scene, in its order.
+    pub walls: Vec<String>,
+    /// The names of the form's walls, in its own order.
+    pub own_walls: Vec<String>,
+    /// A wall of the form that is not the scene's.
+    pub far: Option<String>,
+    /// The form's names for the parameters of the scene.
+    pub parameters: Vec<String>,
+    /// Coordinates of the scene: further ones are not compared.
+    pub coordinates: usize,
+    /// Multipliers of further coordinates.
+    pub further: Vec<[f64; 2]>,
+    /// The scene's displacement and velocity where the form's are 0, by phase.
+    pub moving: Vec<Moving>,
+    /// Whether phases are radians.
+    pub radians: bool,
+}
+
+/// A term of what a form's displacements are counted from, per unit of the parameter F.
+#[derive(Debug, Clone, Copy)]
+pub struct Moving {
+    pub k: f64,
+    pub cos: f64,
+    pub sin: f64,
+}
+
+impl View {
+    /// The scene as it is.
+    pub fn of(scene: &Table) -> View {
+        let machine = is_machine(scene);
+        let none = Vec::new();
+        let walls = scene.get("walls").and_then(toml::Value::as_array).unwrap_or(&none);
+        let key = if machine { "name" } else { "side" };
+        let name = |(i, wall): (usize, &toml::Value)| {
+            wall.get(key).and_then(toml::Value::as_str).map_or_else(|| format!("{}", i + 1), String::from)
+        };
+        let names: Vec<String> = walls.iter().enumerate().map(name).collect();
+        View {
+            length: 1.0,
+            time: 1.0,
+            mass: 1.0,
+            mirrored: false,
+            shift: 0.0,
+            rounds: 1.0,
+            walls: names.clone(),
+            own_walls: names,
+            far: None,
+            parameters: scene
+                .get("parameters")
+                .and_then(toml::Value::as_table)
+                .map_or_else(Vec::new, |all| all.keys().cloned().collect()),
+            coordinates: coordinates(scene),
+            further: Vec::new(),
+            moving: Vec::new(),
+            radians: !machine,
+        }
+    }
+
+    fn in_units(&self, x: f64, Unit(length, time, mass): Unit) -> f64 {
+        x / (self.length.powi(length) * self.time.powi(time) * self.mass.powi(mass))
+    }
+
+    fn signed(&self, x: f64, unit: Unit) -> f64 {
+        self.in_units(if self.mirrored { -x } else { x }, unit)
+    }
+
+    /// A phase of the form as a fraction of the scene's period, from 0.
+    fn phase(&self, x: f64) -> f64 {
+        let part = if self.radians { x / TAU } else { x };
+        (part * self.rounds + self.shift).rem_euclid(1.0)
+    }
+
+    /// The wall's place in the scene.
+    fn wall(&self, name: &str) -> String {
+        match self.walls.iter().position(|wall| wall == name) {
+            Some(i) => format!("wall {i}"),
+            None if self.far.as_deref() == Some(name) => "far".into(),
+            None => format!("unknown wall {name}"),
+        }
+    }
+}
+
+/// An impact of an orbit.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Impact {
+    /// A fraction of the period.
+    pub phase: f64,
+    /// Periods to the next impact.
+    pub flight: f64,
+    pub speed: f64,
+    pub wall: String,
+}
+
+/// A number or word of a report.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Cell {
+    Number(f64, Unit),
+    /// Modulo 1.
+    Phase(f64),
+    Word(String),
+    /// In any order.
+    Multipliers(Vec<[f64; 2]>),
+    /// Of an orbit, whichever is called the first.
+    Impacts(Vec<Impact>),
+}
+
+/// Cells by their columns.
+pub type Row = BTreeMap<String, Cell>;
+
+/// What is said of a task: its table "" has one row, of what is in no table.
+pub type Answer = BTreeMap<String, Vec<Row>>;
+
+/// A motion as it was kept.
+#[derive(Default)]
+struct Series {
+    samples: Vec<(f64, Vec<f64>, Vec<f64>)>,
+    events: Vec<(&'static str, f64, Option<usize>, f64)>,
+}
+
+impl Keeper for Series {
+    fn sample(&mut self, time: Time, state: State) -> Result<()> {
+        self.samples.push((time.periods(), vec![state.q], vec![state.u]));
+        Ok(())
+    }
+
+    fn event(&mut self, event: &Event) -> Result<()> {
+        let (word, speed) = match event {
+            Event::Impact(impact) => ("impact", impact.velocity),
+            Event::Tangency(_) => ("tangency", 0.0),
+            Event::Stick(_) => ("stick", 0.0),
+            Event::Release(_) => ("release", 0.0),
+            _ => return Ok(()),
+        };
+        let side = event.side().map(|side| usize::from(side.name() == "upper"));
+        self.events.push((word, event.time().map_or(f64::NAN, |time| time.periods()), side, speed));
+        Ok(())
+    }
+
+    fn machine_sample(&mut self, time: Time, state: &MachineState) -> Result<()> {
+        self.samples.push((time.periods(), state.q.as_slice().to_vec(), state.u.as_slice().to_vec()));
+        Ok(())
+    }
+
+    fn machine_event(&mut self, event: &MachineEvent) -> Result<()> {
+        let (word, time, stop, speed) = match event {
+            MachineEvent::Impact(impact) => ("impact", impact.time, impact.stop, impact.velocity),
+            MachineEvent::Tangency(tangency) => ("tangency", tangency.time, tangency.stop, 0.0),
+            MachineEvent::Touch(touch) => ("touch", touch.time, touch.stop, touch.velocity),
+            MachineEvent::Stick(stick) => ("stick", stick.time, stick.stop, 0.0),
+            MachineEvent::Release(release) => ("release", release.time, release.stop, 0.0),
+            _ => return Ok(()),
+        };
+        self.events.push((word, time.periods(), Some(stop), speed));
+        Ok(())
+    }
+}
+
+/// What a scene's run reports of each task.
+pub struct Reports(pub Vec<Reported>);
+
+/// What a run reports of a task.
+pub struct Reported {
+    pub report: TaskReport,
+    series: Series,
+}
+
+impl Reported {
+    /// The task's name, if an event was not found within its reach.
+    pub fn beyond_reach(&self) -> Option<String> {
+        let reason = self.report.status.reason().unwrap_or_default();
+        (self.report.kind == "event" && reason.contains("beyond reach")).then(|| self.report.task.clone())
+    }
+
+    /// All that there is, but for what depends on where the task stands, as text.
+    pub fn whole(&self) -> String {
+        let TaskReport { task, status, findings, warnings, effects, .. } = &self.report;
+        format!("{task} {status:?} {findings:?} {warnings:?} {effects:?}")
+    }
+}
+
+/// Runs all tasks.
+///
+/// # Errors
+/// The refusal of the scene.
+pub fn reports(text: &str, around: Surroundings) -> std::result::Result<Reports, String> {
+    let scene = Scene::from_toml(text, "scene.toml").map_err(|error| error.to_string())?;
+    let mut all = Vec::new();
+    for task in &scene.tasks {
+        let job = Job::new(&scene, task, around).map_err(|error| error.to_string())?;
+        let mut series = Series::default();
+        all.push(Reported { report: run_task(&job, &mut series), series });
+    }
+    Ok(Reports(all))
+}
+
+/// How far the wall is that is never met.
+pub const FAR: f64 = 1_048_576.0;
+
+/// Which texts say the same in another form.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Texts {
+    /// Their words, numbers apart.
+    Words,
+    /// That there is one.
+    Presence,
+}
+
+/// A report in the frame of the scene.
+pub fn answer(one: &Reported, view: &View, texts: Texts) -> Answer {
+    let reader = Reader { view, texts, kind: one.report.kind };
+    let whole = serde_json::to_value(&one.report).expect("a report");
+    let mut tables = Answer::new();
+    let mut head = Row::new();
+    for (name, value) in whole.as_object().expect("an object") {
+        let rows = value.as_array().filter(|all| all.first().is_some_and(Value::is_object) || is_table(name));
+        match rows {
+            Some(rows) => {
+                let rows = rows.iter().map(|row| reader.row(row)).filter(|row| !reader.is_far(row));
+                tables.insert(name.clone(), rows.collect());
+            }
+            None => reader.cell(name, value, &whole, &mut head),
+        }
+    }
+    if one.report.kind == "simulate" {
+        reader.simulated(&whole, &mut head, &mut tables);
+        reader.series(&one.series, &mut head, &mut tables);
+    }
+    reader.points(one, &mut tables);
+    tables.insert(String::new(), vec![head]);
+    tables
+}
+
+/// Names of tables, empty or not.
+fn is_table(name: &str) -> bool {
+    ["orbits", "missing", "attractors", "further_orbits", "found", "without", "born", "basins", "windows"]
+        .contains(&name)
+        || ["coexisting", "starts", "labels", "proofs", "stops", "modes", "exponents"].contains(&name)
+}
+
+struct Reader<'a> {
+    view: &'a View,
+    texts: Texts,
+    kind: &'a str,
+}
+
+impl Reader<'_> {
+    fn row(&self, row: &Value) -> Row {
+        let mut cells = Row::new();
+        for (name, value) in row.as_object().expect("a row") {
+            self.cell(name, value, row, &mut cells);
+        }
+        cells
+    }
+
+    /// Whether the row is about a wall that the scene does not have.
+    fn is_far(&self, row: &Row) -> bool {
+        row.get("stop") == Some(&Cell::Word("far".into()))
+    }
+
+    fn number(&self, name: &str, value: &Value, unit: Unit, cells: &mut Row) {
+        let Some(x) = value.as_f64() else { return self.word(name, value, cells) };
+        cells.insert(name.into(), Cell::Number(self.view.in_units(x, unit), unit));
+    }
+
+    fn word(&self, name: &str, value: &Value, cells: &mut Row) {
+        let word = value.as_str().map_or_else(|| value.to_string(), String::from);
+        cells.insert(name.into(), Cell::Word(word));
+    }
+
+    fn text(&self, name: &str, value: &Value, cells: &mut Row) {
+        let word = match (self.texts, value.as_str()) {
+            (_, None) => value.to_string(),
+            (Texts::Presence, Some(_)) => "a text".into(),
+            (Texts::Words, Some(text)) => skeleton(text, self.view),
+        };
+        cells.insert(name.into(), Cell::Word(word));
+    }
+
+    /// A column, or several, of a row.
+    fn cell(&self, name: &str, value: &Value, row: &Value, cells: &mut Row) {
+        let view = self.view;
+        if NOT_COMPARED.iter().any(|(known, _)| *known == name) {
+            return;
+        }
+        match (self.kind, name) {
+            // Format 1 says it but for the tangency.
+            ("event", "admissible")
+                if self.texts == Texts::Presence && row.get("acceleration").is_some_and(|x| !x.is_null()) => {
+            }
+            ("validate", "status" | "verdict")
+                if self.texts == Texts::Presence && value.as_str() == Some("refuted") =>
+            {
+                self.word(name, &Value::from("undecided"), cells);
+            }
+            ("validate", name) if OF_CERTIFICATES.contains(&name) => {}
+            ("validate", "phases" | "speeds" | "solution") => self.enclosed(name, value, cells),
+            ("validate", "trace" | "det" | "parameter") | (_, "entropy") => {
+                let number = value.as_str().and_then(|digits| digits.parse::<f64>().ok());
+                self.number(name, &number.map_or(Value::Null, Value::from), ONE, cells);
+            }
+            (_, "pattern" | "orbit") if row.get("phases").is_none_or(Value::is_null) => {
+                let Some(text) = value.as_str() else { return self.word(name, value, cells) };
+                let mut strikes = self.strikes(text);
+                strikes.sort();
+                let walls: Vec<String> = strikes.iter().map(|(_, wall)| wall.clone()).collect();
+                let periods: u32 = strikes.iter().map(|(periods, _)| periods).sum();
+                // In halves the map of two walls counts either of them.
+                cells.insert(name.into(), Cell::Word(format!("{periods} periods, {walls:?}")));
+            }
+            (_, "pattern" | "speeds") if row.get("phases").is_some_and(|all| !all.is_null()) => {}
+            (_, "speeds") => {
+                let mut all: Vec<f64> =
+                    numbers(value).iter().map(|&speed| view.in_units(speed, SPEED)).collect();
+                all.sort_by(f64::total_cmp);
+                for (i, speed) in all.into_iter().enumerate() {
+                    cells.insert(format!("speeds {i}"), Cell::Number(speed, SPEED));
+                }
+            }
+            (_, "phases") if value.is_array() => {
+                cells.insert("impacts".into(), Cell::Impacts(self.impacts(row)));
+            }
+            (_, "lambda1") if value.is_array() => {
+                cells.insert("multipliers".into(), self.multipliers(&[value, &row["lambda2"]]));
+            }
+            (_, "lambda2") => {}
+            (_, "multipliers" | "eigenvalues") if value.is_array() => {
+                let all: Vec<&Value> = value.as_array().expect("a list").iter().collect();
+                cells.insert("multipliers".into(), self.multipliers(&all));
+            }
+            (_, "lambda1" | "multipliers") => self.word("multipliers", value, cells),
+            (_, "matrix" | "A") => self.matrix(value, cells),
+            (_, "B" | "C") => self.vector(name, value, cells),
+            ("section", "chaos") => self.word(name, value, cells),
+            (_, "chaos") if value.is_array() => {
+                for (i, side) in value.as_array().into_iter().flatten().enumerate() {
+                    for (column, cell) in self.row(side) {
+                        cells.insert(format!("chaos {i} {column}"), cell);
+                    }
+                }
+            }
+            (
+                _,
+                "reason" | "side" | "backward" | "forward" | "open" | "chaos_open" | "label" | "warnings",
+            ) => match value.as_array() {
+                Some(all) => {
+                    (0..).zip(all).for_each(|(i, text)| self.text(&format!("{name} {i}"), text, cells))
+                }
+                None => self.text(name, value, cells),
+            },
+            (_, "wall" | "stop" | "nearest_stop") => {
+                // Both are one column: the wall of a grazing.
+                let column = if name == "stop" { "wall" } else { name };
+                match value.as_str() {
+                    Some(wall) if self.kind == "simulate" => {
+                        cells.insert("stop".into(), Cell::Word(view.wall(wall)));
+                    }
+                    Some(wall) if column == "nearest_stop" && view.far.as_deref() == Some(wall) => {
+                        self.word(column, &Value::Null, cells);
+                    }
+                    Some(wall) => drop(cells.insert(column.into(), Cell::Word(view.wall(wall)))),
+                    None => self.word(column, value, cells),
+                }
+            }
+            (_, "parameter") if value.is_string() => {
+                let word = skeleton(value.as_str().expect("a text"), view);
+                cells.insert(name.into(), Cell::Word(word));
+            }
+            (_, "phase") => match value.as_f64() {
+                Some(phase) => drop(cells.insert(name.into(), Cell::Phase(view.phase(phase)))),
+                None => self.word(name, value, cells),
+            },
+            ("simulate", "q" | "u" | "extent" | "impacts" | "tangencies" | "rests" | "stops") => {
+                // Put together with the other format's in `simulated`, but for rows of stops.
+                if row.get("stop").is_some() {
+                    self.number(name, value, ONE, cells);
+                }
+            }
+            ("simulate", "ended_at") => {}
+            ("basins", "q") => self.at_start(name, value, LENGTH, cells),
+            ("basins", "u") => self.at_start(name, value, SPEED, cells),
+            (_, "parameter") | (_, "value" | "found_at" | "start" | "from" | "to") if value.is_f64() => {
+                self.number(name, value, ONE, cells);
+            }
+            (_, "parameters") => {}
+            (_, "acceleration") => self.number(name, value, Unit(1, -2, 0), cells),
+            (_, "least_gap") => self.gap(name, value, cells),
+            (_, "e" | "largest_gap") => self.number(name, value, LENGTH, cells),
+            (_, "fastest") => self.number(name, value, SPEED, cells),
+            (_, "strongest") => self.number(name, value, Unit(1, -1, 1), cells),
+            (_, "gamma" | "period") if value.is_f64() => self.number(name, value, Unit(0, 1, 0), cells),
+            (_, "frequency") => self.number(name, value, Unit(0, -1, 0), cells),
+            (_, _) if value.is_f64() => self.number(name, value, ONE, cells),
+            (_, _) if value.is_array() => {
+                for (i, one) in value.as_array().into_iter().flatten().enumerate() {
+                    self.cell(&format!("{name} {i}"), one, &Value::Null, cells);
+                }
+            }
+            _ => self.word(name, value, cells),
+        }
+        // The parameters of a point, under the name of one.
+        if name == "parameters" {
+            for (i, one) in value.as_array().into_iter().flatten().enumerate() {
+                self.number(&format!("parameter {i}"), one, ONE, cells);
+            }
+        }
+    }
+
+    /// A displacement or velocity where the form's phase is 0.
+    fn at_start(&self, name: &str, value: &Value, unit: Unit, cells: &mut Row) {
+        match value.as_f64() {
+            Some(x) => {
+                let x = self.view.signed(x, unit) + self.carried(name, self.view.shift);
+                cells.insert(name.into(), Cell::Number(x, unit));
+            }
+            None => self.word(name, value, cells),
+        }
+    }
+
+    /// Phases and speeds of a proof, numbers or digits.
+    fn enclosed(&self, name: &str, value: &Value, cells: &mut Row) {
+        let numbers: Vec<f64> = numbers(value);
+        for (i, &x) in numbers.iter().enumerate() {
+            let is_phase = name == "phases" || name == "solution" && i % 2 == 0;
+            let cell = match is_phase {
+                _ if name == "solution" && i + 1 == numbers.len() && i % 2 == 0 => Cell::Number(x, ONE),
+                true => Cell::Phase(self.view.phase(x)),
+                false => Cell::Number(self.view.in_units(x, SPEED), SPEED),
+            };
+            cells.insert(format!("{name} {i}"), cell);
+        }
+    }
+
+    /// The periods and walls of a pattern; of an orbit without impacts its period.
+    fn strikes(&self, pattern: &str) -> Vec<(u32, String)> {
+        let strike = |text: &str| {
+            if let Some(period) = text.strip_prefix("free ") {
+                return (period.parse().expect("a period"), "free".to_string());
+            }
+            let (periods, wall) = text.split_once(' ').unwrap_or((text, ""));
+            // Without a name: the only wall, of two of format 1 the lower.
+            let wall = match wall {
+                "" if self.view.radians && self.kind != "grazing" => self.view.wall("lower"),
+                "" => self.view.wall(self.view.walls.first().map_or("", String::as_str)),
+                name => self.view.wall(name),
+            };
+            (periods.parse().unwrap_or_else(|_| panic!("{pattern}: no pattern")), wall)
+        };
+        pattern.split(',').map(strike).collect()
+    }
+
+    fn impacts(&self, row: &Value) -> Vec<Impact> {
+        let phases: Vec<f64> = numbers(&row["phases"]);
+        let speeds = numbers(&row["speeds"]);
+        let strikes = self.strikes(row["pattern"].as_str().expect("a pattern"));
+        // Patterns of a grazing count periods of what grazes, in its frame.
+        let part = |phase: f64| if self.view.radians { phase / TAU } else { phase };
+        (0..phases.len())
+            .map(|i| {
+                let next = part(phases[(i + 1) % phases.len()]);
+                let (periods, wall) = strikes.get(i % strikes.len()).cloned().expect("a strike");
+                Impact {
+                    phase: self.view.phase(phases[i]),
+                    flight: (f64::from(periods) + next - part(phases[i])) * self.view.rounds,
+                    speed: self.view.in_units(speeds[i], SPEED),
+                    wall,
+                }
+            })
+            .collect()
+    }
+
+    fn multipliers(&self, all: &[&Value]) -> Cell {
+        let mut all: Vec<[f64; 2]> =
+            all.iter().filter_map(|pair| Some([pair.get(0)?.as_f64()?, pair.get(1)?.as_f64()?])).collect();
+        for further in &self.view.further {
+            let far = |x: &[f64; 2]| (x[0] - further[0]).hypot(x[1] - further[1]);
+            let nearest = (0..all.len()).min_by(|&i, &j| far(&all[i]).total_cmp(&far(&all[j])));
+            if let Some(i) = nearest.filter(|&i| far(&all[i]) <= 1e-6 * further[0].hypot(further[1])) {
+                all.remove(i);
+            }
+        }
+        Cell::Multipliers(all)
+    }
+
+    /// A map in displacements, then velocities.
+    fn matrix(&self, value: &Value, cells: &mut Row) {
+        let rows: Vec<Vec<f64>> = value.as_array().into_iter().flatten().map(numbers).collect();
+        let n = rows.len() / 2;
+        let kept = |i: usize| i % n < self.view.coordinates;
+        for (i, row) in rows.iter().enumerate().filter(|(i, _)| kept(*i)) {
+            for (j, &x) in row.iter().enumerate().filter(|(j, _)| kept(*j)) {
+                let unit = Unit(0, i32::from(j >= n) - i32::from(i >= n), 0);
+                let name = format!("matrix {} {}", entry(i, n), entry(j, n));
+                cells.insert(name, Cell::Number(self.view.in_units(x, unit), unit));
+            }
+        }
+    }
+
+    /// B, which takes the root of a length, or C.
+    fn vector(&self, name: &str, value: &Value, cells: &mut Row) {
+        let all = numbers(value);
+        let n = all.len() / 2;
+        for (i, &x) in all.iter().enumerate().filter(|(i, _)| i % n < self.view.coordinates) {
+            let time = i32::from(i >= n) * if name == "B" { -1 } else { 1 };
+            let root = if name == "B" { self.view.length.sqrt() } else { 1.0 };
+            let x = self.view.signed(x / root, Unit(0, time, 0));
+            cells.insert(format!("{name} {}", entry(i, n)), Cell::Number(x, Unit(0, time, 0)));
+        }
+    }
+
+    /// The gap to a wall that the scene does not have says nothing.
+    fn gap(&self, name: &str, value: &Value, cells: &mut Row) {
+        let far = self.view.far.is_some() && value.as_f64().is_some_and(|gap| gap > 0.5 * FAR);
+        self.number(name, if far { &Value::Null } else { value }, LENGTH, cells);
+    }
+
+    /// Counts and the last state, of which either format has its own.
+    fn simulated(&self, whole: &Value, head: &mut Row, tables: &mut Answer) {
+        for (name, unit) in [("q", LENGTH), ("u", SPEED)] {
+            let all = if whole[name].is_array() {
+                numbers(&whole[name])
+            } else {
+                numbers(&Value::Array(vec![whole[name].clone()]))
+            };
+            for (i, &x) in all.iter().take(self.view.coordinates).enumerate() {
+                let x = self.view.signed(x, unit) + self.carried(name, self.view.shift);
+                head.insert(format!("{name} {i}"), Cell::Number(x, unit));
+            }
+        }
+        for name in ["impacts", "tangencies", "rests"] {
+            let stops = whole["stops"].as_array();
+            let sum = |all: &Vec<Value>| all.iter().filter_map(|stop| stop[name].as_u64()).sum();
+            let count = stops.map_or_else(|| whole[name].as_u64().unwrap_or(0), sum);
+            head.insert(name.into(), Cell::Word(count.to_string()));
+        }
+        if self.view.coordinates != 1 || self.texts == Texts::Words {
+            return;
+        }
+        // Formats 1 and 2 have different tables of the walls and modes.
+        tables.remove("stops");
+        tables.remove("modes");
+        head.remove("period");
+        head.remove("order_matters");
+    }
+
+    /// What displacements and velocities of a moving frame lack, at a phase of the scene.
+    fn carried(&self, name: &str, phase: f64) -> f64 {
+        let term = |&Moving { k, cos, sin }: &Moving| {
+            let (s, c) = (TAU * k * phase).sin_cos();
+            if name == "q" { cos * c + sin * s } else { k * (sin * c - cos * s) }
+        };
+        self.view.moving.iter().map(term).sum()
+    }
+
+    /// Samples and events of a motion, times counted from its beginning.
+    fn series(&self, series: &Series, head: &mut Row, tables: &mut Answer) {
+        let from = series.samples.first().map_or(0.0, |sample| sample.0);
+        // Series of machines have speeds per radian of the forcing.
+        let (per, rounds) = if self.view.radians { (SPEED, 1.0) } else { (LENGTH, self.view.rounds) };
+        let since = |time: f64| (time - from) * self.view.rounds;
+        let mut samples = Vec::new();
+        for (time, q, u) in &series.samples {
+            let phase = since(*time) + self.view.shift;
+            let mut row = Row::from([("time".to_string(), Cell::Number(since(*time), ONE))]);
+            for (name, unit, all) in [("q", LENGTH, q), ("u", per, u)] {
+                for (i, &x) in all.iter().take(self.view.coordinates).enumerate() {
+                    let radians = if name == "u" { rounds } else { 1.0 };
+                    let x = self.view.signed(x / radians, unit) + self.carried(name, phase);
+                    row.insert(format!("{name} {i}"), Cell::Number(x, unit));
+                }
+            }
+            samples.push(row);
+        }
+        let last = samples.last().and_then(|row: &Row| row.get("time").cloned());
+        head.extend(last.map(|time| ("ended_at".to_string(), time)));
+        tables.insert("samples".into(), samples);
+        let events = series.events.iter().map(|(word, time, wall, speed)| {
+            let name = match (self.view.radians, wall) {
+                (true, Some(0)) => "lower",
+                (true, Some(_)) => "upper",
+                (false, Some(i)) => self.view.own_walls.get(*i).map_or("", String::as_str),
+                (_, None) => "",
+            };
+            let speed = self.view.in_units(*speed / rounds, per);
+            Row::from([
+                ("event".to_string(), Cell::Word(format!("{word} {}", self.view.wall(name)))),
+                ("time".to_string(), Cell::Number(since(*time), ONE)),
+                ("speed".to_string(), Cell::Number(speed, per)),
+            ])
+        });
+        tables.insert("events".into(), events.collect());
+    }
+
+    /// Points on the section of periodic motions, and the ends of all starts of a grid.
+    fn points(&self, one: &Reported, tables: &mut Answer) {
+        let point = |set: String, [q, u]: [f64; 2], phase: f64| {
+            Row::from([
+                ("of".to_string(), Cell::Word(set)),
+                (
+                    "q".to_string(),
+                    Cell::Number(self.view.signed(q, LENGTH) + self.carried("q", phase), LENGTH),
+                ),
+                ("u".to_string(), Cell::Number(self.view.signed(u, SPEED) + self.carried("u", phase), SPEED)),
+            ])
+        };
+        match &one.report.findings {
+            Some(Findings::Section(found)) => {
+                let mut rows = Vec::new();
+                for (set, points) in &found.points {
+                    let SectionSet::Attractor(i) = set else { continue };
+                    let Some(period) = found.attractors[*i].period else { continue };
+                    let set = format!("period {}", period as f64 * self.view.rounds);
+                    rows.extend(points.iter().map(|&at| point(set.clone(), at, self.view.shift)));
+                }
+                tables.insert("points".into(), rows);
+            }
+            Some(Findings::Diagram(found)) => {
+                let mut rows = Vec::new();
+                for slice in &found.slices {
+                    for motion in slice.motions.iter().filter(|motion| motion.period.is_some()) {
+                        let set = format!("{} {:?}", slice.value, motion.period);
+                        rows.extend(motion.points.iter().map(|&at| point(set.clone(), at, self.view.shift)));
+                    }
+                }
+                tables.insert("points".into(), rows);
+            }
+            Some(Findings::Basins(found)) => {
+                let end = |i: &usize| {
+                    let row = &found.basins[*i];
+                    format!("{} {:?} {:?}", row.end, row.period, row.impacts)
+                };
+                let mut ends: Vec<String> = found.cells.iter().map(end).collect();
+                if self.view.mirrored {
+                    ends.reverse();
+                }
+                let row = |(i, end): (usize, String)| Row::from([(format!("end {i}"), Cell::Word(end))]);
+                let all = ends.into_iter().enumerate().flat_map(row).collect();
+                tables.insert("cells".into(), vec![all]);
+            }
+            _ => {}
+        }
+    }
+}
+
+fn entry(i: usize, n: usize) -> String {
+    format!("{}{}", if i < n { 'q' } else { 'u' }, i % n + 1)
+}
+
+/// Numbers of a list, also as digits.
+fn numbers(value: &Value) -> Vec<f64> {
+    let number = |value: &Value| value.as_f64().or_else(|| value.as_str()?.parse().ok());
+    value.as_array().into_iter().flatten().filter_map(number).collect()
+}
+
+/// A text without its numbers, walls and parameters by their places.
+fn skeleton(text: &str, view: &View) -> String {
+    let named: Vec<&String> = view.walls.iter().chain(&view.parameters).collect();
+    let mut out = String::new();
+    let mut rest = text;
+    while let Some(c) = rest.chars().next() {
+        let boundary = out.chars().last().is_none_or(|c| !c.is_alphanumeric());
+        let wall = named.iter().position(|wall| {
+            boundary
+                && rest
+                    .strip_prefix(wall.as_str())
+                    .is_some_and(|rest| !rest.starts_with(|c: char| c.is_alphanumeric()))
+        });
+        if let Some(i) = wall {
+            out += &format!("name{i}");
+            rest = &rest[named[i].len()..];
+        } else if c.is_ascii_digit() && boundary {
+            let end =
+                rest.find(|c: char| !c.is_ascii_alphanumeric() && !".+-".contains(c)).unwrap_or(rest.len());
+            out.push('#');
+            rest = &rest[end..];
+        } else {
+            if c != '-' || !rest[1..].starts_with(|c: char| c.is_ascii_digit()) {
+                out.push(c);
+            }
+            rest = &rest[c.len_utf8()..];
+        }
+    }
+    // Patterns of format 1 name the upper wall only.
+    for i in 0..named.len() {
+        out = out.replace(&format!("# name{i}"), "#");
+    }
+    out
+}
