@@ -13,7 +13,7 @@ Proof.
   exact (conj Path (conj W3 (conj W5_neighbours (conj W5 (conj W4 (conj W6 Regions)))))).
 Qed.
 
-Theorem Words_orbits : Word_ends_statement /\ Chaos_statement /\ Shift_orbits_statement /\
+Theorem Words_orbits : Word_ends_statement /\ Cycle_statement /\ Shift_orbits_statement /\
   Word_orbits_statement.
 Proof. exact (conj Word_ends (conj Chaos (conj Shift_orbits Word_orbits))). Qed.
 

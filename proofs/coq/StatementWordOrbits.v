@@ -17,7 +17,7 @@ Definition Word_ends_statement : Prop := forall a1 a2 K, first_upper a1 a2 K -> 
     s < 1/4 on the (+,+) areas of the 1/n (K + 1 follows K). *)
 Definition cycles (a1 a2 : R) (e g : sign) : Prop :=
   two_cycles (fun i j => member a1 a2 e i /\ member a1 a2 e j /\ edge a1 a2 e g i j).
-Definition Chaos_statement : Prop :=
+Definition Cycle_statement : Prop :=
   (forall a1 a2 K, first_upper a1 a2 K ->
    (cycles a1 a2 Minus Plus <-> 0 < a1) /\ ~ cycles a1 a2 Minus Minus) /\
   forall r s, 0 < r <= 1 -> 0 < s < 1 / 2 ->

@@ -135,7 +135,7 @@ Proof.
 Qed.
 End Region3.
 
-Theorem Chaos : Chaos_statement.
+Theorem Chaos : Cycle_statement.
 Proof.
   split; [intros a1 a2 K H; apply (cycles_Minus a1 a2 K H)|]; intros r s Hr Hs.
   split.
