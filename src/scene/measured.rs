@@ -257,6 +257,27 @@ fn record(text: &str) -> std::result::Result<Vec<Sample>, Wrong> {
     Ok(all)
 }
 
+/// Harmonics that leave more than this share of the record's variation do not stand for it: more than half of
+/// the power is elsewhere.
+const UNTOLD: f64 = 0.5;
+
+/// The share of a record's variation, the mean square about its mean, that a model leaves: samples as (phase,
+/// force, weight). 0 for a record that is constant, up to rounding.
+fn untold(samples: &[(f64, f64, f64)], model: impl Fn(f64) -> f64) -> f64 {
+    let over = |value: &dyn Fn(f64, f64) -> f64| {
+        let all = samples.iter().map(|&(phase, force, weight)| weight * value(phase, force));
+        all.sum::<f64>() / samples.iter().map(|sample| sample.2).sum::<f64>()
+    };
+    let mean = over(&|_, force| force);
+    let variation = over(&|_, force| (force - mean).powi(2));
+    let rounding =
+        4.0 * f64::EPSILON * samples.iter().fold(0.0, |most: f64, sample| most.max(sample.1.abs()));
+    if variation <= rounding * rounding {
+        return 0.0;
+    }
+    over(&|phase, force| (force - model(phase)).powi(2)) / variation
+}
+
 /// The harmonics of a record with this period.
 fn fit(record: &[Sample], period: f64, count: usize) -> std::result::Result<MeasuredForce, Wrong> {
     let (first, last) = (record[0].1, record[record.len() - 1].1);
@@ -304,8 +325,12 @@ fn fit(record: &[Sample], period: f64, count: usize) -> std::result::Result<Meas
         row
     };
     let (mut matrix, mut right) = (RealMatrix::zeros(size, size), RealVector::zeros(size));
-    for (i, &(phase, force, _)) in folded.iter().enumerate() {
-        let weight = (gap(i) + gap((i + n - 1) % n)) / 2.0;
+    let weighted: Vec<(f64, f64, f64)> = folded
+        .iter()
+        .enumerate()
+        .map(|(i, &(phase, force, _))| (phase, force, (gap(i) + gap((i + n - 1) % n)) / 2.0))
+        .collect();
+    for &(phase, force, weight) in &weighted {
         let row = row(phase);
         for (a, x) in row.iter().enumerate() {
             right[a] += weight * x * force;
@@ -321,6 +346,16 @@ fn fit(record: &[Sample], period: f64, count: usize) -> std::result::Result<Meas
     let harmonics: Vec<[f64; 2]> = (0..count).map(|k| [solved[2 * k + 1], solved[2 * k + 2]]).collect();
     let model = |phase: f64| row(phase).iter().zip(solved.iter()).map(|(x, c)| x * c).sum::<f64>();
     let residual = folded.iter().map(|&(phase, force, _)| (force - model(phase)).abs()).fold(0.0, f64::max);
+    let untold = untold(&weighted, model);
+    if untold > UNTOLD {
+        let most = used.iter().map(|sample| (sample.2 - solved[0]).abs()).fold(0.0, f64::max);
+        let message = format!(
+            "{count} harmonics of the period {period} leave {:.0} % of the record's variation: up to {residual:.4} of {most:.4}. \
+             Either {period} is not the period of the record (give `period`), or more `harmonics` are needed",
+            100.0 * untold
+        );
+        return Err((used[0].0, message));
+    }
     // Straight lines over the longest step of the record.
     let longest = used.windows(2).map(|pair| pair[1].1 - pair[0].1).fold(0.0, f64::max) * TAU / period;
     let bend: f64 = (1..).zip(&harmonics).map(|(k, [cos, sin])| f64::from(k * k) * cos.hypot(*sin)).sum();
@@ -404,6 +439,33 @@ mod tests {
         assert!(worst >= fitted.residual * (1.0 - 1e-9) && worst <= fitted.bound, "{worst} {fitted:?}");
     }
 
+    /// A force of 80 N, whatever its mean and unit, is told from one folded at a period that is not its own.
+    #[test]
+    fn a_record_folded_at_a_wrong_period_is_refused() {
+        let record = |own: f64, mean: f64, unit: f64| -> Vec<Sample> {
+            let force =
+                |t: f64| unit * (mean + 80.0 * (TAU * t / own).cos() + 8.0 * (2.0 * TAU * t / own).sin());
+            (0..2000).map(|i| (i + 2, 1e-4 * i as f64, force(1e-4 * i as f64))).collect()
+        };
+        for (mean, unit) in [(0.0, 1.0), (1e4, 1.0), (0.0, 2f64.powi(-60)), (-3.0, 2f64.powi(60))] {
+            assert!(
+                fit(&record(0.02, mean, unit), 0.02, 3).unwrap().residual < 1e-9 * unit * (1.0 + mean.abs())
+            );
+            // Twice the period is a period; there are harmonics of it.
+            assert!(fit(&record(0.02, mean, unit), 0.04, 4).is_ok());
+            for wrong in [0.013, 0.0231, 0.017, 0.01, 0.028] {
+                let (line, message) = fit(&record(0.02, mean, unit), wrong, 3).unwrap_err();
+                assert!(
+                    line == 2 && message.contains("is not the period of the record"),
+                    "{wrong}: {message}"
+                );
+            }
+        }
+        // A constant force has no variation, and harmonics that are 0.
+        let flat: Vec<Sample> = (0..50).map(|i| (i + 2, 0.001 * i as f64, 0.1)).collect();
+        assert!(fit(&flat, 0.02, 3).unwrap().residual < 1e-14);
+    }
+
     #[test]
     fn a_record_taken_once_is_even() {
         let even_step = |steps: &[f64]| {
@@ -439,6 +501,7 @@ mod tests {
             ("time;force\n0;1,5\n".into(), "written with a point"),
             (format!("time,force\n{}", rows(30, 0.0005)), "covers 0.7500 of the period"),
             (format!("time,force\n{}", rows(8, 0.0025)), "3 harmonics can be told and not 6"),
+            (format!("time,force\n{}", rows(4000, 0.00051)), "is not the period of the record"),
         ] {
             let found = record(&text).and_then(|record| fit(&record, 0.02, 6)).unwrap_err();
             assert!(found.1.contains(expected), "{text:?}: {found:?}");

@@ -3,7 +3,10 @@
 use crate::{
     error::{Error, Result},
     machine::contact::StopContact,
-    oscillator::branch::ImpactPattern,
+    oscillator::{
+        branch::ImpactPattern,
+        orbit::{sum_of_periods, times_round},
+    },
 };
 
 /// An impact and the periods from its phase to the next one's.
@@ -36,8 +39,7 @@ impl StopPattern {
     /// # Errors
     /// An input error if the periods sum to 0 or to more than 2³² − 1.
     pub fn new(strikes: Vec<StopStrike>) -> Result<StopPattern> {
-        let sum = strikes.iter().try_fold(0u32, |sum, strike| sum.checked_add(strike.periods));
-        let periods = sum.ok_or_else(|| Error::input("the pattern's periods sum to more than 2^32 - 1"))?;
+        let periods = sum_of_periods(strikes.iter().map(|strike| strike.periods))?;
         Self::checked(strikes, periods)
     }
 
@@ -81,10 +83,8 @@ impl ImpactPattern for StopPattern {
         self.strikes.len()
     }
 
-    fn repeated(&self, times: u32) -> StopPattern {
-        StopPattern {
-            strikes: self.strikes.repeat(times as usize),
-            periods: self.periods.saturating_mul(times),
-        }
+    fn repeated(&self, times: u32) -> Result<StopPattern> {
+        let periods = times_round(self.periods, times)?;
+        Ok(StopPattern { strikes: self.strikes.repeat(times as usize), periods })
     }
 }

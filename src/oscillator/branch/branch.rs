@@ -298,7 +298,7 @@ impl<F: PatternFamily + ?Sized> PatternCurve<'_, F> {
                     let (z, last) = u.split_at(u.len() - 1);
                     self.family.twice(&self.itinerary, z).into_iter().chain([last[0]]).collect::<Vec<f64>>()
                 };
-                let born = self.with(self.itinerary.repeated(2));
+                let born = self.with(self.itinerary.repeated(2)?);
                 // The born orbit and the same a period later are two at one parameter, one on each side of
                 // the flip: there the parameter does not change. That the tangent is normal to the old branch
                 // holds only where both halves of the unknowns are swapped by the shift, not where they are a

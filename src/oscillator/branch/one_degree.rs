@@ -38,7 +38,7 @@ impl ImpactPattern for Itinerary {
         self.strikes().len()
     }
 
-    fn repeated(&self, times: u32) -> Itinerary {
+    fn repeated(&self, times: u32) -> Result<Itinerary> {
         Itinerary::repeated(self, times)
     }
 }

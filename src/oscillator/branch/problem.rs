@@ -19,8 +19,10 @@ pub trait ImpactPattern: Clone + PartialEq + Debug {
     fn impacts(&self) -> usize;
 
     /// The same orbit gone round `times` times.
-    #[must_use]
-    fn repeated(&self, times: u32) -> Self;
+    ///
+    /// # Errors
+    /// An input error if the period is more than 2³² − 1.
+    fn repeated(&self, times: u32) -> Result<Self>;
 }
 
 /// A solution of the equations of a pattern.

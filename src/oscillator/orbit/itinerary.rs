@@ -33,9 +33,9 @@ impl Itinerary {
     /// The orbit with these impacts, in this order.
     ///
     /// # Errors
-    /// An input error unless there is one and the periods do not sum to 0.
+    /// An input error if the periods sum to 0 or to more than 2³² − 1.
     pub fn new(strikes: Vec<Strike>) -> Result<Itinerary> {
-        let periods = strikes.iter().map(|strike| strike.periods).sum();
+        let periods = sum_of_periods(strikes.iter().map(|strike| strike.periods))?;
         Self::checked(strikes, periods)
     }
 
@@ -65,10 +65,28 @@ impl Itinerary {
     }
 
     /// The same orbit gone round `times` times.
-    #[must_use]
-    pub fn repeated(&self, times: u32) -> Itinerary {
-        Itinerary { strikes: self.strikes.repeat(times as usize), periods: self.periods * times }
+    ///
+    /// # Errors
+    /// An input error if the period is more than 2³² − 1.
+    pub fn repeated(&self, times: u32) -> Result<Itinerary> {
+        let periods = times_round(self.periods, times)?;
+        Ok(Itinerary { strikes: self.strikes.repeat(times as usize), periods })
     }
+}
+
+/// The sum of a pattern's periods.
+///
+/// # Errors
+/// An input error if it is more than 2³² − 1.
+pub(crate) fn sum_of_periods(periods: impl IntoIterator<Item = u32>) -> Result<u32> {
+    let sum = periods.into_iter().try_fold(0u32, u32::checked_add);
+    sum.ok_or_else(|| Error::input("the pattern's periods sum to more than 2^32 - 1"))
+}
+
+/// The period of an orbit gone round some times: an error as of [`sum_of_periods`].
+pub(crate) fn times_round(periods: u32, times: u32) -> Result<u32> {
+    let all = periods.checked_mul(times);
+    all.ok_or_else(|| Error::input(format!("{times} times {periods} periods are more than 2^32 - 1")))
 }
 
 /// Times of impacts as a pattern counts them, all moved by the whole periods that bring the first into [0,

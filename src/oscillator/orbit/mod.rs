@@ -42,6 +42,7 @@ pub use cubic::{Cubic, polynomial};
 pub use equations::{Linearised, linearise};
 pub use family::Family;
 pub use itinerary::{Itinerary, Strike, counted, natural};
+pub(crate) use itinerary::{sum_of_periods, times_round};
 pub use leg::{Leg, Touch};
 pub use multipliers::{Multipliers, flow_determinant};
 pub use newton::{Root, newton};
