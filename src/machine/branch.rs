@@ -52,9 +52,10 @@ struct Common {
 impl Common {
     fn new(machine: &Machine<f64>, depth: Option<f64>) -> Result<Common> {
         let settings = MachineSettings::default();
-        let size = MachineSimulator::new(machine, &settings)?.scale();
-        let scale = if size > 0.0 && size.is_finite() { size } else { 1.0 };
-        Ok(Common { scale, depth: depth.unwrap_or(RELATIVE_DEPTH * scale) })
+        let simulator = MachineSimulator::new(machine, &settings)?;
+        let size = |size: f64| if size > 0.0 && size.is_finite() { size } else { 1.0 };
+        let (scale, gap) = (size(simulator.scale()), size(simulator.gap_scale()));
+        Ok(Common { scale, depth: depth.unwrap_or(RELATIVE_DEPTH * gap) })
     }
 
     fn orbit(&self, machine: &Machine<f64>, pattern: &StopPattern, root: Root) -> Result<MachineOrbit> {

@@ -10,8 +10,9 @@ use crate::{
     error::Result,
     machine::{
         Machine, MachineState, RealVector,
+        contact::StopContact,
         section::PlanarMachine,
-        simulate::{MachineEvent, MachineSettings, MachineSimulator, RunEnd},
+        simulate::{MachineEvent, MachineSettings, MachineSimulator, PeakForces, RunEnd},
     },
     oscillator::Time,
     scene::simulate::SimulateTask,
@@ -30,8 +31,11 @@ row! {
         pub rests: u64,
         /// The largest speed of an impact, or with which a contact began, in the scene's units.
         pub fastest: f64,
-        /// The largest impulse of an impact, in the scene's units; 0 for a stop that gives way.
-        pub strongest: f64,
+        /// The largest impulse of an impact, in the scene's units; absent for a stop that gives way.
+        pub strongest: Option<f64>,
+        /// The largest force found with which a stop that gives way pushes, in the scene's units; absent for
+        /// a rigid one.
+        pub peak_force: Option<f64>,
         /// The least gap at points of the series.
         pub least_gap: f64,
         /// The largest gap at points of the series.
@@ -213,8 +217,8 @@ const CHUNK: u64 = 16;
 const RELATIVE_DEPTH: f64 = 1e-12;
 
 impl Job<'_> {
-    /// A simulator of a machine. The minimum depth is the scene's, or 10⁻¹² of the size of the gaps' motion,
-    /// starts among it.
+    /// A simulator of a machine. The minimum depth is the scene's, or 10⁻¹² of the size of the gap to the
+    /// nearest stop, or of what starts show at the stops.
     ///
     /// # Errors
     /// Those of [`MachineSimulator::new`].
@@ -230,13 +234,11 @@ impl Job<'_> {
         }
         let simulator = MachineSimulator::new(machine, &settings(RELATIVE_DEPTH))?;
         let gap = |state: &MachineState| {
-            let one = |contact: &crate::machine::contact::StopContact| {
-                let [z, slope] = contact.gap(state);
-                z.abs().max(slope.abs())
-            };
+            let one =
+                |contact: &StopContact| contact.row.dot(&state.q).abs().max(contact.gap(state)[1].abs());
             simulator.contacts().all().iter().map(one).fold(0.0, f64::max)
         };
-        let scale = starts.iter().map(gap).fold(simulator.scale(), f64::max);
+        let scale = starts.iter().map(gap).fold(simulator.gap_scale(), f64::max);
         let scale = if scale > 0.0 && scale.is_finite() { scale } else { 1.0 };
         Ok(simulator.with(settings(RELATIVE_DEPTH * scale)).counting(self.tally.clone()))
     }
@@ -288,13 +290,14 @@ pub fn simulate_machine(
     let mode =
         |&(frequency, damping_ratio): &(f64, f64)| ModeRow { frequency: frequency * cycles, damping_ratio };
     let contacts = simulator.contacts().all();
-    let stop = |contact: &crate::machine::contact::StopContact| StopRow {
+    let stop = |contact: &StopContact| StopRow {
         stop: contact.name.clone(),
         impacts: 0,
         tangencies: 0,
         rests: 0,
         fastest: 0.0,
-        strongest: 0.0,
+        strongest: contact.soft.is_none().then_some(0.0),
+        peak_force: contact.soft.map(|_| 0.0),
         least_gap: f64::INFINITY,
         largest_gap: f64::NEG_INFINITY,
     };
@@ -315,7 +318,7 @@ pub fn simulate_machine(
         minimum_depth: simulator.settings().minimum_depth,
         measured: None,
     };
-    let mut first = None;
+    let (mut first, mut peaks) = (None, PeakForces::new(&run));
     let samples = u64::from(task.samples);
     let mut instant = None;
     for sample in 0..=u64::from(task.periods) * samples {
@@ -329,7 +332,12 @@ pub fn simulate_machine(
         let phase = start.t + std::f64::consts::TAU * part as f64 / f64::from(task.samples);
         let until = Time::new((task.transient + period) as i64, phase);
         let mut failed = None;
-        found.end = run.record(until, |event| {
+        found.end = loop {
+            let event = run.next(until);
+            peaks.flown(&run);
+            if let MachineEvent::End(end) = event {
+                break end;
+            }
             if let Some(row) = event.stop().map(|stop| &mut found.stops[stop]) {
                 match event {
                     MachineEvent::Impact(impact) => {
@@ -338,7 +346,8 @@ pub fn simulate_machine(
                         row.fastest = row.fastest.max(impact.velocity.abs() * rate);
                         // Masses per radian² times velocities per radian, over Ω, are masses times
                         // velocities.
-                        row.strongest = row.strongest.max(impact.impulse / rate);
+                        let impulse = impact.impulse / rate;
+                        row.strongest = row.strongest.map(|most| most.max(impulse));
                         if impact.order_matters && instant != Some(impact.time) {
                             found.order_matters += 1;
                             instant = Some(impact.time);
@@ -356,7 +365,7 @@ pub fn simulate_machine(
             if failed.is_none() {
                 failed = keeper.machine_event(&event).err();
             }
-        });
+        };
         if let Some(error) = failed {
             return Err(error);
         }
@@ -371,6 +380,9 @@ pub fn simulate_machine(
     }
     if let Some(error) = run.failure() {
         return Err(error);
+    }
+    for (row, peak) in found.stops.iter_mut().zip(peaks.peaks()) {
+        row.peak_force = row.peak_force.map(|_| *peak);
     }
     let state = run.state();
     found.q = machine.seen(&state.q).iter().copied().collect();

@@ -94,7 +94,8 @@ pub(super) fn orbits(
         return Ok(vec![find(simulator, &pattern, &start)?]);
     }
     let m = keys.pattern.len();
-    let greatest = keys.speed.map_or(4.0 * simulator.scale(), |speed| speed / rate);
+    let met = pattern.strikes().iter().map(|strike| strike.stop);
+    let greatest = keys.speed.map_or(4.0 * simulator.scale_at(met), |speed| speed / rate);
     let start = |i: u32| -> Vec<f64> {
         let mut random = Random::of_unit(0, u64::from(i));
         let mut part = || random.next() as f64 / u64::MAX as f64;

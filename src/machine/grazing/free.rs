@@ -106,14 +106,15 @@ impl FreeMotion {
         self.gaps[at.stop][1].at(at.phase)[0]
     }
 
-    /// The size of the gaps' motion: what is much smaller is rounding.
+    /// The size of the gap's motion at the stop that it comes nearest to: what is much smaller is rounding. 0
+    /// without stops.
     pub fn scale(&self) -> f64 {
-        self.gaps.iter().map(|[gap, _]| size(gap)).fold(0.0, f64::max)
+        self.least().map_or(0.0, |least| size(&self.gaps[least.stop][0]))
     }
 
     /// The size of its derivative in the parameter.
     pub(super) fn drift_scale(&self) -> f64 {
-        self.gaps.iter().map(|[_, drift]| size(drift)).fold(0.0, f64::max)
+        self.least().map_or(0.0, |least| size(&self.gaps[least.stop][1]))
     }
 }
 

@@ -109,7 +109,7 @@ pub fn find_from(
         )));
     }
     check_stops(pattern, simulator.contacts())?;
-    let size = simulator.scale();
+    let size = simulator.scale_at(pattern.strikes().iter().map(|strike| strike.stop));
     let fastest = start.iter().skip(1).step_by(2).fold(0.0, |most: f64, v| most.max(v.abs()));
     let scale = if size > 0.0 {
         size

@@ -63,6 +63,7 @@
 
 mod engine;
 mod event;
+mod peak;
 mod smooth;
 mod stage;
 mod tangent;
@@ -77,15 +78,14 @@ use serde::Serialize;
 
 pub use engine::MachineRun;
 pub use event::{MachineEvent, StopImpact, StopRelease, StopStick, StopTangency, StopTouch};
+pub use peak::PeakForces;
 pub(in crate::machine) use smooth::seen;
 pub(in crate::machine) use stage::Stage;
 use stage::{SoftStops, What};
 pub use tangent::MachineTangents;
 
 use super::{
-    LinearEquations, LinearFlow, Machine, MachineState, RealVector,
-    contact::{Contacts, StopContact},
-    smooth::Smooth,
+    LinearEquations, LinearFlow, Machine, MachineState, RealVector, contact::Contacts, smooth::Smooth,
 };
 pub use crate::oscillator::simulate::RunEnd;
 use crate::{
@@ -108,6 +108,22 @@ impl Default for MachineSettings {
     fn default() -> Self {
         MachineSettings { minimum_depth: 1e-12, impact_limit: u64::MAX }
     }
+}
+
+/// How large the motion of a gap is.
+struct GapSize {
+    /// What the forces alone bring about.
+    forced: f64,
+    /// The stop's place and motion.
+    place: f64,
+}
+
+/// A stop farther away than this, in sizes of the forced motion, says nothing about the size of motions.
+const MET: f64 = 10.0;
+
+/// Phases at which a motion is looked at for its size.
+fn looks() -> impl Iterator<Item = f64> {
+    (0..64).map(|i| TAU * f64::from(i) / 64.0)
 }
 
 /// The machine in contact with stops: those it rests on, and the soft ones.
@@ -266,25 +282,59 @@ impl MachineSimulator {
         self.rate
     }
 
-    /// The size of the motions of the gaps: the largest, over the stops, of the stop's place and motion, of
-    /// what the forces alone bring about over a period, and of what a constant force does in a radian. 0 if
-    /// there is none of them: then only starts tell.
+    /// The size of the motions of the gaps, at the stop that is nearest to the motion that the forces alone
+    /// bring about: of that, and of what a constant force does in a radian; and of the stop's place and
+    /// motion, unless they are farther than ten times that. 0 if there is none of them: then only starts tell.
+    /// A stop that is farther away changes nothing.
     pub fn scale(&self) -> f64 {
-        let one = |contact: &StopContact| {
-            let (flow, zero) = (&self.free.flow, RealVector::zeros(self.equations.size()));
-            let g = flow.seen(&contact.row, &zero);
-            let most = (0..64).map(|i| g.dot(&flow.particular(TAU * f64::from(i) / 64.0)).abs());
-            let push = contact.row.dot(&self.equations.accelerate(&self.equations.force.mean)).abs();
-            let place = contact.position.mean().abs() + contact.position.derivative_bound(0);
-            most.fold(place.max(push), f64::max)
+        self.nearest().map_or(0.0, |GapSize { forced, place }| {
+            if forced > 0.0 && place > MET * forced { forced } else { forced.max(place) }
+        })
+    }
+
+    /// The same where these stops are met: of their places and motions, too.
+    pub fn scale_at(&self, stops: impl IntoIterator<Item = usize>) -> f64 {
+        let size = |stop: usize| {
+            let GapSize { forced, place } = self.gap_size(stop);
+            forced.max(place)
         };
+        stops.into_iter().map(size).fold(self.scale(), f64::max)
+    }
+
+    /// The size of the gap to the stop that is nearest, however far that is: what its rounding is relative
+    /// to. 0 as of [`scale`](Self::scale).
+    pub fn gap_scale(&self) -> f64 {
+        self.nearest().map_or(0.0, |GapSize { forced, place }| forced.max(place))
+    }
+
+    /// The sizes at the stop that the forced motion comes nearest to, distances being those of displacements
+    /// in coordinates in which the mass is 1.
+    fn nearest(&self) -> Option<GapSize> {
+        let (flow, zero) = (&self.free.flow, RealVector::zeros(self.equations.size()));
+        let distance = |stop: usize| {
+            let contact = &self.contacts.all()[stop];
+            let g = flow.seen(&contact.row, &zero);
+            let gap = |t: f64| g.dot(&flow.particular(t)) - contact.position.at(t)[0];
+            let least = looks().map(gap).fold(f64::INFINITY, f64::min);
+            least / self.contacts.mobility(stop).sqrt()
+        };
+        let all = (0..self.contacts.all().len()).map(|stop| (stop, distance(stop)));
+        all.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(stop, _)| self.gap_size(stop))
+    }
+
+    fn gap_size(&self, stop: usize) -> GapSize {
+        let contact = &self.contacts.all()[stop];
+        let (flow, zero) = (&self.free.flow, RealVector::zeros(self.equations.size()));
+        let g = flow.seen(&contact.row, &zero);
+        let most = looks().map(|t| g.dot(&flow.particular(t)).abs());
+        let push = contact.row.dot(&self.equations.accelerate(&self.equations.force.mean)).abs();
         // What the record's largest force does in a radian.
-        let record = self.smooth.as_ref().and_then(Smooth::record).map(|(record, direction)| {
+        let record = self.smooth.as_ref().and_then(Smooth::record).map_or(0.0, |(record, direction)| {
             let most = record.values.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-            self.equations.accelerate(direction) * most
+            contact.row.dot(&(self.equations.accelerate(direction) * most)).abs()
         });
-        let struck = |contact: &StopContact| record.as_ref().map_or(0.0, |bend| contact.row.dot(bend).abs());
-        self.contacts.all().iter().map(|contact| one(contact).max(struck(contact))).fold(0.0, f64::max)
+        let place = contact.position.mean().abs() + contact.position.derivative_bound(0);
+        GapSize { forced: most.fold(push.max(record), f64::max), place }
     }
 
     /// A run from displacements q and velocities u, per radian of the forcing, at `time`.

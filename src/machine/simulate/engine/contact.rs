@@ -227,8 +227,12 @@ impl MachineRun<'_> {
         let law = simulator.contacts.impact(&all, &rates)?;
         state.u += &law.change;
         for (i, &stop) in touched.iter().enumerate() {
-            // A stop that is touched and neither hit nor pushed is only touched.
-            if rates[i] < 0.0 || law.impulses[i] > 0.0 {
+            // Where no impulse acts there is no impact: the stop is only touched, or another, which may be
+            // the same stop once more, has turned the motion already.
+            if rates[i] < 0.0 {
+                self.open[stop] = false;
+            }
+            if law.impulses[i] > 0.0 {
                 self.told(time, stop, rates[i], law.impulses[i], radius, all.len(), law.order_matters);
             }
         }
