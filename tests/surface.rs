@@ -529,3 +529,54 @@ fn wrong_inputs_are_named() {
     assert!(tried >= 400, "{tried}");
     println!("{tried} wrong inputs, each named");
 }
+
+/// The named constants of the half that simulates that are tolerances: file, name, value.
+fn tolerances(folder: &Path, found: &mut Vec<[String; 3]>) {
+    let top = root().join("src");
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        let name = path.strip_prefix(&top).unwrap().to_string_lossy().replace('\\', "/");
+        if path.is_dir() {
+            // Searches whose results are checked.
+            if !["oscillator/chaos", "oscillator/validate", "machine/validate"].contains(&&*name) {
+                tolerances(&path, found);
+            }
+            continue;
+        }
+        let text = fs::read_to_string(&path).unwrap();
+        let code = text.split("#[cfg(test)]").next().unwrap();
+        for line in code.lines().map(str::trim).filter(|line| !line.starts_with("//")) {
+            let constant = line.split_once("const ").and_then(|(_, rest)| rest.split_once(": f64 = "));
+            let Some((constant, value)) = constant else { continue };
+            let value = value.trim_end_matches(';').replace("std::f64::consts::", "");
+            let exponent =
+                value.split_once("e-").is_some_and(|(head, _)| head.ends_with(|c: char| c.is_ascii_digit()));
+            if exponent || value.contains("EPSILON") {
+                found.push([name.clone(), constant.to_string(), value]);
+            }
+        }
+    }
+}
+
+/// The first table of `docs/tolerances.md` has every named tolerance with its value, and no other.
+#[test]
+fn the_page_of_tolerances_is_that_of_the_sources() {
+    let mut found = Vec::new();
+    for folder in ["oscillator", "machine", "run", "scene"] {
+        tolerances(&root().join("src").join(folder), &mut found);
+    }
+    assert!(found.len() > 40, "{found:?}");
+    let page = fs::read_to_string(root().join("docs/tolerances.md")).unwrap();
+    let row = |line: &str| -> Option<[String; 3]> {
+        let cells: Vec<&str> = line.split(" | ").collect();
+        let code =
+            |cell: &str| cell.trim_start_matches("| ").strip_prefix('`')?.strip_suffix('`').map(String::from);
+        let (file, name) = (code(cells.first()?)?, code(cells.get(1)?)?);
+        assert!(cells.len() == 5 && cells[3..].iter().all(|cell| cell.len() > 2), "{line}");
+        file.ends_with(".rs").then(|| [file, name, cells[2].to_string()])
+    };
+    let mut listed: Vec<[String; 3]> = page.lines().filter_map(row).collect();
+    found.sort();
+    listed.sort();
+    assert_eq!(listed, found);
+}

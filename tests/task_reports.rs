@@ -10,6 +10,9 @@ use grazing::{
 use serde_json::Value;
 use tempfile::TempDir;
 
+#[path = "tasks/attractors.rs"]
+mod attractors;
+
 const HEAD: &str = "format = \"grazing-scene 1\"\ntitle = \"t\"\n";
 
 /// Scene f: the first task fails, the others run.

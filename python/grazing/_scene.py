@@ -54,8 +54,8 @@ class TaskReport:
     #: 1 the upper; the stop's number), ``event_value`` (velocity before the impact; gap; time left out).
     #: section: ``points`` (P, 2), ``attractor`` (P,), from 0; of orbits −1, −2, …. basins: ``q``, ``u``,
     #: ``cells`` (rows, columns), places in ``findings.basins``. diagram: ``value``, ``points`` (P, 2),
-    #: ``motion``, ``period`` (0: not periodic). map: ``first``, ``second``, ``period`` (0: not periodic, −1:
-    #: ended), ``impacts``, ``exponent`` (NaN: none), each (rows, columns).
+    #: ``motion``, ``period`` (0: not periodic, −2: not settled). map: ``first``, ``second``, ``period`` (the
+    #: same; −1: ended), ``impacts``, ``exponent`` (NaN: none), each (rows, columns).
     data: Record = field(repr=False)
     #: Certificates by file name: ``grazing.check(text)`` proves them again.
     certificates: Mapping[str, str] = field(repr=False)

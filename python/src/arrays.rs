@@ -206,7 +206,7 @@ fn diagram(found: &DiagramFindings, data: &mut Data) {
                 value.push(slice.value);
                 points.extend(point);
                 motion.push(number as i64);
-                period.push(one.period.map_or(0, i64::from));
+                period.push(one.period.map_or(if one.undecided { -2 } else { 0 }, i64::from));
             }
         }
     }
@@ -224,6 +224,7 @@ fn map(found: &MapFindings, data: &mut Data) {
     let period = |cell: &MapCell| match cell.end {
         MapEnd::Periodic(period) => i64::from(period),
         MapEnd::NotPeriodic => 0,
+        MapEnd::Unsettled => -2,
         _ => -1,
     };
     let cells = &found.cells;

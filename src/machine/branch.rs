@@ -178,7 +178,7 @@ impl PatternFamily for MachinePatterns<'_> {
         let (first, second) = pattern.strikes().split_at(pattern.strikes().len() / 2);
         if first.is_empty() && second.is_empty() {
             let half = StopPattern::free(pattern.periods() / 2).ok()?;
-            return (half.repeated(2) == *pattern).then(|| (half, z.to_vec()));
+            return (half.repeated(2).ok().as_ref() == Some(pattern)).then(|| (half, z.to_vec()));
         }
         if first.len() != second.len() || first.iter().zip(second).any(|(a, b)| a.stop != b.stop) {
             return None;

@@ -3,13 +3,14 @@
 //!
 //! States are told apart by the whole state, in coordinates in which the mass is 1, x = Lᵀq with M = L Lᵀ,
 //! and velocities are per radian of the forcing: displacements and velocities of all parts have one unit
-//! there. They are divided by [`MachineSimulator::unit`], so that motions have a size of about 1, whatever
-//! units a scene is in.
+//! there. How close states are is measured by the motions themselves, whatever units a scene is in and
+//! wherever stops are that no motion meets.
 
 use serde::{Deserialize, Serialize};
 
 use super::{
-    LinearEquations, Machine, MachineState, RealVector,
+    Machine, MachineState, RealMatrix, RealVector,
+    algebra::eigenvalues,
     contact::Watch,
     simulate::{MachineRun, MachineSimulator, MachineTangents},
 };
@@ -81,7 +82,7 @@ impl PlaneAxis {
 pub struct MachinePoint {
     /// In the plane, in the scene's units.
     pub at: [f64; 2],
-    /// The whole state: Lᵀq and Lᵀq′ over the unit.
+    /// The whole state: Lᵀq and Lᵀq′.
     pub whole: Vec<f64>,
 }
 
@@ -122,7 +123,6 @@ pub struct PlanarMachine {
     /// Starts in the plane: what they have besides, and what one more of each of the two numbers adds.
     base: [Vec<f64>; 2],
     directions: [[Vec<f64>; 2]; 2],
-    unit: f64,
 }
 
 impl PlanarMachine {
@@ -137,9 +137,8 @@ impl PlanarMachine {
     ) -> Result<PlanarMachine> {
         let plane = [axes[0].watch(machine)?, axes[1].watch(machine)?];
         let none = || vec![0.0; machine.size];
-        let unit = simulator.unit();
         let directions = [[none(), none()], [none(), none()]];
-        Ok(PlanarMachine { simulator, plane, base: [none(), none()], directions, unit })
+        Ok(PlanarMachine { simulator, plane, base: [none(), none()], directions })
     }
 
     /// The same, starts in the plane having displacements q and velocities u, of the coordinates of the scene
@@ -183,11 +182,21 @@ impl PlanarMachine {
         &self.simulator
     }
 
+    /// The state with these coordinates, Lᵀq and Lᵀq′, at a phase.
+    pub fn state(&self, whole: &[f64], phase: f64) -> MachineState {
+        let (upper, n) = (self.simulator.equations().root().transpose(), whole.len() / 2);
+        let part = |x: &[f64]| {
+            let x = RealVector::from_column_slice(x);
+            upper.solve_upper_triangular(&x).unwrap_or(x)
+        };
+        MachineState { t: phase, q: part(&whole[..n]), u: part(&whole[n..]) }
+    }
+
     /// A state as the section sees it; t is its phase.
     pub fn point(&self, state: &MachineState) -> MachinePoint {
         let upper = self.simulator.equations().root().transpose();
         let (q, u) = (&upper * &state.q, &upper * &state.u);
-        let whole = q.iter().chain(u.iter()).map(|x| x / self.unit).collect();
+        let whole = q.iter().chain(u.iter()).copied().collect();
         let axis = |watch: &Watch| {
             watch.places.dot(&state.q) + watch.rates.dot(&state.u) + watch.given.at(state.t)[0]
         };
@@ -250,6 +259,22 @@ impl Dynamics for PlanarMachine {
         MachineStart { t: phase, q: part(0), u: part(1) }
     }
 
+    fn at(&self, coordinates: &[f64], phase: f64) -> MachineStart {
+        self.state(coordinates, phase).start(self.simulator.rate())
+    }
+
+    fn along<'a>(&'a self, motion: PlanarRun<'a>) -> MachineTangents<'a> {
+        MachineTangents::along(motion.run)
+    }
+
+    fn multipliers(slope: &[Vec<f64>], determinant: Option<f64>) -> Option<Vec<(f64, f64)>> {
+        let matrix = RealMatrix::from_fn(slope.len(), slope.len(), |i, j| slope[i][j]);
+        // Used where there are two multipliers; then neither the flow nor an impact turns an area over.
+        let determinant = determinant.unwrap_or_else(|| matrix.determinant());
+        let finite = matrix.iter().all(|x| x.is_finite());
+        if finite { eigenvalues(&matrix, determinant).ok() } else { None }
+    }
+
     fn here(&self, motion: &PlanarRun<'_>) -> MachineStart {
         MachineState { t: motion.run.time().phase, ..motion.run.state() }.start(self.simulator.rate())
     }
@@ -257,34 +282,4 @@ impl Dynamics for PlanarMachine {
     fn tangents<'a>(&'a self, motion: PlanarRun<'a>, count: usize) -> MachineTangents<'a> {
         MachineTangents::new(motion.run, count)
     }
-}
-
-impl MachineSimulator {
-    /// What the unit of displacements and velocities is, in coordinates of mass 1: the largest gap on the
-    /// motion that the forces bring about, over the stops, as the displacement that closes it; without stops
-    /// the size of that motion; 1 if there is neither.
-    pub fn unit(&self) -> f64 {
-        const LOOKS: u32 = 64;
-        let (flow, equations) = (self.flow(), self.equations());
-        let zero = RealVector::zeros(equations.size());
-        let times = || (0..LOOKS).map(|i| std::f64::consts::TAU * f64::from(i) / f64::from(LOOKS));
-        let mut unit = 0.0f64;
-        for (stop, contact) in self.contacts().all().iter().enumerate() {
-            let g = flow.seen(&contact.row, &zero);
-            let gap = |t: f64| (g.dot(&flow.particular(t)) - contact.position.at(t)[0]).abs();
-            unit = unit.max(times().map(gap).fold(0.0, f64::max) / self.contacts().mobility(stop).sqrt());
-        }
-        if self.contacts().all().is_empty() {
-            unit = times()
-                .map(|t| moved(equations, &flow.join(t, &RealVector::zeros(flow.dimension()))))
-                .fold(0.0, f64::max);
-        }
-        if unit > 0.0 && unit.is_finite() { unit } else { 1.0 }
-    }
-}
-
-/// |Lᵀq| or |Lᵀq′|, the larger.
-fn moved(equations: &LinearEquations, state: &MachineState) -> f64 {
-    let upper = equations.root().transpose();
-    (&upper * &state.q).norm().max((&upper * &state.u).norm())
 }

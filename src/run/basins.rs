@@ -7,7 +7,9 @@ use serde::Serialize;
 use super::{
     Finding, Job, Lines, Model, Status,
     parts::{foreign, record},
-    row, small_motion,
+    row,
+    section::gap_size,
+    small_motion,
 };
 use crate::{
     error::Result,
@@ -21,14 +23,14 @@ use crate::{
         simulate::RunEnd,
     },
     output::Journal,
-    scene::{BasinsTask, StartAxis, Values, phase},
+    scene::{BasinsTask, StartAxis, phase},
 };
 
 row! {
     /// One end and how many starts lead to it.
     pub struct BasinRow {
-        /// "periodic", "not-periodic", "behind-a-wall", "escaped", "impact-limit", "not-smooth" or
-        /// "too-steep".
+        /// "periodic", "not-periodic", "not-settled", "behind-a-wall", "escaped", "impact-limit",
+        /// "not-smooth" or "too-steep".
         pub end: &'static str,
         /// The period of a periodic attractor, in forcing periods.
         pub period: Option<usize>,
@@ -64,8 +66,18 @@ pub struct BasinsFindings {
     size: f64,
 }
 
+/// The word for what was not decided.
+pub(super) const NOT_SETTLED: &str = "not-settled";
+
 impl Finding for BasinsFindings {
     fn status(&self) -> Status {
+        if let Some(open) = self.basins.iter().find(|basin| basin.end == NOT_SETTLED) {
+            let all = self.grid.columns * self.grid.rows;
+            return Status::undecided(format!(
+                "{} of {all} starts are not settled: it is not decided to what they lead; raise `transient`",
+                open.starts
+            ));
+        }
         if self.basins.iter().any(|basin| basin.end == "periodic" || basin.end == "not-periodic") {
             return Status::Done;
         }
@@ -188,12 +200,9 @@ impl<D: Dynamics> Setup<'_, D> {
 }
 
 fn over<W: Work>(task: &BasinsTask, job: &Job, work: W) -> Result<W::Out> {
-    let ends = |values: &Values| -> Result<[f64; 2]> {
-        Ok([job.scene.number(&values.from)?, job.scene.number(&values.to)?])
-    };
     let grid = BasinGrid {
-        q: ends(&task.q)?,
-        u: ends(&task.u)?,
+        q: job.scene.ends(&task.q)?,
+        u: job.scene.ends(&task.u)?,
         columns: task.q.count as usize,
         rows: task.u.count as usize,
     };
@@ -251,7 +260,7 @@ fn over<W: Work>(task: &BasinsTask, job: &Job, work: W) -> Result<W::Out> {
             let own = serde_json::to_string(&(&names, &rest, dynamics.simulator().settings()));
             search.identity = format!("{} {}", search.identity, own.map_err(std::io::Error::other)?);
             let minimum_depth = dynamics.simulator().settings().minimum_depth;
-            let (plane, size) = (Some(names), dynamics.simulator().scale());
+            let (plane, size) = (Some(names), gap_size(dynamics.simulator()));
             let start = search.detection.phase;
             let place = &|at| dynamics.in_plane(at, start);
             work.of(Setup { search, dynamics, place, plane, minimum_depth, size })
@@ -270,6 +279,7 @@ fn gather<D: Dynamics>(
         word("escaped"),
         word("impact-limit"),
         word("not-periodic"),
+        word(NOT_SETTLED),
         word("not-smooth"),
         word("too-steep"),
     ];
@@ -285,10 +295,11 @@ fn gather<D: Dynamics>(
     let class = |cell: &BasinCell| match cell {
         BasinCell::Behind => 0,
         BasinCell::Ended(RunEnd::ImpactLimit) => 2,
-        BasinCell::Ended(RunEnd::NotSmooth) => 4,
-        BasinCell::Ended(RunEnd::TooSteep) => 5,
+        BasinCell::Ended(RunEnd::NotSmooth) => 5,
+        BasinCell::Ended(RunEnd::TooSteep) => 6,
         BasinCell::Ended(_) => 1,
         BasinCell::Irregular => 3,
+        BasinCell::Unsettled => 4,
         BasinCell::Attractor(index) => others + index,
     };
     let classes: Vec<usize> = cells.iter().map(class).collect();

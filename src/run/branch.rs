@@ -298,9 +298,7 @@ impl<'s> BranchSource for SceneFamily<'s> {
         match start.origin()? {
             BranchOrigin::Attractor(state) => {
                 let from = job.scene.state(state)?;
-                let detection =
-                    Detection { phase: from.t, transient: 10_000, longest: 200, ..Detection::default() };
-                Ok(vec![attracting(&oscillator, from, &detection, &job.settings())?])
+                Ok(vec![attracting(&oscillator, from, &settled(from.t), &job.settings())?])
             }
             BranchOrigin::Orbit(keys) => {
                 let mut orbits = keys.orbits(&oscillator)?;
@@ -318,6 +316,11 @@ impl<'s> BranchSource for SceneFamily<'s> {
     fn named(&self, pattern: &Itinerary) -> String {
         pattern.to_string()
     }
+}
+
+/// How the attractor is looked for on which a branch starts.
+pub(super) fn settled(phase: f64) -> Detection {
+    Detection { phase, transient: 10_000, longest: 200, ..Detection::default() }
 }
 
 /// Branches, and what became of every start.

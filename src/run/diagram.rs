@@ -66,6 +66,8 @@ pub struct DiagramFindings {
     /// Values with several attractors or with lost starts, a row for each attractor, at least one for each
     /// value.
     pub coexisting: Vec<CoexistingRow>,
+    /// Values at which it is not decided whether a motion tends to a periodic orbit.
+    pub not_settled: Vec<f64>,
     /// All points, value by value. Not in JSON: they are the task's CSV file.
     #[serde(skip)]
     pub slices: Vec<Slice>,
@@ -73,6 +75,13 @@ pub struct DiagramFindings {
 
 impl Finding for DiagramFindings {
     fn status(&self) -> Status {
+        if let Some(first) = self.not_settled.first() {
+            return Status::undecided(format!(
+                "at {} of {} values a motion is not settled, the first {first}: raise `transient`",
+                self.not_settled.len(),
+                self.values
+            ));
+        }
         match self.slices.iter().any(|slice| !slice.motions.is_empty()) {
             true => Status::Done,
             false => Status::nothing("at no value does a start lead to an attractor: all are lost"),
@@ -86,6 +95,9 @@ impl Finding for DiagramFindings {
         lines.say("values", self.values);
         lines.table("windows", &self.windows);
         lines.table("coexisting", &self.coexisting);
+        if !self.not_settled.is_empty() {
+            lines.say("not_settled", self.not_settled.len());
+        }
     }
 }
 
@@ -194,6 +206,8 @@ fn gather(task: &DiagramTask, job: &Job, slices: Vec<Slice>) -> DiagramFindings 
             lost,
         }));
     }
+    let open = |slice: &&Slice| slice.motions.iter().any(|motion| motion.undecided);
+    let not_settled = slices.iter().filter(open).map(|slice| slice.value).collect();
     let plane = matches!(job.model, Model::Machine(_)).then(|| job.scene.plane_names(&task.plane));
     DiagramFindings {
         plane,
@@ -201,6 +215,7 @@ fn gather(task: &DiagramTask, job: &Job, slices: Vec<Slice>) -> DiagramFindings 
         values: slices.len(),
         windows: windows.collect(),
         coexisting,
+        not_settled,
         slices,
     }
 }

@@ -8,7 +8,7 @@ use std::f64::consts::TAU;
 
 use super::{
     Complex, Job, Judgement,
-    branch::{BranchList, BranchSource, PointRow, events, follow_over},
+    branch::{BranchList, BranchSource, PointRow, events, follow_over, settled},
     machine_orbit::{admissible_at, multipliers, orbits, phases, speeds, stable},
     row,
 };
@@ -19,10 +19,12 @@ use crate::{
         branch::{MachinePatterns, MachinePlane},
         normal_form::normal_form,
         orbit::{MachineOrbit, StopPattern, StopStrike, find_from},
-        simulate::{MachineEvent, MachineRun, MachineSimulator, RunEnd},
+        section::PlanarMachine,
+        simulate::{MachineEvent, MachineRun, RunEnd},
     },
     oscillator::{
         Time,
+        attractor::dynamics::Dynamics,
         branch::{
             BranchPoint, CODIMENSION_TWO, FollowedOrbit, Label, NoForm, NormalForm, RecordForm, read_label_as,
         },
@@ -198,8 +200,8 @@ impl<'a> BranchSource for MachineSource<'a> {
         let mut found = match start.origin()? {
             BranchOrigin::Attractor(state) => {
                 let from = job.scene.machine_state(state, &machine, "attractor")?;
-                let simulator = job.machine_simulator(&machine, std::slice::from_ref(&from))?;
-                vec![settled(&simulator, &from, job)?]
+                let planar = job.planar(&machine, std::slice::from_ref(&from), &[])?;
+                vec![attracting(&planar, &from, from.t, job)?]
             }
             BranchOrigin::Orbit(keys) => orbits(keys, &machine, &job.machine_simulator(&machine, &[])?, job)?,
             BranchOrigin::Restart(_) => Vec::new(),
@@ -224,85 +226,64 @@ impl<'a> BranchSource for MachineSource<'a> {
     }
 }
 
-/// Periods that pass before a motion is taken to have settled.
-const TRANSIENT: u32 = 5_000;
-/// Periods between two looks at whether to go on.
-const CHUNK: u32 = 16;
-/// The longest period that is told from none.
-const LONGEST: u32 = 200;
-/// States this close, relative to the size of the motion, are the same: Newton's method does the rest.
-const SAME: f64 = 1e-6;
-
-/// The periodic orbit on which a motion settles.
-fn settled(simulator: &MachineSimulator, from: &MachineState, job: &Job) -> Result<MachineOrbit> {
-    let mut run = simulator.start(Time::new(0, from.t), from.q.as_slice(), from.u.as_slice())?;
-    let at = |period: u32| Time::new(period.into(), from.t);
-    for period in (0..TRANSIENT).step_by(CHUNK as usize) {
-        let end = run.finish(at((period + CHUNK).min(TRANSIENT)));
-        ended(&mut run, end)?;
-        job.check()?;
-    }
+/// The periodic orbit on which a motion settles: its impact pattern is read off the attractor that is found.
+fn attracting(planar: &PlanarMachine, from: &MachineState, phase: f64, job: &Job) -> Result<MachineOrbit> {
+    let (simulator, detection) = (planar.simulator(), settled(phase));
+    let start = from.start(simulator.rate());
+    let found = planar.fates(std::slice::from_ref(&start), &detection, &[], job.monitor)?;
+    let fate = found.into_iter().next().flatten();
+    let fate = fate.ok_or_else(|| Error::input("the attractor's start lies behind a stop"))?;
+    let cycle = fate.periodic(&detection)?;
+    // At phase 0 the state of an orbit without impacts is asked for.
+    let at = planar.state(&cycle.points[0].whole, phase);
+    let period = cycle.period() as i64;
+    let mut run = simulator.start(Time::new(0, phase), at.q.as_slice(), at.u.as_slice())?;
     // Where the state does not follow from times and speeds.
     let soft =
         simulator.is_smooth() || simulator.contacts().all().iter().any(|contact| contact.soft.is_some());
-    let first = run.state();
-    let mut struck = None;
-    let size = simulator.scale().max(first.q.amax()).max(first.u.amax());
-    let mut impacts: Vec<(usize, Time, f64)> = Vec::new();
-    for period in 1..=LONGEST {
-        let mut rests = false;
-        let end = loop {
-            match run.next(at(TRANSIENT + period)) {
-                MachineEvent::Impact(hit) => {
-                    impacts.push((hit.stop, hit.time, -hit.velocity));
-                    if soft && struck.is_none() {
-                        struck = Some(run.state());
-                    }
+    let (mut struck, mut impacts) = (None, Vec::<(usize, Time, f64)>::new());
+    let mut rests = !run.resting().is_empty();
+    let end = loop {
+        match run.next(Time::new(period, phase)) {
+            MachineEvent::Impact(hit) => {
+                impacts.push((hit.stop, hit.time, -hit.velocity));
+                if soft && struck.is_none() {
+                    struck = Some(run.state());
                 }
-                MachineEvent::Stick(_) => rests = true,
-                MachineEvent::End(end) => break end,
-                _ => {}
             }
-        };
-        ended(&mut run, end)?;
-        job.check()?;
-        if rests || !run.resting().is_empty() {
-            return Err(Error::input(
-                "the motion comes to rest on a stop: orbits with rests are not followed",
-            ));
+            MachineEvent::Stick(_) => rests = true,
+            MachineEvent::End(end) => break end,
+            _ => {}
         }
-        let now = run.state();
-        if (&now.q - &first.q).amax().max((&now.u - &first.u).amax()) > SAME * size {
-            continue;
-        }
-        let turned = |time: &Time| {
-            let turns = (time.phase / TAU).floor();
-            (time.period + turns as i64, time.phase - turns * TAU)
-        };
-        let times: Vec<(i64, f64)> = impacts.iter().map(|(_, time, _)| turned(time)).collect();
-        let counted = natural(&times, period);
-        let strikes =
-            impacts.iter().zip(&counted).map(|(hit, &(periods, _))| StopStrike { stop: hit.0, periods });
-        let strikes: Vec<StopStrike> = strikes.collect();
-        if soft && strikes.is_empty() {
-            let end = run.finish(Time::new(i64::from(TRANSIENT + period) + 1, 0.0));
-            ended(&mut run, end)?;
-            return find_from(simulator, &StopPattern::free(period)?, &[], Some(&run.state()));
-        }
-        let pattern = if strikes.is_empty() { StopPattern::free(1)? } else { StopPattern::new(strikes)? };
-        let start: Vec<f64> =
-            counted.iter().zip(&impacts).flat_map(|((_, time), (_, _, speed))| [*time, *speed]).collect();
-        return find_from(simulator, &pattern, &start, struck.as_ref());
+    };
+    ended(&mut run, end)?;
+    if rests {
+        return Err(Error::input("the motion comes to rest on a stop: orbits with rests are not followed"));
     }
-    Err(Error::input(format!(
-        "the motion has no period of at most {LONGEST} after {TRANSIENT} periods: its attractor is not periodic, or it settles slowly"
-    )))
+    let turned = |time: &Time| {
+        let turns = (time.phase / TAU).floor();
+        (time.period + turns as i64, time.phase - turns * TAU)
+    };
+    let times: Vec<(i64, f64)> = impacts.iter().map(|(_, time, _)| turned(time)).collect();
+    let counted = natural(&times, period as u32);
+    let strikes =
+        impacts.iter().zip(&counted).map(|(hit, &(periods, _))| StopStrike { stop: hit.0, periods });
+    let strikes: Vec<StopStrike> = strikes.collect();
+    if strikes.is_empty() {
+        let pattern = StopPattern::free(period as u32)?;
+        let end = run.finish(Time::new(period + 1, 0.0));
+        ended(&mut run, end)?;
+        return find_from(simulator, &pattern, &[], Some(&run.state()));
+    }
+    let start: Vec<f64> =
+        counted.iter().zip(&impacts).flat_map(|((_, time), (_, _, speed))| [*time, *speed]).collect();
+    find_from(simulator, &StopPattern::new(strikes)?, &start, struck.as_ref())
 }
 
 fn ended(run: &mut MachineRun, end: RunEnd) -> Result<()> {
     match (run.failure(), end) {
         (Some(error), _) => Err(error),
         (None, RunEnd::Reached) => Ok(()),
-        (None, end) => Err(Error::input(format!("the motion ended before it settled, {}", end.why()))),
+        (None, end) => Err(Error::input(format!("the attractor's motion ended, {}", end.why()))),
     }
 }

@@ -6,6 +6,7 @@ use serde::Serialize;
 
 use super::{
     Finding, Job, Lines, Status,
+    basins::NOT_SETTLED,
     diagram::value,
     parts::{foreign, record},
     row,
@@ -26,8 +27,8 @@ use crate::{
 row! {
     /// One kind of end and how many points of the map have it.
     pub struct MapRow {
-        /// "periodic", "not-periodic", "behind-a-wall", "escaped", "impact-limit", "not-smooth" or
-        /// "too-steep".
+        /// "periodic", "not-periodic", "not-settled", "behind-a-wall", "escaped", "impact-limit",
+        /// "not-smooth" or "too-steep".
         pub end: &'static str,
         /// The period of a periodic motion, in forcing periods.
         pub period: Option<u32>,
@@ -61,6 +62,13 @@ pub struct MapFindings {
 
 impl Finding for MapFindings {
     fn status(&self) -> Status {
+        if let Some(open) = self.ends.iter().find(|row| row.end == NOT_SETTLED) {
+            return Status::undecided(format!(
+                "at {} of {} points the motion is not settled: raise `transient`",
+                open.points,
+                self.cells.len()
+            ));
+        }
         if self.ends.iter().any(|row| row.end == "periodic" || row.end == "not-periodic") {
             return Status::Done;
         }
@@ -78,6 +86,7 @@ pub(crate) fn word(end: MapEnd) -> &'static str {
     match end {
         MapEnd::Periodic(_) => "periodic",
         MapEnd::NotPeriodic => "not-periodic",
+        MapEnd::Unsettled => NOT_SETTLED,
         MapEnd::BehindAWall => "behind-a-wall",
         MapEnd::Ended(RunEnd::ImpactLimit) => "impact-limit",
         MapEnd::Ended(RunEnd::NotSmooth) => "not-smooth",

@@ -8,7 +8,7 @@ use serde::Serialize;
 use super::{Finding, Job, Lines, Model, Status, machine_orbit, row, small_motion};
 use crate::{
     error::{Error, Result},
-    machine::Machine,
+    machine::{Machine, simulate::MachineSimulator},
     oscillator::{
         Contact,
         attractor::{
@@ -30,18 +30,19 @@ use crate::{
 row! {
     /// An attractor and what its motion amounts to.
     pub struct AttractorRow {
-        /// Whether it is periodic.
-        pub periodic: bool,
+        /// Whether it is periodic; absent where that is not decided: the motion is not settled.
+        pub periodic: Option<bool>,
         /// Its period, in forcing periods.
         pub period: Option<usize>,
         /// Impacts in a period.
         pub impacts: Option<u64>,
         /// The mean number of impacts in a forcing period.
         pub impacts_per_period: f64,
-        /// The largest Lyapunov exponent times the forcing period; absent where it is −∞, because the motion
-        /// comes to rest on a wall.
+        /// The largest Lyapunov exponent times the forcing period, of a periodic motion ln |λ| over its
+        /// period; absent where it is −∞, because the motion comes to rest on a wall.
         pub lyapunov_per_period: Option<f64>,
-        /// Its standard error; absent where the exponent is, or for a run too short.
+        /// Its standard error; absent where the exponent is, where it is that of multipliers, or for a run
+        /// too short.
         pub standard_error: Option<f64>,
         /// How many of the starts lead to it; all motions that are not periodic are told apart by their start
         /// alone.
@@ -66,10 +67,11 @@ row! {
         pub attractor: usize,
         /// Which exponent, from 1: the largest first, with multiplicity.
         pub exponent: usize,
-        /// The exponent times the forcing period; absent where it is −∞: a direction that a rest on a stop
-        /// ends.
+        /// The exponent times the forcing period, of a periodic motion ln |λ| over its period; absent where it
+        /// is −∞: a direction that a rest on a stop ends.
         pub per_period: Option<f64>,
-        /// Its standard error; absent where the exponent is, or for a run too short.
+        /// Its standard error; absent where the exponent is, where it is that of multipliers, or for a run
+        /// too short.
         pub standard_error: Option<f64>,
     }
 }
@@ -122,6 +124,12 @@ impl Finding for SectionFindings {
     fn status(&self) -> Status {
         if self.attractors.is_empty() && self.further_orbits.is_empty() {
             return Status::nothing("no start leads to an attractor: every motion left all bounds");
+        }
+        let open = self.attractors.iter().filter(|row| row.periodic.is_none()).count();
+        if open > 0 {
+            return Status::undecided(format!(
+                "{open} motions are not settled: it is not decided whether they tend to periodic orbits; raise `transient`"
+            ));
         }
         Status::Done
     }
@@ -214,7 +222,7 @@ fn attractors<D: Dynamics>(
         }
         let index = found.attractors.len();
         let row = AttractorRow {
-            periodic: one.cycle.is_some(),
+            periodic: (!one.undecided).then_some(one.cycle.is_some()),
             period: one.cycle.as_ref().map(Cycle::period),
             impacts: one.cycle.as_ref().map(|cycle| cycle.impacts),
             impacts_per_period: 0.0,
@@ -233,34 +241,60 @@ fn attractors<D: Dynamics>(
     }
     job.monitor.begin(settled.len() as u64, "exponents");
     let count = (task.exponents as usize).min(dynamics.dimension());
-    let all: Vec<Vec<Exponent>> = settled
+    let known = |index: usize| cycles.iter().find(|(place, _)| *place == index).map(|(_, cycle)| cycle);
+    let all: Vec<Vec<Growth>> = settled
         .par_iter()
-        .map(|start| {
-            let all = exponents(dynamics, start, count, 0, task.points.into(), job.monitor)?;
+        .enumerate()
+        .map(|(index, start)| {
+            let exact = known(index).map(Cycle::exponents).filter(|all| !all.is_empty());
+            let all = match exact {
+                Some(all) => all.into_iter().take(count).map(Growth::exact).collect(),
+                None => {
+                    let all = exponents(dynamics, start, count, 0, task.points.into(), job.monitor)?;
+                    all.iter().map(Growth::mean).collect()
+                }
+            };
             job.monitor.advance(1)?;
             Ok(all)
         })
         .collect::<Result<_>>()?;
-    let finite = |x: f64| Some(TAU * x).filter(|x| x.is_finite());
     for ((index, row), all) in (1..).zip(&mut found.attractors).zip(all) {
         row.impacts_per_period = match (row.period, row.impacts) {
             (Some(period), Some(impacts)) => impacts as f64 / period as f64,
             _ => all.first().map_or(0.0, |first| first.impacts as f64 / f64::from(task.points)),
         };
         if let Some(first) = all.first() {
-            row.lyapunov_per_period = finite(first.rate);
-            row.standard_error = finite(first.standard_error);
+            (row.lyapunov_per_period, row.standard_error) = (first.per_period, first.standard_error);
         }
         if task.exponents > 1 {
             found.exponents.extend((1..).zip(&all).map(|(exponent, one)| ExponentRow {
                 attractor: index,
                 exponent,
-                per_period: finite(one.rate),
-                standard_error: finite(one.standard_error),
+                per_period: one.per_period,
+                standard_error: one.standard_error,
             }));
         }
     }
     Ok((found, cycles))
+}
+
+/// An exponent times the forcing period, with its standard error if it is a mean.
+struct Growth {
+    per_period: Option<f64>,
+    standard_error: Option<f64>,
+    impacts: u64,
+}
+
+impl Growth {
+    fn exact(exponent: f64) -> Growth {
+        Growth { per_period: Some(exponent).filter(|x| x.is_finite()), standard_error: None, impacts: 0 }
+    }
+
+    fn mean(exponent: &Exponent) -> Growth {
+        let finite = |x: f64| Some(TAU * x).filter(|x| x.is_finite());
+        let (rate, error) = (exponent.rate, exponent.standard_error);
+        Growth { per_period: finite(rate), standard_error: finite(error), impacts: exponent.impacts }
+    }
 }
 
 fn of_machine(task: &SectionTask, machine: &Machine<f64>, job: &Job) -> Result<SectionFindings> {
@@ -271,7 +305,7 @@ fn of_machine(task: &SectionTask, machine: &Machine<f64>, job: &Job) -> Result<S
     let (mut found, cycles) = attractors(task, job, &planar, starts)?;
     let simulator = planar.simulator();
     found.plane = Some(job.scene.plane_names(&task.plane));
-    (found.minimum_depth, found.size) = (simulator.settings().minimum_depth, Some(simulator.scale()));
+    (found.minimum_depth, found.size) = (simulator.settings().minimum_depth, Some(gap_size(simulator)));
     for keys in &task.orbits {
         job.check()?;
         for orbit in machine_orbit::orbits(keys, machine, simulator, job)? {
@@ -298,6 +332,12 @@ fn of_machine(task: &SectionTask, machine: &Machine<f64>, job: &Job) -> Result<S
         }
     }
     Ok(found)
+}
+
+/// What the minimum depth is to be small against: the size of the gap to the nearest stop; without stops it
+/// decides nothing.
+pub(super) fn gap_size(simulator: &MachineSimulator) -> f64 {
+    if simulator.contacts().all().is_empty() { f64::INFINITY } else { simulator.gap_scale() }
 }
 
 fn of_oscillator(task: &SectionTask, job: &Job) -> Result<SectionFindings> {

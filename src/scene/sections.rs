@@ -20,7 +20,7 @@ keys! {
         phase: BigRational = "0",
         /// the frame in which displacement and velocity are measured
         frame: Frame = "\"fixed\"",
-        /// how many periods pass first, unrecorded
+        /// how many periods pass first, unrecorded; more, where the report says "not settled"
         transient: u64 = "1000",
         /// how many points show a motion that is not periodic; its Lyapunov exponent is taken over as many
         /// periods
@@ -45,7 +45,7 @@ keys! {
 keys! {
     /// Finds which starts lead to which attractor, on a grid.
     pub struct BasinsTask {
-        /// displacements of the starts; with `plane`, values of its first axis
+        /// displacements of the starts, ascending; with `plane`, values of its first axis
         q: Values,
         /// velocities of the starts; with `plane`, values of its second
         u: Values,

@@ -5,6 +5,7 @@ use super::{
     machine::MachineScene,
     matrix::CoordinateList,
     scene::{Body, Scene, float, phase},
+    sections::Values,
     simulate::Start,
 };
 use crate::{
@@ -183,6 +184,20 @@ impl Scene {
         };
         let Some(start) = start else { return Ok([vec![0.0; points], vec![0.0; points]]) };
         Ok([part(&start.q)?, part(&start.u)?])
+    }
+
+    /// The ends of evenly spaced values, which ascend.
+    ///
+    /// # Errors
+    /// An input error that names the key, for values that cannot be computed and a first one that is not
+    /// below the last.
+    pub(crate) fn ends(&self, values: &Values) -> Result<[f64; 2]> {
+        let [from, to] = [self.number(&values.from)?, self.number(&values.to)?];
+        if from < to {
+            return Ok([from, to]);
+        }
+        let message = format!("is {from}, not below `to`, which is {to}: values ascend, so exchange them");
+        Err(self.fail(&values.from.key, &message))
     }
 
     /// A state to start from: velocities per radian of the forcing.

@@ -140,7 +140,7 @@ export function section(found: SectionAnswer): Layer[] {
   const curves = found.grazing_curve.map(({ wall, xy }) => curve(xy, "c5", `the next period grazes the ${wall} wall`));
   const sets = found.sets.map(({ attractor, xy }, i) => {
     const row = attractor === null ? undefined : found.report.attractors[attractor];
-    const label = row?.periodic ? `period ${row.period}, impacts in it: ${row.impacts}` : "not periodic";
+    const label = row?.periodic ? `period ${row.period}, impacts in it: ${row.impacts}` : row?.periodic === null ? "not settled" : "not periodic";
     return points(xy, ["c0", "c2", "c3"][i % 3]!, label, row?.periodic ? 4.5 : 1.5);
   });
   return filled([...curves, ...sets]);

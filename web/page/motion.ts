@@ -617,7 +617,7 @@ class MotionPanel implements Panel {
     if (!row) {
       rows.push(["attractor", String(found.report.reason ?? "none")]);
     } else {
-      rows.push(["period found", row.periodic ? `${row.period} forcing period${row.period === 1 ? "" : "s"}` : "none: not periodic within 64 periods"]);
+      rows.push(["period found", row.periodic ? `${row.period} forcing period${row.period === 1 ? "" : "s"}` : row.periodic === null ? "not settled: let more periods pass first" : "none: not periodic within 64 periods"]);
       rows.push(["impacts per forcing period", shown(row.impacts_per_period) + (row.periodic ? ` (${row.impacts} in ${row.period})` : "")]);
       const error = row.standard_error === null ? "" : ` ± ${shown(row.standard_error, 2)}`;
       rows.push(["largest Lyapunov exponent, per period", row.lyapunov_per_period === null ? "−∞: it comes to rest on a wall" : shown(row.lyapunov_per_period) + error]);

@@ -70,6 +70,7 @@ fn scatter<'a>(
         for motion in &slice.motions {
             let name = match motion.period {
                 Some(period) => format!("period {period} with {} impacts", motion.impacts),
+                None if motion.undecided => "not settled".to_string(),
                 None => "attractor, not periodic".to_string(),
             };
             let at = |&[q, _]: &[f64; 2]| (slice.value, height(q));

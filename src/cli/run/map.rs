@@ -15,10 +15,16 @@ const APART: u32 = 6;
 /// Classes before those of periods.
 const OTHERS: [&str; 3] = ["behind a wall", "it left every bound", "not periodic"];
 
+/// The class of what was not decided, the last.
+const NOT_SETTLED: usize = OTHERS.len() + APART as usize + 1;
+
 pub(super) fn keep(found: &MapFindings, job: &Job) -> Result<Vec<String>> {
     let mut names: Vec<String> = OTHERS.map(String::from).to_vec();
     names.extend((1..=APART).map(|period| format!("period {period}")));
     names.push(format!("period above {APART}"));
+    if found.cells.iter().any(|cell| cell.end == MapEnd::Unsettled) {
+        names.push("not settled".into());
+    }
     let [columns, rows] = &found.values;
     let (x, y) = (columns.clone(), rows.clone());
     let map = ParameterMap {
@@ -52,6 +58,7 @@ fn class(cell: &MapCell) -> usize {
         MapEnd::BehindAWall => 0,
         MapEnd::Ended(_) => 1,
         MapEnd::NotPeriodic => 2,
+        MapEnd::Unsettled => NOT_SETTLED,
         MapEnd::Periodic(period) => OTHERS.len() + period.min(APART + 1) as usize - 1,
     }
 }

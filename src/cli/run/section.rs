@@ -30,7 +30,7 @@ pub(super) fn keep(found: &SectionFindings, task: &SectionTask, job: &Job) -> Re
         };
         sets.push(frame.points(name.to_string(), mark, piece));
     }
-    let periodic = found.attractors.iter().filter(|attractor| attractor.periodic).count();
+    let periodic = found.attractors.iter().filter(|attractor| attractor.periodic == Some(true)).count();
     let alone = periodic + found.further_orbits.len() == 1;
     for (set, points) in &found.points {
         let (mark, name) = match set {
@@ -57,6 +57,9 @@ pub(super) fn keep(found: &SectionFindings, task: &SectionTask, job: &Job) -> Re
 }
 
 fn describe(attractor: &AttractorRow) -> (Mark, String) {
+    if attractor.periodic.is_none() {
+        return (Mark::Dot, "not settled".to_string());
+    }
     let (Some(n), Some(impacts)) = (attractor.period, attractor.impacts) else {
         return (Mark::Dot, "attractor, not periodic".to_string());
     };

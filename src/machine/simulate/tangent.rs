@@ -39,6 +39,8 @@ pub struct MachineTangents<'a> {
     frame: Vec<Vec<f64>>,
     /// The longest stretch on which vectors neither vanish in floats nor fall together.
     longest: f64,
+    /// Whether vectors are made orthonormal: then as many as the rank are left where rank is lost.
+    ordered: bool,
 }
 
 /// What is left of a vector beside others after a longer stretch is rounding.
@@ -53,7 +55,20 @@ impl<'a> MachineTangents<'a> {
         let mut frame = first(n, count);
         orthonormalise(&mut frame, &mut vec![0.0; count], 0.0);
         let longest = f64::INFINITY;
-        let mut all = MachineTangents { run, simulator, stage, state, now, frame, longest };
+        let mut all = MachineTangents { run, simulator, stage, state, now, frame, longest, ordered: true };
+        all.bound();
+        all.project();
+        all
+    }
+
+    /// The motion with a unit vector along each coordinate, in which the mass is 1.
+    pub fn along(run: MachineRun<'a>) -> MachineTangents<'a> {
+        let simulator = run.simulator();
+        let n = 2 * simulator.equations().size();
+        let (stage, state, now) = (run.stage(), run.state(), run.time());
+        let frame = (0..n).map(|i| (0..n).map(|j| f64::from(u8::from(i == j))).collect()).collect();
+        let longest = f64::INFINITY;
+        let mut all = MachineTangents { run, simulator, stage, state, now, frame, longest, ordered: false };
         all.bound();
         all.project();
         all
@@ -200,14 +215,24 @@ impl<'a> MachineTangents<'a> {
         }
         let stage = self.stage.clone();
         self.mapped(|q, u| stage.carried(&q, &u, 0.0));
-        let rank = stage.flow.dimension().min(self.frame.len());
-        self.frame[rank..].iter_mut().for_each(|vector| vector.fill(0.0));
+        if self.ordered {
+            let rank = stage.flow.dimension().min(self.frame.len());
+            self.frame[rank..].iter_mut().for_each(|vector| vector.fill(0.0));
+        }
     }
 }
 
 impl Tangents for MachineTangents<'_> {
     fn time(&self) -> Time {
         self.now
+    }
+
+    fn coordinates(&self) -> Vec<f64> {
+        self.close(&self.state.q, &self.state.u)
+    }
+
+    fn vectors(&self) -> Vec<Vec<f64>> {
+        self.frame.clone()
     }
 
     fn impacts(&self) -> u64 {

@@ -1,7 +1,7 @@
 //! From a motion to the periodic orbit that it tends to: the impact pattern read off, the orbit by Newton's
 //! method.
 
-use super::detection::{Detection, Fate};
+use super::detection::Detection;
 use crate::{
     error::{Error, Result},
     oscillator::{
@@ -24,9 +24,7 @@ pub fn attracting(
 ) -> Result<Orbit> {
     let simulator = Simulator::new(oscillator.system(), settings)?;
     let mut run = simulator.start(Time::new(0, start.t), start.q, start.u)?;
-    let Fate::Periodic(cycle) = detection.detect(&mut run)? else {
-        return Err(Error::input("the motion tends to no periodic orbit"));
-    };
+    let cycle = detection.detect(&simulator, &mut run)?.periodic(detection)?;
     let (period, phase, [q, u]) = (cycle.period() as i64, detection.phase, cycle.points[0]);
     let mut run = simulator.start(Time::new(0, phase), q, u)?;
     let (mut times, mut sides, mut speeds, mut rests) = (Vec::new(), Vec::new(), Vec::new(), false);

@@ -34,6 +34,8 @@ pub enum BasinCell {
     Attractor(usize),
     /// No recurrence seen.
     Irregular,
+    /// Not decided: a transient is not over, or points recur and no orbit is found.
+    Unsettled,
     /// A start behind a wall.
     Behind,
     /// The run ended.
@@ -190,7 +192,9 @@ impl<P: SectionState> Basins<P> {
     /// Whether a row of the grid can have come to this.
     pub fn can_be_row(&self, grid: &BasinGrid, detection: &Detection) -> bool {
         let cycle = |cycle: &Cycle<P>| {
-            (1..=detection.longest).contains(&cycle.points.len()) && cycle.points.iter().all(P::is_finite)
+            (1..=detection.longest).contains(&cycle.points.len())
+                && cycle.points.iter().all(P::is_finite)
+                && cycle.same.is_finite()
         };
         let cell = |cell: &BasinCell| match *cell {
             BasinCell::Attractor(index) => index < self.attractors.len(),
@@ -212,6 +216,7 @@ impl<P: SectionState> Basins<P> {
         match fate {
             None => BasinCell::Behind,
             Some(Fate::Irregular) => BasinCell::Irregular,
+            Some(Fate::Unsettled) => BasinCell::Unsettled,
             Some(Fate::Ended(end)) => BasinCell::Ended(end),
             Some(Fate::Periodic(cycle)) => BasinCell::Attractor(self.attractor(cycle)),
         }

@@ -1,11 +1,14 @@
-//! Which attractor a start ends up on: its period and number of impacts, by recurrence and confirmation.
+//! Which attractor a start ends up on: its period and number of impacts, by recurrence, and confirmed
+//! (`confirm`). The one detector for oscillators and machines, whatever asks: sections, basins, diagrams,
+//! maps, branches that start on an attractor.
 
 use std::cmp::Ordering;
 
 use serde::{Deserialize, Serialize};
 
 use super::{
-    dynamics::{Motion, SectionState},
+    confirm::{PATIENCE, Size, Tendency, Tends, tendency, tends},
+    dynamics::{Dynamics, Motion, SectionState},
     section::{section, stops},
 };
 use crate::{
@@ -14,12 +17,12 @@ use crate::{
     oscillator::simulate::RunEnd,
 };
 
-/// Points of the section this close in q and in u recur, unless a [`Detection`] says otherwise.
+/// Points of the section this close recur, unless a [`Detection`] says otherwise: relative to the extent of
+/// the motion, the largest difference of one coordinate over a period.
 pub const RECURRENCE: f64 = 1e-7;
 
-/// Orbits whose points are this close in q and in u are the same attractor. Larger than [`RECURRENCE`],
-/// because motions come from different sides to an attractor that they approach slowly.
-pub const SAME: f64 = 1e-4;
+/// Points farther apart than this, relative to the extent, are no sign of a period.
+const LIKELY: f64 = 0.1;
 
 /// How to look for recurrence in the section at `phase`.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -30,9 +33,10 @@ pub struct Detection {
     pub transient: u64,
     /// The longest period looked for, in forcing periods, at least 1. Default 64.
     pub longest: usize,
-    /// Points this close in q and in u recur. Default [`RECURRENCE`].
+    /// Points this close, relative to the extent of the motion, recur. Default [`RECURRENCE`].
     pub tolerance: f64,
-    /// How many more times round the points must recur, with the same impacts, at least 1. Default 2.
+    /// How many more times round the points must recur, with the same impacts, where Newton's method finds no
+    /// orbit, at least 1. Default 2.
     pub confirm: usize,
 }
 
@@ -46,20 +50,40 @@ impl Default for Detection {
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum Fate<P = [f64; 2]> {
-    /// A periodic orbit: the least period by recurrence.
+    /// A periodic orbit, confirmed: by Newton's method, or as the points recur to rounding.
     Periodic(Cycle<P>),
-    /// No recurrence up to the longest period: chaos, a long period, or a transient not over.
+    /// No recurrence up to the longest period: chaos, or a long period.
     Irregular,
+    /// Not decided: a transient is not over, or points recur and no orbit is found.
+    Unsettled,
     /// The run ended first.
     Ended(RunEnd),
 }
 
 impl<P: SectionState> Fate<P> {
+    /// The cycle.
+    ///
+    /// # Errors
+    /// An input error that says what the motion does instead.
+    pub fn periodic(self, detection: &Detection) -> Result<Cycle<P>> {
+        let Detection { longest, transient, .. } = detection;
+        Err(Error::input(match self {
+            Fate::Periodic(cycle) => return Ok(cycle),
+            Fate::Irregular => format!(
+                "the motion tends to no periodic orbit: after {transient} periods it has no period of at most {longest}"
+            ),
+            Fate::Unsettled => format!(
+                "not settled: after {transient} periods it is not decided whether the motion tends to a periodic orbit"
+            ),
+            Fate::Ended(end) => format!("the motion ended before it settled, {}", end.why()),
+        }))
+    }
+
     /// Whether another run ends up on the same attractor; all motions that are not periodic count as one.
     pub fn is(&self, other: &Fate<P>) -> bool {
         match (self, other) {
             (Fate::Periodic(one), Fate::Periodic(other)) => one.is(other),
-            (Fate::Irregular, Fate::Irregular) => true,
+            (Fate::Irregular, Fate::Irregular) | (Fate::Unsettled, Fate::Unsettled) => true,
             _ => false,
         }
     }
@@ -90,12 +114,17 @@ pub struct Cycle<P = [f64; 2]> {
     pub points: Vec<P>,
     /// Impacts in one time round.
     pub impacts: u64,
+    /// States this close to it in every coordinate are on it.
+    pub same: f64,
+    /// Its multipliers, the largest modulus first; none where they are not known, as the orbit was told by
+    /// recurrence to rounding.
+    pub multipliers: Vec<(f64, f64)>,
 }
 
 impl<P: SectionState> Cycle<P> {
-    /// Whether a state of the section is one of its points, up to [`SAME`].
+    /// Whether a state of the section is one of its points.
     pub fn passes(&self, state: &P) -> bool {
-        self.points.iter().any(|point| point.near(state, SAME))
+        self.points.iter().any(|point| point.near(state, self.same))
     }
 
     /// The period in forcing periods.
@@ -103,16 +132,33 @@ impl<P: SectionState> Cycle<P> {
         self.points.len()
     }
 
-    /// Whether the other is the same attractor: up to [`SAME`] in each coordinate, and where on it one began.
+    /// Whether the other is the same attractor, wherever on it one began.
     pub fn is(&self, other: &Cycle<P>) -> bool {
+        let close = self.same.max(other.same);
         let same = |shift: usize| {
             let turned = other.points.iter().cycle().skip(shift);
-            self.points.iter().zip(turned).all(|(a, b)| a.near(b, SAME))
+            self.points.iter().zip(turned).all(|(a, b)| a.near(b, close))
         };
         self.points.len() == other.points.len()
             && self.impacts == other.impacts
             && (0..self.period()).any(same)
     }
+
+    /// The Lyapunov exponents times the forcing period, ln |λ| over the period, the largest first: −∞ for a
+    /// multiplier 0. Empty where the multipliers are not known.
+    pub fn exponents(&self) -> Vec<f64> {
+        let one = |(re, im): &(f64, f64)| re.hypot(*im).ln() / self.period() as f64;
+        self.multipliers.iter().map(one).collect()
+    }
+}
+
+/// The points of a cycle from the least on.
+pub(super) fn ordered<P: SectionState>(mut points: Vec<P>) -> Vec<P> {
+    let order =
+        |&i: &usize, &j: &usize| points[i].plane().partial_cmp(&points[j].plane()).unwrap_or(Ordering::Equal);
+    let least = (0..points.len()).min_by(order).unwrap_or(0);
+    points.rotate_left(least);
+    points
 }
 
 impl Detection {
@@ -131,75 +177,196 @@ impl Detection {
         Ok(())
     }
 
-    /// Follows the run for `transient` + `longest` · (1 + `confirm`) periods at most. The answer is numerical
-    /// evidence, not proof.
+    /// Follows the run of these dynamics for `transient` + `longest` · (1 + `confirm`) periods, and for 2,000
+    /// more at most where an orbit that attracts is near and the motion not yet told to tend there. The answer
+    /// is numerical evidence, not proof.
     ///
     /// # Errors
     /// Those of [`check`](Self::check) and of [`Motion::pass`].
-    pub fn detect<M: Motion>(&self, run: &mut M) -> Result<Fate<M::Point>> {
+    pub fn detect<'a, D: Dynamics>(
+        &self,
+        dynamics: &'a D,
+        run: &mut D::Motion<'a>,
+    ) -> Result<Fate<D::Point>> {
         self.check()?;
         let end = stops(run, self.phase, self.transient.saturating_add(1), |_, _, _| true)?;
         if end != RunEnd::Reached {
             return Ok(Fate::Ended(end));
         }
-        let mut seen = Recurrence::new(self, run.point());
-        let end = section(run, self.phase, self.most(), |point| seen.see(point.at, point.impacts))?;
+        let mut seen = Recurrence::new(self, dynamics, run.point())?;
+        let mut failed = None;
+        let end = section(run, self.phase, u64::MAX, |point| {
+            seen.see(point.at, point.impacts).unwrap_or_else(|error| {
+                failed = Some(error);
+                false
+            })
+        })?;
+        if let Some(error) = failed {
+            return Err(error);
+        }
         Ok(if end == RunEnd::Reached { seen.fate() } else { Fate::Ended(end) })
     }
-
-    /// The most points that recurrence is looked for in.
-    pub(super) fn most(&self) -> u64 {
-        (self.longest * (1 + self.confirm)) as u64
-    }
 }
 
-/// Points of a section as they come in: whether they recur.
-#[derive(Debug, Clone)]
-pub(super) struct Recurrence<'d, P> {
+/// Points of a section as they come in: whether they recur, and whether that is an orbit.
+pub(super) struct Recurrence<'d, D: Dynamics> {
     detection: &'d Detection,
+    dynamics: &'d D,
+    size: Size,
     /// Each with the impacts since the one before.
-    points: Vec<(P, u64)>,
-    period: Option<usize>,
+    points: Vec<(D::Point, u64)>,
+    /// A period at which points recur so far, and since which point.
+    candidate: Option<(usize, usize)>,
+    /// When Newton's method is tried again: there is an orbit that attracts.
+    again: Option<usize>,
+    settled: Option<Cycle<D::Point>>,
+    /// Whether the window of points is over.
+    over: bool,
 }
 
-impl<'d, P: SectionState> Recurrence<'d, P> {
+impl<'d, D: Dynamics> Recurrence<'d, D> {
     /// The first point, after the transient.
-    pub fn new(detection: &'d Detection, first: P) -> Self {
-        Recurrence { detection, points: vec![(first, 0)], period: None }
+    ///
+    /// # Errors
+    /// Those of [`Motion::pass`].
+    pub fn new(detection: &'d Detection, dynamics: &'d D, first: D::Point) -> Result<Self> {
+        let size = Size::of(dynamics, first.coordinates(), detection.phase)?;
+        let points = vec![(first, 0)];
+        Ok(Recurrence {
+            detection,
+            dynamics,
+            size,
+            points,
+            candidate: None,
+            again: None,
+            settled: None,
+            over: false,
+        })
     }
 
     /// The next point; whether another is asked for.
-    pub fn see(&mut self, at: P, impacts: u64) -> bool {
+    ///
+    /// # Errors
+    /// Those of [`Motion::pass`].
+    pub fn see(&mut self, at: D::Point, impacts: u64) -> Result<bool> {
         let Detection { longest, confirm, tolerance, .. } = *self.detection;
-        let points = &self.points;
-        let here = points.len();
-        let same = |n: usize| at.near(&points[here - n].0, tolerance);
-        let mut more = true;
-        match self.period {
-            None if same(here) => self.period = Some(here),
-            None => more = here < longest,
-            // A chance encounter: on with the search.
-            Some(n) if !same(n) || here > 2 * n && impacts != points[here - n].1 => {
-                self.period = None;
-                more = here < longest;
-            }
-            Some(n) => more = here < n * (1 + confirm),
-        }
         self.points.push((at, impacts));
-        more && (here as u64) < self.detection.most()
+        let here = self.points.len() - 1;
+        match self.candidate {
+            Some((n, since)) if self.recurs(n, tolerance) && (here <= since + n || self.hits_again(n)) => {
+                let sure = here - since >= n * confirm;
+                if sure && self.recurs_to_rounding(n, confirm) {
+                    self.settled = Some(self.seen(n));
+                } else if sure && self.again.is_none() {
+                    // It recurs, and no orbit is found: perhaps later.
+                    self.again = Some(here + n.max(here / 2));
+                }
+            }
+            // A chance encounter: on with the search.
+            Some(_) => (self.candidate, self.again, self.over) = (None, None, false),
+            None if here <= longest && self.recurs(here, tolerance) => {
+                self.candidate = Some((here, here));
+                self.attempt(here)?;
+            }
+            None => {}
+        }
+        if self.settled.is_none() && self.again == Some(here) {
+            self.again = None;
+            match self.candidate {
+                Some((n, _)) => self.attempt(n)?,
+                None => self.guess()?,
+            }
+        }
+        if self.settled.is_none() && here >= longest && self.candidate.is_none() && !self.over {
+            self.over = true;
+            self.guess()?;
+        }
+        let most = longest * (1 + confirm) + PATIENCE as usize;
+        let pending = self.again.is_some() || self.candidate.is_some() || here < longest;
+        Ok(self.settled.is_none() && pending && here < most)
+    }
+
+    /// Whether the last point is near the one n before.
+    fn recurs(&self, n: usize, tolerance: f64) -> bool {
+        let here = self.points.len() - 1;
+        here >= n && self.points[here].0.near(&self.points[here - n].0, self.size.part(tolerance))
+    }
+
+    fn hits_again(&self, n: usize) -> bool {
+        let here = self.points.len() - 1;
+        here < 2 * n || self.points[here].1 == self.points[here - n].1
+    }
+
+    /// Whether the last rounds were the same up to rounding.
+    fn recurs_to_rounding(&self, n: usize, rounds: usize) -> bool {
+        let close = self.size.part(0.0);
+        let here = self.points.len() - 1;
+        here >= n * (rounds + 1)
+            && (0..n * rounds).all(|i| self.points[here - i].0.near(&self.points[here - i - n].0, close))
+    }
+
+    /// The last round as a cycle.
+    fn seen(&self, n: usize) -> Cycle<D::Point> {
+        let round = &self.points[self.points.len() - n..];
+        let impacts = round.iter().map(|point| point.1).sum();
+        let points = ordered(round.iter().map(|point| point.0.clone()).collect());
+        Cycle { points, impacts, same: self.size.same(), multipliers: Vec::new() }
+    }
+
+    /// Looks for the orbit of a period at which points recur.
+    fn attempt(&mut self, n: usize) -> Result<()> {
+        let here = self.points.len() - 1;
+        let at = self.points[here].0.coordinates();
+        let found = tendency(self.dynamics, at, self.detection.phase, n, &self.size)?;
+        self.keep(found, here, n);
+        Ok(())
+    }
+
+    /// Looks for an orbit of period 1, or of the period at which the last point is nearest to one before: a
+    /// transient may last, and not recur.
+    fn guess(&mut self) -> Result<()> {
+        let (here, phase) = (self.points.len() - 1, self.detection.phase);
+        let (last, before) = self.points.split_last().expect("never empty");
+        let apart = |n: usize| {
+            let other = before[here - n].0.coordinates();
+            last.0.coordinates().iter().zip(other).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+        };
+        let longest = self.detection.longest.min(GUESSED).min(here);
+        let nearest = (1..=longest).min_by(|&a, &b| apart(a).total_cmp(&apart(b))).unwrap_or(1);
+        let likely = apart(nearest) <= LIKELY * self.size.extent;
+        let at = last.0.coordinates().to_vec();
+        for n in [1, nearest] {
+            let found = match tends(self.dynamics, &at, phase, n, &self.size)? {
+                Tends::Settled => tendency(self.dynamics, &at, phase, n, &self.size)?,
+                Tends::NotYet => Tendency::NotYet,
+                Tends::Elsewhere => Tendency::Other,
+            };
+            self.keep(found, here, n);
+            if self.settled.is_some() || nearest == 1 || !likely {
+                break;
+            }
+        }
+        Ok(())
+    }
+
+    fn keep(&mut self, found: Tendency<D::Point>, here: usize, n: usize) {
+        match found {
+            Tendency::Settled(cycle) => self.settled = Some(cycle),
+            // Ever more rarely.
+            Tendency::NotYet => self.again = Some(here + n.max(here / 2)),
+            Tendency::Other => {}
+        }
     }
 
     /// What the points amount to once no other is asked for.
-    pub fn fate(&self) -> Fate<P> {
-        let Some(n) = self.period else { return Fate::Irregular };
-        let round = &self.points[1..=n];
-        let impacts = round.iter().map(|point| point.1).sum();
-        let mut points: Vec<_> = round.iter().map(|point| point.0.clone()).collect();
-        let order = |&i: &usize, &j: &usize| {
-            points[i].plane().partial_cmp(&points[j].plane()).unwrap_or(Ordering::Equal)
-        };
-        let least = (0..n).min_by(order).unwrap_or(0);
-        points.rotate_left(least);
-        Fate::Periodic(Cycle { points, impacts })
+    pub fn fate(&mut self) -> Fate<D::Point> {
+        match self.settled.take() {
+            Some(cycle) => Fate::Periodic(cycle),
+            None if self.again.is_some() || self.candidate.is_some() => Fate::Unsettled,
+            None => Fate::Irregular,
+        }
     }
 }
+
+/// The longest period that is guessed where points do not recur.
+const GUESSED: usize = 16;

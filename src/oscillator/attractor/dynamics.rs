@@ -21,7 +21,7 @@ pub trait SectionState: Clone + Debug + PartialEq + Send + Sync + Serialize + De
     /// The two numbers by which it is drawn.
     fn plane(&self) -> [f64; 2];
 
-    /// All numbers by which states are told apart, in units in which motions have a size of about 1.
+    /// All numbers by which states are told apart, of one unit.
     fn coordinates(&self) -> &[f64];
 
     /// Whether the other is this close in every coordinate.
@@ -65,12 +65,18 @@ pub trait Tangents {
     /// Where the motion is in time.
     fn time(&self) -> Time;
 
+    /// The motion's state, as [`SectionState::coordinates`].
+    fn coordinates(&self) -> Vec<f64>;
+
+    /// The vectors, in the same coordinates.
+    fn vectors(&self) -> Vec<Vec<f64>>;
+
     /// How many impacts there were.
     fn impacts(&self) -> u64;
 
     /// On to `goal`. To `growth`, an entry for each vector, is added the logarithm of the growth of the
     /// first; of the second, beside the first; and so on: −∞ for one that vanishes. The vectors are
-    /// orthonormal before and after.
+    /// orthonormal before and after; with no entries they are as they are carried.
     ///
     /// # Errors
     /// Those of [`Motion::pass`].
@@ -104,12 +110,24 @@ pub trait Dynamics: Sync + Sized {
     /// A start behind a stop, or not finite.
     fn begin(&self, start: &Self::Start) -> Result<Self::Motion<'_>>;
 
+    /// The start with these coordinates, as [`SectionState::coordinates`], at a phase.
+    fn at(&self, coordinates: &[f64], phase: f64) -> Self::Start;
+
+    /// The motion with a unit vector along each coordinate.
+    fn along<'a>(&'a self, motion: Self::Motion<'a>) -> Self::Tangents<'a>;
+
+    /// The eigenvalues, real and imaginary part, the largest modulus first, of a map's derivative in the same
+    /// coordinates, by rows; none where it is not finite. Of two, the smaller follows from the modulus of the
+    /// determinant, if that is known better than by cancellation.
+    fn multipliers(slope: &[Vec<f64>], determinant: Option<f64>) -> Option<Vec<(f64, f64)>>;
+
     /// The start with these two numbers in the plane that is drawn, at a phase in [0, 2π).
     fn in_plane(&self, at: [f64; 2], phase: f64) -> Self::Start;
 
     /// What the motions from these starts lead to, as [`Detection::detect`] says it of each; `None` for a
-    /// start behind a stop, or not finite. A motion that stays within 1e-7 of a cycle `known` to attract, and
-    /// comes no farther from it, for two times round, may be taken to end on it before the transient is over.
+    /// start behind a stop, or not finite. A motion that stays where the orbits of a cycle `known` to attract
+    /// are not told apart, and comes no farther from it, for two times round, may be taken to end on it before
+    /// the transient is over.
     ///
     /// # Errors
     /// Those of [`Motion::pass`]; the monitor's.
@@ -126,7 +144,7 @@ pub trait Dynamics: Sync + Sized {
             monitor.advance(0)?;
             let Ok(mut run) = self.begin(start) else { return Ok(None) };
             match wait(&mut run, detection.phase, detection.transient, monitor)? {
-                RunEnd::Reached => settled.detect(&mut run).map(Some),
+                RunEnd::Reached => settled.detect(self, &mut run).map(Some),
                 end => Ok(Some(Fate::Ended(end))),
             }
         };

@@ -32,8 +32,9 @@ pub struct MapCell {
     pub end: MapEnd,
     /// Impacts in a round of a periodic motion; of others in all periods looked at.
     pub impacts: u64,
-    /// The largest Lyapunov exponent times the forcing period, over the periods looked at; none where it is
-    /// −∞, because the motion comes to rest on a wall, or where the motion ends.
+    /// The largest Lyapunov exponent times the forcing period: of a periodic motion ln |λ| over its period, of
+    /// others over the periods looked at; none where it is −∞, because the motion comes to rest on a wall, or
+    /// where the motion ends.
     pub exponent: Option<f64>,
 }
 
@@ -46,6 +47,8 @@ pub enum MapEnd {
     Periodic(u32),
     /// No recurrence seen.
     NotPeriodic,
+    /// Not decided: a transient is not over, or points recur and no orbit is found.
+    Unsettled,
     /// It cannot start: it is behind a wall.
     BehindAWall,
     /// The run ended.
@@ -173,15 +176,10 @@ fn cells_of(simulators: &[Simulator], plan: &MapPlan, monitor: &dyn Monitor) -> 
         .map(|motion| {
             let (at, impacts) = (batch.point(motion), batch.impacts(motion));
             let growth = Growth::new(&simulators[names[motion]], State { t: phase, q: at[0], u: at[1] });
-            Seen {
-                recurrence: Recurrence::new(&detection, at),
-                more: true,
-                first: impacts,
-                last: impacts,
-                growth,
-            }
+            let recurrence = Recurrence::new(&detection, &simulators[names[motion]], at)?;
+            Ok(Seen { recurrence, more: true, first: impacts, last: impacts, growth })
         })
-        .collect();
+        .collect::<Result<_>>()?;
     for passed in 0..u64::from(points) {
         batch.record(|motion, event| seen[motion].growth.see(event));
         if passed % PAUSE == 0 {
@@ -196,7 +194,7 @@ fn cells_of(simulators: &[Simulator], plan: &MapPlan, monitor: &dyn Monitor) -> 
             seen.growth.reach(State { t: phase, q: at[0], u: at[1] });
             if seen.more {
                 let impacts = batch.impacts(motion);
-                seen.more = seen.recurrence.see(at, impacts - seen.last);
+                seen.more = seen.recurrence.see(at, impacts - seen.last)?;
                 seen.last = impacts;
             }
         }
@@ -209,9 +207,17 @@ fn cells_of(simulators: &[Simulator], plan: &MapPlan, monitor: &dyn Monitor) -> 
             continue;
         }
         cell.exponent = Some(seen.growth.whole() / f64::from(points)).filter(|exponent| exponent.is_finite());
+        let passed = batch.impacts(motion) - seen.first;
         (cell.end, cell.impacts) = match seen.recurrence.fate() {
-            Fate::Periodic(cycle) => (MapEnd::Periodic(cycle.period() as u32), cycle.impacts),
-            _ => (MapEnd::NotPeriodic, batch.impacts(motion) - seen.first),
+            Fate::Periodic(cycle) => {
+                // Of a periodic motion the exponent is that of its multipliers.
+                if let Some(first) = cycle.exponents().first() {
+                    cell.exponent = Some(*first).filter(|exponent| exponent.is_finite());
+                }
+                (MapEnd::Periodic(cycle.period() as u32), cycle.impacts)
+            }
+            Fate::Unsettled => (MapEnd::Unsettled, passed),
+            _ => (MapEnd::NotPeriodic, passed),
         };
     }
     Ok(cells)
@@ -219,7 +225,7 @@ fn cells_of(simulators: &[Simulator], plan: &MapPlan, monitor: &dyn Monitor) -> 
 
 /// A motion as it is looked at.
 struct Seen<'a> {
-    recurrence: Recurrence<'a, [f64; 2]>,
+    recurrence: Recurrence<'a, Simulator>,
     /// Whether it may still recur.
     more: bool,
     /// Its impacts when the looking began, and at the last point.

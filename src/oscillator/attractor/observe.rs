@@ -37,8 +37,10 @@ pub struct Observation {
 pub struct Observed<S, P> {
     /// Where the motion was at the end of the transient.
     pub settled: S,
-    /// The periodic orbit that it is on, if it is on one.
+    /// The periodic orbit that it tends to, if it does.
     pub cycle: Option<Cycle<P>>,
+    /// Whether it was not decided if it tends to one.
+    pub undecided: bool,
     /// The points kept, as they are drawn.
     pub points: Vec<[f64; 2]>,
     /// Impacts once round; of others while their points were looked at.
@@ -93,10 +95,11 @@ fn observe<'a, D: Dynamics>(
         return Ok(Err(end));
     }
     let settled = dynamics.here(run);
-    let cycle = match observation.detection().detect(run)? {
+    let (cycle, undecided) = match observation.detection().detect(dynamics, run)? {
         Fate::Ended(end) => return Ok(Err(end)),
-        Fate::Periodic(cycle) => Some(cycle),
-        Fate::Irregular => None,
+        Fate::Periodic(cycle) => (Some(cycle), false),
+        Fate::Irregular => (None, false),
+        Fate::Unsettled => (None, true),
     };
     monitor.advance(0)?;
     let (mut points, before) = (Vec::new(), run.impacts());
@@ -110,7 +113,7 @@ fn observe<'a, D: Dynamics>(
         return Ok(Err(end));
     }
     let impacts = cycle.as_ref().map_or_else(|| run.impacts() - before, |cycle| cycle.impacts);
-    Ok(Ok(Observed { settled, cycle, points, impacts }))
+    Ok(Ok(Observed { settled, cycle, undecided, points, impacts }))
 }
 
 /// Fewer motions than this are followed one by one: they would not fill a vector.
@@ -122,9 +125,9 @@ const PAUSE: u64 = 16;
 /// What a motion of a batch is looked at for.
 enum Stage<'d> {
     /// For recurrence, with the impacts at the last point.
-    Recurs(Recurrence<'d, [f64; 2]>, u64),
+    Recurs(Recurrence<'d, Simulator>, u64),
     /// For points: how many more, those kept, and the impacts before the first.
-    Shows { cycle: Option<Cycle>, left: u32, points: Vec<[f64; 2]>, before: u64 },
+    Shows { cycle: Option<Cycle>, undecided: bool, left: u32, points: Vec<[f64; 2]>, before: u64 },
 }
 
 /// The same for motions of oscillators, many at once.
@@ -142,6 +145,7 @@ pub(super) fn together(
     let detection = observation.detection();
     detection.check()?;
     let mut outcomes = vec![Err(RunEnd::Reached); motions.len()];
+    let simulators: Vec<&Simulator> = motions.iter().map(|(simulator, _)| *simulator).collect();
     let mut batch = Batch::new(observation.phase, motions);
     let mut under_way: Vec<usize> = (0..outcomes.len()).collect();
     let mut settled = Vec::new();
@@ -173,10 +177,10 @@ pub(super) fn together(
         .into_iter()
         .zip(settled)
         .map(|(motion, settled)| {
-            let recurrence = Recurrence::new(&detection, batch.point(motion));
-            (motion, settled, Stage::Recurs(recurrence, batch.impacts(motion)))
+            let recurrence = Recurrence::new(&detection, simulators[motion], batch.point(motion))?;
+            Ok((motion, settled, Stage::Recurs(recurrence, batch.impacts(motion))))
         })
-        .collect();
+        .collect::<Result<_>>()?;
     let mut passed = 0u64;
     while !seen.is_empty() {
         batch.pass();
@@ -184,13 +188,16 @@ pub(super) fn together(
             monitor.advance(0)?;
         }
         passed += 1;
+        let mut failed = None;
         seen.retain_mut(|(motion, settled, stage)| {
             let outcome = match batch.end(*motion) {
-                RunEnd::Reached => match stage.see(&batch, *motion, observation) {
-                    Some((cycle, points, impacts)) => {
-                        Ok(Observed { settled: *settled, cycle, points, impacts })
+                RunEnd::Reached => match stage.see(&batch, *motion, *settled, observation) {
+                    Ok(Some(observed)) => Ok(observed),
+                    Ok(None) => return true,
+                    Err(error) => {
+                        failed = Some(error);
+                        return true;
                     }
-                    None => return true,
                 },
                 end => Err(end),
             };
@@ -198,31 +205,35 @@ pub(super) fn together(
             batch.drop(*motion);
             false
         });
+        if let Some(error) = failed {
+            return Err(error);
+        }
     }
     Ok(outcomes)
 }
 
 impl Stage<'_> {
-    /// The next point; once no other is asked for, what was seen: the cycle, the points and the impacts.
+    /// The next point; once no other is asked for, what was seen.
     fn see(
         &mut self,
         batch: &Batch,
         motion: usize,
+        settled: State,
         observation: &Observation,
-    ) -> Option<(Option<Cycle>, Vec<[f64; 2]>, u64)> {
+    ) -> Result<Option<Observed<State, [f64; 2]>>> {
         let (at, impacts) = (batch.point(motion), batch.impacts(motion));
         match self {
             Stage::Recurs(recurrence, before) => {
-                if recurrence.see(at, impacts - *before) {
+                if recurrence.see(at, impacts - *before)? {
                     *before = impacts;
-                    return None;
+                    return Ok(None);
                 }
-                let cycle = match recurrence.fate() {
-                    Fate::Periodic(cycle) => Some(cycle),
-                    _ => None,
+                let (cycle, undecided) = match recurrence.fate() {
+                    Fate::Periodic(cycle) => (Some(cycle), false),
+                    fate => (None, fate == Fate::Unsettled),
                 };
                 let left = observation.looks(cycle.as_ref());
-                *self = Stage::Shows { cycle, left, points: Vec::new(), before: impacts };
+                *self = Stage::Shows { cycle, undecided, left, points: Vec::new(), before: impacts };
             }
             Stage::Shows { left, points, .. } => {
                 *left -= 1;
@@ -231,13 +242,13 @@ impl Stage<'_> {
                 }
             }
         }
-        match self {
-            Stage::Shows { cycle, left: 0, points, before } => {
+        Ok(match self {
+            Stage::Shows { cycle, undecided, left: 0, points, before } => {
                 let (cycle, points) = (cycle.take(), std::mem::take(points));
                 let impacts = cycle.as_ref().map_or(impacts - *before, |cycle| cycle.impacts);
-                Some((cycle, points, impacts))
+                Some(Observed { settled, cycle, undecided: *undecided, points, impacts })
             }
             _ => None,
-        }
+        })
     }
 }

@@ -12,8 +12,9 @@ use crate::{
     monitor::Monitor,
     oscillator::{
         Time,
-        algebra::apply,
+        algebra::{IDENTITY, apply},
         flow::{SHORTEST, State},
+        orbit::Multipliers,
         simulate::{Event, Run, RunEnd, Simulator},
     },
 };
@@ -90,6 +91,21 @@ impl Dynamics for Simulator {
         observe::together(motions, observation, monitor)
     }
 
+    fn at(&self, coordinates: &[f64], phase: f64) -> State {
+        State { t: phase, q: coordinates[0], u: coordinates[1] }
+    }
+
+    fn along<'a>(&'a self, run: Run<'a>) -> Carried<'a> {
+        Carried { frame: IDENTITY.to_vec(), ..Carried::new(self, run, 2) }
+    }
+
+    fn multipliers(slope: &[Vec<f64>], determinant: Option<f64>) -> Option<Vec<(f64, f64)>> {
+        let [[a, b], [c, d]] = [[slope[0][0], slope[0][1]], [slope[1][0], slope[1][1]]];
+        // Neither the flow nor an impact turns an area over.
+        let all = Multipliers { trace: a + d, determinant: determinant.unwrap_or(a * d - b * c) };
+        [a, b, c, d].iter().all(|x| x.is_finite()).then(|| all.values().to_vec())
+    }
+
     fn here(&self, run: &Run<'_>) -> State {
         State { t: run.time().phase, ..run.state() }
     }
@@ -143,6 +159,14 @@ impl<'a> Carried<'a> {
 impl Tangents for Carried<'_> {
     fn time(&self) -> Time {
         self.now
+    }
+
+    fn coordinates(&self) -> Vec<f64> {
+        vec![self.state.q, self.state.u]
+    }
+
+    fn vectors(&self) -> Vec<Vec<f64>> {
+        self.frame.iter().map(|vector| vector.to_vec()).collect()
     }
 
     fn impacts(&self) -> u64 {

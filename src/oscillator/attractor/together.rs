@@ -1,9 +1,6 @@
 //! Many motions of one oscillator followed together to where they end.
 
-use super::{
-    detection::{Cycle, Detection, Fate, Recurrence, SAME},
-    dynamics::SectionState,
-};
+use super::detection::{Cycle, Detection, Fate, Recurrence};
 use crate::{
     error::Result,
     monitor::Monitor,
@@ -14,11 +11,8 @@ use crate::{
     },
 };
 
-/// A motion this close to an attractor found before may be on its way to it.
-const ARRIVED: f64 = 1e-7;
-
-/// Below this the distance is rounding.
-const ROUNDED: f64 = 1e-13;
+/// Below this part of the distance at which orbits are not told apart the distance is rounding.
+const ROUNDED: f64 = 1e-6;
 
 /// How many times round it must come no farther away.
 const ROUNDS: u32 = 2;
@@ -96,20 +90,27 @@ pub(super) fn together(
             return Ok(fates);
         }
     }
-    let start = |motion| (motion, Recurrence::new(detection, batch.point(motion)), batch.impacts(motion));
-    let mut seen: Vec<_> = under_way.into_iter().map(start).collect();
+    let start = |motion| {
+        let recurrence = Recurrence::new(detection, simulator, batch.point(motion))?;
+        Ok((motion, recurrence, batch.impacts(motion)))
+    };
+    let mut seen: Vec<_> = under_way.into_iter().map(start).collect::<Result<_>>()?;
     while !seen.is_empty() {
         batch.pass();
         monitor.advance(0)?;
+        let mut failed = None;
         seen.retain_mut(|(motion, recurrence, before)| {
             let fate = match batch.end(*motion) {
                 RunEnd::Reached => {
                     let impacts = batch.impacts(*motion);
-                    if recurrence.see(batch.point(*motion), impacts - *before) {
-                        *before = impacts;
-                        return true;
+                    match recurrence.see(batch.point(*motion), impacts - *before) {
+                        Ok(false) => recurrence.fate(),
+                        more => {
+                            failed = more.err();
+                            *before = impacts;
+                            return true;
+                        }
                     }
-                    recurrence.fate()
                 }
                 end => Fate::Ended(end),
             };
@@ -117,6 +118,9 @@ pub(super) fn together(
             batch.drop(*motion);
             false
         });
+        if let Some(error) = failed {
+            return Err(error);
+        }
     }
     Ok(fates)
 }
@@ -140,7 +144,7 @@ impl Arrival {
         });
         let near = |(cycle, point, place): (usize, usize, &[f64; 2])| {
             let distance = distance(&at, place);
-            (distance <= ARRIVED).then_some((cycle, point, distance))
+            (distance <= known[cycle].same).then_some((cycle, point, distance))
         };
         let (cycle, point, distance) = places.filter_map(near).next()?;
         let due = passed + known[cycle].period() as u64;
@@ -151,7 +155,8 @@ impl Arrival {
     fn again(self, known: &[Cycle], at: [f64; 2], impacts: u64) -> Option<Arrival> {
         let cycle = &known[self.cycle];
         let distance = distance(&at, &cycle.points[self.point]);
-        let stays = distance <= self.distance.max(ROUNDED) && impacts - self.impacts == cycle.impacts;
+        let stays =
+            distance <= self.distance.max(ROUNDED * cycle.same) && impacts - self.impacts == cycle.impacts;
         let due = self.due + cycle.period() as u64;
         stays.then_some(Arrival { distance, impacts, rounds: self.rounds + 1, due, ..self })
     }
@@ -159,6 +164,5 @@ impl Arrival {
 
 /// In the larger coordinate.
 fn distance(a: &[f64; 2], b: &[f64; 2]) -> f64 {
-    debug_assert!(ARRIVED < SAME && a.is_finite());
     (a[0] - b[0]).abs().max((a[1] - b[1]).abs())
 }

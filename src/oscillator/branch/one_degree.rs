@@ -151,7 +151,7 @@ impl PatternFamily for dyn Family + '_ {
     fn once(&self, pattern: &Itinerary, z: &[f64]) -> Option<(Itinerary, Vec<f64>)> {
         if pattern.strikes().is_empty() {
             let half = Itinerary::free(pattern.periods() / 2).ok()?;
-            return (half.repeated(2) == *pattern).then(|| (half, z.to_vec()));
+            return (half.repeated(2).ok().as_ref() == Some(pattern)).then(|| (half, z.to_vec()));
         }
         let (first, second) = pattern.strikes().split_at(pattern.strikes().len() / 2);
         if first.len() != second.len() || first.iter().zip(second).any(|(a, b)| a.side != b.side) {

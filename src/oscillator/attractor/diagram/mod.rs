@@ -56,6 +56,8 @@ pub struct DiagramMotion {
     pub points: Vec<[f64; 2]>,
     /// Its period in forcing periods, if it is periodic.
     pub period: Option<u32>,
+    /// Whether it was not decided if it is.
+    pub undecided: bool,
     /// Impacts a period; for others in all the points' time.
     pub impacts: u64,
 }
@@ -66,7 +68,7 @@ pub struct Slice {
     /// The value.
     pub value: f64,
     /// The attractors, in the order of the starts that lead there first; all motions that are not periodic
-    /// count as one.
+    /// count as one, all that are not decided as another.
     pub motions: Vec<DiagramMotion>,
     /// Starts whose motion left every bound, or are behind a wall here.
     pub lost: u32,
@@ -125,17 +127,17 @@ impl<S> DiagramPlan<S> {
 
     /// What motions that go on amount to at a value.
     fn slice<P: SectionState>(&self, value: f64, all: Vec<Observed<S, P>>) -> Slice {
-        let (mut cycles, mut motions) = (Vec::<Option<Cycle<P>>>::new(), Vec::new());
+        let (mut cycles, mut motions) = (Vec::<(Option<Cycle<P>>, bool)>::new(), Vec::new());
         let lost = (self.starts.len() - all.len()) as u32;
-        for Observed { cycle, points, impacts, .. } in all {
-            let known = |old: &Option<Cycle<P>>| match (old, &cycle) {
+        for Observed { cycle, undecided, points, impacts, .. } in all {
+            let known = |(old, before): &(Option<Cycle<P>>, bool)| match (old, &cycle) {
                 (Some(old), Some(cycle)) => old.is(cycle),
-                (old, cycle) => old.is_none() && cycle.is_none(),
+                (old, cycle) => old.is_none() && cycle.is_none() && *before == undecided,
             };
             if !cycles.iter().any(known) {
                 let period = cycle.as_ref().map(|cycle| cycle.period() as u32);
-                motions.push(DiagramMotion { points, period, impacts });
-                cycles.push(cycle);
+                motions.push(DiagramMotion { points, period, undecided, impacts });
+                cycles.push((cycle, undecided));
             }
         }
         Slice { value, motions, lost }
@@ -156,7 +158,7 @@ impl<S> DiagramPlan<S> {
         let motion = |motion: &DiagramMotion| {
             motion.points.len() <= most
                 && motion.points.iter().flatten().all(|x| x.is_finite())
-                && motion.period.is_none_or(|period| (1..=longest).contains(&period))
+                && motion.period.is_none_or(|period| (1..=longest).contains(&period) && !motion.undecided)
         };
         self.values.get(index).is_some_and(|value| value.to_bits() == slice.value.to_bits())
             && slice.motions.len() + slice.lost as usize <= self.starts.len()
