@@ -4,8 +4,9 @@
 use std::{fs, process::Command};
 
 use grazing::{
-    run::{Status, Surroundings, run},
-    scene::Scene,
+    Error, Monitor, Result,
+    run::{Job, Status, Surroundings, TaskReport, parts, run, run_task},
+    scene::{Scene, Task},
 };
 use serde_json::Value;
 use tempfile::TempDir;
@@ -96,6 +97,143 @@ fn a_task_that_finds_nothing_does_not_end_the_rest() {
     // One value has orbits or not; whatever is missing gets a sentence.
     let values = task("values");
     assert!(values["status"] == "done" || values["reason"].is_string(), "{values}");
+}
+
+/// An oscillator with a cubic spring, and one without, under forcing beside a wall.
+fn forced(cubic: &str, tasks: &str) -> Scene {
+    let text = format!(
+        r#"{HEAD}
+[parameters]
+F = "1/2"
+d = "1/5"
+[system]
+damping = "d"
+stiffness = 1
+cubic = {cubic}
+forcing = [{{ cos = "F" }}]
+[[walls]]
+side = "lower"
+offset = -0.4
+restitution = 0.7
+{tasks}"#
+    );
+    Scene::from_toml(&text, "s.toml").unwrap()
+}
+
+/// What orbits take is counted as what motions take: the integrator's steps, the pieces that are looked at
+/// for minima of the gap, and the forcing in both.
+#[test]
+fn orbits_events_and_branches_count_their_work() {
+    let tasks = r#"
+[[tasks]]
+name = "orbit"
+kind = "orbit"
+orbit = { pattern = [1] }
+[[tasks]]
+name = "event"
+kind = "event"
+parameter = "F"
+event = "saddle-node"
+orbit = { pattern = [1] }
+[[tasks]]
+name = "branch"
+kind = "branch"
+parameter = "F"
+range = [0.4, 0.6]
+starts = [{ orbit = { pattern = [1] }, at = 0.5 }]
+"#;
+    for (cubic, counted) in [("0", false), ("0.3", true)] {
+        for report in run(&forced(cubic, tasks), Surroundings::default(), &mut ()).unwrap() {
+            let count = |name: &str| {
+                let found = report.effects.iter().find(|(other, _)| *other == name);
+                found.map_or(0, |(_, count)| *count)
+            };
+            let all = format!("{} {:?} {:?}", report.task, report.status, report.effects);
+            assert!(["piece", "lower_gap", "drive"].into_iter().all(|name| count(name) > 0), "{all}");
+            assert_eq!((count("cubic") > 0, count("upper_gap"), count("smooth")), (counted, 0, 0), "{all}");
+        }
+    }
+}
+
+/// Interrupts after so many units.
+struct After(std::sync::atomic::AtomicI64);
+
+impl Monitor for After {
+    fn advance(&self, units: u64) -> Result<()> {
+        let left = self.0.fetch_sub(units as i64, std::sync::atomic::Ordering::Relaxed) - units as i64;
+        if left <= 0 { Err(Error::interrupted("enough")) } else { Ok(()) }
+    }
+}
+
+/// The report of one task, with a folder for its checkpoint or without.
+fn one(scene: &Scene, task: &Task, folder: Option<&std::path::Path>, monitor: &dyn Monitor) -> TaskReport {
+    let around = Surroundings { folder, monitor, ..Surroundings::default() };
+    run_task(&Job::new(scene, task, around).unwrap(), &mut ())
+}
+
+/// A resumed run and parts put together have the findings and the counts of one run.
+#[test]
+fn counts_are_those_of_one_run_however_it_was_done() {
+    let tasks = r#"
+[[tasks]]
+name = "basins"
+kind = "basins"
+q = { from = -0.3, to = 1, count = 5 }
+u = { from = -1, to = 1, count = 40 }
+transient = 20
+longest = 4
+[[tasks]]
+name = "diagram"
+kind = "diagram"
+parameter = "F"
+range = [0.3, 0.9]
+count = 150
+starts = [{ q = 0 }, { q = 0.5 }]
+transient = 20
+points = 16
+longest = 4
+[[tasks]]
+name = "map"
+kind = "map"
+parameter = "F"
+range = [0.3, 0.9]
+count = 4
+second = "d"
+second_range = [0.1, 0.3]
+second_count = 20
+start = { q = 0 }
+transient = 20
+points = 16
+longest = 4
+"#;
+    for cubic in ["0", "0.3"] {
+        let scene = forced(cubic, tasks);
+        for (task, done) in scene.tasks.iter().zip([20, 70, 10]) {
+            let whole = one(&scene, task, None, &());
+            assert!(whole.effects.iter().any(|(_, count)| *count > 0), "{}", task.name);
+            let folder = tempfile::tempdir().unwrap();
+            let stopped = one(&scene, task, Some(folder.path()), &After(done.into()));
+            assert_ne!(stopped.status, Status::Done, "{}", task.name);
+            assert!(folder.path().join(format!("{}.checkpoint", task.name)).exists(), "{}", task.name);
+            let resumed = one(&scene, task, Some(folder.path()), &());
+            assert_eq!(resumed.effects, whole.effects, "{}, resumed", task.name);
+            let (units, _) = parts::units(task).unwrap();
+            let mut records = Vec::new();
+            for range in [0..units / 3, units / 3..units] {
+                let job = Job::new(&scene, task, Surroundings::default()).unwrap();
+                let file = folder.path().join(format!("{}.{}", task.name, range.start));
+                records.extend(parts::part(&job, range, &file).unwrap());
+            }
+            let job = Job::new(&scene, task, Surroundings::default()).unwrap();
+            let merged = parts::whole(&job, &records, &mut ());
+            assert_eq!(
+                (&merged.effects, &merged.findings),
+                (&whole.effects, &whole.findings),
+                "{}",
+                task.name
+            );
+        }
+    }
 }
 
 #[test]

@@ -2,7 +2,8 @@
 //! attractors.
 //!
 //! A [`System`] is the equation of motion in dimensionless form (mass 1, forcing period 2π) with its walls.
-//! Ten chapters, from the bottom up: `algebra`, plain linear algebra; `system`, what an oscillator is;
+//! Eleven chapters, from the bottom up: `algebra`, plain linear algebra; `counter`, what was computed and how
+//! often; `system`, what an oscillator is;
 //! [`flow`], the motion between impacts; [`simulate`], the motion with them; [`orbit`], periodic orbits of
 //! any impact pattern; [`grazing`], where they graze, with the local map there; [`branch`], how they continue
 //! and bifurcate; [`attractor`], where motions end; [`validate`], which proves orbits and uses no search of
@@ -14,6 +15,7 @@ mod algebra;
 pub mod attractor;
 pub mod branch;
 pub mod chaos;
+mod counter;
 pub mod flow;
 pub mod grazing;
 pub mod orbit;
@@ -21,6 +23,7 @@ pub mod simulate;
 mod system;
 pub mod validate;
 
-pub use simulate::{Counter, Counts, Effect, EffectTally};
+pub(crate) use counter::Share;
+pub use counter::{Counter, Counts, Effect, EffectTally};
 pub use system::{Contact, Harmonic, Series, Side, SmoothForce, System, Time, Wall};
 pub(crate) use system::{Q, TIME, U};

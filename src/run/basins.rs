@@ -195,7 +195,8 @@ impl<D: Dynamics> Setup<'_, D> {
             Journal::discard(file)?;
         }
         job.monitor.begin(rows.len() as u64, "rows");
-        basin_rows((self.dynamics, self.place), grid, detection, rows, identity, file, job.monitor)
+        let keep = job.keep(file);
+        basin_rows((self.dynamics, self.place), grid, detection, rows, identity, keep, job.monitor)
     }
 }
 

@@ -18,7 +18,7 @@ use crate::{
             NoForm, NormalForm, Options, OrbitBranch, PatternCurve, PatternFamily, PatternOf, PatternPlane,
             TwoParameterFamily, read_label,
         },
-        orbit::{Family, Itinerary, Orbit, Oscillator},
+        orbit::{Family, Itinerary, Orbit},
     },
     output::{LONGEST_INPUT, read_text},
     scene::{
@@ -170,12 +170,12 @@ impl<R: PointRow, O: FollowedOrbit> BranchList<R, O> {
 /// # Errors
 /// A start outside the range, a file that cannot be read or has no such label; an interruption.
 pub fn branch(task: &BranchTask, job: &Job) -> Result<BranchFindings> {
-    let family = SceneFamily::new(&job.scene, &task.parameter)?;
+    let family = job.family(&task.parameter)?;
     let (branches, starts) = match &task.second {
         Some(second) => {
             let plane = |[first, other]: [f64; 2]| {
                 let system = job.scene.plain(&[(&task.parameter, first), (second, other)])?;
-                Oscillator::new(system, job.scene.accuracy.tolerance)
+                job.oscillator(system)
             };
             let value = SceneFamily::new(&job.scene, second)?.value();
             let plane: &dyn TwoParameterFamily = &plane;

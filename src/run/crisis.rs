@@ -11,7 +11,7 @@ use crate::{
         flow::State,
         orbit::Family,
     },
-    scene::{SceneFamily, branches::CrisisTask, phase},
+    scene::{branches::CrisisTask, phase},
 };
 
 row! {
@@ -82,7 +82,7 @@ impl Finding for CrisisFindings {
 /// # Errors
 /// An input error if there is no saddle or no crisis in the bracket; an interruption.
 pub fn crisis(task: &CrisisTask, job: &Job) -> Result<CrisisFindings> {
-    let family = SceneFamily::new(&job.scene, &task.parameter)?;
+    let family = job.family(&task.parameter)?;
     let bracket = (task.bracket[0], task.bracket[1]);
     let orbits = task.orbit.orbits(&family.at((bracket.0 + bracket.1) / 2.0)?)?;
     let saddle = orbits

@@ -136,7 +136,7 @@ fn follow<D: Dynamics<Start: Serialize>>(
     }
     job.monitor.begin(plan.values.len() as u64, "values");
     let identity = format!("{} {}{plane}", job.identity()?, task.parameter);
-    diagram::sweep(plan, dynamics, &identity, file, job.monitor)
+    diagram::sweep_counting(plan, dynamics, &identity, job.keep(file), job.monitor)
 }
 
 /// Follows motions at every value, resuming from the checkpoint of an interrupted run if there is one.

@@ -14,7 +14,7 @@ use crate::{
         grazing::{self, Grazing},
         orbit::{Family, Orbit},
     },
-    scene::{SceneFamily, orbits::EventTask},
+    scene::orbits::EventTask,
 };
 
 row! {
@@ -172,7 +172,7 @@ impl<T: EventTable> Finding for EventList<T> {
 /// # Errors
 /// Where the system is not defined at the start; an interruption.
 pub fn event(task: &EventTask, job: &Job) -> Result<EventFindings> {
-    let family = SceneFamily::new(&job.scene, &task.parameter)?;
+    let family = job.family(&task.parameter)?;
     let (start, options) = (family.value(), task.options.checked()?);
     let mut orbits = task.orbit.orbits(&family.at(start)?)?;
     orbits.retain(|orbit| orbit.admissibility.is_admissible());

@@ -183,7 +183,7 @@ impl Finding for GrazingReport {
 /// # Errors
 /// Those of the orbit's search, of the branch and of the local theory; an interruption.
 pub fn grazing(task: &GrazingTask, job: &Job) -> Result<GrazingFindings> {
-    let family = SceneFamily::new(&job.scene, &task.parameter)?;
+    let family = job.family(&task.parameter)?;
     let start = family.value();
     let orbits = task.orbit.orbits(&family.at(start)?)?;
     let nothing =

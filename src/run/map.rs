@@ -156,7 +156,7 @@ fn find(
     let system = |first, second| {
         job.simulator_of(&job.scene.plain(&[(&task.parameter, first), (&task.second, second)])?)
     };
-    map_rows(plan, system, rows, &identity, file, job.monitor)
+    map_rows(plan, system, rows, &identity, job.keep(file), job.monitor)
 }
 
 fn findings(task: &MapTask, plan: MapPlan, cells: Vec<MapCell>) -> MapFindings {

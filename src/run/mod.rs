@@ -95,11 +95,13 @@ use crate::{
     monitor::Monitor,
     oscillator::{
         Effect, EffectTally, System, Time,
+        attractor::Keep,
         flow::State,
+        orbit::Oscillator,
         simulate::{Event, Settings, Simulator},
     },
     output::Journal,
-    scene::{Accuracy, Body, Kind, Scene, Task},
+    scene::{Accuracy, Body, Kind, Scene, SceneFamily, Task},
 };
 
 /// What a task found.
@@ -350,6 +352,22 @@ impl<'a> Job<'a> {
         Ok(Simulator::new(system, &self.settings())?.counting(self.tally.clone()))
     }
 
+    /// An oscillator for orbits of a system, its work counted.
+    ///
+    /// # Errors
+    /// Those of [`Oscillator::new`].
+    pub fn oscillator(&self, system: System<f64>) -> Result<Oscillator> {
+        Ok(Oscillator::new(system, self.scene.accuracy.tolerance)?.counting(self.tally.clone()))
+    }
+
+    /// The scene's oscillators over a parameter, their work counted.
+    ///
+    /// # Errors
+    /// Those of [`SceneFamily::new`].
+    pub fn family(&self, parameter: &str) -> Result<SceneFamily<'_>> {
+        Ok(SceneFamily::new(&self.scene, parameter)?.counting(self.tally.clone()))
+    }
+
     /// The effects that are counted for what it works on.
     pub fn effects(&self) -> &'static [Effect] {
         match self.model {
@@ -378,6 +396,11 @@ impl<'a> Job<'a> {
     /// The task's checkpoint in the folder, if there is a folder.
     pub fn checkpoint(&self) -> Option<std::path::PathBuf> {
         Some(self.folder?.join(format!("{}.checkpoint", self.task.name)))
+    }
+
+    /// A checkpoint, with the counts of the job's work.
+    pub(crate) fn keep<'k>(&'k self, file: Option<&'k Path>) -> Keep<'k> {
+        Keep { file, tally: Some(&self.tally) }
     }
 
     /// Where its task stands in the scene's file.

@@ -8,7 +8,7 @@ use crate::{
     number::{Plain, Real},
     oscillator::{
         branch::Bifurcation,
-        orbit::{Admissibility, Orbit, Oscillator},
+        orbit::{Admissibility, Orbit},
     },
     scene::orbits::OrbitTask,
 };
@@ -137,13 +137,12 @@ impl<R> OrbitList<R> {
 /// # Errors
 /// Where the system is not defined; an interruption.
 pub fn orbit(task: &OrbitTask, job: &Job) -> Result<OrbitFindings> {
-    let tolerance = job.scene.accuracy.tolerance;
     OrbitList::of(task, job, |place| {
         let system = match place {
             Some(place) => job.scene.plain(&[place])?,
             None => job.system()?.clone(),
         };
-        let orbits = task.orbit.orbits(&Oscillator::new(system, tolerance)?);
+        let orbits = task.orbit.orbits(&job.oscillator(system)?);
         let row = |orbit: &Orbit| OrbitRow::of(orbit, place.map(|(_, value)| value));
         Ok(orbits.map(|orbits| orbits.iter().map(row).collect()))
     })

@@ -21,7 +21,6 @@ use crate::{
             touching,
         },
         flow::State,
-        orbit::Oscillator,
         simulate::{RunEnd, Simulator},
     },
     scene::{SectionTask, phase},
@@ -345,7 +344,7 @@ fn of_oscillator(task: &SectionTask, job: &Job) -> Result<SectionFindings> {
     let phase = phase(&task.phase);
     let starts = task.starts.iter().map(|start| job.scene.state(start)).collect::<Result<Vec<State>>>()?;
     let (mut found, cycles) = attractors(task, job, &simulator, starts)?;
-    let oscillator = Oscillator::new(job.system()?.clone(), job.scene.accuracy.tolerance)?;
+    let oscillator = job.oscillator(job.system()?.clone())?;
     for keys in &task.orbits {
         job.check()?;
         for orbit in keys.orbits(&oscillator)?.iter().filter(|orbit| orbit.admissibility.is_admissible()) {

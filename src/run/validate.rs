@@ -192,7 +192,7 @@ fn starts(task: &ValidateTask, oscillator: &Oscillator, found: &mut ValidateFind
 fn orbits(task: &ValidateTask, job: &Job, found: &mut ValidateFindings) -> Result<()> {
     let precision = Precision::new(task.bits);
     let system = job.scene.exact(&[])?;
-    let oscillator = Oscillator::new(job.system()?.clone(), job.scene.accuracy.tolerance)?;
+    let oscillator = job.oscillator(job.system()?.clone())?;
     for orbit in starts(task, &oscillator, found) {
         job.check()?;
         let guess = impacts(&orbit.itinerary, &orbit.z);
@@ -229,7 +229,7 @@ fn events(
     found: &mut ValidateFindings,
 ) -> Result<()> {
     let precision = Precision::new(task.bits);
-    let family = SceneFamily::new(&job.scene, name)?;
+    let family = job.family(name)?;
     let start = family.value();
     let exact = |parameter: &Jet| {
         let values = job.scene.parameters.iter().map(|(other, value)| {

@@ -1,6 +1,6 @@
 //! The oscillators of a scene as one of its parameters varies.
 
-use std::convert::Infallible;
+use std::{convert::Infallible, sync::Arc};
 
 use num_traits::ToPrimitive;
 
@@ -10,7 +10,10 @@ use crate::{
     error::{Error, Result},
     machine::{Machine, MachineFamily},
     number::Dual,
-    oscillator::orbit::{Family, Oscillator},
+    oscillator::{
+        EffectTally,
+        orbit::{Family, Oscillator},
+    },
 };
 
 /// A scene with one parameter free, the others at their values.
@@ -22,6 +25,7 @@ pub struct SceneFamily<'s> {
     /// The system's coefficients that the parameter does not stand in, in the order of
     /// [`System::try_map`](crate::oscillator::System::try_map).
     fixed: Vec<Option<Dual>>,
+    tally: Option<Arc<EffectTally>>,
 }
 
 impl<'s> SceneFamily<'s> {
@@ -33,7 +37,7 @@ impl<'s> SceneFamily<'s> {
         scene.system()?;
         let free = scene.parameter(parameter)?;
         let values = scene.parameters.iter().map(|(_, value)| value.to_f64().unwrap_or(f64::NAN)).collect();
-        let mut family = SceneFamily { scene, values, free, fixed: Vec::new() };
+        let mut family = SceneFamily { scene, values, free, fixed: Vec::new(), tally: None };
         let (mut fixed, values) = (Vec::new(), family.duals(family.value()));
         let point = String::new;
         let _ = scene.system()?.try_map(|expression| {
@@ -44,6 +48,12 @@ impl<'s> SceneFamily<'s> {
         });
         family.fixed = fixed;
         Ok(family)
+    }
+
+    /// The same family, the work of its oscillators added up in `tally`.
+    #[must_use]
+    pub fn counting(self, tally: Arc<EffectTally>) -> SceneFamily<'s> {
+        SceneFamily { tally: Some(tally), ..self }
     }
 
     /// The parameters' values with their derivatives in the free one.
@@ -76,7 +86,11 @@ impl Family for SceneFamily<'_> {
         })?;
         let mut slopes = slopes.into_iter();
         let slope = system.try_map(|_| Ok::<_, Error>(slopes.next().unwrap_or(0.0)))?;
-        Oscillator::with_slope(system, &slope, self.scene.accuracy.tolerance)
+        let oscillator = Oscillator::with_slope(system, &slope, self.scene.accuracy.tolerance)?;
+        Ok(match &self.tally {
+            Some(tally) => oscillator.counting(tally.clone()),
+            None => oscillator,
+        })
     }
 }
 

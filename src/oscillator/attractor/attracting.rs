@@ -22,7 +22,7 @@ pub fn attracting(
     detection: &Detection,
     settings: &Settings,
 ) -> Result<Orbit> {
-    let simulator = Simulator::new(oscillator.system(), settings)?;
+    let simulator = Simulator::new(oscillator.system(), settings)?.counting_too(oscillator.tally());
     let mut run = simulator.start(Time::new(0, start.t), start.q, start.u)?;
     let cycle = detection.detect(&simulator, &mut run)?.periodic(detection)?;
     let (period, phase, [q, u]) = (cycle.period() as i64, detection.phase, cycle.points[0]);

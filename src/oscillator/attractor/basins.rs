@@ -6,7 +6,7 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use super::{
-    checkpoint::Checkpoint,
+    checkpoint::{Checkpoint, Keep},
     detection::{Cycle, Detection, Fate},
     dynamics::{Dynamics, SectionState},
 };
@@ -86,7 +86,8 @@ pub fn basins<D: Dynamics>(
     monitor: &dyn Monitor,
 ) -> Result<Basins<D::Point>> {
     let start = |at| dynamics.in_plane(at, detection.phase);
-    let rows = basin_rows((dynamics, &start), grid, detection, 0..grid.rows, identity, file, monitor)?;
+    let keep = Keep { file, tally: None };
+    let rows = basin_rows((dynamics, &start), grid, detection, 0..grid.rows, identity, keep, monitor)?;
     Ok(Basins::joined(rows))
 }
 
@@ -102,7 +103,7 @@ pub fn basin_rows<D: Dynamics>(
     detection: &Detection,
     rows: Range<usize>,
     identity: &str,
-    file: Option<&Path>,
+    keep: Keep,
     monitor: &dyn Monitor,
 ) -> Result<Vec<Basins<D::Point>>> {
     detection.check()?;
@@ -140,7 +141,7 @@ pub fn basin_rows<D: Dynamics>(
     // 64 bytes for each cell; the points of attractors, of which a row has few.
     let most = (1 << 30) + 64 * (grid.columns * rows.len()) as u64;
     let (mut checkpoint, mut done): (_, Vec<Basins<D::Point>>) =
-        Checkpoint::open(file, "basins", &format!("{identity} {job}"), most, monitor)?;
+        Checkpoint::open(keep, "basins", &format!("{identity} {job}"), most, monitor)?;
     if done.len() > rows.len() || !done.iter().all(|row| row.can_be_row(grid, detection)) {
         return Err(checkpoint.bad("its records are not rows of these basins"));
     }
@@ -157,14 +158,12 @@ pub fn basin_rows<D: Dynamics>(
         };
         let of_row = |i: usize| (chunk[i], &first[i * scouts.len()..(i + 1) * scouts.len()]);
         let found: Vec<Result<_>> = (0..chunk.len()).into_par_iter().map(|i| row(of_row(i))).collect();
-        for row in found {
-            match row {
-                Ok(row) => {
-                    checkpoint.append(&row)?;
-                    done.push(row);
-                }
-                Err(error) => return Err(checkpoint.ended(error, done.len(), rows.len(), "rows")),
+        match found.into_iter().collect::<Result<Vec<_>>>() {
+            Ok(found) => {
+                checkpoint.append(&found)?;
+                done.extend(found);
             }
+            Err(error) => return Err(checkpoint.ended(error, done.len(), rows.len(), "rows")),
         }
     }
     Ok(done)

@@ -85,7 +85,7 @@ impl Saddle {
         let mut unstable = [m[0][1], expansion - m[0][0]];
         let length = unstable[0].hypot(unstable[1]);
         unstable.iter_mut().for_each(|x| *x /= length);
-        let simulator = Simulator::new(oscillator.system(), settings)?;
+        let simulator = Simulator::new(oscillator.system(), settings)?.counting_too(oscillator.tally());
         let normal = [m[1][0], expansion - m[0][0]];
         let along = normal[0] * unstable[0] + normal[1] * unstable[1];
         Ok(Saddle {

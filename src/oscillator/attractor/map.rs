@@ -10,7 +10,7 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use super::{
-    checkpoint::Checkpoint,
+    checkpoint::{Checkpoint, Keep},
     detection::{Detection, Fate, Recurrence},
     diagram::Look,
 };
@@ -88,7 +88,8 @@ pub fn map(
     file: Option<&Path>,
     monitor: &dyn Monitor,
 ) -> Result<Vec<MapCell>> {
-    Ok(map_rows(plan, system, 0..plan.rows.len(), identity, file, monitor)?.concat())
+    let keep = Keep { file, tally: None };
+    Ok(map_rows(plan, system, 0..plan.rows.len(), identity, keep, monitor)?.concat())
 }
 
 /// Some rows of a map, each by itself. With a file, rows that are done are kept there, and those that it
@@ -102,7 +103,7 @@ pub fn map_rows(
     system: impl Fn(f64, f64) -> Result<Simulator> + Sync,
     rows: Range<usize>,
     identity: &str,
-    file: Option<&Path>,
+    keep: Keep,
     monitor: &dyn Monitor,
 ) -> Result<Vec<Vec<MapCell>>> {
     let text = serde_json::to_string(&(plan, &rows)).map_err(std::io::Error::other)?;
@@ -110,7 +111,7 @@ pub fn map_rows(
     // 128 bytes for each cell.
     let most = 4096 + 128 * (columns as u64 + 1) * (rows.len() as u64 + 1);
     let (mut checkpoint, mut done): (_, Vec<Vec<MapCell>>) =
-        Checkpoint::open(file, "map", &format!("{identity} {text}"), most, monitor)?;
+        Checkpoint::open(keep, "map", &format!("{identity} {text}"), most, monitor)?;
     if done.len() > rows.len() || done.iter().any(|row| !plan.can_be_row(row)) {
         return Err(checkpoint.bad("a record is not of this map"));
     }
@@ -132,10 +133,9 @@ pub fn map_rows(
             Ok(found) => found.concat(),
             Err(error) => return Err(checkpoint.ended(error, done.len(), rows.len(), "rows")),
         };
-        for row in found.chunks(columns) {
-            checkpoint.append(&row)?;
-            done.push(row.to_vec());
-        }
+        let found: Vec<Vec<MapCell>> = found.chunks(columns).map(<[MapCell]>::to_vec).collect();
+        checkpoint.append(&found)?;
+        done.extend(found);
     }
     Ok(done)
 }

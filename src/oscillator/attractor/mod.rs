@@ -38,4 +38,5 @@ mod together;
 mod touching;
 
 pub use attracting::attracting;
+pub use checkpoint::Keep;
 pub use touching::touching;

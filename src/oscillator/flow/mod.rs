@@ -22,7 +22,7 @@ pub(crate) use taylor::{GAUSS, LEAST, SHORTEST, TERMS, defect};
 use std::sync::Arc;
 
 use super::{
-    Harmonic, Series, System,
+    EffectTally, Harmonic, Series, System,
     algebra::{apply, product},
     system::finite,
 };
@@ -66,6 +66,15 @@ impl Free {
             Linear::of(equation).map(Free::Linear)
         } else {
             Taylor::of(equation, tolerance).map(Free::Taylor)
+        }
+    }
+
+    /// The same flow, the steps of its integrator added up in `tally`; the closed form has none.
+    #[must_use]
+    pub fn counting(self, tally: Arc<EffectTally>) -> Self {
+        match self {
+            Free::Linear(flow) => Free::Linear(flow),
+            Free::Taylor(flow) => Free::Taylor(flow.counting(tally)),
         }
     }
 

@@ -7,13 +7,15 @@
 //! impacts can bound from below on whole intervals; the interpolants of Runge–Kutta codes are of lower order
 //! than their steps and have no such bound. Hence no integrator crate here.
 
+use std::sync::Arc;
+
 use super::{
     Equation, Flow, Gradient, Matrix2, Obstacle, Program, Scalar, State, product,
     program::{harmonic, linear, radii, suited},
 };
 use crate::{
     error::{Error, Result},
-    oscillator::{Harmonic, System},
+    oscillator::{Effect, EffectTally, Harmonic, System},
 };
 
 /// Room for the coefficients of a piece.
@@ -62,6 +64,7 @@ pub struct Taylor {
     order: usize,
     /// How much larger than the tolerance the bound of the defect may be.
     looser: f64,
+    tally: Option<Arc<EffectTally>>,
 }
 
 /// A step: q(t + hx) and its derivatives by initial q and u, x ∈ [0, 1].
@@ -92,7 +95,27 @@ impl Taylor {
         let order = (3.0 - tolerance.ln() / 2.0).ceil() as usize;
         let recurrence = Recurrence(equation);
         let order = order.min(TERMS - 1);
-        Ok(Taylor { recurrence, tolerance, order, looser: defect(order, tolerance) / tolerance })
+        Ok(Taylor { recurrence, tolerance, order, looser: defect(order, tolerance) / tolerance, tally: None })
+    }
+
+    /// The same flow, the steps of its motions added up in `tally`; but not those of
+    /// [`expand`](Self::expand), which are for its caller to count.
+    #[must_use]
+    pub fn counting(self, tally: Arc<EffectTally>) -> Self {
+        Taylor { tally: Some(tally), ..self }
+    }
+
+    /// What entered that many steps.
+    fn count(&self, steps: u64) {
+        let Some(tally) = &self.tally else { return };
+        let equation = self.equation();
+        let force = if equation.smooth.is_some() { Effect::Smooth } else { Effect::Cubic };
+        if !equation.is_linear() {
+            tally.add(force, steps);
+        }
+        if equation.is_driven() {
+            tally.add(Effect::Drive, steps);
+        }
     }
 
     pub(in crate::oscillator) fn equation(&self) -> &Equation {
@@ -207,8 +230,9 @@ impl Taylor {
         from: f64,
         duration: f64,
     ) -> [S; 2] {
-        let (mut left, mut t) = (duration, from);
+        let (mut left, mut t, mut steps) = (duration, from, 0);
         while left != 0.0 {
+            steps += 1;
             let step = self.step(program, [q, u], t, left > 0.0, left.abs());
             if is_stuck(step.h, left) {
                 return [S::constant(f64::NAN); 2];
@@ -217,6 +241,7 @@ impl Taylor {
             left = if step.h.abs() < left.abs() { left - step.h } else { 0.0 };
             t = from + duration - left;
         }
+        self.count(steps);
         [q, u]
     }
 
@@ -235,8 +260,9 @@ impl Taylor {
 
     fn steps(&self, mut from: State, duration: f64, mut each: impl FnMut(State, &Expansion)) -> State {
         let end = from.t + duration;
-        let mut left = duration;
+        let (mut left, mut steps) = (duration, 0);
         while left != 0.0 {
+            steps += 1;
             let step = self.expand(from, left > 0.0, left.abs());
             if is_stuck(step.h, left) {
                 return State { t: end, q: f64::NAN, u: f64::NAN };
@@ -246,6 +272,7 @@ impl Taylor {
             left = if step.h.abs() < left.abs() { left - step.h } else { 0.0 };
             from = State { t: end - left, q, u: slope / step.h };
         }
+        self.count(steps);
         from
     }
 }

@@ -104,7 +104,9 @@ pub(in crate::oscillator) fn minima(
     let mut found = Vec::new();
     for wall in oscillator.walls() {
         let side = wall.side;
+        let (mut pieces, mut searches) = (0, 0);
         let mut keep = |after: f64, gap: f64| {
+            searches += 1;
             // A leg that begins or ends without speed has a minimum there, which rounding may bring inside.
             if after.min(time - after) > ROUNDING || gap.abs() > ROUNDING * ROUNDING {
                 found.push(Minimum { side, leg, after, gap });
@@ -116,6 +118,7 @@ pub(in crate::oscillator) fn minima(
             let mut cells = gap.cells(gap.homogeneous(from), from.t, width);
             let mut a = wall.motion(flow, from);
             while cells.begun < time {
+                pieces += 1;
                 let (x, t, begun) = (cells.x, cells.time(), cells.begun);
                 let at = |after: f64| gap.after(x, t, after);
                 cells.step();
@@ -127,11 +130,13 @@ pub(in crate::oscillator) fn minima(
                 }
                 a = b;
             }
+            oscillator.count(wall, pieces, searches);
             continue;
         }
         let gap = |state: State| wall.motion(flow, state);
         let (mut start, mut a, mut begun, mut kept) = (from, gap(from), 0.0, None);
         while begun < time {
+            pieces += 1;
             let width = width(&start).min(time - begun);
             let end = flow.step(start, width, &mut kept);
             let b = gap(end);
@@ -141,6 +146,7 @@ pub(in crate::oscillator) fn minima(
             }
             (start, a, begun) = (end, b, begun + width);
         }
+        oscillator.count(wall, pieces, searches);
     }
     found
 }

@@ -4,9 +4,11 @@
 //! Derivatives with respect to the parameter come with those of the system's coefficients: no differences are
 //! taken.
 
+use std::sync::Arc;
+
 use super::{
     super::{
-        Contact, Series, Side, System, Wall,
+        Contact, Effect, EffectTally, Series, Side, System, Wall,
         algebra::{IDENTITY, Matrix2, apply, product},
         flow::{Flow, Free, GAUSS, Gradient, Program, Scalar, State},
     },
@@ -25,6 +27,7 @@ pub struct Oscillator {
     order: u32,
     /// The fastest rate, if it does not depend on the state.
     rate: Option<f64>,
+    tally: Option<Arc<EffectTally>>,
 }
 
 /// The derivatives of a system's coefficients in a parameter.
@@ -50,7 +53,8 @@ impl Oscillator {
         let (flow, walls) = (Free::new(&system, tolerance)?, Contact::of(&system)?);
         let order = flow.equation().forcing.order();
         let order = walls.iter().fold(order, |order, wall| order.max(wall.position.order()));
-        let mut oscillator = Oscillator { system, flow, walls, slope: None, order: order.max(1), rate: None };
+        let mut oscillator =
+            Oscillator { system, flow, walls, slope: None, order: order.max(1), rate: None, tally: None };
         if oscillator.flow.equation().is_linear() {
             oscillator.rate = Some(oscillator.rate_at(&State { t: 0.0, q: 0.0, u: 0.0 }));
         }
@@ -75,6 +79,31 @@ impl Oscillator {
             walls: [wall(&slope.lower)?, wall(&slope.upper)?],
         };
         Ok(Oscillator { slope: Some(slope), ..Oscillator::new(system, tolerance)? })
+    }
+
+    /// The same oscillator, its work added up in `tally`: steps of the integrator, and the pieces of legs
+    /// that are looked at for admissibility.
+    #[must_use]
+    pub fn counting(self, tally: Arc<EffectTally>) -> Oscillator {
+        Oscillator { flow: self.flow.counting(tally.clone()), tally: Some(tally), ..self }
+    }
+
+    /// Where its work is counted, if it is.
+    pub fn tally(&self) -> Option<&Arc<EffectTally>> {
+        self.tally.as_ref()
+    }
+
+    /// Counts pieces that were looked at for minima of the gap to a wall, and the searches among them.
+    pub(super) fn count(&self, wall: &Contact, pieces: u64, searches: u64) {
+        let Some(tally) = &self.tally else { return };
+        tally.add(Effect::Piece, pieces);
+        tally.add(if wall.side == Side::Lower { Effect::LowerGap } else { Effect::UpperGap }, pieces);
+        tally.add(Effect::Search, searches);
+        // The integrator's steps count the forcing themselves.
+        let equation = self.flow.equation();
+        if wall.position.order() > 0 || equation.is_linear() && equation.is_driven() {
+            tally.add(Effect::Drive, pieces);
+        }
     }
 
     /// The system.

@@ -42,7 +42,6 @@
 //! ```
 
 pub mod batch;
-mod counter;
 mod engine;
 mod event;
 mod grid;
@@ -52,8 +51,8 @@ pub(crate) mod search;
 mod steps;
 mod wall;
 
-pub(crate) use counter::Share;
-pub use counter::{Counter, Counts, Effect, EffectTally};
+pub(crate) use super::Share;
+pub use super::{Counter, Counts, Effect, EffectTally};
 pub use event::{Event, Impact, Release, RunEnd, Stick, Tangency};
 
 use std::sync::Arc;
@@ -155,7 +154,18 @@ impl Simulator {
     /// measured.
     #[must_use]
     pub fn counting(self, tally: Arc<EffectTally>) -> Self {
-        Simulator { tally: Some(tally), ..self }
+        // The steps of its runs are counted by the runs; those of the bare flow, which carries vectors, by
+        // itself.
+        Simulator { flow: self.flow.counting(tally.clone()), tally: Some(tally), ..self }
+    }
+
+    /// The same as of another whose work is counted there, or is not.
+    #[must_use]
+    pub fn counting_too(self, tally: Option<&Arc<EffectTally>>) -> Self {
+        match tally {
+            Some(tally) => self.counting(tally.clone()),
+            None => self,
+        }
     }
 
     /// The flow between impacts.

@@ -16,7 +16,7 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use super::{
-    checkpoint::Checkpoint,
+    checkpoint::{Checkpoint, Keep},
     detection::Cycle,
     dynamics::{Dynamics, SectionState},
     observe::{Observation, Observed},
@@ -91,9 +91,23 @@ pub fn sweep<D: Dynamics<Start: Serialize>>(
     file: Option<&Path>,
     monitor: &dyn Monitor,
 ) -> Result<Vec<Slice>> {
+    sweep_counting(plan, dynamics, identity, Keep { file, tally: None }, monitor)
+}
+
+/// The same, its work counted.
+///
+/// # Errors
+/// Those of [`sweep`].
+pub fn sweep_counting<D: Dynamics<Start: Serialize>>(
+    plan: &DiagramPlan<D::Start>,
+    dynamics: impl Fn(f64) -> Result<D> + Sync,
+    identity: &str,
+    keep: Keep,
+    monitor: &dyn Monitor,
+) -> Result<Vec<Slice>> {
     let plan_text = serde_json::to_string(plan).map_err(std::io::Error::other)?;
     let (mut checkpoint, mut done): (_, Vec<Slice>) =
-        Checkpoint::open(file, "diagram", &format!("{identity} {plan_text}"), plan.most_bytes(), monitor)?;
+        Checkpoint::open(keep, "diagram", &format!("{identity} {plan_text}"), plan.most_bytes(), monitor)?;
     if let Some(wrong) = done.iter().enumerate().find(|(i, slice)| !plan.can_be(*i, slice)) {
         return Err(checkpoint.bad(&format!("its record {} is not of this diagram", wrong.0 + 1)));
     }
@@ -106,14 +120,12 @@ pub fn sweep<D: Dynamics<Start: Serialize>>(
     for chunk in rest.chunks(CHUNK.max(threads * together)) {
         let slices: Vec<Vec<Result<Slice>>> =
             chunk.par_chunks(together).map(|values| slices(plan, values, &dynamics, monitor)).collect();
-        for slice in slices.into_iter().flatten() {
-            match slice {
-                Ok(slice) => {
-                    checkpoint.append(&slice)?;
-                    done.push(slice);
-                }
-                Err(error) => return Err(checkpoint.ended(error, done.len(), plan.values.len(), "values")),
+        match slices.into_iter().flatten().collect::<Result<Vec<_>>>() {
+            Ok(found) => {
+                checkpoint.append(&found)?;
+                done.extend(found);
             }
+            Err(error) => return Err(checkpoint.ended(error, done.len(), plan.values.len(), "values")),
         }
     }
     Ok(done)

@@ -8,7 +8,6 @@
 use super::{
     super::{
         Event, Run, RunEnd, Simulator,
-        counter::{Effect, Share},
         engine::Aloft,
         grid::{Cursor, Place, Tables},
         pieces::{LOWER, UPPER},
@@ -20,7 +19,7 @@ use super::{
     tables::{Blocks, Shared, far, moderate, same},
     vector::{Eight, LANES},
 };
-use crate::oscillator::{EffectTally, Time, flow::State};
+use crate::oscillator::{Effect, EffectTally, Share, Time, flow::State};
 use std::sync::Arc;
 
 /// What the motions of a group have in common.

@@ -1,27 +1,32 @@
 //! What was evaluated, counted: the proof that an effect which a scene does not have costs nothing.
 
-use std::sync::{
-    Arc,
-    atomic::{AtomicU64, Ordering},
+use std::{
+    collections::BTreeMap,
+    sync::{
+        Arc,
+        atomic::{AtomicU64, Ordering},
+    },
 };
+
+use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error as _};
 
 /// What is counted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Effect {
-    /// A piece of the trajectory was looked at for impacts.
+    /// A piece of a motion was looked at for impacts, or for minima of a gap.
     Piece,
-    /// Forcing or a moving wall entered a piece.
+    /// Forcing or a moving wall entered a piece or a step of the integrator.
     Drive,
-    /// The cubic stiffness entered a piece.
+    /// The cubic stiffness entered a step of the integrator.
     Cubic,
-    /// Another smooth force entered a piece.
+    /// Another smooth force entered a step of the integrator.
     Smooth,
     /// The gap to the lower wall was formed on a piece.
     LowerGap,
     /// The gap to the upper wall was formed on a piece.
     UpperGap,
-    /// A gap came close enough to 0 on a piece to be searched for minima.
+    /// A gap was searched for a minimum on a piece, on which it came close enough to 0, or fell and rose.
     Search,
     /// A place of release from a wall was looked for.
     Release,
@@ -49,6 +54,21 @@ impl Effect {
     /// Those of machines.
     pub const OF_MACHINES: [Effect; 6] =
         [Effect::Piece, Effect::Smooth, Effect::Gap, Effect::Force, Effect::Search, Effect::Together];
+
+    /// All.
+    const EVERY: [Effect; Effect::COUNT] = [
+        Effect::Piece,
+        Effect::Drive,
+        Effect::Cubic,
+        Effect::Smooth,
+        Effect::LowerGap,
+        Effect::UpperGap,
+        Effect::Search,
+        Effect::Release,
+        Effect::Gap,
+        Effect::Force,
+        Effect::Together,
+    ];
 
     /// How many there are.
     const COUNT: usize = 11;
@@ -90,6 +110,32 @@ impl Counts {
     pub fn of(&self, effect: Effect) -> u64 {
         self.0[effect as usize]
     }
+
+    /// What was counted since an earlier state of the same counts.
+    #[must_use]
+    pub fn since(&self, earlier: &Counts) -> Counts {
+        Counts(std::array::from_fn(|i| self.0[i].saturating_sub(earlier.0[i])))
+    }
+}
+
+/// A map from the names of those that are not 0.
+impl Serialize for Counts {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let all = Effect::EVERY.into_iter().map(|effect| (effect.name(), self.of(effect)));
+        all.filter(|(_, count)| *count > 0).collect::<BTreeMap<_, _>>().serialize(serializer)
+    }
+}
+
+impl<'de> Deserialize<'de> for Counts {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Counts, D::Error> {
+        let mut counts = Counts::default();
+        for (name, count) in BTreeMap::<String, u64>::deserialize(deserializer)? {
+            let effect = Effect::EVERY.into_iter().find(|effect| effect.name() == name);
+            let effect = effect.ok_or_else(|| D::Error::custom(format!("no effect {name:?}")))?;
+            counts.0[effect as usize] = count;
+        }
+        Ok(counts)
+    }
 }
 
 impl Counter for Counts {
@@ -123,6 +169,18 @@ impl EffectTally {
     pub fn add(&self, effect: Effect, count: u64) {
         self.0[effect as usize].fetch_add(count, Ordering::Relaxed);
     }
+
+    /// All that was counted elsewhere.
+    pub fn add_all(&self, counts: &Counts) {
+        for (sum, count) in self.0.iter().zip(counts.0) {
+            sum.fetch_add(count, Ordering::Relaxed);
+        }
+    }
+
+    /// What is counted so far.
+    pub fn counts(&self) -> Counts {
+        Counts(self.0.each_ref().map(|count| count.load(Ordering::Relaxed)))
+    }
 }
 
 /// The counts of one run; they go to the tally when it ends.
@@ -150,8 +208,6 @@ impl Counter for Share {
 
 impl Drop for Share {
     fn drop(&mut self) {
-        for (sum, count) in self.tally.0.iter().zip(self.counts.0) {
-            sum.fetch_add(count, Ordering::Relaxed);
-        }
+        self.tally.add_all(&self.counts);
     }
 }
