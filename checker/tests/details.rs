@@ -246,7 +246,7 @@ fn fates(text: &str) -> BTreeMap<(usize, usize), Fate> {
         let name = line.split(' ').next().unwrap();
         let count = alike.entry(name).or_default();
         *count += 1;
-        if (*count > 3 && *count % 9 != 0) || name == "statement" || name == "digest" {
+        if (*count > 3 && !count.is_multiple_of(9)) || name == "statement" || name == "digest" {
             continue;
         }
         let words: Vec<&str> = line.split(' ').collect();

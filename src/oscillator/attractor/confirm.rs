@@ -212,6 +212,9 @@ fn of_period<D: Dynamics>(
     Ok((tends, Some(Fixed { period, x, slope })))
 }
 
+/// A point and the derivative of a map there.
+type Linearised = (Vec<f64>, Vec<Vec<f64>>);
+
 /// A root of P^d(x) = x and the derivative there, from the map at the first point.
 fn newton<D: Dynamics>(
     dynamics: &D,
@@ -220,7 +223,7 @@ fn newton<D: Dynamics>(
     phase: f64,
     period: u64,
     size: &Size,
-) -> Result<Option<(Vec<f64>, Vec<Vec<f64>>)>> {
+) -> Result<Option<Linearised>> {
     let (mut x, mut here, mut last) = (from.to_vec(), first, f64::INFINITY);
     for _ in 0..STEPS {
         let matrix = here.slope.iter().enumerate().map(|(i, row)| {
