@@ -72,7 +72,7 @@ fn others(word: &str) -> Vec<String> {
         all.push(format!("{}/{}", p + 3 * q, 4 * q));
     }
     all.extend([format!("9{word}"), format!("{word}7"), word[..word.len() - 1].to_string()]);
-    all.extend(["0", "1", "77", "0/1", "1/3", "0.5", "1.00000000001"].map(String::from));
+    all.extend(["0", "1", "77", "0/1", "1/3", "0.000001", "0.5", "1.00000000001"].map(String::from));
     all
 }
 

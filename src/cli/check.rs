@@ -13,6 +13,7 @@ use crate::{
     certificate::{Checked, Hashed, Rejection, check_until},
     error::Result,
     output::{Destination, FileRegistry, say, say_to},
+    printable::Printable,
 };
 
 /// Prove certificates again, without search, by the trusted checker.
@@ -111,7 +112,10 @@ pub(super) fn hashed(
 
 fn text(out: &mut dyn Write, path: &Path, answer: &Answer) -> Result<()> {
     match answer {
-        Ok(checked) => say_to(out, format_args!("{}: {checked}", path.display())),
+        // Each line of it is made printable by itself, and the file's name cannot break one.
+        Ok(checked) => format!("{}: {checked}", Printable(&path.display().to_string()))
+            .lines()
+            .try_for_each(|line| say_to(out, line)),
         Err(rejection) => {
             say_to(out, format_args!("{}: {}: {rejection}", path.display(), rejection.verdict()))
         }

@@ -66,8 +66,8 @@ row! {
         pub attractor: usize,
         /// Which exponent, from 1: the largest first, with multiplicity.
         pub exponent: usize,
-        /// The exponent times the forcing period, of a periodic motion ln |λ| over its period; absent where it
-        /// is −∞: a direction that a rest on a stop ends.
+        /// The exponent times the forcing period, of a periodic motion ln |λ| over its period; absent where
+        /// it is −∞: a direction that a rest on a stop ends.
         pub per_period: Option<f64>,
         /// Its standard error; absent where the exponent is, where it is that of multipliers, or for a run
         /// too short.

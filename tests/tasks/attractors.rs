@@ -1,5 +1,5 @@
-//! One detector of attractors: for oscillators and machines, sections, basins, diagrams and branches, whatever
-//! the unit of length, and wherever stops are that no motion meets.
+//! One detector of attractors: for oscillators and machines, sections, basins, diagrams and branches,
+//! whatever the unit of length, and wherever stops are that no motion meets.
 
 use grazing::{
     run::{Surroundings, run},
@@ -335,8 +335,8 @@ fn another_unit_of_length_changes_no_bit() {
     }
 }
 
-/// Lightly damped, an elastic stop: the attractor on which a branch starts is the same orbit, gone round once,
-/// as an oscillator and as a machine.
+/// Lightly damped, an elastic stop: the attractor on which a branch starts is the same orbit, gone round
+/// once, as an oscillator and as a machine.
 #[test]
 fn a_branch_starts_on_the_orbit_gone_round_once() {
     let tasks = "[[tasks]]\nname = \"b\"\nkind = \"branch\"\nparameter = \"F\"\nrange = [0.99, 1.01]\n";
@@ -384,8 +384,8 @@ fn a_stop_that_is_there_twice_is_hit_once() {
     }
 }
 
-/// A mass m at speed v on a spring k is pushed back with v √(km) at most; a damper alone with cv at once; where
-/// a stop is not met the force is 0.
+/// A mass m at speed v on a spring k is pushed back with v √(km) at most; a damper alone with cv at once;
+/// where a stop is not met the force is 0.
 #[test]
 fn the_peak_force_of_a_stop_that_gives_way_is_reported() {
     let scene = |stiffness: f64, damping: f64| {

@@ -284,8 +284,8 @@ impl MachineSimulator {
 
     /// The size of the motions of the gaps, at the stop that is nearest to the motion that the forces alone
     /// bring about: of that, and of what a constant force does in a radian; and of the stop's place and
-    /// motion, unless they are farther than ten times that. 0 if there is none of them: then only starts tell.
-    /// A stop that is farther away changes nothing.
+    /// motion, unless they are farther than ten times that. 0 if there is none of them: then only starts
+    /// tell. A stop that is farther away changes nothing.
     pub fn scale(&self) -> f64 {
         self.nearest().map_or(0.0, |GapSize { forced, place }| {
             if forced > 0.0 && place > MET * forced { forced } else { forced.max(place) }

@@ -1,7 +1,7 @@
 //! The largest forces with which soft stops push along a run.
 //!
-//! Between two events the force of a stop in contact, −kz − cz′, is a smooth function of time. It is looked at
-//! at many instants of each flight; about the largest the maximum is found by golden section. What lies
+//! Between two events the force of a stop in contact, −kz − cz′, is a smooth function of time. It is looked
+//! at at many instants of each flight; about the largest the maximum is found by golden section. What lies
 //! between two looks and rises above both more than a parabola does can be missed: the number is the largest
 //! force found, not a bound.
 

@@ -8,8 +8,8 @@
 //! - ρ < 1;
 //! - the map is linear on the way: |P^d(x) − x* − A e| ≤ (1 − ρ)|e|/4, so that near x* no round adds as much
 //!   as it takes away;
-//! - and x is near x*, or follows A^k e to within ‖A^k‖|e|/2 for the rounds in which ‖A^k‖ falls to 10⁻⁵: what
-//!   is farther away may meet a stop that x* and the first round do not.
+//! - and x is near x*, or follows A^k e to within ‖A^k‖|e|/2 for the rounds in which ‖A^k‖ falls to 10⁻⁵:
+//!   what is farther away may meet a stop that x* and the first round do not.
 //!
 //! Period, impacts, points and multipliers are then those of the orbit: no number depends on where the motion
 //! was. Numerical evidence, not proof: that is `validate`. What the tolerances are relative to: the extent of

@@ -178,8 +178,8 @@ impl Detection {
     }
 
     /// Follows the run of these dynamics for `transient` + `longest` · (1 + `confirm`) periods, and for 2,000
-    /// more at most where an orbit that attracts is near and the motion not yet told to tend there. The answer
-    /// is numerical evidence, not proof.
+    /// more at most where an orbit that attracts is near and the motion not yet told to tend there. The
+    /// answer is numerical evidence, not proof.
     ///
     /// # Errors
     /// Those of [`check`](Self::check) and of [`Motion::pass`].

@@ -126,8 +126,8 @@ pub trait Dynamics: Sync + Sized {
 
     /// What the motions from these starts lead to, as [`Detection::detect`] says it of each; `None` for a
     /// start behind a stop, or not finite. A motion that stays where the orbits of a cycle `known` to attract
-    /// are not told apart, and comes no farther from it, for two times round, may be taken to end on it before
-    /// the transient is over.
+    /// are not told apart, and comes no farther from it, for two times round, may be taken to end on it
+    /// before the transient is over.
     ///
     /// # Errors
     /// Those of [`Motion::pass`]; the monitor's.

@@ -32,9 +32,9 @@ pub struct MapCell {
     pub end: MapEnd,
     /// Impacts in a round of a periodic motion; of others in all periods looked at.
     pub impacts: u64,
-    /// The largest Lyapunov exponent times the forcing period: of a periodic motion ln |λ| over its period, of
-    /// others over the periods looked at; none where it is −∞, because the motion comes to rest on a wall, or
-    /// where the motion ends.
+    /// The largest Lyapunov exponent times the forcing period: of a periodic motion ln |λ| over its period,
+    /// of others over the periods looked at; none where it is −∞, because the motion comes to rest on a wall,
+    /// or where the motion ends.
     pub exponent: Option<f64>,
 }
 
