@@ -98,8 +98,8 @@ impl Taylor {
         Ok(Taylor { recurrence, tolerance, order, looser: defect(order, tolerance) / tolerance, tally: None })
     }
 
-    /// The same flow, the steps of its motions added up in `tally`; but not those of
-    /// [`expand`](Self::expand), which are for its caller to count.
+    /// The same flow, the steps of its motions added up in `tally`; but not those of `expand`, which are for
+    /// its caller to count.
     #[must_use]
     pub fn counting(self, tally: Arc<EffectTally>) -> Self {
         Taylor { tally: Some(tally), ..self }
