@@ -56,14 +56,35 @@ pub struct Estimate {
 /// How well an orbit at a bifurcation is located: times in radians, other unknowns as parts of themselves.
 const LOCATED: f64 = 1e-9;
 
+/// By how much an unknown may be off.
+fn located(z: f64, is_time: bool) -> f64 {
+    LOCATED * if is_time { 1.0 } else { z.abs() }
+}
+
+/// How exact a coefficient of the Poincaré map's expansion is, as a part of itself: to the rounding of some
+/// thousand operations.
+const ROUNDED: f64 = 1e-12;
+/// How many coefficients the expansion has.
+const COEFFICIENTS: usize = 20;
+
 impl Estimate {
-    /// A number computed from the unknowns of an orbit, with the error that comes from their own: they are
-    /// moved in four ways by as much as they may be off, and the number's largest change counts twice.
-    /// Rounding on the way, which acts as smaller changes of the same unknowns do, is covered; no unit
-    /// enters. `None` if it cannot be computed. Cost: five times its own.
+    /// A number computed from the unknowns of an orbit, with the error that comes from their own; no unit
+    /// enters. Rounding on the way, which acts as smaller changes of the same unknowns do, is covered unless
+    /// they are 0, as those of an orbit at rest. `None` if it cannot be computed. Cost: five times its own.
     pub fn of(
         z: &[f64],
         is_time: impl Fn(usize) -> bool,
+        number: impl Fn(&[f64]) -> Option<f64>,
+    ) -> Option<Estimate> {
+        Estimate::within(z, |i| located(z[i], is_time(i)), number)
+    }
+
+    /// A number computed from others, of which the i-th may be off by `off(i)`: they are moved by that in
+    /// four ways, and the number's largest change counts twice. `None` if it cannot be computed. Cost: five
+    /// times its own.
+    fn within(
+        z: &[f64],
+        off: impl Fn(usize) -> f64,
         number: impl Fn(&[f64]) -> Option<f64>,
     ) -> Option<Estimate> {
         let value = number(z)?;
@@ -71,7 +92,7 @@ impl Estimate {
             let by = |(i, z): (usize, &f64)| {
                 // Signs that no symmetry of the orbit shares.
                 let sign = if (i * (2 * way + 3) + (i * i + way) / 3).is_multiple_of(2) { 1.0 } else { -1.0 };
-                z + sign * LOCATED * if is_time(i) { 1.0 } else { z.abs() }
+                z + sign * off(i)
             };
             let there: Vec<f64> = z.iter().enumerate().map(by).collect();
             Some((number(&there)? - value).abs())
@@ -134,11 +155,19 @@ impl NormalForm {
             return Err(DOUBLE);
         }
         let estimate = |number: &dyn Fn(&Derivatives, &Orbit) -> Option<f64>| {
-            let at = |z: &[f64]| {
-                let map = return_map(oscillator, &orbit.itinerary, z).ok()?;
-                number(&Derivatives::of(&map), &orbit.moved(z))
+            // Unknowns of an orbit at rest are 0 and exact: there only the map's own rounding is left.
+            let unknowns = orbit.z.len();
+            let all: Vec<f64> = orbit.z.iter().copied().chain([1.0; COEFFICIENTS]).collect();
+            let off = |i: usize| match orbit.z.get(i) {
+                Some(z) => located(*z, orbit.is_time(i)),
+                None => ROUNDED,
             };
-            Estimate::of(&orbit.z, |unknown| orbit.is_time(unknown), at).ok_or(UNKNOWN)
+            let at = |all: &[f64]| {
+                let (z, factors) = all.split_at(unknowns);
+                let map = return_map(oscillator, &orbit.itinerary, z).ok()?;
+                number(&Derivatives::of(&map).scaled(factors), &orbit.moved(z))
+            };
+            Estimate::within(&all, off, at).ok_or(UNKNOWN)
         };
         Ok(match bifurcation {
             Bifurcation::SaddleNode => {

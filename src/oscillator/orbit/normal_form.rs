@@ -49,6 +49,15 @@ impl Derivatives {
         Derivatives(*map)
     }
 
+    /// Each coefficient times a factor of its own, in the order of [`Cubic::of`], the first row's before the
+    /// second's.
+    #[must_use]
+    pub fn scaled(self, factors: &[f64]) -> Derivatives {
+        let mut factors = factors.iter();
+        let mut next = |x: f64| factors.next().map_or(x, |factor| factor * x);
+        Derivatives(self.0.map(|row| Cubic::of(row.coefficients().map(&mut next))))
+    }
+
     /// A.
     pub fn linear(&self) -> [[f64; 2]; 2] {
         self.0.map(|row| [row.coefficient(1, 0), row.coefficient(0, 1)])
