@@ -1,8 +1,9 @@
 //! A measured force: a CSV file of times and forces, as harmonics of the forcing, or as it is, once.
 //!
-//! The harmonics are fitted by least squares, each sample weighted by the time that it stands for in the
-//! period, all whole periods of the record on top of one another. So samples need not be even, and a record
-//! of several periods is averaged. What the fit leaves is bounded at the samples by the largest residual; and
+//! The harmonics are fitted by least squares, all whole periods of the record on top of one another, each
+//! sample weighted by the time that it stands for: of m periods, by that between the m-th samples before and
+//! after it. So samples need not be even, and a record of several periods is averaged, also where samples of
+//! all of them fall on one phase. What the fit leaves is bounded at the samples by the largest residual; and
 //! between them, with the record taken as straight from sample to sample, by that and an eighth of the
 //! longest step squared times a bound on the second derivative of the harmonics.
 //!
@@ -261,21 +262,22 @@ fn record(text: &str) -> std::result::Result<Vec<Sample>, Wrong> {
 /// the power is elsewhere.
 const UNTOLD: f64 = 0.5;
 
-/// The share of a record's variation, the mean square about its mean, that a model leaves: samples as (phase,
-/// force, weight). 0 for a record that is constant, up to rounding.
-fn untold(samples: &[(f64, f64, f64)], model: impl Fn(f64) -> f64) -> f64 {
+/// The share of a record's variation, the mean square in time about its mean, that a model leaves: of all of
+/// the record, what lies beyond its whole periods too. 0 for a record that is constant, up to rounding.
+fn untold(record: &[Sample], model: impl Fn(f64) -> f64) -> f64 {
+    let time = |i: usize| record[i.min(record.len() - 1)].1;
+    let weight = |i: usize| (time(i + 1) - time(i.saturating_sub(1))) / 2.0;
     let over = |value: &dyn Fn(f64, f64) -> f64| {
-        let all = samples.iter().map(|&(phase, force, weight)| weight * value(phase, force));
-        all.sum::<f64>() / samples.iter().map(|sample| sample.2).sum::<f64>()
+        let all = (0..record.len()).map(|i| weight(i) * value(record[i].1, record[i].2));
+        all.sum::<f64>() / (0..record.len()).map(weight).sum::<f64>()
     };
     let mean = over(&|_, force| force);
     let variation = over(&|_, force| (force - mean).powi(2));
-    let rounding =
-        4.0 * f64::EPSILON * samples.iter().fold(0.0, |most: f64, sample| most.max(sample.1.abs()));
+    let rounding = 4.0 * f64::EPSILON * record.iter().fold(0.0, |most: f64, sample| most.max(sample.2.abs()));
     if variation <= rounding * rounding {
         return 0.0;
     }
-    over(&|phase, force| (force - model(phase)).powi(2)) / variation
+    over(&|t, force| (force - model(t)).powi(2)) / variation
 }
 
 /// The harmonics of a record with this period.
@@ -325,12 +327,12 @@ fn fit(record: &[Sample], period: f64, count: usize) -> std::result::Result<Meas
         row
     };
     let (mut matrix, mut right) = (RealMatrix::zeros(size, size), RealVector::zeros(size));
-    let weighted: Vec<(f64, f64, f64)> = folded
-        .iter()
-        .enumerate()
-        .map(|(i, &(phase, force, _))| (phase, force, (gap(i) + gap((i + n - 1) % n)) / 2.0))
-        .collect();
-    for &(phase, force, weight) in &weighted {
+    // Of so many periods the next sample of the same one is, about, as many samples on: phases that are one
+    // up to rounding share their time.
+    let apart = periods.min(n as f64) as usize;
+    let turned = |i: usize| folded[i % n].0 + TAU * (i / n) as f64;
+    for (i, &(phase, force, _)) in folded.iter().enumerate() {
+        let weight = (turned(n + i + apart) - turned(n + i - apart)) / (2 * apart) as f64;
         let row = row(phase);
         for (a, x) in row.iter().enumerate() {
             right[a] += weight * x * force;
@@ -346,9 +348,9 @@ fn fit(record: &[Sample], period: f64, count: usize) -> std::result::Result<Meas
     let harmonics: Vec<[f64; 2]> = (0..count).map(|k| [solved[2 * k + 1], solved[2 * k + 2]]).collect();
     let model = |phase: f64| row(phase).iter().zip(solved.iter()).map(|(x, c)| x * c).sum::<f64>();
     let residual = folded.iter().map(|&(phase, force, _)| (force - model(phase)).abs()).fold(0.0, f64::max);
-    let untold = untold(&weighted, model);
+    let untold = untold(record, |t| model(phase(t)));
     if untold > UNTOLD {
-        let most = used.iter().map(|sample| (sample.2 - solved[0]).abs()).fold(0.0, f64::max);
+        let most = record.iter().map(|sample| (sample.2 - solved[0]).abs()).fold(0.0, f64::max);
         let message = format!(
             "{count} harmonics of the period {period} leave {:.0} % of the record's variation: up to {residual:.4} of {most:.4}. \
              Either {period} is not the period of the record (give `period`), or more `harmonics` are needed",
@@ -412,6 +414,24 @@ mod tests {
         assert_known(&fitted);
     }
 
+    /// Also where samples of all of them have one phase up to rounding. Each period is off by its own
+    /// constant; the sum of these is 0.
+    #[test]
+    fn periods_on_top_of_one_another_are_averaged() {
+        let off = [3.0, -1.0, -4.0, 1.0, 5.0, -9.0, 2.0, 3.0];
+        for per_period in [40, 231] {
+            let record: Vec<Sample> = (0..8 * per_period)
+                .map(|i| {
+                    let t = 0.02 * i as f64 / per_period as f64;
+                    (i + 2, t, force(TAU * t / 0.02) + off[i / per_period])
+                })
+                .collect();
+            let fitted = fit(&record, 0.02, 3).unwrap();
+            assert_known(&MeasuredForce { residual: 0.0, ..fitted.clone() });
+            assert!((fitted.residual - 9.0).abs() < 1e-9, "{fitted:?}");
+        }
+    }
+
     /// Between samples the harmonics are within the bound of the straight lines.
     #[test]
     fn the_bound_holds_between_samples() {
@@ -461,6 +481,11 @@ mod tests {
                 );
             }
         }
+        // What lies beyond the whole periods tells, too: of one period there are no two to compare.
+        let short = &record(0.02, 0.0, 1.0)[..200];
+        assert!(fit(short, 0.02, 3).is_ok());
+        let (_, message) = fit(short, 0.013, 3).unwrap_err();
+        assert!(message.contains("is not the period of the record"), "{message}");
         // A constant force has no variation, and harmonics that are 0.
         let flat: Vec<Sample> = (0..50).map(|i| (i + 2, 0.001 * i as f64, 0.1)).collect();
         assert!(fit(&flat, 0.02, 3).unwrap().residual < 1e-14);
