@@ -114,6 +114,8 @@ impl Default for MachineSettings {
 struct GapSize {
     /// What the forces alone bring about.
     forced: f64,
+    /// What they bring about of the whole machine, and the stop's own motion: no less.
+    moved: f64,
     /// The stop's place and motion.
     place: f64,
 }
@@ -284,18 +286,24 @@ impl MachineSimulator {
 
     /// The size of the motions of the gaps, at the stop that is nearest to the motion that the forces alone
     /// bring about: of that, and of what a constant force does in a radian; and of the stop's place and
-    /// motion, unless they are farther than ten times that. 0 if there is none of them: then only starts
-    /// tell. A stop that is farther away changes nothing.
+    /// motion, unless they are farther than ten times the motion of the machine and of the stop. 0 if there
+    /// is none of them: then only starts tell. A stop that is farther away changes nothing.
+    ///
+    /// How far is far is told by the machine's motion, by the norm that the mass gives: that of the gap alone
+    /// may be rounding's, where the forces act on a part of the machine that the stop does not feel.
     pub fn scale(&self) -> f64 {
-        self.nearest().map_or(0.0, |GapSize { forced, place }| {
-            if forced > 0.0 && place > MET * forced { forced } else { forced.max(place) }
-        })
+        self.nearest().map_or(
+            0.0,
+            |GapSize { forced, moved, place }| {
+                if moved > 0.0 && place > MET * moved { moved } else { forced.max(place) }
+            },
+        )
     }
 
     /// The same where these stops are met: of their places and motions, too.
     pub fn scale_at(&self, stops: impl IntoIterator<Item = usize>) -> f64 {
         let size = |stop: usize| {
-            let GapSize { forced, place } = self.gap_size(stop);
+            let GapSize { forced, place, .. } = self.gap_size(stop);
             forced.max(place)
         };
         stops.into_iter().map(size).fold(self.scale(), f64::max)
@@ -304,7 +312,7 @@ impl MachineSimulator {
     /// The size of the gap to the stop that is nearest, however far that is: what its rounding is relative
     /// to. 0 as of [`scale`](Self::scale).
     pub fn gap_scale(&self) -> f64 {
-        self.nearest().map_or(0.0, |GapSize { forced, place }| forced.max(place))
+        self.nearest().map_or(0.0, |GapSize { forced, place, .. }| forced.max(place))
     }
 
     /// The sizes at the stop that the forced motion comes nearest to, distances being those of displacements
@@ -324,17 +332,25 @@ impl MachineSimulator {
 
     fn gap_size(&self, stop: usize) -> GapSize {
         let contact = &self.contacts.all()[stop];
-        let (flow, zero) = (&self.free.flow, RealVector::zeros(self.equations.size()));
-        let g = flow.seen(&contact.row, &zero);
-        let most = looks().map(|t| g.dot(&flow.particular(t)).abs());
-        let push = contact.row.dot(&self.equations.accelerate(&self.equations.force.mean)).abs();
+        let (flow, n) = (&self.free.flow, self.equations.size());
+        let forced = looks().map(|t| flow.outward(&flow.particular(t)).rows(0, n).into_owned());
+        let push = self.equations.accelerate(&self.equations.force.mean);
         // What the record's largest force does in a radian.
-        let record = self.smooth.as_ref().and_then(Smooth::record).map_or(0.0, |(record, direction)| {
+        let record = self.smooth.as_ref().and_then(Smooth::record).map(|(record, direction)| {
             let most = record.values.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-            contact.row.dot(&(self.equations.accelerate(direction) * most)).abs()
+            self.equations.accelerate(direction) * most
         });
-        let place = contact.position.mean().abs() + contact.position.derivative_bound(0);
-        GapSize { forced: most.fold(push.max(record), f64::max), place }
+        let all: Vec<RealVector> = forced.chain([push]).chain(record).collect();
+        let largest = |size: &dyn Fn(&RealVector) -> f64| all.iter().map(size).fold(0.0, f64::max);
+        let mobility = self.contacts.mobility(stop);
+        // |w q| is at most this, by Cauchy and Schwarz.
+        let whole = |q: &RealVector| (mobility * q.dot(&(&self.equations.mass * q))).sqrt();
+        let (forced, motion) = (largest(&|q| contact.row.dot(q).abs()), contact.position.derivative_bound(0));
+        GapSize {
+            forced,
+            moved: largest(&whole).max(forced).max(motion),
+            place: contact.position.mean().abs() + motion,
+        }
     }
 
     /// A run from displacements q and velocities u, per radian of the forcing, at `time`.
