@@ -121,7 +121,7 @@ fn one_wall(length: f64) -> String {
 fn what_is_on_a_branch_does_not_depend_on_the_unit_of_length() {
     let folder = tempfile::tempdir().unwrap();
     let keys = "parameter = \"F\"\nrange = [0.5, 1.5]\nstarts = [{ attractor = { q = 0, u = 0 } }]";
-    let found = [1.0, 4.0, 0.25, 10.0].map(|length| {
+    let found = [1.0, 4.0, 0.25, 10.0, 0.01, 100.0].map(|length| {
         let report = done(&one_wall(length), &[task("bra", "branch", keys)], folder.path());
         assert_eq!(report["tasks"][0]["starts"][0]["pattern"], "1 upper,1 upper", "{report}");
         labelled(&report, 0)

@@ -175,17 +175,22 @@ impl<F: PatternFamily + ?Sized> PatternCurve<'_, F> {
     /// Whether a curve that turns back in the parameter does so where it crosses another, and not beside:
     /// near the crossing the equations are nearly singular, and where exactly the tangent's component
     /// vanishes is lost. It is linear there: points on both sides, so far away that the tangents are certain,
-    /// tell.
+    /// tell. A place is known to rounding of its unknowns, a tangent at the distance h from the crossing to
+    /// that over h, the zero to that over h², and to how far the curve is from a parabola, which grows with
+    /// h: a turn is beside the crossing if near points and far ones say so.
     fn turns_at(&self, crossing: &CurvePoint, turn: &CurvePoint) -> bool {
-        let off = dot(&difference(&turn.u, &crossing.u), &crossing.tangent);
-        let aside = APART.max(2.0 * off.abs());
+        let size = 1.0 + largest(&crossing.u);
+        let off = dot(&difference(&turn.u, &crossing.u), &crossing.tangent).abs();
         let slope = |by: f64| {
             let place = CERTAIN.step(self, crossing, by)?;
             Ok::<_, Error>(place.tangent.last().copied().unwrap_or(f64::NAN))
         };
-        let (Ok(ahead), Ok(behind)) = (slope(aside), slope(-aside)) else { return true };
-        let zero = aside * (ahead + behind) / (behind - ahead);
-        zero.abs() <= off.abs() / 2.0 || off.abs() <= SAME
+        let beside = |aside: f64| {
+            let (Ok(ahead), Ok(behind)) = (slope(aside * size), slope(-aside * size)) else { return false };
+            let zero = aside * size * (ahead + behind) / (behind - ahead);
+            zero.abs() > off / 2.0
+        };
+        off <= SAME * size || ![APART, 10.0 * APART].into_iter().all(beside)
     }
 
     /// What is left of the equations of half the pattern, of the first half of the impacts, as a part of what
@@ -199,10 +204,12 @@ impl<F: PatternFamily + ?Sized> PatternCurve<'_, F> {
     }
 }
 
-/// So far from a crossing, along the curve, tangents are certain: they are known to rounding over this.
+/// So far from a crossing, along the curve, and ten times as far, tangents are looked at, as parts of the
+/// size of the unknowns.
 const APART: f64 = 1e-4;
 
-/// Points of a curve that are closer than this are one: Newton's method tells them apart no better.
+/// Points of a curve that are closer than this part of the size of the unknowns are one: Newton's method
+/// tells them apart no better.
 const SAME: f64 = 1e-9;
 
 /// Newton's method beside events.
