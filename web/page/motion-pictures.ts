@@ -227,7 +227,7 @@ export function bornOrbits({ born, branches, strikes, range, now }: BornPicture)
       }
       for (const list of [stable, unstable]) list.push(NaN, NaN);
     }
-    layers.push(curve(unstable, colour, `(${pattern}), unstable`, { width: 1.2, dash: [6, 4] }));
+    layers.push(curve(unstable, colour, `(${pattern}), unstable`, { width: 1.4, dash: [9, 5] }));
     layers.push(curve(stable, colour, `(${pattern}), stable`, { width: 3 }));
   }
   for (const [i, slopes] of born.slopes.entries()) {
@@ -241,7 +241,7 @@ export function bornOrbits({ born, branches, strikes, range, now }: BornPicture)
       if ((end - grazing) * (row.found_at - grazing) <= 0) continue;
       xy.push(grazing, 0, grazing + Math.sign(end - grazing) * reach, slope * reach, NaN, NaN);
     }
-    layers.push(curve(xy, patternColour(i), `(${row.pattern}), predicted`, { dash: [2, 3], width: 1.6 }));
+    layers.push(curve(xy, patternColour(i), `(${row.pattern}), predicted`, { dash: [2, 4], width: 2 }));
   }
   const drawn = filled(layers);
   return drawn.length > 0 ? drawn.concat(verticals({ now, grazing }, 0, most || 1)) : [];

@@ -325,7 +325,8 @@ class MotionPanel implements Panel {
     );
     parts.run.disabled = scene.tasks.length === 0;
     parts.answer.replaceChildren();
-    this.changed();
+    // The axes are those of what was opened, too.
+    this.show(this.view);
   }
 
   /** A slider with its number, which may be any exact one. */
@@ -555,8 +556,10 @@ class MotionPanel implements Panel {
     const entries = layers.filter(({ label }) => label !== undefined && !told.has(label) && told.add(label));
     this.parts.legend.replaceChildren(
       ...entries.map(({ label, colour, kind, dash, width }) => {
-        const line = `border-top:${Math.max(2, width ?? 2)}px ${dash ? "dashed" : "solid"} ${colour}`;
-        const style = kind === "points" ? `background:${colour};width:8px;height:8px;border-radius:50%` : `width:1.6em;${line}`;
+        // With the dashes that it has in the picture.
+        const [on, off] = dash ?? [1, 0];
+        const line = `height:${Math.max(2, width ?? 2)}px;background:repeating-linear-gradient(90deg, ${colour} 0 ${on}px, transparent ${on}px ${on! + off!}px)`;
+        const style = kind === "points" ? `background:${colour};width:8px;height:8px;border-radius:50%` : `width:2.4em;${line}`;
         const swatch = element("span", { class: "motion-swatch", "aria-hidden": "true" });
         swatch.style.cssText = style;
         return element("li", {}, swatch, label ?? "");

@@ -67,6 +67,9 @@ class PlanePanel implements Panel {
   /** The view that the picture was made for. */
   private shown: View | null = null;
   private asked = 0;
+  /** Counts what the reader does; and at which count something was refused last. */
+  private turn = 0;
+  private refused = 0;
   private pause: ReturnType<typeof setTimeout> | undefined;
   private fields!: {
     chart: HTMLSelectElement;
@@ -195,7 +198,8 @@ class PlanePanel implements Panel {
     if (state.has("n")) fields.last.value = state.get("n")!;
     fields.only.checked = state.get("only") === "1";
     if (chart !== null && chart in CHARTS && chart !== this.chart) this.useChart(chart as Chart);
-    void this.restorePlace(state).catch((error: unknown) => this.complain(error));
+    const turn = ++this.turn;
+    void this.restorePlace(state).catch((error: unknown) => this.complain(error, turn));
   }
 
   /** An exact number as the command line reads it. */
@@ -232,7 +236,10 @@ class PlanePanel implements Panel {
     return `Areas in which orbits of each period exist, ${signs}, in the chart ${CHARTS[this.chart].name}`;
   }
 
-  private complain(error: unknown): void {
+  /** Shows what is wrong with what was asked for at a turn, or clears it: never what was refused at a later one. */
+  private complain(error: unknown, turn: number): void {
+    if (turn < this.refused) return;
+    if (error !== null) this.refused = turn;
     this.problem.hidden = error === null;
     this.problem.textContent = error === null ? "" : minus(error instanceof Error ? error.message : String(error));
   }
@@ -274,6 +281,7 @@ class PlanePanel implements Panel {
   /** Goes to the point of the text fields. */
   private async go(): Promise<void> {
     const { fields } = this;
+    const turn = ++this.turn;
     try {
       const [first, second] = [await this.number(fields.first.value), await this.number(fields.second.value)];
       const place = fields.kind.value === "polar" ? { r: first, s: second } : { a1: first, a2: second };
@@ -282,15 +290,16 @@ class PlanePanel implements Panel {
         width = (await this.number(fields.width.value)).toNumber();
         if (!(width > 0)) throw new RangeError("the width of the view is above 0");
       }
-      this.complain(null);
+      this.complain(null, turn);
       await this.choosePlace(place, "go", width);
     } catch (error) {
-      this.complain(error);
+      this.complain(error, turn);
     }
   }
 
   private choose(place: Place | null, how: "mark" | "show" = "mark"): void {
-    void this.choosePlace(place, how).catch((error: unknown) => this.complain(error));
+    const turn = ++this.turn;
+    void this.choosePlace(place, how).catch((error: unknown) => this.complain(error, turn));
   }
 
   /** Chooses a point, or none: it is marked and explained, and the link leads to it. */
@@ -349,15 +358,16 @@ class PlanePanel implements Panel {
   }
 
   private async certify(place: Place, button: HTMLButtonElement): Promise<void> {
+    const turn = ++this.turn;
     button.disabled = true;
-    this.complain(null);
+    this.complain(null, turn);
     this.context.announce("Making the certificate");
     try {
       const made = await this.context.compute("plane_certificate", JSON.stringify(this.request(place)));
       if (typeof made.certificate === "string") this.context.openCheck(made.certificate);
-      else this.complain(new Error(`Undecided: no certificate was found. ${made.undecided}`));
+      else this.complain(new Error(`Undecided: no certificate was found. ${made.undecided}`), turn);
     } catch (error) {
-      this.complain(error);
+      this.complain(error, turn);
     } finally {
       button.disabled = false;
     }
@@ -392,21 +402,22 @@ class PlanePanel implements Panel {
       this.shown = null;
       this.plot.setLayers([]);
     }
-    void this.ask(FEW);
+    const turn = ++this.turn;
+    void this.ask(FEW, turn);
     clearTimeout(this.pause);
     this.pause = setTimeout(() => {
-      void this.ask(ALL);
+      void this.ask(ALL, turn);
       this.link();
     }, 200);
   }
 
-  private async ask(limit: number): Promise<void> {
+  private async ask(limit: number, turn: number): Promise<void> {
     const { fields, plot } = this;
     const canvas = document.getElementById("plane-canvas")!;
     if (canvas.clientWidth === 0) return;
     const last = Number(fields.last.value);
     if (!Number.isInteger(last) || last < 1 || last > 10_000_000) {
-      this.complain(new Error(`N = ${fields.last.value}: a whole number from 1 to 10000000`));
+      this.complain(new Error(`N = ${fields.last.value}: a whole number from 1 to 10000000`), turn);
       return;
     }
     const seen = plot.visible();
@@ -434,12 +445,12 @@ class PlanePanel implements Panel {
       if (answer === null || chart !== this.chart) return;
       this.answer = answer;
       this.shown = seen;
-      this.complain(null);
+      this.complain(null, turn);
       this.paint();
       this.report(answer, seen);
       this.status.dataset.full = String(limit === ALL && asked === this.asked);
     } catch (error) {
-      this.complain(error);
+      this.complain(error, turn);
     } finally {
       if (asked === this.asked) {
         canvas.removeAttribute("aria-busy");

@@ -162,6 +162,15 @@ test("the orbits born: branches stand beside the prediction, and it is said how 
   assert.ok(within(three) > 1e-5 && within(three) < within(one), three);
   const labels = await root.locator(".motion-legend li").allTextContents();
   for (const label of ["simulated impacts", "(3), predicted", "(3), stable", "(3), unstable", "grazing", "now"]) assert.ok(labels.includes(label), labels.join());
+  // The three are told apart in the legend as in the picture, and all are seen.
+  const swatch = (label) =>
+    root.locator(".motion-legend li").filter({ hasText: label }).first().locator(".motion-swatch").evaluate((span) => {
+      const { width, height } = span.getBoundingClientRect();
+      return { style: span.style.cssText, seen: width > 20 && height >= 2 };
+    });
+  const three_ways = await Promise.all(["(3), predicted", "(3), stable", "(3), unstable"].map(swatch));
+  assert.equal(new Set(three_ways.map(({ style }) => style)).size, 3, JSON.stringify(three_ways));
+  assert.ok(three_ways.every(({ seen }) => seen), JSON.stringify(three_ways));
   // The picture and its data.
   const [svg] = await Promise.all([page.waitForEvent("download"), root.getByRole("button", { name: "Save SVG" }).click()]);
   assert.match(readFileSync(await svg.path(), "utf8"), /^<svg[\s\S]*<\/svg>\s*$/);
@@ -180,6 +189,14 @@ test("scenes that are dropped in: names for their numbers, and errors as on the 
   assert.deepEqual(names.slice(0, 2), ["preload", "p"]);
   for (const name of ["damping", "stiffness", "mass", "frequency", "offset_guard", "wall_stiffness_seat"]) assert.ok(names.includes(name), names.join());
   await drawn(root);
+  // The axis is named for what the machine shows, not for the oscillator before it.
+  const seen = await root.locator("select").filter({ hasText: "gap " }).first().inputValue();
+  assert.notEqual(seen, "q");
+  const [picture] = await Promise.all([page.waitForEvent("download"), root.getByRole("button", { name: "Save SVG" }).click()]);
+  const drawing = readFileSync(await picture.path(), "utf8");
+  // An axis far from 0 has its origin beside its name.
+  assert.ok(drawing.includes(`>${seen}`), `no axis ${seen}`);
+  assert.ok(!/>q[ <]/.test(drawing), "the axis of the scene before");
   await type(root, "mass", "0.06");
   await number(root, "impacts per forcing period", /\d/);
   // What the command line says of a wrong scene, the page says too, and keeps the scene before.

@@ -108,6 +108,58 @@ test("exact numbers move the centre there, at any depth, and a link leads back",
   assert.deepEqual([...errors, ...none], []);
 });
 
+test("what is refused stays until the reader asks for something else", async () => {
+  const { page, errors } = await open(chromium, "#plane?chart=strip&n=200");
+  await rest(page);
+  // The picture for this view is under way, and asked for again once the view rests, when the point is refused.
+  await page.evaluate(() => {
+    const find = (text) => [...document.querySelectorAll("#panel-plane button")].find((button) => button.textContent === text);
+    find("Zoom in").click();
+    const form = document.querySelector("#panel-plane form");
+    const [first, second] = form.querySelectorAll("input");
+    first.value = "3/0";
+    second.value = "1/4";
+    form.requestSubmit();
+  });
+  await page.getByRole("alert").filter({ hasText: "3/0" }).waitFor();
+  await rest(page);
+  assert.match(await page.getByRole("alert").textContent(), /3\/0/);
+  assert.ok(await page.getByRole("alert").isVisible());
+  await page.getByRole("button", { name: "Zoom in" }).click();
+  await page.getByRole("alert").waitFor({ state: "hidden" });
+  assert.deepEqual(errors, []);
+});
+
+test("the point by r, s and by a1, a2, and beside a line, is said the same of", async () => {
+  const { page, errors } = await open(chromium, "#plane");
+  await rest(page);
+  // What is said of a point, without the numbers by which it was given.
+  const said = async (kind, first, second) => {
+    await point(page, kind, first, second);
+    await page.waitForFunction(
+      ([a, b]) => [...document.querySelectorAll("#panel-plane form input")].slice(0, 2).map(({ value }) => value).join() === `${a},${b}`,
+      [first, second],
+    );
+    await page.locator("#plane-facts").getByText("eµ > 0:").first().waitFor();
+    await rest(page);
+    const rows = await page.locator("#plane-facts tbody tr").evaluateAll((all) => all.slice(0, 12).map((row) => row.children[1].textContent));
+    const words = await page.locator("#plane-facts p").filter({ hasText: /^eµ/ }).allTextContents();
+    return JSON.stringify([rows, words]);
+  };
+  // cos 2πs is 0, 1/2, −1/2.
+  for (const [r, square] of [["1", "1"], ["9/10", "81/100"], ["1/3", "1/9"]]) {
+    for (const [s, a1] of [["1/4", "0"], ["1/6", r], ["1/3", `-${r}`]]) {
+      const polar = await said("polar", r, s);
+      const plane = await said("plane", a1, square);
+      assert.equal(polar, plane, `${r} ${s}`);
+    }
+  }
+  // On a₁ = −(a₂ + 1) all odd periods.
+  const line = await said("plane", "-3/2", "1/2");
+  assert.match(line, /every odd period occurs/);
+  assert.deepEqual(errors, []);
+});
+
 test("a point's certificate is made and proved in the Check panel", async () => {
   const { page, errors } = await open(chromium, "#plane?a1=-1/4&a2=1/2");
   await page.getByRole("button", { name: /^Certificate/ }).click();
