@@ -6,10 +6,9 @@
 //! those of CSV through [`csv_field`]. What LaTeX and SVG need besides is in `output::escape` and
 //! `figure::canvas`.
 
-use std::{
-    borrow::Cow,
-    fmt::{self, Write},
-};
+#[cfg(feature = "cli")]
+use std::borrow::Cow;
+use std::fmt::{self, Write};
 
 /// Whether a character shows as itself and leaves the others as they are.
 pub(crate) fn is_printable(c: char) -> bool {
@@ -25,6 +24,7 @@ pub(crate) fn is_printable(c: char) -> bool {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Printable<'a>(pub &'a str);
 
+#[cfg(feature = "cli")]
 impl<'a> Printable<'a> {
     /// The text; the same if there is nothing to change.
     pub fn text(self) -> Cow<'a, str> {

@@ -12,7 +12,10 @@ use std::{
 };
 
 use grazing::{Error, Monitor, Result};
-use pyo3::{exceptions::{PyRuntimeError, PyValueError}, prelude::*};
+use pyo3::{
+    exceptions::{PyRuntimeError, PyValueError},
+    prelude::*,
+};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use crate::failure::{panicked, raise};
@@ -145,7 +148,11 @@ fn pool() -> PyResult<Arc<ThreadPool>> {
         return Ok(pool.clone());
     }
     let count = grazing::internals::threads(0).map_err(|error| PyValueError::new_err(error.to_string()))?;
-    let made = ThreadPoolBuilder::new().num_threads(count).stack_size(STACK).thread_name(|i| format!("grazing-{i}")).build();
+    let made = ThreadPoolBuilder::new()
+        .num_threads(count)
+        .stack_size(STACK)
+        .thread_name(|i| format!("grazing-{i}"))
+        .build();
     let made = made.map_err(|error| PyRuntimeError::new_err(format!("cannot start threads: {error}")))?;
     Ok(pool.insert(Arc::new(made)).clone())
 }
