@@ -26,8 +26,21 @@ export interface SectionAnswer {
 export interface Slice {
   value: number;
   lost: number;
-  motions: { period: number | null; impacts: number; places: number[] }[];
+  motions: SliceMotion[];
 }
+
+/** What one start tends to. */
+export interface SliceMotion {
+  /** None of what is not periodic, and where that is not decided. */
+  period: number | null;
+  undecided: boolean;
+  impacts: number;
+  places: number[];
+}
+
+/** What a motion of a slice comes to, in words. */
+export const fate = ({ period, undecided }: SliceMotion): string =>
+  period !== null ? `period ${period}` : undecided ? "not settled" : "not periodic";
 
 /** A row of the orbits that are born at a grazing. */
 export interface BornRow {
@@ -163,10 +176,11 @@ export function attractors(slices: Slice[], values: Values): Layer[] {
   const free: number[] = [];
   const periodic: number[] = [];
   const other: number[] = [];
+  const open: number[] = [];
   let [low, high] = [Infinity, -Infinity];
   for (const { value, motions } of slices) {
-    for (const { period, impacts, places } of motions) {
-      const into = period === null ? other : impacts === 0 ? free : periodic;
+    for (const { period, undecided, impacts, places } of motions) {
+      const into = period === null ? (undecided ? open : other) : impacts === 0 ? free : periodic;
       for (const place of places) {
         into.push(value, place);
         [low, high] = [Math.min(low, place), Math.max(high, place)];
@@ -175,6 +189,7 @@ export function attractors(slices: Slice[], values: Values): Layer[] {
   }
   const layers = filled([
     points(other, "c5", "not periodic", 1),
+    points(open, "c4", "not settled", 1),
     points(periodic, "c0", "periodic, with impacts", 1.6),
     points(free, "c2", "periodic, without impacts", 1.6),
   ]);

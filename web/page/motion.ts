@@ -10,6 +10,7 @@ import {
   type BornRow,
   type BranchAnswer,
   bornOrbits,
+  fate,
   overTime,
   patternColour,
   phasePlane,
@@ -600,7 +601,7 @@ class MotionPanel implements Panel {
       show();
     }
     parts.progress.hidden = true;
-    const windows = new Set(slices.flatMap(({ motions }) => motions.map(({ period }) => (period === null ? "not periodic" : `period ${period}`))));
+    const windows = new Set(slices.flatMap(({ motions }) => motions.map(fate)));
     this.context.announce(`Attractor at ${slices.length} values: ${[...windows].join(", ")}`);
   }
 

@@ -179,6 +179,40 @@ test("the orbits born: branches stand beside the prediction, and it is said how 
   assert.deepEqual(errors, []);
 });
 
+test("a motion that is not settled is not called aperiodic", async () => {
+  const { errors, root, page } = await panel("#motion?count=3");
+  // It tends to a periodic motion, by 0.3 percent a period: after 2,000 periods it is not there.
+  const slow = `format = "grazing-scene 1"
+title = "hardly damped"
+[parameters]
+d = "1/1000"
+[system]
+damping = "d"
+stiffness = 0.4
+forcing = [{ cos = 0.1 }]
+[[walls]]
+side = "upper"
+offset = 100
+restitution = 0.8
+`;
+  await openScene(root, "slow.toml", slow);
+  await root.getByLabel("displacement at the start").fill("1");
+  await root.getByLabel("displacement at the start").press("Tab");
+  await number(root, "period found", /^not settled/);
+  const legend = root.locator(".motion-legend li");
+  await root.getByRole("button", { name: "Stroboscopic section" }).click();
+  await legend.filter({ hasText: "not settled" }).waitFor();
+  for (const [end, value] of [["from", "1/1000"], ["to", "1/900"]]) {
+    await root.getByLabel(end, { exact: true }).fill(value);
+    await root.getByLabel(end, { exact: true }).press("Tab");
+  }
+  await root.getByRole("button", { name: "Attractor" }).click();
+  await legend.filter({ hasText: "not settled" }).waitFor({ timeout: 60_000 });
+  assert.ok(!(await legend.allTextContents()).join().includes("not periodic"));
+  await page.locator("#live").filter({ hasText: /Attractor at \d+ values: not settled$/ }).waitFor({ state: "attached", timeout: 60_000 });
+  assert.deepEqual(errors, []);
+});
+
 test("scenes that are dropped in: names for their numbers, and errors as on the command line", async () => {
   const { errors, root, page } = await panel();
   const text = example("scenes/two-sided.toml");

@@ -72,7 +72,12 @@ pub fn attractor(request: &Request) -> Result<Value> {
             .iter()
             .map(|motion| {
                 let places: Vec<f64> = motion.points.iter().map(|[q, _]| q - frame[0]).collect();
-                json!({ "period": motion.period, "impacts": motion.impacts, "places": places })
+                json!({
+                    "period": motion.period,
+                    "undecided": motion.undecided,
+                    "impacts": motion.impacts,
+                    "places": places,
+                })
             })
             .collect();
         Ok(json!({ "value": slice.value, "lost": slice.lost, "motions": motions }))
