@@ -423,12 +423,12 @@ mod tests {
             let record: Vec<Sample> = (0..8 * per_period)
                 .map(|i| {
                     let t = 0.02 * i as f64 / per_period as f64;
-                    (i + 2, t, force(TAU * t / 0.02) + off[i / per_period])
+                    (i + 2, t, force(TAU * t / 0.02) + off[i / per_period] / 8.0)
                 })
                 .collect();
             let fitted = fit(&record, 0.02, 3).unwrap();
             assert_known(&MeasuredForce { residual: 0.0, ..fitted.clone() });
-            assert!((fitted.residual - 9.0).abs() < 1e-9, "{fitted:?}");
+            assert!((fitted.residual - 1.125).abs() < 1e-9, "{fitted:?}");
         }
     }
 
