@@ -2,9 +2,9 @@
 //! against the other.
 //!
 //! A form is the same mathematical question asked in other keys, units, frames, formats or orders
-//! ([`form`]). Scenes are drawn ([`draw`]) and those of `examples`. [`report`] reads a form's report in the
-//! frame of the scene, and [`compare`] says what differs. `GRAZING_FORMS=all` takes all 200 drawn scenes and
-//! the examples; `7-9` takes the scenes drawn with these seeds; without it a sample is taken.
+//! ([`form`]). Scenes are drawn ([`draw`]); those of `examples` are not here yet. [`report`] reads a form's
+//! report in the frame of the scene, and [`compare`] says what differs. `GRAZING_FORMS=all` takes all 200
+//! drawn scenes; `7-9` takes the scenes drawn with these seeds; without it a sample is taken.
 
 mod apart;
 mod compare;
