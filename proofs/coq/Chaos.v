@@ -1,6 +1,7 @@
 (** * The paper's oscillator: legs of one and two periods follow each other in every order *)
 
 From Coq Require Import Reals ZArith Lra Lia.
+From Grazing Require Headline.
 From Grazing Require Import StatementChaos ChaosFlow ChaosContraction ChaosChecks ChaosLegs.
 Open Scope R_scope.
 
@@ -340,7 +341,7 @@ Proof.
 Qed.
 End Word.
 
-Theorem Chaos_oscillator : Chaos_oscillator_statement.
+Theorem Chaos_oscillator : Headline.Chaos_statement.
 Proof. intros mu N Hmu HN; exact (one_motion mu N Hmu HN). Qed.
 
 (** ** The times determine N; periodic sequences have periodic motions *)

@@ -1,7 +1,7 @@
-(** * Conjecture 1: its bullets, read off S4, S5 and their sections *)
+(** * Conjecture 1 about motions and orbits: its bullets, read off S4, S5 and their sections *)
 
 From Coq Require Import Reals Arith Lra Lia.
-From Grazing Require Import Defs Statement StatementConjecture Farey Radius Count Graph Above Sections
+From Grazing Require Import Defs Statement Headline StatementSystems Systems Farey Radius Count Graph Above Sections
   Region4 LeftmostSection.
 Open Scope R_scope.
 
@@ -13,10 +13,22 @@ Notation N := (INR n).
 Lemma N_at_least_3 : 3 <= N.
 Proof. apply le_INR in Hn; simpl in Hn; lra. Qed.
 
-Lemma sections k g lo hi : side n k g lo hi -> connected_sections n g lo hi.
+(** What lies above the graph exists, and nothing below it. *)
+Lemma above_area k g lo hi Rad : above n k g lo hi Rad -> Headline.area n k g lo hi Rad.
 Proof.
-  intros HS r Hr; destruct (S4_section_proof n Plus g lo hi r Hn (side_interval _ _ _ _ _ HS) Hr)
-    as (lo' & hi' & H1 & H2 & _ & H3); eauto.
+  intros H s Hs; destruct (H s Hs) as (Hx & Hc & Hall); split; [exact Hx | split; [exact Hc|]]; intros r Hr.
+  destruct (Hall r Hr) as (Hu & Habove & Hzero & _ & Hbelow & Hothers); unfold orbit_at, no_orbit_at in *.
+  split; [exact Hu|]; split; [intros L; apply born_exactly; [lia | apply Habove, L]|].
+  split; [intros L; apply no_orbit_never; [lia | exact (Hbelow L)] | split; [exact Hzero | exact Hothers]].
+Qed.
+
+Lemma sections k g lo hi Rad : side n k g lo hi -> above n k g lo hi Rad -> forall r, 0 < r < 1 ->
+  exists lo' hi', lo <= lo' /\ hi' <= hi /\ (lo = 1 / (2 * N) -> lo' = lo /\ lo < hi') /\
+  forall s, lo < s < hi -> (Rad s < r <-> lo' < s < hi').
+Proof.
+  intros HS HR r Hr; destruct (S4_section_proof n Plus g lo hi r Hn (side_interval _ _ _ _ _ HS) Hr)
+    as (lo' & hi' & H1 & H2 & H3 & H4); exists lo', hi'; split; [exact H1|]; split; [exact H2|]; split; [exact H3|].
+  intros s Hs; rewrite <- (H4 s Hs); destruct (HR s Hs) as (_ & _ & Hall); apply (Hall r); lra.
 Qed.
 
 Lemma side_extends k g lo hi : side n k g lo hi -> lo <> 1 / (2 * N) -> hi <> 1 / 2 ->
@@ -24,7 +36,8 @@ Lemma side_extends k g lo hi : side n k g lo hi -> lo <> 1 / (2 * N) -> hi <> 1 
 Proof.
   intros HS Hlo Hhi; destruct (S4_stated n Hn) as (_ & H & _); destruct (H k g lo hi HS) as (Rad & HR).
   destruct (S4_ends_stated n k g lo hi Rad Hn HS HR) as (E1 & E2 & _).
-  exists Rad; split; [assumption|split; [auto|split; [auto|now apply (sections k)]]].
+  exists Rad; split; [apply above_area, HR | split; [auto | split; [auto|]]]; intros r Hr.
+  destruct (sections k g lo hi Rad HS HR r Hr) as (lo' & hi' & H1 & H2 & _ & H3); eauto 6.
 Qed.
 
 (** m = 1 *)
@@ -100,40 +113,55 @@ Proof.
 Qed.
 End Bullets.
 
-Theorem Conjecture1 : Conjecture1_statement.
+(** The area at s = 1/2 at a fixed determinant, from S5's section. *)
+Lemma leftmost n a2 : (3 <= n)%nat -> Nat.Odd n -> 0 < a2 < 1 ->
+  ends_left a2 (trace (sqrt a2) ((1 - 1 / INR n) / 2)) n (n - 2).
 Proof.
-  intros n Hn N; pose proof (N_at_least_3 n Hn) as HN; fold N in HN.
+  intros Hn Ho H2; destruct (S5_section a2 n H2 Hn Ho) as (a1s & Hs & H); exists a1s; split; [exact Hs|].
+  intros a1 Ha1; destruct (H a1 Ha1) as (Hu & (_ & _ & Hpos & Hneg & Hzero) & Hlt & Heq); split; [exact Hu|].
+  split; [|split; [|split]].
+  - intros L; apply born_exactly; [lia | apply Hpos, Hlt, L].
+  - intros L; apply no_orbit_never; [lia|]; apply Hneg.
+    destruct (Rtotal_order (b a1 a2 n (n - 2)) 0) as [B|[B|B]]; [exact B | apply Heq in B; lra | apply Hlt in B; lra].
+  - rewrite <- Heq; split; congruence.
+  - intros E; apply Hzero; [apply Heq; congruence | lra].
+Qed.
+
+Theorem Conjecture_1 : Conjecture_1_statement.
+Proof.
+  intros n Hn N; pose proof (N_at_least_3 n Hn) as HN; fold N in HN; assert (Hn2 : (2 <= n)%nat) by lia.
   destruct (S4_stated n Hn) as (Hfirst & Habove & Hnone).
-  split; [assumption|split; [|split; [|split; [|split; [|split; [|split]]]]]].
+  split; [|split; [|split; [|split; [|split; [|split; [|split]]]]]].
+  - intros r s Hr Hs; apply (born_exactly _ _ _ _ _ Hn2), Hfirst; assumption.
   - pose proof (first_side n Hn) as HS; fold N in HS.
-    destruct (Habove _ _ _ _ HS) as (Rad & HR); exists Rad; split; [assumption|].
+    destruct (Habove _ _ _ _ HS) as (Rad & HR); exists Rad; split; [apply (above_area n Hn), HR|].
     destruct (S4_ends_stated n _ _ _ _ Rad Hn HS HR) as (_ & E2 & E3); fold N in E3.
     assert (Hlt : 1 / (2 * (N - 1)) < 1 / N) by (apply fraction_lt; lra).
     assert (Hhalf : 1 / N < 1 / 2) by (apply fraction_lt; lra).
     split; [apply E2; lra|split; [intros s Hs; apply E3; lra|]]; intros r Hr.
-    destruct (S4_section_proof n Plus Plus _ _ r Hn (side_interval _ _ _ _ _ HS) Hr)
-      as (lo' & hi' & _ & Hhi & Hlo & H); destruct (Hlo eq_refl) as [-> Hl].
-    exists hi'; split; [lra|]; intros s Hs; rewrite (H s Hs); tauto.
+    destruct (sections n Hn _ _ _ _ Rad HS HR r Hr) as (lo' & hi' & _ & Hhi & Hlo & H).
+    destruct (Hlo eq_refl) as [-> Hl]; exists hi'; split; [lra|]; intros s Hs; rewrite (H s Hs); tauto.
   - intros Ho; pose proof (last_side n Hn Ho) as HS; fold N in HS; split.
-    + destruct (Habove _ _ _ _ HS) as (Rad & HR); exists Rad; split; [assumption|].
+    + destruct (Habove _ _ _ _ HS) as (Rad & HR); exists Rad; split; [apply (above_area n Hn), HR|].
       apply (S4_ends_stated n _ _ _ _ Rad Hn HS HR); fold N; intros E.
       apply (f_equal (Rmult (2 * N))) in E.
       replace (2 * N * ((N - 1) / (2 * N))) with (N - 1) in E by (field; lra).
       replace (2 * N * (1 / (2 * N))) with 1 in E by (field; lra); lra.
-    + intros a2 H2; cbv zeta; replace ((N - 1) / (2 * N)) with ((1 - 1 / N) / 2) by (field; lra).
-      exact (S5_section a2 n H2 Hn Ho).
+    + intros a2 H2; replace ((N - 1) / (2 * N)) with ((1 - 1 / N) / 2) by (field; lra).
+      exact (leftmost n a2 Hn Ho H2).
   - intros m F Hm H0; destruct (left_end_not_first n Hn m F Hm H0) as [Hm1 Hlo].
     pose proof (left_side n m F Hm) as HS; destruct (Nat.eqb_spec m 1) as [|_]; [tauto|].
     destruct (neighbours_sum _ _ _ _ _ _ (are_neighbours F)) as [_ Sn].
     replace (n - n_plus F)%nat with (n_minus F) by lia.
-    apply side_extends; trivial; apply Rlt_not_eq, fraction_lt; [lra|lra|].
+    apply (side_extends n Hn); trivial; apply Rlt_not_eq, fraction_lt; [lra|lra|].
     apply proj2, lt_INR in Hm; rewrite mult_INR in Hm; simpl in Hm; fold N in Hm; lra.
   - intros m F Hm H0; pose proof (right_side n m F Hm) as HS.
     destruct (neighbours_sum _ _ _ _ _ _ (are_neighbours F)) as [_ Sn].
     replace (n - n_minus F)%nat with (n_plus F) by lia.
-    apply side_extends; trivial;
+    apply (side_extends n Hn); trivial;
       [exact (right_lo_not_first n m Hn Hm)|exact (right_end_not_half n Hn m F H0)].
   - apply intervals_listed, Hn.
-  - intros r s Hr Hs Hu Hno; apply Hnone; trivial; [lra|left; lra].
-  - intros a1 a2 H2 H1 He; apply (proj1 (proj2 (S5 a1 a2 n H2 H1))); [destruct He; lia|assumption].
+  - intros r s Hr Hs Hu Hno; apply (no_orbit_never _ _ _ Hn2), Hnone; trivial; [lra|left; lra].
+  - intros a1 a2 H2 H1 He; apply (no_orbit_never _ _ _ Hn2).
+    apply (proj1 (proj2 (S5 a1 a2 n H2 H1))); [destruct He; lia|assumption].
 Qed.

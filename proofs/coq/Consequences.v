@@ -5,7 +5,7 @@
     themselves at one point of each region. *)
 
 From Coq Require Import Reals List Arith ZArith Lra Lia.
-From Grazing Require Import Defs Statement StatementConjecture StatementPlane StatementB StatementExamples Farey Eight
+From Grazing Require Import Defs Statement StatementPlane StatementB StatementExamples Farey Eight
   StatementZ OrbitZ.
 Open Scope R_scope.
 
@@ -98,32 +98,6 @@ Qed.
 Lemma count_8 : Theorem2_count_statement -> exists L : list (sign * sign * R * R), length L = 5%nat /\
   forall e g lo hi, In (e, g, lo, hi) L <-> interval 8 e g lo hi.
 Proof. intros T; destruct (T 8%nat ltac:(lia)) as (L & E & _ & H & _); exists L; auto. Qed.
-
-(** ** Conjecture 1: n = 5 and n = 8 *)
-
-Lemma around_3_8 : neighbours 3 8 1 3 2 5. Proof. pose_neighbours. Qed.
-
-Lemma Conjecture1_5 : Conjecture1_statement -> exists R0, 0 <= R0 < 1 /\ forall r, 0 < r <= 1 ->
-  (R0 < r <-> orbit_at r (7 / 20) 5 Plus Plus) /\ (r = R0 <-> b_at r (7 / 20) 5 2 = 0) /\
-  (r < R0 -> no_orbit_at r (7 / 20) 5).
-Proof.
-  intros C; destruct (C 5%nat ltac:(lia)) as (_ & _ & _ & H & _).
-  destruct (H 2%nat (Build_Farey _ _ _ _ _ _ around_2_5) ltac:(lia) ltac:(cbn; lia)) as (Rad & HA & _).
-  cbn [m_plus n_plus Nat.sub] in HA; destruct (HA (7 / 20)) as (Hx & _ & HI); [simpl; lra|].
-  exists (Rad (7 / 20)); split; [assumption|]; intros r Hr.
-  destruct (HI r Hr) as (_ & H1 & H2 & _ & H3 & _); split; [exact H1|split; [rewrite <- H2; split; auto|exact H3]].
-Qed.
-
-Lemma Conjecture1_8 : Conjecture1_statement -> extends 8 3 Minus (3 / 8) (2 / 5) /\
-  orbit_at (1 / 10) (1 / 20) 8 Minus Plus.
-Proof.
-  intros C; destruct (C 8%nat ltac:(lia)) as (H1 & _ & _ & _ & H & _); split.
-  - specialize (H 3%nat (Build_Farey _ _ _ _ _ _ around_3_8) ltac:(lia) ltac:(cbn; lia)).
-    cbn [m_minus n_minus Nat.sub] in H; replace (INR 3) with 3 in H by (simpl; lra).
-    replace (INR 8) with 8 in H by (simpl; lra); replace (INR 2) with 2 in H by (simpl; lra).
-    replace (INR 5) with 5 in H by (simpl; lra); exact H.
-  - apply H1; simpl; lra.
-Qed.
 
 (** b_{4,3} and b_{4,1} decide on either side of 1/4. *)
 Lemma indices_4 : Deciding_indices_statement ->
@@ -282,8 +256,9 @@ Qed.
 (** ** The paper's oscillator: impacts one period apart for ever, slow ones, and two apart, fast ones *)
 
 From Grazing Require Import StatementChaos.
+From Grazing Require Headline.
 
-Lemma one_apart_and_two : Chaos_oscillator_statement -> Chaos_periodic_statement -> forall mu, mu > 0 ->
+Lemma one_apart_and_two : Headline.Chaos_statement -> Chaos_periodic_statement -> forall mu, mu > 0 ->
   (exists t q v, motion mu (fun i => i) t q v /\ t 1%Z = t 0%Z + 2 * PI /\ v 0%Z (t 0%Z) <= 1 / 4 * mu /\
    q 0%Z (t 0%Z) = (1 + mu) * cos (t 0%Z) - 1) /\
   exists t q v, motion mu (fun i => 2 * i)%Z t q v /\ t 1%Z = t 0%Z + 4 * PI /\ v 0%Z (t 0%Z) >= 3 / 5 * mu.
@@ -300,4 +275,18 @@ Proof.
     destruct (HP mu _ t q v 1%Z 2%Z Hmu HN HM HB ltac:(intros; cbn beta; lia) 0%Z 0) as (T & _).
     destruct (HB 0%Z 1%Z eq_refl) as [_ B]; destruct (B eq_refl) as [A _].
     exists t, q, v; split; [exact HM|]; change (0 + 1)%Z with 1%Z in T; split; lra.
+Qed.
+
+(** No motion is one apart and two apart; those that agree up to 12 impacts around one are within 3 (7/8)^10 there. *)
+Lemma apart : Chaos_distinct_statement -> forall mu t y v y' v', motion mu (fun i => i) t y v ->
+  ~ motion mu (fun i => 2 * i)%Z t y' v'.
+Proof. intros D mu t y v y' v' M M'; specialize (D mu _ _ t y v y' v' M M' 1%Z); discriminate D. Qed.
+
+Lemma close_by : Chaos_continuous_statement -> forall mu N t y v t' y' v', mu > 0 -> one_or_two N ->
+  (forall i, (-12 <= i <= 12)%Z -> N i = i) -> motion mu (fun i => i) t y v -> in_boxes mu (fun i => i) t v ->
+  motion mu N t' y' v' -> in_boxes mu N t' v' -> Rabs (t 0%Z - t' 0%Z) <= 3 * (7 / 8) ^ 10.
+Proof.
+  intros C mu N t y v t' y' v' Hmu HN E M B M' B'; apply (C mu (fun i => i) N t y v t' y' v' 10%nat); trivial.
+  - intros i; lia.
+  - intros i Hi; symmetry; apply E; lia.
 Qed.

@@ -11,7 +11,7 @@ Open Scope R_scope.
 Fixpoint pair (a1 a2 : R) (k : nat) : R * R :=
   match k with
   | O => (0, 1)
-  | S j => let (p, q) := pair a1 a2 j in (q, a1 * q - a2 * p)
+  | S j => let (x, y) := pair a1 a2 j in (y, a1 * y - a2 * x)
   end.
 
 Definition u (a1 a2 : R) (k : nat) : R := fst (pair a1 a2 k).

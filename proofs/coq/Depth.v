@@ -40,7 +40,7 @@ Lemma four_sines x y : sin (2 * x) + sin (2 * y) - sin (2 * x + 2 * y) = 4 * sin
 Proof.
   rewrite (sin_plus (2 * x)), !sin_2a, !cos_2a_sin, (sin_plus x y); ring_simplify.
   pose proof (sin2_cos2 x) as E; pose proof (sin2_cos2 y) as F; unfold Rsqr in E, F.
-  nra || ring.
+  nra.
 Qed.
 
 (** The middle, e = 1/(2j). *)

@@ -1,7 +1,7 @@
-(** * The main theorems about region 3 and Conjecture 1, by name *)
+(** * The main theorems about signs in region 3, by name *)
 
-From Grazing Require Import Defs Statement StatementExamples StatementConjecture Cases Farey Disc Radius Count Above
-  Sections Eight Conjecture1 Depth.
+From Grazing Require Import Defs Statement StatementExamples Cases Farey Disc Radius Count Above
+  Sections Eight Depth.
 
 Theorem One_case : One_case_statement. Proof. exact Cases.One_case. Qed.
 Theorem Neighbours : Neighbours_statement. Proof. exact neighbours_proof. Qed.
@@ -17,4 +17,3 @@ Theorem S4_ends : S4_ends_statement. Proof. exact S4_ends_stated. Qed.
 Theorem S4_section : S4_section_statement. Proof. exact S4_section_proof. Qed.
 Theorem Period_8 : Period_8_statement. Proof. exact (period_8_from_Theorem2 Theorem2_stated). Qed.
 Theorem Depth : Depth_statement. Proof. exact Depth.Depth. Qed.
-Theorem Conjecture_1 : Conjecture1_statement. Proof. exact Conjecture1. Qed.

@@ -2,8 +2,8 @@
     the oracle over Z, by name *)
 
 From Coq Require Import Reals ZArith.
-From Grazing Require Import Defs Statement StatementPlane StatementImpacts StatementB StatementZ AppendixA
-  Region4 Coordinates InsideTriangle MatrixForm Impacts Summary LeftmostSection Reverse AppendixB OrbitZ.
+From Grazing Require Import Defs Statement StatementPlane StatementImpacts StatementB StatementZ StatementCircleZ AppendixA
+  Region4 Coordinates InsideTriangle MatrixForm Impacts Summary LeftmostSection Reverse AppendixB OrbitZ CircleZ.
 
 Theorem S5 : S5_statement. Proof. exact Region4.S5. Qed.
 Theorem S5_section : S5_section_statement. Proof. exact LeftmostSection.S5_section. Qed.
@@ -40,3 +40,5 @@ Qed.
 
 Theorem Oracle : Oracle_statement.
 Proof. exact Oracle. Qed.
+
+Theorem Circle : Sides_statement /\ Circle_statement. Proof. exact (conj Sides CircleZ.Circle). Qed.

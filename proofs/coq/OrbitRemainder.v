@@ -62,6 +62,31 @@ Proof.
   apply triangle3; [apply H | apply HL | apply Rabs_mult_le]; trivial; lra.
 Qed.
 
+(** On one neighbourhood all coordinates of F are as near to their derivatives as is wanted, and F is Lipschitz. *)
+Lemma nearly_all F (L : vec -> vec) q m Q :
+  (forall i, (i < N)%nat -> strict N (fun x mu => F x mu i) (fun x => L x i) (q i)) ->
+  (forall e x, 0 <= e -> within e x -> within (m * e) (L x)) ->
+  (forall i, (i < N)%nat -> Rabs (q i) <= Q) -> forall eps, 0 < eps -> exists d, 0 < d /\
+  (forall i, (i < N)%nat -> nearly (fun x mu => F x mu i) (fun x => L x i) (q i) eps d) /\
+  forall x x' mu mu' t, within d x -> within d x' -> Rabs mu <= d -> Rabs mu' <= d ->
+  within t (minus x x') -> Rabs (mu - mu') <= t -> within ((m + 1 + Q) * t) (minus (F x mu) (F x' mu')).
+Proof.
+  intros HF HL Hq eps He.
+  destruct (common_bound (fun i d => nearly (fun x mu => F x mu i) (fun x => L x i) (q i) (Rmin eps 1) d) N)
+    as (d & Hd & H).
+  - intros i d d' H Hd'; apply (nearly_down _ _ _ _ d); [exact H | lra].
+  - intros i Hi; apply strict_nearly; [apply HF, Hi | apply Rmin_glb_lt; lra].
+  - exists d; split; [exact Hd | split].
+    + intros i Hi; apply (nearly_up _ _ _ (Rmin eps 1)); [apply H, Hi | apply Rmin_l].
+    + intros x x' mu mu' t Hx Hx' Hmu Hmu' Ht Hmt i Hi; unfold minus at 1.
+      pose proof (Rabs_nonneg _ _ Hmt) as Ht0.
+      apply Rle_trans with ((m + 1 + Rabs (q i)) * t).
+      * apply (nearly_Lipschitz (fun x mu => F x mu i) (fun x => L x i) (q i) d); trivial.
+        -- apply (nearly_up _ _ _ (Rmin eps 1)); [apply H, Hi | apply Rmin_r].
+        -- intros e v He0 Hv; apply HL; assumption.
+      * apply Rmult_le_compat_r; [exact Ht0|]; specialize (Hq i Hi); lra.
+Qed.
+
 Lemma strict_compose G c p F (L : vec -> vec) q m :
   strict N G (dot c) p ->
   (forall i, (i < N)%nat -> strict N (fun x mu => F x mu i) (fun x => L x i) (q i)) ->
@@ -71,24 +96,7 @@ Proof.
   intros HG HF Hm HL.
   destruct (dot_bound N c) as (mc & Hmc & Hc), (within_exists N q) as (Q & HQ & Hq).
   set (l := m + 1 + Q); assert (Hl : 1 <= l) by (unfold l; lra).
-  assert (Hboth : forall eps, 0 < eps -> exists d, 0 < d /\
-    (forall i, (i < N)%nat -> nearly (fun x mu => F x mu i) (fun x => L x i) (q i) eps d) /\
-    forall x x' mu mu' t, within d x -> within d x' -> Rabs mu <= d -> Rabs mu' <= d ->
-    within t (minus x x') -> Rabs (mu - mu') <= t -> within (l * t) (minus (F x mu) (F x' mu'))).
-  { intros eps He.
-    destruct (common_bound (fun i d => nearly (fun x mu => F x mu i) (fun x => L x i) (q i) (Rmin eps 1) d) N)
-      as (d & Hd & H).
-    - intros i d d' H Hd'; apply (nearly_down _ _ _ _ d); [exact H | lra].
-    - intros i Hi; apply strict_nearly; [apply HF, Hi | apply Rmin_glb_lt; lra].
-    - exists d; split; [exact Hd | split].
-      + intros i Hi; apply (nearly_up _ _ _ (Rmin eps 1)); [apply H, Hi | apply Rmin_l].
-      + intros x x' mu mu' t Hx Hx' Hmu Hmu' Ht Hmt i Hi; unfold minus at 1.
-        pose proof (Rabs_nonneg _ _ Hmt) as Ht0.
-        apply Rle_trans with ((m + 1 + Rabs (q i)) * t).
-        * apply (nearly_Lipschitz (fun x mu => F x mu i) (fun x => L x i) (q i) d); trivial.
-          -- apply (nearly_up _ _ _ (Rmin eps 1)); [apply H, Hi | apply Rmin_r].
-          -- intros e v He0 Hv; apply HL; assumption.
-        * apply Rmult_le_compat_r; [exact Ht0|]; specialize (Hq i Hi); unfold l; lra. }
+  pose proof (nearly_all F L q m Q HF HL Hq) as Hboth; change (m + 1 + Q) with l in Hboth.
   assert (HF0 : within 0 (F zero 0)) by (intros i Hi; rewrite (proj1 (HF i Hi)), Rabs_R0; lra).
   assert (HF0' : within 0 (minus (F zero 0) zero))
     by (intros i Hi; unfold minus, zero at 2; rewrite Rminus_0_r; apply HF0, Hi).
@@ -192,7 +200,7 @@ Qed.
 
 (** What remains of (19) for n_j = k after the part linear in x and y. *)
 Definition rest1 (mu : R) (k : nat) (x : vec) (y : R) : vec := fun i =>
-  fly mu k x i + b M (fly mu k x) (Rabs y) mu i * y - power k x i - y * B M i.
+  fly mu k x i + kick M (fly mu k x) (Rabs y) mu i * y - power k x i - y * B M i.
 Definition rest2 (mu : R) (k : nat) (x : vec) (y : R) : R :=
   dot (C M) (power k x) - h M (fly mu k x) mu - y * y.
 
@@ -274,11 +282,11 @@ Proof.
 Qed.
 
 (** The impact term b y is nearly B y. *)
-Lemma kick n eps : 0 < eps -> exists d, 0 < d /\ forall k x x' y y' mu mu' t, (k <= n)%nat ->
+Lemma kick_close n eps : 0 < eps -> exists d, 0 < d /\ forall k x x' y y' mu mu' t, (k <= n)%nat ->
   within d x -> within d x' -> Rabs y <= d -> Rabs y' <= d -> Rabs mu <= d -> Rabs mu' <= d ->
   within t (minus x x') -> Rabs (y - y') <= t -> Rabs (mu - mu') <= t ->
   forall i, (i < N)%nat ->
-  Rabs (b M (fly mu k x) (Rabs y) mu i * y - b M (fly mu' k x') (Rabs y') mu' i * y' - (y - y') * B M i)
+  Rabs (kick M (fly mu k x) (Rabs y) mu i * y - kick M (fly mu' k x') (Rabs y') mu' i * y' - (y - y') * B M i)
     <= eps * t.
 Proof.
   intros Heps; destruct (Lipschitz_fly n) as (l & dl & Hl & Hdl & Hfly).
@@ -312,7 +320,7 @@ Proof.
   assert (Hb : forall z z' p p' m m' r, within (l * d) z -> within (l * d) z' ->
     0 <= p <= l * d -> 0 <= p' <= l * d -> Rabs m <= l * d -> Rabs m' <= l * d ->
     within r (minus z z') -> Rabs (p - p') <= r -> Rabs (m - m') <= r ->
-    Rabs (b M z p m i - b M z' p' m' i) <= lb * r).
+    Rabs (kick M z p m i - kick M z' p' m' i) <= lb * r).
   { intros z z' p p' m m' r Hz Hz' Hp Hp' Hm Hm' Hr Hpr Hmr.
     apply Rle_trans with (lb0 * r).
     - apply (Hb0 z z' p p' m m' r); trivial; try lra; apply within_le with (l * d); assumption.
@@ -321,8 +329,8 @@ Proof.
     by (intros v Hv; split; [apply Rabs_pos | apply Hup, Hv]).
   assert (HlD : 0 <= l * d) by (apply Rmult_le_pos; lra).
   set (z := fly mu k x) in *; set (z' := fly mu' k x') in *.
-  replace (b M z (Rabs y) mu i * y - b M z' (Rabs y') mu' i * y' - (y - y') * B M i) with
-    ((b M z (Rabs y) mu i - b M zero 0 0 i) * (y - y') + (b M z (Rabs y) mu i - b M z' (Rabs y') mu' i) * y')
+  replace (kick M z (Rabs y) mu i * y - kick M z' (Rabs y') mu' i * y' - (y - y') * B M i) with
+    ((kick M z (Rabs y) mu i - kick M zero 0 0 i) * (y - y') + (kick M z (Rabs y) mu i - kick M z' (Rabs y') mu' i) * y')
     by (rewrite (HB i Hi); ring).
   apply Rle_trans with (lb * (l * d) * t + lb * (l * t) * d).
   - apply triangle2; apply Rabs_mult_le; trivial.
@@ -356,7 +364,7 @@ Qed.
 Lemma remainder_exists n eps : 0 < eps -> exists d, 0 < d /\ remainder n eps d.
 Proof.
   intros Heps; destruct (close_fly_exists n (eps / 2)) as (d1 & Hd1 & H1); [lra|].
-  destruct (kick n (eps / 2)) as (d2 & Hd2 & H2); [lra|].
+  destruct (kick_close n (eps / 2)) as (d2 & Hd2 & H2); [lra|].
   set (d := Rmin (Rmin d1 d2) (eps / 4)).
   assert (Hd : 0 < d /\ d <= d1 /\ d <= d2 /\ d <= eps / 4).
   { split; [repeat apply Rmin_glb_lt; lra|]; split; [|split; [|apply Rmin_r]];
@@ -367,11 +375,11 @@ Proof.
   assert (Hb := H2 k x x' y y' mu mu' t Hk).
   split; [|split].
   - intros i Hi; unfold rest1.
-    replace (fly mu k x i + b M (fly mu k x) (Rabs y) mu i * y - power k x i - y * B M i -
-      (fly mu' k x' i + b M (fly mu' k x') (Rabs y') mu' i * y' - power k x' i - y' * B M i) -
+    replace (fly mu k x i + kick M (fly mu k x) (Rabs y) mu i * y - power k x i - y * B M i -
+      (fly mu' k x' i + kick M (fly mu' k x') (Rabs y') mu' i * y' - power k x' i - y' * B M i) -
       (mu - mu') * (w i - power k w i)) with
       ((fly mu k x i - fly mu' k x' i - power k (minus x x') i - (mu - mu') * (w i - power k w i)) +
-       (b M (fly mu k x) (Rabs y) mu i * y - b M (fly mu' k x') (Rabs y') mu' i * y' - (y - y') * B M i)).
+       (kick M (fly mu k x) (Rabs y) mu i * y - kick M (fly mu' k x') (Rabs y') mu' i * y' - (y - y') * B M i)).
     + replace (eps * t) with (eps / 2 * t + eps / 2 * t) by field.
       apply triangle2; [apply Hf, Hi | apply Hb; trivial; try lra; apply within_le with d; trivial; lra].
     + unfold StatementOrbits.power; rewrite power_minus; unfold minus; ring.

@@ -19,12 +19,12 @@ Lemma step_free x : 0 < h M (f M x mu) mu -> step M mu x = f M x mu.
 Proof. intros H; unfold step; destruct Rle_dec; [reflexivity | lra]. Qed.
 
 Lemma step_impact x : h M (f M x mu) mu < 0 -> step M mu x = fun i => f M x mu i +
-  b M (f M x mu) (sqrt (- h M (f M x mu) mu)) mu i * sqrt (- h M (f M x mu) mu).
+  kick M (f M x mu) (sqrt (- h M (f M x mu) mu)) mu i * sqrt (- h M (f M x mu) mu).
 Proof. intros H; unfold step; destruct Rle_dec; [lra | reflexivity]. Qed.
 
 Lemma zero_meaning x y : zero_at M J next n mu x y <-> forall j,
   hit (n j) (x j) = - (y j * y j) /\ forall i, (i < N)%nat ->
-  x (next j) i = fly M mu (n j) (x j) i + b M (fly M mu (n j) (x j)) (Rabs (y j)) mu i * y j.
+  x (next j) i = fly M mu (n j) (x j) i + kick M (fly M mu (n j) (x j)) (Rabs (y j)) mu i * y j.
 Proof.
   unfold zero_at, linear, q_at, Q_at, rest1, rest2; split; intros H j; destruct (H j) as [H1 H2];
     (split; [lra | intros i Hi; specialize (H2 i Hi); lra]).
@@ -40,7 +40,7 @@ Qed.
 
 Lemma iterate_impact x m : (forall k, (S k < S m)%nat -> 0 < height M mu x k) -> height M mu x m < 0 ->
   forall i, Nat.iter (S m) (step M mu) x i = fly M mu (S m) x i +
-  b M (fly M mu (S m) x) (sqrt (- height M mu x m)) mu i * sqrt (- height M mu x m).
+  kick M (fly M mu (S m) x) (sqrt (- height M mu x m)) mu i * sqrt (- height M mu x m).
 Proof.
   intros H Hm i; rewrite (heights x (S m)) in * by (trivial; lia).
   change (Nat.iter (S m) (step M mu) x) with (step M mu (Nat.iter m (step M mu) x)).
@@ -99,6 +99,22 @@ Proof.
   apply Rmult_le_compat_r; [exact (bounded_nonneg M J _ _ _ HQ j) | exact HK].
 Qed.
 
+Lemma Rabs_le_inv x a : Rabs x <= a -> - a <= x <= a.
+Proof. unfold Rabs; destruct Rcase_abs; lra. Qed.
+
+Lemma within_zero_eq N x x' : within N 0 (minus x x') -> forall i, (i < N)%nat -> x i = x' i.
+Proof. intros H i Hi; apply Rminus_diag_uniq, Rabs_zero, (H i Hi). Qed.
+
+Lemma signed s e mu q kappa : 0 < sgn s * (e * mu) -> kappa <= sgn s * q ->
+  Rabs e * Rabs mu * kappa <= e * mu * q.
+Proof.
+  intros H Hq; rewrite <- Rabs_mult.
+  replace (Rabs (e * mu)) with (sgn s * (e * mu))
+    by (destruct s; cbn [sgn] in *; [rewrite Rabs_pos_eq | rewrite Rabs_left]; lra).
+  apply (Rmult_le_compat_l _ _ _ (Rlt_le _ _ H)) in Hq.
+  replace (e * mu * q) with (sgn s * (e * mu) * (sgn s * q)); [exact Hq | destruct s; cbn; ring].
+Qed.
+
 Section Uniform.
 Variables (M : Map.t) (w : vec) (e K : R) (n_max : nat).
 Hypothesis HM : smooth M.
@@ -136,6 +152,56 @@ Proof.
     intros i Hi; unfold minus, zero; rewrite Rminus_0_r; apply Hxd, Hi. }
   apply Rnot_lt_le; intros Hlt.
   assert (d1 * d1 < y * y) by (apply Rmult_gt_0_lt_compat; lra); lra.
+Qed.
+
+(** Two zeros that are the same as a third are the same. *)
+Lemma same_zero J x1 y1 x y x' y' : bounded M J 0 (diff J x1 x') (diff1 J y1 y') ->
+  bounded M J 0 (diff J x1 x) (diff1 J y1 y) -> bounded M J 0 (diff J x x') (diff1 J y y').
+Proof.
+  intros H1 H2 j; destruct (H1 j) as [H1x H1y], (H2 j) as [H2x H2y]; unfold diff, diff1 in *; split.
+  - intros i Hi; specialize (H1x i Hi); specialize (H2x i Hi); unfold minus in *.
+    apply Rabs_zero in H1x, H2x; replace (x j i - x' j i) with 0 by lra; rewrite Rabs_R0; lra.
+  - apply Rabs_zero in H1y, H2y; replace (y j - y' j) with 0 by lra; rewrite Rabs_R0; lra.
+Qed.
+
+(** The solution of the linear problem, moved to w, is bounded. *)
+Lemma start_bounded J (next : J -> J) n X Y W : 0 <= W -> within N W w -> invertible M J next n K ->
+  solution M J next n X Y -> bounded M J (1 + W + Rabs e * K) (fun j => comb 1 e w (X j)) (fun j => e * Y j).
+Proof.
+  intros HW Hwb HInv [[E HE] HXl]; assert (HeK : 0 <= Rabs e * K) by (apply Rmult_le_pos; [apply Rabs_pos | lra]).
+  assert (HXK : bounded M J (K * 1) X Y).
+  { apply (inverse_bound M J next n K HInv E 1 X Y _ _ HE HXl).
+    intros j; split; [apply within_zero; lra | change (Rabs (-1) <= 1); rewrite Rabs_left; lra]. }
+  intros j; destruct (HXK j) as [HXj HYj]; split.
+  - apply within_le with (Rabs 1 * W + Rabs e * (K * 1)); [|apply within_comb; assumption].
+    rewrite Rabs_R1; lra.
+  - apply Rle_trans with (Rabs e * (K * 1)); [apply Rabs_mult_le; lra | lra].
+Qed.
+
+(** The heights on the way, where x is within err of its linear part. *)
+Lemma heights_near eps' d' mc m k x X mu r err : remainder M w e n_max eps' d' -> (k <= n_max)%nat -> 0 < d' ->
+  (forall t y, within N t y -> Rabs (dot N (C M) y) <= mc * t) ->
+  (forall t y, 0 <= t -> within N t y -> within N (m * t) (power M k y)) ->
+  within N d' x -> within N r x -> Rabs mu <= r -> Rabs mu <= d' -> 0 <= err ->
+  within N err (minus x (comb mu (e * mu) w X)) ->
+  Rabs (h M (fly M mu k x) mu - e * mu * (dot N (C M) (power M k X) + 1)) <= eps' * r + mc * (m * err).
+Proof.
+  intros Hrem' Hk Hd' Hc Hpow Hxd Hx Hmu Hmud Herr Hlin; pose proof (Rabs_pos mu) as Hmu0.
+  destruct (Hrem' k x zero 0 0 mu 0 r) as (_ & _ & Hh);
+    rewrite ?Rminus_0_r, ?Rabs_R0; trivial; try lra; try (apply within_zero; lra).
+  { intros i Hi; unfold minus, zero; rewrite Rminus_0_r; apply Hx, Hi. }
+  rewrite (height_zero M w e HM Hw He), !Rminus_0_r in Hh.
+  assert (Ez : dot N (C M) (power M k (minus x zero)) = dot N (C M) (power M k x)).
+  { unfold power; rewrite power_minus, power_zero, dot_minus, dot_zero; ring. }
+  rewrite Ez in Hh; set (v := minus x (comb mu (e * mu) w X)) in *.
+  assert (Hv : Rabs (dot N (C M) (power M k v)) <= mc * (m * err)) by (apply Hc, Hpow; assumption).
+  assert (Ev : dot N (C M) (power M k v) = dot N (C M) (power M k x) -
+    (mu * dot N (C M) (power M k w) + e * mu * dot N (C M) (power M k X))).
+  { unfold v, power; rewrite power_minus, power_comb, dot_minus, dot_comb; ring. }
+  replace (h M (fly M mu k x) mu - e * mu * (dot N (C M) (power M k X) + 1)) with
+    ((h M (fly M mu k x) mu - dot N (C M) (power M k x) -
+      mu * (e - dot N (C M) (power M k w))) + dot N (C M) (power M k v)) by (rewrite Ev; ring).
+  apply triangle2; assumption.
 Qed.
 
 Lemma close eps : 0 < eps -> exists mu1, 0 < mu1 <= d /\
@@ -182,14 +248,7 @@ Proof.
   assert (Hmu2 : 2 * M0 * Rabs mu <= d).
   { replace d with (2 * M0 * (d / (2 * M0))) by (field; lra); apply Rmult_le_compat_l; [lra|].
     left; eapply Rlt_le_trans; [exact Hmu | apply Rmin_r]. }
-  assert (HXb : bounded M J M0 (fun j => comb 1 e w (X j)) (fun j => e * Y j)).
-  { assert (HXK : bounded M J (K * 1) X Y).
-    { destruct HX as [[E HE] HXl]; apply (inverse_bound M J next n K HInv E 1 X Y _ _ HE HXl).
-      intros j; split; [apply within_zero; lra | change (Rabs (-1) <= 1); rewrite Rabs_left; lra]. }
-    intros j; destruct (HXK j) as [HXj HYj]; split.
-    - apply within_le with (Rabs 1 * W + Rabs e * (K * 1)); [|apply within_comb; assumption].
-      rewrite Rabs_R1; unfold M0; lra.
-    - apply Rle_trans with (Rabs e * (K * 1)); [apply Rabs_mult_le; lra | unfold M0; lra]. }
+  pose proof (start_bounded J next n X Y W HW Hwb HInv HX : bounded M J M0 _ _) as HXb.
   assert (Hnm : forall j, (n j <= n_max)%nat) by apply Hn.
   destruct (fixed_point M J next n K HInv w e mu eps' d' M0 n_max X Y) as
     (x & y & Hxd & Hz & Hlin & _); trivial;
@@ -220,55 +279,94 @@ Proof.
   - intros j; apply within_le with (2 * M0 * Rabs mu); [lra | apply Hxs].
   - intros x' y' Hb' Hz'; pose proof (Huniq x' y' Hb' Hz') as H1.
     pose proof (Huniq x y (bounded_le M J _ _ _ _ (proj2 Hd') Hxd) Hz) as H2.
-    intros j; destruct (H1 j) as [H1x H1y], (H2 j) as [H2x H2y]; unfold diff, diff1 in *; split.
-    + intros i Hi; specialize (H1x i Hi); specialize (H2x i Hi); unfold minus in *.
-      apply Rabs_zero in H1x, H2x; replace (x j i - x' j i) with 0 by lra; rewrite Rabs_R0; lra.
-    + apply Rabs_zero in H1y, H2y; replace (y j - y' j) with 0 by lra; rewrite Rabs_R0; lra.
+    exact (same_zero J x1 y1 x y x' y' H1 H2).
   - intros j; destruct (Hlin j) as [Hlx Hly]; split; [|split].
     + intros i Hi; replace (x j i - mu * w i - e * mu * X j i) with (diff J x (x_lin J w e mu X) j i)
         by (unfold diff, minus, x_lin, comb; ring).
       eapply Rle_trans; [apply Hlx, Hi | exact Herr2].
     + eapply Rle_trans; [exact Hly | exact Herr2].
     + intros k Hk; destruct (Hxs j) as [Hxj _]; destruct (Hxd j) as [Hxdj _].
-      destruct (Hrem' k (x j) zero 0 0 mu 0 (2 * M0 * Rabs mu)) as (_ & _ & Hh);
-        rewrite ?Rminus_0_r, ?Rabs_R0; trivial; try lra; try (apply within_zero; lra).
-      { intros i Hi; unfold minus, zero; rewrite Rminus_0_r; apply Hxj, Hi. }
-      rewrite (height_zero M w e HM Hw He), !Rminus_0_r in Hh.
-      assert (Ez : dot N (C M) (power M k (minus (x j) zero)) = dot N (C M) (power M k (x j))).
-      { unfold power; rewrite power_minus, power_zero, dot_minus, dot_zero; ring. }
-      rewrite Ez in Hh.
-      set (v := minus (x j) (x_lin J w e mu X j)).
-      assert (Hv : Rabs (dot N (C M) (power M k v)) <= mc * (m * err)).
-      { assert (0 <= err) by exact (Rabs_nonneg _ _ Hly).
-        apply Hc, Hpow; trivial. }
-      assert (Ev : dot N (C M) (power M k v) = dot N (C M) (power M k (x j)) -
-        (mu * dot N (C M) (power M k w) + e * mu * dot N (C M) (power M k (X j)))).
-      { unfold v, x_lin, power; rewrite power_minus, power_comb, dot_minus, dot_comb; ring. }
-      replace (h M (fly M mu k (x j)) mu - e * mu * (dot N (C M) (power M k (X j)) + 1)) with
-        ((h M (fly M mu k (x j)) mu - dot N (C M) (power M k (x j)) -
-          mu * (e - dot N (C M) (power M k w))) + dot N (C M) (power M k v)) by (rewrite Ev; ring).
-      apply Rle_trans with (eps' * (2 * M0 * Rabs mu) + mc * (m * err)); [apply triangle2; assumption|].
+      apply Rle_trans with (eps' * (2 * M0 * Rabs mu) + mc * (m * err)).
+      { apply (heights_near eps' d' mc m k (x j) (X j) mu (2 * M0 * Rabs mu) err); trivial; try lra;
+          [intros t0 z0 Ht0 Hz0; apply Hpow; trivial | exact (Rabs_nonneg _ _ Hly)]. }
       replace (eps' * (2 * M0 * Rabs mu) + mc * (m * err)) with
         (2 * M0 * (1 + mc * m * K) * eps' * Rabs mu) by (unfold err; ring).
       apply Hbudget; unfold c; lra.
 Qed.
-End Uniform.
-
-Lemma Rabs_le_inv x a : Rabs x <= a -> - a <= x <= a.
-Proof. unfold Rabs; destruct Rcase_abs; lra. Qed.
-
-Lemma within_zero_eq N x x' : within N 0 (minus x x') -> forall i, (i < N)%nat -> x i = x' i.
-Proof. intros H i Hi; apply Rminus_diag_uniq, Rabs_zero, (H i Hi). Qed.
-
-Lemma signed s e mu q kappa : 0 < sgn s * (e * mu) -> kappa <= sgn s * q ->
-  Rabs e * Rabs mu * kappa <= e * mu * q.
+(** Existence, uniqueness and non-existence: the signs of the quantities decide. *)
+Lemma signs_decide : e <> 0 -> forall kappa, kappa > 0 -> exists mu0, mu0 > 0 /\
+  forall (J : Type) (next : J -> J) n X Y s mu,
+  (forall j, 1 <= n j <= n_max)%nat -> invertible M J next n K -> solution M J next n X Y ->
+  0 < sgn s * (e * mu) < mu0 ->
+  ((forall j v, quantity M J n X Y s j v -> v >= kappa) ->
+   exists x, orbit_near M J next n mu d x /\
+   forall x', orbit_near M J next n mu d x' -> forall j i, (i < N)%nat -> x' j i = x j i) /\
+  (forall j v, quantity M J n X Y s j v -> v <= - kappa -> forall x, ~ orbit_near M J next n mu d x).
 Proof.
-  intros H Hq; rewrite <- Rabs_mult.
-  replace (Rabs (e * mu)) with (sgn s * (e * mu))
-    by (destruct s; cbn [sgn] in *; [rewrite Rabs_pos_eq | rewrite Rabs_left]; lra).
-  apply (Rmult_le_compat_l _ _ _ (Rlt_le _ _ H)) in Hq.
-  replace (e * mu * q) with (sgn s * (e * mu) * (sgn s * q)); [exact Hq | destruct s; cbn; ring].
+  intros He0.
+  intros kappa Hkappa; assert (Hae : 0 < Rabs e) by (apply Rabs_pos_lt, He0).
+  destruct (close (Rabs e * kappa / 2)) as (mu1 & Hmu1 & H).
+  { apply Rdiv_lt_0_compat; [apply Rmult_lt_0_compat|]; lra. }
+  exists (Rabs e * mu1); split; [apply Rmult_lt_0_compat; lra|].
+  intros J next n X Y s mu Hn HInv HX [Hs Hsmu].
+  assert (Hmu : 0 < Rabs mu < mu1).
+  { split.
+    - apply Rabs_pos_lt; intros ->; rewrite !Rmult_0_r in Hs; lra.
+    - apply (Rmult_lt_reg_l (Rabs e)); [exact Hae|]; rewrite <- Rabs_mult.
+      replace (Rabs (e * mu)) with (sgn s * (e * mu)); [exact Hsmu|].
+      destruct s; cbn [sgn] in *; [rewrite Rabs_pos_eq | rewrite Rabs_left]; lra. }
+  assert (Hkm : 0 < Rabs e * Rabs mu * kappa) by (repeat apply Rmult_lt_0_compat; lra).
+  destruct (H J next n X Y mu Hn HInv HX (proj2 Hmu))
+    as (x & y & Hxd & Hz & Huniq & Hest).
+  assert (Hsame : forall x', orbit_near M J next n mu d x' ->
+    bounded M J 0 (diff J x x') (diff1 J y (speed M mu J n x'))).
+  { intros x' Hx'; apply Huniq; [apply (orbit_bounded J next n mu x'); trivial; lra|].
+    apply (orbit_zero M mu J next n (fun j => proj1 (Hn j)) d x' Hx'). }
+  split.
+  + intros Hq; exists x; split.
+    * apply (zero_orbit M mu J next n (fun j => proj1 (Hn j)) d x y Hxd Hz); intros j.
+      destruct (Hest j) as (_ & Hy & Hh); split.
+      -- pose proof (signed s e mu (Y j) kappa Hs (Rge_le _ _ (Hq j _ (or_introl eq_refl)))).
+         apply Rabs_le_inv in Hy; lra.
+      -- intros k Hk; specialize (Hh k ltac:(specialize (Hn j); lia)).
+         pose proof (signed s e mu _ kappa Hs (Rge_le _ _ (Hq j _ (or_intror (ex_intro _ k (conj Hk eq_refl)))))).
+         apply Rabs_le_inv in Hh; lra.
+    * intros x' Hx' j i Hi; symmetry; apply (within_zero_eq _ _ _ (proj1 (Hsame x' Hx' j)) i Hi).
+  + intros j v Hv Hvk x' Hx'; destruct (Hsame x' Hx' j) as [Hxx Hyy].
+    destruct (orbit_zero M mu J next n (fun j => proj1 (Hn j)) d x' Hx') as [_ Hsigns].
+    destruct (Hsigns j) as [Hy' Hh'], (Hest j) as (_ & Hy & Hh).
+    destruct Hv as [->|(k & Hk & ->)].
+    * assert (E : kappa <= sgn s * - Y j) by lra; apply (signed s e mu) in E; [|exact Hs].
+      apply Rabs_zero in Hyy; unfold diff1 in Hyy; apply Rabs_le_inv in Hy; lra.
+    * set (q := dot N (C M) (power M k (X j)) + 1) in *.
+      assert (E : kappa <= sgn s * - q) by lra; apply (signed s e mu) in E; [|exact Hs].
+      specialize (Hh' k Hk); specialize (Hh k ltac:(specialize (Hn j); lia)).
+      assert (Eh : Rabs (h M (fly M mu k (x j)) mu - h M (fly M mu k (x' j)) mu) <= l * 0).
+      { apply Hfly; trivial; try lra; [specialize (Hn j); lia | apply Hx' |].
+        unfold Rminus; rewrite Rplus_opp_r, Rabs_R0; lra. }
+      rewrite Rmult_0_r in Eh; apply Rabs_zero in Eh; fold q in Hh; apply Rabs_le_inv in Hh; lra.
 Qed.
+
+(** Asymptotics: an orbit within d is the solution of the linear problem to the first order. *)
+Lemma leading eps : 0 < eps -> exists mu1, mu1 > 0 /\ forall (J : Type) (next : J -> J) n X Y mu x,
+  (forall j, 1 <= n j <= n_max)%nat -> invertible M J next n K -> solution M J next n X Y ->
+  0 < Rabs mu < mu1 -> orbit_near M J next n mu d x -> forall j,
+  within N (eps * Rabs mu) (fun i => x j i - mu * w i - e * mu * X j i) /\
+  Rabs (sqrt (- height M mu (x j) (n j - 1)) - e * mu * Y j) <= eps * Rabs mu.
+Proof.
+  intros Heps; destruct (close eps Heps) as (mu1 & Hmu1 & H).
+  exists mu1; split; [lra|]; intros J next n X Y mu x' Hn HInv HX Hmu Hx' j.
+  destruct (H J next n X Y mu Hn HInv HX (proj2 Hmu))
+    as (x & y & Hxd & Hz & Huniq & Hest).
+  destruct (orbit_zero M mu J next n (fun j => proj1 (Hn j)) d x' Hx') as [Hz' _].
+  assert (Hb' : bounded M J d1 x' (speed M mu J n x')) by (apply (orbit_bounded J next n mu x'); trivial; lra).
+  destruct (Huniq x' _ Hb' Hz' j) as [Hxx Hyy], (Hest j) as (Hx & Hy & _); split.
+  + intros i Hi; rewrite <- (within_zero_eq _ _ _ Hxx i Hi); apply Hx, Hi.
+  + apply Rabs_zero in Hyy; unfold diff1 in Hyy.
+    change (sqrt (- height M mu (x' j) (n j - 1))) with (speed M mu J n x' j).
+    replace (speed M mu J n x' j) with (y j) by lra; exact Hy.
+Qed.
+End Uniform.
 
 Theorem Theorem1 : Theorem1_statement.
 Proof.
@@ -292,59 +390,11 @@ Proof.
   { intros k x x' mu mu' t Hk Hx Hx' Hmu Hmu' Ht Hmt; apply (Hfly k x x' mu mu' t); trivial; try lra;
       apply within_le with d; trivial; lra. }
   assert (Hd12 : 0 < d <= d1) by lra; assert (Hll : 1 <= l /\ l * d <= d1 * d1) by lra.
-  pose proof (close M w e K1 n_max HM Hw He HK1 d1 d Hd1 Hrem Hd12) as Hclose.
-  pose proof (orbit_bounded M w e n_max HM Hw He d1 d l Hd1 Hd12 Hll HflyC) as Hbounded.
   exists d; split; [lra | split].
-  - intros kappa Hkappa; assert (Hae : 0 < Rabs e) by (apply Rabs_pos_lt, He0).
-    destruct (Hclose (Rabs e * kappa / 2)) as (mu1 & Hmu1 & H).
-    { apply Rdiv_lt_0_compat; [apply Rmult_lt_0_compat|]; lra. }
-    exists (Rabs e * mu1); split; [apply Rmult_lt_0_compat; lra|].
-    intros J next n X Y s mu Hn HInv HX [Hs Hsmu].
-    assert (Hmu : 0 < Rabs mu < mu1).
-    { split.
-      - apply Rabs_pos_lt; intros ->; rewrite !Rmult_0_r in Hs; lra.
-      - apply (Rmult_lt_reg_l (Rabs e)); [exact Hae|]; rewrite <- Rabs_mult.
-        replace (Rabs (e * mu)) with (sgn s * (e * mu)); [exact Hsmu|].
-        destruct s; cbn [sgn] in *; [rewrite Rabs_pos_eq | rewrite Rabs_left]; lra. }
-    assert (Hkm : 0 < Rabs e * Rabs mu * kappa) by (repeat apply Rmult_lt_0_compat; lra).
-    destruct (H J next n X Y mu Hn (invertible_up _ _ _ _ _ _ HK HInv) HX (proj2 Hmu))
-      as (x & y & Hxd & Hz & Huniq & Hest).
-    assert (Hsame : forall x', orbit_near M J next n mu d x' ->
-      bounded M J 0 (diff J x x') (diff1 J y (speed M mu J n x'))).
-    { intros x' Hx'; apply Huniq; [apply (Hbounded J next n mu x'); trivial; lra|].
-      apply (orbit_zero M mu J next n (fun j => proj1 (Hn j)) d x' Hx'). }
-    split.
-    + intros Hq; exists x; split.
-      * apply (zero_orbit M mu J next n (fun j => proj1 (Hn j)) d x y Hxd Hz); intros j.
-        destruct (Hest j) as (_ & Hy & Hh); split.
-        -- pose proof (signed s e mu (Y j) kappa Hs (Rge_le _ _ (Hq j _ (or_introl eq_refl)))).
-           apply Rabs_le_inv in Hy; lra.
-        -- intros k Hk; specialize (Hh k ltac:(specialize (Hn j); lia)).
-           pose proof (signed s e mu _ kappa Hs (Rge_le _ _ (Hq j _ (or_intror (ex_intro _ k (conj Hk eq_refl)))))).
-           apply Rabs_le_inv in Hh; lra.
-      * intros x' Hx' j i Hi; symmetry; apply (within_zero_eq _ _ _ (proj1 (Hsame x' Hx' j)) i Hi).
-    + intros j v Hv Hvk x' Hx'; destruct (Hsame x' Hx' j) as [Hxx Hyy].
-      destruct (orbit_zero M mu J next n (fun j => proj1 (Hn j)) d x' Hx') as [_ Hsigns].
-      destruct (Hsigns j) as [Hy' Hh'], (Hest j) as (_ & Hy & Hh).
-      destruct Hv as [->|(k & Hk & ->)].
-      * assert (E : kappa <= sgn s * - Y j) by lra; apply (signed s e mu) in E; [|exact Hs].
-        apply Rabs_zero in Hyy; unfold diff1 in Hyy; apply Rabs_le_inv in Hy; lra.
-      * set (q := dot (N M) (C M) (power M k (X j)) + 1) in *.
-        assert (E : kappa <= sgn s * - q) by lra; apply (signed s e mu) in E; [|exact Hs].
-        specialize (Hh' k Hk); specialize (Hh k ltac:(specialize (Hn j); lia)).
-        assert (Eh : Rabs (h M (fly M mu k (x j)) mu - h M (fly M mu k (x' j)) mu) <= l * 0).
-        { apply HflyC; trivial; try lra; [specialize (Hn j); lia | apply Hx' |].
-          unfold Rminus; rewrite Rplus_opp_r, Rabs_R0; lra. }
-        rewrite Rmult_0_r in Eh; apply Rabs_zero in Eh; fold q in Hh; apply Rabs_le_inv in Hh; lra.
-  - intros eps Heps; destruct (Hclose eps Heps) as (mu1 & Hmu1 & H).
-    exists mu1; split; [lra|]; intros J next n X Y mu x' Hn HInv HX Hmu Hx' j.
-    destruct (H J next n X Y mu Hn (invertible_up _ _ _ _ _ _ HK HInv) HX (proj2 Hmu))
-      as (x & y & Hxd & Hz & Huniq & Hest).
-    destruct (orbit_zero M mu J next n (fun j => proj1 (Hn j)) d x' Hx') as [Hz' _].
-    assert (Hb' : bounded M J d1 x' (speed M mu J n x')) by (apply (Hbounded J next n mu x'); trivial; lra).
-    destruct (Huniq x' _ Hb' Hz' j) as [Hxx Hyy], (Hest j) as (Hx & Hy & _); split.
-    + intros i Hi; rewrite <- (within_zero_eq _ _ _ Hxx i Hi); apply Hx, Hi.
-    + apply Rabs_zero in Hyy; unfold diff1 in Hyy.
-      change (sqrt (- height M mu (x' j) (n j - 1))) with (speed M mu J n x' j).
-      replace (speed M mu J n x' j) with (y j) by lra; exact Hy.
+  - intros kappa Hkappa; destruct (signs_decide M w e K1 n_max HM Hw He HK1 d1 d l Hd1 Hrem Hd12 Hll HflyC He0 kappa Hkappa)
+      as (mu0 & Hmu0 & H); exists mu0; split; [exact Hmu0|]; intros J next n X Y s mu Hn HInv.
+    apply H; [exact Hn | exact (invertible_up _ _ _ _ _ _ HK HInv)].
+  - intros eps Heps; destruct (leading M w e K1 n_max HM Hw He HK1 d1 d l Hd1 Hrem Hd12 Hll HflyC eps Heps)
+      as (mu1 & Hmu1 & H); exists mu1; split; [exact Hmu1|]; intros J next n X Y mu x Hn HInv.
+    apply H; [exact Hn | exact (invertible_up _ _ _ _ _ _ HK HInv)].
 Qed.

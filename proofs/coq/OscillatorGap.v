@@ -36,19 +36,19 @@ Notation G := (Oscillator.G O).
 Notation G2 := (Oscillator.G2 O).
 Notation T := (turn m).
 
-Lemma whole_turns z : exists y, side m (y + 0) = 1 /\ turn m * IZR y = 2 * PI * IZR z.
+Lemma whole_turns z : exists y, facing m (y + 0) = 1 /\ turn m * IZR y = 2 * PI * IZR z.
 Proof.
   destruct m; [exists z; cbn; split; [reflexivity | ring] | exists (2 * z)%Z; rewrite Z.add_0_r, mult_IZR;
-    cbn [side turn]].
+    cbn [facing turn]].
   rewrite Z.even_mul; cbn; split; ring.
 Qed.
 
 (** Of the stops that are at the same place at all times, one touches within half a period of t. *)
-Lemma near_stop t z : exists y, side m y = side m z /\ (forall mu x, G mu (x - T * IZR y) = G mu (x - T * IZR z)) /\
+Lemma near_stop t z : exists y, facing m y = facing m z /\ (forall mu x, G mu (x - T * IZR y) = G mu (x - T * IZR z)) /\
   Rabs (t - T * IZR y) <= PI.
 Proof.
   destruct (nearest (t - T * IZR z)) as [i Hi], (whole_turns i) as (j & E1 & E2); exists (z + j)%Z.
-  rewrite Z.add_0_r in E1; rewrite side_plus, E1, plus_IZR, Rmult_plus_distr_l, E2; split; [ring | split].
+  rewrite Z.add_0_r in E1; rewrite facing_plus, E1, plus_IZR, Rmult_plus_distr_l, E2; split; [ring | split].
   - intros mu x; rewrite <- (G_turn O HO i mu (x - _)); f_equal; ring.
   - replace (t - (T * IZR z + 2 * PI * IZR i)) with (t - T * IZR z - 2 * PI * IZR i) by ring; exact Hi.
 Qed.
@@ -61,14 +61,14 @@ Proof.
   - ring.
 Qed.
 Lemma D_speed mu z v w t : derivable_pt_lim v t (w t) ->
-  derivable_pt_lim (speed O m mu z v) t (side m z * w t + G2 mu (t - T * IZR z)).
+  derivable_pt_lim (speed O m mu z v) t (facing m z * w t + G2 mu (t - T * IZR z)).
 Proof.
   intros H; unfold speed; eapply D_value; [apply D_plus; [apply D_scale, H|]|].
   - apply (D_of (fun t => t - T * IZR z) (Oscillator.G1 O mu)); [apply D_shift | apply (bend _ HO)].
   - ring.
 Qed.
 
-Lemma side_bounds z x B : Rabs x <= B -> - B <= side m z * x <= B.
+Lemma side_bounds z x B : Rabs x <= B -> - B <= facing m z * x <= B.
 Proof. intros H; apply le_abs; rewrite Rabs_mult, side_abs; lra. Qed.
 
 Lemma gap_open h K kappa : 0 <= h -> 0 < K -> 0 < kappa -> exists mu0, 0 < mu0 /\
@@ -79,7 +79,7 @@ Lemma gap_open h K kappa : 0 <= h -> 0 < K -> 0 < kappa -> exists mu0, 0 < mu0 /
   Rabs phi <= h * Rabs mu -> Rabs (psi - T * INR n) <= h * Rabs mu ->
   gap O m mu 0 q phi = 0 -> gap O m mu (Z.of_nat n) q psi = 0 ->
   0 <= speed O m mu 0 v phi -> speed O m mu (Z.of_nat n) v psi <= 0 ->
-  (forall j, (1 <= j <= n - 1)%nat -> kappa * Rabs mu <= side m (Z.of_nat j) * q (T * INR j) + mu) ->
+  (forall j, (1 <= j <= n - 1)%nat -> kappa * Rabs mu <= facing m (Z.of_nat j) * q (T * INR j) + mu) ->
   forall z t, phi < t < psi -> 0 < gap O m mu z q t.
 Proof.
   intros Hh HK Hkap; pose proof (turn_large m) as HT; pose proof PI2_3_2 as HP; pose proof (g_pos O HO) as Pg.
@@ -119,7 +119,7 @@ Proof.
     - assert (T * IZR y <= T * -1) by (apply Rmult_le_compat_l; lra); lra.
     - assert (T * 1 <= T * (IZR y - IZR (Z.of_nat n))) by (apply Rmult_le_compat_l; lra); lra. }
   assert (Curv : forall i x, -1 <= x <= T * IZR (Z.of_nat n) + 1 -> Rabs (x - T * IZR i) <= r ->
-    0 < side m i * w x + G2 mu (x - T * IZR i)).
+    0 < facing m i * w x + G2 mu (x - T * IZR i)).
   { intros i x Hx Hi; destruct (Bd x Hx) as (_ & _ & Bw); apply (side_bounds i) in Bw.
     destruct (St mu (x - T * IZR i) ltac:(fold a; lra)) as (_ & _ & S2); fold a in S2; apply le_abs in S2.
     specialize (Cv (x - T * IZR i) ltac:(lra)); lra. }

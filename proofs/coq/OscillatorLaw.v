@@ -216,10 +216,10 @@ Definition phase (N : Z -> Z) (t : Z -> R) (i : Z) : R := t i - T * IZR (N i).
 
 Lemma motion_leg mu d N n t q v i : motion O m mu d N t q v -> N (i + 1)%Z = (N i + Z.of_nat n)%Z ->
   let p j := phase N t j in let W j := - mu - G mu (p j) in
-  let a := side m (N i) * v i (t i) in let a' := side m (N (i + 1)%Z) * v (i + 1)%Z (t (i + 1)%Z) in
-  let b := side m (N (i + 1)%Z) * v i (t (i + 1)%Z) in
+  let a := facing m (N i) * v i (t i) in let a' := facing m (N (i + 1)%Z) * v (i + 1)%Z (t (i + 1)%Z) in
+  let b := facing m (N (i + 1)%Z) * v i (t (i + 1)%Z) in
   let s := p (i + 1)%Z - p i in
-  Rabs (p i) <= d /\ q i (t i) = side m (N i) * W i /\
+  Rabs (p i) <= d /\ q i (t i) = facing m (N i) * W i /\
   W (i + 1)%Z = turned e11 n s * W i + turned S n s * a /\ b = turned (e21 k S) n s * W i + turned V n s * a /\
   b + G1 mu (p (i + 1)%Z) < 0 /\ a' + G1 mu (p (i + 1)%Z) = - tau * (b + G1 mu (p (i + 1)%Z)).
 Proof.
@@ -230,19 +230,19 @@ Proof.
   assert (ET : t (i + 1)%Z - t i = T * INR n + s).
   { unfold s, p, phase; rewrite HN, plus_IZR, <- INR_IZR_INZ; ring. }
   rewrite ET in A, B; pose proof (side_square m (N i)) as Sq.
-  assert (E0 : q i (t i) = side m (N i) * W i).
-  { replace (W i) with (side m (N i) * q i (t i)) by (unfold W; lra); rewrite <- Rmult_assoc, Sq; ring. }
-  rewrite E0 in A, B; rewrite HN, side_plus in *.
-  assert (Ea : v i (t i) = side m (N i) * a) by (unfold a; rewrite <- Rmult_assoc, Sq; ring).
+  assert (E0 : q i (t i) = facing m (N i) * W i).
+  { replace (W i) with (facing m (N i) * q i (t i)) by (unfold W; lra); rewrite <- Rmult_assoc, Sq; ring. }
+  rewrite E0 in A, B; rewrite HN, facing_plus in *.
+  assert (Ea : v i (t i) = facing m (N i) * a) by (unfold a; rewrite <- Rmult_assoc, Sq; ring).
   rewrite Ea in A, B; unfold OscillatorTurns.turned.
-  set (si := side m (N i)) in *; set (sn := side m (Z.of_nat n)) in *.
+  set (si := facing m (N i)) in *; set (sn := facing m (Z.of_nat n)) in *.
   assert (out : forall f f' y z, si * sn * (f * (si * y) + f' * (si * z)) = sn * f * y + sn * f' * z).
   { intros f f' y z; replace (si * sn * _) with (si * si * (sn * f * y + sn * f' * z)) by ring; rewrite Sq; ring. }
   split; [exact Hd|]; split; [exact E0|]; split; [|split; [|split]].
   - rewrite <- out, <- A; unfold W; lra.
-  - rewrite <- out, <- B; unfold b; rewrite HN, side_plus; reflexivity.
-  - unfold b; rewrite HN, side_plus; exact V1.
-  - unfold a', b; rewrite HN, side_plus; exact V2.
+  - rewrite <- out, <- B; unfold b; rewrite HN, facing_plus; reflexivity.
+  - unfold b; rewrite HN, facing_plus; exact V1.
+  - unfold a', b; rewrite HN, facing_plus; exact V2.
 Qed.
 
 Lemma phases_small : exists d C, 0 < d /\ 0 <= C /\ forall mu N n t q v, Rabs mu <= 1 ->
@@ -269,15 +269,15 @@ Proof.
       apply from in S0; destruct (Near (p j) ltac:(specialize (Le j); lra)) as [Q _].
       assert (g / (4 * L) * Rabs (p j) <= g / (4 * L) * D) by (apply Rmult_le_compat_l; [lra | apply HD]);
         unfold w; lra. }
-    assert (Leg : forall j, Rabs (side m (N j) * v j (t j)) <= L * w /\
-      Rabs (side m (N (j + 1)%Z) * v j (t (j + 1)%Z)) <= L * w).
+    assert (Leg : forall j, Rabs (facing m (N j) * v j (t j)) <= L * w /\
+      Rabs (facing m (N (j + 1)%Z) * v j (t (j + 1)%Z)) <= L * w).
     { intros j; destruct (Hn j) as (HN & Hj & HSj).
       destruct (motion_leg mu d N (n j) t q v j HM HN) as (_ & _ & X & Y & _); fold p in X, Y.
       assert (Hs : Rabs (p (j + 1)%Z - p j) <= / K).
       { eapply Rle_trans; [apply apart|]; pose proof (Le j); pose proof (Le (j + 1)%Z); lra. }
       destruct (one_leg c k m S V n_max K HK (n j) _ _ w _ _ (proj2 Hj) HSj Hs Hs (HW j) (HW (j + 1)%Z))
         as (NS & A & A' & _).
-      fold L in A, A'; set (a := side m (N j) * v j (t j)) in *.
+      fold L in A, A'; set (a := facing m (N j) * v j (t j)) in *.
       assert (Ea : aft_leg c m S V (n j) (p (j + 1)%Z - p j) (- mu - G mu (p j)) (- mu - G mu (p (j + 1)%Z)) = a).
       { unfold aft_leg, aft_of; rewrite X; field; exact NS. }
       rewrite Ea in A; split; [exact A|]; rewrite Y.
@@ -286,8 +286,8 @@ Proof.
     replace i with (i - 1 + 1)%Z by lia; set (j := (i - 1)%Z).
     destruct (motion_leg mu d N (n j) t q v j HM (proj1 (Hn j))) as (_ & _ & _ & _ & _ & Law); fold p in Law.
     destruct (Leg j) as [_ LB], (Leg (j + 1)%Z) as [LA _].
-    set (x := p (j + 1)%Z) in *; set (a := side m (N (j + 1)%Z) * v (j + 1)%Z _) in *;
-      set (b := side m _ * v j _) in *.
+    set (x := p (j + 1)%Z) in *; set (a := facing m (N (j + 1)%Z) * v (j + 1)%Z _) in *;
+      set (b := facing m _ * v j _) in *.
     assert (X : Rabs (G1 mu x) <= L * w).
     { apply (Rmult_le_reg_l (1 + tau)); [lra|]; rewrite <- (Rabs_pos_eq (1 + tau)) at 1 by lra; rewrite <- Rabs_mult.
       replace ((1 + tau) * G1 mu x) with (- a - tau * b) by lra; eapply Rle_trans; [apply apart|].

@@ -33,8 +33,8 @@ Let NN i : N (i + 1)%Z = (N i + Z.of_nat (n i))%Z := proj1 (HN i).
 (** ** From a motion to a solution *)
 Lemma motion_law d t q v : motion O m mu d N t q v -> (forall i, Rabs (phase N t i) <= h * Rabs mu) ->
   let x i := phase N t i / mu in (forall i, Rabs (x i) <= h) /\ law n mu x /\ forall i,
-  q i (t i) = side m (N i) * (mu * place mu (x i)) /\
-  v i (t i) = side m (N i) * (mu * aft (n i) mu (x i) (x (i + 1)%Z)) /\
+  q i (t i) = facing m (N i) * (mu * place mu (x i)) /\
+  v i (t i) = facing m (N i) * (mu * aft (n i) mu (x i) (x (i + 1)%Z)) /\
   mu * (bef (n i) mu (x i) (x (i + 1)%Z) - aft (n (i + 1)%Z) mu (x (i + 1)%Z) (x (i + 1 + 1)%Z)) < 0.
 Proof.
   intros HM Hphase x; assert (Ex : forall i, phase N t i = mu * x i) by (intros; unfold x; field; exact Hmu).
@@ -42,14 +42,14 @@ Proof.
   { intros i; specialize (Hphase i); rewrite Ex, Rabs_mult in Hphase.
     apply (Rmult_le_reg_l (Rabs mu)); [apply Rabs_pos_lt, Hmu | lra]. }
   split; [exact Sx|].
-  assert (Leg : forall i, q i (t i) = side m (N i) * (mu * place mu (x i)) /\
-    side m (N i) * v i (t i) = mu * aft (n i) mu (x i) (x (i + 1)%Z) /\
-    side m (N (i + 1)%Z) * v i (t (i + 1)%Z) = mu * bef (n i) mu (x i) (x (i + 1)%Z)).
+  assert (Leg : forall i, q i (t i) = facing m (N i) * (mu * place mu (x i)) /\
+    facing m (N i) * v i (t i) = mu * aft (n i) mu (x i) (x (i + 1)%Z) /\
+    facing m (N (i + 1)%Z) * v i (t (i + 1)%Z) = mu * bef (n i) mu (x i) (x (i + 1)%Z)).
   { intros i; destruct (motion_leg O m S V HS mu d N (n i) t q v i HM (NN i)) as (_ & E & X & Y & _).
     rewrite !Ex in *; rewrite <- !(place_mu O) in * by exact Hmu.
     replace (mu * x (i + 1)%Z - mu * x i) with (mu * (x (i + 1)%Z - x i)) in * by ring.
     destruct (Near i (x i) (x (i + 1)%Z) (Sx _) (Sx _)) as [NS _ _ _ _].
-    assert (Ea : side m (N i) * v i (t i) = mu * aft (n i) mu (x i) (x (i + 1)%Z)).
+    assert (Ea : facing m (N i) * v i (t i) = mu * aft (n i) mu (x i) (x (i + 1)%Z)).
     { unfold OscillatorLaw.aft, aft_leg, aft_of; apply (Rmult_eq_reg_l (turned m S (n i)
         (mu * (x (i + 1)%Z - x i)))); [|exact NS].
       transitivity (mu * place mu (x (i + 1)%Z) - turned m (e11 c S V) (n i) (mu * (x (i + 1)%Z - x i))
@@ -82,15 +82,15 @@ Hypothesis Hx : forall i, Rabs (x i) <= h.
 Let a i := aft (n i) mu (x i) (x (i + 1)%Z).
 Let p i := bef (n i) mu (x i) (x (i + 1)%Z).
 Definition at_ (i : Z) : R := T * IZR (N i) + mu * x i.
-Definition leg_q (i : Z) : R -> R := moved (at_ i) (side m (N i) * (mu * place mu (x i))) (side m (N i) * (mu * a i)).
-Definition leg_v (i : Z) : R -> R := moving (at_ i) (side m (N i) * (mu * place mu (x i))) (side m (N i)
+Definition leg_q (i : Z) : R -> R := moved (at_ i) (facing m (N i) * (mu * place mu (x i))) (facing m (N i) * (mu * a i)).
+Definition leg_v (i : Z) : R -> R := moving (at_ i) (facing m (N i) * (mu * place mu (x i))) (facing m (N i)
   * (mu * a i)).
 (** The same leg with its times and sides counted from stop N i. *)
 Definition here (i : Z) : R -> R := moved (mu * x i) (mu * place mu (x i)) (mu * a i).
 Definition heres (i : Z) : R -> R := moving (mu * x i) (mu * place mu (x i)) (mu * a i).
 
-Lemma leg_here i s : leg_q i (T * IZR (N i) + s) = side m (N i) * here i s /\
-  leg_v i (T * IZR (N i) + s) = side m (N i) * heres i s.
+Lemma leg_here i s : leg_q i (T * IZR (N i) + s) = facing m (N i) * here i s /\
+  leg_v i (T * IZR (N i) + s) = facing m (N i) * heres i s.
 Proof.
   unfold leg_q, leg_v, here, heres, Flow.moved, Flow.moving, at_.
   replace (T * IZR (N i) + s - (T * IZR (N i) + mu * x i)) with (s - mu * x i) by ring; split; ring.
@@ -99,7 +99,7 @@ Qed.
 Lemma gap_here i y s : gap O m mu (N i + y) (leg_q i) (T * IZR (N i) + s) = gap O m mu y (here i) s /\
   speed O m mu (N i + y) (leg_v i) (T * IZR (N i) + s) = speed O m mu y (heres i) s.
 Proof.
-  unfold gap, speed; destruct (leg_here i s) as [-> ->]; rewrite side_plus, plus_IZR.
+  unfold gap, speed; destruct (leg_here i s) as [-> ->]; rewrite facing_plus, plus_IZR.
   replace (T * IZR (N i) + s - T * (IZR (N i) + IZR y)) with (s - T * IZR y) by ring.
   rewrite !side_twice; split; reflexivity.
 Qed.
@@ -110,7 +110,7 @@ Proof. unfold at_; rewrite NN, plus_IZR, <- INR_IZR_INZ; ring. Qed.
 Lemma here_start i : here i (mu * x i) = mu * place mu (x i) /\ heres i (mu * x i) = mu * a i.
 Proof. apply (moved_start c k S V HS). Qed.
 
-Lemma here_end i : let s := T * INR (n i) + mu * x (i + 1)%Z in let j := side m (Z.of_nat (n i)) in
+Lemma here_end i : let s := T * INR (n i) + mu * x (i + 1)%Z in let j := facing m (Z.of_nat (n i)) in
   j * here i s = mu * place mu (x (i + 1)%Z) /\ j * heres i s = mu * p i.
 Proof.
   intros s j; destruct (Near i (x i) (x (i + 1)%Z) (Hx _) (Hx _)) as [NS _ _ _ _]; revert NS.
@@ -140,7 +140,7 @@ Definition opens (B kappa : R) : Prop := forall n q v w phi psi, (1 <= n)%nat ->
   Rabs phi <= h * Rabs mu -> Rabs (psi - T * INR n) <= h * Rabs mu ->
   gap O m mu 0 q phi = 0 -> gap O m mu (Z.of_nat n) q psi = 0 ->
   0 <= speed O m mu 0 v phi -> speed O m mu (Z.of_nat n) v psi <= 0 ->
-  (forall j, (1 <= j <= n - 1)%nat -> kappa * Rabs mu <= side m (Z.of_nat j) * q (T * INR j) + mu) ->
+  (forall j, (1 <= j <= n - 1)%nat -> kappa * Rabs mu <= facing m (Z.of_nat j) * q (T * INR j) + mu) ->
   forall z t, phi < t < psi -> 0 < gap O m mu z q t.
 
 (** The place and the velocity of a leg have the size of mu. *)
@@ -181,7 +181,7 @@ Qed.
 
 Lemma solution_motion d M kappa : (forall i, 0 < mu * (a (i + 1)%Z - p i)) -> h * Rabs mu <= d -> h * Rabs mu <= 1 ->
   (forall i, Rabs (a i) <= M) -> opens ((1 + Rabs c + Rabs k) * (K * 2 + K * M)) kappa ->
-  (forall i j, (1 <= j <= n i - 1)%nat -> kappa * Rabs mu <= side m (Z.of_nat j) * here i (T * INR j) + mu) ->
+  (forall i j, (1 <= j <= n i - 1)%nat -> kappa * Rabs mu <= facing m (Z.of_nat j) * here i (T * INR j) + mu) ->
   motion O m mu d N at_ leg_q leg_v.
 Proof.
   intros Hv Hd H1 HM Open Mid i j ->.

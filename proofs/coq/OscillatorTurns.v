@@ -3,17 +3,17 @@ From Coq Require Import Reals ZArith Lra Lia.
 From Grazing Require Import Defs Algebra StatementOrbitsPlane StatementOscillator Derivatives Flow PlaneLinear.
 Open Scope R_scope.
 
-Lemma side_plus m y z : side m (y + z) = side m y * side m z.
+Lemma facing_plus m y z : facing m (y + z) = facing m y * facing m z.
 Proof.
-  destruct m; cbn [side]; [ring|]; rewrite Z.even_add; destruct (Z.even y), (Z.even z); cbn; ring.
+  destruct m; cbn [facing]; [ring|]; rewrite Z.even_add; destruct (Z.even y), (Z.even z); cbn; ring.
 Qed.
-Lemma side_square m z : side m z * side m z = 1.
-Proof. destruct m; cbn [side]; [|destruct (Z.even z)]; ring. Qed.
-Lemma side_twice m y z x : side m y * side m z * (side m y * x) = side m z * x.
-Proof. transitivity (side m y * side m y * (side m z * x)); [ring | rewrite side_square; ring]. Qed.
-Lemma side_abs m z : Rabs (side m z) = 1.
-Proof. destruct m; cbn [side]; [|destruct (Z.even z)]; unfold Rabs; destruct Rcase_abs; lra. Qed.
-Lemma side_0 m : side m 0 = 1.
+Lemma side_square m z : facing m z * facing m z = 1.
+Proof. destruct m; cbn [facing]; [|destruct (Z.even z)]; ring. Qed.
+Lemma side_twice m y z x : facing m y * facing m z * (facing m y * x) = facing m z * x.
+Proof. transitivity (facing m y * facing m y * (facing m z * x)); [ring | rewrite side_square; ring]. Qed.
+Lemma side_abs m z : Rabs (facing m z) = 1.
+Proof. destruct m; cbn [facing]; [|destruct (Z.even z)]; unfold Rabs; destruct Rcase_abs; lra. Qed.
+Lemma side_0 m : facing m 0 = 1.
 Proof. destruct m; reflexivity. Qed.
 Lemma turn_large m : 3 <= turn m.
 Proof. pose proof PI2_3_2; destruct m; cbn [turn]; lra. Qed.
@@ -80,7 +80,7 @@ Notation e11 := (e11 c S V).
 Notation e21 := (e21 k S).
 Notation T := (turn m).
 (** The flow over n turns and the time t more, reflected if n is odd and there are two stops. *)
-Definition turned (f : R -> R) (n : nat) (t : R) : R := side m (Z.of_nat n) * f (T * INR n + t).
+Definition turned (f : R -> R) (n : nat) (t : R) : R := facing m (Z.of_nat n) * f (T * INR n + t).
 Definition aft0 n := aft_of (turned e11 n 0) (turned S n 0) (-1) (-1).
 Definition bef0 n := bef_of (turned e11 n 0) (turned S n 0) (turned e21 n 0) (turned V n 0) (-1) (-1).
 
@@ -103,10 +103,10 @@ Proof.
   { unfold turned; induction n as [|n [IH1 IH2]].
     - cbn [Z.of_nat INR Nat.add]; rewrite side_0, Rmult_0_r, Rplus_0_r, (flow_S _ _ _ _ HS), (flow_V _ _ _ _ HS),
         u_0, u_1; lra.
-    - rewrite Nat2Z.inj_succ, <- Z.add_1_l, side_plus, S_INR.
+    - rewrite Nat2Z.inj_succ, <- Z.add_1_l, facing_plus, S_INR.
       replace (T * (INR n + 1) + 0) with (T + (T * INR n + 0)) by ring.
       destruct (flow_plus c k S V HS T (T * INR n + 0)) as [-> ->]; set (t := T * INR n + 0) in *.
-      set (j := side m (Z.of_nat n)) in *; set (i := side m 1) in *.
+      set (j := facing m (Z.of_nat n)) in *; set (i := facing m 1) in *.
       replace (i * j * (e11 T * S t + S T * V t)) with (i * e11 T * (j * S t) + i * S T * (j * V t)) by ring.
       replace (i * j * (e21 T * S t + V T * V t)) with (i * e21 T * (j * S t) + i * V T * (j * V t)) by ring.
       rewrite IH1, IH2; replace (i * e11 T) with A11 by lra; replace (i * S T) with gamma by lra.
@@ -117,8 +117,8 @@ Proof.
   { unfold turned, Flow.e11, Flow.e21; split; ring. }
   destruct X as [-> ->]; rewrite E4, E3.
   assert (c * gamma = A11 - A22 /\ - k * gamma = A21) as [F1 F2].
-  { unfold Flow.e11, Flow.e21 in H1, H2; split; [replace gamma with (side m 1 * S T) by lra|
-      replace gamma with (side m 1 * S T) by lra]; lra. }
+  { unfold Flow.e11, Flow.e21 in H1, H2; split; [replace gamma with (facing m 1 * S T) by lra|
+      replace gamma with (facing m 1 * S T) by lra]; lra. }
   split; [replace (c * (gamma * u n)) with (c * gamma * u n) by ring; rewrite F1; ring|].
   replace (- k * (gamma * u n)) with (- k * gamma * u n) by ring; rewrite F2; ring.
 Qed.

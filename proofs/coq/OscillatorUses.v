@@ -7,7 +7,7 @@ Open Scope R_scope.
 Section Later.
 Variables (O : Oscillator.t) (m : sign) (P : Z).
 Let T := turn m * IZR P.
-Definition later (f : R -> R) (x : R) : R := side m P * f (x + T).
+Definition later (f : R -> R) (x : R) : R := facing m P * f (x + T).
 
 Lemma D_later f f' x : derivable_pt_lim f (x + T) (f' (x + T)) -> derivable_pt_lim (later f) x (later f' x).
 Proof.
@@ -17,7 +17,7 @@ Qed.
 Lemma gap_later mu z q x : gap O m mu z (later q) x = gap O m mu (z + P) q (x + T) /\
   speed O m mu z (later q) x = speed O m mu (z + P) q (x + T).
 Proof.
-  unfold gap, speed, later; rewrite side_plus, plus_IZR.
+  unfold gap, speed, later; rewrite facing_plus, plus_IZR.
   replace (x + T - turn m * (IZR z + IZR P)) with (x - turn m * IZR z) by (unfold T; ring); split; ring.
 Qed.
 End Later.
@@ -47,18 +47,18 @@ Qed.
 
 (** ** The matrix in terms of the undamped solution *)
 Lemma matrix_damped c D m o w : undamped D o w -> let E := exp (- c / 2 * turn m) in
-  matrix c (c * c / 4 + D) m (2 * E * (side m 1 * w (turn m))) (E * E) (E * (side m 1 * o (turn m))).
+  matrix c (c * c / 4 + D) m (2 * E * (facing m 1 * w (turn m))) (E * E) (E * (facing m 1 * o (turn m))).
 Proof.
   intros H E; pose proof (damped c D o w H) as HS; set (S := damped_S c o) in *; set (V := damped_V c o w) in *.
   set (k := c * c / 4 + D) in *; set (T := turn m) in *; pose proof (undamped_energy D o w T H) as En;
     pose proof (side_square m 1) as Sq.
-  exists (side m 1 * e11 c S V T), (side m 1 * e21 k S T), (side m 1 * V T); split; [|split].
+  exists (facing m 1 * e11 c S V T), (facing m 1 * e21 k S T), (facing m 1 * V T); split; [|split].
   - unfold e11, S, V, damped_S, damped_V; fold E; field.
-  - transitivity (E * E * (side m 1 * side m 1) * (w T * w T + D * (o T * o T))); [rewrite Sq, En; ring|].
+  - transitivity (E * E * (facing m 1 * facing m 1) * (w T * w T + D * (o T * o T))); [rewrite Sq, En; ring|].
     unfold e11, e21, S, V, damped_S, damped_V, k; fold E; field.
   - intros q v Hq; fold T; destruct (free_moved c k S V HS q v 0 T Hq) as [-> ->]; unfold moved, moving;
       rewrite Rminus_0_r.
-    replace (E * (side m 1 * o T)) with (side m 1 * S T) by (unfold S, damped_S; fold E; ring); split; ring.
+    replace (E * (facing m 1 * o T)) with (facing m 1 * S T) by (unfold S, damped_S; fold E; ring); split; ring.
 Qed.
 
 Lemma matrix_unique c k m a1 a2 gamma a1' a2' gamma' : matrix c k m a1 a2 gamma -> matrix c k m a1' a2' gamma' ->
@@ -110,7 +110,7 @@ Proof.
       replace ((1 - s) * (2 * PI)) with (- (2 * PI * s) + 2 * INR 1 * PI) by (cbn; ring).
       rewrite cos_period, cos_neg, sin_period, sin_neg; lra. }
     pose proof (matrix_damped (- (2 * ln r / (2 * PI))) _ Plus _ _ (undamped_circular f ltac:(lra))) as M.
-    cbv zeta in M; cbn [turn side] in M; rewrite (damping_of r (2 * PI) Hr ltac:(lra)), (proj1 E), (proj2 E) in M.
+    cbv zeta in M; cbn [turn facing] in M; rewrite (damping_of r (2 * PI) Hr ltac:(lra)), (proj1 E), (proj2 E) in M.
     eexists _, _, _; split; [replace (r ^ 2) with (r * r) by ring; rewrite <- (Rmult_1_l (cos _)); exact M|].
     replace (sgn g * _) with (r * (/ f * sin (2 * PI * s))) by (destruct g; cbn [sgn]; ring).
     apply Rmult_lt_0_compat; [exact Hr|]; apply Rmult_lt_0_compat; [apply Rinv_0_lt_compat, Hf | exact Hsin].
@@ -118,7 +118,7 @@ Proof.
       set (r := sqrt a2) in *.
     destruct (undamped_reaches (2 * PI) (a1 / (2 * r)) ltac:(lra)) as (D & o & w & H & Ew & Po).
     { apply (Rmult_le_reg_r (2 * r)); [lra|]; unfold Rdiv; rewrite Rmult_assoc, Rinv_l; lra. }
-    pose proof (matrix_damped (- (2 * ln r / (2 * PI))) D Plus o w H) as M; cbv zeta in M; cbn [turn side] in M.
+    pose proof (matrix_damped (- (2 * ln r / (2 * PI))) D Plus o w H) as M; cbv zeta in M; cbn [turn facing] in M.
     rewrite (damping_of r (2 * PI) Hr ltac:(lra)), Ew, E2 in M.
     replace (2 * r * (1 * (a1 / (2 * r)))) with a1 in M by (field; lra).
     eexists _, _, _; split; [exact M | apply Rmult_lt_0_compat; lra].
@@ -130,7 +130,7 @@ Proof.
         destruct (Pos L (2 * PI) ltac:(lra)) as [Po Pw].
       pose proof (matrix_damped c _ Plus o w H) as M; cbv zeta in M;
         replace (c * c / 4 + (k - c * c / 4)) with k in M by ring.
-      fold E in M; cbn [turn side] in M; destruct (matrix_unique _ _ _ _ _ _ _ _ _ HM M) as (-> & -> & ->);
+      fold E in M; cbn [turn facing] in M; destruct (matrix_unique _ _ _ _ _ _ _ _ _ HM M) as (-> & -> & ->);
         rewrite ES.
       assert (2 * E * 1 <= 2 * E * w (2 * PI)) by (apply Rmult_le_compat_l; lra).
       split; [exact P2|]; split; [lra|]; intros _; apply Rmult_lt_0_compat; lra.
@@ -138,7 +138,7 @@ Proof.
         rewrite sqrt_sqrt in H by lra.
       pose proof (matrix_damped c _ Plus _ _ H) as M; cbv zeta in M;
         replace (c * c / 4 + (k - c * c / 4)) with k in M by ring.
-      fold E in M; cbn [turn side] in M; destruct (matrix_unique _ _ _ _ _ _ _ _ _ HM M) as (-> & -> & Eg);
+      fold E in M; cbn [turn facing] in M; destruct (matrix_unique _ _ _ _ _ _ _ _ _ HM M) as (-> & -> & Eg);
         rewrite ES.
       set (f := sqrt _) in *; pose proof (sin2_cos2 (f * (2 * PI))) as SC; unfold Rsqr in SC.
       set (si := sin _) in *; set (co := cos _) in *.
@@ -156,7 +156,7 @@ Proof.
     destruct (undamped_reaches PI (- a1 / (2 * r)) ltac:(lra)) as (D & o & w & H & Ew & Po).
     { apply (Rmult_le_reg_r (2 * r)); [lra|]; unfold Rdiv; rewrite Rmult_assoc, Rinv_l; lra. }
     pose proof (matrix_damped (- (2 * ln r / PI)) D Minus o w H) as M; cbv zeta in M; cbn [turn] in M.
-    replace (side Minus 1) with (-1) in M by reflexivity; rewrite (damping_of r PI Hr HP), Ew, E2 in M.
+    replace (facing Minus 1) with (-1) in M by reflexivity; rewrite (damping_of r PI Hr HP), Ew, E2 in M.
     replace (2 * r * (-1 * (- a1 / (2 * r)))) with a1 in M by (field; lra).
     eexists _, _, _; split; [exact M|]; assert (0 < r * o PI) by (apply Rmult_lt_0_compat; lra); lra.
 Qed.

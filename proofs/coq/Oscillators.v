@@ -81,15 +81,15 @@ Proof.
       lra.
 Qed.
 
-Lemma here_mid i j : side m (Z.of_nat j) * here O m S V mu n x i (T * INR j) = mu * place_of i j.
+Lemma here_mid i j : facing m (Z.of_nat j) * here O m S V mu n x i (T * INR j) = mu * place_of i j.
 Proof.
   unfold here, moved, place_of, mid, turned; replace (T * INR j + - (mu * x i)) with (T * INR j - mu * x i)
     by ring; ring.
 Qed.
 
 Lemma mid_sign i j : (1 <= j <= n i - 1)%nat ->
-  (sgn s * b a1 a2 (n i) j > 0 -> eps * Rabs mu <= side m (Z.of_nat j) * here O m S V mu n x i (T * INR j) + mu) /\
-  (sgn s * b a1 a2 (n i) j < 0 -> side m (Z.of_nat j) * here O m S V mu n x i (T * INR j) + mu < 0).
+  (sgn s * b a1 a2 (n i) j > 0 -> eps * Rabs mu <= facing m (Z.of_nat j) * here O m S V mu n x i (T * INR j) + mu) /\
+  (sgn s * b a1 a2 (n i) j < 0 -> facing m (Z.of_nat j) * here O m S V mu n x i (T * INR j) + mu < 0).
 Proof.
   intros Hj; destruct (HN i) as (_ & Hn & Hu); destruct (Near i (x i) (x (i + 1)%Z) (Hx _) (Hx _)) as [_ _ _ _ Hm].
   specialize (Hm j ltac:(lia)); fold (place_of i j) in Hm.
@@ -147,7 +147,17 @@ Proof.
 Qed.
 End Words.
 
-Theorem Word_oscillator : Word_oscillator_statement.
+(** Theorem 1 for oscillators: one d, one mu0 and one K for all words over {n <= n_max : u_n <> 0}. *)
+Theorem Word_oscillator : forall O m a1 a2 gamma, grazing O m a1 a2 gamma ->
+  forall n_max, exists d mu0 K, d > 0 /\ mu0 > 0 /\ forall (N : Z -> Z) (n : Z -> nat) s g mu,
+  (forall i, N (i + 1)%Z = (N i + Z.of_nat (n i))%Z /\ (1 <= n i <= n_max)%nat /\ u a1 a2 (n i) <> 0) ->
+  sgn g * gamma > 0 -> 0 < sgn s * mu < mu0 ->
+  ((forall i, (forall j, (1 <= j <= n i - 1)%nat -> sgn s * b a1 a2 (n i) j > 0) /\
+              sgn s * sgn g * follows a1 a2 (n i) (n (i + 1)%Z) > 0) -> one_motion O m mu d N) /\
+  (forall i, (exists j, (1 <= j <= n i - 1)%nat /\ sgn s * b a1 a2 (n i) j < 0) \/
+             sgn s * sgn g * follows a1 a2 (n i) (n (i + 1)%Z) < 0 ->
+   forall t q v, ~ motion O m mu d N t q v) /\
+  forall t q v, motion O m mu d N t q v -> forall i, Rabs (t i - turn m * IZR (N i)) <= K * Rabs mu.
 Proof.
   intros O m a1 a2 gamma HO n_max; destruct (flow_exists (Oscillator.c O) (Oscillator.k O)) as (S & V & HS).
   pose proof (is_touching _ _ _ _ _ HO) as HT; pose proof (is_restitution _ _ _ _ _ HO) as Htau.

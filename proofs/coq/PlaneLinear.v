@@ -5,9 +5,13 @@
     bounded in terms of the letters alone. *)
 
 From Coq Require Import Reals Arith Lra Lia.
-From Grazing Require Import Defs Algebra StatementAffine StatementOrbits StatementOrbitsPlane
+From Grazing Require Import Defs Algebra StatementOrbits StatementOrbitsPlane
   Finite OrbitVectors OrbitContraction OrbitRemainder.
 Open Scope R_scope.
+
+(** (64), without the signs: positive if a flight of j steps may follow one of i steps. *)
+Definition follows (a1 a2 : R) (i j : nat) : R :=
+  (u a1 a2 (S j) - 1) / u a1 a2 j - (a2 ^ i + a2 * u a1 a2 (i - 1)) / u a1 a2 i.
 
 Lemma finite_max (F : nat -> R) n : exists m, 1 <= m /\ forall k, (k < n)%nat -> Rabs (F k) <= m.
 Proof.

@@ -1,7 +1,7 @@
 (** * Proof of Theorem 1 in the plane, for all words and for one impact *)
 
 From Coq Require Import Reals Arith Lra Lia.
-From Grazing Require Import Defs Algebra StatementAffine StatementOrbits StatementOrbitsPlane
+From Grazing Require Import Defs Algebra StatementOrbits StatementOrbitsPlane
   OrbitVectors OrbitContraction OrbitRemainder OrbitFixedPoint Orbits PlaneLinear.
 Open Scope R_scope.
 
@@ -32,11 +32,28 @@ Proof.
     destruct s; cbn [sgn] in *; [rewrite Rabs_pos_eq | rewrite Rabs_left]; lra.
 Qed.
 
-Theorem Theorem1_plane : Theorem1_statement_plane.
+Theorem Theorem1_plane : forall M a1 a2 gamma e w,
+  planar M a1 a2 gamma e w -> forall n_max, exists d mu0, d > 0 /\ mu0 > 0 /\
+  (forall (J : Type) (next prev : J -> J) n s g mu,
+   (forall j, prev (next j) = j /\ next (prev j) = j) ->
+   (forall j, (1 <= n j <= n_max)%nat /\ u a1 a2 (n j) <> 0) ->
+   sgn g * gamma > 0 -> 0 < sgn s * (e * mu) < mu0 ->
+   ((forall j, (forall k, (1 <= k <= n j - 1)%nat -> sgn s * b a1 a2 (n j) k > 0) /\
+               sgn s * sgn g * follows a1 a2 (n j) (n (next j)) > 0) ->
+    exists x, orbit_near M J next n mu d x /\
+    forall x', orbit_near M J next n mu d x' -> forall j i, (i < 2)%nat -> x' j i = x j i) /\
+   (forall j, (exists k, (1 <= k <= n j - 1)%nat /\ sgn s * b a1 a2 (n j) k < 0) \/
+              sgn s * sgn g * follows a1 a2 (n j) (n (next j)) < 0 ->
+    forall x, ~ orbit_near M J next n mu d x)) /\
+  (** These orbits tend to 0 with mu, uniformly. *)
+  (forall eps, eps > 0 -> exists mu1, mu1 > 0 /\ forall (J : Type) (next prev : J -> J) n mu x,
+   (forall j, prev (next j) = j /\ next (prev j) = j) ->
+   (forall j, (1 <= n j <= n_max)%nat /\ u a1 a2 (n j) <> 0) -> 0 < Rabs mu < mu1 ->
+   orbit_near M J next n mu d x -> forall j, within 2 eps (x j)).
 Proof.
   intros M a1 a2 gamma e w HP n_max; pose proof (is_plane _ _ _ _ _ _ HP) as HN.
   destruct (inverse M a1 a2 gamma e w HP n_max) as (K & HK).
-  destruct (is_e _ _ _ _ _ _ HP) as [He He0]; destruct (is_gamma _ _ _ _ _ _ HP) as [_ Hg0].
+  destruct (is_rate _ _ _ _ _ _ HP) as [He He0]; destruct (is_gamma _ _ _ _ _ _ HP) as [_ Hg0].
   destruct (Orbits.Theorem1 M w e (is_smooth _ _ _ _ _ _ HP)) with (n_max := n_max) (K := K)
     as (d & Hd & Hmain & Hlead); [rewrite HN; exact (is_w _ _ _ _ _ _ HP) | rewrite HN; exact He | exact He0|].
   destruct (margin (b a1 a2) (S n_max)) as (k1 & Hk1 & Hb).
@@ -113,65 +130,4 @@ Lemma follows_itself a1 a2 n : (1 <= n)%nat -> u a1 a2 n <> 0 -> follows a1 a2 n
 Proof.
   intros Hn Hu; unfold follows, c; destruct n as [|m]; [lia|].
   rewrite v_neighbours; cbn [Nat.sub]; rewrite Nat.sub_0_r; field; exact Hu.
-Qed.
-
-Lemma periodic_within M n mu d d' x : within (Map.N M) d' x -> periodic M n mu d x -> periodic M n mu d' x.
-Proof. intros Hx H j; split; [exact Hx | apply (H j)]. Qed.
-
-Theorem Theorem1_single : Theorem1_statement_single.
-Proof.
-  intros M a1 a2 gamma e w n s g HP Hn Hu Hg.
-  destruct (Theorem1_plane M a1 a2 gamma e w HP n) as (d & mu0 & Hd & Hmu0 & Hmain & Hlead).
-  destruct (is_e _ _ _ _ _ _ HP) as [_ He0]; assert (Hae : 0 < Rabs e) by (apply Rabs_pos_lt, He0).
-  assert (Hid : forall j : unit, j = j /\ j = j) by (split; reflexivity).
-  assert (Hnu : unit -> (1 <= n <= n)%nat /\ u a1 a2 n <> 0) by (intros _; split; [lia | exact Hu]).
-  split; [|split].
-  - intros (_ & Hb & Hc); exists d; split; [exact Hd | split].
-    + exists mu0; split; [exact Hmu0|]; intros mu Hmu.
-      destruct (Hmain unit (fun j => j) (fun j => j) (fun _ => n) s g mu Hid Hnu Hg Hmu) as [Hex _].
-      destruct Hex as (x & Hx & Huniq).
-      * intros _; split; [exact Hb | rewrite follows_itself by assumption; exact Hc].
-      * exists (x tt); split; [intros []; exact (Hx tt)|].
-        intros x' Hx' i Hi; exact (Huniq (fun _ => x') Hx' tt i Hi).
-    + intros eps Heps; destruct (Hlead eps Heps) as (mu1 & Hmu1 & Hx).
-      exists (Rabs e * mu1); split; [apply Rmult_lt_0_compat; assumption|]; intros mu x Hmu Hxp.
-      apply (Hx unit (fun j => j) (fun j => j) (fun _ => n) mu (fun _ => x) Hid Hnu
-        (small_mu e s mu mu1 He0 Hmu) Hxp tt).
-  - intros Hf; exists d, mu0; split; [exact Hd | split; [exact Hmu0|]]; intros mu x Hmu Hx.
-    destruct (Hmain unit (fun j => j) (fun j => j) (fun _ => n) s g mu Hid Hnu Hg Hmu) as [_ Hno].
-    apply (Hno tt) with (x := fun _ => x); [|exact Hx].
-    rewrite follows_itself by assumption; exact Hf.
-  - intros [(d1 & Hd1 & (m1 & Hm1 & Hex) & Hsmall) (d2 & m2 & Hd2 & Hm2 & Hno)].
-    destruct (Hsmall d2 Hd2) as (m3 & Hm3 & Hin).
-    set (t := Rmin m1 (Rmin m2 m3) / 2).
-    assert (Ht : 0 < t /\ t < m1 /\ t < m2 /\ t < m3).
-    { assert (0 < Rmin m1 (Rmin m2 m3)) by (repeat apply Rmin_glb_lt; lra).
-      pose proof (Rmin_l m1 (Rmin m2 m3)); pose proof (Rmin_r m1 (Rmin m2 m3)).
-      pose proof (Rmin_l m2 m3); pose proof (Rmin_r m2 m3); unfold t; lra. }
-    assert (Emu : sgn s * (e * (sgn s * t / e)) = t)
-      by (replace (e * (sgn s * t / e)) with (sgn s * t) by (field; exact He0); destruct s; cbn; ring).
-    destruct (Hex (sgn s * t / e)) as (x & Hx & _); [rewrite Emu; lra|].
-    apply (Hno (sgn s * t / e) x); [rewrite Emu; lra|].
-    apply (periodic_within M n _ d1); [|exact Hx].
-    rewrite (is_plane _ _ _ _ _ _ HP); apply (Hin (sgn s * t / e)); [rewrite Emu; lra | exact Hx].
-Qed.
-
-Theorem Meaning : Meaning_statement.
-Proof.
-  intros M a1 a2 gamma e w n HP Hn; assert (Hn1 : (1 <= n)%nat) by lia.
-  destruct (is_gamma _ _ _ _ _ _ HP) as [_ Hg0].
-  assert (Hsign : exists g, sgn g * gamma > 0).
-  { destruct (Rlt_le_dec gamma 0) as [Hneg|Hpos]; [exists Minus | exists Plus]; cbn [sgn]; lra. }
-  destruct Hsign as [g' Hg'].
-  assert (Hfail : forall s, u a1 a2 n <> 0 -> fails a1 a2 n s g' -> not_born M e n s)
-    by (intros s Hu; apply (Theorem1_single M a1 a2 gamma e w n s g' HP Hn1 Hu Hg')).
-  split.
-  - intros s g Horb; pose proof Horb as (Hu & Hb & Hc); split.
-    + intros Hg; apply (Theorem1_single M a1 a2 gamma e w n s g HP Hn1 Hu Hg), Horb.
-    + intros s' Hne; apply Hfail; [exact Hu|]; unfold fails.
-      specialize (Hb 1%nat ltac:(lia)).
-      destruct s, s'; try (left; exists 1%nat; split; [lia | cbn [sgn] in *; lra]);
-        right; destruct g, g'; cbn [sgn] in *; try lra; exfalso; apply Hne; split; trivial; lra.
-  - intros (Hu & k & k' & Hk & Hk' & Hb & Hb') s; apply Hfail; [exact Hu|]; left.
-    destruct s; [exists k | exists k']; split; trivial; cbn [sgn]; lra.
 Qed.

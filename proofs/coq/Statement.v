@@ -136,9 +136,9 @@ Definition above (n k : nat) (g : sign) (lo hi : R) (Rad : R -> R) : Prop :=
   (r < Rad s -> no_orbit_at r s n) /\
   (Rad s = r -> forall j, (1 <= j <= n - 1)%nat -> j <> k -> b_at r s n j > 0).
 
-(** Rad s tends to 1 as s in (lo, hi) tends to p. *)
-Definition tends_to_1 (Rad : R -> R) (lo hi p : R) : Prop := forall x, x < 1 ->
-  exists d, d > 0 /\ forall s, lo < s < hi -> Rabs (s - p) < d -> x < Rad s.
+(** Rad s tends to 1 as s in (lo, hi) tends to x0. *)
+Definition tends_to_1 (Rad : R -> R) (lo hi x0 : R) : Prop := forall x, x < 1 ->
+  exists d, d > 0 /\ forall s, lo < s < hi -> Rabs (s - x0) < d -> x < Rad s.
 
 Definition S4_statement : Prop := forall n, (3 <= n)%nat ->
   (forall r s, 0 < r <= 1 -> 0 < s < 1 / (2 * INR n) -> orbit_at r s n Minus Plus) /\

@@ -43,15 +43,15 @@ Definition B_at_multiples_statement : Prop := forall n k (m : Z),
   (1 <= n)%nat -> (k <= n)%nat ->
   B n k (IZR m / INR n) = 2 * sin (PI * INR k * IZR m / INR n) ^ 2.
 
-(** At s = (2m+1)/(2n), with q = k (2m+1)/n: a simple pole unless q is an integer. *)
+(** At s = (2m+1)/(2n), with x = k (2m+1)/n: a simple pole unless x is an integer. *)
 Definition B_at_odd_multiples_statement : Prop := forall n k (m : Z),
   (1 <= k <= n - 1)%nat ->
   let s := IZR (2 * m + 1) / (2 * INR n) in
-  let q := INR k * IZR (2 * m + 1) / INR n in
+  let x := INR k * IZR (2 * m + 1) / INR n in
   (forall h, sin (INR n * PI * h) <> 0 ->
-   B n k (s + h) = 1 + sin (PI * q - (INR n - 2 * INR k) * PI * h) / sin (INR n * PI * h)) /\
-  tends (fun h => h * B n k (s + h)) (sin (PI * q) / (PI * INR n)) /\
-  (forall j : Z, q = IZR (2 * j + 1) ->
+   B n k (s + h) = 1 + sin (PI * x - (INR n - 2 * INR k) * PI * h) / sin (INR n * PI * h)) /\
+  tends (fun h => h * B n k (s + h)) (sin (PI * x) / (PI * INR n)) /\
+  (forall j : Z, x = IZR (2 * j + 1) ->
    tends (fun h => B n k (s + h)) (2 * INR (n - k) / INR n)) /\
-  (forall j : Z, q = IZR (2 * j) ->
+  (forall j : Z, x = IZR (2 * j) ->
    tends (fun h => B n k (s + h)) (2 * INR k / INR n)).

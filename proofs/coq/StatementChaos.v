@@ -6,20 +6,20 @@
 From Coq Require Import Reals ZArith.
 Open Scope R_scope.
 
-(** The wall (1 + mu) cos t - 1 and its velocity; a free motion q with velocity v. *)
+(** The wall (1 + mu) cos t - 1 and its velocity; a free motion y with velocity v. *)
 Definition wall (mu t : R) : R := (1 + mu) * cos t - 1.
 Definition wall_velocity (mu t : R) : R := - (1 + mu) * sin t.
-Definition free (q v : R -> R) : Prop := forall t, derivable_pt_lim q t (v t) /\
-  derivable_pt_lim v t (- (12 / 49) * v t - 100 / 2401 * q t).
+Definition free (y v : R -> R) : Prop := forall t, derivable_pt_lim y t (v t) /\
+  derivable_pt_lim v t (- (12 / 49) * v t - 100 / 2401 * y t).
 
-(** Between impact i, at the time t i, and the next the oscillator moves as q i, v i. Impact i is within
+(** Between impact i, at the time t i, and the next the oscillator moves as y i, v i. Impact i is within
     6/5 of a time 2 pi N i, at positive relative speed; it turns the relative velocity around. The
     oscillator is above the wall strictly between impacts. *)
-Definition motion (mu : R) (N : Z -> Z) (t : Z -> R) (q v : Z -> R -> R) : Prop := forall i j,
+Definition motion (mu : R) (N : Z -> Z) (t : Z -> R) (y v : Z -> R -> R) : Prop := forall i j,
   j = (i + 1)%Z ->
-  free (q i) (v i) /\ Rabs (t i - 2 * PI * IZR (N i)) < 6 / 5 /\ t i < t j /\
-  q i (t i) = wall mu (t i) /\ q i (t j) = wall mu (t j) /\
-  (forall x, t i < x < t j -> q i x > wall mu x) /\
+  free (y i) (v i) /\ Rabs (t i - 2 * PI * IZR (N i)) < 6 / 5 /\ t i < t j /\
+  y i (t i) = wall mu (t i) /\ y i (t j) = wall mu (t j) /\
+  (forall x, t i < x < t j -> y i x > wall mu x) /\
   v i (t j) - wall_velocity mu (t j) < 0 /\
   v j (t j) - wall_velocity mu (t j) = - (v i (t j) - wall_velocity mu (t j)).
 
@@ -34,23 +34,18 @@ Definition in_boxes (mu : R) (N : Z -> Z) (t : Z -> R) (v : Z -> R -> R) : Prop 
 Definition one_or_two (N : Z -> Z) : Prop :=
   forall i, (N (i + 1) = N i + 1)%Z \/ (N (i + 1) = N i + 2)%Z.
 
-Definition Chaos_oscillator_statement : Prop := forall mu N, mu > 0 -> one_or_two N ->
-  exists t q v, motion mu N t q v /\ in_boxes mu N t v /\
-  forall t' q' v', motion mu N t' q' v' -> in_boxes mu N t' v' ->
-  forall i x, t' i = t i /\ q' i x = q i x /\ v' i x = v i x.
-
 (** The times of the impacts say which N it is; where N is periodic, so is the motion. *)
-Definition Chaos_distinct_statement : Prop := forall mu N N' t q v q' v',
-  motion mu N t q v -> motion mu N' t q' v' -> forall i, N i = N' i.
-Definition Chaos_periodic_statement : Prop := forall mu N t q v (m P : Z), mu > 0 -> one_or_two N ->
-  motion mu N t q v -> in_boxes mu N t v -> (forall i, N (i + m) = N i + P)%Z ->
-  forall i x, t (i + m)%Z = t i + 2 * PI * IZR P /\ q (i + m)%Z (x + 2 * PI * IZR P) = q i x /\
+Definition Chaos_distinct_statement : Prop := forall mu N N' t y v y' v',
+  motion mu N t y v -> motion mu N' t y' v' -> forall i, N i = N' i.
+Definition Chaos_periodic_statement : Prop := forall mu N t y v (m P : Z), mu > 0 -> one_or_two N ->
+  motion mu N t y v -> in_boxes mu N t v -> (forall i, N (i + m) = N i + P)%Z ->
+  forall i x, t (i + m)%Z = t i + 2 * PI * IZR P /\ y (i + m)%Z (x + 2 * PI * IZR P) = y i x /\
   v (i + m)%Z (x + 2 * PI * IZR P) = v i x.
 
 (** Two motions whose N agree around an impact, the 0th for short, are close there. *)
-Definition Chaos_continuous_statement : Prop := forall mu N N' t q v t' q' v' (K : nat), mu > 0 ->
-  one_or_two N -> one_or_two N' -> motion mu N t q v -> in_boxes mu N t v ->
-  motion mu N' t' q' v' -> in_boxes mu N' t' v' ->
+Definition Chaos_continuous_statement : Prop := forall mu N N' t y v t' y' v' (K : nat), mu > 0 ->
+  one_or_two N -> one_or_two N' -> motion mu N t y v -> in_boxes mu N t v ->
+  motion mu N' t' y' v' -> in_boxes mu N' t' v' ->
   (forall i, (- (Z.of_nat K + 2) <= i <= Z.of_nat K + 2)%Z -> N i = N' i) ->
   Rabs (t 0%Z - t' 0%Z) <= 3 * (7 / 8) ^ K /\
   Rabs (v 0%Z (t 0%Z) - v' 0%Z (t' 0%Z)) <= 2 * mu * (7 / 8) ^ K.

@@ -31,8 +31,8 @@ Definition Large_formula_statement : Prop := forall K gamma emu a1 a2 n X Y,
   - (m12 (mpow (A a1 a2) n) * (K * gamma)) / (2 * (emu * Y)) = large K gamma emu a1 a2 n.
 
 (** The matrix D of (32) for one impact, unknowns X_1, X_2, Y: its determinant is u_n C A B. *)
-Definition det3 (a b c d e f g h i : R) : R :=
-  a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g).
+Definition det3 (x1 x2 x3 y1 y2 y3 z1 z2 z3 : R) : R :=
+  x1 * (y2 * z3 - y3 * z2) - x2 * (y1 * z3 - y3 * z1) + x3 * (y1 * z2 - y2 * z1).
 
 Definition Det_D_statement : Prop := forall a1 a2 beta n, let M := mpow (A a1 a2) n in
   det3 (1 - m11 M) (- m12 M) 0

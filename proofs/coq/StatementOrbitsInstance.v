@@ -16,7 +16,7 @@ Definition oscillator_map (A00 A01 A10 A11 phi0 phi1 eta beta k0 k1 k2 k3 k4 k5 
   Map.f := fun x mu => pair_vec (A00 * x 0%nat + A01 * x 1%nat + mu * phi0)
                                 (A10 * x 0%nat + A11 * x 1%nat + mu * phi1);
   Map.h := fun x mu => x 0%nat - k0 * (x 1%nat * x 1%nat) + mu * eta;
-  Map.b := fun x y mu => pair_vec (k1 * y + k2 * x 1%nat) (beta + k3 * y + k4 * x 1%nat + k5 * mu);
+  Map.kick := fun x y mu => pair_vec (k1 * y + k2 * x 1%nat) (beta + k3 * y + k4 * x 1%nat + k5 * mu);
   Map.A := fun i => match i with O => pair_vec A00 A01 | _ => pair_vec A10 A11 end;
   Map.phi := pair_vec phi0 phi1; Map.C := pair_vec 1 0; Map.eta := eta; Map.B := pair_vec 0 beta |}.
 

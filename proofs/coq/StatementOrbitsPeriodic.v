@@ -21,17 +21,17 @@ Definition det_D_not_0 (M : Map.t) (J : Type) (next : J -> J) (n : J -> nat) : P
 
 Definition Theorem1_statement_periodic : Prop := forall M, smooth M -> det_I_A_not_0 M ->
   exists w, (forall i, (i < Map.N M)%nat -> w i = mult (Map.N M) (Map.A M) w i + Map.phi M i) /\
-  let e := dot (Map.N M) (Map.C M) w + Map.eta M in e <> 0 ->
+  let rate := dot (Map.N M) (Map.C M) w + Map.eta M in rate <> 0 ->
   forall J next n, finite J -> (forall j, (1 <= n j)%nat) -> det_D_not_0 M J next n ->
-  exists X Y, linear M J next n X Y (fun _ => zero) (fun _ => -1) /\ forall s,
-  ((forall j v, quantity M J n X Y s j v -> v > 0) -> exists d, d > 0 /\
-   (exists mu0, mu0 > 0 /\ forall mu, 0 < sgn s * (e * mu) < mu0 ->
+  exists X Y, linear M J next n X Y (fun _ => zero) (fun _ => -1) /\ forall e,
+  ((forall j v, quantity M J n X Y e j v -> v > 0) -> exists d, d > 0 /\
+   (exists mu0, mu0 > 0 /\ forall mu, 0 < sgn e * (rate * mu) < mu0 ->
     exists x, orbit_near M J next n mu d x /\
     forall x', orbit_near M J next n mu d x' -> forall j i, (i < Map.N M)%nat -> x' j i = x j i) /\
-   forall eps, eps > 0 -> exists mu1, mu1 > 0 /\ forall mu x, 0 < sgn s * (e * mu) < mu1 ->
+   forall eps, eps > 0 -> exists mu1, mu1 > 0 /\ forall mu x, 0 < sgn e * (rate * mu) < mu1 ->
     orbit_near M J next n mu d x -> forall j, within (Map.N M) eps (x j)) /\
-  (forall j v, quantity M J n X Y s j v -> v < 0 -> exists d mu0, d > 0 /\ mu0 > 0 /\
-   forall mu x, 0 < sgn s * (e * mu) < mu0 -> ~ orbit_near M J next n mu d x).
+  (forall j v, quantity M J n X Y e j v -> v < 0 -> exists d mu0, d > 0 /\ mu0 > 0 /\
+   forall mu x, 0 < sgn e * (rate * mu) < mu0 -> ~ orbit_near M J next n mu d x).
 
 (** With uniqueness: the orbit has every symmetry of its word; periodic words have periodic orbits. *)
 Definition Symmetry_statement : Prop := forall M J (next : J -> J) n mu d x (sigma : J -> J),

@@ -1,10 +1,11 @@
-(** * Statement: the impacts of a linear oscillator near grazing are decided by the signs of (52) and (64)
+(** * Statement: linear oscillators near grazing, their motions, and which (a1, a2) they have
 
-    q'' = - c q' - k q between impacts, above a stop that moves with period 2 pi, or between two stops of which
+    y'' = - c y' - k y between impacts, above a stop that moves with period 2 pi, or between two stops of which
     each is the mirror image of the other, half a period later. Lengths are measured from the motion without
-    stops; for mu = 0 that motion touches. Read [Defs] first; of [StatementOrbitsPlane] only [follows], (64). *)
+    stops; for mu = 0 that motion touches. Complete on this page, but for
+    [sign]. That the signs of (52) and (64) decide about the impacts is Theorem 1 of [Headline]. *)
 From Coq Require Import Reals ZArith.
-From Grazing Require Import Defs StatementOrbitsPlane.
+From Grazing Require Import Defs. (* for sign and sgn only *)
 Open Scope R_scope.
 
 (** The stop is - mu - G mu t, of velocity - G1 mu t; restitution tau. *)
@@ -28,56 +29,44 @@ Record touching (O : Oscillator.t) : Prop := {
 
 (** m = Plus: one stop. m = Minus: two; those with odd z are above. Stop z touches at the time [turn m] z. *)
 Definition turn (m : sign) : R := match m with Plus => 2 * PI | Minus => PI end.
-Definition side (m : sign) (z : Z) : R :=
+Definition facing (m : sign) (z : Z) : R :=
   match m with Plus => 1 | Minus => if Z.even z then 1 else -1 end.
-Definition gap (O : Oscillator.t) (m : sign) (mu : R) (z : Z) (q : R -> R) (t : R) : R :=
-  side m z * q t + mu + Oscillator.G O mu (t - turn m * IZR z).
+Definition gap (O : Oscillator.t) (m : sign) (mu : R) (z : Z) (y : R -> R) (t : R) : R :=
+  facing m z * y t + mu + Oscillator.G O mu (t - turn m * IZR z).
 Definition speed (O : Oscillator.t) (m : sign) (mu : R) (z : Z) (v : R -> R) (t : R) : R :=
-  side m z * v t + Oscillator.G1 O mu (t - turn m * IZR z).
+  facing m z * v t + Oscillator.G1 O mu (t - turn m * IZR z).
 
-Definition free (c k : R) (q v : R -> R) : Prop := forall t, derivable_pt_lim q t (v t) /\
-  derivable_pt_lim v t (- c * v t - k * q t).
+Definition free (c k : R) (y v : R -> R) : Prop := forall t, derivable_pt_lim y t (v t) /\
+  derivable_pt_lim v t (- c * v t - k * y t).
 
-(** Between impact i, at the time t i, and the next, the oscillator moves as q i, v i. Impact i is on stop N i,
+(** Between impact i, at the time t i, and the next, the oscillator moves as y i, v i. Impact i is on stop N i,
     within d of the time of touch; its speed V < 0 becomes - tau V. Strictly between impacts every gap is open. *)
-Definition motion (O : Oscillator.t) (m : sign) (mu d : R) (N : Z -> Z) (t : Z -> R) (q v : Z -> R -> R) : Prop :=
-  forall i j, j = (i + 1)%Z -> free (Oscillator.c O) (Oscillator.k O) (q i) (v i) /\
+Definition motion (O : Oscillator.t) (m : sign) (mu d : R) (N : Z -> Z) (t : Z -> R) (y v : Z -> R -> R) : Prop :=
+  forall i j, j = (i + 1)%Z -> free (Oscillator.c O) (Oscillator.k O) (y i) (v i) /\
   Rabs (t i - turn m * IZR (N i)) <= d /\ t i < t j /\
-  gap O m mu (N i) (q i) (t i) = 0 /\ gap O m mu (N j) (q i) (t j) = 0 /\
-  (forall z x, t i < x < t j -> 0 < gap O m mu z (q i) x) /\
+  gap O m mu (N i) (y i) (t i) = 0 /\ gap O m mu (N j) (y i) (t j) = 0 /\
+  (forall z x, t i < x < t j -> 0 < gap O m mu z (y i) x) /\
   speed O m mu (N j) (v i) (t j) < 0 /\
   speed O m mu (N j) (v j) (t j) = - Oscillator.tau O * speed O m mu (N j) (v i) (t j).
-Definition one_motion (O : Oscillator.t) (m : sign) (mu d : R) (N : Z -> Z) : Prop := exists t q v,
-  motion O m mu d N t q v /\ forall t' q' v', motion O m mu d N t' q' v' ->
-  forall i x, t' i = t i /\ q' i x = q i x /\ v' i x = v i x.
+Definition one_motion (O : Oscillator.t) (m : sign) (mu d : R) (N : Z -> Z) : Prop := exists t y v,
+  motion O m mu d N t y v /\ forall t' y' v', motion O m mu d N t' y' v' ->
+  forall i x, t' i = t i /\ y' i x = y i x /\ v' i x = v i x.
 
 (** The matrix A of one turn, reflected if there are two stops: its trace, its determinant and gamma = A_12. *)
 Definition matrix (c k : R) (m : sign) (a1 a2 gamma : R) : Prop := exists A11 A21 A22,
-  a1 = A11 + A22 /\ a2 = A11 * A22 - gamma * A21 /\ forall q v, free c k q v ->
-  side m 1 * q (turn m) = A11 * q 0 + gamma * v 0 /\ side m 1 * v (turn m) = A21 * q 0 + A22 * v 0.
+  a1 = A11 + A22 /\ a2 = A11 * A22 - gamma * A21 /\ forall y v, free c k y v ->
+  facing m 1 * y (turn m) = A11 * y 0 + gamma * v 0 /\ facing m 1 * v (turn m) = A21 * y 0 + A22 * v 0.
 Record grazing (O : Oscillator.t) (m : sign) (a1 a2 gamma : R) : Prop := {
   is_touching : touching O;
   is_restitution : 0 <= Oscillator.tau O;
   is_matrix : matrix (Oscillator.c O) (Oscillator.k O) m a1 a2 gamma;
   is_generic : gamma <> 0 }.
 
-(** One d and mu0 for all words over {n <= n_max : u_n <> 0}; they need not be periodic. *)
-Definition Word_oscillator_statement : Prop := forall O m a1 a2 gamma, grazing O m a1 a2 gamma ->
-  forall n_max, exists d mu0 K, d > 0 /\ mu0 > 0 /\ forall (N : Z -> Z) (n : Z -> nat) s g mu,
-  (forall i, N (i + 1)%Z = (N i + Z.of_nat (n i))%Z /\ (1 <= n i <= n_max)%nat /\ u a1 a2 (n i) <> 0) ->
-  sgn g * gamma > 0 -> 0 < sgn s * mu < mu0 ->
-  ((forall i, (forall j, (1 <= j <= n i - 1)%nat -> sgn s * b a1 a2 (n i) j > 0) /\
-              sgn s * sgn g * follows a1 a2 (n i) (n (i + 1)%Z) > 0) -> one_motion O m mu d N) /\
-  (forall i, (exists j, (1 <= j <= n i - 1)%nat /\ sgn s * b a1 a2 (n i) j < 0) \/
-             sgn s * sgn g * follows a1 a2 (n i) (n (i + 1)%Z) < 0 ->
-   forall t q v, ~ motion O m mu d N t q v) /\
-  forall t q v, motion O m mu d N t q v -> forall i, Rabs (t i - turn m * IZR (N i)) <= K * Rabs mu.
-
 (** Where the word is periodic, so is the one motion; between two stops it may be its own mirror image. *)
-Definition Periodic_oscillator_statement : Prop := forall O m mu d N t q v (r P : Z), touching O ->
-  one_motion O m mu d N -> motion O m mu d N t q v -> (forall i, N (i + r) = N i + P)%Z ->
-  forall i x, t (i + r)%Z = t i + turn m * IZR P /\
-  side m P * q (i + r)%Z (x + turn m * IZR P) = q i x /\ side m P * v (i + r)%Z (x + turn m * IZR P) = v i x.
+Definition Periodic_oscillator_statement : Prop := forall O m mu d N t y v (h P : Z), touching O ->
+  one_motion O m mu d N -> motion O m mu d N t y v -> (forall i, N (i + h) = N i + P)%Z ->
+  forall i x, t (i + h)%Z = t i + turn m * IZR P /\
+  facing m P * y (i + h)%Z (x + turn m * IZR P) = y i x /\ facing m P * v (i + h)%Z (x + turn m * IZR P) = v i x.
 
 (** Which (a1, a2) occur. One stop: region 3 with either sign of gamma, a1 >= 2 sqrt a2 with gamma > 0, and nothing
     else: regions 4 and 5 are no one-stop oscillator's. With two stops they are some oscillator's. *)

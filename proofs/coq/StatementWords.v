@@ -148,3 +148,23 @@ Definition Regions_statement : Prop := forall a1 a2 e g, 0 < a2 ->
   a2 < 1 /\ 2 * sqrt a2 <= a1 < a2 + 1 /\ e = Minus /\ g = Plus \/
   a1 < - (a2 + 1) /\ e = Plus /\ g = Minus -> forall l e' g', Exists (le 2) l ->
   (pattern a1 a2 e' g' l <-> e' = e /\ g' = g /\ Forall (le 1) l).
+
+(** ** Finitely many vertices, and where two cycles meet *)
+
+(** With damping V is finite for e mu > 0. *)
+Definition V_finite_statement : Prop := forall a1 a2 K, first_upper a1 a2 K -> a2 < 1 ->
+  exists L, forall n, member a1 a2 Plus n -> (n <= L)%nat.
+
+(** Where two cycles meet. e mu < 0, regions 3 and 4: for gamma > 0 where a1 > 0, for gamma < 0
+    nowhere. e mu > 0, region 3: for gamma < 0 on the (+,-) areas of the 1/n, for gamma > 0 and
+    s < 1/4 on the (+,+) areas of the 1/n (K + 1 follows K). *)
+Definition cycles (a1 a2 : R) (e g : sign) : Prop :=
+  two_cycles (fun i j => member a1 a2 e i /\ member a1 a2 e j /\ edge a1 a2 e g i j).
+Definition Cycle_statement : Prop :=
+  (forall a1 a2 K, first_upper a1 a2 K ->
+   (cycles a1 a2 Minus Plus <-> 0 < a1) /\ ~ cycles a1 a2 Minus Minus) /\
+  forall r s, 0 < r <= 1 -> 0 < s < 1 / 2 ->
+  (cycles (trace r s) (r ^ 2) Plus Minus <->
+   exists n, (3 <= n)%nat /\ 1 < INR n * s /\ INR (n - 1) * s < 1 /\ b_at r s n 1 > 0) /\
+  forall K, 2 * (INR K - 1) * s <= 1 < 2 * INR K * s -> s < 1 / 4 ->
+  (cycles (trace r s) (r ^ 2) Plus Plus <-> b_at r s (K + 1) K > 0).

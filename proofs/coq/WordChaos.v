@@ -1,7 +1,7 @@
 (** * Where two cycles meet: the second lower and the second upper period *)
 
 From Coq Require Import Reals List Arith Lra Lia.
-From Grazing Require Import Defs Statement StatementPlane StatementWords StatementWordOrbits Algebra
+From Grazing Require Import Defs Statement StatementPlane StatementWords Algebra
   Farey Disc Radius InsideTriangle WordAlgebra WordPath WordGraph WordPatterns WordRegion3 WordPlane.
 Import ListNotations. Open Scope R_scope.
 
@@ -135,7 +135,7 @@ Proof.
 Qed.
 End Region3.
 
-Theorem Chaos : Cycle_statement.
+Theorem Cycles : Cycle_statement.
 Proof.
   split; [intros a1 a2 K H; apply (cycles_Minus a1 a2 K H)|]; intros r s Hr Hs.
   split.

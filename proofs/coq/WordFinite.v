@@ -3,7 +3,7 @@
     The p_n of V are bounded by W1, while (u_{n+1} - 1) / u_n is not, as u_n tends to 0. *)
 
 From Coq Require Import Reals List Arith Lra Lia Classical.
-From Grazing Require Import Defs Statement StatementPlane StatementWords StatementWordOrbits Algebra
+From Grazing Require Import Defs Statement StatementPlane StatementWords Algebra
   Polar Coordinates RealEigenvalues AppendixA InsideTriangle WordAlgebra WordPath WordGraph
   WordPatterns WordPlane.
 Import ListNotations. Open Scope R_scope.
@@ -114,6 +114,3 @@ Proof.
   split; [assumption | split; [assumption | apply HL, Hk]].
 Qed.
 End Finite.
-
-Theorem Word_ends : Word_ends_statement.
-Proof. intros a1 a2 K H Hlt; apply word_ends; assumption. Qed.

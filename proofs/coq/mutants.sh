@@ -80,22 +80,22 @@ E
 mutant sections-weakened 'statements.txt and what was found differ' '' Statement.v <<'E'
 /S4_section_statement/,/^$/ s/0 < r < 1 ->/1 \/ 2 < r < 1 ->/
 E
-mutant orbit-not-strict 'Consequences|OrbitZ|Error' --pin Defs.v <<'E'
+mutant orbit-not-strict 'File "./Consequences' --pin Defs.v <<'E'
 s/sgn emu \* b a1 a2 n k > 0/sgn emu * b a1 a2 n k >= 0/
 E
-mutant period-2-for-small-a2 'Consequences.v' --pin StatementPlane.v <<'E'
+mutant period-2-for-small-a2 'File "./Consequences' --pin StatementPlane.v <<'E'
 s/^Definition Period2_statement : Prop := forall a1 a2 e g, 0 < a2 ->/Definition Period2_statement : Prop := forall a1 a2 e g, 0 < a2 <= 3 ->/
 E
-mutant double-zero-for-small-k 'Consequences.v' --pin StatementB.v <<'E'
+mutant double-zero-for-small-k 'File "./Consequences' --pin StatementB.v <<'E'
 /B_double_zero_statement/,/^$/ s/(1 <= k <= n - 1)%nat/(1 <= k <= 2)%nat/
 E
-mutant outside-dropped 'Consequences.v' --pin Statement.v <<'E'
+mutant outside-dropped 'File "./Consequences' --pin Statement.v <<'E'
 s/(outside n s -> u_at 1 s n <> 0 -> no_orbit_at 1 s n)\./True./
 E
-mutant area-without-its-graph 'Consequences.v' --pin StatementConjecture.v <<'E'
-s/^  above n k g lo hi Rad \/\\ tends_to_1 Rad lo hi lo/  tends_to_1 Rad lo hi lo/
+mutant area-without-its-graph 'File "./Consequences' --pin Headline.v <<'E'
+s/^  (Rad s < r -> exactly (trace r s) (r ^ 2) n Plus g) \/\\ /  /
 E
-mutant chaos-in-no-box 'Consequences.v' --pin StatementChaos.v <<'E'
+mutant chaos-in-no-box 'File "./Consequences' --pin StatementChaos.v <<'E'
 s/615 \/ 1000 \* mu <= v i (t i)/0 <= v i (t i)/
 E
 mutant theorem-dropped 'assumptions.txt and what was found differ' '' Main.v <<'E'
@@ -108,7 +108,7 @@ E
 # Where Coq and this script look for files.
 mutant statement-in-a-folder 'is a folder' '' evil/StatementChaos.v <<'E'
 new
-Definition Chaos_oscillator_statement : Prop := True.
+Definition Chaos_distinct_statement : Prop := True.
 E
 mutant folder-listed 'not the name of a file' '' _CoqProject <<'E'
 append
@@ -146,17 +146,20 @@ Admit  Obligations.
 E
 
 # Statements that are not what they seem.
-mutant blank-before-a-definition 'statements.txt and what was found differ' '' StatementChaos.v <<'E'
-s/^Definition Chaos_distinct_statement : Prop := /  Definition Chaos_distinct_statement : Prop := True \\\/ /
+mutant blank-before-a-definition 'Hidden_statement of StatementChaos.v' '' StatementChaos.v <<'E'
+append
+  Definition Hidden_statement : Prop := True.
 E
-mutant definition-on-two-lines 'statements.txt and what was found differ' '' StatementChaos.v <<'E'
-s/^Definition Chaos_distinct_statement : Prop := /Definition\nChaos_distinct_statement : Prop := True \\\/ /
+mutant definition-on-two-lines 'Hidden_statement of StatementChaos.v' '' StatementChaos.v <<'E'
+append
+Definition
+Hidden_statement : Prop := True.
 E
-mutant stated-in-a-proof-file 'belongs into a file Statement' '' ChaosContinuous.v <<'E'
+mutant stated-in-a-proof-file 'belongs into Headline.v or a file Statement' '' ChaosContinuous.v <<'E'
 append
 Definition Chaos_continuous_statement : Prop := True.
 E
-mutant stated-by-a-notation 'belongs into a file Statement' '' ChaosContinuous.v <<'E'
+mutant stated-by-a-notation 'belongs into Headline.v or a file Statement' '' ChaosContinuous.v <<'E'
 append
 Notation Chaos_continuous_statement := True.
 E
@@ -171,21 +174,67 @@ append
 Lemma small : True. Proof. exact I. Qed.
 E
 
+# Lengths and times of return.
+mutant lengths-of-short-periods 'File "./ConsequencesNumbers' --pin StatementMeasure.v <<'E'
+s/(3 <= n)%nat -> NoDup L/(3 <= n <= 7)%nat -> NoDup L/
+E
+mutant returns-slowly-repelled 'File "./ConsequencesNumbers' --pin StatementReturns.v <<'E'
+s/^  (1 < r -> exists w/  (1 < r < 2 -> exists w/
+E
+
+mutant entropy-for-small-mu 'File "./ConsequencesNumbers' --pin StatementEntropy.v <<'E'
+/^Definition Entropy_statement/ s/mu > 0 ->/mu > 0 -> mu < 1 ->/
+E
+mutant growth-of-long-periods 'File "./ConsequencesNumbers' --pin StatementEntropy.v <<'E'
+s/(1 <= P)%nat ->/(4 <= P)%nat ->/
+E
+mutant period-map-for-small-mu 'File "./ConsequencesNumbers' --pin StatementEntropy.v <<'E'
+/^Definition Period_map_statement/ s/mu > 0 ->/mu > 0 -> mu < 1 ->/
+E
+
+mutant uniform-in-one-flight 'File "./ConsequencesNumbers' --pin StatementUniform.v <<'E'
+s/contracting M letters L ->/contracting M letters L -> (L <= 1)%nat ->/
+E
+
 # Statements weakened, the texts taken as they are.
-mutant only-with-a-bounce 'ConsequencesOscillators.v' --pin StatementOscillator.v <<'E'
+mutant only-with-a-bounce 'File "./ConsequencesSystems' --pin StatementOscillator.v <<'E'
 s/is_restitution : 0 <= Oscillator.tau O/is_restitution : 0 < Oscillator.tau O/
 E
-mutant not-the-only-motion 'ConsequencesOscillators.v' --pin StatementOscillator.v <<'E'
+mutant not-the-only-motion 'File "./ConsequencesSystems' --pin StatementOscillator.v <<'E'
 s/^  forall i x, t' i = t i .*/  forall i x : R, True./
 E
-mutant one-stop-only 'ConsequencesOscillators.v' --pin StatementOscillator.v <<'E'
+mutant one-stop-only 'File "./ConsequencesSystems' --pin StatementOscillator.v <<'E'
 s/(forall a1 a2, 0 < a2 -> a1 <= - 2 \* sqrt a2 ->/(forall a1 a2, 0 < a2 -> a1 <= - 2 -> a1 <= - 2 * sqrt a2 ->/
 E
-mutant words-without-2 'ConsequencesOscillators.v' --pin StatementOscillator.v <<'E'
-/^Definition Word_oscillator_statement/,/^$/ s/(1 <= n i <= n_max)%nat/(n i <= 1)%nat \/\\ &/
+mutant words-without-2 'File "./ConsequencesSystems' --pin Headline.v <<'E'
+/^Definition Theorem_1_statement/,/^$/ s/(1 <= n i <= n_max)%nat/(n i <= 1)%nat \/\\ &/
 E
-mutant wall-of-another-shape 'ConsequencesOscillators.v' --pin StatementOscillatorOrbits.v <<'E'
-s/q i (t i) = (1 + mu) \* cos (t i) - 1/q i (t i) = (1 + mu) * cos (t j) - 1/
+mutant wall-of-another-shape 'File "./ConsequencesSystems' --pin StatementNordmark.v <<'E'
+s/y i (t i) = (1 + mu) \* cos (t i) - 1/y i (t i) = (1 + mu) * cos (t j) - 1/
+E
+mutant statement-without-numbers 'Det_D_statement of StatementImpacts.v occurs in no Consequences' --pin ConsequencesAreas.v <<'E'
+/^Lemma Det_D_numbers/,/^Proof/d
+E
+mutant neighbours-not-unique 'File "./ConsequencesAreas' --pin Statement.v <<'E'
+/^Definition Neighbours_statement/,/^$/ s/m_plus F' = m_plus F/m_plus F' = m_plus F'/
+E
+mutant section-of-two-pieces 'File "./ConsequencesAreas' --pin Statement.v <<'E'
+/^Definition S4_section_statement/,/^$/ s/(orbit_at r s n e g <-> lo' < s < hi')/(lo' < s < hi' -> orbit_at r s n e g)/
+E
+mutant no-periods-left-of-the-area 'File "./ConsequencesAreas' --pin StatementPlane.v <<'E'
+/^Definition Joined_statement/,/^$/ s/forall a1, a1 < trace/forall a1, a1s < a1 < trace/
+E
+mutant edges-one-way 'File "./ConsequencesWords' --pin StatementWords.v <<'E'
+/^Definition W5_neighbours_statement/,/^$/ s/(p j < q i <-> member/(p j < q i -> member/
+E
+mutant words-that-do-not-end 'File "./ConsequencesWords' --pin Headline.v <<'E'
+s/  (a2 < 1 -> exists w i j, path/  (a2 < 0 -> exists w i j, path/
+E
+mutant none-for-no-word 'File "./ConsequencesSystems' --pin Headline.v <<'E'
+/^Definition Theorem_1_statement/,/^$/ s/((exists i, breaks a1 a2 e g/((forall i, breaks a1 a2 e g/
+E
+mutant any-number-of-orbits 'File "./ConsequencesMaps' --pin StatementOrbits.v <<'E'
+s/    forall x', orbit_near M J next n mu d x' -> forall j i, (i < N M)%nat -> x' j i = x j i) \/\\/    True) \/\\/
 E
 mutant theorem-of-reach-dropped 'Reach_statement of StatementOscillator.v has no theorem' --pin MainOscillators.v <<'E'
 /^Theorem Reach :/d

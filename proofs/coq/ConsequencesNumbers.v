@@ -1,0 +1,133 @@
+(** * Numbers worked out by hand that follow from the statements about lengths and times of return
+
+    As in [Consequences]: each lemma takes the statement as its hypothesis. *)
+
+From Coq Require Import Reals ZArith List Arith Lra Lia.
+From Grazing Require Import Defs Statement StatementPlane StatementWords StatementMeasure StatementReturns.
+Import ListNotations. Open Scope R_scope.
+
+(** ** Lengths: 1/10 + 1/10 + 1/20 + 1/15 + 1/10 for n = 5, and n = 8 *)
+
+Lemma length_5 : Measure_statement -> Theorem2_count_statement -> exists L, length L = 5%nat /\
+  (forall e g lo hi, In (e, g, lo, hi) L <-> interval 5 e g lo hi) /\
+  sum_over length_of L = 1 / 10 + 1 / 10 + 1 / 20 + 1 / 15 + 1 / 10.
+Proof.
+  intros M C; destruct (C 5%nat ltac:(lia)) as (L & E & HN & H & _); exists L; split; [exact E | split; [exact H|]].
+  rewrite (M 5%nat L ltac:(lia) HN H); unfold coprime_to, sum_over; simpl; lra.
+Qed.
+
+Lemma length_8 : Measure_statement -> forall L, NoDup L ->
+  (forall e g lo hi, In (e, g, lo, hi) L <-> interval 8 e g lo hi) -> sum_over length_of L = 22 / 105.
+Proof.
+  intros M L HN H; rewrite (M 8%nat L ltac:(lia) HN H); unfold coprime_to, sum_over; simpl; lra.
+Qed.
+
+(** ** Times of return at s = 1/6: 1 and 4 for r <= 1, and 5 too for r = 2, where b_{5,1} = -15/16 *)
+
+Lemma no_step w m1 n1 m2 n2 : stern (1 / 6) 4 w m1 n1 m2 n2 -> ~ In 5%nat (map fst (vertices 4 w)) ->
+  w = [] /\ n1 = 1%nat /\ n2 = 4%nat.
+Proof.
+  intros H; induction H as [|w m1 n1 m2 n2 H IH Hlt|w m1 n1 m2 n2 H IH Hlt]; [tauto | |]; intros H5; exfalso.
+  all: assert (E : exists l, periods 1 4 (w ++ [D]) = periods 1 4 w ++ l /\ exists l', periods 1 4 (w ++ [U]) = periods 1 4 w ++ l').
+  all: try (clear; generalize 1%nat, 4%nat; induction w as [|[] w IH]; intros i j; cbn [app periods];
+    [eexists; split; [reflexivity | eexists; reflexivity] |
+     destruct (IH (i + j)%nat j) as (l & -> & l' & ->) | destruct (IH i (i + j)%nat) as (l & -> & l' & ->)];
+    eexists; split; [reflexivity | eexists; reflexivity | reflexivity | eexists; reflexivity]).
+  all: destruct E as (l & E & l' & E'); assert (H5' : ~ In 5%nat (map fst (vertices 4 w))).
+  all: try (intros Hin; apply H5; unfold vertices in *; cbn [map] in *; rewrite ?E, ?E', map_app; cbn [In] in *;
+    rewrite in_app_iff; tauto).
+  all: destruct (IH H5') as (-> & -> & ->); cbn [app periods vertices map fst In] in H5; cbn in H5; tauto.
+Qed.
+
+Lemma trace_6 r : trace r (1 / 6) = r.
+Proof. unfold trace; replace (2 * PI * (1 / 6)) with (PI / 3) by field; rewrite cos_PI3; field. Qed.
+
+Lemma returns_6 : Returns_statement -> forall n, return_time 2 4 n <-> n = 1%nat \/ n = 4%nat \/ n = 5%nat.
+Proof.
+  intros H n; destruct (H 2 (1 / 6) 4%nat) as (_ & _ & Hr & _ & _ & _ & HB); [lra | lra | simpl; lra|].
+  destruct (HB ltac:(lra)) as (w & m1 & n1 & m2 & n2 & HS & HV & HN & HT).
+  assert (H5 : ~ V 2 (1 / 6) 5).
+  { unfold V; rewrite trace_6; intros [Hu Hb]; specialize (Hb 1%nat ltac:(lia)); unfold b, u in Hb; simpl in Hb; lra. }
+  destruct (no_step w m1 n1 m2 n2 HS) as (-> & -> & ->); [rewrite <- HV; assumption|].
+  specialize (HT n); unfold T at 1 in HT; rewrite trace_6 in HT; replace (2 ^ 2) with 4 in HT by ring; rewrite HT.
+  destruct (H (/ 2) (1 / 6) 4%nat) as (_ & _ & _ & _ & HW & _); [lra | lra | simpl; lra|].
+  rewrite (HW ltac:(lra)), <- Hr, HV; cbn [vertices periods map fst In Nat.add]; split.
+  - intros [[<-|[<-|[]]]|[->|[(_ & E & _)|(_ & E & _)]]]; try tauto;
+      unfold p, u in E; simpl in E; lra.
+  - intros [->|[->| ->]]; tauto.
+Qed.
+
+(** Past 1 and 3 at r = 1 and s = 13/36 < 2/5: 3 is lower, then 5 is upper, and in V. *)
+Lemma V_whole : Returns_statement -> V 1 (13 / 36) 2 /\ V 1 (13 / 36) 5 /\ T (1 / 2) (13 / 36) 2.
+Proof.
+  intros H; destruct (H 1 (13 / 36) 2%nat) as ((_ & H2 & _) & _ & _ & _ & _ & HW & _); [lra | lra | simpl; lra|].
+  destruct (H (1 / 2) (13 / 36) 2%nat) as (_ & (_ & HT & _) & _); [lra | lra | simpl; lra|].
+  split; [exact H2 | split; [|exact HT]]; apply (HW eq_refl ([] ++ [D]) 1%nat 3%nat 1%nat 2%nat); [|simpl; lra].
+  apply (stern_D (13 / 36) 2 [] 0 1 1 2); [constructor | simpl; lra].
+Qed.
+
+(** ** Entropy: between log 8/5 and log 33/20, for small mu and large *)
+
+From Grazing Require Import StatementChaos StatementEntropy.
+
+Lemma golden_between : 8 / 5 < golden < 33 / 20 /\ golden * golden = golden + 1.
+Proof.
+  assert (E : sqrt 5 * sqrt 5 = 5) by (apply sqrt_sqrt; lra); pose proof (sqrt_pos 5).
+  assert (11 / 5 < sqrt 5 < 23 / 10) by (split; apply Rnot_le_lt; intros ?; nra); unfold golden; lra.
+Qed.
+
+Lemma exp_pow x n : 0 < x -> exp (INR n * ln x) = x ^ n.
+Proof. intros Hx; rewrite <- ln_pow, exp_ln by ((apply pow_lt; lra) || lra); reflexivity. Qed.
+
+Lemma entropy_between : Entropy_statement -> forall mu, mu = 1 / 1000 \/ mu = 20 ->
+  (exists eps n0, eps > 0 /\ forall n, (n0 <= n)%nat -> exists L, separated (orbit_of mu) n eps L /\ (8 / 5) ^ n <= INR (length L)) /\
+  exists n0, forall n L, (n0 <= n)%nat -> separated (orbit_of mu) n (1 / 10) L -> INR (length L) <= (33 / 20) ^ n.
+Proof.
+  intros H mu Hmu; destruct (H mu ltac:(lra)) as [A B]; pose proof golden_between as [[G1 G2] _]; split.
+  - destruct (B (ln golden - ln (8 / 5))) as (eps & n0 & He & HL); [pose proof (ln_increasing (8 / 5) golden); lra|].
+    exists eps, n0; split; [assumption|]; intros n Hn; destruct (HL n Hn) as (L & HS & HE); exists L; split; [assumption|].
+    rewrite <- exp_pow by lra; replace (ln golden - (ln golden - ln (8 / 5))) with (ln (8 / 5)) in HE by ring; exact HE.
+  - destruct (A (1 / 10) (ln (33 / 20) - ln golden)) as (n0 & HL); [lra | pose proof (ln_increasing golden (33 / 20)); lra|].
+    exists n0; intros n L Hn HS; specialize (HL n L Hn HS); rewrite <- exp_pow by lra.
+    replace (ln golden + (ln (33 / 20) - ln golden)) with (ln (33 / 20)) in HL by ring; exact HL.
+Qed.
+
+(** Of period 3 there are 1 1 1 and the three turns of 1 2: at least 3, at most 6, by the statement. *)
+Lemma growth_3 : Growth_statement -> forall mu, mu = 1 / 1000 \/ mu = 20 ->
+  (exists L, (3 <= length L)%nat /\ ForallOrdPairs (apart 3 1) L /\ Forall (fun z => orbit_of mu z /\ z 7%nat = z 4%nat) L) /\
+  forall L, Forall (fun z => orbit_of mu z /\ forall k, z (k + 3)%nat = z k) L ->
+  ForallOrdPairs (fun z z' => z 2%nat <> z' 2%nat) L -> (length L <= 6)%nat.
+Proof.
+  intros H mu Hmu; pose proof golden_between as [[G1 G2] G3]; destruct (H mu 3%nat ltac:(lra) ltac:(lia)) as [(L & [HS HD] & HL) HU]; split.
+  - exists L; split; [|split; [assumption|]].
+    + apply INR_lt in HL || (apply Nat.lt_nge; intros Hn; assert (Hn' : (length L <= 2)%nat) by lia; apply le_INR in Hn'; simpl in HL, Hn'; nra).
+    + revert HS; apply Forall_impl; intros z [HO HP]; split; [assumption | apply (HP 4%nat)].
+  - intros L' HS' HD'; apply Nat.lt_succ_r, INR_lt; specialize (HU L' HS').
+    apply Rle_lt_trans with (golden ^ (3 + 1)); [apply HU | replace (INR 7) with 7 by (simpl; lra); cbn [pow Nat.add];
+      replace (golden * (golden * (golden * (golden * 1)))) with (golden * golden * (golden * golden)) by ring; rewrite G3; nra].
+    clear - HD'; induction HD' as [|z l Hz _ IH]; constructor; [|assumption].
+    revert Hz; apply Forall_impl; intros z' Hz; exists 2%nat; assumption.
+Qed.
+
+Lemma next_state : Period_map_statement -> forall mu z z', mu = 1 / 1000 \/ mu = 20 -> orbit_of mu z -> orbit_of mu z' ->
+  z 0%nat = z' 0%nat -> fst (z 5%nat) = fst (z' 5%nat).
+Proof. intros H mu z z' Hmu HO HO' E; f_equal; apply (H mu z z'); trivial; lra. Qed.
+
+(** ** Three dimensions, A e_2 = e_1, A e_3 = e_2, B = e_2: two flights of one step leave nothing *)
+
+From Grazing Require Import StatementOrbits StatementUniform.
+
+Definition shift_map : Map.t := {| Map.N := 3; Map.f := fun x _ => x; Map.h := fun _ _ => 0; Map.kick := fun _ _ _ => zero;
+  Map.A := fun i k => match i, k with 0%nat, 1%nat | 1%nat, 2%nat => 1 | _, _ => 0 end; Map.phi := zero;
+  Map.C := fun i => match i with 0%nat => 1 | _ => 0 end; Map.eta := 0;
+  Map.B := fun i => match i with 1%nat => 1 | _ => 0 end |}.
+
+Lemma shift_invertible : Uniform_statement -> exists K, invertible shift_map Z (fun j => (j + 1)%Z) (fun _ => 1%nat) K.
+Proof.
+  intros H; destruct (H shift_map (fun n => n = 1%nat) 1%nat 2%nat) as [K HK].
+  - intros n ->; split; [lia|]; unfold crossing, power; cbn; lra.
+  - intros w t x Hw Hx i Hi; assert (Ht : 0 <= t) by (apply Rle_trans with (Rabs (x 0%nat)); [apply Rabs_pos | apply Hx; cbn; lia]).
+    cbn [through]; rewrite !Hw; unfold onward, crossing, power; cbn in *.
+    assert (i = 0 \/ i = 1 \/ i = 2)%nat as [-> | [-> | ->]] by lia; cbn; rewrite Rabs_right; lra.
+  - exists K; apply (HK Z _ (fun j => (j - 1)%Z)); [intros j; lia | reflexivity].
+Qed.

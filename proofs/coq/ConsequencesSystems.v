@@ -1,0 +1,278 @@
+(** * Numbers worked out by hand that follow from the statements about motions and orbits: an undamped oscillator with a
+      restitution of 0, words, two stops, and which (a1, a2) have one *)
+From Coq Require Import Reals ZArith List Lra Lia.
+From Grazing Require Import Defs Statement StatementPlane StatementWords StatementExamples StatementOrbits
+  StatementOrbitsPlane StatementOrbitsInstance StatementOrbitsPeriodic StatementOscillator StatementNordmark
+  Headline StatementSystems Farey StatementZ OrbitZ.
+Import ListNotations.
+Open Scope R_scope.
+
+Ltac numbers := unfold c, v, b, p, q, u; simpl; lra.
+
+(** ** d = 0, w = 4: a1 = 0, a2 = 1; u = 0, 1, 0, -1, b_{3,1} = b_{3,2} = c_3 = 2: period 3 in (+,+) *)
+Lemma orbit_0_1_3 : orbit 0 1 3 Plus Plus.
+Proof.
+  split; [|split]; [numbers | | numbers].
+  intros k Hk; assert (k = 1 \/ k = 2)%nat as [->| ->] by lia; numbers.
+Qed.
+
+(** A restitution of 0 is allowed. *)
+Lemma without_bounce O m a1 a2 gamma : touching O -> Oscillator.tau O = 0 ->
+  matrix (Oscillator.c O) (Oscillator.k O) m a1 a2 gamma -> gamma <> 0 -> grazing O m a1 a2 gamma.
+Proof. intros HT E HM Hg; constructor; trivial; lra. Qed.
+
+(** The oscillator of the paper with d = 0, w = 4 and tau = 0 has a1 = 0, a2 = 1 and gamma > 0. *)
+Lemma undamped : Nordmark_statement -> exists gamma, grazing (Nordmark 0 4 0) Plus 0 1 gamma /\ gamma > 0.
+Proof.
+  intros HN; pose proof PI_RGT_0; destruct (HN 0 4 0 ltac:(lra) ltac:(lra)) as [G _].
+  destruct (G (1 / 4)) as (gamma & HG & Hg); [lra | lra | | |].
+  { replace (1 - 0 ^ 2) with 1 by ring; rewrite sqrt_1; field. }
+  { replace (2 * PI * (1 / 4)) with (PI / 2) by field; rewrite sin_PI2; lra. }
+  replace (2 * PI * (1 / 4)) with (PI / 2) in HG, Hg by field; rewrite sin_PI2 in Hg; rewrite cos_PI2 in HG.
+  replace (-4 * PI * 0 / 4) with 0 in HG by field; rewrite exp_0, Rmult_0_r in HG.
+  exists gamma; split; [exact HG | lra].
+Qed.
+
+(** The equations as in the paper: for small mu < 0 a ball that does not bounce, tau = 0, touches every third period. *)
+Lemma period_3_without_bounce : Nordmark_statement -> Single_statement -> Periodic_oscillator_statement ->
+  exists mu0, 0 < mu0 /\ forall mu, - mu0 < mu < 0 -> exists t y v, t 1%Z = t 0%Z + 2 * PI * 3 /\
+  y 0%Z (t 0%Z) = (1 + mu) * cos (t 0%Z) - 1 /\ v 1%Z (t 1%Z) = - ((1 + mu) * sin (t 1%Z)) /\
+  (forall x, t 0%Z < x < t 1%Z -> y 0%Z x > (1 + mu) * cos x - 1) /\
+  forall x, derivable_pt_lim (v 0%Z) x (- (1 / 16) * y 0%Z x).
+Proof.
+  intros HN HS HP; destruct (undamped HN) as (gamma & HG & Hg); destruct (HN 0 4 0 ltac:(lra) ltac:(lra)) as [_ E].
+  destruct (HS (Oscillates (Nordmark 0 4 0) Plus) 0 1 gamma 3%nat Plus Plus HG) as [B _];
+    [lia | numbers | cbn; lra|].
+  destruct (B orbit_0_1_3) as (d & Hd & P); destruct (P d ltac:(lra)) as (mu0 & Hm & Q); exists mu0; split; [lra|].
+  intros mu Hmu; set (N i := (i * 3)%Z); assert (HN3 : forall i, (N (i + 1) = N i + Z.of_nat 3)%Z) by (intros; unfold N; lia).
+  pose proof (Q (- mu) ltac:(cbn; lra) N HN3) as One; destruct (One) as (t & y & v & HM & _).
+  destruct (HP _ _ _ _ N t y v 1%Z 3%Z (is_touching _ _ _ _ _ HG) One HM HN3 0%Z 0) as (T & _).
+  exists t, y, v; pose proof (proj1 (E mu d N t y v) HM) as HL; destruct (HL 0%Z 1%Z eq_refl) as (F & _ & _ & H1 & _ & H2 & _ & H3).
+  change (0 + 1)%Z with 1%Z in T; cbn [turn] in T.
+  split; [exact T|]; split; [exact H1|]; split; [lra|]; split; [exact H2|].
+  intros x; destruct (F x) as [_ D]; replace (- (1 / 16) * y 0%Z x) with
+    (- (2 * 0 / 4) * v 0%Z x - 1 / 4 ^ 2 * y 0%Z x) by field; exact D.
+Qed.
+
+(** ** (a1, a2) = (1, 1/4), region 2: u = 0, 1, 1, 3/4. Every word over {1, 2} in (-,+): b_{2,1} = -1/4, all of (64)
+    are negative: p = 0, -1/4, q = 1/4, 5/16. *)
+Lemma words_in_two_letters : Theorem_1_statement -> forall S gamma, grazes S 1 (1 / 4) gamma -> gamma > 0 ->
+  exists d mu0, d > 0 /\ mu0 > 0 /\ forall (n : Z -> nat) mu, - mu0 < e_mu S mu < 0 ->
+  (forall i, n i = 1 \/ n i = 2)%nat -> one S mu d n.
+Proof.
+  intros H S gamma HG Hg; destruct (H S 1 (1 / 4) gamma HG 2%nat) as (d & Hd & W).
+  destruct (W d ltac:(lra)) as (mu0 & Hm & W'); exists d, mu0; split; [exact Hd|]; split; [exact Hm|].
+  intros n mu Hmu Hn; destruct (W' n Minus Plus mu) as [E _]; [| cbn; lra | cbn; lra|apply E].
+  { intros i; destruct (Hn i) as [-> | ->]; split; try lia; numbers. }
+  intros i; split.
+  - destruct (Hn i) as [-> | ->]; split; try numbers; intros k Hk; [lia|]; replace k with 1%nat by lia.
+    unfold b, u; simpl; lra.
+  - destruct (Hn i) as [-> | ->], (Hn (i + 1)%Z) as [-> | ->]; unfold edge; cbn [sgn]; numbers.
+Qed.
+
+(** Of an oscillator that is one motion and no second. *)
+Lemma one_motion_of_a_word : Theorem_1_statement -> forall O m gamma, grazing O m 1 (1 / 4) gamma -> gamma > 0 ->
+  exists d mu0, d > 0 /\ mu0 > 0 /\ forall N mu, - mu0 < mu < 0 ->
+  (forall i, N (i + 1)%Z = (N i + 1)%Z \/ N (i + 1)%Z = (N i + 2)%Z) ->
+  exists t y v, motion O m mu d N t y v /\ forall t' y' v', motion O m mu d N t' y' v' ->
+  forall i x, t' i = t i /\ y' i x = y i x.
+Proof.
+  intros H O m gamma HG Hg; destruct (words_in_two_letters H (Oscillates O m) gamma HG Hg) as (d & mu0 & Hd & Hm & W).
+  exists d, mu0; split; [exact Hd|]; split; [exact Hm|]; intros N mu Hmu HN.
+  destruct (W (fun i => Z.to_nat (N (i + 1) - N i)%Z) mu Hmu ltac:(intros i; destruct (HN i); lia) N
+    ltac:(intros i; destruct (HN i); lia)) as (t & y & v & HM & U).
+  exists t, y, v; split; [exact HM|]; intros t' y' v' HM' i x; destruct (U t' y' v' HM' i x) as (A & B & _); auto.
+Qed.
+
+(** And for mu of the other sign none: b_{2,1} < 0 there. *)
+Lemma no_words : Theorem_1_statement -> forall S gamma, grazes S 1 (1 / 4) gamma -> gamma > 0 ->
+  exists d mu0, d > 0 /\ mu0 > 0 /\ forall mu, 0 < e_mu S mu < mu0 -> none S mu d (fun _ => 2%nat).
+Proof.
+  intros H S gamma HG Hg; destruct (H S 1 (1 / 4) gamma HG 2%nat) as (d & Hd & W).
+  destruct (W d ltac:(lra)) as (mu0 & Hm & W'); exists d, mu0; split; [exact Hd|]; split; [exact Hm|].
+  intros mu Hmu; apply (W' (fun _ => 2%nat) Plus Plus mu); [intros _; split; [lia | numbers] | cbn; lra | cbn; lra|].
+  exists 0%Z; left; exists 1%nat; split; [lia | cbn [sgn]; numbers].
+Qed.
+
+(** ** Theorem 2 at s = 1/6, n = 4: between 1/8 and 1/4; none between 1/3 and 1/2 *)
+Lemma intervals_4 e g lo hi : interval 4 e g lo hi -> hi <= 1 / 3.
+Proof.
+  assert (A : neighbours 1 4 0 1 1 3) by (unfold neighbours; lia).
+  intros [|k g' lo' hi' [m F Hm|m F Hm]]; [simpl; lra| |]; assert (E : m = 1%nat) by lia; subst m; [simpl; lra|].
+  destruct F as [mp np mm nm HF]; cbn [m_minus n_minus]; apply (neighbours_unique _ _ _ _ _ _ A) in HF.
+  inversion HF; subst; simpl; lra.
+Qed.
+
+Lemma side_4 : side 4 3 Plus (1 / 8) (1 / 4).
+Proof.
+  pose proof (left_side 4 1 (Build_Farey 1 4 0 1 1 3 ltac:(unfold neighbours; lia)) ltac:(lia)) as H.
+  cbn in H; replace (1 / (2 * (1 + 1 + 1 + 1))) with (1 / 8) in H by field; replace (1 + 1 + 1 + 1) with 4 in H by ring.
+  exact H.
+Qed.
+
+Lemma Theorem_2_period_4 : Theorem_2_statement -> exactly (2 * cos (2 * PI * (1 / 6))) 1 4 Plus Plus /\
+  forall s, 1 / 3 < s < 1 / 2 -> u (2 * cos (2 * PI * s)) 1 4 <> 0 -> never (2 * cos (2 * PI * s)) 1 4.
+Proof.
+  intros T; split.
+  - apply (T 4%nat (1 / 6) ltac:(lia) ltac:(lra)) with (lo := 1 / 8) (hi := 1 / 4); [|lra].
+    apply (beside 4 3), side_4.
+  - intros s Hs Hu; apply (T 4%nat s ltac:(lia) ltac:(lra)); [|exact Hu].
+    intros e g lo hi HI; right; pose proof (intervals_4 e g lo hi HI); lra.
+Qed.
+
+(** ** Conjecture 1: n = 5 and n = 8 *)
+Lemma Conjecture_5 : Conjecture_1_statement -> exists R0, 0 <= R0 < 1 /\ forall r, 0 < r <= 1 ->
+  (R0 < r -> exactly (trace r (7 / 20)) (r ^ 2) 5 Plus Plus) /\ (R0 = r <-> b_at r (7 / 20) 5 2 = 0) /\
+  (r < R0 -> never (trace r (7 / 20)) (r ^ 2) 5).
+Proof.
+  intros C; destruct (C 5%nat ltac:(lia)) as (_ & _ & _ & H & _).
+  destruct (H 2%nat (Build_Farey 2 5 1 3 1 2 ltac:(unfold neighbours; lia)) ltac:(lia) ltac:(cbn; lia)) as (Rad & HA & _).
+  cbn [m_plus n_plus Nat.sub] in HA; destruct (HA (7 / 20)) as (Hx & _ & HI); [simpl; lra|].
+  exists (Rad (7 / 20)); split; [assumption|]; intros r Hr; destruct (HI r Hr) as (_ & H1 & H2 & H3 & _); auto.
+Qed.
+
+Lemma Conjecture_8 : Conjecture_1_statement -> extends 8 3 Minus (3 / 8) (2 / 5) /\
+  exactly (trace (1 / 10) (1 / 20)) ((1 / 10) ^ 2) 8 Minus Plus.
+Proof.
+  intros C; destruct (C 8%nat ltac:(lia)) as (H1 & _ & _ & _ & H & _); split.
+  - specialize (H 3%nat (Build_Farey 3 8 1 3 2 5 ltac:(unfold neighbours; lia)) ltac:(lia) ltac:(cbn; lia)).
+    cbn [m_minus n_minus Nat.sub] in H; replace (INR 3) with 3 in H by (simpl; lra).
+    replace (INR 8) with 8 in H by (simpl; lra); replace (INR 2) with 2 in H by (simpl; lra).
+    replace (INR 5) with 5 in H by (simpl; lra); exact H.
+  - apply H1; simpl; lra.
+Qed.
+
+Lemma sqrt_quarter : sqrt (1 / 4) = 1 / 2.
+Proof. replace (1 / 4) with (1 / 2 * (1 / 2)) by field; apply sqrt_square; lra. Qed.
+
+(** Region 4: b_{3,1} = (a1 + 1)(a1 - a2 - 1)/(a1^2 - a2) is 0 at a1 = -1, so the area of period 3 ends there;
+    no period 4. *)
+Lemma Conjecture_region_4 : Conjecture_1_statement -> exactly (-11 / 10) (1 / 4) 3 Plus Minus /\
+  never (-9 / 10) (1 / 4) 3 /\ never (-6 / 5) (1 / 4) 4.
+Proof.
+  intros C; destruct (C 3%nat ltac:(lia)) as (_ & _ & A & _); destruct (C 4%nat ltac:(lia)) as (_ & _ & _ & _ & _ & _ & _ & B).
+  destruct A as [_ A]; [exists 1%nat; reflexivity|]; destruct (A (1 / 4) ltac:(lra)) as (a1s & Hs & H).
+  assert (Et : trace (sqrt (1 / 4)) ((INR 3 - 1) / (2 * INR 3)) = - 1 / 2).
+  { unfold trace; rewrite sqrt_quarter; replace (2 * PI * ((INR 3 - 1) / (2 * INR 3))) with (PI - PI / 3) by (simpl; field).
+    rewrite Rtrigo_facts.cos_pi_minus, cos_PI3; field. }
+  rewrite Et in *; destruct (H (-1) ltac:(lra)) as (_ & _ & _ & Z & _); assert (E : a1s = -1) by (apply Z; numbers); subst.
+  split; [apply H; lra|]; split; [apply H; lra|]; apply B; rewrite ?sqrt_quarter; try lra; exists 2%nat; reflexivity.
+Qed.
+
+(** There an oscillator has two stops. *)
+Lemma region_4 : Reach_statement -> (forall O m gamma, grazing O m (-6 / 5) (1 / 4) gamma -> m = Minus) /\
+  exists c k g, matrix c k Minus (-6 / 5) (1 / 4) g.
+Proof.
+  intros (_ & _ & _ & R4 & R5); split.
+  - intros O m gamma HG; destruct m; [|reflexivity].
+    destruct (R4 _ _ _ _ _ (is_matrix _ _ _ _ _ HG) (is_generic _ _ _ _ _ HG)) as (_ & X & _); rewrite sqrt_quarter in X; lra.
+  - destruct (R5 (-6 / 5) (1 / 4)) as (c & k & g & X & _); [lra | rewrite sqrt_quarter; lra | exists c, k, g; exact X].
+Qed.
+
+(** Both signs of gamma at s = 1/6 on the circle; gamma > 0 at (3, 1/2). *)
+Lemma reached : Reach_statement -> (exists c k gamma, matrix c k Plus (2 * 1 * cos (2 * PI * (1 / 6))) (1 ^ 2) gamma /\ gamma < 0) /\
+  (exists c k gamma, matrix c k Plus 3 (1 / 2) gamma) /\
+  (forall c k gamma, matrix c k Plus 3 (1 / 2) gamma -> gamma <> 0 -> gamma > 0) /\
+  exists a1 a2 gamma, matrix 7 (-2) Plus a1 a2 gamma.
+Proof.
+  pose proof (sqrt_le_1 (1 / 2) 1 ltac:(lra) ltac:(lra) ltac:(lra)) as X; rewrite sqrt_1 in X.
+  intros (R1 & R2 & R3 & R4 & _); split; [|split; [|split]].
+  - destruct (R2 1 (1 / 6) Minus ltac:(lra) ltac:(lra)) as (c & k & gamma & M & G); exists c, k, gamma; split; [exact M | cbn in G; lra].
+  - destruct (R3 3 (1 / 2)) as (c & k & gamma & M & _); [lra | lra | exists c, k, gamma; exact M].
+  - intros c k gamma M G; apply (R4 c k 3 (1 / 2) gamma M G); lra.
+  - apply R1.
+Qed.
+
+(** ** A periodic word between two stops, one half turn on: the motion is its own mirror image *)
+Lemma mirrored : Periodic_oscillator_statement -> forall O mu d t y v, touching O -> one_motion O Minus mu d (fun i => i) ->
+  motion O Minus mu d (fun i => i) t y v -> t 1%Z = t 0%Z + PI /\ forall x, y 1%Z (x + PI) = - y 0%Z x.
+Proof.
+  intros P O mu d t y v HO H1 HM; assert (Q := P O Minus mu d (fun i => i) t y v 1%Z 1%Z HO H1 HM ltac:(intros; reflexivity)).
+  split; [destruct (Q 0%Z 0) as [A _]; cbn in A; lra|]; intros x; destruct (Q 0%Z x) as (_ & A & _); cbn in A.
+  rewrite Rmult_1_r in A; lra.
+Qed.
+
+(** ** Patterns: (1, 2) on r = 1 at a1 = 1/2, for mu < 0 *)
+Lemma pattern_1_2 : Patterns_statement -> Pattern_1_2_statement ->
+  forall S gamma, grazes S (1 / 2) 1 gamma -> gamma > 0 -> exists d mu0, mu0 > 0 /\ forall mu, - mu0 < e_mu S mu < 0 ->
+  one S mu d (fun i => if Z.even i then 1 else 2)%nat.
+Proof.
+  intros P [HP _] S gamma HG Hg; destruct (P S (1 / 2) 1 gamma HG 2%nat) as (d & Hd & W).
+  destruct (W d ltac:(lra)) as (mu0 & Hm & W'); exists d, mu0; split; [exact Hm|]; intros mu Hmu.
+  destruct (W' [1; 2]%nat Minus Plus mu) as [E _]; [discriminate | | cbn; lra | cbn; lra|].
+  { repeat constructor; numbers. }
+  specialize (E ltac:(apply HP; intuition lra)).
+  assert (L : forall i, cyclic_letter [1; 2]%nat i = if Z.even i then 1%nat else 2%nat).
+  { intros i; unfold cyclic_letter; cbn [length]; change (Z.of_nat 2) with 2%Z; rewrite Zeven_mod.
+    pose proof (Z.mod_pos_bound i 2 ltac:(lia)); assert (i mod 2 = 0 \/ i mod 2 = 1)%Z as [-> | ->] by lia; reflexivity. }
+  destruct S as [osc m|M rate w]; cbn [one] in *.
+  - intros N HN; apply E; intros i; rewrite L; apply HN.
+  - destruct E as (x & Hx & U); exists x; split.
+    + intros j; specialize (Hx j); rewrite L in Hx; exact Hx.
+    + intros x' Hx'; apply U; intros j; rewrite L; apply Hx'.
+Qed.
+
+(** ** One impact per period *)
+Lemma orbit_3_half_3 : orbit 3 (1 / 2) 3 Plus Plus.
+Proof.
+  replace 3 with (IZR 6 / IZR 2) by field; replace (1 / 2) with (IZR 1 / IZR 2) by field.
+  apply orbitZ_orbit; reflexivity.
+Qed.
+
+Lemma Meaning_numbers : Meaning_statement -> exactly 3 (1 / 2) 3 Plus Plus /\
+  never (IZR (-24) / IZR 20) (IZR 5 / IZR 20) 4.
+Proof.
+  intros M; split; [apply M; [lia | apply orbit_3_half_3]|].
+  apply M; [lia | apply no_orbitZ_no_orbit; reflexivity].
+Qed.
+
+Lemma trace_1_6 : trace 1 (1 / 6) = 1.
+Proof. unfold trace; replace (2 * PI * (1 / 6)) with (PI / 3) by field; rewrite cos_PI3; field. Qed.
+
+(** s = 1/6 on r = 1: 2 s < 1/2; 4 s < 1 and b_{4,3} = 2; 14 s = 7/3, and 2 and 14 are not prime. *)
+Lemma S1_S3_numbers : S1_S3_statement -> exactly 1 1 2 Minus Plus /\ exactly 1 1 4 Plus Plus /\ never 1 1 14.
+Proof.
+  intros S; pose proof (S 1 (1 / 6) 2%nat 0%nat ltac:(lia)) as A; pose proof (S 1 (1 / 6) 4%nat 1%nat ltac:(lia)) as B.
+  pose proof (S 1 (1 / 6) 14%nat 2%nat ltac:(lia)) as C; unfold cell in *; cbv zeta in *; rewrite trace_1_6, pow1 in *.
+  split; [|split].
+  - apply A; [|reflexivity]; split; [lra|]; split; [lra|]; split; [numbers|]; apply Rabs_def1; simpl; lra.
+  - destruct B as (_ & _ & B); [split; [lra|]; split; [lra|]; split; [numbers|]; apply Rabs_def1; simpl; lra|].
+    destruct (B (le_n 1) (Build_Farey 1 4 0 1 1 3 ltac:(unfold neighbours; lia))) as [B' _].
+    cbn [n_minus] in B'; apply B'; [simpl; lra | numbers].
+  - apply C; [| lia | discriminate]; split; [lra|]; split; [lra|]; split; [numbers|]; apply Rabs_def1; simpl; lra.
+Qed.
+
+Lemma Summary_systems_numbers : Summary_systems_statement -> forall S gamma, grazes S 3 (1 / 2) gamma -> gamma > 0 ->
+  born S 1 Plus /\ unborn S 1 Minus /\ born S 2 Plus /\ born S 9 Plus.
+Proof.
+  intros H S gamma HS Hg; pose proof (fun n e => H S 3 (1 / 2) gamma n e Plus HS ltac:(lra) ltac:(cbn; lra)) as X.
+  destruct (X 1%nat Plus) as (A & _), (X 1%nat Minus) as (_ & B & _), (X 2%nat Plus) as (_ & _ & C & _),
+    (X 9%nat Plus) as (_ & _ & D & _); split; [apply A; cbn; lra|]; split; [apply B; cbn; lra|].
+  split; [apply C; left; split; [reflexivity | left; intuition lra] | apply D; right; split; [lia | left; intuition lra]].
+Qed.
+
+(** On the circle, s = 1/6: f_1 = 1 and f_2 = 1/3, a record low. *)
+Lemma Record_systems_numbers : Record_systems_statement -> exactly 1 1 2 Minus Plus.
+Proof.
+  intros H; destruct (H 1 1 2%nat) as (_ & _ & L & _); [lra | apply Rabs_def1; lra | lia |].
+  apply L; unfold low, f, u, v, u; [intros k Hk; replace k with 1%nat by lia|]; simpl; lra.
+Qed.
+
+(** ** A stop with two harmonics, 1 - cos t and (1 - cos 2t)/8: its top is 0, its bend 1 + 4/8 *)
+Lemma Harmonics_numbers : Harmonics_statement -> exists O, touching O /\ Oscillator.c O = 1 / 5 /\
+  Oscillator.G O 0 PI = 2.
+Proof.
+  intros H; destruct (H (1 / 5) 7 (1 / 2) [(1, 0); (1 / 8, 0)]) as (O & HT & Hc & _ & _ & G).
+  - intros t Ht; cbn [harmonics]; replace (INR 1) with 1 by reflexivity; rewrite !Rmult_1_l.
+    pose proof (COS_bound (INR 2 * t)).
+    assert (cos t < 1).
+    { pose proof (COS_bound t) as B; destruct (Req_dec (cos t) 1) as [E|E]; [|lra]; pose proof PI_RGT_0; exfalso.
+      destruct (Rle_lt_dec t PI) as [L|L].
+      - pose proof (cos_decreasing_1 0 t ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)) as D; rewrite cos_0 in D; lra.
+      - pose proof (cos_increasing_1 t (2 * PI) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)) as D;
+          rewrite cos_2PI in D; lra. }
+    lra.
+  - cbn; lra.
+  - exists O; split; [exact HT|]; split; [exact Hc|]; rewrite G; cbn [harmonics].
+    replace (INR 1 * PI) with PI by (simpl; ring); replace (INR 2 * PI) with (2 * PI) by (simpl; ring); rewrite cos_PI, sin_PI, cos_2PI, sin_2PI; field.
+Qed.
