@@ -11,7 +11,7 @@ use grazing::{
     oscillator::{
         Side,
         attractor::{attracting, detection::Detection},
-        branch::{Branch, Direction, Options, Orbits},
+        branch::{Branch, Direction, Options, Orbits, OscillatorPatterns},
         flow::State,
         orbit::{Family, Itinerary, SingleImpact},
         simulate::Settings,
@@ -29,7 +29,8 @@ fn branches(criterion: &mut Criterion) {
     let oscillator = family.at(-0.05).unwrap();
     let exact = SingleImpact::new(oscillator.system(), Side::Lower, 4).unwrap();
     let (speed, range) = (exact.speeds()[0], (-0.1, 0.01));
-    let orbits = Orbits::over(&family, Itinerary::at(Side::Lower, &[4]).unwrap(), range);
+    let patterns = OscillatorPatterns::new(&family, -0.05).unwrap();
+    let orbits = Orbits::over(&patterns, Itinerary::at(Side::Lower, &[4]).unwrap(), range);
     for most_step in [0.1f64, 1e-3] {
         let options = Options { step: most_step.min(0.01), most_step, points: 5000, ..Options::default() };
         let start = orbits.start(vec![exact.phase(speed), speed], -0.05, &options).unwrap();
@@ -47,7 +48,7 @@ fn branches(criterion: &mut Criterion) {
     let start = State { t: 3.0, q: 2.6, u: 0.31 };
     let orbit = attracting(&oscillator, start, &detection, &Settings::default()).unwrap();
     let options = Options::default();
-    let orbits = Orbits::over(&family, orbit.itinerary.clone(), (-0.0247, -0.0232));
+    let orbits = Orbits::over(&patterns, orbit.itinerary.clone(), (-0.0247, -0.0232));
     let start = orbits.start(orbit.z, -0.024_34, &options).unwrap();
     let follow = || Branch::follow(&orbits, black_box(&start), Direction::Both, &options).unwrap();
     let found = follow();

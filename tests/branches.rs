@@ -24,7 +24,7 @@ use grazing::{
         },
         branch::{
             Bifurcation, Branch, Corrector, Curve, CurveEnd, CurvePoint, Direction, Equations, Events,
-            Followed, Options, Orbits, follow, read_label, record,
+            Followed, Options, Orbits, OscillatorPatterns, OscillatorPlane, follow, read_label, record,
         },
         flow::State,
         orbit::{Family, Itinerary, Oscillator, SingleImpact, search},
@@ -42,14 +42,19 @@ fn family(scene: &Scene) -> SceneFamily<'_> {
     SceneFamily::new(scene, "mu").unwrap()
 }
 
+/// Its orbits, lengths measured by the motion's size at the scene's own µ.
+fn patterns<'a>(family: &'a SceneFamily) -> OscillatorPatterns<'a> {
+    OscillatorPatterns::new(family, family.value()).unwrap()
+}
+
 /// The curve of single-impact orbits of period n.
-fn single<'a>(family: &'a SceneFamily, n: u32, range: (f64, f64)) -> Orbits<'a> {
-    Orbits::over(family, Itinerary::at(Side::Lower, &[n]).unwrap(), range)
+fn single<'a>(patterns: &'a OscillatorPatterns<'a>, n: u32, range: (f64, f64)) -> Orbits<'a> {
+    Orbits::over(patterns, Itinerary::at(Side::Lower, &[n]).unwrap(), range)
 }
 
 /// The branch through the exact orbit of the larger or smaller speed at µ.
 fn branch(orbits: &Orbits, mu: f64, larger: bool, direction: Direction, options: &Options) -> Branch {
-    let oscillator = orbits.family.at(mu).unwrap();
+    let oscillator = orbits.family.family().at(mu).unwrap();
     let exact = SingleImpact::new(oscillator.system(), Side::Lower, orbits.itinerary.periods()).unwrap();
     let speeds = exact.speeds();
     let speed = speeds[if larger { speeds.len() - 1 } else { 0 }];
@@ -131,7 +136,8 @@ fn saddle_node_and_flip_agree_with_the_closed_formulas() {
     let family = family(&scene);
     let options = Options::default();
     for (n, mu, event) in [(4, -0.05, Bifurcation::SaddleNode), (3, 0.003, Bifurcation::Flip)] {
-        let orbits = single(&family, n, (-0.1, 0.01));
+        let patterns = patterns(&family);
+        let orbits = single(&patterns, n, (-0.1, 0.01));
         let found = branch(&orbits, mu, false, Direction::Both, &options);
         let exact = SingleImpact::new(family.at(0.0).unwrap().system(), Side::Lower, n).unwrap();
         let speed = if event == Bifurcation::Flip { exact.flip() } else { exact.fold() }.unwrap();
@@ -152,7 +158,7 @@ fn the_branches_of_figure_6_have_the_papers_labels() {
     let scene = nordmark("4.9");
     let family = family(&scene);
     let options = Options::default();
-    let four = branch(&single(&family, 4, (-0.1, 0.01)), -0.05, true, Direction::Both, &options);
+    let four = branch(&single(&patterns(&family), 4, (-0.1, 0.01)), -0.05, true, Direction::Both, &options);
     near(four.labelled("saddle-node 1").unwrap().parameters[0], -0.084_338_470_089_59, 1e-13);
     near(four.labelled("grazing 1").unwrap().parameters[0], -0.024_447_456_305_83, 1e-13);
     near(four.labelled("fade 1").unwrap().parameters[0], 0.0, 1e-14);
@@ -166,7 +172,8 @@ fn the_branches_of_figure_6_have_the_papers_labels() {
         assert_eq!(point.orbit.multipliers.is_stable(), inside);
         assert!(point.orbit.admissibility.is_admissible());
     }
-    let orbits = single(&family, 3, (-0.1, 0.01));
+    let patterns = patterns(&family);
+    let orbits = single(&patterns, 3, (-0.1, 0.01));
     let three = branch(&orbits, 0.003, false, Direction::Both, &options);
     let flip = three.labelled("flip 1").unwrap();
     near(flip.parameters[0], 0.005_479_046_221_249, 1e-13);
@@ -192,7 +199,8 @@ fn events_do_not_depend_on_the_step() {
     let scene = nordmark("4.9");
     let family = family(&scene);
     let places = |options: &Options| -> Vec<(String, f64)> {
-        let four = branch(&single(&family, 4, (-0.1, 0.01)), -0.05, true, Direction::Both, options);
+        let four =
+            branch(&single(&patterns(&family), 4, (-0.1, 0.01)), -0.05, true, Direction::Both, options);
         four.labels().into_iter().map(|(label, point)| (label.to_string(), point.parameters[0])).collect()
     };
     let reference = places(&Options::default());
@@ -212,7 +220,8 @@ fn a_branch_followed_both_ways_meets_itself() {
     let scene = nordmark("4.9");
     let family = family(&scene);
     let options = Options { most_step: 0.03, ..Options::default() };
-    let orbits = single(&family, 4, (-0.1, 0.01));
+    let patterns = patterns(&family);
+    let orbits = single(&patterns, 4, (-0.1, 0.01));
     let there = branch(&orbits, -0.05, false, Direction::Backward, &options);
     let far = there.labelled("grazing 1").unwrap();
     // Back from where it ended, past the start to the other end.
@@ -236,7 +245,8 @@ fn a_branch_followed_both_ways_meets_itself() {
 fn a_forbidden_excursion_ends_a_branch_or_flags_it() {
     let scene = nordmark("4.9");
     let family = family(&scene);
-    let orbits = single(&family, 4, (-0.1, 0.01));
+    let patterns = patterns(&family);
+    let orbits = single(&patterns, 4, (-0.1, 0.01));
     let beyond = Options { beyond: true, ..Options::default() };
     let all = branch(&orbits, -0.05, true, Direction::Both, &beyond);
     assert_eq!(all.ends, [CurveEnd::Bound, CurveEnd::Bound]);
@@ -262,8 +272,13 @@ fn at_the_resonance_both_multipliers_are_tau_r_cubed() {
         );
         let scene = scene.unwrap();
         let family = family(&scene);
-        let found =
-            branch(&single(&family, 3, (0.0, 0.05)), 0.01, false, Direction::Both, &Options::default());
+        let found = branch(
+            &single(&patterns(&family), 3, (0.0, 0.05)),
+            0.01,
+            false,
+            Direction::Both,
+            &Options::default(),
+        );
         let tau: f64 = tau.parse().unwrap();
         let expected = tau * (-0.75 * std::f64::consts::PI).exp();
         assert!(found.points.len() > 5);
@@ -303,7 +318,8 @@ fn windows_of_periods_28_32_and_36() {
         let orbit = attracting(&oscillator, start, &detection, &Settings::default()).unwrap();
         assert_eq!((orbit.itinerary.periods(), orbit.itinerary.strikes().len()), (4 * n, n as usize + 1));
         assert!(orbit.multipliers.is_stable());
-        let orbits = Orbits::over(&family, orbit.itinerary.clone(), (-0.0247, -0.0232));
+        let patterns = patterns(&family);
+        let orbits = Orbits::over(&patterns, orbit.itinerary.clone(), (-0.0247, -0.0232));
         let options = Options::default();
         let place = orbits.start(orbit.z, inside, &options).unwrap();
         let found = Branch::follow(&orbits, &place, Direction::Both, &options).unwrap();
@@ -349,9 +365,10 @@ fn a_flip_followed_in_two_parameters_agrees_with_the_formula_and_ends_at_the_res
     let scene = nordmark("4.9");
     let family = family(&scene);
     let options = Options::default();
-    let three = branch(&single(&family, 3, (-0.1, 0.01)), 0.003, false, Direction::Both, &options);
+    let three = branch(&single(&patterns(&family), 3, (-0.1, 0.01)), 0.003, false, Direction::Both, &options);
     let flip = three.labelled("flip 1").unwrap();
     let plane = |[mu, w]: [f64; 2]| Oscillator::new(scene.plain(&[("mu", mu), ("w", w)])?, 1e-13);
+    let plane = OscillatorPlane::new(&plane, [0.0, 4.9]).unwrap();
     let events = Events {
         plane: &plane,
         itinerary: three.itinerary.clone(),
@@ -376,7 +393,8 @@ fn a_restart_from_a_label_goes_on_as_if_never_ended() {
     let scene = nordmark("4.9");
     let family = family(&scene);
     let options = Options::default();
-    let orbits = single(&family, 4, (-0.1, 0.01));
+    let patterns = patterns(&family);
+    let orbits = single(&patterns, 4, (-0.1, 0.01));
     let all = branch(&orbits, -0.05, false, Direction::Both, &options);
     let text = record(&all, &["mu"]).to_string();
     for label in ["saddle-node 1", "grazing 1"] {
@@ -384,7 +402,7 @@ fn a_restart_from_a_label_goes_on_as_if_never_ended() {
         let place = orbits.restart(&label, &options).unwrap();
         let again = Branch::follow(&orbits, &place, Direction::Both, &options).unwrap();
         near(again.labelled("fade 1").unwrap().parameters[0], 0.0, 1e-13);
-        near(place.u[1], label.z[1], 1e-12);
+        near(place.u[1] * all.points[0].orbit.unit, label.z[1], 1e-12);
     }
     let error = read_label(&text, "flip 7").unwrap_err().to_string();
     assert!(error.contains("saddle-node 1") && error.contains("flip 7"), "{error}");
@@ -425,7 +443,8 @@ fn branches_that_cross_are_labelled_and_switched() {
     .unwrap();
     let found = search(&oscillator(2.0).unwrap(), &itinerary, 300, 2.0);
     let start = found.iter().find(|orbit| orbit.admissibility.is_admissible()).expect("a symmetric orbit");
-    let orbits = Orbits::over(&oscillator, itinerary, (0.5, 4.0));
+    let patterns = OscillatorPatterns::new(&oscillator, 2.0).unwrap();
+    let orbits = Orbits::over(&patterns, itinerary, (0.5, 4.0));
     let options = Options::default();
     let place = orbits.start(start.z.clone(), 2.0, &options).unwrap();
     let branch = Branch::follow(&orbits, &place, Direction::Both, &options).unwrap();

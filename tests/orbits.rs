@@ -291,6 +291,18 @@ fn exact_single_impact_orbits_solve_the_equations() {
     }
 }
 
+/// Damping and stiffness written as a formula are the same oscillator.
+#[test]
+fn a_linear_formula_has_the_exact_orbits_of_its_coefficients() {
+    let formula = PAPER.replace("damping = \"2*d/w\"", "force = \"-2*d/w*u - q/w^2\"");
+    let formula = formula.replace("stiffness = \"1/w^2\"", "");
+    assert!(formula.contains("q/w^2") && !formula.contains("stiffness"), "{formula}");
+    let exact = |text: &str| SingleImpact::new(&scene(text).plain(&[]).unwrap(), Side::Lower, 4).unwrap();
+    let (one, other) = (exact(PAPER), exact(&formula));
+    assert_eq!(one.speeds(), other.speeds());
+    assert!(one.fold().is_some() && one.fold() == other.fold() && one.flip() == other.flip());
+}
+
 #[test]
 fn what_exact_orbits_do_not_cover_is_refused() {
     let refused = |edit: &str, with: &str, what: &str| {
@@ -299,6 +311,7 @@ fn what_exact_orbits_do_not_cover_is_refused() {
         assert!(error.is_input() && error.to_string().contains(what), "{error}");
     };
     refused("[system]", "[system]\ncubic = 1", "linear");
+    refused("[system]", "[system]\nforce = \"sin(q)\"", "formula");
     refused("[system]", "[system]\nforcing = [{ k = 2, cos = 1 }]", "one harmonic");
     refused("\"1 + mu\"", "0", "nothing moves");
     refused("\"lower\"", "\"upper\"", "not there");

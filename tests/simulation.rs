@@ -187,8 +187,10 @@ fn walls_that_meet_and_values_out_of_range_are_refused() {
     assert!(Simulator::new(&close(1e-9), &Settings::default()).is_ok());
     let negative = System { lower: Some(wall(0.0, -0.1, &[])), ..bare(0.0, 1.0) };
     assert!(Simulator::new(&negative, &Settings::default()).unwrap_err().to_string().contains("lower wall"));
-    let coarse = Settings { minimum_depth: 0.1, ..Settings::default() };
-    assert!(Simulator::new(&bare(0.0, 1.0), &coarse).unwrap_err().is_input());
+    for minimum_depth in [0.0, -1e-12, f64::NAN, f64::INFINITY] {
+        let settings = Settings { minimum_depth, ..Settings::default() };
+        assert!(Simulator::new(&bare(0.0, 1.0), &settings).unwrap_err().is_input());
+    }
     let fast = System { lower: Some(wall(-1.0, 1.0, &[])), ..bare(0.0, 1e12) };
     assert!(Simulator::new(&fast, &Settings::default()).unwrap_err().to_string().contains("frequency"));
 }
@@ -468,6 +470,7 @@ fn attractors_are_detected_with_period_and_impacts() {
     assert_eq!(fate(0.003), Fate::Irregular);
     // A slow turn round an ellipse: points are near their successors where it is flat, and not for long.
     let turning = simulator(&bare(0.0, 1.001 * 1.001));
+    // A part of the extent, which is 2: the same distance as 5·10⁻³.
     let near = Detection { transient: 0, longest: 1, tolerance: 2.5e-3, confirm: 60, ..Detection::default() };
     let mut run = turning.start(at(0.0), 0.5f64.sqrt(), -0.5f64.sqrt()).unwrap();
     assert_eq!(near.detect(&turning, &mut run).unwrap(), Fate::Irregular);

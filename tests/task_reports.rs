@@ -420,3 +420,32 @@ fn a_grazing_task_says_whether_chaos_is_born() {
     near(&minus, ((1.0 + 5f64.sqrt()) / 2.0).ln());
     assert!(text.contains("entropy at least 0.48121"), "{text}");
 }
+
+/// A force that changes in less than the shortest step: tasks say where, in text, JSON and exit code.
+#[test]
+fn a_force_that_is_too_steep_is_named_with_its_place() {
+    let steep = "[system]\nforce = \"-q + tanh((q - 0.1)/1e-11)\"\n[[tasks]]\nname = \"steep\"\n";
+    for task in [
+        "kind = \"simulate\"\nstart = { q = 0.3, u = -1 }\nperiods = 3\n",
+        "kind = \"orbit\"\norbit = { pattern = [], start = [0.3, -1] }\n",
+    ] {
+        let scene = format!("{steep}{task}");
+        let (code, report, error, _folder) = json(&scene, &[]);
+        let task = &report["tasks"][0];
+        let reason = task["reason"].as_str().unwrap_or_else(|| panic!("{report}"));
+        assert_eq!(code, 3, "{error}{report}");
+        assert!(reason.contains("where its force is too steep"), "{reason}");
+        // The motion comes to q = 0.1 and no farther.
+        let (_, after) = reason.split_once("at q = ").unwrap_or_else(|| panic!("{reason}"));
+        let (q, rest) = after.split_once(", u = ").unwrap_or_else(|| panic!("{reason}"));
+        assert!((q.parse::<f64>().unwrap() - 0.1).abs() < 1e-6, "{reason}");
+        let (u, bend) = rest.split_once(" with the acceleration ").unwrap_or_else(|| panic!("{reason}"));
+        let [u, bend] = [u, bend].map(|text| text.trim().parse::<f64>().unwrap());
+        // With energy u²/2 + q²/2 − |q − 0.1| at the start; the force is between −1.1 and 0.9.
+        let energy = 0.5 + 0.045 - 0.2;
+        assert!((u + (2.0f64 * (energy - 0.005)).sqrt()).abs() < 1e-5, "{reason}");
+        assert!(bend.abs() <= 1.1 + 1e-9, "{reason}");
+        let (code, out, error, _folder) = command(&scene, &[]);
+        assert!(code == 3 && format!("{out}{error}").contains(reason), "{out}{error}");
+    }
+}

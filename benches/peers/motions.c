@@ -12,7 +12,7 @@
 
 enum { MOST = 16 };
 static int n;
-static double cubic, force, offset, wall, restitution, slowest;
+static double cubic, friction, width, force, offset, wall, restitution, slowest;
 static double damping[MOST], stiffness[MOST], amplitude[MOST], row[MOST], start[MOST];
 
 static void field(double t, const double *y, double *f)
@@ -21,7 +21,7 @@ static void field(double t, const double *y, double *f)
     for (int i = 0; i < n; i++) {
         double q = y[i], u = y[n + i];
         f[i] = u;
-        f[n + i] = -damping[i] * u - stiffness[i] * q - cubic * q * q * q + force + amplitude[i] * c;
+        f[n + i] = -damping[i] * u - stiffness[i] * q - cubic * q * q * q - (friction ? friction * tanh(u / width) : 0) + force + amplitude[i] * c;
     }
 }
 
@@ -137,8 +137,8 @@ int main(int argc, char **argv)
         char *rest = strchr(line, '|');
         *rest++ = 0;
         n = strtol(rest, &rest, 10);
-        double *scalars[] = {&cubic, &force, &offset, &wall, &restitution, &slowest};
-        for (int i = 0; i < 6; i++) *scalars[i] = strtod(rest, &rest);
+        double *scalars[] = {&cubic, &friction, &width, &force, &offset, &wall, &restitution, &slowest};
+        for (int i = 0; i < 8; i++) *scalars[i] = strtod(rest, &rest);
         double *lists[] = {damping, stiffness, amplitude, row, start};
         for (int k = 0; k < 5; k++)
             for (int i = 0; i < n; i++) lists[k][i] = strtod(rest, &rest);

@@ -23,11 +23,12 @@ MANY = 2000  # impacts: a motion with more of them is given up
 def follow(m, method, tolerance):
     modes, row = m["modes"], np.array(m["row"])
     damping, stiffness, amplitude = (np.array(m[key]) for key in ("damping", "stiffness", "amplitude"))
-    cubic, force, offset, wall = (m[key] for key in ("cubic", "force", "offset", "wall"))
+    cubic, force, offset, wall, friction, width = (m[key] for key in ("cubic", "force", "offset", "wall", "friction", "width"))
 
     def field(t, y):
         q, u = y[:modes], y[modes:]
-        return np.concatenate([u, -damping * u - stiffness * q - cubic * q**3 + force + amplitude * math.cos(t)])
+        rubbing = friction * np.tanh(u / width) if friction else 0.0
+        return np.concatenate([u, -damping * u - stiffness * q - cubic * q**3 - rubbing + force + amplitude * math.cos(t)])
 
     def gap(t, y):
         return row @ y[:modes] - offset - wall * math.cos(t)

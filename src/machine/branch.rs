@@ -12,6 +12,7 @@ use std::f64::consts::TAU;
 use super::{
     LinearFlow, Machine, MachineFamily, MachineState,
     contact::Contacts,
+    critical::{nearest_pair, pairs, pairs_product, product, product_of_others, without},
     normal_form::Local,
     orbit::{
         Between, MachineAdmissibility, MachineChange, MachineOrbit, StopEquations, StopPattern, StopStrike,
@@ -206,8 +207,8 @@ impl FollowedOrbit for MachineOrbit {
         &self.pattern
     }
 
-    fn unknowns(&self) -> &[f64] {
-        &self.z
+    fn unknowns(&self) -> Vec<f64> {
+        self.z.clone()
     }
 
     fn moved(&self, unknowns: &[f64]) -> MachineOrbit {
@@ -293,68 +294,6 @@ impl FollowedOrbit for MachineOrbit {
 /// Slower than this, in units of the motion, an impact's speed is rounding's.
 const STILL: f64 = 1e-10;
 
-/// Products are kept between these in modulus: with hundreds of multipliers they might leave the range of
-/// floats, and only signs would be lost.
-const RANGE: (f64, f64) = (1e-290, 1e290);
-
-/// Π (1 ± λ), one factor |1 ± λ|² for each complex pair.
-fn product(multipliers: &[(f64, f64)], sign: f64) -> f64 {
-    multipliers.iter().filter(|(_, im)| *im >= 0.0).fold(1.0, |all: f64, &(re, im)| {
-        let factor = if im > 0.0 { (1.0 + sign * re).powi(2) + im * im } else { 1.0 + sign * re };
-        let next = all * factor;
-        if next == 0.0 { next } else { next.abs().clamp(RANGE.0, RANGE.1).copysign(next) }
-    })
-}
-
-/// Σ_i Π_{j ≠ i} (1 ± λ_j): where one multiplier is ∓1 the product over the others, and smooth where another
-/// joins it.
-fn product_of_others(multipliers: &[(f64, f64)], sign: f64) -> f64 {
-    // (product, sum of products without one) over factors, conjugates together: (a + ib)(a − ib) and its
-    // derivative 2a.
-    let (_, sum) =
-        multipliers.iter().filter(|(_, im)| *im >= 0.0).fold((1.0, 0.0), |(all, sum), &(re, im)| {
-            let a = 1.0 + sign * re;
-            if im > 0.0 {
-                (all * (a * a + im * im), sum * (a * a + im * im) + all * 2.0 * a)
-            } else {
-                (all * a, sum * a + all)
-            }
-        });
-    sum
-}
-
-/// Two multipliers that are complex conjugates, or real.
-#[derive(Debug, Clone, Copy)]
-struct MultiplierPair {
-    complex: bool,
-    /// 1 − λ_iλ_j.
-    off: f64,
-    /// λ_i + λ_j.
-    sum: f64,
-}
-
-fn pairs(multipliers: &[(f64, f64)]) -> impl Iterator<Item = MultiplierPair> + '_ {
-    let complex = multipliers.iter().filter(|(_, im)| *im > 0.0).map(|&(re, im)| MultiplierPair {
-        complex: true,
-        off: 1.0 - (re * re + im * im),
-        sum: 2.0 * re,
-    });
-    let real: Vec<f64> = multipliers.iter().filter(|(_, im)| *im == 0.0).map(|(re, _)| *re).collect();
-    let two = (0..real.len()).flat_map(move |i| {
-        let real = real.clone();
-        (0..i).map(move |j| MultiplierPair {
-            complex: false,
-            off: 1.0 - real[i] * real[j],
-            sum: real[i] + real[j],
-        })
-    });
-    complex.chain(two)
-}
-
-fn nearest_pair(multipliers: &[(f64, f64)]) -> Option<MultiplierPair> {
-    pairs(multipliers).min_by(|a, b| a.off.abs().total_cmp(&b.off.abs()))
-}
-
 /// A machine at both of two values.
 type AtBoth<'a> = dyn Fn([f64; 2]) -> Result<Machine<f64>> + 'a;
 
@@ -435,6 +374,7 @@ impl PatternPlane for MachinePlane<'_> {
         parameters: [f64; 2],
         tangent: &[f64],
         orbit: &MachineOrbit,
+        _: &[f64],
     ) -> Vec<Option<f64>> {
         let mut all = vec![None; Degeneracy::ALL.len()];
         let multipliers = &orbit.multipliers;
@@ -452,12 +392,14 @@ impl PatternPlane for MachinePlane<'_> {
                 set(Degeneracy::Cusp, a.unwrap_or(f64::NAN));
                 set(Degeneracy::Resonance1, product_of_others(multipliers, -1.0));
                 set(Degeneracy::FoldFlip, product(multipliers, 1.0));
+                set(Degeneracy::FoldTorus, pairs_product(&without(multipliers, &[(1.0, 0.0)])));
             }
             Bifurcation::Flip => {
                 let b = coefficient(&|local| local.cubic(-1.0));
                 set(Degeneracy::GeneralisedFlip, b.unwrap_or(f64::NAN));
                 set(Degeneracy::Resonance2, product_of_others(multipliers, 1.0));
                 set(Degeneracy::FoldFlip, product(multipliers, -1.0));
+                set(Degeneracy::FlipTorus, pairs_product(&without(multipliers, &[(-1.0, 0.0)])));
             }
             Bifurcation::Torus => {
                 if let Some(pair) = nearest_pair(multipliers) {
@@ -467,6 +409,10 @@ impl PatternPlane for MachinePlane<'_> {
                     set(Degeneracy::Resonance2, pair.sum + 2.0);
                     set(Degeneracy::Resonance3, pair.sum + 1.0);
                     set(Degeneracy::Resonance4, pair.sum);
+                    let others = without(multipliers, &pair.both());
+                    set(Degeneracy::FoldTorus, product(&others, -1.0));
+                    set(Degeneracy::FlipTorus, product(&others, 1.0));
+                    set(Degeneracy::DoubleTorus, pairs_product(&others));
                 }
             }
             // Along the curve e dp + e′ dp′ = 0, with e′ that of the second parameter.
@@ -476,5 +422,24 @@ impl PatternPlane for MachinePlane<'_> {
             Bifurcation::Crossing | Bifurcation::Fade => {}
         }
         all
+    }
+
+    /// Two real multipliers whose product is 1 are those of a saddle that keeps areas.
+    fn is_genuine(&self, event: Bifurcation, degeneracy: Degeneracy, orbit: &MachineOrbit) -> bool {
+        let critical = match (event, degeneracy) {
+            (Bifurcation::SaddleNode, Degeneracy::FoldTorus) => vec![(1.0, 0.0)],
+            (Bifurcation::Flip, Degeneracy::FlipTorus) => vec![(-1.0, 0.0)],
+            (Bifurcation::Torus, Degeneracy::FoldTorus | Degeneracy::FlipTorus) => {
+                return nearest_pair(&orbit.multipliers).is_some_and(|pair| pair.complex);
+            }
+            (Bifurcation::Torus, Degeneracy::DoubleTorus) => {
+                let Some(pair) = nearest_pair(&orbit.multipliers).filter(|pair| pair.complex) else {
+                    return false;
+                };
+                pair.both().to_vec()
+            }
+            _ => return true,
+        };
+        nearest_pair(&without(&orbit.multipliers, &critical)).is_some_and(|pair| pair.complex)
     }
 }

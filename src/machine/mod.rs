@@ -52,6 +52,7 @@
 mod algebra;
 pub mod branch;
 pub mod contact;
+mod critical;
 mod equations;
 mod flow;
 pub mod grazing;

@@ -20,6 +20,7 @@ pub mod flow;
 pub mod grazing;
 pub mod orbit;
 pub mod simulate;
+mod size;
 mod system;
 pub mod validate;
 

@@ -216,7 +216,8 @@ fn over<W: Work>(task: &BasinsTask, job: &Job, work: W) -> Result<W::Out> {
     let mut search = Search { job, grid, detection, identity: job.identity()?, resume: task.resume };
     match &job.model {
         Model::Oscillator(_) => {
-            let (dynamics, minimum_depth) = (&job.simulator()?, job.scene.accuracy.minimum_depth);
+            let dynamics = &job.simulator()?;
+            let minimum_depth = dynamics.settings().minimum_depth;
             let axes = job.scene.start_plane(&task.plane, "plane")?;
             let at = State { t: search.detection.phase, q: 0.0, u: 0.0 };
             let base = match &task.start {

@@ -15,8 +15,8 @@ use crate::{
         attractor::{attracting, detection::Detection},
         branch::{
             Bifurcation, BranchOrbit, CODIMENSION_TWO, CurveEnd, Direction, EventCurve, FollowedOrbit, Label,
-            NoForm, NormalForm, Options, OrbitBranch, PatternCurve, PatternFamily, PatternOf, PatternPlane,
-            TwoParameterFamily, read_label,
+            NoForm, NormalForm, Options, OrbitBranch, OscillatorPatterns, OscillatorPlane, PatternCurve,
+            PatternFamily, PatternOf, PatternPlane, read_label,
         },
         orbit::{Family, Itinerary, Orbit},
     },
@@ -171,6 +171,7 @@ impl<R: PointRow, O: FollowedOrbit> BranchList<R, O> {
 /// A start outside the range, a file that cannot be read or has no such label; an interruption.
 pub fn branch(task: &BranchTask, job: &Job) -> Result<BranchFindings> {
     let family = job.family(&task.parameter)?;
+    let source = OscillatorSource::new(&family)?;
     let (branches, starts) = match &task.second {
         Some(second) => {
             let plane = |[first, other]: [f64; 2]| {
@@ -178,10 +179,10 @@ pub fn branch(task: &BranchTask, job: &Job) -> Result<BranchFindings> {
                 job.oscillator(system)
             };
             let value = SceneFamily::new(&job.scene, second)?.value();
-            let plane: &dyn TwoParameterFamily = &plane;
-            events(task, &family, plane, value, job)?
+            let plane = OscillatorPlane::new(&plane, [family.value(), value])?;
+            events(task, &source, &plane, value, job)?
         }
-        None => follow_over(task, &family, job)?,
+        None => follow_over(task, &source, job)?,
     };
     let mut rows = Vec::new();
     for (branch, i) in branches.iter().zip(1..) {
@@ -235,7 +236,7 @@ impl BranchRow {
             lambda2,
             stable: stable(orbit, point.event),
             admissible: admissible(orbit, point.event),
-            reason: obstacle(orbit),
+            reason: obstacle(orbit, point.event),
             coefficient: form.and_then(|form| Some(form.ok()?.coefficient)),
             criticality: form.map(|form| form.map_or_else(|why| why, |form| form.name())),
             least_gap: orbit.least.map(|least| least.gap),
@@ -282,23 +283,37 @@ pub(crate) trait BranchSource {
     fn named(&self, pattern: &PatternOf<<Self::Family as PatternFamily>::Orbit>) -> String;
 }
 
-impl<'s> BranchSource for SceneFamily<'s> {
-    type Family = dyn Family + 's;
+/// The branches of a scene's oscillator.
+pub(crate) struct OscillatorSource<'a> {
+    family: &'a SceneFamily<'a>,
+    patterns: OscillatorPatterns<'a>,
+}
 
-    fn family(&self) -> &(dyn Family + 's) {
-        self
+impl<'a> OscillatorSource<'a> {
+    /// # Errors
+    /// Those of [`OscillatorPatterns::new`].
+    pub fn new(family: &'a SceneFamily<'a>) -> Result<OscillatorSource<'a>> {
+        Ok(OscillatorSource { family, patterns: OscillatorPatterns::new(family, family.value())? })
+    }
+}
+
+impl<'a> BranchSource for OscillatorSource<'a> {
+    type Family = OscillatorPatterns<'a>;
+
+    fn family(&self) -> &OscillatorPatterns<'a> {
+        &self.patterns
     }
 
     fn value(&self) -> f64 {
-        SceneFamily::value(self)
+        self.family.value()
     }
 
     fn orbits(&self, start: &BranchStart, at: f64, job: &Job) -> Result<Vec<Orbit>> {
-        let oscillator = self.at(at)?;
+        let oscillator = self.family.at(at)?;
         match start.origin()? {
             BranchOrigin::Attractor(state) => {
                 let from = job.scene.state(state)?;
-                Ok(vec![attracting(&oscillator, from, &settled(from.t), &job.settings())?])
+                Ok(vec![attracting(&oscillator, from, &settled(from.t), &job.settings()?)?])
             }
             BranchOrigin::Orbit(keys) => {
                 let mut orbits = keys.orbits(&oscillator)?;

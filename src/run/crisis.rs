@@ -55,9 +55,13 @@ pub struct CrisisFindings {
     pub crisis: Vec<CrisisRow>,
     /// One row for each margin and side.
     pub simulated: Vec<PersistenceRow>,
+    /// The length of the bracket.
+    #[serde(skip)]
+    width: f64,
 }
 
-/// From different distances the same crisis is found to this accuracy, or it is not one.
+/// From different distances the same crisis is found to this part of the parameter or of the bracket, or it
+/// is not one.
 const AGREEMENT: f64 = 1e-9;
 
 impl Finding for CrisisFindings {
@@ -65,7 +69,7 @@ impl Finding for CrisisFindings {
         let values = self.crisis.iter().map(|row| row.parameter);
         let (low, high) =
             values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
-        if high - low <= AGREEMENT * (1.0 + low.abs()) {
+        if high - low <= AGREEMENT * low.abs().max(self.width) {
             return Status::Done;
         }
         Status::undecided(format!("the answers for different offsets differ by {:e}", high - low))
@@ -89,10 +93,11 @@ pub fn crisis(task: &CrisisTask, job: &Job) -> Result<CrisisFindings> {
         .into_iter()
         .find(|orbit| orbit.admissibility.is_admissible() && orbit.multipliers.values()[0].0 > 1.0)
         .ok_or_else(|| Error::input("no saddle of the pattern in the middle of the bracket"))?;
-    let mut found = CrisisFindings { crisis: Vec::new(), simulated: Vec::new() };
+    let mut found =
+        CrisisFindings { crisis: Vec::new(), simulated: Vec::new(), width: (bracket.1 - bracket.0).abs() };
     let mut parameter = f64::NAN;
-    let settings = job.settings();
-    for &offset in &task.offsets {
+    let settings = job.settings()?;
+    for offset in task.offsets_at(saddle.unit) {
         job.check()?;
         let search = CrisisSearch {
             itinerary: &saddle.itinerary,

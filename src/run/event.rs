@@ -10,7 +10,7 @@ use super::{
 use crate::{
     error::Result,
     oscillator::{
-        branch::{Bifurcation, BranchSearch, Located, NormalForm, locate},
+        branch::{Bifurcation, BranchSearch, Located, NormalForm, OscillatorPatterns, nearest},
         grazing::{self, Grazing},
         orbit::{Family, Orbit},
     },
@@ -167,6 +167,9 @@ impl<T: EventTable> Finding for EventList<T> {
     }
 }
 
+/// Events at parameters that differ by less than this part of them, or of how far they are, are one.
+const SAME: f64 = 1e-9;
+
 /// Follows the branch of each admissible orbit both ways to the first bifurcation of the kind.
 ///
 /// # Errors
@@ -176,11 +179,13 @@ pub fn event(task: &EventTask, job: &Job) -> Result<EventFindings> {
     let (start, options) = (family.value(), task.options.checked()?);
     let mut orbits = task.orbit.orbits(&family.at(start)?)?;
     orbits.retain(|orbit| orbit.admissibility.is_admissible());
+    let patterns = OscillatorPatterns::new(&family, start)?;
     let (mut bifurcations, mut grazings, mut without) = (Vec::new(), Vec::new(), Vec::new());
     let mut known: Vec<f64> = Vec::new();
     job.monitor.begin(orbits.len() as u64, "orbits");
     for orbit in &orbits {
-        let found = locate(&family, task.event, orbit, start, task.length(), &options);
+        let extent = task.extent(&family.at(start)?, orbit);
+        let found = nearest(&patterns, task.event, orbit, start, extent, &options);
         job.monitor.advance(1)?;
         let mut fail = |reason: String| {
             let pattern = orbit.itinerary.to_string();
@@ -198,7 +203,10 @@ pub fn event(task: &EventTask, job: &Job) -> Result<EventFindings> {
             }
         };
         let parameter = located.parameter;
-        if known.iter().any(|old| (old - parameter).abs() <= 1e-9 * (1.0 + parameter.abs())) {
+        if known
+            .iter()
+            .any(|old| (old - parameter).abs() <= SAME * parameter.abs().max((parameter - start).abs()))
+        {
             continue;
         }
         if task.event == Bifurcation::Grazing {

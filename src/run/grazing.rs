@@ -6,7 +6,7 @@ use super::{ChaosRow, Complex, Finding, Job, Judgement, Lines, Status, chaos::ch
 use crate::{
     error::{Error, Result},
     oscillator::{
-        branch::{Bifurcation, BranchSearch, locate},
+        branch::{Bifurcation, BranchSearch, OscillatorPatterns, nearest},
         grazing::{self, Grazing, LocalMap},
         orbit::{Family, find},
     },
@@ -192,8 +192,10 @@ pub fn grazing(task: &GrazingTask, job: &Job) -> Result<GrazingFindings> {
         return nothing(format!("no admissible orbit to begin with at {} = {start}", task.parameter));
     };
     job.check()?;
+    let (patterns, extent) =
+        (OscillatorPatterns::new(&family, start)?, task.extent(&family.at(start)?, orbit));
     let located =
-        match locate(&family, Bifurcation::Grazing, orbit, start, task.length(), &task.options.checked()?)? {
+        match nearest(&patterns, Bifurcation::Grazing, orbit, start, extent, &task.options.checked()?)? {
             BranchSearch::Found(found) => found,
             BranchSearch::Nothing(why) => return nothing(why.to_string()),
         };
@@ -244,13 +246,14 @@ pub fn grazing(task: &GrazingTask, job: &Job) -> Result<GrazingFindings> {
     };
     found.chaos = chaos(map, side, job.monitor)?;
     let local = map.to_map()?;
+    let size = family.at(event.parameter)?.unit(&event.itinerary);
     let graph = Graph::new(&local, task.max_period.into(), false)?;
     let patterns = (1..=task.max_period).flat_map(|period| Patterns::of_period(period.into()));
     for pattern in patterns.filter(Pattern::is_primitive) {
         job.check()?;
         let verdict = graph.judge(pattern.periods());
         if verdict.side().is_some() || verdict.is_open() {
-            found.born.push(born(task, &family, (&event, half.as_ref()), &pattern, &verdict)?);
+            found.born.push(born(task, &family, (&event, half.as_ref(), size), &pattern, &verdict)?);
         }
         found.undecided += usize::from(verdict.is_open());
     }
@@ -262,7 +265,7 @@ pub fn grazing(task: &GrazingTask, job: &Job) -> Result<GrazingFindings> {
 fn born(
     task: &GrazingTask,
     family: &SceneFamily,
-    (event, half): (&Grazing, Option<&LocalMap>),
+    (event, half, size): (&Grazing, Option<&LocalMap>, f64),
     pattern: &Pattern,
     verdict: &Verdict,
 ) -> Result<BornRow> {
@@ -284,7 +287,7 @@ fn born(
         row.side = side_open(verdict).into();
         return Ok(row);
     };
-    let away = if side { task.distance_at(1.0) } else { -task.distance_at(1.0) } / e;
+    let away = if side { task.distance_at(size) } else { -task.distance_at(size) } / e;
     let periods: Vec<u64> = pattern.periods().to_vec();
     row.coefficient = map.leading(&periods).map(|leading| leading / e.powi(periods.len() as i32));
     row.side =
@@ -305,7 +308,7 @@ fn born(
             row.phases = Some(orbit::phases(&found));
             row.speeds = Some(orbit::speeds(&found));
             row.admissible = Some(orbit::admissible(&found, None));
-            row.reason = row.reason.or(orbit::obstacle(&found));
+            row.reason = row.reason.or(orbit::obstacle(&found, None));
         }
         Err(error) => row.reason = Some(error.to_string()),
     }

@@ -12,10 +12,9 @@ use crate::{
     machine::{
         Machine, MachineState, RealVector,
         orbit::{MachineAdmissibility, MachineOrbit, StopPattern, StopStrike, find, find_from},
-        simulate::{MachineSimulator, RunEnd},
+        simulate::MachineSimulator,
     },
     oscillator::{
-        Time,
         branch::{Bifurcation, FollowedOrbit},
         orbit::counted,
     },
@@ -162,17 +161,17 @@ fn through_soft_stops(
         let last = first.saturating_add(CHUNK).min(keys.starts);
         let roots: Vec<MachineOrbit> = (first..last).into_par_iter().filter_map(|i| start(i).ok()).collect();
         for orbit in roots {
+            // Of a shorter period if that period's equations have the same solution: stops that are in the
+            // way of the motion, which is listed as such, are no part of them.
             let shorter = |n: u32| -> Result<bool> {
                 if !keys.period.is_multiple_of(n) {
                     return Ok(false);
                 }
-                let mut run =
-                    simulator.start(Time::new(0, 0.0), orbit.state.q.as_slice(), orbit.state.u.as_slice())?;
-                Ok(run.finish(Time::new(n.into(), 0.0)) == RunEnd::Reached
-                    && near(&orbit.state, &run.state()))
+                let again = find_from(simulator, &StopPattern::free(n)?, &[], Some(&orbit.state));
+                Ok(again.is_ok_and(|again| near(&orbit.state, &again.state)))
             };
             let known = found.iter().any(|old| near(&old.state, &orbit.state));
-            if !known && orbit.is_orbit() {
+            if !known {
                 let repeats = (1..keys.period).map(shorter).collect::<Result<Vec<_>>>()?;
                 if !repeats.contains(&true) {
                     found.push(orbit);

@@ -56,7 +56,7 @@ use serde::Serialize;
 pub use basins::{BasinRow, BasinsFindings, basins};
 pub use branch::{BranchFindings, BranchList, BranchRow, PointRow, StartRow, branch};
 #[cfg(feature = "cli")]
-pub(crate) use branch::{BranchSource, follow};
+pub(crate) use branch::{BranchSource, OscillatorSource, follow};
 pub use chaos::ChaosRow;
 pub use crisis::{CrisisFindings, CrisisRow, PersistenceRow, crisis};
 pub use diagram::{CoexistingRow, DiagramFindings, WindowRow, diagram};
@@ -330,10 +330,37 @@ impl<'a> Job<'a> {
         }
     }
 
-    /// How finely to simulate.
-    pub fn settings(&self) -> Settings {
-        let Accuracy { tolerance, minimum_depth } = self.scene.accuracy;
-        Settings { tolerance, minimum_depth, ..Settings::default() }
+    /// How finely to simulate: the same at every value of a parameter that varies.
+    ///
+    /// # Errors
+    /// For a machine; those of [`Settings::sized`].
+    pub fn settings(&self) -> Result<Settings> {
+        let system = self.system()?;
+        let settings = Settings { tolerance: self.scene.accuracy.tolerance, ..Settings::default() };
+        match self.scene.accuracy.minimum_depth {
+            Some(minimum_depth) => Ok(Settings { minimum_depth, ..settings }),
+            None => settings.sized(system, &self.starts()?),
+        }
+    }
+
+    /// Where motions of the task start, as far as that may tell how large they are.
+    fn starts(&self) -> Result<Vec<State>> {
+        let all = match &self.task.kind {
+            Kind::SimulateTask(task) => vec![&task.start],
+            Kind::SectionTask(task) => task.starts.iter().collect(),
+            Kind::DiagramTask(task) => task.starts.iter().collect(),
+            Kind::MapTask(task) => vec![&task.start],
+            Kind::CrisisTask(task) => vec![&task.start],
+            Kind::BranchTask(task) => {
+                task.starts.iter().filter_map(|start| start.attractor.as_ref()).collect()
+            }
+            Kind::BasinsTask(task) if task.plane.is_empty() => {
+                let (q, u) = (self.scene.ends(&task.q)?, self.scene.ends(&task.u)?);
+                return Ok([0, 1].map(|i| State { t: 0.0, q: q[i], u: u[i] }).to_vec());
+            }
+            _ => Vec::new(),
+        };
+        all.into_iter().map(|start| self.scene.state(start)).collect()
     }
 
     /// A simulator of the task's system, its work counted.
@@ -349,7 +376,7 @@ impl<'a> Job<'a> {
     /// # Errors
     /// Those of [`Simulator::new`].
     pub fn simulator_of(&self, system: &System<f64>) -> Result<Simulator> {
-        Ok(Simulator::new(system, &self.settings())?.counting(self.tally.clone()))
+        Ok(Simulator::new(system, &self.settings()?)?.counting(self.tally.clone()))
     }
 
     /// An oscillator for orbits of a system, its work counted.
@@ -389,7 +416,9 @@ impl<'a> Job<'a> {
     /// # Errors
     /// None in practice: of the writer.
     pub fn identity(&self) -> Result<String> {
-        let settings = serde_json::to_string(&self.settings()).map_err(std::io::Error::other)?;
+        let Accuracy { tolerance, minimum_depth } = self.scene.accuracy;
+        let settings = (tolerance, minimum_depth);
+        let settings = serde_json::to_string(&settings).map_err(std::io::Error::other)?;
         Ok(format!("{} {settings}", self.scene.canonical()?))
     }
 

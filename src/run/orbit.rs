@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::{Complex, Finding, Job, Judgement, Lines, Model, Row, Status, row};
+use super::{Complex, Finding, Job, Judgement, Lines, Row, Status, row};
 use crate::{
     error::Result,
     number::{Plain, Real},
@@ -114,13 +114,7 @@ impl<R> OrbitList<R> {
             let value = place.map(|(_, value)| value);
             match find(place)? {
                 Ok(orbits) if orbits.is_empty() => {
-                    let speeds = match (&job.model, task.orbit.speed) {
-                        (Model::Machine(_), None) => "speeds of the size of the motion".to_string(),
-                        _ => format!("speeds up to {}", task.orbit.greatest_speed()),
-                    };
-                    let starts = task.orbit.starts;
-                    let reason = format!("no orbit of the pattern from {starts} starts with {speeds}");
-                    found.missing.push(MissingRow { value, reason });
+                    found.missing.push(MissingRow { value, reason: task.orbit.none() });
                 }
                 Ok(orbits) => found.orbits.extend(orbits),
                 Err(error) if error.is_interrupted() => return Err(error),
@@ -160,7 +154,7 @@ impl OrbitRow {
             lambda2,
             stable: stable(orbit, None),
             admissible: admissible(orbit, None),
-            reason: obstacle(orbit),
+            reason: obstacle(orbit, None),
             least_gap: orbit.least.map(|least| least.gap),
             residual: orbit.residual,
         }
@@ -200,10 +194,11 @@ pub(crate) fn stable(orbit: &Orbit, at: Option<Bifurcation>) -> Judgement {
 
 /// Whether a solution is an orbit; marginal at a grazing or where an impact fades.
 pub(super) fn admissible(orbit: &Orbit, at: Option<Bifurcation>) -> Judgement {
-    let grazes = orbit.least.is_some_and(|least| least.gap.abs() <= MARGIN);
-    let fades = orbit.impacts().any(|impact| impact.speed.abs() <= MARGIN);
-    let others = orbit.impacts().all(|impact| impact.speed > -MARGIN)
-        && orbit.least.is_none_or(|least| least.gap > -MARGIN);
+    let margin = MARGIN * orbit.unit;
+    let grazes = orbit.least.is_some_and(|least| least.gap.abs() <= margin);
+    let fades = orbit.impacts().any(|impact| impact.speed.abs() <= margin);
+    let others = orbit.impacts().all(|impact| impact.speed > -margin)
+        && orbit.least.is_none_or(|least| least.gap > -margin);
     match (at, orbit.admissibility) {
         (Some(Bifurcation::Grazing | Bifurcation::Fade), _) => Judgement::Marginal,
         _ if others && (grazes || fades) => Judgement::Marginal,
@@ -212,8 +207,16 @@ pub(super) fn admissible(orbit: &Orbit, at: Option<Bifurcation>) -> Judgement {
     }
 }
 
-/// Why a solution is not an orbit.
-pub(super) fn obstacle(orbit: &Orbit) -> Option<String> {
+/// Why a solution is not an orbit, or marginal where that is not the bifurcation's nature: what rounding
+/// decides is not said of one wall or impact.
+pub(super) fn obstacle(orbit: &Orbit, at: Option<Bifurcation>) -> Option<String> {
+    match (admissible(orbit, at), at) {
+        (Judgement::Marginal, Some(Bifurcation::Grazing | Bifurcation::Fade)) => return None,
+        (Judgement::Marginal, _) => {
+            return Some("touches a wall, or an impact has no speed, to rounding".into());
+        }
+        _ => {}
+    }
     match orbit.admissibility {
         Admissibility::Admissible => None,
         Admissibility::Outgoing(i) => Some(format!("impact {} does not come in", i + 1)),

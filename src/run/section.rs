@@ -199,7 +199,7 @@ fn attractors<D: Dynamics>(
         grazing_curve: Vec::new(),
         manifolds: Vec::new(),
         notes: Vec::new(),
-        minimum_depth: job.scene.accuracy.minimum_depth,
+        minimum_depth: f64::NAN,
         size: None,
     };
     let mut cycles: Vec<(usize, Cycle<D::Point>)> = Vec::new();
@@ -344,6 +344,7 @@ fn of_oscillator(task: &SectionTask, job: &Job) -> Result<SectionFindings> {
     let phase = phase(&task.phase);
     let starts = task.starts.iter().map(|start| job.scene.state(start)).collect::<Result<Vec<State>>>()?;
     let (mut found, cycles) = attractors(task, job, &simulator, starts)?;
+    found.minimum_depth = simulator.settings().minimum_depth;
     let oscillator = job.oscillator(job.system()?.clone())?;
     for keys in &task.orbits {
         job.check()?;
@@ -357,7 +358,8 @@ fn of_oscillator(task: &SectionTask, job: &Job) -> Result<SectionFindings> {
                 continue;
             }
             if task.manifolds && !orbit.multipliers.is_stable() {
-                manifolds(job, &simulator, phase, &points, &mut found)?;
+                let plan = ManifoldPlan::default().sized(orbit.unit);
+                manifolds(job, &simulator, (phase, &plan), &points, &mut found)?;
             }
             found.points.push((SectionSet::Orbit(found.further_orbits.len()), points));
             found.further_orbits.push(SectionOrbitRow {
@@ -380,18 +382,18 @@ fn of_oscillator(task: &SectionTask, job: &Job) -> Result<SectionFindings> {
 fn manifolds(
     job: &Job,
     simulator: &Simulator,
-    phase: f64,
+    (phase, plan): (f64, &ManifoldPlan),
     points: &[[f64; 2]],
     found: &mut SectionFindings,
 ) -> Result<()> {
     let back = reversed(job.system()?).and_then(|system| job.simulator_of(&system));
-    let (periods, plan) = (points.len() as u32, ManifoldPlan::default());
+    let periods = points.len() as u32;
     for &[q, u] in points {
-        let unstable = unstable_manifold(simulator, phase, periods, [q, u], &plan, job.monitor);
+        let unstable = unstable_manifold(simulator, phase, periods, [q, u], plan, job.monitor);
         let stable = match &back {
             Ok(back) => {
                 let phase = reversed_phase(phase);
-                unstable_manifold(back, phase, periods, [q, -u], &plan, job.monitor)
+                unstable_manifold(back, phase, periods, [q, -u], plan, job.monitor)
             }
             Err(error) => Err(Error::input(error.to_string())),
         };

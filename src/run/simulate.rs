@@ -98,7 +98,7 @@ pub fn simulate(task: &SimulateTask, job: &Job, keeper: &mut dyn Keeper) -> Resu
         u: 0.0,
         acceleration: 0.0,
         extent: [f64::INFINITY, f64::NEG_INFINITY],
-        minimum_depth: job.scene.accuracy.minimum_depth,
+        minimum_depth: simulator.settings().minimum_depth,
     };
     let widen = |[low, high]: [f64; 2], q: f64| [low.min(q), high.max(q)];
     let samples = u64::from(task.samples);

@@ -14,7 +14,7 @@ use crate::{
     monitor::timed,
     number::{Ball, Precision, Real, certain_digits},
     oscillator::{
-        branch::{Bifurcation, BranchSearch, locate},
+        branch::{Bifurcation, BranchSearch, OscillatorPatterns, nearest},
         grazing,
         orbit::{Family, Itinerary, Orbit, Oscillator, Unknowns},
         validate::{self, Condition, ExpectedImpact, Jet, Quotient, Stability, Verdict},
@@ -175,10 +175,7 @@ fn starts(task: &ValidateTask, oscillator: &Oscillator, found: &mut ValidateFind
     match task.orbit.orbits(oscillator) {
         Ok(orbits) => {
             if orbits.is_empty() {
-                let (starts, speed) = (task.orbit.starts, task.orbit.greatest_speed());
-                let reason =
-                    format!("no orbit of the pattern from {starts} starts with speeds up to {speed}");
-                found.nothing(Vec::new(), reason);
+                found.nothing(Vec::new(), task.orbit.none());
             }
             orbits
         }
@@ -302,7 +299,9 @@ fn approximate(
     start: f64,
     task: &ValidateTask,
 ) -> Result<(Vec<ExpectedImpact>, f64, Condition)> {
-    let found = match locate(family, event, orbit, start, task.reach, &task.options.checked()?)? {
+    let (patterns, extent) =
+        (OscillatorPatterns::new(family, start)?, task.extent(&family.at(start)?, orbit));
+    let found = match nearest(&patterns, event, orbit, start, extent, &task.options.checked()?)? {
         BranchSearch::Found(found) => found,
         BranchSearch::Nothing(nothing) => return Err(Error::input(nothing.to_string())),
     };

@@ -193,8 +193,9 @@ keys! {
         phase: BigRational,
         /// which image of the corner, in periods of the orbit
         images: u32 = "2",
-        /// how far from the orbit its unstable manifold is entered; the answers for each must agree
-        offsets: Vec<f64> = "[1e-4, 1e-5, 1e-6]",
+        /// how far from the orbit its unstable manifold is entered; the answers for each must agree. If
+        /// empty, 5e-5, 5e-6 and 5e-7 of the size of the motion
+        offsets: Vec<f64> = "[]",
         /// where simulated motions start
         start: Start,
         /// how far from the crisis the simulations are made, on either side
@@ -203,6 +204,17 @@ keys! {
         periods: u64 = "1000000",
         /// a motion without an impact for this many periods has escaped
         quiet: u64 = "100",
+    }
+}
+
+impl CrisisTask {
+    /// How far from the orbit its unstable manifold is entered, where motions have this size.
+    pub fn offsets_at(&self, size: f64) -> Vec<f64> {
+        if self.offsets.is_empty() {
+            [5e-5, 5e-6, 5e-7].map(|x| x * size).to_vec()
+        } else {
+            self.offsets.clone()
+        }
     }
 }
 

@@ -182,13 +182,11 @@ impl Scene {
             places: Arc::new(seen.places.take()),
             files: Arc::new(seen.files.take()),
         };
-        for (accuracy, least, key) in [
-            (scene.accuracy.tolerance, 1e-15, "tolerance"),
-            (scene.accuracy.minimum_depth, 1e-13, "minimum_depth"),
-        ] {
-            if !(least..=1e-3).contains(&accuracy) {
-                return Err(scene.fail(&format!("accuracy.{key}"), &format!("is outside {least:e} to 1e-3")));
-            }
+        if !(1e-15..=1e-3).contains(&scene.accuracy.tolerance) {
+            return Err(scene.fail("accuracy.tolerance", "is outside 1e-15 to 1e-3"));
+        }
+        if scene.accuracy.minimum_depth.is_some_and(|depth| depth.is_nan() || depth <= 0.0) {
+            return Err(scene.fail("accuracy.minimum_depth", "must be positive"));
         }
         match scene.body {
             Body::Oscillator(_) => scene.exact(&[]).map(|_| ())?,

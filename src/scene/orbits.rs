@@ -7,8 +7,8 @@ use crate::{
     error::Result,
     oscillator::{
         Side, System,
-        branch::{Bifurcation, Options},
-        orbit::{Itinerary, Orbit, Oscillator, Strike, find, search},
+        branch::{Bifurcation, Options, SearchReach},
+        orbit::{Itinerary, Orbit, Oscillator, Strike, find, search, search_obstacle},
     },
 };
 
@@ -30,8 +30,9 @@ keys! {
         start: Vec<f64> = "[]",
         /// how many starts the search makes
         starts: u32 = "500",
-        /// the greatest speed at which the search starts, in the scene's units; without it 1, of a machine
-        /// four times the size of the gaps' motion per radian of the forcing
+        /// the greatest speed at which the search starts, in the scene's units; without it the
+        /// size of the motion (of what the forces do and of the walls that are struck), of a machine four
+        /// times the size of the gaps' motion per radian of the forcing
         speed: Option<f64>,
     }
 }
@@ -51,9 +52,11 @@ impl OrbitKeys {
         Itinerary::new(strikes.collect())
     }
 
-    /// The greatest speed at which the search starts, for an oscillator of one degree of freedom.
-    pub fn greatest_speed(&self) -> f64 {
-        self.speed.unwrap_or(1.0)
+    /// What is said where no orbit is found.
+    pub fn none(&self) -> String {
+        let of_the_motion = || "speeds of the size of the motion".to_string();
+        let speeds = self.speed.map_or_else(of_the_motion, |speed| format!("speeds up to {speed}"));
+        format!("no orbit of the pattern from {} starts with {speeds}", self.starts)
     }
 
     /// The orbits of the pattern: the one Newton's method finds from `start`, or those of a search.
@@ -63,7 +66,11 @@ impl OrbitKeys {
     pub fn orbits(&self, oscillator: &Oscillator) -> Result<Vec<Orbit>> {
         let itinerary = self.itinerary(oscillator.system())?;
         if self.start.is_empty() {
-            return Ok(search(oscillator, &itinerary, self.starts, self.greatest_speed()));
+            let speed = self.speed.unwrap_or_else(|| oscillator.unit(&itinerary));
+            let found = search(oscillator, &itinerary, self.starts, speed);
+            let nothing = found.is_empty();
+            let why = nothing.then(|| search_obstacle(oscillator, &itinerary, self.starts, speed)).flatten();
+            return why.map_or(Ok(found), Err);
         }
         Ok(vec![find(oscillator, &itinerary, self.start.clone())?])
     }
@@ -102,23 +109,31 @@ keys! {
         parameter: String,
         /// the orbit at the parameter's present value
         orbit: OrbitKeys,
-        /// how far along its branch to look, both ways, in the norm of times, speeds and parameter; of a
-        /// machine, in the parameter; without it 0.5, of a machine half of the parameter's value, or what
-        /// moves a gap by the size of the gaps' motion, the larger
+        /// how far along its branch to look, both ways, in the norm of times, of speeds in units of the
+        /// motion's size and of the parameter; of a machine, in the parameter; without it 0.5, the parameter
+        /// in units of what changes a force or a wall by its own size, of a machine half of the parameter's
+        /// value, or what moves a gap by the size of the gaps' motion, the larger
         reach: Option<f64>,
-        /// how the branch is followed; lengths are those of times, speeds and the parameter as they are; of a
-        /// machine in units of the gaps' motion, and of what `reach` is if it is not given
+        /// how the branch is followed; lengths are as those of `reach`; of a machine in units of the gaps'
+        /// motion, and of what `reach` is if it is not given
         options: Options = "{}",
     }
 }
 
-/// How far to look in a parameter, or along a branch, of an oscillator.
-const REACH: f64 = 0.5;
+/// How far to look along the branch of an oscillator from an orbit: in the norm of times, of speeds in units
+/// of the motion's size and of the parameter, as it is if `reach` is given, else in what changes the system
+/// by its own size.
+pub(super) fn extent(reach: Option<f64>, oscillator: &Oscillator, orbit: &Orbit) -> SearchReach {
+    match reach {
+        Some(reach) => SearchReach::Length { reach, unit: 1.0 },
+        None => SearchReach::Length { reach: 0.5, unit: oscillator.parameter_unit(orbit.unit) },
+    }
+}
 
 impl EventTask {
-    /// How far to look along the branch of an oscillator.
-    pub fn length(&self) -> f64 {
-        self.reach.unwrap_or(REACH)
+    /// How far to look along the branch of an oscillator from an orbit.
+    pub fn extent(&self, oscillator: &Oscillator, orbit: &Orbit) -> SearchReach {
+        extent(self.reach, oscillator, orbit)
     }
 }
 
@@ -132,28 +147,28 @@ keys! {
         /// the orbit that comes to graze, near the parameter's present value, at its least minimum of a gap;
         /// of a machine, the motion without impacts
         orbit: OrbitKeys = "{}",
-        /// how far along its branch to look, both ways, in the norm of times, speeds and parameter; of a
-        /// machine, in the parameter; without it 0.5, of a machine half of the parameter's value, or what
-        /// moves a gap by the size of the gaps' motion, the larger
+        /// how far along its branch to look, both ways, in the norm of times, of speeds in units of the
+        /// motion's size and of the parameter; of a machine, in the parameter; without it 0.5, the parameter
+        /// in units of what changes a force or a wall by its own size, of a machine half of the parameter's
+        /// value, or what moves a gap by the size of the gaps' motion, the larger
         reach: Option<f64>,
-        /// how the branch is followed; lengths are those of times, speeds and the parameter as they are; not
-        /// of a machine
+        /// how the branch is followed; lengths are as those of `reach`; not of a machine
         options: Options = "{}",
         /// the largest period of the patterns, in periods of that orbit
         max_period: u32 = "4",
         /// how far from the bifurcation the born orbits are found: the distance |eµ| between the orbit and
-        /// the wall; without it 1e-6, of a machine that part of the size of the gaps' motion
+        /// the wall; without it 1e-6 of the size of the motion, of a machine of the gaps' motion
         distance: Option<f64>,
     }
 }
 
 impl GrazingTask {
-    /// How far to look along the branch of an oscillator.
-    pub fn length(&self) -> f64 {
-        self.reach.unwrap_or(REACH)
+    /// How far to look along the branch of an oscillator from an orbit.
+    pub fn extent(&self, oscillator: &Oscillator, orbit: &Orbit) -> SearchReach {
+        extent(self.reach, oscillator, orbit)
     }
 
-    /// The distance |eµ| where motions have this size: 1 for an oscillator.
+    /// The distance |eµ| where motions have this size.
     pub fn distance_at(&self, size: f64) -> f64 {
         self.distance.unwrap_or(1e-6 * size)
     }

@@ -62,18 +62,19 @@ keys! {
 keys! {
     /// How accurately motions are computed.
     pub struct Accuracy {
-        /// the integrator's tolerance, absolute and relative, for oscillators that are not linear; others
+        /// the integrator's tolerance, relative to the motion, for oscillators that are not linear; others
         /// need none
         tolerance: f64 = "1e-12",
         /// a minimum of the distance to a wall that is deeper than this is an impact; a shallower one is a
-        /// tangency
-        minimum_depth: f64 = "1e-12",
+        /// tangency. In the scene's unit of length; without it 10⁻¹² of the size of the gap to the nearest
+        /// wall
+        minimum_depth: Option<f64>,
     }
 }
 
 impl Default for Accuracy {
     fn default() -> Self {
-        Accuracy { tolerance: 1e-12, minimum_depth: 1e-12 }
+        Accuracy { tolerance: 1e-12, minimum_depth: None }
     }
 }
 

@@ -1,7 +1,13 @@
 //! The keys of the task `validate`.
 
-use super::{keys::keys, orbits::OrbitKeys};
-use crate::oscillator::branch::{Bifurcation, Options};
+use super::{
+    keys::keys,
+    orbits::{OrbitKeys, extent},
+};
+use crate::oscillator::{
+    branch::{Bifurcation, Options, SearchReach},
+    orbit::{Orbit, Oscillator},
+};
 
 keys! {
     /// Proves that exact orbits exist, each the only one in a box, admissible, and stable or not. With
@@ -15,11 +21,19 @@ keys! {
         event: Option<Bifurcation>,
         /// the parameter that varies; goes with `event`
         parameter: Option<String>,
-        /// how far along its branch to look for the event, in the norm of times, speeds and parameter
-        reach: f64 = "0.5",
+        /// how far along its branch to look for the event, as that of tasks `event` of an
+        /// oscillator
+        reach: Option<f64>,
         /// how the branch is followed to the event
         options: Options = "{}",
         /// bits of the enclosures
         bits: u32 = "128",
+    }
+}
+
+impl ValidateTask {
+    /// How far to look for the event along the branch of an orbit.
+    pub fn extent(&self, oscillator: &Oscillator, orbit: &Orbit) -> SearchReach {
+        extent(self.reach, oscillator, orbit)
     }
 }

@@ -1,4 +1,5 @@
-//! Error against time of five motions: linear and Duffing's with a wall, near grazing, chatter, ten modes.
+//! Error against time of six motions: linear and Duffing's with a wall, near grazing, chatter, a steep
+//! friction, ten modes.
 //!
 //! `simulations_reference.csv` says where each is after ten periods, to 40 digits: Taylor series in other
 //! software, `benches/peers/motions_reference.py`, followed each twice. All coefficients are dyadic
@@ -21,6 +22,7 @@ use crate::{
         Harmonic, System, Time, Wall,
         simulate::{Event, Settings, Simulator},
     },
+    scene::Scene,
 };
 
 /// A motion that starts at t = 0 at rest.
@@ -60,6 +62,10 @@ pub struct SimulationPrice {
 /// Periods 2π of a motion.
 pub const PERIODS: i64 = 10;
 
+/// A friction that turns round within a velocity of 1/64.
+const FRICTION: &str =
+    "format = \"grazing-scene 1\"\ntitle = \"friction\"\n[system]\nforce = \"-1/4*tanh(64*u)\"\n";
+
 const REFERENCE: &str = include_str!("simulations_reference.csv");
 
 /// Squares of the frequencies of the ten modes, in sixteenths: from 1.3² to 13².
@@ -67,8 +73,11 @@ const SQUARES: [f64; 10] = [27.0, 45.0, 75.0, 126.0, 209.0, 349.0, 583.0, 972.0,
 /// Their damping, in 64ths: 4% of critical.
 const DAMPING: [f64; 10] = [7.0, 9.0, 11.0, 14.0, 19.0, 24.0, 31.0, 40.0, 52.0, 67.0];
 
-/// The five motions.
-pub fn motions() -> Vec<KnownMotion> {
+/// The six motions.
+///
+/// # Errors
+/// None: the scene of the friction is part of the program, and a test reads it.
+pub fn motions() -> Result<Vec<KnownMotion>> {
     let wall = |offset, restitution, cos: f64| {
         let harmonics = if cos == 0.0 { vec![] } else { vec![Harmonic { k: 1, cos, sin: 0.0 }] };
         Wall { offset, harmonics, restitution }
@@ -84,6 +93,7 @@ pub fn motions() -> Vec<KnownMotion> {
         upper: None,
     };
     let forced = |cos| vec![Harmonic { k: 1, cos, sin: 0.0 }];
+    let rubbed = Scene::from_toml(FRICTION, "friction")?.plain(&[])?;
     let eighth = || system(0.125, 0.25, wall(-0.5, 0.75, 0.0));
     let alone =
         |name, system, start, slowest| KnownMotion { name, model: Model::Oscillator(system), start, slowest };
@@ -108,13 +118,14 @@ pub fn motions() -> Vec<KnownMotion> {
             law: StopLaw::Newton,
         }],
     };
-    vec![
+    Ok(vec![
         alone("linear with wall", System { forcing: forced(1.0), ..eighth() }, 1.0, 0.0),
         alone("Duffing with wall", System { forcing: forced(0.5), cubic: 0.5, ..eighth() }, 1.0, 0.0),
         alone("near grazing", system(0.0, 1.0 - 1.0 / 64.0, wall(-1.0 + 1.0 / 2048.0, 1.0, 0.0)), 1.0, 0.0),
         alone("chatter", System { force: -1.0, ..system(0.125, 0.25, wall(0.0, 0.5, 2.0)) }, 3.0, 1.0 / 64.0),
+        alone("steep friction", System { forcing: forced(1.0), smooth: rubbed.smooth, ..eighth() }, 1.0, 0.0),
         KnownMotion { name: "10 modes", model: Model::Machine(machine), start: 0.0, slowest: 0.0 },
-    ]
+    ])
 }
 
 impl KnownMotion {
@@ -135,7 +146,7 @@ impl KnownMotion {
 
     /// Whether it can be simulated in closed form.
     pub fn is_linear(&self) -> bool {
-        !matches!(&self.model, Model::Oscillator(system) if system.cubic != 0.0)
+        !matches!(&self.model, Model::Oscillator(system) if system.cubic != 0.0 || system.smooth.is_some())
     }
 
     /// Whether it can be integrated with a tolerance.
@@ -211,7 +222,7 @@ mod tests {
     /// Closed forms and the integrator meet the other program's motions, and its impacts.
     #[test]
     fn motions_agree_with_another_programs() {
-        for motion in motions() {
+        for motion in motions().unwrap() {
             let ways = [motion.is_linear().then_some(None), motion.is_oscillator().then_some(Some(1e-13))];
             for tolerance in ways.into_iter().flatten() {
                 let found = motion.measure(tolerance, 1, Duration::ZERO).unwrap();

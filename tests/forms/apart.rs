@@ -50,8 +50,11 @@ pub fn differences(scene: &Table) -> (Vec<Difference>, usize) {
     let scene = Scene::from_toml(&text, "scene.toml").expect("it was read before");
     for (task, one) in scene.tasks.iter().zip(&one.0) {
         let Some((units, _)) = parts::units(task) else { continue };
+        let effects = format!("{:?}", one.report.effects);
         let one = findings(&one.report);
-        compare(&task.name, "in shards", &one, &findings(&in_shards(&scene, task, units)));
+        let shards = in_shards(&scene, task, units);
+        compare(&task.name, "in shards", &one, &findings(&shards));
+        compare(&task.name, "work of shards", &effects, &format!("{:?}", shards.effects));
         compare(&task.name, "resumed", &one, &findings(&resumed(&scene, task)));
     }
     (all, count)
@@ -64,11 +67,12 @@ fn findings(report: &TaskReport) -> String {
 
 fn in_shards(scene: &Scene, task: &Task, units: u64) -> TaskReport {
     let folder = tempfile::tempdir().expect("a folder");
-    let job = Job::new(scene, task, Surroundings::default()).expect("it was made before");
+    // Each is a command of its own, that counts its own work.
+    let job = || Job::new(scene, task, Surroundings::default()).expect("it was made before");
     let cut = units / 3;
-    let part = |name: &str, range| parts::part(&job, range, &folder.path().join(name)).expect("a part");
+    let part = |name: &str, range| parts::part(&job(), range, &folder.path().join(name)).expect("a part");
     let records: Vec<String> = [part("1", 0..cut), part("2", cut..units)].concat();
-    parts::whole(&job, &records, &mut ())
+    parts::whole(&job(), &records, &mut ())
 }
 
 fn resumed(scene: &Scene, task: &Task) -> TaskReport {

@@ -239,6 +239,10 @@ impl Condition<'_> {
         };
         let Some(far) = apart(cell, other) else { return Judged::Other(format!("{other:?} for {cell:?}")) };
         let size = size(cell, self.sizes);
+        // At a fade a multiplier is the inverse of a speed that is 0 to rounding.
+        if matches!(cell, Cell::Multipliers(_)) && self.delta * size > 1.0 {
+            return Judged::Undecided;
+        }
         for (i, x) in far.into_iter().enumerate() {
             // An eigenvalue is known to δ of the largest, and so a product to δ of its square.
             let product = matches!(cell, Cell::Multipliers(all) if all.len() == 2) && i == 1;

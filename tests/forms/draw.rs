@@ -132,7 +132,10 @@ pub fn drawn(seed: u64) -> Drawn {
 }
 
 fn oscillator(random: &mut Random, system: System) -> String {
-    let (damping, stiffness) = (random.number(0.05, 0.5), random.number(0.25, 6.0));
+    // Sometimes a transient lasts.
+    let light = system == System::Linear && random.chance(15);
+    let damping = if light { 1.0 / 2048.0 } else { random.number(0.05, 0.5) };
+    let stiffness = random.number(0.25, 6.0);
     let second = if random.chance(30) { random.number(-0.25, 0.25) } else { 0.0 };
     let mut response = Response { terms: Vec::new() };
     let one = |x: f64| vec![vec![x]];
@@ -162,7 +165,8 @@ fn oscillator(random: &mut Random, system: System) -> String {
             let strength = random.number(0.0625, 0.5) / 4.0;
             let formula = match random.below(4) {
                 0 => format!("-{strength}*sin(2*q)"),
-                1 => format!("-{strength}*tanh(4*u)"),
+                // Sometimes steep.
+                1 => format!("-{strength}*tanh({}*u)", if random.chance(50) { 4 } else { 128 }),
                 2 => format!("-{strength}*q*u^2"),
                 _ => format!("{strength}*exp(-q^2)*cos(t + 1)*F"),
             };
@@ -170,7 +174,7 @@ fn oscillator(random: &mut Random, system: System) -> String {
         }
         _ => String::new(),
     };
-    let restitution = random.number(0.3125, 1.0);
+    let restitution = if light { 1.0 } else { random.number(0.3125, 1.0) };
     let wall = |side: &str, offset: f64| {
         format!("[[walls]]\nside = \"{side}\"\noffset = {offset}\nrestitution = {restitution}\n{harmonics}")
     };

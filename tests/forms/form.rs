@@ -9,8 +9,8 @@ use super::{
     draw::Random,
     report::{FAR, Moving, Texts, View},
     scene::{
-        What, coordinates, each_number, each_text, exact, is_formula, is_machine, list, renamed, substituted,
-        text,
+        What, brief, coordinates, each_number, each_text, exact, is_formula, is_machine, list, renamed,
+        substituted, text,
     },
 };
 
@@ -32,6 +32,8 @@ pub struct Form {
     pub name: &'static str,
     pub level: Level,
     pub scene: Table,
+    /// What it is a form of, where that is not the scene itself but the scene with shorter tasks.
+    pub of: Option<Table>,
     pub view: View,
     pub texts: Texts,
     /// Kinds of tasks that the form leaves out by design.
@@ -45,10 +47,11 @@ pub struct Form {
 }
 
 /// Tasks that a form has not, and why: printed with every run.
-pub const BY_DESIGN: [(&str, &str, &str); 17] = [
+pub const BY_DESIGN: [(&str, &str, &str); 18] = [
+    ("machine of formulas", "criticality", "no normal form is computed through formulas of machines"),
     ("machine", "columns that one format has", "each is compared between forms of its own format"),
     ("machine", "whether a grazing is admissible", "format 1 says it but for the tangency"),
-    ("machine, units of format 1", "events beyond their reach", "it is a length in the form's own units"),
+    ("machine", "events beyond their reach", "it is a length of a branch in one format"),
     ("machine", "refuted", "what is proved of machines refutes nothing: undecided"),
     ("mirrored", "the point shown of a basin's attractor", "that of the first start, which is another"),
     ("machine", "map crisis chaos", "tasks of format 1 only"),
@@ -85,6 +88,7 @@ fn form(name: &'static str, level: Level, base: &Table) -> Form {
         name,
         level,
         scene: base.clone(),
+        of: None,
         view: View::of(base),
         texts: Texts::Words,
         without: Vec::new(),
@@ -160,6 +164,14 @@ pub fn changed(base: &Table, delta: f64, seed: u64) -> Table {
     let mut count = 0;
     each_number(&mut scene, &mut |mut slot| {
         count += 1;
+        // How far a born orbit is from its grazing is the difference of two parameters. These are known to
+        // δ of themselves, which is more beside a distance of 2⁻²⁰ of the motion's size.
+        if slot.what == What::Distance {
+            let number: f64 = slot.text().parse().expect("a number");
+            let part = f64::from(Random(seed).signed_part());
+            *slot.value = Value::Float(number * (1.0 + part / 4.0 * delta * 1_048_576.0));
+            return;
+        }
         if matches!(slot.what, What::Clock | What::Bound | What::Row) || slot.plain {
             return;
         }
@@ -271,16 +283,9 @@ fn units(name: &'static str, base: &Table, [length, time, mass]: [f64; 3]) -> Op
             accuracy.insert("minimum_depth".into(), Value::Float(1e-12 * length));
         }
     }
-    if !machine {
-        // Newton's method and branches take steps in times and lengths as they are.
-        form.texts = Texts::Presence;
-        for task in list(&mut form.scene, "tasks") {
-            if let Some(reach) = task.get_mut("reach") {
-                *reach = Value::Float(text(reach).parse::<f64>().expect("a number") * length.max(1.0));
-            }
-        }
+    if machine || level != Level::Exact {
+        form.rounded = &SOLVED;
     }
-    form.rounded = &SOLVED;
     (form.view.length, form.view.time, form.view.mass) = (length, time, mass);
     form.other.push("coefficient");
     Some(form)
@@ -571,6 +576,10 @@ fn without_proofs(form: &mut Form) {
 fn hidden(base: &Table) -> Option<Form> {
     let mut form = form("a formula that is not recognised", Level::Integrator, base);
     without_proofs(&mut form);
+    if !is_integrated(base) {
+        brief(&mut form.scene);
+        form.of = Some(form.scene.clone());
+    }
     if !is_machine(base) {
         let force = formula(base["system"].as_table()?, "q*(sin(q)^2 + cos(q)^2)");
         only_force(&mut form, force);
@@ -685,6 +694,9 @@ fn machine(base: &Table) -> Option<Form> {
     form.view.radians = false;
     form.without.push("machine");
     form.other.extend(["coefficient", "effects", "extent", "half"]);
+    if is_integrated(base) {
+        form.other.push("criticality");
+    }
     Some(form)
 }
 

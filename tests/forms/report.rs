@@ -224,7 +224,16 @@ impl Reported {
     /// The task's name, if an event was not found within its reach.
     pub fn beyond_reach(&self) -> Option<String> {
         let reason = self.report.status.reason().unwrap_or_default();
-        (self.report.kind == "event" && reason.contains("beyond reach")).then(|| self.report.task.clone())
+        (["event", "grazing"].contains(&self.report.kind) && reason.contains("beyond reach"))
+            .then(|| self.report.task.clone())
+    }
+
+    /// Times in periods and speeds of the impacts of a motion, as its format has them.
+    pub fn impacts(&self) -> Vec<[f64; 2]> {
+        let impact = |(word, time, _, speed): &(&str, f64, Option<usize>, f64)| {
+            (*word == "impact").then_some([*time, speed.abs()])
+        };
+        self.series.events.iter().filter_map(impact).collect()
     }
 
     /// All that there is, but for what depends on where the task stands, as text.
@@ -277,11 +286,23 @@ pub fn answer(one: &Reported, view: &View, texts: Texts) -> Answer {
             None => reader.cell(name, value, &whole, &mut head),
         }
     }
+    // How much work it was differs, that there was some does not.
+    let worked = if one.report.effects.is_empty() { "none" } else { "counted" };
+    head.insert("work".into(), Cell::Word(worked.into()));
     if one.report.kind == "simulate" {
         reader.simulated(&whole, &mut head, &mut tables);
         reader.series(&one.series, &mut head, &mut tables);
     }
     reader.points(one, &mut tables);
+    // Of a motion that is not periodic it is a mean over a finite time, of vectors with all coordinates.
+    if !view.further.is_empty() {
+        let null = Cell::Word("null".into());
+        let rows = tables.get_mut("attractors").into_iter().flatten();
+        for row in rows.filter(|row| row.get("period") == Some(&null)) {
+            row.remove("lyapunov_per_period");
+            row.remove("standard_error");
+        }
+    }
     tables.insert(String::new(), vec![head]);
     tables
 }
@@ -442,6 +463,7 @@ impl Reader<'_> {
             (_, "least_gap") => self.gap(name, value, cells),
             (_, "e" | "largest_gap") => self.number(name, value, LENGTH, cells),
             (_, "fastest") => self.number(name, value, SPEED, cells),
+            (_, "peak_force") => self.number(name, value, Unit(1, -2, 1), cells),
             (_, "strongest") => self.number(name, value, Unit(1, -1, 1), cells),
             (_, "gamma" | "period") if value.is_f64() => self.number(name, value, Unit(0, 1, 0), cells),
             (_, "frequency") => self.number(name, value, Unit(0, -1, 0), cells),

@@ -34,8 +34,10 @@ pub enum What {
     Clock,
     /// Where a motion starts: it turns with the coordinates.
     Start,
-    /// A bound that does not turn: a greatest speed, a distance, a depth.
+    /// A bound that does not turn: a greatest speed, a depth.
     Bound,
+    /// How far from a grazing orbits are looked for.
+    Distance,
 }
 
 /// A number of a scene: a TOML number, or an expression as text.
@@ -98,6 +100,65 @@ pub fn text(value: &Value) -> String {
 
 pub fn is_machine(scene: &Table) -> bool {
     scene["format"].as_str() == Some("grazing-scene 2")
+}
+
+/// Fewer and shorter tasks: what is integrated takes ten to a hundred times as long. Branches and events
+/// are followed for a sixth of their way at most, from orbits and not from attractors; motions last tens of
+/// periods.
+pub fn brief(scene: &mut Table) {
+    let at_most = |table: &mut Table, key: &str, most: i64| {
+        if let Some(value) = table.get_mut(key) {
+            *value = Value::Integer(value.as_integer().unwrap_or(most).min(most));
+        }
+    };
+    let number = |value: &Value| text(value).parse::<f64>().ok();
+    let parameters = scene.get("parameters").and_then(Value::as_table).cloned().unwrap_or_default();
+    if let Some(tasks) = scene.get_mut("tasks").and_then(Value::as_array_mut) {
+        tasks.retain(|task| {
+            let starts = task.get("starts").and_then(Value::as_array);
+            !starts.is_some_and(|all| all.iter().any(|start| start.get("attractor").is_some()))
+        });
+    }
+    for task in list(scene, "tasks") {
+        for (key, most) in
+            [("transient", 40), ("points", 20), ("periods", 6), ("max_period", 1), ("longest", 8)]
+        {
+            at_most(task, key, most);
+        }
+        if task["kind"].as_str() != Some("map") {
+            at_most(task, "count", 2);
+        }
+        if let Some(orbit) = task.get_mut("orbit").and_then(Value::as_table_mut) {
+            at_most(orbit, "starts", 1);
+        }
+        for key in ["q", "u"] {
+            if let Some(values) = task.get_mut(key).and_then(Value::as_table_mut) {
+                at_most(values, "count", 2);
+            }
+        }
+        if ["section", "diagram"].contains(&task["kind"].as_str().unwrap_or(""))
+            && let Some(starts) = task.get_mut("starts").and_then(Value::as_array_mut)
+        {
+            starts.truncate(1);
+        }
+        if task["kind"].as_str() == Some("event") {
+            task.insert("reach".into(), Value::Float(0.15625));
+        }
+        let value =
+            task.get("parameter").and_then(Value::as_str).and_then(|name| number(parameters.get(name)?));
+        if let (Some(value), Some("branch")) = (value, task["kind"].as_str())
+            && let Some(range) = task.get_mut("range").and_then(Value::as_array_mut)
+            && let [Some(low), Some(high)] = [number(&range[0]), number(&range[1])]
+        {
+            let part = (high - low) / 24.0;
+            *range = vec![Value::Float(low.max(value - part)), Value::Float(high.min(value + part))];
+        }
+        if let Some(values) = task.get_mut("values").and_then(Value::as_array_mut)
+            && values.len() > 1
+        {
+            *values = vec![values[values.len() / 2].clone()];
+        }
+    }
 }
 
 /// How many coordinates its formulas, rows and starts have.
@@ -197,7 +258,7 @@ fn of_task(task: &mut Table, look: &mut dyn FnMut(Slot)) {
             }
         }
     }
-    plain(task, "distance", (What::Bound, LENGTH), look);
+    plain(task, "distance", (What::Distance, LENGTH), look);
 }
 
 fn orbit(table: &mut Table, look: &mut dyn FnMut(Slot)) {

@@ -212,3 +212,30 @@ fn what_truncation_may_do_to_the_first_impact_is_the_impulse_response_in_closed_
     }
     assert!((x[0] / gap - 1.0).abs() < 1e-5, "{} {gap}", x[0]);
 }
+
+#[test]
+fn exponents_under_a_record_are_those_of_the_same_force() {
+    use grazing::{
+        machine::section::{MachineStart, PlanarMachine, PlaneAxis},
+        oscillator::attractor::lyapunov::exponents,
+    };
+    let rows: String = (0..101).map(|i| format!("{},5\n", 0.1 * f64::from(i))).collect();
+    let folder = folder("exponents", &rows);
+    let body = "period = 0.5\nmass = 2\nstiffness = 3\ndamping = 0.2\n";
+    let found = [
+        format!("{body}force = \"-40*q^3 - 3*u^3\"\nmeasured = {{ file = \"force.csv\", once = true }}"),
+        format!("{body}force = \"5 - 40*q^3 - 3*u^3\""),
+    ]
+    .map(|system| {
+        let machine = scene(&folder, &system, "").unwrap().machine(&[]).unwrap();
+        let axes = [PlaneAxis::Place(0), PlaneAxis::Speed(0)];
+        let planar = PlanarMachine::new(&machine, simulator(&machine), &axes).unwrap();
+        let start = MachineStart { t: 0.0, q: vec![0.3], u: vec![-0.5] };
+        let all = exponents(&planar, &start, 2, 1, 10, &()).unwrap();
+        all.iter().map(|one| one.rate).collect::<Vec<f64>>()
+    });
+    assert!(found[0].len() == 2 && found[0][1] < -0.02, "{found:?}");
+    for (recorded, constant) in found[0].iter().zip(&found[1]) {
+        assert!((recorded - constant).abs() < 1e-11, "{found:?}");
+    }
+}

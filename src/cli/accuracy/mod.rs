@@ -29,7 +29,7 @@ use kept::Kept;
 /// where it changes and exactly there, and the share of signs that plain floats get wrong, as signs.csv and
 /// signs.svg. Of digits: the time and correct digits of b_{n,k} for each way to compute it and each family of
 /// inputs, beside values by another program, as digits.csv and digits.svg. Of simulations: the time and error
-/// of the closed form and of the integrator at tolerances 1e-3 to 1e-13, on five motions beside ends by
+/// of the closed form and of the integrator at tolerances 1e-3 to 1e-13, on six motions beside ends by
 /// another program, as simulations.csv and .svg; on motions that return, as flow-accuracy.csv and .svg; after
 /// 1 to 10^6 periods, as long-runs.csv. Tables signs-peers.csv, digits-peers.csv and simulations-peers.csv in
 /// the folder, of other programs, are drawn, too. Of proofs: bits and time to prove an orbit, from 1/10 to

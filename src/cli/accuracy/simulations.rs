@@ -20,15 +20,16 @@ pub(super) fn measure(args: &Args, files: &FileRegistry, interrupt: &Interrupt) 
     against_exact_motions(args, files, interrupt)
 }
 
-/// The five motions whose ends another program knows.
+/// The six motions whose ends another program knows.
 fn against_another_program(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> Result<()> {
     let (repeats, batch) =
         if args.quick { (2, Duration::from_micros(200)) } else { (8, Duration::from_millis(5)) };
     let every = if args.quick { 5 } else { 1 };
     let ways: Vec<_> = [None].into_iter().chain(tolerances().into_iter().step_by(every).map(Some)).collect();
-    let progress = Progress::new(interrupt, (motions().len() * ways.len()) as u64, "measurements");
+    let motions = motions()?;
+    let progress = Progress::new(interrupt, (motions.len() * ways.len()) as u64, "measurements");
     let mut prices = Vec::new();
-    for motion in motions() {
+    for motion in motions {
         for &tolerance in &ways {
             if if tolerance.is_some() { motion.is_oscillator() } else { motion.is_linear() } {
                 prices.push(motion.measure(tolerance, repeats, batch)?);

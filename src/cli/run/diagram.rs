@@ -12,7 +12,7 @@ use crate::{
         branch::{BranchPoint, Direction},
         orbit::Family,
     },
-    run::{BranchSource, DiagramFindings, MachineSource, follow, machine_stable},
+    run::{BranchSource, DiagramFindings, MachineSource, OscillatorSource, follow, machine_stable},
     scene::{MachineSceneFamily, SceneFamily, branches::DiagramTask, phase},
 };
 
@@ -27,7 +27,8 @@ pub(super) fn keep(found: &DiagramFindings, task: &DiagramTask, job: &Job) -> Re
     let family = SceneFamily::new(&job.scene, &task.parameter)?;
     let range = task.bounds();
     let drawing = Drawing { family: &family, phase: phase(&task.phase), frame: task.frame };
-    let (branches, _) = follow(&task.branches, &family, range, Direction::Both, &task.options, job)?;
+    let source = OscillatorSource::new(&family)?;
+    let (branches, _) = follow(&task.branches, &source, range, Direction::Both, &task.options, job)?;
     let curves = branches.iter().map(|branch| drawing.curve(branch)).collect::<Result<Vec<_>>>()?;
     let height = |value: f64| -> Result<Height> {
         let oscillator = drawing.family.at(value)?;

@@ -92,12 +92,16 @@ impl SmoothStage {
 
     /// The next step from a state.
     pub fn leap(&self, time: Time, state: &MachineState) -> Leap {
-        let Some((record, weights)) = &self.record else {
-            return self.flow.leap(time, state, self.longest, &[]);
-        };
-        let (value, slope, left) = record.at(time);
-        let given: Vec<[f64; 2]> = weights.iter().map(|by| [by * value, by * slope]).collect();
+        let (given, left) = self.recorded(time);
         self.flow.leap(time, state, self.longest.min(left), &given)
+    }
+
+    /// What the outputs feel of the recorded force at a time, a value and a slope each, and for how long; of
+    /// no record nothing, for ever.
+    fn recorded(&self, time: Time) -> (Vec<[f64; 2]>, f64) {
+        let Some((record, weights)) = &self.record else { return (Vec::new(), f64::INFINITY) };
+        let (value, slope, left) = record.at(time);
+        (weights.iter().map(|by| [by * value, by * slope]).collect(), left)
     }
 
     /// All outputs at a state.
@@ -142,14 +146,16 @@ impl SmoothStage {
         }
     }
 
-    /// ∂(q, q′) after a duration by (q, q′) before.
+    /// ∂(q, q′) after a duration by (q, q′) before, of a machine without a recorded force.
     pub fn transition(&self, state: &MachineState, duration: f64) -> RealMatrix {
         self.flow.transition(state, duration)
     }
 
-    /// The same over one step, no longer than `longest`, and how far that goes.
-    pub fn step_transition(&self, state: &MachineState, longest: f64) -> (RealMatrix, f64) {
-        self.flow.step_transition(state, longest)
+    /// The same over one step, no longer than `longest`, with a recorded force, if there is one; and how far
+    /// that goes.
+    pub fn step_transition(&self, time: Time, state: &MachineState, longest: f64) -> (RealMatrix, f64) {
+        let (given, left) = self.recorded(time);
+        self.flow.step_transition(state, longest.min(left), &given)
     }
 
     /// The determinant of [`transition`](Self::transition), by Liouville: exp ∫ tr ∂q″/∂q′ dt by Gauss's rule

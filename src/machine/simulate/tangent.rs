@@ -117,7 +117,7 @@ impl<'a> MachineTangents<'a> {
             }
             // How fast motions decay is not known beforehand; over a step of the flow they cannot by much.
             Some(smooth) => {
-                let (phi, gone) = smooth.step_transition(&state, longest);
+                let (phi, gone) = smooth.step_transition(self.now, &state, longest);
                 let n = state.q.len();
                 self.mapped(|q, u| {
                     let x = &phi * stacked(&q, &u);

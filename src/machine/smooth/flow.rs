@@ -145,13 +145,18 @@ impl SmoothFlow {
 
     /// The same over one step, no longer than `longest`, and how far that goes: as far as the derivatives in
     /// all directions allow.
-    pub fn step_transition(&self, state: &MachineState, longest: f64) -> (RealMatrix, f64) {
+    pub fn step_transition(
+        &self,
+        state: &MachineState,
+        longest: f64,
+        given: &[[f64; 2]],
+    ) -> (RealMatrix, f64) {
         let n = self.size;
         let from: Vec<f64> = state.q.iter().chain(state.u.iter()).copied().collect();
         let (mut all, mut h) = (RealMatrix::zeros(2 * n, 2 * n), longest);
         let mut firsts = (0..2 * n).step_by(WIDTH);
         while let Some(first) = firsts.next() {
-            let step = step(&self.varied, &self.metric, &seeded(&from, first), state.t, h, &[]);
+            let step = step(&self.varied, &self.metric, &seeded(&from, first), state.t, h, given);
             if step.h < h && first > 0 {
                 // Those before went farther.
                 firsts = (0..2 * n).step_by(WIDTH);

@@ -38,6 +38,8 @@ pub struct Saddle {
     pub unstable: [f64; 2],
     /// The row vector that is normal to Wˢ.
     normal: [f64; 2],
+    /// The size of the motion.
+    size: f64,
 }
 
 /// Where Wᵘ first meets the states whose next flight grazes.
@@ -96,6 +98,7 @@ impl Saddle {
             expansion,
             unstable,
             normal: normal.map(|x| x / along),
+            size: orbit.unit,
         })
     }
 
@@ -189,7 +192,7 @@ impl Saddle {
         let mut here = (free, gap(free)?);
         for _ in 0..8 {
             let next = here.0 - here.1 * (here.0 - before.0) / (here.1 - before.1);
-            if !next.is_finite() || here.1.abs() < 1e-15 {
+            if !next.is_finite() || here.1.abs() < 1e-15 * self.size {
                 break;
             }
             (before, here) = (here, (next, gap(next)?));

@@ -256,7 +256,10 @@ impl<'d, D: Dynamics> Recurrence<'d, D> {
             Some((n, since)) if self.recurs(n, tolerance) && (here <= since + n || self.hits_again(n)) => {
                 let sure = here - since >= n * confirm;
                 if sure && self.recurs_to_rounding(n, confirm) {
-                    self.settled = Some(self.seen(n));
+                    // Points first recur, while a transient lasts, perhaps only after some rounds.
+                    let rounds = |d: usize| n.is_multiple_of(d).then(|| confirm * (n / d));
+                    let again = |d: &usize| rounds(*d).is_some_and(|all| self.recurs_to_rounding(*d, all));
+                    self.settled = Some(self.seen((1..n).find(again).unwrap_or(n)));
                 } else if sure && self.again.is_none() {
                     // It recurs, and no orbit is found: perhaps later.
                     self.again = Some(here + n.max(here / 2));

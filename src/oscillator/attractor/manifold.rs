@@ -34,6 +34,14 @@ pub struct ManifoldPlan {
     pub points: usize,
 }
 
+impl ManifoldPlan {
+    /// The plan for motions of a size: lengths are parts of it.
+    #[must_use]
+    pub fn sized(self, size: f64) -> ManifoldPlan {
+        ManifoldPlan { distance: self.distance * size, step: self.step * size, ..self }
+    }
+}
+
 impl Default for ManifoldPlan {
     fn default() -> Self {
         ManifoldPlan { distance: 1e-5, images: 30, step: 0.02, points: 4000 }

@@ -86,6 +86,16 @@ pub enum Degeneracy {
     Resonance2,
     /// One multiplier is 1 and another −1, which takes more than one degree of freedom.
     FoldFlip,
+    /// One multiplier is 1 and two complex ones are on the unit circle, which takes more than one degree of
+    /// freedom.
+    FoldTorus,
+    /// The same with one multiplier −1.
+    FlipTorus,
+    /// Four complex multipliers are on the unit circle.
+    DoubleTorus,
+    /// On a curve of pitchforks: the coefficient c vanishes, the pitchfork turns from supercritical to
+    /// subcritical.
+    DegeneratePitchfork,
     /// The multipliers are third roots of 1.
     Resonance3,
     /// The multipliers are ±i.
@@ -109,13 +119,17 @@ pub enum Degeneracy {
 
 impl Degeneracy {
     /// All, in the order of a curve's monitors.
-    pub const ALL: [Degeneracy; 15] = [
+    pub const ALL: [Degeneracy; 19] = [
         Degeneracy::Cusp,
         Degeneracy::GeneralisedFlip,
         Degeneracy::Chenciner,
         Degeneracy::Resonance1,
         Degeneracy::Resonance2,
         Degeneracy::FoldFlip,
+        Degeneracy::FoldTorus,
+        Degeneracy::FlipTorus,
+        Degeneracy::DoubleTorus,
+        Degeneracy::DegeneratePitchfork,
         Degeneracy::Resonance3,
         Degeneracy::Resonance4,
         Degeneracy::NoDrift,
@@ -136,6 +150,10 @@ impl Degeneracy {
             Degeneracy::Resonance1 => "1:1-resonance",
             Degeneracy::Resonance2 => "1:2-resonance",
             Degeneracy::FoldFlip => "fold-flip",
+            Degeneracy::FoldTorus => "fold-neimark-sacker",
+            Degeneracy::FlipTorus => "flip-neimark-sacker",
+            Degeneracy::DoubleTorus => "double-neimark-sacker",
+            Degeneracy::DegeneratePitchfork => "degenerate-pitchfork",
             Degeneracy::Resonance3 => "1:3-resonance",
             Degeneracy::Resonance4 => "1:4-resonance",
             Degeneracy::NoDrift => "e-zero",

@@ -191,9 +191,10 @@ impl<O: FollowedOrbit> OrbitBranch<O> {
     pub fn passes(&self, orbit: &O, parameter: f64) -> bool {
         let z = orbit.unknowns();
         let off = |a: &O, b: &O, part: f64| -> f64 {
+            let (from, to) = (a.unknowns(), b.unknowns());
             let apart = |i: usize| {
                 let there = z[i] * orbit.unit(i) / a.unit(i);
-                let apart = a.unknowns()[i] + part * (b.unknowns()[i] - a.unknowns()[i]) - there;
+                let apart = from[i] + part * (to[i] - from[i]) - there;
                 if orbit.is_time(i) { apart - TAU * (apart / TAU).round() } else { apart }
             };
             (0..z.len()).map(|i| apart(i).powi(2)).sum::<f64>().sqrt()
@@ -201,7 +202,7 @@ impl<O: FollowedOrbit> OrbitBranch<O> {
         let same = |pair: &[BranchPoint<O>]| {
             let [a, b] = [&pair[0], &pair[1]];
             let part = (parameter - a.parameters[0]) / (b.parameters[0] - a.parameters[0]);
-            let chord = norm(&difference(b.orbit.unknowns(), a.orbit.unknowns()));
+            let chord = norm(&difference(&b.orbit.unknowns(), &a.orbit.unknowns()));
             (0.0..=1.0).contains(&part) && off(&a.orbit, &b.orbit, part) <= 0.1 * chord + 1e-6
         };
         self.itinerary == *orbit.pattern() && self.points.windows(2).any(same)
@@ -235,7 +236,7 @@ impl Orbits<'_> {
     /// Those of [`find`]; an input error at a saddle-node, or outside the range.
     pub fn start(&self, guess: Vec<f64>, parameter: f64, options: &Options) -> Result<CurvePoint> {
         self.check_range(parameter)?;
-        let orbit = find(&self.family.at(parameter)?, &self.itinerary, guess)?;
+        let orbit = find(&self.family.family().at(parameter)?, &self.itinerary, guess)?;
         self.start_at(&orbit, parameter, options)
     }
 }

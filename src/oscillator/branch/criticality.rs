@@ -79,6 +79,22 @@ impl Estimate {
         Estimate::within(z, |i| located(z[i], is_time(i)), number)
     }
 
+    /// The same of a number computed from the unknowns and from the expansion of the Poincaré map, each of
+    /// whose coefficients is taken times a factor: it is known to rounding, too. Unknowns of an orbit at rest
+    /// are 0 and exact: there only that is left.
+    pub fn of_map(
+        z: &[f64],
+        is_time: impl Fn(usize) -> bool,
+        number: impl Fn(&[f64], &[f64]) -> Option<f64>,
+    ) -> Option<Estimate> {
+        let all: Vec<f64> = z.iter().copied().chain([1.0; COEFFICIENTS]).collect();
+        let off = |i: usize| z.get(i).map_or(ROUNDED, |z| located(*z, is_time(i)));
+        Estimate::within(&all, off, |all| {
+            let (z, factors) = all.split_at(z.len());
+            number(z, factors)
+        })
+    }
+
     /// A number computed from others, of which the i-th may be off by `off(i)`: they are moved by that in
     /// four ways, and the number's largest change counts twice. `None` if it cannot be computed. Cost: five
     /// times its own.
@@ -155,19 +171,11 @@ impl NormalForm {
             return Err(DOUBLE);
         }
         let estimate = |number: &dyn Fn(&Derivatives, &Orbit) -> Option<f64>| {
-            // Unknowns of an orbit at rest are 0 and exact: there only the map's own rounding is left.
-            let unknowns = orbit.z.len();
-            let all: Vec<f64> = orbit.z.iter().copied().chain([1.0; COEFFICIENTS]).collect();
-            let off = |i: usize| match orbit.z.get(i) {
-                Some(z) => located(*z, orbit.is_time(i)),
-                None => ROUNDED,
-            };
-            let at = |all: &[f64]| {
-                let (z, factors) = all.split_at(unknowns);
+            let at = |z: &[f64], factors: &[f64]| {
                 let map = return_map(oscillator, &orbit.itinerary, z).ok()?;
-                number(&Derivatives::of(&map).scaled(factors), &orbit.moved(z))
+                number(&Derivatives::of(&map).scaled(factors), &orbit.with(z))
             };
-            Estimate::within(&all, off, at).ok_or(UNKNOWN)
+            Estimate::of_map(&orbit.z, |i| orbit.is_time(i), at).ok_or(UNKNOWN)
         };
         Ok(match bifurcation {
             Bifurcation::SaddleNode => {

@@ -4,7 +4,7 @@
 use std::fmt;
 
 use super::{
-    Bifurcation, CurveEnd, CurvePoint, Followed, Options, PatternCurve, Step,
+    Bifurcation, CurveEnd, CurvePoint, Followed, Options, OscillatorPatterns, PatternCurve, Step,
     follow::follow_until,
     problem::{FollowedOrbit, PatternFamily},
 };
@@ -42,9 +42,14 @@ pub struct OneWay {
 /// How far a bifurcation is looked for, both ways.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum SearchReach {
-    /// This far along the branch, in the norm of times, speeds and the parameter, and as far in the
-    /// parameter.
-    Length(f64),
+    /// This far along the branch, in the norm of times, of speeds in units of the motion's size and of the
+    /// parameter in a unit of its own, and as far in the parameter.
+    Length {
+        /// How far.
+        reach: f64,
+        /// The parameter's unit.
+        unit: f64,
+    },
     /// This far in the parameter, however long the branch is.
     Parameter {
         /// The parameter's unit of length along the branch.
@@ -58,7 +63,7 @@ impl SearchReach {
     /// How far.
     fn reach(self) -> f64 {
         match self {
-            SearchReach::Length(reach) | SearchReach::Parameter { reach, .. } => reach,
+            SearchReach::Length { reach, .. } | SearchReach::Parameter { reach, .. } => reach,
         }
     }
 }
@@ -85,7 +90,8 @@ pub struct Nothing {
 }
 
 /// The bifurcation of a kind that is nearest along the branch through an orbit: followed both ways, no
-/// further than `reach` in the norm of times, speeds and parameter, and not beyond the branch's ends as one
+/// further than `reach` in the norm of times, speeds and parameter ([`SearchReach::Length`], the parameter's
+/// unit being 1), and not beyond the branch's ends as one
 /// of orbits. Cost: as of the branch.
 ///
 /// # Errors
@@ -98,7 +104,8 @@ pub fn locate(
     reach: f64,
     options: &Options,
 ) -> Result<BranchSearch> {
-    nearest(family, bifurcation, orbit, parameter, SearchReach::Length(reach), options)
+    let patterns = OscillatorPatterns::new(family, parameter)?;
+    nearest(&patterns, bifurcation, orbit, parameter, SearchReach::Length { reach, unit: 1.0 }, options)
 }
 
 /// The same for orbits of any kind, as far as `extent` says.
@@ -113,11 +120,11 @@ pub fn nearest<F: PatternFamily + ?Sized>(
     extent: SearchReach,
     options: &Options,
 ) -> Result<BranchSearch<F::Orbit>> {
-    let unit = match extent {
-        SearchReach::Length(_) => 1.0,
-        SearchReach::Parameter { unit, .. } => unit,
+    let (unit, far) = match extent {
+        SearchReach::Length { reach, unit } => (unit, reach * unit),
+        SearchReach::Parameter { unit, reach } => (unit, reach),
     };
-    let orbits = PatternCurve::around(family, orbit.pattern().clone(), parameter, unit, extent.reach());
+    let orbits = PatternCurve::around(family, orbit.pattern().clone(), parameter, unit, far);
     let start = orbits.start_at(orbit, parameter, options)?;
     let (mut nearest, mut sides) = (None::<Located<F::Orbit>>, Vec::new());
     for start in [start.reversed(), start] {
@@ -145,7 +152,9 @@ fn one_way<F: PatternFamily + ?Sized>(
 ) -> Result<(OneWay, Option<Located<F::Orbit>>)> {
     let wanted = |step: &Step<F::Orbit>| step.event.map(|event| Bifurcation::ALL[event]) == Some(bifurcation);
     let stop = |step: &Step<F::Orbit>| match () {
-        () if matches!(extent, SearchReach::Length(reach) if step.length > reach) => Some(CurveEnd::Reach),
+        () if matches!(extent, SearchReach::Length { reach, .. } if step.length > reach) => {
+            Some(CurveEnd::Reach)
+        }
         () if wanted(step) => Some(CurveEnd::Found),
         () => None,
     };

@@ -41,7 +41,7 @@ pub use criticality::{CODIMENSION_TWO, DOUBLE, Estimate, NOT_SMOOTH, NoForm, Nor
 pub use curve::{Corrector, Curve, CurvePoint, Equations};
 pub use follow::{CurveEnd, Followed, Settled, Step, follow, follow_until};
 pub use locate::{BranchSearch, Located, Nothing, OneWay, SearchReach, locate, nearest};
-pub use one_degree::TwoParameterFamily;
+pub use one_degree::{OscillatorPatterns, OscillatorPlane, TwoParameterFamily};
 pub use options::Options;
 pub(crate) use options::with_options;
 pub use orbits::{Orbits, PatternCurve};

@@ -10,6 +10,7 @@ use super::{
 use crate::{
     error::{Error, Result},
     oscillator::{
+        Side,
         grazing::{LocalMap, is_mirrored},
         orbit::{
             Derivatives, Family, Itinerary, Linearised, Multipliers, Orbit, Oscillator, Root, Strike,
@@ -43,11 +44,83 @@ impl ImpactPattern for Itinerary {
     }
 }
 
-/// Slower than this, an impact's speed is rounding's.
+/// Slower than this, in units of the motion, an impact's speed is rounding's.
 const STILL: f64 = 1e-10;
 
-fn is_time(pattern: &Itinerary, unknown: usize) -> bool {
-    unknown.is_multiple_of(2) && !pattern.strikes().is_empty()
+/// What lengths and speeds are measured by along curves of orbits, by the walls that a pattern strikes.
+#[derive(Debug, Clone, Copy)]
+struct Units([f64; 4]);
+
+impl Units {
+    fn of(oscillator: &Oscillator) -> Result<Units> {
+        let both = [Side::Lower, Side::Upper].map(|side| Strike { side, periods: 1 });
+        let unit = |struck: &[Strike]| {
+            let itinerary = match struck {
+                [] => Itinerary::free(1),
+                struck => Itinerary::new(struck.to_vec()),
+            };
+            Ok::<_, Error>(oscillator.unit(&itinerary?))
+        };
+        Ok(Units([unit(&[])?, unit(&both[..1])?, unit(&both[1..])?, unit(&both)?]))
+    }
+
+    fn length(&self, pattern: &Itinerary) -> f64 {
+        let strikes = |side: Side| usize::from(pattern.strikes().iter().any(|strike| strike.side == side));
+        self.0[strikes(Side::Lower) + 2 * strikes(Side::Upper)]
+    }
+
+    fn own(&self, pattern: &Itinerary, unknown: usize) -> f64 {
+        Unknowns::unit(pattern, unknown, self.length(pattern))
+    }
+
+    /// The unknowns in the scene's unit.
+    fn natural(&self, pattern: &Itinerary, u: &[f64]) -> Vec<f64> {
+        u.iter().enumerate().map(|(i, u)| u * self.own(pattern, i)).collect()
+    }
+
+    fn orbit(&self, oscillator: &Oscillator, pattern: &Itinerary, root: Root) -> Result<Orbit> {
+        let unit = self.length(pattern);
+        let root = Root { z: self.natural(pattern, &root.z), residual: root.residual * unit, ..root };
+        Ok(Orbit { unit, ..describe(oscillator, pattern, root)? })
+    }
+}
+
+/// Orbits of oscillators over one parameter.
+pub struct OscillatorPatterns<'a> {
+    family: &'a (dyn Family + 'a),
+    units: Units,
+}
+
+impl<'a> OscillatorPatterns<'a> {
+    /// The orbits of a family. Lengths and speeds are measured by the size of the motion at one value of the
+    /// parameter ([`Oscillator::unit`]).
+    ///
+    /// # Errors
+    /// Where the system is not defined there.
+    pub fn new(family: &'a (dyn Family + 'a), at: f64) -> Result<OscillatorPatterns<'a>> {
+        Ok(OscillatorPatterns { family, units: Units::of(&family.at(at)?)? })
+    }
+
+    /// The oscillators.
+    pub fn family(&self) -> &'a (dyn Family + 'a) {
+        self.family
+    }
+}
+
+/// Orbits of oscillators over two parameters.
+pub struct OscillatorPlane<'a> {
+    plane: &'a (dyn TwoParameterFamily + 'a),
+    units: Units,
+}
+
+impl<'a> OscillatorPlane<'a> {
+    /// The orbits of oscillators that differ in two parameters, measured as in [`OscillatorPatterns::new`].
+    ///
+    /// # Errors
+    /// Where the system is not defined at these values.
+    pub fn new(plane: &'a (dyn TwoParameterFamily + 'a), at: [f64; 2]) -> Result<OscillatorPlane<'a>> {
+        Ok(OscillatorPlane { plane, units: Units::of(&plane.at(at)?)? })
+    }
 }
 
 impl FollowedOrbit for Orbit {
@@ -57,24 +130,33 @@ impl FollowedOrbit for Orbit {
         &self.itinerary
     }
 
-    fn unknowns(&self) -> &[f64] {
-        &self.z
+    fn unknowns(&self) -> Vec<f64> {
+        self.z.iter().enumerate().map(|(i, z)| z / FollowedOrbit::unit(self, i)).collect()
     }
 
     fn moved(&self, unknowns: &[f64]) -> Orbit {
-        Orbit { z: unknowns.to_vec(), ..self.clone() }
+        let natural = unknowns.iter().enumerate().map(|(i, u)| u * FollowedOrbit::unit(self, i));
+        self.with(&natural.collect::<Vec<_>>())
     }
 
     fn is_time(&self, unknown: usize) -> bool {
-        is_time(&self.itinerary, unknown)
+        Unknowns::is_time(&self.itinerary, unknown)
+    }
+
+    fn unit(&self, unknown: usize) -> f64 {
+        Unknowns::unit(&self.itinerary, unknown, self.unit)
+    }
+
+    fn length_unit(&self) -> f64 {
+        self.unit
     }
 
     fn speeds(&self) -> Vec<f64> {
-        self.impacts().map(|impact| impact.speed).collect()
+        self.impacts().map(|impact| impact.speed / self.unit).collect()
     }
 
     fn least_gap(&self) -> Option<f64> {
-        self.least.map(|least| least.gap)
+        self.least.map(|least| least.gap / self.unit)
     }
 
     fn is_orbit(&self) -> bool {
@@ -112,7 +194,8 @@ impl FollowedOrbit for Orbit {
 
     fn is_at(&self, bifurcation: Bifurcation) -> bool {
         let multipliers = &self.multipliers;
-        let moving = self.impacts().all(|impact| impact.speed.abs() > STILL);
+        let speeds = FollowedOrbit::speeds(self);
+        let moving = speeds.iter().all(|speed| speed.abs() > STILL);
         let near = |test: f64, tolerance: f64| test.abs() <= tolerance * (1.0 + multipliers.determinant);
         match bifurcation {
             // A multiplier moves like the square root of the parameter there: half the digits.
@@ -123,13 +206,15 @@ impl FollowedOrbit for Orbit {
                     && near(multipliers.determinant - 1.0, 1e-9)
                     && multipliers.trace.abs() < 1.0 + multipliers.determinant
             }
-            Bifurcation::Grazing => moving && self.least.is_some_and(|least| least.gap.abs() <= 1e-9),
-            Bifurcation::Fade => self.impacts().any(|impact| impact.speed.abs() <= 1e-9),
+            Bifurcation::Grazing => {
+                moving && FollowedOrbit::least_gap(self).is_some_and(|gap| gap.abs() <= 1e-9)
+            }
+            Bifurcation::Fade => speeds.iter().any(|speed| speed.abs() <= 1e-9),
         }
     }
 }
 
-impl PatternFamily for dyn Family + '_ {
+impl PatternFamily for OscillatorPatterns<'_> {
     type Orbit = Orbit;
 
     fn count(&self, pattern: &Itinerary) -> usize {
@@ -137,11 +222,13 @@ impl PatternFamily for dyn Family + '_ {
     }
 
     fn equations(&self, parameter: f64, pattern: &Itinerary, z: &[f64]) -> Result<Linearised> {
-        linearise(&self.at(parameter)?, pattern, z)
+        let (unit, z) = (self.units.length(pattern), self.units.natural(pattern, z));
+        let found = linearise(&self.family.at(parameter)?, pattern, &z)?;
+        Ok(found.measured(unit, |i| self.units.own(pattern, i)))
     }
 
     fn orbit(&self, parameter: f64, pattern: &Itinerary, root: Root) -> Result<Orbit> {
-        describe(&self.at(parameter)?, pattern, root)
+        self.units.orbit(&self.family.at(parameter)?, pattern, root)
     }
 
     fn twice(&self, pattern: &Itinerary, z: &[f64]) -> Vec<f64> {
@@ -164,11 +251,15 @@ impl PatternFamily for dyn Family + '_ {
     }
 
     fn is_time(&self, pattern: &Itinerary, unknown: usize) -> bool {
-        is_time(pattern, unknown)
+        Unknowns::is_time(pattern, unknown)
+    }
+
+    fn unit(&self, pattern: &Itinerary, unknown: usize) -> f64 {
+        self.units.own(pattern, unknown)
     }
 }
 
-impl PatternPlane for dyn TwoParameterFamily + '_ {
+impl PatternPlane for OscillatorPlane<'_> {
     type Orbit = Orbit;
 
     fn count(&self, pattern: &Itinerary) -> usize {
@@ -176,7 +267,11 @@ impl PatternPlane for dyn TwoParameterFamily + '_ {
     }
 
     fn is_time(&self, pattern: &Itinerary, unknown: usize) -> bool {
-        is_time(pattern, unknown)
+        Unknowns::is_time(pattern, unknown)
+    }
+
+    fn unit(&self, pattern: &Itinerary, unknown: usize) -> f64 {
+        self.units.own(pattern, unknown)
     }
 
     fn values(
@@ -186,12 +281,14 @@ impl PatternPlane for dyn TwoParameterFamily + '_ {
         pattern: &Itinerary,
         z: &[f64],
     ) -> Result<Vec<f64>> {
-        let oscillator = self.at(parameters)?;
+        let (oscillator, unit, u) = (self.plane.at(parameters)?, self.units.length(pattern), z);
+        let z = &self.units.natural(pattern, u)[..];
         let mut values = linearise(&oscillator, pattern, z)?.residual;
+        values.iter_mut().for_each(|x| *x /= unit);
         if event == Bifurcation::Crossing {
-            symmetric(&oscillator, pattern, z, &mut values)?;
+            symmetric(&oscillator, pattern, u, &mut values)?;
         }
-        let unknowns = Unknowns::new(pattern, z)?;
+        let unknowns = Unknowns::new(pattern, u)?;
         let speeds = || unknowns.speeds();
         let scale: f64 = speeds().product();
         let multipliers = || {
@@ -204,7 +301,7 @@ impl PatternPlane for dyn TwoParameterFamily + '_ {
             Bifurcation::Torus => multipliers()?.determinant - 1.0,
             Bifurcation::Grazing => {
                 let least = check(&oscillator, pattern, z).least;
-                least.ok_or_else(|| Error::input("no minimum of a gap to graze at"))?.gap
+                least.ok_or_else(|| Error::input("no minimum of a gap to graze at"))?.gap / unit
             }
             Bifurcation::Fade => speeds().min_by(|a, b| a.abs().total_cmp(&b.abs())).unwrap_or(0.0),
         });
@@ -212,7 +309,7 @@ impl PatternPlane for dyn TwoParameterFamily + '_ {
     }
 
     fn orbit(&self, parameters: [f64; 2], pattern: &Itinerary, root: Root) -> Result<Orbit> {
-        describe(&self.at(parameters)?, pattern, root)
+        self.units.orbit(&self.plane.at(parameters)?, pattern, root)
     }
 
     fn degeneracies(
@@ -221,12 +318,15 @@ impl PatternPlane for dyn TwoParameterFamily + '_ {
         parameters: [f64; 2],
         tangent: &[f64],
         orbit: &Orbit,
+        factors: &[f64],
     ) -> Vec<Option<f64>> {
         let mut all = vec![None; Degeneracy::ALL.len()];
         let (trace, det) = (orbit.multipliers.trace, orbit.multipliers.determinant);
-        let oscillator = || self.at(parameters).ok();
-        let expansion =
-            || Some(Derivatives::of(&return_map(&oscillator()?, &orbit.itinerary, &orbit.z).ok()?));
+        let oscillator = || self.plane.at(parameters).ok();
+        let expansion = || {
+            let map = return_map(&oscillator()?, &orbit.itinerary, &orbit.z).ok()?;
+            Some(Derivatives::of(&map).scaled(factors))
+        };
         let mut set = |what: Degeneracy, value: Option<f64>| {
             all[what as usize] = value.filter(|value| value.is_finite());
         };
@@ -263,7 +363,10 @@ impl PatternPlane for dyn TwoParameterFamily + '_ {
                 set(Degeneracy::Resonant6, Some(square - 3.0 * det));
             }
             // One multiplier is 1 all along, the other is their product.
-            Bifurcation::Crossing => set(Degeneracy::Resonance1, Some(det - 1.0)),
+            Bifurcation::Crossing => {
+                set(Degeneracy::Resonance1, Some(det - 1.0));
+                set(Degeneracy::DegeneratePitchfork, expansion().and_then(|map| map.pitchfork()));
+            }
             Bifurcation::Fade => {}
         }
         all

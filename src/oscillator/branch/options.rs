@@ -9,7 +9,8 @@ macro_rules! with_options {
     ($use:ident) => {
         $use! {
             /// How a branch is followed. Lengths are those of the curve in its unknowns: impact times in
-            /// radians of the forcing period, speeds as they are, each parameter as a fraction of its range.
+            /// radians of the forcing period, speeds in units of the motion's size, each parameter as a
+            /// fraction of its range.
             pub struct Options {
                 /// the length of the first step
                 step: f64 = 0.01,

@@ -4,11 +4,12 @@ use super::{
     Bifurcation, crossing,
     curve::{Corrector, Curve, CurvePoint, Equations, difference, dot, largest},
     follow::{Followed, Settled},
+    one_degree::OscillatorPatterns,
     problem::{FollowedOrbit, ImpactPattern, PatternFamily, PatternOf, monitors},
 };
 use crate::{
     error::{Error, Result},
-    oscillator::orbit::{Family, Root},
+    oscillator::orbit::Root,
 };
 
 /// The solutions of the pattern equations over a range of a parameter: the unknowns are those of the pattern
@@ -27,7 +28,7 @@ pub struct PatternCurve<'a, F: PatternFamily + ?Sized> {
 }
 
 /// Those of oscillators of one degree of freedom.
-pub type Orbits<'a> = PatternCurve<'a, dyn Family + 'a>;
+pub type Orbits<'a> = PatternCurve<'a, OscillatorPatterns<'a>>;
 
 impl<F: PatternFamily + ?Sized> Clone for PatternCurve<'_, F> {
     fn clone(&self) -> Self {

@@ -2,10 +2,11 @@
 //! zero.
 
 use super::{
-    Bifurcation, Degeneracy, OrbitCurve, Singularity, TwoParameterFamily,
+    Bifurcation, Degeneracy, OrbitCurve, Singularity,
     criticality::Estimate,
     curve::{Curve, CurvePoint, Equations},
     follow::{Followed, Settled},
+    one_degree::OscillatorPlane,
     orbits::changes_sign,
     problem::{FollowedOrbit, ImpactPattern, PatternOf, PatternPlane, monitors},
 };
@@ -28,7 +29,7 @@ pub struct EventCurve<'a, P: PatternPlane + ?Sized> {
 }
 
 /// Those of oscillators of one degree of freedom.
-pub type Events<'a> = EventCurve<'a, dyn TwoParameterFamily + 'a>;
+pub type Events<'a> = EventCurve<'a, OscillatorPlane<'a>>;
 
 impl<P: PatternPlane + ?Sized> EventCurve<'_, P> {
     fn split<'u>(&self, u: &'u [f64]) -> (&'u [f64], [f64; 2]) {
@@ -148,7 +149,8 @@ impl<P: PatternPlane + ?Sized> Followed for EventCurve<'_, P> {
     /// the normal form has no meaning, as at the ends of a curve, it is neither.
     fn settle(&self, monitor: usize, place: CurvePoint, orbit: P::Orbit) -> Result<Settled<P::Orbit>> {
         let Some(which) = monitor.checked_sub(Degeneracy::ALL.len()) else {
-            let genuine = changes_sign(self, &place, |place| self.certain(monitor, place));
+            let genuine = self.plane.is_genuine(self.event, Degeneracy::ALL[monitor], &orbit)
+                && changes_sign(self, &place, |place| self.certain(monitor, place));
             return Ok(genuine.then_some((monitor, place, orbit)));
         };
         let what = Bifurcation::of(which, self.itinerary.impacts());
@@ -187,15 +189,16 @@ impl<P: PatternPlane + ?Sized> EventCurve<'_, P> {
     fn certain(&self, degeneracy: usize, place: &CurvePoint) -> Option<f64> {
         let orbit = self.view(place).ok()?;
         let (z, parameters) = self.split(&place.u);
-        let value = |z: &[f64]| {
-            self.plane.degeneracies(self.event, parameters, &place.tangent, &orbit.moved(z))[degeneracy]
+        let value = |z: &[f64], factors: &[f64]| {
+            let (event, orbit) = (self.event, orbit.moved(z));
+            self.plane.degeneracies(event, parameters, &place.tangent, &orbit, factors)[degeneracy]
         };
-        let found = Estimate::of(z, |unknown| orbit.is_time(unknown), value)?;
+        let found = Estimate::of_map(z, |unknown| orbit.is_time(unknown), value)?;
         (!found.is_zero()).then_some(found.value)
     }
 
     fn degeneracies(&self, place: &CurvePoint, orbit: &P::Orbit) -> Vec<Option<f64>> {
-        self.plane.degeneracies(self.event, self.split(&place.u).1, &place.tangent, orbit)
+        self.plane.degeneracies(self.event, self.split(&place.u).1, &place.tangent, orbit, &[])
     }
 }
 

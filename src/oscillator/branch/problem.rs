@@ -7,7 +7,7 @@
 
 use std::{f64::consts::TAU, fmt::Debug};
 
-use super::Bifurcation;
+use super::{Bifurcation, Degeneracy};
 use crate::{
     error::Result,
     oscillator::orbit::{Linearised, Root},
@@ -33,8 +33,8 @@ pub trait FollowedOrbit: Clone {
     /// Its pattern.
     fn pattern(&self) -> &Self::Pattern;
 
-    /// The unknowns.
-    fn unknowns(&self) -> &[f64];
+    /// The unknowns, in units of their own ([`unit`](Self::unit)).
+    fn unknowns(&self) -> Vec<f64>;
 
     /// The same with other unknowns, all else as it was: what follows from the unknowns alone may be asked of
     /// it.
@@ -188,14 +188,22 @@ pub trait PatternPlane {
 
     /// The functions whose zeros on a curve of bifurcations are of codimension two, in the order of
     /// [`Degeneracy::ALL`](super::Degeneracy::ALL); `None` where they are not defined or another curve's.
-    /// `tangent` is that of the curve: of the unknowns, then of both parameters.
+    /// `tangent` is that of the curve: of the unknowns, then of both parameters. The coefficients of the
+    /// Poincaré map's expansion are taken times `factors`, where there are any, to tell what their rounding
+    /// does.
     fn degeneracies(
         &self,
         event: Bifurcation,
         parameters: [f64; 2],
         tangent: &[f64],
         orbit: &Self::Orbit,
+        factors: &[f64],
     ) -> Vec<Option<f64>>;
+
+    /// Whether an orbit at a zero of such a function is what its name says.
+    fn is_genuine(&self, _event: Bifurcation, _degeneracy: Degeneracy, _orbit: &Self::Orbit) -> bool {
+        true
+    }
 
     /// Whether, between two neighbouring points of a curve of bifurcations, one of these may have had two
     /// zeros.

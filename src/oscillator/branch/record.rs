@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 
 use super::{
     Bifurcation, Branch, OrbitBranch, PatternCurve, crossing,
-    curve::{CurvePoint, norm},
+    curve::{CurvePoint, dot, norm},
     problem::{FollowedOrbit, PatternFamily, PatternOf},
 };
 use crate::{
@@ -82,7 +82,7 @@ pub fn record_as<O: FollowedOrbit>(
             json!({
                 "label": point.label,
                 "parameters": point.parameters,
-                "unknowns": natural(orbit.unknowns()),
+                "unknowns": natural(&orbit.unknowns()),
                 "tangent": natural(&point.tangent),
                 "multipliers": orbit.multipliers(),
                 "stable": orbit.is_stable(),
@@ -205,11 +205,15 @@ impl<F: PatternFamily + ?Sized> PatternCurve<'_, F> {
         let gone = |error: Error| {
             error.context(format!("the {} is not on this branch; has the scene changed?", label.event.name()))
         };
+        let mut tangent = own(&label.tangent);
         if label.event != Bifurcation::Crossing {
-            return self.place(&u, options).map_err(gone);
+            let place = self.place(&u, options).map_err(gone)?;
+            // Where a branch turns back no way is that of larger parameters: it is followed as it was.
+            let turned = label.event == Bifurcation::SaddleNode
+                && dot(&place.tangent[..count], &tangent[..count]) < 0.0;
+            return Ok(if turned { place.reversed() } else { place });
         }
         // The tangent of the branch that the label is on tells it from the one that crosses.
-        let mut tangent = own(&label.tangent);
         tangent.truncate(count + 1);
         let last = tangent.last_mut().ok_or_else(|| Error::input("the label has no tangent"))?;
         *last /= self.unit();

@@ -16,7 +16,7 @@ pub(crate) use program::{Drive, Obstacle, Outline, Program, Rows};
 pub(crate) use scalar::{Gradient, Scalar};
 pub(super) use scalar::{Primitive, Range};
 pub use taylor::Taylor;
-pub(super) use taylor::{Expansion, Recurrence};
+pub(super) use taylor::{Expansion, Recurrence, Size};
 pub(crate) use taylor::{GAUSS, LEAST, SHORTEST, TERMS, defect};
 
 use std::sync::Arc;
@@ -75,6 +75,14 @@ impl Free {
         match self {
             Free::Linear(flow) => Free::Linear(flow),
             Free::Taylor(flow) => Free::Taylor(flow.counting(tally)),
+        }
+    }
+
+    /// Where a motion cannot be followed any farther, and why, if that is before its end.
+    pub(super) fn obstacle(&self, from: State, duration: f64) -> Option<(State, Obstacle)> {
+        match self {
+            Free::Linear(_) => None,
+            Free::Taylor(flow) => flow.obstacle(from, duration),
         }
     }
 
@@ -157,7 +165,7 @@ impl Flow for Free {
 
 /// The equation of motion without walls, checked and in normal form; −0 is 0.
 #[derive(Debug, Clone)]
-pub(super) struct Equation {
+pub(in crate::oscillator) struct Equation {
     pub damping: f64,
     pub stiffness: f64,
     pub cubic: f64,

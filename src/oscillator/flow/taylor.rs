@@ -77,9 +77,10 @@ pub(in crate::oscillator) struct Expansion {
 }
 
 impl Taylor {
-    /// `tolerance`, from 1e-3 to 1e-15, bounds the last terms kept of each step's series, relative to
-    /// 1 + |q| + |u|; the estimated local error is a seventh of it. A step costs O(N²) for a cubic term, else
-    /// O(N) per harmonic, N ≈ 3 − ln(tolerance)/2.
+    /// `tolerance`, from 1e-3 to 1e-15, bounds the last terms kept of each step's series, relative to |q| +
+    /// |u| or, if it is larger, to one of the terms before; the estimated local error is a seventh of it. No
+    /// unit of length enters. A step costs O(N²) for a cubic term, else O(N) per harmonic, N ≈ 3 −
+    /// ln(tolerance)/2.
     ///
     /// # Errors
     /// A tolerance outside its range, a coefficient that is not finite.
@@ -135,14 +136,9 @@ impl Taylor {
         let n = self.order;
         let squares = self.recurrence.expand(from, trial, &mut q[..=n]);
         debug_assert!(squares.len() == TERMS);
-        let goal = self.tolerance * (1.0 + from.q.abs() + from.u.abs());
-        let reach = |i: usize| {
-            // The term in q, and in q′: i / |h| times as large.
-            let size = q[i].abs() * (i as f64 / trial.abs()).max(1.0);
-            (goal / size).powf(1.0 / i as f64)
-        };
-        let far = reach(n).min(reach(n - 1)).min(longest.min(LONGEST) / trial.abs());
-        let factor = self.suited(&q[..=n], trial.abs(), far, goal);
+        let size = Size::of(|i| q[i], trial.abs(), n);
+        let far = size.reach(self.tolerance, longest.min(LONGEST) / trial.abs());
+        let factor = self.suited(&q[..=n], trial.abs(), far, self.tolerance * size.at(far));
         let mut power = 1.0;
         for coefficient in &mut q[..=n] {
             *coefficient *= power;
@@ -166,11 +162,12 @@ impl Taylor {
             let ([r, _], a) = (radii(q.iter().copied(), radius), q[0].abs());
             all[0] = cubic.abs() * r * (3.0 * a * (a + r) + r * r);
         };
-        suited(n, [far, LEAST / trial], &[known], bounds, |all, most| self.fits(goal, trial * all[0], most))
+        let fits = |all: &[f64], most: f64| self.fits(goal, trial * all[0], most);
+        suited(n, [far, LEAST / trial], (&[known], &mut [0.0]), bounds, fits)
     }
 
-    /// The longest step x of at most `most` with x^n `defect` ≤ n tolerance^{3/4} (1 + |q| + |u|), `goal`
-    /// being the same but for n and the power of the tolerance.
+    /// The longest step x of at most `most` with x^n `defect` ≤ n tolerance^{3/4} times the motion's size,
+    /// `goal` being the same but for n and the power of the tolerance.
     fn fits(&self, goal: f64, defect: f64, most: f64) -> f64 {
         let goal = self.looser * goal;
         if most.powi(self.order as i32) * defect <= goal {
@@ -192,25 +189,21 @@ impl Taylor {
         let n = self.order;
         let rows = program.solve(from, S::constant(t), trial, n + 1);
         let mut factor = longest.min(LONGEST) / trial.abs();
+        let size = |part: usize| Size::of(|i| rows.q()[i].part(part), trial.abs(), n);
         for part in 0..S::PARTS {
-            let goal = self.tolerance * (1.0 + from[0].part(part).abs() + from[1].part(part).abs());
-            for i in [n, n - 1] {
-                let size = rows.q()[i].part(part).abs() * (i as f64 / trial.abs()).max(1.0);
-                factor = factor.min((goal / size).powf(1.0 / i as f64));
-            }
+            factor = size(part).reach(self.tolerance, factor);
         }
-        let goal = self.tolerance * (1.0 + from[0].part(0).abs() + from[1].part(0).abs());
+        let goal = self.tolerance * size(0).at(factor);
         let fits = |defect: &[f64], most: f64| self.fits(goal, trial.abs() * defect[0], most);
         let factor = program.suited(&rows, factor, LEAST / trial.abs(), fits);
         let short = trial.abs() * factor <= SHORTEST;
         let obstacle = if short { program.obstacle(&rows, factor) } else { Obstacle::Escape };
-        let mut power = 1.0;
-        let scaled = |coefficient: &S| {
-            let scaled = coefficient.scaled(power);
+        let (mut q, mut power) = (rows.into_q(), 1.0);
+        for coefficient in &mut q {
+            *coefficient = coefficient.scaled(power);
             power *= factor;
-            scaled
-        };
-        Step { h: trial * factor, q: rows.q().iter().map(scaled).collect(), obstacle }
+        }
+        Step { h: trial * factor, q, obstacle }
     }
 
     /// A step by a formula's program, no longer than `longest`, with its derivative and its length.
@@ -258,6 +251,21 @@ impl Taylor {
         sum + 0.0 * end.q
     }
 
+    /// Where a motion cannot be followed any farther, and why, if that is before its end.
+    pub(super) fn obstacle(&self, mut from: State, duration: f64) -> Option<(State, Obstacle)> {
+        let mut left = duration;
+        while left > 0.0 {
+            let step = self.expand(from, true, left);
+            if is_stuck(step.h, left) {
+                return Some((from, step.obstacle));
+            }
+            let [q, slope] = value(&step.q, 1.0);
+            left = if step.h < left { left - step.h } else { 0.0 };
+            from = State { t: from.t + step.h, q, u: slope / step.h };
+        }
+        None
+    }
+
     fn steps(&self, mut from: State, duration: f64, mut each: impl FnMut(State, &Expansion)) -> State {
         let end = from.t + duration;
         let (mut left, mut steps) = (duration, 0);
@@ -302,6 +310,59 @@ impl Flow for Taylor {
             total = product(&[[first[0], second[0]], [first[1], second[1]]], &total);
         });
         (end, total)
+    }
+}
+
+/// How large a motion is on a step: |q| + |u| where it begins, or the largest of the terms of its series that
+/// follow, at the place x of the trial step. A motion that begins at rest in 0 has those alone.
+pub(in crate::oscillator) struct Size {
+    start: f64,
+    /// |c_k| and k.
+    terms: [(f64, i32); 3],
+    /// What the last two terms are in q or, i / |h| times as large, in q′, with i.
+    last: [(f64, i32); 2],
+}
+
+impl Size {
+    /// Of a series to order n about the beginning of a trial step.
+    pub fn of(coefficient: impl Fn(usize) -> f64, trial: f64, n: usize) -> Size {
+        let size = |i: usize| coefficient(i).abs();
+        let start = size(0) + size(1) / trial;
+        let first = if start == 0.0 { (2..n - 3).find(|k| size(*k) > 0.0).unwrap_or(2) } else { 2 };
+        let last = |i: usize| (size(i) * (i as f64 / trial).max(1.0), i as i32);
+        // At a pole there are none to compare with.
+        let term = |k: usize| (if size(k).is_finite() { size(k) } else { 0.0 }, k as i32);
+        let terms = [0, 1, 2].map(|more| term(first + more));
+        Size { start, terms, last: [last(n), last(n - 1)] }
+    }
+
+    /// At a place of the step.
+    fn at(&self, x: f64) -> f64 {
+        self.terms.iter().fold(self.start, |most, &(size, k)| most.max(size * x.powi(k)))
+    }
+
+    /// The farthest place, but at most `most`, at which the last terms are at most this part of the size. Of
+    /// a motion without any size that is seen, the end of the trial step.
+    pub fn reach(&self, tolerance: f64, most: f64) -> f64 {
+        let nothing = self.start == 0.0 && self.terms.iter().all(|term| term.0 == 0.0);
+        if nothing {
+            let moves = self.last.iter().any(|last| last.0 > 0.0);
+            return if moves { most.min(1.0) } else { most };
+        }
+        let farthest = |&(size, i): &(f64, i32)| {
+            if size == 0.0 {
+                return f64::INFINITY;
+            }
+            let mut x = (tolerance * self.start / size).powf(1.0 / f64::from(i));
+            for &(part, k) in &self.terms {
+                // Where a term is larger than what x was made from, it allows more.
+                if size * x.powi(i) < tolerance * part * x.powi(k) || x == 0.0 {
+                    x = x.max((tolerance * part / size).powf(1.0 / f64::from(i - k)));
+                }
+            }
+            x
+        };
+        self.last.iter().map(farthest).fold(most, f64::min)
     }
 }
 
@@ -380,7 +441,7 @@ fn next(here: f64, damping: f64, h: f64, i: usize, slope: f64) -> f64 {
 
 /// Coefficient i of a product.
 fn convolve(a: &[f64], b: &[f64], i: usize) -> f64 {
-    (0..=i).map(|j| a[j] * b[i - j]).sum()
+    a[..=i].iter().zip(b[..=i].iter().rev()).map(|(x, y)| x * y).sum()
 }
 
 /// A polynomial and its derivative at x.

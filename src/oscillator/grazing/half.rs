@@ -56,7 +56,7 @@ impl Grazing {
         // The motion itself must be symmetric, not just the system.
         let there = oscillator.touch(self.second?.side, self.z[0] + half).ok()?;
         let off = (end.q - there.motion[0]).abs().max((end.u - there.motion[1]).abs());
-        if off > 1e-9 * (1.0 + end.q.abs()) {
+        if off > 1e-9 * oscillator.unit(&self.itinerary).max(end.q.abs()) {
             return None;
         }
         let a = matrix.map(|row| row.map(|x| -x));

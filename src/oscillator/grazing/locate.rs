@@ -35,8 +35,8 @@ pub struct Grazing {
     pub map: LocalMap,
 }
 
-/// A gap smaller than this, where another is zero, is zero too: some thousand times what Newton's method
-/// leaves.
+/// A gap smaller than this part of the size of the motion, where another is zero, is zero too: some thousand
+/// times what Newton's method leaves.
 const TWICE: f64 = 1e-11;
 
 impl Grazing {
@@ -62,23 +62,37 @@ pub fn locate(family: &dyn Family, orbit: &Orbit, parameter: f64) -> Result<Graz
     let (itinerary, mut start) = with_graze(orbit, least)?;
     // The speed of the first impact is 0: in its place stands the parameter.
     start[1] = parameter;
-    let root = newton(start, |y| {
+    let equations = |y: &[f64]| {
         let mut z = y.to_vec();
         z[1] = 0.0;
         let oscillator = family.at(y[1])?;
         let Linearised { residual, mut jacobian, slope } = linearise(&oscillator, &itinerary, &z)?;
         jacobian.iter_mut().zip(&slope).for_each(|(row, slope)| row[1] = *slope);
-        Ok(Linearised { residual, jacobian, slope })
-    })?;
-    let mut z = root.z;
+        Ok::<_, Error>(Linearised { residual, jacobian, slope })
+    };
+    // The parameter's unit is what moves a place or a speed by the motion's size.
+    let unit = family.at(parameter)?.unit(&itinerary);
+    let moves = equations(&start)?.slope.iter().fold(0.0, |most: f64, slope| most.max(slope.abs()));
+    let of_parameter = if moves > 0.0 && moves.is_finite() { unit / moves } else { 1.0 };
+    let own = |i: usize| if i == 1 { of_parameter } else { Unknowns::unit(&itinerary, i, unit) };
+    // It is counted from where it begins: its own place has no meaning.
+    let natural = |y: &[f64]| {
+        let mut z: Vec<f64> = y.iter().enumerate().map(|(i, y)| y * own(i)).collect();
+        z[1] += parameter;
+        z
+    };
+    start[1] = 0.0;
+    let scaled = start.iter().enumerate().map(|(i, y)| y / own(i)).collect();
+    let root = newton(scaled, |y| Ok(equations(&natural(y))?.measured(unit, own)))?;
+    let mut z = natural(&root.z);
     let parameter = std::mem::replace(&mut z[1], 0.0);
     let oscillator = family.at(parameter)?;
     let map = LocalMap::new(&oscillator, &itinerary, &z)?;
     let least = check(&oscillator, &itinerary, &z).least;
     let clear = least.is_none_or(|least| least.gap > 0.0);
-    let second = least.filter(|least| least.gap.abs() <= TWICE);
+    let second = least.filter(|least| least.gap.abs() <= TWICE * oscillator.unit(&itinerary));
     let admissible = clear && Unknowns::new(&itinerary, &z)?.speeds().skip(1).all(|speed| speed > 0.0);
-    Ok(Grazing { parameter, itinerary, z, residual: root.residual, admissible, second, map })
+    Ok(Grazing { parameter, itinerary, z, residual: root.residual * unit, admissible, second, map })
 }
 
 impl LocalMap {

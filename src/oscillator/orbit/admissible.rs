@@ -87,7 +87,7 @@ pub fn check(oscillator: &Oscillator, itinerary: &Itinerary, z: &[f64]) -> Check
 }
 
 /// How near the end of a leg a contact without speed belongs to the impact there: gaps there are of the order
-/// of its square.
+/// of its square, times their second derivative.
 const ROUNDING: f64 = 1e-6;
 
 /// The local minima of the gaps on an open stretch of motion.
@@ -105,10 +105,10 @@ pub(in crate::oscillator) fn minima(
     for wall in oscillator.walls() {
         let side = wall.side;
         let (mut pieces, mut searches) = (0, 0);
-        let mut keep = |after: f64, gap: f64| {
+        let mut keep = |after: f64, [gap, _, bend]: [f64; 3]| {
             searches += 1;
             // A leg that begins or ends without speed has a minimum there, which rounding may bring inside.
-            if after.min(time - after) > ROUNDING || gap.abs() > ROUNDING * ROUNDING {
+            if after.min(time - after) > ROUNDING || gap.abs() > ROUNDING * ROUNDING * bend.abs() {
                 found.push(Minimum { side, leg, after, gap });
             }
         };
@@ -126,7 +126,7 @@ pub(in crate::oscillator) fn minima(
                 let left = time - begun;
                 let (width, b) = if width < left { (width, cells.gap()) } else { (left, at(left)) };
                 if let Some(root) = minimum_within(at, a, b, width) {
-                    keep(begun + root, at(root)[0]);
+                    keep(begun + root, at(root));
                 }
                 a = b;
             }
@@ -142,7 +142,7 @@ pub(in crate::oscillator) fn minima(
             let b = gap(end);
             let at = |after: f64| gap(flow.advance(start, after));
             if let Some(root) = minimum_within(at, a, b, width) {
-                keep(begun + root, at(root)[0]);
+                keep(begun + root, at(root));
             }
             (start, a, begun) = (end, b, begun + width);
         }

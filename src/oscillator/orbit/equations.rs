@@ -33,6 +33,18 @@ pub struct Linearised {
     pub slope: Vec<f64>,
 }
 
+impl Linearised {
+    /// The same with lengths and speeds measured by `unit`, an unknown of 1 being `own` of its number.
+    #[must_use]
+    pub fn measured(mut self, unit: f64, own: impl Fn(usize) -> f64) -> Linearised {
+        self.residual.iter_mut().chain(&mut self.slope).for_each(|x| *x /= unit);
+        for row in &mut self.jacobian {
+            row.iter_mut().enumerate().for_each(|(i, x)| *x *= own(i) / unit);
+        }
+        self
+    }
+}
+
 /// The equations and their derivatives. Cost: m flows with variations, and O(m²) memory.
 ///
 /// # Errors

@@ -50,6 +50,6 @@ pub use normal_form::{Criticality, Derivatives};
 pub use oscillator::Oscillator;
 pub use passage::{Arrival, Passage, Unknowns};
 pub use return_map::{ReturnMap, return_map};
-pub use search::search;
+pub use search::{search, search_obstacle};
 pub use single::SingleImpact;
 pub use solution::{Orbit, OrbitImpact, describe, find, monodromy};

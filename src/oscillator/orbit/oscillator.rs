@@ -4,15 +4,16 @@
 //! Derivatives with respect to the parameter come with those of the system's coefficients: no differences are
 //! taken.
 
-use std::sync::Arc;
+use std::{f64::consts::TAU, sync::Arc};
 
 use super::{
     super::{
-        Contact, Effect, EffectTally, Series, Side, System, Wall,
+        Contact, Effect, EffectTally, Harmonic, Series, Side, System, Wall,
         algebra::{IDENTITY, Matrix2, apply, product},
         flow::{Flow, Free, GAUSS, Gradient, Program, Scalar, State},
+        size,
     },
-    Leg, Touch,
+    Itinerary, Leg, Touch,
 };
 use crate::error::{Error, Result};
 
@@ -37,8 +38,8 @@ struct Slope {
     stiffness: f64,
     cubic: f64,
     forcing: Series,
-    /// The equation with its derivatives by q and u at a start and by the parameter, if it has a smooth
-    /// force: then the terms above are not looked at.
+    /// The equation with its derivatives by q and u at a start and by the parameter, if the terms above are
+    /// not all of it: then they are not looked at.
     smooth: Option<Program<Gradient<4>>>,
     /// Of position and restitution; lower, upper.
     walls: [Option<(Series, f64)>; 2],
@@ -70,12 +71,29 @@ impl Oscillator {
             let Some(wall) = wall else { return Ok(None) };
             Ok(Some((Series::new(wall.offset, &wall.harmonics)?, wall.restitution)))
         };
+        let program = system.smooth.is_some().then(|| varied(&system, slope)).transpose()?;
+        // Of a formula that is recognised the rates are those of the keys that it stands for.
+        let plain = program.as_ref().and_then(Program::plain);
+        let slope = match plain {
+            Some(plain) => {
+                let drive = plain.drive.iter().map(|drive| Harmonic {
+                    k: drive.k as u32,
+                    cos: drive.cos.part(3),
+                    sin: drive.sin.part(3),
+                });
+                let (force, forcing, smooth) = (plain.force.part(3), drive.collect(), None);
+                let [damping, stiffness, cubic] =
+                    [plain.damping, plain.stiffness, plain.cubic].map(|rate| rate.part(3));
+                &System { damping, stiffness, cubic, force, forcing, smooth, ..slope.clone() }
+            }
+            None => slope,
+        };
         let slope = Slope {
             damping: slope.damping,
             stiffness: slope.stiffness,
             cubic: slope.cubic,
             forcing: Series::new(slope.force, &slope.forcing)?,
-            smooth: system.smooth.is_some().then(|| varied(&system, slope)).transpose()?,
+            smooth: program.filter(|program| program.plain().is_none()),
             walls: [wall(&slope.lower)?, wall(&slope.upper)?],
         };
         Ok(Oscillator { slope: Some(slope), ..Oscillator::new(system, tolerance)? })
@@ -109,6 +127,29 @@ impl Oscillator {
     /// The system.
     pub fn system(&self) -> &System<f64> {
         &self.system
+    }
+
+    /// The size of motions that strike the walls of a pattern, for tolerances: of what the forces do in a
+    /// radian, of the places and motions of these walls, and of the nearest wall unless it is farther away
+    /// than ten times all that moves. Scales with the unit of length; 1 if there is none of this. Cost: that
+    /// of 16 evaluations of a force that is a formula.
+    pub fn unit(&self, itinerary: &Itinerary) -> f64 {
+        let struck = |wall: &Contact| itinerary.strikes().iter().any(|strike| strike.side == wall.side);
+        size::unit(self.flow.equation(), self.walls.iter(), struck)
+    }
+
+    /// What changes the system by its own size: a force or a wall by the size of the motion, `unit`, or a
+    /// coefficient without a unit by 1. 1 if the parameter changes nothing.
+    pub fn parameter_unit(&self, unit: f64) -> f64 {
+        let Some(slope) = &self.slope else { return 1.0 };
+        let states = [[0.0, 0.0], [unit, 0.0], [0.0, unit]];
+        let looks = (0..16).flat_map(|look| states.map(|at| (TAU * f64::from(look) / 16.0, at)));
+        let forces = looks.map(|(t, [q, u])| slope.acceleration(&State { t, q, u }).abs() / unit);
+        let walls = slope.walls.iter().flatten().map(|(place, restitution)| {
+            ((place.mean().abs() + place.derivative_bound(0)) / unit).max(restitution.abs())
+        });
+        let most = forces.chain(walls).filter(|x| x.is_finite()).fold(0.0, f64::max);
+        if most > 0.0 { 1.0 / most } else { 1.0 }
     }
 
     /// The motion without walls.

@@ -71,6 +71,16 @@ impl<'a> Unknowns<'a> {
         (2 * itinerary.strikes().len()).max(2)
     }
 
+    /// Whether an unknown is an impact time.
+    pub fn is_time(itinerary: &Itinerary, unknown: usize) -> bool {
+        unknown.is_multiple_of(2) && !itinerary.strikes().is_empty()
+    }
+
+    /// What an unknown of 1 is where lengths and speeds are measured by `unit`: times are in radians.
+    pub fn unit(itinerary: &Itinerary, unknown: usize, unit: f64) -> f64 {
+        if Unknowns::is_time(itinerary, unknown) { 1.0 } else { unit }
+    }
+
     /// t_{i+1}, i from 0.
     pub fn phase(&self, i: usize) -> f64 {
         self.z[2 * i]

@@ -10,7 +10,7 @@ use std::f64::consts::TAU;
 use super::{
     super::{
         Series, Side,
-        flow::{Equation, Flow, Free, Program, State},
+        flow::{Equation, Flow, Free, Program, Scalar, Size, State},
     },
     Itinerary, Oscillator,
     cubic::{Cubic, polynomial},
@@ -158,11 +158,11 @@ fn fly(oscillator: &Oscillator, equation: &Expanded, from: Point, t: f64, durati
             return Ok(here);
         }
         let q = series(equation, here, t + at, Cubic::constant(0.0), COUNT);
-        // The last terms are to be below rounding in every coefficient.
-        let scale = q[0].size().max(q[1].size()).max(1.0);
-        let fits = |k: usize| (1e-17 * scale / q[k].size().max(1e-300)).powf(1.0 / k as f64);
-        let step = fits(COUNT - 1).min(fits(COUNT - 2)).min(duration - at);
-        if step.is_nan() || step <= 1e-9 || scale >= 1e100 {
+        // The last terms are to be below rounding in every coefficient, each with a unit of its own.
+        let fits =
+            |longest: f64, part: usize| Size::of(|k| q[k].part(part), 1.0, COUNT - 1).reach(1e-17, longest);
+        let step = (0..Cubic::PARTS).fold(duration - at, fits);
+        if step.is_nan() || step <= 1e-9 {
             break;
         }
         here = moved(&q, Cubic::constant(step));

@@ -4,7 +4,8 @@ use std::f64::consts::TAU;
 
 use rayon::prelude::*;
 
-use super::{Itinerary, Orbit, Oscillator, find};
+use super::{Itinerary, Orbit, Oscillator, find, solution::obstacle};
+use crate::error::Error;
 
 /// The orbits reached from `starts` well-spread starts with speeds up to `speed`, admissible or not, with
 /// every speed positive: each once, whichever of its impacts is called the first, those that go round a
@@ -15,15 +16,11 @@ pub fn search(oscillator: &Oscillator, itinerary: &Itinerary, starts: u32, speed
     if m == 0 {
         return find(oscillator, itinerary, vec![0.0; 2]).into_iter().collect();
     }
-    let start = |i: u32| -> Vec<f64> {
-        let sequence = |j: usize| (0.5 + f64::from(i) * spread(j, 2 * m)).fract();
-        (0..2 * m).map(|j| sequence(j) * if j % 2 == 0 { TAU } else { speed }).collect()
-    };
-    let roots: Vec<Orbit> =
-        (0..starts).into_par_iter().filter_map(|i| find(oscillator, itinerary, start(i)).ok()).collect();
+    let one = |i: u32| find(oscillator, itinerary, start(m, speed, i)).ok();
+    let roots: Vec<Orbit> = (0..starts).into_par_iter().filter_map(one).collect();
     let mut found: Vec<Orbit> = Vec::new();
     for orbit in roots {
-        let moving = orbit.z.chunks(2).all(|impact| impact[1] > NEAR);
+        let moving = orbit.z.chunks(2).all(|impact| impact[1] > NEAR * orbit.unit);
         let primitive = (1..m).all(|shift| !same(&orbit, &orbit, shift));
         if moving && primitive && found.iter().all(|old| (0..m).all(|shift| !same(old, &orbit, shift))) {
             found.push(orbit);
@@ -33,7 +30,29 @@ pub fn search(oscillator: &Oscillator, itinerary: &Itinerary, starts: u32, speed
     found
 }
 
-/// Closer than this, two solutions are one.
+/// Why a search finds nothing, if the motion of one of its first starts cannot be followed.
+pub fn search_obstacle(
+    oscillator: &Oscillator,
+    itinerary: &Itinerary,
+    starts: u32,
+    speed: f64,
+) -> Option<Error> {
+    match itinerary.strikes().len() {
+        0 => obstacle(oscillator, itinerary, &[0.0; 2]),
+        m => (0..starts.min(LOOKS)).find_map(|i| obstacle(oscillator, itinerary, &start(m, speed, i))),
+    }
+}
+
+/// Starts that are looked at for a reason.
+const LOOKS: u32 = 16;
+
+/// The i-th start of a pattern with m impacts.
+fn start(m: usize, speed: f64, i: u32) -> Vec<f64> {
+    let sequence = |j: usize| (0.5 + f64::from(i) * spread(j, 2 * m)).fract();
+    (0..2 * m).map(|j| sequence(j) * if j % 2 == 0 { TAU } else { speed }).collect()
+}
+
+/// Closer than this, in radians and in the size of the motion, two solutions are one.
 const NEAR: f64 = 1e-7;
 
 /// Whether b is a with impact `shift` called the first.
@@ -44,7 +63,7 @@ fn same(a: &Orbit, b: &Orbit, shift: usize) -> bool {
         let turn = (x[0] - y[0]).rem_euclid(TAU);
         strikes[i].side == strikes[(i + shift) % m].side
             && turn.min(TAU - turn) < NEAR
-            && (x[1] - y[1]).abs() < NEAR
+            && (x[1] - y[1]).abs() < NEAR * a.unit
     })
 }
 

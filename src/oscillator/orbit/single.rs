@@ -22,6 +22,7 @@ use crate::{
     oscillator::{
         Side, System, Wall,
         algebra::{Matrix2, apply, determinant, resolve, trace},
+        flow::Equation,
     },
 };
 
@@ -54,22 +55,27 @@ impl SingleImpact {
         let wall = system.wall(side).ok_or_else(|| {
             Error::input(format!("exact orbits at the {} wall, which is not there", side.name()))
         })?;
-        if system.cubic != 0.0 {
+        // What of a formula is linear, and a harmonic, is a coefficient here.
+        let equation = Equation::new(system)?;
+        if equation.cubic != 0.0 {
             return Err(Error::input("exact orbits need a linear system; the cubic stiffness is not 0"));
         }
-        if system.smooth.is_some() {
-            return Err(Error::input("exact orbits need a linear system; the force is a formula"));
+        if !equation.is_linear() {
+            return Err(Error::input(
+                "exact orbits need a linear system; the force is a formula that is not",
+            ));
         }
-        let (k, cos, sin) = relative_harmonic(system, wall)?;
+        let (k, cos, sin) = relative_harmonic(&equation, wall)?;
         let sign = side.sign();
         let restitution = wall.restitution;
-        let flow = flow_matrix(system.damping, system.stiffness, 2.0 * PI * f64::from(n));
+        let flow = flow_matrix(equation.damping, equation.stiffness, 2.0 * PI * f64::from(n));
         let p = resolve(&flow, apply(&flow, [0.0, 1.0 + restitution]))
             .ok_or_else(|| Error::input("det(I − E_n) = 0: a free vibration repeats after n periods"))?;
-        let rest = if system.force == 0.0 { 0.0 } else { system.force / system.stiffness };
+        let force = equation.forcing.mean();
+        let rest = if force == 0.0 { 0.0 } else { force / equation.stiffness };
         Ok(SingleImpact {
-            damping: system.damping,
-            stiffness: system.stiffness,
+            damping: equation.damping,
+            stiffness: equation.stiffness,
             restitution,
             flow,
             p,
@@ -157,7 +163,7 @@ impl SingleImpact {
 }
 
 /// The only harmonic (k, cos, sin) of the wall less the forced response.
-fn relative_harmonic(system: &System<f64>, wall: &Wall<f64>) -> Result<(u32, f64, f64)> {
+fn relative_harmonic(equation: &Equation, wall: &Wall<f64>) -> Result<(u32, f64, f64)> {
     let mut found: Option<(u32, f64, f64)> = None;
     let mut add = |k: u32, cos: f64, sin: f64| {
         if cos == 0.0 && sin == 0.0 {
@@ -181,10 +187,10 @@ fn relative_harmonic(system: &System<f64>, wall: &Wall<f64>) -> Result<(u32, f64
     for h in &wall.harmonics {
         add(h.k, h.cos, h.sin)?;
     }
-    for h in &system.forcing {
+    for h in equation.forcing.harmonics() {
         // The response to F e^{−ikt} is F e^{−ikt}/(stiffness − k² − ik damping), with F = cos + i sin.
         let k = f64::from(h.k);
-        let (re, im) = (system.stiffness - k * k, -k * system.damping);
+        let (re, im) = (equation.stiffness - k * k, -k * equation.damping);
         let square = re * re + im * im;
         let (cos, sin) = ((h.cos * re + h.sin * im) / square, (h.sin * re - h.cos * im) / square);
         add(h.k, -cos, -sin)?;

@@ -7,6 +7,7 @@ use super::{
         Side,
         algebra::{IDENTITY, Matrix2, product},
         flow::{Flow, State},
+        simulate::RunEnd,
     },
     Admissibility, Check, Itinerary, Minimum, Multipliers, Oscillator,
     admissible::check,
@@ -34,6 +35,9 @@ pub struct Orbit {
     pub residual: f64,
     /// Newton steps taken.
     pub steps: usize,
+    /// The size of motions that strike its walls ([`Oscillator::unit`]): what lengths and speeds are measured
+    /// by where it is decided whether they are 0.
+    pub unit: f64,
 }
 
 /// An impact of an orbit.
@@ -52,8 +56,36 @@ pub struct OrbitImpact {
 /// # Errors
 /// As [`newton`] and [`linearise`].
 pub fn find(oscillator: &Oscillator, itinerary: &Itinerary, start: Vec<f64>) -> Result<Orbit> {
-    let root = newton(start, |z| linearise(oscillator, itinerary, z))?;
-    describe(oscillator, itinerary, root)
+    let unit = oscillator.unit(itinerary);
+    let own = |i: usize| Unknowns::unit(itinerary, i, unit);
+    let scaled = start.iter().enumerate().map(|(i, z)| z / own(i)).collect();
+    let root = newton(scaled, |scaled| {
+        let z: Vec<f64> = scaled.iter().enumerate().map(|(i, z)| z * own(i)).collect();
+        Ok(linearise(oscillator, itinerary, &z)?.measured(unit, own))
+    });
+    let root = root.map_err(|error| obstacle(oscillator, itinerary, &start).unwrap_or(error))?;
+    let z = root.z.iter().enumerate().map(|(i, z)| z * own(i)).collect();
+    describe(oscillator, itinerary, Root { z, residual: root.residual * unit, ..root })
+}
+
+/// Why the pattern equations cannot be asked at z, if a flight there cannot be followed: place, velocity and
+/// acceleration where the force is too steep or has a pole.
+pub(super) fn obstacle(oscillator: &Oscillator, itinerary: &Itinerary, z: &[f64]) -> Option<Error> {
+    let flights: Vec<(State, f64)> = if itinerary.strikes().is_empty() {
+        vec![(State { t: 0.0, q: z[0], u: z[1] }, 2.0 * PI * f64::from(itinerary.periods()))]
+    } else {
+        let passages = Unknowns::new(itinerary, z).ok()?.passages(oscillator);
+        passages.flatten().map(|passage| (passage.from, passage.duration)).collect()
+    };
+    let flow = oscillator.flow();
+    let (at, why) = flights.into_iter().find_map(|(from, duration)| flow.obstacle(from, duration))?;
+    Some(Error::input(format!(
+        "a motion of the pattern ended {}: at q = {}, u = {} with the acceleration {}",
+        RunEnd::from(why).why(),
+        at.q,
+        at.u,
+        flow.acceleration(at)
+    )))
 }
 
 /// What there is to know of a root of the pattern equations.
@@ -64,7 +96,8 @@ pub fn describe(oscillator: &Oscillator, itinerary: &Itinerary, root: Root) -> R
     let Root { z, residual, steps } = root;
     let multipliers = Multipliers::new(&monodromy(oscillator, itinerary, &z)?, oscillator, itinerary, &z)?;
     let Check { admissibility, least } = check(oscillator, itinerary, &z);
-    Ok(Orbit { itinerary: itinerary.clone(), multipliers, admissibility, least, residual, steps, z })
+    let unit = oscillator.unit(itinerary);
+    Ok(Orbit { itinerary: itinerary.clone(), multipliers, admissibility, least, residual, steps, z, unit })
 }
 
 /// The full period's linearisation, from just after the first impact (from t = 0 without impacts): flow
@@ -86,6 +119,12 @@ pub fn monodromy(oscillator: &Oscillator, itinerary: &Itinerary, z: &[f64]) -> R
 }
 
 impl Orbit {
+    /// The same with other unknowns z, all else as it was.
+    #[must_use]
+    pub(in crate::oscillator) fn with(&self, z: &[f64]) -> Orbit {
+        Orbit { z: z.to_vec(), ..self.clone() }
+    }
+
     /// Its impacts.
     pub fn impacts(&self) -> impl Iterator<Item = OrbitImpact> + '_ {
         self.itinerary.strikes().iter().zip(self.z.chunks(2)).map(|(strike, z)| OrbitImpact {

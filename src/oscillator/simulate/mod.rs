@@ -67,6 +67,7 @@ use wall::Walls;
 use super::{
     Contact, Side, System, Time,
     flow::{Free, State, Taylor},
+    size,
 };
 use crate::error::{Error, Result};
 
@@ -79,8 +80,8 @@ fn unbounded(size: f64) -> bool {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Settings {
     /// Gaps within this of 0 are contact without impact: see the promises of [`simulate`](self). In units of
-    /// q, 1e-13 to 1e-3, default 1e-12; where a trajectory is so large that rounding exceeds it, the rounding
-    /// error takes its place.
+    /// q, above 0. Default 1e-12, which suits motions of size 1: [`Settings::sized`] is for others. Where a
+    /// trajectory is so large that rounding exceeds it, the rounding error takes its place.
     pub minimum_depth: f64,
     /// The tolerance of the integrator, where there is one: see [`Taylor::new`]. Default 1e-13.
     pub tolerance: f64,
@@ -88,6 +89,26 @@ pub struct Settings {
     pub integrate: bool,
     /// A run ends after this many impacts. Default: no limit.
     pub impact_limit: u64,
+}
+
+/// Gaps within this part of their size are contact without impact, unless a depth is given.
+const RELATIVE_DEPTH: f64 = 1e-12;
+
+impl Settings {
+    /// The same with the minimum depth that suits motions from these starts: 10⁻¹² of the size of the gap to
+    /// the nearest wall, of what the forces do in a radian and of the wall's place and motion or, where there
+    /// is none of this, of the starts. It goes with the unit of length.
+    ///
+    /// # Errors
+    /// Coefficients that are not finite.
+    pub fn sized(self, system: &System<f64>, starts: &[State]) -> Result<Settings> {
+        let (flow, contacts) = (Free::new(system, self.tolerance)?, Contact::of(system)?);
+        let own = size::gap_size(flow.equation(), contacts.iter());
+        let start = |most: f64, start: &State| most.max(start.q.abs()).max(start.u.abs());
+        let size = if own > 0.0 { own } else { starts.iter().fold(0.0, start) };
+        let size = if size > 0.0 && size.is_finite() { size } else { 1.0 };
+        Ok(Settings { minimum_depth: RELATIVE_DEPTH * size, ..self })
+    }
 }
 
 impl Default for Settings {
@@ -125,8 +146,8 @@ impl Simulator {
     /// frequency above some 10⁴.
     pub fn new(system: &System<f64>, settings: &Settings) -> Result<Self> {
         let depth = settings.minimum_depth;
-        if !(1e-13..=1e-3).contains(&depth) {
-            return Err(Error::input(format!("minimum_depth = {depth} is not between 1e-13 and 1e-3")));
+        if !(depth > 0.0 && depth.is_finite()) {
+            return Err(Error::input(format!("minimum_depth = {depth} is not positive")));
         }
         let contact = |side: Side, wall: &Option<_>| {
             let contact = wall.as_ref().map(|wall| Contact::new(side, wall)).transpose();
@@ -166,6 +187,11 @@ impl Simulator {
             Some(tally) => self.counting(tally.clone()),
             None => self,
         }
+    }
+
+    /// How finely it simulates.
+    pub fn settings(&self) -> &Settings {
+        &self.settings
     }
 
     /// The flow between impacts.

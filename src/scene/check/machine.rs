@@ -70,7 +70,7 @@ pub(super) fn check_machine(kind: &Kind, scene: &Scene, machine: &Machine<f64>, 
         }
         Kind::EventTask(task) => {
             scene.check_parameter(&task.parameter, &format!("{path}.parameter"))?;
-            check_reach(scene, task.length(), &task.options, path)?;
+            check_reach(scene, task.reach, &task.options, path)?;
             check_stops(scene, machine, path)?;
             check_machine_orbit(&task.orbit, scene, machine, &format!("{path}.orbit"))
         }

@@ -265,7 +265,7 @@ fn check_values(task: &OrbitTask, scene: &Scene, path: &str) -> Result<()> {
 impl Check for EventTask {
     fn check(&self, scene: &Scene, system: &System<f64>, path: &str) -> Result<()> {
         scene.check_parameter(&self.parameter, &format!("{path}.parameter"))?;
-        check_reach(scene, self.length(), &self.options, path)?;
+        check_reach(scene, self.reach, &self.options, path)?;
         check_orbit(&self.orbit, scene, system, &format!("{path}.orbit"))
     }
 }
@@ -279,7 +279,7 @@ impl Check for GrazingTask {
 }
 
 fn check_grazing(task: &GrazingTask, scene: &Scene, path: &str) -> Result<()> {
-    check_reach(scene, task.length(), &task.options, path)?;
+    check_reach(scene, task.reach, &task.options, path)?;
     if !(1..=12).contains(&task.max_period) {
         return Err(scene.fail(&format!("{path}.max_period"), "is outside 1 to 12"));
     }
@@ -366,9 +366,6 @@ impl Check for MapTask {
 impl Check for CrisisTask {
     fn check(&self, scene: &Scene, system: &System<f64>, path: &str) -> Result<()> {
         check_range(scene, path, ("parameter", &self.parameter), ("bracket", &self.bracket))?;
-        if self.offsets.is_empty() {
-            return Err(scene.fail(&format!("{path}.offsets"), "is empty"));
-        }
         check_orbit(&self.orbit, scene, system, &format!("{path}.orbit"))
     }
 }
@@ -437,8 +434,8 @@ fn check_orbit(orbit: &OrbitKeys, scene: &Scene, system: &System<f64>, path: &st
 }
 
 /// What reach and options must be.
-fn check_reach(scene: &Scene, reach: f64, options: &Options, path: &str) -> Result<()> {
-    if reach.is_nan() || reach <= 0.0 {
+fn check_reach(scene: &Scene, reach: Option<f64>, options: &Options, path: &str) -> Result<()> {
+    if reach.is_some_and(|reach| reach.is_nan() || reach <= 0.0) {
         return Err(scene.fail(&format!("{path}.reach"), "must be positive"));
     }
     let wrong = |error: Error| scene.fail(&format!("{path}.options"), &error.to_string());

@@ -41,12 +41,12 @@ impl<S: Scalar> Outline<S> {
 }
 
 /// What is left of a program that is linear, but for a cubic term, and driven by harmonics.
-pub(in crate::oscillator::flow) struct Plain {
-    pub damping: f64,
-    pub stiffness: f64,
-    pub cubic: f64,
-    pub force: f64,
-    pub drive: Vec<Drive<f64>>,
+pub(in crate::oscillator) struct Plain<S> {
+    pub damping: S,
+    pub stiffness: S,
+    pub cubic: S,
+    pub force: S,
+    pub drive: Vec<Drive<S>>,
 }
 
 impl<S: Scalar> Program<S> {
@@ -352,27 +352,27 @@ impl<S: Scalar> Output<S> {
     }
 }
 
-impl Program<f64> {
+impl<S: Scalar> Program<S> {
     /// The coefficients of an equation that needs no program.
-    pub(in crate::oscillator::flow) fn plain(&self) -> Option<Plain> {
+    pub(in crate::oscillator) fn plain(&self) -> Option<Plain<S>> {
         let mut found = Plain {
-            damping: 0.0,
-            stiffness: 0.0,
-            cubic: 0.0,
+            damping: S::constant(0.0),
+            stiffness: S::constant(0.0),
+            cubic: S::constant(0.0),
             force: self.outputs[0].sum.constant,
             drive: self.outputs[0].drive.clone(),
         };
         for (factor, row) in &self.outputs[0].sum.terms {
             match row.checked_sub(INPUTS).map(|i| &self.ops[i]) {
-                None if *row == Q => found.stiffness = -factor,
-                None if *row == U => found.damping = -factor,
+                None if *row == Q => found.stiffness = -*factor,
+                None if *row == U => found.damping = -*factor,
                 Some(Op::Product(a, Q)) if *a >= INPUTS && self.ops[*a - INPUTS] == Op::Square(Q) => {
-                    found.cubic = -factor;
+                    found.cubic = -*factor;
                 }
                 _ => return None,
             }
         }
-        let whole = |drive: &Drive<f64>| drive.k >= 1.0 && drive.k == drive.k.round();
+        let whole = |drive: &Drive<S>| drive.k >= 1.0 && drive.k == drive.k.round();
         found.drive.iter().all(whole).then_some(found)
     }
 }

@@ -418,6 +418,12 @@ impl<S: Scalar> Rows<S> {
         self.place(0)
     }
 
+    /// The same in the room of all.
+    pub fn into_q(mut self) -> Vec<S> {
+        self.data.truncate(self.count);
+        self.data
+    }
+
     /// Those of a coordinate.
     pub fn place(&self, coordinate: usize) -> &[S] {
         &self.data[self.count * coordinate..][..self.count]
