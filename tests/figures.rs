@@ -108,6 +108,67 @@ fn iterate_boundaries_are_zeros() {
     }
 }
 
+/// The times of a run against the map itself, followed from many points of the line, in floats.
+#[test]
+fn return_times_are_those_of_the_map() {
+    let (rows, svg) = draw("returns", "returns");
+    assert_no_overlap(&svg);
+    let fraction = |text: &str| {
+        let (p, q) = text.split_once('/').unwrap_or((text, "1"));
+        p.parse::<f64>().unwrap() / q.parse::<f64>().unwrap()
+    };
+    let mut followed = 0;
+    for row in rows.iter().step_by(7) {
+        let (r, s) = (fraction(&row["r"]), fraction(&row["first_s"]));
+        let times: Vec<u32> = row["times"].split(' ').map(|n| n.parse().unwrap()).collect();
+        // Elsewhere few points have the longest time.
+        if r.ln().abs() * f64::from(times[times.len() - 1]) > 2.5 {
+            continue;
+        }
+        followed += 1;
+        // Re w = 1, w = 1 + i tan of an angle; a return is |λ|ⁿ cos(angle + 2πns) > cos(angle).
+        let mut found = std::collections::BTreeSet::new();
+        for step in 1..20_000 {
+            let angle = (f64::from(step) / 20_000.0 - 0.5) * std::f64::consts::PI;
+            let back = |n: &u32| {
+                let turn = std::f64::consts::TAU * s * f64::from(*n);
+                r.powi(*n as i32) * (angle + turn).cos() > angle.cos() * (1.0 + 1e-12)
+            };
+            found.extend((1..=times[times.len() - 1]).find(back));
+        }
+        // A time of few points may be missed; none is made up, and those of many points are there.
+        assert!(found.iter().all(|n| times.contains(n)), "{row:?} {found:?}");
+        assert!(found.len() + 1 >= times.len(), "{row:?} {found:?}");
+    }
+    assert!(followed > 50, "{followed}");
+}
+
+/// Bounds are bounds; the median of the exact curve is that of the cells, of which `tests/measure.rs` tells.
+#[test]
+fn coexisting_periods_are_counted() {
+    let (rows, svg) = draw("coexistence --n 300", "coexistence");
+    assert_no_overlap(&svg);
+    let mut before: Option<&HashMap<String, String>> = None;
+    for row in &rows {
+        let [lower, upper, law] = ["lower", "upper", "law"].map(|name| number(row, name));
+        assert!((0.0..=upper).contains(&lower) && upper <= 1.0 && (0.0..=1.0).contains(&law), "{row:?}");
+        let same = |one: &&HashMap<String, String>| {
+            one["one_minus_r"] == row["one_minus_r"] && one["order"] == row["order"]
+        };
+        if let Some(before) = before.filter(same) {
+            assert!(number(before, "lower") <= lower && number(before, "law") <= law, "{row:?}");
+        }
+        before = Some(row);
+        let exact = row["one_minus_r"] == "0" && number(row, "order") <= 300.0;
+        let width = upper - lower;
+        assert!(if exact {
+            width < 1e-6
+        } else {
+            (0.03..0.08).contains(&width) || upper == 1.0 || lower == 0.0
+        });
+    }
+}
+
 #[test]
 fn regions_are_bounded_by_unit_and_equal_eigenvalues() {
     let (rows, svg) = draw("2", "figure2");

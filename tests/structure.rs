@@ -336,6 +336,38 @@ fn every_link_leads_somewhere() {
     assert!(broken.is_empty(), "links that lead nowhere:\n{}", broken.join("\n"));
 }
 
+/// What the article names as proved is a theorem, a statement or a file of the proofs.
+#[test]
+fn names_in_the_article_are_in_the_proofs() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let proofs: BTreeMap<String, String> = fs::read_dir(root.join("proofs/coq"))
+        .unwrap()
+        .map(|entry| entry.unwrap().path())
+        .filter(|path| path.extension().is_some_and(|extension| extension == "v"))
+        .map(|path| (path.file_name().unwrap().to_str().unwrap().into(), fs::read_to_string(&path).unwrap()))
+        .collect();
+    let named: BTreeSet<&str> = proofs
+        .values()
+        .flat_map(|text| text.lines())
+        .filter_map(|line| {
+            ["Theorem ", "Definition ", "Lemma "].iter().find_map(|kind| line.strip_prefix(kind))
+        })
+        .filter_map(|rest| rest.split([' ', ':']).next())
+        .collect();
+    let article = fs::read_to_string(root.join("docs/article/article.tex")).unwrap();
+    let source = article.lines().filter(|line| !line.starts_with('%')).collect::<Vec<_>>().join("\n");
+    let names: BTreeSet<&str> = source
+        .split("\\coq{")
+        .skip(1)
+        .filter_map(|rest| rest.split('}').next())
+        .filter(|name| !name.contains('#'))
+        .collect();
+    assert!(names.len() > 30, "{} names", names.len());
+    let missing: Vec<_> =
+        names.into_iter().filter(|name| !named.contains(name) && !proofs.contains_key(*name)).collect();
+    assert!(missing.is_empty(), "not in proofs/coq: {missing:?}");
+}
+
 /// The list of pages is complete, so that docs can be read from front to back.
 #[test]
 fn the_summary_lists_every_page_once() {

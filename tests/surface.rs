@@ -13,11 +13,15 @@ fn root() -> &'static Path {
 
 /// Every command that writes a LaTeX table, with the awkward texts among them; `{in}` is a folder with the
 /// certificates that are cited.
-const TABLES: [&str; 14] = [
+const TABLES: [&str; 18] = [
     "intervals 3..=9",
     "intervals 3..=9 --decimals 6",
     "intervals --two-impacts 5",
     "intervals --pattern 2,3 --decimals 4",
+    "intervals --measure 3..=12",
+    "word --r 0.97 --s 0.37",
+    "word --r 1.25 --s 0.37 --returns",
+    "word --r 0.97 --s 0.37 --returns",
     "boundary 3..=8",
     "boundary 5 --grid 3",
     "classify --r 0.99 --s 21/100",
@@ -141,11 +145,13 @@ fn cells_are_balanced(what: &str, text: &str) {
 
 /// Outputs in JSON, at least one for each schema in docs/schemas; `@` begins the name of a file that a
 /// command of the list writes itself.
-const JSON: [&str; 37] = [
+const JSON: [&str; 39] = [
     "intervals 3..=5",
     "intervals 3..=5 --decimals 4",
     "intervals --pattern 3,5",
+    "intervals --measure 10000..=10002",
     "word --r 0.9 --s 0.37",
+    "word --r 1.25 --s 0.37 --returns",
     "word --a1=-0.3..=-0.2 --a2 0.5..=0.51",
     "boundary 3..=4",
     "boundary 3 --grid 2",
@@ -237,7 +243,7 @@ fn reader() -> tempfile::TempDir {
     folder
 }
 
-const COMMANDS: [&str; 18] = [
+const COMMANDS: [&str; 19] = [
     "verify",
     "cover",
     "check",
@@ -249,6 +255,7 @@ const COMMANDS: [&str; 18] = [
     "fuzz",
     "farey",
     "boundary",
+    "sequence",
     "figure",
     "formula",
     "evaluate",

@@ -16,8 +16,8 @@ use std::{
 };
 
 use common::{
-    CHAOS_12, CHAOS_MIRRORED_BEFORE, COVER, GRAZING, ORBIT_4, SADDLE_NODE, THEOREM2, WORD, WORD_BY_THEOREM,
-    answer, resealed, with,
+    CHAOS_12, CHAOS_MIRRORED_BEFORE, COVER, ENTROPY, GRAZING, ORBIT_4, SADDLE_NODE, THEOREM2, WORD,
+    WORD_BY_THEOREM, answer, resealed, with,
 };
 use grazing_check::{Checked, Rejection, kinds};
 
@@ -32,7 +32,7 @@ fn samples() -> [Vec<String>; 3] {
     // One of the ball's multipliers is outside the unit circle, as `machine.rs` has it.
     let ball = with(BALL, "orbit", "orbit 1 unstable");
     [
-        owned(&[THEOREM2, COVER, WORD, WORD_BY_THEOREM]),
+        owned(&[THEOREM2, COVER, WORD, WORD_BY_THEOREM, ENTROPY]),
         owned(&[ORBIT_4, RANGES, SADDLE_NODE, GRAZING, RESPONSE, &ball]),
         owned(&[CHAOS_12, CHAOS_MIRRORED_BEFORE, &with(&few, "complete", "complete 2 4 2 3")]),
     ]
@@ -153,6 +153,16 @@ fn is_the_word(checked: &Checked) -> bool {
     })
 }
 
+/// Whether the roots lie between the bounds printed, and the bounds of words are as many.
+fn has_the_roots(sample: &Checked, changed: &Checked) -> bool {
+    let roots = [0.543_689_012_692_076_4, 0.637_382_658_446_787_1];
+    sample.detail.iter().zip(&changed.detail).zip(roots).all(|(((name, old), (same, new)), root)| {
+        let (bounds, words) = new.split_once("; ").unwrap();
+        let (low, high) = bounds.split_once(" < z < ").unwrap();
+        name == same && old.ends_with(words) && fraction(low) < root && root < fraction(high)
+    })
+}
+
 /// The paper's oscillator for ν → 0, where the velocities of a leg of T are a = (1 − E₁₁)/E₁₂ and E₂₁ + E₂₂
 /// a: those of letters, the place that is passed on the way, the rate of {1, 2}, and the letters' boxes.
 fn is_the_horseshoe(checked: &Checked) -> bool {
@@ -201,6 +211,7 @@ fn follows(sample: &Checked, changed: &Checked, mirrored: bool) -> bool {
             old.len() == 2 && new.len() == 2 && new.iter().zip(&old).all(|(new, old)| new <= old)
         }
         "word" | "word-by-theorem" => is_the_word(changed),
+        "entropy" => has_the_roots(sample, changed),
         "orbit" | "machine-orbit" => {
             let stability = detail(changed, "stability");
             let known = stability == detail(sample, "stability") || stability.starts_with("open");

@@ -6,6 +6,7 @@ use grazing::{
     Error, Monitor, Result,
     oscillator::{
         Time,
+        flow::State,
         simulate::{RunEnd, Settings, Simulator, batch::Batch},
     },
     scene::{Accuracy, Scene},
@@ -62,9 +63,17 @@ pub fn follow(
         plan.scene.parameter(name)?;
     }
     let Accuracy { tolerance, minimum_depth } = plan.scene.accuracy;
-    let settings = Settings { tolerance, minimum_depth, ..Settings::default() };
+    let (system, settings) =
+        (plan.scene.exact(&[])?.rounded(), Settings { tolerance, ..Settings::default() });
+    let settings = match minimum_depth {
+        Some(minimum_depth) => Settings { minimum_depth, ..settings },
+        None => {
+            let starts = plan.starts.chunks(2).map(|start| State { t: 0.0, q: start[0], u: start[1] });
+            settings.sized(&system, &starts.collect::<Vec<_>>())?
+        }
+    };
     let shared = match plan.varied {
-        [] => Some(Simulator::new(&plan.scene.exact(&[])?.rounded(), &settings)?),
+        [] => Some(Simulator::new(&system, &settings)?),
         _ => None,
     };
     watch.begin(ends.len() as u64, "motions");

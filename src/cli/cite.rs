@@ -98,9 +98,13 @@ pub(super) fn caption(
             digest(&sha256)
         );
     }
-    let label =
-        if first == last { format!("tab:{name}-{first}") } else { format!("tab:{name}-{first}-{last}") };
-    Ok(Ok(Some(Caption { text, label })))
+    Ok(Ok(Some(Caption { text, label: label(name, periods) })))
+}
+
+/// What `\\ref` finds a table of these periods by.
+pub(super) fn label(name: &str, periods: &Periods) -> String {
+    let (first, last) = (periods.0.start(), periods.0.end());
+    if first == last { format!("tab:{name}-{first}") } else { format!("tab:{name}-{first}-{last}") }
 }
 
 /// A digest that a line may break.

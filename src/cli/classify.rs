@@ -13,7 +13,9 @@ use crate::{
     local::{Forward, Ladder, Point, Region},
     monitor::Monitor,
     number::{parse_integer, parse_rational},
-    output::{Column, Destination, FileRegistry, Print, TableCell, TableFormat, TableWriter},
+    output::{
+        Caption, Column, Destination, FileRegistry, Print, Setting, TableCell, TableFormat, TableWriter,
+    },
     word::{Extent, Word},
 };
 
@@ -136,6 +138,9 @@ pub(super) fn describe(region: Region) -> &'static str {
 }
 
 fn write(format: TableFormat, place: &Forward, found: &[Existence], out: &mut dyn Write) -> Result<()> {
+    if format == TableFormat::Latex {
+        return print(place, found, out);
+    }
     let columns = [
         Column::new("n", "$n$", 6),
         Column::new("existence", "existence", 17).print(Print::Left),
@@ -168,15 +173,65 @@ fn write(format: TableFormat, place: &Forward, found: &[Existence], out: &mut dy
     table.finish()
 }
 
+/// The same for a page: cases, and which b_{n,k} tell.
+fn print(place: &Forward, found: &[Existence], out: &mut dyn Write) -> Result<()> {
+    let columns = vec![
+        Column::new("n", "$n$", 0),
+        Column::new("existence", "existence", 0).print(Print::Left),
+        Column::new("case", "case", 0),
+        Column::new("large_eigenvalue", "$\\operatorname{sign}\\Lambda$", 0),
+        Column::new("positive_k", "$> 0$", 0),
+        Column::new("negative_k", "$< 0$", 0),
+        Column::new("zero_k", "$= 0$", 0),
+    ];
+    let caption = Caption {
+        text: format!(
+            "Orbits with one impact in $n$ periods at one point, {}: whether they exist, in which case \
+             $(e\\mu, \\gamma)$, the sign of the large eigenvalue, and $b_{{n,k}}$ that decide.",
+            describe(place.region).split(':').next().unwrap_or_default().to_lowercase()
+        ),
+        label: "tab:classify".into(),
+    };
+    let setting = Setting { caption: Some(&caption), ..Setting::default() };
+    let mut table = TableWriter::set(out, TableFormat::Latex, "grazing-classify 1", columns, setting)?;
+    for (n, &existence) in (1u64..).zip(found) {
+        let decides = existence.indices().map(|k| k.map(|k| format!("b_{{{n},{}}}", place.index(n, k))));
+        let [above, below, zero] = [0, 1, 2].map(|i| match &decides[i] {
+            Some(text) => TableCell::Maths(text),
+            None => TableCell::Empty,
+        });
+        let mut row = |case: TableCell, sign: TableCell| {
+            table.row(&[
+                TableCell::Int(n as i64),
+                TableCell::Text(existence.name()),
+                case,
+                sign,
+                above,
+                below,
+                zero,
+            ])
+        };
+        let cases = existence.cases(n);
+        for case in &cases {
+            let sign = large_eigenvalue_sign(place.region, n, *case);
+            row(TableCell::Maths(&case.to_string()), TableCell::Maths(if sign > 0 { "+" } else { "-" }))?;
+        }
+        if cases.is_empty() {
+            row(TableCell::Empty, TableCell::Empty)?;
+        }
+    }
+    table.finish()
+}
+
 /// Sections 3.6 and 3.7 of the paper, by region, for 0 < a₂ ≤ 1.
 fn summary(args: &Args, destination: &Destination) -> Result<Outcome> {
     let columns = [
-        Column::new("region", "region", 0),
+        Column::new("region", "", 0),
         Column::new("where", "where", 30).print(Print::Lines(17)),
         Column::new("period_1", "period 1", 12).print(Print::Lines(12)),
         Column::new("period_2", "period 2", 28).print(Print::Lines(17)),
         Column::new("period_n", "period $n \\geq 3$", 52).print(Print::Lines(19)),
-        Column::new("large_eigenvalue", "large eigenvalue", 0).print(Print::Lines(13)),
+        Column::new("large_eigenvalue", "$\\operatorname{sign}\\Lambda$", 0).print(Print::Lines(13)),
     ];
     let rows = [
         ["1", "a1 > a2+1", "(+,+) (-,-)", "(+,+)", "(+,+)", "-sign(e mu)"],
@@ -199,10 +254,65 @@ fn summary(args: &Args, destination: &Destination) -> Result<Outcome> {
         ],
         ["5", "a1 < -(a2+1)", "(+,-) (-,+)", "(+,-)", "(+,-)", "(-1)^(n+1) sign(e mu)"],
     ];
+    // The same in print, with σ for the sign of eµ.
+    let formulas = [
+        [
+            "1",
+            "a_1 > a_2 + 1",
+            "\\begin{array}[t]{@{}l@{}}(+,+)\\\\ (-,-)\\end{array}",
+            "(+,+)",
+            "(+,+)",
+            "-\\sigma",
+        ],
+        [
+            "2",
+            "\\begin{array}[t]{@{}l@{}}2\\sqrt{a_2} \\le a_1\\\\ a_1 < a_2 + 1\\end{array}",
+            "\\begin{array}[t]{@{}l@{}}(+,-)\\\\ (-,+)\\end{array}",
+            "(-,+)",
+            "(-,+)",
+            "\\sigma",
+        ],
+        [
+            "3",
+            "|a_1| < 2\\sqrt{a_2}",
+            "\\begin{array}[t]{@{}l@{}}(+,-)\\\\ (-,+)\\end{array}",
+            "\\begin{array}[t]{@{}l@{}}(-,+)\\text{ if } a_1 > 0\\\\ (+,+)\\text{ if } a_1 < 0\\end{array}",
+            "\\begin{array}[t]{@{}l@{}}(-,+)\\text{ if } 2ns < 1\\\\ \\text{areas over intervals}\\end{array}",
+            "\\sigma",
+        ],
+        [
+            "4",
+            "\\begin{array}[t]{@{}l@{}}-(a_2 + 1) < a_1\\\\ a_1 \\le -2\\sqrt{a_2}\\end{array}",
+            "\\begin{array}[t]{@{}l@{}}(+,-)\\\\ (-,+)\\end{array}",
+            "(+,+)",
+            "\\begin{array}[t]{@{}l@{}}n \\text{ even: none}\\\\ n \\text{ odd: } (+,-)\\\\ \\text{if } b_{n,n-2} > 0\\end{array}",
+            "\\sigma",
+        ],
+        [
+            "5",
+            "a_1 < -(a_2 + 1)",
+            "\\begin{array}[t]{@{}l@{}}(+,-)\\\\ (-,+)\\end{array}",
+            "(+,-)",
+            "(+,-)",
+            "(-1)^{n+1}\\sigma",
+        ],
+    ];
+    let caption = Caption {
+        text: "The orbits with one impact by region of the plane of $a_1$ and $a_2$, $0 < a_2 \\le 1$: the cases \
+               $(e\\mu, \\gamma)$ in which each period exists, and the sign of the large eigenvalue $\\Lambda$, \
+               $\\sigma = \\operatorname{sign} e\\mu$."
+            .into(),
+        label: "tab:regions".into(),
+    };
     destination.write(|out| {
-        let mut table = TableWriter::new(out, args.format, "grazing-classify-summary 1", columns.to_vec())?;
-        for row in &rows {
-            table.row(&row.map(TableCell::Text))?;
+        let print = args.format == TableFormat::Latex;
+        let columns = columns.map(|column| if print { column.print(Print::Left) } else { column });
+        let setting = Setting { caption: Some(&caption), ..Setting::default() };
+        let name = "grazing-classify-summary 1";
+        let mut table = TableWriter::set(out, args.format, name, columns.to_vec(), setting)?;
+        for (row, formulas) in rows.iter().zip(&formulas) {
+            let cells = if print { formulas.map(TableCell::Maths) } else { row.map(TableCell::Text) };
+            table.row(&cells)?;
         }
         table.finish()
     })?;

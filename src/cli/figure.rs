@@ -38,7 +38,8 @@ pub(super) struct Args {
     /// Which figure.
     #[arg(value_enum)]
     figure: Figure,
-    /// The largest period shown, for 5 the only one; by default 15, for entropy 40, for tips 200, for 5 8.
+    /// The largest period shown, for 5 the only one; by default 15, for entropy 40, for tips 200, for 5 8,
+    /// for coexistence 10000.
     #[arg(long, value_name = "N", value_parser = parse_integer::<u64>)]
     n: Option<u64>,
     /// For records: the modulus of the eigenvalues, 0 < R <= 1; by default 0.993.
@@ -93,6 +94,10 @@ enum Figure {
     Words,
     /// The entropy on r = 1 over s, periods up to N, by default 40.
     Entropy,
+    /// How many periods coexist at a random s: at r = 1 up to N by exact cells, at r < 1 by samples.
+    Coexistence,
+    /// How many first-return times a line has, over s and r up to 3.
+    Returns,
     /// The lowest points of all areas beside their law for large n, n = 4 to N.
     Tips,
 }
@@ -115,7 +120,7 @@ impl Figure {
     /// Whether `--n` says what it shows.
     fn has_periods(self) -> bool {
         use Figure::*;
-        !matches!(self, Regions | Orbits | Branches | Diagram | Before | Near | After | Chaos)
+        !matches!(self, Regions | Orbits | Branches | Diagram | Before | Near | After | Chaos | Returns)
     }
 
     fn is_of_a_scene(self) -> bool {
@@ -228,6 +233,7 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
         Figure::Areas => 8,
         Figure::Tips => 200,
         Figure::Entropy => 40,
+        Figure::Coexistence => 10_000,
         _ => 15,
     });
     match args.figure {
@@ -242,6 +248,8 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
             figure::records(&number(&args.r, "0.993")?, &number(&args.s, "0.205")?, n, &place)?
         }
         Figure::Words => figure::words(n, &place, &Progress::new(interrupt, n.saturating_sub(2), "periods"))?,
+        Figure::Returns => figure::returns(&place, &Progress::new(interrupt, 120, "rows"))?,
+        Figure::Coexistence => figure::coexistence(n, &place, &Progress::new(interrupt, 0, "samples"))?,
         Figure::Entropy => figure::entropy(n, &place, &Progress::new(interrupt, 0, "intervals"))?,
         Figure::Tips => figure::tips(n, &place, &Progress::new(interrupt, n.saturating_sub(3), "periods"))?,
         Figure::Branches => paper("figure6", (place.folder, place.format), files, interrupt)?,

@@ -18,7 +18,9 @@ mod profile;
 pub(crate) mod progress;
 mod range;
 mod reader;
+mod returns;
 mod run;
+mod sequence;
 mod shards;
 mod shell;
 mod two_impacts;
@@ -84,6 +86,7 @@ enum Command {
     Fuzz(fuzz::Args),
     Farey(farey::Args),
     Boundary(boundary::Args),
+    Sequence(sequence::Args),
     Figure(figure::Args),
     Formula(formula::Args),
     Evaluate(evaluate::Args),
@@ -263,6 +266,7 @@ fn run(cli: Cli, files: &FileRegistry, interrupt: &Interrupt) -> Result<Outcome>
         Command::Fuzz(args) => fuzz::run(&args, files, interrupt),
         Command::Farey(args) => farey::run(&args, files, interrupt),
         Command::Boundary(args) => boundary::run(&args, files, interrupt),
+        Command::Sequence(args) => sequence::run(&args, files, interrupt),
         Command::Figure(args) => figure::run(&args, files, interrupt),
         Command::Formula(args) => formula::run(&args, files),
         Command::Evaluate(args) => evaluate::run(&args, files, interrupt),
@@ -291,17 +295,19 @@ impl Command {
             Command::Merge(args) => report(args.format, "grazing-check 2"),
             Command::Cover(args) => report(args.format, "grazing-cover 1"),
             Command::Intervals(args) => {
-                (args.format == intervals::Format::Json).then_some("grazing-intervals 1")
+                let name = if args.is_measure() { "grazing-measure 1" } else { "grazing-intervals 1" };
+                (args.format == intervals::Format::Json).then_some(name)
             }
             Command::Classify(args) => table(args.format, "grazing-classify 1"),
-            Command::Word(args) => (args.format == word::Format::Json).then_some("grazing-word 1"),
+            Command::Word(args) => (args.format == word::Format::Json).then_some(args.json_name()),
             Command::Existence(args) => table(args.format, "grazing-existence 1"),
             Command::Fuzz(args) => report(args.format, "grazing-fuzz 2"),
             Command::Farey(args) => report(args.format, "grazing-farey 1"),
             Command::Boundary(args) => table(args.format, "grazing-boundary 1"),
             Command::Evaluate(args) => report(args.format, "grazing-evaluate 1"),
             Command::Run(args) => report(args.format, "grazing-run 2"),
-            Command::Figure(_)
+            Command::Sequence(_)
+            | Command::Figure(_)
             | Command::Formula(_)
             | Command::Accuracy(_)
             | Command::Completions(_)

@@ -4,7 +4,7 @@ use std::ops::RangeInclusive;
 
 use num_rational::Ratio;
 
-use super::{range::Periods, shards::RowSink};
+use super::{intervals::Style, range::Periods, shards::RowSink};
 use crate::{
     cli::progress::{Interrupt, Progress},
     error::{Error, Result},
@@ -56,19 +56,29 @@ pub(super) fn run<I: Iterator<Item = PatternInterval>>(
         return destination.list(|out| Ok(writeln!(out, "{n} {}", intervals()?.count())?));
     };
     destination.list(|out| {
-        let mut columns = columns(n.to_string().len());
+        let style = Style { decimals, print: format == TableFormat::Latex };
+        let mut columns = columns(n.to_string().len(), style.print);
         if let Some(decimals) = decimals {
             columns.push(Column::new("left_rounded", "left (rounded)", decimals + 2));
             columns.push(Column::new("right_rounded", "right (rounded)", decimals + 2));
         }
         let mut table = TableWriter::new(out, format, "grazing-pattern-intervals 1", columns)?;
-        let rows = intervals().and_then(|intervals| rows(intervals, decimals, &mut table, &progress));
+        let rows = intervals().and_then(|intervals| rows(intervals, style, &mut table, &progress));
         table.end(rows)
     })
 }
 
 /// The columns, but for rounded ends.
-pub(super) fn columns(digits: usize) -> Vec<Column> {
+pub(super) fn columns(digits: usize, print: bool) -> Vec<Column> {
+    if print {
+        return vec![
+            Column::new("i", "$i$", 0),
+            Column::new("j", "$j$", 0),
+            Column::new("case", "case", 0),
+            Column::new("left", "from", 0),
+            Column::new("right", "to", 0),
+        ];
+    }
     vec![
         Column::new("i", "$i$", digits),
         Column::new("j", "$j$", digits),
@@ -82,12 +92,12 @@ pub(super) fn columns(digits: usize) -> Vec<Column> {
 /// A row for each interval.
 pub(super) fn rows(
     intervals: impl Iterator<Item = PatternInterval>,
-    decimals: Option<usize>,
+    style: Style,
     rows: &mut dyn RowSink,
     progress: &Progress,
 ) -> Result<()> {
     for (index, interval) in intervals.enumerate() {
-        row(&interval, decimals, rows)?;
+        row(&interval, style, rows)?;
         if index % 4096 == 4095 {
             progress.advance(0)?;
         }
@@ -95,17 +105,18 @@ pub(super) fn rows(
     Ok(())
 }
 
-fn row(interval: &PatternInterval, decimals: Option<usize>, table: &mut dyn RowSink) -> Result<()> {
+fn row(interval: &PatternInterval, style: Style, table: &mut dyn RowSink) -> Result<()> {
     let (left, right): (&Ratio<u64>, &Ratio<u64>) = (&interval.left, &interval.right);
-    let rounded = decimals.map(|d| (decimal(left, d), decimal(right, d)));
-    let mut cells = vec![
-        TableCell::Int(interval.i as i64),
-        TableCell::Int(interval.j as i64),
-        TableCell::Int(interval.case.sign_emu().into()),
-        TableCell::Int(interval.case.sign_gamma().into()),
-        TableCell::Fraction(left),
-        TableCell::Fraction(right),
-    ];
+    let rounded = style.decimals.map(|d| (decimal(left, d), decimal(right, d)));
+    let case = interval.case.to_string();
+    let mut cells = vec![TableCell::Int(interval.i as i64), TableCell::Int(interval.j as i64)];
+    if style.print {
+        cells.push(TableCell::Maths(&case));
+    } else {
+        let signs = [interval.case.sign_emu(), interval.case.sign_gamma()];
+        cells.extend(signs.map(|sign| TableCell::Int(sign.into())));
+    }
+    cells.extend([TableCell::Fraction(left), TableCell::Fraction(right)]);
     if let Some((left, right)) = &rounded {
         cells.extend([TableCell::Text(left), TableCell::Text(right)]);
     }

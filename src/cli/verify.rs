@@ -17,12 +17,16 @@ use super::{
     shards::{Certified, Merged, Part, ShardSet, certificate_line, certify, part_of, periods_of, task_of},
 };
 use crate::{
+    certificate::check,
     cli::progress::{Interrupt, Progress},
     error::{Error, Result},
     existence::Decision,
     number::parse_integer,
     output::{Destination, FileRegistry, OutputFile, Shard},
-    search::{Proof, ProofMethod, assemble_theorem2, prove_theorem2, theorem2_blocks, write_theorem2},
+    search::{
+        Proof, ProofMethod, assemble_theorem2, entropy_certificate, prove_theorem2, theorem2_blocks,
+        write_theorem2,
+    },
 };
 
 /// The largest period: deciding it takes minutes.
@@ -43,11 +47,16 @@ const LIMIT: u64 = 200_000;
 #[command(after_help = "Examples:
   grazing verify
   grazing verify 3..=100 --certificate theorem2.txt
-  grazing verify 8 --method both --format json")]
+  grazing verify 8 --method both --format json
+  grazing verify --entropy --certificate entropy.txt")]
 pub(super) struct Args {
     /// The periods: N, or A..=B. At most 200000.
     #[arg(default_value = "3..=500", value_name = "N|A..=B")]
     periods: Periods,
+    /// Prove instead, for every r <= 1 and s with e*mu > 0, the least upper bounds of the entropy of the
+    /// patterns that are born, by finitely many beginnings of words. It rests on the word theorem.
+    #[arg(long, conflicts_with_all = ["periods", "method", "shard", "jobs"])]
+    entropy: bool,
     /// How signs are decided; with both, the methods must agree.
     #[arg(long, value_enum, default_value_t = ProofMethod::Exact)]
     method: ProofMethod,
@@ -69,6 +78,9 @@ pub(super) struct Args {
 }
 
 pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> Result<Outcome> {
+    if args.entropy {
+        return suprema(args, files, interrupt);
+    }
     let range = args.periods.within(LIMIT, "verify")?;
     if args.method == ProofMethod::Interval && args.certificate.is_some() {
         return Err(Error::input(
@@ -79,6 +91,30 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
         args.certificate.as_deref().map(|path| files.write("--certificate", path)).transpose()?;
     let output = files.destination(args.output.as_deref())?;
     in_pool(args.jobs, || verify(range, args, certificate, &output, interrupt))
+}
+
+/// `--entropy`: the certificate is found, and proved by the checker.
+fn suprema(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> Result<Outcome> {
+    if args.format == ReportFormat::Json {
+        return Err(Error::input(
+            "--entropy reports in text: write its --certificate, and `grazing check --format json` reports that",
+        ));
+    }
+    let file = args.certificate.as_deref().map(|path| files.write("--certificate", path)).transpose()?;
+    let output = files.destination(args.output.as_deref())?;
+    let text = entropy_certificate(&Progress::new(interrupt, 0, "words"))?;
+    let (outcome, mut report) = match check(&mut text.as_bytes()) {
+        Ok(checked) => (Outcome::Done, format!("{checked}\n")),
+        Err(rejection) => (Outcome::Undecided, format!("not proved: {rejection}\n")),
+    };
+    let kept = match &file {
+        Some(file) if outcome == Outcome::Done => file.write(|out| Ok(out.write_all(text.as_bytes())?)),
+        _ => Ok(()),
+    };
+    if let (Some(path), Outcome::Done, Ok(())) = (&args.certificate, outcome, &kept) {
+        report += &certificate_line(path, None);
+    }
+    reported(outcome, kept.and(output.write(|out| Ok(out.write_all(report.as_bytes())?))))
 }
 
 /// What shards are parts of.

@@ -14,14 +14,14 @@ use super::{
     Outcome,
     classify::{describe, forward},
     range::Span,
-    reported,
+    reported, returns,
 };
 use crate::{
     cli::progress::{Interrupt, Progress},
     error::{Error, Result},
     local::{Forward, Ladder, Point},
     number::{certain_digits, parse_integer, parse_rational},
-    output::{FileRegistry, say},
+    output::{Column, Destination, FileRegistry, Print, TableCell, TableFormat, TableWriter, say},
     printable::Printable,
     search::{Certified, WordCertificate, WordPlace, certify_word},
     word::{ClosedWalks, Edge, Entropy, Extent, Letter, Rectangle, Relation, Word},
@@ -53,7 +53,8 @@ const BITS: u32 = 64;
 #[derive(Debug, Parser)]
 #[command(after_help = "Examples:
   grazing word --r 0.4633 --s 0.16327
-  grazing word --a1 1.9 --a2 0.95 --format dot -o word.dot")]
+  grazing word --a1 1.9 --a2 0.95 --format dot -o word.dot
+  grazing word --r 1.25 --s 0.37 --returns")]
 #[command(group = ArgGroup::new("point").required(true).args(["a1", "r"]))]
 pub(super) struct Args {
     /// The trace a1, or an interval of it.
@@ -78,6 +79,11 @@ pub(super) struct Args {
     /// (or P, or 256) and every edge by its own sign.
     #[arg(long, value_name = "FILE")]
     certificate: Option<PathBuf>,
+    /// List instead the first-return times to the line x1 = -1 from the side of 0, and the points (-1, p)
+    /// that have them, for complex eigenvalues of any modulus: where grazing orbits strike next, and for r >
+    /// 1 the return times of a border collision.
+    #[arg(long, conflicts_with_all = ["certificate", "max_period"])]
+    returns: bool,
     /// Let the certificate rest on the word theorem: one sign per letter, and so all periods.
     #[arg(long, requires = "certificate")]
     by_theorem: bool,
@@ -89,6 +95,13 @@ pub(super) struct Args {
     output: Option<PathBuf>,
 }
 
+impl Args {
+    /// The name of its JSON.
+    pub(super) fn json_name(&self) -> &'static str {
+        if self.returns { "grazing-returns 1" } else { "grazing-word 1" }
+    }
+}
+
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(super) enum Format {
     /// For reading.
@@ -97,6 +110,10 @@ pub(super) enum Format {
     Json,
     /// The four pattern graphs, for Graphviz.
     Dot,
+    /// A row for each period of each word, or of --returns for each piece of the line, as CSV.
+    Csv,
+    /// The same as a LaTeX longtable with booktabs rules.
+    Latex,
 }
 
 /// One sign of γ of a word.
@@ -121,6 +138,9 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
         return Err(Error::input(format!("--letters {}: from 1 to {LETTERS}", args.letters)));
     }
     let destination = files.destination(args.output.as_deref())?;
+    if args.returns {
+        return return_times(args, &destination, interrupt);
+    }
     let file = args.certificate.as_deref().map(|path| files.write("--certificate", path)).transpose()?;
     let given = Given::new(args)?;
     if given.reversed && file.is_some() {
@@ -163,6 +183,8 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
         Format::Text => Ok(out.write_all(text(heading, &sides, written_to).as_bytes())?),
         Format::Json => json_report(&given, &sides, written_to, out),
         Format::Dot => Ok(out.write_all(dot(&sides).as_bytes())?),
+        Format::Csv => table(&sides, TableFormat::Csv, out),
+        Format::Latex => table(&sides, TableFormat::Latex, out),
     });
     let open = sides.iter().any(|side| {
         !matches!(side.word.extent(), Extent::All | Extent::Complete { .. })
@@ -170,6 +192,63 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
     });
     let open = open || matches!(certified, Some(Certified::Undecided(_)));
     reported(if open { Outcome::Undecided } else { Outcome::Done }, kept.and(written))
+}
+
+/// `--returns`.
+fn return_times(args: &Args, destination: &Destination, interrupt: &Interrupt) -> Result<Outcome> {
+    let format = match args.format {
+        Format::Text => TableFormat::Table,
+        Format::Json => TableFormat::Json,
+        Format::Csv => TableFormat::Csv,
+        Format::Latex => TableFormat::Latex,
+        Format::Dot => return Err(Error::input("--format dot draws pattern graphs: leave out --returns")),
+    };
+    if [&args.a1, &args.a2].into_iter().flatten().any(Span::is_interval) {
+        return Err(Error::input("--returns is asked at one point: give --a1 and --a2 as numbers"));
+    }
+    let single = |span: &Option<Span>| span.as_ref().map(|span| span.0[0].clone());
+    let plane = single(&args.a1).zip(single(&args.a2));
+    let forward = forward(plane.as_ref().map(|(x, y)| (x, y)), args.r.as_ref().zip(args.s.as_ref()))?;
+    returns::run(&forward, args.letters, format, destination, interrupt)
+}
+
+/// A row for each period of each word: its letter, and what may follow it for either sign of γ.
+fn table(sides: &[Side], format: TableFormat, out: &mut dyn Write) -> Result<()> {
+    let columns = vec![
+        Column::new("sign_emu", "$\\operatorname{sign} e\\mu$", 0),
+        Column::new("n", "$n$", 0),
+        Column::new("place", "$m/n$", 0),
+        Column::new("letter", "letter", 0).print(Print::Left),
+        Column::new("after_plus", "may follow, $\\gamma > 0$", 0).print(Print::Lines(28)),
+        Column::new("after_minus", "may follow, $\\gamma < 0$", 0).print(Print::Lines(28)),
+    ];
+    let mut table = TableWriter::new(out, format, "grazing-word 1", columns)?;
+    for side in sides {
+        for vertex in side.word.vertices() {
+            let after = |case: &Case| {
+                let relation = &case.relation;
+                let follows = |to: &&u64| relation.edge(vertex.period, **to) == Edge::Yes;
+                let all = relation.periods().iter().filter(follows).map(u64::to_string);
+                all.collect::<Vec<_>>().join(", ")
+            };
+            let after: Vec<String> = side.cases.iter().map(after).collect();
+            let place = vertex.fraction();
+            let sign = match (format, side.word.is_positive()) {
+                (TableFormat::Latex, true) => TableCell::Maths("+"),
+                (TableFormat::Latex, false) => TableCell::Maths("-"),
+                (_, positive) => TableCell::Int(if positive { 1 } else { -1 }),
+            };
+            table.row(&[
+                sign,
+                TableCell::Int(vertex.period as i64),
+                TableCell::Fraction(&place),
+                TableCell::Text(&vertex.letter.to_string()),
+                TableCell::Text(&after[0]),
+                TableCell::Text(&after[1]),
+            ])?;
+        }
+    }
+    table.finish()
 }
 
 /// Where the words are asked for.

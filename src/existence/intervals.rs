@@ -100,7 +100,7 @@ pub fn tree_intervals(order: u64) -> Result<impl Iterator<Item = Interval> + Sen
     }))
 }
 
-fn check_period(n: u64) -> Result<()> {
+pub(super) fn check_period(n: u64) -> Result<()> {
     if (1..=MAX_PERIOD).contains(&n) {
         return Ok(());
     }

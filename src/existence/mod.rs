@@ -4,9 +4,10 @@
 //! Two sides are kept apart and compared. The *claim* is the theorem's list of intervals, built by modular
 //! inverses ([`intervals`]) and again from the Farey tree ([`tree_intervals`]). The *decision* ([`decide`])
 //! knows only the signs of b_{n,k} and c_n and finds where (52), (53) hold. A second proof
-//! ([`decide_by_enclosure`]) takes the claim as a guess and proves it by enclosures over whole stretches. For
-//! r < 1: one point at a time ([`by_definition`], [`by_records`], [`claimed`]), and the edge of an area of
-//! Conjecture 1 with its lowest point ([`Boundary`]).
+//! ([`decide_by_enclosure`]) takes the claim as a guess and proves it by enclosures over whole stretches.
+//! For r < 1: one point at a time ([`by_definition`], [`by_records`], [`claimed`]), and the edge of an area
+//! of Conjecture 1 with its lowest point ([`Boundary`]). How long the intervals of a period are together,
+//! and how many periods coexist at a random s: [`measure`], [`measures`], [`Coexistence`].
 //!
 //! ```
 //! use grazing::existence::{Existence, by_definition, decide, intervals};
@@ -30,10 +31,12 @@ mod brief;
 mod by_enclosure;
 mod case;
 mod claim;
+mod coexistence;
 mod decide;
 mod eigenvalue;
 pub(crate) mod fixed_point;
 mod intervals;
+mod measure;
 mod signs;
 mod single;
 mod tip;
@@ -45,11 +48,13 @@ pub use by_enclosure::{Enclosed, decide_by_enclosure};
 pub use case::Case;
 pub(crate) use claim::claimed_with;
 pub use claim::{Claim, Variant, claimed};
+pub use coexistence::{Coexistence, Coexisting, MAX_COEXISTENCE, coexisting, landau, landau_scaled};
 pub use decide::{Decision, Piece, Reason, decide};
 pub use eigenvalue::large_eigenvalue_sign;
 #[cfg(feature = "cli")]
 pub(crate) use intervals::intervals_between;
 pub use intervals::{Interval, MAX_PERIOD, intervals, tree_intervals};
+pub use measure::{MAX_DECIMALS, MAX_EXACT, NarrowBounds, PeriodMeasure, measure, measures};
 pub use signs::{Approach, Signs};
 pub(crate) use single::definition_and_rung;
 pub use single::{Existence, by_definition, by_records, up_to};

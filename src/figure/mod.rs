@@ -6,6 +6,7 @@
 
 mod branches;
 mod canvas;
+mod coexistence;
 mod cover;
 mod digits;
 mod entropy;
@@ -21,6 +22,7 @@ mod panels;
 mod proofs;
 mod records;
 mod regions;
+mod returns;
 mod section;
 mod shift;
 mod sign_price;
@@ -29,6 +31,7 @@ mod tips;
 mod words;
 
 pub use branches::{DrawnBranch, Scatter, branches};
+pub use coexistence::coexistence;
 pub use cover::{FINEST, areas};
 pub use digits::{digits_figure, digits_table};
 pub use entropy::entropy;
@@ -41,6 +44,7 @@ pub use orbits::{orbit, orbits};
 pub use proofs::{proof_figure, proof_table};
 pub use records::records;
 pub use regions::regions;
+pub use returns::returns;
 pub use section::{Mark, Points, section};
 pub use shift::shift;
 pub use sign_price::{sign_price_figure, sign_price_table};

@@ -52,7 +52,9 @@ impl RowSetter {
                             plain(rows, cell);
                             rows.push(b'"');
                         }
-                        TableCell::Text(text) => rows.extend_from_slice(json_string(text).as_bytes()),
+                        TableCell::Text(text) | TableCell::Maths(text) => {
+                            rows.extend_from_slice(json_string(text).as_bytes());
+                        }
                         TableCell::Empty => rows.extend_from_slice(b"null"),
                     }
                 }
@@ -64,7 +66,13 @@ impl RowSetter {
                 for (index, (cell, _)) in printed.enumerate() {
                     rows.extend_from_slice(if index > 0 { b" & " } else { b"" });
                     match cell {
-                        TableCell::Int(_) | TableCell::Fraction(_) => {
+                        // A whole number is not written as a fraction in print.
+                        TableCell::Fraction(x) if *x.denom() == 1 => {
+                            rows.push(b'$');
+                            integer(rows, *x.numer());
+                            rows.push(b'$');
+                        }
+                        TableCell::Int(_) | TableCell::Fraction(_) | TableCell::Maths(_) => {
                             rows.push(b'$');
                             plain(rows, cell);
                             rows.push(b'$');
@@ -141,7 +149,9 @@ fn plain(rows: &mut Vec<u8>, cell: &TableCell) {
             rows.push(b'/');
             integer(rows, *x.denom());
         }
-        TableCell::Text(text) => rows.extend_from_slice(Printable(text).text().as_bytes()),
+        TableCell::Text(text) | TableCell::Maths(text) => {
+            rows.extend_from_slice(Printable(text).text().as_bytes());
+        }
         TableCell::Empty => {}
     }
 }

@@ -100,6 +100,8 @@ pub enum TableCell<'a> {
     Fraction(&'a Ratio<u64>),
     /// Text.
     Text(&'a str),
+    /// A formula in LaTeX's maths mode, which is text elsewhere.
+    Maths(&'a str),
     /// Nothing.
     Empty,
 }

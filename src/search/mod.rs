@@ -15,11 +15,13 @@
 mod apart;
 mod compare;
 pub mod cover;
+mod entropy;
 pub mod fuzz;
 mod instance;
 mod theorem2;
 mod word;
 
+pub use entropy::entropy_certificate;
 pub use instance::Instance;
 pub use theorem2::{Proof, ProofMethod, assemble_theorem2, prove_theorem2, theorem2_blocks, write_theorem2};
 pub use word::{Certified, WordCertificate, WordPlace, certify_word};

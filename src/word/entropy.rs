@@ -112,7 +112,7 @@ impl ClosedWalks {
 }
 
 /// z^n by squaring.
-fn power<T: Real>(z: &T, mut n: u64, context: &T::Context) -> T {
+pub(super) fn power<T: Real>(z: &T, mut n: u64, context: &T::Context) -> T {
     let (mut result, mut square) = (T::integer(1, context), z.clone());
     while n > 0 {
         if n & 1 == 1 {

@@ -16,6 +16,7 @@
 //! it is open. [`Word::in_rectangle`] does the same for all points of a [`Rectangle`] at once, which may meet
 //! several regions.
 //! [`ClosedWalks`] counts the patterns of a relation by period and encloses its topological entropy.
+//! [`Returns`] are the first-return times to a line for eigenvalues of any modulus, which have the same word.
 //! [`two_impacts`] lists the Farey intervals on r = 1 where patterns of two impacts exist.
 //!
 //! ```
@@ -48,6 +49,7 @@ mod entropy;
 mod path;
 mod rectangle;
 mod relation;
+mod returns;
 mod two_impacts;
 
 pub use count::{ClosedWalks, PatternCount};
@@ -57,4 +59,5 @@ pub(crate) use path::{At, Realm, Signs};
 pub use path::{Extent, Letter, MAX_LETTERS, Vertex, Word};
 pub use rectangle::Rectangle;
 pub use relation::{Edge, MAX_RELATION, Relation};
+pub use returns::{ReturnKind, ReturnPiece, Returns, place};
 pub use two_impacts::{PatternInterval, two_impacts, two_impacts_of};

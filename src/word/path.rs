@@ -215,6 +215,22 @@ impl Word {
         Some(word)
     }
 
+    /// The word for eµ > 0 of 1 (D), K = `first` (U) and these letters, U or D, which ends there. Cost: O(L).
+    pub(crate) fn of_letters(first: u64, letters: &[Letter]) -> Word {
+        let mut word = Word::empty(true);
+        word.push(0, 1, Letter::D);
+        word.push(1, first, Letter::U);
+        let (mut lower, mut upper) = ((0, 1, 0), (1, first, 1));
+        for &letter in letters {
+            let next = (lower.0 + upper.0, lower.1 + upper.1, word.vertices.len());
+            word.push(next.0, next.1, letter);
+            *(if letter == Letter::U { &mut upper } else { &mut lower }) = next;
+        }
+        word.extent = Extent::Complete { next: Some(lower.1 + upper.1) };
+        word.last = Some((lower.2, upper.2));
+        word
+    }
+
     fn empty(positive: bool) -> Word {
         Word { positive, vertices: Vec::new(), extent: Extent::Complete { next: None }, last: None }
     }

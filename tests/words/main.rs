@@ -7,6 +7,7 @@ mod command;
 mod common;
 mod exhaustive;
 mod forms;
+mod returns;
 
 use common::{Fraction, config, middle, sign_b, sign_sin, singular};
 use grazing::existence::{Boundary, Case, intervals};

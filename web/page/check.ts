@@ -49,6 +49,7 @@ const SENTENCES: Record<string, (range: [number, number], detail: Map<string, st
     const each = `Every path of its letters is a motion of the oscillator: ${detail.get("letters") ?? ""}.`;
     return title === "chaos" ? `The oscillator is chaotic. ${each}` : `${each} That it is chaotic is not proved.`;
   },
+  entropy: () => "Words of periods between impacts have no more entropy than is listed, wherever they are born.",
   "machine-orbit": ([n], detail) => `The machine has a periodic orbit of ${several(n)}, ${stability(detail)}.`,
 };
 

@@ -16,6 +16,7 @@ pub const CHAOS_123: &str = include_str!("../data/chaos-123.txt");
 pub const CHAOS_MIRRORED: &str = include_str!("../data/chaos-mirrored.txt");
 pub const CHAOS_MIRRORED_BEFORE: &str = include_str!("../data/chaos-mirrored-before.txt");
 pub const WORD: &str = include_str!("../data/word.txt");
+pub const ENTROPY: &str = include_str!("../data/entropy.txt");
 pub const WORD_BY_THEOREM: &str = include_str!("../data/word-by-theorem.txt");
 
 pub fn answer(text: &str) -> Result<Checked, Rejection> {

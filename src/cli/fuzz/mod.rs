@@ -39,7 +39,7 @@ use crate::{
 ///
 /// With --words it fuzzes the word theorem, which `grazing word` uses. At each point it compares every period
 /// up to N, and which may follow which, by the definition and by the word; a case is then a point. It also
-/// compares the entropies of random words on r = 1 with their presumed supremum, which is an open question.
+/// compares the entropies of random words on r = 1 with their supremum, which `verify --entropy` proves.
 ///
 /// Exit code 0: no disagreement, which proves nothing; 1: a confirmed disagreement, or an error of this
 /// program (two of its routes to one answer differ; the point is shown); 2: wrong usage or a file that cannot

@@ -52,9 +52,7 @@ impl Told for WordOptions {
                 tally.largest[i], tally.largest_at[i], SUPREMA[i]
             )
         });
-        let beyond = tally.beyond.iter().map(|line| {
-            format!("an open question is answered: the supremum is larger than was thought; {line}")
-        });
+        let beyond = tally.beyond.iter().map(|line| format!("the supremum is larger than is proved: {line}"));
         largest.chain(beyond).collect()
     }
 

@@ -1,10 +1,12 @@
 //! `grazing intervals`: Theorem 2's intervals as tables.
 
+mod measure;
 mod rows;
 
 use std::{io::Write, ops::RangeInclusive, path::PathBuf, str::FromStr};
 
 use clap::{Parser, ValueEnum};
+pub(super) use rows::Style;
 
 use super::{
     Outcome,
@@ -35,6 +37,9 @@ use crate::{
 /// --pattern I,J lists the intervals of s where on r = 1 an orbit with two impacts exists, I and J periods
 /// apart. --two-impacts does so for all patterns of two impacts of a period.
 ///
+/// --measure lists instead how long the intervals of each period are together, L_n, and how many of the
+/// periods 3 to n exist at a random s in the mean.
+///
 /// Exit code 0: done; 2: wrong usage or a file that cannot be written; 3: interrupted.
 #[derive(Debug, Parser)]
 #[command(after_help = "Examples:
@@ -42,10 +47,11 @@ use crate::{
   grazing intervals 3..=8 --decimals 6 --format latex -o intervals.tex
   grazing verify 3..=8 --certificate theorem2.txt
   grazing intervals 3..=8 --format latex --cite theorem2.txt
-  grazing intervals --pattern 3,5")]
+  grazing intervals --pattern 3,5
+  grazing intervals --measure 3..=12")]
 pub(super) struct Args {
     /// The periods: N, or A..=B. At most 10000000.
-    #[arg(value_name = "N|A..=B", required_unless_present_any = ["pattern", "two_impacts"])]
+    #[arg(value_name = "N|A..=B", required_unless_present_any = ["pattern", "two_impacts", "measure"])]
     periods: Option<Periods>,
     /// The pattern of two impacts with these periods between them, such as 3,5.
     #[arg(long, value_name = "I,J", value_parser = two_impacts::pattern, conflicts_with_all = ["periods", "two_impacts"])]
@@ -53,6 +59,10 @@ pub(super) struct Args {
     /// All patterns of two impacts of these periods, I + J = N from 3 to 2000.
     #[arg(long, value_name = "N|A..=B", conflicts_with = "periods")]
     two_impacts: Option<Periods>,
+    /// The total length of the intervals of these periods, from 3 on: as a fraction up to period 10000, or to
+    /// 1000000 of a single one, and in decimals that are certain (15 of them, or D up to 24).
+    #[arg(long, value_name = "N|A..=B", conflicts_with_all = ["periods", "two_impacts", "pattern", "cite", "shard"])]
+    measure: Option<Periods>,
     /// How the table is written.
     #[arg(long, value_enum, default_value_t = Format::Table)]
     pub(super) format: Format,
@@ -89,6 +99,27 @@ pub(super) enum Format {
     Bfile,
 }
 
+impl Format {
+    /// None for a b-file.
+    fn of_table(self) -> Option<TableFormat> {
+        Some(match self {
+            Format::Table => TableFormat::Table,
+            Format::Csv => TableFormat::Csv,
+            Format::Json => TableFormat::Json,
+            Format::Latex => TableFormat::Latex,
+            Format::Markdown => TableFormat::Markdown,
+            Format::Bfile => return None,
+        })
+    }
+}
+
+impl Args {
+    /// Whether lengths are asked for, not intervals.
+    pub(super) fn is_measure(&self) -> bool {
+        self.measure.is_some()
+    }
+}
+
 /// What is listed, how it is written.
 struct List<'a> {
     periods: RangeInclusive<u64>,
@@ -100,6 +131,11 @@ struct List<'a> {
 }
 
 pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> Result<Outcome> {
+    if let Some(periods) = &args.measure {
+        let destination = files.destination(args.output.as_deref())?;
+        measure::run(periods, args.format, args.decimals, &destination, interrupt)?;
+        return Ok(Outcome::Done);
+    }
     if let Some((i, j)) = args.pattern {
         let (format, decimals) = (checked(args)?, args.decimals);
         let destination = files.destination(args.output.as_deref())?;
@@ -126,6 +162,7 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
         Ok(caption) => caption,
         Err(outcome) => return Ok(outcome),
     };
+    let caption = caption.or_else(|| list.is_print().then(|| list.plain_caption()));
     list.caption = caption.as_ref();
     let progress = Progress::new(interrupt, periods.count(), "periods");
     destination.list(|out| list.whole(out, &progress))?;
@@ -134,8 +171,10 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
 
 /// The table from its shards.
 pub(super) fn merge(args: &Args, set: &ShardSet, merged: &Merged, interrupt: &Interrupt) -> Result<Outcome> {
-    let list = list(args)?;
+    let mut list = list(args)?;
     set.expect(&list.task())?;
+    let caption = list.is_print().then(|| list.plain_caption());
+    list.caption = caption.as_ref();
     let items = |shard| part_of(&list.periods, list.exponent(), shard);
     merged.table()?.list(|out| {
         list.write(out, |rows| {
@@ -153,14 +192,7 @@ fn checked(args: &Args) -> Result<Option<TableFormat>> {
     if let Some(digits) = args.decimals.filter(|&digits| digits > 1000) {
         return Err(Error::input(format!("--decimals {digits} is too many: at most 1000")));
     }
-    let format = match args.format {
-        Format::Table => Some(TableFormat::Table),
-        Format::Csv => Some(TableFormat::Csv),
-        Format::Json => Some(TableFormat::Json),
-        Format::Latex => Some(TableFormat::Latex),
-        Format::Markdown => Some(TableFormat::Markdown),
-        Format::Bfile => None,
-    };
+    let format = args.format.of_table();
     if args.decimals.is_some() && format.is_none() {
         return Err(Error::input("--decimals does nothing with --format bfile, which has no ends"));
     }
@@ -198,12 +230,31 @@ impl List<'_> {
         if self.two_impacts { 2 } else { 1 }
     }
 
+    /// That of a table which cites nothing.
+    fn plain_caption(&self) -> Caption {
+        let (name, text) = if self.two_impacts { ("two-impacts", TWO) } else { ("intervals", CAPTION) };
+        Caption { text: text.to_string(), label: cite::label(name, &Periods(self.periods.clone())) }
+    }
+
+    /// Whether it goes onto a page.
+    fn is_print(&self) -> bool {
+        self.format == Some(TableFormat::Latex)
+    }
+
+    fn style(&self) -> Style {
+        Style { decimals: self.decimals, print: self.is_print() }
+    }
+
     fn columns(&self) -> Vec<Column> {
         if self.format.is_none() {
             return vec![Column::new("n", "$n$", 0), Column::new("intervals", "intervals", 0)];
         }
         let digits = self.periods.end().to_string().len();
-        let mut columns = if self.two_impacts { two_impacts::columns(digits) } else { columns(digits) };
+        let mut columns = if self.two_impacts {
+            two_impacts::columns(digits, self.is_print())
+        } else {
+            columns(digits, self.is_print())
+        };
         if let Some(decimals) = self.decimals {
             columns.push(Column::new("left_rounded", "left (rounded)", decimals + 2));
             columns.push(Column::new("right_rounded", "right (rounded)", decimals + 2));
@@ -231,7 +282,7 @@ impl List<'_> {
         match self.format {
             Some(format) if !self.two_impacts => {
                 let mut table = self.table(out, format)?;
-                let rows = rows::in_parallel(periods, self.decimals, &mut table, progress);
+                let rows = rows::in_parallel(periods, self.style(), &mut table, progress);
                 table.end(rows)
             }
             _ => self.write(out, |rows| self.rows(periods, rows, progress)),
@@ -243,9 +294,9 @@ impl List<'_> {
             match (self.format, self.two_impacts) {
                 (None, false) => count(n, intervals(n)?.count(), rows)?,
                 (None, true) => count(n, word::two_impacts_of(n)?.count(), rows)?,
-                (Some(_), false) => rows::of_period(n, self.decimals, rows, progress)?,
+                (Some(_), false) => rows::of_period(n, self.style(), rows, progress)?,
                 (Some(_), true) => {
-                    two_impacts::rows(word::two_impacts_of(n)?, self.decimals, rows, progress)?;
+                    two_impacts::rows(word::two_impacts_of(n)?, self.style(), rows, progress)?;
                 }
             }
             rows.done(n)?;
@@ -261,7 +312,10 @@ fn count(n: u64, count: usize, rows: &mut dyn RowSink) -> Result<()> {
 }
 
 const CAPTION: &str = "The open intervals of $s$ on $r = 1$ where there is an orbit with one impact in $n$ \
-periods, and the signs of $e\\mu$ and $\\gamma$ for which it exists.";
+periods, the case $(e\\mu, \\gamma)$ in which it exists, and the $b_{n,k}$ that alone decides about it for $r < 1$.";
+
+const TWO: &str = "The open intervals of $s$ on $r = 1$ where there is an orbit with two impacts, $i$ and $j$ periods \
+apart, and the case $(e\\mu, \\gamma)$ in which it exists.";
 
 /// What a table of intervals can rest on.
 const BASES: [Basis; 2] = [
@@ -274,7 +328,16 @@ $r_{\\max} < 1$ is proved",
     },
 ];
 
-fn columns(digits: usize) -> Vec<Column> {
+fn columns(digits: usize, print: bool) -> Vec<Column> {
+    if print {
+        return vec![
+            Column::new("n", "$n$", 0),
+            Column::new("case", "case", 0),
+            Column::new("left", "from", 0),
+            Column::new("right", "to", 0),
+            Column::new("deciding", "decides", 0),
+        ];
+    }
     vec![
         Column::new("n", "$n$", digits),
         Column::new("m", "$m$", digits),

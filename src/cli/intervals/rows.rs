@@ -13,14 +13,9 @@ use crate::{
 };
 
 /// The rows of one period, in order. One of ten million takes seconds: Ctrl-C is listened for within it too.
-pub(super) fn of_period(
-    n: u64,
-    decimals: Option<usize>,
-    rows: &mut dyn RowSink,
-    progress: &Progress,
-) -> Result<()> {
+pub(super) fn of_period(n: u64, style: Style, rows: &mut dyn RowSink, progress: &Progress) -> Result<()> {
     for (index, interval) in intervals(n)?.enumerate() {
-        with_cells(&interval, decimals, |cells| rows.row(cells))?;
+        with_cells(&interval, style, |cells| rows.row(cells))?;
         if index % 4096 == 4095 {
             progress.advance(0)?;
         }
@@ -34,14 +29,14 @@ pub(super) fn of_period(
 /// Cost: O(1) operations per row and digit. Memory: two waves, about 3 MB per thread and 5 MB in JSON.
 pub(super) fn in_parallel(
     periods: RangeInclusive<u64>,
-    decimals: Option<usize>,
+    style: Style,
     table: &mut TableWriter<'_>,
     progress: &Progress,
 ) -> Result<()> {
     let setter = table.setter();
     let wave = 4 * rayon::current_num_threads();
     // Long decimals make long rows.
-    let mut pieces = Pieces { periods, m: 0, length: BATCH / (1 + decimals.unwrap_or(0) as u64 / 16) };
+    let mut pieces = Pieces { periods, m: 0, length: BATCH / (1 + style.decimals.unwrap_or(0) as u64 / 16) };
     let (mut set, mut next): (Vec<Batch>, Vec<Batch>) = (Vec::new(), Vec::new());
     next.resize_with(wave, Batch::default);
     set.resize_with(wave, Batch::default);
@@ -50,7 +45,7 @@ pub(super) fn in_parallel(
             pieces.fill(&mut batch.pieces);
         }
         rayon::in_place_scope(|scope| {
-            scope.spawn(|_| next.par_iter_mut().for_each(|batch| batch.set(&setter, decimals)));
+            scope.spawn(|_| next.par_iter_mut().for_each(|batch| batch.set(&setter, style)));
             set.iter().try_for_each(|batch| {
                 table.rows_set(&batch.rows)?;
                 progress.advance(batch.pieces.iter().filter(|piece| piece.ends_period()).count() as u64)
@@ -86,11 +81,11 @@ struct Batch {
 }
 
 impl Batch {
-    fn set(&mut self, setter: &RowSetter, decimals: Option<usize>) {
+    fn set(&mut self, setter: &RowSetter, style: Style) {
         self.rows.clear();
         for Piece { n, m } in &self.pieces {
             for interval in intervals_between(*n, m.clone()) {
-                with_cells(&interval, decimals, |cells| setter.set(&mut self.rows, cells));
+                with_cells(&interval, style, |cells| setter.set(&mut self.rows, cells));
             }
         }
     }
@@ -122,25 +117,53 @@ impl Pieces {
     }
 }
 
+/// How rows are written.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::cli) struct Style {
+    /// The digits of rounded ends, if they are asked for.
+    pub decimals: Option<usize>,
+    /// As print has it: a block per period, cases and the deciding b in place of numbers.
+    pub print: bool,
+}
+
 /// Gives the cells of an interval's row to `use_cells`.
-fn with_cells<T>(
-    interval: &Interval,
-    decimals: Option<usize>,
-    use_cells: impl FnOnce(&[TableCell]) -> T,
-) -> T {
-    let cells = [
-        TableCell::Int(interval.n as i64),
-        TableCell::Int(interval.m as i64),
-        TableCell::Int(interval.case.sign_emu().into()),
-        TableCell::Int(interval.case.sign_gamma().into()),
-        TableCell::Fraction(&interval.left),
-        TableCell::Fraction(&interval.right),
-        interval.deciding.map_or(TableCell::Empty, |k| TableCell::Int(k as i64)),
-    ];
-    let Some(digits) = decimals else { return use_cells(&cells) };
-    let [left, right] = [&interval.left, &interval.right].map(|end| decimal(end, digits));
-    let [a, b, c, d, e, f, g] = cells;
-    use_cells(&[a, b, c, d, e, f, g, TableCell::Text(&left), TableCell::Text(&right)])
+fn with_cells<T>(interval: &Interval, style: Style, use_cells: impl FnOnce(&[TableCell]) -> T) -> T {
+    let Interval { n, case, left, right, .. } = interval;
+    let (name, decides);
+    let (mut cells, mut count) = ([TableCell::Empty; 9], 0);
+    let mut push = |cell| {
+        cells[count] = cell;
+        count += 1;
+    };
+    if style.print {
+        // The first one of a period is at 0; of period 1 both are.
+        let begins = interval.m == 0 && (*n > 1 || case.sign_emu() > 0);
+        push(if begins { TableCell::Int(*n as i64) } else { TableCell::Empty });
+        name = case.to_string();
+        push(TableCell::Maths(&name));
+    } else {
+        push(TableCell::Int(*n as i64));
+        push(TableCell::Int(interval.m as i64));
+        push(TableCell::Int(case.sign_emu().into()));
+        push(TableCell::Int(case.sign_gamma().into()));
+    }
+    push(TableCell::Fraction(left));
+    push(TableCell::Fraction(right));
+    match interval.deciding {
+        Some(k) if style.print => {
+            decides = format!("b_{{{n},{k}}}");
+            push(TableCell::Maths(&decides));
+        }
+        Some(k) => push(TableCell::Int(k as i64)),
+        None => push(TableCell::Empty),
+    }
+    let rounded;
+    if let Some(digits) = style.decimals {
+        rounded = [left, right].map(|end| decimal(end, digits));
+        push(TableCell::Text(&rounded[0]));
+        push(TableCell::Text(&rounded[1]));
+    }
+    use_cells(&cells[..count])
 }
 
 #[cfg(test)]

@@ -44,7 +44,7 @@ impl RowSink for PlainRows<'_> {
         let text = |cell: &TableCell| match cell {
             TableCell::Int(value) => value.to_string(),
             TableCell::Fraction(x) => format!("{}/{}", x.numer(), x.denom()),
-            TableCell::Text(text) => (*text).to_string(),
+            TableCell::Text(text) | TableCell::Maths(text) => (*text).to_string(),
             TableCell::Empty => String::new(),
         };
         Ok(writeln!(self.0, "{}", cells.iter().map(text).collect::<Vec<_>>().join(" "))?)
@@ -69,6 +69,7 @@ impl RowSink for ShardRows<'_, '_> {
             TableCell::Int(value) => json!(value),
             TableCell::Fraction(x) => json!([x.numer(), x.denom()]),
             TableCell::Text(text) => json!(text),
+            TableCell::Maths(text) => json!({ "maths": text }),
             TableCell::Empty => Value::Null,
         };
         self.rows += &Value::from(cells.iter().map(value).collect::<Vec<_>>()).to_string();
@@ -89,6 +90,7 @@ enum Cell {
     Int(i64),
     Fraction([u64; 2]),
     Text(String),
+    Maths { maths: String },
     Empty,
 }
 
@@ -117,6 +119,7 @@ pub(super) fn rows(
                 Cell::Int(value) => TableCell::Int(*value),
                 Cell::Fraction(_) => TableCell::Fraction(fraction),
                 Cell::Text(text) => TableCell::Text(text),
+                Cell::Maths { maths } => TableCell::Maths(maths),
                 Cell::Empty => TableCell::Empty,
             })
             .collect();

@@ -3,9 +3,9 @@
 //!
 //! Most points come from sweeps (`sweep`): eight moduli per angle, uniform, near r = 1, near fractions of
 //! small denominator, near the lowest points of areas. Some are drawn near the places where something could
-//! fail and decided exactly (`compare`), as is a share of the sweeps' points. Beside them random words on r =
-//! 1 are asked two questions that are open: whether any has an entropy above what is thought to be the
-//! supremum, for eµ > 0 in region 3. Finding no disagreement proves nothing.
+//! fail and decided exactly (`compare`), as is a share of the sweeps' points. Beside them random words on r
+//! = 1 are asked whether any has an entropy above the supremum, for eµ > 0 in region 3. Finding no
+//! disagreement proves nothing.
 
 mod compare;
 mod points;
@@ -71,7 +71,7 @@ pub struct WordTally {
     pub largest: [f64; 2],
     /// The fractions m/n whose words have them, and their sides.
     pub largest_at: [String; 2],
-    /// Words with an entropy certainly above the presumed supremum.
+    /// Words with an entropy certainly above the supremum.
     pub beyond: Vec<String>,
     /// Processor seconds in sweeps and elsewhere; 0 where the system does not tell.
     pub sweep_seconds: f64,

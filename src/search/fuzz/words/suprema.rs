@@ -1,5 +1,5 @@
-//! Two questions that are open: whether the word of any point has an entropy above what is thought to be the
-//! supremum, for eµ > 0 in region 3. Random words on r = 1 are asked.
+//! Whether the word of any point has an entropy above the supremum, for eµ > 0 in region 3. Random words on
+//! r = 1 are asked. Certificates of kind `entropy` prove that none has.
 
 use num_integer::Integer;
 use num_traits::ToPrimitive;
@@ -10,14 +10,14 @@ use crate::{
     word::{Entropy, Letter, Word},
 };
 
-/// The entropies thought to be the suprema for eµ > 0 in region 3: in (+,−), as s → 1/2 on r = 1, the
+/// The suprema of the entropy for eµ > 0 in region 3: in (+,−), as s → 1/2 on r = 1, the
 /// logarithm of the tribonacci constant, rounded up; in (+,+), as s → 1/4 from above, 0.450385…, rounded up.
 pub const SUPREMA: [f64; 2] = [0.450_386, 0.609_377_863_437];
 
 /// The largest denominator of a random word.
 const LONGEST_WORD: u64 = 400;
 
-/// A random fraction m/n in lowest terms, 0 < m/n < ½, often near where the suprema are thought to be.
+/// A random fraction m/n in lowest terms, 0 < m/n < ½, often near where the suprema are.
 fn fraction(random: &mut Random) -> (u64, u64) {
     let n = random.within(3, LONGEST_WORD);
     let m = match random.within(0, 3) {
