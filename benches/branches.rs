@@ -8,11 +8,12 @@ use std::hint::black_box;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use grazing::{
-    oscillator::{
-        Side,
-        attractor::{attracting, detection::Detection},
-        branch::{Branch, Direction, Options, Orbits, OscillatorPatterns},
-        flow::State,
+    attractor::detection::Detection,
+    continuation::{Direction, Options},
+    motion::{Side, State},
+    one::{
+        attractor::attracting,
+        branch::{Branch, Orbits, OscillatorPatterns},
         orbit::{Family, Itinerary, SingleImpact},
         simulate::Settings,
     },

@@ -4,10 +4,8 @@
 use criterion::{Criterion, criterion_group, criterion_main};
 use grazing::{
     internals::effects::{PERIODS, effects},
-    oscillator::{
-        Time,
-        simulate::{Settings, Simulator},
-    },
+    motion::Time,
+    one::simulate::{Settings, Simulator},
 };
 
 fn bench(c: &mut Criterion) {

@@ -10,11 +10,11 @@
 use std::{f64::consts::TAU, hint::black_box, time::Duration};
 
 use grazing::{
-    machine::{
+    many::{
         Load, Machine, MachineState, RealVector, Stop, StopLaw,
         simulate::{MachineSettings, MachineSimulator},
     },
-    oscillator::{Time, Wall},
+    motion::{Time, Wall},
 };
 
 /// The time that this thread has computed: what else runs on the machine is not counted.

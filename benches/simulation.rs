@@ -7,11 +7,10 @@
 use std::{f64::consts::TAU, hint::black_box, sync::Arc};
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use grazing::oscillator::{
-    Harmonic, System, Time, Wall,
+use grazing::{
     attractor::section::section,
-    flow::Linear,
-    simulate::{Event, RunEnd, Settings, Simulator, batch::Batch},
+    motion::{Harmonic, RunEnd, System, Time, Wall, flow::Linear},
+    one::simulate::{Event, Settings, Simulator, batch::Batch},
 };
 use rayon::prelude::*;
 

@@ -17,8 +17,14 @@
 //!   [`search::cover`] and proved by [`certificate::cover`], and by polynomial identities in regions 2 and 4.
 //! - For a linear oscillator with walls: that an exact periodic orbit with a given impact pattern exists, is
 //!   the only one in a box, touches no wall else, and is stable or not; and where in a parameter orbits meet,
-//!   double their period or graze ([`oscillator::validate`]). Both have certificates ([`certificate::orbit`],
-//!   [`certificate::event`]).
+//!   double their period or graze ([`search::orbit`]). The same of orbits of linear machines with rigid stops
+//!   ([`search::machine`]). All have certificates ([`certificate::orbit`], [`certificate::event`],
+//!   [`certificate::machine`]).
+//! - That every word over an alphabet of return times is an orbit of an oscillator, for a range of µ with 0
+//!   at its end: chaos ([`search::chaos`], [`certificate::chaos`]).
+//! - The word theorem: which impact patterns give orbits of the plane map, with covers of words as
+//!   certificates ([`word`], [`certificate::word`]), and the most that their number grows on r = 1
+//!   ([`search::entropy_certificate`]).
 //!
 //! # What is computed
 //!
@@ -31,13 +37,12 @@
 //! - For a local map of any dimension, exact or enclosed: which impact patterns give orbits, by Theorem 1
 //!   ([`pattern`]).
 //! - Trajectories of impact oscillators with one degree of freedom, in f64: every impact deeper than a stated
-//!   bound; sections, attractors, Lyapunov exponents, basins ([`oscillator`]).
-//! - Trajectories of linear machines with any number of degrees of freedom and of stops, in real units
-//!   ([`machine`]).
-//! - Periodic orbits with any impact pattern, their grazing points with the local theory there, saddle-nodes
-//!   and flips, branches of them over a parameter, attractors over a parameter ([`oscillator::orbit`],
-//!   [`oscillator::grazing`], [`oscillator::branch`], [`oscillator::attractor::diagram`]): floating point,
-//!   without proof.
+//!   bound ([`one::simulate`]); of machines with any number of degrees of freedom and of rigid and compliant
+//!   stops, linear or with forces written as formulas, in real units ([`many::simulate`]).
+//! - Of both: sections, attractors, Lyapunov exponents, basins, diagrams ([`attractor`]); periodic orbits
+//!   with any impact pattern ([`one::orbit`], [`many::orbit`]), their grazing points with the local theory
+//!   there ([`one::grazing`], [`many::grazing`]), branches of them over a parameter with their bifurcations
+//!   ([`continuation`]): floating point, without proof.
 //! - The formulas as integer polynomials, and statements about them for solvers ([`symbol`]).
 //!
 //! # When to use it, and when not
@@ -63,11 +68,14 @@
 //! | [`existence`] | Theorem 2 and Conjecture 1: claims, decisions, the edges of the areas |
 //! | [`word`] | the word theorem: every impact pattern in two dimensions, their number and entropy |
 //! | [`pattern`] | Theorem 1 in any dimension: impact patterns, the pattern graph |
-//! | [`oscillator`] | impact oscillators: flow, impacts, orbits, branches, attractors, proofs of orbits |
-//! | [`machine`] | machines: any number of degrees of freedom and of stops, in real units |
-//! | [`scene`] | an oscillator and what to do with it, as a file |
-//! | [`run`] | the tasks of a scene run, each with a typed result |
+//! | [`motion`] | what moves: forces, series, the equation of one coordinate, its free motion, the minimum test |
+//! | [`continuation`] | curves of orbits, events on them, switching, multipliers, Newton's method, normal forms |
+//! | [`attractor`] | where motions end: sections, recurrence, basins, diagrams, exponents |
+//! | [`one`] | the engine for one degree of freedom: motions, orbits, grazing |
+//! | [`many`] | the engine for machines: any number of coordinates and of stops, in real units |
 //! | [`search`] | what finds certificates and looks for counterexamples |
+//! | [`scene`] | an oscillator or a machine and what to do with it, as a file |
+//! | [`run`] | the tasks of a scene run, each with a typed result |
 //! | [`Error`], [`Outcome`], [`Monitor`], [`Profile`] | what goes wrong; how work ends; how a long job reports and is ended; where its time goes |
 //!
 //! Not public, and below the table, for every part: `printable` (text of others on its way out), `processor`
@@ -80,18 +88,21 @@
 // They panic once nobody reads; `output` has what does not.
 #![deny(clippy::print_stdout, clippy::print_stderr)]
 
+pub mod attractor;
 #[cfg(feature = "cli")]
 mod cli;
+pub mod continuation;
 mod error;
 pub mod existence;
 pub mod farey;
 #[cfg(feature = "cli")]
 mod figure;
 pub mod local;
-pub mod machine;
+pub mod many;
 mod monitor;
+pub mod motion;
 pub mod number;
-pub mod oscillator;
+pub mod one;
 mod outcome;
 // Without the command line only saved states are written.
 #[cfg_attr(not(feature = "cli"), allow(dead_code, unused_imports))]

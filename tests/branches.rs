@@ -14,19 +14,20 @@ use std::{
 
 use grazing::{
     Error, Monitor, Result,
-    oscillator::{
-        Harmonic, Side, System, Wall,
+    attractor::{
+        detection::Detection,
+        diagram::{self, DiagramPlan, Look},
+    },
+    continuation::{
+        Bifurcation, Corrector, Curve, CurveEnd, CurvePoint, Direction, Equations, Followed, Options, follow,
+    },
+    motion::{Harmonic, Side, State, System, Wall},
+    one::{
         attractor::{
             attracting,
             crisis::{CrisisSearch as Search, crisis},
-            detection::Detection,
-            diagram::{self, DiagramPlan, Look},
         },
-        branch::{
-            Bifurcation, Branch, Corrector, Curve, CurveEnd, CurvePoint, Direction, Equations, Events,
-            Followed, Options, Orbits, OscillatorPatterns, OscillatorPlane, follow, read_label, record,
-        },
-        flow::State,
+        branch::{Branch, Events, Orbits, OscillatorPatterns, OscillatorPlane, read_label, record},
         orbit::{Family, Itinerary, Oscillator, SingleImpact, search},
         simulate::{Settings, Simulator},
     },
@@ -291,9 +292,8 @@ fn at_the_resonance_both_multipliers_are_tau_r_cubed() {
             }
         }
         // It leaves the bifurcation like √µ: V² / µ tends to a constant.
-        let ratio = |point: &&grazing::oscillator::branch::BranchOrbit| {
-            point.orbit.z[1].powi(2) / point.parameters[0]
-        };
+        let ratio =
+            |point: &&grazing::one::branch::BranchOrbit| point.orbit.z[1].powi(2) / point.parameters[0];
         let small: Vec<f64> =
             found.points.iter().filter(|p| p.parameters[0] > 1e-6).take(2).map(|p| ratio(&p)).collect();
         assert!((small[0] / small[1] - 1.0).abs() < 0.1, "{small:?}");
@@ -435,7 +435,7 @@ fn branches_that_cross_are_labelled_and_switched() {
         slope.upper.clone_from(&slope.lower);
         Oscillator::with_slope(make(force, true), &slope, 1e-13)
     };
-    use grazing::oscillator::orbit::Strike;
+    use grazing::one::orbit::Strike;
     let itinerary = Itinerary::new(vec![
         Strike { side: Side::Lower, periods: 0 },
         Strike { side: Side::Upper, periods: 1 },

@@ -9,13 +9,13 @@
 use std::f64::consts::{PI, TAU};
 
 use grazing::{
-    oscillator::{
-        Side, Time,
-        branch::{
-            Bifurcation, Branch, CurveEnd, DOUBLE, Degeneracy, Direction, Events, NormalForm, Options,
-            Orbits, OscillatorPatterns, OscillatorPlane, Sense,
-        },
-        orbit::{Criticality, Family, Itinerary, Orbit, Oscillator, Root, Strike, describe, find},
+    continuation::{
+        Bifurcation, Criticality, CurveEnd, DOUBLE, Degeneracy, Direction, NormalForm, Options, Root, Sense,
+    },
+    motion::{Side, Time},
+    one::{
+        branch::{Branch, Events, Orbits, OscillatorPatterns, OscillatorPlane},
+        orbit::{Family, Itinerary, Orbit, Oscillator, Strike, describe, find},
         simulate::{Event, Settings, Simulator},
     },
     scene::{Scene, SceneFamily},

@@ -10,13 +10,11 @@ use std::f64::consts::PI;
 use grazing::{
     Result,
     certificate::{self, Rejection},
+    motion::{Harmonic, Side, System, Wall},
     number::{Ball, Elementary, Precision, Real, Sign},
-    oscillator::{
-        Harmonic, Side, System, Wall,
-        validate::{self, Condition, ExpectedImpact, Jet, ProvedEvent, Quotient, Verdict},
-    },
     run::{Findings, Status, Surroundings, run},
     scene::{Expression, Scene},
+    search::orbit::{self, Condition, ExpectedImpact, Jet, ProvedEvent, Quotient, Verdict},
 };
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -152,19 +150,19 @@ fn cases() -> Vec<Case> {
 impl Case {
     fn prove(&self, precision: &Precision) -> ProvedEvent {
         let family = |p: &Jet| -> Result<System<Jet>> { Ok(self.family.at(p, precision)) };
-        proved(validate::event(family, &self.impacts, self.parameter, self.condition, precision).unwrap())
+        proved(orbit::event(family, &self.impacts, self.parameter, self.condition, precision).unwrap())
     }
 
     fn written(&self) -> (String, [String; 2]) {
         let system = self.family.at(&Quotient::parameter(), &());
-        validate::event_certificate(&system, "p", &self.prove(&Precision::new(128))).unwrap()
+        orbit::event_certificate(&system, "p", &self.prove(&Precision::new(128))).unwrap()
     }
 
     /// The same with a force of 10⁻⁴⁰(1 + p), which version 1 cannot hold.
     fn written_long(&self) -> (String, [String; 2]) {
         let mut system = self.family.at(&Quotient::parameter(), &());
         system.force = system.force + &quotient("1e-40*(1 + p)").unwrap();
-        validate::event_certificate(&system, "p", &self.prove(&Precision::new(128))).unwrap()
+        orbit::event_certificate(&system, "p", &self.prove(&Precision::new(128))).unwrap()
     }
 }
 
@@ -223,9 +221,9 @@ fn the_motion_without_impacts_grazes_where_its_formula_says() {
         let a = if moves { (1.0 + known * known) / 5.0 } else { 0.0 };
         let phase = a.atan2(4.0 * known / 3.0);
         let condition = Condition::Grazing { after: 0, side: Side::Lower, time: phase + 0.01 };
-        let event = proved(validate::event(family, &[], known + 0.003, condition, &precision).unwrap());
+        let event = proved(orbit::event(family, &[], known + 0.003, condition, &precision).unwrap());
         let system = free(&Quotient::parameter(), &(), moves);
-        let (text, [from, to]) = validate::event_certificate(&system, "p", &event).unwrap();
+        let (text, [from, to]) = orbit::event_certificate(&system, "p", &event).unwrap();
         let (from, to) = (number(&from), number(&to));
         let within = |x: f64| from.to_f64().unwrap() - 1e-14 <= x && x <= to.to_f64().unwrap() + 1e-14;
         assert!(within(known) && &to - &from < number("1e-17"), "{from} {to}");
@@ -268,7 +266,7 @@ fn the_motion_without_impacts_grazes_where_its_formula_says() {
         };
         let (amplitude, phase) = if stiffness == "4" { (3.0, PI) } else { (1.0, 0.0) };
         let condition = Condition::Grazing { after: 0, side: Side::Lower, time: phase };
-        match validate::event(family, &[], amplitude, condition, &precision) {
+        match orbit::event(family, &[], amplitude, condition, &precision) {
             Ok(Verdict::Undecided(why)) => assert!(why.contains("1 may be a multiplier"), "{why}"),
             Err(error) => assert!(error.to_string().contains("only with stiffness"), "{error}"),
             Ok(other) => panic!("{other:?}"),
@@ -375,7 +373,7 @@ fn is_true(text: &str, case: &Case, event: &ProvedEvent, original: &str) -> bool
         let family = |p: &Jet| -> Result<System<Jet>> { Ok(case.family.at(p, &precision)) };
         let wider = &radius + number("1e-12");
         let verdict =
-            validate::event_in(family, &guess, float(&centre[2 * m]), condition, &wider, &precision).unwrap();
+            orbit::event_in(family, &guess, float(&centre[2 * m]), condition, &wider, &precision).unwrap();
         matches!(verdict, Verdict::Proved(_))
     };
     // a cos t = π/4 and V = 2π/(1 + r); a saddle-node has sin t = 0, a flip a sin t = 17/16.
@@ -467,9 +465,9 @@ fn damage_is_detected() {
     let precision = Precision::new(128);
     let family = |p: &Jet| -> Result<System<Jet>> { Ok(free(p, &precision, false)) };
     let condition = Condition::Grazing { after: 0, side: Side::Lower, time: 0.01 };
-    let event = proved(validate::event(family, &[], 0.753, condition, &precision).unwrap());
+    let event = proved(orbit::event(family, &[], 0.753, condition, &precision).unwrap());
     let system = free(&Quotient::parameter(), &(), false);
-    let (text, _) = validate::event_certificate(&system, "p", &event).unwrap();
+    let (text, _) = orbit::event_certificate(&system, "p", &event).unwrap();
     survive(&text, 1_000, &|changed| is_true_without_impacts(changed, &text));
 }
 
@@ -563,7 +561,7 @@ fn what_cannot_be_certified_is_an_error() {
     let refused = |change: &dyn Fn(&mut System<Quotient>)| {
         let mut system = case.family.at(&Quotient::parameter(), &());
         change(&mut system);
-        let error = validate::event_certificate(&system, "mu", &event).unwrap_err();
+        let error = orbit::event_certificate(&system, "mu", &event).unwrap_err();
         assert!(error.is_input());
         error.to_string()
     };
@@ -578,6 +576,6 @@ fn what_cannot_be_certified_is_an_error() {
     assert!(refused(&|system| system.damping = quotient("p").unwrap()).contains("Krawczyk's test"));
     // A name that the form cannot hold is replaced.
     let system = case.family.at(&Quotient::parameter(), &());
-    let (text, _) = validate::event_certificate(&system, "µ", &event).unwrap();
+    let (text, _) = orbit::event_certificate(&system, "µ", &event).unwrap();
     assert!(text.contains("\nparameter p -0.0843"));
 }

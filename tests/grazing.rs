@@ -5,9 +5,9 @@ use std::f64::consts::TAU;
 
 use grazing::{
     local::Region,
+    motion::Side,
     number::parse_rational,
-    oscillator::{
-        Side,
+    one::{
         grazing::{Grazing, locate},
         orbit::*,
     },

@@ -12,18 +12,18 @@ use std::{
 use common::damage::{damage, damaged};
 use grazing::{
     certificate::{self, Rejection, machine as listed},
-    machine::{
+    many::{
         Machine,
         orbit::{MachineOrbit, StopPattern, StopStrike, find},
         simulate::{MachineSettings, MachineSimulator},
-        validate::{Bounds, ProvedMachineOrbit, listed as list, orbit as prove_machine},
     },
-    oscillator::{
-        Harmonic, Side, Wall,
-        validate::{ProvedOrbit, Stability, Verdict},
-    },
+    motion::{Harmonic, Side, Wall},
     run::{Findings, Surroundings, run},
     scene::Scene,
+    search::{
+        machine::{Bounds, ProvedMachineOrbit, listed as list, orbit as prove_machine},
+        orbit::{ProvedOrbit, Stability, Verdict},
+    },
 };
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive, Zero};
@@ -63,15 +63,15 @@ fn as_machine(case: &Case) -> (Machine<Bounds>, Vec<Side>) {
             harmonics: wall.harmonics.iter().map(harmonic).collect(),
             restitution: exact(&wall.restitution),
         };
-        stops.push(grazing::machine::Stop {
+        stops.push(grazing::many::Stop {
             name: side.name().into(),
             row: vec![exact(&sign)],
             wall,
-            law: grazing::machine::StopLaw::Newton,
+            law: grazing::many::StopLaw::Newton,
         });
         sides.push(side);
     }
-    let load = |h: &Harmonic<BigRational>| grazing::machine::Load {
+    let load = |h: &Harmonic<BigRational>| grazing::many::Load {
         k: h.k,
         cos: vec![exact(&h.cos)],
         sin: vec![exact(&h.sin)],
@@ -102,7 +102,7 @@ fn near(case: &Case, machine: &Machine<Bounds>, sides: &[Side], known: &ProvedOr
         &MachineSettings { minimum_depth: 1e-12, ..MachineSettings::default() },
     )
     .unwrap();
-    let strike = |impact: &grazing::oscillator::validate::ExpectedImpact| StopStrike {
+    let strike = |impact: &grazing::search::orbit::ExpectedImpact| StopStrike {
         stop: sides.iter().position(|&side| side == impact.side).unwrap(),
         periods: impact.periods,
     };
@@ -254,19 +254,19 @@ fn follow(scene: &Scene, text: &str) {
     let speed = place[1] - contact.row.dot(&u);
     let push = simulator.contacts().push(0)
         * ((1.0 + contact.restitution) * speed / simulator.contacts().mobility(0));
-    let after = grazing::machine::MachineState {
+    let after = grazing::many::MachineState {
         t: phase.rem_euclid(TAU),
         q: nalgebra::DVector::from_column_slice(&numbers[1..1 + n]),
         u: &u + push,
     };
     let step = 1e-3;
     let soon = simulator.flow().after(&after, step);
-    let begin = grazing::oscillator::Time::new(0, phase.rem_euclid(TAU) + step);
+    let begin = grazing::motion::Time::new(0, phase.rem_euclid(TAU) + step);
     let mut run = simulator.start(begin, soon.q.as_slice(), soon.u.as_slice()).unwrap();
     let mut impacts = 0;
-    let end = grazing::oscillator::Time::new(1, phase.rem_euclid(TAU) + step);
+    let end = grazing::motion::Time::new(1, phase.rem_euclid(TAU) + step);
     run.record(end, |event| {
-        if let grazing::machine::simulate::MachineEvent::Impact(impact) = event {
+        if let grazing::many::simulate::MachineEvent::Impact(impact) = event {
             assert!((impact.velocity.abs() - speed).abs() < 1e-8 * (1.0 + speed));
             impacts += 1;
         }

@@ -13,14 +13,15 @@ use std::f64::consts::{PI, TAU};
 
 use grazing::{
     Error,
-    machine::{
+    many::{
         FlowMethod, LinearEquations, LinearFlow, Load, Machine, MachineFamily, MachineSlope, Periodic,
         RealMatrix, RealVector, Stop, StopLaw,
         grazing::{FreeMotion, MachineGrazing, MachineSearch, locate},
         orbit::{MachineAdmissibility, MachineOrbit, StopPattern, StopStrike, find},
         simulate::{MachineSettings, MachineSimulator},
     },
-    oscillator::{self, Harmonic, Side, Time, Wall, orbit as alone},
+    motion::{Harmonic, Side, Time, Wall},
+    one::{self, orbit as alone},
     pattern::{Analysis, Graph, Numbers, Pattern, Patterns},
     scene::{Scene, SceneFamily},
 };
@@ -223,7 +224,7 @@ fn one_degree_of_freedom_has_the_local_map_of_the_one_degree_code() {
         let family = SceneFamily::new(&scene, parameter).unwrap();
         let free = alone::Itinerary::free(1).unwrap();
         let orbit = alone::find(&alone::Family::at(&family, start).unwrap(), &free, vec![0.1, 0.1]).unwrap();
-        let known = oscillator::grazing::locate(&family, &orbit, start).unwrap();
+        let known = one::grazing::locate(&family, &orbit, start).unwrap();
         let near = |a: f64, b: f64| assert!((a - b).abs() < 1e-10, "{parameter}: {a} {b}");
         near(found.parameter, known.parameter);
         let turn = (found.at.phase - known.phase()).abs();

@@ -9,14 +9,12 @@ use std::{
 };
 
 use grazing::{
-    machine::{
+    many::{
         FlowMethod, Load, Machine, MachineState, RealVector, Stop, StopLaw,
         simulate::{MachineEvent, MachineSettings, MachineSimulator},
     },
-    oscillator::{
-        Harmonic, System, Time, Wall,
-        simulate::{self as alone, RunEnd},
-    },
+    motion::{Harmonic, RunEnd, System, Time, Wall},
+    one::simulate as alone,
     scene::Scene,
 };
 

@@ -9,11 +9,9 @@ use std::sync::LazyLock;
 use common::damage::{damage, damaged};
 use grazing::{
     certificate::{self, Rejection},
+    motion::System,
     number::Precision,
-    oscillator::{
-        System,
-        validate::{self, Stability, Verdict},
-    },
+    search::orbit::{self, Stability, Verdict},
 };
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive};
@@ -21,7 +19,7 @@ use proptest::{prelude::*, strategy::ValueTree};
 use systems::{Case, at, cases, lower, number, prove, proved};
 
 fn written(case: &Case) -> String {
-    validate::certificate(&case.system, &proved(prove(&case.system, &case.impacts))).unwrap()
+    orbit::certificate(&case.system, &proved(prove(&case.system, &case.impacts))).unwrap()
 }
 
 fn check(text: &str) -> Result<certificate::Checked, Rejection> {
@@ -87,7 +85,7 @@ fn long_coefficients_are_held_in_intervals() {
     }
     let case = cases().remove(0);
     let huge = System { force: number("1073741824"), ..at("-0.05") };
-    let error = validate::certificate(&huge, &proved(prove(&case.system, &case.impacts))).unwrap_err();
+    let error = orbit::certificate(&huge, &proved(prove(&case.system, &case.impacts))).unwrap_err();
     assert!(error.is_input() && error.to_string().contains("between -2^30 and 2^30"), "{error}");
 }
 
@@ -223,9 +221,8 @@ fn an_orbit_through_the_wall_is_rejected() {
     let beyond = at("-0.0244");
     let verdict = prove(&beyond, &before.impacts);
     assert!(matches!(verdict, Verdict::Refuted(_)));
-    let solution = proved(
-        validate::solution_in(&beyond, &before.impacts, &number("0.05"), &Precision::new(128)).unwrap(),
-    );
+    let solution =
+        proved(orbit::solution_in(&beyond, &before.impacts, &number("0.05"), &Precision::new(128)).unwrap());
     let digits = |i: usize| {
         let (lo, _) = solution[i].exact_bounds().unwrap();
         let scaled = (lo * number("1e24")).round().to_integer();
@@ -257,7 +254,7 @@ fn complex_multipliers_outside_the_circle_are_not_stable() {
     (system.damping, system.stiffness) = (number("-1/65"), number("100/169"));
     let orbit = proved(prove(&system, &[lower(1, 3.07391, 2.04442)]));
     assert_eq!(orbit.stability, Some(Stability::Unstable));
-    let text = validate::certificate(&system, &orbit).unwrap();
+    let text = orbit::certificate(&system, &orbit).unwrap();
     assert!(check(&text).is_ok());
     let answer = check(&with(&text, "orbit", "orbit 1 stable")).unwrap_err().to_string();
     assert!(answer.contains("the orbit is not certainly stable"), "{answer}");
@@ -291,7 +288,7 @@ fn is_true(text: &str, case: &Case) -> bool {
             (impact.phase, impact.velocity) = (centre[i].to_f64().unwrap(), centre[m + i].to_f64().unwrap());
         }
         let wider = &radius + number("1e-12");
-        let verdict = validate::solution_in(&case.system, &guess, &wider, &Precision::new(128)).unwrap();
+        let verdict = orbit::solution_in(&case.system, &guess, &wider, &Precision::new(128)).unwrap();
         matches!(verdict, Verdict::Proved(_))
     };
     let claim = match (words("orbit ")[0][2].as_str(), case.stability) {

@@ -3,10 +3,10 @@
 use std::f64::consts::TAU;
 
 use grazing::{
-    oscillator::{
-        Side, Time,
+    motion::{RunEnd, Side, Time},
+    one::{
         orbit::*,
-        simulate::{Event, RunEnd, Settings, Simulator},
+        simulate::{Event, Settings, Simulator},
     },
     run::{Findings, Surroundings, run},
     scene::{Scene, SceneFamily},
@@ -52,7 +52,7 @@ fn error(oscillator: &Oscillator, orbit: &Orbit, rounds: u32) -> f64 {
     assert_eq!(impacts.len(), m * rounds as usize, "{orbit:?}");
     // The impacts follow in the orbit's order, the first being its second.
     let expected: Vec<OrbitImpact> = orbit.impacts().collect();
-    let error = |(i, seen): (usize, &grazing::oscillator::simulate::Impact)| {
+    let error = |(i, seen): (usize, &grazing::one::simulate::Impact)| {
         let impact = expected[(i + 1) % m];
         assert_eq!(seen.side, impact.side);
         let turn = (seen.time.phase - impact.phase).abs();

@@ -4,12 +4,9 @@
 use std::f64::consts::{PI, SQRT_2, TAU};
 
 use grazing::{
-    oscillator::{
-        Contact, Side,
-        branch::{self, Bifurcation, BranchSearch, Options},
-        flow::{Flow, State},
-        orbit::*,
-    },
+    continuation::{Bifurcation, BranchSearch, Options},
+    motion::{Contact, Flow, Side, State},
+    one::{branch::locate, orbit::*},
     scene::{Scene, SceneFamily},
 };
 use serde::Deserialize;
@@ -338,7 +335,7 @@ fn located_folds_and_flips_agree_with_the_formulas() {
                     find(&family.at(mu).unwrap(), &lower(&[n]), vec![start.phase(away), away]).unwrap();
                 // Some of these folds lie where the orbits run through the wall: the formulas hold there too.
                 let options = Options { beyond: true, ..Options::default() };
-                let found_there = branch::locate(&family, kind, &orbit, mu, 0.5, &options).unwrap();
+                let found_there = locate(&family, kind, &orbit, mu, 0.5, &options).unwrap();
                 let BranchSearch::Found(event) = found_there else { panic!("{kind:?} {n}: {found_there:?}") };
                 let expected = exact.amplitude_at(speed) - 1.0;
                 assert!(

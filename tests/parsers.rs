@@ -8,18 +8,16 @@
 use std::{env, fs, path::Path};
 
 use grazing::{
-    Error, Monitor, Result, certificate,
-    number::{parse_integer, parse_rational},
-    oscillator::{
-        System,
-        attractor::{
-            basins::{BasinGrid, basins},
-            detection::Detection,
-            diagram::{self, DiagramPlan, Look},
-        },
-        flow::State,
-        simulate::{Settings, Simulator},
+    Error, Monitor, Result,
+    attractor::{
+        basins::{BasinGrid, basins},
+        detection::Detection,
+        diagram::{self, DiagramPlan, Look},
     },
+    certificate,
+    motion::{State, System},
+    number::{parse_integer, parse_rational},
+    one::simulate::{Settings, Simulator},
     pattern::Map,
     scene::Scene,
 };

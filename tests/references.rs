@@ -3,10 +3,9 @@
 
 use std::f64::consts::TAU;
 
-use grazing::oscillator::{
-    Counts, Effect, Harmonic, Side, System, Time, Wall,
-    flow::State,
-    simulate::{Event, RunEnd, Settings, Simulator},
+use grazing::{
+    motion::{Counts, Effect, Harmonic, RunEnd, Side, State, System, Time, Wall},
+    one::simulate::{Event, Settings, Simulator},
 };
 
 const DATA: &str = include_str!("data/events.csv");

@@ -10,13 +10,13 @@ use std::{
 };
 
 use grazing::{
+    attractor::detection::{Detection, Fate},
     internals::{
         effects::{PERIODS, effects, machine_effects},
         flow_accuracy::{long_runs, returning, tolerances},
     },
-    oscillator::{
-        Effect, Side, Time,
-        attractor::detection::{Detection, Fate},
+    motion::{Effect, Side, Time},
+    one::{
         orbit::{Itinerary, Oscillator, SingleImpact, find},
         simulate::{Settings, Simulator},
     },

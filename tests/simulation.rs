@@ -8,15 +8,16 @@ use std::{
 
 use grazing::{
     Error, Monitor, Result,
-    oscillator::{
-        Contact, Counts, Effect, Harmonic, Side, System, Time, Wall,
-        attractor::{
-            basins::{BasinCell, BasinGrid, basins},
-            detection::{Detection, Fate},
-            lyapunov::lyapunov,
-        },
-        flow::{Flow, Linear, State},
-        simulate::{Event, Impact, Run, RunEnd, Settings, Simulator},
+    attractor::{
+        basins::{BasinCell, BasinGrid, basins},
+        detection::{Detection, Fate},
+    },
+    motion::{
+        Contact, Counts, Effect, Flow, Harmonic, RunEnd, Side, State, System, Time, Wall, flow::Linear,
+    },
+    one::{
+        attractor::lyapunov,
+        simulate::{Event, Impact, Run, Settings, Simulator},
     },
 };
 
@@ -549,7 +550,7 @@ fn basins_tell_starts_apart() {
     let file = folder.path().join("basins.json");
     let tall = BasinGrid { rows: 40, ..frame };
     let run = |file: Option<&std::path::Path>, monitor: &dyn Monitor| {
-        grazing::oscillator::attractor::basins::basins(&simulator, &tall, &detection, "", file, monitor)
+        grazing::attractor::basins::basins(&simulator, &tall, &detection, "", file, monitor)
     };
     let whole = run(None, &()).unwrap();
     assert!(run(Some(&file), &After(20.into())).unwrap_err().is_interrupted());

@@ -103,11 +103,30 @@ fn imports_point_down_the_map() {
         }
     }
     // The script has seen the imports that there must be.
-    for (upper, lower) in
-        [("run", "scene"), ("scene", "oscillator"), ("oscillator", "number"), ("cli", "run")]
-    {
+    for (upper, lower) in [
+        ("run", "scene"),
+        ("scene", "search"),
+        ("search", "motion"),
+        ("many", "continuation"),
+        ("cli", "run"),
+    ] {
         assert!(seen.contains(&(upper.to_string(), lower.to_string())), "{upper} uses {lower}");
     }
+}
+
+/// What both engines share stands below them: neither imports from the other.
+#[test]
+fn engines_are_siblings() {
+    let mut files_of = BTreeMap::new();
+    for (names, text) in files() {
+        for (own, other) in [("one", "many"), ("many", "one")] {
+            if names[0] == own {
+                *files_of.entry(own).or_insert(0) += 1;
+                assert!(!heads(&text, "crate::").contains(other), "{} imports from {other}", names.join("/"));
+            }
+        }
+    }
+    assert!(files_of["one"] > 30 && files_of["many"] > 30, "{files_of:?}");
 }
 
 /// A file of a scene imports from those that stand before it in the list of its chapter's first lines.

@@ -7,11 +7,9 @@ use std::process::Command;
 
 use grazing::{
     Result,
+    motion::{Harmonic, Side, System, Wall},
     number::{Ball, Elementary, Precision, Real},
-    oscillator::{
-        Harmonic, Side, System, Wall,
-        validate::{self, Condition, ExpectedImpact, Jet, Stability, Verdict},
-    },
+    search::orbit::{self, Condition, ExpectedImpact, Jet, Stability, Verdict},
 };
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -43,7 +41,7 @@ fn orbits_agree_with_the_closed_formulas() {
         let (n, mu, t, v) = (words[1], words[2], words[3], words[4]);
         let system = at(mu);
         let guess = impact(n.parse().unwrap(), t[..10].parse().unwrap(), v[..10].parse().unwrap());
-        let verdict = validate::orbit(&system, &[guess], &precision).unwrap();
+        let verdict = orbit::orbit(&system, &[guess], &precision).unwrap();
         if (n, mu, &v[..3]) == ("4", "-0.01", "0.7") {
             // Past µ_gr4 the stable branch is no orbit.
             assert!(matches!(&verdict, Verdict::Refuted(why) if why.contains("lower wall")), "{verdict:?}");
@@ -67,17 +65,17 @@ fn a_box_without_a_solution_is_refuted() {
     let system = at("-0.05");
     let radius = power_of_ten(3);
     let in_box = |phase, velocity| {
-        validate::solution_in(&system, &[impact(4, phase, velocity)], &radius, &precision).unwrap()
+        orbit::solution_in(&system, &[impact(4, phase, velocity)], &radius, &precision).unwrap()
     };
     assert!(matches!(in_box(-0.6833, 0.6), Verdict::Proved(_)));
     assert!(matches!(in_box(-0.6633, 0.62), Verdict::Refuted(_)));
     assert!(matches!(in_box(0.3, 0.62), Verdict::Refuted(_)));
     // A box as wide as both branches' orbits: Krawczyk's test must not pass it.
-    let wide = validate::solution_in(&system, &[impact(4, -0.41, 0.37)], &number("0.5"), &precision).unwrap();
+    let wide = orbit::solution_in(&system, &[impact(4, -0.41, 0.37)], &number("0.5"), &precision).unwrap();
     assert!(matches!(wide, Verdict::Undecided(_)));
     // Below the saddle-node there is nothing to find.
     let gone = at("-0.0844");
-    let verdict = validate::orbit(&gone, &[impact(4, -0.41, 0.37)], &precision).unwrap();
+    let verdict = orbit::orbit(&gone, &[impact(4, -0.41, 0.37)], &precision).unwrap();
     assert!(!matches!(verdict, Verdict::Proved(_)));
 }
 
@@ -98,7 +96,7 @@ fn events_lie_in_proved_intervals() {
     ];
     for ((name, impacts, mu, condition), words) in cases.into_iter().zip(rows("event")) {
         assert_eq!(words[1], name);
-        let verdict = validate::event(family(&precision), &impacts, mu, condition, &precision).unwrap();
+        let verdict = orbit::event(family(&precision), &impacts, mu, condition, &precision).unwrap();
         let event = proved(verdict);
         assert!(agrees(&event.parameter, words[2], 20), "{name}: {:?}", event.parameter);
         if let (Some(time), Some(expected)) = (&event.time, words.get(3)) {
@@ -115,7 +113,7 @@ fn a_tangency_outside_its_flight_is_none() {
     let mut outside = 0;
     for start in -20..60 {
         let condition = Condition::Grazing { after: 0, side: Side::Lower, time: f64::from(start) };
-        let verdict = validate::event(family(&precision), &guess, -0.0244, condition, &precision).unwrap();
+        let verdict = orbit::event(family(&precision), &guess, -0.0244, condition, &precision).unwrap();
         match verdict {
             Verdict::Proved(event) => {
                 let (lo, hi) = event.time.unwrap().exact_bounds().unwrap();
@@ -151,7 +149,7 @@ fn the_saddle_node_has_a_closed_form() {
     let q = ratio("1") + &p2;
     let mu = q.clone() / &(p1.clone() * &p1 + &(q.clone() * &q)).sqrt() - &ratio("1");
     let event = proved(
-        validate::event(
+        orbit::event(
             family(&precision),
             &[impact(4, -0.41, 0.365)],
             -0.0843,
@@ -179,12 +177,12 @@ fn a_system_outside_the_method_is_an_input_error() {
         ..good.clone()
     };
     for (system, word) in [(&cubic, "cubic"), (&resonant, "resonance")] {
-        let error = validate::orbit(system, &[impact(1, 0.0, 0.1)], &precision).unwrap_err();
+        let error = orbit::orbit(system, &[impact(1, 0.0, 0.1)], &precision).unwrap_err();
         assert!(error.is_input() && error.to_string().contains(word), "{error}");
     }
     let above = ExpectedImpact { side: Side::Upper, ..impact(1, 0.0, 0.1) };
-    assert!(validate::orbit(&good, &[above], &precision).unwrap_err().to_string().contains("no upper wall"));
-    assert!(validate::orbit(&good, &[impact(0, 0.0, 0.1)], &precision).unwrap_err().is_input());
+    assert!(orbit::orbit(&good, &[above], &precision).unwrap_err().to_string().contains("no upper wall"));
+    assert!(orbit::orbit(&good, &[impact(0, 0.0, 0.1)], &precision).unwrap_err().is_input());
 }
 
 /// A motion of a system in floats by Runge and Kutta's method: another route to what an orbit is.
@@ -320,7 +318,7 @@ fn a_pattern_listed_twice_repeats() {
     let precision = Precision::new(128);
     let twice = [impact(4, -0.41, 0.365), impact(4, -0.41, 0.365)];
     let node = Condition::SaddleNode;
-    let verdict = validate::event(family(&precision), &twice, -0.0843, node, &precision).unwrap();
+    let verdict = orbit::event(family(&precision), &twice, -0.0843, node, &precision).unwrap();
     assert!(matches!(&verdict, Verdict::Refuted(why) if why.contains("repeats itself")), "{verdict:?}");
     // Two different impacts with the same periods do not repeat, from whichever the list begins.
     for double in [[(0.0039, 0.0182), (-0.1078, 0.1098)], [(-0.1078, 0.1098), (0.0039, 0.0182)]] {

@@ -4,11 +4,10 @@ use std::collections::BTreeMap;
 
 use grazing::{
     Result,
-    machine::{MachineState, simulate::MachineEvent},
-    oscillator::{
-        Side, Time,
+    many::{MachineState, simulate::MachineEvent},
+    motion::{Side, State, Time},
+    one::{
         attractor::map::{MapCell, MapEnd},
-        flow::State,
         simulate::Event,
     },
     run::{BasinsFindings, DiagramFindings, Findings, Job, Keeper, MapFindings, SectionFindings, SectionSet},

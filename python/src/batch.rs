@@ -4,11 +4,8 @@ use std::f64::consts::TAU;
 
 use grazing::{
     Error, Monitor, Result,
-    oscillator::{
-        Time,
-        flow::State,
-        simulate::{RunEnd, Settings, Simulator, batch::Batch},
-    },
+    motion::{RunEnd, State, Time},
+    one::simulate::{Settings, Simulator, batch::Batch},
     scene::{Accuracy, Scene},
 };
 use rayon::prelude::*;

@@ -16,15 +16,15 @@ use crate::{
     cli::progress::{Interrupt, Progress},
     error::{Error, Result},
     figure::{self, FigurePlace, PictureFormat},
+    motion::{Contact, Time},
     number::{parse_integer, parse_rational},
-    oscillator::{
-        Contact, Time,
-        chaos::{Problem, prove},
-        simulate::{Event, Settings, Simulator},
-    },
+    one::simulate::{Event, Settings, Simulator},
     output::{Destination, FileRegistry, FileUse, make_folder, say_to},
     scene::{Kind, Scene},
-    search::cover::{Cover, CoverOptions, certificate as assemble, cover},
+    search::{
+        chaos::{Problem, prove},
+        cover::{Cover, CoverOptions, certificate as assemble, cover},
+    },
 };
 
 /// Draw a figure as SVG, with its data as CSV beside it.

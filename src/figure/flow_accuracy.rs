@@ -12,7 +12,7 @@ use super::{
 };
 use crate::{
     error::Result,
-    oscillator::Effect,
+    motion::Effect,
     output::{Column, TableCell, TableFormat, TableWriter, write_file},
     study::{
         effects::EffectCost,

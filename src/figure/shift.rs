@@ -9,7 +9,7 @@ use super::{
 };
 use crate::{
     error::{Error, Result},
-    oscillator::chaos::{Problem, ShiftProof},
+    search::chaos::{Problem, ShiftProof},
 };
 
 /// Of letters, in turn.

@@ -12,16 +12,13 @@ use super::{
     small_motion,
 };
 use crate::{
-    error::Result,
-    oscillator::{
-        attractor::{
-            basins::{BasinCell, BasinGrid, Basins, basin_rows},
-            detection::Detection,
-            dynamics::{Dynamics, SectionState},
-        },
-        flow::State,
-        simulate::RunEnd,
+    attractor::{
+        basins::{BasinCell, BasinGrid, Basins, basin_rows},
+        detection::Detection,
+        dynamics::{Dynamics, SectionState},
     },
+    error::Result,
+    motion::{RunEnd, State},
     output::Journal,
     scene::{BasinsTask, StartAxis, phase},
 };

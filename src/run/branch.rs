@@ -9,15 +9,16 @@ use super::{
     row,
 };
 use crate::{
+    attractor::detection::Detection,
+    continuation::{
+        Bifurcation, CODIMENSION_TWO, CurveEnd, Direction, EventCurve, FollowedOrbit, Label, NoForm,
+        NormalForm, Options, OrbitBranch, PatternCurve, PatternFamily, PatternOf, PatternPlane,
+    },
     error::{Error, Result},
     number::{Plain, Real},
-    oscillator::{
-        attractor::{attracting, detection::Detection},
-        branch::{
-            Bifurcation, BranchOrbit, CODIMENSION_TWO, CurveEnd, Direction, EventCurve, FollowedOrbit, Label,
-            NoForm, NormalForm, Options, OrbitBranch, OscillatorPatterns, OscillatorPlane, PatternCurve,
-            PatternFamily, PatternOf, PatternPlane, read_label,
-        },
+    one::{
+        attractor::attracting,
+        branch::{BranchOrbit, OscillatorPatterns, OscillatorPlane, read_label},
         orbit::{Family, Itinerary, Orbit},
     },
     output::{LONGEST_INPUT, read_text},
@@ -324,7 +325,7 @@ impl<'a> BranchSource for OscillatorSource<'a> {
         }
     }
 
-    fn label(&self, text: &str, label: &str) -> Result<Label> {
+    fn label(&self, text: &str, label: &str) -> Result<Label<Itinerary>> {
         read_label(text, label)
     }
 

@@ -9,7 +9,7 @@ use crate::{
     error::Result,
     monitor::Monitor,
     number::certain_digits,
-    oscillator::grazing::LocalMap,
+    one::grazing::LocalMap,
     word::{Entropy, Extent, Rectangle, Word},
 };
 

@@ -5,10 +5,9 @@ use serde::Serialize;
 use super::{Finding, Job, Lines, Status, row};
 use crate::{
     error::{Error, Result},
-    oscillator::{
-        Time,
+    motion::{State, Time},
+    one::{
         attractor::crisis::{CrisisSearch, crisis as locate},
-        flow::State,
         orbit::Family,
     },
     scene::{branches::CrisisTask, phase},

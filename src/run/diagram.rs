@@ -11,12 +11,12 @@ use super::{
     row,
 };
 use crate::{
-    error::Result,
-    number::{Plain, Real},
-    oscillator::attractor::{
+    attractor::{
         diagram::{self, DiagramPlan, Look, Slice},
         dynamics::Dynamics,
     },
+    error::Result,
+    number::{Plain, Real},
     output::Journal,
     scene::{branches::DiagramTask, phase},
 };

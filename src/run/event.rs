@@ -8,9 +8,10 @@ use super::{
     row,
 };
 use crate::{
+    continuation::{Bifurcation, BranchSearch, Located, NormalForm, nearest},
     error::Result,
-    oscillator::{
-        branch::{Bifurcation, BranchSearch, Located, NormalForm, OscillatorPatterns, nearest},
+    one::{
+        branch::OscillatorPatterns,
         grazing::{self, Grazing},
         orbit::{Family, Orbit},
     },
@@ -236,7 +237,7 @@ pub fn event(task: &EventTask, job: &Job) -> Result<EventFindings> {
 }
 
 impl EventRow {
-    fn of(found: &Located, family: &dyn Family) -> Result<EventRow> {
+    fn of(found: &Located<Orbit>, family: &dyn Family) -> Result<EventRow> {
         let Located { bifurcation, parameter, orbit, length } = found;
         let [lambda1, lambda2] = orbit.multipliers.values().map(Complex::from);
         let form = NormalForm::at(&family.at(*parameter)?, orbit, *bifurcation);

@@ -4,9 +4,10 @@ use serde::Serialize;
 
 use super::{ChaosRow, Complex, Finding, Job, Judgement, Lines, Status, chaos::chaos, orbit, row};
 use crate::{
+    continuation::{Bifurcation, BranchSearch, nearest},
     error::{Error, Result},
-    oscillator::{
-        branch::{Bifurcation, BranchSearch, OscillatorPatterns, nearest},
+    one::{
+        branch::OscillatorPatterns,
         grazing::{self, Grazing, LocalMap},
         orbit::{Family, find},
     },

@@ -8,13 +8,13 @@ use serde::Serialize;
 use super::{Finding, Job, Keeper, Lines, Status, row};
 use crate::{
     error::Result,
-    machine::{
+    many::{
         Machine, MachineState, RealVector,
         contact::StopContact,
         section::PlanarMachine,
-        simulate::{MachineEvent, MachineSettings, MachineSimulator, PeakForces, RunEnd},
+        simulate::{MachineEvent, MachineSettings, MachineSimulator, PeakForces},
     },
-    oscillator::Time,
+    motion::{RunEnd, Time},
     scene::simulate::SimulateTask,
 };
 

@@ -13,23 +13,21 @@ use super::{
     row,
 };
 use crate::{
+    attractor::dynamics::Dynamics,
+    continuation::{
+        BranchPoint, CODIMENSION_TWO, FollowedOrbit, Label, NoForm, NormalForm, RecordForm, read_label_as,
+    },
     error::{Error, Result},
-    machine::{
+    many::{
         Machine, MachineFamily, MachineState,
         branch::{MachinePatterns, MachinePlane},
         normal_form::normal_form,
         orbit::{MachineOrbit, StopPattern, StopStrike, find_from},
         section::PlanarMachine,
-        simulate::{MachineEvent, MachineRun, RunEnd},
+        simulate::{MachineEvent, MachineRun},
     },
-    oscillator::{
-        Time,
-        attractor::dynamics::Dynamics,
-        branch::{
-            BranchPoint, CODIMENSION_TWO, FollowedOrbit, Label, NoForm, NormalForm, RecordForm, read_label_as,
-        },
-        orbit::natural,
-    },
+    motion::{RunEnd, Time},
+    one::orbit::natural,
     scene::{
         MachineSceneFamily,
         branches::{BranchOrigin, BranchStart, BranchTask},

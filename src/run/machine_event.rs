@@ -13,9 +13,9 @@ use super::{
     row,
 };
 use crate::{
+    continuation::{Bifurcation, BranchSearch, FollowedOrbit, Located, SearchReach, nearest},
     error::Result,
-    machine::{Machine, MachineFamily, grazing::own_reach, normal_form::normal_form, orbit::MachineOrbit},
-    oscillator::branch::{Bifurcation, BranchSearch, FollowedOrbit, Located, SearchReach, nearest},
+    many::{Machine, MachineFamily, grazing::own_reach, normal_form::normal_form, orbit::MachineOrbit},
     scene::{MachineSceneFamily, orbits::EventTask},
 };
 

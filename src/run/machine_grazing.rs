@@ -16,12 +16,12 @@ use super::{
 };
 use crate::{
     error::Result,
-    machine::{
+    many::{
         Machine, MachineFamily, RealMatrix, StopLaw,
         grazing::{MachineGrazing, MachineSearch, locate, own_reach},
         orbit::find,
     },
-    oscillator::grazing::region_of,
+    one::grazing::region_of,
     pattern::{Analysis, Numbers, Pattern, Patterns, Report as Verdict},
     scene::{MachineSceneFamily, orbits::GrazingTask},
 };

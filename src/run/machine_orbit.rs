@@ -8,16 +8,14 @@ use rayon::prelude::*;
 
 use super::{Complex, Job, Judgement, orbit::OrbitList, row};
 use crate::{
+    continuation::{Bifurcation, FollowedOrbit},
     error::{Error, Result},
-    machine::{
+    many::{
         Machine, MachineState, RealVector,
         orbit::{MachineAdmissibility, MachineOrbit, StopPattern, StopStrike, find, find_from},
         simulate::MachineSimulator,
     },
-    oscillator::{
-        branch::{Bifurcation, FollowedOrbit},
-        orbit::counted,
-    },
+    one::orbit::counted,
     random::Random,
     scene::orbits::{OrbitKeys, OrbitTask},
 };

@@ -11,14 +11,16 @@ use super::{
 use crate::{
     certificate::machine::Claim,
     error::Result,
-    machine::{
+    many::{
         Machine,
         orbit::{MachineAdmissibility, MachineOrbit},
-        validate::{self, ProvedMachineOrbit},
     },
     number::{Ball, Elementary, Precision, Real},
-    oscillator::validate::Verdict,
     scene::validate::ValidateTask,
+    search::{
+        machine::{self, ProvedMachineOrbit},
+        orbit::Verdict,
+    },
 };
 
 /// Proves each orbit that is found.
@@ -29,7 +31,7 @@ pub fn machine_validate(task: &ValidateTask, machine: &Machine<f64>, job: &Job) 
     let mut found = ValidateFindings::default();
     // What no certificate can hold is said before the search.
     let enclosed = job.scene.enclosed_machine()?;
-    let listed = match validate::listed(&enclosed) {
+    let listed = match machine::listed(&enclosed) {
         Ok(listed) => listed,
         Err(error) => {
             found.nothing(Vec::new(), error.to_string());
@@ -89,11 +91,11 @@ fn prove(
             why.unwrap_or_default()
         )));
     }
-    validate::orbit(listed, orbit, &mut || job.check().is_err())
+    machine::orbit(listed, orbit, &mut || job.check().is_err())
 }
 
 /// What was proved, in the scene's units.
-fn fill(row: &mut ProofRow, proof: &ProvedMachineOrbit, period: &validate::Bounds) -> Result<()> {
+fn fill(row: &mut ProofRow, proof: &ProvedMachineOrbit, period: &machine::Bounds) -> Result<()> {
     let precision = Precision::new(192);
     let turn = Ball::pi(&precision) * &Ball::integer(2, &precision);
     let rate = turn / &Ball::between(&period[0], &period[1], &precision);

@@ -12,14 +12,10 @@ use super::{
     row,
 };
 use crate::{
+    attractor::diagram::Look,
     error::Result,
-    oscillator::{
-        attractor::{
-            diagram::Look,
-            map::{MapCell, MapEnd, MapPlan, map_rows},
-        },
-        simulate::RunEnd,
-    },
+    motion::RunEnd,
+    one::attractor::map::{MapCell, MapEnd, MapPlan, map_rows},
     output::Journal,
     scene::{branches::MapTask, phase},
 };

@@ -90,13 +90,12 @@ pub use table::{Complex, Judgement, Lines, Row, Shown};
 pub use validate::{ProofRow, UnprovedRow, ValidateFindings, validate};
 
 use crate::{
+    attractor::Keep,
     error::{Error, Result},
-    machine::{Machine, MachineState, simulate::MachineEvent},
+    many::{Machine, MachineState, simulate::MachineEvent},
     monitor::Monitor,
-    oscillator::{
-        Effect, EffectTally, System, Time,
-        attractor::Keep,
-        flow::State,
+    motion::{Effect, EffectTally, State, System, Time},
+    one::{
         orbit::Oscillator,
         simulate::{Event, Settings, Simulator},
     },

@@ -4,12 +4,10 @@ use serde::Serialize;
 
 use super::{Complex, Finding, Job, Judgement, Lines, Row, Status, row};
 use crate::{
+    continuation::Bifurcation,
     error::Result,
     number::{Plain, Real},
-    oscillator::{
-        branch::Bifurcation,
-        orbit::{Admissibility, Orbit},
-    },
+    one::orbit::{Admissibility, Orbit},
     scene::orbits::OrbitTask,
 };
 

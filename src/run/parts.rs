@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 use super::{Findings, Job, Keeper, TaskReport, basins, diagram, kept, map};
 use crate::{
     error::{Error, Result},
-    oscillator::Effect,
+    motion::Effect,
     scene::{Kind, Task},
 };
 

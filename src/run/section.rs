@@ -7,21 +7,22 @@ use serde::Serialize;
 
 use super::{Finding, Job, Lines, Model, Status, machine_orbit, row, small_motion};
 use crate::{
+    attractor::{
+        detection::Cycle,
+        dynamics::{Dynamics, SectionState},
+        lyapunov::{Exponent, exponents},
+        observe::{Observation, ObservedMotion},
+        section::section as follow,
+    },
     error::{Error, Result},
-    machine::{Machine, simulate::MachineSimulator},
-    oscillator::{
-        Contact,
+    many::{Machine, simulate::MachineSimulator},
+    motion::{Contact, RunEnd, State},
+    one::{
         attractor::{
-            detection::Cycle,
-            dynamics::{Dynamics, SectionState},
-            lyapunov::{Exponent, exponents},
             manifold::{ManifoldPlan, reversed, reversed_phase, unstable_manifold},
-            observe::{Observation, ObservedMotion},
-            section::section as follow,
             touching,
         },
-        flow::State,
-        simulate::{RunEnd, Simulator},
+        simulate::Simulator,
     },
     scene::{SectionTask, phase},
 };

@@ -9,12 +9,10 @@ use super::{Finding, Job, Lines, Status, row};
 use crate::{
     certificate::chaos::Decimal,
     error::{Error, Result},
+    motion::Side,
     number::certain_digits,
-    oscillator::{
-        Side,
-        chaos::{LetterGraph, Normal, Problem, ShiftProof, born, prove},
-    },
     scene::chaos::{Alphabet, ChaosTask, LONGEST, Periods},
+    search::chaos::{LetterGraph, Normal, Problem, ShiftProof, born, prove},
 };
 
 row! {

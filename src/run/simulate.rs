@@ -7,11 +7,8 @@ use serde::Serialize;
 use super::{Finding, Job, Keeper, Lines, Status, small_motion};
 use crate::{
     error::Result,
-    oscillator::{
-        Time,
-        flow::Flow,
-        simulate::{Event, RunEnd},
-    },
+    motion::{Flow, RunEnd, Time},
+    one::simulate::Event,
     scene::simulate::SimulateTask,
 };
 

@@ -4,7 +4,7 @@ use std::fmt;
 
 use serde::Serialize;
 
-use crate::{error::Error, oscillator::simulate::RunEnd, outcome::Outcome};
+use crate::{error::Error, motion::RunEnd, outcome::Outcome};
 
 /// Where something stands in a file.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]

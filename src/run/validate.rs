@@ -9,17 +9,18 @@ use serde::Serialize;
 
 use super::{Finding, Job, Judgement, Lines, Status, orbit::speeds, row};
 use crate::{
+    continuation::{Bifurcation, BranchSearch, nearest},
     error::{Error, Result},
     local::Rung,
     monitor::timed,
     number::{Ball, Precision, Real, certain_digits},
-    oscillator::{
-        branch::{Bifurcation, BranchSearch, OscillatorPatterns, nearest},
+    one::{
+        branch::OscillatorPatterns,
         grazing,
         orbit::{Family, Itinerary, Orbit, Oscillator, Unknowns},
-        validate::{self, Condition, ExpectedImpact, Jet, Quotient, Stability, Verdict},
     },
     scene::{SceneFamily, validate::ValidateTask},
+    search::orbit::{self, Condition, ExpectedImpact, Jet, Quotient, Stability, Verdict},
 };
 
 /// The most digits shown of an enclosed number.
@@ -193,9 +194,8 @@ fn orbits(task: &ValidateTask, job: &Job, found: &mut ValidateFindings) -> Resul
     for orbit in starts(task, &oscillator, found) {
         job.check()?;
         let guess = impacts(&orbit.itinerary, &orbit.z);
-        let verdict = timed(job.monitor, Rung::Ball(precision.bits()), || {
-            validate::orbit(&system, &guess, &precision)
-        })?;
+        let verdict =
+            timed(job.monitor, Rung::Ball(precision.bits()), || orbit::orbit(&system, &guess, &precision))?;
         let mut row = ProofRow::of(&verdict, orbit.itinerary.to_string(), orbit.z.clone());
         if let Verdict::Proved(proof) = verdict {
             row.phases = Some(all(&proof.phases));
@@ -208,7 +208,7 @@ fn orbits(task: &ValidateTask, job: &Job, found: &mut ValidateFindings) -> Resul
                 Some(Stability::Unstable) => Judgement::No,
                 None => Judgement::Marginal,
             });
-            match validate::certificate(&system, &proof) {
+            match orbit::certificate(&system, &proof) {
                 Ok(text) => found.certify(&mut row, &job.task.name, text),
                 Err(error) => row.no_certificate = Some(error.to_string()),
             }
@@ -260,7 +260,7 @@ fn events(
         };
         let solution = guess.iter().flat_map(|impact| [impact.phase, impact.velocity]).chain([parameter]);
         let verdict = timed(job.monitor, Rung::Ball(precision.bits()), || {
-            validate::event(exact, &guess, parameter, condition, &precision)
+            orbit::event(exact, &guess, parameter, condition, &precision)
         })?;
         let mut row = ProofRow::of(&verdict, orbit.itinerary.to_string(), solution.collect());
         if let Verdict::Proved(proof) = verdict {
@@ -277,7 +277,7 @@ fn events(
             row.phases = Some(all(&proof.phases));
             row.speeds = Some(all(&proof.velocities));
             row.only_within = proof.radius.to_f64();
-            match family_of().and_then(|system| validate::event_certificate(&system, name, &proof)) {
+            match family_of().and_then(|system| orbit::event_certificate(&system, name, &proof)) {
                 Ok((text, [lower, upper])) => {
                     (row.lower, row.upper) = (Some(lower), Some(upper));
                     found.certify(&mut row, &job.task.name, text);

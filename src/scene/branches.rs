@@ -9,9 +9,9 @@ use super::{
     simulate::Start,
 };
 use crate::{
+    continuation::{Options, with_options},
     error::{Error, Result},
     number::{Plain, Real},
-    oscillator::branch::{Options, with_options},
 };
 
 with_options!(read_into);

@@ -6,7 +6,7 @@ use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
 use super::keys::{Entry, Value, keys};
-use crate::{error::Result, oscillator::Side};
+use crate::{error::Result, motion::Side};
 
 keys! {
     /// Proves, for every parameter in a range, that every bi-infinite word over an alphabet of periods is an

@@ -31,7 +31,7 @@ use crate::{
         Ball, Dual, Elementary, FloatInterval, Formula, Fraction, Function, Operation, Plain, Real, Sign,
         parse_rational_within,
     },
-    oscillator::chaos::RationalFunction,
+    search::chaos::RationalFunction,
     source::hint,
 };
 
@@ -177,7 +177,7 @@ macro_rules! elementary {
         })+
     };
 }
-elementary! { Plain, Ball, crate::oscillator::validate::Jet }
+elementary! { Plain, Ball, crate::search::orbit::Jet }
 
 impl Coefficient for RationalFunction {}
 impl Coefficient for FloatInterval {}

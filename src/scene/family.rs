@@ -8,12 +8,10 @@ use super::scene::Scene;
 
 use crate::{
     error::{Error, Result},
-    machine::{Machine, MachineFamily},
+    many::{Machine, MachineFamily},
+    motion::EffectTally,
     number::Dual,
-    oscillator::{
-        EffectTally,
-        orbit::{Family, Oscillator},
-    },
+    one::orbit::{Family, Oscillator},
 };
 
 /// A scene with one parameter free, the others at their values.
@@ -23,7 +21,7 @@ pub struct SceneFamily<'s> {
     values: Vec<f64>,
     free: usize,
     /// The system's coefficients that the parameter does not stand in, in the order of
-    /// [`System::try_map`](crate::oscillator::System::try_map).
+    /// [`System::try_map`](crate::motion::System::try_map).
     fixed: Vec<Option<Dual>>,
     tally: Option<Arc<EffectTally>>,
 }

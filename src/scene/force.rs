@@ -12,8 +12,8 @@ use super::{
 };
 use crate::{
     error::{Error, Result},
+    motion::{Q, SmoothForce, TIME, U},
     number::{Formula, Function, Operation},
-    oscillator::{Q, SmoothForce, TIME, U},
 };
 
 /// What the variables of a force are called, and the place of each.

@@ -12,8 +12,8 @@ use super::{
 };
 use crate::{
     error::Result,
-    machine::{Load, Machine, Stop, StopLaw},
-    oscillator::Wall,
+    many::{Load, Machine, Stop, StopLaw},
+    motion::Wall,
 };
 
 keys! {
@@ -109,7 +109,7 @@ keys! {
 /// Most coordinates and modes.
 const MOST: usize = 2000;
 
-/// What a scene of format 2 has in place of [`System`](crate::oscillator::System).
+/// What a scene of format 2 has in place of [`System`](crate::motion::System).
 #[derive(Debug, Clone, PartialEq)]
 pub struct MachineScene {
     /// Its coefficients.

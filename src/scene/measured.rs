@@ -20,7 +20,7 @@ use super::{
 };
 use crate::{
     error::Result,
-    machine::{Load, RealMatrix, RealVector, Record},
+    many::{Load, RealMatrix, RealVector, Record},
     number::Plain,
 };
 

@@ -10,11 +10,9 @@ use super::{
 };
 use crate::{
     error::{Error, Result},
+    motion::Side,
     number::{FloatInterval, Real},
-    oscillator::{
-        Side,
-        chaos::{Normal, RationalFunction},
-    },
+    search::chaos::{Normal, RationalFunction},
 };
 
 impl ChaosTask {

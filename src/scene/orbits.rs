@@ -4,12 +4,10 @@ use num_rational::BigRational;
 
 use super::keys::{Entry, Value, keys};
 use crate::{
+    continuation::{Bifurcation, Options, SearchReach},
     error::Result,
-    oscillator::{
-        Side, System,
-        branch::{Bifurcation, Options, SearchReach},
-        orbit::{Itinerary, Orbit, Oscillator, Strike, find, search, search_obstacle},
-    },
+    motion::{Side, System},
+    one::orbit::{Itinerary, Orbit, Oscillator, Strike, find, search, search_obstacle},
 };
 
 keys! {

@@ -9,7 +9,7 @@ use super::{
 };
 use crate::{
     error::{Error, Result},
-    machine::{MOST_POWERS, SpeedLaw},
+    many::{MOST_POWERS, SpeedLaw},
     number::{Formula, Operation},
 };
 

@@ -18,8 +18,9 @@ use super::{
 };
 use crate::{
     error::{Error, Result},
+    motion::{Contact, State, System},
     number::{Plain, Real},
-    oscillator::{Contact, System, flow::State, validate::Quotient},
+    search::orbit::Quotient,
     source::{Source, hint},
 };
 

@@ -8,7 +8,7 @@ use super::{
     orbits::OrbitKeys,
     simulate::Start,
 };
-use crate::oscillator::Side;
+use crate::motion::Side;
 
 keys! {
     /// Draws the stroboscopic (Poincaré) section of the attractors that motions lead to: periods, impacts,

@@ -8,7 +8,7 @@ use super::{
 };
 use crate::{
     error::Result,
-    oscillator::{Harmonic, Side, System, Wall},
+    motion::{Harmonic, Side, System, Wall},
 };
 
 /// The highest multiple of the base frequency.

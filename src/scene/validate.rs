@@ -4,9 +4,9 @@ use super::{
     keys::keys,
     orbits::{OrbitKeys, extent},
 };
-use crate::oscillator::{
-    branch::{Bifurcation, Options, SearchReach},
-    orbit::{Orbit, Oscillator},
+use crate::{
+    continuation::{Bifurcation, Options, SearchReach},
+    one::orbit::{Orbit, Oscillator},
 };
 
 keys! {

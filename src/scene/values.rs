@@ -10,8 +10,9 @@ use super::{
 };
 use crate::{
     error::{Error, Result},
-    machine::{Machine, MachineState, RealVector, section::PlaneAxis, validate::Bounds},
+    many::{Machine, MachineState, RealVector, section::PlaneAxis},
     number::{Ball, Plain, Precision, Real},
+    search::machine::Bounds,
 };
 
 impl Scene {

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use crate::{
     error::Result,
-    oscillator::{Contact, Harmonic, Series},
+    motion::{Contact, Harmonic, Series},
 };
 
 /// Walls nearer than this, in units of their size, count as touching.

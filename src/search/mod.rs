@@ -13,11 +13,14 @@
 //! ```
 
 mod apart;
+pub mod chaos;
 mod compare;
 pub mod cover;
 mod entropy;
 pub mod fuzz;
 mod instance;
+pub mod machine;
+pub mod orbit;
 mod theorem2;
 mod word;
 

@@ -8,14 +8,12 @@ use std::{
 
 use crate::{
     error::Result,
-    machine::{
+    many::{
         Machine, SpeedLaw, Stop, StopLaw,
         simulate::{MachineSettings, MachineSimulator},
     },
-    oscillator::{
-        Counts, Effect, EffectTally, Harmonic, SmoothForce, System, Time, Wall,
-        simulate::{Settings, Simulator},
-    },
+    motion::{Counts, Effect, EffectTally, Harmonic, SmoothForce, System, Time, Wall},
+    one::simulate::{Settings, Simulator},
     scene::Scene,
 };
 

@@ -13,8 +13,8 @@ use std::{
 
 use crate::{
     error::Result,
-    oscillator::{
-        Harmonic, System, Time, Wall,
+    motion::{Harmonic, System, Time, Wall},
+    one::{
         orbit::{Itinerary, Oscillator, find},
         simulate::{Settings, Simulator},
     },
@@ -156,8 +156,8 @@ pub fn long_runs(decades: u32) -> Result<Vec<LongRun>> {
     let text = include_str!("../../examples/scenes/nordmark-2001.toml");
     let system = Scene::from_toml(text, "nordmark-2001.toml")?.plain(&[("mu", -0.05)])?;
     let oscillator = Oscillator::new(system.clone(), 1e-13)?;
-    let pattern = Itinerary::at(crate::oscillator::Side::Lower, &[4])?;
-    let orbits = crate::oscillator::orbit::search(&oscillator, &pattern, 200, 2.0);
+    let pattern = Itinerary::at(crate::motion::Side::Lower, &[4])?;
+    let orbits = crate::one::orbit::search(&oscillator, &pattern, 200, 2.0);
     if let Some(orbit) = orbits.into_iter().find(|orbit| orbit.multipliers.is_stable()) {
         let orbit = find(&oscillator, &pattern, orbit.z)?;
         let exact = |period: i64| orbit.state(&oscillator, PI + 2.0 * PI * (period % 4) as f64);

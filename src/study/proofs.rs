@@ -12,17 +12,15 @@ use crate::{
     error::{Error, Result},
     local::{Ladder, Plane, Point},
     monitor::Monitor,
+    motion::{Side, System},
     number::{Precision, parse_rational},
-    oscillator::{
-        Side, System,
-        orbit::{Itinerary, Oscillator, search},
-        validate::{self, ExpectedImpact, Verdict},
-    },
+    one::orbit::{Itinerary, Oscillator, search},
     run::{Findings, Surroundings, run},
     scene::Scene,
     search::{
         Certified, ProofMethod, WordCertificate, WordPlace, certify_word,
         cover::{self, CoverOptions},
+        orbit::{self, ExpectedImpact, Verdict},
         prove_theorem2, write_theorem2,
     },
     word::Word,
@@ -270,12 +268,12 @@ fn prove(
     for bits in BITS {
         let precision = Precision::new(bits);
         let start = Instant::now();
-        let verdict = validate::orbit(system, &guess, &precision)?;
+        let verdict = orbit::orbit(system, &guess, &precision)?;
         let time = start.elapsed();
         match verdict {
             Verdict::Proved(proof) => {
                 (cost.bits, cost.prove, cost.reason) = (Some(bits), Some(time), None);
-                match validate::certificate(system, &proof) {
+                match orbit::certificate(system, &proof) {
                     Ok(text) => cost.checked(&text)?,
                     Err(error) => cost.reason = Some(error.to_string()),
                 }

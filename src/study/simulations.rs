@@ -14,14 +14,12 @@ use super::{
 };
 use crate::{
     error::{Error, Result},
-    machine::{
+    many::{
         Load, Machine, Stop, StopLaw,
         simulate::{MachineEvent, MachineSettings, MachineSimulator},
     },
-    oscillator::{
-        Harmonic, System, Time, Wall,
-        simulate::{Event, Settings, Simulator},
-    },
+    motion::{Harmonic, System, Time, Wall},
+    one::simulate::{Event, Settings, Simulator},
     scene::Scene,
 };
 

@@ -7,7 +7,7 @@ use grazing::{
         self,
         chaos::{Certificate, Complete, Decimal, Fraction, Harmonic, Letter},
     },
-    oscillator::chaos::holds,
+    search::chaos::holds,
 };
 use proptest::strategy::{Strategy, ValueTree};
 

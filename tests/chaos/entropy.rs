@@ -3,9 +3,9 @@
 use std::{collections::HashSet, f64::consts::PI};
 
 use grazing::{
-    oscillator::{
-        Time,
-        attractor::lyapunov::lyapunov,
+    motion::Time,
+    one::{
+        attractor::lyapunov,
         simulate::{Event, Settings, Simulator},
     },
     scene::Scene,

@@ -11,14 +11,14 @@ mod walls;
 use std::f64::consts::TAU;
 
 use grazing::{
-    oscillator::{
-        Side, Time,
-        chaos::LetterGraph,
+    motion::{Side, Time},
+    one::{
         orbit::{Itinerary, Oscillator, Strike, find},
         simulate::{Event, Settings, Simulator},
     },
     run::{ChaosFindings, Findings, Job, Status, Surroundings, run_task},
     scene::Scene,
+    search::chaos::LetterGraph,
 };
 
 const EXAMPLE: &str = include_str!("../../examples/scenes/nordmark-2001-chaos.toml");

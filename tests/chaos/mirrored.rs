@@ -8,8 +8,8 @@ use std::{
 
 use grazing::{
     certificate,
-    oscillator::{
-        Side, Time,
+    motion::{Side, Time},
+    one::{
         orbit::{Itinerary, Oscillator, Strike, find},
         simulate::{Event, Settings, Simulator},
     },

@@ -3,10 +3,8 @@
 use std::f64::consts::PI;
 
 use grazing::{
-    oscillator::{
-        Harmonic, Side, System,
-        orbit::{Itinerary, Oscillator, Strike, find},
-    },
+    motion::{Harmonic, Side, System},
+    one::orbit::{Itinerary, Oscillator, Strike, find},
     run::{ChaosFindings, Findings, Job, Surroundings, run_task},
     scene::Scene,
 };

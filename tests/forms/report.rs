@@ -5,8 +5,9 @@ use std::{collections::BTreeMap, f64::consts::TAU};
 
 use grazing::{
     Result,
-    machine::{MachineState, simulate::MachineEvent},
-    oscillator::{Time, flow::State, simulate::Event},
+    many::{MachineState, simulate::MachineEvent},
+    motion::{State, Time},
+    one::simulate::Event,
     run::{Findings, Job, Keeper, SectionSet, Surroundings, TaskReport, run_task},
     scene::Scene,
 };

@@ -5,20 +5,18 @@
 use std::f64::consts::TAU;
 
 use grazing::{
-    machine::{
+    attractor::{
+        detection::{Detection, Fate},
+        dynamics::Dynamics,
+        lyapunov::exponents,
+    },
+    many::{
         Load, Machine, Stop, StopLaw,
         orbit::{StopPattern, StopStrike, find},
         section::{MachineStart, PlanarMachine, PlaneAxis},
         simulate::MachineSettings,
     },
-    oscillator::{
-        Harmonic, Time,
-        attractor::{
-            detection::{Detection, Fate},
-            dynamics::Dynamics,
-            lyapunov::exponents,
-        },
-    },
+    motion::{Harmonic, Time},
     run::{Findings, Surroundings, TaskReport, run},
     scene::Scene,
 };
@@ -27,7 +25,7 @@ use super::{machine, second, stop};
 
 fn planar(machine: &Machine<f64>) -> PlanarMachine {
     let simulator =
-        grazing::machine::simulate::MachineSimulator::new(machine, &MachineSettings::default()).unwrap();
+        grazing::many::simulate::MachineSimulator::new(machine, &MachineSettings::default()).unwrap();
     PlanarMachine::new(machine, simulator, &[PlaneAxis::Place(0), PlaneAxis::Speed(0)]).unwrap()
 }
 
@@ -177,7 +175,7 @@ fn exponents_of_a_periodic_attractor_are_those_of_its_multipliers() {
     let simulator = planar.simulator();
     let mut run = simulator.start(Time::new(0, here.t), &here.q, &here.u).unwrap();
     run.record(Time::new(cycle.period() as i64, here.t), |event| {
-        if let grazing::machine::simulate::MachineEvent::Impact(hit) = event {
+        if let grazing::many::simulate::MachineEvent::Impact(hit) = event {
             found.push((hit.time.period, hit.time.phase, -hit.velocity));
         }
     });

@@ -2,8 +2,8 @@
 //! integrator's map of a period.
 
 use grazing::{
-    machine::{MachineState, branch::MachinePatterns, orbit::find_from},
-    oscillator::branch::PatternFamily,
+    continuation::PatternFamily,
+    many::{MachineState, branch::MachinePatterns, orbit::find_from},
     scene::MachineSceneFamily,
 };
 
@@ -100,7 +100,7 @@ fn orbits_and_grazings_by_formulas_are_those_by_modes() {
     {
         near(x, y, "e, a_G or the drift");
     }
-    let drift = |map: &grazing::machine::grazing::MachineLocalMap| (map.drift.q.clone(), map.drift.u.clone());
+    let drift = |map: &grazing::many::grazing::MachineLocalMap| (map.drift.q.clone(), map.drift.u.clone());
     let ((aq, au), (bq, bu)) = (drift(&a.map), drift(&b.map));
     aq.iter().chain(&au).zip(bq.iter().chain(&bu)).for_each(|(a, b)| near(*a, *b, "drift"));
 }
@@ -153,7 +153,7 @@ fn multipliers_of_a_coupled_duffing_pair_are_those_of_differences() {
     let period = (1..=8)
         .find(|&period: &i64| {
             run.record(Time::new(500 + period, 0.0), |event| {
-                if let grazing::machine::simulate::MachineEvent::Impact(hit) = event {
+                if let grazing::many::simulate::MachineEvent::Impact(hit) = event {
                     hits.push((hit.time, -hit.velocity));
                 }
             });
@@ -163,7 +163,7 @@ fn multipliers_of_a_coupled_duffing_pair_are_those_of_differences() {
     assert!(!hits.is_empty());
     let mut again = simulator.start(Time::new(0, 0.0), before.q.as_slice(), before.u.as_slice()).unwrap();
     while after.is_none() {
-        if let grazing::machine::simulate::MachineEvent::Impact(_) = again.next(Time::new(period, 0.0)) {
+        if let grazing::many::simulate::MachineEvent::Impact(_) = again.next(Time::new(period, 0.0)) {
             after = Some(again.state());
         }
     }

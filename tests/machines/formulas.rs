@@ -2,8 +2,8 @@
 //! freedom, against the second integrator, and where they are not smooth.
 
 use grazing::{
-    machine::section::{PlanarMachine, PlaneAxis},
-    oscillator::attractor::lyapunov::exponents,
+    attractor::lyapunov::exponents,
+    many::section::{PlanarMachine, PlaneAxis},
 };
 
 use super::{second::Motion, *};

@@ -5,15 +5,13 @@
 use std::f64::consts::{PI, TAU};
 
 use grazing::{
-    machine::{
+    continuation::{Bifurcation, Degeneracy, Derivatives, Direction, Options},
+    many::{
         branch::{MachineBranch, MachineEvents, MachinePlane},
         orbit::{StopPattern, StopStrike},
     },
-    oscillator::{
-        Side,
-        branch::{Bifurcation, Degeneracy, Direction, Options},
-        orbit::{Derivatives, Itinerary, return_map},
-    },
+    motion::Side,
+    one::orbit::{Itinerary, return_map},
     scene::{Scene, SceneFamily},
 };
 use serde_json::Value;
@@ -25,7 +23,7 @@ use super::{ALONE, near, number, run, task};
 pub fn length(row: &Value, periods: u32, multiplier: f64) -> f64 {
     let scene = Scene::from_toml(ALONE, "alone").unwrap();
     let oscillator = SceneFamily::new(&scene, "mu").unwrap();
-    let oscillator = grazing::oscillator::orbit::Family::at(&oscillator, number(&row["parameter"])).unwrap();
+    let oscillator = grazing::one::orbit::Family::at(&oscillator, number(&row["parameter"])).unwrap();
     let z = [number(&row["phases"][0]), number(&row["speeds"][0])];
     let pattern = Itinerary::at(Side::Lower, &[periods]).unwrap();
     let a = Derivatives::of(&return_map(&oscillator, &pattern, &z).unwrap()).linear();

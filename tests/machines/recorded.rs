@@ -216,8 +216,8 @@ fn what_truncation_may_do_to_the_first_impact_is_the_impulse_response_in_closed_
 #[test]
 fn exponents_under_a_record_are_those_of_the_same_force() {
     use grazing::{
-        machine::section::{MachineStart, PlanarMachine, PlaneAxis},
-        oscillator::attractor::lyapunov::exponents,
+        attractor::lyapunov::exponents,
+        many::section::{MachineStart, PlanarMachine, PlaneAxis},
     };
     let rows: String = (0..101).map(|i| format!("{},5\n", 0.1 * f64::from(i))).collect();
     let folder = folder("exponents", &rows);

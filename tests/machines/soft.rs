@@ -1,9 +1,9 @@
 //! Stops that give way: closed forms, energy, the rigid limit, a second integrator, grazing.
 
-use grazing::machine::simulate::StopTouch;
+use grazing::many::simulate::StopTouch;
 
 use super::{second::Motion, *};
-use grazing::machine::SpeedLaw;
+use grazing::many::SpeedLaw;
 
 fn soft(row: &[f64], offset: f64, stiffness: f64, damping: f64) -> Stop<f64> {
     Stop { law: StopLaw::Soft { stiffness, damping }, ..stop(row, offset, 0.0) }

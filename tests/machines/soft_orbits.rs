@@ -1,12 +1,12 @@
 //! Orbits through contact with stops that give way.
 
 use grazing::{
-    machine::{branch::MachinePatterns, orbit::find_from},
-    oscillator::branch::PatternFamily,
+    continuation::PatternFamily,
+    many::{branch::MachinePatterns, orbit::find_from},
 };
 
 use super::{second::Motion, *};
-use grazing::machine::{MachineState, RealVector, SpeedLaw, simulate::MachineEvent};
+use grazing::many::{MachineState, RealVector, SpeedLaw, simulate::MachineEvent};
 
 fn entries(n: usize, rows: &[f64]) -> Vec<(usize, usize, f64)> {
     rows.iter().enumerate().map(|(k, x)| (k / n, k % n, *x)).collect()

@@ -3,11 +3,11 @@
 use std::f64::consts::TAU;
 
 use grazing::{
-    machine::{
+    many::{
         Load, Machine, MachineState, Stop, StopLaw,
         simulate::{MachineEvent, MachineSettings, MachineSimulator},
     },
-    oscillator::{Time, Wall},
+    motion::{Time, Wall},
 };
 
 use super::{at, machine, stop};

@@ -2,19 +2,22 @@
 
 use std::sync::Arc;
 
-use grazing::oscillator::{
-    Effect, EffectTally, Harmonic, System, Time, Wall,
+use grazing::{
     attractor::{
         basins::{BasinCell, BasinGrid, Basins, basins},
         detection::{Cycle, Detection, Fate},
         diagram::{DiagramPlan, Look, sweep},
         dynamics::Dynamics,
-        lyapunov::lyapunov,
-        map::{MapCell, MapEnd, MapPlan, map},
         observe::Observation,
     },
-    flow::State,
-    simulate::{Event, RunEnd, Settings, Simulator, batch::Batch},
+    motion::{Effect, EffectTally, Harmonic, RunEnd, State, System, Time, Wall},
+    one::{
+        attractor::{
+            lyapunov,
+            map::{MapCell, MapEnd, MapPlan, map},
+        },
+        simulate::{Event, Settings, Simulator, batch::Batch},
+    },
 };
 use rayon::prelude::*;
 

@@ -4,11 +4,9 @@
 #![allow(dead_code)]
 
 use grazing::{
+    motion::{Harmonic, Side, System, Wall},
     number::{Precision, Real, parse_rational},
-    oscillator::{
-        Harmonic, Side, System, Wall,
-        validate::{self, ExpectedImpact, ProvedOrbit, Stability, Verdict},
-    },
+    search::orbit::{self, ExpectedImpact, ProvedOrbit, Stability, Verdict},
 };
 use num_rational::BigRational;
 
@@ -106,7 +104,7 @@ pub fn cases() -> Vec<Case> {
 }
 
 pub fn prove(system: &System<BigRational>, impacts: &[ExpectedImpact]) -> Verdict<ProvedOrbit> {
-    validate::orbit(system, impacts, &Precision::new(128)).unwrap()
+    orbit::orbit(system, impacts, &Precision::new(128)).unwrap()
 }
 
 pub fn proved<T>(verdict: Verdict<T>) -> T {

@@ -4,14 +4,15 @@ use std::f64::consts::TAU;
 
 use super::Job;
 use crate::{
+    continuation::{BranchPoint, FollowedOrbit, OrbitBranch, record_as},
     error::Result,
     figure,
-    machine::{
+    many::{
         branch::{MachineBranch, MachinePatterns},
         orbit::MachineOrbit,
     },
-    oscillator::{
-        branch::{Branch, BranchPoint, FollowedOrbit, OrbitBranch, record, record_as},
+    one::{
+        branch::{Branch, record},
         orbit::{Family, Orbit, Oscillator},
     },
     run::{BranchFindings, BranchList, Judgement, MachineBranchFindings, Row, form, machine_stable, stable},

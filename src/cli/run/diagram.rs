@@ -5,13 +5,11 @@ use super::{
     branch::{Drawing, curve},
 };
 use crate::{
+    continuation::{BranchPoint, Direction},
     error::Result,
     figure,
-    machine::{MachineFamily, orbit::MachineOrbit},
-    oscillator::{
-        branch::{BranchPoint, Direction},
-        orbit::Family,
-    },
+    many::{MachineFamily, orbit::MachineOrbit},
+    one::orbit::Family,
     run::{BranchSource, DiagramFindings, MachineSource, OscillatorSource, follow, machine_stable},
     scene::{MachineSceneFamily, SceneFamily, branches::DiagramTask, phase},
 };

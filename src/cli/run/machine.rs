@@ -6,8 +6,8 @@ use super::Job;
 use crate::{
     error::Result,
     figure::{self, FigurePlace, MotionPicture},
-    machine::{Machine, MachineState, contact::StopContact, simulate::MachineEvent},
-    oscillator::Time,
+    many::{Machine, MachineState, contact::StopContact, simulate::MachineEvent},
+    motion::Time,
     printable::csv_field,
     run::{Findings, Keeper},
     scene::simulate::SimulateTask,

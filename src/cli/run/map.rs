@@ -4,7 +4,7 @@ use super::Job;
 use crate::{
     error::Result,
     figure::{self, Grid, ParameterMap},
-    oscillator::attractor::map::{MapCell, MapEnd},
+    one::attractor::map::{MapCell, MapEnd},
     output::{Column, TableCell, TableFormat, TableWriter},
     run::{MapFindings, map_word},
 };

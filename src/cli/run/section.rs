@@ -4,7 +4,7 @@ use super::Job;
 use crate::{
     error::Result,
     figure::{self, Mark, Points},
-    oscillator::{Contact, Side},
+    motion::{Contact, Side},
     run::{AttractorRow, Model, SectionFindings, SectionSet},
     scene::{SectionTask, phase},
 };

@@ -7,7 +7,8 @@ use super::{Job, machine::MachineSeries};
 use crate::{
     error::{Error, Result},
     figure::{self, MotionPicture},
-    oscillator::{Contact, Time, flow::State, simulate::Event},
+    motion::{Contact, State, Time},
+    one::simulate::Event,
     run::{Findings, Keeper, Model, TaskReport, run_task},
     scene::simulate::SimulateTask,
 };

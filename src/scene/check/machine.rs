@@ -5,7 +5,7 @@ use num_traits::Zero;
 use super::{check_basins, check_grazing, check_range, check_reach, check_values};
 use crate::{
     error::{Error, Result},
-    machine::{Machine, RealVector, Stop, StopLaw, section::PlaneAxis},
+    many::{Machine, RealVector, Stop, StopLaw, section::PlaneAxis},
     scene::{
         branches::BranchStart,
         orbits::OrbitKeys,

@@ -19,12 +19,10 @@ use super::{
     validate::ValidateTask,
 };
 use crate::{
+    continuation::{Bifurcation, Options},
     error::{Error, Result},
-    machine::{Machine, Stop, StopLaw},
-    oscillator::{
-        Contact, Side, System,
-        branch::{Bifurcation, Options},
-    },
+    many::{Machine, Stop, StopLaw},
+    motion::{Contact, Side, System},
 };
 
 /// No longer series is written: at some 50 bytes a point, 5 GB.

@@ -37,7 +37,7 @@ use crate::{
 pub use campaign::{Campaign, Tally, fuzz};
 use confirm::{contradiction, one_case, shrink};
 use sweep::Sweep;
-pub(in crate::search) use sweep::quotients;
+pub(crate) use sweep::quotients;
 
 /// What to fuzz.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

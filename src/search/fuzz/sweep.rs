@@ -166,7 +166,7 @@ impl Sweep {
 ///
 /// r is no float here, but within 2u of one, relatively: |λ̃ − λ| ≤ (2u + 2√2 u + u/2) r < 2⁻⁵⁰·⁵ r, and E_j
 /// grows by 2⁻⁵⁰·⁵ + 2⁻⁵¹ < 2⁻⁴⁹ a step, as before.
-pub(in crate::search) fn quotients(polar: &Polar, n: u64) -> Option<Vec<FloatInterval>> {
+pub(crate) fn quotients(polar: &Polar, n: u64) -> Option<Vec<FloatInterval>> {
     const UNIT: f64 = 1.0 / (1u64 << 53) as f64;
     let angle = Angle::new(&(polar.s() + polar.s()));
     let float = |x: FloatInterval| (x.hi() - x.lo() <= 2.0 * UNIT).then(|| x.lo());

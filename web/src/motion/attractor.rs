@@ -2,8 +2,8 @@
 
 use grazing::{
     Error, Result,
+    attractor::diagram::Slice,
     num_rational::BigRational,
-    oscillator::attractor::diagram::Slice,
     run::{Findings, Model, run_task},
     scene::Scene,
 };

@@ -2,7 +2,7 @@
 
 use grazing::{
     Result,
-    oscillator::Contact,
+    motion::Contact,
     run::run_task,
     scene::{Body, Scene},
 };

@@ -364,7 +364,7 @@ fn range(scene: &Scene, name: &str, value: &BigRational) -> [f64; 2] {
 /// Whether a parameter is a wall's restitution and nothing else.
 fn is_restitution(scene: &Scene, name: &str) -> bool {
     let Body::Oscillator(system) = &scene.body else { return false };
-    let own = |wall: &grazing::oscillator::Wall<grazing::scene::Expression>| {
+    let own = |wall: &grazing::motion::Wall<grazing::scene::Expression>| {
         wall.restitution.to_string().trim() == name
     };
     system.lower.iter().chain(&system.upper).any(own)

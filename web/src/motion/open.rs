@@ -2,7 +2,7 @@
 
 use grazing::{
     Result,
-    oscillator::Contact,
+    motion::Contact,
     scene::{Body, Kind, Scene},
 };
 use serde_json::{Value, json};

@@ -4,8 +4,8 @@ use std::f64::consts::TAU;
 
 use grazing::{
     Error, Result,
+    motion::Contact,
     number::parse_rational,
-    oscillator::Contact,
     run::{AttractorRow, Findings, Model, SectionSet, run_task},
     scene::{Body, Scene},
 };

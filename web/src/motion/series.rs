@@ -4,8 +4,9 @@ use std::f64::consts::TAU;
 
 use grazing::{
     Result,
-    machine::{Machine, MachineState, contact::StopContact, simulate::MachineEvent},
-    oscillator::{Contact, Time, flow::State, simulate::Event},
+    many::{Machine, MachineState, contact::StopContact, simulate::MachineEvent},
+    motion::{Contact, State, Time},
+    one::simulate::Event,
     run::{Job, Keeper, Model},
 };
 use serde_json::{Value, json};

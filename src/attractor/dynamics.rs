@@ -1,0 +1,212 @@
+//! What this chapter asks of a system: motions that can be followed from any start, states as a section sees
+//! them, vectors that a motion's derivative carries along. Oscillators have it in `one_degree`, machines in a
+//! module above this one.
+
+use std::fmt::Debug;
+
+use serde::{Serialize, de::DeserializeOwned};
+
+use super::{
+    detection::{Cycle, Detection, Fate, wait},
+    observe::{self, Observation, ObservedMotion},
+};
+use crate::{
+    error::{Error, Result},
+    monitor::Monitor,
+    motion::{RunEnd, Time},
+};
+
+/// A state on a section.
+pub trait SectionState: Clone + Debug + PartialEq + Send + Sync + Serialize + DeserializeOwned {
+    /// The two numbers by which it is drawn.
+    fn plane(&self) -> [f64; 2];
+
+    /// All numbers by which states are told apart, of one unit.
+    fn coordinates(&self) -> &[f64];
+
+    /// Whether the other is this close in every coordinate.
+    fn near(&self, other: &Self, tolerance: f64) -> bool {
+        let (a, b) = (self.coordinates(), other.coordinates());
+        a.len() == b.len() && a.iter().zip(b).all(|(a, b)| (a - b).abs() <= tolerance)
+    }
+
+    /// Whether all its numbers are finite.
+    fn is_finite(&self) -> bool {
+        self.plane().iter().chain(self.coordinates()).all(|x| x.is_finite())
+    }
+}
+
+/// A motion under way.
+pub trait Motion {
+    /// Its state on a section.
+    type Point: SectionState;
+
+    /// Periods between two looks at whether to go on.
+    const CHUNK: u64;
+
+    /// Where it is in time.
+    fn time(&self) -> Time;
+
+    /// How many impacts there were.
+    fn impacts(&self) -> u64;
+
+    /// Its state now.
+    fn point(&self) -> Self::Point;
+
+    /// On to `until`.
+    ///
+    /// # Errors
+    /// Where a motion cannot go on for another reason than a [`RunEnd`].
+    fn pass(&mut self, until: Time) -> Result<RunEnd>;
+}
+
+/// A motion with vectors that its derivative carries along.
+pub trait Tangents {
+    /// Where the motion is in time.
+    fn time(&self) -> Time;
+
+    /// The motion's state, as [`SectionState::coordinates`].
+    fn coordinates(&self) -> Vec<f64>;
+
+    /// The vectors, in the same coordinates.
+    fn vectors(&self) -> Vec<Vec<f64>>;
+
+    /// How many impacts there were.
+    fn impacts(&self) -> u64;
+
+    /// On to `goal`. To `growth`, an entry for each vector, is added the logarithm of the growth of the
+    /// first; of the second, beside the first; and so on: −∞ for one that vanishes. The vectors are
+    /// orthonormal before and after; with no entries they are as they are carried.
+    ///
+    /// # Errors
+    /// Those of [`Motion::pass`].
+    fn grow(&mut self, goal: Time, growth: &mut [f64]) -> Result<RunEnd>;
+}
+
+/// A system whose motions can be followed.
+pub trait Dynamics: Sync + Sized {
+    /// The most motions that are worth following at once.
+    const TOGETHER: usize = 1;
+
+    /// A state with its phase, from which a motion can start.
+    type Start: Clone + Send + Sync;
+    /// A state on a section.
+    type Point: SectionState;
+    /// A motion.
+    type Motion<'a>: Motion<Point = Self::Point>
+    where
+        Self: 'a;
+    /// A motion with vectors.
+    type Tangents<'a>: Tangents
+    where
+        Self: 'a;
+
+    /// How many coordinates a state has.
+    fn dimension(&self) -> usize;
+
+    /// The motion from a start, at the forcing's period 0.
+    ///
+    /// # Errors
+    /// A start behind a stop, or not finite.
+    fn begin(&self, start: &Self::Start) -> Result<Self::Motion<'_>>;
+
+    /// The start with these coordinates, as [`SectionState::coordinates`], at a phase.
+    fn at(&self, coordinates: &[f64], phase: f64) -> Self::Start;
+
+    /// The motion with a unit vector along each coordinate.
+    fn along<'a>(&'a self, motion: Self::Motion<'a>) -> Self::Tangents<'a>;
+
+    /// The eigenvalues, real and imaginary part, the largest modulus first, of a map's derivative in the same
+    /// coordinates, by rows; none where it is not finite. Of two, the smaller follows from the modulus of the
+    /// determinant, if that is known better than by cancellation.
+    fn multipliers(slope: &[Vec<f64>], determinant: Option<f64>) -> Option<Vec<(f64, f64)>>;
+
+    /// The start with these two numbers in the plane that is drawn, at a phase in [0, 2π).
+    fn in_plane(&self, at: [f64; 2], phase: f64) -> Self::Start;
+
+    /// What the motions from these starts lead to, as [`Detection::detect`] says it of each; `None` for a
+    /// start behind a stop, or not finite. A motion that stays where the orbits of a cycle `known` to attract
+    /// are not told apart, and comes no farther from it, for two times round, may be taken to end on it
+    /// before the transient is over.
+    ///
+    /// # Errors
+    /// Those of [`Motion::pass`]; the monitor's.
+    fn fates(
+        &self,
+        starts: &[Self::Start],
+        detection: &Detection,
+        known: &[Cycle<Self::Point>],
+        monitor: &dyn Monitor,
+    ) -> Result<Vec<Option<Fate<Self::Point>>>> {
+        let _ = known;
+        let settled = Detection { transient: 0, ..detection.clone() };
+        let fate = |start| {
+            monitor.advance(0)?;
+            let Ok(mut run) = self.begin(start) else { return Ok(None) };
+            match wait(&mut run, detection.phase, detection.transient, monitor)? {
+                RunEnd::Reached => settled.detect(self, &mut run).map(Some),
+                end => Ok(Some(Fate::Ended(end))),
+            }
+        };
+        starts.iter().map(fate).collect()
+    }
+
+    /// What is seen of each of these motions, each with its system: the same whether they are followed one by
+    /// one or together.
+    ///
+    /// # Errors
+    /// Those of [`Detection::check`] and of [`Motion::pass`]; the monitor's.
+    fn observe<'a>(
+        motions: Vec<(&'a Self, Self::Motion<'a>)>,
+        observation: &Observation,
+        monitor: &dyn Monitor,
+    ) -> Result<Vec<ObservedMotion<Self::Start, Self::Point>>> {
+        observe::one_by_one(motions, observation, monitor)
+    }
+
+    /// Where a motion is, as a start.
+    fn here(&self, motion: &Self::Motion<'_>) -> Self::Start;
+
+    /// The motion with that many vectors, at least 1 and no more than the dimension.
+    fn tangents<'a>(&'a self, motion: Self::Motion<'a>, count: usize) -> Self::Tangents<'a>;
+}
+
+/// Orthonormal vectors from these, in their order, with the logarithm of what is left of each beside those
+/// before it. What is left of a vector that is at most `floor` times as long as it was counts as nothing.
+pub(crate) fn orthonormalise<V: AsMut<[f64]> + AsRef<[f64]>>(
+    frame: &mut [V],
+    growth: &mut [f64],
+    floor: f64,
+) {
+    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+    let size = |v: &[f64]| v.iter().fold(0.0, |sum: f64, x| sum.hypot(*x));
+    for (i, growth) in growth.iter_mut().enumerate().take(frame.len()) {
+        let (before, rest) = frame.split_at_mut(i);
+        let vector = rest[0].as_mut();
+        let whole = size(vector);
+        // Twice is enough.
+        for _ in 0..if before.is_empty() { 0 } else { 2 } {
+            for known in before.iter() {
+                let part = dot(known.as_ref(), vector);
+                vector.iter_mut().zip(known.as_ref()).for_each(|(x, y)| *x -= part * y);
+            }
+        }
+        let mut left = size(vector);
+        if left <= floor * whole {
+            vector.fill(0.0);
+            left = 0.0;
+        }
+        *growth += left.ln();
+        if left > 0.0 {
+            vector.iter_mut().for_each(|x| *x /= left);
+        }
+    }
+}
+
+/// An error for a number of vectors that a system does not have.
+pub(crate) fn check_count(count: usize, dimension: usize) -> Result<()> {
+    if (1..=dimension).contains(&count) {
+        return Ok(());
+    }
+    Err(Error::input(format!("{count} exponents; there are 1 to {dimension}")))
+}

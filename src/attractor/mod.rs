@@ -1,0 +1,32 @@
+//! Where motions end: the stroboscopic section, attractors and their basins, Lyapunov exponents, diagrams.
+//!
+//! [`dynamics`] is what the chapter asks of an engine. [`detection`] tells periodic attractors by recurrence,
+//! confirmed by Newton's method; [`basins`] and [`diagram`] do it for many starts and for values of a
+//! parameter. All is numerical evidence. Not here: the motions (`one`, `many`); following orbits whether they
+//! attract or not (`continuation`).
+//!
+//! ```
+//! use grazing::attractor::detection::{Detection, Fate};
+//! use grazing::motion::Time;
+//! use grazing::one::simulate::{Settings, Simulator};
+//! use grazing::scene::Scene;
+//! // At µ = −0.05 a motion of the paper's oscillator settles on the orbit of period 4.
+//! let scene = Scene::read("examples/scenes/nordmark-2001.toml")?;
+//! let simulator = Simulator::new(&scene.exact(&[])?.rounded(), &Settings::default())?;
+//! let mut run = simulator.start(Time::new(0, 0.0), 0.5, 0.0)?;
+//! let fate = Detection { transient: 300, longest: 8, ..Detection::default() }.detect(&simulator, &mut run)?;
+//! assert!(matches!(fate, Fate::Periodic(cycle) if cycle.period() == 4 || cycle.period() == 1));
+//! # Ok::<(), grazing::Error>(())
+//! ```
+
+pub mod basins;
+pub(crate) mod checkpoint;
+mod confirm;
+pub mod detection;
+pub mod diagram;
+pub mod dynamics;
+pub mod lyapunov;
+pub mod observe;
+pub mod section;
+
+pub use checkpoint::Keep;

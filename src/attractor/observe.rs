@@ -1,0 +1,109 @@
+//! Motions observed on a section: a transient passes, recurrence is looked for, points are kept.
+
+use super::{
+    detection::{Cycle, Detection, Fate, wait},
+    dynamics::{Dynamics, Motion, SectionState},
+    section::section,
+};
+use crate::{error::Result, monitor::Monitor, motion::RunEnd};
+
+/// What is looked at of a motion.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Observation {
+    /// The phase of the section, 0 ≤ phase < 2π.
+    pub phase: f64,
+    /// Points of the section that pass first.
+    pub transient: u64,
+    /// The longest period told from none, at least 1.
+    pub longest: u32,
+    /// Points looked at of a motion that is not periodic, once it is known not to be.
+    pub points: u32,
+    /// The same of a periodic one, at least once round; with none its cycle is enough.
+    pub round: Option<u32>,
+    /// Of every this many of them the first is kept, counted from the end of the transient; at least 1.
+    pub every: u32,
+}
+
+/// What was seen of a motion that goes on.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Observed<S, P> {
+    /// Where the motion was at the end of the transient.
+    pub settled: S,
+    /// The periodic orbit that it tends to, if it does.
+    pub cycle: Option<Cycle<P>>,
+    /// Whether it was not decided if it tends to one.
+    pub undecided: bool,
+    /// The points kept, as they are drawn.
+    pub points: Vec<[f64; 2]>,
+    /// Impacts once round; of others while their points were looked at.
+    pub impacts: u64,
+}
+
+/// What was seen of a motion, or why it ended.
+pub type ObservedMotion<S, P> = std::result::Result<Observed<S, P>, RunEnd>;
+
+impl Observation {
+    pub(crate) fn detection(&self) -> Detection {
+        let (phase, longest) = (self.phase, self.longest as usize);
+        Detection { phase, transient: 0, longest, ..Detection::default() }
+    }
+
+    /// Points looked at once it is known what the motion is on.
+    pub(crate) fn looks<P: SectionState>(&self, cycle: Option<&Cycle<P>>) -> u32 {
+        match (cycle, self.round) {
+            (None, _) => self.points,
+            (Some(cycle), Some(least)) => least.max(cycle.period() as u32),
+            (Some(_), None) => 0,
+        }
+    }
+
+    /// Whether the point in this forcing period is kept: the same component whatever the motion is.
+    pub(crate) fn keeps(&self, period: i64) -> bool {
+        (period - 1 - self.transient as i64).rem_euclid(self.every.into()) == 0
+    }
+}
+
+/// Observes motions one after the other: see [`Dynamics::observe`].
+///
+/// # Errors
+/// Those of [`Detection::check`] and of [`Motion::pass`]; the monitor's.
+pub(crate) fn one_by_one<'a, D: Dynamics>(
+    motions: Vec<(&'a D, D::Motion<'a>)>,
+    observation: &Observation,
+    monitor: &dyn Monitor,
+) -> Result<Vec<ObservedMotion<D::Start, D::Point>>> {
+    motions.into_iter().map(|(dynamics, mut run)| observe(dynamics, &mut run, observation, monitor)).collect()
+}
+
+fn observe<'a, D: Dynamics>(
+    dynamics: &'a D,
+    run: &mut D::Motion<'a>,
+    observation: &Observation,
+    monitor: &dyn Monitor,
+) -> Result<ObservedMotion<D::Start, D::Point>> {
+    let phase = observation.phase;
+    let end = wait(run, phase, observation.transient, monitor)?;
+    if end != RunEnd::Reached {
+        return Ok(Err(end));
+    }
+    let settled = dynamics.here(run);
+    let (cycle, undecided) = match observation.detection().detect(dynamics, run)? {
+        Fate::Ended(end) => return Ok(Err(end)),
+        Fate::Periodic(cycle) => (Some(cycle), false),
+        Fate::Irregular => (None, false),
+        Fate::Unsettled => (None, true),
+    };
+    monitor.advance(0)?;
+    let (mut points, before) = (Vec::new(), run.impacts());
+    let end = section(run, phase, observation.looks(cycle.as_ref()).into(), |point| {
+        if observation.keeps(point.period) {
+            points.push(point.at.plane());
+        }
+        true
+    })?;
+    if end != RunEnd::Reached {
+        return Ok(Err(end));
+    }
+    let impacts = cycle.as_ref().map_or_else(|| run.impacts() - before, |cycle| cycle.impacts);
+    Ok(Ok(Observed { settled, cycle, undecided, points, impacts }))
+}

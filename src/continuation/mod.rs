@@ -1,0 +1,60 @@
+//! Branches of periodic orbits over a parameter: continuation, events, switching, events in two parameters.
+//!
+//! `curve` follows any curve, [`PatternCurve`] is the one of orbits with an impact pattern, [`OrbitBranch`]
+//! what was found along it; `problem` is what they ask of orbits, whichever engine has them. [`newton`]
+//! solves pattern equations, [`Multipliers`] and [`Derivatives`] are those of plane maps. Not here: the
+//! orbits themselves (`one`, `many`), attractors (`attractor`).
+//!
+//! ```
+//! use grazing::continuation::{Bifurcation, BranchSearch, Options};
+//! use grazing::motion::Side;
+//! use grazing::one::branch::locate;
+//! use grazing::one::orbit::{Family, Itinerary, search};
+//! use grazing::scene::{Scene, SceneFamily};
+//! // Section 4.2 of the paper: period 3 flips at µ = 0.005479.
+//! let scene = Scene::read("examples/scenes/nordmark-2001.toml")?;
+//! let family = SceneFamily::new(&scene, "mu")?;
+//! let orbits = search(&family.at(0.003)?, &Itinerary::at(Side::Lower, &[3])?, 100, 1.0);
+//! let orbit = orbits.iter().find(|orbit| orbit.admissibility.is_admissible()).unwrap();
+//! let found = locate(&family, Bifurcation::Flip, orbit, 0.003, 0.5, &Options::default())?;
+//! let BranchSearch::Found(flip) = found else { panic!("there is a flip") };
+//! assert!((flip.parameter - 0.005479).abs() < 5e-7);
+//! # Ok::<(), grazing::Error>(())
+//! ```
+
+mod between;
+mod bifurcation;
+mod branch;
+mod criticality;
+mod crossing;
+mod cubic;
+mod curve;
+mod derivatives;
+mod follow;
+mod locate;
+mod multipliers;
+mod newton;
+mod options;
+mod orbits;
+mod periods;
+mod plane;
+mod problem;
+mod record;
+
+pub use bifurcation::{Bifurcation, Degeneracy, Singularity};
+pub use branch::{BranchPoint, Direction, OrbitBranch, OrbitCurve};
+pub use criticality::{CODIMENSION_TWO, DOUBLE, Estimate, NOT_SMOOTH, NoForm, NormalForm, Sense, UNKNOWN};
+pub use cubic::{Cubic, polynomial};
+pub use curve::{Corrector, Curve, CurvePoint, Equations};
+pub use derivatives::{Criticality, Derivatives};
+pub use follow::{CurveEnd, Followed, Settled, Step, follow, follow_until};
+pub use locate::{BranchSearch, Located, Nothing, OneWay, SearchReach, nearest};
+pub use multipliers::Multipliers;
+pub use newton::{Linearised, Root, newton};
+pub use options::Options;
+pub(crate) use options::with_options;
+pub use orbits::PatternCurve;
+pub(crate) use periods::{halved, sum_of_periods, times_round};
+pub use plane::EventCurve;
+pub use problem::{FollowedOrbit, ImpactPattern, PatternFamily, PatternOf, PatternPlane};
+pub use record::{Label, RecordForm, read_label_as, record_as};

@@ -1,0 +1,95 @@
+//! Newton's method, damped: for pattern equations and for the systems that pin down their bifurcations.
+
+use crate::{
+    error::{Error, Result},
+    motion::algebra::solve,
+};
+
+/// The equations at one z: F, ∂F/∂z by rows, ∂F/∂p.
+#[derive(Debug, Clone)]
+pub struct Linearised {
+    /// F.
+    pub residual: Vec<f64>,
+    /// ∂F/∂z.
+    pub jacobian: Vec<Vec<f64>>,
+    /// ∂F/∂p; zeros if the system has no slope.
+    pub slope: Vec<f64>,
+}
+
+impl Linearised {
+    /// The same with lengths and speeds measured by `unit`, an unknown of 1 being `own` of its number.
+    #[must_use]
+    pub fn measured(mut self, unit: f64, own: impl Fn(usize) -> f64) -> Linearised {
+        self.residual.iter_mut().chain(&mut self.slope).for_each(|x| *x /= unit);
+        for row in &mut self.jacobian {
+            row.iter_mut().enumerate().for_each(|(i, x)| *x *= own(i) / unit);
+        }
+        self
+    }
+}
+
+/// Most steps of one solution.
+const STEPS: usize = 60;
+
+/// A root with what is left of the equations there.
+#[derive(Debug, Clone)]
+pub struct Root {
+    /// z.
+    pub z: Vec<f64>,
+    /// The largest |F_i|.
+    pub residual: f64,
+    /// Newton steps taken.
+    pub steps: usize,
+}
+
+/// A root of F near `start`. `equations` gives F and ∂F/∂z, or an error where F is not defined; no step is
+/// longer than 1, and a step that does not lower |F| is halved. Ends when steps stop shrinking at the level
+/// of rounding.
+///
+/// # Errors
+/// An input error if F is not defined at `start`, ∂F/∂z is singular on the way, or 60 steps do not do.
+pub fn newton(start: Vec<f64>, equations: impl Fn(&[f64]) -> Result<Linearised>) -> Result<Root> {
+    let mut z = start;
+    let mut here = equations(&z)?;
+    let mut size = norm(&here.residual);
+    for steps in 0..STEPS {
+        // At a fold the Jacobian is singular: there F alone has to be small.
+        let solved = size <= 4.0 * f64::EPSILON * (1.0 + norm(&z));
+        let Some(step) = solve(here.jacobian, here.residual.clone()) else {
+            return if solved {
+                Ok(Root { z, residual: size, steps })
+            } else {
+                Err(Error::input("Newton's method met a singular Jacobian"))
+            };
+        };
+        let length = norm(&step);
+        let settled = solved || length <= 1e-11 * (1.0 + norm(&z));
+        let mut factor = (1.0 / length).min(1.0);
+        let next = loop {
+            let trial: Vec<f64> = z.iter().zip(&step).map(|(z, step)| z - factor * step).collect();
+            match equations(&trial) {
+                Ok(found) if norm(&found.residual) < size => break Some((trial, found)),
+                _ if settled => break None,
+                _ => factor /= 2.0,
+            }
+            if factor < 1e-6 {
+                return Err(Error::input(format!("Newton's method stalled with residual {size:.1e}")));
+            }
+        };
+        // At the level of rounding a step that lowers |F| no more is the end.
+        let Some((trial, found)) = next else {
+            return Ok(Root { z, residual: size, steps });
+        };
+        (z, here) = (trial, found);
+        size = norm(&here.residual);
+        if size == 0.0 {
+            return Ok(Root { z, residual: size, steps: steps + 1 });
+        }
+    }
+    Err(Error::input(format!("Newton's method did not end in {STEPS} steps; residual {size:.1e}")))
+}
+
+/// The largest |x_i|; NaN counts as infinite.
+fn norm(x: &[f64]) -> f64 {
+    x.iter().fold(0.0, |most, x| if x.is_nan() { f64::INFINITY } else { most.max(x.abs()) })
+}

@@ -1,0 +1,115 @@
+//! Machines that are their own mirror image half a period later, S: (q, u, t) ↦ (−q, −u, t + π): the grazing
+//! of two stops at once that mirror each other, as one grazing of the half-period map.
+//!
+//! H, half a period of motion followed by S's mirror, is a map whose square is the period's, and it sees one
+//! stop of the two; the symmetric motion is its fixed point. With Φ the flow over half a period it has A =
+//! −Φ, and B, C, a_G and e of either stop alone. Patterns count halves, and the stops alternate with them.
+
+use std::f64::consts::PI;
+
+use super::{
+    free::{FreeMotion, LeastGap},
+    local_map::MachineLocalMap,
+};
+use crate::{
+    error::Result,
+    many::{
+        RealVector,
+        contact::StopContact,
+        orbit::{StopPattern, StopStrike},
+    },
+    motion::Series,
+    pattern::Report,
+};
+
+/// The local map over half a period.
+#[derive(Debug, Clone)]
+pub struct HalfPeriod {
+    /// The map.
+    pub map: MachineLocalMap,
+    /// The stop that mirrors the one that is grazed.
+    pub mirror: usize,
+}
+
+/// Phases this near to half a period apart are that.
+const NEAR: f64 = 1e-6;
+
+impl HalfPeriod {
+    /// The map where the motion grazes a stop and another at the same time, if the machine is symmetric and
+    /// the other is the mirror of the first.
+    ///
+    /// # Errors
+    /// Those of [`MachineLocalMap::new`].
+    pub(super) fn new(motion: &FreeMotion, at: &LeastGap, others: &[LeastGap]) -> Result<Option<HalfPeriod>> {
+        // Of formulas it is not known whether they are their own mirror image.
+        if motion.stage.is_some() {
+            return Ok(None);
+        }
+        let ([other], Some(mirror)) = (others, mirror(motion, at.stop)) else { return Ok(None) };
+        let apart = (other.phase - at.phase).abs();
+        if other.stop != mirror || (apart - PI).abs() > NEAR {
+            return Ok(None);
+        }
+        Ok(Some(HalfPeriod { map: MachineLocalMap::half(motion, at)?, mirror }))
+    }
+
+    /// The pattern in the machine of one of the map's, and a start for Newton's method there, the stop `at`
+    /// being grazed: see [`MachineLocalMap::start`]. A pattern with an odd number of halves is gone round
+    /// twice.
+    ///
+    /// # Errors
+    /// An input error if the report has no solution.
+    pub(super) fn start(
+        &self,
+        at: &LeastGap,
+        periods: &[u64],
+        report: &Report,
+        away: f64,
+    ) -> Result<(StopPattern, Vec<f64>)> {
+        let m = periods.len();
+        let once = self.map.start(at.phase, periods, report, away)?;
+        let rounds = if periods.iter().sum::<u64>() % 2 == 1 { 2 } else { 1 };
+        let (mut stops, mut begun, mut z, mut passed) = (Vec::new(), Vec::new(), Vec::new(), 0);
+        for i in (0..rounds).flat_map(|_| 0..m) {
+            let late = passed % 2 == 1;
+            // Whole periods before this half: the other half of one is in the phase.
+            begun.push((passed - u64::from(late)) / 2);
+            stops.push(if late { self.mirror } else { at.stop });
+            z.extend([once[2 * i] + if late { PI } else { 0.0 }, once[2 * i + 1]]);
+            passed += periods[i];
+        }
+        begun.push(passed / 2);
+        let strike = |(stop, pair): (usize, &[u64])| StopStrike { stop, periods: (pair[1] - pair[0]) as u32 };
+        let strikes = stops.into_iter().zip(begun.windows(2)).map(strike).collect();
+        Ok((StopPattern::new(strikes)?, z))
+    }
+}
+
+/// The mirror of a stop, if S takes the machine to itself: a force of odd harmonics, and each stop with its
+/// mirror.
+fn mirror(motion: &FreeMotion, stop: usize) -> Option<usize> {
+    let (force, all) = (&motion.equations.force, motion.contacts().all());
+    let still = |v: &RealVector| v.iter().all(|x| *x == 0.0);
+    let odd = |(k, a, b): &(u32, RealVector, RealVector)| k % 2 == 1 || still(a) && still(b);
+    let of = |one: &StopContact| all.iter().position(|other| mirrored(one, other));
+    let symmetric = still(&force.mean) && force.harmonics.iter().all(odd);
+    (symmetric && all.iter().all(|one| of(one).is_some())).then(|| of(&all[stop])).flatten()
+}
+
+/// Whether the second stop is S of the first: w₂ = −w₁, Q₂(t + π) = Q₁(t).
+fn mirrored(one: &StopContact, other: &StopContact) -> bool {
+    let amplitude = |series: &Series, k: u32| {
+        let all = series.harmonics().iter().filter(|h| h.k == k);
+        all.fold([0.0, 0.0], |[cos, sin], h| [cos + h.cos, sin + h.sin])
+    };
+    let moves = |k: u32| {
+        let sign = if k % 2 == 1 { -1.0 } else { 1.0 };
+        amplitude(&other.position, k) == amplitude(&one.position, k).map(|x| sign * x)
+    };
+    one.row == -&other.row
+        && one.restitution == other.restitution
+        && one.soft == other.soft
+        && one.law == other.law
+        && one.position.mean() == other.position.mean()
+        && one.position.harmonics().iter().chain(other.position.harmonics()).all(|h| moves(h.k))
+}

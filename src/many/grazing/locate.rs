@@ -1,0 +1,220 @@
+//! The search along the parameter.
+
+use std::cell::RefCell;
+
+use super::{
+    HalfPeriod,
+    free::{FreeMotion, LeastGap},
+    local_map::MachineLocalMap,
+};
+use crate::{
+    error::{Error, Result},
+    many::{
+        MachineFamily, MachineState,
+        orbit::{StopPattern, StopStrike},
+    },
+    pattern::Report,
+};
+
+/// The motion without impacts that grazes.
+#[derive(Debug, Clone)]
+pub struct MachineGrazing {
+    /// The parameter there.
+    pub parameter: f64,
+    /// Where it grazes, and what is left of the gap.
+    pub at: LeastGap,
+    /// The size of the gaps' motion.
+    pub scale: f64,
+    /// Other minima of gaps that are zero to rounding: the map is not the whole theory then.
+    pub others: Vec<LeastGap>,
+    /// The map there.
+    pub map: MachineLocalMap,
+    /// That of half a period, where a symmetric machine grazes a stop and its mirror.
+    pub half: Option<HalfPeriod>,
+}
+
+impl MachineGrazing {
+    /// The map that the local theory is asked about: of half a period if two stops that mirror each other are
+    /// grazed, and then patterns count halves.
+    pub fn local(&self) -> &MachineLocalMap {
+        self.half.as_ref().map_or(&self.map, |half| &half.map)
+    }
+
+    /// The pattern in the machine of one of the map's, and a start for Newton's method there at the distance
+    /// `away` of the parameter from the grazing: see [`MachineLocalMap::start`]. Of half a period, a pattern
+    /// with an odd number of halves is gone round twice.
+    ///
+    /// # Errors
+    /// An input error if the report, which is of [`local`](Self::local), has no solution.
+    pub fn start(&self, periods: &[u64], report: &Report, away: f64) -> Result<(StopPattern, Vec<f64>)> {
+        if let Some(half) = &self.half {
+            return half.start(&self.at, periods, report, away);
+        }
+        let strike = |&n: &u64| StopStrike { stop: self.at.stop, periods: n as u32 };
+        let pattern = StopPattern::new(periods.iter().map(strike).collect())?;
+        Ok((pattern, self.map.start(self.at.phase, periods, report, away)?))
+    }
+}
+
+/// What a search for a grazing came to.
+#[derive(Debug, Clone)]
+pub enum MachineSearch {
+    /// The nearest grazing that was found.
+    Found(Box<MachineGrazing>),
+    /// None, and why.
+    Nothing(String),
+}
+
+/// Values of the parameter that are tried each way.
+const STEPS: u32 = 200;
+
+/// A gap smaller than this, relative to the gaps' motion, where another is zero, is zero too.
+const TWICE: f64 = 1e-11;
+
+/// How far a parameter is looked through that has this value, where nothing else is said: half of it, or the
+/// change that moves a gap, to first order, by the size of the gaps' motion, the larger; 1/2 where neither is
+/// anything.
+///
+/// # Errors
+/// Where the family is not defined.
+pub fn own_reach(family: &dyn MachineFamily, value: f64) -> Result<f64> {
+    let (machine, slope) = family.at(value)?;
+    // Without a periodic motion there is no gaps' motion.
+    let moved = FreeMotion::new(&machine, &slope).map_or(0.0, |motion| motion.scale() / motion.drift_scale());
+    let reach = if moved.is_finite() { moved.max(value.abs() / 2.0) } else { value.abs() / 2.0 };
+    Ok(if reach > 0.0 { reach } else { 0.5 })
+}
+
+/// The grazing of the motion without impacts nearest to `start`, within `reach` of it. From step to step of
+/// the parameter, 200 of them each way, the least gap changes sign, or its derivative does, so that it dips
+/// between them; dips of a fraction of a step may be missed. Then Newton's method on the least gap as a
+/// function of the parameter, kept between bounds.
+///
+/// # Errors
+/// Where the family is not defined at `start`; no periodic motion there; det(I − A) = 0 at the grazing.
+pub fn locate(family: &dyn MachineFamily, start: f64, reach: f64) -> Result<MachineSearch> {
+    let last: RefCell<Option<MachineState>> = RefCell::default();
+    let look = |parameter: f64| -> Result<(FreeMotion, LeastGap, f64)> {
+        let (machine, slope) = family.at(parameter)?;
+        let motion = FreeMotion::near(&machine, &slope, last.borrow().as_ref())?;
+        last.replace(Some(motion.motion().state(0.0)));
+        let least = motion.least().ok_or_else(|| Error::input("there is no stop that could be grazed"))?;
+        let rate = motion.rate(&least);
+        Ok((motion, least, rate))
+    };
+    let (motion, least, rate) = look(start)?;
+    let tiny = TWICE * motion.scale();
+    if least.gap < -tiny {
+        let name = &motion.contacts().all()[least.stop].name;
+        return Ok(MachineSearch::Nothing(format!(
+            "at the start the motion without impacts is already behind stop {name}, by {:e}: start where it is free",
+            -least.gap
+        )));
+    }
+    let mut nearest: Option<f64> = (least.gap <= tiny).then_some(start);
+    let mut why = Vec::new();
+    for direction in [1.0, -1.0] {
+        if nearest == Some(start) {
+            break;
+        }
+        let (mut before, mut last) = (start, (least.gap, rate * direction));
+        for step in 1..=STEPS {
+            let there = start + direction * reach * f64::from(step) / f64::from(STEPS);
+            if nearest.is_some_and(|known| (known - start).abs() <= (before - start).abs()) {
+                break;
+            }
+            let (gap, rate) = match look(there) {
+                Ok((_, least, rate)) => (least.gap, rate * direction),
+                Err(error) => {
+                    why.push(format!("the search ended at {there:?}: {error}"));
+                    break;
+                }
+            };
+            let end = if gap <= 0.0 {
+                Some(there)
+            } else if last.1 < 0.0 && rate > 0.0 {
+                dip(&look, before, there, direction)?
+            } else {
+                None
+            };
+            if let Some(end) = end {
+                let root = root(&look, before, end)?;
+                if nearest.is_none_or(|known| (root - start).abs() < (known - start).abs()) {
+                    nearest = Some(root);
+                }
+                break;
+            }
+            (before, last) = (there, (gap, rate));
+        }
+    }
+    let Some(near) = nearest else {
+        let mut reason = format!("the motion without impacts touches no stop within {reach} of {start:?}");
+        for more in why {
+            reason = format!("{reason}; {more}");
+        }
+        return Ok(MachineSearch::Nothing(reason));
+    };
+    let parameter = polish(&look, near)?;
+    let (motion, at, _) = look(parameter)?;
+    let scale = motion.scale();
+    let tiny = TWICE * scale;
+    let mut others = motion.minima();
+    others.retain(|other| other.gap.abs() <= tiny && *other != at);
+    let (map, half) = (MachineLocalMap::new(&motion, &at)?, HalfPeriod::new(&motion, &at, &others)?);
+    Ok(MachineSearch::Found(Box::new(MachineGrazing { parameter, at, scale, others, map, half })))
+}
+
+type Look<'l> = &'l dyn Fn(f64) -> Result<(FreeMotion, LeastGap, f64)>;
+
+/// A value between two, at which the least gap falls and rises again, where it is not positive.
+fn dip(look: Look, mut lo: f64, mut hi: f64, direction: f64) -> Result<Option<f64>> {
+    for _ in 0..50 {
+        let middle = lo + (hi - lo) / 2.0;
+        let (_, least, rate) = look(middle)?;
+        if least.gap <= 0.0 {
+            return Ok(Some(middle));
+        }
+        if rate * direction < 0.0 {
+            lo = middle;
+        } else {
+            hi = middle;
+        }
+    }
+    Ok(None)
+}
+
+/// Where the least gap, positive at `free`, passes through 0 before `behind`: Newton's method between bounds.
+fn root(look: Look, mut free: f64, mut behind: f64) -> Result<f64> {
+    let mut here = free + (behind - free) / 2.0;
+    // Far away Newton's steps are rounding's: down from the largest float it takes some 1100 halvings.
+    for _ in 0..1200 {
+        let (_, least, rate) = look(here)?;
+        if least.gap > 0.0 {
+            free = here;
+        } else {
+            behind = here;
+        }
+        let next = here - least.gap / rate;
+        let inside = (next - free) * (behind - next) > 0.0;
+        let next = if inside { next } else { free + (behind - free) / 2.0 };
+        if (next - here).abs() <= 4.0 * f64::EPSILON * here.abs() || next == free || next == behind {
+            break;
+        }
+        here = next;
+    }
+    Ok(here)
+}
+
+/// Newton's method from nearby, as long as it makes the gap smaller.
+fn polish(look: Look, mut here: f64) -> Result<f64> {
+    let (_, mut least, mut rate) = look(here)?;
+    for _ in 0..4 {
+        let next = here - least.gap / rate;
+        let Ok((_, closer, there)) = look(next) else { break };
+        if closer.gap.abs().is_nan() || closer.gap.abs() >= least.gap.abs() {
+            break;
+        }
+        (here, least, rate) = (next, closer, there);
+    }
+    Ok(here)
+}

@@ -1,0 +1,383 @@
+//! What tells an orbit from another solution of the equations: impacts that come in, and no other contact.
+//!
+//! Twice, by routes that know nothing of each other: the simulator follows each leg, with its promise to find
+//! every contact deeper than the minimum depth; and the least minimum of all gaps, as a number that passes
+//! through 0 where a stop is grazed, is found by the rule of the one-degree code.
+
+use std::{
+    f64::consts::{PI, TAU},
+    fmt,
+};
+
+use super::{StopEquations, leg::LegPiece, turned};
+use crate::{
+    error::{Error, Result},
+    many::{
+        MachineState, RealVector,
+        contact::StopContact,
+        simulate::{MachineEvent, MachineSimulator, Stage, seen},
+    },
+    motion::{RunEnd, Series, Time, minimum::Gap, minimum_within},
+};
+
+/// A local minimum of a gap between impacts.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MachineMinimum {
+    /// The stop.
+    pub stop: usize,
+    /// The impact whose leg it is on, from 0; 0 for an orbit without impacts.
+    pub leg: usize,
+    /// Radians of the forcing since that leg began.
+    pub after: f64,
+    /// The phase, in [0, 2π].
+    pub phase: f64,
+    /// The gap, in the scene's unit; negative behind the stop.
+    pub gap: f64,
+    /// Its second derivative there, per radian squared.
+    pub acceleration: f64,
+}
+
+/// Whether a solution is an orbit.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum MachineAdmissibility {
+    /// Every impact comes in, and on the legs between them the simulator finds no other contact.
+    Admissible,
+    /// Rounding decides: why.
+    Marginal(MachineObstacle),
+    /// It is not: why.
+    No(MachineObstacle),
+}
+
+/// What is in the way of an orbit.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum MachineObstacle {
+    /// This impact, from 0, has V ≤ 0.
+    Outgoing(usize),
+    /// On the leg after impact `leg` (0 for an orbit without impacts) the stop is met, after this time.
+    Met {
+        /// The leg.
+        leg: usize,
+        /// The stop's name.
+        stop: String,
+        /// Radians of the forcing since the leg began.
+        after: f64,
+    },
+    /// On that leg, that stop is touched without impact.
+    Touched {
+        /// The leg.
+        leg: usize,
+        /// The stop's name.
+        stop: String,
+    },
+    /// At this impact, from 0, several stops are met at one instant.
+    Together(usize),
+    /// The simulator did not follow this leg, from 0, to its end.
+    Lost(usize),
+}
+
+impl fmt::Display for MachineObstacle {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            MachineObstacle::Outgoing(i) => write!(f, "impact {} does not come in", i + 1),
+            MachineObstacle::Met { leg, stop, after } => {
+                write!(f, "meets stop {stop} {:.6} periods into leg {}", after / TAU, leg + 1)
+            }
+            MachineObstacle::Touched { leg, stop } => {
+                write!(f, "touches stop {stop} on leg {}, to rounding", leg + 1)
+            }
+            MachineObstacle::Together(i) => {
+                write!(f, "impact {} meets several stops at one instant", i + 1)
+            }
+            MachineObstacle::Lost(leg) => write!(f, "leg {} could not be followed to its end", leg + 1),
+        }
+    }
+}
+
+impl StopEquations<'_> {
+    /// Each leg by the simulator, from the state just after its impact up to the next.
+    pub fn admissibility(&self, z: &[f64], simulator: &MachineSimulator) -> Result<MachineAdmissibility> {
+        let (mut state, times, speeds) = self.split(z);
+        let m = times.len();
+        let name = |stop: usize| self.contacts.all()[stop].name.clone();
+        if let Some(i) = speeds.iter().position(|speed| speed.is_nan() || *speed <= 0.0) {
+            return Ok(MachineAdmissibility::No(MachineObstacle::Outgoing(i)));
+        }
+        let mut marginal = None;
+        for leg in 0..m.max(1) {
+            let next = if m == 0 { 0 } else { (leg + 1) % m };
+            let duration = match m {
+                0 => TAU * f64::from(self.pattern.periods()),
+                _ => self.duration(&times, leg)?,
+            };
+            let begin = Time::new(0, state.t);
+            let mut run = match simulator.start(begin, state.q.as_slice(), state.u.as_slice()) {
+                Ok(run) => run,
+                Err(_) if m == 0 => {
+                    let behind = |c: &StopContact| c.soft.is_none() && c.gap(&state)[0] < 0.0;
+                    let stop = self.contacts.all().iter().position(behind);
+                    let stop = name(stop.unwrap_or(0));
+                    return Ok(MachineAdmissibility::No(MachineObstacle::Met { leg, stop, after: 0.0 }));
+                }
+                Err(error) => return Err(error),
+            };
+            // What the legs' own impacts look like to the simulator: at an end of the leg, at the stop that
+            // is hit there. Slow ones it does not see, as they are not as deep as the minimum depth; that
+            // they are there is in the equations.
+            let own = |stop: usize, after: f64| {
+                let at = |i: usize| m > 0 && self.pattern.strikes()[i].stop == stop;
+                (at(leg) && after <= CLOSE) || (at(next) && duration - after <= CLOSE)
+            };
+            let until = begin.after(duration);
+            loop {
+                match run.next(until) {
+                    MachineEvent::Tangency(touch) if self.contacts.all()[touch.stop].soft.is_some() => {}
+                    MachineEvent::Tangency(touch) if own(touch.stop, touch.time.since(begin)) => {}
+                    MachineEvent::Tangency(touch) => {
+                        marginal = Some(MachineObstacle::Touched { leg, stop: name(touch.stop) });
+                    }
+                    MachineEvent::Impact(impact) => {
+                        let after = impact.time.since(begin);
+                        if !(m > 0 && impact.stop == self.pattern.strikes()[next].stop)
+                            || duration - after > CLOSE
+                        {
+                            let stop = name(impact.stop);
+                            return Ok(MachineAdmissibility::No(MachineObstacle::Met { leg, stop, after }));
+                        }
+                        if impact.together > 1 {
+                            return Ok(MachineAdmissibility::Marginal(MachineObstacle::Together(next)));
+                        }
+                        break;
+                    }
+                    MachineEvent::Stick(stick) => {
+                        let (stop, after) = (name(stick.stop), stick.time.since(begin));
+                        return Ok(MachineAdmissibility::No(MachineObstacle::Met { leg, stop, after }));
+                    }
+                    MachineEvent::Touch(_) | MachineEvent::Release(_) => {}
+                    MachineEvent::End(RunEnd::Reached) => break,
+                    MachineEvent::End(_) => {
+                        return Ok(MachineAdmissibility::Marginal(MachineObstacle::Lost(leg)));
+                    }
+                }
+            }
+            // Another stop at the instant of the impact.
+            if m > 0 {
+                let end = self.between.after(&state, duration)?;
+                let depth = simulator.settings().minimum_depth;
+                let (stop, all) = (self.pattern.strikes()[next].stop, self.contacts.all());
+                let rigid = |other: usize| all[other].soft.is_none();
+                if (0..all.len())
+                    .any(|other| other != stop && rigid(other) && all[other].gap(&end)[0] <= depth)
+                {
+                    return Ok(MachineAdmissibility::Marginal(MachineObstacle::Together(next)));
+                }
+            }
+            if m > 0 {
+                state = self.between.after(&state, duration)?;
+                state.t = turned(times[next]);
+                state.u.axpy(speeds[next], &self.kick(next, speeds[next]), 1.0);
+            }
+        }
+        Ok(marginal.map_or(MachineAdmissibility::Admissible, MachineAdmissibility::Marginal))
+    }
+
+    /// The least of the gaps' local minima between impacts.
+    ///
+    /// A cell is a sixteenth of the fastest period among forces, stops and the modes that still move a gap
+    /// (but there are no more than 10⁶ on a leg); within one z″ is taken to change sign once at most. Cost:
+    /// O(n) for each cell and stop.
+    ///
+    /// # Errors
+    /// Legs that do not follow one another.
+    pub fn least(&self, z: &[f64]) -> Result<Option<MachineMinimum>> {
+        let (mut state, times, speeds) = self.split(z);
+        let m = times.len();
+        let mut least: Option<MachineMinimum> = None;
+        for leg in 0..m.max(1) {
+            // Without impacts a little more than the period: a minimum at its ends counts too.
+            let duration = match m {
+                0 => TAU * f64::from(self.pattern.periods()) + 0.01,
+                _ => self.duration(&times, leg)?,
+            };
+            let mut begun = 0.0;
+            for piece in self.between.pieces(&state, duration)?.0 {
+                let mut each = |found: MachineMinimum| {
+                    if least.is_none_or(|least| found.gap < least.gap) {
+                        least = Some(found);
+                    }
+                };
+                match &piece.stage {
+                    None => self.minima(&piece, (leg, begun, duration), &mut each)?,
+                    Some(stage) => self.minima_by_steps(stage, &piece, (leg, begun, duration), &mut each)?,
+                }
+                begun += piece.duration;
+            }
+            if m > 0 {
+                let next = (leg + 1) % m;
+                state = self.between.after(&state, duration)?;
+                state.t = turned(times[next]);
+                state.u.axpy(speeds[next], &self.kick(next, speeds[next]), 1.0);
+            }
+        }
+        Ok(least)
+    }
+
+    /// Where forces are formulas: on each step of the motion z″ is taken to change sign once at most.
+    fn minima_by_steps(
+        &self,
+        stage: &Stage,
+        piece: &LegPiece,
+        (leg, before, whole): (usize, f64, f64),
+        each: &mut impl FnMut(MachineMinimum),
+    ) -> Result<()> {
+        let Some(smooth) = &stage.smooth else { return Ok(()) };
+        let rigid: Vec<(usize, &StopContact)> =
+            self.contacts.all().iter().enumerate().filter(|(_, contact)| contact.soft.is_none()).collect();
+        let impacts = !self.pattern.strikes().is_empty();
+        let mut ends: Vec<Option<[f64; 3]>> = vec![None; rigid.len()];
+        let (mut time, mut state, mut begun) = (Time::new(0, piece.start.t), piece.start.clone(), 0.0);
+        while begun < piece.duration {
+            let leap = smooth.leap(time, &state);
+            if leap.over().is_some() {
+                return Err(Error::input("a leg could not be followed to its end"));
+            }
+            let last = ((piece.duration - begun) / leap.h).min(1.0);
+            for ((stop, contact), end) in rigid.iter().zip(&mut ends) {
+                let (polynomial, _) = seen(&leap, &contact.gap_watch(1.0));
+                let gap = |x: f64| {
+                    let [z, slope, bend] = Gap::new(&polynomial, 0.0, false).at(x);
+                    [z, slope / leap.h, bend / (leap.h * leap.h)]
+                };
+                let b = gap(last);
+                let a = end.replace(b).unwrap_or_else(|| gap(0.0));
+                let width = last * leap.h;
+                let Some(x) = minimum_within(|x| gap(x / leap.h), a, b, width) else { continue };
+                let ([gap, _, acceleration], after) = (gap(x / leap.h), before + begun + x);
+                if !impacts || after.min(whole - after) > NEAR || gap.abs() > NEAR * NEAR * self.scale {
+                    let phase = turned(leap.start.phase + x);
+                    each(MachineMinimum { stop: *stop, leg, after, phase, gap, acceleration });
+                }
+            }
+            begun = if last < 1.0 { piece.duration } else { begun + leap.h };
+            (time, state) = (leap.time(1.0), leap.state(1.0));
+        }
+        Ok(())
+    }
+
+    fn minima(
+        &self,
+        piece: &LegPiece,
+        (leg, before, whole): (usize, f64, f64),
+        each: &mut impl FnMut(MachineMinimum),
+    ) -> Result<()> {
+        let (flow, from, duration) = (&piece.flow, &piece.start, piece.duration);
+        let (equations, n) = (flow.equations(), self.size());
+        // Gaps to soft stops may be negative.
+        let rigid = |stop: &usize| self.contacts.all()[*stop].soft.is_none();
+        let watched: Vec<usize> = (0..self.contacts.all().len()).filter(rigid).collect();
+        if watched.is_empty() {
+            return Ok(());
+        }
+        let zero = RealVector::zeros(n);
+        let sights: Vec<Sight> = watched
+            .iter()
+            .map(|&stop| {
+                let (contact, push) = (&self.contacts.all()[stop], self.contacts.push(stop));
+                let (places, rates) = (-equations.stiffness.tr_mul(push), -equations.damping.tr_mul(push));
+                Ok(Sight {
+                    rows: [
+                        flow.seen(&contact.row, &zero),
+                        flow.seen(&zero, &contact.row),
+                        flow.seen(&places, &rates),
+                    ],
+                    force: equations.force.series(push)?,
+                    position: &contact.position,
+                })
+            })
+            .collect::<Result<_>>()?;
+        let rates = flow.rates();
+        let pairs = flow.pairs().is_some();
+        let slowest = equations.force.order().max(self.order()).max(1);
+        // The fastest rate of a motion that a gap feels.
+        let fastest = |y: &RealVector| {
+            let felt = |i: usize| {
+                let [a, b] = [2 * i, 2 * i + 1];
+                let size = y[a].abs().max(y[b].abs()) * (1.0f64).max(1.0 / rates[i].max(f64::MIN_POSITIVE));
+                sights.iter().any(|sight| {
+                    let seen = sight.rows[0][a].abs().max(sight.rows[0][b].abs());
+                    seen * size > 1e-13 * self.scale
+                })
+            };
+            let all = rates.iter().enumerate().filter(|(i, _)| !pairs || felt(*i));
+            all.map(|(_, rate)| *rate).fold(f64::from(slowest), f64::max)
+        };
+        let (mut y, mut t, mut begun) = (flow.split(from), from.t, 0.0);
+        if t >= TAU {
+            t = 0.0;
+            y = flow.split(&MachineState { t, ..from.clone() });
+        }
+        let impacts = !self.pattern.strikes().is_empty();
+        // The end of a cell is the beginning of the next, to the bit: no minimum falls between them, not even
+        // where a period ends.
+        let mut ends: Vec<Option<[f64; 3]>> = vec![None; sights.len()];
+        while begun < duration {
+            let width = (PI / 8.0 / fastest(&y)).max(1e-6 * duration).min(duration - begun).min(TAU - t);
+            let motion = |x: f64| {
+                let mut at = y.clone();
+                flow.advance(&mut at, x);
+                at + flow.particular((t + x).min(TAU))
+            };
+            let (first, last) = (motion(0.0), motion(width));
+            for (i, (&stop, sight)) in watched.iter().zip(&sights).enumerate() {
+                let seen = |motion: &RealVector, x: f64| sight.gap(motion, t + x);
+                let b = seen(&last, width);
+                let a = ends[i].replace(b).unwrap_or_else(|| seen(&first, 0.0));
+                let Some(x) = minimum_within(|x| seen(&motion(x), x), a, b, width) else { continue };
+                let ([gap, _, acceleration], after) = (seen(&motion(x), x), before + begun + x);
+                // A leg that begins or ends without speed has a minimum there, which rounding may bring
+                // inside.
+                if !impacts || after.min(whole - after) > NEAR || gap.abs() > NEAR * NEAR * self.scale {
+                    each(MachineMinimum { stop, leg, after, phase: turned(t + x), gap, acceleration });
+                }
+            }
+            flow.advance(&mut y, width);
+            (t, begun) = (t + width, begun + width);
+            if t >= TAU {
+                y += flow.step();
+                t = 0.0;
+            }
+        }
+        Ok(())
+    }
+
+    /// The highest harmonic of the stops' motions.
+    fn order(&self) -> u32 {
+        self.contacts.all().iter().map(|contact| contact.position.order()).max().unwrap_or(0)
+    }
+}
+
+/// A gap and its derivatives in the flow's own coordinates.
+struct Sight<'c> {
+    /// Of z, z′ and z″, but for the force and the stop's place.
+    rows: [RealVector; 3],
+    /// w M⁻¹ f.
+    force: Series,
+    position: &'c Series,
+}
+
+impl Sight<'_> {
+    /// (z, z′, z″).
+    fn gap(&self, motion: &RealVector, t: f64) -> [f64; 3] {
+        let ([place, speed, bend], [force, ..]) = (self.position.at(t), self.force.at(t));
+        let [z, rate, turn] = self.rows.each_ref().map(|row| row.dot(motion));
+        [z - place, rate - speed, turn + force - bend]
+    }
+}
+
+/// How near the end of a leg a contact without speed belongs to the impact there: gaps there are of the order
+/// of its square.
+const NEAR: f64 = 1e-6;
+
+/// A contact that the simulator sees this near an end of a leg, at the stop hit there, is that impact.
+const CLOSE: f64 = 1e-5;

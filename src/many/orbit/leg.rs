@@ -1,0 +1,212 @@
+//! Motion from one impact on a rigid stop to the next, through contact with soft ones.
+//!
+//! Between impacts a machine without soft stops is one linear system. With some, a leg is made of pieces,
+//! each of them linear: the simulator follows it with all rigid stops passed through, so that the equations
+//! of an orbit are smooth beyond them. Contact with a soft stop begins and ends without an unknown of its
+//! own. Where it ends, the motion's field is continuous, and nothing is to be done; where it begins the force
+//! jumps by cV, and a displacement δ becomes δq′ − c M⁻¹wᵀ δz, δz being by how much the gap is larger there.
+//! So a branch passes through a grazing of a soft stop. Where forces are formulas, pieces are not linear, and
+//! their derivatives are those of the flow along the motion.
+
+use std::sync::Arc;
+
+use super::MachineChange;
+use crate::{
+    error::{Error, Result},
+    many::{
+        LinearEquations, LinearFlow, MachineState, RealMatrix, RealVector,
+        algebra::stacked,
+        contact::Contacts,
+        simulate::{MachineEvent, MachineSimulator, Stage, StopTouch},
+    },
+    motion::{RunEnd, Time},
+};
+
+/// What carries a machine between impacts.
+#[derive(Clone, Copy)]
+pub struct Between<'s> {
+    pub flow: &'s LinearFlow,
+    pub contacts: &'s Contacts,
+    /// The machine with its rigid stops passed through, if it has soft ones or its forces are formulas.
+    pub soft: Option<&'s MachineSimulator>,
+}
+
+/// Motion without events.
+pub struct LegPiece {
+    pub flow: LinearFlow,
+    /// The soft stops that push.
+    pub pushing: Vec<usize>,
+    pub start: MachineState,
+    pub duration: f64,
+    /// Where forces are formulas, how it moves.
+    pub stage: Option<Arc<Stage>>,
+    /// Contact that begins at its end, with the state there.
+    touch: Option<(StopTouch, MachineState)>,
+}
+
+/// A leg's end, what of a displacement before is left there, and how the end changes with a parameter.
+pub struct LegPassage {
+    pub end: MachineState,
+    pub phi: RealMatrix,
+    pub slope: RealVector,
+}
+
+impl<'s> Between<'s> {
+    /// The state after a leg.
+    pub fn after(&self, state: &MachineState, duration: f64) -> Result<MachineState> {
+        let Some(simulator) = self.soft.filter(|_| duration > 0.0) else {
+            return Ok(self.flow.after(state, duration));
+        };
+        let begin = Time::new(0, state.t);
+        let mut run = simulator.start(begin, state.q.as_slice(), state.u.as_slice())?;
+        let end = run.finish(begin.after(duration));
+        followed(run.failure(), end)?;
+        Ok(MachineState { t: run.time().phase, ..run.state() })
+    }
+
+    /// (q′, q″) of a state.
+    pub fn field(&self, state: &MachineState) -> RealVector {
+        if let Some(simulator) = self.soft.filter(|simulator| simulator.is_smooth()) {
+            let bend = simulator.acceleration(state);
+            return stacked(&state.u, &bend.unwrap_or_else(|_| state.u.map(|_| f64::NAN)));
+        }
+        let equations = self.flow.equations();
+        let bend = |equations: &LinearEquations| equations.acceleration(state.t, &state.q, &state.u);
+        let bend = match self.soft {
+            None => bend(equations),
+            Some(_) => bend(&self.pushed(state)),
+        };
+        stacked(&state.u, &bend)
+    }
+
+    /// The equations of motion at a state.
+    fn pushed(&self, state: &MachineState) -> LinearEquations {
+        let pushes = |contact: &&super::StopContact| {
+            let gap = contact.gap(state);
+            contact.soft.is_some_and(|soft| gap[0] < 0.0 && soft.force(gap) > 0.0)
+        };
+        self.flow.equations().pushed(self.contacts.all().iter().filter(pushes))
+    }
+
+    /// The pieces of a leg; one without soft stops.
+    pub fn pieces(&self, state: &MachineState, duration: f64) -> Result<(Vec<LegPiece>, MachineState)> {
+        let Some(simulator) = self.soft else {
+            let (flow, start) = (self.flow.clone(), state.clone());
+            let whole = LegPiece { flow, pushing: Vec::new(), start, duration, stage: None, touch: None };
+            return Ok((vec![whole], self.flow.after(state, duration)));
+        };
+        let begin = Time::new(0, state.t);
+        let until = begin.after(duration);
+        let mut run = simulator.start(begin, state.q.as_slice(), state.u.as_slice())?;
+        let (mut pieces, mut now, mut start) = (Vec::new(), begin, state.clone());
+        let (mut flow, mut pushing) = (run.flow(), run.pushing().to_vec());
+        let mut stage = run.stage();
+        loop {
+            let event = run.next(until);
+            let touch = match &event {
+                MachineEvent::Touch(touch) => Some(*touch),
+                MachineEvent::Release(_) | MachineEvent::End(_) => None,
+                _ => continue,
+            };
+            let (time, here) = (run.time(), MachineState { t: run.time().phase, ..run.state() });
+            let touch = touch.filter(|touch| touch.jump > 0.0).map(|touch| (touch, here.clone()));
+            let duration = time.since(now).max(0.0);
+            let own = stage.smooth.is_some().then_some(stage);
+            pieces.push(LegPiece { flow, pushing, start, duration, stage: own, touch });
+            if let MachineEvent::End(end) = event {
+                followed(run.failure(), end)?;
+                return Ok((pieces, here));
+            }
+            (now, start, flow, pushing) = (time, here, run.flow(), run.pushing().to_vec());
+            stage = run.stage();
+        }
+    }
+
+    /// A leg with its derivatives, in a parameter, too, if it is told how the machine changes.
+    pub fn passage(
+        &self,
+        state: &MachineState,
+        duration: f64,
+        change: Option<&MachineChange>,
+    ) -> Result<LegPassage> {
+        if self.soft.is_none() {
+            return Ok(LegPassage {
+                end: self.flow.after(state, duration),
+                phi: self.flow.transition(duration),
+                slope: change.map_or_else(none, |change| change.leg(self.flow, state, duration)),
+            });
+        }
+        let n = state.q.len();
+        let (pieces, end) = self.pieces(state, duration)?;
+        let (mut phi, mut slope) = (RealMatrix::identity(2 * n, 2 * n), RealVector::zeros(2 * n));
+        for piece in &pieces {
+            let own = piece.transition()?;
+            phi = &own * phi;
+            slope = own * slope;
+            if let Some(change) = change {
+                slope += match &piece.stage {
+                    None => {
+                        let pushed = change.pushed(&piece.flow, self.contacts, &piece.pushing)?;
+                        pushed.leg(&piece.flow, &piece.start, piece.duration)
+                    }
+                    Some(stage) => change.smooth_leg(stage, self.contacts, &piece.start, piece.duration)?,
+                };
+            }
+            let Some((touch, at)) = &piece.touch else { continue };
+            let stop = touch.stop;
+            let damping = touch.jump / -touch.velocity;
+            let kick = stacked(&RealVector::zeros(n), self.contacts.push(stop)) * -damping;
+            let row = stacked(&self.contacts.all()[stop].row, &RealVector::zeros(n));
+            let wider = row.dot(&slope) + change.map_or(0.0, |change| change.gap(stop, at)[0]);
+            slope.axpy(wider, &kick, 1.0);
+            let seen = row.transpose() * &phi;
+            phi += &kick * seen;
+        }
+        Ok(LegPassage { end, phi, slope })
+    }
+
+    /// det of the flow over a leg, by Liouville: beginnings of contact have determinant 1.
+    pub fn determinant(&self, state: &MachineState, duration: f64) -> Result<f64> {
+        if self.soft.is_none() {
+            return Ok(self.flow.equations().determinant(duration));
+        }
+        let (pieces, _) = self.pieces(state, duration)?;
+        pieces.iter().map(LegPiece::determinant).product()
+    }
+}
+
+impl LegPiece {
+    /// ∂(q, q′) at its end by (q, q′) before.
+    fn transition(&self) -> Result<RealMatrix> {
+        let smooth = self.stage.as_ref().and_then(|stage| stage.smooth.as_ref());
+        let phi = match smooth {
+            None => return Ok(self.flow.transition(self.duration)),
+            Some(smooth) => smooth.transition(&self.start, self.duration),
+        };
+        if phi.iter().all(|x| x.is_finite()) { Ok(phi) } else { Err(Error::input(LOST)) }
+    }
+
+    /// The determinant of [`transition`](Self::transition).
+    fn determinant(&self) -> Result<f64> {
+        let smooth = self.stage.as_ref().and_then(|stage| stage.smooth.as_ref());
+        let found = match smooth {
+            None => self.flow.equations().determinant(self.duration),
+            Some(smooth) => smooth.determinant(&self.start, self.duration),
+        };
+        found.is_finite().then_some(found).ok_or_else(|| Error::input(LOST))
+    }
+}
+
+const LOST: &str = "the motion's derivative could not be followed";
+
+fn none() -> RealVector {
+    RealVector::zeros(0)
+}
+
+fn followed(failure: Option<Error>, end: RunEnd) -> Result<()> {
+    match (failure, end) {
+        (Some(error), _) => Err(error),
+        (None, RunEnd::Reached) => Ok(()),
+        (None, end) => Err(Error::input(format!("the motion ended on the way, {}", end.why()))),
+    }
+}

@@ -1,0 +1,388 @@
+//! What contact makes of a motion: impacts, rest, the end of rest; contact with soft stops and its end.
+
+use std::{f64::consts::TAU, sync::Arc};
+
+use super::{Found, MOST_CHANGES, MachineRun, NUDGE};
+use crate::{
+    error::Result,
+    many::{
+        MachineState, RealVector,
+        simulate::{
+            MachineEvent, SoftStops, Stage, StopImpact, StopRelease, StopStick, StopTangency, StopTouch,
+            What, stage::SoftPlace,
+        },
+    },
+    motion::{Effect, Time, minimum::Hit},
+};
+
+impl MachineRun<'_> {
+    /// Makes events of a hit.
+    pub(super) fn meet(&mut self, stage: &Stage, Found { watch, hit, z, rounding }: Found) -> Result<()> {
+        let (x, half) = (hit.place(), self.half());
+        let time = self.time_at(x);
+        self.from = x;
+        match (stage.watched[watch], hit) {
+            (What::Gap(stop), Hit::Tangency(_)) => {
+                self.events.push(MachineEvent::Tangency(StopTangency { time, stop, gap: z[0] }));
+            }
+            (What::Gap(stop), Hit::Impact(_) | Hit::Press(_)) if self.is_soft(stop) => {
+                let radius = (z[0].abs() + rounding) / z[1].abs() * half;
+                let velocity = (z[1] / half).min(0.0);
+                let soft = self.simulator.contacts.all()[stop].soft;
+                let jump = soft.map_or(0.0, |soft| -soft.damping * velocity);
+                self.touch(StopTouch { time, radius: radius + 1e-15, stop, velocity, jump });
+                self.place(time, x, stop, SoftPlace::Pushing)?;
+            }
+            (What::Gap(stop), Hit::Press(_)) => {
+                let state = self.state_at(x);
+                let resting = stage.resting.clone();
+                if !self.settle(time, state, &[stop], &resting)? {
+                    // The stop presses by no more than rounding: on, and surely not to the same place.
+                    self.from = x + NUDGE;
+                }
+            }
+            (What::Gap(stop), Hit::Impact(_)) => {
+                // On the wrong side of rounding an impact may seem to leave: it arrives with velocity 0.
+                let velocity = (z[1] / half).min(0.0);
+                let off = 2.0 * (z[0].abs() + rounding);
+                let radius = (off / z[1].abs()).min((off / z[2].abs()).sqrt()) * half;
+                self.hit(stage, (x, watch), stop, velocity, z[2] / (half * half), radius)?;
+            }
+            (_, Hit::Tangency(_)) => {}
+            (What::Push(stop), _) => {
+                self.events.push(MachineEvent::Release(StopRelease { time, stop }));
+                let contact = &self.simulator.contacts.all()[stop];
+                let damped = contact.soft.is_some_and(|soft| soft.damping > 0.0);
+                let behind = damped && contact.gap(&self.state_at(x))[0] < 0.0;
+                self.place(time, x, stop, if behind { SoftPlace::Behind } else { SoftPlace::Open })?;
+            }
+            (What::Pull(stop), _) => {
+                let velocity = self.simulator.contacts.all()[stop].gap(&self.state_at(x))[1];
+                self.touch(StopTouch { time, radius: 1e-15, stop, velocity, jump: 0.0 });
+                self.place(time, x, stop, SoftPlace::Pushing)?;
+            }
+            (What::Rise(stop), _) => self.place(time, x, stop, SoftPlace::Open)?,
+            (What::Force(stop), Hit::Impact(_) | Hit::Press(_)) => {
+                let state = self.state_at(x);
+                let resting: Vec<usize> =
+                    stage.resting.iter().copied().filter(|&other| other != stop).collect();
+                self.events.push(MachineEvent::Release(StopRelease { time, stop }));
+                self.rest(time, &state, &resting)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn is_soft(&self, stop: usize) -> bool {
+        self.simulator.contacts.all()[stop].soft.is_some()
+    }
+
+    fn touch(&mut self, touch: StopTouch) {
+        self.impacts += 1;
+        self.events.push(MachineEvent::Touch(touch));
+    }
+
+    /// A soft stop is somewhere else from x on.
+    fn place(&mut self, time: Time, x: f64, stop: usize, place: SoftPlace) -> Result<()> {
+        let state = self.state_at(x);
+        self.open[stop] = false;
+        let stage = self.simulator.stage(&self.stage.resting, &self.stage.soft.with(stop, place))?;
+        self.change(stage, time, &state);
+        Ok(())
+    }
+
+    /// Where soft stops are after velocities have jumped to those of `state`: some may be thrown off, others
+    /// caught before they are open.
+    fn soft_after(&mut self, time: Time, state: &MachineState) -> SoftStops {
+        let before = self.stage.soft.clone();
+        if before.is_empty() {
+            return before;
+        }
+        let mut after = before.clone();
+        for (stop, contact) in self.simulator.contacts.all().iter().enumerate() {
+            let Some(soft) = contact.soft else { continue };
+            let gap = contact.gap(state);
+            let pushes = soft.force(gap) > 0.0;
+            if before.pushing.contains(&stop) && !pushes && soft.damping > 0.0 {
+                after = after.with(stop, SoftPlace::Behind);
+                self.events.push(MachineEvent::Release(StopRelease { time, stop }));
+            } else if before.behind.contains(&stop) && pushes {
+                after = after.with(stop, SoftPlace::Pushing);
+                self.impacts += 1;
+                let touch = StopTouch { time, radius: 1e-15, stop, velocity: gap[1], jump: 0.0 };
+                self.events.push(MachineEvent::Touch(touch));
+            }
+        }
+        after
+    }
+
+    /// An impact on a stop at x, the gap's rate being `velocity` and its second derivative before it `bend`.
+    fn hit(
+        &mut self,
+        stage: &Stage,
+        (x, watch): (f64, usize),
+        stop: usize,
+        velocity: f64,
+        bend: f64,
+        radius: f64,
+    ) -> Result<()> {
+        let (time, simulator) = (self.time_at(x), self.simulator);
+        let (depth, mut touched) = (simulator.settings.minimum_depth, vec![stop]);
+        let after = (1.0 + x) * self.half();
+        let mut y = if stage.smooth.is_some() { RealVector::zeros(0) } else { stage.vector(&self.y) };
+        let alone = stage.resting.is_empty() && simulator.contacts.all().len() == 1;
+        let mut known = None;
+        if !alone {
+            let state = if stage.smooth.is_some() {
+                self.state_at(x)
+            } else {
+                stage.flow.advance(&mut y, after);
+                stage.join(self.begin() + after, &y)
+            };
+            for (other, contact) in simulator.contacts.all().iter().enumerate() {
+                let rigid = contact.soft.is_none();
+                if rigid
+                    && other != stop
+                    && !stage.resting.contains(&other)
+                    && contact.gap(&state)[0] <= depth
+                {
+                    touched.push(other);
+                }
+            }
+            known = Some(state);
+        }
+        let tabled = stage.smooth.is_none();
+        if touched.len() > 1 || !stage.resting.is_empty() || !stage.soft.is_empty() || !tabled {
+            let state = known.unwrap_or_else(|| self.state_at(x));
+            let rate =
+                |&j: &usize| if j == stop { velocity } else { simulator.contacts.all()[j].gap(&state)[1] };
+            let rates: Vec<f64> = touched.iter().map(rate).collect();
+            return self.strike(time, state, &touched, &rates, radius);
+        }
+        // One stop alone: the motion is kicked where it is.
+        let law = simulator.contacts.impact(&[stop], &[velocity])?;
+        let mut kick = stage.flow.kick(&law.change);
+        stage.flow.advance(&mut kick, -after);
+        let kick = stage.padded(&kick);
+        // The gap's rate is to change by −(1 + τ) w as the tables see it: what they are off by would add up
+        // over many impacts.
+        let restitution = simulator.contacts.all()[stop].restitution_at(-velocity);
+        let wanted = -(1.0 + restitution) * velocity;
+        let seen = stage.slope(watch, x, &kick) / self.half();
+        let factor = if (seen / wanted - 1.0).abs() < 1e-6 { wanted / seen } else { 1.0 };
+        for (y, kick) in self.y.iter_mut().zip(kick) {
+            *y += factor * kick;
+        }
+        self.told(time, stop, velocity, law.impulses[0], radius, 1, false);
+        let bounce = -restitution * velocity;
+        let pushed = bend - simulator.drags[stop] * law.impulses[0];
+        if pushed < 0.0 && bounce * bounce < -2.0 * pushed * depth {
+            let state = self.state_at(x);
+            self.settle(time, state, &[stop], &[])?;
+        }
+        Ok(())
+    }
+
+    #[allow(clippy::too_many_arguments)]
+    fn told(
+        &mut self,
+        time: Time,
+        stop: usize,
+        velocity: f64,
+        impulse: f64,
+        radius: f64,
+        together: usize,
+        order_matters: bool,
+    ) {
+        self.impacts += 1;
+        self.open[stop] = false;
+        // The phase is a double below 2π.
+        let radius = radius + 1e-15;
+        self.events.push(MachineEvent::Impact(StopImpact {
+            time,
+            radius,
+            stop,
+            velocity,
+            impulse,
+            together,
+            order_matters,
+        }));
+    }
+
+    /// Impacts at one instant on the stops touched, together with those rested on.
+    pub(super) fn strike(
+        &mut self,
+        time: Time,
+        mut state: MachineState,
+        touched: &[usize],
+        rates: &[f64],
+        radius: f64,
+    ) -> Result<()> {
+        let (simulator, resting) = (self.simulator, self.stage.resting.clone());
+        let all: Vec<usize> = touched.iter().chain(&resting).copied().collect();
+        if all.len() > 1 {
+            self.count(Effect::Together);
+        }
+        let rates: Vec<f64> = rates.iter().copied().chain(resting.iter().map(|_| 0.0)).collect();
+        let law = simulator.contacts.impact(&all, &rates)?;
+        state.u += &law.change;
+        for (i, &stop) in touched.iter().enumerate() {
+            // Where no impulse acts there is no impact: the stop is only touched, or another, which may be
+            // the same stop once more, has turned the motion already.
+            if rates[i] < 0.0 {
+                self.open[stop] = false;
+            }
+            if law.impulses[i] > 0.0 {
+                self.told(time, stop, rates[i], law.impulses[i], radius, all.len(), law.order_matters);
+            }
+        }
+        let soft = self.soft_after(time, &state);
+        if soft != self.stage.soft {
+            // What it rests on is decided by the forces that act from now on.
+            self.enter(simulator.stage(&resting, &soft)?, time, &state);
+        }
+        if !self.settle(time, state.clone(), touched, &resting)? {
+            // Thrown off what it rested on, unless some of it still presses.
+            self.rest_among(time, &state, &resting)?;
+        }
+        Ok(())
+    }
+
+    /// Comes to rest on those of the stops touched whose bounce to come, z′ ≥ 0 in `state`, is lower than the
+    /// minimum depth, beside those of `resting` that still press. False if nothing is added: then nothing is
+    /// changed.
+    pub(super) fn settle(
+        &mut self,
+        time: Time,
+        mut state: MachineState,
+        touched: &[usize],
+        resting: &[usize],
+    ) -> Result<bool> {
+        let (simulator, depth) = (self.simulator, self.simulator.settings.minimum_depth);
+        let (contacts, now) = (simulator.contacts.all(), self.stage.clone());
+        let bounce = |j: usize, state: &MachineState| contacts[j].gap(state)[1].max(0.0);
+        let held: Vec<usize> = self.held(time, &state, resting)?;
+        // z″ of a stop with the forces of those that are held.
+        let free = |j: usize, state: &MachineState| now.bend(&contacts[j], time, state);
+        let accelerations: Vec<f64> = held.iter().map(|&j| free(j, &state)).collect();
+        let forces = simulator.contacts.pressing(&held, &accelerations)?;
+        let helped = simulator.contacts.change(&held, &forces);
+        let pressed = |j: usize| free(j, &state) + contacts[j].row.dot(&helped);
+        let mut added: Vec<(usize, f64)> = Vec::new();
+        for &j in touched {
+            let (v, a) = (bounce(j, &state), pressed(j));
+            if a < 0.0 && v * v < -2.0 * a * depth {
+                let tau = contacts[j].restitution;
+                let rest = if tau < 1.0 { 2.0 * v / (-a * (1.0 - tau)) } else { 0.0 };
+                added.push((j, rest));
+            }
+        }
+        if added.is_empty() {
+            return Ok(false);
+        }
+        let all: Vec<usize> = held.iter().copied().chain(added.iter().map(|known| known.0)).collect();
+        // What still moves away is brought to rest, all at once.
+        let rates = RealVector::from_iterator(all.len(), all.iter().map(|&j| -contacts[j].gap(&state)[1]));
+        if let Some(stopped) = simulator.contacts.among(&all).lu().solve(&rates) {
+            state.u += simulator.contacts.change(&all, stopped.as_slice());
+        }
+        let accelerations: Vec<f64> = all.iter().map(|&j| free(j, &state)).collect();
+        let forces = simulator.contacts.pressing(&all, &accelerations)?;
+        let mut pressing: Vec<usize> = (0..all.len()).filter(|&i| forces[i] > 0.0).map(|i| all[i]).collect();
+        pressing.sort_unstable();
+        if !added.iter().any(|(j, _)| pressing.contains(j)) {
+            return Ok(false);
+        }
+        let stage = simulator.stage(&pressing, &now.soft)?;
+        let longest = added.iter().map(|known| known.1).fold(0.0, f64::max);
+        if longest > 0.0 && !steady(&stage, time, &state, longest) {
+            // The stop changes its mind before the bounces end: one by one, then.
+            return Ok(false);
+        }
+        for &j in resting.iter().filter(|j| !pressing.contains(j)) {
+            self.events.push(MachineEvent::Release(StopRelease { time, stop: j }));
+        }
+        for (stop, rest) in added {
+            if pressing.contains(&stop) {
+                self.open[stop] = false;
+                self.events.push(MachineEvent::Stick(StopStick { time: time.after(rest), stop, rest }));
+            }
+        }
+        self.change(stage, time, &state);
+        Ok(true)
+    }
+
+    /// Those of the stops rested on that are not left by the velocities of `state`.
+    fn held(&self, time: Time, state: &MachineState, resting: &[usize]) -> Result<Vec<usize>> {
+        let simulator = self.simulator;
+        let depth = simulator.settings.minimum_depth;
+        let stays = |&&j: &&usize| {
+            let contact = &simulator.contacts.all()[j];
+            let (v, a) = (contact.gap(state)[1], self.stage.bend(contact, time, state));
+            v <= 0.0 || v * v < 2.0 * a.abs() * depth
+        };
+        Ok(resting.iter().filter(stays).copied().collect())
+    }
+
+    /// Goes on resting on those of the stops that still press, after others were hit.
+    fn rest_among(&mut self, time: Time, state: &MachineState, resting: &[usize]) -> Result<()> {
+        let held = self.held(time, state, resting)?;
+        for &stop in resting.iter().filter(|j| !held.contains(j)) {
+            self.events.push(MachineEvent::Release(StopRelease { time, stop }));
+        }
+        self.rest(time, state, &held)
+    }
+
+    /// Rests on those of the stops, none of which is left by velocity, that press; the others let go.
+    fn rest(&mut self, time: Time, state: &MachineState, stops: &[usize]) -> Result<()> {
+        let simulator = self.simulator;
+        let contacts = simulator.contacts.all();
+        let accelerations: Vec<f64> =
+            stops.iter().map(|&j| self.stage.bend(&contacts[j], time, state)).collect();
+        let forces = simulator.contacts.pressing(stops, &accelerations)?;
+        let mut pressing = Vec::new();
+        for (&stop, force) in stops.iter().zip(forces) {
+            if force > 0.0 {
+                pressing.push(stop);
+            } else {
+                self.events.push(MachineEvent::Release(StopRelease { time, stop }));
+            }
+        }
+        pressing.sort_unstable();
+        let stage = simulator.stage(&pressing, &self.stage.soft)?;
+        self.change(stage, time, state);
+        Ok(())
+    }
+
+    fn change(&mut self, stage: Arc<Stage>, time: Time, state: &MachineState) {
+        for &stop in stage.resting.iter().chain(&self.stage.resting) {
+            self.open[stop] = false;
+        }
+        self.changes += 1;
+        self.enter(stage, time, state);
+        if self.changes > MOST_CHANGES {
+            // On, by what rounding may move a place.
+            self.from = (self.from + NUDGE).min(1.0);
+        }
+    }
+}
+
+/// Whether the forces of what is rested on are within a factor of their values at `state` for `duration`.
+fn steady(stage: &Stage, time: Time, state: &MachineState, duration: f64) -> bool {
+    let near = |now: &[f64], later: &[f64]| {
+        now.iter().zip(later).all(|(now, later)| (later / now - 1.0).abs() <= 0.5)
+    };
+    if let Some(smooth) = &stage.smooth {
+        let later = smooth.after(time, state, duration);
+        return near(&smooth.forces(time, state), &smooth.forces(time.after(duration), &later));
+    }
+    let forces = |t: f64, y: &RealVector| -> Vec<f64> {
+        let period = (t / TAU).floor() * TAU;
+        stage.forces(t - period, y)
+    };
+    let mut y = stage.split(state);
+    let now = forces(state.t, &y);
+    stage.flow.advance(&mut y, duration);
+    let later = forces(state.t + duration, &y);
+    near(&now, &later)
+}

@@ -1,0 +1,410 @@
+//! Simulation of machines: the flow, interrupted by impacts and rests on stops and nothing else, event by
+//! event.
+//!
+//! # What is promised
+//!
+//! - Every minimum of a gap below −[`minimum_depth`](MachineSettings::minimum_depth) is an impact, found on
+//!   the stretch on which the gap falls, however slow; a minimum within the depth of 0 is a [`StopTangency`].
+//!   *Proof.* On a cell of the finest level the gap is a polynomial up to 10⁻¹⁸ of its amplitude (`stage`),
+//!   on which the minimum test of the one-degree simulation decides (its `search`: cases by Taylor's formula
+//!   with a bound on the third derivative). Any other cell, and any stretch of cells at once, is passed over
+//!   only where the head of `stage`, a lower bound of the gap on all of it, exceeds the depth. Where rounding
+//!   of the sum over the modes exceeds the minimum depth, it takes its place.
+//! - Stops that are touched at one instant, within the minimum depth, are hit together by Newton's law for
+//!   all of them ([`contact`](super::contact)); [`StopImpact::order_matters`] says where that is a choice.
+//! - Bounces on a stop that would be lower than the minimum depth, where it presses, are summed as a
+//!   geometric series and end in rest ([`StopStick`]): motion under the constraint that the gap is 0, until
+//!   the force of contact falls to 0 ([`StopRelease`]). The velocity lost is that of the bounces left out.
+//!   Other stops are watched meanwhile, and may be rested on, too.
+//! - A soft stop pushes from where its gap closes until its force would pull ([`StopTouch`],
+//!   [`StopRelease`]), and again if it would push before the gap is open. In contact the machine is another
+//!   linear one. *Proof* of what is found: where contact begins is the minimum of a gap, as above; where it
+//!   ends, and may begin again, the force over its [unit](super::contact::SoftContact::unit) is watched as a
+//!   gap is. There the depth is smaller than the minimum depth by the acceleration of the gap that the unit
+//!   causes, if that is above 1: no push or pull is passed over that accelerates the gap by more than the
+//!   minimum depth per radian².
+//! - A run ends by an [`RunEnd`] that says why.
+//!
+//! The trajectory itself carries rounding errors only, amplified by the condition number of the modes. Where
+//! forces are formulas it is followed by steps of Taylor series whose last terms are below 10⁻¹⁵ of the
+//! motion, and on which the forces are near their series all along; the gap on a step is a polynomial then,
+//! too, and what is found on it is found by the same test.
+//!
+//! ```
+//! use grazing::many::simulate::{MachineEvent, MachineSettings, MachineSimulator};
+//! use grazing::many::{Machine, Stop, StopLaw};
+//! use grazing::motion::{Time, Wall};
+//!
+//! // A mass of 2 that falls onto a table: g = 8, and the table keeps half of the velocity.
+//! let table = Wall { offset: 0.0, harmonics: vec![], restitution: 0.5 };
+//! let machine = Machine {
+//!     size: 1,
+//!     period: 4.0,
+//!     mass: vec![(0, 0, 2.0)],
+//!     damping: vec![],
+//!     damping_ratio: vec![],
+//!     stiffness: vec![],
+//!     shapes: vec![],
+//!     force: vec![-16.0],
+//!     forcing: vec![],
+//!     smooth: vec![],
+//!     record: None,
+//!     stops: vec![Stop { name: "table".into(), row: vec![1.0], wall: table, law: StopLaw::Newton }],
+//! };
+//! let settings = MachineSettings { minimum_depth: 1e-12, ..MachineSettings::default() };
+//! let simulator = MachineSimulator::new(&machine, &settings)?;
+//! let mut run = simulator.start(Time::new(0, 0.0), &[1.0], &[0.0])?;
+//! let MachineEvent::Impact(impact) = run.next(Time::new(1, 0.0)) else { panic!() };
+//! // After half a unit of time, an eighth of the period, at velocity −4.
+//! assert!((impact.time.periods() - 0.125).abs() < 1e-14);
+//! assert!((impact.velocity * machine.rate() + 4.0).abs() < 1e-13);
+//! # Ok::<(), grazing::Error>(())
+//! ```
+
+mod engine;
+mod event;
+mod peak;
+mod smooth;
+mod stage;
+mod tangent;
+
+use std::{
+    collections::BTreeMap,
+    f64::consts::TAU,
+    sync::{Arc, Mutex, PoisonError},
+};
+
+use serde::Serialize;
+
+pub use engine::MachineRun;
+pub use event::{MachineEvent, StopImpact, StopRelease, StopStick, StopTangency, StopTouch};
+pub use peak::PeakForces;
+pub(crate) use smooth::seen;
+pub(crate) use stage::Stage;
+use stage::{SoftStops, What};
+pub use tangent::MachineTangents;
+
+use super::{LinearEquations, Machine, MachineState, RealVector, contact::Contacts, smooth::Smooth};
+use crate::many::LinearFlow;
+pub use crate::motion::RunEnd;
+use crate::{
+    error::{Error, Result},
+    motion::{EffectTally, Time},
+};
+
+/// How finely to simulate.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct MachineSettings {
+    /// Gaps within this of 0 are contact without impact: see the promises of [`simulate`](self). In the unit
+    /// of gaps, above 0. Default 1e-12, which suits motions of size 1; [`MachineSimulator::scale`] tells
+    /// their size.
+    pub minimum_depth: f64,
+    /// After so many impacts a run ends. Default: no limit.
+    pub impact_limit: u64,
+}
+
+impl Default for MachineSettings {
+    fn default() -> Self {
+        MachineSettings { minimum_depth: 1e-12, impact_limit: u64::MAX }
+    }
+}
+
+/// How large the motion of a gap is.
+struct GapSize {
+    /// What the forces alone bring about.
+    forced: f64,
+    /// What they bring about of the whole machine, and the stop's own motion: no less.
+    moved: f64,
+    /// The stop's place and motion.
+    place: f64,
+}
+
+/// A stop farther away than this, in sizes of the forced motion, says nothing about the size of motions.
+const MET: f64 = 10.0;
+
+/// Phases at which a motion is looked at for its size.
+fn looks() -> impl Iterator<Item = f64> {
+    (0..64).map(|i| TAU * f64::from(i) / 64.0)
+}
+
+/// The machine in contact with stops: those it rests on, and the soft ones.
+type Stages = BTreeMap<(Vec<usize>, SoftStops), Arc<Stage>>;
+
+/// A machine ready to run from many starts and on many threads.
+#[derive(Debug)]
+pub struct MachineSimulator {
+    equations: LinearEquations,
+    contacts: Contacts,
+    smooth: Option<Smooth>,
+    /// The free machine first of all; others as they come up.
+    free: Arc<Stage>,
+    stages: Mutex<Stages>,
+    /// w M⁻¹ C M⁻¹ wᵀ of each stop: by how much an impulse of 1 there changes z″ through damping.
+    drags: Vec<f64>,
+    settings: MachineSettings,
+    rate: f64,
+    /// Whether rigid stops are passed through.
+    through: bool,
+    tally: Option<Arc<EffectTally>>,
+}
+
+impl MachineSimulator {
+    /// Solves the machine and fills its tables. Cost: O(n³ + (stops + harmonics) (min(R, 10⁴) + n log R)), R
+    /// the fastest motion over the forcing's frequency.
+    ///
+    /// # Errors
+    /// Those of [`Machine::equations`] and [`Machine::contacts`]; a minimum depth that is not positive;
+    /// motions some 10¹¹ times as fast as the forcing, or, without modes, some 10⁴ times.
+    pub fn new(machine: &Machine<f64>, settings: &MachineSettings) -> Result<MachineSimulator> {
+        let depth = settings.minimum_depth;
+        if !(depth > 0.0 && depth.is_finite()) {
+            return Err(Error::input(format!("minimum_depth = {depth} is not positive")));
+        }
+        let equations = machine.equations()?;
+        let contacts = Contacts::new(&equations, machine.contacts()?);
+        let smooth = Smooth::new(machine)?;
+        let soft = SoftStops::default();
+        let free = Arc::new(Stage::new(&equations, &contacts, &[], &soft, false, smooth.as_ref())?);
+        for (stop, contact) in contacts.all().iter().enumerate() {
+            if contacts.mobility(stop) <= 0.0 || contacts.mobility(stop).is_nan() {
+                let name = &contact.name;
+                return Err(Error::input(format!("stop {name}: no motion of the machine reaches it")));
+            }
+        }
+        let drag = |j: usize| {
+            let push = contacts.push(j);
+            push.dot(&(&equations.damping * push))
+        };
+        let drags = (0..contacts.all().len()).map(drag).collect();
+        let (stages, settings, rate) = (Mutex::default(), settings.clone(), machine.rate());
+        Ok(MachineSimulator {
+            equations,
+            contacts,
+            smooth,
+            free,
+            stages,
+            drags,
+            settings,
+            rate,
+            through: false,
+            tally: None,
+        })
+    }
+
+    /// Within how much of 0 what is watched of a stop has no sign. At a soft stop no force is passed over
+    /// that would accelerate the gap by more than the minimum depth per radian²: a depth by itself is a force
+    /// that grows with the stiffness, and a stop as stiff as 10¹² would hold on to a mass.
+    fn depth(&self, what: &What) -> f64 {
+        let (What::Gap(stop) | What::Push(stop) | What::Pull(stop) | What::Rise(stop) | What::Force(stop)) =
+            *what;
+        let soft = self.contacts.all()[stop].soft;
+        let felt = soft.map_or(1.0, |soft| soft.unit() * self.contacts.mobility(stop));
+        self.settings.minimum_depth / felt.max(1.0)
+    }
+
+    /// The same machine simulated otherwise.
+    #[must_use]
+    pub fn with(self, settings: MachineSettings) -> MachineSimulator {
+        MachineSimulator { settings, ..self }
+    }
+
+    /// The machine with its rigid stops passed through; none if then it is one linear machine: it has no soft
+    /// stops, and no force is a formula.
+    ///
+    /// # Errors
+    /// None in practice: those of [`MachineSimulator::new`].
+    pub(crate) fn through(&self) -> Result<Option<MachineSimulator>> {
+        if self.smooth.is_none() && self.contacts.all().iter().all(|contact| contact.soft.is_none()) {
+            return Ok(None);
+        }
+        let (soft, smooth) = (SoftStops::default(), self.smooth.as_ref());
+        let free = Stage::new(&self.equations, &self.contacts, &[], &soft, true, smooth)?;
+        Ok(Some(MachineSimulator {
+            equations: self.equations.clone(),
+            contacts: self.contacts.clone(),
+            smooth: self.smooth.clone(),
+            free: Arc::new(free),
+            stages: Mutex::default(),
+            drags: self.drags.clone(),
+            settings: self.settings.clone(),
+            rate: self.rate,
+            through: true,
+            tally: None,
+        }))
+    }
+
+    /// The same machine, the work of its runs added up in `tally` as each ends.
+    #[must_use]
+    pub fn counting(self, tally: Arc<EffectTally>) -> MachineSimulator {
+        MachineSimulator { tally: Some(tally), ..self }
+    }
+
+    /// Whether forces are formulas.
+    pub fn is_smooth(&self) -> bool {
+        self.smooth.is_some()
+    }
+
+    /// (q″) of a state between impacts.
+    ///
+    /// # Errors
+    /// A stage that cannot be built.
+    pub(crate) fn acceleration(&self, state: &MachineState) -> Result<RealVector> {
+        let stage = self.stage(&[], &SoftStops::of(&self.contacts, state))?;
+        Ok(stage.acceleration(Time::new(0, state.t), state))
+    }
+
+    /// The machine away from all stops.
+    pub(crate) fn free(&self) -> Arc<Stage> {
+        self.free.clone()
+    }
+
+    /// The flow between impacts; where forces are formulas, that of the machine linearised at rest.
+    pub fn flow(&self) -> &LinearFlow {
+        &self.free.flow
+    }
+
+    /// The equations of motion, the forcing's phase being time.
+    pub fn equations(&self) -> &LinearEquations {
+        &self.equations
+    }
+
+    /// The stops.
+    pub fn contacts(&self) -> &Contacts {
+        &self.contacts
+    }
+
+    /// How finely it simulates.
+    pub fn settings(&self) -> &MachineSettings {
+        &self.settings
+    }
+
+    /// Ω: velocities per radian of the forcing times this are per unit of time.
+    pub fn rate(&self) -> f64 {
+        self.rate
+    }
+
+    /// The size of the motions of the gaps, at the stop that is nearest to the motion that the forces alone
+    /// bring about: of that, and of what a constant force does in a radian; and of the stop's place and
+    /// motion, unless they are farther than ten times the motion of the machine and of the stop. 0 if there
+    /// is none of them: then only starts tell. A stop that is farther away changes nothing.
+    ///
+    /// How far is far is told by the machine's motion, by the norm that the mass gives: that of the gap alone
+    /// may be rounding's, where the forces act on a part of the machine that the stop does not feel.
+    pub fn scale(&self) -> f64 {
+        self.nearest().map_or(
+            0.0,
+            |GapSize { forced, moved, place }| {
+                if moved > 0.0 && place > MET * moved { moved } else { forced.max(place) }
+            },
+        )
+    }
+
+    /// The same where these stops are met: of their places and motions, too.
+    pub fn scale_at(&self, stops: impl IntoIterator<Item = usize>) -> f64 {
+        let size = |stop: usize| {
+            let GapSize { forced, place, .. } = self.gap_size(stop);
+            forced.max(place)
+        };
+        stops.into_iter().map(size).fold(self.scale(), f64::max)
+    }
+
+    /// The size of the gap to the stop that is nearest, however far that is: what its rounding is relative
+    /// to. 0 as of [`scale`](Self::scale).
+    pub fn gap_scale(&self) -> f64 {
+        self.nearest().map_or(0.0, |GapSize { forced, place, .. }| forced.max(place))
+    }
+
+    /// The sizes at the stop that the forced motion comes nearest to, distances being those of displacements
+    /// in coordinates in which the mass is 1.
+    fn nearest(&self) -> Option<GapSize> {
+        let (flow, zero) = (&self.free.flow, RealVector::zeros(self.equations.size()));
+        let distance = |stop: usize| {
+            let contact = &self.contacts.all()[stop];
+            let g = flow.seen(&contact.row, &zero);
+            let gap = |t: f64| g.dot(&flow.particular(t)) - contact.position.at(t)[0];
+            let least = looks().map(gap).fold(f64::INFINITY, f64::min);
+            least / self.contacts.mobility(stop).sqrt()
+        };
+        let all = (0..self.contacts.all().len()).map(|stop| (stop, distance(stop)));
+        all.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(stop, _)| self.gap_size(stop))
+    }
+
+    fn gap_size(&self, stop: usize) -> GapSize {
+        let contact = &self.contacts.all()[stop];
+        let (flow, n) = (&self.free.flow, self.equations.size());
+        let forced = looks().map(|t| flow.outward(&flow.particular(t)).rows(0, n).into_owned());
+        let push = self.equations.accelerate(&self.equations.force.mean);
+        // What the record's largest force does in a radian.
+        let record = self.smooth.as_ref().and_then(Smooth::record).map(|(record, direction)| {
+            let most = record.values.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+            self.equations.accelerate(direction) * most
+        });
+        let all: Vec<RealVector> = forced.chain([push]).chain(record).collect();
+        let largest = |size: &dyn Fn(&RealVector) -> f64| all.iter().map(size).fold(0.0, f64::max);
+        let mobility = self.contacts.mobility(stop);
+        // |w q| is at most this, by Cauchy and Schwarz.
+        let whole = |q: &RealVector| (mobility * q.dot(&(&self.equations.mass * q))).sqrt();
+        let (forced, motion) = (largest(&|q| contact.row.dot(q).abs()), contact.position.derivative_bound(0));
+        GapSize {
+            forced,
+            moved: largest(&whole).max(forced).max(motion),
+            place: contact.position.mean().abs() + motion,
+        }
+    }
+
+    /// A run from displacements q and velocities u, per radian of the forcing, at `time`.
+    ///
+    /// # Errors
+    /// A start behind a rigid stop, not finite, or of another size.
+    pub fn start(&self, time: Time, q: &[f64], u: &[f64]) -> Result<MachineRun<'_>> {
+        let n = self.equations.size();
+        if q.len() != n || u.len() != n {
+            let (q, u) = (q.len(), u.len());
+            return Err(Error::input(format!(
+                "the start has {q} displacements and {u} velocities; it takes {n}"
+            )));
+        }
+        if q.iter().chain(u).any(|x| !x.is_finite()) {
+            return Err(Error::input("the start is not finite"));
+        }
+        let state = MachineState {
+            t: time.phase,
+            q: RealVector::from_column_slice(q),
+            u: RealVector::from_column_slice(u),
+        };
+        for contact in self.contacts.all() {
+            let [gap, _] = contact.gap(&state);
+            if contact.soft.is_none() && !self.through && gap < -self.settings.minimum_depth {
+                let name = &contact.name;
+                return Err(Error::input(format!(
+                    "the start lies behind the stop {name}: its gap is {gap:e}"
+                )));
+            }
+        }
+        MachineRun::new(self, time, state)
+    }
+
+    /// The machine resting on these stops, which are in ascending order, beside soft ones.
+    fn stage(&self, resting: &[usize], soft: &SoftStops) -> Result<Arc<Stage>> {
+        if resting.is_empty() && soft.is_empty() {
+            return Ok(self.free.clone());
+        }
+        let mut stages = self.stages.lock().unwrap_or_else(PoisonError::into_inner);
+        let key = (resting.to_vec(), soft.clone());
+        if let Some(stage) = stages.get(&key) {
+            return Ok(stage.clone());
+        }
+        let formulas = self.smooth.as_ref();
+        let stage = Stage::new(&self.equations, &self.contacts, resting, soft, self.through, formulas)
+            .map_err(|error| {
+                let names = |all: &[usize]| -> Vec<&str> {
+                    all.iter().map(|&j| self.contacts.all()[j].name.as_str()).collect()
+                };
+                let all = [names(resting), names(&soft.pushing)].concat();
+                error.context(format!("in contact with {}", all.join(", ")))
+            })?;
+        let stage = Arc::new(stage);
+        stages.insert(key, stage.clone());
+        Ok(stage)
+    }
+}

@@ -1,0 +1,216 @@
+//! A stage whose forces are formulas: no tables, but steps of Taylor series, on each of which everything that
+//! is watched is a polynomial.
+
+use std::{f64::consts::TAU, sync::Arc};
+
+use super::stage::What;
+use crate::{
+    error::Result,
+    many::{
+        LinearEquations, MachineState, RealMatrix, RealVector,
+        contact::{Contacts, Watch},
+        equations::Constrained,
+        smooth::{Held, Leap, Record, Smooth, SmoothFlow},
+    },
+    motion::{
+        Series, Time,
+        flow::{GAUSS, TERMS},
+    },
+};
+
+/// How a machine with smooth forces moves in a stage.
+#[derive(Debug)]
+pub(crate) struct SmoothStage {
+    pub flow: SmoothFlow,
+    sights: Vec<Sight>,
+    /// The longest step on which known functions of time are polynomials, too: with 24 terms of a sine what
+    /// is left out is below 2²⁴/24! < 10⁻¹⁶ of the amplitude at 2 radians.
+    longest: f64,
+    /// Which output the accelerations without any stop begin at.
+    free: usize,
+    size: usize,
+    /// A force known at times, and what the outputs feel of a force of 1.
+    record: Option<(Arc<Record>, Vec<f64>)>,
+}
+
+/// Something that is watched.
+#[derive(Debug)]
+enum Sight {
+    /// By displacements, velocities and the time.
+    Seen(Watch),
+    /// An output.
+    Output(usize),
+}
+
+impl SmoothStage {
+    /// The stage of `equations`, with what is watched; where stops are rested on, with what holds it.
+    pub fn new(
+        smooth: &Smooth,
+        equations: &LinearEquations,
+        contacts: &Contacts,
+        watches: &[(What, Watch)],
+        held: Option<(&[usize], &Constrained)>,
+    ) -> Result<SmoothStage> {
+        let n = equations.size();
+        let held = match held {
+            None => None,
+            Some((resting, constrained)) => Some(Held {
+                projection: &constrained.free * &constrained.down,
+                lifts: (0..)
+                    .zip(resting)
+                    .map(|(i, &j)| (constrained.lift.column(i).into_owned(), &contacts.all()[j].position))
+                    .collect(),
+                felt: contacts.felt(resting)?.into_iter().map(|(_, felt)| felt).collect(),
+                forces: watches
+                    .iter()
+                    .filter(|(what, _)| matches!(what, What::Force(_)))
+                    .map(|(_, watch)| watch)
+                    .collect(),
+            }),
+        };
+        let mut next = n;
+        let sights = watches.iter().map(|(what, watch)| match what {
+            What::Force(_) => {
+                next += 1;
+                Sight::Output(next - 1)
+            }
+            _ => Sight::Seen(watch.clone()),
+        });
+        let sights = sights.collect();
+        let order = watches.iter().map(|(_, watch)| watch.given.order()).max().unwrap_or(0);
+        Ok(SmoothStage {
+            flow: smooth.flow(equations, held.as_ref())?,
+            sights,
+            longest: 2.0 / f64::from(order),
+            free: if held.is_some() { next } else { 0 },
+            size: n,
+            record: smooth.record().map(|(record, direction)| {
+                (record.clone(), smooth.felt(equations, direction, held.as_ref()))
+            }),
+        })
+    }
+
+    /// The next step from a state.
+    pub fn leap(&self, time: Time, state: &MachineState) -> Leap {
+        let (given, left) = self.recorded(time);
+        self.flow.leap(time, state, self.longest.min(left), &given)
+    }
+
+    /// What the outputs feel of the recorded force at a time, a value and a slope each, and for how long; of
+    /// no record nothing, for ever.
+    fn recorded(&self, time: Time) -> (Vec<[f64; 2]>, f64) {
+        let Some((record, weights)) = &self.record else { return (Vec::new(), f64::INFINITY) };
+        let (value, slope, left) = record.at(time);
+        (weights.iter().map(|by| [by * value, by * slope]).collect(), left)
+    }
+
+    /// All outputs at a state.
+    fn all_at(&self, time: Time, state: &MachineState) -> Vec<f64> {
+        let mut all = self.flow.all_at(time.phase, &state.q, &state.u);
+        if let Some((record, weights)) = &self.record {
+            let (value, ..) = record.at(time);
+            all.iter_mut().zip(weights).for_each(|(output, by)| *output += by * value);
+        }
+        all
+    }
+
+    /// q″ with the forces of the stops rested on.
+    pub fn acceleration(&self, time: Time, state: &MachineState) -> RealVector {
+        RealVector::from_column_slice(&self.all_at(time, state)[..self.size])
+    }
+
+    /// q″ without them.
+    pub fn unheld(&self, time: Time, state: &MachineState) -> RealVector {
+        RealVector::from_column_slice(&self.all_at(time, state)[self.free..self.free + self.size])
+    }
+
+    /// The forces of the stops rested on, as the accelerations that they prevent.
+    pub fn forces(&self, time: Time, state: &MachineState) -> Vec<f64> {
+        let all = self.all_at(time, state);
+        if self.free == 0 { Vec::new() } else { all[self.size..self.free].to_vec() }
+    }
+
+    /// The state after a duration; where it cannot be followed, not a number.
+    pub fn after(&self, time: Time, state: &MachineState, duration: f64) -> MachineState {
+        let (mut now, mut here, mut left) = (time, state.clone(), duration);
+        loop {
+            let leap = self.leap(now, &here);
+            if left <= leap.h {
+                return leap.state(left / leap.h);
+            }
+            if leap.over().is_some() {
+                let none = RealVector::from_element(self.size, f64::NAN);
+                return MachineState { t: time.after(duration).phase, q: none.clone(), u: none };
+            }
+            (now, here, left) = (leap.time(1.0), leap.state(1.0), left - leap.h);
+        }
+    }
+
+    /// ∂(q, q′) after a duration by (q, q′) before, of a machine without a recorded force.
+    pub fn transition(&self, state: &MachineState, duration: f64) -> RealMatrix {
+        self.flow.transition(state, duration)
+    }
+
+    /// The same over one step, no longer than `longest`, with a recorded force, if there is one; and how far
+    /// that goes.
+    pub fn step_transition(&self, time: Time, state: &MachineState, longest: f64) -> (RealMatrix, f64) {
+        let (given, left) = self.recorded(time);
+        self.flow.step_transition(state, longest.min(left), &given)
+    }
+
+    /// The determinant of [`transition`](Self::transition), by Liouville: exp ∫ tr ∂q″/∂q′ dt by Gauss's rule
+    /// on each step; NaN where the motion cannot be followed.
+    pub fn determinant(&self, state: &MachineState, duration: f64) -> f64 {
+        let (mut now, mut here, mut left, mut sum) = (Time::new(0, state.t), state.clone(), duration, 0.0);
+        loop {
+            let leap = self.leap(now, &here);
+            let part = (left / leap.h).min(1.0);
+            for (x, weight) in GAUSS {
+                let MachineState { t, q, u } = leap.state(part * x);
+                let Some([_, by_rate]) = self.flow.jacobian(t, &q, &u) else { return f64::NAN };
+                sum += part * leap.h * weight * by_rate.trace();
+            }
+            if left <= leap.h {
+                return sum.exp();
+            }
+            if leap.over().is_some() {
+                return f64::NAN;
+            }
+            (now, here, left) = (leap.time(1.0), leap.state(1.0), left - leap.h);
+        }
+    }
+
+    /// What is watched on a step, as a polynomial, and the sum of the moduli of what its value at x = 0 was
+    /// added up from.
+    pub fn polynomial(&self, leap: &Leap, watch: usize) -> ([f64; TERMS], f64) {
+        match &self.sights[watch] {
+            Sight::Output(output) => (leap.outputs[*output], leap.outputs[*output][0].abs()),
+            Sight::Seen(watch) => seen(leap, watch),
+        }
+    }
+}
+
+/// A functional along a step, and the sum of the moduli of what its value at x = 0 was added up from.
+pub(crate) fn seen(leap: &Leap, watch: &Watch) -> ([f64; TERMS], f64) {
+    let (mut all, mut size) = ([0.0; TERMS], 0.0);
+    for (j, row) in leap.q.iter().enumerate() {
+        let (place, rate) = (watch.places[j], watch.rates[j] / leap.h);
+        if place != 0.0 {
+            all.iter_mut().zip(row).for_each(|(sum, c)| *sum += place * c);
+            size += (place * row[0]).abs();
+        }
+        if rate != 0.0 {
+            for k in 1..TERMS {
+                all[k - 1] += rate * k as f64 * row[k];
+            }
+            size += (rate * row[1]).abs();
+        }
+    }
+    watch.given.add_taylor(1.0, leap.start.phase, leap.h, &mut all);
+    (all, size + known(&watch.given, leap.start.phase))
+}
+
+fn known(series: &Series, t: f64) -> f64 {
+    let t = t - (t / TAU).floor() * TAU;
+    series.mean().abs().max(series.at(t)[0].abs())
+}

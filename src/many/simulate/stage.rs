@@ -1,0 +1,646 @@
+//! A machine in contact with some of its stops, or with none, with tables of everything that is watched on
+//! it.
+//!
+//! What is watched is a function z(t) of time along the motion: a gap, or the force of a stop that is rested
+//! on or that gives way, in the unit of gaps. It is the sum of a known function (of p and of the stops'
+//! motion) and of a functional on the homogeneous y, about whose time steps everything is in tables.
+//!
+//! # Cells
+//!
+//! The period is cut into cells, on levels: on each level they are half as wide as on the level above. On the
+//! finest a cell is at most 1/R wide, R the largest rate of any pair, of forcing and of stops, so that z is a
+//! polynomial of 16 terms in x ∈ [−1, 1]: what is left out is below 2⁻¹⁶/16! < 10⁻¹⁸ of the amplitude. On the
+//! coarsest, forcing, stops and p still are such polynomials, but not the fast pairs. What of z does not
+//! depend on y is in a table for each cell, down to the level of at most [`TABLED`] cells; below, it is the
+//! polynomial of the tabled cell, seen on a part of it. So fast modes need no memory, and time only where
+//! they are looked at.
+//!
+//! # The bound
+//!
+//! On each level a head (c₀, c₁, c₂, tail) with |z(x) − c₀ − c₁x − c₂x²| ≤ tail for |x| ≤ 1 is four
+//! functionals on y and |y|:
+//!
+//! - of a pair with rate ≤ 1/(cell's width), the Taylor coefficients, and as tail Σ_{k≥3} |c_k|, entry by
+//!   entry of y;
+//! - of a faster pair, c₀ = c₁ = c₂ = 0 and as tail a bound on sup |g E(s)| over the cell, entry by entry
+//!   (`Pair::supremum`).
+//!
+//! Where the head says that z is above the minimum depth on a whole cell, the cell is passed over, else its
+//! halves are looked at, and on the finest level the polynomial is searched. So no minimum below −depth is
+//! passed over, and a fast mode costs only where its amplitude can still move z to the stop. Rounding is in
+//! the tail: 10⁻¹⁴ of all that was added up.
+
+use std::f64::consts::{PI, TAU};
+
+use super::smooth::SmoothStage;
+use crate::{
+    error::{Error, Result},
+    many::{
+        LinearEquations, LinearFlow, MachineState, RealMatrix, RealVector,
+        contact::{Contacts, StopContact, Watch},
+        smooth::Smooth,
+    },
+    motion::{
+        Series, Time,
+        minimum::{Head, ROUNDING, head},
+    },
+};
+
+/// Coefficients of a polynomial.
+pub(super) const TERMS: usize = 16;
+
+/// On levels with more cells nothing is in tables of one row per cell.
+const TABLED: usize = 1 << 13;
+
+/// Of a motion that needs tables on all levels, more cells than this are refused: some 10 MB for each thing
+/// watched.
+const MOST_TABLED: f64 = 65536.0;
+
+/// Finer grids than this are refused: places in a cell could not be told apart in floats.
+const MOST_CELLS: f64 = 1.1e12;
+
+/// Numbers side by side.
+const LANES: usize = 4;
+
+/// What is watched.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum What {
+    /// The gap to a stop.
+    Gap(usize),
+    /// The force of a stop that is rested on, as the acceleration that it prevents.
+    Force(usize),
+    /// The force of a soft stop, over [`SoftContact::unit`](crate::many::contact::SoftContact::unit).
+    Push(usize),
+    /// The same with the other sign: by how much a soft stop would pull.
+    Pull(usize),
+    /// The gap to a soft stop with the other sign.
+    Rise(usize),
+}
+
+/// Which soft stops are not open, each list ascending. A stop without damping is never behind.
+#[derive(Debug, Clone, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) struct SoftStops {
+    /// Those that push: z < 0 and the force is positive.
+    pub pushing: Vec<usize>,
+    /// Those let go of that are not open yet: z < 0, and they would pull.
+    pub behind: Vec<usize>,
+}
+
+impl SoftStops {
+    /// Of a state: what it is follows from gaps and rates alone.
+    pub fn of(contacts: &Contacts, state: &MachineState) -> SoftStops {
+        let mut all = SoftStops::default();
+        for (j, contact) in contacts.all().iter().enumerate() {
+            let Some(soft) = contact.soft else { continue };
+            let gap = contact.gap(state);
+            match soft.force(gap) > 0.0 {
+                _ if gap[0] >= 0.0 => {}
+                true => all.pushing.push(j),
+                false => all.behind.push(j),
+            }
+        }
+        all
+    }
+
+    pub fn is_empty(&self) -> bool {
+        self.pushing.is_empty() && self.behind.is_empty()
+    }
+
+    /// The same with one stop somewhere else.
+    pub fn with(&self, stop: usize, place: SoftPlace) -> SoftStops {
+        let mut all = self.clone();
+        all.pushing.retain(|&j| j != stop);
+        all.behind.retain(|&j| j != stop);
+        let list = match place {
+            SoftPlace::Open => return all,
+            SoftPlace::Pushing => &mut all.pushing,
+            SoftPlace::Behind => &mut all.behind,
+        };
+        list.push(stop);
+        list.sort_unstable();
+        all
+    }
+}
+
+/// Where the motion is at a soft stop.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum SoftPlace {
+    Open,
+    Pushing,
+    Behind,
+}
+
+#[derive(Debug)]
+pub(crate) struct Stage {
+    pub resting: Vec<usize>,
+    pub soft: SoftStops,
+    /// The equations with the forces of soft stops, not resting on any other.
+    pub equations: LinearEquations,
+    /// Where forces are formulas, that of the machine linearised at rest.
+    pub flow: LinearFlow,
+    /// Where forces are formulas, how it moves; then nothing is in tables.
+    pub smooth: Option<SmoothStage>,
+    /// Z, the columns b_j, ZᵀM: [`Constrained`](crate::many::equations::Constrained).
+    reduced: Option<(RealMatrix, RealMatrix, RealMatrix)>,
+    positions: Vec<Series>,
+    pub watched: Vec<What>,
+    /// Each as a functional on y, and its known part but for p.
+    watches: Vec<(RealVector, Series)>,
+    /// From coarse to fine.
+    pub levels: Vec<Level>,
+    /// Of the finest level, for each thing watched: 16 functionals on y, one after the other.
+    rows: Vec<Vec<f64>>,
+    /// The finest level with tables for each cell.
+    tabled: usize,
+    /// Of that level, for each thing watched and each cell.
+    drive: Vec<Vec<[f64; TERMS]>>,
+    /// Entries of y, filled up to a multiple of 4.
+    padded: usize,
+}
+
+/// Cells of one width.
+#[derive(Debug)]
+pub(crate) struct Level {
+    pub half: f64,
+    step: Step,
+    /// For each thing watched, four functionals by fours of y: c₀, c₁, c₂ on y and the tail on |y|.
+    heads: Vec<Vec<[f64; 4 * LANES]>>,
+    /// For each thing watched and each cell; empty on levels without tables.
+    drive: Vec<Vec<Head>>,
+}
+
+/// From a cell's beginning to its end.
+#[derive(Debug)]
+enum Step {
+    /// y_i ↦ own_i y_i + other_i y_{i^1}, by fours.
+    Pairs(Vec<[f64; 2 * LANES]>),
+    Whole(RealMatrix),
+}
+
+impl Stage {
+    /// Rigid stops are not watched if the motion is to pass through them.
+    ///
+    /// # Errors
+    /// Dependent rows among the stops rested on; motions too fast for the grid.
+    pub fn new(
+        equations: &LinearEquations,
+        contacts: &Contacts,
+        resting: &[usize],
+        soft: &SoftStops,
+        through: bool,
+        formulas: Option<&Smooth>,
+    ) -> Result<Stage> {
+        let all = contacts.all();
+        let watched = |j: usize| !(resting.contains(&j) || through && all[j].soft.is_none());
+        let pushed = equations.pushed(soft.pushing.iter().map(|&j| &all[j]));
+        let equations = &pushed;
+        let mut watches: Vec<(What, Watch)> = Vec::new();
+        for (j, contact) in all.iter().enumerate().filter(|(j, _)| watched(*j)) {
+            if soft.pushing.contains(&j) {
+                watches.push((What::Push(j), contact.push_watch(1.0)));
+            } else if soft.behind.contains(&j) {
+                watches.push((What::Pull(j), contact.push_watch(-1.0)));
+                watches.push((What::Rise(j), contact.gap_watch(-1.0)));
+            } else {
+                watches.push((What::Gap(j), contact.gap_watch(1.0)));
+            }
+        }
+        let (mut reduced, mut positions) = (None, Vec::new());
+        let mut smooth = None;
+        let linearised = formulas.map(|formulas| formulas.linearised(equations));
+        let flow = if resting.is_empty() {
+            if let Some(formulas) = formulas {
+                smooth = Some(SmoothStage::new(formulas, equations, contacts, &watches, None)?);
+            }
+            LinearFlow::new(linearised.unwrap_or_else(|| equations.clone()))?
+        } else {
+            let forces = contacts.forces(equations, resting)?;
+            watches.extend(resting.iter().zip(forces).map(|(j, watch)| (What::Force(*j), watch)));
+            let held = resting.iter().map(|&j| &all[j]).collect::<Vec<_>>();
+            let mut constrained = equations.constrained(&held)?;
+            if let (Some(formulas), Some(linearised)) = (formulas, linearised) {
+                let held = linearised.constrained(&held)?;
+                let both = Some((resting, &constrained));
+                smooth = Some(SmoothStage::new(formulas, equations, contacts, &watches, both)?);
+                constrained.equations = held.equations;
+            }
+            positions = resting.iter().map(|&j| all[j].position.clone()).collect();
+            reduced = Some((constrained.free, constrained.lift, constrained.down));
+            LinearFlow::new(constrained.equations)?
+        };
+        let mut stage = Stage {
+            resting: resting.to_vec(),
+            soft: soft.clone(),
+            equations: equations.clone(),
+            padded: flow.dimension().next_multiple_of(LANES),
+            flow,
+            smooth,
+            reduced,
+            positions,
+            watched: watches.iter().map(|known| known.0).collect(),
+            watches: Vec::new(),
+            levels: Vec::new(),
+            rows: Vec::new(),
+            drive: Vec::new(),
+            tabled: 0,
+        };
+        if stage.smooth.is_some() {
+            return Ok(stage);
+        }
+        let watches = watches.iter().map(|(_, watch)| stage.reduce(watch)).collect::<Vec<_>>();
+        stage.fill(&watches)?;
+        stage.watches = watches;
+        Ok(stage)
+    }
+
+    /// What is watched as a functional on y, and its known part but for p.
+    fn reduce(&self, watch: &Watch) -> (RealVector, Series) {
+        let Some((free, lift, _)) = &self.reduced else {
+            return (self.flow.seen(&watch.places, &watch.rates), watch.given.clone());
+        };
+        let g = self.flow.seen(&free.tr_mul(&watch.places), &free.tr_mul(&watch.rates));
+        let speeds: Vec<Series> = self.positions.iter().map(Series::derivative).collect();
+        let mut parts = vec![(1.0, &watch.given)];
+        for (j, (place, speed)) in self.positions.iter().zip(&speeds).enumerate() {
+            parts.push((lift.column(j).dot(&watch.places), place));
+            parts.push((lift.column(j).dot(&watch.rates), speed));
+        }
+        (g, Series::combination(&parts))
+    }
+
+    fn fill(&mut self, watches: &[(RealVector, Series)]) -> Result<()> {
+        let rates = self.flow.rates();
+        let order = self.flow.equations().force.order();
+        let order = watches.iter().map(|known| known.1.order()).fold(order, u32::max);
+        // What p contains besides the forcing's frequencies: responses from rest in every period.
+        let parts = watches.iter().map(|(g, _)| self.flow.drive(g)).collect::<Result<Vec<_>>>()?;
+        let whole = self.flow.pairs().is_none();
+        let secular = |i: usize| whole || self.flow.step().rows(2 * i, 2).amax() != 0.0;
+        let slow =
+            (0..rates.len()).filter(|&i| secular(i)).map(|i| rates[i]).fold(f64::from(order), f64::max);
+        let fast = rates.iter().copied().fold(slow, f64::max);
+        let coarse = (TAU * slow).ceil().max(8.0);
+        if coarse.is_nan() || coarse > MOST_TABLED {
+            let most = MOST_TABLED / TAU;
+            return Err(Error::input(format!(
+                "a motion without stiffness, or near resonance, is damped {slow:.1e} times as fast as the forcing; at most \
+                 {most:.0} times can be followed: leave that part out"
+            )));
+        }
+        let depth = (TAU * fast / coarse).log2().ceil().max(0.0);
+        if depth.is_nan() || coarse * depth.exp2() > MOST_CELLS {
+            let most = MOST_CELLS / TAU / 2.0;
+            return Err(Error::input(format!(
+                "the fastest motion has {fast:.1e} times the forcing's frequency; at most {most:.0e} times can be followed: \
+                 leave such stiff parts out of `stiffness`, or such modes out of `modes`"
+            )));
+        }
+        let (coarse, depth) = (coarse as usize, depth as usize);
+        self.tabled = (0..=depth).rev().find(|level| coarse << level <= TABLED).unwrap_or(0);
+        let known: Vec<Series> = watches
+            .iter()
+            .zip(&parts)
+            .map(|((_, given), (periodic, _))| Series::combination(&[(1.0, given), (1.0, periodic)]))
+            .collect();
+        let resonant = parts.iter().any(|(_, rest)| rest.amax() != 0.0);
+        for level in 0..=depth {
+            let half = PI / (coarse as f64 * (level as f64).exp2());
+            let heads = watches.iter().map(|(g, _)| self.heads(g, half, level == depth)).collect();
+            let mut drive: Vec<Vec<Head>> = vec![Vec::new(); watches.len()];
+            let mut polynomials: Vec<Vec<[f64; TERMS]>> = vec![Vec::new(); watches.len()];
+            let cells = if level <= self.tabled { coarse << level } else { 0 };
+            for cell in 0..cells {
+                let t = (2 * cell + 1) as f64 * half;
+                let particular = if resonant { self.flow.expand(t, half, TERMS) } else { Vec::new() };
+                for (i, ((_, rest), given)) in parts.iter().zip(&known).enumerate() {
+                    let mut polynomial = [0.0; TERMS];
+                    if resonant {
+                        polynomial = std::array::from_fn(|k| rest.dot(&particular[k]));
+                    }
+                    given.add_taylor(1.0, t, half, &mut polynomial);
+                    drive[i].push(head(&polynomial));
+                    if level == self.tabled {
+                        polynomials[i].push(polynomial);
+                    }
+                }
+            }
+            self.levels.push(Level { half, step: self.step(2.0 * half), heads, drive });
+            if level == self.tabled {
+                self.drive = polynomials;
+            }
+            if level == depth {
+                self.rows = watches.iter().map(|(g, _)| self.functionals(g, half)).collect();
+            }
+        }
+        Ok(())
+    }
+
+    /// What of z does not depend on y, on a cell of a level at or below that of the tables.
+    fn driven(&self, level: usize, watch: usize, cell: usize) -> [f64; TERMS] {
+        let finer = level - self.tabled;
+        let whole = &self.drive[watch][cell >> finer];
+        if finer == 0 {
+            return *whole;
+        }
+        // x ↦ middle + x/2^finer of the tabled cell.
+        let scale = (-(finer as f64)).exp2();
+        let part = cell & ((1 << finer) - 1);
+        let middle = (2 * part + 1) as f64 * scale - 1.0;
+        let mut shifted = *whole;
+        for i in 0..TERMS {
+            for k in (i..TERMS - 1).rev() {
+                shifted[k] += middle * shifted[k + 1];
+            }
+        }
+        let mut power = 1.0;
+        for coefficient in &mut shifted {
+            *coefficient *= power;
+            power *= scale;
+        }
+        shifted
+    }
+
+    /// The Taylor coefficients of x ↦ g E(half (1 + x)), as functionals on y at a cell's beginning.
+    fn taylor(&self, g: &RealVector, half: f64) -> Vec<RealVector> {
+        let mut first = g.clone();
+        self.flow.pull(&mut first, half);
+        let mut all = vec![first];
+        for k in 1..TERMS {
+            let next = self.flow.generate_row(&all[k - 1]) * (half / k as f64);
+            all.push(next);
+        }
+        all
+    }
+
+    fn functionals(&self, g: &RealVector, half: f64) -> Vec<f64> {
+        let mut rows = vec![0.0; TERMS * self.padded];
+        for (k, row) in self.taylor(g, half).iter().enumerate() {
+            rows[k * self.padded..][..row.len()].copy_from_slice(row.as_slice());
+        }
+        rows
+    }
+
+    /// The head's functionals for cells of this width, the finest or not.
+    fn heads(&self, g: &RealVector, half: f64, finest: bool) -> Vec<[f64; 4 * LANES]> {
+        let n = g.len();
+        let mut rows = [(); 4].map(|()| vec![0.0; self.padded]);
+        let (taylor, slope) = (self.taylor(g, half), self.flow.generate_row(g));
+        let (rates, pairs) = (self.flow.rates(), self.flow.pairs());
+        for i in 0..n {
+            match &pairs {
+                Some(pairs) if !finest && rates[i / 2] * half > 0.5 => {
+                    rows[3][i] = pairs[i / 2].supremum(g[i], slope[i], 2.0 * half) * (1.0 + ROUNDING);
+                }
+                _ => {
+                    for k in 0..3 {
+                        rows[k][i] = taylor[k][i];
+                        rows[3][i] += ROUNDING * taylor[k][i].abs();
+                    }
+                    rows[3][i] += taylor[3..].iter().map(|row| row[i].abs()).sum::<f64>();
+                }
+            }
+        }
+        (0..self.padded / LANES)
+            .map(|part| std::array::from_fn(|i| rows[i / LANES][part * LANES + i % LANES]))
+            .collect()
+    }
+
+    fn step(&self, width: f64) -> Step {
+        if self.flow.pairs().is_none() {
+            return Step::Whole(self.flow.matrix(width));
+        }
+        let n = self.flow.dimension();
+        // Column by column of all pairs at once: even entries, then odd ones.
+        let mut columns = [0, 1].map(|odd| {
+            let mut y = RealVector::from_fn(n, |i, _| f64::from(u8::from(i % 2 == odd)));
+            self.flow.advance(&mut y, width);
+            y
+        });
+        for (i, pair) in self.flow.pairs().into_iter().flatten().enumerate() {
+            let [[a, _], [_, d]] = pair.generator();
+            let entries =
+                [columns[0][2 * i], columns[1][2 * i], columns[0][2 * i + 1], columns[1][2 * i + 1]];
+            let [a, b, c, d] = of_determinant(entries, ((a + d) * width).exp());
+            (columns[0][2 * i], columns[1][2 * i]) = (a, b);
+            (columns[0][2 * i + 1], columns[1][2 * i + 1]) = (c, d);
+        }
+        let entry = |i: usize, j: usize| if i < n { columns[j % 2][i] } else { 0.0 };
+        let part = |part: usize| {
+            std::array::from_fn(|k| {
+                let i = part * LANES + k % LANES;
+                if k < LANES { entry(i, i) } else { entry(i, i + 1) }
+            })
+        };
+        Step::Pairs((0..self.padded / LANES).map(part).collect())
+    }
+
+    /// The finest level.
+    pub fn finest(&self) -> &Level {
+        &self.levels[self.levels.len() - 1]
+    }
+
+    /// Cells in a period on the finest level.
+    pub fn cells(&self) -> usize {
+        (PI / self.finest().half).round() as usize
+    }
+
+    /// z on a cell of a level, as far as it can be had cheaply.
+    #[inline]
+    pub fn head(&self, level: usize, watch: usize, cell: usize, y: &[f64]) -> Head {
+        let table = &self.levels[level];
+        let mut sums = [[0.0; LANES]; 4];
+        for (rows, y) in table.heads[watch].iter().zip(y.chunks_exact(LANES)) {
+            for i in 0..LANES {
+                sums[0][i] += rows[i] * y[i];
+                sums[1][i] += rows[LANES + i] * y[i];
+                sums[2][i] += rows[2 * LANES + i] * y[i];
+                sums[3][i] += rows[3 * LANES + i] * y[i].abs();
+            }
+        }
+        let drive = match table.drive[watch].get(cell) {
+            Some(drive) => *drive,
+            None => head(&self.driven(level, watch, cell)),
+        };
+        std::array::from_fn(|k| drive[k] + ((sums[k][0] + sums[k][1]) + (sums[k][2] + sums[k][3])))
+    }
+
+    /// z on a cell of the finest level, and the sum of the moduli of what c₀ was added up from.
+    pub fn polynomial(&self, watch: usize, cell: usize, y: &[f64]) -> ([f64; TERMS], f64) {
+        let mut polynomial = self.driven(self.levels.len() - 1, watch, cell);
+        let driven = polynomial[0];
+        let rows = &self.rows[watch];
+        for (k, coefficient) in polynomial.iter_mut().enumerate() {
+            *coefficient += dot(&rows[k * self.padded..][..self.padded], y);
+        }
+        let size = rows[..self.padded].iter().zip(y).map(|(a, b)| (a * b).abs()).sum::<f64>();
+        (polynomial, size + driven.abs())
+    }
+
+    /// What y adds to dz/dx at x on a cell of the finest level.
+    pub fn slope(&self, watch: usize, x: f64, y: &[f64]) -> f64 {
+        let rows = &self.rows[watch];
+        let term = |k: usize| dot(&rows[k * self.padded..][..self.padded], y);
+        (1..TERMS).rev().fold(0.0, |sum, k| sum * x + k as f64 * term(k))
+    }
+
+    /// y from a cell's beginning to its end.
+    #[inline]
+    pub fn turn(&self, level: usize, y: &mut [f64]) {
+        match &self.levels[level].step {
+            Step::Pairs(parts) => {
+                for (part, y) in parts.iter().zip(y.chunks_exact_mut(LANES)) {
+                    let old = [y[0], y[1], y[2], y[3]];
+                    let other = [y[1], y[0], y[3], y[2]];
+                    for i in 0..LANES {
+                        y[i] = part[i] * old[i] + part[LANES + i] * other[i];
+                    }
+                }
+            }
+            Step::Whole(matrix) => {
+                let n = matrix.nrows();
+                let next = matrix * RealVector::from_column_slice(&y[..n]);
+                y[..n].copy_from_slice(next.as_slice());
+            }
+        }
+    }
+
+    /// The forces of the stops rested on, as the accelerations that they prevent, at t in [0, 2π].
+    pub fn forces(&self, t: f64, y: &RealVector) -> Vec<f64> {
+        let whole = y + self.flow.particular(t);
+        let all = self.watched.iter().zip(&self.watches);
+        let forces = all.filter(|(what, _)| matches!(what, What::Force(_)));
+        forces.map(|(_, (g, given))| g.dot(&whole) + given.at(t)[0]).collect()
+    }
+
+    /// y as the tables want it.
+    pub fn padded(&self, y: &RealVector) -> Vec<f64> {
+        let mut all = y.as_slice().to_vec();
+        all.resize(self.padded, 0.0);
+        all
+    }
+
+    /// y as the flow wants it.
+    pub fn vector(&self, y: &[f64]) -> RealVector {
+        RealVector::from_column_slice(&y[..self.flow.dimension()])
+    }
+
+    /// y of the machine's own state.
+    pub fn split(&self, state: &MachineState) -> RealVector {
+        match &self.reduced {
+            None => self.flow.split(state),
+            Some(_) => self.flow.split(&self.lowered(state)),
+        }
+    }
+
+    /// The machine's own state of y.
+    pub fn join(&self, t: f64, y: &RealVector) -> MachineState {
+        self.raised(self.flow.join(t, y))
+    }
+
+    /// The machine's own state after `duration` ≥ 0 of motion in this stage from a state at `time`, over as
+    /// many periods as that takes.
+    pub fn after(&self, time: Time, state: &MachineState, duration: f64) -> MachineState {
+        if let Some(smooth) = &self.smooth {
+            return smooth.after(time, state, duration);
+        }
+        self.raised(self.flow.after(&self.lowered(state), duration))
+    }
+
+    /// A state without what rounding has moved it by off the stops that are rested on.
+    pub fn kept(&self, state: &MachineState) -> MachineState {
+        self.raised(self.lowered(state))
+    }
+
+    /// z″ of a gap without the forces of the stops that are rested on.
+    pub fn bend(&self, contact: &StopContact, time: Time, state: &MachineState) -> f64 {
+        match &self.smooth {
+            None => contact.acceleration(&self.equations, state),
+            Some(smooth) => contact.row.dot(&smooth.unheld(time, state)) - contact.position.at(state.t)[2],
+        }
+    }
+
+    /// q″ of the machine in this stage.
+    pub fn acceleration(&self, time: Time, state: &MachineState) -> RealVector {
+        if let Some(smooth) = &self.smooth {
+            return smooth.acceleration(time, state);
+        }
+        let own = self.lowered(state);
+        let bend = self.flow.equations().acceleration(own.t, &own.q, &own.u);
+        let Some((free, lift, _)) = &self.reduced else { return bend };
+        let mut sum = free * bend;
+        for (j, position) in self.positions.iter().enumerate() {
+            sum.axpy(position.at(state.t)[2], &lift.column(j), 1.0);
+        }
+        sum
+    }
+
+    /// Z and ZᵀM, where something is rested on.
+    pub fn directions(&self) -> Option<(&RealMatrix, &RealMatrix)> {
+        self.reduced.as_ref().map(|(free, _, down)| (free, down))
+    }
+
+    /// The state of the stage's own coordinates.
+    fn lowered(&self, state: &MachineState) -> MachineState {
+        match &self.reduced {
+            None => state.clone(),
+            Some((_, _, down)) => MachineState { t: state.t, q: down * &state.q, u: down * &state.u },
+        }
+    }
+
+    /// The machine's own state of one of the stage's own coordinates.
+    fn raised(&self, state: MachineState) -> MachineState {
+        let Some((free, lift, _)) = &self.reduced else { return state };
+        let (mut q, mut u) = (free * &state.q, free * &state.u);
+        for (j, position) in self.positions.iter().enumerate() {
+            let [place, speed, _] = position.at(state.t);
+            q.axpy(place, &lift.column(j), 1.0);
+            u.axpy(speed, &lift.column(j), 1.0);
+        }
+        MachineState { t: state.t, q, u }
+    }
+}
+
+/// The matrix [[a, b], [c, d]], each entry moved by at most one place of its last digit, whose determinant is
+/// nearest to `wanted`. The same matrix is applied in every cell: with entries just rounded, an undamped
+/// motion would gain or lose some 10⁻¹⁶ of itself each time.
+fn of_determinant(entries: [f64; 4], wanted: f64) -> [f64; 4] {
+    let off = |[a, b, c, d]: [f64; 4]| {
+        let (p, q) = (a * d, b * c);
+        let (p_low, q_low) = (a.mul_add(d, -p), b.mul_add(c, -q));
+        // p − wanted − q, each difference with what its rounding leaves.
+        let difference = |x: f64, y: f64| {
+            let z = x - y;
+            let back = z - x;
+            (z, (x - (z - back)) - (y + back))
+        };
+        let (first, low) = difference(p, wanted);
+        let (second, lower) = difference(first, q);
+        (second + (low + lower + (p_low - q_low))).abs()
+    };
+    let near = |x: f64| if x == 0.0 { [x, x, x] } else { [x, x.next_down(), x.next_up()] };
+    let [a, b, c, d] = entries.map(near);
+    let mut best = (off(entries), entries);
+    for a in a {
+        for b in b {
+            for c in c {
+                for d in d {
+                    let here = off([a, b, c, d]);
+                    if here < best.0 {
+                        best = (here, [a, b, c, d]);
+                    }
+                }
+            }
+        }
+    }
+    best.1
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    let mut sums = [0.0; LANES];
+    for (a, b) in a.chunks_exact(LANES).zip(b.chunks_exact(LANES)) {
+        for i in 0..LANES {
+            sums[i] += a[i] * b[i];
+        }
+    }
+    (sums[0] + sums[1]) + (sums[2] + sums[3])
+}

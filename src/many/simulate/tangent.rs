@@ -1,0 +1,308 @@
+//! A motion with vectors that its derivative carries along: what Lyapunov exponents of machines rest on.
+//!
+//! In flight, and at rest on stops, vectors move by the homogeneous flow; where forces are formulas, by the
+//! derivative of the flow along the motion. At an impact with incoming speed V
+//! they take part in Newton's law, and a motion beside this one is hit later by δt = w·δq/V:
+//!
+//!   δq⁺ = δq + (q′⁻ − q′⁺) δt,  δq′⁺ = δq′ + (q″⁻ − q″⁺) δt + M⁻¹Wᵀ δΛ,
+//!
+//! δΛ being the change of the impulses with the rates of the gaps there. Where the machine comes to rest on
+//! stops, what is not motion along them is gone. Rest ends without a jump: q″ is continuous there. So does
+//! contact with a soft stop; where it begins at speed V, q″ jumps by cV M⁻¹wᵀ, c being the stop's damping,
+//! and δq′⁺ = δq′ − c (w·δq) M⁻¹wᵀ, however small V is. A vector of several stops hit at one instant by
+//! chance is that of the order in which the law takes them.
+//!
+//! Vectors are in coordinates in which the mass is 1, (Lᵀδq, Lᵀδq′).
+
+use std::sync::Arc;
+
+use super::{MachineEvent, MachineSimulator, StopImpact, StopTouch, stage::Stage};
+use crate::{
+    attractor::dynamics::{Tangents, orthonormalise},
+    error::Result,
+    many::{MachineState, RealMatrix, RealVector, algebra::stacked, simulate::engine::MachineRun},
+    motion::{RunEnd, Time, flow::SHORTEST},
+    random::Random,
+};
+
+/// A motion with vectors.
+pub struct MachineTangents<'a> {
+    run: MachineRun<'a>,
+    simulator: &'a MachineSimulator,
+    stage: Arc<Stage>,
+    state: MachineState,
+    now: Time,
+    frame: Vec<Vec<f64>>,
+    /// The longest stretch on which vectors neither vanish in floats nor fall together.
+    longest: f64,
+    /// Whether vectors are made orthonormal: then as many as the rank are left where rank is lost.
+    ordered: bool,
+}
+
+/// What is left of a vector beside others after a longer stretch is rounding.
+const FLOOR: f64 = 1e-14;
+
+impl<'a> MachineTangents<'a> {
+    /// The motion with `count` vectors, at least 1 and at most twice the number of coordinates.
+    pub fn new(run: MachineRun<'a>, count: usize) -> MachineTangents<'a> {
+        let simulator = run.simulator();
+        let n = simulator.equations().size();
+        let (stage, state, now) = (run.stage(), run.state(), run.time());
+        let mut frame = first(n, count);
+        orthonormalise(&mut frame, &mut vec![0.0; count], 0.0);
+        let longest = f64::INFINITY;
+        let mut all = MachineTangents { run, simulator, stage, state, now, frame, longest, ordered: true };
+        all.bound();
+        all.project();
+        all
+    }
+
+    /// The motion with a unit vector along each coordinate, in which the mass is 1.
+    pub fn along(run: MachineRun<'a>) -> MachineTangents<'a> {
+        let simulator = run.simulator();
+        let n = 2 * simulator.equations().size();
+        let (stage, state, now) = (run.stage(), run.state(), run.time());
+        let frame = (0..n).map(|i| (0..n).map(|j| f64::from(u8::from(i == j))).collect()).collect();
+        let longest = f64::INFINITY;
+        let mut all = MachineTangents { run, simulator, stage, state, now, frame, longest, ordered: false };
+        all.bound();
+        all.project();
+        all
+    }
+
+    /// (δq, δq′) of a vector.
+    fn open(&self, vector: &[f64]) -> (RealVector, RealVector) {
+        let (n, upper) = (vector.len() / 2, self.simulator.equations().root().transpose());
+        let part = |x: &[f64]| {
+            let x = RealVector::from_column_slice(x);
+            upper.solve_upper_triangular(&x).unwrap_or(x)
+        };
+        (part(&vector[..n]), part(&vector[n..]))
+    }
+
+    /// The vector of (δq, δq′).
+    fn close(&self, q: &RealVector, u: &RealVector) -> Vec<f64> {
+        let lower = self.simulator.equations().root();
+        let (q, u): (RealVector, RealVector) = (lower.tr_mul(q), lower.tr_mul(u));
+        q.iter().chain(u.iter()).copied().collect()
+    }
+
+    /// What a map of (δq, δq′) makes of all vectors.
+    fn mapped(&mut self, map: impl Fn(RealVector, RealVector) -> (RealVector, RealVector)) {
+        let one = |vector: &Vec<f64>| {
+            // What has vanished does not come back.
+            if vector.iter().all(|x| *x == 0.0) {
+                return vector.clone();
+            }
+            let (q, u) = self.open(vector);
+            let (q, u) = map(q, u);
+            self.close(&q, &u)
+        };
+        let frame = self.frame.iter().map(one).collect();
+        self.frame = frame;
+    }
+
+    /// Vectors and state on by `longest` or less, without events; how far.
+    fn advance(&mut self, longest: f64) -> f64 {
+        let stage = self.stage.clone();
+        let state = MachineState { t: self.now.phase, ..self.state.clone() };
+        let gone = match &stage.smooth {
+            None => {
+                self.mapped(|q, u| stage.carried(&q, &u, longest));
+                longest
+            }
+            // How fast motions decay is not known beforehand; over a step of the flow they cannot by much.
+            Some(smooth) => {
+                let (phi, gone) = smooth.step_transition(self.now, &state, longest);
+                let n = state.q.len();
+                self.mapped(|q, u| {
+                    let x = &phi * stacked(&q, &u);
+                    (x.rows(0, n).into_owned(), x.rows(n, n).into_owned())
+                });
+                gone
+            }
+        };
+        (self.state, self.now) = (stage.after(self.now, &state, gone), self.now.after(gone));
+        self.state.t = self.now.phase;
+        gone
+    }
+
+    fn fly(&mut self, then: Time, growth: &mut [f64]) {
+        loop {
+            let left = then.since(self.now);
+            let gone = self.advance(left.min(self.longest));
+            // Where it cannot be followed the run ends, too.
+            if gone >= left || gone.is_nan() || gone <= SHORTEST {
+                return;
+            }
+            orthonormalise(&mut self.frame, growth, FLOOR);
+        }
+    }
+
+    /// The impacts at one instant, of which these were told; the state before is known, that after is the
+    /// run's.
+    fn saltation(&mut self, hits: &[StopImpact], before: &[usize]) -> Result<()> {
+        let contacts = self.simulator.contacts();
+        let (arrival, after, stage) = (self.state.clone(), self.run.state(), self.run.stage());
+        let all: Vec<usize> = hits.iter().map(|hit| hit.stop).chain(before.iter().copied()).collect();
+        let rates: Vec<f64> = hits.iter().map(|hit| hit.velocity).chain(before.iter().map(|_| 0.0)).collect();
+        let law = contacts.impact(&all, &rates)?;
+        let acting: Vec<usize> = (0..all.len()).filter(|&i| law.impulses[i] > 0.0).collect();
+        let first = acting.iter().copied().min_by(|&a, &b| rates[a].total_cmp(&rates[b]));
+        let Some(first) = first.filter(|&i| rates[i] < 0.0) else { return Ok(()) };
+        let stops: Vec<usize> = acting.iter().map(|&i| all[i]).collect();
+        let inner = contacts.among(&stops).lu();
+        let now = Time::new(0, arrival.t);
+        let (bend, bent) = (self.stage.acceleration(now, &arrival), stage.acceleration(now, &after));
+        let (row, speed) = (contacts.all()[all[first]].row.clone(), -rates[first]);
+        let rows: Vec<_> = stops.iter().map(|&stop| contacts.all()[stop].clone()).collect();
+        let bends: Vec<f64> =
+            rows.iter().map(|row| row.row.dot(&bend) - row.position.at(arrival.t)[2]).collect();
+        let factors: Vec<f64> = acting
+            .iter()
+            .zip(&rows)
+            .map(|(&i, row)| if rates[i] < 0.0 { 1.0 + row.restitution_slope(-rates[i]) } else { 1.0 })
+            .collect();
+        let jump = &arrival.u - &after.u;
+        let turn = bend - bent;
+        self.mapped(|q, u| {
+            let delay = row.dot(&q) / speed;
+            let change = RealVector::from_fn(rows.len(), |i, _| {
+                -factors[i] * (rows[i].row.dot(&u) + bends[i] * delay)
+            });
+            let impulses = inner.solve(&change).unwrap_or_else(|| RealVector::zeros(rows.len()));
+            let u = u + &turn * delay + contacts.change(&stops, impulses.as_slice());
+            (q + &jump * delay, u)
+        });
+        Ok(())
+    }
+
+    /// Contact with a soft stop begins: the force jumps.
+    fn touched(&mut self, touch: &StopTouch) {
+        if touch.jump <= 0.0 {
+            return;
+        }
+        let contacts = self.simulator.contacts();
+        let (row, push) = (&contacts.all()[touch.stop].row, contacts.push(touch.stop));
+        let damping = touch.jump / -touch.velocity;
+        self.mapped(|q, u| {
+            let u = u - push * (damping * row.dot(&q));
+            (q, u)
+        });
+    }
+
+    /// The longest stretch on which vectors neither vanish in floats nor fall together; no bound where forces
+    /// are formulas.
+    fn bound(&mut self) {
+        if self.stage.smooth.is_some() {
+            self.longest = f64::INFINITY;
+            return;
+        }
+        let count = self.frame.len();
+        let decays = self.stage.flow.decays();
+        let (most, slowest) = if count < 2 { (600.0, decays.first()) } else { (20.0, decays.get(count - 1)) };
+        self.longest = slowest.filter(|decay| **decay > 0.0).map_or(f64::INFINITY, |decay| most / decay);
+    }
+
+    /// Of vectors only what moves along the stops that are rested on.
+    fn project(&mut self) {
+        if self.stage.resting.is_empty() {
+            return;
+        }
+        let stage = self.stage.clone();
+        self.mapped(|q, u| stage.carried(&q, &u, 0.0));
+        if self.ordered {
+            let rank = stage.flow.dimension().min(self.frame.len());
+            self.frame[rank..].iter_mut().for_each(|vector| vector.fill(0.0));
+        }
+    }
+}
+
+impl Tangents for MachineTangents<'_> {
+    fn time(&self) -> Time {
+        self.now
+    }
+
+    fn coordinates(&self) -> Vec<f64> {
+        self.close(&self.state.q, &self.state.u)
+    }
+
+    fn vectors(&self) -> Vec<Vec<f64>> {
+        self.frame.clone()
+    }
+
+    fn impacts(&self) -> u64 {
+        self.run.impacts()
+    }
+
+    fn grow(&mut self, goal: Time, growth: &mut [f64]) -> Result<RunEnd> {
+        loop {
+            let event = self.run.next(goal);
+            if let Some(error) = self.run.failure() {
+                return Err(error);
+            }
+            // A rest is told when its bounces end; the run rests from where they are left out.
+            self.fly(self.run.time(), growth);
+            if let MachineEvent::Impact(hit) = event {
+                let mut hits = vec![hit];
+                hits.extend(self.run.others_at(hit.time));
+                let resting = self.stage.resting.clone();
+                self.saltation(&hits, &resting)?;
+            }
+            if let MachineEvent::Touch(touch) = &event {
+                self.touched(touch);
+            }
+            (self.state, self.now) = (self.run.state(), self.run.time());
+            let stage = self.run.stage();
+            if !Arc::ptr_eq(&stage, &self.stage) {
+                let soft = stage.soft != self.stage.soft;
+                self.stage = stage;
+                if soft {
+                    self.bound();
+                }
+                self.project();
+            }
+            orthonormalise(&mut self.frame, growth, FLOOR);
+            if let MachineEvent::End(end) = event {
+                return Ok(end);
+            }
+        }
+    }
+}
+
+/// Vectors in no special direction; the first, for one coordinate, as for an oscillator.
+fn first(n: usize, count: usize) -> Vec<Vec<f64>> {
+    let mut random = Random::of_unit(1, 0);
+    let mut part = || 1.0 + random.next() as f64 / u64::MAX as f64;
+    let mut frame = Vec::with_capacity(count);
+    for k in 0..count.min(2 * n) {
+        let sign = |i: usize| if k > 0 && (i + k) % 2 == 1 { -1.0 } else { 1.0 };
+        let weights: Vec<f64> =
+            (0..2 * n).map(|i| if n == 1 && k == 0 { 1.0 } else { part() * sign(i) }).collect();
+        let scaled = |(i, x): (usize, &f64)| x * if i < n { 0.6 } else { 0.8 };
+        frame.push(weights.iter().enumerate().map(scaled).collect());
+    }
+    frame
+}
+
+impl Stage {
+    /// (δq, δq′) after a duration of motion in this stage; of (δq, δq′) only what the stage allows.
+    fn carried(&self, q: &RealVector, u: &RealVector, duration: f64) -> (RealVector, RealVector) {
+        let inward = |map: &RealMatrix| (map * q, map * u);
+        let (q, u) = match self.directions() {
+            None => (q.clone(), u.clone()),
+            Some((_, down)) => inward(down),
+        };
+        let mut y = self.flow.inward(&q, &u);
+        if duration != 0.0 {
+            self.flow.advance(&mut y, duration);
+        }
+        let x = self.flow.outward(&y);
+        let n = x.len() / 2;
+        let (q, u) = (x.rows(0, n).into_owned(), x.rows(n, n).into_owned());
+        match self.directions() {
+            None => (q, u),
+            Some((free, _)) => (free * q, free * u),
+        }
+    }
+}

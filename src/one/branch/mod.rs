@@ -1,0 +1,89 @@
+//! Branches of periodic orbits of oscillators of one degree of freedom.
+
+mod family;
+mod normal_form;
+
+use serde_json::Value;
+
+pub use family::{OscillatorPatterns, OscillatorPlane, TwoParameterFamily};
+
+use crate::{
+    continuation::{
+        Bifurcation, BranchPoint, BranchSearch, CurvePoint, EventCurve, Label, Options, OrbitBranch,
+        PatternCurve, RecordForm, SearchReach, nearest, read_label_as, record_as,
+    },
+    error::Result,
+    motion::Side,
+    one::orbit::{Family, Itinerary, Orbit, Strike, find},
+};
+
+/// A point of a branch.
+pub type BranchOrbit = BranchPoint<Orbit>;
+
+/// A branch.
+pub type Branch = OrbitBranch<Orbit>;
+
+/// A curve of orbits over a parameter.
+pub type Orbits<'a> = PatternCurve<'a, OscillatorPatterns<'a>>;
+
+/// A curve of bifurcations over two.
+pub type Events<'a> = EventCurve<'a, OscillatorPlane<'a>>;
+
+impl Orbits<'_> {
+    /// The orbit near `guess` at a parameter value, to start from; its tangent points to larger parameters.
+    ///
+    /// # Errors
+    /// Those of [`find`]; an input error at a saddle-node, or outside the range.
+    pub fn start(&self, guess: Vec<f64>, parameter: f64, options: &Options) -> Result<CurvePoint> {
+        self.check_range(parameter)?;
+        let orbit = find(&self.family.family().at(parameter)?, &self.itinerary, guess)?;
+        self.start_at(&orbit, parameter, options)
+    }
+}
+
+/// The bifurcation of a kind that is nearest along the branch through an orbit: followed both ways, no
+/// further than `reach` in the norm of times, speeds and parameter ([`SearchReach::Length`], the parameter's
+/// unit being 1), and not beyond the branch's ends as one
+/// of orbits. Cost: as of the branch.
+///
+/// # Errors
+/// An input error if the branch cannot be followed at the orbit itself.
+pub fn locate(
+    family: &dyn Family,
+    bifurcation: Bifurcation,
+    orbit: &Orbit,
+    parameter: f64,
+    reach: f64,
+    options: &Options,
+) -> Result<BranchSearch<Orbit>> {
+    let patterns = OscillatorPatterns::new(family, parameter)?;
+    nearest(&patterns, bifurcation, orbit, parameter, SearchReach::Length { reach, unit: 1.0 }, options)
+}
+
+/// That of oscillators of one degree of freedom: lower wall, upper wall.
+const OSCILLATOR: RecordForm = RecordForm { format: "grazing-branch 2", contacts: &["lower", "upper"] };
+
+/// A branch over parameters of these names as JSON: the pattern, every point with its label if it has one,
+/// the ends.
+pub fn record(branch: &Branch, parameters: &[&str]) -> Value {
+    let strikes: Vec<(usize, u32)> = branch
+        .itinerary
+        .strikes()
+        .iter()
+        .map(|strike| (usize::from(strike.side == Side::Upper), strike.periods))
+        .collect();
+    record_as(branch, parameters, OSCILLATOR, (&strikes, branch.itinerary.periods()))
+}
+
+/// The point with a label in a branch written as JSON.
+///
+/// # Errors
+/// An input error for text of another format, or a label that is not there, with those that are.
+pub fn read_label(text: &str, label: &str) -> Result<Label<Itinerary>> {
+    let side = |contact: usize| [Side::Lower, Side::Upper][contact];
+    read_label_as(text, label, OSCILLATOR, |strikes, period| {
+        let strikes: Vec<Strike> =
+            strikes.iter().map(|&(contact, periods)| Strike { side: side(contact), periods }).collect();
+        if strikes.is_empty() { Itinerary::free(period) } else { Itinerary::new(strikes) }
+    })
+}

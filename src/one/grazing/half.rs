@@ -1,0 +1,108 @@
+//! The grazing of a symmetric orbit at both walls at once: the local theory of its half-period map, which has
+//! one wall.
+//!
+//! If the system is its own mirror image half a period later, S: (q, u, t) ↦ (−q, −u, t + π), then H, half a
+//! period of motion followed by S's mirror, is a map whose square is the period's, and it sees one wall: a
+//! symmetric orbit is its fixed point. With Φ the linearised motion over half of the orbit's period, H has A
+//! = −Φ, and the same a_G, τ and e as either wall alone. Here: orbits that have no impacts but the two
+//! grazings. Not here: symmetric orbits with further impacts.
+
+use std::f64::consts::PI;
+
+use super::{Grazing, LocalMap};
+use crate::{
+    continuation::Multipliers,
+    error::{Error, Result},
+    motion::{Flow, Side, System, Wall, algebra::apply},
+    one::orbit::{Itinerary, Oscillator, Strike},
+    pattern::{Report, Value},
+};
+
+/// Whether S takes the system to itself: the force does, as far as its form tells, and the walls mirror each
+/// other.
+pub fn is_mirrored(oscillator: &Oscillator) -> bool {
+    let System { lower: Some(lower), upper: Some(upper), .. } = oscillator.system() else { return false };
+    // Q₂(t + π) = −Q₁(t).
+    let amplitude = |wall: &Wall<f64>, k: u32| {
+        let all = wall.harmonics.iter().filter(|h| h.k == k);
+        all.fold([0.0, 0.0], |[cos, sin], h| [cos + h.cos, sin + h.sin])
+    };
+    let mirrored = |k: u32| {
+        let sign = if k % 2 == 1 { 1.0 } else { -1.0 };
+        amplitude(upper, k) == amplitude(lower, k).map(|x| sign * x)
+    };
+    oscillator.flow().equation().is_mirrored()
+        && lower.offset == -upper.offset
+        && lower.restitution == upper.restitution
+        && lower.harmonics.iter().chain(&upper.harmonics).all(|h| mirrored(h.k))
+}
+
+impl Grazing {
+    /// The map over half the orbit's period, if the orbit is symmetric and touches each wall once.
+    pub fn half_map(&self, oscillator: &Oscillator) -> Option<LocalMap> {
+        let periods = self.itinerary.periods();
+        let alone = self.itinerary.strikes().len() == 1 && periods % 2 == 1;
+        let opposite = self.second.is_some_and(|second| second.side != self.side());
+        if !(alone && opposite && is_mirrored(oscillator)) {
+            return None;
+        }
+        let half = PI * f64::from(periods);
+        let touch = oscillator.touch(self.side(), self.z[0]).ok()?;
+        let start = touch.leaving(self.z[0], 0.0);
+        let (end, matrix) = oscillator.flow().advance_linearised(start, half);
+        // The motion itself must be symmetric, not just the system.
+        let there = oscillator.touch(self.second?.side, self.z[0] + half).ok()?;
+        let off = (end.q - there.motion[0]).abs().max((end.u - there.motion[1]).abs());
+        if off > 1e-9 * oscillator.unit(&self.itinerary).max(end.q.abs()) {
+            return None;
+        }
+        let a = matrix.map(|row| row.map(|x| -x));
+        let flow = oscillator.flow().determinant(start, half);
+        Some(LocalMap { a, multipliers: Multipliers::with(&a, flow, oscillator, &[]), ..self.map })
+    }
+
+    /// The start for Newton's method on the true system for a pattern of the half-period map: as
+    /// [`Grazing::start`], the walls alternating with the halves; a pattern with an odd number of halves is
+    /// gone round twice.
+    ///
+    /// # Errors
+    /// An input error if the report has no solution.
+    pub fn half_start(
+        &self,
+        map: &LocalMap,
+        pattern: &[u64],
+        report: &Report,
+        parameter: f64,
+    ) -> Result<(Itinerary, Vec<f64>)> {
+        let solution =
+            report.orbit.as_ref().ok_or_else(|| Error::input("the pattern is singular: no start"))?;
+        let away = parameter - self.parameter;
+        let (eta, m) = (map.e() * away, pattern.len());
+        let middle = |value: &Value| {
+            let interval = value.enclosure();
+            interval.lo() + (interval.hi() - interval.lo()) / 2.0
+        };
+        let halves: u64 = pattern.iter().sum();
+        let rounds = if halves % 2 == 1 { 2 } else { 1 };
+        let other = if self.side() == Side::Lower { Side::Upper } else { Side::Lower };
+        let width = u64::from(self.itinerary.periods());
+        let (mut strikes, mut z, mut begun, mut at) = (Vec::new(), Vec::new(), Vec::new(), 0);
+        for i in (0..rounds).flat_map(|_| 0..m) {
+            let before = (i + m - 1) % m;
+            let x = [middle(&solution.x[before][0]), middle(&solution.x[before][1])];
+            let arriving = (0..pattern[before]).fold(x, |x, _| apply(&map.a, x));
+            let speed = map.speed_scale() * eta * middle(&solution.y[before]);
+            let slope = eta * arriving[1] + map.drift[1] * away;
+            let late = at % 2 == 1;
+            // Whole periods before this half: the other half of one is in the phase.
+            begun.push((at * width - u64::from(late)) / 2);
+            strikes.push(if late { other } else { self.side() });
+            let phase = self.z[0] + if late { PI } else { 0.0 };
+            z.extend([phase - (slope + speed) / map.acceleration, speed]);
+            at += pattern[i];
+        }
+        begun.push(at * width / 2);
+        let strike = |(side, pair): (Side, &[u64])| Strike { side, periods: (pair[1] - pair[0]) as u32 };
+        Ok((Itinerary::new(strikes.into_iter().zip(begun.windows(2)).map(strike).collect())?, z))
+    }
+}

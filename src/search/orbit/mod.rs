@@ -1,0 +1,71 @@
+//! Proofs about periodic orbits of linear oscillators: existence, uniqueness in a box, admissibility,
+//! stability, events.
+//!
+//! Krawczyk's test over balls with first derivatives proves that the equations of an impact pattern, extended
+//! by the event's condition where one is asked for, have exactly one solution in a box. Approximations serve
+//! to choose the box only. Proved orbits and events are written as certificates, which `grazing check` proves
+//! again. Not here: continuation and approximate orbits.
+//!
+//! ```
+//! use grazing::number::Precision;
+//! use grazing::search::orbit::{ExpectedImpact, Stability, Verdict, orbit};
+//! use grazing::motion::Side;
+//! use grazing::one::orbit::{Itinerary, Oscillator, search};
+//! use grazing::scene::Scene;
+//! // An approximate orbit of period 4, and the proof that there is an exact one near it.
+//! let system = Scene::read("examples/scenes/nordmark-2001.toml")?.exact(&[])?;
+//! let oscillator = Oscillator::new(system.rounded(), 1e-12)?;
+//! let orbits = search(&oscillator, &Itinerary::at(Side::Lower, &[4])?, 100, 1.0);
+//! let found = orbits.iter().find(|orbit| orbit.multipliers.is_stable()).unwrap();
+//! let [phase, velocity] = found.z[..] else { panic!("one impact") };
+//! let guess = [ExpectedImpact { side: Side::Lower, periods: 4, phase, velocity }];
+//! let Verdict::Proved(proof) = orbit(&system, &guess, &Precision::new(128))? else { panic!() };
+//! assert_eq!(proof.stability, Some(Stability::Stable));
+//! # Ok::<(), grazing::Error>(())
+//! ```
+
+mod admissible;
+mod equations;
+mod event;
+mod jet;
+mod krawczyk;
+mod linear;
+mod orbit;
+mod quotient;
+mod repetition;
+mod write;
+
+pub use event::{Condition, ProvedEvent, event, event_in};
+pub use jet::Jet;
+pub(crate) use krawczyk::{radii, rounded};
+pub use orbit::{ExpectedImpact, ProvedOrbit, Stability, orbit, solution_in};
+pub use quotient::Quotient;
+pub use write::{certificate, event_certificate};
+pub(crate) use write::{decimal, range_of};
+
+use crate::error::Result;
+
+/// An answer with its proof, the reason why it is certainly not so, or the reason why nothing was shown.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Verdict<T> {
+    /// Proved.
+    Proved(T),
+    /// Certainly false.
+    Refuted(String),
+    /// Nothing is shown.
+    Undecided(String),
+}
+
+impl<T> Verdict<T> {
+    /// What follows from what is proved.
+    ///
+    /// # Errors
+    /// Those of `next`.
+    pub fn and_then<U>(self, next: impl FnOnce(T) -> Result<Verdict<U>>) -> Result<Verdict<U>> {
+        match self {
+            Verdict::Proved(proof) => next(proof),
+            Verdict::Refuted(why) => Ok(Verdict::Refuted(why)),
+            Verdict::Undecided(why) => Ok(Verdict::Undecided(why)),
+        }
+    }
+}
