@@ -13,10 +13,11 @@
 //!
 //! Of the interval and the ball: every operation's result contains the true result for every choice of
 //! enclosed arguments, and its width is at most 8 times that of the correctly rounded enclosure of the exact
-//! result for point arguments (tests/enclosures.rs). That width is not promised where a result lies outside
-//! the range of its rung: an interval of a number below 2⁻¹⁰²² may end at 0 and at 2⁻¹⁰²², one above 2¹⁰²⁴ at
-//! ∞; a ball outside 2^±2⁶² is the whole line, or zero with a radius. It is an enclosure there too. Trusted:
-//! Rust, IEEE 754 `f64` addition and multiplication to nearest, num-bigint. Not here: the formulas (`local`).
+//! result for point arguments (tests/theory/enclosures.rs). That width is not promised where a result lies
+//! outside the range of its rung: an interval of a number below 2⁻¹⁰²² may end at 0 and at 2⁻¹⁰²², one above
+//! 2¹⁰²⁴ at ∞; a ball outside 2^±2⁶² is the whole line, or zero with a radius. It is an enclosure there too.
+//! Trusted: Rust, IEEE 754 `f64` addition and multiplication to nearest, num-bigint. Not here: the formulas
+//! (`local`).
 //!
 //! ```
 //! use grazing::number::{Ball, FloatInterval, Precision, Real, Sign, parse_rational};

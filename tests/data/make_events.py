@@ -1,4 +1,4 @@
-"""References for tests/references.rs: impacts of 250 random and 120 nearly grazing scenes. Prints tests/data/events.csv; needs mpmath.
+"""References for tests/motion/references.rs: impacts of 250 random and 120 nearly grazing scenes. Prints tests/data/events.csv; needs mpmath.
 
 Another route than the crate's. Motions are Taylor series of the equation of motion in fixed point with 120 bits, restarted every quarter of a unit of
 time and at every impact; a gap is such a series, too. On each step it is looked at in 33 places, in floats; between neighbours with slopes of

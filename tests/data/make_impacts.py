@@ -1,4 +1,4 @@
-"""References for tests/simulation.rs: impacts of linear oscillators, to 30 digits. Prints tests/data/impacts.toml; needs mpmath.
+"""References for tests/motion/simulation.rs: impacts of linear oscillators, to 30 digits. Prints tests/data/impacts.toml; needs mpmath.
 
 Another route than the crate's: the forcing joins the state, whose matrix exponential (mpmath) steps a fine grid; minima of the gap are
 roots of its derivative between samples of opposite sign, impacts are roots before a minimum or between samples of opposite sign."""

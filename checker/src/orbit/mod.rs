@@ -48,7 +48,7 @@
 //! The equations are, for each flight, that at its end the gap to the wall met is 0 and closes at the speed V
 //! of that impact; the rows of the derivative in that order, its columns the phases, then the speeds. An
 //! impact turns the relative velocity w into −TAU w. Impact i + 1 comes 2πN_i + T_{i+1} − T_i after impact i,
-//! and impact 1 after the last. `tests/orbit_certificate.rs` prints and damages an example.
+//! and impact 1 after the last. `tests/certificate/orbit.rs` prints and damages an example.
 //!
 //! The listed orbit must be shown not to repeat itself: for every divisor d of M for which d N/M is whole, N
 //! being the sum of all N_i, some impact i differs from impact i + d in its wall, in its speed, or in that

@@ -1,0 +1,17 @@
+//! Certificates of every kind: what is written passes, what is damaged is rejected unless it is still true.
+
+#[path = "../common/mod.rs"]
+mod common;
+#[path = "../systems/mod.rs"]
+mod systems;
+
+mod chaos;
+#[cfg(unix)]
+mod check;
+mod cover;
+mod event;
+mod machine;
+mod orbit;
+mod overflow;
+mod theorem2;
+mod validated;

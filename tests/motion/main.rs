@@ -1,0 +1,16 @@
+//! Motions, orbits, grazings and branches, of oscillators and of machines: against closed formulas, against
+//! engines that share no code with these, against one another.
+
+#[path = "../tasks/mod.rs"]
+mod tasks;
+
+mod branches;
+mod codimension_two;
+mod grazing;
+mod machine_branches;
+mod machine_orbits;
+mod machines;
+mod orbit_runs;
+mod orbits;
+mod references;
+mod simulation;

@@ -1,0 +1,14 @@
+//! Scenes: what is read, what runs of them report, and every form of a question.
+
+#[path = "../common/mod.rs"]
+mod common;
+#[path = "../tasks/mod.rs"]
+mod tasks;
+
+mod bifurcations;
+mod forms;
+mod input;
+mod scales;
+mod scene_runs;
+mod section4;
+mod task_reports;

@@ -1,0 +1,384 @@
+//! The figures' data against other routes, and their pictures for labels that overlap.
+
+use std::{collections::HashMap, fs, path::Path, process::Command};
+
+use grazing::{
+    existence::{Case, by_definition, by_records, intervals},
+    local::{Ladder, Point, Polar},
+    number::parse_rational,
+};
+
+/// Draws a figure; returns the rows of its CSV by column name, and its SVG.
+fn draw(arguments: &str, name: &str) -> (Vec<HashMap<String, String>>, String) {
+    let folder = tempfile::tempdir().unwrap();
+    let mut command = Command::new(env!("CARGO_BIN_EXE_grazing"));
+    command.arg("figure").args(arguments.split_whitespace()).arg("-o").arg(folder.path());
+    let output = command.output().unwrap();
+    assert_eq!((output.status.code(), output.stderr), (Some(0), vec![]), "grazing figure {arguments}");
+    let read = |extension| fs::read_to_string(folder.path().join(format!("{name}.{extension}"))).unwrap();
+    (table(&read("csv")), read("svg"))
+}
+
+fn table(text: &str) -> Vec<HashMap<String, String>> {
+    csv::Reader::from_reader(text.as_bytes()).deserialize().map(Result::unwrap).collect()
+}
+
+fn number(row: &HashMap<String, String>, column: &str) -> f64 {
+    row[column].parse().unwrap()
+}
+
+/// The text of an element: without the tags inside it, whose letters are lowered, raised or italic.
+fn stripped(text: &str) -> String {
+    let plain = text.split('<').map(|piece| piece.split_once('>').map_or(piece, |(_, rest)| rest));
+    plain.collect::<String>().replace("&lt;", "<").replace("&gt;", ">").replace("&amp;", "&")
+}
+
+/// (left, top, right, bottom) of every text in a picture, from below its true size.
+fn labels(svg: &str) -> Vec<(String, [f64; 4])> {
+    let attribute = |tag: &str, name: &str| {
+        let (_, rest) = tag.split_once(&format!(" {name}=\"")).unwrap_or_else(|| panic!("{name} in {tag}"));
+        rest.split_once('"').unwrap().0.to_string()
+    };
+    let mut found = Vec::new();
+    for piece in svg.split("<text").skip(1) {
+        let (tag, rest) = piece.split_once('>').unwrap();
+        let text = stripped(rest.split_once("</text>").unwrap().0);
+        if tag.contains("transform") {
+            continue; // turned by 90°: an axis title, alone in the margin
+        }
+        let [x, y] = ["x", "y"].map(|name| attribute(tag, name).parse::<f64>().unwrap());
+        let size: f64 = attribute(tag, "font-size").parse::<f64>().unwrap();
+        let width = 0.45 * size * text.chars().count() as f64;
+        let left = match attribute(tag, "text-anchor").as_str() {
+            "start" => x,
+            "middle" => x - width / 2.0,
+            _ => x - width,
+        };
+        // Digits and capitals stand on the base line.
+        found.push((text, [left, y - 0.72 * size, left + width, y]));
+    }
+    found
+}
+
+/// No text leaves the picture, nor covers another; the picture says in words what it shows.
+fn assert_no_overlap(svg: &str) {
+    let all = labels(svg);
+    assert!(all.len() >= 5);
+    assert!(svg.contains("<title>") && svg.contains("<desc>"));
+    let sides = svg.split_once("viewBox=\"0 0 ").unwrap().1.split_once('"').unwrap().0;
+    let [width, height] = [0, 1].map(|i| sides.split(' ').nth(i).unwrap().parse::<f64>().unwrap());
+    for (text, [left, top, right, bottom]) in &all {
+        assert!(*left >= 0.0 && *top >= 0.0 && *right <= width && *bottom <= height, "{text} is cut");
+    }
+    for (i, (text, a)) in all.iter().enumerate() {
+        for (other, b) in &all[..i] {
+            let apart = a[2] < b[0] || b[2] < a[0] || a[3] < b[1] || b[3] < a[1];
+            assert!(apart, "{text} {a:?} covers {other} {b:?}");
+        }
+    }
+}
+
+/// N_{n,k} by the recurrence, in floats.
+fn numerator(n: usize, k: usize, a1: f64, a2: f64) -> f64 {
+    let mut u = vec![0.0, 1.0];
+    for i in 1..n {
+        u.push(a1 * u[i] - a2 * u[i - 1]);
+    }
+    u[n] - u[k] - a2.powi(k as i32) * u[n - k]
+}
+
+#[test]
+fn iterate_boundaries_are_zeros() {
+    let (rows, svg) = draw("4", "figure4");
+    let mut curves = std::collections::BTreeSet::new();
+    for row in &rows {
+        let (n, k) = (number(row, "n") as usize, number(row, "k") as usize);
+        curves.insert((n, k));
+        let (a1, a2) = (number(row, "a1"), number(row, "a2"));
+        assert!(numerator(n, k, a1, a2).abs() < 1e-6, "{row:?}");
+        if (n, k) == (3, 1) {
+            assert!((a1 + 1.0).abs() < 1e-7, "{row:?}");
+        }
+    }
+    // One active boundary for each k coprime to n: the sum of φ(n) from 3 to 15.
+    assert_eq!(curves.len(), 70);
+    assert_no_overlap(&svg);
+    for label in ["3,1", "3,2", "4,1", "4,3", "5,1", "5,2", "5,3", "5,4"] {
+        assert_eq!(labels(&svg).iter().filter(|(text, _)| text == label).count(), 1, "{label}");
+    }
+}
+
+/// The times of a run against the map itself, followed from many points of the line, in floats.
+#[test]
+fn return_times_are_those_of_the_map() {
+    let (rows, svg) = draw("returns", "returns");
+    assert_no_overlap(&svg);
+    let fraction = |text: &str| {
+        let (p, q) = text.split_once('/').unwrap_or((text, "1"));
+        p.parse::<f64>().unwrap() / q.parse::<f64>().unwrap()
+    };
+    let mut followed = 0;
+    for row in rows.iter().step_by(7) {
+        let (r, s) = (fraction(&row["r"]), fraction(&row["first_s"]));
+        let times: Vec<u32> = row["times"].split(' ').map(|n| n.parse().unwrap()).collect();
+        // Elsewhere few points have the longest time.
+        if r.ln().abs() * f64::from(times[times.len() - 1]) > 2.5 {
+            continue;
+        }
+        followed += 1;
+        // Re w = 1, w = 1 + i tan of an angle; a return is |λ|ⁿ cos(angle + 2πns) > cos(angle).
+        let mut found = std::collections::BTreeSet::new();
+        for step in 1..20_000 {
+            let angle = (f64::from(step) / 20_000.0 - 0.5) * std::f64::consts::PI;
+            let back = |n: &u32| {
+                let turn = std::f64::consts::TAU * s * f64::from(*n);
+                r.powi(*n as i32) * (angle + turn).cos() > angle.cos() * (1.0 + 1e-12)
+            };
+            found.extend((1..=times[times.len() - 1]).find(back));
+        }
+        // A time of few points may be missed; none is made up, and those of many points are there.
+        assert!(found.iter().all(|n| times.contains(n)), "{row:?} {found:?}");
+        assert!(found.len() + 1 >= times.len(), "{row:?} {found:?}");
+    }
+    assert!(followed > 50, "{followed}");
+}
+
+/// Bounds are bounds; the median of the exact curve is that of the cells, of which `tests/theory/measure.rs`
+/// tells.
+#[test]
+fn coexisting_periods_are_counted() {
+    let (rows, svg) = draw("coexistence --n 300", "coexistence");
+    assert_no_overlap(&svg);
+    let mut before: Option<&HashMap<String, String>> = None;
+    for row in &rows {
+        let [lower, upper, law] = ["lower", "upper", "law"].map(|name| number(row, name));
+        assert!((0.0..=upper).contains(&lower) && upper <= 1.0 && (0.0..=1.0).contains(&law), "{row:?}");
+        let same = |one: &&HashMap<String, String>| {
+            one["one_minus_r"] == row["one_minus_r"] && one["order"] == row["order"]
+        };
+        if let Some(before) = before.filter(same) {
+            assert!(number(before, "lower") <= lower && number(before, "law") <= law, "{row:?}");
+        }
+        before = Some(row);
+        let exact = row["one_minus_r"] == "0" && number(row, "order") <= 300.0;
+        let width = upper - lower;
+        assert!(if exact {
+            width < 1e-6
+        } else {
+            (0.03..0.08).contains(&width) || upper == 1.0 || lower == 0.0
+        });
+    }
+}
+
+#[test]
+fn regions_are_bounded_by_unit_and_equal_eigenvalues() {
+    let (rows, svg) = draw("2", "figure2");
+    for row in &rows {
+        let (a1, a2) = (number(row, "a1"), number(row, "a2"));
+        let line = if row["line"].contains("sqrt") { a1 * a1 - 4.0 * a2 } else { a1.abs() - a2 - 1.0 };
+        assert!(line.abs() < 1e-3, "{row:?}");
+    }
+    assert_no_overlap(&svg);
+}
+
+#[test]
+fn records_are_those_of_the_record_form() {
+    for (r, s, n) in [
+        ("0.991", "0.205", 15),
+        ("1", "0.381966", 40),
+        ("0.99", "1/3+1e-3", 12),
+        ("0.999", "0.01", 60),
+        ("0.97", "0.49", 30),
+    ] {
+        let (rows, svg) = draw(&format!("records --r {r} --s {s} --n {n}"), "records");
+        let point = Point::Polar(Polar::new(parse_rational(r).unwrap(), parse_rational(s).unwrap()).unwrap());
+        let expected = by_records(&Ladder::default(), &point, n).unwrap();
+        assert_eq!(rows.len(), n as usize);
+        for (row, (existence, n)) in rows.iter().zip(expected.iter().zip(1..)) {
+            let cases: Vec<String> = existence.cases(n).iter().map(|case| case.to_string()).collect();
+            assert_eq!(row["cases"], cases.join(" "), "{r} {s} {n}");
+        }
+        assert_no_overlap(&svg);
+    }
+}
+
+#[test]
+fn areas_are_where_orbits_exist() {
+    let (rows, svg) = draw("5 --n 7", "figure5");
+    let middle = |row: &HashMap<String, String>, ends: [&str; 2]| {
+        let [low, high] = ends.map(|end| parse_rational(&row[end]).unwrap());
+        (low + high) / num_bigint::BigInt::from(2)
+    };
+    for row in &rows {
+        let (r, s) = (middle(row, ["r_lower", "r_upper"]), middle(row, ["s_lower", "s_upper"]));
+        let found = by_definition(&Ladder::default(), &Point::Polar(Polar::new(r, s).unwrap()), 7);
+        let signs = |case: &Case| [case.sign_emu().to_string(), case.sign_gamma().to_string()];
+        let drawn = [row["sign_emu"].clone(), row["sign_gamma"].clone()];
+        match row["kind"].as_str() {
+            "orbit" => assert_eq!(found.cases(7).iter().map(signs).collect::<Vec<_>>(), [drawn]),
+            "none" => assert_eq!((found.cases(7), drawn), (vec![], [String::new(), String::new()])),
+            kind => assert_eq!(kind, "edge"),
+        }
+    }
+    assert_no_overlap(&svg);
+}
+
+#[test]
+fn tips_have_bounds_near_the_law() {
+    let (rows, svg) = draw("tips --n 16", "tips");
+    // Two deciding indices, n − 1 and (n odd) n − 2, belong to areas that reach down to 0.
+    let areas: usize = (4..=16).map(|n| intervals(n).unwrap().count() - 2 - (n % 2) as usize).sum();
+    assert_eq!(rows.len(), areas);
+    for row in &rows {
+        assert!(number(row, "scaled_lower") <= number(row, "scaled_upper"));
+        let (found, law, next) = (number(row, "scaled_lower"), number(row, "law"), number(row, "law_next"));
+        let t = number(row, "k") / number(row, "n");
+        assert!(t > 0.5 || (found - next).abs() < (found - law).abs(), "{row:?}");
+    }
+    assert_no_overlap(&svg);
+}
+
+/// Each strip crosses every band within its boxes; the attractor of figure 10 comes near the strip of
+/// period 3.
+#[test]
+fn the_strips_of_the_shift_cross_its_bands() {
+    let (rows, svg) = draw("chaos", "chaos");
+    let at = |row: &HashMap<String, String>| (number(row, "before"), number(row, "after"));
+    let of = |set: String| rows.iter().filter(move |row| row["set"] == set).map(at).collect::<Vec<_>>();
+    let boxes: Vec<Vec<(f64, f64)>> = (1..=3).map(|n| of(format!("corner of box {n}"))).collect();
+    for n in 1..=3 {
+        let strip = of(format!("edge of strip {n}"));
+        let [(least, _), (most, _)] = boxes[n - 1][..] else { panic!("{boxes:?}") };
+        for (low, high) in boxes.iter().map(|corners| (corners[0].1, corners[1].1)) {
+            let inside: Vec<f64> =
+                strip.iter().filter(|(_, a)| low <= *a && *a <= high).map(|(p, _)| *p).collect();
+            assert!(inside.len() >= 4, "strip {n} between {low} and {high}: {inside:?}");
+            assert!(inside.iter().all(|p| least <= *p && *p <= most), "strip {n}: {inside:?}");
+        }
+    }
+    assert!(of("attractor".into()).len() > 100);
+    assert_no_overlap(&svg);
+}
+
+#[test]
+fn wrong_numbers_are_named() {
+    let cases = [
+        ("4 --n 2", "--n 2: this figure shows periods 3 to N, with N from 3 to 40"),
+        ("records --n 61", "--n 61: this figure shows periods 1 to N, with N from 1 to 60"),
+        ("records --s 1/2", "s = 1/2 is outside 0 < s < 1/2"),
+        ("5 --n 25", "--n 25: this figure shows one period N, with N from 3 to 24"),
+        ("tips --n 3", "--n 3: this figure shows periods 4 to N, with N from 4 to 400"),
+        ("2 --r 0.9", "--r and --s belong to `grazing figure records`"),
+    ];
+    for (arguments, expected) in cases {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_grazing"));
+        let output = command.arg("figure").args(arguments.split_whitespace()).output().unwrap();
+        let message = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(2), "{message}");
+        assert!(message.contains(expected), "grazing figure {arguments}: {message}");
+    }
+}
+
+/// `-o` names a picture's file; what this program cannot write is refused before the work.
+#[test]
+fn the_output_may_be_a_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let figure = |arguments: &str| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_grazing"));
+        let output = command.arg("figure").args(arguments.split(' ')).current_dir(&folder).output().unwrap();
+        (output.status.code(), String::from_utf8(output.stderr).unwrap())
+    };
+    assert_eq!(figure("2 -o plane.svg"), (Some(0), String::new()));
+    let svg = fs::read_to_string(folder.path().join("plane.svg")).unwrap();
+    assert!(svg.starts_with("<svg ") && folder.path().join("plane.csv").exists());
+    let (code, message) = figure("8 -o eight.svg");
+    assert!(code == Some(2) && message.contains("figure8.svg"), "{message}");
+    let (code, message) = figure("2 -o plane.jpg");
+    assert!(code == Some(2) && message.contains("plane.jpg: pictures are .svg"), "{message}");
+    assert!(!folder.path().join("plane.jpg").exists());
+    fs::create_dir(folder.path().join("v1.2")).unwrap();
+    assert_eq!(figure("2 -o v1.2"), (Some(0), String::new()));
+    assert!(folder.path().join("v1.2/figure2.svg").exists());
+    for (name, begin) in [("plane.pdf", &b"%PDF-"[..]), ("plane.png", b"\x89PNG\r\n")] {
+        let (code, message) = figure(&format!("2 -o {name}"));
+        if cfg!(feature = "print") {
+            let bytes = fs::read(folder.path().join(name)).unwrap();
+            assert!(code == Some(0) && bytes.starts_with(begin) && bytes.len() > 5000, "{message}");
+        } else {
+            assert!(code == Some(2) && message.contains("--features print"), "{message}");
+            assert!(!folder.path().join(name).exists());
+        }
+    }
+}
+
+/// The branches of figure 6 are still those in the documentation. At a saddle-node and a flip a multiplier is
+/// on the unit circle, and rounding decides on which side.
+#[test]
+fn branches_are_marginal_where_a_multiplier_is_on_the_unit_circle() {
+    let (rows, svg) = draw("6", "figure6");
+    let kept = table(&fs::read_to_string("docs/figure6.csv").unwrap());
+    assert_eq!(rows.len(), kept.len());
+    let mut marginal = Vec::new();
+    for (row, kept) in rows.iter().zip(&kept) {
+        for column in ["parameter", "q"] {
+            assert!((number(row, column) - number(kept, column)).abs() < 1e-9, "{row:?} {kept:?}");
+        }
+        for column in ["set", "stability", "label"] {
+            assert_eq!(row[column], kept[column], "{row:?}");
+        }
+        match row["stability"].as_str() {
+            "marginal" => marginal.push(row["label"].as_str()),
+            other => assert!(["stable", "unstable"].contains(&other), "{row:?}"),
+        }
+    }
+    assert_eq!(marginal, ["saddle-node", "flip"]);
+    // In the picture each goes with what follows it.
+    let drawn = |name| labels(&svg).iter().any(|(text, _)| text == name);
+    assert!(drawn("stable") && drawn("unstable") && !drawn("marginal"));
+}
+
+/// The pictures in the documentation are those that the program draws today.
+#[test]
+fn checked_in_figures_are_current() {
+    for (arguments, name) in [
+        ("2", "figure2"),
+        ("4", "figure4"),
+        ("5", "figure5"),
+        ("intervals", "intervals"),
+        ("records", "records"),
+        ("words --n 20", "words"),
+    ] {
+        let (rows, svg) = draw(arguments, name);
+        let kept =
+            |extension| fs::read_to_string(Path::new("docs").join(format!("{name}.{extension}"))).unwrap();
+        assert!(
+            kept("svg") == svg && table(&kept("csv")) == rows,
+            "run `grazing figure {arguments} -o docs`"
+        );
+    }
+}
+
+/// What the page on accuracy says of its tables: no enclosure without the value, no motion of ours with an
+/// impact too few, and the tables of other programs have the same columns.
+#[test]
+fn tables_of_accuracy_hold_what_the_page_says() {
+    let read = |name: &str| {
+        table(&fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("docs").join(name)).unwrap())
+    };
+    for row in read("digits.csv").iter().chain(&read("digits-peers.csv")) {
+        assert_eq!(row["outside"], "0", "{row:?}");
+        assert!(row["method"].starts_with("f64") || row["wrong"] == "0", "{row:?}");
+        assert!(number(row, "q25") <= number(row, "time_ns") && number(row, "time_ns") <= number(row, "q75"));
+    }
+    for row in read("simulations.csv") {
+        assert_eq!(row["missed"], "0", "{row:?}");
+    }
+    let columns = |row: &HashMap<String, String>| {
+        let mut names: Vec<String> = row.keys().cloned().collect();
+        names.sort();
+        names
+    };
+    assert_eq!(columns(&read("simulations.csv")[0]), columns(&read("simulations-peers.csv")[0]));
+    let ours = columns(&read("digits.csv")[0]);
+    assert!(columns(&read("digits-peers.csv")[0]).iter().all(|name| ours.contains(name)));
+}

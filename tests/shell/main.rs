@@ -1,0 +1,14 @@
+//! The command as a shell, a reader of its tables and a cluster meet it.
+
+#[path = "../process/mod.rs"]
+mod process;
+
+mod cli;
+mod figures;
+mod parsers;
+#[cfg(target_os = "linux")]
+mod reliability;
+mod shards;
+#[cfg(target_os = "linux")]
+mod shell;
+mod surface;

@@ -1,0 +1,203 @@
+//! Existence at a point: the definition, the record form and the paper's claim, against one another and exact
+//! arithmetic.
+
+use crate::common;
+
+use grazing::{
+    existence::{
+        Case, Claim, Existence, Variant, by_definition, by_records, claimed, intervals, large_eigenvalue_sign,
+    },
+    local::{Ladder, Plane, Point, Polar, Region},
+    number::parse_rational,
+};
+use num_rational::{BigRational, Ratio};
+use num_traits::{One, Signed, Zero};
+use proptest::prelude::*;
+
+fn q(text: &str) -> BigRational {
+    parse_rational(text).unwrap()
+}
+
+fn polar(r: &str, s: &str) -> Point {
+    Point::Polar(Polar::new(q(r), q(s)).unwrap())
+}
+
+fn plane(a1: &str, a2: &str) -> Point {
+    Point::Plane(Plane::new(q(a1), q(a2)).unwrap())
+}
+
+/// u_0, …, u_n by the recurrence.
+fn u(a1: &BigRational, a2: &BigRational, n: u64) -> Vec<BigRational> {
+    let mut u = vec![BigRational::zero(), BigRational::one()];
+    for k in 1..n as usize {
+        u.push(a1 * &u[k] - a2 * &u[k - 1]);
+    }
+    u
+}
+
+/// The definition in exact fractions, by (59), (60) as they stand: the cases, or `None` on a boundary.
+fn exactly(a1: &BigRational, a2: &BigRational, n: u64) -> Option<Vec<Case>> {
+    let u = u(a1, a2, n + 1);
+    let m = n as usize;
+    if u[m].is_zero() {
+        return None;
+    }
+    let power = |k: usize| num_traits::pow(a2.clone(), k);
+    let b: Vec<BigRational> = (1..m).map(|k| (&u[m] - &u[k] - power(k) * &u[m - k]) / &u[m]).collect();
+    let v = &u[m + 1] - a2 * &u[m - 1];
+    let c = -(BigRational::one() - v + power(m)) / &u[m];
+    let (some_positive, some_negative) =
+        (b.iter().any(Signed::is_positive), b.iter().any(Signed::is_negative));
+    if some_positive && some_negative {
+        return Some(Vec::new());
+    }
+    if c.is_zero() || b.iter().any(Zero::is_zero) {
+        return None;
+    }
+    let mut cases = vec![Case::from_signs(!some_negative, c.is_positive())];
+    if n == 1 {
+        cases.push(cases[0].reversed());
+    }
+    Some(cases)
+}
+
+fn cases(claim: Claim, n: u64) -> Option<Vec<Case>> {
+    match claim {
+        Claim::Orbit(case) => Some(Existence::Orbit(case).cases(n)),
+        Claim::None => Some(Vec::new()),
+        Claim::Boundary => None,
+        Claim::Undecided => panic!("undecided"),
+    }
+}
+
+/// Whether an answer says the same as the exact cases; on a boundary it must say so.
+fn agrees(found: Existence, n: u64, exact: &Option<Vec<Case>>) -> bool {
+    match (found, exact) {
+        (Existence::Orbit(_) | Existence::None { .. }, Some(cases)) => found.cases(n) == *cases,
+        (Existence::Singular | Existence::Iterate(_) | Existence::SignBoundary, None) => true,
+        _ => false,
+    }
+}
+
+#[test]
+fn boundaries_are_named() {
+    let ladder = Ladder::default();
+    let at = |point: &Point, n| by_definition(&ladder, point, n);
+    // a₁ = a₂ = r² = 1 is s = 1/6: u_3 = 0.
+    assert_eq!(at(&plane("1", "1"), 3), Existence::Singular);
+    assert_eq!(at(&polar("1", "1/6"), 3), Existence::Singular);
+    // u_2 = a₁ = 0.
+    assert_eq!(at(&plane("0", "1/2"), 2), Existence::Singular);
+    // s = 1/3, r = 1: b_{4,3} = 0 = b_{4,1}, and b_{4,2} > 0.
+    assert_eq!(at(&polar("1", "1/3"), 4), Existence::Iterate(1));
+    assert_eq!(by_records(&ladder, &polar("1", "1/3"), 4).unwrap()[3], Existence::Iterate(1));
+    // a₁ = a₂ + 1: an eigenvalue 1.
+    assert_eq!(at(&plane("3/2", "1/2"), 1), Existence::SignBoundary);
+    assert_eq!(at(&plane("3/2", "1/2"), 2), Existence::Iterate(1));
+    // a₁ = −(a₂ + 1): c_2 = 0, b_{2,1} > 0; for odd n the signs of region 5.
+    assert_eq!(at(&plane("-3/2", "1/2"), 2), Existence::SignBoundary);
+    assert_eq!(at(&plane("-3/2", "1/2"), 5), Existence::Orbit(Case::PlusMinus));
+}
+
+#[test]
+fn the_circle_has_theorem_2s_intervals() {
+    let ladder = Ladder::default();
+    for n in 1..=25u64 {
+        for interval in intervals(n).unwrap() {
+            let middle = (interval.left + interval.right) / 2;
+            let s = BigRational::new((*middle.numer()).into(), (*middle.denom()).into());
+            for r in [BigRational::one(), q("1-2^-200")] {
+                let point = Point::Polar(Polar::new(r, s.clone()).unwrap());
+                let found = by_definition(&ladder, &point, n);
+                assert!(found.cases(n).contains(&interval.case), "n = {n}, s = {s}: {found:?}");
+                assert_eq!(by_records(&ladder, &point, n).unwrap()[n as usize - 1].cases(n), found.cases(n));
+                assert_eq!(cases(claimed(&ladder, &point, n, Variant::True), n), Some(found.cases(n)));
+            }
+        }
+    }
+}
+
+#[test]
+fn equal_eigenvalues_belong_to_regions_2_and_4() {
+    let ladder = Ladder::default();
+    for lambda in ["1/2", "-1/2", "1-2^-60", "-1+2^-60", "2^-30", "-2^-30"] {
+        let (a1, a2) = (q(lambda) * q("2"), q(lambda) * q(lambda));
+        let point = Point::Plane(Plane::new(a1.clone(), a2.clone()).unwrap());
+        for n in 1..=12 {
+            let exact = exactly(&a1, &a2, n);
+            assert!(agrees(by_definition(&ladder, &point, n), n, &exact), "λ = {lambda}, n = {n}");
+            assert_eq!(cases(claimed(&ladder, &point, n, Variant::True), n), exact, "λ = {lambda}, n = {n}");
+        }
+    }
+}
+
+/// Fractions with all kinds of size: small, near ±1, near 0.
+fn fraction() -> impl Strategy<Value = BigRational> {
+    (1i64..1000, 1i64..1000, 0u32..60, prop::bool::ANY).prop_map(|(p, q, e, near)| {
+        let x = Ratio::new(p.min(q), p.max(q));
+        let x = BigRational::new((*x.numer()).into(), (*x.denom()).into());
+        let power = BigRational::from_integer(2.into()).pow(-(e as i32));
+        if near { BigRational::one() - x * power } else { x * power }
+    })
+}
+
+proptest! {
+    #![proptest_config(common::config())]
+
+    /// Everywhere in the plane: definition, records, claim and the large eigenvalue against exact fractions.
+    #[test]
+    fn all_ways_agree_in_the_plane(a2 in fraction(), t in fraction(), sign in prop::bool::ANY, wide in 0u8..4, n in 1u64..25) {
+        prop_assume!(a2.is_positive() && a2 < BigRational::one() && t.is_positive());
+        // a₁ across all regions: scaled by 1, by a₂ + 1 or by 3, or on the equal-eigenvalue parabola's side.
+        let scale = match wide { 0 => a2.clone() + BigRational::one(), 1 => q("3"), 2 => q("2") * &a2, _ => q("1") };
+        let a1 = if sign { t * scale } else { -t * scale };
+        let ladder = Ladder::default();
+        let plane = Plane::new(a1.clone(), a2.clone()).unwrap();
+        let region = plane.region();
+        let point = Point::Plane(plane);
+        let exact = exactly(&a1, &a2, n);
+        let found = by_definition(&ladder, &point, n);
+        prop_assert!(agrees(found, n, &exact), "definition: {:?}, exactly {:?}", found, exact);
+        if let Some(records) = by_records(&ladder, &point, n) {
+            let record = records[n as usize - 1];
+            prop_assert!(agrees(record, n, &exact), "records: {:?}, exactly {:?}", record, exact);
+        } else {
+            prop_assert!(!matches!(region, Region::Two | Region::Three | Region::Four));
+        }
+        if region != Region::Line {
+            prop_assert_eq!(cases(claimed(&ladder, &point, n, Variant::True), n), exact.clone());
+        }
+        // Time reversal: the same orbits.
+        let (b1, b2) = (&a1 / &a2, a2.recip());
+        prop_assert_eq!(exactly(&b1, &b2, n), exact.clone());
+        // (61): the sign of eµ (λ₁ⁿ − 1)(λ₂ⁿ − 1) = eµ (1 − v_n + a₂ⁿ).
+        let u = u(&a1, &a2, n + 1);
+        let m = n as usize;
+        let v = &u[m + 1] - &a2 * &u[m - 1];
+        let factor = BigRational::one() - v + num_traits::pow(a2.clone(), m);
+        for case in exact.into_iter().flatten() {
+            let expected = if factor.is_positive() { case.sign_emu() } else { -case.sign_emu() };
+            prop_assert_eq!(large_eigenvalue_sign(region, n, case), expected);
+        }
+    }
+
+    /// In region 3 by (r, s): definition, records and claim.
+    #[test]
+    fn all_ways_agree_from_r_and_s(r in fraction(), s in fraction(), n in 2u64..60) {
+        prop_assume!(r.is_positive() && r < BigRational::one());
+        let s = s / BigRational::from_integer(2.into());
+        prop_assume!(s.is_positive() && s < q("1/2"));
+        let ladder = Ladder::default();
+        let point = Point::Polar(Polar::new(r, s).unwrap());
+        let found = by_definition(&ladder, &point, n);
+        let record = by_records(&ladder, &point, n).unwrap()[n as usize - 1];
+        prop_assert_ne!(found, Existence::Undecided);
+        prop_assert_eq!(std::mem::discriminant(&found), std::mem::discriminant(&record));
+        prop_assert_eq!(found.cases(n), record.cases(n));
+        match claimed(&ladder, &point, n, Variant::True) {
+            // Nothing is claimed on a boundary; what the definition finds there is not an orbit.
+            Claim::Boundary => prop_assert!(found.cases(n).is_empty()),
+            claim => prop_assert_eq!(cases(claim, n).unwrap(), found.cases(n)),
+        }
+    }
+}

@@ -1,0 +1,28 @@
+//! The number theory and Theorem 1: every claim against other routes, exact fractions and brute force.
+
+#[path = "../common/mod.rs"]
+mod common;
+#[path = "../process/mod.rs"]
+mod process;
+#[path = "../reader/mod.rs"]
+mod reader;
+
+mod appendix_b;
+mod boundary;
+mod classify;
+mod cover;
+mod elementary;
+mod enclosures;
+mod entropy;
+mod farey;
+mod fuzz;
+mod hard_cases;
+mod map_input;
+mod measure;
+mod number;
+mod patterns;
+mod smooth_map;
+mod solvers;
+mod symbols;
+mod theorem2;
+mod words;
