@@ -8,7 +8,7 @@ use super::{
     equations::Equations,
     krawczyk::{self, Preconditioner, Search},
     linear::Linear,
-    orbit::{admitted, equations, start},
+    solution::{admitted, equations, start},
 };
 use crate::{
     error::{Error, Result},

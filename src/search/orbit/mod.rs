@@ -30,16 +30,16 @@ mod event;
 mod jet;
 mod krawczyk;
 mod linear;
-mod orbit;
 mod quotient;
 mod repetition;
+mod solution;
 mod write;
 
 pub use event::{Condition, ProvedEvent, event, event_in};
 pub use jet::Jet;
 pub(crate) use krawczyk::{radii, rounded};
-pub use orbit::{ExpectedImpact, ProvedOrbit, Stability, orbit, solution_in};
 pub use quotient::Quotient;
+pub use solution::{ExpectedImpact, ProvedOrbit, Stability, orbit, solution_in};
 pub use write::{certificate, event_certificate};
 pub(crate) use write::{decimal, range_of};
 
