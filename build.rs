@@ -11,10 +11,10 @@ use std::{
 #[path = "src/output/hash.rs"]
 mod hash;
 
-/// What decides results: the library with the data it includes, the checker, and the versions of all
-/// packages. Where the checker is a package of its own, as when this one comes from a registry, the lock file
-/// has its version.
-const SOURCES: [&str; 3] = ["src", "checker/src", "Cargo.lock"];
+/// What decides results: the library with the data it includes, the checker, the numbers, and the versions of
+/// all packages. Where checker and numbers are packages of their own, as when this one comes from a registry,
+/// the lock file has their versions.
+const SOURCES: [&str; 4] = ["src", "checker/src", "number/src", "Cargo.lock"];
 
 fn main() {
     println!("cargo:rerun-if-changed=build.rs");

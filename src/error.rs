@@ -6,7 +6,7 @@
 
 use std::{error, fmt, io, path::Path};
 
-use crate::printable::Printable;
+use crate::{number::ParseError, printable::Printable};
 
 /// What went wrong, on one line, with the cause where the system gave one.
 #[derive(Debug)]
@@ -119,6 +119,13 @@ impl Error {
     /// Whether the reader of our output went away, which for a command is no failure.
     pub fn is_broken_pipe(&self) -> bool {
         self.0.source.as_ref().is_some_and(|e| e.kind() == io::ErrorKind::BrokenPipe)
+    }
+}
+
+/// A text that is no number.
+impl From<ParseError> for Error {
+    fn from(source: ParseError) -> Self {
+        Self::input(source.to_string())
     }
 }
 

@@ -56,7 +56,7 @@
 //! # Map
 //!
 //! Dependencies point one way, from the bottom of this table up; `certificate` is the package
-//! `grazing-check`, which depends on nothing.
+//! `grazing-check`, which depends on nothing, and `number` is `grazing-number`.
 //!
 //! | module | holds |
 //! | --- | --- |
@@ -78,9 +78,9 @@
 //! | [`run`] | the tasks of a scene run, each with a typed result |
 //! | [`Error`], [`Outcome`], [`Monitor`], [`Profile`] | what goes wrong; how work ends; how a long job reports and is ended; where its time goes |
 //!
-//! Not public, and below the table, for every part: `printable` (text of others on its way out), `processor`
-//! (its time, its threads), `random` (the same choices on every machine), `output` (files that are whole or
-//! absent, saved states, tables), `source` (errors that name file, line and key). Above it: `study` (what
+//! Not public, and below the table, for every part: `formula` (formulas as trees), `printable` (text of others
+//! on its way out), `processor` (its time, its threads), `random` (the same choices on every machine),
+//! `output` (files that are whole or absent, saved states, tables), `source` (errors that name file, line and key). Above it: `study` (what
 //! accuracy costs), and with the feature `cli`, which is on by default, `figure` (pictures, the data of each
 //! beside it) and `cli` (the command line). Without it, `default-features = false`, none of their packages is
 //! compiled. `tests/structure.rs` holds the sources to this order.
@@ -97,11 +97,11 @@ pub mod existence;
 pub mod farey;
 #[cfg(feature = "cli")]
 mod figure;
+mod formula;
 pub mod local;
 pub mod many;
 mod monitor;
 pub mod motion;
-pub mod number;
 pub mod one;
 mod outcome;
 // Without the command line only saved states are written.
@@ -134,6 +134,7 @@ pub mod internals {
 
 pub use error::{Error, Result, Spot};
 pub use grazing_check as certificate;
+pub use grazing_number as number;
 pub use monitor::Monitor;
 /// The package of the integers in this interface.
 pub use num_bigint;

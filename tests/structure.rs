@@ -8,8 +8,18 @@ use std::{
 };
 
 /// Below the table: what every part may use.
-const BELOW: [&str; 9] =
-    ["printable", "error", "outcome", "processor", "profile", "monitor", "random", "output", "number"];
+const BELOW: [&str; 10] = [
+    "number",
+    "printable",
+    "error",
+    "formula",
+    "outcome",
+    "processor",
+    "profile",
+    "monitor",
+    "random",
+    "output",
+];
 /// Above it.
 const ABOVE: [&str; 3] = ["study", "figure", "cli"];
 
@@ -133,7 +143,7 @@ fn engines_are_siblings() {
 #[test]
 fn files_of_scenes_import_from_earlier_ones() {
     let order: Vec<&str> =
-        "expression keys restitution force matrix measured walls system machine simulate orbits sections branches validate chaos task scene \
+        "dual expression keys restitution force matrix measured walls system machine simulate orbits sections branches validate chaos task scene \
                             values normal check input family reference"
             .split_whitespace()
             .collect();

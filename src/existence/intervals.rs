@@ -12,7 +12,7 @@ use super::{
 use crate::{
     error::{Error, Result},
     farey::Gap,
-    number::serialize_fraction,
+    output::serialize_fraction,
 };
 
 /// The largest period n for which intervals are made and decided: products of two numbers up to 2n fit 64

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use serde::Serialize;
 
-use crate::number::Formula;
+use crate::formula::Formula;
 
 /// A force a(t, q, u), smooth but for poles, roots of negative numbers and the like, 2π-periodic in t: a
 /// formula with coefficients of any kind. Of an oscillator it is an acceleration; of a machine with n

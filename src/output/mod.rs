@@ -7,6 +7,7 @@ mod early;
 #[cfg(feature = "cli")]
 mod escape;
 mod file;
+mod fraction;
 mod hash;
 mod journal;
 mod lock;
@@ -28,6 +29,7 @@ pub use destination::{Destination, OutputFile, say, say_to};
 pub use escape::latex;
 pub(crate) use file::remove_temporaries;
 pub use file::{LONGEST_INPUT, LONGEST_SCENE, make_folder, read_text, write_file};
+pub use fraction::serialize_fraction;
 #[cfg(feature = "cli")]
 pub(crate) use hash::{fingerprint, fnv64};
 pub(crate) use journal::torn;

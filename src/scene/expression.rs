@@ -25,12 +25,11 @@ use num_rational::BigRational;
 use num_traits::Zero;
 use serde::{Serialize, Serializer};
 
+use super::dual::Dual;
 use crate::{
     error::{Error, Result},
-    number::{
-        Ball, Dual, Elementary, FloatInterval, Formula, Fraction, Function, Operation, Plain, Real, Sign,
-        parse_rational_within,
-    },
+    formula::{Formula, Function, Operation},
+    number::{Ball, BoundedFraction, Elementary, FloatInterval, Plain, Real, Sign, parse_rational_within},
     search::chaos::RationalFunction,
     source::hint,
 };
@@ -204,11 +203,11 @@ impl Coefficient for Dual {
 }
 
 /// What is too large stays so.
-impl Coefficient for Fraction {
+impl Coefficient for BoundedFraction {
     fn call(function: Function, x: &Self, limit: &u64) -> Result<Self> {
         let Some(exact) = x.clone().reduced() else { return Ok(x.clone()) };
         let value = function.exactly(&exact).ok_or_else(|| irrational(&format!("{}(…)", function.name())))?;
-        Ok(Fraction::ratio(&value, limit))
+        Ok(BoundedFraction::ratio(&value, limit))
     }
 }
 
@@ -216,7 +215,8 @@ impl Coefficient for Fraction {
 impl Coefficient for BigRational {
     fn value(expression: &Expression, parameters: &[Self], (): &()) -> Result<Self> {
         let limit = u64::from(LIMIT_VALUE);
-        let parameters: Vec<Fraction> = parameters.iter().map(|x| Fraction::ratio(x, &limit)).collect();
+        let parameters: Vec<BoundedFraction> =
+            parameters.iter().map(|x| BoundedFraction::ratio(x, &limit)).collect();
         let value = evaluate(&expression.root, &parameters, &limit)?;
         value.reduced().ok_or_else(|| {
             let message = "has a value, or a step on the way to it, of more than";
@@ -396,8 +396,9 @@ impl<'a> Parser<'a> {
             self.at = self.text.len() - tail.len();
             self.word(|c| c.is_ascii_digit());
         }
-        let value = parse_rational_within(&self.text[start..self.at], LIMIT_BITS)
-            .map_err(|error| error.context(format_args!("at character {}", self.position(start))))?;
+        let value = parse_rational_within(&self.text[start..self.at], LIMIT_BITS).map_err(|error| {
+            Error::from(error).context(format_args!("at character {}", self.position(start)))
+        })?;
         Ok(Formula::Number(value))
     }
 

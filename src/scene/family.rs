@@ -4,13 +4,12 @@ use std::{convert::Infallible, sync::Arc};
 
 use num_traits::ToPrimitive;
 
-use super::scene::Scene;
+use super::{dual::Dual, scene::Scene};
 
 use crate::{
     error::{Error, Result},
     many::{Machine, MachineFamily},
     motion::EffectTally,
-    number::Dual,
     one::orbit::{Family, Oscillator},
 };
 

@@ -12,8 +12,8 @@ use super::{
 };
 use crate::{
     error::{Error, Result},
+    formula::{Formula, Function, Operation},
     motion::{Q, SmoothForce, TIME, U},
-    number::{Formula, Function, Operation},
 };
 
 /// What the variables of a force are called, and the place of each.

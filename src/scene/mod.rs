@@ -4,7 +4,7 @@
 //! keys. Numbers are exact; coefficients are rational expressions in named parameters ([`Expression`]). Not
 //! here: running the tasks (the module `run`).
 //!
-//! Each file imports from those before it alone: `expression`, `keys`, `force`, `matrix`, `measured`; the
+//! Each file imports from those before it alone: `dual`, `expression`, `keys`, `force`, `matrix`, `measured`; the
 //! keys, `system`, `machine`, `simulate`, `orbits`, `sections`, `branches`, `validate`, `chaos`; `task`;
 //! `scene`, the type and its values; `values`, those of a machine; `normal`, `check`; `input`, `family`,
 //! `reference`.
@@ -12,6 +12,7 @@
 pub mod branches;
 pub mod chaos;
 mod check;
+mod dual;
 mod expression;
 mod family;
 mod force;
@@ -34,6 +35,7 @@ pub mod validate;
 mod values;
 mod walls;
 
+pub use crate::formula::Function;
 pub use expression::{Coefficient, Expression};
 pub use family::{MachineSceneFamily, SceneFamily};
 pub use keys::Key;

@@ -9,8 +9,8 @@ use super::{
 };
 use crate::{
     error::{Error, Result},
+    formula::{Formula, Operation},
     many::{MOST_POWERS, SpeedLaw},
-    number::{Formula, Operation},
 };
 
 /// What stands under `restitution`.

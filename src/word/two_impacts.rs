@@ -10,7 +10,7 @@ use serde::Serialize;
 use crate::{
     error::{Error, Result},
     existence::{Case, MAX_PERIOD},
-    number::serialize_fraction,
+    output::serialize_fraction,
 };
 
 /// An open interval of s on r = 1 in which the impact pattern (i, j) exists.

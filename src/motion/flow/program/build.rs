@@ -5,11 +5,11 @@
 use super::{Drive, INPUTS, Op, Output, Program, Sum};
 use crate::{
     error::{Error, Result},
+    formula::{Formula, Function, Operation},
     motion::{
         Q, SmoothForce, System, TIME, U,
         flow::{Primitive, Scalar},
     },
-    number::{Formula, Function, Operation},
 };
 
 /// An output to be: a constant, multiples of rows of the inputs and of formulas, harmonics of the time.

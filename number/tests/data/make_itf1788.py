@@ -26,7 +26,7 @@ def main(folder):
 #
 # From libieeep1788 (original author: Marco Nehmeier), copyright 2013-2015 Marco Nehmeier
 # (nehmeier@informatik.uni-wuerzburg.de), copyright 2015-2017 Oliver Heimlich (oheim@posteo.de), Apache License 2.0;
-# as in the tests of the package inari 2.0.0, rewritten as a table by tests/data/make_itf1788.py. ITF1788, copyright 2014
+# as in the tests of the package inari 2.0.0, rewritten as a table by number/tests/data/make_itf1788.py. ITF1788, copyright 2014
 # Marco Nehmeier, Maximilian Kiesner, Department of Computer Science, University of Wuerzburg, Germany: this product
 # includes software developed at the Chair of Software Engineering there.""")
     left_out = 0

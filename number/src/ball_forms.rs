@@ -322,8 +322,8 @@ mod tests {
     use num_traits::One;
 
     use super::*;
-    use crate::number::{Circular, Real};
     use crate::random::Random;
+    use crate::{Circular, Real};
 
     /// Sines of multiples against those of the exact angle, at random and beside the ends of octants and of
     /// the table's parts.

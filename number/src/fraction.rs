@@ -12,22 +12,30 @@ use super::{Real, Sign};
 /// An exact fraction, not in lowest terms, or one that has become too large.
 ///
 /// Numerator and denominator have at most as many bits as the context says. What would need more is too large
-/// from then on, and costs nothing more. Sums are brought to a common denominator: the larger one where it is
-/// a multiple of the other, else the product. Only [`reduced`](Fraction::reduced) looks for common factors,
+/// from then on, and costs nothing more: text of others is evaluated in bounded time and memory. Sums are brought to a common denominator: the larger one where it is
+/// a multiple of the other, else the product. Only [`reduced`](BoundedFraction::reduced) looks for common factors,
 /// so that no operation on b bits costs more than a product or quotient of b bits.
+///
+/// ```
+/// use grazing_number::{BoundedFraction, Real, parse_rational};
+/// let x = BoundedFraction::ratio(&parse_rational("2/3")?, &100);
+/// assert_eq!(x.power(5).reduced(), Some(parse_rational("32/243")?));
+/// assert!(x.power(1_000_000_000).is_too_large());
+/// # Ok::<(), grazing_number::ParseError>(())
+/// ```
 #[derive(Debug, Clone)]
-pub(crate) struct Fraction {
+pub struct BoundedFraction {
     /// Numerator and denominator, which is positive; `None` if too large.
     value: Option<(BigInt, BigInt)>,
     /// The most bits.
     limit: u64,
 }
 
-impl Fraction {
-    pub fn new(numerator: BigInt, denominator: BigInt, limit: u64) -> Self {
+impl BoundedFraction {
+    pub(crate) fn new(numerator: BigInt, denominator: BigInt, limit: u64) -> Self {
         debug_assert!(denominator.is_positive());
         let fits = numerator.bits().max(denominator.bits()) <= limit;
-        Fraction { value: fits.then_some((numerator, denominator)), limit }
+        BoundedFraction { value: fits.then_some((numerator, denominator)), limit }
     }
 
     /// The same number in lowest terms; `None` if it is too large. Cost: O(b²) bit operations for b bits.
@@ -35,11 +43,12 @@ impl Fraction {
         self.value.map(|(numerator, denominator)| BigRational::new(numerator, denominator))
     }
 
+    /// Whether it needed more bits than the limit, here or at some step before.
     pub fn is_too_large(&self) -> bool {
         self.value.is_none()
     }
 
-    pub fn is_zero(&self) -> bool {
+    pub(crate) fn is_zero(&self) -> bool {
         self.value.as_ref().is_some_and(|(numerator, _)| numerator.is_zero())
     }
 
@@ -51,13 +60,13 @@ impl Fraction {
         // |x| ≥ 2^(b−1), so that x^k has more than (b − 1)k bits.
         let fits = |x: &BigInt| x.bits().saturating_sub(1).checked_mul(k).is_some_and(|bits| bits < limit);
         if !fits(numerator) || !fits(denominator) {
-            return Fraction { value: None, limit };
+            return BoundedFraction { value: None, limit };
         }
         let raised = |x: &BigInt| match x.bits() {
             0 | 1 if k > 2 => num_traits::pow(x.clone(), 2 - (k % 2) as usize),
             _ => num_traits::pow(x.clone(), k as usize),
         };
-        Fraction::new(raised(numerator), raised(denominator), limit)
+        BoundedFraction::new(raised(numerator), raised(denominator), limit)
     }
 
     /// 1/x; too large for 0, which the caller excludes.
@@ -66,46 +75,46 @@ impl Fraction {
             self.value.filter(|(numerator, _)| !numerator.is_zero()).map(|(numerator, denominator)| {
                 if numerator.is_negative() { (-denominator, -numerator) } else { (denominator, numerator) }
             });
-        Fraction { value, limit: self.limit }
+        BoundedFraction { value, limit: self.limit }
     }
 }
 
-impl Neg for Fraction {
+impl Neg for BoundedFraction {
     type Output = Self;
 
     fn neg(self) -> Self {
-        Fraction { value: self.value.map(|(n, d)| (-n, d)), ..self }
+        BoundedFraction { value: self.value.map(|(n, d)| (-n, d)), ..self }
     }
 }
 
-impl Add<&Fraction> for Fraction {
+impl Add<&BoundedFraction> for BoundedFraction {
     type Output = Self;
 
     fn add(self, other: &Self) -> Self {
         let limit = self.limit;
         let (Some((a, b)), Some((c, d))) = (self.value, &other.value) else {
-            return Fraction { value: None, limit };
+            return BoundedFraction { value: None, limit };
         };
         if b == *d {
-            return Fraction::new(a + c, b, limit);
+            return BoundedFraction::new(a + c, b, limit);
         }
         let (times, rest) = b.div_rem(d);
         if rest.is_zero() {
-            return Fraction::new(a + c * times, b, limit);
+            return BoundedFraction::new(a + c * times, b, limit);
         }
         let (times, rest) = d.div_rem(&b);
         if rest.is_zero() {
-            return Fraction::new(a * times + c, d.clone(), limit);
+            return BoundedFraction::new(a * times + c, d.clone(), limit);
         }
         // The product of the denominators has at least one bit less than both together.
         if b.bits() + d.bits() > limit + 1 {
-            return Fraction { value: None, limit };
+            return BoundedFraction { value: None, limit };
         }
-        Fraction::new(a * d + c * &b, b * d, limit)
+        BoundedFraction::new(a * d + c * &b, b * d, limit)
     }
 }
 
-impl Sub<&Fraction> for Fraction {
+impl Sub<&BoundedFraction> for BoundedFraction {
     type Output = Self;
 
     fn sub(self, other: &Self) -> Self {
@@ -113,25 +122,25 @@ impl Sub<&Fraction> for Fraction {
     }
 }
 
-impl Mul<&Fraction> for Fraction {
+impl Mul<&BoundedFraction> for BoundedFraction {
     type Output = Self;
 
     fn mul(self, other: &Self) -> Self {
         let limit = self.limit;
         let (Some((a, b)), Some((c, d))) = (self.value, &other.value) else {
-            return Fraction { value: None, limit };
+            return BoundedFraction { value: None, limit };
         };
         if a.is_zero() || c.is_zero() {
-            return Fraction::new(BigInt::ZERO, BigInt::one(), limit);
+            return BoundedFraction::new(BigInt::ZERO, BigInt::one(), limit);
         }
         if (a.bits() + c.bits()).max(b.bits() + d.bits()) > limit + 1 {
-            return Fraction { value: None, limit };
+            return BoundedFraction { value: None, limit };
         }
-        Fraction::new(a * c, b * d, limit)
+        BoundedFraction::new(a * c, b * d, limit)
     }
 }
 
-impl Div<&Fraction> for Fraction {
+impl Div<&BoundedFraction> for BoundedFraction {
     type Output = Self;
 
     // The product with the reciprocal, whose limit is kept.
@@ -141,16 +150,16 @@ impl Div<&Fraction> for Fraction {
     }
 }
 
-impl Real for Fraction {
+impl Real for BoundedFraction {
     /// The most bits of numerator and denominator.
     type Context = u64;
 
     fn ratio(value: &BigRational, limit: &u64) -> Self {
-        Fraction::new(value.numer().clone(), value.denom().clone(), *limit)
+        BoundedFraction::new(value.numer().clone(), value.denom().clone(), *limit)
     }
 
     fn integer(value: i32, limit: &u64) -> Self {
-        Fraction::new(value.into(), BigInt::one(), *limit)
+        BoundedFraction::new(value.into(), BigInt::one(), *limit)
     }
 
     fn sign(&self) -> Option<Sign> {
@@ -162,8 +171,8 @@ impl Real for Fraction {
 mod tests {
     use super::*;
 
-    fn fraction(p: i64, q: i64) -> Fraction {
-        Fraction::new(p.into(), q.into(), 64)
+    fn fraction(p: i64, q: i64) -> BoundedFraction {
+        BoundedFraction::new(p.into(), q.into(), 64)
     }
 
     /// Against arithmetic in lowest terms.

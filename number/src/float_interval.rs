@@ -3,6 +3,9 @@
 //! No rounding modes and no libm. Each end point is computed to nearest and then moved outwards by one
 //! float, unless an error-free transformation shows that it already lies on the right side. IEEE 754
 //! arithmetic without extended precision is assumed, as Rust guarantees on every target but x87.
+//!
+//! Operations are `#[inline]`: each is a few operations of floats, and a call across packages would cost as
+//! much again.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -15,6 +18,19 @@ use super::{Angle, Circular, Real, Sign, float_sine};
 /// The reals from `lo` to `hi`; −∞ and +∞ say that nothing is known on that side.
 ///
 /// Invariant: `lo ≤ hi`, neither is NaN. Equality is that of the two end points, not of the enclosed numbers.
+///
+/// ```
+/// use grazing_number::{FloatInterval, Real, Sign, parse_rational};
+/// let third = FloatInterval::ratio(&parse_rational("1/3")?, &());
+/// let sum = third + &third;
+/// assert!(sum.contains(&parse_rational("2/3")?) && sum.lo() < sum.hi());
+/// let rest = sum + &third - &FloatInterval::integer(1, &());
+/// assert_eq!(rest.sign(), None);
+/// assert_eq!((rest / &third).sign(), None);
+/// assert_eq!((third / &rest), FloatInterval::WHOLE);
+/// assert_eq!((sum - &third).sign(), Some(Sign::Positive));
+/// # Ok::<(), grazing_number::ParseError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FloatInterval {
     lo: f64,
@@ -28,22 +44,26 @@ impl FloatInterval {
     const ZERO: FloatInterval = FloatInterval { lo: 0.0, hi: 0.0 };
 
     /// The interval from `lo` to `hi`; the whole line if that is empty or not a number.
+    #[inline]
     pub fn from_bounds(lo: f64, hi: f64) -> FloatInterval {
         if lo <= hi { FloatInterval { lo, hi } } else { FloatInterval::WHOLE }
     }
 
     /// The lower end: no enclosed number is below it.
+    #[inline]
     pub fn lo(&self) -> f64 {
         self.lo
     }
 
     /// The upper end: no enclosed number is above it.
+    #[inline]
     pub fn hi(&self) -> f64 {
         self.hi
     }
 }
 
 /// a + b rounded down. Knuth's two-sum gives the exact rounding error whenever the sum is finite.
+#[inline]
 fn add_down(a: f64, b: f64) -> f64 {
     let sum = a + b;
     if !sum.is_finite() {
@@ -55,6 +75,7 @@ fn add_down(a: f64, b: f64) -> f64 {
 }
 
 /// An infinite or undefined sum gives no lower bound but −∞.
+#[inline]
 fn below(x: f64) -> f64 {
     if x == f64::INFINITY { x } else { f64::NEG_INFINITY }
 }
@@ -62,6 +83,7 @@ fn below(x: f64) -> f64 {
 /// The exact error ab − p of p = fl(ab), if neither overflow nor underflow can spoil it.
 ///
 /// Dekker's product on Veltkamp halves: exact while 2⁻⁹⁰⁰ < |p| < 2⁹⁰⁰ and both factors are below 2⁹⁰⁰.
+#[inline]
 fn product_error(a: f64, b: f64, p: f64) -> Option<f64> {
     const BIG: f64 = f64::from_bits((1023 + 900) << 52);
     const SMALL: f64 = f64::from_bits((1023 - 900) << 52);
@@ -79,6 +101,7 @@ fn product_error(a: f64, b: f64, p: f64) -> Option<f64> {
 
 /// The largest float known to be ≤ ab and the least known to be ≥ ab. 0·∞ counts as 0, as it must for end
 /// points.
+#[inline]
 fn product(a: f64, b: f64) -> (f64, f64) {
     if a == 0.0 || b == 0.0 {
         return (0.0, 0.0);
@@ -109,6 +132,7 @@ fn directed(x: f64, error: f64) -> (f64, f64) {
 }
 
 /// Bounds of a/b for finite b ≠ 0.
+#[inline]
 fn quotient(a: f64, b: f64) -> (f64, f64) {
     let q = a / b;
     if a == 0.0 || a.is_infinite() {
@@ -128,6 +152,7 @@ fn quotient(a: f64, b: f64) -> (f64, f64) {
 impl Neg for FloatInterval {
     type Output = Self;
 
+    #[inline]
     fn neg(self) -> Self {
         FloatInterval { lo: -self.hi, hi: -self.lo }
     }
@@ -136,6 +161,7 @@ impl Neg for FloatInterval {
 impl Add<&FloatInterval> for FloatInterval {
     type Output = Self;
 
+    #[inline]
     fn add(self, other: &Self) -> Self {
         FloatInterval { lo: add_down(self.lo, other.lo), hi: -add_down(-self.hi, -other.hi) }
     }
@@ -144,6 +170,7 @@ impl Add<&FloatInterval> for FloatInterval {
 impl Sub<&FloatInterval> for FloatInterval {
     type Output = Self;
 
+    #[inline]
     fn sub(self, other: &Self) -> Self {
         self + &-*other
     }
@@ -152,6 +179,7 @@ impl Sub<&FloatInterval> for FloatInterval {
 impl Mul<&FloatInterval> for FloatInterval {
     type Output = Self;
 
+    #[inline]
     fn mul(self, other: &Self) -> Self {
         let (a, b) = (self, *other);
         let span = |lo: (f64, f64), hi: (f64, f64)| FloatInterval { lo: lo.0, hi: hi.1 };
@@ -176,6 +204,7 @@ impl Div<&FloatInterval> for FloatInterval {
     type Output = Self;
 
     /// The quotients; the whole line if the divisor contains zero or is unbounded.
+    #[inline]
     fn div(self, other: &Self) -> Self {
         let (a, b) = (self, *other);
         if !(b.lo.is_finite() && b.hi.is_finite()) || (b.lo <= 0.0 && b.hi >= 0.0) {
@@ -218,10 +247,12 @@ impl Real for FloatInterval {
         if value.is_negative() { -magnitude } else { magnitude }
     }
 
+    #[inline]
     fn integer(value: i32, (): &()) -> Self {
         FloatInterval { lo: value.into(), hi: value.into() }
     }
 
+    #[inline]
     fn sign(&self) -> Option<Sign> {
         if self.lo > 0.0 {
             Some(Sign::Positive)
@@ -244,6 +275,7 @@ impl Circular for FloatInterval {
         float_sine::sines_over_cosine(angles, sum)
     }
 
+    #[inline]
     fn tighter(self, other: Self) -> Self {
         let (lo, hi) = (self.lo.max(other.lo), self.hi.min(other.hi));
         assert!(lo <= hi, "two enclosures of one number are disjoint");

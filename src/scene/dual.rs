@@ -4,7 +4,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use num_rational::BigRational;
 
-use super::{Plain, Real, Sign};
+use crate::number::{Plain, Real, Sign};
 
 /// A value and its derivative in one variable.
 #[derive(Debug, Clone, Copy, PartialEq)]

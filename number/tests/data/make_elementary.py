@@ -2,7 +2,7 @@
 """Writes elementary.csv: function, p, e, f(p 2^e) by FLINT, for the tests of exp, sin, cos and sqrt.
 
     python3 -m venv venv && venv/bin/pip install python-flint==0.9.0
-    venv/bin/python tests/data/make_elementary.py > tests/data/elementary.csv
+    venv/bin/python number/tests/data/make_elementary.py > number/tests/data/elementary.csv
 
 The first lines of each function to 1300 digits, the rest to 60; every digit but the last is right.
 """

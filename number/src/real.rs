@@ -112,6 +112,7 @@ pub trait Circular: Real {
 impl Real for BigRational {
     type Context = ();
 
+    #[inline]
     fn ratio(value: &BigRational, (): &()) -> Self {
         value.clone()
     }
@@ -120,6 +121,7 @@ impl Real for BigRational {
         BigRational::from_integer(value.into())
     }
 
+    #[inline]
     fn sign(&self) -> Option<Sign> {
         Some(Sign::of(self))
     }

@@ -1,12 +1,11 @@
 //! exp, sin, cos and √ of balls against FLINT (tests/data/elementary.csv), identities, and plain floats.
 
-use crate::common;
-
-use grazing::number::{Ball, Elementary, Plain, Precision, Real, Sign, parse_rational};
+use grazing_number::{Ball, Elementary, Plain, Precision, Real, Sign, parse_rational};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero, pow};
 use proptest::prelude::*;
+use proptest::test_runner::FileFailurePersistence;
 
 fn dyadic(p: &BigInt, e: i32) -> BigRational {
     let power = BigInt::one() << e.unsigned_abs();
@@ -30,7 +29,7 @@ fn apply(name: &str, x: &Ball, precision: &Precision) -> Ball {
 
 #[test]
 fn values_agree_with_flint() {
-    let text = include_str!("../data/elementary.csv");
+    let text = include_str!("data/elementary.csv");
     assert!(text.lines().count() > 400);
     let precisions = [24, 53, 128, 300, 1024, 4000].map(Precision::new);
     for line in text.lines() {
@@ -75,7 +74,7 @@ fn arguments_without_an_answer_say_so() {
 }
 
 proptest! {
-    #![proptest_config(common::config())]
+    #![proptest_config(ProptestConfig::with_failure_persistence(FileFailurePersistence::WithSource("regressions")))]
 
     /// A wide ball's image contains the images of the points in it, and is not much wider than needed.
     #[test]

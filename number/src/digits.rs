@@ -19,13 +19,13 @@ const LOG10_2: i128 = 5_553_023_288_523_357_132;
 /// certain. Cost: a few products of integers of the size of `lo` and `hi`.
 ///
 /// ```
-/// use grazing::number::{certain_digits, parse_rational};
+/// use grazing_number::{certain_digits, parse_rational};
 /// let x = parse_rational("1/7")?;
 /// let error = parse_rational("1e-9")?;
 /// assert_eq!(certain_digits(&(&x - &error), &(&x + &error), 40).unwrap(), "0.14285714");
 /// assert_eq!(certain_digits(&x, &x, 5).unwrap(), "0.14286");
 /// assert_eq!(certain_digits(&-&error, &error, 40), None);
-/// # Ok::<(), grazing::Error>(())
+/// # Ok::<(), grazing_number::ParseError>(())
 /// ```
 pub fn certain_digits(lo: &BigRational, hi: &BigRational, most: u32) -> Option<String> {
     digits_times(lo, hi, 0, most)
@@ -38,14 +38,14 @@ pub fn certain_digits(lo: &BigRational, hi: &BigRational, most: u32) -> Option<S
 /// products more.
 ///
 /// ```
-/// use grazing::number::{Ball, Precision, Real, ball_digits, parse_rational};
+/// use grazing_number::{Ball, Precision, Real, ball_digits, parse_rational};
 /// let context = Precision::new(64);
 /// let mut x = Ball::ratio(&parse_rational("2^-16384")?, &context);
 /// for _ in 0..11 {
 ///     x = x.clone() * &x;
 /// }
 /// assert_eq!(ball_digits(&x, 12).unwrap(), "3.02365786578e-10100891");
-/// # Ok::<(), grazing::Error>(())
+/// # Ok::<(), grazing_number::ParseError>(())
 /// ```
 pub fn ball_digits(ball: &Ball, most: u32) -> Option<String> {
     let exponent = ball.exponent().filter(|exponent| exponent.unsigned_abs() > WRITTEN);

@@ -2,7 +2,7 @@
 """Writes sines.csv: P/Q, sin(pi P/Q) by FLINT, for the tests of the enclosures.
 
     python3 -m venv venv && venv/bin/pip install python-flint==0.9.0
-    venv/bin/python tests/data/make_sines.py > tests/data/sines.csv
+    venv/bin/python number/tests/data/make_sines.py > number/tests/data/sines.csv
 
 The first lines to 1300 digits, the rest to 60; every digit but the last is right.
 """

@@ -3,12 +3,12 @@
 
 use std::collections::BTreeMap;
 
-use grazing::number::{Ball, Circular, Elementary, FloatInterval, Precision};
+use grazing_number::{Ball, Circular, Elementary, FloatInterval, Precision};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
-const CASES: &str = include_str!("../../data/itf1788.csv");
+const CASES: &str = include_str!("data/itf1788.csv");
 
 /// Cases of one operation, and how many of them came out as tight as can be.
 #[derive(Debug, Default, Clone, Copy, PartialEq)]

@@ -16,6 +16,7 @@ pub struct Plain(pub f64);
 impl Neg for Plain {
     type Output = Plain;
 
+    #[inline]
     fn neg(self) -> Plain {
         Plain(-self.0)
     }
@@ -26,6 +27,7 @@ macro_rules! operation {
         impl $trait<&Plain> for Plain {
             type Output = Plain;
 
+            #[inline]
             fn $method(self, other: &Plain) -> Plain {
                 Plain(self.0.$method(other.0))
             }
@@ -45,11 +47,13 @@ impl Real for Plain {
         Plain(value.to_f64().unwrap_or(f64::NAN))
     }
 
+    #[inline]
     fn integer(value: i32, (): &()) -> Plain {
         Plain(value.into())
     }
 
     /// The float's own sign: "certain" only in the sense that this rung never doubts.
+    #[inline]
     fn sign(&self) -> Option<Sign> {
         if self.0 == 0.0 { Some(Sign::Zero) } else { Some(Sign::Positive.negated_if(self.0 < 0.0)) }
     }

@@ -48,6 +48,16 @@ impl Precision {
 /// The reals within a radius of a midpoint of at most `bits` bits.
 ///
 /// Invariant: `mid` has at most `bits` bits; the radius is infinite if nothing is known.
+///
+/// ```
+/// use grazing_number::{Ball, Elementary, Precision, Real, Sign, ball_digits, parse_rational};
+/// let bits = Precision::new(128);
+/// let x = Ball::ratio(&parse_rational("1/3")?, &bits);
+/// let square = x.exp(&bits) * &x.exp(&bits);
+/// assert!((square - &(x.clone() + &x).exp(&bits)).sign().is_none(), "equal, which no ball can tell");
+/// assert_eq!(ball_digits(&Ball::pi(&bits), 30).unwrap(), "3.14159265358979323846264338328");
+/// # Ok::<(), grazing_number::ParseError>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct Ball {
     mid: BigInt,

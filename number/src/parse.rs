@@ -1,13 +1,14 @@
-//! The number grammar of the command line and of every input file: text to an exact rational.
+//! The grammar of numbers: text to an exact rational.
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Zero, pow};
 
-use super::Fraction;
-use crate::error::{Error, Result};
+use crate::{BoundedFraction, error::ParseError};
 
-/// The most bits of a number on the command line, of its numerator and of its denominator.
+type Result<T> = std::result::Result<T, ParseError>;
+
+/// The most bits of a number's numerator and of its denominator, unless the caller says otherwise.
 pub const LIMIT_BITS: u32 = 1 << 15;
 
 /// Reads an exact rational: a sum or difference of terms `12`, `3/8`, `0.375`, `1e-30`, `2^-200`. Cost: that
@@ -24,15 +25,15 @@ pub const LIMIT_BITS: u32 = 1 << 15;
 /// [`parse_rational_within`].
 ///
 /// # Errors
-/// An input error that quotes the text and says what was expected where.
+/// A [`ParseError`] that quotes the text and says what was expected where.
 ///
 /// ```
-/// use grazing::number::parse_rational;
+/// use grazing_number::parse_rational;
 /// assert_eq!(parse_rational("3/8 - 2^-3")?, parse_rational("0.25")?);
 /// assert_eq!(parse_rational("1e-2")?.to_string(), "1/100");
 /// assert!(parse_rational("1/0").is_err());
 /// assert!(parse_rational("1/3^500000").is_err());
-/// # Ok::<(), grazing::Error>(())
+/// # Ok::<(), grazing_number::ParseError>(())
 /// ```
 pub fn parse_rational(text: &str) -> Result<BigRational> {
     parse_rational_within(text, LIMIT_BITS)
@@ -63,16 +64,16 @@ pub fn parse_rational_within(text: &str, bits: u32) -> Result<BigRational> {
 /// Reads a whole number in the same grammar, as in `10000`, `1e4` or `2^100`, into any integer type.
 ///
 /// # Errors
-/// As [`parse_rational`]; an input error if the value is not whole or does not fit the type.
+/// As [`parse_rational`]; also if the value is not whole or does not fit the type.
 pub fn parse_integer<T: TryFrom<BigInt>>(text: &str) -> Result<T> {
     let value = parse_rational(text)?;
     if !value.is_integer() {
-        return Err(Error::input(format!("{:?} is not a whole number", abbreviate(text))));
+        return Err(ParseError::new(format!("{:?} is not a whole number", abbreviate(text))));
     }
     let negative = value < BigRational::zero();
     T::try_from(value.to_integer()).map_err(|_| {
         let why = if negative { "negative: it must be a count" } else { "too large here" };
-        Error::input(format!("{:?} is {why}", abbreviate(text)))
+        ParseError::new(format!("{:?} is {why}", abbreviate(text)))
     })
 }
 
@@ -88,14 +89,14 @@ impl<'a> Reader<'a> {
             None => "the end".to_string(),
             Some(c) => format!("{c:?}"),
         };
-        Err(Error::input(format!(
+        Err(ParseError::new(format!(
             "{:?} is not a number: expected {expected}, found {found} (write 3/8, 0.375, 1e-30, 2^-10 or a sum of such terms)",
             abbreviate(self.text)
         )))
     }
 
     fn too_large<T>(&self) -> Result<T> {
-        Err(Error::input(format!(
+        Err(ParseError::new(format!(
             "{:?} is too large or too fine: at most {} bits are allowed in numerator and denominator",
             abbreviate(self.text),
             self.bits
@@ -124,15 +125,15 @@ impl<'a> Reader<'a> {
         }
     }
 
-    fn fitting(&self, value: Fraction) -> Result<Fraction> {
+    fn fitting(&self, value: BoundedFraction) -> Result<BoundedFraction> {
         if value.is_too_large() { self.too_large() } else { Ok(value) }
     }
 
     fn divides_by_zero<T>(&self) -> Result<T> {
-        Err(Error::input(format!("{:?} divides by zero", abbreviate(self.text))))
+        Err(ParseError::new(format!("{:?} divides by zero", abbreviate(self.text))))
     }
 
-    fn signed_term(&mut self, first: bool) -> Result<Fraction> {
+    fn signed_term(&mut self, first: bool) -> Result<BoundedFraction> {
         self.rest = self.rest.trim_start();
         let negative = match self.sign() {
             Some(negative) => negative,
@@ -145,7 +146,7 @@ impl<'a> Reader<'a> {
         Ok(if negative { -term } else { term })
     }
 
-    fn term(&mut self) -> Result<Fraction> {
+    fn term(&mut self) -> Result<BoundedFraction> {
         let numerator = self.power()?;
         if !self.take('/') {
             return Ok(numerator);
@@ -157,7 +158,7 @@ impl<'a> Reader<'a> {
         self.fitting(numerator / &denominator)
     }
 
-    fn power(&mut self) -> Result<Fraction> {
+    fn power(&mut self) -> Result<BoundedFraction> {
         let base = self.decimal()?;
         if !self.take('^') {
             return Ok(base);
@@ -190,7 +191,7 @@ impl<'a> Reader<'a> {
         digits
     }
 
-    fn decimal(&mut self) -> Result<Fraction> {
+    fn decimal(&mut self) -> Result<BoundedFraction> {
         let whole = self.digits();
         let fraction = if self.take('.') { self.digits() } else { "" };
         if whole.is_empty() && fraction.is_empty() {
@@ -202,7 +203,7 @@ impl<'a> Reader<'a> {
         let all = format!("{whole}{fraction}");
         let all = all.trim_start_matches('0');
         if all.is_empty() {
-            return Ok(Fraction::new(BigInt::ZERO, BigInt::one(), limit));
+            return Ok(BoundedFraction::new(BigInt::ZERO, BigInt::one(), limit));
         }
         let too_many = |digits: u64| digits.saturating_mul(33) / 10 > limit + 4;
         let exponent = exponent.saturating_sub(fraction.len() as i64);
@@ -216,7 +217,7 @@ impl<'a> Reader<'a> {
         let scale = pow(BigInt::from(10), exponent.unsigned_abs() as usize);
         let (numerator, denominator) =
             if exponent < 0 { (value, scale) } else { (value * scale, BigInt::one()) };
-        self.fitting(Fraction::new(numerator, denominator, limit))
+        self.fitting(BoundedFraction::new(numerator, denominator, limit))
     }
 }
 

@@ -7,7 +7,6 @@ use std::{
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use serde::{Serialize, Serializer};
 
 /// The sign of a real number that has been decided.
 ///
@@ -24,12 +23,14 @@ pub enum Sign {
 
 impl Sign {
     /// The sign of an exact fraction.
+    #[inline]
     pub fn of(value: &BigRational) -> Sign {
         value.numer().into()
     }
 
     /// This sign, turned round if `odd`: the sign of (−1)^odd · x.
     #[must_use]
+    #[inline]
     pub fn negated_if(self, odd: bool) -> Sign {
         if odd { -self } else { self }
     }
@@ -47,13 +48,15 @@ impl fmt::Display for Sign {
 }
 
 /// As text: `-`, `0` or `+`.
-impl Serialize for Sign {
-    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
+#[cfg(feature = "serde")]
+impl serde::Serialize for Sign {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_str(self)
     }
 }
 
 impl From<&BigInt> for Sign {
+    #[inline]
     fn from(value: &BigInt) -> Sign {
         match value.sign() {
             num_bigint::Sign::Minus => Sign::Negative,
@@ -66,6 +69,7 @@ impl From<&BigInt> for Sign {
 impl Neg for Sign {
     type Output = Sign;
 
+    #[inline]
     fn neg(self) -> Sign {
         match self {
             Sign::Negative => Sign::Positive,
@@ -79,6 +83,7 @@ impl Mul for Sign {
     type Output = Sign;
 
     /// The sign of a product.
+    #[inline]
     fn mul(self, other: Sign) -> Sign {
         match self {
             Sign::Positive => other,
