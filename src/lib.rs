@@ -78,12 +78,13 @@
 //! | [`run`] | the tasks of a scene run, each with a typed result |
 //! | [`Error`], [`Outcome`], [`Monitor`], [`Profile`] | what goes wrong; how work ends; how a long job reports and is ended; where its time goes |
 //!
-//! Not public, and below the table, for every part: `formula` (formulas as trees), `printable` (text of others
-//! on its way out), `processor` (its time, its threads), `random` (the same choices on every machine),
-//! `output` (files that are whole or absent, saved states, tables), `source` (errors that name file, line and key). Above it: `study` (what
-//! accuracy costs), and with the feature `cli`, which is on by default, `figure` (pictures, the data of each
-//! beside it) and `cli` (the command line). Without it, `default-features = false`, none of their packages is
-//! compiled. `tests/structure.rs` holds the sources to this order.
+//! Not public, and below the table, for every part: `formula` (as trees), `printable` (text of others on its
+//! way out), `processor` (its time, its threads), `random` (the same choices on every machine),
+//! `output` (files that are whole or absent, saved states, tables), `source` (errors that name file, line and
+//! key). Above it: `study` (what accuracy costs), and with the feature `cli`, which is on by default,
+//! `figure` (pictures, the data of each beside it) and `cli` (the command line). Without it,
+//! `default-features = false`, none of their packages is compiled. `tests/structure.rs` holds the sources to
+//! this order.
 
 // They panic once nobody reads; `output` has what does not.
 #![deny(clippy::print_stdout, clippy::print_stderr)]

@@ -12,9 +12,10 @@ use super::{Real, Sign};
 /// An exact fraction, not in lowest terms, or one that has become too large.
 ///
 /// Numerator and denominator have at most as many bits as the context says. What would need more is too large
-/// from then on, and costs nothing more: text of others is evaluated in bounded time and memory. Sums are brought to a common denominator: the larger one where it is
-/// a multiple of the other, else the product. Only [`reduced`](BoundedFraction::reduced) looks for common factors,
-/// so that no operation on b bits costs more than a product or quotient of b bits.
+/// from then on, and costs nothing more: text of others is evaluated in bounded time and memory. Sums are
+/// brought to a common denominator: the larger one where it is a multiple of the other, else the product.
+/// Only [`reduced`](BoundedFraction::reduced) looks for common factors, so that no operation on b bits costs
+/// more than a product or quotient of b bits.
 ///
 /// ```
 /// use grazing_number::{BoundedFraction, Real, parse_rational};

@@ -24,7 +24,9 @@ impl<'a, 'py> FromPyObject<'a, 'py> for Exact {
         let py = object.py();
         if let Ok(text) = object.cast::<PyString>() {
             let text = text.to_string();
-            return parse_rational(&text).map(Exact).map_err(|error| crate::failure::raise(py, &error));
+            return parse_rational(&text)
+                .map(Exact)
+                .map_err(|error| crate::failure::raise(py, &error.into()));
         }
         let shown = || object.repr().map(|text| text.to_string());
         if object.cast::<PyBool>().is_ok() {

@@ -12,13 +12,14 @@ use crate::{
     cli::progress::Interrupt,
     error::{Error, Result},
     figure,
-    number::{Sign, certain_digits, parse_integer},
+    number::{FloatInterval, Sign, certain_digits, parse_integer},
     output::{
         Column, FileRegistry, FileUse, LONGEST_SCENE, Print, Setting, TableCell, TableFormat, TableWriter,
         make_folder, read_text, say,
     },
     pattern::{
-        Analysis, Graph, MAX_GRAPH_PERIOD, Map, Numbers, Pattern, PatternExistence, Patterns, Report, Value,
+        Analysis, Graph, MAX_GRAPH_PERIOD, Map, Numbers, Pattern, PatternExistence, Patterns, Pruning,
+        Report, Value, Windows,
     },
     word::Entropy,
 };
@@ -50,7 +51,8 @@ pub(super) struct Args {
     /// Write that pattern's predicted orbit into a folder, as orbit.csv and orbit.svg.
     #[arg(long, value_name = "DIR", requires = "pattern")]
     orbit: Option<PathBuf>,
-    /// Leave out the patterns that exist for neither sign; in two dimensions they are never visited.
+    /// Leave out the patterns that exist for neither sign. In two dimensions they are never visited, in more
+    /// none with a beginning that no orbit can have is.
     #[arg(long)]
     existing: bool,
     /// Count the patterns of each period instead; in two dimensions, add the growth rate over the periods up
@@ -88,6 +90,22 @@ const LIMIT: u64 = MAX_GRAPH_PERIOD;
 /// The most rows of a list.
 const MOST_ROWS: u64 = 10_000_000;
 
+/// Windows until an interruption, which ends the search: between two patterns it may be long.
+struct Watched<'a> {
+    windows: Windows<'a, FloatInterval>,
+    interrupt: &'a Interrupt,
+}
+
+impl Pruning for Watched<'_> {
+    fn enter(&mut self, before: Option<u64>, letter: u64) -> bool {
+        !self.interrupt.asked() && self.windows.enter(before, letter)
+    }
+
+    fn leave(&mut self) {
+        self.windows.leave();
+    }
+}
+
 /// Patterns judged before their rows are written.
 const CHUNK: usize = 4096;
 
@@ -107,22 +125,37 @@ impl Engine<'_> {
 
     /// The patterns of a period, if `existing` without those that certainly exist for neither sign as far as
     /// it is seen early.
-    fn patterns<'a>(&'a self, period: u64, existing: bool) -> Box<dyn Iterator<Item = Pattern> + 'a> {
+    fn patterns<'a>(
+        &'a self,
+        period: u64,
+        existing: bool,
+        interrupt: &'a Interrupt,
+    ) -> Box<dyn Iterator<Item = Pattern> + 'a> {
         match self {
             Engine::Graph(graph) if existing => {
                 Box::new(Patterns::walks(period, |from, to| graph.may_follow(from, to)))
             }
+            Engine::General(analysis) if existing => match analysis.windows() {
+                Some(windows) => Box::new(Patterns::walks(period, Watched { windows, interrupt })),
+                None => Box::new(Patterns::of_period(period)),
+            },
             _ => Box::new(Patterns::of_period(period)),
         }
     }
 
     /// Refuses a list of more than [`MOST_ROWS`] patterns.
     fn bounded(&self, args: &Args, interrupt: &Interrupt) -> Result<()> {
+        let all: BigUint = (1..=args.max_period).map(Patterns::count).sum();
+        if all <= MOST_ROWS.into() {
+            return Ok(());
+        }
         let rows = match self {
-            // They are counted as they will be visited, which takes a small part of the time of judging them.
-            Engine::Graph(_) if args.existing => {
+            // They are counted as they will be visited, which takes a part of the time of judging them.
+            _ if args.existing => {
                 let mut rows = 0u64;
-                for (index, _) in (1..=args.max_period).flat_map(|n| self.patterns(n, true)).enumerate() {
+                for (index, _) in
+                    (1..=args.max_period).flat_map(|n| self.patterns(n, true, interrupt)).enumerate()
+                {
                     rows += 1;
                     if index % CHUNK == 0 {
                         interrupt.check()?;
@@ -133,16 +166,10 @@ impl Engine<'_> {
                 }
                 if rows <= MOST_ROWS { return Ok(()) } else { format!("more than {MOST_ROWS}") }
             }
-            _ => {
-                let rows: BigUint = (1..=args.max_period).map(Patterns::count).sum();
-                if rows <= MOST_ROWS.into() {
-                    return Ok(());
-                }
-                match rows.to_u64() {
-                    Some(rows) => rows.to_string(),
-                    None => format!("about 10^{}", rows.to_string().len() - 1),
-                }
-            }
+            _ => match all.to_u64() {
+                Some(rows) => rows.to_string(),
+                None => format!("about 10^{}", all.to_string().len() - 1),
+            },
         };
         Err(Error::input(format!(
             "--max-period {} would write {rows} rows, and at most {MOST_ROWS} are written: give a smaller one",
@@ -238,8 +265,9 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
         };
         let rows = match &args.pattern {
             Some(pattern) => write(std::slice::from_ref(pattern)),
-            None => (1..=args.max_period)
-                .try_for_each(|period| each_chunk(engine.patterns(period, args.existing), &mut write)),
+            None => (1..=args.max_period).try_for_each(|period| {
+                each_chunk(engine.patterns(period, args.existing, interrupt), &mut write)
+            }),
         };
         table.end(rows)
     });
@@ -397,21 +425,24 @@ fn counted(
         if row.undecided != BigUint::ZERO {
             *outcome = Outcome::Undecided;
         }
-        let counts = [&row.patterns, &row.plus, &row.minus, &row.neither, &row.undecided];
-        let texts = counts.map(ToString::to_string);
+        let counts = [row.patterns, row.plus, row.minus, row.neither, row.undecided];
+        let texts = counts.each_ref().map(ToString::to_string);
         let growth =
             [true, false].map(|side| show_growth(&graph.walks(side, row.period).entropy(GROWTH_BITS)));
         let mut cells = vec![TableCell::Int(row.period as i64)];
-        cells.extend(
-            counts
-                .iter()
-                .zip(&texts)
-                .map(|(count, text)| count.to_i64().map_or(TableCell::Text(text.as_str()), TableCell::Int)),
-        );
+        cells.extend(whole_cells(&counts, &texts));
         cells.extend(growth.iter().map(|text| TableCell::Text(text)));
         table.row(&cells)?;
     }
     Ok(())
+}
+
+/// Whole numbers of any size, those beyond 64 bits as text.
+fn whole_cells<'t>(numbers: &[BigUint], texts: &'t [String]) -> impl Iterator<Item = TableCell<'t>> {
+    let cell = |(number, text): (&BigUint, &'t String)| {
+        number.to_i64().map_or(TableCell::Text(text), TableCell::Int)
+    };
+    numbers.iter().zip(texts).map(cell)
 }
 
 /// Bits of a growth rate.
@@ -426,7 +457,7 @@ fn listed(
     table: &mut TableWriter,
 ) -> Result<()> {
     let mut found = [0u64; 4];
-    each_chunk(engine.patterns(period, false), |chunk| {
+    each_chunk(engine.patterns(period, true, interrupt), |chunk| {
         let kinds: Vec<usize> = chunk
             .par_iter()
             .map(|pattern| {
@@ -444,8 +475,14 @@ fn listed(
     if found[3] > 0 {
         *outcome = Outcome::Undecided;
     }
-    let mut cells = vec![TableCell::Int(period as i64), TableCell::Int(found.iter().sum::<u64>() as i64)];
-    cells.extend(found.iter().map(|&count| TableCell::Int(count as i64)));
+    // What was not visited exists for neither sign.
+    let all = Patterns::count(period);
+    let neither = &all - (found[0] + found[1] + found[3]);
+    let [plus, minus, _, undecided] = found.map(BigUint::from);
+    let counts = [all, plus, minus, neither, undecided];
+    let texts = counts.each_ref().map(ToString::to_string);
+    let mut cells = vec![TableCell::Int(period as i64)];
+    cells.extend(whole_cells(&counts, &texts));
     table.row(&cells)
 }
 

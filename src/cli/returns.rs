@@ -11,8 +11,8 @@ use crate::{
     error::Result,
     local::{Forward, Ladder, Point},
     number::ball_digits,
-    output::{Column, Destination, TableCell, TableFormat, TableWriter},
-    word::{ReturnKind, Returns, Word, place},
+    output::{Column, Destination, TableCell, TableFormat, TableWriter, say},
+    word::{Extent, ReturnKind, Returns, Word, place},
 };
 
 /// Digits of p.
@@ -76,7 +76,15 @@ pub(super) fn run(
         });
         table.end(rows)
     })?;
-    Ok(if returns.is_whole() { Outcome::Done } else { Outcome::Undecided })
+    if returns.is_whole() {
+        return Ok(Outcome::Done);
+    }
+    let why = match word.extent() {
+        Extent::Cut => format!("the word has more than {letters} letters: give a greater --letters"),
+        _ => "a sign is zero or undecided".into(),
+    };
+    say(format_args!("note: the pieces in the middle are missing: {why}"));
+    Ok(Outcome::Undecided)
 }
 
 /// An end; in print, where decimals are formulas by themselves, infinity is one too.

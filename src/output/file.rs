@@ -100,6 +100,12 @@ pub fn make_folder(folder: &Path) -> Result<()> {
     if folder == Path::new("-") {
         return Err(Error::input("-o -: several files need a folder; write ./- for one of that name"));
     }
+    if fs::metadata(folder).is_ok_and(|found| !found.is_dir()) {
+        let shown = folder.display();
+        return Err(Error::input(format!(
+            "{shown} is a file, and several files need a folder: give its name"
+        )));
+    }
     fs::create_dir_all(folder).map_err(|error| Error::io("create", folder, error))?;
     Temporary::beside(&folder.join("probe"))
         .map(drop)

@@ -5,7 +5,7 @@ use std::sync::OnceLock;
 use num_rational::BigRational;
 
 use super::{
-    Coordinates, Failure, Map, Report, Scalar,
+    Coordinates, Failure, Map, Report, Scalar, Windows,
     existence::{examine, flat},
     solve,
 };
@@ -54,6 +54,16 @@ impl<'m> Analysis<'m> {
     /// The map.
     pub fn map(&self) -> &Map {
         self.map
+    }
+
+    /// What leaves out the patterns with a beginning that no orbit can have, for either sign of eµ, for
+    /// [`Patterns::walks`](super::Patterns::walks): no pattern that exists; of an exact map none that is open
+    /// with det D ≠ 0. Of a map with intervals a window may be decided where a pattern is not.
+    /// `None` where nothing can be left out: in two dimensions, which have the [`Graph`](super::Graph), and
+    /// where e may be 0.
+    pub fn windows(&self) -> Option<Windows<'_, FloatInterval>> {
+        let known = self.map.e().sign().is_some_and(|sign| sign != Sign::Zero);
+        self.float.as_ref().filter(|map| known && map.dimension() > 2).map(Windows::new)
     }
 
     /// Theorem 1 for the pattern `periods`, each from 1 to the greatest prepared. Cost: O(m N³ + n N)

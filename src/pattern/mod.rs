@@ -12,19 +12,22 @@
 //! and takes the signs of C A^k X_i + 1 (33) and Y_i (34). Every sign is certain: enclosures first, exact
 //! fractions where those cannot tell; what stays undecided says why. In two dimensions [`Graph`] does the
 //! same faster: each X_i depends on n_i alone, and the existing patterns are the closed walks of a graph
-//! (64). Not here: single impacts as functions of (a₁, a₂) (`local`), pictures (`figure`).
+//! (64). In more dimensions [`Windows`] leaves out beginnings of patterns that no orbit can have. Not here:
+//! single impacts as functions of (a₁, a₂) (`local`), pictures (`figure`).
 
 mod analysis;
 mod coordinates;
 mod existence;
 mod graph;
 mod input;
+mod linear;
 mod map;
 mod matrix;
 mod orbit;
 mod scalar;
 mod sequence;
 mod solve;
+mod windows;
 
 pub use analysis::{Analysis, Numbers};
 pub use coordinates::Coordinates;
@@ -34,5 +37,6 @@ pub use map::{Entry, Map};
 pub use matrix::Matrix;
 pub use orbit::{PredictedPoint, predicted_orbit};
 pub use scalar::{Scalar, Value};
-pub use sequence::{Pattern, Patterns};
+pub use sequence::{Pattern, Patterns, Pruning};
 pub use solve::{Failure, Solution, solve};
+pub use windows::Windows;

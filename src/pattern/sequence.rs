@@ -69,7 +69,33 @@ pub struct Patterns<F> {
     word: Vec<(u64, usize)>,
     /// The letter to try next in place t + 1.
     next: u64,
-    follows: F,
+    pruning: F,
+}
+
+/// What leaves out beginnings of patterns, as the search makes and unmakes them letter by letter.
+pub trait Pruning {
+    /// One letter more, after `before` unless it is the first. False: no pattern that begins so is wanted,
+    /// and the letter is not taken.
+    fn enter(&mut self, before: Option<u64>, letter: u64) -> bool;
+
+    /// The last letter that was taken goes.
+    fn leave(&mut self) {}
+
+    /// Whether the word is wanted as a pattern, `first` following `last`.
+    fn closes(&self, _last: u64, _first: u64) -> bool {
+        true
+    }
+}
+
+/// Whether one letter may follow another.
+impl<F: Fn(u64, u64) -> bool> Pruning for F {
+    fn enter(&mut self, before: Option<u64>, letter: u64) -> bool {
+        before.is_none_or(|before| self(before, letter))
+    }
+
+    fn closes(&self, last: u64, first: u64) -> bool {
+        self(last, first)
+    }
 }
 
 impl Patterns<fn(u64, u64) -> bool> {
@@ -100,23 +126,25 @@ impl Patterns<fn(u64, u64) -> bool> {
     }
 }
 
-impl<F: Fn(u64, u64) -> bool> Patterns<F> {
-    /// The patterns in which `follows(n_i, n_{i+1})` holds cyclically. Cost: memory O(n), n = `period`; time
-    /// up to that of all beginnings that `follows` allows, of which there are O(2ⁿ).
-    pub fn walks(period: u64, follows: F) -> Self {
-        Patterns { period, left: period, word: Vec::new(), next: 1, follows }
+impl<F: Pruning> Patterns<F> {
+    /// The patterns that `pruning` leaves; as a function `follows(n_i, n_{i+1})`, those in which it holds
+    /// cyclically. Cost: memory O(n), n = `period`; time up to that of all beginnings that are left, of which
+    /// there are O(2ⁿ).
+    pub fn walks(period: u64, pruning: F) -> Self {
+        Patterns { period, left: period, word: Vec::new(), next: 1, pruning }
     }
 
     /// Takes the last letter away and aims at its successor; false if there is none.
     fn back(&mut self) -> bool {
         let Some((letter, _)) = self.word.pop() else { return false };
+        self.pruning.leave();
         self.left += letter;
         self.next = letter + 1;
         true
     }
 }
 
-impl<F: Fn(u64, u64) -> bool> Iterator for Patterns<F> {
+impl<F: Pruning> Iterator for Patterns<F> {
     type Item = Pattern;
 
     fn next(&mut self) -> Option<Pattern> {
@@ -126,12 +154,10 @@ impl<F: Fn(u64, u64) -> bool> Iterator for Patterns<F> {
         loop {
             if self.left == 0 {
                 let (last, p) = *self.word.last()?;
-                let found =
-                    (self.word.len().is_multiple_of(p) && (self.follows)(last, self.word[0].0)).then(|| {
-                        Pattern {
-                            periods: self.word.iter().map(|&(letter, _)| letter).collect(),
-                            repeats: self.word.len() / p,
-                        }
+                let found = (self.word.len().is_multiple_of(p) && self.pruning.closes(last, self.word[0].0))
+                    .then(|| Pattern {
+                        periods: self.word.iter().map(|&(letter, _)| letter).collect(),
+                        repeats: self.word.len() / p,
                     });
                 self.back();
                 if found.is_some() {
@@ -154,11 +180,14 @@ impl<F: Fn(u64, u64) -> bool> Iterator for Patterns<F> {
                     self.next = bound;
                     continue;
                 }
-                if !(self.follows)(last, letter) {
+                if !self.pruning.enter(Some(last), letter) {
                     continue;
                 }
                 self.word.push((letter, if letter == bound { p } else { t + 1 }));
             } else {
+                if !self.pruning.enter(None, letter) {
+                    continue;
+                }
                 self.word.push((letter, 1));
             }
             self.left -= letter;

@@ -4,8 +4,8 @@
 //! keys. Numbers are exact; coefficients are rational expressions in named parameters ([`Expression`]). Not
 //! here: running the tasks (the module `run`).
 //!
-//! Each file imports from those before it alone: `dual`, `expression`, `keys`, `force`, `matrix`, `measured`; the
-//! keys, `system`, `machine`, `simulate`, `orbits`, `sections`, `branches`, `validate`, `chaos`; `task`;
+//! Each file imports from those before it alone: `dual`, `expression`, `keys`, `force`, `matrix`, `measured`;
+//! the keys, `system`, `machine`, `simulate`, `orbits`, `sections`, `branches`, `validate`, `chaos`; `task`;
 //! `scene`, the type and its values; `values`, those of a machine; `normal`, `check`; `input`, `family`,
 //! `reference`.
 

@@ -239,7 +239,7 @@ fn proved(first: u64, last: u64) -> Answer {
 
 /// An exact number, the argument `key`.
 fn exact(key: &str, text: &str) -> Answer<BigRational> {
-    parse_rational(text.trim()).map_err(|error| Fault::from(error).of(key))
+    parse_rational(text.trim()).map_err(|error| Fault::from(grazing::Error::from(error)).of(key))
 }
 
 /// The names of a place's numbers.

@@ -171,7 +171,8 @@ impl Changeable {
     /// The new value of a parameter, if it has one that differs from the scene's.
     fn checked(&self, values: &[(String, String)], name: &str) -> Result<Option<String>> {
         let Some((_, new)) = values.iter().find(|(known, _)| known == name) else { return Ok(None) };
-        let value = parse_rational(new).map_err(|error| error.context(format_args!("parameter {name}")))?;
+        let value = parse_rational(new)
+            .map_err(|error| Error::from(error).context(format_args!("parameter {name}")))?;
         let old = self.parameters.iter().find(|known| known.name == name);
         let same = old.is_some_and(|old| parse_rational(&old.value).is_ok_and(|old| old == value));
         Ok((!same).then(|| new.trim().to_string()))

@@ -34,7 +34,7 @@ impl Request {
     }
 
     pub(super) fn exact(&self, key: &str) -> Result<BigRational> {
-        parse_rational(self.text(key)?).map_err(|error| error.context(key))
+        parse_rational(self.text(key)?).map_err(|error| Error::from(error).context(key))
     }
 
     pub(super) fn floats(&self, key: &str) -> Vec<f64> {

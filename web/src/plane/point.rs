@@ -38,7 +38,7 @@ fn given(request: &Json) -> Result<Given> {
     let coordinate = |key: &str| -> Result<Option<BigRational>> {
         match &request[key] {
             Json::Null => Ok(None),
-            Json::String(text) => parse_rational(text).map(Some),
+            Json::String(text) => parse_rational(text).map(Some).map_err(Error::from),
             _ => Err(Error::input(format!("{key}: an exact number as text is wanted"))),
         }
     };
