@@ -223,6 +223,73 @@ fn print(place: &Forward, found: &[Existence], out: &mut dyn Write) -> Result<()
     table.finish()
 }
 
+/// Sections 3.6 and 3.7 of the paper, by region.
+const REGIONS: [[&str; 6]; 5] = [
+    ["1", "a1 > a2+1", "(+,+) (-,-)", "(+,+)", "(+,+)", "-sign(e mu)"],
+    ["2", "2 sqrt(a2) <= a1 < a2+1", "(+,-) (-,+)", "(-,+)", "(-,+)", "sign(e mu)"],
+    [
+        "3",
+        "|a1| < 2 sqrt(a2)",
+        "(+,-) (-,+)",
+        "(-,+) a1 > 0; (+,+) a1 < 0",
+        "(-,+) 0 < s < 1/(2n); one area per interval",
+        "sign(e mu)",
+    ],
+    [
+        "4",
+        "-(a2+1) < a1 <= -2 sqrt(a2)",
+        "(+,-) (-,+)",
+        "(+,+)",
+        "n even: none; n odd: (+,-) where b_{n,n-2} > 0",
+        "sign(e mu)",
+    ],
+    ["5", "a1 < -(a2+1)", "(+,-) (-,+)", "(+,-)", "(+,-)", "(-1)^(n+1) sign(e mu)"],
+];
+
+/// The same in print, with σ for the sign of eµ.
+const FORMULAS: [[&str; 6]; 5] = [
+    [
+        "1",
+        "a_1 > a_2 + 1",
+        "\\begin{array}[t]{@{}l@{}}(+,+)\\\\ (-,-)\\end{array}",
+        "(+,+)",
+        "(+,+)",
+        "-\\sigma",
+    ],
+    [
+        "2",
+        "\\begin{array}[t]{@{}l@{}}2\\sqrt{a_2} \\le a_1\\\\ a_1 < a_2 + 1\\end{array}",
+        "\\begin{array}[t]{@{}l@{}}(+,-)\\\\ (-,+)\\end{array}",
+        "(-,+)",
+        "(-,+)",
+        "\\sigma",
+    ],
+    [
+        "3",
+        "|a_1| < 2\\sqrt{a_2}",
+        "\\begin{array}[t]{@{}l@{}}(+,-)\\\\ (-,+)\\end{array}",
+        "\\begin{array}[t]{@{}l@{}}(-,+)\\text{ if } a_1 > 0\\\\ (+,+)\\text{ if } a_1 < 0\\end{array}",
+        "\\begin{array}[t]{@{}l@{}}(-,+)\\text{ if } 2ns < 1\\\\ \\text{areas over intervals}\\end{array}",
+        "\\sigma",
+    ],
+    [
+        "4",
+        "\\begin{array}[t]{@{}l@{}}-(a_2 + 1) < a_1\\\\ a_1 \\le -2\\sqrt{a_2}\\end{array}",
+        "\\begin{array}[t]{@{}l@{}}(+,-)\\\\ (-,+)\\end{array}",
+        "(+,+)",
+        "\\begin{array}[t]{@{}l@{}}n \\text{ even: none}\\\\ n \\text{ odd: } (+,-)\\\\ \\text{if } b_{n,n-2} > 0\\end{array}",
+        "\\sigma",
+    ],
+    [
+        "5",
+        "a_1 < -(a_2 + 1)",
+        "\\begin{array}[t]{@{}l@{}}(+,-)\\\\ (-,+)\\end{array}",
+        "(+,-)",
+        "(+,-)",
+        "(-1)^{n+1}\\sigma",
+    ],
+];
+
 /// Sections 3.6 and 3.7 of the paper, by region, for 0 < a₂ ≤ 1.
 fn summary(args: &Args, destination: &Destination) -> Result<Outcome> {
     let columns = [
@@ -232,70 +299,6 @@ fn summary(args: &Args, destination: &Destination) -> Result<Outcome> {
         Column::new("period_2", "period 2", 28).print(Print::Lines(17)),
         Column::new("period_n", "period $n \\geq 3$", 52).print(Print::Lines(19)),
         Column::new("large_eigenvalue", "$\\operatorname{sign}\\Lambda$", 0).print(Print::Lines(13)),
-    ];
-    let rows = [
-        ["1", "a1 > a2+1", "(+,+) (-,-)", "(+,+)", "(+,+)", "-sign(e mu)"],
-        ["2", "2 sqrt(a2) <= a1 < a2+1", "(+,-) (-,+)", "(-,+)", "(-,+)", "sign(e mu)"],
-        [
-            "3",
-            "|a1| < 2 sqrt(a2)",
-            "(+,-) (-,+)",
-            "(-,+) a1 > 0; (+,+) a1 < 0",
-            "(-,+) 0 < s < 1/(2n); one area per interval",
-            "sign(e mu)",
-        ],
-        [
-            "4",
-            "-(a2+1) < a1 <= -2 sqrt(a2)",
-            "(+,-) (-,+)",
-            "(+,+)",
-            "n even: none; n odd: (+,-) where b_{n,n-2} > 0",
-            "sign(e mu)",
-        ],
-        ["5", "a1 < -(a2+1)", "(+,-) (-,+)", "(+,-)", "(+,-)", "(-1)^(n+1) sign(e mu)"],
-    ];
-    // The same in print, with σ for the sign of eµ.
-    let formulas = [
-        [
-            "1",
-            "a_1 > a_2 + 1",
-            "\\begin{array}[t]{@{}l@{}}(+,+)\\\\ (-,-)\\end{array}",
-            "(+,+)",
-            "(+,+)",
-            "-\\sigma",
-        ],
-        [
-            "2",
-            "\\begin{array}[t]{@{}l@{}}2\\sqrt{a_2} \\le a_1\\\\ a_1 < a_2 + 1\\end{array}",
-            "\\begin{array}[t]{@{}l@{}}(+,-)\\\\ (-,+)\\end{array}",
-            "(-,+)",
-            "(-,+)",
-            "\\sigma",
-        ],
-        [
-            "3",
-            "|a_1| < 2\\sqrt{a_2}",
-            "\\begin{array}[t]{@{}l@{}}(+,-)\\\\ (-,+)\\end{array}",
-            "\\begin{array}[t]{@{}l@{}}(-,+)\\text{ if } a_1 > 0\\\\ (+,+)\\text{ if } a_1 < 0\\end{array}",
-            "\\begin{array}[t]{@{}l@{}}(-,+)\\text{ if } 2ns < 1\\\\ \\text{areas over intervals}\\end{array}",
-            "\\sigma",
-        ],
-        [
-            "4",
-            "\\begin{array}[t]{@{}l@{}}-(a_2 + 1) < a_1\\\\ a_1 \\le -2\\sqrt{a_2}\\end{array}",
-            "\\begin{array}[t]{@{}l@{}}(+,-)\\\\ (-,+)\\end{array}",
-            "(+,+)",
-            "\\begin{array}[t]{@{}l@{}}n \\text{ even: none}\\\\ n \\text{ odd: } (+,-)\\\\ \\text{if } b_{n,n-2} > 0\\end{array}",
-            "\\sigma",
-        ],
-        [
-            "5",
-            "a_1 < -(a_2 + 1)",
-            "\\begin{array}[t]{@{}l@{}}(+,-)\\\\ (-,+)\\end{array}",
-            "(+,-)",
-            "(+,-)",
-            "(-1)^{n+1}\\sigma",
-        ],
     ];
     let caption = Caption {
         text: "The orbits with one impact by region of the plane of $a_1$ and $a_2$, $0 < a_2 \\le 1$: the cases \
@@ -310,7 +313,7 @@ fn summary(args: &Args, destination: &Destination) -> Result<Outcome> {
         let setting = Setting { caption: Some(&caption), ..Setting::default() };
         let name = "grazing-classify-summary 1";
         let mut table = TableWriter::set(out, args.format, name, columns.to_vec(), setting)?;
-        for (row, formulas) in rows.iter().zip(&formulas) {
+        for (row, formulas) in REGIONS.iter().zip(&FORMULAS) {
             let cells = if print { formulas.map(TableCell::Maths) } else { row.map(TableCell::Text) };
             table.row(&cells)?;
         }

@@ -240,27 +240,10 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
         if args.counts {
             return counts(args, &engine, out, interrupt, &mut outcome);
         }
-        let mut table =
-            TableWriter::set(out, args.format, "grazing-existence 1", columns(), Setting::at(&destination))?;
+        let setting = Setting::at(&destination);
+        let mut table = TableWriter::set(out, args.format, "grazing-existence 1", columns(), setting)?;
         let mut write = |chunk: &[Pattern]| {
-            let rows: Vec<(Report, Vec<String>)> = chunk
-                .par_iter()
-                .map(|pattern| {
-                    let report = engine.judge(pattern);
-                    let cells = if keep(args, &report) {
-                        cells(pattern, &report, map.e().sign())
-                    } else {
-                        Vec::new()
-                    };
-                    (report, cells)
-                })
-                .collect();
-            for (report, cells) in rows.iter().filter(|(_, cells)| !cells.is_empty()) {
-                if report.is_open() {
-                    outcome = Outcome::Undecided;
-                }
-                table.row(&cells.iter().enumerate().map(cell).collect::<Vec<_>>())?;
-            }
+            rows(args, &engine, map.e().sign(), chunk, &mut table, &mut outcome)?;
             interrupt.check()
         };
         let rows = match &args.pattern {
@@ -272,6 +255,32 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
         table.end(rows)
     });
     reported(outcome, written)
+}
+
+/// The rows of some patterns, judged by all threads.
+fn rows(
+    args: &Args,
+    engine: &Engine,
+    e: Option<Sign>,
+    chunk: &[Pattern],
+    table: &mut TableWriter,
+    outcome: &mut Outcome,
+) -> Result<()> {
+    let judged: Vec<(Report, Vec<Cell>)> = chunk
+        .par_iter()
+        .map(|pattern| {
+            let report = engine.judge(pattern);
+            let cells = if keep(args, &report) { cells(pattern, &report, e) } else { Vec::new() };
+            (report, cells)
+        })
+        .collect();
+    for (report, cells) in judged.iter().filter(|(_, cells)| !cells.is_empty()) {
+        if report.is_open() {
+            *outcome = Outcome::Undecided;
+        }
+        table.row(&cells.iter().map(Cell::set).collect::<Vec<_>>())?;
+    }
+    Ok(())
 }
 
 fn each_chunk(
@@ -314,27 +323,34 @@ fn columns() -> Vec<Column> {
     ]
 }
 
-/// The columns of whole numbers.
-const WHOLE: [usize; 5] = [1, 2, 5, 6, 12];
+/// A cell that outlives the row it was computed in.
+enum Cell {
+    Whole(i64),
+    /// Nothing, if it is empty.
+    Text(String),
+}
 
-fn cell((column, text): (usize, &String)) -> TableCell<'_> {
-    match text.parse() {
-        _ if text.is_empty() => TableCell::Empty,
-        Ok(number) if WHOLE.contains(&column) => TableCell::Int(number),
-        _ => TableCell::Text(text),
+impl Cell {
+    fn sign(positive: Option<bool>) -> Cell {
+        positive.map_or(Cell::Text(String::new()), |positive| Cell::Whole(if positive { 1 } else { -1 }))
+    }
+
+    fn set(&self) -> TableCell<'_> {
+        match self {
+            Cell::Whole(number) => TableCell::Int(*number),
+            Cell::Text(text) if text.is_empty() => TableCell::Empty,
+            Cell::Text(text) => TableCell::Text(text),
+        }
     }
 }
 
-fn cells(pattern: &Pattern, report: &Report, e: Option<Sign>) -> Vec<String> {
+fn cells(pattern: &Pattern, report: &Report, e: Option<Sign>) -> Vec<Cell> {
     let side = report.side();
     let verdict = match (report.plus, report.minus) {
         (PatternExistence::Orbit, _) => "emu>0",
         (_, PatternExistence::Orbit) => "emu<0",
         (PatternExistence::NoOrbit, PatternExistence::NoOrbit) => "neither",
         _ => "undecided",
-    };
-    let sign = |positive: Option<bool>| {
-        positive.map_or(String::new(), |positive| if positive { "1" } else { "-1" }.into())
     };
     let orbit = report.orbit.as_ref();
     let mut reason: Vec<String> = report.reason.iter().map(ToString::to_string).collect();
@@ -349,7 +365,7 @@ fn cells(pattern: &Pattern, report: &Report, e: Option<Sign>) -> Vec<String> {
         (PatternExistence::NoOrbit, PatternExistence::Open) => reason.push("none for emu > 0".into()),
         _ => {}
     }
-    let show = |value: Option<Value>| value.map_or(String::new(), |value| value.to_string());
+    let show = |value: Option<Value>| Cell::Text(value.map_or(String::new(), |value| value.to_string()));
     let margin = |positive| {
         orbit.map_or((None, None), |orbit| {
             let (gap, impact) = orbit.margins(positive);
@@ -360,23 +376,24 @@ fn cells(pattern: &Pattern, report: &Report, e: Option<Sign>) -> Vec<String> {
     let eigenvalue = side.and_then(|side| orbit?.eigenvalue_sign(side)).map(|sign| sign == Sign::Positive);
     let join = |values: &[Value]| values.iter().map(Value::to_string).collect::<Vec<_>>().join(" ");
     let flat = report.flat.is_some();
+    let rows = |x: &[Vec<Value>]| x.iter().map(|x| join(x)).collect::<Vec<_>>().join("; ");
     vec![
-        pattern.to_string(),
-        pattern.period().to_string(),
-        pattern.periods().len().to_string(),
-        if pattern.is_primitive() { "yes" } else { "no" }.into(),
-        verdict.into(),
-        sign(side),
-        sign(side.filter(|_| e.is_some()).map(|side| side == (e == Some(Sign::Positive)))),
+        Cell::Text(pattern.to_string()),
+        Cell::Whole(pattern.period() as i64),
+        Cell::Whole(pattern.periods().len() as i64),
+        Cell::Text(if pattern.is_primitive() { "yes" } else { "no" }.into()),
+        Cell::Text(verdict.into()),
+        Cell::sign(side),
+        Cell::sign(side.filter(|_| e.is_some()).map(|side| side == (e == Some(Sign::Positive)))),
         show(plus.0),
         show(plus.1),
         show(minus.0),
         show(minus.1),
         show(orbit.and_then(|orbit| orbit.leading.clone())),
-        sign(eigenvalue.filter(|_| !flat)),
-        reason.join("; "),
-        orbit.map_or(String::new(), |orbit| join(&orbit.y)),
-        orbit.map_or(String::new(), |orbit| orbit.x.iter().map(|x| join(x)).collect::<Vec<_>>().join("; ")),
+        Cell::sign(eigenvalue.filter(|_| !flat)),
+        Cell::Text(reason.join("; ")),
+        Cell::Text(orbit.map_or(String::new(), |orbit| join(&orbit.y))),
+        Cell::Text(orbit.map_or(String::new(), |orbit| rows(&orbit.x))),
     ]
 }
 

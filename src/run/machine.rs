@@ -3,16 +3,21 @@
 //! Inside, time is the forcing's phase; everything here is reported in the scene's unit of time, and in
 //! periods.
 
+use std::f64::consts::TAU;
+
 use serde::Serialize;
 
-use super::{Finding, Job, Keeper, Lines, Status, row};
+use super::{
+    Finding, Job, Keeper, Lines, Status, row,
+    series::{SampledMotion, follow},
+};
 use crate::{
     error::Result,
     many::{
         Machine, MachineState, RealVector,
         contact::StopContact,
         section::PlanarMachine,
-        simulate::{MachineEvent, MachineSettings, MachineSimulator, PeakForces},
+        simulate::{MachineEvent, MachineRun, MachineSettings, MachineSimulator, PeakForces},
     },
     motion::{RunEnd, Time},
     scene::simulate::SimulateTask,
@@ -210,8 +215,6 @@ impl Finding for MachineSimulationFindings {
 
 /// Modes that a report lists.
 const LISTED: usize = 10;
-/// Periods between two looks at whether to go on.
-const CHUNK: u64 = 16;
 
 /// Gaps within this of their motion's size are contact without impact, unless the scene says otherwise.
 const RELATIVE_DEPTH: f64 = 1e-12;
@@ -275,143 +278,177 @@ pub fn simulate_machine(
     let start = job.scene.machine_state(&task.start, machine, "start")?;
     let simulator = job.machine_simulator(machine, std::slice::from_ref(&start))?;
     job.monitor.begin(task.transient + u64::from(task.periods), "periods");
-    let mut run = simulator.start(Time::new(0, start.t), start.q.as_slice(), start.u.as_slice())?;
-    let mut end = RunEnd::Reached;
-    let mut passed = 0;
-    while passed < task.transient && end == RunEnd::Reached {
-        let next = (passed + CHUNK).min(task.transient);
-        end = run.finish(Time::new(next as i64, start.t));
-        job.monitor.advance(next - passed)?;
-        passed = next;
-    }
-    let (flow, rate) = (simulator.flow(), simulator.rate());
-    let frequencies = flow.frequencies();
-    let cycles = 1.0 / machine.period;
-    let mode =
-        |&(frequency, damping_ratio): &(f64, f64)| ModeRow { frequency: frequency * cycles, damping_ratio };
-    let contacts = simulator.contacts().all();
-    let stop = |contact: &StopContact| StopRow {
-        stop: contact.name.clone(),
-        impacts: 0,
-        tangencies: 0,
-        rests: 0,
-        fastest: 0.0,
-        strongest: contact.soft.is_none().then_some(0.0),
-        peak_force: contact.soft.map(|_| 0.0),
-        least_gap: f64::INFINITY,
-        largest_gap: f64::NEG_INFINITY,
-    };
-    let mut found = MachineSimulationFindings {
-        periods: task.periods,
-        period: machine.period,
-        method: if simulator.is_smooth() { "Taylor series" } else { flow.method().name() },
-        condition: Some(flow.condition()).filter(|condition| condition.is_finite() && !simulator.is_smooth()),
-        modes: frequencies.iter().take(LISTED).map(mode).collect(),
-        oscillating: frequencies.len(),
-        stops: contacts.iter().map(stop).collect(),
-        order_matters: 0,
-        end,
-        ended_at: 0.0,
-        q: Vec::new(),
-        u: Vec::new(),
-        acceleration: Vec::new(),
-        minimum_depth: simulator.settings().minimum_depth,
-        measured: None,
-    };
-    let (mut first, mut peaks) = (None, PeakForces::new(&run));
-    let samples = u64::from(task.samples);
-    let mut instant = None;
-    for sample in 0..=u64::from(task.periods) * samples {
-        if found.end != RunEnd::Reached {
-            break;
-        }
-        let (period, part) = (sample / samples, sample % samples);
-        if part == 0 && period > 0 && period.is_multiple_of(CHUNK) {
-            job.monitor.advance(CHUNK)?;
-        }
-        let phase = start.t + std::f64::consts::TAU * part as f64 / f64::from(task.samples);
-        let until = Time::new((task.transient + period) as i64, phase);
-        let mut failed = None;
-        found.end = loop {
-            let event = run.next(until);
-            peaks.flown(&run);
-            if let MachineEvent::End(end) = event {
-                break end;
-            }
-            if let Some(row) = event.stop().map(|stop| &mut found.stops[stop]) {
-                match event {
-                    MachineEvent::Impact(impact) => {
-                        first.get_or_insert((impact.stop, impact.time, impact.velocity));
-                        row.impacts += 1;
-                        row.fastest = row.fastest.max(impact.velocity.abs() * rate);
-                        // Masses per radian² times velocities per radian, over Ω, are masses times
-                        // velocities.
-                        let impulse = impact.impulse / rate;
-                        row.strongest = row.strongest.map(|most| most.max(impulse));
-                        if impact.order_matters && instant != Some(impact.time) {
-                            found.order_matters += 1;
-                            instant = Some(impact.time);
-                        }
-                    }
-                    MachineEvent::Touch(touch) => {
-                        row.impacts += 1;
-                        row.fastest = row.fastest.max(touch.velocity.abs() * rate);
-                    }
-                    MachineEvent::Tangency(_) => row.tangencies += 1,
-                    MachineEvent::Stick(_) => row.rests += 1,
-                    _ => {}
-                }
-            }
-            if failed.is_none() {
-                failed = keeper.machine_event(&event).err();
-            }
-        };
-        if let Some(error) = failed {
-            return Err(error);
-        }
-        if found.end == RunEnd::Reached {
-            let state = run.state();
-            for (row, contact) in found.stops.iter_mut().zip(contacts) {
-                let [gap, _] = contact.gap(&state);
-                (row.least_gap, row.largest_gap) = (row.least_gap.min(gap), row.largest_gap.max(gap));
-            }
-            keeper.machine_sample(until, &state)?;
-        }
-    }
+    let run = simulator.start(Time::new(0, start.t), start.q.as_slice(), start.u.as_slice())?;
+    let found = MachineSimulationFindings::before(task, machine, &simulator);
+    // What is pushed in the transient is no peak of the series.
+    let mut motion =
+        Motion { simulator: &simulator, run, found, first: None, peaks: None, several: None, keeper };
+    let end = follow(task, start.t, &mut motion, job.monitor)?;
+    let Motion { mut run, mut found, first, peaks, .. } = motion;
     if let Some(error) = run.failure() {
         return Err(error);
     }
+    let peaks = peaks.unwrap_or_else(|| PeakForces::new(&run));
     for (row, peak) in found.stops.iter_mut().zip(peaks.peaks()) {
         row.peak_force = row.peak_force.map(|_| *peak);
     }
-    let state = run.state();
+    let (state, rate) = (run.state(), simulator.rate());
+    found.end = end;
     found.q = machine.seen(&state.q).iter().copied().collect();
     found.u = machine.seen(&state.u).iter().map(|u| u * rate).collect();
     let bend = simulator.acceleration(&state)?;
     found.acceleration = machine.seen(&bend).iter().map(|a| a * rate * rate).collect();
     found.ended_at = run.time().periods();
-    if let Some(force) = &job.scene.machine_scene()?.measured {
-        let direction: Vec<f64> =
-            force.direction.iter().map(|one| job.scene.number(one)).collect::<Result<_>>()?;
-        // After a transient it is not the first impact.
-        // Where forces are formulas its effect is none of a linear machine.
-        let known = task.transient == 0 && !machine.is_smooth();
-        let change = first.filter(|_| known).map(|(stop, time, velocity)| {
-            let since = time.since(Time::new(0, start.t));
-            (force.bound * felt(&simulator, &direction, machine, stop, since), velocity.abs())
-        });
-        found.measured = Some(MeasuredEffect {
-            file: force.file.clone(),
-            samples: force.samples,
-            periods: force.periods,
-            left_out: force.left_out,
-            harmonics: force.harmonics.len(),
-            residual: force.residual,
-            bound: force.bound,
-            interpolation: if force.once.is_some() { "linear" } else { "harmonics" },
-            gap_change: change.map(|(gap, _)| gap),
-            time_change: change.map(|(gap, speed)| gap / speed / std::f64::consts::TAU),
-        });
-    }
+    // After a transient it is not the first impact; where forces are formulas the record's effect is none of
+    // a linear machine.
+    let first = first.filter(|_| task.transient == 0 && !machine.is_smooth());
+    found.measured = measured(job, machine, &simulator, start.t, first)?;
     Ok(found)
+}
+
+/// An impact: its stop, its time, the gap's rate.
+type FirstImpact = (usize, Time, f64);
+
+/// The motion with what was found of it so far.
+struct Motion<'a> {
+    simulator: &'a MachineSimulator,
+    run: MachineRun<'a>,
+    found: MachineSimulationFindings,
+    first: Option<FirstImpact>,
+    peaks: Option<PeakForces>,
+    /// The last instant at which the order of several impacts mattered: it counts once.
+    several: Option<Time>,
+    keeper: &'a mut dyn Keeper,
+}
+
+impl SampledMotion for Motion<'_> {
+    const CHUNK: u64 = 16;
+
+    fn pass(&mut self, until: Time) -> RunEnd {
+        self.run.finish(until)
+    }
+
+    fn record(&mut self, until: Time) -> Result<RunEnd> {
+        let mut failed = None;
+        loop {
+            let peaks = self.peaks.get_or_insert_with(|| PeakForces::new(&self.run));
+            let event = self.run.next(until);
+            peaks.flown(&self.run);
+            if let MachineEvent::End(end) = event {
+                return failed.map_or(Ok(end), Err);
+            }
+            self.count(&event);
+            if failed.is_none() {
+                failed = self.keeper.machine_event(&event).err();
+            }
+        }
+    }
+
+    fn sample(&mut self, at: Time) -> Result<()> {
+        let state = self.run.state();
+        for (row, contact) in self.found.stops.iter_mut().zip(self.simulator.contacts().all()) {
+            let [gap, _] = contact.gap(&state);
+            (row.least_gap, row.largest_gap) = (row.least_gap.min(gap), row.largest_gap.max(gap));
+        }
+        self.keeper.machine_sample(at, &state)
+    }
+}
+
+impl Motion<'_> {
+    /// Adds an event to the row of its stop.
+    fn count(&mut self, event: &MachineEvent) {
+        let rate = self.simulator.rate();
+        let Some(row) = event.stop().map(|stop| &mut self.found.stops[stop]) else { return };
+        match event {
+            MachineEvent::Impact(impact) => {
+                self.first.get_or_insert((impact.stop, impact.time, impact.velocity));
+                row.impacts += 1;
+                row.fastest = row.fastest.max(impact.velocity.abs() * rate);
+                // Masses per radian² times velocities per radian, over Ω, are masses times velocities.
+                let impulse = impact.impulse / rate;
+                row.strongest = row.strongest.map(|most| most.max(impulse));
+                if impact.order_matters && self.several != Some(impact.time) {
+                    self.found.order_matters += 1;
+                    self.several = Some(impact.time);
+                }
+            }
+            MachineEvent::Touch(touch) => {
+                row.impacts += 1;
+                row.fastest = row.fastest.max(touch.velocity.abs() * rate);
+            }
+            MachineEvent::Tangency(_) => row.tangencies += 1,
+            MachineEvent::Stick(_) => row.rests += 1,
+            _ => {}
+        }
+    }
+}
+
+impl MachineSimulationFindings {
+    /// What there is to say of the machine before it moves.
+    fn before(task: &SimulateTask, machine: &Machine<f64>, simulator: &MachineSimulator) -> Self {
+        let (flow, smooth) = (simulator.flow(), simulator.is_smooth());
+        let (frequencies, cycles) = (flow.frequencies(), 1.0 / machine.period);
+        let mode = |&(frequency, damping_ratio): &(f64, f64)| ModeRow {
+            frequency: frequency * cycles,
+            damping_ratio,
+        };
+        let stop = |contact: &StopContact| StopRow {
+            stop: contact.name.clone(),
+            impacts: 0,
+            tangencies: 0,
+            rests: 0,
+            fastest: 0.0,
+            strongest: contact.soft.is_none().then_some(0.0),
+            peak_force: contact.soft.map(|_| 0.0),
+            least_gap: f64::INFINITY,
+            largest_gap: f64::NEG_INFINITY,
+        };
+        MachineSimulationFindings {
+            periods: task.periods,
+            period: machine.period,
+            method: if smooth { "Taylor series" } else { flow.method().name() },
+            condition: Some(flow.condition()).filter(|condition| condition.is_finite() && !smooth),
+            modes: frequencies.iter().take(LISTED).map(mode).collect(),
+            oscillating: frequencies.len(),
+            stops: simulator.contacts().all().iter().map(stop).collect(),
+            order_matters: 0,
+            end: RunEnd::Reached,
+            ended_at: 0.0,
+            q: Vec::new(),
+            u: Vec::new(),
+            acceleration: Vec::new(),
+            minimum_depth: simulator.settings().minimum_depth,
+            measured: None,
+        }
+    }
+}
+
+/// What is known of the measured force of a scene that has one, and of how far it may move the first impact
+/// of a motion that begins at `phase`.
+fn measured(
+    job: &Job,
+    machine: &Machine<f64>,
+    simulator: &MachineSimulator,
+    phase: f64,
+    first: Option<FirstImpact>,
+) -> Result<Option<MeasuredEffect>> {
+    let Some(force) = &job.scene.machine_scene()?.measured else { return Ok(None) };
+    let direction: Vec<f64> =
+        force.direction.iter().map(|one| job.scene.number(one)).collect::<Result<_>>()?;
+    let change = first.map(|(stop, time, velocity)| {
+        let since = time.since(Time::new(0, phase));
+        (force.bound * felt(simulator, &direction, machine, stop, since), velocity.abs())
+    });
+    Ok(Some(MeasuredEffect {
+        file: force.file.clone(),
+        samples: force.samples,
+        periods: force.periods,
+        left_out: force.left_out,
+        harmonics: force.harmonics.len(),
+        residual: force.residual,
+        bound: force.bound,
+        interpolation: if force.once.is_some() { "linear" } else { "harmonics" },
+        gap_change: change.map(|(gap, _)| gap),
+        time_change: change.map(|(gap, speed)| gap / speed / TAU),
+    }))
 }

@@ -213,15 +213,27 @@ pub fn machine_grazing(task: &GrazingTask, job: &Job) -> Result<MachineGrazingFi
         born: Vec::new(),
         undecided: 0,
     };
+    found.open = open(task, &event, &machine, reach);
+    if found.open.is_none() {
+        found.ask(task, job, &family, &event)?;
+    }
+    Ok(MachineGrazingFindings::Found(Box::new(found)))
+}
+
+/// Why the local theory is not for this grazing, looked for over `reach`; `None` where it is.
+fn open(task: &GrazingTask, event: &MachineGrazing, machine: &Machine<f64>, reach: f64) -> Option<String> {
+    let (map, rate) = (event.local(), machine.rate());
+    let name = |stop: usize| &machine.stops[stop].name;
     if let StopLaw::Soft { damping, .. } = machine.stops[event.at.stop].law {
-        found.open = Some(format!(
+        return Some(format!(
             "stop {} gives way: what a contact of depth d changes is of the order of d{}, so the local map has no square \
              root, and the local theory is not for it",
             name(event.at.stop),
             if damping > 0.0 { "" } else { "^(3/2)" }
         ));
-    } else if let Some(other) = event.others.first().filter(|_| event.half.is_none()) {
-        found.open = Some(if other.stop == event.at.stop {
+    }
+    if let Some(other) = event.others.first().filter(|_| event.half.is_none()) {
+        return Some(if other.stop == event.at.stop {
             format!(
                 "the motion grazes stop {} more than once in its period: the local theory is for one grazing",
                 name(other.stop)
@@ -233,30 +245,41 @@ pub fn machine_grazing(task: &GrazingTask, job: &Job) -> Result<MachineGrazingFi
                 name(other.stop)
             )
         });
-    } else if map.acceleration.is_nan() || map.acceleration <= 0.0 {
-        found.open = Some(format!(
+    }
+    if map.acceleration.is_nan() || map.acceleration <= 0.0 {
+        return Some(format!(
             "a_G = {} at the touch: the local theory is for a positive one",
-            found.acceleration
-        ));
-    } else if found.e.is_nan() || found.e.abs() * reach <= FLAT * event.scale {
-        found.open = Some(format!(
-            "e = {:e}: the least gap only touches 0 as {} varies, and the local theory is for one that passes through it",
-            found.e, task.parameter
-        ));
-    } else if event.at.gap.abs() > 1e-9 * event.scale {
-        found.open = Some(format!(
-            "the least gap passes through 0 without being found there: {:e} is left",
-            event.at.gap
+            map.acceleration * rate * rate
         ));
     }
-    if found.open.is_none() {
+    if map.e.is_nan() || map.e.abs() * reach <= FLAT * event.scale {
+        return Some(format!(
+            "e = {:e}: the least gap only touches 0 as {} varies, and the local theory is for one that passes through it",
+            map.e, task.parameter
+        ));
+    }
+    (event.at.gap.abs() > 1e-9 * event.scale).then(|| {
+        format!("the least gap passes through 0 without being found there: {:e} is left", event.at.gap)
+    })
+}
+
+impl MachineGrazingReport {
+    /// What the local theory says: of chaos in two dimensions, of every pattern up to the task's period.
+    fn ask(
+        &mut self,
+        task: &GrazingTask,
+        job: &Job,
+        family: &MachineSceneFamily,
+        event: &MachineGrazing,
+    ) -> Result<()> {
+        let map = event.local();
         match map.gamma() {
             None => {
-                let unit = if found.half { "half periods" } else { "periods" };
-                found.chaos_open = Some(format!(
+                let unit = if self.half { "half periods" } else { "periods" };
+                self.chaos_open = Some(format!(
                     "the local map has {} dimensions and the word theorem is for two; the table has the patterns of up \
                      to {} {unit}",
-                    2 * n,
+                    map.a.nrows(),
                     task.max_period
                 ));
             }
@@ -267,9 +290,9 @@ pub fn machine_grazing(task: &GrazingTask, job: &Job) -> Result<MachineGrazingFi
                     format!("{} {sign} {}", task.parameter, shown(event.parameter))
                 };
                 let plane = [map.a.trace(), map.determinant];
-                found.chaos = chaos_at(plane, gamma, map.e, side, job.monitor)?;
-                if found.chaos.is_none() {
-                    found.chaos_open = Some("that needs a2 > 0 and gamma other than 0".into());
+                self.chaos = chaos_at(plane, gamma, map.e, side, job.monitor)?;
+                if self.chaos.is_none() {
+                    self.chaos_open = Some("that needs a2 > 0 and gamma other than 0".into());
                 }
             }
         }
@@ -280,12 +303,12 @@ pub fn machine_grazing(task: &GrazingTask, job: &Job) -> Result<MachineGrazingFi
             job.check()?;
             let verdict = analysis.judge(pattern.periods());
             if verdict.side().is_some() || verdict.is_open() {
-                found.born.push(born(task, (job, &family), &event, &pattern, &verdict)?);
+                self.born.push(born(task, (job, family), event, &pattern, &verdict)?);
             }
-            found.undecided += usize::from(verdict.is_open());
+            self.undecided += usize::from(verdict.is_open());
         }
+        Ok(())
     }
-    Ok(MachineGrazingFindings::Found(Box::new(found)))
 }
 
 /// A row: what the local theory says of a pattern, and the orbit of the machine at the distance asked for.

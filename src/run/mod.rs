@@ -42,6 +42,7 @@ mod orbit;
 pub mod parts;
 mod report;
 mod section;
+mod series;
 mod shift;
 mod simulate;
 mod status;

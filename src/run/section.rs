@@ -239,25 +239,7 @@ fn attractors<D: Dynamics>(
         cycles.extend(one.cycle.map(|cycle| (index, cycle)));
         settled.push(one.settled);
     }
-    job.monitor.begin(settled.len() as u64, "exponents");
-    let count = (task.exponents as usize).min(dynamics.dimension());
-    let known = |index: usize| cycles.iter().find(|(place, _)| *place == index).map(|(_, cycle)| cycle);
-    let all: Vec<Vec<Growth>> = settled
-        .par_iter()
-        .enumerate()
-        .map(|(index, start)| {
-            let exact = known(index).map(Cycle::exponents).filter(|all| !all.is_empty());
-            let all = match exact {
-                Some(all) => all.into_iter().take(count).map(Growth::exact).collect(),
-                None => {
-                    let all = exponents(dynamics, start, count, 0, task.points.into(), job.monitor)?;
-                    all.iter().map(Growth::mean).collect()
-                }
-            };
-            job.monitor.advance(1)?;
-            Ok(all)
-        })
-        .collect::<Result<_>>()?;
+    let all = growths(task, job, dynamics, &settled, &cycles)?;
     for ((index, row), all) in (1..).zip(&mut found.attractors).zip(all) {
         row.impacts_per_period = match (row.period, row.impacts) {
             (Some(period), Some(impacts)) => impacts as f64 / period as f64,
@@ -276,6 +258,33 @@ fn attractors<D: Dynamics>(
         }
     }
     Ok((found, cycles))
+}
+
+/// The exponents of the attractors on which motions settled at these places: of a periodic one those of its
+/// multipliers, where they are known.
+fn growths<D: Dynamics>(
+    task: &SectionTask,
+    job: &Job,
+    dynamics: &D,
+    settled: &[D::Start],
+    cycles: &[(usize, Cycle<D::Point>)],
+) -> Result<Vec<Vec<Growth>>> {
+    job.monitor.begin(settled.len() as u64, "exponents");
+    let count = (task.exponents as usize).min(dynamics.dimension());
+    let known = |index: usize| cycles.iter().find(|(place, _)| *place == index).map(|(_, cycle)| cycle);
+    let of = |(index, start): (usize, &D::Start)| {
+        let exact = known(index).map(Cycle::exponents).filter(|all| !all.is_empty());
+        let all = match exact {
+            Some(all) => all.into_iter().take(count).map(Growth::exact).collect(),
+            None => {
+                let all = exponents(dynamics, start, count, 0, task.points.into(), job.monitor)?;
+                all.iter().map(Growth::mean).collect()
+            }
+        };
+        job.monitor.advance(1)?;
+        Ok(all)
+    };
+    settled.par_iter().enumerate().map(of).collect()
 }
 
 /// An exponent times the forcing period, with its standard error if it is a mean.

@@ -1,14 +1,16 @@
 //! Tasks of kind `simulate`: one motion, its impacts.
 
-use std::f64::consts::TAU;
-
 use serde::Serialize;
 
-use super::{Finding, Job, Keeper, Lines, Status, small_motion};
+use super::{
+    Finding, Job, Keeper, Lines, Status,
+    series::{SampledMotion, follow},
+    small_motion,
+};
 use crate::{
     error::Result,
     motion::{Flow, RunEnd, Time},
-    one::simulate::Event,
+    one::simulate::{Event, Run, Simulator},
     scene::simulate::SimulateTask,
 };
 
@@ -63,9 +65,6 @@ impl Finding for SimulationFindings {
     }
 }
 
-/// Periods between two looks at whether to go on.
-const CHUNK: u64 = 256;
-
 /// Follows the motion; each point and each event goes to `keeper` as it comes, so that memory does not grow
 /// with the length.
 ///
@@ -75,21 +74,13 @@ pub fn simulate(task: &SimulateTask, job: &Job, keeper: &mut dyn Keeper) -> Resu
     let simulator = job.simulator()?;
     let start = job.scene.state(&task.start)?;
     job.monitor.begin(task.transient + u64::from(task.periods), "periods");
-    let mut run = simulator.start(Time::new(0, start.t), start.q, start.u)?;
-    let mut end = RunEnd::Reached;
-    let mut passed = 0;
-    while passed < task.transient && end == RunEnd::Reached {
-        let next = (passed + CHUNK).min(task.transient);
-        end = run.finish(Time::new(next as i64, start.t));
-        job.monitor.advance(next - passed)?;
-        passed = next;
-    }
-    let mut found = SimulationFindings {
+    let run = simulator.start(Time::new(0, start.t), start.q, start.u)?;
+    let found = SimulationFindings {
         periods: task.periods,
         impacts: 0,
         tangencies: 0,
         rests: 0,
-        end,
+        end: RunEnd::Reached,
         ended_at: 0.0,
         q: 0.0,
         u: 0.0,
@@ -97,46 +88,62 @@ pub fn simulate(task: &SimulateTask, job: &Job, keeper: &mut dyn Keeper) -> Resu
         extent: [f64::INFINITY, f64::NEG_INFINITY],
         minimum_depth: simulator.settings().minimum_depth,
     };
-    let widen = |[low, high]: [f64; 2], q: f64| [low.min(q), high.max(q)];
-    let samples = u64::from(task.samples);
-    for sample in 0..=u64::from(task.periods) * samples {
-        if found.end != RunEnd::Reached {
-            break;
-        }
-        let (period, part) = (sample / samples, sample % samples);
-        if part == 0 && period > 0 && period.is_multiple_of(CHUNK) {
-            job.monitor.advance(CHUNK)?;
-        }
-        let phase = start.t + TAU * part as f64 / f64::from(task.samples);
-        let until = Time::new((task.transient + period) as i64, phase);
-        let mut failed = None;
-        found.end = run.record(until, |event| {
+    let mut motion = Motion { simulator: &simulator, run, found, keeper };
+    let end = follow(task, start.t, &mut motion, job.monitor)?;
+    let Motion { run, mut found, .. } = motion;
+    let state = run.state();
+    (found.end, found.q, found.u, found.ended_at) = (end, state.q, state.u, run.time().periods());
+    found.acceleration = simulator.flow().acceleration(state);
+    found.widen(state.q);
+    Ok(found)
+}
+
+/// The motion with what was found of it so far.
+struct Motion<'a> {
+    simulator: &'a Simulator,
+    run: Run<'a>,
+    found: SimulationFindings,
+    keeper: &'a mut dyn Keeper,
+}
+
+impl SampledMotion for Motion<'_> {
+    const CHUNK: u64 = 256;
+
+    fn pass(&mut self, until: Time) -> RunEnd {
+        self.run.finish(until)
+    }
+
+    fn record(&mut self, until: Time) -> Result<RunEnd> {
+        let (found, mut failed) = (&mut self.found, None);
+        let end = self.run.record(until, |event| {
             match event {
                 Event::Impact(_) => found.impacts += 1,
                 Event::Tangency(_) => found.tangencies += 1,
                 Event::Stick(_) => found.rests += 1,
                 _ => {}
             }
-            if let (Some(time), Some(side)) = (event.time(), event.side()) {
-                let wall = simulator.contact(side).map(|wall| wall.position.at(time.phase)[0]);
-                found.extent = wall.map_or(found.extent, |q| widen(found.extent, q));
+            if let (Some(time), Some(side)) = (event.time(), event.side())
+                && let Some(wall) = self.simulator.contact(side)
+            {
+                found.widen(wall.position.at(time.phase)[0]);
             }
             if failed.is_none() {
-                failed = keeper.event(&event).err();
+                failed = self.keeper.event(&event).err();
             }
         });
-        if let Some(error) = failed {
-            return Err(error);
-        }
-        if found.end == RunEnd::Reached {
-            let state = run.state();
-            found.extent = widen(found.extent, state.q);
-            keeper.sample(until, state)?;
-        }
+        failed.map_or(Ok(end), Err)
     }
-    let state = run.state();
-    (found.q, found.u, found.ended_at) = (state.q, state.u, run.time().periods());
-    found.acceleration = simulator.flow().acceleration(state);
-    found.extent = widen(found.extent, state.q);
-    Ok(found)
+
+    fn sample(&mut self, at: Time) -> Result<()> {
+        let state = self.run.state();
+        self.found.widen(state.q);
+        self.keeper.sample(at, state)
+    }
+}
+
+impl SimulationFindings {
+    fn widen(&mut self, q: f64) {
+        let [low, high] = self.extent;
+        self.extent = [low.min(q), high.max(q)];
+    }
 }

@@ -133,19 +133,7 @@ impl MachineScene {
             Some(measured) if measured.once => Some(MeasuredForce::once(file, measured)?),
             _ => None,
         };
-        let period = match (keys.frequency, keys.period) {
-            (Some(frequency), None) => derived(file, &frequency, |text| format!("1/({text})"))?,
-            (None, Some(period)) => period,
-            (Some(_), Some(_)) => {
-                return Err(at("system.period").fail("stands beside `frequency`: give one of them"));
-            }
-            (None, None) => match once.as_ref().and_then(|force| force.once.as_ref()) {
-                Some(record) => Expression::parse(&format!("{:e}", record.length()), &[])?,
-                None => {
-                    return Err(at("system").fail("has neither `frequency` nor `period`: give one of them"));
-                }
-            },
-        };
+        let period = period(file, keys.frequency, keys.period, once.as_ref())?;
         let mut machine = Machine {
             size: 0,
             period,
@@ -162,40 +150,17 @@ impl MachineScene {
         };
         match (keys.mass, keys.modes) {
             (Some(mass), None) => {
-                machine.size = mass.square(&at("system.mass"), None)?;
-                let n = machine.size;
-                machine.mass = mass.entries;
-                for (name, given, target) in [
-                    ("stiffness", keys.stiffness, &mut machine.stiffness),
-                    ("damping", keys.damping, &mut machine.damping),
-                ] {
-                    if let Some(given) = given {
-                        given.square(&at(&format!("system.{name}")), Some(n))?;
-                        *target = given.entries;
-                    }
-                }
-                if let Some(ratios) = keys.damping_ratio {
-                    let place = at("system.damping_ratio");
-                    if !machine.damping.is_empty() {
-                        return Err(place.fail("stands beside `damping`: give one of them"));
-                    }
-                    if ratios.entries.len() != 1 && ratios.entries.len() != n {
-                        return Err(place.fail(&format!("give one ratio for all modes, or {n}")));
-                    }
-                    machine.damping_ratio = ratios.entries;
-                }
+                matrices(file, mass, keys.stiffness, keys.damping, keys.damping_ratio, &mut machine)?;
             }
             (None, Some(modes)) => {
-                for (name, given) in [
+                let said = [
                     ("stiffness", keys.stiffness.is_some()),
                     ("damping", keys.damping.is_some()),
                     ("damping_ratio", keys.damping_ratio.is_some()),
-                ] {
-                    if given {
-                        return Err(
-                            at(&format!("system.{name}")).fail("stands beside `modes`, which already say it")
-                        );
-                    }
+                ];
+                if let Some((name, _)) = said.into_iter().find(|(_, given)| *given) {
+                    let place = at(&format!("system.{name}"));
+                    return Err(place.fail("stands beside `modes`, which already say it"));
                 }
                 modal(file, modes, &mut machine)?;
             }
@@ -213,78 +178,13 @@ impl MachineScene {
             let sin = load.sin.fit(&at(&format!("{path}.sin")), points)?;
             machine.forcing.push(Load { k: load.k, cos, sin });
         }
-        let measured = match keys.measured {
-            Some(_) if !machine.forcing.is_empty() => {
-                return Err(at("system.measured").fail("stands beside `forcing`: give one of them"));
+        let measured = measured(file, keys.measured, once, &mut machine)?;
+        for (i, keys) in (1..).zip(walls) {
+            let stop = stop(file, i, keys, points)?;
+            if machine.stops.iter().any(|known| known.name == stop.name) {
+                return Err(at(&format!("walls[{i}].name")).fail("is the name of an earlier stop, too"));
             }
-            Some(keys) => Some(match once {
-                None => MeasuredForce::new(file, keys, &machine.period, points)?,
-                Some(force) => {
-                    let direction = MeasuredForce::directed(file, keys.direction, points)?;
-                    machine.record = force.once.clone().map(|record| (record, direction.clone()));
-                    MeasuredForce { direction, ..force }
-                }
-            }),
-            None => None,
-        };
-        if let Some(force) = measured.as_ref().filter(|force| force.once.is_none()) {
-            let (mean, loads) = force.loads(file.scope.names)?;
-            machine.forcing = loads;
-            machine.force = match &machine.force[..] {
-                [] => mean,
-                constant => constant
-                    .iter()
-                    .zip(&mean)
-                    .map(|(one, mean)| derived(file, one, |text| format!("({text}) + ({mean})")))
-                    .collect::<Result<_>>()?,
-            };
-        }
-        for (i, stop) in (1..).zip(walls) {
-            let path = format!("walls[{i}]");
-            let row = match stop.row {
-                Some(row) => row.fit(&at(&format!("{path}.row")), points)?,
-                None if points == 1 => vec![Expression::parse("1", &[])?],
-                None => {
-                    return Err(
-                        at(&path).fail(&format!("has no row: give {points} entries that say what it stops"))
-                    );
-                }
-            };
-            if row.is_empty() {
-                return Err(at(&format!("{path}.row")).fail("is zero: no motion reaches the stop"));
-            }
-            let harmonics = harmonics(file, stop.harmonics, &format!("{path}.harmonics"))?;
-            let zero = || Expression::parse("0", &[]);
-            let (restitution, law) = match (stop.restitution, stop.stiffness) {
-                (Some(restitution), None) => {
-                    if stop.damping.is_some() {
-                        let why = "stands beside `restitution`: give `stiffness` with it for a stop that gives way, or leave it out";
-                        return Err(at(&format!("{path}.damping")).fail(why));
-                    }
-                    match restitution {
-                        RestitutionKey::Constant(restitution) => (restitution, StopLaw::Newton),
-                        RestitutionKey::Speed(law) => (zero()?, StopLaw::Speed(law)),
-                    }
-                }
-                (None, Some(stiffness)) => {
-                    let damping = stop.damping.map_or_else(zero, Ok)?;
-                    (zero()?, StopLaw::Soft { stiffness, damping })
-                }
-                (Some(_), Some(_)) => {
-                    let why = "stands beside `restitution`: give `restitution` for a rigid stop, or `stiffness` for one that gives way";
-                    return Err(at(&format!("{path}.stiffness")).fail(why));
-                }
-                (None, None) => {
-                    let why = "has neither `restitution` nor `stiffness`: give the first for a rigid stop, the second for one that gives way";
-                    return Err(at(&path).fail(why));
-                }
-            };
-            let wall = Wall { offset: stop.offset, harmonics, restitution };
-            let name = stop.name.unwrap_or_else(|| format!("{i}"));
-            if machine.stops.iter().any(|known| known.name == name) {
-                return Err(at(&format!("{path}.name")).fail("is the name of an earlier stop, too"));
-            }
-            machine.stops.push(Stop { name, row, wall, law });
+            machine.stops.push(stop);
         }
         if let Some(depth) = accuracy.minimum_depth
             && depth.is_nan() | (depth <= 0.0)
@@ -293,6 +193,130 @@ impl MachineScene {
         }
         Ok(MachineScene { machine, minimum_depth: accuracy.minimum_depth, measured })
     }
+}
+
+/// The period, from `frequency`, `period` or the length of a record that is taken once.
+fn period(
+    file: &Entry,
+    frequency: Option<Expression>,
+    period: Option<Expression>,
+    once: Option<&MeasuredForce>,
+) -> Result<Expression> {
+    match (frequency, period) {
+        (Some(frequency), None) => derived(file, &frequency, |text| format!("1/({text})")),
+        (None, Some(period)) => Ok(period),
+        (Some(_), Some(_)) => {
+            Err(file.at("system.period").fail("stands beside `frequency`: give one of them"))
+        }
+        (None, None) => match once.and_then(|force| force.once.as_ref()) {
+            Some(record) => Expression::parse(&format!("{:e}", record.length()), &[]),
+            None => Err(file.at("system").fail("has neither `frequency` nor `period`: give one of them")),
+        },
+    }
+}
+
+/// The coefficients of a machine that is given by its matrices.
+fn matrices(
+    file: &Entry,
+    mass: MatrixValue,
+    stiffness: Option<MatrixValue>,
+    damping: Option<MatrixValue>,
+    ratios: Option<CoordinateList>,
+    machine: &mut Machine<Expression>,
+) -> Result<()> {
+    machine.size = mass.square(&file.at("system.mass"), None)?;
+    let n = machine.size;
+    machine.mass = mass.entries;
+    let others =
+        [("stiffness", stiffness, &mut machine.stiffness), ("damping", damping, &mut machine.damping)];
+    for (name, given, target) in others {
+        if let Some(given) = given {
+            given.square(&file.at(&format!("system.{name}")), Some(n))?;
+            *target = given.entries;
+        }
+    }
+    if let Some(ratios) = ratios {
+        let place = file.at("system.damping_ratio");
+        if !machine.damping.is_empty() {
+            return Err(place.fail("stands beside `damping`: give one of them"));
+        }
+        if ratios.entries.len() != 1 && ratios.entries.len() != n {
+            return Err(place.fail(&format!("give one ratio for all modes, or {n}")));
+        }
+        machine.damping_ratio = ratios.entries;
+    }
+    Ok(())
+}
+
+/// The measured force, if there is one, put among the machine's own loads; `once` is it if it is taken once.
+fn measured(
+    file: &Entry,
+    keys: Option<MeasuredKeys>,
+    once: Option<MeasuredForce>,
+    machine: &mut Machine<Expression>,
+) -> Result<Option<MeasuredForce>> {
+    let Some(keys) = keys else { return Ok(None) };
+    if !machine.forcing.is_empty() {
+        return Err(file.at("system.measured").fail("stands beside `forcing`: give one of them"));
+    }
+    let points = machine.points();
+    if let Some(force) = once {
+        let direction = MeasuredForce::directed(file, keys.direction, points)?;
+        machine.record = force.once.clone().map(|record| (record, direction.clone()));
+        return Ok(Some(MeasuredForce { direction, ..force }));
+    }
+    let force = MeasuredForce::new(file, keys, &machine.period, points)?;
+    let (mean, loads) = force.loads(file.scope.names)?;
+    machine.forcing = loads;
+    machine.force = match &machine.force[..] {
+        [] => mean,
+        constant => constant
+            .iter()
+            .zip(&mean)
+            .map(|(one, mean)| derived(file, one, |text| format!("({text}) + ({mean})")))
+            .collect::<Result<_>>()?,
+    };
+    Ok(Some(force))
+}
+
+/// Stop i, counted from 1, of a machine of `points` coordinates that a row has entries for.
+fn stop(file: &Entry, i: usize, keys: StopKeys, points: usize) -> Result<Stop<Expression>> {
+    let path = format!("walls[{i}]");
+    let at = |name: &str| file.at(&format!("{path}{name}"));
+    let row = match keys.row {
+        Some(row) => row.fit(&at(".row"), points)?,
+        None if points == 1 => vec![Expression::parse("1", &[])?],
+        None => {
+            return Err(at("").fail(&format!("has no row: give {points} entries that say what it stops")));
+        }
+    };
+    if row.is_empty() {
+        return Err(at(".row").fail("is zero: no motion reaches the stop"));
+    }
+    let harmonics = harmonics(file, keys.harmonics, &format!("{path}.harmonics"))?;
+    let zero = || Expression::parse("0", &[]);
+    let (restitution, law) = match (keys.restitution, keys.stiffness) {
+        (Some(_), None) if keys.damping.is_some() => {
+            let why = "stands beside `restitution`: give `stiffness` with it for a stop that gives way, or leave it out";
+            return Err(at(".damping").fail(why));
+        }
+        (Some(RestitutionKey::Constant(restitution)), None) => (restitution, StopLaw::Newton),
+        (Some(RestitutionKey::Speed(law)), None) => (zero()?, StopLaw::Speed(law)),
+        (None, Some(stiffness)) => {
+            let damping = keys.damping.map_or_else(zero, Ok)?;
+            (zero()?, StopLaw::Soft { stiffness, damping })
+        }
+        (Some(_), Some(_)) => {
+            let why = "stands beside `restitution`: give `restitution` for a rigid stop, or `stiffness` for one that gives way";
+            return Err(at(".stiffness").fail(why));
+        }
+        (None, None) => {
+            let why = "has neither `restitution` nor `stiffness`: give the first for a rigid stop, the second for one that gives way";
+            return Err(at("").fail(why));
+        }
+    };
+    let wall = Wall { offset: keys.offset, harmonics, restitution };
+    Ok(Stop { name: keys.name.unwrap_or_else(|| format!("{i}")), row, wall, law })
 }
 
 fn modal(file: &Entry, modes: ModesKeys, machine: &mut Machine<Expression>) -> Result<()> {

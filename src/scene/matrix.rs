@@ -198,9 +198,67 @@ fn number(text: &str, line: usize) -> std::result::Result<String, Wrong> {
     Err((line, format!("{text:?} is not a number: this is a file of numbers only, or a MatrixMarket file")))
 }
 
+/// What the first lines of a MatrixMarket file say.
+struct Market<'t> {
+    layout: &'t str,
+    symmetry: &'t str,
+    rows: usize,
+    columns: usize,
+    /// How many entries follow, with their places; without it all of them follow, by columns.
+    count: Option<usize>,
+}
+
 /// MatrixMarket: array or coordinate, real or integer, general, symmetric or skew-symmetric.
 fn market(text: &str) -> std::result::Result<Read, Wrong> {
     let head = text.lines().next().unwrap_or_default().to_lowercase();
+    let (layout, symmetry) = market_kind(&head)?;
+    let mut lines = (1..).zip(text.lines()).skip(1).filter(|(_, line)| {
+        let line = line.trim();
+        !line.is_empty() && !line.starts_with('%')
+    });
+    let (line, sizes) = lines.next().ok_or((1, "has no line of sizes".to_string()))?;
+    let market = Market::of(layout, symmetry, line, sizes)?;
+    let places = market.places();
+    let expected = market.count.unwrap_or(places.len());
+    let mut read = Read { rows: market.rows, columns: market.columns, entries: Vec::new() };
+    let mut seen = std::collections::BTreeSet::new();
+    let (mut found, mut last) = (0, line);
+    for (line, content) in lines {
+        last = line;
+        let (i, j, text) = if market.count.is_none() && found == expected {
+            let words = content.split_whitespace().count();
+            let wrong = || format!("more than the {expected} entries expected");
+            return Err((line, if words == 1 { wrong() } else { market.wrong_words(words) }));
+        } else {
+            market.entry(line, content, places.get(found).copied())?
+        };
+        if !seen.insert((i, j)) {
+            return Err((line, format!("row {}, column {} stands here twice", i + 1, j + 1)));
+        }
+        if (symmetry == "symmetric" && i < j) || (symmetry == "skew-symmetric" && i <= j) {
+            let (row, column) = (i + 1, j + 1);
+            let why =
+                format!("row {row}, column {column}: a {symmetry} file holds what is below the diagonal");
+            return Err((line, why));
+        }
+        let value = number(text, line)?;
+        if i != j && symmetry == "symmetric" {
+            read.entries.push((j, i, value.clone()));
+        } else if symmetry == "skew-symmetric" {
+            let turned = value.strip_prefix('-').map_or(format!("-{value}"), str::to_string);
+            read.entries.push((j, i, turned));
+        }
+        read.entries.push((i, j, value));
+        found += 1;
+    }
+    if found != expected {
+        return Err((last, format!("ends after {found} of {expected} entries")));
+    }
+    Ok(read)
+}
+
+/// Layout and symmetry of a first line in lower case.
+fn market_kind(head: &str) -> std::result::Result<(&str, &str), Wrong> {
     let words: Vec<&str> = head.split_whitespace().collect();
     let [_, "matrix", layout, field, symmetry] = words[..] else {
         return Err((
@@ -217,102 +275,75 @@ fn market(text: &str) -> std::result::Result<Read, Wrong> {
     if !["general", "symmetric", "skew-symmetric"].contains(&symmetry) {
         return Err((1, format!("{symmetry:?}: a matrix must be general, symmetric or skew-symmetric")));
     }
-    let mut lines = (1..).zip(text.lines()).skip(1).filter(|(_, line)| {
-        let line = line.trim();
-        !line.is_empty() && !line.starts_with('%')
-    });
-    let (line, sizes) = lines.next().ok_or((1, "has no line of sizes".to_string()))?;
-    let sizes: Vec<usize> = sizes
-        .split_whitespace()
-        .map(|word| word.parse().map_err(|_| (line, format!("{word:?} is not a size"))))
-        .collect::<std::result::Result<_, _>>()?;
-    let (rows, columns, count) = match (layout, &sizes[..]) {
-        ("array", &[rows, columns]) => (rows, columns, None),
-        ("coordinate", &[rows, columns, count]) => (rows, columns, Some(count)),
-        _ => {
-            return Err((
-                line,
-                format!(
-                    "has {} sizes; {layout} takes {}",
-                    sizes.len(),
-                    if layout == "array" { 2 } else { 3 }
-                ),
-            ));
+    Ok((layout, symmetry))
+}
+
+impl<'t> Market<'t> {
+    /// With the line of sizes.
+    fn of(
+        layout: &'t str,
+        symmetry: &'t str,
+        line: usize,
+        sizes: &str,
+    ) -> std::result::Result<Market<'t>, Wrong> {
+        let sizes: Vec<usize> = sizes
+            .split_whitespace()
+            .map(|word| word.parse().map_err(|_| (line, format!("{word:?} is not a size"))))
+            .collect::<std::result::Result<_, _>>()?;
+        let (rows, columns, count) = match (layout, &sizes[..]) {
+            ("array", &[rows, columns]) => (rows, columns, None),
+            ("coordinate", &[rows, columns, count]) => (rows, columns, Some(count)),
+            _ => {
+                let takes = if layout == "array" { 2 } else { 3 };
+                return Err((line, format!("has {} sizes; {layout} takes {takes}", sizes.len())));
+            }
+        };
+        if rows > MOST || columns > MOST {
+            return Err((line, format!("{rows} × {columns}: at most {MOST} rows and columns are allowed")));
         }
-    };
-    if rows > MOST || columns > MOST {
-        return Err((line, format!("{rows} × {columns}: at most {MOST} rows and columns are allowed")));
+        if symmetry != "general" && rows != columns {
+            return Err((line, format!("is {symmetry} and has {rows} rows and {columns} columns")));
+        }
+        Ok(Market { layout, symmetry, rows, columns, count })
     }
-    if symmetry != "general" && rows != columns {
-        return Err((line, format!("is {symmetry} and has {rows} rows and {columns} columns")));
-    }
-    let mut places: Vec<(usize, usize)> = Vec::new();
-    if count.is_none() {
-        let first = |j: usize| match symmetry {
+
+    /// The places of the entries that follow by columns.
+    fn places(&self) -> Vec<(usize, usize)> {
+        if self.count.is_some() {
+            return Vec::new();
+        }
+        let first = |j: usize| match self.symmetry {
             "general" => 0,
             "symmetric" => j,
             _ => j + 1,
         };
-        places = (0..columns).flat_map(|j| (first(j)..rows).map(move |i| (i, j))).collect();
+        (0..self.columns).flat_map(|j| (first(j)..self.rows).map(move |i| (i, j))).collect()
     }
-    let expected = count.unwrap_or(places.len());
-    let mut read = Read { rows, columns, entries: Vec::new() };
-    let mut seen = std::collections::BTreeSet::new();
-    let (mut found, mut last) = (0, line);
-    for (line, content) in lines {
-        last = line;
-        let words: Vec<&str> = content.split_whitespace().collect();
-        let (i, j, text) = match (count, &words[..]) {
-            (None, &[text]) => {
-                let (i, j) =
-                    *places.get(found).ok_or((line, format!("more than the {expected} entries expected")))?;
-                (i, j, text)
-            }
-            (Some(_), &[i, j, text]) => {
-                let index = |word: &str, most: usize| {
-                    let place = word.parse().ok().filter(|place| (1..=most).contains(place));
-                    place
-                        .map(|place: usize| place - 1)
-                        .ok_or((line, format!("{word:?} is not an index from 1 to {most}")))
-                };
-                (index(i, rows)?, index(j, columns)?, text)
-            }
-            _ => {
-                return Err((
-                    line,
-                    format!(
-                        "has {} words; {layout} takes {}",
-                        words.len(),
-                        if count.is_none() { 1 } else { 3 }
-                    ),
-                ));
-            }
+
+    /// The place and the text of an entry; `next` is the place of the next one by columns.
+    fn entry<'l>(
+        &self,
+        line: usize,
+        content: &'l str,
+        next: Option<(usize, usize)>,
+    ) -> std::result::Result<(usize, usize, &'l str), Wrong> {
+        let index = |word: &str, most: usize| {
+            let place = word.parse().ok().filter(|place| (1..=most).contains(place));
+            let wrong = || (line, format!("{word:?} is not an index from 1 to {most}"));
+            place.map(|place: usize| place - 1).ok_or_else(wrong)
         };
-        if !seen.insert((i, j)) {
-            return Err((line, format!("row {}, column {} stands here twice", i + 1, j + 1)));
+        let words: Vec<&str> = content.split_whitespace().collect();
+        match (next, &words[..]) {
+            (Some((i, j)), &[text]) if self.count.is_none() => Ok((i, j, text)),
+            (_, &[i, j, text]) if self.count.is_some() => {
+                Ok((index(i, self.rows)?, index(j, self.columns)?, text))
+            }
+            _ => Err((line, self.wrong_words(words.len()))),
         }
-        if (symmetry == "symmetric" && i < j) || (symmetry == "skew-symmetric" && i <= j) {
-            return Err((
-                line,
-                format!(
-                    "row {}, column {}: a {symmetry} file holds what is below the diagonal",
-                    i + 1,
-                    j + 1
-                ),
-            ));
-        }
-        let value = number(text, line)?;
-        if i != j && symmetry == "symmetric" {
-            read.entries.push((j, i, value.clone()));
-        } else if symmetry == "skew-symmetric" {
-            let turned = value.strip_prefix('-').map_or(format!("-{value}"), str::to_string);
-            read.entries.push((j, i, turned));
-        }
-        read.entries.push((i, j, value));
-        found += 1;
     }
-    if found != expected {
-        return Err((last, format!("ends after {found} of {expected} entries")));
+
+    fn wrong_words(&self, words: usize) -> String {
+        let takes = if self.count.is_none() { 1 } else { 3 };
+        format!("has {words} words; {} takes {takes}", self.layout)
     }
-    Ok(read)
 }
