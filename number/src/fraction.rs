@@ -144,8 +144,10 @@ impl Mul<&BoundedFraction> for BoundedFraction {
 impl Div<&BoundedFraction> for BoundedFraction {
     type Output = Self;
 
-    // The product with the reciprocal, whose limit is kept.
-    #[allow(clippy::suspicious_arithmetic_impl)]
+    #[expect(
+        clippy::suspicious_arithmetic_impl,
+        reason = "the product with the reciprocal, whose limit is kept"
+    )]
     fn div(self, other: &Self) -> Self {
         self * &other.clone().reciprocal()
     }

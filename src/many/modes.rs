@@ -198,7 +198,6 @@ fn general(equations: &LinearEquations, k: &RealMatrix, c: &RealMatrix) -> Resul
 
 /// Pairs of modes of X′ = A X with the real basis of each and its inverse, and the condition number of that
 /// basis, infinite if there is none.
-#[allow(clippy::type_complexity)]
 fn complex(a: &RealMatrix) -> (Option<(Vec<Pair>, RealMatrix, RealMatrix)>, f64) {
     let (mut worst, small) = (f64::INFINITY, rounding(a.nrows()) * a.norm());
     for modes in [real_schur, complex_schur] {

@@ -28,6 +28,12 @@ pub fn determinant(a: &Matrix2) -> f64 {
     a[0][0] * a[1][1] - a[0][1] * a[1][0]
 }
 
+/// m⁻¹; its entries are infinite or no numbers where m is singular.
+pub fn inverse(m: &Matrix2) -> Matrix2 {
+    let det = determinant(m);
+    [[m[1][1] / det, -m[0][1] / det], [-m[1][0] / det, m[0][0] / det]]
+}
+
 /// The x with (I − a) x = b; `None` if I − a is singular.
 pub fn resolve(a: &Matrix2, b: [f64; 2]) -> Option<[f64; 2]> {
     let m = [[1.0 - a[0][0], -a[0][1]], [-a[1][0], 1.0 - a[1][1]]];

@@ -198,7 +198,7 @@ impl Journal {
         }
     }
 
-    #[cfg_attr(not(test), allow(dead_code))]
+    #[cfg_attr(not(test), allow(dead_code, reason = "commands keep it until their output is whole"))]
     /// Removes the state: its run is done, and nothing is left to go on from.
     ///
     /// # Errors

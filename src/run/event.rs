@@ -171,6 +171,12 @@ impl<T: EventTable> Finding for EventList<T> {
 /// Events at parameters that differ by less than this part of them, or of how far they are, are one.
 const SAME: f64 = 1e-9;
 
+/// Whether an event was found before, `start` being where the search for it began.
+pub(super) fn is_known(known: impl IntoIterator<Item = f64>, parameter: f64, start: f64) -> bool {
+    let near = SAME * parameter.abs().max((parameter - start).abs());
+    known.into_iter().any(|old| (old - parameter).abs() <= near)
+}
+
 /// Follows the branch of each admissible orbit both ways to the first bifurcation of the kind.
 ///
 /// # Errors
@@ -204,10 +210,7 @@ pub fn event(task: &EventTask, job: &Job) -> Result<EventFindings> {
             }
         };
         let parameter = located.parameter;
-        if known
-            .iter()
-            .any(|old| (old - parameter).abs() <= SAME * parameter.abs().max((parameter - start).abs()))
-        {
+        if is_known(known.iter().copied(), parameter, start) {
             continue;
         }
         if task.event == Bifurcation::Grazing {
@@ -275,6 +278,24 @@ impl GrazingEventRow {
             e: map.e(),
             admissible: if event.admissible { Judgement::Yes } else { Judgement::No },
             residual: event.residual,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::is_known;
+
+    /// No unit of the parameter enters, and none is told at 0 from what is nearly 0.
+    #[test]
+    fn events_are_one_whatever_the_parameter_is_measured_in() {
+        for unit in [1e-30, 1.0, 1e30] {
+            let at = |x: f64| x * unit;
+            assert!(is_known([at(2.0)], at(2.0 + 1e-10), at(1.0)), "{unit}");
+            assert!(!is_known([at(2.0)], at(2.0 + 1e-8), at(1.0)), "{unit}");
+            // Beside 0, the way from the start is the measure.
+            assert!(is_known([0.0], at(1e-12), at(1.0)), "{unit}");
+            assert!(!is_known([0.0], at(1e-6), at(1.0)), "{unit}");
         }
     }
 }

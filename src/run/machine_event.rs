@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 use super::{
     Complex, Job, Judgement, Lines,
     branch::BranchSource,
-    event::{EventList, EventTable, WithoutRow},
+    event::{EventList, EventTable, WithoutRow, is_known},
     machine_branch::MachineSource,
     machine_orbit::{admissible_at, multipliers, orbits, phases, speeds, stable},
     row,
@@ -88,7 +88,7 @@ pub fn machine_event(task: &EventTask, machine: &Machine<f64>, job: &Job) -> Res
         let reason = match search {
             Ok(BranchSearch::Found(located)) => {
                 let at = located.parameter;
-                if found.iter().all(|old| (old.parameter - at).abs() > 1e-9 * (1.0 + at.abs())) {
+                if !is_known(found.iter().map(|old| old.parameter), at, start) {
                     found.push(MachineEventRow::of(&located, &source, &family.at(at)?));
                 }
                 continue;

@@ -172,24 +172,14 @@ pub fn section(task: &SectionTask, job: &Job) -> Result<SectionFindings> {
 
 /// The attractors that motions from the starts lead to, and of the periodic ones their place in the list and
 /// their points.
-#[allow(clippy::type_complexity)]
+#[expect(clippy::type_complexity, reason = "both parts are named where they are taken apart")]
 fn attractors<D: Dynamics>(
     task: &SectionTask,
     job: &Job,
     dynamics: &D,
     starts: Vec<D::Start>,
 ) -> Result<(SectionFindings, Vec<(usize, Cycle<D::Point>)>)> {
-    job.monitor.begin(starts.len() as u64, "motions");
-    let together = starts.len().div_ceil(rayon::current_num_threads()).clamp(1, D::TOGETHER);
-    let observed: Vec<Vec<ObservedMotion<D::Start, D::Point>>> = starts
-        .par_chunks(together)
-        .map(|starts| {
-            let runs = starts.iter().map(|start| Ok((dynamics, dynamics.begin(start)?)));
-            let outcomes = D::observe(runs.collect::<Result<_>>()?, &observation(task), job.monitor)?;
-            job.monitor.advance(starts.len() as u64)?;
-            Ok(outcomes)
-        })
-        .collect::<Result<_>>()?;
+    let observed = observed(task, job, dynamics, &starts)?;
     let mut found = SectionFindings {
         attractors: Vec::new(),
         exponents: Vec::new(),
@@ -206,7 +196,7 @@ fn attractors<D: Dynamics>(
     let mut cycles: Vec<(usize, Cycle<D::Point>)> = Vec::new();
     // Where the exponents of each attractor are followed from.
     let mut settled: Vec<D::Start> = Vec::new();
-    for outcome in observed.into_iter().flatten() {
+    for outcome in observed {
         let one = match outcome {
             Ok(one) => one,
             Err(end) => {
@@ -258,6 +248,25 @@ fn attractors<D: Dynamics>(
         }
     }
     Ok((found, cycles))
+}
+
+/// What is seen of the motions from the starts, by all threads.
+fn observed<D: Dynamics>(
+    task: &SectionTask,
+    job: &Job,
+    dynamics: &D,
+    starts: &[D::Start],
+) -> Result<Vec<ObservedMotion<D::Start, D::Point>>> {
+    job.monitor.begin(starts.len() as u64, "motions");
+    let together = starts.len().div_ceil(rayon::current_num_threads()).clamp(1, D::TOGETHER);
+    let observe = |starts: &[D::Start]| {
+        let runs = starts.iter().map(|start| Ok((dynamics, dynamics.begin(start)?)));
+        let outcomes = D::observe(runs.collect::<Result<_>>()?, &observation(task), job.monitor)?;
+        job.monitor.advance(starts.len() as u64)?;
+        Ok(outcomes)
+    };
+    let all: Vec<Vec<_>> = starts.par_chunks(together).map(observe).collect::<Result<_>>()?;
+    Ok(all.into_iter().flatten().collect())
 }
 
 /// The exponents of the attractors on which motions settled at these places: of a periodic one those of its

@@ -25,7 +25,7 @@ mod normal;
 pub mod orbits;
 mod reference;
 mod restitution;
-#[expect(clippy::module_inception)]
+#[expect(clippy::module_inception, reason = "the chapter is named after its main type")]
 mod scene;
 mod sections;
 pub mod simulate;

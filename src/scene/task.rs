@@ -113,7 +113,8 @@ impl Task {
     pub(super) fn read(entry: &Entry) -> Result<Task> {
         let common: Vec<&str> = TaskKeys::KEYS.iter().map(|key| key.name).collect();
         // The kind first: only then is it known which keys there may be.
-        let word: String = entry.field(&TaskKeys::KEYS[1])?;
+        let key = TaskKeys::KEYS.iter().find(|key| key.name == "kind");
+        let word: String = entry.field(key.unwrap_or_else(|| unreachable!("tasks have a kind")))?;
         let Some(kind) = Kind::read(&word, entry, &common) else {
             let words: Vec<&str> = KINDS.iter().map(|kind| kind.0).collect();
             let near = nearest(&word, words.iter().copied());

@@ -113,6 +113,49 @@ impl Faults {
     }
 }
 
+/// The shards of a task in `of` parts, each once, by their numbers; what is wrong with any other goes to
+/// `faults`.
+fn one_of_each(
+    found: Vec<ShardFile>,
+    task: &ShardedTask,
+    of: u64,
+    faults: &mut Vec<String>,
+) -> BTreeMap<u64, ShardFile> {
+    let mut shards: BTreeMap<u64, ShardFile> = BTreeMap::new();
+    for shard in found {
+        let path = shard.path.display();
+        if (&shard.task.words, shard.shard.of) != (&task.words, of) {
+            faults.push(format!(
+                "{path}: it is shard {} of `grazing {}`, the others are of {of} of `grazing {}`",
+                shard.shard,
+                shard.task.words.join(" "),
+                task.words.join(" ")
+            ));
+        } else if shard.task.program != task.program {
+            faults.push(format!(
+                "{path}: it is by version {}, the others are by {}",
+                shard.task.program, task.program
+            ));
+        } else if shard.task.key() != task.key() {
+            let name = |task: &ShardedTask| task.input.as_ref().map(|i| format!("{} {}", i.file, i.hash));
+            faults.push(format!(
+                "{path}: it is of another content of {}, the others are of {}",
+                name(&shard.task).unwrap_or_default(),
+                name(task).unwrap_or_default()
+            ));
+        } else if let Some(other) = shards.get(&shard.shard.index) {
+            faults.push(format!(
+                "{path}: it is shard {} again, after {}: leave one out",
+                shard.shard,
+                other.path.display()
+            ));
+        } else {
+            shards.insert(shard.shard.index, shard);
+        }
+    }
+    shards
+}
+
 /// The shards of one task, each once, none missing.
 pub(super) struct ShardSet {
     task: ShardedTask,
@@ -155,38 +198,7 @@ impl ShardSet {
                 "none of the files is a whole shard: give those that --shard I/N wrote",
             ));
         };
-        let mut shards: BTreeMap<u64, ShardFile> = BTreeMap::new();
-        for shard in found {
-            let path = shard.path.display();
-            if (&shard.task.words, shard.shard.of) != (&task.words, of) {
-                faults.push(format!(
-                    "{path}: it is shard {} of `grazing {}`, the others are of {of} of `grazing {}`",
-                    shard.shard,
-                    shard.task.words.join(" "),
-                    task.words.join(" ")
-                ));
-            } else if shard.task.program != task.program {
-                faults.push(format!(
-                    "{path}: it is by version {}, the others are by {}",
-                    shard.task.program, task.program
-                ));
-            } else if shard.task.key() != task.key() {
-                let name = |task: &ShardedTask| task.input.as_ref().map(|i| format!("{} {}", i.file, i.hash));
-                faults.push(format!(
-                    "{path}: it is of another content of {}, the others are of {}",
-                    name(&shard.task).unwrap_or_default(),
-                    name(&task).unwrap_or_default()
-                ));
-            } else if let Some(other) = shards.get(&shard.shard.index) {
-                faults.push(format!(
-                    "{path}: it is shard {} again, after {}: leave one out",
-                    shard.shard,
-                    other.path.display()
-                ));
-            } else {
-                shards.insert(shard.shard.index, shard);
-            }
-        }
+        let shards = one_of_each(found, &task, of, &mut faults);
         faults.iter().for_each(|fault| say(format_args!("error: {fault}")));
         let missing: Vec<u64> = (1..=of).filter(|index| !shards.contains_key(index)).collect();
         let (lack, array) = (missing.len(), listed(&missing));

@@ -18,7 +18,7 @@ use crate::{
     error::{Error, Result},
     motion::{
         Flow, State, Time,
-        algebra::{Matrix2, product},
+        algebra::{inverse, product},
     },
     one::{
         orbit::{Family, Itinerary, Orbit, Oscillator, find, minima, monodromy},
@@ -226,11 +226,6 @@ impl Saddle {
 
 /// How many images of a point near S are looked at.
 const IMAGES: u32 = 40;
-
-fn inverse(m: &Matrix2) -> Matrix2 {
-    let det = m[0][0] * m[1][1] - m[0][1] * m[1][0];
-    [[m[1][1] / det, -m[0][1] / det], [-m[1][0] / det, m[0][0] / det]]
-}
 
 /// A parameter value at which an image of the corner lies on the stable manifold.
 #[derive(Debug, Clone)]

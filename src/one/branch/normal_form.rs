@@ -5,7 +5,7 @@ use crate::{
         Bifurcation, DOUBLE, Derivatives, Estimate, FollowedOrbit, NOT_SMOOTH, NoForm, NormalForm, Sense,
         UNKNOWN,
     },
-    motion::algebra::{Matrix2, apply, determinant, product},
+    motion::algebra::{apply, inverse, product},
     one::orbit::{Orbit, Oscillator, Unknowns, return_map},
 };
 
@@ -67,15 +67,10 @@ fn parameter_shift(oscillator: &Oscillator, orbit: &Orbit) -> Option<[f64; 2]> {
     let mut shift = [0.0; 2];
     for passage in Unknowns::new(&orbit.itinerary, &orbit.z).ok()?.passages(oscillator) {
         let equations = passage.ok()?.equations();
-        let back = inverse(&equations.arrival)?;
+        let back = inverse(&equations.arrival);
         let through = product(&back, &equations.departure);
         let (carried, added) = (apply(&through, shift), apply(&back, equations.slope));
         shift = [0, 1].map(|i| -(carried[i] + added[i]));
     }
-    Some(shift)
-}
-
-fn inverse(m: &Matrix2) -> Option<Matrix2> {
-    let det = determinant(m);
-    (det != 0.0).then(|| [[m[1][1] / det, -m[0][1] / det], [-m[1][0] / det, m[0][0] / det]])
+    shift.iter().all(|x| x.is_finite()).then_some(shift)
 }

@@ -10,8 +10,9 @@ use crate::{
         branches::BranchStart,
         orbits::OrbitKeys,
         scene::Scene,
-        sections::{Frame, SectionTask},
+        sections::{BasinsTask, Frame, SectionTask},
         task::Kind,
+        validate::ValidateTask,
     },
 };
 
@@ -41,20 +42,7 @@ pub(super) fn check_machine(kind: &Kind, scene: &Scene, machine: &Machine<f64>, 
             Ok(())
         }
         Kind::SectionTask(task) => check_machine_section(task, scene, machine, path),
-        Kind::BasinsTask(task) => {
-            check_basins(task, scene, path)?;
-            let axes = scene.plane(&task.plane, machine, &format!("{path}.plane"))?;
-            if axes.iter().any(|axis| matches!(axis, PlaneAxis::Gap(_) | PlaneAxis::Rate(_))) {
-                let message =
-                    "has a gap; starts are given by displacements and velocities, as in [\"q1\", \"u2\"]";
-                return Err(scene.fail(&format!("{path}.plane"), message));
-            }
-            let rest = scene.rest(&task.start, machine)?;
-            let ones = RealVector::from_element(machine.points(), 1.0);
-            let wrong = |error: Error| scene.fail(&format!("{path}.plane"), &error.to_string());
-            machine.coordinates(&ones).map_err(wrong)?;
-            machine.coordinates(&RealVector::from_vec(rest[0].clone())).map(drop).map_err(wrong)
-        }
+        Kind::BasinsTask(task) => check_machine_basins(task, scene, machine, path),
         Kind::DiagramTask(task) => {
             check_range(scene, path, ("parameter", &task.parameter), ("range", &task.range))?;
             task.check_counts(scene, path)?;
@@ -83,37 +71,53 @@ pub(super) fn check_machine(kind: &Kind, scene: &Scene, machine: &Machine<f64>, 
             check_machine_branches(&task.starts, scene, machine, &format!("{path}.starts"))?;
             task.check_ranges(scene, path)
         }
-        Kind::ValidateTask(task) => {
-            check_machine_orbit(&task.orbit, scene, machine, &format!("{path}.orbit"))?;
-            let fail = |key: &str, message: &str| Err(scene.fail(&format!("{path}.{key}"), message));
-            if task.event.is_some() || task.parameter.is_some() {
-                let key = if task.event.is_some() { "event" } else { "parameter" };
-                return fail(key, "of a machine, orbits are proved and no bifurcations: leave it out");
-            }
-            if machine.is_smooth() {
-                return fail(
-                    "kind",
-                    "proves orbits of linear machines; a `force` of this one is a formula in its motion",
-                );
-            }
-            if task.orbit.pattern.is_empty() {
-                return fail("orbit.pattern", "must have an impact to be validated");
-            }
-            if let Some(stop) = machine.stops.iter().find(|stop| !stop.law.is_newton()) {
-                let message = format!(
-                    "proves orbits between rigid stops of constant restitution; stop {} is another",
-                    stop.name
-                );
-                return fail("kind", &message);
-            }
-            Ok(())
-        }
+        Kind::ValidateTask(task) => check_machine_proof(task, scene, machine, path),
         _ => {
             let message = "does not work on machines, format \"grazing-scene 2\": there are simulate, section, basins, \
                            diagram, orbit, event, grazing, branch and validate";
             Err(scene.fail(&format!("{path}.kind"), message))
         }
     }
+}
+
+fn check_machine_basins(task: &BasinsTask, scene: &Scene, machine: &Machine<f64>, path: &str) -> Result<()> {
+    check_basins(task, scene, path)?;
+    let axes = scene.plane(&task.plane, machine, &format!("{path}.plane"))?;
+    if axes.iter().any(|axis| matches!(axis, PlaneAxis::Gap(_) | PlaneAxis::Rate(_))) {
+        let message = "has a gap; starts are given by displacements and velocities, as in [\"q1\", \"u2\"]";
+        return Err(scene.fail(&format!("{path}.plane"), message));
+    }
+    let rest = scene.rest(&task.start, machine)?;
+    let ones = RealVector::from_element(machine.points(), 1.0);
+    let wrong = |error: Error| scene.fail(&format!("{path}.plane"), &error.to_string());
+    machine.coordinates(&ones).map_err(wrong)?;
+    machine.coordinates(&RealVector::from_vec(rest[0].clone())).map(drop).map_err(wrong)
+}
+
+fn check_machine_proof(task: &ValidateTask, scene: &Scene, machine: &Machine<f64>, path: &str) -> Result<()> {
+    check_machine_orbit(&task.orbit, scene, machine, &format!("{path}.orbit"))?;
+    let fail = |key: &str, message: &str| Err(scene.fail(&format!("{path}.{key}"), message));
+    if task.event.is_some() || task.parameter.is_some() {
+        let key = if task.event.is_some() { "event" } else { "parameter" };
+        return fail(key, "of a machine, orbits are proved and no bifurcations: leave it out");
+    }
+    if machine.is_smooth() {
+        return fail(
+            "kind",
+            "proves orbits of linear machines; a `force` of this one is a formula in its motion",
+        );
+    }
+    if task.orbit.pattern.is_empty() {
+        return fail("orbit.pattern", "must have an impact to be validated");
+    }
+    if let Some(stop) = machine.stops.iter().find(|stop| !stop.law.is_newton()) {
+        let message = format!(
+            "proves orbits between rigid stops of constant restitution; stop {} is another",
+            stop.name
+        );
+        return fail("kind", &message);
+    }
+    Ok(())
 }
 
 /// A force that is recorded once: one run, from where it begins, no longer than it is.

@@ -9,7 +9,7 @@ use super::{
     fail,
     profile::Term,
     rational::RationalFunction,
-    top::{Wave, top},
+    top::{Top, Wave, top},
     write::short,
 };
 use crate::{
@@ -53,24 +53,8 @@ impl Normal {
         measured: Option<[[BigRational; 2]; 3]>,
         side: Option<Side>,
     ) -> Result<Normal> {
-        // The wall above where both are met.
-        let mut mirror = None;
-        let (side, wall) = match (&system.lower, &system.upper, side) {
-            (Some(wall), None, None) | (Some(wall), _, Some(Side::Lower)) => (Side::Lower, wall),
-            (None, Some(wall), None) | (_, Some(wall), Some(Side::Upper)) => (Side::Upper, wall),
-            (Some(wall), Some(upper), None) => {
-                mirror = Some(upper);
-                (Side::Lower, wall)
-            }
-            (None, None, None) => return fail("the oscillator has no wall"),
-            _ => return fail("there is no wall on the side that is given"),
-        };
-        if !system.cubic.is_zero() {
-            return fail("only linear oscillators are covered: cubic must be 0");
-        }
-        if system.smooth.is_some() {
-            return fail("only linear oscillators are covered: force must not depend on q, u or t");
-        }
+        let (side, wall, mirror) = met(system, side)?;
+        check_linear(system)?;
         let (damping, stiffness) = (&system.damping, &system.stiffness);
         let forcing = waves(&system.forcing);
         let free = measured.is_none() && stiffness.is_zero();
@@ -124,13 +108,7 @@ impl Normal {
         let top = top(&motion)?;
         let mut force = [BigRational::zero(), BigRational::zero()];
         let (behind, open, depth) = if falls {
-            // q → −q turns an upper wall down, and gravity with it.
-            let pull = if side == Side::Lower { system.force.clone() } else { -system.force.clone() };
-            if !(-pull.clone()).is_positive() {
-                return fail("without a spring a constant force must press towards the wall");
-            }
-            let [lo, hi] = top.ratio(&pull, "the force")?;
-            force = [lo, hi];
+            force = pull(&top, &system.force, side)?;
             (true, false, [BigRational::one(), BigRational::one()])
         } else {
             top.depth(&mean)?
@@ -163,6 +141,41 @@ impl Normal {
         let (mirrored, ceiling) = (mirror.is_some(), ceiling.transpose()?);
         Ok(Normal { mirrored, ranges, behind, harmonics, side, open, ceiling })
     }
+}
+
+/// The wall that is met, its side, and the wall above it where both are met.
+#[expect(clippy::type_complexity, reason = "each is named by its one caller")]
+fn met(
+    system: &System<Function>,
+    side: Option<Side>,
+) -> Result<(Side, &Wall<Function>, Option<&Wall<Function>>)> {
+    match (&system.lower, &system.upper, side) {
+        (Some(wall), None, None) | (Some(wall), _, Some(Side::Lower)) => Ok((Side::Lower, wall, None)),
+        (None, Some(wall), None) | (_, Some(wall), Some(Side::Upper)) => Ok((Side::Upper, wall, None)),
+        (Some(wall), Some(upper), None) => Ok((Side::Lower, wall, Some(upper))),
+        (None, None, None) => fail("the oscillator has no wall"),
+        _ => fail("there is no wall on the side that is given"),
+    }
+}
+
+fn check_linear(system: &System<Function>) -> Result<()> {
+    if !system.cubic.is_zero() {
+        return fail("only linear oscillators are covered: cubic must be 0");
+    }
+    if system.smooth.is_some() {
+        return fail("only linear oscillators are covered: force must not depend on q, u or t");
+    }
+    Ok(())
+}
+
+/// The range of a constant force that presses towards the wall, over what makes the wall's top 1.
+fn pull(top: &Top, force: &Function, side: Side) -> Result<[BigRational; 2]> {
+    // q → −q turns an upper wall down, and gravity with it.
+    let pull = if side == Side::Lower { force.clone() } else { -force.clone() };
+    if !(-pull.clone()).is_positive() {
+        return fail("without a spring a constant force must press towards the wall");
+    }
+    top.ratio(&pull, "the force")
 }
 
 /// Whether the upper wall is −w(t − π) if w(t) is the lower one, seen from the motion without walls: mean

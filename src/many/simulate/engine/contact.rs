@@ -183,7 +183,7 @@ impl MachineRun<'_> {
         Ok(())
     }
 
-    #[allow(clippy::too_many_arguments)]
+    #[expect(clippy::too_many_arguments, reason = "they are the fields of an event, in their order")]
     fn told(
         &mut self,
         time: Time,
