@@ -280,6 +280,37 @@ fn untold(record: &[Sample], model: impl Fn(f64) -> f64) -> f64 {
     over(&|t, force| (force - model(t)).powi(2)) / variation
 }
 
+/// 1, cos t, sin t, cos 2t, …
+fn terms(phase: f64, count: usize) -> Vec<f64> {
+    let mut row = vec![1.0];
+    for k in 1..=count {
+        let (sin, cos) = (k as f64 * phase).sin_cos();
+        row.extend([cos, sin]);
+    }
+    row
+}
+
+/// The mean and the coefficients of the harmonics that suit samples best, which are ordered by phase; each
+/// counts for its share of the period. Of several periods the next sample of the same one is, about, as many
+/// samples on: phases that are one up to rounding share their time.
+fn least_squares(folded: &[(f64, f64, usize)], count: usize, periods: usize) -> Option<RealVector> {
+    let (n, size) = (folded.len(), 2 * count + 1);
+    let (mut matrix, mut right) = (RealMatrix::zeros(size, size), RealVector::zeros(size));
+    let turned = |i: usize| folded[i % n].0 + TAU * (i / n) as f64;
+    for (i, &(phase, force, _)) in folded.iter().enumerate() {
+        let weight = (turned(n + i + periods) - turned(n + i - periods)) / (2 * periods) as f64;
+        let row = terms(phase, count);
+        for (a, x) in row.iter().enumerate() {
+            right[a] += weight * x * force;
+            for (b, y) in row[..=a].iter().enumerate() {
+                matrix[(a, b)] += weight * x * y;
+            }
+        }
+    }
+    let solved = matrix.cholesky()?.solve(&right);
+    solved.iter().all(|x| x.is_finite()).then_some(solved)
+}
+
 /// The harmonics of a record with this period.
 fn fit(record: &[Sample], period: f64, count: usize) -> std::result::Result<MeasuredForce, Wrong> {
     let (first, last) = (record[0].1, record[record.len() - 1].1);
@@ -317,36 +348,11 @@ fn fit(record: &[Sample], period: f64, count: usize) -> std::result::Result<Meas
         );
         return Err((folded[widest].2, message));
     }
-    let size = 2 * count + 1;
-    let row = |phase: f64| -> Vec<f64> {
-        let mut row = vec![1.0];
-        for k in 1..=count {
-            let (sin, cos) = (k as f64 * phase).sin_cos();
-            row.extend([cos, sin]);
-        }
-        row
-    };
-    let (mut matrix, mut right) = (RealMatrix::zeros(size, size), RealVector::zeros(size));
-    // Of so many periods the next sample of the same one is, about, as many samples on: phases that are one
-    // up to rounding share their time.
-    let apart = periods.min(n as f64) as usize;
-    let turned = |i: usize| folded[i % n].0 + TAU * (i / n) as f64;
-    for (i, &(phase, force, _)) in folded.iter().enumerate() {
-        let weight = (turned(n + i + apart) - turned(n + i - apart)) / (2 * apart) as f64;
-        let row = row(phase);
-        for (a, x) in row.iter().enumerate() {
-            right[a] += weight * x * force;
-            for (b, y) in row[..=a].iter().enumerate() {
-                matrix[(a, b)] += weight * x * y;
-            }
-        }
-    }
-    let solved = matrix.cholesky().map(|root| root.solve(&right));
-    let solved = solved.filter(|all| all.iter().all(|x| x.is_finite())).ok_or_else(|| {
+    let solved = least_squares(&folded, count, periods.min(n as f64) as usize).ok_or_else(|| {
         (folded[widest].2, format!("{count} harmonics cannot be told from these samples: lower `harmonics`"))
     })?;
     let harmonics: Vec<[f64; 2]> = (0..count).map(|k| [solved[2 * k + 1], solved[2 * k + 2]]).collect();
-    let model = |phase: f64| row(phase).iter().zip(solved.iter()).map(|(x, c)| x * c).sum::<f64>();
+    let model = |phase: f64| terms(phase, count).iter().zip(solved.iter()).map(|(x, c)| x * c).sum::<f64>();
     let residual = folded.iter().map(|&(phase, force, _)| (force - model(phase)).abs()).fold(0.0, f64::max);
     let untold = untold(record, |t| model(phase(t)));
     if untold > UNTOLD {

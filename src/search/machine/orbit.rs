@@ -83,27 +83,7 @@ pub fn orbit(
     let Some((centre, inverse)) = equations.refine(&start, &scales)? else {
         return undecided("Newton's method does not converge from this guess");
     };
-    let (m, n) = (equations.strikes.len(), equations.motion.size);
-    let block = 2 * n + 1;
-    let impact = |(i, &(stop, periods)): (usize, &(usize, u32))| -> Result<Impact> {
-        let x = &centre[i * block..(i + 1) * block];
-        let state = x[1..].iter().map(decimal).collect::<Result<_>>()?;
-        Ok(Impact { stop, periods: periods.into(), phase: decimal(&x[0])?, state })
-    };
-    let mut certificate = Certificate {
-        machine: machine.clone(),
-        claim: Claim::Open,
-        scales: scales[1..block].iter().map(|&x| decimal(&power_of_ten(x))).collect::<Result<_>>()?,
-        impacts: equations.strikes.iter().enumerate().map(impact).collect::<Result<_>>()?,
-        radius: Decimal { digits: 1, places: 0 },
-        within: Decimal { digits: 1, places: 0 },
-        inverse: inverse
-            .iter()
-            .map(|row| row.iter().map(|&x| significant(x)).collect::<Result<Vec<_>>>())
-            .collect::<Result<_>>()?,
-        // One short piece each: what the checker says of them shows that all before was accepted.
-        flights: vec![vec![Decimal { digits: 1, places: 9 }]; m],
-    };
+    let mut certificate = equations.certificate(machine, &scales, &centre, &inverse)?;
     // The smallest box that passes, then the largest about it.
     let mut closes =
         |radius: &Decimal, within: &Decimal, certificate: &Certificate| -> Result<Option<String>> {
@@ -135,7 +115,7 @@ pub fn orbit(
             break;
         }
     }
-    for i in 0..m {
+    for i in 0..equations.strikes.len() {
         match pieces(&equations.flight(i, &centre)) {
             Ok(ends) => certificate.flights[i] = ends.iter().map(decimal).collect::<Result<_>>()?,
             Err(why) => return undecided(&why),
@@ -228,6 +208,34 @@ impl Equations {
             y = motion.kicked(self.strikes[next].0, &y);
         }
         all.concat()
+    }
+
+    /// A certificate of the orbit whose box, flights and claim are still to be found.
+    fn certificate(
+        &self,
+        machine: &Machine,
+        scales: &[f64],
+        centre: &[BigRational],
+        inverse: &[Vec<f64>],
+    ) -> Result<Certificate> {
+        let block = 2 * self.motion.size + 1;
+        let impact = |(i, &(stop, periods)): (usize, &(usize, u32))| -> Result<Impact> {
+            let x = &centre[i * block..(i + 1) * block];
+            let state = x[1..].iter().map(decimal).collect::<Result<_>>()?;
+            Ok(Impact { stop, periods: periods.into(), phase: decimal(&x[0])?, state })
+        };
+        let row = |row: &Vec<f64>| row.iter().map(|&x| significant(x)).collect::<Result<Vec<_>>>();
+        Ok(Certificate {
+            machine: machine.clone(),
+            claim: Claim::Open,
+            scales: scales[1..block].iter().map(|&x| decimal(&power_of_ten(x))).collect::<Result<_>>()?,
+            impacts: self.strikes.iter().enumerate().map(impact).collect::<Result<_>>()?,
+            radius: Decimal { digits: 1, places: 0 },
+            within: Decimal { digits: 1, places: 0 },
+            inverse: inverse.iter().map(row).collect::<Result<_>>()?,
+            // One short piece each: what the checker says of them shows that all before was accepted.
+            flights: vec![vec![Decimal { digits: 1, places: 9 }]; self.strikes.len()],
+        })
     }
 
     /// About the size of each unknown, 1 for phases: those of one coordinate have one scale, not far below

@@ -45,6 +45,31 @@ impl Numbers {
     }
 }
 
+fn check_symmetric(mass: &[Vec<Bounds>]) -> Result<()> {
+    for (i, row) in mass.iter().enumerate() {
+        if let Some(j) = (0..i).find(|&j| row[j] != mass[j][i]) {
+            return Err(Error::input(format!(
+                "the mass matrix is not exactly symmetric in row {}, column {}, and its proofs hold of symmetric ones",
+                i + 1,
+                j + 1
+            )));
+        }
+    }
+    Ok(())
+}
+
+/// The power of ten by which coefficients too large or too small for a certificate are divided, 0 if none is,
+/// and that number.
+fn common_unit<'b>(all: impl Iterator<Item = &'b Bounds>) -> Result<(i32, BigRational)> {
+    let greatest = all.map(|x| x[0].abs().max(x[1].abs())).max().and_then(|x| x.to_f64()).unwrap_or(1.0);
+    let unit = if (1e-3..1e8).contains(&greatest) { 0 } else { greatest.log10().floor() as i32 - 3 };
+    if unit.abs() > 99 {
+        return Err(Error::input("a coefficient is beyond the range of a certificate"));
+    }
+    let ten = num_traits::pow(BigRational::from_integer(10.into()), unit.unsigned_abs() as usize);
+    Ok((unit, if unit < 0 { ten.recip() } else { ten }))
+}
+
 /// The machine as a certificate lists it: in the scene's units, or M, C, K and forces in units of a power of
 /// ten where they are too large or small.
 ///
@@ -70,15 +95,7 @@ pub fn listed(machine: &Machine<Bounds>) -> Result<listed::Machine> {
     };
     let (mass, stiffness) = (matrix(&machine.mass), matrix(&machine.stiffness));
     let mut damping = matrix(&machine.damping);
-    for (i, row) in mass.iter().enumerate() {
-        if let Some(j) = (0..i).find(|&j| row[j] != mass[j][i]) {
-            return Err(Error::input(format!(
-                "the mass matrix is not exactly symmetric in row {}, column {}, and its proofs hold of symmetric ones",
-                i + 1,
-                j + 1
-            )));
-        }
-    }
+    check_symmetric(&mass)?;
     match &machine.damping_ratio[..] {
         [] => {}
         // c = 2 ζ √(km).
@@ -114,13 +131,7 @@ pub fn listed(machine: &Machine<Bounds>) -> Result<listed::Machine> {
     // All of these may be divided by one number.
     let forces = forcing.iter().flat_map(|(_, cos, sin)| cos.iter().chain(sin)).chain(&force);
     let all = [&mass, &damping, &stiffness].into_iter().flatten().flatten().chain(forces);
-    let greatest = all.map(|x| x[0].abs().max(x[1].abs())).max().and_then(|x| x.to_f64()).unwrap_or(1.0);
-    let unit = if (1e-3..1e8).contains(&greatest) { 0 } else { greatest.log10().floor() as i32 - 3 };
-    if unit.abs() > 99 {
-        return Err(Error::input("a coefficient is beyond the range of a certificate"));
-    }
-    let ten = num_traits::pow(BigRational::from_integer(10.into()), unit.unsigned_abs() as usize);
-    let ten = if unit < 0 { ten.recip() } else { ten };
+    let (unit, ten) = common_unit(all)?;
     let scaled = |x: &Bounds| range_of(&(&x[0] / &ten), &(&x[1] / &ten));
     let list = |list: &[Bounds]| list.iter().map(scaled).collect::<Result<Vec<Range>>>();
     let rows = |rows: &[Vec<Bounds>]| rows.iter().map(|row| list(row)).collect::<Result<Vec<_>>>();
