@@ -108,7 +108,7 @@ pub(super) fn label(name: &str, periods: &Periods) -> String {
 }
 
 /// A digest that a line may break.
-fn digest(sha256: &str) -> String {
+pub(super) fn digest(sha256: &str) -> String {
     let parts: Vec<&str> = (0..sha256.len()).step_by(8).map(|i| &sha256[i..i + 8]).collect();
     format!("\\texttt{{{}}}", parts.join("\\allowbreak "))
 }

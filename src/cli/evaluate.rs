@@ -1,19 +1,21 @@
 //! `grazing evaluate`: b_{n,k} and c_n at one point.
 
-use std::path::PathBuf;
+use std::{io::Write, path::PathBuf};
 
 use clap::{ArgGroup, Parser};
 use num_rational::BigRational;
 use num_traits::One;
 use serde_json::json;
 
-use super::{Outcome, ReportFormat, range::whole, reported};
+use super::{Outcome, PrintFormat, range::whole, reported};
 use crate::{
     cli::progress::Interrupt,
     error::{Error, Result},
     local::{Answer, Ladder, Plane, Point, Polar, Quantity, SignDecision},
     number::{Precision, Sign, ball_digits, parse_integer, parse_rational},
-    output::FileRegistry,
+    output::{
+        Caption, Column, FileRegistry, Print, Setting, TableCell, TableFormat, TableWriter, latex_numbers,
+    },
 };
 
 /// The largest period for which all b_{n,k} are listed; with --k any period will do.
@@ -56,8 +58,8 @@ pub(super) struct Args {
     #[arg(long, default_value_t = 128, value_parser = whole(16..=65536))]
     bits: u32,
     /// How the result is written.
-    #[arg(long, value_enum, default_value_t = ReportFormat::Text)]
-    pub(super) format: ReportFormat,
+    #[arg(long, value_enum, default_value_t = PrintFormat::Text)]
+    pub(super) format: PrintFormat,
     /// Write the result to a file, which appears only when complete.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -95,11 +97,12 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
         rows.push(Row { quantity, decision, digits: digits(&point, quantity, decision, &precision) });
     }
     let written = destination.write(|out| match args.format {
-        ReportFormat::Text => rows.iter().try_for_each(|row| Ok(writeln!(out, "{}", row.text())?)),
-        ReportFormat::Json => {
+        PrintFormat::Text => rows.iter().try_for_each(|row| Ok(writeln!(out, "{}", row.text())?)),
+        PrintFormat::Json => {
             let values: Vec<_> = rows.iter().map(Row::json).collect();
             Ok(writeln!(out, "{}", json!({ "format": "grazing-evaluate 1", "n": n, "values": values }))?)
         }
+        PrintFormat::Latex => print(&rows, args, out),
     });
     reported(outcome, written)
 }
@@ -114,6 +117,45 @@ impl Args {
             _ => return Err(Error::input("give a point by --s (and --r), or by --a1 and --a2")),
         })
     }
+}
+
+/// A LaTeX table with a row for each quantity.
+fn print(rows: &[Row], args: &Args, out: &mut dyn Write) -> Result<()> {
+    let columns = vec![
+        Column::new("quantity", "quantity", 0).print(Print::Left),
+        Column::new("sign", "sign", 0),
+        Column::new("decided_by", "decided by", 0).print(Print::Left),
+        Column::new("value", "value", 0).print(Print::Lines(45)),
+    ];
+    let at = match (&args.s, &args.a1, &args.a2) {
+        (None, Some(a1), Some(a2)) => format!("$a_1 = {a1}$, $a_2 = {a2}$"),
+        (s, ..) => {
+            format!("$r = {}$, $s = {}$", args.r, s.as_ref().map_or(String::new(), ToString::to_string))
+        }
+    };
+    let text = format!(
+        "$b_{{n,k}}$ and $c_n$ for $n = {}$ at {at}. Each value is off by less than one unit of its last digit.",
+        args.n
+    );
+    let caption = Caption { text, label: format!("tab:evaluate-{}", args.n) };
+    let setting = Setting { caption: Some(&caption), width: None };
+    let mut table = TableWriter::set(out, TableFormat::Latex, "grazing-evaluate 1", columns, setting)?;
+    for row in rows {
+        let SignDecision { answer, rung, .. } = row.decision;
+        let (name, sign, rung) = (row.quantity.to_string(), answer.to_string(), rung.to_string());
+        let digits = latex_numbers(row.digits.as_deref().unwrap_or_default());
+        let known = matches!(answer, Answer::Sign(_));
+        table.row(&[
+            TableCell::Maths(&name),
+            if known { TableCell::Maths(&sign) } else { TableCell::Text(&sign) },
+            TableCell::Text(&rung),
+            match digits.trim_matches('$') {
+                "" => TableCell::Empty,
+                digits => TableCell::Maths(digits),
+            },
+        ])?;
+    }
+    table.finish()
 }
 
 struct Row {

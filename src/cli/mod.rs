@@ -304,8 +304,8 @@ impl Command {
             Command::Fuzz(args) => report(args.format, "grazing-fuzz 2"),
             Command::Farey(args) => report(args.format, "grazing-farey 1"),
             Command::Boundary(args) => table(args.format, "grazing-boundary 1"),
-            Command::Evaluate(args) => report(args.format, "grazing-evaluate 1"),
-            Command::Run(args) => report(args.format, "grazing-run 2"),
+            Command::Evaluate(args) => report(args.format.report(), "grazing-evaluate 1"),
+            Command::Run(args) => report(args.format.report(), "grazing-run 2"),
             Command::Sequence(_)
             | Command::Figure(_)
             | Command::Formula(_)
@@ -321,6 +321,24 @@ fn in_pool<T: Send>(jobs: usize, work: impl FnOnce() -> Result<T> + Send) -> Res
     let jobs = threads(jobs)?;
     let pool = rayon::ThreadPoolBuilder::new().num_threads(jobs).build();
     pool.map_err(|error| Error::input(format!("--jobs {jobs}: {error}")))?.install(work)
+}
+
+/// How a report is written that print has as a table.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+enum PrintFormat {
+    /// For reading.
+    Text,
+    /// One JSON object.
+    Json,
+    /// LaTeX, with booktabs rules.
+    Latex,
+}
+
+impl PrintFormat {
+    /// The same without print, which is text.
+    fn report(self) -> ReportFormat {
+        if self == PrintFormat::Json { ReportFormat::Json } else { ReportFormat::Text }
+    }
 }
 
 /// How a report that is not a table is written.

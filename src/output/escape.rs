@@ -40,6 +40,38 @@ pub fn latex_cell(text: &str) -> String {
     }
 }
 
+/// Decimal numbers with commas between, real or complex, in maths mode, where lines may break after every
+/// ten digits; any other text as [`latex`] writes it. No digit is changed.
+pub fn latex_numbers(text: &str) -> String {
+    let each: Option<Vec<String>> = text.split(", ").map(number).collect();
+    each.map_or_else(|| latex(text), |all| format!("${}$", all.join(",\\allowbreak\\ ")))
+}
+
+/// A number in maths mode, without the dollars.
+fn number(text: &str) -> Option<String> {
+    if let Some((real, imaginary)) = text.strip_suffix('i').and_then(|pair| pair.rsplit_once([' '])) {
+        let (real, sign) = real.rsplit_once(' ')?;
+        return Some(format!("{} {sign} {}\\,\\mathrm{{i}}", number(real)?, number(imaginary)?));
+    }
+    let finite = text.parse::<f64>().is_ok_and(f64::is_finite);
+    if !finite {
+        return None;
+    }
+    let (digits, exponent) = text.split_once(['e', 'E']).unwrap_or((text, ""));
+    let mut all = String::new();
+    let whole = digits.find('.').unwrap_or(digits.len());
+    for (at, c) in digits.char_indices() {
+        if at > whole + 1 && (at - whole - 1).is_multiple_of(10) {
+            all.push_str("\\allowbreak ");
+        }
+        all.push(c);
+    }
+    if !exponent.is_empty() {
+        all += &format!("\\cdot10^{{{}}}", exponent.trim_start_matches('+'));
+    }
+    Some(all)
+}
+
 /// `text` as one cell of a Markdown table: bars and what would begin HTML escaped, line ends as spaces.
 pub fn markdown(text: &str) -> String {
     let text = Printable(&text.replace(['\n', '\r'], " ")).to_string();

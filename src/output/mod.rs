@@ -26,7 +26,7 @@ pub use bounds::{decimal_above, decimal_below, decimal_near};
 pub(crate) use destination::stdout_is_untouched;
 pub use destination::{Destination, OutputFile, say, say_to};
 #[cfg(feature = "cli")]
-pub use escape::latex;
+pub use escape::{latex, latex_numbers};
 pub(crate) use file::remove_temporaries;
 pub use file::{LONGEST_INPUT, LONGEST_SCENE, make_folder, read_text, write_file};
 pub use fraction::serialize_fraction;

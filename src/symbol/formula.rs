@@ -128,8 +128,8 @@ pub fn write_formulas(formulas: &[Factored], format: Format) -> String {
     match format {
         Format::Text => each(|[name, e, p]| format!("{name}\n  = {e}\n  = {p}\n")).concat(),
         Format::Latex => {
-            let rows = each(|[name, e, p]| format!("{name} &= {e} \\\\\n  &= {p} \\\\\n"));
-            format!("\\begin{{align*}}\n{}\\end{{align*}}\n", rows.concat())
+            let rows = each(|[name, e, p]| format!("{name} = {e}\n = {p}\n"));
+            format.paragraphs(&rows.concat())
         }
         Format::Sympy => {
             let rows = each(|[name, e, p]| format!("{name} = {e}\nassert expand({name} - ({p})) == 0\n"));

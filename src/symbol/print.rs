@@ -37,6 +37,18 @@ impl Format {
         }
     }
 
+    /// Lines of mathematics in LaTeX as paragraphs of their own, which TeX breaks at signs and between
+    /// factors, and across pages; a line that begins with a blank or a joint is indented.
+    pub(super) fn paragraphs(self, lines: &str) -> String {
+        let mut text = String::from("{\\raggedright\\parindent=0pt\\binoppenalty=0\\relpenalty=0\n");
+        for line in lines.lines() {
+            let more = line.starts_with([' ', '\\']) && !line.starts_with("\\forall");
+            let indent = if more { "\\hspace*{2em}" } else { "" };
+            let _ = writeln!(text, "\\hangindent=4em {indent}${}$\\par", line.trim());
+        }
+        text + "}\n"
+    }
+
     /// `polynomial` with its variables named.
     pub(super) fn polynomial(self, polynomial: &Polynomial, names: [&str; 2]) -> String {
         let terms = polynomial.terms();
@@ -72,7 +84,10 @@ impl Format {
             (Format::Smtlib, false) => prefix("*", "1", &written),
             (Format::Smtlib, true) => format!("(- {})", prefix("*", "1", &written)),
             _ if written.is_empty() => format!("{}1", if negative { "-" } else { "" }),
-            _ => format!("{}{}", if negative { "-" } else { "" }, written.join(self.times())),
+            _ => {
+                let joint = if self == Format::Latex { "\\allowbreak " } else { self.times() };
+                format!("{}{}", if negative { "-" } else { "" }, written.join(joint))
+            }
         }
     }
 

@@ -205,7 +205,9 @@ impl Sentence {
             Format::Text => format!("for all real {x}, {y}:\n{given}\nimplies\n{claim}\n"),
             Format::Latex => {
                 let [x, y] = self.names.map(super::print::latex_name);
-                format!("\\forall {x}, {y} \\in \\mathbb{{R}}:\n{given}\n\\implies {claim}\n")
+                format.paragraphs(&format!(
+                    "\\forall {x}, {y} \\in \\mathbf{{R}}:\n{given}\n\\implies {claim}\n"
+                ))
             }
             Format::Sympy => format!(
                 "from sympy import And, Equivalent, Implies, symbols\n\n{x}, {y} = symbols(\"{x} {y}\", real=True)\nsentence = Implies({given},\n{claim})\n"

@@ -63,6 +63,12 @@ fn factor(rest: &mut &str, at: &Point) -> BigRational {
     if take(rest, '^') { pow(base, word(rest).parse().expect("an exponent")) } else { base }
 }
 
+/// The mathematics of a LaTeX text, each line of it without the dollars around it and what is for breaking.
+pub fn maths(text: &str) -> String {
+    let inner = |line: &str| line.split('$').nth(1).map(|maths| maths.replace("\\allowbreak ", ""));
+    text.lines().filter_map(inner).map(|line| line + "\n").collect()
+}
+
 /// The left sides of all comparisons with 0, in order, with their relations.
 pub fn comparisons(text: &str, format: Format, at: &Point) -> Vec<(String, BigRational)> {
     let body = match format {

@@ -13,7 +13,7 @@ fn root() -> &'static Path {
 
 /// Every command that writes a LaTeX table, with the awkward texts among them; `{in}` is a folder with the
 /// certificates that are cited.
-const TABLES: [&str; 18] = [
+const TABLES: [&str; 21] = [
     "intervals 3..=9",
     "intervals 3..=9 --decimals 6",
     "intervals --two-impacts 5",
@@ -32,6 +32,19 @@ const TABLES: [&str; 18] = [
     "existence examples/maps/singular.toml --max-period 4",
     "intervals 3..=5 --cite {in}/theorem_2#.txt --cite {in}/covers.txt",
     "boundary 3..=5 --cite {in}/covers.txt",
+    "evaluate --n 5 --s 1/7 --r 0.9",
+    "evaluate --n 4 --s 1/8 --bits 1000",
+    "evaluate --n 1000000 --k 7 --a1 1.9999 --a2 1",
+];
+
+/// What is printed and is no table of rows.
+const PRINTED: [&str; 6] = [
+    "formula 9 4",
+    "formula 60 7",
+    "formula 12 --sentence --area 5+",
+    "formula 7 --sentence",
+    "run examples/scenes/nordmark-2001.toml --only period-6 --only proved-mu_gr3 -o {in}/run",
+    "run examples/scenes/nordmark-2001-chaos.toml --only few -o {in}/chaos",
 ];
 
 /// With `pdflatex` on the path every table is set, and none is wider than the text of an A4 page; without it,
@@ -42,6 +55,7 @@ fn latex_sets_every_table() {
     for arguments in ["verify 3..=5 --certificate theorem_2#.txt", "cover 3..=5 --certificate covers.txt"] {
         assert_eq!(run(arguments, folder.path()).0, 0);
     }
+    let mut cited = 0;
     let mut document = String::from(
         "\\documentclass[a4paper]{article}\\usepackage{amsmath,array,booktabs,longtable}\\begin{document}\n",
     );
@@ -56,6 +70,25 @@ fn latex_sets_every_table() {
         cells_are_balanced(arguments, &text);
         document += &format!("\\input{{table{index}}}\n");
     }
+    for (index, arguments) in PRINTED.iter().enumerate() {
+        let all =
+            format!("{} --format latex", arguments.replace("{in}", &folder.path().display().to_string()));
+        let (code, text, err) = run(&all, root());
+        assert_eq!(code, 0, "grazing {all}: {err}");
+        fs::write(folder.path().join(format!("printed{index}.tex")), &text).unwrap();
+        document += &format!("\\input{{printed{index}}}\n");
+        // Every certificate is cited by the digest of the file that was written.
+        for line in text.lines().filter(|line| line.starts_with("certificate & ")) {
+            let name = line.split("\\texttt{").nth(1).unwrap().split('}').next().unwrap();
+            let place = arguments.rsplit('/').next().unwrap();
+            let (_, sum) =
+                shell(&format!("sha256sum {place}/{name} || shasum -a 256 {place}/{name}"), folder.path());
+            let digest = sum.split(' ').next().unwrap();
+            assert!(line.replace("\\allowbreak ", "").contains(&format!("\\texttt{{{digest}}}")), "{line}");
+            cited += 1;
+        }
+    }
+    assert!(cited >= 3, "{cited} certificates are cited");
     document += "\\end{document}\n";
     fs::write(folder.path().join("all.tex"), document).unwrap();
     let latex = Command::new("pdflatex")

@@ -72,6 +72,7 @@ proptest! {
         let lines: Vec<_> = text.lines().filter(|line| line.starts_with("  =")).flat_map(sides).collect();
         let twice: Vec<_> = values.iter().flat_map(|v| [v.clone(), v.clone()]).collect();
         prop_assert_eq!(&lines, &twice);
+        let latex = reader::maths(&latex);
         let lines: Vec<_> = latex.lines().filter(|line| line.contains('=')).flat_map(sides).collect();
         prop_assert_eq!(&lines, &twice);
         let lines: Vec<_> = qepcad.lines().filter(|line| line.contains('=')).flat_map(|line| {
@@ -133,6 +134,7 @@ fn agree_and_hold(sentence: &Sentence, at: &HashMap<&str, BigRational>) -> bool 
     let expected = prefix::comparisons(&script, at);
     for format in [Format::Text, Format::Latex, Format::Sympy, Format::Qepcad] {
         let text = sentence.write(format);
+        let text = if format == Format::Latex { reader::maths(&text) } else { text };
         assert_eq!(reader::comparisons(&text, format, at), expected, "{format:?}: {text}");
     }
     asserted[0]

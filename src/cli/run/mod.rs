@@ -9,6 +9,7 @@ mod diagram;
 mod machine;
 mod map;
 mod names;
+mod print;
 mod section;
 mod shard;
 mod simulate;
@@ -26,7 +27,7 @@ use clap::Parser;
 use num_rational::BigRational;
 use serde_json::json;
 
-use super::{Outcome, ReportFormat, in_pool, reported};
+use super::{Outcome, PrintFormat, ReportFormat, in_pool, reported};
 use crate::{
     cli::progress::Interrupt,
     error::{Error, Result},
@@ -78,9 +79,10 @@ pub(super) struct Args {
     /// The folder for the files.
     #[arg(short, long, value_name = "DIR", default_value = ".")]
     output: PathBuf,
-    /// How the report is written.
-    #[arg(long, value_enum, default_value_t = ReportFormat::Text)]
-    pub(super) format: ReportFormat,
+    /// How the report is written; as LaTeX, tables of orbits, of events and of what is proved, each
+    /// certificate by its SHA-256.
+    #[arg(long, value_enum, default_value_t = PrintFormat::Text)]
+    pub(super) format: PrintFormat,
     /// What pictures are written as: svg; pdf and png with the feature `print`.
     #[arg(long, value_name = "FORMAT", default_value = "svg", value_parser = picture_format)]
     pictures: PictureFormat,
@@ -239,7 +241,7 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
         names::task(&scene, job.task, &args.output, args.pictures, files)?;
     }
     if args.dry_run {
-        return list(args.format, files);
+        return list(args.format.report(), files);
     }
     make_folder(&args.output)?;
     // What cannot be written ends neither the tasks nor what they refute.
@@ -260,15 +262,21 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
             say(format_args!("error: task {}: {}", part.task, part.status));
         }
         // As soon as it is known; JSON is one object, at the end.
-        if args.format == ReportFormat::Text {
+        if args.format == PrintFormat::Text {
             let part = Destination::Stdout.write(|out| Ok(write!(out, "{part}")?));
             written = written.and(part);
         }
         parts().push(part);
     }
     let parts = parts().clone();
-    if args.format == ReportFormat::Json {
-        written = Destination::Stdout.write(|out| write_json(&scene.title, &parts, None, out));
+    match args.format {
+        PrintFormat::Text => {}
+        PrintFormat::Json => {
+            written = Destination::Stdout.write(|out| write_json(&scene.title, &parts, None, out));
+        }
+        PrintFormat::Latex => {
+            written = Destination::Stdout.write(|out| print::reports(&scene.title, &parts, out));
+        }
     }
     let any = |is: fn(&Status) -> bool| parts.iter().any(|part| is(&part.status));
     let outcome: Outcome = parts.iter().map(|part| part.status.outcome()).collect();

@@ -80,7 +80,7 @@ pub(super) fn run(
     files.claim("-o", output, FileUse::Write)?;
     files.claim("the checkpoint", &checkpoint, FileUse::Continue)?;
     if args.dry_run {
-        return list(args.format, files);
+        return list(args.format.report(), files);
     }
     let part = Part { task: sharded(args, &job, text)?, shard, file: files.named(output)? };
     let units = units(count, shard);
@@ -97,7 +97,7 @@ pub(super) fn run(
         Ok(()) => TaskReport::part(&job, file),
         Err(error) => TaskReport::failed(&job, &error),
     };
-    tell(&scene.title, report, Some(shard), args.format)
+    tell(&scene.title, report, Some(shard), args.format.report())
 }
 
 /// The units of a part, which are taken to cost the same.

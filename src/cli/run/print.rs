@@ -1,0 +1,141 @@
+//! Reports in LaTeX: orbits, events and chaos as blocks of two columns, name and value, which fit any page.
+//! A certificate is cited by its SHA-256.
+
+use std::io::Write;
+
+use crate::{
+    certificate::Sha256,
+    error::Result,
+    output::{latex, latex_numbers},
+    run::{EventRows, Findings, Row, TaskReport},
+};
+
+/// Names of columns that print has other words for.
+const NAMES: [(&str, &str); 18] = [
+    ("lambda1", "$\\lambda_1$"),
+    ("lambda2", "$\\lambda_2$"),
+    ("trace", "$\\lambda_1 + \\lambda_2$"),
+    ("det", "$\\lambda_1 \\lambda_2$"),
+    ("gamma", "$\\gamma$"),
+    ("e", "$e$"),
+    ("width", "width of its enclosure"),
+    ("lower", "at least"),
+    ("upper", "at most"),
+    ("only_within", "the only one within"),
+    ("no_certificate", "no certificate"),
+    ("least_gap", "least gap"),
+    ("parameter", "value of the parameter"),
+    ("periods", "letter, periods"),
+    ("next", "letters that may follow"),
+    ("after", "speed after impact"),
+    ("before", "speed before impact"),
+    ("solution", "solution, about"),
+];
+
+/// The tables of all reports, one per task.
+pub(super) fn reports(scene: &str, all: &[TaskReport], out: &mut dyn Write) -> Result<()> {
+    writeln!(
+        out,
+        "% grazing-run 2: \\input this file after \\usepackage{{amsmath,array,booktabs,longtable}}"
+    )?;
+    for report in all {
+        let (blocks, certificates) = match &report.findings {
+            Some(Findings::Validate(found)) => (blocks(&found.proofs), found.certificates.clone()),
+            Some(Findings::Orbit(found)) => (blocks(&found.orbits), Vec::new()),
+            Some(Findings::MachineOrbit(found)) => (blocks(&found.orbits), Vec::new()),
+            Some(Findings::MachineEvent(found)) => (blocks(&found.found), Vec::new()),
+            Some(Findings::Event(found)) => match &found.found {
+                EventRows::Bifurcations(rows) => (blocks(rows), Vec::new()),
+                EventRows::Grazings(rows) => (blocks(rows), Vec::new()),
+            },
+            Some(Findings::Chaos(found)) => {
+                let yes = |yes: bool| if yes { "yes" } else { "no" }.to_string();
+                let numbers = |x: Option<f64>| x.map_or(String::new(), |x| format!("{x:?}"));
+                let head = [
+                    ("proved", yes(found.proved)),
+                    ("oscillator", found.oscillator.clone()),
+                    ("range", found.range.clone()),
+                    ("every one may follow", yes(found.full)),
+                    ("no others, speeds to", numbers(found.complete)),
+                    ("contraction", numbers(found.contraction)),
+                    ("entropy", found.entropy.clone().unwrap_or_default()),
+                    ("growth rate", found.growth.clone().unwrap_or_default()),
+                    ("certificate", found.certificate.clone().unwrap_or_default()),
+                ];
+                let head = head.map(|(name, value)| (name.to_string(), value)).to_vec();
+                let all = std::iter::once(head).chain(blocks(&found.letters)).collect();
+                (all, found.text.clone().into_iter().collect())
+            }
+            _ => {
+                writeln!(out, "% task {} of kind {}: no table in LaTeX", report.task, report.kind)?;
+                continue;
+            }
+        };
+        table(scene, report, &blocks, &certificates, out)?;
+    }
+    Ok(())
+}
+
+/// Name and value of each column that is not empty, row by row.
+type Blocks = Vec<Vec<(String, String)>>;
+
+fn blocks<R: Row>(rows: &[R]) -> Blocks {
+    let pairs = |row: &R| R::COLUMNS.iter().map(ToString::to_string).zip(row.cells()).collect();
+    rows.iter().map(pairs).collect()
+}
+
+fn table(
+    scene: &str,
+    report: &TaskReport,
+    blocks: &Blocks,
+    certificates: &[(String, String)],
+    out: &mut dyn Write,
+) -> Result<()> {
+    let parameters: Vec<String> =
+        report.parameters.iter().map(|(name, value)| format!("{} = {}", latex(name), latex(value))).collect();
+    let with = if parameters.is_empty() { String::new() } else { format!(", {}", parameters.join(", ")) };
+    let status = report.status.to_string();
+    writeln!(out, "{{\\setlength{{\\LTcapwidth}}{{\\linewidth}}")?;
+    writeln!(out, "\\begin{{longtable}}{{l>{{\\raggedright\\arraybackslash}}p{{0.6\\linewidth}}}}")?;
+    writeln!(
+        out,
+        "\\caption{{{}: task {} ({}), {}{with}.}}\\label{{tab:{}}} \\\\",
+        latex(scene),
+        latex(&report.task),
+        report.kind,
+        latex(&status),
+        label(&report.task)
+    )?;
+    writeln!(out, "\\toprule\n\\endfirsthead\n\\toprule\n\\endhead\n\\bottomrule\n\\endfoot")?;
+    for (index, block) in blocks.iter().enumerate() {
+        if index > 0 {
+            writeln!(out, "\\midrule")?;
+        }
+        for (name, value) in block.iter().filter(|(_, value)| !value.is_empty()) {
+            let heading = NAMES.iter().find(|known| known.0 == name);
+            let heading = heading.map_or_else(|| latex(&name.replace('_', " ")), |known| known.1.to_string());
+            let value = match name.as_str() {
+                "pattern" => format!("$({})$", value.replace(' ', "")),
+                "certificate" => cited(value, certificates),
+                _ => latex_numbers(value),
+            };
+            writeln!(out, "{heading} & {value} \\\\")?;
+        }
+    }
+    writeln!(out, "\\end{{longtable}}}}")?;
+    Ok(())
+}
+
+/// What `\ref` finds a task's table by: a name has letters, digits, hyphens and underscores.
+fn label(task: &str) -> String {
+    task.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '-' }).collect()
+}
+
+/// The certificate's file and the SHA-256 of its text, which a line may break.
+fn cited(file: &str, certificates: &[(String, String)]) -> String {
+    let named = format!("\\texttt{{{}}}", latex(file));
+    let Some((_, text)) = certificates.iter().find(|(known, _)| known == file) else { return named };
+    let mut hash = Sha256::default();
+    hash.update(text.as_bytes());
+    format!("{named}, SHA-256 {}", crate::cli::cite::digest(&hash.finish()))
+}
