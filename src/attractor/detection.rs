@@ -255,10 +255,14 @@ impl<'d, D: Dynamics> Recurrence<'d, D> {
         match self.candidate {
             Some((n, since)) if self.recurs(n, tolerance) && (here <= since + n || self.hits_again(n)) => {
                 let sure = here - since >= n * confirm;
-                if sure && self.recurs_to_rounding(n, confirm) {
-                    // Points first recur, while a transient lasts, perhaps only after some rounds.
+                if sure && self.recurs_within(n, confirm, self.size.part(0.0)) {
+                    // Points first recur, while a transient lasts, perhaps only after some rounds: where it
+                    // changes sides with each, to rounding, too. The period is the least after which points
+                    // are not told apart.
                     let rounds = |d: usize| n.is_multiple_of(d).then(|| confirm * (n / d));
-                    let again = |d: &usize| rounds(*d).is_some_and(|all| self.recurs_to_rounding(*d, all));
+                    let again = |d: &usize| {
+                        rounds(*d).is_some_and(|all| self.recurs_within(*d, all, self.size.same()))
+                    };
                     self.settled = Some(self.seen((1..n).find(again).unwrap_or(n)));
                 } else if sure && self.again.is_none() {
                     // It recurs, and no orbit is found: perhaps later.
@@ -300,9 +304,8 @@ impl<'d, D: Dynamics> Recurrence<'d, D> {
         here < 2 * n || self.points[here].1 == self.points[here - n].1
     }
 
-    /// Whether the last rounds were the same up to rounding.
-    fn recurs_to_rounding(&self, n: usize, rounds: usize) -> bool {
-        let close = self.size.part(0.0);
+    /// Whether the last rounds were this close to one another.
+    fn recurs_within(&self, n: usize, rounds: usize, close: f64) -> bool {
         let here = self.points.len() - 1;
         here >= n * (rounds + 1)
             && (0..n * rounds).all(|i| self.points[here - i].0.near(&self.points[here - i - n].0, close))

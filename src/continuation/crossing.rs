@@ -24,6 +24,12 @@ pub struct Crossing {
 /// and moves no root.
 const DIFFERENCE: f64 = 6e-6;
 
+/// A crossing is this near to where it was looked for.
+const NEAR: f64 = 1e-2;
+
+/// Newton's method does not come back from so far, where motions may take ever longer to follow.
+const ASTRAY: f64 = 1.0;
+
 /// Whether J is so nearly of rank n − 1 at a point that curves cross there or close by: the least singular
 /// value of J with the tangent, to within a factor √n.
 pub fn is_near(curve: &impl Curve, place: &CurvePoint) -> Result<bool> {
@@ -76,9 +82,12 @@ pub fn locate(curve: &impl Curve, near: &CurvePoint) -> Result<Crossing> {
         mu -= step[size];
         psi.iter_mut().zip(&step[size + 1..]).for_each(|(psi, step)| *psi -= step);
         let length = norm(&step);
+        if norm(&difference(&u, &near.u)) > ASTRAY {
+            return Err(failed());
+        }
         if length <= 1e-13 || (length <= 1e-9 && length >= last / 2.0) {
             let residual = largest(&curve.equations(&u)?.residual);
-            if residual > 1e-10 || norm(&difference(&u, &near.u)) > 1e-2 {
+            if residual > 1e-10 || norm(&difference(&u, &near.u)) > NEAR {
                 return Err(failed());
             }
             let [tangent, other] = tangents(curve, &u, &psi, &near.tangent)?;

@@ -195,8 +195,10 @@ impl<F: PatternFamily + ?Sized> PatternCurve<'_, F> {
     fn asymmetry(&self, u: &[f64]) -> Option<f64> {
         let (half, z) = self.family.once(&self.itinerary, &u[..u.len() - 1])?;
         let found = self.family.equations(self.parameter(u), &half, &z).ok()?;
-        let size = |row: &[f64]| row.iter().zip(&z).map(|(slope, z)| (slope * z).abs()).sum::<f64>();
-        let parts = found.residual.iter().zip(&found.jacobian).map(|(f, row)| f / size(row));
+        let size = |row: &Vec<f64>| row.iter().zip(&z).map(|(slope, z)| (slope * z).abs()).sum::<f64>();
+        let sizes: Vec<f64> = found.jacobian.iter().map(size).collect();
+        let least = FELT * largest(&sizes);
+        let parts = found.residual.iter().zip(&sizes).map(|(f, size)| f / size.max(least));
         Some(largest(&parts.collect::<Vec<_>>()))
     }
 }
@@ -208,6 +210,10 @@ const APART: f64 = 1e-4;
 /// Points of a curve that are closer than this part of the size of the unknowns are one: Newton's method
 /// tells them apart no better.
 const SAME: f64 = 1e-9;
+
+/// An equation that is added up from less than this part of the largest is measured by that: what nothing
+/// moves consists of rounding, 10⁻¹⁵ of the largest, which is [`SAME`] times this.
+const FELT: f64 = 1e-6;
 
 /// Newton's method beside events.
 const CERTAIN: Corrector = Corrector { tolerance: 1e-11, steps: 20 };

@@ -7,7 +7,7 @@
 //! conjugates and of real multipliers, so that it goes on where a pair turns real. Which way a bifurcation
 //! goes is in `normal_form`.
 
-use std::f64::consts::TAU;
+use std::{f64::consts::TAU, sync::Arc};
 
 use super::{
     Machine, MachineFamily, MachineState,
@@ -27,6 +27,7 @@ use crate::{
     },
     error::{Error, Result},
     many::LinearFlow,
+    motion::EffectTally,
 };
 
 /// The orbits of one pattern of a machine over a parameter.
@@ -40,26 +41,28 @@ pub type MachineBranch = OrbitBranch<MachineOrbit>;
 pub(super) const RELATIVE_DEPTH: f64 = 1e-12;
 
 /// What all orbits that are followed have in common.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 struct Common {
     /// The unit of lengths and speeds.
     scale: f64,
     /// The minimum depth of the simulator that tells orbits from other solutions.
     depth: f64,
+    /// Where their work is added up.
+    tally: Option<Arc<EffectTally>>,
 }
 
 impl Common {
-    fn new(machine: &Machine<f64>, depth: Option<f64>) -> Result<Common> {
+    fn new(machine: &Machine<f64>, depth: Option<f64>, tally: Option<&Arc<EffectTally>>) -> Result<Common> {
         let settings = MachineSettings::default();
         let simulator = MachineSimulator::new(machine, &settings)?;
         let size = |size: f64| if size > 0.0 && size.is_finite() { size } else { 1.0 };
         let (scale, gap) = (size(simulator.scale()), size(simulator.gap_scale()));
-        Ok(Common { scale, depth: depth.unwrap_or(RELATIVE_DEPTH * gap) })
+        Ok(Common { scale, depth: depth.unwrap_or(RELATIVE_DEPTH * gap), tally: tally.cloned() })
     }
 
     fn orbit(&self, machine: &Machine<f64>, pattern: &StopPattern, root: Root) -> Result<MachineOrbit> {
         let settings = MachineSettings { minimum_depth: self.depth, ..MachineSettings::default() };
-        let simulator = MachineSimulator::new(machine, &settings)?;
+        let simulator = MachineSimulator::new(machine, &settings)?.counting_too(self.tally.as_ref());
         check_stops(pattern, simulator.contacts())?;
         describe(&simulator, pattern, self.scale, root)
     }
@@ -88,13 +91,18 @@ pub(super) struct Solved {
 impl Solved {
     /// # Errors
     /// Where the machine is not defined, or has not the pattern's stops.
-    pub fn new(machine: &Machine<f64>, pattern: &StopPattern, depth: f64) -> Result<Solved> {
+    pub fn new(
+        machine: &Machine<f64>,
+        pattern: &StopPattern,
+        depth: f64,
+        tally: Option<&Arc<EffectTally>>,
+    ) -> Result<Solved> {
         let flow = LinearFlow::new(machine.equations()?)?;
         let contacts = Contacts::new(flow.equations(), machine.contacts()?);
         check_stops(pattern, &contacts)?;
         let soft = if machine.is_smooth() || contacts.all().iter().any(|contact| contact.soft.is_some()) {
             let settings = MachineSettings { minimum_depth: depth, ..MachineSettings::default() };
-            MachineSimulator::new(machine, &settings)?.through()?
+            MachineSimulator::new(machine, &settings)?.counting_too(tally).through()?
         } else {
             None
         };
@@ -123,7 +131,8 @@ impl<'a> MachinePatterns<'a> {
     /// Where the machine is not defined there.
     pub fn new(family: &'a dyn MachineFamily, at: f64, depth: Option<f64>) -> Result<MachinePatterns<'a>> {
         let (machine, _) = family.at(at)?;
-        Ok(MachinePatterns { family, size: machine.size, common: Common::new(&machine, depth)? })
+        let common = Common::new(&machine, depth, family.tally())?;
+        Ok(MachinePatterns { family, size: machine.size, common })
     }
 }
 
@@ -143,7 +152,7 @@ impl MachinePatterns<'_> {
     /// Where the machine is not defined.
     pub fn state(&self, parameter: f64, orbit: &MachineOrbit, phase: f64) -> Result<MachineState> {
         let (machine, _) = self.family.at(parameter)?;
-        let solved = Solved::new(&machine, &orbit.pattern, self.common.depth)?;
+        let solved = Solved::new(&machine, &orbit.pattern, self.common.depth, self.common.tally.as_ref())?;
         let equations = solved.equations(&orbit.pattern, orbit.scale);
         equations.state(&orbit.z, (phase - orbit.state.t).rem_euclid(TAU))
     }
@@ -158,7 +167,7 @@ impl PatternFamily for MachinePatterns<'_> {
 
     fn equations(&self, parameter: f64, pattern: &StopPattern, z: &[f64]) -> Result<Linearised> {
         let (machine, slope) = self.family.at(parameter)?;
-        let solved = Solved::new(&machine, pattern, self.common.depth)?;
+        let solved = Solved::new(&machine, pattern, self.common.depth, self.common.tally.as_ref())?;
         let change = MachineChange::new(&machine, &slope, &solved.flow, &solved.contacts)?;
         solved.equations(pattern, self.common.scale).linearise(z, Some(&change))
     }
@@ -303,13 +312,19 @@ pub struct MachinePlane<'a> {
 }
 
 impl<'a> MachinePlane<'a> {
-    /// The orbits of the machines that `at` gives at two values; the others as in [`MachinePatterns::new`].
+    /// The orbits of the machines that `at` gives at two values, their work added up in `tally`; the others
+    /// as in [`MachinePatterns::new`].
     ///
     /// # Errors
     /// Where the machine is not defined there.
-    pub fn new(at: &'a AtBoth<'a>, place: [f64; 2], depth: Option<f64>) -> Result<MachinePlane<'a>> {
+    pub fn new(
+        at: &'a AtBoth<'a>,
+        place: [f64; 2],
+        depth: Option<f64>,
+        tally: Option<&Arc<EffectTally>>,
+    ) -> Result<MachinePlane<'a>> {
         let machine = at(place)?;
-        Ok(MachinePlane { at, size: machine.size, common: Common::new(&machine, depth)? })
+        Ok(MachinePlane { at, size: machine.size, common: Common::new(&machine, depth, tally)? })
     }
 }
 
@@ -336,7 +351,7 @@ impl PatternPlane for MachinePlane<'_> {
         z: &[f64],
     ) -> Result<Vec<f64>> {
         let machine = (self.at)(parameters)?;
-        let solved = Solved::new(&machine, pattern, self.common.depth)?;
+        let solved = Solved::new(&machine, pattern, self.common.depth, self.common.tally.as_ref())?;
         let equations = solved.equations(pattern, self.common.scale);
         let mut values = equations.linearise(z, None)?.residual;
         let speeds = || z[2 * self.size..].iter().skip(1).step_by(2);
@@ -378,7 +393,8 @@ impl PatternPlane for MachinePlane<'_> {
         let multipliers = &orbit.multipliers;
         let coefficient = |of: &dyn Fn(&Local) -> Option<f64>| {
             let machine = (self.at)(parameters).ok()?;
-            let solved = Solved::new(&machine, &orbit.pattern, self.common.depth).ok()?;
+            let solved =
+                Solved::new(&machine, &orbit.pattern, self.common.depth, self.common.tally.as_ref()).ok()?;
             let equations = solved.equations(&orbit.pattern, orbit.scale);
             of(&Local::new(equations, &orbit.z).ok()?)
         };

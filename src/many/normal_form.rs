@@ -55,7 +55,7 @@ pub fn normal_form(
         return Err(NOT_SMOOTH);
     }
     let unknown = |_: Error| UNKNOWN;
-    let solved = Solved::new(machine, &orbit.pattern, RELATIVE_DEPTH * orbit.scale).map_err(unknown)?;
+    let solved = Solved::new(machine, &orbit.pattern, RELATIVE_DEPTH * orbit.scale, None).map_err(unknown)?;
     let equations = solved.equations(&orbit.pattern, orbit.scale);
     let own = |i: usize| equations.contact(i).law.is_some();
     if equations.between.soft.is_some() || (0..orbit.impacts.len()).any(own) {

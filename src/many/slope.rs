@@ -1,6 +1,8 @@
 //! How a machine's equations change with a parameter: the exact derivatives of every coefficient, no
 //! differences.
 
+use std::sync::Arc;
+
 use super::{
     LinearEquations, Machine, Periodic, RealMatrix, RealVector, StopLaw,
     contact::{Contacts, SoftContact},
@@ -8,7 +10,7 @@ use super::{
 };
 use crate::{
     error::{Error, Result},
-    motion::Series,
+    motion::{EffectTally, Series},
 };
 
 /// Machines over a parameter.
@@ -18,6 +20,11 @@ pub trait MachineFamily {
     /// # Errors
     /// Where the machine is not defined.
     fn at(&self, parameter: f64) -> Result<(Machine<f64>, Machine<f64>)>;
+
+    /// Where the work on its machines is added up, if anywhere.
+    fn tally(&self) -> Option<&Arc<EffectTally>> {
+        None
+    }
 }
 
 /// The derivatives in a parameter of what [`LinearEquations`] and the stops are made of, the forcing's phase

@@ -20,7 +20,7 @@ use crate::{
         simulate::{MachineEvent, MachineRun, MachineSettings, MachineSimulator, PeakForces},
     },
     motion::{RunEnd, Time},
-    scene::simulate::SimulateTask,
+    scene::{MachineSceneFamily, simulate::SimulateTask},
 };
 
 row! {
@@ -248,6 +248,14 @@ impl Job<'_> {
 }
 
 impl Job<'_> {
+    /// The scene's machines over a parameter, their work counted.
+    ///
+    /// # Errors
+    /// Those of [`MachineSceneFamily::new`].
+    pub fn machine_family(&self, parameter: &str) -> Result<MachineSceneFamily<'_>> {
+        Ok(MachineSceneFamily::new(&self.scene, parameter)?.counting(self.tally.clone()))
+    }
+
     /// A machine with the plane in which its sections are seen.
     ///
     /// # Errors

@@ -97,7 +97,7 @@ pub(crate) fn form<'n>(names: &'n [&'n str]) -> RecordForm<'n> {
 /// # Errors
 /// As [`branch`](super::branch()).
 pub fn machine_branch(task: &BranchTask, machine: &Machine<f64>, job: &Job) -> Result<MachineBranchFindings> {
-    let family = MachineSceneFamily::new(&job.scene, &task.parameter)?;
+    let family = job.machine_family(&task.parameter)?;
     let source = MachineSource::new(&family, machine, job)?;
     let found = match &task.second {
         Some(second) => {
@@ -105,7 +105,8 @@ pub fn machine_branch(task: &BranchTask, machine: &Machine<f64>, job: &Job) -> R
                 |[first, other]: [f64; 2]| job.scene.machine(&[(&task.parameter, first), (second, other)]);
             let value = MachineSceneFamily::new(&job.scene, second)?.value();
             let place = [family.value(), value];
-            let plane = MachinePlane::new(&at, place, job.scene.machine_scene()?.minimum_depth)?;
+            let plane =
+                MachinePlane::new(&at, place, job.scene.machine_scene()?.minimum_depth, family.tally())?;
             events(task, &source, &plane, value, job)?
         }
         None => follow_over(task, &source, job)?,

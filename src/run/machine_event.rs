@@ -16,7 +16,7 @@ use crate::{
     continuation::{Bifurcation, BranchSearch, FollowedOrbit, Located, SearchReach, nearest},
     error::Result,
     many::{Machine, MachineFamily, grazing::own_reach, normal_form::normal_form, orbit::MachineOrbit},
-    scene::{MachineSceneFamily, orbits::EventTask},
+    scene::orbits::EventTask,
 };
 
 row! {
@@ -72,7 +72,7 @@ pub type MachineEventFindings = EventList<Vec<MachineEventRow>>;
 /// # Errors
 /// Where the machine is not defined at the start; an interruption.
 pub fn machine_event(task: &EventTask, machine: &Machine<f64>, job: &Job) -> Result<MachineEventFindings> {
-    let family = MachineSceneFamily::new(&job.scene, &task.parameter)?;
+    let family = job.machine_family(&task.parameter)?;
     let source = MachineSource::new(&family, machine, job)?;
     let (start, options) = (family.value(), task.options.checked()?);
     let simulator = job.machine_simulator(machine, &[])?;

@@ -168,7 +168,7 @@ impl Finding for MachineGrazingReport {
 /// # Errors
 /// Those of [`locate`], of the local map and of the machine; an interruption.
 pub fn machine_grazing(task: &GrazingTask, job: &Job) -> Result<MachineGrazingFindings> {
-    let family = MachineSceneFamily::new(&job.scene, &task.parameter)?;
+    let family = job.machine_family(&task.parameter)?;
     let start = family.value();
     let reach = task.reach.map_or_else(|| own_reach(&family, start), Ok)?;
     let event = match locate(&family, start, reach)? {

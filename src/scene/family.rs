@@ -98,6 +98,7 @@ pub struct MachineSceneFamily<'s> {
     name: String,
     values: Vec<f64>,
     free: usize,
+    tally: Option<Arc<EffectTally>>,
 }
 
 impl<'s> MachineSceneFamily<'s> {
@@ -109,7 +110,13 @@ impl<'s> MachineSceneFamily<'s> {
         scene.machine_scene()?;
         let free = scene.parameter(parameter)?;
         let values = scene.parameters.iter().map(|(_, value)| value.to_f64().unwrap_or(f64::NAN)).collect();
-        Ok(MachineSceneFamily { scene, name: parameter.to_string(), values, free })
+        Ok(MachineSceneFamily { scene, name: parameter.to_string(), values, free, tally: None })
+    }
+
+    /// The same family, the work on its machines added up in `tally`.
+    #[must_use]
+    pub fn counting(self, tally: Arc<EffectTally>) -> MachineSceneFamily<'s> {
+        MachineSceneFamily { tally: Some(tally), ..self }
     }
 
     /// The scene's own value of the parameter.
@@ -129,6 +136,10 @@ impl MachineFamily for MachineSceneFamily<'_> {
             self.scene.value(expression, &values, |x| x.value, &point).map(|value| value.slope)
         })?;
         Ok((machine, slope))
+    }
+
+    fn tally(&self) -> Option<&Arc<EffectTally>> {
+        self.tally.as_ref()
     }
 }
 

@@ -6,6 +6,7 @@ mod tasks;
 
 mod branches;
 mod codimension_two;
+mod detector;
 mod grazing;
 mod machine_branches;
 mod machine_orbits;

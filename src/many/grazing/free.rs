@@ -10,7 +10,7 @@ use crate::{
         contact::{Contacts, StopContact},
         simulate::Stage,
     },
-    motion::{Series, minimum_within},
+    motion::{EffectTally, Series, minimum_within},
 };
 
 /// A local minimum of a stop's gap along the motion.
@@ -45,11 +45,11 @@ impl FreeMotion {
     /// Those of [`Machine::equations`], [`Machine::contacts`], [`MachineSlope::new`] and
     /// [`LinearEquations::response`]; where forces are formulas, no periodic motion found by Newton's method.
     pub fn new(machine: &Machine<f64>, slope: &Machine<f64>) -> Result<FreeMotion> {
-        FreeMotion::near(machine, slope, None)
+        FreeMotion::near(machine, slope, None, None)
     }
 
     /// The same; of several motions, which there may be where forces are formulas, the one that Newton's
-    /// method finds from a state at phase 0.
+    /// method finds from a state at phase 0. Steps by the formulas are counted in `tally`.
     ///
     /// # Errors
     /// As [`new`](Self::new).
@@ -57,8 +57,9 @@ impl FreeMotion {
         machine: &Machine<f64>,
         slope: &Machine<f64>,
         near: Option<&MachineState>,
+        tally: Option<&Arc<EffectTally>>,
     ) -> Result<FreeMotion> {
-        let found = if machine.is_smooth() { Some(smooth::find(machine, slope, near)?) } else { None };
+        let found = if machine.is_smooth() { Some(smooth::find(machine, slope, near, tally)?) } else { None };
         let (equations, slope) = (machine.equations()?, MachineSlope::new(machine, slope)?);
         let contacts = Contacts::new(&equations, machine.contacts()?);
         let (motion, drift, stage) = match found {

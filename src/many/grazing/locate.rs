@@ -80,7 +80,8 @@ const TWICE: f64 = 1e-11;
 pub fn own_reach(family: &dyn MachineFamily, value: f64) -> Result<f64> {
     let (machine, slope) = family.at(value)?;
     // Without a periodic motion there is no gaps' motion.
-    let moved = FreeMotion::new(&machine, &slope).map_or(0.0, |motion| motion.scale() / motion.drift_scale());
+    let motion = FreeMotion::near(&machine, &slope, None, family.tally());
+    let moved = motion.map_or(0.0, |motion| motion.scale() / motion.drift_scale());
     let reach = if moved.is_finite() { moved.max(value.abs() / 2.0) } else { value.abs() / 2.0 };
     Ok(if reach > 0.0 { reach } else { 0.5 })
 }
@@ -96,7 +97,7 @@ pub fn locate(family: &dyn MachineFamily, start: f64, reach: f64) -> Result<Mach
     let last: RefCell<Option<MachineState>> = RefCell::default();
     let look = |parameter: f64| -> Result<(FreeMotion, LeastGap, f64)> {
         let (machine, slope) = family.at(parameter)?;
-        let motion = FreeMotion::near(&machine, &slope, last.borrow().as_ref())?;
+        let motion = FreeMotion::near(&machine, &slope, last.borrow().as_ref(), family.tally())?;
         last.replace(Some(motion.motion().state(0.0)));
         let least = motion.least().ok_or_else(|| Error::input("there is no stop that could be grazed"))?;
         let rate = motion.rate(&least);

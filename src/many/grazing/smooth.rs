@@ -15,7 +15,7 @@ use crate::{
         smooth::Smooth,
     },
     motion::{
-        Time,
+        EffectTally, Time,
         flow::{Gradient, Scalar},
     },
 };
@@ -29,6 +29,8 @@ pub(super) struct Found {
 
 /// Newton steps.
 const STEPS: u32 = 40;
+/// A Newton step so many times the first leads away: what is integrated there takes longer and longer.
+const ASTRAY: f64 = 1000.0;
 /// Periods after which a motion from rest has settled, if it settles.
 const SETTLED: f64 = 300.0;
 /// Samples of a period, at first and at most.
@@ -36,7 +38,8 @@ const SAMPLES: [usize; 2] = [64, 2048];
 /// What harmonics beyond half of those that the samples tell may be, relative to the largest.
 const TAIL: f64 = 1e-13;
 
-/// The motion of a machine whose coefficients change at the rates `slope`, nearest to a state at phase 0.
+/// The motion of a machine whose coefficients change at the rates `slope`, nearest to a state at phase 0; its
+/// steps are counted in `tally`.
 ///
 /// # Errors
 /// No periodic motion found; one that is not smooth, or of more than 1000 harmonics.
@@ -44,10 +47,11 @@ pub(super) fn find(
     machine: &Machine<f64>,
     slope: &Machine<f64>,
     near: Option<&MachineState>,
+    tally: Option<&Arc<EffectTally>>,
 ) -> Result<Found> {
     let bare = Machine { stops: Vec::new(), ..machine.clone() };
     let bare_slope = Machine { stops: Vec::new(), ..slope.clone() };
-    let simulator = MachineSimulator::new(&bare, &MachineSettings::default())?;
+    let simulator = MachineSimulator::new(&bare, &MachineSettings::default())?.counting_too(tally);
     let (stage, n) = (simulator.free(), machine.size);
     let none = || Error::input("no formula among the forces");
     let smooth = stage.smooth.as_ref().ok_or_else(none)?;
@@ -95,7 +99,7 @@ fn newton(stage: &Stage, mut state: MachineState) -> Option<(MachineState, RealM
     let (smooth, n) = (stage.smooth.as_ref()?, state.q.len());
     let upper = stage.equations.root().transpose();
     let norm = |x: &RealVector| (&upper * x.rows(0, n)).norm().max((&upper * x.rows(n, n)).norm());
-    let mut last = f64::INFINITY;
+    let (mut first, mut last) = (None, f64::INFINITY);
     for _ in 0..STEPS {
         let (end, phi) = (smooth.after(Time::new(0, 0.0), &state, TAU), smooth.transition(&state, TAU));
         let x = stacked(&state.q, &state.u);
@@ -108,6 +112,9 @@ fn newton(stage: &Stage, mut state: MachineState) -> Option<(MachineState, RealM
         // Newton's steps square what is left; else rounding has the last word.
         if moved <= 1e-12 * size || moved <= 1e-8 * size && moved >= 0.5 * last {
             return Some((state, phi));
+        }
+        if moved > ASTRAY * *first.get_or_insert(moved) {
+            return None;
         }
         let x = x + change;
         state = MachineState { t: 0.0, q: x.rows(0, n).into_owned(), u: x.rows(n, n).into_owned() };

@@ -229,14 +229,27 @@ impl MachineSimulator {
             settings: self.settings.clone(),
             rate: self.rate,
             through: true,
-            tally: None,
+            tally: self.tally.clone(),
         }))
     }
 
-    /// The same machine, the work of its runs added up in `tally` as each ends.
+    /// The same machine, its work added up in `tally`: of runs as each ends, of steps by formulas as they
+    /// are made, whatever for.
     #[must_use]
     pub fn counting(self, tally: Arc<EffectTally>) -> MachineSimulator {
+        if let Some(smooth) = &self.smooth {
+            smooth.count_in(&tally);
+        }
         MachineSimulator { tally: Some(tally), ..self }
+    }
+
+    /// The same where there is a tally.
+    #[must_use]
+    pub fn counting_too(self, tally: Option<&Arc<EffectTally>>) -> MachineSimulator {
+        match tally {
+            Some(tally) => self.counting(tally.clone()),
+            None => self,
+        }
     }
 
     /// Whether forces are formulas.

@@ -6,10 +6,12 @@
 //! velocities without the first. Nothing but the motion itself sets the scale. That the forces along the
 //! whole step are near their series is bounded as for one coordinate ([`Program::suited`]).
 
+use std::sync::{Arc, OnceLock};
+
 use crate::{
     many::{LinearEquations, MachineState, RealMatrix, RealVector},
     motion::{
-        RunEnd, Time,
+        Effect, EffectTally, RunEnd, Time,
         flow::{Gradient, LEAST, Obstacle, Program, Rows, SHORTEST, Scalar, TERMS, defect},
     },
 };
@@ -34,6 +36,8 @@ pub(crate) struct SmoothFlow {
     varied: Program<Gradient<{ WIDTH + 1 }>>,
     /// Lᵀ.
     metric: RealMatrix,
+    /// Where steps are counted.
+    tally: Arc<OnceLock<Arc<EffectTally>>>,
 }
 
 /// A step from `start`: each coordinate is a polynomial in x, 0 ≤ x ≤ 1, time going on by hx.
@@ -62,13 +66,22 @@ impl SmoothFlow {
         program: Program<f64>,
         varied: Program<Gradient<{ WIDTH + 1 }>>,
         equations: &LinearEquations,
+        tally: Arc<OnceLock<Arc<EffectTally>>>,
     ) -> SmoothFlow {
-        SmoothFlow { size: equations.size(), program, varied, metric: equations.root().transpose() }
+        SmoothFlow { size: equations.size(), program, varied, metric: equations.root().transpose(), tally }
+    }
+
+    /// Counts that many steps.
+    fn stepped(&self, steps: u64) {
+        if let Some(tally) = self.tally.get() {
+            tally.add(Effect::Smooth, steps);
+        }
     }
 
     /// The step from a state, no longer than `longest`. `given` is a straight force for each output, a value
     /// and a slope by time.
     pub fn leap(&self, start: Time, state: &MachineState, longest: f64, given: &[[f64; 2]]) -> Leap {
+        self.stepped(1);
         let from: Vec<f64> = state.q.iter().chain(state.u.iter()).copied().collect();
         let step = step(&self.program, &self.metric, &from, start.phase, longest, given);
         let padded = |row: &Vec<f64>| {
@@ -132,7 +145,7 @@ impl SmoothFlow {
         let from: Vec<f64> = state.q.iter().chain(state.u.iter()).copied().collect();
         let mut all = RealMatrix::zeros(2 * n, 2 * n);
         for first in (0..2 * n).step_by(WIDTH) {
-            let end = carry(&self.varied, &self.metric, seeded(&from, first), state.t, duration);
+            let end = self.carried(&self.varied, seeded(&from, first), state.t, duration);
             for j in first..(first + WIDTH).min(2 * n) {
                 for i in 0..2 * n {
                     all[(i, j)] = end[i].part(1 + j - first);
@@ -143,7 +156,7 @@ impl SmoothFlow {
     }
 
     /// The same over one step, no longer than `longest`, and how far that goes: as far as the derivatives in
-    /// all directions allow.
+    /// all directions allow. Over no time, as between events of one instant, nothing changes.
     pub fn step_transition(
         &self,
         state: &MachineState,
@@ -151,10 +164,14 @@ impl SmoothFlow {
         given: &[[f64; 2]],
     ) -> (RealMatrix, f64) {
         let n = self.size;
+        if longest <= 0.0 {
+            return (RealMatrix::identity(2 * n, 2 * n), longest);
+        }
         let from: Vec<f64> = state.q.iter().chain(state.u.iter()).copied().collect();
         let (mut all, mut h) = (RealMatrix::zeros(2 * n, 2 * n), longest);
         let mut firsts = (0..2 * n).step_by(WIDTH);
         while let Some(first) = firsts.next() {
+            self.stepped(1);
             let step = step(&self.varied, &self.metric, &seeded(&from, first), state.t, h, given);
             if step.h < h && first > 0 {
                 // Those before went farther.
@@ -174,7 +191,9 @@ impl SmoothFlow {
 
     /// A motion whose numbers carry what they carry, by a program of the same machine.
     pub fn carried<S: Scalar>(&self, program: &Program<S>, from: Vec<S>, t: f64, duration: f64) -> Vec<S> {
-        carry(program, &self.metric, from, t, duration)
+        let (end, steps) = carry(program, &self.metric, from, t, duration);
+        self.stepped(steps);
+        end
     }
 }
 
@@ -287,18 +306,20 @@ fn suited<S: Scalar>(program: &Program<S>, metric: &RealMatrix, rows: &Rows<S>, 
     program.suited(rows, far, LEAST / trial, fits)
 }
 
+/// The end of a motion, and in how many steps.
 fn carry<S: Scalar>(
     program: &Program<S>,
     metric: &RealMatrix,
     mut from: Vec<S>,
     begin: f64,
     duration: f64,
-) -> Vec<S> {
-    let (n, mut left, mut t) = (metric.nrows(), duration, begin);
+) -> (Vec<S>, u64) {
+    let (n, mut left, mut t, mut steps) = (metric.nrows(), duration, begin, 0);
     while left > 0.0 {
+        steps += 1;
         let step = step(program, metric, &from, t, left, &[]);
         if step.h.is_nan() || step.h < left.min(1e-11) {
-            return vec![S::constant(f64::NAN); 2 * n];
+            return (vec![S::constant(f64::NAN); 2 * n], steps);
         }
         for j in 0..n {
             [from[j], from[n + j]] = step.end(j);
@@ -306,7 +327,7 @@ fn carry<S: Scalar>(
         left = if step.h < left { left - step.h } else { 0.0 };
         t = begin + duration - left;
     }
-    from
+    (from, steps)
 }
 
 impl<S: Scalar> Step<S> {

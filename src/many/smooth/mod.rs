@@ -9,7 +9,10 @@
 mod flow;
 mod record;
 
-use std::{f64::consts::TAU, sync::Arc};
+use std::{
+    f64::consts::TAU,
+    sync::{Arc, OnceLock},
+};
 
 pub(crate) use flow::{Leap, SmoothFlow};
 pub use record::Record;
@@ -18,7 +21,7 @@ use super::{LinearEquations, Machine, MachineSlope, Periodic, RealMatrix, RealVe
 use crate::{
     error::{Error, Result},
     motion::{
-        Series, SmoothForce,
+        EffectTally, Series, SmoothForce,
         flow::{Drive, Gradient, Outline, Program, Scalar},
     },
 };
@@ -34,6 +37,8 @@ pub(crate) struct Smooth {
     rate: f64,
     /// A force known at times, and its direction.
     record: Option<(Arc<Record>, RealVector)>,
+    /// Where its steps are counted, of all clones and all flows; empty where nothing is counted.
+    tally: Arc<OnceLock<Arc<EffectTally>>>,
 }
 
 /// Phases at which a machine is looked at to linearise it.
@@ -84,7 +89,7 @@ impl Smooth {
             return Err(Error::input("force has a coefficient that is not finite"));
         }
         let shape = machine.shape().unwrap_or_else(|| RealMatrix::identity(machine.size, machine.size));
-        Ok(Some(Smooth { formulas, shape, rate: machine.rate(), record }))
+        Ok(Some(Smooth { formulas, shape, rate: machine.rate(), record, tally: Arc::default() }))
     }
 
     /// A force known at times, and its direction on the equations' coordinates.
@@ -107,7 +112,14 @@ impl Smooth {
             shape: slope.shape().unwrap_or_else(|| RealMatrix::zeros(rows, columns)),
             rate: -machine.rate() * slope.period / machine.period,
             record: None,
+            tally: self.tally.clone(),
         }
+    }
+
+    /// From now on all steps are counted there.
+    pub fn count_in(&self, tally: &Arc<EffectTally>) {
+        // The first stays: a machine is made for one task.
+        let _ = self.tally.set(tally.clone());
     }
 
     /// The machine between events: the equations with these forces, at rest on what holds it.
@@ -117,7 +129,7 @@ impl Smooth {
     pub fn flow(&self, equations: &LinearEquations, held: Option<&Held>) -> Result<SmoothFlow> {
         let program = self.program(equations, None, held, |value, _| value)?;
         let varied = self.program(equations, None, held, |value, _| Gradient::constant(value))?;
-        Ok(SmoothFlow::new(program, varied, equations))
+        Ok(SmoothFlow::new(program, varied, equations, self.tally.clone()))
     }
 
     /// The motion with its derivative in a parameter.

@@ -110,7 +110,7 @@ fn curve(
     let mut z = vec![place / n as f64; n];
     z.extend(vec![(speed + 0.6 * arrival) / n as f64; n]);
     z.extend([t, arrival]);
-    let plane = MachinePlane::new(&machine, at, None).unwrap();
+    let plane = MachinePlane::new(&machine, at, None, None).unwrap();
     let pattern = StopPattern::new(vec![StopStrike { stop: 0, periods: 1 }]).unwrap();
     let events = MachineEvents { plane: &plane, itinerary: pattern, event, ranges };
     let options = Options::default();

@@ -20,7 +20,6 @@ impl MachineRun<'_> {
     pub(super) fn leap_from(&mut self, time: Time, state: &MachineState) -> bool {
         let stage = self.stage.clone();
         let Some(smooth) = &stage.smooth else { return false };
-        self.count(Effect::Smooth);
         let state = MachineState { t: time.phase, ..state.clone() };
         let state = if stage.resting.is_empty() { state } else { stage.kept(&state) };
         self.leap = Some(smooth.leap(time, &state));
