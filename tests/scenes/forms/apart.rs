@@ -14,6 +14,7 @@ use toml::Table;
 use super::{
     compare::Difference,
     report::{Reported, reports},
+    scenes::NAME,
 };
 
 /// Interrupts after this many units of work.
@@ -47,7 +48,7 @@ pub fn differences(scene: &Table) -> (Vec<Difference>, usize) {
     for (one, three) in one.0.iter().zip(&three.0) {
         compare(&one.report.task, "on three threads", &Reported::whole(one), &three.whole());
     }
-    let scene = Scene::from_toml(&text, "scene.toml").expect("it was read before");
+    let scene = Scene::from_toml(&text, NAME).expect("it was read before");
     for (task, one) in scene.tasks.iter().zip(&one.0) {
         let Some((units, _)) = parts::units(task) else { continue };
         let effects = format!("{:?}", one.report.effects);

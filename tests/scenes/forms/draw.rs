@@ -101,18 +101,13 @@ pub enum System {
     ChainFormula,
 }
 
-/// A drawn scene.
-pub struct Drawn {
-    pub system: System,
-    pub text: String,
-}
-
 /// To a multiple of 1/256, towards the motion.
 fn placed(x: f64) -> f64 {
     (x * 256.0).floor() / 256.0
 }
 
-pub fn drawn(seed: u64) -> Drawn {
+/// The scene that is drawn with a seed.
+pub fn drawn(seed: u64) -> String {
     let mut random = Random(seed);
     // The first number tells seeds apart poorly in its last bits.
     random.next();
@@ -128,7 +123,7 @@ pub fn drawn(seed: u64) -> Drawn {
         System::Chain | System::ChainFormula => machine(&mut random, system == System::ChainFormula),
         _ => oscillator(&mut random, system),
     };
-    Drawn { system, text: format!("title = \"drawn with seed {seed}\"\n{text}") }
+    format!("title = \"drawn with seed {seed}, {system:?}\"\n{text}")
 }
 
 fn oscillator(random: &mut Random, system: System) -> String {

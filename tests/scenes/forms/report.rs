@@ -14,7 +14,10 @@ use grazing::{
 use serde_json::Value;
 use toml::Table;
 
-use super::scene::{LENGTH, ONE, SPEED, Unit, coordinates, is_machine};
+use super::{
+    scene::{LENGTH, ONE, SPEED, Unit, coordinates, is_machine},
+    scenes::NAME,
+};
 
 /// Columns that are not compared, and why.
 pub const NOT_COMPARED: [(&str, &str); 19] = [
@@ -222,11 +225,27 @@ pub struct Reported {
 }
 
 impl Reported {
+    /// The task's name, if the motion without impacts has more harmonics than a machine's grazing is looked
+    /// for in: a machine says so, and an oscillator integrates.
+    pub fn many_harmonics(&self) -> Option<String> {
+        let reason = self.report.status.reason().unwrap_or_default();
+        reason.contains("too many harmonics").then(|| self.report.task.clone())
+    }
+
     /// The task's name, if an event was not found within its reach.
     pub fn beyond_reach(&self) -> Option<String> {
         let reason = self.report.status.reason().unwrap_or_default();
         (["event", "grazing"].contains(&self.report.kind) && reason.contains("beyond reach"))
             .then(|| self.report.task.clone())
+    }
+
+    /// What was computed to tell where motions settle, of what is followed in closed form from impact to
+    /// impact: where they were on the way decides how much that is.
+    pub fn wanderings(&self) -> Option<String> {
+        let follows = ["section", "diagram", "basins", "branch"].contains(&self.report.kind);
+        let work = format!("{:?}", self.report.effects);
+        let integrated = ["smooth", "cubic"].iter().any(|effect| work.contains(effect));
+        (follows && !integrated).then_some(work)
     }
 
     /// Times in periods and speeds of the impacts of a motion, as its format has them.
@@ -249,7 +268,7 @@ impl Reported {
 /// # Errors
 /// The refusal of the scene.
 pub fn reports(text: &str, around: Surroundings) -> std::result::Result<Reports, String> {
-    let scene = Scene::from_toml(text, "scene.toml").map_err(|error| error.to_string())?;
+    let scene = Scene::from_toml(text, NAME).map_err(|error| error.to_string())?;
     let mut all = Vec::new();
     for task in &scene.tasks {
         let job = Job::new(&scene, task, around).map_err(|error| error.to_string())?;
@@ -295,17 +314,19 @@ pub fn answer(one: &Reported, view: &View, texts: Texts) -> Answer {
         reader.series(&one.series, &mut head, &mut tables);
     }
     reader.points(one, &mut tables);
-    // Of a motion that is not periodic it is a mean over a finite time, of vectors with all coordinates.
-    if !view.further.is_empty() {
-        let null = Cell::Word("null".into());
-        let rows = tables.get_mut("attractors").into_iter().flatten();
-        for row in rows.filter(|row| row.get("period") == Some(&null)) {
-            row.remove("lyapunov_per_period");
-            row.remove("standard_error");
-        }
-    }
     tables.insert(String::new(), vec![head]);
     tables
+}
+
+/// Without the means over a finite time that are told of a motion that is not periodic: the vectors that are
+/// followed have all coordinates of a form, also further ones.
+pub fn without_means(answer: &mut Answer) {
+    let null = Cell::Word("null".into());
+    let rows = answer.get_mut("attractors").into_iter().flatten();
+    for row in rows.filter(|row| row.get("period") == Some(&null)) {
+        row.remove("lyapunov_per_period");
+        row.remove("standard_error");
+    }
 }
 
 /// Names of tables, empty or not.

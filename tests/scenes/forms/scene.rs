@@ -102,15 +102,19 @@ pub fn is_machine(scene: &Table) -> bool {
     scene["format"].as_str() == Some("grazing-scene 2")
 }
 
+/// A whole number of a table, where it is more.
+pub fn at_most(table: &mut Table, key: &str, most: i64) {
+    if let Some(value) = table.get_mut(key)
+        && value.as_integer().is_some_and(|number| number > most)
+    {
+        *value = Value::Integer(most);
+    }
+}
+
 /// Fewer and shorter tasks: what is integrated takes ten to a hundred times as long. Branches and events
 /// are followed for a sixth of their way at most, from orbits and not from attractors; motions last tens of
 /// periods.
 pub fn brief(scene: &mut Table) {
-    let at_most = |table: &mut Table, key: &str, most: i64| {
-        if let Some(value) = table.get_mut(key) {
-            *value = Value::Integer(value.as_integer().unwrap_or(most).min(most));
-        }
-    };
     let number = |value: &Value| text(value).parse::<f64>().ok();
     let parameters = scene.get("parameters").and_then(Value::as_table).cloned().unwrap_or_default();
     if let Some(tasks) = scene.get_mut("tasks").and_then(Value::as_array_mut) {

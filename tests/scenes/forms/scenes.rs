@@ -1,6 +1,10 @@
 //! The scenes that are asked, with orbits to begin with, and shorter tasks where motions are integrated.
 
-use std::f64::consts::TAU;
+use std::{
+    f64::consts::TAU,
+    fs,
+    path::{Path, PathBuf},
+};
 
 use toml::{Table, Value};
 
@@ -8,38 +12,98 @@ use super::{
     draw, form,
     report::Reported,
     run,
-    scene::{brief, is_machine, list},
+    scene::{at_most, brief, is_machine, list},
 };
 
-/// The scene that is drawn with a seed, and what it is called.
-pub fn of_seed(seed: u64) -> (String, Table) {
-    let drawn = draw::drawn(seed);
-    let scene = toml::from_str(&drawn.text).unwrap_or_else(|error| panic!("{error}\n{}", drawn.text));
-    (format!("seed {seed}, {:?}", drawn.system), prepared(scene))
+/// Folders of examples, and the name under which every scene is read: beside the record of one of them.
+const EXAMPLES: [&str; 2] = ["examples/scenes", "examples/machines"];
+pub const NAME: &str = "examples/machines/scene.toml";
+
+/// A scene that is asked.
+#[derive(Debug)]
+pub enum Question {
+    /// Drawn with a seed.
+    Seed(u64),
+    /// A file of `examples`, its tasks cut short.
+    Example(PathBuf),
 }
 
-/// The scene with its orbits of impacts from where they are at F = 1: what a search from random starts
-/// finds is no column, but all that begins there is. Where a search is cheap it says where; where motions
-/// are integrated, the last impacts of a motion do, if it has any.
+impl Question {
+    /// All examples, by their files' names.
+    pub fn examples() -> Vec<Question> {
+        let mut all = Vec::new();
+        for folder in EXAMPLES {
+            let files = fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join(folder)).expect("the folder");
+            let files = files.map(|file| file.expect("a file").path());
+            all.extend(files.filter(|file| file.extension().is_some_and(|end| end == "toml")));
+        }
+        all.sort();
+        all.into_iter().map(Question::Example).collect()
+    }
+
+    pub fn name(&self) -> String {
+        match self {
+            Question::Seed(seed) => format!("seed {seed}"),
+            Question::Example(file) => file.file_stem().expect("a name").to_string_lossy().into_owned(),
+        }
+    }
+
+    /// The scene, with its orbits to begin with.
+    pub fn scene(&self) -> Table {
+        let read = |text: &str| toml::from_str(text).unwrap_or_else(|error| panic!("{error}\n{text}"));
+        match self {
+            Question::Seed(seed) => prepared(read(&draw::drawn(*seed))),
+            Question::Example(file) => prepared(shorter(read(&fs::read_to_string(file).expect("a scene")))),
+        }
+    }
+}
+
+/// Examples are made to be looked at: their motions are long, their grids fine.
+fn shorter(mut scene: Table) -> Table {
+    for task in list(&mut scene, "tasks") {
+        let most = [
+            ("transient", 100),
+            ("points", 60),
+            ("periods", 12),
+            ("longest", 16),
+            ("samples", 64),
+            ("count", 5),
+        ];
+        most.into_iter().for_each(|(key, most)| at_most(task, key, most));
+        for key in ["q", "u"] {
+            if let Some(values) = task.get_mut(key).and_then(Value::as_table_mut) {
+                at_most(values, "count", 3);
+            }
+        }
+    }
+    scene
+}
+
+/// The keys of an orbit and the parameters that are set for it.
+type Asked = (Value, Table);
+
+/// The scene with its orbits of impacts from where they are: what a search from random starts finds is no
+/// column, but all that begins there is. Where a search is cheap it says where; where motions are
+/// integrated, the last impacts of a motion do, if it has any.
 fn prepared(mut scene: Table) -> Table {
     let place = match form::is_integrated(&scene) {
         true => place_by_motion,
         false => place_by_search,
     };
-    let mut known: Vec<(Value, Option<[f64; 4]>)> = Vec::new();
+    let mut known: Vec<(Asked, Option<[f64; 4]>)> = Vec::new();
     let snapshot = scene.clone();
-    let mut fill = |holder: &mut Table| {
+    let mut fill = |holder: &mut Table, set: &Table| {
         let Some(orbit) = holder.get_mut("orbit").and_then(Value::as_table_mut) else { return };
         let count = orbit.get("pattern").and_then(Value::as_array).map_or(0, Vec::len);
-        if count == 0 {
+        if count == 0 || count > 2 || orbit.contains_key("start") {
             return;
         }
-        let keys = Value::Table(orbit.clone());
-        let at = match known.iter().find(|(other, _)| *other == keys) {
+        let asked = (Value::Table(orbit.clone()), set.clone());
+        let at = match known.iter().find(|(other, _)| *other == asked) {
             Some((_, at)) => *at,
             None => {
-                let at = place(&snapshot, &keys);
-                known.push((keys, at));
+                let at = place(&snapshot, &asked.0, set);
+                known.push((asked, at));
                 at
             }
         };
@@ -51,8 +115,15 @@ fn prepared(mut scene: Table) -> Table {
         orbit.insert("starts".into(), Value::Integer(4));
     };
     for task in list(&mut scene, "tasks") {
-        fill(task);
-        list(task, "starts").for_each(&mut fill);
+        let mut set = task.get("set").and_then(Value::as_table).cloned().unwrap_or_default();
+        fill(task, &set);
+        let varied = task.get("parameter").and_then(Value::as_str).map(String::from);
+        for start in list(task, "starts") {
+            if let (Some(varied), Some(at)) = (&varied, start.get("at")) {
+                set.insert(varied.clone(), at.clone());
+            }
+            fill(start, &set);
+        }
     }
     // Soft stops divide motions into pieces, whose ends are searched for.
     let soft = |wall: &Value| wall.get("stiffness").is_some();
@@ -70,10 +141,11 @@ fn run_only(scene: &Table, task: Table) -> Option<Reported> {
     run(&only).ok()?.0.into_iter().next()
 }
 
-/// Where a search at the scene's parameters finds an orbit: times and speeds of its impacts.
-fn place_by_search(scene: &Table, orbit: &Value) -> Option<[f64; 4]> {
+/// Where a search at these parameters finds an orbit: times and speeds of its impacts.
+fn place_by_search(scene: &Table, orbit: &Value, set: &Table) -> Option<[f64; 4]> {
     let mut task: Table = toml::from_str("name = \"search\"\nkind = \"orbit\"").expect("a table");
     task.insert("orbit".into(), orbit.clone());
+    task.insert("set".into(), set.clone().into());
     let found = run_only(scene, task)?;
     let report = serde_json::to_value(&found.report).expect("a report");
     let rows: Vec<&serde_json::Value> = report["orbits"].as_array()?.iter().collect();
@@ -87,9 +159,11 @@ fn place_by_search(scene: &Table, orbit: &Value) -> Option<[f64; 4]> {
     Some(at)
 }
 
-/// The last impacts of a motion from the start of the scene's first task, two in one period where there are.
-fn place_by_motion(scene: &Table, _: &Value) -> Option<[f64; 4]> {
-    let mut task = scene["tasks"].as_array()?.first()?.as_table()?.clone();
+/// The last impacts of the scene's first motion at these parameters, two in one period where there are.
+fn place_by_motion(scene: &Table, _: &Value, set: &Table) -> Option<[f64; 4]> {
+    let simulates = |task: &&Value| task["kind"].as_str() == Some("simulate");
+    let mut task = scene["tasks"].as_array()?.iter().find(simulates)?.as_table()?.clone();
+    task.insert("set".into(), set.clone().into());
     task.insert("periods".into(), Value::Integer(40));
     let motion = run_only(scene, task)?.impacts();
     let turn = if is_machine(scene) { 1.0 } else { TAU };

@@ -1,0 +1,200 @@
+//! The forms of a scene: each the same question, and how its report is read in the frame of the scene.
+
+mod changed;
+mod far;
+mod formula;
+mod machine;
+mod mirrored;
+mod moving;
+mod order;
+mod phase;
+mod rate;
+mod units;
+mod words;
+
+use grazing::{number::Plain, scene::Expression};
+use toml::{Table, Value};
+
+use super::{
+    report::{Texts, View},
+    scene::{is_formula, text},
+};
+
+pub use changed::changed;
+
+/// How near a form's numbers are to be.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Level {
+    /// All that is computed is the same, work included.
+    Same,
+    /// Every number to the last bit, after powers of two and signs.
+    Exact,
+    /// But for rounding.
+    Rounding,
+    /// But for what an integrator leaves.
+    Integrator,
+}
+
+/// A form of a scene.
+pub struct Form {
+    pub name: &'static str,
+    pub level: Level,
+    pub scene: Table,
+    /// What it is a form of, where that is not the scene itself but the scene with shorter tasks.
+    pub of: Option<Table>,
+    pub view: View,
+    pub texts: Texts,
+    /// Kinds of tasks that the form leaves out by design.
+    pub without: Vec<&'static str>,
+    /// Whether only columns are compared that both reports have.
+    pub common: bool,
+    /// Tasks, or tables of them as in "grazing.born", that are computed in another order in the form, for
+    /// which [`Level::Exact`] is but for rounding.
+    pub rounded: &'static [&'static str],
+    /// Columns and tables that mean something else in the form.
+    pub other: Vec<&'static str>,
+}
+
+/// Tasks that a form has not, and why: printed with every run.
+pub const BY_DESIGN: [(&str, &str, &str); 24] = [
+    ("machine of formulas", "criticality", "no normal form is computed through formulas of machines"),
+    ("machine", "columns that one format has", "each is compared between forms of its own format"),
+    ("machine", "whether a grazing is admissible", "format 1 says it but for the tangency"),
+    (
+        "machine, moving stops, shifted",
+        "events beyond their reach",
+        "it is a length of the branch, in the form's own unknowns",
+    ),
+    (
+        "all but the exact ones",
+        "orbits searched from random starts",
+        "these are drawn in the form's unknowns",
+    ),
+    ("machine of formulas", "grazing of a motion of more than 1000 harmonics", "a machine refuses it"),
+    ("all but the exact ones", "where chaotic transients end", "rounding decides (`wanderings`)"),
+    ("units", "bits of born orbits and of proofs", "they begin at middles of enclosures"),
+    ("format 1", "times and masses in other units", "its period is 2π and its mass 1: it has none"),
+    ("machine", "refuted", "what is proved of machines refutes nothing: undecided"),
+    ("mirrored", "the point shown of a basin's attractor", "that of the first start, which is another"),
+    ("machine", "map crisis chaos", "tasks of format 1 only"),
+    ("machine", "validate with event", "bifurcations of machines are not proved"),
+    ("machine", "grazing of an orbit with impacts", "machines graze from the motion without impacts"),
+    ("machine", "a frame", "planes of machines have gaps in its place"),
+    ("hidden, machine of formulas", "validate chaos", "proofs are for linear systems by their keys"),
+    ("inlined", "tasks that vary or set the parameter", "it is not there"),
+    ("moving stops", "diagram points", "the frame moves with the parameter"),
+    (
+        "half the rate",
+        "all but motions and orbits of one impact in an even number of periods",
+        "patterns and sections count periods of the form: others are gone round twice",
+    ),
+    (
+        "further coordinate",
+        "one that is driven",
+        "its motion would be part of the extent by which attractors are told apart",
+    ),
+    ("all", "tasks that restart from a file", "tested where files are: it needs those of another task"),
+    ("shifted", "section with manifolds", "drawn for one phase"),
+    ("all but the units", "a force measured once", "it is no function of the phase"),
+    (
+        "machine, units, rate",
+        "coefficients of normal forms",
+        "their sizes go with the coordinates (docs/branches.md)",
+    ),
+];
+
+fn tasks(scene: &mut Table) -> &mut Vec<Value> {
+    scene.entry("tasks").or_insert(Value::Array(Vec::new())).as_array_mut().expect("a list")
+}
+
+fn system(scene: &mut Table) -> &mut Table {
+    scene["system"].as_table_mut().expect("a table")
+}
+
+fn form(name: &'static str, level: Level, base: &Table) -> Form {
+    Form {
+        name,
+        level,
+        scene: base.clone(),
+        of: None,
+        view: View::of(base),
+        texts: Texts::Words,
+        without: Vec::new(),
+        common: false,
+        rounded: &[],
+        other: Vec::new(),
+    }
+}
+
+/// Whether motions of the scene are integrated.
+pub fn is_integrated(scene: &Table) -> bool {
+    let system = &scene["system"];
+    let formula = |value: &Value| match value {
+        Value::Array(all) => all.iter().any(|one| is_formula(&text(one))),
+        one => is_formula(&text(one)),
+    };
+    system.get("cubic").is_some() || system.get("force").is_some_and(formula)
+}
+
+/// Without the tasks that no form has.
+pub fn base(scene: &Table) -> Table {
+    let mut scene = scene.clone();
+    let restarts = |task: &Value| text(task).contains("restart");
+    tasks(&mut scene).retain(|task| !restarts(task));
+    scene
+}
+
+/// Tasks whose orbits of impacts are searched for, as none is known to begin with.
+pub fn searched(scene: &Table) -> Vec<String> {
+    let open = |holder: &Table| {
+        holder.get("orbit").is_some_and(|orbit| {
+            let pattern = orbit.get("pattern").and_then(Value::as_array);
+            pattern.is_some_and(|all| !all.is_empty()) && orbit.get("start").is_none()
+        })
+    };
+    let any = |task: &&Table| {
+        let starts = task.get("starts").and_then(Value::as_array).into_iter().flatten();
+        open(task) || starts.filter_map(Value::as_table).any(open)
+    };
+    let all = scene.get("tasks").and_then(Value::as_array).into_iter().flatten();
+    all.filter_map(Value::as_table).filter(any).map(|task| text(&task["name"])).collect()
+}
+
+/// All forms that the scene has.
+pub fn forms(base: &Table) -> Vec<Form> {
+    let all = [
+        words::renamed_parameters(base),
+        words::inlined(base),
+        order::reversed_tasks(base),
+        units::units("lengths in a smaller unit", base, [1_048_576.0, 1.0, 1.0]),
+        units::units("lengths in a larger unit", base, [1.0 / 1_048_576.0, 1.0, 1.0]),
+        units::units("times and masses in other units", base, [1.0, 64.0, 0.25]),
+        mirrored::mirrored(base),
+        phase::shifted("shifted by a quarter", base, 0.25),
+        phase::shifted("shifted by a tenth", base, 0.1),
+        order::reversed_lists(base),
+        far::far_stop(base),
+        formula::as_formula(base),
+        formula::hidden(base),
+        machine::machine(base),
+        machine::machine(base).and_then(machine::machine_further),
+        machine::further(base),
+        moving::moving(base),
+        rate::half_rate(base),
+    ];
+    all.into_iter().flatten().collect()
+}
+
+/// The value of an expression in the scene's parameters.
+fn number(table: &Table, key: &str, scene: &Table) -> Option<f64> {
+    let empty = Table::new();
+    let parameters = scene.get("parameters").and_then(Value::as_table).unwrap_or(&empty);
+    let names: Vec<String> = parameters.keys().cloned().collect();
+    let value = |value: &Value| {
+        let Plain(x) = Expression::parse(&text(value), &[]).ok()?.evaluate(&[], &()).ok()?;
+        Some(Plain(x))
+    };
+    let values: Option<Vec<Plain>> = parameters.values().map(value).collect();
+    let Plain(x) = Expression::parse(&text(table.get(key)?), &names).ok()?.evaluate(&values?, &()).ok()?;
+    Some(x)
+}
