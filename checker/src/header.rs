@@ -4,7 +4,7 @@ use std::ops::RangeInclusive;
 
 use super::{
     FORMAT, Proved, Rejection,
-    lines::{LONGEST, Lines, Words},
+    lines::{LONGEST, Lines},
 };
 
 /// The header's lines.
@@ -34,9 +34,10 @@ impl Header {
     ) -> Result<Header, Rejection> {
         let (least, most) = periods.into_inner();
         let [first, last] = numbers(lines, "range", [("the first period", most), ("the last period", most)])?;
-        if first < least || first > last {
-            return Err(lines.malformed(format!("the range must be {least} <= first <= last")));
-        }
+        lines.form(
+            least <= first && first <= last,
+            format_args!("the range must be {least} <= first <= last"),
+        )?;
         let claimed = lines.expect("the number of lines")?;
         let claimed_at = lines.number();
         expect_statement(lines, statement)?;
@@ -50,9 +51,7 @@ impl Header {
 
     /// Checks that the file ends here, after as many lines as the header says.
     pub fn finish(self, lines: &mut Lines) -> Result<Proved, Rejection> {
-        if lines.next()?.is_some() {
-            return Err(lines.malformed("the file goes on after the last period of its range"));
-        }
+        lines.end("the file goes on after the last period of its range")?;
         let body = lines.number() - self.end;
         if self.claimed != format!("lines {body}") {
             let reason = format!("{body} lines follow the header, so this should be \"lines {body}\"");
@@ -65,10 +64,9 @@ impl Header {
 /// Reads the statement, which must be this one.
 pub(super) fn expect_statement(lines: &mut Lines, statement: &str) -> Result<(), Rejection> {
     let longest = LONGEST.max(statement.len() + 100);
-    if lines.expect_within(longest, "the statement")?.strip_prefix("statement ") != Some(statement) {
-        return Err(lines.malformed("the statement is not, word for word, that of this kind and version"));
-    }
-    Ok(())
+    let line = lines.expect_within(longest, "the statement")?;
+    let same = line.strip_prefix("statement ") == Some(statement);
+    lines.form(same, "the statement is not, word for word, that of this kind and version")
 }
 
 /// Reads a line of a name and two numbers, each with what it is and the most that it may be.
@@ -77,15 +75,5 @@ pub(super) fn numbers(
     name: &str,
     [one, two]: [(&str, u64); 2],
 ) -> Result<[u64; 2], Rejection> {
-    let line = lines.expect(name)?;
-    let mut words = Words::new(&line);
-    let mut read = || {
-        if words.word(name)? != name {
-            return Err(format!("expected a line \"{name} …\""));
-        }
-        let numbers = [words.number(one.0, one.1)?, words.number(two.0, two.1)?];
-        words.end()?;
-        Ok(numbers)
-    };
-    read().map_err(|reason| lines.malformed(reason))
+    lines.line(name, |words| Ok([words.number(one.0, one.1)?, words.number(two.0, two.1)?]))
 }

@@ -73,13 +73,15 @@
 mod arithmetic;
 pub mod chaos;
 pub mod cover;
+mod decimal;
 pub mod entropy;
 pub mod event;
 mod header;
+mod interval;
 mod lines;
 pub mod machine;
+mod motion;
 pub mod orbit;
-mod oscillator;
 mod rejection;
 mod sha256;
 pub mod theorem2;

@@ -1,8 +1,15 @@
 //! A certificate as a stream of numbered lines, and the words on a line.
 
-use std::io::{BufRead, Read};
+use std::{
+    fmt,
+    io::{BufRead, Read},
+};
 
-use super::{Rejection, arithmetic::Fraction, rejection::Fault};
+use super::{
+    Rejection,
+    arithmetic::Fraction,
+    rejection::{Fault, ensure},
+};
 
 /// The longest line in bytes, without its end, but for those whose reader allows more; a longer one is
 /// rejected before it is held in memory.
@@ -85,6 +92,49 @@ impl<'a> Lines<'a> {
         }
     }
 
+    /// The next line, led by its name and read by `parse` to its end.
+    pub fn line<T>(
+        &mut self,
+        name: &str,
+        parse: impl FnOnce(&mut Words) -> Result<T, String>,
+    ) -> Result<T, Rejection> {
+        self.line_within(LONGEST, name, parse)
+    }
+
+    /// The same, of up to `longest` bytes.
+    pub fn line_within<T>(
+        &mut self,
+        longest: usize,
+        name: &str,
+        parse: impl FnOnce(&mut Words) -> Result<T, String>,
+    ) -> Result<T, Rejection> {
+        let text = self.expect_within(longest, &format!("a line \"{name} …\""))?;
+        let mut words = Words::new(&text);
+        let read = || {
+            words.name(name)?;
+            let value = parse(&mut words)?;
+            words.end()?;
+            Ok(value)
+        };
+        read().map_err(|reason: String| self.malformed(reason))
+    }
+
+    /// The file must end here.
+    pub fn end(&mut self, reason: impl fmt::Display) -> Result<(), Rejection> {
+        let ends = self.next()?.is_none();
+        self.form(ends, reason)
+    }
+
+    /// Rejects the latest line's form, unless it `holds` what it should.
+    pub fn form(&self, holds: bool, reason: impl fmt::Display) -> Result<(), Rejection> {
+        ensure(holds, reason).map_err(|reason| self.malformed(reason))
+    }
+
+    /// Rejects the latest line's claim, unless it `holds`.
+    pub fn claim(&self, holds: bool, reason: impl fmt::Display) -> Result<(), Rejection> {
+        ensure(holds, reason).map_err(|reason| self.false_claim(reason))
+    }
+
     /// What is wrong with the latest line.
     pub fn rejection(&self, fault: Fault) -> Rejection {
         let line = self.number;
@@ -119,6 +169,11 @@ impl<'a> Words<'a> {
 
     pub fn word(&mut self, what: &str) -> Result<&'a str, String> {
         self.rest.next().ok_or_else(|| format!("expected {what}, found the end of the line"))
+    }
+
+    /// The word that a line begins with.
+    fn name(&mut self, name: &str) -> Result<(), String> {
+        if self.word(name)? == name { Ok(()) } else { Err(format!("expected a line \"{name} …\"")) }
     }
 
     /// A decimal number up to `most`, without sign or leading zeros.

@@ -59,6 +59,19 @@ impl Fault {
     }
 }
 
+/// Asked now and then whether the work should go on.
+pub(crate) type GoOn<'a> = &'a mut dyn FnMut() -> Result<(), Fault>;
+
+/// The reason, unless what it denies `holds`.
+pub(crate) fn ensure(holds: bool, reason: impl fmt::Display) -> Result<(), String> {
+    if holds { Ok(()) } else { Err(reason.to_string()) }
+}
+
+/// A false claim for this reason, unless it `holds`.
+pub(crate) fn claim(holds: bool, reason: impl fmt::Display) -> Result<(), Fault> {
+    ensure(holds, reason).map_err(Fault::False)
+}
+
 impl Rejection {
     /// The verdict in a word: `rejected`, `undecided`, `unreadable` or `interrupted`.
     pub fn verdict(&self) -> &'static str {

@@ -4,7 +4,7 @@
 //! a + bA for two numbers, found by the power series without any case; its entries are [[a, b], [−kb, a −
 //! cb]]. For c = 0 and k = 1 it is cos t + A sin t.
 
-use super::fixed::Interval;
+use super::Interval;
 
 /// The coefficients of q″ = −c q′ − k q.
 #[derive(Debug, Clone, Copy)]
@@ -58,7 +58,7 @@ impl Flow {
     fn series(self, t: Interval) -> Matrix {
         let unknown = Matrix { a: Interval::WHOLE, b: Interval::WHOLE };
         let (Some(damping), Some(stiffness), Some(size)) =
-            (self.damping.bits(), self.stiffness.bits(), t.bits())
+            (self.damping.magnitude_bits(), self.stiffness.magnitude_bits(), t.magnitude_bits())
         else {
             return unknown;
         };

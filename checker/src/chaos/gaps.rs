@@ -11,12 +11,10 @@
 //! and k + 2 each wall's gap is shown to be positive outright, from the leg's beginning (which is in window
 //! 0) for the wall with k = −1, and to its end for the wall whose last window is that before the last.
 
-use super::{
-    Fault,
-    fixed::Interval,
-    legs::Impact,
-    work::{GoOn, Work},
-};
+use std::fmt;
+
+use super::{Fault, Interval, legs::Impact, work::Work};
+use crate::rejection::{GoOn, claim};
 
 /// Proves it for every letter of a cell, and that q̂ stays below the reach; with two walls, |q̂|.
 pub(super) fn open(work: &Work, pieces: u64, go_on: GoOn) -> Result<(), Fault> {
@@ -63,8 +61,9 @@ impl Legs<'_> {
     }
 }
 
-fn wrong<T>(reason: String) -> Result<T, Fault> {
-    Err(Fault::False(format!("{reason} (H4)")))
+/// A false claim for this reason, unless it `holds`.
+fn shown(holds: bool, reason: impl fmt::Display) -> Result<(), Fault> {
+    claim(holds, format_args!("{reason} (H4)"))
 }
 
 fn flight(work: &Work, n: usize, pieces: u64, go_on: GoOn) -> Result<(), Fault> {
@@ -76,19 +75,20 @@ fn flight(work: &Work, n: usize, pieces: u64, go_on: GoOn) -> Result<(), Fault> 
     let first = all(letter.previous.iter().map(|&m| work.strength(m, n)).collect());
     let last = all(letter.next.iter().map(|&k| work.strength(n, k)).collect());
     let (Some(first), Some(last)) = (first, last) else {
-        return wrong("an impact may be outside the window".into());
+        return shown(false, "an impact may be outside the window");
     };
     let legs = Legs { work, first, after: letter.after.all };
     for k in 0..=letter.periods {
         let from = if k == 0 { first.phase } else { -cell.wall.window };
         let to = if k == letter.periods { last.phase } else { cell.wall.window };
-        let least = window(&legs, k, from.until(to), pieces, go_on)?;
+        let least = window(&legs, k, from.hull(to), pieces, go_on)?;
         if 0 < k && k < letter.periods {
             let motion = legs.motion(k, Interval::ZERO);
             let dip = (cell.depth * motion.velocity.squared()).over(least + least);
-            if !(motion.place - cell.side - dip).is_positive() {
-                return wrong(format!("the wall may be met in window {k}"));
-            }
+            shown(
+                (motion.place - cell.side - dip).is_positive(),
+                format_args!("the wall may be met in window {k}"),
+            )?;
         }
     }
     // One of both walls has the windows k and k + 1, or k and k + 2.
@@ -96,11 +96,11 @@ fn flight(work: &Work, n: usize, pieces: u64, go_on: GoOn) -> Result<(), Fault> 
     let next = pi + pi - cell.wall.window;
     for k in 0..letter.periods {
         let end = if cell.mirrored && k + 1 == letter.periods { pi + last.phase } else { next };
-        let time = cell.wall.window.until(end);
+        let time = cell.wall.window.hull(end);
         between(&legs, time, pieces, go_on, &format!("after window {k}"), |t| legs.motion(k, t).place)?;
     }
     if cell.mirrored {
-        let time = (pi + first.phase).until(next);
+        let time = (pi + first.phase).hull(next);
         between(&legs, time, pieces, go_on, "before window 1", |t| legs.before(t))?;
     }
     Ok(())
@@ -115,12 +115,11 @@ fn window(legs: &Legs, k: u64, window: Interval, pieces: u64, go_on: GoOn) -> Re
         let t = window.part(piece, pieces);
         let motion = legs.motion(k, t);
         let here = (cell.wall.at(t).bend + cell.depth * motion.acceleration).least();
-        if !here.is_positive() {
-            return wrong(format!("the gap may not be convex in window {k}"));
-        }
-        if !legs.is_within_reach(motion.place) {
-            return wrong(format!("the motion may go beyond its reach in window {k}"));
-        }
+        shown(here.is_positive(), format_args!("the gap may not be convex in window {k}"))?;
+        shown(
+            legs.is_within_reach(motion.place),
+            format_args!("the motion may go beyond its reach in window {k}"),
+        )?;
         curvature = Some(curvature.map_or(here, |least| least.hull(here).least()));
     }
     Ok(curvature.unwrap_or(Interval::WHOLE))
@@ -141,12 +140,8 @@ fn between(
         let t = time.part(piece, pieces);
         let place = place(t);
         let gap = cell.wall.at(t).drop + cell.depth * (place - cell.side);
-        if !gap.is_positive() {
-            return wrong(format!("the gap may not be positive {when}"));
-        }
-        if !legs.is_within_reach(place) {
-            return wrong(format!("the motion may go beyond its reach {when}"));
-        }
+        shown(gap.is_positive(), format_args!("the gap may not be positive {when}"))?;
+        shown(legs.is_within_reach(place), format_args!("the motion may go beyond its reach {when}"))?;
     }
     Ok(())
 }

@@ -6,7 +6,8 @@
 //! as well as successors. At a vertex whose successors have different periods a path is told by its periods
 //! and where it starts; likewise backwards.
 
-use super::{fixed::Interval, text::Certificate};
+use super::{Interval, text::Certificate};
+use crate::rejection::ensure;
 
 /// Proves the growth rate, and that paths are told by their periods.
 pub(super) fn grows(certificate: &Certificate) -> Result<(), String> {
@@ -23,11 +24,10 @@ pub(super) fn grows(certificate: &Certificate) -> Result<(), String> {
         way.iter().all(|list| distinct(list.iter().map(|&v| letters[v].periods).collect()))
     };
     let (forward, backward) = (told(&next), told(&previous));
-    if !forward && !backward {
-        return Err(
-            "a letter has two successors of the same period, and one has two such predecessors".into()
-        );
-    }
+    ensure(
+        forward || backward,
+        "a letter has two successors of the same period, and one has two such predecessors",
+    )?;
     bounds(certificate, &next).or_else(|reason| bounds(certificate, &previous).map_err(|_| reason))
 }
 
@@ -42,12 +42,14 @@ fn bounds(certificate: &Certificate, edges: &[Vec<usize>]) -> Result<(), String>
     for (v, letter) in letters.iter().enumerate() {
         let sum = |terms: &[Interval]| edges[v].iter().fold(Interval::ZERO, |sum, &w| sum + terms[w]);
         let own = letter.growth.enclosed();
-        if !own.is_up_to(sum(&least)) {
-            return Err(format!("the growth vector does not prove the lower rate at letter {}", v + 1));
-        }
-        if !sum(&most).is_up_to(own) {
-            return Err(format!("the growth vector does not prove the upper rate at letter {}", v + 1));
-        }
+        ensure(
+            own.is_up_to(sum(&least)),
+            format_args!("the growth vector does not prove the lower rate at letter {}", v + 1),
+        )?;
+        ensure(
+            sum(&most).is_up_to(own),
+            format_args!("the growth vector does not prove the upper rate at letter {}", v + 1),
+        )?;
     }
     Ok(())
 }

@@ -20,12 +20,11 @@
 //! of n half periods lasts T = πn + t′ − t, and E = (−1)ⁿ E(T), while everything else stays as it is.
 
 use super::{
-    Fault,
-    fixed::Interval,
+    Fault, Interval,
     flow::{Flow, Matrix},
     wall::Wall,
-    work::GoOn,
 };
+use crate::rejection::GoOn;
 
 /// A box of parameters.
 pub(super) struct Cell<'a> {

@@ -122,7 +122,6 @@
 //! Memory: the certificate and the parts.
 
 mod cost;
-mod fixed;
 mod flow;
 mod gaps;
 mod graph;
@@ -141,6 +140,9 @@ use super::{
     lines::{Lines, Words},
     rejection::Fault,
 };
+
+/// Numbers in units of 2⁻⁴⁸. The proofs of this kind need few digits: their boxes are wide.
+type Interval = super::interval::Fixed<48>;
 
 pub use text::{Certificate, Complete, Decimal, Fraction, Harmonic, Letter, Range};
 

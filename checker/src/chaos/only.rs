@@ -11,23 +11,21 @@
 //!   itself, by the law of impact s = 2(a + τp)/(1 + τ), by a ≥ s/2 ≥ p, and by q̂ ≥ σ at 2πk for 0 < k < n,
 //!   until all legs that are left are in a letter's box and follow each other as the graph allows.
 
-use super::{
-    Fault,
-    fixed::Interval,
-    legs::Impact,
-    text::Complete,
-    work::{GoOn, Work},
-};
+use std::fmt;
+
+use super::{Fault, Interval, legs::Impact, text::Complete, work::Work};
+use crate::rejection::{GoOn, claim};
 
 /// What the velocities a and p of legs of n periods lie in, for n from 1; `None` if there are no such legs.
 type Known = Vec<Option<[Interval; 2]>>;
 
-fn wrong<T>(what: &str) -> Result<T, Fault> {
-    Err(Fault::False(format!("{what} (C)")))
+/// A false claim for this reason, unless it `holds`.
+fn shown(holds: bool, reason: impl fmt::Display) -> Result<(), Fault> {
+    claim(holds, format_args!("{reason} (C)"))
 }
 
-fn outside<T>() -> Result<T, Fault> {
-    wrong("an impact may be outside the window")
+fn outside() -> Fault {
+    Fault::False("an impact may be outside the window (C)".into())
 }
 
 /// Proves it in a cell.
@@ -35,16 +33,16 @@ pub(super) fn complete(work: &Work, claim: &Complete, go_on: GoOn) -> Result<(),
     let strength = claim.strength.enclosed();
     let strengths = (-strength).hull(strength);
     let letters = &work.numbers.letters;
-    if (1..letters.len()).any(|n| letters[..n].iter().any(|other| other.periods == letters[n].periods)) {
-        return wrong("letters of one period are told apart by more than that");
-    }
-    let Some(all) = work.cell.impact(strengths) else { return outside() };
-    if !once(work, &all) {
-        return wrong("there may be two contacts in one window");
-    }
-    if !all.place.is_positive() || !ends(work.cell.flow.invariants(work.turns(1)), claim.longest) {
-        return wrong(&format!("a leg may be longer than {} periods", claim.longest));
-    }
+    shown(
+        (1..letters.len()).all(|n| letters[..n].iter().all(|other| other.periods != letters[n].periods)),
+        "letters of one period are told apart by more than that",
+    )?;
+    let Some(all) = work.cell.impact(strengths) else { return Err(outside()) };
+    shown(once(work, &all), "there may be two contacts in one window")?;
+    shown(
+        all.place.is_positive() && ends(work.cell.flow.invariants(work.turns(1)), claim.longest),
+        format_args!("a leg may be longer than {} periods", claim.longest),
+    )?;
     let mut known: Known = vec![Some([Interval::WHOLE; 2]); claim.longest as usize];
     for round in 0..claim.rounds {
         known = narrowed(work, &known, strengths, claim.parts, round == 0, go_on)?;
@@ -52,7 +50,7 @@ pub(super) fn complete(work: &Work, claim: &Complete, go_on: GoOn) -> Result<(),
             return Ok(());
         }
     }
-    wrong(&left(work, &known, strengths).unwrap_or_default())
+    shown(false, left(work, &known, strengths).unwrap_or_default())
 }
 
 /// C1. With D the width of the phases and |q̂(0)| ≤ Q: |q̂′| ≤ M, |q̂″| ≤ A = |c|M + |k|(Q + DM) and M ≤ S/2
@@ -113,7 +111,7 @@ fn narrowed(
     for (m, n) in (0..count).flat_map(|m| (0..count).map(move |n| (m, n))) {
         go_on()?;
         if let Some(s) = between(work, known, strengths, m, n) {
-            let Some(cut) = work.cell.parts(s, parts, go_on)? else { return outside() };
+            let Some(cut) = work.cell.parts(s, parts, go_on)? else { return Err(outside()) };
             impacts[m * count + n] = Some(cut);
         }
     }

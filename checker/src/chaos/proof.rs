@@ -2,15 +2,14 @@
 //! is a contraction of the boxes.
 
 use super::{
-    Fault, Lines, Rejection,
-    fixed::Interval,
-    gaps,
+    Fault, Interval, Lines, Rejection, gaps,
     legs::{Cell, Impact},
     only,
     text::Certificate,
     wall::Wall,
-    work::{GoOn, Numbers, Work},
+    work::{Numbers, Work},
 };
+use crate::rejection::{GoOn, claim};
 
 /// Proves everything in every cell.
 pub(super) fn run(certificate: &Certificate, lines: &mut Lines) -> Result<(), Rejection> {
@@ -51,35 +50,28 @@ impl Work<'_> {
 
     /// H0 to H3.
     fn contracts(&self, go_on: GoOn) -> Result<(), Fault> {
-        let wrong = |reason: String| Err(Fault::False(reason));
+        let outside = |place| Fault::False(format!("an impact {place} may be outside the window"));
         for n in 0..self.numbers.letters.len() {
             let letter = &self.numbers.letters[n];
             let mut last = Vec::new();
             for &k in &letter.next {
-                let Some(parts) = self.parts(n, k, letter.parts, go_on)? else {
-                    return wrong(format!("an impact after letter {} may be outside the window", n + 1));
-                };
-                last.push(parts);
+                let parts = self.parts(n, k, letter.parts, go_on)?;
+                last.push(parts.ok_or_else(|| outside(format!("after letter {}", n + 1)))?);
             }
             for &m in &letter.previous {
                 let previous = &self.numbers.letters[m];
-                if !(letter.after.all - previous.before.all).is_positive() {
-                    return wrong(format!(
-                        "letters {}, {}: the speed may not be positive (H3)",
-                        m + 1,
-                        n + 1
-                    ));
-                }
-                let Some(first) = self.parts(m, n, letter.parts, go_on)? else {
-                    return wrong(format!("an impact before letter {} may be outside the window", n + 1));
-                };
+                claim(
+                    (letter.after.all - previous.before.all).is_positive(),
+                    format_args!("letters {}, {}: the speed may not be positive (H3)", m + 1, n + 1),
+                )?;
+                let first = self.parts(m, n, letter.parts, go_on)?;
+                let first = first.ok_or_else(|| outside(format!("before letter {}", n + 1)))?;
                 for (&k, last) in letter.next.iter().zip(&last) {
                     let pairs = first.iter().flat_map(|from| last.iter().map(move |to| (from, to)));
                     for (from, to) in pairs {
                         go_on()?;
-                        if let Err(reason) = self.leg([m, n, k], from, to) {
-                            return wrong(format!("letters {}, {}, {}: {reason}", m + 1, n + 1, k + 1));
-                        }
+                        self.leg([m, n, k], from, to)
+                            .map_err(|fault| fault.at(format!("letters {}, {}, {}", m + 1, n + 1, k + 1)))?;
                     }
                 }
             }
@@ -88,26 +80,22 @@ impl Work<'_> {
     }
 
     /// H1 and H2 for a leg of letter n between m and k, from impacts to impacts.
-    fn leg(&self, [m, n, k]: [usize; 3], from: &[Impact; 2], to: &[Impact; 2]) -> Result<(), &'static str> {
+    fn leg(&self, [m, n, k]: [usize; 3], from: &[Impact; 2], to: &[Impact; 2]) -> Result<(), Fault> {
         let letters = &self.numbers.letters;
         let (previous, letter, next) = (&letters[m], &letters[n], &letters[k]);
         let turns = self.turns(letter.periods);
         let leg = self.cell.leg(turns, letter.periods, [&from[0], &to[0]], [&from[1], &to[1]]);
-        if !letter.after.holds(leg.after) {
-            return Err("the first velocity may leave its box (H1)");
-        }
-        if !letter.before.holds(leg.before) {
-            return Err("the last velocity may leave its box (H1)");
-        }
+        claim(letter.after.holds(leg.after), "the first velocity may leave its box (H1)")?;
+        claim(letter.before.holds(leg.before), "the last velocity may leave its box (H1)")?;
         let first = self.cell.strength(letter.alpha, previous.beta);
         let last = self.cell.strength(next.alpha, letter.beta);
         let contracts = |slopes: [Interval; 2], weight: Interval| {
             let sum = slopes[0].magnitude() * first + slopes[1].magnitude() * last;
             sum.is_up_to(self.numbers.contraction * weight)
         };
-        if !(contracts(leg.after_slopes, letter.alpha) && contracts(leg.before_slopes, letter.beta)) {
-            return Err("the map may not contract (H2)");
-        }
-        Ok(())
+        claim(
+            contracts(leg.after_slopes, letter.alpha) && contracts(leg.before_slopes, letter.beta),
+            "the map may not contract (H2)",
+        )
     }
 }

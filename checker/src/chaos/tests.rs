@@ -1,7 +1,7 @@
 //! The checker's arithmetic against known digits and rational numbers; its derivatives against differences.
 
 use super::{
-    fixed::Interval,
+    Interval,
     flow::{EXPONENTIALS, Flow, circle},
     only::ends,
     proof,
@@ -28,9 +28,11 @@ fn products_and_quotients_round_outwards() {
             let (x, y) = (ratio(p, 9), ratio(r, 7));
             let exact = ratio(p * r, 63);
             let product = x * y;
-            assert!(product.hull(exact) == product || (product - exact).magnitude().bits() < Some(20));
+            assert!(
+                product.hull(exact) == product || (product - exact).magnitude().magnitude_bits() < Some(20)
+            );
             let quotient = x.over(y) * y - x;
-            assert!((-quotient.magnitude()).is_up_to(Interval::ZERO) && quotient.bits() < Some(24));
+            assert!((-quotient.magnitude()).is_up_to(Interval::ZERO) && quotient.magnitude_bits() < Some(24));
             let sum = (x + y) - x - y;
             assert!(!sum.is_positive() && !(-sum).is_positive());
         }
@@ -83,7 +85,7 @@ fn elementary_functions_have_known_digits() {
     // The circle at π, where the sine changes its sign.
     let (cos, sin) = circle(Interval::PI);
     assert!(is(cos, -1_000_000_000_000_000, 4000) && is(sin, 0, 4000));
-    assert!(circle(Interval::PI.least()).1.magnitude().bits() < Some(14));
+    assert!(circle(Interval::PI.least()).1.magnitude().magnitude_bits() < Some(14));
 }
 
 /// g = (4 cos t − cos 2t)/3 + (2 sin t − sin 2t)/10: its bend is 0 at 0, so no window holds; half as much of
@@ -100,7 +102,7 @@ fn walls_of_two_harmonics_have_their_slope_and_bend() {
         let y = ratio(y, 100);
         let phase = wall.phase(y).unwrap_or_else(|| panic!("a phase"));
         let shape = wall.at(phase);
-        assert!((shape.slope - y).magnitude().bits() < Some(20));
+        assert!((shape.slope - y).magnitude().magnitude_bits() < Some(20));
         // (1 − g)/g′² by the mean value theorem, against the quotient itself.
         let quotient = shape.drop.over(y.squared());
         assert!(wall.bends(phase)[1].common(quotient).is_some());

@@ -10,7 +10,8 @@
 //! 1 − g = Σ aⱼ (1 − cos jt) − bⱼ sin jt
 //! ```
 
-use super::{Fault, fixed::Interval, flow::circle, work::GoOn};
+use super::{Fault, Interval, flow::circle};
+use crate::rejection::{GoOn, claim};
 
 /// g by its harmonics, with what is known of it on the window ±W.
 pub(super) struct Wall {
@@ -43,10 +44,7 @@ impl Wall {
         pieces: u64,
         go_on: GoOn,
     ) -> Result<Wall, Fault> {
-        let wrong = |reason: &str| Err(Fault::False(reason.into()));
-        if !(window + window).is_below(Interval::PI) {
-            return wrong("the window is not below pi/2");
-        }
+        claim((window + window).is_below(Interval::PI), "the window is not below pi/2")?;
         let plain = matches!(harmonics[..], [(1, [Interval::ONE, Interval::ZERO])]);
         let (bend, ends) = (Interval::ONE, [Interval::ZERO; 2]);
         let mut wall = Wall { harmonics, plain, window, bend, ends };
@@ -54,9 +52,7 @@ impl Wall {
         for piece in 0..pieces {
             go_on()?;
             let bend = wall.at(whole.part(piece, pieces)).bend.least();
-            if !bend.is_positive() {
-                return wrong("the wall may not be convex on the window");
-            }
+            claim(bend.is_positive(), "the wall may not be convex on the window")?;
             wall.bend = if piece == 0 { bend } else { wall.bend.hull(bend).least() };
         }
         wall.ends = [wall.at(-window).slope, wall.at(window).slope];

@@ -2,12 +2,12 @@
 //! holds in it.
 
 use super::{
-    Fault,
-    fixed::Interval,
+    Fault, Interval,
     flow::Matrix,
     legs::{Cell, Parts},
     text::{Certificate, Complete, Decimal, Range},
 };
+use crate::rejection::GoOn;
 
 /// A certificate's numbers, enclosed.
 pub(super) struct Numbers {
@@ -76,9 +76,6 @@ impl Numbers {
         }
     }
 }
-
-/// Asked now and then whether the work should go on.
-pub(super) type GoOn<'a> = &'a mut dyn FnMut() -> Result<(), Fault>;
 
 impl<'a> Work<'a> {
     pub fn new(cell: Cell<'a>, numbers: &'a Numbers) -> Self {

@@ -25,6 +25,7 @@
 //! strict sign t.
 
 use super::{expansion::Cell, leaf::Leaf, tree::shown};
+use crate::rejection::ensure;
 
 /// The Orbit and Edge leaves at the top of a strip, read in the order of a walk: from left to right. Memory:
 /// O(1).
@@ -85,13 +86,9 @@ impl Top {
         if let Some(fault) = &self.fault {
             return Err(format!("at the top, {fault}"));
         }
-        if self.stage == Stage::Growing {
-            return Err("at the top, there is no orbit leaf".into());
-        }
+        ensure(self.stage != Stage::Growing, "at the top, there is no orbit leaf")?;
         let reaches = |end| self.right == Some(end) && matches!(self.latest, Some(Leaf::Orbit { .. }));
-        if reach.is_some_and(|end| !reaches(end)) {
-            return Err("at the top, no orbit leaf ends at s = 1/2".into());
-        }
+        ensure(reach.is_none_or(reaches), "at the top, no orbit leaf ends at s = 1/2")?;
         Ok(())
     }
 }

@@ -3,6 +3,7 @@
 use std::fmt;
 
 use super::expansion::{Expansion, Patch};
+use crate::rejection::ensure;
 
 /// What is claimed of the closed box of a leaf, up to the factor 1/r^{k−1} > 0 and, in the sine form, sin θ >
 /// 0: T_{n,k} for N_{n,k}.
@@ -124,9 +125,7 @@ impl Leaf {
             Leaf::Open => Ok(()),
             Leaf::None { positive, negative } => {
                 for (k, t, relation) in [(positive, 1, '>'), (negative, -1, '<')] {
-                    if !patch.shows(k, t) {
-                        return Err(format!("N_{{{n},{k}}} {relation} 0 is not shown"));
-                    }
+                    ensure(patch.shows(k, t), format_args!("N_{{{n},{k}}} {relation} 0 is not shown"))?;
                 }
                 Ok(())
             }
@@ -150,9 +149,7 @@ impl Leaf {
                         ));
                     }
                 }
-                if !alone {
-                    return Err("no N has the sign on the whole box".into());
-                }
+                ensure(alone, "no N has the sign on the whole box")?;
                 grows(&decider, t, slack, across)
             }
         }
@@ -161,11 +158,7 @@ impl Leaf {
 
 fn grows(decider: &Expansion, t: i64, slack: i64, across: i8) -> Result<(), String> {
     let [up, right] = decider.slopes(slack).map(|slope| t * slope);
-    if up != 1 {
-        return Err("that the deciding N grows with r is not shown".into());
-    }
-    if across != 0 && right != i64::from(across) {
-        return Err("how the deciding N depends on s is not shown".into());
-    }
+    ensure(up == 1, "that the deciding N grows with r is not shown")?;
+    ensure(across == 0 || right == i64::from(across), "how the deciding N depends on s is not shown")?;
     Ok(())
 }

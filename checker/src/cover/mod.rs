@@ -153,6 +153,7 @@ use super::{
     rejection::Fault,
     theorem2::Theorem,
 };
+use crate::rejection::ensure;
 use areas::Top;
 use expansion::{Cell, Form, Patch, Powers, Waves};
 use strips::Strip;
@@ -240,14 +241,10 @@ fn in_words(all: &[(u64, Fraction)]) -> String {
 pub fn check_block(n: u64, text: &[u8], before: u64) -> Result<(), Rejection> {
     let (mut text, mut never) = (text, || false);
     let mut lines = Lines::after(before, &mut text, &mut never);
-    if !(3..=MOST).contains(&n) {
-        return Err(lines.malformed(format!("n = {n} is not from 3 to {MOST}")));
-    }
+    lines.form((3..=MOST).contains(&n), format_args!("n = {n} is not from 3 to {MOST}"))?;
     let mut open = Open::default();
     block(&mut lines, n, &mut open)?;
-    if lines.next()?.is_some() {
-        return Err(lines.malformed(format!("the block of n = {n} has ended")));
-    }
+    lines.end(format_args!("the block of n = {n} has ended"))?;
     open.rejection().map_or(Ok(()), Err)
 }
 
@@ -283,20 +280,19 @@ fn block(lines: &mut Lines, n: u64, open: &mut Open) -> Result<Fraction, Rejecti
     for (name, holds) in
         [("region2", regions::region2 as fn(u64) -> bool), ("region4", regions::region4 as fn(u64) -> bool)]
     {
-        if lines.expect("an identity")? != format!("identity {name}") {
-            return Err(lines.malformed(format!("expected \"identity {name}\"")));
-        }
-        if !holds(n) {
-            return Err(lines.false_claim(format!("the identity of {name} does not hold")));
-        }
+        let line = lines.expect("an identity")?;
+        lines.form(line == format!("identity {name}"), format_args!("expected \"identity {name}\""))?;
+        lines.claim(holds(n), format_args!("the identity of {name} does not hold"))?;
     }
     let rows = strips::rows(r_max);
     let mut powers = Known(HashMap::default());
     let mut found = 0;
     for strip in strips::strips(n).map_err(|reason| lines.false_claim(reason))? {
-        if lines.expect("a strip")? != format!("strip {} {}", strip.left, strip.right) {
-            return Err(lines.malformed(format!("expected \"strip {} {}\"", strip.left, strip.right)));
-        }
+        let line = lines.expect("a strip")?;
+        lines.form(
+            line == format!("strip {} {}", strip.left, strip.right),
+            format_args!("expected \"strip {} {}\"", strip.left, strip.right),
+        )?;
         let text = lines.expect_within(LONGEST, "the trees of a strip")?;
         found += check_strip(n, &mut powers, &strip, &rows, &text, open, lines)
             .map_err(|fault| lines.rejection(fault))?;
@@ -346,14 +342,13 @@ impl<K: Copy + Eq + Hash, V> Known<K, V> {
 /// r_max and the number of leaves.
 fn block_header(line: &str, n: u64) -> Result<(Fraction, u64), String> {
     let mut words = Words::new(line);
-    if words.word("n")? != "n" || words.number("the period", MOST)? != n {
-        return Err(format!("expected the block of n = {n}"));
-    }
+    ensure(
+        words.word("n")? == "n" && words.number("the period", MOST)? == n,
+        format_args!("expected the block of n = {n}"),
+    )?;
     let r_max = words.fraction(FINEST)?;
     let (p, q) = r_max.parts();
-    if p == 0 || p == q {
-        return Err("expected 0 < r_max < 1".into());
-    }
+    ensure(p > 0 && p < q, "expected 0 < r_max < 1")?;
     let leaves = words.number("the number of leaves", u64::MAX)?;
     words.end()?;
     Ok((r_max, leaves))

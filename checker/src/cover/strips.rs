@@ -1,6 +1,7 @@
 //! The strips and rows whose boxes are the roots of a cover's trees.
 
 use super::{Fraction, Leaf, Multiple, Theorem, inverse};
+use crate::rejection::ensure;
 
 /// The part of region 3 between two neighbouring cuts in s.
 pub(super) struct Strip {
@@ -69,12 +70,13 @@ pub(super) fn strips(n: u64) -> Result<Vec<Strip>, String> {
     for pair in cuts.windows(2) {
         let (left, right) = (pair[0], pair[1]);
         let listed = remaining.next_if(|listed| (listed.0, listed.1) == (left, right));
-        let interval = listed.map(|(_, _, emu, gamma)| {
+        let interval = listed.map(|(_, _, emu, gamma)| -> Result<Interval, String> {
             // Where all t N > 0, (52), (53) hold with sign γ = −t and sign eµ = t sign u_n; u_n < 0 on every
             // second stretch.
-            if emu != (gamma == Multiple::of(left, 2 * n).is_odd()) {
-                return Err(format!("Theorem 2's signs on ({left}, {right}) disagree with that of u_{n}"));
-            }
+            ensure(
+                emu == (gamma == Multiple::of(left, 2 * n).is_odd()),
+                format_args!("Theorem 2's signs on ({left}, {right}) disagree with that of u_{n}"),
+            )?;
             // The end m/n is on the right of a (+,+) interval, on the left of a (+,−) one; n₊ = 1/m modulo n,
             // n₋ = n − n₊.
             let deciding = match (left.parts().0, gamma) {
@@ -96,12 +98,11 @@ pub(super) fn strips(n: u64) -> Result<Vec<Strip>, String> {
             interval: interval.transpose()?,
         });
     }
-    if !n.is_multiple_of(2) && all.last().is_none_or(|last| last.interval.is_none()) {
-        return Err(format!("Theorem 2 lists no interval up to 1/2 for n = {n}"));
-    }
-    if remaining.next().is_some() {
-        return Err(format!("an interval of Theorem 2 is not a strip for n = {n}"));
-    }
+    ensure(
+        n.is_multiple_of(2) || all.last().is_some_and(|last| last.interval.is_some()),
+        format_args!("Theorem 2 lists no interval up to 1/2 for n = {n}"),
+    )?;
+    ensure(remaining.next().is_none(), format_args!("an interval of Theorem 2 is not a strip for n = {n}"))?;
     let touching = |pair: &&[Strip]| {
         pair.iter().all(|strip| strip.interval.is_some()) && !pair[0].right.times_is_integer(2 * n)
     };

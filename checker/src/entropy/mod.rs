@@ -85,6 +85,7 @@ use super::{
     header::expect_statement,
     lines::{Lines, Words},
 };
+use crate::rejection::ensure;
 
 /// The word in the header.
 pub const KIND: &str = "entropy";
@@ -120,11 +121,9 @@ pub(super) fn check(lines: &mut Lines) -> Result<Proved, Rejection> {
     let mut line = lines.expect("a case")?;
     for positive in [false, true] {
         let (sign, name) = if positive { ("+", "case + +") } else { ("-", "case + -") };
-        if line != format!("case + {sign}") {
-            return Err(lines.malformed(format!("expected a line \"case + {sign}\"")));
-        }
-        let text = lines.expect("the bounds of the root")?;
-        let [low, high] = root(&text).map_err(|reason| lines.malformed(reason))?;
+        lines.form(line == format!("case + {sign}"), format_args!("expected a line \"case + {sign}\""))?;
+        let [low, high] =
+            lines.line("root", |words| Ok([words.fraction(DENOMINATOR)?, words.fraction(DENOMINATOR)?]))?;
         ascend(low, high).map_err(|reason| lines.false_claim(reason))?;
         let case = Case { positive, low: Powers::new(low), high: Powers::new(high) };
         case.root_between().map_err(|reason| lines.false_claim(reason))?;
@@ -133,9 +132,10 @@ pub(super) fn check(lines: &mut Lines) -> Result<Proved, Rejection> {
         let mut bounds = 0;
         let mut first = 2;
         loop {
-            if next.as_deref() != Some(format!("first {first}").as_str()) || first > FIRST {
-                return Err(lines.malformed(format!("expected a line \"first {first}\", at most {FIRST}")));
-            }
+            lines.form(
+                next.as_deref() == Some(format!("first {first}").as_str()) && first <= FIRST,
+                format_args!("expected a line \"first {first}\", at most {FIRST}"),
+            )?;
             next = lines.next()?;
             let root = next.as_deref().is_some_and(|line| line.starts_with("bound - "));
             case.walk(first, &mut Vec::new(), &mut next, &mut bounds, lines)?;
@@ -158,17 +158,6 @@ pub(super) fn check(lines: &mut Lines) -> Result<Proved, Rejection> {
         }
     }
     Ok(Proved { title: None, range: None, detail })
-}
-
-/// Reads `root P/Q P/Q`.
-fn root(line: &str) -> Result<[Fraction; 2], String> {
-    let mut words = Words::new(line);
-    if words.word("root")? != "root" {
-        return Err("expected a line \"root P/Q P/Q\"".into());
-    }
-    let found = [words.fraction(DENOMINATOR)?, words.fraction(DENOMINATOR)?];
-    words.end()?;
-    Ok(found)
 }
 
 /// Whether the bounds are where all numbers below stay small.
@@ -200,12 +189,8 @@ impl Case {
             };
             fixed::product(fixed::ONE + z(self.exponent()), sum, up)
         };
-        if value(&self.low, true) >= fixed::ONE {
-            return Err("the first bound is not certainly below the root".into());
-        }
-        if value(&self.high, false) <= fixed::ONE {
-            return Err("the second bound is not certainly above the root".into());
-        }
+        ensure(value(&self.low, true) < fixed::ONE, "the first bound is not certainly below the root")?;
+        ensure(value(&self.high, false) > fixed::ONE, "the second bound is not certainly above the root")?;
         Ok(())
     }
 
@@ -222,9 +207,7 @@ impl Case {
         let e = high.power(b + c, true);
         let rest = fixed::product(q, e, true);
         let right = fixed::product(q, kappa[1] + inverse + e + rest, true);
-        if left <= right {
-            return Err("the words that leave the infinite one late are not bounded".into());
-        }
+        ensure(left > right, "the words that leave the infinite one late are not bounded")?;
         Ok(())
     }
 
@@ -270,9 +253,7 @@ impl Case {
             *next = lines.next()?;
             return Ok(());
         }
-        if word.len() >= LETTERS {
-            return Err(lines.malformed(format!("expected a bound of the words {name}")));
-        }
+        lines.form(word.len() < LETTERS, format_args!("expected a bound of the words {name}"))?;
         if self.on_path(first, word) {
             *next = Some(line);
         } else if begins("ends") {

@@ -15,7 +15,7 @@
 //!
 //! Krawczyk's test proves that they have exactly one solution in a box, and that their derivative is regular
 //! at it. All derivatives are taken by differentiating every step of the evaluation, in one direction at a
-//! time (`oscillator/number.rs`).
+//! time (`motion/number.rs`).
 //!
 //! # What follows from a regular derivative
 //!
@@ -90,11 +90,11 @@ mod words;
 use super::{
     FORMAT, Proved, Rejection,
     lines::{Lines, Words},
-    oscillator::{text::Coefficient, words::Spoken},
+    motion::{text::Coefficient, words::Spoken},
     rejection::Fault,
 };
 
-pub use super::oscillator::{
+pub use super::motion::{
     range::Range,
     text::{Decimal, Harmonic, Impact, Side, System, Wall},
 };

@@ -2,15 +2,16 @@
 //! orbit.
 
 use super::{
-    super::oscillator::{
+    super::motion::{
         Interval,
         cycle::{Cycle, Touch},
-        krawczyk::{self, GoOn},
+        krawczyk,
         number::{Dual, Number},
         text::Coefficient,
     },
     Certificate, Contact, Event, Fault,
 };
+use crate::rejection::{GoOn, claim};
 
 /// What is being proved, over intervals.
 pub(super) struct Proof<'a, C> {
@@ -40,19 +41,16 @@ impl<'a, C: Coefficient> Proof<'a, C> {
     /// Existence, uniqueness and regularity in the box, and that the solution is an orbit.
     pub fn run(&self, go_on: GoOn) -> Result<(), Fault> {
         let [radius, within] = [self.certificate.radius, self.certificate.within].map(|r| r.enclosed());
-        if !within.is_positive() || !within.is_up_to(radius) {
-            return Err(Fault::False("the smaller radius must be positive and at most the larger".into()));
-        }
+        claim(
+            within.is_positive() && within.is_up_to(radius),
+            "the smaller radius must be positive and at most the larger",
+        )?;
         self.krawczyk(radius, go_on)?;
         let unknowns = self.krawczyk(within, go_on)?;
         let m = self.certificate.impacts.len();
         let cycle = self.cycle(unknowns[2 * m])?;
-        if !cycle.oscillator.restitutions_are_nonnegative() {
-            return Err(Fault::False("a restitution is not certainly at least 0".into()));
-        }
-        if m == 0 && !cycle.oscillator.is_alone() {
-            return Err(Fault::False("1 may be a multiplier of the motion without impacts".into()));
-        }
+        claim(cycle.oscillator.restitutions_are_nonnegative(), "a restitution is not certainly at least 0")?;
+        claim(m > 0 || cycle.oscillator.is_alone(), "1 may be a multiplier of the motion without impacts")?;
         let touch = match &self.certificate.event {
             Event::Grazing(Contact { after, side, .. }) => {
                 let time = unknowns[2 * m + 1];

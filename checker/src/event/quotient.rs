@@ -3,11 +3,12 @@
 use std::fmt;
 
 use super::super::{
+    decimal::{gcd, integer},
     lines::Words,
-    oscillator::{
+    motion::{
         Interval,
         number::Number,
-        text::{Coefficient, DIGITS, gcd, in_range, integer},
+        text::{Coefficient, DIGITS},
         words::Spoken,
     },
 };
@@ -62,14 +63,14 @@ impl Coefficient for Quotient {
 
     fn read(words: &mut Words) -> Result<Self, String> {
         let polynomial = |text: &str| -> Option<Vec<i128>> {
-            let list: Vec<i128> = text.split(',').map(integer).collect::<Option<_>>()?;
+            let list: Vec<i128> = text.split(',').map(|word| integer(word, DIGITS)).collect::<Option<_>>()?;
             (list.len() <= DEGREE + 1).then_some(list)
         };
         let read = |word: &str| {
             let (numerator, denominator) = word.split_once('/')?;
             Some(Quotient { numerator: polynomial(numerator)?, denominator: polynomial(denominator)? })
         };
-        let holds = |x: &Quotient| x.is_canonical() && x.scaled().iter().flatten().all(|&x| in_range(x));
+        let holds = |x: &Quotient| x.is_canonical() && x.scaled().iter().flatten().all(|x| x.is_known());
         read(words.word("a quotient of polynomials")?).filter(holds).ok_or_else(|| {
             format!(
                 "expected a quotient P0,P1,.../Q0,Q1,... in lowest terms, up to power {DEGREE}, in integers of at most {DIGITS} digits"
@@ -141,7 +142,7 @@ fn polynomial(list: &[i128], parameter: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::oscillator::number::Dual;
+    use crate::motion::number::Dual;
 
     fn read(word: &str) -> Option<Quotient> {
         Quotient::read(&mut Words::new(word)).ok()
@@ -191,7 +192,7 @@ mod tests {
         assert!(at.slope.is_within(error, Interval::ratio(-160, 3)));
         // Nothing is known about a pole.
         let pole = Dual { value: Interval::ratio(-1, 9).until(Interval::ONE), slope: Interval::ONE };
-        assert!(!in_range(x.enclosed(pole).value));
+        assert!(!x.enclosed(pole).value.is_known());
     }
 
     #[test]

@@ -6,7 +6,7 @@ use std::fmt;
 use super::{
     super::{
         lines::Words,
-        oscillator::{
+        motion::{
             number::Number,
             range::Range,
             text::Coefficient,
@@ -15,6 +15,7 @@ use super::{
     },
     quotient::DEGREE,
 };
+use crate::rejection::ensure;
 
 /// (P₀ + P₁ p + …)/(Q₀ + Q₁ p + …), each P and Q any number in its range.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -48,9 +49,10 @@ impl Coefficient for RangeQuotient {
     fn read(words: &mut Words) -> Result<Self, String> {
         let polynomial = |text: &str| -> Result<Vec<Range>, String> {
             let list: Vec<Range> = text.split(',').map(Range::parse).collect::<Result<_, _>>()?;
-            if list.len() > DEGREE + 1 {
-                return Err(format!("a polynomial has at most {} coefficients", DEGREE + 1));
-            }
+            ensure(
+                list.len() <= DEGREE + 1,
+                format_args!("a polynomial has at most {} coefficients", DEGREE + 1),
+            )?;
             Ok(list)
         };
         let word = words.word("a quotient P0,P1,.../Q0,Q1,... of ranges")?;

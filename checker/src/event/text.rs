@@ -3,12 +3,13 @@
 use std::fmt;
 
 use super::{
-    super::oscillator::text::{
-        DIGITS, decimal, line, read_count, read_flights, read_impacts, read_matrix, read_radius, read_system,
+    super::motion::text::{
+        DIGITS, decimal, read_count, read_flights, read_impacts, read_matrix, read_radius, read_system,
         write_proof,
     },
     Decimal, Impact, Lines, Quotient, Rejection, Side, System, Version, Words,
 };
+use crate::rejection::ensure;
 
 /// The longest name of a parameter.
 const NAME: usize = 32;
@@ -126,19 +127,15 @@ fn is_name(word: &str) -> bool {
 /// Reads everything after the kind line.
 pub(super) fn read<C: Version>(lines: &mut Lines) -> Result<Certificate<C>, Rejection> {
     let system: System<C> = read_system(lines, C::STATEMENT)?;
-    let (name, parameter) = line(lines, "parameter", |words| {
+    let (name, parameter) = lines.line("parameter", |words| {
         let name = words.word("the parameter's name")?;
-        if !is_name(name) {
-            return Err(format!("expected a name of at most {NAME} letters, digits and _"));
-        }
+        ensure(is_name(name), format_args!("expected a name of at most {NAME} letters, digits and _"))?;
         Ok((name.to_string(), decimal(words)?))
     })?;
     let at = lines.number();
-    let (event, m) = line(lines, "event", |words| {
+    let (event, m) = lines.line("event", |words| {
         let event = words.word("saddle-node, flip or grazing")?;
-        if !["saddle-node", "flip", "grazing"].contains(&event) {
-            return Err("expected saddle-node, flip or grazing".into());
-        }
+        ensure(["saddle-node", "flip", "grazing"].contains(&event), "expected saddle-node, flip or grazing")?;
         Ok((event.to_string(), read_count(words)?))
     })?;
     let free = m == 0 && C::WITHOUT_IMPACTS && event == "grazing";
@@ -146,7 +143,7 @@ pub(super) fn read<C: Version>(lines: &mut Lines) -> Result<Certificate<C>, Reje
     let event = match event.as_str() {
         "saddle-node" => Event::SaddleNode,
         "flip" => Event::Flip,
-        _ => Event::Grazing(line(lines, "contact", |words| contact(words, &system, m))?),
+        _ => Event::Grazing(lines.line("contact", |words| contact(words, &system, m))?),
     };
     let (radius, within) = read_radius(lines)?;
     let size = 2 * impacts.len() + if matches!(event, Event::Grazing(_)) { 2 } else { 1 };
@@ -164,12 +161,8 @@ pub(super) fn read<C: Version>(lines: &mut Lines) -> Result<Certificate<C>, Reje
 
 fn contact<C>(words: &mut Words, system: &System<C>, impacts: u64) -> Result<Contact, String> {
     let after = words.number("an impact", impacts)?;
-    if after == 0 && impacts > 0 {
-        return Err("impacts are counted from 1".into());
-    }
+    ensure(after > 0 || impacts == 0, "impacts are counted from 1")?;
     let side = Side::read(words)?;
-    if !system.has(side) {
-        return Err(format!("there is no {side} wall"));
-    }
+    ensure(system.has(side), format_args!("there is no {side} wall"))?;
     Ok(Contact { after: (after as usize).saturating_sub(1), side, time: decimal(words)? })
 }

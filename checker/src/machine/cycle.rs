@@ -5,12 +5,13 @@
 //! impact i + 1.
 
 use super::{
-    super::oscillator::{Interval, krawczyk::GoOn, pattern::turns},
+    super::motion::{Interval, pattern::turns},
     Fault,
     linear::{self, Matrix, Vector, apply, difference, dot, scaled, sum},
     motion::Motion,
     text::Impact,
 };
+use crate::rejection::GoOn;
 
 /// A machine and a pattern of impacts.
 pub(super) struct Cycle<'a> {

@@ -1,6 +1,6 @@
 //! Matrices of intervals: products, elimination, the exponential.
 
-use super::super::oscillator::Interval;
+use super::super::motion::Interval;
 
 /// A column.
 pub(super) type Vector = Vec<Interval>;

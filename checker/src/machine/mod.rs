@@ -6,7 +6,7 @@
 //! the velocities by (1 + τ) V M⁻¹wᵀ/(w M⁻¹wᵀ). It is a kind of its own, not a version of `orbit`, as no part
 //! of the mathematics is that of one coordinate: the flow is the exponential of a matrix of any size
 //! (`linear`, `motion`), the unknowns are whole states (`cycle`), stability is asked of powers of a matrix
-//! (`proof`). Numbers, the lines of the proof and what holds of every pattern are those of `oscillator`. No
+//! (`proof`). Numbers, the lines of the proof and what holds of every pattern are those of `motion`. No
 //! code is shared with what finds the proof.
 //!
 //! # Form
@@ -84,13 +84,14 @@ mod proof;
 mod text;
 mod words;
 
-use super::{FORMAT, Proved, Rejection, lines::Lines, oscillator::krawczyk::GoOn, rejection::Fault};
+use super::{FORMAT, Proved, Rejection, lines::Lines, rejection::Fault};
+use crate::rejection::GoOn;
 
-pub use super::orbit::Claim;
-pub use super::oscillator::{
+pub use super::motion::{
     range::Range,
     text::{Decimal, Harmonic},
 };
+pub use super::orbit::Claim;
 pub use text::{Certificate, Impact, Load, Machine, Stop};
 
 /// The word in the header.

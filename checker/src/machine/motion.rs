@@ -11,11 +11,12 @@
 //! ```
 
 use super::{
-    super::oscillator::{Interval, exponential::Ring, krawczyk::GoOn},
+    super::motion::{Interval, exponential::Ring},
     Fault,
     linear::{self, Matrix, Solved, Vector, apply, difference, dot, scaled, sum},
     text::{Machine, Stop},
 };
+use crate::rejection::{GoOn, claim};
 
 /// A sum of harmonics with vectors: k, the coefficients of the cosine and of the sine.
 type Waves = Vec<(Interval, Vector, Vector)>;
@@ -53,10 +54,6 @@ fn transposed(a: &[Vector]) -> Matrix {
     (0..a.first().map_or(0, Vec::len)).map(|j| a.iter().map(|row| row[j]).collect()).collect()
 }
 
-fn wrong<T>(what: &str) -> Result<T, Fault> {
-    Err(Fault::False(what.into()))
-}
-
 impl Motion {
     /// Encloses the coefficients.
     ///
@@ -71,12 +68,10 @@ impl Motion {
         // Without exchanges the pivots are quotients of leading minors.
         let inverse = match linear::solve(&mass, &linear::identity(n), false) {
             Some(Solved { solution, positive: true, .. }) => solution,
-            _ => return wrong("the mass matrix is not certainly positive definite"),
+            _ => return Err(Fault::False("the mass matrix is not certainly positive definite".into())),
         };
         let period = machine.period.interval();
-        if !period.is_positive() {
-            return wrong("the period is not certainly positive");
-        }
+        claim(period.is_positive(), "the period is not certainly positive")?;
         let unit = period.over(Interval::PI + Interval::PI);
         // One factor a at each side, so that neither product is needlessly large.
         let slow: Matrix = inverse.iter().map(|row| scaled(unit, row)).collect();
@@ -98,9 +93,9 @@ impl Motion {
             go_on()?;
             let k = Interval::integer(load.k);
             let [cos, sin] = [&load.cos, &load.sin].map(|force| accelerated(&list(force)));
-            let Some((alpha, beta)) = answer(&stiffness, &damping, k, &cos, &sin) else {
-                return wrong(&format!("harmonic {} of the forcing may be in undamped resonance", load.k));
-            };
+            let resonant =
+                || Fault::False(format!("harmonic {} of the forcing may be in undamped resonance", load.k));
+            let (alpha, beta) = answer(&stiffness, &damping, k, &cos, &sin).ok_or_else(resonant)?;
             forcing.push((k, cos, sin));
             response.push((k, alpha, beta));
         }
@@ -108,9 +103,7 @@ impl Motion {
             let row = list(&stop.row);
             let push = apply(&inverse, &row);
             let mobility = dot(&row, &push);
-            if !mobility.is_positive() {
-                return wrong(&format!("the row of stop {number} may be zero"));
-            }
+            claim(mobility.is_positive(), format_args!("the row of stop {number} may be zero"))?;
             let restitution = stop.restitution.interval();
             let waves = stop.harmonics.iter();
             Ok(Contact {

@@ -3,12 +3,11 @@
 
 use super::{
     super::{
-        orbit::Claim,
-        oscillator::{
-            Interval,
-            krawczyk::{self, GoOn},
+        motion::{
+            Interval, krawczyk,
             pattern::{apart, follow, least_period},
         },
+        orbit::Claim,
     },
     Fault,
     cycle::{Cycle, Leg},
@@ -16,6 +15,7 @@ use super::{
     motion::Motion,
     text::{Certificate, Decimal},
 };
+use crate::rejection::{GoOn, claim};
 
 /// Squarings of the map once round after which it is no longer asked whether its powers shrink.
 const SQUARINGS: u32 = 30;
@@ -28,10 +28,6 @@ pub(super) struct Proof<'a> {
     /// The unit of each unknown.
     units: Vector,
     inverse: Matrix,
-}
-
-fn wrong<T>(what: String) -> Result<T, Fault> {
-    Err(Fault::False(what))
 }
 
 impl<'a> Proof<'a> {
@@ -55,15 +51,17 @@ impl<'a> Proof<'a> {
     /// Existence and uniqueness in the box, and then all claims about the orbit.
     pub fn run(&self, go_on: GoOn) -> Result<(), Fault> {
         let [radius, within] = [self.certificate.radius, self.certificate.within].map(|r| r.enclosed());
-        if !within.is_positive() || !within.is_up_to(radius) {
-            return wrong("the smaller radius must be positive and at most the larger".into());
-        }
+        claim(
+            within.is_positive() && within.is_up_to(radius),
+            "the smaller radius must be positive and at most the larger",
+        )?;
         self.krawczyk(radius, go_on)?;
         let unknowns = self.krawczyk(within, go_on)?;
         for i in 0..self.cycle.impacts.len() {
-            if !self.cycle.speed(&unknowns, i).is_positive() {
-                return wrong(format!("the speed of impact {} is not certainly positive", i + 1));
-            }
+            claim(
+                self.cycle.speed(&unknowns, i).is_positive(),
+                format_args!("the speed of impact {} is not certainly positive", i + 1),
+            )?;
         }
         let impacts = self.cycle.impacts;
         let at = |i: usize| self.cycle.impact(&unknowns, i);
@@ -122,13 +120,13 @@ impl<'a> Proof<'a> {
     /// Unstable: |det| > 1, or det(1 − P) < 0, so that the characteristic polynomial, positive far out, has a
     /// root above 1, or det(1 + P) < 0, so that it has one below −1.
     fn stability(&self, x: &[Interval], go_on: GoOn) -> Result<(), Fault> {
-        let claim = self.certificate.claim;
-        if claim == Claim::Open {
+        let wanted = self.certificate.claim;
+        if wanted == Claim::Open {
             return Ok(());
         }
         let map = self.cycle.monodromy(x, go_on)?;
         let n = map.len();
-        let holds = if claim == Claim::Stable {
+        let holds = if wanted == Claim::Stable {
             let units = &self.units[1..=n];
             let in_units = |row: &Vector, unit: Interval| -> Vector {
                 row.iter().zip(units).map(|(&x, &other)| (x * other).over(unit)).collect()
@@ -153,6 +151,6 @@ impl<'a> Proof<'a> {
             let beyond = det(&map).is_some_and(|x| (x.squared() - Interval::ONE).is_positive());
             beyond || below(det(&minus)) || below(det(&plus))
         };
-        if holds { Ok(()) } else { wrong(format!("the orbit is not certainly {claim}")) }
+        claim(holds, format_args!("the orbit is not certainly {wanted}"))
     }
 }

@@ -6,17 +6,17 @@ use super::{
     super::{
         header::expect_statement,
         lines::Words,
-        orbit::Claim,
-        oscillator::text::{
-            HARMONICS, PERIODS, decimal, line, line_within, read_flights, read_matrix_within, read_radius,
-            write_proof,
+        motion::text::{
+            HARMONICS, PERIODS, decimal, read_flights, read_matrix_within, read_radius, write_proof,
         },
+        orbit::Claim,
         sha256::sha256,
     },
     Harmonic, Lines, Range, Rejection, STATEMENT,
 };
+use crate::rejection::ensure;
 
-pub use super::super::oscillator::text::Decimal;
+pub use super::super::motion::text::Decimal;
 
 /// The most coordinates.
 const COORDINATES: u64 = 8;
@@ -205,49 +205,45 @@ fn read_rows(
     name: &str,
     lengths: impl Iterator<Item = usize>,
 ) -> Result<Vec<Vec<Range>>, Rejection> {
-    lengths.map(|length| line_within(LONGEST, lines, name, |words| ranges(words, length))).collect()
+    lengths.map(|length| lines.line_within(LONGEST, name, |words| ranges(words, length))).collect()
 }
 
 fn read_stop(lines: &mut Lines, n: usize) -> Result<Stop, Rejection> {
-    let (offset, restitution, count) = line(lines, "stop", |words| {
+    let (offset, restitution, count) = lines.line("stop", |words| {
         let [offset, restitution] = [ranges(words, 1)?[0], ranges(words, 1)?[0]];
-        if restitution.lower.digits < 0 {
-            return Err("a restitution is at least 0".into());
-        }
+        ensure(restitution.lower.digits >= 0, "a restitution is at least 0")?;
         Ok((offset, restitution, words.number("the number of harmonics", HARMONICS)?))
     })?;
-    let row = line_within(LONGEST, lines, "direction", |words| ranges(words, n))?;
+    let row = lines.line_within(LONGEST, "direction", |words| ranges(words, n))?;
     let harmonic = |words: &mut Words| {
         let (k, parts) = (multiple(words)?, ranges(words, 2)?);
         Ok(Harmonic { k, cos: parts[0], sin: parts[1] })
     };
-    let harmonics = (0..count).map(|_| line(lines, "harmonic", harmonic)).collect::<Result<_, _>>()?;
+    let harmonics = (0..count).map(|_| lines.line("harmonic", harmonic)).collect::<Result<_, _>>()?;
     Ok(Stop { row, offset, restitution, harmonics })
 }
 
 fn read_machine(lines: &mut Lines) -> Result<Machine, Rejection> {
     expect_statement(lines, STATEMENT)?;
-    let digest = line(lines, "digest", |words| words.word("a digest").map(str::to_string))?;
+    let digest = lines.line("digest", |words| words.word("a digest").map(str::to_string))?;
     let digest_at = lines.number();
-    let size = line(lines, "coordinates", |words| words.number("the number of coordinates", COORDINATES))?;
-    if size == 0 {
-        return Err(lines.malformed("a machine has at least one coordinate"));
-    }
+    let size = lines.line("coordinates", |words| words.number("the number of coordinates", COORDINATES))?;
+    lines.form(size > 0, "a machine has at least one coordinate")?;
     let n = size as usize;
-    let period = line(lines, "period", |words| Ok(ranges(words, 1)?[0]))?;
-    let unit = line(lines, "unit", power)?;
+    let period = lines.line("period", |words| Ok(ranges(words, 1)?[0]))?;
+    let unit = lines.line("unit", power)?;
     let mass = read_rows(lines, "mass", 1..=n)?;
     let [damping, stiffness] = [
         read_rows(lines, "damping", std::iter::repeat_n(n, n))?,
         read_rows(lines, "stiffness", std::iter::repeat_n(n, n))?,
     ];
-    let force = line_within(LONGEST, lines, "force", |words| ranges(words, n))?;
-    let count = line(lines, "forcing", |words| words.number("the number of harmonics", HARMONICS))?;
+    let force = lines.line_within(LONGEST, "force", |words| ranges(words, n))?;
+    let count = lines.line("forcing", |words| words.number("the number of harmonics", HARMONICS))?;
     let load =
         |words: &mut Words| Ok(Load { k: multiple(words)?, cos: ranges(words, n)?, sin: ranges(words, n)? });
     let forcing =
-        (0..count).map(|_| line_within(LONGEST, lines, "harmonic", load)).collect::<Result<_, _>>()?;
-    let count = line(lines, "stops", |words| words.number("the number of stops", STOPS))?;
+        (0..count).map(|_| lines.line_within(LONGEST, "harmonic", load)).collect::<Result<_, _>>()?;
+    let count = lines.line("stops", |words| words.number("the number of stops", STOPS))?;
     let stops = (0..count).map(|_| read_stop(lines, n)).collect::<Result<_, _>>()?;
     let machine = Machine { period, unit, mass, damping, stiffness, force, forcing, stops };
     let own = machine.digest();
@@ -263,18 +259,13 @@ pub(super) fn read(lines: &mut Lines) -> Result<Certificate, Rejection> {
     let machine = read_machine(lines)?;
     let (n, size) = (machine.size(), machine.size() as u64);
     let most = UNKNOWNS / (2 * size + 1);
-    let (m, claim) = line(lines, "orbit", |words| {
-        Ok((words.number("the number of impacts", most)?, Claim::read(words)?))
-    })?;
-    let scales = line_within(LONGEST, lines, "scales", |words| decimals(words, 2 * n))?;
-    if scales.iter().any(|scale| scale.digits <= 0) {
-        return Err(lines.malformed("scales are above 0"));
-    }
+    let (m, claim) = lines
+        .line("orbit", |words| Ok((words.number("the number of impacts", most)?, Claim::read(words)?)))?;
+    let scales = lines.line_within(LONGEST, "scales", |words| decimals(words, 2 * n))?;
+    lines.form(scales.iter().all(|scale| scale.digits > 0), "scales are above 0")?;
     let impact = |words: &mut Words| {
         let stop = words.number("a stop", machine.stops.len() as u64)?;
-        if stop == 0 {
-            return Err("stops are counted from 1".into());
-        }
+        ensure(stop > 0, "stops are counted from 1")?;
         let periods = words.number("the periods to the next impact", PERIODS)?;
         Ok(Impact {
             stop: stop as usize - 1,
@@ -284,10 +275,9 @@ pub(super) fn read(lines: &mut Lines) -> Result<Certificate, Rejection> {
         })
     };
     let impacts: Vec<Impact> =
-        (0..m).map(|_| line_within(LONGEST, lines, "impact", impact)).collect::<Result<_, _>>()?;
-    if impacts.iter().all(|impact| impact.periods == 0) {
-        return Err(lines.malformed("the periods of an orbit must not sum to 0"));
-    }
+        (0..m).map(|_| lines.line_within(LONGEST, "impact", impact)).collect::<Result<_, _>>()?;
+    lines
+        .form(impacts.iter().any(|impact| impact.periods > 0), "the periods of an orbit must not sum to 0")?;
     let (radius, within) = read_radius(lines)?;
     let inverse = read_matrix_within(LONGEST, lines, (2 * n + 1) * impacts.len())?;
     let harmonics = machine.harmonics();

@@ -2,8 +2,8 @@
 
 use super::{
     super::{
+        motion::words::{Spoken, sum},
         orbit::Claim,
-        oscillator::words::{Spoken, sum},
     },
     Range,
     text::{Certificate, Stop},

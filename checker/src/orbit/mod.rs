@@ -2,7 +2,7 @@
 //! admissible, and stable or not.
 //! Version 2 says it of all oscillators whose coefficients lie in given intervals.
 //!
-//! The arithmetic, the motion and the equations are those of `oscillator`; the equations' derivatives are
+//! The arithmetic, the motion and the equations are those of `motion`; the equations' derivatives are
 //! formulas (`proof`). No code is shared with what finds the proof, and the method differs: that one has
 //! balls, closed forms with exp, sin, cos and √, and automatic differentiation.
 //!
@@ -66,11 +66,11 @@ mod words;
 use super::{
     FORMAT, Proved, Rejection,
     lines::Lines,
-    oscillator::{text::Coefficient, words::Spoken},
+    motion::{text::Coefficient, words::Spoken},
     rejection::Fault,
 };
 
-pub use super::oscillator::{
+pub use super::motion::{
     range::Range,
     text::{Decimal, Fraction, Harmonic, Impact, Side, System, Wall},
 };

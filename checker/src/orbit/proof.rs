@@ -1,15 +1,11 @@
 //! The proof itself: Krawczyk's test on two boxes, what makes the solution an orbit, Jury's conditions.
 
 use super::{
-    super::oscillator::{
-        Interval,
-        cycle::Cycle,
-        krawczyk::{self, GoOn},
-        text::Coefficient,
-    },
+    super::motion::{Interval, cycle::Cycle, krawczyk, text::Coefficient},
     Fault,
     text::{Certificate, Claim},
 };
+use crate::rejection::{GoOn, claim};
 
 /// What is being proved, over intervals.
 pub(super) struct Proof<'a, C> {
@@ -42,9 +38,10 @@ impl<'a, C: Coefficient> Proof<'a, C> {
     /// Existence and uniqueness in the box, and then all claims about the orbit.
     pub fn run(&self, go_on: GoOn) -> Result<(), Fault> {
         let [radius, within] = [self.certificate.radius, self.certificate.within].map(|r| r.enclosed());
-        if !within.is_positive() || !within.is_up_to(radius) {
-            return Err(Fault::False("the smaller radius must be positive and at most the larger".into()));
-        }
+        claim(
+            within.is_positive() && within.is_up_to(radius),
+            "the smaller radius must be positive and at most the larger",
+        )?;
         self.krawczyk(radius, go_on)?;
         let unknowns = self.krawczyk(within, go_on)?;
         self.cycle.is_orbit(&unknowns, &self.certificate.flights, None, go_on)?;
@@ -97,10 +94,6 @@ impl<'a, C: Coefficient> Proof<'a, C> {
             Claim::Unstable => conditions.iter().any(|&x| (-x).is_positive()),
             Claim::Open => true,
         };
-        if holds {
-            Ok(())
-        } else {
-            Err(Fault::False(format!("the orbit is not certainly {}", self.certificate.claim)))
-        }
+        claim(holds, format_args!("the orbit is not certainly {}", self.certificate.claim))
     }
 }

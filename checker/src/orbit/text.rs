@@ -4,8 +4,8 @@ use std::fmt;
 
 use super::{
     super::lines::Words,
-    super::oscillator::text::{
-        line, read_count, read_flights, read_impacts, read_matrix, read_radius, read_system, write_proof,
+    super::motion::text::{
+        read_count, read_flights, read_impacts, read_matrix, read_radius, read_system, write_proof,
     },
     Decimal, Fraction, Impact, Lines, Rejection, System, Version,
 };
@@ -85,7 +85,7 @@ impl<C: Version> fmt::Display for Certificate<C> {
 /// Reads everything after the kind line.
 pub(super) fn read<C: Version>(lines: &mut Lines) -> Result<Certificate<C>, Rejection> {
     let system: System<C> = read_system(lines, C::STATEMENT)?;
-    let (m, claim) = line(lines, "orbit", |words| Ok((read_count(words)?, Claim::read(words)?)))?;
+    let (m, claim) = lines.line("orbit", |words| Ok((read_count(words)?, Claim::read(words)?)))?;
     let impacts = read_impacts(lines, &system, m)?;
     let (radius, within) = read_radius(lines)?;
     let inverse = read_matrix(lines, 2 * impacts.len())?;

@@ -1,7 +1,7 @@
 //! What a certificate speaks of, in words.
 
 use super::{
-    super::oscillator::words::{list, pattern, system},
+    super::motion::words::{list, pattern, system},
     Version,
     text::{Certificate, Claim},
 };

@@ -90,6 +90,7 @@ use super::{
     header::{self, Header},
     lines::Lines,
 };
+use crate::rejection::ensure;
 
 pub use claim::Claim;
 pub(super) use intervals::Theorem;
@@ -142,9 +143,7 @@ impl Block {
 
     fn check(mut self, lines: &mut Lines) -> Result<(), Rejection> {
         let [n, count] = header::numbers(lines, "n", [("the period", MOST), ("the number of lines", COUNT)])?;
-        if n != self.n {
-            return Err(lines.malformed(format!("expected the block of n = {}", self.n)));
-        }
+        lines.form(n == self.n, format_args!("expected the block of n = {}", self.n))?;
         for _ in 0..count {
             let line = lines.expect("a line of this block")?;
             let claim = Claim::parse(&line, n).map_err(|reason| lines.malformed(reason))?;
@@ -179,11 +178,12 @@ impl Block {
                 self.point_next && at == reached && at.less(Fraction::HALF)
             }
         };
-        if !follows {
-            return Err(format!(
+        ensure(
+            follows,
+            format_args!(
                 "the lines must tile (0, 1/2) by intervals and the points between them; reached {reached}"
-            ));
-        }
+            ),
+        )?;
         match claim {
             Claim::Orbit { right, .. } | Claim::Stretch { right, .. } => {
                 (self.reached, self.point_next) = (right, true);
@@ -199,21 +199,19 @@ impl Block {
         match claim {
             Claim::Orbit { left, right, emu, gamma } => {
                 self.orbit(left, right, emu, gamma)?;
-                if self.theorem.next() != Some((left, right, emu, gamma)) {
-                    return Err(format!(
-                        "({left}, {right}) is not the next of Theorem 2's intervals for n = {n}"
-                    ));
-                }
+                ensure(
+                    self.theorem.next() == Some((left, right, emu, gamma)),
+                    format_args!("({left}, {right}) is not the next of Theorem 2's intervals for n = {n}"),
+                )?;
                 Ok(())
             }
             Claim::Stretch { left, right, positive, negative } => {
                 self.no_singularity(left, right)?;
                 for k in [positive, n - positive, negative, n - negative] {
-                    if !Multiple::of(left, k).no_integer_before(right) {
-                        return Err(format!(
-                            "a witness has a zero in ({left}, {right}), where sin {k} pi s = 0"
-                        ));
-                    }
+                    ensure(
+                        Multiple::of(left, k).no_integer_before(right),
+                        format_args!("a witness has a zero in ({left}, {right}), where sin {k} pi s = 0"),
+                    )?;
                 }
                 opposite(n, positive, negative, left).map_err(|what| format!("{what} on ({left}, {right})"))
             }
@@ -252,9 +250,10 @@ impl Block {
                 return Err(format!("b_{{{n},{k}}} has the wrong sign on ({left}, {right})"));
             }
         }
-        if (emu == gamma) == signs.c_negative() {
-            return Err(format!("c_{n} has the wrong sign on ({left}, {right})"));
-        }
+        ensure(
+            (emu == gamma) != signs.c_negative(),
+            format_args!("c_{n} has the wrong sign on ({left}, {right})"),
+        )?;
         Ok(())
     }
 
@@ -262,9 +261,7 @@ impl Block {
     fn boundary(&self, at: Fraction, k: u64) -> Result<(), String> {
         let n = self.n;
         self.not_singular(at)?;
-        if !self.zero(at, k) {
-            return Err(format!("b_{{{n},{k}}} is not 0 at {at}"));
-        }
+        ensure(self.zero(at, k), format_args!("b_{{{n},{k}}} is not 0 at {at}"))?;
         let signs = Signs::new(n, at);
         let (mut low, mut high, mut first) = (Multiple::of(at, 0), Multiple::of(at, n), None);
         for _ in 1..=n / 2 {
@@ -287,9 +284,7 @@ impl Block {
     }
 
     fn not_singular(&self, at: Fraction) -> Result<(), String> {
-        if at.times_is_integer(2 * self.n) {
-            return Err(format!("u_{} = 0 at {at}: singular", self.n));
-        }
+        ensure(!at.times_is_integer(2 * self.n), format_args!("u_{} = 0 at {at}: singular", self.n))?;
         Ok(())
     }
 
@@ -306,11 +301,7 @@ impl Block {
 fn opposite(n: u64, positive: u64, negative: u64, at: Fraction) -> Result<(), String> {
     let signs = Signs::new(n, at);
     let is_negative = |k| signs.b_negative(Multiple::of(at, k), Multiple::of(at, n - k));
-    if is_negative(positive) {
-        return Err(format!("b_{{{n},{positive}}} is not > 0"));
-    }
-    if !is_negative(negative) {
-        return Err(format!("b_{{{n},{negative}}} is not < 0"));
-    }
+    ensure(!is_negative(positive), format_args!("b_{{{n},{positive}}} is not > 0"))?;
+    ensure(is_negative(negative), format_args!("b_{{{n},{negative}}} is not < 0"))?;
     Ok(())
 }

@@ -23,9 +23,7 @@ pub(in super::super) fn check(lines: &mut Lines) -> Result<Proved, Rejection> {
 
 fn word(desk: &mut Desk, positive: bool) -> Result<Word, Rejection> {
     let last = text::value(desk.lines, "last", MOST)?;
-    if last == 0 {
-        return Err(desk.lines.malformed("the last period is at least 1"));
-    }
+    desk.lines.form(last > 0, "the last period is at least 1")?;
     desk.charge(desk.signs.reach_cost(2 * last as usize))?;
     desk.signs.reach(2 * last as usize);
     let mut letters = Vec::new();
@@ -40,9 +38,8 @@ fn word(desk: &mut Desk, positive: bool) -> Result<Word, Rejection> {
                 return Err(desk.lines.malformed(form));
             }
         };
-        if desk.period(number, MOST)? != n {
-            return Err(desk.lines.malformed(format!("the periods come in order: expected {n}")));
-        }
+        desk.lines
+            .form(desk.period(number, MOST)? == n, format_args!("the periods come in order: expected {n}"))?;
         match name {
             "occurs" => letters.push((n, occurs(desk, n, argument, positive)?)),
             "absent" => {
@@ -88,9 +85,8 @@ fn occurs(desk: &mut Desk, n: u64, letter: &str, positive: bool) -> Result<bool,
     };
     let unit = desk.signs.sign_cost(2 * n as usize);
     desk.charge(n * unit)?;
-    if desk.signs.u(n as usize).is_none() {
-        return Err(desk.lines.false_claim(format!("u_{n} is not certainly different from 0")));
-    }
+    desk.lines
+        .claim(desk.signs.u(n as usize).is_some(), format_args!("u_{n} is not certainly different from 0"))?;
     for k in 1..n {
         b(desk, n, k, positive)?;
     }
@@ -109,9 +105,10 @@ fn row(desk: &mut Desk, i: u64, letters: &[(u64, bool)]) -> Result<(), Rejection
         [name, number, marks] if name == "follows" && number == &i.to_string() => marks.as_bytes(),
         _ => return Err(desk.lines.malformed(format!("expected a line \"follows {i} MARKS\""))),
     };
-    if marks.len() != letters.len() || !marks.iter().all(|mark| b"+-?".contains(mark)) {
-        return Err(desk.lines.malformed(format!("expected {} marks +, - or ?", letters.len())));
-    }
+    desk.lines.form(
+        marks.len() == letters.len() && marks.iter().all(|mark| b"+-?".contains(mark)),
+        format_args!("expected {} marks +, - or ?", letters.len()),
+    )?;
     for (&mark, &(j, _)) in marks.iter().zip(letters) {
         if mark == b'?' {
             continue;

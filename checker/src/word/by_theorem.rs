@@ -47,9 +47,8 @@ fn one_letter(desk: &mut Desk, region: u64, positive: bool) -> Result<Word, Reje
     };
     let letter = if upper { "U" } else { "D" };
     let wanted = format!("{} {letter}", if all { "all" } else { "one" });
-    if desk.lines.expect("what occurs")? != wanted {
-        return Err(desk.lines.malformed(format!("in region {region} this line is {wanted:?}")));
-    }
+    let line = desk.lines.expect("what occurs")?;
+    desk.lines.form(line == wanted, format_args!("in region {region} this line is {wanted:?}"))?;
     let rest = if all { "and so is every period" } else { "no other period occurs" };
     Ok(Word { positive, letters: vec![(1, upper)], last: 1, rest: rest.into() })
 }
@@ -57,9 +56,7 @@ fn one_letter(desk: &mut Desk, region: u64, positive: bool) -> Result<Word, Reje
 /// Region 3, eµ < 0: the n with 2ns < 1. In region 4 u_2 < 0, and period 1 is the only one.
 fn below(desk: &mut Desk) -> Result<Word, Rejection> {
     let last = text::value(desk.lines, "below", LETTERS)?;
-    if last == 0 {
-        return Err(desk.lines.malformed("period 1 occurs"));
-    }
+    desk.lines.form(last > 0, "period 1 occurs")?;
     ahead(desk, last + 1)?;
     if let Some(n) = (1..=last).find(|&n| desk.signs.u(n as usize) != Some(Ordering::Greater)) {
         return Err(desk.lines.false_claim(format!("u_{n} is not certainly > 0")));
@@ -116,11 +113,10 @@ fn path(desk: &mut Desk, region: u64) -> Result<Word, Rejection> {
                 "expected \"step N U\", \"step N D\", \"end N U\", \"end N D\", \"end N 0\" or \"open\"",
             ));
         };
-        if n > LONGEST || word.len() as u64 == LETTERS {
-            return Err(desk.lines.malformed(format!(
-                "at most {LETTERS} letters and periods to {LONGEST}: end with \"open\""
-            )));
-        }
+        desk.lines.form(
+            n <= LONGEST && (word.len() as u64) < LETTERS,
+            format_args!("at most {LETTERS} letters and periods to {LONGEST}: end with \"open\""),
+        )?;
         if desk.period(number, LONGEST)? != n {
             return Err(desk
                 .lines
@@ -146,9 +142,10 @@ fn path(desk: &mut Desk, region: u64) -> Result<Word, Rejection> {
         // b_{n,k} has the sign of N_{n,k} u_n.
         let k = if is_upper { b.n } else { a.n };
         let (wanted, sign) = if name == "step" { (side, ">") } else { (side.reverse(), "<") };
-        if desk.signs.numerator(n as usize, k as usize) != Some(wanted) {
-            return Err(desk.lines.false_claim(format!("b_{{{n},{k}}} is not certainly {sign} 0")));
-        }
+        desk.lines.claim(
+            desk.signs.numerator(n as usize, k as usize) == Some(wanted),
+            format_args!("b_{{{n},{k}}} is not certainly {sign} 0"),
+        )?;
         if name == "end" {
             break (End::Next, "no other period occurs".into());
         }
@@ -163,9 +160,7 @@ fn path(desk: &mut Desk, region: u64) -> Result<Word, Rejection> {
         let marks: String = (0..word.len()).map(|j| mark(&word, (lower, upper), end, i, j)).collect();
         let line = desk.lines.expect("what may follow the next period")?;
         let wanted = format!("follows {} {marks}", word[i].n);
-        if line != wanted {
-            return Err(desk.lines.false_claim(format!("by the theorem this line is {wanted:?}")));
-        }
+        desk.lines.claim(line == wanted, format_args!("by the theorem this line is {wanted:?}"))?;
     }
     let last = word.iter().map(|vertex| vertex.n).max().unwrap_or(1);
     let letters = word.iter().map(|vertex| (vertex.n, vertex.upper)).collect();
@@ -176,23 +171,20 @@ fn path(desk: &mut Desk, region: u64) -> Result<Word, Rejection> {
 /// before it reaches 2, so that u_n ≤ 0 at the first n with 2ns ≥ 1.
 fn first(desk: &mut Desk) -> Result<u64, Rejection> {
     let first = text::value(desk.lines, "first", LONGEST)?;
-    if first < 2 {
-        return Err(desk.lines.malformed("the first period with 2ns > 1 is at least 2"));
-    }
+    desk.lines.form(first >= 2, "the first period with 2ns > 1 is at least 2")?;
     ahead(desk, first)?;
     for n in 1..first {
         let sign = desk.signs.u(n as usize);
         if sign == Some(Ordering::Greater) {
             continue;
         }
-        if n + 1 < first || sign.is_some() {
-            return Err(desk.lines.false_claim(format!("u_{n} is not certainly > 0")));
-        }
+        desk.lines.claim(n + 1 == first && sign.is_none(), format_args!("u_{n} is not certainly > 0"))?;
         desk.vanishes(n)?;
     }
-    if desk.signs.u(first as usize) != Some(Ordering::Less) {
-        return Err(desk.lines.false_claim(format!("u_{first} is not certainly < 0")));
-    }
+    desk.lines.claim(
+        desk.signs.u(first as usize) == Some(Ordering::Less),
+        format_args!("u_{first} is not certainly < 0"),
+    )?;
     Ok(first)
 }
 

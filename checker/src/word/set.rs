@@ -28,6 +28,7 @@ use super::{
     integer::Integer,
     number::{Rational, trace},
 };
+use crate::rejection::ensure;
 
 /// A set of (a₁, a₂), 0 < a₂ ≤ 1, as it is written.
 #[derive(Debug, Clone)]
@@ -140,9 +141,7 @@ impl Signs {
         };
         let ((c1, h1), (c2, h2)) = (middle(first), middle(second));
         let least = &c2 - &h2;
-        if least.sign() == Ordering::Less {
-            return Err(format!("{bits} bits do not tell that a2 > 0"));
-        }
+        ensure(least.sign() != Ordering::Less, format_args!("{bits} bits do not tell that a2 > 0"))?;
         let greatest = &c1.magnitude() + &h1;
         let inside = greatest.compared(&(&one + &least)) != Ordering::Greater;
         // |a₁| < 2^(its bits − P).

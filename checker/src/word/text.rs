@@ -3,11 +3,12 @@
 use std::cmp::Ordering;
 
 use super::{
-    super::lines::{Lines, Words},
+    super::lines::Lines,
     Rejection,
     number::Rational,
     set::{Place, Signs},
 };
+use crate::rejection::ensure;
 
 /// The products of two 32-bit digits that a check may take, about.
 const WORK: u64 = 4_000_000_000;
@@ -27,9 +28,7 @@ impl<'a, 'b> Desk<'a, 'b> {
         let line = lines.expect("a line \"at …\"")?;
         let place = place(&line).map_err(|reason| lines.malformed(reason))?;
         let bits = value(lines, "bits", 4096)?;
-        if bits < 64 || !bits.is_multiple_of(32) {
-            return Err(lines.malformed("the bits are a multiple of 32 from 64 to 4096"));
-        }
+        lines.form(bits >= 64 && bits.is_multiple_of(32), "the bits are a multiple of 32 from 64 to 4096")?;
         let signs = Signs::new(place, bits as usize).map_err(|reason| lines.false_claim(reason))?;
         let shown = shown(signs.place(), &line);
         Ok(Desk { lines, signs, shown, left: WORK })
@@ -74,17 +73,7 @@ impl<'a, 'b> Desk<'a, 'b> {
 
 /// A line of a name and one number.
 pub(super) fn value(lines: &mut Lines, name: &str, most: u64) -> Result<u64, Rejection> {
-    let line = lines.expect(&format!("a line \"{name} …\""))?;
-    let mut words = Words::new(&line);
-    let mut read = || {
-        if words.word(name)? != name {
-            return Err(format!("expected a line \"{name} …\""));
-        }
-        let value = words.number(&format!("the number after {name}"), most)?;
-        words.end()?;
-        Ok(value)
-    };
-    read().map_err(|reason| lines.malformed(reason))
+    lines.line(name, |words| words.number(&format!("the number after {name}"), most))
 }
 
 fn place(line: &str) -> Result<Place, String> {
@@ -98,23 +87,26 @@ fn place(line: &str) -> Result<Place, String> {
         ("at", "plane", Some([a1, a2])) => Place::Plane(a1.clone(), a2.clone()),
         ("at", "polar", Some([r, s])) => {
             let half = Rational::whole(2).times(s).compared(&Rational::whole(1)) == Ordering::Less;
-            if !s.is_positive() || !half || !r.is_positive() {
-                return Err("the point must have 0 < r <= 1 and 0 < s < 1/2".into());
-            }
+            ensure(
+                s.is_positive() && half && r.is_positive(),
+                "the point must have 0 < r <= 1 and 0 < s < 1/2",
+            )?;
             Place::Polar(r.clone(), s.clone())
         }
         ("at", "box", Some([a, b, c, d])) => {
-            if a.compared(b) == Ordering::Greater || c.compared(d) == Ordering::Greater {
-                return Err("the ends of an interval are in the wrong order".into());
-            }
+            ensure(
+                a.compared(b) != Ordering::Greater && c.compared(d) != Ordering::Greater,
+                "the ends of an interval are in the wrong order",
+            )?;
             Place::Box([a, b, c, d].map(Clone::clone))
         }
         _ => return Err(form()),
     };
     let [least, most] = place.a2();
-    if !least.is_positive() || most.compared(&Rational::whole(1)) == Ordering::Greater {
-        return Err("a2 must lie in 0 < a2 <= 1 (for a2 > 1 reverse time: a1/a2 and 1/a2)".into());
-    }
+    ensure(
+        least.is_positive() && most.compared(&Rational::whole(1)) != Ordering::Greater,
+        "a2 must lie in 0 < a2 <= 1 (for a2 > 1 reverse time: a1/a2 and 1/a2)",
+    )?;
     Ok(place)
 }
 

@@ -54,7 +54,7 @@ impl Attempt<'_> {
         let claim = |larger: f64, parts: u64| {
             let places = (2 - (least * larger).log10().floor() as i32).clamp(0, 6);
             let digits = (least * larger * 10f64.powi(places)).ceil() as i64;
-            let strength = shorter(Decimal { digits, places: places as u32 });
+            let strength = shorter(Decimal { digits: digits.into(), places: places as u32 });
             let cost = self.cells.len() as u64 * parts * parts * longest.pow(3);
             let claim = Complete { strength, longest, parts, rounds: ROUNDS.min(MOST / cost) };
             let taken = self.alone(boxes, window, &claim).ok()?;

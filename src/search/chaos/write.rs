@@ -73,7 +73,7 @@ fn decimal(x: f64, places: i32) -> Result<Decimal> {
     if digits.abs() >= 1e15 || !digits.is_finite() {
         return Err(Error::input(format!("{x} has more than the {DIGITS} digits that a certificate holds")));
     }
-    let (mut digits, mut places) = (digits as i64, places.max(0) as u32);
+    let (mut digits, mut places) = (digits as i128, places.max(0) as u32);
     while places > 0 && digits % 10 == 0 {
         (digits, places) = (digits / 10, places - 1);
     }
@@ -81,7 +81,7 @@ fn decimal(x: f64, places: i32) -> Result<Decimal> {
 }
 
 fn fraction(x: &BigRational) -> Result<Fraction> {
-    let part = |n: &BigInt| n.to_i64().filter(|n| n.unsigned_abs() < 10u64.pow(DIGITS as u32));
+    let part = |n: &BigInt| n.to_i128().filter(|n| n.unsigned_abs() < 10u128.pow(DIGITS as u32));
     let both = part(x.numer()).zip(part(x.denom()));
     let (p, q) = both.ok_or_else(|| {
         Error::input(format!("{x} has more than the {DIGITS} digits that a certificate holds"))

@@ -3,10 +3,9 @@
 use std::fmt;
 
 use super::{
-    Words,
-    fixed::Interval,
+    Interval, Words,
     number::Number,
-    text::{Coefficient, DIGITS, Decimal, canonical_decimal, in_range},
+    text::{Coefficient, DIGITS, Decimal},
     words::Spoken,
 };
 
@@ -24,8 +23,8 @@ impl Range {
     pub(crate) fn parse(word: &str) -> Result<Self, String> {
         let read = || {
             let (lower, upper) = word.split_once("..")?;
-            let (lower, upper) = (canonical_decimal(lower)?, canonical_decimal(upper)?);
-            let fits = [lower, upper].iter().all(|x| in_range(x.enclosed()));
+            let (lower, upper) = (Decimal::canonical(lower, DIGITS)?, Decimal::canonical(upper, DIGITS)?);
+            let fits = [lower, upper].iter().all(|x| x.enclosed::<96>().is_known());
             (fits && lower.parts() <= upper.parts()).then_some(Range { lower, upper })
         };
         read().ok_or_else(|| {

@@ -2,13 +2,13 @@
 
 use std::fmt;
 
-use super::{
-    Lines, Rejection, Words, fixed::Interval, header::expect_statement, lines::LONGEST, number::Number,
-};
+use super::{Lines, Rejection, Words, header::expect_statement, lines::LONGEST, number::Number};
+use crate::rejection::ensure;
 use crate::sha256::sha256;
 
-/// The longest numerator, denominator or decimal, in digits: below 2¹¹³.
-pub(crate) const DIGITS: usize = 34;
+pub(crate) use crate::decimal::DIGITS;
+pub use crate::decimal::{Decimal, Fraction};
+
 /// The most impacts; a row of the matrix is one line.
 const IMPACTS: u64 = 24;
 /// The most harmonics of one function, and the largest multiple.
@@ -17,24 +17,6 @@ pub(crate) const HARMONICS: u64 = 1000;
 pub(crate) const PERIODS: u64 = 10_000;
 /// The most exponentials that a check may take.
 const WORK: u64 = 1_000_000;
-
-/// A fraction p/q in lowest terms, q > 0.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Fraction {
-    /// The numerator.
-    pub p: i128,
-    /// The denominator.
-    pub q: i128,
-}
-
-/// `digits` / 10^`places`.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Decimal {
-    /// All digits, as an integer.
-    pub digits: i128,
-    /// How many of them stand after the point.
-    pub places: u32,
-}
 
 /// A coefficient of a system.
 pub(crate) trait Coefficient: fmt::Display + Sized {
@@ -122,20 +104,11 @@ impl Coefficient for Fraction {
     }
 
     fn enclosed<N: Number>(&self, _: N) -> N {
-        N::constant(Interval::ratio(self.p, self.q))
+        N::constant(Fraction::enclosed(*self))
     }
 
     fn read(words: &mut Words) -> Result<Self, String> {
-        let read = |word: &str| {
-            let (p, q) = word.split_once('/')?;
-            let (p, q) = (integer(p)?, integer(q)?);
-            (q > 0 && gcd(p.unsigned_abs(), q.unsigned_abs()) == 1).then_some(Fraction { p, q })
-        };
-        read(words.word("a fraction p/q")?).filter(|x| in_range(Interval::ratio(x.p, x.q))).ok_or_else(|| {
-            format!(
-                "expected a fraction p/q in lowest terms, of at most {DIGITS} digits each, between -2^30 and 2^30"
-            )
-        })
+        Fraction::read::<96>(words, DIGITS)
     }
 }
 
@@ -177,35 +150,6 @@ impl Side {
             "upper" => Ok(Side::Upper),
             _ => Err("expected lower or upper".into()),
         }
-    }
-}
-
-impl Decimal {
-    pub(crate) fn enclosed(self) -> Interval {
-        Interval::ratio(self.digits, 10i128.pow(self.places))
-    }
-
-    /// The whole part and the rest in units of 10⁻³⁴, both of the number's sign: they are in order as the
-    /// numbers are.
-    pub(crate) fn parts(self) -> (i128, i128) {
-        let scale = 10i128.pow(self.places);
-        (self.digits / scale, self.digits % scale * 10i128.pow(DIGITS as u32 - self.places))
-    }
-}
-
-impl fmt::Display for Fraction {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}/{}", self.p, self.q)
-    }
-}
-
-impl fmt::Display for Decimal {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let sign = if self.digits < 0 { "-" } else { "" };
-        let scale = 10u128.pow(self.places);
-        let magnitude = self.digits.unsigned_abs();
-        write!(f, "{sign}{}", magnitude / scale)?;
-        if self.places > 0 { write!(f, ".{:01$}", magnitude % scale, self.places as usize) } else { Ok(()) }
     }
 }
 
@@ -261,83 +205,9 @@ pub(crate) fn write_proof(
     Ok(())
 }
 
-/// The next line, led by its name and read by `parse` to its end.
-pub(crate) fn line<T>(
-    lines: &mut Lines,
-    name: &str,
-    parse: impl FnOnce(&mut Words) -> Result<T, String>,
-) -> Result<T, Rejection> {
-    line_within(LONGEST, lines, name, parse)
-}
-
-/// The same, of up to `longest` bytes.
-pub(crate) fn line_within<T>(
-    longest: usize,
-    lines: &mut Lines,
-    name: &str,
-    parse: impl FnOnce(&mut Words) -> Result<T, String>,
-) -> Result<T, Rejection> {
-    let text = lines.expect_within(longest, &format!("a line \"{name} …\""))?;
-    let mut words = Words::new(&text);
-    let read = || {
-        if words.word(name)? != name {
-            return Err(format!("expected a line \"{name} …\""));
-        }
-        let value = parse(&mut words)?;
-        words.end()?;
-        Ok(value)
-    };
-    read().map_err(|reason| lines.malformed(reason))
-}
-
-/// Whether these are digits, at least one.
-fn are_digits(text: &str) -> bool {
-    !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit())
-}
-
-/// `-?(0|[1-9][0-9]*)(\.[0-9]*[1-9])?` but not `-0`, of at most [`DIGITS`] digits: every decimal number has
-/// exactly one such form.
-pub(crate) fn canonical_decimal(word: &str) -> Option<Decimal> {
-    let magnitude = word.strip_prefix('-').unwrap_or(word);
-    let (whole, places) = match magnitude.split_once('.') {
-        None => (magnitude, ""),
-        Some((_, places)) if !are_digits(places) || places.ends_with('0') => return None,
-        Some(parts) => parts,
-    };
-    let canonical = are_digits(whole) && (whole == "0" || !whole.starts_with('0')) && word != "-0";
-    if !canonical || whole.len() + places.len() > DIGITS {
-        return None;
-    }
-    let digits: i128 = format!("{whole}{places}").parse().ok()?;
-    Some(Decimal {
-        digits: if word.starts_with('-') { -digits } else { digits },
-        places: places.len() as u32,
-    })
-}
-
-/// Whether the checker's intervals can hold a number.
-pub(crate) fn in_range(x: Interval) -> bool {
-    x.magnitude_bits().is_some()
-}
-
-/// A decimal without a point.
-pub(crate) fn integer(word: &str) -> Option<i128> {
-    canonical_decimal(word).filter(|number| number.places == 0).map(|number| number.digits)
-}
-
-/// The greatest common divisor; that of 0 and b is b.
-pub(crate) fn gcd(mut a: u128, mut b: u128) -> u128 {
-    while b != 0 {
-        (a, b) = (b, a % b);
-    }
-    a
-}
-
 /// Reads a decimal.
 pub(crate) fn decimal(words: &mut Words) -> Result<Decimal, String> {
-    canonical_decimal(words.word("a decimal")?).filter(|x| in_range(x.enclosed())).ok_or_else(|| {
-        format!("expected a decimal of at most {DIGITS} digits between -2^30 and 2^30, without +, -0 or needless zeros")
-    })
+    Decimal::read::<96>(words, DIGITS)
 }
 
 fn read_harmonics<C: Coefficient>(lines: &mut Lines, count: u64) -> Result<Vec<Harmonic<C>>, Rejection> {
@@ -345,20 +215,18 @@ fn read_harmonics<C: Coefficient>(lines: &mut Lines, count: u64) -> Result<Vec<H
         let k = words.number("k", HARMONICS)?;
         Ok(Harmonic { k, cos: C::read(words)?, sin: C::read(words)? })
     };
-    (0..count).map(|_| line(lines, "harmonic", read)).collect()
+    (0..count).map(|_| lines.line("harmonic", read)).collect()
 }
 
 fn read_wall<C: Coefficient>(lines: &mut Lines, side: Side) -> Result<Option<Wall<C>>, Rejection> {
-    let head = line(lines, &side.to_string(), |words| {
+    let head = lines.line(&side.to_string(), |words| {
         let mut rest = words.clone();
         if rest.word("none")? == "none" {
             *words = rest;
             return Ok(None);
         }
         let (offset, restitution) = (C::read(words)?, C::read(words)?);
-        if restitution.is_negative() {
-            return Err("a restitution is at least 0".into());
-        }
+        ensure(!restitution.is_negative(), "a restitution is at least 0")?;
         Ok(Some((offset, restitution, words.number("the number of harmonics", HARMONICS)?)))
     })?;
     let Some((offset, restitution, count)) = head else { return Ok(None) };
@@ -371,11 +239,11 @@ pub(crate) fn read_system<C: Coefficient>(
     statement: &str,
 ) -> Result<System<C>, Rejection> {
     expect_statement(lines, statement)?;
-    let digest = line(lines, "digest", |words| words.word("a digest").map(str::to_string))?;
+    let digest = lines.line("digest", |words| words.word("a digest").map(str::to_string))?;
     let digest_at = lines.number();
-    let (damping, stiffness) = (line(lines, "damping", C::read)?, line(lines, "stiffness", C::read)?);
-    let force = line(lines, "force", C::read)?;
-    let count = line(lines, "forcing", |words| words.number("the number of harmonics", HARMONICS))?;
+    let (damping, stiffness) = (lines.line("damping", C::read)?, lines.line("stiffness", C::read)?);
+    let force = lines.line("force", C::read)?;
+    let count = lines.line("forcing", |words| words.number("the number of harmonics", HARMONICS))?;
     let forcing = read_harmonics(lines, count)?;
     let (lower, upper) = (read_wall(lines, Side::Lower)?, read_wall(lines, Side::Upper)?);
     let system = System { damping, stiffness, force, forcing, lower, upper };
@@ -400,22 +268,19 @@ pub(crate) fn read_impacts<C: Coefficient>(
 ) -> Result<Vec<Impact>, Rejection> {
     let impact = |words: &mut Words| {
         let side = Side::read(words)?;
-        if !system.has(side) {
-            return Err(format!("there is no {side} wall"));
-        }
+        ensure(system.has(side), format_args!("there is no {side} wall"))?;
         let periods = words.number("the periods to the next impact", PERIODS)?;
         Ok(Impact { side, periods, phase: decimal(words)?, velocity: decimal(words)? })
     };
-    let impacts: Vec<Impact> = (0..count).map(|_| line(lines, "impact", impact)).collect::<Result<_, _>>()?;
-    if impacts.iter().all(|impact| impact.periods == 0) {
-        return Err(lines.malformed("the periods of an orbit must not sum to 0"));
-    }
+    let impacts: Vec<Impact> = (0..count).map(|_| lines.line("impact", impact)).collect::<Result<_, _>>()?;
+    lines
+        .form(impacts.iter().any(|impact| impact.periods > 0), "the periods of an orbit must not sum to 0")?;
     Ok(impacts)
 }
 
 /// Reads R and W.
 pub(crate) fn read_radius(lines: &mut Lines) -> Result<(Decimal, Decimal), Rejection> {
-    line(lines, "radius", |words| Ok((decimal(words)?, decimal(words)?)))
+    lines.line("radius", |words| Ok((decimal(words)?, decimal(words)?)))
 }
 
 /// Reads a square matrix.
@@ -430,7 +295,7 @@ pub(crate) fn read_matrix_within(
     size: usize,
 ) -> Result<Vec<Vec<Decimal>>, Rejection> {
     let row = |words: &mut Words| (0..size).map(|_| decimal(words)).collect::<Result<Vec<_>, _>>();
-    (0..size).map(|_| line_within(longest, lines, "row", row)).collect()
+    (0..size).map(|_| lines.line_within(longest, "row", row)).collect()
 }
 
 /// Reads the pieces of so many flights, and the end of the file. `work` is a bound of the exponentials that
@@ -443,21 +308,18 @@ pub(crate) fn read_flights(
     let mut flights = Vec::new();
     let mut pieces = 0;
     for _ in 0..count {
-        let count = line(lines, "flight", |words| words.number("the number of pieces", WORK))?;
-        if count == 0 {
-            return Err(lines.malformed("a flight has at least one piece"));
-        }
+        let count = lines.line("flight", |words| words.number("the number of pieces", WORK))?;
+        lines.form(count > 0, "a flight has at least one piece")?;
         pieces += count;
         let work = work(pieces);
-        if work > WORK {
-            return Err(lines.malformed(format!(
+        lines.form(
+            work <= WORK,
+            format_args!(
                 "the check would take up to {work} exponentials, more than {WORK}: fewer pieces or harmonics"
-            )));
-        }
-        flights.push((0..count).map(|_| line(lines, "until", decimal)).collect::<Result<_, _>>()?);
+            ),
+        )?;
+        flights.push((0..count).map(|_| lines.line("until", decimal)).collect::<Result<_, _>>()?);
     }
-    if lines.next()?.is_some() {
-        return Err(lines.malformed("the file goes on after the last flight"));
-    }
+    lines.end("the file goes on after the last flight")?;
     Ok(flights)
 }

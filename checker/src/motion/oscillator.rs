@@ -5,8 +5,8 @@
 //! minus (h, h′).
 
 use super::{
+    Interval,
     exponential::{Element, Ring},
-    fixed::Interval,
     number::Number,
     text::{Coefficient, Harmonic, Side, System, Wall},
 };

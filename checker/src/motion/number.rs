@@ -2,7 +2,7 @@
 
 use std::ops::{Add, Mul, Neg, Sub};
 
-use super::fixed::Interval;
+use super::Interval;
 
 /// An enclosed number. Of every operation the result encloses the true one for all enclosed arguments; so do
 /// its derivatives, if it has one.

@@ -3,7 +3,7 @@
 //!
 //! The checker works on integers in units of 2⁻⁹⁶ (`fixed`), alone or with a derivative (`number`). exp, sin,
 //! cos and √ all are the exponential of one 2×2 matrix (`exponential`). From it come the motion between
-//! impacts (`motion`), the equations of an impact pattern, what makes their solution an orbit, and its
+//! impacts (`oscillator`), the equations of an impact pattern, what makes their solution an orbit, and its
 //! multipliers (`cycle`), and the test that there is one (`krawczyk`). `pattern` has what holds of impacts
 //! and flights whatever the state is. `text` reads and writes the lines that the kinds have in common,
 //! `range` coefficients that are intervals, `words` says them in words. No code is shared with what finds the
@@ -11,10 +11,9 @@
 
 pub(crate) mod cycle;
 pub(crate) mod exponential;
-pub(crate) mod fixed;
 pub(crate) mod krawczyk;
-mod motion;
 pub(crate) mod number;
+mod oscillator;
 pub(crate) mod pattern;
 pub(crate) mod range;
 #[cfg(test)]
@@ -22,7 +21,8 @@ mod tests;
 pub(crate) mod text;
 pub(crate) mod words;
 
-pub(crate) use fixed::Interval;
+/// Numbers in units of 2⁻⁹⁶.
+pub(crate) type Interval = super::interval::Fixed<96>;
 
 use super::{
     Rejection, header,

@@ -6,15 +6,14 @@
 //! and closes at its speed: z = 0, z′ + V_{i+1} = 0.
 
 use super::{
-    Fault,
+    Fault, Interval,
     exponential::Ring,
-    fixed::Interval,
-    krawczyk::GoOn,
-    motion::{Flight, Motion, Oscillator},
     number::Number,
+    oscillator::{Flight, Motion, Oscillator},
     pattern::{apart, follow, least_period, turns},
     text::{Coefficient, Decimal, Impact, Side, System},
 };
+use crate::rejection::{GoOn, claim};
 
 /// An oscillator and a pattern of impacts.
 pub(crate) struct Cycle<'a, N> {
@@ -148,9 +147,10 @@ impl Cycle<'_, Interval> {
         go_on: GoOn,
     ) -> Result<(), Fault> {
         for (i, velocity) in x[self.impacts()..2 * self.impacts()].iter().enumerate() {
-            if !velocity.is_positive() {
-                return Err(Fault::False(format!("the speed of impact {} is not certainly positive", i + 1)));
-            }
+            claim(
+                velocity.is_positive(),
+                format_args!("the speed of impact {} is not certainly positive", i + 1),
+            )?;
         }
         let m = self.impacts();
         let known: Vec<_> =

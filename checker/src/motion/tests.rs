@@ -1,8 +1,8 @@
 //! The checker's arithmetic against integers, known digits.
 
 use super::{
+    Interval,
     exponential::Ring,
-    fixed::Interval,
     number::{Dual, Number},
     text::Decimal,
 };

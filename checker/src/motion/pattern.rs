@@ -1,7 +1,8 @@
 //! What patterns of impacts have in common, of whatever state: that an orbit does not repeat itself, and that
 //! the gaps are followed piece by piece to the end of each flight.
 
-use super::{Fault, fixed::Interval, krawczyk::GoOn, text::Decimal};
+use super::{Fault, Interval, text::Decimal};
+use crate::rejection::{GoOn, claim, ensure};
 
 /// 2πn.
 pub(crate) fn turns(n: u64) -> Interval {
@@ -32,9 +33,10 @@ pub(crate) fn least_period(
             let between: u64 = (i..i + d).map(|l| impacts[l % m].0).sum();
             same(i, j) && !apart(turns(between) + impacts[j].1 - impacts[i].1, shift)
         };
-        if (0..m).all(comes_back) {
-            return Err(format!("the orbit may repeat itself after {d} of its {m} impacts"));
-        }
+        ensure(
+            !(0..m).all(comes_back),
+            format_args!("the orbit may repeat itself after {d} of its {m} impacts"),
+        )?;
     }
     Ok(())
 }
@@ -52,23 +54,24 @@ pub(crate) fn follow(
     go_on: GoOn,
     doubtful: impl Fn(Interval, Interval, [bool; 2]) -> Option<String>,
 ) -> Result<(), Fault> {
-    let wrong = |what: String| Err(Fault::False(what));
     let last = ends.len() - 1;
-    if !duration.is_positive() {
-        return wrong(format!("flight {flight} does not certainly last"));
-    }
-    if !duration.is_up_to(ends[last].enclosed()) {
-        return wrong(format!("the pieces of flight {flight} stop before its end"));
-    }
+    claim(duration.is_positive(), format_args!("flight {flight} does not certainly last"))?;
+    claim(
+        duration.is_up_to(ends[last].enclosed()),
+        format_args!("the pieces of flight {flight} stop before its end"),
+    )?;
     let mut from = Interval::ZERO;
     for (index, to) in ends.iter().map(|end| end.enclosed()).enumerate() {
         go_on()?;
-        if !(to - from).is_positive() {
-            return wrong(format!("the pieces of flight {flight} do not follow one another"));
-        }
+        claim(
+            (to - from).is_positive(),
+            format_args!("the pieces of flight {flight} do not follow one another"),
+        )?;
         if let Some(gap) = doubtful(from, to, [index == 0, index == last]) {
             let piece = index + 1;
-            return wrong(format!("{gap} on piece {piece} of flight {flight} is not certainly positive"));
+            return Err(Fault::False(format!(
+                "{gap} on piece {piece} of flight {flight} is not certainly positive"
+            )));
         }
         from = to;
     }

@@ -1,9 +1,7 @@
 //! Krawczyk's test.
 
 use super::{Fault, Interval};
-
-/// Asked now and then whether the work should go on.
-pub(crate) type GoOn<'a> = &'a mut dyn FnMut() -> Result<(), Fault>;
+use crate::rejection::GoOn;
 
 /// The box of `radii` about `centre`, one for each unknown.
 pub(crate) fn around(centre: &[Interval], radii: &[Interval]) -> Vec<Interval> {
