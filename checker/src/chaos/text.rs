@@ -262,9 +262,8 @@ fn successors(words: &mut Words, count: u64) -> Result<Vec<usize>, String> {
     Ok(all)
 }
 
-/// Reads everything after the kind line of version 3, or of version 4, of mirrored walls.
-pub(super) fn read(lines: &mut Lines, mirrored: bool) -> Result<Certificate, Rejection> {
-    expect_statement(lines, if mirrored { STATEMENT_4 } else { STATEMENT_3 })?;
+/// The ranges of c, k, f, τ, ν.
+fn read_ranges(lines: &mut Lines, mirrored: bool) -> Result<[Range<Fraction>; 5], Rejection> {
     let mut ranges = [[Fraction::ZERO; 2]; 5];
     for (i, name) in RANGES.into_iter().enumerate() {
         ranges[i] = line(lines, name, fractions)?;
@@ -280,26 +279,27 @@ pub(super) fn read(lines: &mut Lines, mirrored: bool) -> Result<Certificate, Rej
             "depth" if lo.p == 0 && !free(ranges[2]) => Some("with a force the depth must be positive"),
             _ => None,
         };
-        if let Some(problem) = problem {
-            return Err(lines.malformed(problem));
-        }
+        lines.form(problem.is_none(), problem.unwrap_or_default())?;
     }
-    let behind = line(lines, "side", |words| match words.word("a side")? {
-        "1" => Ok(true),
-        "-1" => Ok(false),
-        _ => Err("a side is 1 or -1".into()),
-    })?;
+    Ok(ranges)
+}
+
+/// The wall's harmonics.
+fn read_harmonics(lines: &mut Lines) -> Result<Vec<Harmonic>, Rejection> {
     let count = line(lines, "harmonics", |words| words.number("the number of harmonics", HARMONICS))?;
     let mut harmonics: Vec<Harmonic> = Vec::new();
     for _ in 0..count {
         let next = line(lines, "harmonic", harmonic)?;
-        lines.form(
-            harmonics.last().is_none_or(|last| last.order < next.order),
-            "the orders of harmonics increase",
-        )?;
+        let increases = harmonics.last().is_none_or(|last| last.order < next.order);
+        lines.form(increases, "the orders of harmonics increase")?;
         harmonics.push(next);
     }
     is_wall(&harmonics).map_err(|reason| lines.malformed(reason))?;
+    Ok(harmonics)
+}
+
+/// Into how many parts each range is cut.
+fn read_cells(lines: &mut Lines) -> Result<[u64; 5], Rejection> {
     let cells = line(lines, "cells", |words| {
         let mut cells = [0; 5];
         for cell in &mut cells {
@@ -308,43 +308,57 @@ pub(super) fn read(lines: &mut Lines, mirrored: bool) -> Result<Certificate, Rej
         Ok(cells)
     })?;
     let product = cells.iter().try_fold(1u64, |product, &cell| product.checked_mul(cell));
-    lines.form(
-        product.is_some_and(|product| (1..=CELLS).contains(&product)),
-        format_args!("there must be 1 to {CELLS} cells in all"),
-    )?;
-    let window = line(lines, "window", |words| positive(words, "a window"))?;
-    let pieces = line(lines, "pieces", |words| words.number("a number of pieces", PIECES))?;
-    lines.form(pieces > 0, "there must be at least 1 piece")?;
+    let some = product.is_some_and(|product| (1..=CELLS).contains(&product));
+    lines.form(some, format_args!("there must be 1 to {CELLS} cells in all"))?;
+    Ok(cells)
+}
+
+/// The letters, and what may follow each.
+fn read_letters(lines: &mut Lines) -> Result<Vec<Letter>, Rejection> {
     let count = line(lines, "letters", |words| words.number("the number of letters", LETTERS))?;
     lines.form(count > 0, "there must be at least 1 letter")?;
-    let mut letters = Vec::new();
-    for _ in 0..count {
-        letters.push(line(lines, "letter", letter)?);
-    }
+    let mut letters = (0..count).map(|_| line(lines, "letter", letter)).collect::<Result<Vec<_>, _>>()?;
     for letter in &mut letters {
         letter.next = line(lines, "next", |words| successors(words, count))?;
     }
     let mut followed = vec![false; letters.len()];
     letters.iter().flat_map(|letter| &letter.next).for_each(|&n| followed[n] = true);
-    if let Some(n) = followed.iter().position(|followed| !followed) {
-        return Err(lines.malformed(format!("letter {} follows no letter, so that it is on no path", n + 1)));
+    match followed.iter().position(|followed| !followed) {
+        None => Ok(letters),
+        Some(n) => {
+            Err(lines.malformed(format!("letter {} follows no letter, so that it is on no path", n + 1)))
+        }
     }
+}
+
+/// Reads everything after the kind line of version 3, or of version 4, of mirrored walls.
+pub(super) fn read(lines: &mut Lines, mirrored: bool) -> Result<Certificate, Rejection> {
+    expect_statement(lines, if mirrored { STATEMENT_4 } else { STATEMENT_3 })?;
+    let ranges = read_ranges(lines, mirrored)?;
+    let behind = line(lines, "side", |words| match words.word("a side")? {
+        "1" => Ok(true),
+        "-1" => Ok(false),
+        _ => Err("a side is 1 or -1".into()),
+    })?;
+    let (harmonics, cells) = (read_harmonics(lines)?, read_cells(lines)?);
+    let window = line(lines, "window", |words| positive(words, "a window"))?;
+    let pieces = line(lines, "pieces", |words| words.number("a number of pieces", PIECES))?;
+    lines.form(pieces > 0, "there must be at least 1 piece")?;
+    let letters = read_letters(lines)?;
     let contraction = line(lines, "contraction", |words| positive(words, "a contraction"))?;
     lines.form(contraction.parts() < ONE, "a contraction must be below 1")?;
     let reach = line(lines, "reach", |words| positive(words, "the reach"))?;
     let growth = line(lines, "growth", decimals)?;
     lines.form(growth[0].parts() >= ONE, "a growth rate is at least 1")?;
     let complete = line(lines, "complete", complete)?;
-    lines.form(
-        complete.is_none() || (behind && ranges[2].iter().all(|force| force.p == 0)),
-        "completeness is for side 1 and force 0/1",
-    )?;
+    let held = behind && ranges[2].iter().all(|force| force.p == 0);
+    lines.form(complete.is_none() || held, "completeness is for side 1 and force 0/1")?;
     let certificate = Certificate {
         mirrored,
         ranges,
+        cells,
         behind,
         harmonics,
-        cells,
         window,
         pieces,
         letters,
@@ -354,9 +368,10 @@ pub(super) fn read(lines: &mut Lines, mirrored: bool) -> Result<Certificate, Rej
         complete,
     };
     let cost = certificate.cost();
-    lines.form(cost <= COST, format_args!(
-            "the check would cost {cost} exponentials, more than {COST}: fewer cells, parts, pieces, letters, harmonics or rounds"
-        ))?;
+    let reason = format_args!(
+        "the check would cost {cost} exponentials, more than {COST}: fewer cells, parts, pieces, letters, harmonics or rounds"
+    );
+    lines.form(cost <= COST, reason)?;
     lines.end("the file goes on after its last line")?;
     Ok(certificate)
 }

@@ -5,7 +5,7 @@ use super::{
     super::motion::{
         Interval,
         cycle::{Cycle, Touch},
-        krawczyk,
+        krawczyk::{Boxes, Equations},
         number::{Dual, Number},
         text::Coefficient,
     },
@@ -16,9 +16,8 @@ use crate::rejection::{GoOn, claim};
 /// What is being proved, over intervals.
 pub(super) struct Proof<'a, C> {
     certificate: &'a Certificate<C>,
-    /// All phases, all speeds, the parameter, the time of the contact.
-    centre: Vec<Interval>,
-    inverse: Vec<Vec<Interval>>,
+    /// Of all phases, all speeds, the parameter, the time of the contact.
+    boxes: Boxes,
 }
 
 impl<'a, C: Coefficient> Proof<'a, C> {
@@ -30,23 +29,15 @@ impl<'a, C: Coefficient> Proof<'a, C> {
             Event::Grazing(contact) => Some(contact.time),
             Event::SaddleNode | Event::Flip => None,
         };
-        let inverse = certificate.inverse.iter().map(|row| row.iter().map(|c| c.enclosed()).collect());
-        Proof {
-            certificate,
-            centre: unknowns.chain([certificate.parameter]).chain(contact).map(|x| x.enclosed()).collect(),
-            inverse: inverse.collect(),
-        }
+        let unknowns = unknowns.chain([certificate.parameter]).chain(contact);
+        let centre: Vec<Interval> = unknowns.map(|x| x.enclosed()).collect();
+        let (units, radii) = (vec![Interval::ONE; centre.len()], [certificate.radius, certificate.within]);
+        Proof { certificate, boxes: Boxes::new(centre, units, radii, &certificate.inverse) }
     }
 
     /// Existence, uniqueness and regularity in the box, and that the solution is an orbit.
     pub fn run(&self, go_on: GoOn) -> Result<(), Fault> {
-        let [radius, within] = [self.certificate.radius, self.certificate.within].map(|r| r.enclosed());
-        claim(
-            within.is_positive() && within.is_up_to(radius),
-            "the smaller radius must be positive and at most the larger",
-        )?;
-        self.krawczyk(radius, go_on)?;
-        let unknowns = self.krawczyk(within, go_on)?;
+        let unknowns = self.boxes.solution(self, go_on)?;
         let m = self.certificate.impacts.len();
         let cycle = self.cycle(unknowns[2 * m])?;
         claim(cycle.oscillator.restitutions_are_nonnegative(), "a restitution is not certainly at least 0")?;
@@ -90,8 +81,14 @@ impl<'a, C: Coefficient> Proof<'a, C> {
         }
         Ok(all)
     }
+}
 
-    /// Their derivatives by each unknown in turn, over a box.
+impl<C: Coefficient> Equations for Proof<'_, C> {
+    fn residual(&self, x: &[Interval], go_on: GoOn) -> Result<Vec<Interval>, Fault> {
+        self.equations(x, go_on)
+    }
+
+    /// By each unknown in turn.
     fn derivatives(&self, region: &[Interval], go_on: GoOn) -> Result<Vec<Vec<Interval>>, Fault> {
         let mut rows = vec![Vec::with_capacity(region.len()); region.len()];
         for j in 0..region.len() {
@@ -103,13 +100,5 @@ impl<'a, C: Coefficient> Proof<'a, C> {
             }
         }
         Ok(rows)
-    }
-
-    /// The only solution in the box of `radius`, enclosed.
-    fn krawczyk(&self, radius: Interval, go_on: GoOn) -> Result<Vec<Interval>, Fault> {
-        let radii = vec![radius; self.centre.len()];
-        let residual = self.equations(&self.centre, go_on)?;
-        let derivatives = self.derivatives(&krawczyk::around(&self.centre, &radii), go_on)?;
-        krawczyk::image(&self.centre, &self.inverse, &residual, &derivatives, &radii, go_on)
     }
 }

@@ -9,7 +9,7 @@ use super::super::{
         Interval,
         number::Number,
         text::{Coefficient, DIGITS},
-        words::Spoken,
+        words::{Spoken, polynomial, quotient},
     },
 };
 
@@ -53,12 +53,9 @@ impl Coefficient for Quotient {
         self.denominator.len() == 1 && self.numerator.len() == 1 && self.numerator[0] < 0
     }
 
-    /// By Horner's rule.
     fn enclosed<N: Number>(&self, parameter: N) -> N {
-        let [numerator, denominator] = self
-            .scaled()
-            .map(|list| list.iter().rev().fold(N::ZERO, |sum, &x| sum * parameter + N::constant(x)));
-        numerator.over(denominator)
+        let [numerator, denominator] = self.scaled();
+        value(&numerator, parameter).over(value(&denominator, parameter))
     }
 
     fn read(words: &mut Words) -> Result<Self, String> {
@@ -94,49 +91,18 @@ impl Spoken for Quotient {
     fn magnitude(&self, parameter: &str) -> String {
         let minus = Spoken::is_negative(self);
         let numerator: Vec<i128> = self.numerator.iter().map(|&x| if minus { -x } else { x }).collect();
-        let above = polynomial(&numerator, parameter);
-        let below = polynomial(&self.denominator, parameter);
-        match (self.denominator == [1], terms(&self.denominator) == 1 && self.denominator.len() == 1) {
-            (true, _) => above,
-            (_, true) => format!("{above}/{below}"),
-            _ => format!("{above}/({})", below.trim_start_matches('(').trim_end_matches(')')),
-        }
+        quotient(polynomial(&numerator, parameter), &self.denominator, parameter)
     }
+}
+
+/// A polynomial's value, by Horner's rule.
+pub(super) fn value<N: Number>(list: &[Interval], parameter: N) -> N {
+    list.iter().rev().fold(N::ZERO, |sum, &x| sum * parameter + N::constant(x))
 }
 
 /// The number of terms that are not 0.
 fn terms(list: &[i128]) -> usize {
     list.iter().filter(|&&x| x != 0).count()
-}
-
-/// A polynomial in words, in parentheses if it has several terms.
-fn polynomial(list: &[i128], parameter: &str) -> String {
-    let mut text = String::new();
-    for (power, &x) in list.iter().enumerate().filter(|(_, x)| **x != 0) {
-        let sign = match (text.is_empty(), x < 0) {
-            (true, true) => "-",
-            (true, false) => "",
-            (false, true) => " - ",
-            (false, false) => " + ",
-        };
-        let size = x.unsigned_abs().to_string();
-        let name = match power {
-            0 => String::new(),
-            1 => parameter.to_string(),
-            power => format!("{parameter}^{power}"),
-        };
-        let term = match (size.as_str(), name.is_empty()) {
-            (size, true) => size.to_string(),
-            ("1", false) => name,
-            (size, false) => format!("{size} {name}"),
-        };
-        text += &format!("{sign}{term}");
-    }
-    match terms(list) {
-        0 => "0".into(),
-        1 => text,
-        _ => format!("({text})"),
-    }
 }
 
 #[cfg(test)]

@@ -10,10 +10,10 @@ use super::{
             number::Number,
             range::Range,
             text::Coefficient,
-            words::{Spoken, sum},
+            words::{Spoken, polynomial, quotient},
         },
     },
-    quotient::DEGREE,
+    quotient::{DEGREE, value},
 };
 use crate::rejection::ensure;
 
@@ -38,12 +38,9 @@ impl Coefficient for RangeQuotient {
             && !Coefficient::is_negative(&self.denominator[0])
     }
 
-    /// By Horner's rule.
     fn enclosed<N: Number>(&self, parameter: N) -> N {
-        let [numerator, denominator] = [&self.numerator, &self.denominator].map(|list| {
-            list.iter().rev().fold(N::ZERO, |sum, x| sum * parameter + N::constant(x.interval()))
-        });
-        numerator.over(denominator)
+        let of = |list: &[Range]| value(&list.iter().map(Range::interval).collect::<Vec<_>>(), parameter);
+        of(&self.numerator).over(of(&self.denominator))
     }
 
     fn read(words: &mut Words) -> Result<Self, String> {
@@ -79,27 +76,8 @@ impl Spoken for RangeQuotient {
             [only] => only.magnitude(parameter),
             list => polynomial(list, parameter),
         };
-        let below = polynomial(&self.denominator, parameter);
-        match &self.denominator[..] {
-            [one] if one.to_string() == "1..1" => above,
-            [_] => format!("{above}/{below}"),
-            _ if below.starts_with('(') => format!("{above}/{below}"),
-            // Else 1/2 p would be read as (1/2) p.
-            _ => format!("{above}/({below})"),
-        }
+        quotient(above, &self.denominator, parameter)
     }
-}
-
-/// A polynomial in words, in parentheses if it has several terms.
-fn polynomial(list: &[Range], parameter: &str) -> String {
-    let power = |power: usize| match power {
-        0 => String::new(),
-        1 => parameter.to_string(),
-        power => format!("{parameter}^{power}"),
-    };
-    let terms: Vec<_> = list.iter().enumerate().map(|(i, x)| (Spoken::is_negative(x), x, power(i))).collect();
-    let text = sum(&terms, parameter);
-    if list.iter().filter(|x| !x.is_zero()).count() > 1 { format!("({text})") } else { text }
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! What a certificate speaks of, in words.
 
 use super::{
-    super::motion::words::{list, pattern, system},
+    super::motion::words::{list, system, walls},
     Certificate, Contact, Event, Version,
 };
 
@@ -23,11 +23,11 @@ pub(super) fn detail<C: Version>(certificate: &Certificate<C>) -> Vec<(&'static 
     let mut all = vec![
         ("event", event),
         ("parameter", format!("{name}, from {from} to {to}")),
-        ("pattern", if impacts.is_empty() { "no impact, period 1".into() } else { pattern(impacts) }),
+        ("pattern", if impacts.is_empty() { "no impact, period 1".into() } else { walls(impacts) }),
     ];
     if !impacts.is_empty() {
-        all.push(("phases", list(impacts, ", ", |impact| impact.phase.to_string())));
-        all.push(("speeds", list(impacts, ", ", |impact| impact.velocity.to_string())));
+        all.push(("phases", list(impacts, |impact| impact.phase)));
+        all.push(("speeds", list(impacts, |impact| impact.velocity)));
     }
     if let Event::Grazing(Contact { after, side, time }) = &certificate.event {
         let when = match impacts.len() {

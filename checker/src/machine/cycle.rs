@@ -5,7 +5,7 @@
 //! impact i + 1.
 
 use super::{
-    super::motion::{Interval, pattern::turns},
+    super::motion::{Interval, krawczyk::Equations, pattern::turns},
     Fault,
     linear::{self, Matrix, Vector, apply, difference, dot, scaled, sum},
     motion::Motion,
@@ -73,56 +73,6 @@ impl Cycle<'_> {
         self.motion.arrive(&self.motion.flow(tau), &leg.start, leg.phase + tau)
     }
 
-    /// The left sides of all equations.
-    pub fn residual(&self, x: &[Interval], go_on: GoOn) -> Result<Vector, Fault> {
-        let m = self.impacts.len();
-        let mut all = Vec::with_capacity(x.len());
-        for i in 0..m {
-            go_on()?;
-            let (t, before) = self.impact(x, i);
-            all.push(self.motion.gap(self.impacts[i].stop, before, t)[0]);
-            let leg = self.leg(x, i);
-            let flow = self.motion.flow(leg.duration);
-            let end = self.motion.arrive(&flow, &leg.start, leg.end);
-            all.extend(difference(&end, self.impact(x, (i + 1) % m).1));
-        }
-        Ok(all)
-    }
-
-    /// Their derivatives over a box. The flight that ends later goes on by (q′, q″) there; begun later it
-    /// lacks what the flow makes of (q′, q″) after the impact, and has what it makes of the kick of Q″; what
-    /// comes before the impact passes it by q′ → q′ − κ w·q′ and then the flow.
-    pub fn derivatives(&self, x: &[Interval], go_on: GoOn) -> Result<Matrix, Fault> {
-        let (m, n, block) = (self.impacts.len(), self.motion.size, self.block());
-        let mut rows = vec![vec![Interval::ZERO; x.len()]; x.len()];
-        for i in 0..m {
-            go_on()?;
-            let (next, here) = ((i + 1) % m, i * block);
-            let contact = &self.motion.contacts[self.impacts[i].stop];
-            let [_, speed, bend] = contact.place(self.impact(x, i).0);
-            rows[here][here] = -speed;
-            rows[here][here + 1..=here + n].copy_from_slice(&contact.row);
-            let leg = self.leg(x, i);
-            let flow = self.motion.flow(leg.duration);
-            let later = self.motion.field(&self.motion.arrive(&flow, &leg.start, leg.end), leg.end);
-            let flow = state_part(&flow);
-            let still = vec![Interval::ZERO; n];
-            let pushed = [still, scaled(bend, &contact.kick)].concat();
-            let begun = apply(&flow, &difference(&pushed, &self.motion.field(&leg.after, leg.phase)));
-            let passed = linear::times(&flow, &self.passage(i));
-            for (k, passed) in passed.iter().enumerate() {
-                let row = &mut rows[here + 1 + k];
-                row[here] = row[here] + begun[k];
-                row[next * block] = row[next * block] + later[k];
-                for (j, &entry) in passed.iter().enumerate() {
-                    row[here + 1 + j] = row[here + 1 + j] + entry;
-                }
-                row[next * block + 1 + k] = row[next * block + 1 + k] - Interval::ONE;
-            }
-        }
-        Ok(rows)
-    }
-
     /// (q, q′) → (q, q′ − κ w·q′).
     fn passage(&self, i: usize) -> Matrix {
         let (n, contact) = (self.motion.size, &self.motion.contacts[self.impacts[i].stop]);
@@ -160,6 +110,57 @@ impl Cycle<'_> {
             all = linear::times(&flow, &linear::times(&passage, &all));
         }
         Ok(all)
+    }
+}
+
+impl Equations for Cycle<'_> {
+    fn residual(&self, x: &[Interval], go_on: GoOn) -> Result<Vector, Fault> {
+        let m = self.impacts.len();
+        let mut all = Vec::with_capacity(x.len());
+        for i in 0..m {
+            go_on()?;
+            let (t, before) = self.impact(x, i);
+            all.push(self.motion.gap(self.impacts[i].stop, before, t)[0]);
+            let leg = self.leg(x, i);
+            let flow = self.motion.flow(leg.duration);
+            let end = self.motion.arrive(&flow, &leg.start, leg.end);
+            all.extend(difference(&end, self.impact(x, (i + 1) % m).1));
+        }
+        Ok(all)
+    }
+
+    /// The flight that ends later goes on by (q′, q″) there; begun later it
+    /// lacks what the flow makes of (q′, q″) after the impact, and has what it makes of the kick of Q″; what
+    /// comes before the impact passes it by q′ → q′ − κ w·q′ and then the flow.
+    fn derivatives(&self, x: &[Interval], go_on: GoOn) -> Result<Matrix, Fault> {
+        let (m, n, block) = (self.impacts.len(), self.motion.size, self.block());
+        let mut rows = vec![vec![Interval::ZERO; x.len()]; x.len()];
+        for i in 0..m {
+            go_on()?;
+            let (next, here) = ((i + 1) % m, i * block);
+            let contact = &self.motion.contacts[self.impacts[i].stop];
+            let [_, speed, bend] = contact.place(self.impact(x, i).0);
+            rows[here][here] = -speed;
+            rows[here][here + 1..=here + n].copy_from_slice(&contact.row);
+            let leg = self.leg(x, i);
+            let flow = self.motion.flow(leg.duration);
+            let later = self.motion.field(&self.motion.arrive(&flow, &leg.start, leg.end), leg.end);
+            let flow = state_part(&flow);
+            let still = vec![Interval::ZERO; n];
+            let pushed = [still, scaled(bend, &contact.kick)].concat();
+            let begun = apply(&flow, &difference(&pushed, &self.motion.field(&leg.after, leg.phase)));
+            let passed = linear::times(&flow, &self.passage(i));
+            for (k, passed) in passed.iter().enumerate() {
+                let row = &mut rows[here + 1 + k];
+                row[here] = row[here] + begun[k];
+                row[next * block] = row[next * block] + later[k];
+                for (j, &entry) in passed.iter().enumerate() {
+                    row[here + 1 + j] = row[here + 1 + j] + entry;
+                }
+                row[next * block + 1 + k] = row[next * block + 1 + k] - Interval::ONE;
+            }
+        }
+        Ok(rows)
     }
 }
 

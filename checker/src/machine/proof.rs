@@ -4,7 +4,8 @@
 use super::{
     super::{
         motion::{
-            Interval, krawczyk,
+            Interval,
+            krawczyk::{Boxes, enclosed},
             pattern::{apart, follow, least_period},
         },
         orbit::Claim,
@@ -13,7 +14,7 @@ use super::{
     cycle::{Cycle, Leg},
     linear::{self, Matrix, Solved, Vector},
     motion::Motion,
-    text::{Certificate, Decimal},
+    text::Certificate,
 };
 use crate::rejection::{GoOn, claim};
 
@@ -24,10 +25,7 @@ const SQUARINGS: u32 = 30;
 pub(super) struct Proof<'a> {
     certificate: &'a Certificate,
     cycle: Cycle<'a>,
-    centre: Vector,
-    /// The unit of each unknown.
-    units: Vector,
-    inverse: Matrix,
+    boxes: Boxes,
 }
 
 impl<'a> Proof<'a> {
@@ -36,27 +34,22 @@ impl<'a> Proof<'a> {
     /// # Errors
     /// Says what the method cannot do with it.
     pub fn new(certificate: &'a Certificate, go_on: GoOn) -> Result<Self, Fault> {
-        let list = |list: &[Decimal]| -> Vector { list.iter().map(|x| x.enclosed()).collect() };
-        let unknowns = |impact: &super::Impact| [vec![impact.phase.enclosed()], list(&impact.state)].concat();
-        let units = [vec![Interval::ONE], list(&certificate.scales)].concat();
+        let unknowns =
+            |impact: &super::Impact| [vec![impact.phase.enclosed()], enclosed(&impact.state)].concat();
+        let centre = certificate.impacts.iter().flat_map(unknowns).collect();
+        let units = [vec![Interval::ONE], enclosed(&certificate.scales)].concat();
+        let units = units.repeat(certificate.impacts.len());
+        let radii = [certificate.radius, certificate.within];
         Ok(Proof {
             certificate,
             cycle: Cycle { motion: Motion::new(&certificate.machine, go_on)?, impacts: &certificate.impacts },
-            centre: certificate.impacts.iter().flat_map(unknowns).collect(),
-            units: units.repeat(certificate.impacts.len()),
-            inverse: certificate.inverse.iter().map(|row| list(row)).collect(),
+            boxes: Boxes::new(centre, units, radii, &certificate.inverse),
         })
     }
 
     /// Existence and uniqueness in the box, and then all claims about the orbit.
     pub fn run(&self, go_on: GoOn) -> Result<(), Fault> {
-        let [radius, within] = [self.certificate.radius, self.certificate.within].map(|r| r.enclosed());
-        claim(
-            within.is_positive() && within.is_up_to(radius),
-            "the smaller radius must be positive and at most the larger",
-        )?;
-        self.krawczyk(radius, go_on)?;
-        let unknowns = self.krawczyk(within, go_on)?;
+        let unknowns = self.boxes.solution(&self.cycle, go_on)?;
         for i in 0..self.cycle.impacts.len() {
             claim(
                 self.cycle.speed(&unknowns, i).is_positive(),
@@ -77,14 +70,6 @@ impl<'a> Proof<'a> {
             })?;
         }
         self.stability(&unknowns, go_on)
-    }
-
-    /// The only solution in the box of `radius`, enclosed.
-    fn krawczyk(&self, radius: Interval, go_on: GoOn) -> Result<Vector, Fault> {
-        let radii = linear::scaled(radius, &self.units);
-        let residual = self.cycle.residual(&self.centre, go_on)?;
-        let derivatives = self.cycle.derivatives(&krawczyk::around(&self.centre, &radii), go_on)?;
-        krawczyk::image(&self.centre, &self.inverse, &residual, &derivatives, &radii, go_on)
     }
 
     /// A stop whose gap z is not shown to be positive on a piece. With r half its length and m its middle, z
@@ -127,7 +112,7 @@ impl<'a> Proof<'a> {
         let map = self.cycle.monodromy(x, go_on)?;
         let n = map.len();
         let holds = if wanted == Claim::Stable {
-            let units = &self.units[1..=n];
+            let units = &self.boxes.units[1..=n];
             let in_units = |row: &Vector, unit: Interval| -> Vector {
                 row.iter().zip(units).map(|(&x, &other)| (x * other).over(unit)).collect()
             };

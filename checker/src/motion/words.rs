@@ -1,6 +1,6 @@
 //! What certificates about oscillators speak of, in words.
 
-use std::fmt::Write;
+use std::fmt::{self, Write};
 
 use super::text::{Fraction, Harmonic, Impact, System, Wall};
 
@@ -26,21 +26,27 @@ impl Spoken for Fraction {
 }
 
 /// A list, one item for each impact.
-pub(crate) fn list(impacts: &[Impact], between: &str, one: impl Fn(&Impact) -> String) -> String {
-    impacts.iter().map(one).collect::<Vec<_>>().join(between)
+pub(crate) fn list<T, S: fmt::Display>(all: &[T], one: impl Fn(&T) -> S) -> String {
+    all.iter().map(|x| one(x).to_string()).collect::<Vec<_>>().join(", ")
 }
 
-/// The pattern of impacts.
-pub(crate) fn pattern(impacts: &[Impact]) -> String {
-    let periods: u64 = impacts.iter().map(|impact| impact.periods).sum();
+/// A pattern of impacts, of each where it is and after how many periods the next one comes.
+pub(crate) fn pattern(impacts: &[(String, u64)]) -> String {
     let plural = |count: u64| if count == 1 { "" } else { "s" };
-    let count = impacts.len() as u64;
+    let (count, periods) = (impacts.len() as u64, impacts.iter().map(|impact| impact.1).sum());
+    let each: Vec<_> = impacts.iter().map(|(place, next)| format!("{place}, next after {next}")).collect();
     format!(
         "{count} impact{} in {periods} period{}, and in no fewer: {}",
         plural(count),
         plural(periods),
-        list(impacts, "; ", |impact| format!("{} wall, next after {}", impact.side, impact.periods))
+        each.join("; ")
     )
+}
+
+/// That of an oscillator.
+pub(crate) fn walls(impacts: &[Impact]) -> String {
+    let one = |impact: &Impact| (format!("{} wall", impact.side), impact.periods);
+    pattern(&impacts.iter().map(one).collect::<Vec<_>>())
 }
 
 /// The oscillator, its walls and its digest.
@@ -63,10 +69,20 @@ pub(crate) fn system<C: Spoken>(
 
 fn wall<C: Spoken>(wall: &Option<Wall<C>>, parameter: &str) -> String {
     let Some(wall) = wall else { return "none".into() };
-    let offset = (wall.offset.is_negative(), &wall.offset, String::new());
-    let terms: Vec<_> = [offset].into_iter().chain(waves(&wall.harmonics)).collect();
-    let restitution = (wall.restitution.is_negative(), &wall.restitution, String::new());
-    format!("{}, restitution {}", sum(&terms, parameter), sum(&[restitution], parameter))
+    let place = place(&wall.offset, &wall.harmonics, parameter);
+    format!("{place}, restitution {}", alone(&wall.restitution, parameter))
+}
+
+/// A coefficient with its sign.
+pub(crate) fn alone<C: Spoken>(coefficient: &C, parameter: &str) -> String {
+    sum(&[(coefficient.is_negative(), coefficient, String::new())], parameter)
+}
+
+/// Where a wall or a stop is.
+pub(crate) fn place<C: Spoken>(offset: &C, harmonics: &[Harmonic<C>], parameter: &str) -> String {
+    let offset = (offset.is_negative(), offset, String::new());
+    let terms: Vec<_> = [offset].into_iter().chain(waves(harmonics)).collect();
+    sum(&terms, parameter)
 }
 
 /// A term of a sum: whether a minus stands before it, its coefficient, and what that is a multiple of.
@@ -103,6 +119,40 @@ pub(crate) fn sum<C: Spoken>(terms: &[Term<C>], parameter: &str) -> String {
         write!(text, "{sign}{factor}").expect("writing to a String cannot fail");
     }
     if text.is_empty() { "0".into() } else { text }
+}
+
+impl Spoken for i128 {
+    fn is_negative(&self) -> bool {
+        *self < 0
+    }
+
+    fn magnitude(&self, _: &str) -> String {
+        self.unsigned_abs().to_string()
+    }
+}
+
+/// A polynomial, in parentheses if it has several terms.
+pub(crate) fn polynomial<C: Spoken>(list: &[C], parameter: &str) -> String {
+    let power = |power: usize| match power {
+        0 => String::new(),
+        1 => parameter.to_string(),
+        power => format!("{parameter}^{power}"),
+    };
+    let terms: Vec<_> = list.iter().enumerate().map(|(i, x)| (x.is_negative(), x, power(i))).collect();
+    let text = sum(&terms, parameter);
+    if list.iter().filter(|x| x.magnitude("") != "0").count() > 1 { format!("({text})") } else { text }
+}
+
+/// What stands over a polynomial, and that.
+pub(crate) fn quotient<C: Spoken>(above: String, denominator: &[C], parameter: &str) -> String {
+    let below = polynomial(denominator, parameter);
+    match denominator.len() {
+        1 if below == "1" => above,
+        1 => format!("{above}/{below}"),
+        _ if below.starts_with('(') => format!("{above}/{below}"),
+        // Else 1/2 p would be read as (1/2) p.
+        _ => format!("{above}/({below})"),
+    }
 }
 
 #[cfg(test)]

@@ -1,7 +1,12 @@
 //! The proof itself: Krawczyk's test on two boxes, what makes the solution an orbit, Jury's conditions.
 
 use super::{
-    super::motion::{Interval, cycle::Cycle, krawczyk, text::Coefficient},
+    super::motion::{
+        Interval,
+        cycle::Cycle,
+        krawczyk::{Boxes, Equations},
+        text::Coefficient,
+    },
     Fault,
     text::{Certificate, Claim},
 };
@@ -11,8 +16,7 @@ use crate::rejection::{GoOn, claim};
 pub(super) struct Proof<'a, C> {
     certificate: &'a Certificate<C>,
     cycle: Cycle<'a, Interval>,
-    centre: Vec<Interval>,
-    inverse: Vec<Vec<Interval>>,
+    boxes: Boxes,
 }
 
 impl<'a, C: Coefficient> Proof<'a, C> {
@@ -23,32 +27,43 @@ impl<'a, C: Coefficient> Proof<'a, C> {
     pub fn new(certificate: &'a Certificate<C>) -> Result<Self, String> {
         let impacts = &certificate.impacts;
         let unknowns = impacts.iter().map(|i| i.phase).chain(impacts.iter().map(|i| i.velocity));
+        let centre: Vec<Interval> = unknowns.map(|x| x.enclosed()).collect();
+        let (units, radii) = (vec![Interval::ONE; centre.len()], [certificate.radius, certificate.within]);
         Ok(Proof {
             certificate,
             cycle: Cycle::new(&certificate.system, impacts, Interval::ZERO)?,
-            centre: unknowns.map(|x| x.enclosed()).collect(),
-            inverse: certificate
-                .inverse
-                .iter()
-                .map(|row| row.iter().map(|c| c.enclosed()).collect())
-                .collect(),
+            boxes: Boxes::new(centre, units, radii, &certificate.inverse),
         })
     }
 
     /// Existence and uniqueness in the box, and then all claims about the orbit.
     pub fn run(&self, go_on: GoOn) -> Result<(), Fault> {
-        let [radius, within] = [self.certificate.radius, self.certificate.within].map(|r| r.enclosed());
-        claim(
-            within.is_positive() && within.is_up_to(radius),
-            "the smaller radius must be positive and at most the larger",
-        )?;
-        self.krawczyk(radius, go_on)?;
-        let unknowns = self.krawczyk(within, go_on)?;
+        let unknowns = self.boxes.solution(self, go_on)?;
         self.cycle.is_orbit(&unknowns, &self.certificate.flights, None, go_on)?;
         self.stability(&unknowns, go_on)
     }
 
-    /// The derivatives of the equations. With z seen from the wall that is met next, a later end adds (z′,
+    /// With T the trace of the linearised map once round and D its determinant: stable iff D < 1 and 1 + D ±
+    /// T > 0, unstable if one is < 0.
+    fn stability(&self, x: &[Interval], go_on: GoOn) -> Result<(), Fault> {
+        let [trace, determinant] = self.cycle.multipliers(x, go_on)?;
+        let sum = Interval::ONE + determinant;
+        let conditions = [Interval::ONE - determinant, sum - trace, sum + trace];
+        let holds = match self.certificate.claim {
+            Claim::Stable => conditions.iter().all(|x| x.is_positive()),
+            Claim::Unstable => conditions.iter().any(|&x| (-x).is_positive()),
+            Claim::Open => true,
+        };
+        claim(holds, format_args!("the orbit is not certainly {}", self.certificate.claim))
+    }
+}
+
+impl<C: Coefficient> Equations for Proof<'_, C> {
+    fn residual(&self, x: &[Interval], go_on: GoOn) -> Result<Vec<Interval>, Fault> {
+        self.cycle.residual(x, go_on)
+    }
+
+    /// With z seen from the wall that is met next, a later end adds (z′,
     /// z″), a later start takes away what a flight makes of the velocity and acceleration after the impact
     /// relative to the wall left behind, and a greater V adds to that velocity.
     fn derivatives(&self, x: &[Interval], go_on: GoOn) -> Result<Vec<Vec<Interval>>, Fault> {
@@ -73,27 +88,5 @@ impl<'a, C: Coefficient> Proof<'a, C> {
             rows[2 * i + 1][m + next] = rows[2 * i + 1][m + next] + Interval::ONE;
         }
         Ok(rows)
-    }
-
-    /// The only solution in the box of `radius`, enclosed.
-    fn krawczyk(&self, radius: Interval, go_on: GoOn) -> Result<Vec<Interval>, Fault> {
-        let radii = vec![radius; self.centre.len()];
-        let residual = self.cycle.residual(&self.centre, go_on)?;
-        let derivatives = self.derivatives(&krawczyk::around(&self.centre, &radii), go_on)?;
-        krawczyk::image(&self.centre, &self.inverse, &residual, &derivatives, &radii, go_on)
-    }
-
-    /// With T the trace of the linearised map once round and D its determinant: stable iff D < 1 and 1 + D ±
-    /// T > 0, unstable if one is < 0.
-    fn stability(&self, x: &[Interval], go_on: GoOn) -> Result<(), Fault> {
-        let [trace, determinant] = self.cycle.multipliers(x, go_on)?;
-        let sum = Interval::ONE + determinant;
-        let conditions = [Interval::ONE - determinant, sum - trace, sum + trace];
-        let holds = match self.certificate.claim {
-            Claim::Stable => conditions.iter().all(|x| x.is_positive()),
-            Claim::Unstable => conditions.iter().any(|&x| (-x).is_positive()),
-            Claim::Open => true,
-        };
-        claim(holds, format_args!("the orbit is not certainly {}", self.certificate.claim))
     }
 }

@@ -50,6 +50,15 @@ fn work(harmonics: u64, pieces: u64, impacts: u64) -> u64 {
 }
 
 impl Claim {
+    /// In words.
+    pub(crate) fn said(self) -> &'static str {
+        match self {
+            Claim::Stable => "stable",
+            Claim::Unstable => "unstable",
+            Claim::Open => "open: nothing is claimed",
+        }
+    }
+
     pub(crate) fn read(words: &mut Words) -> Result<Claim, String> {
         match words.word("stable, unstable or open")? {
             "stable" => Ok(Claim::Stable),
