@@ -34,10 +34,8 @@ impl Header {
     ) -> Result<Header, Rejection> {
         let (least, most) = periods.into_inner();
         let [first, last] = numbers(lines, "range", [("the first period", most), ("the last period", most)])?;
-        lines.form(
-            least <= first && first <= last,
-            format_args!("the range must be {least} <= first <= last"),
-        )?;
+        let holds = least <= first && first <= last;
+        lines.form(holds, format_args!("the range must be {least} <= first <= last"))?;
         let claimed = lines.expect("the number of lines")?;
         let claimed_at = lines.number();
         expect_statement(lines, statement)?;

@@ -85,10 +85,8 @@ fn flight(work: &Work, n: usize, pieces: u64, go_on: GoOn) -> Result<(), Fault> 
         if 0 < k && k < letter.periods {
             let motion = legs.motion(k, Interval::ZERO);
             let dip = (cell.depth * motion.velocity.squared()).over(least + least);
-            shown(
-                (motion.place - cell.side - dip).is_positive(),
-                format_args!("the wall may be met in window {k}"),
-            )?;
+            let holds = (motion.place - cell.side - dip).is_positive();
+            shown(holds, format_args!("the wall may be met in window {k}"))?;
         }
     }
     // One of both walls has the windows k and k + 1, or k and k + 2.
@@ -116,10 +114,8 @@ fn window(legs: &Legs, k: u64, window: Interval, pieces: u64, go_on: GoOn) -> Re
         let motion = legs.motion(k, t);
         let here = (cell.wall.at(t).bend + cell.depth * motion.acceleration).least();
         shown(here.is_positive(), format_args!("the gap may not be convex in window {k}"))?;
-        shown(
-            legs.is_within_reach(motion.place),
-            format_args!("the motion may go beyond its reach in window {k}"),
-        )?;
+        let holds = legs.is_within_reach(motion.place);
+        shown(holds, format_args!("the motion may go beyond its reach in window {k}"))?;
         curvature = Some(curvature.map_or(here, |least| least.hull(here).least()));
     }
     Ok(curvature.unwrap_or(Interval::WHOLE))

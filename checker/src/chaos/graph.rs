@@ -24,10 +24,8 @@ pub(super) fn grows(certificate: &Certificate) -> Result<(), String> {
         way.iter().all(|list| distinct(list.iter().map(|&v| letters[v].periods).collect()))
     };
     let (forward, backward) = (told(&next), told(&previous));
-    ensure(
-        forward || backward,
-        "a letter has two successors of the same period, and one has two such predecessors",
-    )?;
+    let holds = forward || backward;
+    ensure(holds, "a letter has two successors of the same period, and one has two such predecessors")?;
     bounds(certificate, &next).or_else(|reason| bounds(certificate, &previous).map_err(|_| reason))
 }
 
@@ -42,14 +40,10 @@ fn bounds(certificate: &Certificate, edges: &[Vec<usize>]) -> Result<(), String>
     for (v, letter) in letters.iter().enumerate() {
         let sum = |terms: &[Interval]| edges[v].iter().fold(Interval::ZERO, |sum, &w| sum + terms[w]);
         let own = letter.growth.enclosed();
-        ensure(
-            own.is_up_to(sum(&least)),
-            format_args!("the growth vector does not prove the lower rate at letter {}", v + 1),
-        )?;
-        ensure(
-            sum(&most).is_up_to(own),
-            format_args!("the growth vector does not prove the upper rate at letter {}", v + 1),
-        )?;
+        let holds = own.is_up_to(sum(&least));
+        ensure(holds, format_args!("the growth vector does not prove the lower rate at letter {}", v + 1))?;
+        let holds = sum(&most).is_up_to(own);
+        ensure(holds, format_args!("the growth vector does not prove the upper rate at letter {}", v + 1))?;
     }
     Ok(())
 }

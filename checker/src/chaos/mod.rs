@@ -4,7 +4,7 @@
 //! The theorem with its proof is in `docs/chaos.md`, with how any linear oscillator with a rigid wall is
 //! brought to the form here; what is checked is its conditions H0 to H4, for every box of parameters
 //! (`proof`, `work`, `legs`, `gaps`; `wall` has the wall), the growth rate (`graph`), and, if it is claimed,
-//! that there are no other orbits near (`only`). The checker works on integers in units of 2⁻⁴⁸ (`fixed`);
+//! that there are no other orbits near (`only`). The checker works on integers in units of 2⁻⁴⁸ (`interval`);
 //! exp, sin, cos and arcsin all are the exponential of one 2×2 matrix (`flow`). No code is shared with what
 //! finds the proof.
 //!

@@ -33,16 +33,13 @@ pub(super) fn complete(work: &Work, claim: &Complete, go_on: GoOn) -> Result<(),
     let strength = claim.strength.enclosed();
     let strengths = (-strength).hull(strength);
     let letters = &work.numbers.letters;
-    shown(
-        (1..letters.len()).all(|n| letters[..n].iter().all(|other| other.periods != letters[n].periods)),
-        "letters of one period are told apart by more than that",
-    )?;
+    let holds =
+        (1..letters.len()).all(|n| letters[..n].iter().all(|other| other.periods != letters[n].periods));
+    shown(holds, "letters of one period are told apart by more than that")?;
     let Some(all) = work.cell.impact(strengths) else { return Err(outside()) };
     shown(once(work, &all), "there may be two contacts in one window")?;
-    shown(
-        all.place.is_positive() && ends(work.cell.flow.invariants(work.turns(1)), claim.longest),
-        format_args!("a leg may be longer than {} periods", claim.longest),
-    )?;
+    let holds = all.place.is_positive() && ends(work.cell.flow.invariants(work.turns(1)), claim.longest);
+    shown(holds, format_args!("a leg may be longer than {} periods", claim.longest))?;
     let mut known: Known = vec![Some([Interval::WHOLE; 2]); claim.longest as usize];
     for round in 0..claim.rounds {
         known = narrowed(work, &known, strengths, claim.parts, round == 0, go_on)?;

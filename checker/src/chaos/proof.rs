@@ -60,8 +60,9 @@ impl Work<'_> {
             }
             for &m in &letter.previous {
                 let previous = &self.numbers.letters[m];
+                let holds = (letter.after.all - previous.before.all).is_positive();
                 claim(
-                    (letter.after.all - previous.before.all).is_positive(),
+                    holds,
                     format_args!("letters {}, {}: the speed may not be positive (H3)", m + 1, n + 1),
                 )?;
                 let first = self.parts(m, n, letter.parts, go_on)?;
@@ -93,9 +94,7 @@ impl Work<'_> {
             let sum = slopes[0].magnitude() * first + slopes[1].magnitude() * last;
             sum.is_up_to(self.numbers.contraction * weight)
         };
-        claim(
-            contracts(leg.after_slopes, letter.alpha) && contracts(leg.before_slopes, letter.beta),
-            "the map may not contract (H2)",
-        )
+        let holds = contracts(leg.after_slopes, letter.alpha) && contracts(leg.before_slopes, letter.beta);
+        claim(holds, "the map may not contract (H2)")
     }
 }

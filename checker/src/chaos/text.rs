@@ -227,10 +227,8 @@ fn is_wall(harmonics: &[Harmonic]) -> Result<(), String> {
         let (Some((least, _)), Some((greatest, _))) = (sum(part, 0, goal), sum(part, 1, goal)) else {
             return Err("the harmonics' fractions have no common denominator up to 10^30".into());
         };
-        ensure(
-            least <= 0 && greatest >= 0,
-            "the harmonics' cosines must sum to 1, their sines times their orders to 0",
-        )?;
+        let holds = least <= 0 && greatest >= 0;
+        ensure(holds, "the harmonics' cosines must sum to 1, their sines times their orders to 0")?;
     }
     Ok(())
 }
@@ -253,10 +251,8 @@ fn successors(words: &mut Words, count: u64) -> Result<Vec<usize>, String> {
     let mut all: Vec<usize> = Vec::new();
     while all.is_empty() || words.clone().end().is_err() {
         let next = words.number("the number of a letter", count)? as usize;
-        ensure(
-            next > 0 && all.last().is_none_or(|&last| next > last + 1),
-            "the numbers of letters begin at 1 and increase",
-        )?;
+        let holds = next > 0 && all.last().is_none_or(|&last| next > last + 1);
+        ensure(holds, "the numbers of letters begin at 1 and increase")?;
         all.push(next - 1);
     }
     Ok(all)

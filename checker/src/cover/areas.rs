@@ -88,8 +88,7 @@ impl Top {
         }
         ensure(self.stage != Stage::Growing, "at the top, there is no orbit leaf")?;
         let reaches = |end| self.right == Some(end) && matches!(self.latest, Some(Leaf::Orbit { .. }));
-        ensure(reach.is_none_or(reaches), "at the top, no orbit leaf ends at s = 1/2")?;
-        Ok(())
+        ensure(reach.is_none_or(reaches), "at the top, no orbit leaf ends at s = 1/2")
     }
 }
 

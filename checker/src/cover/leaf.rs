@@ -159,6 +159,5 @@ impl Leaf {
 fn grows(decider: &Expansion, t: i64, slack: i64, across: i8) -> Result<(), String> {
     let [up, right] = decider.slopes(slack).map(|slope| t * slope);
     ensure(up == 1, "that the deciding N grows with r is not shown")?;
-    ensure(across == 0 || right == i64::from(across), "how the deciding N depends on s is not shown")?;
-    Ok(())
+    ensure(across == 0 || right == i64::from(across), "how the deciding N depends on s is not shown")
 }

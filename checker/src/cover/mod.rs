@@ -289,10 +289,8 @@ fn block(lines: &mut Lines, n: u64, open: &mut Open) -> Result<Fraction, Rejecti
     let mut found = 0;
     for strip in strips::strips(n).map_err(|reason| lines.false_claim(reason))? {
         let line = lines.expect("a strip")?;
-        lines.form(
-            line == format!("strip {} {}", strip.left, strip.right),
-            format_args!("expected \"strip {} {}\"", strip.left, strip.right),
-        )?;
+        let holds = line == format!("strip {} {}", strip.left, strip.right);
+        lines.form(holds, format_args!("expected \"strip {} {}\"", strip.left, strip.right))?;
         let text = lines.expect_within(LONGEST, "the trees of a strip")?;
         found += check_strip(n, &mut powers, &strip, &rows, &text, open, lines)
             .map_err(|fault| lines.rejection(fault))?;
@@ -342,10 +340,8 @@ impl<K: Copy + Eq + Hash, V> Known<K, V> {
 /// r_max and the number of leaves.
 fn block_header(line: &str, n: u64) -> Result<(Fraction, u64), String> {
     let mut words = Words::new(line);
-    ensure(
-        words.word("n")? == "n" && words.number("the period", MOST)? == n,
-        format_args!("expected the block of n = {n}"),
-    )?;
+    let holds = words.word("n")? == "n" && words.number("the period", MOST)? == n;
+    ensure(holds, format_args!("expected the block of n = {n}"))?;
     let r_max = words.fraction(FINEST)?;
     let (p, q) = r_max.parts();
     ensure(p > 0 && p < q, "expected 0 < r_max < 1")?;

@@ -73,8 +73,9 @@ pub(super) fn strips(n: u64) -> Result<Vec<Strip>, String> {
         let interval = listed.map(|(_, _, emu, gamma)| -> Result<Interval, String> {
             // Where all t N > 0, (52), (53) hold with sign γ = −t and sign eµ = t sign u_n; u_n < 0 on every
             // second stretch.
+            let holds = emu == (gamma == Multiple::of(left, 2 * n).is_odd());
             ensure(
-                emu == (gamma == Multiple::of(left, 2 * n).is_odd()),
+                holds,
                 format_args!("Theorem 2's signs on ({left}, {right}) disagree with that of u_{n}"),
             )?;
             // The end m/n is on the right of a (+,+) interval, on the left of a (+,−) one; n₊ = 1/m modulo n,
@@ -98,10 +99,8 @@ pub(super) fn strips(n: u64) -> Result<Vec<Strip>, String> {
             interval: interval.transpose()?,
         });
     }
-    ensure(
-        n.is_multiple_of(2) || all.last().is_some_and(|last| last.interval.is_some()),
-        format_args!("Theorem 2 lists no interval up to 1/2 for n = {n}"),
-    )?;
+    let holds = n.is_multiple_of(2) || all.last().is_some_and(|last| last.interval.is_some());
+    ensure(holds, format_args!("Theorem 2 lists no interval up to 1/2 for n = {n}"))?;
     ensure(remaining.next().is_none(), format_args!("an interval of Theorem 2 is not a strip for n = {n}"))?;
     let touching = |pair: &&[Strip]| {
         pair.iter().all(|strip| strip.interval.is_some()) && !pair[0].right.times_is_integer(2 * n)

@@ -132,10 +132,8 @@ pub(super) fn check(lines: &mut Lines) -> Result<Proved, Rejection> {
         let mut bounds = 0;
         let mut first = 2;
         loop {
-            lines.form(
-                next.as_deref() == Some(format!("first {first}").as_str()) && first <= FIRST,
-                format_args!("expected a line \"first {first}\", at most {FIRST}"),
-            )?;
+            let holds = next.as_deref() == Some(format!("first {first}").as_str()) && first <= FIRST;
+            lines.form(holds, format_args!("expected a line \"first {first}\", at most {FIRST}"))?;
             next = lines.next()?;
             let root = next.as_deref().is_some_and(|line| line.starts_with("bound - "));
             case.walk(first, &mut Vec::new(), &mut next, &mut bounds, lines)?;
@@ -190,8 +188,7 @@ impl Case {
             fixed::product(fixed::ONE + z(self.exponent()), sum, up)
         };
         ensure(value(&self.low, true) < fixed::ONE, "the first bound is not certainly below the root")?;
-        ensure(value(&self.high, false) > fixed::ONE, "the second bound is not certainly above the root")?;
-        Ok(())
+        ensure(value(&self.high, false) > fixed::ONE, "the second bound is not certainly above the root")
     }
 
     /// The words that leave the infinite one late.
@@ -207,8 +204,7 @@ impl Case {
         let e = high.power(b + c, true);
         let rest = fixed::product(q, e, true);
         let right = fixed::product(q, kappa[1] + inverse + e + rest, true);
-        ensure(left > right, "the words that leave the infinite one late are not bounded")?;
-        Ok(())
+        ensure(left > right, "the words that leave the infinite one late are not bounded")
     }
 
     /// Whether these letters begin the infinite word of K = `first`.

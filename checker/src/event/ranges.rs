@@ -46,10 +46,8 @@ impl Coefficient for RangeQuotient {
     fn read(words: &mut Words) -> Result<Self, String> {
         let polynomial = |text: &str| -> Result<Vec<Range>, String> {
             let list: Vec<Range> = text.split(',').map(Range::parse).collect::<Result<_, _>>()?;
-            ensure(
-                list.len() <= DEGREE + 1,
-                format_args!("a polynomial has at most {} coefficients", DEGREE + 1),
-            )?;
+            let holds = list.len() <= DEGREE + 1;
+            ensure(holds, format_args!("a polynomial has at most {} coefficients", DEGREE + 1))?;
             Ok(list)
         };
         let word = words.word("a quotient P0,P1,.../Q0,Q1,... of ranges")?;

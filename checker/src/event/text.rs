@@ -9,6 +9,7 @@ use super::{
     },
     Decimal, Impact, Lines, Quotient, Rejection, Side, System, Version, Words,
 };
+use crate::lines::LONGEST;
 use crate::rejection::ensure;
 
 /// The longest name of a parameter.
@@ -147,7 +148,7 @@ pub(super) fn read<C: Version>(lines: &mut Lines) -> Result<Certificate<C>, Reje
     };
     let (radius, within) = read_radius(lines)?;
     let size = 2 * impacts.len() + if matches!(event, Event::Grazing(_)) { 2 } else { 1 };
-    let inverse = read_matrix(lines, size)?;
+    let inverse = read_matrix(LONGEST, lines, size)?;
     let flights =
         read_flights(lines, impacts.len().max(1), |pieces| work(system.harmonics(), pieces, m.max(1)))?;
     let certificate =

@@ -51,10 +51,8 @@ impl<'a> Proof<'a> {
     pub fn run(&self, go_on: GoOn) -> Result<(), Fault> {
         let unknowns = self.boxes.solution(&self.cycle, go_on)?;
         for i in 0..self.cycle.impacts.len() {
-            claim(
-                self.cycle.speed(&unknowns, i).is_positive(),
-                format_args!("the speed of impact {} is not certainly positive", i + 1),
-            )?;
+            let holds = self.cycle.speed(&unknowns, i).is_positive();
+            claim(holds, format_args!("the speed of impact {} is not certainly positive", i + 1))?;
         }
         let impacts = self.cycle.impacts;
         let at = |i: usize| self.cycle.impact(&unknowns, i);

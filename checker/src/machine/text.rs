@@ -4,10 +4,10 @@ use std::fmt;
 
 use super::{
     super::{
-        header::expect_statement,
         lines::Words,
         motion::text::{
-            HARMONICS, PERIODS, decimal, read_flights, read_matrix_within, read_radius, write_proof,
+            Coefficient, HARMONICS, PERIODS, decimal, multiple, read_digested, read_flights, read_harmonics,
+            read_matrix, read_radius, write_proof,
         },
         orbit::Claim,
         sha256::sha256,
@@ -179,16 +179,11 @@ fn work(size: u64, harmonics: u64, pieces: u64, impacts: u64) -> u64 {
 }
 
 fn ranges(words: &mut Words, count: usize) -> Result<Vec<Range>, String> {
-    (0..count).map(|_| Range::parse(words.word("LOWER..UPPER")?)).collect()
+    (0..count).map(|_| Range::read(words)).collect()
 }
 
 fn decimals(words: &mut Words, count: usize) -> Result<Vec<Decimal>, String> {
     (0..count).map(|_| decimal(words)).collect()
-}
-
-fn multiple(words: &mut Words) -> Result<u64, String> {
-    let k = words.number("k", HARMONICS)?;
-    if k == 0 { Err("k counts from 1".into()) } else { Ok(k) }
 }
 
 /// A whole number from −99 to 99.
@@ -210,27 +205,20 @@ fn read_rows(
 
 fn read_stop(lines: &mut Lines, n: usize) -> Result<Stop, Rejection> {
     let (offset, restitution, count) = lines.line("stop", |words| {
-        let [offset, restitution] = [ranges(words, 1)?[0], ranges(words, 1)?[0]];
+        let [offset, restitution] = [Range::read(words)?, Range::read(words)?];
         ensure(restitution.lower.digits >= 0, "a restitution is at least 0")?;
         Ok((offset, restitution, words.number("the number of harmonics", HARMONICS)?))
     })?;
     let row = lines.line_within(LONGEST, "direction", |words| ranges(words, n))?;
-    let harmonic = |words: &mut Words| {
-        let (k, parts) = (multiple(words)?, ranges(words, 2)?);
-        Ok(Harmonic { k, cos: parts[0], sin: parts[1] })
-    };
-    let harmonics = (0..count).map(|_| lines.line("harmonic", harmonic)).collect::<Result<_, _>>()?;
+    let harmonics = read_harmonics(lines, count, 1)?;
     Ok(Stop { row, offset, restitution, harmonics })
 }
 
 fn read_machine(lines: &mut Lines) -> Result<Machine, Rejection> {
-    expect_statement(lines, STATEMENT)?;
-    let digest = lines.line("digest", |words| words.word("a digest").map(str::to_string))?;
-    let digest_at = lines.number();
     let size = lines.line("coordinates", |words| words.number("the number of coordinates", COORDINATES))?;
     lines.form(size > 0, "a machine has at least one coordinate")?;
     let n = size as usize;
-    let period = lines.line("period", |words| Ok(ranges(words, 1)?[0]))?;
+    let period = lines.line("period", Range::read)?;
     let unit = lines.line("unit", power)?;
     let mass = read_rows(lines, "mass", 1..=n)?;
     let [damping, stiffness] = [
@@ -239,24 +227,19 @@ fn read_machine(lines: &mut Lines) -> Result<Machine, Rejection> {
     ];
     let force = lines.line_within(LONGEST, "force", |words| ranges(words, n))?;
     let count = lines.line("forcing", |words| words.number("the number of harmonics", HARMONICS))?;
-    let load =
-        |words: &mut Words| Ok(Load { k: multiple(words)?, cos: ranges(words, n)?, sin: ranges(words, n)? });
+    let load = |words: &mut Words| {
+        Ok(Load { k: multiple(words, 1)?, cos: ranges(words, n)?, sin: ranges(words, n)? })
+    };
     let forcing =
         (0..count).map(|_| lines.line_within(LONGEST, "harmonic", load)).collect::<Result<_, _>>()?;
     let count = lines.line("stops", |words| words.number("the number of stops", STOPS))?;
     let stops = (0..count).map(|_| read_stop(lines, n)).collect::<Result<_, _>>()?;
-    let machine = Machine { period, unit, mass, damping, stiffness, force, forcing, stops };
-    let own = machine.digest();
-    if digest != own {
-        let reason = format!("the digest is not that of the machine, which is {own}");
-        return Err(Rejection::False { line: digest_at, reason });
-    }
-    Ok(machine)
+    Ok(Machine { period, unit, mass, damping, stiffness, force, forcing, stops })
 }
 
 /// Reads everything after the kind line.
 pub(super) fn read(lines: &mut Lines) -> Result<Certificate, Rejection> {
-    let machine = read_machine(lines)?;
+    let machine = read_digested(lines, STATEMENT, "machine", read_machine)?;
     let (n, size) = (machine.size(), machine.size() as u64);
     let most = UNKNOWNS / (2 * size + 1);
     let (m, claim) = lines
@@ -279,7 +262,7 @@ pub(super) fn read(lines: &mut Lines) -> Result<Certificate, Rejection> {
     lines
         .form(impacts.iter().any(|impact| impact.periods > 0), "the periods of an orbit must not sum to 0")?;
     let (radius, within) = read_radius(lines)?;
-    let inverse = read_matrix_within(LONGEST, lines, (2 * n + 1) * impacts.len())?;
+    let inverse = read_matrix(LONGEST, lines, (2 * n + 1) * impacts.len())?;
     let harmonics = machine.harmonics();
     let flights = read_flights(lines, impacts.len(), |pieces| work(size, harmonics, pieces, m))?;
     Ok(Certificate { machine, claim, scales, impacts, radius, within, inverse, flights })

@@ -147,10 +147,8 @@ impl Cycle<'_, Interval> {
         go_on: GoOn,
     ) -> Result<(), Fault> {
         for (i, velocity) in x[self.impacts()..2 * self.impacts()].iter().enumerate() {
-            claim(
-                velocity.is_positive(),
-                format_args!("the speed of impact {} is not certainly positive", i + 1),
-            )?;
+            let holds = velocity.is_positive();
+            claim(holds, format_args!("the speed of impact {} is not certainly positive", i + 1))?;
         }
         let m = self.impacts();
         let known: Vec<_> =

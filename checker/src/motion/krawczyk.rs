@@ -84,8 +84,9 @@ impl Boxes {
         }
         for (i, k) in image.iter().enumerate() {
             let unknown = i + 1;
+            let holds = k.is_within(radii[i], centre[i]);
             claim(
-                k.is_within(radii[i], centre[i]),
+                holds,
                 format_args!("Krawczyk's test does not map the box into itself in unknown {unknown}"),
             )?;
         }

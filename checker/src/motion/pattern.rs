@@ -33,10 +33,8 @@ pub(crate) fn least_period(
             let between: u64 = (i..i + d).map(|l| impacts[l % m].0).sum();
             same(i, j) && !apart(turns(between) + impacts[j].1 - impacts[i].1, shift)
         };
-        ensure(
-            !(0..m).all(comes_back),
-            format_args!("the orbit may repeat itself after {d} of its {m} impacts"),
-        )?;
+        let holds = !(0..m).all(comes_back);
+        ensure(holds, format_args!("the orbit may repeat itself after {d} of its {m} impacts"))?;
     }
     Ok(())
 }
@@ -56,17 +54,13 @@ pub(crate) fn follow(
 ) -> Result<(), Fault> {
     let last = ends.len() - 1;
     claim(duration.is_positive(), format_args!("flight {flight} does not certainly last"))?;
-    claim(
-        duration.is_up_to(ends[last].enclosed()),
-        format_args!("the pieces of flight {flight} stop before its end"),
-    )?;
+    let holds = duration.is_up_to(ends[last].enclosed());
+    claim(holds, format_args!("the pieces of flight {flight} stop before its end"))?;
     let mut from = Interval::ZERO;
     for (index, to) in ends.iter().map(|end| end.enclosed()).enumerate() {
         go_on()?;
-        claim(
-            (to - from).is_positive(),
-            format_args!("the pieces of flight {flight} do not follow one another"),
-        )?;
+        let holds = (to - from).is_positive();
+        claim(holds, format_args!("the pieces of flight {flight} do not follow one another"))?;
         if let Some(gap) = doubtful(from, to, [index == 0, index == last]) {
             let piece = index + 1;
             return Err(Fault::False(format!(

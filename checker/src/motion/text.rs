@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::{Lines, Rejection, Words, header::expect_statement, lines::LONGEST, number::Number};
+use super::{Lines, Rejection, Words, header::expect_statement, number::Number};
 use crate::rejection::ensure;
 use crate::sha256::sha256;
 
@@ -210,10 +210,21 @@ pub(crate) fn decimal(words: &mut Words) -> Result<Decimal, String> {
     Decimal::read::<96>(words, DIGITS)
 }
 
-fn read_harmonics<C: Coefficient>(lines: &mut Lines, count: u64) -> Result<Vec<Harmonic<C>>, Rejection> {
+/// Reads a multiple of the base frequency.
+pub(crate) fn multiple(words: &mut Words, least: u64) -> Result<u64, String> {
+    let k = words.number("k", HARMONICS)?;
+    ensure(k >= least, format_args!("k counts from {least}"))?;
+    Ok(k)
+}
+
+/// Reads harmonics, k from `least` on.
+pub(crate) fn read_harmonics<C: Coefficient>(
+    lines: &mut Lines,
+    count: u64,
+    least: u64,
+) -> Result<Vec<Harmonic<C>>, Rejection> {
     let read = |words: &mut Words| {
-        let k = words.number("k", HARMONICS)?;
-        Ok(Harmonic { k, cos: C::read(words)?, sin: C::read(words)? })
+        Ok(Harmonic { k: multiple(words, least)?, cos: C::read(words)?, sin: C::read(words)? })
     };
     (0..count).map(|_| lines.line("harmonic", read)).collect()
 }
@@ -230,7 +241,26 @@ fn read_wall<C: Coefficient>(lines: &mut Lines, side: Side) -> Result<Option<Wal
         Ok(Some((offset, restitution, words.number("the number of harmonics", HARMONICS)?)))
     })?;
     let Some((offset, restitution, count)) = head else { return Ok(None) };
-    Ok(Some(Wall { offset, restitution, harmonics: read_harmonics(lines, count)? }))
+    Ok(Some(Wall { offset, restitution, harmonics: read_harmonics(lines, count, 0)? }))
+}
+
+/// Reads the statement, the digest and `what` it is of, which `read` reads.
+pub(crate) fn read_digested<T: fmt::Display>(
+    lines: &mut Lines,
+    statement: &str,
+    what: &str,
+    read: impl FnOnce(&mut Lines) -> Result<T, Rejection>,
+) -> Result<T, Rejection> {
+    expect_statement(lines, statement)?;
+    let digest = lines.line("digest", |words| words.word("a digest").map(str::to_string))?;
+    let line = lines.number();
+    let value = read(lines)?;
+    let own = sha256(value.to_string().as_bytes());
+    if digest == own {
+        return Ok(value);
+    }
+    let reason = format!("the digest is not that of the {what}, which is {own}");
+    Err(Rejection::False { line, reason })
 }
 
 /// Reads the statement, the digest and the system that it belongs to.
@@ -238,21 +268,14 @@ pub(crate) fn read_system<C: Coefficient>(
     lines: &mut Lines,
     statement: &str,
 ) -> Result<System<C>, Rejection> {
-    expect_statement(lines, statement)?;
-    let digest = lines.line("digest", |words| words.word("a digest").map(str::to_string))?;
-    let digest_at = lines.number();
-    let (damping, stiffness) = (lines.line("damping", C::read)?, lines.line("stiffness", C::read)?);
-    let force = lines.line("force", C::read)?;
-    let count = lines.line("forcing", |words| words.number("the number of harmonics", HARMONICS))?;
-    let forcing = read_harmonics(lines, count)?;
-    let (lower, upper) = (read_wall(lines, Side::Lower)?, read_wall(lines, Side::Upper)?);
-    let system = System { damping, stiffness, force, forcing, lower, upper };
-    let own = system.digest();
-    if digest != own {
-        let reason = format!("the digest is not that of the system, which is {own}");
-        return Err(Rejection::False { line: digest_at, reason });
-    }
-    Ok(system)
+    read_digested(lines, statement, "system", |lines| {
+        let (damping, stiffness) = (lines.line("damping", C::read)?, lines.line("stiffness", C::read)?);
+        let force = lines.line("force", C::read)?;
+        let count = lines.line("forcing", |words| words.number("the number of harmonics", HARMONICS))?;
+        let forcing = read_harmonics(lines, count, 0)?;
+        let (lower, upper) = (read_wall(lines, Side::Lower)?, read_wall(lines, Side::Upper)?);
+        Ok(System { damping, stiffness, force, forcing, lower, upper })
+    })
 }
 
 /// Reads the number of impacts.
@@ -283,13 +306,8 @@ pub(crate) fn read_radius(lines: &mut Lines) -> Result<(Decimal, Decimal), Rejec
     lines.line("radius", |words| Ok((decimal(words)?, decimal(words)?)))
 }
 
-/// Reads a square matrix.
-pub(crate) fn read_matrix(lines: &mut Lines, size: usize) -> Result<Vec<Vec<Decimal>>, Rejection> {
-    read_matrix_within(LONGEST, lines, size)
-}
-
-/// The same, its lines of up to `longest` bytes.
-pub(crate) fn read_matrix_within(
+/// Reads a square matrix, its lines of up to `longest` bytes.
+pub(crate) fn read_matrix(
     longest: usize,
     lines: &mut Lines,
     size: usize,
@@ -312,12 +330,10 @@ pub(crate) fn read_flights(
         lines.form(count > 0, "a flight has at least one piece")?;
         pieces += count;
         let work = work(pieces);
-        lines.form(
-            work <= WORK,
-            format_args!(
-                "the check would take up to {work} exponentials, more than {WORK}: fewer pieces or harmonics"
-            ),
-        )?;
+        let reason = format_args!(
+            "the check would take up to {work} exponentials, more than {WORK}: fewer pieces or harmonics"
+        );
+        lines.form(work <= WORK, reason)?;
         flights.push((0..count).map(|_| lines.line("until", decimal)).collect::<Result<_, _>>()?);
     }
     lines.end("the file goes on after the last flight")?;

@@ -10,6 +10,8 @@ use super::{
     Decimal, Fraction, Impact, Lines, Rejection, System, Version,
 };
 
+use crate::lines::LONGEST;
+
 /// What is claimed of the multipliers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Claim {
@@ -97,7 +99,7 @@ pub(super) fn read<C: Version>(lines: &mut Lines) -> Result<Certificate<C>, Reje
     let (m, claim) = lines.line("orbit", |words| Ok((read_count(words)?, Claim::read(words)?)))?;
     let impacts = read_impacts(lines, &system, m)?;
     let (radius, within) = read_radius(lines)?;
-    let inverse = read_matrix(lines, 2 * impacts.len())?;
+    let inverse = read_matrix(LONGEST, lines, 2 * impacts.len())?;
     let flights = read_flights(lines, impacts.len(), |pieces| work(system.harmonics(), pieces, m))?;
     Ok(Certificate { system, claim, impacts, radius, within, inverse, flights })
 }

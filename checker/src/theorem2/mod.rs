@@ -199,17 +199,18 @@ impl Block {
         match claim {
             Claim::Orbit { left, right, emu, gamma } => {
                 self.orbit(left, right, emu, gamma)?;
+                let holds = self.theorem.next() == Some((left, right, emu, gamma));
                 ensure(
-                    self.theorem.next() == Some((left, right, emu, gamma)),
+                    holds,
                     format_args!("({left}, {right}) is not the next of Theorem 2's intervals for n = {n}"),
-                )?;
-                Ok(())
+                )
             }
             Claim::Stretch { left, right, positive, negative } => {
                 self.no_singularity(left, right)?;
                 for k in [positive, n - positive, negative, n - negative] {
+                    let holds = Multiple::of(left, k).no_integer_before(right);
                     ensure(
-                        Multiple::of(left, k).no_integer_before(right),
+                        holds,
                         format_args!("a witness has a zero in ({left}, {right}), where sin {k} pi s = 0"),
                     )?;
                 }
@@ -250,11 +251,8 @@ impl Block {
                 return Err(format!("b_{{{n},{k}}} has the wrong sign on ({left}, {right})"));
             }
         }
-        ensure(
-            (emu == gamma) != signs.c_negative(),
-            format_args!("c_{n} has the wrong sign on ({left}, {right})"),
-        )?;
-        Ok(())
+        let holds = (emu == gamma) != signs.c_negative();
+        ensure(holds, format_args!("c_{n} has the wrong sign on ({left}, {right})"))
     }
 
     /// Checks that b_{n,k} = 0 at the point, and that all b that are not 0 there have one sign.
@@ -284,8 +282,7 @@ impl Block {
     }
 
     fn not_singular(&self, at: Fraction) -> Result<(), String> {
-        ensure(!at.times_is_integer(2 * self.n), format_args!("u_{} = 0 at {at}: singular", self.n))?;
-        Ok(())
+        ensure(!at.times_is_integer(2 * self.n), format_args!("u_{} = 0 at {at}: singular", self.n))
     }
 
     /// Checks that no multiple of 1/(2n) lies inside: no pole, and u_n ≠ 0.
@@ -302,6 +299,5 @@ fn opposite(n: u64, positive: u64, negative: u64, at: Fraction) -> Result<(), St
     let signs = Signs::new(n, at);
     let is_negative = |k| signs.b_negative(Multiple::of(at, k), Multiple::of(at, n - k));
     ensure(!is_negative(positive), format_args!("b_{{{n},{positive}}} is not > 0"))?;
-    ensure(is_negative(negative), format_args!("b_{{{n},{negative}}} is not < 0"))?;
-    Ok(())
+    ensure(is_negative(negative), format_args!("b_{{{n},{negative}}} is not < 0"))
 }

@@ -11,14 +11,7 @@ use super::{
 /// Checks everything after the kind line.
 pub(in super::super) fn check(lines: &mut Lines) -> Result<Proved, Rejection> {
     header::expect_statement(lines, STATEMENT)?;
-    let mut desk = Desk::read(lines)?;
-    let mut words: Vec<Word> = Vec::new();
-    while let Some(positive) = text::next_word(desk.lines, &words)? {
-        words.push(word(&mut desk, positive)?);
-    }
-    let last = words.iter().map(|word| word.last).min().unwrap_or(1);
-    let detail = [desk.shown].into_iter().chain(words.iter().map(Word::detail)).collect();
-    Ok(Proved { title: None, range: Some(1..=last), detail })
+    Desk::read(lines)?.words_to_end(word)
 }
 
 fn word(desk: &mut Desk, positive: bool) -> Result<Word, Rejection> {
@@ -78,11 +71,7 @@ fn product(a: Ordering, b: Ordering) -> Ordering {
 
 /// Checks a period that occurs, and returns whether its letter is U.
 fn occurs(desk: &mut Desk, n: u64, letter: &str, positive: bool) -> Result<bool, Rejection> {
-    let upper = match letter {
-        "U" => true,
-        "D" => false,
-        _ => return Err(desk.lines.malformed("expected the letter U or D")),
-    };
+    let upper = desk.is_upper(letter)?;
     let unit = desk.signs.sign_cost(2 * n as usize);
     desk.charge(n * unit)?;
     desk.lines
@@ -105,10 +94,8 @@ fn row(desk: &mut Desk, i: u64, letters: &[(u64, bool)]) -> Result<(), Rejection
         [name, number, marks] if name == "follows" && number == &i.to_string() => marks.as_bytes(),
         _ => return Err(desk.lines.malformed(format!("expected a line \"follows {i} MARKS\""))),
     };
-    desk.lines.form(
-        marks.len() == letters.len() && marks.iter().all(|mark| b"+-?".contains(mark)),
-        format_args!("expected {} marks +, - or ?", letters.len()),
-    )?;
+    let holds = marks.len() == letters.len() && marks.iter().all(|mark| b"+-?".contains(mark));
+    desk.lines.form(holds, format_args!("expected {} marks +, - or ?", letters.len()))?;
     for (&mark, &(j, _)) in marks.iter().zip(letters) {
         if mark == b'?' {
             continue;

@@ -13,7 +13,7 @@ use super::{
 /// Checks everything after the kind line.
 pub(in super::super) fn check(lines: &mut Lines) -> Result<Proved, Rejection> {
     header::expect_statement(lines, STATEMENT_BY_THEOREM)?;
-    let mut desk = Desk::read(lines)?;
+    let desk = Desk::read(lines)?;
     let region = text::value(desk.lines, "region", BETWEEN)?;
     let inside = match region {
         BETWEEN => desk.signs.place().is_in_three_or_four(),
@@ -25,17 +25,11 @@ pub(in super::super) fn check(lines: &mut Lines) -> Result<Proved, Rejection> {
             _ => format!("not all of the set lies in region {region}"),
         }));
     }
-    let mut words: Vec<Word> = Vec::new();
-    while let Some(positive) = text::next_word(desk.lines, &words)? {
-        words.push(match (region, positive) {
-            (3 | 4 | BETWEEN, true) => path(&mut desk, region)?,
-            (3 | BETWEEN, false) => below(&mut desk)?,
-            _ => one_letter(&mut desk, region, positive)?,
-        });
-    }
-    let last = words.iter().map(|word| word.last).min().unwrap_or(1);
-    let detail = [desk.shown].into_iter().chain(words.iter().map(Word::detail)).collect();
-    Ok(Proved { title: None, range: Some(1..=last), detail })
+    desk.words_to_end(|desk, positive| match (region, positive) {
+        (3 | 4 | BETWEEN, true) => path(desk, region),
+        (3 | BETWEEN, false) => below(desk),
+        _ => one_letter(desk, region, positive),
+    })
 }
 
 /// Regions 1, 2 and 5, and eµ < 0 in region 4: every period with one letter, or 1 alone.
@@ -58,9 +52,7 @@ fn below(desk: &mut Desk) -> Result<Word, Rejection> {
     let last = text::value(desk.lines, "below", LETTERS)?;
     desk.lines.form(last > 0, "period 1 occurs")?;
     ahead(desk, last + 1)?;
-    if let Some(n) = (1..=last).find(|&n| desk.signs.u(n as usize) != Some(Ordering::Greater)) {
-        return Err(desk.lines.false_claim(format!("u_{n} is not certainly > 0")));
-    }
+    (1..=last).try_for_each(|n| desk.u_is(n, Ordering::Greater))?;
     if desk.signs.u(last as usize + 1) != Some(Ordering::Less) {
         desk.vanishes(last + 1)?;
     }
@@ -113,8 +105,9 @@ fn path(desk: &mut Desk, region: u64) -> Result<Word, Rejection> {
                 "expected \"step N U\", \"step N D\", \"end N U\", \"end N D\", \"end N 0\" or \"open\"",
             ));
         };
+        let holds = n <= LONGEST && (word.len() as u64) < LETTERS;
         desk.lines.form(
-            n <= LONGEST && (word.len() as u64) < LETTERS,
+            holds,
             format_args!("at most {LETTERS} letters and periods to {LONGEST}: end with \"open\""),
         )?;
         if desk.period(number, LONGEST)? != n {
@@ -129,23 +122,14 @@ fn path(desk: &mut Desk, region: u64) -> Result<Word, Rejection> {
             let inside = most.compared(&Rational::whole(1)) == Ordering::Less;
             break (if inside { End::Next } else { End::Silent }, "no other period occurs".into());
         }
-        let is_upper = match letter {
-            "U" => true,
-            "D" => false,
-            _ => return Err(desk.lines.malformed("expected the letter U or D")),
-        };
+        let is_upper = desk.is_upper(letter)?;
         let side = if is_upper { Ordering::Less } else { Ordering::Greater };
-        if desk.signs.u(n as usize) != Some(side) {
-            let sign = if is_upper { "<" } else { ">" };
-            return Err(desk.lines.false_claim(format!("u_{n} is not certainly {sign} 0")));
-        }
+        desk.u_is(n, side)?;
         // b_{n,k} has the sign of N_{n,k} u_n.
         let k = if is_upper { b.n } else { a.n };
         let (wanted, sign) = if name == "step" { (side, ">") } else { (side.reverse(), "<") };
-        desk.lines.claim(
-            desk.signs.numerator(n as usize, k as usize) == Some(wanted),
-            format_args!("b_{{{n},{k}}} is not certainly {sign} 0"),
-        )?;
+        let holds = desk.signs.numerator(n as usize, k as usize) == Some(wanted);
+        desk.lines.claim(holds, format_args!("b_{{{n},{k}}} is not certainly {sign} 0"))?;
         if name == "end" {
             break (End::Next, "no other period occurs".into());
         }
@@ -181,10 +165,7 @@ fn first(desk: &mut Desk) -> Result<u64, Rejection> {
         desk.lines.claim(n + 1 == first && sign.is_none(), format_args!("u_{n} is not certainly > 0"))?;
         desk.vanishes(n)?;
     }
-    desk.lines.claim(
-        desk.signs.u(first as usize) == Some(Ordering::Less),
-        format_args!("u_{first} is not certainly < 0"),
-    )?;
+    desk.u_is(first, Ordering::Less)?;
     Ok(first)
 }
 

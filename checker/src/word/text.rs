@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 
 use super::{
-    super::lines::Lines,
+    super::{Proved, lines::Lines},
     Rejection,
     number::Rational,
     set::{Place, Signs},
@@ -32,6 +32,33 @@ impl<'a, 'b> Desk<'a, 'b> {
         let signs = Signs::new(place, bits as usize).map_err(|reason| lines.false_claim(reason))?;
         let shown = shown(signs.place(), &line);
         Ok(Desk { lines, signs, shown, left: WORK })
+    }
+
+    /// Reads the words, each by `word`, to the end of the file: all that is proved.
+    pub fn words_to_end(
+        mut self,
+        word: impl Fn(&mut Self, bool) -> Result<Word, Rejection>,
+    ) -> Result<Proved, Rejection> {
+        let mut words: Vec<Word> = Vec::new();
+        while let Some(positive) = next_word(self.lines, &words)? {
+            words.push(word(&mut self, positive)?);
+        }
+        let last = words.iter().map(|word| word.last).min().unwrap_or(1);
+        let detail = [self.shown].into_iter().chain(words.iter().map(Word::detail)).collect();
+        Ok(Proved { title: None, range: Some(1..=last), detail })
+    }
+
+    /// Whether a letter is U.
+    pub fn is_upper(&self, letter: &str) -> Result<bool, Rejection> {
+        self.lines.form(["U", "D"].contains(&letter), "expected the letter U or D")?;
+        Ok(letter == "U")
+    }
+
+    /// The sign of u_n must certainly be this.
+    pub fn u_is(&self, n: u64, wanted: Ordering) -> Result<(), Rejection> {
+        let sign = if wanted == Ordering::Greater { ">" } else { "<" };
+        let holds = self.signs.u(n as usize) == Some(wanted);
+        self.lines.claim(holds, format_args!("u_{n} is not certainly {sign} 0"))
     }
 
     /// Takes `cost` off the work that is left, before it is done.
@@ -87,31 +114,25 @@ fn place(line: &str) -> Result<Place, String> {
         ("at", "plane", Some([a1, a2])) => Place::Plane(a1.clone(), a2.clone()),
         ("at", "polar", Some([r, s])) => {
             let half = Rational::whole(2).times(s).compared(&Rational::whole(1)) == Ordering::Less;
-            ensure(
-                s.is_positive() && half && r.is_positive(),
-                "the point must have 0 < r <= 1 and 0 < s < 1/2",
-            )?;
+            let holds = s.is_positive() && half && r.is_positive();
+            ensure(holds, "the point must have 0 < r <= 1 and 0 < s < 1/2")?;
             Place::Polar(r.clone(), s.clone())
         }
         ("at", "box", Some([a, b, c, d])) => {
-            ensure(
-                a.compared(b) != Ordering::Greater && c.compared(d) != Ordering::Greater,
-                "the ends of an interval are in the wrong order",
-            )?;
+            let holds = a.compared(b) != Ordering::Greater && c.compared(d) != Ordering::Greater;
+            ensure(holds, "the ends of an interval are in the wrong order")?;
             Place::Box([a, b, c, d].map(Clone::clone))
         }
         _ => return Err(form()),
     };
     let [least, most] = place.a2();
-    ensure(
-        least.is_positive() && most.compared(&Rational::whole(1)) != Ordering::Greater,
-        "a2 must lie in 0 < a2 <= 1 (for a2 > 1 reverse time: a1/a2 and 1/a2)",
-    )?;
+    let holds = least.is_positive() && most.compared(&Rational::whole(1)) != Ordering::Greater;
+    ensure(holds, "a2 must lie in 0 < a2 <= 1 (for a2 > 1 reverse time: a1/a2 and 1/a2)")?;
     Ok(place)
 }
 
 /// A word's sign of eµ, `word +` before `word -`, each at most once; `None` at the end of the file.
-pub(super) fn next_word(lines: &mut Lines, known: &[Word]) -> Result<Option<bool>, Rejection> {
+fn next_word(lines: &mut Lines, known: &[Word]) -> Result<Option<bool>, Rejection> {
     let positive = match lines.next()?.as_deref() {
         None if known.is_empty() => {
             return Err(lines.malformed("the file ends where a line \"word …\" should stand"));
