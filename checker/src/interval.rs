@@ -215,8 +215,9 @@ impl<const POINT: u32> Fixed<POINT> {
         if other.hi < 0 {
             return -self.over(-other);
         }
-        let ends = [(self.lo, other.lo), (self.lo, other.hi), (self.hi, other.lo), (self.hi, other.hi)];
-        Self::of(ends.map(|(x, y)| quotient::<POINT>(x, y)))
+        let least = quotient::<POINT>(self.lo, if self.lo < 0 { other.lo } else { other.hi });
+        let most = quotient::<POINT>(self.hi, if self.hi < 0 { other.hi } else { other.lo });
+        Self::new(least.0, most.1)
     }
 
     /// What lies between −1 and 1 of an interval that holds such a number.

@@ -122,8 +122,8 @@ pub(super) fn check(lines: &mut Lines) -> Result<Proved, Rejection> {
     for positive in [false, true] {
         let (sign, name) = if positive { ("+", "case + +") } else { ("-", "case + -") };
         lines.form(line == format!("case + {sign}"), format_args!("expected a line \"case + {sign}\""))?;
-        let [low, high] =
-            lines.line("root", |words| Ok([words.fraction(DENOMINATOR)?, words.fraction(DENOMINATOR)?]))?;
+        let text = lines.expect("the bounds of the root")?;
+        let [low, high] = root(&text).map_err(|reason| lines.malformed(reason))?;
         ascend(low, high).map_err(|reason| lines.false_claim(reason))?;
         let case = Case { positive, low: Powers::new(low), high: Powers::new(high) };
         case.root_between().map_err(|reason| lines.false_claim(reason))?;
@@ -156,6 +156,15 @@ pub(super) fn check(lines: &mut Lines) -> Result<Proved, Rejection> {
         }
     }
     Ok(Proved { title: None, range: None, detail })
+}
+
+/// Reads `root P/Q P/Q`.
+fn root(line: &str) -> Result<[Fraction; 2], String> {
+    let mut words = Words::new(line);
+    ensure(words.word("root")? == "root", "expected a line \"root P/Q P/Q\"")?;
+    let found = [words.fraction(DENOMINATOR)?, words.fraction(DENOMINATOR)?];
+    words.end()?;
+    Ok(found)
 }
 
 /// Whether the bounds are where all numbers below stay small.
