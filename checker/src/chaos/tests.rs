@@ -37,6 +37,12 @@ fn products_and_quotients_round_outwards() {
             assert!(!sum.is_positive() && !(-sum).is_positive());
         }
     }
+    // What is below a unit lies between 0 and 1 of them.
+    let unit = ratio(1, 1 << 48);
+    for small in [unit * unit, unit.over(ratio(3, 1))] {
+        assert_eq!((small, -small), (Interval::ZERO.hull(unit), (-unit).hull(Interval::ZERO)));
+    }
+    assert_eq!(-unit * unit, (-unit).hull(Interval::ZERO));
     let unknown = Interval::ONE.over(ratio(1, 3) - ratio(1, 3));
     for x in [
         unknown + Interval::ONE,
