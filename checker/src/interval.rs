@@ -1,7 +1,7 @@
 //! Intervals with end points on 128-bit integers: every operation rounds outwards.
 //!
-//! The unit is 2⁻⁹⁶ where what is proved is small (`motion`), and 2⁻⁴⁸ where boxes are wide and many (`chaos`):
-//! there a product fits, and nothing is longer than a line.
+//! The unit is 2⁻⁹⁶ where what is proved is small (`motion`), and 2⁻⁴⁸ where boxes are wide and many
+//! (`chaos`): there a product fits, and nothing is longer than a line.
 
 use std::ops::{Add, Mul, Neg, Sub};
 

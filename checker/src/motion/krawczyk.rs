@@ -51,8 +51,8 @@ impl Boxes {
     }
 
     /// K = y − C f(y) + (I − C f′(X))(X − y) for the box X of this radius about the centre y: C is the
-    /// preconditioner. Every solution of f = 0 in X lies in K, and K in the interior of X proves that there is
-    /// exactly one and that f′ is regular there.
+    /// preconditioner. Every solution of f = 0 in X lies in K, and K in the interior of X proves that there
+    /// is exactly one and that f′ is regular there.
     ///
     /// # Errors
     /// A false claim, if K is not in the interior of X.
