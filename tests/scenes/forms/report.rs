@@ -242,7 +242,7 @@ impl Reported {
     /// What was computed to tell where motions settle, of what is followed in closed form from impact to
     /// impact: where they were on the way decides how much that is.
     pub fn wanderings(&self) -> Option<String> {
-        let follows = ["section", "diagram", "basins", "branch"].contains(&self.report.kind);
+        let follows = ["section", "diagram", "basins"].contains(&self.report.kind);
         let work = format!("{:?}", self.report.effects);
         let integrated = ["smooth", "cubic"].iter().any(|effect| work.contains(effect));
         (follows && !integrated).then_some(work)
