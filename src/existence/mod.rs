@@ -9,6 +9,8 @@
 //! of Conjecture 1 with its lowest point ([`Boundary`]). How long the intervals of a period are together,
 //! and how many periods coexist at a random s: [`measure`], [`measures`], [`Coexistence`].
 //!
+//! Not here: which impact patterns have orbits, which the command `existence` asks ([`crate::pattern`]).
+//!
 //! ```
 //! use grazing::existence::{Existence, by_definition, decide, intervals};
 //! use grazing::local::{Ladder, Point, Polar};

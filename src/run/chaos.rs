@@ -1,180 +1,331 @@
-//! Whether chaos is born at a grazing bifurcation, and how much of it: the word theorem at the local map as
-//! computed.
+//! Tasks of kind `chaos`: that every word over an alphabet is an orbit (a full shift or a subshift), proved,
+//! or what stood in the way.
 
 use num_rational::BigRational;
-use num_traits::{One, Signed};
+use num_traits::{ToPrimitive, Zero};
+use serde::Serialize;
 
-use super::row;
+use super::{Finding, Job, Lines, Status, row};
 use crate::{
-    error::Result,
-    monitor::Monitor,
+    certificate::chaos::Decimal,
+    error::{Error, Result},
+    motion::Side,
     number::certain_digits,
-    one::grazing::LocalMap,
-    word::{Entropy, Extent, Rectangle, Word},
+    scene::chaos::{Alphabet, ChaosTask, LONGEST, Periods},
+    search::chaos::{LetterGraph, Normal, Problem, ShiftProof, born, prove},
 };
 
-/// The most letters of a word that are followed.
-const LETTERS: usize = 100;
-/// Bits of an entropy.
-const BITS: u32 = 64;
+row! {
+    /// A letter of the alphabet, with its boxes: velocities divided by ν, in units of the normal form.
+    pub struct LetterRow {
+        /// n, the periods; with two walls half periods.
+        pub periods: u64,
+        /// The letters that may follow, by their number from 1.
+        pub next: Vec<u64>,
+        /// Between which the velocity just after its first impact lies.
+        pub after: [f64; 2],
+        /// Between which the velocity just before its last impact lies.
+        pub before: [f64; 2],
+    }
+}
 
 row! {
-    /// What is born on one side of a grazing bifurcation: all impact patterns together.
-    pub struct ChaosRow {
-        /// The side of the parameter.
-        pub side: String,
-        /// The sign of eµ there.
-        pub sign_emu: i32,
-        /// The sign of γ.
-        pub sign_gamma: i32,
-        /// Whether infinitely many patterns are born with positive entropy; absent if that is not decided.
-        pub chaos: Option<bool>,
-        /// The topological entropy per period of the orbit that grazes (per half period where those are
-        /// counted): certain digits; absent if no pattern is born, or none is certain.
-        pub entropy: Option<String>,
-        /// Whether the entropy is only a lower bound: the word may go on.
-        pub at_least: bool,
-        /// The periods, or half periods, that can occur between impacts, as far as they are certain.
-        pub periods: Vec<u64>,
-        /// Whether every period can occur.
-        pub all_periods: bool,
+    /// A graph for which no proof was found, and why.
+    pub struct FailureRow {
+        /// The periods of its letters, or half periods.
+        pub alphabet: Vec<u64>,
+        /// What failed in the last, finest attempt.
+        pub reason: String,
     }
 }
 
-impl ChaosRow {
-    /// The rows in words; `half` if periods are counted in halves.
-    pub(super) fn sentences(rows: &[ChaosRow], half: bool) -> String {
-        let per = if half { "half period" } else { "period" };
-        rows.iter().map(|row| row.sentence(per)).collect::<Vec<_>>().join("; ")
+/// What is proved.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ChaosFindings {
+    /// Whether it is.
+    pub proved: bool,
+    /// Whether both of two walls are met; then periods, of letters and in `growth`, are counted in halves.
+    pub half: bool,
+    /// The oscillator in its normal form.
+    pub oscillator: String,
+    /// For which parameters of the scene.
+    pub range: String,
+    /// For which ν.
+    pub depth: [f64; 2],
+    /// The periods of the alphabet.
+    pub alphabet: Vec<u64>,
+    /// Whether every one may follow every one.
+    pub full: bool,
+    /// The letters with their boxes; none if nothing is proved.
+    pub letters: Vec<LetterRow>,
+    /// κ.
+    pub contraction: Option<f64>,
+    /// Certain digits of the topological entropy per forcing period.
+    pub entropy: Option<String>,
+    /// The growth rate per period that it is the logarithm of; with two walls the rate per half period, of
+    /// which the logarithm is half the entropy.
+    pub growth: Option<String>,
+    /// q/ν, with two walls |q|/ν, stays below this on all these orbits; lengths in the units of the normal
+    /// form.
+    pub reach: Option<f64>,
+    /// q/ν where a second wall that is not met is at its nearest.
+    pub ceiling: Option<f64>,
+    /// S: every motion that meets a wall at arbitrarily early and late times, and only near its top where
+    /// its speed, in units of the normal form, is at most νS/2, is one of these; with damping and a spring so
+    /// is every bounded motion that meets it only there. None if that is not proved.
+    pub complete: Option<f64>,
+    /// What was tried without success.
+    pub failures: Vec<FailureRow>,
+    /// The file of the certificate.
+    pub certificate: Option<String>,
+    /// The certificate: file and text.
+    #[serde(skip)]
+    pub text: Option<(String, String)>,
+}
+
+impl Finding for ChaosFindings {
+    fn status(&self) -> Status {
+        if self.proved {
+            return Status::Done;
+        }
+        match self.failures.last() {
+            Some(row) => Status::undecided(format!(
+                "no proof over the alphabet {}: {}. This does not rule out chaos",
+                periods(&row.alphabet, self.half, ["[", "]"]),
+                row.reason
+            )),
+            None => Status::undecided(
+                "as far as floats can tell, no alphabet with two words is born at the grazing. This does not rule out chaos",
+            ),
+        }
     }
 
-    fn sentence(&self, per: &str) -> String {
-        let side = &self.side;
-        let at_least = if self.at_least { "at least " } else { "" };
-        match (self.chaos, &self.entropy) {
-            (Some(true), Some(entropy)) => {
-                format!("born for {side} in case {}, entropy {at_least}{entropy} per {per}", self.case())
+    fn lines(&self, lines: &mut Lines) {
+        lines.say("oscillator", self.oscillator.clone());
+        lines.say("for", self.range.clone());
+        if self.proved {
+            lines.say(
+                "proved",
+                format!(
+                    "every bi-infinite word over {}{} is exactly one orbit in the boxes{}, admissible",
+                    periods(&self.alphabet, self.half, ["{", "}"]),
+                    if self.full { "" } else { " that the graph allows" },
+                    if self.half { " from either wall (periods of letters below are halves)" } else { "" }
+                ),
+            );
+            lines.table("letters", &self.letters);
+            lines.say("contraction", self.contraction);
+            lines
+                .say("entropy", format!("{} per period of the wall", self.entropy.as_deref().unwrap_or("?")));
+            if let Some((reach, ceiling)) = self.reach.zip(self.ceiling) {
+                lines.say(
+                    "the other wall",
+                    format!("not met: q/nu stays below {reach}, it is above {ceiling:.4}"),
+                );
             }
-            (Some(_), Some(_)) => format!("none for {side}: the patterns born there do not branch"),
-            (Some(_), None) => format!("none for {side}: no pattern is born"),
-            (None, _) => format!("not decided for {side}"),
+            lines.say(
+                "others",
+                self.complete.map_or("not excluded: there may be other orbits near".to_string(), |strength| {
+                    let wall = if self.half { "a wall" } else { "the wall" };
+                    format!("none near: every motion that meets {wall} at arbitrarily early and late times, and only in the window, at a speed of the wall of at most {strength} nu/2, is one of these")
+                }),
+            );
+        }
+        if !self.failures.is_empty() {
+            lines.table("without", &self.failures);
         }
     }
-
-    fn case(&self) -> String {
-        let sign = |sign: i32| if sign > 0 { '+' } else { '-' };
-        format!("({},{})", sign(self.sign_emu), sign(self.sign_gamma))
-    }
 }
 
-/// Both sides of the bifurcation, eµ > 0 first; `None` for a₂ ≤ 0, γ = 0 or e = 0, where no word decides.
-///
-/// a₁ and a₂ are widened by 10⁻¹² of the larger of |a₁| and 1, as the map is for the table of patterns; what
-/// is not the same on all of that box is not decided. For a₂ > 1 time is reversed, which changes no entropy.
+/// Proves the alphabet of the task, or the largest that closes of those born at the grazing.
 ///
 /// # Errors
-/// The monitor's interruption.
-pub(super) fn chaos(
-    map: &LocalMap,
-    side: impl Fn(bool) -> String,
-    monitor: &dyn Monitor,
-) -> Result<Option<Vec<ChaosRow>>> {
-    let plane = [map.multipliers.trace, map.multipliers.determinant];
-    chaos_at(plane, map.gamma(), map.e(), side, monitor)
-}
-
-/// The same at (a₁, a₂) with γ and e.
-///
-/// # Errors
-/// As [`chaos`].
-pub(super) fn chaos_at(
-    [trace, determinant]: [f64; 2],
-    gamma: f64,
-    e: f64,
-    side: impl Fn(bool) -> String,
-    monitor: &dyn Monitor,
-) -> Result<Option<Vec<ChaosRow>>> {
-    if determinant.is_nan() || determinant <= 0.0 || gamma == 0.0 || e == 0.0 {
-        return Ok(None);
-    }
-    let Some(rectangle) = rectangle(trace, determinant) else { return Ok(None) };
-    let gamma = gamma > 0.0;
-    let rows = [true, false].into_iter().map(|positive| {
-        let word = Word::in_rectangle(&rectangle, positive, LETTERS, monitor)?;
-        let (entropy, at_least) = Entropy::of(&word, gamma, BITS)?;
-        let chaos = match entropy {
-            Entropy::Positive { .. } => Some(true),
-            _ if at_least => None,
-            _ => Some(false),
-        };
-        Ok(ChaosRow {
-            side: side(positive),
-            sign_emu: if positive { 1 } else { -1 },
-            sign_gamma: if gamma { 1 } else { -1 },
-            chaos,
-            entropy: entropy
-                .bounds()
-                .map(|(lo, hi)| certain_digits(&lo, &hi, 15).unwrap_or_else(|| "0".into())),
-            at_least,
-            periods: word.vertices().iter().map(|vertex| vertex.period).collect(),
-            all_periods: word.extent() == Extent::All,
-        })
-    });
-    rows.collect::<Result<Vec<_>>>().map(Some)
-}
-
-/// A box with 0 < a₂ ≤ 1 that holds the point and its rounding, or the images of both by reversal of time.
-fn rectangle(trace: f64, determinant: f64) -> Option<Rectangle> {
-    let one = BigRational::one();
-    let (t, d) = (BigRational::from_float(trace)?, BigRational::from_float(determinant)?);
-    let size = t.abs().max(one.clone());
-    let margin = size / BigRational::from_integer(1_000_000_000_000u64.into());
-    let (below, above) = (&d - &margin, &d + &margin);
-    let mut heights = vec![below.clone(), above.clone()];
-    if below < one && above > one {
-        heights.push(one.clone());
-    }
-    let mut images = Vec::new();
-    for t in [&t - &margin, &t + &margin] {
-        for d in heights.iter().filter(|d| d.is_positive()) {
-            images.push(if *d > one { (&t / d, d.recip()) } else { (t.clone(), d.clone()) });
-        }
-    }
-    let ends = |of: fn(&(BigRational, BigRational)) -> &BigRational| {
-        Some([images.iter().map(of).min()?.clone(), images.iter().map(of).max()?.clone()])
+/// What the normal form does not cover; an interruption.
+pub fn chaos(task: &ChaosTask, job: &Job) -> Result<ChaosFindings> {
+    let normal = task.normal(&job.scene)?;
+    let mut found = ChaosFindings {
+        proved: false,
+        half: normal.mirrored,
+        oscillator: oscillator(&normal),
+        range: range(task, &normal),
+        depth: normal.ranges[4].each_ref().map(|x| x.to_f64().unwrap_or(f64::NAN)),
+        alphabet: Vec::new(),
+        full: false,
+        letters: Vec::new(),
+        contraction: None,
+        entropy: None,
+        growth: None,
+        reach: None,
+        ceiling: normal.ceiling.as_ref().and_then(ToPrimitive::to_f64),
+        complete: None,
+        failures: Vec::new(),
+        certificate: None,
+        text: None,
     };
-    if !below.is_positive() {
-        return None;
+    let problem = |graph: &LetterGraph| {
+        let graph = match task.history[..] {
+            [of, most] => {
+                graph.with_history(ChaosTask::counted(&normal, of), most.whole().unwrap_or(0) as usize)
+            }
+            _ => graph.clone(),
+        };
+        let Normal { mirrored, ranges, behind, harmonics, .. } = normal.clone();
+        Problem { mirrored, ranges, behind, harmonics, letters: graph.letters, next: graph.next }
+    };
+    let mut graph = match &task.alphabet {
+        Alphabet::Auto => born(&problem(&LetterGraph::full(&[1])), LONGEST.min(24)).richest(),
+        Alphabet::Periods(periods) => {
+            let counted =
+                |list: &Vec<Periods>| list.iter().map(|&n| ChaosTask::counted(&normal, n)).collect();
+            let follow: Vec<Vec<u64>> = task.follow.iter().map(counted).collect();
+            Some(given(&counted(periods), &follow)?)
+        }
+    };
+    while let Some(tried) = graph.take() {
+        if tried.growth().0 <= 1.0 + 1e-9 {
+            if task.alphabet != Alphabet::Auto {
+                return Err(Error::input(
+                    "kind \"chaos\": the graph has one periodic word only, whose entropy is 0",
+                ));
+            }
+            break;
+        }
+        found.alphabet.clone_from(&tried.letters);
+        found.full = tried == LetterGraph::full(&tried.letters);
+        match prove(&problem(&tried), job.monitor)? {
+            Ok(proof) if found.ceiling.is_none_or(|ceiling| reach(&proof) < ceiling) => {
+                found.keep(proof, &job.task.name);
+                break;
+            }
+            Ok(proof) => {
+                let (reach, ceiling) = (reach(&proof), found.ceiling.unwrap_or(f64::NAN));
+                let reason = format!(
+                    "the other wall may be met: it is above q/nu = {ceiling:.4}, the orbits below {reach}"
+                );
+                found.failures.push(FailureRow { alphabet: tried.letters.clone(), reason });
+            }
+            Err(reasons) => {
+                let reason = reasons.last().cloned().unwrap_or_else(|| "too much work".into());
+                found.failures.push(FailureRow { alphabet: tried.letters.clone(), reason });
+                if task.alphabet == Alphabet::Auto {
+                    let longest = tried.letters.iter().copied().max();
+                    let keep: Vec<usize> =
+                        (0..tried.letters.len()).filter(|&v| Some(tried.letters[v]) != longest).collect();
+                    graph = tried.part(&keep).richest();
+                }
+            }
+        }
     }
-    Rectangle::new(ends(|image| &image.0)?, ends(|image| &image.1)?).ok()
+    Ok(found)
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// A box about a point with a₂ near 1 holds the point, or its image, whatever side of 1 rounding puts it
-    /// on.
-    #[test]
-    fn boxes_hold_the_point_or_its_image() {
-        let exact = |x: f64| BigRational::from_float(x).unwrap();
-        for (t, d) in [
-            (0.3, 0.5),
-            (-1.5, 0.9),
-            (0.3, 1.0),
-            (0.3, 1.0 + 1e-13),
-            (0.3, 1.0 - 1e-13),
-            (1.2, 4.0),
-            (-3.0, 2.5),
-        ] {
-            let found = rectangle(t, d).unwrap();
-            let (mut t, mut d) = (exact(t), exact(d));
-            if d > BigRational::one() {
-                (t, d) = (&t / &d, d.recip());
-            }
-            let [a1, a2] = [found.a1(), found.a2()];
-            assert!(a1[0] <= t && t <= a1[1] && a2[0] <= d && d <= a2[1], "{t} {d}");
-        }
-        assert!(rectangle(0.3, 1e-13).is_none() && rectangle(f64::NAN, 0.5).is_none());
+impl ChaosFindings {
+    fn keep(&mut self, proof: ShiftProof, name: &str) {
+        let letters = proof.certificate.letters.iter().zip(&proof.boxes);
+        self.letters = letters
+            .map(|(letter, [after, before])| LetterRow {
+                periods: letter.periods,
+                next: letter.next.iter().map(|&next| next as u64 + 1).collect(),
+                after: [after.lo, after.hi],
+                before: [before.lo, before.hi],
+            })
+            .collect();
+        self.contraction = Some(proof.contraction);
+        let growth = proof.certificate.growth;
+        self.growth = Some(growth[0].to_string());
+        self.entropy = entropy(growth.map(float), self.half);
+        self.reach = Some(reach(&proof));
+        self.complete = proof.certificate.complete.map(|claim| float(claim.strength));
+        let file = format!("{name}.certificate");
+        self.certificate = Some(file.clone());
+        self.text = Some((file, proof.text));
+        self.proved = true;
     }
+}
+
+fn reach(proof: &ShiftProof) -> f64 {
+    float(proof.certificate.reach)
+}
+
+/// The number that a certificate's decimal stands for.
+fn float(x: Decimal) -> f64 {
+    x.digits as f64 / 10f64.powi(x.places as i32)
+}
+
+/// Numbers of periods, which may be counted in halves, between brackets.
+fn periods(counts: &[u64], half: bool, [open, close]: [&str; 2]) -> String {
+    let halves = |&n: &u64| Periods { halves: if half { n } else { 2 * n } }.to_string();
+    format!("{open}{}{close}", counts.iter().map(halves).collect::<Vec<_>>().join(", "))
+}
+
+/// The digits of the logarithm, twice the one of a rate per half period, that both ends share: an error of
+/// 1e-15, the library's, is allowed for.
+fn entropy([lo, hi]: [f64; 2], half: bool) -> Option<String> {
+    let times = if half { 2.0 } else { 1.0 };
+    let ends = [lo.ln() - 1e-14, hi.ln() + 1e-14].map(|end| BigRational::from_float(times * end));
+    let [Some(lo), Some(hi)] = ends else { return None };
+    certain_digits(&lo, &hi, 12)
+}
+
+fn given(periods: &[u64], follow: &[Vec<u64>]) -> Result<LetterGraph> {
+    let mut graph = LetterGraph::full(periods);
+    if !follow.is_empty() {
+        let place = |n: &u64| periods.iter().position(|known| known == n);
+        graph.next = follow.iter().map(|list| list.iter().filter_map(place).collect()).collect();
+    }
+    if graph.is_connected() {
+        Ok(graph)
+    } else {
+        Err(Error::input(
+            "kind \"chaos\": some period of the alphabet cannot be reached from another: leave it out",
+        ))
+    }
+}
+
+fn range(task: &ChaosTask, normal: &Normal) -> String {
+    let end = if normal.open { "<" } else { "<=" };
+    let mut parts = Vec::new();
+    if let (Some(name), Some(from)) = (&task.parameter, &task.from) {
+        parts.push(match &task.to {
+            Some(to) => format!("every {name} with {from} < {name} {end} {to}"),
+            None => format!("every {name} > {from}"),
+        });
+    }
+    parts.extend(task.cell.0.iter().map(|(name, [lo, hi])| format!("every {name} from {lo} to {hi}")));
+    if parts.is_empty() { "the values of the parameters".into() } else { parts.join(", ") }
+}
+
+fn oscillator(normal: &Normal) -> String {
+    let names = ["c", "k", "f", "tau", "nu"];
+    let one = |name: &str, [lo, hi]: &[BigRational; 2]| {
+        if lo == hi { format!("{name} = {lo}") } else { format!("{name} in [{lo}, {hi}]") }
+    };
+    let mut values: Vec<String> =
+        names.into_iter().zip(&normal.ranges).map(|(name, range)| one(name, range)).collect();
+    let wall = match &normal.harmonics[..] {
+        [_] => "cos t".to_string(),
+        all => {
+            let mut terms = Vec::new();
+            for (j, both) in all {
+                for ((name, function), range) in [("a", "cos"), ("b", "sin")].into_iter().zip(both) {
+                    if range.iter().any(|x| !x.is_zero()) {
+                        let order = if *j == 1 { String::new() } else { j.to_string() };
+                        terms.push(format!("{name}{j} {function} {order}t"));
+                        values.push(one(&format!("{name}{j}"), range));
+                    }
+                }
+            }
+            terms.join(" + ")
+        }
+    };
+    let sign = if normal.behind { "" } else { "-" };
+    if normal.mirrored {
+        let values = values.iter().filter(|value| !value.starts_with("f ")).cloned().collect::<Vec<_>>();
+        return format!(
+            "q'' = -c q' - k q between w(t) = {sign}nu - 1 + {wall} and -w(t - pi); {}",
+            values.join(", ")
+        );
+    }
+    let turned = if normal.side == Side::Upper { ", turned below by q -> -q" } else { "" };
+    format!("q'' = -c q' - k q + f above {sign}nu - 1 + {wall}{turned}; {}", values.join(", "))
 }

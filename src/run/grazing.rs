@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::{ChaosRow, Complex, Finding, Job, Judgement, Lines, Status, chaos::chaos, orbit, row};
+use super::{ChaosRow, Complex, Finding, Job, Judgement, Lines, Status, birth::all_patterns, orbit, row};
 use crate::{
     continuation::{Bifurcation, BranchSearch, nearest},
     error::{Error, Result},
@@ -245,7 +245,7 @@ pub fn grazing(task: &GrazingTask, job: &Job) -> Result<GrazingFindings> {
         let above = positive == (map.e() > 0.0);
         format!("{} {} {}", task.parameter, if above { '>' } else { '<' }, shown(event.parameter))
     };
-    found.chaos = chaos(map, side, job.monitor)?;
+    found.chaos = all_patterns(map, side, job.monitor)?;
     let local = map.to_map()?;
     let size = family.at(event.parameter)?.unit(&event.itinerary);
     let graph = Graph::new(&local, task.max_period.into(), false)?;

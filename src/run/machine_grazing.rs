@@ -10,7 +10,7 @@ use serde::Serialize;
 
 use super::{
     ChaosRow, Complex, Finding, Job, Judgement, Lines, Status,
-    chaos::chaos_at,
+    birth::all_patterns_at,
     grazing::{GrazingSearch, beside, shown, side_open},
     machine_orbit as orbit, row,
 };
@@ -290,7 +290,7 @@ impl MachineGrazingReport {
                     format!("{} {sign} {}", task.parameter, shown(event.parameter))
                 };
                 let plane = [map.a.trace(), map.determinant];
-                self.chaos = chaos_at(plane, gamma, map.e, side, job.monitor)?;
+                self.chaos = all_patterns_at(plane, gamma, map.e, side, job.monitor)?;
                 if self.chaos.is_none() {
                     self.chaos_open = Some("that needs a2 > 0 and gamma other than 0".into());
                 }

@@ -8,7 +8,7 @@
 //!
 //! # How a kind of task is run
 //!
-//! A kind has a file here of its name with
+//! A kind has a file here of its name, `x.rs`, with
 //!
 //! 1. `XFindings`, its result: a struct with `Serialize` whose fields are numbers, booleans, words of enums,
 //!    lists of [rows](Row). A row is declared by `row!`, from which come its columns in text and in CSV. No
@@ -25,6 +25,7 @@
 //! The command line adds `cli/run/x.rs`, which writes the findings' files and returns their names.
 
 mod basins;
+mod birth;
 mod branch;
 mod chaos;
 mod crisis;
@@ -43,7 +44,6 @@ pub mod parts;
 mod report;
 mod section;
 mod series;
-mod shift;
 mod simulate;
 mod status;
 mod table;
@@ -55,10 +55,11 @@ use num_rational::BigRational;
 use serde::Serialize;
 
 pub use basins::{BasinRow, BasinsFindings, basins};
+pub use birth::ChaosRow;
 pub use branch::{BranchFindings, BranchList, BranchRow, PointRow, StartRow, branch};
 #[cfg(feature = "cli")]
 pub(crate) use branch::{BranchSource, OscillatorSource, follow};
-pub use chaos::ChaosRow;
+pub use chaos::{ChaosFindings, FailureRow, LetterRow, chaos};
 pub use crisis::{CrisisFindings, CrisisRow, PersistenceRow, crisis};
 pub use diagram::{CoexistingRow, DiagramFindings, WindowRow, diagram};
 pub use event::{
@@ -83,7 +84,6 @@ pub(crate) use orbit::stable;
 pub use orbit::{MissingRow, OrbitFindings, OrbitRow, orbit};
 pub use report::{RunReport, TaskReport};
 pub use section::{AttractorRow, ExponentRow, SectionFindings, SectionOrbitRow, SectionSet, section};
-pub use shift::{ChaosFindings, FailureRow, LetterRow, chaos};
 pub use simulate::{SimulationFindings, simulate};
 pub use status::{Place, Status};
 pub(crate) use table::row;

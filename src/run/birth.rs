@@ -1,0 +1,180 @@
+//! Whether chaos is born at a grazing bifurcation, and how much of it: the word theorem at the local map as
+//! computed.
+
+use num_rational::BigRational;
+use num_traits::{One, Signed};
+
+use super::row;
+use crate::{
+    error::Result,
+    monitor::Monitor,
+    number::certain_digits,
+    one::grazing::LocalMap,
+    word::{Entropy, Extent, Rectangle, Word},
+};
+
+/// The most letters of a word that are followed.
+const LETTERS: usize = 100;
+/// Bits of an entropy.
+const BITS: u32 = 64;
+
+row! {
+    /// What is born on one side of a grazing bifurcation: all impact patterns together.
+    pub struct ChaosRow {
+        /// The side of the parameter.
+        pub side: String,
+        /// The sign of eµ there.
+        pub sign_emu: i32,
+        /// The sign of γ.
+        pub sign_gamma: i32,
+        /// Whether infinitely many patterns are born with positive entropy; absent if that is not decided.
+        pub chaos: Option<bool>,
+        /// The topological entropy per period of the orbit that grazes (per half period where those are
+        /// counted): certain digits; absent if no pattern is born, or none is certain.
+        pub entropy: Option<String>,
+        /// Whether the entropy is only a lower bound: the word may go on.
+        pub at_least: bool,
+        /// The periods, or half periods, that can occur between impacts, as far as they are certain.
+        pub periods: Vec<u64>,
+        /// Whether every period can occur.
+        pub all_periods: bool,
+    }
+}
+
+impl ChaosRow {
+    /// The rows in words; `half` if periods are counted in halves.
+    pub(super) fn sentences(rows: &[ChaosRow], half: bool) -> String {
+        let per = if half { "half period" } else { "period" };
+        rows.iter().map(|row| row.sentence(per)).collect::<Vec<_>>().join("; ")
+    }
+
+    fn sentence(&self, per: &str) -> String {
+        let side = &self.side;
+        let at_least = if self.at_least { "at least " } else { "" };
+        match (self.chaos, &self.entropy) {
+            (Some(true), Some(entropy)) => {
+                format!("born for {side} in case {}, entropy {at_least}{entropy} per {per}", self.case())
+            }
+            (Some(_), Some(_)) => format!("none for {side}: the patterns born there do not branch"),
+            (Some(_), None) => format!("none for {side}: no pattern is born"),
+            (None, _) => format!("not decided for {side}"),
+        }
+    }
+
+    fn case(&self) -> String {
+        let sign = |sign: i32| if sign > 0 { '+' } else { '-' };
+        format!("({},{})", sign(self.sign_emu), sign(self.sign_gamma))
+    }
+}
+
+/// Both sides of the bifurcation, eµ > 0 first; `None` for a₂ ≤ 0, γ = 0 or e = 0, where no word decides.
+///
+/// a₁ and a₂ are widened by 10⁻¹² of the larger of |a₁| and 1, as the map is for the table of patterns; what
+/// is not the same on all of that box is not decided. For a₂ > 1 time is reversed, which changes no entropy.
+///
+/// # Errors
+/// The monitor's interruption.
+pub(super) fn all_patterns(
+    map: &LocalMap,
+    side: impl Fn(bool) -> String,
+    monitor: &dyn Monitor,
+) -> Result<Option<Vec<ChaosRow>>> {
+    let plane = [map.multipliers.trace, map.multipliers.determinant];
+    all_patterns_at(plane, map.gamma(), map.e(), side, monitor)
+}
+
+/// The same at (a₁, a₂) with γ and e.
+///
+/// # Errors
+/// As [`all_patterns`].
+pub(super) fn all_patterns_at(
+    [trace, determinant]: [f64; 2],
+    gamma: f64,
+    e: f64,
+    side: impl Fn(bool) -> String,
+    monitor: &dyn Monitor,
+) -> Result<Option<Vec<ChaosRow>>> {
+    if determinant.is_nan() || determinant <= 0.0 || gamma == 0.0 || e == 0.0 {
+        return Ok(None);
+    }
+    let Some(rectangle) = rectangle(trace, determinant) else { return Ok(None) };
+    let gamma = gamma > 0.0;
+    let rows = [true, false].into_iter().map(|positive| {
+        let word = Word::in_rectangle(&rectangle, positive, LETTERS, monitor)?;
+        let (entropy, at_least) = Entropy::of(&word, gamma, BITS)?;
+        let chaos = match entropy {
+            Entropy::Positive { .. } => Some(true),
+            _ if at_least => None,
+            _ => Some(false),
+        };
+        Ok(ChaosRow {
+            side: side(positive),
+            sign_emu: if positive { 1 } else { -1 },
+            sign_gamma: if gamma { 1 } else { -1 },
+            chaos,
+            entropy: entropy
+                .bounds()
+                .map(|(lo, hi)| certain_digits(&lo, &hi, 15).unwrap_or_else(|| "0".into())),
+            at_least,
+            periods: word.vertices().iter().map(|vertex| vertex.period).collect(),
+            all_periods: word.extent() == Extent::All,
+        })
+    });
+    rows.collect::<Result<Vec<_>>>().map(Some)
+}
+
+/// A box with 0 < a₂ ≤ 1 that holds the point and its rounding, or the images of both by reversal of time.
+fn rectangle(trace: f64, determinant: f64) -> Option<Rectangle> {
+    let one = BigRational::one();
+    let (t, d) = (BigRational::from_float(trace)?, BigRational::from_float(determinant)?);
+    let size = t.abs().max(one.clone());
+    let margin = size / BigRational::from_integer(1_000_000_000_000u64.into());
+    let (below, above) = (&d - &margin, &d + &margin);
+    let mut heights = vec![below.clone(), above.clone()];
+    if below < one && above > one {
+        heights.push(one.clone());
+    }
+    let mut images = Vec::new();
+    for t in [&t - &margin, &t + &margin] {
+        for d in heights.iter().filter(|d| d.is_positive()) {
+            images.push(if *d > one { (&t / d, d.recip()) } else { (t.clone(), d.clone()) });
+        }
+    }
+    let ends = |of: fn(&(BigRational, BigRational)) -> &BigRational| {
+        Some([images.iter().map(of).min()?.clone(), images.iter().map(of).max()?.clone()])
+    };
+    if !below.is_positive() {
+        return None;
+    }
+    Rectangle::new(ends(|image| &image.0)?, ends(|image| &image.1)?).ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A box about a point with a₂ near 1 holds the point, or its image, whatever side of 1 rounding puts it
+    /// on.
+    #[test]
+    fn boxes_hold_the_point_or_its_image() {
+        let exact = |x: f64| BigRational::from_float(x).unwrap();
+        for (t, d) in [
+            (0.3, 0.5),
+            (-1.5, 0.9),
+            (0.3, 1.0),
+            (0.3, 1.0 + 1e-13),
+            (0.3, 1.0 - 1e-13),
+            (1.2, 4.0),
+            (-3.0, 2.5),
+        ] {
+            let found = rectangle(t, d).unwrap();
+            let (mut t, mut d) = (exact(t), exact(d));
+            if d > BigRational::one() {
+                (t, d) = (&t / &d, d.recip());
+            }
+            let [a1, a2] = [found.a1(), found.a2()];
+            assert!(a1[0] <= t && t <= a1[1] && a2[0] <= d && d <= a2[1], "{t} {d}");
+        }
+        assert!(rectangle(0.3, 1e-13).is_none() && rectangle(f64::NAN, 0.5).is_none());
+    }
+}
