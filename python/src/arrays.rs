@@ -162,9 +162,6 @@ impl Keeper for Collector {
             Findings::Diagram(found) => diagram(found, &mut self.data),
             Findings::Map(found) => map(found, &mut self.data),
             Findings::Branch(found) => self.data.rows = Some(text(serde_json::to_string(&found.rows))?),
-            Findings::MachineBranch(found) => {
-                self.data.rows = Some(text(serde_json::to_string(&found.rows))?);
-            }
             Findings::Validate(found) => self.data.certificates.clone_from(&found.certificates),
             Findings::Chaos(found) => self.data.certificates.extend(found.text.clone()),
             _ => {}

@@ -9,7 +9,6 @@ use crate::{
     error::Result,
     monitor::Monitor,
     number::certain_digits,
-    one::grazing::LocalMap,
     word::{Entropy, Extent, Rectangle, Word},
 };
 
@@ -67,7 +66,8 @@ impl ChaosRow {
     }
 }
 
-/// Both sides of the bifurcation, eµ > 0 first; `None` for a₂ ≤ 0, γ = 0 or e = 0, where no word decides.
+/// Both sides of a bifurcation with these a₁, a₂, γ and e, eµ > 0 first; `None` for a₂ ≤ 0, γ = 0 or e = 0,
+/// where no word decides.
 ///
 /// a₁ and a₂ are widened by 10⁻¹² of the larger of |a₁| and 1, as the map is for the table of patterns; what
 /// is not the same on all of that box is not decided. For a₂ > 1 time is reversed, which changes no entropy.
@@ -75,22 +75,7 @@ impl ChaosRow {
 /// # Errors
 /// The monitor's interruption.
 pub(super) fn all_patterns(
-    map: &LocalMap,
-    side: impl Fn(bool) -> String,
-    monitor: &dyn Monitor,
-) -> Result<Option<Vec<ChaosRow>>> {
-    let plane = [map.multipliers.trace, map.multipliers.determinant];
-    all_patterns_at(plane, map.gamma(), map.e(), side, monitor)
-}
-
-/// The same at (a₁, a₂) with γ and e.
-///
-/// # Errors
-/// As [`all_patterns`].
-pub(super) fn all_patterns_at(
-    [trace, determinant]: [f64; 2],
-    gamma: f64,
-    e: f64,
+    [trace, determinant, gamma, e]: [f64; 4],
     side: impl Fn(bool) -> String,
     monitor: &dyn Monitor,
 ) -> Result<Option<Vec<ChaosRow>>> {

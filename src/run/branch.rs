@@ -4,66 +4,43 @@
 use serde::Serialize;
 
 use super::{
-    Complex, Finding, Job, Judgement, Lines, Row, Status,
-    orbit::{admissible, obstacle, phases, speeds, stable},
+    Analysed, Finding, Job, Lines, Status, Table,
+    columns::POINTS,
+    engine::{AnalysedEvent, Branches, Engine, OrbitSource, by_engine},
     row,
 };
 use crate::{
     attractor::detection::Detection,
     continuation::{
-        Bifurcation, CODIMENSION_TWO, CurveEnd, Direction, EventCurve, FollowedOrbit, Label, NoForm,
-        NormalForm, Options, OrbitBranch, PatternCurve, PatternFamily, PatternOf, PatternPlane,
+        Bifurcation, CODIMENSION_TWO, CurveEnd, Direction, EventCurve, FollowedOrbit, Label, Options,
+        OrbitBranch, PatternCurve, PatternOf, PatternPlane,
     },
     error::{Error, Result},
+    many::orbit::MachineOrbit,
     number::{Plain, Real},
-    one::{
-        attractor::attracting,
-        branch::{BranchOrbit, OscillatorPatterns, OscillatorPlane, read_label},
-        orbit::{Family, Itinerary, Orbit},
-    },
+    one::orbit::Orbit,
     output::{LONGEST_INPUT, read_text},
-    scene::{
-        SceneFamily,
-        branches::{BranchOrigin, BranchStart, BranchTask, Restart, Way},
-    },
+    scene::branches::{BranchOrigin, BranchStart, BranchTask, Restart, Way},
 };
 
 row! {
     /// A point of a branch.
     pub struct BranchRow {
+        with {
+            /// The orbit there.
+            pub orbit: Analysed
+        }
         /// The branch, counted from 1.
         pub branch: usize,
         /// What happens here, as "flip 1".
         pub label: Option<String>,
         /// The parameter, or both.
         pub parameters: Vec<f64>,
-        /// The impact pattern.
-        pub pattern: String,
-        /// The times of its impacts, as its pattern counts them, the first in [0, 2π).
-        pub phases: Vec<f64>,
-        /// Their incoming relative speeds.
-        pub speeds: Vec<f64>,
-        /// The larger multiplier.
-        pub lambda1: Complex,
-        /// The smaller.
-        pub lambda2: Complex,
-        /// Whether both are inside the unit circle.
-        pub stable: Judgement,
-        /// Whether it is an orbit.
-        pub admissible: Judgement,
-        /// Why not.
-        pub reason: Option<String>,
         /// The normal form's coefficient at a label.
         pub coefficient: Option<f64>,
         /// Its meaning: "supercritical", "subcritical", "above", "below", "transcritical", "degenerate"; or
         /// why there is none.
         pub criticality: Option<&'static str>,
-        /// The least minimum of a gap away from the impacts.
-        pub least_gap: Option<f64>,
-        /// What is left of the equations.
-        pub residual: f64,
-        /// Newton steps taken.
-        pub newton_steps: usize,
         /// The branch's length from the start, negative on the backward side.
         pub length: f64,
     }
@@ -87,21 +64,40 @@ row! {
     }
 }
 
-/// A row of a table of points of branches.
-pub trait PointRow: Row + Serialize + Clone {
-    /// Whether the point has a label.
-    fn is_labelled(&self) -> bool;
+/// Branches of an engine's orbits.
+#[derive(Debug, Clone, PartialEq)]
+pub enum FoundBranches {
+    /// Of an oscillator.
+    One(Vec<OrbitBranch<Orbit>>),
+    /// Of a machine.
+    Many(Vec<OrbitBranch<MachineOrbit>>),
 }
 
-impl PointRow for BranchRow {
-    fn is_labelled(&self) -> bool {
-        self.label.is_some()
+impl FoundBranches {
+    /// How each ends, against its direction and along it.
+    fn ends(&self) -> Box<dyn Iterator<Item = &[CurveEnd; 2]> + '_> {
+        match self {
+            FoundBranches::One(all) => Box::new(all.iter().map(|branch| &branch.ends)),
+            FoundBranches::Many(all) => Box::new(all.iter().map(|branch| &branch.ends)),
+        }
+    }
+}
+
+impl From<Vec<OrbitBranch<Orbit>>> for FoundBranches {
+    fn from(all: Vec<OrbitBranch<Orbit>>) -> Self {
+        FoundBranches::One(all)
+    }
+}
+
+impl From<Vec<OrbitBranch<MachineOrbit>>> for FoundBranches {
+    fn from(all: Vec<OrbitBranch<MachineOrbit>>) -> Self {
+        FoundBranches::Many(all)
     }
 }
 
 /// Branches, with all that happens along them.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct BranchList<R, O: FollowedOrbit> {
+pub struct BranchFindings {
     /// The parameter, or both.
     pub varied: Vec<String>,
     /// How many points all branches have.
@@ -109,19 +105,16 @@ pub struct BranchList<R, O: FollowedOrbit> {
     /// What became of every start.
     pub starts: Vec<StartRow>,
     /// The labelled points.
-    pub labels: Vec<R>,
+    pub labels: Table<BranchRow>,
     /// Every point. Not in JSON: it is the task's CSV file.
     #[serde(skip)]
-    pub rows: Vec<R>,
+    pub rows: Table<BranchRow>,
     /// The branches. Not in JSON: each has a file.
     #[serde(skip)]
-    pub branches: Vec<OrbitBranch<O>>,
+    pub branches: FoundBranches,
 }
 
-/// Branches of an oscillator.
-pub type BranchFindings = BranchList<BranchRow, Orbit>;
-
-impl<R: PointRow, O: FollowedOrbit> Finding for BranchList<R, O> {
+impl Finding for BranchFindings {
     fn status(&self) -> Status {
         let empty = self.starts.iter().find(|start| start.branch.is_none());
         if let Some(StartRow { start, reason, .. }) = empty {
@@ -131,10 +124,8 @@ impl<R: PointRow, O: FollowedOrbit> Finding for BranchList<R, O> {
             ));
         }
         let lost = |end: &CurveEnd| matches!(end, CurveEnd::Lost(_) | CurveEnd::Points);
-        let broken = self.branches.iter().zip(1..).find_map(|(branch, i)| {
-            branch
-                .ends
-                .iter()
+        let broken = self.branches.ends().zip(1..).find_map(|(ends, i)| {
+            ends.iter()
                 .find(|end| lost(end))
                 .map(|end| format!("branch {i} was not followed to an end: {end}"))
         });
@@ -148,66 +139,57 @@ impl<R: PointRow, O: FollowedOrbit> Finding for BranchList<R, O> {
     }
 }
 
-impl<R: PointRow, O: FollowedOrbit> BranchList<R, O> {
-    /// The findings of a task whose branches have these points.
-    pub(super) fn of(
-        task: &BranchTask,
-        (branches, starts): (Vec<OrbitBranch<O>>, Vec<StartRow>),
-        rows: Vec<R>,
-    ) -> BranchList<R, O> {
-        BranchList {
-            varied: [&task.parameter].into_iter().chain(&task.second).cloned().collect(),
-            points: rows.len(),
-            starts,
-            labels: rows.iter().filter(|row| row.is_labelled()).cloned().collect(),
-            rows,
-            branches,
-        }
-    }
-}
-
 /// Follows branches from all starts.
 ///
 /// # Errors
 /// A start outside the range, a file that cannot be read or has no such label; an interruption.
 pub fn branch(task: &BranchTask, job: &Job) -> Result<BranchFindings> {
-    let family = job.family(&task.parameter)?;
-    let source = OscillatorSource::new(&family)?;
-    let (branches, starts) = match &task.second {
-        Some(second) => {
-            let plane = |[first, other]: [f64; 2]| {
-                let system = job.scene.plain(&[(&task.parameter, first), (second, other)])?;
-                job.oscillator(system)
-            };
-            let value = SceneFamily::new(&job.scene, second)?.value();
-            let plane = OscillatorPlane::new(&plane, [family.value(), value])?;
-            events(task, &source, &plane, value, job)?
-        }
-        None => follow_over(task, &source, job)?,
-    };
-    let mut rows = Vec::new();
-    for (branch, i) in branches.iter().zip(1..) {
-        for point in &branch.points {
-            let form = match (point.event, point.parameters.as_slice()) {
-                (Some(event), &[parameter]) => {
-                    Some(NormalForm::at(&family.at(parameter)?, &point.orbit, event))
-                }
-                _ => point.kind().map(|_| Err(CODIMENSION_TWO)),
-            };
-            rows.push(BranchRow::of(i, point, form));
-        }
-    }
-    Ok(BranchFindings::of(task, (branches, starts), rows))
+    by_engine!(job, engine => of(task, job, &engine))
 }
 
-/// The branches of a task over one parameter.
-pub(super) fn follow_over<S: BranchSource>(
-    task: &BranchTask,
-    source: &S,
-    job: &Job,
-) -> Result<Branches<<S::Family as PatternFamily>::Orbit>> {
-    let range = (task.range[0], task.range[1]);
-    follow(&task.starts, source, range, direction(task.direction), &task.options, job)
+fn of<E: Engine>(task: &BranchTask, job: &Job, engine: &E) -> Result<BranchFindings>
+where
+    FoundBranches: From<Vec<OrbitBranch<E::Orbit>>>,
+{
+    let family = engine.family(&task.parameter)?;
+    let source = engine.source(&family)?;
+    let (branches, starts) = match &task.second {
+        Some(second) => source.loci(task, second)?,
+        None => {
+            let (range, way) = ((task.range[0], task.range[1]), direction(task.direction));
+            follow(&task.starts, &source, range, way, &task.options, job)?
+        }
+    };
+    let varied: Vec<String> = [&task.parameter].into_iter().chain(&task.second).cloned().collect();
+    let mut rows = Vec::new();
+    for (branch, number) in branches.iter().zip(1..) {
+        for point in &branch.points {
+            let names = varied.iter().map(String::as_str);
+            let at: Vec<(&str, f64)> = names.zip(point.parameters.iter().copied()).collect();
+            let AnalysedEvent { orbit, form, .. } = source.analysed(&point.orbit, &at, point.event)?;
+            // Over two parameters every label is of codimension two.
+            let form = form.or_else(|| point.kind().map(|_| Err(CODIMENSION_TWO)));
+            let (coefficient, criticality) = AnalysedEvent::form(form);
+            rows.push(BranchRow {
+                orbit,
+                branch: number,
+                label: point.label.clone(),
+                parameters: point.parameters.clone(),
+                coefficient,
+                criticality,
+                length: point.length,
+            });
+        }
+    }
+    let rows = Table::new(POINTS.of(job), rows);
+    Ok(BranchFindings {
+        varied,
+        points: rows.len(),
+        starts,
+        labels: rows.filter(|row| row.label.is_some()),
+        rows,
+        branches: branches.into(),
+    })
 }
 
 fn direction(way: Way) -> Direction {
@@ -218,140 +200,21 @@ fn direction(way: Way) -> Direction {
     }
 }
 
-impl BranchRow {
-    fn of(
-        branch: usize,
-        point: &BranchOrbit,
-        form: Option<std::result::Result<NormalForm, NoForm>>,
-    ) -> BranchRow {
-        let orbit = &point.orbit;
-        let [lambda1, lambda2] = orbit.multipliers.values().map(Complex::from);
-        BranchRow {
-            branch,
-            label: point.label.clone(),
-            parameters: point.parameters.clone(),
-            pattern: orbit.itinerary.to_string(),
-            phases: phases(orbit),
-            speeds: speeds(orbit),
-            lambda1,
-            lambda2,
-            stable: stable(orbit, point.event),
-            admissible: admissible(orbit, point.event),
-            reason: obstacle(orbit, point.event),
-            coefficient: form.and_then(|form| Some(form.ok()?.coefficient)),
-            criticality: form.map(|form| form.map_or_else(|why| why, |form| form.name())),
-            least_gap: orbit.least.map(|least| least.gap),
-            residual: orbit.residual,
-            newton_steps: orbit.steps,
-            length: point.length,
-        }
-    }
-}
-
-/// What the branches of a scene are followed in.
-pub(crate) trait BranchSource {
-    /// The orbits over the parameter.
-    type Family: PatternFamily + ?Sized;
-
-    /// The orbits over the parameter.
-    fn family(&self) -> &Self::Family;
-
-    /// The scene's own value of the parameter.
-    fn value(&self) -> f64;
-
-    /// The admissible orbits that a start means, at a value of the parameter.
-    ///
-    /// # Errors
-    /// Why there are none, or an interruption.
-    fn orbits(
-        &self,
-        start: &BranchStart,
-        at: f64,
-        job: &Job,
-    ) -> Result<Vec<<Self::Family as PatternFamily>::Orbit>>;
-
-    /// A label of a branch's file.
-    ///
-    /// # Errors
-    /// Those of [`read_label`].
-    fn label(
-        &self,
-        text: &str,
-        label: &str,
-    ) -> Result<Label<PatternOf<<Self::Family as PatternFamily>::Orbit>>>;
-
-    /// How a pattern is written.
-    fn named(&self, pattern: &PatternOf<<Self::Family as PatternFamily>::Orbit>) -> String;
-}
-
-/// The branches of a scene's oscillator.
-pub(crate) struct OscillatorSource<'a> {
-    family: &'a SceneFamily<'a>,
-    patterns: OscillatorPatterns<'a>,
-}
-
-impl<'a> OscillatorSource<'a> {
-    /// # Errors
-    /// Those of [`OscillatorPatterns::new`].
-    pub fn new(family: &'a SceneFamily<'a>) -> Result<OscillatorSource<'a>> {
-        Ok(OscillatorSource { family, patterns: OscillatorPatterns::new(family, family.value())? })
-    }
-}
-
-impl<'a> BranchSource for OscillatorSource<'a> {
-    type Family = OscillatorPatterns<'a>;
-
-    fn family(&self) -> &OscillatorPatterns<'a> {
-        &self.patterns
-    }
-
-    fn value(&self) -> f64 {
-        self.family.value()
-    }
-
-    fn orbits(&self, start: &BranchStart, at: f64, job: &Job) -> Result<Vec<Orbit>> {
-        let oscillator = self.family.at(at)?;
-        match start.origin()? {
-            BranchOrigin::Attractor(state) => {
-                let from = job.scene.state(state)?;
-                Ok(vec![attracting(&oscillator, from, &settled(from.t), &job.settings()?)?])
-            }
-            BranchOrigin::Orbit(keys) => {
-                let mut orbits = keys.orbits(&oscillator)?;
-                orbits.retain(|orbit| orbit.admissibility.is_admissible());
-                Ok(orbits)
-            }
-            BranchOrigin::Restart(_) => Ok(Vec::new()),
-        }
-    }
-
-    fn label(&self, text: &str, label: &str) -> Result<Label<Itinerary>> {
-        read_label(text, label)
-    }
-
-    fn named(&self, pattern: &Itinerary) -> String {
-        pattern.to_string()
-    }
-}
-
 /// How the attractor is looked for on which a branch starts.
 pub(super) fn settled(phase: f64) -> Detection {
     Detection { phase, transient: 10_000, longest: 200, ..Detection::default() }
 }
 
-/// Branches, and what became of every start.
-type Branches<O> = (Vec<OrbitBranch<O>>, Vec<StartRow>);
-
 /// The branches of some starts, and what became of each; an orbit that lies on a branch already followed
 /// starts none.
-pub(crate) fn follow<S: BranchSource>(
+pub(crate) fn follow<S: OrbitSource>(
     starts: &[BranchStart],
     source: &S,
     range: (f64, f64),
     direction: Direction,
     options: &Options,
     job: &Job,
-) -> Result<Branches<<S::Family as PatternFamily>::Orbit>> {
+) -> Result<Branches<S::Orbit>> {
     let options = options.checked()?;
     let (mut found, mut rows) = (Vec::<OrbitBranch<_>>::new(), Vec::new());
     job.monitor.begin(starts.len() as u64, "starts");
@@ -380,7 +243,7 @@ pub(crate) fn follow<S: BranchSource>(
                 forward: None,
                 reason: Some(reason),
             };
-            match source.orbits(start, at, job) {
+            match source.orbits(start, at) {
                 Err(error) if error.is_interrupted() => return Err(error),
                 Err(error) => rows.push(nothing(error.to_string())),
                 Ok(orbits) if orbits.is_empty() => {
@@ -424,11 +287,7 @@ impl StartRow {
     }
 }
 
-fn label<S: BranchSource>(
-    restart: &Restart,
-    source: &S,
-    job: &Job,
-) -> Result<Label<PatternOf<<S::Family as PatternFamily>::Orbit>>> {
+fn label<S: OrbitSource>(restart: &Restart, source: &S, job: &Job) -> Result<Label<PatternOf<S::Orbit>>> {
     let folder = job.folder.ok_or_else(|| Error::input("a restart needs the folder of its branch's file"))?;
     let file = folder.join(&restart.file);
     let text = read_text(&file, LONGEST_INPUT)?;
@@ -444,8 +303,8 @@ pub(super) fn events<S, P>(
     job: &Job,
 ) -> Result<Branches<P::Orbit>>
 where
-    S: BranchSource,
-    P: PatternPlane<Orbit = <S::Family as PatternFamily>::Orbit> + ?Sized,
+    S: OrbitSource,
+    P: PatternPlane<Orbit = S::Orbit> + ?Sized,
 {
     let options = task.options.checked()?;
     let (mut found, mut rows) = (Vec::new(), Vec::new());

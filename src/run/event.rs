@@ -3,49 +3,40 @@
 use serde::Serialize;
 
 use super::{
-    Complex, Finding, Job, Judgement, Lines, Status,
-    orbit::{admissible, phases, speeds, stable},
+    Analysed, Complex, Finding, Job, Judgement, Lines, Status, Table, Tabular,
+    columns::EVENTS,
+    engine::{AnalysedEvent, Engine, OrbitSource, by_engine},
     row,
 };
 use crate::{
-    continuation::{Bifurcation, BranchSearch, Located, NormalForm, nearest},
+    continuation::{Bifurcation, BranchSearch, Located, nearest},
     error::Result,
-    one::{
-        branch::OscillatorPatterns,
-        grazing::{self, Grazing},
-        orbit::{Family, Orbit},
-    },
     scene::orbits::EventTask,
 };
 
 row! {
     /// A bifurcation.
     pub struct EventRow {
+        with {
+            /// The orbit there.
+            pub orbit: Analysed
+        }
         /// The parameter there.
         pub parameter: f64,
-        /// The impact pattern.
-        pub pattern: String,
-        /// The times of its impacts, as its pattern counts them, the first in [0, 2π).
-        pub phases: Vec<f64>,
-        /// Their incoming relative speeds.
-        pub speeds: Vec<f64>,
-        /// The larger multiplier.
-        pub lambda1: Complex,
-        /// The smaller.
-        pub lambda2: Complex,
-        /// Whether both are inside the unit circle.
-        pub stable: Judgement,
-        /// Whether it is an orbit.
-        pub admissible: Judgement,
         /// The normal form's coefficient.
         pub coefficient: Option<f64>,
-        /// "supercritical", "subcritical"; at a saddle-node on which side of it orbits exist, "above" or
-        /// "below".
+        /// Its meaning: "supercritical", "subcritical", "above", "below", "transcritical", "degenerate"; or
+        /// why there is none.
         pub criticality: Option<&'static str>,
-        /// How far along the branch, in the norm of times, speeds and parameter.
+        /// Of a grazing of a machine, the stop that is grazed.
+        pub stop: Option<String>,
+        /// Of a grazing of a machine, its phase, as a fraction of the period.
+        pub phase: Option<f64>,
+        /// Of a grazing of a machine, the second derivative of the gap there, in the scene's units.
+        pub acceleration: Option<f64>,
+        /// How far along the branch, in the norm of times, of states and speeds in units of the motion, and
+        /// of the parameter, of a machine in units of its own reach.
         pub length: f64,
-        /// What is left of the equations.
-        pub residual: f64,
     }
 }
 
@@ -91,44 +82,38 @@ row! {
     }
 }
 
-/// The table of what was found.
-pub trait EventTable: Serialize {
-    /// Whether it is empty.
-    fn is_empty(&self) -> bool;
-
-    /// What a report shows of it.
-    fn lines(&self, lines: &mut Lines);
-}
-
-/// Bifurcations with multipliers, or grazings with their maps.
+/// Bifurcations with multipliers, or grazings of orbits with their maps.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(untagged)]
 pub enum EventRows {
-    /// Where multipliers are on the unit circle, or an impact fades.
-    Bifurcations(Vec<EventRow>),
-    /// Where a wall is touched.
+    /// Where multipliers are on the unit circle, an impact fades, or a machine grazes a stop.
+    Bifurcations(Table<EventRow>),
+    /// Where an oscillator touches a wall.
     Grazings(Vec<GrazingEventRow>),
 }
 
-impl EventTable for EventRows {
-    fn is_empty(&self) -> bool {
+impl EventRows {
+    fn get(&self) -> &dyn Tabular {
         match self {
-            EventRows::Bifurcations(rows) => rows.is_empty(),
-            EventRows::Grazings(rows) => rows.is_empty(),
+            EventRows::Bifurcations(rows) => rows,
+            EventRows::Grazings(rows) => rows,
         }
     }
+}
 
-    fn lines(&self, lines: &mut Lines) {
-        match self {
-            EventRows::Bifurcations(rows) => lines.table("found", rows),
-            EventRows::Grazings(rows) => lines.table("found", rows),
-        }
+impl Tabular for EventRows {
+    fn columns(&self) -> Vec<&'static str> {
+        self.get().columns()
+    }
+
+    fn cells(&self) -> Vec<Vec<String>> {
+        self.get().cells()
     }
 }
 
 /// The bifurcations nearest to the orbits of a pattern.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct EventList<T> {
+pub struct EventFindings {
     /// What was looked for.
     pub event: &'static str,
     /// The parameter.
@@ -138,18 +123,15 @@ pub struct EventList<T> {
     /// How many admissible orbits there are to begin with.
     pub orbits: usize,
     /// What was found, each once.
-    pub found: T,
+    pub found: EventRows,
     /// Orbits from which nothing was found, with the reason.
     pub without: Vec<WithoutRow>,
 }
 
-/// Those of an oscillator.
-pub type EventFindings = EventList<EventRows>;
-
-impl<T: EventTable> Finding for EventList<T> {
+impl Finding for EventFindings {
     fn status(&self) -> Status {
         match self.without.first() {
-            _ if !self.found.is_empty() => Status::Done,
+            _ if !self.found.cells().is_empty() => Status::Done,
             Some(first) => Status::nothing(first.reason.clone()),
             None => Status::nothing(format!(
                 "no admissible orbit to begin with at {} = {}",
@@ -161,7 +143,7 @@ impl<T: EventTable> Finding for EventList<T> {
     fn lines(&self, lines: &mut Lines) {
         lines.say("event", self.event);
         lines.say("orbits", self.orbits);
-        self.found.lines(lines);
+        lines.table("found", &self.found);
         if !self.without.is_empty() {
             lines.table("without", &self.without);
         }
@@ -172,7 +154,7 @@ impl<T: EventTable> Finding for EventList<T> {
 const SAME: f64 = 1e-9;
 
 /// Whether an event was found before, `start` being where the search for it began.
-pub(super) fn is_known(known: impl IntoIterator<Item = f64>, parameter: f64, start: f64) -> bool {
+fn is_known(known: impl IntoIterator<Item = f64>, parameter: f64, start: f64) -> bool {
     let near = SAME * parameter.abs().max((parameter - start).abs());
     known.into_iter().any(|old| (old - parameter).abs() <= near)
 }
@@ -182,103 +164,82 @@ pub(super) fn is_known(known: impl IntoIterator<Item = f64>, parameter: f64, sta
 /// # Errors
 /// Where the system is not defined at the start; an interruption.
 pub fn event(task: &EventTask, job: &Job) -> Result<EventFindings> {
-    let family = job.family(&task.parameter)?;
-    let (start, options) = (family.value(), task.options.checked()?);
-    let mut orbits = task.orbit.orbits(&family.at(start)?)?;
-    orbits.retain(|orbit| orbit.admissibility.is_admissible());
-    let patterns = OscillatorPatterns::new(&family, start)?;
+    by_engine!(job, engine => of(task, job, &engine))
+}
+
+fn of<E: Engine>(task: &EventTask, job: &Job, engine: &E) -> Result<EventFindings> {
+    let family = engine.family(&task.parameter)?;
+    let source = engine.source(&family)?;
+    let (start, options) = (source.value(), task.options.checked()?);
+    let orbits = source.present(&task.orbit)?;
+    let extents = source.reaches(task.reach, &orbits)?;
     let (mut bifurcations, mut grazings, mut without) = (Vec::new(), Vec::new(), Vec::new());
     let mut known: Vec<f64> = Vec::new();
     job.monitor.begin(orbits.len() as u64, "orbits");
-    for orbit in &orbits {
-        let extent = task.extent(&family.at(start)?, orbit);
-        let found = nearest(&patterns, task.event, orbit, start, extent, &options);
+    for (orbit, extent) in orbits.iter().zip(extents) {
+        let search = nearest(source.family(), task.event, orbit, start, extent, &options);
         job.monitor.advance(1)?;
-        let mut fail = |reason: String| {
-            let pattern = orbit.itinerary.to_string();
-            without.push(WithoutRow { pattern, speeds: speeds(orbit), reason });
-        };
-        let located = match found {
-            Ok(BranchSearch::Found(located)) => located,
-            Ok(BranchSearch::Nothing(nothing)) => {
-                fail(nothing.to_string());
-                continue;
-            }
-            Err(error) => {
-                fail(error.to_string());
-                continue;
-            }
-        };
-        let parameter = located.parameter;
-        if is_known(known.iter().copied(), parameter, start) {
-            continue;
-        }
-        if task.event == Bifurcation::Grazing {
-            match grazing::locate(&family, &located.orbit, parameter) {
-                Ok(found) => grazings.push(GrazingEventRow::of(&found, orbit)),
-                Err(error) => {
-                    fail(error.to_string());
+        let reason = match search {
+            Ok(BranchSearch::Found(located)) => {
+                if is_known(known.iter().copied(), located.parameter, start) {
                     continue;
                 }
+                let map = match task.event {
+                    Bifurcation::Grazing => source.local_map(&located, orbit),
+                    _ => Ok(None),
+                };
+                match map {
+                    Ok(map) => {
+                        known.push(located.parameter);
+                        match map {
+                            Some(map) => grazings.push(map),
+                            None => bifurcations.push(EventRow::of(&located, &task.parameter, &source)?),
+                        }
+                        continue;
+                    }
+                    Err(error) => error.to_string(),
+                }
             }
-        } else {
-            bifurcations.push(EventRow::of(&located, &family)?);
-        }
-        known.push(parameter);
+            Ok(BranchSearch::Nothing(nothing)) => nothing.to_string(),
+            Err(error) => error.to_string(),
+        };
+        let (pattern, speeds) = source.named_with_speeds(orbit);
+        without.push(WithoutRow { pattern, speeds, reason });
     }
     Ok(EventFindings {
         event: task.event.name(),
         varied: task.parameter.clone(),
         start,
         orbits: orbits.len(),
-        found: match task.event {
-            Bifurcation::Grazing => EventRows::Grazings(grazings),
-            _ => EventRows::Bifurcations(bifurcations),
+        found: if task.event == Bifurcation::Grazing && source.has_maps() {
+            EventRows::Grazings(grazings)
+        } else {
+            EventRows::Bifurcations(Table::new(EVENTS.of(job), bifurcations))
         },
         without,
     })
 }
 
 impl EventRow {
-    fn of(found: &Located<Orbit>, family: &dyn Family) -> Result<EventRow> {
-        let Located { bifurcation, parameter, orbit, length } = found;
-        let [lambda1, lambda2] = orbit.multipliers.values().map(Complex::from);
-        let form = NormalForm::at(&family.at(*parameter)?, orbit, *bifurcation);
+    fn of<S: OrbitSource>(found: &Located<S::Orbit>, parameter: &str, source: &S) -> Result<EventRow> {
+        let at = [(parameter, found.parameter)];
+        let AnalysedEvent { orbit, form, touch } =
+            source.analysed(&found.orbit, &at, Some(found.bifurcation))?;
+        let (coefficient, criticality) = AnalysedEvent::form(form);
+        let (stop, phase, acceleration) = match touch {
+            Some((stop, phase, acceleration)) => (Some(stop), Some(phase), Some(acceleration)),
+            None => (None, None, None),
+        };
         Ok(EventRow {
-            parameter: *parameter,
-            pattern: orbit.itinerary.to_string(),
-            phases: phases(orbit),
-            speeds: speeds(orbit),
-            lambda1,
-            lambda2,
-            stable: stable(orbit, Some(*bifurcation)),
-            admissible: admissible(orbit, Some(*bifurcation)),
-            coefficient: form.ok().map(|form| form.coefficient),
-            criticality: Some(form.map_or_else(|why| why, |form| form.name())),
-            length: *length,
-            residual: orbit.residual,
+            orbit,
+            parameter: found.parameter,
+            coefficient,
+            criticality,
+            stop,
+            phase,
+            acceleration,
+            length: found.length,
         })
-    }
-}
-
-impl GrazingEventRow {
-    fn of(event: &Grazing, orbit: &Orbit) -> GrazingEventRow {
-        let map = &event.map;
-        let [lambda1, lambda2] = map.multipliers.values().map(Complex::from);
-        GrazingEventRow {
-            parameter: event.parameter,
-            pattern: orbit.itinerary.to_string(),
-            wall: event.side().name(),
-            phase: event.phase(),
-            acceleration: map.acceleration,
-            lambda1,
-            lambda2,
-            region: map.region().map(|region| region.to_string()),
-            gamma: map.gamma(),
-            e: map.e(),
-            admissible: if event.admissible { Judgement::Yes } else { Judgement::No },
-            residual: event.residual,
-        }
     }
 }
 

@@ -24,20 +24,18 @@
 //!
 //! The command line adds `cli/run/x.rs`, which writes the findings' files and returns their names.
 
+mod analysed;
 mod basins;
 mod birth;
 mod branch;
 mod chaos;
+mod columns;
 mod crisis;
 mod diagram;
+mod engine;
 mod event;
 mod grazing;
 mod machine;
-mod machine_branch;
-mod machine_event;
-mod machine_grazing;
-mod machine_orbit;
-mod machine_validate;
 mod map;
 mod orbit;
 pub mod parts;
@@ -54,40 +52,30 @@ use std::{path::Path, sync::Arc};
 use num_rational::BigRational;
 use serde::Serialize;
 
+pub use analysed::Analysed;
 pub use basins::{BasinRow, BasinsFindings, basins};
 pub use birth::ChaosRow;
-pub use branch::{BranchFindings, BranchList, BranchRow, PointRow, StartRow, branch};
 #[cfg(feature = "cli")]
-pub(crate) use branch::{BranchSource, OscillatorSource, follow};
+pub(crate) use branch::follow;
+pub use branch::{BranchFindings, BranchRow, FoundBranches, StartRow, branch};
 pub use chaos::{ChaosFindings, FailureRow, LetterRow, chaos};
 pub use crisis::{CrisisFindings, CrisisRow, PersistenceRow, crisis};
 pub use diagram::{CoexistingRow, DiagramFindings, WindowRow, diagram};
-pub use event::{
-    EventFindings, EventList, EventRow, EventRows, EventTable, GrazingEventRow, WithoutRow, event,
-};
-pub use grazing::{BornRow, GrazingFindings, GrazingReport, grazing};
+#[cfg(feature = "cli")]
+pub(crate) use engine::{JudgedOrbit, MachineSource, OrbitSource, OscillatorSource, form};
+pub use event::{EventFindings, EventRow, EventRows, GrazingEventRow, WithoutRow, event};
+pub use grazing::{BornRow, GrazingFindings, GrazingMap, GrazingReport, grazing};
 pub use machine::{MachineSimulationFindings, ModeRow, StopRow, simulate_machine};
-pub use machine_branch::{MachineBranchFindings, MachineBranchRow, machine_branch};
-#[cfg(feature = "cli")]
-pub(crate) use machine_branch::{MachineSource, form};
-pub use machine_event::{MachineEventFindings, MachineEventRow, machine_event};
-pub use machine_grazing::{MachineBornRow, MachineGrazingFindings, MachineGrazingReport, machine_grazing};
-#[cfg(feature = "cli")]
-pub(crate) use machine_orbit::stable as machine_stable;
-pub use machine_orbit::{MachineOrbitFindings, MachineOrbitRow, machine_orbit};
-pub use machine_validate::machine_validate;
 #[cfg(feature = "cli")]
 pub(crate) use map::word as map_word;
 pub use map::{MapFindings, MapRow, map};
-#[cfg(feature = "cli")]
-pub(crate) use orbit::stable;
 pub use orbit::{MissingRow, OrbitFindings, OrbitRow, orbit};
 pub use report::{RunReport, TaskReport};
 pub use section::{AttractorRow, ExponentRow, SectionFindings, SectionOrbitRow, SectionSet, section};
 pub use simulate::{SimulationFindings, simulate};
 pub use status::{Place, Status};
 pub(crate) use table::row;
-pub use table::{Complex, Judgement, Lines, Row, Shown};
+pub use table::{Complex, Judgement, Lines, Row, Shown, Table, Tabular};
 pub use validate::{ProofRow, UnprovedRow, ValidateFindings, validate};
 
 use crate::{
@@ -156,20 +144,12 @@ findings! {
     Map(MapFindings),
     /// Periodic orbits.
     Orbit(OrbitFindings),
-    /// Periodic orbits of a machine.
-    MachineOrbit(MachineOrbitFindings),
     /// The first bifurcations along orbits' branches.
     Event(EventFindings),
-    /// The first bifurcations along branches of a machine.
-    MachineEvent(MachineEventFindings),
     /// A grazing bifurcation.
     Grazing(GrazingFindings),
-    /// A grazing bifurcation of a machine.
-    MachineGrazing(MachineGrazingFindings),
     /// Branches of orbits.
     Branch(BranchFindings),
-    /// Branches of orbits of a machine.
-    MachineBranch(MachineBranchFindings),
     /// The end of an attractor.
     Crisis(CrisisFindings),
     /// Proofs.
@@ -502,23 +482,11 @@ fn kept(job: &Job, findings: Findings, keeper: &mut dyn Keeper) -> Result<(Findi
 }
 
 fn answer(job: &Job, keeper: &mut dyn Keeper) -> Result<Findings> {
-    if let Model::Machine(machine) = &job.model {
-        return Ok(match &job.task.kind {
-            Kind::SimulateTask(task) => simulate_machine(task, machine, job, keeper)?.into(),
-            Kind::SectionTask(task) => section(task, job)?.into(),
-            Kind::BasinsTask(task) => basins(task, job)?.into(),
-            Kind::DiagramTask(task) => diagram(task, job)?.into(),
-            Kind::OrbitTask(task) => machine_orbit(task, machine, job)?.into(),
-            Kind::EventTask(task) => machine_event(task, machine, job)?.into(),
-            Kind::GrazingTask(task) => machine_grazing(task, job)?.into(),
-            Kind::BranchTask(task) => machine_branch(task, machine, job)?.into(),
-            Kind::ValidateTask(task) => machine_validate(task, machine, job)?.into(),
-            // Refused when the scene was read.
-            kind => return Err(Error::input(format!("kind {:?} does not work on machines", kind.word()))),
-        });
-    }
     Ok(match &job.task.kind {
-        Kind::SimulateTask(task) => simulate(task, job, keeper)?.into(),
+        Kind::SimulateTask(task) => match &job.model {
+            Model::Oscillator(_) => simulate(task, job, keeper)?.into(),
+            Model::Machine(machine) => simulate_machine(task, machine, job, keeper)?.into(),
+        },
         Kind::SectionTask(task) => section(task, job)?.into(),
         Kind::BasinsTask(task) => basins(task, job)?.into(),
         Kind::DiagramTask(task) => diagram(task, job)?.into(),

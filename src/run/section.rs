@@ -5,7 +5,11 @@ use std::f64::consts::TAU;
 use rayon::prelude::*;
 use serde::Serialize;
 
-use super::{Finding, Job, Lines, Model, Status, machine_orbit, row, small_motion};
+use super::{
+    Finding, Job, Judgement, Lines, Model, Status,
+    engine::{JudgedOrbit, machine_orbits},
+    row, small_motion,
+};
 use crate::{
     attractor::{
         detection::Cycle,
@@ -326,9 +330,8 @@ fn of_machine(task: &SectionTask, machine: &Machine<f64>, job: &Job) -> Result<S
     (found.minimum_depth, found.size) = (simulator.settings().minimum_depth, Some(gap_size(simulator)));
     for keys in &task.orbits {
         job.check()?;
-        for orbit in machine_orbit::orbits(keys, machine, simulator, job)? {
-            let (judgement, _) = machine_orbit::admissible(&orbit);
-            if judgement == super::Judgement::No {
+        for orbit in machine_orbits(keys, machine, simulator, job)? {
+            if orbit.admissible(None).0 == Judgement::No {
                 continue;
             }
             let start = orbit.state.start(machine.rate());
@@ -339,7 +342,7 @@ fn of_machine(task: &SectionTask, machine: &Machine<f64>, job: &Job) -> Result<S
                 first.get_or_insert(point.at);
                 true
             })?;
-            let stable = machine_orbit::stable(&orbit, None) == super::Judgement::Yes;
+            let stable = orbit.stable(None) == Judgement::Yes;
             let shown = |point| cycles.iter().any(|(_, cycle)| cycle.passes(point));
             if end != RunEnd::Reached || first.as_ref().is_some_and(shown) {
                 continue;

@@ -1,8 +1,9 @@
 //! How findings are shown: values as text, rows as tables, both made from the typed fields.
 
-use std::fmt::Write;
+use std::{fmt::Write, ops::Deref};
 
-use serde::{Serialize, Serializer};
+use serde::{Serialize, Serializer, ser::Error as _};
+use serde_json::Value;
 
 use crate::printable::Printable;
 
@@ -10,6 +11,11 @@ use crate::printable::Printable;
 pub trait Shown {
     /// Its text; empty for what is absent.
     fn shown(&self) -> String;
+
+    /// The texts of its entries, if it is a list; none for what is absent.
+    fn entries(&self) -> Vec<String> {
+        vec![self.shown()]
+    }
 }
 
 /// The shortest decimal that is this float.
@@ -41,19 +47,36 @@ impl<T: Shown> Shown for Option<T> {
     fn shown(&self) -> String {
         self.as_ref().map_or(String::new(), T::shown)
     }
-}
 
-impl<T: Shown> Shown for Vec<T> {
-    fn shown(&self) -> String {
-        self.iter().map(T::shown).collect::<Vec<_>>().join(", ")
+    fn entries(&self) -> Vec<String> {
+        self.as_ref().map_or(Vec::new(), T::entries)
     }
 }
 
-impl<T: Shown, const N: usize> Shown for [T; N] {
+impl<T: Shown> Shown for [T] {
     fn shown(&self) -> String {
-        self.iter().map(T::shown).collect::<Vec<_>>().join(", ")
+        self.entries().join(", ")
+    }
+
+    fn entries(&self) -> Vec<String> {
+        self.iter().map(T::shown).collect()
     }
 }
+
+macro_rules! shown_as_slice {
+    ($([$($generic:tt)+] $type:ty,)+) => {
+        $(impl<$($generic)+> Shown for $type {
+            fn shown(&self) -> String {
+                self.as_slice().shown()
+            }
+
+            fn entries(&self) -> Vec<String> {
+                self.as_slice().entries()
+            }
+        })+
+    };
+}
+shown_as_slice! { [T: Shown] Vec<T>, [T: Shown, const N: usize] [T; N], }
 
 /// A complex number: a pair in JSON, in text a number where it is real.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -109,32 +132,165 @@ impl Shown for Judgement {
 
 /// A row of a table of findings.
 pub trait Row {
-    /// The names of the columns.
-    const COLUMNS: &'static [&'static str];
+    /// The names of its fields.
+    fn fields() -> Vec<&'static str>;
 
-    /// One text for each column.
-    fn cells(&self) -> Vec<String>;
+    /// For each field the texts of its entries: one, unless it is a list.
+    fn entries(&self) -> Vec<Vec<String>>;
+
+    /// What a column shows, as text; none for what is absent.
+    fn cell(&self, (_, field, entry): Column) -> Option<String> {
+        let place = Self::fields().iter().rposition(|known| *known == field)?;
+        let entries = self.entries().swap_remove(place);
+        match entry {
+            Some(entry) => entries.get(entry).cloned(),
+            None => (!entries.is_empty()).then(|| entries.join(", ")),
+        }
+    }
 }
 
-/// Declares a row: a struct with `Serialize` whose fields are the columns.
+/// What is absent has no entries.
+impl<R: Row> Row for Option<R> {
+    fn fields() -> Vec<&'static str> {
+        R::fields()
+    }
+
+    fn entries(&self) -> Vec<Vec<String>> {
+        self.as_ref().map_or_else(|| vec![Vec::new(); R::fields().len()], R::entries)
+    }
+}
+
+/// Declares a row: a struct with `Serialize` whose fields are the columns. `with { … }` adds those of another
+/// row; of two fields with one name it is the row's own that counts.
 macro_rules! row {
     ($(#[doc = $about:literal])+ pub struct $name:ident {
+        $(with { $(#[doc = $part_doc:literal])+ pub $part:ident: $of:ty })?
         $($(#[doc = $doc:literal])+ pub $field:ident: $type:ty,)+
     }) => {
         $(#[doc = $about])+
         #[derive(Debug, Clone, PartialEq, serde::Serialize)]
-        pub struct $name { $($(#[doc = $doc])+ pub $field: $type,)+ }
+        pub struct $name {
+            $($(#[doc = $part_doc])+ #[serde(flatten)] pub $part: $of,)?
+            $($(#[doc = $doc])+ pub $field: $type,)+
+        }
 
         impl $crate::run::Row for $name {
-            const COLUMNS: &'static [&'static str] = &[$(stringify!($field)),+];
+            fn fields() -> Vec<&'static str> {
+                let mut all = Vec::new();
+                $(all.extend(<$of as $crate::run::Row>::fields());)?
+                all.extend([$(stringify!($field)),+]);
+                all
+            }
 
-            fn cells(&self) -> Vec<String> {
-                vec![$($crate::run::Shown::shown(&self.$field)),+]
+            fn entries(&self) -> Vec<Vec<String>> {
+                let mut all = Vec::new();
+                $(all.extend($crate::run::Row::entries(&self.$part));)?
+                all.extend([$($crate::run::Shown::entries(&self.$field)),+]);
+                all
             }
         }
     };
 }
 pub(crate) use row;
+
+/// What is printed as columns.
+pub trait Tabular {
+    /// The names of the columns.
+    fn columns(&self) -> Vec<&'static str>;
+
+    /// One text for each column, row by row.
+    fn cells(&self) -> Vec<Vec<String>>;
+}
+
+impl<R: Row> Tabular for Vec<R> {
+    fn columns(&self) -> Vec<&'static str> {
+        R::fields()
+    }
+
+    fn cells(&self) -> Vec<Vec<String>> {
+        self.iter().map(|row| row.entries().iter().map(|entries| entries.join(", ")).collect()).collect()
+    }
+}
+
+/// Rows of which some fields are shown, in an order and under names of their own.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Table<R> {
+    columns: &'static str,
+    rows: Vec<R>,
+}
+
+impl<R> Table<R> {
+    /// `columns` are a list of `field`, `name = field`, or `name = list.i` for one entry of a list.
+    pub(super) fn new(columns: &'static str, rows: Vec<R>) -> Table<R> {
+        Table { columns, rows }
+    }
+
+    /// Some of the rows.
+    pub(super) fn filter(&self, wanted: impl Fn(&R) -> bool) -> Table<R>
+    where
+        R: Clone,
+    {
+        Table { columns: self.columns, rows: self.rows.iter().filter(|row| wanted(row)).cloned().collect() }
+    }
+}
+
+impl<R> Deref for Table<R> {
+    type Target = [R];
+
+    fn deref(&self) -> &[R] {
+        &self.rows
+    }
+}
+
+/// A column: its name, the field that it shows, and which entry of it.
+pub(super) type Column = (&'static str, &'static str, Option<usize>);
+
+/// The columns of a list of them.
+pub(super) fn columns_of(list: &'static str) -> impl Iterator<Item = Column> {
+    list.split(", ").map(|text| {
+        let (name, from) = text.split_once(" = ").unwrap_or((text, text));
+        match from.split_once('.') {
+            Some((field, entry)) => (name, field, entry.parse().ok()),
+            None => (name, from, None),
+        }
+    })
+}
+
+impl<R: Row> Tabular for Table<R> {
+    fn columns(&self) -> Vec<&'static str> {
+        columns_of(self.columns).map(|(name, ..)| name).collect()
+    }
+
+    fn cells(&self) -> Vec<Vec<String>> {
+        let cell = |row: &R, column| row.cell(column).unwrap_or_default();
+        self.iter().map(|row| columns_of(self.columns).map(|column| cell(row, column)).collect()).collect()
+    }
+}
+
+impl<R: Serialize> Serialize for Table<R> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq(self.rows.iter().map(|row| Selected { columns: self.columns, row }))
+    }
+}
+
+/// A row's columns as an object.
+struct Selected<'a, R> {
+    columns: &'static str,
+    row: &'a R,
+}
+
+impl<R: Serialize> Serialize for Selected<'_, R> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let all = serde_json::to_value(self.row).map_err(S::Error::custom)?;
+        serializer.collect_map(columns_of(self.columns).map(|column| (column.0, select(column, &all))))
+    }
+}
+
+/// What a column shows of a row's fields. None of them is an object: its entries would lose their order.
+pub(super) fn select((_, field, entry): Column, row: &Value) -> &Value {
+    let whole = row.get(field).unwrap_or(&Value::Null);
+    entry.map_or(whole, |entry| whole.get(entry).unwrap_or(&Value::Null))
+}
 
 /// The lines of a report: name and value, or a table under its name.
 #[derive(Debug, Default)]
@@ -147,19 +303,19 @@ impl Lines {
     }
 
     /// A table, columns aligned to the right; "none" if it is empty.
-    pub fn table<R: Row>(&mut self, name: &str, rows: &[R]) {
-        if rows.is_empty() {
+    pub fn table<T: Tabular>(&mut self, name: &str, table: &T) {
+        let shown = |cell: String| Printable(&cell).to_string();
+        let cells = table.cells().into_iter().map(|row| row.into_iter().map(shown).collect());
+        let cells: Vec<Vec<String>> = cells.collect();
+        if cells.is_empty() {
             return self.say(name, "none");
         }
         let _ = writeln!(self.0, "  {name}");
-        let shown = |cell: String| Printable(&cell).to_string();
-        let cells: Vec<Vec<String>> =
-            rows.iter().map(|row| row.cells().into_iter().map(shown).collect()).collect();
-        let heads = R::COLUMNS.iter().map(|name| (*name).to_string()).collect();
-        let widths: Vec<usize> = (0..R::COLUMNS.len())
+        let heads: Vec<String> = table.columns().iter().map(ToString::to_string).collect();
+        let widths: Vec<usize> = (0..heads.len())
             .map(|i| {
                 let widest = cells.iter().map(|row| row[i].chars().count()).max().unwrap_or(0);
-                widest.max(R::COLUMNS[i].len())
+                widest.max(heads[i].len())
             })
             .collect();
         for row in std::iter::once(&heads).chain(&cells) {

@@ -1,26 +1,18 @@
 //! Tasks of kind `validate`: orbits and bifurcations proved, from approximations found as the tasks `orbit`
 //! and `event` do.
 
-use std::f64::consts::TAU;
-
-use num_rational::BigRational;
-use num_traits::ToPrimitive;
 use serde::Serialize;
 
-use super::{Finding, Job, Judgement, Lines, Status, orbit::speeds, row};
+use super::{
+    Finding, Job, Judgement, Lines, Status,
+    engine::{Engine, Proof, Prover, by_engine},
+    row,
+};
 use crate::{
-    continuation::{Bifurcation, BranchSearch, nearest},
-    error::{Error, Result},
-    local::Rung,
-    monitor::timed,
-    number::{Ball, Precision, Real, certain_digits},
-    one::{
-        branch::OscillatorPatterns,
-        grazing,
-        orbit::{Family, Itinerary, Orbit, Oscillator, Unknowns},
-    },
-    scene::{SceneFamily, validate::ValidateTask},
-    search::orbit::{self, Condition, ExpectedImpact, Jet, Quotient, Stability, Verdict},
+    error::Result,
+    number::{Ball, certain_digits},
+    scene::validate::ValidateTask,
+    search::orbit::Verdict,
 };
 
 /// The most digits shown of an enclosed number.
@@ -122,12 +114,56 @@ impl Finding for ValidateFindings {
 /// # Errors
 /// Where the system is not defined; an interruption.
 pub fn validate(task: &ValidateTask, job: &Job) -> Result<ValidateFindings> {
+    by_engine!(job, engine => of(task, job, &engine))
+}
+
+fn of<E: Engine>(task: &ValidateTask, job: &Job, engine: &E) -> Result<ValidateFindings> {
     let mut found = ValidateFindings::default();
-    match (task.event, &task.parameter) {
-        (Some(event), Some(parameter)) => events(task, event, parameter, job, &mut found)?,
-        _ => orbits(task, job, &mut found)?,
+    if let (Some(event), Some(parameter)) = (task.event, &task.parameter) {
+        engine.prove_events(task, event, parameter, &mut found)?;
+        return Ok(found);
+    }
+    // What no certificate can hold is said before the search.
+    let prover = match engine.prover(task)? {
+        Ok(prover) => prover,
+        Err(why) => {
+            found.nothing(Vec::new(), why);
+            return Ok(found);
+        }
+    };
+    for orbit in starts(task, engine, &engine.system(None)?, &mut found)? {
+        job.check()?;
+        let Proof { mut row, certificate } = prover.prove(&orbit)?;
+        match certificate {
+            Some(Ok(text)) => found.certify(&mut row, &job.task.name, text),
+            Some(Err(error)) => row.no_certificate = Some(error.to_string()),
+            None => {}
+        }
+        found.proofs.push(row);
     }
     Ok(found)
+}
+
+/// The orbits to begin with; a row that says so where there are none.
+pub(super) fn starts<E: Engine>(
+    task: &ValidateTask,
+    engine: &E,
+    system: &E::System,
+    found: &mut ValidateFindings,
+) -> Result<Vec<E::Orbit>> {
+    match engine.orbits(&task.orbit, system) {
+        Ok(orbits) => {
+            if orbits.is_empty() {
+                found.nothing(Vec::new(), task.orbit.none());
+            }
+            Ok(orbits)
+        }
+        Err(error) if error.is_interrupted() => Err(error),
+        Err(error) => {
+            found.nothing(Vec::new(), error.to_string());
+            Ok(Vec::new())
+        }
+    }
 }
 
 impl ProofRow {
@@ -171,181 +207,12 @@ impl ValidateFindings {
     }
 }
 
-/// The orbits to begin with; a row that says so where there are none.
-fn starts(task: &ValidateTask, oscillator: &Oscillator, found: &mut ValidateFindings) -> Vec<Orbit> {
-    match task.orbit.orbits(oscillator) {
-        Ok(orbits) => {
-            if orbits.is_empty() {
-                found.nothing(Vec::new(), task.orbit.none());
-            }
-            orbits
-        }
-        Err(error) => {
-            found.nothing(Vec::new(), error.to_string());
-            Vec::new()
-        }
-    }
-}
-
-fn orbits(task: &ValidateTask, job: &Job, found: &mut ValidateFindings) -> Result<()> {
-    let precision = Precision::new(task.bits);
-    let system = job.scene.exact(&[])?;
-    let oscillator = job.oscillator(job.system()?.clone())?;
-    for orbit in starts(task, &oscillator, found) {
-        job.check()?;
-        let guess = impacts(&orbit.itinerary, &orbit.z);
-        let verdict =
-            timed(job.monitor, Rung::Ball(precision.bits()), || orbit::orbit(&system, &guess, &precision))?;
-        let mut row = ProofRow::of(&verdict, orbit.itinerary.to_string(), orbit.z.clone());
-        if let Verdict::Proved(proof) = verdict {
-            row.phases = Some(all(&proof.phases));
-            row.speeds = Some(all(&proof.velocities));
-            row.only_within = proof.radius.to_f64();
-            row.trace = digits(&proof.trace);
-            row.det = digits(&proof.determinant);
-            row.stable = Some(match proof.stability {
-                Some(Stability::Stable) => Judgement::Yes,
-                Some(Stability::Unstable) => Judgement::No,
-                None => Judgement::Marginal,
-            });
-            match orbit::certificate(&system, &proof) {
-                Ok(text) => found.certify(&mut row, &job.task.name, text),
-                Err(error) => row.no_certificate = Some(error.to_string()),
-            }
-        }
-        found.proofs.push(row);
-    }
-    Ok(())
-}
-
-fn events(
-    task: &ValidateTask,
-    event: Bifurcation,
-    name: &str,
-    job: &Job,
-    found: &mut ValidateFindings,
-) -> Result<()> {
-    let precision = Precision::new(task.bits);
-    let family = job.family(name)?;
-    let start = family.value();
-    let exact = |parameter: &Jet| {
-        let values = job.scene.parameters.iter().map(|(other, value)| {
-            if other == name { parameter.clone() } else { Jet::ratio(value, &precision) }
-        });
-        let values: Vec<Jet> = values.collect();
-        job.scene.system()?.try_map(|expression| expression.evaluate(&values, &precision))
-    };
-    found.event = Some(event.name());
-    // The family as a function of the parameter, for the certificates.
-    let family_of = || {
-        let values = job.scene.parameters.iter().map(|(other, value)| {
-            if other == name { Quotient::parameter() } else { Quotient::ratio(value, &()) }
-        });
-        let values: Vec<Quotient> = values.collect();
-        job.scene.system()?.try_map(|expression| expression.evaluate(&values, &()))
-    };
-    let mut known: Vec<BigRational> = Vec::new();
-    for orbit in starts(task, &family.at(start)?, found) {
-        job.check()?;
-        if !orbit.admissibility.is_admissible() {
-            found.nothing(speeds(&orbit), "the solution to begin with is not admissible".into());
-            continue;
-        }
-        let (guess, parameter, condition) = match approximate(&family, event, &orbit, start, task) {
-            Ok(found) => found,
-            Err(error) => {
-                found.nothing(speeds(&orbit), error.to_string());
-                continue;
-            }
-        };
-        let solution = guess.iter().flat_map(|impact| [impact.phase, impact.velocity]).chain([parameter]);
-        let verdict = timed(job.monitor, Rung::Ball(precision.bits()), || {
-            orbit::event(exact, &guess, parameter, condition, &precision)
-        })?;
-        let mut row = ProofRow::of(&verdict, orbit.itinerary.to_string(), solution.collect());
-        if let Verdict::Proved(proof) = verdict {
-            let Some((lo, hi)) = proof.parameter.exact_bounds() else {
-                found.nothing(speeds(&orbit), "the parameter's enclosure is not bounded".into());
-                continue;
-            };
-            // The same event from another orbit of its branch.
-            if known.iter().any(|other| lo <= *other && *other <= hi) {
-                continue;
-            }
-            row.parameter = digits(&proof.parameter);
-            row.width = (&hi - &lo).to_f64();
-            row.phases = Some(all(&proof.phases));
-            row.speeds = Some(all(&proof.velocities));
-            row.only_within = proof.radius.to_f64();
-            match family_of().and_then(|system| orbit::event_certificate(&system, name, &proof)) {
-                Ok((text, [lower, upper])) => {
-                    (row.lower, row.upper) = (Some(lower), Some(upper));
-                    found.certify(&mut row, &job.task.name, text);
-                }
-                Err(error) => row.no_certificate = Some(error.to_string()),
-            }
-            known.push((lo + hi) / BigRational::from_integer(2.into()));
-        }
-        found.proofs.push(row);
-    }
-    Ok(())
-}
-
-/// Impacts, parameter and condition near which the event is expected.
-fn approximate(
-    family: &SceneFamily,
-    event: Bifurcation,
-    orbit: &Orbit,
-    start: f64,
-    task: &ValidateTask,
-) -> Result<(Vec<ExpectedImpact>, f64, Condition)> {
-    let (patterns, extent) =
-        (OscillatorPatterns::new(family, start)?, task.extent(&family.at(start)?, orbit));
-    let found = match nearest(&patterns, event, orbit, start, extent, &task.options.checked()?)? {
-        BranchSearch::Found(found) => found,
-        BranchSearch::Nothing(nothing) => return Err(Error::input(nothing.to_string())),
-    };
-    if event == Bifurcation::Grazing {
-        let found = grazing::locate(family, &found.orbit, found.parameter)?;
-        // The tangency is the first of its impacts: what comes before it flies on to what comes after.
-        let mut all = impacts(&found.itinerary, &found.z);
-        let touch = all.remove(0);
-        let Some(last) = all.last_mut() else {
-            return Ok((
-                all,
-                found.parameter,
-                Condition::Grazing { after: 0, side: touch.side, time: touch.phase },
-            ));
-        };
-        let time = TAU * f64::from(last.periods) + touch.phase - last.phase;
-        last.periods += touch.periods;
-        let after = all.len() - 1;
-        return Ok((all, found.parameter, Condition::Grazing { after, side: touch.side, time }));
-    }
-    let condition = if event == Bifurcation::Flip { Condition::Flip } else { Condition::SaddleNode };
-    Ok((impacts(&found.orbit.itinerary, &found.orbit.z), found.parameter, condition))
-}
-
-/// The impacts of a solution of the pattern equations.
-fn impacts(itinerary: &Itinerary, z: &[f64]) -> Vec<ExpectedImpact> {
-    let Ok(unknowns) = Unknowns::new(itinerary, z) else { return Vec::new() };
-    let strikes = itinerary.strikes().iter().enumerate();
-    strikes
-        .map(|(i, strike)| ExpectedImpact {
-            side: strike.side,
-            periods: strike.periods,
-            phase: unknowns.phase(i),
-            velocity: unknowns.speed(i),
-        })
-        .collect()
-}
-
 /// The certain digits of an enclosed number.
 pub(super) fn digits(x: &Ball) -> Option<String> {
     let (lo, hi) = x.exact_bounds()?;
     certain_digits(&lo, &hi, DIGITS)
 }
 
-fn all(values: &[Ball]) -> Vec<String> {
+pub(super) fn all(values: &[Ball]) -> Vec<String> {
     values.iter().map(|value| digits(value).unwrap_or_else(|| "?".into())).collect()
 }

@@ -121,17 +121,10 @@ keys! {
 /// How far to look along the branch of an oscillator from an orbit: in the norm of times, of speeds in units
 /// of the motion's size and of the parameter, as it is if `reach` is given, else in what changes the system
 /// by its own size.
-pub(super) fn extent(reach: Option<f64>, oscillator: &Oscillator, orbit: &Orbit) -> SearchReach {
+pub(crate) fn extent(reach: Option<f64>, oscillator: &Oscillator, orbit: &Orbit) -> SearchReach {
     match reach {
         Some(reach) => SearchReach::Length { reach, unit: 1.0 },
         None => SearchReach::Length { reach: 0.5, unit: oscillator.parameter_unit(orbit.unit) },
-    }
-}
-
-impl EventTask {
-    /// How far to look along the branch of an oscillator from an orbit.
-    pub fn extent(&self, oscillator: &Oscillator, orbit: &Orbit) -> SearchReach {
-        extent(self.reach, oscillator, orbit)
     }
 }
 

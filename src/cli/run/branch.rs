@@ -15,20 +15,25 @@ use crate::{
         branch::{Branch, record},
         orbit::{Family, Orbit, Oscillator},
     },
-    run::{BranchFindings, BranchList, Judgement, MachineBranchFindings, Row, form, machine_stable, stable},
+    run::{BranchFindings, FoundBranches, JudgedOrbit, form},
     scene::{Frame, MachineSceneFamily, SceneFamily, branches::BranchTask, phase},
 };
 
 pub(super) fn keep(found: &BranchFindings, task: &BranchTask, job: &Job) -> Result<Vec<String>> {
-    let family = SceneFamily::new(&job.scene, &task.parameter)?;
-    let drawing = Drawing { family: &family, phase: phase(&task.phase), frame: task.frame };
-    let draw = |branch: &Branch| drawing.curve(branch);
-    let named = |branch: &Branch| branch.itinerary.to_string();
-    write(found, task, job, (&record, &draw, &named), drawing.axis())
+    match &found.branches {
+        FoundBranches::One(all) => {
+            let family = SceneFamily::new(&job.scene, &task.parameter)?;
+            let drawing = Drawing { family: &family, phase: phase(&task.phase), frame: task.frame };
+            let draw = |branch: &Branch| drawing.curve(branch);
+            let named = |branch: &Branch| branch.itinerary.to_string();
+            write((found, all), task, job, (&record, &draw, &named), drawing.axis())
+        }
+        FoundBranches::Many(all) => of_machine((found, all), task, job),
+    }
 }
 
-pub(super) fn keep_machine(
-    found: &MachineBranchFindings,
+fn of_machine(
+    (found, all): (&BranchFindings, &[MachineBranch]),
     task: &BranchTask,
     job: &Job,
 ) -> Result<Vec<String>> {
@@ -37,7 +42,7 @@ pub(super) fn keep_machine(
     let family = MachineSceneFamily::new(&job.scene, &task.parameter)?;
     let patterns = MachinePatterns::new(&family, family.value(), job.scene.machine_scene()?.minimum_depth)?;
     // One stop for all branches: that of the first impact of the first that has one.
-    let mut first = found.branches.iter().filter_map(|branch| branch.itinerary.strikes().first());
+    let mut first = all.iter().filter_map(|branch| branch.itinerary.strikes().first());
     let stop = first.next().map_or(0, |strike| strike.stop);
     let record = |branch: &MachineBranch, names: &[&str]| {
         let strikes: Vec<(usize, u32)> =
@@ -47,14 +52,12 @@ pub(super) fn keep_machine(
     let named = |branch: &MachineBranch| branch.itinerary.with_names(&stops);
     let at = phase(&task.phase);
     let draw = |branch: &MachineBranch| {
-        let drawn = |point: &BranchPoint<MachineOrbit>| {
-            let gap = patterns.gap(point.parameters[0], &point.orbit, stop, at)?;
-            Ok((gap, machine_stable(&point.orbit, point.event)))
-        };
+        let drawn =
+            |point: &BranchPoint<MachineOrbit>| patterns.gap(point.parameters[0], &point.orbit, stop, at);
         curve(branch, &named(branch), &drawn)
     };
     let axis = if stops.len() == 1 { "gap".to_string() } else { format!("gap of {}", stops[stop]) };
-    write(found, task, job, (&record, &draw, &named), &axis)
+    write((found, all), task, job, (&record, &draw, &named), &axis)
 }
 
 /// A branch as JSON, as a curve of its picture, and its pattern.
@@ -64,8 +67,8 @@ type Views<'v, O> = (
     &'v dyn Fn(&OrbitBranch<O>) -> String,
 );
 
-fn write<R: Row, O: FollowedOrbit>(
-    found: &BranchList<R, O>,
+fn write<O: JudgedOrbit>(
+    (found, all): (&BranchFindings, &[OrbitBranch<O>]),
     task: &BranchTask,
     job: &Job,
     (record, draw, named): Views<O>,
@@ -73,8 +76,8 @@ fn write<R: Row, O: FollowedOrbit>(
 ) -> Result<Vec<String>> {
     let names: Vec<&str> = found.varied.iter().map(String::as_str).collect();
     let mut files = Vec::new();
-    for (i, branch) in (1..).zip(&found.branches) {
-        let file = if found.branches.len() == 1 {
+    for (i, branch) in (1..).zip(all) {
+        let file = if all.len() == 1 {
             format!("{}.json", job.task.name)
         } else {
             format!("{}-{i}.json", job.task.name)
@@ -84,12 +87,10 @@ fn write<R: Row, O: FollowedOrbit>(
         files.push(file);
     }
     let (curves, axes) = match &task.second {
-        None => {
-            (found.branches.iter().map(draw).collect::<Result<Vec<_>>>()?, [task.parameter.as_str(), axis])
-        }
+        None => (all.iter().map(draw).collect::<Result<Vec<_>>>()?, [task.parameter.as_str(), axis]),
         Some(second) => {
             let locus = |branch: &OrbitBranch<O>| locus(branch, &named(branch));
-            (found.branches.iter().map(locus).collect(), [task.parameter.as_str(), second.as_str()])
+            (all.iter().map(locus).collect(), [task.parameter.as_str(), second.as_str()])
         }
     };
     figure::branches(&curves, &[], axes, &job.place())?;
@@ -112,21 +113,18 @@ fn locus<O: FollowedOrbit>(branch: &OrbitBranch<O>, pattern: &str) -> figure::Dr
     }
 }
 
-/// The height of an orbit in the picture, and whether it is stable.
-type Drawn = (f64, Judgement);
-
-/// A branch over one parameter.
-pub(super) fn curve<O: FollowedOrbit>(
+/// A branch over one parameter, drawn at the heights of its orbits.
+pub(super) fn curve<O: JudgedOrbit>(
     branch: &OrbitBranch<O>,
     pattern: &str,
-    drawn: &dyn Fn(&BranchPoint<O>) -> Result<Drawn>,
+    height: &dyn Fn(&BranchPoint<O>) -> Result<f64>,
 ) -> Result<figure::DrawnBranch> {
     let name = format!("impact pattern ({pattern})");
     let mut curve = figure::DrawnBranch { name, at: Vec::new(), labels: Vec::new() };
     for point in &branch.points {
         let parameter = point.parameters[0];
-        let (height, stable) = drawn(point)?;
-        curve.at.push((parameter, height, Some(stable)));
+        let height = height(point)?;
+        curve.at.push((parameter, height, Some(point.orbit.stable(point.event))));
         if let Some(kind) = point.kind() {
             curve.labels.push((parameter, height, kind.to_string()));
         }
@@ -148,7 +146,7 @@ impl Drawing<'_> {
             let first = if orbit.itinerary.strikes().is_empty() { 0.0 } else { orbit.z[0] };
             let wait = (self.phase - first).rem_euclid(TAU);
             let q = orbit.state(&oscillator, first + wait)?.q;
-            Ok((self.displacement(&oscillator, q), stable(orbit, point.event)))
+            Ok(self.displacement(&oscillator, q))
         };
         curve(branch, &branch.itinerary.to_string(), &drawn)
     }

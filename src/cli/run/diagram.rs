@@ -10,7 +10,7 @@ use crate::{
     figure,
     many::{MachineFamily, orbit::MachineOrbit},
     one::orbit::Family,
-    run::{BranchSource, DiagramFindings, MachineSource, OscillatorSource, follow, machine_stable},
+    run::{DiagramFindings, MachineSource, OrbitSource, OscillatorSource, follow},
     scene::{MachineSceneFamily, SceneFamily, branches::DiagramTask, phase},
 };
 
@@ -25,7 +25,7 @@ pub(super) fn keep(found: &DiagramFindings, task: &DiagramTask, job: &Job) -> Re
     let family = SceneFamily::new(&job.scene, &task.parameter)?;
     let range = task.bounds();
     let drawing = Drawing { family: &family, phase: phase(&task.phase), frame: task.frame };
-    let source = OscillatorSource::new(&family)?;
+    let source = OscillatorSource::new(&family, job)?;
     let (branches, _) = follow(&task.branches, &source, range, Direction::Both, &task.options, job)?;
     let curves = branches.iter().map(|branch| drawing.curve(branch)).collect::<Result<Vec<_>>>()?;
     let height = |value: f64| -> Result<Height> {
@@ -51,7 +51,7 @@ fn machine_curves(task: &DiagramTask, job: &Job) -> Result<Vec<figure::DrawnBran
         let parameter = point.parameters[0];
         let state = source.patterns.state(parameter, &point.orbit, at)?;
         let planar = job.planar(&family.at(parameter)?.0, &[], &task.plane)?;
-        Ok((planar.point(&state).at[0], machine_stable(&point.orbit, point.event)))
+        Ok(planar.point(&state).at[0])
     };
     branches.iter().map(|branch| curve(branch, &source.named(&branch.itinerary), &drawn)).collect()
 }

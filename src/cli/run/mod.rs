@@ -38,8 +38,8 @@ use crate::{
         TableWriter, make_folder, read_text, say, say_to,
     },
     run::{
-        EventRows, Findings, GrazingFindings, Job as Task, Keeper, MachineGrazingFindings, Row, RunReport,
-        Status, Surroundings, TaskReport, parts, run_task,
+        Findings, GrazingFindings, Job as Task, Keeper, RunReport, Status, Surroundings, Tabular, TaskReport,
+        parts, run_task,
     },
     scene::{Kind, Scene},
 };
@@ -147,13 +147,12 @@ impl Job<'_> {
     }
 
     /// Writes rows as the task's CSV file with this ending, and returns the file's name.
-    fn csv<R: Row>(&self, rows: &[R], end: &str) -> Result<String> {
+    fn csv<T: Tabular>(&self, rows: &T, end: &str) -> Result<String> {
         let file = format!("{}{end}", self.task.name);
         self.write(&file, |out| {
-            let columns = R::COLUMNS.iter().map(|name| Column::new(name, name, 0)).collect();
+            let columns = rows.columns().iter().map(|name| Column::new(name, name, 0)).collect();
             let mut table = TableWriter::new(out, TableFormat::Csv, "", columns)?;
-            for row in rows {
-                let cells = row.cells();
+            for cells in rows.cells() {
                 table.row(&cells.iter().map(|cell| TableCell::Text(cell)).collect::<Vec<_>>())?;
             }
             table.finish()
@@ -183,26 +182,14 @@ impl Keeper for Files<'_> {
             (Findings::Map(found), _) => map::keep(found, self.0),
             (Findings::Diagram(found), Kind::DiagramTask(task)) => diagram::keep(found, task, self.0),
             (Findings::Branch(found), Kind::BranchTask(task)) => branch::keep(found, task, self.0),
-            (Findings::MachineBranch(found), Kind::BranchTask(task)) => {
-                branch::keep_machine(found, task, self.0)
-            }
-            (Findings::MachineEvent(found), _) => Ok(vec![self.0.csv(&found.found, ".csv")?]),
             (Findings::Validate(found), _) => validate::keep(found, self.0),
             (Findings::Chaos(found), _) => chaos::keep(found, self.0),
             (Findings::Orbit(found), _) => Ok(vec![self.0.csv(&found.orbits, ".csv")?]),
-            (Findings::MachineOrbit(found), _) => Ok(vec![self.0.csv(&found.orbits, ".csv")?]),
-            (Findings::MachineGrazing(found), _) => match &**found {
-                MachineGrazingFindings::Found(found) => Ok(vec![self.0.csv(&found.born, ".csv")?]),
-                MachineGrazingFindings::Nothing { .. } => Ok(Vec::new()),
-            },
             (Findings::Grazing(found), _) => match &**found {
                 GrazingFindings::Found(found) => Ok(vec![self.0.csv(&found.born, ".csv")?]),
                 GrazingFindings::Nothing { .. } => Ok(Vec::new()),
             },
-            (Findings::Event(found), _) => Ok(vec![match &found.found {
-                EventRows::Bifurcations(rows) => self.0.csv(rows, ".csv")?,
-                EventRows::Grazings(rows) => self.0.csv(rows, ".csv")?,
-            }]),
+            (Findings::Event(found), _) => Ok(vec![self.0.csv(&found.found, ".csv")?]),
             (Findings::Crisis(found), _) => {
                 Ok(vec![self.0.csv(&found.crisis, ".csv")?, self.0.csv(&found.simulated, "-simulated.csv")?])
             }

@@ -7,7 +7,7 @@ use crate::{
     certificate::Sha256,
     error::Result,
     output::{latex, latex_numbers},
-    run::{EventRows, Findings, Row, TaskReport},
+    run::{Findings, Tabular, TaskReport},
 };
 
 /// Names of columns that print has other words for.
@@ -42,12 +42,7 @@ pub(super) fn reports(scene: &str, all: &[TaskReport], out: &mut dyn Write) -> R
         let (blocks, certificates) = match &report.findings {
             Some(Findings::Validate(found)) => (blocks(&found.proofs), found.certificates.clone()),
             Some(Findings::Orbit(found)) => (blocks(&found.orbits), Vec::new()),
-            Some(Findings::MachineOrbit(found)) => (blocks(&found.orbits), Vec::new()),
-            Some(Findings::MachineEvent(found)) => (blocks(&found.found), Vec::new()),
-            Some(Findings::Event(found)) => match &found.found {
-                EventRows::Bifurcations(rows) => (blocks(rows), Vec::new()),
-                EventRows::Grazings(rows) => (blocks(rows), Vec::new()),
-            },
+            Some(Findings::Event(found)) => (blocks(&found.found), Vec::new()),
             Some(Findings::Chaos(found)) => {
                 let yes = |yes: bool| if yes { "yes" } else { "no" }.to_string();
                 let numbers = |x: Option<f64>| x.map_or(String::new(), |x| format!("{x:?}"));
@@ -79,9 +74,9 @@ pub(super) fn reports(scene: &str, all: &[TaskReport], out: &mut dyn Write) -> R
 /// Name and value of each column that is not empty, row by row.
 type Blocks = Vec<Vec<(String, String)>>;
 
-fn blocks<R: Row>(rows: &[R]) -> Blocks {
-    let pairs = |row: &R| R::COLUMNS.iter().map(ToString::to_string).zip(row.cells()).collect();
-    rows.iter().map(pairs).collect()
+fn blocks<T: Tabular>(rows: &T) -> Blocks {
+    let names: Vec<String> = rows.columns().iter().map(ToString::to_string).collect();
+    rows.cells().into_iter().map(|cells| names.iter().cloned().zip(cells).collect()).collect()
 }
 
 fn table(

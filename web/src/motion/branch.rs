@@ -48,7 +48,6 @@ pub fn branch(request: &Request) -> Result<Value> {
     let json = finished(&report)?;
     let rows = match &report.findings {
         Some(Findings::Branch(found)) => serde_json::to_value(&found.rows),
-        Some(Findings::MachineBranch(found)) => serde_json::to_value(&found.rows),
         _ => return Err(Error::input("the branch has no findings")),
     }
     .map_err(std::io::Error::other)?;

@@ -1,70 +1,20 @@
-//! Tasks of kind `orbit` on machines: periodic orbits of a pattern.
-//!
-//! Phases are fractions of the period, speeds in the scene's units.
+//! The search for orbits of a pattern of a machine.
 
 use std::f64::consts::TAU;
 
 use rayon::prelude::*;
 
-use super::{Complex, Job, Judgement, orbit::OrbitList, row};
+use super::super::super::Job;
 use crate::{
-    continuation::{Bifurcation, FollowedOrbit},
     error::{Error, Result},
     many::{
         Machine, MachineState, RealVector,
-        orbit::{MachineAdmissibility, MachineOrbit, StopPattern, StopStrike, find, find_from},
+        orbit::{MachineOrbit, StopPattern, StopStrike, find, find_from},
         simulate::MachineSimulator,
     },
-    one::orbit::counted,
     random::Random,
-    scene::orbits::{OrbitKeys, OrbitTask},
+    scene::orbits::OrbitKeys,
 };
-
-row! {
-    /// A solution of the equations of a pattern.
-    pub struct MachineOrbitRow {
-        /// The parameter's value, if the task goes through some.
-        pub value: Option<f64>,
-        /// The impact pattern.
-        pub pattern: String,
-        /// The phases of its impacts, as fractions of the period.
-        pub phases: Vec<f64>,
-        /// Their incoming speeds, at their stops, in the scene's units.
-        pub speeds: Vec<f64>,
-        /// The multipliers of largest modulus, at most four.
-        pub multipliers: Vec<Complex>,
-        /// Whether all are inside the unit circle.
-        pub stable: Judgement,
-        /// Whether it is an orbit: its impacts come in, and between them the simulator finds no other
-        /// contact.
-        pub admissible: Judgement,
-        /// Why not.
-        pub reason: Option<String>,
-        /// What is left of the equations, relative to the size of the motion.
-        pub residual: f64,
-    }
-}
-
-/// The orbits of a machine.
-pub type MachineOrbitFindings = OrbitList<MachineOrbitRow>;
-
-/// Finds the orbits of a pattern, at each value of a parameter if there is one.
-///
-/// # Errors
-/// Where the machine is not defined; an interruption.
-pub fn machine_orbit(task: &OrbitTask, machine: &Machine<f64>, job: &Job) -> Result<MachineOrbitFindings> {
-    OrbitList::of(task, job, |place| {
-        let machine = match place {
-            Some(place) => job.scene.machine(&[place])?,
-            None => machine.clone(),
-        };
-        let simulator = job.machine_simulator(&machine, &[])?;
-        let orbits = orbits(&task.orbit, &machine, &simulator, job);
-        let row =
-            |orbit: &MachineOrbit| MachineOrbitRow::of(orbit, &simulator, place.map(|(_, value)| value));
-        Ok(orbits.map(|orbits| orbits.iter().map(row).collect()))
-    })
-}
 
 /// Starts between two looks at whether to go on.
 const CHUNK: u32 = 16;
@@ -73,7 +23,7 @@ const CHUNK: u32 = 16;
 const NEAR: f64 = 1e-7;
 
 /// The orbits of the keys: the one that Newton's method finds from `start`, or those of a search.
-pub(super) fn orbits(
+pub(crate) fn machine_orbits(
     keys: &OrbitKeys,
     machine: &Machine<f64>,
     simulator: &MachineSimulator,
@@ -195,7 +145,7 @@ fn same(a: &MachineOrbit, b: &MachineOrbit, shift: usize) -> bool {
 }
 
 /// The pattern of the keys, whose stops go by their names.
-pub(super) fn pattern(keys: &OrbitKeys, machine: &Machine<f64>) -> Result<StopPattern> {
+fn pattern(keys: &OrbitKeys, machine: &Machine<f64>) -> Result<StopPattern> {
     if keys.pattern.is_empty() {
         return StopPattern::free(keys.period);
     }
@@ -211,86 +161,4 @@ pub(super) fn pattern(keys: &OrbitKeys, machine: &Machine<f64>) -> Result<StopPa
     StopPattern::new(
         strikes.map(|(i, &periods)| Ok(StopStrike { stop: stop(i)?, periods })).collect::<Result<_>>()?,
     )
-}
-
-/// Multipliers that a row shows.
-const SHOWN: usize = 4;
-
-impl MachineOrbitRow {
-    fn of(orbit: &MachineOrbit, simulator: &MachineSimulator, value: Option<f64>) -> MachineOrbitRow {
-        let (admissible, reason) = admissible(orbit);
-        MachineOrbitRow {
-            value,
-            pattern: orbit.pattern.named(simulator.contacts().all()),
-            phases: phases(orbit),
-            speeds: speeds(orbit, simulator.rate()),
-            multipliers: multipliers(&orbit.multipliers),
-            stable: stable(orbit, None),
-            admissible,
-            reason,
-            residual: orbit.residual,
-        }
-    }
-}
-
-pub(super) fn multipliers(all: &[(f64, f64)]) -> Vec<Complex> {
-    all.iter().take(SHOWN).map(|&one| Complex::from(one)).collect()
-}
-
-pub(super) fn phases(orbit: &MachineOrbit) -> Vec<f64> {
-    let times: Vec<f64> = orbit.impacts.iter().map(|impact| impact.time).collect();
-    counted(&times).into_iter().map(|time| time / TAU).collect()
-}
-
-/// In the scene's units, of which `rate` is Ω.
-pub(super) fn speeds(orbit: &MachineOrbit, rate: f64) -> Vec<f64> {
-    orbit.impacts.iter().map(|impact| impact.speed * rate).collect()
-}
-
-/// Closer to the unit circle than this, rounding decides.
-const MARGIN: f64 = 1e-11;
-
-/// Whether all multipliers are inside the unit circle; marginal at a bifurcation at which one or two are on
-/// it.
-pub(crate) fn stable(orbit: &MachineOrbit, at: Option<Bifurcation>) -> Judgement {
-    let off = |&(re, im): &(f64, f64)| match at {
-        Some(Bifurcation::SaddleNode | Bifurcation::Crossing) => (re - 1.0).hypot(im),
-        Some(Bifurcation::Flip) => (re + 1.0).hypot(im),
-        _ => (re.hypot(im) - 1.0).abs(),
-    };
-    let critical = match at {
-        Some(Bifurcation::SaddleNode | Bifurcation::Crossing | Bifurcation::Flip) => 1,
-        Some(Bifurcation::Torus) => 2,
-        _ => 0,
-    };
-    let mut all = orbit.multipliers.clone();
-    all.sort_by(|a, b| off(a).total_cmp(&off(b)));
-    let largest = all[critical.min(all.len())..].iter().map(|x| x.0.hypot(x.1)).fold(0.0, f64::max);
-    match () {
-        () if largest > 1.0 + MARGIN => Judgement::No,
-        () if critical > 0 || (largest - 1.0).abs() <= MARGIN => Judgement::Marginal,
-        () => Judgement::Yes,
-    }
-}
-
-/// Whether a solution on a branch is an orbit, and why not; marginal at a grazing or where an impact fades.
-pub(super) fn admissible_at(orbit: &MachineOrbit, at: Option<Bifurcation>) -> (Judgement, Option<String>) {
-    match at {
-        Some(Bifurcation::Grazing | Bifurcation::Fade) => (Judgement::Marginal, None),
-        _ => match admissible(orbit) {
-            (Judgement::Yes, _) if !orbit.is_orbit() => {
-                let why = "the least gap between impacts is not positive, though within the minimum depth";
-                (Judgement::Marginal, Some(why.into()))
-            }
-            found => found,
-        },
-    }
-}
-
-pub(super) fn admissible(orbit: &MachineOrbit) -> (Judgement, Option<String>) {
-    match &orbit.admissibility {
-        MachineAdmissibility::Admissible => (Judgement::Yes, None),
-        MachineAdmissibility::Marginal(why) => (Judgement::Marginal, Some(why.to_string())),
-        MachineAdmissibility::No(why) => (Judgement::No, Some(why.to_string())),
-    }
 }

@@ -1,0 +1,75 @@
+//! What is proved of machines: their orbits, by the checker of certificates.
+
+use super::{
+    super::super::{
+        Job, Judgement, ProofRow,
+        engine::{JudgedOrbit, Proof, Prover},
+        validate::digits,
+    },
+    named, phases, speeds,
+};
+use crate::{
+    certificate::machine::{Claim, Machine as ListedMachine},
+    error::Result,
+    many::{
+        Machine,
+        orbit::{MachineAdmissibility, MachineOrbit},
+    },
+    number::{Ball, Elementary, Precision, Real},
+    search::{
+        machine::{self, Bounds, ProvedMachineOrbit},
+        orbit::Verdict,
+    },
+};
+
+/// Proves orbits of one machine.
+pub(super) struct MachineProver<'e> {
+    pub job: &'e Job<'e>,
+    pub machine: &'e Machine<f64>,
+    pub listed: ListedMachine,
+    /// The enclosed period.
+    pub period: Bounds,
+}
+
+impl Prover<MachineOrbit> for MachineProver<'_> {
+    fn prove(&self, orbit: &MachineOrbit) -> Result<Proof> {
+        let verdict = self.verdict(orbit)?;
+        let numbers = phases(orbit).into_iter().zip(speeds(orbit, self.machine.rate()));
+        let solution = numbers.flat_map(|(t, v)| [t, v]).collect();
+        let mut row = ProofRow::of(&verdict, named(&orbit.pattern, self.machine), solution);
+        let Verdict::Proved(proof) = verdict else { return Ok(Proof { row, certificate: None }) };
+        fill(&mut row, &proof, &self.period)?;
+        Ok(Proof { row, certificate: Some(Ok(proof.text)) })
+    }
+}
+
+impl MachineProver<'_> {
+    /// Of an orbit that the simulator does not refuse.
+    fn verdict(&self, orbit: &MachineOrbit) -> Result<Verdict<ProvedMachineOrbit>> {
+        if let MachineAdmissibility::No(_) = orbit.admissibility {
+            let (_, why) = orbit.admissible(None);
+            return Ok(Verdict::Undecided(format!(
+                "by the simulator the solution is no orbit: {}",
+                why.unwrap_or_default()
+            )));
+        }
+        machine::orbit(&self.listed, orbit, &mut || self.job.check().is_err())
+    }
+}
+
+/// What was proved, in the scene's units.
+fn fill(row: &mut ProofRow, proof: &ProvedMachineOrbit, period: &Bounds) -> Result<()> {
+    let precision = Precision::new(192);
+    let turn = Ball::pi(&precision) * &Ball::integer(2, &precision);
+    let rate = turn / &Ball::between(&period[0], &period[1], &precision);
+    let shown = |x: &Ball| digits(x).unwrap_or_else(|| "?".into());
+    row.phases = Some(proof.phases.iter().map(shown).collect());
+    row.speeds = Some(proof.speeds.iter().map(|speed| shown(&(speed.clone() * &rate))).collect());
+    row.only_within = Some(proof.radius());
+    row.stable = Some(match proof.certificate.claim {
+        Claim::Stable => Judgement::Yes,
+        Claim::Unstable => Judgement::No,
+        Claim::Open => Judgement::Marginal,
+    });
+    Ok(())
+}

@@ -1,0 +1,293 @@
+//! What the tasks of a scene ask of an engine: its systems, their orbits, and orbits over a parameter.
+//!
+//! A task asks an [`Engine`] and never a type of one; [`by_engine!`] is where the choice is made. `one` answers
+//! for oscillators of one degree of freedom, `many` for machines. Not here: what a report shows of the answers
+//! (`columns`).
+
+mod many;
+mod one;
+
+pub(super) use many::machine_orbits;
+pub(crate) use many::{MachineSource, Machines, form};
+pub(crate) use one::{OscillatorSource, Oscillators};
+
+use super::{Analysed, GrazingEventRow, GrazingMap, Judgement, ProofRow, ValidateFindings};
+use crate::{
+    continuation::{
+        Bifurcation, FollowedOrbit, Label, Located, NoForm, NormalForm, OrbitBranch, PatternFamily,
+        PatternOf, SearchReach,
+    },
+    error::Result,
+    pattern::{Map, Report as Verdict},
+    scene::{
+        branches::{BranchStart, BranchTask},
+        orbits::{GrazingTask, OrbitKeys},
+        validate::ValidateTask,
+    },
+};
+
+/// Calls the rest with the engine that the job's scene is for.
+macro_rules! by_engine {
+    ($job:expr, $engine:ident => $ask:expr) => {
+        match &$job.model {
+            $crate::run::Model::Oscillator(system) => {
+                let $engine = $crate::run::engine::Oscillators { job: $job, system };
+                $ask
+            }
+            $crate::run::Model::Machine(machine) => {
+                let $engine = $crate::run::engine::Machines { job: $job, machine };
+                $ask
+            }
+        }
+    };
+}
+pub(crate) use by_engine;
+
+/// An orbit, judged: what is asked of it beside its numbers.
+pub(crate) trait JudgedOrbit: FollowedOrbit {
+    /// Whether all multipliers are inside the unit circle; marginal at a bifurcation at which one or two are
+    /// on it.
+    fn stable(&self, at: Option<Bifurcation>) -> Judgement;
+
+    /// Whether it is an orbit, and why not; marginal at a grazing or where an impact fades.
+    fn admissible(&self, at: Option<Bifurcation>) -> (Judgement, Option<String>);
+}
+
+/// What a normal form comes to.
+pub(crate) type Form = std::result::Result<NormalForm, NoForm>;
+
+/// What is known of an orbit and of the event at it.
+pub(crate) struct AnalysedEvent {
+    /// The orbit.
+    pub orbit: Analysed,
+    /// The normal form of an event over one parameter.
+    pub form: Option<Form>,
+    /// Of a grazing of a machine, the stop, the phase, the second derivative of the gap.
+    pub touch: Option<(String, f64, f64)>,
+}
+
+impl AnalysedEvent {
+    /// The normal form's coefficient, and what it means or why there is none.
+    pub fn form(form: Option<Form>) -> (Option<f64>, Option<&'static str>) {
+        match form {
+            None => (None, None),
+            Some(Ok(form)) => (Some(form.coefficient), Some(form.name())),
+            Some(Err(why)) => (None, Some(why)),
+        }
+    }
+}
+
+/// Branches, and what became of every start.
+pub(crate) type Branches<O> = (Vec<OrbitBranch<O>>, Vec<super::StartRow>);
+
+/// An engine at work on a job.
+pub(crate) trait Engine {
+    /// A periodic orbit.
+    type Orbit: JudgedOrbit;
+    /// A system of the scene, ready to be asked for orbits.
+    type System;
+    /// The scene's systems over a parameter.
+    type Family;
+    /// The orbits of these.
+    type Source<'f>: OrbitSource<Orbit = Self::Orbit>
+    where
+        Self: 'f;
+    /// A grazing bifurcation.
+    type Grazing<'f>: GrazingPoint
+    where
+        Self: 'f;
+
+    /// The system of the scene, with another value of a parameter if there is one.
+    ///
+    /// # Errors
+    /// Where it is not defined.
+    fn system(&self, change: Option<(&str, f64)>) -> Result<Self::System>;
+
+    /// The orbits of the keys: the one that Newton's method finds from `start`, or those of a search.
+    ///
+    /// # Errors
+    /// Why there are none, or an interruption.
+    fn orbits(&self, keys: &OrbitKeys, system: &Self::System) -> Result<Vec<Self::Orbit>>;
+
+    /// What is known of an orbit of a system.
+    fn analysed(&self, orbit: &Self::Orbit, system: &Self::System) -> Analysed;
+
+    /// The systems over a parameter.
+    ///
+    /// # Errors
+    /// If the scene has no such parameter.
+    fn family(&self, parameter: &str) -> Result<Self::Family>;
+
+    /// The orbits of a family.
+    ///
+    /// # Errors
+    /// Where it is not defined at the scene's own value.
+    fn source<'f>(&'f self, family: &'f Self::Family) -> Result<Self::Source<'f>>;
+
+    /// The scene's own value of a parameter.
+    fn value(family: &Self::Family) -> f64;
+
+    /// The nearest grazing of the task; the inner error is why there is none.
+    ///
+    /// # Errors
+    /// Those of the search.
+    fn grazing<'f>(
+        &'f self,
+        task: &'f GrazingTask,
+        family: &'f Self::Family,
+    ) -> Result<std::result::Result<Self::Grazing<'f>, String>>;
+
+    /// What proves its orbits; the inner error is why none can be proved.
+    ///
+    /// # Errors
+    /// Where the system is not defined.
+    fn prover(&self, task: &ValidateTask) -> Result<std::result::Result<impl Prover<Self::Orbit>, String>>;
+
+    /// Proves the event nearest to each admissible orbit of the task.
+    ///
+    /// # Errors
+    /// Where the system is not defined; an engine of which none are proved; an interruption.
+    fn prove_events(
+        &self,
+        task: &ValidateTask,
+        event: Bifurcation,
+        parameter: &str,
+        found: &mut ValidateFindings,
+    ) -> Result<()>;
+}
+
+/// What proves orbits of one system.
+pub(crate) trait Prover<O> {
+    /// What is proved of the orbit near an approximation.
+    ///
+    /// # Errors
+    /// An interruption.
+    fn prove(&self, approximation: &O) -> Result<Proof>;
+}
+
+/// What was proved, and if so the certificate, or why there is none.
+pub(crate) struct Proof {
+    pub row: ProofRow,
+    pub certificate: Option<Result<String>>,
+}
+
+/// The orbits of a scene over a parameter.
+pub(crate) trait OrbitSource {
+    /// A periodic orbit.
+    type Orbit: JudgedOrbit;
+    /// Their equations.
+    type Family: PatternFamily<Orbit = Self::Orbit> + ?Sized;
+
+    /// Their equations.
+    fn family(&self) -> &Self::Family;
+
+    /// The scene's own value of the parameter.
+    fn value(&self) -> f64;
+
+    /// The admissible orbits of the keys at the scene's own value.
+    ///
+    /// # Errors
+    /// Why there are none, or an interruption.
+    fn present(&self, keys: &OrbitKeys) -> Result<Vec<Self::Orbit>>;
+
+    /// The admissible orbits that a start means, at a value of the parameter.
+    ///
+    /// # Errors
+    /// Why there are none, or an interruption.
+    fn orbits(&self, start: &BranchStart, at: f64) -> Result<Vec<Self::Orbit>>;
+
+    /// How far to look along the branch of each of some orbits.
+    ///
+    /// # Errors
+    /// Where the family is not defined.
+    fn reaches(&self, reach: Option<f64>, orbits: &[Self::Orbit]) -> Result<Vec<SearchReach>>;
+
+    /// What is known of an orbit at these values of parameters, and of an event there.
+    ///
+    /// # Errors
+    /// Where the family is not defined.
+    fn analysed(
+        &self,
+        orbit: &Self::Orbit,
+        at: &[(&str, f64)],
+        event: Option<Bifurcation>,
+    ) -> Result<AnalysedEvent>;
+
+    /// Pattern and speeds of an orbit at the scene's own value.
+    fn named_with_speeds(&self, orbit: &Self::Orbit) -> (String, Vec<f64>);
+
+    /// Whether orbits that graze have local maps, or only the motion without impacts.
+    fn has_maps(&self) -> bool;
+
+    /// A located grazing of the branch of `orbit` with its local map, if it has one.
+    ///
+    /// # Errors
+    /// Where there is no such map.
+    fn local_map(&self, at: &Located<Self::Orbit>, orbit: &Self::Orbit) -> Result<Option<GrazingEventRow>>;
+
+    /// The labels of a task's restarts, followed in two parameters.
+    ///
+    /// # Errors
+    /// Those of the files and of the branches; an interruption.
+    fn loci(&self, task: &BranchTask, second: &str) -> Result<Branches<Self::Orbit>>;
+
+    /// A label of a branch's file.
+    ///
+    /// # Errors
+    /// Those of [`read_label_as`](crate::continuation::read_label_as).
+    fn label(&self, text: &str, label: &str) -> Result<Label<PatternOf<Self::Orbit>>>;
+
+    /// How a pattern is written.
+    fn named(&self, pattern: &PatternOf<Self::Orbit>) -> String;
+}
+
+/// What the local theory says of a pattern.
+pub(crate) type Theory<'m> = Box<dyn Fn(&[u64]) -> Verdict + 'm>;
+
+/// A grazing bifurcation, for the task `grazing`.
+pub(crate) trait GrazingPoint {
+    /// What is said of a map of half a period.
+    const HALF: &'static str;
+    /// What the word theorem needs.
+    const NEEDS: &'static str;
+
+    /// Where it is and its local map; `open` says why the local theory does not apply, if it does not.
+    fn report(&self) -> GrazingMap;
+
+    /// a₁, a₂, γ and e of a local map of two dimensions.
+    fn plane(&self) -> Option<[f64; 4]>;
+
+    /// The map of the local theory.
+    ///
+    /// # Errors
+    /// If it is none of the theory's.
+    fn map(&self) -> Result<Map>;
+
+    /// What the theory says of each pattern up to the task's period.
+    ///
+    /// # Errors
+    /// If the map is none of the theory's.
+    fn theory<'m>(&self, map: &'m Map) -> Result<Theory<'m>>;
+
+    /// L: the large multiplier of one round of a pattern is L (eµ)^{−m} to leading order.
+    fn leading(&self, periods: &[u64], verdict: &Verdict) -> Option<f64>;
+
+    /// What the task's distance is measured in if it gives none: the size of motions there.
+    ///
+    /// # Errors
+    /// Where the family is not defined.
+    fn size(&self) -> Result<f64>;
+
+    /// The orbit of the true system near the leading-order solution of a pattern, at a parameter `away` from
+    /// the bifurcation; the inner error is why none was found.
+    ///
+    /// # Errors
+    /// Where the system is not defined; a pattern without a solution.
+    fn orbit(
+        &self,
+        periods: &[u64],
+        verdict: &Verdict,
+        parameter: f64,
+        away: f64,
+    ) -> Result<Result<Analysed>>;
+}

@@ -1,0 +1,187 @@
+//! What is proved of oscillators: their orbits, and where in a parameter these bifurcate.
+
+use std::f64::consts::TAU;
+
+use num_rational::BigRational;
+use num_traits::ToPrimitive;
+
+use super::{
+    super::super::{
+        Job, Judgement, ProofRow, ValidateFindings,
+        engine::{Proof, Prover},
+        validate::{all, digits, starts},
+    },
+    Oscillators, speeds,
+};
+use crate::{
+    continuation::{Bifurcation, BranchSearch, nearest},
+    error::{Error, Result},
+    local::Rung,
+    monitor::timed,
+    motion::System,
+    number::{Precision, Real},
+    one::{
+        branch::OscillatorPatterns,
+        grazing,
+        orbit::{Family, Itinerary, Orbit, Unknowns},
+    },
+    scene::{SceneFamily, validate::ValidateTask},
+    search::orbit::{self, Condition, ExpectedImpact, Jet, Quotient, Stability, Verdict},
+};
+
+/// Proves orbits of one oscillator.
+pub(super) struct OrbitProver<'e> {
+    pub job: &'e Job<'e>,
+    pub system: System<BigRational>,
+    pub precision: Precision,
+}
+
+impl Prover<Orbit> for OrbitProver<'_> {
+    fn prove(&self, approximation: &Orbit) -> Result<Proof> {
+        let OrbitProver { job, system, precision } = self;
+        let guess = impacts(&approximation.itinerary, &approximation.z);
+        let verdict =
+            timed(job.monitor, Rung::Ball(precision.bits()), || orbit::orbit(system, &guess, precision))?;
+        let pattern = approximation.itinerary.to_string();
+        let mut row = ProofRow::of(&verdict, pattern, approximation.z.clone());
+        let Verdict::Proved(proof) = verdict else { return Ok(Proof { row, certificate: None }) };
+        row.phases = Some(all(&proof.phases));
+        row.speeds = Some(all(&proof.velocities));
+        row.only_within = proof.radius.to_f64();
+        row.trace = digits(&proof.trace);
+        row.det = digits(&proof.determinant);
+        row.stable = Some(match proof.stability {
+            Some(Stability::Stable) => Judgement::Yes,
+            Some(Stability::Unstable) => Judgement::No,
+            None => Judgement::Marginal,
+        });
+        Ok(Proof { row, certificate: Some(orbit::certificate(system, &proof)) })
+    }
+}
+
+/// Proves the event nearest to each admissible orbit of the task.
+///
+/// # Errors
+/// Where the system is not defined; an interruption.
+pub(super) fn events(
+    task: &ValidateTask,
+    event: Bifurcation,
+    name: &str,
+    engine: &Oscillators,
+    found: &mut ValidateFindings,
+) -> Result<()> {
+    let job = engine.job;
+    let precision = Precision::new(task.bits);
+    let family = job.family(name)?;
+    let start = family.value();
+    let exact = |parameter: &Jet| {
+        let values = job.scene.parameters.iter().map(|(other, value)| {
+            if other == name { parameter.clone() } else { Jet::ratio(value, &precision) }
+        });
+        let values: Vec<Jet> = values.collect();
+        job.scene.system()?.try_map(|expression| expression.evaluate(&values, &precision))
+    };
+    found.event = Some(event.name());
+    // The family as a function of the parameter, for the certificates.
+    let family_of = || {
+        let values = job.scene.parameters.iter().map(|(other, value)| {
+            if other == name { Quotient::parameter() } else { Quotient::ratio(value, &()) }
+        });
+        let values: Vec<Quotient> = values.collect();
+        job.scene.system()?.try_map(|expression| expression.evaluate(&values, &()))
+    };
+    let mut known: Vec<BigRational> = Vec::new();
+    for orbit in starts(task, engine, &family.at(start)?, found)? {
+        job.check()?;
+        if !orbit.admissibility.is_admissible() {
+            found.nothing(speeds(&orbit), "the solution to begin with is not admissible".into());
+            continue;
+        }
+        let (guess, parameter, condition) = match approximate(&family, event, &orbit, start, task) {
+            Ok(found) => found,
+            Err(error) => {
+                found.nothing(speeds(&orbit), error.to_string());
+                continue;
+            }
+        };
+        let solution = guess.iter().flat_map(|impact| [impact.phase, impact.velocity]).chain([parameter]);
+        let verdict = timed(job.monitor, Rung::Ball(precision.bits()), || {
+            orbit::event(exact, &guess, parameter, condition, &precision)
+        })?;
+        let mut row = ProofRow::of(&verdict, orbit.itinerary.to_string(), solution.collect());
+        if let Verdict::Proved(proof) = verdict {
+            let Some((lo, hi)) = proof.parameter.exact_bounds() else {
+                found.nothing(speeds(&orbit), "the parameter's enclosure is not bounded".into());
+                continue;
+            };
+            // The same event from another orbit of its branch.
+            if known.iter().any(|other| lo <= *other && *other <= hi) {
+                continue;
+            }
+            row.parameter = digits(&proof.parameter);
+            row.width = (&hi - &lo).to_f64();
+            row.phases = Some(all(&proof.phases));
+            row.speeds = Some(all(&proof.velocities));
+            row.only_within = proof.radius.to_f64();
+            match family_of().and_then(|system| orbit::event_certificate(&system, name, &proof)) {
+                Ok((text, [lower, upper])) => {
+                    (row.lower, row.upper) = (Some(lower), Some(upper));
+                    found.certify(&mut row, &job.task.name, text);
+                }
+                Err(error) => row.no_certificate = Some(error.to_string()),
+            }
+            known.push((lo + hi) / BigRational::from_integer(2.into()));
+        }
+        found.proofs.push(row);
+    }
+    Ok(())
+}
+
+/// Impacts, parameter and condition near which the event is expected.
+fn approximate(
+    family: &SceneFamily,
+    event: Bifurcation,
+    orbit: &Orbit,
+    start: f64,
+    task: &ValidateTask,
+) -> Result<(Vec<ExpectedImpact>, f64, Condition)> {
+    let (patterns, extent) =
+        (OscillatorPatterns::new(family, start)?, task.extent(&family.at(start)?, orbit));
+    let found = match nearest(&patterns, event, orbit, start, extent, &task.options.checked()?)? {
+        BranchSearch::Found(found) => found,
+        BranchSearch::Nothing(nothing) => return Err(Error::input(nothing.to_string())),
+    };
+    if event == Bifurcation::Grazing {
+        let found = grazing::locate(family, &found.orbit, found.parameter)?;
+        // The tangency is the first of its impacts: what comes before it flies on to what comes after.
+        let mut all = impacts(&found.itinerary, &found.z);
+        let touch = all.remove(0);
+        let Some(last) = all.last_mut() else {
+            return Ok((
+                all,
+                found.parameter,
+                Condition::Grazing { after: 0, side: touch.side, time: touch.phase },
+            ));
+        };
+        let time = TAU * f64::from(last.periods) + touch.phase - last.phase;
+        last.periods += touch.periods;
+        let after = all.len() - 1;
+        return Ok((all, found.parameter, Condition::Grazing { after, side: touch.side, time }));
+    }
+    let condition = if event == Bifurcation::Flip { Condition::Flip } else { Condition::SaddleNode };
+    Ok((impacts(&found.orbit.itinerary, &found.orbit.z), found.parameter, condition))
+}
+
+/// The impacts of a solution of the pattern equations.
+fn impacts(itinerary: &Itinerary, z: &[f64]) -> Vec<ExpectedImpact> {
+    let Ok(unknowns) = Unknowns::new(itinerary, z) else { return Vec::new() };
+    let strikes = itinerary.strikes().iter().enumerate();
+    strikes
+        .map(|(i, strike)| ExpectedImpact {
+            side: strike.side,
+            periods: strike.periods,
+            phase: unknowns.phase(i),
+            velocity: unknowns.speed(i),
+        })
+        .collect()
+}
