@@ -201,6 +201,41 @@ impl Smooth {
         make: impl Fn(f64, f64) -> S,
     ) -> Result<Program<S>> {
         let n = equations.size();
+        let free = self.free(equations, slope, &make);
+        let outlines = match held {
+            None => free,
+            Some(held) => self.held(held, free, |value| make(value, 0.0)),
+        };
+        let variables = self.variables(slope, &make);
+        let mut formulas = Vec::new();
+        for (at, (_, force)) in self.formulas.iter().enumerate() {
+            let slopes = slope.map(|(_, own)| own.formulas[at].1.coefficients().to_vec());
+            let mut place = 0;
+            let mut number = |value: &f64| {
+                place += 1;
+                Ok::<_, Error>(make(*value, slopes.as_ref().map_or(0.0, |all| all[place - 1])))
+            };
+            formulas.push(force.try_map(&mut number)?);
+        }
+        let formulas: Vec<&SmoothForce<S>> = formulas.iter().collect();
+        Program::assemble(n, &variables, &formulas, &outlines).map_err(|(at, error)| {
+            let name = if self.shape.nrows() == 1 {
+                String::new()
+            } else {
+                format!(" on q{}", self.formulas[at].0 + 1)
+            };
+            error.context(format!("force{name}"))
+        })
+    }
+
+    /// The accelerations without stops, as sums of states, harmonics and formulas.
+    fn free<S: Scalar>(
+        &self,
+        equations: &LinearEquations,
+        slope: Option<(&MachineSlope, &Smooth)>,
+        make: impl Fn(f64, f64) -> S,
+    ) -> Vec<Outline<S>> {
+        let n = equations.size();
         // M⁻¹X and its derivative M⁻¹(X′ − M′M⁻¹X).
         let solved = |x: &RealVector, change: Option<&RealVector>| {
             let value = equations.accelerate(x);
@@ -267,11 +302,16 @@ impl Smooth {
                 }
             }
         }
-        let outlines = match held {
-            None => free,
-            Some(held) => self.held(held, free, |value| make(value, 0.0)),
-        };
-        let (points, shape) = (self.shape.nrows(), &self.shape);
+        free
+    }
+
+    /// What the formulas see: displacements of all points, then their velocities.
+    fn variables<S: Scalar>(
+        &self,
+        slope: Option<(&MachineSlope, &Smooth)>,
+        make: impl Fn(f64, f64) -> S,
+    ) -> Vec<Vec<(S, usize)>> {
+        let (points, n, shape) = (self.shape.nrows(), self.shape.ncols(), &self.shape);
         let own = |i: usize, j: usize| slope.map_or(0.0, |(_, own)| own.shape[(i, j)]);
         let faster = slope.map_or(0.0, |(_, own)| own.rate);
         let variable = |i: usize, rate: bool| -> Vec<(S, usize)> {
@@ -285,26 +325,11 @@ impl Smooth {
             };
             (0..n).map(term).filter(|term| !term.0.is_zero()).collect()
         };
-        let variables: Vec<Vec<(S, usize)>> = [false, true]
+        [false, true]
             .into_iter()
             .flat_map(|rate| (0..points).map(move |i| (i, rate)))
             .map(|(i, rate)| variable(i, rate))
-            .collect();
-        let mut formulas = Vec::new();
-        for (at, (_, force)) in self.formulas.iter().enumerate() {
-            let slopes = slope.map(|(_, own)| own.formulas[at].1.coefficients().to_vec());
-            let mut place = 0;
-            let mut number = |value: &f64| {
-                place += 1;
-                Ok::<_, Error>(make(*value, slopes.as_ref().map_or(0.0, |all| all[place - 1])))
-            };
-            formulas.push(force.try_map(&mut number)?);
-        }
-        let formulas: Vec<&SmoothForce<S>> = formulas.iter().collect();
-        Program::assemble(n, &variables, &formulas, &outlines).map_err(|(at, error)| {
-            let name = if points == 1 { String::new() } else { format!(" on q{}", self.formulas[at].0 + 1) };
-            error.context(format!("force{name}"))
-        })
+            .collect()
     }
 
     /// The outputs at rest on stops: q″ = ZZᵀM q″_free + Σ b Q″, the forces, q″_free.

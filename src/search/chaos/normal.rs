@@ -40,6 +40,9 @@ pub struct Normal {
 
 type Function = RationalFunction;
 
+/// The ends of a range.
+type Ends = [BigRational; 2];
+
 impl Normal {
     /// Of a system whose coefficients are functions of a parameter; `measured` has ranges of c, k and τ where
     /// these are known by ranges only. With two walls, `side` says which one is met; without it both are.
@@ -63,23 +66,13 @@ impl Normal {
             return fail("with ranges of damping or stiffness there may be no forcing and no constant force");
         }
         let middle = mirror.filter(|_| free);
-        if middle.is_some() && !system.force.is_zero() {
-            return asymmetric("a constant force that no spring balances presses towards one of them");
-        }
-        if measured.is_none()
-            && !falls
-            && middle.is_none()
-            && !matches!(stiffness.sign(), Some(Sign::Positive | Sign::Negative))
-        {
-            return fail(
-                "without a spring there may be no damping: the motion without the wall is not unique",
-            );
-        }
+        let rests = measured.is_none() && !falls;
+        check_rest(system, middle.is_some(), rests)?;
         let response = response(damping, stiffness, &forcing)?;
         let rest = match middle {
             // Every place between the walls is one of rest.
             Some(upper) => (wall.offset.clone() + &upper.offset) / &Function::integer(2, &()),
-            None if measured.is_none() && !falls => system.force.clone() / stiffness,
+            None if rests => system.force.clone() / stiffness,
             None => Function::integer(0, &()),
         };
         let seen = |wall: &Wall<Function>| {
@@ -131,16 +124,32 @@ impl Normal {
             let height = if falls { height - &mean } else { height };
             Ok::<_, Error>(top.least(&height, &motion)? / &depth[1])
         });
-        let once = BigRational::from_integer(faster.into());
-        let scaled = |range: [BigRational; 2], by: &BigRational| range.map(|x| x / by);
-        let twice = &once * &once;
-        let ranges =
-            [scaled(damping, &once), scaled(stiffness, &twice), scaled(force, &twice), restitution, depth];
-        let ranges = ranges.map(|[lo, hi]| [short(&lo, false), short(&hi, true)]);
+        let ranges = in_own_time([damping, stiffness, force, restitution, depth], faster);
         let harmonics = top.harmonics;
         let (mirrored, ceiling) = (mirror.is_some(), ceiling.transpose()?);
         Ok(Normal { mirrored, ranges, behind, harmonics, side, open, ceiling })
     }
+}
+
+/// Ranges of c, k, the force, τ and the depth where the time is multiplied by j, widened to short decimals.
+fn in_own_time([damping, stiffness, force, restitution, depth]: [Ends; 5], j: u32) -> [Ends; 5] {
+    let once = BigRational::from_integer(j.into());
+    let twice = &once * &once;
+    let scaled = |range: Ends, by: &BigRational| range.map(|x| x / by);
+    let all = [scaled(damping, &once), scaled(stiffness, &twice), scaled(force, &twice), restitution, depth];
+    all.map(|[lo, hi]| [short(&lo, false), short(&hi, true)])
+}
+
+/// Refuses a system without one motion that no wall disturbs; `middle` if every place between its walls is one
+/// of rest, `rests` if the spring is to say where it rests.
+fn check_rest(system: &System<Function>, middle: bool, rests: bool) -> Result<()> {
+    if middle && !system.force.is_zero() {
+        return asymmetric("a constant force that no spring balances presses towards one of them");
+    }
+    if rests && !middle && !matches!(system.stiffness.sign(), Some(Sign::Positive | Sign::Negative)) {
+        return fail("without a spring there may be no damping: the motion without the wall is not unique");
+    }
+    Ok(())
 }
 
 /// The wall that is met, its side, and the wall above it where both are met.

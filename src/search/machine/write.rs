@@ -34,6 +34,29 @@ impl Numbers {
         Ok([lo, hi])
     }
 
+    /// The damping of one coordinate that has a ratio, c = 2 ζ √(km).
+    ///
+    /// # Errors
+    /// Ratios of several coordinates.
+    fn by_ratio(
+        &self,
+        machine: &Machine<Bounds>,
+        stiffness: &[Vec<Bounds>],
+        mass: &[Vec<Bounds>],
+    ) -> Result<Option<Bounds>> {
+        match &machine.damping_ratio[..] {
+            [] => Ok(None),
+            [ratio] if machine.size == 1 => {
+                let root = (self.ball(&stiffness[0][0]) * &self.ball(&mass[0][0])).sqrt();
+                let two = Ball::integer(2, &self.precision);
+                self.bounds(&(self.ball(ratio) * &two * &root)).map(Some)
+            }
+            _ => Err(Error::input(
+                "`damping_ratio` of several coordinates is not enclosed: give `damping`, or `modes` with `ratios`",
+            )),
+        }
+    }
+
     /// Σ a b.
     fn dot(&self, pairs: &[(&Bounds, &Bounds)]) -> Result<Bounds> {
         if pairs.iter().all(|(a, b)| a[0] == a[1] && b[0] == b[1]) {
@@ -96,19 +119,8 @@ pub fn listed(machine: &Machine<Bounds>) -> Result<listed::Machine> {
     let (mass, stiffness) = (matrix(&machine.mass), matrix(&machine.stiffness));
     let mut damping = matrix(&machine.damping);
     check_symmetric(&mass)?;
-    match &machine.damping_ratio[..] {
-        [] => {}
-        // c = 2 ζ √(km).
-        [ratio] if n == 1 => {
-            let root = (numbers.ball(&stiffness[0][0]) * &numbers.ball(&mass[0][0])).sqrt();
-            let two = Ball::integer(2, &numbers.precision);
-            damping[0][0] = numbers.bounds(&(numbers.ball(ratio) * &two * &root))?;
-        }
-        _ => {
-            return Err(Error::input(
-                "`damping_ratio` of several coordinates is not enclosed: give `damping`, or `modes` with `ratios`",
-            ));
-        }
+    if let Some(alone) = numbers.by_ratio(machine, &stiffness, &mass)? {
+        damping[0][0] = alone;
     }
     // Forces and rows of stops are given for the points q = Φη.
     let seen = |list: &[Bounds]| -> Result<Vec<Bounds>> {

@@ -224,7 +224,7 @@ impl<S: Scalar> Program<S> {
     /// A formula as a constant and multiples of rows; `known` is what its variables are, and its
     /// coefficients.
     fn lower(&mut self, formula: &Formula, known: (&[Sum<S>], &[S])) -> Result<Sum<S>> {
-        let (one, time) = (Sum::row, self.time());
+        let one = Sum::row;
         Ok(match formula {
             Formula::Number(value) => Sum::constant(S::constant(float(value))),
             Formula::Pi => Sum::constant(S::constant(std::f64::consts::PI)),
@@ -234,40 +234,8 @@ impl<S: Scalar> Program<S> {
             },
             Formula::Negated(inner) => self.lower(inner, known)?.times(S::constant(-1.0)),
             Formula::Binary(operation, parts) => {
-                let left = self.lower(&parts[0], known)?;
-                let mut right = self.lower(&parts[1], known)?;
-                match operation {
-                    Operation::Sum | Operation::Difference => {
-                        if *operation == Operation::Difference {
-                            right = right.times(S::constant(-1.0));
-                        }
-                        let mut sum = left;
-                        sum.constant = sum.constant + right.constant;
-                        right.terms.into_iter().for_each(|(factor, row)| sum.add(factor, row));
-                        sum
-                    }
-                    Operation::Product if left.terms.is_empty() => right.times(left.constant),
-                    Operation::Product if right.terms.is_empty() => left.times(right.constant),
-                    Operation::Product => {
-                        let ((f, a), (g, b)) = (self.single(left), self.single(right));
-                        one(self.product(a, b)).times(f * g)
-                    }
-                    Operation::Quotient if right.terms.is_empty() => {
-                        let inverse = checked(right.constant.call(Primitive::Inverse), "divides by zero")?;
-                        if left.terms.is_empty() {
-                            return Ok(Sum::constant(left.constant.over(right.constant)));
-                        }
-                        left.times(inverse)
-                    }
-                    Operation::Quotient if left.terms.is_empty() => {
-                        let (f, row) = self.single(right);
-                        one(self.row(Op::Inverse(row))).times(left.constant.over(f))
-                    }
-                    Operation::Quotient => {
-                        let ((f, a), (g, b)) = (self.single(left), self.single(right));
-                        one(self.row(Op::Quotient(a, b))).times(f.over(g))
-                    }
-                }
+                let (left, right) = (self.lower(&parts[0], known)?, self.lower(&parts[1], known)?);
+                self.binary(*operation, left, right)?
             }
             Formula::Power(_, 0) => Sum::constant(S::constant(1.0)),
             Formula::Power(base, exponent) => {
@@ -291,41 +259,81 @@ impl<S: Scalar> Program<S> {
             }
             Formula::Call(function, inner) => {
                 let argument = self.lower(inner, known)?;
-                if argument.terms.is_empty() {
-                    let (primitive, wrong) = match function {
-                        Function::Sqrt => (Primitive::Sqrt, "takes the root of a negative number"),
-                        Function::Log => {
-                            (Primitive::Log, "takes the logarithm of a number that is not positive")
-                        }
-                        Function::Exp => (Primitive::Exp, "has a part beyond the range of floats"),
-                        Function::Sin => (Primitive::Sin, "has a part beyond the range of floats"),
-                        Function::Cos => (Primitive::Cos, "has a part beyond the range of floats"),
-                        Function::Tanh => (Primitive::Tanh, "has a part beyond the range of floats"),
-                    };
-                    return Ok(Sum::constant(checked(argument.constant.call(primitive), wrong)?));
-                }
-                let turn = match &argument.terms[..] {
-                    [(k, row)] if *row == time => Some(k.part(0)),
-                    _ => None,
-                };
-                let phase = argument.constant;
-                one(match (function, turn) {
-                    (Function::Sin, Some(k)) => self.pair(Op::TurnSin(k, phase), Op::TurnCos(k, phase)),
-                    (Function::Cos, Some(k)) => self.pair(Op::TurnSin(k, phase), Op::TurnCos(k, phase)) + 1,
-                    _ => {
-                        let row = self.whole(argument);
-                        match function {
-                            Function::Sin => self.pair(Op::Sin(row), Op::Cos(row)),
-                            Function::Cos => self.pair(Op::Sin(row), Op::Cos(row)) + 1,
-                            Function::Tanh => self.pair(Op::Tanh(row), Op::SquaredSech(row)),
-                            Function::Sqrt => self.row(Op::Sqrt(row)),
-                            Function::Exp => self.row(Op::Exp(row)),
-                            Function::Log => self.row(Op::Log(row)),
-                        }
-                    }
-                })
+                self.call(*function, argument)?
             }
         })
+    }
+
+    /// An operation on two sums.
+    fn binary(&mut self, operation: Operation, left: Sum<S>, mut right: Sum<S>) -> Result<Sum<S>> {
+        Ok(match operation {
+            Operation::Sum | Operation::Difference => {
+                if operation == Operation::Difference {
+                    right = right.times(S::constant(-1.0));
+                }
+                let mut sum = left;
+                sum.constant = sum.constant + right.constant;
+                right.terms.into_iter().for_each(|(factor, row)| sum.add(factor, row));
+                sum
+            }
+            Operation::Product if left.terms.is_empty() => right.times(left.constant),
+            Operation::Product if right.terms.is_empty() => left.times(right.constant),
+            Operation::Product => {
+                let ((f, a), (g, b)) = (self.single(left), self.single(right));
+                Sum::row(self.product(a, b)).times(f * g)
+            }
+            Operation::Quotient if right.terms.is_empty() => {
+                let inverse = checked(right.constant.call(Primitive::Inverse), "divides by zero")?;
+                if left.terms.is_empty() {
+                    return Ok(Sum::constant(left.constant.over(right.constant)));
+                }
+                left.times(inverse)
+            }
+            Operation::Quotient if left.terms.is_empty() => {
+                let (f, row) = self.single(right);
+                Sum::row(self.row(Op::Inverse(row))).times(left.constant.over(f))
+            }
+            Operation::Quotient => {
+                let ((f, a), (g, b)) = (self.single(left), self.single(right));
+                Sum::row(self.row(Op::Quotient(a, b))).times(f.over(g))
+            }
+        })
+    }
+
+    /// A function of a sum.
+    fn call(&mut self, function: Function, argument: Sum<S>) -> Result<Sum<S>> {
+        let time = self.time();
+        if argument.terms.is_empty() {
+            let (primitive, wrong) = match function {
+                Function::Sqrt => (Primitive::Sqrt, "takes the root of a negative number"),
+                Function::Log => (Primitive::Log, "takes the logarithm of a number that is not positive"),
+                Function::Exp => (Primitive::Exp, "has a part beyond the range of floats"),
+                Function::Sin => (Primitive::Sin, "has a part beyond the range of floats"),
+                Function::Cos => (Primitive::Cos, "has a part beyond the range of floats"),
+                Function::Tanh => (Primitive::Tanh, "has a part beyond the range of floats"),
+            };
+            return Ok(Sum::constant(checked(argument.constant.call(primitive), wrong)?));
+        }
+        let turn = match &argument.terms[..] {
+            [(k, row)] if *row == time => Some(k.part(0)),
+            _ => None,
+        };
+        let phase = argument.constant;
+        Ok(Sum::row(match (function, turn) {
+            (Function::Sin, Some(k)) => self.pair(Op::TurnSin(k, phase), Op::TurnCos(k, phase)),
+            (Function::Cos, Some(k)) => self.pair(Op::TurnSin(k, phase), Op::TurnCos(k, phase)) + 1,
+            _ => {
+                let row = self.whole(argument);
+                match function {
+                    Function::Sin => self.pair(Op::Sin(row), Op::Cos(row)),
+                    Function::Cos => self.pair(Op::Sin(row), Op::Cos(row)) + 1,
+                    Function::Tanh => self.pair(Op::Tanh(row), Op::SquaredSech(row)),
+                    Function::Sqrt => self.row(Op::Sqrt(row)),
+                    Function::Exp => self.row(Op::Exp(row)),
+                    Function::Log => self.row(Op::Log(row)),
+                }
+            }
+        }))
     }
 }
 
