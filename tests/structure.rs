@@ -139,44 +139,33 @@ fn engines_are_siblings() {
     assert!(files_of["one"] > 30 && files_of["many"] > 30, "{files_of:?}");
 }
 
-/// A file of a scene imports from those that stand before it in the list of its chapter's first lines.
-#[test]
-fn files_of_scenes_import_from_earlier_ones() {
-    let order: Vec<&str> =
+/// Chapters whose files import from those that stand before them in these lists.
+const FILES: [(&str, &str); 2] = [
+    (
+        "scene",
         "dual expression keys restitution force matrix measured walls system machine simulate orbits sections branches validate chaos task scene \
-                            values normal check input family reference"
-            .split_whitespace()
-            .collect();
-    let place = |name: &str| order.iter().position(|known| *known == name);
-    for (names, text) in files() {
-        let [chapter, file] = &names[..] else { continue };
-        if chapter != "scene" || file == "mod" {
-            continue;
-        }
-        let own = place(file).unwrap_or_else(|| panic!("{file} has no place in the order of scene's files"));
-        for used in heads(&text, "super::") {
-            let known = place(used).is_none_or(|other| other < own);
-            assert!(known, "scene/{file} imports from {used}");
-        }
-    }
-}
+         values normal check input family reference",
+    ),
+    ("attractor", "dynamics section cycle confirm detection observe checkpoint lyapunov basins diagram"),
+];
 
-/// A kind of task is found by its word, in the library and, if it writes files, in the command line.
 #[test]
-fn files_of_tasks_bear_the_names_of_their_kinds() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let (_, table) = include_str!("../src/scene/task.rs").split_once("\nkinds! {").unwrap();
-    let (table, _) = table.split_once('}').unwrap();
-    let kinds: Vec<(&str, &str)> = table
-        .lines()
-        .filter_map(|line| line.trim().trim_end_matches(',').split_once(' '))
-        .map(|(word, name)| (word.trim_matches('"'), name))
-        .collect();
-    assert!(kinds.len() >= 12, "{kinds:?}");
-    for (word, name) in kinds {
-        let file = root.join("src/run").join(word).with_extension("rs");
-        let text = fs::read_to_string(&file).unwrap_or_else(|_| panic!("{} is absent", file.display()));
-        assert!(text.contains(name), "{} does not answer {name}", file.display());
+fn files_of_a_chapter_import_from_earlier_ones() {
+    for (chapter, order) in FILES {
+        let order: Vec<&str> = order.split_whitespace().collect();
+        let place = |name: &str| order.iter().position(|known| *known == name);
+        for (names, text) in files() {
+            let [of, file, ..] = &names[..] else { continue };
+            if of != chapter || file == "mod" {
+                continue;
+            }
+            let own =
+                place(file).unwrap_or_else(|| panic!("{file} has no place among the files of {chapter}"));
+            for used in heads(&text, "super::") {
+                let known = names.len() > 2 || place(used).is_none_or(|other| other < own);
+                assert!(known, "{chapter}/{file} imports from {used}");
+            }
+        }
     }
 }
 
@@ -193,23 +182,29 @@ fn the_library_asks_the_clock_in_one_place() {
     assert_eq!(found, ["processor"]);
 }
 
+/// A path is a name too: the engines and what they share may say the same word, each once.
 #[test]
-fn every_public_type_has_a_name_of_its_own() {
-    let mut places: BTreeMap<String, Vec<String>> = BTreeMap::new();
+fn every_public_type_has_a_name_of_its_own_in_its_chapter() {
+    let mut places: BTreeMap<(String, String), Vec<String>> = BTreeMap::new();
     for (names, text) in files() {
         for line in text.lines() {
             let line = line.trim_start();
             for kind in ["struct", "enum", "trait", "type"] {
                 if let Some(rest) = line.strip_prefix(&format!("pub {kind} ")) {
                     let end = rest.find(|c: char| !c.is_alphanumeric()).unwrap_or(rest.len());
-                    places.entry(rest[..end].to_string()).or_default().push(names.join("/"));
+                    let chapter = if ["motion", "one", "many"].contains(&names[0].as_str()) {
+                        names[0].clone()
+                    } else {
+                        String::new()
+                    };
+                    places.entry((chapter, rest[..end].to_string())).or_default().push(names.join("/"));
                 }
             }
         }
     }
     assert!(places.len() > 150, "{}", places.len());
     // Without a name: what a macro defines.
-    places.retain(|name, files| files.len() > 1 && !name.is_empty());
+    places.retain(|(_, name), files| files.len() > 1 && !name.is_empty());
     assert!(places.is_empty(), "{places:?}");
 }
 

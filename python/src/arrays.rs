@@ -4,12 +4,9 @@ use std::collections::BTreeMap;
 
 use grazing::{
     Result,
-    many::{MachineState, simulate::MachineEvent},
-    motion::{Side, State, Time},
-    one::{
-        attractor::map::{MapCell, MapEnd},
-        simulate::Event,
-    },
+    many::MachineState,
+    motion::{Event, Side, State, Time},
+    one::attractor::map::{MapCell, MapEnd},
     run::{BasinsFindings, DiagramFindings, Findings, Job, Keeper, MapFindings, SectionFindings, SectionSet},
 };
 use numpy::{IntoPyArray, PyArrayMethods};
@@ -118,8 +115,8 @@ impl Keeper for Collector {
         Ok(())
     }
 
-    fn event(&mut self, event: &Event) -> Result<()> {
-        let place = event.side().map_or(-1, |side| if side == Side::Lower { 0 } else { 1 });
+    fn event(&mut self, event: &Event<Side>) -> Result<()> {
+        let place = event.place().map_or(-1, |side| if side == Side::Lower { 0 } else { 1 });
         let (kind, value) = match event {
             Event::Impact(impact) => (0, impact.velocity),
             Event::Tangency(tangency) => (1, tangency.gap),
@@ -139,14 +136,14 @@ impl Keeper for Collector {
         Ok(())
     }
 
-    fn machine_event(&mut self, event: &MachineEvent) -> Result<()> {
-        let place = event.stop().map_or(-1, |stop| stop as i64);
+    fn machine_event(&mut self, event: &Event<usize>) -> Result<()> {
+        let place = event.place().map_or(-1, |stop| stop as i64);
         let (kind, value) = match event {
-            MachineEvent::Impact(impact) => (0, impact.velocity),
-            MachineEvent::Tangency(tangency) => (1, tangency.gap),
-            MachineEvent::Stick(stick) => (2, stick.rest),
-            MachineEvent::Release(_) => (3, 0.0),
-            MachineEvent::Touch(touch) => (4, touch.velocity),
+            Event::Impact(impact) => (0, impact.velocity),
+            Event::Tangency(tangency) => (1, tangency.gap),
+            Event::Stick(stick) => (2, stick.rest),
+            Event::Release(_) => (3, 0.0),
+            Event::Touch(touch) => (4, touch.velocity),
             _ => return Ok(()),
         };
         self.happened(event.time(), kind, place, value);
@@ -156,7 +153,7 @@ impl Keeper for Collector {
     fn keep(&mut self, _: &Job, findings: &Findings) -> Result<Vec<String>> {
         let text = |rows: serde_json::Result<String>| rows.map_err(std::io::Error::other);
         match findings {
-            Findings::Simulation(_) | Findings::MachineSimulation(_) => self.series(),
+            Findings::Simulation(_) => self.series(),
             Findings::Section(found) => section(found, &mut self.data),
             Findings::Basins(found) => basins(found, &mut self.data),
             Findings::Diagram(found) => diagram(found, &mut self.data),

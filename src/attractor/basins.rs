@@ -7,8 +7,10 @@ use serde::{Deserialize, Serialize};
 
 use super::{
     checkpoint::{Checkpoint, Keep},
-    detection::{Cycle, Detection, Fate},
-    dynamics::{Dynamics, SectionState},
+    cycle::Cycle,
+    detection::{Detection, Fate},
+    dynamics::SectionState,
+    observe::Attraction,
 };
 use crate::{error::Result, monitor::Monitor, motion::RunEnd};
 
@@ -77,7 +79,7 @@ const SCOUTS: usize = 24;
 ///
 /// # Errors
 /// Those of [`Detection::check`]; an unusable checkpoint; the monitor's, after a last checkpoint.
-pub fn basins<D: Dynamics>(
+pub fn basins<D: Attraction>(
     dynamics: &D,
     grid: &BasinGrid,
     detection: &Detection,
@@ -97,7 +99,7 @@ pub fn basins<D: Dynamics>(
 ///
 /// # Errors
 /// Those of [`basins`].
-pub fn basin_rows<D: Dynamics>(
+pub fn basin_rows<D: Attraction>(
     (dynamics, place): (&D, &(dyn Fn([f64; 2]) -> D::Start + Sync)),
     grid: &BasinGrid,
     detection: &Detection,

@@ -16,7 +16,7 @@
 //! the orbit, the largest difference of a coordinate on it; rounding is relative to the largest coordinate.
 
 use super::{
-    detection::{Cycle, ordered},
+    cycle::{Cycle, ordered},
     dynamics::{Dynamics, Motion, SectionState, Tangents},
 };
 use crate::{

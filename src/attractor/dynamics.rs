@@ -1,18 +1,13 @@
 //! What this chapter asks of a system: motions that can be followed from any start, states as a section sees
-//! them, vectors that a motion's derivative carries along. Oscillators have it in `one_degree`, machines in a
-//! module above this one.
+//! them, vectors that a motion's derivative carries along. Oscillators have it in `one::attractor`, machines in
+//! `many::section`.
 
 use std::fmt::Debug;
 
 use serde::{Serialize, de::DeserializeOwned};
 
-use super::{
-    detection::{Cycle, Detection, Fate, wait},
-    observe::{self, Observation, ObservedMotion},
-};
 use crate::{
     error::{Error, Result},
-    monitor::Monitor,
     motion::{RunEnd, Time},
 };
 
@@ -123,46 +118,6 @@ pub trait Dynamics: Sync + Sized {
 
     /// The start with these two numbers in the plane that is drawn, at a phase in [0, 2π).
     fn in_plane(&self, at: [f64; 2], phase: f64) -> Self::Start;
-
-    /// What the motions from these starts lead to, as [`Detection::detect`] says it of each; `None` for a
-    /// start behind a stop, or not finite. A motion that stays where the orbits of a cycle `known` to attract
-    /// are not told apart, and comes no farther from it, for two times round, may be taken to end on it
-    /// before the transient is over.
-    ///
-    /// # Errors
-    /// Those of [`Motion::pass`]; the monitor's.
-    fn fates(
-        &self,
-        starts: &[Self::Start],
-        detection: &Detection,
-        known: &[Cycle<Self::Point>],
-        monitor: &dyn Monitor,
-    ) -> Result<Vec<Option<Fate<Self::Point>>>> {
-        let _ = known;
-        let settled = Detection { transient: 0, ..detection.clone() };
-        let fate = |start| {
-            monitor.advance(0)?;
-            let Ok(mut run) = self.begin(start) else { return Ok(None) };
-            match wait(&mut run, detection.phase, detection.transient, monitor)? {
-                RunEnd::Reached => settled.detect(self, &mut run).map(Some),
-                end => Ok(Some(Fate::Ended(end))),
-            }
-        };
-        starts.iter().map(fate).collect()
-    }
-
-    /// What is seen of each of these motions, each with its system: the same whether they are followed one by
-    /// one or together.
-    ///
-    /// # Errors
-    /// Those of [`Detection::check`] and of [`Motion::pass`]; the monitor's.
-    fn observe<'a>(
-        motions: Vec<(&'a Self, Self::Motion<'a>)>,
-        observation: &Observation,
-        monitor: &dyn Monitor,
-    ) -> Result<Vec<ObservedMotion<Self::Start, Self::Point>>> {
-        observe::one_by_one(motions, observation, monitor)
-    }
 
     /// Where a motion is, as a start.
     fn here(&self, motion: &Self::Motion<'_>) -> Self::Start;

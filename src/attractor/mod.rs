@@ -1,7 +1,8 @@
 //! Where motions end: the stroboscopic section, attractors and their basins, Lyapunov exponents, diagrams.
 //!
-//! [`dynamics`] is what the chapter asks of an engine. [`detection`] tells periodic attractors by recurrence,
-//! confirmed by Newton's method; [`basins`] and [`diagram`] do it for many starts and for values of a
+//! From the bottom up: [`dynamics`] is what the chapter asks of an engine, [`section`] a motion looked at once
+//! a period, [`cycle`] a periodic attractor; [`detection`] tells them by recurrence, confirmed by Newton's
+//! method, [`observe`] for many motions; [`basins`] and [`diagram`] for many starts and for values of a
 //! parameter. All is numerical evidence. Not here: the motions (`one`, `many`); following orbits whether they
 //! attract or not (`continuation`).
 //!
@@ -22,6 +23,7 @@
 pub mod basins;
 pub(crate) mod checkpoint;
 mod confirm;
+pub mod cycle;
 pub mod detection;
 pub mod diagram;
 pub mod dynamics;

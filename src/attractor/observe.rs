@@ -1,7 +1,8 @@
-//! Motions observed on a section: a transient passes, recurrence is looked for, points are kept.
+//! What motions lead to: a transient passes, recurrence is looked for, points of the section are kept.
 
 use super::{
-    detection::{Cycle, Detection, Fate, wait},
+    cycle::Cycle,
+    detection::{Detection, Fate, wait},
     dynamics::{Dynamics, Motion, SectionState},
     section::section,
 };
@@ -63,7 +64,50 @@ impl Observation {
     }
 }
 
-/// Observes motions one after the other: see [`Dynamics::observe`].
+/// A system of whose motions is told what they lead to: one by one, unless an engine follows many together.
+pub trait Attraction: Dynamics {
+    /// What the motions from these starts lead to, as [`Detection::detect`] says it of each; `None` for a
+    /// start behind a stop, or not finite. A motion that stays where the orbits of a cycle `known` to attract
+    /// are not told apart, and comes no farther from it, for two times round, may be taken to end on it
+    /// before the transient is over.
+    ///
+    /// # Errors
+    /// Those of [`Motion::pass`]; the monitor's.
+    fn fates(
+        &self,
+        starts: &[Self::Start],
+        detection: &Detection,
+        known: &[Cycle<Self::Point>],
+        monitor: &dyn Monitor,
+    ) -> Result<Vec<Option<Fate<Self::Point>>>> {
+        let _ = known;
+        let settled = Detection { transient: 0, ..detection.clone() };
+        let fate = |start| {
+            monitor.advance(0)?;
+            let Ok(mut run) = self.begin(start) else { return Ok(None) };
+            match wait(&mut run, detection.phase, detection.transient, monitor)? {
+                RunEnd::Reached => settled.detect(self, &mut run).map(Some),
+                end => Ok(Some(Fate::Ended(end))),
+            }
+        };
+        starts.iter().map(fate).collect()
+    }
+
+    /// What is seen of each of these motions, each with its system: the same whether they are followed one by
+    /// one or together.
+    ///
+    /// # Errors
+    /// Those of [`Detection::check`] and of [`Motion::pass`]; the monitor's.
+    fn observe<'a>(
+        motions: Vec<(&'a Self, Self::Motion<'a>)>,
+        observation: &Observation,
+        monitor: &dyn Monitor,
+    ) -> Result<Vec<ObservedMotion<Self::Start, Self::Point>>> {
+        one_by_one(motions, observation, monitor)
+    }
+}
+
+/// Observes motions one after the other: see [`Attraction::observe`].
 ///
 /// # Errors
 /// Those of [`Detection::check`] and of [`Motion::pass`]; the monitor's.

@@ -1,4 +1,4 @@
-//! Machines as the chapter on attractors follows them (`oscillator::attractor`): sections seen in a plane,
+//! Machines as the chapter on attractors follows them (`attractor`): sections seen in a plane,
 //! starts, and one measure of how far apart two states are.
 //!
 //! States are told apart by the whole state, in coordinates in which the mass is 1, x = Lᵀq with M = L Lᵀ,
@@ -15,7 +15,10 @@ use super::{
     simulate::{MachineRun, MachineSimulator, MachineTangents},
 };
 use crate::{
-    attractor::dynamics::{Dynamics, Motion, SectionState},
+    attractor::{
+        dynamics::{Dynamics, Motion, SectionState},
+        observe::Attraction,
+    },
     error::{Error, Result},
     motion::{RunEnd, Series, Time},
 };
@@ -280,3 +283,5 @@ impl Dynamics for PlanarMachine {
         MachineTangents::new(motion.run, count)
     }
 }
+
+impl Attraction for PlanarMachine {}

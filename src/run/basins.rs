@@ -16,6 +16,7 @@ use crate::{
         basins::{BasinCell, BasinGrid, Basins, basin_rows},
         detection::Detection,
         dynamics::{Dynamics, SectionState},
+        observe::Attraction,
     },
     error::Result,
     motion::{RunEnd, State},
@@ -122,7 +123,7 @@ struct Search<'a> {
 }
 
 /// The task for systems of one kind.
-struct Setup<'a, D: Dynamics> {
+struct Setup<'a, D: Attraction> {
     search: Search<'a>,
     dynamics: &'a D,
     /// The start with two numbers in the plane.
@@ -136,7 +137,7 @@ struct Setup<'a, D: Dynamics> {
 /// What to do with a task, whatever it is about.
 trait Work {
     type Out;
-    fn of<D: Dynamics>(self, setup: Setup<D>) -> Result<Self::Out>;
+    fn of<D: Attraction>(self, setup: Setup<D>) -> Result<Self::Out>;
 }
 
 struct Whole<'a> {
@@ -154,7 +155,7 @@ struct Joined<'a>(&'a [String]);
 impl Work for Whole<'_> {
     type Out = BasinsFindings;
 
-    fn of<D: Dynamics>(self, setup: Setup<D>) -> Result<BasinsFindings> {
+    fn of<D: Attraction>(self, setup: Setup<D>) -> Result<BasinsFindings> {
         let rows = setup.find(self.rows, self.file)?;
         Ok(gather(Basins::joined(rows), setup))
     }
@@ -163,7 +164,7 @@ impl Work for Whole<'_> {
 impl Work for Part<'_> {
     type Out = Vec<String>;
 
-    fn of<D: Dynamics>(self, setup: Setup<D>) -> Result<Vec<String>> {
+    fn of<D: Attraction>(self, setup: Setup<D>) -> Result<Vec<String>> {
         setup.find(self.rows, self.file)?.iter().map(record).collect()
     }
 }
@@ -171,7 +172,7 @@ impl Work for Part<'_> {
 impl Work for Joined<'_> {
     type Out = BasinsFindings;
 
-    fn of<D: Dynamics>(self, setup: Setup<D>) -> Result<BasinsFindings> {
+    fn of<D: Attraction>(self, setup: Setup<D>) -> Result<BasinsFindings> {
         let read = |(number, text): (usize, &String)| {
             let row: Basins<D::Point> =
                 serde_json::from_str(text).map_err(|error| foreign(number, &error))?;
@@ -185,7 +186,7 @@ impl Work for Joined<'_> {
     }
 }
 
-impl<D: Dynamics> Setup<'_, D> {
+impl<D: Attraction> Setup<'_, D> {
     fn find(&self, rows: Range<usize>, file: Option<&Path>) -> Result<Vec<Basins<D::Point>>> {
         let Search { job, grid, detection, identity, resume } = &self.search;
         if let Some(file) = file.filter(|_| !resume) {
@@ -267,7 +268,7 @@ fn over<W: Work>(task: &BasinsTask, job: &Job, work: W) -> Result<W::Out> {
     }
 }
 
-fn gather<D: Dynamics>(
+fn gather<D: Attraction>(
     Basins { attractors, cells }: Basins<D::Point>,
     Setup { search, plane, minimum_depth, size, .. }: Setup<D>,
 ) -> BasinsFindings {

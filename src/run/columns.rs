@@ -25,6 +25,19 @@ impl Columns {
     }
 }
 
+/// One motion.
+pub(super) const SIMULATED: Columns = Columns {
+    one: "periods, impacts, tangencies, rests, end, ended_at, q = q.0, u = u.0, extent, minimum_depth",
+    many: "periods, period, method, condition, modes, oscillating, stops, order_matters, end, ended_at, q, \
+           u, minimum_depth, measured",
+};
+
+/// Its lines in text.
+pub(super) const SIMULATED_LINES: Columns = Columns {
+    one: "periods, impacts, tangencies, rests, ended, q, u",
+    many: "method, condition, modes, more_modes, period, periods, stops, ended, measured, q, u",
+};
+
 /// Orbits of a pattern.
 pub(super) const ORBITS: Columns = Columns {
     one: "value, pattern, phases, speeds, lambda1 = multipliers.0, lambda2 = multipliers.1, stable, \
@@ -77,13 +90,15 @@ pub(super) const GRAZING_LINES: Columns = Columns {
 #[cfg(test)]
 mod tests {
     use super::{super::table::columns_of, *};
-    use crate::run::{BornRow, BranchRow, EventRow, GrazingMap, OrbitRow, Row};
+    use crate::run::{BornRow, BranchRow, EventRow, GrazingMap, Moved, OrbitRow, Row};
 
     /// A column of no field would be empty, and nobody would notice.
     #[test]
     fn every_column_shows_a_field() {
         let tables = [
-            (ORBITS, OrbitRow::fields(), &[][..]),
+            (SIMULATED, Moved::fields(), &["modes", "stops", "measured"][..]),
+            (SIMULATED_LINES, Moved::fields(), &["modes", "more_modes", "stops", "ended", "measured"]),
+            (ORBITS, OrbitRow::fields(), &[]),
             (POINTS, BranchRow::fields(), &[]),
             (EVENTS, EventRow::fields(), &[]),
             (BORN, BornRow::fields(), &[]),

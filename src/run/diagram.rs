@@ -13,7 +13,7 @@ use super::{
 use crate::{
     attractor::{
         diagram::{self, DiagramPlan, Look, Slice},
-        dynamics::Dynamics,
+        observe::Attraction,
     },
     error::Result,
     number::{Plain, Real},
@@ -123,7 +123,7 @@ fn plan<S>(task: &DiagramTask, starts: Vec<S>, values: Range<u64>) -> DiagramPla
 }
 
 /// Follows the motions of systems of one kind.
-fn follow<D: Dynamics<Start: Serialize>>(
+fn follow<D: Attraction<Start: Serialize>>(
     task: &DiagramTask,
     job: &Job,
     plan: &DiagramPlan<D::Start>,

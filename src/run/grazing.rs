@@ -253,7 +253,6 @@ fn of<E: Engine>(task: &GrazingTask, job: &Job, engine: &E) -> Result<GrazingFin
 }
 
 /// Whether chaos is born, or why that is not decided.
-#[expect(clippy::type_complexity, reason = "both parts are named where they are taken apart")]
 fn asked_for_chaos<G: GrazingPoint>(
     task: &GrazingTask,
     job: &Job,

@@ -4,22 +4,24 @@
 //! [`run`] does a scene's tasks one after the other and gives a [`TaskReport`] for each; [`run_task`] does
 //! one. A failing task does not end the rest. What is long (a time series) or lasting (figures, tables,
 //! certificates) goes to a [`Keeper`]; `()` keeps nothing. Not here: the command line, pictures and tables
-//! (`cli::run`), the keys of a scene (`scene`), mathematics (`oscillator`).
+//! (`cli::run`), the keys of a scene (`scene`), mathematics (`one`, `many`).
 //!
 //! # How a kind of task is run
 //!
-//! A kind has a file here of its name, `x.rs`, with
+//! A kind has a file here of its name with
 //!
 //! 1. `XFindings`, its result: a struct with `Serialize` whose fields are numbers, booleans, words of enums,
-//!    lists of [rows](Row). A row is declared by `row!`, from which come its columns in text and in CSV. No
-//!    field is a text that a program would have to parse: complex numbers are [`Complex`], what rounding may
-//!    decide is a [`Judgement`];
+//!    lists of [rows](Row). A row is declared by `row!`; which of its fields a table shows, in which order and
+//!    under which names, is in `columns`, for each engine, and nowhere else. No field is a text that a program
+//!    would have to parse: complex numbers are [`Complex`], what rounding may decide is a [`Judgement`], an
+//!    orbit is [`Analysed`];
 //! 2. `impl Finding for XFindings`: its [`Status`] from the data alone, in one place, with a sentence for
 //!    every answer that is not "done"; warnings; what is printed, by [`Lines`];
 //! 3. `pub fn x(task, job) -> Result<XFindings>`: what [`Job`] holds, and no files but those that it reads
-//!    and its checkpoint. An error is for what makes the task fail as a whole; whatever happens to one orbit
-//!    or one value of many is a row or a count of the findings. It calls [`Job::monitor`] at least ten times
-//!    a second;
+//!    and its checkpoint. It asks an `Engine`, chosen by `by_engine!`, and no type of one: what oscillators
+//!    and machines answer each in their own way is in `engine`. An error is for what makes the task fail as a
+//!    whole; whatever happens to one orbit or one value of many is a row or a count of the findings. It calls
+//!    [`Job::monitor`] at least ten times a second;
 //! 4. a variant of [`Findings`] and an arm of `answer`.
 //!
 //! The command line adds `cli/run/x.rs`, which writes the findings' files and returns their names.
@@ -35,7 +37,6 @@ mod diagram;
 mod engine;
 mod event;
 mod grazing;
-mod machine;
 mod map;
 mod orbit;
 pub mod parts;
@@ -65,14 +66,13 @@ pub use diagram::{CoexistingRow, DiagramFindings, WindowRow, diagram};
 pub(crate) use engine::{JudgedOrbit, MachineSource, OrbitSource, OscillatorSource, form};
 pub use event::{EventFindings, EventRow, EventRows, GrazingEventRow, WithoutRow, event};
 pub use grazing::{BornRow, GrazingFindings, GrazingMap, GrazingReport, grazing};
-pub use machine::{MachineSimulationFindings, ModeRow, StopRow, simulate_machine};
 #[cfg(feature = "cli")]
 pub(crate) use map::word as map_word;
 pub use map::{MapFindings, MapRow, map};
 pub use orbit::{MissingRow, OrbitFindings, OrbitRow, orbit};
 pub use report::{RunReport, TaskReport};
 pub use section::{AttractorRow, ExponentRow, SectionFindings, SectionOrbitRow, SectionSet, section};
-pub use simulate::{SimulationFindings, simulate};
+pub use simulate::{MeasuredEffect, ModeRow, Moved, SimulationFindings, StopRow, simulate};
 pub use status::{Place, Status};
 pub(crate) use table::row;
 pub use table::{Complex, Judgement, Lines, Row, Shown, Table, Tabular};
@@ -81,12 +81,12 @@ pub use validate::{ProofRow, UnprovedRow, ValidateFindings, validate};
 use crate::{
     attractor::Keep,
     error::{Error, Result},
-    many::{Machine, MachineState, simulate::MachineEvent},
+    many::{Machine, MachineState},
     monitor::Monitor,
-    motion::{Effect, EffectTally, State, System, Time},
+    motion::{Effect, EffectTally, Event, Side, State, System, Time},
     one::{
         orbit::Oscillator,
-        simulate::{Event, Settings, Simulator},
+        simulate::{Settings, Simulator},
     },
     output::Journal,
     scene::{Accuracy, Body, Kind, Scene, SceneFamily, Task},
@@ -132,8 +132,6 @@ macro_rules! findings {
 findings! {
     /// One motion.
     Simulation(SimulationFindings),
-    /// One motion of a machine.
-    MachineSimulation(MachineSimulationFindings),
     /// Attractors on a stroboscopic section.
     Section(SectionFindings),
     /// Which start leads to which attractor.
@@ -209,7 +207,7 @@ pub trait Keeper {
     ///
     /// # Errors
     /// The keeper's own; the task ends with it.
-    fn event(&mut self, _event: &Event) -> Result<()> {
+    fn event(&mut self, _event: &Event<Side>) -> Result<()> {
         Ok(())
     }
 
@@ -225,7 +223,7 @@ pub trait Keeper {
     ///
     /// # Errors
     /// The keeper's own; the task ends with it.
-    fn machine_event(&mut self, _event: &MachineEvent) -> Result<()> {
+    fn machine_event(&mut self, _event: &Event<usize>) -> Result<()> {
         Ok(())
     }
 
@@ -483,10 +481,7 @@ fn kept(job: &Job, findings: Findings, keeper: &mut dyn Keeper) -> Result<(Findi
 
 fn answer(job: &Job, keeper: &mut dyn Keeper) -> Result<Findings> {
     Ok(match &job.task.kind {
-        Kind::SimulateTask(task) => match &job.model {
-            Model::Oscillator(_) => simulate(task, job, keeper)?.into(),
-            Model::Machine(machine) => simulate_machine(task, machine, job, keeper)?.into(),
-        },
+        Kind::SimulateTask(task) => simulate(task, job, keeper)?.into(),
         Kind::SectionTask(task) => section(task, job)?.into(),
         Kind::BasinsTask(task) => basins(task, job)?.into(),
         Kind::DiagramTask(task) => diagram(task, job)?.into(),

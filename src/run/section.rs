@@ -12,10 +12,10 @@ use super::{
 };
 use crate::{
     attractor::{
-        detection::Cycle,
+        cycle::Cycle,
         dynamics::{Dynamics, SectionState},
         lyapunov::{Exponent, exponents},
-        observe::{Observation, ObservedMotion},
+        observe::{Attraction, Observation, ObservedMotion},
         section::section as follow,
     },
     error::{Error, Result},
@@ -177,7 +177,7 @@ pub fn section(task: &SectionTask, job: &Job) -> Result<SectionFindings> {
 /// The attractors that motions from the starts lead to, and of the periodic ones their place in the list and
 /// their points.
 #[expect(clippy::type_complexity, reason = "both parts are named where they are taken apart")]
-fn attractors<D: Dynamics>(
+fn attractors<D: Attraction>(
     task: &SectionTask,
     job: &Job,
     dynamics: &D,
@@ -255,7 +255,7 @@ fn attractors<D: Dynamics>(
 }
 
 /// What is seen of the motions from the starts, by all threads.
-fn observed<D: Dynamics>(
+fn observed<D: Attraction>(
     task: &SectionTask,
     job: &Job,
     dynamics: &D,

@@ -5,7 +5,7 @@ use std::{fmt::Write, ops::Deref};
 use serde::{Serialize, Serializer, ser::Error as _};
 use serde_json::Value;
 
-use crate::printable::Printable;
+use crate::{motion::RunEnd, printable::Printable};
 
 /// A value as it stands in a report and in a CSV file.
 pub trait Shown {
@@ -77,6 +77,13 @@ macro_rules! shown_as_slice {
     };
 }
 shown_as_slice! { [T: Shown] Vec<T>, [T: Shown, const N: usize] [T; N], }
+
+/// Why.
+impl Shown for RunEnd {
+    fn shown(&self) -> String {
+        self.why().into()
+    }
+}
 
 /// A complex number: a pair in JSON, in text a number where it is real.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]

@@ -16,10 +16,10 @@ use crate::{
     error::{Error, Result},
     many::{
         Load, Machine, Stop, StopLaw,
-        simulate::{MachineEvent, MachineSettings, MachineSimulator},
+        simulate::{MachineSettings, MachineSimulator},
     },
-    motion::{Harmonic, System, Time, Wall},
-    one::simulate::{Event, Settings, Simulator},
+    motion::{Event, Harmonic, System, Time, Wall},
+    one::simulate::{Settings, Simulator},
     scene::Scene,
 };
 
@@ -195,7 +195,7 @@ impl KnownMotion {
                     let mut counted = 0;
                     run.record(end, |event| {
                         counted += i64::from(
-                            matches!(event, MachineEvent::Impact(impact) if -impact.velocity > self.slowest),
+                            matches!(event, Event::Impact(impact) if -impact.velocity > self.slowest),
                         );
                     });
                     let state = run.state();

@@ -266,7 +266,7 @@ fn follow(scene: &Scene, text: &str) {
     let mut impacts = 0;
     let end = grazing::motion::Time::new(1, phase.rem_euclid(TAU) + step);
     run.record(end, |event| {
-        if let grazing::many::simulate::MachineEvent::Impact(impact) = event {
+        if let grazing::many::simulate::Event::Impact(impact) = event {
             assert!((impact.velocity.abs() - speed).abs() < 1e-8 * (1.0 + speed));
             impacts += 1;
         }

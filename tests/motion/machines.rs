@@ -11,7 +11,7 @@ use std::{
 use grazing::{
     many::{
         FlowMethod, Load, Machine, MachineState, RealVector, Stop, StopLaw,
-        simulate::{MachineEvent, MachineSettings, MachineSimulator},
+        simulate::{Event, MachineSettings, MachineSimulator},
     },
     motion::{Harmonic, RunEnd, System, Time, Wall},
     one::simulate as alone,
@@ -67,7 +67,7 @@ fn at(t: f64) -> Time {
 }
 
 /// The events up to a time.
-fn events(simulator: &MachineSimulator, start: (Time, &[f64], &[f64]), until: Time) -> Vec<MachineEvent> {
+fn events(simulator: &MachineSimulator, start: (Time, &[f64], &[f64]), until: Time) -> Vec<Event> {
     let mut all = Vec::new();
     let mut run = simulator.start(start.0, start.1, start.2).unwrap();
     assert_eq!(run.record(until, |event| all.push(event)), RunEnd::Reached);
@@ -303,17 +303,17 @@ fn one_degree_of_freedom_agrees_with_the_engine_for_it() {
                     amplification.max((moved.1 - time).abs().max((moved.2 - velocity).abs()) / 1e-8);
             }
             let (t, v) = match event {
-                MachineEvent::Impact(x) => {
+                Event::Impact(x) => {
                     radii += 2.0 * x.radius;
                     (x.time.since(at(0.0)), x.velocity)
                 }
                 other => (other.time().unwrap().since(at(0.0)), 0.0),
             };
             let same = match event {
-                MachineEvent::Impact(_) => 0,
-                MachineEvent::Tangency(_) => 1,
-                MachineEvent::Stick(_) => 2,
-                MachineEvent::Release(_) => 3,
+                Event::Impact(_) => 0,
+                Event::Tangency(_) => 1,
+                Event::Stick(_) => 2,
+                Event::Release(_) => 3,
                 other => panic!("{name}: {other:?}"),
             };
             assert_eq!(same, *kind, "{name}: event {i}");
@@ -366,18 +366,17 @@ fn uncoupled_oscillators_each_move_as_alone() {
         let counts = [0, parts[0].0.stops.len()];
         for (i, (part, start)) in parts.iter().enumerate() {
             let known = events(&simulator(part), (at(0.3), &start[..1], &start[1..]), until);
-            let follow = |known: &[MachineEvent], first: usize| -> Vec<(usize, f64, f64)> {
-                let one = |event: &MachineEvent| {
-                    let velocity =
-                        if let MachineEvent::Impact(impact) = event { impact.velocity } else { 0.0 };
-                    (event.stop().unwrap() - first, event.time().unwrap().since(at(0.0)), velocity)
+            let follow = |known: &[Event], first: usize| -> Vec<(usize, f64, f64)> {
+                let one = |event: &Event| {
+                    let velocity = if let Event::Impact(impact) = event { impact.velocity } else { 0.0 };
+                    (event.place().unwrap() - first, event.time().unwrap().since(at(0.0)), velocity)
                 };
                 known.iter().map(one).collect()
             };
-            let mine: Vec<MachineEvent> = found
+            let mine: Vec<Event> = found
                 .iter()
                 .filter(|event| {
-                    let stop = event.stop().unwrap();
+                    let stop = event.place().unwrap();
                     if i == 0 { stop < counts[1] } else { stop >= counts[1] }
                 })
                 .copied()
@@ -455,9 +454,9 @@ fn the_symmetric_orbit_between_two_stops_is_that_of_the_closed_form() {
             machine.stops = vec![stop(&[1.0], -d, tau), stop(&[-1.0], -d, tau)];
             let found = events(&simulator(&machine), (at(phase), &[-d], &[v]), at(phase).after(4.5 * PI));
             for (i, event) in found.iter().enumerate() {
-                let MachineEvent::Impact(impact) = event else { panic!("{event:?}") };
+                let Event::Impact(impact) = event else { panic!("{event:?}") };
                 let off = impact.time.since(at(phase)) - PI * (i + 1) as f64;
-                assert_eq!(impact.stop, (i + 1) % 2);
+                assert_eq!(impact.place, (i + 1) % 2);
                 assert!(
                     off.abs() < 1e-11 && (impact.velocity + v / tau).abs() < 1e-11,
                     "w = {w}, impact {i}: {off:e}"
@@ -532,7 +531,7 @@ fn motions_agree_with_a_second_integrator() {
         let mut until = 5.0 * TAU;
         if name == "stiff" {
             ours.start(at(0.0), &q, &u).unwrap().record(Time::new(5, 0.0), |event| {
-                if let MachineEvent::Stick(stick) = event {
+                if let Event::Stick(stick) = event {
                     until = until.min(stick.time.since(at(0.0)) - 0.02);
                 }
             });
@@ -541,10 +540,8 @@ fn motions_agree_with_a_second_integrator() {
         let mut run = ours.start(at(0.0), &q, &u).unwrap();
         let mut rests = 0;
         run.record(at(until), |event| match event {
-            MachineEvent::Impact(impact) => {
-                found.push((impact.stop, impact.time.since(at(0.0)), impact.velocity))
-            }
-            MachineEvent::Stick(_) => rests += 1,
+            Event::Impact(impact) => found.push((impact.place, impact.time.since(at(0.0)), impact.velocity)),
+            Event::Stick(_) => rests += 1,
             _ => {}
         });
         println!("{name}: {} impacts, {rests} rests", found.len());
@@ -560,8 +557,8 @@ fn motions_agree_with_a_second_integrator() {
         let nudged: Vec<f64> = q.iter().map(|q| q + 1e-8).collect();
         let mut moved = Vec::new();
         ours.start(at(0.0), &nudged, &u).unwrap().record(at(until), |event| {
-            if let MachineEvent::Impact(impact) = event {
-                moved.push((impact.stop, impact.time.since(at(0.0)), impact.velocity));
+            if let Event::Impact(impact) = event {
+                moved.push((impact.place, impact.time.since(at(0.0)), impact.velocity));
             }
         });
         let moved = swift(&moved);

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use grazing::{
-    motion::{RunEnd, Side, Time},
+    motion::{RunEnd, Side, Time, event::Impact},
     one::{
         orbit::*,
         simulate::{Event, Settings, Simulator},
@@ -52,9 +52,9 @@ fn error(oscillator: &Oscillator, orbit: &Orbit, rounds: u32) -> f64 {
     assert_eq!(impacts.len(), m * rounds as usize, "{orbit:?}");
     // The impacts follow in the orbit's order, the first being its second.
     let expected: Vec<OrbitImpact> = orbit.impacts().collect();
-    let error = |(i, seen): (usize, &grazing::one::simulate::Impact)| {
+    let error = |(i, seen): (usize, &Impact<Side>)| {
         let impact = expected[(i + 1) % m];
-        assert_eq!(seen.side, impact.side);
+        assert_eq!(seen.place, impact.side);
         let turn = (seen.time.phase - impact.phase).abs();
         turn.min(TAU - turn).max((seen.velocity + impact.speed).abs())
     };

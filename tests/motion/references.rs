@@ -91,7 +91,7 @@ fn impacts(simulator: &Simulator, start: [f64; 3], until: f64, counts: &mut Coun
     let end = run.record(Time::new(0, until), |event| {
         if let Event::Impact(impact) = event {
             let time = TAU * impact.time.period as f64 + impact.time.phase;
-            found.push((impact.side, time, impact.velocity));
+            found.push((impact.place, time, impact.velocity));
         }
     });
     assert_eq!(end, RunEnd::Reached);

@@ -13,11 +13,12 @@ use grazing::{
         detection::{Detection, Fate},
     },
     motion::{
-        Contact, Counts, Effect, Flow, Harmonic, RunEnd, Side, State, System, Time, Wall, flow::Linear,
+        Contact, Counts, Effect, Flow, Harmonic, RunEnd, Side, State, System, Time, Wall, event::Impact,
+        flow::Linear,
     },
     one::{
         attractor::lyapunov,
-        simulate::{Event, Impact, Run, Settings, Simulator},
+        simulate::{Event, Run, Settings, Simulator},
     },
 };
 
@@ -67,7 +68,7 @@ fn events(run: &mut Run, until: Time) -> (Vec<Event>, RunEnd) {
     (events, end)
 }
 
-fn impacts(run: &mut Run, until: Time) -> Vec<Impact> {
+fn impacts(run: &mut Run, until: Time) -> Vec<Impact<Side>> {
     let impact = |event: Event| if let Event::Impact(impact) = event { Some(impact) } else { None };
     events(run, until).0.into_iter().filter_map(impact).collect()
 }
@@ -85,7 +86,7 @@ fn a_ball_bounces_as_galileo_says() {
             let off = impact.time.since(at(0.0)) - (2 * i + 1) as f64;
             assert!(off.abs() < 1e-12, "impact {i} is off by {off:e}");
             assert!((impact.velocity + 1.0).abs() < 1e-12);
-            assert_eq!(impact.side, Side::Lower);
+            assert_eq!(impact.place, Side::Lower);
         }
         assert_eq!(run.impacts(), 50);
     }
@@ -168,7 +169,7 @@ fn two_walls_take_turns() {
         let mut run = simulator.start(at(0.0), 0.0, 1.0).unwrap();
         for (i, impact) in impacts(&mut run, at(200.0)).iter().enumerate() {
             assert!((impact.time.since(at(0.0)) - (2 * i + 1) as f64).abs() < 1e-11);
-            assert_eq!(impact.side, if i % 2 == 0 { Side::Upper } else { Side::Lower });
+            assert_eq!(impact.place, if i % 2 == 0 { Side::Upper } else { Side::Lower });
         }
         assert_eq!(run.impacts(), 100);
     }
@@ -335,7 +336,7 @@ fn the_first_of_two_walls_on_a_piece_is_met() {
         let system = System { force: -100.0 * sign, lower, upper, ..bare(0.0, 0.0) };
         for simulator in [simulator(&system), integrated(&system, 1e-13)] {
             let impact = impacts(&mut simulator.start(at(0.0), 0.0, 5.0 * sign).unwrap(), at(0.7))[0];
-            assert_eq!(impact.side, if sign > 0.0 { Side::Upper } else { Side::Lower });
+            assert_eq!(impact.place, if sign > 0.0 { Side::Upper } else { Side::Lower });
             // 5t − 50t² = 1/10
             assert!((impact.time.phase - (5.0 - 5f64.sqrt()) / 100.0).abs() < 1e-14);
         }
@@ -663,7 +664,7 @@ fn hard_cases_have_the_impacts_of_their_references() {
             for (impact, (t, side, velocity)) in found.iter().zip(&case.impacts) {
                 let off = (impact.time.since(at(0.0)) - t).abs().max((impact.velocity - velocity).abs());
                 assert!(off < case.tolerance, "{name}: off by {off:e} at {t}");
-                assert_eq!(impact.side.name(), side);
+                assert_eq!(impact.place.name(), side);
             }
         }
     }

@@ -17,9 +17,9 @@ use serde::{Deserialize, Serialize};
 
 use super::{
     checkpoint::{Checkpoint, Keep},
-    detection::Cycle,
-    dynamics::{Dynamics, SectionState},
-    observe::{Observation, Observed},
+    cycle::Cycle,
+    dynamics::SectionState,
+    observe::{Attraction, Observation, Observed},
 };
 use crate::{Monitor, error::Result, motion::State};
 
@@ -84,7 +84,7 @@ const CHUNK: usize = 64;
 ///
 /// # Errors
 /// Those of the system and the simulator; an unusable checkpoint; an interruption, after a last checkpoint.
-pub fn sweep<D: Dynamics<Start: Serialize>>(
+pub fn sweep<D: Attraction<Start: Serialize>>(
     plan: &DiagramPlan<D::Start>,
     dynamics: impl Fn(f64) -> Result<D> + Sync,
     identity: &str,
@@ -98,7 +98,7 @@ pub fn sweep<D: Dynamics<Start: Serialize>>(
 ///
 /// # Errors
 /// Those of [`sweep`].
-pub fn sweep_counting<D: Dynamics<Start: Serialize>>(
+pub fn sweep_counting<D: Attraction<Start: Serialize>>(
     plan: &DiagramPlan<D::Start>,
     dynamics: impl Fn(f64) -> Result<D> + Sync,
     identity: &str,
@@ -179,7 +179,7 @@ impl<S> DiagramPlan<S> {
 }
 
 /// The slices at some values: the motions of all of them are followed together.
-fn slices<D: Dynamics>(
+fn slices<D: Attraction>(
     plan: &DiagramPlan<D::Start>,
     values: &[f64],
     dynamics: &(impl Fn(f64) -> Result<D> + Sync),

@@ -6,7 +6,7 @@ use super::Job;
 use crate::{
     error::Result,
     figure::{self, FigurePlace, MotionPicture},
-    many::{Machine, MachineState, contact::StopContact, simulate::MachineEvent},
+    many::{Machine, MachineState, contact::StopContact, simulate::Event},
     motion::Time,
     printable::csv_field,
     run::{Findings, Keeper},
@@ -88,12 +88,10 @@ impl Keeper for MachineSeries<'_> {
         Ok(writeln!(self.series)?)
     }
 
-    fn machine_event(&mut self, event: &MachineEvent) -> Result<()> {
-        let (Some(time), Some(stop)) = (event.time(), event.stop()) else { return Ok(()) };
+    fn machine_event(&mut self, event: &Event) -> Result<()> {
+        let Some((time, stop)) = event.at() else { return Ok(()) };
         let (rate, periods) = (self.machine.rate(), time.periods());
-        if let (MachineEvent::Impact(_) | MachineEvent::Touch(_), Some(picture)) =
-            (event, self.pictures.get_mut(stop))
-        {
+        if let (Event::Impact(_) | Event::Touch(_), Some(picture)) = (event, self.pictures.get_mut(stop)) {
             picture.impact(periods, 0.0);
         }
         let (period, phase) = (time.period, time.phase / std::f64::consts::TAU);
@@ -102,24 +100,24 @@ impl Keeper for MachineSeries<'_> {
         let head = |word: &str| format!("{word},{},{period},{phase},{name}", periods * self.machine.period);
         let out = &mut self.events;
         match event {
-            MachineEvent::Impact(impact) => writeln!(
+            Event::Impact(impact) => writeln!(
                 out,
                 "{},{},{},{},,,{},{}",
                 head("impact"),
                 impact.velocity * rate,
-                impact.impulse / rate,
+                impact.shock.impulse / rate,
                 impact.radius / rate,
-                impact.together,
-                if impact.order_matters { "yes" } else { "no" }
+                impact.shock.together,
+                if impact.shock.order_matters { "yes" } else { "no" }
             ),
-            MachineEvent::Touch(touch) => {
+            Event::Touch(touch) => {
                 let (velocity, radius) = (touch.velocity * rate, touch.radius / rate);
                 writeln!(out, "{},{velocity},,{radius},,,,", head("touch"))
             }
-            MachineEvent::Tangency(tangency) => writeln!(out, "{},,,,{},,,", head("tangency"), tangency.gap),
-            MachineEvent::Stick(stick) => writeln!(out, "{},,,,,{},,", head("stick"), stick.rest / rate),
-            MachineEvent::Release(_) => writeln!(out, "{},,,,,,,", head("release")),
-            MachineEvent::End(_) => Ok(()),
+            Event::Tangency(tangency) => writeln!(out, "{},,,,{},,,", head("tangency"), tangency.gap),
+            Event::Stick(stick) => writeln!(out, "{},,,,,{},,", head("stick"), stick.rest / rate),
+            Event::Release(_) => writeln!(out, "{},,,,,,,", head("release")),
+            Event::End(_) => Ok(()),
         }?;
         Ok(())
     }

@@ -73,7 +73,7 @@ impl Keeper for Series<'_> {
     }
 
     fn event(&mut self, event: &Event) -> Result<()> {
-        let (Some(Time { period, phase }), Some(side)) = (event.time(), event.side()) else { return Ok(()) };
+        let Some((Time { period, phase }, side)) = event.at() else { return Ok(()) };
         if let (Event::Impact(impact), Some(wall)) = (event, self.walls.iter().find(|wall| wall.side == side))
         {
             self.picture.impact(impact.time.periods(), wall.position.at(phase)[0]);
@@ -89,7 +89,7 @@ impl Keeper for Series<'_> {
             }
             Event::Stick(stick) => writeln!(out, "stick,{period},{phase},{side},,,,{}", stick.rest),
             Event::Release(_) => writeln!(out, "release,{period},{phase},{side},,,,"),
-            Event::End(_) => Ok(()),
+            Event::Touch(_) | Event::End(_) => Ok(()),
         }?;
         Ok(())
     }

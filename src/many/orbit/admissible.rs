@@ -13,9 +13,9 @@ use super::{StopEquations, leg::LegPiece, turned};
 use crate::{
     error::{Error, Result},
     many::{
-        MachineState, RealVector,
+        LinearFlow, MachineState, RealVector,
         contact::StopContact,
-        simulate::{MachineEvent, MachineSimulator, Stage, seen},
+        simulate::{Event, MachineRun, MachineSimulator, Stage, seen},
     },
     motion::{RunEnd, Series, Time, minimum::Gap, minimum_within},
 };
@@ -122,45 +122,11 @@ impl StopEquations<'_> {
                 }
                 Err(error) => return Err(error),
             };
-            // What the legs' own impacts look like to the simulator: at an end of the leg, at the stop that
-            // is hit there. Slow ones it does not see, as they are not as deep as the minimum depth; that
-            // they are there is in the equations.
-            let own = |stop: usize, after: f64| {
-                let at = |i: usize| m > 0 && self.pattern.strikes()[i].stop == stop;
-                (at(leg) && after <= CLOSE) || (at(next) && duration - after <= CLOSE)
-            };
-            let until = begin.after(duration);
-            loop {
-                match run.next(until) {
-                    MachineEvent::Tangency(touch) if self.contacts.all()[touch.stop].soft.is_some() => {}
-                    MachineEvent::Tangency(touch) if own(touch.stop, touch.time.since(begin)) => {}
-                    MachineEvent::Tangency(touch) => {
-                        marginal = Some(MachineObstacle::Touched { leg, stop: name(touch.stop) });
-                    }
-                    MachineEvent::Impact(impact) => {
-                        let after = impact.time.since(begin);
-                        if !(m > 0 && impact.stop == self.pattern.strikes()[next].stop)
-                            || duration - after > CLOSE
-                        {
-                            let stop = name(impact.stop);
-                            return Ok(MachineAdmissibility::No(MachineObstacle::Met { leg, stop, after }));
-                        }
-                        if impact.together > 1 {
-                            return Ok(MachineAdmissibility::Marginal(MachineObstacle::Together(next)));
-                        }
-                        break;
-                    }
-                    MachineEvent::Stick(stick) => {
-                        let (stop, after) = (name(stick.stop), stick.time.since(begin));
-                        return Ok(MachineAdmissibility::No(MachineObstacle::Met { leg, stop, after }));
-                    }
-                    MachineEvent::Touch(_) | MachineEvent::Release(_) => {}
-                    MachineEvent::End(RunEnd::Reached) => break,
-                    MachineEvent::End(_) => {
-                        return Ok(MachineAdmissibility::Marginal(MachineObstacle::Lost(leg)));
-                    }
-                }
+            let (decided, touched) = self.watched(&mut run, (leg, next), begin, duration);
+            if let Some(found) = decided {
+                return Ok(found);
             }
+            marginal = touched.or(marginal);
             // Another stop at the instant of the impact.
             if m > 0 {
                 let end = self.between.after(&state, duration)?;
@@ -180,6 +146,68 @@ impl StopEquations<'_> {
             }
         }
         Ok(marginal.map_or(MachineAdmissibility::Admissible, MachineAdmissibility::Marginal))
+    }
+
+    /// A leg followed by a run of the simulator: what is decided by a contact that is not its own, and where a
+    /// stop is touched.
+    fn watched(
+        &self,
+        run: &mut MachineRun,
+        (leg, next): (usize, usize),
+        begin: Time,
+        duration: f64,
+    ) -> (Option<MachineAdmissibility>, Option<MachineObstacle>) {
+        let m = self.pattern.strikes().len();
+        let name = |stop: usize| self.contacts.all()[stop].name.clone();
+        let mut marginal = None;
+        // What the legs' own impacts look like to the simulator: at an end of the leg, at the stop that
+        // is hit there. Slow ones it does not see, as they are not as deep as the minimum depth; that
+        // they are there is in the equations.
+        let own = |stop: usize, after: f64| {
+            let at = |i: usize| m > 0 && self.pattern.strikes()[i].stop == stop;
+            (at(leg) && after <= CLOSE) || (at(next) && duration - after <= CLOSE)
+        };
+        let until = begin.after(duration);
+        loop {
+            match run.next(until) {
+                Event::Tangency(touch) if self.contacts.all()[touch.place].soft.is_some() => {}
+                Event::Tangency(touch) if own(touch.place, touch.time.since(begin)) => {}
+                Event::Tangency(touch) => {
+                    marginal = Some(MachineObstacle::Touched { leg, stop: name(touch.place) });
+                }
+                Event::Impact(impact) => {
+                    let after = impact.time.since(begin);
+                    if !(m > 0 && impact.place == self.pattern.strikes()[next].stop)
+                        || duration - after > CLOSE
+                    {
+                        let stop = name(impact.place);
+                        return (
+                            Some(MachineAdmissibility::No(MachineObstacle::Met { leg, stop, after })),
+                            marginal,
+                        );
+                    }
+                    if impact.shock.together > 1 {
+                        return (
+                            Some(MachineAdmissibility::Marginal(MachineObstacle::Together(next))),
+                            marginal,
+                        );
+                    }
+                    return (None, marginal);
+                }
+                Event::Stick(stick) => {
+                    let (stop, after) = (name(stick.place), stick.time.since(begin));
+                    return (
+                        Some(MachineAdmissibility::No(MachineObstacle::Met { leg, stop, after })),
+                        marginal,
+                    );
+                }
+                Event::Touch(_) | Event::Release(_) => {}
+                Event::End(RunEnd::Reached) => return (None, marginal),
+                Event::End(_) => {
+                    return (Some(MachineAdmissibility::Marginal(MachineObstacle::Lost(leg))), marginal);
+                }
+            }
+        }
     }
 
     /// The least of the gaps' local minima between impacts.
@@ -272,30 +300,14 @@ impl StopEquations<'_> {
         each: &mut impl FnMut(MachineMinimum),
     ) -> Result<()> {
         let (flow, from, duration) = (&piece.flow, &piece.start, piece.duration);
-        let (equations, n) = (flow.equations(), self.size());
+        let equations = flow.equations();
         // Gaps to soft stops may be negative.
         let rigid = |stop: &usize| self.contacts.all()[*stop].soft.is_none();
         let watched: Vec<usize> = (0..self.contacts.all().len()).filter(rigid).collect();
         if watched.is_empty() {
             return Ok(());
         }
-        let zero = RealVector::zeros(n);
-        let sights: Vec<Sight> = watched
-            .iter()
-            .map(|&stop| {
-                let (contact, push) = (&self.contacts.all()[stop], self.contacts.push(stop));
-                let (places, rates) = (-equations.stiffness.tr_mul(push), -equations.damping.tr_mul(push));
-                Ok(Sight {
-                    rows: [
-                        flow.seen(&contact.row, &zero),
-                        flow.seen(&zero, &contact.row),
-                        flow.seen(&places, &rates),
-                    ],
-                    force: equations.force.series(push)?,
-                    position: &contact.position,
-                })
-            })
-            .collect::<Result<_>>()?;
+        let sights = self.sights(flow, &watched)?;
         let rates = flow.rates();
         let pairs = flow.pairs().is_some();
         let slowest = equations.force.order().max(self.order()).max(1);
@@ -349,6 +361,25 @@ impl StopEquations<'_> {
             }
         }
         Ok(())
+    }
+
+    /// The gaps of these stops as the flow sees them.
+    fn sights(&self, flow: &LinearFlow, stops: &[usize]) -> Result<Vec<Sight<'_>>> {
+        let (equations, zero) = (flow.equations(), RealVector::zeros(self.size()));
+        let sight = |&stop: &usize| {
+            let (contact, push) = (&self.contacts.all()[stop], self.contacts.push(stop));
+            let (places, rates) = (-equations.stiffness.tr_mul(push), -equations.damping.tr_mul(push));
+            Ok(Sight {
+                rows: [
+                    flow.seen(&contact.row, &zero),
+                    flow.seen(&zero, &contact.row),
+                    flow.seen(&places, &rates),
+                ],
+                force: equations.force.series(push)?,
+                position: &contact.position,
+            })
+        };
+        stops.iter().map(sight).collect()
     }
 
     /// The highest harmonic of the stops' motions.

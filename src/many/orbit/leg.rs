@@ -17,9 +17,9 @@ use crate::{
         LinearEquations, LinearFlow, MachineState, RealMatrix, RealVector,
         algebra::stacked,
         contact::Contacts,
-        simulate::{MachineEvent, MachineSimulator, Stage, StopTouch},
+        simulate::{Event, MachineSimulator, Stage},
     },
-    motion::{RunEnd, Time},
+    motion::{RunEnd, Time, event::Touch},
 };
 
 /// What carries a machine between impacts.
@@ -41,7 +41,7 @@ pub struct LegPiece {
     /// Where forces are formulas, how it moves.
     pub stage: Option<Arc<Stage>>,
     /// Contact that begins at its end, with the state there.
-    touch: Option<(StopTouch, MachineState)>,
+    touch: Option<(Touch<usize>, MachineState)>,
 }
 
 /// A leg's end, what of a displacement before is left there, and how the end changes with a parameter.
@@ -104,8 +104,8 @@ impl<'s> Between<'s> {
         loop {
             let event = run.next(until);
             let touch = match &event {
-                MachineEvent::Touch(touch) => Some(*touch),
-                MachineEvent::Release(_) | MachineEvent::End(_) => None,
+                Event::Touch(touch) => Some(*touch),
+                Event::Release(_) | Event::End(_) => None,
                 _ => continue,
             };
             let (time, here) = (run.time(), MachineState { t: run.time().phase, ..run.state() });
@@ -113,7 +113,7 @@ impl<'s> Between<'s> {
             let duration = time.since(now).max(0.0);
             let own = stage.smooth.is_some().then_some(stage);
             pieces.push(LegPiece { flow, pushing, start, duration, stage: own, touch });
-            if let MachineEvent::End(end) = event {
+            if let Event::End(end) = event {
                 followed(run.failure(), end)?;
                 return Ok((pieces, here));
             }
@@ -153,7 +153,7 @@ impl<'s> Between<'s> {
                 };
             }
             let Some((touch, at)) = &piece.touch else { continue };
-            let stop = touch.stop;
+            let stop = touch.place;
             let damping = touch.jump / -touch.velocity;
             let kick = stacked(&RealVector::zeros(n), self.contacts.push(stop)) * -damping;
             let row = stacked(&self.contacts.all()[stop].row, &RealVector::zeros(n));

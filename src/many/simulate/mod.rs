@@ -4,20 +4,20 @@
 //! # What is promised
 //!
 //! - Every minimum of a gap below −[`minimum_depth`](MachineSettings::minimum_depth) is an impact, found on
-//!   the stretch on which the gap falls, however slow; a minimum within the depth of 0 is a [`StopTangency`].
+//!   the stretch on which the gap falls, however slow; a minimum within the depth of 0 is a [tangency](Event::Tangency).
 //!   *Proof.* On a cell of the finest level the gap is a polynomial up to 10⁻¹⁸ of its amplitude (`stage`),
 //!   on which the minimum test of the one-degree simulation decides (its `search`: cases by Taylor's formula
 //!   with a bound on the third derivative). Any other cell, and any stretch of cells at once, is passed over
 //!   only where the head of `stage`, a lower bound of the gap on all of it, exceeds the depth. Where rounding
 //!   of the sum over the modes exceeds the minimum depth, it takes its place.
 //! - Stops that are touched at one instant, within the minimum depth, are hit together by Newton's law for
-//!   all of them ([`contact`](super::contact)); [`StopImpact::order_matters`] says where that is a choice.
+//!   all of them ([`contact`](super::contact)); [`order_matters`](crate::motion::event::Shock::order_matters) says where that is a choice.
 //! - Bounces on a stop that would be lower than the minimum depth, where it presses, are summed as a
-//!   geometric series and end in rest ([`StopStick`]): motion under the constraint that the gap is 0, until
-//!   the force of contact falls to 0 ([`StopRelease`]). The velocity lost is that of the bounces left out.
+//!   geometric series and end in rest ([`Event::Stick`]): motion under the constraint that the gap is 0, until
+//!   the force of contact falls to 0 ([`Event::Release`]). The velocity lost is that of the bounces left out.
 //!   Other stops are watched meanwhile, and may be rested on, too.
-//! - A soft stop pushes from where its gap closes until its force would pull ([`StopTouch`],
-//!   [`StopRelease`]), and again if it would push before the gap is open. In contact the machine is another
+//! - A soft stop pushes from where its gap closes until its force would pull ([`Event::Touch`],
+//!   [`Event::Release`]), and again if it would push before the gap is open. In contact the machine is another
 //!   linear one. *Proof* of what is found: where contact begins is the minimum of a gap, as above; where it
 //!   ends, and may begin again, the force over its [unit](super::contact::SoftContact::unit) is watched as a
 //!   gap is. There the depth is smaller than the minimum depth by the acceleration of the gap that the unit
@@ -31,7 +31,7 @@
 //! too, and what is found on it is found by the same test.
 //!
 //! ```
-//! use grazing::many::simulate::{MachineEvent, MachineSettings, MachineSimulator};
+//! use grazing::many::simulate::{Event, MachineSettings, MachineSimulator};
 //! use grazing::many::{Machine, Stop, StopLaw};
 //! use grazing::motion::{Time, Wall};
 //!
@@ -54,7 +54,7 @@
 //! let settings = MachineSettings { minimum_depth: 1e-12, ..MachineSettings::default() };
 //! let simulator = MachineSimulator::new(&machine, &settings)?;
 //! let mut run = simulator.start(Time::new(0, 0.0), &[1.0], &[0.0])?;
-//! let MachineEvent::Impact(impact) = run.next(Time::new(1, 0.0)) else { panic!() };
+//! let Event::Impact(impact) = run.next(Time::new(1, 0.0)) else { panic!() };
 //! // After half a unit of time, an eighth of the period, at velocity −4.
 //! assert!((impact.time.periods() - 0.125).abs() < 1e-14);
 //! assert!((impact.velocity * machine.rate() + 4.0).abs() < 1e-13);
@@ -62,7 +62,6 @@
 //! ```
 
 mod engine;
-mod event;
 mod peak;
 mod smooth;
 mod stage;
@@ -77,7 +76,6 @@ use std::{
 use serde::Serialize;
 
 pub use engine::MachineRun;
-pub use event::{MachineEvent, StopImpact, StopRelease, StopStick, StopTangency, StopTouch};
 pub use peak::PeakForces;
 pub(crate) use smooth::seen;
 pub(crate) use stage::Stage;
@@ -91,6 +89,9 @@ use crate::{
     error::{Error, Result},
     motion::{EffectTally, Time},
 };
+
+/// What happens in a motion of a machine, at a stop by its place in it.
+pub type Event = crate::motion::Event<usize>;
 
 /// How finely to simulate.
 #[derive(Debug, Clone, PartialEq, Serialize)]

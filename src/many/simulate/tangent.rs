@@ -16,12 +16,16 @@
 
 use std::sync::Arc;
 
-use super::{MachineEvent, MachineSimulator, StopImpact, StopTouch, stage::Stage};
+use super::{Event, MachineSimulator, stage::Stage};
 use crate::{
     attractor::dynamics::{Tangents, orthonormalise},
     error::Result,
     many::{MachineState, RealMatrix, RealVector, algebra::stacked, simulate::engine::MachineRun},
-    motion::{RunEnd, Time, flow::SHORTEST},
+    motion::{
+        RunEnd, Time,
+        event::{Impact, Touch},
+        flow::SHORTEST,
+    },
     random::Random,
 };
 
@@ -141,10 +145,10 @@ impl<'a> MachineTangents<'a> {
 
     /// The impacts at one instant, of which these were told; the state before is known, that after is the
     /// run's.
-    fn saltation(&mut self, hits: &[StopImpact], before: &[usize]) -> Result<()> {
+    fn saltation(&mut self, hits: &[Impact<usize>], before: &[usize]) -> Result<()> {
         let contacts = self.simulator.contacts();
         let (arrival, after, stage) = (self.state.clone(), self.run.state(), self.run.stage());
-        let all: Vec<usize> = hits.iter().map(|hit| hit.stop).chain(before.iter().copied()).collect();
+        let all: Vec<usize> = hits.iter().map(|hit| hit.place).chain(before.iter().copied()).collect();
         let rates: Vec<f64> = hits.iter().map(|hit| hit.velocity).chain(before.iter().map(|_| 0.0)).collect();
         let law = contacts.impact(&all, &rates)?;
         let acting: Vec<usize> = (0..all.len()).filter(|&i| law.impulses[i] > 0.0).collect();
@@ -178,12 +182,12 @@ impl<'a> MachineTangents<'a> {
     }
 
     /// Contact with a soft stop begins: the force jumps.
-    fn touched(&mut self, touch: &StopTouch) {
+    fn touched(&mut self, touch: &Touch<usize>) {
         if touch.jump <= 0.0 {
             return;
         }
         let contacts = self.simulator.contacts();
-        let (row, push) = (&contacts.all()[touch.stop].row, contacts.push(touch.stop));
+        let (row, push) = (&contacts.all()[touch.place].row, contacts.push(touch.place));
         let damping = touch.jump / -touch.velocity;
         self.mapped(|q, u| {
             let u = u - push * (damping * row.dot(&q));
@@ -243,13 +247,13 @@ impl Tangents for MachineTangents<'_> {
             }
             // A rest is told when its bounces end; the run rests from where they are left out.
             self.fly(self.run.time(), growth);
-            if let MachineEvent::Impact(hit) = event {
+            if let Event::Impact(hit) = event {
                 let mut hits = vec![hit];
                 hits.extend(self.run.others_at(hit.time));
                 let resting = self.stage.resting.clone();
                 self.saltation(&hits, &resting)?;
             }
-            if let MachineEvent::Touch(touch) = &event {
+            if let Event::Touch(touch) = &event {
                 self.touched(touch);
             }
             (self.state, self.now) = (self.run.state(), self.run.time());
@@ -263,7 +267,7 @@ impl Tangents for MachineTangents<'_> {
                 self.project();
             }
             orthonormalise(&mut self.frame, growth, FLOOR);
-            if let MachineEvent::End(end) = event {
+            if let Event::End(end) = event {
                 return Ok(end);
             }
         }

@@ -30,7 +30,7 @@ pub fn attracting(
     run.record(Time::new(period, phase), |event| match event {
         Event::Impact(impact) => {
             times.push((impact.time.period, impact.time.phase));
-            sides.push(impact.side);
+            sides.push(impact.place);
             speeds.push(impact.velocity.abs());
         }
         Event::Stick(_) => rests = true,

@@ -4,9 +4,10 @@
 use super::{observe::observe, together::together};
 use crate::{
     attractor::{
-        detection::{Cycle, Detection, Fate},
+        cycle::Cycle,
+        detection::{Detection, Fate},
         dynamics::{Dynamics, Motion, SectionState, Tangents, orthonormalise},
-        observe::{Observation, ObservedMotion},
+        observe::{Attraction, Observation, ObservedMotion},
     },
     continuation::Multipliers,
     error::Result,
@@ -73,24 +74,6 @@ impl Dynamics for Simulator {
         State { t: phase, q, u }
     }
 
-    fn fates(
-        &self,
-        starts: &[State],
-        detection: &Detection,
-        known: &[Cycle],
-        monitor: &dyn Monitor,
-    ) -> Result<Vec<Option<Fate>>> {
-        together(self, starts, detection, known, monitor)
-    }
-
-    fn observe<'a>(
-        motions: Vec<(&'a Self, Run<'a>)>,
-        observation: &Observation,
-        monitor: &dyn Monitor,
-    ) -> Result<Vec<ObservedMotion<State, [f64; 2]>>> {
-        observe(motions, observation, monitor)
-    }
-
     fn at(&self, coordinates: &[f64], phase: f64) -> State {
         State { t: phase, q: coordinates[0], u: coordinates[1] }
     }
@@ -112,6 +95,27 @@ impl Dynamics for Simulator {
 
     fn tangents<'a>(&'a self, run: Run<'a>, count: usize) -> Carried<'a> {
         Carried::new(self, run, count)
+    }
+}
+
+/// Many at once: faster, and the same to the bit.
+impl Attraction for Simulator {
+    fn fates(
+        &self,
+        starts: &[State],
+        detection: &Detection,
+        known: &[Cycle],
+        monitor: &dyn Monitor,
+    ) -> Result<Vec<Option<Fate>>> {
+        together(self, starts, detection, known, monitor)
+    }
+
+    fn observe<'a>(
+        motions: Vec<(&'a Self, Run<'a>)>,
+        observation: &Observation,
+        monitor: &dyn Monitor,
+    ) -> Result<Vec<ObservedMotion<State, [f64; 2]>>> {
+        observe(motions, observation, monitor)
     }
 }
 
@@ -179,12 +183,12 @@ impl Tangents for Carried<'_> {
             let arrival = self.fly(event.time().unwrap_or(self.run.time()), growth);
             match event {
                 Event::Impact(impact) => {
-                    let contact = self.simulator.contact(impact.side).expect("a wall that was met");
+                    let contact = self.simulator.contact(impact.place).expect("a wall that was met");
                     let matrix = contact.saltation(self.simulator.flow(), arrival);
                     self.frame.iter_mut().for_each(|v| *v = apply(&matrix, *v));
                 }
                 Event::Stick(_) | Event::Release(_) => self.frame.fill([0.0; 2]),
-                Event::Tangency(_) | Event::End(_) => {}
+                Event::Tangency(_) | Event::Touch(_) | Event::End(_) => {}
             }
             orthonormalise(&mut self.frame, growth, 0.0);
             (self.state, self.now) = (self.run.state(), self.run.time());

@@ -137,11 +137,11 @@ pub fn return_map(
         matrix = product(&step, &matrix);
         match event {
             Event::Impact(impact) => {
-                let contact = simulator.contact(impact.side).expect("a wall that was met");
+                let contact = simulator.contact(impact.place).expect("a wall that was met");
                 matrix = product(&contact.saltation(simulator.flow(), arrival), &matrix);
             }
             Event::Stick(_) | Event::Release(_) => matrix = [[0.0; 2]; 2],
-            Event::Tangency(_) => {}
+            Event::Tangency(_) | Event::Touch(_) => {}
             Event::End(RunEnd::Reached) => {
                 let state = run.state();
                 return Ok(([state.q, state.u], matrix));

@@ -264,7 +264,7 @@ impl<'a> Growth<'a> {
             Event::Impact(impact) => {
                 let t = impact.time.phase;
                 self.fly((t - self.state.t).rem_euclid(TAU));
-                let contact = self.simulator.contact(impact.side).expect("a wall that was met");
+                let contact = self.simulator.contact(impact.place).expect("a wall that was met");
                 let [q, speed, _] = contact.position.at(t);
                 let u = speed + contact.side.sign() * impact.velocity;
                 let arrival = State { t, q, u };

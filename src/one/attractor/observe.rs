@@ -2,7 +2,8 @@
 
 use crate::{
     attractor::{
-        detection::{Cycle, Fate, Recurrence},
+        cycle::Cycle,
+        detection::{Fate, Recurrence},
         observe::{Observation, Observed, ObservedMotion, one_by_one},
     },
     error::Result,
@@ -25,7 +26,7 @@ enum Stage<'d> {
     Shows { cycle: Option<Cycle>, undecided: bool, left: u32, points: Vec<[f64; 2]>, before: u64 },
 }
 
-/// Observes motions many at once: see [`Dynamics::observe`](crate::attractor::dynamics::Dynamics::observe).
+/// Observes motions many at once: see [`Attraction::observe`](crate::attractor::observe::Attraction::observe).
 ///
 /// # Errors
 /// Those of [`Detection::check`]; the monitor's.

@@ -1,7 +1,10 @@
 //! Many motions of one oscillator followed together to where they end.
 
 use crate::{
-    attractor::detection::{Cycle, Detection, Fate, Recurrence},
+    attractor::{
+        cycle::Cycle,
+        detection::{Detection, Fate, Recurrence},
+    },
     error::Result,
     monitor::Monitor,
     motion::{RunEnd, State, Time},
@@ -18,7 +21,7 @@ const ROUNDS: u32 = 2;
 const PAUSE: u64 = 8;
 
 /// What motions from these starts lead to: see
-/// [`Dynamics::fates`](crate::attractor::dynamics::Dynamics::fates).
+/// [`Attraction::fates`](crate::attractor::observe::Attraction::fates).
 ///
 /// # Errors
 /// The monitor's.
@@ -88,6 +91,25 @@ pub(super) fn together(
             return Ok(fates);
         }
     }
+    recurring(simulator, detection, &mut batch, under_way, monitor, |motion, fate| {
+        fates[names[motion]] = Some(fate);
+    })?;
+    Ok(fates)
+}
+
+/// Follows motions that have arrived nowhere until it is known whether they recur, and tells what each leads
+/// to.
+///
+/// # Errors
+/// The monitor's; those of [`Recurrence::see`].
+fn recurring(
+    simulator: &Simulator,
+    detection: &Detection,
+    batch: &mut Batch,
+    under_way: Vec<usize>,
+    monitor: &dyn Monitor,
+    mut tell: impl FnMut(usize, Fate),
+) -> Result<()> {
     let start = |motion| {
         let recurrence = Recurrence::new(detection, simulator, batch.point(motion))?;
         Ok((motion, recurrence, batch.impacts(motion)))
@@ -112,7 +134,7 @@ pub(super) fn together(
                 }
                 end => Fate::Ended(end),
             };
-            fates[names[*motion]] = Some(fate);
+            tell(*motion, fate);
             batch.drop(*motion);
             false
         });
@@ -120,7 +142,7 @@ pub(super) fn together(
             return Err(error);
         }
     }
-    Ok(fates)
+    Ok(())
 }
 
 /// A motion that may have arrived at an attractor.

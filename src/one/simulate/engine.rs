@@ -1,7 +1,7 @@
 //! The event loop, composed at compile time of the effects present.
 
 use super::{
-    Event, Impact, Release, Settings, Stick, Tangency, grid,
+    Event, Settings, grid,
     pieces::{LOWER, Pieces, UPPER},
     wall::Walls,
 };
@@ -9,6 +9,7 @@ use crate::{
     error::Result,
     motion::{
         Counter, Effect, RunEnd, State, Time,
+        event::{Impact, Release, Stick, Tangency},
         minimum::{Gap, Hit, ROUNDING, clear, norm},
     },
 };
@@ -173,7 +174,7 @@ impl<'a, P: Pieces, C: Counter, const HAS_LOWER: bool, const HAS_UPPER: bool>
         match hit {
             Hit::Tangency(_) => {
                 let (time, side) = (self.pieces.time(&self.cursor, x), self.walls.side(wall));
-                Some(Event::Tangency(Tangency { time, side, gap: z }))
+                Some(Event::Tangency(Tangency { time, place: side, gap: z }))
             }
             Hit::Press(_) => {
                 self.settle(wall, x, 0.0);
@@ -207,7 +208,7 @@ impl<'a, P: Pieces, C: Counter, const HAS_LOWER: bool, const HAS_UPPER: bool>
         );
         self.settle(wall, self.pieces.from(&self.cursor), -restitution * velocity);
         // The phase is a double below 2π.
-        Event::Impact(Impact { time, radius: radius + 1e-15, side, velocity })
+        Event::Impact(Impact { time, radius: radius + 1e-15, place: side, velocity, shock: () })
     }
 
     /// Comes to rest on a wall that presses if the bounce to come, z′ being `velocity` ≥ 0, is lower than the
@@ -234,7 +235,7 @@ impl<'a, P: Pieces, C: Counter, const HAS_LOWER: bool, const HAS_UPPER: bool>
         self.counter.count(Effect::Release);
         let release = self.walls.release(wall, time.phase).map(|duration| time.after(duration));
         self.rest = Some(Rest { wall, now, release });
-        self.pending = Some(Event::Stick(Stick { time, side: self.walls.side(wall), rest }));
+        self.pending = Some(Event::Stick(Stick { time, place: self.walls.side(wall), rest }));
     }
 
     fn end(&mut self, end: RunEnd) -> Event {
@@ -268,7 +269,7 @@ impl<P: Pieces, C: Counter, const HAS_LOWER: bool, const HAS_UPPER: bool> Engine
             let State { q, u, .. } = self.walls.on(wall, time.phase);
             self.cursor = self.pieces.start(time, q, u, &mut self.counter);
             self.rest = None;
-            return Event::Release(Release { time, side: self.walls.side(wall) });
+            return Event::Release(Release { time, place: self.walls.side(wall) });
         }
         if let Some(origin) = &self.origin {
             self.pieces.jump(origin, &mut self.cursor, until, &mut self.counter);

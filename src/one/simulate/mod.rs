@@ -44,14 +44,11 @@
 
 pub mod batch;
 mod engine;
-mod event;
 mod grid;
 mod pieces;
 mod rise;
 mod steps;
 mod wall;
-
-pub use event::{Event, Impact, Release, Stick, Tangency};
 
 use std::sync::Arc;
 
@@ -70,6 +67,9 @@ use crate::{
         flow::{Free, Taylor},
     },
 };
+
+/// What happens in a motion between two walls.
+pub type Event = crate::motion::Event<Side>;
 
 /// Whether a motion of this size counts as unbounded; what is not a number does.
 fn unbounded(size: f64) -> bool {

@@ -11,7 +11,9 @@ pub(super) use many::machine_orbits;
 pub(crate) use many::{MachineSource, Machines, form};
 pub(crate) use one::{OscillatorSource, Oscillators};
 
-use super::{Analysed, GrazingEventRow, GrazingMap, Judgement, ProofRow, ValidateFindings};
+use super::{
+    Analysed, GrazingEventRow, GrazingMap, Judgement, Keeper, ProofRow, SimulationFindings, ValidateFindings,
+};
 use crate::{
     continuation::{
         Bifurcation, FollowedOrbit, Label, Located, NoForm, NormalForm, OrbitBranch, PatternFamily,
@@ -22,6 +24,7 @@ use crate::{
     scene::{
         branches::{BranchStart, BranchTask},
         orbits::{GrazingTask, OrbitKeys},
+        simulate::SimulateTask,
         validate::ValidateTask,
     },
 };
@@ -96,6 +99,12 @@ pub(crate) trait Engine {
     type Grazing<'f>: GrazingPoint
     where
         Self: 'f;
+
+    /// Follows the motion of a task.
+    ///
+    /// # Errors
+    /// Those of the simulator; the keeper's; an interruption.
+    fn simulate(&self, task: &SimulateTask, keeper: &mut dyn Keeper) -> Result<SimulationFindings>;
 
     /// The system of the scene, with another value of a parameter if there is one.
     ///

@@ -180,7 +180,7 @@ fn the_simulator_confirms_random_words_with_their_walls() {
             let elapsed = TAU * impact.time.period as f64 + impact.time.phase - phase;
             assert!((elapsed - expected).abs() < 1e-7, "leg {i} of {word:?}: {elapsed} {expected}");
             let same = word[i % 50].is_multiple_of(2);
-            assert_eq!((impact.side, from.side == to.side), (to.side, same), "leg {i}");
+            assert_eq!((impact.place, from.side == to.side), (to.side, same), "leg {i}");
             assert!((impact.velocity + to.speed).abs() < 1e-7);
             met.insert((from.side, word[i % 50]));
         }
@@ -198,7 +198,7 @@ fn shot(simulator: &Simulator, mu: f64, x: f64, halves: usize) -> (f64, [f64; 2]
     run.record(Time::new((end / TAU).floor() as i64, end.rem_euclid(TAU)), |event| {
         if let Event::Impact(impact) = event {
             let window = ((time(impact.time) - FRAC_PI_2) / PI) as usize;
-            word[window.min(halves - 1)][usize::from(impact.side == Side::Upper)] += 1;
+            word[window.min(halves - 1)][usize::from(impact.place == Side::Upper)] += 1;
         }
     });
     let state = run.state();

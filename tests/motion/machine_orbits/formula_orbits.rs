@@ -153,7 +153,7 @@ fn multipliers_of_a_coupled_duffing_pair_are_those_of_differences() {
     let period = (1..=8)
         .find(|&period: &i64| {
             run.record(Time::new(500 + period, 0.0), |event| {
-                if let grazing::many::simulate::MachineEvent::Impact(hit) = event {
+                if let grazing::many::simulate::Event::Impact(hit) = event {
                     hits.push((hit.time, -hit.velocity));
                 }
             });
@@ -163,7 +163,7 @@ fn multipliers_of_a_coupled_duffing_pair_are_those_of_differences() {
     assert!(!hits.is_empty());
     let mut again = simulator.start(Time::new(0, 0.0), before.q.as_slice(), before.u.as_slice()).unwrap();
     while after.is_none() {
-        if let grazing::many::simulate::MachineEvent::Impact(_) = again.next(Time::new(period, 0.0)) {
+        if let grazing::many::simulate::Event::Impact(_) = again.next(Time::new(period, 0.0)) {
             after = Some(again.state());
         }
     }

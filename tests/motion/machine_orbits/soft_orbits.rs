@@ -6,7 +6,7 @@ use grazing::{
 };
 
 use super::{second::Motion, *};
-use grazing::many::{MachineState, RealVector, SpeedLaw, simulate::MachineEvent};
+use grazing::many::{MachineState, RealVector, SpeedLaw, simulate::Event};
 
 fn entries(n: usize, rows: &[f64]) -> Vec<(usize, usize, f64)> {
     rows.iter().enumerate().map(|(k, x)| (k / n, k % n, *x)).collect()
@@ -195,11 +195,11 @@ fn multipliers_know_how_restitution_changes_with_the_speed() {
             .find(|&period: &i64| {
                 loop {
                     match run.next(Time::new(600 + period, 0.0)) {
-                        MachineEvent::Impact(hit) => {
+                        Event::Impact(hit) => {
                             after.get_or_insert_with(|| run.state());
                             hits.push((hit.time, -hit.velocity));
                         }
-                        MachineEvent::End(_) => break,
+                        Event::End(_) => break,
                         _ => {}
                     }
                 }

@@ -175,7 +175,7 @@ fn exponents_of_a_periodic_attractor_are_those_of_its_multipliers() {
     let simulator = planar.simulator();
     let mut run = simulator.start(Time::new(0, here.t), &here.q, &here.u).unwrap();
     run.record(Time::new(cycle.period() as i64, here.t), |event| {
-        if let grazing::many::simulate::MachineEvent::Impact(hit) = event {
+        if let grazing::many::simulate::Event::Impact(hit) = event {
             found.push((hit.time.period, hit.time.phase, -hit.velocity));
         }
     });

@@ -33,16 +33,16 @@ fn both() -> [Machine<f64>; 2] {
 }
 
 /// Kind, stop and time of events.
-fn told(events: &[MachineEvent]) -> Vec<(&'static str, usize, f64)> {
-    let one = |event: &MachineEvent| {
+fn told(events: &[Event]) -> Vec<(&'static str, usize, f64)> {
+    let one = |event: &Event| {
         let kind = match event {
-            MachineEvent::Impact(_) => "impact",
-            MachineEvent::Touch(_) => "touch",
-            MachineEvent::Release(_) => "release",
-            MachineEvent::Stick(_) => "stick",
+            Event::Impact(_) => "impact",
+            Event::Touch(_) => "touch",
+            Event::Release(_) => "release",
+            Event::Stick(_) => "stick",
             _ => return None,
         };
-        Some((kind, event.stop()?, TAU * event.time()?.periods()))
+        Some((kind, event.place()?, TAU * event.time()?.periods()))
     };
     events.iter().filter_map(one).collect()
 }
@@ -121,7 +121,7 @@ fn a_machine_of_one_coordinate_moves_as_the_oscillator_with_its_formula() {
     let mut other = single.start(at(0.0), 0.3, 0.5).unwrap();
     let (mut impacts, mut amplified) = (0, 1e-13);
     while impacts < 12 {
-        let MachineEvent::Impact(hit) = run.next(Time::new(40, 0.0)) else { panic!("an impact") };
+        let Event::Impact(hit) = run.next(Time::new(40, 0.0)) else { panic!("an impact") };
         let alone::Event::Impact(known) = other.next(Time::new(40, 0.0)) else { panic!("an impact") };
         amplified *= 4.0;
         let off = hit.time.since(known.time).abs().max((hit.velocity - known.velocity).abs());

@@ -106,7 +106,7 @@ fn a_fine_record_of_a_harmonic_is_that_harmonic() {
         let simulator_of = |scene: Scene| simulator(&scene.machine(&[]).unwrap());
         let end = |simulator: &MachineSimulator| {
             let (mut rested, mut run) = (false, simulator.start(at(0.0), &[0.0; 2], &[0.0; 2]).unwrap());
-            run.record(at(TAU * 0.999), |event| rested |= matches!(event, MachineEvent::Stick(_)));
+            run.record(at(TAU * 0.999), |event| rested |= matches!(event, Event::Stick(_)));
             assert!(rested);
             run.state()
         };
@@ -183,7 +183,7 @@ fn what_truncation_may_do_to_the_first_impact_is_the_impulse_response_in_closed_
     let machine = scene.machine(&[]).unwrap();
     let simulator = simulator(&machine);
     let mut run = simulator.start(at(0.0), &[0.0], &[0.0]).unwrap();
-    let MachineEvent::Impact(hit) = run.next(Time::new(5, 0.0)) else { panic!("an impact") };
+    let Event::Impact(hit) = run.next(Time::new(5, 0.0)) else { panic!("an impact") };
     let (mass, omega, zeta): (f64, f64, f64) =
         (1.2, (90_000.0f64 / 1.2).sqrt(), 30.0 / (2.0 * (1.2f64 * 90_000.0).sqrt()));
     let (w, time) = (omega * (1.0 - zeta * zeta).sqrt(), hit.time.periods() * machine.period);

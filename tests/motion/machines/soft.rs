@@ -1,6 +1,6 @@
 //! Stops that give way: closed forms, energy, the rigid limit, a second integrator, grazing.
 
-use grazing::many::simulate::StopTouch;
+use grazing::motion::event::Touch;
 
 use super::{second::Motion, *};
 use grazing::many::SpeedLaw;
@@ -26,13 +26,13 @@ fn chatter_ends_with_the_restitution_of_speed_zero() {
     let (mut v, mut time, mut bounces) = (1.0f64, 1.0f64, 0);
     let stick = loop {
         match run.next(Time::new(5, 0.0)) {
-            MachineEvent::Impact(hit) => {
+            Event::Impact(hit) => {
                 assert!((hit.velocity + v).abs() < 1e-12 && (TAU * hit.time.periods() - time).abs() < 1e-12);
                 v *= 0.6 / (1.0 + v / 2.0);
                 time += 2.0 * v;
                 bounces += 1;
             }
-            MachineEvent::Stick(stick) => break stick,
+            Event::Stick(stick) => break stick,
             event => panic!("{event:?}"),
         }
     };
@@ -43,12 +43,12 @@ fn chatter_ends_with_the_restitution_of_speed_zero() {
 }
 
 /// Beginnings and ends of contact: stop, time, velocity at the beginning.
-fn contacts(events: &[MachineEvent]) -> Vec<(usize, f64, Option<f64>)> {
-    let one = |event: &MachineEvent| match event {
-        MachineEvent::Touch(StopTouch { time, stop, velocity, .. }) => {
-            Some((*stop, TAU * time.periods(), Some(*velocity)))
+fn contacts(events: &[Event]) -> Vec<(usize, f64, Option<f64>)> {
+    let one = |event: &Event| match event {
+        Event::Touch(Touch { time, place, velocity, .. }) => {
+            Some((*place, TAU * time.periods(), Some(*velocity)))
         }
-        MachineEvent::Release(release) => Some((release.stop, TAU * release.time.periods(), None)),
+        Event::Release(release) => Some((release.place, TAU * release.time.periods(), None)),
         _ => None,
     };
     events.iter().filter_map(one).collect()
@@ -115,7 +115,7 @@ fn soft_stops_without_damping_keep_the_energy() {
     let mut touches = 0;
     while touches < 10_000 {
         run.record(run.time().after(TAU), |event| {
-            touches += i32::from(matches!(event, MachineEvent::Touch(_)));
+            touches += i32::from(matches!(event, Event::Touch(_)));
         });
     }
     let state = run.state();
@@ -159,7 +159,7 @@ fn stiff_stops_tend_to_rigid_ones() {
             let mut run = simulator.start(at(0.0), &[0.0], &[0.3]).unwrap();
             let mut hits = 0;
             run.record(until, |event| {
-                hits += i32::from(matches!(event, MachineEvent::Impact(_) | MachineEvent::Touch(_)));
+                hits += i32::from(matches!(event, Event::Impact(_) | Event::Touch(_)));
             });
             (run.state().q[0], run.state().u[0], hits)
         };
@@ -276,7 +276,7 @@ fn soft_contacts_agree_with_a_second_integrator() {
         });
         assert_eq!(found.len(), motion.contacts.len(), "{name}: {found:?} {:?}", motion.contacts);
         // Of chatter each leaves out what is slow to it.
-        let fast = |event: &&MachineEvent| matches!(event, MachineEvent::Impact(hit) if hit.velocity < -1e-4);
+        let fast = |event: &&Event| matches!(event, Event::Impact(hit) if hit.velocity < -1e-4);
         let impacts = told.iter().filter(fast).count();
         assert_eq!(impacts, hits.iter().filter(|hit| hit.2 < -1e-4).count(), "{name}");
         let bound = 1e-12 * growth.max(1.0) + 1e-12;
@@ -336,7 +336,7 @@ fn a_weak_stop_is_felt_as_little_as_it_pushes() {
         let simulator = simulator(machine);
         let mut run = simulator.start(at(0.0), &[0.0], &[0.0]).unwrap();
         let mut touches = 0;
-        run.record(Time::new(3, 0.0), |event| touches += i32::from(matches!(event, MachineEvent::Touch(_))));
+        run.record(Time::new(3, 0.0), |event| touches += i32::from(matches!(event, Event::Touch(_))));
         (run.state(), touches)
     };
     let ((weak, touches), (free, _)) = (end(&weak), end(&free));

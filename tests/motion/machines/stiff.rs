@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use grazing::{
     many::{
         Load, Machine, MachineState, Stop, StopLaw,
-        simulate::{MachineEvent, MachineSettings, MachineSimulator},
+        simulate::{Event, MachineSettings, MachineSimulator},
     },
     motion::{Time, Wall},
 };
@@ -66,7 +66,7 @@ fn fast_modes_pass_no_impact_over() {
             assert!(least > -1e-10, "{name}: behind the stop by {least:e} before {then:?}");
             let arrival = simulator.flow().after(&state, duration);
             match event {
-                MachineEvent::Impact(hit) => {
+                Event::Impact(hit) => {
                     impacts += 1;
                     let ([gap, rate], [_, after]) = (contact.gap(&arrival), contact.gap(&run.state()));
                     assert!(gap.abs() < 1e-10, "{name}: {gap:e}");
@@ -76,7 +76,7 @@ fn fast_modes_pass_no_impact_over() {
                     );
                     assert!((after + 0.7 * rate).abs() < 1e-7 * (1.0 + rate.abs()), "{name}: {after} {rate}");
                 }
-                MachineEvent::End(_) => break,
+                Event::End(_) => break,
                 _ => {}
             }
             (state, now) = (run.state(), run.time());
@@ -103,7 +103,7 @@ fn sixty_modes_of_a_beam_are_followed() {
     let contact = &simulator.contacts().all()[0];
     for part in 1..=16 {
         let until = Time::new(0, TAU * f64::from(part) / 32.0);
-        run.record(until, |event| impacts += usize::from(matches!(event, MachineEvent::Impact(_))));
+        run.record(until, |event| impacts += usize::from(matches!(event, Event::Impact(_))));
         assert!(run.failure().is_none());
         let MachineState { q, u, .. } = run.state();
         let [gap, _] = contact.gap(&MachineState { t: until.phase, q, u });

@@ -5,10 +5,10 @@ use std::sync::Arc;
 use grazing::{
     attractor::{
         basins::{BasinCell, BasinGrid, Basins, basins},
-        detection::{Cycle, Detection, Fate},
+        cycle::Cycle,
+        detection::{Detection, Fate},
         diagram::{DiagramPlan, Look, sweep},
-        dynamics::Dynamics,
-        observe::Observation,
+        observe::{Attraction, Observation},
     },
     motion::{Effect, EffectTally, Harmonic, RunEnd, State, System, Time, Wall},
     one::{

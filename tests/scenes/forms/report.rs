@@ -5,9 +5,8 @@ use std::{collections::BTreeMap, f64::consts::TAU};
 
 use grazing::{
     Result,
-    many::{MachineState, simulate::MachineEvent},
-    motion::{State, Time},
-    one::simulate::Event,
+    many::MachineState,
+    motion::{Event, Side, State, Time},
     run::{Findings, Job, Keeper, SectionSet, Surroundings, TaskReport, run_task},
     scene::Scene,
 };
@@ -183,16 +182,10 @@ impl Keeper for Series {
         Ok(())
     }
 
-    fn event(&mut self, event: &Event) -> Result<()> {
-        let (word, speed) = match event {
-            Event::Impact(impact) => ("impact", impact.velocity),
-            Event::Tangency(_) => ("tangency", 0.0),
-            Event::Stick(_) => ("stick", 0.0),
-            Event::Release(_) => ("release", 0.0),
-            _ => return Ok(()),
-        };
-        let side = event.side().map(|side| usize::from(side.name() == "upper"));
-        self.events.push((word, event.time().map_or(f64::NAN, |time| time.periods()), side, speed));
+    fn event(&mut self, event: &Event<Side>) -> Result<()> {
+        let Some((time, side)) = event.at() else { return Ok(()) };
+        let (speed, side) = (event.velocity().unwrap_or(0.0), usize::from(side == Side::Upper));
+        self.events.push((event.word(), time.periods(), Some(side), speed));
         Ok(())
     }
 
@@ -201,16 +194,9 @@ impl Keeper for Series {
         Ok(())
     }
 
-    fn machine_event(&mut self, event: &MachineEvent) -> Result<()> {
-        let (word, time, stop, speed) = match event {
-            MachineEvent::Impact(impact) => ("impact", impact.time, impact.stop, impact.velocity),
-            MachineEvent::Tangency(tangency) => ("tangency", tangency.time, tangency.stop, 0.0),
-            MachineEvent::Touch(touch) => ("touch", touch.time, touch.stop, touch.velocity),
-            MachineEvent::Stick(stick) => ("stick", stick.time, stick.stop, 0.0),
-            MachineEvent::Release(release) => ("release", release.time, release.stop, 0.0),
-            _ => return Ok(()),
-        };
-        self.events.push((word, time.periods(), Some(stop), speed));
+    fn machine_event(&mut self, event: &Event<usize>) -> Result<()> {
+        let Some((time, stop)) = event.at() else { return Ok(()) };
+        self.events.push((event.word(), time.periods(), Some(stop), event.velocity().unwrap_or(0.0)));
         Ok(())
     }
 }

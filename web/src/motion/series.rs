@@ -4,9 +4,8 @@ use std::f64::consts::TAU;
 
 use grazing::{
     Result,
-    many::{Machine, MachineState, contact::StopContact, simulate::MachineEvent},
-    motion::{Contact, State, Time},
-    one::simulate::Event,
+    many::{Machine, MachineState, contact::StopContact},
+    motion::{Contact, Event, Side, State, Time},
     run::{Job, Keeper, Model},
 };
 use serde_json::{Value, json};
@@ -139,17 +138,11 @@ impl Keeper for Series {
         Ok(())
     }
 
-    fn event(&mut self, event: &Event) -> Result<()> {
-        let (Some(time), Some(side)) = (event.time(), event.side()) else { return Ok(()) };
+    fn event(&mut self, event: &Event<Side>) -> Result<()> {
+        let Some((time, side)) = event.at() else { return Ok(()) };
         let Some(wall) = self.walls.iter().find(|wall| wall.side == side) else { return Ok(()) };
         let [at, slope, _] = wall.position.at(time.phase);
-        let (kind, speed) = match event {
-            Event::Impact(impact) => ("impact", Some(-impact.velocity)),
-            Event::Tangency(_) => ("tangency", None),
-            Event::Stick(_) => ("stick", None),
-            Event::Release(_) => ("release", None),
-            _ => return Ok(()),
-        };
+        let (kind, speed) = (event.word(), event.velocity().map(|velocity| -velocity));
         if let Some(speed) = speed {
             let (sign, restitution) = (side.sign(), wall.restitution);
             self.point(time.periods(), at, slope - sign * speed);
@@ -182,17 +175,10 @@ impl Keeper for Series {
         Ok(())
     }
 
-    fn machine_event(&mut self, event: &MachineEvent) -> Result<()> {
-        let (Some(time), Some(stop)) = (event.time(), event.stop()) else { return Ok(()) };
+    fn machine_event(&mut self, event: &Event<usize>) -> Result<()> {
+        let Some((time, stop)) = event.at() else { return Ok(()) };
         let rate = self.rate();
-        let (kind, velocity) = match event {
-            MachineEvent::Impact(impact) => ("impact", Some(impact.velocity)),
-            MachineEvent::Touch(touch) => ("touch", Some(touch.velocity)),
-            MachineEvent::Tangency(_) => ("tangency", None),
-            MachineEvent::Stick(_) => ("stick", None),
-            MachineEvent::Release(_) => ("release", None),
-            _ => return Ok(()),
-        };
+        let (kind, velocity) = (event.word(), event.velocity());
         // Of the motion itself nothing is known here but the gap of this stop.
         let drawn = self.seen == Some(Seen::Gap(stop));
         let at = if drawn { 0.0 } else { self.places.last().copied().unwrap_or(f64::NAN) };

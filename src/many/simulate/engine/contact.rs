@@ -7,12 +7,13 @@ use crate::{
     error::Result,
     many::{
         MachineState, RealVector,
-        simulate::{
-            MachineEvent, SoftStops, Stage, StopImpact, StopRelease, StopStick, StopTangency, StopTouch,
-            What, stage::SoftPlace,
-        },
+        simulate::{Event, SoftStops, Stage, What, stage::SoftPlace},
     },
-    motion::{Effect, Time, minimum::Hit},
+    motion::{
+        Effect, Time,
+        event::{Impact, Release, Shock, Stick, Tangency, Touch},
+        minimum::Hit,
+    },
 };
 
 impl MachineRun<'_> {
@@ -23,14 +24,14 @@ impl MachineRun<'_> {
         self.from = x;
         match (stage.watched[watch], hit) {
             (What::Gap(stop), Hit::Tangency(_)) => {
-                self.events.push(MachineEvent::Tangency(StopTangency { time, stop, gap: z[0] }));
+                self.events.push(Event::Tangency(Tangency { time, place: stop, gap: z[0] }));
             }
             (What::Gap(stop), Hit::Impact(_) | Hit::Press(_)) if self.is_soft(stop) => {
                 let radius = (z[0].abs() + rounding) / z[1].abs() * half;
                 let velocity = (z[1] / half).min(0.0);
                 let soft = self.simulator.contacts.all()[stop].soft;
                 let jump = soft.map_or(0.0, |soft| -soft.damping * velocity);
-                self.touch(StopTouch { time, radius: radius + 1e-15, stop, velocity, jump });
+                self.touch(Touch { time, radius: radius + 1e-15, place: stop, velocity, jump });
                 self.place(time, x, stop, SoftPlace::Pushing)?;
             }
             (What::Gap(stop), Hit::Press(_)) => {
@@ -50,7 +51,7 @@ impl MachineRun<'_> {
             }
             (_, Hit::Tangency(_)) => {}
             (What::Push(stop), _) => {
-                self.events.push(MachineEvent::Release(StopRelease { time, stop }));
+                self.events.push(Event::Release(Release { time, place: stop }));
                 let contact = &self.simulator.contacts.all()[stop];
                 let damped = contact.soft.is_some_and(|soft| soft.damping > 0.0);
                 let behind = damped && contact.gap(&self.state_at(x))[0] < 0.0;
@@ -58,7 +59,7 @@ impl MachineRun<'_> {
             }
             (What::Pull(stop), _) => {
                 let velocity = self.simulator.contacts.all()[stop].gap(&self.state_at(x))[1];
-                self.touch(StopTouch { time, radius: 1e-15, stop, velocity, jump: 0.0 });
+                self.touch(Touch { time, radius: 1e-15, place: stop, velocity, jump: 0.0 });
                 self.place(time, x, stop, SoftPlace::Pushing)?;
             }
             (What::Rise(stop), _) => self.place(time, x, stop, SoftPlace::Open)?,
@@ -66,7 +67,7 @@ impl MachineRun<'_> {
                 let state = self.state_at(x);
                 let resting: Vec<usize> =
                     stage.resting.iter().copied().filter(|&other| other != stop).collect();
-                self.events.push(MachineEvent::Release(StopRelease { time, stop }));
+                self.events.push(Event::Release(Release { time, place: stop }));
                 self.rest(time, &state, &resting)?;
             }
         }
@@ -77,9 +78,9 @@ impl MachineRun<'_> {
         self.simulator.contacts.all()[stop].soft.is_some()
     }
 
-    fn touch(&mut self, touch: StopTouch) {
+    fn touch(&mut self, touch: Touch<usize>) {
         self.impacts += 1;
-        self.events.push(MachineEvent::Touch(touch));
+        self.events.push(Event::Touch(touch));
     }
 
     /// A soft stop is somewhere else from x on.
@@ -105,12 +106,12 @@ impl MachineRun<'_> {
             let pushes = soft.force(gap) > 0.0;
             if before.pushing.contains(&stop) && !pushes && soft.damping > 0.0 {
                 after = after.with(stop, SoftPlace::Behind);
-                self.events.push(MachineEvent::Release(StopRelease { time, stop }));
+                self.events.push(Event::Release(Release { time, place: stop }));
             } else if before.behind.contains(&stop) && pushes {
                 after = after.with(stop, SoftPlace::Pushing);
                 self.impacts += 1;
-                let touch = StopTouch { time, radius: 1e-15, stop, velocity: gap[1], jump: 0.0 };
-                self.events.push(MachineEvent::Touch(touch));
+                let touch = Touch { time, radius: 1e-15, place: stop, velocity: gap[1], jump: 0.0 };
+                self.events.push(Event::Touch(touch));
             }
         }
         after
@@ -173,7 +174,8 @@ impl MachineRun<'_> {
         for (y, kick) in self.y.iter_mut().zip(kick) {
             *y += factor * kick;
         }
-        self.told(time, stop, velocity, law.impulses[0], radius, 1, false);
+        let shock = Shock { impulse: law.impulses[0], together: 1, order_matters: false };
+        self.told(time, stop, velocity, radius, shock);
         let bounce = -restitution * velocity;
         let pushed = bend - simulator.drags[stop] * law.impulses[0];
         if pushed < 0.0 && bounce * bounce < -2.0 * pushed * depth {
@@ -183,30 +185,12 @@ impl MachineRun<'_> {
         Ok(())
     }
 
-    #[expect(clippy::too_many_arguments, reason = "they are the fields of an event, in their order")]
-    fn told(
-        &mut self,
-        time: Time,
-        stop: usize,
-        velocity: f64,
-        impulse: f64,
-        radius: f64,
-        together: usize,
-        order_matters: bool,
-    ) {
+    fn told(&mut self, time: Time, stop: usize, velocity: f64, radius: f64, shock: Shock) {
         self.impacts += 1;
         self.open[stop] = false;
         // The phase is a double below 2π.
         let radius = radius + 1e-15;
-        self.events.push(MachineEvent::Impact(StopImpact {
-            time,
-            radius,
-            stop,
-            velocity,
-            impulse,
-            together,
-            order_matters,
-        }));
+        self.events.push(Event::Impact(Impact { time, radius, place: stop, velocity, shock }));
     }
 
     /// Impacts at one instant on the stops touched, together with those rested on.
@@ -233,7 +217,9 @@ impl MachineRun<'_> {
                 self.open[stop] = false;
             }
             if law.impulses[i] > 0.0 {
-                self.told(time, stop, rates[i], law.impulses[i], radius, all.len(), law.order_matters);
+                let shock =
+                    Shock { impulse: law.impulses[i], together: all.len(), order_matters: law.order_matters };
+                self.told(time, stop, rates[i], radius, shock);
             }
         }
         let soft = self.soft_after(time, &state);
@@ -300,12 +286,12 @@ impl MachineRun<'_> {
             return Ok(false);
         }
         for &j in resting.iter().filter(|j| !pressing.contains(j)) {
-            self.events.push(MachineEvent::Release(StopRelease { time, stop: j }));
+            self.events.push(Event::Release(Release { time, place: j }));
         }
         for (stop, rest) in added {
             if pressing.contains(&stop) {
                 self.open[stop] = false;
-                self.events.push(MachineEvent::Stick(StopStick { time: time.after(rest), stop, rest }));
+                self.events.push(Event::Stick(Stick { time: time.after(rest), place: stop, rest }));
             }
         }
         self.change(stage, time, &state);
@@ -328,7 +314,7 @@ impl MachineRun<'_> {
     fn rest_among(&mut self, time: Time, state: &MachineState, resting: &[usize]) -> Result<()> {
         let held = self.held(time, state, resting)?;
         for &stop in resting.iter().filter(|j| !held.contains(j)) {
-            self.events.push(MachineEvent::Release(StopRelease { time, stop }));
+            self.events.push(Event::Release(Release { time, place: stop }));
         }
         self.rest(time, state, &held)
     }
@@ -345,7 +331,7 @@ impl MachineRun<'_> {
             if force > 0.0 {
                 pressing.push(stop);
             } else {
-                self.events.push(MachineEvent::Release(StopRelease { time, stop }));
+                self.events.push(Event::Release(Release { time, place: stop }));
             }
         }
         pressing.sort_unstable();

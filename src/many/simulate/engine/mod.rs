@@ -7,7 +7,7 @@ mod leap;
 use std::sync::Arc;
 
 use super::{
-    MachineEvent, MachineSimulator, StopImpact,
+    Event, MachineSimulator,
     stage::{SoftStops, Stage, What},
 };
 use crate::{
@@ -15,6 +15,7 @@ use crate::{
     many::{LinearFlow, MachineState, smooth::Leap},
     motion::{
         Counter, Effect, RunEnd, Share, Time,
+        event::Impact,
         minimum::{Gap, Hit, ROUNDING, clear},
     },
 };
@@ -43,7 +44,7 @@ pub struct MachineRun<'a> {
     /// Whether the gap was above the minimum depth since the last contact, for each stop.
     open: Vec<bool>,
     /// What is to be told.
-    events: Vec<MachineEvent>,
+    events: Vec<Event>,
     impacts: u64,
     ended: Option<RunEnd>,
     /// Changes of the stage without progress.
@@ -104,25 +105,25 @@ impl<'a> MachineRun<'a> {
     ///
     /// A stage that cannot be built (dependent stops rested on, motions too fast) ends the run as
     /// [`RunEnd::Escaped`] would; it is reported by [`failure`](Self::failure).
-    pub fn next(&mut self, until: Time) -> MachineEvent {
+    pub fn next(&mut self, until: Time) -> Event {
         if let Some(event) = self.due(until) {
             return event;
         }
         if let Some(end) = self.ended {
-            return MachineEvent::End(end);
+            return Event::End(end);
         }
         if self.impacts >= self.simulator.settings.impact_limit {
             self.ended = Some(RunEnd::ImpactLimit);
-            return MachineEvent::End(RunEnd::ImpactLimit);
+            return Event::End(RunEnd::ImpactLimit);
         }
         loop {
             match self.look(until) {
-                Ok(true) => return MachineEvent::End(self.ended.unwrap_or(RunEnd::Reached)),
+                Ok(true) => return Event::End(self.ended.unwrap_or(RunEnd::Reached)),
                 Ok(false) => {}
                 Err(error) => {
                     self.failure = Some(error);
                     self.ended = Some(RunEnd::Escaped);
-                    return MachineEvent::End(RunEnd::Escaped);
+                    return Event::End(RunEnd::Escaped);
                 }
             }
             if let Some(event) = self.due(until) {
@@ -137,8 +138,8 @@ impl<'a> MachineRun<'a> {
     }
 
     /// The earliest event not yet told, if it is due.
-    fn due(&mut self, until: Time) -> Option<MachineEvent> {
-        let time = |event: &MachineEvent| event.time().unwrap_or(until);
+    fn due(&mut self, until: Time) -> Option<Event> {
+        let time = |event: &Event| event.time().unwrap_or(until);
         let first = (0..self.events.len()).min_by(|&a, &b| {
             time(&self.events[a]).partial_cmp(&time(&self.events[b])).unwrap_or(std::cmp::Ordering::Equal)
         })?;
@@ -146,10 +147,10 @@ impl<'a> MachineRun<'a> {
     }
 
     /// The other impacts at the instant of one that was told, which are not told any more.
-    pub(super) fn others_at(&mut self, time: Time) -> Vec<StopImpact> {
+    pub(super) fn others_at(&mut self, time: Time) -> Vec<Impact<usize>> {
         let mut others = Vec::new();
         self.events.retain(|event| match event {
-            MachineEvent::Impact(impact) if impact.time == time => {
+            Event::Impact(impact) if impact.time == time => {
                 others.push(*impact);
                 false
             }
@@ -204,10 +205,10 @@ impl<'a> MachineRun<'a> {
     }
 
     /// On to `until`, each event shown.
-    pub fn record(&mut self, until: Time, mut each: impl FnMut(MachineEvent)) -> RunEnd {
+    pub fn record(&mut self, until: Time, mut each: impl FnMut(Event)) -> RunEnd {
         loop {
             match self.next(until) {
-                MachineEvent::End(end) => return end,
+                Event::End(end) => return end,
                 event => each(event),
             }
         }

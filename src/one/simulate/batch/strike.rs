@@ -4,7 +4,7 @@ use fearless_simd::{Simd, prelude::*};
 
 use super::{
     super::{
-        Event, Impact,
+        Event,
         grid::TERMS,
         pieces::{LOWER, UPPER},
     },
@@ -14,7 +14,7 @@ use super::{
     tables::{Shared, far},
     vector::{LANES, load, splat, turned},
 };
-use crate::motion::Time;
+use crate::motion::{Time, event::Impact};
 
 /// An impact found, its motion not changed yet.
 #[derive(Debug, Clone, Copy)]
@@ -137,7 +137,7 @@ impl Bounce {
                 .min((2.0 * (z.abs() + rounding) / bend.abs()).sqrt());
             let side = group.simulators[lane].walls.side(wall);
             let radius = radius * half + 1e-15;
-            each(group.names[lane], Event::Impact(Impact { time, radius, side, velocity }));
+            each(group.names[lane], Event::Impact(Impact { time, radius, place: side, velocity, shock: () }));
         }
         group.impacts[lane] += 1;
         set(&mut group.open[wall][eight], bit, false);

@@ -2,6 +2,8 @@
 //!
 //! Phases are fractions of the period, everything else is in the scene's units.
 
+mod job;
+mod motion;
 mod proofs;
 mod search;
 
@@ -12,13 +14,14 @@ pub(crate) use search::machine_orbits;
 
 use super::{
     super::{
-        Analysed, Complex, GrazingEventRow, GrazingMap, Job, Judgement, ValidateFindings,
+        Analysed, Complex, GrazingEventRow, GrazingMap, Job, Judgement, Keeper, SimulationFindings,
+        ValidateFindings,
         branch::{events, settled},
     },
     AnalysedEvent, Branches, Engine, GrazingPoint, JudgedOrbit, OrbitSource, Prover, Theory,
 };
 use crate::{
-    attractor::dynamics::Dynamics,
+    attractor::observe::Attraction,
     continuation::{Bifurcation, FollowedOrbit, Label, Located, RecordForm, SearchReach, read_label_as},
     error::{Error, Result},
     many::{
@@ -28,7 +31,7 @@ use crate::{
         normal_form::normal_form,
         orbit::{MachineAdmissibility, MachineOrbit, StopPattern, StopStrike, find, find_from},
         section::PlanarMachine,
-        simulate::{MachineEvent, MachineRun, MachineSimulator},
+        simulate::{Event, MachineRun, MachineSimulator},
     },
     motion::{RunEnd, Time},
     one::{
@@ -40,6 +43,7 @@ use crate::{
         MachineSceneFamily,
         branches::{BranchOrigin, BranchStart, BranchTask},
         orbits::{GrazingTask, OrbitKeys},
+        simulate::SimulateTask,
         validate::ValidateTask,
     },
     search::machine::listed,
@@ -144,6 +148,10 @@ impl<'j> Engine for Machines<'j> {
         = MachineGrazingPoint<'f>
     where
         Self: 'f;
+
+    fn simulate(&self, task: &SimulateTask, keeper: &mut dyn Keeper) -> Result<SimulationFindings> {
+        motion::simulate(task, self, keeper)
+    }
 
     fn system(&self, change: Option<(&str, f64)>) -> Result<Self::System> {
         let machine = match change {
@@ -499,14 +507,14 @@ fn attracting(planar: &PlanarMachine, from: &MachineState, phase: f64, job: &Job
     let mut rests = !run.resting().is_empty();
     let end = loop {
         match run.next(Time::new(period, phase)) {
-            MachineEvent::Impact(hit) => {
-                impacts.push((hit.stop, hit.time, -hit.velocity));
+            Event::Impact(hit) => {
+                impacts.push((hit.place, hit.time, -hit.velocity));
                 if soft && struck.is_none() {
                     struck = Some(run.state());
                 }
             }
-            MachineEvent::Stick(_) => rests = true,
-            MachineEvent::End(end) => break end,
+            Event::Stick(_) => rests = true,
+            Event::End(end) => break end,
             _ => {}
         }
     };

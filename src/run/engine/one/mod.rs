@@ -1,12 +1,14 @@
 //! Oscillators of one degree of freedom: their orbits as tasks ask for them.
 
+mod motion;
 mod proofs;
 
 use proofs::OrbitProver;
 
 use super::{
     super::{
-        Analysed, Complex, GrazingEventRow, GrazingMap, Job, Judgement, ValidateFindings,
+        Analysed, Complex, GrazingEventRow, GrazingMap, Job, Judgement, Keeper, SimulationFindings,
+        ValidateFindings,
         branch::{events, settled},
     },
     AnalysedEvent, Branches, Engine, GrazingPoint, JudgedOrbit, OrbitSource, Prover, Theory,
@@ -27,6 +29,7 @@ use crate::{
         SceneFamily,
         branches::{BranchOrigin, BranchStart, BranchTask},
         orbits::{GrazingTask, OrbitKeys, extent},
+        simulate::SimulateTask,
         validate::ValidateTask,
     },
 };
@@ -118,6 +121,10 @@ impl<'j> Engine for Oscillators<'j> {
         = OscillatorGrazing<'f>
     where
         Self: 'f;
+
+    fn simulate(&self, task: &SimulateTask, keeper: &mut dyn Keeper) -> Result<SimulationFindings> {
+        motion::simulate(task, self, keeper)
+    }
 
     fn system(&self, change: Option<(&str, f64)>) -> Result<Oscillator> {
         self.job.oscillator(match change {
