@@ -1,6 +1,6 @@
 //! What this chapter asks of a system: motions that can be followed from any start, states as a section sees
-//! them, vectors that a motion's derivative carries along. Oscillators have it in `one::attractor`, machines in
-//! `many::section`.
+//! them, vectors that a motion's derivative carries along. Oscillators have it in `one::attractor`, machines
+//! in `many::section`.
 
 use std::fmt::Debug;
 

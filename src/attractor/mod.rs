@@ -1,10 +1,10 @@
 //! Where motions end: the stroboscopic section, attractors and their basins, Lyapunov exponents, diagrams.
 //!
-//! From the bottom up: [`dynamics`] is what the chapter asks of an engine, [`section`] a motion looked at once
-//! a period, [`cycle`] a periodic attractor; [`detection`] tells them by recurrence, confirmed by Newton's
-//! method, [`observe`] for many motions; [`basins`] and [`diagram`] for many starts and for values of a
-//! parameter. All is numerical evidence. Not here: the motions (`one`, `many`); following orbits whether they
-//! attract or not (`continuation`).
+//! From the bottom up: [`dynamics`] is what the chapter asks of an engine, [`section`] a motion looked at
+//! once a period, [`cycle`] a periodic attractor; [`detection`] tells them by recurrence, confirmed by
+//! Newton's method, [`observe`] for many motions; [`basins`] and [`diagram`] for many starts and for values
+//! of a parameter. All is numerical evidence. Not here: the motions (`one`, `many`); following orbits whether
+//! they attract or not (`continuation`).
 //!
 //! ```
 //! use grazing::attractor::detection::{Detection, Fate};

@@ -11,10 +11,10 @@
 //! A kind has a file here of its name with
 //!
 //! 1. `XFindings`, its result: a struct with `Serialize` whose fields are numbers, booleans, words of enums,
-//!    lists of [rows](Row). A row is declared by `row!`; which of its fields a table shows, in which order and
-//!    under which names, is in `columns`, for each engine, and nowhere else. No field is a text that a program
-//!    would have to parse: complex numbers are [`Complex`], what rounding may decide is a [`Judgement`], an
-//!    orbit is [`Analysed`];
+//!    lists of [rows](Row). A row is declared by `row!`; which of its fields a table shows, in which order
+//!    and under which names, is in `columns`, for each engine, and nowhere else. No field is a text that a
+//!    program would have to parse: complex numbers are [`Complex`], what rounding may decide is a
+//!    [`Judgement`], an orbit is [`Analysed`];
 //! 2. `impl Finding for XFindings`: its [`Status`] from the data alone, in one place, with a sentence for
 //!    every answer that is not "done"; warnings; what is printed, by [`Lines`];
 //! 3. `pub fn x(task, job) -> Result<XFindings>`: what [`Job`] holds, and no files but those that it reads

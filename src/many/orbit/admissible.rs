@@ -148,8 +148,8 @@ impl StopEquations<'_> {
         Ok(marginal.map_or(MachineAdmissibility::Admissible, MachineAdmissibility::Marginal))
     }
 
-    /// A leg followed by a run of the simulator: what is decided by a contact that is not its own, and where a
-    /// stop is touched.
+    /// A leg followed by a run of the simulator: what is decided by a contact that is not its own, and where
+    /// a stop is touched.
     fn watched(
         &self,
         run: &mut MachineRun,

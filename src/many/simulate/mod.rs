@@ -4,25 +4,27 @@
 //! # What is promised
 //!
 //! - Every minimum of a gap below −[`minimum_depth`](MachineSettings::minimum_depth) is an impact, found on
-//!   the stretch on which the gap falls, however slow; a minimum within the depth of 0 is a [tangency](Event::Tangency).
-//!   *Proof.* On a cell of the finest level the gap is a polynomial up to 10⁻¹⁸ of its amplitude (`stage`),
-//!   on which the minimum test of the one-degree simulation decides (its `search`: cases by Taylor's formula
-//!   with a bound on the third derivative). Any other cell, and any stretch of cells at once, is passed over
-//!   only where the head of `stage`, a lower bound of the gap on all of it, exceeds the depth. Where rounding
-//!   of the sum over the modes exceeds the minimum depth, it takes its place.
+//!   the stretch on which the gap falls, however slow; a minimum within the depth of 0 is a
+//!   [tangency](Event::Tangency). *Proof.* On a cell of the finest level the gap is a polynomial up to 10⁻¹⁸
+//!   of its amplitude (`stage`), on which the minimum test of the one-degree simulation decides (its
+//!   `search`: cases by Taylor's formula with a bound on the third derivative). Any other cell, and any
+//!   stretch of cells at once, is passed over only where the head of `stage`, a lower bound of the gap on all
+//!   of it, exceeds the depth. Where rounding of the sum over the modes exceeds the minimum depth, it takes
+//!   its place.
 //! - Stops that are touched at one instant, within the minimum depth, are hit together by Newton's law for
-//!   all of them ([`contact`](super::contact)); [`order_matters`](crate::motion::event::Shock::order_matters) says where that is a choice.
+//!   all of them ([`contact`](super::contact)); [`order_matters`](crate::motion::event::Shock::order_matters)
+//!   says where that is a choice.
 //! - Bounces on a stop that would be lower than the minimum depth, where it presses, are summed as a
-//!   geometric series and end in rest ([`Event::Stick`]): motion under the constraint that the gap is 0, until
-//!   the force of contact falls to 0 ([`Event::Release`]). The velocity lost is that of the bounces left out.
-//!   Other stops are watched meanwhile, and may be rested on, too.
+//!   geometric series and end in rest ([`Event::Stick`]): motion under the constraint that the gap is 0,
+//!   until the force of contact falls to 0 ([`Event::Release`]). The velocity lost is that of the bounces
+//!   left out. Other stops are watched meanwhile, and may be rested on, too.
 //! - A soft stop pushes from where its gap closes until its force would pull ([`Event::Touch`],
-//!   [`Event::Release`]), and again if it would push before the gap is open. In contact the machine is another
-//!   linear one. *Proof* of what is found: where contact begins is the minimum of a gap, as above; where it
-//!   ends, and may begin again, the force over its [unit](super::contact::SoftContact::unit) is watched as a
-//!   gap is. There the depth is smaller than the minimum depth by the acceleration of the gap that the unit
-//!   causes, if that is above 1: no push or pull is passed over that accelerates the gap by more than the
-//!   minimum depth per radian².
+//!   [`Event::Release`]), and again if it would push before the gap is open. In contact the machine is
+//!   another linear one. *Proof* of what is found: where contact begins is the minimum of a gap, as above;
+//!   where it ends, and may begin again, the force over its [unit](super::contact::SoftContact::unit) is
+//!   watched as a gap is. There the depth is smaller than the minimum depth by the acceleration of the gap
+//!   that the unit causes, if that is above 1: no push or pull is passed over that accelerates the gap by
+//!   more than the minimum depth per radian².
 //! - A run ends by an [`RunEnd`] that says why.
 //!
 //! The trajectory itself carries rounding errors only, amplified by the condition number of the modes. Where

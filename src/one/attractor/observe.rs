@@ -26,7 +26,8 @@ enum Stage<'d> {
     Shows { cycle: Option<Cycle>, undecided: bool, left: u32, points: Vec<[f64; 2]>, before: u64 },
 }
 
-/// Observes motions many at once: see [`Attraction::observe`](crate::attractor::observe::Attraction::observe).
+/// Observes motions many at once: see
+/// [`Attraction::observe`](crate::attractor::observe::Attraction::observe).
 ///
 /// # Errors
 /// Those of [`Detection::check`]; the monitor's.

@@ -1,8 +1,8 @@
 //! What the tasks of a scene ask of an engine: its systems, their orbits, and orbits over a parameter.
 //!
-//! A task asks an [`Engine`] and never a type of one; [`by_engine!`] is where the choice is made. `one` answers
-//! for oscillators of one degree of freedom, `many` for machines. Not here: what a report shows of the answers
-//! (`columns`).
+//! A task asks an [`Engine`] and never a type of one; [`by_engine!`] is where the choice is made. `one`
+//! answers for oscillators of one degree of freedom, `many` for machines. Not here: what a report shows of
+//! the answers (`columns`).
 
 mod many;
 mod one;

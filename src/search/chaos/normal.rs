@@ -140,8 +140,8 @@ fn in_own_time([damping, stiffness, force, restitution, depth]: [Ends; 5], j: u3
     all.map(|[lo, hi]| [short(&lo, false), short(&hi, true)])
 }
 
-/// Refuses a system without one motion that no wall disturbs; `middle` if every place between its walls is one
-/// of rest, `rests` if the spring is to say where it rests.
+/// Refuses a system without one motion that no wall disturbs; `middle` if every place between its walls is
+/// one of rest, `rests` if the spring is to say where it rests.
 fn check_rest(system: &System<Function>, middle: bool, rests: bool) -> Result<()> {
     if middle && !system.force.is_zero() {
         return asymmetric("a constant force that no spring balances presses towards one of them");
