@@ -1,6 +1,7 @@
 //! The Coq development under `proofs/coq` says and rests on what is pinned there (`check.sh`), and what the
 //! built `grazing` prints agrees with functions that Coq has proved: those of `StatementZ.v` and
-//! `StatementCircleZ.v`, extracted to OCaml.
+//! `StatementCircleZ.v`, extracted to OCaml. So do the checker's verdicts with the readers of certificates of
+//! `StatementReaders.v` and `StatementReaderWords.v`.
 //!
 //! Without `coqc` (for the second, an OCaml compiler too) on the PATH nothing is checked and stderr says so;
 //! with `GRAZING_REQUIRE_COQ=1` that is a failure.
@@ -15,6 +16,8 @@ use std::{env, fs, thread};
 
 #[path = "coq/circle.rs"]
 mod circle;
+#[path = "coq/readers.rs"]
+mod readers;
 
 #[test]
 fn the_development_is_what_is_pinned() {
@@ -49,13 +52,28 @@ fn build_oracle() -> Option<PathBuf> {
         return None;
     };
     let build = folder("oracle");
-    let needed = ["Defs.v", "Statement.v", "StatementZ.v", "StatementCircleZ.v", "Oracle.v", "oracle.ml"];
+    let needed = [
+        "Defs.v",
+        "Statement.v",
+        "StatementPlane.v",
+        "StatementWords.v",
+        "StatementZ.v",
+        "StatementCircleZ.v",
+        "StatementReaders.v",
+        "StatementReaderWords.v",
+        "Oracle.v",
+        "oracle.ml",
+        "reader.ml",
+    ];
     let sources = sources().into_iter().filter(|(name, _)| needed.contains(&name.as_str())).collect();
     place(&build, &sources);
     for file in needed.iter().filter(|name| name.ends_with(".v")) {
         run(&build, "coqc", &["-Q", ".", "Grazing", file]);
     }
-    run(&build, compiler, &["-w", "-a", "decide.mli", "decide.ml", "oracle.ml", "-o", "oracle"]);
+    for program in ["oracle", "reader"] {
+        let main = format!("{program}.ml");
+        run(&build, compiler, &["-w", "-a", "decide.mli", "decide.ml", &main, "-o", program]);
+    }
     Some(build)
 }
 

@@ -131,3 +131,33 @@ Proof.
     assert (i = 0 \/ i = 1 \/ i = 2)%nat as [-> | [-> | ->]] by lia; cbn; rewrite Rabs_right; lra.
   - exists K; apply (HK Z _ (fun j => (j - 1)%Z)); [intros j; lia | reflexivity].
 Qed.
+
+(** ** Words over {1, 2}: the least root of det(I - M(z)) is that of z + z^2 = 1 *)
+
+From Grazing Require Import StatementGraphs.
+
+Definition one_two (i : nat) : nat := match i with O => 1%nat | _ => 2%nat end.
+
+Lemma words_over_12 : Graph_entropy_statement -> let G := finite 2 one_two (fun _ _ => true) in
+  (exists C, forall P L, NoDup L -> Forall (words G P) L -> INR (length L) <= C * (33 / 20) ^ P) /\
+  exists c, c > 0 /\ forall P, exists L, NoDup L /\ Forall (words G P) L /\ c * (8 / 5) ^ P <= INR (length L).
+Proof.
+  intros H G; set (z := (sqrt 5 - 1) / 2); pose proof (sqrt_sqrt 5 ltac:(lra)) as E; pose proof (sqrt_pos 5).
+  assert (B : 22 / 10 < sqrt 5 < 224 / 100) by (split; apply Rnot_le_lt; intros Q; nra).
+  assert (Ez : z + z ^ 2 = 1) by (unfold z; nra); assert (Hz : 60 / 100 < z < 62 / 100) by (unfold z; lra).
+  destruct (H 2%nat one_two (fun _ _ => true) z) as [A L].
+  - intros [|i] _; cbn; lia.
+  - lra.
+  - exists (fun _ => 1); split; [exists 0%nat; split; [lia | lra]|]; intros i _; unfold row; cbn [sum_to one_two pow]; cbn [pow] in Ez; lra.
+  - intros t Ht (v & (i & Hi & Vi) & Ev); pose proof (Ev 0%nat ltac:(lia)) as E0; pose proof (Ev 1%nat ltac:(lia)) as E1.
+    unfold row in E0, E1; cbn [sum_to one_two pow] in E0, E1, Ez; assert (V : v 0%nat = v 1%nat) by lra; rewrite <- V in E0.
+    assert (v 0%nat * (1 - t - t * t) = 0) by lra; assert (0 < 1 - t - t * t) by nra; assert (v 0%nat = 0) by nra.
+    destruct i as [|[|i]]; [|rewrite <- V in Vi|]; lra || lia.
+  - assert (Inv : / z = 1 + z) by (apply (Rmult_eq_reg_r z); [rewrite Rinv_l by lra; nra | lra]).
+    assert (Hl : ln (8 / 5) < - ln z < ln (33 / 20)).
+    { rewrite <- ln_Rinv, Inv by lra; split; apply ln_increasing; unfold z in *; nra. }
+    split.
+    + destruct (A (ln (33 / 20)) ltac:(lra)) as (C & HC); exists C; intros P l HN HF; rewrite <- exp_pow, Rmult_comm with (r1 := INR P) by lra; apply HC; assumption.
+    + destruct (L (ln (8 / 5)) ltac:(lra)) as (c & Hc & HL); exists c; split; [exact Hc|]; intros P; destruct (HL P) as (l & N & F & S); exists l.
+      split; [exact N | split; [exact F|]]; rewrite <- exp_pow, Rmult_comm with (r1 := INR P) by lra; exact S.
+Qed.

@@ -1,12 +1,12 @@
-(** * Extraction of the functions of [StatementZ] and [StatementCircleZ] to OCaml, for oracle.ml
+(** * Extraction of the functions of [StatementZ] and [StatementCircleZ], and of the readers of certificates, to OCaml
 
-    No part of the proofs. Numbers stay Coq's own binary integers: nothing is replaced but bool, list and pairs by
-    OCaml's. check.sh sees that each function extracted is one that a statement of [StatementZ],
-    [StatementWordsZ] or [StatementCircleZ] is about, or addition, multiplication or negation, with which oracle.ml
-    reads numbers. *)
+    No part of the proofs. Numbers stay Coq's own binary integers: nothing is replaced but bool, list, option and pairs
+    by OCaml's. check.sh sees that each function extracted is one that a statement of [StatementZ], [StatementWordsZ],
+    [StatementCircleZ], [StatementReaders] or [StatementReaderWords] is about, or addition, multiplication, negation
+    or the greatest common divisor, with which oracle.ml and reader.ml read numbers. *)
 
 From Coq Require Import Extraction ExtrOcamlBasic ZArith.
-From Grazing Require Import Defs StatementZ StatementCircleZ.
+From Grazing Require Import Defs StatementZ StatementCircleZ StatementReaders StatementReaderWords.
 
 Extraction "decide.ml" uZ signB signC signD orbitZ no_orbitZ memberZ signE edgeZ patternZ sidesZ singularZ circleZ no_circleZ
-  Z.add Z.mul Z.opp.
+  blockZ wordZ regionZ pathZ belowZ lonelyZ Z.add Z.mul Z.opp Z.gcd.

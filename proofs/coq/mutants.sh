@@ -240,5 +240,19 @@ mutant theorem-of-reach-dropped 'Reach_statement of StatementOscillator.v has no
 /^Theorem Reach :/d
 E
 
+# The readers of certificates: what they say, and what they decide.
+mutant reader-says-nothing 'File "./ConsequencesReaders' --pin StatementReaders.v <<'E'
+s/forall t, In t L -> there t s -> says n s t)/forall t, In t L -> there t s -> True)/
+E
+mutant reader-of-a-part 'File "./ConsequencesReaders' --pin StatementReaderWords.v <<'E'
+s/  forall n, member a1 a2 Plus n -> In n (map fst (vertices K w))/  forall n, member a1 a2 Plus n -> (n <= j)%nat/
+E
+mutant reader-with-a-wrong-edge 'File "./ReaderWords' --pin StatementReaderWords.v <<'E'
+s/isS g (timesS (on_N T (fst i + fst j) (fst i))/isS g (timesS (on_N T (fst i + fst j) (fst j))/
+E
+mutant reader-with-a-wrong-cosine 'File "./ReaderCircle' --pin StatementReaders.v <<'E'
+s/Z.odd ((floorZ (2 \* n) h + 1) \/ 2)/Z.odd (floorZ (2 * n) h \/ 2)/
+E
+
 if [ "$survived" ]; then echo "mutants.sh: not refused:$survived" >&2; exit 1; fi
 echo "all $total mutants refused"

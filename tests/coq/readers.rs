@@ -1,0 +1,123 @@
+//! Certificates of Theorem 2 and of words: the reader that Coq has proved takes what `grazing` writes, and
+//! has the checker's verdict on damaged files.
+
+use std::path::Path;
+use std::process::Command;
+use std::{env, fs};
+
+use super::oracle;
+
+/// Certificates that `grazing` writes: kind and arguments.
+const WRITTEN: [&[&str]; 13] = [
+    &["verify", "1..=9"],
+    &["verify", "17..=18"],
+    &["word", "--a1=-1/4", "--a2=1/2"],
+    &["word", "--a1=1/2", "--a2=1/4"],
+    &["word", "--a1=-3/2", "--a2=99/100", "--max-period=9"],
+    &["word", "--a1=0.3..=0.301", "--a2=1/2"],
+    &["word", "--a1=-1/4", "--a2=1/2", "--by-theorem"],
+    &["word", "--a1=-3/2", "--a2=99/100", "--by-theorem"],
+    &["word", "--a1=1", "--a2=1", "--by-theorem"],
+    &["word", "--a1=0.3..=0.301", "--a2=1/2", "--by-theorem"],
+    &["word", "--a1=-21/20..=-1", "--a2=1/5..=1/4", "--by-theorem"],
+    &["word", "--a1=-21/20..=-1", "--a2=1/5..=0.3", "--by-theorem"],
+    &["word", "--a1=3", "--a2=1/2", "--by-theorem"],
+];
+
+/// Damaged files of each certificate: in `.ci/full`, where coqchk runs, ten times as many.
+fn damages() -> usize {
+    if env::var("GRAZING_COQCHK").is_ok_and(|v| v == "0") { 150 } else { 1500 }
+}
+
+#[test]
+fn the_proved_reader_has_the_verdicts_of_the_checker() {
+    let Some(build) = oracle() else { return };
+    let folder = build.join("certificates");
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).unwrap();
+    let mut state = 0x1234_5678_9abc_def1_u64;
+    let mut below = |bound: usize| {
+        state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        (state >> 33) as usize % bound
+    };
+    let mut counts = [0_usize; 3];
+    for (i, arguments) in WRITTEN.iter().enumerate() {
+        let path = folder.join(format!("{i}.txt"));
+        let output = Command::new(env!("CARGO_BIN_EXE_grazing"))
+            .args(*arguments)
+            .arg("--certificate")
+            .arg(&path)
+            .output()
+            .unwrap();
+        assert!(matches!(output.status.code(), Some(0 | 3)), "{arguments:?}: {output:?}");
+        let text = fs::read_to_string(&path).unwrap();
+        assert_eq!(read(&build, &[text.clone()], &folder), ["proved"], "{arguments:?}");
+        let lines: Vec<String> = text.lines().map(str::to_owned).collect();
+        let damaged: Vec<String> = (0..damages()).map(|_| damage(&lines, &mut below)).collect();
+        for (text, verdict) in damaged.iter().zip(read(&build, &damaged, &folder)) {
+            let checked = grazing_check::check(&mut text.as_bytes());
+            if verdict.starts_with("not read") {
+                counts[2] += 1;
+                continue;
+            }
+            assert_eq!(verdict == "proved", checked.is_ok(), "{verdict}; {checked:?}\n{text}");
+            counts[usize::from(checked.is_err())] += 1;
+        }
+    }
+    println!("damaged files that are still true, refused, of another kind: {counts:?}");
+    assert!(counts[0] >= 20 && counts[1] >= 1000 && 50 * counts[2] <= counts[1], "{counts:?}");
+}
+
+/// One or two words, marks or lines changed.
+fn damage(lines: &[String], below: &mut impl FnMut(usize) -> usize) -> String {
+    let mut lines = lines.to_vec();
+    for _ in 0..=below(2) {
+        // Rarely the head.
+        let first = if below(8) == 0 || lines.len() < 7 { 0 } else { 5 };
+        let at = first + below(lines.len() - first);
+        let other = 5.min(lines.len() - 1);
+        let other = other + below(lines.len() - other);
+        match below(10) {
+            0 => drop(lines.remove(at)),
+            1 => lines.insert(at, lines[other].clone()),
+            2 => lines.swap(at, other),
+            // A mark or a letter.
+            3..=5 => {
+                let marks = ["+", "-", "?", "U", "D"];
+                let places: Vec<usize> =
+                    lines[at].char_indices().filter(|(_, c)| "+-?UD".contains(*c)).map(|(i, _)| i).collect();
+                if let Some(&place) = places.get(below(places.len().max(1))) {
+                    lines[at].replace_range(place..=place, marks[below(marks.len())]);
+                }
+            }
+            _ => {
+                let mut words: Vec<String> = lines[at].split(' ').map(str::to_owned).collect();
+                let place = below(words.len());
+                let from: Vec<&str> = lines[other].split(' ').collect();
+                words[place] = match words[place].parse::<u64>() {
+                    Ok(number) if below(3) > 0 => {
+                        (number + 2 * below(2) as u64).saturating_sub(1).to_string()
+                    }
+                    _ => from[below(from.len())].to_owned(),
+                };
+                lines[at] = words.join(" ");
+            }
+        }
+    }
+    lines.join("\n") + "\n"
+}
+
+/// What the reader prints of each text.
+fn read(build: &Path, texts: &[String], folder: &Path) -> Vec<String> {
+    let mut command = Command::new(build.join("reader"));
+    for (i, text) in texts.iter().enumerate() {
+        let path = folder.join(format!("damaged-{i}.txt"));
+        fs::write(&path, text).unwrap();
+        command.arg(path);
+    }
+    let output = command.output().unwrap();
+    assert!(output.status.success(), "{output:?}");
+    let answers: Vec<String> = String::from_utf8(output.stdout).unwrap().lines().map(str::to_owned).collect();
+    assert_eq!(answers.len(), texts.len());
+    answers
+}
