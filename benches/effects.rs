@@ -3,7 +3,7 @@
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use grazing::{
-    internals::effects::{PERIODS, effects},
+    internals::study::effects::{PERIODS, effects},
     motion::Time,
     one::simulate::{Settings, Simulator},
 };

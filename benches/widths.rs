@@ -7,7 +7,7 @@
 use std::{env, fs};
 
 use grazing::{
-    internals::condition,
+    internals::study::condition,
     local::{Plane, Point, Polar, Quantity},
     number::{Ball, FloatInterval, Precision, parse_rational},
 };

@@ -81,32 +81,26 @@
 //! Not public, and below the table, for every part: `formula` (as trees), `printable` (text of others on its
 //! way out), `processor` (its time, its threads), `random` (the same choices on every machine),
 //! `output` (files that are whole or absent, saved states, tables), `source` (errors that name file, line and
-//! key). Above it: `study` (what accuracy costs), and with the feature `cli`, which is on by default,
-//! `figure` (pictures, the data of each beside it) and `cli` (the command line). Without it,
-//! `default-features = false`, none of their packages is compiled. `tests/structure.rs` holds the sources to
-//! this order.
+//! key). Above it: `study` (what accuracy costs). The command line and its pictures are a package of their
+//! own, `grazing-shell`, which uses this one. `tests/structure.rs` holds the sources to this order.
 
 // They panic once nobody reads; `output` has what does not.
 #![deny(clippy::print_stdout, clippy::print_stderr)]
 
 pub mod attractor;
-#[cfg(feature = "cli")]
-mod cli;
 pub mod continuation;
 mod error;
 pub mod existence;
 pub mod farey;
-#[cfg(feature = "cli")]
-mod figure;
 mod formula;
+#[doc(hidden)]
+pub mod internals;
 pub mod local;
 pub mod many;
 mod monitor;
 pub mod motion;
 pub mod one;
 mod outcome;
-// Without the command line only saved states are written.
-#[cfg_attr(not(feature = "cli"), allow(dead_code, unused_imports))]
 mod output;
 pub mod pattern;
 mod printable;
@@ -117,21 +111,9 @@ pub mod run;
 pub mod scene;
 pub mod search;
 mod source;
-#[cfg_attr(not(feature = "cli"), allow(dead_code, unused_imports))]
 mod study;
 pub mod symbol;
 pub mod word;
-
-/// For the project's own binary, tests and benches; no part of the interface.
-#[doc(hidden)]
-pub mod internals {
-    #[cfg(feature = "cli")]
-    pub use crate::cli::main;
-    pub use crate::{
-        processor::threads,
-        study::{condition, effects, flow_accuracy},
-    };
-}
 
 pub use error::{Error, Result, Spot};
 pub use grazing_check as certificate;

@@ -33,7 +33,7 @@ impl Monitor for () {
 }
 
 /// Does one case, and adds its time to the monitor's profile, if there is one, as that of a method.
-pub(crate) fn timed<R>(monitor: &dyn Monitor, method: impl Display, work: impl FnOnce() -> R) -> R {
+pub fn timed<R>(monitor: &dyn Monitor, method: impl Display, work: impl FnOnce() -> R) -> R {
     let Some(profile) = monitor.profile() else { return work() };
     let start = Stopwatch::start();
     let found = work();

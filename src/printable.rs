@@ -3,15 +3,16 @@
 //! spreadsheet.
 //!
 //! Every error message and every line of a report passes through [`Printable`]; cells of tables do too, and
-//! those of CSV through [`csv_field`]. What LaTeX and SVG need besides is in `output::escape` and
-//! `figure::canvas`.
+//! those of CSV through [`csv_field`]. What LaTeX needs besides is in `output::escape`, and what SVG
+//! needs in the shell.
 
-#[cfg(feature = "cli")]
-use std::borrow::Cow;
-use std::fmt::{self, Write};
+use std::{
+    borrow::Cow,
+    fmt::{self, Write},
+};
 
 /// Whether a character shows as itself and leaves the others as they are.
-pub(crate) fn is_printable(c: char) -> bool {
+pub fn is_printable(c: char) -> bool {
     !(c.is_control()
         || matches!(c,
             // Marks that turn the direction of text, join, separate or hide it.
@@ -22,9 +23,8 @@ pub(crate) fn is_printable(c: char) -> bool {
 
 /// Text on one line: a character that is not printable is written as `\n`, `\u{1b}` and so on.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Printable<'a>(pub &'a str);
+pub struct Printable<'a>(pub &'a str);
 
-#[cfg(feature = "cli")]
 impl<'a> Printable<'a> {
     /// The text; the same if there is nothing to change.
     pub fn text(self) -> Cow<'a, str> {
@@ -51,8 +51,7 @@ impl fmt::Display for Printable<'_> {
 
 /// Text as a field of CSV: printable, in quotes if a reader would break it, each of its own doubled (RFC
 /// 4180). One that a spreadsheet would take for a formula is led by `'`; numbers and lists of numbers stay.
-#[cfg(feature = "cli")]
-pub(crate) fn csv_field(text: &str) -> Cow<'_, str> {
+pub fn csv_field(text: &str) -> Cow<'_, str> {
     let mut field = Printable(text).text();
     if is_formula(&field) {
         field = Cow::Owned(format!("'{field}"));
@@ -65,7 +64,6 @@ pub(crate) fn csv_field(text: &str) -> Cow<'_, str> {
 
 /// Whether a spreadsheet would compute with a cell that is no number: it begins with `=` or `@`, or with a
 /// sign and has anything that numbers, and those that are complex, do not have.
-#[cfg(feature = "cli")]
 fn is_formula(text: &str) -> bool {
     const OF_NUMBERS: &str = "0123456789.,+-/eEi ";
     match text.trim_start().chars().next() {
@@ -93,7 +91,6 @@ mod tests {
         }
     }
 
-    #[cfg(feature = "cli")]
     #[test]
     fn numbers_are_no_formulas() {
         for number in ["-1.5e-30", "+2", "-0.5 - 0.25i", "-1, -2", "-3/8", "-", "+", "-inf", "1", "a=b", ""] {

@@ -62,8 +62,7 @@ pub(crate) fn thread_seconds() -> f64 {
 }
 
 /// Processor seconds that all threads of this process have used. 0 where the system does not tell.
-#[cfg(feature = "cli")]
-pub(crate) fn process_seconds() -> f64 {
+pub fn process_seconds() -> f64 {
     #[cfg(unix)]
     {
         let time = rustix::time::clock_gettime(rustix::time::ClockId::ProcessCPUTime);
@@ -74,8 +73,7 @@ pub(crate) fn process_seconds() -> f64 {
 }
 
 /// The most memory that this process has had, in kilobytes; none where the system does not tell.
-#[cfg(feature = "cli")]
-pub(crate) fn most_memory() -> Option<u64> {
+pub fn most_memory() -> Option<u64> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
     let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
     line.split_whitespace().next()?.parse().ok()

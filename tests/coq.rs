@@ -279,7 +279,7 @@ fn compare_patterns(
 /// nothing with it.
 #[test]
 fn chaos_has_the_certificates_boxes() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."));
     let statement = fs::read_to_string(root.join("proofs/coq/StatementChaos.v")).unwrap();
     let certificate = fs::read_to_string(root.join("checker/tests/data/chaos-12.txt")).unwrap();
     let line = |name: &str| -> Vec<&str> {
@@ -536,7 +536,7 @@ fn folder(name: &str) -> PathBuf {
 
 /// The files under `proofs/coq` that a build reads, by name.
 fn sources() -> BTreeMap<String, String> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("proofs/coq");
+    let folder = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join("proofs/coq");
     let names = fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().file_name());
     names
         .filter_map(|name| name.into_string().ok())

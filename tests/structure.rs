@@ -20,8 +20,10 @@ const BELOW: [&str; 10] = [
     "random",
     "output",
 ];
-/// Above it.
-const ABOVE: [&str; 3] = ["study", "figure", "cli"];
+/// Above it; the last two are the shell's.
+const ABOVE: [&str; 4] = ["study", "internals", "figure", "cli"];
+/// The folders of the library and of the shell.
+const FOLDERS: [&str; 2] = ["src", "shell/src"];
 
 fn sources(folder: &Path, all: &mut Vec<PathBuf>) {
     for entry in fs::read_dir(folder).unwrap() {
@@ -34,9 +36,13 @@ fn sources(folder: &Path, all: &mut Vec<PathBuf>) {
     }
 }
 
-/// Every source file: the names that lead to it from `src`, and its text without comments.
+/// Every source file: the names that lead to it from its folder, and its text without comments.
 fn files() -> Vec<(Vec<String>, String)> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    FOLDERS.iter().flat_map(|folder| files_of(folder)).collect()
+}
+
+fn files_of(folder: &str) -> Vec<(Vec<String>, String)> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
     let mut all = Vec::new();
     sources(&root, &mut all);
     let read = |path: PathBuf| {
@@ -105,7 +111,8 @@ fn imports_point_down_the_map() {
             continue;
         }
         let own = place(chapter).unwrap_or_else(|| panic!("{chapter} is not on the map of src/lib.rs"));
-        for used in heads(&text, "crate::") {
+        // In the shell's files the library is `grazing`.
+        for used in heads(&text, "crate::").union(&heads(&text, "grazing::")).copied() {
             // The root's own names: Error, Monitor, Outcome, certificate.
             let Some(other) = place(used) else { continue };
             assert!(other <= own, "{} imports from {used}, which stands above {chapter}", names.join("/"));

@@ -187,7 +187,7 @@ mod tests {
         let mut random = Random::of_unit(1, 0);
         let mut factors = vec![0, 1, -1, ONE, -ONE, ONE - 1, (ONE << 14) - 1, 1 - (ONE << 14), 1 << 64, PI];
         factors.extend((0..200).map(|_| {
-            let wide = i128::from(random.next()) << 63 | i128::from(random.next() >> 1);
+            let wide = i128::from(random.bits()) << 63 | i128::from(random.bits() >> 1);
             (wide >> random.below(120)) * if random.coin() { 1 } else { -1 }
         }));
         for (&a, &b) in factors.iter().flat_map(|a| factors.iter().map(move |b| (a, b))) {
@@ -205,7 +205,7 @@ mod tests {
         let ball = |x: &BigRational| Ball::ratio(x, &precision);
         assert!(off_by(PI, &Ball::pi(&precision)) < integer(1));
         let fraction =
-            |random: &mut Random| BigRational::new((random.next() >> 11 | 1).into(), (1u64 << 53).into());
+            |random: &mut Random| BigRational::new((random.bits() >> 11 | 1).into(), (1u64 << 53).into());
         for _ in 0..40 {
             let (r, s) = (fraction(&mut random), fraction(&mut random) / BigInt::from(2));
             let angle = Ball::pi(&precision) * &ball(&(&s + &s));

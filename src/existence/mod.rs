@@ -53,7 +53,6 @@ pub use claim::{Claim, Variant, claimed};
 pub use coexistence::{Coexistence, Coexisting, MAX_COEXISTENCE, coexisting, landau, landau_scaled};
 pub use decide::{Decision, Piece, Reason, decide};
 pub use eigenvalue::large_eigenvalue_sign;
-#[cfg(feature = "cli")]
 pub(crate) use intervals::intervals_between;
 pub use intervals::{Interval, MAX_PERIOD, intervals, tree_intervals};
 pub use measure::{MAX_DECIMALS, MAX_EXACT, NarrowBounds, PeriodMeasure, measure, measures};

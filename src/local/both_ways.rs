@@ -26,7 +26,7 @@ fn from_trace_and_determinant() {
     for (i, bits) in BITS.into_iter().enumerate() {
         let precision = Precision::new(bits);
         for case in 0..150u64 {
-            let n = if case % 5 == 4 { random.next() >> (case % 50) } else { 2 + random.below(60) };
+            let n = if case % 5 == 4 { random.bits() >> (case % 50) } else { 2 + random.below(60) };
             let n = n.max(2);
             let k = 1 + random.below(n - 1);
             let root = BigRational::new((1 + random.below(1500)).into(), 1000.into());
@@ -62,14 +62,14 @@ fn from_modulus_and_angle() {
     for (i, bits) in BITS.into_iter().enumerate() {
         let precision = Precision::new(bits);
         for case in 0..120u64 {
-            let n = if case % 5 == 4 { random.next() >> (17 + case % 40) } else { 2 + random.below(60) };
+            let n = if case % 5 == 4 { random.bits() >> (17 + case % 40) } else { 2 + random.below(60) };
             let (n, g) = (n.max(2), 2 + random.below(9));
             let k = 1 + random.below(n - 1);
             let r = match case % 4 {
                 0 => format!("{}/1000", 1 + random.below(999)),
                 1 => format!("2^-{}", 1 + random.below(40)),
                 2 => format!("1-2^-{}", 1 + random.below(90)),
-                _ => format!("{}/{}", random.next() >> 2, u64::MAX),
+                _ => format!("{}/{}", random.bits() >> 2, u64::MAX),
             };
             let s = match case % 3 {
                 0 => format!("{}/1000003", 1 + random.below(500_000)),

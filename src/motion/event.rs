@@ -32,7 +32,6 @@ pub struct Shock {
 
 /// The next thing that happens.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
 pub enum Event<P: Place> {
     /// A rigid stop was met, and the motion bounced. Of several stops at one instant each is told.
     Impact(Impact<P>),

@@ -89,7 +89,6 @@ impl Destination {
     }
 
     /// The columns of the terminal that this is; none if it is none, or does not tell its size.
-    #[cfg(feature = "cli")]
     pub fn columns(&self) -> Option<usize> {
         #[cfg(unix)]
         if self.is_stdout() {
@@ -132,7 +131,7 @@ impl Destination {
 static WRITTEN: AtomicBool = AtomicBool::new(false);
 
 /// Whether nothing has been written to standard output.
-pub(crate) fn stdout_is_untouched() -> bool {
+pub fn stdout_is_untouched() -> bool {
     !WRITTEN.load(Ordering::Relaxed)
 }
 

@@ -215,7 +215,7 @@ static OPEN: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
 /// Removes the temporary files of all writes that are under way, before the process ends without waiting for
 /// them.
-pub(crate) fn remove_temporaries() {
+pub fn remove_temporaries() {
     for path in OPEN.lock().unwrap_or_else(PoisonError::into_inner).drain(..) {
         let _ = fs::remove_file(path);
     }

@@ -1,7 +1,7 @@
 //! Hashes that tell torn lines and other runs. They withstand accidents, not an adversary.
 
 /// FNV-1a of 64 bits. Any change of a single byte changes it: each step is a bijection.
-pub(crate) fn fnv64(bytes: &[u8]) -> u64 {
+pub fn fnv64(bytes: &[u8]) -> u64 {
     fnv64_after(0xcbf2_9ce4_8422_2325, bytes)
 }
 
@@ -19,7 +19,7 @@ pub(crate) fn fnv128(bytes: &[u8]) -> u128 {
 }
 
 /// A text in 32 hexadecimal digits.
-pub(crate) fn fingerprint(text: &str) -> String {
+pub fn fingerprint(text: &str) -> String {
     format!("{:032x}", fnv128(text.as_bytes()))
 }
 

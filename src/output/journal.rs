@@ -32,6 +32,7 @@ pub struct SavedRun {
     kind: &'static str,
     words: String,
     identity: u128,
+    program: String,
     anew: &'static str,
 }
 
@@ -41,7 +42,12 @@ impl SavedRun {
     pub fn new(kind: &'static str, words: impl Into<String>, canonical: &str) -> SavedRun {
         let words = words.into().replace('\n', " ");
         let anew = "remove it, or name another file, to start anew";
-        SavedRun { kind, words, identity: fnv128(canonical.as_bytes()), anew }
+        SavedRun { kind, words, identity: fnv128(canonical.as_bytes()), program: PROGRAM.into(), anew }
+    }
+
+    /// The same, by a program that is more than the library.
+    pub fn by(self, program: String) -> SavedRun {
+        SavedRun { program, ..self }
     }
 
     /// The same, with what a user can do where a state cannot be gone on from.
@@ -59,7 +65,7 @@ impl SavedRun {
         };
         match (parts(found), parts(&wanted)) {
             (Some((program, found)), Some((_, wanted))) if found == wanted => {
-                format!("it was written by version {program}, and this is {PROGRAM}; {anew}")
+                format!("it was written by version {program}, and this is {}; {anew}", self.program)
             }
             _ => format!("it belongs to another run, {found:?}; this one is {wanted:?}; {anew}"),
         }
@@ -69,8 +75,8 @@ impl SavedRun {
 /// The first line of a state.
 impl fmt::Display for SavedRun {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let SavedRun { kind, words, identity, .. } = self;
-        write!(f, "grazing-state 2 {kind} by {PROGRAM}: {words}; identity {identity:032x}")
+        let SavedRun { kind, words, identity, program, .. } = self;
+        write!(f, "grazing-state 2 {kind} by {program}: {words}; identity {identity:032x}")
     }
 }
 
@@ -98,7 +104,7 @@ pub struct Found {
 }
 
 /// What is to be said of a torn last line.
-pub(crate) fn torn(path: &Path) -> String {
+pub fn torn(path: &Path) -> String {
     format!("{}: dropped the last line, which a sudden end had cut off", path.display())
 }
 

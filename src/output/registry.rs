@@ -316,7 +316,7 @@ impl FileRegistry {
 }
 
 /// What a task reads that an earlier task of the run makes.
-pub(crate) const MADE: &str = "the restart of ";
+pub const MADE: &str = "the restart of ";
 
 /// Whether a task may read what an earlier one writes: that is its way to go on from there.
 fn made_before(first: &NamedFile, second: &NamedFile) -> bool {

@@ -17,10 +17,7 @@ use std::{
 use serde::{Deserialize, Serialize};
 use serde_json::json;
 
-use super::{
-    PROGRAM,
-    hash::{fnv64, fnv64_after},
-};
+use super::hash::{fnv64, fnv64_after};
 use crate::error::{Error, Result};
 
 /// The first words of every shard.
@@ -94,7 +91,7 @@ impl Shard {
 pub struct ShardedTask {
     /// The command and its arguments, without those that name files or the shard.
     pub words: Vec<String>,
-    /// The program, as [`PROGRAM`] has it.
+    /// The program: its version, and hashes of its sources, as in [`PROGRAM`](super::PROGRAM).
     pub program: String,
     /// What the command works on besides.
     pub input: Option<TaskInput>,
@@ -113,8 +110,8 @@ pub struct TaskInput {
 
 impl ShardedTask {
     /// A task of this program.
-    pub fn new(words: Vec<String>) -> Self {
-        ShardedTask { words, program: PROGRAM.into(), input: None }
+    pub fn new(words: Vec<String>, program: String) -> Self {
+        ShardedTask { words, program, input: None }
     }
 
     /// What tells tasks apart: what an input is called does not.
@@ -313,7 +310,7 @@ mod tests {
     use super::*;
 
     fn task() -> ShardedTask {
-        ShardedTask::new(["verify", "3..=9"].map(String::from).to_vec())
+        ShardedTask::new(["verify", "3..=9"].map(String::from).to_vec(), super::super::PROGRAM.into())
     }
 
     fn written(records: &[(u64, &str)]) -> Vec<u8> {

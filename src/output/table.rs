@@ -2,7 +2,6 @@
 
 use std::io::Write;
 
-use clap::ValueEnum;
 use num_rational::Ratio;
 
 use super::{
@@ -13,7 +12,7 @@ use super::{
 use crate::error::Result;
 
 /// How a table is written.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum TableFormat {
     /// Aligned columns, for reading.
     Table,

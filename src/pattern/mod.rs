@@ -13,7 +13,7 @@
 //! fractions where those cannot tell; what stays undecided says why. In two dimensions [`Graph`] does the
 //! same faster: each X_i depends on n_i alone, and the existing patterns are the closed walks of a graph
 //! (64). In more dimensions [`Windows`] leaves out beginnings of patterns that no orbit can have. Not here:
-//! single impacts as functions of (a₁, a₂) (`local`), pictures (`figure`).
+//! single impacts as functions of (a₁, a₂) (`local`), pictures (the package `grazing-shell`).
 
 mod analysis;
 mod coordinates;

@@ -207,7 +207,7 @@ pub(super) fn settled(phase: f64) -> Detection {
 
 /// The branches of some starts, and what became of each; an orbit that lies on a branch already followed
 /// starts none.
-pub(crate) fn follow<S: OrbitSource>(
+pub fn follow<S: OrbitSource>(
     starts: &[BranchStart],
     source: &S,
     range: (f64, f64),

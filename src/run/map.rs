@@ -78,7 +78,7 @@ impl Finding for MapFindings {
 }
 
 /// The word for an end.
-pub(crate) fn word(end: MapEnd) -> &'static str {
+pub fn word(end: MapEnd) -> &'static str {
     match end {
         MapEnd::Periodic(_) => "periodic",
         MapEnd::NotPeriodic => "not-periodic",

@@ -4,7 +4,7 @@
 //! [`run`] does a scene's tasks one after the other and gives a [`TaskReport`] for each; [`run_task`] does
 //! one. A failing task does not end the rest. What is long (a time series) or lasting (figures, tables,
 //! certificates) goes to a [`Keeper`]; `()` keeps nothing. Not here: the command line, pictures and tables
-//! (`cli::run`), the keys of a scene (`scene`), mathematics (`one`, `many`).
+//! (the package `grazing-shell`), the keys of a scene (`scene`), mathematics (`one`, `many`).
 //!
 //! # How a kind of task is run
 //!
@@ -24,7 +24,7 @@
 //!    [`Job::monitor`] at least ten times a second;
 //! 4. a variant of [`Findings`] and an arm of `answer`.
 //!
-//! The command line adds `cli/run/x.rs`, which writes the findings' files and returns their names.
+//! The command line adds `shell/src/cli/run/x.rs`, which writes the findings' files and returns their names.
 
 mod analysed;
 mod basins;
@@ -56,18 +56,18 @@ use serde::Serialize;
 pub use analysed::Analysed;
 pub use basins::{BasinRow, BasinsFindings, basins};
 pub use birth::ChaosRow;
-#[cfg(feature = "cli")]
-pub(crate) use branch::follow;
+#[doc(hidden)]
+pub use branch::follow;
 pub use branch::{BranchFindings, BranchRow, FoundBranches, StartRow, branch};
 pub use chaos::{ChaosFindings, FailureRow, LetterRow, chaos};
 pub use crisis::{CrisisFindings, CrisisRow, PersistenceRow, crisis};
 pub use diagram::{CoexistingRow, DiagramFindings, WindowRow, diagram};
-#[cfg(feature = "cli")]
-pub(crate) use engine::{JudgedOrbit, MachineSource, OrbitSource, OscillatorSource, form};
+#[doc(hidden)]
+pub use engine::{JudgedOrbit, MachineSource, OrbitSource, OscillatorSource, form};
 pub use event::{EventFindings, EventRow, EventRows, GrazingEventRow, WithoutRow, event};
 pub use grazing::{BornRow, GrazingFindings, GrazingMap, GrazingReport, grazing};
-#[cfg(feature = "cli")]
-pub(crate) use map::word as map_word;
+#[doc(hidden)]
+pub use map::word as map_word;
 pub use map::{MapFindings, MapRow, map};
 pub use orbit::{MissingRow, OrbitFindings, OrbitRow, orbit};
 pub use report::{RunReport, TaskReport};
@@ -274,7 +274,6 @@ pub struct Job<'a> {
 
 /// What a task works on, in floats.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub enum Model {
     /// An oscillator of one degree of freedom.
     Oscillator(System<f64>),

@@ -68,17 +68,18 @@ impl TaskReport {
         TaskReport { findings: Some(findings), files, ..report }
     }
 
-    pub(crate) fn failed(job: &Job, error: &Error) -> TaskReport {
+    /// Of a task that failed as a whole.
+    pub fn failed(job: &Job, error: &Error) -> TaskReport {
         TaskReport::new(job, Status::of_error(error, job.place()))
     }
 
     /// Of a part, which is in a file for all parts to be put together.
-    #[cfg(feature = "cli")]
-    pub(crate) fn part(job: &Job, file: String) -> TaskReport {
+    pub fn part(job: &Job, file: String) -> TaskReport {
         TaskReport { files: vec![file], ..TaskReport::new(job, Status::Done) }
     }
 
-    pub(crate) fn pending(job: &Job) -> TaskReport {
+    /// Of a task that was not reached.
+    pub fn pending(job: &Job) -> TaskReport {
         TaskReport::new(job, Status::Pending)
     }
 }

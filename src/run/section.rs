@@ -82,7 +82,6 @@ row! {
 
 /// What of a section belongs together.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub enum SectionSet {
     /// The points of an attractor, by its place in the list.
     Attractor(usize),

@@ -349,7 +349,6 @@ macro_rules! words {
     }) => {
         $(#[doc = $about])+
         #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-        #[non_exhaustive]
         pub enum $name { $($(#[doc = $doc])+ $variant,)+ }
 
         impl $crate::scene::keys::Value for $name {

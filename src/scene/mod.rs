@@ -43,7 +43,8 @@ pub use machine::MachineScene;
 pub use matrix::CoordinateList;
 pub use measured::MeasuredForce;
 pub use reference::reference;
-pub(crate) use scene::phase;
+#[doc(hidden)]
+pub use scene::phase;
 pub use scene::{Body, Scene};
 pub use sections::{BasinsTask, Frame, SectionTask, StartAxis, Values};
 pub use system::Accuracy;

@@ -280,7 +280,7 @@ impl Scene {
     }
 
     /// `file:line: key = value: message`.
-    pub(crate) fn fail(&self, key: &str, message: &str) -> Error {
+    pub fn fail(&self, key: &str, message: &str) -> Error {
         let source = Source { name: &self.file.0, text: &self.file.1 };
         source.at(key, self.places.get(key).cloned(), message)
     }
@@ -299,7 +299,7 @@ impl Scene {
 }
 
 /// A fraction of the forcing period as t in [0, 2π).
-pub(crate) fn phase(fraction: &BigRational) -> f64 {
+pub fn phase(fraction: &BigRational) -> f64 {
     TAU * float(&(fraction - fraction.floor()))
 }
 

@@ -28,7 +28,7 @@ pub struct Task {
     /// What to do.
     pub kind: Kind,
     /// Where in the file it stands, as `tasks[1]`.
-    pub(crate) path: String,
+    pub path: String,
 }
 
 keys! {
@@ -72,7 +72,6 @@ macro_rules! kinds {
     ($($word:literal $kind:ident,)+) => {
         /// What a task does.
         #[derive(Debug, Clone, PartialEq)]
-        #[non_exhaustive]
         pub enum Kind { $(#[doc = concat!("`", $word, "`.")] $kind(Box<$kind>),)+ }
 
         impl Kind {

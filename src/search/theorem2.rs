@@ -17,8 +17,6 @@ use crate::{
 
 /// How the signs of b_{n,k} and c_n are decided.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
-#[non_exhaustive]
 pub enum ProofMethod {
     /// At every zero and pole and just right of it, by integer arithmetic.
     Exact,

@@ -153,8 +153,7 @@ pub fn long_runs(decades: u32) -> Result<Vec<LongRun>> {
             rows.push(LongRun { name: case.name, periods, distance, energy: case.energy(end.q, end.u) });
         }
     }
-    let text = include_str!("../../examples/scenes/nordmark-2001.toml");
-    let system = Scene::from_toml(text, "nordmark-2001.toml")?.plain(&[("mu", -0.05)])?;
+    let system = Scene::from_toml(super::PAPER, "nordmark-2001.toml")?.plain(&[("mu", -0.05)])?;
     let oscillator = Oscillator::new(system.clone(), 1e-13)?;
     let pattern = Itinerary::at(crate::motion::Side::Lower, &[4])?;
     let orbits = crate::one::orbit::search(&oscillator, &pattern, 200, 2.0);

@@ -19,6 +19,6 @@ mod zeros;
 pub use digits::{DigitsPrice, INPUTS, METHODS, digits_prices};
 pub use families::{FAMILIES, InputFamily};
 pub use measure::condition;
-pub use proofs::{ProofCost, ProofSizes, proof_costs};
+pub use proofs::{CHAOS, PAPER, ProofCost, ProofSizes, proof_costs};
 pub use sign_price::{DISTANCES, QUICK_DISTANCES, SignMethod, SignPrice, sign_prices};
 pub use zeros::{ZERO_FAMILIES, ZeroFamily};

@@ -121,9 +121,9 @@ impl ProofSizes {
 }
 
 /// The oscillator of section 4 of the paper, with proofs of orbits and events.
-const PAPER: &str = include_str!("../../examples/scenes/nordmark-2001.toml");
+pub const PAPER: &str = include_str!("../../examples/scenes/nordmark-2001.toml");
 /// The same with proofs of chaos.
-const CHAOS: &str = include_str!("../../examples/scenes/nordmark-2001-chaos.toml");
+pub const CHAOS: &str = include_str!("../../examples/scenes/nordmark-2001-chaos.toml");
 /// The same stop with so much damping that both eigenvalues are real: orbits of every period are born.
 const OVERDAMPED: &str = r#"
 format = "grazing-scene 1"

@@ -9,7 +9,6 @@ use super::Polynomial;
 
 /// Who is to read a formula.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
 #[non_exhaustive]
 pub enum Format {
     /// A person, in a terminal.

@@ -11,7 +11,6 @@ use crate::number::{Ball, FloatInterval, Precision, Real, Sign};
 
 /// The exponential growth rate of the number of patterns with their period, per forcing period.
 #[derive(Debug, Clone)]
-#[non_exhaustive]
 pub enum Entropy {
     /// There is no closed walk: no pattern exists.
     Empty,

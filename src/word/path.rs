@@ -57,7 +57,6 @@ pub struct Vertex {
 /// Where a word ends, and why.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
-#[non_exhaustive]
 pub enum Extent {
     /// Every period n ≥ 1 occurs, with the one letter given (regions 1, 2 and 5).
     All,

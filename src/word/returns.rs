@@ -32,7 +32,6 @@ use crate::{
 /// What makes a return time one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
-#[non_exhaustive]
 pub enum ReturnKind {
     /// A period of the word, with this letter.
     Period(Letter),

@@ -73,7 +73,8 @@ fn what_is_written_passes_whole_and_by_blocks() {
 /// The block of n = 3 shown in the documentation, and its failing variants.
 #[test]
 fn the_example_in_the_documentation_is_a_block() {
-    let source = fs::read_to_string("checker/src/cover/mod.rs").unwrap();
+    let source =
+        fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../checker/src/cover/mod.rs")).unwrap();
     let start = source.find("//! n 3 2/3").unwrap();
     let shown: Vec<&str> = source[start..]
         .lines()

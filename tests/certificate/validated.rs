@@ -338,7 +338,7 @@ fn the_example_scene_proves_what_it_says() {
         serde_json::from_slice::<serde_json::Value>(&output.stdout).unwrap()
     };
     let path = folder.path().to_str().unwrap();
-    let scene = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/scenes/nordmark-2001.toml");
+    let scene = concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/scenes/nordmark-2001.toml");
     let report = grazing(&["run", scene, "--only", "proofs", "-o", path, "--format", "json"]);
     let (mut certificates, mut events) = (0, 0);
     for task in report["tasks"].as_array().unwrap() {

@@ -593,7 +593,7 @@ fn motions_agree_with_a_second_integrator() {
 
 #[test]
 fn every_example_runs_and_touches_its_stops() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/machines");
+    let folder = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join("examples/machines");
     let mut count = 0;
     for file in fs::read_dir(folder).unwrap() {
         let path = file.unwrap().path();

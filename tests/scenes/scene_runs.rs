@@ -11,7 +11,7 @@ use std::{
 
 use grazing::{
     attractor::detection::{Detection, Fate},
-    internals::{
+    internals::study::{
         effects::{PERIODS, effects, machine_effects},
         flow_accuracy::{long_runs, returning, tolerances},
     },
@@ -24,7 +24,7 @@ use grazing::{
 };
 use tempfile::TempDir;
 
-const SCENES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/scenes");
+const SCENES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/scenes");
 
 /// Exit code, standard output, standard error, and the folder with the files.
 fn grazing(arguments: &[&str]) -> (i32, String, String, TempDir) {

@@ -12,7 +12,7 @@ fn report(scene: &str, code: i32) -> Value {
     let output = Command::new(env!("CARGO_BIN_EXE_grazing"))
         .args([
             "run",
-            &format!("examples/scenes/{scene}.toml"),
+            &format!("{}/../examples/scenes/{scene}.toml", env!("CARGO_MANIFEST_DIR")),
             "--only",
             "section-4",
             "--format",
@@ -79,7 +79,7 @@ fn the_page_has_the_digits_of_the_commands_and_of_the_paper() {
     }
     assert_eq!(rows, 22);
     if env::var_os("GRAZING_BLESS").is_some() {
-        std::fs::write("docs/section4.md", &page).unwrap();
+        std::fs::write(concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/section4.md"), &page).unwrap();
     } else {
         assert_eq!(page, PAGE, "write it anew with GRAZING_BLESS=1 cargo test --test scenes section4::");
     }

@@ -382,7 +382,7 @@ fn tasks_that_would_write_one_file_are_refused() {
 fn a_grazing_task_says_whether_chaos_is_born() {
     let report = |scene: &str| {
         let folder = tempfile::tempdir().unwrap();
-        let path = format!("{}/examples/scenes/{scene}", env!("CARGO_MANIFEST_DIR"));
+        let path = format!("{}/../examples/scenes/{scene}", env!("CARGO_MANIFEST_DIR"));
         let run = |format: &str| {
             let mut command = Command::new(env!("CARGO_BIN_EXE_grazing"));
             let command = command.args(["run", &path, "--only", "grazing", "--format", format, "-o"]);

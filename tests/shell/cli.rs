@@ -271,7 +271,8 @@ fn checked_in_figure_is_current() {
     for name in ["intervals.svg", "intervals.csv"] {
         let drawn = fs::read_to_string(folder.path().join(name)).unwrap();
         assert_eq!(
-            fs::read_to_string(Path::new("docs").join(name)).unwrap(),
+            fs::read_to_string(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../docs")).join(name))
+                .unwrap(),
             drawn,
             "run `grazing figure intervals -o docs`"
         );
@@ -449,7 +450,7 @@ fn evaluate_prints_certain_digits_and_the_rung() {
 }
 
 fn example(name: &str) -> String {
-    format!("{}/examples/maps/{name}", env!("CARGO_MANIFEST_DIR"))
+    format!("{}/../examples/maps/{name}", env!("CARGO_MANIFEST_DIR"))
 }
 
 /// The numbers of section 4.2 of the paper: which periods exist on which side, and their large eigenvalues.

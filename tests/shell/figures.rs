@@ -316,7 +316,8 @@ fn the_output_may_be_a_file() {
 #[test]
 fn branches_are_marginal_where_a_multiplier_is_on_the_unit_circle() {
     let (rows, svg) = draw("6", "figure6");
-    let kept = table(&fs::read_to_string("docs/figure6.csv").unwrap());
+    let kept =
+        table(&fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/figure6.csv")).unwrap());
     assert_eq!(rows.len(), kept.len());
     let mut marginal = Vec::new();
     for (row, kept) in rows.iter().zip(&kept) {
@@ -349,8 +350,13 @@ fn checked_in_figures_are_current() {
         ("words --n 20", "words"),
     ] {
         let (rows, svg) = draw(arguments, name);
-        let kept =
-            |extension| fs::read_to_string(Path::new("docs").join(format!("{name}.{extension}"))).unwrap();
+        let kept = |extension| {
+            fs::read_to_string(
+                Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../docs"))
+                    .join(format!("{name}.{extension}")),
+            )
+            .unwrap()
+        };
         assert!(
             kept("svg") == svg && table(&kept("csv")) == rows,
             "run `grazing figure {arguments} -o docs`"
@@ -363,7 +369,12 @@ fn checked_in_figures_are_current() {
 #[test]
 fn tables_of_accuracy_hold_what_the_page_says() {
     let read = |name: &str| {
-        table(&fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("docs").join(name)).unwrap())
+        table(
+            &fs::read_to_string(
+                Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join("docs").join(name),
+            )
+            .unwrap(),
+        )
     };
     for row in read("digits.csv").iter().chain(&read("digits-peers.csv")) {
         assert_eq!(row["outside"], "0", "{row:?}");

@@ -139,7 +139,7 @@ fn runs() -> usize {
 }
 
 fn files(folder: &str) -> Vec<String> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
+    let folder = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join(folder);
     let mut paths: Vec<_> = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
     paths.sort();
     paths.iter().map(|path| fs::read_to_string(path).unwrap()).collect()
@@ -207,7 +207,8 @@ fn damaged_certificates_are_proved_or_rejected() {
         assert!(std::process::Command::new(binary).args(&all).output().unwrap().status.success());
         fs::read_to_string(file).unwrap()
     };
-    let scene = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/scenes/nordmark-2001.toml");
+    let scene =
+        Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join("examples/scenes/nordmark-2001.toml");
     let orbit = ["run", scene.to_str().unwrap(), "--only", "proofs", "-o", folder.path().to_str().unwrap()];
     std::process::Command::new(binary).args(orbit).output().unwrap();
     let mut texts = vec![write("t", &["verify", "1..=9"]), write("c", &["cover", "3..=4"])];

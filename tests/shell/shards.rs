@@ -401,7 +401,8 @@ fn campaigns_count_what_one_run_counts() {
     }
 }
 
-/// The hash of sources in a shard, from the files by its definition: their names, lengths and bytes.
+/// The hashes of sources in a shard, of the library and of the shell, from the files by their definition:
+/// their names, lengths and bytes.
 #[test]
 fn shards_name_the_sources_of_their_program() {
     fn files(folder: &Path, name: &str, all: &mut Vec<String>) {
@@ -411,24 +412,27 @@ fn shards_name_the_sources_of_their_program() {
             if entry.path().is_dir() { files(folder, &inner, all) } else { all.push(inner) }
         }
     }
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let mut names = vec!["Cargo.lock".to_string()];
-    files(root, "src", &mut names);
-    files(root, "checker/src", &mut names);
-    files(root, "number/src", &mut names);
-    names.retain(|name| !name.contains("/."));
-    names.sort();
-    let mut bytes = Vec::new();
-    for name in names {
-        let text = fs::read(root.join(&name)).unwrap();
-        let text: Vec<u8> = text.into_iter().filter(|&byte| byte != b'\r').collect();
-        bytes.extend(format!("{name} {}\n", text.len()).into_bytes());
-        bytes.extend(text);
-    }
+    let hashed = |root: &Path, mut names: Vec<String>, folders: &[&str]| {
+        folders.iter().for_each(|folder| files(root, folder, &mut names));
+        names.retain(|name| !name.contains("/."));
+        names.sort();
+        let mut bytes = Vec::new();
+        for name in names {
+            let text = fs::read(root.join(&name)).unwrap();
+            let text: Vec<u8> = text.into_iter().filter(|&byte| byte != b'\r').collect();
+            bytes.extend(format!("{name} {}\n", text.len()).into_bytes());
+            bytes.extend(text);
+        }
+        hash_of(&bytes)
+    };
+    let shell = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let lock = vec!["Cargo.lock".to_string()];
+    let library = hashed(&shell.join(".."), lock, &["src", "checker/src", "number/src"]);
+    let shell = hashed(shell, Vec::new(), &["src"]);
     let folder = tempdir().unwrap();
     done(folder.path(), "verify 3 --shard 1/1 --certificate 1");
     let shard = fs::read_to_string(folder.path().join("1")).unwrap();
-    assert_eq!(program(&shard), format!("{}+{:016x}", env!("CARGO_PKG_VERSION"), hash_of(&bytes)));
+    assert_eq!(program(&shard), format!("{}+{library:016x}.{shell:016x}", env!("CARGO_PKG_VERSION")));
 }
 
 #[test]
@@ -529,7 +533,7 @@ fn what_is_wrong_with_shards_is_said() {
 fn scripts_send_again_what_is_missing_and_what_is_false() {
     let folder = tempdir().unwrap();
     let path = |name: &str| folder.path().join(name);
-    let scripts = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/cluster");
+    let scripts = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join("examples/cluster");
     for name in ["campaign.sh", "array.sbatch", "merge.sbatch"] {
         let text = fs::read_to_string(scripts.join(name)).unwrap();
         let small = text.replace("SHARDS=16", "SHARDS=4").replace("3..=500", "3..=20");

@@ -14,8 +14,8 @@ use process::{ended, grazing, listening, names, onto_full_disk, run, signal, unr
 use tempfile::tempdir;
 
 /// A map with patterns that stay undecided.
-const SINGULAR: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/maps/singular.toml");
-const FOCUS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/maps/focus.toml");
+const SINGULAR: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/maps/singular.toml");
+const FOCUS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/maps/focus.toml");
 
 /// A certificate with a false line.
 fn false_certificate(folder: &Path) {

@@ -8,7 +8,7 @@ use std::{env, fs, path::Path, process::Command};
 use process::run;
 
 fn root() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
+    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
 }
 
 /// Every command that writes a LaTeX table, with the awkward texts among them; `{in}` is a folder with the

@@ -277,7 +277,7 @@ impl Tangents for MachineTangents<'_> {
 /// Vectors in no special direction; the first, for one coordinate, as for an oscillator.
 fn first(n: usize, count: usize) -> Vec<Vec<f64>> {
     let mut random = Random::of_unit(1, 0);
-    let mut part = || 1.0 + random.next() as f64 / u64::MAX as f64;
+    let mut part = || 1.0 + random.bits() as f64 / u64::MAX as f64;
     let mut frame = Vec::with_capacity(count);
     for k in 0..count.min(2 * n) {
         let sign = |i: usize| if k > 0 && (i + k) % 2 == 1 { -1.0 } else { 1.0 };

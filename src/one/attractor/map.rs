@@ -38,7 +38,6 @@ pub struct MapCell {
 /// How a start ends at one point of the map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-#[non_exhaustive]
 pub enum MapEnd {
     /// On a periodic motion, of this period in forcing periods.
     Periodic(u32),

@@ -7,9 +7,11 @@
 mod many;
 mod one;
 
+pub(crate) use many::Machines;
 pub(super) use many::machine_orbits;
-pub(crate) use many::{MachineSource, Machines, form};
-pub(crate) use one::{OscillatorSource, Oscillators};
+pub use many::{MachineSource, form};
+pub use one::OscillatorSource;
+pub(crate) use one::Oscillators;
 
 use super::{
     Analysed, GrazingEventRow, GrazingMap, Judgement, Keeper, ProofRow, SimulationFindings, ValidateFindings,
@@ -47,7 +49,7 @@ macro_rules! by_engine {
 pub(crate) use by_engine;
 
 /// An orbit, judged: what is asked of it beside its numbers.
-pub(crate) trait JudgedOrbit: FollowedOrbit {
+pub trait JudgedOrbit: FollowedOrbit {
     /// Whether all multipliers are inside the unit circle; marginal at a bifurcation at which one or two are
     /// on it.
     fn stable(&self, at: Option<Bifurcation>) -> Judgement;
@@ -57,10 +59,10 @@ pub(crate) trait JudgedOrbit: FollowedOrbit {
 }
 
 /// What a normal form comes to.
-pub(crate) type Form = std::result::Result<NormalForm, NoForm>;
+pub type Form = std::result::Result<NormalForm, NoForm>;
 
 /// What is known of an orbit and of the event at it.
-pub(crate) struct AnalysedEvent {
+pub struct AnalysedEvent {
     /// The orbit.
     pub orbit: Analysed,
     /// The normal form of an event over one parameter.
@@ -81,7 +83,7 @@ impl AnalysedEvent {
 }
 
 /// Branches, and what became of every start.
-pub(crate) type Branches<O> = (Vec<OrbitBranch<O>>, Vec<super::StartRow>);
+pub type Branches<O> = (Vec<OrbitBranch<O>>, Vec<super::StartRow>);
 
 /// An engine at work on a job.
 pub(crate) trait Engine {
@@ -181,7 +183,7 @@ pub(crate) struct Proof {
 }
 
 /// The orbits of a scene over a parameter.
-pub(crate) trait OrbitSource {
+pub trait OrbitSource {
     /// A periodic orbit.
     type Orbit: JudgedOrbit;
     /// Their equations.

@@ -118,7 +118,6 @@ pub struct Cover {
 
 /// The leaves of a cover, counted.
 #[derive(Debug, Clone, Default, PartialEq)]
-#[non_exhaustive]
 pub struct CoverTally {
     /// Leaves without an orbit.
     pub none: u64,

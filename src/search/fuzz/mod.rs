@@ -210,8 +210,8 @@ impl Campaign for FuzzOptions {
         let threshold = (self.definition_share * (1u64 << 53) as f64) as u64;
         for _ in 0..SWEEP_POINTS {
             monitor.advance(0).ok()?;
-            let (r, s) = (random.next() >> 11 | 1, random.next() >> 11 | 1);
-            let repeated = if random.next() >> 11 < threshold {
+            let (r, s) = (random.bits() >> 11 | 1, random.bits() >> 11 | 1);
+            let repeated = if random.bits() >> 11 < threshold {
                 random.within(self.first.max(FIRST_SWEPT), self.last)
             } else {
                 0

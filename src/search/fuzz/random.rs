@@ -14,7 +14,7 @@ impl Random {
             let p = self.within(1, q - 1);
             BigRational::new(p.into(), q.into())
         } else {
-            BigRational::new((self.next() >> 11 | 1).into(), (1u64 << 53).into())
+            BigRational::new((self.bits() >> 11 | 1).into(), (1u64 << 53).into())
         }
     }
 

@@ -245,7 +245,7 @@ mod tests {
 
     fn points(random: &mut Random, count: usize) -> Vec<(u64, u64)> {
         // From r ≥ ½ on nothing underflows within n ≤ 60.
-        (0..count).map(|_| (random.next() >> 12 | 1 << 52 | 1, random.next() >> 11 | 1)).collect()
+        (0..count).map(|_| (random.bits() >> 12 | 1 << 52 | 1, random.bits() >> 11 | 1)).collect()
     }
 
     /// Powers, numerators and quotients lie within their bounds, and not on the floats themselves.

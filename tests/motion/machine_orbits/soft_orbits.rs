@@ -306,7 +306,8 @@ fn the_equations_of_soft_orbits_change_with_a_parameter_as_differences_say() {
 /// are those of contact: at a flip the second integrator's period map has a multiplier −1.
 #[test]
 fn a_branch_passes_the_grazing_of_a_soft_stop_without_a_label() {
-    let file = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/machines/bilinear.toml");
+    let file = std::path::Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
+        .join("examples/machines/bilinear.toml");
     let text = std::fs::read_to_string(file).unwrap();
     let head = text.split("[[tasks]]").next().unwrap();
     let task = "[[tasks]]\nname = \"b\"\nkind = \"branch\"\nparameter = \"F\"\nrange = [0.3, 0.54]\n\

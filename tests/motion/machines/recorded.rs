@@ -175,7 +175,7 @@ fn a_record_taken_once_is_for_one_run() {
 /// same way moves it by as much.
 #[test]
 fn what_truncation_may_do_to_the_first_impact_is_the_impulse_response_in_closed_form() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/measured.toml");
+    let path = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join("tests/data/measured.toml");
     let scene = Scene::read(&path).unwrap();
     let reports = grazing::run::run(&scene, grazing::run::Surroundings::default(), &mut ()).unwrap();
     let report = serde_json::to_value(&reports[0]).unwrap();

@@ -17,7 +17,7 @@ use super::{
 
 /// Folders of examples, and the name under which every scene is read: beside the record of one of them.
 const EXAMPLES: [&str; 2] = ["examples/scenes", "examples/machines"];
-pub const NAME: &str = "examples/machines/scene.toml";
+pub const NAME: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/machines/scene.toml");
 
 /// A scene that is asked.
 #[derive(Debug)]
@@ -33,7 +33,8 @@ impl Question {
     pub fn examples() -> Vec<Question> {
         let mut all = Vec::new();
         for folder in EXAMPLES {
-            let files = fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join(folder)).expect("the folder");
+            let files = fs::read_dir(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join(folder))
+                .expect("the folder");
             let files = files.map(|file| file.expect("a file").path());
             all.extend(files.filter(|file| file.extension().is_some_and(|end| end == "toml")));
         }

@@ -55,7 +55,7 @@ impl Job<'_> {
     /// # Errors
     /// Those of [`machine_simulator`](Self::machine_simulator); a plane that names what the machine does not
     /// have.
-    pub(crate) fn planar(
+    pub fn planar(
         &self,
         machine: &Machine<f64>,
         starts: &[MachineState],

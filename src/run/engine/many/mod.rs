@@ -226,13 +226,14 @@ impl<'j> Engine for Machines<'j> {
 const FORMAT: &str = "grazing-machine-branch 1";
 
 /// The form in which branches of a machine with stops of these names are written.
-pub(crate) fn form<'n>(names: &'n [&'n str]) -> RecordForm<'n> {
+pub fn form<'n>(names: &'n [&'n str]) -> RecordForm<'n> {
     RecordForm { format: FORMAT, contacts: names }
 }
 
 /// The orbits of a scene's machine over a parameter.
-pub(crate) struct MachineSource<'a> {
+pub struct MachineSource<'a> {
     family: &'a MachineSceneFamily<'a>,
+    /// What is searched for orbits with given patterns.
     pub patterns: MachinePatterns<'a>,
     machine: &'a Machine<f64>,
     job: &'a Job<'a>,

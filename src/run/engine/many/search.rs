@@ -45,7 +45,7 @@ pub(crate) fn machine_orbits(
     let greatest = keys.speed.map_or(4.0 * simulator.scale_at(met), |speed| speed / rate);
     let start = |i: u32| -> Vec<f64> {
         let mut random = Random::of_unit(0, u64::from(i));
-        let mut part = || random.next() as f64 / u64::MAX as f64;
+        let mut part = || random.bits() as f64 / u64::MAX as f64;
         (0..2 * m).map(|j| part() * if j % 2 == 0 { TAU } else { greatest }).collect()
     };
     let mut found: Vec<MachineOrbit> = Vec::new();
@@ -93,7 +93,7 @@ fn through_soft_stops(
         let mut random = Random::of_unit(0, u64::from(i));
         let mut list = |most: f64| {
             RealVector::from_fn(machine.size, |_, _| {
-                most * (2.0 * (random.next() as f64 / u64::MAX as f64) - 1.0)
+                most * (2.0 * (random.bits() as f64 / u64::MAX as f64) - 1.0)
             })
         };
         let state = MachineState { t: 0.0, q: list(2.0 * scale), u: list(greatest) };

@@ -196,7 +196,7 @@ impl<'j> Engine for Oscillators<'j> {
 }
 
 /// The orbits of a scene's oscillator over a parameter.
-pub(crate) struct OscillatorSource<'a> {
+pub struct OscillatorSource<'a> {
     family: &'a SceneFamily<'a>,
     patterns: OscillatorPatterns<'a>,
     job: &'a Job<'a>,

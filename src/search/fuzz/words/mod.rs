@@ -252,7 +252,7 @@ impl Campaign for WordOptions {
                         tally.pairs += pairs;
                     }
                 }
-                let repeated = random.next() >> 11 < threshold;
+                let repeated = random.bits() >> 11 < threshold;
                 if swept != Swept::Differ && swept != Swept::Open && !repeated {
                     continue;
                 }

@@ -24,12 +24,12 @@ pub(super) enum Family {
 pub(super) fn angle(random: &mut Random) -> (Family, u64) {
     let odd = |s: u64| s.clamp(1, (1 << 53) - 1) | 1;
     let near = |random: &mut Random, s: u64| {
-        let shift = random.next() >> random.within(24, 56);
+        let shift = random.bits() >> random.within(24, 56);
         odd(if random.coin() { s.saturating_add(shift) } else { s.saturating_sub(shift) })
     };
     match random.within(0, 7) {
-        0..=3 => (Family::Uniform, random.next() >> 11 | 1),
-        4 => (Family::NearOne, random.next() >> 11 | 1),
+        0..=3 => (Family::Uniform, random.bits() >> 11 | 1),
+        4 => (Family::NearOne, random.bits() >> 11 | 1),
         5 | 6 => {
             // Near a fraction p/q < ½, or a multiple of 1/(2q).
             let q = random.within(3, 60);
@@ -49,10 +49,10 @@ pub(super) fn angle(random: &mut Random) -> (Family, u64) {
 pub(super) fn modulus(random: &mut Random, family: Family) -> u64 {
     let one = 1u64 << 53;
     let r = match family {
-        Family::Uniform => random.next() >> 11,
-        Family::NearOne => one - (random.next() >> random.within(12, 50)),
+        Family::Uniform => random.bits() >> 11,
+        Family::NearOne => one - (random.bits() >> random.within(12, 50)),
         Family::Tip(r) => {
-            let shift = random.next() >> random.within(18, 50);
+            let shift = random.bits() >> random.within(18, 50);
             if random.coin() { r.saturating_add(shift) } else { r.saturating_sub(shift) }
         }
     };

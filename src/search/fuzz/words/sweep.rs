@@ -316,7 +316,7 @@ mod tests {
         let mut sweep = WordSweep::<f64>::new(40);
         let mut seen = 0;
         for _ in 0..40 {
-            let (r, s) = (random.next() >> 12 | 1 << 52, random.next() >> 11 | 1);
+            let (r, s) = (random.bits() >> 12 | 1 << 52, random.bits() >> 11 | 1);
             sweep.turn(s);
             if sweep.compare(r) == Swept::Open {
                 continue;

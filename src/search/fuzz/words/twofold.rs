@@ -202,7 +202,7 @@ mod tests {
             let mantissa = match random.within(0, 3) {
                 0 => 1.0,
                 1 => 2.0 - f64::EPSILON,
-                _ => 1.0 + (random.next() >> 12) as f64 * f64::EPSILON,
+                _ => 1.0 + (random.bits() >> 12) as f64 * f64::EPSILON,
             };
             let x = mantissa * power_of_two(exponent);
             if random.coin() { -x } else { x }
@@ -252,7 +252,7 @@ mod tests {
         let mut random = Random::of_unit(10, 0);
         let precision = Precision::new(300);
         for _ in 0..200 {
-            let s = random.next() >> 11 | 1;
+            let s = random.bits() >> 11 | 1;
             let angle = Angle::new(&BigRational::new(s.into(), (1u64 << 53).into()));
             let (cosine, sine) = Twofold::cosine_sine(&angle);
             for (found, ball) in

@@ -1,23 +1,32 @@
-//! The rows of a table of intervals: one after the other, or set by all threads and written in order.
+//! The rows of a table of intervals: one after the other, or set by all threads and written in order. It is
+//! the command line's, and here because millions of rows must be fast.
 
 use std::ops::{Range, RangeInclusive};
 
 use rayon::prelude::*;
 
 use crate::{
-    cli::{progress::Progress, shards::RowSink},
     error::Result,
     existence::{Interval, intervals, intervals_between},
     monitor::Monitor,
     output::{RowSetter, TableCell, TableWriter, decimal},
 };
 
-/// The rows of one period, in order. One of ten million takes seconds: Ctrl-C is listened for within it too.
-pub(super) fn of_period(n: u64, style: Style, rows: &mut dyn RowSink, progress: &Progress) -> Result<()> {
+/// The rows of one period, in order, each given to `row`. One of ten million takes seconds: an interruption
+/// is listened for within it too.
+///
+/// # Errors
+/// Those of `row`; an interruption; a period that is too large.
+pub fn of_period(
+    n: u64,
+    style: Style,
+    monitor: &dyn Monitor,
+    row: &mut dyn FnMut(&[TableCell]) -> Result<()>,
+) -> Result<()> {
     for (index, interval) in intervals(n)?.enumerate() {
-        with_cells(&interval, style, |cells| rows.row(cells))?;
+        with_cells(&interval, style, &mut *row)?;
         if index % 4096 == 4095 {
-            progress.advance(0)?;
+            monitor.advance(0)?;
         }
     }
     Ok(())
@@ -27,11 +36,14 @@ pub(super) fn of_period(n: u64, style: Style, rows: &mut dyn RowSink, progress: 
 /// next is set.
 ///
 /// Cost: O(1) operations per row and digit. Memory: two waves, about 3 MB per thread and 5 MB in JSON.
-pub(super) fn in_parallel(
+///
+/// # Errors
+/// Of what the table is written to; an interruption.
+pub fn in_parallel(
     periods: RangeInclusive<u64>,
     style: Style,
     table: &mut TableWriter<'_>,
-    progress: &Progress,
+    monitor: &dyn Monitor,
 ) -> Result<()> {
     let setter = table.setter();
     let wave = 4 * rayon::current_num_threads();
@@ -48,7 +60,7 @@ pub(super) fn in_parallel(
             scope.spawn(|_| next.par_iter_mut().for_each(|batch| batch.set(&setter, style)));
             set.iter().try_for_each(|batch| {
                 table.rows_set(&batch.rows)?;
-                progress.advance(batch.pieces.iter().filter(|piece| piece.ends_period()).count() as u64)
+                monitor.advance(batch.pieces.iter().filter(|piece| piece.ends_period()).count() as u64)
             })
         })?;
         std::mem::swap(&mut set, &mut next);
@@ -119,7 +131,7 @@ impl Pieces {
 
 /// How rows are written.
 #[derive(Debug, Clone, Copy)]
-pub(in crate::cli) struct Style {
+pub struct Style {
     /// The digits of rounded ends, if they are asked for.
     pub decimals: Option<usize>,
     /// As print has it: a block per period, cases and the deciding b in place of numbers.

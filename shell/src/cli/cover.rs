@@ -28,6 +28,7 @@ use crate::{
     monitor::Monitor,
     number::{parse_integer, parse_rational},
     output::{FileRegistry, Journal, SavedRun, Shard, decimal_above, decimal_below, say, torn},
+    program,
     search::cover::{Cover, CoverOptions, CoverTally, Unit, certificate as assemble, cover, units},
 };
 
@@ -231,7 +232,7 @@ fn identity(options: &CoverOptions) -> SavedRun {
     let r_max = options.r_max.as_ref().map_or_else(|| "default".to_string(), BigRational::to_string);
     let (first, last) = (options.periods.start(), options.periods.end());
     let words = format!("{first}..={last} r-max {r_max} max-depth {}", options.max_depth);
-    SavedRun::new("cover", &words, &words)
+    SavedRun::new("cover", &words, &words).by(program())
 }
 
 /// The trees in the records; none if some record is not of one of these units, or one unit has two.

@@ -2,7 +2,7 @@
 
 use std::{ops::RangeInclusive, path::PathBuf, str::FromStr};
 
-use clap::{Parser, ValueEnum};
+use clap::Parser;
 use num_bigint::BigInt;
 use num_rational::{BigRational, Ratio};
 use num_traits::{One, pow};
@@ -17,6 +17,7 @@ use super::{
 };
 use crate::{
     certificate::cover,
+    cli::choice::{Choice, choice},
     cli::progress::{Interrupt, Progress},
     error::{Error, Result},
     existence::{Boundary, Enclosure, Interval, Lowest, intervals, tip_correction, tip_law},
@@ -65,7 +66,7 @@ pub(super) struct Args {
     #[arg(long, value_name = "D", default_value_t = 12, value_parser = parse_integer::<u32>)]
     digits: u32,
     /// How the table is written.
-    #[arg(long, value_enum, default_value_t = TableFormat::Table)]
+    #[arg(long, value_parser = choice::<TableFormat>(), default_value = "table")]
     pub(super) format: TableFormat,
     /// Cite this certificate, from `grazing cover`, in the caption of the LaTeX table, by its SHA-256; - is
     /// standard input. It is checked first. It proves that nothing but b_{n,k} bounds the areas.
@@ -102,8 +103,7 @@ fn task(args: &Args) -> ShardedTask {
     words.extend(args.m.iter().flat_map(|m| ["--m".to_string(), m.to_string()]));
     words.extend(args.grid.iter().flat_map(|grid| ["--grid".to_string(), grid.to_string()]));
     words.extend(["--digits".to_string(), args.digits.to_string()]);
-    let format = args.format.to_possible_value();
-    words.extend(format.into_iter().flat_map(|f| ["--format".to_string(), f.get_name().to_string()]));
+    words.extend(["--format".to_string(), args.format.word().to_string()]);
     task_of(words)
 }
 

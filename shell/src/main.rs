@@ -1,9 +1,9 @@
-//! The `grazing` command; everything it does is in the library.
+//! The `grazing` command; everything it does is in its library.
 
 #![deny(clippy::print_stdout, clippy::print_stderr)]
 
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    grazing::internals::main()
+    grazing_shell::main()
 }

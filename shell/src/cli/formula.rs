@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::Parser;
 
 use super::Outcome;
+use super::choice::choice;
 use crate::{
     error::{Error, Result},
     number::parse_integer,
@@ -41,7 +42,7 @@ pub(super) struct Args {
     #[arg(long, value_name = "M+|M-|region4", conflicts_with = "k")]
     area: Option<Area>,
     /// Who reads it.
-    #[arg(long, value_enum, default_value_t = Format::Text)]
+    #[arg(long, value_parser = choice::<Format>(), default_value = "text")]
     format: Format,
     /// Write the result to a file, which appears only when complete.
     #[arg(short, long, value_name = "FILE")]

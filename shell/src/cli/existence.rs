@@ -9,6 +9,7 @@ use rayon::prelude::*;
 
 use super::{Outcome, reported};
 use crate::{
+    cli::choice::choice,
     cli::progress::Interrupt,
     error::{Error, Result},
     figure,
@@ -66,7 +67,7 @@ pub(super) struct Args {
     #[arg(long, value_name = "FILE")]
     dot: Option<PathBuf>,
     /// How the table is written.
-    #[arg(long, value_enum, default_value_t = TableFormat::Table)]
+    #[arg(long, value_parser = choice::<TableFormat>(), default_value = "table")]
     pub(super) format: TableFormat,
     /// Write to a file, which appears only when complete.
     #[arg(short, long, value_name = "FILE")]

@@ -26,6 +26,7 @@ use crate::{
     error::{Error, Result},
     number::parse_integer,
     output::{Destination, FileRegistry, Journal, SavedRun, Shard, say, say_to, torn},
+    program,
     search::fuzz::{Campaign, FuzzOptions, Tally, fuzz, words::WordOptions},
 };
 
@@ -327,7 +328,8 @@ fn open<C: Told>(path: &Path, options: &C, shard: Option<Shard>) -> Result<(Jour
     // The blocks of a part depend on how many there are in all; a whole run can be made longer.
     let part = shard.map(|shard| format!(" --cases {} --shard {shard}", options.cases()));
     let part = part.unwrap_or_default();
-    let run = SavedRun::new("fuzz", options.arguments() + &part, &(options.canonical() + &part));
+    let run =
+        SavedRun::new("fuzz", options.arguments() + &part, &(options.canonical() + &part)).by(program());
     let (state, found) = Journal::open(path, &run, MOST)?;
     if found.torn > 0 {
         say(format_args!("note: {}", torn(path)));

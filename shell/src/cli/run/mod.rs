@@ -42,6 +42,7 @@ use crate::{
         parts, run_task,
     },
     scene::{Kind, Scene},
+    study,
 };
 use bars::Bars;
 pub(super) use shard::merge;
@@ -355,8 +356,7 @@ pub(super) fn paper(
     files: &FileRegistry,
     interrupt: &Interrupt,
 ) -> Result<()> {
-    let text = include_str!("../../../examples/scenes/nordmark-2001.toml");
-    let scene = Scene::from_toml(text, "nordmark-2001.toml")?;
+    let scene = Scene::from_toml(study::PAPER, "nordmark-2001.toml")?;
     let task = scene.tasks.iter().find(|known| known.name == task);
     let task = task.ok_or_else(|| Error::input("the paper's scene has no such task"))?;
     make_folder(folder)?;

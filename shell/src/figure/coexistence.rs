@@ -92,7 +92,7 @@ fn of_samples(exponent: usize, monitor: &dyn Monitor) -> Result<Curve> {
     let ladder = Ladder::default();
     // The number of periods, and whether there may be more.
     let counts = (0..SAMPLES).into_par_iter().map(|unit| {
-        let bits = Random::of_unit(SEED, unit).next() | 1;
+        let bits = Random::of_unit(SEED, unit).bits() | 1;
         let s = BigRational::new(bits.into(), BigInt::one() << 65);
         let word = Word::at(&ladder, &Point::Polar(Polar::new(r.clone(), s)?), true, LETTERS, &())?;
         monitor.advance(0)?;
@@ -114,7 +114,7 @@ fn of_quotients(logarithm: f64) -> Result<Curve> {
     let order = BigUint::one() << bits;
     let counts = (0..SAMPLES).into_par_iter().map(|unit| {
         let mut random = Random::of_unit(SEED, unit);
-        let digits = (0..10).fold(BigInt::one(), |all, _| (all << 64u32) + random.next());
+        let digits = (0..10).fold(BigInt::one(), |all, _| (all << 64u32) + random.bits());
         let s =
             BigRational::new((digits % (BigInt::one() << 640u32)) | BigInt::one(), BigInt::one() << 641u32);
         let count = coexisting(&s, &order, Coexisting::Positive)?;

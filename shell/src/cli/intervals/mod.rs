@@ -1,12 +1,10 @@
 //! `grazing intervals`: Theorem 2's intervals as tables.
 
 mod measure;
-mod rows;
 
 use std::{io::Write, ops::RangeInclusive, path::PathBuf, str::FromStr};
 
 use clap::{Parser, ValueEnum};
-pub(super) use rows::Style;
 
 use super::{
     Outcome,
@@ -17,7 +15,10 @@ use super::{
 };
 use crate::{
     certificate::{cover, theorem2},
-    cli::progress::{Interrupt, Progress},
+    cli::{
+        choice::Choice,
+        progress::{Interrupt, Progress},
+    },
     error::{Error, Result},
     existence::{MAX_PERIOD, intervals},
     monitor::Monitor,
@@ -25,6 +26,7 @@ use crate::{
     output::{
         Caption, Column, FileRegistry, Setting, Shard, ShardedTask, TableCell, TableFormat, TableWriter,
     },
+    rows::{self, Style},
     word,
 };
 
@@ -216,11 +218,8 @@ impl List<'_> {
         let mut words = vec!["intervals".to_string()];
         words.extend(self.two_impacts.then(|| "--two-impacts".to_string()));
         words.push(format!("{:?}", self.periods));
-        let format = match self.format {
-            Some(format) => format.to_possible_value(),
-            None => Format::Bfile.to_possible_value(),
-        };
-        words.extend(format.into_iter().flat_map(|f| ["--format".to_string(), f.get_name().to_string()]));
+        let format = self.format.map_or("bfile", Choice::word);
+        words.extend(["--format".to_string(), format.to_string()]);
         words.extend(self.decimals.iter().flat_map(|d| ["--decimals".to_string(), d.to_string()]));
         task_of(words)
     }
@@ -294,7 +293,7 @@ impl List<'_> {
             match (self.format, self.two_impacts) {
                 (None, false) => count(n, intervals(n)?.count(), rows)?,
                 (None, true) => count(n, word::two_impacts_of(n)?.count(), rows)?,
-                (Some(_), false) => rows::of_period(n, self.style(), rows, progress)?,
+                (Some(_), false) => rows::of_period(n, self.style(), progress, &mut |cells| rows.row(cells))?,
                 (Some(_), true) => {
                     two_impacts::rows(word::two_impacts_of(n)?, self.style(), rows, progress)?;
                 }

@@ -7,6 +7,7 @@ use num_rational::BigRational;
 
 use super::{Outcome, reported};
 use crate::{
+    cli::choice::choice,
     cli::progress::Interrupt,
     error::{Error, Result},
     existence::{Existence, large_eigenvalue_sign, up_to},
@@ -57,7 +58,7 @@ pub(super) struct Args {
     #[arg(long)]
     summary: bool,
     /// How the table is written.
-    #[arg(long, value_enum, default_value_t = TableFormat::Table)]
+    #[arg(long, value_parser = choice::<TableFormat>(), default_value = "table")]
     pub(super) format: TableFormat,
     /// Write to a file, which appears only when complete.
     #[arg(short, long, value_name = "FILE")]

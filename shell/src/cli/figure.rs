@@ -25,6 +25,7 @@ use crate::{
         chaos::{Problem, prove},
         cover::{Cover, CoverOptions, certificate as assemble, cover},
     },
+    study,
 };
 
 /// Draw a figure as SVG, with its data as CSV beside it.
@@ -176,8 +177,7 @@ fn proved_cover(n: u64, progress: &Progress) -> Result<Cover> {
 /// The shift over {1, 2, 3} of the paper's oscillator for 0 < µ ≤ 0.003, proved, with the impacts of its
 /// attractor at µ = 0.003.
 fn chaos(place: &FigurePlace, interrupt: &Interrupt) -> Result<()> {
-    let text = include_str!("../../examples/scenes/nordmark-2001-chaos.toml");
-    let scene = Scene::from_toml(text, "nordmark-2001-chaos.toml")?;
+    let scene = Scene::from_toml(study::CHAOS, "nordmark-2001-chaos.toml")?;
     let task = scene.tasks.iter().find_map(|task| match &task.kind {
         Kind::ChaosTask(chaos) if task.name == "figure10" => Some(chaos),
         _ => None,

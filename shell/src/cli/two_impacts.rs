@@ -4,13 +4,14 @@ use std::ops::RangeInclusive;
 
 use num_rational::Ratio;
 
-use super::{intervals::Style, range::Periods, shards::RowSink};
+use super::{range::Periods, shards::RowSink};
 use crate::{
     cli::progress::{Interrupt, Progress},
     error::{Error, Result},
     existence::MAX_PERIOD,
     monitor::Monitor,
     output::{Column, Destination, TableCell, TableFormat, TableWriter, decimal},
+    rows::Style,
     word::PatternInterval,
 };
 

@@ -3,6 +3,7 @@
 mod accuracy;
 mod boundary;
 mod check;
+mod choice;
 mod cite;
 mod classify;
 mod cover;

@@ -7,7 +7,7 @@ use std::{
     str::FromStr,
 };
 
-use clap::{Parser, ValueEnum};
+use clap::Parser;
 use serde_json::json;
 
 use super::{
@@ -18,6 +18,7 @@ use super::{
 };
 use crate::{
     certificate::check,
+    cli::choice::{Choice, choice},
     cli::progress::{Interrupt, Progress},
     error::{Error, Result},
     existence::Decision,
@@ -58,7 +59,7 @@ pub(super) struct Args {
     #[arg(long, conflicts_with_all = ["periods", "method", "shard", "jobs"])]
     entropy: bool,
     /// How signs are decided; with both, the methods must agree.
-    #[arg(long, value_enum, default_value_t = ProofMethod::Exact)]
+    #[arg(long, value_parser = choice::<ProofMethod>(), default_value = "exact")]
     method: ProofMethod,
     /// Write a certificate (of the exact method), which `grazing check` proves again without search.
     #[arg(long, value_name = "FILE")]
@@ -263,7 +264,7 @@ fn json_report(range: &RangeInclusive<u64>, proof: &Proof, args: &Args) -> serde
             Outcome::Done => "proved",
             other => other.word(),
         },
-        "method": args.method.to_possible_value().map(|value| value.get_name().to_string()),
+        "method": args.method.word(),
         "range": [range.start(), range.end()],
         "periods": proof.periods,
         "pending": proof.pending,

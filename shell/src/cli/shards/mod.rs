@@ -19,17 +19,18 @@ use crate::{
     error::{Error, Result},
     monitor::Monitor,
     output::{
-        Destination, FileRegistry, OutputFile, PROGRAM, Shard, ShardFile, ShardWriter, ShardedTask,
-        TableCell, TaskInput, say,
+        Destination, FileRegistry, OutputFile, Shard, ShardFile, ShardWriter, ShardedTask, TableCell,
+        TaskInput, say,
     },
     printable::Printable,
+    program,
 };
 
 pub(super) use rows::{PlainRows, RowSink, ShardRows};
 
 /// The task that a command's words name, for its shards.
 pub(super) fn task_of(words: impl IntoIterator<Item = impl Into<String>>) -> ShardedTask {
-    ShardedTask::new(words.into_iter().map(Into::into).collect())
+    ShardedTask::new(words.into_iter().map(Into::into).collect(), program())
 }
 
 /// The periods of a part of a range, each of which costs about n to the power `exponent` operations.
@@ -215,10 +216,11 @@ impl ShardSet {
                 "all shards are there; leave out the files named above, which are not among them",
             ));
         }
-        if task.program != PROGRAM {
+        if task.program != program() {
             return Err(Error::input(format!(
-                "the shards are by version {}, this is {PROGRAM}: merge with the version that wrote them",
-                task.program
+                "the shards are by version {}, this is {}: merge with the version that wrote them",
+                task.program,
+                program()
             )));
         }
         Ok(ShardSet { task, shards: shards.into_values().collect() })
