@@ -35,50 +35,9 @@ pub(super) fn write(canvas: &Canvas) -> String {
                 painted(&mut all, paint);
                 all.push_str("/>\n");
             }
-            Shape::Discs { at, radius, paint: Paint { fill: Some(fill), stroke: None } } if at.len() > 3 => {
-                // Lines of no length with round ends.
-                all.push_str("<path stroke-linecap=\"round\" d=\"");
-                for &at in at {
-                    let _ = write!(all, "M{}h0", Pair(at));
-                }
-                all.push('"');
-                let stroke = Stroke { ink: *fill, width: 2.0 * radius, dashes: None };
-                painted(&mut all, &stroke.into());
-                all.push_str("/>\n");
-            }
-            Shape::Discs { at, radius, paint } => {
-                for (x, y) in at {
-                    let _ = write!(
-                        all,
-                        "<circle cx=\"{}\" cy=\"{}\" r=\"{}\"",
-                        Short(*x),
-                        Short(*y),
-                        Short(*radius)
-                    );
-                    painted(&mut all, paint);
-                    all.push_str("/>\n");
-                }
-            }
+            Shape::Discs { at, radius, paint } => discs(&mut all, at, *radius, paint),
             Shape::Text { words, at, size, anchor, turned, ink } => {
-                let anchor = match anchor {
-                    Anchor::Start => "start",
-                    Anchor::Middle => "middle",
-                    Anchor::End => "end",
-                };
-                let _ = write!(
-                    all,
-                    "<text x=\"{}\" y=\"{}\" font-size=\"{}\" text-anchor=\"{anchor}\"",
-                    Short(at.0),
-                    Short(at.1),
-                    Short(*size)
-                );
-                if *turned {
-                    let _ = write!(all, " transform=\"rotate(-90 {} {})\"", Short(at.0), Short(at.1));
-                }
-                if *ink != super::BLACK {
-                    let _ = write!(all, " fill=\"{}\"", Hex(*ink));
-                }
-                all.push('>');
+                text_begun(&mut all, *at, *size, *anchor, *turned, *ink);
                 spans(&mut all, words, *size);
                 all.push_str("</text>\n");
             }
@@ -99,6 +58,54 @@ pub(super) fn write(canvas: &Canvas) -> String {
     }
     all.push_str("</svg>\n");
     all
+}
+
+/// Discs of one size. Many that are filled and have no edge are one path.
+fn discs(all: &mut String, centres: &[At], radius: f64, paint: &Paint) {
+    match paint {
+        Paint { fill: Some(fill), stroke: None } if centres.len() > 3 => {
+            // Lines of no length with round ends.
+            all.push_str("<path stroke-linecap=\"round\" d=\"");
+            for &at in centres {
+                let _ = write!(all, "M{}h0", Pair(at));
+            }
+            all.push('"');
+            let stroke = Stroke { ink: *fill, width: 2.0 * radius, dashes: None };
+            painted(all, &stroke.into());
+            all.push_str("/>\n");
+        }
+        paint => {
+            for &(x, y) in centres {
+                let _ =
+                    write!(all, "<circle cx=\"{}\" cy=\"{}\" r=\"{}\"", Short(x), Short(y), Short(radius));
+                painted(all, paint);
+                all.push_str("/>\n");
+            }
+        }
+    }
+}
+
+/// The opening of a text's element.
+fn text_begun(all: &mut String, (x, y): At, size: f64, anchor: Anchor, turned: bool, ink: Colour) {
+    let anchor = match anchor {
+        Anchor::Start => "start",
+        Anchor::Middle => "middle",
+        Anchor::End => "end",
+    };
+    let _ = write!(
+        all,
+        "<text x=\"{}\" y=\"{}\" font-size=\"{}\" text-anchor=\"{anchor}\"",
+        Short(x),
+        Short(y),
+        Short(size)
+    );
+    if turned {
+        let _ = write!(all, " transform=\"rotate(-90 {} {})\"", Short(x), Short(y));
+    }
+    if ink != super::BLACK {
+        let _ = write!(all, " fill=\"{}\"", Hex(ink));
+    }
+    all.push('>');
 }
 
 fn outline(all: &mut String, part: &[At], closed: bool) {
