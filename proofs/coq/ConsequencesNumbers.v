@@ -161,3 +161,39 @@ Proof.
     + destruct (L (ln (8 / 5)) ltac:(lra)) as (c & Hc & HL); exists c; split; [exact Hc|]; intros P; destruct (HL P) as (l & N & F & S); exists l.
       split; [exact N | split; [exact F|]]; rewrite <- exp_pow, Rmult_comm with (r1 := INR P) by lra; exact S.
 Qed.
+
+(** ** Words of all patterns: at most like 1.84^P in (+,-) and 1.57^P in (+,+), and somewhere like 1.839^P and 1.568^P *)
+
+From Grazing Require Import StatementSuprema.
+
+Definition no_faster (G : graph) (x : R) : Prop := exists C, forall P L, NoDup L -> Forall (words G P) L -> INR (length L) <= C * x ^ P.
+Definition no_slower (G : graph) (x : R) : Prop := exists c, c > 0 /\ forall P, exists L, NoDup L /\ Forall (words G P) L /\ c * x ^ P <= INR (length L).
+Lemma from_logarithms G h x y : 0 < x -> 0 < y -> h < ln x -> ln y < h -> (at_most G h -> no_faster G x) /\ (at_least G h -> no_slower G y).
+Proof.
+  intros Hx Hy Lx Ly; split.
+  - intros A; destruct (A (ln x) Lx) as (C & HC); exists C; intros P L HN HF; rewrite <- exp_pow, Rmult_comm with (r1 := INR P) by exact Hx; apply HC; assumption.
+  - intros A; destruct (A (ln y) Ly) as (c & Hc & HL); exists c; split; [exact Hc|]; intros P; destruct (HL P) as (L & N & F & S); exists L.
+    split; [exact N | split; [exact F|]]; rewrite <- exp_pow, Rmult_comm with (r1 := INR P) by exact Hy; exact S.
+Qed.
+Lemma ln_inverse z y x : 0 < y -> 0 < z -> y * z < 1 -> 1 < x * z -> ln y < - ln z < ln x.
+Proof.
+  intros Hy Hz H1 H2; rewrite <- ln_Rinv by exact Hz; pose proof (Rinv_0_lt_compat z Hz); split; apply ln_increasing; trivial;
+    apply (Rmult_lt_reg_r z); trivial; rewrite Rinv_l; lra.
+Qed.
+
+Lemma words_minus : Supremum_minus_statement -> (forall a1 a2 K, first_upper a1 a2 K -> no_faster (patterns a1 a2 Plus Minus) (184 / 100)) /\
+  exists a1 K, first_upper a1 1 K /\ no_slower (patterns a1 1 Plus Minus) (1839 / 1000).
+Proof.
+  intros (z & [Hz _] & Hn & A & B); destruct (ln_inverse z (18391 / 10000) (184 / 100)) as [L1 L2]; [lra..|]; split.
+  - intros a1 a2 K H; apply (proj1 (from_logarithms _ (- ln z) (184 / 100) (1 / 2) ltac:(lra) ltac:(lra) L2 ltac:(apply Rlt_trans with (2 := L1), ln_increasing; lra))), (A a1 a2 K H).
+  - destruct (B (ln (18391 / 10000)) L1) as (a1 & K & H & HL); exists a1, K; split; [exact H|].
+    apply (proj2 (from_logarithms _ (ln (18391 / 10000)) 2 (1839 / 1000) ltac:(lra) ltac:(lra) ltac:(apply ln_increasing; lra) ltac:(apply ln_increasing; lra))), HL.
+Qed.
+Lemma words_plus : Supremum_plus_statement -> (forall a1 a2 K, first_upper a1 a2 K -> no_faster (patterns a1 a2 Plus Plus) (157 / 100)) /\
+  exists a1 K, first_upper a1 1 K /\ no_slower (patterns a1 1 Plus Plus) (1568 / 1000).
+Proof.
+  intros (z & [Hz _] & Hn & A & B); destruct (ln_inverse z (15681 / 10000) (157 / 100)) as [L1 L2]; [lra..|]; split.
+  - intros a1 a2 K H; apply (proj1 (from_logarithms _ (- ln z) (157 / 100) (1 / 2) ltac:(lra) ltac:(lra) L2 ltac:(apply Rlt_trans with (2 := L1), ln_increasing; lra))), (A a1 a2 K H).
+  - destruct (B (ln (15681 / 10000)) L1) as (a1 & K & H & HL); exists a1, K; split; [exact H|].
+    apply (proj2 (from_logarithms _ (ln (15681 / 10000)) 2 (1568 / 1000) ltac:(lra) ltac:(lra) ltac:(apply ln_increasing; lra) ltac:(apply ln_increasing; lra))), HL.
+Qed.

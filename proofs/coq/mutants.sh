@@ -254,5 +254,16 @@ mutant reader-with-a-wrong-cosine 'File "./ReaderCircle' --pin StatementReaders.
 s/Z.odd ((floorZ (2 \* n) h + 1) \/ 2)/Z.odd (floorZ (2 * n) h \/ 2)/
 E
 
+# How fast words grow.
+mutant words-of-a-graph-without-a-bound 'File "./ConsequencesNumbers' --pin StatementGraphs.v <<'E'
+s/  at_most (finite N p E) (- ln z) \/\\ at_least/  True \/\\ at_least/
+E
+mutant supremum-of-one-K 'File "./ConsequencesNumbers' --pin StatementSuprema.v <<'E'
+s/forall a1 a2 K, first_upper a1 a2 K -> at_most/forall a1 a2 K, (K <= 5)%nat -> first_upper a1 a2 K -> at_most/
+E
+mutant supremum-not-approached 'File "./ConsequencesNumbers' --pin StatementSuprema.v <<'E'
+s/forall h', h' < h -> exists a1 K/forall h', h' < h \/ 2 -> exists a1 K/
+E
+
 if [ "$survived" ]; then echo "mutants.sh: not refused:$survived" >&2; exit 1; fi
 echo "all $total mutants refused"
