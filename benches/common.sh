@@ -7,10 +7,17 @@ find_grazing() {
     GRAZING="${CARGO_TARGET_DIR:-target}/release/grazing"
 }
 
-# compile_with_arb PROGRAM FILE.c: Debian has Arb in FLINT, or beside it.
+# With FLINT=DIR, FLINT is that in DIR/include and DIR/lib, in place of the system's. A newer one than Debian's stable
+# distribution has comes without a compiler from packages: headers from libflint-dev of a newer distribution, the library of the
+# same version (and its libgmp) from the wheel of python-flint, with links libflint.so and libgmp.so.
+if [ -n "${FLINT:-}" ]; then
+    export CPATH="$FLINT/include" LIBRARY_PATH="$FLINT/lib" LD_LIBRARY_PATH="$FLINT/lib"
+fi
+
+# compile_with_arb PROGRAM FILE.c: Arb is in FLINT, or beside it.
 compile_with_arb() {
     local beside=
-    [ ! -e /usr/include/arb.h ] || beside=-lflint-arb
+    [ -n "${FLINT:-}" ] || [ ! -e /usr/include/arb.h ] || beside=-lflint-arb
     # shellcheck disable=SC2086
     gcc -O2 -o "$1" "$2" $beside -lflint -lgmp
 }

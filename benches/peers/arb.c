@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <time.h>
+#include <flint/fmpq.h>
 #if __has_include(<flint/arb.h>)
 #include <flint/arb.h>
 #else

@@ -31,7 +31,7 @@ def gcc():
 
 def arb():
     """Arb's version, by its header; from FLINT 3 on, FLINT's, of which it is a part."""
-    for header, name, macro in [("arb.h", "Arb", "__ARB_VERSION"), ("flint/flint.h", "FLINT", "__FLINT_VERSION")]:
+    for header, name, macro in [("flint/arb.h", "FLINT", "__FLINT_VERSION"), ("arb.h", "Arb", "__ARB_VERSION")]:
         source = f"#include <{header}>\n" + " ".join(macro + part for part in ("", "_MINOR", "_PATCHLEVEL"))
         done = subprocess.run(["gcc", "-E", "-P", "-"], input=source, capture_output=True, text=True)
         if done.returncode == 0:

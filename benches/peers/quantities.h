@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
+#include <flint/fmpq.h>
 #if __has_include(<flint/arb.h>)
 #include <flint/arb.h>
 #else
