@@ -102,11 +102,13 @@ pub struct SignDecision {
 
 /// The rungs up to a number of bits, with π computed at most once for each. Shared freely between threads.
 ///
-/// Order: exact where integers decide at once (a singular point; r = 1; c_n from (r, s)), intervals, balls of
-/// 128 bits, a cheap exact attempt, longer balls, a dear exact attempt. What 128 bits leave open lies within
-/// 10⁻³⁰ of a zero or so, where no short fraction happens to lie: the length of the point's own fractions
-/// says how near it may have been put on purpose, and the balls grow to that at once, by a factor of 8 at the
-/// most. So a rung tried in vain costs little beside the one that decides, and the longest is always tried.
+/// Order: exact where integers decide at once (a singular point; r = 1; c_n from (r, s)), intervals, balls, a
+/// cheap exact attempt, longer balls, a dear exact attempt. What intervals leave open lies within 10⁻¹⁵ of a
+/// zero or so, where no short fraction happens to lie: the length of the point's own fractions says how near
+/// it may have been put on purpose. So balls begin with that, if it is at most 1024 bits, and else grow to it
+/// from 512 by a factor of 8 at the most. What balls of this length leave open is probably a zero, and only
+/// then integers are tried. So a rung tried in vain costs little beside the one that decides; the longest is
+/// always tried.
 #[derive(Debug)]
 pub struct Ladder {
     balls: Vec<(u32, OnceLock<Precision>)>,
@@ -118,6 +120,9 @@ const EXACT_BITS: [u64; 2] = [1 << 15, 1 << 23];
 
 /// Balls of up to this many bits cost about the same: one rung among them is enough.
 const SHORT: u32 = 512;
+
+/// A point that needs no more bits than this begins with as many as it needs.
+const AT_ONCE: u32 = 1024;
 
 /// Up to so many signs that plain `f64` leaves open are decided one by one, with no pass over all k.
 const FEW: usize = 2;
@@ -332,21 +337,27 @@ impl Ladder {
             return Ok(SignDecision { answer: first, rung: Rung::Interval });
         }
         let mut rung = Rung::Interval;
-        let mut next = 0;
-        let last = self.balls.len();
-        while next < last {
-            let precision = self.precision(next);
+        let mut exact_tried = false;
+        // The balls' own forms have some bits to spare.
+        let at_once = length <= AT_ONCE.into();
+        let mut next = self.rung_for(length, 0, if at_once { AT_ONCE } else { SHORT });
+        let needed = length.saturating_add(SLACK);
+        while let Some(index) = next {
+            let precision = self.precision(index);
             rung = Rung::Ball(precision.bits());
             let answer = ball(precision)?;
             if answer != Answer::Undecided {
                 return Ok(SignDecision { answer, rung });
             }
-            if next == 0
-                && let Some(sign) = exact(EXACT_BITS[0])?
-            {
-                return Ok(SignDecision { answer: Answer::Sign(sign), rung: Rung::Exact });
+            let after = index + 1;
+            let enough = u64::from(precision.bits()) >= needed;
+            if !exact_tried && (enough || after == self.balls.len()) {
+                exact_tried = true;
+                if let Some(sign) = exact(EXACT_BITS[0])? {
+                    return Ok(SignDecision { answer: Answer::Sign(sign), rung: Rung::Exact });
+                }
             }
-            next = if next + 1 < last { self.after(next, length).min(last - 1) } else { last };
+            next = self.rung_for(needed, after, precision.bits().saturating_mul(8).max(SHORT));
         }
         Ok(match exact(EXACT_BITS[1])? {
             Some(sign) => SignDecision { answer: Answer::Sign(sign), rung: Rung::Exact },
@@ -354,14 +365,12 @@ impl Ladder {
         })
     }
 
-    /// The rung of balls to try after this one left a sign open; one beyond the last means the last.
-    fn after(&self, index: usize, length: u64) -> usize {
-        let bits = |index: usize| self.balls.get(index).map_or(u64::MAX, |rung| rung.0.into());
-        let enough = |index: &usize| bits(*index) >= length.saturating_add(SLACK);
-        let highest =
-            if bits(index) < SHORT.into() { bits(index).max(SHORT.into()) } else { 8 * bits(index) };
-        let reached = (index + 1..self.balls.len()).take_while(|&next| bits(next) <= highest);
-        reached.clone().find(enough).or(reached.last()).unwrap_or(index + 1)
+    /// The first rung of balls from `start` on with as many bits as `needed`, or the last one up to `highest`
+    /// bits, or `start`; `None` beyond the last.
+    fn rung_for(&self, needed: u64, start: usize, highest: u32) -> Option<usize> {
+        let reached = (start..self.balls.len()).take_while(|&index| self.balls[index].0 <= highest);
+        let enough = |&index: &usize| u64::from(self.balls[index].0) >= needed;
+        reached.clone().find(enough).or(reached.last()).or((start < self.balls.len()).then_some(start))
     }
 
     fn precision(&self, index: usize) -> &Precision {
@@ -512,10 +521,13 @@ mod tests {
     /// The longest balls are always tried, and before them what a point of its length can need.
     #[test]
     fn balls_grow_to_the_point() {
-        assert_eq!(tried(16384, 3400), [128, 512, 4096, 8192, 16384]);
-        assert_eq!(tried(16384, 900), [128, 512, 1024, 2048, 4096, 8192, 16384]);
-        assert_eq!(tried(16384, 200), [128, 256, 512, 1024, 2048, 4096, 8192, 16384]);
-        assert_eq!(tried(16384, 1 << 20), [128, 512, 4096, 16384]);
+        assert_eq!(tried(16384, 3400), [512, 4096, 8192, 16384]);
+        assert_eq!(tried(16384, 1000), [1024, 2048, 4096, 8192, 16384]);
+        assert_eq!(tried(16384, 1100), [512, 2048, 4096, 8192, 16384]);
+        assert_eq!(tried(16384, 430), [512, 1024, 2048, 4096, 8192, 16384]);
+        assert_eq!(tried(16384, 200), [256, 512, 1024, 2048, 4096, 8192, 16384]);
+        assert_eq!(tried(16384, 120), [128, 256, 512, 1024, 2048, 4096, 8192, 16384]);
+        assert_eq!(tried(16384, 1 << 20), [512, 4096, 16384]);
         assert!(tried(64, 3400).is_empty());
         for bits in [128, 256, 512, 1024, 2048] {
             for length in [0, 100, 300, 1000, 4000] {

@@ -31,8 +31,8 @@ pub struct Polar {
     /// r ≥ ½.
     large: bool,
     circle: bool,
-    /// 1 − r < 2⁻⁸.
-    near_circle: bool,
+    /// −log₂(1 − r) within 1; 0 if that is negative.
+    gap: u64,
     /// πs and 2πs.
     half: Angle,
     full: Angle,
@@ -63,8 +63,8 @@ impl Polar {
         let rest = BigRational::one() - &r;
         let large = rest <= r;
         let circle = r.is_one();
-        let near_circle = rest.numer() * BigInt::from(256) < *rest.denom();
-        Ok(Polar { r, s, rest, large, circle, near_circle, half, full })
+        let gap = rest.denom().bits().saturating_sub(rest.numer().bits());
+        Ok(Polar { r, s, rest, large, circle, gap, half, full })
     }
 
     /// r.
@@ -206,7 +206,7 @@ impl Polar {
     /// bits more for these.
     pub(super) fn numerator_sign<T: Circular>(&self, n: u64, k: u64, context: &T::Context) -> Option<Sign> {
         match T::polar_sign((&self.r, &self.s), [n, k], context) {
-            Some(None) if !self.near_circle => return None,
+            Some(None) if !self.near_circle(n) => return None,
             Some(sign @ Some(_)) => return sign,
             _ => {}
         }
@@ -214,6 +214,11 @@ impl Polar {
         let direct = self.direct_at(n, k, &power, context);
         let sign = if T::CERTAIN { direct.sign() } else { None };
         sign.or_else(|| self.choose(self.folded_at(n, k, &power, context), direct).sign())
+    }
+
+    /// Whether n(1 − r) is below 2⁻⁸, but for a factor of 4.
+    fn near_circle(&self, n: u64) -> bool {
+        self.gap > 8 + u64::from(n.ilog2())
     }
 
     /// r^i and 1 − r^i for i = n, j, k.
