@@ -32,12 +32,16 @@ pub fn latex(text: &str) -> String {
 /// `text` as [`latex`] writes it, or in maths mode where it is a decimal number: a minus that is no hyphen,
 /// and `1.5e-30` as 1.5·10⁻³⁰. No digit is changed.
 pub fn latex_cell(text: &str) -> String {
-    let number = text.parse::<f64>().is_ok() && text.bytes().any(|byte| byte.is_ascii_digit());
     match text.split_once(['e', 'E']) {
-        _ if !number => latex(text),
+        _ if !is_decimal(text) => latex(text),
         Some((digits, exponent)) => format!("${digits}\\cdot10^{{{}}}$", exponent.trim_start_matches('+')),
         None => format!("${text}$"),
     }
+}
+
+/// Whether `text` is a decimal number, perhaps with an exponent.
+pub fn is_decimal(text: &str) -> bool {
+    text.parse::<f64>().is_ok() && text.bytes().any(|byte| byte.is_ascii_digit())
 }
 
 /// Decimal numbers with commas between, real or complex, in maths mode, where lines may break after every

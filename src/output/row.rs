@@ -60,7 +60,9 @@ impl RowSetter {
                 }
                 rows.push(b'}');
             }
-            TableFormat::Latex => {
+            TableFormat::Latex | TableFormat::LatexSiunitx => {
+                let siunitx = self.format == TableFormat::LatexSiunitx;
+                let (begin, end): (&[u8], _) = if siunitx { (b"\\num{", b'}') } else { (b"$", b'$') };
                 let printed =
                     cells.iter().zip(&self.columns).filter(|(_, column)| column.print != Print::Omitted);
                 for (index, (cell, _)) in printed.enumerate() {
@@ -68,14 +70,24 @@ impl RowSetter {
                     match cell {
                         // A whole number is not written as a fraction in print.
                         TableCell::Fraction(x) if *x.denom() == 1 => {
-                            rows.push(b'$');
+                            rows.extend_from_slice(begin);
                             integer(rows, *x.numer());
-                            rows.push(b'$');
+                            rows.push(end);
                         }
-                        TableCell::Int(_) | TableCell::Fraction(_) | TableCell::Maths(_) => {
+                        TableCell::Int(_) => {
+                            rows.extend_from_slice(begin);
+                            plain(rows, cell);
+                            rows.push(end);
+                        }
+                        TableCell::Fraction(_) | TableCell::Maths(_) => {
                             rows.push(b'$');
                             plain(rows, cell);
                             rows.push(b'$');
+                        }
+                        TableCell::Text(text) if siunitx && escape::is_decimal(text) => {
+                            rows.extend_from_slice(begin);
+                            rows.extend_from_slice(text.as_bytes());
+                            rows.push(end);
                         }
                         TableCell::Text(text) => rows.extend_from_slice(escape::latex_cell(text).as_bytes()),
                         TableCell::Empty => {}

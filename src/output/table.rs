@@ -20,10 +20,19 @@ pub enum TableFormat {
     Csv,
     /// One object with a format name and an array of rows.
     Json,
-    /// A longtable with booktabs rules.
+    /// A LaTeX longtable with booktabs rules.
     Latex,
+    /// The same with the numbers in siunitx's \\num.
+    LatexSiunitx,
     /// A Markdown table.
     Markdown,
+}
+
+impl TableFormat {
+    /// Whether it is LaTeX: set for a page, with a caption.
+    pub fn is_print(self) -> bool {
+        matches!(self, TableFormat::Latex | TableFormat::LatexSiunitx)
+    }
 }
 
 /// A column: its name and how it is set.
@@ -84,7 +93,7 @@ pub struct Setting<'a> {
 }
 
 impl Setting<'_> {
-    /// That of a table without a caption at a destination.
+    /// That of a table at a destination, without a caption.
     pub fn at(destination: &Destination) -> Self {
         Setting { caption: None, width: destination.columns() }
     }
@@ -163,7 +172,7 @@ impl<'a> TableWriter<'a> {
                 out.write_all(&header)?;
             }
             TableFormat::Json => writeln!(out, "{{\"format\":{},\"rows\":[", json_string(name))?,
-            TableFormat::Latex => {
+            TableFormat::Latex | TableFormat::LatexSiunitx => {
                 let (printed, omitted): (Vec<&Column>, Vec<_>) =
                     columns.iter().partition(|column| column.print != Print::Omitted);
                 let heads: Vec<&str> = printed.iter().map(|column| column.latex).collect();
@@ -174,9 +183,10 @@ impl<'a> TableWriter<'a> {
                         format!(">{{\\raggedright\\arraybackslash}}p{{0.{share:02}\\linewidth}}")
                     }
                 });
+                let siunitx = if format == TableFormat::LatexSiunitx { ",siunitx" } else { "" };
                 writeln!(
                     out,
-                    "% {name}: \\input this file after \\usepackage{{amsmath,array,booktabs,longtable}}"
+                    "% {name}: \\input this file after \\usepackage{{amsmath,array,booktabs,longtable{siunitx}}}"
                 )?;
                 if !omitted.is_empty() {
                     let names: Vec<&str> = omitted.iter().map(|column| column.name).collect();
@@ -252,7 +262,7 @@ impl<'a> TableWriter<'a> {
                 if error.is_interrupted() {
                     match self.setter.format {
                         TableFormat::Json => writeln!(self.out, "\n],\"verdict\":\"interrupted\"}}")?,
-                        TableFormat::Latex => {
+                        TableFormat::Latex | TableFormat::LatexSiunitx => {
                             writeln!(self.out, "\\end{{longtable}}}}\n% interrupted: rows are missing")?;
                         }
                         TableFormat::Table | TableFormat::Csv | TableFormat::Markdown => {}
@@ -270,7 +280,7 @@ impl<'a> TableWriter<'a> {
     pub fn finish(self) -> Result<()> {
         match self.setter.format {
             TableFormat::Json => writeln!(self.out, "\n]}}")?,
-            TableFormat::Latex => writeln!(self.out, "\\end{{longtable}}}}")?,
+            TableFormat::Latex | TableFormat::LatexSiunitx => writeln!(self.out, "\\end{{longtable}}}}")?,
             TableFormat::Table | TableFormat::Csv | TableFormat::Markdown => {}
         }
         Ok(())

@@ -13,12 +13,14 @@ fn root() -> &'static Path {
 
 /// Every command that writes a LaTeX table, with the awkward texts among them; `{in}` is a folder with the
 /// certificates that are cited.
-const TABLES: [&str; 21] = [
+const TABLES: [&str; 23] = [
     "intervals 3..=9",
     "intervals 3..=9 --decimals 6",
     "intervals --two-impacts 5",
     "intervals --pattern 2,3 --decimals 4",
     "intervals --measure 3..=12",
+    "word --a1 -1/4 --a2 1/2 --certificate {in}/word_1.txt",
+    "word --a1 -26/100..=-1/4 --a2 1/2..=51/100",
     "word --r 0.97 --s 0.37",
     "word --r 1.25 --s 0.37 --returns",
     "word --r 0.97 --s 0.37 --returns",
@@ -47,8 +49,13 @@ const PRINTED: [&str; 6] = [
     "run examples/scenes/nordmark-2001-chaos.toml --only few -o {in}/chaos",
 ];
 
-/// With `pdflatex` on the path every table is set, and none is wider than the text of an A4 page; without it,
-/// what would stop LaTeX is looked for by hand. `GRAZING_REQUIRE_LATEX=1` makes its absence a failure.
+/// What every printed table and formula is set with. Without siunitx its command is a stand-in.
+const PREAMBLE: &str = "\\documentclass[a4paper]{article}\\usepackage{amsmath,array,booktabs,longtable}\n\
+    \\IfFileExists{siunitx.sty}{\\usepackage{siunitx}}{\\newcommand\\num[1]{$#1$}}\\begin{document}\n";
+
+/// With `pdflatex` on the path every table is set, with siunitx and without it, and none is wider than the
+/// text of an A4 page; without it, what would stop LaTeX is looked for by hand. `GRAZING_REQUIRE_LATEX=1`
+/// makes its absence a failure.
 #[test]
 fn latex_sets_every_table() {
     let folder = tempfile::tempdir().unwrap();
@@ -56,18 +63,31 @@ fn latex_sets_every_table() {
         assert_eq!(run(arguments, folder.path()).0, 0);
     }
     let mut cited = 0;
-    let mut document = String::from(
-        "\\documentclass[a4paper]{article}\\usepackage{amsmath,array,booktabs,longtable}\\begin{document}\n",
-    );
-    for (index, arguments) in TABLES.iter().enumerate() {
+    let mut document = String::from(PREAMBLE);
+    let formats = TABLES.iter().flat_map(|table| {
+        // What `evaluate` prints runs over many lines, which \num does not.
+        let siunitx = (!table.starts_with("evaluate")).then_some((table, "latex-siunitx"));
+        [(table, "latex")].into_iter().chain(siunitx)
+    });
+    for (index, (arguments, format)) in formats.enumerate() {
         let file = folder.path().join(format!("table{index}.tex"));
         let arguments = &arguments.replace("{in}", &folder.path().display().to_string());
-        let all = format!("{arguments} --format latex -o {}", file.display());
+        let all = format!("{arguments} --format {format} -o {}", file.display());
         let (code, _, err) = run(&all, root());
         // A table of patterns may leave some undecided: 3.
         assert!(code == 0 || code == 3, "grazing {all}: {code} {err}");
         let text = fs::read_to_string(&file).unwrap();
         cells_are_balanced(arguments, &text);
+        is_for_a_journal(&all, &text);
+        if arguments.contains("--certificate") {
+            let caption = text.replace("\\allowbreak ", "");
+            let digest = digest("word_1.txt", folder.path());
+            assert!(
+                caption.contains(&format!("\\texttt{{word\\_1.txt}}, SHA-256 \\texttt{{{digest}}}")),
+                "{caption}"
+            );
+            cited += 1;
+        }
         document += &format!("\\input{{table{index}}}\n");
     }
     for (index, arguments) in PRINTED.iter().enumerate() {
@@ -81,14 +101,12 @@ fn latex_sets_every_table() {
         for line in text.lines().filter(|line| line.starts_with("certificate & ")) {
             let name = line.split("\\texttt{").nth(1).unwrap().split('}').next().unwrap();
             let place = arguments.rsplit('/').next().unwrap();
-            let (_, sum) =
-                shell(&format!("sha256sum {place}/{name} || shasum -a 256 {place}/{name}"), folder.path());
-            let digest = sum.split(' ').next().unwrap();
+            let digest = digest(&format!("{place}/{name}"), folder.path());
             assert!(line.replace("\\allowbreak ", "").contains(&format!("\\texttt{{{digest}}}")), "{line}");
             cited += 1;
         }
     }
-    assert!(cited >= 3, "{cited} certificates are cited");
+    assert!(cited >= 5, "{cited} certificates are cited");
     document += "\\end{document}\n";
     fs::write(folder.path().join("all.tex"), document).unwrap();
     let latex = Command::new("pdflatex")
@@ -103,6 +121,34 @@ fn latex_sets_every_table() {
     let log = String::from_utf8_lossy(&latex.stdout);
     assert!(latex.status.success(), "{log}");
     assert!(!log.contains("Overfull"), "a table is too wide:\n{log}");
+}
+
+/// The SHA-256 of a file, by the system's own program.
+fn digest(file: &str, folder: &Path) -> String {
+    let (_, sum) = shell(&format!("sha256sum {file} || shasum -a 256 {file}"), folder);
+    sum.split(' ').next().unwrap().to_string()
+}
+
+/// A caption, a label, rules by booktabs; cases as (−,+) and signs by name, never as columns of ±1; no
+/// fraction with the denominator 1.
+fn is_for_a_journal(command: &str, text: &str) {
+    let printed: Vec<&str> = text.lines().filter(|line| !line.starts_with('%')).collect();
+    let text = printed.join("\n");
+    for needed in ["\\caption{", "}\\label{tab:", "\\toprule", "\\midrule", "\\bottomrule"] {
+        assert!(text.contains(needed), "{command}: no {needed}");
+    }
+    for refused in ["sign} e\\mu$ &", "sign}\\gamma$ &", "$0/", "/1$", "/1}", "emu", "\\hline"] {
+        assert!(!text.contains(refused), "{command}: {refused} in {text}");
+    }
+    let rows = text.lines().skip_while(|line| *line != "\\endfoot").skip(1);
+    for cell in rows.flat_map(|row| row.split(" & ")).filter(|_| !command.starts_with("classify --summary")) {
+        assert!(!["$-1$", "\\num{-1}"].contains(&cell), "{command}: {cell} in {text}");
+    }
+    assert_eq!(
+        text.contains("\\num{"),
+        command.contains("latex-siunitx") && !command.contains("--summary"),
+        "{command}"
+    );
 }
 
 /// What a caption cites is checked first, covers the table, and has the digest that `sha256sum` prints.

@@ -91,7 +91,7 @@ fn check(args: &Args) -> Result<()> {
     if let Some(grid) = args.grid.filter(|grid| !(1..=MAX_GRID).contains(grid)) {
         return Err(Error::input(format!("--grid {grid} is out of bounds: 1 to {MAX_GRID}")));
     }
-    if args.cite.is_some() && args.format != TableFormat::Latex {
+    if args.cite.is_some() && !args.format.is_print() {
         return Err(Error::input("--cite does nothing here: only --format latex has a caption"));
     }
     Ok(())
@@ -122,11 +122,8 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
         })?;
         return Ok(if certain { Outcome::Done } else { Outcome::Undecided });
     }
-    let (name, about) = match args.grid {
-        Some(_) => ("boundary-grid", EDGES),
-        None => ("boundary", TIPS),
-    };
-    let about = (name, about, BASES.as_slice());
+    let (name, text) = about(args);
+    let about = (name, text, BASES.as_slice());
     let cited = args.cite.as_slice();
     cite::named(cited, files)?;
     let destination = files.destination(args.output.as_deref())?;
@@ -134,7 +131,7 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
         Ok(caption) => caption,
         Err(outcome) => return Ok(outcome),
     };
-    let setting = Setting { caption: caption.as_ref(), ..Setting::at(&destination) };
+    let setting = Setting { caption: Some(&caption), ..Setting::at(&destination) };
     let progress = Progress::new(interrupt, args.periods.count(), "periods");
     written(args, setting, &destination, |rows| find(args, args.periods.0.clone(), rows, &progress))
 }
@@ -144,7 +141,10 @@ pub(super) fn merge(args: &Args, set: &ShardSet, merged: &Merged, interrupt: &In
     check(args)?;
     set.expect(&task(args))?;
     let destination = merged.table()?;
-    written(args, Setting::at(&destination), &destination, |rows| {
+    let (name, text) = about(args);
+    let caption = cite::plain(name, text, &args.periods);
+    let setting = Setting { caption: Some(&caption), ..Setting::at(&destination) };
+    written(args, setting, &destination, |rows| {
         set.rows(
             |shard| part_of(&args.periods.0, 2, shard),
             columns(args).len(),
@@ -208,12 +208,12 @@ impl RowSink for Watched<'_> {
 
 /// The column that is empty in rows without a certified value: the kind of a lowest point, or r ≥.
 fn watched(args: &Args) -> usize {
-    if args.grid.is_some() { 6 } else { 5 }
+    area_columns(0, args.format).len() + usize::from(args.grid.is_some())
 }
 
 fn columns(args: &Args) -> Vec<Column> {
     let width = args.periods.0.end().to_string().len();
-    let mut columns = area_columns(width);
+    let mut columns = area_columns(width, args.format);
     if args.grid.is_some() {
         columns.push(Column::new("s", "$s$", 2 * width + 4));
         columns.extend(bound_columns(args.digits));
@@ -230,11 +230,16 @@ fn columns(args: &Args) -> Vec<Column> {
     columns
 }
 
+/// The name of the table in labels, and what it shows, in LaTeX.
+fn about(args: &Args) -> (&'static str, &'static str) {
+    if args.grid.is_some() { ("boundary-grid", EDGES) } else { ("boundary", TIPS) }
+}
+
 const TIPS: &str = "Bounds of the infimum of $r$ over each area in which there is an orbit with one impact in \
-$n$ periods, and of the $s$ at which it is approached.";
+$n$ periods, the case $(e\\mu, \\gamma)$ of the orbit, and bounds of the $s$ at which the infimum is approached.";
 
 const EDGES: &str = "Bounds of $R(s)$, the lower edge of each area in which there is an orbit with one impact in \
-$n$ periods.";
+$n$ periods, and the case $(e\\mu, \\gamma)$ of the orbit.";
 
 /// What a table of edges can rest on.
 const BASES: [Basis; 1] = [Basis {
@@ -257,7 +262,14 @@ fn areas(args: &Args, n: u64) -> Result<Vec<Boundary>> {
 }
 
 /// The columns that say which area a row is about.
-fn area_columns(digits: usize) -> Vec<Column> {
+fn area_columns(digits: usize, format: TableFormat) -> Vec<Column> {
+    if format.is_print() {
+        return vec![
+            Column::new("n", "$n$", 0),
+            Column::new("case", "case", 0),
+            Column::new("deciding", "decides", 0),
+        ];
+    }
     vec![
         Column::new("n", "$n$", digits),
         Column::new("m", "$m$", digits),
@@ -267,14 +279,36 @@ fn area_columns(digits: usize) -> Vec<Column> {
     ]
 }
 
-fn area_cells(interval: &Interval) -> [TableCell<'static>; 5] {
-    [
-        TableCell::Int(interval.n as i64),
-        TableCell::Int(interval.m as i64),
-        TableCell::Int(interval.case.sign_emu().into()),
-        TableCell::Int(interval.case.sign_gamma().into()),
-        interval.deciding.map_or(TableCell::Empty, |k| TableCell::Int(k as i64)),
-    ]
+/// Which area a row is about.
+struct Area<'a> {
+    interval: &'a Interval,
+    /// For a page: the case, and what decides.
+    printed: Option<(String, String)>,
+}
+
+impl<'a> Area<'a> {
+    fn new(interval: &'a Interval, format: TableFormat) -> Self {
+        let decides = || interval.deciding.map_or(String::new(), |k| format!("b_{{{},{k}}}", interval.n));
+        let printed = format.is_print().then(|| (interval.case.to_string(), decides()));
+        Area { interval, printed }
+    }
+
+    /// The cells of [`area_columns`].
+    fn cells(&self) -> Vec<TableCell<'_>> {
+        let Area { interval, printed } = self;
+        let n = TableCell::Int(interval.n as i64);
+        if let Some((case, decides)) = printed {
+            let decides = if decides.is_empty() { TableCell::Empty } else { TableCell::Maths(decides) };
+            return vec![n, TableCell::Maths(case), decides];
+        }
+        vec![
+            n,
+            TableCell::Int(interval.m as i64),
+            TableCell::Int(interval.case.sign_emu().into()),
+            TableCell::Int(interval.case.sign_gamma().into()),
+            interval.deciding.map_or(TableCell::Empty, |k| TableCell::Int(k as i64)),
+        ]
+    }
 }
 
 /// Lower and upper bounds of r and a₂, or nothing.
@@ -332,7 +366,8 @@ fn edge_rows(
                     .collect();
                 for (s, r) in values? {
                     let bounds = bounds(r.as_ref(), args.digits);
-                    let mut cells = area_cells(area.interval()).to_vec();
+                    let about = Area::new(area.interval(), args.format);
+                    let mut cells = about.cells();
                     cells.push(TableCell::Fraction(&s));
                     cells.extend(bounds.iter().map(|bound| text(bound)));
                     table.row(&cells)?;
@@ -370,7 +405,8 @@ fn lowest_rows(
             let found: Vec<Option<Lowest>> = portion.par_iter().map(lowest).collect();
             for (area, lowest) in portion.iter().zip(&found) {
                 let row = Row::new(area.interval(), lowest.as_ref(), args.digits);
-                let mut cells = area_cells(area.interval()).to_vec();
+                let about = Area::new(area.interval(), args.format);
+                let mut cells = about.cells();
                 cells.push(text(row.kind));
                 cells.extend(row.numbers.iter().map(|number| text(number)));
                 table.row(&cells)?;

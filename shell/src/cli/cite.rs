@@ -1,6 +1,6 @@
 //! Certificates in the caption of a LaTeX table: checked first, then named by their SHA-256.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use super::{
     Outcome,
@@ -9,7 +9,7 @@ use super::{
     range::Periods,
 };
 use crate::{
-    certificate::Rejection,
+    certificate::{Rejection, Sha256},
     error::{Error, Result},
     output::{Caption, FileRegistry, latex, say},
 };
@@ -33,8 +33,8 @@ pub(super) fn named(files: &[PathBuf], registry: &FileRegistry) -> Result<()> {
 }
 
 /// The caption of a table of `periods` that cites `files`, or what keeps one of them from being cited, which
-/// is said. None of them: no caption. `about` says what the table shows, in LaTeX; `bases` what it can rest
-/// on. Cost: that of checking the files.
+/// is said. `about` says what the table shows, in LaTeX; `bases` what it can rest on. Cost: that of checking
+/// the files.
 ///
 /// # Errors
 /// A certificate of another kind, or one that leaves out some of the periods.
@@ -43,10 +43,7 @@ pub(super) fn caption(
     (name, about, bases): (&str, &str, &[Basis]),
     periods: &Periods,
     interrupt: &Interrupt,
-) -> Result<std::result::Result<Option<Caption>, Outcome>> {
-    if files.is_empty() {
-        return Ok(Ok(None));
-    }
+) -> Result<std::result::Result<Caption, Outcome>> {
     let (first, last) = (*periods.0.start(), *periods.0.end());
     let mut text = about.to_owned();
     let mut cited: Vec<&str> = Vec::new();
@@ -98,13 +95,27 @@ pub(super) fn caption(
             digest(&sha256)
         );
     }
-    Ok(Ok(Some(Caption { text, label: label(name, periods) })))
+    Ok(Ok(Caption { text, label: label(name, periods) }))
+}
+
+/// That of a table which cites nothing.
+pub(super) fn plain(name: &str, about: &str, periods: &Periods) -> Caption {
+    Caption { text: about.to_owned(), label: label(name, periods) }
 }
 
 /// What `\\ref` finds a table of these periods by.
 pub(super) fn label(name: &str, periods: &Periods) -> String {
     let (first, last) = (periods.0.start(), periods.0.end());
     if first == last { format!("tab:{name}-{first}") } else { format!("tab:{name}-{first}-{last}") }
+}
+
+/// A certificate that this command writes, by its file's name and the SHA-256 of its text.
+pub(super) fn written(path: &Path, text: &str) -> String {
+    let file =
+        path.file_name().map_or_else(|| path.display().to_string(), |name| name.to_string_lossy().into());
+    let mut hash = Sha256::default();
+    hash.update(text.as_bytes());
+    format!("\\texttt{{{}}}, SHA-256 {}", latex(&file), digest(&hash.finish()))
 }
 
 /// A digest that a line may break.

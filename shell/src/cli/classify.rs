@@ -73,7 +73,8 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
     if !(1..=LIMIT).contains(&args.max_n) {
         return Err(Error::input(format!("--max-n {}: a whole number from 1 to {LIMIT}", args.max_n)));
     }
-    let place = forward(args.a1.as_ref().zip(args.a2.as_ref()), args.r.as_ref().zip(args.s.as_ref()))?;
+    let (plane, polar) = (args.a1.as_ref().zip(args.a2.as_ref()), args.r.as_ref().zip(args.s.as_ref()));
+    let (place, at) = (forward(plane, polar)?, coordinates(plane, polar));
     let ladder = Ladder::default().with_profile(interrupt.profile());
     let found = up_to(&ladder, &place.point, args.max_n, || interrupt.check())?;
     interrupt.check()?;
@@ -83,7 +84,7 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
             writeln!(out, "{}{time}", describe(place.region))?;
             words(&place.point, out)?;
         }
-        write(args.format, &place, &found, out)
+        write(args.format, (&place, &at), &found, out)
     });
     let undecided = found.contains(&Existence::Undecided);
     reported(if undecided { Outcome::Undecided } else { Outcome::Done }, written)
@@ -127,6 +128,15 @@ fn words(point: &Point, out: &mut dyn Write) -> Result<()> {
     Ok(())
 }
 
+/// The coordinates of a point in LaTeX; one that was not given is left out.
+pub(super) fn coordinates(
+    plane: Option<(&BigRational, &BigRational)>,
+    polar: Option<(&BigRational, &BigRational)>,
+) -> String {
+    let plane = plane.map(|(a1, a2)| format!("$a_1 = {a1}$, $a_2 = {a2}$"));
+    plane.or_else(|| polar.map(|(r, s)| format!("$r = {r}$, $s = {s}$"))).unwrap_or_default()
+}
+
 pub(super) fn describe(region: Region) -> &'static str {
     match region {
         Region::One => "Region 1: 0 < lambda2 < 1 < lambda1",
@@ -138,9 +148,14 @@ pub(super) fn describe(region: Region) -> &'static str {
     }
 }
 
-fn write(format: TableFormat, place: &Forward, found: &[Existence], out: &mut dyn Write) -> Result<()> {
-    if format == TableFormat::Latex {
-        return print(place, found, out);
+fn write(
+    format: TableFormat,
+    (place, at): (&Forward, &str),
+    found: &[Existence],
+    out: &mut dyn Write,
+) -> Result<()> {
+    if format.is_print() {
+        return print(format, (place, at), found, out);
     }
     let columns = [
         Column::new("n", "$n$", 6),
@@ -175,7 +190,12 @@ fn write(format: TableFormat, place: &Forward, found: &[Existence], out: &mut dy
 }
 
 /// The same for a page: cases, and which b_{n,k} tell.
-fn print(place: &Forward, found: &[Existence], out: &mut dyn Write) -> Result<()> {
+fn print(
+    format: TableFormat,
+    (place, at): (&Forward, &str),
+    found: &[Existence],
+    out: &mut dyn Write,
+) -> Result<()> {
     let columns = vec![
         Column::new("n", "$n$", 0),
         Column::new("existence", "existence", 0).print(Print::Left),
@@ -187,14 +207,14 @@ fn print(place: &Forward, found: &[Existence], out: &mut dyn Write) -> Result<()
     ];
     let caption = Caption {
         text: format!(
-            "Orbits with one impact in $n$ periods at one point, {}: whether they exist, in which case \
+            "Orbits with one impact in $n$ periods at {at}, {}: whether they exist, in which case \
              $(e\\mu, \\gamma)$, the sign of the large eigenvalue, and $b_{{n,k}}$ that decide.",
             describe(place.region).split(':').next().unwrap_or_default().to_lowercase()
         ),
         label: "tab:classify".into(),
     };
     let setting = Setting { caption: Some(&caption), ..Setting::default() };
-    let mut table = TableWriter::set(out, TableFormat::Latex, "grazing-classify 1", columns, setting)?;
+    let mut table = TableWriter::set(out, format, "grazing-classify 1", columns, setting)?;
     for (n, &existence) in (1u64..).zip(found) {
         let decides = existence.indices().map(|k| k.map(|k| format!("b_{{{n},{}}}", place.index(n, k))));
         let [above, below, zero] = [0, 1, 2].map(|i| match &decides[i] {
@@ -309,7 +329,7 @@ fn summary(args: &Args, destination: &Destination) -> Result<Outcome> {
         label: "tab:regions".into(),
     };
     destination.write(|out| {
-        let print = args.format == TableFormat::Latex;
+        let print = args.format.is_print();
         let columns = columns.map(|column| if print { column.print(Print::Left) } else { column });
         let setting = Setting { caption: Some(&caption), ..Setting::default() };
         let name = "grazing-classify-summary 1";

@@ -7,7 +7,7 @@ use num_rational::BigRational;
 use num_traits::One;
 use serde_json::json;
 
-use super::{Outcome, PrintFormat, range::whole, reported};
+use super::{Outcome, PrintFormat, classify::coordinates, range::whole, reported};
 use crate::{
     cli::progress::Interrupt,
     error::{Error, Result},
@@ -127,12 +127,7 @@ fn print(rows: &[Row], args: &Args, out: &mut dyn Write) -> Result<()> {
         Column::new("decided_by", "decided by", 0).print(Print::Left),
         Column::new("value", "value", 0).print(Print::Lines(45)),
     ];
-    let at = match (&args.s, &args.a1, &args.a2) {
-        (None, Some(a1), Some(a2)) => format!("$a_1 = {a1}$, $a_2 = {a2}$"),
-        (s, ..) => {
-            format!("$r = {}$, $s = {}$", args.r, s.as_ref().map_or(String::new(), ToString::to_string))
-        }
-    };
+    let at = coordinates(args.a1.as_ref().zip(args.a2.as_ref()), args.s.as_ref().map(|s| (&args.r, s)));
     let text = format!(
         "$b_{{n,k}}$ and $c_n$ for $n = {}$ at {at}. Each value is off by less than one unit of its last digit.",
         args.n

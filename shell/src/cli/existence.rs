@@ -15,8 +15,8 @@ use crate::{
     figure,
     number::{FloatInterval, Sign, certain_digits, parse_integer},
     output::{
-        Column, FileRegistry, FileUse, LONGEST_SCENE, Print, Setting, TableCell, TableFormat, TableWriter,
-        make_folder, read_text, say,
+        Caption, Column, FileRegistry, FileUse, LONGEST_SCENE, Print, Setting, TableCell, TableFormat,
+        TableWriter, latex, make_folder, read_text, say,
     },
     pattern::{
         Analysis, Graph, MAX_GRAPH_PERIOD, Map, Numbers, Pattern, PatternExistence, Patterns, Pruning,
@@ -239,10 +239,12 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
     let mut outcome = Outcome::Done;
     let written = destination.write(|out| {
         if args.counts {
-            return counts(args, &engine, out, interrupt, &mut outcome);
+            return counts(args, (&engine, &name), out, interrupt, &mut outcome);
         }
-        let setting = Setting::at(&destination);
-        let mut table = TableWriter::set(out, args.format, "grazing-existence 1", columns(), setting)?;
+        let print = args.format.is_print();
+        let caption = caption("existence", LIST, &name);
+        let setting = Setting { caption: Some(&caption), ..Setting::at(&destination) };
+        let mut table = TableWriter::set(out, args.format, "grazing-existence 1", columns(print), setting)?;
         let mut write = |chunk: &[Pattern]| {
             rows(args, &engine, map.e().sign(), chunk, &mut table, &mut outcome)?;
             interrupt.check()
@@ -271,7 +273,8 @@ fn rows(
         .par_iter()
         .map(|pattern| {
             let report = engine.judge(pattern);
-            let cells = if keep(args, &report) { cells(pattern, &report, e) } else { Vec::new() };
+            let print = args.format.is_print();
+            let cells = if keep(args, &report) { cells(pattern, &report, e, print) } else { Vec::new() };
             (report, cells)
         })
         .collect();
@@ -303,14 +306,29 @@ fn keep(args: &Args, report: &Report) -> bool {
     !args.existing || report.side().is_some() || report.is_open()
 }
 
-fn columns() -> Vec<Column> {
+/// What the list shows, in LaTeX.
+const LIST: &str = "The orbits by their patterns, the periods between impacts: for which sign of $e\\mu$ there is one, \
+the sign of $\\mu$ then, $L$ of the largest eigenvalue $\\Lambda_1 \\sim L (e\\mu)^{-m}$, and its sign";
+
+/// What the counts show.
+const COUNTS: &str = "How many patterns there are of each period, for how many there is an orbit, and the growth rate of \
+their number, if it is known";
+
+/// The caption of a table about a map.
+fn caption(name: &str, about: &str, map: &str) -> Caption {
+    Caption { text: format!("{about}. The map: \\texttt{{{}}}.", latex(map)), label: format!("tab:{name}") }
+}
+
+fn columns(print: bool) -> Vec<Column> {
+    // On a page the verdict has the sign of eµ.
+    let sign_emu = if print { Print::Omitted } else { Print::Right };
     vec![
         Column::new("pattern", "pattern", 12).print(Print::Left),
         Column::new("period", "$n$", 0),
         Column::new("impacts", "$m$", 0),
         Column::new("primitive", "primitive", 0).print(Print::Omitted),
         Column::new("verdict", "verdict", 0).print(Print::Left),
-        Column::new("sign_emu", "$\\operatorname{sign} e\\mu$", 0),
+        Column::new("sign_emu", "", 0).print(sign_emu),
         Column::new("sign_mu", "$\\operatorname{sign}\\mu$", 0),
         Column::new("h_plus", "$h_+$", 15).print(Print::Omitted),
         Column::new("y_plus", "$y_+$", 15).print(Print::Omitted),
@@ -327,25 +345,31 @@ fn columns() -> Vec<Column> {
 /// A cell that outlives the row it was computed in.
 enum Cell {
     Whole(i64),
+    Maths(&'static str),
     /// Nothing, if it is empty.
     Text(String),
 }
 
 impl Cell {
-    fn sign(positive: Option<bool>) -> Cell {
-        positive.map_or(Cell::Text(String::new()), |positive| Cell::Whole(if positive { 1 } else { -1 }))
+    fn sign(positive: Option<bool>, print: bool) -> Cell {
+        match (positive, print) {
+            (None, _) => Cell::Text(String::new()),
+            (Some(positive), true) => Cell::Maths(if positive { "+" } else { "-" }),
+            (Some(positive), false) => Cell::Whole(if positive { 1 } else { -1 }),
+        }
     }
 
     fn set(&self) -> TableCell<'_> {
         match self {
             Cell::Whole(number) => TableCell::Int(*number),
+            Cell::Maths(formula) => TableCell::Maths(formula),
             Cell::Text(text) if text.is_empty() => TableCell::Empty,
             Cell::Text(text) => TableCell::Text(text),
         }
     }
 }
 
-fn cells(pattern: &Pattern, report: &Report, e: Option<Sign>) -> Vec<Cell> {
+fn cells(pattern: &Pattern, report: &Report, e: Option<Sign>, print: bool) -> Vec<Cell> {
     let side = report.side();
     let verdict = match (report.plus, report.minus) {
         (PatternExistence::Orbit, _) => "emu>0",
@@ -377,21 +401,26 @@ fn cells(pattern: &Pattern, report: &Report, e: Option<Sign>) -> Vec<Cell> {
     let eigenvalue = side.and_then(|side| orbit?.eigenvalue_sign(side)).map(|sign| sign == Sign::Positive);
     let join = |values: &[Value]| values.iter().map(Value::to_string).collect::<Vec<_>>().join(" ");
     let flat = report.flat.is_some();
+    let pattern_cell = Cell::Text(if print { format!("({pattern})") } else { pattern.to_string() });
     let rows = |x: &[Vec<Value>]| x.iter().map(|x| join(x)).collect::<Vec<_>>().join("; ");
     vec![
-        Cell::Text(pattern.to_string()),
+        pattern_cell,
         Cell::Whole(pattern.period() as i64),
         Cell::Whole(pattern.periods().len() as i64),
         Cell::Text(if pattern.is_primitive() { "yes" } else { "no" }.into()),
-        Cell::Text(verdict.into()),
-        Cell::sign(side),
-        Cell::sign(side.filter(|_| e.is_some()).map(|side| side == (e == Some(Sign::Positive)))),
+        match verdict {
+            "emu>0" if print => Cell::Maths("e\\mu > 0"),
+            "emu<0" if print => Cell::Maths("e\\mu < 0"),
+            _ => Cell::Text(verdict.into()),
+        },
+        Cell::sign(side, print),
+        Cell::sign(side.filter(|_| e.is_some()).map(|side| side == (e == Some(Sign::Positive))), print),
         show(plus.0),
         show(plus.1),
         show(minus.0),
         show(minus.1),
         show(orbit.and_then(|orbit| orbit.leading.clone())),
-        Cell::sign(eigenvalue.filter(|_| !flat)),
+        Cell::sign(eigenvalue.filter(|_| !flat), print),
         Cell::Text(reason.join("; ")),
         Cell::Text(orbit.map_or(String::new(), |orbit| join(&orbit.y))),
         Cell::Text(orbit.map_or(String::new(), |orbit| rows(&orbit.x))),
@@ -402,7 +431,7 @@ fn cells(pattern: &Pattern, report: &Report, e: Option<Sign>) -> Vec<Cell> {
 /// rates.
 fn counts(
     args: &Args,
-    engine: &Engine,
+    (engine, map): (&Engine, &str),
     out: &mut dyn std::io::Write,
     interrupt: &Interrupt,
     outcome: &mut Outcome,
@@ -418,10 +447,12 @@ fn counts(
     .map(|(name, latex)| Column::new(name, latex, 9))
     .to_vec();
     if matches!(engine, Engine::Graph(_)) {
-        let growth = [("growth_plus", "growth"), ("growth_minus", "growth")];
+        let growth = [("growth_plus", "growth, $e\\mu > 0$"), ("growth_minus", "growth, $e\\mu < 0$")];
         columns.extend(growth.map(|(name, latex)| Column::new(name, latex, 15)));
     }
-    let mut table = TableWriter::new(out, args.format, "grazing-existence-counts 1", columns)?;
+    let caption = caption("existence-counts", COUNTS, map);
+    let setting = Setting { caption: Some(&caption), ..Setting::default() };
+    let mut table = TableWriter::set(out, args.format, "grazing-existence-counts 1", columns, setting)?;
     let rows = match engine {
         Engine::Graph(graph) => counted(graph, interrupt, outcome, &mut table),
         Engine::General(_) => (1..=args.max_period)

@@ -11,16 +11,17 @@ use crate::{
     error::Result,
     local::{Forward, Ladder, Point},
     number::ball_digits,
-    output::{Column, Destination, TableCell, TableFormat, TableWriter, say},
+    output::{Caption, Column, Destination, Setting, TableCell, TableFormat, TableWriter, say},
     word::{Extent, ReturnKind, Returns, Word, place},
 };
 
 /// Digits of p.
 const DIGITS: u32 = 12;
 
-/// Writes a row for each piece of the line.
+/// Writes a row for each piece of the line. `at` names the point in LaTeX.
 pub(super) fn run(
     forward: &Forward,
+    at: &str,
     letters: usize,
     format: TableFormat,
     destination: &Destination,
@@ -46,8 +47,17 @@ pub(super) fn run(
         Column::new("from", "$p$ from", DIGITS as usize + 4),
         Column::new("to", "$p$ to", DIGITS as usize + 4),
     ];
+    let caption = Caption {
+        text: format!(
+            "First-return times to the line $x_1 = -1$ of its points $(-1, p)$ at {at}: the time, the fraction that it \
+             is the denominator of, and the $p$ that return then. The times D and U are periods of the word."
+        ),
+        label: "tab:returns".into(),
+    };
     destination.list(|out| {
-        let mut table = TableWriter::new(out, format, "grazing-returns 1", columns)?;
+        let setting = Setting { caption: Some(&caption), ..Setting::default() };
+        let mut table = TableWriter::set(out, format, "grazing-returns 1", columns, setting)?;
+        let print = format.is_print();
         let rows = returns.pieces().iter().try_for_each(|piece| {
             let kind = match piece.kind {
                 ReturnKind::Period(letter) => letter.to_string(),
@@ -55,7 +65,10 @@ pub(super) fn run(
                 ReturnKind::Left => "left".to_string(),
                 ReturnKind::Never => "never".to_string(),
             };
-            let m_n = piece.time.map(|n| format!("{}/{n}", piece.numerator));
+            let m_n = piece.time.map(|n| match piece.numerator {
+                0 if print => "0".to_string(),
+                m => format!("{m}/{n}"),
+            });
             let number = |n: Option<u64>, infinite: &str| match n {
                 None => infinite.to_string(),
                 Some(n) => place(point, *reversed, n)
@@ -63,7 +76,6 @@ pub(super) fn run(
                     .unwrap_or_else(|| format!("p_{n}")),
             };
             let ends = [number(piece.ends[0], "-inf"), number(piece.ends[1], "inf")];
-            let print = format == TableFormat::Latex;
             let [from, to] = ends.map(|text| if print { text.replace("inf", "\\infty") } else { text });
             table.row(&[
                 piece.time.map_or(TableCell::Empty, |n| TableCell::Int(n as i64)),

@@ -10,10 +10,14 @@ use crate::{
     error::{Error, Result},
     existence::MAX_PERIOD,
     monitor::Monitor,
-    output::{Column, Destination, TableCell, TableFormat, TableWriter, decimal},
+    output::{Caption, Column, Destination, Setting, TableCell, TableFormat, TableWriter, decimal},
     rows::Style,
     word::PatternInterval,
 };
+
+/// What a table of them shows, in LaTeX.
+pub(super) const CAPTION: &str = "The open intervals of $s$ on $r = 1$ where there is an orbit with two impacts, $i$ \
+and $j$ periods apart, and the case $(e\\mu, \\gamma)$ in which it exists.";
 
 /// The largest period of --two-impacts: there are about n²/7 intervals of period n.
 const LIMIT: u64 = 2000;
@@ -42,10 +46,10 @@ pub(super) fn periods(range: &Periods) -> Result<RangeInclusive<u64>> {
     Ok(range.0.clone())
 }
 
-/// Writes the intervals of a pattern of period n as a table, or their number as a b-file where there is no
+/// Writes the intervals of the pattern (i, j) as a table, or their number as a b-file where there is no
 /// table format.
 pub(super) fn run<I: Iterator<Item = PatternInterval>>(
-    n: u64,
+    (i, j): (u64, u64),
     intervals: impl Fn() -> Result<I>,
     format: Option<TableFormat>,
     decimals: Option<usize>,
@@ -54,16 +58,18 @@ pub(super) fn run<I: Iterator<Item = PatternInterval>>(
 ) -> Result<()> {
     let progress = Progress::new(interrupt, 1, "periods");
     let Some(format) = format else {
-        return destination.list(|out| Ok(writeln!(out, "{n} {}", intervals()?.count())?));
+        return destination.list(|out| Ok(writeln!(out, "{} {}", i + j, intervals()?.count())?));
     };
     destination.list(|out| {
-        let style = Style { decimals, print: format == TableFormat::Latex };
-        let mut columns = columns(n.to_string().len(), style.print);
+        let style = Style { decimals, print: format.is_print() };
+        let mut columns = columns((i + j).to_string().len(), style.print);
         if let Some(decimals) = decimals {
             columns.push(Column::new("left_rounded", "left (rounded)", decimals + 2));
             columns.push(Column::new("right_rounded", "right (rounded)", decimals + 2));
         }
-        let mut table = TableWriter::new(out, format, "grazing-pattern-intervals 1", columns)?;
+        let caption = Caption { text: CAPTION.into(), label: format!("tab:pattern-{i}-{j}") };
+        let setting = Setting { caption: Some(&caption), ..Setting::default() };
+        let mut table = TableWriter::set(out, format, "grazing-pattern-intervals 1", columns, setting)?;
         let rows = intervals().and_then(|intervals| rows(intervals, style, &mut table, &progress));
         table.end(rows)
     })

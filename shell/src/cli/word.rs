@@ -11,8 +11,8 @@ use num_rational::BigRational;
 use serde_json::{Value as Json, json};
 
 use super::{
-    Outcome,
-    classify::{describe, forward},
+    Outcome, cite,
+    classify::{coordinates, describe, forward},
     range::Span,
     reported, returns,
 };
@@ -21,7 +21,9 @@ use crate::{
     error::{Error, Result},
     local::{Forward, Ladder, Point},
     number::{certain_digits, parse_integer, parse_rational},
-    output::{Column, Destination, FileRegistry, Print, TableCell, TableFormat, TableWriter, say},
+    output::{
+        Caption, Column, Destination, FileRegistry, Print, Setting, TableCell, TableFormat, TableWriter, say,
+    },
     printable::Printable,
     search::{Certified, WordCertificate, WordPlace, certify_word},
     word::{ClosedWalks, Edge, Entropy, Extent, Letter, Rectangle, Relation, Word},
@@ -112,8 +114,10 @@ pub(super) enum Format {
     Dot,
     /// A row for each period of each word, or of --returns for each piece of the line, as CSV.
     Csv,
-    /// The same as a LaTeX longtable with booktabs rules.
+    /// The same as a LaTeX longtable with booktabs rules, which cites the certificate that is written.
     Latex,
+    /// The same with the numbers in siunitx's \num.
+    LatexSiunitx,
 }
 
 /// One sign of γ of a word.
@@ -179,12 +183,18 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
         _ => None,
     };
     let heading = &given.heading;
+    let text_of = match &certified {
+        Some(Certified::Text(text)) => text,
+        _ => "",
+    };
+    let caption = caption(&given, written_to.map(|path| cite::written(path, text_of)));
     let written = destination.write(|out| match args.format {
         Format::Text => Ok(out.write_all(text(heading, &sides, written_to).as_bytes())?),
         Format::Json => json_report(&given, &sides, written_to, out),
         Format::Dot => Ok(out.write_all(dot(&sides).as_bytes())?),
-        Format::Csv => table(&sides, TableFormat::Csv, out),
-        Format::Latex => table(&sides, TableFormat::Latex, out),
+        Format::Csv => table(&sides, TableFormat::Csv, &caption, out),
+        Format::Latex => table(&sides, TableFormat::Latex, &caption, out),
+        Format::LatexSiunitx => table(&sides, TableFormat::LatexSiunitx, &caption, out),
     });
     let open = sides.iter().any(|side| {
         !matches!(side.word.extent(), Extent::All | Extent::Complete { .. })
@@ -201,6 +211,7 @@ fn return_times(args: &Args, destination: &Destination, interrupt: &Interrupt) -
         Format::Json => TableFormat::Json,
         Format::Csv => TableFormat::Csv,
         Format::Latex => TableFormat::Latex,
+        Format::LatexSiunitx => TableFormat::LatexSiunitx,
         Format::Dot => return Err(Error::input("--format dot draws pattern graphs: leave out --returns")),
     };
     if [&args.a1, &args.a2].into_iter().flatten().any(Span::is_interval) {
@@ -208,21 +219,36 @@ fn return_times(args: &Args, destination: &Destination, interrupt: &Interrupt) -
     }
     let single = |span: &Option<Span>| span.as_ref().map(|span| span.0[0].clone());
     let plane = single(&args.a1).zip(single(&args.a2));
-    let forward = forward(plane.as_ref().map(|(x, y)| (x, y)), args.r.as_ref().zip(args.s.as_ref()))?;
-    returns::run(&forward, args.letters, format, destination, interrupt)
+    let (plane, polar) = (plane.as_ref().map(|(x, y)| (x, y)), args.r.as_ref().zip(args.s.as_ref()));
+    let (forward, at) = (forward(plane, polar)?, coordinates(plane, polar));
+    returns::run(&forward, &at, args.letters, format, destination, interrupt)
+}
+
+/// What the table of the words shows; `certificate` is the one that proves it.
+fn caption(given: &Given, certificate: Option<String>) -> Caption {
+    let cited = certificate.map_or(String::new(), |name| format!(" Proved by the certificate {name}."));
+    Caption {
+        text: format!(
+            "The periods $n$ that can occur between impacts at {}, in the order of the Stern--Brocot path: the \
+             fraction $m/n$ of each, its letter, and the periods that may follow it.{cited}",
+            given.at
+        ),
+        label: "tab:word".into(),
+    }
 }
 
 /// A row for each period of each word: its letter, and what may follow it for either sign of γ.
-fn table(sides: &[Side], format: TableFormat, out: &mut dyn Write) -> Result<()> {
+fn table(sides: &[Side], format: TableFormat, caption: &Caption, out: &mut dyn Write) -> Result<()> {
     let columns = vec![
-        Column::new("sign_emu", "$\\operatorname{sign} e\\mu$", 0),
+        Column::new("sign_emu", "for", 0),
         Column::new("n", "$n$", 0),
         Column::new("place", "$m/n$", 0),
         Column::new("letter", "letter", 0).print(Print::Left),
         Column::new("after_plus", "may follow, $\\gamma > 0$", 0).print(Print::Lines(28)),
         Column::new("after_minus", "may follow, $\\gamma < 0$", 0).print(Print::Lines(28)),
     ];
-    let mut table = TableWriter::new(out, format, "grazing-word 1", columns)?;
+    let setting = Setting { caption: Some(caption), ..Setting::default() };
+    let mut table = TableWriter::set(out, format, "grazing-word 1", columns, setting)?;
     for side in sides {
         for vertex in side.word.vertices() {
             let after = |case: &Case| {
@@ -233,10 +259,10 @@ fn table(sides: &[Side], format: TableFormat, out: &mut dyn Write) -> Result<()>
             };
             let after: Vec<String> = side.cases.iter().map(after).collect();
             let place = vertex.fraction();
-            let sign = match (format, side.word.is_positive()) {
-                (TableFormat::Latex, true) => TableCell::Maths("+"),
-                (TableFormat::Latex, false) => TableCell::Maths("-"),
-                (_, positive) => TableCell::Int(if positive { 1 } else { -1 }),
+            let sign = match (format.is_print(), side.word.is_positive()) {
+                (true, true) => TableCell::Maths("e\\mu > 0"),
+                (true, false) => TableCell::Maths("e\\mu < 0"),
+                (false, positive) => TableCell::Int(if positive { 1 } else { -1 }),
             };
             table.row(&[
                 sign,
@@ -262,6 +288,8 @@ struct Given {
     /// Whether time was reversed to get there.
     reversed: bool,
     heading: String,
+    /// The place in LaTeX.
+    at: String,
     /// The bounds of a box.
     bounds: Option<[[String; 2]; 2]>,
 }
@@ -279,15 +307,18 @@ impl Given {
                 bounds[0][0], bounds[0][1], bounds[1][0], bounds[1][1]
             );
             let place = At::Box(Box::new(rectangle));
-            return Ok(Given { place, reversed: false, heading, bounds: Some(bounds) });
+            let span = |i: usize| format!("${} \\le a_{} \\le {}$", bounds[i][0], i + 1, bounds[i][1]);
+            let at = format!("all points with {}, {}", span(0), span(1));
+            return Ok(Given { place, reversed: false, heading, at, bounds: Some(bounds) });
         }
         let point = |span: &Option<Span>| span.as_ref().map(|span| span.0[0].clone());
         let (a1, a2) = (point(&args.a1), point(&args.a2));
-        let Forward { point, region, reversed } =
-            forward(a1.as_ref().zip(a2.as_ref()), args.r.as_ref().zip(args.s.as_ref()))?;
+        let (plane, polar) = (a1.as_ref().zip(a2.as_ref()), args.r.as_ref().zip(args.s.as_ref()));
+        let Forward { point, region, reversed } = forward(plane, polar)?;
+        let at = coordinates(plane, polar);
         let time = if reversed { ", after reversing time (a2 > 1): patterns are read backwards" } else { "" };
         let heading = format!("{}{time}", describe(region));
-        Ok(Given { place: At::Point(Box::new(point)), reversed, heading, bounds: None })
+        Ok(Given { place: At::Point(Box::new(point)), reversed, heading, at, bounds: None })
     }
 }
 

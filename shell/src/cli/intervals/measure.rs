@@ -2,11 +2,14 @@
 
 use super::{Format, Periods};
 use crate::{
-    cli::progress::{Interrupt, Progress},
+    cli::{
+        cite,
+        progress::{Interrupt, Progress},
+    },
     error::{Error, Result},
     existence::{MAX_DECIMALS, MAX_EXACT, MAX_PERIOD, PeriodMeasure, measure, measures},
     monitor::Monitor,
-    output::{Column, Destination, Print, TableCell, TableWriter},
+    output::{Column, Destination, Print, Setting, TableCell, TableWriter},
 };
 
 /// The largest period with a fraction, where there are several.
@@ -15,6 +18,11 @@ const EXACT: u64 = 10_000;
 const PRINTED: u64 = 40;
 /// Decimals unless others are asked for.
 const DECIMALS: usize = 15;
+
+/// What the table shows, in LaTeX.
+const CAPTION: &str = "The total length $L_n$ of the intervals of $s$ in $(0, \\frac12)$ on $r = 1$ where there is an \
+orbit with one impact in $n$ periods, and the mean number of the periods $3, \\dots, n$ that exist at one $s$. Decimals \
+are rounded; every digit is certain.";
 
 /// Writes a row for each period.
 pub(super) fn run(
@@ -50,7 +58,9 @@ pub(super) fn run(
     ];
     let progress = Progress::new(interrupt, last - first + 1, "periods");
     destination.list(|out| {
-        let mut table = TableWriter::new(out, format, "grazing-measure 1", columns)?;
+        let caption = cite::plain("measure", CAPTION, periods);
+        let setting = Setting { caption: Some(&caption), ..Setting::default() };
+        let mut table = TableWriter::set(out, format, "grazing-measure 1", columns, setting)?;
         let rows = measures(last, &progress, |PeriodMeasure { n, length, mean, .. }| {
             if n < first {
                 return Ok(());
@@ -58,11 +68,12 @@ pub(super) fn run(
             let digits = decimals as u32;
             let fraction = if n <= exact { Some(measure(n)?) } else { None };
             let fraction = fraction.map(|x| format!("{}/{}", x.numer(), x.denom()));
+            let cell = if format.is_print() { TableCell::Maths } else { TableCell::Text };
             table.row(&[
                 TableCell::Int(n as i64),
                 TableCell::Text(&length.decimals(digits)),
                 TableCell::Text(&mean.decimals(digits)),
-                fraction.as_deref().map_or(TableCell::Empty, TableCell::Text),
+                fraction.as_deref().map_or(TableCell::Empty, cell),
             ])?;
             progress.advance(1)
         });

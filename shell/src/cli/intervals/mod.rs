@@ -95,6 +95,8 @@ pub(super) enum Format {
     Json,
     /// A LaTeX longtable with booktabs rules.
     Latex,
+    /// The same with the numbers in siunitx's \num.
+    LatexSiunitx,
     /// A Markdown table.
     Markdown,
     /// The number of intervals of each n, as an OEIS b-file.
@@ -109,6 +111,7 @@ impl Format {
             Format::Csv => TableFormat::Csv,
             Format::Json => TableFormat::Json,
             Format::Latex => TableFormat::Latex,
+            Format::LatexSiunitx => TableFormat::LatexSiunitx,
             Format::Markdown => TableFormat::Markdown,
             Format::Bfile => return None,
         })
@@ -142,7 +145,7 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
         let (format, decimals) = (checked(args)?, args.decimals);
         let destination = files.destination(args.output.as_deref())?;
         let pattern = || Ok(word::two_impacts(i, j)?.into_iter());
-        two_impacts::run(i + j, pattern, format, decimals, &destination, interrupt)?;
+        two_impacts::run((i, j), pattern, format, decimals, &destination, interrupt)?;
         return Ok(Outcome::Done);
     }
     let mut list = list(args)?;
@@ -155,17 +158,16 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
     }
     cite::named(&args.cite, files)?;
     let destination = files.destination(args.output.as_deref())?;
-    if !args.cite.is_empty() && list.format != Some(TableFormat::Latex) {
+    if !args.cite.is_empty() && !list.is_print() {
         return Err(Error::input("--cite does nothing here: only --format latex has a caption"));
     }
-    let about = ("intervals", CAPTION, BASES.as_slice());
+    let (name, text) = list.about();
     let periods = Periods(list.periods.clone());
-    let caption = match cite::caption(&args.cite, about, &periods, interrupt)? {
+    let caption = match cite::caption(&args.cite, (name, text, BASES.as_slice()), &periods, interrupt)? {
         Ok(caption) => caption,
         Err(outcome) => return Ok(outcome),
     };
-    let caption = caption.or_else(|| list.is_print().then(|| list.plain_caption()));
-    list.caption = caption.as_ref();
+    list.caption = Some(&caption);
     let progress = Progress::new(interrupt, periods.count(), "periods");
     destination.list(|out| list.whole(out, &progress))?;
     Ok(Outcome::Done)
@@ -175,8 +177,9 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
 pub(super) fn merge(args: &Args, set: &ShardSet, merged: &Merged, interrupt: &Interrupt) -> Result<Outcome> {
     let mut list = list(args)?;
     set.expect(&list.task())?;
-    let caption = list.is_print().then(|| list.plain_caption());
-    list.caption = caption.as_ref();
+    let (name, text) = list.about();
+    let caption = cite::plain(name, text, &Periods(list.periods.clone()));
+    list.caption = Some(&caption);
     let items = |shard| part_of(&list.periods, list.exponent(), shard);
     merged.table()?.list(|out| {
         list.write(out, |rows| {
@@ -229,15 +232,14 @@ impl List<'_> {
         if self.two_impacts { 2 } else { 1 }
     }
 
-    /// That of a table which cites nothing.
-    fn plain_caption(&self) -> Caption {
-        let (name, text) = if self.two_impacts { ("two-impacts", TWO) } else { ("intervals", CAPTION) };
-        Caption { text: text.to_string(), label: cite::label(name, &Periods(self.periods.clone())) }
+    /// The name of the table in labels, and what it shows, in LaTeX.
+    fn about(&self) -> (&'static str, &'static str) {
+        if self.two_impacts { ("two-impacts", two_impacts::CAPTION) } else { ("intervals", CAPTION) }
     }
 
     /// Whether it goes onto a page.
     fn is_print(&self) -> bool {
-        self.format == Some(TableFormat::Latex)
+        self.format.is_some_and(TableFormat::is_print)
     }
 
     fn style(&self) -> Style {
@@ -312,9 +314,6 @@ fn count(n: u64, count: usize, rows: &mut dyn RowSink) -> Result<()> {
 
 const CAPTION: &str = "The open intervals of $s$ on $r = 1$ where there is an orbit with one impact in $n$ \
 periods, the case $(e\\mu, \\gamma)$ in which it exists, and the $b_{n,k}$ that alone decides about it for $r < 1$.";
-
-const TWO: &str = "The open intervals of $s$ on $r = 1$ where there is an orbit with two impacts, $i$ and $j$ periods \
-apart, and the case $(e\\mu, \\gamma)$ in which it exists.";
 
 /// What a table of intervals can rest on.
 const BASES: [Basis; 2] = [

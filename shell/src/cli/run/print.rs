@@ -1,10 +1,10 @@
 //! Reports in LaTeX: orbits, events and chaos as blocks of two columns, name and value, which fit any page.
 //! A certificate is cited by its SHA-256.
 
-use std::io::Write;
+use std::{io::Write, path::Path};
 
 use crate::{
-    certificate::Sha256,
+    cli::cite,
     error::Result,
     output::{latex, latex_numbers},
     run::{Findings, Tabular, TaskReport},
@@ -128,9 +128,8 @@ fn label(task: &str) -> String {
 
 /// The certificate's file and the SHA-256 of its text, which a line may break.
 fn cited(file: &str, certificates: &[(String, String)]) -> String {
-    let named = format!("\\texttt{{{}}}", latex(file));
-    let Some((_, text)) = certificates.iter().find(|(known, _)| known == file) else { return named };
-    let mut hash = Sha256::default();
-    hash.update(text.as_bytes());
-    format!("{named}, SHA-256 {}", crate::cli::cite::digest(&hash.finish()))
+    match certificates.iter().find(|(known, _)| known == file) {
+        Some((_, text)) => cite::written(Path::new(file), text),
+        None => format!("\\texttt{{{}}}", latex(file)),
+    }
 }
