@@ -4,7 +4,8 @@ use std::{collections::BTreeSet, path::Path};
 
 use crate::process::{onto_full_disk, run, unread};
 use grazing::{
-    local::{Ladder, Point, Polar},
+    existence::by_definition,
+    local::{Ladder, Plane, Point, Polar},
     pattern::Patterns,
     word::{Edge, Relation, Word},
 };
@@ -109,6 +110,33 @@ fn words_are_those_that_occur() {
         let beginnings: BTreeSet<&str> = all.iter().filter_map(|word| word.get(..n as usize)).collect();
         beginnings.len().into()
     });
+}
+
+/// The areas that go on below every tip, counted as the runs of points with an orbit along a line a₂ = 0.7,
+/// by the definition: all signs of b_{n,k} at each point. Runs are short in region 4, where they begin at a₁
+/// = −(a₂ + 1), and next to region 2, so the points crowd there. The other areas, of which the intervals
+/// give the number, have a tip.
+#[test]
+fn areas_without_a_tip_are_met_by_a_line_below_all_tips() {
+    const LAST: u64 = 32;
+    let number = |p: i64, q: i64| BigRational::new(p.into(), q.into());
+    let near = (2..50).rev().map(|j| number(1, 1 << j));
+    let far = (26..325).map(|i| number(i, 100)).chain((3250..3400).map(|i| number(i, 1000)));
+    let ladder = Ladder::default();
+    let mut runs = vec![0u64; LAST as usize + 1];
+    let mut inside = vec![false; LAST as usize + 1];
+    for offset in near.chain(far) {
+        let point = Point::Plane(Plane::new(number(-17, 10) + offset, number(7, 10)).unwrap());
+        for n in 3..=LAST {
+            let at = n as usize;
+            let here = by_definition(&ladder, &point, n).cases(n).iter().any(|case| case.sign_emu() > 0);
+            runs[at] += u64::from(here && !inside[at]);
+            inside[at] = here;
+        }
+    }
+    let areas = listed("intervals", LAST);
+    // All but the first interval, 0 < s < 1/(2n), which has no deciding k.
+    is("tips", LAST, |n| &areas[n as usize - 3].1 - 1 - BigInt::from(runs[n as usize]));
 }
 
 #[test]

@@ -143,11 +143,16 @@ fn words(letters: usize) -> usize {
 
 /// The areas of a period whose lowest point lies above r = 0.
 fn tips(n: u64) -> Result<usize> {
+    // As many as tell 1 − r, which is of the order n⁻³.
+    let digits = 8 + 3 * n.to_string().len() as u32;
     let mut count = 0;
     for interval in intervals(n)?.filter(|interval| interval.deciding.is_some()) {
-        // Two digits tell the kind.
-        let lowest = Boundary::new(interval).lowest(2);
-        count += usize::from(matches!(lowest, Some(Lowest::Tip(_))));
+        match Boundary::new(interval).lowest(digits) {
+            Some(lowest) => count += usize::from(matches!(lowest, Lowest::Tip(_))),
+            None => {
+                return Err(Error::input(format!("n = {n}: {digits} digits do not tell where an area ends")));
+            }
+        }
     }
     Ok(count)
 }
