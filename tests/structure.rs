@@ -176,6 +176,25 @@ fn files_of_a_chapter_import_from_earlier_ones() {
     }
 }
 
+/// A kind of task is found by its word.
+#[test]
+fn files_of_tasks_bear_the_names_of_their_kinds() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let (_, table) = include_str!("../src/scene/task.rs").split_once("\nkinds! {").unwrap();
+    let (table, _) = table.split_once('}').unwrap();
+    let kinds: Vec<(&str, &str)> = table
+        .lines()
+        .filter_map(|line| line.trim().trim_end_matches(',').split_once(' '))
+        .map(|(word, name)| (word.trim_matches('"'), name))
+        .collect();
+    assert!(kinds.len() >= 12, "{kinds:?}");
+    for (word, name) in kinds {
+        let file = root.join("src/run").join(word).with_extension("rs");
+        let text = fs::read_to_string(&file).unwrap_or_else(|_| panic!("{} is absent", file.display()));
+        assert!(text.contains(name), "{} does not answer {name}", file.display());
+    }
+}
+
 /// The clock is asked in one place, which stands still where there is none: in a browser `Instant::now` and
 /// `SystemTime::now` panic.
 #[test]
