@@ -66,7 +66,6 @@ impl Series {
         let (walls, stops, machine) = match &job.model {
             Model::Oscillator(system) => (Contact::of(system)?, Vec::new(), None),
             Model::Machine(machine) => (Vec::new(), machine.contacts()?, Some(machine.clone())),
-            _ => (Vec::new(), Vec::new(), None),
         };
         let rows = if machine.is_some() { usize::from(matches!(seen, Seen::Gap(_))) } else { walls.len() };
         Ok(Series {
