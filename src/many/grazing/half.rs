@@ -19,7 +19,7 @@ use crate::{
         orbit::{StopPattern, StopStrike},
     },
     motion::Series,
-    pattern::Report,
+    pattern::{HalfImpact, Report, halves},
 };
 
 /// The local map over half a period.
@@ -66,21 +66,12 @@ impl HalfPeriod {
         report: &Report,
         away: f64,
     ) -> Result<(StopPattern, Vec<f64>)> {
-        let m = periods.len();
         let once = self.map.start(at.phase, periods, report, away)?;
-        let rounds = if periods.iter().sum::<u64>() % 2 == 1 { 2 } else { 1 };
-        let (mut stops, mut begun, mut z, mut passed) = (Vec::new(), Vec::new(), Vec::new(), 0);
-        for i in (0..rounds).flat_map(|_| 0..m) {
-            let late = passed % 2 == 1;
-            // Whole periods before this half: the other half of one is in the phase.
-            begun.push((passed - u64::from(late)) / 2);
-            stops.push(if late { self.mirror } else { at.stop });
-            z.extend([once[2 * i] + if late { PI } else { 0.0 }, once[2 * i + 1]]);
-            passed += periods[i];
+        let (mut strikes, mut z) = (Vec::new(), Vec::new());
+        for HalfImpact { impact, late, periods } in halves(periods, 1) {
+            strikes.push(StopStrike { stop: if late { self.mirror } else { at.stop }, periods });
+            z.extend([once[2 * impact] + if late { PI } else { 0.0 }, once[2 * impact + 1]]);
         }
-        begun.push(passed / 2);
-        let strike = |(stop, pair): (usize, &[u64])| StopStrike { stop, periods: (pair[1] - pair[0]) as u32 };
-        let strikes = stops.into_iter().zip(begun.windows(2)).map(strike).collect();
         Ok((StopPattern::new(strikes)?, z))
     }
 }

@@ -174,23 +174,16 @@ impl MachineLocalMap {
     /// # Errors
     /// An input error if the report has no solution.
     pub fn start(&self, phase: f64, periods: &[u64], report: &Report, away: f64) -> Result<Vec<f64>> {
-        let solution =
-            report.orbit.as_ref().ok_or_else(|| Error::input("the pattern is singular: no start"))?;
-        let (n, m, eta) = (self.b.len() / 2, periods.len(), self.e * away);
-        let middle = |value: &crate::pattern::Value| {
-            let interval = value.enclosure();
-            interval.lo() + (interval.hi() - interval.lo()) / 2.0
-        };
+        let (n, eta) = (self.b.len() / 2, self.e * away);
         let row = self.c.rows(0, n);
-        let mut z = Vec::with_capacity(2 * m);
-        for i in 0..m {
-            let before = (i + m - 1) % m;
-            let x = RealVector::from_iterator(2 * n, solution.x[before].iter().map(middle));
+        let mut z = Vec::with_capacity(2 * periods.len());
+        for before in report.impacts(periods)? {
+            let x = RealVector::from_vec(before.x);
             let mut arriving = self.flow.as_ref().map_or_else(|| x.clone(), |flow| flow.outward(&x));
-            for _ in 0..periods[before] {
+            for _ in 0..before.periods {
                 arriving = &self.a * arriving;
             }
-            let speed = self.speed_scale() * eta * middle(&solution.y[before]);
+            let speed = self.speed_scale() * eta * before.y;
             let rate = eta * row.dot(&arriving.rows(n, n)) + self.rate_drift * away;
             z.extend([phase - (rate + speed) / self.acceleration, speed]);
         }

@@ -12,10 +12,10 @@ use std::f64::consts::PI;
 use super::{Grazing, LocalMap};
 use crate::{
     continuation::Multipliers,
-    error::{Error, Result},
+    error::Result,
     motion::{Flow, Side, System, Wall, algebra::apply},
     one::orbit::{Itinerary, Oscillator, Strike},
-    pattern::{Report, Value},
+    pattern::{HalfImpact, Report, halves},
 };
 
 /// Whether S takes the system to itself: the force does, as far as its form tells, and the walls mirror each
@@ -74,35 +74,20 @@ impl Grazing {
         report: &Report,
         parameter: f64,
     ) -> Result<(Itinerary, Vec<f64>)> {
-        let solution =
-            report.orbit.as_ref().ok_or_else(|| Error::input("the pattern is singular: no start"))?;
-        let away = parameter - self.parameter;
-        let (eta, m) = (map.e() * away, pattern.len());
-        let middle = |value: &Value| {
-            let interval = value.enclosure();
-            interval.lo() + (interval.hi() - interval.lo()) / 2.0
-        };
-        let halves: u64 = pattern.iter().sum();
-        let rounds = if halves % 2 == 1 { 2 } else { 1 };
+        let (impacts, away) = (report.impacts(pattern)?, parameter - self.parameter);
+        let eta = map.e() * away;
         let other = if self.side() == Side::Lower { Side::Upper } else { Side::Lower };
-        let width = u64::from(self.itinerary.periods());
-        let (mut strikes, mut z, mut begun, mut at) = (Vec::new(), Vec::new(), Vec::new(), 0);
-        for i in (0..rounds).flat_map(|_| 0..m) {
-            let before = (i + m - 1) % m;
-            let x = [middle(&solution.x[before][0]), middle(&solution.x[before][1])];
-            let arriving = (0..pattern[before]).fold(x, |x, _| apply(&map.a, x));
-            let speed = map.speed_scale() * eta * middle(&solution.y[before]);
+        let (mut strikes, mut z) = (Vec::new(), Vec::new());
+        for HalfImpact { impact, late, periods } in halves(pattern, self.itinerary.periods().into()) {
+            let before = &impacts[impact];
+            let start = [before.x[0], before.x[1]];
+            let arriving = (0..before.periods).fold(start, |x, _| apply(&map.a, x));
+            let speed = map.speed_scale() * eta * before.y;
             let slope = eta * arriving[1] + map.drift[1] * away;
-            let late = at % 2 == 1;
-            // Whole periods before this half: the other half of one is in the phase.
-            begun.push((at * width - u64::from(late)) / 2);
-            strikes.push(if late { other } else { self.side() });
+            strikes.push(Strike { side: if late { other } else { self.side() }, periods });
             let phase = self.z[0] + if late { PI } else { 0.0 };
             z.extend([phase - (slope + speed) / map.acceleration, speed]);
-            at += pattern[i];
         }
-        begun.push(at * width / 2);
-        let strike = |(side, pair): (Side, &[u64])| Strike { side, periods: (pair[1] - pair[0]) as u32 };
-        Ok((Itinerary::new(strikes.into_iter().zip(begun.windows(2)).map(strike).collect())?, z))
+        Ok((Itinerary::new(strikes)?, z))
     }
 }

@@ -2,7 +2,7 @@
 
 use super::Grazing;
 use crate::{
-    error::{Error, Result},
+    error::Result,
     motion::{Flow, State, algebra::apply},
     one::orbit::{Family, Itinerary, Leg, OrbitImpact, Strike, Unknowns},
     pattern::Report,
@@ -24,8 +24,7 @@ impl Grazing {
         report: &Report,
         parameter: f64,
     ) -> Result<(Itinerary, Vec<f64>)> {
-        let solution =
-            report.orbit.as_ref().ok_or_else(|| Error::input("the pattern is singular: no start"))?;
+        let impacts = report.impacts(periods)?;
         let oscillator = family.at(self.parameter)?;
         let away = parameter - self.parameter;
         let (map, eta) = (&self.map, self.map.e() * away);
@@ -34,18 +33,14 @@ impl Grazing {
         let sign = graze.wall.side.sign();
         let (mut all, mut z) = (Vec::<Strike>::new(), Vec::new());
         for (i, &n) in periods.iter().enumerate() {
-            let before = (i + m - 1) % m;
-            let middle = |value: &crate::pattern::Value| {
-                let interval = value.enclosure();
-                interval.lo() + (interval.hi() - interval.lo()) / 2.0
-            };
-            let vector = |i: usize| [middle(&solution.x[i][0]), middle(&solution.x[i][1])];
-            let arriving = (0..periods[before]).fold(vector(before), |x, _| apply(&map.a, x));
-            let speed = map.speed_scale() * eta * middle(&solution.y[before]);
+            let (before, after) = (&impacts[i], &impacts[(i + 1) % m].x);
+            let start = [before.x[0], before.x[1]];
+            let arriving = (0..before.periods).fold(start, |x, _| apply(&map.a, x));
+            let speed = map.speed_scale() * eta * before.y;
             let slope = eta * arriving[1] + map.drift[1] * away;
             all.push(strikes[0]);
             z.extend([self.z[0] - (slope + speed) / map.acceleration, speed]);
-            let mut x = vector(i);
+            let mut x = [after[0], after[1]];
             for round in 0..n {
                 if round > 0
                     && let Some(last) = all.last_mut()

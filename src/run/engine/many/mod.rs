@@ -419,10 +419,7 @@ impl GrazingPoint for MachineGrazingPoint<'_> {
     }
 
     fn leading(&self, _: &[u64], verdict: &Verdict) -> Option<f64> {
-        verdict.orbit.as_ref().and_then(|orbit| orbit.leading.as_ref()).map(|leading| {
-            let enclosed = leading.enclosure();
-            enclosed.lo() + (enclosed.hi() - enclosed.lo()) / 2.0
-        })
+        Some(verdict.orbit.as_ref()?.leading.as_ref()?.middle())
     }
 
     fn size(&self) -> Result<f64> {
