@@ -1,27 +1,26 @@
 //! Tasks of kind `basins`: which starts lead to which attractor.
 
-use std::{f64::consts::TAU, ops::Range, path::Path};
+use std::{ops::Range, path::Path};
 
 use serde::Serialize;
 
 use super::{
-    Finding, Job, Lines, Model, Status,
+    Finding, Job, Lines, Status,
+    engine::{Engine, StartPlane, by_engine},
     parts::{foreign, record},
-    row,
-    section::gap_size,
-    small_motion,
+    row, small_motion,
 };
 use crate::{
     attractor::{
         basins::{BasinCell, BasinGrid, Basins, basin_rows},
         detection::Detection,
-        dynamics::{Dynamics, SectionState},
+        dynamics::SectionState,
         observe::Attraction,
     },
     error::Result,
-    motion::{RunEnd, State},
+    motion::RunEnd,
     output::Journal,
-    scene::{BasinsTask, StartAxis, phase},
+    scene::{BasinsTask, phase},
 };
 
 row! {
@@ -99,178 +98,79 @@ impl Finding for BasinsFindings {
 /// # Errors
 /// Those of the simulator; an unusable checkpoint; an interruption.
 pub fn basins(task: &BasinsTask, job: &Job) -> Result<BasinsFindings> {
-    let file = job.checkpoint();
-    over(task, job, Whole { rows: 0..task.u.count as usize, file: file.as_deref() })
+    by_engine!(job, engine => {
+        let (setup, file) = (Setup::new(task, job, &engine)?, job.checkpoint());
+        let rows = setup.find(0..task.u.count as usize, file.as_deref())?;
+        Ok(gather(Basins::joined(rows), setup))
+    })
 }
 
 /// Some rows of the grid, each as a line of JSON, resuming from the checkpoint `file`.
 pub(super) fn rows(task: &BasinsTask, job: &Job, rows: Range<u64>, file: &Path) -> Result<Vec<String>> {
-    over(task, job, Part { rows: rows.start as usize..rows.end as usize, file: Some(file) })
+    let rows = rows.start as usize..rows.end as usize;
+    by_engine!(job, engine => Setup::new(task, job, &engine)?.find(rows, Some(file))?.iter().map(record).collect())
 }
 
 /// The findings from all rows, as [`rows`] writes them.
 pub(super) fn joined(task: &BasinsTask, job: &Job, rows: &[String]) -> Result<BasinsFindings> {
-    over(task, job, Joined(rows))
+    by_engine!(job, engine => {
+        let setup = Setup::new(task, job, &engine)?;
+        let rows = rows.iter().enumerate().map(|row| setup.read(row)).collect::<Result<Vec<_>>>()?;
+        Ok(gather(Basins::joined(rows), setup))
+    })
 }
 
-/// What is looked for, whatever the system is.
-struct Search<'a> {
+/// The task for systems of one engine.
+struct Setup<'a, D: Attraction> {
     job: &'a Job<'a>,
     grid: BasinGrid,
     detection: Detection,
-    identity: String,
+    starts: StartPlane<D>,
     resume: bool,
 }
 
-/// The task for systems of one kind.
-struct Setup<'a, D: Attraction> {
-    search: Search<'a>,
-    dynamics: &'a D,
-    /// The start with two numbers in the plane.
-    place: &'a (dyn Fn([f64; 2]) -> D::Start + Sync),
-    /// If the scene names it.
-    plane: Option<[String; 2]>,
-    minimum_depth: f64,
-    size: f64,
-}
-
-/// What to do with a task, whatever it is about.
-trait Work {
-    type Out;
-    fn of<D: Attraction>(self, setup: Setup<D>) -> Result<Self::Out>;
-}
-
-struct Whole<'a> {
-    rows: Range<usize>,
-    file: Option<&'a Path>,
-}
-
-struct Part<'a> {
-    rows: Range<usize>,
-    file: Option<&'a Path>,
-}
-
-struct Joined<'a>(&'a [String]);
-
-impl Work for Whole<'_> {
-    type Out = BasinsFindings;
-
-    fn of<D: Attraction>(self, setup: Setup<D>) -> Result<BasinsFindings> {
-        let rows = setup.find(self.rows, self.file)?;
-        Ok(gather(Basins::joined(rows), setup))
-    }
-}
-
-impl Work for Part<'_> {
-    type Out = Vec<String>;
-
-    fn of<D: Attraction>(self, setup: Setup<D>) -> Result<Vec<String>> {
-        setup.find(self.rows, self.file)?.iter().map(record).collect()
-    }
-}
-
-impl Work for Joined<'_> {
-    type Out = BasinsFindings;
-
-    fn of<D: Attraction>(self, setup: Setup<D>) -> Result<BasinsFindings> {
-        let read = |(number, text): (usize, &String)| {
-            let row: Basins<D::Point> =
-                serde_json::from_str(text).map_err(|error| foreign(number, &error))?;
-            match row.can_be_row(&setup.search.grid, &setup.search.detection) {
-                true => Ok(row),
-                false => Err(foreign(number, &"no run comes to it")),
-            }
+impl<'a, D: Attraction> Setup<'a, D> {
+    fn new(task: &BasinsTask, job: &'a Job, engine: &impl Engine<Dynamics = D>) -> Result<Self> {
+        let grid = BasinGrid {
+            q: job.scene.ends(&task.q)?,
+            u: job.scene.ends(&task.u)?,
+            columns: task.q.count as usize,
+            rows: task.u.count as usize,
         };
-        let rows = self.0.iter().enumerate().map(read).collect::<Result<Vec<_>>>()?;
-        Ok(gather(Basins::joined(rows), setup))
+        let detection = Detection {
+            phase: phase(&task.phase),
+            transient: task.transient,
+            longest: task.longest as usize,
+            ..Detection::default()
+        };
+        let starts = engine.start_plane(task, &grid, detection.phase)?;
+        Ok(Setup { job, grid, detection, starts, resume: task.resume })
     }
-}
 
-impl<D: Attraction> Setup<'_, D> {
     fn find(&self, rows: Range<usize>, file: Option<&Path>) -> Result<Vec<Basins<D::Point>>> {
-        let Search { job, grid, detection, identity, resume } = &self.search;
+        let Setup { job, grid, detection, starts, resume } = self;
         if let Some(file) = file.filter(|_| !resume) {
             Journal::discard(file)?;
         }
         job.monitor.begin(rows.len() as u64, "rows");
-        let keep = job.keep(file);
-        basin_rows((self.dynamics, self.place), grid, detection, rows, identity, keep, job.monitor)
+        let place = |at| (starts.place)(&starts.dynamics, at);
+        let (own, keep) = (&starts.identity, job.keep(file));
+        let identity = format!("{}{}{own}", job.identity()?, if own.is_empty() { "" } else { " " });
+        basin_rows((&starts.dynamics, &place), grid, detection, rows, &identity, keep, job.monitor)
     }
-}
 
-fn over<W: Work>(task: &BasinsTask, job: &Job, work: W) -> Result<W::Out> {
-    let grid = BasinGrid {
-        q: job.scene.ends(&task.q)?,
-        u: job.scene.ends(&task.u)?,
-        columns: task.q.count as usize,
-        rows: task.u.count as usize,
-    };
-    let detection = Detection {
-        phase: phase(&task.phase),
-        transient: task.transient,
-        longest: task.longest as usize,
-        ..Detection::default()
-    };
-    let mut search = Search { job, grid, detection, identity: job.identity()?, resume: task.resume };
-    match &job.model {
-        Model::Oscillator(_) => {
-            let dynamics = &job.simulator()?;
-            let minimum_depth = dynamics.settings().minimum_depth;
-            let axes = job.scene.start_plane(&task.plane, "plane")?;
-            let at = State { t: search.detection.phase, q: 0.0, u: 0.0 };
-            let base = match &task.start {
-                Some(start) => State { t: at.t, ..job.scene.state(start)? },
-                None => at,
-            };
-            let place = &move |numbers: [f64; 2]| {
-                let mut start = base;
-                for (axis, x) in axes.into_iter().zip(numbers) {
-                    match axis {
-                        StartAxis::Place => start.q = x,
-                        StartAxis::Speed => start.u = x,
-                        StartAxis::Phase => start.t = TAU * (x - x.floor()),
-                    }
-                }
-                start
-            };
-            // How large the motions are, as far as the grid tells.
-            let extent =
-                |(axis, [low, high]): (StartAxis, [f64; 2])| (axis == StartAxis::Place).then_some(high - low);
-            let size = axes
-                .into_iter()
-                .zip([search.grid.q, search.grid.u])
-                .find_map(extent)
-                .unwrap_or(f64::INFINITY);
-            let plane = match &task.plane[..] {
-                [first, second] => Some([first.clone(), second.clone()]),
-                _ => None,
-            };
-            if let Some(names) = &plane {
-                let own = serde_json::to_string(&(names, base)).map_err(std::io::Error::other)?;
-                search.identity = format!("{} {own}", search.identity);
-            }
-            work.of(Setup { search, dynamics, place, plane, minimum_depth, size })
-        }
-        Model::Machine(machine) => {
-            let rest = job.scene.rest(&task.start, machine)?;
-            let axes = job.scene.plane(&task.plane, machine, "plane")?;
-            let planar = job.planar(machine, &[], &task.plane)?;
-            let dynamics = &planar.starting(machine, &axes, [&rest[0], &rest[1]])?;
-            let names = job.scene.plane_names(&task.plane);
-            let own = serde_json::to_string(&(&names, &rest, dynamics.simulator().settings()));
-            search.identity = format!("{} {}", search.identity, own.map_err(std::io::Error::other)?);
-            let minimum_depth = dynamics.simulator().settings().minimum_depth;
-            let (plane, size) = (Some(names), gap_size(dynamics.simulator()));
-            let start = search.detection.phase;
-            let place = &|at| dynamics.in_plane(at, start);
-            work.of(Setup { search, dynamics, place, plane, minimum_depth, size })
+    fn read(&self, (number, text): (usize, &String)) -> Result<Basins<D::Point>> {
+        let row: Basins<D::Point> = serde_json::from_str(text).map_err(|error| foreign(number, &error))?;
+        match row.can_be_row(&self.grid, &self.detection) {
+            true => Ok(row),
+            false => Err(foreign(number, &"no run comes to it")),
         }
     }
 }
 
 fn gather<D: Attraction>(
     Basins { attractors, cells }: Basins<D::Point>,
-    Setup { search, plane, minimum_depth, size, .. }: Setup<D>,
+    Setup { grid, starts, .. }: Setup<D>,
 ) -> BasinsFindings {
     let none = BasinRow { end: "", period: None, impacts: None, q: None, u: None, starts: 0 };
     let word = |end| BasinRow { end, ..none.clone() };
@@ -312,5 +212,6 @@ fn gather<D: Attraction>(
         basins.push(basin);
     }
     let cells = classes.into_iter().map(|class| index[class]).collect();
-    BasinsFindings { basins, grid: search.grid, plane, cells, minimum_depth, size }
+    let StartPlane { plane, minimum_depth, size, .. } = starts;
+    BasinsFindings { basins, grid, plane, cells, minimum_depth, size }
 }

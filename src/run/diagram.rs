@@ -6,7 +6,8 @@ use num_rational::BigRational;
 use serde::Serialize;
 
 use super::{
-    Finding, Job, Lines, Model, Status,
+    Finding, Job, Lines, Status,
+    engine::{Engine, by_engine},
     parts::{foreign, record},
     row,
 };
@@ -168,22 +169,13 @@ pub(super) fn joined(task: &DiagramTask, job: &Job, slices: &[String]) -> Result
 }
 
 fn slices(task: &DiagramTask, job: &Job, values: Range<u64>, file: Option<&Path>) -> Result<Vec<Slice>> {
-    match &job.model {
-        Model::Oscillator(_) => {
-            let starts = task.starts.iter().map(|start| job.scene.state(start)).collect::<Result<_>>()?;
-            let simulator = |value| job.simulator_of(&job.scene.plain(&[(&task.parameter, value)])?);
-            follow(task, job, &plan(task, starts, values), file, "", simulator)
-        }
-        Model::Machine(machine) => {
-            let states = task.starts.iter().map(|start| job.scene.machine_state(start, machine, "starts"));
-            let states = states.collect::<Result<Vec<_>>>()?;
-            let starts = states.iter().map(|state| state.start(machine.rate())).collect();
-            let names = job.scene.plane_names(&task.plane).join(", ");
-            let planar =
-                |value| job.planar(&job.scene.machine(&[(&task.parameter, value)])?, &states, &task.plane);
-            follow(task, job, &plan(task, starts, values), file, &names, planar)
-        }
-    }
+    by_engine!(job, engine => {
+        let states = engine.states(&task.starts)?;
+        let names = engine.plane(&task.plane).map_or(String::new(), |names| names.join(", "));
+        let at = |value| engine.dynamics(&states, Some((&task.parameter, value)), &task.plane);
+        let plan = plan(task, engine.begun(&states), values);
+        follow(task, job, &plan, file, &names, at)
+    })
 }
 
 fn gather(task: &DiagramTask, job: &Job, slices: Vec<Slice>) -> DiagramFindings {
@@ -208,7 +200,7 @@ fn gather(task: &DiagramTask, job: &Job, slices: Vec<Slice>) -> DiagramFindings 
     }
     let open = |slice: &&Slice| slice.motions.iter().any(|motion| motion.undecided);
     let not_settled = slices.iter().filter(open).map(|slice| slice.value).collect();
-    let plane = matches!(job.model, Model::Machine(_)).then(|| job.scene.plane_names(&task.plane));
+    let plane = by_engine!(job, engine => engine.plane(&task.plane));
     DiagramFindings {
         plane,
         parameter: task.parameter.clone(),

@@ -6,28 +6,19 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use super::{
-    Finding, Job, Judgement, Lines, Model, Status,
-    engine::{JudgedOrbit, machine_orbits},
+    Finding, Job, Lines, Status,
+    engine::{Engine, by_engine},
     row, small_motion,
 };
 use crate::{
     attractor::{
         cycle::Cycle,
-        dynamics::{Dynamics, SectionState},
+        dynamics::SectionState,
         lyapunov::{Exponent, exponents},
         observe::{Attraction, Observation, ObservedMotion},
-        section::section as follow,
     },
-    error::{Error, Result},
-    many::{Machine, simulate::MachineSimulator},
-    motion::{Contact, RunEnd, State},
-    one::{
-        attractor::{
-            manifold::{ManifoldPlan, reversed, reversed_phase, unstable_manifold},
-            touching,
-        },
-        simulate::Simulator,
-    },
+    error::Result,
+    motion::{Contact, RunEnd},
     scene::{SectionTask, phase},
 };
 
@@ -120,7 +111,7 @@ pub struct SectionFindings {
     #[serde(skip)]
     size: Option<f64>,
     #[serde(skip)]
-    notes: Vec<String>,
+    pub(super) notes: Vec<String>,
 }
 
 impl Finding for SectionFindings {
@@ -167,10 +158,17 @@ impl Finding for SectionFindings {
 /// # Errors
 /// Those of the simulator and of the orbits' search; an interruption.
 pub fn section(task: &SectionTask, job: &Job) -> Result<SectionFindings> {
-    match &job.model {
-        Model::Oscillator(_) => of_oscillator(task, job),
-        Model::Machine(machine) => of_machine(task, machine, job),
-    }
+    by_engine!(job, engine => of(task, job, &engine))
+}
+
+fn of<E: Engine>(task: &SectionTask, job: &Job, engine: &E) -> Result<SectionFindings> {
+    let states = engine.states(&task.starts)?;
+    let dynamics = engine.dynamics(&states, None, &task.plane)?;
+    let (mut found, cycles) = attractors(task, job, &dynamics, engine.begun(&states))?;
+    found.plane = engine.plane(&task.plane);
+    (found.minimum_depth, found.size) = engine.extents(&dynamics);
+    engine.further_orbits(task, &dynamics, &cycles, &mut found)?;
+    Ok(found)
 }
 
 /// The attractors that motions from the starts lead to, and of the periodic ones their place in the list and
@@ -274,7 +272,7 @@ fn observed<D: Attraction>(
 
 /// The exponents of the attractors on which motions settled at these places: of a periodic one those of its
 /// multipliers, where they are known.
-fn growths<D: Dynamics>(
+fn growths<D: Attraction>(
     task: &SectionTask,
     job: &Job,
     dynamics: &D,
@@ -316,128 +314,6 @@ impl Growth {
         let (rate, error) = (exponent.rate, exponent.standard_error);
         Growth { per_period: finite(rate), standard_error: finite(error), impacts: exponent.impacts }
     }
-}
-
-fn of_machine(task: &SectionTask, machine: &Machine<f64>, job: &Job) -> Result<SectionFindings> {
-    let states = task.starts.iter().map(|start| job.scene.machine_state(start, machine, "starts"));
-    let states = states.collect::<Result<Vec<_>>>()?;
-    let planar = job.planar(machine, &states, &task.plane)?;
-    let starts = states.iter().map(|state| state.start(machine.rate())).collect();
-    let (mut found, cycles) = attractors(task, job, &planar, starts)?;
-    let simulator = planar.simulator();
-    found.plane = Some(job.scene.plane_names(&task.plane));
-    (found.minimum_depth, found.size) = (simulator.settings().minimum_depth, Some(gap_size(simulator)));
-    for keys in &task.orbits {
-        job.check()?;
-        for orbit in machine_orbits(keys, machine, simulator, job)? {
-            if orbit.admissible(None).0 == Judgement::No {
-                continue;
-            }
-            let start = orbit.state.start(machine.rate());
-            let mut run = planar.begin(&start)?;
-            let (mut points, mut first) = (Vec::new(), None);
-            let end = follow(&mut run, phase(&task.phase), orbit.pattern.periods().into(), |point| {
-                points.push(point.at.plane());
-                first.get_or_insert(point.at);
-                true
-            })?;
-            let stable = orbit.stable(None) == Judgement::Yes;
-            let shown = |point| cycles.iter().any(|(_, cycle)| cycle.passes(point));
-            if end != RunEnd::Reached || first.as_ref().is_some_and(shown) {
-                continue;
-            }
-            found.points.push((SectionSet::Orbit(found.further_orbits.len()), points));
-            let pattern = orbit.pattern.named(simulator.contacts().all());
-            found.further_orbits.push(SectionOrbitRow { pattern, stable });
-        }
-    }
-    Ok(found)
-}
-
-/// What the minimum depth is to be small against: the size of the gap to the nearest stop; without stops it
-/// decides nothing.
-pub(super) fn gap_size(simulator: &MachineSimulator) -> f64 {
-    if simulator.contacts().all().is_empty() { f64::INFINITY } else { simulator.gap_scale() }
-}
-
-fn of_oscillator(task: &SectionTask, job: &Job) -> Result<SectionFindings> {
-    let simulator = job.simulator()?;
-    let phase = phase(&task.phase);
-    let starts = task.starts.iter().map(|start| job.scene.state(start)).collect::<Result<Vec<State>>>()?;
-    let (mut found, cycles) = attractors(task, job, &simulator, starts)?;
-    found.minimum_depth = simulator.settings().minimum_depth;
-    let oscillator = job.oscillator(job.system()?.clone())?;
-    for keys in &task.orbits {
-        job.check()?;
-        for orbit in keys.orbits(&oscillator)?.iter().filter(|orbit| orbit.admissibility.is_admissible()) {
-            let point = |i: u32| {
-                let state = orbit.state(&oscillator, phase + TAU * f64::from(i))?;
-                Ok([state.q, state.u])
-            };
-            let points = (0..orbit.itinerary.periods()).map(point).collect::<Result<Vec<_>>>()?;
-            if cycles.iter().any(|(_, cycle)| cycle.passes(&points[0])) {
-                continue;
-            }
-            if task.manifolds && !orbit.multipliers.is_stable() {
-                let plan = ManifoldPlan::default().sized(orbit.unit);
-                manifolds(job, &simulator, (phase, &plan), &points, &mut found)?;
-            }
-            found.points.push((SectionSet::Orbit(found.further_orbits.len()), points));
-            found.further_orbits.push(SectionOrbitRow {
-                pattern: orbit.itinerary.to_string(),
-                stable: orbit.multipliers.is_stable(),
-            });
-        }
-    }
-    let walls: Vec<Contact> = simulator.contacts().cloned().collect();
-    for wall in walls.iter().filter(|_| task.grazing_curve) {
-        for piece in touching(simulator.flow(), &walls, wall, phase) {
-            let piece = piece.iter().map(|state| [state.q, state.u]).collect();
-            found.grazing_curve.push((wall.clone(), piece));
-        }
-    }
-    Ok(found)
-}
-
-/// Adds the manifolds of an unstable orbit with these points, or why there are none.
-fn manifolds(
-    job: &Job,
-    simulator: &Simulator,
-    (phase, plan): (f64, &ManifoldPlan),
-    points: &[[f64; 2]],
-    found: &mut SectionFindings,
-) -> Result<()> {
-    let back = reversed(job.system()?).and_then(|system| job.simulator_of(&system));
-    let periods = points.len() as u32;
-    for &[q, u] in points {
-        let unstable = unstable_manifold(simulator, phase, periods, [q, u], plan, job.monitor);
-        let stable = match &back {
-            Ok(back) => {
-                let phase = reversed_phase(phase);
-                unstable_manifold(back, phase, periods, [q, -u], plan, job.monitor)
-            }
-            Err(error) => Err(Error::input(error.to_string())),
-        };
-        for (is_stable, pieces) in [(false, unstable), (true, stable)] {
-            match pieces {
-                Ok(pieces) => {
-                    let turned = |piece: Vec<[f64; 2]>| -> Vec<[f64; 2]> {
-                        piece.into_iter().map(|[q, u]| [q, if is_stable { -u } else { u }]).collect()
-                    };
-                    found.manifolds.extend(pieces.into_iter().map(|piece| (is_stable, turned(piece))));
-                }
-                Err(error) if error.is_interrupted() => return Err(error),
-                Err(error) => {
-                    let which = if is_stable { "stable" } else { "unstable" };
-                    let note = format!("no {which} manifold is drawn: {error}");
-                    if !found.notes.contains(&note) {
-                        found.notes.push(note);
-                    }
-                }
-            }
-        }
-    }
-    Ok(())
 }
 
 /// What is looked at of each motion.

@@ -8,15 +8,18 @@ mod many;
 mod one;
 
 pub(crate) use many::Machines;
-pub(super) use many::machine_orbits;
 pub use many::{MachineSource, form};
 pub use one::OscillatorSource;
 pub(crate) use one::Oscillators;
 
+use serde::Serialize;
+
 use super::{
-    Analysed, GrazingEventRow, GrazingMap, Judgement, Keeper, ProofRow, SimulationFindings, ValidateFindings,
+    Analysed, GrazingEventRow, GrazingMap, Judgement, Keeper, ProofRow, SectionFindings, SimulationFindings,
+    ValidateFindings,
 };
 use crate::{
+    attractor::{basins::BasinGrid, cycle::Cycle, dynamics::Dynamics, observe::Attraction},
     continuation::{
         Bifurcation, FollowedOrbit, Label, Located, NoForm, NormalForm, OrbitBranch, PatternFamily,
         PatternOf, SearchReach,
@@ -24,9 +27,10 @@ use crate::{
     error::Result,
     pattern::{Map, Report as Verdict},
     scene::{
+        BasinsTask, SectionTask,
         branches::{BranchStart, BranchTask},
         orbits::{GrazingTask, OrbitKeys},
-        simulate::SimulateTask,
+        simulate::{SimulateTask, Start},
         validate::ValidateTask,
     },
 };
@@ -102,6 +106,60 @@ pub(crate) trait Engine {
     where
         Self: 'f;
 
+    /// Its motions, of which is told what they lead to.
+    type Dynamics: Attraction<Start: Serialize>;
+    /// States that motions start from.
+    type States: Sync;
+
+    /// The states of a task.
+    ///
+    /// # Errors
+    /// A state that the system does not have.
+    fn states(&self, starts: &[Start]) -> Result<Self::States>;
+
+    /// The same as its motions start from them.
+    fn begun(&self, states: &Self::States) -> Vec<<Self::Dynamics as Dynamics>::Start>;
+
+    /// The motions of the scene's system, with another value of a parameter if there is one, seen in a plane.
+    ///
+    /// # Errors
+    /// Where the system is not defined; those of its simulator.
+    fn dynamics(
+        &self,
+        states: &Self::States,
+        change: Option<(&str, f64)>,
+        plane: &[String],
+    ) -> Result<Self::Dynamics>;
+
+    /// What the two numbers of a point are, of an engine whose scenes say it.
+    fn plane(&self, plane: &[String]) -> Option<[String; 2]>;
+
+    /// The minimum depth, and the size of motions if the engine knows it.
+    fn extents(&self, dynamics: &Self::Dynamics) -> (f64, Option<f64>);
+
+    /// The starts of a grid of basins.
+    ///
+    /// # Errors
+    /// A plane that the system does not have.
+    fn start_plane(
+        &self,
+        task: &BasinsTask,
+        grid: &BasinGrid,
+        phase: f64,
+    ) -> Result<StartPlane<Self::Dynamics>>;
+
+    /// Adds to a section what it has besides attractors.
+    ///
+    /// # Errors
+    /// Those of the orbits' search; an interruption.
+    fn further_orbits(
+        &self,
+        task: &SectionTask,
+        dynamics: &Self::Dynamics,
+        cycles: &[(usize, Cycle<<Self::Dynamics as Dynamics>::Point>)],
+        found: &mut SectionFindings,
+    ) -> Result<()>;
+
     /// Follows the motion of a task.
     ///
     /// # Errors
@@ -165,6 +223,20 @@ pub(crate) trait Engine {
         parameter: &str,
         found: &mut ValidateFindings,
     ) -> Result<()>;
+}
+
+/// The starts of a grid.
+pub(crate) struct StartPlane<D: Dynamics> {
+    pub dynamics: D,
+    /// The start with two numbers in the plane.
+    pub place: Box<dyn Fn(&D, [f64; 2]) -> D::Start + Sync>,
+    /// What the two numbers are, if the scene names it.
+    pub plane: Option<[String; 2]>,
+    /// All that tells these starts from others of the scene, as text.
+    pub identity: String,
+    pub minimum_depth: f64,
+    /// How large motions are, as far as the grid or the machine tells; infinite where they do not.
+    pub size: f64,
 }
 
 /// What proves orbits of one system.

@@ -6,22 +6,23 @@ mod job;
 mod motion;
 mod proofs;
 mod search;
+mod sections;
 
 use std::f64::consts::TAU;
 
 use proofs::MachineProver;
-pub(crate) use search::machine_orbits;
+use search::machine_orbits;
 
 use super::{
     super::{
-        Analysed, Complex, GrazingEventRow, GrazingMap, Job, Judgement, Keeper, SimulationFindings,
-        ValidateFindings,
+        Analysed, Complex, GrazingEventRow, GrazingMap, Job, Judgement, Keeper, SectionFindings,
+        SimulationFindings, ValidateFindings,
         branch::{events, settled},
     },
-    AnalysedEvent, Branches, Engine, GrazingPoint, JudgedOrbit, OrbitSource, Prover, Theory,
+    AnalysedEvent, Branches, Engine, GrazingPoint, JudgedOrbit, OrbitSource, Prover, StartPlane, Theory,
 };
 use crate::{
-    attractor::observe::Attraction,
+    attractor::{basins::BasinGrid, cycle::Cycle, dynamics::Dynamics, observe::Attraction},
     continuation::{Bifurcation, FollowedOrbit, Label, Located, RecordForm, SearchReach, read_label_as},
     error::{Error, Result},
     many::{
@@ -30,7 +31,7 @@ use crate::{
         grazing::{MachineGrazing, MachineSearch, locate, own_reach},
         normal_form::normal_form,
         orbit::{MachineAdmissibility, MachineOrbit, StopPattern, StopStrike, find, find_from},
-        section::PlanarMachine,
+        section::{MachinePoint, MachineStart, PlanarMachine},
         simulate::{Event, MachineRun, MachineSimulator},
     },
     motion::{RunEnd, Time},
@@ -40,10 +41,10 @@ use crate::{
     },
     pattern::{Analysis, Map, Numbers, Report as Verdict},
     scene::{
-        MachineSceneFamily,
+        BasinsTask, MachineSceneFamily, SectionTask,
         branches::{BranchOrigin, BranchStart, BranchTask},
         orbits::{GrazingTask, OrbitKeys},
-        simulate::SimulateTask,
+        simulate::{SimulateTask, Start},
         validate::ValidateTask,
     },
     search::machine::listed,
@@ -148,6 +149,70 @@ impl<'j> Engine for Machines<'j> {
         = MachineGrazingPoint<'f>
     where
         Self: 'f;
+
+    type Dynamics = PlanarMachine;
+    type States = Vec<MachineState>;
+
+    fn states(&self, starts: &[Start]) -> Result<Vec<MachineState>> {
+        starts.iter().map(|start| self.job.scene.machine_state(start, self.machine, "starts")).collect()
+    }
+
+    fn begun(&self, states: &Vec<MachineState>) -> Vec<MachineStart> {
+        states.iter().map(|state| state.start(self.machine.rate())).collect()
+    }
+
+    fn dynamics(
+        &self,
+        states: &Vec<MachineState>,
+        change: Option<(&str, f64)>,
+        plane: &[String],
+    ) -> Result<PlanarMachine> {
+        match change {
+            None => self.job.planar(self.machine, states, plane),
+            Some(change) => self.job.planar(&self.job.scene.machine(&[change])?, states, plane),
+        }
+    }
+
+    fn plane(&self, plane: &[String]) -> Option<[String; 2]> {
+        Some(self.job.scene.plane_names(plane))
+    }
+
+    /// The minimum depth is to be small against the size of the gap to the nearest stop; without stops it
+    /// decides nothing.
+    fn extents(&self, planar: &PlanarMachine) -> (f64, Option<f64>) {
+        let simulator = planar.simulator();
+        let none = simulator.contacts().all().is_empty();
+        (simulator.settings().minimum_depth, Some(if none { f64::INFINITY } else { simulator.gap_scale() }))
+    }
+
+    fn start_plane(&self, task: &BasinsTask, _: &BasinGrid, phase: f64) -> Result<StartPlane<PlanarMachine>> {
+        let Machines { job, machine } = *self;
+        let rest = job.scene.rest(&task.start, machine)?;
+        let axes = job.scene.plane(&task.plane, machine, "plane")?;
+        let planar = job.planar(machine, &[], &task.plane)?;
+        let dynamics = planar.starting(machine, &axes, [&rest[0], &rest[1]])?;
+        let names = job.scene.plane_names(&task.plane);
+        let own = serde_json::to_string(&(&names, &rest, dynamics.simulator().settings()));
+        let (minimum_depth, size) = self.extents(&dynamics);
+        Ok(StartPlane {
+            dynamics,
+            place: Box::new(move |dynamics, at| dynamics.in_plane(at, phase)),
+            plane: Some(names),
+            identity: own.map_err(std::io::Error::other)?,
+            minimum_depth,
+            size: size.unwrap_or(f64::INFINITY),
+        })
+    }
+
+    fn further_orbits(
+        &self,
+        task: &SectionTask,
+        planar: &PlanarMachine,
+        cycles: &[(usize, Cycle<MachinePoint>)],
+        found: &mut SectionFindings,
+    ) -> Result<()> {
+        sections::further(task, self, planar, cycles, found)
+    }
 
     fn simulate(&self, task: &SimulateTask, keeper: &mut dyn Keeper) -> Result<SimulationFindings> {
         motion::simulate(task, self, keeper)

@@ -2,34 +2,39 @@
 
 mod motion;
 mod proofs;
+mod sections;
+
+use std::f64::consts::TAU;
 
 use proofs::OrbitProver;
 
 use super::{
     super::{
-        Analysed, Complex, GrazingEventRow, GrazingMap, Job, Judgement, Keeper, SimulationFindings,
-        ValidateFindings,
+        Analysed, Complex, GrazingEventRow, GrazingMap, Job, Judgement, Keeper, SectionFindings,
+        SimulationFindings, ValidateFindings,
         branch::{events, settled},
     },
-    AnalysedEvent, Branches, Engine, GrazingPoint, JudgedOrbit, OrbitSource, Prover, Theory,
+    AnalysedEvent, Branches, Engine, GrazingPoint, JudgedOrbit, OrbitSource, Prover, StartPlane, Theory,
 };
 use crate::{
+    attractor::{basins::BasinGrid, cycle::Cycle},
     continuation::{Bifurcation, BranchSearch, Label, Located, NormalForm, SearchReach, nearest},
     error::Result,
-    motion::System,
+    motion::{State, System},
     number::Precision,
     one::{
         attractor::attracting,
         branch::{OscillatorPatterns, OscillatorPlane, read_label},
         grazing::{self, Grazing, LocalMap},
         orbit::{Admissibility, Family, Itinerary, Orbit, Oscillator, find},
+        simulate::Simulator,
     },
     pattern::{Graph, Map, Report as Verdict},
     scene::{
-        SceneFamily,
+        BasinsTask, SceneFamily, SectionTask, StartAxis,
         branches::{BranchOrigin, BranchStart, BranchTask},
         orbits::{GrazingTask, OrbitKeys, extent},
-        simulate::SimulateTask,
+        simulate::{SimulateTask, Start},
         validate::ValidateTask,
     },
 };
@@ -121,6 +126,75 @@ impl<'j> Engine for Oscillators<'j> {
         = OscillatorGrazing<'f>
     where
         Self: 'f;
+
+    type Dynamics = Simulator;
+    type States = Vec<State>;
+
+    fn states(&self, starts: &[Start]) -> Result<Vec<State>> {
+        starts.iter().map(|start| self.job.scene.state(start)).collect()
+    }
+
+    fn begun(&self, states: &Vec<State>) -> Vec<State> {
+        states.clone()
+    }
+
+    fn dynamics(&self, _: &Vec<State>, change: Option<(&str, f64)>, _: &[String]) -> Result<Simulator> {
+        match change {
+            None => self.job.simulator(),
+            Some(change) => self.job.simulator_of(&self.job.scene.plain(&[change])?),
+        }
+    }
+
+    fn plane(&self, _: &[String]) -> Option<[String; 2]> {
+        None
+    }
+
+    fn extents(&self, simulator: &Simulator) -> (f64, Option<f64>) {
+        (simulator.settings().minimum_depth, None)
+    }
+
+    fn start_plane(&self, task: &BasinsTask, grid: &BasinGrid, phase: f64) -> Result<StartPlane<Simulator>> {
+        let dynamics = self.job.simulator()?;
+        let minimum_depth = dynamics.settings().minimum_depth;
+        let axes = self.job.scene.start_plane(&task.plane, "plane")?;
+        let at = State { t: phase, q: 0.0, u: 0.0 };
+        let base = match &task.start {
+            Some(start) => State { t: at.t, ..self.job.scene.state(start)? },
+            None => at,
+        };
+        let place = move |_: &Simulator, numbers: [f64; 2]| {
+            let mut start = base;
+            for (axis, x) in axes.into_iter().zip(numbers) {
+                match axis {
+                    StartAxis::Place => start.q = x,
+                    StartAxis::Speed => start.u = x,
+                    StartAxis::Phase => start.t = TAU * (x - x.floor()),
+                }
+            }
+            start
+        };
+        // How large the motions are, as far as the grid tells.
+        let extent =
+            |(axis, [low, high]): (StartAxis, [f64; 2])| (axis == StartAxis::Place).then_some(high - low);
+        let size = axes.into_iter().zip([grid.q, grid.u]).find_map(extent).unwrap_or(f64::INFINITY);
+        let plane = match &task.plane[..] {
+            [first, second] => Some([first.clone(), second.clone()]),
+            _ => None,
+        };
+        let own = plane.as_ref().map(|names| serde_json::to_string(&(names, base)));
+        let identity = own.transpose().map_err(std::io::Error::other)?.unwrap_or_default();
+        Ok(StartPlane { dynamics, place: Box::new(place), plane, identity, minimum_depth, size })
+    }
+
+    fn further_orbits(
+        &self,
+        task: &SectionTask,
+        simulator: &Simulator,
+        cycles: &[(usize, Cycle)],
+        found: &mut SectionFindings,
+    ) -> Result<()> {
+        sections::further(task, self, simulator, cycles, found)
+    }
 
     fn simulate(&self, task: &SimulateTask, keeper: &mut dyn Keeper) -> Result<SimulationFindings> {
         motion::simulate(task, self, keeper)
