@@ -247,10 +247,10 @@ E
 mutant reader-of-a-part 'File "./ConsequencesReaders' --pin StatementReaderWords.v <<'E'
 s/  forall n, member a1 a2 Plus n -> In n (map fst (vertices K w))/  forall n, member a1 a2 Plus n -> (n <= j)%nat/
 E
-mutant reader-with-a-wrong-edge 'File "./ReaderWords' --pin StatementReaderWords.v <<'E'
+mutant reader-with-a-wrong-edge 'File "./(ConsequencesReaders|ReaderWords)' --pin StatementReaderWords.v <<'E'
 s/isS g (timesS (on_N T (fst i + fst j) (fst i))/isS g (timesS (on_N T (fst i + fst j) (fst j))/
 E
-mutant reader-with-a-wrong-cosine 'File "./ReaderCircle' --pin StatementReaders.v <<'E'
+mutant reader-with-a-wrong-cosine 'File "./(ConsequencesReaders|ReaderCircle)' --pin StatementReaders.v <<'E'
 s/Z.odd ((floorZ (2 \* n) h + 1) \/ 2)/Z.odd (floorZ (2 * n) h \/ 2)/
 E
 
