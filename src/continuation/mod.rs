@@ -54,7 +54,7 @@ pub use newton::{Linearised, Root, newton};
 pub use options::Options;
 pub(crate) use options::with_options;
 pub use orbits::PatternCurve;
-pub(crate) use periods::{halved, sum_of_periods, times_round};
+pub(crate) use periods::{counted, halved, natural, sum_of_periods, times_round};
 pub use plane::EventCurve;
 pub use problem::{FollowedOrbit, ImpactPattern, PatternFamily, PatternOf, PatternPlane};
 pub use record::{Label, RecordForm, read_label_as, record_as};

@@ -73,6 +73,16 @@ pub enum Region {
     Line,
 }
 
+impl Region {
+    /// That of (a₁, a₂), taken as they are; after reversing time if a₂ > 1. `None` for a₂ ≤ 0.
+    pub(crate) fn at(mut a1: f64, mut a2: f64) -> Option<Region> {
+        if a2 > 1.0 {
+            (a1, a2) = (a1 / a2, 1.0 / a2);
+        }
+        Some(Plane::new(BigRational::from_float(a1)?, BigRational::from_float(a2)?).ok()?.region())
+    }
+}
+
 /// The paper's number of the region, or `line`.
 impl fmt::Display for Region {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {

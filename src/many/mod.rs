@@ -50,6 +50,7 @@
 //! ```
 
 mod algebra;
+pub mod attracting;
 pub mod branch;
 pub mod contact;
 mod critical;

@@ -3,10 +3,11 @@
 
 use crate::{
     attractor::detection::Detection,
+    continuation::natural,
     error::{Error, Result},
     motion::{Flow, State, Time},
     one::{
-        orbit::{Itinerary, Orbit, Oscillator, Strike, find, natural},
+        orbit::{Itinerary, Orbit, Oscillator, Strike, find},
         simulate::{Event, Settings, Simulator},
     },
 };

@@ -5,7 +5,7 @@ use num_rational::BigRational;
 use crate::{
     continuation::Multipliers,
     error::{Error, Result},
-    local::{Plane, Region},
+    local::Region,
     motion::{
         Flow,
         algebra::{Matrix2, apply, product, resolve},
@@ -86,7 +86,7 @@ impl LocalMap {
 
     /// The region of (a₁, a₂), taken as they are computed; after reversing time if a₂ > 1. `None` for a₂ ≤ 0.
     pub fn region(&self) -> Option<Region> {
-        region_of(self.multipliers.trace, self.multipliers.determinant)
+        Region::at(self.multipliers.trace, self.multipliers.determinant)
     }
 
     /// L = Π −C A^{n_i} B / (2 Y_i) of a pattern: the large eigenvalue is L (eµ)^{−m} to leading order (36),
@@ -125,14 +125,6 @@ impl LocalMap {
         let a = self.a.iter().map(|row| row.iter().map(|&x| wide(x)).collect()).collect::<Result<_>>()?;
         Map::new(a, vec![integer(0), wide(self.kick())?], vec![integer(1), integer(0)], wide(self.e())?, None)
     }
-}
-
-/// The region of (a₁, a₂), taken as they are; after reversing time if a₂ > 1. `None` for a₂ ≤ 0.
-pub(crate) fn region_of(mut trace: f64, mut determinant: f64) -> Option<Region> {
-    if determinant > 1.0 {
-        (trace, determinant) = (trace / determinant, 1.0 / determinant);
-    }
-    Some(Plane::new(BigRational::from_float(trace)?, BigRational::from_float(determinant)?).ok()?.region())
 }
 
 fn add(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {

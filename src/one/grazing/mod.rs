@@ -26,5 +26,4 @@ mod start;
 
 pub use half::is_mirrored;
 pub use local_map::LocalMap;
-pub(crate) use local_map::region_of;
 pub use locate::{Grazing, locate};

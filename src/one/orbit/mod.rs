@@ -38,7 +38,7 @@ pub use admissible::{Admissibility, Check, Minimum, check};
 pub use determinant::flow_determinant;
 pub use equations::linearise;
 pub use family::Family;
-pub use itinerary::{Itinerary, Strike, counted, natural};
+pub use itinerary::{Itinerary, Strike};
 pub use leg::{Leg, Touch};
 pub use oscillator::Oscillator;
 pub use passage::{Arrival, Passage, Unknowns};

@@ -4,10 +4,10 @@ use std::f64::consts::PI;
 
 use super::{
     Admissibility, Check, Itinerary, Minimum, Oscillator, admissible::check, equations::linearise,
-    itinerary::counted, passage::Unknowns,
+    passage::Unknowns,
 };
 use crate::{
-    continuation::{Multipliers, Root, newton},
+    continuation::{Multipliers, Root, counted, newton},
     error::{Error, Result},
     motion::{
         Flow, RunEnd, Side, State,

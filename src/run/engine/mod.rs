@@ -112,18 +112,12 @@ pub(crate) trait Engine {
     type States: Sync;
 
     /// The states of a task.
-    ///
-    /// # Errors
-    /// A state that the system does not have.
     fn states(&self, starts: &[Start]) -> Result<Self::States>;
 
     /// The same as its motions start from them.
     fn begun(&self, states: &Self::States) -> Vec<<Self::Dynamics as Dynamics>::Start>;
 
     /// The motions of the scene's system, with another value of a parameter if there is one, seen in a plane.
-    ///
-    /// # Errors
-    /// Where the system is not defined; those of its simulator.
     fn dynamics(
         &self,
         states: &Self::States,
@@ -138,9 +132,6 @@ pub(crate) trait Engine {
     fn extents(&self, dynamics: &Self::Dynamics) -> (f64, Option<f64>);
 
     /// The starts of a grid of basins.
-    ///
-    /// # Errors
-    /// A plane that the system does not have.
     fn start_plane(
         &self,
         task: &BasinsTask,
@@ -149,9 +140,6 @@ pub(crate) trait Engine {
     ) -> Result<StartPlane<Self::Dynamics>>;
 
     /// Adds to a section what it has besides attractors.
-    ///
-    /// # Errors
-    /// Those of the orbits' search; an interruption.
     fn further_orbits(
         &self,
         task: &SectionTask,
@@ -161,45 +149,27 @@ pub(crate) trait Engine {
     ) -> Result<()>;
 
     /// Follows the motion of a task.
-    ///
-    /// # Errors
-    /// Those of the simulator; the keeper's; an interruption.
     fn simulate(&self, task: &SimulateTask, keeper: &mut dyn Keeper) -> Result<SimulationFindings>;
 
     /// The system of the scene, with another value of a parameter if there is one.
-    ///
-    /// # Errors
-    /// Where it is not defined.
     fn system(&self, change: Option<(&str, f64)>) -> Result<Self::System>;
 
     /// The orbits of the keys: the one that Newton's method finds from `start`, or those of a search.
-    ///
-    /// # Errors
-    /// Why there are none, or an interruption.
     fn orbits(&self, keys: &OrbitKeys, system: &Self::System) -> Result<Vec<Self::Orbit>>;
 
     /// What is known of an orbit of a system.
     fn analysed(&self, orbit: &Self::Orbit, system: &Self::System) -> Analysed;
 
     /// The systems over a parameter.
-    ///
-    /// # Errors
-    /// If the scene has no such parameter.
     fn family(&self, parameter: &str) -> Result<Self::Family>;
 
     /// The orbits of a family.
-    ///
-    /// # Errors
-    /// Where it is not defined at the scene's own value.
     fn source<'f>(&'f self, family: &'f Self::Family) -> Result<Self::Source<'f>>;
 
     /// The scene's own value of a parameter.
     fn value(family: &Self::Family) -> f64;
 
     /// The nearest grazing of the task; the inner error is why there is none.
-    ///
-    /// # Errors
-    /// Those of the search.
     fn grazing<'f>(
         &'f self,
         task: &'f GrazingTask,
@@ -207,15 +177,9 @@ pub(crate) trait Engine {
     ) -> Result<std::result::Result<Self::Grazing<'f>, String>>;
 
     /// What proves its orbits; the inner error is why none can be proved.
-    ///
-    /// # Errors
-    /// Where the system is not defined.
     fn prover(&self, task: &ValidateTask) -> Result<std::result::Result<impl Prover<Self::Orbit>, String>>;
 
     /// Proves the event nearest to each admissible orbit of the task.
-    ///
-    /// # Errors
-    /// Where the system is not defined; an engine of which none are proved; an interruption.
     fn prove_events(
         &self,
         task: &ValidateTask,
@@ -242,9 +206,6 @@ pub(crate) struct StartPlane<D: Dynamics> {
 /// What proves orbits of one system.
 pub(crate) trait Prover<O> {
     /// What is proved of the orbit near an approximation.
-    ///
-    /// # Errors
-    /// An interruption.
     fn prove(&self, approximation: &O) -> Result<Proof>;
 }
 
@@ -341,31 +302,19 @@ pub(crate) trait GrazingPoint {
     fn plane(&self) -> Option<[f64; 4]>;
 
     /// The map of the local theory.
-    ///
-    /// # Errors
-    /// If it is none of the theory's.
     fn map(&self) -> Result<Map>;
 
     /// What the theory says of each pattern up to the task's period.
-    ///
-    /// # Errors
-    /// If the map is none of the theory's.
     fn theory<'m>(&self, map: &'m Map) -> Result<Theory<'m>>;
 
     /// L: the large multiplier of one round of a pattern is L (eµ)^{−m} to leading order.
     fn leading(&self, periods: &[u64], verdict: &Verdict) -> Option<f64>;
 
     /// What the task's distance is measured in if it gives none: the size of motions there.
-    ///
-    /// # Errors
-    /// Where the family is not defined.
     fn size(&self) -> Result<f64>;
 
     /// The orbit of the true system near the leading-order solution of a pattern, at a parameter `away` from
     /// the bifurcation; the inner error is why none was found.
-    ///
-    /// # Errors
-    /// Where the system is not defined; a pattern without a solution.
     fn orbit(
         &self,
         periods: &[u64],

@@ -1,39 +1,38 @@
 //! Oscillators of one degree of freedom: their orbits as tasks ask for them.
 
+mod grazing;
 mod motion;
 mod proofs;
 mod sections;
+mod source;
 
 use std::f64::consts::TAU;
 
+use grazing::OscillatorGrazing;
 use proofs::OrbitProver;
+pub use source::OscillatorSource;
 
 use super::{
     super::{
-        Analysed, Complex, GrazingEventRow, GrazingMap, Job, Judgement, Keeper, SectionFindings,
-        SimulationFindings, ValidateFindings,
-        branch::{events, settled},
+        Analysed, Complex, Job, Judgement, Keeper, SectionFindings, SimulationFindings, ValidateFindings,
     },
-    AnalysedEvent, Branches, Engine, GrazingPoint, JudgedOrbit, OrbitSource, Prover, StartPlane, Theory,
+    Engine, JudgedOrbit, Prover, StartPlane,
 };
 use crate::{
     attractor::{basins::BasinGrid, cycle::Cycle},
-    continuation::{Bifurcation, BranchSearch, Label, Located, NormalForm, SearchReach, nearest},
+    continuation::{Bifurcation, BranchSearch, nearest},
     error::Result,
     motion::{State, System},
     number::Precision,
     one::{
-        attractor::attracting,
-        branch::{OscillatorPatterns, OscillatorPlane, read_label},
-        grazing::{self, Grazing, LocalMap},
-        orbit::{Admissibility, Family, Itinerary, Orbit, Oscillator, find},
+        branch::OscillatorPatterns,
+        grazing::locate,
+        orbit::{Admissibility, Family, Orbit, Oscillator},
         simulate::Simulator,
     },
-    pattern::{Graph, Map, Report as Verdict},
     scene::{
         BasinsTask, SceneFamily, SectionTask, StartAxis,
-        branches::{BranchOrigin, BranchStart, BranchTask},
-        orbits::{GrazingTask, OrbitKeys, extent},
+        orbits::{GrazingTask, OrbitKeys},
         simulate::{SimulateTask, Start},
         validate::ValidateTask,
     },
@@ -246,7 +245,7 @@ impl<'j> Engine for Oscillators<'j> {
                 BranchSearch::Found(found) => found,
                 BranchSearch::Nothing(why) => return Ok(Err(why.to_string())),
             };
-        let event = grazing::locate(family, &located.orbit, located.parameter)?;
+        let event = locate(family, &located.orbit, located.parameter)?;
         // Two grazings in a period are the theory's business only if a symmetry makes them one.
         let half = event.half_map(&family.at(event.parameter)?);
         let (task, orbit) = (task, orbit.itinerary.to_string());
@@ -266,209 +265,5 @@ impl<'j> Engine for Oscillators<'j> {
         found: &mut ValidateFindings,
     ) -> Result<()> {
         proofs::events(task, event, parameter, self, found)
-    }
-}
-
-/// The orbits of a scene's oscillator over a parameter.
-pub struct OscillatorSource<'a> {
-    family: &'a SceneFamily<'a>,
-    patterns: OscillatorPatterns<'a>,
-    job: &'a Job<'a>,
-}
-
-impl<'a> OscillatorSource<'a> {
-    /// # Errors
-    /// Those of [`OscillatorPatterns::new`].
-    pub fn new(family: &'a SceneFamily<'a>, job: &'a Job<'a>) -> Result<OscillatorSource<'a>> {
-        Ok(OscillatorSource { family, patterns: OscillatorPatterns::new(family, family.value())?, job })
-    }
-
-    fn admissible(&self, keys: &OrbitKeys, oscillator: &Oscillator) -> Result<Vec<Orbit>> {
-        let mut orbits = keys.orbits(oscillator)?;
-        orbits.retain(|orbit| orbit.admissibility.is_admissible());
-        Ok(orbits)
-    }
-}
-
-impl<'a> OrbitSource for OscillatorSource<'a> {
-    type Orbit = Orbit;
-    type Family = OscillatorPatterns<'a>;
-
-    fn family(&self) -> &OscillatorPatterns<'a> {
-        &self.patterns
-    }
-
-    fn value(&self) -> f64 {
-        self.family.value()
-    }
-
-    fn present(&self, keys: &OrbitKeys) -> Result<Vec<Orbit>> {
-        self.admissible(keys, &self.family.at(self.value())?)
-    }
-
-    fn orbits(&self, start: &BranchStart, at: f64) -> Result<Vec<Orbit>> {
-        let oscillator = self.family.at(at)?;
-        match start.origin()? {
-            BranchOrigin::Attractor(state) => {
-                let from = self.job.scene.state(state)?;
-                Ok(vec![attracting(&oscillator, from, &settled(from.t), &self.job.settings()?)?])
-            }
-            BranchOrigin::Orbit(keys) => self.admissible(keys, &oscillator),
-            BranchOrigin::Restart(_) => Ok(Vec::new()),
-        }
-    }
-
-    fn reaches(&self, reach: Option<f64>, orbits: &[Orbit]) -> Result<Vec<SearchReach>> {
-        let oscillator = self.family.at(self.value())?;
-        Ok(orbits.iter().map(|orbit| extent(reach, &oscillator, orbit)).collect())
-    }
-
-    fn analysed(
-        &self,
-        orbit: &Orbit,
-        at: &[(&str, f64)],
-        event: Option<Bifurcation>,
-    ) -> Result<AnalysedEvent> {
-        let form = match (event, at) {
-            (Some(event), &[(_, parameter)]) => {
-                Some(NormalForm::at(&self.family.at(parameter)?, orbit, event))
-            }
-            _ => None,
-        };
-        Ok(AnalysedEvent { orbit: analysed(orbit, event), form, touch: None })
-    }
-
-    fn named_with_speeds(&self, orbit: &Orbit) -> (String, Vec<f64>) {
-        (orbit.itinerary.to_string(), speeds(orbit))
-    }
-
-    fn has_maps(&self) -> bool {
-        true
-    }
-
-    fn local_map(&self, at: &Located<Orbit>, orbit: &Orbit) -> Result<Option<GrazingEventRow>> {
-        let event = grazing::locate(self.family, &at.orbit, at.parameter)?;
-        let map = &event.map;
-        let [lambda1, lambda2] = map.multipliers.values().map(Complex::from);
-        Ok(Some(GrazingEventRow {
-            parameter: event.parameter,
-            pattern: orbit.itinerary.to_string(),
-            wall: event.side().name(),
-            phase: event.phase(),
-            acceleration: map.acceleration,
-            lambda1,
-            lambda2,
-            region: map.region().map(|region| region.to_string()),
-            gamma: map.gamma(),
-            e: map.e(),
-            admissible: if event.admissible { Judgement::Yes } else { Judgement::No },
-            residual: event.residual,
-        }))
-    }
-
-    fn loci(&self, task: &BranchTask, second: &str) -> Result<Branches<Orbit>> {
-        let plane = |[first, other]: [f64; 2]| {
-            let system = self.job.scene.plain(&[(&task.parameter, first), (second, other)])?;
-            self.job.oscillator(system)
-        };
-        let value = SceneFamily::new(&self.job.scene, second)?.value();
-        let plane = OscillatorPlane::new(&plane, [self.value(), value])?;
-        events(task, self, &plane, value, self.job)
-    }
-
-    fn label(&self, text: &str, label: &str) -> Result<Label<Itinerary>> {
-        read_label(text, label)
-    }
-
-    fn named(&self, pattern: &Itinerary) -> String {
-        pattern.to_string()
-    }
-}
-
-/// A grazing bifurcation of an oscillator's orbit.
-pub(crate) struct OscillatorGrazing<'f> {
-    task: &'f GrazingTask,
-    family: &'f SceneFamily<'f>,
-    event: Grazing,
-    half: Option<LocalMap>,
-    /// The pattern of the orbit that grazes.
-    orbit: String,
-}
-
-impl OscillatorGrazing<'_> {
-    fn local(&self) -> &LocalMap {
-        self.half.as_ref().unwrap_or(&self.event.map)
-    }
-}
-
-impl GrazingPoint for OscillatorGrazing<'_> {
-    const HALF: &'static str =
-        "of half a period, then the mirror: both walls are grazed; patterns count halves";
-    const NEEDS: &'static str = "that needs a2 > 0 and gamma, e other than 0";
-
-    fn report(&self) -> GrazingMap {
-        let (event, half, map) = (&self.event, &self.half, self.local());
-        GrazingMap {
-            varied: self.task.parameter.clone(),
-            parameter: event.parameter,
-            orbit: Some(self.orbit.clone()),
-            stop: event.side().name().into(),
-            phase: event.phase(),
-            acceleration: map.acceleration,
-            a: map.a.map(|row| row.to_vec()).to_vec(),
-            b: Vec::new(),
-            c: Vec::new(),
-            e: map.e(),
-            eigenvalues: map.multipliers.values().map(Complex::from).to_vec(),
-            a1: Some(map.multipliers.trace),
-            a2: Some(map.multipliers.determinant),
-            gamma: Some(map.gamma()),
-            region: map.region().map(|region| region.to_string()),
-            admissible: match (event.second, event.admissible) {
-                (Some(_), _) if half.is_none() => Judgement::Marginal,
-                (Some(_), _) | (None, true) => Judgement::Yes,
-                (None, false) => Judgement::No,
-            },
-            residual: event.residual,
-            half: half.is_some(),
-            open: event.second.filter(|_| half.is_none()).map(|second| {
-                format!(
-                    "the orbit grazes twice in its period, also at the {} wall: the local theory is for one grazing",
-                    second.side.name()
-                )
-            }),
-            chaos_open: None,
-        }
-    }
-
-    fn plane(&self) -> Option<[f64; 4]> {
-        let map = self.local();
-        Some([map.multipliers.trace, map.multipliers.determinant, map.gamma(), map.e()])
-    }
-
-    fn map(&self) -> Result<Map> {
-        self.local().to_map()
-    }
-
-    fn theory<'m>(&self, map: &'m Map) -> Result<Theory<'m>> {
-        let graph = Graph::new(map, self.task.max_period.into(), false)?;
-        Ok(Box::new(move |periods: &[u64]| graph.judge(periods)))
-    }
-
-    fn leading(&self, periods: &[u64], _: &Verdict) -> Option<f64> {
-        self.local().leading(periods)
-    }
-
-    fn size(&self) -> Result<f64> {
-        Ok(self.family.at(self.event.parameter)?.unit(&self.event.itinerary))
-    }
-
-    fn orbit(&self, periods: &[u64], verdict: &Verdict, parameter: f64, _: f64) -> Result<Result<Analysed>> {
-        let (itinerary, z) = match &self.half {
-            Some(map) => self.event.half_start(map, periods, verdict, parameter)?,
-            None => self.event.start(self.family, periods, verdict, parameter)?,
-        };
-        let found = find(&self.family.at(parameter)?, &itinerary, z);
-        Ok(found.map(|orbit| analysed(&orbit, None)))
     }
 }

@@ -1,0 +1,152 @@
+//! Grazing bifurcations of the motion without impacts of a machine, for the task `grazing`.
+
+use std::f64::consts::TAU;
+
+use super::{
+    super::{
+        super::{Analysed, Complex, GrazingMap, Job, Judgement},
+        GrazingPoint, Theory,
+    },
+    analysed,
+};
+use crate::{
+    error::Result,
+    local::Region,
+    many::{Machine, MachineFamily, RealMatrix, StopLaw, grazing::MachineGrazing, orbit::find},
+    pattern::{Analysis, Map, Numbers, Report as Verdict},
+    scene::{MachineSceneFamily, orbits::GrazingTask},
+};
+
+/// A least gap that changes over the reach by less than this, relative to the gaps' motion, does not pass
+/// through 0.
+const FLAT: f64 = 1e-9;
+
+/// A grazing bifurcation of the motion without impacts of a machine.
+pub(crate) struct MachineGrazingPoint<'f> {
+    pub task: &'f GrazingTask,
+    pub job: &'f Job<'f>,
+    pub family: &'f MachineSceneFamily<'f>,
+    pub event: MachineGrazing,
+    pub machine: Machine<f64>,
+    /// How far it was looked for.
+    pub reach: f64,
+}
+
+impl GrazingPoint for MachineGrazingPoint<'_> {
+    const HALF: &'static str =
+        "of half a period, then the mirror: the stop and its mirror are grazed; patterns count halves";
+    const NEEDS: &'static str = "that needs a2 > 0 and gamma other than 0";
+
+    fn report(&self) -> GrazingMap {
+        let (event, map, machine) = (&self.event, self.event.local(), &self.machine);
+        let (rate, n, one) = (machine.rate(), machine.size, machine.size == 1);
+        // From velocities per radian to velocities per unit of time.
+        let unit = |i: usize| if i < n { 1.0 } else { rate };
+        let scaled = RealMatrix::from_fn(2 * n, 2 * n, |i, j| map.a[(i, j)] * unit(i) / unit(j));
+        let phase = event.at.phase / TAU;
+        let region = || Region::at(map.a.trace(), map.determinant).map(|region| region.to_string());
+        GrazingMap {
+            varied: self.task.parameter.clone(),
+            parameter: event.parameter,
+            orbit: None,
+            stop: machine.stops[event.at.stop].name.clone(),
+            phase: if phase < 1.0 { phase } else { 0.0 },
+            acceleration: map.acceleration * rate * rate,
+            a: scaled.row_iter().map(|row| row.iter().copied().collect()).collect(),
+            b: (0..2 * n).map(|i| map.b[i] * unit(i)).collect(),
+            c: map.c.iter().copied().collect(),
+            e: map.e,
+            eigenvalues: map.eigenvalues.iter().map(|&x| Complex::from(x)).collect(),
+            a1: one.then(|| map.a.trace()),
+            a2: one.then_some(map.determinant),
+            gamma: map.gamma().map(|gamma| gamma / rate),
+            region: one.then(region).flatten(),
+            admissible: Judgement::Yes,
+            residual: event.at.gap.abs(),
+            half: event.half.is_some(),
+            open: self.open(),
+            chaos_open: None,
+        }
+    }
+
+    fn plane(&self) -> Option<[f64; 4]> {
+        let map = self.event.local();
+        map.gamma().map(|gamma| [map.a.trace(), map.determinant, gamma, map.e])
+    }
+
+    fn map(&self) -> Result<Map> {
+        self.event.local().to_map()
+    }
+
+    fn theory<'m>(&self, map: &'m Map) -> Result<Theory<'m>> {
+        let analysis = Analysis::new(map, self.task.max_period.into(), Numbers::Enclosed);
+        Ok(Box::new(move |periods: &[u64]| analysis.judge(periods)))
+    }
+
+    fn leading(&self, _: &[u64], verdict: &Verdict) -> Option<f64> {
+        Some(verdict.orbit.as_ref()?.leading.as_ref()?.middle())
+    }
+
+    fn size(&self) -> Result<f64> {
+        Ok(self.event.scale)
+    }
+
+    fn orbit(
+        &self,
+        periods: &[u64],
+        verdict: &Verdict,
+        parameter: f64,
+        away: f64,
+    ) -> Result<Result<Analysed>> {
+        let (machine, _): (Machine<f64>, _) = self.family.at(parameter)?;
+        let simulator = self.job.machine_simulator(&machine, &[])?;
+        let (strikes, start) = self.event.start(periods, verdict, away)?;
+        Ok(find(&simulator, &strikes, &start).map(|orbit| analysed(&orbit, &machine, None)))
+    }
+}
+
+impl MachineGrazingPoint<'_> {
+    /// Why the local theory is not for this grazing; `None` where it is.
+    fn open(&self) -> Option<String> {
+        let MachineGrazingPoint { task, event, machine, reach, .. } = self;
+        let (map, rate) = (event.local(), machine.rate());
+        let name = |stop: usize| &machine.stops[stop].name;
+        if let StopLaw::Soft { damping, .. } = machine.stops[event.at.stop].law {
+            return Some(format!(
+                "stop {} gives way: what a contact of depth d changes is of the order of d{}, so the local map has no square \
+                 root, and the local theory is not for it",
+                name(event.at.stop),
+                if damping > 0.0 { "" } else { "^(3/2)" }
+            ));
+        }
+        if let Some(other) = event.others.first().filter(|_| event.half.is_none()) {
+            return Some(if other.stop == event.at.stop {
+                format!(
+                    "the motion grazes stop {} more than once in its period: the local theory is for one grazing",
+                    name(other.stop)
+                )
+            } else {
+                format!(
+                    "the motion grazes several stops in its period, {} and {} among them: the local theory is for one grazing",
+                    name(event.at.stop),
+                    name(other.stop)
+                )
+            });
+        }
+        if map.acceleration.is_nan() || map.acceleration <= 0.0 {
+            return Some(format!(
+                "a_G = {} at the touch: the local theory is for a positive one",
+                map.acceleration * rate * rate
+            ));
+        }
+        if map.e.is_nan() || map.e.abs() * reach <= FLAT * event.scale {
+            return Some(format!(
+                "e = {:e}: the least gap only touches 0 as {} varies, and the local theory is for one that passes through it",
+                map.e, task.parameter
+            ));
+        }
+        (event.at.gap.abs() > 1e-9 * event.scale).then(|| {
+            format!("the least gap passes through 0 without being found there: {:e} is left", event.at.gap)
+        })
+    }
+}

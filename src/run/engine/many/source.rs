@@ -1,0 +1,161 @@
+//! The orbits of a machine over a parameter.
+
+use std::f64::consts::TAU;
+
+use super::{
+    super::{
+        super::{
+            GrazingEventRow, Job,
+            branch::{events, settled},
+        },
+        AnalysedEvent, Branches, OrbitSource,
+    },
+    analysed, machine_orbits, named, names, speeds,
+};
+use crate::{
+    continuation::{Bifurcation, FollowedOrbit, Label, Located, RecordForm, SearchReach, read_label_as},
+    error::Result,
+    many::{
+        Machine, MachineFamily,
+        attracting::attracting,
+        branch::{MachinePatterns, MachinePlane},
+        grazing::own_reach,
+        normal_form::normal_form,
+        orbit::{MachineOrbit, StopPattern, StopStrike},
+    },
+    scene::{
+        MachineSceneFamily,
+        branches::{BranchOrigin, BranchStart, BranchTask},
+        orbits::OrbitKeys,
+    },
+};
+
+/// The format of a machine's branch in a file.
+const FORMAT: &str = "grazing-machine-branch 1";
+
+/// The form in which branches of a machine with stops of these names are written.
+pub fn form<'n>(names: &'n [&'n str]) -> RecordForm<'n> {
+    RecordForm { format: FORMAT, contacts: names }
+}
+
+/// The orbits of a scene's machine over a parameter.
+pub struct MachineSource<'a> {
+    family: &'a MachineSceneFamily<'a>,
+    /// What is searched for orbits with given patterns.
+    pub patterns: MachinePatterns<'a>,
+    machine: &'a Machine<f64>,
+    job: &'a Job<'a>,
+}
+
+impl<'a> MachineSource<'a> {
+    /// # Errors
+    /// Those of [`MachinePatterns::new`].
+    pub fn new(
+        family: &'a MachineSceneFamily<'a>,
+        machine: &'a Machine<f64>,
+        job: &'a Job<'a>,
+    ) -> Result<MachineSource<'a>> {
+        let depth = job.scene.machine_scene()?.minimum_depth;
+        let patterns = MachinePatterns::new(family, family.value(), depth)?;
+        Ok(MachineSource { family, patterns, machine, job })
+    }
+
+    fn admissible(&self, keys: &OrbitKeys, machine: &Machine<f64>) -> Result<Vec<MachineOrbit>> {
+        let mut found = machine_orbits(keys, machine, &self.job.machine_simulator(machine, &[])?, self.job)?;
+        found.retain(FollowedOrbit::is_orbit);
+        Ok(found)
+    }
+}
+
+impl<'a> OrbitSource for MachineSource<'a> {
+    type Orbit = MachineOrbit;
+    type Family = MachinePatterns<'a>;
+
+    fn family(&self) -> &MachinePatterns<'a> {
+        &self.patterns
+    }
+
+    fn value(&self) -> f64 {
+        self.family.value()
+    }
+
+    fn present(&self, keys: &OrbitKeys) -> Result<Vec<MachineOrbit>> {
+        self.admissible(keys, self.machine)
+    }
+
+    fn orbits(&self, start: &BranchStart, at: f64) -> Result<Vec<MachineOrbit>> {
+        let (machine, _) = self.family.at(at)?;
+        match start.origin()? {
+            BranchOrigin::Attractor(state) => {
+                let from = self.job.scene.machine_state(state, &machine, "attractor")?;
+                let planar = self.job.planar(&machine, std::slice::from_ref(&from), &[])?;
+                let found = attracting(&planar, &from, &settled(from.t), self.job.monitor)?;
+                Ok(Some(found).filter(FollowedOrbit::is_orbit).into_iter().collect())
+            }
+            BranchOrigin::Orbit(keys) => self.admissible(keys, &machine),
+            BranchOrigin::Restart(_) => Ok(Vec::new()),
+        }
+    }
+
+    fn reaches(&self, reach: Option<f64>, orbits: &[MachineOrbit]) -> Result<Vec<SearchReach>> {
+        let unit = own_reach(self.family, self.value())?;
+        Ok(vec![SearchReach::Parameter { unit, reach: reach.unwrap_or(unit) }; orbits.len()])
+    }
+
+    fn analysed(
+        &self,
+        orbit: &MachineOrbit,
+        at: &[(&str, f64)],
+        event: Option<Bifurcation>,
+    ) -> Result<AnalysedEvent> {
+        let (machine, form) = match at {
+            &[(_, parameter)] => {
+                let (machine, slope) = self.family.at(parameter)?;
+                let form = event.map(|event| normal_form(&machine, &slope, orbit, event));
+                (machine, form)
+            }
+            _ => (self.job.scene.machine(at)?, None),
+        };
+        let rate = machine.rate();
+        let least = orbit.least.filter(|_| event == Some(Bifurcation::Grazing));
+        let touch = least.map(|least| {
+            let stop = machine.stops[least.stop].name.clone();
+            (stop, (least.phase / TAU).fract(), least.acceleration * rate * rate)
+        });
+        Ok(AnalysedEvent { orbit: analysed(orbit, &machine, event), form, touch })
+    }
+
+    fn named_with_speeds(&self, orbit: &MachineOrbit) -> (String, Vec<f64>) {
+        (self.named(&orbit.pattern), speeds(orbit, self.machine.rate()))
+    }
+
+    fn has_maps(&self) -> bool {
+        false
+    }
+
+    fn local_map(&self, _: &Located<MachineOrbit>, _: &MachineOrbit) -> Result<Option<GrazingEventRow>> {
+        Ok(None)
+    }
+
+    fn loci(&self, task: &BranchTask, second: &str) -> Result<Branches<MachineOrbit>> {
+        let at =
+            |[first, other]: [f64; 2]| self.job.scene.machine(&[(&task.parameter, first), (second, other)]);
+        let value = MachineSceneFamily::new(&self.job.scene, second)?.value();
+        let depth = self.job.scene.machine_scene()?.minimum_depth;
+        let plane = MachinePlane::new(&at, [self.value(), value], depth, self.family.tally())?;
+        events(task, self, &plane, value, self.job)
+    }
+
+    fn label(&self, text: &str, label: &str) -> Result<Label<StopPattern>> {
+        read_label_as(text, label, form(&names(self.machine)), |strikes, period| {
+            if strikes.is_empty() {
+                return StopPattern::free(period);
+            }
+            StopPattern::new(strikes.iter().map(|&(stop, periods)| StopStrike { stop, periods }).collect())
+        })
+    }
+
+    fn named(&self, pattern: &StopPattern) -> String {
+        named(pattern, self.machine)
+    }
+}

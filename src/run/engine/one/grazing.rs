@@ -1,0 +1,106 @@
+//! Grazing bifurcations of orbits of an oscillator, for the task `grazing`.
+
+use super::{
+    super::{
+        super::{Analysed, Complex, GrazingMap, Judgement},
+        GrazingPoint, Theory,
+    },
+    analysed,
+};
+use crate::{
+    error::Result,
+    one::{
+        grazing::{Grazing, LocalMap},
+        orbit::{Family, find},
+    },
+    pattern::{Graph, Map, Report as Verdict},
+    scene::{SceneFamily, orbits::GrazingTask},
+};
+
+/// A grazing bifurcation of an oscillator's orbit.
+pub(crate) struct OscillatorGrazing<'f> {
+    pub task: &'f GrazingTask,
+    pub family: &'f SceneFamily<'f>,
+    pub event: Grazing,
+    pub half: Option<LocalMap>,
+    /// The pattern of the orbit that grazes.
+    pub orbit: String,
+}
+
+impl OscillatorGrazing<'_> {
+    fn local(&self) -> &LocalMap {
+        self.half.as_ref().unwrap_or(&self.event.map)
+    }
+}
+
+impl GrazingPoint for OscillatorGrazing<'_> {
+    const HALF: &'static str =
+        "of half a period, then the mirror: both walls are grazed; patterns count halves";
+    const NEEDS: &'static str = "that needs a2 > 0 and gamma, e other than 0";
+
+    fn report(&self) -> GrazingMap {
+        let (event, half, map) = (&self.event, &self.half, self.local());
+        GrazingMap {
+            varied: self.task.parameter.clone(),
+            parameter: event.parameter,
+            orbit: Some(self.orbit.clone()),
+            stop: event.side().name().into(),
+            phase: event.phase(),
+            acceleration: map.acceleration,
+            a: map.a.map(|row| row.to_vec()).to_vec(),
+            b: Vec::new(),
+            c: Vec::new(),
+            e: map.e(),
+            eigenvalues: map.multipliers.values().map(Complex::from).to_vec(),
+            a1: Some(map.multipliers.trace),
+            a2: Some(map.multipliers.determinant),
+            gamma: Some(map.gamma()),
+            region: map.region().map(|region| region.to_string()),
+            admissible: match (event.second, event.admissible) {
+                (Some(_), _) if half.is_none() => Judgement::Marginal,
+                (Some(_), _) | (None, true) => Judgement::Yes,
+                (None, false) => Judgement::No,
+            },
+            residual: event.residual,
+            half: half.is_some(),
+            open: event.second.filter(|_| half.is_none()).map(|second| {
+                format!(
+                    "the orbit grazes twice in its period, also at the {} wall: the local theory is for one grazing",
+                    second.side.name()
+                )
+            }),
+            chaos_open: None,
+        }
+    }
+
+    fn plane(&self) -> Option<[f64; 4]> {
+        let map = self.local();
+        Some([map.multipliers.trace, map.multipliers.determinant, map.gamma(), map.e()])
+    }
+
+    fn map(&self) -> Result<Map> {
+        self.local().to_map()
+    }
+
+    fn theory<'m>(&self, map: &'m Map) -> Result<Theory<'m>> {
+        let graph = Graph::new(map, self.task.max_period.into(), false)?;
+        Ok(Box::new(move |periods: &[u64]| graph.judge(periods)))
+    }
+
+    fn leading(&self, periods: &[u64], _: &Verdict) -> Option<f64> {
+        self.local().leading(periods)
+    }
+
+    fn size(&self) -> Result<f64> {
+        Ok(self.family.at(self.event.parameter)?.unit(&self.event.itinerary))
+    }
+
+    fn orbit(&self, periods: &[u64], verdict: &Verdict, parameter: f64, _: f64) -> Result<Result<Analysed>> {
+        let (itinerary, z) = match &self.half {
+            Some(map) => self.event.half_start(map, periods, verdict, parameter)?,
+            None => self.event.start(self.family, periods, verdict, parameter)?,
+        };
+        let found = find(&self.family.at(parameter)?, &itinerary, z);
+        Ok(found.map(|orbit| analysed(&orbit, None)))
+    }
+}
