@@ -2,7 +2,8 @@
 //!
 //! A task asks an [`Engine`] and never a type of one; [`by_engine!`] is where the choice is made. `one`
 //! answers for oscillators of one degree of freedom, `many` for machines. Not here: what a report shows of
-//! the answers (`columns`).
+//! the answers (`columns`). Errors everywhere: a system that is not defined, a search's or a file's, an
+//! interruption.
 
 mod many;
 mod one;
