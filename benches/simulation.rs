@@ -25,16 +25,7 @@ fn paper(mu: f64) -> System<f64> {
 }
 
 fn bare(damping: f64, stiffness: f64) -> System<f64> {
-    System {
-        damping,
-        stiffness,
-        cubic: 0.0,
-        force: 0.0,
-        forcing: vec![],
-        smooth: None,
-        lower: None,
-        upper: None,
-    }
+    System { damping, stiffness, ..System::default() }
 }
 
 fn run(simulator: &Simulator, periods: u64) -> u64 {

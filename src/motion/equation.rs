@@ -10,8 +10,8 @@ use super::{Side, SmoothForce};
 
 /// An oscillator q″ = −`damping` q′ − `stiffness` q − `cubic` q³ + `force` + `smooth`(t, q, q′) +
 /// Σ (`cos` cos kt + `sin` sin kt), mass 1, all 2π-periodic in t, that stays between its walls Q₁(t) ≤ q ≤
-/// Q₂(t) (section 3.1 of the paper).
-#[derive(Debug, Clone, PartialEq, Serialize)]
+/// Q₂(t) (section 3.1 of the paper). By default nothing acts and there is no wall.
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub struct System<T> {
     /// The coefficient of the velocity.
     pub damping: T,

@@ -52,16 +52,7 @@ const SPEED: f64 = 1.0 / 1.1;
 /// A linear oscillator q″ = −q/1.21, and each effect added to it alone; from q = 0, u = 1/1.1 the bare one
 /// moves between −1 and 1.
 pub fn effects() -> Vec<WithEffect> {
-    let bare = || System {
-        damping: 0.0,
-        stiffness: 1.0 / 1.21,
-        cubic: 0.0,
-        force: 0.0,
-        smooth: None,
-        forcing: vec![],
-        lower: None,
-        upper: None,
-    };
+    let bare = || System { stiffness: 1.0 / 1.21, ..System::default() };
     let harmonic = |k: u32, cos| Harmonic { k, cos, sin: 0.0 };
     let wall = |offset, amplitude| {
         let harmonics = if amplitude == 0.0 { vec![] } else { vec![harmonic(1, amplitude)] };

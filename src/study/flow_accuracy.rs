@@ -75,14 +75,9 @@ pub fn tolerances() -> Vec<f64> {
 /// π, at speed ω sin φ.
 pub fn returning() -> Vec<Returning> {
     let system = |omega: f64, wall: Option<f64>| System {
-        damping: 0.0,
         stiffness: omega * omega,
-        cubic: 0.0,
-        force: 0.0,
-        smooth: None,
-        forcing: vec![],
         lower: wall.map(|offset| Wall { offset, harmonics: vec![], restitution: 1.0 }),
-        upper: None,
+        ..System::default()
     };
     let walled = |name, part: f64| Returning {
         name,

@@ -83,12 +83,8 @@ pub fn motions() -> Result<Vec<KnownMotion>> {
     let system = |damping, stiffness, wall: Wall<f64>| System {
         damping,
         stiffness,
-        cubic: 0.0,
-        force: 0.0,
-        smooth: None,
-        forcing: vec![],
         lower: Some(wall),
-        upper: None,
+        ..System::default()
     };
     let forced = |cos| vec![Harmonic { k: 1, cos, sin: 0.0 }];
     let rubbed = Scene::from_toml(FRICTION, "friction")?.plain(&[])?;

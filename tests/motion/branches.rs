@@ -423,12 +423,10 @@ fn branches_that_cross_are_labelled_and_switched() {
         let make = |size: f64, walls: bool| System {
             damping: if walls { 0.1 } else { 0.0 },
             stiffness: if walls { 2.0 } else { 0.0 },
-            cubic: 0.0,
-            force: 0.0,
-            smooth: None,
             forcing: vec![Harmonic { k: 1, cos: size, sin: 0.0 }],
             lower: if walls { wall(-1.0) } else { None },
             upper: if walls { wall(1.0) } else { None },
+            ..System::default()
         };
         let mut slope = make(1.0, false);
         slope.lower = Some(Wall { offset: 0.0, harmonics: Vec::new(), restitution: 0.0 });

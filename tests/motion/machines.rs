@@ -206,16 +206,7 @@ fn wall(offset: f64, restitution: f64, harmonics: &[(u32, f64, f64)]) -> Wall<f6
 }
 
 fn oscillators() -> Vec<(&'static str, System<f64>, [f64; 2])> {
-    let bare = |damping, stiffness| System {
-        damping,
-        stiffness,
-        cubic: 0.0,
-        force: 0.0,
-        smooth: None,
-        forcing: vec![],
-        lower: None,
-        upper: None,
-    };
+    let bare = |damping, stiffness| System { damping, stiffness, ..System::default() };
     let forced = |cos| vec![Harmonic { k: 1, cos, sin: 0.0 }];
     vec![
         (

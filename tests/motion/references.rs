@@ -66,10 +66,10 @@ fn references() -> Vec<Reference> {
                 stiffness: number(cells[2]),
                 cubic: number(cells[3]),
                 force: number(cells[4]),
-                smooth: None,
                 forcing: harmonics(cells[5]),
                 lower: wall(cells[6]),
                 upper: wall(cells[7]),
+                ..System::default()
             },
             start: [8, 9, 10].map(|i| number(cells[i])),
             until: number(cells[11]),

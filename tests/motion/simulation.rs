@@ -26,16 +26,7 @@ mod batch;
 mod forces;
 
 fn bare(damping: f64, stiffness: f64) -> System<f64> {
-    System {
-        damping,
-        stiffness,
-        cubic: 0.0,
-        force: 0.0,
-        forcing: vec![],
-        smooth: None,
-        lower: None,
-        upper: None,
-    }
+    System { damping, stiffness, ..System::default() }
 }
 
 fn wall(offset: f64, restitution: f64, harmonics: &[(u32, f64, f64)]) -> Wall<f64> {

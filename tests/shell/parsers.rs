@@ -280,16 +280,7 @@ fn sealed<'a>(lines: impl Iterator<Item = &'a str>) -> String {
 
 /// Wells at q = −1 and 1, or at ±√(−k).
 fn wells(stiffness: f64) -> Result<Simulator> {
-    let system = System {
-        damping: 0.5,
-        stiffness,
-        cubic: 1.0,
-        force: 0.0,
-        smooth: None,
-        forcing: Vec::new(),
-        lower: None,
-        upper: None,
-    };
+    let system = System { damping: 0.5, stiffness, cubic: 1.0, ..System::default() };
     Simulator::new(&system, &Settings::default())
 }
 

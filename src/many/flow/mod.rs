@@ -412,16 +412,7 @@ fn mode(pair: Pair, force: &Periodic, at: usize) -> Result<Linear> {
     let Pair::Mode { damping, stiffness } = pair else { unreachable!("real modes only") };
     let forcing =
         force.harmonics.iter().map(|(k, a, b)| Harmonic { k: *k, cos: a[at], sin: b[at] }).collect();
-    Linear::new(&System {
-        damping,
-        stiffness,
-        cubic: 0.0,
-        force: force.mean[at],
-        smooth: None,
-        forcing,
-        lower: None,
-        upper: None,
-    })
+    Linear::new(&System { damping, stiffness, force: force.mean[at], forcing, ..System::default() })
 }
 
 fn apply(m: &[[f64; 2]; 2], y: &mut RealVector, i: usize) {

@@ -279,7 +279,7 @@ mod tests {
 
     fn system(damping: f64, stiffness: f64, force: f64, forcing: &[(u32, f64, f64)]) -> System<f64> {
         let forcing = forcing.iter().map(|&(k, cos, sin)| Harmonic { k, cos, sin }).collect();
-        System { damping, stiffness, cubic: 0.0, force, forcing, smooth: None, lower: None, upper: None }
+        System { damping, stiffness, force, forcing, ..System::default() }
     }
 
     /// Damped, undamped, critical and nearly, zero and negative stiffness, resonant and nearly, with force

@@ -157,12 +157,11 @@ mod tests {
                 let system = System {
                     damping,
                     stiffness,
-                    cubic: 0.0,
                     force: 0.1,
                     forcing,
-                    smooth: None,
                     lower: wall(-1.0),
                     upper: wall(2.0),
+                    ..System::default()
                 };
                 // Too weak to move anything: it only leads to the integrator.
                 let bent = System { cubic: 1e-300, ..system.clone() };

@@ -142,12 +142,10 @@ mod tests {
             let system = System {
                 damping,
                 stiffness,
-                cubic: 0.0,
-                force: 0.0,
                 forcing: vec![h(1, 0.5, 0.25), h(2, -0.1, 0.0)],
-                smooth: None,
                 lower: wall(-1.0),
                 upper: wall(2.0),
+                ..System::default()
             };
             let oscillator = Oscillator::new(system, 1e-12).unwrap();
             let from = State { t: 0.7, q: 0.4, u: -0.3 };
@@ -174,14 +172,10 @@ mod tests {
     #[test]
     fn resonance_has_no_periodic_part() {
         let system = System {
-            damping: 0.0,
             stiffness: 1.0,
-            cubic: 0.0,
-            force: 0.0,
             forcing: vec![Harmonic { k: 1, cos: 1.0, sin: 0.0 }],
-            smooth: None,
             lower: Some(Wall { offset: -1.0, harmonics: Vec::new(), restitution: 1.0 }),
-            upper: None,
+            ..System::default()
         };
         let oscillator = Oscillator::new(system, 1e-12).unwrap();
         assert!(LinearGap::new(oscillator.flow(), &oscillator.walls()[0]).is_none());

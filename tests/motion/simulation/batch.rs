@@ -50,7 +50,7 @@ fn wall(offset: f64, moving: f64, restitution: f64) -> Option<Wall<f64>> {
 
 fn system(damping: f64, stiffness: f64, force: f64, cos: f64) -> System<f64> {
     let forcing = if cos == 0.0 { vec![] } else { vec![Harmonic { k: 1, cos, sin: 0.0 }] };
-    System { damping, stiffness, cubic: 0.0, force, forcing, smooth: None, lower: None, upper: None }
+    System { damping, stiffness, force, forcing, ..System::default() }
 }
 
 /// The paper's oscillator.
