@@ -40,6 +40,7 @@ mod periods;
 mod plane;
 mod problem;
 mod record;
+mod starts;
 
 pub use bifurcation::{Bifurcation, Degeneracy, Singularity};
 pub use branch::{BranchPoint, Direction, OrbitBranch, OrbitCurve};
@@ -58,3 +59,4 @@ pub(crate) use periods::{counted, halved, natural, sum_of_periods, times_round};
 pub use plane::EventCurve;
 pub use problem::{FollowedOrbit, ImpactPattern, PatternFamily, PatternOf, PatternPlane};
 pub use record::{Label, RecordForm, read_label_as, record_as};
+pub(crate) use starts::Starts;

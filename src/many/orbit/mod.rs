@@ -22,6 +22,7 @@ mod change;
 mod equations;
 mod leg;
 mod pattern;
+mod starts;
 mod surface;
 
 use std::f64::consts::TAU;
@@ -31,6 +32,7 @@ pub(super) use change::MachineChange;
 pub(super) use equations::StopEquations;
 pub(super) use leg::Between;
 pub use pattern::{StopPattern, StopStrike};
+pub(crate) use starts::FreeStarts;
 pub(super) use surface::{Image, Surface};
 
 use super::{

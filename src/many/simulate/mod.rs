@@ -269,6 +269,16 @@ impl MachineSimulator {
         Ok(stage.acceleration(Time::new(0, state.t), state))
     }
 
+    /// The acceleration of a stop's gap at a phase where the machine rests on it, moved by a push there from
+    /// where all coordinates are 0. Not a number where that has none.
+    pub(crate) fn on_stop(&self, stop: usize, t: f64) -> f64 {
+        let contact = &self.contacts.all()[stop];
+        let [place, rate, bend] = contact.position.at(t);
+        let push = self.contacts.push(stop) / self.contacts.mobility(stop);
+        let state = MachineState { t, q: &push * place, u: &push * rate };
+        contact.row.dot(&self.free.acceleration(Time::new(0, t), &state)) - bend
+    }
+
     /// The machine away from all stops.
     pub(crate) fn free(&self) -> Arc<Stage> {
         self.free.clone()
@@ -307,12 +317,9 @@ impl MachineSimulator {
     /// How far is far is told by the machine's motion, by the norm that the mass gives: that of the gap alone
     /// may be rounding's, where the forces act on a part of the machine that the stop does not feel.
     pub fn scale(&self) -> f64 {
-        self.nearest().map_or(
-            0.0,
-            |GapSize { forced, moved, place }| {
-                if moved > 0.0 && place > MET * moved { moved } else { forced.max(place) }
-            },
-        )
+        self.nearest_stop().map(|stop| self.gap_size(stop)).map_or(0.0, |GapSize { forced, moved, place }| {
+            if moved > 0.0 && place > MET * moved { moved } else { forced.max(place) }
+        })
     }
 
     /// The same where these stops are met: of their places and motions, too.
@@ -327,12 +334,15 @@ impl MachineSimulator {
     /// The size of the gap to the stop that is nearest, however far that is: what its rounding is relative
     /// to. 0 as of [`scale`](Self::scale).
     pub fn gap_scale(&self) -> f64 {
-        self.nearest().map_or(0.0, |GapSize { forced, place, .. }| forced.max(place))
+        self.nearest_stop().map_or(0.0, |stop| {
+            let GapSize { forced, place, .. } = self.gap_size(stop);
+            forced.max(place)
+        })
     }
 
-    /// The sizes at the stop that the forced motion comes nearest to, distances being those of displacements
-    /// in coordinates in which the mass is 1.
-    fn nearest(&self) -> Option<GapSize> {
+    /// The stop that the forced motion comes nearest to, distances being those of displacements in coordinates
+    /// in which the mass is 1.
+    pub(crate) fn nearest_stop(&self) -> Option<usize> {
         let (flow, zero) = (&self.free.flow, RealVector::zeros(self.equations.size()));
         let distance = |stop: usize| {
             let contact = &self.contacts.all()[stop];
@@ -342,7 +352,7 @@ impl MachineSimulator {
             least / self.contacts.mobility(stop).sqrt()
         };
         let all = (0..self.contacts.all().len()).map(|stop| (stop, distance(stop)));
-        all.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(stop, _)| self.gap_size(stop))
+        all.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(stop, _)| stop)
     }
 
     fn gap_size(&self, stop: usize) -> GapSize {

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use rayon::prelude::*;
 
 use super::{Itinerary, Orbit, Oscillator, find, solution::obstacle};
-use crate::error::Error;
+use crate::{continuation::Starts, error::Error, motion::State};
 
 /// The orbits reached from `starts` well-spread starts with speeds up to `speed`, admissible or not, with
 /// every speed positive: each once, whichever of its impacts is called the first, those that go round a
@@ -16,7 +16,8 @@ pub fn search(oscillator: &Oscillator, itinerary: &Itinerary, starts: u32, speed
     if m == 0 {
         return find(oscillator, itinerary, vec![0.0; 2]).into_iter().collect();
     }
-    let one = |i: u32| find(oscillator, itinerary, start(m, speed, i)).ok();
+    let begin = begin(oscillator, itinerary, speed);
+    let one = |i: u32| find(oscillator, itinerary, begin.of(m, i)).ok();
     let roots: Vec<Orbit> = (0..starts).into_par_iter().filter_map(one).collect();
     let mut found: Vec<Orbit> = Vec::new();
     for orbit in roots {
@@ -39,17 +40,25 @@ pub fn search_obstacle(
 ) -> Option<Error> {
     match itinerary.strikes().len() {
         0 => obstacle(oscillator, itinerary, &[0.0; 2]),
-        m => (0..starts.min(LOOKS)).find_map(|i| obstacle(oscillator, itinerary, &start(m, speed, i))),
+        m => {
+            let begin = begin(oscillator, itinerary, speed);
+            (0..starts.min(LOOKS)).find_map(|i| obstacle(oscillator, itinerary, &begin.of(m, i)))
+        }
     }
 }
 
 /// Starts that are looked at for a reason.
 const LOOKS: u32 = 16;
 
-/// The i-th start of a pattern with m impacts.
-fn start(m: usize, speed: f64, i: u32) -> Vec<f64> {
-    let sequence = |j: usize| (0.5 + f64::from(i) * spread(j, 2 * m)).fract();
-    (0..2 * m).map(|j| sequence(j) * if j % 2 == 0 { TAU } else { speed }).collect()
+/// Where a search begins: told by what pulls a body that rests on the wall of the first impact.
+fn begin(oscillator: &Oscillator, itinerary: &Itinerary, speed: f64) -> Starts {
+    let struck = itinerary.strikes().first().map(|strike| strike.side);
+    let wall = oscillator.walls().iter().find(|wall| Some(wall.side) == struck);
+    Starts::new(speed, |t| {
+        let Some(wall) = wall else { return 0.0 };
+        let [q, u, _] = wall.position.at(t);
+        wall.acceleration(oscillator.flow(), State { t, q, u })
+    })
 }
 
 /// Closer than this, in radians and in the size of the motion, two solutions are one.
@@ -65,14 +74,4 @@ fn same(a: &Orbit, b: &Orbit, shift: usize) -> bool {
             && turn.min(TAU - turn) < NEAR
             && (x[1] - y[1]).abs() < NEAR * a.unit
     })
-}
-
-/// The j-th ratio of an additive recurrence in `dimension` dimensions (powers of 1/φ_d, φ_d^{d+1} = φ_d + 1):
-/// points that fill the cube evenly.
-fn spread(j: usize, dimension: usize) -> f64 {
-    let mut root: f64 = 2.0;
-    for _ in 0..40 {
-        root = (1.0 + root).powf(1.0 / (dimension as f64 + 1.0));
-    }
-    root.powi(-(j as i32 + 1))
 }

@@ -6,13 +6,13 @@ use rayon::prelude::*;
 
 use super::super::super::Job;
 use crate::{
+    continuation::Starts,
     error::{Error, Result},
     many::{
         Machine, MachineState, RealVector,
-        orbit::{MachineOrbit, StopPattern, StopStrike, find, find_from},
+        orbit::{FreeStarts, MachineOrbit, StopPattern, StopStrike, find, find_from},
         simulate::MachineSimulator,
     },
-    random::Random,
     scene::orbits::OrbitKeys,
 };
 
@@ -43,17 +43,15 @@ pub(crate) fn machine_orbits(
     let m = keys.pattern.len();
     let met = pattern.strikes().iter().map(|strike| strike.stop);
     let greatest = keys.speed.map_or(4.0 * simulator.scale_at(met), |speed| speed / rate);
-    let start = |i: u32| -> Vec<f64> {
-        let mut random = Random::of_unit(0, u64::from(i));
-        let mut part = || random.bits() as f64 / u64::MAX as f64;
-        (0..2 * m).map(|j| part() * if j % 2 == 0 { TAU } else { greatest }).collect()
-    };
+    let begin = Starts::new(greatest, |t| simulator.on_stop(pattern.strikes()[0].stop, t));
     let mut found: Vec<MachineOrbit> = Vec::new();
     for first in (0..keys.starts).step_by(CHUNK as usize) {
         job.check()?;
         let last = first.saturating_add(CHUNK).min(keys.starts);
-        let roots: Vec<MachineOrbit> =
-            (first..last).into_par_iter().filter_map(|i| find(simulator, &pattern, &start(i)).ok()).collect();
+        let roots: Vec<MachineOrbit> = (first..last)
+            .into_par_iter()
+            .filter_map(|i| find(simulator, &pattern, &begin.of(m, i)).ok())
+            .collect();
         for orbit in roots {
             let fastest = orbit.impacts.iter().fold(0.0, |most: f64, impact| most.max(impact.speed));
             let moving = orbit.impacts.iter().all(|impact| impact.speed > NEAR * fastest);
@@ -69,7 +67,7 @@ pub(crate) fn machine_orbits(
 
 /// Orbits without impacts on rigid stops, where there are soft ones or forces are formulas: from the state at
 /// phase 0 of the keys, or those of a search, from the motion that the forces alone bring about and from
-/// random states.
+/// deflections of it.
 fn through_soft_stops(
     keys: &OrbitKeys,
     machine: &Machine<f64>,
@@ -86,19 +84,7 @@ fn through_soft_stops(
     }
     let scale = simulator.scale();
     let greatest = keys.speed.map_or(4.0 * scale, |speed| speed / rate);
-    let start = |i: u32| -> Result<MachineOrbit> {
-        if i == 0 {
-            return find(simulator, &pattern, &[]);
-        }
-        let mut random = Random::of_unit(0, u64::from(i));
-        let mut list = |most: f64| {
-            RealVector::from_fn(machine.size, |_, _| {
-                most * (2.0 * (random.bits() as f64 / u64::MAX as f64) - 1.0)
-            })
-        };
-        let state = MachineState { t: 0.0, q: list(2.0 * scale), u: list(greatest) };
-        find_from(simulator, &pattern, &[], Some(&state))
-    };
+    let starts = FreeStarts::new(simulator, &pattern, greatest)?;
     let near = |a: &MachineState, b: &MachineState| {
         let size = a.q.amax().max(a.u.amax());
         (&a.q - &b.q).amax().max((&a.u - &b.u).amax()) <= NEAR * size
@@ -107,7 +93,8 @@ fn through_soft_stops(
     for first in (0..keys.starts).step_by(CHUNK as usize) {
         job.check()?;
         let last = first.saturating_add(CHUNK).min(keys.starts);
-        let roots: Vec<MachineOrbit> = (first..last).into_par_iter().filter_map(|i| start(i).ok()).collect();
+        let roots: Vec<MachineOrbit> =
+            (first..last).into_par_iter().filter_map(|i| starts.find(i).ok()).collect();
         for orbit in roots {
             // Of a shorter period if that period's equations have the same solution: stops that are in the
             // way of the motion, which is listed as such, are no part of them.
