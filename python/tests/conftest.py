@@ -1,5 +1,6 @@
 """What the tests share."""
 
+import os
 import signal
 from pathlib import Path
 
@@ -15,6 +16,16 @@ ROOT = Path(__file__).resolve().parents[2]
 def root() -> Path:
     """The repository."""
     return ROOT
+
+
+@pytest.fixture
+def program(root):
+    """The command line, beside which answers are read."""
+    built = [root / "target" / profile / "grazing" for profile in ("debug", "release")]
+    command = os.environ.get("GRAZING") or next((path for path in built if path.exists()), None)
+    if command is None:
+        pytest.skip("the command line is not built: run cargo build, or set GRAZING to the program")
+    return command
 
 
 #: A driven mass with a stop, as a dict.

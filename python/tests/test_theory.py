@@ -1,6 +1,8 @@
 """The theory's functions, each against another route to the same numbers."""
 
+import json
 import math
+import subprocess
 from decimal import Decimal
 from fractions import Fraction
 
@@ -149,6 +151,47 @@ def test_word_and_classification_agree():
                 low, high = case.entropy
                 assert 0 < high - low < Fraction(1, 10**12)
                 assert abs(case.entropy_float() - math.log(1 / root(case))) < 1e-9
+
+
+#: Regions 1 to 5, the lines between them, r = 1 and beside it, and a₂ > 1: as no float tells.
+PLACES = [
+    {"r": "1", "s": "1/5+2^-200"},
+    {"r": "1", "s": "3/7"},
+    {"r": "1-2^-60", "s": "2/9"},
+    {"r": "9/10", "s": "1/4-10^-40"},
+    {"r": "0.4633", "s": "0.16327"},
+    {"a1": "2", "a2": "1/2"},
+    {"a1": "7/5", "a2": "49/100"},
+    {"a1": "-7/5", "a2": "49/100"},
+    {"a1": "-3/2", "a2": "1/2"},
+    {"a1": "-2", "a2": "1/2+2^-100"},
+    {"a1": "-1/3", "a2": "9/8"},
+]
+
+
+@pytest.mark.parametrize("place", PLACES, ids=str)
+def test_points_are_those_of_the_command_line(program, place):
+    def said(command, *more):
+        at = [f"--{name}={value}" for name, value in place.items()]
+        done = subprocess.run([program, command, *at, *more, "--format", "json"], capture_output=True, text=True)
+        # 3: something is undecided, which is an answer.
+        assert done.returncode in (0, 3), done.stderr
+        return json.loads(done.stdout)
+
+    rows = []
+    for found in grazing.classify(**place, max_n=8):
+        own = {name: getattr(found, name) for name in ("n", "positive_k", "negative_k", "zero_k")}
+        cases = [(*case, large) for case, large in zip(found.cases, found.large_eigenvalue)] or [(None, None, None)]
+        for emu, gamma, large in cases:
+            signs = {"sign_emu": emu, "sign_gamma": gamma, "large_eigenvalue": large}
+            rows.append({**own, "existence": found.verdict, **signs})
+    assert rows == said("classify", "--max-n", "8")["rows"]
+    report = grazing.word(**place)
+    for word in said("word")["words"]:
+        for case in word["cases"]:
+            one = report.case(word["sign_emu"], case["sign_gamma"])
+            assert {e for e in one.edges if max(e) <= 8} == {tuple(e) for e in case["edges"] if max(e) <= 8}
+            assert {n for n in one.loops if n <= 8} == {n for n in case["loops"] if n <= 8}
 
 
 def count_patterns(edges, period):
