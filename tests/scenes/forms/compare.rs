@@ -35,12 +35,15 @@ pub struct Count {
     pub compared: usize,
     /// Those that changes by δ turn over.
     pub undecided: usize,
+    /// Tasks that were asked again with more changes, as they differed by more than a few made of them.
+    pub again: usize,
 }
 
 impl Count {
     pub fn add(&mut self, other: Count) {
         self.compared += other.compared;
         self.undecided += other.undecided;
+        self.again += other.again;
     }
 }
 

@@ -211,27 +211,16 @@ pub struct Reported {
 }
 
 impl Reported {
-    /// The task's name, if the motion without impacts has more harmonics than a machine's grazing is looked
-    /// for in: a machine says so, and an oscillator integrates.
-    pub fn many_harmonics(&self) -> Option<String> {
-        let reason = self.report.status.reason().unwrap_or_default();
-        reason.contains("too many harmonics").then(|| self.report.task.clone())
+    /// Whether the motion without impacts has more harmonics than a machine's grazing is looked for in: a
+    /// machine says so, and an oscillator integrates.
+    pub fn many_harmonics(&self) -> bool {
+        self.report.status.reason().unwrap_or_default().contains("too many harmonics")
     }
 
-    /// The task's name, if an event was not found within its reach.
-    pub fn beyond_reach(&self) -> Option<String> {
+    /// Whether an event was not found within its reach.
+    pub fn beyond_reach(&self) -> bool {
         let reason = self.report.status.reason().unwrap_or_default();
-        (["event", "grazing"].contains(&self.report.kind) && reason.contains("beyond reach"))
-            .then(|| self.report.task.clone())
-    }
-
-    /// What was computed to tell where motions settle, of what is followed in closed form from impact to
-    /// impact: where they were on the way decides how much that is.
-    pub fn wanderings(&self) -> Option<String> {
-        let follows = ["section", "diagram", "basins"].contains(&self.report.kind);
-        let work = format!("{:?}", self.report.effects);
-        let integrated = ["smooth", "cubic"].iter().any(|effect| work.contains(effect));
-        (follows && !integrated).then_some(work)
+        ["event", "grazing"].contains(&self.report.kind) && reason.contains("beyond reach")
     }
 
     /// Times in periods and speeds of the impacts of a motion, as its format has them.
