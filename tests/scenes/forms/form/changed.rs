@@ -4,12 +4,13 @@ use toml::{Table, Value};
 
 use crate::forms::{
     draw::Random,
-    scene::{What, each_number},
+    scene::{LENGTH, What, each_number, list, text},
 };
 
 /// The scene with every coefficient changed by a part of up to δ, at random.
 pub fn changed(base: &Table, delta: f64, seed: u64) -> Table {
     let mut scene = base.clone();
+    move_walls(&mut scene, delta, seed);
     let parts = (4.0 / delta).log2().round() as u32;
     let mut count = 0;
     each_number(&mut scene, &mut |mut slot| {
@@ -39,4 +40,27 @@ pub fn changed(base: &Table, delta: f64, seed: u64) -> Table {
         slot.wrap(&format!("({{}})*(1 + ({part})/2^{parts})"));
     });
     scene
+}
+
+/// Moves walls at 0 away by a part of up to δ of the lengths of the scene: of 0 no part is a change, and what
+/// rounding leaves of a gap goes with the displacements, wherever the wall is.
+fn move_walls(scene: &mut Table, delta: f64, seed: u64) {
+    let mut size: f64 = 0.0;
+    each_number(scene, &mut |slot| {
+        if slot.unit == LENGTH
+            && matches!(slot.what, What::Place | What::Start)
+            && let Ok(x) = slot.text().parse::<f64>()
+        {
+            size = size.max(x.abs());
+        }
+    });
+    for (i, wall) in (1..).zip(list(scene, "walls")) {
+        let upper = wall.get("side").and_then(Value::as_str) == Some("upper");
+        let Some(offset) = wall.get_mut("offset").filter(|offset| text(offset).parse::<f64>() == Ok(0.0))
+        else {
+            continue;
+        };
+        let part = f64::from(Random(seed.wrapping_mul(0x1_0001) ^ (i << 40)).signed_part().abs());
+        *offset = Value::Float(part / 4.0 * delta * if upper { size } else { -size });
+    }
 }

@@ -56,7 +56,7 @@ pub struct Form {
 }
 
 /// Tasks that a form has not, and why: printed with every run.
-pub const BY_DESIGN: [(&str, &str, &str); 23] = [
+pub const BY_DESIGN: [(&str, &str, &str); 25] = [
     ("machine of formulas", "criticality", "no normal form is computed through formulas of machines"),
     ("machine", "columns that one format has", "each is compared between forms of its own format"),
     ("machine", "whether a grazing is admissible", "format 1 says it but for the tangency"),
@@ -65,6 +65,7 @@ pub const BY_DESIGN: [(&str, &str, &str); 23] = [
         "an event beyond its reach on one side only",
         "it is a length of the branch, in the form's own unknowns",
     ),
+    ("the same", "how far a branch goes that has an event on neither side", "the same"),
     ("machine of formulas", "grazing of a motion of more than 1000 harmonics", "a machine refuses it"),
     ("units", "bits of born orbits and of proofs", "they begin at middles of enclosures"),
     ("format 1", "times and masses in other units", "its period is 2π and its mass 1: it has none"),
@@ -83,6 +84,11 @@ pub const BY_DESIGN: [(&str, &str, &str); 23] = [
         "patterns and sections count periods of the form: others are gone round twice",
     ),
     ("half the rate", "orbits that are searched for", "starts are spread over the form's period"),
+    (
+        "moving stops",
+        "orbits that are searched for, with none at hand",
+        "Newton's steps are measured by the size of what moves in the frame",
+    ),
     (
         "further coordinate",
         "one that is driven",
