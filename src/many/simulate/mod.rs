@@ -340,8 +340,8 @@ impl MachineSimulator {
         })
     }
 
-    /// The stop that the forced motion comes nearest to, distances being those of displacements in coordinates
-    /// in which the mass is 1.
+    /// The stop that the forced motion comes nearest to, distances being those of displacements in
+    /// coordinates in which the mass is 1.
     pub(crate) fn nearest_stop(&self) -> Option<usize> {
         let (flow, zero) = (&self.free.flow, RealVector::zeros(self.equations.size()));
         let distance = |stop: usize| {

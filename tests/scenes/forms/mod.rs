@@ -5,9 +5,9 @@
 //! ([`form`]). Scenes are those of `examples` and drawn ones ([`draw`]). Where motions are integrated or go
 //! through soft stops, tasks are cut short (`brief` in [`scene`]).
 //! [`report`] reads a form's report in the frame of the scene, and [`compare`] says what differs. A sample is
-//! part of the program; the ignored test takes all scenes, with `GRAZING_FORMS=7-9` those of these seeds, with
-//! `GRAZING_FORMS=examples` or the name of one those. With `GRAZING_FORMS_TO=FOLDER` every form
-//! is written there as a scene.
+//! part of the program; the ignored test takes all scenes, with `GRAZING_FORMS=7-9` those of these seeds,
+//! with `GRAZING_FORMS=examples` or the name of one those. With `GRAZING_FORMS_TO=FOLDER` every form is
+//! written there as a scene.
 
 mod apart;
 mod compare;
@@ -267,8 +267,8 @@ impl Own {
     fn of(own: &Reports, other: &Reports, form: &Form) -> Own {
         let mut found = Own::default();
         // The reach is a length of the branch, of machines in the parameter. The length is that of the
-        // unknowns: with other lengths where the frame moves, and with the state at phase 0 of motions without
-        // impacts.
+        // unknowns: with other lengths where the frame moves, and with the state at phase 0 of motions
+        // without impacts.
         let moved = !form.view.moving.is_empty();
         let reaches = form.texts == Texts::Presence || moved || form.view.shift != 0.0;
         for one in &own.0 {
