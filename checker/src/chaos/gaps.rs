@@ -13,8 +13,11 @@
 
 use std::fmt;
 
-use super::{Fault, Interval, legs::Impact, work::Work};
-use crate::rejection::{GoOn, claim};
+use super::{Fault, Interval, work::Work};
+use crate::{
+    rejection::{GoOn, claim},
+    touch::legs::Impact,
+};
 
 /// Proves it for every letter of a cell, and that q̂ stays below the reach; with two walls, |q̂|.
 pub(super) fn open(work: &Work, pieces: u64, go_on: GoOn) -> Result<(), Fault> {

@@ -3,9 +3,9 @@
 //!
 //! The theorem with its proof is in `docs/chaos.md`, with how any linear oscillator with a rigid wall is
 //! brought to the form here; what is checked is its conditions H0 to H4, for every box of parameters
-//! (`proof`, `work`, `legs`, `gaps`; `wall` has the wall), the growth rate (`graph`), and, if it is claimed,
-//! that there are no other orbits near (`only`). The checker works on integers in units of 2⁻⁴⁸ (`interval`);
-//! exp, sin, cos and arcsin all are the exponential of one 2×2 matrix (`flow`). No code is shared with what
+//! (`proof`, `work`, `gaps`; `touch` has the wall and the legs), the growth rate, and, if it is claimed, that
+//! there are no other orbits near (`only`). The checker works on integers in units of 2⁻⁴⁸ (`interval`); exp,
+//! sin, cos and arcsin all are the exponential of one 2×2 matrix (`touch::flow`). No code is shared with what
 //! finds the proof.
 //!
 //! # Form
@@ -50,7 +50,7 @@
 //! # Rules
 //!
 //! With s = 2(a + τp)/(1 + τ) for the velocities p before and a after an impact, s_{mn} of all p in P_m and a
-//! in A_n, the map G_n of `legs`, and all paths m → n → k of three letters, in every cell:
+//! in A_n, the map G_n of `touch::legs`, and all paths m → n → k of three letters, in every cell:
 //!
 //! - 0 < W < π/2, g″ < 0 on ±W, and some a and b of the ranges have Σ a = 1 and Σ j b = 0 exactly; for these
 //!   sums all A, all A', all B and all B' each have a common denominator of at most 10³⁰;
@@ -122,16 +122,12 @@
 //! Memory: the certificate and the parts.
 
 mod cost;
-mod flow;
 mod gaps;
-mod graph;
-mod legs;
 mod only;
 mod proof;
 #[cfg(test)]
 mod tests;
 mod text;
-mod wall;
 mod words;
 mod work;
 
@@ -139,10 +135,11 @@ use super::{
     Proved, Rejection,
     lines::{Lines, Words},
     rejection::Fault,
+    touch::{
+        Interval,
+        graph::{Vertex, grows},
+    },
 };
-
-/// Numbers in units of 2⁻⁴⁸. The proofs of this kind need few digits: their boxes are wide.
-type Interval = super::interval::Fixed<48>;
 
 pub use text::{Certificate, Complete, Decimal, Fraction, Harmonic, Letter, Range};
 
@@ -195,7 +192,10 @@ are positive, so is every bounded motion for all time that meets them only there
 /// Checks everything after the kind line.
 pub(super) fn check<const MIRRORED: bool>(lines: &mut Lines) -> Result<Proved, Rejection> {
     let certificate = text::read(lines, MIRRORED)?;
-    graph::grows(&certificate).map_err(|reason| lines.false_claim(reason))?;
+    let letters = certificate.letters.iter();
+    let letters =
+        letters.map(|letter| Vertex { periods: letter.periods, growth: letter.growth, next: &letter.next });
+    grows(&letters.collect::<Vec<_>>(), certificate.growth).map_err(|reason| lines.false_claim(reason))?;
     proof::run(&certificate, lines)?;
     let title = if certificate.is_chaos() { KIND } else { "orbits" };
     Ok(Proved { title: Some(title), range: None, detail: words::detail(&certificate) })

@@ -13,8 +13,11 @@
 
 use std::fmt;
 
-use super::{Fault, Interval, legs::Impact, text::Complete, work::Work};
-use crate::rejection::{GoOn, claim};
+use super::{Fault, Interval, text::Complete, work::Work};
+use crate::{
+    rejection::{GoOn, claim},
+    touch::legs::Impact,
+};
 
 /// What the velocities a and p of legs of n periods lie in, for n from 1; `None` if there are no such legs.
 type Known = Vec<Option<[Interval; 2]>>;

@@ -2,14 +2,17 @@
 //! is a contraction of the boxes.
 
 use super::{
-    Fault, Interval, Lines, Rejection, gaps,
-    legs::{Cell, Impact},
-    only,
+    Fault, Interval, Lines, Rejection, gaps, only,
     text::Certificate,
-    wall::Wall,
     work::{Numbers, Work},
 };
-use crate::rejection::{GoOn, claim};
+use crate::{
+    rejection::{GoOn, claim},
+    touch::{
+        legs::{Cell, Impact},
+        wall::Wall,
+    },
+};
 
 /// Proves everything in every cell.
 pub(super) fn run(certificate: &Certificate, lines: &mut Lines) -> Result<(), Rejection> {

@@ -2,14 +2,18 @@
 
 use super::{
     Interval,
-    flow::{EXPONENTIALS, Flow, circle},
     only::ends,
     proof,
     text::{Certificate, read},
-    wall::Wall,
     words::detail,
 };
-use crate::lines::Lines;
+use crate::{
+    lines::Lines,
+    touch::{
+        flow::{EXPONENTIALS, Flow, circle},
+        wall::Wall,
+    },
+};
 
 fn ratio(p: i128, q: i128) -> Interval {
     Interval::ratio(p, q)

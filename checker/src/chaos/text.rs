@@ -3,32 +3,27 @@
 use std::fmt;
 
 use super::{CELLS, COST, Lines, Rejection, STATEMENT_3, STATEMENT_4, Words};
-use crate::rejection::ensure;
-use crate::{decimal::gcd, header::expect_statement};
+use crate::{
+    header::expect_statement,
+    rejection::ensure,
+    touch::{
+        graph::previous,
+        text::{decimals, fractions, line, positive, read_harmonics, side, successors},
+    },
+};
 
-pub use crate::decimal::{Decimal, Fraction};
+pub use crate::touch::text::{Decimal, Fraction, Harmonic, Range};
 
-/// The longest numerator, denominator or decimal, in digits: below 2⁵⁰.
-const DIGITS: usize = 15;
-/// The longest line: `next` with all letters.
-const LONGEST: usize = 2000;
 /// The most letters.
 const LETTERS: u64 = 400;
 /// The most periods of a letter.
 const PERIODS: u64 = 1000;
 /// The most parts of a range of phases.
 const PARTS: u64 = 64;
-/// The most harmonics of a wall, and the highest.
-const HARMONICS: u64 = 100;
-/// The greatest common denominator of the ends of harmonics' ranges.
-const DENOMINATOR: i128 = 10i128.pow(30);
 /// The most rounds of narrowing.
 const ROUNDS: u64 = 100;
 /// The most pieces of a time between windows.
 const PIECES: u64 = 1000;
-
-/// The numbers from the first to the second.
-pub type Range<T> = [T; 2];
 
 /// A letter: a leg of an orbit from one impact to the next.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -47,15 +42,6 @@ pub struct Letter {
     pub parts: u64,
     /// The letters that may follow, from 0, increasing.
     pub next: Vec<usize>,
-}
-
-/// A term a cos jt + b sin jt of the wall.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Harmonic {
-    /// j ≥ 1.
-    pub order: u64,
-    /// The ranges of a and b.
-    pub parts: [Range<Fraction>; 2],
 }
 
 /// That there are no other orbits near, and what its proof takes.
@@ -114,11 +100,7 @@ impl Certificate {
 
     /// For each letter the letters that may precede it, from 0, increasing.
     pub(super) fn previous(&self) -> Vec<Vec<usize>> {
-        let mut all = vec![Vec::new(); self.letters.len()];
-        for (m, letter) in self.letters.iter().enumerate() {
-            letter.next.iter().for_each(|&n| all[n].push(m));
-        }
-        all
+        previous(self.letters.iter().map(|letter| &letter.next[..]))
     }
 }
 
@@ -160,40 +142,6 @@ impl fmt::Display for Certificate {
     }
 }
 
-/// The next line, led by its name and read by `parse` to its end.
-fn line<T>(
-    lines: &mut Lines,
-    name: &str,
-    parse: impl FnOnce(&mut Words) -> Result<T, String>,
-) -> Result<T, Rejection> {
-    lines.line_within(LONGEST, name, parse)
-}
-
-fn decimal(words: &mut Words) -> Result<Decimal, String> {
-    Decimal::read::<48>(words, DIGITS)
-}
-
-fn fraction(words: &mut Words) -> Result<Fraction, String> {
-    Fraction::read::<48>(words, DIGITS)
-}
-
-fn positive(words: &mut Words, what: &str) -> Result<Decimal, String> {
-    let value = decimal(words)?;
-    if value.digits > 0 { Ok(value) } else { Err(format!("{what} must be positive")) }
-}
-
-/// Two decimals, the first below the second.
-fn decimals(words: &mut Words) -> Result<Range<Decimal>, String> {
-    let [lo, hi] = [decimal(words)?, decimal(words)?];
-    if lo.parts() < hi.parts() { Ok([lo, hi]) } else { Err("a range's ends must increase".into()) }
-}
-
-/// Two fractions, the first at most the second.
-fn fractions(words: &mut Words) -> Result<Range<Fraction>, String> {
-    let [lo, hi] = [fraction(words)?, fraction(words)?];
-    if lo.p * hi.q <= hi.p * lo.q { Ok([lo, hi]) } else { Err("a range's ends must not decrease".into()) }
-}
-
 fn letter(words: &mut Words) -> Result<Letter, String> {
     let periods = words.number("the periods", PERIODS)?;
     let (after, before) = (decimals(words)?, decimals(words)?);
@@ -202,35 +150,6 @@ fn letter(words: &mut Words) -> Result<Letter, String> {
     let parts = words.number("the number of parts", PARTS)?;
     ensure(periods > 0 && parts > 0, "periods and parts are at least 1")?;
     Ok(Letter { periods, after, before, weights, growth, parts, next: Vec::new() })
-}
-
-fn harmonic(words: &mut Words) -> Result<Harmonic, String> {
-    let order = words.number("the order of a harmonic", HARMONICS)?;
-    ensure(order > 0, "the order of a harmonic is at least 1")?;
-    Ok(Harmonic { order, parts: [fractions(words)?, fractions(words)?] })
-}
-
-/// Whether Σ a = 1 and Σ j b = 0 for some numbers of the ranges.
-fn is_wall(harmonics: &[Harmonic]) -> Result<(), String> {
-    // The sum p/q of the least numbers, or of the greatest, of all a (part 0) or all j b (part 1), less
-    // `goal`; |p| is at most 2¹⁵·100·100 q.
-    let sum = |part: usize, end: usize, goal: i128| {
-        harmonics.iter().try_fold((-goal, 1i128), |(p, q), one| {
-            let order = if part == 1 { i128::from(one.order) } else { 1 };
-            let Fraction { p: r, q: s } = one.parts[part][end];
-            let own = s / gcd(q.unsigned_abs(), s.unsigned_abs()) as i128;
-            let common = q.checked_mul(own).filter(|&common| common <= DENOMINATOR)?;
-            Some((p * own + r * (common / s) * order, common))
-        })
-    };
-    for (part, goal) in [(0, 1), (1, 0)] {
-        let (Some((least, _)), Some((greatest, _))) = (sum(part, 0, goal), sum(part, 1, goal)) else {
-            return Err("the harmonics' fractions have no common denominator up to 10^30".into());
-        };
-        let holds = least <= 0 && greatest >= 0;
-        ensure(holds, "the harmonics' cosines must sum to 1, their sines times their orders to 0")?;
-    }
-    Ok(())
 }
 
 fn complete(words: &mut Words) -> Result<Option<Complete>, String> {
@@ -244,18 +163,6 @@ fn complete(words: &mut Words) -> Result<Option<Complete>, String> {
     let rounds = words.number("the number of rounds", ROUNDS)?;
     ensure(longest > 0 && parts > 0 && rounds > 0, "the longest leg, parts and rounds are at least 1")?;
     Ok(Some(Complete { strength, longest, parts, rounds }))
-}
-
-/// Numbers from 1 to `count`, increasing, at least one; from 0 in the result.
-fn successors(words: &mut Words, count: u64) -> Result<Vec<usize>, String> {
-    let mut all: Vec<usize> = Vec::new();
-    while all.is_empty() || words.clone().end().is_err() {
-        let next = words.number("the number of a letter", count)? as usize;
-        let holds = next > 0 && all.last().is_none_or(|&last| next > last + 1);
-        ensure(holds, "the numbers of letters begin at 1 and increase")?;
-        all.push(next - 1);
-    }
-    Ok(all)
 }
 
 /// The ranges of c, k, f, τ, ν.
@@ -278,20 +185,6 @@ fn read_ranges(lines: &mut Lines, mirrored: bool) -> Result<[Range<Fraction>; 5]
         lines.form(problem.is_none(), problem.unwrap_or_default())?;
     }
     Ok(ranges)
-}
-
-/// The wall's harmonics.
-fn read_harmonics(lines: &mut Lines) -> Result<Vec<Harmonic>, Rejection> {
-    let count = line(lines, "harmonics", |words| words.number("the number of harmonics", HARMONICS))?;
-    let mut harmonics: Vec<Harmonic> = Vec::new();
-    for _ in 0..count {
-        let next = line(lines, "harmonic", harmonic)?;
-        let increases = harmonics.last().is_none_or(|last| last.order < next.order);
-        lines.form(increases, "the orders of harmonics increase")?;
-        harmonics.push(next);
-    }
-    is_wall(&harmonics).map_err(|reason| lines.malformed(reason))?;
-    Ok(harmonics)
 }
 
 /// Into how many parts each range is cut.
@@ -331,11 +224,7 @@ fn read_letters(lines: &mut Lines) -> Result<Vec<Letter>, Rejection> {
 pub(super) fn read(lines: &mut Lines, mirrored: bool) -> Result<Certificate, Rejection> {
     expect_statement(lines, if mirrored { STATEMENT_4 } else { STATEMENT_3 })?;
     let ranges = read_ranges(lines, mirrored)?;
-    let behind = line(lines, "side", |words| match words.word("a side")? {
-        "1" => Ok(true),
-        "-1" => Ok(false),
-        _ => Err("a side is 1 or -1".into()),
-    })?;
+    let behind = line(lines, "side", side)?;
     let (harmonics, cells) = (read_harmonics(lines)?, read_cells(lines)?);
     let window = line(lines, "window", |words| positive(words, "a window"))?;
     let pieces = line(lines, "pieces", |words| words.number("a number of pieces", PIECES))?;

@@ -1,11 +1,12 @@
 //! What a certificate speaks of, in words: all that its statement leaves to its lines.
 
-use super::text::{Certificate, Fraction, Letter, RANGES};
+use super::text::{Certificate, Letter, RANGES};
+use crate::touch::text::{plain, wall_in_words};
 
 /// Names and values: what is proved in a word, the oscillator, the ranges, the letters with their boxes and
 /// what may follow, the rate of growth, and which other motions there cannot be.
 pub(super) fn detail(certificate: &Certificate) -> Vec<(&'static str, String)> {
-    let (sign, wall) = (if certificate.behind { "" } else { "-" }, wall(certificate));
+    let (sign, wall) = (if certificate.behind { "" } else { "-" }, wall_in_words(&certificate.harmonics));
     let motion = match certificate.mirrored {
         false => format!("q'' = -c q' - k q + f above the wall {sign}nu - 1 + {wall}, restitution tau"),
         true => format!(
@@ -92,21 +93,4 @@ fn said(number: u64, letter: &Letter, mirrored: bool) -> String {
     let ([a, b], [p, q]) = (letter.after, letter.before);
     let next: Vec<String> = letter.next.iter().map(|next| (next + 1).to_string()).collect();
     format!("{number}: {periods}, velocity/nu {a} to {b} first, {p} to {q} last, then {}", next.join(" or "))
-}
-
-/// g(t), or its name where its harmonics are not those of a cosine.
-fn wall(certificate: &Certificate) -> String {
-    let one = |x: Fraction| x.p == 1 && x.q == 1;
-    match &certificate.harmonics[..] {
-        [only] if only.order == 1 && only.parts[0].into_iter().all(one) => "cos t".into(),
-        all => {
-            let orders: Vec<String> = all.iter().map(|term| term.order.to_string()).collect();
-            format!("g(t), of harmonics {} as the lines harmonic say", orders.join(", "))
-        }
-    }
-}
-
-/// p/q, or p if q is 1.
-fn plain(x: Fraction) -> String {
-    if x.q == 1 { x.p.to_string() } else { x.to_string() }
 }

@@ -3,11 +3,15 @@
 
 use super::{
     Fault, Interval,
-    flow::Matrix,
-    legs::{Cell, Parts},
     text::{Certificate, Complete, Decimal, Range},
 };
-use crate::rejection::GoOn;
+use crate::{
+    rejection::GoOn,
+    touch::{
+        flow::Matrix,
+        legs::{Cell, Parts},
+    },
+};
 
 /// A certificate's numbers, enclosed.
 pub(super) struct Numbers {

@@ -6,33 +6,50 @@
 //! as well as successors. At a vertex whose successors have different periods a path is told by its periods
 //! and where it starts; likewise backwards.
 
-use super::{Interval, text::Certificate};
+use super::{
+    Interval,
+    text::{Decimal, Range},
+};
 use crate::rejection::ensure;
 
-/// Proves the growth rate, and that paths are told by their periods.
-pub(super) fn grows(certificate: &Certificate) -> Result<(), String> {
-    let letters = &certificate.letters;
+/// A letter: its periods, its entry in the growth vector, the letters that may follow.
+pub(crate) struct Vertex<'a> {
+    pub periods: u64,
+    pub growth: Decimal,
+    pub next: &'a [usize],
+}
+
+/// For each letter the letters that may precede it, from 0, increasing.
+pub(crate) fn previous<'a>(next: impl ExactSizeIterator<Item = &'a [usize]>) -> Vec<Vec<usize>> {
+    let mut all = vec![Vec::new(); next.len()];
+    for (m, next) in next.enumerate() {
+        next.iter().for_each(|&n| all[n].push(m));
+    }
+    all
+}
+
+/// Proves that the growth rate is in the range, and that paths are told by their periods.
+pub(crate) fn grows(letters: &[Vertex], rates: Range<Decimal>) -> Result<(), String> {
     let distinct = |mut periods: Vec<u64>| {
         let count = periods.len();
         periods.sort_unstable();
         periods.dedup();
         periods.len() == count
     };
-    let next: Vec<Vec<usize>> = letters.iter().map(|letter| letter.next.clone()).collect();
-    let previous = certificate.previous();
+    let next: Vec<Vec<usize>> = letters.iter().map(|letter| letter.next.to_vec()).collect();
+    let previous = previous(letters.iter().map(|letter| letter.next));
     let told = |way: &[Vec<usize>]| {
         way.iter().all(|list| distinct(list.iter().map(|&v| letters[v].periods).collect()))
     };
     let (forward, backward) = (told(&next), told(&previous));
     let holds = forward || backward;
     ensure(holds, "a letter has two successors of the same period, and one has two such predecessors")?;
-    bounds(certificate, &next).or_else(|reason| bounds(certificate, &previous).map_err(|_| reason))
+    bounds(letters, rates, &next).or_else(|reason| bounds(letters, rates, &previous).map_err(|_| reason))
 }
 
 /// Whether the growth vector proves both rates, along these edges.
-fn bounds(certificate: &Certificate, edges: &[Vec<usize>]) -> Result<(), String> {
-    let letters = &certificate.letters;
-    let [least, most] = certificate.growth.map(|growth| Interval::ONE.over(growth.enclosed()));
+fn bounds(letters: &[Vertex], rates: Range<Decimal>, edges: &[Vec<usize>]) -> Result<(), String> {
+    let [least, most] = rates.map(|growth| Interval::ONE.over(growth.enclosed()));
     let terms = |z: Interval| -> Vec<Interval> {
         letters.iter().map(|letter| power(z, letter.periods) * letter.growth.enclosed()).collect()
     };

@@ -20,14 +20,14 @@
 //! of n half periods lasts T = πn + t′ − t, and E = (−1)ⁿ E(T), while everything else stays as it is.
 
 use super::{
-    Fault, Interval,
+    Interval,
     flow::{Flow, Matrix},
     wall::Wall,
 };
-use crate::rejection::GoOn;
+use crate::rejection::{Fault, GoOn};
 
 /// A box of parameters.
-pub(super) struct Cell<'a> {
+pub(crate) struct Cell<'a> {
     /// Whether there is an upper wall too, the mirror image; then times are counted in half periods.
     pub mirrored: bool,
     pub flow: Flow,
@@ -44,24 +44,49 @@ pub(super) struct Cell<'a> {
 
 /// An impact.
 #[derive(Clone, Copy)]
-pub(super) struct Impact {
+pub(crate) struct Impact {
     pub s: Interval,
     pub phase: Interval,
     /// −g″.
     pub bend: Interval,
+    /// (1 − g)/g′².
+    pub ratio: Interval,
     /// Q.
     pub place: Interval,
 }
 
 /// Impacts cut into parts, each part with its middle.
-pub(super) type Parts = Vec<[Impact; 2]>;
+pub(crate) type Parts = Vec<[Impact; 2]>;
 
 /// A leg's first and last velocity, with bounds of their derivatives with respect to s and s′.
-pub(super) struct Leg {
+pub(crate) struct Leg {
     pub after: Interval,
     pub before: Interval,
     pub after_slopes: [Interval; 2],
     pub before_slopes: [Interval; 2],
+}
+
+/// What the derivatives of a leg are made of: E, its E₂₂ and E₂₁, dt/ds and s/2 at both impacts.
+pub(crate) struct Frame {
+    pub e: Matrix,
+    pub velocity: Interval,
+    pub spring: Interval,
+    slopes: [Interval; 2],
+    halves: [Interval; 2],
+}
+
+impl Frame {
+    /// The derivatives of a and of p′ with respect to s and s′, given p′ and r.
+    pub fn slopes(&self, before: Interval, last: Interval) -> [[Interval; 2]; 2] {
+        let Frame { e, velocity, spring, slopes, halves } = *self;
+        let by_first = (before - e.a * halves[0]).over(e.b);
+        let by_last = (halves[1] - before).over(e.b);
+        let first = spring * halves[0] + velocity * by_first - last;
+        [
+            [slopes[0] * by_first, slopes[1] * by_last],
+            [slopes[0] * first, slopes[1] * (velocity * by_last + last)],
+        ]
+    }
 }
 
 impl<'a> Cell<'a> {
@@ -112,7 +137,7 @@ impl<'a> Cell<'a> {
         if self.depth.is_positive() && !self.wall.plain() {
             drop = drop.meet(self.wall.at(phase).drop.over(self.depth));
         }
-        Some(Impact { s, phase, bend, place: self.side - drop })
+        Some(Impact { s, phase, bend, ratio, place: self.side - drop })
     }
 
     /// The impacts with these s cut into parts; none if one may be outside the window.
@@ -136,17 +161,29 @@ impl<'a> Cell<'a> {
     }
 
     /// E for a leg, given that of its periods.
-    fn matrix(&self, turns: Matrix, from: &Impact, to: &Impact) -> Matrix {
+    pub fn matrix(&self, turns: Matrix, from: &Impact, to: &Impact) -> Matrix {
         self.flow.times(turns, self.flow.exp(to.phase - from.phase))
     }
 
     /// The velocities alone.
-    fn ends(&self, e: Matrix, periods: u64, from: &Impact, to: &Impact) -> [Interval; 2] {
+    pub fn ends(&self, e: Matrix, periods: u64, from: &Impact, to: &Impact) -> [Interval; 2] {
         let time = self.time(periods) + to.phase - from.phase;
         let (fallen, speed) = self.fall(time);
         let after = (to.place - e.a * from.place - fallen).over(e.b);
         let (_, before) = self.flow.apply(e, from.place, after);
         [after, before + speed]
+    }
+
+    /// What the derivatives of a leg are made of, but for its last velocity and acceleration.
+    pub fn frame(&self, e: Matrix, from: &Impact, to: &Impact) -> Frame {
+        let slope = |impact: &Impact| -self.depth.over(impact.bend).half();
+        Frame {
+            e,
+            velocity: self.flow.velocity(e),
+            spring: -(self.flow.stiffness * e.b),
+            slopes: [slope(from), slope(to)],
+            halves: [from.s.half(), to.s.half()],
+        }
     }
 
     /// A leg of so many periods, `turns` being their E, between impacts from these; `middles` lie among them.
@@ -157,21 +194,13 @@ impl<'a> Cell<'a> {
         let [mut after, mut before] = self.ends(e, periods, from, to);
         let [middle_after, middle_before] =
             self.ends(self.matrix(turns, middles[0], middles[1]), periods, middles[0], middles[1]);
-        let (velocity, spring) = (self.flow.velocity(e), -(self.flow.stiffness * e.b));
-        let slope = |impact: &Impact| -self.depth.over(impact.bend).half();
-        let (slopes, halves) = ([slope(from), slope(to)], [from.s.half(), to.s.half()]);
+        let frame = self.frame(e, from, to);
         let apart = [from.s - middles[0].s, to.s - middles[1].s];
         let mut leg =
             Leg { after, before, after_slopes: [Interval::WHOLE; 2], before_slopes: [Interval::WHOLE; 2] };
         for _ in 0..3 {
             let last = self.acceleration(to.place, before);
-            let by_first = (before - e.a * halves[0]).over(e.b);
-            let by_last = (halves[1] - before).over(e.b);
-            leg.after_slopes = [slopes[0] * by_first, slopes[1] * by_last];
-            leg.before_slopes = [
-                slopes[0] * (spring * halves[0] + velocity * by_first - last),
-                slopes[1] * (velocity * by_last + last),
-            ];
+            [leg.after_slopes, leg.before_slopes] = frame.slopes(before, last);
             let moved = |slopes: [Interval; 2]| slopes[0] * apart[0] + slopes[1] * apart[1];
             after = after.meet(middle_after + moved(leg.after_slopes));
             before = before.meet(middle_before + moved(leg.before_slopes));

@@ -8,14 +8,14 @@ use super::Interval;
 
 /// The coefficients of q″ = −c q′ − k q.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Flow {
+pub(crate) struct Flow {
     pub damping: Interval,
     pub stiffness: Interval,
 }
 
 /// E = a + bA, by the entries that are used.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Matrix {
+pub(crate) struct Matrix {
     /// a = E₁₁.
     pub a: Interval,
     /// b = E₁₂.
@@ -96,7 +96,7 @@ impl Flow {
 }
 
 /// The cosines of an interval, and the sines.
-pub(super) fn circle(t: Interval) -> (Interval, Interval) {
+pub(crate) fn circle(t: Interval) -> (Interval, Interval) {
     let e = CIRCLE.exp(t);
     (e.a, e.b)
 }
@@ -104,5 +104,5 @@ pub(super) fn circle(t: Interval) -> (Interval, Interval) {
 #[cfg(test)]
 thread_local! {
     /// How many exponentials were taken on this thread.
-    pub static EXPONENTIALS: std::cell::Cell<u64> = const { std::cell::Cell::new(0) };
+    pub(crate) static EXPONENTIALS: std::cell::Cell<u64> = const { std::cell::Cell::new(0) };
 }

@@ -10,11 +10,11 @@
 //! 1 − g = Σ aⱼ (1 − cos jt) − bⱼ sin jt
 //! ```
 
-use super::{Fault, Interval, flow::circle};
-use crate::rejection::{GoOn, claim};
+use super::{Interval, flow::circle};
+use crate::rejection::{Fault, GoOn, claim};
 
 /// g by its harmonics, with what is known of it on the window ±W.
-pub(super) struct Wall {
+pub(crate) struct Wall {
     harmonics: Vec<(u64, [Interval; 2])>,
     /// Whether g(t) = cos t.
     plain: bool,
@@ -27,7 +27,7 @@ pub(super) struct Wall {
 }
 
 /// The wall at a phase.
-pub(super) struct Shape {
+pub(crate) struct Shape {
     /// 1 − g.
     pub drop: Interval,
     /// −g′.

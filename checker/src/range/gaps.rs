@@ -1,0 +1,174 @@
+//! The condition H4: strictly between impacts the gap to the wall is positive.
+//!
+//! The gap is Z = 1 − g(t) + ν (q̂ − σ), with Z = 0 at both ends of a leg, Z′ > 0 at the first and Z′ < 0 at
+//! the last by E3. The leg is cut into pieces of time, on which Z is, certainly,
+//!
+//! - open: Z > 0;
+//! - convex: Z″ > 0;
+//! - rising: Z′ > 0, or falling: Z′ < 0.
+//!
+//! From the first impact on, Z > 0 is carried forward by pieces that are rising; or convex, if Z′ > 0 where
+//! they begin, and so where they end; or open, but then Z′ is no longer known. Likewise it is carried backward
+//! from the last impact, by pieces that are falling, convex or open. Both must meet. In a window between, 2πk −
+//! W ≤ t ≤ 2πk + W, all pieces are open, too, if Z″ ≥ μ > 0 there and Z(2πk) − Z′(2πk)²/2μ > 0, which is ν
+//! times q̂ − σ − ν q̂′²/2μ.
+//!
+//! An impact's phase is known by an interval. So the first pieces may be before it or hold it: what is said
+//! of Z there is said of the motion that is free for all times, and open they are not if they hold it.
+
+use super::{Fault, Interval, map::Legs, work::Work};
+use crate::{
+    rejection::{GoOn, claim},
+    touch::legs::Impact,
+};
+
+/// Proves it for every leg of a cell, of these strengths.
+pub(super) fn open(
+    work: &Work,
+    legs: &Legs,
+    strengths: &[Interval],
+    pieces: u64,
+    go_on: GoOn,
+) -> Result<(), Fault> {
+    let mut impacts = Vec::new();
+    for (edge, &s) in strengths.iter().enumerate() {
+        let Some(impact) = work.cell.impact(s) else { return Err(work.graph.outside(edge)) };
+        impacts.push(impact);
+    }
+    for (index, &[from, letter, to]) in work.graph.legs.iter().enumerate() {
+        let flight = Flight {
+            work,
+            periods: work.graph.periods[letter],
+            ends: [&impacts[from], &impacts[to]],
+            after: Work::after(legs, index),
+            pieces,
+        };
+        let holds = flight.is_open(go_on)?;
+        claim(
+            holds,
+            format_args!(
+                "letter {} between {} and {}: the gap may not be positive (H4)",
+                letter + 1,
+                work.graph.edges[from][0] + 1,
+                work.graph.edges[to][1] + 1
+            ),
+        )?;
+    }
+    Ok(())
+}
+
+/// All legs between two edges.
+struct Flight<'a> {
+    work: &'a Work<'a>,
+    periods: u64,
+    ends: [&'a Impact; 2],
+    after: Interval,
+    pieces: u64,
+}
+
+/// The gap, its slope and its bend.
+struct Gap {
+    height: Interval,
+    slope: Interval,
+    bend: Interval,
+}
+
+/// What is certain of the gap on a piece.
+#[derive(Clone, Copy)]
+struct Piece {
+    open: bool,
+    convex: bool,
+    rising: bool,
+    falling: bool,
+}
+
+impl Flight<'_> {
+    /// q̂ and q̂′ at a time t since the middle of window k.
+    fn motion(&self, k: u64, t: Interval) -> [Interval; 2] {
+        let cell = &self.work.cell;
+        let e = cell.flow.times(self.work.turns(k), cell.flow.exp(t - self.ends[0].phase));
+        let (place, velocity) = cell.flow.apply(e, self.ends[0].place, self.after);
+        [place, velocity]
+    }
+
+    fn gap(&self, k: u64, t: Interval) -> Gap {
+        let cell = &self.work.cell;
+        let ([place, velocity], shape) = (self.motion(k, t), cell.wall.at(t));
+        Gap {
+            height: shape.drop + cell.depth * (place - cell.side),
+            slope: shape.slope + cell.depth * velocity,
+            bend: shape.bend + cell.depth * cell.acceleration(place, velocity),
+        }
+    }
+
+    /// A piece, by what Z, Z′ and Z″ are on it and Z and Z′ in its middle; and the least Z″.
+    fn piece(&self, k: u64, t: Interval) -> (Piece, Interval) {
+        let (all, middle) = (self.gap(k, t), self.gap(k, t.middle()));
+        let apart = t - t.middle();
+        let slope = middle.slope + all.bend * apart;
+        let (rising, falling) = (all.slope.is_positive() || slope.is_positive(), {
+            (-all.slope).is_positive() || (-slope).is_positive()
+        });
+        let height = middle.height + all.slope.meet(slope) * apart;
+        let open = all.height.is_positive() || height.is_positive();
+        (Piece { open, convex: all.bend.is_positive(), rising, falling }, all.bend.least())
+    }
+
+    /// All pieces in order.
+    fn pieces(&self, go_on: GoOn) -> Result<Vec<Piece>, Fault> {
+        let cell = &self.work.cell;
+        let (window, n) = (cell.wall.window, self.periods);
+        let [first, last] = self.ends;
+        let next = Interval::PI + Interval::PI - window;
+        let mut all = Vec::new();
+        for k in 0..=n {
+            let from = if k == 0 { first.phase } else { -window };
+            let to = if k == n { last.phase } else { window };
+            let start = all.len();
+            let mut least: Option<Interval> = None;
+            for part in 0..self.pieces {
+                go_on()?;
+                let (piece, bend) = self.piece(k, from.hull(to).part(part, self.pieces));
+                all.push(piece);
+                least = Some(least.map_or(bend, |least| least.hull(bend).least()));
+            }
+            if let Some(least) = least.filter(|_| 0 < k && k < n) {
+                let [place, velocity] = self.motion(k, Interval::ZERO);
+                let dip = (cell.depth * velocity.squared()).over(least + least);
+                if least.is_positive() && (place - cell.side - dip).is_positive() {
+                    all[start..].iter_mut().for_each(|piece| piece.open = true);
+                }
+            }
+            for part in 0..if k < n { self.pieces } else { 0 } {
+                go_on()?;
+                all.push(self.piece(k, window.hull(next).part(part, self.pieces)).0);
+            }
+        }
+        Ok(all)
+    }
+
+    fn is_open(&self, go_on: GoOn) -> Result<bool, Fault> {
+        let pieces = self.pieces(go_on)?;
+        let forward = carried(pieces.iter().map(|piece| (piece.rising, piece.convex, piece.open)));
+        let backward = carried(pieces.iter().rev().map(|piece| (piece.falling, piece.convex, piece.open)));
+        Ok(forward + backward >= pieces.len())
+    }
+}
+
+/// How many pieces carry Z > 0 away from an impact: those on which Z moves away from the wall; on which it is
+/// convex, and is known to do so where they begin; or on which it is open.
+pub(super) fn carried(pieces: impl Iterator<Item = (bool, bool, bool)>) -> usize {
+    let mut leaves = true;
+    let mut count = 0;
+    for (moving, convex, open) in pieces {
+        if moving || (leaves && convex) {
+            leaves = true;
+        } else if open {
+            leaves = false;
+        } else {
+            break;
+        }
+        count += 1;
+    }
+    count
+}

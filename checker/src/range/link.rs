@@ -1,0 +1,35 @@
+//! That at the depth which two cells share both have the same motions.
+//!
+//! There the motions of the former are the fixed points of its F, in its ranges. A fixed point that lies in
+//! sets X lies in what they have in common with F(X), too. Once this lies in the latter's ranges, it is a
+//! motion that the latter has, and has once.
+
+use super::{
+    Fault, Interval,
+    proof::Problem,
+    work::{Numbers, Work},
+};
+use crate::rejection::{GoOn, claim};
+
+/// Proves it at the depth that is shared, of the numbers of the former and of the latter.
+pub(super) fn same(
+    problem: &Problem,
+    depth: Interval,
+    [former, latter]: [&[Numbers]; 2],
+    steps: u64,
+    go_on: GoOn,
+) -> Result<(), Fault> {
+    let mut sets: Vec<Interval> = former.iter().map(|own| own.ends.all()).collect();
+    let linked = |sets: &[Interval]| sets.iter().zip(latter).all(|(&set, own)| own.ends.holds(set));
+    for _ in 0..steps {
+        if linked(&sets) {
+            return Ok(());
+        }
+        let work = Work::new(&problem.graph, [problem.cell(depth), problem.cell(depth)], &sets, 1, go_on)?;
+        let images = work.images(&work.legs(go_on)?, former, go_on)?;
+        for (set, image) in sets.iter_mut().zip(images) {
+            *set = set.meet(image);
+        }
+    }
+    claim(linked(&sets), "its motions may not be those of the cell before (link)")
+}

@@ -1,0 +1,152 @@
+//! Certificates of kind `range`: the motions that are born where a linear impact oscillator touches its wall,
+//! one for every bi-infinite path of a graph, from the touch to a given distance.
+//!
+//! The theorem with its proof is in `docs/ranges.md`. The oscillator is that of kind `chaos` ([`super::chaos`];
+//! `touch` has what both need), but a path is given by the strengths s of its impacts alone, of which every
+//! edge of the graph has a range, and the depth ν runs from 0, the touch, through cells that each have their
+//! own ranges. What is checked in a cell is E1 to E3 (`map`) and H4 (`gaps`), and between two cells that the
+//! motions are the same (`link`); `work` has the legs. No code is shared with what finds the proof.
+//!
+//! # Form
+//!
+//! After `kind range`, times being in units in which the wall's period is 2π, lengths in units of its
+//! amplitude:
+//!
+//! ```text
+//! statement …                what passing proves, word for word: STATEMENT
+//! damping LO HI              the ranges of c, k and τ > 0: fractions in lowest terms, LO ≤ HI
+//! stiffness LO HI
+//! restitution LO HI
+//! side σ                     1 or -1: the wall is at σν − 1 + g(t)
+//! harmonics J                as of kind chaos, with J lines harmonic
+//! harmonic N A A' B B'
+//! window W                   phases lie within ±W, 0 < W < π/2
+//! pieces J                   each window, and each time between two, is proved in J pieces, 1 to 1000
+//! letters L                  1 to 400, then L lines
+//! letter N γ                 N periods (1 to 1000), and an entry of the growth vector
+//! next V …                   L lines: the numbers, from 1, increasing, of the letters that may follow, at
+//!                            least one; and every letter follows some letter
+//! growth LO HI               the paths of T periods grow at least like LO^T and at most like HI^T;
+//!                            1 ≤ LO < HI
+//! contraction K              0 < K < 1
+//! cells M                    1 to 10000, then M blocks
+//! cell NU S R                ν from that of the block before, at first 0/1, to NU, a larger fraction; each
+//!                            edge's range is cut into S parts (1 to 64); that the motions are those of the
+//!                            block before takes up to R steps (0 to 1000; of the first block 0)
+//! edge A B m w               one line for each edge of the graph, in the order of its first letter and then
+//!                            of its second: s lies from A to B, A < B; a factor; a weight > 0
+//! ```
+//!
+//! A line after the statement has at most 2000 bytes. All but ranges, depths and counts are decimals. Decimals,
+//! and both parts of a fraction, have at most 15 digits and lie strictly between −2¹⁵ and 2¹⁵. There are at
+//! most 100,000 lines edge, and in a cell at most 100,000 legs: pairs of edges, times S².
+//!
+//! # Rules
+//!
+//! An edge u → v is the impact between a leg of letter u and one of letter v. For s before and s′ after a leg
+//! of letter v let a_v(s, s′) and p_v(s, s′) be its first and its last velocity, and for all paths t → u → v →
+//! x of four letters, with s⁻, s and s⁺ in the ranges of t → u, u → v and v → x,
+//!
+//! ```text
+//! f = 2 (a_v(s, s⁺) + τ p_u(s⁻, s))/(1 + τ),    F = s − m (s − f)
+//! ```
+//!
+//! In every cell, for all its ν and all parameters:
+//!
+//! - 0 < W < π/2, g″ < 0 on ±W, and the harmonics are as kind `chaos` wants them;
+//! - H0: −νs/2 lies strictly between −g′ at −W and at W, and E₁₂ ≠ 0 over each leg;
+//! - E1: F lies in the range of u → v;
+//! - E2: |1 − m + m f_s| w + |m f_{s⁻}| w⁻ + |m f_{s⁺}| w⁺ ≤ K w;
+//! - E3: in each part of the range of u → v one of these holds throughout: a_v > s/2; p_u < s/2; a_v > p_u;
+//! - H4: the gap is positive strictly between impacts (`gaps`).
+//!
+//! At the depth that two cells share let X be all ranges of the former; up to R times replace each by what it
+//! has in common with F of them all. Once each lies in the latter's range the cells are linked. The growth
+//! vector and the periods are as kind `chaos` wants them.
+//!
+//! # Example
+//!
+//! README's machine at the touch (c = 1/8, k = 25/16, τ = 4/5, σ = 1), the orbit of period 1:
+//!
+//! ```text
+//! letter 1 1
+//! next 1
+//! cell 1/1000 1 0
+//! edge 2.2 2.3 1 1
+//! ```
+//!
+//! # Cost
+//!
+//! Counted are exponentials, and what takes as long; at most 6,000,000. The wall takes one for each harmonic:
+//! H. With E edges, J pieces, the longest letter L, and for each letter of n periods p predecessors and f
+//! followers, in S parts and R steps:
+//!
+//! ```text
+//! (J + 2) H                                        the wall
+//! for each cell        L + 1                       E over 0 to L periods
+//!     for each edge    36 H S + 23 H               its impacts, in parts and as a whole
+//!     for each letter  p f (5 S² + (2n + 1) J (2 + 2 H) + n)
+//!                                                  legs; gaps
+//!     for each edge    p f S³                      E1 to E3: p of its first letter, f of its second
+//!     for each step    36 H E, and 5 p f for each letter, p f for each edge
+//! ```
+//!
+//! Memory: the certificate, and the parts and legs of a cell.
+
+mod cost;
+mod gaps;
+mod legs;
+mod link;
+mod map;
+mod proof;
+#[cfg(test)]
+mod tests;
+mod text;
+mod words;
+mod work;
+
+use super::{
+    Proved, Rejection,
+    lines::Lines,
+    rejection::Fault,
+    touch::{
+        Interval,
+        graph::{Vertex, grows},
+    },
+};
+
+pub use text::{Cell, Certificate, Decimal, Edge, Fraction, Harmonic, Letter, Range};
+
+/// The word in the header.
+pub const KIND: &str = "range";
+
+/// The most cells.
+const CELLS: u64 = 10_000;
+/// The most that a check may cost, in exponentials.
+const COST: u64 = 6_000_000;
+
+/// What a certificate proves.
+pub const STATEMENT: &str = "For all c, k, tau in the listed ranges, for g(t) the sum of the listed harmonics a \
+cos jt + b sin jt, a and b in their ranges, all a together 1 and all j b together 0, and for every nu > 0 up to \
+the last cell's, the oscillator q'' = -c q' - k q above the wall sigma nu - 1 + g(t), sigma the listed side, with \
+restitution tau: for every bi-infinite path of the listed graph of letters and every integer m there is exactly \
+one motion whose impacts, one between two letters, have times within W of multiples of 2 pi, as many periods 2 pi \
+apart as the letters say, the impact before letter 0 within W of 2 pi m, each at a phase where g' = nu s/2 with s \
+in the range that the cell of nu has for the edge between its letters. It has no other impacts, all are at \
+positive speed, and between them the gap is positive. Where nu is in two cells both have the same motion, and \
+with c, k, tau, g, the path and m held fixed the times and velocities of its impacts depend continuously on nu, \
+from where it is born at nu = 0. With the same m, paths whose periods differ somewhere have different motions; on \
+the set of the states (q, q') at t = pi of all these motions, for all m, the map to t = 3 pi has a topological \
+entropy between the logarithms of the growth rates.";
+
+/// Checks everything after the kind line.
+pub(super) fn check(lines: &mut Lines) -> Result<Proved, Rejection> {
+    let certificate = text::read(lines)?;
+    let letters = certificate.letters.iter();
+    let letters =
+        letters.map(|letter| Vertex { periods: letter.periods, growth: letter.growth, next: &letter.next });
+    grows(&letters.collect::<Vec<_>>(), certificate.growth).map_err(|reason| lines.false_claim(reason))?;
+    proof::run(&certificate, lines)?;
+    let title = if certificate.is_chaos() { "range of chaos" } else { "range of orbits" };
+    Ok(Proved { title: Some(title), range: None, detail: words::detail(&certificate) })
+}
