@@ -585,6 +585,10 @@ class File:
             letter.after, letter.before = self.increasing((a, b)), self.increasing((p, q))
             letter.alpha, letter.beta, letter.gamma = (decimal(x, True) for x in (alpha, beta, gamma))
             self.letters.append(letter)
+        self.read_next()
+
+    def read_next(self):
+        count = len(self.letters)
         for letter in self.letters:
             letter.next = [whole(word, 1, count) - 1 for word in self.words("next")]
             need(letter.next, "a letter has a successor")
@@ -619,11 +623,8 @@ class File:
 
     def check(self):
         """Proves everything; "chaos", or "orbits" where no growth above 1 is claimed."""
+        self.told()
         letters = self.letters
-        ways = [[x.next for x in letters], [x.previous for x in letters]]
-        told = (all(len({letters[w].periods for w in list}) == len(list) for list in way) for way in ways)
-        need(any(told), "paths are not told apart by their periods")
-        need(any(self.grows(way) for way in ways), "the growth vector does not prove the rates")
         if self.complete:
             need(len({x.periods for x in letters}) == len(letters), "completeness needs different periods")
         self.wall = Wall(self.harmonics, self.window, self.pieces)
@@ -631,6 +632,14 @@ class File:
         for box in product(*cuts):
             Cell(self, box).holds()
         return "chaos" if self.rates[0] > 1 else "orbits"
+
+    def told(self):
+        """Paths are told apart by their periods, and grow at the rates."""
+        letters = self.letters
+        ways = [[x.next for x in letters], [x.previous for x in letters]]
+        told = (all(len({letters[w].periods for w in list}) == len(list) for list in way) for way in ways)
+        need(any(told), "paths are not told apart by their periods")
+        need(any(self.grows(way) for way in ways), "the growth vector does not prove the rates")
 
     def grows(self, way):
         """Exactly, in fractions."""

@@ -21,6 +21,7 @@ pub mod fuzz;
 mod instance;
 pub mod machine;
 pub mod orbit;
+pub mod range;
 mod theorem2;
 mod word;
 

@@ -29,12 +29,14 @@ impl Certificate {
         let triples: u64 = edges.iter().map(|&[u, v]| before(u) * after(v)).sum();
         let longest = self.letters.iter().map(|letter| letter.periods).max().unwrap_or(0);
         let count = edges.len() as u64;
-        let cells = self.cells.iter().map(|cell| {
-            let parts = cell.parts;
-            let impacts = count * harmonics * (BOTH * parts + IMPACT);
+        let map = |parts: u64| {
             let legs = pairs * LEG * parts.pow(2) + triples * parts.pow(3);
-            let step = count * harmonics * BOTH + pairs * LEG + triples;
-            longest + 1 + impacts + legs + flights + cell.steps * step
+            longest + 1 + count * harmonics * BOTH * parts + legs
+        };
+        let before = self.cells.first().into_iter().chain(&self.cells);
+        let cells = self.cells.iter().zip(before).map(|(cell, before)| {
+            let whole = count * harmonics * IMPACT + flights;
+            map(cell.parts) + whole + cell.steps * map(before.parts)
         });
         cells.fold((pieces + 2) * harmonics, u64::saturating_add)
     }

@@ -2,7 +2,7 @@
 //!
 //! There the motions of the former are the fixed points of its F, in its ranges. A fixed point that lies in
 //! sets X lies in what they have in common with F(X), too. Once this lies in the latter's ranges, it is a
-//! motion that the latter has, and has once.
+//! motion that the latter has, and has once. The sets are cut into as many parts as the former's ranges.
 
 use super::{
     Fault, Interval,
@@ -16,7 +16,7 @@ pub(super) fn same(
     problem: &Problem,
     depth: Interval,
     [former, latter]: [&[Numbers]; 2],
-    steps: u64,
+    [parts, steps]: [u64; 2],
     go_on: GoOn,
 ) -> Result<(), Fault> {
     let mut sets: Vec<Interval> = former.iter().map(|own| own.ends.all()).collect();
@@ -25,7 +25,8 @@ pub(super) fn same(
         if linked(&sets) {
             return Ok(());
         }
-        let work = Work::new(&problem.graph, [problem.cell(depth), problem.cell(depth)], &sets, 1, go_on)?;
+        let work =
+            Work::new(&problem.graph, [problem.cell(depth), problem.cell(depth)], &sets, parts, go_on)?;
         let images = work.images(&work.legs(go_on)?, former, go_on)?;
         for (set, image) in sets.iter_mut().zip(images) {
             *set = set.meet(image);

@@ -1,11 +1,12 @@
 //! Certificates of kind `range`: the motions that are born where a linear impact oscillator touches its wall,
 //! one for every bi-infinite path of a graph, from the touch to a given distance.
 //!
-//! The theorem with its proof is in `docs/ranges.md`. The oscillator is that of kind `chaos` ([`super::chaos`];
-//! `touch` has what both need), but a path is given by the strengths s of its impacts alone, of which every
-//! edge of the graph has a range, and the depth ν runs from 0, the touch, through cells that each have their
-//! own ranges. What is checked in a cell is E1 to E3 (`map`) and H4 (`gaps`), and between two cells that the
-//! motions are the same (`link`); `work` has the legs. No code is shared with what finds the proof.
+//! The theorem with its proof is in `docs/ranges.md`. The oscillator is that of kind `chaos`
+//! ([`super::chaos`]; `touch` has what both need), but a path is given by the strengths s of its impacts
+//! alone, of which every edge of the graph has a range, and the depth ν runs from 0, the touch, through cells
+//! that each have their own ranges. What is checked in a cell is E1 to E3 (`map`) and H4 (`gaps`), and
+//! between two cells that the motions are the same (`link`); `work` has the legs. No code is shared with what
+//! finds the proof.
 //!
 //! # Form
 //!
@@ -37,15 +38,15 @@
 //!                            of its second: s lies from A to B, A < B; a factor; a weight > 0
 //! ```
 //!
-//! A line after the statement has at most 2000 bytes. All but ranges, depths and counts are decimals. Decimals,
-//! and both parts of a fraction, have at most 15 digits and lie strictly between −2¹⁵ and 2¹⁵. There are at
-//! most 100,000 lines edge, and in a cell at most 100,000 legs: pairs of edges, times S².
+//! A line after the statement has at most 2000 bytes. All but ranges, depths and counts are decimals.
+//! Decimals, and both parts of a fraction, have at most 15 digits and lie strictly between −2¹⁵ and 2¹⁵.
+//! There are at most 100,000 lines edge, and in a cell at most 100,000 legs: pairs of edges, times S².
 //!
 //! # Rules
 //!
 //! An edge u → v is the impact between a leg of letter u and one of letter v. For s before and s′ after a leg
-//! of letter v let a_v(s, s′) and p_v(s, s′) be its first and its last velocity, and for all paths t → u → v →
-//! x of four letters, with s⁻, s and s⁺ in the ranges of t → u, u → v and v → x,
+//! of letter v let a_v(s, s′) and p_v(s, s′) be its first and its last velocity, and for all paths t → u → v
+//! → x of four letters, with s⁻, s and s⁺ in the ranges of t → u, u → v and v → x,
 //!
 //! ```text
 //! f = 2 (a_v(s, s⁺) + τ p_u(s⁻, s))/(1 + τ),    F = s − m (s − f)
@@ -66,14 +67,25 @@
 //!
 //! # Example
 //!
-//! README's machine at the touch (c = 1/8, k = 25/16, τ = 4/5, σ = 1), the orbit of period 1:
+//! README's machine before it touches its stop (c = 1/10, k = 3/10, τ = 4/5, σ = −1), its orbit of one
+//! period:
 //!
 //! ```text
+//! harmonic 1 1/1 1/1 0/1 0/1
+//! pieces 32
+//! letters 1
 //! letter 1 1
 //! next 1
-//! cell 1/1000 1 0
-//! edge 2.2 2.3 1 1
+//! cells 1
+//! cell 1/100 1 0
+//! edge 2 2.5 1 1
 //! ```
+//!
+//! H0 by hand: ν|s|/2 ≤ 0.0125 < sin 1.2 with the window 1.2. At ν = 0, where Q = Q′ = −1, E₁₁ = −0.7197, E₁₂
+//! = −0.3771, E₂₁ = 0.1131 and E₂₂ = −0.6820 at T = 2π, hence a = −(1 − E₁₁)/E₁₂ = 4.560 and p = −E₂₁ + E₂₂ a
+//! = −3.223, so that F = f = 2 (a + 4/5 p)/(9/5) = 2.202: inside its range, as E1 wants, and a > s/2, as E3
+//! does. Cost: 34 for the wall; in the one cell 2, 36, 5, 1, 23 and 3·32·4 + 1: 486. Whole files are
+//! `tests/data/range-1.txt`, the same up to ν = 1/10 in six cells, `range-12.txt` and `range-13.txt`.
 //!
 //! # Cost
 //!
@@ -84,11 +96,12 @@
 //! ```text
 //! (J + 2) H                                        the wall
 //! for each cell        L + 1                       E over 0 to L periods
-//!     for each edge    36 H S + 23 H               its impacts, in parts and as a whole
-//!     for each letter  p f (5 S² + (2n + 1) J (2 + 2 H) + n)
-//!                                                  legs; gaps
-//!     for each edge    p f S³                      E1 to E3: p of its first letter, f of its second
-//!     for each step    36 H E, and 5 p f for each letter, p f for each edge
+//!     for each edge    36 H S                      its impacts in parts
+//!     for each letter  5 p f S²                    legs
+//!     for each edge    p f S³                      F: p of its first letter, f of its second
+//!     and              23 H E                      impacts as wholes
+//!     for each letter  p f ((2n + 1) J (2 + 2 H) + n)    gaps
+//!     for each step    the first four again, with the parts S of the cell before
 //! ```
 //!
 //! Memory: the certificate, and the parts and legs of a cell.
@@ -126,18 +139,31 @@ const CELLS: u64 = 10_000;
 const COST: u64 = 6_000_000;
 
 /// What a certificate proves.
-pub const STATEMENT: &str = "For all c, k, tau in the listed ranges, for g(t) the sum of the listed harmonics a \
-cos jt + b sin jt, a and b in their ranges, all a together 1 and all j b together 0, and for every nu > 0 up to \
-the last cell's, the oscillator q'' = -c q' - k q above the wall sigma nu - 1 + g(t), sigma the listed side, with \
-restitution tau: for every bi-infinite path of the listed graph of letters and every integer m there is exactly \
-one motion whose impacts, one between two letters, have times within W of multiples of 2 pi, as many periods 2 pi \
-apart as the letters say, the impact before letter 0 within W of 2 pi m, each at a phase where g' = nu s/2 with s \
-in the range that the cell of nu has for the edge between its letters. It has no other impacts, all are at \
-positive speed, and between them the gap is positive. Where nu is in two cells both have the same motion, and \
-with c, k, tau, g, the path and m held fixed the times and velocities of its impacts depend continuously on nu, \
-from where it is born at nu = 0. With the same m, paths whose periods differ somewhere have different motions; on \
-the set of the states (q, q') at t = pi of all these motions, for all m, the map to t = 3 pi has a topological \
-entropy between the logarithms of the growth rates.";
+pub const STATEMENT: &str = "For all c, k, tau in the listed ranges, for g(t) the sum of the listed \
+harmonics a cos jt + b sin jt, a and b in their ranges, all a together 1 and all j b together 0, and for \
+every nu > 0 up to the last cell's, the oscillator q'' = -c q' - k q above the wall sigma nu - 1 + g(t), \
+sigma the listed side, with restitution tau: for every bi-infinite path of the listed graph of letters \
+and every integer m there is exactly one motion whose impacts, one between two letters, have times \
+within W of multiples of 2 pi, as many periods 2 pi apart as the letters say, the impact before letter 0 \
+within W of 2 pi m, each at a phase where g' = nu s/2 with s in the range that the cell of nu has for \
+the edge between its letters. It has no other impacts, all are at positive speed, and between them the \
+gap is positive. Where nu is in two cells both have the same motion, and with c, k, tau, g, the path and \
+m held fixed the times and velocities of its impacts depend continuously on nu, from where it is born at \
+nu = 0. With the same m, paths whose periods differ somewhere have different motions; on the set of the \
+states (q, q') at t = pi of all these motions, for all m, the map to t = 3 pi has a topological entropy \
+between the logarithms of the growth rates.";
+
+/// Whether the conditions hold in one cell, from 0, and it is linked to the one before: for a search, which
+/// finds cell after cell. What is proved is what [`check`](crate::check) accepts as a whole.
+///
+/// # Errors
+/// The condition that fails.
+pub fn cell_holds(certificate: &Certificate, cell: usize) -> Result<(), String> {
+    proof::cells(certificate, cell..cell + 1, &mut || Ok(())).map_err(|fault| match fault {
+        Fault::Malformed(reason) | Fault::False(reason) => reason,
+        Fault::Interrupted => "interrupted".into(),
+    })
+}
 
 /// Checks everything after the kind line.
 pub(super) fn check(lines: &mut Lines) -> Result<Proved, Rejection> {

@@ -1,5 +1,7 @@
 //! All conditions over all cells, and from each cell to the next.
 
+use std::ops::Range;
+
 use super::{
     Fault, Interval, Lines, Rejection, gaps, link,
     text::{Cell as Block, Certificate},
@@ -42,12 +44,17 @@ impl Problem<'_> {
 
 /// Proves everything in every cell.
 pub(super) fn run(certificate: &Certificate, lines: &mut Lines) -> Result<(), Rejection> {
+    let all = 0..certificate.cells.len();
+    cells(certificate, all, &mut || lines.go_on()).map_err(|fault| lines.rejection(fault))
+}
+
+/// Proves everything in some cells, the first of them being linked to the one before it.
+pub(super) fn cells(certificate: &Certificate, which: Range<usize>, go_on: GoOn) -> Result<(), Fault> {
     let harmonics = certificate.harmonics.iter();
     let harmonics =
         harmonics.map(|one| (one.order, one.parts.map(|[lo, hi]| lo.enclosed().hull(hi.enclosed()))));
     let (window, pieces) = (certificate.window.enclosed(), certificate.pieces);
-    let wall = Wall::new(harmonics.collect(), window, pieces, &mut || lines.go_on())
-        .map_err(|fault| lines.rejection(fault))?;
+    let wall = Wall::new(harmonics.collect(), window, pieces, go_on)?;
     let problem = Problem {
         graph: Graph::new(certificate),
         wall: &wall,
@@ -56,18 +63,19 @@ pub(super) fn run(certificate: &Certificate, lines: &mut Lines) -> Result<(), Re
         pieces,
         contraction: certificate.contraction.enclosed(),
     };
-    let (mut least, mut former) = (Interval::ZERO, Vec::new());
-    for (index, block) in certificate.cells.iter().enumerate() {
-        let (greatest, latter) = (block.depth.enclosed(), numbers(block));
+    for index in which {
+        let block = &certificate.cells[index];
+        let latter = numbers(block);
         let mut prove = || {
-            if index > 0 {
-                link::same(&problem, least, [&former, &latter], block.steps, &mut || lines.go_on())?;
+            let mut least = Interval::ZERO;
+            if let Some(before) = index.checked_sub(1).map(|before| &certificate.cells[before]) {
+                least = before.depth.enclosed();
+                link::same(&problem, least, [&numbers(before), &latter], [before.parts, block.steps], go_on)?;
             }
-            problem.holds(least.hull(greatest), block, &latter, &mut || lines.go_on())
+            problem.holds(least.hull(block.depth.enclosed()), block, &latter, go_on)
         };
         let place = format!("cell {} of {}", index + 1, certificate.cells.len());
-        prove().map_err(|fault| lines.rejection(fault.at(place)))?;
-        (least, former) = (greatest, latter);
+        prove().map_err(|fault| fault.at(place))?;
     }
     Ok(())
 }

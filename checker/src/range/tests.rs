@@ -1,1 +1,102 @@
+//! The derivatives by the depth against differences, how gaps are carried, and the cost.
 
+use super::{
+    Interval,
+    gaps::carried,
+    legs::leg,
+    proof,
+    text::{Certificate, read},
+};
+use crate::{
+    lines::Lines,
+    touch::{flow::EXPONENTIALS, legs::Cell, wall::Wall},
+};
+
+const RANGE_1: &str = include_str!("../../tests/data/range-1.txt");
+const RANGE_12: &str = include_str!("../../tests/data/range-12.txt");
+const RANGE_13: &str = include_str!("../../tests/data/range-13.txt");
+
+fn ratio(p: i128, q: i128) -> Interval {
+    Interval::ratio(p, q)
+}
+
+/// With a wall of two harmonics and damping, a and p move with s, s′ and ν as their derivatives say.
+#[test]
+fn legs_move_with_strengths_and_depths() {
+    let harmonics = vec![(1, [ratio(7, 6), ratio(1, 5)]), (2, [ratio(-1, 6), ratio(-1, 10)])];
+    let wall = Wall::new(harmonics, ratio(1, 2), 16, &mut || Ok(())).unwrap_or_else(|why| panic!("{why:?}"));
+    let (h, zero) = (ratio(1, 1 << 14), Interval::ZERO);
+    let point = [ratio(1, 2), ratio(-1, 3), ratio(1, 10)];
+    let at = |[s, last, depth]: [Interval; 3]| {
+        let parameters = [ratio(1, 10), ratio(3, 10), zero, ratio(4, 5), depth];
+        let cell = Cell::new(false, parameters, Interval::ONE, &wall);
+        let impacts = [s, last].map(|s| cell.impact(s).unwrap_or_else(|| panic!("a phase")));
+        let ends = [&impacts[0], &impacts[1]];
+        leg([&cell, &cell], cell.turned(2), 2, ends, ends)
+    };
+    let here = at(point);
+    for i in 0..3 {
+        let moved = |by: Interval| {
+            let mut there = point;
+            there[i] = there[i] + by;
+            at(there).middle
+        };
+        let (right, left) = (moved(h), moved(-h));
+        for (j, slope) in [here.after_slopes[i], here.before_slopes[i]].into_iter().enumerate() {
+            let difference = (right[j] - left[j]).over(h + h);
+            // Of this wall (1 − g)/g′² is known as a range only.
+            let width = (slope - slope.middle()).magnitude();
+            assert!(width.is_below(ratio(1, 50)), "{i} {j}: {slope:?}");
+            let near = slope.widened(ratio(1, 100_000)).common(difference);
+            assert!(near.is_some(), "{i} {j}: {difference:?} {slope:?}");
+            assert!(ratio(1, 100).is_below(slope.magnitude()), "{i} {j}: {slope:?}");
+        }
+    }
+}
+
+/// Where only the bend is known the gap is carried from where its slope is known.
+#[test]
+fn gaps_are_carried_by_what_is_known() {
+    let pieces = |text: &str| {
+        let piece = |c: char| (c == 'm', c == 'c', c == 'o');
+        carried(text.chars().map(piece))
+    };
+    for (text, expected) in [
+        ("", 0),
+        ("ccmo", 4),
+        // Of an open piece's end the slope is not known: the next may be convex and go down.
+        ("oc", 1),
+        ("oo", 2),
+        ("omc", 3),
+        ("ccoc", 3),
+        ("c-c", 1),
+        ("-", 0),
+    ] {
+        assert_eq!(pieces(text), expected, "{text}");
+    }
+}
+
+/// No check takes more exponentials than its cost, and what has no share to spare takes a third of it or more.
+#[test]
+fn the_cost_bounds_the_exponentials() {
+    let many: Vec<String> = (2..=40).map(|j| format!("harmonic {j} 0/1 0/1 0/1 0/1")).collect();
+    let many = format!("harmonics 40\nharmonic 1 1/1 1/1 0/1 0/1\n{}", many.join("\n"));
+    let plain = "harmonics 1\nharmonic 1 1/1 1/1 0/1 0/1";
+    let cases = [
+        (RANGE_1.to_string(), 12),
+        (RANGE_12.to_string(), 6),
+        (RANGE_13.to_string(), 4),
+        (RANGE_13.replace("pieces 32", "pieces 1000"), 2),
+        (RANGE_13.replace(" 1 0\nedge", " 9 0\nedge"), 6),
+        (RANGE_13.replace(plain, &many).replace("3/100", "1/100"), 4),
+    ];
+    for (text, share) in cases {
+        let text: String = text.lines().skip(2).map(|line| format!("{line}\n")).collect();
+        let certificate: Certificate = read(&mut Lines::after(0, &mut text.as_bytes(), &mut || false))
+            .unwrap_or_else(|why| panic!("{why}"));
+        EXPONENTIALS.set(0);
+        let proved = proof::run(&certificate, &mut Lines::after(0, &mut &b""[..], &mut || false));
+        let (taken, cost) = (EXPONENTIALS.get(), certificate.cost());
+        assert!(taken <= cost && (proved.is_err() || taken * share >= cost), "{taken} of {cost}: {proved:?}");
+    }
+}

@@ -128,7 +128,7 @@ impl LetterGraph {
 
     /// The growth rate with a vector that proves it: of this graph or of the one with every edge reversed,
     /// whichever has the greater least entry, and so the shorter decimals.
-    pub(super) fn growth_either_way(&self) -> (f64, Vec<f64>) {
+    pub(in crate::search) fn growth_either_way(&self) -> (f64, Vec<f64>) {
         let least = |vector: &[f64]| vector.iter().copied().fold(1.0, f64::min);
         let (forward, backward) = (self.growth(), self.backwards().growth());
         if least(&backward.1) > least(&forward.1) { backward } else { forward }

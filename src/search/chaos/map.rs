@@ -10,12 +10,12 @@ use super::{profile::Profile, span::Span};
 
 /// A box of the parameters c, k, f, τ, ν, with σ and the wall.
 #[derive(Debug, Clone)]
-pub(super) struct Cell {
+pub(in crate::search) struct Cell {
     /// Whether there are two walls; then periods are counted in halves, and what happens at the upper wall is
     /// described by its mirror image.
     mirrored: bool,
-    damping: Span,
-    stiffness: Span,
+    pub damping: Span,
+    pub stiffness: Span,
     /// f/ν.
     force: Span,
     pub depth: Span,
@@ -27,23 +27,25 @@ pub(super) struct Cell {
 
 /// E₁₁ and E₁₂ of the free motion; the others are −k E₁₂ and E₁₁ − c E₁₂.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Flow {
+pub(in crate::search) struct Flow {
     pub a: Span,
     pub b: Span,
 }
 
 /// An impact of strength s: its phase, the wall's bend there, its place.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Impact {
+pub(in crate::search) struct Impact {
     pub s: Span,
     pub phase: Span,
-    bend: Span,
-    place: Span,
+    pub bend: Span,
+    /// (1 − g)/g′².
+    pub ratio: Span,
+    pub place: Span,
 }
 
 /// First and last velocity of a leg, and their derivatives with respect to the strengths of its impacts.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Leg {
+pub(in crate::search) struct Leg {
     pub after: Span,
     pub before: Span,
     pub after_slopes: [Span; 2],
@@ -65,7 +67,7 @@ impl Cell {
     }
 
     /// n periods, or half periods.
-    fn time(&self, n: u64) -> Span {
+    pub fn time(&self, n: u64) -> Span {
         Span::point(if self.mirrored { PI } else { TAU } * n as f64)
     }
 
@@ -88,7 +90,7 @@ impl Cell {
         let phase = self.profile.phase(-(self.depth * s).times(0.5))?;
         let [bend, ratio] = self.profile.bends(phase);
         let drop = (self.depth * s.squared() * ratio).times(0.25);
-        Some(Impact { s, phase, bend, place: Span::point(self.side) - drop })
+        Some(Impact { s, phase, bend, ratio, place: Span::point(self.side) - drop })
     }
 
     /// The least −g″ on a window.
@@ -129,7 +131,7 @@ impl Cell {
         self.product(self.series(Span::point(middle)), self.series(t - Span::point(middle)))
     }
 
-    fn product(&self, x: Flow, y: Flow) -> Flow {
+    pub fn product(&self, x: Flow, y: Flow) -> Flow {
         let square = x.b * y.b;
         Flow { a: x.a * y.a - self.stiffness * square, b: x.a * y.b + x.b * y.a - self.damping * square }
     }
@@ -152,11 +154,11 @@ impl Cell {
         sum
     }
 
-    fn velocity(&self, e: Flow) -> Span {
+    pub fn velocity(&self, e: Flow) -> Span {
         e.a - self.damping * e.b
     }
 
-    fn acceleration(&self, place: Span, velocity: Span) -> Span {
+    pub fn acceleration(&self, place: Span, velocity: Span) -> Span {
         self.force - self.damping * velocity - self.stiffness * place
     }
 
@@ -169,7 +171,7 @@ impl Cell {
         ]
     }
 
-    fn ends(&self, e: Flow, time: Span, from: &Impact, to: &Impact) -> [Span; 2] {
+    pub fn ends(&self, e: Flow, time: Span, from: &Impact, to: &Impact) -> [Span; 2] {
         let fallen = self.force * time.squared().times(0.5);
         let after = (to.place - e.a * from.place - fallen).over(e.b);
         [after, self.motion(e, time, from.place, after)[1]]

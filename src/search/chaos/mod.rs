@@ -24,15 +24,15 @@
 //! ```
 
 mod graph;
-mod map;
+pub(super) mod map;
 mod normal;
 mod others;
-mod profile;
+pub(super) mod profile;
 mod rational;
 mod search;
-mod span;
+pub(super) mod span;
 mod top;
-mod write;
+pub(super) mod write;
 
 use std::rc::Rc;
 

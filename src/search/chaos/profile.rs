@@ -13,13 +13,13 @@ pub type Term = (u64, [[BigRational; 2]; 2]);
 
 /// g by its harmonics.
 #[derive(Debug, Clone)]
-pub(super) struct Profile {
+pub(in crate::search) struct Profile {
     terms: Vec<(f64, [Span; 2])>,
     plain: bool,
 }
 
 /// 1 − g, −g′ and −g″.
-pub(super) struct Shape {
+pub(in crate::search) struct Shape {
     pub drop: Span,
     pub slope: Span,
     pub bend: Span,

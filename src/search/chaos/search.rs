@@ -11,6 +11,7 @@ use super::{
     Problem, float,
     map::{Cell, Flow, Impact},
     span::Span,
+    write::places,
 };
 use crate::certificate::chaos::{Certificate, Complete, Decimal};
 
@@ -367,11 +368,6 @@ impl<'a> Attempt<'a> {
 
 fn slow(contraction: f64) -> String {
     format!("the map does not contract: {contraction:.3} at best")
-}
-
-/// The decimals that a box's ends are rounded to: two or three digits of its width.
-pub(super) fn places(span: Span) -> i32 {
-    (2 - span.width().max(1e-11).log10().floor() as i32).clamp(0, 13)
 }
 
 /// A box wider by so much on each side, its ends short decimals, or with two more digits.

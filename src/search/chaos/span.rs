@@ -14,7 +14,7 @@ pub struct Span {
 
 impl Span {
     /// Of nothing is known.
-    pub(super) const WHOLE: Span = Span { lo: f64::NEG_INFINITY, hi: f64::INFINITY };
+    pub(in crate::search) const WHOLE: Span = Span { lo: f64::NEG_INFINITY, hi: f64::INFINITY };
 
     /// From one number to another.
     pub fn new(lo: f64, hi: f64) -> Span {
@@ -31,18 +31,18 @@ impl Span {
         Span { lo: self.lo.min(other.lo), hi: self.hi.max(other.hi) }
     }
 
-    pub(super) fn meet(self, other: Span) -> Span {
+    pub(in crate::search) fn meet(self, other: Span) -> Span {
         let (lo, hi) = (self.lo.max(other.lo), self.hi.min(other.hi));
         if lo <= hi { Span { lo, hi } } else { self }
     }
 
     /// What is in both, if anything is.
-    pub(super) fn common(self, other: Span) -> Option<Span> {
+    pub(in crate::search) fn common(self, other: Span) -> Option<Span> {
         let (lo, hi) = (self.lo.max(other.lo), self.hi.min(other.hi));
         (lo <= hi).then_some(Span { lo, hi })
     }
 
-    pub(super) fn part(self, i: u64, n: u64) -> Span {
+    pub(in crate::search) fn part(self, i: u64, n: u64) -> Span {
         let at = |i: u64| self.lo + self.width() * i as f64 / n as f64;
         Span { lo: at(i), hi: at(i + 1) }
     }
@@ -57,11 +57,11 @@ impl Span {
         self.hi - self.lo
     }
 
-    pub(super) fn magnitude(self) -> f64 {
+    pub(in crate::search) fn magnitude(self) -> f64 {
         self.lo.abs().max(self.hi.abs())
     }
 
-    pub(super) fn is_finite(self) -> bool {
+    pub(in crate::search) fn is_finite(self) -> bool {
         self.lo.is_finite() && self.hi.is_finite()
     }
 
@@ -70,23 +70,23 @@ impl Span {
         other.lo <= self.lo && self.hi <= other.hi
     }
 
-    pub(super) fn widened(self, by: f64) -> Span {
+    pub(in crate::search) fn widened(self, by: f64) -> Span {
         Span { lo: self.lo - by, hi: self.hi + by }
     }
 
-    pub(super) fn squared(self) -> Span {
+    pub(in crate::search) fn squared(self) -> Span {
         let square = self * self;
         Span { lo: square.lo.max(0.0), ..square }
     }
 
-    pub(super) fn over(self, other: Span) -> Span {
+    pub(in crate::search) fn over(self, other: Span) -> Span {
         if other.lo <= 0.0 && other.hi >= 0.0 {
             return Span::WHOLE;
         }
         self * Span::new(1.0 / other.hi, 1.0 / other.lo)
     }
 
-    pub(super) fn times(self, x: f64) -> Span {
+    pub(in crate::search) fn times(self, x: f64) -> Span {
         self * Span::point(x)
     }
 }

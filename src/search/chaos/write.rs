@@ -4,12 +4,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{ToPrimitive, pow};
 
-use super::{
-    Problem,
-    graph::LetterGraph,
-    search::{Closed, places},
-    span::Span,
-};
+use super::{Problem, graph::LetterGraph, search::Closed, span::Span};
 use crate::{
     certificate::chaos::{Certificate, Decimal, Fraction, Harmonic, Letter},
     error::{Error, Result},
@@ -67,8 +62,13 @@ pub(super) fn certificate(problem: &Problem, closed: &Closed) -> Result<(Certifi
     Ok((certificate, text))
 }
 
+/// The decimals that a range's ends are rounded to: two or three digits of its width.
+pub(in crate::search) fn places(span: Span) -> i32 {
+    (2 - span.width().max(1e-11).log10().floor() as i32).clamp(0, 13)
+}
+
 /// Rounded to so many places.
-fn decimal(x: f64, places: i32) -> Result<Decimal> {
+pub(in crate::search) fn decimal(x: f64, places: i32) -> Result<Decimal> {
     let digits = (x * 10f64.powi(places)).round();
     if digits.abs() >= 1e15 || !digits.is_finite() {
         return Err(Error::input(format!("{x} has more than the {DIGITS} digits that a certificate holds")));
@@ -80,7 +80,7 @@ fn decimal(x: f64, places: i32) -> Result<Decimal> {
     Ok(Decimal { digits, places })
 }
 
-fn fraction(x: &BigRational) -> Result<Fraction> {
+pub(in crate::search) fn fraction(x: &BigRational) -> Result<Fraction> {
     let part = |n: &BigInt| n.to_i128().filter(|n| n.unsigned_abs() < 10u128.pow(DIGITS as u32));
     let both = part(x.numer()).zip(part(x.denom()));
     let (p, q) = both.ok_or_else(|| {

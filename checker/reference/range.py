@@ -1,0 +1,342 @@
+#!/usr/bin/env python3
+"""A second reader of certificates of kind range, for whoever would rather trust Python.
+
+usage: range.py FILE…     prints "FILE: proved, range of chaos", "FILE: proved, range of orbits" or "FILE: rejected:
+                          reason"; exit code 1 if one is rejected.
+
+Written from the form (the head of checker/src/range/mod.rs) and from docs/ranges.md alone. Numbers, the free motion
+and the wall are those of chaos.py, the second reader of kind chaos: nothing of the checker's.
+"""
+import sys
+from fractions import Fraction
+
+import chaos
+from chaos import ONE, PI, TWO, ZERO, Flow, Range, Wall, decimal, fraction, need, number, whole
+
+STATEMENT = (
+    "For all c, k, tau in the listed ranges, for g(t) the sum of the listed harmonics a cos jt + b sin jt, a and b in "
+    "their ranges, all a together 1 and all j b together 0, and for every nu > 0 up to the last cell's, the oscillator "
+    "q'' = -c q' - k q above the wall sigma nu - 1 + g(t), sigma the listed side, with restitution tau: for every "
+    "bi-infinite path of the listed graph of letters and every integer m there is exactly one motion whose impacts, "
+    "one between two letters, have times within W of multiples of 2 pi, as many periods 2 pi apart as the letters say, "
+    "the impact before letter 0 within W of 2 pi m, each at a phase where g' = nu s/2 with s in the range that the "
+    "cell of nu has for the edge between its letters. It has no other impacts, all are at positive speed, and between "
+    "them the gap is positive. Where nu is in two cells both have the same motion, and with c, k, tau, g, the path and "
+    "m held fixed the times and velocities of its impacts depend continuously on nu, from where it is born at nu = 0. "
+    "With the same m, paths whose periods differ somewhere have different motions; on the set of the states (q, q') at "
+    "t = pi of all these motions, for all m, the map to t = 3 pi has a topological entropy between the logarithms of "
+    "the growth rates.")
+
+
+class Sum:
+    """A value x and its derivatives by this impact's s, a neighbour's s and nu: x moves by them."""
+    def __init__(self, whole, middle, own, other, depth):
+        self.whole, self.middle, self.own, self.other, self.depth = whole, middle, own, other, depth
+
+
+class Cell:
+    """A cell of depths, or one depth, with the strengths of all edges cut into parts."""
+    def __init__(self, file, low, high, strengths, parts):
+        self.file, self.wall = file, file.wall
+        c, k, self.tau = (number(*ends) for ends in file.ranges)
+        self.flow, self.sigma = Flow(c, k), ONE if file.side == 1 else -ONE
+        self.nu = number(low, high)
+        self.mid = self.nu.middle()
+        self.early, self.late = TWO / (ONE + self.tau), TWO * self.tau / (ONE + self.tau)
+        self.turns = [self.flow.closed(PI.times(2 * n)) for n in range(max(x.periods for x in file.letters) + 1)]
+        self.parts = [[(self.impact(self.nu, x), self.impact(self.mid, x.middle())) for x in s.cut(parts)]
+                      for s in strengths]
+        self.legs = {}
+        for d, e in file.pairs:
+            for i, first in enumerate(self.parts[d]):
+                for j, last in enumerate(self.parts[e]):
+                    self.legs[d, i, e, j] = self.leg(file.letters[file.edges[d][1]].periods, first, last)
+
+    def impact(self, nu, s):
+        """s, t, −g″, Q, the derivative of t by s, and those of t and Q by nu; Q moves with t by s/2."""
+        t = self.wall.phase((nu * s).times(-1, 2))
+        bend, ratio = self.wall.bends(t)
+        drop = (nu * s.square() * ratio).times(1, 4)
+        if nu.lo > 0:
+            other = self.wall.shape(t)[0] / nu
+            drop = drop if drop.both(other).empty() else drop.both(other)
+        once = ONE / bend
+        return s, t, bend, self.sigma - drop, (nu * once).times(-1, 2), (
+            (s * once).times(-1, 2), (s.square() * (ratio - once)).times(1, 4))
+
+    def ends(self, n, first, last):
+        e = self.flow.product(self.turns[n], self.flow.exp(last[1] - first[1]))
+        a = (last[3] - e[0] * first[3]) / e[1]
+        return e, a, self.flow.move(e, first[3], a)[1]
+
+    def leg(self, n, first, last):
+        """For both velocities their range, middle and derivatives by s, s′, nu: of E(T)(Q, a) = (Q′, p)."""
+        (x, x_mid), (y, y_mid) = first, last
+        e, a, p = self.ends(n, x, y)
+        _, a_mid, p_mid = self.ends(n, x_mid, y_mid)
+        moves = x[0] - x_mid[0], y[0] - y_mid[0], self.nu - self.mid
+        # (dT, dQ, dQ′) by the first phase, by the last and by nu; the phases' own derivatives.
+        changes = ((-ONE, x[0].times(1, 2), ZERO), (ONE, ZERO, y[0].times(1, 2)),
+                   (y[5][0] - x[5][0], x[5][1], y[5][1]))
+        phases = (x[4], y[4], ONE)
+        for _ in range(3):
+            force = -(self.flow.c * p + self.flow.k * y[3])
+            slopes_a = [(last_q - e[0] * first_q - p * time) / e[1] for time, first_q, last_q in changes]
+            slopes_p = [self.flow.last(e) * d - self.flow.k * (e[1] * first_q) + force * time
+                        for d, (time, first_q, _) in zip(slopes_a, changes)]
+            slopes_a, slopes_p = ([d * phase for d, phase in zip(slopes, phases)] for slopes in (slopes_a, slopes_p))
+            a, p = (value.both(self.sum(middle, slopes, moves))
+                    for value, middle, slopes in ((a, a_mid, slopes_a), (p, p_mid, slopes_p)))
+        return (a, a_mid, slopes_a), (p, p_mid, slopes_p)
+
+    @staticmethod
+    def sum(middle, slopes, moves):
+        for slope, move in zip(slopes, moves):
+            middle = middle + slope * move
+        return middle
+
+    def around(self, e, i):
+        """At part i of edge e: the a of all legs that follow and the p of all that come, with the neighbour."""
+        after, before = [], []
+        for (d, j, f, k), ((a, a_mid, by_a), (p, p_mid, by_p)) in self.legs.items():
+            if (d, j) == (e, i):
+                after.append((Sum(a, a_mid, by_a[0], by_a[1], by_a[2]), self.away(f, k), f))
+            if (f, k) == (e, i):
+                before.append((Sum(p, p_mid, by_p[1], by_p[0], by_p[2]), self.away(d, j), d))
+        return after, before
+
+    def away(self, e, i):
+        part, middle = self.parts[e][i]
+        return part[0] - middle[0]
+
+    def images(self, e, i, lines):
+        """F over all neighbours, with what E2 has on the left."""
+        deeper, apart, own = self.nu - self.mid, self.away(e, i), lines[e]
+        after, before = self.around(e, i)
+        for x, x_apart, f in after:
+            for y, y_apart, d in before:
+                slope = ONE - own.m + own.m * (self.early * x.own + self.late * y.own)
+                far = own.m * (self.early * x.other * x_apart + self.late * y.other * y_apart)
+                deep = own.m * (self.early * x.depth + self.late * y.depth) * deeper
+                middle = (ONE - own.m) * self.parts[e][i][1][0]
+                middle = middle + own.m * (self.early * x.middle + self.late * y.middle)
+                size = lambda z, w: Range(z.size()) * w
+                left = size(slope, own.w) + size(own.m * self.early * x.other, lines[f].w)
+                left = left + size(own.m * self.late * y.other, lines[d].w)
+                yield middle + slope * apart + far + deep, left
+
+    def holds(self, lines):
+        """E1 to E3."""
+        for e, own in enumerate(lines):
+            for i in range(len(self.parts[e])):
+                for image, left in self.images(e, i, lines):
+                    need(image.inside(number(own.low), number(own.high)), "a range may be left (E1)")
+                    need(left.hi <= (self.file.contraction * own.w).lo, "the map may not contract (E2)")
+                self.fast(e, i)
+
+    def fast(self, e, i):
+        """E3: of a − s/2, s/2 − p and a − p one is positive throughout."""
+        after, before = self.around(e, i)
+        deeper, apart = self.nu - self.mid, self.away(e, i)
+        s, middle = self.parts[e][i][0][0].times(1, 2), self.parts[e][i][1][0].times(1, 2)
+        half = ONE.times(1, 2)
+
+        def least(x, x_apart, y_middle, y_slope, y):
+            """Of x − y, the greater of two lower bounds."""
+            near = x.middle - y_middle + (x.own - y_slope) * apart + x.other * x_apart + x.depth * deeper
+            return max((x.whole - y).lo, near.lo)
+        if all(least(x, d, middle, half, s) > 0 for x, d, _ in after):
+            return
+        if all(least(Sum(-y.whole, -y.middle, -y.own, -y.other, -y.depth), d, -middle, -half, -s) > 0
+               for y, d, _ in before):
+            return
+        for x, x_apart, _ in after:
+            for y, y_apart, _ in before:
+                near = x.middle - y.middle + (x.own - y.own) * apart + (x.depth - y.depth) * deeper
+                near = near + x.other * x_apart - y.other * y_apart
+                need(max(near.lo, (x.whole - y.whole).lo) > 0, "a speed may be 0 (E3)")
+
+    def gaps(self, strengths):
+        """H4."""
+        impacts = [self.impact(self.nu, s) for s in strengths]
+        for d, e in self.file.pairs:
+            letter = self.file.letters[self.file.edges[d][1]]
+            a = None
+            for (x, _, y, _), (after, _) in self.legs.items():
+                if (x, y) == (d, e):
+                    a = after[0] if a is None else a.hull(after[0])
+            need(self.clear(letter.periods, impacts[d], impacts[e], a), "the gap may not be positive (H4)")
+
+    def gap(self, n, start, a, t):
+        """Z, Z′, Z″ at a time t after the middle of window n; q̂ and q̂′."""
+        e = self.flow.product(self.turns[n], self.flow.exp(t - start[1]))
+        q, u = self.flow.move(e, start[3], a)
+        drop, slope, bend = self.wall.shape(t)
+        curve = bend - self.nu * (self.flow.c * u + self.flow.k * q)
+        return (drop + self.nu * (q - self.sigma), slope + self.nu * u, curve), (q, u)
+
+    def clear(self, n, start, stop, a):
+        window, pieces = self.file.window, self.file.pieces
+        all_signs = []
+        for k in range(n + 1):
+            span = (start[1] if k == 0 else -window).hull(stop[1] if k == n else window)
+            signs = [self.signs(k, start, a, t) for t in span.cut(pieces)]
+            least = min(sign[3] for sign in signs)
+            if 0 < k < n and least > 0:
+                _, (q, u) = self.gap(k, start, a, ZERO)
+                if (q - self.sigma - self.nu * u.square() / Range(2 * least)).lo > 0:
+                    signs = [(True, *sign[1:]) for sign in signs]
+            all_signs += signs
+            if k < n:
+                all_signs += [self.signs(k, start, a, t) for t in window.hull(TWO * PI - window).cut(pieces)]
+        count = len(all_signs)
+
+        def reach(way, sign):
+            """How far Z > 0 is carried; the slope is known at first."""
+            known, far = True, 0
+            for open, slope, convex, _ in way:
+                if slope == sign or (known and convex):
+                    known = True
+                elif open:
+                    known = False
+                else:
+                    return far
+                far += 1
+            return far
+        return reach(all_signs, 1) + reach(reversed(all_signs), -1) >= count
+
+    def signs(self, k, start, a, t):
+        """On a piece: whether Z > 0; the sign of Z′ or 0; whether Z″ > 0; the least Z″."""
+        (z, slope, bend), _ = self.gap(k, start, a, t)
+        (z_mid, slope_mid, _), _ = self.gap(k, start, a, t.middle())
+        away = t - t.middle()
+        better = slope_mid + bend * away
+        slope = slope if slope.both(better).empty() else slope.both(better)
+        open = z.lo > 0 or (z_mid + slope * away).lo > 0
+        return open, (slope.lo > 0) - (slope.hi < 0), bend.lo > 0, bend.lo
+
+
+class Edge:
+    """A line edge."""
+
+
+class File(chaos.File):
+    """A certificate, read and held to its form."""
+    def __init__(self, text):
+        self.lines = [line.removesuffix("\r") for line in text.removesuffix("\n").split("\n")]
+        need(self.take() == "grazing-certificate 1", "not a certificate")
+        need(self.take() == "kind range", "not of kind range")
+        need(self.take() == "statement " + STATEMENT, "another statement")
+        need(all(len(line.encode()) <= 2000 for line in self.lines), "a line is too long")
+        self.ranges = [self.ordered(self.words(name, 2), fraction) for name in ("damping", "stiffness", "restitution")]
+        need(self.ranges[2][0] > 0, "restitution must be positive")
+        self.side = {"1": 1, "-1": -1}.get(self.words("side", 1)[0])
+        need(self.side, "a side is 1 or -1")
+        self.read_wall()
+        self.window = number(decimal(self.words("window", 1)[0], True))
+        self.pieces = whole(self.words("pieces", 1)[0], 1, 1000)
+        self.read_letters()
+        self.rates = self.increasing(self.words("growth", 2))
+        need(self.rates[0] >= 1, "a growth rate is at least 1")
+        contraction = decimal(self.words("contraction", 1)[0], True)
+        need(contraction < 1, "the contraction must be below 1")
+        self.contraction = number(contraction)
+        self.edges = [(u, v) for u, letter in enumerate(self.letters) for v in letter.next]
+        self.pairs = [(d, e) for d, (_, u) in enumerate(self.edges) for e, (v, _) in enumerate(self.edges) if u == v]
+        self.read_cells()
+        need(not self.lines, "the file goes on")
+        need(len(self.pairs) * max(cell[1] for cell in self.cells)**2 <= 100_000, "a cell has too many legs")
+        need(self.cost() <= 6_000_000, "the check would cost too much")
+
+    def read_letters(self):
+        count = whole(self.words("letters", 1)[0], 1, 400)
+        self.letters = []
+        for _ in range(count):
+            periods, gamma = self.words("letter", 2)
+            letter = chaos.Letter()
+            letter.periods, letter.gamma = whole(periods, 1, 1000), decimal(gamma, True)
+            self.letters.append(letter)
+        self.read_next()
+
+    def read_cells(self):
+        count = whole(self.words("cells", 1)[0], 1, 10_000)
+        need(count * len(self.edges) <= 100_000, "too many edges")
+        self.cells, last = [], Fraction(0)
+        for index in range(count):
+            depth, parts, steps = self.words("cell", 3)
+            depth, parts, steps = fraction(depth), whole(parts, 1, 64), whole(steps, 0, 1000)
+            need(last < depth, "depths increase")
+            need(index > 0 or steps == 0, "the first cell has no steps")
+            lines = []
+            for _ in self.edges:
+                low, high, m, w = self.words("edge", 4)
+                edge = Edge()
+                edge.low, edge.high = self.increasing((low, high))
+                edge.m, edge.w = number(decimal(m)), number(decimal(w, True))
+                lines.append(edge)
+            self.cells.append((depth, parts, steps, lines))
+            last = depth
+
+    def cost(self):
+        """In exponentials, as the form says."""
+        h, j, letters = len(self.harmonics), self.pieces, self.letters
+        count, pairs = len(self.edges), len(self.pairs)
+        gaps = sum((2 * letters[self.edges[d][1]].periods + 1) * j * (2 + 2 * h) + letters[self.edges[d][1]].periods
+                   for d, _ in self.pairs)
+        triples = sum(len(letters[u].previous) * len(letters[v].next) for u, v in self.edges)
+        longest = max(letter.periods for letter in letters)
+
+        def map(s):
+            return longest + 1 + 36 * h * s * count + 5 * pairs * s**2 + triples * s**3
+        total, before = (j + 2) * h, self.cells[0]
+        for cell in self.cells:
+            total += map(cell[1]) + 23 * h * count + gaps + cell[2] * map(before[1])
+            before = cell
+        return total
+
+    def check(self):
+        """Proves everything; the title."""
+        self.told()
+        self.wall = Wall(self.harmonics, self.window, self.pieces)
+        least, former = Fraction(0), None
+        for cell in self.cells:
+            depth, parts, steps, lines = cell
+            if former:
+                self.linked(least, former, lines, steps)
+            strengths = [number(x.low, x.high) for x in lines]
+            work = Cell(self, least, depth, strengths, parts)
+            work.holds(lines)
+            work.gaps(strengths)
+            least, former = depth, cell
+        return "range of chaos" if self.rates[0] > 1 else "range of orbits"
+
+    def linked(self, depth, former, lines, steps):
+        _, parts, _, old = former
+        sets = [number(x.low, x.high) for x in old]
+
+        def inside():
+            return all(s.inside(number(x.low), number(x.high)) for s, x in zip(sets, lines))
+        for _ in range(steps):
+            if inside():
+                return
+            work = Cell(self, depth, depth, sets, parts)
+            for e in range(len(sets)):
+                image = None
+                for i in range(parts):
+                    for one, _ in work.images(e, i, old):
+                        image = one if image is None else image.hull(one)
+                sets[e] = sets[e].both(image)
+                need(not sets[e].empty(), "no motion is left (link)")
+        need(inside(), "the motions may be others than before (link)")
+
+
+if __name__ == "__main__":
+    good = True
+    for name in sys.argv[1:]:
+        try:
+            with open(name, encoding="utf-8", newline="") as stream:
+                print(f"{name}: proved, {File(stream.read()).check()}")
+        except ValueError as reason:
+            good = False
+            print(f"{name}: rejected: {reason}")
+    sys.exit(not good)

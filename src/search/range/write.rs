@@ -1,0 +1,89 @@
+//! What the search found, as a certificate.
+
+use num_rational::BigRational;
+
+use super::{RangeProblem, close::Closed};
+use crate::{
+    certificate::range::{Cell, Certificate, Decimal, Edge, Fraction, Harmonic, Letter},
+    error::{Error, Result},
+    search::chaos::write::{decimal, fraction, places},
+};
+
+/// Into how many pieces a window and a time between are cut.
+const PIECES: u64 = 32;
+
+/// No greater contraction is written.
+const MOST: f64 = 0.999;
+
+/// A contraction as a certificate has it: rounded up, and a little more, for another checker's enclosures.
+pub(super) fn contraction(x: f64) -> Result<Decimal> {
+    decimal(((x * 1005.0 + 1.0).ceil() / 1000.0).min(MOST), 3)
+}
+
+/// All but the cells.
+pub(super) fn head(problem: &RangeProblem, window: f64) -> Result<Certificate> {
+    let (rate, vector) = problem.graph.growth_either_way();
+    let least = vector.iter().copied().fold(1.0, f64::min);
+    let margin = (1e-11f64).max(2e-12 / least);
+    let fractions =
+        |[lo, hi]: &[BigRational; 2]| -> Result<[Fraction; 2]> { Ok([fraction(lo)?, fraction(hi)?]) };
+    let ranges = problem.ranges.iter().map(fractions).collect::<Result<Vec<_>>>()?;
+    let harmonics = problem
+        .harmonics
+        .iter()
+        .map(|(order, [a, b])| Ok(Harmonic { order: *order, parts: [fractions(a)?, fractions(b)?] }));
+    let graph = &problem.graph;
+    let letters = graph.letters.iter().zip(&graph.next).zip(vector).map(|((&periods, next), growth)| {
+        Ok(Letter { periods, growth: decimal(growth, 13)?, next: next.clone() })
+    });
+    // A rate is at least 1: of one cycle it is 1 itself.
+    let low = if rate - margin < 1.0 || rate < 1.0 + 1e-9 { 1.0 } else { rate - margin };
+    Ok(Certificate {
+        ranges: ranges.try_into().map_err(|_| Error::input("three ranges"))?,
+        behind: problem.behind,
+        harmonics: harmonics.collect::<Result<_>>()?,
+        window: decimal(window, 3)?,
+        pieces: PIECES,
+        letters: letters.collect::<Result<_>>()?,
+        growth: [decimal(low, 12)?, decimal(rate + margin, 12)?],
+        contraction: contraction(MOST)?,
+        cells: Vec::new(),
+    })
+}
+
+/// A cell up to a depth.
+pub(super) fn cell(closed: &Closed, depth: f64) -> Result<Cell> {
+    let edges = (0..closed.strengths.len()).map(|edge| {
+        let span = closed.strengths[edge];
+        let places = (places(span) + 3).min(13);
+        let strengths: [Decimal; 2] = [decimal(span.lo, places)?, decimal(span.hi, places)?];
+        Ok(Edge {
+            strengths,
+            factor: short(closed.factors[edge])?,
+            weight: decimal(closed.weights[edge], 12)?,
+        })
+    });
+    let (p, q) = parts(depth);
+    Ok(Cell { depth: Fraction { p, q }, parts: closed.parts, steps: 0, edges: edges.collect::<Result<_>>()? })
+}
+
+/// A decimal of about seven digits.
+fn short(x: f64) -> Result<Decimal> {
+    decimal(x, (6 - x.abs().log10().floor().clamp(-6.0, 4.0) as i32).max(0))
+}
+
+/// A depth of six digits, and of 15 places at most, downwards.
+pub(super) fn depth(x: f64) -> f64 {
+    let (p, q) = parts(x);
+    p as f64 / q as f64
+}
+
+fn parts(x: f64) -> (i128, i128) {
+    let places = (5 - x.log10().floor() as i32).clamp(0, 14) as u32;
+    let mut q = 10i128.pow(places);
+    // What is nearly a number of so many digits is that one.
+    let mut p = (x * q as f64 * (1.0 + 1e-12)).floor() as i128;
+    let divisor = num_integer::gcd(p, q);
+    (p, q) = (p / divisor, q / divisor);
+    (p, q)
+}
