@@ -1,9 +1,6 @@
 //! Whether chaos is born at a grazing bifurcation, and how much of it: the word theorem at the local map as
 //! computed.
 
-use num_rational::BigRational;
-use num_traits::{One, Signed};
-
 use super::row;
 use crate::{
     error::Result,
@@ -82,7 +79,7 @@ pub(super) fn all_patterns(
     if determinant.is_nan() || determinant <= 0.0 || gamma == 0.0 || e == 0.0 {
         return Ok(None);
     }
-    let Some(rectangle) = rectangle(trace, determinant) else { return Ok(None) };
+    let Some(rectangle) = Rectangle::about(trace, determinant) else { return Ok(None) };
     let gamma = gamma > 0.0;
     let rows = [true, false].into_iter().map(|positive| {
         let word = Word::in_rectangle(&rectangle, positive, LETTERS, monitor)?;
@@ -106,60 +103,4 @@ pub(super) fn all_patterns(
         })
     });
     rows.collect::<Result<Vec<_>>>().map(Some)
-}
-
-/// A box with 0 < a₂ ≤ 1 that holds the point and its rounding, or the images of both by reversal of time.
-fn rectangle(trace: f64, determinant: f64) -> Option<Rectangle> {
-    let one = BigRational::one();
-    let (t, d) = (BigRational::from_float(trace)?, BigRational::from_float(determinant)?);
-    let size = t.abs().max(one.clone());
-    let margin = size / BigRational::from_integer(1_000_000_000_000u64.into());
-    let (below, above) = (&d - &margin, &d + &margin);
-    let mut heights = vec![below.clone(), above.clone()];
-    if below < one && above > one {
-        heights.push(one.clone());
-    }
-    let mut images = Vec::new();
-    for t in [&t - &margin, &t + &margin] {
-        for d in heights.iter().filter(|d| d.is_positive()) {
-            images.push(if *d > one { (&t / d, d.recip()) } else { (t.clone(), d.clone()) });
-        }
-    }
-    let ends = |of: fn(&(BigRational, BigRational)) -> &BigRational| {
-        Some([images.iter().map(of).min()?.clone(), images.iter().map(of).max()?.clone()])
-    };
-    if !below.is_positive() {
-        return None;
-    }
-    Rectangle::new(ends(|image| &image.0)?, ends(|image| &image.1)?).ok()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// A box about a point with a₂ near 1 holds the point, or its image, whatever side of 1 rounding puts it
-    /// on.
-    #[test]
-    fn boxes_hold_the_point_or_its_image() {
-        let exact = |x: f64| BigRational::from_float(x).unwrap();
-        for (t, d) in [
-            (0.3, 0.5),
-            (-1.5, 0.9),
-            (0.3, 1.0),
-            (0.3, 1.0 + 1e-13),
-            (0.3, 1.0 - 1e-13),
-            (1.2, 4.0),
-            (-3.0, 2.5),
-        ] {
-            let found = rectangle(t, d).unwrap();
-            let (mut t, mut d) = (exact(t), exact(d));
-            if d > BigRational::one() {
-                (t, d) = (&t / &d, d.recip());
-            }
-            let [a1, a2] = [found.a1(), found.a2()];
-            assert!(a1[0] <= t && t <= a1[1] && a2[0] <= d && d <= a2[1], "{t} {d}");
-        }
-        assert!(rectangle(0.3, 1e-13).is_none() && rectangle(f64::NAN, 0.5).is_none());
-    }
 }

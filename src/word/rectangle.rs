@@ -77,6 +77,34 @@ impl Rectangle {
         Ok(Rectangle { a1, a2, half, rho, u, slope, power, precision })
     }
 
+    /// A box that holds a point as computed and its rounding, a₁ and a₂ being known to 10⁻¹² of the larger of
+    /// |a₁| and 1; for a₂ > 1, or where it may be, the images by reversal of time too. None where a₂ may not be
+    /// positive.
+    pub fn about(trace: f64, determinant: f64) -> Option<Rectangle> {
+        let one = BigRational::one();
+        let (t, d) = (BigRational::from_float(trace)?, BigRational::from_float(determinant)?);
+        let size = t.abs().max(one.clone());
+        let margin = size / BigRational::from_integer(1_000_000_000_000u64.into());
+        let (below, above) = (&d - &margin, &d + &margin);
+        let mut heights = vec![below.clone(), above.clone()];
+        if below < one && above > one {
+            heights.push(one.clone());
+        }
+        let mut images = Vec::new();
+        for t in [&t - &margin, &t + &margin] {
+            for d in heights.iter().filter(|d| d.is_positive()) {
+                images.push(if *d > one { (&t / d, d.recip()) } else { (t.clone(), d.clone()) });
+            }
+        }
+        let ends = |of: fn(&(BigRational, BigRational)) -> &BigRational| {
+            Some([images.iter().map(of).min()?.clone(), images.iter().map(of).max()?.clone()])
+        };
+        if !below.is_positive() {
+            return None;
+        }
+        Rectangle::new(ends(|image| &image.0)?, ends(|image| &image.1)?).ok()
+    }
+
     /// The bounds of a₁.
     pub fn a1(&self) -> &[BigRational; 2] {
         &self.a1
@@ -238,5 +266,30 @@ mod tests {
             assert!(Rectangle::new(a1, a2).unwrap_err().is_input());
         }
         assert!(Rectangle::new([q(0, 1), q(0, 1)], [q(1, 2), q(3, 2)]).unwrap_err().is_input());
+    }
+
+    /// A box about a point with a₂ near 1 holds the point, or its image, whatever side of 1 rounding puts it
+    /// on.
+    #[test]
+    fn boxes_hold_the_point_or_its_image() {
+        let exact = |x: f64| BigRational::from_float(x).unwrap();
+        for (t, d) in [
+            (0.3, 0.5),
+            (-1.5, 0.9),
+            (0.3, 1.0),
+            (0.3, 1.0 + 1e-13),
+            (0.3, 1.0 - 1e-13),
+            (1.2, 4.0),
+            (-3.0, 2.5),
+        ] {
+            let found = Rectangle::about(t, d).unwrap();
+            let (mut t, mut d) = (exact(t), exact(d));
+            if d > BigRational::one() {
+                (t, d) = (&t / &d, d.recip());
+            }
+            let [a1, a2] = [found.a1(), found.a2()];
+            assert!(a1[0] <= t && t <= a1[1] && a2[0] <= d && d <= a2[1], "{t} {d}");
+        }
+        assert!(Rectangle::about(0.3, 1e-13).is_none() && Rectangle::about(f64::NAN, 0.5).is_none());
     }
 }

@@ -13,5 +13,7 @@ mod event;
 mod machine;
 mod orbit;
 mod overflow;
+mod range;
+mod range_random;
 mod theorem2;
 mod validated;

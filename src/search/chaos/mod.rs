@@ -25,7 +25,7 @@
 
 mod graph;
 pub(super) mod map;
-mod normal;
+pub(super) mod normal;
 mod others;
 pub(super) mod profile;
 mod rational;

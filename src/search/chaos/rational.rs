@@ -64,6 +64,24 @@ impl RationalFunction {
         self.is_nonnegative() && self.over.iter().any(|x| !x.is_zero())
     }
 
+    /// Whether it certainly increases, or certainly decreases, with x > 0.
+    pub fn runs_one_way(&self) -> bool {
+        let slope = |list: &[BigRational]| -> Vec<BigRational> {
+            let terms = list.iter().enumerate().skip(1);
+            terms.map(|(i, x)| x * BigRational::from_integer(i.into())).collect()
+        };
+        let [over, under] = [slope(&self.over), slope(&self.under)];
+        let times = |a: &[BigRational], b: &[BigRational]| {
+            if a.is_empty() || b.is_empty() { Vec::new() } else { product(a, b) }
+        };
+        let back: Vec<BigRational> = times(&self.over, &under).into_iter().map(|x| -x).collect();
+        let slope = RationalFunction {
+            over: sum(&times(&over, &self.under), &back),
+            under: product(&self.under, &self.under),
+        };
+        slope.is_positive() || (-slope).is_positive()
+    }
+
     /// Its limits as x → 0 and x → ∞, where they are finite.
     pub fn ends(&self) -> Option<[BigRational; 2]> {
         let limit = |over: &mut dyn Iterator<Item = &BigRational>,
@@ -228,6 +246,22 @@ mod tests {
             assert_eq!(depth.sign(), Some(Sign::Positive));
             assert_eq!(depth.constant(), None);
             assert_eq!((mu.clone() - &mu).constant(), Some(number(0, 1)));
+        }
+    }
+
+    #[test]
+    fn what_runs_one_way_is_told() {
+        let x = RationalFunction::range(&number(1, 2), Some(&number(3, 1)));
+        let square = x.clone() * &x;
+        let inverse = RationalFunction::integer(1, &()) / &square;
+        for function in [&x, &square, &inverse] {
+            assert!(function.runs_one_way());
+        }
+        let turned = x.clone() + &inverse;
+        let there_and_back = RationalFunction::range(&number(-1, 1), Some(&number(1, 1)));
+        let constant = RationalFunction::integer(1, &());
+        for function in [&turned, &(there_and_back.clone() * &there_and_back), &constant] {
+            assert!(!function.runs_one_way());
         }
     }
 

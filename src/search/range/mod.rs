@@ -3,7 +3,9 @@
 //!
 //! docs/ranges.md has the theorem. [`prove`] follows the motions cell by cell: ranges of strengths that the
 //! map keeps are found in plain floats (`map`, `close`), and the checker judges each cell. What is proved is
-//! what it accepts as a whole. Not here: which graph is born (`word`), the scene and its parameter, reports.
+//! what it accepts as a whole. Which graph is born at the
+//! touch says [`born`]. Which values of a machine's
+//! parameter have these depths says [`parameter_range`]. Not here: reports.
 //!
 //! ```
 //! use grazing::certificate;
@@ -25,13 +27,19 @@
 //! # Ok::<(), grazing::Error>(())
 //! ```
 
+mod born;
 mod close;
 mod map;
+mod parameter;
 mod write;
 
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
+pub use self::{
+    born::{Born, born},
+    parameter::{ParameterRange, SystemOver, Touching, parameter_range},
+};
 use self::{
     close::{Budget, Closed, close},
     map::{Edges, Oscillator},

@@ -6,7 +6,10 @@ use super::{RangeProblem, close::Closed};
 use crate::{
     certificate::range::{Cell, Certificate, Decimal, Edge, Fraction, Harmonic, Letter},
     error::{Error, Result},
-    search::chaos::write::{decimal, fraction, places},
+    search::chaos::{
+        LetterGraph,
+        write::{decimal, fraction, places},
+    },
 };
 
 /// Into how many pieces a window and a time between are cut.
@@ -20,11 +23,23 @@ pub(super) fn contraction(x: f64) -> Result<Decimal> {
     decimal(((x * 1005.0 + 1.0).ceil() / 1000.0).min(MOST), 3)
 }
 
+/// Bounds of the growth rate, with a vector that proves them. Of a graph that is not connected they are
+/// coarse: every letter has at least one successor, and at most so many.
+fn rates(graph: &LetterGraph) -> (f64, f64, Vec<f64>) {
+    if !graph.is_connected() {
+        let most = graph.next.iter().map(Vec::len).max().unwrap_or(1);
+        return (1.0, most as f64 + 1.0, vec![1.0; graph.letters.len()]);
+    }
+    let (rate, vector) = graph.growth_either_way();
+    let margin = (1e-11f64).max(2e-12 / vector.iter().copied().fold(1.0, f64::min));
+    // Of one cycle the rate is 1 itself.
+    let low = if rate < 1.0 + 1e-9 { 1.0 } else { rate - margin };
+    (low.max(1.0), rate + margin, vector)
+}
+
 /// All but the cells.
 pub(super) fn head(problem: &RangeProblem, window: f64) -> Result<Certificate> {
-    let (rate, vector) = problem.graph.growth_either_way();
-    let least = vector.iter().copied().fold(1.0, f64::min);
-    let margin = (1e-11f64).max(2e-12 / least);
+    let (low, high, vector) = rates(&problem.graph);
     let fractions =
         |[lo, hi]: &[BigRational; 2]| -> Result<[Fraction; 2]> { Ok([fraction(lo)?, fraction(hi)?]) };
     let ranges = problem.ranges.iter().map(fractions).collect::<Result<Vec<_>>>()?;
@@ -36,8 +51,6 @@ pub(super) fn head(problem: &RangeProblem, window: f64) -> Result<Certificate> {
     let letters = graph.letters.iter().zip(&graph.next).zip(vector).map(|((&periods, next), growth)| {
         Ok(Letter { periods, growth: decimal(growth, 13)?, next: next.clone() })
     });
-    // A rate is at least 1: of one cycle it is 1 itself.
-    let low = if rate - margin < 1.0 || rate < 1.0 + 1e-9 { 1.0 } else { rate - margin };
     Ok(Certificate {
         ranges: ranges.try_into().map_err(|_| Error::input("three ranges"))?,
         behind: problem.behind,
@@ -45,7 +58,7 @@ pub(super) fn head(problem: &RangeProblem, window: f64) -> Result<Certificate> {
         window: decimal(window, 3)?,
         pieces: PIECES,
         letters: letters.collect::<Result<_>>()?,
-        growth: [decimal(low, 12)?, decimal(rate + margin, 12)?],
+        growth: [decimal(low, 12)?, decimal(high, 12)?],
         contraction: contraction(MOST)?,
         cells: Vec::new(),
     })

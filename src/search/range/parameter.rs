@@ -1,0 +1,151 @@
+//! The depth ν as a function of a parameter of the machine: proved to run from the touch one way only, and
+//! turned back into the parameter, rounded inwards.
+//!
+//! Seen from the motion without the wall, whose one harmonic has the amplitude H, the wall's mean is C, and σν
+//! = 1 + C/H. For C < 0 that is 1 − √R with R = C²/H², a rational function of the parameter: R = 1 is the
+//! touch, R < 1 beyond it and R > 1 before, and ν increases away from the touch where R runs one way. All of
+//! this is exact; where it cannot be shown, the range is shorter or there is none.
+
+use num_rational::BigRational;
+use num_traits::{One, Signed};
+
+use crate::{
+    error::{Error, Result},
+    motion::{Side, System},
+    number::Real,
+    search::chaos::{RationalFunction, normal::touch},
+};
+
+/// The system for all values of the parameter above one number, up to another.
+pub type SystemOver<'a> = &'a dyn Fn(&BigRational, &BigRational) -> Result<System<RationalFunction>>;
+
+/// A side of a touch in a parameter p.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct ParameterRange {
+    /// Between these the motion without the wall touches it, once.
+    pub touch: [BigRational; 2],
+    /// For every p from the touch, not included, to here, included, the depth is above 0 and at most as given,
+    /// and it increases away from the touch.
+    pub end: BigRational,
+}
+
+/// A machine near its touch: what does not change with the parameter.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Touching {
+    /// c, k and τ, in a time in which the wall's period is 2π.
+    pub parameters: [BigRational; 3],
+    /// R.
+    pub ratio: RationalFunction,
+}
+
+impl Touching {
+    /// Of a system for a range of the parameter.
+    ///
+    /// # Errors
+    /// An input error that says what is not covered: two walls, more than one harmonic as seen from the motion
+    /// without the wall, damping, stiffness or restitution that change.
+    pub fn of(system: &System<RationalFunction>, side: Option<Side>) -> Result<Touching> {
+        let (parameters, ratio) = touch(system, side)?;
+        let names = ["damping", "stiffness", "restitution"];
+        let fixed = parameters.iter().zip(names).map(|(value, name)| {
+            value.constant().ok_or_else(|| fail(&format!("the {name} changes with the parameter")))
+        });
+        let fixed: Vec<BigRational> = fixed.collect::<Result<_>>()?;
+        let parameters = fixed.try_into().map_err(|_| fail("three parameters"))?;
+        Ok(Touching { parameters, ratio })
+    }
+}
+
+fn fail(message: &str) -> Error {
+    Error::input(format!("range: {message}"))
+}
+
+/// How many times a step is doubled or halved.
+const STEPS: u32 = 60;
+
+/// The parameters from the touch near `start` to a depth, on the side where the wall is passed (`behind`, R <
+/// 1) or not; `unit` is a small step of the parameter. None if ν is not shown to increase even on a short
+/// range, or there is no touch near `start`.
+///
+/// Cost: about 200 evaluations of R.
+///
+/// # Errors
+/// As [`Touching::of`].
+pub fn parameter_range(
+    system: SystemOver,
+    side: Option<Side>,
+    [start, unit]: [&BigRational; 2],
+    depth: &BigRational,
+    behind: bool,
+) -> Result<Option<ParameterRange>> {
+    let one = BigRational::one();
+    let ratio = |p: &BigRational| -> Result<BigRational> {
+        let ratio = Touching::of(&system(p, p)?, side)?.ratio;
+        ratio.constant().ok_or_else(|| fail("the wall's height is not a number"))
+    };
+    // ν ≤ depth: √R ≥ 1 − depth beyond, √R ≤ 1 + depth before.
+    let limit = if behind { &one - depth } else { &one + depth };
+    let square = if limit.is_positive() { &limit * &limit } else { BigRational::from_integer(0.into()) };
+    let on_side = |r: &BigRational| if behind { *r < one } else { *r > one };
+    let inside = |r: &BigRational| on_side(r) && if behind { *r >= square } else { *r <= square };
+    // Which way, and a point on either side of the touch.
+    let (left, right) = (start - unit, start + unit);
+    let (at_left, at_right) = (on_side(&ratio(&left)?), on_side(&ratio(&right)?));
+    if at_left == at_right {
+        return Ok(None);
+    }
+    let way = if at_right { BigRational::one() } else { -BigRational::one() };
+    let [outer, first] = if at_right { [left, right] } else { [right, left] };
+    let (mut lo, mut hi) = (outer.clone(), first.clone());
+    for _ in 0..STEPS {
+        let middle = shorter(&lo, &hi);
+        if on_side(&ratio(&middle)?) { hi = middle } else { lo = middle }
+    }
+    let touch = if lo < hi { [lo.clone(), hi.clone()] } else { [hi.clone(), lo.clone()] };
+    if !inside(&ratio(&hi)?) {
+        return Ok(None);
+    }
+    let mut end = farthest(&|p| Ok(inside(&ratio(p)?)), &hi, &(&way * unit))?;
+    // R runs one way from the outer point to the end.
+    for _ in 0..STEPS {
+        let (from, to) = if outer < end { (&outer, &end) } else { (&end, &outer) };
+        if Touching::of(&system(from, to)?, side)?.ratio.runs_one_way() {
+            return Ok(Some(ParameterRange { touch, end }));
+        }
+        end = shorter(&hi, &end);
+    }
+    Ok(None)
+}
+
+/// A number about halfway.
+fn shorter(one: &BigRational, other: &BigRational) -> BigRational {
+    (one + other) / BigRational::from_integer(2.into())
+}
+
+/// The farthest p from a start that is inside, by steps that double, then by halving; inside itself.
+fn farthest(
+    inside: &dyn Fn(&BigRational) -> Result<bool>,
+    start: &BigRational,
+    step: &BigRational,
+) -> Result<BigRational> {
+    let two = BigRational::from_integer(2.into());
+    let (mut good, mut step) = (start.clone(), step.clone());
+    let mut bad = None;
+    for _ in 0..STEPS {
+        let next = &good + &step;
+        if !inside(&next)? {
+            bad = Some(next);
+            break;
+        }
+        good = next;
+        step = step * &two;
+    }
+    let Some(mut bad) = bad else { return Ok(good) };
+    for _ in 0..STEPS {
+        let middle = shorter(&good, &bad);
+        if inside(&middle)? { good = middle } else { bad = middle }
+    }
+    Ok(good)
+}
