@@ -263,6 +263,7 @@ fn malformed() -> Vec<(String, &'static str)> {
 
 #[test]
 fn forgeries_are_refused() {
+    println!("{} forgeries, {} more of the form", forgeries().len(), malformed().len());
     for (text, reason) in forgeries() {
         let why = rejected(&text);
         let end: Vec<&str> = text.lines().rev().take(2).collect();

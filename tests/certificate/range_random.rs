@@ -97,7 +97,7 @@ impl Machine {
         // g′ = −sin t has the sign of s.
         let way = -(self.side * (alpha + self.parameters[2] * beta)).signum();
         let start = self.flip(n, way * 1e-6).signum();
-        let (mut last, mut step, mut t) = (0.0, 1e-9, 0.0);
+        let (mut last, mut step, mut t) = (0.0, 1e-9f64, 0.0);
         while t < 1.19 {
             t += step;
             step = (1.01 * step).min(5e-4);

@@ -180,14 +180,13 @@ pub(in crate::search) fn touch(
     };
     let square = a.clone() * a + &(b.clone() * b);
     if !square.is_positive() || !(-mean.clone()).is_positive() {
-        return fail("seen from the motion without it, the wall must move, with its mean behind the motion's");
+        return fail(
+            "seen from the motion without it, the wall must move, with its mean behind the motion's",
+        );
     }
     let once = Function::ratio(&BigRational::from_integer((*order).into()), &());
-    let parameters = [
-        damping.clone() / &once,
-        stiffness.clone() / &(once.clone() * &once),
-        wall.restitution.clone(),
-    ];
+    let parameters =
+        [damping.clone() / &once, stiffness.clone() / &(once.clone() * &once), wall.restitution.clone()];
     Ok((parameters, mean.clone() * &mean / &square))
 }
 

@@ -12,7 +12,6 @@ use num_traits::{One, Signed};
 use crate::{
     error::{Error, Result},
     motion::{Side, System},
-    number::Real,
     search::chaos::{RationalFunction, normal::touch},
 };
 
