@@ -109,12 +109,14 @@ pub enum RangeEnd {
 const PARTS: [u64; 3] = [1, 3, 6];
 /// Where a step becomes so small a part of the depth, strengths are cut into more parts.
 const RAISED: f64 = 0.03;
-/// A step that is so small a part of the depth is the last.
+/// A step that is so small a part of the depth is the last: of a graph, and of a single edge, whose strengths
+/// are few, so that parts gain little and small steps cost little.
 const LAST: f64 = 5e-4;
+const LAST_OF_ONE: f64 = 1e-4;
 /// The smallest depth.
 const SMALLEST: f64 = 1e-11;
 /// The most cells.
-const CELLS: usize = 400;
+const CELLS: usize = 1000;
 
 /// The largest range that is found, or why there is none.
 ///
@@ -194,6 +196,7 @@ impl<'a> Search<'a> {
         let Some(strengths) = touch.born(&self.edges) else { return Ok(RangeEnd::Map) };
         self.strengths = strengths;
         let mut step = self.problem.deepest;
+        let (levels, last) = if self.edges.edges.len() == 1 { (1, LAST_OF_ONE) } else { (PARTS.len(), LAST) };
         loop {
             monitor.advance(0)?;
             if self.depth >= self.problem.deepest {
@@ -215,11 +218,11 @@ impl<'a> Search<'a> {
                 return Ok(RangeEnd::Work);
             }
             step = 0.5 * step.min(next - self.depth);
-            if step < RAISED * self.depth && self.level + 1 < PARTS.len() {
+            if step < RAISED * self.depth && self.level + 1 < levels {
                 self.level += 1;
                 step = 8.0 * RAISED * self.depth;
             }
-            if step < (LAST * self.depth).max(SMALLEST) {
+            if step < (last * self.depth).max(SMALLEST) {
                 return Ok(failed);
             }
         }
