@@ -150,8 +150,8 @@ fn engines_are_siblings() {
 const FILES: [(&str, &str); 2] = [
     (
         "scene",
-        "dual expression keys restitution force matrix measured walls system machine simulate orbits sections branches validate chaos task scene \
-         values normal check input family reference",
+        "dual expression format keys restitution force matrix measured walls system machine oscillator simulate \
+         orbits sections branches validate chaos task scene values normal check input upgrade family reference",
     ),
     ("attractor", "dynamics section cycle confirm detection observe checkpoint lyapunov basins diagram"),
 ];

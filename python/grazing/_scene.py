@@ -43,6 +43,8 @@ class TaskReport:
 
     task: str
     kind: str
+    #: What computed its motions: ``name``, ``"one"`` or ``"many"``, and ``reason`` (docs/scenes.md).
+    engine: Record
     #: Never a bool. :class:`Done` is floating point; only tasks of kind ``validate`` and ``chaos`` prove.
     outcome: Outcome
     #: The parameters' values, exactly.
@@ -310,7 +312,7 @@ class Scene:
 
 
 #: In a report's JSON, what does not belong to the findings.
-_COMMON = ("task", "kind", "status", "reason", "io", "place", "parameters", "warnings", "effects", "files")
+_COMMON = tuple("task kind status reason io engine place parameters warnings effects files".split())
 
 _PROOFS = ("validate", "chaos")
 
@@ -328,6 +330,7 @@ def _report(
     return TaskReport(
         task=report["task"],
         kind=report["kind"],
+        engine=Record(report["engine"]),
         outcome=_outcome(report, failed),
         parameters={name: Fraction(value) for name, value in report["parameters"].items()},
         findings=findings,

@@ -1,8 +1,8 @@
 //! The columns of reports: the one place that tells the engines apart.
 //!
 //! What a task finds has the same fields, words and meaning whichever engine found it. Which of them a report
-//! shows, in which order and under which names, is here: for oscillators (scenes of format 1) and for
-//! machines (format 2). A column is a field's name, or
+//! shows, in which order and under which names, is here: for oscillators (the engine `one`) and for
+//! machines (`many`). A column is a field's name, or
 //! `name = field`, or `name = list.i`.
 
 use super::{Job, Model};

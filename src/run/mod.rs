@@ -296,7 +296,7 @@ impl<'a> Job<'a> {
         Ok(Job { task, scene, model, folder, monitor, tally: Arc::default() })
     }
 
-    /// The oscillator, of a scene of format 1.
+    /// The oscillator, where the engine is `one`.
     ///
     /// # Errors
     /// For a machine.
@@ -423,11 +423,11 @@ impl<'a> Job<'a> {
 /// use grazing::{run::{Status, Surroundings, run}, scene::Scene};
 ///
 /// let text = r#"
-///     format = "grazing-scene 1"
+///     format = "grazing-scene 3"
 ///     title = "a ball"
 ///     [system]
 ///     force = -1
-///     [[walls]]
+///     [[stops]]
 ///     side = "lower"
 ///     offset = 0
 ///     restitution = "1/2"

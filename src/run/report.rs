@@ -5,7 +5,10 @@ use std::fmt;
 use serde::{Serialize, Serializer, ser::SerializeMap};
 
 use super::{Findings, Job, Lines, Place, Status};
-use crate::error::{Error, Result};
+use crate::{
+    error::{Error, Result},
+    scene::Engine,
+};
 
 /// A task's name, its status, what it found, what that cost, and where it is kept.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -17,6 +20,8 @@ pub struct TaskReport {
     /// How it ended.
     #[serde(flatten)]
     pub status: Status,
+    /// What computed its motions, and why that.
+    pub engine: Engine,
     /// Where it stands in the scene.
     pub place: Place,
     /// The exact values of the parameters.
@@ -53,6 +58,7 @@ impl TaskReport {
             task: job.task.name.clone(),
             kind: job.task.kind.word(),
             status,
+            engine: job.scene.engine.clone(),
             place: job.place(),
             parameters: parameters.map(|(name, value)| (name.clone(), value.to_string())).collect(),
             findings: None,
@@ -96,7 +102,7 @@ pub struct RunReport<'a> {
 impl<'a> RunReport<'a> {
     /// The reports of tasks of the scene with this title; of a part of one task, which part, as in "1/4".
     pub fn new(scene: &'a str, shard: Option<String>, tasks: &'a [TaskReport]) -> RunReport<'a> {
-        RunReport { format: "grazing-run 2", scene, shard, tasks }
+        RunReport { format: "grazing-run 3", scene, shard, tasks }
     }
 
     /// The text of the object, indented.
@@ -114,6 +120,7 @@ impl fmt::Display for TaskReport {
         let mut lines = Lines::default();
         lines.say("kind", self.kind);
         lines.say("status", self.status.to_string());
+        lines.say("engine", format!("{}: {}", self.engine.name.word(), self.engine.reason));
         if !self.parameters.is_empty() {
             let all = self.parameters.iter().map(|(name, value)| format!("{name} = {value}"));
             lines.say("parameters", all.collect::<Vec<_>>().join(" "));

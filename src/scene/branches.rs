@@ -101,8 +101,8 @@ keys! {
         second_range: Vec<f64> = "[]",
         /// how they are followed
         options: Options = "{}",
-        /// when the picture's displacement, of a machine the gap to a stop, is taken, as a fraction of the
-        /// forcing period
+        /// when the picture's displacement, where the engine is `many` the gap to a stop, is taken, as a
+        /// fraction of the forcing period
         phase: BigRational = "0",
         /// the frame in which it is measured
         frame: Frame = "\"fixed\"",
@@ -127,8 +127,9 @@ keys! {
         phase: BigRational = "0",
         /// the frame in which the displacement is measured
         frame: Frame = "\"fixed\"",
-        /// of a machine, what of its state is kept, the first drawn: `q2` and `u2` are displacement and
-        /// velocity of a coordinate, `gap NAME` and `rate NAME` the gap of a stop and how fast it opens
+        /// what of a state is kept, the first drawn: `q2` and `u2` are displacement and velocity of a
+        /// coordinate, where the engine is `many` `gap NAME` and `rate NAME` the gap of a stop and how fast
+        /// it opens; without it `q1` and `u1`
         plane: Vec<String> = "[]",
         /// how many periods pass first, unrecorded
         transient: u64 = "1000",

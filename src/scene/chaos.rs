@@ -5,17 +5,17 @@ use std::fmt;
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
-use super::keys::{Entry, Value, keys};
+use super::keys::{Entry, StopName, Value, keys};
 use crate::{error::Result, motion::Side};
 
 keys! {
     /// Proves, for every parameter in a range, that every bi-infinite word over an alphabet of periods is an
     /// orbit: exactly one in given boxes, and admissible. Writes a certificate. For linear oscillators with
-    /// one rigid wall that is met, or with two that are both met and each other's mirror images, half a
+    /// one rigid stop that is met, or with two that are both met and each other's mirror images, half a
     /// period apart. See chaos.md.
     pub struct ChaosTask {
-        /// the periods n between impacts; where both walls are met also halves, as in `["1/2", "3/2"]`,
-        /// after which the other wall is met; `"auto"` takes those born at the grazing, and leaves out the
+        /// the periods n between impacts; where both stops are met also halves, as in `["1/2", "3/2"]`,
+        /// after which the other stop is met; `"auto"` takes those born at the grazing, and leaves out the
         /// longest until the proof succeeds
         alphabet: Alphabet = "\"auto\"",
         /// for each period of the alphabet, in its order, the periods that may follow it; if empty, all of
@@ -25,17 +25,24 @@ keys! {
         parameter: Option<String>,
         /// the end of its range that is not included
         from: Option<BigRational>,
-        /// the end that is included, unless the motion without the wall grazes there; if absent, the range
+        /// the end that is included, unless the motion without the stop grazes there; if absent, the range
         /// has no upper end
         to: Option<BigRational>,
         /// other parameters that vary, each with its least and greatest value, as in `{ d = [0.59, 0.61] }`;
         /// only damping, stiffness and restitution may depend on them
         cell: ParameterCell = "{}",
-        /// of two walls the one that is met; that the other is out of reach is proved too; if absent, both
+        /// of two stops the one that is met; that the other is out of reach is proved too; if absent, both
         /// are met
-        side: Option<Side>,
+        stop: Option<StopName>,
         /// a period and a number: boxes are told apart by how many of that period follow, up to that number
         history: Vec<Periods> = "[]",
+    }
+}
+
+impl ChaosTask {
+    /// On which side the stop is that is met.
+    pub(super) fn side(&self) -> Option<Side> {
+        self.stop.as_ref()?.side
     }
 }
 

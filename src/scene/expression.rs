@@ -107,6 +107,18 @@ impl Expression {
         Expression { text: text.to_string(), root: root.clone(), key: key.to_string() }
     }
 
+    /// −x, reported at the key of x.
+    pub(super) fn negated(&self) -> Expression {
+        Expression::of(&Formula::Negated(Box::new(self.root.clone())), &format!("-({self})"), &self.key)
+    }
+
+    /// x/y, reported at the key of x.
+    pub(super) fn over(&self, other: &Expression) -> Expression {
+        let parts = Box::new([self.root.clone(), other.root.clone()]);
+        let text = format!("({self})/({other})");
+        Expression::of(&Formula::Binary(Operation::Quotient, parts), &text, &self.key)
+    }
+
     /// Whether it is a zero written out.
     pub(super) fn is_zero(&self) -> bool {
         matches!(&self.root, Formula::Number(value) if value.is_zero())

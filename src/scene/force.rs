@@ -8,6 +8,7 @@ use num_traits::{One, ToPrimitive, Zero};
 
 use super::{
     expression::Expression,
+    format::SceneFormat,
     keys::{Entry, Value},
 };
 use crate::{
@@ -17,13 +18,18 @@ use crate::{
 };
 
 /// What the variables of a force are called, and the place of each.
-struct Variables {
+pub(super) struct Variables {
     names: Vec<(String, usize)>,
     /// That of the time, which is the last.
     time: usize,
 }
 
 impl Variables {
+    /// Those of so many coordinates in a format.
+    pub(super) fn of(points: usize, format: SceneFormat) -> Variables {
+        if format == SceneFormat::One { Variables::of_oscillator() } else { Variables::of_machine(points) }
+    }
+
     /// Of an oscillator: [`Q`], [`U`] and [`TIME`].
     fn of_oscillator() -> Variables {
         let names = [("q", Q), ("u", U), ("t", TIME)].map(|(name, place)| (name.to_string(), place));
@@ -55,24 +61,17 @@ pub enum ForceKey {
 }
 
 impl ForceKey {
+    /// A number.
+    pub(super) fn constant(text: &str) -> Result<ForceKey> {
+        Expression::parse(text, &[]).map(ForceKey::Constant)
+    }
+
     /// The constant force and the other.
     pub(super) fn parts(self) -> Result<(Expression, Option<SmoothForce<Expression>>)> {
         Ok(match self {
             ForceKey::Constant(constant) => (constant, None),
             ForceKey::Smooth(force) => (Expression::parse("0", &[])?, Some(force)),
         })
-    }
-}
-
-impl Value for ForceKey {
-    fn shape() -> String {
-        "expression, also in q, u and t".to_string()
-    }
-
-    fn read(entry: &Entry) -> Result<Self> {
-        let text = entry.expression()?;
-        read(&text, entry.scope.names, &entry.path, &Variables::of_oscillator())
-            .map_err(|error| entry.fail(&error.to_string()))
     }
 }
 
@@ -103,14 +102,23 @@ impl Value for ForceList {
 type Forces = (Vec<Expression>, Vec<Option<SmoothForce<Expression>>>);
 
 impl ForceList {
-    /// The forces on so many coordinates; `place` is the key of them all.
-    pub(super) fn fit(self, place: &Entry, points: usize) -> Result<Forces> {
-        let variables = Variables::of_machine(points);
+    /// The same forces with their texts made into others.
+    pub(super) fn mapped(&self, text: impl Fn(&str) -> String) -> ForceList {
+        ForceList { texts: self.texts.iter().map(|(old, key)| (text(old), key.clone())).collect() }
+    }
+
+    /// What stands there, one after the other.
+    pub(super) fn read_all(&self, place: &Entry, variables: &Variables) -> Result<Vec<ForceKey>> {
         let one = |(text, key): &(String, String)| {
-            read(text, place.scope.names, key, &variables)
+            read(text, place.scope.names, key, variables)
                 .map_err(|error| place.at(key).fail(&error.to_string()))
         };
-        let keys = self.texts.iter().map(one).collect::<Result<Vec<_>>>()?;
+        self.texts.iter().map(one).collect()
+    }
+
+    /// The forces on so many coordinates; `place` is the key of them all.
+    pub(super) fn fit(self, place: &Entry, points: usize, variables: &Variables) -> Result<Forces> {
+        let keys = self.read_all(place, variables)?;
         let zero = |key: &ForceKey| matches!(key, ForceKey::Constant(constant) if constant.is_zero());
         if keys.len() <= 1 && keys.iter().all(zero) {
             return Ok((Vec::new(), Vec::new()));

@@ -3,18 +3,23 @@
 use std::{collections::HashSet, path::Path, sync::Arc};
 
 use num_rational::BigRational;
-use toml_edit::Item;
+use num_traits::Signed;
+use toml_edit::{Item, Table};
 
 use super::{
-    expression::is_name,
-    keys::{Entry, Key, Record, Scope, Seen, Value, keys},
-    machine::{MachineAccuracy, MachineKeys, MachineScene, StopKeys},
-    scene::{Body, Scene},
-    system::{Accuracy, HarmonicKeys, SystemKeys, WallKeys, system},
+    expression::{Coefficient, Expression, is_name},
+    format::{Foreign, SceneFormat, translate},
+    keys::{Entry, Key, Record, Scope, Seen, StopName, Value, keys},
+    machine::MachineScene,
+    oscillator::{Disqualified, oscillator},
+    scene::{Body, Engine, Scene},
+    system::{Accuracy, EngineKey, StopKeys, SystemKeys},
     task::Task,
 };
 use crate::{
     error::Result,
+    motion::System,
+    number::{Plain, Real},
     output::{LONGEST_SCENE, read_text},
     source::Source,
 };
@@ -23,46 +28,26 @@ use crate::{
 const MOST_PARAMETERS: usize = 1000;
 const MOST_TASKS: usize = 10_000;
 
-const FORMAT: &str = "grazing-scene 1";
-const MACHINES: &str = "grazing-scene 2";
-
 keys! {
-    /// The top level of a scene of an oscillator.
+    /// The top level of a scene.
     pub struct File {
-        /// `"grazing-scene 1"`
+        /// `"grazing-scene 3"`
         format: String,
         /// what it is
         title: String,
-        /// names and their values: numbers, which `grazing run --set` and a task's `set` can change
-        parameters: Parameters = "{}",
-        /// the equation of motion
-        system: SystemKeys,
-        /// at most one wall on each side
-        walls: Vec<WallKeys> = "[]",
-        /// how accurately to compute
-        accuracy: Accuracy = "{}",
-        /// what to do
-        tasks: Vec<TaskEntry> = "[]",
-    }
-}
-
-keys! {
-    /// The top level of a scene of a machine.
-    pub struct MachineFile {
-        /// `"grazing-scene 2"`
-        format: String,
-        /// what it is
-        title: String,
+        /// what computes its motions: `one` is for one degree of freedom and rigid stops, `many` for any
+        /// number and for compliant stops; `auto` takes `one` where the system qualifies
+        engine: EngineKey = "\"auto\"",
         /// names and their values: numbers, which `grazing run --set` and a task's `set` can change
         parameters: Parameters = "{}",
         /// the equations of motion
-        system: MachineKeys,
+        system: SystemKeys,
         /// the stops
-        walls: Vec<StopKeys> = "[]",
+        stops: Vec<StopKeys> = "[]",
         /// how accurately to compute
-        accuracy: MachineAccuracy = "{}",
+        accuracy: Accuracy = "{}",
         /// what to do
-        tasks: Vec<TaskEntry> = "[]",
+        tasks: Tasks = "[]",
     }
 }
 
@@ -70,9 +55,9 @@ keys! {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Parameters;
 
-/// A task, read once its parameters are known.
+/// The tasks, which are read once parameters and stops are known.
 #[derive(Debug, Clone, PartialEq)]
-pub struct TaskEntry(Task);
+pub struct Tasks;
 
 impl Value for Parameters {
     fn shape() -> String {
@@ -84,13 +69,13 @@ impl Value for Parameters {
     }
 }
 
-impl Value for TaskEntry {
+impl Value for Tasks {
     fn shape() -> String {
-        "task".to_string()
+        "list of tasks".to_string()
     }
 
-    fn read(entry: &Entry) -> Result<Self> {
-        Task::read(entry).map(TaskEntry)
+    fn read(_: &Entry) -> Result<Self> {
+        Ok(Tasks)
     }
 }
 
@@ -140,77 +125,162 @@ impl Scene {
     pub fn from_toml(text: &str, name: &str) -> Result<Scene> {
         let source = Source { text, name };
         let document = source.document()?;
-        let (seen, root) = (Seen::default(), Item::Table(document.as_table().clone()));
-        let scope = |names| Scope { source: source.clone(), names, seen: &seen };
-        let nameless = scope(&[]);
-        let file = Entry { scope: &nameless, path: String::new(), span: None, item: root.clone() };
+        let mut root = document.as_table().clone();
+        let format = format(&source, &root)?;
+        let clash = |foreign: Foreign| source.fail(foreign.span, &foreign.message);
+        translate(&mut root, format, &|value| source.number_text(value)).map_err(clash)?;
+        let (seen, root) = (Seen::default(), Item::Table(root));
+        let scope = |names, stops| Scope { source: source.clone(), format, names, stops, seen: &seen };
+        let top = |scope, item: &Item| Entry { scope, path: String::new(), span: None, item: item.clone() };
+        let nameless = scope(&[], &[]);
+        let file = top(&nameless, &root);
         file.only(&File::KEYS.iter().map(|key| key.name).collect::<Vec<_>>())?;
-        let format = file.get("format")?;
-        let machines = format.as_ref().is_some_and(|format| format.item.as_str() == Some(MACHINES));
-        if let Some(format) = format
-            && format.item.as_str() != Some(FORMAT)
-            && !machines
-        {
-            return Err(
-                format.fail(&format!("this version reads {FORMAT:?} and, for machines, {MACHINES:?}"))
-            );
-        }
         let parameters = match file.get("parameters")? {
             Some(entry) => parameters(&entry)?,
             None => Vec::new(),
         };
         let names: Vec<String> = parameters.iter().map(|(name, _)| name.clone()).collect();
-        let scope = scope(&names);
-        let file = Entry { scope: &scope, path: String::new(), span: None, item: root };
-        let (title, tasks, accuracy, body) = if machines {
-            let read = MachineFile::fields(&file, &[])?;
-            let machine = MachineScene::new(&file, read.system, read.walls, &read.accuracy)?;
-            (read.title, read.tasks, Accuracy::default(), Body::Machine(Arc::new(machine)))
-        } else {
-            let read = File::fields(&file, &[])?;
-            let system = system(&file, read.system, read.walls)?;
-            (read.title, read.tasks, read.accuracy, Body::Oscillator(Arc::new(system)))
+        let stopless = scope(&names, &[]);
+        let file = top(&stopless, &root);
+        let read = File::fields(&file, &[])?;
+        let known = Known { file: &file, format, parameters: &parameters };
+        let (stops, body, engine) = known.body(&read)?;
+        let whole = scope(&names, &stops);
+        let tasks = match top(&whole, &root).get("tasks")? {
+            Some(entry) => entry.elements()?.iter().map(Task::read).collect::<Result<_>>()?,
+            None => Vec::new(),
         };
-        let tasks: Vec<Task> = tasks.into_iter().map(|task| task.0).collect();
         let scene = Scene {
-            title,
+            title: read.title,
             parameters,
             body,
-            accuracy,
+            engine,
+            stops,
+            accuracy: read.accuracy,
             tasks,
+            format,
             file: Arc::new((name.to_string(), text.to_string())),
             places: Arc::new(seen.places.take()),
             files: Arc::new(seen.files.take()),
         };
-        if !(1e-15..=1e-3).contains(&scene.accuracy.tolerance) {
-            return Err(scene.fail("accuracy.tolerance", "is outside 1e-15 to 1e-3"));
+        scene.check_whole()?;
+        Ok(scene)
+    }
+
+    /// What no single key says: numbers within their ranges, a system that can be computed, tasks of which
+    /// each can be done.
+    fn check_whole(&self) -> Result<()> {
+        if !(1e-15..=1e-3).contains(&self.accuracy.tolerance) {
+            return Err(self.fail("accuracy.tolerance", "is outside 1e-15 to 1e-3"));
         }
-        if scene.accuracy.minimum_depth.is_some_and(|depth| depth.is_nan() || depth <= 0.0) {
-            return Err(scene.fail("accuracy.minimum_depth", "must be positive"));
+        if self.accuracy.minimum_depth.is_some_and(|depth| depth.is_nan() || depth <= 0.0) {
+            return Err(self.fail("accuracy.minimum_depth", "must be positive"));
         }
-        match scene.body {
-            Body::Oscillator(_) => scene.exact(&[]).map(|_| ())?,
-            Body::Machine(_) => scene.machine(&[]).map(|_| ())?,
+        match self.body {
+            Body::Oscillator(_) => self.exact(&[]).map(|_| ())?,
+            Body::Machine(_) => self.machine(&[]).map(|_| ())?,
         }
-        for (count, most, key) in [
-            (scene.parameters.len(), MOST_PARAMETERS, "parameters"),
-            (scene.tasks.len(), MOST_TASKS, "tasks"),
-        ] {
+        for (count, most, key) in
+            [(self.parameters.len(), MOST_PARAMETERS, "parameters"), (self.tasks.len(), MOST_TASKS, "tasks")]
+        {
             if count > most {
-                return Err(scene.fail(key, &format!("{count} of them: at most {most}")));
+                return Err(self.fail(key, &format!("{count} of them: at most {most}")));
             }
         }
         let mut names = HashSet::new();
-        for task in &scene.tasks {
+        for task in &self.tasks {
             if !names.insert(&task.name) {
                 let key = format!("{}.name", task.path);
                 return Err(
-                    scene.fail(&key, "is the name of an earlier task too; its files would be overwritten")
+                    self.fail(&key, "is the name of an earlier task too; its files would be overwritten")
                 );
             }
-            scene.for_task(task, &[])?;
+            self.for_task(task, &[])?;
         }
-        Ok(scene)
+        Ok(())
+    }
+}
+
+/// The format that a file names; without a name that of format 3, which then fails for want of it.
+fn format(source: &Source, root: &Table) -> Result<SceneFormat> {
+    let Some(item) = root.get("format") else { return Ok(SceneFormat::Three) };
+    let known = |word| SceneFormat::ALL.into_iter().find(|known| known.0 == word);
+    item.as_str().and_then(known).map(|known| known.1).ok_or_else(|| {
+        let words = SceneFormat::ALL.map(|known| format!("{:?}", known.0)).join(", ");
+        let span = item.span().or(root.key("format").and_then(toml_edit::Key::span));
+        source.at("format", span, &format!("this version reads {words}"))
+    })
+}
+
+/// What is known once all keys but those of tasks are read.
+struct Known<'a> {
+    file: &'a Entry<'a>,
+    format: SceneFormat,
+    parameters: &'a [(String, BigRational)],
+}
+
+impl Known<'_> {
+    /// The stops, what the scene is about, and the engine for it.
+    fn body(&self, read: &File) -> Result<(Vec<StopName>, Body, Engine)> {
+        let (file, depth) = (self.file, read.accuracy.minimum_depth);
+        let machine = MachineScene::new(file, read.system.clone(), read.stops.clone(), depth)?;
+        let names = || machine.machine.stops.iter().map(|stop| stop.name.clone());
+        let one = match oscillator(file, &read.system, &read.stops)? {
+            Ok(found) if self.format == SceneFormat::One => Ok(found),
+            Ok((sides, system)) => self.rational(read, &system).map(|()| (sides, system)),
+            Err(why) => Err(why),
+        };
+        let why_many = match (one, self.format, read.engine) {
+            (
+                Ok((sides, system)),
+                SceneFormat::One | SceneFormat::Three,
+                EngineKey::Auto | EngineKey::One,
+            ) => {
+                let stops = names().zip(sides).map(|(name, side)| StopName { name, side: Some(side) });
+                let reason = "one degree of freedom and rigid stops".to_string();
+                let engine = Engine { name: EngineKey::One, reason };
+                return Ok((stops.collect(), Body::Oscillator(Arc::new(system)), engine));
+            }
+            (Err(Disqualified { key, why }), SceneFormat::One, _) => {
+                let newer = SceneFormat::Three.word();
+                return Err(file.at(&key).fail(&format!("{why}; write format = {newer:?}")));
+            }
+            (Err(Disqualified { key, why }), _, EngineKey::One) => {
+                return Err(file.at("engine").fail(&format!("is for other systems: this one {why} ({key})")));
+            }
+            (_, SceneFormat::Two, _) => format!("the scene is of format {:?}", SceneFormat::Two.word()),
+            (Ok(_), ..) => "the scene asks for it".to_string(),
+            (Err(Disqualified { why, .. }), ..) => format!("the system {why}"),
+        };
+        if file.scope.seen.places.borrow().contains_key("accuracy.tolerance") {
+            let message = format!("is of the engine \"one\"; this scene is computed by \"many\": {why_many}");
+            return Err(file.at("accuracy.tolerance").fail(&message));
+        }
+        let stops = names().map(|name| StopName { name, side: None }).collect();
+        let engine = Engine { name: EngineKey::Many, reason: why_many };
+        Ok((stops, Body::Machine(Arc::new(machine)), engine))
+    }
+
+    /// Whether every coefficient is rational, as `one` has them exactly, and the mass positive.
+    fn rational(&self, read: &File, system: &System<Expression>) -> std::result::Result<(), Disqualified> {
+        let exact: Vec<_> = self.parameters.iter().map(|(_, value)| value.clone()).collect();
+        let mass = read.system.mass.as_ref().and_then(|mass| mass.entries.first());
+        if let Some((_, _, mass)) = mass
+            && mass.evaluate(&exact, &()).is_ok_and(|mass| !mass.is_positive())
+        {
+            let why = "has a mass that is not positive".to_string();
+            return Err(Disqualified { key: mass.key.clone(), why });
+        }
+        let floats: Vec<_> = exact.iter().map(|value| Plain::ratio(value, &())).collect();
+        let one = |expression: &Expression| match BigRational::value(expression, &exact, &()) {
+            // What has no value at all is told where it is computed.
+            Err(_) if expression.evaluate(&floats, &()).is_ok() => Err(Disqualified {
+                key: expression.key.clone(),
+                why: "has a coefficient that is not rational".to_string(),
+            }),
+            _ => Ok(()),
+        };
+        system.try_map(one).map(|_| ())
     }
 }
 
@@ -226,12 +296,5 @@ fn parameters(entry: &Entry) -> Result<Vec<(String, BigRational)>> {
     Ok(all)
 }
 
-/// The tables of the file but those of the tasks: path, what it is, keys.
-pub(super) const TABLES: &[(&str, &str, &[Key])] = &[
-    ("the file", File::ABOUT, File::KEYS),
-    ("the file of a machine", MachineFile::ABOUT, MachineFile::KEYS),
-    ("`[system]`", SystemKeys::ABOUT, SystemKeys::KEYS),
-    ("an entry of `forcing` or `harmonics`", HarmonicKeys::ABOUT, HarmonicKeys::KEYS),
-    ("`[[walls]]`", WallKeys::ABOUT, WallKeys::KEYS),
-    ("`[accuracy]`", Accuracy::ABOUT, Accuracy::KEYS),
-];
+/// The table of the whole file: path, what it is, keys.
+pub(super) const FILE: (&str, &str, &[Key]) = ("the file", File::ABOUT, File::KEYS);

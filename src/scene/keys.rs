@@ -15,9 +15,13 @@ use num_rational::BigRational;
 use num_traits::ToPrimitive;
 use toml_edit::{Item, TableLike};
 
-use super::expression::{Expression, LIMIT_BITS};
+use super::{
+    expression::{Expression, LIMIT_BITS},
+    format::SceneFormat,
+};
 use crate::{
     error::{Error, Result},
+    motion::Side,
     output::read_text,
     source::{Source, nearest, unknown},
 };
@@ -52,32 +56,49 @@ pub(super) trait Record: Sized {
     fn fields(entry: &Entry, extra: &[&str]) -> Result<Self>;
 }
 
-/// What a scene has in place of a word that others use.
-fn foreign(key: &str) -> Option<&'static str> {
-    Some(match key.to_lowercase().as_str() {
-        "mass" | "m" => {
-            "in format 1 the mass is 1: divide the equation of motion by it, or write format = \"grazing-scene 2\""
+/// What a scene has in place of a word that others use, or that its format does not have.
+fn foreign(format: SceneFormat, path: &str, key: &str) -> Option<String> {
+    let newer = |what: &str| {
+        Some(format!("{what}; write format = {:?} (`grazing run --upgrade` does)", SceneFormat::Three.word()))
+    };
+    match (format, path, key) {
+        (SceneFormat::One, "system", "mass") => return newer("in format 1 the mass is 1"),
+        (SceneFormat::One, "system", "period" | "frequency") => {
+            return newer("in format 1 the forcing has period 2π");
         }
-        "gravity" | "g" => "a constant acceleration is `force` of [system], negative downwards",
+        (SceneFormat::One, path, "stiffness" | "damping") if path.starts_with("stops[") => {
+            return newer("walls of format 1 are rigid");
+        }
+        (SceneFormat::Two, path, "side") if path.starts_with("stops[") => {
+            return newer(
+                "a stop of format 2 is where row·q − offset is negative, row = [-1] for an upper one",
+            );
+        }
+        (SceneFormat::Two | SceneFormat::Three, path, "walls") if path.contains("orbit") => {
+            return Some("the stops of an orbit's impacts are named in `stops`".to_string());
+        }
+        _ if !format.has(path, key) => return newer(&format!("{} does not have it", format.word())),
+        _ => {}
+    }
+    let instead = match key.to_lowercase().as_str() {
+        "m" => "the mass is `mass` of [system]",
+        "gravity" | "g" => "a constant force is `force` of [system], negative downwards",
         "friction" | "dry_friction" | "coulomb" => {
             "there is no dry friction; `damping` of [system] is the coefficient of the velocity"
         }
-        "frequency" | "omega" | "period_of_forcing" => {
-            "in format 1 the forcing has period 2π: write format = \"grazing-scene 2\", or divide `damping` by the frequency, `stiffness` and forces by its square"
+        "omega" | "period_of_forcing" => {
+            "how often the forcing repeats is `frequency` or `period` of [system]"
         }
         "amplitude" => "the forcing is a list of harmonics in [system]: forcing = [{ cos = … }]",
         "spring" | "k_spring" => "the spring is `stiffness` of [system]",
         "tau" | "coefficient_of_restitution" => "it is called `restitution`",
+        "wall" | "walls" | "stop" if format == SceneFormat::Three => {
+            "stops stand in [[stops]], one table each"
+        }
         "wall" => "walls stand in [[walls]], one table each",
-        "cubic" => {
-            "only oscillators of one degree of freedom, format = \"grazing-scene 1\", have a cubic spring"
-        }
-        "side" => {
-            "a stop of format 2 is on the side on which its gap, row·q − offset, is negative: row = [-1] for an upper one"
-        }
-        "modes" | "row" => "machines with modes and rows are of format = \"grazing-scene 2\"",
         _ => return None,
-    })
+    };
+    Some(instead.to_string())
 }
 
 /// What a key may hold.
@@ -108,10 +129,23 @@ pub(super) struct Entry<'a> {
 /// What every value is read against.
 pub(super) struct Scope<'a> {
     pub source: Source<'a>,
+    /// The file's format, in whose words errors are told.
+    pub format: SceneFormat,
     /// The names of the parameters.
     pub names: &'a [String],
+    /// The stops, once they are known.
+    pub stops: &'a [StopName],
     /// What has been read.
     pub seen: &'a Seen,
+}
+
+/// A stop, as tasks name it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct StopName {
+    /// Its name.
+    pub name: String,
+    /// On which side of the one coordinate it stands, where the engine is `one`.
+    pub side: Option<Side>,
 }
 
 /// What of a scene has been read.
@@ -137,7 +171,12 @@ impl<'a> Entry<'a> {
         if self.path.is_empty() {
             return self.scope.source.fail(None, message);
         }
-        self.scope.source.at(&self.path, self.span.clone(), message)
+        self.scope.source.at(&self.own_path(), self.span.clone(), message)
+    }
+
+    /// Its path in the words of the file's format.
+    fn own_path(&self) -> String {
+        self.scope.format.path(&self.path)
     }
 
     pub fn table(&self) -> Result<&dyn TableLike> {
@@ -171,17 +210,20 @@ impl<'a> Entry<'a> {
         if self.path.is_empty() { key.to_string() } else { format!("{}.{key}", self.path) }
     }
 
-    /// Refuses keys that are not among `known`.
+    /// Refuses keys that are not among `known`, or that the file's format does not have.
     pub fn only(&self, known: &[&str]) -> Result<()> {
-        let table = self.table()?;
-        let Some((key, item)) = table.iter().find(|(key, _)| !known.contains(key)) else { return Ok(()) };
+        let (table, format) = (self.table()?, self.scope.format);
+        let has = |key: &str| known.contains(&key) && format.has(&self.path, key);
+        let Some((key, item)) = table.iter().find(|(key, _)| !has(key)) else { return Ok(()) };
         let span = table.key(key).and_then(toml_edit::Key::span).or(item.span()).or(self.span.clone());
-        let place = if self.path.is_empty() { String::new() } else { format!("{}: ", self.path) };
-        let soft = (self.path.starts_with("walls[") && ["stiffness", "damping"].contains(&key))
-            .then_some("walls of format 1 are rigid; in format = \"grazing-scene 2\" a wall may have `stiffness` and `damping` in place of `restitution`");
-        let message = soft
-            .or_else(|| foreign(key))
-            .map_or_else(|| unknown(key, known), |instead| format!("unknown key {key:?}: {instead}"));
+        let place = if self.path.is_empty() { String::new() } else { format!("{}: ", self.own_path()) };
+        let message = foreign(format, &self.path, key).map_or_else(
+            || {
+                let here = known.iter().filter(|key| format.has(&self.path, key));
+                unknown(key, &here.map(|key| format.key(&self.path, key)).collect::<Vec<_>>())
+            },
+            |instead| format!("unknown key {key:?}: {instead}"),
+        );
         Err(self.scope.source.fail(span, &format!("{place}{message}")))
     }
 
@@ -195,14 +237,16 @@ impl<'a> Entry<'a> {
             let (source, seen) = (Source { text: &text, name: "default" }, Seen::default());
             let document = source.document()?;
             let item = document.as_table()["x"].clone();
-            let scope = Scope { source: source.clone(), names: &[], seen: &seen };
+            let scope = Scope { source: source.clone(), names: &[], seen: &seen, ..*self.scope };
             let path = self.below(key.name);
             return T::read(&Entry::new(&scope, path, None, item))
                 .map_err(|error| self.fail(&error.to_string()));
         }
-        T::ABSENT.map(|absent| absent()).ok_or_else(|| {
-            let place = if self.path.is_empty() { "a scene" } else { &self.path };
-            let message = format!("{place} has no key {}, which must be given: {}", key.name, (key.shape)());
+        let optional = !self.scope.format.requires(&self.path, key.name);
+        T::ABSENT.filter(|_| optional).map(|absent| absent()).ok_or_else(|| {
+            let place = if self.path.is_empty() { "a scene".into() } else { self.own_path() };
+            let name = self.scope.format.key(&self.path, key.name);
+            let message = format!("{place} has no key {name}, which must be given: {}", (key.shape)());
             self.scope.source.fail(self.span.clone(), &message)
         })
     }
@@ -221,7 +265,7 @@ impl<'a> Entry<'a> {
     /// An exact number.
     pub fn number(&self) -> Result<BigRational> {
         let value = self.item.as_value().ok_or_else(|| self.fail("is not a number"))?;
-        self.scope.source.exact_within(&self.path, value, LIMIT_BITS)
+        self.scope.source.exact_within(&self.own_path(), value, LIMIT_BITS)
     }
 
     pub fn text(&self) -> Result<&str> {

@@ -1,115 +1,26 @@
-//! Scenes of format 2: machines with any number of degrees of freedom and of stops, in the units in which
-//! they are measured.
+//! What a scene says to the engine `many`: a machine with any number of degrees of freedom and of stops, in
+//! the units in which it is measured. Every scene is checked as one.
 
 use super::{
     expression::Expression,
-    force::ForceList,
-    keys::{Entry, Key, Record, keys},
+    force::Variables,
+    format::SceneFormat,
+    keys::Entry,
     matrix::{CoordinateList, MatrixValue},
     measured::{MeasuredForce, MeasuredKeys},
     restitution::RestitutionKey,
-    system::{HarmonicKeys, check_k, harmonics},
+    system::{ModesKeys, StopKeys, SystemKeys, check_k, derived, harmonics},
 };
 use crate::{
     error::Result,
     many::{Load, Machine, Stop, StopLaw},
-    motion::Wall,
+    motion::{Harmonic, Side, Wall},
 };
-
-keys! {
-    /// `mass` q″ + `damping` q′ + `stiffness` q = `force` + `forcing`(t), in consistent units of your choice:
-    /// kilograms, metres, seconds and newtons, say.
-    pub struct MachineKeys {
-        /// how often the forcing repeats in a unit of time (hertz if times are seconds); this or `period`
-        /// must be given, also without forcing, as times are reported in periods, too
-        frequency: Option<Expression>,
-        /// how long the forcing's period is
-        period: Option<Expression>,
-        /// the masses: symmetric, positive definite; this or `modes` must be given
-        mass: Option<MatrixValue>,
-        /// the stiffness
-        stiffness: Option<MatrixValue>,
-        /// the damping
-        damping: Option<MatrixValue>,
-        /// instead of `damping`, the damping ratio of every mode, or a list of them by frequency ascending
-        damping_ratio: Option<CoordinateList>,
-        /// instead of matrices, the modes of the machine
-        modes: Option<ModesKeys>,
-        /// the force on each coordinate beside `forcing`, one 0 for none: a constant, or any smooth function
-        /// of the coordinates q1, q2, …, their velocities u1, u2, … per unit of time, and t, the angle of the
-        /// forcing, 2π in a period; with one coordinate q and u will do
-        force: ForceList = "0",
-        /// the harmonics of the force
-        forcing: Vec<LoadKeys> = "[]",
-        /// instead of `forcing`, a measured force: harmonics are fitted to it, its mean is added to `force`;
-        /// or it is taken as it is, once
-        measured: Option<MeasuredKeys>,
-    }
-}
-
-keys! {
-    /// A term `cos` cos 2πkt/T + `sin` sin 2πkt/T of the force, T its period.
-    pub struct LoadKeys {
-        /// the multiple of the base frequency, 1 to 1000
-        k: u32 = "1",
-        /// the coefficients of the cosine, one for each coordinate; one 0 for none
-        cos: CoordinateList = "0",
-        /// the coefficients of the sine
-        sin: CoordinateList = "0",
-    }
-}
-
-keys! {
-    /// The modes of a machine, of modal mass 1.
-    pub struct ModesKeys {
-        /// their frequencies, in the unit of `frequency`
-        frequencies: Vec<Expression>,
-        /// their damping ratios: one for all, or one for each
-        ratios: CoordinateList = "0",
-        /// their shapes: a row for each coordinate q₁, q₂, … of the scene, an entry in it for each mode; the
-        /// coordinates are points of the machine where forces act, stops stand or motions are looked at.
-        /// Without it the coordinates are the modes' amplitudes
-        shapes: Option<MatrixValue>,
-    }
-}
-
-keys! {
-    /// A stop for the gap z = `row`·q − `offset` − Σ `harmonics`. With `restitution` it is rigid: z stays at
-    /// least 0, and an impact turns z′ into −`restitution` times itself. With `stiffness` it gives way: where
-    /// z is negative it pushes with the force −`stiffness` z − `damping` z′, until that would pull.
-    pub struct StopKeys {
-        /// what it is called in reports
-        name: Option<String>,
-        /// what of the machine it stops, an entry for each coordinate; [1] for one coordinate. Two masses
-        /// that hit each other: [1, −1]
-        row: Option<CoordinateList>,
-        /// its mean place
-        offset: Expression,
-        /// its motion, harmonics of the forcing's frequency; none for a stop that stands still
-        harmonics: Vec<HarmonicKeys> = "[]",
-        /// at least 0: 0 for a stop that takes all velocity, 1 for one that keeps the energy; or a rational
-        /// function of the speed v of the impact, as "1/(1 + v/2)". This or `stiffness` must be given
-        restitution: Option<RestitutionKey>,
-        /// of a stop that gives way, the force per displacement along `row`, above 0
-        stiffness: Option<Expression>,
-        /// of a stop that gives way, the force per velocity, at least 0; without it 0
-        damping: Option<Expression>,
-    }
-}
-
-keys! {
-    /// How accurately motions of machines are computed.
-    pub struct MachineAccuracy {
-        /// a minimum of a gap that is deeper than this is an impact; a shallower one is a tangency. In the
-        /// unit of gaps; without it 10⁻¹² of the gaps' motion
-        minimum_depth: Option<f64>,
-    }
-}
 
 /// Most coordinates and modes.
 const MOST: usize = 2000;
 
-/// What a scene of format 2 has in place of [`System`](crate::motion::System).
+/// What the engine `many` has in place of [`System`](crate::motion::System).
 #[derive(Debug, Clone, PartialEq)]
 pub struct MachineScene {
     /// Its coefficients.
@@ -124,16 +35,16 @@ impl MachineScene {
     /// Checks what stands in the file's tables against one another.
     pub(super) fn new(
         file: &Entry,
-        keys: MachineKeys,
-        walls: Vec<StopKeys>,
-        accuracy: &MachineAccuracy,
+        mut keys: SystemKeys,
+        stops: Vec<StopKeys>,
+        minimum_depth: Option<f64>,
     ) -> Result<Self> {
         let at = |path: &str| file.at(path);
         let once = match &keys.measured {
             Some(measured) if measured.once => Some(MeasuredForce::once(file, measured)?),
             _ => None,
         };
-        let period = period(file, keys.frequency, keys.period, once.as_ref())?;
+        let period = period(file, keys.frequency.take(), keys.period.take(), once.as_ref())?;
         let mut machine = Machine {
             size: 0,
             period,
@@ -148,29 +59,25 @@ impl MachineScene {
             record: None,
             stops: Vec::new(),
         };
-        match (keys.mass, keys.modes) {
-            (Some(mass), None) => {
-                matrices(file, mass, keys.stiffness, keys.damping, keys.damping_ratio, &mut machine)?;
-            }
-            (None, Some(modes)) => {
-                let said = [
-                    ("stiffness", keys.stiffness.is_some()),
-                    ("damping", keys.damping.is_some()),
-                    ("damping_ratio", keys.damping_ratio.is_some()),
-                ];
-                if let Some((name, _)) = said.into_iter().find(|(_, given)| *given) {
-                    let place = at(&format!("system.{name}"));
-                    return Err(place.fail("stands beside `modes`, which already say it"));
-                }
-                modal(file, modes, &mut machine)?;
-            }
-            (Some(_), Some(_)) => {
-                return Err(at("system.modes").fail("stands beside `mass`: give one of them"));
-            }
-            (None, None) => return Err(at("system").fail("has neither `mass` nor `modes`: give one of them")),
-        }
+        mass_or_modes(file, &mut keys, &mut machine)?;
         let points = machine.points();
-        (machine.force, machine.smooth) = keys.force.fit(&at("system.force"), points)?;
+        let force = match &keys.cubic {
+            Some(_) if points != 1 => {
+                let why = "is of a single coordinate: with more write a formula in `force`";
+                return Err(at("system.cubic").fail(why));
+            }
+            // Of format 1 all else is computed by `one`.
+            Some(_) if file.scope.format == SceneFormat::One => keys.force,
+            Some(_) if file.scope.names.iter().any(|name| name == "q1") => {
+                let why =
+                    "needs q1, the displacement, which is a parameter of the scene: rename the parameter";
+                return Err(at("system.cubic").fail(why));
+            }
+            Some(cubic) => keys.force.mapped(|text| format!("({text}) - ({cubic})*q1^3")),
+            None => keys.force,
+        };
+        let variables = Variables::of(points, file.scope.format);
+        (machine.force, machine.smooth) = force.fit(&at("system.force"), points, &variables)?;
         for (i, load) in (1..).zip(keys.forcing) {
             let path = format!("system.forcing[{i}]");
             check_k(&at(&path), load.k, machine.forcing.iter().map(|known| known.k))?;
@@ -179,20 +86,54 @@ impl MachineScene {
             machine.forcing.push(Load { k: load.k, cos, sin });
         }
         let measured = measured(file, keys.measured, once, &mut machine)?;
-        for (i, keys) in (1..).zip(walls) {
-            let stop = stop(file, i, keys, points)?;
-            if machine.stops.iter().any(|known| known.name == stop.name) {
-                return Err(at(&format!("walls[{i}].name")).fail("is the name of an earlier stop, too"));
+        for (i, keys) in (1..).zip(stops) {
+            let name = name(&keys, i);
+            if machine.stops.iter().any(|known| known.name == name) {
+                let word = file.scope.format.stop();
+                return Err(match (&keys.name, keys.side) {
+                    (None, Some(_)) => at(&format!("stops[{i}].side"))
+                        .fail(&format!("there is a {word} on this side already")),
+                    _ => at(&format!("stops[{i}].name")).fail("is the name of an earlier stop, too"),
+                });
             }
-            machine.stops.push(stop);
+            machine.stops.push(stop(file, i, keys, points)?);
         }
-        if let Some(depth) = accuracy.minimum_depth
-            && depth.is_nan() | (depth <= 0.0)
-        {
-            return Err(at("accuracy.minimum_depth").fail("must be positive"));
-        }
-        Ok(MachineScene { machine, minimum_depth: accuracy.minimum_depth, measured })
+        Ok(MachineScene { machine, minimum_depth, measured })
     }
+}
+
+/// The coefficients, by matrices or by modes, taken out of the keys.
+fn mass_or_modes(file: &Entry, keys: &mut SystemKeys, machine: &mut Machine<Expression>) -> Result<()> {
+    let at = |path: &str| file.at(path);
+    match (keys.mass.take(), keys.modes.take()) {
+        (None, Some(modes)) => {
+            let said = [
+                ("stiffness", keys.stiffness.is_some()),
+                ("damping", keys.damping.is_some()),
+                ("damping_ratio", keys.damping_ratio.is_some()),
+            ];
+            if let Some((name, _)) = said.into_iter().find(|(_, given)| *given) {
+                let place = at(&format!("system.{name}"));
+                return Err(place.fail("stands beside `modes`, which already say it"));
+            }
+            modal(file, modes, machine)
+        }
+        (Some(_), Some(_)) => Err(at("system.modes").fail("stands beside `mass`: give one of them")),
+        (None, None) if file.scope.format == SceneFormat::Two => {
+            Err(at("system").fail("has neither `mass` nor `modes`: give one of them"))
+        }
+        (mass, None) => {
+            let mass = mass.map_or_else(|| MatrixValue::single("1"), Ok)?;
+            let [stiffness, damping] = [keys.stiffness.take(), keys.damping.take()];
+            matrices(file, mass, stiffness, damping, keys.damping_ratio.take(), machine)
+        }
+    }
+}
+
+/// What stop i, counted from 1, is called.
+pub(super) fn name(keys: &StopKeys, i: usize) -> String {
+    let side = || keys.side.map_or_else(|| i.to_string(), |side| side.name().to_string());
+    keys.name.clone().unwrap_or_else(side)
 }
 
 /// The period, from `frequency`, `period` or the length of a record that is taken once.
@@ -210,7 +151,10 @@ fn period(
         }
         (None, None) => match once.and_then(|force| force.once.as_ref()) {
             Some(record) => Expression::parse(&format!("{:e}", record.length()), &[]),
-            None => Err(file.at("system").fail("has neither `frequency` nor `period`: give one of them")),
+            None if file.scope.format == SceneFormat::Two => {
+                Err(file.at("system").fail("has neither `frequency` nor `period`: give one of them"))
+            }
+            None => Expression::parse("2*pi", &[]),
         },
     }
 }
@@ -281,42 +225,58 @@ fn measured(
 
 /// Stop i, counted from 1, of a machine of `points` coordinates that a row has entries for.
 fn stop(file: &Entry, i: usize, keys: StopKeys, points: usize) -> Result<Stop<Expression>> {
-    let path = format!("walls[{i}]");
+    let path = format!("stops[{i}]");
     let at = |name: &str| file.at(&format!("{path}{name}"));
-    let row = match keys.row {
-        Some(row) => row.fit(&at(".row"), points)?,
-        None if points == 1 => vec![Expression::parse("1", &[])?],
-        None => {
+    let name = name(&keys, i);
+    let number = |text: &str| Expression::parse(text, &[]);
+    let harmonics = harmonics(file, keys.harmonics, &format!("{path}.harmonics"))?;
+    let (row, offset, harmonics) = match (keys.side, keys.row) {
+        (Some(_), Some(_)) => {
+            return Err(at(".row").fail("stands beside `side`: give one of them"));
+        }
+        (Some(_), None) if points != 1 => {
+            let why = "is of a single coordinate: give a `row` that says what the stop stops";
+            return Err(at(".side").fail(why));
+        }
+        (Some(Side::Upper), None) => (vec![number("-1")?], keys.offset.negated(), negated(&harmonics)),
+        (Some(Side::Lower), None) => (vec![number("1")?], keys.offset, harmonics),
+        (None, Some(row)) => (row.fit(&at(".row"), points)?, keys.offset, harmonics),
+        (None, None) if points == 1 => (vec![number("1")?], keys.offset, harmonics),
+        (None, None) => {
             return Err(at("").fail(&format!("has no row: give {points} entries that say what it stops")));
         }
     };
     if row.is_empty() {
         return Err(at(".row").fail("is zero: no motion reaches the stop"));
     }
-    let harmonics = harmonics(file, keys.harmonics, &format!("{path}.harmonics"))?;
-    let zero = || Expression::parse("0", &[]);
     let (restitution, law) = match (keys.restitution, keys.stiffness) {
         (Some(_), None) if keys.damping.is_some() => {
-            let why = "stands beside `restitution`: give `stiffness` with it for a stop that gives way, or leave it out";
+            let why =
+                "stands beside `restitution`: give `stiffness` with it for a compliant stop, or leave it out";
             return Err(at(".damping").fail(why));
         }
         (Some(RestitutionKey::Constant(restitution)), None) => (restitution, StopLaw::Newton),
-        (Some(RestitutionKey::Speed(law)), None) => (zero()?, StopLaw::Speed(law)),
+        (Some(RestitutionKey::Speed(law)), None) => (number("0")?, StopLaw::Speed(law)),
         (None, Some(stiffness)) => {
-            let damping = keys.damping.map_or_else(zero, Ok)?;
-            (zero()?, StopLaw::Soft { stiffness, damping })
+            let damping = keys.damping.map_or_else(|| number("0"), Ok)?;
+            (number("0")?, StopLaw::Soft { stiffness, damping })
         }
         (Some(_), Some(_)) => {
-            let why = "stands beside `restitution`: give `restitution` for a rigid stop, or `stiffness` for one that gives way";
+            let why = "stands beside `restitution`: give `restitution` for a rigid stop, or `stiffness` for a compliant one";
             return Err(at(".stiffness").fail(why));
         }
         (None, None) => {
-            let why = "has neither `restitution` nor `stiffness`: give the first for a rigid stop, the second for one that gives way";
+            let why = "has neither `restitution` nor `stiffness`: give the first for a rigid stop, the second for a compliant one";
             return Err(at("").fail(why));
         }
     };
-    let wall = Wall { offset: keys.offset, harmonics, restitution };
-    Ok(Stop { name: keys.name.unwrap_or_else(|| format!("{i}")), row, wall, law })
+    Ok(Stop { name, row, wall: Wall { offset, harmonics, restitution }, law })
+}
+
+/// The opposite motion.
+pub(super) fn negated(harmonics: &[Harmonic<Expression>]) -> Vec<Harmonic<Expression>> {
+    let one = |h: &Harmonic<Expression>| Harmonic { k: h.k, cos: h.cos.negated(), sin: h.sin.negated() };
+    harmonics.iter().map(one).collect()
 }
 
 fn modal(file: &Entry, modes: ModesKeys, machine: &mut Machine<Expression>) -> Result<()> {
@@ -353,20 +313,3 @@ fn modal(file: &Entry, modes: ModesKeys, machine: &mut Machine<Expression>) -> R
     }
     Ok(())
 }
-
-/// An expression made of another's text, reported at its key.
-fn derived(file: &Entry, from: &Expression, text: impl Fn(&str) -> String) -> Result<Expression> {
-    let mut derived = Expression::parse(&text(&from.to_string()), file.scope.names)?;
-    derived.key.clone_from(&from.key);
-    Ok(derived)
-}
-
-/// The tables of a machine's file: path, what it is, keys.
-pub(super) const MACHINES: &[(&str, &str, &[Key])] = &[
-    ("`[system]` of a machine", MachineKeys::ABOUT, MachineKeys::KEYS),
-    ("an entry of a machine's `forcing`", LoadKeys::ABOUT, LoadKeys::KEYS),
-    ("`measured`", MeasuredKeys::ABOUT, MeasuredKeys::KEYS),
-    ("`modes`", ModesKeys::ABOUT, ModesKeys::KEYS),
-    ("`[[walls]]` of a machine", StopKeys::ABOUT, StopKeys::KEYS),
-    ("`[accuracy]` of a machine", MachineAccuracy::ABOUT, MachineAccuracy::KEYS),
-];

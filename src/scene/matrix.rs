@@ -48,7 +48,7 @@ impl CoordinateList {
 
 impl Value for CoordinateList {
     fn shape() -> String {
-        "expression, or for a machine a list of them".to_string()
+        "expression, or for several coordinates a list of them".to_string()
     }
 
     fn read(entry: &Entry) -> Result<Self> {
@@ -62,6 +62,11 @@ impl Value for CoordinateList {
 }
 
 impl MatrixValue {
+    /// A matrix of one entry.
+    pub(super) fn single(text: &str) -> Result<Self> {
+        Ok(MatrixValue { rows: 1, columns: 1, entries: vec![(0, 0, Expression::parse(text, &[])?)] })
+    }
+
     /// The size of a square matrix, which is `size` if that is known.
     pub(super) fn square(&self, place: &Entry, size: Option<usize>) -> Result<usize> {
         let (rows, columns) = (self.rows, self.columns);

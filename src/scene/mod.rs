@@ -1,13 +1,16 @@
-//! Scenes: an oscillator, what to do with it and how accurately, as a TOML file that anyone can write.
+//! Scenes: a vibro-impact system, what to do with it and how accurately, as a TOML file that anyone can
+//! write.
 //!
-//! The format, with every key, is in docs/scenes.md, written by [`reference()`] from the declarations of
-//! keys. Numbers are exact; coefficients are rational expressions in named parameters ([`Expression`]). Not
-//! here: running the tasks (the module `run`).
+//! There is one grammar, that of format 3; its keys are in docs/scenes.md, written by [`reference()`] from
+//! their declarations. Files of formats 1 and 2 are turned into it first (`format`). Numbers are exact;
+//! coefficients are expressions in named parameters ([`Expression`]). What the file says becomes what one of
+//! two engines is told: `oscillator` for `one`, if the system qualifies, else `machine` for `many`. Not here:
+//! running the tasks (the module `run`).
 //!
-//! Each file imports from those before it alone: `dual`, `expression`, `keys`, `force`, `matrix`, `measured`;
-//! the keys, `system`, `machine`, `simulate`, `orbits`, `sections`, `branches`, `validate`, `chaos`; `task`;
-//! `scene`, the type and its values; `values`, those of a machine; `normal`, `check`; `input`, `family`,
-//! `reference`.
+//! Each file imports from those before it alone: `dual`, `expression`, `format`, `keys`, `force`, `matrix`,
+//! `measured`; the keys of the system, `system`; what the engines are told, `machine`, `oscillator`; the keys
+//! of tasks, `simulate`, `orbits`, `sections`, `branches`, `validate`, `chaos`; `task`; `scene`, the type and
+//! its values; `values`, those of a machine; `normal`, `check`; `input`, `upgrade`, `family`, `reference`.
 
 pub mod branches;
 pub mod chaos;
@@ -16,6 +19,7 @@ mod dual;
 mod expression;
 mod family;
 mod force;
+mod format;
 mod input;
 mod keys;
 mod machine;
@@ -23,6 +27,7 @@ mod matrix;
 mod measured;
 mod normal;
 pub mod orbits;
+mod oscillator;
 mod reference;
 mod restitution;
 #[expect(clippy::module_inception, reason = "the chapter is named after its main type")]
@@ -31,6 +36,7 @@ mod sections;
 pub mod simulate;
 mod system;
 pub mod task;
+mod upgrade;
 pub mod validate;
 mod values;
 mod walls;
@@ -38,14 +44,15 @@ mod walls;
 pub use crate::formula::Function;
 pub use expression::{Coefficient, Expression};
 pub use family::{MachineSceneFamily, SceneFamily};
-pub use keys::Key;
+pub use format::SceneFormat;
+pub use keys::{Key, StopName};
 pub use machine::MachineScene;
 pub use matrix::CoordinateList;
 pub use measured::MeasuredForce;
 pub use reference::reference;
 #[doc(hidden)]
 pub use scene::phase;
-pub use scene::{Body, Scene};
+pub use scene::{Body, Engine, Scene};
 pub use sections::{BasinsTask, Frame, SectionTask, StartAxis, Values};
-pub use system::Accuracy;
+pub use system::{Accuracy, EngineKey};
 pub use task::{Kind, Task};

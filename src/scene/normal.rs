@@ -99,9 +99,9 @@ impl ChaosTask {
         let system = scene.system()?;
         let varied = system.try_map(|expression| expression.evaluate(&functions, &()))?;
         if cell.is_empty() {
-            return Normal::of(&varied, None, self.side);
+            return Normal::of(&varied, None, self.side());
         }
-        if let (None, Some(lower), Some(upper)) = (self.side, &system.lower, &system.upper) {
+        if let (None, Some(lower), Some(upper)) = (self.side(), &system.lower, &system.upper) {
             let (one, other) = (lower.restitution.to_string(), upper.restitution.to_string());
             if one != other {
                 return Err(Error::input(format!(
@@ -136,7 +136,7 @@ impl ChaosTask {
             })
             .collect();
         let met = self
-            .side
+            .side()
             .map_or_else(|| system.wall(Side::Lower).or(system.wall(Side::Upper)), |side| system.wall(side));
         let restitution = met.map(|wall| &wall.restitution);
         let measured = [Some(&system.damping), Some(&system.stiffness), restitution].map(|expression| {
@@ -155,6 +155,6 @@ impl ChaosTask {
             bounds.ok_or_else(|| Error::input(format!("kind \"chaos\": {expression} is not bounded")))
         });
         let [damping, stiffness, restitution] = measured;
-        Normal::of(&varied, Some([damping?, stiffness?, restitution?]), self.side)
+        Normal::of(&varied, Some([damping?, stiffness?, restitution?]), self.side())
     }
 }

@@ -2,12 +2,21 @@
 
 use num_rational::BigRational;
 
-use super::keys::{Entry, Value, keys};
+use std::f64::consts::TAU;
+
+use num_traits::ToPrimitive;
+
+use super::{
+    expression::LIMIT_BITS,
+    keys::{Entry, StopName, Value, keys},
+};
 use crate::{
     continuation::{Bifurcation, Options, SearchReach},
     error::Result,
     motion::{Side, System},
+    number::parse_rational_within,
     one::orbit::{Itinerary, Orbit, Oscillator, Strike, find, search, search_obstacle},
+    source::hint,
 };
 
 keys! {
@@ -16,27 +25,81 @@ keys! {
         /// n_1, …, n_m: the forcing periods from the phase of one impact to that of the next; empty for an
         /// orbit without impacts
         pattern: Vec<u32> = "[]",
-        /// the wall of each impact; needed only if there are two walls
-        walls: Vec<Side> = "[]",
-        /// of a machine, the name of the stop of each impact; needed only if there are several stops
-        stops: Vec<String> = "[]",
+        /// the name of the stop of each impact; needed only if there are several stops
+        stops: Vec<StopName> = "[]",
         /// the period of an orbit without impacts
         period: u32 = "1",
-        /// time and incoming speed t_1, V_1, …, t_m, V_m to start from (without impacts: q and u at t = 0; of
-        /// a machine nothing, with stops that give way all of q, then all of u at t = 0); of a machine each t
-        /// as a fraction of the period and each V in the scene's units; if empty, all orbits are searched for
-        start: Vec<f64> = "[]",
+        /// time and incoming speed t_1, V_1, …, t_m, V_m to start from, a time as a fraction of the period,
+        /// or in radians of the forcing, as in "0.5 rad"; without impacts all of q, then all of u at t = 0;
+        /// if empty, all orbits are searched for
+        start: Vec<StartNumber> = "[]",
         /// how many starts the search makes
         starts: u32 = "500",
-        /// the greatest speed at which the search starts, in the scene's units; without it the
-        /// size of the motion (of what the forces do and of the walls that are struck), of a machine four
+        /// the greatest speed at which the search starts, in the scene's units; without it the size of the
+        /// motion (of what the forces do and of the stops that are struck), where the engine is `many` four
         /// times the size of the gaps' motion per radian of the forcing
         speed: Option<f64>,
     }
 }
 
+/// A number of an orbit's `start`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum StartNumber {
+    /// In the scene's units; a time as a fraction of the period.
+    Plain(f64),
+    /// A time in radians of the forcing.
+    Radians(f64),
+}
+
+impl StartNumber {
+    /// As it stands there.
+    pub fn value(self) -> f64 {
+        match self {
+            StartNumber::Plain(value) | StartNumber::Radians(value) => value,
+        }
+    }
+
+    /// A time in radians of the forcing.
+    pub fn radians(self) -> f64 {
+        match self {
+            StartNumber::Plain(fraction) => fraction * TAU,
+            StartNumber::Radians(time) => time,
+        }
+    }
+}
+
+impl Value for StartNumber {
+    fn shape() -> String {
+        "number".to_string()
+    }
+
+    fn read(entry: &Entry) -> Result<Self> {
+        let radians = entry.item.as_str().and_then(|text| text.trim_end().strip_suffix("rad"));
+        let Some(text) = radians else { return f64::read(entry).map(StartNumber::Plain) };
+        let number = parse_rational_within(text.trim(), LIMIT_BITS);
+        let number = number.map_err(|error| entry.fail(&error.to_string()))?.to_f64();
+        let number = number.filter(|value| value.is_finite());
+        number.map(StartNumber::Radians).ok_or_else(|| entry.fail("is beyond the range of floats"))
+    }
+}
+
+impl Value for StopName {
+    fn shape() -> String {
+        "text".to_string()
+    }
+
+    fn read(entry: &Entry) -> Result<Self> {
+        let (name, stops) = (entry.text()?, entry.scope.stops);
+        stops.iter().find(|stop| stop.name == name).cloned().ok_or_else(|| {
+            let names = hint(name, stops.iter().map(|stop| stop.name.as_str()));
+            entry.fail(&format!("is no {} of the scene; {names}", entry.scope.format.stop()))
+        })
+    }
+}
+
 impl OrbitKeys {
-    /// The pattern with its walls.
+    /// The pattern with its walls, for the engine `one`.
     ///
     /// # Errors
     /// An input error if the walls do not fit the pattern or the scene.
@@ -45,9 +108,20 @@ impl OrbitKeys {
             return Itinerary::free(self.period);
         }
         let side = if system.lower.is_some() { Side::Lower } else { Side::Upper };
-        let walls = if self.walls.is_empty() { vec![side; self.pattern.len()] } else { self.walls.clone() };
-        let strikes = self.pattern.iter().zip(walls).map(|(&periods, side)| Strike { side, periods });
+        let side = |i: usize| self.stops.get(i).and_then(|stop| stop.side).unwrap_or(side);
+        let strikes = self.pattern.iter().enumerate().map(|(i, &periods)| Strike { side: side(i), periods });
         Itinerary::new(strikes.collect())
+    }
+
+    /// `start` in the unknowns of the equations, each speed after its time; `speed` converts the speeds.
+    pub fn unknowns(&self, speed: impl Fn(f64) -> f64) -> Vec<f64> {
+        let impacts = !self.pattern.is_empty();
+        let unknown = |(i, number): (usize, &StartNumber)| match i % 2 {
+            0 if impacts => number.radians(),
+            1 if impacts => speed(number.value()),
+            _ => number.value(),
+        };
+        self.start.iter().enumerate().map(unknown).collect()
     }
 
     /// What is said where no orbit is found.
@@ -70,7 +144,7 @@ impl OrbitKeys {
             let why = nothing.then(|| search_obstacle(oscillator, &itinerary, self.starts, speed)).flatten();
             return why.map_or(Ok(found), Err);
         }
-        Ok(vec![find(oscillator, &itinerary, self.start.clone())?])
+        Ok(vec![find(oscillator, &itinerary, self.unknowns(|speed| speed))?])
     }
 }
 
@@ -108,12 +182,13 @@ keys! {
         /// the orbit at the parameter's present value
         orbit: OrbitKeys,
         /// how far along its branch to look, both ways, in the norm of times, of speeds in units of the
-        /// motion's size and of the parameter; of a machine, in the parameter; without it 0.5, the parameter
-        /// in units of what changes a force or a wall by its own size, of a machine half of the parameter's
-        /// value, or what moves a gap by the size of the gaps' motion, the larger
+        /// motion's size and of the parameter; where the engine is `many`, in the parameter; without it 0.5,
+        /// the parameter in units of what changes a force or a stop by its own size, where the engine is
+        /// `many` half of the parameter's value, or what moves a gap by the size of the gaps' motion, the
+        /// larger
         reach: Option<f64>,
-        /// how the branch is followed; lengths are as those of `reach`; of a machine in units of the gaps'
-        /// motion, and of what `reach` is if it is not given
+        /// how the branch is followed; lengths are as those of `reach`; where the engine is `many` in units
+        /// of the gaps' motion, and of what `reach` is if it is not given
         options: Options = "{}",
     }
 }
@@ -136,19 +211,17 @@ keys! {
         /// the parameter that varies
         parameter: String,
         /// the orbit that comes to graze, near the parameter's present value, at its least minimum of a gap;
-        /// of a machine, the motion without impacts
+        /// where the engine is `many`, the motion without impacts
         orbit: OrbitKeys = "{}",
-        /// how far along its branch to look, both ways, in the norm of times, of speeds in units of the
-        /// motion's size and of the parameter; of a machine, in the parameter; without it 0.5, the parameter
-        /// in units of what changes a force or a wall by its own size, of a machine half of the parameter's
-        /// value, or what moves a gap by the size of the gaps' motion, the larger
+        /// how far along its branch to look, both ways, as in a task `event`
         reach: Option<f64>,
-        /// how the branch is followed; lengths are as those of `reach`; not of a machine
+        /// how the branch is followed; lengths are as those of `reach`; not where the engine is `many`
         options: Options = "{}",
         /// the largest period of the patterns, in periods of that orbit
         max_period: u32 = "4",
         /// how far from the bifurcation the born orbits are found: the distance |eµ| between the orbit and
-        /// the wall; without it 1e-6 of the size of the motion, of a machine of the gaps' motion
+        /// the stop; without it 1e-6 of the size of the motion, where the engine is `many` of the gaps'
+        /// motion
         distance: Option<f64>,
     }
 }

@@ -3,10 +3,10 @@
 use std::fmt::Write;
 
 use super::{
-    input::TABLES,
+    input::FILE,
     keys::{Key, Record, Table},
-    machine::MACHINES,
     simulate::Start,
+    system::TABLES,
     task::{KINDS, TaskKeys},
 };
 
@@ -18,7 +18,7 @@ pub fn reference() -> String {
     let mut written: Vec<&str> = Vec::new();
     // What it is, its keys, and the names under which it stands.
     let mut nested: Vec<(Table, Vec<&str>)> = Vec::new();
-    for &(name, about, keys) in TABLES.iter().chain(MACHINES).chain(&tasks) {
+    for &(name, about, keys) in [FILE].iter().chain(TABLES).chain(&tasks) {
         written.push(about);
         table(&mut text, name, about, keys);
     }

@@ -5,14 +5,17 @@ use std::{collections::BTreeMap, f64::consts::TAU, ops::Range, path::PathBuf, sy
 
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
+use serde::{Serialize, Serializer};
 
 use super::{
     expression::{self, Coefficient, Expression},
+    format::SceneFormat,
+    keys::StopName,
     machine::MachineScene,
     matrix::CoordinateList,
     sections::StartAxis,
     simulate::Start,
-    system::Accuracy,
+    system::{Accuracy, EngineKey},
     task::Task,
     walls,
 };
@@ -35,10 +38,16 @@ pub struct Scene {
     pub parameters: Vec<(String, BigRational)>,
     /// What it is about.
     pub body: Body,
+    /// What computes its motions, and why.
+    pub engine: Engine,
+    /// Its stops.
+    pub stops: Vec<StopName>,
     /// How accurately to compute.
     pub accuracy: Accuracy,
     /// What to do.
     pub tasks: Vec<Task>,
+    /// The format of its file.
+    pub format: SceneFormat,
     /// The file's name and text, and where in it each key's value stands.
     pub(super) file: Arc<(String, String)>,
     pub(super) places: Arc<BTreeMap<String, Range<usize>>>,
@@ -46,30 +55,50 @@ pub struct Scene {
     pub(super) files: Arc<Vec<PathBuf>>,
 }
 
-/// What a scene is about, by its format.
+/// What a scene is about, by the engine that computes it.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum Body {
-    /// Format 1: the equation of motion and the walls of an oscillator with one degree of freedom.
+    /// `one`: the equation of motion and the walls of an oscillator with one degree of freedom.
     Oscillator(Arc<System<Expression>>),
-    /// Format 2: a machine.
+    /// `many`: a machine.
     Machine(Arc<MachineScene>),
 }
 
+/// What computes a scene's motions.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Engine {
+    /// Which engine: `one` or `many`.
+    #[serde(serialize_with = "as_word")]
+    pub name: EngineKey,
+    /// Why it is that one.
+    pub reason: String,
+}
+
+fn as_word<S: Serializer>(engine: &EngineKey, serializer: S) -> std::result::Result<S::Ok, S::Error> {
+    serializer.serialize_str(engine.word())
+}
+
 impl Scene {
-    /// The equation of motion and the walls of a scene of format 1.
+    /// The equation of motion and the walls, where the engine is `one`.
     ///
     /// # Errors
-    /// For a machine.
+    /// Where it is `many`.
     pub fn system(&self) -> Result<&System<Expression>> {
         match &self.body {
             Body::Oscillator(system) => Ok(system),
-            Body::Machine(_) => Err(Error::input(format!(
-                "{}: is of format \"grazing-scene 2\": what was asked for works on oscillators of one degree of freedom, \
-                 format \"grazing-scene 1\"",
-                self.file.0
-            ))),
+            Body::Machine(_) => {
+                Err(Error::input(format!("{}: {}", self.file.0, self.only_one("what was asked for works"))))
+            }
         }
+    }
+
+    /// That something is done by the engine `one` alone, and why that is not the scene's.
+    pub(super) fn only_one(&self, what: &str) -> String {
+        format!(
+            "{what} with one degree of freedom and rigid stops, by the engine \"one\"; here it is \"many\": {}",
+            self.engine.reason
+        )
     }
 
     /// The same scene with other values of some parameters.
@@ -82,13 +111,17 @@ impl Scene {
 
     /// The same scene with other values of some parameters, and without its tasks, which may be many.
     pub(super) fn alone(&self, values: &[(String, BigRational)]) -> Result<Scene> {
-        let Scene { title, parameters, body, accuracy, file, places, files, .. } = self;
+        let Scene { title, parameters, body, engine, stops, accuracy, format, file, places, files, .. } =
+            self;
         Scene {
             title: title.clone(),
             parameters: parameters.clone(),
             body: body.clone(),
+            engine: engine.clone(),
+            stops: stops.clone(),
             accuracy: accuracy.clone(),
             tasks: Vec::new(),
+            format: *format,
             file: file.clone(),
             places: places.clone(),
             files: files.clone(),
@@ -200,8 +233,7 @@ impl Scene {
             [only] => self.number(only),
             many => {
                 let key = many.first().map_or("", |first| first.key.trim_end_matches("[1]"));
-                Err(self
-                    .fail(key, "is a list; an oscillator of format 1 has one displacement and one velocity"))
+                Err(self.fail(key, "is a list; here there is one displacement and one velocity"))
             }
         };
         Ok(State { t: phase(&start.phase), q: one(&start.q)?, u: one(&start.u)? })
@@ -215,8 +247,8 @@ impl Scene {
     pub fn start_plane(&self, names: &[String], path: &str) -> Result<[StartAxis; 2]> {
         let axis = |name: &String| {
             match name.as_str() {
-            "q" => Ok(StartAxis::Place),
-            "u" => Ok(StartAxis::Speed),
+            "q" | "q1" => Ok(StartAxis::Place),
+            "u" | "u1" => Ok(StartAxis::Speed),
             "phase" => Ok(StartAxis::Phase),
             _ => Err(self.fail(
                 path,
@@ -282,7 +314,7 @@ impl Scene {
     /// `file:line: key = value: message`.
     pub fn fail(&self, key: &str, message: &str) -> Error {
         let source = Source { name: &self.file.0, text: &self.file.1 };
-        source.at(key, self.places.get(key).cloned(), message)
+        source.at(&self.format.path(key), self.places.get(key).cloned(), message)
     }
 
     pub(super) fn where_parameters(&self) -> String {

@@ -4,11 +4,12 @@ use num_rational::BigRational;
 
 use super::{
     expression::Expression,
-    keys::{keys, words},
+    format::SceneFormat,
+    keys::{Entry, StopName, Value, keys},
     orbits::OrbitKeys,
     simulate::Start,
 };
-use crate::motion::Side;
+use crate::{error::Result, motion::Side};
 
 keys! {
     /// Draws the stroboscopic (Poincaré) section of the attractors that motions lead to: periods, impacts,
@@ -18,18 +19,18 @@ keys! {
         starts: Vec<Start>,
         /// when to look, as a fraction of the forcing period: at t = 2π `phase` of every period
         phase: BigRational = "0",
-        /// the frame in which displacement and velocity are measured
+        /// the frame in which displacement and velocity are measured: fixed, or moving as a stop does
         frame: Frame = "\"fixed\"",
         /// how many periods pass first, unrecorded; more, where the report says "not settled"
         transient: u64 = "1000",
         /// how many points show a motion that is not periodic; its Lyapunov exponent is taken over as many
         /// periods
         points: u32 = "2000",
-        /// how many Lyapunov exponents are found, the largest first; of a machine at most twice its
-        /// coordinates
+        /// how many Lyapunov exponents are found, the largest first: at most twice as many as coordinates
         exponents: u32 = "1",
-        /// of a machine, by which two numbers of its state points are drawn: `q2` and `u2` are displacement
-        /// and velocity of a coordinate, `gap NAME` and `rate NAME` the gap of a stop and how fast it opens
+        /// by which two numbers of their state points are drawn: `q2` and `u2` are displacement and velocity
+        /// of a coordinate, where the engine is `many` `gap NAME` and `rate NAME` the gap of a stop and how
+        /// fast it opens; without it `q1` and `u1`
         plane: Vec<String> = "[]",
         /// the longest period that counts as periodic, in forcing periods
         longest: u32 = "64",
@@ -37,7 +38,7 @@ keys! {
         orbits: Vec<OrbitKeys> = "[]",
         /// whether to draw the stable and the unstable manifolds of the unstable orbits among them
         manifolds: bool = "false",
-        /// whether to draw where the next period grazes a wall
+        /// whether to draw where the next period grazes a stop
         grazing_curve: bool = "false",
     }
 }
@@ -49,9 +50,9 @@ keys! {
         q: Values,
         /// velocities of the starts; with `plane`, values of its second
         u: Values,
-        /// which two numbers of a start are varied: `q`, `u` or `phase`, the time of the start as a fraction
-        /// of the forcing period; of a machine, two displacements or velocities: `q2` and `u2` are those of a
-        /// coordinate
+        /// which two numbers of a start are varied: displacements or velocities, as `q2` and `u2` of the
+        /// second coordinate; where the engine is `one` `q`, `u` or `phase`, the time of the start as a
+        /// fraction of the forcing period
         plane: Vec<String> = "[]",
         /// with `plane`, the other displacements and velocities of every start; without it 0
         start: Option<Start>,
@@ -78,15 +79,36 @@ keys! {
     }
 }
 
-words! {
-    /// From where displacement and velocity are counted.
-    pub enum Frame {
-        /// As in the equation of motion.
-        Fixed = "fixed",
-        /// From the lower wall's motion about its mean: q − (Q₁ − offset), in which the wall stands still.
-        Lower = "lower",
-        /// From the upper wall's motion about its mean.
-        Upper = "upper",
+/// From where displacement and velocity are counted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Frame {
+    /// As in the equation of motion.
+    Fixed,
+    /// From the lower stop's motion about its mean: q − (Q₁ − offset), in which the stop stands still.
+    Lower,
+    /// From the upper stop's motion about its mean.
+    Upper,
+    /// A stop of the engine `many`, which has no frames.
+    Other,
+}
+
+impl Value for Frame {
+    fn shape() -> String {
+        "`\"fixed\"` or name of a stop".to_string()
+    }
+
+    fn read(entry: &Entry) -> Result<Self> {
+        if entry.scope.format != SceneFormat::Three {
+            return entry.word(&[("fixed", Frame::Fixed), ("lower", Frame::Lower), ("upper", Frame::Upper)]);
+        }
+        if entry.text()? == "fixed" {
+            return Ok(Frame::Fixed);
+        }
+        Ok(match StopName::read(entry)?.side {
+            Some(Side::Lower) => Frame::Lower,
+            Some(Side::Upper) => Frame::Upper,
+            None => Frame::Other,
+        })
     }
 }
 
@@ -106,7 +128,7 @@ impl Frame {
     /// The wall whose motion is taken off.
     pub fn side(self) -> Option<Side> {
         match self {
-            Frame::Fixed => None,
+            Frame::Fixed | Frame::Other => None,
             Frame::Lower => Some(Side::Lower),
             Frame::Upper => Some(Side::Upper),
         }

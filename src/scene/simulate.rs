@@ -23,9 +23,9 @@ keys! {
     pub struct Start {
         /// the time, as a fraction of the forcing period: t = 2π `phase`
         phase: BigRational = "0",
-        /// the displacement; of a machine a list, or one 0 for all
+        /// the displacement; of several coordinates a list, or one 0 for all
         q: CoordinateList,
-        /// the velocity; of a machine a list, or one 0 for all
+        /// the velocity, in the same way
         u: CoordinateList = "0",
     }
 }

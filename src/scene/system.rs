@@ -1,80 +1,140 @@
-//! The keys of the oscillator: its equation of motion, its walls, the accuracy of its motions.
+//! The keys of the system: its equation of motion, its stops, the accuracy of its motions.
 
 use super::{
     expression::Expression,
-    force::ForceKey,
-    keys::{Entry, Value, keys},
+    force::ForceList,
+    keys::{Entry, Key, Record, Value, keys, words},
+    matrix::{CoordinateList, MatrixValue},
+    measured::MeasuredKeys,
     restitution::RestitutionKey,
 };
 use crate::{
     error::Result,
-    motion::{Harmonic, Side, System, Wall},
+    motion::{Harmonic, Side},
 };
 
 /// The highest multiple of the base frequency.
 const LIMIT_K: u32 = 1000;
 
 keys! {
-    /// q″ = −`damping` q′ − `stiffness` q − `cubic` q³ + `force` + `forcing`(t), time in units in which the
-    /// forcing's period is 2π.
+    /// `mass` q″ + `damping` q′ + `stiffness` q + `cubic` q³ = `force` + `forcing`(t), in consistent units of
+    /// your choice: kilograms, metres, seconds and newtons, say.
     pub struct SystemKeys {
-        /// the coefficient of the velocity
-        damping: Expression = "0",
-        /// the coefficient of the displacement
-        stiffness: Expression = "0",
-        /// the coefficient of the displacement cubed (Duffing)
-        cubic: Expression = "0",
-        /// an acceleration: a constant one, such as preload or gravity, or any smooth function of the
-        /// displacement q, the velocity u and the time t, periodic in t with the forcing
-        force: ForceKey = "0",
-        /// the harmonics of the forcing
-        forcing: Vec<HarmonicKeys> = "[]",
+        /// how long the forcing's period is, also without forcing, as times are reported in periods; without
+        /// it and `frequency` 2π: then the unit of time is a radian of the forcing
+        period: Option<Expression>,
+        /// in place of `period`, how often the forcing repeats in a unit of time: hertz if times are seconds
+        frequency: Option<Expression>,
+        /// the masses: symmetric, positive definite; without it and `modes` 1, of a single coordinate
+        mass: Option<MatrixValue>,
+        /// the damping
+        damping: Option<MatrixValue>,
+        /// instead of `damping`, the damping ratio of every mode, or a list of them by frequency ascending
+        damping_ratio: Option<CoordinateList>,
+        /// the stiffness
+        stiffness: Option<MatrixValue>,
+        /// of a single coordinate, the coefficient of the displacement cubed (Duffing)
+        cubic: Option<Expression>,
+        /// instead of matrices, the modes of the system
+        modes: Option<ModesKeys>,
+        /// the force on each coordinate beside `forcing`, one 0 for none: a constant, such as preload or
+        /// gravity, or any smooth function of the coordinates q1, q2, …, their velocities u1, u2, … per unit
+        /// of time, and t, the angle of the forcing, 2π in a period; with one coordinate q and u will do
+        force: ForceList = "0",
+        /// the harmonics of the force
+        forcing: Vec<LoadKeys> = "[]",
+        /// instead of `forcing`, a measured force: harmonics are fitted to it, its mean is added to `force`;
+        /// or it is taken as it is, once
+        measured: Option<MeasuredKeys>,
     }
 }
 
 keys! {
-    /// A term `cos` cos kt + `sin` sin kt.
+    /// A term `cos` cos 2πkt/T + `sin` sin 2πkt/T of the force, T its period.
+    pub struct LoadKeys {
+        /// the multiple of the base frequency, 1 to 1000
+        k: u32 = "1",
+        /// the coefficients of the cosine, one for each coordinate; one 0 for none
+        cos: CoordinateList = "0",
+        /// the coefficients of the sine
+        sin: CoordinateList = "0",
+    }
+}
+
+keys! {
+    /// The modes of a system, of modal mass 1.
+    pub struct ModesKeys {
+        /// their frequencies, in the unit of `frequency`
+        frequencies: Vec<Expression>,
+        /// their damping ratios: one for all, or one for each
+        ratios: CoordinateList = "0",
+        /// their shapes: a row for each coordinate q₁, q₂, … of the scene, an entry in it for each mode; the
+        /// coordinates are points where forces act, stops stand or motions are looked at. Without it the
+        /// coordinates are the modes' amplitudes
+        shapes: Option<MatrixValue>,
+    }
+}
+
+keys! {
+    /// A stop. With `restitution` it is rigid: an impact turns the velocity relative to it into
+    /// −`restitution` times itself. With `stiffness` it is compliant: where the gap z is negative it pushes
+    /// with the force −`stiffness` z − `damping` z′, until that would pull.
+    pub struct StopKeys {
+        /// what it is called in tasks and reports; without it its side, or its number
+        name: Option<String>,
+        /// of a single coordinate, on which side the stop is: the displacement stays above, or below,
+        /// `offset` + Σ `harmonics`
+        side: Option<Side>,
+        /// in place of `side`, what it stops, an entry for each coordinate: its gap is z = `row`·q − `offset`
+        /// − Σ `harmonics`. Two masses that hit each other: [1, −1]. Of a single coordinate [1] if absent
+        row: Option<CoordinateList>,
+        /// its mean place
+        offset: Expression,
+        /// its motion, harmonics of the forcing's frequency; none for a stop that stands still
+        harmonics: Vec<HarmonicKeys> = "[]",
+        /// at least 0: 0 for a stop that takes all velocity, 1 for one that keeps the energy; or a rational
+        /// function of the speed v of the impact, as "1/(1 + v/2)". This or `stiffness` must be given
+        restitution: Option<RestitutionKey>,
+        /// of a compliant stop, the force per displacement along `row`, above 0
+        stiffness: Option<Expression>,
+        /// of a compliant stop, the force per velocity, at least 0; without it 0
+        damping: Option<Expression>,
+    }
+}
+
+keys! {
+    /// A term `cos` cos 2πkt/T + `sin` sin 2πkt/T of a stop's motion, T the forcing's period.
     pub struct HarmonicKeys {
         /// the multiple of the base frequency, 1 to 1000
         k: u32 = "1",
-        /// the coefficient of cos kt
+        /// the coefficient of the cosine
         cos: Expression = "0",
-        /// the coefficient of sin kt
+        /// the coefficient of the sine
         sin: Expression = "0",
-    }
-}
-
-keys! {
-    /// A wall at `offset` + Σ `harmonics`; an impact turns the velocity relative to it into −`restitution`
-    /// times itself.
-    pub struct WallKeys {
-        /// on which side of the oscillator
-        side: Side,
-        /// the mean position
-        offset: Expression,
-        /// its motion; none for a wall that stands still
-        harmonics: Vec<HarmonicKeys> = "[]",
-        /// at least 0: 0 for a wall that stops the motion, 1 for one that keeps the energy
-        restitution: RestitutionKey,
     }
 }
 
 keys! {
     /// How accurately motions are computed.
     pub struct Accuracy {
-        /// the integrator's tolerance, relative to the motion, for oscillators that are not linear; others
-        /// need none
+        /// the integrator's tolerance, relative to the motion, where the engine is `one` and the system not
+        /// linear; nothing else needs one
         tolerance: f64 = "1e-12",
-        /// a minimum of the distance to a wall that is deeper than this is an impact; a shallower one is a
-        /// tangency. In the scene's unit of length; without it 10⁻¹² of the size of the gap to the nearest
-        /// wall
+        /// a minimum of a gap that is deeper than this is an impact; a shallower one is a tangency. In the
+        /// scene's unit of length; without it 10⁻¹² of the size of the gaps' motion
         minimum_depth: Option<f64>,
     }
 }
 
-impl Default for Accuracy {
-    fn default() -> Self {
-        Accuracy { tolerance: 1e-12, minimum_depth: None }
+words! {
+    /// What computes a scene's motions.
+    pub enum EngineKey {
+        /// `one` where the system qualifies, else `many`.
+        Auto = "auto",
+        /// The engine for one degree of freedom and rigid stops.
+        One = "one",
+        /// The engine for any number of coordinates, and for compliant stops.
+        Many = "many",
     }
 }
 
@@ -112,36 +172,20 @@ pub(super) fn harmonics(
     Ok(list.into_iter().map(|h| Harmonic { k: h.k, cos: h.cos, sin: h.sin }).collect())
 }
 
-/// The equation of motion and the walls, once every key is read.
-pub(super) fn system(file: &Entry, keys: SystemKeys, walls: Vec<WallKeys>) -> Result<System<Expression>> {
-    let (mut lower, mut upper) = (None, None);
-    for (i, keys) in walls.into_iter().enumerate() {
-        let path = format!("walls[{}]", i + 1);
-        let place = match keys.side {
-            Side::Lower => &mut lower,
-            Side::Upper => &mut upper,
-        };
-        if place.is_some() {
-            return Err(file.at(&format!("{path}.side")).fail("there is a wall on this side already"));
-        }
-        let harmonics = harmonics(file, keys.harmonics, &format!("{path}.harmonics"))?;
-        let RestitutionKey::Constant(restitution) = keys.restitution else {
-            return Err(file.at(&format!("{path}.restitution")).fail(
-                "depends on the speed v: walls of format 1 have one restitution; write the oscillator as a machine, \
-                 format = \"grazing-scene 2\" with period = \"2*pi\" and mass = 1",
-            ));
-        };
-        *place = Some(Wall { offset: keys.offset, harmonics, restitution });
-    }
-    let (force, smooth) = keys.force.parts()?;
-    Ok(System {
-        damping: keys.damping,
-        stiffness: keys.stiffness,
-        cubic: keys.cubic,
-        force,
-        forcing: harmonics(file, keys.forcing, "system.forcing")?,
-        smooth,
-        lower,
-        upper,
-    })
+/// An expression made of another's text, reported at its key.
+pub(super) fn derived(file: &Entry, from: &Expression, text: impl Fn(&str) -> String) -> Result<Expression> {
+    let mut derived = Expression::parse(&text(&from.to_string()), file.scope.names)?;
+    derived.key.clone_from(&from.key);
+    Ok(derived)
 }
+
+/// The tables of the system: path, what it is, keys.
+pub(super) const TABLES: &[(&str, &str, &[Key])] = &[
+    ("`[system]`", SystemKeys::ABOUT, SystemKeys::KEYS),
+    ("an entry of `forcing`", LoadKeys::ABOUT, LoadKeys::KEYS),
+    ("`measured`", MeasuredKeys::ABOUT, MeasuredKeys::KEYS),
+    ("`modes`", ModesKeys::ABOUT, ModesKeys::KEYS),
+    ("`[[stops]]`", StopKeys::ABOUT, StopKeys::KEYS),
+    ("an entry of `harmonics`", HarmonicKeys::ABOUT, HarmonicKeys::KEYS),
+    ("`[accuracy]`", Accuracy::ABOUT, Accuracy::KEYS),
+];

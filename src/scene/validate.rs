@@ -12,8 +12,8 @@ use crate::{
 keys! {
     /// Proves that exact orbits exist, each the only one in a box, admissible, and stable or not. With
     /// `event` it proves that an orbit bifurcates at a parameter in an interval. Writes a certificate for
-    /// each. For linear systems. Of orbits without impacts only a grazing is proved, of machines no
-    /// bifurcation.
+    /// each. For linear systems. Of orbits without impacts only a grazing is proved; bifurcations where
+    /// the engine is `one`.
     pub struct ValidateTask {
         /// which orbits; the proof starts from their approximations
         orbit: OrbitKeys,

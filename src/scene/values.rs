@@ -16,13 +16,13 @@ use crate::{
 };
 
 impl Scene {
-    /// The machine of a scene of format 2, each coefficient rounded from its exact value where it is
+    /// The machine where the engine is `many`, each coefficient rounded from its exact value where it is
     /// rational.
     ///
     /// # Errors
     /// An input error, naming file, line and key, for a value that cannot be computed, M that is not
     /// symmetric and positive definite, a negative restitution, a stop that no motion reaches, a period that
-    /// is not positive; for a scene of format 1.
+    /// is not positive; where the engine is `one`.
     pub fn machine(&self, changes: &[(&str, f64)]) -> Result<Machine<f64>> {
         let scene = self.machine_scene()?;
         let exact: Vec<_> = self.parameters.iter().map(|(_, value)| value.clone()).collect();
@@ -69,18 +69,18 @@ impl Scene {
                 let text = text.strip_prefix(&format!("stop {}: ", stop.name)).unwrap_or(&text);
                 let parts = ["restitution", "stiffness", "damping"];
                 let part = parts.into_iter().find(|part| text.starts_with(part)).unwrap_or("row");
-                keyed(&format!("walls[{i}].{part}"), &error)
+                keyed(&format!("stops[{i}].{part}"), &error)
             })?;
         }
         Ok(machine)
     }
 
-    /// The machine of a scene of format 2, each coefficient exact where it is rational, else between bounds
-    /// of 256 bits.
+    /// The machine where the engine is `many`, each coefficient exact where it is rational, else between
+    /// bounds of 256 bits.
     ///
     /// # Errors
-    /// An input error, naming file, line and key, for a value that cannot be computed; for a scene of
-    /// format 1.
+    /// An input error, naming file, line and key, for a value that cannot be computed; where the
+    /// engine is `one`.
     pub fn enclosed_machine(&self) -> Result<Machine<Bounds>> {
         let exact: Vec<_> = self.parameters.iter().map(|(_, value)| value.clone()).collect();
         let precision = Precision::new(256);
@@ -97,17 +97,16 @@ impl Scene {
         })
     }
 
-    /// What a scene of format 2 is about.
+    /// What the engine `many` is told.
     ///
     /// # Errors
-    /// For a scene of format 1.
+    /// Where the engine is `one`.
     pub fn machine_scene(&self) -> Result<&MachineScene> {
         match &self.body {
             Body::Machine(scene) => Ok(scene),
-            Body::Oscillator(_) => Err(Error::input(format!(
-                "{}: is of format \"grazing-scene 1\": it has an oscillator of one degree of freedom, no machine",
-                self.file.0
-            ))),
+            Body::Oscillator(_) => {
+                Err(Error::input(format!("{}: is computed by the engine \"one\", not \"many\"", self.file.0)))
+            }
         }
     }
 
@@ -141,6 +140,8 @@ impl Scene {
                 })
             };
             match (digits('q'), digits('u'), stop("gap"), stop("rate")) {
+                _ if points == 1 && name == "q" => Ok(PlaneAxis::Place(0)),
+                _ if points == 1 && name == "u" => Ok(PlaneAxis::Speed(0)),
                 (Some(i), ..) => Ok(PlaneAxis::Place(within(i)?)),
                 (_, Some(i), ..) => Ok(PlaneAxis::Speed(within(i)?)),
                 (_, _, Some(gap), _) => Ok(PlaneAxis::Gap(known(gap)?)),

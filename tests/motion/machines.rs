@@ -727,7 +727,7 @@ fn bad_machines_are_named_with_file_line_key_and_value() {
             "kind = \"simulate\"",
             "kind = \"crisis\"\nparameter = \"k\"\nbracket = [1, 2]\norbit = { pattern = [1] }\nphase = 0",
             17,
-            "does not work on machines",
+            "works with one degree of freedom",
         ),
         (
             "kind = \"simulate\"\nstart = { q = 0 }",

@@ -402,11 +402,11 @@ fn tasks_about_orbits_refuse_what_does_not_fit_the_scene() {
     };
     let orbit = |keys: &str| format!("kind = \"orbit\"\norbit = {{ {keys} }}");
     refused("", &orbit("pattern = [0]"), "pattern");
-    refused("", &orbit("pattern = [3], walls = [\"upper\"]"), "does not have");
+    refused("", &orbit("pattern = [3], walls = [\"upper\"]"), "is no wall of the scene");
     refused("", &orbit("pattern = [3], walls = [\"lower\", \"lower\"]"), "1 walls");
     refused("", &orbit("pattern = [3], start = [1]"), "2 numbers");
     refused("", &orbit("patern = [3]"), "pattern");
-    refused(two, &orbit("pattern = [3]"), "two walls");
+    refused(two, &orbit("pattern = [3]"), "several walls");
     refused("", "kind = \"orbit\"\nparameter = \"mu\"\norbit = { pattern = [3] }", "both or neither");
     refused("", "kind = \"event\"\nevent = \"fold\"\nparameter = \"mu\"\norbit = {}", "flip");
     refused("", "kind = \"event\"\nevent = \"flip\"\nparameter = \"nu\"\norbit = {}", "\"mu\"");

@@ -136,8 +136,8 @@ fn every_failure_names_file_line_key_value_and_fix() {
         // shapes and words
         (
             "grazing-scene 1",
-            "grazing-scene 3",
-            "s.toml:1: format = \"grazing-scene 3\": this version reads \"grazing-scene 1\" and, for machines, \"grazing-scene 2\"",
+            "grazing-scene 4",
+            "s.toml:1: format = \"grazing-scene 4\": this version reads \"grazing-scene 1\", \"grazing-scene 2\", \"grazing-scene 3\"",
         ),
         ("title = \"t\"", "title = 3", "s.toml:2: title = 3: is not text \"…\""),
         ("d = 0.6", "d = [1]", "s.toml:4: parameters.d = [1]: is not a number"),

@@ -6,6 +6,7 @@ mod common;
 mod tasks;
 
 mod bifurcations;
+mod formats;
 mod forms;
 mod input;
 mod scales;

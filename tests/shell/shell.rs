@@ -298,6 +298,24 @@ fn no_file_is_lost_to_another_of_the_same_command() {
     assert_eq!((both.0, names(folder).contains(&"new".to_string())), (0, true), "{}", both.2);
 }
 
+/// What is printed is the scene with the names of format 3, as a file or through a pipe.
+#[test]
+fn an_upgrade_is_printed_and_nothing_is_written() {
+    let folder = tempdir().unwrap();
+    let folder = folder.path();
+    scenes(folder, "swing");
+    let before = names(folder);
+    let old = fs::read_to_string(folder.join("ball.toml")).unwrap();
+    let (code, out, said) = run("run ball.toml --upgrade", folder);
+    assert_eq!((code, said.as_str()), (0, ""));
+    assert_eq!(out, old.replace("grazing-scene 1", "grazing-scene 3").replace("[[walls]]", "[[stops]]"));
+    fs::write(folder.join("new.toml"), &out).unwrap();
+    assert_eq!(run("run new.toml --upgrade", folder).1, out);
+    assert_eq!(run("run ball.toml --upgrade --dry-run", folder).0, 2);
+    fs::remove_file(folder.join("new.toml")).unwrap();
+    assert_eq!(names(folder), before);
+}
+
 #[test]
 fn a_dry_run_lists_the_files_and_touches_none() {
     let folder = tempdir().unwrap();
@@ -578,7 +596,7 @@ fn the_report_of_a_run_whose_end_was_forced_has_every_task() {
     child.stdout.take().unwrap().read_to_end(&mut report).unwrap();
     assert_eq!(child.wait().unwrap().code(), Some(3));
     let report: serde_json::Value = serde_json::from_slice(&report).unwrap();
-    assert_eq!(report["format"], "grazing-run 2");
+    assert_eq!(report["format"], "grazing-run 3");
     let all: Vec<_> =
         report["tasks"].as_array().unwrap().iter().map(|task| (&task["task"], &task["status"])).collect();
     assert_eq!(

@@ -19,10 +19,11 @@ use super::{
 };
 
 /// Columns that are not compared, and why.
-pub const NOT_COMPARED: [(&str, &str); 19] = [
+pub const NOT_COMPARED: [(&str, &str); 20] = [
     ("task", "it is what rows are put together by"),
     ("kind", "it is in the scene"),
     ("place", "a line of the file"),
+    ("engine", "forms are computed by either"),
     ("parameters", "as they stand in the scene"),
     ("effects", "work, not results: compared where the work is the same"),
     ("files", "nothing is kept"),

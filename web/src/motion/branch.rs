@@ -3,7 +3,7 @@
 use grazing::{
     Error, Result,
     run::{Findings, run_task},
-    scene::{Body, Scene},
+    scene::Scene,
 };
 use serde_json::{Value, json};
 
@@ -26,10 +26,10 @@ pub fn branch(request: &Request) -> Result<Value> {
     }
     let at =
         request.floats("at").first().copied().ok_or_else(|| Error::input("a branch starts at a value"))?;
-    let machine = matches!(changeable.scene.body, Body::Machine(_));
     let names: Vec<String> =
         phases.iter().map(|_| request.text("wall").map(quoted)).collect::<Result<_>>()?;
-    let start: Vec<String> = phases.iter().zip(&speeds).map(|(t, v)| format!("{t:?}, {v:?}")).collect();
+    let start: Vec<String> =
+        phases.iter().zip(&speeds).map(|(t, v)| format!("{}, {v:?}", document::time(&changeable.scene, *t))).collect();
     let float =
         |x| document::float(x).ok_or_else(|| Error::input("the ends of the range are finite numbers"));
     let keys = format!(
@@ -38,7 +38,7 @@ pub fn branch(request: &Request) -> Result<Value> {
         quoted(request.text("parameter")?),
         float(&low)?,
         float(&high)?,
-        if machine { "stops" } else { "walls" },
+        document::stops(&changeable.scene),
         names.join(", "),
         start.join(", "),
     );

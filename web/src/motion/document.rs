@@ -7,7 +7,7 @@ use grazing::{
     Error, Result,
     num_rational::BigRational,
     number::parse_rational,
-    scene::{Body, Kind, Scene},
+    scene::{Body, Kind, Scene, SceneFormat},
 };
 use num_traits::ToPrimitive;
 use toml_edit::{Document, DocumentMut, Item, Value};
@@ -258,7 +258,8 @@ fn unnamed(root: &Item) -> Vec<Unnamed> {
         }
     };
     harmonics(vec![key("system"), key("forcing")], "forcing", "forcing");
-    let walls = root.get("walls");
+    let heading = if root.get("stops").is_some() { "stops" } else { "walls" };
+    let walls = root.get(heading);
     let several = length(walls) > 1;
     let mut stops = Vec::new();
     for i in 0..length(walls) {
@@ -267,7 +268,7 @@ fn unnamed(root: &Item) -> Vec<Unnamed> {
         let own = called("name").or(called("side")).map_or_else(|| (i + 1).to_string(), ToString::to_string);
         let word: String = own.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '_' }).collect();
         let end = if several { format!("_{word}") } else { String::new() };
-        let list: Path = vec![key("walls"), Step::Entry(i), key("harmonics")];
+        let list: Path = vec![key(heading), Step::Entry(i), key("harmonics")];
         harmonics(list, &format!("wall{end}"), &format!("motion of the wall “{own}”"));
         stops.push((i, own, end));
     }
@@ -279,11 +280,24 @@ fn unnamed(root: &Item) -> Vec<Unnamed> {
             ("damping", "damping"),
         ] {
             let prefix = if matches!(name, "stiffness" | "damping") { "wall_" } else { "" };
-            let place = vec![key("walls"), Step::Entry(i), key(name)];
+            let place = vec![key(heading), Step::Entry(i), key(name)];
             add(place, format!("{prefix}{name}{end}"), format!("wall “{own}”: {about}"), true);
         }
     }
     all
+}
+
+/// What an orbit's stops are called in the format of a scene.
+pub fn stops(scene: &Scene) -> &'static str {
+    if scene.format == SceneFormat::One { "walls" } else { "stops" }
+}
+
+/// A time in an orbit's `start` as a scene writes it: reports of oscillators have angles.
+pub fn time(scene: &Scene, t: f64) -> String {
+    match (&scene.body, scene.format) {
+        (Body::Oscillator(_), SceneFormat::Three) => format!("\"{t:?} rad\""),
+        _ => format!("{t:?}"),
+    }
 }
 
 fn at<'a>(root: &'a Item, path: &[Step]) -> Option<&'a Item> {

@@ -119,11 +119,13 @@ fn multipliers(
     let unit = if machine { TAU } else { 1.0 };
     let start: Vec<String> = impacts
         .iter()
-        .flat_map(|strike| [strike.time.phase / unit, strike.speed.unwrap_or(0.0)])
-        .map(|x| format!("{x:?}"))
+        .flat_map(|strike| {
+            let time = document::time(&changeable.scene, strike.time.phase / unit);
+            [time, format!("{:?}", strike.speed.unwrap_or(0.0))]
+        })
         .collect();
     let names: Vec<String> = impacts.iter().map(|strike| quoted(&strike.wall)).collect();
-    let key = if machine { "stops" } else { "walls" };
+    let key = document::stops(&changeable.scene);
     let orbit = if m == 0 {
         let start: Vec<String> = series.last.iter().map(|x| format!("{x:?}")).collect();
         // A machine without impacts needs no start.

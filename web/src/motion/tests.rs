@@ -451,7 +451,7 @@ fn the_scene_of_the_views_runs_on_the_command_line() {
     for task in &scene.tasks {
         let report = run_task(&Job::new(&scene, task, Surroundings::default()).unwrap(), &mut ());
         assert!(report.findings.is_some(), "{report}");
-        assert!(RunReport::new(&scene.title, None, &[report]).to_json().unwrap().contains("grazing-run 2"));
+        assert!(RunReport::new(&scene.title, None, &[report]).to_json().unwrap().contains("grazing-run 3"));
     }
 }
 

@@ -159,7 +159,7 @@ impl Drawing<'_> {
 
     pub fn axis(&self) -> &'static str {
         match self.frame {
-            Frame::Fixed => "q",
+            Frame::Fixed | Frame::Other => "q",
             Frame::Lower => "q − (Q₁ − offset)",
             Frame::Upper => "q − (Q₂ − offset)",
         }

@@ -77,6 +77,9 @@ pub(super) struct Args {
     /// Check the scene and list the files that would be read and written, and do no more.
     #[arg(long)]
     dry_run: bool,
+    /// Print the scene in the newest format, its comments and layout as they are, and do no more.
+    #[arg(long, conflicts_with_all = ["only", "set", "shard", "dry_run"])]
+    upgrade: bool,
     /// The folder for the files.
     #[arg(short, long, value_name = "DIR", default_value = ".")]
     output: PathBuf,
@@ -203,6 +206,11 @@ pub(super) fn run(args: &Args, files: &FileRegistry, interrupt: &Interrupt) -> R
     // Once: it may be a pipe.
     let text = shard::plain(&read_text(&args.scene, LONGEST_SCENE)?);
     let name = args.scene.display().to_string();
+    if args.upgrade {
+        let upgraded = Scene::upgraded(&text, &name)?;
+        Destination::Stdout.write(|out| Ok(out.write_all(upgraded.as_bytes())?))?;
+        return Ok(Outcome::Done);
+    }
     let scene = Scene::from_toml(&text, &name)?;
     names::read(&scene, &args.scene, files)?;
     for only in &args.only {

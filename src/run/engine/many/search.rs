@@ -35,10 +35,11 @@ pub(crate) fn machine_orbits(
     if (soft || simulator.is_smooth()) && keys.pattern.is_empty() {
         return through_soft_stops(keys, machine, simulator, job);
     }
-    if !keys.start.is_empty() || keys.pattern.is_empty() {
-        let unit = |(i, x): (usize, &f64)| if i % 2 == 0 { x * TAU } else { x / rate };
-        let start: Vec<f64> = keys.start.iter().enumerate().map(unit).collect();
-        return Ok(vec![find(simulator, &pattern, &start)?]);
+    if keys.pattern.is_empty() {
+        return Ok(vec![find(simulator, &pattern, &[])?]);
+    }
+    if !keys.start.is_empty() {
+        return Ok(vec![find(simulator, &pattern, &keys.unknowns(|speed| speed / rate))?]);
     }
     let m = keys.pattern.len();
     let met = pattern.strikes().iter().map(|strike| strike.stop);
@@ -76,9 +77,9 @@ fn through_soft_stops(
 ) -> Result<Vec<MachineOrbit>> {
     let (pattern, rate, points) = (pattern(keys, machine)?, machine.rate(), machine.points());
     if !keys.start.is_empty() {
-        let part = |from: usize| {
-            machine.coordinates(&RealVector::from_column_slice(&keys.start[from..from + points]))
-        };
+        let start = keys.unknowns(|speed| speed);
+        let part =
+            |from: usize| machine.coordinates(&RealVector::from_column_slice(&start[from..from + points]));
         let state = MachineState { t: 0.0, q: part(0)?, u: part(points)? / rate };
         return Ok(vec![find_from(simulator, &pattern, &[], Some(&state))?]);
     }
@@ -138,11 +139,11 @@ fn pattern(keys: &OrbitKeys, machine: &Machine<f64>) -> Result<StopPattern> {
     }
     let stop = |i: usize| match keys.stops.get(i) {
         None => Ok(0),
-        Some(name) => machine
+        Some(known) => machine
             .stops
             .iter()
-            .position(|stop| stop.name == *name)
-            .ok_or_else(|| Error::input(format!("there is no stop called {name:?}"))),
+            .position(|stop| stop.name == known.name)
+            .ok_or_else(|| Error::input(format!("there is no stop called {:?}", known.name))),
     };
     let strikes = keys.pattern.iter().enumerate();
     StopPattern::new(

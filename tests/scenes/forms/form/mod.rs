@@ -10,6 +10,7 @@ mod order;
 mod phase;
 mod rate;
 mod units;
+mod upgraded;
 mod words;
 
 use grazing::{number::Plain, scene::Expression};
@@ -171,6 +172,7 @@ pub fn searched(scene: &Table) -> Vec<String> {
 /// All forms that the scene has.
 pub fn forms(base: &Table) -> Vec<Form> {
     let all = [
+        upgraded::upgraded(base),
         words::renamed_parameters(base),
         words::inlined(base),
         order::reversed_tasks(base),

@@ -1,0 +1,317 @@
+//! The checks of each kind of task.
+
+use num_traits::Zero;
+
+use super::{Checked, LONGEST, Model, POINTS};
+use crate::{
+    continuation::Bifurcation,
+    error::{Error, Result},
+    many::{Machine, RealVector, section::PlaneAxis},
+    motion::System,
+    scene::{
+        branches::{BranchTask, CrisisTask, DiagramTask, MapTask},
+        orbits::{EventTask, GrazingTask, OrbitTask},
+        sections::{BasinsTask, SectionTask},
+        simulate::SimulateTask,
+        task::Kind,
+        validate::ValidateTask,
+    },
+};
+
+/// No longer series is written: at some 50 bytes a point, 5 GB.
+const MOST_POINTS: u64 = 100_000_000;
+
+impl Checked<'_> {
+    /// The checks of one task, its coefficients being those of the task.
+    pub(super) fn kind(&self, kind: &Kind) -> Result<()> {
+        self.once(kind)?;
+        match kind {
+            Kind::SimulateTask(task) => self.simulate(task),
+            Kind::SectionTask(task) => self.section(task),
+            Kind::BasinsTask(task) => self.basins(task),
+            Kind::OrbitTask(task) => self.orbits(task),
+            Kind::EventTask(task) => self.event(task),
+            Kind::GrazingTask(task) => self.grazing(task),
+            Kind::BranchTask(task) => self.branch(task),
+            Kind::DiagramTask(task) => self.diagram(task),
+            Kind::MapTask(task) => self.map(task),
+            Kind::CrisisTask(task) => self.crisis(task),
+            Kind::ValidateTask(task) => self.validate(task),
+            Kind::ChaosTask(task) => {
+                self.only_one("kind", "works")?;
+                task.check(self.scene, self.path)
+            }
+        }
+    }
+
+    /// A force that is recorded once: one run, from where it begins, no longer than it is.
+    fn once(&self, kind: &Kind) -> Result<()> {
+        let Model::Many(machine) = self.model else { return Ok(()) };
+        let Some((record, _)) = &machine.record else { return Ok(()) };
+        let periods = record.length() / machine.period;
+        let Kind::SimulateTask(task) = kind else {
+            let message = "needs a periodic force; `measured` with once = true is a record of one run, for `simulate` alone: fit \
+                           `harmonics` to it instead";
+            return self.fail("kind", message);
+        };
+        if task.transient > 0 {
+            return self.fail("transient", "passes a part of a force that is recorded once: leave it out");
+        }
+        if !task.start.phase.is_zero() {
+            let message = "is not 0, where the record of the force begins: leave it out";
+            return self.fail("start.phase", message);
+        }
+        if f64::from(task.periods) > periods * (1.0 + 1e-9) {
+            let asked = task.periods;
+            let message =
+                format!("asks for {asked} periods; the record of the force ends after {periods:.6}");
+            return self.fail("periods", &message);
+        }
+        Ok(())
+    }
+
+    fn simulate(&self, task: &SimulateTask) -> Result<()> {
+        let samples = task.samples;
+        let points = u64::from(task.periods) * u64::from(samples);
+        if points > MOST_POINTS {
+            return self.fail(
+                "periods",
+                &format!(
+                    "with samples = {samples} makes a series of {points} points, more than {MOST_POINTS}: take fewer samples or \
+                     periods"
+                ),
+            );
+        }
+        self.within("samples", samples, 1, 10_000)?;
+        self.start(&task.start, "start")
+    }
+
+    fn section(&self, task: &SectionTask) -> Result<()> {
+        if task.starts.is_empty() {
+            return self.fail("starts", "is empty; a motion must start somewhere");
+        }
+        self.within("points", task.points, 1, POINTS)?;
+        self.within("longest", task.longest, 1, LONGEST)?;
+        let dimension = match self.model {
+            Model::One(_) => 2,
+            Model::Many(machine) => u32::try_from(2 * machine.size).unwrap_or(u32::MAX),
+        };
+        self.within("exponents", task.exponents, 1, dimension)?;
+        self.plane(&task.plane)?;
+        for (i, start) in (1..).zip(&task.starts) {
+            self.start(start, &format!("starts[{i}]"))?;
+        }
+        self.frame(task.frame)?;
+        if let (Model::One(system), Some(side)) = (self.model, task.frame.side())
+            && system.wall(side).is_none()
+        {
+            return self.fail("frame", &format!("there is no {} wall", side.name()));
+        }
+        for (i, orbit) in (1..).zip(&task.orbits) {
+            self.orbit(orbit, &format!("orbits[{i}]"))?;
+        }
+        for (key, asked) in [("manifolds", task.manifolds), ("grazing_curve", task.grazing_curve)] {
+            if asked {
+                self.only_one(key, "is drawn")?;
+            }
+        }
+        Ok(())
+    }
+
+    fn basins(&self, task: &BasinsTask) -> Result<()> {
+        let scene = self.scene;
+        if let Model::One(_) = self.model {
+            scene.start_plane(&task.plane, &self.key("plane"))?;
+            if let Some(start) = &task.start {
+                if task.plane.is_empty() {
+                    return self.fail("start", "goes with a plane: here q and u say all, leave it out");
+                }
+                scene.state(start)?;
+            }
+        }
+        if task.start.as_ref().is_some_and(|start| !start.phase.is_zero()) {
+            let message = "is given by the task's own phase, when all motions start: leave it out here";
+            return self.fail("start.phase", message);
+        }
+        for (range, name) in [(&task.q, "q"), (&task.u, "u")] {
+            self.within(&format!("{name}.count"), range.count, 2, 4000)?;
+            scene.number(&range.from)?;
+            scene.number(&range.to)?;
+        }
+        self.within("longest", task.longest, 1, LONGEST)?;
+        match self.model {
+            Model::One(_) => Ok(()),
+            Model::Many(machine) => self.machine_basins(task, machine),
+        }
+    }
+
+    fn machine_basins(&self, task: &BasinsTask, machine: &Machine<f64>) -> Result<()> {
+        let axes = self.scene.plane(&task.plane, machine, &self.key("plane"))?;
+        if axes.iter().any(|axis| matches!(axis, PlaneAxis::Gap(_) | PlaneAxis::Rate(_))) {
+            let message =
+                "has a gap; starts are given by displacements and velocities, as in [\"q1\", \"u2\"]";
+            return self.fail("plane", message);
+        }
+        let rest = self.scene.rest(&task.start, machine)?;
+        let ones = RealVector::from_element(machine.points(), 1.0);
+        let wrong = |error: Error| self.scene.fail(&self.key("plane"), &error.to_string());
+        machine.coordinates(&ones).map_err(wrong)?;
+        machine.coordinates(&RealVector::from_vec(rest[0].clone())).map(drop).map_err(wrong)
+    }
+
+    fn orbits(&self, task: &OrbitTask) -> Result<()> {
+        self.orbit(&task.orbit, "orbit")?;
+        if let Some(parameter) = &task.parameter {
+            self.parameter(parameter)?;
+        }
+        if task.parameter.is_some() == task.values.is_empty() {
+            let message = "parameter and values belong together: give both or neither";
+            return Err(self.scene.fail(self.path, message));
+        }
+        Ok(())
+    }
+
+    fn event(&self, task: &EventTask) -> Result<()> {
+        self.parameter(&task.parameter)?;
+        self.reach(task.reach, &task.options)?;
+        self.stops()?;
+        self.orbit(&task.orbit, "orbit")
+    }
+
+    fn grazing(&self, task: &GrazingTask) -> Result<()> {
+        self.parameter(&task.parameter)?;
+        self.reach(task.reach, &task.options)?;
+        self.within("max_period", task.max_period, 1, 12)?;
+        self.stops()?;
+        match self.model {
+            Model::Many(_) if !task.orbit.pattern.is_empty() || task.orbit.period != 1 => {
+                let what = "orbits other than the motion without impacts are followed to their grazing";
+                self.fail("orbit", &self.scene.only_one(what))
+            }
+            _ => self.orbit(&task.orbit, "orbit"),
+        }
+    }
+
+    fn branch(&self, task: &BranchTask) -> Result<()> {
+        self.stops()?;
+        self.frame(task.frame)?;
+        self.branch_starts(&task.starts, "starts")?;
+        self.range(("parameter", &task.parameter), ("range", &task.range))?;
+        if let Some(second) = &task.second {
+            self.range(("second", second), ("second_range", &task.second_range))?;
+            if second == &task.parameter || task.starts.iter().any(|start| start.restart.is_none()) {
+                return self.fail(
+                    "second",
+                    "must be another parameter, and every start a restart at the label of what is followed",
+                );
+            }
+        }
+        self.options(&task.options)
+    }
+
+    fn diagram(&self, task: &DiagramTask) -> Result<()> {
+        self.range(("parameter", &task.parameter), ("range", &task.range))?;
+        self.branch_starts(&task.branches, "branches")?;
+        self.plane(&task.plane)?;
+        self.within("count", task.count, 2, 1_000_000)?;
+        self.within("points", task.points, 2, 1_000_000)?;
+        self.within("longest", task.longest, 1, 10_000)?;
+        self.within("every", task.every, 1, task.points)?;
+        if task.starts.is_empty() {
+            return self.fail("starts", "is empty; a motion must start somewhere");
+        }
+        for (i, start) in (1..).zip(&task.starts) {
+            match self.model {
+                Model::One(_) => self.scene.state(start).map(drop)?,
+                Model::Many(machine) => {
+                    self.scene.machine_state(start, machine, &self.key(&format!("starts[{i}]"))).map(drop)?;
+                }
+            }
+        }
+        self.frame(task.frame)?;
+        self.options(&task.options)
+    }
+
+    fn map(&self, task: &MapTask) -> Result<()> {
+        self.only_one("kind", "works")?;
+        self.range(("parameter", &task.parameter), ("range", &task.range))?;
+        self.range(("second", &task.second), ("second_range", &task.second_range))?;
+        if task.second == task.parameter {
+            return self.fail("second", "must be another parameter");
+        }
+        self.within("count", task.count, 2, 4000)?;
+        self.within("second_count", task.second_count, 2, 4000)?;
+        self.within("longest", task.longest, 1, LONGEST)?;
+        self.within("points", task.points, 3 * task.longest.min(LONGEST), POINTS)
+    }
+
+    fn crisis(&self, task: &CrisisTask) -> Result<()> {
+        self.only_one("kind", "works")?;
+        self.range(("parameter", &task.parameter), ("bracket", &task.bracket))?;
+        self.orbit(&task.orbit, "orbit")
+    }
+
+    fn validate(&self, task: &ValidateTask) -> Result<()> {
+        self.orbit(&task.orbit, "orbit")?;
+        match self.model {
+            Model::One(system) => self.proof(task, system),
+            Model::Many(machine) => self.machine_proof(task, machine),
+        }
+    }
+
+    fn proof(&self, task: &ValidateTask, system: &System<f64>) -> Result<()> {
+        let scene = self.scene;
+        if system.cubic != 0.0 {
+            return Err(scene.fail(self.path, "only a linear system can be validated: cubic must be 0"));
+        }
+        if system.smooth.is_some() {
+            let message = "depends on q, u or t: kind \"validate\" proves linear systems only; if the force is linear, \
+                           write it as damping, stiffness and forcing";
+            return Err(scene.fail("system.force", message));
+        }
+        if task.orbit.pattern.is_empty()
+            && (task.event != Some(Bifurcation::Grazing) || task.orbit.period != 1)
+        {
+            let message = "must have an impact to be validated; without one, only a grazing is, of period 1";
+            return self.fail("orbit.pattern", message);
+        }
+        if !(64..=4096).contains(&task.bits) {
+            return self.fail("bits", "must be from 64 to 4096");
+        }
+        self.reach(task.reach, &task.options)?;
+        if let Some(event) = task.event
+            && !matches!(event, Bifurcation::SaddleNode | Bifurcation::Flip | Bifurcation::Grazing)
+        {
+            let name = event.name();
+            return self
+                .fail("event", &format!("{name}: only saddle-node, flip and grazing can be validated"));
+        }
+        match (&task.event, &task.parameter) {
+            (None, None) => Ok(()),
+            (Some(_), Some(parameter)) => self.parameter(parameter),
+            _ => Err(scene.fail(self.path, "event and parameter belong together: give both or neither")),
+        }
+    }
+
+    fn machine_proof(&self, task: &ValidateTask, machine: &Machine<f64>) -> Result<()> {
+        if task.event.is_some() || task.parameter.is_some() {
+            let key = if task.event.is_some() { "event" } else { "parameter" };
+            return self.only_one(key, "is proved");
+        }
+        if machine.is_smooth() {
+            let message =
+                "proves orbits of linear machines; a `force` of this one is a formula in its motion";
+            return self.fail("kind", message);
+        }
+        if task.orbit.pattern.is_empty() {
+            return self.fail("orbit.pattern", "must have an impact to be validated");
+        }
+        if let Some(stop) = machine.stops.iter().find(|stop| !stop.law.is_newton()) {
+            let name = &stop.name;
+            let message =
+                format!("proves orbits between rigid stops of constant restitution; stop {name} is another");
+            return self.fail("kind", &message);
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,180 @@
+//! What a scene says to the engine `one`, if its system qualifies: an oscillator of mass 1 with one degree of
+//! freedom, whose forcing has period 2π, between rigid stops.
+//!
+//! All that is made into it is exact: a mass divides forces as expressions, and a row −1 changes signs. The
+//! first rounding is that of a coefficient's value.
+
+use num_rational::BigRational;
+use num_traits::One;
+
+use super::{
+    expression::Expression,
+    force::{ForceKey, Variables},
+    keys::Entry,
+    machine::{name, negated},
+    matrix::{CoordinateList, MatrixValue},
+    restitution::RestitutionKey,
+    system::{LoadKeys, StopKeys, SystemKeys, harmonics},
+};
+use crate::{
+    error::Result,
+    formula::{Formula, Operation},
+    motion::{Harmonic, Side, System, Wall},
+};
+
+/// Why a system is not one for `one`: the key that disqualifies it, and what it says.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Disqualified {
+    pub key: String,
+    pub why: String,
+}
+
+type Qualified<T> = Result<std::result::Result<T, Disqualified>>;
+
+fn not<T>(key: impl Into<String>, why: impl Into<String>) -> Qualified<T> {
+    Ok(Err(Disqualified { key: key.into(), why: why.into() }))
+}
+
+/// The side of each stop and the oscillator, or what disqualifies it; its keys fit one another.
+pub(super) fn oscillator(
+    file: &Entry,
+    keys: &SystemKeys,
+    stops: &[StopKeys],
+) -> Qualified<(Vec<Side>, System<Expression>)> {
+    let has = [
+        ("modes", keys.modes.is_some(), "has `modes`"),
+        ("damping_ratio", keys.damping_ratio.is_some(), "has a `damping_ratio`"),
+        ("measured", keys.measured.is_some(), "has a measured force"),
+    ];
+    if let Some((key, _, why)) = has.into_iter().find(|known| known.1) {
+        return not(format!("system.{key}"), why);
+    }
+    let size = keys.mass.as_ref().map_or(1, |mass| mass.rows);
+    if size > 1 {
+        return not("system.mass", format!("has {size} degrees of freedom"));
+    }
+    if !is_two_pi(keys) {
+        let key = if keys.period.is_some() { "system.period" } else { "system.frequency" };
+        return not(key, "has a period that is not 2π");
+    }
+    // What divides all forces: none for 1, so that nothing is changed.
+    let mass = match keys.mass.as_ref().map(|mass| mass.entries.first()) {
+        Some(None) => return not("system.mass", "has no mass"),
+        Some(Some((_, _, mass))) if !is_one(mass) => Some(mass),
+        _ => None,
+    };
+    let over_mass = |given: &Expression| mass.map_or_else(|| given.clone(), |mass| given.over(mass));
+    let zero = Expression::parse("0", &[])?;
+    let or_zero = |given: Option<&Expression>| given.map_or_else(|| zero.clone(), over_mass);
+    let coefficient = |given: &Option<MatrixValue>| {
+        or_zero(given.as_ref().and_then(|all| all.entries.first()).map(|entry| &entry.2))
+    };
+    let load = |given: &CoordinateList| or_zero(given.entries.first());
+    let forcing = |given: &LoadKeys| Harmonic { k: given.k, cos: load(&given.cos), sin: load(&given.sin) };
+    let force = match mass {
+        Some(mass) => keys.force.mapped(|text| format!("({text})/({mass})")),
+        None => keys.force.clone(),
+    };
+    let force = force.read_all(&file.at("system.force"), &Variables::of(1, file.scope.format))?;
+    let force = force.into_iter().next().map_or_else(|| ForceKey::constant("0"), Ok)?;
+    let (force, smooth) = force.parts()?;
+    let mut system = System {
+        damping: coefficient(&keys.damping),
+        stiffness: coefficient(&keys.stiffness),
+        cubic: or_zero(keys.cubic.as_ref()),
+        force,
+        forcing: keys.forcing.iter().map(forcing).collect(),
+        smooth,
+        lower: None,
+        upper: None,
+    };
+    let mut sides = Vec::new();
+    for (i, keys) in (1..).zip(stops) {
+        let (side, wall) = match wall(file, i, keys)? {
+            Ok(found) => found,
+            Err(why) => return Ok(Err(why)),
+        };
+        let place = match side {
+            Side::Lower => &mut system.lower,
+            Side::Upper => &mut system.upper,
+        };
+        if place.replace(wall).is_some() {
+            return not(format!("stops[{i}]"), format!("has two stops on the {} side", side.name()));
+        }
+        sides.push(side);
+    }
+    Ok(Ok((sides, system)))
+}
+
+/// Stop i, counted from 1, as a wall on one side.
+fn wall(file: &Entry, i: usize, keys: &StopKeys) -> Qualified<(Side, Wall<Expression>)> {
+    let path = format!("stops[{i}]");
+    let (name, word) = (name(keys, i), file.scope.format.stop());
+    let restitution = match &keys.restitution {
+        Some(RestitutionKey::Constant(restitution)) => restitution.clone(),
+        Some(RestitutionKey::Speed(_)) => {
+            return not(
+                format!("{path}.restitution"),
+                format!("has a {word}, {name}, whose restitution depends on the speed v"),
+            );
+        }
+        None => return not(format!("{path}.stiffness"), format!("has a compliant stop, {name}")),
+    };
+    let harmonics = harmonics(file, keys.harmonics.clone(), &format!("{path}.harmonics"))?;
+    let row = keys.row.as_ref().map(|row| &row.entries[0]);
+    Ok(Ok(match (keys.side, row) {
+        (Some(side), _) => (side, Wall { offset: keys.offset.clone(), harmonics, restitution }),
+        (None, row) if row.is_none_or(is_one) => {
+            (Side::Lower, Wall { offset: keys.offset.clone(), harmonics, restitution })
+        }
+        (None, Some(row)) if is_one(&row.negated()) => {
+            let harmonics = negated(&harmonics);
+            (Side::Upper, Wall { offset: keys.offset.negated(), harmonics, restitution })
+        }
+        _ => return not(format!("{path}.row"), format!("has a stop, {name}, whose row is not 1 or −1")),
+    }))
+}
+
+/// Whether it is the number 1, whatever the parameters are.
+fn is_one(expression: &Expression) -> bool {
+    !expression.mentions(&|_| true) && expression.evaluate::<BigRational>(&[], &()).is_ok_and(|x| x.is_one())
+}
+
+/// Whether the forcing's period is 2π exactly, whatever the parameters are.
+fn is_two_pi(keys: &SystemKeys) -> bool {
+    let constant = |formula: Option<Formula>, value: i32| {
+        let formula = formula.filter(|formula| formula.is_rational() && !formula.mentions(&|_| true));
+        let number = formula.and_then(|it| Expression::of(&it, "", "").evaluate(&[], &()).ok());
+        number == Some(BigRational::from_integer(value.into()))
+    };
+    match (&keys.period, &keys.frequency) {
+        (Some(period), _) => constant(over_pi(&period.root), 2),
+        (None, Some(frequency)) => {
+            let Formula::Binary(Operation::Quotient, parts) = &frequency.root else { return false };
+            let halves = over_pi(&parts[1]);
+            let ratio = halves
+                .map(|halves| Formula::Binary(Operation::Quotient, Box::new([halves, parts[0].clone()])));
+            constant(ratio, 2)
+        }
+        (None, None) => true,
+    }
+}
+
+/// The formula over π, where π is a factor that can be taken out of it.
+fn over_pi(formula: &Formula) -> Option<Formula> {
+    let one = Formula::Number(BigRational::one());
+    match formula {
+        Formula::Pi => Some(one),
+        Formula::Negated(inner) => Some(Formula::Negated(Box::new(over_pi(inner)?))),
+        Formula::Binary(operation @ (Operation::Product | Operation::Quotient), parts) => {
+            let [left, right] = &**parts;
+            let parts = match (over_pi(left), operation) {
+                (Some(left), _) => [left, right.clone()],
+                (None, Operation::Product) => [left.clone(), over_pi(right)?],
+                _ => return None,
+            };
+            Some(Formula::Binary(*operation, Box::new(parts)))
+        }
+        _ => None,
+    }
+}

@@ -1,0 +1,248 @@
+//! The formats of scenes: 1 and 2 are read for ever, format 3 says the same, and the engine is the one for
+//! which the system qualifies.
+
+use std::{fs, path::Path};
+
+use grazing::{
+    num_rational::BigRational,
+    run::{Surroundings, run},
+    scene::{Body, Engine, EngineKey, Scene, SceneFormat},
+};
+
+/// All scenes among examples and test data.
+fn files() -> Vec<(String, String)> {
+    let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."));
+    let mut all = Vec::new();
+    for folder in ["examples/scenes", "examples/machines", "tests/data"] {
+        for file in fs::read_dir(root.join(folder)).unwrap() {
+            let path = file.unwrap().path();
+            let text = fs::read_to_string(&path).unwrap_or_default();
+            if path.extension().is_some_and(|end| end == "toml") && text.contains("grazing-scene") {
+                all.push((path.display().to_string(), text));
+            }
+        }
+    }
+    all
+}
+
+/// What a scene says, apart from the text it is read from.
+fn said(scene: Scene) -> String {
+    let Scene { title, parameters, body, stops, accuracy, tasks, engine, .. } = scene;
+    format!("{title} {parameters:?} {body:?} {stops:?} {accuracy:?} {tasks:?} {:?}", engine.name)
+}
+
+#[test]
+fn an_upgraded_scene_says_the_same() {
+    let mut formats = Vec::new();
+    for (name, text) in files() {
+        let old = Scene::from_toml(&text, &name).unwrap();
+        let new = Scene::upgraded(&text, &name).unwrap();
+        let read = Scene::from_toml(&new, &name).unwrap();
+        assert_eq!(read.format, SceneFormat::Three);
+        formats.push(old.format);
+        assert_eq!(said(old), said(read), "{name}");
+        // Comments and layout stay: at most a line is new.
+        let comments = |text: &str| text.matches('#').count();
+        assert_eq!(comments(&text), comments(&new), "{name}");
+        let more = new.lines().count() - text.lines().count();
+        assert_eq!(more, usize::from(new.contains("\nengine = ")), "{name}");
+        assert_eq!(Scene::upgraded(&new, &name).unwrap(), new, "{name}");
+    }
+    for format in [SceneFormat::One, SceneFormat::Two] {
+        assert!(formats.contains(&format), "no {format:?} among {formats:?}");
+    }
+}
+
+const OLD: &str = r#"# A pair of walls.
+format = "grazing-scene 1" # old
+title = "t"
+[system]
+stiffness = 0.25
+[[walls]] # below
+side = "lower"
+offset = -1
+restitution = 1
+[[walls]]
+side = "upper"
+offset = 1
+harmonics = [{ cos = 0.5 }]
+restitution = 1
+[[tasks]]
+name = "o"
+kind = "orbit"
+orbit = { walls = ["lower", "upper"], pattern = [1, 0], start = [ 0.0_1, 0.5, "1/3", 2 ] } # a start
+[[tasks]]
+name = "s"
+kind = "section"
+starts = [{ q = 0 }]
+orbits = [{ pattern = [], start = [0.1, 0.2] }, { pattern = [1], walls = ["upper"], start = [3, 4] }]
+frame = "upper"
+"#;
+
+#[test]
+fn an_upgrade_changes_names_and_times_and_nothing_else() {
+    let expected = OLD
+        .replace("scene 1", "scene 3")
+        .replace("walls]]", "stops]]")
+        .replace("walls =", "stops =")
+        .replace("0.0_1", "\"0.01 rad\"")
+        .replace("\"1/3\"", "\"1/3 rad\"")
+        .replace("[3, 4]", "[\"3 rad\", 4]");
+    assert_eq!(Scene::upgraded(OLD, "s").unwrap(), expected);
+}
+
+#[test]
+fn errors_have_the_words_of_the_file() {
+    let newer = "write format = \"grazing-scene 3\" (`grazing run --upgrade` does)";
+    for (from, to, message) in [
+        ("offset = 1\n", "offset = x\n", "s.toml:12: "),
+        ("offset = 1\n", "offset = \"x\"\n", "s.toml:12: walls[2].offset = \"x\": unknown parameter"),
+        ("[system]", "[sistem]", "s.toml:4: unknown key \"sistem\"; the nearest known key is \"system\""),
+        (
+            "[[walls]] # below",
+            "[[wals]]",
+            "s.toml:6: unknown key \"wals\"; the nearest known key is \"walls\"",
+        ),
+        ("[[walls]] # below", "[[stops]]", "s.toml:6: unknown key \"stops\"; known here are walls"),
+        (
+            "walls = [\"lower\", \"upper\"]",
+            "walls = [\"lower\"]",
+            "s.toml:18: tasks[1].orbit.walls = [\"lower\"]: must name 2 walls, one for each impact",
+        ),
+        (
+            "walls = [\"lower\", \"upper\"]",
+            "walls = [\"lower\", \"uper\"]",
+            "s.toml:18: tasks[1].orbit.walls[2] = \"uper\": is no wall of the scene; the nearest is \"upper\"",
+        ),
+        (
+            "walls = [\"lower\", \"upper\"], ",
+            "",
+            "s.toml:18: tasks[1].orbit.pattern = [1, 0]: the scene has several walls: name that of each impact in `walls`, of lower, upper",
+        ),
+        ("\"1/3\"", "\"1/x\"", "s.toml:18: tasks[1].orbit.start[3] = \"1/x\": \"1/x\" is not a number"),
+        (
+            "stiffness",
+            "mass = 2\nstiffness",
+            &format!("s.toml:5: system: unknown key \"mass\": in format 1 the mass is 1; {newer}"),
+        ),
+        (
+            "side = \"upper\"\n",
+            "",
+            "s.toml:10: walls[2] has no key side, which must be given: `\"lower\"` or `\"upper\"`",
+        ),
+        (
+            "restitution = 1\n[[tasks]]",
+            "restitution = \"1/(1 + v)\"\n[[tasks]]",
+            "s.toml:14: walls[2].restitution = \"1/(1 + v)\": has a wall, upper, whose restitution depends on the speed v; write",
+        ),
+    ] {
+        assert!(OLD.contains(from), "{from}");
+        let error = Scene::from_toml(&OLD.replacen(from, to, 1), "s.toml").unwrap_err().to_string();
+        assert!(error.starts_with(message), "{to}\n  found    {error}\n  expected {message}");
+    }
+}
+
+fn scene(rest: &str) -> String {
+    format!("format = \"grazing-scene 3\"\ntitle = \"t\"\n{rest}")
+}
+
+fn engine(rest: &str) -> Engine {
+    Scene::from_toml(&scene(rest), "s.toml").unwrap_or_else(|error| panic!("{rest}: {error}")).engine
+}
+
+const LOWER: &str = "[[stops]]\noffset = -1\nrestitution = 0.5\n";
+
+#[test]
+fn the_engine_is_one_where_the_system_qualifies() {
+    for system in [
+        "",
+        "mass = 2\nstiffness = 1",
+        "period = \"2*pi\"",
+        "period = \"-w*pi/(-w)*2\"",
+        "frequency = \"1/(2*pi)\"",
+        "frequency = \"w/(2*w*pi)\"",
+        "cubic = 1",
+        "force = \"-sin(q1) + cos(t)\"",
+        "stiffness = \"sqrt(9/4)\"",
+    ] {
+        // A ratio of parameters varies with them, whatever its value is now.
+        let named = system.contains('w');
+        let found = engine(&format!("[parameters]\nw = 1\n[system]\n{system}\n{LOWER}"));
+        assert_eq!(found.name, if named { EngineKey::Many } else { EngineKey::One }, "{system}: {found:?}");
+    }
+    for stop in ["side = \"upper\"", "side = \"lower\"", "row = [1]", "row = [-1]", "row = \"1/1\"", ""] {
+        let found = engine(&format!("[system]\n[[stops]]\noffset = -1\nrestitution = 1\n{stop}\n"));
+        assert_eq!(found.name, EngineKey::One, "{stop}: {found:?}");
+    }
+}
+
+#[test]
+fn the_engine_is_many_for_a_reason() {
+    let stop = |law: &str| format!("[system]\n[[stops]]\nname = \"seat\"\noffset = -1\n{law}\n");
+    for (rest, why) in [
+        ("[system]\nperiod = 1", "has a period that is not 2π"),
+        ("[system]\nfrequency = 1", "has a period that is not 2π"),
+        ("[system]\nmass = [[1, 0], [0, 1]]", "has 2 degrees of freedom"),
+        (
+            "[system]\nmass = 1\nstiffness = \"2^-1/2\"\n[accuracy]\nminimum_depth = 1e-9\n[[stops]]\noffset = -1\nstiffness = 1",
+            "has a compliant stop, 1",
+        ),
+        ("[system]\nmodes = { frequencies = [1] }", "has `modes`"),
+        ("[system]\nstiffness = 1\ndamping_ratio = 0.1", "has a `damping_ratio`"),
+        ("[system]\nstiffness = \"sqrt(2)\"", "has a coefficient that is not rational"),
+        (&stop("stiffness = 10"), "has a compliant stop, seat"),
+        (&stop("restitution = \"1/(1 + v)\""), "has a stop, seat, whose restitution depends on the speed v"),
+        (&stop("restitution = 1\nrow = [2]"), "has a stop, seat, whose row is not 1 or −1"),
+        (&format!("[system]\n{LOWER}{LOWER}"), "has two stops on the lower side"),
+    ] {
+        let found = engine(rest);
+        assert_eq!((found.name, found.reason), (EngineKey::Many, format!("the system {why}")), "{rest}");
+        let asked = Scene::from_toml(&scene(&format!("engine = \"one\"\n{rest}")), "s.toml").unwrap_err();
+        assert!(asked.to_string().contains(why), "{asked}");
+        // What only `one` does is refused with what disqualifies the system.
+        let task = "\n[[tasks]]\nname = \"m\"\nkind = \"crisis\"\nparameter = \"a\"\nbracket = [0, 1]\norbit = {}\nphase = 0\nstart = { q = 0 }\n";
+        let error =
+            Scene::from_toml(&scene(&format!("[parameters]\na = 1\n{rest}{task}")), "s.toml").unwrap_err();
+        let (error, kind) =
+            (error.to_string(), "tasks[1].kind = \"crisis\": works with one degree of freedom");
+        assert!(error.contains(kind) && error.ends_with(why), "{error}");
+    }
+    let asked = engine("engine = \"many\"\n[system]\n");
+    assert_eq!((asked.name, asked.reason.as_str()), (EngineKey::Many, "the scene asks for it"));
+}
+
+/// A mass and a row −1 become coefficients of mass 1 and an upper wall, exactly.
+#[test]
+fn masses_and_rows_are_made_into_the_oscillator_exactly() {
+    let text = scene(
+        "[parameters]\nm = 3\n[system]\nmass = \"m\"\ndamping = 1\nstiffness = \"1 + 1\"\ncubic = \"-1\"\nforce = \"1 - 1/4\"\n\
+         forcing = [{ k = 2, sin = 5 }]\n[[stops]]\nrow = [-1]\noffset = \"-m\"\nharmonics = [{ cos = 1 }]\nrestitution = 1\n",
+    );
+    let system = Scene::from_toml(&text, "s.toml").unwrap().exact(&[]).unwrap();
+    let third = |n: i64| BigRational::new(n.into(), 3.into());
+    let coefficients = [system.damping, system.stiffness, system.cubic, system.force];
+    assert_eq!(coefficients, [third(1), third(2), third(-1), third(3) / BigRational::from_integer(4.into())]);
+    assert_eq!((system.forcing[0].k, &system.forcing[0].sin), (2, &third(5)));
+    let upper = system.upper.unwrap();
+    assert_eq!((upper.offset, upper.harmonics[0].cos.clone()), (third(9), third(-3)));
+    assert!(system.lower.is_none());
+}
+
+/// The same scene by either engine: the same motion.
+#[test]
+fn both_engines_read_one_grammar() {
+    let rest = "[system]\nmass = 2\ndamping = 0.5\nstiffness = 1\ncubic = 0.25\nforce = \"0.1*u\"\nforcing = [{ cos = 3 }]\n\
+                [[stops]]\nside = \"upper\"\noffset = 0.5\nharmonics = [{ sin = 0.25 }]\nrestitution = 0.75\n\
+                [[tasks]]\nname = \"m\"\nkind = \"simulate\"\nstart = { q = 0, u = 1 }\nperiods = 3\n";
+    let ends = ["one", "many"].map(|engine| {
+        let scene = Scene::from_toml(&scene(&format!("engine = \"{engine}\"\n{rest}")), "s.toml").unwrap();
+        assert_eq!(matches!(scene.body, Body::Oscillator(_)), engine == "one");
+        let report =
+            serde_json::to_value(&run(&scene, Surroundings::default(), &mut ()).unwrap()[0]).unwrap();
+        let number = |key: &str| report[key].as_f64().or(report[key][0].as_f64()).unwrap();
+        let impacts = report["impacts"].as_u64().or(report["stops"][0]["impacts"].as_u64()).unwrap();
+        (impacts, number("q"), number("u"))
+    });
+    let [(a, q, u), (b, p, v)] = ends;
+    assert!(a == b && a > 2 && (q - p).abs() < 1e-8 && (u - v).abs() < 1e-8, "{ends:?}");
+}
