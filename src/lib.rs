@@ -21,8 +21,8 @@
 //!   ([`search::machine`]). All have certificates ([`certificate::orbit`], [`certificate::event`],
 //!   [`certificate::machine`]).
 //! - That every word over an alphabet of return times is an orbit of an oscillator, for a range of µ with 0
-//!   at its end: chaos ([`search::chaos`], [`certificate::chaos`]). That what is born at a touch goes on, word
-//!   by word, from the touch to a distance ([`search::range`], [`certificate::range`]).
+//!   at its end: chaos ([`search::chaos`], [`certificate::chaos`]). That what is born at a touch goes on,
+//!   word by word, from the touch to a distance ([`search::range`], [`certificate::range`]).
 //! - The word theorem: which impact patterns give orbits of the plane map, with covers of words as
 //!   certificates ([`word`], [`certificate::word`]), and the most that their number grows on r = 1
 //!   ([`search::entropy_certificate`]).

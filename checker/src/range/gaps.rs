@@ -8,10 +8,10 @@
 //! - rising: Z′ > 0, or falling: Z′ < 0.
 //!
 //! From the first impact on, Z > 0 is carried forward by pieces that are rising; or convex, if Z′ > 0 where
-//! they begin, and so where they end; or open, but then Z′ is no longer known. Likewise it is carried backward
-//! from the last impact, by pieces that are falling, convex or open. Both must meet. In a window between, 2πk −
-//! W ≤ t ≤ 2πk + W, all pieces are open, too, if Z″ ≥ μ > 0 there and Z(2πk) − Z′(2πk)²/2μ > 0, which is ν
-//! times q̂ − σ − ν q̂′²/2μ.
+//! they begin, and so where they end; or open, but then Z′ is no longer known. Likewise it is carried
+//! backward from the last impact, by pieces that are falling, convex or open. Both must meet. In a window
+//! between, 2πk − W ≤ t ≤ 2πk + W, all pieces are open, too, if Z″ ≥ μ > 0 there and Z(2πk) − Z′(2πk)²/2μ >
+//! 0, which is ν times q̂ − σ − ν q̂′²/2μ.
 //!
 //! An impact's phase is known by an interval. So the first pieces may be before it or hold it: what is said
 //! of Z there is said of the motion that is free for all times, and open they are not if they hold it.

@@ -1,8 +1,8 @@
 //! The conditions E1 to E3: the map of sequences of strengths is a contraction of the edges' ranges, and its
 //! fixed points have positive speeds.
 //!
-//! At an edge the map is F = (1 − m) s + m (c₁ a + c₂ p), where a, of the leg after it, depends on s and s⁺, p,
-//! of the leg before it, on s⁻ and s, and c₁ = 2/(1 + τ), c₂ = 2τ/(1 + τ). So pairs of edges are run, and
+//! At an edge the map is F = (1 − m) s + m (c₁ a + c₂ p), where a, of the leg after it, depends on s and s⁺,
+//! p, of the leg before it, on s⁻ and s, and c₁ = 2/(1 + τ), c₂ = 2τ/(1 + τ). So pairs of edges are run, and
 //! what they give is put together in all ways: by the mean-value form about the middles of s⁻, s, s⁺ and ν.
 
 use super::{
@@ -96,8 +96,8 @@ impl Work<'_> {
         found.unwrap_or([Interval::WHOLE; 2])
     }
 
-    /// Whether at every impact of the part the speed is certainly positive, given that s = c₁ a + c₂ p: s/2 is
-    /// a mean of a and p with positive weights.
+    /// Whether at every impact of the part the speed is certainly positive, given that s = c₁ a + c₂ p: s/2
+    /// is a mean of a and p with positive weights.
     fn leaves(&self, impacts: &Impacts, edge: usize, part: usize) -> bool {
         let [impact, middle] = &self.parts[edge][part];
         let (apart, half) = (impact.s - middle.s, Interval::ONE.half());

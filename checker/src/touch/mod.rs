@@ -2,7 +2,8 @@
 //! about, in the normal form of `docs/chaos.md`.
 //!
 //! The free motion is `flow`, the wall `wall`, impacts and the legs between them `legs`, the graph of letters
-//! `graph`; `text` reads what both kinds write alike. What is proved of all this is said and done by the kinds.
+//! `graph`; `text` reads what both kinds write alike. What is proved of all this is said and done by the
+//! kinds.
 
 pub(crate) mod flow;
 pub(crate) mod graph;

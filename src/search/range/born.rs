@@ -24,9 +24,9 @@ pub struct Born {
     pub whole: bool,
 }
 
-/// The graph that the word theorem has for q″ = −c q′ − k q at the touch, beyond it (σ = 1, eµ < 0) or before,
-/// of periods up to `longest`. c and k are taken as floats, a₁ and a₂ as known to 10⁻¹²; none where the
-/// theorem does not apply.
+/// The graph that the word theorem has for q″ = −c q′ − k q at the touch, beyond it (σ = 1, eµ < 0) or
+/// before, of periods up to `longest`. c and k are taken as floats, a₁ and a₂ as known to 10⁻¹²; none where
+/// the theorem does not apply.
 ///
 /// Cost: that of [`Word::in_rectangle`].
 ///

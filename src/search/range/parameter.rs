@@ -1,8 +1,8 @@
 //! The depth ν as a function of a parameter of the machine: proved to run from the touch one way only, and
 //! turned back into the parameter, rounded inwards.
 //!
-//! Seen from the motion without the wall, whose one harmonic has the amplitude H, the wall's mean is C, and σν
-//! = 1 + C/H. For C < 0 that is 1 − √R with R = C²/H², a rational function of the parameter: R = 1 is the
+//! Seen from the motion without the wall, whose one harmonic has the amplitude H, the wall's mean is C, and
+//! σν = 1 + C/H. For C < 0 that is 1 − √R with R = C²/H², a rational function of the parameter: R = 1 is the
 //! touch, R < 1 beyond it and R > 1 before, and ν increases away from the touch where R runs one way. All of
 //! this is exact; where it cannot be shown, the range is shorter or there is none.
 
@@ -24,8 +24,8 @@ pub type SystemOver<'a> = &'a dyn Fn(&BigRational, &BigRational) -> Result<Syste
 pub struct ParameterRange {
     /// Between these the motion without the wall touches it, once.
     pub touch: [BigRational; 2],
-    /// For every p from the touch, not included, to here, included, the depth is above 0 and at most as given,
-    /// and it increases away from the touch.
+    /// For every p from the touch, not included, to here, included, the depth is above 0 and at most as
+    /// given, and it increases away from the touch.
     pub end: BigRational,
 }
 
@@ -43,8 +43,8 @@ impl Touching {
     /// Of a system for a range of the parameter.
     ///
     /// # Errors
-    /// An input error that says what is not covered: two walls, more than one harmonic as seen from the motion
-    /// without the wall, damping, stiffness or restitution that change.
+    /// An input error that says what is not covered: two walls, more than one harmonic as seen from the
+    /// motion without the wall, damping, stiffness or restitution that change.
     pub fn of(system: &System<RationalFunction>, side: Option<Side>) -> Result<Touching> {
         let (parameters, ratio) = touch(system, side)?;
         let names = ["damping", "stiffness", "restitution"];
