@@ -153,7 +153,10 @@ const FILES: [(&str, &str); 2] = [
         "dual expression format keys restitution force matrix measured walls system machine oscillator simulate \
          orbits sections branches validate chaos task scene values normal check input upgrade family reference",
     ),
-    ("attractor", "dynamics section cycle confirm detection observe checkpoint lyapunov basins diagram"),
+    (
+        "attractor",
+        "dynamics section cycle confirm detection observe portrait checkpoint lyapunov basins diagram touch",
+    ),
 ];
 
 #[test]

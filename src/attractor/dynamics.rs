@@ -31,6 +31,30 @@ pub trait SectionState: Clone + Debug + PartialEq + Send + Sync + Serialize + De
     }
 }
 
+/// How far a motion goes, and how hard it hits.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Range {
+    /// The least and the greatest of the first number that is drawn.
+    pub extent: [f64; 2],
+    /// The greatest speed at which a stop is met, if one is.
+    pub speed: Option<f64>,
+}
+
+impl Range {
+    /// Of nothing yet.
+    pub const NONE: Range = Range { extent: [f64::INFINITY, f64::NEG_INFINITY], speed: None };
+
+    /// Widened by a place.
+    pub fn widen(&mut self, at: f64) {
+        self.extent = [self.extent[0].min(at), self.extent[1].max(at)];
+    }
+
+    /// A stop is met at this speed, if one is.
+    pub fn meet(&mut self, speed: Option<f64>) {
+        self.speed = self.speed.into_iter().chain(speed).reduce(f64::max);
+    }
+}
+
 /// A motion under way.
 pub trait Motion {
     /// Its state on a section.
@@ -53,6 +77,13 @@ pub trait Motion {
     /// # Errors
     /// Where a motion cannot go on for another reason than a [`RunEnd`].
     fn pass(&mut self, until: Time) -> Result<RunEnd>;
+
+    /// The same, `seen` widened by where it is at events and at the end, and by the speeds at which stops are
+    /// met, in the units that are drawn.
+    ///
+    /// # Errors
+    /// Those of [`pass`](Self::pass).
+    fn pass_seen(&mut self, until: Time, seen: &mut Range) -> Result<RunEnd>;
 }
 
 /// A motion with vectors that its derivative carries along.

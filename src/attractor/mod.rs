@@ -29,6 +29,8 @@ pub mod diagram;
 pub mod dynamics;
 pub mod lyapunov;
 pub mod observe;
+pub mod portrait;
 pub mod section;
+pub mod touch;
 
 pub use checkpoint::Keep;

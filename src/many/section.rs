@@ -16,11 +16,11 @@ use super::{
 };
 use crate::{
     attractor::{
-        dynamics::{Dynamics, Motion, SectionState},
+        dynamics::{Dynamics, Motion, Range, SectionState},
         observe::Attraction,
     },
     error::{Error, Result},
-    motion::{RunEnd, Series, Time},
+    motion::{Event, RunEnd, Series, Time},
 };
 
 /// What of a machine's state is drawn on an axis.
@@ -97,7 +97,7 @@ impl SectionState for MachinePoint {
 }
 
 /// A state to start from: phase, displacements of the machine's own coordinates, velocities per unit of time.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct MachineStart {
     /// The phase, in [0, 2π).
     pub t: f64,
@@ -230,6 +230,18 @@ impl Motion for PlanarRun<'_> {
     fn pass(&mut self, until: Time) -> Result<RunEnd> {
         let end = self.run.finish(until);
         self.run.failure().map_or(Ok(end), Err)
+    }
+
+    fn pass_seen(&mut self, until: Time, seen: &mut Range) -> Result<RunEnd> {
+        let rate = self.machine.simulator.rate();
+        loop {
+            let event = self.run.next(until);
+            seen.widen(self.point().at[0]);
+            if let Event::End(end) = event {
+                return self.run.failure().map_or(Ok(end), Err);
+            }
+            seen.meet(event.velocity().map(|velocity| -velocity * rate));
+        }
     }
 }
 

@@ -2,11 +2,11 @@
 
 use crate::motion::algebra::Matrix2;
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// Where the oscillator is: q, u = q′ at time t, the forcing period being 2π. Sines of t are as good as t is:
 /// keep it within a few periods of 0 and count whole periods apart.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct State {
     /// Time, dimensionless.
     pub t: f64,

@@ -27,15 +27,15 @@ impl Columns {
 
 /// One motion.
 pub(super) const SIMULATED: Columns = Columns {
-    one: "periods, impacts, tangencies, rests, end, ended_at, q = q.0, u = u.0, extent, minimum_depth",
-    many: "periods, period, method, condition, modes, oscillating, stops, order_matters, end, ended_at, q, \
-           u, minimum_depth, measured",
+    one: "periods, impacts, tangencies, rests, first_impact, end, ended_at, q = q.0, u = u.0, extent, minimum_depth",
+    many: "periods, period, method, condition, modes, oscillating, stops, order_matters, first_impact, end, \
+           ended_at, q, u, minimum_depth, measured",
 };
 
 /// Its lines in text.
 pub(super) const SIMULATED_LINES: Columns = Columns {
-    one: "periods, impacts, tangencies, rests, ended, q, u",
-    many: "method, condition, modes, more_modes, period, periods, stops, ended, measured, q, u",
+    one: "periods, impacts, tangencies, rests, first_impact, ended, q, u, extent",
+    many: "method, condition, modes, more_modes, period, periods, stops, first_impact, ended, measured, q, u",
 };
 
 /// Orbits of a pattern.
@@ -73,9 +73,9 @@ pub(super) const BORN: Columns = Columns {
 pub(super) const GRAZING: Columns = Columns {
     one: "varied, parameter, orbit, wall = stop, phase, acceleration, matrix = a, a1, a2, \
           lambda1 = eigenvalues.0, lambda2 = eigenvalues.1, region, gamma, e, admissible, residual, \
-          half, open, chaos, born",
+          half, open, chaos, born, seen",
     many: "varied, parameter, stop, phase, acceleration, A = a, B = b, C = c, e, eigenvalues, a1, a2, \
-          gamma, region, residual, half, open, chaos, chaos_open, born",
+          gamma, region, residual, half, open, chaos, chaos_open, born, seen",
 };
 
 /// Its lines in text.
@@ -102,7 +102,7 @@ mod tests {
             (POINTS, BranchRow::fields(), &[]),
             (EVENTS, EventRow::fields(), &[]),
             (BORN, BornRow::fields(), &[]),
-            (GRAZING, GrazingMap::fields(), &["chaos", "born"]),
+            (GRAZING, GrazingMap::fields(), &["chaos", "born", "seen"]),
             (GRAZING_LINES, GrazingMap::fields(), &["chaos", "map", "rows"]),
         ];
         for (columns, fields, further) in tables {

@@ -3,23 +3,27 @@
 use std::{ops::Range, path::Path};
 
 use num_rational::BigRational;
-use serde::Serialize;
+use serde::{Serialize, de::DeserializeOwned};
 
 use super::{
     Finding, Job, Lines, Status,
     engine::{Engine, by_engine},
     parts::{foreign, record},
     row,
+    swept::{Leg, SweepFindings},
 };
 use crate::{
     attractor::{
-        diagram::{self, DiagramPlan, Look, Slice},
+        diagram::{self, DiagramMotion, DiagramPlan, Look, Slice, SweepStep},
         observe::Attraction,
     },
     error::Result,
     number::{Plain, Real},
     output::Journal,
-    scene::{branches::DiagramTask, phase},
+    scene::{
+        branches::{DiagramTask, SweepWay},
+        phase,
+    },
 };
 
 row! {
@@ -69,9 +73,15 @@ pub struct DiagramFindings {
     pub coexisting: Vec<CoexistingRow>,
     /// Values at which it is not decided whether a motion tends to a periodic orbit.
     pub not_settled: Vec<f64>,
+    /// What a sweep comes to, in place of `windows` and `coexisting`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sweep: Option<SweepFindings>,
     /// All points, value by value. Not in JSON: they are the task's CSV file.
     #[serde(skip)]
     pub slices: Vec<Slice>,
+    /// How many of the slices are of the way up of a sweep; the others are of the way down.
+    #[serde(skip)]
+    pub upwards: usize,
 }
 
 impl Finding for DiagramFindings {
@@ -94,8 +104,13 @@ impl Finding for DiagramFindings {
             lines.say("drawn", first.as_str());
         }
         lines.say("values", self.values);
-        lines.table("windows", &self.windows);
-        lines.table("coexisting", &self.coexisting);
+        match &self.sweep {
+            Some(sweep) => sweep.lines(lines),
+            None => {
+                lines.table("windows", &self.windows);
+                lines.table("coexisting", &self.coexisting);
+            }
+        }
         if !self.not_settled.is_empty() {
             lines.say("not_settled", self.not_settled.len());
         }
@@ -145,8 +160,76 @@ fn follow<D: Attraction<Start: Serialize>>(
 /// # Errors
 /// Those of the system at a value and of the simulator; an unusable checkpoint; an interruption.
 pub fn diagram(task: &DiagramTask, job: &Job) -> Result<DiagramFindings> {
+    if let Some(sweep) = task.sweep {
+        return swept(task, sweep, job);
+    }
     let slices = slices(task, job, 0..task.count.into(), job.checkpoint().as_deref())?;
     Ok(gather(task, job, slices))
+}
+
+/// The values of a sweep with whether it goes up there.
+fn ways(task: &DiagramTask, sweep: SweepWay) -> Vec<(bool, Vec<f64>)> {
+    let up: Vec<f64> = (0..task.count).map(|i| value(&task.range, i, task.count)).collect();
+    let down: Vec<f64> = up.iter().rev().copied().collect();
+    match sweep {
+        SweepWay::Up => vec![(true, up)],
+        SweepWay::Down => vec![(false, down)],
+        SweepWay::Both => vec![(true, up), (false, down)],
+    }
+}
+
+/// Sweeps the parameter.
+fn swept(task: &DiagramTask, sweep: SweepWay, job: &Job) -> Result<DiagramFindings> {
+    let ways = ways(task, sweep);
+    let values: Vec<f64> = ways.iter().flat_map(|(_, values)| values).copied().collect();
+    by_engine!(job, engine => {
+        let states = engine.states(&task.starts)?;
+        let names = engine.plane(&task.plane).map_or(String::new(), |names| names.join(", "));
+        let at = |value| engine.dynamics(&states, Some((&task.parameter, value)), &task.plane);
+        let plan = DiagramPlan { values, ..plan(task, engine.begun(&states), 0..0) };
+        sweep_over(task, job, &plan, &ways, &names, at)
+    })
+}
+
+fn sweep_over<D: Attraction<Start: Serialize + DeserializeOwned>>(
+    task: &DiagramTask,
+    job: &Job,
+    plan: &DiagramPlan<D::Start>,
+    ways: &[(bool, Vec<f64>)],
+    plane: &str,
+    dynamics: impl Fn(f64) -> Result<D>,
+) -> Result<DiagramFindings> {
+    let file = job.checkpoint();
+    if let Some(file) = file.as_deref().filter(|_| !task.resume) {
+        Journal::discard(file)?;
+    }
+    job.monitor.begin(plan.values.len() as u64, "values");
+    let identity = format!("{} {}{plane}", job.identity()?, task.parameter);
+    let steps = diagram::swept(plan, &dynamics, &identity, job.keep(file.as_deref()), job.monitor)?;
+    let (mut legs, mut rest) = (Vec::new(), &steps[..]);
+    for (up, values) in ways {
+        let (steps, after) = rest.split_at(values.len());
+        let jumps = diagram::jumps(steps, &plan.observation(), &dynamics, job.monitor)?;
+        legs.push(Leg { up: *up, steps, jumps });
+        rest = after;
+    }
+    let found = SweepFindings::of(&legs);
+    let upwards = ways.iter().filter(|(up, _)| *up).map(|(_, values)| values.len()).sum();
+    let slices = steps.iter().map(slice).collect();
+    let mut findings = gather(task, job, slices);
+    (findings.windows, findings.coexisting) = (Vec::new(), Vec::new());
+    Ok(DiagramFindings { sweep: Some(found), upwards, ..findings })
+}
+
+/// A step as a slice of the diagram.
+fn slice<S>(step: &SweepStep<S>) -> Slice {
+    let motion = step.settled.as_ref().map(|settled| DiagramMotion {
+        points: settled.points.clone(),
+        period: settled.portrait.period,
+        undecided: settled.portrait.undecided,
+        impacts: settled.portrait.impacts,
+    });
+    Slice { value: step.value, lost: u32::from(motion.is_none()), motions: motion.into_iter().collect() }
 }
 
 /// The slices at some values, each as a line of JSON, resuming from the checkpoint `file`.
@@ -208,6 +291,8 @@ fn gather(task: &DiagramTask, job: &Job, slices: Vec<Slice>) -> DiagramFindings 
         windows: windows.collect(),
         coexisting,
         not_settled,
+        sweep: None,
         slices,
+        upwards: 0,
     }
 }

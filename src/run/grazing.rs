@@ -11,9 +11,11 @@ use super::{
     columns::{BORN, GRAZING, GRAZING_LINES},
     engine::{Engine, GrazingPoint, by_engine},
     row,
+    seen::{self, SeenRow},
     table::{columns_of, select},
 };
 use crate::{
+    attractor::diagram::Look,
     error::{Error, Result},
     pattern::{Pattern, PatternExistence, Patterns, Report as Verdict},
     scene::orbits::GrazingTask,
@@ -135,12 +137,17 @@ pub struct GrazingReport {
     pub chaos: Option<Vec<ChaosRow>>,
     /// The patterns that are born or open.
     pub born: Table<BornRow>,
+    /// What attracts beside the touch; absent if it was not looked for.
+    pub seen: Option<Vec<SeenRow>>,
     /// How many of them are open.
     undecided: usize,
     columns: &'static str,
     /// The lines of text, and that which says what half a period is.
     said: (&'static str, &'static str),
 }
+
+/// How attractors beside a touch are looked at; the phase is half a period from the touch.
+const LOOK: Look = Look { phase: 0.0, transient: 500, points: 64, longest: 64 };
 
 /// A matrix of more rows than this is not shown in text.
 const SHOWN: usize = 6;
@@ -153,6 +160,7 @@ impl Serialize for GrazingReport {
             match column.0 {
                 "chaos" => map.serialize_entry("chaos", &self.chaos)?,
                 "born" => map.serialize_entry("born", &self.born)?,
+                "seen" => map.serialize_entry("seen", &self.seen)?,
                 name => map.serialize_entry(name, select(column, &all))?,
             }
         }
@@ -206,6 +214,9 @@ impl GrazingReport {
             }
         }
         lines.table("born", &self.born);
+        if let Some(rows) = &self.seen {
+            lines.table("seen", rows);
+        }
     }
 }
 
@@ -242,10 +253,16 @@ fn of<E: Engine>(task: &GrazingTask, job: &Job, engine: &E) -> Result<GrazingFin
             undecided += usize::from(verdict.is_open());
         }
     }
+    let seen = if task.seen.unwrap_or_else(|| job.is_linear()) && at.e != 0.0 {
+        Some(seen::rows(&point.seen(at.e, &LOOK)?))
+    } else {
+        None
+    };
     Ok(GrazingFindings::Found(Box::new(GrazingReport {
         at,
         chaos,
         born: Table::new(BORN.of(job), born),
+        seen,
         undecided,
         columns: GRAZING.of(job),
         said: (GRAZING_LINES.of(job), <E::Grazing<'_> as GrazingPoint>::HALF),

@@ -42,9 +42,11 @@ mod orbit;
 pub mod parts;
 mod report;
 mod section;
+mod seen;
 mod series;
 mod simulate;
 mod status;
+mod swept;
 mod table;
 mod validate;
 
@@ -72,8 +74,10 @@ pub use map::{MapFindings, MapRow, map};
 pub use orbit::{MissingRow, OrbitFindings, OrbitRow, orbit};
 pub use report::{RunReport, TaskReport};
 pub use section::{AttractorRow, ExponentRow, SectionFindings, SectionOrbitRow, SectionSet, section};
+pub use seen::SeenRow;
 pub use simulate::{MeasuredEffect, ModeRow, Moved, SimulationFindings, StopRow, simulate};
 pub use status::{Place, Status};
+pub use swept::{HysteresisRow, JumpRow, SweepFindings, SweptRow};
 pub(crate) use table::row;
 pub use table::{Complex, Judgement, Lines, Row, Shown, Table, Tabular};
 pub use validate::{ProofRow, UnprovedRow, ValidateFindings, validate};
@@ -81,7 +85,7 @@ pub use validate::{ProofRow, UnprovedRow, ValidateFindings, validate};
 use crate::{
     attractor::Keep,
     error::{Error, Result},
-    many::{Machine, MachineState},
+    many::{Machine, MachineState, StopLaw},
     monitor::Monitor,
     motion::{Effect, EffectTally, Event, Side, State, System, Time},
     one::{
@@ -294,6 +298,17 @@ impl<'a> Job<'a> {
         };
         let Surroundings { folder, monitor, .. } = around;
         Ok(Job { task, scene, model, folder, monitor, tally: Arc::default() })
+    }
+
+    /// Whether motions of the scene cost little: all forces are linear, and all stops rigid.
+    fn is_linear(&self) -> bool {
+        match &self.model {
+            Model::Oscillator(system) => system.cubic == 0.0 && system.smooth.is_none(),
+            Model::Machine(machine) => {
+                !machine.is_smooth()
+                    && !machine.stops.iter().any(|stop| matches!(stop.law, StopLaw::Soft { .. }))
+            }
+        }
     }
 
     /// The oscillator, where the engine is `one`.

@@ -20,7 +20,8 @@ use crate::{
 pub fn units(task: &Task) -> Option<(u64, &'static str)> {
     match &task.kind {
         Kind::BasinsTask(task) => Some((task.u.count.into(), "rows")),
-        Kind::DiagramTask(task) => Some((task.count.into(), "values")),
+        // A value of a sweep depends on the one before.
+        Kind::DiagramTask(task) if task.sweep.is_none() => Some((task.count.into(), "values")),
         Kind::MapTask(task) => Some((task.second_count.into(), "rows")),
         _ => None,
     }
@@ -44,7 +45,7 @@ pub fn part(job: &Job, units: Range<u64>, file: &Path) -> Result<Vec<String>> {
     job.check()?;
     let records = match &job.task.kind {
         Kind::BasinsTask(task) => basins::rows(task, job, units, file),
-        Kind::DiagramTask(task) => diagram::values(task, job, units, file),
+        Kind::DiagramTask(task) if task.sweep.is_none() => diagram::values(task, job, units, file),
         Kind::MapTask(task) => map::rows(task, job, units, file),
         kind => Err(no_parts(kind.word())),
     }?;
@@ -76,7 +77,7 @@ fn joined(job: &Job, records: &[String]) -> Result<Findings> {
     }
     Ok(match &job.task.kind {
         Kind::BasinsTask(task) => basins::joined(task, job, &found)?.into(),
-        Kind::DiagramTask(task) => diagram::joined(task, job, &found)?.into(),
+        Kind::DiagramTask(task) if task.sweep.is_none() => diagram::joined(task, job, &found)?.into(),
         Kind::MapTask(task) => map::joined(task, job, &found)?.into(),
         kind => return Err(no_parts(kind.word())),
     })
@@ -88,7 +89,7 @@ fn counted(job: &Job) -> impl Iterator<Item = Effect> {
 
 fn no_parts(kind: &str) -> Error {
     Error::input(format!(
-        "a task of kind {kind} cannot be done in parts; those of kind basins, diagram and map can"
+        "a task of kind {kind} cannot be done in parts; those of kind basins, map and, unless it sweeps, diagram can"
     ))
 }
 

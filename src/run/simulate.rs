@@ -74,6 +74,8 @@ row! {
         pub rests: u64,
         /// Instants at which several stops were hit and impacts one by one would have ended otherwise.
         pub order_matters: u64,
+        /// When a stop was first met, in forcing periods since t = 0, after the transient.
+        pub first_impact: Option<f64>,
         /// Why it ended.
         pub end: RunEnd,
         /// Forcing periods from the beginning to the end.
@@ -244,6 +246,7 @@ impl SimulationFindings {
             tangencies: 0,
             rests: 0,
             order_matters: 0,
+            first_impact: None,
             end: RunEnd::Reached,
             ended_at: 0.0,
             q: Vec::new(),
@@ -263,6 +266,9 @@ impl SimulationFindings {
 
     /// Adds an event.
     pub(super) fn count<P: Place>(&mut self, event: &Event<P>) {
+        if let (Some(time), Some(_)) = (event.time(), event.velocity()) {
+            self.moved.first_impact.get_or_insert(time.periods());
+        }
         match event {
             Event::Impact(_) => self.moved.impacts += 1,
             Event::Tangency(_) => self.moved.tangencies += 1,

@@ -109,11 +109,23 @@ keys! {
     }
 }
 
+words! {
+    /// Which way a parameter is swept.
+    pub enum SweepWay {
+        /// From the least value to the greatest.
+        Up = "up",
+        /// From the greatest to the least.
+        Down = "down",
+        /// Up, and from what was reached down again.
+        Both = "both",
+    }
+}
+
 keys! {
     /// Draws what motions tend to over a parameter (a bifurcation diagram), from several starts at each
-    /// value, in parallel. Every motion begins at one of these starts: none goes on from the attractor of the
-    /// value before. Lists windows of periodic motion and values where attractors coexist. An interrupted
-    /// task resumes from its checkpoint.
+    /// value, in parallel. Every motion begins at one of these starts, unless the parameter is swept. Lists
+    /// windows of periodic motion and values where attractors coexist; of a sweep, jumps and hysteresis. An
+    /// interrupted task resumes from its checkpoint.
     pub struct DiagramTask {
         /// the parameter that varies
         parameter: String,
@@ -121,8 +133,10 @@ keys! {
         range: Vec<BigRational>,
         /// how many values, evenly spaced, both bounds among them
         count: u32 = "400",
-        /// where motions start, at every value
+        /// where motions start, at every value; of a sweep, where the only one starts, at the first value
         starts: Vec<Start>,
+        /// which way the parameter is swept: each motion goes on from what was settled on at the value before
+        sweep: Option<SweepWay>,
         /// when to look, as a fraction of the forcing period
         phase: BigRational = "0",
         /// the frame in which the displacement is measured

@@ -223,6 +223,9 @@ keys! {
         /// the stop; without it 1e-6 of the size of the motion, where the engine is `many` of the gaps'
         /// motion
         distance: Option<f64>,
+        /// whether to follow motions beside the touch, to see whether they stay near or jump, and where they
+        /// come back; without it, only where no force is a formula and no stop gives way
+        seen: Option<bool>,
     }
 }
 

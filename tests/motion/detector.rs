@@ -7,7 +7,7 @@ use grazing::{
     Result,
     attractor::{
         detection::{Detection, Fate},
-        dynamics::{Dynamics, Motion, SectionState, Tangents},
+        dynamics::{Dynamics, Motion, Range, SectionState, Tangents},
     },
     motion::{RunEnd, Time},
 };
@@ -61,6 +61,12 @@ impl Motion for Moving {
         }
         self.time = until;
         Ok(RunEnd::Reached)
+    }
+
+    fn pass_seen(&mut self, until: Time, seen: &mut Range) -> Result<RunEnd> {
+        let end = self.pass(until)?;
+        seen.widen(self.x);
+        Ok(end)
     }
 }
 

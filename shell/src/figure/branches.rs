@@ -4,7 +4,7 @@ use std::{collections::HashSet, f64::consts::TAU};
 
 use super::{
     FigurePlace,
-    canvas::{Anchor, At, BLACK, BLUE, COLUMN, Canvas, GREY, Stroke, TYPE, Words, line},
+    canvas::{Anchor, At, BLACK, BLUE, COLUMN, Canvas, Colour, GREY, RED, SKY, Stroke, TYPE, Words, line},
     frame::{Axis, PlotFrame, padded, symbol},
     legend::Legend,
 };
@@ -24,8 +24,22 @@ pub struct DrawnBranch {
 pub struct Scatter {
     /// What they are, for the CSV.
     pub name: String,
+    /// Whether the parameter was swept up to them, if it was swept.
+    pub up: Option<bool>,
     /// Parameter, displacement.
     pub at: Vec<(f64, f64)>,
+}
+
+impl Scatter {
+    /// How its points are drawn: those of the way down over those of the way up, and seen beside them where
+    /// both are on one attractor.
+    fn dot(&self) -> (f64, Colour) {
+        match self.up {
+            None => (0.18, BLUE),
+            Some(true) => (0.75, SKY),
+            Some(false) => (0.35, RED),
+        }
+    }
 }
 
 /// Writes the picture and its data: a row per point, with the name of its curve, its stability
@@ -106,9 +120,11 @@ fn draw(curves: &[DrawnBranch], scatter: &[Scatter], axes: [&str; 2]) -> Canvas 
             });
         }
     }
-    if scatter.iter().any(|set| !set.at.is_empty()) {
-        legend.add("attractors", |canvas: &mut Canvas, (x, y): At| {
-            canvas.discs((-3..=3).map(|i| (x + 2.0 * f64::from(i), y)).collect(), 0.4, BLUE);
+    for (up, name) in [(None, "attractors"), (Some(true), "swept up"), (Some(false), "swept down")] {
+        let Some(set) = scatter.iter().find(|set| set.up == up && !set.at.is_empty()) else { continue };
+        let (size, colour) = set.dot();
+        legend.add(name, move |canvas: &mut Canvas, (x, y): At| {
+            canvas.discs((-3..=3).map(|i| (x + 2.0 * f64::from(i), y)).collect(), size.max(0.4), colour);
         });
     }
     let high = legend.height(COLUMN - 8.0);
@@ -135,11 +151,17 @@ fn draw(curves: &[DrawnBranch], scatter: &[Scatter], axes: [&str; 2]) -> Canvas 
     let (ends, _) = names(curves, &paths_in(&framed(0.0)));
     let wide = ends.iter().map(|(_, text)| 4.0 + Words::plain(text).width(SMALL)).fold(0.0, f64::max);
     let frame = framed(wide);
-    // One dot for those that would cover each other.
-    let mut seen = HashSet::new();
-    let dots = scatter.iter().flat_map(|set| &set.at).map(|at| frame.at(*at));
-    let fine = |(x, y): &At| seen.insert(((x * 8.0).round() as i64, (y * 8.0).round() as i64));
-    canvas.discs(dots.filter(fine).collect(), 0.18, BLUE);
+    for up in [None, Some(true), Some(false)] {
+        let Some((size, colour)) = scatter.iter().find(|set| set.up == up).map(Scatter::dot) else {
+            continue;
+        };
+        // One dot for those that would cover each other.
+        let mut seen = HashSet::new();
+        let sets = scatter.iter().filter(|set| set.up == up);
+        let dots = sets.flat_map(|set| &set.at).map(|at| frame.at(*at));
+        let fine = |(x, y): &At| seen.insert(((x * 8.0).round() as i64, (y * 8.0).round() as i64));
+        canvas.discs(dots.filter(fine).collect(), size, colour);
+    }
     let paths = paths_in(&frame);
     let smooth: Vec<Smooth> = paths.iter().map(|path| Smooth(path)).collect();
     let lines: Vec<Vec<At>> = smooth.iter().map(|curve| curve.points(0, usize::MAX)).collect();

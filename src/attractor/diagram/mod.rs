@@ -2,12 +2,15 @@
 //! coexistence.
 //!
 //! Found by following motions, so nothing is proved: a long transient can look like an attractor. Motions
-//! start from the same places at every value: none goes on from the attractor of the value before. So values
-//! are independent of each other, run in parallel, those of an oscillator many at once, and what is done is
-//! kept in a checkpoint; a resumed diagram is bit for bit the uninterrupted one.
+//! start from the same places at every value: none goes on from the attractor of the value before, but in a
+//! sweep (`swept`). So values are independent of each other, run in parallel, those of an oscillator many at
+//! once, and what is done is kept in a checkpoint; a resumed diagram is bit for bit the uninterrupted one.
 
+mod swept;
 mod windows;
 
+pub(crate) use swept::jump;
+pub use swept::{Jump, SweepStep, jumps, swept};
 pub use windows::{Window, coexisting, windows};
 
 use std::path::Path;
@@ -132,7 +135,7 @@ pub fn sweep_counting<D: Attraction<Start: Serialize>>(
 }
 
 impl<S> DiagramPlan<S> {
-    fn observation(&self) -> Observation {
+    pub(crate) fn observation(&self) -> Observation {
         let Look { phase, transient, points, longest } = self.look;
         Observation { phase, transient, longest, points, round: Some(self.every), every: self.every }
     }

@@ -6,7 +6,7 @@ use crate::{
     attractor::{
         cycle::Cycle,
         detection::{Detection, Fate},
-        dynamics::{Dynamics, Motion, SectionState, Tangents, orthonormalise},
+        dynamics::{Dynamics, Motion, Range, SectionState, Tangents, orthonormalise},
         observe::{Attraction, Observation, ObservedMotion},
     },
     continuation::Multipliers,
@@ -51,6 +51,17 @@ impl Motion for Run<'_> {
 
     fn pass(&mut self, until: Time) -> Result<RunEnd> {
         Ok(self.finish(until))
+    }
+
+    fn pass_seen(&mut self, until: Time, seen: &mut Range) -> Result<RunEnd> {
+        loop {
+            let event = self.next(until);
+            seen.widen(self.state().q);
+            if let Event::End(end) = event {
+                return Ok(end);
+            }
+            seen.meet(event.velocity().map(|velocity| -velocity));
+        }
     }
 }
 

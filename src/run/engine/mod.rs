@@ -13,14 +13,16 @@ pub use many::{MachineSource, form};
 pub use one::OscillatorSource;
 pub(crate) use one::Oscillators;
 
-use serde::Serialize;
+use serde::{Serialize, de::DeserializeOwned};
 
 use super::{
     Analysed, GrazingEventRow, GrazingMap, Judgement, Keeper, ProofRow, SectionFindings, SimulationFindings,
     ValidateFindings,
 };
 use crate::{
-    attractor::{basins::BasinGrid, cycle::Cycle, dynamics::Dynamics, observe::Attraction},
+    attractor::{
+        basins::BasinGrid, cycle::Cycle, diagram::Look, dynamics::Dynamics, observe::Attraction, touch::Seen,
+    },
     continuation::{
         Bifurcation, FollowedOrbit, Label, Located, NoForm, NormalForm, OrbitBranch, PatternFamily,
         PatternOf, SearchReach,
@@ -108,7 +110,7 @@ pub(crate) trait Engine {
         Self: 'f;
 
     /// Its motions, of which is told what they lead to.
-    type Dynamics: Attraction<Start: Serialize>;
+    type Dynamics: Attraction<Start: Serialize + DeserializeOwned>;
     /// States that motions start from.
     type States: Sync;
 
@@ -313,6 +315,12 @@ pub(crate) trait GrazingPoint {
 
     /// What the task's distance is measured in if it gives none: the size of motions there.
     fn size(&self) -> Result<f64>;
+
+    /// What attracts beside the touch, where the least gap opens with the parameter at the rate `e`.
+    ///
+    /// # Errors
+    /// Those of the system and of [`seen`](crate::attractor::touch::seen).
+    fn seen(&self, e: f64, look: &Look) -> Result<Seen>;
 
     /// The orbit of the true system near the leading-order solution of a pattern, at a parameter `away` from
     /// the bifurcation; the inner error is why none was found.

@@ -220,6 +220,12 @@ impl Checked<'_> {
         if task.starts.is_empty() {
             return self.fail("starts", "is empty; a motion must start somewhere");
         }
+        if task.sweep.is_some() && task.starts.len() > 1 {
+            return self.fail(
+                "starts",
+                "has several; a sweep follows one motion: give one start, or a task for each",
+            );
+        }
         for (i, start) in (1..).zip(&task.starts) {
             match self.model {
                 Model::One(_) => self.scene.state(start).map(drop)?,

@@ -294,7 +294,7 @@ fn tasks(random: &mut Random, plan: &Plan) -> String {
          {several}\
          [[tasks]]\nname = \"attractor\"\nkind = \"branch\"\nparameter = \"F\"\nrange = [0.75, 1.5]\nstarts = [{{ attractor = {rest} }}]\n\
          [[tasks]]\nname = \"branch\"\nkind = \"branch\"\nparameter = \"F\"\nrange = [0.75, 1.5]\nstarts = [{{ orbit = {one} }}]\n\
-         [[tasks]]\nname = \"grazing\"\nkind = \"grazing\"\nparameter = \"F\"\nmax_period = 3\nreach = 2.0\ndistance = {:?}\nset = {{ F = 0.8 }}\n\
+         [[tasks]]\nname = \"grazing\"\nkind = \"grazing\"\nparameter = \"F\"\nmax_period = 3\nreach = 2.0\ndistance = {:?}\nseen = false\nset = {{ F = 0.8 }}\n\
          [[tasks]]\nname = \"flip\"\nkind = \"event\"\nevent = \"flip\"\nparameter = \"F\"\nreach = 1.0\norbit = {one}\n\
          [[tasks]]\nname = \"fold\"\nkind = \"event\"\nevent = \"saddle-node\"\nparameter = \"F\"\nreach = 1.0\norbit = {one}\n\
          [[tasks]]\nname = \"touch\"\nkind = \"event\"\nevent = \"grazing\"\nparameter = \"F\"\nreach = 1.0\nset = {{ F = 0.8 }}\norbit = {{ pattern = [], starts = 8 }}\n\

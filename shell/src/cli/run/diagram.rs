@@ -19,8 +19,7 @@ pub(super) fn keep(found: &DiagramFindings, task: &DiagramTask, job: &Job) -> Re
         let axes = [task.parameter.as_str(), drawn];
         let sets = scatter(found, |_| Ok(Box::new(|q| q)))?;
         figure::branches(&machine_curves(task, job)?, &sets, axes, &job.place())?;
-        let windows = job.csv(&found.windows, "-windows.csv")?;
-        return Ok(job.figure().into_iter().chain([windows]).collect());
+        return Ok(job.figure().into_iter().chain(tables(found, job)?).collect());
     }
     let family = SceneFamily::new(&job.scene, &task.parameter)?;
     let range = task.bounds();
@@ -34,8 +33,14 @@ pub(super) fn keep(found: &DiagramFindings, task: &DiagramTask, job: &Job) -> Re
         Ok(Box::new(move |q| drawing.displacement(&oscillator, q)))
     };
     figure::branches(&curves, &scatter(found, height)?, [&task.parameter, drawing.axis()], &job.place())?;
-    let windows = job.csv(&found.windows, "-windows.csv")?;
-    Ok(job.figure().into_iter().chain([windows]).collect())
+    Ok(job.figure().into_iter().chain(tables(found, job)?).collect())
+}
+
+fn tables(found: &DiagramFindings, job: &Job) -> Result<Vec<String>> {
+    Ok(match &found.sweep {
+        None => vec![job.csv(&found.windows, "-windows.csv")?],
+        Some(sweep) => vec![job.csv(&sweep.windows, "-windows.csv")?, job.csv(&sweep.jumps, "-jumps.csv")?],
+    })
 }
 
 /// The branches of a machine, seen on the first axis of the plane.
@@ -64,7 +69,13 @@ fn scatter<'a>(
     height: impl Fn(f64) -> Result<Height<'a>>,
 ) -> Result<Vec<figure::Scatter>> {
     let mut sets = Vec::new();
-    for slice in &found.slices {
+    for (i, slice) in found.slices.iter().enumerate() {
+        let up = found.sweep.as_ref().map(|_| i < found.upwards);
+        let way = match up {
+            None => "",
+            Some(true) => "up: ",
+            Some(false) => "down: ",
+        };
         let height = height(slice.value)?;
         for motion in &slice.motions {
             let name = match motion.period {
@@ -73,7 +84,8 @@ fn scatter<'a>(
                 None => "attractor, not periodic".to_string(),
             };
             let at = |&[q, _]: &[f64; 2]| (slice.value, height(q));
-            sets.push(figure::Scatter { name, at: motion.points.iter().map(at).collect() });
+            let name = format!("{way}{name}");
+            sets.push(figure::Scatter { name, up, at: motion.points.iter().map(at).collect() });
         }
     }
     Ok(sets)

@@ -31,6 +31,9 @@ fn endings(kind: &Kind) -> &'static [Ending] {
         Kind::SimulateTask(_) => &[Pictures, Picture, Fixed(".csv"), Fixed("-events.csv")],
         Kind::SectionTask(_) => &[Picture, Fixed(".csv")],
         Kind::BasinsTask(_) | Kind::MapTask(_) => &[Picture, Fixed(".csv"), State(".checkpoint")],
+        Kind::DiagramTask(task) if task.sweep.is_some() => {
+            &[Picture, Fixed(".csv"), Fixed("-windows.csv"), Fixed("-jumps.csv"), State(".checkpoint")]
+        }
         Kind::DiagramTask(_) => &[Picture, Fixed(".csv"), Fixed("-windows.csv"), State(".checkpoint")],
         Kind::OrbitTask(_) | Kind::EventTask(_) | Kind::GrazingTask(_) => &[Fixed(".csv")],
         Kind::BranchTask(_) => {

@@ -1,6 +1,6 @@
 //! Grazing bifurcations of the motion without impacts of a machine, for the task `grazing`.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 use super::{
     super::{
@@ -10,9 +10,18 @@ use super::{
     analysed,
 };
 use crate::{
+    attractor::{
+        diagram::Look,
+        touch::{self, Seen, Touch},
+    },
     error::Result,
     local::Region,
-    many::{Machine, MachineFamily, RealMatrix, StopLaw, grazing::MachineGrazing, orbit::find},
+    many::{
+        Machine, MachineFamily, RealMatrix, StopLaw,
+        grazing::{FreeMotion, MachineGrazing},
+        orbit::find,
+        section::{PlanarMachine, PlaneAxis},
+    },
     pattern::{Analysis, Map, Numbers, Report as Verdict},
     scene::{MachineSceneFamily, orbits::GrazingTask},
 };
@@ -89,6 +98,22 @@ impl GrazingPoint for MachineGrazingPoint<'_> {
 
     fn size(&self) -> Result<f64> {
         Ok(self.event.scale)
+    }
+
+    /// Seen as the gap of the stop that is grazed.
+    fn seen(&self, e: f64, look: &Look) -> Result<Seen> {
+        let (event, stop) = (&self.event, self.event.at.stop);
+        let phase = (event.at.phase + PI).rem_euclid(TAU);
+        let (machine, slope) = self.family.at(event.parameter)?;
+        let start = FreeMotion::new(&machine, &slope)?.motion().state(phase).start(machine.rate());
+        let planar = |value| {
+            let (machine, _): (Machine<f64>, _) = self.family.at(value)?;
+            let simulator = self.job.machine_simulator(&machine, &[])?;
+            PlanarMachine::new(&machine, simulator, &[PlaneAxis::Gap(stop), PlaneAxis::Rate(stop)])
+        };
+        let (parameter, width) = (event.parameter, self.size()?);
+        let look = Look { phase, ..look.clone() };
+        touch::seen(&Touch { parameter, e, start, periods: 1, width }, &look, planar, self.job.monitor)
     }
 
     fn orbit(

@@ -2,13 +2,18 @@
 
 use super::{
     super::{
-        super::{Analysed, Complex, GrazingMap, Judgement},
+        super::{Analysed, Complex, GrazingMap, Job, Judgement},
         GrazingPoint, Theory,
     },
     analysed,
 };
 use crate::{
+    attractor::{
+        diagram::Look,
+        touch::{self, Seen, Touch},
+    },
     error::Result,
+    motion::State,
     one::{
         grazing::{Grazing, LocalMap},
         orbit::{Family, find},
@@ -20,11 +25,14 @@ use crate::{
 /// A grazing bifurcation of an oscillator's orbit.
 pub(crate) struct OscillatorGrazing<'f> {
     pub task: &'f GrazingTask,
+    pub job: &'f Job<'f>,
     pub family: &'f SceneFamily<'f>,
     pub event: Grazing,
     pub half: Option<LocalMap>,
     /// The pattern of the orbit that grazes.
     pub orbit: String,
+    /// A state of it, half a period from the touch.
+    pub far: State,
 }
 
 impl OscillatorGrazing<'_> {
@@ -93,6 +101,15 @@ impl GrazingPoint for OscillatorGrazing<'_> {
 
     fn size(&self) -> Result<f64> {
         Ok(self.family.at(self.event.parameter)?.unit(&self.event.itinerary))
+    }
+
+    fn seen(&self, e: f64, look: &Look) -> Result<Seen> {
+        let (job, name) = (self.job, self.task.parameter.as_str());
+        let (parameter, width) = (self.event.parameter, self.size()?);
+        let simulator = |value| job.simulator_of(&job.scene.plain(&[(name, value)])?);
+        let look = Look { phase: self.far.t, ..look.clone() };
+        let touch = Touch { parameter, e, start: self.far, periods: self.event.itinerary.periods(), width };
+        touch::seen(&touch, &look, simulator, job.monitor)
     }
 
     fn orbit(&self, periods: &[u64], verdict: &Verdict, parameter: f64, _: f64) -> Result<Result<Analysed>> {

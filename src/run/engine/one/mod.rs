@@ -6,7 +6,7 @@ mod proofs;
 mod sections;
 mod source;
 
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 use grazing::OscillatorGrazing;
 use proofs::OrbitProver;
@@ -248,8 +248,10 @@ impl<'j> Engine for Oscillators<'j> {
         let event = locate(family, &located.orbit, located.parameter)?;
         // Two grazings in a period are the theory's business only if a symmetry makes them one.
         let half = event.half_map(&family.at(event.parameter)?);
-        let (task, orbit) = (task, orbit.itinerary.to_string());
-        Ok(Ok(OscillatorGrazing { task, family, event, half, orbit }))
+        let (job, orbit) = (self.job, orbit.itinerary.to_string());
+        let far = located.orbit.state(&family.at(located.parameter)?, event.z[0] + PI)?;
+        let far = State { t: far.t.rem_euclid(TAU), ..far };
+        Ok(Ok(OscillatorGrazing { task, job, family, event, half, orbit, far }))
     }
 
     fn prover(&self, task: &ValidateTask) -> Result<std::result::Result<impl Prover<Orbit>, String>> {

@@ -1,0 +1,208 @@
+//! Sweeps of a parameter, and what is seen beside a touch: jumps where a motion ends in closed form or where
+//! a saddle-node is located by Newton's method, none where a period doubles.
+
+use std::{
+    path::Path,
+    sync::atomic::{AtomicU64, Ordering},
+};
+
+use grazing::{
+    Error, Monitor, Result,
+    run::{Surroundings, run},
+    scene::Scene,
+};
+use serde_json::Value;
+
+use crate::tasks::{ball, near, number};
+
+/// The machine of README: q″ + q′/10 + 3q/10 = F cos t below a stop at 1, in both formats.
+const MACHINE: [&str; 2] = [
+    r#"format = "grazing-scene 1"
+[system]
+damping = "1/10"
+stiffness = "3/10"
+forcing = [{ cos = "F" }]
+[[walls]]
+side = "upper"
+offset = 1
+restitution = 0.8
+"#,
+    r#"format = "grazing-scene 2"
+[system]
+period = "2*pi"
+mass = 1
+damping = "1/10"
+stiffness = "3/10"
+forcing = [{ cos = "F" }]
+[[walls]]
+name = "stop"
+row = [-1]
+offset = -1
+restitution = 0.8
+"#,
+];
+
+/// The report of the only task of a scene.
+fn report(system: &str, parameters: &str, task: &str, around: Surroundings) -> Value {
+    let (format, rest) = system.split_once('\n').unwrap();
+    let text = format!(
+        "{format}\ntitle = \"t\"\n[parameters]\n{parameters}\n{rest}[[tasks]]\nname = \"it\"\n{task}"
+    );
+    let scene = Scene::from_toml(&text, "scene.toml").unwrap_or_else(|error| panic!("{error}\n{text}"));
+    let reports = run(&scene, around, &mut ()).unwrap();
+    serde_json::to_value(&reports[0]).unwrap()
+}
+
+fn machine(format: usize, task: &str) -> Value {
+    report(MACHINE[format], "F = 0.5", task, Surroundings::default())
+}
+
+/// Where the free motion, of amplitude F/|k − 1 + ic|, touches the stop.
+fn touch() -> f64 {
+    0.7_f64.hypot(0.1)
+}
+
+/// The saddle-node at which the orbit with one impact per period ends, by Newton's method.
+fn fold() -> f64 {
+    let task = "kind = \"event\"\nevent = \"saddle-node\"\nparameter = \"F\"\nset = { F = 0.6 }\norbit = { pattern = [1] }";
+    let found = machine(0, task);
+    let all = found["found"].as_array().unwrap_or_else(|| panic!("{found}"));
+    number(&all.iter().find(|event| number(&event["parameter"]) > 0.4).unwrap()["parameter"])
+}
+
+fn sweep(way: &str) -> String {
+    format!(
+        "kind = \"diagram\"\nparameter = \"F\"\nrange = [0.4, 0.9]\ncount = 26\nstarts = [{{ q = 0 }}]\nsweep = \"{way}\"\n\
+         points = 20\ntransient = 300"
+    )
+}
+
+#[test]
+fn the_machine_of_readme_jumps_at_the_touch_and_back_at_the_saddle_node() {
+    for format in [0, 1] {
+        let found = machine(format, &sweep("both"));
+        let jumps = found["sweep"]["jumps"].as_array().unwrap();
+        assert_eq!(jumps.len(), 2, "{found}");
+        for (jump, at) in jumps.iter().zip([touch(), fold()]) {
+            let (stays, left) = (number(&jump["stays"]), number(&jump["left"]));
+            // Where an attractor ends, motions stay for long: the end is found a little late, never early.
+            assert!((stays - at).abs() < 2e-4 && (left - at).abs() < 2e-4, "{jump} at {at}");
+        }
+        assert!(number(&jumps[0]["left"]) > touch() && number(&jumps[1]["left"]) < fold(), "{found}");
+        let hysteresis = found["sweep"]["hysteresis"].as_array().unwrap();
+        assert_eq!(hysteresis.len(), 1, "{found}");
+        near(number(&hysteresis[0]["from"]), 0.54, 1e-12);
+        near(number(&hysteresis[0]["to"]), 0.70, 1e-12);
+    }
+}
+
+/// One way knows no hysteresis, and sees one of the jumps.
+#[test]
+fn one_way_has_one_jump() {
+    for (way, at) in [("up", touch()), ("down", fold())] {
+        let found = machine(0, &sweep(way));
+        let jumps = found["sweep"]["jumps"].as_array().unwrap();
+        assert_eq!((jumps.len(), &found["sweep"]["hysteresis"]), (1, &Value::Null), "{found}");
+        near(number(&jumps[0]["left"]), at, 2e-4);
+    }
+}
+
+/// A ball on a table: its bounce of one period doubles its period at a known amplitude, and does not jump.
+#[test]
+fn a_flip_is_no_jump() {
+    let system = "format = \"grazing-scene 1\"\n[system]\nforce = -1\n[[walls]]\nside = \"lower\"\noffset = 0\n\
+                  harmonics = [{ k = 1, sin = \"a\" }]\nrestitution = 0.6\n";
+    let [fold, flip] = ball();
+    let (from, to) = (flip - 0.04, flip + 0.04);
+    assert!(from > fold);
+    let task = format!(
+        "kind = \"diagram\"\nparameter = \"a\"\nrange = [{from}, {to}]\ncount = 81\nstarts = [{{ q = 2, u = 2 }}]\nsweep = \"up\"\n\
+         points = 20"
+    );
+    let found = report(system, &format!("a = {flip}"), &task, Surroundings::default());
+    let windows = found["sweep"]["windows"].as_array().unwrap();
+    let periods: Vec<_> = windows.iter().map(|row| row["period"].as_u64()).collect();
+    assert!(periods.contains(&Some(1)) && periods.contains(&Some(2)), "{found}");
+    let last_one = windows.iter().rfind(|row| row["period"] == 1).unwrap();
+    near(number(&last_one["to"]), flip, 2e-3);
+    assert_eq!(found["sweep"]["jumps"].as_array().unwrap().len(), 0, "{found}");
+}
+
+const GRAZING: &str = "kind = \"grazing\"\nparameter = \"F\"\nmax_period = 2";
+
+#[test]
+fn the_grazing_of_readme_says_that_it_jumps_and_where_it_returns() {
+    for format in [0, 1] {
+        let found = machine(format, GRAZING);
+        let seen = found["seen"].as_array().unwrap_or_else(|| panic!("{found}"));
+        let what: Vec<_> =
+            seen.iter().map(|row| (row["place"].as_str().unwrap(), row["what"].as_str().unwrap())).collect();
+        assert_eq!(what, [("before", "stays"), ("beyond", "jumps"), ("back", "leaves")], "{found}");
+        assert!(number(&seen[0]["value"]) < touch() && number(&seen[1]["value"]) > touch(), "{found}");
+        near(number(&seen[2]["value"]), fold(), 2e-4);
+        let ends = |row: &Value| [0, 1].map(|i| number(&row["extent"][i]));
+        // Of the oscillator the displacement, of the machine the gap below the stop.
+        let (free, struck) = (ends(&seen[0]), ends(&seen[1]));
+        if format == 0 {
+            near(free[0], -1.0, 1e-3);
+            near(free[1], 1.0, 1e-3);
+            near(struck[1], 1.0, 1e-9);
+            assert!((-7.0..-6.0).contains(&struck[0]), "{found}");
+        } else {
+            near(free[1], 2.0, 1e-3);
+            near(struck[0], 0.0, 1e-9);
+            assert!((7.0..8.0).contains(&struck[1]), "{found}");
+        }
+        assert_eq!((&seen[0]["speed"], seen[1]["speed"].is_null()), (&Value::Null, false));
+    }
+}
+
+/// Where the free motion dies without swinging, a kick from the stop dies so, too: the motion stays near, and
+/// what it differs by goes with the root of the distance.
+#[test]
+fn an_overdamped_motion_stays_near() {
+    let system = MACHINE[0].replace("\"1/10\"", "2").replace("\"3/10\"", "\"1/2\"");
+    let found = report(&system, "F = 1.5", GRAZING, Surroundings::default());
+    let seen = found["seen"].as_array().unwrap_or_else(|| panic!("{found}"));
+    let what: Vec<_> = seen.iter().map(|row| row["what"].as_str().unwrap()).collect();
+    assert_eq!(what, ["stays", "stays"], "{found}");
+    assert!(seen[1]["motion"].as_str().unwrap().contains("impact"), "{found}");
+}
+
+#[test]
+fn what_is_seen_is_left_out_where_it_is_not_asked_for() {
+    assert_eq!(machine(0, &format!("{GRAZING}\nseen = false"))["seen"], Value::Null);
+}
+
+/// Ends a run after so many values.
+struct Impatient(AtomicU64);
+
+impl Monitor for Impatient {
+    fn advance(&self, units: u64) -> Result<()> {
+        let left = self.0.load(Ordering::Relaxed);
+        if units > left {
+            return Err(Error::interrupted("enough"));
+        }
+        self.0.store(left - units, Ordering::Relaxed);
+        Ok(())
+    }
+}
+
+#[test]
+fn a_resumed_sweep_is_the_uninterrupted_one() {
+    let folder = tempfile::tempdir().unwrap();
+    let with = |folder: Option<&Path>, patience: u64| {
+        let monitor = Impatient(AtomicU64::new(patience));
+        let around = Surroundings { folder, monitor: &monitor, ..Surroundings::default() };
+        report(MACHINE[0], "F = 0.5", &sweep("both"), around)
+    };
+    let whole = with(None, u64::MAX);
+    for patience in [7, 30] {
+        assert_eq!(with(Some(folder.path()), patience)["status"], "interrupted");
+    }
+    let resumed = with(Some(folder.path()), u64::MAX);
+    assert_eq!(resumed["status"], "done");
+    for key in ["sweep", "not_settled", "values"] {
+        assert_eq!(resumed[key], whole[key], "{key}");
+    }
+}
