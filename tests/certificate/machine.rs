@@ -510,7 +510,7 @@ fn limits_are_said() {
         ),
         (
             text.replace("kind = \"validate\"", "kind = \"validate\"\nevent = \"flip\"\nparameter = \"a\""),
-            "of a machine, orbits are proved and no bifurcations: leave it out",
+            "is proved with one degree of freedom and rigid stops, by the engine \"one\"",
         ),
         (
             text.replace("damping = { diagonal = [2, 2] }", "damping_ratio = 0.1"),

@@ -51,7 +51,7 @@ fn the_proved_reader_has_the_verdicts_of_the_checker() {
             .unwrap();
         assert!(matches!(output.status.code(), Some(0 | 3)), "{arguments:?}: {output:?}");
         let text = fs::read_to_string(&path).unwrap();
-        assert_eq!(read(&build, &[text.clone()], &folder), ["proved"], "{arguments:?}");
+        assert_eq!(read(&build, std::slice::from_ref(&text), &folder), ["proved"], "{arguments:?}");
         let lines: Vec<String> = text.lines().map(str::to_owned).collect();
         let damaged: Vec<String> = (0..damages()).map(|_| damage(&lines, &mut below)).collect();
         for (text, verdict) in damaged.iter().zip(read(&build, &damaged, &folder)) {

@@ -407,7 +407,10 @@ fn what_is_not_done_is_said() {
     let output = Command::new(env!("CARGO_BIN_EXE_grazing")).arg("run").arg(&file).output().unwrap();
     let error = String::from_utf8_lossy(&output.stderr).into_owned();
     assert_eq!(output.status.code(), Some(2), "{error}");
-    assert!(error.contains("frame") && error.contains("of a machine, the picture shows the gap"), "{error}");
+    assert!(
+        error.contains("frame") && error.contains("moves with a stop with one degree of freedom"),
+        "{error}"
+    );
     // A label of another machine.
     let keys = format!("parameter = \"mu\"\nrange = [-0.1, 0.01]\noptions = {{ most_step = 0.3 }}\n{orbit}");
     let (report, code, error) = run(PAPER_MACHINE, &[task("one", "branch", &keys)], folder.path());

@@ -41,6 +41,7 @@ orbit = { pattern = [3], starts = 60 }
 [[tasks]]
 name = "graze"
 kind = "grazing"
+seen = false # what is seen beyond is not periodic: its extent is of one run
 parameter = "mu"
 max_period = 3
 [[tasks]]

@@ -428,12 +428,12 @@ fn evaluate_prints_certain_digits_and_the_rung() {
         stdout("evaluate --n 3 --k 1 --a1 -1 --a2 9/10")
             .starts_with("b_{3,1}      0         exact        0\n")
     );
-    // Beside a double zero with r = 1 − 2⁻¹⁰⁰ balls of 128 bits have seven certain digits, longer ones all;
-    // the digits are mpmath's.
+    // Beside a double zero with r = 1 − 2⁻¹⁰⁰ balls begin at the length of the point. The digits are from
+    // mpmath.
     let line = stdout("evaluate --n 6 --k 3 --s 1/3+2^-200 --r 1-2^-100");
     let line = line.lines().next().unwrap();
     assert!(
-        line.starts_with("b_{6,3}      -         128 bits     -2.800356875037513768214828824203"),
+        line.starts_with("b_{6,3}      -         256 bits     -2.800356875037513768214828824203"),
         "{line}"
     );
     assert!(line.ends_with("e-60"), "{line}");

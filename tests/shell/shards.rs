@@ -480,8 +480,10 @@ fn what_is_wrong_with_shards_is_said() {
     assert!(merge(&files, 2).contains("5: it is by version 0.0.0, the others are by"));
     // The same version, from other sources.
     let (version, sources) = program.split_once('+').unwrap();
-    assert!(version == env!("CARGO_PKG_VERSION") && sources.len() == 16, "{program}");
-    let other = format!("{version}+{}", "0".repeat(16));
+    // The library's, and the command line's.
+    let (library, shell) = sources.split_once('.').unwrap();
+    assert!(version == env!("CARGO_PKG_VERSION") && library.len() == 16 && shell.len() == 16, "{program}");
+    let other = format!("{version}+{0}.{0}", "0".repeat(16));
     let foreign = body(&good).replace(&format!("program {program}"), &format!("program {other}"));
     fs::write(path("5"), sealed(&foreign.replace(&task(&program), &task(&other)))).unwrap();
     assert!(merge(&files, 2).contains(&format!("5: it is by version {other}, the others are by {program}")));

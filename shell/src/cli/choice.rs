@@ -25,6 +25,7 @@ impl Choice for TableFormat {
         (TableFormat::Csv, "csv", "Comma-separated values with a header"),
         (TableFormat::Json, "json", "One object with a format name and an array of rows"),
         (TableFormat::Latex, "latex", "A longtable with booktabs rules"),
+        (TableFormat::LatexSiunitx, "latex-siunitx", "The same with the numbers in siunitx's \\num"),
         (TableFormat::Markdown, "markdown", "A Markdown table"),
     ];
 }

@@ -155,7 +155,7 @@ pub(crate) fn jump<D: Attraction>(
         }
     }
     let change = before.portrait.apart(&after);
-    Ok((change > LIKELY && change > LEFT * whole).then(|| Jump {
+    Ok((change > LIKELY && change > LEFT * whole).then_some(Jump {
         stays,
         left,
         before: before.portrait,

@@ -192,11 +192,14 @@ pub(crate) trait Engine {
     ) -> Result<()>;
 }
 
+/// The start of a system with two numbers in the plane.
+pub(crate) type StartAt<D> = Box<dyn Fn(&D, [f64; 2]) -> <D as Dynamics>::Start + Sync>;
+
 /// The starts of a grid.
 pub(crate) struct StartPlane<D: Dynamics> {
     pub dynamics: D,
     /// The start with two numbers in the plane.
-    pub place: Box<dyn Fn(&D, [f64; 2]) -> D::Start + Sync>,
+    pub place: StartAt<D>,
     /// What the two numbers are, if the scene names it.
     pub plane: Option<[String; 2]>,
     /// All that tells these starts from others of the scene, as text.

@@ -64,9 +64,9 @@ fn fail(message: &str) -> Error {
 /// How many times a step is doubled or halved.
 const STEPS: u32 = 60;
 
-/// The parameters from the touch near `start` to a depth, on the side where the wall is passed (`behind`, R <
-/// 1) or not; `unit` is a small step of the parameter. None if ν is not shown to increase even on a short
-/// range, or there is no touch near `start`.
+/// The parameters from the touch near `start` to a depth, on the side where the wall is passed (`behind`,
+/// where R is below 1) or not; `unit` is a small step of the parameter. None if ν is not shown to increase
+/// even on a short range, or there is no touch near `start`.
 ///
 /// Cost: about 200 evaluations of R.
 ///
@@ -139,7 +139,7 @@ fn farthest(
             break;
         }
         good = next;
-        step = step * &two;
+        step *= &two;
     }
     let Some(mut bad) = bad else { return Ok(good) };
     for _ in 0..STEPS {

@@ -258,7 +258,7 @@ fn what_is_not_covered_is_said() {
             "",
             "side must say which wall is met",
         ),
-        ("stiffness = 2", wall, "side = \"upper\"", "no wall on the side"),
+        ("stiffness = 2", wall, "side = \"upper\"", "is no wall of the scene; there are lower"),
         ("stiffness = 2", wall, "parameter = \"mu\"\nfrom = -0.1\nto = 0.1", "grazes"),
         ("stiffness = 2", wall, "parameter = \"mu\"\nfrom = 0.1\nto = 0.05", "above from"),
         ("stiffness = 2", wall, "cell = { mu = [0.1, 0.2] }", "only damping"),

@@ -22,11 +22,11 @@ use crate::{
     attractor::{basins::BasinGrid, cycle::Cycle},
     continuation::{Bifurcation, BranchSearch, nearest},
     error::Result,
-    motion::{State, System},
+    motion::{Flow, State, System},
     number::Precision,
     one::{
         branch::OscillatorPatterns,
-        grazing::locate,
+        grazing::{Grazing, locate},
         orbit::{Admissibility, Family, Orbit, Oscillator},
         simulate::Simulator,
     },
@@ -249,8 +249,7 @@ impl<'j> Engine for Oscillators<'j> {
         // Two grazings in a period are the theory's business only if a symmetry makes them one.
         let half = event.half_map(&family.at(event.parameter)?);
         let (job, orbit) = (self.job, orbit.itinerary.to_string());
-        let far = located.orbit.state(&family.at(located.parameter)?, event.z[0] + PI)?;
-        let far = State { t: far.t.rem_euclid(TAU), ..far };
+        let far = far_from(&event, &located.orbit, &family.at(event.parameter)?)?;
         Ok(Ok(OscillatorGrazing { task, job, family, event, half, orbit, far }))
     }
 
@@ -268,4 +267,19 @@ impl<'j> Engine for Oscillators<'j> {
     ) -> Result<()> {
         proofs::events(task, event, parameter, self, found)
     }
+}
+
+/// A state of the orbit that grazes, half a period from the touch: followed from there, unless there are other
+/// impacts.
+fn far_from(event: &Grazing, orbit: &Orbit, oscillator: &Oscillator) -> Result<State> {
+    let t = event.z[0];
+    let wall = oscillator.walls().iter().find(|wall| wall.side == event.side());
+    let far = match wall.filter(|_| event.itinerary.strikes().len() == 1) {
+        Some(wall) => {
+            let [q, u, _] = wall.position.at(t);
+            oscillator.flow().advance(State { t, q, u }, PI)
+        }
+        None => orbit.state(oscillator, t + PI)?,
+    };
+    Ok(State { t: far.t.rem_euclid(TAU), ..far })
 }
