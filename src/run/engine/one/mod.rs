@@ -269,8 +269,8 @@ impl<'j> Engine for Oscillators<'j> {
     }
 }
 
-/// A state of the orbit that grazes, half a period from the touch: followed from there, unless there are other
-/// impacts.
+/// A state of the orbit that grazes, half a period from the touch: followed from there, unless there are
+/// other impacts.
 fn far_from(event: &Grazing, orbit: &Orbit, oscillator: &Oscillator) -> Result<State> {
     let t = event.z[0];
     let wall = oscillator.walls().iter().find(|wall| wall.side == event.side());
