@@ -28,8 +28,11 @@ pub fn branch(request: &Request) -> Result<Value> {
         request.floats("at").first().copied().ok_or_else(|| Error::input("a branch starts at a value"))?;
     let names: Vec<String> =
         phases.iter().map(|_| request.text("wall").map(quoted)).collect::<Result<_>>()?;
-    let start: Vec<String> =
-        phases.iter().zip(&speeds).map(|(t, v)| format!("{}, {v:?}", document::time(&changeable.scene, *t))).collect();
+    let start: Vec<String> = phases
+        .iter()
+        .zip(&speeds)
+        .map(|(t, v)| format!("{}, {v:?}", document::time(&changeable.scene, *t)))
+        .collect();
     let float =
         |x| document::float(x).ok_or_else(|| Error::input("the ends of the range are finite numbers"));
     let keys = format!(
