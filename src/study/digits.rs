@@ -50,7 +50,7 @@ pub struct DigitsPrice {
     pub method: DigitsMethod,
     /// Median, lower and upper quartile of the time of one value, over all inputs and repetitions.
     pub time: [Duration; 3],
-    /// Median and least of the decimal digits; for [`DigitsMethod::Fraction`] infinite.
+    /// Median and least of the decimal digits; for `DigitsMethod::Fraction` infinite.
     pub digits: [f64; 2],
     /// Median width of the enclosure, as log₁₀.
     pub width: Option<f64>,

@@ -9,12 +9,13 @@
 //!
 //! - The gap to each wall is a polynomial on each piece of the trajectory. Every minimum of it below
 //!   −[`minimum_depth`](Settings::minimum_depth) is an impact, found on the stretch on which the gap falls,
-//!   whatever its velocity; a minimum within the depth of 0 is a [`Tangency`].
+//!   whatever its velocity; a minimum within the depth of 0 is a
+//!   [`Tangency`](crate::motion::Event::Tangency).
 //! - The oscillator is never behind a wall by more than the minimum depth, nor leaves an impact with z′ of
 //!   the wrong sign.
 //! - Bounces that would be lower than the minimum depth on a wall that presses are summed as a geometric
-//!   series and end in rest ([`Stick`]) until the force of contact is 0 ([`Release`]), at most one period
-//!   later, or for good.
+//!   series and end in rest ([`Stick`](crate::motion::Event::Stick)) until the force of contact is 0
+//!   ([`Release`](crate::motion::Event::Release)), at most one period later, or for good.
 //! - A run ends by an [`RunEnd`] that says why.
 //!
 //! For linear systems the trajectory itself carries rounding errors only. For others the error is that of
