@@ -49,6 +49,8 @@ const SENTENCES: Record<string, (range: [number, number], detail: Map<string, st
     const each = `Every path of its letters is a motion of the oscillator: ${detail.get("letters") ?? ""}.`;
     return title === "chaos" ? `The oscillator is chaotic. ${each}` : `${each} That it is chaotic is not proved.`;
   },
+  range: (_, _detail, title) =>
+    `From the touch to the depth listed, each path of its letters is exactly one motion of the oscillator${title === "chaos" ? ", and it is chaotic" : ""}.`,
   entropy: () => "Words of periods between impacts have no more entropy than is listed, wherever they are born.",
   "machine-orbit": ([n], detail) => `The machine has a periodic orbit of ${several(n)}, ${stability(detail)}.`,
 };
