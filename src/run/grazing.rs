@@ -253,7 +253,9 @@ fn of<E: Engine>(task: &GrazingTask, job: &Job, engine: &E) -> Result<GrazingFin
             undecided += usize::from(verdict.is_open());
         }
     }
-    let seen = if task.seen.unwrap_or_else(|| job.is_linear()) && at.e != 0.0 {
+    // Where the gap only touches 0, no change of the parameter opens it.
+    let opens = at.open.is_none() && at.e != 0.0;
+    let seen = if opens && task.seen.unwrap_or_else(|| job.is_linear()) {
         Some(seen::rows(&point.seen(at.e, &LOOK)?))
     } else {
         None
