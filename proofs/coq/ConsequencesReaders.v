@@ -84,3 +84,9 @@ Proof.
   assert (Mn : member 3 (1 / 2) Plus n) by (apply M; tauto); split; [exact Mn|]; split; [exact (L Mn)|].
   intros X; apply M' in X; destruct X as [X|[X _]]; [exact X | discriminate].
 Qed.
+(** r = 9/10 and s = 37/100: a1 between -9/10 of 1.3691 and of 1.369, a2 = 81/100. *)
+Lemma a_polar_point : Polar_reader_statement -> - 123219 / 100000 <= trace (9 / 10) (37 / 100) <= - 12321 / 10000 /\ (9 / 10) ^ 2 = 81 / 100.
+Proof.
+  intros H; destruct (polarZ (9, 10)%Z (37, 100)%Z (-13691, 10000)%Z (-1369, 1000)%Z) as [B|] eqn:E; [|vm_compute in E; discriminate].
+  pose proof (H _ _ _ _ B E) as I; vm_compute in E; injection E as <-; unfold in_box, fraction in I; cbn [fst snd] in I; lra.
+Qed.

@@ -1,8 +1,11 @@
 (** * The theorems about the readers of certificates, by name *)
 
-From Grazing Require Import StatementReaders StatementReaderWords ReaderCircle ReaderWords.
+From Grazing Require Import StatementReaders StatementReaderWords ReaderCircle ReaderWords
+  ReaderPolar.
 
 Theorem Circle_reader : Circle_reader_statement. Proof. exact ReaderCircle.Circle_reader. Qed.
 Theorem Words_readers : Word_reader_statement /\ Region_reader_statement /\ Path_reader_statement /\
-  Below_reader_statement /\ Lonely_reader_statement.
-Proof. exact (conj Word_reader (conj Region_reader (conj Path_reader (conj Below_reader Lonely_reader)))). Qed.
+  Below_reader_statement /\ Lonely_reader_statement /\ Polar_reader_statement.
+Proof.
+  exact (conj Word_reader (conj Region_reader (conj Path_reader (conj Below_reader (conj Lonely_reader Polar_reader))))).
+Qed.

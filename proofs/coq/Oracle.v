@@ -9,4 +9,4 @@ From Coq Require Import Extraction ExtrOcamlBasic ZArith.
 From Grazing Require Import Defs StatementZ StatementCircleZ StatementReaders StatementReaderWords.
 
 Extraction "decide.ml" uZ signB signC signD orbitZ no_orbitZ memberZ signE edgeZ patternZ sidesZ singularZ circleZ no_circleZ
-  blockZ wordZ regionZ pathZ belowZ lonelyZ Z.add Z.mul Z.opp Z.gcd.
+  blockZ wordZ regionZ pathZ belowZ lonelyZ polarZ Z.add Z.mul Z.opp Z.gcd.

@@ -121,6 +121,20 @@ Definition lonelyZ (B : box) (k : Z) (e : sign) : option (bool * letter) := if n
   | Minus => if k =? 1 then Some (false, U) else if k =? 2 then Some (true, D)
              else if (k =? 4) || (k =? 5) then Some (false, D) else None end.
 
+(** ** A point given by r and s: 2 cos(2 pi s) between c and c', told by how often u_1, ..., u_n change their signs at
+    a1 = c and a2 = 1, where s = m/n *)
+Fixpoint turnsZ (x z : Z) (k : nat) : (Z * Z) * option Z := match k with O => ((0, 1), Some 0)
+  | S j => let (hl, t) := turnsZ x z j in let (h, l) := hl in let n := x * l - z * z * h in ((l, n), match t with
+      | Some t => if Z.sgn l * Z.sgn n =? 0 then None else Some (if Z.sgn l * Z.sgn n <? 0 then t + 1 else t)
+      | None => None end) end.
+Definition short (c : Z * Z) : bool := (0 <? snd c) && (fst c <? 2 * snd c) && (- (2 * snd c) <? fst c).
+Definition timesF (h l : Z * Z) : Z * Z := (fst h * fst l, snd h * snd l).
+Definition polarZ (r s c c' : Z * Z) : option box :=
+  let turns (c : Z * Z) := snd (turnsZ (fst c) (snd c) (Z.to_nat (snd s) - 1)) in
+  if (0 <? fst r) && (0 <? snd r) && (0 <? fst s) && (2 * fst s <? snd s) && short c && short c' &&
+    match turns c, turns c' with Some t, Some t' => (2 * fst s <=? t) && (t' + 1 <=? 2 * fst s) | _, _ => false end
+  then Some (timesF r c, timesF r c', timesF r r, timesF r r) else None.
+
 Open Scope R_scope.
 
 Definition in_box (B : box) (a1 a2 : R) : Prop := match B with (h, h', l, l') =>
@@ -151,3 +165,5 @@ Definition Below_reader_statement : Prop := forall W B k n a1 a2, belowZ W B k n
   (member a1 a2 Minus l <-> (1 <= l <= n)%nat) /\ ((1 <= l <= n)%nat -> lettered a1 a2 l D).
 Definition Lonely_reader_statement : Prop := forall B k e all x a1 a2, lonelyZ B k e = Some (all, x) -> in_box B a1 a2 -> forall n,
   (member a1 a2 e n <-> n = 1%nat \/ all = true /\ (1 <= n)%nat) /\ (member a1 a2 e n -> lettered a1 a2 n x).
+Definition Polar_reader_statement : Prop := forall r s c c' B, polarZ r s c c' = Some B ->
+  in_box B (trace (fraction r) (fraction s)) (fraction r ^ 2).

@@ -120,7 +120,24 @@ let by_theorem =
    the periods that occur are those listed, and after open perhaps later ones of the path; letters are the signs of \
    p_n - q_n, and p_j - q_i is > 0 for the mark + and < 0 for the mark -."
 
-(* The box, and how many binary digits |a1| has before the point, about. *)
+(* Where a certificate speaks: a box, how many binary digits |a1| has before the point, about, and, for a point given
+   by r and s, the least n with u_n = 0. *)
+type place = { box : box; digits : int; zero : int option }
+
+(* 2 cos(2 pi s) is guessed between two fractions; [polarZ] decides whether it is there. *)
+let polar (r, s) (m, n) =
+  if n > 500 then raise (Not_read "a point given by r and s = m/n with a large n");
+  let guess = int_of_float (Float.round (Float.ldexp (2. *. cos (2. *. Float.pi *. float m /. float n)) 44)) in
+  let near k = (whole (guess + k), whole (1 lsl 44)) in
+  match polarZ r s (near (-2)) (near 2) with
+  | Some box -> { box; digits = 0; zero = Some (if n mod 2 = 0 then n / 2 else n) }
+  | None -> raise (Not_read "a point given by r and s, next to a1 = 2 or -2")
+(* u_n = 0 at such a point is not decided by the box. *)
+let decided place n =
+  match place.zero with
+  | Some zero when n mod zero = 0 -> raise (Not_read "u_n = 0 at a point given by r and s")
+  | _ -> ()
+
 let read_place line =
   let digits = ref 0 in
   let fraction word =
@@ -135,14 +152,24 @@ let read_place line =
         need (prime p q) "expected fractions in lowest terms";
         ((if negative then Z.opp p else p), q)
     | _ -> refuse "expected fractions P/Q" in
-  let box = match words line with
-    | [ "at"; "plane"; x; y ] -> let x = fraction x and y = fraction y in (((x, x), y), y)
+  let place box = { box; digits = !digits; zero = None } in
+  let place = match words line with
+    | [ "at"; "plane"; x; y ] -> let x = fraction x in let y = fraction y in place (((x, x), y), y)
     | [ "at"; "box"; x; x'; y; y' ] ->
-        let x = fraction x in let x' = fraction x' in let y = fraction y in (((x, x'), y), fraction y')
-    | [ "at"; "polar"; _; _ ] -> raise (Not_read "a point given by r and s")
+        let x = fraction x in let x' = fraction x' in let y = fraction y in let y' = fraction y' in
+        place (((x, x'), y), y')
+    | [ "at"; "polar"; r; s ] ->
+        let r' = fraction r in let s' = fraction s in
+        let small word = if String.length word <= 9 then int_of_string word else max_int in
+        (match String.split_on_char '/' s with
+         | [ m; n ] ->
+             let m = small m and n = small n in
+             need (m > 0 && m < (n + 1) / 2 && r.[0] <> '-' && r.[0] <> '0') "0 < r <= 1 and 0 < s < 1/2";
+             polar (r', s') (m, n)
+         | _ -> refuse "expected fractions P/Q")
     | _ -> refuse "expected a line at ..." in
-  need (boxZ box) "0 < a2 <= 1, and the ends in order";
-  (box, !digits)
+  need (boxZ place.box) "0 < a2 <= 1, and the ends in order";
+  place
 
 let marks text =
   List.map (function '+' -> Some Plus | '-' -> Some Minus | '?' -> None | _ -> refuse "expected marks +, - or ?")
@@ -160,7 +187,7 @@ let rows lines periods =
 let letter = function "U" -> U | "D" -> D | _ -> refuse "expected the letter U or D"
 let period most word = let n = small "a period" most word in need (n > 0) "expected a period"; n
 
-let by_signs lines (box, digits) bits e =
+let by_signs lines ({ box; digits; _ } as place) bits e =
   let last = value lines "last" 256 in
   need (last > 0) "the last period is at least 1";
   let rec read n = if n > last then [] else
@@ -168,7 +195,7 @@ let by_signs lines (box, digits) bits e =
       | [ "occurs"; k; x ] -> need (period 256 k = n) "the periods come in order"; Occurs (letter x)
       | [ "absent"; k; j ] ->
           need (period 256 k = n) "the periods come in order"; Absent (natural (period (n - 1) j))
-      | [ "singular"; k ] -> need (period 256 k = n) "the periods come in order"; Vanishes
+      | [ "singular"; k ] -> need (period 256 k = n) "the periods come in order"; decided place n; Vanishes
       | _ -> refuse "expected occurs, absent or singular" in
     t :: read (n + 1) in
   let claims = read 1 in
@@ -177,9 +204,10 @@ let by_signs lines (box, digits) bits e =
   let rows = rows lines occurs in
   need (wordZ (whole (bits + (2 * last * (3 + digits)))) box e claims rows) "the word is not proved"
 
-let path lines (box, digits) bits region =
+let path lines ({ box; digits; _ } as place) bits region =
   let first = if region = 4 then 2 else value lines "first" 4096 in
   need (first >= 2) "the first upper period is at least 2";
+  decided place (first - 1);
   let told = ref [ first; 1 ] in
   let rec steps i j =
     match words (expect lines "the next step") with
@@ -188,7 +216,7 @@ let path lines (box, digits) bits region =
         need (i + j <= 4096 && List.length !told < 512) "too long: end with open";
         need (period 4096 n = i + j) "the mediant has another period";
         (match name, x with
-         | "end", "0" -> ([], Ends_zero, i + j)
+         | "end", "0" -> decided place (i + j); ([], Ends_zero, i + j)
          | "end", x -> ([], Ends (letter x), i + j)
          | "step", x ->
              told := (i + j) :: !told;
@@ -203,12 +231,13 @@ let path lines (box, digits) bits region =
   need (pathZ (whole (bits + (last * (3 + digits)))) box (whole region) (natural first) (natural last) w z rows)
     "the path is not proved"
 
-let by_path lines (box, digits) bits region e =
+let by_path lines ({ box; digits; _ } as place) bits region e =
   match region, e with
-  | (3 | 4 | 34), Plus -> path lines (box, digits) bits region
+  | (3 | 4 | 34), Plus -> path lines place bits region
   | (3 | 34), Minus ->
       let n = value lines "below" 512 in
       need (n > 0) "period 1 occurs";
+      decided place (n + 1);
       need (belowZ (whole (bits + (n * (3 + digits)))) box (whole region) (natural n)) "the periods are not proved"
   | _ ->
       match lonelyZ box (whole region) e with
@@ -238,7 +267,7 @@ let read lines =
   | "kind word-by-theorem" ->
       read_words lines by_theorem (fun place bits ->
         let region = value lines "region" 34 in
-        need (regionZ (fst place) (whole region)) "not all of the set lies in this region";
+        need (regionZ place.box (whole region)) "not all of the set lies in this region";
         by_path lines place bits region)
   | _ -> raise (Not_read "a kind that is not theorem2, word or word-by-theorem")
 

@@ -8,7 +8,7 @@ use std::{env, fs};
 use super::oracle;
 
 /// Certificates that `grazing` writes: kind and arguments.
-const WRITTEN: [&[&str]; 13] = [
+const WRITTEN: [&[&str]; 16] = [
     &["verify", "1..=9"],
     &["verify", "17..=18"],
     &["word", "--a1=-1/4", "--a2=1/2"],
@@ -22,6 +22,9 @@ const WRITTEN: [&[&str]; 13] = [
     &["word", "--a1=-21/20..=-1", "--a2=1/5..=1/4", "--by-theorem"],
     &["word", "--a1=-21/20..=-1", "--a2=1/5..=0.3", "--by-theorem"],
     &["word", "--a1=3", "--a2=1/2", "--by-theorem"],
+    &["word", "--r=9/10", "--s=10/27"],
+    &["word", "--r=9/10", "--s=10/27", "--by-theorem"],
+    &["word", "--r=1", "--s=7/24", "--by-theorem", "--letters=6"],
 ];
 
 /// Damaged files of each certificate: in `.ci/full`, where coqchk runs, ten times as many.
