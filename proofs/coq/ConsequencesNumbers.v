@@ -162,7 +162,8 @@ Proof.
       split; [exact N | split; [exact F|]]; rewrite <- exp_pow, Rmult_comm with (r1 := INR P) by lra; exact S.
 Qed.
 
-(** ** Words of all patterns: at most like 1.84^P in (+,-) and 1.57^P in (+,+), and somewhere like 1.839^P and 1.568^P *)
+(** ** Words of all patterns: slower than t^P, t = 1.839... in (+,-) and 1.568... in (+,+), and somewhere like 1.839^P
+    and 1.568^P *)
 
 From Grazing Require Import StatementSuprema.
 
@@ -181,19 +182,30 @@ Proof.
     apply (Rmult_lt_reg_r z); trivial; rewrite Rinv_l; lra.
 Qed.
 
-Lemma words_minus : Supremum_minus_statement -> (forall a1 a2 K, first_upper a1 a2 K -> no_faster (patterns a1 a2 Plus Minus) (184 / 100)) /\
+(** Where the statement says "below - ln z" a number less than 1/z serves. *)
+Lemma slower G z : 0 < z -> below G (- ln z) -> exists x, 0 < x < / z /\ no_faster G x.
+Proof.
+  intros Hz (h & Hh & A); exists (exp ((h - ln z) / 2)); split.
+  - split; [apply exp_pos|]; rewrite <- (exp_ln (/ z)) by (apply Rinv_0_lt_compat, Hz); rewrite ln_Rinv by exact Hz; apply exp_increasing; lra.
+  - apply (proj1 (from_logarithms G h (exp ((h - ln z) / 2)) (exp (h - 1)) (exp_pos _) (exp_pos _) ltac:(rewrite ln_exp; lra) ltac:(rewrite ln_exp; lra))), A.
+Qed.
+
+(** The tribonacci constant t: at each point words grow like some x^P at most, x < t. *)
+Lemma words_minus : Supremum_minus_statement -> exists t, t ^ 3 = t ^ 2 + t + 1 /\ 1839 / 1000 < t < 184 / 100 /\
+  (forall a1 a2 K, first_upper a1 a2 K -> exists x, 0 < x < t /\ no_faster (patterns a1 a2 Plus Minus) x) /\
   exists a1 K, first_upper a1 1 K /\ no_slower (patterns a1 1 Plus Minus) (1839 / 1000).
 Proof.
-  intros (z & [Hz _] & Hn & A & B); destruct (ln_inverse z (18391 / 10000) (184 / 100)) as [L1 L2]; [lra..|]; split.
-  - intros a1 a2 K H; apply (proj1 (from_logarithms _ (- ln z) (184 / 100) (1 / 2) ltac:(lra) ltac:(lra) L2 ltac:(apply Rlt_trans with (2 := L1), ln_increasing; lra))), (A a1 a2 K H).
-  - destruct (B (ln (18391 / 10000)) L1) as (a1 & K & H & HL); exists a1, K; split; [exact H|].
-    apply (proj2 (from_logarithms _ (ln (18391 / 10000)) 2 (1839 / 1000) ltac:(lra) ltac:(lra) ltac:(apply ln_increasing; lra) ltac:(apply ln_increasing; lra))), HL.
+  intros (z & [Hz E] & Hn & A & B); assert (Iz : z * / z = 1) by (field; lra); exists (/ z); split; [field_simplify_eq; [cbn [pow] in *; lra | lra]|].
+  split; [split; apply (Rmult_lt_reg_l z); lra|]; split; [intros a1 a2 K H; apply (slower _ z (proj1 Hz)), (A a1 a2 K H)|].
+  destruct (ln_inverse z (18391 / 10000) 2) as [L1 L2]; [lra..|]; destruct (B (ln (18391 / 10000)) L1) as (a1 & K & H & HL); exists a1, K; split; [exact H|].
+  apply (proj2 (from_logarithms _ (ln (18391 / 10000)) 2 (1839 / 1000) ltac:(lra) ltac:(lra) ltac:(apply ln_increasing; lra) ltac:(apply ln_increasing; lra))), HL.
 Qed.
-Lemma words_plus : Supremum_plus_statement -> (forall a1 a2 K, first_upper a1 a2 K -> no_faster (patterns a1 a2 Plus Plus) (157 / 100)) /\
+Lemma words_plus : Supremum_plus_statement -> exists z, root_plus z /\ 1568 / 1000 < / z < 157 / 100 /\
+  (forall a1 a2 K, first_upper a1 a2 K -> exists x, 0 < x < / z /\ no_faster (patterns a1 a2 Plus Plus) x) /\
   exists a1 K, first_upper a1 1 K /\ no_slower (patterns a1 1 Plus Plus) (1568 / 1000).
 Proof.
-  intros (z & [Hz _] & Hn & A & B); destruct (ln_inverse z (15681 / 10000) (157 / 100)) as [L1 L2]; [lra..|]; split.
-  - intros a1 a2 K H; apply (proj1 (from_logarithms _ (- ln z) (157 / 100) (1 / 2) ltac:(lra) ltac:(lra) L2 ltac:(apply Rlt_trans with (2 := L1), ln_increasing; lra))), (A a1 a2 K H).
-  - destruct (B (ln (15681 / 10000)) L1) as (a1 & K & H & HL); exists a1, K; split; [exact H|].
-    apply (proj2 (from_logarithms _ (ln (15681 / 10000)) 2 (1568 / 1000) ltac:(lra) ltac:(lra) ltac:(apply ln_increasing; lra) ltac:(apply ln_increasing; lra))), HL.
+  intros (z & Hr & Hn & A & B); assert (Hz : 0 < z < 1) by apply Hr; assert (Iz : z * / z = 1) by (field; lra); exists z; split; [exact Hr|].
+  split; [split; apply (Rmult_lt_reg_l z); lra|]; split; [intros a1 a2 K H; apply (slower _ z (proj1 Hz)), (A a1 a2 K H)|].
+  destruct (ln_inverse z (15681 / 10000) 2) as [L1 L2]; [lra..|]; destruct (B (ln (15681 / 10000)) L1) as (a1 & K & H & HL); exists a1, K; split; [exact H|].
+  apply (proj2 (from_logarithms _ (ln (15681 / 10000)) 2 (1568 / 1000) ltac:(lra) ltac:(lra) ltac:(apply ln_increasing; lra) ltac:(apply ln_increasing; lra))), HL.
 Qed.

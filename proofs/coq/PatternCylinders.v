@@ -59,7 +59,7 @@ Proof.
 Qed.
 End Cylinder.
 
-(** ** Vectors of whole numbers, at z <= a/b *)
+(** ** Vectors of whole numbers, at a/b *)
 Definition entry (l : list (nat * Z)) (n : nat) : Z := match find (fun x => (fst x =? n)%nat) l with Some x => snd x | None => 0%Z end.
 Definition scaledZ (a b : Z) (M : nat) (l : list (nat * Z)) (F : list (nat * letter)) : Z :=
   fold_right (fun y s => (a ^ Z.of_nat (fst y) * b ^ Z.of_nat (M - fst y) * entry l (fst y) + s)%Z) 0%Z F.
@@ -79,37 +79,31 @@ Proof.
 Qed.
 
 Theorem cert_sound a b K w g vv vs : certZ a b K w g vv vs = true -> forall a1 a2 i j z, first_upper a1 a2 K -> in_word a1 a2 K w i j ->
-  0 < z <= IZR a / IZR b -> at_most (patterns a1 a2 Plus g) (- ln z).
+  0 < z < IZR a / IZR b -> below (patterns a1 a2 Plus g) (- ln z).
 Proof.
-  intros H a1 a2 i j z first HW Hz; unfold certZ in H; rewrite (path_final a1 a2 K w i j (proj1 HW)) in H; cbv zeta in H.
+  intros H a1 a2 i j z first HW Hz; exists (- ln (IZR a / IZR b)); split; [apply Ropp_lt_contravar, ln_increasing; lra|]; clear z Hz; unfold certZ in H; rewrite (path_final a1 a2 K w i j (proj1 HW)) in H; cbv zeta in H.
   set (V := vertices K w) in *; set (l := combine (map fst V) vv) in *; set (M := (i + j)%nat) in *; set (m := Nat.min i j) in *.
   rewrite !andb_true_iff, !forallb_forall, !Z.ltb_lt, Nat.leb_le in H; destruct H as [[[[[[A0 AB] S0] M1] HV] Hrow] Hstar].
   assert (HV' : forall x, In x V -> (0 < entry l (fst x))%Z /\ (fst x <= M)%nat) by (intros x Hx; specialize (HV x Hx); rewrite andb_true_iff, Z.ltb_lt, Nat.leb_le in HV; exact HV).
   pose proof (IZR_lt _ _ A0) as A0r; pose proof (IZR_lt _ _ AB) as ABr; pose proof (IZR_lt _ _ S0) as S0r; set (q := IZR a / IZR b) in *.
   assert (Hq : 0 < q < 1) by (unfold q; split; [apply Rdiv_lt_0_compat; lra | apply (Rmult_lt_reg_r (IZR b)); [lra|]; unfold Rdiv; rewrite Rmult_assoc, Rinv_l; lra]).
-  assert (Hm : forall t, 0 < t <= q -> 0 < 1 - t ^ m) by (intros t Ht; assert (t ^ m < 1) by (apply pow_lt_1_compat; [lra | lia]); lra).
+  assert (Hmq : 0 < 1 - q ^ m) by (assert (q ^ m < 1) by (apply pow_lt_1_compat; [lra | lia]); lra).
   assert (Qb : forall k, q ^ k * IZR b ^ k = IZR a ^ k) by (intros k; rewrite <- Rpow_mult_distr; f_equal; unfold q; field; lra).
-  set (t := z ^ M / (1 - z ^ m)).
-  assert (Tq : t <= q ^ M / (1 - q ^ m)).
-  { unfold t, Rdiv; apply Rmult_le_compat; [apply pow_le; lra | left; apply Rinv_0_lt_compat, Hm; lra | apply pow_incr; lra|].
-    apply Rinv_le_contravar; [apply Hm; lra|]; assert (z ^ m <= q ^ m) by (apply pow_incr; lra); lra. }
-  assert (Down : forall F, incl F V -> weighed_sum z (fun n => IZR (entry l n)) F <= weighed_sum q (fun n => IZR (entry l n)) F).
-  { intros F HF; apply sum_le; intros y Hy; apply Rmult_le_compat_r; [apply IZR_le; destruct (HV' y (HF y Hy)); lia | apply pow_incr; lra]. }
+  set (t := q ^ M / (1 - q ^ m)).
   assert (Row : forall F x, incl F V -> (a ^ Z.of_nat M * b ^ Z.of_nat m * vs <=? (b ^ Z.of_nat m - a ^ Z.of_nat m) * (x * b ^ Z.of_nat M - scaledZ a b M l F))%Z = true ->
-    weighed_sum z (fun n => IZR (entry l n)) F + t * IZR vs <= IZR x).
+    weighed_sum q (fun n => IZR (entry l n)) F + t * IZR vs <= IZR x).
   { intros F x HF Hx; apply Z.leb_le, IZR_le in Hx; rewrite !mult_IZR, !minus_IZR, !mult_IZR, <- !pow_IZR in Hx.
-    rewrite (scaled_sum a b M l F ltac:(lia)) in Hx by (intros y Hy; apply HV', HF, Hy); fold q in Hx; specialize (Down F HF).
+    rewrite (scaled_sum a b M l F ltac:(lia)) in Hx by (intros y Hy; apply HV', HF, Hy); fold q in Hx.
     set (S := weighed_sum q _ F) in *; rewrite <- (Qb M), <- (Qb m) in Hx; set (bM := IZR b ^ M) in *; set (bm := IZR b ^ m) in *.
-    assert (0 < bM) by (apply pow_lt; lra); assert (0 < bm) by (apply pow_lt; lra); pose proof (Hm q ltac:(lra)) as Hmq.
+    assert (0 < bM) by (apply pow_lt; lra); assert (0 < bm) by (apply pow_lt; lra).
     assert (X : q ^ M * IZR vs <= (1 - q ^ m) * (IZR x - S)).
     { apply (Rmult_le_reg_r (bM * bm)); [apply Rmult_lt_0_compat; assumption|]; apply Rle_trans with (q ^ M * bM * bm * IZR vs); [lra|].
       apply Rle_trans with (1 := Hx); right; ring. }
-    assert (Y : q ^ M / (1 - q ^ m) * IZR vs <= IZR x - S).
-    { apply (Rmult_le_reg_l (1 - q ^ m)); [assumption|]; replace ((1 - q ^ m) * (q ^ M / (1 - q ^ m) * IZR vs)) with (q ^ M * IZR vs) by (field; lra); exact X. }
-    pose proof (Rmult_le_compat_r (IZR vs) _ _ ltac:(lra) Tq); lra. }
-  apply (cylinder a1 a2 K first z g (fun n => IZR (entry l n)) (IZR vs) t w i j HW); [lra | lra | | | |].
+    assert (Y : t * IZR vs <= IZR x - S); [|lra].
+    { apply (Rmult_le_reg_l (1 - q ^ m)); [assumption|]; replace ((1 - q ^ m) * (t * IZR vs)) with (q ^ M * IZR vs) by (unfold t; field; lra); exact X. } }
+  apply (cylinder a1 a2 K first q g (fun n => IZR (entry l n)) (IZR vs) t w i j HW); [lra | lra | | | |].
   - intros x Hx; apply IZR_lt, HV', Hx.
-  - intros X HN HX; apply (later_sum a1 a2 K first z w i j X); [lra | apply HW | exact HN | exact HX].
+  - intros X HN HX; apply (later_sum a1 a2 K first q w i j X); [lra | apply HW | exact HN | exact HX].
   - intros x Hx; apply Row; [intros y Hy; apply filter_In in Hy; apply Hy | apply Hrow, Hx].
   - apply Row; [intros y Hy; exact Hy | exact Hstar].
 Qed.

@@ -31,6 +31,27 @@ Proof.
   - rewrite sum_seq by exact Hq; pose proof (pow_lt q n ltac:(lra)); apply Rmult_le_compat_r; [left; apply Rinv_0_lt_compat|]; lra.
 Qed.
 
+(** How much such a sum rises from z to t, and that it rises little. *)
+Lemma sum_rise z t X : 0 < z < t /\ t < 1 -> NoDup X -> sum_of X (fun k => t ^ k - z ^ k) <= 1 / (1 - t) - 1 / (1 - z).
+Proof.
+  intros Hz HN; assert (Up : forall k, z ^ k <= t ^ k) by (intros k; apply pow_incr; lra).
+  assert (Max : exists n, forall k, In k X -> (k < n)%nat).
+  { clear; induction X as [|x X [n IH]]; [exists 0%nat; intros k []|]; exists (n + S x)%nat; intros k [<-|Hk]; [lia | specialize (IH k Hk); lia]. }
+  destruct Max as (n & Hn); apply Rle_trans with (sum_of (seq 0 n) (fun k => t ^ k - z ^ k)).
+  - apply sum_incl; [exact HN | intros k Hk; apply in_seq; specialize (Hn k Hk); lia | intros k _; specialize (Up k); lra].
+  - rewrite (sum_ext _ _ (fun k => t ^ k + -1 * z ^ k)) by (intros; ring); rewrite sum_plus, sum_scale, !sum_seq by lra; specialize (Up n).
+    assert (I : / (1 - z) <= / (1 - t)) by (apply Rinv_le_contravar; lra); assert (0 < / (1 - z)) by (apply Rinv_0_lt_compat; lra).
+    assert (z ^ n * / (1 - z) <= t ^ n * / (1 - t)) by (apply Rmult_le_compat; [apply pow_le; lra | lra | exact Up | exact I]); unfold Rdiv; lra.
+Qed.
+Lemma rise_small z c : 0 < z < 1 -> 0 < c -> exists t, (0 < z < t /\ t < 1) /\ 1 / (1 - t) - 1 / (1 - z) <= c.
+Proof.
+  intros Hz Hc; set (y := 1 / (1 - z) + c); assert (Q : 1 / (1 - z) * (1 - z) = 1) by (field; lra).
+  assert (P : 1 < 1 / (1 - z)) by (apply (Rmult_lt_reg_r (1 - z)); lra); assert (Y : / y * y = 1) by (apply Rinv_l; unfold y; lra).
+  assert (Y0 : 0 < / y) by (apply Rinv_0_lt_compat; unfold y; lra); exists (1 - / y); replace (1 - (1 - / y)) with (/ y) by ring.
+  assert (L : / y < 1 - z) by (rewrite <- (Rinv_inv (1 - z)); apply Rinv_lt_contravar; [apply Rmult_lt_0_compat; [apply Rinv_0_lt_compat; lra | unfold y; lra] | unfold y, Rdiv; lra]).
+  split; [lra|]; unfold Rdiv at 1; rewrite Rinv_inv; unfold y; lra.
+Qed.
+
 (** Whole numbers from s on, m apart at least. *)
 Lemma sum_spread z s m X : 0 < z < 1 -> (1 <= m)%nat -> NoDup X -> (forall x, In x X -> (s <= x)%nat) ->
   (forall x y, In x X -> In y X -> (x < y)%nat -> (x + m <= y)%nat) -> sum_of X (fun k => z ^ k) <= z ^ s / (1 - z ^ m).
@@ -170,15 +191,32 @@ Proof.
     destruct (Hv 1%nat (member_one a1 a2 Plus)); lra.
 Qed.
 
+(** With something to spare the same holds a little above z. *)
+Lemma spare z g (v : nat -> R) lo hi gap : 0 < z < 1 -> 0 < lo -> 0 < gap -> (forall n, member n -> lo <= v n <= hi) ->
+  (forall x, member x -> forall X, NoDup X -> (forall y, In y X -> member y /\ edge a1 a2 Plus g x y) -> sum_of X (fun y => z ^ y * v y) <= v x - gap) ->
+  below (patterns a1 a2 Plus g) (- ln z).
+Proof.
+  intros Hz Hlo Hgap Hv Hs; pose proof (Hv 1%nat (member_one a1 a2 Plus)) as H1; assert (Hhi : 0 < hi) by lra.
+  destruct (rise_small z (gap / hi) Hz (Rdiv_lt_0_compat _ _ Hgap Hhi)) as (t & Ht & Rise); exists (- ln t); split; [apply Ropp_lt_contravar, ln_increasing; lra|].
+  apply (bounded t g v lo hi); [lra | exact Hlo | exact Hv|]; intros x Hx X HN HX; specialize (Hs x Hx X HN HX).
+  rewrite (sum_ext X _ (fun y => z ^ y * v y + (t ^ y - z ^ y) * v y)) by (intros; ring); rewrite sum_plus.
+  assert (Q : sum_of X (fun y => (t ^ y - z ^ y) * v y) <= hi * (1 / (1 - t) - 1 / (1 - z))).
+  { apply Rle_trans with (hi * sum_of X (fun y => t ^ y - z ^ y)); [|apply Rmult_le_compat_l; [lra | apply sum_rise; [lra | exact HN]]].
+    rewrite <- sum_scale; apply sum_le; intros y Hy; rewrite (Rmult_comm hi); apply Rmult_le_compat_l; [|apply Hv, (HX y Hy)].
+    assert (z ^ y <= t ^ y) by (apply pow_incr; lra); lra. }
+  assert (hi * (1 / (1 - t) - 1 / (1 - z)) <= gap); [|lra].
+  apply Rle_trans with (hi * (gap / hi)); [apply Rmult_le_compat_l; lra | right; field; lra].
+Qed.
+
 (** The side that goes with g is joined to all, the other to it alone. *)
-Lemma two_sides z g full s t : 0 < z < 1 -> case_of full = g -> 0 <= s -> 0 <= t -> s * (1 + t) <= 1 ->
+Lemma two_sides z g full s t : 0 < z < 1 -> case_of full = g -> 0 <= s -> 0 <= t -> s * (1 + t) < 1 ->
   (forall X, NoDup X -> (forall n, In n X -> member n /\ side n = full) -> sum_of X (fun k => z ^ k) <= s) ->
   (forall X, NoDup X -> (forall n, In n X -> member n /\ side n <> full) -> sum_of X (fun k => z ^ k) <= t) ->
-  at_most (patterns a1 a2 Plus g) (- ln z).
+  below (patterns a1 a2 Plus g) (- ln z).
 Proof.
   intros Hz Hg Hs Ht Hst HS HT; set (is := fun n => match full, side n with D, D | U, U => true | _, _ => false end).
   assert (Is : forall n, is n = true <-> side n = full) by (intros n; unfold is; destruct full, (side n); split; congruence).
-  apply (bounded z g (fun n => if is n then 1 + t else 1) 1 (1 + t)); [exact Hz | lra | intros n _; destruct (is n); lra|].
+  apply (spare z g (fun n => if is n then 1 + t else 1) 1 (1 + t) (1 - s * (1 + t))); [exact Hz | lra | lra | intros n _; destruct (is n); lra|].
   intros x Hx X HN HX; rewrite (sum_filter_two is X).
   rewrite (sum_ext (filter is X) _ (fun k => (1 + t) * z ^ k)) by (intros k Hk; apply filter_In in Hk; rewrite (proj2 Hk); ring).
   rewrite (sum_ext (filter (fun y => negb (is y)) X) _ (fun k => z ^ k)) by (intros k Hk; apply filter_In in Hk; destruct Hk as [_ Hk]; apply negb_true_iff in Hk; rewrite Hk; ring).
@@ -186,7 +224,7 @@ Proof.
   assert (A' : sum_of (filter is X) (fun k => z ^ k) <= s) by (apply A; intros n Hn; apply filter_In in Hn; split; [apply (HX n), Hn | apply Is, Hn]).
   assert (B' : sum_of (filter (fun y => negb (is y)) X) (fun k => z ^ k) <= t).
   { apply B; intros n Hn; apply filter_In in Hn; split; [apply (HX n), Hn|]; intros E; apply Is in E; destruct Hn as [_ Hn]; rewrite E in Hn; discriminate. }
-  assert (AA : (1 + t) * sum_of (filter is X) (fun k => z ^ k) <= 1) by (apply Rle_trans with ((1 + t) * s); [apply Rmult_le_compat_l; lra | lra]).
+  assert (AA : (1 + t) * sum_of (filter is X) (fun k => z ^ k) <= s * (1 + t)) by (rewrite (Rmult_comm s); apply Rmult_le_compat_l; lra).
   cbv beta; change (sum_of (filter is X) (pow z)) with (sum_of (filter is X) (fun k => z ^ k)); destruct (is x) eqn:Ex; [lra|]; replace (filter (fun y => negb (is y)) X) with (@nil nat); [cbn [sum_of]; lra|].
   symmetry; destruct (filter (fun y => negb (is y)) X) as [|y Y] eqn:EY; [reflexivity | exfalso].
   assert (Iy : In y (filter (fun y => negb (is y)) X)) by (rewrite EY; left; reflexivity); apply filter_In in Iy; destruct Iy as [Iy Ny].

@@ -3,7 +3,7 @@
 From Coq Require Import Reals ZArith List Arith Bool Lra Lia.
 From Grazing Require Import Defs Statement StatementPlane StatementWords StatementGraphs StatementReaderWords Algebra AppendixA Above Sine WordAlgebra WordPath
   WordGraph WordPatterns WordPlane ReaderWords GraphWords.
-From Grazing Require Import StatementSuprema PatternSums PatternCylinders SupremumMinus SupremumPlus SupremumPlusAll.
+From Grazing Require Import StatementSuprema PatternSums PatternCylinders Endless SupremumMinus SupremumPlus SupremumPlusAll.
 Import ListNotations. Open Scope R_scope.
 
 (** ** The two roots *)
@@ -157,7 +157,7 @@ End Minus.
 
 Theorem Supremum_minus : Supremum_minus_statement.
 Proof.
-  destruct root_minus_exists as (z & Hr & Hn); exists z; split; [exact Hr | split; [exact Hn|]]; split; [apply (minus_at_most z Hr ltac:(lra))|].
+  destruct root_minus_exists as (z & Hr & Hn); exists z; split; [exact Hr | split; [exact Hn|]]; split; [apply (minus_below z Hr ltac:(lra))|].
   intros h Hh; destruct Hr as [Hz E]; destruct (little_above z h Hz Hh) as (t & Ht & Lt); assert (Q2 : 0 < 1 - t ^ 2) by (cbn [pow]; nra).
   assert (Gap : 0 < t * (1 + t ^ 2) - (1 - t ^ 2)).
   { replace (t * (1 + t ^ 2) - (1 - t ^ 2)) with (t + t ^ 2 + t ^ 3 - 1) by ring; assert (z ^ 2 < t ^ 2) by (cbn [pow]; nra).
@@ -295,7 +295,7 @@ End Plus.
 
 Theorem Supremum_plus : Supremum_plus_statement.
 Proof.
-  destruct root_plus_exists as (z & Hr & Hn); exists z; split; [exact Hr | split; [exact Hn|]]; split; [apply (plus_at_most z Hr ltac:(lra))|].
+  destruct root_plus_exists as (z & Hr & Hn); exists z; split; [exact Hr | split; [exact Hn|]]; split; [apply (plus_below z Hr ltac:(lra))|].
   intros h Hh; destruct Hr as [Hz E]; destruct (little_above z h Hz Hh) as (t & Ht & Lt).
   assert (P : forall k x, (1 <= k)%nat -> 0 < x < 1 -> 0 < x ^ k < 1) by (intros k x Hk Hx; split; [apply pow_lt; lra | apply pow_lt_1_compat; [lra | lia]]).
   assert (G : forall k, (1 <= k)%nat -> z ^ k < t ^ k) by (intros k Hk; destruct k as [|k]; [lia|]; apply pow_lt_compat_l; [lia | lra]).

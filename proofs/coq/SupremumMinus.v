@@ -1,9 +1,9 @@
-(** * Case (+,-): at most the logarithm of the tribonacci constant, whatever the point *)
+(** * Case (+,-): below the logarithm of the tribonacci constant, whatever the point *)
 
 From Coq Require Import Reals ZArith List Arith Bool Lra Lia Classical.
 From Grazing Require Import Defs Statement StatementWords StatementGraphs StatementReaderWords Algebra WordAlgebra WordPath WordGraph WordPatterns
   WordPlane GraphWords.
-From Grazing Require Import StatementSuprema PatternSums PatternCylinders.
+From Grazing Require Import StatementSuprema PatternSums PatternCylinders Endless.
 Import ListNotations. Open Scope R_scope.
 
 Lemma numbers_minus z : root_minus z -> 5436 / 10000 < z < 5437 / 10000 -> z ^ 2 = z * z /\ z / (1 - z ^ 2) * (1 + z ^ 2) = 1 /\
@@ -23,18 +23,17 @@ Proof.
   induction a as [|a IH]; intros i v H; cbn [repeat periods] in H; [destruct H|]; destruct H as [<-|H]; [exists 1%nat; split; [lia | f_equal; lia]|].
   destruct (IH _ _ H) as (k & Hk & ->); exists (S k); split; [lia | f_equal; lia].
 Qed.
-Lemma repeat_snoc {T} (x : T) a : repeat x a ++ [x] = repeat x (S a).
-Proof. induction a as [|a IH]; [reflexivity | cbn in *; rewrite IH; reflexivity]. Qed.
 
 Section Minus.
 Variables (a1 a2 z : R).
 Hypotheses (Hroot : root_minus z) (Hnum : 5436 / 10000 < z < 5437 / 10000).
-Notation small := (at_most (patterns a1 a2 Plus Minus) (- ln z)).
+Notation small := (below (patterns a1 a2 Plus Minus) (- ln z)).
 Notation member := (member a1 a2 Plus).
 
 Lemma minus_large_K K : first_upper a1 a2 K -> (3 <= K)%nat -> small.
 Proof.
-  intros first HK; destruct (numbers_minus z Hroot Hnum) as (E2 & _ & B2 & _); set (t := z ^ (1 + K) / (1 - z ^ Nat.min 1 K)).
+  intros first HK; exists (- ln 0.5437); split; [apply Ropp_lt_contravar, ln_increasing; lra|]; clear Hroot Hnum; generalize (eq_refl 0.5437); generalize 0.5437 at -1.
+  clear z; intros z Ez; assert (B2 : 0.2955 < z ^ 2 < 0.2957) by (rewrite <- Ez; lra); set (t := z ^ (1 + K) / (1 - z ^ Nat.min 1 K)).
   assert (P3 : z ^ K <= 0.1608) by (apply Rle_trans with (z ^ 3); [apply pow_z_le; [lra | exact HK] | cbn [pow] in *; nra]).
   assert (PK : 0 < z ^ K) by (apply pow_lt; lra); assert (Ht : 0 <= t <= 0.1918).
   { unfold t; replace (Nat.min 1 K) with 1%nat by lia; rewrite pow_1; cbn [Nat.add pow]; split.
@@ -51,15 +50,16 @@ Qed.
 Hypothesis first : first_upper a1 a2 2.
 Notation in_word := (in_word a1 a2 2).
 
-(** No later period: the lower ones are odd, 2 alone is upper. *)
-Lemma minus_odd : (forall n, member n -> n = 2%nat /\ side a1 a2 n = U \/ Nat.Odd n /\ side a1 a2 n = D) -> small.
+(** D^a: the lower periods are 1, 3, ..., 2a + 1, 2 alone is upper. *)
+Lemma minus_odd a : (forall n, member n -> n = 2%nat /\ side a1 a2 n = U \/ (exists k, (k < a + 1)%nat /\ n = (1 + 2 * k)%nat) /\ side a1 a2 n = D) -> small.
 Proof.
-  intros H; destruct (numbers_minus z Hroot Hnum) as (E2 & ES & B2 & Bc & _).
-  apply (two_sides a1 a2 2 first z Minus D (z / (1 - z ^ 2)) (z ^ 2)); [lra | reflexivity | apply Rmult_le_pos; lra | lra | lra | |].
-  - intros X HN HX; replace (z / (1 - z ^ 2)) with (z ^ 1 / (1 - z ^ 2)) by (rewrite pow_1; reflexivity); apply (sum_spread z 1 2 X); [lra | lia | exact HN | |].
-    + intros x Hx; apply (member_1_or_more a1 a2 x), HX, Hx.
-    + intros x y Hx Hy L; destruct (HX x Hx) as [Mx Sx], (HX y Hy) as [My Sy]; destruct (H x Mx) as [[_ S]|[[k ->] _]]; [congruence|].
-      destruct (H y My) as [[_ S]|[[l ->] _]]; [congruence | lia].
+  intros H; destruct (numbers_minus z Hroot Hnum) as (E2 & ES & B2 & Bc & _); set (e := z ^ (1 + 2 * (a + 1))); unfold Rdiv in ES; set (c := / (1 - z ^ 2)) in *.
+  assert (He : 0 < e) by (apply pow_lt; lra); assert (Hez : e <= z) by (unfold e; rewrite <- (pow_1 z) at 2; apply pow_z_le; [lra | lia]).
+  apply (two_sides a1 a2 2 first z Minus D ((z - e) * c) (z ^ 2)); [lra | reflexivity | apply Rmult_le_pos; lra | lra | | |].
+  - assert (0 < e * c * (1 + z ^ 2)) by (apply Rmult_lt_0_compat; [apply Rmult_lt_0_compat|]; lra).
+    replace ((z - e) * c * (1 + z ^ 2)) with (z * c * (1 + z ^ 2) - e * c * (1 + z ^ 2)) by ring; lra.
+  - intros X HN HX; replace ((z - e) * c) with ((z ^ 1 - e) / (1 - z ^ 2)) by (rewrite pow_1; reflexivity); apply (sum_steps z 1 2 (a + 1)); [lra | lia | exact HN|].
+    intros x Hx; destruct (HX x Hx) as [Mx Sx]; destruct (H x Mx) as [[_ S]|[K _]]; [congruence | exact K].
   - intros X HN HX; replace (z ^ 2) with (sum_of [2%nat] (fun k => z ^ k)) by (cbn [sum_of]; ring); apply sum_incl; [exact HN | | intros; apply pow_le; lra].
     intros x Hx; destruct (HX x Hx) as [Mx Sx]; destruct (H x Mx) as [[-> _]|[_ S]]; [left; reflexivity | contradiction].
 Qed.
@@ -73,10 +73,10 @@ Lemma vertex_side w i j v : in_word w i j -> In v (vertices 2 w) -> side a1 a2 (
 Proof. intros [Hp _] Hv; destruct v as [n x]; apply (on_side a1 a2), (vertices_on a1 a2 2 first w i j Hp n x Hv). Qed.
 
 Lemma in_word_D_odd a n : in_word (repeat D a) (2 * a + 1) 2 -> In n (map fst (vertices 2 (repeat D a))) ->
-  n = 2%nat /\ side a1 a2 n = U \/ Nat.Odd n /\ side a1 a2 n = D.
+  n = 2%nat /\ side a1 a2 n = U \/ (exists k, (k < a + 1)%nat /\ n = (1 + 2 * k)%nat) /\ side a1 a2 n = D.
 Proof.
   intros HW Hn; apply in_map_iff in Hn; destruct Hn as (v & <- & Hv); rewrite (vertex_side _ _ _ v HW Hv).
-  apply word_D_vertices in Hv; destruct Hv as [->|(k & _ & ->)]; [left; auto | right; split; [exists k; reflexivity | reflexivity]].
+  apply word_D_vertices in Hv; destruct Hv as [->|(k & Hk & ->)]; [left; auto | right; split; [exists k; cbn [fst]; lia | reflexivity]].
 Qed.
 
 (** D^a U, a >= 6. *)
@@ -125,7 +125,7 @@ Qed.
 
 Lemma minus_short a : (a < 6)%nat -> in_word (repeat D a ++ [U]) (2 * a + 1) (2 * a + 3) -> small.
 Proof.
-  intros Ha HW; assert (Hz : 0 < z <= IZR 5437 / IZR 10000) by lra.
+  intros Ha HW; assert (Hz : 0 < z < IZR 5437 / IZR 10000) by lra.
   destruct a as [|[|[|[|[|[|a]]]]]]; [| | | | | |lia]; cbn [repeat app] in HW.
   - exact (cert_sound 5437 10000 2 [U] Minus [3; 1; 3]%Z 3 ltac:(vm_compute; reflexivity) a1 a2 _ _ z first HW Hz).
   - exact (cert_sound 5437 10000 2 [D; U] Minus [5; 3; 4; 4]%Z 5 ltac:(vm_compute; reflexivity) a1 a2 _ _ z first HW Hz).
@@ -139,19 +139,16 @@ Lemma minus_2 : small.
 Proof.
   destruct (classic (exists a, in_word (repeat D a) (2 * a + 1) 2 /\ ~ in_word (repeat D (S a)) (2 * S a + 1) 2)) as [(a & HW & Stop)|All].
   - destruct (word_step a1 a2 2 _ _ _ HW) as [NM|[[_ HD]|[_ HU]]].
-    + apply minus_odd; intros n Hn; destruct (member_cases a1 a2 2 first _ _ _ n (proj1 HW) Hn) as [I|L]; [apply (in_word_D_odd a n HW I)|].
+    + apply (minus_odd a); intros n Hn; destruct (member_cases a1 a2 2 first _ _ _ n (proj1 HW) Hn) as [I|L]; [apply (in_word_D_odd a n HW I)|].
       destruct (later_none a1 a2 2 first _ _ _ n (proj1 HW) NM L).
     + exfalso; apply Stop; rewrite repeat_snoc in HD; replace (2 * S a + 1)%nat with (2 * a + 1 + 2)%nat by lia; exact HD.
     + replace (2 * a + 1 + 2)%nat with (2 * a + 3)%nat in HU by lia; destruct (le_lt_dec 6 a) as [L|L]; [apply (minus_long a L HU), HW | apply (minus_short a L HU)].
-  - assert (Every : forall a, in_word (repeat D a) (2 * a + 1) 2).
-    { induction a as [|a IH]; [apply word_start, first | apply NNPP; intros No; apply All; exists a; split; assumption]. }
-    apply minus_odd; intros n Hn; pose proof (Every n) as HW; destruct (member_cases a1 a2 2 first _ _ _ n (proj1 HW) Hn) as [I|L]; [apply (in_word_D_odd n n HW I)|].
-    pose proof (later_from a1 a2 2 first _ _ _ n (proj1 HW) L); lia.
+  - destruct (no_D_without_end a1 a2 first); induction a as [|a IH]; [apply word_start, first | apply NNPP; intros No; apply All; exists a; split; assumption].
 Qed.
 End Minus.
 
-Theorem minus_at_most z : root_minus z -> 5436 / 10000 < z < 5437 / 10000 -> forall a1 a2 K, first_upper a1 a2 K -> at_most (patterns a1 a2 Plus Minus) (- ln z).
+Theorem minus_below z : root_minus z -> 5436 / 10000 < z < 5437 / 10000 -> forall a1 a2 K, first_upper a1 a2 K -> below (patterns a1 a2 Plus Minus) (- ln z).
 Proof.
   intros Hr Hn a1 a2 K first; pose proof (K_ge_2 a1 a2 K first); destruct (Nat.eq_dec K 2) as [->|Hne]; [exact (minus_2 a1 a2 z Hr Hn first)|].
-  apply (minus_large_K a1 a2 z Hr Hn K first); lia.
+  apply (minus_large_K a1 a2 z Hn K first); lia.
 Qed.

@@ -1,4 +1,4 @@
-(** * Case (+,+): at most 0.4503..., whatever the point *)
+(** * Case (+,+): below 0.4503..., whatever the point *)
 
 From Coq Require Import Reals ZArith List Arith Bool Lra Lia Classical.
 From Grazing Require Import Defs Statement StatementWords StatementGraphs StatementReaderWords Algebra WordAlgebra WordPath WordGraph WordPatterns
@@ -6,12 +6,15 @@ From Grazing Require Import Defs Statement StatementWords StatementGraphs Statem
 From Grazing Require Import StatementSuprema PatternSums PatternCylinders SupremumMinus.
 Import ListNotations. Open Scope R_scope.
 
+Lemma powers_plus z : 6373 / 10000 < z <= 6374 / 10000 -> 0.4061 < z ^ 2 < 0.4063 /\ 0.2588 < z ^ 3 < 0.259 /\ 0.1649 < z ^ 4 < 0.1651.
+Proof.
+  intros B; assert (B2 : 0.4061 < z ^ 2 < 0.4063) by (cbn [pow]; split; nra); split; [exact B2|].
+  split; [replace (z ^ 3) with (z ^ 2 * z) by ring | replace (z ^ 4) with (z ^ 2 * z ^ 2) by ring]; split; nra.
+Qed.
 Lemma numbers_plus z : root_plus z -> 6373 / 10000 < z < 6374 / 10000 -> 0.4061 < z ^ 2 < 0.4063 /\ 0.2588 < z ^ 3 < 0.259 /\ 0.1649 < z ^ 4 < 0.1651 /\
   z ^ 19 <= 1 / 4000 /\ 1.197 < / (1 - z ^ 4) < 1.2 /\ 0 < / (1 - z ^ 3) /\ (1 + z ^ 4) * (z ^ 3 * / (1 - z ^ 4) + z ^ 2 * / (1 - z ^ 3)) = 1.
 Proof.
-  intros [Hz E] B; assert (B2 : 0.4061 < z ^ 2 < 0.4063) by (cbn [pow]; split; nra).
-  assert (B3 : 0.2588 < z ^ 3 < 0.259) by (replace (z ^ 3) with (z ^ 2 * z) by ring; split; nra).
-  assert (B4 : 0.1649 < z ^ 4 < 0.1651) by (replace (z ^ 4) with (z ^ 2 * z ^ 2) by ring; split; nra).
+  intros [Hz E] B; destruct (powers_plus z ltac:(lra)) as (B2 & B3 & B4).
   split; [exact B2 | split; [exact B3 | split; [exact B4|]]]; split; [|split; [|split; [apply Rinv_0_lt_compat; lra | exact E]]].
   - assert (0 <= z ^ 8 <= 0.02726) by (replace (z ^ 8) with (z ^ 4 * z ^ 4) by ring; split; nra).
     assert (0 <= z ^ 16 <= 0.000744) by (replace (z ^ 16) with (z ^ 8 * z ^ 8) by ring; split; nra).
@@ -33,14 +36,15 @@ Qed.
 Section Plus.
 Variables (a1 a2 z : R).
 Hypotheses (Hroot : root_plus z) (Hnum : 6373 / 10000 < z < 6374 / 10000).
-Notation small := (at_most (patterns a1 a2 Plus Plus) (- ln z)).
+Notation small := (below (patterns a1 a2 Plus Plus) (- ln z)).
 Notation member := (member a1 a2 Plus).
 Notation side := (side a1 a2).
 Notation in_word := (in_word a1 a2).
 
 Lemma plus_large_K K : first_upper a1 a2 K -> (4 <= K)%nat -> small.
 Proof.
-  intros first HK; destruct (numbers_plus z Hroot Hnum) as (B2 & B3 & B4 & _); set (t := z ^ (1 + K) / (1 - z ^ Nat.min 1 K)).
+  intros first HK; exists (- ln 0.6374); split; [apply Ropp_lt_contravar, ln_increasing; lra|]; destruct (powers_plus 0.6374 ltac:(lra)) as (B2 & B3 & B4); clear Hroot Hnum.
+  revert B2 B3 B4; generalize (eq_refl 0.6374); generalize 0.6374 at -1; clear z; intros z Ez B2 B3 B4; set (t := z ^ (1 + K) / (1 - z ^ Nat.min 1 K)).
   assert (P4 : z ^ K <= 0.1651) by (apply Rle_trans with (z ^ 4); [apply pow_z_le; [lra | exact HK] | lra]).
   assert (PK : 0 < z ^ K) by (apply pow_lt; lra); assert (Ht : 0 <= t <= 0.2904).
   { unfold t; replace (Nat.min 1 K) with 1%nat by lia; rewrite pow_1; cbn [Nat.add pow]; split.
@@ -62,7 +66,7 @@ Lemma vertex_side K w i j v : first_upper a1 a2 K -> in_word K w i j -> In v (ve
 Proof. intros first [Hp _] Hv; destruct v as [n x]; apply (on_side a1 a2), (vertices_on a1 a2 K first w i j Hp n x Hv). Qed.
 
 (** The word has ended after few letters: 1 alone is lower, the sum over the upper ones is s at most. *)
-Lemma plus_closed K w i j s : first_upper a1 a2 K -> in_word K w i j -> ~ member (i + j) -> 0 <= s -> s * (1 + z) <= 1 ->
+Lemma plus_closed K w i j s : first_upper a1 a2 K -> in_word K w i j -> ~ member (i + j) -> 0 <= s -> s * (1 + z) < 1 ->
   (forall v, In v (vertices K w) -> v = (1%nat, D) \/ snd v = U) ->
   sum_of (filter (fun n => negb (n =? 1)%nat) (map fst (vertices K w))) (fun k => z ^ k) <= s -> small.
 Proof.
@@ -84,8 +88,8 @@ Lemma plus_3 : first_upper a1 a2 3 -> small.
 Proof.
   intros first; destruct (numbers_plus z Hroot Hnum) as (B2 & B3 & B4 & _); assert (B5 : z ^ 5 <= 0.1053) by (replace (z ^ 5) with (z ^ 4 * z) by ring; nra).
   assert (P5 : 0 < z ^ 5) by (apply pow_lt; lra); destruct u_first as (U2 & U3 & U4 & U6); destruct (first) as ([A0 A1] & _ & O3 & Low).
-  pose proof (Low 2%nat ltac:(lia)) as L2; cbn [on] in O3; rewrite U2 in L2; rewrite U3 in O3; assert (Hz : 0 < z <= IZR 6374 / IZR 10000) by lra.
-  assert (S5 : (0.259 + 0.1651 + 0.1053) * (1 + z) <= 1) by nra.
+  pose proof (Low 2%nat ltac:(lia)) as L2; cbn [on] in O3; rewrite U2 in L2; rewrite U3 in O3; assert (Hz : 0 < z < IZR 6374 / IZR 10000) by lra.
+  assert (S5 : (0.259 + 0.1651 + 0.1053) * (1 + z) < 1) by nra.
   destruct (word_step a1 a2 3 _ _ _ (word_start a1 a2 3 first)) as [NM|[[HD _]|[HU H1]]].
   - apply (plus_closed 3 _ _ _ (0.259 + 0.1651 + 0.1053) first (word_start a1 a2 3 first) NM); [lra | exact S5 | | cbn; lra].
     intros v [<-|[<-|[]]]; cbn; tauto.
@@ -125,18 +129,20 @@ Qed.
 
 Section Family.
 Variables (k s : R).
-Hypotheses (HW : in_word 2 [U; D] 4 3) (Hk : 1 <= k) (Hks : k * (s + z ^ 2 * / (1 - z ^ 3)) <= 1).
+Hypotheses (HW : in_word 2 [U; D] 4 3) (Hk : 1 <= k) (Hks : k * (s + z ^ 2 * / (1 - z ^ 3)) < 1).
 Hypothesis HD : forall X, NoDup X -> (forall n, In n X -> member n /\ side n = D /\ n <> 1%nat) -> sum_of X (fun j => z ^ j) <= k - 1.
 Hypothesis HU : forall X, NoDup X -> (forall n, In n X -> member n /\ side n = U /\ n <> 2%nat) -> sum_of X (fun j => z ^ j) <= s.
 Let v2 := k * / (1 - z ^ 3).
-Let v (n : nat) : R := if (n =? 1)%nat then z ^ 2 * v2 else if (n =? 2)%nat then v2 else match side n with D => 1 | U => k end.
+Let gap := (1 - k * (s + z ^ 2 * / (1 - z ^ 3))) / 2.
+Let v1 := z ^ 2 * v2 + gap.
+Let v (n : nat) : R := if (n =? 1)%nat then v1 else if (n =? 2)%nat then v2 else match side n with D => 1 | U => k end.
 
 Lemma family_sum X : NoDup X -> (forall n, In n X -> member n) -> exists A B C E, sum_of X (fun n => z ^ n * v n) = A + B + C + E /\
-  (0 <= A <= z * (z ^ 2 * v2) /\ (~ In 1%nat X -> A = 0)) /\ 0 <= B <= z ^ 2 * v2 /\
+  (0 <= A <= z * v1 /\ (~ In 1%nat X -> A = 0)) /\ 0 <= B <= z ^ 2 * v2 /\
   (0 <= C <= k - 1 /\ ((forall n, In n X -> side n = U \/ n = 1%nat) -> C = 0)) /\ (0 <= E <= k * s /\ ((forall n, In n X -> side n = D \/ n = 2%nat) -> E = 0)).
 Proof.
   intros HN HX; destruct (numbers_plus z Hroot Hnum) as (B2 & B3 & _ & _ & _ & C3 & _); assert (V2 : 0 < v2) by (unfold v2; apply Rmult_lt_0_compat; lra).
-  set (p1 := fun n => (n =? 1)%nat); set (p2 := fun n => (n =? 2)%nat); set (pd := fun n => match side n with D => true | U => false end).
+  assert (V1 : 0 < v1) by (unfold v1, gap; pose proof (Rmult_lt_0_compat _ _ (pow_lt z 2 ltac:(lra)) V2); lra); set (p1 := fun n => (n =? 1)%nat); set (p2 := fun n => (n =? 2)%nat); set (pd := fun n => match side n with D => true | U => false end).
   set (X1 := filter p1 X); set (Y1 := filter (fun n => negb (p1 n)) X); set (X2 := filter p2 Y1); set (Y2 := filter (fun n => negb (p2 n)) Y1).
   set (X3 := filter pd Y2); set (X4 := filter (fun n => negb (pd n)) Y2).
   assert (I1 : forall n, In n X1 -> In n X /\ n = 1%nat) by (intros n H; apply filter_In in H; destruct H as [H E]; apply Nat.eqb_eq in E; auto).
@@ -148,13 +154,13 @@ Proof.
   { intros n H; apply filter_In in H; destruct H as [H E]; apply J2 in H; unfold pd in E; destruct (side n); [tauto | discriminate]. }
   assert (I4 : forall n, In n X4 -> In n X /\ n <> 1%nat /\ n <> 2%nat /\ side n = U).
   { intros n H; apply filter_In in H; destruct H as [H E]; apply J2 in H; unfold pd in E; destruct (side n); [discriminate | tauto]. }
-  exists (z ^ 2 * v2 * sum_of X1 (fun n => z ^ n)), (v2 * sum_of X2 (fun n => z ^ n)), (sum_of X3 (fun n => z ^ n)), (k * sum_of X4 (fun n => z ^ n)).
+  exists (v1 * sum_of X1 (fun n => z ^ n)), (v2 * sum_of X2 (fun n => z ^ n)), (sum_of X3 (fun n => z ^ n)), (k * sum_of X4 (fun n => z ^ n)).
   assert (N1 : NoDup Y1) by (apply NoDup_filter, HN); assert (N2 : NoDup Y2) by (apply NoDup_filter, N1).
   assert (Pos : forall Y, 0 <= sum_of Y (fun n => z ^ n)) by (intros Y; apply sum_pos; intros; apply pow_le; lra).
   assert (None : forall Y, (forall n : nat, ~ In n Y) -> sum_of Y (fun n => z ^ n) = 0) by (intros [|n Y] H; [reflexivity | destruct (H n); left; reflexivity]).
   split.
   { rewrite (sum_filter_two p1 X); fold X1 Y1; rewrite (sum_filter_two p2 Y1); fold X2 Y2; rewrite (sum_filter_two pd Y2); fold X3 X4.
-    rewrite <- !sum_scale; rewrite (sum_ext X1 _ (fun n => z ^ 2 * v2 * z ^ n)) by (intros n H; destruct (I1 n H) as [_ ->]; unfold v; cbn [Nat.eqb]; ring).
+    rewrite <- !sum_scale; rewrite (sum_ext X1 _ (fun n => v1 * z ^ n)) by (intros n H; destruct (I1 n H) as [_ ->]; unfold v; cbn [Nat.eqb]; ring).
     rewrite (sum_ext X2 _ (fun n => v2 * z ^ n)) by (intros n H; rewrite (I2 n H); unfold v; cbn [Nat.eqb]; ring).
     rewrite (sum_ext X3 _ (fun n => z ^ n)).
     2: { intros n H; destruct (I3 n H) as (_ & E1 & E2 & S); unfold v; rewrite (proj2 (Nat.eqb_neq _ _) E1), (proj2 (Nat.eqb_neq _ _) E2), S; ring. }
@@ -165,7 +171,7 @@ Proof.
   assert (Q2 : sum_of X2 (fun n => z ^ n) <= z ^ 2) by (apply sum_one; [lra | apply NoDup_filter, N1 | exact I2]).
   assert (Q3 : sum_of X3 (fun n => z ^ n) <= k - 1) by (apply HD; [apply NoDup_filter, N2|]; intros n H; destruct (I3 n H) as (H1 & H2 & _ & H4); split; [apply HX, H1 | tauto]).
   assert (Q4 : sum_of X4 (fun n => z ^ n) <= s) by (apply HU; [apply NoDup_filter, N2|]; intros n H; destruct (I4 n H) as (H1 & _ & H3 & H4); split; [apply HX, H1 | tauto]).
-  rewrite pow_1 in Q1; pose proof (Pos X1); pose proof (Pos X2); pose proof (Pos X3); pose proof (Pos X4); assert (W : 0 < z ^ 2 * v2) by (apply Rmult_lt_0_compat; lra).
+  rewrite pow_1 in Q1; pose proof (Pos X1); pose proof (Pos X2); pose proof (Pos X3); pose proof (Pos X4).
   split; [split; [split; [apply Rmult_le_pos; lra | rewrite (Rmult_comm z); apply Rmult_le_compat_l; lra]|]|].
   { intros No; rewrite None; [ring|]; intros n H'; destruct (I1 n H') as [G1 ->]; contradiction. }
   split; [split; [apply Rmult_le_pos; lra | rewrite (Rmult_comm (z ^ 2)); apply Rmult_le_compat_l; lra]|].
@@ -178,12 +184,13 @@ Proof.
   destruct (numbers_plus z Hroot Hnum) as (B2 & B3 & _ & _ & _ & C3 & _); assert (V2 : v2 * (1 - z ^ 3) = k) by (unfold v2; field; lra).
   assert (P2 : 0 < v2) by (unfold v2; apply Rmult_lt_0_compat; lra); assert (K2 : k <= v2) by nra; assert (W : 0 < z ^ 2 * v2) by (apply Rmult_lt_0_compat; lra).
   assert (Sd1 : side 1 = D) by (apply (on_side a1 a2), on_one); assert (Sd2 : side 2 = U) by (apply (on_side a1 a2), first).
-  apply (bounded a1 a2 z Plus v (Rmin 1 (z ^ 2 * v2)) (v2 + 1 + z ^ 2 * v2)); [lra | apply Rmin_glb_lt; lra | |].
-  { intros n _; pose proof (Rmin_l 1 (z ^ 2 * v2)); pose proof (Rmin_r 1 (z ^ 2 * v2)); unfold v; destruct (n =? 1)%nat, (n =? 2)%nat, (side n); lra. }
+  assert (G0 : 0 < gap) by (unfold gap; lra); apply (spare a1 a2 z Plus v (Rmin 1 v1) (v2 + 1 + v1) gap); [lra | apply Rmin_glb_lt; unfold v1; lra | exact G0 | |].
+  { intros n _; pose proof (Rmin_l 1 v1); pose proof (Rmin_r 1 v1); assert (0 < v1) by (unfold v1; lra); unfold v; destruct (n =? 1)%nat, (n =? 2)%nat, (side n); lra. }
   intros x Mx X HN HX; destruct (family_sum X HN (fun n Hn => proj1 (HX n Hn))) as (A & B & C & E & -> & [HA HA0] & HB & [HC HC0] & [HE HE0]).
-  assert (Z3 : z * (z ^ 2 * v2) = z ^ 3 * v2) by ring; assert (One : z ^ 2 * v2 + k * s <= 1) by (unfold v2; replace (z ^ 2 * (k * / (1 - z ^ 3)) + k * s) with (k * (s + z ^ 2 * / (1 - z ^ 3))) by ring; exact Hks).
+  assert (Z3 : z * v1 <= z ^ 3 * v2 + gap) by (replace (z * v1) with (z ^ 3 * v2 + z * gap) by (unfold v1; ring); assert (z * gap <= 1 * gap) by (apply Rmult_le_compat_r; lra); lra).
+  assert (One : z ^ 2 * v2 + k * s = 1 - 2 * gap) by (unfold v2, gap; field; lra).
   destruct (Nat.eq_dec x 1) as [->|X1]; [|destruct (Nat.eq_dec x 2) as [->|X2]].
-  - change (v 1%nat) with (z ^ 2 * v2); assert (A = 0) as ->. { apply HA0; intros I; apply (lower_apart 1 1); try assumption; apply (HX 1%nat I). }
+  - change (v 1%nat) with v1; unfold v1; assert (A = 0) as ->. { apply HA0; intros I; apply (lower_apart 1 1); try assumption; apply (HX 1%nat I). }
     assert (C = 0) as ->. { apply HC0; intros n Hn; destruct (HX n Hn) as [Mn En]; destruct (side n) eqn:Sn; [|tauto]; destruct (lower_apart 1 n Mx Mn Sd1 Sn En). }
     assert (E = 0) as ->; [|lra]. { apply HE0; intros n Hn; destruct (HX n Hn) as [Mn En]; destruct (side n) eqn:Sn; [tauto|]; right.
       destruct (Nat.eq_dec n 2) as [|N2]; [assumption|]; destruct (proj1 (one_apart n HW Mn Sn N2) En). }

@@ -3,17 +3,16 @@
 From Coq Require Import Reals ZArith List Arith Bool Lra Lia Classical.
 From Grazing Require Import Defs Statement StatementWords StatementGraphs StatementReaderWords Algebra WordAlgebra WordPath WordGraph WordPatterns
   WordPlane GraphWords.
-From Grazing Require Import StatementSuprema PatternSums PatternCylinders SupremumMinus SupremumPlus.
+From Grazing Require Import StatementSuprema PatternSums PatternCylinders Endless SupremumMinus SupremumPlus.
 Import ListNotations. Open Scope R_scope.
 
 Section Two.
 Variables (a1 a2 z : R).
 Hypotheses (Hroot : root_plus z) (Hnum : 6373 / 10000 < z < 6374 / 10000) (first : first_upper a1 a2 2).
-Notation small := (at_most (patterns a1 a2 Plus Plus) (- ln z)).
+Notation small := (below (patterns a1 a2 Plus Plus) (- ln z)).
 Notation member := (member a1 a2 Plus).
 Notation side := (side a1 a2).
 Notation in_word := (in_word a1 a2 2).
-Definition wa (a : nat) : list letter := U :: D :: repeat U a.
 
 Lemma wa_vertices a v : In v (vertices 2 (wa a)) -> v = (1%nat, D) \/ v = (2%nat, U) \/ v = (4%nat, D) \/ exists k, (k < a + 1)%nat /\ v = ((3 + 4 * k)%nat, U).
 Proof.
@@ -29,29 +28,28 @@ Proof.
   - rewrite Forall_forall in *; intros v Hv; apply HV; change (U :: D :: repeat U a) with ([U; D] ++ repeat U a); apply vertices_app, Hv.
 Qed.
 
-(** No later period than the 3, 7, 11, .... *)
-Lemma plus_steps : in_word [U; D] 4 3 -> (forall n, member n -> n = 1%nat \/ n = 2%nat \/ n = 4%nat \/ side n = U /\ exists k, n = (3 + 4 * k)%nat) -> small.
+(** U D U^a: no later period than 3, 7, 11, ..., 4a + 3. *)
+Lemma plus_steps a : in_word [U; D] 4 3 ->
+  (forall n, member n -> n = 1%nat \/ n = 2%nat \/ n = 4%nat \/ side n = U /\ exists k, (k < a + 1)%nat /\ n = (3 + 4 * k)%nat) -> small.
 Proof.
   intros HW H; destruct (numbers_plus z Hroot Hnum) as (B2 & B3 & B4 & _ & C4 & C3 & E).
   assert (S2 : side 2 = U) by (apply (on_side a1 a2), first).
   assert (S4 : side 4 = D).
   { apply (vertex_side a1 a2 2 [U; D] 4 3 (4%nat, D) first HW); right; right; right; left; reflexivity. }
-  apply (family a1 a2 z Hroot Hnum first (1 + z ^ 4) (z ^ 3 * / (1 - z ^ 4)) HW); [lra | lra | |].
+  set (c := / (1 - z ^ 4)) in *; set (e := z ^ (3 + 4 * (a + 1))); assert (He : 0 < e) by (apply pow_lt; lra).
+  apply (family a1 a2 z Hroot Hnum first (1 + z ^ 4) ((z ^ 3 - e) * c) HW); [lra | | |].
+  { assert (0 < (1 + z ^ 4) * (e * c)) by (apply Rmult_lt_0_compat; [|apply Rmult_lt_0_compat]; lra).
+    replace ((1 + z ^ 4) * ((z ^ 3 - e) * c + z ^ 2 * / (1 - z ^ 3))) with ((1 + z ^ 4) * (z ^ 3 * c + z ^ 2 * / (1 - z ^ 3)) - (1 + z ^ 4) * (e * c)) by ring; lra. }
   - intros X HN HX; replace (1 + z ^ 4 - 1) with (z ^ 4) by ring; apply sum_one; [lra | exact HN|]; intros n Hn; destruct (HX n Hn) as (Mn & Sn & N1).
     destruct (H n Mn) as [->|[->|[->|[Su _]]]]; congruence.
-  - intros X HN HX; apply (sum_spread z 3 4 X); [lra | lia | exact HN | |].
-    + intros x Hx; destruct (HX x Hx) as (Mx & Sx & N2); destruct (H x Mx) as [->|[->|[->|[_ (k & ->)]]]]; try congruence; [|lia].
-      rewrite (on_side a1 a2 1 D (on_one a1 a2)) in Sx; discriminate.
-    + assert (Form : forall x, In x X -> exists k, x = (3 + 4 * k)%nat).
-      { intros x Hx; destruct (HX x Hx) as (Mx & Sx & N2); destruct (H x Mx) as [->|[->|[->|[_ K]]]]; try congruence.
-        rewrite (on_side a1 a2 1 D (on_one a1 a2)) in Sx; discriminate. }
-      intros x y Hx Hy L; destruct (Form x Hx) as (k & ->), (Form y Hy) as (l & ->); lia.
+  - intros X HN HX; apply (sum_steps z 3 4 (a + 1)); [lra | lia | exact HN|]; intros x Hx; destruct (HX x Hx) as (Mx & Sx & N2).
+    destruct (H x Mx) as [->|[->|[->|[_ K]]]]; [|congruence | congruence | exact K]; rewrite (on_side a1 a2 1 D (on_one a1 a2)) in Sx; discriminate.
 Qed.
 Lemma wa_members a n : in_word (wa a) 4 (4 * a + 3) -> In n (map fst (vertices 2 (wa a))) ->
-  n = 1%nat \/ n = 2%nat \/ n = 4%nat \/ side n = U /\ exists k, n = (3 + 4 * k)%nat.
+  n = 1%nat \/ n = 2%nat \/ n = 4%nat \/ side n = U /\ exists k, (k < a + 1)%nat /\ n = (3 + 4 * k)%nat.
 Proof.
   intros HW I; apply in_map_iff in I; destruct I as (v & <- & Hv); pose proof (vertex_side a1 a2 2 _ _ _ v first HW Hv) as S.
-  apply wa_vertices in Hv; destruct Hv as [->|[->|[->|(k & _ & ->)]]]; cbn [fst snd] in *; [tauto | tauto | tauto|]; right; right; right; split; [exact S | exists k; reflexivity].
+  apply wa_vertices in Hv; destruct Hv as [->|[->|[->|(k & Hk & ->)]]]; cbn [fst snd] in *; [tauto | tauto | tauto|]; right; right; right; split; [exact S | exists k; auto].
 Qed.
 
 (** U D U^a D, a >= 4. *)
@@ -98,7 +96,7 @@ Qed.
 
 Lemma plus_short a : (a < 4)%nat -> in_word (wa a ++ [D]) (4 * a + 7) (4 * a + 3) -> small.
 Proof.
-  intros Ha HW; assert (Hz : 0 < z <= IZR 6374 / IZR 10000) by lra; destruct a as [|[|[|[|a]]]]; [| | | |lia]; unfold wa in HW; cbn [repeat app] in HW.
+  intros Ha HW; assert (Hz : 0 < z < IZR 6374 / IZR 10000) by lra; destruct a as [|[|[|[|a]]]]; [| | | |lia]; unfold wa in HW; cbn [repeat app] in HW.
   - exact (cert_sound 6374 10000 2 [U; D; D] Plus [5; 11; 7; 5; 7]%Z 11 ltac:(vm_compute; reflexivity) a1 a2 _ _ z first HW Hz).
   - exact (cert_sound 6374 10000 2 [U; D; U; D] Plus [20; 48; 36; 29; 31; 31]%Z 48 ltac:(vm_compute; reflexivity) a1 a2 _ _ z first HW Hz).
   - exact (cert_sound 6374 10000 2 [U; D; U; U; D] Plus [60; 147; 109; 93; 109; 94; 94]%Z 147 ltac:(vm_compute; reflexivity) a1 a2 _ _ z first HW Hz).
@@ -114,7 +112,7 @@ Proof.
   assert (No31 : ~ edge a1 a2 Plus Plus 3 1).
   { intros E; destruct (W5_neighbours a1 a2 2%nat [U] 1%nat 3%nat first (proj1 HW)) as (A & _); apply NM, A; unfold edge in E; cbn [sgn] in E; lra. }
   assert (No11 : ~ edge a1 a2 Plus Plus 1 1) by (apply (lower_apart a1 a2 first 1 1); try apply member_one; apply (on_side a1 a2), on_one).
-  set (v := fun n : nat => if (n =? 2)%nat then 1 + z else 1); apply (bounded a1 a2 z Plus v 1 2); [lra | lra | intros n _; unfold v; destruct (n =? 2)%nat; lra|].
+  set (v := fun n : nat => if (n =? 2)%nat then 1 + z else 1); apply (spare a1 a2 z Plus v 1 2 0.05); [lra | lra | lra | intros n _; unfold v; destruct (n =? 2)%nat; lra|].
   intros x Mx X HN HX; assert (Pos : forall y : nat, 0 <= z ^ y * v y) by (intros y; apply Rmult_le_pos; [apply pow_le; lra | unfold v; destruct (y =? 2)%nat; lra]).
   destruct (Three x Mx) as [<-|[<-|[<-|[]]]].
   - apply Rle_trans with (sum_of [2; 3]%nat (fun y => z ^ y * v y)); [|unfold v; cbn [sum_of Nat.eqb]; nra].
@@ -127,7 +125,7 @@ Qed.
 
 Lemma plus_2 : small.
 Proof.
-  destruct (numbers_plus z Hroot Hnum) as (B2 & B3 & B4 & _); assert (Hz : 0 < z <= IZR 6374 / IZR 10000) by lra.
+  destruct (numbers_plus z Hroot Hnum) as (B2 & B3 & B4 & _); assert (Hz : 0 < z < IZR 6374 / IZR 10000) by lra.
   destruct (u_first a1 a2) as (U2 & U3 & U4 & _); destruct (first) as ([A0 A1] & _ & O2 & _); cbn [on] in O2; rewrite U2 in O2.
   destruct (word_step a1 a2 2 _ _ _ (word_start a1 a2 2 first)) as [NM|[[_ HD]|[HU H1]]].
   - apply (plus_closed a1 a2 z Hnum 2 _ _ _ (z ^ 2) first (word_start a1 a2 2 first) NM); [lra | nra | intros v [<-|[<-|[]]]; cbn; tauto | cbn [sum_of filter map vertices periods fst Nat.eqb negb]; lra].
@@ -136,21 +134,18 @@ Proof.
     + assert (W0 : in_word (wa 0) 4 (4 * 0 + 3)) by exact H2.
       destruct (classic (exists a, in_word (wa a) 4 (4 * a + 3) /\ ~ in_word (wa (S a)) 4 (4 * S a + 3))) as [(a & HW & Stop)|All].
       * destruct (word_step a1 a2 2 _ _ _ HW) as [NM|[[_ HD]|[_ HUa]]].
-        -- apply plus_steps; [exact H2|]; intros n Hn; destruct (member_cases a1 a2 2 first _ _ _ n (proj1 HW) Hn) as [I|L]; [apply (wa_members a n HW I)|].
+        -- apply (plus_steps a); [exact H2|]; intros n Hn; destruct (member_cases a1 a2 2 first _ _ _ n (proj1 HW) Hn) as [I|L]; [apply (wa_members a n HW I)|].
            destruct (later_none a1 a2 2 first _ _ _ n (proj1 HW) NM L).
         -- replace (4 + (4 * a + 3))%nat with (4 * a + 7)%nat in HD by lia; destruct (le_lt_dec 4 a) as [L|L]; [apply (plus_long a L HD HW) | apply (plus_short a L HD)].
         -- exfalso; apply Stop; unfold wa in HUa |- *; cbn [app] in HUa; rewrite repeat_snoc in HUa; replace (4 * S a + 3)%nat with (4 + (4 * a + 3))%nat by lia; exact HUa.
-      * assert (Every : forall a, in_word (wa a) 4 (4 * a + 3)).
-        { induction a as [|a IH]; [exact W0 | apply NNPP; intros No; apply All; exists a; split; assumption]. }
-        apply plus_steps; [exact H2|]; intros n Hn; pose proof (Every n) as HW; destruct (member_cases a1 a2 2 first _ _ _ n (proj1 HW) Hn) as [I|L]; [apply (wa_members n n HW I)|].
-        pose proof (later_from a1 a2 2 first _ _ _ n (proj1 HW) L); lia.
+      * destruct (no_U_without_end a1 a2 first); induction a as [|a IH]; [exact W0 | apply NNPP; intros No; apply All; exists a; split; assumption].
     + exfalso; cbn [on Nat.add] in HU4; rewrite U4 in HU4; assert (0 < - a1) by lra; assert (0 < - (a1 * a1 - 2 * a2)) by lra.
       assert (0 < - a1 * - (a1 * a1 - 2 * a2)) by (apply Rmult_lt_0_compat; assumption); lra.
 Qed.
 End Two.
 
-Theorem plus_at_most z : root_plus z -> 6373 / 10000 < z < 6374 / 10000 -> forall a1 a2 K, first_upper a1 a2 K -> at_most (patterns a1 a2 Plus Plus) (- ln z).
+Theorem plus_below z : root_plus z -> 6373 / 10000 < z < 6374 / 10000 -> forall a1 a2 K, first_upper a1 a2 K -> below (patterns a1 a2 Plus Plus) (- ln z).
 Proof.
   intros Hr Hn a1 a2 K first; pose proof (K_ge_2 a1 a2 K first); destruct (Nat.eq_dec K 2) as [->|N2]; [exact (plus_2 a1 a2 z Hr Hn first)|].
-  destruct (Nat.eq_dec K 3) as [->|N3]; [exact (plus_3 a1 a2 z Hr Hn first)|]; apply (plus_large_K a1 a2 z Hr Hn K first); lia.
+  destruct (Nat.eq_dec K 3) as [->|N3]; [exact (plus_3 a1 a2 z Hr Hn first)|]; apply (plus_large_K a1 a2 z Hn K first); lia.
 Qed.

@@ -259,7 +259,10 @@ mutant words-of-a-graph-without-a-bound 'File "./ConsequencesNumbers' --pin Stat
 s/  at_most (finite N p E) (- ln z) \/\\ at_least/  True \/\\ at_least/
 E
 mutant supremum-of-one-K 'File "./ConsequencesNumbers' --pin StatementSuprema.v <<'E'
-s/forall a1 a2 K, first_upper a1 a2 K -> at_most/forall a1 a2 K, (K <= 5)%nat -> first_upper a1 a2 K -> at_most/
+s/forall a1 a2 K, first_upper a1 a2 K -> below/forall a1 a2 K, (K <= 5)%nat -> first_upper a1 a2 K -> below/
+E
+mutant supremum-attained 'File "./ConsequencesNumbers' --pin StatementSuprema.v <<'E'
+s/exists h', h' < h \/\\/exists h', h' <= h \/\\/
 E
 mutant supremum-not-approached 'File "./ConsequencesNumbers' --pin StatementSuprema.v <<'E'
 s/forall h', h' < h -> exists a1 K/forall h', h' < h \/ 2 -> exists a1 K/
