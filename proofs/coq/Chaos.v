@@ -2,7 +2,7 @@
 
 From Coq Require Import Reals ZArith Lra Lia.
 From Grazing Require Headline.
-From Grazing Require Import StatementChaos ChaosFlow ChaosContraction ChaosChecks ChaosLegs.
+From Grazing Require Import StatementChaos ChaosFlow Contraction ChaosChecks ChaosLegs.
 Open Scope R_scope.
 
 (** ** Periods of the wall *)

@@ -216,7 +216,7 @@ Proof.
   { unfold ex; rewrite <- exp_Ropp; f_equal; ring. }
   assert (Hsc : si * si + co * co = 1) by (unfold si, co; exact (sin2_cos2 (8 / 49 * T))).
   assert (Pex : 0 < ex) by apply exp_pos.
-  assert (E_11 : E11 T = / ex * (co + 3 / 4 * si)) by (unfold E11; rewrite Eei; reflexivity).
+  assert (E_11 : E11 T = / ex * (co + 3 / 4 * si)) by (rewrite E11_is, Eei; reflexivity).
   assert (E_12 : E12 T = / ex * (49 / 8 * si)) by (unfold E12; rewrite Eei; reflexivity).
   assert (E_22 : E22 T = / ex * (co - 3 / 4 * si)) by (unfold E22; rewrite Eei; reflexivity).
   clearbody si co ex Q Q'; clear Eei.
@@ -238,7 +238,7 @@ Proof.
   assert (Ea : (Q' - E11 T * Q) / E12 T = a) by (rewrite E_11, E_12; unfold a; field; lra).
   rewrite Ea.
   assert (Ep : E21 T * Q + E22 T * a = p).
-  { unfold E21, p; replace (8 / 49 * (/ ex * / si) * Q)
+  { unfold E21, Flow.e21, p; replace (8 / 49 * (/ ex * / si) * Q)
     with (8 / 49 * (/ ex * / si) * Q * (si * si + co * co))
       by (rewrite Hsc; ring); rewrite E_12, E_22; unfold a; field; lra. }
   rewrite Ep.
@@ -263,7 +263,7 @@ Proof.
   generalize (times (inverse Iex) (plus Ico (times (constant 3 4) Isi))).
   generalize (times (inverse Iex) (times (constant 49 8) Isi)).
   generalize (times (inverse Iex) (minus Ico (times (constant 3 4) Isi))).
-  intros I22 I12 I11 Iu H2 M11 M12 M22 Mu; clearbody IA IP a p; unfold E21.
+  intros I22 I12 I11 Iu H2 M11 M12 M22 Mu; clearbody IA IP a p; unfold E21, Flow.e21.
   set (e11 := E11 T) in *; set (e12 := E12 T) in *; set (e22 := E22 T) in *; clearbody e11 e12 e22.
   unfold contracts in H2; cbv zeta in H2; apply andb_prop in H2; destruct H2 as [H2 H3].
   set (r := nu * (1 / 2) * / cos t) in *; set (r' := nu * (1 / 2) * / cos t') in *.
@@ -326,8 +326,8 @@ Proof.
   intros HI HA HJ; unfold flightI; cbv zeta; cbn [fst snd].
   assert (HE : mem (exponential (times (constant (-6) 49) J)) (exp (- (6 / 49) * tau))).
   { replace (- (6 / 49) * tau) with (-6 / 49 * tau) by field; encl. }
-  replace (E21 tau * q + E22 tau * a) with (E22 tau * a - 100 / 2401 * (E12 tau * q)) by (unfold E21; ring).
-  unfold E11, E12, E22; revert HE; generalize (exp (- (6 / 49) * tau)) (exponential (times (constant (-6)
+  replace (E21 tau * q + E22 tau * a) with (E22 tau * a - 100 / 2401 * (E12 tau * q)) by (unfold E21, Flow.e21; ring).
+  rewrite E11_is; unfold E12, E22; revert HE; generalize (exp (- (6 / 49) * tau)) (exponential (times (constant (-6)
     49) J)).
   intros e IE HE; split; encl.
 Qed.

@@ -1,7 +1,7 @@
 (** * Motions whose N agree from -(K + 2) to K + 2 are close at impact 0 *)
 
 From Coq Require Import Reals ZArith Lra Lia.
-From Grazing Require Import StatementChaos ChaosFlow ChaosContraction ChaosChecks ChaosLegs Chaos.
+From Grazing Require Import StatementChaos ChaosFlow Contraction ChaosChecks ChaosLegs Chaos.
 Open Scope R_scope.
 
 Definition periods_of (N : Z -> Z) (i : Z) : Z := (N (i + 1) - N i)%Z.

@@ -1,4 +1,4 @@
-(** * The free motion of the paper's oscillator, explicitly, and legs from one impact to the next
+(** * The paper's oscillator moves freely by an explicit flow, and this gives its legs between impacts
 
     E(T) is the flow: E11, E12 in the first row. All lengths and velocities of legs are divided by mu. *)
 
@@ -8,10 +8,12 @@ From Grazing Require Export Derivatives.
 From Grazing Require StatementOscillator Flow.
 Open Scope R_scope.
 
-Definition E11 T := exp (- (6 / 49) * T) * (cos (8 / 49 * T) + 3 / 4 * sin (8 / 49 * T)).
 Definition E12 T := exp (- (6 / 49) * T) * (49 / 8 * sin (8 / 49 * T)).
-Definition E21 T := - (100 / 2401) * E12 T.
 Definition E22 T := exp (- (6 / 49) * T) * (cos (8 / 49 * T) - 3 / 4 * sin (8 / 49 * T)).
+Definition E11 := Flow.e11 (12 / 49) E12 E22.
+Definition E21 := Flow.e21 (100 / 2401) E12.
+Lemma E11_is T : E11 T = exp (- (6 / 49) * T) * (cos (8 / 49 * T) + 3 / 4 * sin (8 / 49 * T)).
+Proof. unfold E11, Flow.e11, E12, E22; field. Qed.
 
 (** ** Derivatives along a curve of times *)
 
@@ -29,7 +31,7 @@ Proof. apply (D_of (fun y => 8 / 49 * T y)); [apply D_scale, HT | apply derivabl
 Lemma D_E11 : derivable_pt_lim (fun y => E11 (T y)) x (E21 (T x) * l).
 Proof.
   eapply D_ext; [apply (D_times _ _ _ _ _ D_e (D_plus _ _ _ _ _ D_c (D_scale _ _ _ (3 / 4) D_s)))|
-    reflexivity|]; unfold E21, E12; field.
+    intros; symmetry; apply E11_is|]; unfold E21, Flow.e21, E12; field.
 Qed.
 Lemma D_E12 : derivable_pt_lim (fun y => E12 (T y)) x (E22 (T x) * l).
 Proof.
@@ -41,56 +43,41 @@ Proof. apply (D_scale _ _ _ _ D_E12). Qed.
 Lemma D_E22 : derivable_pt_lim (fun y => E22 (T y)) x ((E21 (T x) - 12 / 49 * E22 (T x)) * l).
 Proof.
   eapply D_ext; [apply (D_times _ _ _ _ _ D_e (D_minus _ _ _ _ _ D_c (D_scale _ _ _ (3 / 4) D_s)))|
-    reflexivity|]; unfold E21, E12, E22; field.
+    reflexivity|]; unfold E21, Flow.e21, E12, E22; field.
 Qed.
 End Curve.
 
 Lemma E_0 : E11 0 = 1 /\ E12 0 = 0 /\ E21 0 = 0 /\ E22 0 = 1.
 Proof.
-  unfold E21, E11, E12, E22; rewrite !Rmult_0_r, exp_0, cos_0, sin_0; repeat split; ring.
+  rewrite E11_is; unfold E21, Flow.e21, E12, E22; rewrite !Rmult_0_r, exp_0, cos_0, sin_0; repeat split; ring.
 Qed.
 
 Lemma E22_E11 T : E22 T = E11 T - 12 / 49 * E12 T.
-Proof. unfold E22, E11, E12; field. Qed.
+Proof. unfold E11, Flow.e11; ring. Qed.
 
 Lemma E_det T : E11 T * E22 T - E12 T * E21 T = exp (- (6 / 49) * T) * exp (- (6 / 49) * T).
 Proof.
-  unfold E21, E11, E12, E22; pose proof (sin2_cos2 (8 / 49 * T)) as H; unfold Rsqr in H.
+  rewrite E11_is; unfold E21, Flow.e21, E12, E22; pose proof (sin2_cos2 (8 / 49 * T)) as H; unfold Rsqr in H.
   set (c := cos _) in *; set (s := sin _) in *; set (e := exp _).
   replace (e * e) with (e * e * (s * s + c * c)) by (rewrite H; ring); field.
 Qed.
 
 (** ** The free motion from a place x with velocity u at time t0, and there is no other *)
 
-Definition moved t0 x u t := E11 (t - t0) * x + E12 (t - t0) * u.
-Definition moving t0 x u t := E21 (t - t0) * x + E22 (t - t0) * u.
-
 Lemma E_flow : Flow.flow (12 / 49) (100 / 2401) E12 E22.
 Proof.
   destruct E_0 as (_ & Z2 & _ & Z4); constructor; trivial; intros t; split.
   - apply (D_value _ _ _ _ (D_E12 _ _ _ (D_id t))); ring.
-  - apply (D_value _ _ _ _ (D_E22 _ _ _ (D_id t))); unfold E21; ring.
+  - apply (D_value _ _ _ _ (D_E22 _ _ _ (D_id t))); unfold E21, Flow.e21; ring.
 Qed.
 
-Lemma moved_flow t0 x u t : moved t0 x u t = Flow.moved (12 / 49) E12 E22 t0 x u t /\
-  moving t0 x u t = Flow.moving (100 / 2401) E12 E22 t0 x u t.
-Proof. unfold moved, moving, Flow.moved, Flow.moving, Flow.e11, Flow.e21; rewrite E22_E11; split; unfold E21; ring. Qed.
+Definition moved t0 x u t := E11 (t - t0) * x + E12 (t - t0) * u.
+Definition moving t0 x u t := E21 (t - t0) * x + E22 (t - t0) * u.
 
-Lemma moved_free t0 x u : free (moved t0 x u) (moving t0 x u).
-Proof.
-  intros t; destruct (Flow.moved_free _ _ _ _ E_flow t0 x u t) as [A B]; split.
-  - eapply D_ext; [exact A | intros; symmetry; apply moved_flow | symmetry; apply moved_flow].
-  - eapply D_ext; [exact B | intros; symmetry; apply moved_flow|].
-    rewrite (proj1 (moved_flow t0 x u t)), (proj2 (moved_flow t0 x u t)); reflexivity.
-Qed.
-
-Lemma moved_start t0 x u : moved t0 x u t0 = x /\ moving t0 x u t0 = u.
-Proof. destruct (moved_flow t0 x u t0) as [-> ->]; apply (Flow.moved_start _ _ _ _ E_flow). Qed.
-
-Lemma free_moved q v t0 t : free q v -> q t = moved t0 (q t0) (v t0) t /\ v t = moving t0 (q t0) (v t0) t.
-Proof.
-  intros H; destruct (moved_flow t0 (q t0) (v t0) t) as [-> ->]; apply (Flow.free_moved _ _ _ _ E_flow _ _ _ _ H).
-Qed.
+Definition moved_free : forall t0 x u, free (moved t0 x u) (moving t0 x u) := Flow.moved_free _ _ _ _ E_flow.
+Definition moved_start : forall t0 x u, moved t0 x u t0 = x /\ moving t0 x u t0 = u := Flow.moved_start _ _ _ _ E_flow.
+Definition free_moved : forall q v t0 t, free q v -> q t = moved t0 (q t0) (v t0) t /\ v t = moving t0 (q t0) (v t0) t :=
+  Flow.free_moved _ _ _ _ E_flow.
 
 (** ** Legs, in units of mu: nu = mu/(1 + mu), phases t and t' of the impacts, n periods between *)
 
@@ -156,7 +143,7 @@ Proof.
     + apply D_after.
   - reflexivity.
   - unfold before_slope, before; cbn beta; set (d := after_slope _ _ _ _ _ _).
-    unfold after; set (T := time _ _ _) in *; rewrite E22_E11; unfold E21; field; split; assumption.
+    unfold after; set (T := time _ _ _) in *; rewrite E22_E11; unfold E21, Flow.e21; field; split; assumption.
 Qed.
 
 (** The leg hits the second place, with velocity [before]. *)

@@ -1,4 +1,4 @@
-(** * exp, cos, sin and asin of intervals with integer ends *)
+(** * exp, cos, sin and asin of an interval with integer ends lie in the intervals computed for them *)
 
 From Coq Require Import Reals ZArith Lra Lia Bool.
 From Grazing Require Import ChaosInterval.

@@ -1,4 +1,4 @@
-(** * Intervals with integer ends: arithmetic and square root
+(** * Intervals with integer ends contain the results of arithmetic and the square root
 
     An interval is a pair of integers in units of 2^-28, or None, of which nothing is known. Each operation
     rounds outwards; [mem_...] says so. The kernel computes with them. *)

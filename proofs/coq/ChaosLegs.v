@@ -84,34 +84,6 @@ Qed.
 
 (** ** The gap is positive between impacts *)
 
-Section Convex.
-Variables f f' f'' : R -> R.
-Hypothesis D1 : forall x, derivable_pt_lim f x (f' x).
-Hypothesis D2 : forall x, derivable_pt_lim f' x (f'' x).
-
-Lemma convex_right a b x : f a = 0 -> 0 < f' a -> (forall y, a <= y <= b -> 0 < f'' y) -> a < x <= b ->
-  0 < f x.
-Proof.
-  intros H0 H1 H2 Hx.
-  assert (P : forall y, a < y <= b -> 0 < f' y).
-  { intros y Hy; destruct (MVT_cor2 f' f'' a y) as (c & E & Hc); [lra | auto|].
-    assert (0 < f'' c) by (apply H2; lra); nra. }
-  destruct (MVT_cor2 f f' a x) as (c & E & Hc); [lra | auto|].
-  assert (0 < f' c) by (apply P; lra); nra.
-Qed.
-
-Lemma convex_left a b x : f b = 0 -> f' b < 0 -> (forall y, a <= y <= b -> 0 < f'' y) -> a <= x < b ->
-  0 < f x.
-Proof.
-  intros H0 H1 H2 Hx.
-  assert (P : forall y, a <= y < b -> f' y < 0).
-  { intros y Hy; destruct (MVT_cor2 f' f'' y b) as (c & E & Hc); [lra | auto|].
-    assert (0 < f'' c) by (apply H2; lra); nra. }
-  destruct (MVT_cor2 f f' x b) as (c & E & Hc); [lra | auto|].
-  assert (f' c < 0) by (apply P; lra); nra.
-Qed.
-End Convex.
-
 Lemma D_gap nu phi q a t :
   derivable_pt_lim (gap nu phi q a) t (sin t + nu * moving phi q a t) /\
   derivable_pt_lim (fun t => sin t + nu * moving phi q a t) t (bend nu phi q a t).
@@ -156,11 +128,11 @@ Proof.
   destruct (moved_start phi x a) as [M0 M1].
   destruct (Rle_lt_dec t 1) as [L|L]; [|destruct (Rle_lt_dec t (2 * PI * IZR n - 1)) as [L'|L']].
   - apply (convex_right _ _ _ D1 D2 phi 1); [| |exact G1 | lra].
-    + unfold gap; rewrite M0; unfold x, place; field; lra.
-    + rewrite M1, Es1; nra.
+    + right; symmetry; unfold gap; rewrite M0; unfold x, place; field; lra.
+    + left; rewrite M1, Es1; nra.
   - apply G2; lra.
   - apply (convex_left _ _ _ D1 D2 (2 * PI * IZR n - 1) end_); [| | |lra].
-    + unfold gap; rewrite Hx, Ec2; unfold place; field; lra.
-    + rewrite Es2; nra.
+    + right; symmetry; unfold gap; rewrite Hx, Ec2; unfold place; field; lra.
+    + left; rewrite Es2; nra.
     + intros y Hy1; apply G3; unfold end_ in *; lra.
 Qed.

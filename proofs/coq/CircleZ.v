@@ -36,13 +36,6 @@ Proof.
   rewrite Z.add_comm, Z.mod_add, Z.mod_small; lia.
 Qed.
 
-Lemma same_Farey m n (F F' : Farey m n) : m_plus F' = m_plus F /\ n_plus F' = n_plus F /\ m_minus F' = m_minus F /\
-  n_minus F' = n_minus F.
-Proof.
-  pose proof (neighbours_unique _ _ _ _ _ _ (are_neighbours F) _ _ _ _ (are_neighbours F')) as E.
-  injection E; auto.
-Qed.
-
 (** The two pieces beside m/n. *)
 Definition left_piece m n (F : Farey m n) : piece := (Z.of_nat (n_minus F), Plus,
   (if (m =? 1)%nat then (1%Z, 2 * Z.of_nat n)%Z else (Z.of_nat (m_plus F), Z.of_nat (n_plus F))), (Z.of_nat m, Z.of_nat n)).
@@ -54,7 +47,7 @@ Lemma beside_pieces m n (F : Farey m n) : (3 <= n)%nat -> (0 < 2 * m < n)%nat ->
 Proof.
   intros Hn Hm; unfold besideZ; destruct (Z.ltb_spec (2 * Z.of_nat m) (Z.of_nat n)) as [_|]; [|lia].
   destruct (is_found n m F Hn) as [k E]; rewrite E; destruct (found n m k Hn E ltac:(lia)) as (F' & -> & ->).
-  destruct (same_Farey m n F F') as (E1 & E2 & E3 & E4); destruct (neighbours_sum _ _ _ _ _ _ (are_neighbours F)).
+  destruct (Farey_unique m n F F') as (E1 & E2 & E3 & E4); destruct (neighbours_sum _ _ _ _ _ _ (are_neighbours F)).
   unfold left_piece, right_piece; rewrite E1, E2.
   replace (Z.of_nat n - Z.of_nat (n_plus F))%Z with (Z.of_nat (n_minus F)) by lia.
   replace (Z.of_nat m - Z.of_nat (m_plus F))%Z with (Z.of_nat (m_minus F)) by lia.

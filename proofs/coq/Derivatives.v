@@ -108,3 +108,28 @@ Qed.
 (** A positive number below each of a list: [least [a; b; c]]. *)
 Lemma two_least a b : 0 < a -> 0 < b -> exists m, 0 < m /\ m <= a /\ m <= b.
 Proof. intros; exists (Rmin a b); split; [apply Rmin_glb_lt; assumption | split; [apply Rmin_l | apply Rmin_r]]. Qed.
+
+(** A convex function that does not fall at one end is positive after it; and at the other end. *)
+Section Convex.
+Variables f f' f'' : R -> R.
+Hypothesis D1 : forall x, derivable_pt_lim f x (f' x).
+Hypothesis D2 : forall x, derivable_pt_lim f' x (f'' x).
+Lemma convex_right a b x : 0 <= f a -> 0 <= f' a -> (forall y, a <= y <= b -> 0 < f'' y) -> a < x <= b -> 0 < f x.
+Proof.
+  intros H0 H1 H2 Hx.
+  assert (P : forall y, a < y <= b -> 0 < f' y).
+  { intros y Hy; destruct (MVT_cor2 f' f'' a y) as (c & E & Hc); [lra | auto|].
+    assert (0 < f'' c * (y - a)) by (apply Rmult_lt_0_compat; [apply H2|]; lra); lra. }
+  destruct (MVT_cor2 f f' a x) as (c & E & Hc); [lra | auto|].
+  assert (0 < f' c * (x - a)) by (apply Rmult_lt_0_compat; [apply P|]; lra); lra.
+Qed.
+Lemma convex_left a b x : 0 <= f b -> f' b <= 0 -> (forall y, a <= y <= b -> 0 < f'' y) -> a <= x < b -> 0 < f x.
+Proof.
+  intros H0 H1 H2 Hx.
+  assert (P : forall y, a <= y < b -> 0 < - f' y).
+  { intros y Hy; destruct (MVT_cor2 f' f'' y b) as (c & E & Hc); [lra | auto|].
+    assert (0 < f'' c * (b - y)) by (apply Rmult_lt_0_compat; [apply H2|]; lra); lra. }
+  destruct (MVT_cor2 f f' x b) as (c & E & Hc); [lra | auto|].
+  assert (0 < - f' c * (b - x)) by (apply Rmult_lt_0_compat; [apply P|]; lra); lra.
+Qed.
+End Convex.

@@ -82,7 +82,8 @@ Proof.
   destruct H as (? & ? & ? & ?), H' as (? & ? & ? & ?).
   assert (np' = np) by (enough (Z.of_nat np' - Z.of_nat np = 0)%Z by lia; apply Hp; lia).
   assert (nm' = nm) by (enough (Z.of_nat nm' - Z.of_nat nm = 0)%Z by lia; apply Hm; lia).
-  assert (mp' = mp) by nia; assert (mm' = mm) by nia; congruence.
+  subst np' nm'; assert (mp' = mp) by (apply (Nat.mul_cancel_r _ _ n); lia).
+  assert (mm' = mm) by (apply (Nat.mul_cancel_r _ _ n); lia); congruence.
 Qed.
 
 End Neighbours.

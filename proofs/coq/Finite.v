@@ -1,4 +1,4 @@
-(** * Finitely many numbers: a common small bound for finitely many conditions *)
+(** * Finitely many conditions that ask for something small are met by one number *)
 
 From Coq Require Import Reals Lra Lia.
 Open Scope R_scope.

@@ -1,4 +1,4 @@
-(** * The free motion of q'' = - c q' - k q, for all c and k, from one solution S, V with S 0 = 0, V 0 = 1 *)
+(** * For all c and k every free motion of q'' = - c q' - k q comes from one solution S, V with S 0 = 0, V 0 = 1 *)
 From Coq Require Import Reals Lra Lia.
 From Grazing Require Import Derivatives StatementOscillator.
 Open Scope R_scope.

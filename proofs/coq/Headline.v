@@ -10,7 +10,8 @@
     - [orbit_near] in [StatementOrbits], [planar] and [one_orbit] in [StatementOrbitsPlane]: a map and its orbits;
     - [trace], [Farey], [interval], [outside] and [tends_to_1] in [Statement]: Theorem 2's intervals of s;
     - [member], [edge], [path], [vertices], [arrow] and [ends] in [StatementWords];
-    - [motion] and [in_boxes] in [StatementChaos]. *)
+    - [motion] and [in_boxes] in [StatementChaos].
+    The proofs end in [Systems], [SystemsAreas], [Conjecture1], [SystemsWords] and [Chaos], in the theorems' order. *)
 From Coq Require Import Reals ZArith List Arith.
 From Grazing Require Import Defs Statement StatementOrbits StatementOrbitsPlane StatementWords StatementChaos
   StatementOscillator.

@@ -4,7 +4,7 @@
     because what remains after the linear part has a small Lipschitz constant. *)
 
 From Coq Require Import Reals Lra Lia.
-From Grazing Require Import StatementOrbits OrbitVectors OrbitContraction OrbitRemainder.
+From Grazing Require Import StatementOrbits OrbitVectors Contraction OrbitRemainder.
 Import Map.
 Open Scope R_scope.
 

@@ -1,4 +1,4 @@
-(** * Vectors, rows and powers of a matrix: linearity and bounds in the maximum norm *)
+(** * Rows and powers of a matrix are linear, and bounded in the maximum norm *)
 
 From Coq Require Import Reals FunctionalExtensionality Lra Lia.
 From Grazing Require Import StatementOrbits.

@@ -4,7 +4,7 @@
     to that of the linear problem, whose signs are those of (33), (34). *)
 
 From Coq Require Import Reals Lra Lia.
-From Grazing Require Import Defs StatementOrbits FreeFlight OrbitVectors OrbitContraction
+From Grazing Require Import Defs StatementOrbits FreeFlight OrbitVectors Contraction
   OrbitRemainder OrbitFixedPoint.
 Import Map.
 Open Scope R_scope.

@@ -1,7 +1,6 @@
 (** * The law of impact is a contraction of sequences of phases, and all impacts near the touch are in its domain *)
 From Coq Require Import Reals ZArith Lra Lia.
-From Grazing Require Import Defs StatementOscillator Derivatives Flow OscillatorTurns OscillatorStop ChaosContraction
-  OrbitContraction.
+From Grazing Require Import Defs StatementOscillator Derivatives Flow OscillatorTurns OscillatorStop Contraction.
 Open Scope R_scope.
 
 Section Law.

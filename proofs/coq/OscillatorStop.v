@@ -1,4 +1,4 @@
-(** * The stop near its top, in units of mu, and away from it *)
+(** * In units of mu the stop is flat at its top, and Newton's step towards it contracts; elsewhere it is low *)
 From Coq Require Import Reals ZArith Lra Lia.
 From Grazing Require Import Defs StatementOscillator Derivatives.
 Open Scope R_scope.

@@ -1,4 +1,4 @@
-(** * Periodic words are periodic motions; which (a1, a2) are oscillators'; the paper's oscillator and others *)
+(** * Periodic words are periodic motions; and which (a1, a2) oscillators have *)
 From Coq Require Import Reals ZArith Lra Lia List.
 From Grazing Require Import Defs StatementOscillator Derivatives Flow OscillatorTurns.
 Open Scope R_scope.

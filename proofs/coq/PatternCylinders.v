@@ -1,4 +1,4 @@
-(** * A bound for all words that begin alike: the later periods as one vertex; and the check of a vector by whole numbers *)
+(** * A vector checked by whole numbers bounds all words that begin alike: their later periods are one vertex *)
 
 From Coq Require Import Reals ZArith List Arith Bool Lra Lia.
 From Grazing Require Import Defs Statement StatementWords StatementGraphs StatementReaderWords WordAlgebra WordPath WordGraph WordPatterns GraphWords.

@@ -1,4 +1,4 @@
-(** * The graph of all patterns at one point: sums over its periods, and which edges there are not *)
+(** * Bounds of weighed sums over the periods at one point bound how fast all its patterns grow in number *)
 
 From Coq Require Import Reals List Arith Bool Lra Lia.
 From Grazing Require Import Defs Statement StatementWords StatementGraphs StatementReaderWords WordAlgebra WordPath WordGraph WordPatterns
@@ -117,6 +117,9 @@ Proof.
   pose proof (side_on _ M) as O; destruct (side (i + j)); [left | right]; (split; [exact O|]; split; [constructor; assumption|]);
     rewrite (vertices_snoc a1 a2 K w i j _ Hp), Forall_app; (split; [exact HV | constructor; [exact M | constructor]]).
 Qed.
+
+Lemma vertex_side w i j v : in_word w i j -> In v (vertices K w) -> side (fst v) = snd v.
+Proof. intros [Hp _] Hv; destruct v as [n x]; apply on_side, (vertices_on a1 a2 K first w i j Hp n x Hv). Qed.
 
 (** What comes after the word w. *)
 Definition later (w : list letter) (n : nat) : Prop := member n /\ exists t i j, path (w ++ t) i j /\ n = (i + j)%nat.

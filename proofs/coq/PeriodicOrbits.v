@@ -2,7 +2,7 @@
 
 From Coq Require Import Reals Arith Lra Lia.
 From Grazing Require Import Defs StatementOrbits StatementOrbitsPeriodic Finite OrbitVectors
-  OrbitContraction OrbitRemainder OrbitFixedPoint Orbits SquareSystems PlaneOrbits.
+  Contraction OrbitRemainder OrbitFixedPoint Orbits SquareSystems PlaneOrbits.
 Open Scope R_scope.
 
 Lemma nat_max (F : nat -> nat) m : exists p, forall k, (k < m)%nat -> (F k <= p)%nat.

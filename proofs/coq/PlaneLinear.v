@@ -6,7 +6,7 @@
 
 From Coq Require Import Reals Arith Lra Lia.
 From Grazing Require Import Defs Algebra StatementOrbits StatementOrbitsPlane
-  Finite OrbitVectors OrbitContraction OrbitRemainder.
+  Finite OrbitVectors Contraction OrbitRemainder.
 Open Scope R_scope.
 
 (** (64), without the signs: positive if a flight of j steps may follow one of i steps. *)

@@ -2,7 +2,7 @@
 
 From Coq Require Import Reals Arith Lra Lia.
 From Grazing Require Import Defs Algebra StatementOrbits StatementOrbitsPlane
-  OrbitVectors OrbitContraction OrbitRemainder OrbitFixedPoint Orbits PlaneLinear.
+  OrbitVectors Contraction OrbitRemainder OrbitFixedPoint Orbits PlaneLinear.
 Open Scope R_scope.
 
 Lemma sgn_above s x kappa : kappa <= Rabs x -> 0 < sgn s * x -> sgn s * x >= kappa.

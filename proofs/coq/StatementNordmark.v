@@ -1,4 +1,5 @@
-(** * Statement: the paper's oscillator, with its equations as they stand there, and others with any harmonics
+(** * Statement: the paper's oscillator, with its equations as they stand there, and stops with any harmonics are
+    oscillators near grazing
 
     Read [StatementOscillator] first. *)
 From Coq Require Import Reals ZArith List.

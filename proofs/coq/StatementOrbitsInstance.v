@@ -1,4 +1,4 @@
-(** * Statement: maps that meet the hypotheses of Theorem 1
+(** * Statement: the oscillator's map, to second order, meets the hypotheses of Theorem 1 in the plane
 
     It says that the oscillator's map, to the second order that (75) and (76) give, is [planar],
     for every matrix A with A_12 <> 0; with k = 0 this is the affine map. *)

@@ -1,4 +1,4 @@
-(** * Maps of the plane near grazing
+(** * Definitions: a grazing map of the plane, and that it has exactly one orbit near grazing
 
     Definitions for [Headline], where Theorem 1 in the plane is stated; it needs no hypothesis on the linear problem
     there. Read [StatementOrbits] first. *)

@@ -1,4 +1,4 @@
-(** * Statements: the rest of the (a1, a2) plane, and what the definitions stand for
+(** * Statements: which orbits there are in the rest of the (a1, a2) plane, and what the definitions stand for
 
     Read [Defs] and [Statement] first. Regions as in section 3.2 of the paper. *)
 

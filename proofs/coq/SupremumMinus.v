@@ -69,13 +69,11 @@ Proof.
   intros [<-|[<-|H]]; [right; exists 0%nat; split; [lia | reflexivity] | left; reflexivity|].
   apply periods_D in H; destruct H as (k & Hk & ->); right; exists k; split; [lia | f_equal; lia].
 Qed.
-Lemma vertex_side w i j v : in_word w i j -> In v (vertices 2 w) -> side a1 a2 (fst v) = snd v.
-Proof. intros [Hp _] Hv; destruct v as [n x]; apply (on_side a1 a2), (vertices_on a1 a2 2 first w i j Hp n x Hv). Qed.
 
 Lemma in_word_D_odd a n : in_word (repeat D a) (2 * a + 1) 2 -> In n (map fst (vertices 2 (repeat D a))) ->
   n = 2%nat /\ side a1 a2 n = U \/ (exists k, (k < a + 1)%nat /\ n = (1 + 2 * k)%nat) /\ side a1 a2 n = D.
 Proof.
-  intros HW Hn; apply in_map_iff in Hn; destruct Hn as (v & <- & Hv); rewrite (vertex_side _ _ _ v HW Hv).
+  intros HW Hn; apply in_map_iff in Hn; destruct Hn as (v & <- & Hv); rewrite (vertex_side a1 a2 2 first _ _ _ v HW Hv).
   apply word_D_vertices in Hv; destruct Hv as [->|(k & Hk & ->)]; [left; auto | right; split; [exists k; cbn [fst]; lia | reflexivity]].
 Qed.
 
@@ -93,7 +91,7 @@ Proof.
   assert (Cases : forall n, In n (map fst (vertices 2 w)) -> n = 2%nat /\ side a1 a2 n = U \/ n = (2 * a + 3)%nat /\ side a1 a2 n = U \/
     (exists k, (k < a + 1)%nat /\ n = (1 + 2 * k)%nat) /\ side a1 a2 n = D).
   { intros n I; apply in_map_iff in I; destruct I as (v & <- & Hv).
-    rewrite (vertex_side _ _ _ v HW Hv); unfold w in Hv; rewrite (vertices_snoc a1 a2 2 _ _ _ U Hp), in_app_iff in Hv; destruct Hv as [Hv|[<-|[]]].
+    rewrite (vertex_side a1 a2 2 first _ _ _ v HW Hv); unfold w in Hv; rewrite (vertices_snoc a1 a2 2 _ _ _ U Hp), in_app_iff in Hv; destruct Hv as [Hv|[<-|[]]].
     - apply word_D_vertices in Hv; destruct Hv as [->|(k & Hk & ->)]; [tauto|]; right; right; cbn [fst snd]; split; [exists k; split; lia | reflexivity].
     - right; left; cbn [fst snd]; split; [lia | reflexivity]. }
   set (isl := fun n => if in_dec Nat.eq_dec n (map fst (vertices 2 w)) then false else true).

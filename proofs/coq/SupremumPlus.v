@@ -1,4 +1,4 @@
-(** * Case (+,+): below 0.4503..., whatever the point *)
+(** * Case (+,+): below 0.4503... where K > 2, and in the family U D U^a *)
 
 From Coq Require Import Reals ZArith List Arith Bool Lra Lia Classical.
 From Grazing Require Import Defs Statement StatementWords StatementGraphs StatementReaderWords Algebra WordAlgebra WordPath WordGraph WordPatterns
@@ -62,9 +62,6 @@ Proof.
   - change (vertices K []) with [(1%nat, D); (K, U)]; unfold weighed_sum; cbn [sum_of fst]; rewrite V1, VK, pow_1; lra.
 Qed.
 
-Lemma vertex_side K w i j v : first_upper a1 a2 K -> in_word K w i j -> In v (vertices K w) -> side (fst v) = snd v.
-Proof. intros first [Hp _] Hv; destruct v as [n x]; apply (on_side a1 a2), (vertices_on a1 a2 K first w i j Hp n x Hv). Qed.
-
 (** The word has ended after few letters: 1 alone is lower, the sum over the upper ones is s at most. *)
 Lemma plus_closed K w i j s : first_upper a1 a2 K -> in_word K w i j -> ~ member (i + j) -> 0 <= s -> s * (1 + z) < 1 ->
   (forall v, In v (vertices K w) -> v = (1%nat, D) \/ snd v = U) ->
@@ -73,12 +70,12 @@ Proof.
   intros first HW NM Hs Hs1 HV Hsum; apply (two_sides a1 a2 K first z Plus U s z); [lra | reflexivity | lra | lra | lra | |].
   - intros X HN HX; apply Rle_trans with (2 := Hsum); apply sum_incl; [exact HN | | intros; apply pow_le; lra]; intros n Hn; destruct (HX n Hn) as [Mn Sn].
     destruct (member_cases a1 a2 K first w i j n (proj1 HW) Mn) as [I|L]; [|destruct (later_none a1 a2 K first w i j n (proj1 HW) NM L)].
-    apply filter_In; split; [exact I|]; apply in_map_iff in I; destruct I as (v & <- & Hv); rewrite (vertex_side K w i j v first HW Hv) in Sn.
-    destruct (Nat.eqb_spec (fst v) 1) as [E|]; [|reflexivity]; exfalso; pose proof (vertex_side K w i j v first HW Hv) as S1; rewrite E in S1.
+    apply filter_In; split; [exact I|]; apply in_map_iff in I; destruct I as (v & <- & Hv); rewrite (vertex_side a1 a2 K first w i j v HW Hv) in Sn.
+    destruct (Nat.eqb_spec (fst v) 1) as [E|]; [|reflexivity]; exfalso; pose proof (vertex_side a1 a2 K first w i j v HW Hv) as S1; rewrite E in S1.
     rewrite (on_side a1 a2 1 D (on_one a1 a2)) in S1; congruence.
   - intros X HN HX; apply Rle_trans with (z ^ 1); [|rewrite pow_1; lra]; apply sum_one; [lra | exact HN|]; intros n Hn; destruct (HX n Hn) as [Mn Sn].
     destruct (member_cases a1 a2 K first w i j n (proj1 HW) Mn) as [I|L]; [|destruct (later_none a1 a2 K first w i j n (proj1 HW) NM L)].
-    apply in_map_iff in I; destruct I as (v & <- & Hv); rewrite (vertex_side K w i j v first HW Hv) in Sn; destruct (HV v Hv) as [->|E]; [reflexivity | contradiction].
+    apply in_map_iff in I; destruct I as (v & <- & Hv); rewrite (vertex_side a1 a2 K first w i j v HW Hv) in Sn; destruct (HV v Hv) as [->|E]; [reflexivity | contradiction].
 Qed.
 
 Lemma u_first : u a1 a2 2 = a1 /\ u a1 a2 3 = a1 * a1 - a2 /\ u a1 a2 4 = a1 * (a1 * a1 - 2 * a2) /\ u a1 a2 6 = a1 * (a1 * a1 - a2) * (a1 * a1 - 3 * a2).
@@ -116,7 +113,7 @@ Lemma one_apart n : in_word 2 [U; D] 4 3 -> member n -> side n = U -> n <> 2%nat
 Proof.
   intros HW Hn Sn N2; assert (Some : exists t i j, in_word 2 ([U; D] ++ t) i j /\ In (n, U) (vertices 2 ([U; D] ++ t))).
   { destruct (member_cases a1 a2 2 first _ _ _ n (proj1 HW) Hn) as [I|(_ & t & i & j & Hp & E)].
-    - exists [], 4%nat, 3%nat; split; [exact HW|]; apply in_map_iff in I; destruct I as (v & <- & Hv); rewrite (vertex_side 2 _ _ _ v first HW Hv) in Sn.
+    - exists [], 4%nat, 3%nat; split; [exact HW|]; apply in_map_iff in I; destruct I as (v & <- & Hv); rewrite (vertex_side a1 a2 2 first _ _ _ v HW Hv) in Sn.
       destruct v as [m l]; cbn [fst snd] in *; subst l; exact Hv.
     - exists (t ++ [U]), i, n; rewrite app_assoc; subst n; split.
       + split; [constructor; [exact Hp|]; rewrite <- Sn; apply (side_on a1 a2), Hn|].

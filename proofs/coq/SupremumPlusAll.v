@@ -1,4 +1,5 @@
-(** * Case (+,+) where K = 2: every word is ended early, in a cylinder, or in the family U D U^a *)
+(** * Case (+,+): below 0.4503..., whatever the point, for where K = 2 every word ends early, is in a cylinder or in
+    the family U D U^a *)
 
 From Coq Require Import Reals ZArith List Arith Bool Lra Lia Classical.
 From Grazing Require Import Defs Statement StatementWords StatementGraphs StatementReaderWords Algebra WordAlgebra WordPath WordGraph WordPatterns
@@ -35,7 +36,7 @@ Proof.
   intros HW H; destruct (numbers_plus z Hroot Hnum) as (B2 & B3 & B4 & _ & C4 & C3 & E).
   assert (S2 : side 2 = U) by (apply (on_side a1 a2), first).
   assert (S4 : side 4 = D).
-  { apply (vertex_side a1 a2 2 [U; D] 4 3 (4%nat, D) first HW); right; right; right; left; reflexivity. }
+  { apply (vertex_side a1 a2 2 first [U; D] 4 3 (4%nat, D) HW); right; right; right; left; reflexivity. }
   set (c := / (1 - z ^ 4)) in *; set (e := z ^ (3 + 4 * (a + 1))); assert (He : 0 < e) by (apply pow_lt; lra).
   apply (family a1 a2 z Hroot Hnum first (1 + z ^ 4) ((z ^ 3 - e) * c) HW); [lra | | |].
   { assert (0 < (1 + z ^ 4) * (e * c)) by (apply Rmult_lt_0_compat; [|apply Rmult_lt_0_compat]; lra).
@@ -48,7 +49,7 @@ Qed.
 Lemma wa_members a n : in_word (wa a) 4 (4 * a + 3) -> In n (map fst (vertices 2 (wa a))) ->
   n = 1%nat \/ n = 2%nat \/ n = 4%nat \/ side n = U /\ exists k, (k < a + 1)%nat /\ n = (3 + 4 * k)%nat.
 Proof.
-  intros HW I; apply in_map_iff in I; destruct I as (v & <- & Hv); pose proof (vertex_side a1 a2 2 _ _ _ v first HW Hv) as S.
+  intros HW I; apply in_map_iff in I; destruct I as (v & <- & Hv); pose proof (vertex_side a1 a2 2 first _ _ _ v HW Hv) as S.
   apply wa_vertices in Hv; destruct Hv as [->|[->|[->|(k & Hk & ->)]]]; cbn [fst snd] in *; [tauto | tauto | tauto|]; right; right; right; split; [exact S | exists k; auto].
 Qed.
 
@@ -65,7 +66,7 @@ Proof.
     apply (Rmult_le_reg_r (1 - y)); [lra|]; unfold Rdiv; rewrite Rmult_assoc, Rinv_l; nra. }
   assert (Cases : forall n, In n (map fst (vertices 2 w)) -> n = 1%nat \/ n = 2%nat \/ (n = 4%nat \/ n = (4 * a + 7)%nat) /\ side n = D \/
     side n = U /\ exists k, (k < a + 1)%nat /\ n = (3 + 4 * k)%nat).
-  { intros n I; apply in_map_iff in I; destruct I as (v & <- & Hv); pose proof (vertex_side a1 a2 2 _ _ _ v first HW Hv) as S.
+  { intros n I; apply in_map_iff in I; destruct I as (v & <- & Hv); pose proof (vertex_side a1 a2 2 first _ _ _ v HW Hv) as S.
     unfold w in Hv; rewrite (vertices_snoc a1 a2 2 _ _ _ D (proj1 HWa)), in_app_iff in Hv; destruct Hv as [Hv|[<-|[]]]; [|cbn [fst snd] in *; right; right; left; split; [right; lia | exact S]].
     apply wa_vertices in Hv; destruct Hv as [->|[->|[->|(k & Hk & ->)]]]; cbn [fst snd] in *; [tauto | tauto | tauto|]; right; right; right; split; [exact S | exists k; auto]. }
   set (isl := fun n => if in_dec Nat.eq_dec n (map fst (vertices 2 w)) then false else true).

@@ -3,7 +3,7 @@
     The points just before the impacts satisfy Z_j = onward (Z_{j-1}) + known: a contraction of bounded families. *)
 
 From Coq Require Import Reals Arith FunctionalExtensionality Lra Lia Classical.
-From Grazing Require Import Defs StatementOrbits StatementUniform OrbitVectors OrbitContraction PlaneLinear.
+From Grazing Require Import Defs StatementOrbits StatementUniform OrbitVectors Contraction PlaneLinear.
 Open Scope R_scope.
 
 Section Uniform.

@@ -1,4 +1,4 @@
-(** * W3, W4 and W5: the graph of the periods on the path
+(** * W3, W4 and W5 hold wherever V lies on the path and one b decides along it
 
     Of region 3 (S2, S3) and region 4 (S5) only [decided] is used: V lies on the path,
     and along it the sign of one b decides. *)

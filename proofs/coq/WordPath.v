@@ -1,4 +1,4 @@
-(** * The path: periods in order, each below s (D) or above (U)
+(** * Along the path periods grow, each below s (D) or above it (U), as the signs of u say
 
     Combinatorics of words, and what follows from the signs of u along the path. *)
 
