@@ -112,9 +112,10 @@ impl Series {
         Series::sum(mean, &terms.iter().flat_map(scaled).collect::<Vec<_>>())
     }
 
-    /// Σ kⁿ (|cos| + |sin|): no derivative of order n ≥ 1 exceeds it.
+    /// Σ kⁿ √(cos² + sin²), but for rounding: no derivative of order n ≥ 1 exceeds it. The same from
+    /// whichever phase time is counted, for it stands for sizes, too.
     pub fn derivative_bound(&self, n: i32) -> f64 {
-        self.harmonics.iter().map(|h| f64::from(h.k).powi(n) * (h.cos.abs() + h.sin.abs())).sum()
+        self.harmonics.iter().map(|h| f64::from(h.k).powi(n) * h.cos.hypot(h.sin)).sum()
     }
 }
 
