@@ -50,10 +50,26 @@ impl Starts {
         Starts { phase: if phase.is_finite() { phase } else { 0.0 }, speed }
     }
 
-    /// t_1, V_1, …, t_m, V_m of the i-th start.
-    pub fn of(&self, m: usize, i: u32) -> Vec<f64> {
+    /// t_1, V_1, …, t_m, V_m of the i-th start, for flights of so many whole periods and t_{j+1} − t_j. Times
+    /// are in the period after the system's own phase; those between which no whole period lies ascend, for
+    /// no impact is before the one that it follows.
+    pub fn of(&self, periods: &[u32], i: u32) -> Vec<f64> {
+        let m = periods.len();
         let part = |j: usize| Starts::part(i, j, 2 * m);
-        (0..2 * m).map(|j| if j % 2 == 0 { self.phase(part(j)) } else { self.speed * part(j) }).collect()
+        let place = |j: usize| match j.is_multiple_of(2) {
+            true => self.phase + part(j) * TAU,
+            false => self.speed * part(j),
+        };
+        let mut all: Vec<f64> = (0..2 * m).map(place).collect();
+        // From after a whole period, so that no run goes round; there is one, or nothing is periodic.
+        let first = periods.iter().position(|&n| n > 0).map_or(0, |j| j + 1);
+        let order: Vec<usize> = (0..m).map(|j| (first + j) % m).collect();
+        for run in order.split_inclusive(|&j| periods[j] > 0) {
+            let mut times: Vec<f64> = run.iter().map(|&j| all[2 * j]).collect();
+            times.sort_by(f64::total_cmp);
+            run.iter().zip(times).for_each(|(&j, time)| all[2 * j] = time);
+        }
+        all
     }
 
     /// Of the i-th of points that fill a cube of so many dimensions evenly, coordinate j, from 0 to 1.
@@ -90,7 +106,7 @@ mod tests {
     fn starts(shift: f64, unit: f64) -> Vec<Vec<f64>> {
         let on_wall = |t: f64| unit * (0.25 + (t + shift).cos() + 0.5 * (2.0 * (t + shift) - 1.0).sin());
         let starts = Starts::new(unit * 3.0, on_wall);
-        (0..20).map(|i| starts.of(2, i)).collect()
+        (0..20).map(|i| starts.of(&[1, 2], i)).collect()
     }
 
     #[test]
@@ -98,10 +114,12 @@ mod tests {
         let known = starts(0.0, 1.0);
         for shift in [TAU / 4.0, 0.1, 2.0, -3.0] {
             for (a, b) in known.iter().zip(starts(shift, 1024.0)) {
-                for (j, (x, y)) in a.iter().zip(b).enumerate() {
+                for (j, (x, y)) in a.iter().zip(&b).enumerate() {
                     let far = if j % 2 == 0 { (y + shift - x) / TAU } else { y / 1024.0 - x };
                     assert!((far - far.round()).abs() < 1e-12, "{x} {y} {shift}");
                 }
+                // The flights are the same, not only where in a period they begin and end.
+                assert!(((b[2] - b[0]) - (a[2] - a[0])).abs() < 1e-12, "{a:?} {b:?} {shift}");
             }
         }
     }
@@ -109,7 +127,21 @@ mod tests {
     #[test]
     fn a_cosine_has_the_phase_0_and_so_has_what_does_not_move() {
         let [moved, still] = [1.0, 0.0].map(|size| Starts::new(1.0, |t: f64| size * t.cos() - 0.25));
-        assert_eq!(moved.of(1, 3), still.of(1, 3));
+        assert_eq!(moved.of(&[4], 3), still.of(&[4], 3));
         assert_eq!(moved.phase, 0.0);
+    }
+
+    #[test]
+    fn no_flight_ends_before_it_begins() {
+        let starts = Starts::new(1.0, |t: f64| (t + 0.3).cos());
+        for periods in [&[0, 1][..], &[1, 0], &[0, 0, 1], &[0, 2, 0, 0, 1], &[1, 1]] {
+            let m = periods.len();
+            let flight =
+                |all: &[f64], j: usize| f64::from(periods[j]) * TAU + all[2 * ((j + 1) % m)] - all[2 * j];
+            for i in 0..100 {
+                let all = starts.of(periods, i);
+                assert!((0..m).all(|j| flight(&all, j) >= 0.0), "{periods:?} {all:?}");
+            }
+        }
     }
 }

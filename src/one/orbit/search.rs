@@ -17,7 +17,8 @@ pub fn search(oscillator: &Oscillator, itinerary: &Itinerary, starts: u32, speed
         return find(oscillator, itinerary, vec![0.0; 2]).into_iter().collect();
     }
     let begin = begin(oscillator, itinerary, speed);
-    let one = |i: u32| find(oscillator, itinerary, begin.of(m, i)).ok();
+    let periods = whole_periods(itinerary);
+    let one = |i: u32| find(oscillator, itinerary, begin.of(&periods, i)).ok();
     let roots: Vec<Orbit> = (0..starts).into_par_iter().filter_map(one).collect();
     let mut found: Vec<Orbit> = Vec::new();
     for orbit in roots {
@@ -40,11 +41,15 @@ pub fn search_obstacle(
 ) -> Option<Error> {
     match itinerary.strikes().len() {
         0 => obstacle(oscillator, itinerary, &[0.0; 2]),
-        m => {
-            let begin = begin(oscillator, itinerary, speed);
-            (0..starts.min(LOOKS)).find_map(|i| obstacle(oscillator, itinerary, &begin.of(m, i)))
+        _ => {
+            let (begin, periods) = (begin(oscillator, itinerary, speed), whole_periods(itinerary));
+            (0..starts.min(LOOKS)).find_map(|i| obstacle(oscillator, itinerary, &begin.of(&periods, i)))
         }
     }
+}
+
+fn whole_periods(itinerary: &Itinerary) -> Vec<u32> {
+    itinerary.strikes().iter().map(|strike| strike.periods).collect()
 }
 
 /// Starts that are looked at for a reason.

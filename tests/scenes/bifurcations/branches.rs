@@ -384,7 +384,7 @@ fn the_pattern_and_the_times_of_a_row_fit_each_other() {
     let folder = tempfile::tempdir().unwrap();
     let orbit = |periods: &str| {
         let keys = format!(
-            "orbit = {{ pattern = {periods}, walls = [\"lower\", \"upper\"], speed = 3, starts = 2000 }}"
+            "orbit = {{ pattern = {periods}, walls = [\"lower\", \"upper\"], speed = 3, starts = 500 }}"
         );
         task("a", "orbit", &keys)
     };

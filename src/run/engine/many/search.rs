@@ -51,7 +51,7 @@ pub(crate) fn machine_orbits(
         let last = first.saturating_add(CHUNK).min(keys.starts);
         let roots: Vec<MachineOrbit> = (first..last)
             .into_par_iter()
-            .filter_map(|i| find(simulator, &pattern, &begin.of(m, i)).ok())
+            .filter_map(|i| find(simulator, &pattern, &begin.of(&keys.pattern, i)).ok())
             .collect();
         for orbit in roots {
             let fastest = orbit.impacts.iter().fold(0.0, |most: f64, impact| most.max(impact.speed));
@@ -75,12 +75,8 @@ fn through_soft_stops(
     simulator: &MachineSimulator,
     job: &Job,
 ) -> Result<Vec<MachineOrbit>> {
-    let (pattern, rate, points) = (pattern(keys, machine)?, machine.rate(), machine.points());
-    if !keys.start.is_empty() {
-        let start = keys.unknowns(|speed| speed);
-        let part =
-            |from: usize| machine.coordinates(&RealVector::from_column_slice(&start[from..from + points]));
-        let state = MachineState { t: 0.0, q: part(0)?, u: part(points)? / rate };
+    let (pattern, rate) = (pattern(keys, machine)?, machine.rate());
+    if let Some(state) = state(keys, machine)? {
         return Ok(vec![find_from(simulator, &pattern, &[], Some(&state))?]);
     }
     let scale = simulator.scale();
@@ -117,6 +113,16 @@ fn through_soft_stops(
     }
     found.sort_by(|a, b| a.state.q[0].total_cmp(&b.state.q[0]));
     Ok(found)
+}
+
+/// The state at phase 0 that the keys give of a motion without impacts, if they give one.
+pub(super) fn state(keys: &OrbitKeys, machine: &Machine<f64>) -> Result<Option<MachineState>> {
+    if keys.start.is_empty() {
+        return Ok(None);
+    }
+    let (start, points) = (keys.unknowns(|speed| speed), machine.points());
+    let part = |from: usize| machine.coordinates(&RealVector::from_column_slice(&start[from..from + points]));
+    Ok(Some(MachineState { t: 0.0, q: part(0)?, u: part(points)? / machine.rate() }))
 }
 
 /// Whether b is a with impact `shift` called the first.
