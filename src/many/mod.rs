@@ -44,7 +44,7 @@
 //! // At which force, from 1 N on, do the two masses first touch?
 //! let scene = Scene::read("examples/machines/two-masses.toml")?;
 //! let family = MachineSceneFamily::new(&scene, "F0")?;
-//! let MachineSearch::Found(touch) = locate(&family, 1.0, 20.0)? else { panic!() };
+//! let MachineSearch::Found(touch) = locate(&family, 1.0, 20.0, None)? else { panic!() };
 //! assert!(touch.parameter > 1.0 && touch.at.gap.abs() <= 1e-11 * touch.scale);
 //! # Ok::<(), grazing::Error>(())
 //! ```

@@ -211,7 +211,7 @@ keys! {
         /// the parameter that varies
         parameter: String,
         /// the orbit that comes to graze, near the parameter's present value, at its least minimum of a gap;
-        /// where the engine is `many`, the motion without impacts
+        /// where the engine is `many`, the motion without impacts, of several the one near `start`
         orbit: OrbitKeys = "{}",
         /// how far along its branch to look, both ways, as in a task `event`
         reach: Option<f64>,

@@ -168,7 +168,7 @@ fn coupled() -> Lines {
 }
 
 fn graze(family: &dyn MachineFamily, start: f64, reach: f64) -> MachineGrazing {
-    match locate(family, start, reach).unwrap() {
+    match locate(family, start, reach, None).unwrap() {
         MachineSearch::Found(found) => *found,
         MachineSearch::Nothing(why) => panic!("{why}"),
     }

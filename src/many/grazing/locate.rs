@@ -10,7 +10,7 @@ use super::{
 use crate::{
     error::{Error, Result},
     many::{
-        MachineFamily, MachineState,
+        MachineFamily, MachineState, Periodic,
         orbit::{StopPattern, StopStrike},
     },
     pattern::Report,
@@ -27,6 +27,8 @@ pub struct MachineGrazing {
     pub scale: f64,
     /// Other minima of gaps that are zero to rounding: the map is not the whole theory then.
     pub others: Vec<LeastGap>,
+    /// The motion.
+    pub motion: Periodic,
     /// The map there.
     pub map: MachineLocalMap,
     /// That of half a period, where a symmetric machine grazes a stop and its mirror.
@@ -73,28 +75,34 @@ const TWICE: f64 = 1e-11;
 
 /// How far a parameter is looked through that has this value, where nothing else is said: half of it, or the
 /// change that moves a gap, to first order, by the size of the gaps' motion, the larger; 1/2 where neither is
-/// anything.
+/// anything. `near` as in [`locate`].
 ///
 /// # Errors
 /// Where the family is not defined.
-pub fn own_reach(family: &dyn MachineFamily, value: f64) -> Result<f64> {
+pub fn own_reach(family: &dyn MachineFamily, value: f64, near: Option<&MachineState>) -> Result<f64> {
     let (machine, slope) = family.at(value)?;
     // Without a periodic motion there is no gaps' motion.
-    let motion = FreeMotion::near(&machine, &slope, None, family.tally());
+    let motion = FreeMotion::near(&machine, &slope, near, family.tally());
     let moved = motion.map_or(0.0, |motion| motion.scale() / motion.drift_scale());
     let reach = if moved.is_finite() { moved.max(value.abs() / 2.0) } else { value.abs() / 2.0 };
     Ok(if reach > 0.0 { reach } else { 0.5 })
 }
 
-/// The grazing of the motion without impacts nearest to `start`, within `reach` of it. From step to step of
-/// the parameter, 200 of them each way, the least gap changes sign, or its derivative does, so that it dips
-/// between them; dips of a fraction of a step may be missed. Then Newton's method on the least gap as a
-/// function of the parameter, kept between bounds.
+/// The grazing of the motion without impacts nearest to `start`, within `reach` of it; of several motions,
+/// which there may be where forces are formulas, of the one that Newton's method finds from `near`, a state
+/// at phase 0. From step to step of the parameter, 200 of them each way, the least gap changes sign, or its
+/// derivative does, so that it dips between them; dips of a fraction of a step may be missed. Then Newton's
+/// method on the least gap as a function of the parameter, kept between bounds.
 ///
 /// # Errors
 /// Where the family is not defined at `start`; no periodic motion there; det(I − A) = 0 at the grazing.
-pub fn locate(family: &dyn MachineFamily, start: f64, reach: f64) -> Result<MachineSearch> {
-    let last: RefCell<Option<MachineState>> = RefCell::default();
+pub fn locate(
+    family: &dyn MachineFamily,
+    start: f64,
+    reach: f64,
+    near: Option<&MachineState>,
+) -> Result<MachineSearch> {
+    let last: RefCell<Option<MachineState>> = RefCell::new(near.cloned());
     let look = |parameter: f64| -> Result<(FreeMotion, LeastGap, f64)> {
         let (machine, slope) = family.at(parameter)?;
         let motion = FreeMotion::near(&machine, &slope, last.borrow().as_ref(), family.tally())?;
@@ -162,7 +170,8 @@ pub fn locate(family: &dyn MachineFamily, start: f64, reach: f64) -> Result<Mach
     let mut others = motion.minima();
     others.retain(|other| other.gap.abs() <= tiny && *other != at);
     let (map, half) = (MachineLocalMap::new(&motion, &at)?, HalfPeriod::new(&motion, &at, &others)?);
-    Ok(MachineSearch::Found(Box::new(MachineGrazing { parameter, at, scale, others, map, half })))
+    let motion = motion.motion().clone();
+    Ok(MachineSearch::Found(Box::new(MachineGrazing { parameter, at, scale, others, motion, map, half })))
 }
 
 type Look<'l> = &'l dyn Fn(f64) -> Result<(FreeMotion, LeastGap, f64)>;

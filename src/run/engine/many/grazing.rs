@@ -17,10 +17,11 @@ use crate::{
     error::Result,
     local::Region,
     many::{
-        Machine, MachineFamily, RealMatrix, StopLaw,
+        Machine, MachineFamily, MachineState, RealMatrix, StopLaw,
         grazing::{FreeMotion, MachineGrazing},
-        orbit::find,
+        orbit::{StopPattern, find_from},
         section::{PlanarMachine, PlaneAxis},
+        simulate::MachineSimulator,
     },
     pattern::{Analysis, Map, Numbers, Report as Verdict},
     scene::{MachineSceneFamily, orbits::GrazingTask},
@@ -105,7 +106,8 @@ impl GrazingPoint for MachineGrazingPoint<'_> {
         let (event, stop) = (&self.event, self.event.at.stop);
         let phase = (event.at.phase + PI).rem_euclid(TAU);
         let (machine, slope) = self.family.at(event.parameter)?;
-        let start = FreeMotion::new(&machine, &slope)?.motion().state(phase).start(machine.rate());
+        let motion = FreeMotion::near(&machine, &slope, Some(&event.motion.state(0.0)), None)?;
+        let start = motion.motion().state(phase).start(machine.rate());
         let planar = |value| {
             let (machine, _): (Machine<f64>, _) = self.family.at(value)?;
             let simulator = self.job.machine_simulator(&machine, &[])?;
@@ -126,11 +128,24 @@ impl GrazingPoint for MachineGrazingPoint<'_> {
         let (machine, _): (Machine<f64>, _) = self.family.at(parameter)?;
         let simulator = self.job.machine_simulator(&machine, &[])?;
         let (strikes, start) = self.event.start(periods, verdict, away)?;
-        Ok(find(&simulator, &strikes, &start).map(|orbit| analysed(&orbit, &machine, None)))
+        let near = simulator.is_smooth().then(|| self.struck(&simulator, &strikes, &start));
+        let found = find_from(&simulator, &strikes, &start, near.as_ref());
+        Ok(found.map(|orbit| analysed(&orbit, &machine, None)))
     }
 }
 
 impl MachineGrazingPoint<'_> {
+    /// A state just after the first impact of an orbit that is born: that of the motion that grazes, struck.
+    /// Where forces are formulas there may be several motions, and the impacts do not tell which is meant.
+    fn struck(&self, simulator: &MachineSimulator, pattern: &StopPattern, start: &[f64]) -> MachineState {
+        let (contacts, stop) = (simulator.contacts(), pattern.strikes()[0].stop);
+        let (contact, speed) = (&contacts.all()[stop], start[1]);
+        let mut state = self.event.motion.state(start[0]);
+        let lacks = contact.restitution_at(speed) * speed - contact.gap(&state)[1];
+        state.u.axpy(lacks / contacts.mobility(stop), contacts.push(stop), 1.0);
+        state
+    }
+
     /// Why the local theory is not for this grazing; `None` where it is.
     fn open(&self) -> Option<String> {
         let MachineGrazingPoint { task, event, machine, reach, .. } = self;

@@ -247,8 +247,9 @@ impl<'j> Engine for Machines<'j> {
         family: &'f MachineSceneFamily<'j>,
     ) -> Result<std::result::Result<MachineGrazingPoint<'f>, String>> {
         let start = family.value();
-        let reach = task.reach.map_or_else(|| own_reach(family, start), Ok)?;
-        let event = match locate(family, start, reach)? {
+        let near = search::state(&task.orbit, self.machine)?;
+        let reach = task.reach.map_or_else(|| own_reach(family, start, near.as_ref()), Ok)?;
+        let event = match locate(family, start, reach, near.as_ref())? {
             MachineSearch::Found(found) => *found,
             MachineSearch::Nothing(reason) => return Ok(Err(reason)),
         };

@@ -98,7 +98,7 @@ impl<'a> OrbitSource for MachineSource<'a> {
     }
 
     fn reaches(&self, reach: Option<f64>, orbits: &[MachineOrbit]) -> Result<Vec<SearchReach>> {
-        let unit = own_reach(self.family, self.value())?;
+        let unit = own_reach(self.family, self.value(), None)?;
         Ok(vec![SearchReach::Parameter { unit, reach: reach.unwrap_or(unit) }; orbits.len()])
     }
 
