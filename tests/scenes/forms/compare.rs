@@ -6,6 +6,12 @@
 //! scene's by [`MARGIN`] times what the largest of these changes made of it, and by δ of the size of such
 //! numbers. What such a change turns over (a word, a count, the rows of a table) is not decided to δ: it is
 //! counted as such, and not compared. Where the other way is exact, δ is 0 and there is no tolerance.
+//!
+//! One thing no change of coefficients does: rounding moves a body at each impact by itself. A place that is
+//! off by δS, S being the size of the motion, is an impact of speed v that is δS/v early, and so slower by
+//! δV V/v, V being the speed that the motion's forces give a body over S. In a chatter, whose impacts all
+//! changes move alike, that is all that moves them. So of the times and speeds of a motion's events δ is V/v
+//! times as large, until it rests ([`slowness`]).
 
 use std::collections::BTreeMap;
 
@@ -196,7 +202,7 @@ impl Condition<'_> {
                 say(table.clone(), format!("{} rows for {}", others.len(), rows.len()));
                 continue;
             }
-            let places = matched(rows, others);
+            let (places, slowness) = (matched(rows, others), slowness(table, rows, self.sizes));
             let changed: Vec<(&[Row], Vec<Option<usize>>)> =
                 changed.into_iter().map(|all| (all, matched(rows, all))).collect();
             for (i, row) in rows.iter().enumerate() {
@@ -207,7 +213,8 @@ impl Condition<'_> {
                     !self.common || !is_null(other.get(*name)) && other.contains_key(*name)
                 }) {
                     let column = format!("{table}[{i}].{name}");
-                    match self.cell(cell, other.get(name), &like, name) {
+                    let floor = self.delta * slowness[i];
+                    match self.cell(cell, other.get(name), &like, (name, floor)) {
                         Judged::Same => count.compared += 1,
                         Judged::Undecided => count.undecided += 1,
                         Judged::Other(what) => say(column, what),
@@ -223,7 +230,7 @@ impl Condition<'_> {
         all
     }
 
-    fn cell(&self, cell: &Cell, other: Option<&Cell>, like: &[&Row], name: &str) -> Judged {
+    fn cell(&self, cell: &Cell, other: Option<&Cell>, like: &[&Row], (name, delta): (&str, f64)) -> Judged {
         // How far changes move it, each part apart.
         let mut moved: Vec<f64> = Vec::new();
         for changed in like {
@@ -249,7 +256,7 @@ impl Condition<'_> {
         for (i, x) in far.into_iter().enumerate() {
             // An eigenvalue is known to δ of the largest, and so a product to δ of its square.
             let product = matches!(cell, Cell::Multipliers(all) if all.len() == 2) && i == 1;
-            let floor = self.delta * size * if product { size } else { 1.0 };
+            let floor = delta * size * if product { size } else { 1.0 };
             let allowed = MARGIN * moved.get(i).copied().unwrap_or(0.0) + floor;
             if allowed > VOID * size * if product { size } else { 1.0 } {
                 return Judged::Undecided;
@@ -261,6 +268,24 @@ impl Condition<'_> {
         }
         Judged::Same
     }
+}
+
+/// For each event of a motion, how many times slower than the fastest the slowest impact is since the body
+/// rested: it forgets when it came to rest. 1 of anything else.
+fn slowness(table: &str, rows: &[Row], sizes: &BTreeMap<Unit, f64>) -> Vec<f64> {
+    let mut slow = 1.0;
+    let one = |row: &Row| {
+        if let ("events", Some(Cell::Number(speed, unit))) = (table, row.get("speed")) {
+            let most = sizes.get(unit).copied().unwrap_or(0.0);
+            slow = if *speed == 0.0 { slow } else { f64::max(slow, most / speed.abs()) };
+        }
+        let here = slow;
+        if matches!(row.get("event"), Some(Cell::Word(word)) if word.starts_with("stick")) {
+            slow = 1.0;
+        }
+        here
+    };
+    rows.iter().map(one).collect()
 }
 
 enum Judged {

@@ -275,7 +275,8 @@ impl Own {
             let name = &one.report.task;
             let Some(other) = other.0.iter().find(|other| other.report.task == *name) else { continue };
             let [far, there] = [one, other].map(|one| reaches && one.beyond_reach());
-            if far != there || one.many_harmonics() != other.many_harmonics() {
+            let settled = !moved || one.unsettled() == other.unsettled();
+            if far != there || !settled || one.many_harmonics() != other.many_harmonics() {
                 found.left_out.push(name.clone());
             } else if far {
                 found.told.push(name.clone());

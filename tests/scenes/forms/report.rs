@@ -19,7 +19,7 @@ use super::{
 };
 
 /// Columns that are not compared, and why.
-pub const NOT_COMPARED: [(&str, &str); 22] = [
+pub const NOT_COMPARED: [(&str, &str); 24] = [
     ("task", "it is what rows are put together by"),
     ("kind", "it is in the scene"),
     ("place", "a line of the file"),
@@ -28,6 +28,8 @@ pub const NOT_COMPARED: [(&str, &str); 22] = [
     ("effects", "work, not results: compared where the work is the same"),
     ("files", "nothing is kept"),
     ("residual", "what rounding left"),
+    ("corner_gap", "what rounding left of 0"),
+    ("distance", "what a search left of it"),
     ("newton_steps", "work"),
     ("length", "of a curve whose metric is that of the form's unknowns"),
     ("points", "of such a curve"),
@@ -223,6 +225,11 @@ impl Reported {
         self.report.status.reason().unwrap_or_default().contains("too many harmonics")
     }
 
+    /// Whether it is not decided to what some motion leads, as it is not settled.
+    pub fn unsettled(&self) -> bool {
+        self.report.status.reason().unwrap_or_default().contains("not settled")
+    }
+
     /// Whether an event was not found within its reach.
     pub fn beyond_reach(&self) -> bool {
         let reason = self.report.status.reason().unwrap_or_default();
@@ -240,6 +247,8 @@ impl Reported {
     /// All that there is, but for what depends on where the task stands, as text.
     pub fn whole(&self) -> String {
         let TaskReport { task, status, findings, warnings, effects, .. } = &self.report;
+        // As it prints itself, a failed task has its line.
+        let status = (status.word(), status.reason());
         format!("{task} {status:?} {findings:?} {warnings:?} {effects:?}")
     }
 }
@@ -294,7 +303,7 @@ pub fn answer(one: &Reported, view: &View, texts: Texts) -> Answer {
         reader.simulated(&whole, &mut head, &mut tables);
         reader.series(&one.series, &mut head, &mut tables);
     }
-    reader.points(one, &mut tables);
+    reader.points(one, axes(&whole), &mut tables);
     tables.insert(String::new(), vec![head]);
     tables
 }
@@ -456,12 +465,32 @@ impl Reader<'_> {
                 }
             }
             ("simulate", "ended_at") => {}
+            ("crisis", "corner_q" | "corner_u") => match value.as_f64() {
+                Some(x) => {
+                    let unit = if name == "corner_q" { LENGTH } else { SPEED };
+                    cells.insert(name.into(), Cell::Number(self.view.signed(x, unit), unit));
+                }
+                None => self.word(name, value, cells),
+            },
+            ("crisis", "offset") => self.number(name, value, LENGTH, cells),
+            ("chaos", "range") => self.text(name, value, cells),
+            // An upper wall is told as a lower one, and that it is.
+            ("chaos", "oscillator") if value.is_string() => {
+                let normal = value.as_str().expect("a text").replace(", turned below by q -> -q", "");
+                cells.insert(name.into(), Cell::Word(normal));
+            }
             ("basins", "q") => self.at_start(name, value, LENGTH, cells),
             ("basins", "u") => self.at_start(name, value, SPEED, cells),
             (_, "parameter") | (_, "value" | "found_at" | "start" | "from" | "to") if value.is_f64() => {
                 self.number(name, value, ONE, cells);
             }
             (_, "parameters") => {}
+            (_, "measured") if value.is_object() => {
+                for (key, one) in value.as_object().into_iter().flatten() {
+                    self.cell(&format!("{name} {key}"), one, &Value::Null, cells);
+                }
+            }
+            (_, "measured gap_change") => self.number(name, value, LENGTH, cells),
             (_, "acceleration") => self.number(name, value, Unit(1, -2, 0), cells),
             (_, "least_gap") => self.gap(name, value, cells),
             (_, "e" | "largest_gap") => self.number(name, value, LENGTH, cells),
@@ -672,15 +701,16 @@ impl Reader<'_> {
     }
 
     /// Points on the section of periodic motions, and the ends of all starts of a grid.
-    fn points(&self, one: &Reported, tables: &mut Answer) {
-        let point = |set: String, [q, u]: [f64; 2], phase: f64| {
+    fn points(&self, one: &Reported, axes: [Unit; 2], tables: &mut Answer) {
+        let at = |x: f64, unit: Unit, phase: f64| {
+            let carried = self.carried(if unit == LENGTH { "q" } else { "u" }, phase);
+            Cell::Number(self.view.signed(x, unit) + carried, unit)
+        };
+        let point = |set: String, [x, y]: [f64; 2], phase: f64| {
             Row::from([
                 ("of".to_string(), Cell::Word(set)),
-                (
-                    "q".to_string(),
-                    Cell::Number(self.view.signed(q, LENGTH) + self.carried("q", phase), LENGTH),
-                ),
-                ("u".to_string(), Cell::Number(self.view.signed(u, SPEED) + self.carried("u", phase), SPEED)),
+                ("q".to_string(), at(x, axes[0], phase)),
+                ("u".to_string(), at(y, axes[1], phase)),
             ])
         };
         match &one.report.findings {
@@ -720,6 +750,15 @@ impl Reader<'_> {
             _ => {}
         }
     }
+}
+
+/// What the two numbers of points are: displacements and velocities, unless the plane says otherwise.
+fn axes(report: &Value) -> [Unit; 2] {
+    let names = report["plane"].as_array().into_iter().flatten().filter_map(Value::as_str);
+    let units: Vec<Unit> = names
+        .map(|name| if name.starts_with('u') || name.starts_with("rate ") { SPEED } else { LENGTH })
+        .collect();
+    units.try_into().unwrap_or([LENGTH, SPEED])
 }
 
 fn entry(i: usize, n: usize) -> String {

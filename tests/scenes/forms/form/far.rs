@@ -20,7 +20,13 @@ fn name_walls(scene: &mut Table, key: &str, name: &str) {
         for start in list(task, "starts") {
             start.get_mut("orbit").and_then(Value::as_table_mut).into_iter().for_each(fill);
         }
+        for branch in list(task, "branches") {
+            branch.get_mut("orbit").and_then(Value::as_table_mut).into_iter().for_each(fill);
+        }
         list(task, "orbits").for_each(fill);
+        if task["kind"].as_str() == Some("chaos") {
+            task.entry("side").or_insert(Value::String(name.into()));
+        }
         task.get_mut("orbit").and_then(Value::as_table_mut).into_iter().for_each(fill);
     }
 }
@@ -34,11 +40,13 @@ pub(super) fn far_stop(base: &Table) -> Option<Form> {
     let own = &form.view.own_walls;
     let only = (own.len() == 1).then(|| own[0].clone());
     if is_machine(base) {
+        let taken = |name: &String| own.contains(name);
+        let name = ["guard", "buffer"].map(String::from).into_iter().find(|name| !taken(name))?;
         let row = (0..coordinates(base)).map(|i| Value::Integer(i64::from(i == 0))).collect();
-        wall.insert("name".into(), Value::String("guard".into()));
+        wall.insert("name".into(), Value::String(name.clone()));
         wall.insert("row".into(), Value::Array(row));
         wall.insert("offset".into(), Value::Float(-FAR));
-        form.view.far = Some("guard".into());
+        form.view.far = Some(name);
     } else {
         let side = match own.iter().map(String::as_str).collect::<Vec<_>>()[..] {
             [] | ["upper"] => "lower",
@@ -55,6 +63,7 @@ pub(super) fn far_stop(base: &Table) -> Option<Form> {
     if let Some(name) = only {
         name_walls(&mut form.scene, if is_machine(base) { "stops" } else { "walls" }, &name);
     }
-    form.other.extend(["effects", "largest_gap"]);
+    // What is said of a second wall of a proof is said of this one.
+    form.other.extend(["effects", "largest_gap", "ceiling"]);
     Some(form)
 }

@@ -99,5 +99,6 @@ pub(super) fn hidden(base: &Table) -> Option<Form> {
     system.insert("force".into(), Value::Array(forces));
     // Nothing says which way a bifurcation of a machine of formulas goes (docs/scenes.md).
     form.other.extend(["modes", "effects", "order_matters", "coefficient", "criticality"]);
+    form.other.extend(["measured gap_change", "measured time_change"]);
     Some(form)
 }

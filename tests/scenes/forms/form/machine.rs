@@ -70,14 +70,21 @@ pub(super) fn machine(base: &Table) -> Option<Form> {
             task.remove(key);
         }
         if kind == "grazing" {
-            task.remove("orbit");
             task.remove("options");
+            // Of several motions without impacts, the one that is meant.
+            if let Some(orbit) = task.remove("orbit")
+                && let Some(start) = orbit.get("start")
+            {
+                task.insert("orbit".into(), Table::from_iter([("start".into(), start.clone())]).into());
+            }
         }
         for start in list(task, "starts") {
             start.get_mut("orbit").and_then(Value::as_table_mut).into_iter().for_each(orbit_of_machine);
         }
         list(task, "orbits").for_each(orbit_of_machine);
-        task.get_mut("orbit").and_then(Value::as_table_mut).into_iter().for_each(orbit_of_machine);
+        if kind != "grazing" {
+            task.get_mut("orbit").and_then(Value::as_table_mut).into_iter().for_each(orbit_of_machine);
+        }
     }
     form.texts = Texts::Presence;
     form.common = true;
@@ -104,7 +111,8 @@ fn orbit_of_machine(keys: &mut Table) {
     }
 }
 
-/// A coordinate that nothing drives or couples, before whose decay all others last.
+/// A coordinate that nothing drives or couples, which decays by e^{−3π} in a period: q″ + 3q′ + 4q = 0 in the
+/// forcing's radians.
 pub(super) fn further(base: &Table) -> Option<Form> {
     let base_system = base["system"].as_table()?;
     if !is_machine(base) || base_system.get("modes").is_some() || base_system.get("measured").is_some() {
@@ -113,8 +121,10 @@ pub(super) fn further(base: &Table) -> Option<Form> {
     let level = if is_integrated(base) { Level::Integrator } else { Level::Rounding };
     let mut form = form("a further coordinate", level, base);
     let n = coordinates(base);
-    let system = system(&mut form.scene);
-    for (key, entry) in [("mass", "1"), ("damping", "3"), ("stiffness", "4")] {
+    let period = number(base_system, "period", base)
+        .or_else(|| Some(1.0 / number(base_system, "frequency", base)?))?;
+    let (radian, system) = (period / TAU, system(&mut form.scene));
+    for (key, entry) in [("mass", 1.0), ("damping", 3.0 / radian), ("stiffness", 4.0 / (radian * radian))] {
         let mut rows: Vec<Value> = match system.get(key) {
             Some(Value::Array(rows)) => rows.clone(),
             Some(Value::Table(table)) => {
@@ -134,7 +144,7 @@ pub(super) fn further(base: &Table) -> Option<Form> {
         rows.iter_mut()
             .for_each(|row| row.as_array_mut().into_iter().for_each(|row| row.push(Value::Integer(0))));
         let mut last = vec![Value::Integer(0); n];
-        last.push(Value::String(entry.into()));
+        last.push(Value::Float(entry));
         rows.push(Value::Array(last));
         system.insert(key.into(), Value::Array(rows));
     }
@@ -162,11 +172,22 @@ pub(super) fn further(base: &Table) -> Option<Form> {
         wall.entry("row").or_insert(Value::Array(vec![Value::Integer(1)]));
         widen(wall, "row");
     }
+    // Displacements, then velocities.
+    let longer = |holder: &mut Table| {
+        let Some(orbit) = holder.get_mut("orbit").and_then(Value::as_table_mut) else { return };
+        let free = orbit.get("pattern").and_then(Value::as_array).is_none_or(Vec::is_empty);
+        if let Some(start) = orbit.get_mut("start").and_then(Value::as_array_mut).filter(|_| free) {
+            start.insert(n, Value::Integer(0));
+            start.push(Value::Integer(0));
+        }
+    };
     for task in list(&mut form.scene, "tasks") {
         let start = |start: &mut Table| {
             widen(start, "q");
             widen(start, "u");
         };
+        longer(task);
+        list(task, "starts").for_each(longer);
         task.get_mut("start").and_then(Value::as_table_mut).into_iter().for_each(start);
         for one in list(task, "starts") {
             start(one);
@@ -174,9 +195,7 @@ pub(super) fn further(base: &Table) -> Option<Form> {
         }
     }
     // λ² + 3λ + 4 = 0 over a period.
-    let period = number(base_system, "period", base)
-        .or_else(|| Some(1.0 / number(base_system, "frequency", base)?))?;
-    let (rate, angle) = (-1.5 * period, 1.75_f64.sqrt() * period);
+    let (rate, angle) = (-1.5 * TAU, 1.75_f64.sqrt() * TAU);
     let of = |times: f64| {
         [(rate * times).exp() * (angle * times).cos(), (rate * times).exp() * (angle * times).sin()]
     };

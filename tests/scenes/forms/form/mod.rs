@@ -57,8 +57,9 @@ pub struct Form {
 }
 
 /// Tasks that a form has not, and why: printed with every run.
-pub const BY_DESIGN: [(&str, &str, &str); 25] = [
+pub const BY_DESIGN: [(&str, &str, &str); 27] = [
     ("machine of formulas", "criticality", "no normal form is computed through formulas of machines"),
+    ("machine of formulas", "what a record's residual could move", "it is told of linear machines"),
     ("machine", "columns that one format has", "each is compared between forms of its own format"),
     ("machine", "whether a grazing is admissible", "format 1 says it but for the tangency"),
     (
@@ -78,6 +79,11 @@ pub const BY_DESIGN: [(&str, &str, &str); 25] = [
     ("machine", "a frame", "planes of machines have gaps in its place"),
     ("hidden, machine of formulas", "validate chaos", "proofs are for linear systems by their keys"),
     ("inlined", "tasks that vary or set the parameter", "it is not there"),
+    (
+        "moving stops",
+        "motions that are settled on one side only",
+        "what comes back is told by the extent, that of the frame",
+    ),
     ("moving stops", "diagram points", "the frame moves with the parameter"),
     (
         "half the rate",
@@ -97,7 +103,7 @@ pub const BY_DESIGN: [(&str, &str, &str); 25] = [
     ),
     ("all", "tasks that restart from a file", "tested where files are: it needs those of another task"),
     ("shifted", "section with manifolds", "drawn for one phase"),
-    ("all but the units", "a force measured once", "it is no function of the phase"),
+    ("all but the units of length", "a force measured once", "it is no function of the phase"),
     (
         "machine, units, rate",
         "coefficients of normal forms",

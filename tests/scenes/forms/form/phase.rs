@@ -95,7 +95,7 @@ fn shift_task(task: &mut Table, shift: f64, machine: bool) {
         orbit(start);
     }
     orbit(task);
-    if ["section", "diagram", "basins", "map"].contains(&&*kind) {
+    if ["section", "diagram", "basins", "map", "crisis"].contains(&&*kind) {
         let phase = less(task.get("phase"), shift);
         task.insert("phase".into(), phase);
     }

@@ -7,7 +7,9 @@ use crate::forms::scene::{What, each_number, exact, is_machine, renamed, substit
 
 /// Powers of two change no digit: all is the same to the last bit.
 pub(super) fn units(name: &'static str, base: &Table, [length, time, mass]: [f64; 3]) -> Option<Form> {
-    (is_machine(base) || (time, mass) == (1.0, 1.0)).then(|| in_units(name, base, [length, time, mass]))
+    // A record has its own times.
+    let has = is_machine(base) && base["system"].get("measured").is_none();
+    (has || (time, mass) == (1.0, 1.0)).then(|| in_units(name, base, [length, time, mass]))
 }
 
 /// The same whatever its period is then.
