@@ -51,9 +51,10 @@ class TaskReport:
     parameters: Mapping[str, Fraction]
     #: Named numbers and tables, as in the command line's JSON (docs/formats.md).
     findings: Record = field(repr=False)
-    #: Arrays, by kind of task; times are in forcing periods. simulate: ``time``, ``q``, ``u`` (T,), of machines
-    #: ``q``, ``u`` (T, N); ``event_time``, ``event_kind`` (see EVENT_KINDS), ``event_place`` (0 the lower wall,
-    #: 1 the upper; the stop's number), ``event_value`` (velocity before the impact; gap; time left out).
+    #: Arrays, by kind of task; times are in forcing periods. simulate: ``time``, ``q``, ``u`` (T,), of
+    #: several displacements (T, N); ``event_time``, ``event_kind`` (see EVENT_KINDS), ``event_place`` (the stop,
+    #: in the scene's order, from 0), ``event_value`` (velocity before the impact; gap; time left out), in the
+    #: scene's units.
     #: section: ``points`` (P, 2), ``attractor`` (P,), from 0; of orbits −1, −2, …. basins: ``q``, ``u``,
     #: ``cells`` (rows, columns), places in ``findings.basins``. diagram: ``value``, ``points`` (P, 2),
     #: ``motion``, ``period`` (0: not periodic, −2: not settled). map: ``first``, ``second``, ``period`` (the

@@ -4,10 +4,11 @@ use std::collections::BTreeMap;
 
 use grazing::{
     Result,
-    many::MachineState,
-    motion::{Event, Side, State, Time},
     one::attractor::map::{MapCell, MapEnd},
-    run::{BasinsFindings, DiagramFindings, Findings, Job, Keeper, MapFindings, SectionFindings, SectionSet},
+    run::{
+        BasinsFindings, DiagramFindings, Findings, Job, Keeper, MapFindings, Sample, SectionFindings,
+        SectionSet, SeriesOf, StopEvent,
+    },
 };
 use numpy::{IntoPyArray, PyArrayMethods};
 use pyo3::{prelude::*, types::PyDict};
@@ -76,20 +77,12 @@ pub struct Collector {
 }
 
 impl Collector {
-    fn happened(&mut self, time: Option<Time>, kind: i64, place: i64, value: f64) {
-        let Some(time) = time else { return };
-        self.event_time.push(time.periods());
-        self.event_kind.push(kind);
-        self.event_place.push(place);
-        self.event_value.push(value);
-    }
-
     fn series(&mut self) {
         let take = std::mem::take::<Vec<f64>>;
         let width = self.coordinates;
         let (time, q, u) = (take(&mut self.time), take(&mut self.q), take(&mut self.u));
         self.data.floats("time", time);
-        if width == 0 {
+        if width == 1 {
             self.data.floats("q", q);
             self.data.floats("u", u);
         } else {
@@ -108,45 +101,30 @@ impl Collector {
 }
 
 impl Keeper for Collector {
-    fn sample(&mut self, time: Time, state: State) -> Result<()> {
-        self.time.push(time.periods());
-        self.q.push(state.q);
-        self.u.push(state.u);
+    fn begin(&mut self, of: &SeriesOf) -> Result<()> {
+        self.coordinates = of.points;
         Ok(())
     }
 
-    fn event(&mut self, event: &Event<Side>) -> Result<()> {
-        let place = event.place().map_or(-1, |side| if side == Side::Lower { 0 } else { 1 });
-        let (kind, value) = match event {
-            Event::Impact(impact) => (0, impact.velocity),
-            Event::Tangency(tangency) => (1, tangency.gap),
-            Event::Stick(stick) => (2, stick.rest),
-            Event::Release(_) => (3, 0.0),
-            _ => return Ok(()),
+    fn sample(&mut self, sample: &Sample) -> Result<()> {
+        self.time.push(sample.time.periods());
+        self.q.extend(sample.q);
+        self.u.extend(sample.u);
+        Ok(())
+    }
+
+    fn event(&mut self, event: &StopEvent) -> Result<()> {
+        let (kind, value) = match event.event {
+            "impact" => (0, event.velocity),
+            "tangency" => (1, event.gap),
+            "stick" => (2, event.rest),
+            "release" => (3, None),
+            _ => (4, event.velocity),
         };
-        self.happened(event.time(), kind, place, value);
-        Ok(())
-    }
-
-    fn machine_sample(&mut self, time: Time, state: &MachineState) -> Result<()> {
-        self.coordinates = state.q.len();
-        self.time.push(time.periods());
-        self.q.extend(state.q.iter());
-        self.u.extend(state.u.iter());
-        Ok(())
-    }
-
-    fn machine_event(&mut self, event: &Event<usize>) -> Result<()> {
-        let place = event.place().map_or(-1, |stop| stop as i64);
-        let (kind, value) = match event {
-            Event::Impact(impact) => (0, impact.velocity),
-            Event::Tangency(tangency) => (1, tangency.gap),
-            Event::Stick(stick) => (2, stick.rest),
-            Event::Release(_) => (3, 0.0),
-            Event::Touch(touch) => (4, touch.velocity),
-            _ => return Ok(()),
-        };
-        self.happened(event.time(), kind, place, value);
+        self.event_time.push(event.time.periods());
+        self.event_kind.push(kind);
+        self.event_place.push(event.stop as i64);
+        self.event_value.push(value.unwrap_or(0.0));
         Ok(())
     }
 

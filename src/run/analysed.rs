@@ -8,8 +8,7 @@ row! {
         /// The impact pattern.
         pub pattern: String,
         /// The phases of its impacts, as its pattern counts them, the first within one period: impact i + 1
-        /// is n_i periods and t_{i+1} − t_i after impact i. Of an oscillator in radians, of a machine as
-        /// fractions of the period.
+        /// is n_i periods and t_{i+1} − t_i after impact i. As fractions of the period.
         pub phases: Vec<f64>,
         /// Their incoming relative speeds, in the scene's units.
         pub speeds: Vec<f64>,

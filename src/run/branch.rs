@@ -4,8 +4,7 @@
 use serde::Serialize;
 
 use super::{
-    Analysed, Finding, Job, Lines, Status, Table,
-    columns::POINTS,
+    Analysed, Finding, Job, Lines, Status,
     engine::{AnalysedEvent, Branches, Engine, OrbitSource, by_engine},
     row,
 };
@@ -26,16 +25,16 @@ use crate::{
 row! {
     /// A point of a branch.
     pub struct BranchRow {
-        with {
-            /// The orbit there.
-            pub orbit: Analysed
-        }
         /// The branch, counted from 1.
         pub branch: usize,
         /// What happens here, as "flip 1".
         pub label: Option<String>,
         /// The parameter, or both.
         pub parameters: Vec<f64>,
+        with {
+            /// The orbit there.
+            pub orbit: Analysed
+        }
         /// The normal form's coefficient at a label.
         pub coefficient: Option<f64>,
         /// Its meaning: "supercritical", "subcritical", "above", "below", "transcritical", "degenerate"; or
@@ -105,10 +104,10 @@ pub struct BranchFindings {
     /// What became of every start.
     pub starts: Vec<StartRow>,
     /// The labelled points.
-    pub labels: Table<BranchRow>,
+    pub labels: Vec<BranchRow>,
     /// Every point. Not in JSON: it is the task's CSV file.
     #[serde(skip)]
-    pub rows: Table<BranchRow>,
+    pub rows: Vec<BranchRow>,
     /// The branches. Not in JSON: each has a file.
     #[serde(skip)]
     pub branches: FoundBranches,
@@ -181,12 +180,11 @@ where
             });
         }
     }
-    let rows = Table::new(POINTS.of(job), rows);
     Ok(BranchFindings {
         varied,
         points: rows.len(),
         starts,
-        labels: rows.filter(|row| row.label.is_some()),
+        labels: rows.iter().filter(|row| row.label.is_some()).cloned().collect(),
         rows,
         branches: branches.into(),
     })

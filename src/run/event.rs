@@ -3,8 +3,7 @@
 use serde::Serialize;
 
 use super::{
-    Analysed, Complex, Finding, Job, Judgement, Lines, Status, Table, Tabular,
-    columns::EVENTS,
+    Analysed, Finding, Job, Judgement, Lines, Status,
     engine::{AnalysedEvent, Engine, OrbitSource, by_engine},
     row,
 };
@@ -17,56 +16,32 @@ use crate::{
 row! {
     /// A bifurcation.
     pub struct EventRow {
-        with {
-            /// The orbit there.
-            pub orbit: Analysed
-        }
         /// The parameter there.
         pub parameter: f64,
+        with {
+            /// The orbit there; at a grazing it is marginal, or none but for the tangency.
+            pub orbit: Analysed
+        }
         /// The normal form's coefficient.
         pub coefficient: Option<f64>,
         /// Its meaning: "supercritical", "subcritical", "above", "below", "transcritical", "degenerate"; or
         /// why there is none.
         pub criticality: Option<&'static str>,
-        /// Of a grazing of a machine, the stop that is grazed.
+        /// The stop that is grazed.
         pub stop: Option<String>,
-        /// Of a grazing of a machine, its phase, as a fraction of the period.
+        /// The phase of grazing, as a fraction of the period.
         pub phase: Option<f64>,
-        /// Of a grazing of a machine, the second derivative of the gap there, in the scene's units.
+        /// a_G: the second derivative of the gap there, in the scene's units.
         pub acceleration: Option<f64>,
+        /// The region of the plane of (a₁, a₂), 1 to 5 or `line`; of the engine `one`, and for a₂ > 0.
+        pub region: Option<String>,
+        /// γ of the local map; of the engine `one`.
+        pub gamma: Option<f64>,
+        /// e, how fast the least gap opens with the parameter; of the engine `one`.
+        pub e: Option<f64>,
         /// How far along the branch, in the norm of times, of states and speeds in units of the motion, and
         /// of the parameter, of a machine in units of its own reach.
         pub length: f64,
-    }
-}
-
-row! {
-    /// A grazing bifurcation with the local map there.
-    pub struct GrazingEventRow {
-        /// The parameter there.
-        pub parameter: f64,
-        /// The impact pattern of the orbit that grazes.
-        pub pattern: String,
-        /// The wall that is grazed.
-        pub wall: &'static str,
-        /// The phase of grazing, in [0, 2π).
-        pub phase: f64,
-        /// a_G, the relative acceleration there.
-        pub acceleration: f64,
-        /// The larger eigenvalue of A.
-        pub lambda1: Complex,
-        /// The smaller.
-        pub lambda2: Complex,
-        /// The region of the plane of (a₁, a₂), 1 to 5 or `line`; none for a₂ ≤ 0.
-        pub region: Option<String>,
-        /// γ.
-        pub gamma: f64,
-        /// e.
-        pub e: f64,
-        /// Whether it is an orbit but for the tangency.
-        pub admissible: Judgement,
-        /// What is left of the equations.
-        pub residual: f64,
     }
 }
 
@@ -82,35 +57,6 @@ row! {
     }
 }
 
-/// Bifurcations with multipliers, or grazings of orbits with their maps.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[serde(untagged)]
-pub enum EventRows {
-    /// Where multipliers are on the unit circle, an impact fades, or a machine grazes a stop.
-    Bifurcations(Table<EventRow>),
-    /// Where an oscillator touches a wall.
-    Grazings(Vec<GrazingEventRow>),
-}
-
-impl EventRows {
-    fn get(&self) -> &dyn Tabular {
-        match self {
-            EventRows::Bifurcations(rows) => rows,
-            EventRows::Grazings(rows) => rows,
-        }
-    }
-}
-
-impl Tabular for EventRows {
-    fn columns(&self) -> Vec<&'static str> {
-        self.get().columns()
-    }
-
-    fn cells(&self) -> Vec<Vec<String>> {
-        self.get().cells()
-    }
-}
-
 /// The bifurcations nearest to the orbits of a pattern.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct EventFindings {
@@ -123,7 +69,7 @@ pub struct EventFindings {
     /// How many admissible orbits there are to begin with.
     pub orbits: usize,
     /// What was found, each once.
-    pub found: EventRows,
+    pub found: Vec<EventRow>,
     /// Orbits from which nothing was found, with the reason.
     pub without: Vec<WithoutRow>,
 }
@@ -131,7 +77,7 @@ pub struct EventFindings {
 impl Finding for EventFindings {
     fn status(&self) -> Status {
         match self.without.first() {
-            _ if !self.found.cells().is_empty() => Status::Done,
+            _ if !self.found.is_empty() => Status::Done,
             Some(first) => Status::nothing(first.reason.clone()),
             None => Status::nothing(format!(
                 "no admissible orbit to begin with at {} = {}",
@@ -173,7 +119,7 @@ fn of<E: Engine>(task: &EventTask, job: &Job, engine: &E) -> Result<EventFinding
     let (start, options) = (source.value(), task.options.checked()?);
     let orbits = source.present(&task.orbit)?;
     let extents = source.reaches(task.reach, &orbits)?;
-    let (mut bifurcations, mut grazings, mut without) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut found, mut without) = (Vec::new(), Vec::new());
     let mut known: Vec<f64> = Vec::new();
     job.monitor.begin(orbits.len() as u64, "orbits");
     for (orbit, extent) in orbits.iter().zip(extents) {
@@ -184,19 +130,13 @@ fn of<E: Engine>(task: &EventTask, job: &Job, engine: &E) -> Result<EventFinding
                 if is_known(known.iter().copied(), located.parameter, start) {
                     continue;
                 }
-                let map = match task.event {
-                    Bifurcation::Grazing => source.local_map(&located, orbit),
-                    _ => Ok(None),
-                };
-                match map {
-                    Ok(map) => {
+                match EventRow::of(&located, &task.parameter, &source) {
+                    Ok(row) => {
                         known.push(located.parameter);
-                        match map {
-                            Some(map) => grazings.push(map),
-                            None => bifurcations.push(EventRow::of(&located, &task.parameter, &source)?),
-                        }
+                        found.push(row);
                         continue;
                     }
+                    Err(error) if error.is_interrupted() => return Err(error),
                     Err(error) => error.to_string(),
                 }
             }
@@ -211,11 +151,7 @@ fn of<E: Engine>(task: &EventTask, job: &Job, engine: &E) -> Result<EventFinding
         varied: task.parameter.clone(),
         start,
         orbits: orbits.len(),
-        found: if task.event == Bifurcation::Grazing && source.has_maps() {
-            EventRows::Grazings(grazings)
-        } else {
-            EventRows::Bifurcations(Table::new(EVENTS.of(job), bifurcations))
-        },
+        found,
         without,
     })
 }
@@ -223,21 +159,35 @@ fn of<E: Engine>(task: &EventTask, job: &Job, engine: &E) -> Result<EventFinding
 impl EventRow {
     fn of<S: OrbitSource>(found: &Located<S::Orbit>, parameter: &str, source: &S) -> Result<EventRow> {
         let at = [(parameter, found.parameter)];
-        let AnalysedEvent { orbit, form, touch } =
+        let AnalysedEvent { mut orbit, form } =
             source.analysed(&found.orbit, &at, Some(found.bifurcation))?;
         let (coefficient, criticality) = AnalysedEvent::form(form);
-        let (stop, phase, acceleration) = match touch {
-            Some((stop, phase, acceleration)) => (Some(stop), Some(phase), Some(acceleration)),
-            None => (None, None, None),
+        let touch = match found.bifurcation {
+            Bifurcation::Grazing => source.grazed(found)?,
+            _ => None,
+        };
+        if let Some(touch) = &touch {
+            orbit.residual = touch.residual;
+            if !touch.sound {
+                orbit.admissible = Judgement::No;
+            }
+        }
+        let parameter = touch.as_ref().map_or(found.parameter, |touch| touch.parameter);
+        let [gamma, e] = match touch.as_ref().and_then(|touch| touch.map) {
+            Some(map) => map.map(Some),
+            None => [None; 2],
         };
         Ok(EventRow {
+            parameter,
             orbit,
-            parameter: found.parameter,
             coefficient,
             criticality,
-            stop,
-            phase,
-            acceleration,
+            stop: touch.as_ref().map(|touch| touch.stop.clone()),
+            phase: touch.as_ref().map(|touch| touch.phase),
+            acceleration: touch.as_ref().map(|touch| touch.acceleration),
+            region: touch.and_then(|touch| touch.region),
+            gamma,
+            e,
             length: found.length,
         })
     }

@@ -1,18 +1,13 @@
 //! Tasks of kind `grazing`: a grazing bifurcation, and what is born there.
 
-use serde::{
-    Serialize, Serializer,
-    ser::{Error as _, SerializeMap},
-};
+use serde::Serialize;
 
 use super::{
-    Analysed, ChaosRow, Complex, Finding, Job, Judgement, Lines, Row, Status, Table,
+    Analysed, ChaosRow, Complex, Finding, Job, Judgement, Lines, Status,
     birth::all_patterns,
-    columns::{BORN, GRAZING, GRAZING_LINES},
     engine::{Engine, GrazingPoint, by_engine},
     row,
     seen::{self, SeenRow},
-    table::{columns_of, select},
 };
 use crate::{
     attractor::diagram::Look,
@@ -22,12 +17,9 @@ use crate::{
 };
 
 row! {
-    /// What the local theory says of an impact pattern, and the orbit of the true system near by.
+    /// What the local theory says of an impact pattern, and the orbit of the true system near by, if it was
+    /// looked for and found.
     pub struct BornRow {
-        with {
-            /// That orbit, if it was looked for and found.
-            pub orbit: Option<Analysed>
-        }
         /// The pattern, in periods of the orbit that grazes.
         pub pattern: String,
         /// On which side of the bifurcation an orbit is born, or what is open.
@@ -37,7 +29,17 @@ row! {
         pub coefficient: Option<f64>,
         /// The parameter at which the orbit was looked for.
         pub found_at: Option<f64>,
-        /// Why it is not an orbit, or why nothing is decided.
+        /// The phases of its impacts, as fractions of the period.
+        pub phases: Option<Vec<f64>>,
+        /// Their incoming relative speeds, in the scene's units.
+        pub speeds: Option<Vec<f64>>,
+        /// Its multipliers of largest modulus, at most four, the largest first.
+        pub multipliers: Option<Vec<Complex>>,
+        /// Whether it is stable: what is born at a grazing is mostly not, so not seen.
+        pub stable: Option<Judgement>,
+        /// Whether it is an orbit.
+        pub admissible: Option<Judgement>,
+        /// Why it is none, or why nothing is decided.
         pub reason: Option<String>,
     }
 }
@@ -78,72 +80,72 @@ impl Finding for GrazingFindings {
     }
 }
 
-row! {
-    /// A grazing bifurcation with its local map: of an orbit of an oscillator, of the motion without impacts
-    /// of a machine.
-    pub struct GrazingMap {
-        /// The parameter.
-        pub varied: String,
-        /// Its value at grazing.
-        pub parameter: f64,
-        /// Of an oscillator, the pattern of the orbit that grazes.
-        pub orbit: Option<String>,
-        /// The wall or stop that is grazed.
-        pub stop: String,
-        /// t_G: of an oscillator in [0, 2π), of a machine a fraction of the period.
-        pub phase: f64,
-        /// a_G: the second derivative of the gap there.
-        pub acceleration: f64,
-        /// A, by rows, in coordinates (q, q̇) less those of the motion.
-        pub a: Vec<Vec<f64>>,
-        /// B, of a machine.
-        pub b: Vec<f64>,
-        /// C, of a machine.
-        pub c: Vec<f64>,
-        /// e: how fast the least gap opens with the parameter.
-        pub e: f64,
-        /// The eigenvalues of A, the largest modulus first.
-        pub eigenvalues: Vec<Complex>,
-        /// a₁ = tr A; only of one degree of freedom.
-        pub a1: Option<f64>,
-        /// a₂ = det A; only of one degree of freedom.
-        pub a2: Option<f64>,
-        /// γ; only of one degree of freedom.
-        pub gamma: Option<f64>,
-        /// The region of the plane of (a₁, a₂), 1 to 5 or `line`; only of one degree of freedom, and for a₂ >
-        /// 0.
-        pub region: Option<String>,
-        /// Whether the orbit is one but for the tangency.
-        pub admissible: Judgement,
-        /// What is left of the equations, of a machine of the gap.
-        pub residual: f64,
-        /// Whether the map is of half a period, followed by the mirror: the motion is symmetric and grazes a
-        /// stop and its mirror. Patterns count halves then, and the stops alternate with them; A and what
-        /// follows from it are that map's.
-        pub half: bool,
-        /// Why the local theory does not apply, if it does not.
-        pub open: Option<String>,
-        /// Why it is not decided whether chaos is born.
-        pub chaos_open: Option<String>,
-    }
+/// A grazing bifurcation with its local map: of an orbit of an oscillator, of the motion without impacts of a
+/// machine.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct GrazingMap {
+    /// The parameter.
+    pub varied: String,
+    /// Its value at grazing.
+    pub parameter: f64,
+    /// The pattern of the orbit that grazes, where it is one with impacts or may be.
+    pub orbit: Option<String>,
+    /// The stop that is grazed.
+    pub stop: String,
+    /// t_G, as a fraction of the period.
+    pub phase: f64,
+    /// a_G: the second derivative of the gap there.
+    pub acceleration: f64,
+    /// A, by rows, in coordinates (q, q̇) less those of the motion.
+    #[serde(rename = "A")]
+    pub a: Vec<Vec<f64>>,
+    /// B.
+    #[serde(rename = "B")]
+    pub b: Vec<f64>,
+    /// C.
+    #[serde(rename = "C")]
+    pub c: Vec<f64>,
+    /// e: how fast the least gap opens with the parameter.
+    pub e: f64,
+    /// The eigenvalues of A, the largest modulus first.
+    pub eigenvalues: Vec<Complex>,
+    /// a₁ = tr A; only of one degree of freedom.
+    pub a1: Option<f64>,
+    /// a₂ = det A; only of one degree of freedom.
+    pub a2: Option<f64>,
+    /// γ; only of one degree of freedom.
+    pub gamma: Option<f64>,
+    /// The region of the plane of (a₁, a₂), 1 to 5 or `line`; only of one degree of freedom, and for a₂ > 0.
+    pub region: Option<String>,
+    /// Whether the orbit is one but for the tangency.
+    pub admissible: Judgement,
+    /// What is left of the equations, of a machine of the gap.
+    pub residual: f64,
+    /// Whether the map is of half a period, followed by the mirror: the motion is symmetric and grazes a stop
+    /// and its mirror. Patterns count halves then, and the stops alternate with them; A and what follows from
+    /// it are that map's.
+    pub half: bool,
+    /// Why the local theory does not apply, if it does not.
+    pub open: Option<String>,
 }
 
 /// A grazing bifurcation, and the patterns that are born there.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct GrazingReport {
     /// The bifurcation.
+    #[serde(flatten)]
     pub at: GrazingMap,
     /// Whether chaos is born, on either side, by all patterns together; absent where no word decides.
     pub chaos: Option<Vec<ChaosRow>>,
+    /// Why it is not decided whether chaos is born.
+    pub chaos_open: Option<String>,
     /// The patterns that are born or open.
-    pub born: Table<BornRow>,
+    pub born: Vec<BornRow>,
     /// What attracts beside the touch; absent if it was not looked for.
     pub seen: Option<Vec<SeenRow>>,
     /// How many of them are open.
+    #[serde(skip)]
     undecided: usize,
-    columns: &'static str,
-    /// The lines of text, and that which says what half a period is.
-    said: (&'static str, &'static str),
 }
 
 /// How attractors beside a touch are looked at; the phase is half a period from the touch.
@@ -151,22 +153,6 @@ const LOOK: Look = Look { phase: 0.0, transient: 500, points: 64, longest: 64 };
 
 /// A matrix of more rows than this is not shown in text.
 const SHOWN: usize = 6;
-
-impl Serialize for GrazingReport {
-    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
-        let all = serde_json::to_value(&self.at).map_err(S::Error::custom)?;
-        let mut map = serializer.serialize_map(None)?;
-        for column in columns_of(self.columns) {
-            match column.0 {
-                "chaos" => map.serialize_entry("chaos", &self.chaos)?,
-                "born" => map.serialize_entry("born", &self.born)?,
-                "seen" => map.serialize_entry("seen", &self.seen)?,
-                name => map.serialize_entry(name, select(column, &all))?,
-            }
-        }
-        map.end()
-    }
-}
 
 impl GrazingReport {
     fn status(&self) -> Status {
@@ -181,37 +167,40 @@ impl GrazingReport {
     }
 
     fn lines(&self, lines: &mut Lines) {
-        let (at, (said, half)) = (&self.at, self.said);
+        let at = &self.at;
         lines.say("grazing", format!("{} = {:?}", at.varied, at.parameter));
-        for column in columns_of(said) {
-            let (name, field, entry) = column;
-            match field {
-                "map" if at.half => lines.say(name, half),
-                "region" if at.a1.is_some() => lines.say(name, at.region.as_deref().unwrap_or("none")),
-                "map" | "region" => {}
-                // Large ones are in JSON.
-                "rows" | "b" | "c" if at.b.len() > SHOWN => {}
-                "rows" => at.a.iter().for_each(|row| lines.say(name, row.clone())),
-                "eigenvalues" if entry.is_none() && at.eigenvalues.len() > SHOWN => {
-                    lines.say(name, at.eigenvalues[..SHOWN].to_vec());
-                    lines.say("more_eigenvalues", at.eigenvalues.len() - SHOWN);
-                }
-                "chaos" => {
-                    if let Some(rows) = &self.chaos {
-                        lines.say(name, ChaosRow::sentences(rows, at.half));
-                    }
-                }
-                "chaos_open" => {
-                    if let Some(reason) = &at.chaos_open {
-                        lines.say(name, format!("not decided: {reason}"));
-                    }
-                }
-                _ => {
-                    if let Some(cell) = at.cell(column) {
-                        lines.say(name, cell);
-                    }
-                }
-            }
+        lines.say_known("orbit", &at.orbit);
+        lines.say("stop", at.stop.as_str());
+        if at.half {
+            lines.say("map", HALF);
+        }
+        lines.say("t_G", at.phase);
+        lines.say("a_G", at.acceleration);
+        // Large ones are in JSON.
+        if at.b.len() <= SHOWN {
+            at.a.iter().for_each(|row| lines.say("A", row.clone()));
+            lines.say("B", at.b.clone());
+            lines.say("C", at.c.clone());
+        }
+        lines.say("e", at.e);
+        lines.say("eigenvalues", at.eigenvalues.iter().take(SHOWN).copied().collect::<Vec<_>>());
+        if at.eigenvalues.len() > SHOWN {
+            lines.say("more_eigenvalues", at.eigenvalues.len() - SHOWN);
+        }
+        lines.say_known("a1", &at.a1);
+        lines.say_known("a2", &at.a2);
+        lines.say_known("gamma", &at.gamma);
+        if at.a1.is_some() {
+            lines.say("region", at.region.as_deref().unwrap_or("none"));
+        }
+        lines.say("admissible", at.admissible);
+        lines.say("residual", at.residual);
+        lines.say_known("open", &at.open);
+        if let Some(rows) = &self.chaos {
+            lines.say("chaos", ChaosRow::sentences(rows, at.half));
+        }
+        if let Some(reason) = &self.chaos_open {
+            lines.say("chaos", format!("not decided: {reason}"));
         }
         lines.table("born", &self.born);
         if let Some(rows) = &self.seen {
@@ -219,6 +208,13 @@ impl GrazingReport {
         }
     }
 }
+
+/// What is said of a map of half a period.
+const HALF: &str =
+    "of half a period, then the mirror: a stop and its mirror are grazed; patterns count halves";
+
+/// What the word theorem needs.
+const NEEDS: &str = "that needs a2 > 0 and gamma, e other than 0";
 
 /// Follows the branch of the orbit to the nearest grazing, of a machine the motion without impacts, and asks
 /// the local theory there.
@@ -238,9 +234,10 @@ fn of<E: Engine>(task: &GrazingTask, job: &Job, engine: &E) -> Result<GrazingFin
             return Ok(GrazingFindings::Nothing { varied, start, reason });
         }
     };
-    let (mut at, mut chaos, mut born, mut undecided) = (point.report(), None, Vec::new(), 0);
+    let (at, mut born, mut undecided) = (point.report(), Vec::new(), 0);
+    let (mut chaos, mut chaos_open) = (None, None);
     if at.open.is_none() {
-        (chaos, at.chaos_open) = asked_for_chaos(task, job, &point, &at)?;
+        (chaos, chaos_open) = asked_for_chaos(task, job, &point, &at)?;
         let (map, size) = (point.map()?, point.size()?);
         let theory = point.theory(&map)?;
         let patterns = (1..=task.max_period).flat_map(|period| Patterns::of_period(period.into()));
@@ -260,15 +257,7 @@ fn of<E: Engine>(task: &GrazingTask, job: &Job, engine: &E) -> Result<GrazingFin
     } else {
         None
     };
-    Ok(GrazingFindings::Found(Box::new(GrazingReport {
-        at,
-        chaos,
-        born: Table::new(BORN.of(job), born),
-        seen,
-        undecided,
-        columns: GRAZING.of(job),
-        said: (GRAZING_LINES.of(job), <E::Grazing<'_> as GrazingPoint>::HALF),
-    })))
+    Ok(GrazingFindings::Found(Box::new(GrazingReport { at, chaos, chaos_open, born, seen, undecided })))
 }
 
 /// Whether chaos is born, or why that is not decided.
@@ -289,7 +278,7 @@ fn asked_for_chaos<G: GrazingPoint>(
     };
     let side = |positive: bool| side_of(at, positive == (at.e > 0.0));
     let chaos = all_patterns(plane, side, job.monitor)?;
-    let open = chaos.is_none().then(|| G::NEEDS.to_string());
+    let open = chaos.is_none().then(|| NEEDS.to_string());
     Ok((chaos, open))
 }
 
@@ -308,11 +297,15 @@ fn born_at(
     verdict: &Verdict,
 ) -> Result<BornRow> {
     let mut row = BornRow {
-        orbit: None,
         pattern: pattern.to_string(),
         side: String::new(),
         coefficient: None,
         found_at: None,
+        phases: None,
+        speeds: None,
+        multipliers: None,
+        stable: None,
+        admissible: None,
         reason: verdict.reason.map(|reason| reason.to_string()),
     };
     let Some(side) = verdict.side() else {
@@ -329,9 +322,10 @@ fn born_at(
     };
     row.found_at = Some(parameter);
     match point.orbit(periods, verdict, parameter, away)? {
-        Ok(found) => {
-            row.reason = row.reason.or_else(|| found.reason.clone());
-            row.orbit = Some(found);
+        Ok(Analysed { phases, speeds, multipliers, stable, admissible, reason, .. }) => {
+            row.reason = row.reason.or(reason);
+            (row.phases, row.speeds, row.multipliers) = (Some(phases), Some(speeds), Some(multipliers));
+            (row.stable, row.admissible) = (Some(stable), Some(admissible));
         }
         Err(error) => row.reason = Some(error.to_string()),
     }

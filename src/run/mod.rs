@@ -11,10 +11,9 @@
 //! A kind has a file here of its name with
 //!
 //! 1. `XFindings`, its result: a struct with `Serialize` whose fields are numbers, booleans, words of enums,
-//!    lists of [rows](Row). A row is declared by `row!`; which of its fields a table shows, in which order
-//!    and under which names, is in `columns`, for each engine, and nowhere else. No field is a text that a
-//!    program would have to parse: complex numbers are [`Complex`], what rounding may decide is a
-//!    [`Judgement`], an orbit is [`Analysed`];
+//!    lists of [rows](Row). A row is declared by `row!`: its fields are the columns of tables and the keys in
+//!    JSON, in their order, whichever engine found it. No field is a text that a program would have to parse:
+//!    complex numbers are [`Complex`], what rounding may decide is a [`Judgement`], an orbit is [`Analysed`];
 //! 2. `impl Finding for XFindings`: its [`Status`] from the data alone, in one place, with a sentence for
 //!    every answer that is not "done"; warnings; what is printed, by [`Lines`];
 //! 3. `pub fn x(task, job) -> Result<XFindings>`: what [`Job`] holds, and no files but those that it reads
@@ -31,7 +30,6 @@ mod basins;
 mod birth;
 mod branch;
 mod chaos;
-mod columns;
 mod crisis;
 mod diagram;
 mod engine;
@@ -66,7 +64,7 @@ pub use crisis::{CrisisFindings, CrisisRow, PersistenceRow, crisis};
 pub use diagram::{CoexistingRow, DiagramFindings, WindowRow, diagram};
 #[doc(hidden)]
 pub use engine::{JudgedOrbit, MachineSource, OrbitSource, OscillatorSource, form};
-pub use event::{EventFindings, EventRow, EventRows, GrazingEventRow, WithoutRow, event};
+pub use event::{EventFindings, EventRow, WithoutRow, event};
 pub use grazing::{BornRow, GrazingFindings, GrazingMap, GrazingReport, grazing};
 #[doc(hidden)]
 pub use map::word as map_word;
@@ -75,19 +73,20 @@ pub use orbit::{MissingRow, OrbitFindings, OrbitRow, orbit};
 pub use report::{RunReport, TaskReport};
 pub use section::{AttractorRow, ExponentRow, SectionFindings, SectionOrbitRow, SectionSet, section};
 pub use seen::SeenRow;
+pub use series::{Sample, SeriesOf, SeriesStop, StopEvent};
 pub use simulate::{MeasuredEffect, ModeRow, Moved, SimulationFindings, StopRow, simulate};
 pub use status::{Place, Status};
 pub use swept::{HysteresisRow, JumpRow, SweepFindings, SweptRow};
 pub(crate) use table::row;
-pub use table::{Complex, Judgement, Lines, Row, Shown, Table, Tabular};
+pub use table::{Complex, Judgement, Lines, Row, Shown, Tabular};
 pub use validate::{ProofRow, UnprovedRow, ValidateFindings, validate};
 
 use crate::{
     attractor::Keep,
     error::{Error, Result},
-    many::{Machine, MachineState, StopLaw},
+    many::{Machine, StopLaw},
     monitor::Monitor,
-    motion::{Effect, EffectTally, Event, Side, State, System, Time},
+    motion::{Effect, EffectTally, Side, State, System},
     one::{
         orbit::Oscillator,
         simulate::{Settings, Simulator},
@@ -199,35 +198,27 @@ impl Findings {
 
 /// Takes what a task gives out: the points of a long series as they come, and in the end its findings.
 pub trait Keeper {
-    /// A point of a time series.
+    /// What the time series is of that comes.
     ///
     /// # Errors
     /// The keeper's own; the task ends with it.
-    fn sample(&mut self, _time: Time, _state: State) -> Result<()> {
+    fn begin(&mut self, _of: &SeriesOf) -> Result<()> {
         Ok(())
     }
 
-    /// An event of a time series, no later than the next point.
+    /// A point of it.
     ///
     /// # Errors
     /// The keeper's own; the task ends with it.
-    fn event(&mut self, _event: &Event<Side>) -> Result<()> {
+    fn sample(&mut self, _sample: &Sample) -> Result<()> {
         Ok(())
     }
 
-    /// A point of a machine's time series.
+    /// An event of it, no later than the next point.
     ///
     /// # Errors
     /// The keeper's own; the task ends with it.
-    fn machine_sample(&mut self, _time: Time, _state: &MachineState) -> Result<()> {
-        Ok(())
-    }
-
-    /// An event of a machine's time series, no later than the next point.
-    ///
-    /// # Errors
-    /// The keeper's own; the task ends with it.
-    fn machine_event(&mut self, _event: &Event<usize>) -> Result<()> {
+    fn event(&mut self, _event: &StopEvent) -> Result<()> {
         Ok(())
     }
 
@@ -320,6 +311,12 @@ impl<'a> Job<'a> {
             Model::Oscillator(system) => Ok(system),
             Model::Machine(_) => Err(Error::input("the task works on oscillators of one degree of freedom")),
         }
+    }
+
+    /// What the stop on a side is called, where the engine is `one`.
+    pub fn stop(&self, side: Side) -> String {
+        let known = self.scene.stops.iter().find(|stop| stop.side == Some(side));
+        known.map_or_else(|| side.name().into(), |stop| stop.name.clone())
     }
 
     /// How finely to simulate: the same at every value of a parameter that varies.

@@ -3,8 +3,7 @@
 use serde::Serialize;
 
 use super::{
-    Analysed, Finding, Job, Lines, Status, Table,
-    columns::ORBITS,
+    Analysed, Finding, Job, Lines, Status,
     engine::{Engine, by_engine},
     row,
 };
@@ -17,12 +16,12 @@ use crate::{
 row! {
     /// A solution of the pattern equations.
     pub struct OrbitRow {
+        /// The parameter's value, if the task goes through some.
+        pub value: Option<f64>,
         with {
             /// What is known of it.
             pub orbit: Analysed
         }
-        /// The parameter's value, if the task goes through some.
-        pub value: Option<f64>,
     }
 }
 
@@ -40,7 +39,7 @@ row! {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct OrbitFindings {
     /// Solutions, by value, then by speed.
-    pub orbits: Table<OrbitRow>,
+    pub orbits: Vec<OrbitRow>,
     /// Values without any.
     pub missing: Vec<MissingRow>,
     /// How many values were asked for.
@@ -99,5 +98,5 @@ fn of<E: Engine>(task: &OrbitTask, job: &Job, engine: &E) -> Result<OrbitFinding
         }
         job.monitor.advance(1)?;
     }
-    Ok(OrbitFindings { orbits: Table::new(ORBITS.of(job), orbits), missing, values })
+    Ok(OrbitFindings { orbits, missing, values })
 }

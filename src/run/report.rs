@@ -102,7 +102,7 @@ pub struct RunReport<'a> {
 impl<'a> RunReport<'a> {
     /// The reports of tasks of the scene with this title; of a part of one task, which part, as in "1/4".
     pub fn new(scene: &'a str, shard: Option<String>, tasks: &'a [TaskReport]) -> RunReport<'a> {
-        RunReport { format: "grazing-run 3", scene, shard, tasks }
+        RunReport { format: "grazing-run 4", scene, shard, tasks }
     }
 
     /// The text of the object, indented.

@@ -1,4 +1,5 @@
-//! The points of a time series: a transient passes, then a motion is followed from one point to the next.
+//! A motion's time series as it is kept, whichever engine follows it; and how it is followed: a transient
+//! passes, then the motion goes from one point to the next.
 
 use std::f64::consts::TAU;
 
@@ -8,6 +9,92 @@ use crate::{
     motion::{RunEnd, Time},
     scene::simulate::SimulateTask,
 };
+
+/// What a series is of. Everything in it is in the scene's units, times are forcing periods.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SeriesOf {
+    /// How many displacements a point has.
+    pub points: usize,
+    /// The stops, in the scene's order.
+    pub stops: Vec<SeriesStop>,
+    /// The forcing period, in the scene's unit of time.
+    pub period: f64,
+    /// When it begins, after the transient.
+    pub begin: f64,
+}
+
+/// A stop of a series.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SeriesStop {
+    /// Its name.
+    pub name: String,
+    /// Of a motion with one displacement q, by how much the gap opens with q: the stop stands at q − gap /
+    /// `along`.
+    pub along: Option<f64>,
+}
+
+/// A point of a series.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sample<'a> {
+    /// When.
+    pub time: Time,
+    /// The displacements.
+    pub q: &'a [f64],
+    /// The velocities.
+    pub u: &'a [f64],
+    /// The gap to each stop, and its rate.
+    pub gaps: &'a [[f64; 2]],
+}
+
+/// What happened at a stop.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StopEvent {
+    /// "impact", "tangency", "touch", "stick" or "release".
+    pub event: &'static str,
+    /// When.
+    pub time: Time,
+    /// The stop, by its place.
+    pub stop: usize,
+    /// The gap's rate on arrival, of an impact or a touch.
+    pub velocity: Option<f64>,
+    /// That with which it leaves, where the impact was one at one stop.
+    pub leaving: Option<f64>,
+    /// The impulse of an impact.
+    pub impulse: Option<f64>,
+    /// The root of the gap lies within this of the time, for the trajectory computed; in radians over the
+    /// forcing's frequency.
+    pub radius: Option<f64>,
+    /// The gap at a tangency.
+    pub gap: Option<f64>,
+    /// The time that the impacts left out before a rest would have taken.
+    pub rest: Option<f64>,
+    /// How many stops took part in an impact.
+    pub together: Option<usize>,
+    /// Whether impacts one by one would have ended otherwise.
+    pub order_matters: Option<bool>,
+    /// Of a motion with one displacement, where the stop stands, and how fast it moves.
+    pub place: Option<[f64; 2]>,
+}
+
+impl StopEvent {
+    /// Nothing but what happened, when and where.
+    pub(super) fn new(event: &'static str, time: Time, stop: usize) -> StopEvent {
+        StopEvent {
+            event,
+            time,
+            stop,
+            velocity: None,
+            leaving: None,
+            impulse: None,
+            radius: None,
+            gap: None,
+            rest: None,
+            together: None,
+            order_matters: None,
+            place: None,
+        }
+    }
+}
 
 /// A motion whose points and events are kept.
 pub(super) trait SampledMotion {

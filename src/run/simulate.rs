@@ -1,20 +1,15 @@
 //! Tasks of kind `simulate`: one motion, its impacts and rests.
 
-use serde::{
-    Serialize, Serializer,
-    ser::{Error as _, SerializeMap},
-};
+use serde::Serialize;
 
 use super::{
-    Finding, Job, Keeper, Lines, Row, Status,
-    columns::{SIMULATED, SIMULATED_LINES},
+    Finding, Job, Keeper, Lines, Sample, SeriesOf, Status, StopEvent,
     engine::{Engine, by_engine},
     row, small_motion,
-    table::{columns_of, select},
 };
 use crate::{
     error::Result,
-    motion::{Event, RunEnd, event::Place},
+    motion::{RunEnd, Time},
     scene::simulate::SimulateTask,
 };
 
@@ -60,13 +55,13 @@ row! {
         pub periods: u32,
         /// The period, in the scene's unit of time.
         pub period: f64,
-        /// How the motion of a machine is computed.
-        pub method: Option<&'static str>,
+        /// How the motion is computed.
+        pub method: &'static str,
         /// The condition number of a machine's modes; absent where they do not exist or forces are formulas.
         pub condition: Option<f64>,
-        /// How many modes of a machine oscillate.
+        /// How many modes oscillate.
         pub oscillating: usize,
-        /// Impacts on rigid stops, after the transient.
+        /// Impacts after the transient; contacts with compliant stops count.
         pub impacts: u64,
         /// Minima of a gap within the minimum depth, of which no impact or contact was made.
         pub tangencies: u64,
@@ -84,29 +79,32 @@ row! {
         pub q: Vec<f64>,
         /// The velocities at the end.
         pub u: Vec<f64>,
-        /// Of an oscillator, the least and the greatest displacement at points of the series and at impacts.
-        pub extent: Option<[f64; 2]>,
+        /// The least and the greatest displacement at points of the series and at stops, of a motion with one.
+        pub extent: Option<Vec<f64>>,
         /// What counts as contact without impact.
         pub minimum_depth: f64,
     }
 }
 
 /// What happened in one motion; its series and its events went to the [`Keeper`].
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SimulationFindings {
     /// The motion in numbers.
+    #[serde(flatten)]
     pub moved: Moved,
-    /// The slowest modes of a machine, at most ten; where forces are formulas, of the machine linearised at
-    /// rest.
+    /// The slowest modes, at most ten; where forces are formulas, of the machine linearised at rest.
     pub modes: Vec<ModeRow>,
-    /// What happened at each stop of a machine, after the transient.
+    /// What happened at each stop, after the transient.
     pub stops: Vec<StopRow>,
     /// What the harmonics of a measured force leave out, if there is one.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub measured: Option<MeasuredEffect>,
     /// The accelerations at the end.
+    #[serde(skip)]
     pub(super) acceleration: Vec<f64>,
-    /// The entries of the object, and the lines of text.
-    pub(super) columns: [&'static str; 2],
+    /// The last instant at which the order of several impacts mattered: it counts once.
+    #[serde(skip)]
+    several: Option<Time>,
 }
 
 /// How well the harmonics of a measured force stand for it, and what of it the motion feels.
@@ -137,23 +135,6 @@ pub struct MeasuredEffect {
     pub time_change: Option<f64>,
 }
 
-impl Serialize for SimulationFindings {
-    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
-        let all = serde_json::to_value(&self.moved).map_err(S::Error::custom)?;
-        let mut map = serializer.serialize_map(None)?;
-        for column in columns_of(self.columns[0]) {
-            match (column.0, &self.measured) {
-                ("modes", _) => map.serialize_entry("modes", &self.modes)?,
-                ("stops", _) => map.serialize_entry("stops", &self.stops)?,
-                ("measured", None) => {}
-                ("measured", Some(measured)) => map.serialize_entry("measured", measured)?,
-                (name, _) => map.serialize_entry(name, select(column, &all))?,
-            }
-        }
-        map.end()
-    }
-}
-
 impl Finding for SimulationFindings {
     fn status(&self) -> Status {
         let Moved { end, ended_at, q, u, .. } = &self.moved;
@@ -161,7 +142,7 @@ impl Finding for SimulationFindings {
     }
 
     fn warnings(&self) -> Vec<String> {
-        let Moved { order_matters, extent, minimum_depth, .. } = self.moved;
+        let Moved { order_matters, ref extent, minimum_depth, .. } = self.moved;
         let mut all = Vec::new();
         if order_matters > 0 {
             all.push(format!(
@@ -178,33 +159,27 @@ impl Finding for SimulationFindings {
                 ));
             }
         }
-        all.extend(extent.and_then(|[low, high]| small_motion(high - low, minimum_depth)));
+        let width = extent.as_ref().map(|ends| ends[1] - ends[0]);
+        all.extend(width.and_then(|width| small_motion(width, minimum_depth)));
         all
     }
 
     fn lines(&self, lines: &mut Lines) {
         let moved = &self.moved;
-        for column in columns_of(self.columns[1]) {
-            match column.0 {
-                "modes" => lines.table("modes", &self.modes),
-                "more_modes" if moved.oscillating > self.modes.len() => {
-                    lines.say("more_modes", moved.oscillating - self.modes.len());
-                }
-                "stops" => lines.table("stops", &self.stops),
-                "ended" if moved.end != RunEnd::Reached => {
-                    lines.say("ended", moved.end.why());
-                    lines.say("after_periods", moved.ended_at);
-                }
-                "measured" => self.measured.iter().for_each(|measured| measured.lines(lines)),
-                // A list of dozens is no end to be read.
-                "q" | "u" if moved.q.len() > 10 => {}
-                name => {
-                    if let Some(cell) = moved.cell(column) {
-                        lines.say(name, cell);
-                    }
-                }
-            }
+        // A list of dozens is no end to be read; that all was followed need not be said.
+        let short = |(name, cell): &(&str, String)| match *name {
+            "q" | "u" => moved.q.len() <= 10,
+            "end" | "ended_at" => moved.end != RunEnd::Reached,
+            _ => !cell.is_empty(),
+        };
+        lines.fields(moved, short);
+        if !self.modes.is_empty() {
+            lines.table("modes", &self.modes);
         }
+        if !self.stops.is_empty() {
+            lines.table("stops", &self.stops);
+        }
+        self.measured.iter().for_each(|measured| measured.lines(lines));
     }
 }
 
@@ -224,6 +199,9 @@ impl MeasuredEffect {
     }
 }
 
+/// Modes that a report lists.
+const LISTED: usize = 10;
+
 /// Follows the motion; each point and each event goes to `keeper` as it comes, so that memory does not grow
 /// with the length.
 ///
@@ -233,13 +211,34 @@ pub fn simulate(task: &SimulateTask, job: &Job, keeper: &mut dyn Keeper) -> Resu
     by_engine!(job, engine => engine.simulate(task, keeper))
 }
 
+impl StopRow {
+    fn new(name: &str, compliant: bool) -> StopRow {
+        StopRow {
+            stop: name.into(),
+            impacts: 0,
+            tangencies: 0,
+            rests: 0,
+            fastest: 0.0,
+            strongest: (!compliant).then_some(0.0),
+            peak_force: compliant.then_some(0.0),
+            least_gap: f64::INFINITY,
+            largest_gap: f64::NEG_INFINITY,
+        }
+    }
+}
+
 impl SimulationFindings {
-    /// Before anything has happened.
-    pub(super) fn new(task: &SimulateTask, job: &Job, period: f64, minimum_depth: f64) -> Self {
+    /// Before anything has happened in a motion that a series is of, with stops that are compliant or not.
+    pub(super) fn new(
+        task: &SimulateTask,
+        (of, compliant): (&SeriesOf, &[bool]),
+        method: &'static str,
+        minimum_depth: f64,
+    ) -> Self {
         let moved = Moved {
             periods: task.periods,
-            period,
-            method: None,
+            period: of.period,
+            method,
             condition: None,
             oscillating: 0,
             impacts: 0,
@@ -251,28 +250,74 @@ impl SimulationFindings {
             ended_at: 0.0,
             q: Vec::new(),
             u: Vec::new(),
-            extent: None,
+            extent: (of.points == 1).then(|| vec![f64::INFINITY, f64::NEG_INFINITY]),
             minimum_depth,
         };
+        let stops = of.stops.iter().zip(compliant);
         SimulationFindings {
             moved,
             modes: Vec::new(),
-            stops: Vec::new(),
+            stops: stops.map(|(stop, &compliant)| StopRow::new(&stop.name, compliant)).collect(),
             measured: None,
             acceleration: Vec::new(),
-            columns: [SIMULATED.of(job), SIMULATED_LINES.of(job)],
+            several: None,
         }
     }
 
-    /// Adds an event.
-    pub(super) fn count<P: Place>(&mut self, event: &Event<P>) {
-        if let (Some(time), Some(_)) = (event.time(), event.velocity()) {
-            self.moved.first_impact.get_or_insert(time.periods());
+    /// The slowest of the modes that oscillate, each a frequency in cycles per unit of time and a damping
+    /// ratio.
+    pub(super) fn oscillating(&mut self, modes: &[(f64, f64)]) {
+        self.moved.oscillating = modes.len();
+        let row = |&(frequency, damping_ratio)| ModeRow { frequency, damping_ratio };
+        self.modes = modes.iter().take(LISTED).map(row).collect();
+    }
+
+    /// Where it ended, and what bends it there.
+    pub(super) fn ended(&mut self, end: (RunEnd, Time), [q, u, acceleration]: [Vec<f64>; 3]) {
+        (self.moved.end, self.moved.ended_at) = (end.0, end.1.periods());
+        if let [q] = q[..] {
+            self.widen(q);
         }
-        match event {
-            Event::Impact(_) => self.moved.impacts += 1,
-            Event::Tangency(_) => self.moved.tangencies += 1,
-            Event::Stick(_) => self.moved.rests += 1,
+        (self.moved.q, self.moved.u, self.acceleration) = (q, u, acceleration);
+    }
+
+    fn widen(&mut self, q: f64) {
+        if let Some(ends) = &mut self.moved.extent {
+            (ends[0], ends[1]) = (ends[0].min(q), ends[1].max(q));
+        }
+    }
+
+    /// Takes a point of the series into account.
+    pub(super) fn passed(&mut self, sample: &Sample) {
+        if let [q] = *sample.q {
+            self.widen(q);
+        }
+        for (row, &[gap, _]) in self.stops.iter_mut().zip(sample.gaps) {
+            (row.least_gap, row.largest_gap) = (row.least_gap.min(gap + 0.0), row.largest_gap.max(gap + 0.0));
+        }
+    }
+
+    /// Takes an event into account.
+    pub(super) fn happened(&mut self, event: &StopEvent) {
+        if let Some([q, _]) = event.place {
+            self.widen(q);
+        }
+        let (moved, row) = (&mut self.moved, &mut self.stops[event.stop]);
+        if let Some(velocity) = event.velocity {
+            moved.first_impact.get_or_insert(event.time.periods());
+            (moved.impacts, row.impacts) = (moved.impacts + 1, row.impacts + 1);
+            row.fastest = row.fastest.max(velocity.abs());
+        }
+        if let Some(impulse) = event.impulse {
+            row.strongest = row.strongest.map(|most| most.max(impulse));
+        }
+        if event.order_matters == Some(true) && self.several != Some(event.time) {
+            moved.order_matters += 1;
+            self.several = Some(event.time);
+        }
+        match event.event {
+            "tangency" => (moved.tangencies, row.tangencies) = (moved.tangencies + 1, row.tangencies + 1),
+            "stick" => (moved.rests, row.rests) = (moved.rests + 1, row.rests + 1),
             _ => {}
         }
     }

@@ -1,9 +1,8 @@
 //! How findings are shown: values as text, rows as tables, both made from the typed fields.
 
-use std::{fmt::Write, ops::Deref};
+use std::fmt::Write;
 
-use serde::{Serialize, Serializer, ser::Error as _};
-use serde_json::Value;
+use serde::{Serialize, Serializer};
 
 use crate::{motion::RunEnd, printable::Printable};
 
@@ -11,11 +10,6 @@ use crate::{motion::RunEnd, printable::Printable};
 pub trait Shown {
     /// Its text; empty for what is absent.
     fn shown(&self) -> String;
-
-    /// The texts of its entries, if it is a list; none for what is absent.
-    fn entries(&self) -> Vec<String> {
-        vec![self.shown()]
-    }
 }
 
 /// The shortest decimal that is this float.
@@ -47,19 +41,11 @@ impl<T: Shown> Shown for Option<T> {
     fn shown(&self) -> String {
         self.as_ref().map_or(String::new(), T::shown)
     }
-
-    fn entries(&self) -> Vec<String> {
-        self.as_ref().map_or(Vec::new(), T::entries)
-    }
 }
 
 impl<T: Shown> Shown for [T] {
     fn shown(&self) -> String {
-        self.entries().join(", ")
-    }
-
-    fn entries(&self) -> Vec<String> {
-        self.iter().map(T::shown).collect()
+        self.iter().map(T::shown).collect::<Vec<_>>().join(", ")
     }
 }
 
@@ -68,10 +54,6 @@ macro_rules! shown_as_slice {
         $(impl<$($generic)+> Shown for $type {
             fn shown(&self) -> String {
                 self.as_slice().shown()
-            }
-
-            fn entries(&self) -> Vec<String> {
-                self.as_slice().entries()
             }
         })+
     };
@@ -139,61 +121,41 @@ impl Shown for Judgement {
 
 /// A row of a table of findings.
 pub trait Row {
-    /// The names of its fields.
+    /// The names of its fields: the columns.
     fn fields() -> Vec<&'static str>;
 
-    /// For each field the texts of its entries: one, unless it is a list.
-    fn entries(&self) -> Vec<Vec<String>>;
-
-    /// What a column shows, as text; none for what is absent.
-    fn cell(&self, (_, field, entry): Column) -> Option<String> {
-        let place = Self::fields().iter().rposition(|known| *known == field)?;
-        let entries = self.entries().swap_remove(place);
-        match entry {
-            Some(entry) => entries.get(entry).cloned(),
-            None => (!entries.is_empty()).then(|| entries.join(", ")),
-        }
-    }
+    /// What each shows, as text.
+    fn cells(&self) -> Vec<String>;
 }
 
-/// What is absent has no entries.
-impl<R: Row> Row for Option<R> {
-    fn fields() -> Vec<&'static str> {
-        R::fields()
-    }
-
-    fn entries(&self) -> Vec<Vec<String>> {
-        self.as_ref().map_or_else(|| vec![Vec::new(); R::fields().len()], R::entries)
-    }
-}
-
-/// Declares a row: a struct with `Serialize` whose fields are the columns. `with { … }` adds those of another
-/// row; of two fields with one name it is the row's own that counts.
+/// Declares a row: a struct with `Serialize` whose fields are the columns, in this order. `with { … }` has
+/// those of another row in its place.
 macro_rules! row {
     ($(#[doc = $about:literal])+ pub struct $name:ident {
-        $(with { $(#[doc = $part_doc:literal])+ pub $part:ident: $of:ty })?
-        $($(#[doc = $doc:literal])+ pub $field:ident: $type:ty,)+
+        $($(#[doc = $doc:literal])+ pub $field:ident: $type:ty,)*
+        $(with {
+            $(#[doc = $part_doc:literal])+ pub $part:ident: $of:ty
+        }
+        $($(#[doc = $last_doc:literal])+ pub $last:ident: $last_type:ty,)*)?
     }) => {
         $(#[doc = $about])+
         #[derive(Debug, Clone, PartialEq, serde::Serialize)]
         pub struct $name {
-            $($(#[doc = $part_doc])+ #[serde(flatten)] pub $part: $of,)?
-            $($(#[doc = $doc])+ pub $field: $type,)+
+            $($(#[doc = $doc])+ pub $field: $type,)*
+            $($(#[doc = $part_doc])+ #[serde(flatten)] pub $part: $of,
+            $($(#[doc = $last_doc])+ pub $last: $last_type,)*)?
         }
 
         impl $crate::run::Row for $name {
             fn fields() -> Vec<&'static str> {
-                let mut all = Vec::new();
-                $(all.extend(<$of as $crate::run::Row>::fields());)?
-                all.extend([$(stringify!($field)),+]);
-                all
+                let own = vec![$(stringify!($field)),*];
+                [own $(, <$of as $crate::run::Row>::fields(), vec![$(stringify!($last)),*])?].concat()
             }
 
-            fn entries(&self) -> Vec<Vec<String>> {
-                let mut all = Vec::new();
-                $(all.extend($crate::run::Row::entries(&self.$part));)?
-                all.extend([$($crate::run::Shown::entries(&self.$field)),+]);
-                all
+            fn cells(&self) -> Vec<String> {
+                use $crate::run::Shown as _;
+                let own = vec![$(self.$field.shown()),*];
+                [own $(, $crate::run::Row::cells(&self.$part), vec![$(self.$last.shown()),*])?].concat()
             }
         }
     };
@@ -215,88 +177,8 @@ impl<R: Row> Tabular for Vec<R> {
     }
 
     fn cells(&self) -> Vec<Vec<String>> {
-        self.iter().map(|row| row.entries().iter().map(|entries| entries.join(", ")).collect()).collect()
+        self.iter().map(R::cells).collect()
     }
-}
-
-/// Rows of which some fields are shown, in an order and under names of their own.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Table<R> {
-    columns: &'static str,
-    rows: Vec<R>,
-}
-
-impl<R> Table<R> {
-    /// `columns` are a list of `field`, `name = field`, or `name = list.i` for one entry of a list.
-    pub(super) fn new(columns: &'static str, rows: Vec<R>) -> Table<R> {
-        Table { columns, rows }
-    }
-
-    /// Some of the rows.
-    pub(super) fn filter(&self, wanted: impl Fn(&R) -> bool) -> Table<R>
-    where
-        R: Clone,
-    {
-        Table { columns: self.columns, rows: self.rows.iter().filter(|row| wanted(row)).cloned().collect() }
-    }
-}
-
-impl<R> Deref for Table<R> {
-    type Target = [R];
-
-    fn deref(&self) -> &[R] {
-        &self.rows
-    }
-}
-
-/// A column: its name, the field that it shows, and which entry of it.
-pub(super) type Column = (&'static str, &'static str, Option<usize>);
-
-/// The columns of a list of them.
-pub(super) fn columns_of(list: &'static str) -> impl Iterator<Item = Column> {
-    list.split(", ").map(|text| {
-        let (name, from) = text.split_once(" = ").unwrap_or((text, text));
-        match from.split_once('.') {
-            Some((field, entry)) => (name, field, entry.parse().ok()),
-            None => (name, from, None),
-        }
-    })
-}
-
-impl<R: Row> Tabular for Table<R> {
-    fn columns(&self) -> Vec<&'static str> {
-        columns_of(self.columns).map(|(name, ..)| name).collect()
-    }
-
-    fn cells(&self) -> Vec<Vec<String>> {
-        let cell = |row: &R, column| row.cell(column).unwrap_or_default();
-        self.iter().map(|row| columns_of(self.columns).map(|column| cell(row, column)).collect()).collect()
-    }
-}
-
-impl<R: Serialize> Serialize for Table<R> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_seq(self.rows.iter().map(|row| Selected { columns: self.columns, row }))
-    }
-}
-
-/// A row's columns as an object.
-struct Selected<'a, R> {
-    columns: &'static str,
-    row: &'a R,
-}
-
-impl<R: Serialize> Serialize for Selected<'_, R> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let all = serde_json::to_value(self.row).map_err(S::Error::custom)?;
-        serializer.collect_map(columns_of(self.columns).map(|column| (column.0, select(column, &all))))
-    }
-}
-
-/// What a column shows of a row's fields. None of them is an object: its entries would lose their order.
-pub(super) fn select((_, field, entry): Column, row: &Value) -> &Value {
-    let whole = row.get(field).unwrap_or(&Value::Null);
-    entry.map_or(whole, |entry| whole.get(entry).unwrap_or(&Value::Null))
 }
 
 /// The lines of a report: name and value, or a table under its name.
@@ -307,6 +189,20 @@ impl Lines {
     /// A line.
     pub fn say(&mut self, name: &str, value: impl Shown) {
         let _ = writeln!(self.0, "  {name:<16} {}", Printable(&value.shown()));
+    }
+
+    /// A line, of what is known.
+    pub fn say_known<T: Shown + Clone>(&mut self, name: &str, value: &Option<T>) {
+        if let Some(value) = value {
+            self.say(name, value.clone());
+        }
+    }
+
+    /// The fields of a row that are wanted, each a name and a text, a line each.
+    pub fn fields<R: Row>(&mut self, row: &R, wanted: impl Fn(&(&'static str, String)) -> bool) {
+        for (name, cell) in R::fields().into_iter().zip(row.cells()).filter(wanted) {
+            self.say(name, cell);
+        }
     }
 
     /// A table, columns aligned to the right; "none" if it is empty.

@@ -145,6 +145,11 @@ impl Scene {
         let read = File::fields(&file, &[])?;
         let known = Known { file: &file, format, parameters: &parameters };
         let (stops, body, engine) = known.body(&read)?;
+        let mass = match body {
+            Body::Oscillator(_) => read.system.mass.as_ref().and_then(|mass| mass.entries.first()),
+            Body::Machine(_) => None,
+        };
+        let mass = mass.map(|(_, _, mass)| mass.clone());
         let whole = scope(&names, &stops);
         let tasks = match top(&whole, &root).get("tasks")? {
             Some(entry) => entry.elements()?.iter().map(Task::read).collect::<Result<_>>()?,
@@ -156,6 +161,7 @@ impl Scene {
             body,
             engine,
             stops,
+            mass,
             accuracy: read.accuracy,
             tasks,
             format,

@@ -42,6 +42,8 @@ pub struct Scene {
     pub engine: Engine,
     /// Its stops.
     pub stops: Vec<StopName>,
+    /// Of the engine `one`, what its forces were divided by, if that was not 1.
+    pub(super) mass: Option<Expression>,
     /// How accurately to compute.
     pub accuracy: Accuracy,
     /// What to do.
@@ -111,14 +113,15 @@ impl Scene {
 
     /// The same scene with other values of some parameters, and without its tasks, which may be many.
     pub(super) fn alone(&self, values: &[(String, BigRational)]) -> Result<Scene> {
-        let Scene { title, parameters, body, engine, stops, accuracy, format, file, places, files, .. } =
-            self;
+        let Scene { title, parameters, body, engine, stops, mass, accuracy, .. } = self;
+        let Scene { format, file, places, files, .. } = self;
         Scene {
             title: title.clone(),
             parameters: parameters.clone(),
             body: body.clone(),
             engine: engine.clone(),
             stops: stops.clone(),
+            mass: mass.clone(),
             accuracy: accuracy.clone(),
             tasks: Vec::new(),
             format: *format,
@@ -136,6 +139,15 @@ impl Scene {
                 .map_err(|error| error.context(format_args!("parameter {name}")))?;
         }
         Ok(self)
+    }
+
+    /// The mass of the one degree of freedom, where the engine is `one`: impulses are its velocities' changes
+    /// times this.
+    ///
+    /// # Errors
+    /// Where it is not defined.
+    pub fn mass(&self) -> Result<f64> {
+        self.mass.as_ref().map_or(Ok(1.0), |mass| self.number(mass))
     }
 
     /// A text of the oscillator: its parameters with their values, and its equation and walls as expressions

@@ -50,8 +50,8 @@ impl Scene {
     /// Whether the two differ by their files' texts and formats alone.
     fn says_the_same(&self, other: &Scene) -> bool {
         let said = |scene: &Scene| {
-            let Scene { title, parameters, body, stops, accuracy, tasks, .. } = scene.clone();
-            (title, parameters, body, stops, accuracy, tasks)
+            let Scene { title, parameters, body, stops, mass, accuracy, tasks, .. } = scene.clone();
+            (title, parameters, body, stops, mass, accuracy, tasks)
         };
         said(self) == said(other)
     }

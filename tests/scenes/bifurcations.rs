@@ -343,7 +343,7 @@ fn the_papers_bifurcations_go_the_way_the_paper_says() {
     assert_eq!(code, 0);
     assert_eq!(found(&report, 0)[0]["criticality"], "above");
     assert_eq!(found(&report, 1)[0]["criticality"], "subcritical");
-    let pair = &found(&report, 1)[0]["lambda1"];
+    let pair = &found(&report, 1)[0]["multipliers"][0];
     near(number(&pair[0]), -1.0, 1e-12);
     assert_eq!(pair[1], 0.0);
 }

@@ -98,10 +98,10 @@ points = 50
 "#;
 
 /// What a number of a report is in: columns that are lengths or velocities.
-const LENGTHS: [&str; 9] =
-    ["q", "u", "speeds", "least_gap", "residual", "acceleration", "extent", "minimum_depth", "unit"];
+const LENGTHS: [&str; 12] =
+    ["q", "u", "speeds", "least_gap", "residual", "acceleration", "extent", "minimum_depth", "unit", "fastest", "strongest", "largest_gap"];
 /// Columns whose numbers go with coordinates, or with the metric of a curve.
-const OTHER: [&str; 3] = ["coefficient", "gamma", "e"];
+const OTHER: [&str; 4] = ["coefficient", "gamma", "e", "B"];
 /// What depends on the last digits where the unit is no power of two.
 const WORK: [&str; 5] = ["residual", "newton_steps", "effects", "points", "length"];
 /// A multiplier beyond this is one over an impact's speed that rounding leaves where it fades.
@@ -149,7 +149,7 @@ fn compare(path: &str, key: &str, a: &Value, b: &Value, unit: f64, exact: bool, 
                 x * factor == y
             } else {
                 // Lengths that are rounding's are 0; the rest has lost some digits by multipliers.
-                let pole = key.starts_with("lambda") && x.abs().min(y.abs()) > POLE;
+                let pole = key == "multipliers" && x.abs().min(y.abs()) > POLE;
                 pole || (x - y / factor).abs() <= 1e-7 * x.abs().max(1e-4)
             };
             if !near {

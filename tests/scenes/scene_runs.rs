@@ -53,7 +53,7 @@ fn every_example_runs_and_writes_what_it_says() {
         let expected = if path.ends_with("nordmark-2001-w48.toml") { 3 } else { 0 };
         assert_eq!((code, error.as_str()), (expected, ""), "{path:?}");
         let report: serde_json::Value = serde_json::from_str(&out).unwrap();
-        assert_eq!(report["format"], "grazing-run 3");
+        assert_eq!(report["format"], "grazing-run 4");
         let tasks = report["tasks"].as_array().unwrap();
         assert!(!tasks.is_empty());
         for task in tasks {

@@ -32,7 +32,12 @@ fn lookup<'v>(report: &'v Value, task: &str, pattern: &str, column: &str) -> &'v
     let tasks = report["tasks"].as_array().unwrap();
     let found = tasks.iter().find(|found| found["task"] == task).unwrap();
     let rows = ["born", "found"].iter().find_map(|name| found.get(name)?.as_array()).unwrap();
-    let value = &rows.iter().find(|row| row["pattern"] == pattern).unwrap()[column];
+    let row = rows.iter().find(|row| row["pattern"] == pattern).unwrap();
+    // A column, or an entry of a list in it, from 1.
+    let value = match column.split_once(' ') {
+        Some((list, entry)) => &row[list][entry.parse::<usize>().unwrap() - 1],
+        None => &row[column],
+    };
     // A complex number is a pair; those of this page are real.
     value.get(0).filter(|_| value[1] == 0.0).unwrap_or(value)
 }

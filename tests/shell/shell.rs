@@ -596,7 +596,7 @@ fn the_report_of_a_run_whose_end_was_forced_has_every_task() {
     child.stdout.take().unwrap().read_to_end(&mut report).unwrap();
     assert_eq!(child.wait().unwrap().code(), Some(3));
     let report: serde_json::Value = serde_json::from_slice(&report).unwrap();
-    assert_eq!(report["format"], "grazing-run 3");
+    assert_eq!(report["format"], "grazing-run 4");
     let all: Vec<_> =
         report["tasks"].as_array().unwrap().iter().map(|task| (&task["task"], &task["status"])).collect();
     assert_eq!(

@@ -50,8 +50,7 @@ export interface BornRow {
   found_at: number | null;
   phases: number[] | null;
   speeds: number[] | null;
-  lambda1?: [number, number] | null;
-  multipliers?: [number, number][] | null;
+  multipliers: [number, number][] | null;
   reason: string | null;
 }
 

@@ -628,7 +628,7 @@ class MotionPanel implements Panel {
     }
     const orbit = found.orbit?.report?.orbits?.[0];
     if (orbit) {
-      const multipliers = orbit.multipliers ?? [orbit.lambda1, orbit.lambda2];
+      const { multipliers } = orbit;
       const verdict = orbit.stable === true ? "stable" : orbit.stable === false ? "unstable" : "marginal";
       rows.push(["periodic orbit", `pattern (${orbit.pattern}), ${verdict}`]);
       rows.push(["its multipliers", multipliers.map(complex).join("; ")]);
@@ -714,7 +714,7 @@ class MotionPanel implements Panel {
           phases,
           speeds,
           at: [row.found_at],
-          wall: born.report.wall ?? born.report.stop,
+          wall: born.report.stop,
           grazing: [grazing],
           slopes: born.slopes[i] ?? [],
         };
@@ -757,7 +757,7 @@ class MotionPanel implements Panel {
       const branch = branches.get(i);
       const reach = branch?.within_tenth;
       const within = failures.get(i) ?? (reach === undefined ? "not followed" : reach === null ? "no point of the branch" : `|${name} − ${shown(grazing, 4)}| ≤ ${shown(reach, 3)}`);
-      const found = row.lambda1 ?? row.multipliers?.[0];
+      const found = row.multipliers?.[0];
       const at = row.found_at === null ? "" : ` at ${shown(row.found_at, 3)}`;
       const cells = [row.side, shown(row.coefficient, 4), found ? complex(found) + at : (row.reason ?? "–"), within];
       return element("tr", {}, element("th", { scope: "row" }, colour, ` (${row.pattern})`), ...cells.map((cell) => element("td", { class: "numbers" }, cell)));

@@ -306,7 +306,7 @@ impl Command {
             Command::Farey(args) => report(args.format, "grazing-farey 1"),
             Command::Boundary(args) => table(args.format, "grazing-boundary 1"),
             Command::Evaluate(args) => report(args.format.report(), "grazing-evaluate 1"),
-            Command::Run(args) => report(args.format.report(), "grazing-run 3"),
+            Command::Run(args) => report(args.format.report(), "grazing-run 4"),
             Command::Sequence(_)
             | Command::Figure(_)
             | Command::Formula(_)

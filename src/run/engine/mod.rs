@@ -16,8 +16,7 @@ pub(crate) use one::Oscillators;
 use serde::{Serialize, de::DeserializeOwned};
 
 use super::{
-    Analysed, GrazingEventRow, GrazingMap, Judgement, Keeper, ProofRow, SectionFindings, SimulationFindings,
-    ValidateFindings,
+    Analysed, GrazingMap, Judgement, Keeper, ProofRow, SectionFindings, SimulationFindings, ValidateFindings,
 };
 use crate::{
     attractor::{
@@ -60,9 +59,6 @@ pub trait JudgedOrbit: FollowedOrbit {
     /// Whether all multipliers are inside the unit circle; marginal at a bifurcation at which one or two are
     /// on it.
     fn stable(&self, at: Option<Bifurcation>) -> Judgement;
-
-    /// Whether it is an orbit, and why not; marginal at a grazing or where an impact fades.
-    fn admissible(&self, at: Option<Bifurcation>) -> (Judgement, Option<String>);
 }
 
 /// What a normal form comes to.
@@ -74,8 +70,26 @@ pub struct AnalysedEvent {
     pub orbit: Analysed,
     /// The normal form of an event over one parameter.
     pub form: Option<Form>,
-    /// Of a grazing of a machine, the stop, the phase, the second derivative of the gap.
-    pub touch: Option<(String, f64, f64)>,
+}
+
+/// Where an orbit touches a stop as it grazes, with its local map where that is known.
+pub struct Grazed {
+    /// The parameter there.
+    pub parameter: f64,
+    /// The stop.
+    pub stop: String,
+    /// The phase, as a fraction of the period.
+    pub phase: f64,
+    /// The second derivative of the gap, in the scene's units.
+    pub acceleration: f64,
+    /// The region of the plane of (a₁, a₂).
+    pub region: Option<String>,
+    /// γ and e.
+    pub map: Option<[f64; 2]>,
+    /// Whether it is an orbit but for the tangency, as far as that is known.
+    pub sound: bool,
+    /// What is left of the equations.
+    pub residual: f64,
 }
 
 impl AnalysedEvent {
@@ -266,14 +280,11 @@ pub trait OrbitSource {
     /// Pattern and speeds of an orbit at the scene's own value.
     fn named_with_speeds(&self, orbit: &Self::Orbit) -> (String, Vec<f64>);
 
-    /// Whether orbits that graze have local maps, or only the motion without impacts.
-    fn has_maps(&self) -> bool;
-
-    /// A located grazing of the branch of `orbit` with its local map, if it has one.
+    /// How the orbit at a located grazing touches its stop; none if no least gap of it is known.
     ///
     /// # Errors
-    /// Where there is no such map.
-    fn local_map(&self, at: &Located<Self::Orbit>, orbit: &Self::Orbit) -> Result<Option<GrazingEventRow>>;
+    /// Where the system is not defined, or det(I − A) = 0.
+    fn grazed(&self, at: &Located<Self::Orbit>) -> Result<Option<Grazed>>;
 
     /// The labels of a task's restarts, followed in two parameters.
     ///
@@ -296,11 +307,6 @@ pub(crate) type Theory<'m> = Box<dyn Fn(&[u64]) -> Verdict + 'm>;
 
 /// A grazing bifurcation, for the task `grazing`.
 pub(crate) trait GrazingPoint {
-    /// What is said of a map of half a period.
-    const HALF: &'static str;
-    /// What the word theorem needs.
-    const NEEDS: &'static str;
-
     /// Where it is and its local map; `open` says why the local theory does not apply, if it does not.
     fn report(&self) -> GrazingMap;
 

@@ -24,7 +24,7 @@ pub fn length(row: &Value, periods: u32, multiplier: f64) -> f64 {
     let scene = Scene::from_toml(ALONE, "alone").unwrap();
     let oscillator = SceneFamily::new(&scene, "mu").unwrap();
     let oscillator = grazing::one::orbit::Family::at(&oscillator, number(&row["parameter"])).unwrap();
-    let z = [number(&row["phases"][0]), number(&row["speeds"][0])];
+    let z = [TAU * number(&row["phases"][0]), number(&row["speeds"][0])];
     let pattern = Itinerary::at(Side::Lower, &[periods]).unwrap();
     let a = Derivatives::of(&return_map(&oscillator, &pattern, &z).unwrap()).linear();
     let q = [a[0][1], multiplier - a[0][0]];

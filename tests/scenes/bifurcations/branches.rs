@@ -366,7 +366,7 @@ fn flights(row: &Value) -> Vec<f64> {
     let pattern = row["pattern"].as_str().unwrap();
     let count = |part: &str| part.split_whitespace().next().unwrap().parse::<f64>().unwrap();
     let periods: Vec<f64> = pattern.split(',').map(count).collect();
-    let times: Vec<f64> = row["phases"].as_array().unwrap().iter().map(|t| number(t) / TAU).collect();
+    let times: Vec<f64> = row["phases"].as_array().unwrap().iter().map(number).collect();
     assert!((0.0..1.0).contains(&times[0]), "{row}");
     let m = times.len();
     let all: Vec<f64> = (0..m).map(|i| periods[i] + times[(i + 1) % m] - times[i]).collect();

@@ -5,9 +5,7 @@ use std::{collections::BTreeMap, f64::consts::TAU};
 
 use grazing::{
     Result,
-    many::MachineState,
-    motion::{Event, Side, State, Time},
-    run::{Findings, Job, Keeper, SectionSet, Surroundings, TaskReport, run_task},
+    run::{Findings, Job, Keeper, Sample, SectionSet, StopEvent, Surroundings, TaskReport, run_task},
     scene::Scene,
 };
 use serde_json::Value;
@@ -79,8 +77,6 @@ pub struct View {
     pub further: Vec<[f64; 2]>,
     /// The scene's displacement and velocity where the form's are 0, by phase.
     pub moving: Vec<Moving>,
-    /// Whether phases are radians.
-    pub radians: bool,
 }
 
 /// A term of what a form's displacements are counted from, per unit of the parameter F.
@@ -119,7 +115,6 @@ impl View {
             coordinates: coordinates(scene),
             further: Vec::new(),
             moving: Vec::new(),
-            radians: !machine,
         }
     }
 
@@ -133,8 +128,7 @@ impl View {
 
     /// A phase of the form as a fraction of the scene's period, from 0.
     fn phase(&self, x: f64) -> f64 {
-        let part = if self.radians { x / TAU } else { x };
-        (part * self.rounds + self.shift).rem_euclid(1.0)
+        (x * self.rounds + self.shift).rem_euclid(1.0)
     }
 
     /// The wall's place in the scene.
@@ -181,30 +175,18 @@ pub type Answer = BTreeMap<String, Vec<Row>>;
 #[derive(Default)]
 struct Series {
     samples: Vec<(f64, Vec<f64>, Vec<f64>)>,
-    events: Vec<(&'static str, f64, Option<usize>, f64)>,
+    events: Vec<(&'static str, f64, usize, f64)>,
 }
 
 impl Keeper for Series {
-    fn sample(&mut self, time: Time, state: State) -> Result<()> {
-        self.samples.push((time.periods(), vec![state.q], vec![state.u]));
+    fn sample(&mut self, sample: &Sample) -> Result<()> {
+        self.samples.push((sample.time.periods(), sample.q.to_vec(), sample.u.to_vec()));
         Ok(())
     }
 
-    fn event(&mut self, event: &Event<Side>) -> Result<()> {
-        let Some((time, side)) = event.at() else { return Ok(()) };
-        let (speed, side) = (event.velocity().unwrap_or(0.0), usize::from(side == Side::Upper));
-        self.events.push((event.word(), time.periods(), Some(side), speed));
-        Ok(())
-    }
-
-    fn machine_sample(&mut self, time: Time, state: &MachineState) -> Result<()> {
-        self.samples.push((time.periods(), state.q.as_slice().to_vec(), state.u.as_slice().to_vec()));
-        Ok(())
-    }
-
-    fn machine_event(&mut self, event: &Event<usize>) -> Result<()> {
-        let Some((time, stop)) = event.at() else { return Ok(()) };
-        self.events.push((event.word(), time.periods(), Some(stop), event.velocity().unwrap_or(0.0)));
+    fn event(&mut self, event: &StopEvent) -> Result<()> {
+        let (time, speed) = (event.time.periods(), event.velocity.unwrap_or(0.0));
+        self.events.push((event.event, time, event.stop, speed));
         Ok(())
     }
 }
@@ -238,7 +220,7 @@ impl Reported {
 
     /// Times in periods and speeds of the impacts of a motion, as its format has them.
     pub fn impacts(&self) -> Vec<[f64; 2]> {
-        let impact = |(word, time, _, speed): &(&str, f64, Option<usize>, f64)| {
+        let impact = |(word, time, _, speed): &(&str, f64, usize, f64)| {
             (*word == "impact").then_some([*time, speed.abs()])
         };
         self.series.events.iter().filter_map(impact).collect()
@@ -408,16 +390,11 @@ impl Reader<'_> {
             (_, "phases") if value.is_array() => {
                 cells.insert("impacts".into(), Cell::Impacts(self.impacts(row)));
             }
-            (_, "lambda1") if value.is_array() => {
-                cells.insert("multipliers".into(), self.multipliers(&[value, &row["lambda2"]]));
-            }
-            (_, "lambda2") => {}
             (_, "multipliers" | "eigenvalues") if value.is_array() => {
                 let all: Vec<&Value> = value.as_array().expect("a list").iter().collect();
                 cells.insert("multipliers".into(), self.multipliers(&all));
             }
-            (_, "lambda1" | "multipliers") => self.word("multipliers", value, cells),
-            (_, "matrix" | "A") => self.matrix(value, cells),
+            (_, "A") => self.matrix(value, cells),
             (_, "B" | "C") => self.vector(name, value, cells),
             ("section", "chaos") => self.word(name, value, cells),
             (_, "chaos") if value.is_array() => {
@@ -436,20 +413,13 @@ impl Reader<'_> {
                 }
                 None => self.text(name, value, cells),
             },
-            (_, "wall" | "stop" | "nearest_stop") => {
-                // Both are one column: the wall of a grazing.
-                let column = if name == "stop" { "wall" } else { name };
-                match value.as_str() {
-                    Some(wall) if self.kind == "simulate" => {
-                        cells.insert("stop".into(), Cell::Word(view.wall(wall)));
-                    }
-                    Some(wall) if column == "nearest_stop" && view.far.as_deref() == Some(wall) => {
-                        self.word(column, &Value::Null, cells);
-                    }
-                    Some(wall) => drop(cells.insert(column.into(), Cell::Word(view.wall(wall)))),
-                    None => self.word(column, value, cells),
+            (_, "stop" | "nearest_stop") => match value.as_str() {
+                Some(wall) if name == "nearest_stop" && view.far.as_deref() == Some(wall) => {
+                    self.word(name, &Value::Null, cells);
                 }
-            }
+                Some(wall) => drop(cells.insert(name.into(), Cell::Word(view.wall(wall)))),
+                None => self.word(name, value, cells),
+            },
             (_, "parameter") if value.is_string() => {
                 let word = skeleton(value.as_str().expect("a text"), view);
                 cells.insert(name.into(), Cell::Word(word));
@@ -459,7 +429,7 @@ impl Reader<'_> {
                 None => self.word(name, value, cells),
             },
             ("simulate", "q" | "u" | "extent" | "impacts" | "tangencies" | "rests" | "stops") => {
-                // Put together with the other format's in `simulated`, but for rows of stops.
+                // In `simulated`, but for rows of stops.
                 if row.get("stop").is_some() {
                     self.number(name, value, ONE, cells);
                 }
@@ -547,9 +517,8 @@ impl Reader<'_> {
                 return (period.parse().expect("a period"), "free".to_string());
             }
             let (periods, wall) = text.split_once(' ').unwrap_or((text, ""));
-            // Without a name: the only wall, of two of format 1 the lower.
+            // Without a name: the only wall.
             let wall = match wall {
-                "" if self.view.radians && self.kind != "grazing" => self.view.wall("lower"),
                 "" => self.view.wall(self.view.walls.first().map_or("", String::as_str)),
                 name => self.view.wall(name),
             };
@@ -562,15 +531,13 @@ impl Reader<'_> {
         let phases: Vec<f64> = numbers(&row["phases"]);
         let speeds = numbers(&row["speeds"]);
         let strikes = self.strikes(row["pattern"].as_str().expect("a pattern"));
-        // Patterns of a grazing count periods of what grazes, in its frame.
-        let part = |phase: f64| if self.view.radians { phase / TAU } else { phase };
         (0..phases.len())
             .map(|i| {
-                let next = part(phases[(i + 1) % phases.len()]);
+                let next = phases[(i + 1) % phases.len()];
                 let (periods, wall) = strikes.get(i % strikes.len()).cloned().expect("a strike");
                 Impact {
                     phase: self.view.phase(phases[i]),
-                    flight: (f64::from(periods) + next - part(phases[i])) * self.view.rounds,
+                    flight: (f64::from(periods) + next - phases[i]) * self.view.rounds,
                     speed: self.view.in_units(speeds[i], SPEED),
                     wall,
                 }
@@ -623,14 +590,10 @@ impl Reader<'_> {
         self.number(name, if far { &Value::Null } else { value }, LENGTH, cells);
     }
 
-    /// Counts and the last state, of which either format has its own.
+    /// Counts, without those of a stop that is never met, and the last state.
     fn simulated(&self, whole: &Value, head: &mut Row, tables: &mut Answer) {
         for (name, unit) in [("q", LENGTH), ("u", SPEED)] {
-            let all = if whole[name].is_array() {
-                numbers(&whole[name])
-            } else {
-                numbers(&Value::Array(vec![whole[name].clone()]))
-            };
+            let all = numbers(&whole[name]);
             for (i, &x) in all.iter().take(self.view.coordinates).enumerate() {
                 let x = self.view.signed(x, unit) + self.carried(name, self.view.shift);
                 head.insert(format!("{name} {i}"), Cell::Number(x, unit));
@@ -645,11 +608,8 @@ impl Reader<'_> {
         if self.view.coordinates != 1 || self.texts == Texts::Words {
             return;
         }
-        // Formats 1 and 2 have different tables of the walls and modes.
-        tables.remove("stops");
+        // The engine `one` has no modes of formulas.
         tables.remove("modes");
-        head.remove("period");
-        head.remove("order_matters");
     }
 
     /// What displacements and velocities of a moving frame lack, at a phase of the scene.
@@ -664,17 +624,14 @@ impl Reader<'_> {
     /// Samples and events of a motion, times counted from its beginning.
     fn series(&self, series: &Series, head: &mut Row, tables: &mut Answer) {
         let from = series.samples.first().map_or(0.0, |sample| sample.0);
-        // Series of machines have speeds per radian of the forcing.
-        let (per, rounds) = if self.view.radians { (SPEED, 1.0) } else { (LENGTH, self.view.rounds) };
         let since = |time: f64| (time - from) * self.view.rounds;
         let mut samples = Vec::new();
         for (time, q, u) in &series.samples {
             let phase = since(*time) + self.view.shift;
             let mut row = Row::from([("time".to_string(), Cell::Number(since(*time), ONE))]);
-            for (name, unit, all) in [("q", LENGTH, q), ("u", per, u)] {
+            for (name, unit, all) in [("q", LENGTH, q), ("u", SPEED, u)] {
                 for (i, &x) in all.iter().take(self.view.coordinates).enumerate() {
-                    let radians = if name == "u" { rounds } else { 1.0 };
-                    let x = self.view.signed(x / radians, unit) + self.carried(name, phase);
+                    let x = self.view.signed(x, unit) + self.carried(name, phase);
                     row.insert(format!("{name} {i}"), Cell::Number(x, unit));
                 }
             }
@@ -684,17 +641,12 @@ impl Reader<'_> {
         head.extend(last.map(|time| ("ended_at".to_string(), time)));
         tables.insert("samples".into(), samples);
         let events = series.events.iter().map(|(word, time, wall, speed)| {
-            let name = match (self.view.radians, wall) {
-                (true, Some(0)) => "lower",
-                (true, Some(_)) => "upper",
-                (false, Some(i)) => self.view.own_walls.get(*i).map_or("", String::as_str),
-                (_, None) => "",
-            };
-            let speed = self.view.in_units(*speed / rounds, per);
+            let name = self.view.own_walls.get(*wall).map_or("", String::as_str);
+            let speed = self.view.in_units(*speed, SPEED);
             Row::from([
                 ("event".to_string(), Cell::Word(format!("{word} {}", self.view.wall(name)))),
                 ("time".to_string(), Cell::Number(since(*time), ONE)),
-                ("speed".to_string(), Cell::Number(speed, per)),
+                ("speed".to_string(), Cell::Number(speed, SPEED)),
             ])
         });
         tables.insert("events".into(), events.collect());

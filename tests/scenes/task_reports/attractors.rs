@@ -197,8 +197,9 @@ orbit = { pattern = [3] }
     assert_eq!((&attractor["period"], &attractor["impacts"]), (&3.into(), &1.into()), "{attractor}");
     // The orbit's multipliers, from its impacts.
     let orbits = all[1]["orbits"].as_array().unwrap();
-    let exponent =
-        |orbit: &Value| number(&orbit["lambda1"][0]).hypot(number(&orbit["lambda1"][1])).ln() / 3.0;
+    let exponent = |orbit: &Value| {
+        number(&orbit["multipliers"][0][0]).hypot(number(&orbit["multipliers"][0][1])).ln() / 3.0
+    };
     let stable = orbits.iter().find(|orbit| orbit["stable"] == true && orbit["admissible"] == true).unwrap();
     assert_near(&attractor["lyapunov_per_period"], exponent(stable), 1e-8);
 }

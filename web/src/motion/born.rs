@@ -1,11 +1,6 @@
 //! The orbits born at a grazing bifurcation, and what the theory predicts of their impact speeds.
 
-use grazing::{
-    Result,
-    motion::Contact,
-    run::run_task,
-    scene::{Body, Scene},
-};
+use grazing::{Result, run::run_task, scene::Scene};
 use serde_json::{Value, json};
 
 use super::{
@@ -29,29 +24,28 @@ pub fn born(request: &Request) -> Result<Value> {
     let most = request.number("max_period", 4, 1..=12)?;
     let parameter = request.text("parameter")?;
     let keys = grazing_keys(request)?;
-    let search = |values: &[(String, String)]| -> Result<(Scene, Value)> {
+    let search = |values: &[(String, String)]| -> Result<Value> {
         let text = changeable.with(values, &keys)?;
         let scene = Scene::from_toml(&text, &changeable.name)?;
-        let json = finished(&run_task(&job(&scene, 0, &[])?, &mut ()))?;
-        Ok((scene, json))
+        finished(&run_task(&job(&scene, 0, &[])?, &mut ()))
     };
     let mut found = search(&request.values());
     // Beyond the grazing there is no motion without impacts to begin with: others of the range may have one.
-    if !matches!(&found, Ok((_, json)) if json["parameter"].is_number())
+    if !matches!(&found, Ok(json) if json["parameter"].is_number())
         && let (Ok(from), Ok(to)) = (request.exact("from"), request.exact("to"))
     {
         for i in [0, 8, 4, 2, 6, 1, 7, 3, 5] {
             let values = request.values_with(parameter, &value(&from, &to, i, 9).to_string());
-            if let Ok((scene, json)) = search(&values)
+            if let Ok(json) = search(&values)
                 && json["parameter"].is_number()
             {
-                found = Ok((scene, json));
+                found = Ok(json);
                 break;
             }
         }
     }
-    let (scene, json) = found?;
-    let local = local(&scene, &json, parameter)?;
+    let json = found?;
+    let local = local(&json);
     let predicted: Vec<Value> = json["born"]
         .as_array()
         .map_or(&[][..], Vec::as_slice)
@@ -76,24 +70,10 @@ pub fn born(request: &Request) -> Result<Value> {
 }
 
 /// The local map of a grazing's report.
-fn local(scene: &Scene, report: &Value, parameter: &str) -> Result<Option<Local>> {
+fn local(report: &Value) -> Option<Local> {
     let floats =
         |value: &Value| -> Option<Vec<f64>> { value.as_array()?.iter().map(Value::as_f64).collect() };
     let rows = |value: &Value| -> Option<Vec<Vec<f64>>> { value.as_array()?.iter().map(floats).collect() };
-    let (Some(acceleration), Some(e), Some(at)) =
-        (report["acceleration"].as_f64(), report["e"].as_f64(), report["parameter"].as_f64())
-    else {
-        return Ok(None);
-    };
-    if let Body::Machine(_) = scene.body {
-        let parts = rows(&report["A"]).zip(floats(&report["B"])).zip(floats(&report["C"]));
-        return Ok(parts.map(|((a, b), c)| Local { a, b, c, acceleration, e }));
-    }
-    let Some(a) = rows(&report["matrix"]) else { return Ok(None) };
-    let walls = Contact::of(&scene.plain(&[(parameter, at)])?)?;
-    let wall = walls.iter().find(|wall| Some(wall.side.name()) == report["wall"].as_str());
-    Ok(wall.map(|wall| {
-        let kick = (2.0 * acceleration).sqrt() * (1.0 + wall.restitution);
-        Local { a, b: vec![0.0, kick], c: vec![1.0, 0.0], acceleration, e }
-    }))
+    let (a, b, c) = (rows(&report["A"])?, floats(&report["B"])?, floats(&report["C"])?);
+    Some(Local { a, b, c, acceleration: report["acceleration"].as_f64()?, e: report["e"].as_f64()? })
 }

@@ -66,7 +66,7 @@ pub fn branch(request: &Request) -> Result<Value> {
                 "stable": row["stable"],
                 "admissible": row["admissible"],
                 "label": row["label"],
-                "multiplier": if row["lambda1"].is_null() { &row["multipliers"][0] } else { &row["lambda1"] },
+                "multiplier": row["multipliers"][0],
             })
         })
         .collect();

@@ -1,7 +1,7 @@
 //! A scene as the page changes it: its parameters, the numbers that stand in it without a name, and the text
 //! of the same scene with other values and other tasks, which the command line runs as well.
 
-use std::collections::BTreeSet;
+use std::{collections::BTreeSet, f64::consts::TAU};
 
 use grazing::{
     Error, Result,
@@ -292,12 +292,10 @@ pub fn stops(scene: &Scene) -> &'static str {
     if scene.format == SceneFormat::One { "walls" } else { "stops" }
 }
 
-/// A time in an orbit's `start` as a scene writes it: reports of oscillators have angles.
+/// A time in an orbit's `start`, a fraction of the period, as a scene writes it: of format 1 in radians.
 pub fn time(scene: &Scene, t: f64) -> String {
-    match (&scene.body, scene.format) {
-        (Body::Oscillator(_), SceneFormat::Three) => format!("\"{t:?} rad\""),
-        _ => format!("{t:?}"),
-    }
+    let unit = if scene.format == SceneFormat::One { TAU } else { 1.0 };
+    format!("{:?}", unit * t)
 }
 
 fn at<'a>(root: &'a Item, path: &[Step]) -> Option<&'a Item> {

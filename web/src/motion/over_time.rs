@@ -42,7 +42,7 @@ pub fn motion(request: &Request) -> Result<Value> {
         (request.number("periods", 12, 1..=2000)?, request.number("samples", 128, 1..=1024)?);
     let keys = motion_keys(request, request.transient()?, periods, samples);
     let seen = seen(request, &changeable.scene)?;
-    let (report, series) = run_one(&changeable, &request.values(), &keys, |job| Series::new(job, seen))?;
+    let (report, series) = run_one(&changeable, &request.values(), &keys, |_| Ok(Series::new(seen)))?;
     let mut found = series.json();
     found["report"] = finished(&report)?;
     Ok(found)
@@ -53,7 +53,7 @@ pub fn strikes(request: &Request) -> Result<Value> {
     let periods = request.number("periods", 40, 1..=2000)?;
     let values = request.values_with(request.text("parameter")?, request.text("value")?);
     let keys = motion_keys(request, request.transient()?, periods, 1);
-    let (report, series) = run_one(&changeable, &values, &keys, |job| Series::new(job, Seen::Coordinate(0)))?;
+    let (report, series) = run_one(&changeable, &values, &keys, |_| Ok(Series::new(Seen::Coordinate(0))))?;
     finished(&report)?;
     let speeds: Vec<Option<f64>> = series.impacts().map(|strike| strike.speed).collect();
     Ok(json!({ "speeds": speeds }))

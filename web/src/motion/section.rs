@@ -99,7 +99,7 @@ fn multipliers(
     let Some(period) = row.period else { return Ok(Value::Null) };
     let periods = period as u64;
     let keys = motion_keys(request, request.transient()?, periods, 1);
-    let (_, series) = run_one(changeable, values, &keys, |job| Series::new(job, Seen::Coordinate(0)))?;
+    let (_, series) = run_one(changeable, values, &keys, |_| Ok(Series::new(Seen::Coordinate(0))))?;
     if series.strikes.iter().any(|strike| strike.kind == "stick") {
         return Ok(
             json!({ "reason": "the motion comes to rest on a wall, where it forgets its past: one multiplier is 0" }),
@@ -116,11 +116,10 @@ fn multipliers(
         next - impacts[i].time.period
     };
     let pattern: Vec<String> = (0..m).map(|i| following(i).to_string()).collect();
-    let unit = if machine { TAU } else { 1.0 };
     let start: Vec<String> = impacts
         .iter()
         .flat_map(|strike| {
-            let time = document::time(&changeable.scene, strike.time.phase / unit);
+            let time = document::time(&changeable.scene, strike.time.phase / TAU);
             [time, format!("{:?}", strike.speed.unwrap_or(0.0))]
         })
         .collect();

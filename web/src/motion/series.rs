@@ -4,16 +4,15 @@ use std::f64::consts::TAU;
 
 use grazing::{
     Result,
-    many::{Machine, MachineState, contact::StopContact},
-    motion::{Contact, Event, Side, State, Time},
-    run::{Job, Keeper, Model},
+    motion::Time,
+    run::{Keeper, Sample, SeriesOf, SeriesStop, StopEvent},
 };
 use serde_json::{Value, json};
 
-/// What of a machine is drawn: a coordinate, or the gap to a stop.
+/// What is drawn: a coordinate, or the gap to a stop.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Seen {
-    /// The displacement of this coordinate, from 0.
+    /// The displacement of this coordinate, from 0; of one alone, its stops too.
     Coordinate(usize),
     /// The gap of this stop, from 0.
     Gap(usize),
@@ -34,13 +33,11 @@ pub struct Strike {
     pub speed: Option<f64>,
 }
 
-/// Takes the points of a motion, oscillator or machine, and its events, in the order of time.
+/// Takes the points of a motion and its events, in the order of time.
 #[derive(Debug)]
 pub struct Series {
-    seen: Option<Seen>,
-    walls: Vec<Contact>,
-    stops: Vec<StopContact>,
-    machine: Option<Machine<f64>>,
+    seen: Seen,
+    stops: Vec<SeriesStop>,
     /// Times in forcing periods, the quantity, its rate; at an impact there are two points, before and after.
     pub times: Vec<f64>,
     /// The quantity.
@@ -58,40 +55,25 @@ pub struct Series {
 }
 
 impl Series {
-    /// Nothing yet, of the job's motion; of a machine, `seen` is drawn.
-    ///
-    /// # Errors
-    /// Those of the machine's stops.
-    pub fn new(job: &Job, seen: Seen) -> Result<Series> {
-        let (walls, stops, machine) = match &job.model {
-            Model::Oscillator(system) => (Contact::of(system)?, Vec::new(), None),
-            Model::Machine(machine) => (Vec::new(), machine.contacts()?, Some(machine.clone())),
-        };
-        let rows = if machine.is_some() { usize::from(matches!(seen, Seen::Gap(_))) } else { walls.len() };
-        Ok(Series {
-            seen: machine.is_some().then_some(seen),
-            positions: vec![Vec::new(); rows],
-            walls,
-            stops,
-            machine,
+    /// Nothing yet, of a motion of which `seen` is drawn.
+    pub fn new(seen: Seen) -> Series {
+        Series {
+            seen,
+            stops: Vec::new(),
+            positions: Vec::new(),
             times: Vec::new(),
             places: Vec::new(),
             rates: Vec::new(),
             sampled: Vec::new(),
             strikes: Vec::new(),
             last: Vec::new(),
-        })
+        }
     }
 
     fn point(&mut self, time: f64, place: f64, rate: f64) {
         self.times.push(time);
         self.places.push(place);
         self.rates.push(rate);
-    }
-
-    /// Velocities per unit of time are this many times those per radian of the forcing.
-    fn rate(&self) -> f64 {
-        self.machine.as_ref().map_or(1.0, Machine::rate)
     }
 
     /// The impacts, contacts with stops that give way among them.
@@ -127,70 +109,60 @@ impl Series {
 }
 
 impl Keeper for Series {
-    fn sample(&mut self, time: Time, state: State) -> Result<()> {
-        self.point(time.periods(), state.q, state.u);
-        self.sampled.push(time.periods());
-        for (row, wall) in self.positions.iter_mut().zip(&self.walls) {
-            row.push(wall.position.at(time.phase)[0]);
-        }
-        self.last = vec![state.q, state.u];
-        Ok(())
-    }
-
-    fn event(&mut self, event: &Event<Side>) -> Result<()> {
-        let Some((time, side)) = event.at() else { return Ok(()) };
-        let Some(wall) = self.walls.iter().find(|wall| wall.side == side) else { return Ok(()) };
-        let [at, slope, _] = wall.position.at(time.phase);
-        let (kind, speed) = (event.word(), event.velocity().map(|velocity| -velocity));
-        if let Some(speed) = speed {
-            let (sign, restitution) = (side.sign(), wall.restitution);
-            self.point(time.periods(), at, slope - sign * speed);
-            self.point(time.periods(), at, slope + sign * restitution * speed);
-        }
-        self.strikes.push(Strike { kind, time, wall: side.name().into(), at, speed });
-        Ok(())
-    }
-
-    fn machine_sample(&mut self, time: Time, state: &MachineState) -> Result<()> {
-        let Some(machine) = &self.machine else { return Ok(()) };
-        let rate = machine.rate();
-        let (q, u) = (machine.seen(&state.q), machine.seen(&state.u) * rate);
-        let here = match self.seen {
-            Some(Seen::Gap(stop)) => self.stops.get(stop).map(|stop| {
-                let [gap, slope] = stop.gap(&MachineState { t: time.phase, ..state.clone() });
-                [gap, slope * rate]
-            }),
-            Some(Seen::Coordinate(i)) => q.get(i).zip(u.get(i)).map(|(&q, &u)| [q, u]),
-            None => None,
+    fn begin(&mut self, of: &SeriesOf) -> Result<()> {
+        let walls = match self.seen {
+            Seen::Gap(_) => 1,
+            Seen::Coordinate(_) => of.stops.iter().filter(|stop| stop.along.is_some()).count(),
         };
-        self.last = q.iter().chain(&u).copied().collect();
-        if let Some([place, slope]) = here {
-            self.point(time.periods(), place, slope);
-            self.sampled.push(time.periods());
-            for row in &mut self.positions {
-                row.push(0.0);
-            }
+        (self.stops, self.positions) = (of.stops.clone(), vec![Vec::new(); walls]);
+        Ok(())
+    }
+
+    fn sample(&mut self, sample: &Sample) -> Result<()> {
+        let time = sample.time.periods();
+        self.last = sample.q.iter().chain(sample.u).copied().collect();
+        let (place, rate) = match self.seen {
+            Seen::Gap(stop) => match sample.gaps.get(stop) {
+                Some(&[gap, rate]) => (gap, rate),
+                None => return Ok(()),
+            },
+            Seen::Coordinate(i) => match sample.q.get(i).zip(sample.u.get(i)) {
+                Some((&q, &u)) => (q, u),
+                None => return Ok(()),
+            },
+        };
+        self.point(time, place, rate);
+        self.sampled.push(time);
+        for (i, row) in self.positions.iter_mut().enumerate() {
+            row.push(match self.seen {
+                Seen::Gap(_) => 0.0,
+                Seen::Coordinate(_) => place - sample.gaps[i][0] / self.stops[i].along.unwrap_or(1.0),
+            });
         }
         Ok(())
     }
 
-    fn machine_event(&mut self, event: &Event<usize>) -> Result<()> {
-        let Some((time, stop)) = event.at() else { return Ok(()) };
-        let rate = self.rate();
-        let (kind, velocity) = (event.word(), event.velocity());
-        // Of the motion itself nothing is known here but the gap of this stop.
-        let drawn = self.seen == Some(Seen::Gap(stop));
-        let at = if drawn { 0.0 } else { self.places.last().copied().unwrap_or(f64::NAN) };
-        if let (true, Some(velocity)) = (drawn, velocity) {
-            self.point(time.periods(), 0.0, velocity * rate);
-            if kind == "impact" {
+    fn event(&mut self, event: &StopEvent) -> Result<()> {
+        let (time, along) = (event.time.periods(), self.stops[event.stop].along);
+        // Of a coordinate among several nothing is known here but that there was an impact.
+        let drawn = match (self.seen, event.place, along) {
+            (Seen::Gap(stop), ..) if stop == event.stop => Some(([0.0; 2], 1.0)),
+            (Seen::Coordinate(_), Some(place), Some(along)) => Some((place, along)),
+            _ => None,
+        };
+        let at = drawn.map_or_else(|| self.places.last().copied().unwrap_or(f64::NAN), |([at, _], _)| at);
+        if let (Some(([_, speed], along)), Some(velocity)) = (drawn, event.velocity) {
+            self.point(time, at, speed + velocity / along);
+            match event.leaving {
+                Some(leaving) => self.point(time, at, speed + leaving / along),
                 // The velocity after it depends on all stops that took part: the curve begins anew.
-                self.point(time.periods(), f64::NAN, f64::NAN);
+                None if event.event == "impact" => self.point(time, f64::NAN, f64::NAN),
+                None => {}
             }
         }
-        let wall = self.stops[stop].name.clone();
-        let speed = velocity.map(|velocity| -velocity * rate);
-        self.strikes.push(Strike { kind, time, wall, at, speed });
+        let (kind, wall) = (event.event, self.stops[event.stop].name.clone());
+        let speed = event.velocity.map(|velocity| -velocity);
+        self.strikes.push(Strike { kind, time: event.time, wall, at, speed });
         Ok(())
     }
 }

@@ -155,10 +155,10 @@ fn letters([a1, a2]: [f64; 2], positive: bool) -> Option<String> {
 pub fn sentences(report: &Value, most: u64) -> Vec<String> {
     let Some(parameter) = report["parameter"].as_f64() else { return Vec::new() };
     let name = report["varied"].as_str().unwrap_or_default();
-    let wall = match (report["wall"].as_str(), report["stop"].as_str()) {
-        (Some(side), _) => format!("the {side} wall"),
-        (_, Some(stop)) => format!("the stop “{stop}”"),
-        _ => "a wall".to_string(),
+    let wall = match report["stop"].as_str() {
+        Some(side @ ("lower" | "upper")) => format!("the {side} wall"),
+        Some(stop) => format!("the stop “{stop}”"),
+        None => "a wall".to_string(),
     };
     let parameter = if parameter.abs() < 1e-14 { "0".to_string() } else { format!("{parameter:.9}") };
     let parameter = if parameter.contains('.') {

@@ -6,7 +6,6 @@ mod basins;
 mod branch;
 mod chaos;
 mod diagram;
-mod machine;
 mod map;
 mod names;
 mod print;

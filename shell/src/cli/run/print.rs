@@ -36,7 +36,7 @@ const NAMES: [(&str, &str); 18] = [
 pub(super) fn reports(scene: &str, all: &[TaskReport], out: &mut dyn Write) -> Result<()> {
     writeln!(
         out,
-        "% grazing-run 3: \\input this file after \\usepackage{{amsmath,array,booktabs,longtable}}"
+        "% grazing-run 4: \\input this file after \\usepackage{{amsmath,array,booktabs,longtable}}"
     )?;
     for report in all {
         let (blocks, certificates) = match &report.findings {

@@ -1,17 +1,19 @@
 //! The files of tasks of kind `simulate`, written as the motion goes on: memory does not grow with its
 //! length.
 
-use std::io::Write;
+use std::{f64::consts::TAU, io::Write};
 
-use super::{Job, machine::MachineSeries};
+use super::Job;
 use crate::{
     error::{Error, Result},
-    figure::{self, MotionPicture},
-    motion::{Contact, State, Time},
-    one::simulate::Event,
-    run::{Findings, Keeper, Model, TaskReport, run_task},
+    figure::{self, FigurePlace, MotionPicture},
+    printable::csv_field,
+    run::{Findings, Keeper, Sample, SeriesOf, SeriesStop, StopEvent, TaskReport, run_task},
     scene::simulate::SimulateTask,
 };
+
+/// Most stops for each of which there is a picture.
+const PICTURES: usize = 8;
 
 pub(super) fn run(task: &SimulateTask, job: &Job) -> TaskReport {
     let mut report = None;
@@ -19,12 +21,7 @@ pub(super) fn run(task: &SimulateTask, job: &Job) -> TaskReport {
     // What fails or is interrupted leaves no files: they are whole or absent.
     let written = job.write(&name(".csv"), |series| {
         job.write(&name("-events.csv"), |events| {
-            let found = match &job.model {
-                Model::Oscillator(_) => run_task(job.job, &mut Series::new(task, job, series, events)?),
-                Model::Machine(machine) => {
-                    run_task(job.job, &mut MachineSeries::new(task, job, machine, series, events)?)
-                }
-            };
+            let found = run_task(job.job, &mut Series::new(task, job, series, events));
             let whole = found.findings.is_some();
             report = Some(found);
             if whole { Ok(()) } else { Err(Error::input("the task failed")) }
@@ -38,13 +35,23 @@ pub(super) fn run(task: &SimulateTask, job: &Job) -> TaskReport {
     }
 }
 
-/// The series and the events as CSV, and the picture of both.
+/// The series and the events as CSV, and pictures of both: of a motion with one displacement that between its
+/// stops, else the gap to each stop.
 struct Series<'a> {
     job: &'a Job<'a>,
-    walls: Vec<Contact>,
-    picture: MotionPicture,
+    periods: u32,
+    /// The period, in the scene's unit of time.
+    period: f64,
+    stops: Vec<SeriesStop>,
+    drawn: Drawn,
     series: &'a mut dyn Write,
     events: &'a mut dyn Write,
+}
+
+/// What is drawn.
+enum Drawn {
+    Displacement(MotionPicture),
+    Gaps(Vec<MotionPicture>),
 }
 
 impl<'a> Series<'a> {
@@ -53,52 +60,103 @@ impl<'a> Series<'a> {
         job: &'a Job<'a>,
         series: &'a mut dyn Write,
         events: &'a mut dyn Write,
-    ) -> Result<Self> {
-        let walls = Contact::of(job.system()?)?;
-        writeln!(series, "periods,q,u")?;
-        writeln!(events, "event,period,phase,side,velocity,radius,gap,rest")?;
-        let first = job.scene.state(&task.start)?.t;
-        let begin = Time::new(task.transient as i64, first).periods();
-        let picture = MotionPicture::new(&job.scene.title, begin, f64::from(task.periods), walls.len());
-        Ok(Series { job, walls, picture, series, events })
+    ) -> Self {
+        let (stops, drawn) = (Vec::new(), Drawn::Gaps(Vec::new()));
+        Series { job, periods: task.periods, period: f64::NAN, stops, drawn, series, events }
+    }
+}
+
+impl Drawn {
+    fn new(of: &SeriesOf, title: &str, periods: u32) -> Drawn {
+        let picture = |title: &str, walls| MotionPicture::new(title, of.begin, f64::from(periods), walls);
+        if of.points == 1 && of.stops.iter().all(|stop| stop.along.is_some()) {
+            return Drawn::Displacement(picture(title, of.stops.len()));
+        }
+        let gap = |stop: &SeriesStop| picture(&format!("{title}: “{}”", stop.name), 1).of("gap");
+        Drawn::Gaps(of.stops.iter().take(PICTURES).map(gap).collect())
+    }
+
+    fn pictures(&self) -> &[MotionPicture] {
+        match self {
+            Drawn::Displacement(picture) => std::slice::from_ref(picture),
+            Drawn::Gaps(pictures) => pictures,
+        }
+    }
+}
+
+/// The names of so many columns: with numbers, if there are several.
+fn names(letter: &str, count: usize) -> String {
+    match count {
+        1 => format!(",{letter}"),
+        _ => (1..=count).map(|i| format!(",{letter}{i}")).collect(),
     }
 }
 
 impl Keeper for Series<'_> {
-    fn sample(&mut self, time: Time, state: State) -> Result<()> {
-        let walls: Vec<f64> = self.walls.iter().map(|wall| wall.position.at(time.phase)[0]).collect();
-        let at = time.periods();
-        self.picture.point(at, state.q, &walls);
-        Ok(writeln!(self.series, "{at},{},{}", state.q, state.u)?)
+    fn begin(&mut self, of: &SeriesOf) -> Result<()> {
+        let [q, u] = ["q", "u"].map(|letter| names(letter, of.points));
+        writeln!(self.series, "time,periods{q}{u}{}", names("gap", of.stops.len()))?;
+        let columns = "event,time,period,phase,stop,velocity,impulse,radius,gap,rest,together,order_matters";
+        writeln!(self.events, "{columns}")?;
+        (self.period, self.stops) = (of.period, of.stops.clone());
+        self.drawn = Drawn::new(of, &self.job.scene.title, self.periods);
+        Ok(())
     }
 
-    fn event(&mut self, event: &Event) -> Result<()> {
-        let Some((Time { period, phase }, side)) = event.at() else { return Ok(()) };
-        if let (Event::Impact(impact), Some(wall)) = (event, self.walls.iter().find(|wall| wall.side == side))
-        {
-            self.picture.impact(impact.time.periods(), wall.position.at(phase)[0]);
+    fn sample(&mut self, sample: &Sample) -> Result<()> {
+        let at = sample.time.periods();
+        let gaps = sample.gaps.iter().map(|[gap, _]| *gap);
+        write!(self.series, "{},{at}", at * self.period)?;
+        for x in sample.q.iter().chain(sample.u).copied().chain(gaps.clone()) {
+            write!(self.series, ",{x}")?;
         }
-        let (side, phase) = (side.name(), phase / std::f64::consts::TAU);
-        let out = &mut self.events;
-        match event {
-            Event::Impact(impact) => {
-                writeln!(out, "impact,{period},{phase},{side},{},{},,", impact.velocity, impact.radius)
+        match &mut self.drawn {
+            Drawn::Displacement(picture) => {
+                let q = sample.q[0];
+                let place = |(gap, stop): (f64, &SeriesStop)| q - gap / stop.along.unwrap_or(1.0);
+                picture.point(at, q, &gaps.zip(&self.stops).map(place).collect::<Vec<_>>());
             }
-            Event::Tangency(tangency) => {
-                writeln!(out, "tangency,{period},{phase},{side},,,{},", tangency.gap)
+            Drawn::Gaps(pictures) => {
+                for (picture, gap) in pictures.iter_mut().zip(gaps) {
+                    picture.point(at, gap, &[0.0]);
+                }
             }
-            Event::Stick(stick) => writeln!(out, "stick,{period},{phase},{side},,,,{}", stick.rest),
-            Event::Release(_) => writeln!(out, "release,{period},{phase},{side},,,,"),
-            Event::Touch(_) | Event::End(_) => Ok(()),
-        }?;
-        Ok(())
+        }
+        Ok(writeln!(self.series)?)
+    }
+
+    fn event(&mut self, event: &StopEvent) -> Result<()> {
+        let periods = event.time.periods();
+        if event.velocity.is_some() {
+            match &mut self.drawn {
+                Drawn::Displacement(picture) => {
+                    event.place.iter().for_each(|[place, _]| picture.impact(periods, *place));
+                }
+                Drawn::Gaps(pictures) => {
+                    pictures.get_mut(event.stop).into_iter().for_each(|one| one.impact(periods, 0.0));
+                }
+            }
+        }
+        let shown = |x: Option<f64>| x.map_or(String::new(), |x| x.to_string());
+        let (word, time, period) = (event.event, periods * self.period, event.time.period);
+        let (phase, name) = (event.time.phase / TAU, csv_field(&self.stops[event.stop].name));
+        write!(self.events, "{word},{time},{period},{phase},{name}")?;
+        for x in [event.velocity, event.impulse, event.radius, event.gap, event.rest] {
+            write!(self.events, ",{}", shown(x))?;
+        }
+        let together = event.together.map_or(String::new(), |count| count.to_string());
+        let order = event.order_matters.map_or("", |matters| if matters { "yes" } else { "no" });
+        Ok(writeln!(self.events, ",{together},{order}")?)
     }
 
     fn keep(&mut self, _: &crate::run::Job, _: &Findings) -> Result<Vec<String>> {
         let name = &self.job.task.name;
-        figure::motion(&self.picture, &self.job.place())?;
-        let mut files = self.job.figure();
-        files.push(format!("{name}-events.csv"));
+        let mut files = [".csv", "-events.csv"].map(|end| format!("{name}{end}")).to_vec();
+        for (i, picture) in (1..).zip(self.drawn.pictures()) {
+            let name = if i == 1 { name.clone() } else { format!("{name}-{i}") };
+            figure::motion(picture, &FigurePlace { name: &name, ..self.job.place() })?;
+            files.push(format!("{name}.{}", self.job.format.ending()));
+        }
         Ok(files)
     }
 }

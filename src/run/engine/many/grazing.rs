@@ -43,10 +43,6 @@ pub(crate) struct MachineGrazingPoint<'f> {
 }
 
 impl GrazingPoint for MachineGrazingPoint<'_> {
-    const HALF: &'static str =
-        "of half a period, then the mirror: the stop and its mirror are grazed; patterns count halves";
-    const NEEDS: &'static str = "that needs a2 > 0 and gamma other than 0";
-
     fn report(&self) -> GrazingMap {
         let (event, map, machine) = (&self.event, self.event.local(), &self.machine);
         let (rate, n, one) = (machine.rate(), machine.size, machine.size == 1);
@@ -75,7 +71,6 @@ impl GrazingPoint for MachineGrazingPoint<'_> {
             residual: event.at.gap.abs(),
             half: event.half.is_some(),
             open: self.open(),
-            chaos_open: None,
         }
     }
 

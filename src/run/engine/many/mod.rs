@@ -67,20 +67,21 @@ impl JudgedOrbit for MachineOrbit {
             () => Judgement::Yes,
         }
     }
+}
 
-    fn admissible(&self, at: Option<Bifurcation>) -> (Judgement, Option<String>) {
-        if matches!(at, Some(Bifurcation::Grazing | Bifurcation::Fade)) {
-            return (Judgement::Marginal, None);
+/// Whether it is an orbit, and why not; marginal at a grazing or where an impact fades.
+fn admissible(orbit: &MachineOrbit, at: Option<Bifurcation>) -> (Judgement, Option<String>) {
+    if matches!(at, Some(Bifurcation::Grazing | Bifurcation::Fade)) {
+        return (Judgement::Marginal, None);
+    }
+    match &orbit.admissibility {
+        MachineAdmissibility::Admissible if !orbit.is_orbit() => {
+            let why = "the least gap between impacts is not positive, though within the minimum depth";
+            (Judgement::Marginal, Some(why.into()))
         }
-        match &self.admissibility {
-            MachineAdmissibility::Admissible if !self.is_orbit() => {
-                let why = "the least gap between impacts is not positive, though within the minimum depth";
-                (Judgement::Marginal, Some(why.into()))
-            }
-            MachineAdmissibility::Admissible => (Judgement::Yes, None),
-            MachineAdmissibility::Marginal(why) => (Judgement::Marginal, Some(why.to_string())),
-            MachineAdmissibility::No(why) => (Judgement::No, Some(why.to_string())),
-        }
+        MachineAdmissibility::Admissible => (Judgement::Yes, None),
+        MachineAdmissibility::Marginal(why) => (Judgement::Marginal, Some(why.to_string())),
+        MachineAdmissibility::No(why) => (Judgement::No, Some(why.to_string())),
     }
 }
 
@@ -100,7 +101,7 @@ fn speeds(orbit: &MachineOrbit, rate: f64) -> Vec<f64> {
 
 /// What is known of an orbit of a machine.
 fn analysed(orbit: &MachineOrbit, machine: &Machine<f64>, at: Option<Bifurcation>) -> Analysed {
-    let (admissible, reason) = orbit.admissible(at);
+    let (admissible, reason) = admissible(orbit, at);
     Analysed {
         pattern: named(&orbit.pattern, machine),
         phases: phases(orbit),

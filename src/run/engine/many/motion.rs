@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 
 use super::{
     super::super::{
-        Job, Keeper, MeasuredEffect, ModeRow, SimulationFindings, StopRow,
+        Job, Keeper, MeasuredEffect, Sample, SeriesOf, SeriesStop, SimulationFindings, StopEvent,
         series::{SampledMotion, follow},
     },
     Machines,
@@ -15,16 +15,13 @@ use super::{
 use crate::{
     error::Result,
     many::{
-        Machine, RealVector,
+        Machine, MachineState, RealVector,
         contact::StopContact,
         simulate::{Event, MachineRun, MachineSimulator, PeakForces},
     },
     motion::{RunEnd, Time},
     scene::simulate::SimulateTask,
 };
-
-/// Modes that a report lists.
-const LISTED: usize = 10;
 
 /// Follows the motion of a task.
 ///
@@ -38,12 +35,15 @@ pub(super) fn simulate(
     let Machines { job, machine } = *engine;
     let start = job.scene.machine_state(&task.start, machine, "start")?;
     let simulator = job.machine_simulator(machine, std::slice::from_ref(&start))?;
+    let of = series_of(machine, &simulator, Time::new(task.transient as i64, start.t).periods());
+    keeper.begin(&of)?;
     job.monitor.begin(task.transient + u64::from(task.periods), "periods");
     let run = simulator.start(Time::new(0, start.t), start.q.as_slice(), start.u.as_slice())?;
-    let found = before(task, job, machine, &simulator);
+    let found = before(task, &of, machine, &simulator);
+    let along = of.stops.iter().map(|stop| stop.along).collect();
     // What is pushed in the transient is no peak of the series.
     let mut motion =
-        Motion { simulator: &simulator, run, found, first: None, peaks: None, several: None, keeper };
+        Motion { simulator: &simulator, machine, along, run, found, first: None, peaks: None, keeper };
     let end = follow(task, start.t, &mut motion, job.monitor)?;
     let Motion { mut run, mut found, first, peaks, .. } = motion;
     if let Some(error) = run.failure() {
@@ -54,11 +54,10 @@ pub(super) fn simulate(
         row.peak_force = row.peak_force.map(|_| *peak);
     }
     let (state, rate) = (run.state(), simulator.rate());
-    (found.moved.end, found.moved.ended_at) = (end, run.time().periods());
-    found.moved.q = machine.seen(&state.q).iter().copied().collect();
-    found.moved.u = machine.seen(&state.u).iter().map(|u| u * rate).collect();
+    let list = |of: &RealVector, unit: f64| machine.seen(of).iter().map(|x| x * unit).collect();
     let bend = simulator.acceleration(&state)?;
-    found.acceleration = machine.seen(&bend).iter().map(|a| a * rate * rate).collect();
+    let last = [list(&state.q, 1.0), list(&state.u, rate), list(&bend, rate * rate)];
+    found.ended((end, run.time()), last);
     // After a transient it is not the first impact; where forces are formulas the record's effect is none of
     // a linear machine.
     let first = first.filter(|_| task.transient == 0 && !machine.is_smooth());
@@ -66,35 +65,36 @@ pub(super) fn simulate(
     Ok(found)
 }
 
+fn series_of(machine: &Machine<f64>, simulator: &MachineSimulator, begin: f64) -> SeriesOf {
+    let points = machine.points();
+    // Of one coordinate that is seen at one point, the factor between the two.
+    let alone =
+        (points == 1 && machine.size == 1).then(|| machine.seen(&RealVector::from_element(1, 1.0))[0]);
+    let stop = |contact: &StopContact| SeriesStop {
+        name: contact.name.clone(),
+        along: alone.map(|factor| contact.row[0] / factor),
+    };
+    let stops = simulator.contacts().all().iter().map(stop).collect();
+    SeriesOf { points, stops, period: machine.period, begin }
+}
+
 /// What there is to say of the machine before it moves.
 fn before(
     task: &SimulateTask,
-    job: &Job,
+    of: &SeriesOf,
     machine: &Machine<f64>,
     simulator: &MachineSimulator,
 ) -> SimulationFindings {
     let (flow, smooth) = (simulator.flow(), simulator.is_smooth());
-    let (frequencies, cycles) = (flow.frequencies(), 1.0 / machine.period);
-    let mode =
-        |&(frequency, damping_ratio): &(f64, f64)| ModeRow { frequency: frequency * cycles, damping_ratio };
-    let stop = |contact: &StopContact| StopRow {
-        stop: contact.name.clone(),
-        impacts: 0,
-        tangencies: 0,
-        rests: 0,
-        fastest: 0.0,
-        strongest: contact.soft.is_none().then_some(0.0),
-        peak_force: contact.soft.map(|_| 0.0),
-        least_gap: f64::INFINITY,
-        largest_gap: f64::NEG_INFINITY,
-    };
+    let compliant: Vec<bool> = simulator.contacts().all().iter().map(|stop| stop.soft.is_some()).collect();
+    let method = if smooth { "Taylor series" } else { flow.method().name() };
     let depth = simulator.settings().minimum_depth;
-    let mut found = SimulationFindings::new(task, job, machine.period, depth);
-    found.moved.method = Some(if smooth { "Taylor series" } else { flow.method().name() });
+    let mut found = SimulationFindings::new(task, (of, &compliant), method, depth);
     found.moved.condition = Some(flow.condition()).filter(|condition| condition.is_finite() && !smooth);
-    found.moved.oscillating = frequencies.len();
-    found.modes = frequencies.iter().take(LISTED).map(mode).collect();
-    found.stops = simulator.contacts().all().iter().map(stop).collect();
+    let cycles = 1.0 / machine.period;
+    let modes: Vec<_> =
+        flow.frequencies().into_iter().map(|(rate, damping)| (rate * cycles, damping)).collect();
+    found.oscillating(&modes);
     found
 }
 
@@ -104,12 +104,13 @@ type FirstImpact = (usize, Time, f64);
 /// The motion with what was found of it so far.
 struct Motion<'a> {
     simulator: &'a MachineSimulator,
+    machine: &'a Machine<f64>,
+    /// Of one coordinate, by how much the gap of each stop opens with it.
+    along: Vec<Option<f64>>,
     run: MachineRun<'a>,
     found: SimulationFindings,
     first: Option<FirstImpact>,
     peaks: Option<PeakForces>,
-    /// The last instant at which the order of several impacts mattered: it counts once.
-    several: Option<Time>,
     keeper: &'a mut dyn Keeper,
 }
 
@@ -129,50 +130,63 @@ impl SampledMotion for Motion<'_> {
             if let Event::End(end) = event {
                 return failed.map_or(Ok(end), Err);
             }
-            self.count(&event);
+            if let Event::Impact(impact) = event {
+                self.first.get_or_insert((impact.place, impact.time, impact.velocity));
+            }
+            let Some(event) = self.told(&event) else { continue };
+            self.found.happened(&event);
             if failed.is_none() {
-                failed = self.keeper.machine_event(&event).err();
+                failed = self.keeper.event(&event).err();
             }
         }
     }
 
-    fn sample(&mut self, at: Time) -> Result<()> {
-        let state = self.run.state();
-        for (row, contact) in self.found.stops.iter_mut().zip(self.simulator.contacts().all()) {
-            let [gap, _] = contact.gap(&state);
-            (row.least_gap, row.largest_gap) = (row.least_gap.min(gap), row.largest_gap.max(gap));
-        }
-        self.keeper.machine_sample(at, &state)
+    fn sample(&mut self, time: Time) -> Result<()> {
+        let (state, rate) = (self.run.state(), self.machine.rate());
+        let here = MachineState { t: time.phase, ..state.clone() };
+        let gap = |stop: &StopContact| {
+            let [gap, speed] = stop.gap(&here);
+            [gap, speed * rate]
+        };
+        let gaps: Vec<[f64; 2]> = self.simulator.contacts().all().iter().map(gap).collect();
+        let (q, u) = (self.machine.seen(&state.q), self.machine.seen(&state.u) * rate);
+        let sample = Sample { time, q: q.as_slice(), u: u.as_slice(), gaps: &gaps };
+        self.found.passed(&sample);
+        self.keeper.sample(&sample)
     }
 }
 
 impl Motion<'_> {
-    /// Adds an event to the row of its stop.
-    fn count(&mut self, event: &Event) {
-        let rate = self.simulator.rate();
-        self.found.count(event);
-        let Some(row) = event.place().map(|stop| &mut self.found.stops[stop]) else { return };
-        match event {
-            Event::Impact(impact) => {
-                self.first.get_or_insert((impact.place, impact.time, impact.velocity));
-                row.impacts += 1;
-                row.fastest = row.fastest.max(impact.velocity.abs() * rate);
+    /// An event, as it is kept.
+    fn told(&self, event: &Event) -> Option<StopEvent> {
+        let ((time, stop), rate) = (event.at()?, self.machine.rate());
+        let contact = &self.simulator.contacts().all()[stop];
+        // The gap is 0 there: position = along · q.
+        let [position, speed, _] = contact.position.at(time.phase);
+        let place = self.along[stop].map(|along| [position / along, speed * rate / along]);
+        let known = StopEvent { place, ..StopEvent::new(event.word(), time, stop) };
+        Some(match event {
+            Event::Impact(impact) => StopEvent {
+                velocity: Some(impact.velocity * rate),
+                leaving: (impact.shock.together == 1)
+                    .then(|| -contact.restitution_at(-impact.velocity) * impact.velocity * rate),
                 // Masses per radian² times velocities per radian, over Ω, are masses times velocities.
-                let impulse = impact.shock.impulse / rate;
-                row.strongest = row.strongest.map(|most| most.max(impulse));
-                if impact.shock.order_matters && self.several != Some(impact.time) {
-                    self.found.moved.order_matters += 1;
-                    self.several = Some(impact.time);
-                }
-            }
-            Event::Touch(touch) => {
-                row.impacts += 1;
-                row.fastest = row.fastest.max(touch.velocity.abs() * rate);
-            }
-            Event::Tangency(_) => row.tangencies += 1,
-            Event::Stick(_) => row.rests += 1,
-            _ => {}
-        }
+                impulse: Some(impact.shock.impulse / rate),
+                radius: Some(impact.radius / rate),
+                together: Some(impact.shock.together),
+                order_matters: Some(impact.shock.order_matters),
+                ..known
+            },
+            Event::Touch(touch) => StopEvent {
+                velocity: Some(touch.velocity * rate),
+                radius: Some(touch.radius / rate),
+                ..known
+            },
+            Event::Tangency(tangency) => StopEvent { gap: Some(tangency.gap), ..known },
+            Event::Stick(stick) => StopEvent { rest: Some(stick.rest / rate), ..known },
+            Event::Release(_) => known,
+            Event::End(_) => return None,
+        })
     }
 }
 

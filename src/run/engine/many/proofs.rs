@@ -3,10 +3,10 @@
 use super::{
     super::super::{
         Job, Judgement, ProofRow,
-        engine::{JudgedOrbit, Proof, Prover},
+        engine::{Proof, Prover},
         validate::digits,
     },
-    named, phases, speeds,
+    admissible, named, phases, speeds,
 };
 use crate::{
     certificate::machine::{Claim, Machine as ListedMachine},
@@ -47,7 +47,7 @@ impl MachineProver<'_> {
     /// Of an orbit that the simulator does not refuse.
     fn verdict(&self, orbit: &MachineOrbit) -> Result<Verdict<ProvedMachineOrbit>> {
         if let MachineAdmissibility::No(_) = orbit.admissibility {
-            let (_, why) = orbit.admissible(None);
+            let (_, why) = admissible(orbit, None);
             return Ok(Verdict::Undecided(format!(
                 "by the simulator the solution is no orbit: {}",
                 why.unwrap_or_default()

@@ -2,7 +2,7 @@
 
 use super::{
     super::super::{Judgement, SectionFindings, SectionOrbitRow, SectionSet},
-    JudgedOrbit, Machines, machine_orbits, named,
+    JudgedOrbit, Machines, admissible, machine_orbits, named,
 };
 use crate::{
     attractor::{
@@ -32,7 +32,7 @@ pub(super) fn further(
     for keys in &task.orbits {
         job.check()?;
         for orbit in machine_orbits(keys, machine, simulator, job)? {
-            if orbit.admissible(None).0 == Judgement::No {
+            if admissible(&orbit, None).0 == Judgement::No {
                 continue;
             }
             let start = orbit.state.start(machine.rate());

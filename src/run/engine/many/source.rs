@@ -5,10 +5,10 @@ use std::f64::consts::TAU;
 use super::{
     super::{
         super::{
-            GrazingEventRow, Job,
+            Job,
             branch::{events, settled},
         },
-        AnalysedEvent, Branches, OrbitSource,
+        AnalysedEvent, Branches, Grazed, OrbitSource,
     },
     analysed, machine_orbits, named, names, speeds,
 };
@@ -116,25 +116,26 @@ impl<'a> OrbitSource for MachineSource<'a> {
             }
             _ => (self.job.scene.machine(at)?, None),
         };
-        let rate = machine.rate();
-        let least = orbit.least.filter(|_| event == Some(Bifurcation::Grazing));
-        let touch = least.map(|least| {
-            let stop = machine.stops[least.stop].name.clone();
-            (stop, (least.phase / TAU).fract(), least.acceleration * rate * rate)
-        });
-        Ok(AnalysedEvent { orbit: analysed(orbit, &machine, event), form, touch })
+        Ok(AnalysedEvent { orbit: analysed(orbit, &machine, event), form })
     }
 
     fn named_with_speeds(&self, orbit: &MachineOrbit) -> (String, Vec<f64>) {
         (self.named(&orbit.pattern), speeds(orbit, self.machine.rate()))
     }
 
-    fn has_maps(&self) -> bool {
-        false
-    }
-
-    fn local_map(&self, _: &Located<MachineOrbit>, _: &MachineOrbit) -> Result<Option<GrazingEventRow>> {
-        Ok(None)
+    fn grazed(&self, at: &Located<MachineOrbit>) -> Result<Option<Grazed>> {
+        let (machine, _): (Machine<f64>, _) = self.family.at(at.parameter)?;
+        let rate = machine.rate();
+        Ok(at.orbit.least.map(|least| Grazed {
+            parameter: at.parameter,
+            stop: machine.stops[least.stop].name.clone(),
+            phase: (least.phase / TAU).fract(),
+            acceleration: least.acceleration * rate * rate,
+            region: None,
+            map: None,
+            sound: true,
+            residual: at.orbit.residual,
+        }))
     }
 
     fn loci(&self, task: &BranchTask, second: &str) -> Result<Branches<MachineOrbit>> {

@@ -5,7 +5,7 @@ use super::{
         super::{Analysed, Complex, GrazingMap, Job, Judgement},
         GrazingPoint, Theory,
     },
-    analysed,
+    analysed, turn,
 };
 use crate::{
     attractor::{
@@ -42,22 +42,20 @@ impl OscillatorGrazing<'_> {
 }
 
 impl GrazingPoint for OscillatorGrazing<'_> {
-    const HALF: &'static str =
-        "of half a period, then the mirror: both walls are grazed; patterns count halves";
-    const NEEDS: &'static str = "that needs a2 > 0 and gamma, e other than 0";
-
     fn report(&self) -> GrazingMap {
         let (event, half, map) = (&self.event, &self.half, self.local());
+        // In the scene's coordinates: the map's own are those of the gap.
+        let sign = event.side().sign();
         GrazingMap {
             varied: self.task.parameter.clone(),
             parameter: event.parameter,
             orbit: Some(self.orbit.clone()),
-            stop: event.side().name().into(),
-            phase: event.phase(),
+            stop: self.job.stop(event.side()),
+            phase: turn(event.phase()),
             acceleration: map.acceleration,
             a: map.a.map(|row| row.to_vec()).to_vec(),
-            b: Vec::new(),
-            c: Vec::new(),
+            b: vec![0.0, sign * map.kick()],
+            c: vec![sign, 0.0],
             e: map.e(),
             eigenvalues: map.multipliers.values().map(Complex::from).to_vec(),
             a1: Some(map.multipliers.trace),
@@ -73,11 +71,10 @@ impl GrazingPoint for OscillatorGrazing<'_> {
             half: half.is_some(),
             open: event.second.filter(|_| half.is_none()).map(|second| {
                 format!(
-                    "the orbit grazes twice in its period, also at the {} wall: the local theory is for one grazing",
-                    second.side.name()
+                    "the orbit grazes twice in its period, also at stop {}: the local theory is for one grazing",
+                    self.job.stop(second.side)
                 )
             }),
-            chaos_open: None,
         }
     }
 
@@ -118,6 +115,6 @@ impl GrazingPoint for OscillatorGrazing<'_> {
             None => self.event.start(self.family, periods, verdict, parameter)?,
         };
         let found = find(&self.family.at(parameter)?, &itinerary, z);
-        Ok(found.map(|orbit| analysed(&orbit, None)))
+        Ok(found.map(|orbit| analysed(&orbit, self.job, None)))
     }
 }

@@ -27,7 +27,7 @@ use crate::{
     one::{
         branch::OscillatorPatterns,
         grazing::{Grazing, locate},
-        orbit::{Admissibility, Family, Orbit, Oscillator},
+        orbit::{Admissibility, Family, Itinerary, Orbit, Oscillator, Strike},
         simulate::Simulator,
     },
     scene::{
@@ -60,29 +60,47 @@ impl JudgedOrbit for Orbit {
             () => Judgement::Yes,
         }
     }
+}
 
-    fn admissible(&self, at: Option<Bifurcation>) -> (Judgement, Option<String>) {
-        if matches!(at, Some(Bifurcation::Grazing | Bifurcation::Fade)) {
-            return (Judgement::Marginal, None);
+/// Whether it is an orbit, and why not; marginal at a grazing or where an impact fades.
+fn admissible(orbit: &Orbit, job: &Job, at: Option<Bifurcation>) -> (Judgement, Option<String>) {
+    if matches!(at, Some(Bifurcation::Grazing | Bifurcation::Fade)) {
+        return (Judgement::Marginal, None);
+    }
+    let margin = MARGIN * orbit.unit;
+    let grazes = orbit.least.is_some_and(|least| least.gap.abs() <= margin);
+    let fades = orbit.impacts().any(|impact| impact.speed.abs() <= margin);
+    let others = orbit.impacts().all(|impact| impact.speed > -margin)
+        && orbit.least.is_none_or(|least| least.gap > -margin);
+    if others && (grazes || fades) {
+        // What rounding decides is not said of one stop or impact.
+        let why = "touches a stop, or an impact has no speed, to rounding";
+        return (Judgement::Marginal, Some(why.into()));
+    }
+    match orbit.admissibility {
+        Admissibility::Admissible => (Judgement::Yes, None),
+        Admissibility::Outgoing(i) => (Judgement::No, Some(format!("impact {} does not come in", i + 1))),
+        Admissibility::Excursion(at) => {
+            let (stop, after, leg) = (job.stop(at.side), turn(at.after), at.leg + 1);
+            (Judgement::No, Some(format!("meets stop {stop} {after:.6} periods into leg {leg}")))
         }
-        let margin = MARGIN * self.unit;
-        let grazes = self.least.is_some_and(|least| least.gap.abs() <= margin);
-        let fades = self.impacts().any(|impact| impact.speed.abs() <= margin);
-        let others = self.impacts().all(|impact| impact.speed > -margin)
-            && self.least.is_none_or(|least| least.gap > -margin);
-        if others && (grazes || fades) {
-            // What rounding decides is not said of one wall or impact.
-            let why = "touches a wall, or an impact has no speed, to rounding";
-            return (Judgement::Marginal, Some(why.into()));
-        }
-        match self.admissibility {
-            Admissibility::Admissible => (Judgement::Yes, None),
-            Admissibility::Outgoing(i) => (Judgement::No, Some(format!("impact {} does not come in", i + 1))),
-            Admissibility::Excursion(at) => {
-                let (wall, leg) = (at.side.name(), at.leg + 1);
-                (Judgement::No, Some(format!("behind the {wall} wall {:.6} after impact {leg}", at.after)))
-            }
-        }
+    }
+}
+
+/// A time in radians as a part of the period.
+fn turn(radians: f64) -> f64 {
+    radians / TAU
+}
+
+/// A pattern with the names of the stops, if there are several.
+fn named(pattern: &Itinerary, job: &Job) -> String {
+    let show = |strike: &Strike| match job.scene.stops[..] {
+        [_] => strike.periods.to_string(),
+        _ => format!("{} {}", strike.periods, job.stop(strike.side)),
+    };
+    match pattern.strikes() {
+        [] => format!("free {}", pattern.periods()),
+        all => all.iter().map(show).collect::<Vec<_>>().join(","),
     }
 }
 
@@ -90,17 +108,17 @@ fn speeds(orbit: &Orbit) -> Vec<f64> {
     orbit.impacts().map(|impact| impact.speed).collect()
 }
 
-fn analysed(orbit: &Orbit, at: Option<Bifurcation>) -> Analysed {
-    let (admissible, reason) = orbit.admissible(at);
+fn analysed(orbit: &Orbit, job: &Job, at: Option<Bifurcation>) -> Analysed {
+    let (admissible, reason) = admissible(orbit, job, at);
     Analysed {
-        pattern: orbit.itinerary.to_string(),
-        phases: orbit.times(),
+        pattern: named(&orbit.itinerary, job),
+        phases: orbit.times().into_iter().map(turn).collect(),
         speeds: speeds(orbit),
         multipliers: orbit.multipliers.values().map(Complex::from).to_vec(),
         stable: orbit.stable(at),
         admissible,
         reason,
-        nearest_stop: orbit.least.map(|least| least.side.name().into()),
+        nearest_stop: orbit.least.map(|least| job.stop(least.side)),
         least_gap: orbit.least.map(|least| least.gap),
         residual: orbit.residual,
         newton_steps: orbit.steps,
@@ -211,7 +229,7 @@ impl<'j> Engine for Oscillators<'j> {
     }
 
     fn analysed(&self, orbit: &Orbit, _: &Oscillator) -> Analysed {
-        analysed(orbit, None)
+        analysed(orbit, self.job, None)
     }
 
     fn family(&self, parameter: &str) -> Result<SceneFamily<'j>> {
@@ -248,7 +266,7 @@ impl<'j> Engine for Oscillators<'j> {
         let event = locate(family, &located.orbit, located.parameter)?;
         // Two grazings in a period are the theory's business only if a symmetry makes them one.
         let half = event.half_map(&family.at(event.parameter)?);
-        let (job, orbit) = (self.job, orbit.itinerary.to_string());
+        let (job, orbit) = (self.job, named(&orbit.itinerary, self.job));
         let far = far_from(&event, &located.orbit, &family.at(event.parameter)?)?;
         Ok(Ok(OscillatorGrazing { task, job, family, event, half, orbit, far }))
     }

@@ -4,24 +4,25 @@ use std::f64::consts::TAU;
 
 use super::{
     super::super::{
-        Keeper, SimulationFindings,
+        Keeper, Sample, SeriesOf, SeriesStop, SimulationFindings, StopEvent,
         series::{SampledMotion, follow},
     },
     Oscillators,
 };
 use crate::{
     error::Result,
-    motion::{Flow, RunEnd, Time},
-    one::simulate::{Run, Simulator},
+    motion::{Contact, Event, Flow, RunEnd, System, Time},
+    one::simulate::{self, Run},
     scene::simulate::SimulateTask,
 };
 
 /// The motion with what was found of it so far.
 struct Motion<'a> {
-    simulator: &'a Simulator,
     run: Run<'a>,
+    /// In the scene's order.
+    stops: Vec<Contact>,
+    mass: f64,
     found: SimulationFindings,
-    extent: [f64; 2],
     keeper: &'a mut dyn Keeper,
 }
 
@@ -36,20 +37,37 @@ pub(super) fn simulate(
 ) -> Result<SimulationFindings> {
     let (job, simulator) = (engine.job, engine.job.simulator()?);
     let start = job.scene.state(&task.start)?;
+    let sides = job.scene.stops.iter().filter_map(|stop| Some((stop, stop.side?)));
+    let known = |side| simulator.contact(side).cloned();
+    let (named, stops): (Vec<SeriesStop>, Vec<Contact>) = sides
+        .filter_map(|(stop, side)| {
+            Some((SeriesStop { name: stop.name.clone(), along: Some(side.sign()) }, known(side)?))
+        })
+        .unzip();
+    let begin = Time::new(task.transient as i64, start.t).periods();
+    let of = SeriesOf { points: 1, stops: named, period: TAU, begin };
+    keeper.begin(&of)?;
     job.monitor.begin(task.transient + u64::from(task.periods), "periods");
     let run = simulator.start(Time::new(0, start.t), start.q, start.u)?;
-    let found = SimulationFindings::new(task, job, TAU, simulator.settings().minimum_depth);
-    let extent = [f64::INFINITY, f64::NEG_INFINITY];
-    let mut motion = Motion { simulator: &simulator, run, found, extent, keeper };
+    let depth = simulator.settings().minimum_depth;
+    let method = if job.is_linear() { "closed form" } else { "Taylor series" };
+    let mut found = SimulationFindings::new(task, (&of, &vec![false; of.stops.len()]), method, depth);
+    found.oscillating(&modes(engine.system));
+    let mut motion = Motion { run, stops, mass: job.scene.mass()?, found, keeper };
     let end = follow(task, start.t, &mut motion, job.monitor)?;
-    let state = motion.run.state();
-    motion.widen(state.q);
-    let Motion { run, mut found, extent, .. } = motion;
-    (found.moved.end, found.moved.ended_at) = (end, run.time().periods());
-    (found.moved.q, found.moved.u) = (vec![state.q], vec![state.u]);
-    found.moved.extent = Some(extent);
-    found.acceleration = vec![simulator.flow().acceleration(state)];
+    let Motion { run, mut found, .. } = motion;
+    let state = run.state();
+    let bend = simulator.flow().acceleration(state);
+    found.ended((end, run.time()), [vec![state.q], vec![state.u], vec![bend]]);
     Ok(found)
+}
+
+/// Natural frequency and damping ratio where the linear part oscillates; none where a force is a formula.
+fn modes(system: &System<f64>) -> Vec<(f64, f64)> {
+    let frequency = system.stiffness.sqrt();
+    let ratio = system.damping / (2.0 * frequency);
+    let oscillates = system.smooth.is_none() && system.stiffness > 0.0 && ratio.abs() < 1.0;
+    if oscillates { vec![(frequency / TAU, ratio)] } else { Vec::new() }
 }
 
 impl SampledMotion for Motion<'_> {
@@ -60,33 +78,52 @@ impl SampledMotion for Motion<'_> {
     }
 
     fn record(&mut self, until: Time) -> Result<RunEnd> {
-        let (mut failed, [mut low, mut high]) = (None, self.extent);
-        let end = self.run.record(until, |event| {
-            self.found.count(&event);
-            if let Some((time, side)) = event.at()
-                && let Some(wall) = self.simulator.contact(side)
-            {
-                let at = wall.position.at(time.phase)[0];
-                (low, high) = (low.min(at), high.max(at));
-            }
+        let Motion { run, stops, mass, found, keeper } = self;
+        let mut failed = None;
+        let end = run.record(until, |event| {
+            let Some(event) = told(&event, stops, *mass) else { return };
+            found.happened(&event);
             if failed.is_none() {
-                failed = self.keeper.event(&event).err();
+                failed = keeper.event(&event).err();
             }
         });
-        self.extent = [low, high];
         failed.map_or(Ok(end), Err)
     }
 
-    fn sample(&mut self, at: Time) -> Result<()> {
+    fn sample(&mut self, time: Time) -> Result<()> {
         let state = self.run.state();
-        self.widen(state.q);
-        self.keeper.sample(at, state)
+        let mut gaps = [[0.0; 2]; 2];
+        for (gap, stop) in gaps.iter_mut().zip(&self.stops) {
+            let ([place, speed, _], sign) = (stop.position.at(time.phase), stop.side.sign());
+            *gap = [sign * (state.q - place), sign * (state.u - speed)];
+        }
+        let sample = Sample { time, q: &[state.q], u: &[state.u], gaps: &gaps[..self.stops.len()] };
+        self.found.passed(&sample);
+        self.keeper.sample(&sample)
     }
 }
 
-impl Motion<'_> {
-    fn widen(&mut self, q: f64) {
-        let [low, high] = self.extent;
-        self.extent = [low.min(q), high.max(q)];
-    }
+/// An event, as it is kept.
+fn told(event: &simulate::Event, stops: &[Contact], mass: f64) -> Option<StopEvent> {
+    let (time, side) = event.at()?;
+    let place = stops.iter().position(|stop| stop.side == side)?;
+    let [at, speed, _] = stops[place].position.at(time.phase);
+    let known = StopEvent { place: Some([at, speed]), ..StopEvent::new(event.word(), time, place) };
+    Some(match event {
+        Event::Impact(impact) => {
+            let leaving = -stops[place].restitution * impact.velocity;
+            StopEvent {
+                velocity: Some(impact.velocity),
+                leaving: Some(leaving),
+                impulse: Some(mass * (leaving - impact.velocity)),
+                radius: Some(impact.radius),
+                together: Some(1),
+                order_matters: Some(false),
+                ..known
+            }
+        }
+        Event::Tangency(tangency) => StopEvent { gap: Some(tangency.gap), ..known },
+        Event::Stick(stick) => StopEvent { rest: Some(stick.rest), ..known },
+        Event::Release(_) | Event::Touch(_) | Event::End(_) => known,
+    })
 }

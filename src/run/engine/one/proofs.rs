@@ -11,7 +11,7 @@ use super::{
         engine::{Proof, Prover},
         validate::{all, digits, starts},
     },
-    Oscillators, speeds,
+    Oscillators, named, speeds, turn,
 };
 use crate::{
     continuation::{Bifurcation, BranchSearch, nearest},
@@ -19,7 +19,7 @@ use crate::{
     local::Rung,
     monitor::timed,
     motion::System,
-    number::{Precision, Real},
+    number::{Ball, Elementary, Precision, Real},
     one::{
         branch::OscillatorPatterns,
         grazing,
@@ -42,10 +42,11 @@ impl Prover<Orbit> for OrbitProver<'_> {
         let guess = impacts(&approximation.itinerary, &approximation.z);
         let verdict =
             timed(job.monitor, Rung::Ball(precision.bits()), || orbit::orbit(system, &guess, precision))?;
-        let pattern = approximation.itinerary.to_string();
-        let mut row = ProofRow::of(&verdict, pattern, approximation.z.clone());
+        let pattern = named(&approximation.itinerary, job);
+        let solution = guess.iter().flat_map(|impact| [turn(impact.phase), impact.velocity]).collect();
+        let mut row = ProofRow::of(&verdict, pattern, solution);
         let Verdict::Proved(proof) = verdict else { return Ok(Proof { row, certificate: None }) };
-        row.phases = Some(all(&proof.phases));
+        row.phases = Some(all(&turns(&proof.phases, precision)));
         row.speeds = Some(all(&proof.velocities));
         row.only_within = proof.radius.to_f64();
         row.trace = digits(&proof.trace);
@@ -57,6 +58,12 @@ impl Prover<Orbit> for OrbitProver<'_> {
         });
         Ok(Proof { row, certificate: Some(orbit::certificate(system, &proof)) })
     }
+}
+
+/// Enclosed times in radians as parts of the period.
+fn turns(radians: &[Ball], precision: &Precision) -> Vec<Ball> {
+    let whole = Ball::pi(precision) * &Ball::integer(2, precision);
+    radians.iter().map(|time| time.clone() / &whole).collect()
 }
 
 /// Proves the event nearest to each admissible orbit of the task.
@@ -104,11 +111,12 @@ pub(super) fn events(
                 continue;
             }
         };
-        let solution = guess.iter().flat_map(|impact| [impact.phase, impact.velocity]).chain([parameter]);
+        let solution =
+            guess.iter().flat_map(|impact| [turn(impact.phase), impact.velocity]).chain([parameter]);
         let verdict = timed(job.monitor, Rung::Ball(precision.bits()), || {
             orbit::event(exact, &guess, parameter, condition, &precision)
         })?;
-        let mut row = ProofRow::of(&verdict, orbit.itinerary.to_string(), solution.collect());
+        let mut row = ProofRow::of(&verdict, named(&orbit.itinerary, job), solution.collect());
         if let Verdict::Proved(proof) = verdict {
             let Some((lo, hi)) = proof.parameter.exact_bounds() else {
                 found.nothing(speeds(&orbit), "the parameter's enclosure is not bounded".into());
@@ -120,7 +128,7 @@ pub(super) fn events(
             }
             row.parameter = digits(&proof.parameter);
             row.width = (&hi - &lo).to_f64();
-            row.phases = Some(all(&proof.phases));
+            row.phases = Some(all(&turns(&proof.phases, &precision)));
             row.speeds = Some(all(&proof.velocities));
             row.only_within = proof.radius.to_f64();
             match family_of().and_then(|system| orbit::event_certificate(&system, name, &proof)) {

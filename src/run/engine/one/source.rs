@@ -3,12 +3,12 @@
 use super::{
     super::{
         super::{
-            Complex, GrazingEventRow, Job, Judgement,
+            Job,
             branch::{events, settled},
         },
-        AnalysedEvent, Branches, OrbitSource,
+        AnalysedEvent, Branches, Grazed, OrbitSource,
     },
-    analysed, speeds,
+    analysed, named, speeds, turn,
 };
 use crate::{
     continuation::{Bifurcation, Label, Located, NormalForm, SearchReach},
@@ -92,33 +92,24 @@ impl<'a> OrbitSource for OscillatorSource<'a> {
             }
             _ => None,
         };
-        Ok(AnalysedEvent { orbit: analysed(orbit, event), form, touch: None })
+        Ok(AnalysedEvent { orbit: analysed(orbit, self.job, event), form })
     }
 
     fn named_with_speeds(&self, orbit: &Orbit) -> (String, Vec<f64>) {
-        (orbit.itinerary.to_string(), speeds(orbit))
+        (self.named(&orbit.itinerary), speeds(orbit))
     }
 
-    fn has_maps(&self) -> bool {
-        true
-    }
-
-    fn local_map(&self, at: &Located<Orbit>, orbit: &Orbit) -> Result<Option<GrazingEventRow>> {
+    fn grazed(&self, at: &Located<Orbit>) -> Result<Option<Grazed>> {
         let event = grazing::locate(self.family, &at.orbit, at.parameter)?;
         let map = &event.map;
-        let [lambda1, lambda2] = map.multipliers.values().map(Complex::from);
-        Ok(Some(GrazingEventRow {
+        Ok(Some(Grazed {
             parameter: event.parameter,
-            pattern: orbit.itinerary.to_string(),
-            wall: event.side().name(),
-            phase: event.phase(),
+            stop: self.job.stop(event.side()),
+            phase: turn(event.phase()),
             acceleration: map.acceleration,
-            lambda1,
-            lambda2,
             region: map.region().map(|region| region.to_string()),
-            gamma: map.gamma(),
-            e: map.e(),
-            admissible: if event.admissible { Judgement::Yes } else { Judgement::No },
+            map: Some([map.gamma(), map.e()]),
+            sound: event.admissible,
             residual: event.residual,
         }))
     }
@@ -138,6 +129,6 @@ impl<'a> OrbitSource for OscillatorSource<'a> {
     }
 
     fn named(&self, pattern: &Itinerary) -> String {
-        pattern.to_string()
+        named(pattern, self.job)
     }
 }

@@ -88,7 +88,6 @@ pub(super) fn machine(base: &Table) -> Option<Form> {
     }
     form.texts = Texts::Presence;
     form.common = true;
-    form.view.radians = false;
     form.without.push("machine");
     form.other.extend(["coefficient", "effects", "extent", "half"]);
     if is_integrated(base) {
