@@ -25,88 +25,54 @@ impl RowSetter {
         debug_assert_eq!(cells.len(), self.columns.len());
         match self.format {
             TableFormat::Table => self.aligned(rows, cells),
-            TableFormat::Csv => {
-                let start = rows.len();
-                for (index, cell) in cells.iter().enumerate() {
-                    if index > 0 {
-                        rows.push(b',');
-                    }
-                    match cell {
-                        TableCell::Text(text) => rows.extend_from_slice(csv_field(text).as_bytes()),
-                        other => plain(rows, other),
-                    }
+            TableFormat::Csv => csv(rows, cells),
+            TableFormat::Json => self.json(rows, cells),
+            TableFormat::Latex | TableFormat::LatexSiunitx => self.latex(rows, cells),
+            TableFormat::Markdown => markdown(rows, cells),
+        }
+    }
+
+    fn json(&self, rows: &mut Vec<u8>, cells: &[TableCell]) {
+        rows.extend_from_slice(if rows.is_empty() { b"{" } else { b",\n{" });
+        for (index, (cell, column)) in cells.iter().zip(&self.columns).enumerate() {
+            rows.extend_from_slice(if index > 0 { b",\"" } else { b"\"" });
+            rows.extend_from_slice(column.name.as_bytes());
+            rows.extend_from_slice(b"\":");
+            match cell {
+                TableCell::Int(_) => plain(rows, cell),
+                TableCell::Fraction(_) => within(rows, b"\"", b"\"", cell),
+                TableCell::Text(text) | TableCell::Maths(text) => {
+                    rows.extend_from_slice(json_string(text).as_bytes());
                 }
-                // A line with nothing on it would be no row.
-                rows.extend_from_slice(if rows.len() == start { b"\"\"\n" } else { b"\n" });
-            }
-            TableFormat::Json => {
-                rows.extend_from_slice(if rows.is_empty() { b"{" } else { b",\n{" });
-                for (index, (cell, column)) in cells.iter().zip(&self.columns).enumerate() {
-                    rows.extend_from_slice(if index > 0 { b",\"" } else { b"\"" });
-                    rows.extend_from_slice(column.name.as_bytes());
-                    rows.extend_from_slice(b"\":");
-                    match cell {
-                        TableCell::Int(_) => plain(rows, cell),
-                        TableCell::Fraction(_) => {
-                            rows.push(b'"');
-                            plain(rows, cell);
-                            rows.push(b'"');
-                        }
-                        TableCell::Text(text) | TableCell::Maths(text) => {
-                            rows.extend_from_slice(json_string(text).as_bytes());
-                        }
-                        TableCell::Empty => rows.extend_from_slice(b"null"),
-                    }
-                }
-                rows.push(b'}');
-            }
-            TableFormat::Latex | TableFormat::LatexSiunitx => {
-                let siunitx = self.format == TableFormat::LatexSiunitx;
-                let (begin, end): (&[u8], _) = if siunitx { (b"\\num{", b'}') } else { (b"$", b'$') };
-                let printed =
-                    cells.iter().zip(&self.columns).filter(|(_, column)| column.print != Print::Omitted);
-                for (index, (cell, _)) in printed.enumerate() {
-                    rows.extend_from_slice(if index > 0 { b" & " } else { b"" });
-                    match cell {
-                        // A whole number is not written as a fraction in print.
-                        TableCell::Fraction(x) if *x.denom() == 1 => {
-                            rows.extend_from_slice(begin);
-                            integer(rows, *x.numer());
-                            rows.push(end);
-                        }
-                        TableCell::Int(_) => {
-                            rows.extend_from_slice(begin);
-                            plain(rows, cell);
-                            rows.push(end);
-                        }
-                        TableCell::Fraction(_) | TableCell::Maths(_) => {
-                            rows.push(b'$');
-                            plain(rows, cell);
-                            rows.push(b'$');
-                        }
-                        TableCell::Text(text) if siunitx && escape::is_decimal(text) => {
-                            rows.extend_from_slice(begin);
-                            rows.extend_from_slice(text.as_bytes());
-                            rows.push(end);
-                        }
-                        TableCell::Text(text) => rows.extend_from_slice(escape::latex_cell(text).as_bytes()),
-                        TableCell::Empty => {}
-                    }
-                }
-                rows.extend_from_slice(b" \\\\\n");
-            }
-            TableFormat::Markdown => {
-                for cell in cells {
-                    rows.extend_from_slice(b"| ");
-                    match cell {
-                        TableCell::Text(text) => rows.extend_from_slice(escape::markdown(text).as_bytes()),
-                        other => plain(rows, other),
-                    }
-                    rows.push(b' ');
-                }
-                rows.extend_from_slice(b"|\n");
+                TableCell::Empty => rows.extend_from_slice(b"null"),
             }
         }
+        rows.push(b'}');
+    }
+
+    fn latex(&self, rows: &mut Vec<u8>, cells: &[TableCell]) {
+        let siunitx = self.format == TableFormat::LatexSiunitx;
+        let (begin, end): (&[u8], &[u8]) = if siunitx { (b"\\num{", b"}") } else { (b"$", b"$") };
+        let printed = cells.iter().zip(&self.columns).filter(|(_, column)| column.print != Print::Omitted);
+        for (index, (cell, _)) in printed.enumerate() {
+            rows.extend_from_slice(if index > 0 { b" & " } else { b"" });
+            match cell {
+                // A whole number is not written as a fraction in print.
+                TableCell::Fraction(x) if *x.denom() == 1 => {
+                    rows.extend_from_slice(begin);
+                    integer(rows, *x.numer());
+                    rows.extend_from_slice(end);
+                }
+                TableCell::Int(_) => within(rows, begin, end, cell),
+                TableCell::Fraction(_) | TableCell::Maths(_) => within(rows, b"$", b"$", cell),
+                TableCell::Text(text) if siunitx && escape::is_decimal(text) => {
+                    within(rows, begin, end, cell)
+                }
+                TableCell::Text(text) => rows.extend_from_slice(escape::latex_cell(text).as_bytes()),
+                TableCell::Empty => {}
+            }
+        }
+        rows.extend_from_slice(b" \\\\\n");
     }
 
     /// Right-aligned, with two spaces between; none at the end of the line.
@@ -145,6 +111,40 @@ pub(super) fn csv_header(rows: &mut Vec<u8>, names: &[&str]) {
 
 pub(super) fn json_string(text: &str) -> String {
     serde_json::Value::from(text).to_string()
+}
+
+fn csv(rows: &mut Vec<u8>, cells: &[TableCell]) {
+    let start = rows.len();
+    for (index, cell) in cells.iter().enumerate() {
+        if index > 0 {
+            rows.push(b',');
+        }
+        match cell {
+            TableCell::Text(text) => rows.extend_from_slice(csv_field(text).as_bytes()),
+            other => plain(rows, other),
+        }
+    }
+    // A line with nothing on it would be no row.
+    rows.extend_from_slice(if rows.len() == start { b"\"\"\n" } else { b"\n" });
+}
+
+fn markdown(rows: &mut Vec<u8>, cells: &[TableCell]) {
+    for cell in cells {
+        rows.extend_from_slice(b"| ");
+        match cell {
+            TableCell::Text(text) => rows.extend_from_slice(escape::markdown(text).as_bytes()),
+            other => plain(rows, other),
+        }
+        rows.push(b' ');
+    }
+    rows.extend_from_slice(b"|\n");
+}
+
+/// A cell between two texts.
+fn within(rows: &mut Vec<u8>, begin: &[u8], end: &[u8], cell: &TableCell) {
+    rows.extend_from_slice(begin);
+    plain(rows, cell);
+    rows.extend_from_slice(end);
 }
 
 /// A cell with nothing around it.

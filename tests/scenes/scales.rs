@@ -98,8 +98,20 @@ points = 50
 "#;
 
 /// What a number of a report is in: columns that are lengths or velocities.
-const LENGTHS: [&str; 12] =
-    ["q", "u", "speeds", "least_gap", "residual", "acceleration", "extent", "minimum_depth", "unit", "fastest", "strongest", "largest_gap"];
+const LENGTHS: [&str; 12] = [
+    "q",
+    "u",
+    "speeds",
+    "least_gap",
+    "residual",
+    "acceleration",
+    "extent",
+    "minimum_depth",
+    "unit",
+    "fastest",
+    "strongest",
+    "largest_gap",
+];
 /// Columns whose numbers go with coordinates, or with the metric of a curve.
 const OTHER: [&str; 4] = ["coefficient", "gamma", "e", "B"];
 /// What depends on the last digits where the unit is no power of two.
