@@ -6,6 +6,7 @@ use super::{
     Analysed, ChaosRow, Complex, Finding, Job, Judgement, Lines, Status,
     birth::all_patterns,
     engine::{Engine, GrazingPoint, by_engine},
+    range::{RangeRow, SideRange},
     row,
     seen::{self, SeenRow},
 };
@@ -14,6 +15,7 @@ use crate::{
     error::{Error, Result},
     pattern::{Pattern, PatternExistence, Patterns, Report as Verdict},
     scene::orbits::GrazingTask,
+    search::range::RangeEffort,
 };
 
 row! {
@@ -143,6 +145,13 @@ pub struct GrazingReport {
     pub born: Vec<BornRow>,
     /// What attracts beside the touch; absent if it was not looked for.
     pub seen: Option<Vec<SeenRow>>,
+    /// How far from the touch what is born is proved to go on; absent if it was not asked for.
+    pub range: Option<Vec<RangeRow>>,
+    /// Why no range was looked for, though it was asked for.
+    pub range_open: Option<String>,
+    /// The certificates of ranges: file and text.
+    #[serde(skip)]
+    pub certificates: Vec<(String, String)>,
     /// How many of them are open.
     #[serde(skip)]
     undecided: usize,
@@ -161,7 +170,16 @@ impl GrazingReport {
             (None, 0) if self.at.admissible == Judgement::No => {
                 Status::undecided("the orbit that grazes is not one: what is born there is not decided")
             }
-            (None, 0) => Status::Done,
+            (None, 0) => match (&self.range_open, self.range.iter().flatten().find(|row| row.is_undecided()))
+            {
+                (Some(why), _) => Status::undecided(format!("no range is proved: {why}")),
+                (None, Some(row)) => Status::undecided(format!(
+                    "{} the touch no range is proved: {}",
+                    row.side,
+                    row.reason.as_deref().unwrap_or_default()
+                )),
+                (None, None) => Status::Done,
+            },
             (None, open) => Status::undecided(format!("{open} patterns are open; the table has the reasons")),
         }
     }
@@ -201,6 +219,12 @@ impl GrazingReport {
         }
         if let Some(reason) = &self.chaos_open {
             lines.say("chaos", format!("not decided: {reason}"));
+        }
+        for row in self.range.iter().flatten() {
+            row.lines(&at.varied, lines);
+        }
+        if let Some(why) = &self.range_open {
+            lines.say("range", format!("none: {why}"));
         }
         lines.table("born", &self.born);
         if let Some(rows) = &self.seen {
@@ -257,7 +281,34 @@ fn of<E: Engine>(task: &GrazingTask, job: &Job, engine: &E) -> Result<GrazingFin
     } else {
         None
     };
-    Ok(GrazingFindings::Found(Box::new(GrazingReport { at, chaos, chaos_open, born, seen, undecided })))
+    let effort = task.range.0.as_ref().map(|keys| RangeEffort(keys.effort));
+    let (mut range, mut range_open, mut certificates) = (None, None, Vec::new());
+    match effort.filter(|_| at.open.is_none()).map(|effort| point.ranges(effort)).transpose()? {
+        Some(Ok(sides)) => {
+            let keep = |SideRange { mut row, text }| {
+                if let Some(text) = text {
+                    let file = format!("{}-{}.certificate", job.task.name, row.side);
+                    row.certificate = Some(file.clone());
+                    certificates.push((file, text));
+                }
+                row
+            };
+            range = Some(sides.into_iter().map(keep).collect());
+        }
+        Some(Err(why)) => range_open = Some(why),
+        None => {}
+    }
+    Ok(GrazingFindings::Found(Box::new(GrazingReport {
+        at,
+        chaos,
+        chaos_open,
+        born,
+        seen,
+        range,
+        range_open,
+        certificates,
+        undecided,
+    })))
 }
 
 /// Whether chaos is born, or why that is not decided.

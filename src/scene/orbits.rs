@@ -8,7 +8,7 @@ use num_traits::ToPrimitive;
 
 use super::{
     expression::LIMIT_BITS,
-    keys::{Entry, StopName, Value, keys},
+    keys::{Entry, StopName, Table, Value, keys},
 };
 use crate::{
     continuation::{Bifurcation, Options, SearchReach},
@@ -16,6 +16,7 @@ use crate::{
     motion::{Side, System},
     number::parse_rational_within,
     one::orbit::{Itinerary, Orbit, Oscillator, Strike, find, search, search_obstacle},
+    search::range::RangeEffort,
     source::hint,
 };
 
@@ -226,6 +227,39 @@ keys! {
         /// whether to follow motions beside the touch, to see whether they stay near or jump, and where they
         /// come back; without it, only where no force is a formula and no stop gives way
         seen: Option<bool>,
+        /// whether to prove, for either side of the touch, how far what is born there goes on; `effort` is how
+        /// many legs may be evaluated for a side, some 5 µs each, 400000 if it is not given
+        range: RangeKey = "false",
+    }
+}
+
+keys! {
+    /// How far a range is followed.
+    pub struct RangeKeys {
+        /// legs that may be evaluated for a side, some 5 µs each
+        effort: u64 = "400000",
+    }
+}
+
+/// Whether ranges are proved, and with which work.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RangeKey(pub Option<RangeKeys>);
+
+impl Value for RangeKey {
+    fn shape() -> String {
+        "`true`, `false` or a table".to_string()
+    }
+
+    fn table() -> Option<Table> {
+        RangeKeys::table()
+    }
+
+    fn read(entry: &Entry) -> Result<Self> {
+        Ok(RangeKey(match entry.item.as_bool() {
+            Some(false) => None,
+            Some(true) => Some(RangeKeys { effort: RangeEffort::default().0 }),
+            None => Some(RangeKeys::read(entry)?),
+        }))
     }
 }
 

@@ -604,18 +604,16 @@ fn every_example_runs_and_touches_its_stops() {
         );
         let report: serde_json::Value = serde_json::from_str(&text).unwrap();
         for task in report["tasks"].as_array().unwrap() {
-            // Those of a microswitch of one degree of freedom have an upper wall; other kinds, no events.
-            if task["kind"] != "simulate" || task["stops"].is_null() {
-                assert!(task["impacts"].as_u64().is_none_or(|impacts| impacts > 0), "{path:?}: {task}");
+            if task["kind"] != "simulate" {
                 continue;
             }
             let stops = task["stops"].as_array().unwrap();
             let impacts: u64 = stops.iter().map(|stop| stop["impacts"].as_u64().unwrap()).sum();
             assert!(impacts > 0, "{path:?}: {task}");
-            let scene = Scene::read(&path).unwrap().machine(&[]).unwrap();
-            for (stop, given) in stops.iter().zip(&scene.stops) {
+            for stop in stops {
+                let compliant = stop["peak_force"].is_number();
                 assert!(
-                    matches!(given.law, StopLaw::Soft { .. })
+                    compliant
                         || stop["least_gap"].as_f64().unwrap() >= -task["minimum_depth"].as_f64().unwrap(),
                     "{path:?}: {stop}"
                 );

@@ -12,6 +12,7 @@ use serde_json::Value;
 use tempfile::TempDir;
 
 mod attractors;
+mod ranges;
 mod sweeps;
 
 const HEAD: &str = "format = \"grazing-scene 1\"\ntitle = \"t\"\n";

@@ -17,6 +17,7 @@ use serde::{Serialize, de::DeserializeOwned};
 
 use super::{
     Analysed, GrazingMap, Judgement, Keeper, ProofRow, SectionFindings, SimulationFindings, ValidateFindings,
+    range::SideRange,
 };
 use crate::{
     attractor::{
@@ -35,6 +36,7 @@ use crate::{
         simulate::{SimulateTask, Start},
         validate::ValidateTask,
     },
+    search::range::RangeEffort,
 };
 
 /// Calls the rest with the engine that the job's scene is for.
@@ -330,6 +332,13 @@ pub(crate) trait GrazingPoint {
     /// # Errors
     /// Those of the system and of [`seen`](crate::attractor::touch::seen).
     fn seen(&self, e: f64, look: &Look) -> Result<Seen>;
+
+    /// How far from the touch what is born is proved to go on, before it and beyond it; the inner error is
+    /// why no range is looked for.
+    ///
+    /// # Errors
+    /// An interruption.
+    fn ranges(&self, effort: RangeEffort) -> Result<std::result::Result<Vec<SideRange>, String>>;
 
     /// The orbit of the true system near the leading-order solution of a pattern, at a parameter `away` from
     /// the bifurcation; the inner error is why none was found.

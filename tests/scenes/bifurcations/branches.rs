@@ -123,7 +123,7 @@ fn what_is_on_a_branch_does_not_depend_on_the_unit_of_length() {
     let keys = "parameter = \"F\"\nrange = [0.5, 1.5]\nstarts = [{ attractor = { q = 0, u = 0 } }]";
     let found = [1.0, 4.0, 0.25, 10.0, 0.01, 100.0].map(|length| {
         let report = done(&one_wall(length), &[task("bra", "branch", keys)], folder.path());
-        assert_eq!(report["tasks"][0]["starts"][0]["pattern"], "1 upper,1 upper", "{report}");
+        assert_eq!(report["tasks"][0]["starts"][0]["pattern"], "1,1", "{report}");
         labelled(&report, 0)
     });
     let kinds: Vec<&str> = found[0].iter().map(|row| row.0.rsplit_once(' ').unwrap().0).collect();

@@ -5,11 +5,7 @@ use crate::{error::Result, run::ChaosFindings};
 
 /// The certificate, if there is one, and a table of the letters.
 pub(super) fn keep(found: &ChaosFindings, job: &Job) -> Result<Vec<String>> {
-    let mut files = Vec::new();
-    if let Some((file, text)) = &found.text {
-        job.write(file, |out| Ok(out.write_all(text.as_bytes())?))?;
-        files.push(file.clone());
-    }
+    let mut files = job.certificates(&found.text)?;
     files.push(job.csv(&found.letters, ".csv")?);
     Ok(files)
 }

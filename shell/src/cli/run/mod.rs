@@ -149,6 +149,15 @@ impl Job<'_> {
         self.named.named(&self.folder.join(file))?.write(write)
     }
 
+    /// Writes certificates, each a name and a text, and returns their names.
+    fn certificates<'t>(&self, all: impl IntoIterator<Item = &'t (String, String)>) -> Result<Vec<String>> {
+        let write = |(file, text): &(String, String)| {
+            self.write(file, |out| Ok(out.write_all(text.as_bytes())?))?;
+            Ok(file.clone())
+        };
+        all.into_iter().map(write).collect()
+    }
+
     /// Writes rows as the task's CSV file with this ending, and returns the file's name.
     fn csv<T: Tabular>(&self, rows: &T, end: &str) -> Result<String> {
         let file = format!("{}{end}", self.task.name);
@@ -189,7 +198,11 @@ impl Keeper for Files<'_> {
             (Findings::Chaos(found), _) => chaos::keep(found, self.0),
             (Findings::Orbit(found), _) => Ok(vec![self.0.csv(&found.orbits, ".csv")?]),
             (Findings::Grazing(found), _) => match &**found {
-                GrazingFindings::Found(found) => Ok(vec![self.0.csv(&found.born, ".csv")?]),
+                GrazingFindings::Found(found) => {
+                    let mut files = self.0.certificates(&found.certificates)?;
+                    files.push(self.0.csv(&found.born, ".csv")?);
+                    Ok(files)
+                }
                 GrazingFindings::Nothing { .. } => Ok(Vec::new()),
             },
             (Findings::Event(found), _) => Ok(vec![self.0.csv(&found.found, ".csv")?]),

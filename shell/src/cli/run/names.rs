@@ -35,7 +35,11 @@ fn endings(kind: &Kind) -> &'static [Ending] {
             &[Picture, Fixed(".csv"), Fixed("-windows.csv"), Fixed("-jumps.csv"), State(".checkpoint")]
         }
         Kind::DiagramTask(_) => &[Picture, Fixed(".csv"), Fixed("-windows.csv"), State(".checkpoint")],
-        Kind::OrbitTask(_) | Kind::EventTask(_) | Kind::GrazingTask(_) => &[Fixed(".csv")],
+        Kind::OrbitTask(_) | Kind::EventTask(_) => &[Fixed(".csv")],
+        Kind::GrazingTask(task) if task.range.0.is_some() => {
+            &[Fixed(".csv"), Fixed("-before.certificate"), Fixed("-beyond.certificate")]
+        }
+        Kind::GrazingTask(_) => &[Fixed(".csv")],
         Kind::BranchTask(_) => {
             &[Fixed(".json"), Numbered(".json"), Picture, Fixed(".csv"), Fixed("-points.csv")]
         }

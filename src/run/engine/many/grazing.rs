@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use super::{
     super::{
-        super::{Analysed, Complex, GrazingMap, Job, Judgement},
+        super::{Analysed, Complex, GrazingMap, Job, Judgement, range::SideRange},
         GrazingPoint, Theory,
     },
     analysed,
@@ -25,6 +25,7 @@ use crate::{
     },
     pattern::{Analysis, Map, Numbers, Report as Verdict},
     scene::{MachineSceneFamily, orbits::GrazingTask},
+    search::range::RangeEffort,
 };
 
 /// A least gap that changes over the reach by less than this, relative to the gaps' motion, does not pass
@@ -111,6 +112,10 @@ impl GrazingPoint for MachineGrazingPoint<'_> {
         let (parameter, width) = (event.parameter, self.size()?);
         let look = Look { phase, ..look.clone() };
         touch::seen(&Touch { parameter, e, start, periods: 1, width }, &look, planar, self.job.monitor)
+    }
+
+    fn ranges(&self, _: RangeEffort) -> Result<std::result::Result<Vec<SideRange>, String>> {
+        Ok(Err("ranges are proved by the engine `one` alone".into()))
     }
 
     fn orbit(

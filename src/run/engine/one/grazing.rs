@@ -2,10 +2,12 @@
 
 use super::{
     super::{
-        super::{Analysed, Complex, GrazingMap, Job, Judgement},
+        super::{Analysed, Complex, GrazingMap, Job, Judgement, range::SideRange},
         GrazingPoint, Theory,
     },
-    analysed, turn,
+    analysed,
+    ranges::ranges,
+    turn,
 };
 use crate::{
     attractor::{
@@ -20,6 +22,7 @@ use crate::{
     },
     pattern::{Graph, Map, Report as Verdict},
     scene::{SceneFamily, orbits::GrazingTask},
+    search::range::RangeEffort,
 };
 
 /// A grazing bifurcation of an oscillator's orbit.
@@ -36,6 +39,11 @@ pub(crate) struct OscillatorGrazing<'f> {
 }
 
 impl OscillatorGrazing<'_> {
+    /// The size of the motion there.
+    pub fn unit(&self) -> Result<f64> {
+        Ok(self.family.at(self.event.parameter)?.unit(&self.event.itinerary))
+    }
+
     fn local(&self) -> &LocalMap {
         self.half.as_ref().unwrap_or(&self.event.map)
     }
@@ -97,7 +105,7 @@ impl GrazingPoint for OscillatorGrazing<'_> {
     }
 
     fn size(&self) -> Result<f64> {
-        Ok(self.family.at(self.event.parameter)?.unit(&self.event.itinerary))
+        self.unit()
     }
 
     fn seen(&self, e: f64, look: &Look) -> Result<Seen> {
@@ -107,6 +115,10 @@ impl GrazingPoint for OscillatorGrazing<'_> {
         let look = Look { phase: self.far.t, ..look.clone() };
         let touch = Touch { parameter, e, start: self.far, periods: self.event.itinerary.periods(), width };
         touch::seen(&touch, &look, simulator, job.monitor)
+    }
+
+    fn ranges(&self, effort: RangeEffort) -> Result<std::result::Result<Vec<SideRange>, String>> {
+        ranges(self, effort)
     }
 
     fn orbit(&self, periods: &[u64], verdict: &Verdict, parameter: f64, _: f64) -> Result<Result<Analysed>> {

@@ -3,6 +3,7 @@
 mod grazing;
 mod motion;
 mod proofs;
+mod ranges;
 mod sections;
 mod source;
 

@@ -1,0 +1,161 @@
+//! How far from a grazing what is born there is proved to go on: rows of the task `grazing`.
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::{Pow, Signed, ToPrimitive, Zero};
+
+use super::{Lines, row};
+use crate::search::range::{RangeEffort, RangeEnd};
+
+row! {
+    /// One side of a touch.
+    pub struct RangeRow {
+        /// `before` the touch, where the gap of the orbit that grazes is open, or `beyond` it.
+        pub side: &'static str,
+        /// "proved", "nothing born" or "undecided".
+        pub verdict: &'static str,
+        /// The periods of the graph whose paths are motions.
+        pub periods: Vec<u64>,
+        /// Whether this is the whole graph that is born there.
+        pub whole: bool,
+        /// Certain digits of the parameter at the touch, where the range begins; it is not in it.
+        pub touch: Option<String>,
+        /// The last value of the parameter, exactly: rounded inwards.
+        pub end: Option<String>,
+        /// The width of the range as a part of the parameter at the touch; absent where that is 0.
+        pub share: Option<f64>,
+        /// ν there is at most this, exactly.
+        pub depth: Option<String>,
+        /// Why it goes no further, or why nothing is proved.
+        pub reason: Option<String>,
+        /// The file of its certificate.
+        pub certificate: Option<String>,
+    }
+}
+
+/// What is proved of one side.
+pub(crate) struct SideRange {
+    /// What is said of it, but for the certificate's file.
+    pub row: RangeRow,
+    /// The certificate.
+    pub text: Option<String>,
+}
+
+impl RangeRow {
+    /// Of a side on which nothing is proved.
+    pub(crate) fn open(behind: bool, verdict: &'static str, reason: Option<String>) -> RangeRow {
+        RangeRow {
+            side: if behind { "beyond" } else { "before" },
+            verdict,
+            periods: Vec::new(),
+            whole: false,
+            touch: None,
+            end: None,
+            share: None,
+            depth: None,
+            reason,
+            certificate: None,
+        }
+    }
+
+    pub(super) fn is_undecided(&self) -> bool {
+        self.verdict == "undecided"
+    }
+
+    pub(super) fn lines(&self, varied: &str, lines: &mut Lines) {
+        let (side, reason) = (self.side, self.reason.as_deref().unwrap_or_default());
+        let (Some(touch), Some(end)) = (&self.touch, &self.end) else {
+            let why =
+                if self.is_undecided() { format!("none proved: {reason}") } else { "nothing is born".into() };
+            return lines.say("range", format!("{side} the touch, {why}"));
+        };
+        let periods: Vec<String> = self.periods.iter().map(u64::to_string).collect();
+        let above = if self.ends_above() {
+            format!("{touch} < {varied} <= {end}")
+        } else {
+            format!("{end} <= {varied} < {touch}")
+        };
+        let part = self.share.map_or(String::new(), |share| format!(" ({:.2} %)", 100.0 * share));
+        let which = if self.whole { "" } else { ", a part of those that are born," };
+        lines.say(
+            "range",
+            format!(
+                "{side} the touch, proved for {above}{part}: every path of the graph of the periods {}{which} is exactly one motion",
+                periods.join(", ")
+            ),
+        );
+        lines.say("range_ends", reason);
+        lines.say_known("certificate", &self.certificate);
+    }
+
+    fn ends_above(&self) -> bool {
+        let float = |text: &Option<String>| text.as_ref().and_then(|text| text.parse::<f64>().ok());
+        float(&self.end) > float(&self.touch)
+    }
+}
+
+/// Why a range ends, in words.
+pub(crate) fn why(end: &RangeEnd, effort: RangeEffort) -> String {
+    match end {
+        RangeEnd::Asked => "no more is looked at".into(),
+        RangeEnd::Map => "next to it no ranges of strengths are found that the map keeps: this ends the proof, not the motions".into(),
+        RangeEnd::Refused(why) => format!("next to it the checker refuses: {why}"),
+        RangeEnd::Work => format!("the work allowed is done, {} legs: raise `effort`", effort.0),
+    }
+}
+
+/// A number of so many digits from an end of a range towards its inner side, as a decimal; the end itself, as
+/// a fraction, where that would leave the range.
+pub(crate) fn inwards(end: &BigRational, inner: &BigRational, digits: i32) -> String {
+    let size = end.abs().to_f64().filter(|size| *size > 0.0).map_or(0.0, f64::log10);
+    let places = digits - 1 - size.floor() as i32;
+    let ten = |power: i32| BigRational::from(BigInt::from(10).pow(power.unsigned_abs()));
+    let scaled = if places >= 0 { end * ten(places) } else { end / ten(places) };
+    let whole = if inner > end { scaled.ceil() } else { scaled.floor() };
+    let value = if places >= 0 { &whole / ten(places) } else { &whole * ten(places) };
+    let within = if inner > end { value < *inner } else { value > *inner };
+    if !within {
+        return end.to_string();
+    }
+    decimal(&whole.to_integer(), places)
+}
+
+/// n · 10^−places.
+fn decimal(n: &BigInt, places: i32) -> String {
+    if n.is_zero() {
+        return "0".into();
+    }
+    let sign = if n.is_negative() { "-" } else { "" };
+    let digits = n.abs().to_string();
+    let places = usize::try_from(places).unwrap_or(0);
+    let digits = if places == 0 { digits } else { format!("{digits:0>width$}", width = places + 1) };
+    let (whole, part) = digits.split_at(digits.len() - places);
+    let part = part.trim_end_matches('0');
+    if part.is_empty() { format!("{sign}{whole}") } else { format!("{sign}{whole}.{part}") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{decimal, inwards};
+    use crate::number::parse_rational;
+
+    #[test]
+    fn an_end_is_rounded_towards_the_touch() {
+        let at = |text: &str| parse_rational(text).unwrap();
+        for (end, inner, shown) in [
+            ("2/3", "1", "0.667"),
+            ("2/3", "1/2", "0.666"),
+            ("-2/3", "0", "-0.666"),
+            ("-2/3", "-1", "-0.667"),
+            ("1/300", "0", "0.00333"),
+            ("200000/3", "0", "66600"),
+            ("1/8", "1", "0.125"),
+            // What is left between the two has more digits.
+            ("2/3", "2001/3001", "2/3"),
+            ("0", "1", "0"),
+        ] {
+            assert_eq!(inwards(&at(end), &at(inner), 3), shown, "{end} {inner}");
+        }
+        assert_eq!(decimal(&(-12).into(), 4), "-0.0012");
+    }
+}
