@@ -6,8 +6,8 @@ use grazing::{
     Result,
     one::attractor::map::{MapCell, MapEnd},
     run::{
-        BasinsFindings, DiagramFindings, Findings, Job, Keeper, MapFindings, Sample, SectionFindings,
-        SectionSet, SeriesOf, StopEvent,
+        BasinsFindings, DiagramFindings, Findings, Job, Keeper, MapFindings, SectionFindings, SectionSet,
+        SeriesOf, SeriesPoint, StopEvent,
     },
 };
 use numpy::{IntoPyArray, PyArrayMethods};
@@ -106,7 +106,7 @@ impl Keeper for Collector {
         Ok(())
     }
 
-    fn sample(&mut self, sample: &Sample) -> Result<()> {
+    fn sample(&mut self, sample: &SeriesPoint) -> Result<()> {
         self.time.push(sample.time.periods());
         self.q.extend(sample.q);
         self.u.extend(sample.u);

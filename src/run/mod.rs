@@ -75,7 +75,7 @@ pub use range::RangeRow;
 pub use report::{RunReport, TaskReport};
 pub use section::{AttractorRow, ExponentRow, SectionFindings, SectionOrbitRow, SectionSet, section};
 pub use seen::SeenRow;
-pub use series::{Sample, SeriesOf, SeriesStop, StopEvent};
+pub use series::{SeriesOf, SeriesPoint, SeriesStop, StopEvent};
 pub use simulate::{MeasuredEffect, ModeRow, Moved, SimulationFindings, StopRow, simulate};
 pub use status::{Place, Status};
 pub use swept::{HysteresisRow, JumpRow, SweepFindings, SweptRow};
@@ -212,7 +212,7 @@ pub trait Keeper {
     ///
     /// # Errors
     /// The keeper's own; the task ends with it.
-    fn sample(&mut self, _sample: &Sample) -> Result<()> {
+    fn sample(&mut self, _sample: &SeriesPoint) -> Result<()> {
         Ok(())
     }
 

@@ -35,7 +35,7 @@ pub struct SeriesStop {
 
 /// A point of a series.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Sample<'a> {
+pub struct SeriesPoint<'a> {
     /// When.
     pub time: Time,
     /// The displacements.

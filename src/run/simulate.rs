@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::{
-    Finding, Job, Keeper, Lines, Sample, SeriesOf, Status, StopEvent,
+    Finding, Job, Keeper, Lines, SeriesOf, SeriesPoint, Status, StopEvent,
     engine::{Engine, by_engine},
     row, small_motion,
 };
@@ -79,7 +79,8 @@ row! {
         pub q: Vec<f64>,
         /// The velocities at the end.
         pub u: Vec<f64>,
-        /// The least and the greatest displacement at points of the series and at stops, of a motion with one.
+        /// The least and the greatest displacement at points of the series and at stops; of a motion with one
+        /// displacement.
         pub extent: Option<Vec<f64>>,
         /// What counts as contact without impact.
         pub minimum_depth: f64,
@@ -288,7 +289,7 @@ impl SimulationFindings {
     }
 
     /// Takes a point of the series into account.
-    pub(super) fn passed(&mut self, sample: &Sample) {
+    pub(super) fn passed(&mut self, sample: &SeriesPoint) {
         if let [q] = *sample.q {
             self.widen(q);
         }

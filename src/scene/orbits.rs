@@ -227,8 +227,7 @@ keys! {
         /// whether to follow motions beside the touch, to see whether they stay near or jump, and where they
         /// come back; without it, only where no force is a formula and no stop gives way
         seen: Option<bool>,
-        /// whether to prove, for either side of the touch, how far what is born there goes on; `effort` is how
-        /// many legs may be evaluated for a side, some 5 µs each, 400000 if it is not given
+        /// whether to prove, for either side of the touch, how far what is born there goes on
         range: RangeKey = "false",
     }
 }

@@ -5,7 +5,7 @@ use std::{collections::BTreeMap, f64::consts::TAU};
 
 use grazing::{
     Result,
-    run::{Findings, Job, Keeper, Sample, SectionSet, StopEvent, Surroundings, TaskReport, run_task},
+    run::{Findings, Job, Keeper, SectionSet, SeriesPoint, StopEvent, Surroundings, TaskReport, run_task},
     scene::Scene,
 };
 use serde_json::Value;
@@ -179,7 +179,7 @@ struct Series {
 }
 
 impl Keeper for Series {
-    fn sample(&mut self, sample: &Sample) -> Result<()> {
+    fn sample(&mut self, sample: &SeriesPoint) -> Result<()> {
         self.samples.push((sample.time.periods(), sample.q.to_vec(), sample.u.to_vec()));
         Ok(())
     }

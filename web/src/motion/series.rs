@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use grazing::{
     Result,
     motion::Time,
-    run::{Keeper, Sample, SeriesOf, SeriesStop, StopEvent},
+    run::{Keeper, SeriesOf, SeriesPoint, SeriesStop, StopEvent},
 };
 use serde_json::{Value, json};
 
@@ -118,7 +118,7 @@ impl Keeper for Series {
         Ok(())
     }
 
-    fn sample(&mut self, sample: &Sample) -> Result<()> {
+    fn sample(&mut self, sample: &SeriesPoint) -> Result<()> {
         let time = sample.time.periods();
         self.last = sample.q.iter().chain(sample.u).copied().collect();
         let (place, rate) = match self.seen {

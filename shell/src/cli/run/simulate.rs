@@ -8,7 +8,7 @@ use crate::{
     error::{Error, Result},
     figure::{self, FigurePlace, MotionPicture},
     printable::csv_field,
-    run::{Findings, Keeper, Sample, SeriesOf, SeriesStop, StopEvent, TaskReport, run_task},
+    run::{Findings, Keeper, SeriesOf, SeriesPoint, SeriesStop, StopEvent, TaskReport, run_task},
     scene::simulate::SimulateTask,
 };
 
@@ -103,7 +103,7 @@ impl Keeper for Series<'_> {
         Ok(())
     }
 
-    fn sample(&mut self, sample: &Sample) -> Result<()> {
+    fn sample(&mut self, sample: &SeriesPoint) -> Result<()> {
         let at = sample.time.periods();
         let gaps = sample.gaps.iter().map(|[gap, _]| *gap);
         write!(self.series, "{},{at}", at * self.period)?;

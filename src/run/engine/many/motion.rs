@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 
 use super::{
     super::super::{
-        Job, Keeper, MeasuredEffect, Sample, SeriesOf, SeriesStop, SimulationFindings, StopEvent,
+        Job, Keeper, MeasuredEffect, SeriesOf, SeriesPoint, SeriesStop, SimulationFindings, StopEvent,
         series::{SampledMotion, follow},
     },
     Machines,
@@ -150,7 +150,7 @@ impl SampledMotion for Motion<'_> {
         };
         let gaps: Vec<[f64; 2]> = self.simulator.contacts().all().iter().map(gap).collect();
         let (q, u) = (self.machine.seen(&state.q), self.machine.seen(&state.u) * rate);
-        let sample = Sample { time, q: q.as_slice(), u: u.as_slice(), gaps: &gaps };
+        let sample = SeriesPoint { time, q: q.as_slice(), u: u.as_slice(), gaps: &gaps };
         self.found.passed(&sample);
         self.keeper.sample(&sample)
     }

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use super::{
     super::super::{
-        Keeper, Sample, SeriesOf, SeriesStop, SimulationFindings, StopEvent,
+        Keeper, SeriesOf, SeriesPoint, SeriesStop, SimulationFindings, StopEvent,
         series::{SampledMotion, follow},
     },
     Oscillators,
@@ -97,7 +97,7 @@ impl SampledMotion for Motion<'_> {
             let ([place, speed, _], sign) = (stop.position.at(time.phase), stop.side.sign());
             *gap = [sign * (state.q - place), sign * (state.u - speed)];
         }
-        let sample = Sample { time, q: &[state.q], u: &[state.u], gaps: &gaps[..self.stops.len()] };
+        let sample = SeriesPoint { time, q: &[state.q], u: &[state.u], gaps: &gaps[..self.stops.len()] };
         self.found.passed(&sample);
         self.keeper.sample(&sample)
     }
